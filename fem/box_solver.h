@@ -1,0 +1,45 @@
+#pragma once
+
+#include <Eigen/Dense>
+#include <vector>
+
+namespace fretval::fem {
+
+/// Where an unknown of a box-constrained problem sits.
+enum class BoxState : signed char { lower = -1, interior = 0, upper = 1 };
+
+/// Solves `find x in [lower, upper] minimising x.C x / 2 - q.x` for a symmetric positive definite C:
+/// `(q - C x)_i` is zero in the interior, <= 0 at the lower and >= 0 at the upper bound. The solution is unique.
+///
+/// With lower = 0, upper = infinity it is the normal contact problem (x = pressure); with -mu p, +mu p the Coulomb friction
+/// problem of one step. Unknowns are ordered from the centre of the contact outwards, so the interior set is mostly a leading
+/// block {0..k-1}, whose Cholesky factor is a leading block of the factor of C, computed once.
+///
+/// Method: primal-dual active set (all violated unknowns change at once), warm-started; if the number of violations does
+/// not decrease for several iterations, single changes by least index (Murty), which end after finitely many steps.
+class BoxSolver {
+ public:
+  /// Throws SolverError if C is not positive definite.
+  explicit BoxSolver(const Eigen::MatrixXd& matrix);
+
+  struct Solution {
+    Eigen::VectorXd x;
+    Eigen::VectorXd residual;  ///< q - C x; exactly 0 in the interior
+    int iterations = 0;
+  };
+
+  /// state: warm start on entry, the state of the solution on exit. Unknowns with lower = upper are fixed.
+  /// Throws SolverError if the iteration limit is reached, and std::invalid_argument for non-finite q.
+  Solution solve(const Eigen::VectorXd& q, const Eigen::VectorXd& lower, const Eigen::VectorXd& upper,
+                 std::vector<BoxState>& state) const;
+
+  [[nodiscard]] Eigen::Index size() const { return matrix_.rows(); }
+
+ private:
+  void solve_interior(const std::vector<Eigen::Index>& interior, Eigen::VectorXd rhs, Eigen::VectorXd& x) const;
+
+  Eigen::MatrixXd matrix_;
+  Eigen::MatrixXd factor_;  // lower Cholesky factor
+};
+
+}  // namespace fretval::fem

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <Eigen/Dense>
+#include <functional>
+
+#include "fem/box_solver.h"
+#include "fem/compliance.h"
+#include "fem/motion.h"
+#include "fem/relaxation.h"
+
+namespace fretval::fem {
+
+/// A contact line with its compliance factored for contact (or friction) steps.
+struct ContactProblem {
+  Compliance compliance;
+  BoxSolver solver;
+
+  explicit ContactProblem(Compliance c) : compliance(std::move(c)), solver(compliance.matrix) {}
+  [[nodiscard]] Eigen::Index n_rings() const { return compliance.areas.size(); }
+};
+
+/// How finely a history is computed, and when it counts as periodic.
+struct HistoryControl {
+  int steps_per_cycle = 180;
+  int max_cycles = 400;
+  double periodicity = 1e-7;  ///< largest change of a ring force from one period to the next, relative to the largest force
+};
+
+/// The normal contact problem through the ramp and on until its response is periodic. Ring pressures are unaffected by the
+/// tangential motion (nu = 1/2), so one normal history serves all tangential motions.
+struct NormalHistory {
+  int steps_per_cycle;
+  int n_cycles;                    ///< computed; from the last one on, the response repeats
+  double periodicity;              ///< reached, see HistoryControl
+  Eigen::MatrixXd pressure;        ///< n_rings x (n_cycles steps_per_cycle + 1)
+  Eigen::VectorXd indentation;     ///< per instant
+  Eigen::VectorXd force;           ///< per instant, sum of pressure times area
+  Eigen::VectorXd smallest_gap;    ///< per ring over the last cycle; 0 for rings that touch
+  Eigen::VectorXd largest_displacement;  ///< ring displacements at the largest indentation of the last cycle
+
+  /// Column of `pressure` at a step counted from the start of the history, also beyond the computed ones.
+  [[nodiscard]] Eigen::Index column(long step) const;
+};
+
+/// Mean over each ring of a profile f(r).
+Eigen::VectorXd ring_means(const Compliance& compliance, const std::function<double(double)>& f);
+
+/// Elastic normal contact with unit shear modulus at a fixed indentation; profile: ring means.
+/// Returns the ring pressures and the remaining gaps.
+struct NormalContact {
+  Eigen::VectorXd pressure, gap;
+};
+NormalContact normal_contact(const ContactProblem& problem, const Eigen::VectorXd& profile, double indentation);
+
+/// Throws SolverError when the response is not periodic after max_cycles (message with the measure reached) or when the
+/// contact reaches the last ring of the line.
+NormalHistory normal_history(const ContactProblem& problem, const RelaxationModel& relaxation,
+                             const Eigen::VectorXd& profile, const Motion& motion, const HistoryControl& control);
+
+}  // namespace fretval::fem

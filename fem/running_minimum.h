@@ -1,0 +1,20 @@
+#pragma once
+
+#include <Eigen/Dense>
+
+namespace fretval::fem {
+
+/// Smallest value over time of several sampled signals, to second order: a minimum between samples is the vertex of the
+/// parabola through the three samples around it.
+class RunningMinimum {
+ public:
+  explicit RunningMinimum(Eigen::Index n);
+  void add(const Eigen::VectorXd& values);
+  [[nodiscard]] const Eigen::VectorXd& value() const { return minimum_; }
+
+ private:
+  Eigen::VectorXd minimum_, before_, last_;
+  int n_samples_ = 0;
+};
+
+}  // namespace fretval::fem
