@@ -11,12 +11,13 @@ enum class BoxState : signed char { lower = -1, interior = 0, upper = 1 };
 /// Solves `find x in [lower, upper] minimising x.C x / 2 - q.x` for a symmetric positive definite C:
 /// `(q - C x)_i` is zero in the interior, <= 0 at the lower and >= 0 at the upper bound. The solution is unique.
 ///
-/// With lower = 0, upper = infinity it is the normal contact problem (x = pressure); with -mu p, +mu p the Coulomb friction
-/// problem of one step. Unknowns are ordered from the centre of the contact outwards, so the interior set is mostly a leading
-/// block {0..k-1}, whose Cholesky factor is a leading block of the factor of C, computed once.
+/// With lower = 0, upper = infinity it is the normal contact problem (x = pressure); with -mu p, +mu p the Coulomb
+/// friction problem of one step. Unknowns are ordered from the centre of the contact outwards, so the interior set is
+/// mostly a leading block {0..k-1}, whose Cholesky factor is a leading block of the factor of C, computed once.
 ///
-/// Method: primal-dual active set (all violated unknowns change at once), warm-started; if the number of violations does
-/// not decrease for several iterations, single changes by least index (Murty), which end after finitely many steps.
+/// Method: primal-dual active set (all violated unknowns change at once), warm-started; if the number of violations
+/// does not decrease for several iterations, single changes by least index (Murty), which end after finitely many
+/// steps.
 class BoxSolver {
  public:
   /// Throws SolverError if C is not positive definite.

@@ -115,8 +115,9 @@ class Matrix {  // owns the PETSc objects
  private:
   void factorise(const std::vector<unsigned>* interface_dofs) {
     check(MatGetFactor(matrix_, MATSOLVERMUMPS, MAT_FACTOR_CHOLESKY, &factor_), name_, "setting up MUMPS");
-    MatMumpsSetIcntl(factor_, 7, 5);    // METIS: half the flops of the default ordering on these meshes
-    MatMumpsSetIcntl(factor_, 14, 60);  // % of spare work space: pivoting of the saddle point needs more than the default
+    MatMumpsSetIcntl(factor_, 7, 5);  // METIS: half the flops of the default ordering on these meshes
+    MatMumpsSetIcntl(factor_, 14,
+                     60);  // % of spare work space: pivoting of the saddle point needs more than the default
     if (interface_dofs) {
       const std::vector<PetscInt> indices(interface_dofs->begin(), interface_dofs->end());
       IS set = nullptr;
@@ -166,7 +167,9 @@ Condensation::Condensation(const SparseMatrix& matrix, const std::vector<unsigne
 Condensation::~Condensation() = default;
 Condensation::Condensation(Condensation&&) noexcept = default;
 
-Eigen::VectorXd Condensation::solve(const Eigen::VectorXd& rhs) const { return factor_->matrix.solve(rhs); }
+Eigen::VectorXd Condensation::solve(const Eigen::VectorXd& rhs) const {
+  return factor_->matrix.solve(rhs);
+}
 
 Eigen::VectorXd solve_uncondensed(const SparseMatrix& matrix, const Eigen::VectorXd& rhs, const std::string& name) {
   return Matrix(matrix, nullptr, name).solve(rhs);

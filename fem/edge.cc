@@ -22,7 +22,8 @@ struct Line {
 
 Line fit_line(const Eigen::VectorXd& x, const Eigen::VectorXd& y) {
   const double x_mean = x.mean(), y_mean = y.mean();
-  const double slope = (x.array() - x_mean).matrix().dot((y.array() - y_mean).matrix()) / (x.array() - x_mean).square().sum();
+  const double slope =
+      (x.array() - x_mean).matrix().dot((y.array() - y_mean).matrix()) / (x.array() - x_mean).square().sum();
   return {y_mean - slope * x_mean, slope};
 }
 
@@ -75,8 +76,7 @@ EdgeRadius largest_contact_radius(const NormalHistory& history, const ContactEve
   while (m < history.smallest_gap.size() && history.smallest_gap[m] <= 0) ++m;
   if (m < 2 || m >= history.smallest_gap.size()) throw SolverError("the contact has no edge inside the contact line");
   const double deepest = events.indentation[m] - history.smallest_gap[m] / events.closing_rate[m];
-  const double slope =
-      (events.radius[m] - events.radius[m - 1]) / (events.indentation[m] - events.indentation[m - 1]);
+  const double slope = (events.radius[m] - events.radius[m - 1]) / (events.indentation[m] - events.indentation[m - 1]);
   return {events.radius[m] + slope * (deepest - events.indentation[m]), events.radius[m] - events.radius[m - 1]};
 }
 

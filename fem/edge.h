@@ -18,25 +18,26 @@ struct EdgeRadius {
 Eigen::VectorXd effective_radii(const Compliance& compliance);
 
 /// The elastic indentations at which one more ring comes into contact, and the contact radius at each: the mean of the
-/// effective radii before and after. Between two such events the radius is interpolated, to second order in the ring width.
+/// effective radii before and after. Between two such events the radius is interpolated, to second order in the ring
+/// width.
 struct ContactEvents {
-  Eigen::VectorXd indentation;  ///< [m]: ring m touches while rings 0..m-1 are pressed
-  Eigen::VectorXd closing_rate; ///< [m]: -d(gap of ring m)/d(indentation) just before
+  Eigen::VectorXd indentation;   ///< [m]: ring m touches while rings 0..m-1 are pressed
+  Eigen::VectorXd closing_rate;  ///< [m]: -d(gap of ring m)/d(indentation) just before
   Eigen::VectorXd radius;
 };
 
 /// profile: ring means. The first event (m = 0) is the first touch.
 ContactEvents contact_events(const Compliance& compliance, const Eigen::VectorXd& profile);
 
-/// Largest contact radius of the last cycle of a normal history: the remaining gap of the first ring that never touches says
-/// how much deeper the indenter would have had to go for the next event. While the contact is the largest so far, the
-/// surface moves as in the elastic contact whatever the rheology (Lee & Radok), so the elastic events apply.
+/// Largest contact radius of the last cycle of a normal history: the remaining gap of the first ring that never touches
+/// says how much deeper the indenter would have had to go for the next event. While the contact is the largest so far,
+/// the surface moves as in the elastic contact whatever the rheology (Lee & Radok), so the elastic events apply.
 EdgeRadius largest_contact_radius(const NormalHistory& history, const ContactEvents& events);
 
-/// Radius at which a stick margin vanishes. The margin behaves like sqrt(c^2 - r^2) times a smooth function of r^2, so its
-/// square is fitted by a quadratic in r^2 over the outer stuck rings, less the three next to the edge, which carry the
-/// error of the discretised edge. n_stuck: number of rings from the centre that stick. With fewer than four stuck rings
-/// the edge is the effective radius of those rings, uncertain by a ring width; 0 with none.
+/// Radius at which a stick margin vanishes. The margin behaves like sqrt(c^2 - r^2) times a smooth function of r^2, so
+/// its square is fitted by a quadratic in r^2 over the outer stuck rings, less the three next to the edge, which carry
+/// the error of the discretised edge. n_stuck: number of rings from the centre that stick. With fewer than four stuck
+/// rings the edge is the effective radius of those rings, uncertain by a ring width; 0 with none.
 EdgeRadius stick_radius(const Compliance& compliance, const Eigen::VectorXd& margin, Eigen::Index n_stuck);
 
 }  // namespace fretval::fem

@@ -1,8 +1,9 @@
 #include "fem/friction_history.h"
 
-#include <cmath>
+#include <fmt/format.h>
+
+#include <functional>
 #include <limits>
-#include <string>
 #include <vector>
 
 #include "fem/running_minimum.h"
@@ -14,27 +15,69 @@ namespace {
 constexpr double pi = 3.14159265358979323846;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Everything that is carried from one step to the next.
-struct State {
-  Eigen::VectorXd displacement;
-  Eigen::MatrixXd memory;
-  std::vector<BoxState> stick;  // interior: sticks
+/// Carries the rings from step to step.
+class Stepper {
+ public:
+  Stepper(const ContactProblem& problem, const RelaxationModel& relaxation, const Motion& motion, int n_steps)
+      : problem_(problem),
+        motion_([&motion](double t) { return tangential_motion(motion, t); }),
+        dt_(2 * pi / n_steps),
+        step_(relaxation, dt_),
+        state_{Eigen::VectorXd::Zero(problem.n_rings()),
+               Eigen::MatrixXd::Zero(problem.n_rings(), static_cast<Eigen::Index>(relaxation.moduli.size()))},
+        stick_(static_cast<std::size_t>(problem.n_rings()), BoxState::interior) {}
+
+  struct Result {
+    Eigen::VectorXd traction, slip;
+  };
+
+  Result compute_step(long index, const Eigen::VectorXd& limit) {
+    const double begin = dt_ * static_cast<double>(index);
+    const auto& areas = problem_.compliance.areas;
+    const auto move = indenter_move(motion_, begin, begin + step_.fraction() * dt_);
+    const Eigen::VectorXd held = step_.response_without_slip(state_, move);
+    auto solution = problem_.solver.solve(areas.cwiseProduct(held), -limit, limit, stick_);
+    for (std::size_t i = 0; i < stick_.size(); ++i)
+      if (limit[static_cast<Eigen::Index>(i)] == 0)
+        stick_[i] = BoxState::interior;  // the guess for when it touches again
+    Eigen::VectorXd slip = (solution.residual.array() / areas.array()).matrix() / step_.instantaneous();
+    step_.advance(state_, indenter_move(motion_, begin, begin + dt_), slip);
+    return {std::move(solution.x), std::move(slip)};
+  }
+
+  [[nodiscard]] const Eigen::VectorXd& displacement() const { return state_.displacement; }
+
+ private:
+  const ContactProblem& problem_;
+  std::function<ValueAndRate(double)> motion_;
+  double dt_;
+  RelaxationStep step_;
+  RingState state_;
+  std::vector<BoxState> stick_;  // interior: sticks
 };
 
-struct StepResult {
-  Eigen::VectorXd traction, slip;
+/// What is judged over one period.
+struct Period {
+  RunningMinimum forward, backward;  // mu p - tau, mu p + tau
+  Eigen::VectorXd slip;
+  Eigen::MatrixXd traction;
+  double dissipated_energy = 0;
+
+  Period(Eigen::Index n_rings, int n_steps)
+      : forward(n_rings), backward(n_rings), slip(Eigen::VectorXd::Zero(n_rings)), traction(n_rings, n_steps) {}
+
+  void add(int k, const Eigen::VectorXd& limit, const Stepper::Result& step, const Eigen::VectorXd& areas) {
+    forward.add(limit - step.traction);
+    backward.add(limit + step.traction);
+    slip += step.slip.cwiseAbs();
+    traction.col(k) = step.traction;
+    dissipated_energy += (step.traction.array() * step.slip.array() * areas.array()).sum();
+  }
 };
 
-StepResult friction_step(const ContactProblem& problem, const RelaxationStep& step, const Eigen::VectorXd& limit,
-                         double increment, const StepRates& rates, State& state) {
-  const auto& areas = problem.compliance.areas;
-  const Eigen::VectorXd held = step.response_without_slip(state.displacement, state.memory, increment, rates);
-  auto solution = problem.solver.solve(areas.cwiseProduct(held), -limit, limit, state.stick);
-  for (std::size_t i = 0; i < state.stick.size(); ++i)
-    if (limit[static_cast<Eigen::Index>(i)] == 0) state.stick[i] = BoxState::interior;  // sticks when it touches again
-  Eigen::VectorXd slip = (solution.residual.array() / areas.array()).matrix() / step.instantaneous();
-  step.advance(state.displacement, state.memory, increment, rates, slip);
-  return {std::move(solution.x), std::move(slip)};
+double change_per_period(const Period& now, const Period& before) {
+  const double largest = now.traction.cwiseAbs().maxCoeff();
+  return largest == 0 ? 0 : (now.traction - before.traction).cwiseAbs().maxCoeff() / largest;
 }
 
 }  // namespace
@@ -42,59 +85,44 @@ StepResult friction_step(const ContactProblem& problem, const RelaxationStep& st
 FrictionHistory friction_history(const ContactProblem& problem, const RelaxationModel& relaxation,
                                  double friction_coefficient, const Motion& motion, const NormalHistory& normal,
                                  const HistoryControl& control) {
-  const int n_steps = normal.steps_per_cycle;
-  const int period_steps = n_steps * motion.cycles_per_period();
-  const double dt = 2 * pi / n_steps;
-  const RelaxationStep step(relaxation, dt);
-  const auto& areas = problem.compliance.areas;
   const Eigen::Index n = problem.n_rings();
-
-  State state{Eigen::VectorXd::Zero(n), Eigen::MatrixXd::Zero(n, static_cast<Eigen::Index>(relaxation.moduli.size())),
-              std::vector<BoxState>(static_cast<std::size_t>(n), BoxState::interior)};
+  const auto& areas = problem.compliance.areas;
+  const int period_steps = normal.steps_per_cycle * motion.cycles_per_period();
+  Stepper stepper(problem, relaxation, motion, normal.steps_per_cycle);
   FrictionHistory history{};
   history.periodicity = infinity;
   history.slip_path = Eigen::VectorXd::Zero(n);
   RunningMinimum first_slip(n);
-  std::vector<double> displacement{0}, force{0};
-  auto now = tangential_motion(motion, 0);
-  Eigen::MatrixXd traction(n, period_steps), before(n, period_steps);
+  std::vector<double> force{0};
+  Period before(n, period_steps), now(n, period_steps);
   while (!(history.periodicity <= control.periodicity)) {
     if (history.n_cycles >= control.max_cycles * motion.cycles_per_period())
-      throw SolverError("the tangential response is not periodic after " + std::to_string(history.n_cycles) +
-                        " cycles: it still changes by " + std::to_string(history.periodicity) +
-                        " of its largest value per period");
-    before.swap(traction);
-    RunningMinimum forward(n), backward(n);
-    history.period_slip = Eigen::VectorXd::Zero(n);
-    history.dissipated_energy = 0;
-    const long first = static_cast<long>(history.n_cycles) * n_steps;
-    for (int k = 1; k <= period_steps; ++k) {
-      const double t = dt * static_cast<double>(first + k);
-      const auto next = tangential_motion(motion, t);
-      const StepRates rates{now.rate, tangential_motion(motion, t - dt / 2).rate, next.rate};
-      const Eigen::VectorXd limit = friction_coefficient * normal.pressure.col(normal.column(first + k));
-      const auto [tau, slip] = friction_step(problem, step, limit, next.value - now.value, rates, state);
-      traction.col(k - 1) = tau;
-      first_slip.add(limit - tau.cwiseAbs());
-      forward.add(limit - tau);
-      backward.add(limit + tau);
-      history.period_slip += slip.cwiseAbs();
-      history.dissipated_energy += (tau.array() * slip.array() * areas.array()).sum();
-      displacement.push_back(next.value);
-      force.push_back(tau.dot(areas));
-      now = next;
+      throw SolverError(
+          fmt::format("the tangential response is not periodic after {} cycles: it still changes by {:.1e} "
+                      "of its largest value per period, {:.1e} is asked for",
+                      history.n_cycles, history.periodicity, control.periodicity));
+    std::swap(before, now);
+    now = Period(n, period_steps);
+    for (int k = 0; k < period_steps; ++k) {
+      const auto index = static_cast<long>(force.size()) - 1;
+      const Eigen::VectorXd limit = friction_coefficient * normal.pressure.col(normal.column(index + 1));
+      const auto step = stepper.compute_step(index, limit);
+      first_slip.add(limit - step.traction.cwiseAbs());
+      now.add(k, limit, step, areas);
+      force.push_back(step.traction.dot(areas));
     }
     history.n_cycles += motion.cycles_per_period();
-    history.slip_path += history.period_slip;
-    history.shakedown_margin = (forward.value() + backward.value()) / 2;
-    const double largest = std::max(traction.cwiseAbs().maxCoeff(), std::numeric_limits<double>::min());
+    history.slip_path += now.slip;
     if (history.n_cycles > motion.n_ramp_cycles + motion.cycles_per_period())
-      history.periodicity = (traction - before).cwiseAbs().maxCoeff() / largest;
+      history.periodicity = change_per_period(now, before);
   }
   history.first_slip_margin = first_slip.value();
-  history.displacement = Eigen::Map<Eigen::VectorXd>(displacement.data(), static_cast<Eigen::Index>(displacement.size()));
+  history.shakedown_margin = (now.forward.value() + now.backward.value()) / 2;
+  history.period_slip = now.slip;
+  history.dissipated_energy = now.dissipated_energy;
+  history.traction = std::move(now.traction);
+  history.displacement = stepper.displacement();
   history.force = Eigen::Map<Eigen::VectorXd>(force.data(), static_cast<Eigen::Index>(force.size()));
-  history.traction = std::move(traction);
   return history;
 }
 

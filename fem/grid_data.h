@@ -14,7 +14,7 @@ struct GridData {
     std::array<unsigned, 2> points;
     BoundaryPart part;
   };
-  std::vector<std::array<double, 2>> points;  ///< (r, z)
+  std::vector<std::array<double, 2>> points;   ///< (r, z)
   std::vector<std::array<unsigned, 4>> cells;  ///< counter-clockwise corner indices
   std::vector<BoundaryEdge> boundary;
 };

@@ -54,13 +54,14 @@ bool is_part(const dealii::TriaAccessor<1, 2, 2>& face, BoundaryPart part) {
 void constrain_axis(HarmonicSpace::Parts& parts, Harmonic harmonic) {
   std::vector<bool> zero(parts.element.n_components(), harmonic == Harmonic::tangential);
   zero[0] = harmonic == Harmonic::normal;
-  dealii::DoFTools::make_zero_boundary_constraints(
-      parts.dofs, static_cast<dealii::types::boundary_id>(BoundaryPart::axis), parts.constraints,
-      dealii::ComponentMask(zero));
+  dealii::DoFTools::make_zero_boundary_constraints(parts.dofs,
+                                                   static_cast<dealii::types::boundary_id>(BoundaryPart::axis),
+                                                   parts.constraints, dealii::ComponentMask(zero));
 }
 
-// A rotation about y leaves u.n = 0 on the far hemisphere, so the Robin term does not resist it. W vanishes at the surface
-// in Cerruti's solution for an incompressible body, which makes the far end of the surface the right place to pin it.
+// A rotation about y leaves u.n = 0 on the far hemisphere, so the Robin term does not resist it. W vanishes at the
+// surface in Cerruti's solution for an incompressible body, which makes the far end of the surface the right place to
+// pin it.
 void pin_rotation(HarmonicSpace::Parts& parts) {
   double farthest = -1;
   dealii::types::global_dof_index pinned = dealii::numbers::invalid_dof_index;
@@ -157,6 +158,8 @@ HarmonicSpace::HarmonicSpace(const GridData& grid, Harmonic harmonic, unsigned d
 HarmonicSpace::~HarmonicSpace() = default;
 HarmonicSpace::HarmonicSpace(HarmonicSpace&&) noexcept = default;
 
-unsigned HarmonicSpace::n_dofs() const { return parts_->dofs.n_dofs(); }
+unsigned HarmonicSpace::n_dofs() const {
+  return parts_->dofs.n_dofs();
+}
 
 }  // namespace fretval::fem

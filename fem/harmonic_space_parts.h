@@ -11,13 +11,19 @@
 namespace fretval::fem {
 
 /// Number of displacement components: 2 (U, W) or 3 (s, m, W). The pressure component follows.
-constexpr unsigned n_displacements(Harmonic harmonic) { return harmonic == Harmonic::normal ? 2 : 3; }
+constexpr unsigned n_displacements(Harmonic harmonic) {
+  return harmonic == Harmonic::normal ? 2 : 3;
+}
 
 /// Index of the vertical displacement W.
-constexpr unsigned vertical_component(Harmonic harmonic) { return n_displacements(harmonic) - 1; }
+constexpr unsigned vertical_component(Harmonic harmonic) {
+  return n_displacements(harmonic) - 1;
+}
 
 /// Index of the contact unknown: W (n = 0) or s (n = 1).
-constexpr unsigned contact_component(Harmonic harmonic) { return harmonic == Harmonic::normal ? 1 : 0; }
+constexpr unsigned contact_component(Harmonic harmonic) {
+  return harmonic == Harmonic::normal ? 1 : 0;
+}
 
 /// The deal.II side of a HarmonicSpace, for the few files that assemble or write fields. The mesh is 2-D, here and
 /// everywhere: the meridian half-plane.

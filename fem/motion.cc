@@ -34,8 +34,7 @@ ValueAndRate tangential_motion(const Motion& motion, double t) {
   const auto phi = phase(motion, t);
   const double argument = t + phi.value;
   return {e.value * motion.tangential_amplitude * std::cos(argument),
-          motion.tangential_amplitude *
-              (e.rate * std::cos(argument) - e.value * (1 + phi.rate) * std::sin(argument))};
+          motion.tangential_amplitude * (e.rate * std::cos(argument) - e.value * (1 + phi.rate) * std::sin(argument))};
 }
 
 }  // namespace fretval::fem

@@ -1,9 +1,11 @@
 #include "fem/normal_history.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <array>
-#include <cmath>
 #include <limits>
-#include <string>
+#include <vector>
 
 #include "fem/solver_error.h"
 
@@ -13,24 +15,94 @@ namespace {
 constexpr double pi = 3.14159265358979323846;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-struct State {
-  Eigen::VectorXd displacement;
-  Eigen::MatrixXd memory;
-  std::vector<BoxState> contact;
-};
-
 void require_room(const Eigen::VectorXd& pressure) {
   if (pressure[pressure.size() - 1] > 0)
     throw SolverError("the contact reaches the end of the contact line of the mesh: use a longer one");
 }
 
-NormalContact solve_contact(const ContactProblem& problem, const Eigen::VectorXd& target, std::vector<BoxState>& contact) {
+NormalContact solve_contact(const ContactProblem& problem, const Eigen::VectorXd& target,
+                            std::vector<BoxState>& contact) {
   const Eigen::Index n = problem.n_rings();
   const auto& areas = problem.compliance.areas;
   const auto solution = problem.solver.solve(areas.cwiseProduct(target), Eigen::VectorXd::Zero(n),
                                              Eigen::VectorXd::Constant(n, infinity), contact);
   return {solution.x, (-solution.residual.array() / areas.array()).matrix()};
 }
+
+double change_per_cycle(const std::vector<Eigen::VectorXd>& pressure, int n_steps) {
+  double change = 0, largest = 0;
+  for (std::size_t k = pressure.size() - static_cast<std::size_t>(n_steps); k < pressure.size(); ++k) {
+    change = std::max(change, (pressure[k] - pressure[k - static_cast<std::size_t>(n_steps)]).cwiseAbs().maxCoeff());
+    largest = std::max(largest, pressure[k].maxCoeff());
+  }
+  return change / largest;
+}
+
+/// Carries the rings from step to step.
+class Stepper {
+ public:
+  Stepper(const ContactProblem& problem, const RelaxationModel& relaxation, const Eigen::VectorXd& profile,
+          const Motion& motion, int n_steps)
+      : problem_(problem),
+        relaxed_(relaxation.relaxed),
+        profile_(profile),
+        motion_([&motion](double t) { return normal_motion(motion, t); }),
+        n_steps_(n_steps),
+        step_(relaxation, 2 * pi / n_steps),
+        state_{{}, Eigen::MatrixXd::Zero(profile.size(), static_cast<Eigen::Index>(relaxation.moduli.size()))},
+        contact_(static_cast<std::size_t>(profile.size()), BoxState::lower) {}
+
+  /// Relaxed contact at the mean indentation; returns its ring pressures.
+  Eigen::VectorXd start() {
+    const double indentation = motion_(0).value;
+    const auto contact = normal_contact(problem_, profile_, indentation);
+    state_.displacement = (indentation - profile_.array() + contact.gap.array()).matrix();
+    for (Eigen::Index i = 0; i < profile_.size(); ++i)
+      if (contact.pressure[i] > 0) contact_[static_cast<std::size_t>(i)] = BoxState::interior;
+    return relaxed_ * contact.pressure;
+  }
+
+  void compute_cycle(NormalHistory& history, std::vector<Eigen::VectorXd>& pressure, std::vector<double>& time) {
+    history.smallest_gap = Eigen::VectorXd::Constant(profile_.size(), infinity);
+    double deepest = -infinity, highest = infinity;
+    const double dt = 2 * pi / n_steps_;
+    for (int k = 0; k < n_steps_; ++k) {
+      const double begin = dt * static_cast<double>(time.size() - 1), balance = begin + step_.fraction() * dt;
+      pressure.push_back(compute_step(begin, balance, begin + dt));
+      time.push_back(balance);
+      require_room(pressure.back());
+      history.smallest_gap = history.smallest_gap.cwiseMin(gap_);
+      const double indentation = motion_(begin + dt).value;
+      if (indentation > deepest) history.deepest_displacement = state_.displacement;
+      if (indentation < highest) history.highest_displacement = state_.displacement;
+      deepest = std::max(deepest, indentation);
+      highest = std::min(highest, indentation);
+    }
+  }
+
+ private:
+  Eigen::VectorXd compute_step(double begin, double balance, double end) {
+    gap_ = state_.displacement + profile_;
+    gap_.array() -= motion_(begin).value;
+    // A ring in contact closes its gap: it slips by what is left of it.
+    const Eigen::VectorXd held = step_.response_without_slip(state_, indenter_move(motion_, begin, balance));
+    auto contact = solve_contact(problem_, held - step_.instantaneous() * gap_, contact_);
+    const Eigen::VectorXd new_gap = contact.gap / step_.instantaneous();
+    step_.advance(state_, indenter_move(motion_, begin, end), gap_ - new_gap);
+    gap_ = new_gap;
+    return std::move(contact.pressure);
+  }
+
+  const ContactProblem& problem_;
+  double relaxed_;
+  const Eigen::VectorXd& profile_;
+  std::function<ValueAndRate(double)> motion_;
+  int n_steps_;
+  RelaxationStep step_;
+  RingState state_;
+  std::vector<BoxState> contact_;
+  Eigen::VectorXd gap_;
+};
 
 }  // namespace
 
@@ -68,66 +140,32 @@ NormalContact normal_contact(const ContactProblem& problem, const Eigen::VectorX
 
 NormalHistory normal_history(const ContactProblem& problem, const RelaxationModel& relaxation,
                              const Eigen::VectorXd& profile, const Motion& motion, const HistoryControl& control) {
+  Stepper stepper(problem, relaxation, profile, motion, control.steps_per_cycle);
   const int n_steps = control.steps_per_cycle;
-  const double dt = 2 * pi / n_steps;
-  const RelaxationStep step(relaxation, dt);
-  const Eigen::Index n = problem.n_rings();
-
-  NormalHistory history{n_steps, 0, infinity, {}, {}, {}, Eigen::VectorXd::Constant(n, infinity), {}};
-  history.pressure.resize(n, static_cast<Eigen::Index>(motion.n_ramp_cycles + 8) * n_steps + 1);
-
-  const auto start = normal_contact(problem, profile, motion.indentation);
-  history.pressure.col(0) = relaxation.relaxed * start.pressure;
-  State state{(motion.indentation - profile.array() + start.gap.array()).matrix(),
-              Eigen::MatrixXd::Zero(n, static_cast<Eigen::Index>(relaxation.moduli.size())),
-              std::vector<BoxState>(static_cast<std::size_t>(n), BoxState::lower)};
-  for (Eigen::Index i = 0; i < n; ++i)
-    if (start.pressure[i] > 0) state.contact[i] = BoxState::interior;
-
-  auto now = normal_motion(motion, 0);
+  NormalHistory history;
+  history.steps_per_cycle = n_steps;
+  history.periodicity = infinity;
+  std::vector<Eigen::VectorXd> pressure{stepper.start()};
+  std::vector<double> time{0};
   while (!(history.periodicity <= control.periodicity)) {
     if (history.n_cycles >= control.max_cycles)
-      throw SolverError("the normal response is not periodic after " + std::to_string(history.n_cycles) +
-                        " cycles: it still changes by " + std::to_string(history.periodicity) +
-                        " of its largest value per cycle");
-    history.smallest_gap.setConstant(infinity);
-    double deepest = -infinity;
-    const Eigen::Index first = static_cast<Eigen::Index>(history.n_cycles) * n_steps;
-    if (history.pressure.cols() < first + n_steps + 1)
-      history.pressure.conservativeResize(Eigen::NoChange, 2 * history.pressure.cols());
-    for (int k = 1; k <= n_steps; ++k) {
-      const double t = dt * static_cast<double>(first + k);
-      const auto next = normal_motion(motion, t);
-      const StepRates rates{now.rate, normal_motion(motion, t - dt / 2).rate, next.rate};
-      const double increment = next.value - now.value;
-      const Eigen::VectorXd held = step.response_without_slip(state.displacement, state.memory, increment, rates);
-      // In contact the gap closes: the ring slips by what is left of its gap.
-      const Eigen::VectorXd gap = (state.displacement - (now.value - profile.array()).matrix());
-      const Eigen::VectorXd target = held - step.instantaneous() * gap;
-      const auto contact = solve_contact(problem, target, state.contact);
-      const Eigen::VectorXd new_gap = contact.gap / step.instantaneous();
-      step.advance(state.displacement, state.memory, increment, rates, gap - new_gap);
-      history.pressure.col(first + k) = contact.pressure;
-      history.smallest_gap = history.smallest_gap.cwiseMin(new_gap);
-      if (next.value > deepest) {
-        deepest = next.value;
-        history.largest_displacement = state.displacement;
-      }
-      now = next;
-    }
+      throw SolverError(
+          fmt::format("the normal response is not periodic after {} cycles: it still changes by {:.1e} of "
+                      "its largest value per cycle, {:.1e} is asked for",
+                      history.n_cycles, history.periodicity, control.periodicity));
+    stepper.compute_cycle(history, pressure, time);
     ++history.n_cycles;
-    require_room(history.pressure.rightCols(history.pressure.cols() - first).leftCols(n_steps + 1).rowwise().maxCoeff());
-    if (history.n_cycles > motion.n_ramp_cycles) {
-      const auto last = history.pressure.middleCols(first + 1, n_steps);
-      const auto before = history.pressure.middleCols(first + 1 - n_steps, n_steps);
-      history.periodicity = (last - before).cwiseAbs().maxCoeff() / last.maxCoeff();
-    }
+    if (history.n_cycles > motion.n_ramp_cycles) history.periodicity = change_per_cycle(pressure, n_steps);
   }
-  history.pressure.conservativeResize(Eigen::NoChange, static_cast<Eigen::Index>(history.n_cycles) * n_steps + 1);
+  const auto n = static_cast<Eigen::Index>(pressure.size());
+  history.time = Eigen::Map<Eigen::VectorXd>(time.data(), n);
+  history.pressure.resize(problem.n_rings(), n);
+  history.indentation.resize(n);
+  for (Eigen::Index k = 0; k < n; ++k) {
+    history.pressure.col(k) = pressure[static_cast<std::size_t>(k)];
+    history.indentation[k] = normal_motion(motion, history.time[k]).value;
+  }
   history.force = history.pressure.transpose() * problem.compliance.areas;
-  history.indentation.resize(history.force.size());
-  for (Eigen::Index k = 0; k < history.indentation.size(); ++k)
-    history.indentation[k] = normal_motion(motion, dt * static_cast<double>(k)).value;
   return history;
 }
 

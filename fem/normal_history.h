@@ -23,20 +23,23 @@ struct ContactProblem {
 struct HistoryControl {
   int steps_per_cycle = 180;
   int max_cycles = 400;
-  double periodicity = 1e-7;  ///< largest change of a ring force from one period to the next, relative to the largest force
+  double periodicity =
+      1e-7;  ///< largest change of a ring force from one period to the next, relative to the largest force
 };
 
-/// The normal contact problem through the ramp and on until its response is periodic. Ring pressures are unaffected by the
-/// tangential motion (nu = 1/2), so one normal history serves all tangential motions.
+/// The normal contact problem through the ramp and on until its response is periodic. Ring pressures are unaffected by
+/// the tangential motion (nu = 1/2), so one normal history serves all tangential motions.
 struct NormalHistory {
   int steps_per_cycle;
-  int n_cycles;                    ///< computed; from the last one on, the response repeats
-  double periodicity;              ///< reached, see HistoryControl
-  Eigen::MatrixXd pressure;        ///< n_rings x (n_cycles steps_per_cycle + 1)
-  Eigen::VectorXd indentation;     ///< per instant
-  Eigen::VectorXd force;           ///< per instant, sum of pressure times area
-  Eigen::VectorXd smallest_gap;    ///< per ring over the last cycle; 0 for rings that touch
-  Eigen::VectorXd largest_displacement;  ///< ring displacements at the largest indentation of the last cycle
+  int n_cycles = 0;                      ///< computed; from the last one on, the response repeats
+  double periodicity;                    ///< reached, see HistoryControl
+  Eigen::VectorXd time;                  ///< per instant: 0, then the balance time of each step
+  Eigen::MatrixXd pressure;              ///< n_rings x n_instants
+  Eigen::VectorXd indentation;           ///< per instant
+  Eigen::VectorXd force;                 ///< per instant, sum of pressure times area
+  Eigen::VectorXd smallest_gap;          ///< per ring over the last cycle; 0 for rings that touch
+  Eigen::VectorXd deepest_displacement;  ///< of the rings, at the largest indentation of the last cycle
+  Eigen::VectorXd highest_displacement;  ///< of the rings, at the smallest indentation of the last cycle
 
   /// Column of `pressure` at a step counted from the start of the history, also beyond the computed ones.
   [[nodiscard]] Eigen::Index column(long step) const;

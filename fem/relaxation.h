@@ -2,6 +2,7 @@
 
 #include <Eigen/Dense>
 #include <array>
+#include <functional>
 #include <vector>
 
 namespace fretval::fem {
@@ -15,40 +16,73 @@ struct RelaxationModel {
   double viscosity = 0;
 };
 
-/// Rate of the indenter at the start, middle and end of a step.
-using StepRates = std::array<double, 3>;
+struct ValueAndRate {
+  double value, rate;
+};
+
+/// Motion of the indenter over an interval of time: its increment, and its rate at the start, middle and end.
+struct IndenterMove {
+  double increment;
+  std::array<double, 3> rates;
+};
+
+IndenterMove indenter_move(const std::function<ValueAndRate(double)>& motion, double begin, double end);
+
+/// Exact Prony update over an interval.
+class PronyInterval {
+ public:
+  PronyInterval(const RelaxationModel& model, double duration);
+
+  /// Memory of a branch at the end per its memory at the start.
+  [[nodiscard]] double decay(std::size_t branch) const { return decay_[branch]; }
+  /// Memory per displacement made at constant rate: `G_i (tau/dt)(1 - exp(-dt/tau))`.
+  [[nodiscard]] double gain(std::size_t branch) const { return gain_[branch]; }
+  /// Memory left by a move of the indenter, its rate interpolated quadratically (relative error (omega dt)^3 / 100).
+  [[nodiscard]] double memory_of(std::size_t branch, const IndenterMove& move) const;
+  [[nodiscard]] std::size_t n_branches() const { return decay_.size(); }
+
+ private:
+  std::vector<double> decay_, gain_;
+  std::vector<std::array<double, 3>> weights_;  // of the rates
+};
+
+/// Displacements of the rings and the memory of their Prony branches.
+struct RingState {
+  Eigen::VectorXd displacement;  ///< n
+  Eigen::MatrixXd memory;        ///< n x n_branches
+};
 
 /// `w(t) = int G(t-t') du/dt' dt'` on the rings of the contact line, stepped in time.
 ///
-/// A ring moves like the indenter less its slip, `u = U(t) - s(t)`. The indenter's share of the convolution is integrated
-/// exactly up to a quadratic interpolation of its rate over the step (relative error of order (omega dt)^3 / 100), the slip
-/// is linear in time over the step (the exact Prony update `h <- e^{-dt/tau} h + G_i (tau/dt)(1 - e^{-dt/tau}) du`). So a ring
-/// that sticks has no error of time discretisation, whatever the rheology.
+/// A ring moves like the indenter less its slip, `u = U(t) - s(t)`. The indenter's share of the convolution is exact
+/// (but for the interpolation of its rate), the slip is linear in time over the step. So a ring that sticks has no
+/// error of time discretisation, whatever the rheology, and a free or sliding one is of second order.
+///
+/// Forces are balanced at the fraction theta of the step. Without a dashpot theta = 1. With one, the mean slip rate
+/// belongs to the middle of the step: `theta = 1/(1 - e^{-z}) - 1/z`, z = step over the retardation time, relaxes a
+/// free ring exactly and goes from 1/2 (mild) to 1 (stiff).
 class RelaxationStep {
  public:
   /// dt > 0.
   RelaxationStep(const RelaxationModel& model, double dt);
 
-  /// w at the end of the step per unit of (minus) slip made during it.
+  /// Fraction of the step at which forces are balanced.
+  [[nodiscard]] double fraction() const { return fraction_; }
+
+  /// Change of w at the balance time per unit of (minus) slip made in the whole step.
   [[nodiscard]] double instantaneous() const { return instantaneous_; }
 
-  /// w at the end of the step of rings that do not slip. displacement, memory: at its start, n and n x n_branches.
-  [[nodiscard]] Eigen::VectorXd response_without_slip(const Eigen::VectorXd& displacement,
-                                                      const Eigen::MatrixXd& memory, double indenter_increment,
-                                                      const StepRates& rates) const;
+  /// w at the balance time of rings that do not slip; move: of the indenter up to the balance time.
+  [[nodiscard]] Eigen::VectorXd response_without_slip(const RingState& state, const IndenterMove& move) const;
 
-  /// Moves displacement and memory to the end of the step; slip: increments during it.
-  void advance(Eigen::VectorXd& displacement, Eigen::MatrixXd& memory, double indenter_increment,
-               const StepRates& rates, const Eigen::VectorXd& slip) const;
+  /// Moves the state to the end of the step; move: of the indenter over the whole step; slip: increments.
+  void advance(RingState& state, const IndenterMove& move, const Eigen::VectorXd& slip) const;
 
  private:
-  [[nodiscard]] double memory_increment(std::size_t branch, const StepRates& rates) const;
-
   RelaxationModel model_;
-  double dt_;
+  double fraction_;
+  PronyInterval to_balance_, whole_;
   double instantaneous_;
-  std::vector<double> decay_, gain_;
-  std::vector<std::array<double, 3>> weights_;  // of the rates, per branch
 };
 
 }  // namespace fretval::fem

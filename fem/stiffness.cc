@@ -16,11 +16,14 @@ namespace {
 constexpr double pi = 3.14159265358979323846;
 constexpr unsigned n_strains = 6;
 
-double angular_factor(Harmonic harmonic) { return harmonic == Harmonic::normal ? 2 * pi : pi; }
+double angular_factor(Harmonic harmonic) {
+  return harmonic == Harmonic::normal ? 2 * pi : pi;
+}
 
 /// Rows of the strain and divergence operators at one point, one column per shape function.
 struct StrainColumn {
-  std::array<double, n_strains> strain;  // rr, tt, zz, and the engineering shears divided by sqrt(2): strain . strain = eps:eps
+  std::array<double, n_strains>
+      strain;  // rr, tt, zz, and the engineering shears divided by sqrt(2): strain . strain = eps:eps
   double divergence;
 };
 
@@ -45,7 +48,8 @@ StrainColumn first_harmonic_strain(unsigned component, double value, const deali
   }
 }
 
-/// Scratch of one cell: the strains of all quadrature points are stacked, so that the cell matrix is two matrix products.
+/// Scratch of one cell: the strains of all quadrature points are stacked, so that the cell matrix is two matrix
+/// products.
 struct CellOperators {
   Eigen::MatrixXd strain, divergence, pressure;
 
@@ -68,7 +72,8 @@ struct CellOperators {
           continue;
         }
         const auto column = strain_of(component, values.shape_value(i, q), values.shape_grad(i, q), r);
-        for (unsigned k = 0; k < n_strains; ++k) strain(n_strains * q + k, i) = std::sqrt(2.0) * weight * column.strain[k];
+        for (unsigned k = 0; k < n_strains; ++k)
+          strain(n_strains * q + k, i) = std::sqrt(2.0) * weight * column.strain[k];
         divergence(q, i) = weight * column.divergence;
       }
     }
@@ -132,9 +137,9 @@ SparseMatrix assemble_stiffness(const HarmonicSpace& space) {
   dealii::SparseMatrix<double> matrix(pattern);
 
   const dealii::QGauss<2> quadrature(parts.element.degree + 1);
-  dealii::FEValues<2> values(parts.element, quadrature,
-                             dealii::update_values | dealii::update_gradients | dealii::update_JxW_values |
-                                 dealii::update_quadrature_points);
+  dealii::FEValues<2> values(
+      parts.element, quadrature,
+      dealii::update_values | dealii::update_gradients | dealii::update_JxW_values | dealii::update_quadrature_points);
   dealii::FEFaceValues<2> face_values(parts.element, dealii::QGauss<1>(parts.element.degree + 1),
                                       dealii::update_values | dealii::update_JxW_values |
                                           dealii::update_normal_vectors | dealii::update_quadrature_points);
