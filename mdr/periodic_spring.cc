@@ -123,18 +123,19 @@ PeriodicSpring periodic_spring(const SpringModel& model, double y) {
   require_finite("relative rest depth of a spring", y);
   if (!(y > -1)) reject("relative rest depth of a spring", y, "must exceed -1, else the indenter never touches it");
   const Eigen::Index n_branches = model.branch_moduli.size();
-  const double tolerance = 1e-10 * (1 + std::abs(y));
   Eigen::ArrayXd deviation = Eigen::ArrayXd::Zero(n_branches);
   if (y >= std::hypot(model.storage, model.loss)) return {y, 0, 0, deviation, deviation};
+  if (n_branches == 0) return run_cycle(model, y, deviation).spring;
 
+  // Convergence is quadratic: after a step this small only roundoff is left, and that grows with the relaxation times.
+  const double small_step = 1e-7 * (1 + std::abs(y));
   constexpr int n_newton_steps = 50;
   for (int k = 0; k < n_newton_steps; ++k) {
-    Cycle cycle = run_cycle(model, y, deviation);
-    if (n_branches == 0) return cycle.spring;
+    const Cycle cycle = run_cycle(model, y, deviation);
     const Eigen::MatrixXd drift = Eigen::MatrixXd::Identity(n_branches, n_branches) - cycle.derivative;
-    const Eigen::ArrayXd step = drift.partialPivLu().solve((cycle.end_deviation - deviation).matrix());
-    if (step.abs().maxCoeff() <= tolerance) return cycle.spring;
-    deviation += step;
+    const Eigen::VectorXd step = drift.partialPivLu().solve((cycle.end_deviation - deviation).matrix());
+    deviation += step.array();
+    if (step.cwiseAbs().maxCoeff() <= small_step) return run_cycle(model, y, deviation).spring;
   }
   throw std::runtime_error("spring at the relative rest depth y = " + std::to_string(y) + " is not periodic after " +
                            std::to_string(n_newton_steps) + " Newton steps");
