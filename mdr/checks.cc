@@ -1,0 +1,36 @@
+#include "mdr/checks.h"
+
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+
+namespace fretval::mdr {
+
+void reject(const std::string& quantity, double value, const std::string& valid) {
+  std::ostringstream message;
+  message.precision(15);
+  message << quantity << " = " << value << ": " << valid;
+  throw std::invalid_argument(message.str());
+}
+
+void require_positive(const std::string& quantity, double value) {
+  if (!(std::isfinite(value) && value > 0)) reject(quantity, value, "must be finite and positive");
+}
+
+void require_non_negative(const std::string& quantity, double value) {
+  if (!(std::isfinite(value) && value >= 0)) reject(quantity, value, "must be finite and not negative");
+}
+
+void require_within(const std::string& quantity, double value, double lower, double upper) {
+  if (std::isfinite(value) && lower <= value && value <= upper) return;
+  std::ostringstream valid;
+  valid.precision(15);
+  valid << "must lie between " << lower << " and " << upper;
+  reject(quantity, value, valid.str());
+}
+
+void require_finite(const std::string& quantity, double value) {
+  if (!std::isfinite(value)) reject(quantity, value, "must be finite");
+}
+
+}  // namespace fretval::mdr
