@@ -38,6 +38,7 @@ struct Curves {
 Curves add_geometry(const std::vector<double>& surface_nodes, double far_radius) {
   namespace geo = gmsh::model::geo;
   std::vector<int> points;
+  points.reserve(surface_nodes.size() + 1);
   for (const double r : surface_nodes) points.push_back(geo::addPoint(r, 0., 0.));
   points.push_back(geo::addPoint(far_radius, 0., 0.));
   const int bottom = geo::addPoint(0., -far_radius, 0.);
@@ -80,6 +81,7 @@ std::vector<unsigned> element_nodes(int type, int entity, const std::map<std::si
   std::vector<std::size_t> tags;
   gmsh::model::mesh::getElementsByType(type, elements, tags, entity);
   std::vector<unsigned> nodes;
+  nodes.reserve(tags.size());
   for (const std::size_t tag : tags) nodes.push_back(index.at(tag));
   return nodes;
 }

@@ -54,7 +54,7 @@ int dimension_of(int type) {
 
 std::string read_version(Words& words) {
   words.expect("$MeshFormat");
-  const std::string version(words.next("the version"));
+  std::string version(words.next("the version"));
   if (version != "2.2" && version != "4.1") words.fail("the version of the format", version, "2.2 or 4.1");
   const auto is_binary = words.integer("the kind of file");
   if (is_binary != 0) words.fail("the kind of file", fmt::format("{} (binary)", is_binary), "0 (ASCII)");

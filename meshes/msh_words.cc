@@ -56,7 +56,7 @@ std::string Words::quoted(std::string_view what) {
   if (at_end() || text[position] != '"') fail(what, next(what), "in double quotes");
   const std::size_t end = text.find('"', position + 1);
   if (end == std::string::npos) fail(what, "without end", "in double quotes");
-  const std::string inside = text.substr(position + 1, end - position - 1);
+  std::string inside = text.substr(position + 1, end - position - 1);
   position = end + 1;
   return inside;
 }
