@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+
+#include "meshes/mesh.h"
+
+namespace fretval::meshes {
+
+/// The steps of `audit` for the boundary, of a mesh whose nodes and cells have passed. Each relies on those before.
+/// All throw MeshError.
+
+/// Edges belong to two cells, or to one cell and one part of the boundary.
+void audit_edges(const Mesh& mesh, const std::string& name);
+
+/// All four parts are there; the axis is r = 0 and nothing else is.
+void audit_parts_of_boundary(const Mesh& mesh, const std::string& name);
+
+/// The contact line is z = 0 from r = 0 on without gaps.
+void audit_contact_line(const Mesh& mesh, const std::string& name);
+
+/// The boundary is one closed polygon, and the cells fill it once.
+void audit_body(const Mesh& mesh, const std::string& name);
+
+}  // namespace fretval::meshes

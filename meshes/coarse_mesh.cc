@@ -1,0 +1,137 @@
+#include "meshes/coarse_mesh.h"
+
+#include <gmsh.h>
+
+#include <map>
+#include <string>
+
+#include "meshes/mesh_error.h"
+
+namespace fretval::meshes {
+namespace {
+
+/// gmsh, from initialisation to finalisation.
+class GmshScope {
+ public:
+  GmshScope() {
+    // A user's own gmsh settings must not change the mesh.
+    const bool read_settings = false;
+    gmsh::initialize(0, nullptr, read_settings);
+    gmsh::option::setNumber("General.Terminal", 0);
+    gmsh::option::setNumber("General.NumThreads", 1);
+  }
+  ~GmshScope() {
+    gmsh::model::mesh::removeSizeCallback();
+    gmsh::finalize();
+  }
+  GmshScope(const GmshScope&) = delete;
+  GmshScope& operator=(const GmshScope&) = delete;
+};
+
+/// Curves of the geometry, as gmsh tags.
+struct Curves {
+  std::vector<int> surface;
+  int arc;
+  int axis;
+};
+
+Curves add_geometry(const std::vector<double>& surface_nodes, double far_radius) {
+  namespace geo = gmsh::model::geo;
+  std::vector<int> points;
+  points.reserve(surface_nodes.size() + 1);
+  for (const double r : surface_nodes) points.push_back(geo::addPoint(r, 0., 0.));
+  points.push_back(geo::addPoint(far_radius, 0., 0.));
+  const int bottom = geo::addPoint(0., -far_radius, 0.);
+
+  Curves curves;
+  for (std::size_t i = 1; i < points.size(); ++i) curves.surface.push_back(geo::addLine(points[i - 1], points[i]));
+  curves.arc = geo::addCircleArc(bottom, points.front(), points.back());
+  curves.axis = geo::addLine(points.front(), bottom);
+
+  std::vector<int> loop{curves.axis, curves.arc};
+  for (auto line = curves.surface.rbegin(); line != curves.surface.rend(); ++line) loop.push_back(-*line);
+  const int surface = geo::addPlaneSurface({geo::addCurveLoop(loop)});
+  // The last line is the one without prescribed nodes.
+  for (std::size_t i = 0; i + 1 < curves.surface.size(); ++i) geo::mesh::setTransfiniteCurve(curves.surface[i], 2);
+  geo::mesh::setRecombine(2, surface);
+  geo::synchronize();
+  return curves;
+}
+
+void generate(const std::function<double(double r, double z)>& size) {
+  gmsh::option::setNumber("Mesh.MeshSizeFromPoints", 0);
+  gmsh::option::setNumber("Mesh.MeshSizeExtendFromBoundary", 0);
+  // 8, made for quadrilaterals, crashes in gmsh 4.8.4.
+  gmsh::option::setNumber("Mesh.Algorithm", 6);
+  // gmsh shakes nodes by this part of the size of the model; the default, 1e-9, is as large as a small contact element.
+  gmsh::option::setNumber("Mesh.RandomFactor", 1e-12);
+  gmsh::option::setNumber("Mesh.RecombinationAlgorithm", 1);
+  gmsh::model::mesh::setSizeCallback([&size](int, int, double r, double z, double) { return size(r, z); });
+  // gmsh meshes surfaces in an OpenMP region, which no exception may leave: it would end the program.
+  gmsh::option::setNumber("General.AbortOnError", 1);
+  gmsh::model::mesh::generate(2);
+  std::string message;
+  gmsh::logger::getLastError(message);
+  if (!message.empty()) throw MeshError("mesh of the quarter disc: gmsh failed: " + message);
+}
+
+/// Nodes of all elements of a gmsh type on an entity (-1: all), as indices.
+std::vector<unsigned> element_nodes(int type, int entity, const std::map<std::size_t, unsigned>& index) {
+  std::vector<std::size_t> elements;
+  std::vector<std::size_t> tags;
+  gmsh::model::mesh::getElementsByType(type, elements, tags, entity);
+  std::vector<unsigned> nodes;
+  nodes.reserve(tags.size());
+  for (const std::size_t tag : tags) nodes.push_back(index.at(tag));
+  return nodes;
+}
+
+CoarseMesh extract(const Curves& curves) {
+  constexpr int line = 1;
+  constexpr int triangle = 2;
+  constexpr int quadrilateral = 3;
+  CoarseMesh mesh;
+  std::vector<std::size_t> tags;
+  std::vector<double> coordinates;
+  std::vector<double> parameters;
+  gmsh::model::mesh::getNodes(tags, coordinates, parameters);
+  std::map<std::size_t, unsigned> index;
+  for (std::size_t i = 0; i < tags.size(); ++i) {
+    index[tags[i]] = static_cast<unsigned>(i);
+    mesh.nodes.push_back({coordinates[3 * i], coordinates[3 * i + 1]});
+  }
+
+  const auto add_polygons = [&](int type, std::size_t n_corners) {
+    const auto nodes = element_nodes(type, -1, index);
+    for (auto first = nodes.begin(); first != nodes.end(); first += n_corners)
+      mesh.polygons.emplace_back(first, first + n_corners);
+  };
+  add_polygons(triangle, 3);
+  add_polygons(quadrilateral, 4);
+
+  const auto add_edges = [&](int curve, Side side) {
+    const auto nodes = element_nodes(line, curve, index);
+    for (std::size_t i = 0; i < nodes.size(); i += 2) mesh.edges.push_back({{nodes[i], nodes[i + 1]}, side});
+  };
+  for (const int curve : curves.surface) add_edges(curve, Side::surface);
+  add_edges(curves.arc, Side::arc);
+  add_edges(curves.axis, Side::axis);
+  return mesh;
+}
+
+}  // namespace
+
+CoarseMesh coarse_mesh(const std::vector<double>& surface_nodes, double far_radius,
+                       const std::function<double(double r, double z)>& size) {
+  // gmsh throws its messages as bare strings, which nothing that expects a std::exception would understand.
+  try {
+    const GmshScope scope;
+    const Curves curves = add_geometry(surface_nodes, far_radius);
+    generate(size);
+    return extract(curves);
+  } catch (const std::string& message) {
+    throw MeshError("mesh of the quarter disc: gmsh failed: " + message);
+  }
+}
+
+}  // namespace fretval::meshes
