@@ -18,7 +18,6 @@ class GmshScope {
     const bool read_settings = false;
     gmsh::initialize(0, nullptr, read_settings);
     gmsh::option::setNumber("General.Terminal", 0);
-    gmsh::option::setNumber("General.NumThreads", 1);
   }
   ~GmshScope() {
     gmsh::model::mesh::removeSizeCallback();
