@@ -40,4 +40,9 @@ EdgeRadius largest_contact_radius(const NormalHistory& history, const ContactEve
 /// rings the edge is the effective radius of those rings, uncertain by a ring width; 0 with none.
 EdgeRadius stick_radius(const Compliance& compliance, const Eigen::VectorXd& margin, Eigen::Index n_stuck);
 
+/// Indentation at which a worn flank comes into contact: rings 0..n_pressed-1 are pressed, and the gap of the n_flank rings
+/// after them, averaged over their area, closes. profile: ring means.
+double touch_indentation(const Compliance& compliance, const Eigen::VectorXd& profile, Eigen::Index n_pressed,
+                         Eigen::Index n_flank);
+
 }  // namespace fretval::fem

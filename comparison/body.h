@@ -1,0 +1,45 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "comparison/scene.h"
+#include "fem/condensation.h"
+#include "fem/harmonic_space.h"
+#include "fem/normal_history.h"
+#include "meshes/mesh.h"
+#include "meshes/quality.h"
+
+namespace fretval {
+
+/// One harmonic of the body: its space, its factorised stiffness and the contact problem condensed from it.
+struct HarmonicBody {
+  fem::HarmonicSpace space;
+  fem::Condensation condensation;
+  fem::ContactProblem contact;
+};
+
+/// Seconds spent on a body.
+struct BodyCost {
+  double mesh = 0, assembly = 0, factorisation = 0;
+};
+
+/// The elastic body with both harmonics, ready for any motion, friction, rheology and profile on its contact line.
+struct Body {
+  meshes::MeshQuality mesh_quality;
+  HarmonicBody normal, tangential;
+  BodyCost cost;
+
+  [[nodiscard]] unsigned n_dofs() const { return normal.space.n_dofs() + tangential.space.n_dofs(); }
+};
+
+/// The mesh that a specification asks for.
+meshes::Mesh mesh_of(const BodySpecification& specification);
+
+/// Audits the mesh, assembles and condenses. name: of the mesh, for messages. Throws meshes::MeshError, fem::SolverError.
+Body make_body(const meshes::Mesh& mesh, const std::string& name, unsigned degree);
+
+/// Both at once, with the time of the mesh in the cost.
+Body make_body(const BodySpecification& specification);
+
+}  // namespace fretval

@@ -1,0 +1,32 @@
+#include "comparison/reference.h"
+
+#include "mdr/stick_radius.h"
+
+namespace fretval {
+
+mdr::NormalResponse mdr_normal_response(const MdrScene& scene) {
+  if (scene.limiting)
+    return mdr::periodic_normal_response([worn = *scene.limiting](double x) { return mdr::transform(worn, x); },
+                                         scene.limiting->stick_radius, scene.body, scene.motion);
+  const double outer = mdr::inverse_transform(scene.profile, mdr::maximum_indentation(scene.motion));
+  return mdr::periodic_normal_response([profile = scene.profile](double x) { return mdr::transform(profile, x); }, outer,
+                                       scene.body, scene.motion);
+}
+
+MdrAnswer mdr_answer(const MdrScene& scene, const mdr::NormalResponse& normal) {
+  MdrAnswer answer{};
+  answer.modulus_ratio = mdr::modulus_ratio(scene.body, mdr::angular_frequency(scene.motion.normal_frequency));
+  answer.contact_radius_max = normal.contact_radius_max;
+  answer.normal_force_max = normal.normal_force_max;
+  const auto radii = mdr::stick_radii(scene.profile, scene.body, scene.friction_coefficient, scene.motion);
+  answer.stick_radius_first_slip = radii.first_slip;
+  answer.stick_radius_shakedown = radii.shakedown;
+  if (scene.limiting)
+    answer.worn_radius = scene.limiting->outer_radius;
+  else if (radii.shakedown)
+    answer.worn_radius =
+        mdr::limiting_profile(scene.profile, *radii.shakedown, mdr::maximum_indentation(scene.motion)).outer_radius;
+  return answer;
+}
+
+}  // namespace fretval

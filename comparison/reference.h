@@ -1,0 +1,25 @@
+#pragma once
+
+#include <optional>
+
+#include "comparison/scene.h"
+#include "mdr/spring_foundation.h"
+
+namespace fretval {
+
+/// What MDR says about a scene; SI units. Empty: nothing sticks.
+struct MdrAnswer {
+  double modulus_ratio;
+  double contact_radius_max;
+  std::optional<double> stick_radius_first_slip;
+  std::optional<double> stick_radius_shakedown;
+  std::optional<double> worn_radius;  ///< a_inf of the limiting profile that belongs to the shakedown radius
+  double normal_force_max;
+};
+
+/// Normal response of the spring foundation in the periodic state; depends on the normal motion alone.
+mdr::NormalResponse mdr_normal_response(const MdrScene& scene);
+
+MdrAnswer mdr_answer(const MdrScene& scene, const mdr::NormalResponse& normal);
+
+}  // namespace fretval

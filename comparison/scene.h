@@ -1,0 +1,73 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+
+#include "comparison/case.h"
+#include "comparison/resolution.h"
+#include "fem/motion.h"
+#include "fem/relaxation.h"
+#include "mdr/limiting_profile.h"
+#include "mdr/motion.h"
+#include "mdr/profile.h"
+#include "mdr/rheology.h"
+
+namespace fretval {
+
+/// A case in the terms of the analytic reference. SI units, angles in radians.
+struct MdrScene {
+  mdr::Profile profile;
+  mdr::PronyBody body;
+  double friction_coefficient;
+  mdr::Motion motion;
+  std::optional<mdr::LimitingProfile> limiting;  ///< Wear / State = limiting: the indenter itself
+};
+
+/// Throws InputError for a limiting state that no tangential amplitude leads to, std::invalid_argument for values that the
+/// reference refuses.
+MdrScene mdr_scene(const Case& scene);
+
+/// Units that make a scene dimensionless: lengths along the surface, depths, shear modulus, angular frequency.
+/// The problem is linear in the depths, so they have a unit of their own and the same scene in nm and in m agrees to roundoff.
+struct Units {
+  double length;             ///< m, the unworn contact radius at the largest indentation
+  double depth;              ///< m, the largest indentation
+  double modulus;            ///< Pa, relaxed
+  double angular_frequency;  ///< rad/s
+
+  [[nodiscard]] double pressure() const { return modulus * depth / length; }
+  [[nodiscard]] double force() const { return modulus * depth * length; }
+};
+
+/// What determines the mesh and the operators; equal specifications share them.
+struct BodySpecification {
+  std::vector<double> contact_nodes;  ///< ring radii over the contact radius
+  double growth, far_radius;
+  unsigned degree;
+
+  bool operator<(const BodySpecification& other) const;
+};
+
+/// Where a worn profile departs from the unworn one, over the unit of length: the stick radius and a_inf.
+struct WornEdge {
+  double inner, outer;
+};
+
+/// A case in the terms of the finite elements: dimensionless in `units`.
+struct FemScene {
+  Units units;
+  BodySpecification body;
+  fem::RelaxationModel relaxation;
+  fem::Motion motion;
+  double friction_coefficient;
+  std::function<double(double)> profile;  ///< f(r)
+  Resolution resolution;
+  std::optional<WornEdge> worn_edge;
+};
+
+FemScene fem_scene(const Case& scene, const MdrScene& mdr);
+
+/// True if two scenes share everything that the normal contact depends on.
+bool same_normal_problem(const FemScene& a, const Case& case_a, const FemScene& b, const Case& case_b);
+
+}  // namespace fretval

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <optional>
+
+#include "comparison/body.h"
+#include "comparison/scene.h"
+#include "fem/edge.h"
+#include "fem/friction_history.h"
+#include "fem/normal_history.h"
+
+namespace fretval {
+
+/// The normal contact of a scene, shared by all cases that differ in the tangential motion alone. Dimensionless.
+struct NormalSimulation {
+  fem::NormalHistory history;
+  std::optional<fem::EdgeRadius> contact_radius;  ///< empty for a worn profile, whose flank touches without pressure
+  Eigen::VectorXd profile;                        ///< ring means
+  double seconds;
+};
+
+NormalSimulation simulate_normal(const Body& body, const FemScene& scene);
+
+/// What the finite elements say about the state in which nothing wears any more. Dimensionless ratios.
+struct NoWearEvidence {
+  double slip_inside;       ///< longest slip of a ring inside c in a period over the tangential amplitude
+  double force_outside;     ///< largest share of the normal force carried beyond c at any instant of the last cycle
+  double touch_indentation; ///< indentation at which the worn flank comes into contact, over the largest one
+};
+
+/// What finite elements say about a scene; SI units. Empty: nothing sticks.
+struct FeAnswer {
+  std::optional<double> contact_radius_max;  ///< empty for a worn profile, see NormalSimulation
+  std::optional<double> stick_radius_first_slip;
+  std::optional<double> stick_radius_shakedown;
+  double normal_force_max;
+  double first_slip_uncertainty;  ///< of reading the edge, see fem::EdgeRadius
+  double shakedown_uncertainty;
+  std::optional<NoWearEvidence> no_wear;  ///< for a limiting profile
+
+  int n_cycles;
+  long n_steps;
+  double seconds;  ///< of the friction history
+  fem::FrictionHistory friction;  ///< dimensionless
+};
+
+FeAnswer simulate(const Body& body, const FemScene& scene, const NormalSimulation& normal);
+
+}  // namespace fretval
