@@ -1,0 +1,86 @@
+#include "comparison/check.h"
+
+#include <fmt/format.h>
+
+#include <map>
+
+#include "comparison/case_file.h"
+#include "meshes/msh_file.h"
+
+namespace fretval {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string escaped(const std::string& text) {
+  std::string result;
+  for (const char c : text) {
+    switch (c) {
+      case '&': result += "&amp;"; break;
+      case '<': result += "&lt;"; break;
+      case '>': result += "&gt;"; break;
+      case '"': result += "&quot;"; break;
+      default: result += c;
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+std::vector<CheckScene> check_scenes() {
+  // Relative to a contact radius of 20 and 40 rings. The stick radius is read from the rings with an error of about 0.06 ring
+  // widths at worst; the tolerance is that with a factor of less than two to spare.
+  struct SmallMesh {
+    const char* name;
+    double tolerance;
+  };
+  std::vector<CheckScene> scenes;
+  for (const auto& mesh : {SmallMesh{"coarse", 5e-3}, SmallMesh{"fine", 2.5e-3}})
+    for (const char* name : {"parabola-standard-solid", "cone-kelvin-voigt", "parabola-elastic-no-stick"}) {
+      auto cases = read_case_file(fs::path(FRETVAL_CHECK_CASES) / (std::string(name) + ".prm"));
+      for (auto& scene : cases) {
+        scene.name = fmt::format("{}/{}", scene.name, mesh.name);
+        scene.tolerance = mesh.tolerance;
+      }
+      for (auto& prepared : prepare(cases))
+        scenes.push_back({std::move(prepared), fs::path(FRETVAL_SMALL_MESHES) / (std::string(mesh.name) + ".msh")});
+    }
+  return scenes;
+}
+
+std::vector<BatchLine> run_check(const std::vector<CheckScene>& scenes) {
+  std::map<fs::path, std::vector<PreparedCase>> by_mesh;
+  for (const auto& scene : scenes) by_mesh[scene.mesh].push_back(scene.prepared);
+  std::vector<BatchLine> lines;
+  for (const auto& [mesh, cases] : by_mesh) {
+    BatchHooks hooks;
+    const fs::path file = mesh;
+    hooks.make_body = [&file](const BodySpecification& specification) {
+      return make_body(meshes::read_msh(file), file.string(), specification.degree);
+    };
+    for (auto& line : run_batch(cases, {}, hooks)) lines.push_back(std::move(line));
+  }
+  return lines;
+}
+
+std::string junit_xml(const std::vector<BatchLine>& lines) {
+  std::string cases;
+  int n_failed = 0;
+  for (const auto& line : lines) {
+    const bool pass = line.pass && line.failure.empty();
+    n_failed += pass ? 0 : 1;
+    std::string message = line.failure;
+    for (const auto& [quantity, d] : line.verdict)
+      if (!d.pass)
+        message += fmt::format("{}: difference {}, tolerance {:.1e}; ", quantity,
+                               d.difference ? fmt::format("{:.2e}", *d.difference) : "none", d.tolerance);
+    cases += fmt::format("  <testcase classname=\"fretval.check\" name=\"{}\"", escaped(line.name));
+    cases += pass ? "/>\n" : fmt::format("><failure message=\"{}\"/></testcase>\n", escaped(message));
+  }
+  return fmt::format("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuite name=\"fretval check\" tests=\"{}\" "
+                     "failures=\"{}\">\n{}</testsuite>\n",
+                     lines.size(), n_failed, cases);
+}
+
+}  // namespace fretval

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "comparison/batch.h"
+
+namespace fretval {
+
+/// The CI check: a few small scenes on the two committed meshes of meshes/small. Each scene is there twice, on the coarse and on
+/// the fine mesh, with the tolerance that the ring width of the mesh allows.
+struct CheckScene {
+  PreparedCase prepared;
+  std::filesystem::path mesh;
+};
+
+std::vector<CheckScene> check_scenes();
+
+/// Runs the scenes; one line each, in their order. Throws InputError or meshes::MeshError if the committed files are damaged.
+std::vector<BatchLine> run_check(const std::vector<CheckScene>& scenes);
+
+/// JUnit XML of the lines, for CI systems.
+std::string junit_xml(const std::vector<BatchLine>& lines);
+
+}  // namespace fretval

@@ -1,0 +1,245 @@
+#include "comparison/commands.h"
+
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "comparison/batch.h"
+#include "comparison/case_file.h"
+#include "comparison/check.h"
+#include "comparison/files.h"
+#include "comparison/outcome.h"
+#include "comparison/report.h"
+#include "comparison/stopwatch.h"
+#include "fem/petsc_session.h"
+#include "meshes/msh_file.h"
+#include "meshes/quality.h"
+
+namespace fretval {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<Case> read_cases(const std::vector<std::string>& files) {
+  std::vector<Case> cases;
+  for (const auto& file : files)
+    for (auto& scene : read_case_file(file)) cases.push_back(std::move(scene));
+  return cases;
+}
+
+std::string length_text(const std::optional<double>& length) {
+  return length ? fmt::format("{:.4g} m", *length) : "none (nothing sticks)";
+}
+
+// --- fretval mdr
+
+nlohmann::ordered_json mdr_json(const PreparedCase& prepared, const MdrAnswer& answer) {
+  nlohmann::ordered_json json{{"name", prepared.scene.name}, {"mdr", to_json(answer)}};
+  if (!answer.stick_radius_shakedown) {
+    json["limiting_profile"] = nullptr;
+    return json;
+  }
+  const auto worn = prepared.mdr.limiting
+                        ? *prepared.mdr.limiting
+                        : mdr::limiting_profile(prepared.mdr.profile, *answer.stick_radius_shakedown,
+                                                mdr::maximum_indentation(prepared.mdr.motion));
+  std::vector<double> r, f;
+  constexpr int n = 200;
+  for (int i = 0; i <= n; ++i) {
+    r.push_back(1.1 * worn.outer_radius * i / n);
+    f.push_back(mdr::shape(worn, r.back()));
+  }
+  json["limiting_profile"] = {{"criterion", "shakedown"}, {"r", r}, {"f", f}};
+  return json;
+}
+
+int run_mdr(const std::string& file, bool as_json) {
+  const auto prepared = prepare(read_case_file(file));
+  auto list = nlohmann::ordered_json::array();
+  for (const auto& one : prepared) {
+    const auto answer = mdr_answer(one.mdr, mdr_normal_response(one.mdr));
+    if (as_json) {
+      list.push_back(mdr_json(one, answer));
+      continue;
+    }
+    fmt::print("{}\n  modulus ratio              {:.6g}\n  largest contact radius     {:.4g} m\n"
+               "  stick radius, first slip   {}\n  stick radius, shakedown    {}\n"
+               "  outer radius of the wear   {}\n  largest normal force       {:.6g} N\n",
+               one.scene.name, answer.modulus_ratio, answer.contact_radius_max,
+               length_text(answer.stick_radius_first_slip), length_text(answer.stick_radius_shakedown),
+               length_text(answer.worn_radius), answer.normal_force_max);
+  }
+  if (as_json) fmt::print("{}\n", (list.size() == 1 ? list[0] : list).dump(2));
+  return exit_agree;
+}
+
+// --- fretval run
+
+/// Progress on stderr: a bar that redraws itself on a terminal, a line per tenth elsewhere.
+class Progress {
+ public:
+  void show(const BatchLine& line, std::size_t n_done, std::size_t n_cases) {
+    if (!line.failure.empty()) failed_ += 1;
+    if (line.failure.empty() && !line.pass) disagree_ += 1;
+    const auto tenth = 10 * n_done / n_cases;
+    if (!on_terminal_ && tenth == last_tenth_) return;
+    last_tenth_ = tenth;
+    const std::string counts = fmt::format("{}/{} cases, {} disagree, {} failed", n_done, n_cases, disagree_, failed_);
+    if (!on_terminal_) {
+      fmt::print(stderr, "{}\n", counts);
+      return;
+    }
+    const auto filled = 30 * n_done / n_cases;
+    fmt::print(stderr, "\r[{}{}] {} {}", std::string(filled, '#'), std::string(30 - filled, '.'), counts,
+               n_done == n_cases ? "\n" : "");
+  }
+
+ private:
+  bool on_terminal_ = isatty(STDERR_FILENO) == 1;
+  std::size_t last_tenth_ = 0;
+  int disagree_ = 0, failed_ = 0;
+};
+
+/// The largest use of a tolerance among the lines of one case file.
+struct Worst {
+  double use = -1;
+  std::string text;
+};
+
+Worst worst_of(const std::vector<BatchLine>& lines) {
+  Worst worst;
+  for (const auto& line : lines)
+    for (const auto& [quantity, d] : line.verdict) {
+      if (!d.difference) {
+        if (!d.pass) return {1e9, fmt::format("{} in {}: only one of the two sticks", quantity, line.name)};
+        continue;
+      }
+      const double use = std::abs(*d.difference) / d.tolerance;
+      if (use > worst.use)
+        worst = {use, fmt::format("{} in {}: {:.1e} of {:.1e}", quantity, line.name, *d.difference, d.tolerance)};
+    }
+  return worst;
+}
+
+int print_verdicts(const std::vector<BatchLine>& lines) {
+  std::map<std::string, std::vector<BatchLine>> families;
+  for (const auto& line : lines) families[line.name.substr(0, line.name.find('/'))].push_back(line);
+  bool any_failed = false, all_pass = true;
+  for (const auto& [family, members] : families) {
+    std::size_t n_pass = 0;
+    for (const auto& line : members) {
+      n_pass += line.pass ? 1 : 0;
+      any_failed = any_failed || !line.failure.empty();
+      all_pass = all_pass && line.pass;
+      if (!line.failure.empty()) fmt::print("FAILED   {}: {}\n", line.name, line.failure);
+    }
+    fmt::print("{} {:<34} {:>3} of {:>3} agree; largest use of a tolerance: {}\n",
+               n_pass == members.size() ? "agree   " : "DISAGREE", family, n_pass, members.size(),
+               worst_of(members).text);
+  }
+  if (any_failed) return exit_numerics_failed;
+  return all_pass ? exit_agree : exit_disagree;
+}
+
+int run_cases(const std::vector<std::string>& files, const fs::path& output) {
+  Stopwatch watch;
+  const auto prepared = prepare(read_cases(files));
+  fs::create_directories(output);
+  const fem::PetscSession session;
+  Progress progress;
+  BatchHooks hooks;
+  hooks.progress = [&](const BatchLine& line, std::size_t n_done, std::size_t n_cases) {
+    progress.show(line, n_done, n_cases);
+  };
+  const auto lines = run_batch(prepared, output, hooks);
+  const int code = print_verdicts(lines);
+  if (std::any_of(lines.begin(), lines.end(), [](const BatchLine& line) { return line.failure.empty(); }))
+    spdlog::info("report: {}", write_report(output).string());
+  spdlog::info("{} cases in {:.1f} s", lines.size(), watch.lap());
+  return code;
+}
+
+// --- fretval check
+
+int run_check_suite(const std::string& suite, const std::string& junit) {
+  if (suite != "small") throw InputError(fmt::format("--suite {}: expected small", suite));
+  const fem::PetscSession session;
+  const auto lines = run_check(check_scenes());
+  bool all = true;
+  for (const auto& line : lines) {
+    const bool pass = line.pass && line.failure.empty();
+    all = all && pass;
+    fmt::print("{} {:<28} {}\n", pass ? "pass" : "FAIL", line.name,
+               line.failure.empty() ? worst_of({line}).text : line.failure);
+  }
+  if (!junit.empty()) write_file(junit, junit_xml(lines));
+  fmt::print("{}\n", all ? "finite elements and MDR agree" : "finite elements and MDR DISAGREE");
+  return all ? exit_agree : exit_disagree;
+}
+
+// --- fretval mesh
+
+int write_mesh(const std::string& file, const std::string& output) {
+  const auto cases = read_case_file(file);
+  if (cases.size() != 1)
+    throw InputError(fmt::format("{}: a sweep has many meshes; expected a file with a single case", file));
+  const auto prepared = prepare(cases).front();
+  auto mesh = mesh_of(prepared.fem.body);
+  for (auto& node : mesh.nodes)
+    for (double& x : node) x *= prepared.fem.units.length;
+  meshes::write_msh(mesh, output);
+  const auto q = meshes::quality(mesh);
+  fmt::print("{}: {} cells, {} nodes, smallest scaled Jacobian {:.2f}\n", output, q.n_cells, q.n_nodes,
+             q.min_scaled_jacobian);
+  return exit_agree;
+}
+
+}  // namespace
+
+void add_commands(CLI::App& app, Command& command) {
+  struct Options {
+    std::vector<std::string> files;
+    std::string file, output = "results", suite = "small", junit, mesh;
+    bool json = false;
+  };
+  const auto options = std::make_shared<Options>();
+
+  auto* mdr = app.add_subcommand("mdr", "The analytic answer alone");
+  mdr->add_option("case", options->file, "Case file (.prm or .json)")->required();
+  mdr->add_flag("--json", options->json, "Print JSON");
+  mdr->callback([=, &command] { command = [=] { return run_mdr(options->file, options->json); }; });
+
+  auto* run = app.add_subcommand("run", "MDR and finite elements, compared; writes the results and the report");
+  run->add_option("cases", options->files, "Case files (.prm or .json)")->required();
+  run->add_option("-o,--output", options->output, "Folder for the results")->capture_default_str();
+  run->callback([=, &command] { command = [=] { return run_cases(options->files, options->output); }; });
+
+  auto* check = app.add_subcommand("check", "CI check of MDR against finite elements on small meshes");
+  check->add_option("--suite", options->suite, "Which suite: small")->capture_default_str();
+  check->add_option("--junit", options->junit, "Also write JUnit XML to this file");
+  check->callback([=, &command] { command = [=] { return run_check_suite(options->suite, options->junit); }; });
+
+  auto* report = app.add_subcommand("report", "One self-contained HTML page from the results in a folder");
+  report->add_option("folder", options->file, "Folder with results")->required();
+  report->callback([=, &command] {
+    command = [=] {
+      fmt::print("{}\n", write_report(options->file).string());
+      return exit_agree;
+    };
+  });
+
+  auto* mesh = app.add_subcommand("mesh", "The mesh of a case alone");
+  mesh->add_option("case", options->file, "Case file (.prm or .json)")->required();
+  mesh->add_option("-o,--output", options->mesh, "Mesh file (.msh)")->required();
+  mesh->callback([=, &command] { command = [=] { return write_mesh(options->file, options->mesh); }; });
+}
+
+}  // namespace fretval

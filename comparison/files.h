@@ -1,0 +1,23 @@
+#pragma once
+
+#include <Eigen/Dense>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace fretval {
+
+/// Writes a whole file: next to its place first, then renamed, so that no reader ever sees half of it.
+/// Throws std::filesystem::filesystem_error.
+void write_file(const std::filesystem::path& file, const std::string& content);
+
+/// One column of a CSV file; its name carries the unit, for example "r [m]".
+struct Column {
+  std::string name;
+  Eigen::VectorXd values;
+};
+
+/// Columns of equal length, 10 significant digits.
+void write_csv(const std::filesystem::path& file, const std::vector<Column>& columns);
+
+}  // namespace fretval

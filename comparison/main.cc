@@ -1,0 +1,62 @@
+#include <fmt/format.h>
+#include <spdlog/sinks/stdout_color_sinks.h>
+#include <spdlog/spdlog.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <new>
+
+#include "comparison/case.h"
+#include "comparison/commands.h"
+#include "comparison/versions.h"
+#include "fem/solver_error.h"
+#include "meshes/mesh_error.h"
+
+namespace {
+
+std::string version_text() {
+  std::string text;
+  for (const auto& [name, version] : fretval::versions()) text += fmt::format("{} {}\n", name, version);
+  text.pop_back();
+  return text;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  spdlog::set_default_logger(spdlog::stderr_color_mt("fretval"));
+  spdlog::set_pattern("%^%l%$: %v");
+
+  CLI::App app{"fretval: do finite elements confirm what the method of dimensionality reduction predicts for fretting on an "
+               "elastomer, how closely, and at what cost?"};
+  app.set_version_flag("--version", version_text());
+  app.require_subcommand(1);
+  fretval::Command command;
+  fretval::add_commands(app, command);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? fretval::exit_agree : fretval::exit_bad_input;
+  }
+  try {
+    return command();
+  } catch (const fretval::InputError& error) {
+    spdlog::error("{}", error.what());
+    return fretval::exit_bad_input;
+  } catch (const fretval::meshes::MeshError& error) {
+    spdlog::error("{}", error.what());
+    return fretval::exit_bad_input;
+  } catch (const fretval::fem::SolverError& error) {
+    spdlog::error("{}", error.what());
+    return fretval::exit_numerics_failed;
+  } catch (const std::filesystem::filesystem_error& error) {
+    spdlog::error("{}", error.what());
+    return fretval::exit_system_failed;
+  } catch (const std::bad_alloc&) {
+    spdlog::error("out of memory: use a larger Accuracy / Tolerance");
+    return fretval::exit_system_failed;
+  } catch (const std::exception& error) {
+    spdlog::error("{}", error.what());
+    return fretval::exit_system_failed;
+  }
+}

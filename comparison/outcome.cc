@@ -1,0 +1,139 @@
+#include "comparison/outcome.h"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "comparison/files.h"
+#include "comparison/versions.h"
+#include "fem/field_output.h"
+
+namespace fretval {
+namespace {
+
+namespace fs = std::filesystem;
+constexpr double pi = 3.14159265358979323846;
+
+nlohmann::ordered_json run_json(const Outcome& outcome, const Body& body, const NormalSimulation& normal) {
+  nlohmann::ordered_json libraries;
+  for (const auto& [name, version] : versions()) libraries[name] = version;
+  const auto& r = outcome.fem_scene.resolution;
+  const auto& q = body.mesh_quality;
+  return {{"versions", libraries},
+          {"resolution",
+           {{"elements_per_radius", r.elements_per_radius},
+            {"degree", r.degree},
+            {"growth", r.growth},
+            {"far_radius", r.far_radius},
+            {"steps_per_cycle", r.steps_per_cycle},
+            {"ramp_cycles", r.n_ramp_cycles},
+            {"periodicity", r.periodicity}}},
+          {"reached",
+           {{"periodicity_normal", normal.history.periodicity},
+            {"periodicity_tangential", outcome.fe.friction.periodicity},
+            {"cycles_normal", normal.history.n_cycles}}},
+          {"mesh",
+           {{"cells", q.n_cells}, {"nodes", q.n_nodes}, {"min_scaled_jacobian", q.min_scaled_jacobian},
+            {"max_aspect_ratio", q.max_aspect_ratio}}},
+          {"units",
+           {{"length", outcome.fem_scene.units.length},
+            {"depth", outcome.fem_scene.units.depth},
+            {"modulus", outcome.fem_scene.units.modulus},
+            {"angular_frequency", outcome.fem_scene.units.angular_frequency}}}};
+}
+
+/// Value of a periodic table (equal steps, both ends included) at any time.
+double periodic_value(const std::vector<double>& values, double cycles) {
+  const double position = (cycles - std::floor(cycles)) * static_cast<double>(values.size() - 1);
+  const auto k = std::min(static_cast<std::size_t>(position), values.size() - 2);
+  const double weight = position - static_cast<double>(k);
+  return (1 - weight) * values[k] + weight * values[k + 1];
+}
+
+void write_history(const Outcome& outcome, const NormalSimulation& normal, const mdr::NormalResponse& reference,
+                   const fs::path& file) {
+  const auto& fem = outcome.fem_scene;
+  const auto& history = normal.history;
+  const auto& friction = outcome.fe.friction;
+  const Eigen::Index n = friction.traction.cols();
+  const Eigen::Index first = friction.force.size() - n;
+  const double dt = 2 * pi / history.steps_per_cycle;
+  Eigen::VectorXd time(n), indentation(n), displacement(n), normal_force(n), mdr_force(n), tangential_force(n);
+  for (Eigen::Index k = 0; k < n; ++k) {
+    const double t = history.time[1] + static_cast<double>(first + k - 1) * dt;
+    time[k] = t / fem.units.angular_frequency;
+    indentation[k] = fem::normal_motion(fem.motion, t).value * fem.units.depth;
+    displacement[k] = fem::tangential_motion(fem.motion, t).value * fem.units.depth;
+    normal_force[k] = history.force[history.column(first + k)] * fem.units.force();
+    mdr_force[k] = periodic_value(reference.normal_force, t / (2 * pi));
+    tangential_force[k] = friction.force[first + k] * fem.units.force();
+  }
+  write_csv(file, {{"t [s]", time},
+                   {"d [m]", indentation},
+                   {"u_x [m]", displacement},
+                   {"F_N [N]", normal_force},
+                   {"F_N MDR [N]", mdr_force},
+                   {"F_x [N]", tangential_force}});
+}
+
+void write_contact(const Outcome& outcome, const NormalSimulation& normal, const fem::Compliance& compliance,
+                   const fs::path& file) {
+  const auto& units = outcome.fem_scene.units;
+  const auto& friction = outcome.fe.friction;
+  const auto last_cycle = normal.history.pressure.rightCols(normal.history.steps_per_cycle);
+  const Eigen::Map<const Eigen::VectorXd> radii(compliance.radii.data(),
+                                                static_cast<Eigen::Index>(compliance.radii.size()));
+  const Eigen::Index n = compliance.areas.size();
+  write_csv(file, {{"r inner [m]", units.length * radii.head(n)},
+                   {"r outer [m]", units.length * radii.tail(n)},
+                   {"p smallest [Pa]", units.pressure() * last_cycle.rowwise().minCoeff()},
+                   {"p largest [Pa]", units.pressure() * last_cycle.rowwise().maxCoeff()},
+                   {"tau smallest [Pa]", units.pressure() * friction.traction.rowwise().minCoeff()},
+                   {"tau largest [Pa]", units.pressure() * friction.traction.rowwise().maxCoeff()},
+                   {"slip per period [m]", units.depth * friction.period_slip},
+                   {"first slip margin [Pa]", units.pressure() * friction.first_slip_margin},
+                   {"shakedown margin [Pa]", units.pressure() * friction.shakedown_margin}});
+}
+
+void write_profile(const Outcome& outcome, const fs::path& file) {
+  constexpr Eigen::Index n = 400;
+  const auto& scene = outcome.mdr_scene;
+  auto worn = scene.limiting;
+  const double deepest = mdr::maximum_indentation(scene.motion);
+  if (!worn && outcome.mdr.stick_radius_shakedown)
+    worn = mdr::limiting_profile(scene.profile, *outcome.mdr.stick_radius_shakedown, deepest);
+  const double end = 1.1 * (worn ? worn->outer_radius : outcome.fem_scene.units.length);
+  const Eigen::VectorXd r = Eigen::VectorXd::LinSpaced(n, 0, end);
+  Eigen::VectorXd unworn(n), limiting(n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    unworn[i] = mdr::shape(scene.profile, r[i]);
+    if (worn) limiting[i] = mdr::shape(*worn, r[i]);
+  }
+  std::vector<Column> columns{{"r [m]", r}, {"f unworn [m]", unworn}};
+  if (worn) columns.push_back({"f limiting [m]", limiting});
+  write_csv(file, columns);
+}
+
+void write_field(const HarmonicBody& body, const Eigen::VectorXd& rings, const Units& units, const fs::path& file) {
+  const auto field = fem::extend_into_body(body.space, body.condensation, body.contact.compliance, rings);
+  fem::write_vtu(body.space, field, units.length, units.depth, file);
+}
+
+}  // namespace
+
+void write_outcome(const Outcome& outcome, const Body& body, const NormalSimulation& normal,
+                   const mdr::NormalResponse& reference, const fs::path& folder) {
+  fs::create_directories(folder);
+  write_history(outcome, normal, reference, folder / "history.csv");
+  write_contact(outcome, normal, body.normal.contact.compliance, folder / "contact.csv");
+  write_profile(outcome, folder / "profile.csv");
+  if (outcome.scene.fields == Case::Fields::extremes) {
+    const auto& units = outcome.fem_scene.units;
+    write_field(body.normal, normal.history.deepest_displacement, units, folder / "normal_deepest.vtu");
+    write_field(body.normal, normal.history.highest_displacement, units, folder / "normal_highest.vtu");
+    write_field(body.tangential, outcome.fe.friction.displacement, units, folder / "tangential_period_end.vtu");
+  }
+  write_file(folder / "run.json", run_json(outcome, body, normal).dump(2) + "\n");
+  write_file(folder / "result.json", result_json(outcome, body, normal).dump(2) + "\n");
+}
+
+}  // namespace fretval

@@ -1,0 +1,118 @@
+#include "comparison/plots.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+
+namespace fretval {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Okabe and Ito's palette, distinguishable with colour-blind eyes.
+constexpr std::array<const char*, 9> palette{"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00",
+                                             "#56b4e9", "#6a51a3", "#555555", "#a6761d"};
+
+std::string quoted(const std::string& text) {
+  std::string result = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') result += '\\';
+    result += c == '\n' ? ' ' : c;
+  }
+  return result + '"';
+}
+
+std::string style_of(const Series& series) {
+  const char* colour = palette[static_cast<std::size_t>(series.colour) % palette.size()];
+  switch (series.style) {
+    case Series::Style::line:
+      return fmt::format("with lines lw 1.6 lc rgb '{}'", colour);
+    case Series::Style::dashed:
+      return fmt::format("with lines lw 1.6 dt 2 lc rgb '{}'", colour);
+    case Series::Style::points:
+      return fmt::format("with points pt 7 ps 0.45 lc rgb '{}'", colour);
+    default:
+      return fmt::format("with points pt 6 ps 0.55 lc rgb '{}'", colour);
+  }
+}
+
+std::string script_of(const Plot& plot) {
+  std::ostringstream script;
+  script << "set terminal svg size 720,460 dynamic font 'Helvetica,13' background '#ffffff'\n"
+         << "set encoding utf8\nset border 3 lc rgb '#666666'\nset tics nomirror\nset grid lc rgb '#dddddd' lt 1 lw 0.5\n"
+         << "set title " << quoted(plot.title) << "\nset xlabel " << quoted(plot.x_label) << "\nset ylabel "
+         << quoted(plot.y_label) << "\nset datafile missing 'nan'\n"
+         << (plot.key_right ? "set key outside right top\n" : "set key top right opaque\n");
+  if (plot.log_y) script << "set logscale y\nset format y '10^{%L}'\n";
+  if (plot.x_range) script << fmt::format("set xrange [{}:{}]\n", plot.x_range->first, plot.x_range->second);
+  if (plot.y_range) script << fmt::format("set yrange [{}:{}]\n", plot.y_range->first, plot.y_range->second);
+  for (std::size_t k = 0; k < plot.series.size(); ++k) {
+    script << "$data" << k << " << EOD\n";
+    const auto& series = plot.series[k];
+    for (std::size_t i = 0; i < series.x.size(); ++i) {
+      const bool drawn = std::isfinite(series.y[i]) && (!plot.log_y || series.y[i] > 0);
+      script << fmt::format("{:.10g} {}\n", series.x[i], drawn ? fmt::format("{:.10g}", series.y[i]) : "nan");
+    }
+    script << "EOD\n";
+  }
+  script << "$marks << EOD\n";
+  for (const auto& [x, y] : plot.x_marks) script << fmt::format("{:.10g} {:.10g}\n", x, y);
+  script << "EOD\nplot ";
+  for (std::size_t k = 0; k < plot.series.size(); ++k) {
+    const auto& series = plot.series[k];
+    script << (k ? ", " : "") << "$data" << k << " using 1:2 " << style_of(series)
+           << (series.label.empty() ? " notitle" : " title " + quoted(series.label));
+  }
+  if (!plot.x_marks.empty()) script << ", $marks using 1:2 with points pt 9 ps 0.9 lc rgb '#000000' notitle";
+  script << "\n";
+  return script.str();
+}
+
+/// A file in the temporary folder that is gone with the object.
+class ScratchFile {
+ public:
+  ScratchFile() {
+    std::string pattern = (fs::temp_directory_path() / "fretval-plot-XXXXXX").string();
+    const int descriptor = mkstemp(pattern.data());
+    if (descriptor < 0) throw std::runtime_error("cannot make a temporary file for a plot");
+    close(descriptor);
+    path_ = pattern;
+  }
+  ~ScratchFile() {
+    std::error_code ignored;
+    fs::remove(path_, ignored);
+  }
+  ScratchFile(const ScratchFile&) = delete;
+  ScratchFile& operator=(const ScratchFile&) = delete;
+  [[nodiscard]] const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+};
+
+}  // namespace
+
+std::string svg(const Plot& plot) {
+  const ScratchFile script;
+  std::ofstream(script.path()) << script_of(plot);
+  FILE* pipe = popen(("gnuplot '" + script.path().string() + "' 2>&1").c_str(), "r");
+  if (!pipe) throw std::runtime_error("gnuplot could not be started");
+  std::string output;
+  std::array<char, 65536> buffer{};
+  while (const std::size_t n = fread(buffer.data(), 1, buffer.size(), pipe)) output.append(buffer.data(), n);
+  const int status = pclose(pipe);
+  const auto begin = output.find("<svg");
+  if (status != 0 || begin == std::string::npos)
+    throw std::runtime_error("gnuplot could not draw '" + plot.title + "': " + output.substr(0, 400));
+  return output.substr(begin);
+}
+
+}  // namespace fretval

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace fretval {
+
+/// One curve or set of points; NaN values leave a gap.
+struct Series {
+  enum class Style { line, dashed, points, open_points };
+  std::string label;  ///< empty: not in the key
+  std::vector<double> x, y;
+  Style style = Style::line;
+  int colour = 0;  ///< index into the palette
+};
+
+struct Plot {
+  std::string title, x_label, y_label;
+  std::vector<Series> series;
+  std::vector<std::pair<double, double>> x_marks;  ///< small triangles at (x, y)
+  bool log_y = false;
+  bool key_right = false;  ///< key outside, on the right
+  std::optional<std::pair<double, double>> x_range, y_range;
+};
+
+/// Draws a plot with gnuplot as an SVG element to embed in HTML. Throws std::runtime_error if gnuplot is missing or refuses.
+std::string svg(const Plot& plot);
+
+}  // namespace fretval

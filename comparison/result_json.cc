@@ -1,0 +1,116 @@
+#include <sys/resource.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "comparison/outcome.h"
+#include "mdr/profile.h"
+
+namespace fretval {
+namespace {
+
+using nlohmann::ordered_json;
+
+ordered_json or_null(const std::optional<double>& value) {
+  return value ? ordered_json(*value) : ordered_json(nullptr);
+}
+
+const char* name_of(Case::Shape shape) {
+  switch (shape) {
+    case Case::Shape::parabola:
+      return "parabola";
+    case Case::Shape::cone:
+      return "cone";
+    default:
+      return "power";
+  }
+}
+
+ordered_json scene_json(const Outcome& outcome) {
+  const auto& scene = outcome.scene;
+  const auto& motion = outcome.mdr_scene.motion;
+  ordered_json json{{"file", scene.file},
+                    {"shape", name_of(scene.indenter.shape)},
+                    {"rheology", scene.elastomer.rheology},
+                    {"friction_coefficient", scene.friction_coefficient},
+                    {"indentation", motion.indentation},
+                    {"normal_amplitude", motion.normal_amplitude},
+                    {"tangential_amplitude", motion.tangential_amplitude},
+                    {"frequency", motion.normal_frequency},
+                    {"phase", or_null(scene.motion.phase)},
+                    {"wear", scene.wear == Case::Wear::limiting ? "limiting" : "unworn"},
+                    {"contact_radius_at_rest", mdr::inverse_transform(outcome.mdr_scene.profile, motion.indentation)},
+                    {"contact_radius_unworn", outcome.fem_scene.units.length},
+                    {"tolerance", scene.tolerance}};
+  if (outcome.mdr_scene.limiting) json["stick_radius_of_profile"] = outcome.mdr_scene.limiting->stick_radius;
+  if (scene.sweep)
+    json["sweep"] = {{"family", scene.sweep->family}, {"entry", scene.sweep->entry}, {"value", scene.sweep->value}};
+  return json;
+}
+
+ordered_json fe_json(const FeAnswer& fe) {
+  ordered_json json{{"contact_radius_max", or_null(fe.contact_radius_max)},
+                    {"stick_radius_first_slip", or_null(fe.stick_radius_first_slip)},
+                    {"stick_radius_shakedown", or_null(fe.stick_radius_shakedown)},
+                    {"worn_radius", nullptr},
+                    {"normal_force_max", fe.normal_force_max},
+                    {"error_estimate",
+                     {{"stick_radius_first_slip", fe.first_slip_uncertainty},
+                      {"stick_radius_shakedown", fe.shakedown_uncertainty}}}};
+  if (fe.no_wear) {
+    json["slip_inside_stick_zone"] = fe.no_wear->slip_inside;
+    json["force_outside_stick_zone"] = fe.no_wear->force_outside;
+    json["touch_indentation"] = fe.no_wear->touch_indentation;
+  }
+  return json;
+}
+
+ordered_json verdict_json(const Verdict& verdict) {
+  ordered_json json = ordered_json::object();
+  for (const auto& [quantity, difference] : verdict)
+    json[quantity] = {{"difference", or_null(difference.difference)},
+                      {"tolerance", difference.tolerance},
+                      {"pass", difference.pass}};
+  return json;
+}
+
+double peak_memory_bytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return 1024.0 * static_cast<double>(usage.ru_maxrss);
+}
+
+}  // namespace
+
+ordered_json to_json(const MdrAnswer& answer) {
+  return {{"modulus_ratio", answer.modulus_ratio},
+          {"contact_radius_max", answer.contact_radius_max},
+          {"stick_radius_first_slip", or_null(answer.stick_radius_first_slip)},
+          {"stick_radius_shakedown", or_null(answer.stick_radius_shakedown)},
+          {"worn_radius", or_null(answer.worn_radius)},
+          {"normal_force_max", answer.normal_force_max}};
+}
+
+ordered_json result_json(const Outcome& outcome, const Body& body, const NormalSimulation& normal) {
+  const auto& fe = outcome.fe;
+  return {{"name", outcome.scene.name},
+          {"pass", passes(outcome.verdict)},
+          {"scene", scene_json(outcome)},
+          {"mdr", to_json(outcome.mdr)},
+          {"fe", fe_json(fe)},
+          {"comparison", verdict_json(outcome.verdict)},
+          {"cost",
+           {{"seconds",
+             {{"mesh", body.cost.mesh},
+              {"assembly", body.cost.assembly},
+              {"factorisation", body.cost.factorisation},
+              {"normal_history", normal.seconds},
+              {"friction_history", fe.seconds}}},
+            {"dofs", body.n_dofs()},
+            {"contact_nodes", body.normal.space.contact_line().dofs.size()},
+            {"time_steps", fe.n_steps},
+            {"cycles", fe.n_cycles},
+            {"peak_memory_bytes", peak_memory_bytes()}}}};
+}
+
+}  // namespace fretval

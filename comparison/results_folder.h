@@ -1,0 +1,31 @@
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace fretval {
+
+/// A result.json and where it lies.
+struct StoredResult {
+  nlohmann::ordered_json json;
+  std::filesystem::path folder;
+
+  /// A number of a section ("mdr", "fe", "scene"); NaN where it is null or absent.
+  [[nodiscard]] double number(const char* section, const char* key) const;
+  [[nodiscard]] std::string text(const char* section, const char* key) const;
+  [[nodiscard]] bool swept_over(const char* entry) const;
+  [[nodiscard]] double sweep_value() const;
+  [[nodiscard]] std::string family() const;  ///< name of the sweep, or the name of the case
+};
+
+/// Every result.json below a folder, by family and sweep value. Throws InputError if there is none or one cannot be read.
+std::vector<StoredResult> read_results(const std::filesystem::path& folder);
+
+/// Two columns of a CSV file; empty if the file or a column is not there.
+std::pair<std::vector<double>, std::vector<double>> read_columns(const std::filesystem::path& file,
+                                                                 const std::string& x, const std::string& y);
+
+}  // namespace fretval
