@@ -6,6 +6,9 @@
 #include <boost/math/tools/minima.hpp>
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
+#include <cstdint>
+#include <limits>
+#include <utility>
 
 #include "mdr/checks.h"
 #include "mdr/periodic_spring.h"
@@ -118,6 +121,7 @@ NormalResponse static_response(const Depth& g, double outer_radius, const PronyB
 NormalResponse oscillating_response(const Depth& g, double outer_radius, const PronyBody& body, const Motion& motion) {
   const Foundation foundation = make_foundation(g, outer_radius, body, motion);
   std::vector<double> force;
+  force.reserve(n_time_steps + 1);
   for (int k = 0; k < n_time_steps; ++k) force.push_back(normal_force(foundation, 2 * pi * k / n_time_steps));
   force.push_back(force.front());
   const double maximum = refined_extremum(foundation, force, 1);
