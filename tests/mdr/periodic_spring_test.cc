@@ -38,7 +38,8 @@ TEST(PeriodicSpring, ElasticSpringFollowsTheGap) {
   const SpringModel model = spring_model(elastic(2), 1);
   for (const double y : {-0.99, -0.3, 0.0, 0.6, 1.0, 3.0}) {
     const PeriodicSpring spring = periodic_spring(model, y);
-    for (double theta = 0; theta < 2 * pi; theta += 0.01) {
+    for (int k = 0; k < 600; ++k) {
+      const double theta = 2 * pi * k / 600;
       EXPECT_NEAR(spring_force(model, spring, theta), std::max(0.0, y + std::cos(theta)), 1e-14);
     }
   }
@@ -99,11 +100,11 @@ TEST(PeriodicSpring, RandomBodiesPushAndRepeat) {
   std::uniform_real_distribution<double> unit(0, 1);
   for (int i = 0; i < 2000; ++i) {
     std::vector<double> moduli, times;
-    for (double n = 6 * unit(random); n > 1; --n) {
+    for (int n = i % 6; n > 0; --n) {
       moduli.push_back(std::pow(10, -2 + 5 * unit(random)));
       times.push_back(std::pow(10, -6 + 12 * unit(random)));
     }
-    const double viscosity = i % 2 == 0 ? 0 : std::pow(10, -4 + 6 * unit(random));
+    const double viscosity = i % 4 < 2 ? 0 : std::pow(10, -4 + 6 * unit(random));
     const SpringModel model = spring_model(prony(1, moduli, times, viscosity), 1);
     const double rho = ratio(model);
     const PeriodicSpring spring = periodic_spring(model, -1 + (rho + 1) * std::pow(unit(random), 3) + 1e-9);

@@ -123,6 +123,19 @@ TEST(SpringFoundation, SlowOscillationIsRelaxed) {
   EXPECT_NEAR(response.normal_force_max / normal_force(parabola(5), 1, 0.35), 1, 1e-6);
 }
 
+// Springs that lose contact make up a share of order Delta d/d0; nothing is left of it but the harmonic.
+TEST(SpringFoundation, VanishingAmplitudeIsHarmonic) {
+  const PronyBody body = standard_solid(1, 2, 0.8);
+  const double rest = normal_force(parabola(5), 1, 0.2);
+  for (const double amplitude : {1e-5, 1e-9, 1e-13}) {
+    const NormalResponse response = unworn_response(parabola(5), body, oscillation(0.2, amplitude));
+    const double swing = 8 * amplitude * modulus_ratio(body, 1);
+    // Second order in the amplitude, and roundoff.
+    EXPECT_NEAR(response.normal_force_max, rest + swing, 100 * amplitude * amplitude + 1e-14);
+    EXPECT_NEAR(response.normal_force_min, rest - swing, 100 * amplitude * amplitude + 1e-14);
+  }
+}
+
 TEST(SpringFoundation, WithoutNormalAmplitudeTheForceIsConstant) {
   const NormalResponse response =
       periodic_normal_response([](double x) { return x * x / 5; }, 2, standard_solid(1, 2, 0.8), oscillation(0.2, 0));

@@ -29,7 +29,8 @@ double brute_demand(double tangential, double normal, double phase, double sign)
     return normal * std::cos(angle) - sign * tangential * std::cos(angle + phase);
   };
   double best = 0;
-  for (double angle = 0; angle < 2 * pi; angle += 0.01) {
+  for (int k = 0; k < 640; ++k) {
+    const double angle = 0.01 * k;
     if (negative(angle) < negative(best)) best = angle;
   }
   return -boost::math::tools::brent_find_minima(negative, best - 0.01, best + 0.01, 53).second;
@@ -54,7 +55,8 @@ TEST(StickDepths, AgreeWithExtremaFoundByBruteForce) {
 }
 
 TEST(StickDepths, SymmetricInThePhase) {
-  for (double phase = 0; phase < pi; phase += 0.1) {
+  for (int k = 0; k < 32; ++k) {
+    const double phase = 0.1 * k;
     const StickDepths depths = stick_depths(elastic(1), 0.5, locked(0.2, 0.1, phase));
     for (const double twin : {-phase, pi - phase, phase + 2 * pi}) {
       const StickDepths other = stick_depths(elastic(1), 0.5, locked(0.2, 0.1, twin));
