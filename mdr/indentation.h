@@ -8,7 +8,7 @@ namespace fretval::mdr {
 // axisymmetric solutions, read off the one-dimensional foundation with the spring loads q_z(x) = 4 G (d - g(x)) and
 // q_x = (8/3) G u_x per length. With G = G0 they are the relaxed state of a viscoelastic body.
 //
-// Source: Popov and Hess, Method of Dimensionality Reduction (2015), chapters 3 and 4; paper equations (3), (5), (6),
+// Source: Popov and Hess, Method of Dimensionality Reduction (2015), chapters 3 and 5; paper equations (3), (5), (6),
 // (8). Arguments: shear modulus G in Pa, positive; indentation d in m, not negative; mu positive; r and u_x in m, not
 // negative. Anything else throws std::invalid_argument. Forces in N, stresses in Pa, lengths in m.
 

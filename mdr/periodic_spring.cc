@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
+#include <cstdint>
 #include <stdexcept>
 #include <string>
 
@@ -22,9 +23,13 @@ struct Cycle {
   Eigen::MatrixXd derivative;
 };
 
+double least_force_angle(const SpringModel& model) {
+  return pi - std::atan2(model.loss, model.storage);
+}
+
 // Scanning with this step hits the angle of least harmonic force, so no loss of contact is too short to be seen.
 double scan_step(const SpringModel& model) {
-  return (pi - std::atan2(model.loss, model.storage)) / n_scan_steps;
+  return least_force_angle(model) / n_scan_steps;
 }
 
 Eigen::ArrayXd decay(const SpringModel& model, double angle) {
@@ -93,12 +98,18 @@ Eigen::VectorXd free_state(const SpringModel& model, double y, double lift_off, 
   return state;
 }
 
+// Contact all the time; the two events are put where it would be lost first.
+Cycle permanent_cycle(const SpringModel& model, double y, const Eigen::ArrayXd& initial) {
+  const double event = least_force_angle(model);
+  const Eigen::ArrayXd to_end = decay(model, 2 * pi);
+  return {{y, event, event, initial, initial * decay(model, event)}, initial * to_end, to_end.matrix().asDiagonal()};
+}
+
 Cycle run_cycle(const SpringModel& model, double y, const Eigen::ArrayXd& initial) {
   const Eigen::Index n_branches = initial.size();
   const double lift_off = find_lift_off(model, y, initial);
   const Eigen::ArrayXd to_lift_off = decay(model, lift_off);
-  if (lift_off == 2 * pi)
-    return {{y, 0, 0, initial, initial}, initial * to_lift_off, to_lift_off.matrix().asDiagonal()};
+  if (lift_off == 2 * pi) return permanent_cycle(model, y, initial);
 
   const FreeRecovery& recovery = model.recovery;
   const Eigen::ArrayXd amplitudes = recovery.to_modes * free_state(model, y, lift_off, initial * to_lift_off);
@@ -124,7 +135,7 @@ PeriodicSpring periodic_spring(const SpringModel& model, double y) {
   if (!(y > -1)) reject("relative rest depth of a spring", y, "must exceed -1, else the indenter never touches it");
   const Eigen::Index n_branches = model.branch_moduli.size();
   Eigen::ArrayXd deviation = Eigen::ArrayXd::Zero(n_branches);
-  if (y >= std::hypot(model.storage, model.loss)) return {y, 0, 0, deviation, deviation};
+  if (y >= std::hypot(model.storage, model.loss)) return permanent_cycle(model, y, deviation).spring;
   if (n_branches == 0) return run_cycle(model, y, deviation).spring;
 
   // Convergence is quadratic: after a step this small only roundoff is left, and that grows with the relaxation times.

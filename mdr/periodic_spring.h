@@ -13,7 +13,8 @@ namespace fretval::mdr {
 struct PeriodicSpring {
   double y;
   double lift_off;                      // angle at which the force falls to zero
-  double touch_down;                    // angle at which contact is regained; equal to lift_off: permanent contact
+  double touch_down;                    // angle at which contact is regained; equal to lift_off: permanent contact,
+                                        // and both then are the angle of least force
   Eigen::ArrayXd initial_deviation;     // v_i minus its value in permanent contact, at theta = 0
   Eigen::ArrayXd touch_down_deviation;  // the same at touch_down
 };

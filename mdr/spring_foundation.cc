@@ -6,6 +6,9 @@
 #include <boost/math/tools/minima.hpp>
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
+#include <cstdint>
+#include <limits>
+#include <utility>
 
 #include "mdr/checks.h"
 #include "mdr/periodic_spring.h"
@@ -33,19 +36,19 @@ struct Foundation {
 
 // Where a function falls below zero on [lower, upper]; an end of the interval if it has one sign throughout.
 template <class Function>
-double edge(const Function& function, double lower, double upper) {
+double edge(const Function& function, double lower, double upper, int n_bits) {
   const double at_upper = function(upper);
   if (at_upper >= 0) return upper;
   const double at_lower = function(lower);
   if (at_lower <= 0) return lower;
   std::uintmax_t iterations = 100;
   const auto bracket = boost::math::tools::toms748_solve(function, lower, upper, at_lower, at_upper,
-                                                         boost::math::tools::eps_tolerance<double>(36), iterations);
+                                                         boost::math::tools::eps_tolerance<double>(n_bits), iterations);
   return (bracket.first + bracket.second) / 2;
 }
 
 double radius_at_depth(const Depth& g, double depth, double outer_radius) {
-  return edge([&](double x) { return depth - g(x); }, 0.0, outer_radius);
+  return edge([&](double x) { return depth - g(x); }, 0.0, outer_radius, 50);
 }
 
 double rest_depth_integral(const Depth& g, double indentation, double radius) {
@@ -68,23 +71,31 @@ Foundation make_foundation(const Depth& g, double outer_radius, const PronyBody&
           rest_depth_integral(g, motion.indentation, permanent) / motion.normal_amplitude};
 }
 
-PeriodicSpring spring_at(const Foundation& foundation, double x) {
-  return periodic_spring(foundation.model, (foundation.indentation - foundation.g(x)) / foundation.amplitude);
+// y of the spring at x, see mdr/periodic_spring.h; the indenter never touches it unless y > -1.
+double relative_depth(const Foundation& foundation, double x) {
+  return (foundation.indentation - foundation.g(x)) / foundation.amplitude;
+}
+
+// Where the contact ends at theta. Ten digits do: the force there is zero, or with a dashpot finite.
+double contact_edge(const Foundation& foundation, double theta) {
+  const auto margin = [&](double x) {
+    const double y = relative_depth(foundation, x);
+    return y > -1 ? contact_margin(periodic_spring(foundation.model, y), theta) : -pi;
+  };
+  return edge(margin, foundation.permanent_radius, foundation.contact_radius, 36);
 }
 
 // The share of the springs that lose contact now and then, divided by 8 G0 Delta d. The substitution
 // x = lower + width sin^2(pi s/2) smooths the half-integer powers of the distance to either end.
 double intermittent_force(const Foundation& foundation, double theta) {
   const double lower = foundation.permanent_radius;
-  const auto margin = [&](double x) {
-    const double y = (foundation.indentation - foundation.g(x)) / foundation.amplitude;
-    return y > -1 ? contact_margin(periodic_spring(foundation.model, y), theta) : -pi;
-  };
-  const double width = edge(margin, lower, foundation.contact_radius) - lower;
+  const double width = contact_edge(foundation, theta) - lower;
   if (width <= 0) return 0;
   const auto integrand = [&](double s) {
     const double sine = std::sin(pi * s / 2);
-    const double force = spring_force(foundation.model, spring_at(foundation, lower + width * sine * sine), theta);
+    const double y = relative_depth(foundation, lower + width * sine * sine);
+    if (y <= -1) return 0.0;
+    const double force = spring_force(foundation.model, periodic_spring(foundation.model, y), theta);
     return force * width * pi / 2 * std::sin(pi * s);
   };
   return boost::math::quadrature::gauss<double, 20>::integrate(integrand, 0.0, 1.0);
@@ -118,6 +129,7 @@ NormalResponse static_response(const Depth& g, double outer_radius, const PronyB
 NormalResponse oscillating_response(const Depth& g, double outer_radius, const PronyBody& body, const Motion& motion) {
   const Foundation foundation = make_foundation(g, outer_radius, body, motion);
   std::vector<double> force;
+  force.reserve(n_time_steps + 1);
   for (int k = 0; k < n_time_steps; ++k) force.push_back(normal_force(foundation, 2 * pi * k / n_time_steps));
   force.push_back(force.front());
   const double maximum = refined_extremum(foundation, force, 1);
