@@ -5,26 +5,13 @@
 #include <map>
 
 #include "comparison/case_file.h"
+#include "comparison/escape.h"
 #include "meshes/msh_file.h"
 
 namespace fretval {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string escaped(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    switch (c) {
-      case '&': result += "&amp;"; break;
-      case '<': result += "&lt;"; break;
-      case '>': result += "&gt;"; break;
-      case '"': result += "&quot;"; break;
-      default: result += c;
-    }
-  }
-  return result;
-}
 
 }  // namespace
 
@@ -75,8 +62,8 @@ std::string junit_xml(const std::vector<BatchLine>& lines) {
       if (!d.pass)
         message += fmt::format("{}: difference {}, tolerance {:.1e}; ", quantity,
                                d.difference ? fmt::format("{:.2e}", *d.difference) : "none", d.tolerance);
-    cases += fmt::format("  <testcase classname=\"fretval.check\" name=\"{}\"", escaped(line.name));
-    cases += pass ? "/>\n" : fmt::format("><failure message=\"{}\"/></testcase>\n", escaped(message));
+    cases += fmt::format("  <testcase classname=\"fretval.check\" name=\"{}\"", html_escaped(line.name));
+    cases += pass ? "/>\n" : fmt::format("><failure message=\"{}\"/></testcase>\n", html_escaped(message));
   }
   return fmt::format("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuite name=\"fretval check\" tests=\"{}\" "
                      "failures=\"{}\">\n{}</testsuite>\n",

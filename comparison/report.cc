@@ -1,0 +1,290 @@
+#include "comparison/report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "comparison/escape.h"
+#include "comparison/figures.h"
+#include "comparison/files.h"
+#include "comparison/results_folder.h"
+#include "comparison/versions.h"
+
+namespace fretval {
+namespace {
+
+namespace fs = std::filesystem;
+using Results = std::vector<StoredResult>;
+
+constexpr const char* style = R"(
+:root { color-scheme: light; --ink: #1d2430; --soft: #5b6573; --line: #dfe3e8; --good: #0b7a4b; --bad: #b3261e; }
+body { font: 16px/1.55 system-ui, "Helvetica Neue", Arial, sans-serif; color: var(--ink); background: #fff;
+       max-width: 1180px; margin: 2.5rem auto; padding: 0 1.25rem; }
+h1 { font-size: 1.9rem; margin: 0 0 .3rem; } h2 { font-size: 1.3rem; margin: 2.6rem 0 .6rem; }
+p { max-width: 52rem; } .lead { font-size: 1.1rem; } .soft { color: var(--soft); }
+.badge { display: inline-block; padding: .1rem .6rem; border-radius: 1rem; color: #fff; font-weight: 600; }
+.good { background: var(--good); } .bad { background: var(--bad); }
+.tiles { display: grid; grid-template-columns: repeat(auto-fit, minmax(13rem, 1fr)); gap: 1rem; margin: 1.5rem 0; }
+.tile { border: 1px solid var(--line); border-radius: .6rem; padding: .8rem 1rem; }
+.tile b { display: block; font-size: 1.45rem; }
+.figures { display: grid; grid-template-columns: repeat(auto-fit, minmax(30rem, 1fr)); gap: 1.2rem; }
+figure { margin: 0; border: 1px solid var(--line); border-radius: .6rem; padding: .6rem; }
+figure svg { width: 100%; height: auto; } figcaption { font-size: .88rem; color: var(--soft); padding: 0 .4rem .3rem; }
+table { border-collapse: collapse; font-size: .9rem; font-variant-numeric: tabular-nums; }
+th, td { text-align: right; padding: .25rem .7rem; border-bottom: 1px solid var(--line); }
+th:first-child, td:first-child { text-align: left; } thead th { color: var(--soft); font-weight: 600; }
+.scroll { overflow-x: auto; } td.bad-cell { color: var(--bad); font-weight: 600; }
+@media (max-width: 40rem) { .figures { grid-template-columns: 1fr; } }
+)";
+
+struct Quantity {
+  const char* key;
+  const char* name;
+};
+constexpr Quantity quantities[] = {{"stick_radius_first_slip", "stick radius, first slip (over a)"},
+                                   {"stick_radius_shakedown", "stick radius, shakedown (over a)"},
+                                   {"contact_radius_max", "largest contact radius (relative)"},
+                                   {"normal_force_max", "largest normal force (relative)"},
+                                   {"slip_inside_stick_zone", "slip inside c (over the amplitude)"},
+                                   {"force_outside_stick_zone", "force outside c (over the force)"},
+                                   {"maximum_indentation", "indentation at which the flank touches (relative)"}};
+
+/// Largest difference of a quantity over the results that are held to the unwidened tolerance.
+struct Extreme {
+  double difference = 0, tolerance = 0;
+  std::string name;
+  std::size_t n_compared = 0, n_pass = 0, n_widened = 0;
+};
+
+Extreme extreme_of(const Results& results, const char* key) {
+  Extreme extreme;
+  for (const auto& r : results) {
+    const auto& comparison = r.json.at("comparison");
+    if (!comparison.contains(key)) continue;
+    const auto& d = comparison[key];
+    ++extreme.n_compared;
+    extreme.n_pass += d.value("pass", false) ? 1 : 0;
+    const double tolerance = d.value("tolerance", 0.0);
+    if (tolerance > r.number("scene", "tolerance")) {
+      ++extreme.n_widened;
+      continue;
+    }
+    if (!d["difference"].is_number()) continue;
+    if (std::abs(d["difference"].get<double>()) < std::abs(extreme.difference)) continue;
+    extreme.difference = d["difference"].get<double>();
+    extreme.tolerance = tolerance;
+    extreme.name = r.json.at("name").get<std::string>();
+  }
+  return extreme;
+}
+
+std::string verdict_section(const Results& results) {
+  const auto n_pass =
+      std::count_if(results.begin(), results.end(), [](const auto& r) { return r.json.at("pass").template get<bool>(); });
+  const bool all = static_cast<std::size_t>(n_pass) == results.size();
+  std::string html = fmt::format(
+      "<p class=\"lead\"><span class=\"badge {}\">{}</span> Finite elements and MDR agree within tolerance in {} of {} "
+      "cases.</p>\n<div class=\"scroll\"><table><thead><tr><th>quantity</th><th>cases</th><th>agree</th>"
+      "<th>largest difference</th><th>tolerance</th><th>where</th></tr></thead><tbody>\n",
+      all ? "good" : "bad", all ? "confirmed" : "not confirmed", n_pass, results.size());
+  for (const auto& quantity : quantities) {
+    const auto e = extreme_of(results, quantity.key);
+    if (e.n_compared == 0) continue;
+    html += fmt::format("<tr><td>{}</td><td>{}</td><td{}>{}</td><td>{:.1e}</td><td>{:.0e}</td><td>{}</td></tr>\n",
+                        quantity.name, e.n_compared, e.n_pass == e.n_compared ? "" : " class=\"bad-cell\"", e.n_pass,
+                        e.difference, e.tolerance, html_escaped(e.name));
+  }
+  const auto widened = extreme_of(results, "stick_radius_shakedown").n_widened +
+                       extreme_of(results, "stick_radius_first_slip").n_widened;
+  html += "</tbody></table></div>\n";
+  if (widened > 0)
+    html += fmt::format("<p class=\"soft\">The differences are the largest where c/a ≥ 0.1. In {} comparisons MDR predicts a "
+                        "smaller stick zone, whose radius is ill-conditioned (a root of g(c) near the tip); they count as "
+                        "agreement within the tolerance times 0.1 a/c.</p>\n",
+                        widened);
+  return html;
+}
+
+/// Largest distance of the steady-state finite element radius from both of MDR's.
+std::string radii_section(const Results& results) {
+  double from_shakedown = 0, from_first_slip = 0;
+  std::string where;
+  std::size_t n = 0, n_only_steady = 0;
+  for (const auto& r : results) {
+    const double steady = r.number("fe", "stick_radius_shakedown"), a = r.number("scene", "contact_radius_unworn");
+    const double shakedown = r.number("mdr", "stick_radius_shakedown");
+    const double first_slip = r.number("mdr", "stick_radius_first_slip");
+    if (std::isnan(steady) || std::isnan(shakedown) || shakedown < 0.1 * a) continue;
+    ++n;
+    from_shakedown = std::max(from_shakedown, std::abs(steady - shakedown) / a);
+    if (std::isnan(first_slip)) {
+      ++n_only_steady;
+    } else if (std::abs(steady - first_slip) / a > from_first_slip) {
+      from_first_slip = std::abs(steady - first_slip) / a;
+      where = r.json.at("name").get<std::string>();
+    }
+  }
+  if (n == 0) return "";
+  return fmt::format(
+      "<h2>Which stick radius do finite elements follow?</h2>\n<p>There are two. The <b>first-slip radius</b> bounds the "
+      "elements that have never slipped since the start; it is the radius of the paper, its equations (19) to (27). The "
+      "<b>shakedown radius</b> bounds the elements that no longer slip in the steady state, after early slip has locked in a "
+      "favourable tangential force. The steady state of the finite elements follows the <b>shakedown radius</b>: over {} cases "
+      "with c/a ≥ 0.1 it is at most {:.1e} a away from it, but up to {:.2f} a away from the first-slip radius{}. In {} of these "
+      "cases MDR's first-slip criterion says that nothing sticks at all while a steady stick zone exists, in MDR's shakedown "
+      "criterion and in the finite elements alike. The finite element histories confirm both radii, each for what it means: the "
+      "region that never slipped agrees with the first-slip radius.</p>\n",
+      n, from_shakedown, from_first_slip, where.empty() ? "" : " (" + html_escaped(where) + ")", n_only_steady);
+}
+
+std::string figures_html(const std::vector<Figure>& figures) {
+  std::string html = "<div class=\"figures\">\n";
+  for (const auto& figure : figures)
+    html += fmt::format("<figure>{}<figcaption>{}</figcaption></figure>\n", figure.svg, figure.caption);
+  return html + "</div>\n";
+}
+
+std::string phase_section(const Results& results) {
+  const auto figures = stick_radius_figures(results);
+  if (figures.empty()) return "";
+  return "<h2>Stick radius over the phase (figure 3 of the paper)</h2>\n" + figures_html(figures) +
+         "<h2>Differences</h2>\n" + figures_html(difference_figures(results));
+}
+
+/// Is |G|/G0 all that counts? Largest differences per rheology.
+std::string rheology_section(const Results& results) {
+  std::map<std::string, Results> by_rheology;
+  for (const auto& r : results)
+    if (r.swept_over("Motion / Phase")) by_rheology[r.text("scene", "rheology")].push_back(r);
+  if (by_rheology.size() < 2) return "";
+  std::string html =
+      "<h2>Does only the modulus ratio matter?</h2>\n<p>The paper says that the rheology enters the stick radius through ρ = "
+      "|G(ω)|/G'(0) alone. Finite elements with different rheologies:</p>\n<div class=\"scroll\"><table><thead><tr><th>rheology"
+      "</th><th>ρ</th><th>cases</th><th>first slip, largest difference</th><th>shakedown, largest difference</th>"
+      "<th>cycles to the steady state</th></tr></thead><tbody>\n";
+  for (const auto& [name, members] : by_rheology) {
+    int most_cycles = 0;
+    for (const auto& r : members) most_cycles = std::max(most_cycles, r.json.at("cost").value("cycles", 0));
+    html += fmt::format("<tr><td>{}</td><td>{:.6f}</td><td>{}</td><td>{:.1e}</td><td>{:.1e}</td><td>up to {}</td></tr>\n",
+                        html_escaped(name), members.front().number("mdr", "modulus_ratio"), members.size(),
+                        extreme_of(members, "stick_radius_first_slip").difference,
+                        extreme_of(members, "stick_radius_shakedown").difference, most_cycles);
+  }
+  return html + "</tbody></table></div>\n";
+}
+
+std::string limiting_section(const Results& results) {
+  const auto figures = limiting_profile_figures(results);
+  if (figures.empty()) return "";
+  std::string html =
+      "<h2>The state in which nothing wears any more (figure 4 of the paper)</h2>\n<p>Here the limiting profile itself is the "
+      "indenter, and it oscillates with a motion whose shakedown radius is its c. In the periodic state the finite elements "
+      "have to find no slip inside c and no pressure outside.</p>\n" +
+      figures_html(figures) +
+      "<div class=\"scroll\"><table><thead><tr><th>case</th><th>c_FE / c</th><th>slip inside c</th><th>force outside c</th>"
+      "<th>normal force</th><th>flank touches at</th><th>a_∞ / a_0</th></tr></thead><tbody>\n";
+  for (const auto& r : results) {
+    if (!r.swept_over("Wear / Stick radius ratio")) continue;
+    const auto& force = r.json.at("comparison").at("normal_force_max").at("difference");
+    html += fmt::format(
+        "<tr><td>{}</td><td>{:.5f}</td><td>{:.1e}</td><td>{:.1e}</td><td>{:+.1e}</td><td>{:.5f} d_max</td><td>{:.4f}</td></tr>\n",
+        html_escaped(r.json.at("name").get<std::string>()),
+        r.number("fe", "stick_radius_shakedown") / r.number("scene", "stick_radius_of_profile"),
+        r.number("fe", "slip_inside_stick_zone"), r.number("fe", "force_outside_stick_zone"), force.get<double>(),
+        r.number("fe", "touch_indentation"), r.number("mdr", "worn_radius") / r.number("scene", "contact_radius_unworn"));
+  }
+  return html +
+         "</tbody></table></div>\n<p class=\"soft\">Slip over the tangential amplitude, force outside c over the normal force, "
+         "at the worst instant; difference of the largest normal force relative to MDR.</p>\n";
+}
+
+std::string single_cases_section(const Results& results) {
+  std::string html;
+  for (const auto& r : results) {
+    if (r.json.at("scene").contains("sweep")) continue;
+    html += fmt::format("<h2>Case {}</h2>\n<p>{}: {}.</p>\n", html_escaped(r.family()),
+                        html_escaped(r.text("scene", "shape") + ", " + r.text("scene", "rheology")),
+                        r.json.at("pass").get<bool>() ? "finite elements and MDR agree" : "they do not agree");
+    html += "<div class=\"scroll\"><table><thead><tr><th>quantity</th><th>MDR</th><th>finite elements</th>"
+            "<th>difference</th><th>tolerance</th></tr></thead><tbody>\n";
+    for (const auto& [key, d] : r.json.at("comparison").items())
+      html += fmt::format("<tr><td>{}</td><td>{:.6g}</td><td>{:.6g}</td><td{}>{}</td><td>{:.1e}</td></tr>\n", key,
+                          r.number("mdr", key.c_str()), r.number("fe", key.c_str()),
+                          d.at("pass").get<bool>() ? "" : " class=\"bad-cell\"",
+                          d.at("difference").is_number() ? fmt::format("{:.1e}", d["difference"].get<double>()) : "–",
+                          d.at("tolerance").get<double>());
+    html += "</tbody></table></div>\n" + figures_html(single_case_figures(r));
+  }
+  return html;
+}
+
+std::string cost_section(const Results& results) {
+  double friction = 0, steps = 0, memory = 0;
+  std::set<std::string> bodies;
+  for (const auto& r : results) {
+    const auto& cost = r.json.at("cost");
+    friction += cost.at("seconds").value("friction_history", 0.0);
+    steps += cost.value("time_steps", 0.0);
+    memory = std::max(memory, cost.value("peak_memory_bytes", 0.0));
+    bodies.insert(cost.at("seconds").dump().substr(0, 80) + cost.at("dofs").dump());
+  }
+  const auto& first = results.front().json.at("cost");
+  std::string libraries;
+  for (const auto& [name, version] : versions()) libraries += (libraries.empty() ? "" : ", ") + name + " " + version;
+  return fmt::format(
+      "<h2>Method and cost</h2>\n<p>Mixed incompressible finite elements in Fourier harmonics on the meridian half-plane "
+      "(normal n = 0, tangential n = 1), condensed on the contact rings by a MUMPS Schur complement; unilateral contact and "
+      "Coulomb friction stepped through the viscoelastic history until it is periodic. A case like {} has {} degrees of freedom "
+      "and takes {} time steps over {} cycles in {:.2f} s. All {} cases: {:.2g} time steps, {:.0f} s of friction histories on "
+      "one core, peak memory {:.0f} MB.</p>\n<p class=\"soft\">{}</p>\n",
+      html_escaped(results.front().json.at("name").get<std::string>()), first.value("dofs", 0), first.value("time_steps", 0L),
+      first.value("cycles", 0), first.at("seconds").value("friction_history", 0.0), results.size(), steps, friction,
+      memory / 1e6, html_escaped(libraries));
+}
+
+std::string all_cases_section(const Results& results) {
+  std::string html =
+      "<h2>All cases</h2>\n<details><summary>Stick radii and differences of every case</summary>\n<div class=\"scroll\"><table>"
+      "<thead><tr><th>case</th><th>c first slip, MDR</th><th>FE</th><th>c shakedown, MDR</th><th>FE</th><th>contact radius</th>"
+      "<th>normal force</th><th></th></tr></thead><tbody>\n";
+  const auto length = [](const StoredResult& r, const char* section, const char* key) {
+    const double value = r.number(section, key) / r.number("scene", "contact_radius_unworn");
+    return std::isnan(value) ? std::string("–") : fmt::format("{:.5f}", value);
+  };
+  const auto difference = [](const StoredResult& r, const char* key) {
+    const auto& comparison = r.json.at("comparison");
+    if (!comparison.contains(key) || !comparison[key]["difference"].is_number()) return std::string("–");
+    return fmt::format("{:+.1e}", comparison[key]["difference"].get<double>());
+  };
+  for (const auto& r : results) {
+    const bool pass = r.json.at("pass").get<bool>();
+    html += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td{}>{}</td></tr>\n",
+                        html_escaped(r.json.at("name").get<std::string>()), length(r, "mdr", "stick_radius_first_slip"),
+                        length(r, "fe", "stick_radius_first_slip"), length(r, "mdr", "stick_radius_shakedown"),
+                        length(r, "fe", "stick_radius_shakedown"), difference(r, "contact_radius_max"),
+                        difference(r, "normal_force_max"), pass ? "" : " class=\"bad-cell\"", pass ? "agree" : "disagree");
+  }
+  return html + "</tbody></table></div>\n<p class=\"soft\">Radii over the unworn contact radius at the largest indentation; – : "
+                "nothing sticks, or not compared.</p></details>\n";
+}
+
+}  // namespace
+
+fs::path write_report(const fs::path& folder) {
+  const auto results = read_results(folder);
+  const std::string page = fmt::format(
+      "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" content=\"width=device-width, "
+      "initial-scale=1\"><title>fretval: finite elements against MDR</title><style>{}</style></head><body>\n"
+      "<h1>Finite elements against MDR</h1>\n<p class=\"soft\">Fretting of an elastomer under combined normal and tangential "
+      "oscillation</p>\n{}{}{}{}{}{}{}{}</body></html>\n",
+      style, verdict_section(results), radii_section(results), phase_section(results), rheology_section(results),
+      limiting_section(results), single_cases_section(results), cost_section(results), all_cases_section(results));
+  const fs::path file = folder / "index.html";
+  write_file(file, page);
+  return file;
+}
+
+}  // namespace fretval
