@@ -16,8 +16,9 @@ constexpr double degree = 3.14159265358979323846 / 180;
 // The contact line reaches a little beyond the largest contact, so that the first ring that never touches is on it.
 constexpr double contact_line_reserve = 1.12;
 
-// Rings at the edge of a worn stick zone, where pressure and traction are singular, over the contact radius.
-constexpr double worn_edge_ring = 5e-4;
+// Rings at the edge of a worn stick zone over its radius: the last ring of width h carries a share of sqrt(2 h/c) of the force of
+// a flat punch, and a part of that of order 0.1 ends up outside.
+constexpr double worn_edge_ring = 5e-6;
 
 mdr::Profile profile_of(const Case::Indenter& indenter) {
   switch (indenter.shape) {
@@ -60,8 +61,9 @@ std::vector<double> contact_nodes(const Case& scene, const MdrScene& mdr, const 
     return meshes::uniform_nodes(n * ring, n);
   }
   const double edge = mdr.limiting->stick_radius / units.length;
-  const double end = contact_line_reserve * mdr.limiting->outer_radius / units.length;
-  return meshes::graded_nodes(edge, end, ring, worn_edge_ring, resolution.growth);
+  // Rounded up to quarters of the contact radius, so that profiles with the same c share their body.
+  const double end = std::ceil(4 * contact_line_reserve * mdr.limiting->outer_radius / units.length) / 4;
+  return meshes::graded_nodes(edge, end, ring, worn_edge_ring * edge, resolution.growth);
 }
 
 std::function<double(double)> profile_in(const Units& units, const Case& scene, const MdrScene& mdr) {

@@ -13,7 +13,7 @@ namespace fretval::fem {
 /// `S = K_cc - K_ci K_ii^{-1} K_ic` on the interface dofs c.
 ///
 /// Every failure is a SolverError that names the matrix: non-finite entries, empty rows, MUMPS' INFOG codes, a singular
-/// matrix, a non-finite Schur complement, and a probe solve whose true residual is above 1e-10. Needs a PetscSession.
+/// matrix, a non-finite Schur complement, and a probe solve whose true residual is above 1e-8. Needs a PetscSession.
 class Condensation {
  public:
   /// name: of the matrix, for error messages.

@@ -8,7 +8,7 @@
 namespace fretval::fem {
 namespace {
 
-constexpr Eigen::Index n_skipped = 3;
+constexpr Eigen::Index n_fitted_events = 6;
 
 Eigen::MatrixXd cholesky_factor(const Compliance& compliance) {
   const Eigen::LLT<Eigen::MatrixXd> factor(compliance.matrix);
@@ -16,28 +16,18 @@ Eigen::MatrixXd cholesky_factor(const Compliance& compliance) {
   return factor.matrixL();
 }
 
-struct Line {
-  double intercept, slope;
-};
-
-Line fit_line(const Eigen::VectorXd& x, const Eigen::VectorXd& y) {
-  const double x_mean = x.mean(), y_mean = y.mean();
-  const double slope =
-      (x.array() - x_mean).matrix().dot((y.array() - y_mean).matrix()) / (x.array() - x_mean).square().sum();
-  return {y_mean - slope * x_mean, slope};
-}
-
-/// Root beyond the last point of the polynomial of the given degree through y(x) (least squares).
-double extrapolated_root(const Eigen::VectorXd& x, const Eigen::VectorXd& y, int degree) {
+/// Root, nearest to the last x, of the polynomial fitted to y(x) (least squares); the last x if it has none.
+double root_beyond(const Eigen::VectorXd& x, const Eigen::VectorXd& y, int degree) {
   const double centre = x[x.size() - 1], scale = x[x.size() - 1] - x[0];
   Eigen::MatrixXd powers(x.size(), degree + 1);
   for (Eigen::Index i = 0; i < x.size(); ++i)
     for (int k = 0; k <= degree; ++k) powers(i, k) = std::pow((x[i] - centre) / scale, k);
   const Eigen::VectorXd c = powers.colPivHouseholderQr().solve(y);
-  double root = -c[0] / c[1];
-  for (int iteration = 0; iteration < 20 && degree > 1; ++iteration)
-    root -= (c[0] + root * (c[1] + root * c[2])) / (c[1] + 2 * root * c[2]);
-  return centre + scale * root;
+  if (degree == 1) return centre - scale * c[0] / c[1];
+  const double discriminant = c[1] * c[1] - 4 * c[2] * c[0];
+  if (discriminant < 0) return centre;
+  // The root next to the centre, in the form that does not cancel.
+  return centre - scale * 2 * c[0] / (c[1] + std::copysign(std::sqrt(discriminant), c[1]));
 }
 
 }  // namespace
@@ -46,12 +36,19 @@ Eigen::VectorXd effective_radii(const Compliance& compliance) {
   const Eigen::Index n = compliance.areas.size();
   // Force of a unit indentation on rings 0..m-1 = |L_m^{-1} A_m|^2: one forward substitution serves every m.
   const Eigen::VectorXd half = cholesky_factor(compliance).triangularView<Eigen::Lower>().solve(compliance.areas);
-  Eigen::VectorXd force(n + 1), radius(n + 1);
+  Eigen::VectorXd force(n + 1);
+  Eigen::MatrixXd radius_and_width(n + 1, 2);
   force[0] = 0;
-  for (Eigen::Index m = 0; m < n; ++m) force[m + 1] = force[m] + half[m] * half[m];
-  for (Eigen::Index m = 0; m <= n; ++m) radius[m] = compliance.radii[m];
+  radius_and_width.row(0).setZero();
+  for (Eigen::Index m = 1; m <= n; ++m) {
+    force[m] = force[m - 1] + half[m - 1] * half[m - 1];
+    radius_and_width.row(m) << compliance.radii[m], compliance.radii[m] - compliance.radii[m - 1];
+  }
+  // Force = stiffness (radius - beta width of the last ring); the innermost discs are of too few rings for that.
   const Eigen::Index begin = n / 4, count = std::max<Eigen::Index>(n / 2, 2);
-  return force / fit_line(radius.segment(begin, count), force.segment(begin, count)).slope;
+  const Eigen::Vector2d fit =
+      radius_and_width.middleRows(begin, count).colPivHouseholderQr().solve(force.segment(begin, count));
+  return force / fit[0];
 }
 
 ContactEvents contact_events(const Compliance& compliance, const Eigen::VectorXd& profile) {
@@ -82,20 +79,21 @@ EdgeRadius largest_contact_radius(const NormalHistory& history, const ContactEve
 
 EdgeRadius stick_radius(const Compliance& compliance, const Eigen::VectorXd& margin, Eigen::Index n_stuck) {
   if (n_stuck == 0) return {0, compliance.radii[1]};
+  const Eigen::VectorXd effective = effective_radii(compliance);
   const double width = compliance.radii[n_stuck] - compliance.radii[n_stuck - 1];
-  if (n_stuck < 4) return {effective_radii(compliance)[n_stuck], width};
-  const Eigen::Index skipped = n_stuck < 8 ? 1 : n_skipped;
-  const Eigen::Index n_points = std::min<Eigen::Index>(n_stuck - skipped, std::max<Eigen::Index>(8, n_stuck / 3));
-  Eigen::VectorXd x(n_points), y(n_points);
-  for (Eigen::Index k = 0; k < n_points; ++k) {
-    const Eigen::Index i = n_stuck - skipped - n_points + k;
-    x[k] = (compliance.radii[i] * compliance.radii[i] + compliance.radii[i + 1] * compliance.radii[i + 1]) / 2;
-    y[k] = margin[i] * margin[i];
+  if (n_stuck < 3) return {effective[n_stuck], width};
+  const Eigen::LLT<Eigen::MatrixXd> factor(compliance.matrix.topLeftCorner(n_stuck, n_stuck));
+  const Eigen::VectorXd by_load = factor.matrixL().solve(compliance.areas.head(n_stuck));
+  const Eigen::VectorXd by_margin = factor.matrixU() * margin.head(n_stuck);
+  const Eigen::Index n = std::min(n_stuck, n_fitted_events);
+  Eigen::VectorXd radius(n), load(n);
+  for (Eigen::Index k = 0; k < n; ++k) {
+    const Eigen::Index j = n_stuck - n + k;
+    radius[k] = (effective[j] + effective[j + 1]) / 2;
+    load[k] = by_margin[j] / by_load[j];
   }
-  const double linear = std::sqrt(std::max(0.0, extrapolated_root(x, y, 1)));
-  if (n_points < 5) return {linear, width};
-  const double quadratic = std::sqrt(std::max(0.0, extrapolated_root(x, y, 2)));
-  return {quadratic, std::abs(quadratic - linear)};
+  const double fitted = root_beyond(radius, load, 2);
+  return {fitted, std::abs(fitted - root_beyond(radius.tail(3), load.tail(3), 2))};
 }
 
 double touch_indentation(const Compliance& compliance, const Eigen::VectorXd& profile, Eigen::Index n_pressed,

@@ -64,7 +64,7 @@ struct Period {
   double dissipated_energy = 0;
 
   Period(Eigen::Index n_rings, int n_steps)
-      : forward(n_rings), backward(n_rings), slip(Eigen::VectorXd::Zero(n_rings)), traction(n_rings, n_steps) {}
+      : forward(n_rings, 0), backward(n_rings, 0), slip(Eigen::VectorXd::Zero(n_rings)), traction(n_rings, n_steps) {}
 
   void add(int k, const Eigen::VectorXd& limit, const Stepper::Result& step, const Eigen::VectorXd& areas) {
     forward.add(limit - step.traction);
@@ -92,7 +92,7 @@ FrictionHistory friction_history(const ContactProblem& problem, const Relaxation
   FrictionHistory history{};
   history.periodicity = infinity;
   history.slip_path = Eigen::VectorXd::Zero(n);
-  RunningMinimum first_slip(n);
+  RunningMinimum first_slip(n, 0);
   std::vector<double> force{0};
   Period before(n, period_steps), now(n, period_steps);
   while (!(history.periodicity <= control.periodicity)) {
