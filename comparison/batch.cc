@@ -66,9 +66,8 @@ class Batch {
                  body.cost.assembly, body.cost.factorisation);
     const auto groups = group_by_normal_problem(cases_, indices);
     std::vector<NormalAnswers> normals(groups.size());
-    for_each_in_parallel(groups.size(), [&](std::size_t g) {
-      normals[g] = answer_normal(body, cases_[groups[g].members.front()]);
-    });
+    for_each_in_parallel(groups.size(),
+                         [&](std::size_t g) { normals[g] = answer_normal(body, cases_[groups[g].members.front()]); });
     std::vector<std::pair<std::size_t, std::size_t>> jobs;  // group, case
     for (std::size_t g = 0; g < groups.size(); ++g)
       for (const std::size_t i : groups[g].members) jobs.emplace_back(g, i);
@@ -87,7 +86,7 @@ class Batch {
       try {
         const auto mdr = mdr_answer(prepared.mdr, normal.reference);
         auto fe = simulate(body, prepared.fem, normal.simulation);
-        auto verdict = compare(mdr, fe, prepared.fem.units.length, prepared.scene.tolerance);
+        auto verdict = compare(mdr, fe, prepared.fem.units.length, prepared.tolerances);
         line.pass = passes(verdict);
         line.verdict = verdict;
         const Outcome outcome{prepared.scene, prepared.mdr, prepared.fem, mdr, std::move(fe), std::move(verdict)};
@@ -117,11 +116,11 @@ std::vector<PreparedCase> prepare(const std::vector<Case>& cases) {
   std::set<std::string> names;
   for (const auto& scene : cases) {
     if (!names.insert(scene.name).second)
-      throw InputError(fmt::format("{}: a case named {} is already there; case files need different names", scene.file,
-                                   scene.name));
+      throw InputError(
+          fmt::format("{}: a case named {} is already there; case files need different names", scene.file, scene.name));
     try {
       const auto mdr = mdr_scene(scene);
-      prepared.push_back({scene, mdr, fem_scene(scene, mdr)});
+      prepared.push_back({scene, mdr, fem_scene(scene, mdr), tolerances_of(scene.tolerance)});
     } catch (const std::invalid_argument& error) {
       throw InputError(fmt::format("{}: {}", scene.file, error.what()));
     }

@@ -15,10 +15,11 @@ struct PreparedCase {
   Case scene;
   MdrScene mdr;
   FemScene fem;
+  Tolerances tolerances;
 };
 
-/// Checks everything about the cases that can be checked before the first one is computed. Throws InputError; bad values that
-/// only the reference refuses are reported with the file's name.
+/// Checks everything about the cases that can be checked before the first one is computed. Throws InputError; bad
+/// values that only the reference refuses are reported with the file's name.
 std::vector<PreparedCase> prepare(const std::vector<Case>& cases);
 
 /// One line of the batch's outcome.
@@ -38,9 +39,9 @@ struct BatchHooks {
   std::function<void(const BatchLine&, std::size_t n_done, std::size_t n_cases)> progress = [](auto&&...) {};
 };
 
-/// Computes all cases. Work is shared: one body per specification, one normal history per normal problem (at nu = 1/2 it does
-/// not see the tangential motion); then the friction histories run on all cores. Each case writes its folder under `output`
-/// when it is done; with an empty path nothing is written. The lines come in the order of the cases.
+/// Computes all cases. Work is shared: one body per specification, one normal history per normal problem (at nu = 1/2
+/// it does not see the tangential motion); then the friction histories run on all cores. Each case writes its folder
+/// under `output` when it is done; with an empty path nothing is written. The lines come in the order of the cases.
 std::vector<BatchLine> run_batch(const std::vector<PreparedCase>& cases, const std::filesystem::path& output,
                                  const BatchHooks& hooks);
 

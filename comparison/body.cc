@@ -20,9 +20,9 @@ HarmonicBody make_harmonic(const fem::GridData& grid, fem::Harmonic harmonic, un
   fem::HarmonicSpace space(grid, harmonic, degree);
   const auto stiffness = fem::assemble_stiffness(space);
   cost.assembly += watch.lap();
-  fem::Condensation condensation(stiffness, space.contact_line().dofs,
-                                 harmonic == fem::Harmonic::normal ? "stiffness of the normal harmonic"
-                                                                   : "stiffness of the tangential harmonic");
+  fem::Condensation condensation(
+      stiffness, space.contact_line().dofs,
+      harmonic == fem::Harmonic::normal ? "stiffness of the normal harmonic" : "stiffness of the tangential harmonic");
   fem::ContactProblem contact(fem::contact_compliance(space.contact_line(), condensation));
   cost.factorisation += watch.lap();
   return {std::move(space), std::move(condensation), std::move(contact)};

@@ -36,7 +36,8 @@ struct Body {
 /// The mesh that a specification asks for.
 meshes::Mesh mesh_of(const BodySpecification& specification);
 
-/// Audits the mesh, assembles and condenses. name: of the mesh, for messages. Throws meshes::MeshError, fem::SolverError.
+/// Audits the mesh, assembles and condenses. name: of the mesh, for messages. Throws meshes::MeshError,
+/// fem::SolverError.
 Body make_body(const meshes::Mesh& mesh, const std::string& name, unsigned degree);
 
 /// Both at once, with the time of the mesh in the cost.

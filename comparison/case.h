@@ -22,16 +22,16 @@ struct Case {
   };
 
   struct Elastomer {
-    std::string rheology;              ///< as named in the file
-    double relaxed_modulus = 0;        ///< Pa, G'(0)
-    std::vector<double> branch_moduli; ///< Pa
-    std::vector<double> branch_times;  ///< s
-    double viscosity = 0;              ///< Pa s
+    std::string rheology;               ///< as named in the file
+    double relaxed_modulus = 0;         ///< Pa, G'(0)
+    std::vector<double> branch_moduli;  ///< Pa
+    std::vector<double> branch_times;   ///< s
+    double viscosity = 0;               ///< Pa s
   };
 
   struct Motion {
-    double indentation = 0;       ///< m, mean
-    double normal_amplitude = 0;  ///< m
+    double indentation = 0;           ///< m, mean
+    double normal_amplitude = 0;      ///< m
     double tangential_amplitude = 0;  ///< m
     double frequency = 0;             ///< Hz, of both motions
     std::optional<double> phase;      ///< deg; empty: unlocked
@@ -51,8 +51,9 @@ struct Case {
   double friction_coefficient = 0;
   Motion motion;
   Wear wear = Wear::unworn;
-  double worn_stick_ratio = 0;  ///< limiting wear: stick radius over the unworn contact radius at the largest indentation
-  double tolerance = 0;         ///< relative, on the stick radius
+  double worn_stick_ratio =
+      0;                 ///< limiting wear: stick radius over the unworn contact radius at the largest indentation
+  double tolerance = 0;  ///< relative, on the stick radius
   Fields fields = Fields::none;
   std::optional<Sweep> sweep;
 };

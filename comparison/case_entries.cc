@@ -21,7 +21,8 @@ const std::vector<Section>& sections() {
       {"Elastomer", {"Rheology", "Relaxed shear modulus", "Viscosity", "Branch moduli", "Branch times"}},
       {"Friction", {"Coefficient", "Law"}},
       {"Motion",
-       {"Indentation", "Normal amplitude", "Normal frequency", "Tangential amplitude", "Tangential frequency", "Phase"}},
+       {"Indentation", "Normal amplitude", "Normal frequency", "Tangential amplitude", "Tangential frequency",
+        "Phase"}},
       {"Wear", {"State", "Stick radius ratio"}},
       {"Accuracy", {"Tolerance"}},
       {"Output", {"Fields"}},
@@ -74,10 +75,10 @@ Case::Indenter read_indenter(const EntryReader& entries) {
 Case::Elastomer read_elastomer(const EntryReader& entries) {
   const std::string section = "Elastomer";
   Case::Elastomer elastomer;
-  elastomer.rheology =
-      entries.one_of(section, "Rheology", {"elastic", "kelvin voigt", "standard solid", "prony"});
-  const ValidNumber relaxed{[](double x) { return x > 0; },
-                            "a positive modulus in Pa: a body that relaxes to nothing (Maxwell) has no permanent stick"};
+  elastomer.rheology = entries.one_of(section, "Rheology", {"elastic", "kelvin voigt", "standard solid", "prony"});
+  const ValidNumber relaxed{
+      [](double x) { return x > 0; },
+      "a positive modulus in Pa: a body that relaxes to nothing (Maxwell) has no permanent stick"};
   elastomer.relaxed_modulus = entries.number(section, "Relaxed shear modulus", relaxed);
   const bool has_branches = elastomer.rheology == "standard solid" || elastomer.rheology == "prony";
   const bool has_dashpot = elastomer.rheology == "kelvin voigt" || elastomer.rheology == "prony";
@@ -108,12 +109,12 @@ Case::Motion read_motion(const EntryReader& entries) {
                                     : entries.number(section, "Tangential amplitude", not_negative);
   motion.frequency = entries.number(section, "Normal frequency", positive);
   if (entries.number(section, "Tangential frequency", positive) != motion.frequency)
-    entries.fail(section, "Tangential frequency",
-                 fmt::format("the Normal frequency, {:g} Hz: unequal frequencies are not compared yet; use Phase = free for "
-                             "motions that are not synchronised",
-                             motion.frequency));
-  if (entries.text(section, "Phase") != "free")
-    motion.phase = entries.number(section, "Phase", any_number);
+    entries.fail(
+        section, "Tangential frequency",
+        fmt::format("the Normal frequency, {:g} Hz: unequal frequencies are not compared yet; use Phase = free for "
+                    "motions that are not synchronised",
+                    motion.frequency));
+  if (entries.text(section, "Phase") != "free") motion.phase = entries.number(section, "Phase", any_number);
   return motion;
 }
 
@@ -222,7 +223,7 @@ Case read_entries(const EntryReader& entries, Case::Fields fields) {
   scene.fields = fields;
   if (entries.given("Output", "Fields"))
     scene.fields = entries.one_of("Output", "Fields", {"none", "extremes"}) == "none" ? Case::Fields::none
-                                                                                       : Case::Fields::extremes;
+                                                                                      : Case::Fields::extremes;
   return scene;
 }
 

@@ -27,7 +27,8 @@ bool is_entry(const std::string& section, const std::string& name);
 /// "Indenter: Shape, Radius, ...; Elastomer: ...", for error messages.
 std::string valid_entries();
 
-/// Typed access to a parsed case file. Every failure is an InputError naming file, entry, value and what would be valid.
+/// Typed access to a parsed case file. Every failure is an InputError naming file, entry, value and what would be
+/// valid.
 class EntryReader {
  public:
   EntryReader(dealii::ParameterHandler& handler, std::string file) : handler_(handler), file_(std::move(file)) {}

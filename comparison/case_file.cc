@@ -58,6 +58,8 @@ Includes split_includes(const fs::path& file) {
       words >> name;
       if (name.empty()) throw InputError(fmt::format("{}: an include line names no file", file.string()));
       result.files.push_back(file.parent_path() / name);
+      if (!fs::exists(result.files.back()))
+        throw InputError(fmt::format("{}: include {}: no such file as {}", file.string(), name, result.files.back().string()));
       line.clear();
     }
     result.text += line + '\n';

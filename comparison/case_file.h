@@ -10,8 +10,8 @@ namespace fretval {
 /// Reads a case file (.prm of deal.II's ParameterHandler, or .json through the same handler) and the files it includes
 /// (`include FILE` lines before the first entry, relative to the file; later entries override included ones).
 ///
-/// A file with a subsection Sweep stands for several cases, one per value of the swept entry; without one, for a single case.
-/// Throws InputError naming the file, the entry, its value and what would be valid.
+/// A file with a subsection Sweep stands for several cases, one per value of the swept entry; without one, for a single
+/// case. Throws InputError naming the file, the entry, its value and what would be valid.
 std::vector<Case> read_case_file(const std::filesystem::path& file);
 
 }  // namespace fretval

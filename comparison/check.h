@@ -8,16 +8,21 @@
 
 namespace fretval {
 
-/// The CI check: a few small scenes on the two committed meshes of meshes/small. Each scene is there twice, on the coarse and on
-/// the fine mesh, with the tolerance that the ring width of the mesh allows.
+/// The CI check: a few small scenes on the two committed meshes of meshes/small. Each scene is there twice, on the
+/// coarse and on the fine mesh, with the tolerances that the ring width of the mesh allows.
 struct CheckScene {
   PreparedCase prepared;
   std::filesystem::path mesh;
 };
 
-std::vector<CheckScene> check_scenes();
+/// meshes: folder with coarse.msh and fine.msh.
+std::vector<CheckScene> check_scenes(const std::filesystem::path& meshes);
 
-/// Runs the scenes; one line each, in their order. Throws InputError or meshes::MeshError if the committed files are damaged.
+/// The folder of the committed meshes.
+std::filesystem::path small_meshes();
+
+/// Runs the scenes; one line each, in their order. Throws InputError or meshes::MeshError if the committed files are
+/// damaged.
 std::vector<BatchLine> run_check(const std::vector<CheckScene>& scenes);
 
 /// JUnit XML of the lines, for CI systems.

@@ -40,10 +40,11 @@ std::vector<const StoredResult*> select(const std::vector<StoredResult>& results
   return selected;
 }
 
-std::set<std::string> shapes_swept(const std::vector<StoredResult>& results, const char* entry) {
-  std::set<std::string> shapes;
-  for (const auto& r : results)
-    if (r.swept_over(entry)) shapes.insert(r.text("scene", "shape"));
+/// The shapes that are swept over an entry, in the paper's order.
+std::vector<std::string> shapes_swept(const std::vector<StoredResult>& results, const char* entry) {
+  std::vector<std::string> shapes;
+  for (const char* shape : {"parabola", "cone", "power"})
+    if (!select(results, entry, shape).empty()) shapes.emplace_back(shape);
   return shapes;
 }
 
@@ -102,11 +103,13 @@ Figure stick_radius_figure(const std::vector<const StoredResult*>& results, cons
     rheologies.insert(key.rheology);
   }
   plot.x_range = {0, 180};
+  plot.y_range = {0, 0.9};
   std::string list;
   for (const auto& name : rheologies) list += (list.empty() ? "" : ", ") + name;
-  return {svg(plot), fmt::format("{}. Lines: MDR. Full points: finite elements, {}; open points: the other rheologies with "
-                                 "the same modulus ratio. Rheologies shown: {}. A missing point: nothing sticks.",
-                                 plot.title, leading.begin()->second.rheology, list)};
+  return {svg(plot),
+          fmt::format("{}. Lines: MDR. Full points: finite elements, {}; open points: the other rheologies with "
+                      "the same modulus ratio. Rheologies shown: {}. A missing point: nothing sticks.",
+                      plot.title, leading.begin()->second.rheology, list)};
 }
 
 Figure difference_figure(const std::vector<const StoredResult*>& results, const std::string& shape) {
@@ -124,7 +127,7 @@ Figure difference_figure(const std::vector<const StoredResult*>& results, const 
       auto& series = per_k[key.k];
       const bool first = criterion.key == first_slip.key;
       series.style = first ? Series::Style::open_points : Series::Style::points;
-      series.label = fmt::format("k = {:g}, {}", key.k, first ? "first slip" : "shakedown");
+      series.label = first ? "" : fmt::format("k = {:g}", key.k);
       series.colour = colour_of(leading, key.k);
       for (const auto* r : members) {
         series.x.push_back(r->sweep_value());
@@ -138,8 +141,22 @@ Figure difference_figure(const std::vector<const StoredResult*>& results, const 
   plot.series.push_back({"tolerance", {0, 180}, {tolerance, tolerance}, Series::Style::dashed, 7});
   plot.x_range = {0, 180};
   plot.y_range = {1e-6, 1e-1};
-  return {svg(plot), "The same cases, all rheologies. Above the dashed line lie stick zones with c/a < 0.1 only, for which the "
-                     "tolerance is wider."};
+  return {svg(plot),
+          "The same cases, all rheologies. Full points: shakedown, open points: first slip. Above the dashed line lie "
+          "stick zones with c/a < 0.1 only, for which the "
+          "tolerance is wider."};
+}
+
+/// Free surface of the finite elements at the largest indentation, up to the outer radius, about 25 points.
+Series thinned_surface(const StoredResult& r, double outer, double length, double depth, int colour) {
+  const auto [radius, height] = read_columns(r.folder / "contact.csv", "r outer [m]", "surface height at d max [m]");
+  Series points{"", {}, {}, Series::Style::points, colour};
+  for (std::size_t i = 0; i < radius.size() && radius[i] <= outer * length; ++i) {
+    if (!points.x.empty() && radius[i] / length < points.x.back() + outer / 25) continue;
+    points.x.push_back(radius[i] / length);
+    points.y.push_back(height[i] / depth);
+  }
+  return points;
 }
 
 Figure limiting_profile_figure(const std::vector<const StoredResult*>& results, const std::string& shape) {
@@ -160,12 +177,16 @@ Figure limiting_profile_figure(const std::vector<const StoredResult*>& results, 
       if (x[i - 1] <= outer && outer < x[i])
         plot.x_marks.emplace_back(outer, y[i - 1] + (y[i] - y[i - 1]) * (outer - x[i - 1]) / (x[i] - x[i - 1]));
     plot.series.push_back(
-        {fmt::format("c = {:.2g} a_0", r->sweep_value()), std::move(x), std::move(y), Series::Style::line, colour++});
+        {fmt::format("c = {:.2g} a_0", r->sweep_value()), std::move(x), std::move(y), Series::Style::line, colour});
+    plot.series.push_back(thinned_surface(*r, outer, length, depth, colour++));
   }
   plot.x_range = {0, 1.6};
   plot.y_range = {0, 1.6};
-  return {svg(plot), "The profiles that MDR predicts, which are the indenters of the finite element runs. Triangles: a_∞, "
-                     "where the wear ends."};
+  return {svg(plot),
+          "Lines: the profiles that MDR predicts, which are the indenters of the finite element runs. Points: the "
+          "surface of "
+          "the finite elements at the largest indentation, which must lie on them without pressure outside c. "
+          "Triangles: a<sub>∞</sub>, where the wear ends."};
 }
 
 }  // namespace

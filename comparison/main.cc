@@ -27,8 +27,9 @@ int main(int argc, char** argv) {
   spdlog::set_default_logger(spdlog::stderr_color_mt("fretval"));
   spdlog::set_pattern("%^%l%$: %v");
 
-  CLI::App app{"fretval: do finite elements confirm what the method of dimensionality reduction predicts for fretting on an "
-               "elastomer, how closely, and at what cost?"};
+  CLI::App app{
+      "fretval: do finite elements confirm what the method of dimensionality reduction predicts for fretting on an "
+      "elastomer, how closely, and at what cost?"};
   app.set_version_flag("--version", version_text());
   app.require_subcommand(1);
   fretval::Command command;

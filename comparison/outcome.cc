@@ -32,7 +32,9 @@ nlohmann::ordered_json run_json(const Outcome& outcome, const Body& body, const 
             {"periodicity_tangential", outcome.fe.friction.periodicity},
             {"cycles_normal", normal.history.n_cycles}}},
           {"mesh",
-           {{"cells", q.n_cells}, {"nodes", q.n_nodes}, {"min_scaled_jacobian", q.min_scaled_jacobian},
+           {{"cells", q.n_cells},
+            {"nodes", q.n_nodes},
+            {"min_scaled_jacobian", q.min_scaled_jacobian},
             {"max_aspect_ratio", q.max_aspect_ratio}}},
           {"units",
            {{"length", outcome.fem_scene.units.length},
@@ -83,15 +85,17 @@ void write_contact(const Outcome& outcome, const NormalSimulation& normal, const
   const Eigen::Map<const Eigen::VectorXd> radii(compliance.radii.data(),
                                                 static_cast<Eigen::Index>(compliance.radii.size()));
   const Eigen::Index n = compliance.areas.size();
-  write_csv(file, {{"r inner [m]", units.length * radii.head(n)},
-                   {"r outer [m]", units.length * radii.tail(n)},
-                   {"p smallest [Pa]", units.pressure() * last_cycle.rowwise().minCoeff()},
-                   {"p largest [Pa]", units.pressure() * last_cycle.rowwise().maxCoeff()},
-                   {"tau smallest [Pa]", units.pressure() * friction.traction.rowwise().minCoeff()},
-                   {"tau largest [Pa]", units.pressure() * friction.traction.rowwise().maxCoeff()},
-                   {"slip per period [m]", units.depth * friction.period_slip},
-                   {"first slip margin [Pa]", units.pressure() * friction.first_slip_margin},
-                   {"shakedown margin [Pa]", units.pressure() * friction.shakedown_margin}});
+  write_csv(file,
+            {{"r inner [m]", units.length * radii.head(n)},
+             {"r outer [m]", units.length * radii.tail(n)},
+             {"p smallest [Pa]", units.pressure() * last_cycle.rowwise().minCoeff()},
+             {"p largest [Pa]", units.pressure() * last_cycle.rowwise().maxCoeff()},
+             {"tau smallest [Pa]", units.pressure() * friction.traction.rowwise().minCoeff()},
+             {"tau largest [Pa]", units.pressure() * friction.traction.rowwise().maxCoeff()},
+             {"surface height at d max [m]", units.depth * (1 - normal.history.deepest_displacement.array()).matrix()},
+             {"slip per period [m]", units.depth * friction.period_slip},
+             {"first slip margin [Pa]", units.pressure() * friction.first_slip_margin},
+             {"shakedown margin [Pa]", units.pressure() * friction.shakedown_margin}});
 }
 
 void write_profile(const Outcome& outcome, const fs::path& file) {
@@ -115,7 +119,10 @@ void write_profile(const Outcome& outcome, const fs::path& file) {
 
 void write_field(const HarmonicBody& body, const Eigen::VectorXd& rings, const Units& units, const fs::path& file) {
   const auto field = fem::extend_into_body(body.space, body.condensation, body.contact.compliance, rings);
-  fem::write_vtu(body.space, field, units.length, units.depth, file);
+  fs::path partial = file;
+  partial += ".partial";
+  fem::write_vtu(body.space, field, units.length, units.depth, partial);
+  fs::rename(partial, file);
 }
 
 }  // namespace

@@ -28,8 +28,8 @@ nlohmann::ordered_json to_json(const MdrAnswer& answer);
 /// The whole of result.json, with the keys of the documentation in docs/results.md.
 nlohmann::ordered_json result_json(const Outcome& outcome, const Body& body, const NormalSimulation& normal);
 
-/// Writes result.json, run.json, history.csv, contact.csv, profile.csv and, if the case asks for fields, the VTU files into a
-/// folder, which is made if need be.
+/// Writes result.json, run.json, history.csv, contact.csv, profile.csv and, if the case asks for fields, the VTU files
+/// into a folder, which is made if need be.
 void write_outcome(const Outcome& outcome, const Body& body, const NormalSimulation& normal,
                    const mdr::NormalResponse& reference, const std::filesystem::path& folder);
 

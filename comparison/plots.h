@@ -25,7 +25,8 @@ struct Plot {
   std::optional<std::pair<double, double>> x_range, y_range;
 };
 
-/// Draws a plot with gnuplot as an SVG element to embed in HTML. Throws std::runtime_error if gnuplot is missing or refuses.
+/// Draws a plot with gnuplot as an SVG element to embed in HTML. Throws std::runtime_error if gnuplot is missing or
+/// refuses.
 std::string svg(const Plot& plot);
 
 }  // namespace fretval

@@ -9,8 +9,8 @@ mdr::NormalResponse mdr_normal_response(const MdrScene& scene) {
     return mdr::periodic_normal_response([worn = *scene.limiting](double x) { return mdr::transform(worn, x); },
                                          scene.limiting->stick_radius, scene.body, scene.motion);
   const double outer = mdr::inverse_transform(scene.profile, mdr::maximum_indentation(scene.motion));
-  return mdr::periodic_normal_response([profile = scene.profile](double x) { return mdr::transform(profile, x); }, outer,
-                                       scene.body, scene.motion);
+  return mdr::periodic_normal_response([profile = scene.profile](double x) { return mdr::transform(profile, x); },
+                                       outer, scene.body, scene.motion);
 }
 
 MdrAnswer mdr_answer(const MdrScene& scene, const mdr::NormalResponse& normal) {

@@ -30,7 +30,7 @@ p { max-width: 52rem; } .lead { font-size: 1.1rem; } .soft { color: var(--soft);
 .tiles { display: grid; grid-template-columns: repeat(auto-fit, minmax(13rem, 1fr)); gap: 1rem; margin: 1.5rem 0; }
 .tile { border: 1px solid var(--line); border-radius: .6rem; padding: .8rem 1rem; }
 .tile b { display: block; font-size: 1.45rem; }
-.figures { display: grid; grid-template-columns: repeat(auto-fit, minmax(30rem, 1fr)); gap: 1.2rem; }
+.figures { display: grid; grid-template-columns: repeat(auto-fill, minmax(30rem, 1fr)); gap: 1.2rem; }
 figure { margin: 0; border: 1px solid var(--line); border-radius: .6rem; padding: .6rem; }
 figure svg { width: 100%; height: auto; } figcaption { font-size: .88rem; color: var(--soft); padding: 0 .4rem .3rem; }
 table { border-collapse: collapse; font-size: .9rem; font-variant-numeric: tabular-nums; }
@@ -82,8 +82,8 @@ Extreme extreme_of(const Results& results, const char* key) {
 }
 
 std::string verdict_section(const Results& results) {
-  const auto n_pass =
-      std::count_if(results.begin(), results.end(), [](const auto& r) { return r.json.at("pass").template get<bool>(); });
+  const auto n_pass = std::count_if(results.begin(), results.end(),
+                                    [](const auto& r) { return r.json.at("pass").template get<bool>(); });
   const bool all = static_cast<std::size_t>(n_pass) == results.size();
   std::string html = fmt::format(
       "<p class=\"lead\"><span class=\"badge {}\">{}</span> Finite elements and MDR agree within tolerance in {} of {} "
@@ -101,10 +101,11 @@ std::string verdict_section(const Results& results) {
                        extreme_of(results, "stick_radius_first_slip").n_widened;
   html += "</tbody></table></div>\n";
   if (widened > 0)
-    html += fmt::format("<p class=\"soft\">The differences are the largest where c/a ≥ 0.1. In {} comparisons MDR predicts a "
-                        "smaller stick zone, whose radius is ill-conditioned (a root of g(c) near the tip); they count as "
-                        "agreement within the tolerance times 0.1 a/c.</p>\n",
-                        widened);
+    html += fmt::format(
+        "<p class=\"soft\">The differences are the largest where c/a ≥ 0.1. In {} comparisons MDR predicts a "
+        "smaller stick zone, whose radius is ill-conditioned (a root of g(c) near the tip); they count as "
+        "agreement within the tolerance times 0.1 a/c.</p>\n",
+        widened);
   return html;
 }
 
@@ -129,13 +130,20 @@ std::string radii_section(const Results& results) {
   }
   if (n == 0) return "";
   return fmt::format(
-      "<h2>Which stick radius do finite elements follow?</h2>\n<p>There are two. The <b>first-slip radius</b> bounds the "
-      "elements that have never slipped since the start; it is the radius of the paper, its equations (19) to (27). The "
-      "<b>shakedown radius</b> bounds the elements that no longer slip in the steady state, after early slip has locked in a "
-      "favourable tangential force. The steady state of the finite elements follows the <b>shakedown radius</b>: over {} cases "
-      "with c/a ≥ 0.1 it is at most {:.1e} a away from it, but up to {:.2f} a away from the first-slip radius{}. In {} of these "
-      "cases MDR's first-slip criterion says that nothing sticks at all while a steady stick zone exists, in MDR's shakedown "
-      "criterion and in the finite elements alike. The finite element histories confirm both radii, each for what it means: the "
+      "<h2>Which stick radius do finite elements follow?</h2>\n<p>There are two. The <b>first-slip radius</b> bounds "
+      "the "
+      "elements that have never slipped since the start; it is the radius of the paper, its equations (19) to (27). "
+      "The "
+      "<b>shakedown radius</b> bounds the elements that no longer slip in the steady state, after early slip has "
+      "locked in a "
+      "favourable tangential force. The steady state of the finite elements follows the <b>shakedown radius</b>: over "
+      "{} cases "
+      "with c/a ≥ 0.1 it is at most {:.1e} a away from it, but up to {:.2f} a away from the first-slip radius{}. In {} "
+      "of these "
+      "cases MDR's first-slip criterion says that nothing sticks at all while a steady stick zone exists, in MDR's "
+      "shakedown "
+      "criterion and in the finite elements alike. The finite element histories confirm both radii, each for what it "
+      "means: the "
       "region that never slipped agrees with the first-slip radius.</p>\n",
       n, from_shakedown, from_first_slip, where.empty() ? "" : " (" + html_escaped(where) + ")", n_only_steady);
 }
@@ -161,17 +169,20 @@ std::string rheology_section(const Results& results) {
     if (r.swept_over("Motion / Phase")) by_rheology[r.text("scene", "rheology")].push_back(r);
   if (by_rheology.size() < 2) return "";
   std::string html =
-      "<h2>Does only the modulus ratio matter?</h2>\n<p>The paper says that the rheology enters the stick radius through ρ = "
-      "|G(ω)|/G'(0) alone. Finite elements with different rheologies:</p>\n<div class=\"scroll\"><table><thead><tr><th>rheology"
+      "<h2>Does only the modulus ratio matter?</h2>\n<p>The paper says that the rheology enters the stick radius "
+      "through ρ = "
+      "|G(ω)|/G'(0) alone. Finite elements with different rheologies:</p>\n<div "
+      "class=\"scroll\"><table><thead><tr><th>rheology"
       "</th><th>ρ</th><th>cases</th><th>first slip, largest difference</th><th>shakedown, largest difference</th>"
       "<th>cycles to the steady state</th></tr></thead><tbody>\n";
   for (const auto& [name, members] : by_rheology) {
     int most_cycles = 0;
     for (const auto& r : members) most_cycles = std::max(most_cycles, r.json.at("cost").value("cycles", 0));
-    html += fmt::format("<tr><td>{}</td><td>{:.6f}</td><td>{}</td><td>{:.1e}</td><td>{:.1e}</td><td>up to {}</td></tr>\n",
-                        html_escaped(name), members.front().number("mdr", "modulus_ratio"), members.size(),
-                        extreme_of(members, "stick_radius_first_slip").difference,
-                        extreme_of(members, "stick_radius_shakedown").difference, most_cycles);
+    html +=
+        fmt::format("<tr><td>{}</td><td>{:.6f}</td><td>{}</td><td>{:.1e}</td><td>{:.1e}</td><td>up to {}</td></tr>\n",
+                    html_escaped(name), members.front().number("mdr", "modulus_ratio"), members.size(),
+                    extreme_of(members, "stick_radius_first_slip").difference,
+                    extreme_of(members, "stick_radius_shakedown").difference, most_cycles);
   }
   return html + "</tbody></table></div>\n";
 }
@@ -180,24 +191,30 @@ std::string limiting_section(const Results& results) {
   const auto figures = limiting_profile_figures(results);
   if (figures.empty()) return "";
   std::string html =
-      "<h2>The state in which nothing wears any more (figure 4 of the paper)</h2>\n<p>Here the limiting profile itself is the "
-      "indenter, and it oscillates with a motion whose shakedown radius is its c. In the periodic state the finite elements "
+      "<h2>The state in which nothing wears any more (figure 4 of the paper)</h2>\n<p>Here the limiting profile itself "
+      "is the "
+      "indenter, and it oscillates with a motion whose shakedown radius is its c. In the periodic state the finite "
+      "elements "
       "have to find no slip inside c and no pressure outside.</p>\n" +
       figures_html(figures) +
-      "<div class=\"scroll\"><table><thead><tr><th>case</th><th>c_FE / c</th><th>slip inside c</th><th>force outside c</th>"
-      "<th>normal force</th><th>flank touches at</th><th>a_∞ / a_0</th></tr></thead><tbody>\n";
+      "<div class=\"scroll\"><table><thead><tr><th>case</th><th>c<sub>FE</sub> / c</th><th>slip inside c</th><th>force "
+      "outside c</th>"
+      "<th>normal force</th><th>flank touches at</th><th>a<sub>∞</sub> / a<sub>0</sub></th></tr></thead><tbody>\n";
   for (const auto& r : results) {
     if (!r.swept_over("Wear / Stick radius ratio")) continue;
     const auto& force = r.json.at("comparison").at("normal_force_max").at("difference");
     html += fmt::format(
-        "<tr><td>{}</td><td>{:.5f}</td><td>{:.1e}</td><td>{:.1e}</td><td>{:+.1e}</td><td>{:.5f} d_max</td><td>{:.4f}</td></tr>\n",
+        "<tr><td>{}</td><td>{:.5f}</td><td>{:.1e}</td><td>{:.1e}</td><td>{:+.1e}</td><td>{:.6f} "
+        "d<sub>max</sub></td><td>{:.4f}</td></tr>\n",
         html_escaped(r.json.at("name").get<std::string>()),
         r.number("fe", "stick_radius_shakedown") / r.number("scene", "stick_radius_of_profile"),
         r.number("fe", "slip_inside_stick_zone"), r.number("fe", "force_outside_stick_zone"), force.get<double>(),
-        r.number("fe", "touch_indentation"), r.number("mdr", "worn_radius") / r.number("scene", "contact_radius_unworn"));
+        r.number("fe", "touch_indentation"),
+        r.number("mdr", "worn_radius") / r.number("scene", "contact_radius_unworn"));
   }
   return html +
-         "</tbody></table></div>\n<p class=\"soft\">Slip over the tangential amplitude, force outside c over the normal force, "
+         "</tbody></table></div>\n<p class=\"soft\">Slip over the tangential amplitude, force outside c over the "
+         "normal force, "
          "at the worst instant; difference of the largest normal force relative to MDR.</p>\n";
 }
 
@@ -208,8 +225,9 @@ std::string single_cases_section(const Results& results) {
     html += fmt::format("<h2>Case {}</h2>\n<p>{}: {}.</p>\n", html_escaped(r.family()),
                         html_escaped(r.text("scene", "shape") + ", " + r.text("scene", "rheology")),
                         r.json.at("pass").get<bool>() ? "finite elements and MDR agree" : "they do not agree");
-    html += "<div class=\"scroll\"><table><thead><tr><th>quantity</th><th>MDR</th><th>finite elements</th>"
-            "<th>difference</th><th>tolerance</th></tr></thead><tbody>\n";
+    html +=
+        "<div class=\"scroll\"><table><thead><tr><th>quantity</th><th>MDR</th><th>finite elements</th>"
+        "<th>difference</th><th>tolerance</th></tr></thead><tbody>\n";
     for (const auto& [key, d] : r.json.at("comparison").items())
       html += fmt::format("<tr><td>{}</td><td>{:.6g}</td><td>{:.6g}</td><td{}>{}</td><td>{:.1e}</td></tr>\n", key,
                           r.number("mdr", key.c_str()), r.number("fe", key.c_str()),
@@ -235,20 +253,26 @@ std::string cost_section(const Results& results) {
   std::string libraries;
   for (const auto& [name, version] : versions()) libraries += (libraries.empty() ? "" : ", ") + name + " " + version;
   return fmt::format(
-      "<h2>Method and cost</h2>\n<p>Mixed incompressible finite elements in Fourier harmonics on the meridian half-plane "
-      "(normal n = 0, tangential n = 1), condensed on the contact rings by a MUMPS Schur complement; unilateral contact and "
-      "Coulomb friction stepped through the viscoelastic history until it is periodic. A case like {} has {} degrees of freedom "
-      "and takes {} time steps over {} cycles in {:.2f} s. All {} cases: {:.2g} time steps, {:.0f} s of friction histories on "
+      "<h2>Method and cost</h2>\n<p>Mixed incompressible finite elements in Fourier harmonics on the meridian "
+      "half-plane "
+      "(normal n = 0, tangential n = 1), condensed on the contact rings by a MUMPS Schur complement; unilateral "
+      "contact and "
+      "Coulomb friction stepped through the viscoelastic history until it is periodic. A case like {} has {} degrees "
+      "of freedom "
+      "and takes {} time steps over {} cycles in {:.2f} s. All {} cases: {:.2g} time steps, {:.0f} s of friction "
+      "histories on "
       "one core, peak memory {:.0f} MB.</p>\n<p class=\"soft\">{}</p>\n",
-      html_escaped(results.front().json.at("name").get<std::string>()), first.value("dofs", 0), first.value("time_steps", 0L),
-      first.value("cycles", 0), first.at("seconds").value("friction_history", 0.0), results.size(), steps, friction,
-      memory / 1e6, html_escaped(libraries));
+      html_escaped(results.front().json.at("name").get<std::string>()), first.value("dofs", 0),
+      first.value("time_steps", 0L), first.value("cycles", 0), first.at("seconds").value("friction_history", 0.0),
+      results.size(), steps, friction, memory / 1e6, html_escaped(libraries));
 }
 
 std::string all_cases_section(const Results& results) {
   std::string html =
-      "<h2>All cases</h2>\n<details><summary>Stick radii and differences of every case</summary>\n<div class=\"scroll\"><table>"
-      "<thead><tr><th>case</th><th>c first slip, MDR</th><th>FE</th><th>c shakedown, MDR</th><th>FE</th><th>contact radius</th>"
+      "<h2>All cases</h2>\n<details><summary>Stick radii and differences of every case</summary>\n<div "
+      "class=\"scroll\"><table>"
+      "<thead><tr><th>case</th><th>c first slip, MDR</th><th>FE</th><th>c shakedown, MDR</th><th>FE</th><th>contact "
+      "radius</th>"
       "<th>normal force</th><th></th></tr></thead><tbody>\n";
   const auto length = [](const StoredResult& r, const char* section, const char* key) {
     const double value = r.number(section, key) / r.number("scene", "contact_radius_unworn");
@@ -261,14 +285,17 @@ std::string all_cases_section(const Results& results) {
   };
   for (const auto& r : results) {
     const bool pass = r.json.at("pass").get<bool>();
-    html += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td{}>{}</td></tr>\n",
-                        html_escaped(r.json.at("name").get<std::string>()), length(r, "mdr", "stick_radius_first_slip"),
-                        length(r, "fe", "stick_radius_first_slip"), length(r, "mdr", "stick_radius_shakedown"),
-                        length(r, "fe", "stick_radius_shakedown"), difference(r, "contact_radius_max"),
-                        difference(r, "normal_force_max"), pass ? "" : " class=\"bad-cell\"", pass ? "agree" : "disagree");
+    html += fmt::format(
+        "<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td{}>{}</td></tr>\n",
+        html_escaped(r.json.at("name").get<std::string>()), length(r, "mdr", "stick_radius_first_slip"),
+        length(r, "fe", "stick_radius_first_slip"), length(r, "mdr", "stick_radius_shakedown"),
+        length(r, "fe", "stick_radius_shakedown"), difference(r, "contact_radius_max"),
+        difference(r, "normal_force_max"), pass ? "" : " class=\"bad-cell\"", pass ? "agree" : "disagree");
   }
-  return html + "</tbody></table></div>\n<p class=\"soft\">Radii over the unworn contact radius at the largest indentation; – : "
-                "nothing sticks, or not compared.</p></details>\n";
+  return html +
+         "</tbody></table></div>\n<p class=\"soft\">Radii over the unworn contact radius at the largest indentation; – "
+         ": "
+         "nothing sticks, or not compared.</p></details>\n";
 }
 
 }  // namespace
@@ -276,9 +303,11 @@ std::string all_cases_section(const Results& results) {
 fs::path write_report(const fs::path& folder) {
   const auto results = read_results(folder);
   const std::string page = fmt::format(
-      "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" content=\"width=device-width, "
+      "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
+      "content=\"width=device-width, "
       "initial-scale=1\"><title>fretval: finite elements against MDR</title><style>{}</style></head><body>\n"
-      "<h1>Finite elements against MDR</h1>\n<p class=\"soft\">Fretting of an elastomer under combined normal and tangential "
+      "<h1>Finite elements against MDR</h1>\n<p class=\"soft\">Fretting of an elastomer under combined normal and "
+      "tangential "
       "oscillation</p>\n{}{}{}{}{}{}{}{}</body></html>\n",
       style, verdict_section(results), radii_section(results), phase_section(results), rheology_section(results),
       limiting_section(results), single_cases_section(results), cost_section(results), all_cases_section(results));

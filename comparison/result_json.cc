@@ -49,14 +49,14 @@ ordered_json scene_json(const Outcome& outcome) {
 }
 
 ordered_json fe_json(const FeAnswer& fe) {
-  ordered_json json{{"contact_radius_max", or_null(fe.contact_radius_max)},
-                    {"stick_radius_first_slip", or_null(fe.stick_radius_first_slip)},
-                    {"stick_radius_shakedown", or_null(fe.stick_radius_shakedown)},
-                    {"worn_radius", nullptr},
-                    {"normal_force_max", fe.normal_force_max},
-                    {"error_estimate",
-                     {{"stick_radius_first_slip", fe.first_slip_uncertainty},
-                      {"stick_radius_shakedown", fe.shakedown_uncertainty}}}};
+  ordered_json json{
+      {"contact_radius_max", or_null(fe.contact_radius_max)},
+      {"stick_radius_first_slip", or_null(fe.stick_radius_first_slip)},
+      {"stick_radius_shakedown", or_null(fe.stick_radius_shakedown)},
+      {"worn_radius", nullptr},
+      {"normal_force_max", fe.normal_force_max},
+      {"error_estimate",
+       {{"stick_radius_first_slip", fe.first_slip_uncertainty}, {"stick_radius_shakedown", fe.shakedown_uncertainty}}}};
   if (fe.no_wear) {
     json["slip_inside_stick_zone"] = fe.no_wear->slip_inside;
     json["force_outside_stick_zone"] = fe.no_wear->force_outside;
@@ -68,9 +68,8 @@ ordered_json fe_json(const FeAnswer& fe) {
 ordered_json verdict_json(const Verdict& verdict) {
   ordered_json json = ordered_json::object();
   for (const auto& [quantity, difference] : verdict)
-    json[quantity] = {{"difference", or_null(difference.difference)},
-                      {"tolerance", difference.tolerance},
-                      {"pass", difference.pass}};
+    json[quantity] = {
+        {"difference", or_null(difference.difference)}, {"tolerance", difference.tolerance}, {"pass", difference.pass}};
   return json;
 }
 

@@ -21,7 +21,8 @@ StoredResult read_result(const fs::path& file) {
     StoredResult result{nlohmann::ordered_json::parse(stream), file.parent_path()};
     for (const char* key : {"name", "pass", "scene", "mdr", "fe", "comparison", "cost"})
       if (!result.json.contains(key))
-        throw InputError(fmt::format("{}: the key \"{}\" is missing; is this a result of fretval?", file.string(), key));
+        throw InputError(
+            fmt::format("{}: the key \"{}\" is missing; is this a result of fretval?", file.string(), key));
     return result;
   } catch (const nlohmann::json::exception& error) {
     throw InputError(fmt::format("{}: {}", file.string(), error.what()));

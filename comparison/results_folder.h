@@ -21,7 +21,8 @@ struct StoredResult {
   [[nodiscard]] std::string family() const;  ///< name of the sweep, or the name of the case
 };
 
-/// Every result.json below a folder, by family and sweep value. Throws InputError if there is none or one cannot be read.
+/// Every result.json below a folder, by family and sweep value. Throws InputError if there is none or one cannot be
+/// read.
 std::vector<StoredResult> read_results(const std::filesystem::path& folder);
 
 /// Two columns of a CSV file; empty if the file or a column is not there.

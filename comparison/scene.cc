@@ -16,8 +16,8 @@ constexpr double degree = 3.14159265358979323846 / 180;
 // The contact line reaches a little beyond the largest contact, so that the first ring that never touches is on it.
 constexpr double contact_line_reserve = 1.12;
 
-// Rings at the edge of a worn stick zone over its radius: the last ring of width h carries a share of sqrt(2 h/c) of the force of
-// a flat punch, and a part of that of order 0.1 ends up outside.
+// Rings at the edge of a worn stick zone over its radius: the last ring of width h carries a share of sqrt(2 h/c) of
+// the force of a flat punch, and a part of that of order 0.1 ends up outside.
 constexpr double worn_edge_ring = 5e-6;
 
 mdr::Profile profile_of(const Case::Indenter& indenter) {
@@ -43,13 +43,13 @@ mdr::LimitingProfile limiting_of(const Case& scene, const MdrScene& mdr) {
 
 double amplitude_for_shakedown(const Case& scene, const MdrScene& mdr) {
   const double depth = mdr::transform(mdr.profile, mdr.limiting->stick_radius);
-  const auto amplitude =
-      mdr::tangential_amplitude_for_shakedown(mdr.body, mdr.friction_coefficient, mdr.motion, depth);
+  const auto amplitude = mdr::tangential_amplitude_for_shakedown(mdr.body, mdr.friction_coefficient, mdr.motion, depth);
   if (!amplitude)
-    throw InputError(fmt::format("{}: Wear / Stick radius ratio = {:g}: no tangential amplitude shakes down there, because "
-                                 "the contact opens inside it in every cycle; expected a smaller ratio or a smaller Motion / "
-                                 "Normal amplitude",
-                                 scene.file, scene.worn_stick_ratio));
+    throw InputError(
+        fmt::format("{}: Wear / Stick radius ratio = {:g}: no tangential amplitude shakes down there, because "
+                    "the contact opens inside it in every cycle; expected a smaller ratio or a smaller Motion / "
+                    "Normal amplitude",
+                    scene.file, scene.worn_stick_ratio));
   return *amplitude;
 }
 
@@ -78,8 +78,8 @@ std::function<double(double)> profile_in(const Units& units, const Case& scene, 
     case Case::Shape::cone:
       return [factor = std::tan(indenter.slope_angle * degree) * length / depth](double r) { return factor * r; };
     default:
-      return [factor = indenter.coefficient * std::pow(length, indenter.exponent) / depth, n = indenter.exponent](
-                 double r) { return factor * std::pow(r, n); };
+      return [factor = indenter.coefficient * std::pow(length, indenter.exponent) / depth,
+              n = indenter.exponent](double r) { return factor * std::pow(r, n); };
   }
 }
 

@@ -23,12 +23,13 @@ struct MdrScene {
   std::optional<mdr::LimitingProfile> limiting;  ///< Wear / State = limiting: the indenter itself
 };
 
-/// Throws InputError for a limiting state that no tangential amplitude leads to, std::invalid_argument for values that the
-/// reference refuses.
+/// Throws InputError for a limiting state that no tangential amplitude leads to, std::invalid_argument for values that
+/// the reference refuses.
 MdrScene mdr_scene(const Case& scene);
 
 /// Units that make a scene dimensionless: lengths along the surface, depths, shear modulus, angular frequency.
-/// The problem is linear in the depths, so they have a unit of their own and the same scene in nm and in m agrees to roundoff.
+/// The problem is linear in the depths, so they have a unit of their own and the same scene in nm and in m agrees to
+/// roundoff.
 struct Units {
   double length;             ///< m, the unworn contact radius at the largest indentation
   double depth;              ///< m, the largest indentation

@@ -76,8 +76,8 @@ NormalSimulation simulate_normal(const Body& body, const FemScene& scene) {
   simulation.history =
       fem::normal_history(problem, scene.relaxation, simulation.profile, scene.motion, control_of(scene));
   if (!scene.worn_edge)
-    simulation.contact_radius = fem::largest_contact_radius(
-        simulation.history, fem::contact_events(problem.compliance, simulation.profile));
+    simulation.contact_radius =
+        fem::largest_contact_radius(simulation.history, fem::contact_events(problem.compliance, simulation.profile));
   simulation.seconds = watch.lap();
   return simulation;
 }

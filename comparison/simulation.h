@@ -22,9 +22,9 @@ NormalSimulation simulate_normal(const Body& body, const FemScene& scene);
 
 /// What the finite elements say about the state in which nothing wears any more. Dimensionless ratios.
 struct NoWearEvidence {
-  double slip_inside;       ///< longest slip of a ring inside c in a period over the tangential amplitude
-  double force_outside;     ///< largest share of the normal force carried beyond c at any instant of the last cycle
-  double touch_indentation; ///< indentation at which the worn flank comes into contact, over the largest one
+  double slip_inside;        ///< longest slip of a ring inside c in a period over the tangential amplitude
+  double force_outside;      ///< largest share of the normal force carried beyond c at any instant of the last cycle
+  double touch_indentation;  ///< indentation at which the worn flank comes into contact, over the largest one
 };
 
 /// What finite elements say about a scene; SI units. Empty: nothing sticks.
@@ -39,7 +39,7 @@ struct FeAnswer {
 
   int n_cycles;
   long n_steps;
-  double seconds;  ///< of the friction history
+  double seconds;                 ///< of the friction history
   fem::FrictionHistory friction;  ///< dimensionless
 };
 

@@ -22,11 +22,17 @@ Difference judge_stick(const std::optional<double>& fe, const std::optional<doub
 
 }  // namespace
 
-Verdict compare(const MdrAnswer& mdr, const FeAnswer& fe, double unworn_radius, double tolerance) {
+Tolerances tolerances_of(double accuracy) {
+  return {accuracy, accuracy / 10, accuracy / 10};
+}
+
+Verdict compare(const MdrAnswer& mdr, const FeAnswer& fe, double unworn_radius, const Tolerances& tolerances) {
   Verdict verdict;
   if (fe.contact_radius_max)
-    verdict["contact_radius_max"] = judge(*fe.contact_radius_max / mdr.contact_radius_max - 1, tolerance / 10);
-  verdict["normal_force_max"] = judge(fe.normal_force_max / mdr.normal_force_max - 1, tolerance / 10);
+    verdict["contact_radius_max"] =
+        judge(*fe.contact_radius_max / mdr.contact_radius_max - 1, tolerances.contact_radius);
+  verdict["normal_force_max"] = judge(fe.normal_force_max / mdr.normal_force_max - 1, tolerances.normal_force);
+  const double tolerance = tolerances.stick_radius;
   verdict["stick_radius_first_slip"] =
       judge_stick(fe.stick_radius_first_slip, mdr.stick_radius_first_slip, unworn_radius, tolerance);
   verdict["stick_radius_shakedown"] =

@@ -10,7 +10,8 @@
 namespace fretval::fem {
 namespace {
 
-// Healthy matrices give 1e-13 on even meshes and 2e-10 where cells span six decades in size; a singular one gives 1e-2 or more.
+// Healthy matrices give 1e-13 on even meshes and 2e-10 where cells span six decades in size; a singular one gives 1e-2
+// or more.
 constexpr double probe_tolerance = 1e-8;
 
 std::string explain(int infog1, int infog2) {
@@ -101,9 +102,10 @@ class Matrix {  // owns the PETSc objects
     if (!solution.allFinite()) throw SolverError(name_ + ": the solution is not finite");
     const double residual = (multiply(rows_, solution) - rhs).norm() / rhs.norm();
     if (!(residual <= probe_tolerance))
-      throw SolverError(fmt::format("{}: the matrix is singular or badly conditioned: relative residual {:.1e} after a direct "
-                                    "solve, at most {:.0e} expected",
-                                    name_, residual, probe_tolerance));
+      throw SolverError(
+          fmt::format("{}: the matrix is singular or badly conditioned: relative residual {:.1e} after a direct "
+                      "solve, at most {:.0e} expected",
+                      name_, residual, probe_tolerance));
     return solution;
   }
 

@@ -14,8 +14,8 @@ struct EdgeRadius {
 };
 
 /// Radius of the disc that m active rings stand for, m = 0..n_rings: the flat-punch force of m rings over the force per
-/// radius, both from the compliance alone. It is r_m - beta h, h the width of the last ring, with beta = 0.10 to 0.15; the
-/// force per radius and beta are fitted to the middle half of the discs.
+/// radius, both from the compliance alone. It is r_m - beta h, h the width of the last ring, with beta = 0.10 to 0.15;
+/// the force per radius and beta are fitted to the middle half of the discs.
 Eigen::VectorXd effective_radii(const Compliance& compliance);
 
 /// The elastic indentations at which one more ring comes into contact, and the contact radius at each: the mean of the
@@ -37,16 +37,17 @@ EdgeRadius largest_contact_radius(const NormalHistory& history, const ContactEve
 
 /// Radius at which a stick margin vanishes, n_stuck: number of rings from the centre that stick.
 ///
-/// The margin is a traction field on the stuck rings like the pressure under a punch: were the load higher, the tangential
-/// displacement by a uniform d, it would fall by `d C^{-1} A`, and the outermost ring would slip when its own margin is used
-/// up. With the Cholesky factor C = L L^T these events are `d_j = (L^T margin)_j / (L^{-1} A)_j` for j = n_stuck-1, n_stuck-2, ...,
-/// each at the mean of the effective radii of j and j+1 rings. The stick radius is where d(r), a quadratic through the
-/// outermost events, vanishes: less than a ring beyond the last one. It takes the compliance of the finite elements
-/// and nothing else. compliance: of the tangential harmonic. A radius of 0 if nothing sticks.
+/// The margin is a traction field on the stuck rings like the pressure under a punch: were the load higher, the
+/// tangential displacement by a uniform d, it would fall by `d C^{-1} A`, and the outermost ring would slip when its
+/// own margin is used up. With the Cholesky factor C = L L^T these events are `d_j = (L^T margin)_j / (L^{-1} A)_j` for
+/// j = n_stuck-1, n_stuck-2, ..., each at the mean of the effective radii of j and j+1 rings. The stick radius is where
+/// d(r), a quadratic through the outermost events, vanishes: less than a ring beyond the last one. It takes the
+/// compliance of the finite elements and nothing else. compliance: of the tangential harmonic. A radius of 0 if nothing
+/// sticks.
 EdgeRadius stick_radius(const Compliance& compliance, const Eigen::VectorXd& margin, Eigen::Index n_stuck);
 
-/// Indentation at which a worn flank comes into contact: rings 0..n_pressed-1 are pressed, and the gap of the n_flank rings
-/// after them, averaged over their area, closes. profile: ring means.
+/// Indentation at which a worn flank comes into contact: rings 0..n_pressed-1 are pressed, and the gap of the n_flank
+/// rings after them, averaged over their area, closes. profile: ring means.
 double touch_indentation(const Compliance& compliance, const Eigen::VectorXd& profile, Eigen::Index n_pressed,
                          Eigen::Index n_flank);
 

@@ -1,0 +1,68 @@
+#include "comparison/check.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace fretval {
+namespace {
+
+/// Which of the scenes pass after the finite element side was tampered with.
+template <class Tamper>
+std::vector<BatchLine> tampered(Tamper tamper) {
+  auto scenes = check_scenes(small_meshes());
+  // The fine mesh has the tighter tolerances; one mesh is enough to show that a guard works.
+  scenes.erase(std::remove_if(scenes.begin(), scenes.end(),
+                              [](const CheckScene& scene) { return scene.mesh.filename() != "fine.msh"; }),
+               scenes.end());
+  for (auto& scene : scenes) tamper(scene.prepared.fem);
+  return run_check(scenes);
+}
+
+bool none_pass(const std::vector<BatchLine>& lines) {
+  return std::none_of(lines.begin(), lines.end(), [](const BatchLine& line) { return line.pass; });
+}
+
+TEST(Check, PassesOnTheCommittedMeshes) {
+  const auto lines = run_check(check_scenes(small_meshes()));
+  ASSERT_EQ(lines.size(), 6U);
+  for (const auto& line : lines) EXPECT_TRUE(line.pass) << line.name << ' ' << line.failure;
+}
+
+TEST(CheckGuard, FailsWithoutFriction) {
+  EXPECT_TRUE(none_pass(tampered([](FemScene& scene) { scene.friction_coefficient = 0; })));
+}
+
+TEST(CheckGuard, FailsWithoutNormalOscillation) {
+  EXPECT_TRUE(none_pass(tampered([](FemScene& scene) { scene.motion.normal_amplitude = 0; })));
+}
+
+TEST(CheckGuard, FailsWithoutViscosity) {
+  EXPECT_TRUE(none_pass(tampered([](FemScene& scene) { scene.relaxation = {}; })));
+}
+
+TEST(CheckGuard, FailsWithAnotherPhase) {
+  EXPECT_TRUE(none_pass(tampered([](FemScene& scene) { *scene.motion.phase += 0.1; })));
+}
+
+TEST(CheckGuard, FailsWithAnotherProfile) {
+  EXPECT_TRUE(none_pass(
+      tampered([](FemScene& scene) { scene.profile = [f = scene.profile](double r) { return 1.01 * f(r); }; })));
+}
+
+TEST(Check, WritesJUnitXml) {
+  BatchLine good, bad;
+  good.name = "good";
+  good.pass = true;
+  bad.name = "<bad>";
+  bad.verdict["normal_force_max"] = {0.5, 0.1, false};
+  const auto xml = junit_xml({good, bad});
+  EXPECT_NE(xml.find("tests=\"2\" failures=\"1\""), std::string::npos) << xml;
+  EXPECT_NE(xml.find("name=\"good\"/>"), std::string::npos) << xml;
+  EXPECT_NE(xml.find("name=\"&lt;bad&gt;\"><failure message=\"normal_force_max: difference 5.00e-01"),
+            std::string::npos)
+      << xml;
+}
+
+}  // namespace
+}  // namespace fretval

@@ -1,0 +1,45 @@
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <string>
+#include <vector>
+
+namespace fretval {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Lines "file: include" of a source folder whose include begins with one of the forbidden prefixes.
+std::vector<std::string> forbidden_includes(const fs::path& folder, const std::vector<std::string>& forbidden) {
+  const std::regex include(R"(^\s*#\s*include\s*[<"]([^>"]+)[>"])");
+  std::vector<std::string> found;
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    if (entry.path().extension() != ".h" && entry.path().extension() != ".cc") continue;
+    std::ifstream stream(entry.path());
+    for (std::string line; std::getline(stream, line);) {
+      std::smatch match;
+      if (!std::regex_search(line, match, include)) continue;
+      for (const auto& prefix : forbidden)
+        if (match[1].str().rfind(prefix, 0) == 0) found.push_back(entry.path().string() + ": " + match[1].str());
+    }
+  }
+  return found;
+}
+
+// The direction of knowledge: mdr, meshes and fem know nothing of each other, and only fem knows deal.II and PETSc.
+TEST(SourceTree, IncludesPointOneWay) {
+  const fs::path root(FRETVAL_SOURCE_DIR);
+  const std::vector<std::string> none;
+  EXPECT_EQ(forbidden_includes(root / "mdr", {"fem/", "meshes/", "comparison/", "deal.II/", "petsc", "gmsh"}), none);
+  EXPECT_EQ(forbidden_includes(root / "meshes", {"fem/", "mdr/", "comparison/", "deal.II/", "petsc"}), none);
+  EXPECT_EQ(forbidden_includes(root / "fem", {"mdr/", "meshes/", "comparison/", "gmsh"}), none);
+}
+
+TEST(SourceTree, TheCheckSeesAForbiddenInclude) {
+  EXPECT_FALSE(forbidden_includes(fs::path(FRETVAL_SOURCE_DIR) / "comparison", {"fem/"}).empty());
+}
+
+}  // namespace
+}  // namespace fretval
