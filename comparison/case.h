@@ -54,6 +54,8 @@ struct Case {
   double worn_stick_ratio =
       0;                 ///< limiting wear: stick radius over the unworn contact radius at the largest indentation
   double tolerance = 0;  ///< relative, on the stick radius
+  std::optional<unsigned> rings_per_radius;  ///< instead of what the tolerance asks for
+  std::optional<int> steps_per_cycle;        ///< instead of what the tolerance asks for
   Fields fields = Fields::none;
   std::optional<Sweep> sweep;
 };

@@ -24,7 +24,7 @@ const std::vector<Section>& sections() {
        {"Indentation", "Normal amplitude", "Normal frequency", "Tangential amplitude", "Tangential frequency",
         "Phase"}},
       {"Wear", {"State", "Stick radius ratio"}},
-      {"Accuracy", {"Tolerance"}},
+      {"Accuracy", {"Tolerance", "Rings per radius", "Steps per cycle"}},
       {"Output", {"Fields"}},
       {"Sweep", {"Entry", "Values"}}};
   return all;
@@ -32,6 +32,12 @@ const std::vector<Section>& sections() {
 
 const ValidNumber positive{[](double x) { return x > 0; }, "a positive number"};
 const ValidNumber not_negative{[](double x) { return x >= 0; }, "a number that is not negative"};
+
+bool is_whole(double x, double least, double most) {
+  return x == std::floor(x) && x >= least && x <= most;
+}
+const ValidNumber ring_count{[](double x) { return is_whole(x, 8, 640); }, "a whole number from 8 to 640"};
+const ValidNumber step_count{[](double x) { return is_whole(x, 12, 10000); }, "a whole number from 12 to 10000"};
 
 double parse_number(const std::string& text, bool& ok) {
   double value = 0;
@@ -220,6 +226,10 @@ Case read_entries(const EntryReader& entries, Case::Fields fields) {
   }
   scene.tolerance = entries.number("Accuracy", "Tolerance",
                                    {[](double x) { return x >= 1e-5 && x <= 0.1; }, "a number between 1e-5 and 0.1"});
+  if (entries.given("Accuracy", "Rings per radius"))
+    scene.rings_per_radius = static_cast<unsigned>(entries.number("Accuracy", "Rings per radius", ring_count));
+  if (entries.given("Accuracy", "Steps per cycle"))
+    scene.steps_per_cycle = static_cast<int>(entries.number("Accuracy", "Steps per cycle", step_count));
   scene.fields = fields;
   if (entries.given("Output", "Fields"))
     scene.fields = entries.one_of("Output", "Fields", {"none", "extremes"}) == "none" ? Case::Fields::none

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <regex>
 #include <sstream>
 
 #include "comparison/case_entries.h"
@@ -38,7 +39,10 @@ std::string first_sentence(const dealii::ExceptionBase& error) {
     const auto begin = line.find_first_not_of(' ');
     if (begin != std::string::npos) message += (message.empty() ? "" : " ") + line.substr(begin);
   }
-  return message.empty() ? error.what() : message;
+  while (!message.empty() && message.back() == '.') message.pop_back();
+  // deal.II begins with "Line <6> of file <case.prm>: ", and sometimes forgets the last bracket.
+  static const std::regex position(R"(^Line <(\d+)> of file <[^>:]*>?: )");
+  return std::regex_replace(message, position, "line $1: ");
 }
 
 struct Includes {
@@ -59,7 +63,8 @@ Includes split_includes(const fs::path& file) {
       if (name.empty()) throw InputError(fmt::format("{}: an include line names no file", file.string()));
       result.files.push_back(file.parent_path() / name);
       if (!fs::exists(result.files.back()))
-        throw InputError(fmt::format("{}: include {}: no such file as {}", file.string(), name, result.files.back().string()));
+        throw InputError(
+            fmt::format("{}: include {}: no such file as {}", file.string(), name, result.files.back().string()));
       line.clear();
     }
     result.text += line + '\n';

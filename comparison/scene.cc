@@ -107,7 +107,9 @@ MdrScene mdr_scene(const Case& scene) {
 }
 
 FemScene fem_scene(const Case& scene, const MdrScene& mdr) {
-  const auto resolution = resolution_for(scene.tolerance);
+  auto resolution = resolution_for(scene.tolerance);
+  if (scene.rings_per_radius) resolution.elements_per_radius = *scene.rings_per_radius;
+  if (scene.steps_per_cycle) resolution.steps_per_cycle = *scene.steps_per_cycle;
   const double deepest = scene.motion.indentation + scene.motion.normal_amplitude;
   const Units units{mdr::inverse_transform(mdr.profile, deepest), deepest, scene.elastomer.relaxed_modulus,
                     mdr::angular_frequency(scene.motion.frequency)};
