@@ -25,10 +25,13 @@ class Stepper {
         step_(relaxation, dt_),
         state_{Eigen::VectorXd::Zero(problem.n_rings()),
                Eigen::MatrixXd::Zero(problem.n_rings(), static_cast<Eigen::Index>(relaxation.moduli.size()))},
+        traction_(Eigen::VectorXd::Zero(problem.n_rings())),
         stick_(static_cast<std::size_t>(problem.n_rings()), BoxState::interior) {}
 
   struct Result {
-    Eigen::VectorXd traction, slip;
+    Eigen::VectorXd traction;         // at the balance time
+    Eigen::VectorXd slip;             // in the whole step
+    Eigen::VectorXd middle_traction;  // at the middle of the step, where the mean slip rate belongs
   };
 
   Result compute_step(long index, const Eigen::VectorXd& limit) {
@@ -42,7 +45,10 @@ class Stepper {
         stick_[i] = BoxState::interior;  // the guess for when it touches again
     Eigen::VectorXd slip = (solution.residual.array() / areas.array()).matrix() / step_.instantaneous();
     step_.advance(state_, indenter_move(motion_, begin, begin + dt_), slip);
-    return {std::move(solution.x), std::move(slip)};
+    const double weight = 1.5 - step_.fraction();  // of the balance time, between it and the one before
+    Eigen::VectorXd middle_traction = weight * solution.x + (1 - weight) * traction_;
+    traction_ = solution.x;
+    return {std::move(solution.x), std::move(slip), std::move(middle_traction)};
   }
 
   [[nodiscard]] const Eigen::VectorXd& displacement() const { return state_.displacement; }
@@ -53,6 +59,7 @@ class Stepper {
   double dt_;
   RelaxationStep step_;
   RingState state_;
+  Eigen::VectorXd traction_;     // at the last balance time
   std::vector<BoxState> stick_;  // interior: sticks
 };
 
@@ -71,7 +78,7 @@ struct Period {
     backward.add(limit + step.traction);
     slip += step.slip.cwiseAbs();
     traction.col(k) = step.traction;
-    dissipated_energy += (step.traction.array() * step.slip.array() * areas.array()).sum();
+    dissipated_energy += (step.middle_traction.array() * step.slip.array() * areas.array()).sum();
   }
 };
 
