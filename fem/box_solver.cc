@@ -44,6 +44,7 @@ std::vector<Eigen::Index> place_unknowns(const Eigen::VectorXd& lower, const Eig
   std::vector<Eigen::Index> interior;
   for (Eigen::Index i = 0; i < x.size(); ++i) {
     if (lower[i] == upper[i]) state[i] = BoxState::lower;
+    if (state[i] == BoxState::lower && !std::isfinite(lower[i])) state[i] = BoxState::interior;
     if (state[i] == BoxState::upper && !std::isfinite(upper[i])) state[i] = BoxState::interior;
     x[i] = state[i] == BoxState::interior ? 0 : state[i] == BoxState::lower ? lower[i] : upper[i];
     if (state[i] == BoxState::interior) interior.push_back(i);

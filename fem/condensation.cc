@@ -34,6 +34,9 @@ void check(PetscErrorCode code, const std::string& name, const char* step) {
   if (code == 0) return;
   const char* text = nullptr;
   PetscErrorMessage(code, &text, nullptr);
+  if (code == PETSC_ERR_MAT_LU_ZRPVT || code == PETSC_ERR_MAT_CH_ZRPVT)
+    throw SolverError(name + ": " + step +
+                      " failed: the matrix is singular; check the boundary conditions of the body");
   throw SolverError(name + ": " + step + " failed: " + (text ? text : "PETSc error " + std::to_string(code)));
 }
 

@@ -93,7 +93,8 @@ EdgeRadius stick_radius(const Compliance& compliance, const Eigen::VectorXd& mar
     load[k] = by_margin[j] / by_load[j];
   }
   const double fitted = root_beyond(radius, load, 2);
-  return {fitted, std::abs(fitted - root_beyond(radius.tail(3), load.tail(3), 2))};
+  const double spread = std::abs(fitted - root_beyond(radius.tail(3), load.tail(3), 2));
+  return {fitted, spread + width * width / (4 * compliance.radii.back())};
 }
 
 double touch_indentation(const Compliance& compliance, const Eigen::VectorXd& profile, Eigen::Index n_pressed,

@@ -25,10 +25,13 @@ class Stepper {
         step_(relaxation, dt_),
         state_{Eigen::VectorXd::Zero(problem.n_rings()),
                Eigen::MatrixXd::Zero(problem.n_rings(), static_cast<Eigen::Index>(relaxation.moduli.size()))},
+        traction_(Eigen::VectorXd::Zero(problem.n_rings())),
         stick_(static_cast<std::size_t>(problem.n_rings()), BoxState::interior) {}
 
   struct Result {
-    Eigen::VectorXd traction, slip;
+    Eigen::VectorXd traction;         // at the balance time
+    Eigen::VectorXd slip;             // in the whole step
+    Eigen::VectorXd middle_traction;  // at the middle of the step, where the mean slip rate belongs
   };
 
   Result compute_step(long index, const Eigen::VectorXd& limit) {
@@ -42,7 +45,10 @@ class Stepper {
         stick_[i] = BoxState::interior;  // the guess for when it touches again
     Eigen::VectorXd slip = (solution.residual.array() / areas.array()).matrix() / step_.instantaneous();
     step_.advance(state_, indenter_move(motion_, begin, begin + dt_), slip);
-    return {std::move(solution.x), std::move(slip)};
+    const double weight = 1.5 - step_.fraction();  // of the balance time, between it and the one before
+    Eigen::VectorXd middle_traction = weight * solution.x + (1 - weight) * traction_;
+    traction_ = solution.x;
+    return {std::move(solution.x), std::move(slip), std::move(middle_traction)};
   }
 
   [[nodiscard]] const Eigen::VectorXd& displacement() const { return state_.displacement; }
@@ -53,6 +59,7 @@ class Stepper {
   double dt_;
   RelaxationStep step_;
   RingState state_;
+  Eigen::VectorXd traction_;     // at the last balance time
   std::vector<BoxState> stick_;  // interior: sticks
 };
 
@@ -64,20 +71,27 @@ struct Period {
   double dissipated_energy = 0;
 
   Period(Eigen::Index n_rings, int n_steps)
-      : forward(n_rings, 0), backward(n_rings, 0), slip(Eigen::VectorXd::Zero(n_rings)), traction(n_rings, n_steps) {}
+      : forward(n_rings, 0), backward(n_rings, 0), slip(n_rings), traction(Eigen::MatrixXd::Zero(n_rings, n_steps)) {}
+
+  void begin() {
+    forward.restart();
+    backward.restart();
+    slip.setZero();
+    dissipated_energy = 0;
+  }
 
   void add(int k, const Eigen::VectorXd& limit, const Stepper::Result& step, const Eigen::VectorXd& areas) {
     forward.add(limit - step.traction);
     backward.add(limit + step.traction);
     slip += step.slip.cwiseAbs();
     traction.col(k) = step.traction;
-    dissipated_energy += (step.traction.array() * step.slip.array() * areas.array()).sum();
+    dissipated_energy += (step.middle_traction.array() * step.slip.array() * areas.array()).sum();
   }
 };
 
-double change_per_period(const Period& now, const Period& before) {
-  const double largest = now.traction.cwiseAbs().maxCoeff();
-  return largest == 0 ? 0 : (now.traction - before.traction).cwiseAbs().maxCoeff() / largest;
+double change_per_period(const Eigen::MatrixXd& now, const Eigen::MatrixXd& before) {
+  const double largest = now.cwiseAbs().maxCoeff();
+  return largest == 0 ? 0 : (now - before).cwiseAbs().maxCoeff() / largest;
 }
 
 }  // namespace
@@ -94,33 +108,33 @@ FrictionHistory friction_history(const ContactProblem& problem, const Relaxation
   history.slip_path = Eigen::VectorXd::Zero(n);
   RunningMinimum first_slip(n, 0);
   std::vector<double> force{0};
-  Period before(n, period_steps), now(n, period_steps);
+  Period period(n, period_steps);
   while (!(history.periodicity <= control.periodicity)) {
     if (history.n_cycles >= control.max_cycles * motion.cycles_per_period())
       throw SolverError(
           fmt::format("the tangential response is not periodic after {} cycles: it still changes by {:.1e} "
                       "of its largest value per period, {:.1e} is asked for",
                       history.n_cycles, history.periodicity, control.periodicity));
-    std::swap(before, now);
-    now = Period(n, period_steps);
+    const Eigen::MatrixXd before = period.traction;
+    period.begin();
     for (int k = 0; k < period_steps; ++k) {
       const auto index = static_cast<long>(force.size()) - 1;
       const Eigen::VectorXd limit = friction_coefficient * normal.pressure.col(normal.column(index + 1));
       const auto step = stepper.compute_step(index, limit);
       first_slip.add(limit - step.traction.cwiseAbs());
-      now.add(k, limit, step, areas);
+      period.add(k, limit, step, areas);
       force.push_back(step.traction.dot(areas));
     }
     history.n_cycles += motion.cycles_per_period();
-    history.slip_path += now.slip;
+    history.slip_path += period.slip;
     if (history.n_cycles > motion.n_ramp_cycles + motion.cycles_per_period())
-      history.periodicity = change_per_period(now, before);
+      history.periodicity = change_per_period(period.traction, before);
   }
   history.first_slip_margin = first_slip.value();
-  history.shakedown_margin = (now.forward.value() + now.backward.value()) / 2;
-  history.period_slip = now.slip;
-  history.dissipated_energy = now.dissipated_energy;
-  history.traction = std::move(now.traction);
+  history.shakedown_margin = (period.forward.value() + period.backward.value()) / 2;
+  history.period_slip = period.slip;
+  history.dissipated_energy = period.dissipated_energy;
+  history.traction = std::move(period.traction);
   history.displacement = stepper.displacement();
   history.force = Eigen::Map<Eigen::VectorXd>(force.data(), static_cast<Eigen::Index>(force.size()));
   return history;

@@ -155,7 +155,7 @@ NormalHistory normal_history(const ContactProblem& problem, const RelaxationMode
                       history.n_cycles, history.periodicity, control.periodicity));
     stepper.compute_cycle(history, pressure, time);
     ++history.n_cycles;
-    if (history.n_cycles > motion.n_ramp_cycles) history.periodicity = change_per_cycle(pressure, n_steps);
+    if (history.n_cycles > std::max(motion.n_ramp_cycles, 1)) history.periodicity = change_per_cycle(pressure, n_steps);
   }
   const auto n = static_cast<Eigen::Index>(pressure.size());
   history.time = Eigen::Map<Eigen::VectorXd>(time.data(), n);

@@ -21,12 +21,16 @@ std::array<double, 3> exponential_moments(double z) {
   return moments;
 }
 
+// A branch much faster than the step acts as a dashpot, one slower as a spring.
 double balance_fraction(const RelaxationModel& model, double dt) {
-  if (model.viscosity == 0) return 1;
-  const PronyInterval whole(model, dt);
-  double stiffness = model.relaxed;
-  for (std::size_t i = 0; i < whole.n_branches(); ++i) stiffness += whole.gain(i);
-  const double z = dt * stiffness / model.viscosity;
+  double stiffness = model.relaxed, viscosity = model.viscosity;
+  for (std::size_t i = 0; i < model.moduli.size(); ++i) {
+    const double viscous_share = std::exp(-model.times[i] / dt);
+    stiffness += (1 - viscous_share) * model.moduli[i];
+    viscosity += viscous_share * model.moduli[i] * model.times[i];
+  }
+  if (viscosity == 0) return 1;
+  const double z = dt * stiffness / viscosity;
   return z < 1e-3 ? 0.5 + z / 12 : -1 / std::expm1(-z) - 1 / z;
 }
 

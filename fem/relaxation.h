@@ -58,9 +58,10 @@ struct RingState {
 /// (but for the interpolation of its rate), the slip is linear in time over the step. So a ring that sticks has no
 /// error of time discretisation, whatever the rheology, and a free or sliding one is of second order.
 ///
-/// Forces are balanced at the fraction theta of the step. Without a dashpot theta = 1. With one, the mean slip rate
-/// belongs to the middle of the step: `theta = 1/(1 - e^{-z}) - 1/z`, z = step over the retardation time, relaxes a
-/// free ring exactly and goes from 1/2 (mild) to 1 (stiff).
+/// Forces are balanced at the fraction theta of the step. Without a dashpot theta = 1. With one, or with branches
+/// faster than the step, which act as one, the mean slip rate belongs to the middle of the step: `theta = 1/(1 -
+/// e^{-z}) - 1/z`, z = step over the retardation time, relaxes a free ring exactly and goes from 1/2 (mild) to 1
+/// (stiff).
 class RelaxationStep {
  public:
   /// dt > 0.

@@ -23,4 +23,8 @@ void RunningMinimum::add(const Eigen::VectorXd& values) {
   ++n_samples_;
 }
 
+void RunningMinimum::restart() {
+  minimum_.setConstant(std::numeric_limits<double>::infinity());
+}
+
 }  // namespace fretval::fem

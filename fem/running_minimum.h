@@ -10,6 +10,8 @@ class RunningMinimum {
  public:
   RunningMinimum(Eigen::Index n, double floor);
   void add(const Eigen::VectorXd& values);
+  /// Forgets the minimum but not the last samples: a minimum between them and the next one still counts.
+  void restart();
   [[nodiscard]] const Eigen::VectorXd& value() const { return minimum_; }
 
  private:

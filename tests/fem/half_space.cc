@@ -1,0 +1,43 @@
+#include "tests/fem/half_space.h"
+
+#include <map>
+#include <tuple>
+
+#include "fem/condensation.h"
+#include "fem/stiffness.h"
+#include "meshes/grading.h"
+#include "meshes/quarter_disc.h"
+
+namespace fretval::fem {
+namespace {
+
+const GridData& half_space_grid(unsigned n_per_radius) {
+  static std::map<unsigned, GridData> grids;
+  auto found = grids.find(n_per_radius);
+  if (found == grids.end())
+    found = grids.emplace(n_per_radius, quarter_disc_grid(1.125, n_per_radius * 9 / 8, 25, 0.15)).first;
+  return found->second;
+}
+
+}  // namespace
+
+GridData quarter_disc_grid(double contact_length, unsigned n_contact, double far_radius, double growth) {
+  const auto mesh = meshes::quarter_disc({meshes::uniform_nodes(contact_length, n_contact), far_radius, growth});
+  GridData grid{mesh.nodes, mesh.cells, {}};
+  for (const auto& edge : mesh.edges) grid.boundary.push_back({edge.nodes, static_cast<BoundaryPart>(edge.boundary)});
+  return grid;
+}
+
+const ContactProblem& half_space(Harmonic harmonic, unsigned n_per_radius, unsigned degree) {
+  static std::map<std::tuple<Harmonic, unsigned, unsigned>, ContactProblem> problems;
+  const auto key = std::make_tuple(harmonic, n_per_radius, degree);
+  auto found = problems.find(key);
+  if (found == problems.end()) {
+    const HarmonicSpace space(half_space_grid(n_per_radius), harmonic, degree);
+    const Condensation condensation(assemble_stiffness(space), space.contact_line().dofs, "half-space");
+    found = problems.emplace(key, contact_compliance(space.contact_line(), condensation)).first;
+  }
+  return found->second;
+}
+
+}  // namespace fretval::fem

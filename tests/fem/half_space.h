@@ -1,0 +1,24 @@
+#pragma once
+
+#include "fem/grid_data.h"
+#include "fem/harmonic_space.h"
+#include "fem/normal_history.h"
+
+namespace fretval::fem {
+
+/// A quarter disc as the grid of a body. contact_length is split into n_contact rings.
+GridData quarter_disc_grid(double contact_length, unsigned n_contact, double far_radius, double growth);
+
+/// The half-space of the tests, of unit shear modulus, condensed to a contact line of length 1.125 with n_per_radius
+/// rings per unit length (a multiple of 8, so that r = 1 is a node). Cut off at 25, growth 0.15. Built once a process.
+const ContactProblem& half_space(Harmonic harmonic, unsigned n_per_radius, unsigned degree = 3);
+
+inline const ContactProblem& normal_half_space(unsigned n_per_radius) {
+  return half_space(Harmonic::normal, n_per_radius);
+}
+
+inline const ContactProblem& tangential_half_space(unsigned n_per_radius) {
+  return half_space(Harmonic::tangential, n_per_radius);
+}
+
+}  // namespace fretval::fem
