@@ -61,35 +61,41 @@ Eigen::VectorXd multiply(const SparseMatrix& matrix, const Eigen::VectorXd& x) {
   return y;
 }
 
-class Matrix {  // owns the PETSc objects
+/// A PETSc matrix that goes with its scope, also when the constructor around it throws.
+struct OwnedMat {
+  Mat mat = nullptr;
+  OwnedMat() = default;
+  ~OwnedMat() { MatDestroy(&mat); }
+  OwnedMat(const OwnedMat&) = delete;
+  OwnedMat& operator=(const OwnedMat&) = delete;
+};
+
+/// A matrix and its MUMPS factor, with a Schur complement if an interface is given.
+class Matrix {
  public:
   Matrix(const SparseMatrix& rows, const std::vector<unsigned>* interface_dofs, const std::string& name)
       : rows_(rows), name_(name) {
     check_entries(rows_, name_);
     check(MatCreateSeqAIJWithArrays(PETSC_COMM_SELF, rows_.n, rows_.n, rows_.row_start.data(), rows_.columns.data(),
-                                    rows_.values.data(), &matrix_),
+                                    rows_.values.data(), &matrix_.mat),
           name_, "creating the matrix");
-    MatSetOption(matrix_, MAT_SYMMETRIC, PETSC_TRUE);
+    MatSetOption(matrix_.mat, MAT_SYMMETRIC, PETSC_TRUE);
     factorise(interface_dofs);
   }
 
-  ~Matrix() {
-    MatDestroy(&factor_);
-    MatDestroy(&matrix_);
-  }
   Matrix(const Matrix&) = delete;
   Matrix& operator=(const Matrix&) = delete;
 
   [[nodiscard]] Eigen::MatrixXd schur_complement() const {
-    Mat schur = nullptr;
-    check(MatFactorCreateSchurComplement(factor_, &schur, nullptr), name_, "reading the Schur complement");
+    OwnedMat owned;
+    Mat& schur = owned.mat;
+    check(MatFactorCreateSchurComplement(factor_.mat, &schur, nullptr), name_, "reading the Schur complement");
     PetscInt n = 0;
     const PetscScalar* entries = nullptr;
     MatGetSize(schur, &n, nullptr);
     MatDenseGetArrayRead(schur, &entries);
     Eigen::MatrixXd dense = Eigen::Map<const Eigen::MatrixXd>(entries, n, n);
     MatDenseRestoreArrayRead(schur, &entries);
-    MatDestroy(&schur);
     // For a symmetric factor MUMPS fills one triangle; which one depends on the storage order PETSc passes on.
     const double upper = dense.triangularView<Eigen::StrictlyUpper>().toDenseMatrix().norm();
     const double lower = dense.triangularView<Eigen::StrictlyLower>().toDenseMatrix().norm();
@@ -100,6 +106,7 @@ class Matrix {  // owns the PETSc objects
   }
 
   [[nodiscard]] Eigen::VectorXd solve(const Eigen::VectorXd& rhs) const {
+    if (rhs.norm() == 0) return rhs;
     Eigen::VectorXd solution = back_substitute(rhs);
     solution += back_substitute(rhs - multiply(rows_, solution));  // one refinement: cells may span six decades in size
     if (!solution.allFinite()) throw SolverError(name_ + ": the solution is not finite");
@@ -118,7 +125,7 @@ class Matrix {  // owns the PETSc objects
     Eigen::VectorXd solution(rhs.size());
     VecCreateSeqWithArray(PETSC_COMM_SELF, 1, rows_.n, rhs.data(), &b);
     VecCreateSeqWithArray(PETSC_COMM_SELF, 1, rows_.n, solution.data(), &x);
-    const PetscErrorCode code = MatSolve(factor_, b, x);
+    const PetscErrorCode code = MatSolve(factor_.mat, b, x);
     VecDestroy(&b);
     VecDestroy(&x);
     check(code, name_, "the solve");
@@ -127,37 +134,36 @@ class Matrix {  // owns the PETSc objects
   }
 
   void factorise(const std::vector<unsigned>* interface_dofs) {
-    check(MatGetFactor(matrix_, MATSOLVERMUMPS, MAT_FACTOR_CHOLESKY, &factor_), name_, "setting up MUMPS");
-    MatMumpsSetIcntl(factor_, 7, 5);  // METIS: half the flops of the default ordering on these meshes
-    MatMumpsSetIcntl(factor_, 14,
+    check(MatGetFactor(matrix_.mat, MATSOLVERMUMPS, MAT_FACTOR_CHOLESKY, &factor_.mat), name_, "setting up MUMPS");
+    MatMumpsSetIcntl(factor_.mat, 7, 5);  // METIS: half the flops of the default ordering on these meshes
+    MatMumpsSetIcntl(factor_.mat, 14,
                      60);  // % of spare work space: pivoting of the saddle point needs more than the default
     if (interface_dofs) {
       const std::vector<PetscInt> indices(interface_dofs->begin(), interface_dofs->end());
       IS set = nullptr;
       ISCreateGeneral(PETSC_COMM_SELF, static_cast<PetscInt>(indices.size()), indices.data(), PETSC_COPY_VALUES, &set);
-      const PetscErrorCode code = MatFactorSetSchurIS(factor_, set);
+      const PetscErrorCode code = MatFactorSetSchurIS(factor_.mat, set);
       ISDestroy(&set);
       check(code, name_, "choosing the interface");
     }
     MatFactorInfo info;
     MatFactorInfoInitialize(&info);
-    check(MatCholeskyFactorSymbolic(factor_, matrix_, nullptr, &info), name_, "the analysis");
+    check(MatCholeskyFactorSymbolic(factor_.mat, matrix_.mat, nullptr, &info), name_, "the analysis");
     check_mumps("the analysis");
-    check(MatCholeskyFactorNumeric(factor_, matrix_, &info), name_, "the factorisation");
+    check(MatCholeskyFactorNumeric(factor_.mat, matrix_.mat, &info), name_, "the factorisation");
     check_mumps("the factorisation");
   }
 
   void check_mumps(const char* step) const {
     PetscInt infog1 = 0, infog2 = 0;
-    MatMumpsGetInfog(factor_, 1, &infog1);
-    MatMumpsGetInfog(factor_, 2, &infog2);
+    MatMumpsGetInfog(factor_.mat, 1, &infog1);
+    MatMumpsGetInfog(factor_.mat, 2, &infog2);
     if (infog1 < 0) throw SolverError(name_ + ": " + step + " failed: " + explain(infog1, infog2));
   }
 
   SparseMatrix rows_;  // PETSc works on these arrays
   std::string name_;
-  Mat matrix_ = nullptr;
-  Mat factor_ = nullptr;
+  OwnedMat matrix_, factor_;
 };
 
 Eigen::VectorXd probe(int n) {
