@@ -2,13 +2,10 @@
 
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
-#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
-#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -19,6 +16,7 @@
 #include "comparison/outcome.h"
 #include "comparison/report.h"
 #include "comparison/stopwatch.h"
+#include "comparison/terminal.h"
 #include "fem/petsc_session.h"
 #include "meshes/msh_file.h"
 #include "meshes/quality.h"
@@ -38,8 +36,6 @@ std::vector<Case> read_cases(const std::vector<std::string>& files) {
 std::string length_text(const std::optional<double>& length) {
   return length ? fmt::format("{:.4g} m", *length) : "none (nothing sticks)";
 }
-
-// --- fretval mdr
 
 nlohmann::ordered_json mdr_json(const PreparedCase& prepared, const MdrAnswer& answer) {
   nlohmann::ordered_json json{{"name", prepared.scene.name}, {"mdr", to_json(answer)}};
@@ -80,72 +76,11 @@ int run_mdr(const std::string& file, bool as_json) {
   return exit_agree;
 }
 
-// --- fretval run
-
-/// Progress on stderr: a bar that redraws itself on a terminal, a line per tenth elsewhere.
-class Progress {
- public:
-  void show(const BatchLine& line, std::size_t n_done, std::size_t n_cases) {
-    if (!line.failure.empty()) failed_ += 1;
-    if (line.failure.empty() && !line.pass) disagree_ += 1;
-    const auto tenth = 10 * n_done / n_cases;
-    if (!on_terminal_ && tenth == last_tenth_) return;
-    last_tenth_ = tenth;
-    const std::string counts = fmt::format("{}/{} cases, {} disagree, {} failed", n_done, n_cases, disagree_, failed_);
-    if (!on_terminal_) {
-      fmt::print(stderr, "{}\n", counts);
-      return;
-    }
-    const auto filled = 30 * n_done / n_cases;
-    fmt::print(stderr, "\r[{}{}] {} {}", std::string(filled, '#'), std::string(30 - filled, '.'), counts,
-               n_done == n_cases ? "\n" : "");
-  }
-
- private:
-  bool on_terminal_ = isatty(STDERR_FILENO) == 1;
-  std::size_t last_tenth_ = 0;
-  int disagree_ = 0, failed_ = 0;
-};
-
-/// The largest use of a tolerance among the lines of one case file.
-struct Worst {
-  double use = -1;
-  std::string text;
-};
-
-Worst worst_of(const std::vector<BatchLine>& lines) {
-  Worst worst;
-  for (const auto& line : lines)
-    for (const auto& [quantity, d] : line.verdict) {
-      if (!d.difference) {
-        if (!d.pass) return {1e9, fmt::format("{} in {}: only one of the two sticks", quantity, line.name)};
-        continue;
-      }
-      const double use = std::abs(*d.difference) / d.tolerance;
-      if (use > worst.use)
-        worst = {use, fmt::format("{} in {}: {:.1e} of {:.1e}", quantity, line.name, *d.difference, d.tolerance)};
-    }
-  return worst;
-}
-
-int print_verdicts(const std::vector<BatchLine>& lines) {
-  std::map<std::string, std::vector<BatchLine>> families;
-  for (const auto& line : lines) families[line.name.substr(0, line.name.find('/'))].push_back(line);
-  bool any_failed = false, all_pass = true;
-  for (const auto& [family, members] : families) {
-    std::size_t n_pass = 0;
-    for (const auto& line : members) {
-      n_pass += line.pass ? 1 : 0;
-      any_failed = any_failed || !line.failure.empty();
-      all_pass = all_pass && line.pass;
-      if (!line.failure.empty()) fmt::print("FAILED   {}: {}\n", line.name, line.failure);
-    }
-    fmt::print("{} {:<34} {:>3} of {:>3} agree; largest use of a tolerance: {}\n",
-               n_pass == members.size() ? "agree   " : "DISAGREE", family, n_pass, members.size(),
-               worst_of(members).text);
-  }
-  if (any_failed) return exit_numerics_failed;
-  return all_pass ? exit_agree : exit_disagree;
+int exit_code_of(const std::vector<BatchLine>& lines) {
+  const auto failed = [](const BatchLine& line) { return !line.failure.empty(); };
+  if (std::any_of(lines.begin(), lines.end(), failed)) return exit_numerics_failed;
+  const auto agrees = [](const BatchLine& line) { return line.pass; };
+  return std::all_of(lines.begin(), lines.end(), agrees) ? exit_agree : exit_disagree;
 }
 
 int run_cases(const std::vector<std::string>& files, const fs::path& output) {
@@ -159,25 +94,11 @@ int run_cases(const std::vector<std::string>& files, const fs::path& output) {
     progress.show(line, n_done, n_cases);
   };
   const auto lines = run_batch(prepared, output, hooks);
-  const int code = print_verdicts(lines);
+  print_verdicts(lines);
   if (std::any_of(lines.begin(), lines.end(), [](const BatchLine& line) { return line.failure.empty(); }))
     spdlog::info("report: {}", write_report(output).string());
   spdlog::info("{} cases in {:.1f} s", lines.size(), watch.lap());
-  return code;
-}
-
-// --- fretval check
-
-/// "quantity difference / tolerance" of everything compared.
-std::string differences_of(const BatchLine& line) {
-  std::string text;
-  for (const auto& [quantity, d] : line.verdict)
-    text += fmt::format("{}{} {}/{:.1e}{}", text.empty() ? "" : ", ", quantity,
-                        d.difference ? fmt::format("{:.1e}", *d.difference)
-                        : d.pass     ? "none in both"
-                                     : "in one only",
-                        d.tolerance, d.pass ? "" : " !");
-  return text;
+  return exit_code_of(lines);
 }
 
 int run_check_suite(const std::string& suite, const fs::path& meshes, const std::string& junit) {
@@ -195,8 +116,6 @@ int run_check_suite(const std::string& suite, const fs::path& meshes, const std:
   fmt::print("{}\n", all ? "finite elements and MDR agree" : "finite elements and MDR DISAGREE");
   return all ? exit_agree : exit_disagree;
 }
-
-// --- fretval mesh
 
 int write_mesh(const std::string& file, const std::string& output) {
   const auto cases = read_case_file(file);

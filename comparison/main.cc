@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
@@ -25,7 +26,8 @@ std::string version_text() {
 
 int main(int argc, char** argv) {
   spdlog::set_default_logger(spdlog::stderr_color_mt("fretval"));
-  spdlog::set_pattern("%^%l%$: %v");
+  // On a terminal, a message first clears the line that the progress bar may be on.
+  spdlog::set_pattern(isatty(STDERR_FILENO) ? "\r\033[K%^%l%$: %v" : "%^%l%$: %v");
 
   CLI::App app{
       "fretval: do finite elements confirm what the method of dimensionality reduction predicts for fretting on an "

@@ -20,8 +20,9 @@ Eigen::Index count_stuck(const Eigen::VectorXd& slip, const Eigen::VectorXd& mar
   return n;
 }
 
-/// Largest value of a periodic signal: the peak of a quartic fitted to the samples within a twentieth of a period of the largest
-/// one. With a dashpot the force steps up with every ring that touches, by a share of order h; the fit averages over that.
+/// Largest value of a periodic signal: the peak of a quartic fitted to the samples within a twentieth of a period of
+/// the largest one. With a dashpot the force steps up with every ring that touches, by a share of order h; the fit
+/// averages over that.
 double periodic_maximum(const Eigen::VectorXd& samples) {
   const Eigen::Index n = samples.size(), half = std::max<Eigen::Index>(2, n / 20);
   Eigen::Index peak = 0;
