@@ -21,7 +21,7 @@ struct Plot {
   std::vector<Series> series;
   std::vector<std::pair<double, double>> x_marks;  ///< small triangles at (x, y)
   bool log_y = false;
-  bool key_right = false;  ///< key outside, on the right
+  bool key_right = false;  ///< key on the right rather than below
   std::optional<std::pair<double, double>> x_range, y_range;
 };
 

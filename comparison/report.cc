@@ -109,43 +109,61 @@ std::string verdict_section(const Results& results) {
   return html;
 }
 
-/// Largest distance of the steady-state finite element radius from both of MDR's.
-std::string radii_section(const Results& results) {
-  double from_shakedown = 0, from_first_slip = 0;
-  std::string where;
-  std::size_t n = 0, n_only_steady = 0;
+/// Largest distances, over a, of what finite elements find from both of MDR's radii.
+struct RadiiFindings {
+  double steady_from_shakedown = 0, steady_from_first_slip = 0, never_slipped_from_first_slip = 0;
+  std::string where;  // of steady_from_first_slip
+  std::size_t n_cases = 0, n_without_first_slip = 0;
+};
+
+RadiiFindings radii_findings(const Results& results) {
+  RadiiFindings found;
   for (const auto& r : results) {
-    const double steady = r.number("fe", "stick_radius_shakedown"), a = r.number("scene", "contact_radius_unworn");
+    const double a = r.number("scene", "contact_radius_unworn");
+    const double steady = r.number("fe", "stick_radius_shakedown"), never = r.number("fe", "stick_radius_first_slip");
     const double shakedown = r.number("mdr", "stick_radius_shakedown");
     const double first_slip = r.number("mdr", "stick_radius_first_slip");
-    if (std::isnan(steady) || std::isnan(shakedown) || shakedown < 0.1 * a) continue;
-    ++n;
-    from_shakedown = std::max(from_shakedown, std::abs(steady - shakedown) / a);
-    if (std::isnan(first_slip)) {
-      ++n_only_steady;
-    } else if (std::abs(steady - first_slip) / a > from_first_slip) {
-      from_first_slip = std::abs(steady - first_slip) / a;
-      where = r.json.at("name").get<std::string>();
+    if (std::isnan(steady) || !(shakedown >= 0.1 * a)) continue;
+    ++found.n_cases;
+    found.steady_from_shakedown = std::max(found.steady_from_shakedown, std::abs(steady - shakedown) / a);
+    if (std::isnan(first_slip)) ++found.n_without_first_slip;
+    if (first_slip >= 0.1 * a && !std::isnan(never))
+      found.never_slipped_from_first_slip =
+          std::max(found.never_slipped_from_first_slip, std::abs(never - first_slip) / a);
+    if (std::abs(steady - first_slip) / a > found.steady_from_first_slip) {
+      found.steady_from_first_slip = std::abs(steady - first_slip) / a;
+      found.where = r.json.at("name").get<std::string>();
     }
   }
-  if (n == 0) return "";
-  return fmt::format(
+  return found;
+}
+
+std::string radii_section(const Results& results) {
+  const auto found = radii_findings(results);
+  if (found.n_cases == 0) return "";
+  std::string html = fmt::format(
       "<h2>Which stick radius do finite elements follow?</h2>\n<p>There are two. The <b>first-slip radius</b> bounds "
       "the "
       "elements that have never slipped since the start; it is the radius of the paper, its equations (19) to (27). "
       "The "
       "<b>shakedown radius</b> bounds the elements that no longer slip in the steady state, after early slip has "
       "locked in a "
-      "favourable tangential force. The steady state of the finite elements follows the <b>shakedown radius</b>: over "
-      "{} cases "
-      "with c/a ≥ 0.1 it is at most {:.1e} a away from it, but up to {:.2f} a away from the first-slip radius{}. In {} "
-      "of these "
-      "cases MDR's first-slip criterion says that nothing sticks at all while a steady stick zone exists, in MDR's "
-      "shakedown "
-      "criterion and in the finite elements alike. The finite element histories confirm both radii, each for what it "
-      "means: the "
-      "region that never slipped agrees with the first-slip radius.</p>\n",
-      n, from_shakedown, from_first_slip, where.empty() ? "" : " (" + html_escaped(where) + ")", n_only_steady);
+      "favourable tangential force. Over {} cases with c/a ≥ 0.1 the stick zone of the finite elements in the steady "
+      "state is at "
+      "most {:.1e} a away from the shakedown radius",
+      found.n_cases, found.steady_from_shakedown);
+  if (found.steady_from_first_slip > 0)
+    html += fmt::format(", and up to {:.2f} a away from the first-slip radius ({})", found.steady_from_first_slip,
+                        html_escaped(found.where));
+  const bool follows = found.steady_from_shakedown < found.steady_from_first_slip;
+  html += fmt::format(
+      ": it {} the shakedown radius. The zone that has never slipped is within {:.1e} a of the first-slip radius.",
+      follows ? "follows" : "does not single out", found.never_slipped_from_first_slip);
+  if (found.n_without_first_slip > 0)
+    html += fmt::format(
+        " In {} of the cases the first-slip criterion says that nothing sticks, while a steady stick zone exists.",
+        found.n_without_first_slip);
+  return html + "</p>\n";
 }
 
 std::string figures_html(const std::vector<Figure>& figures) {
