@@ -36,7 +36,7 @@ figure svg { width: 100%; height: auto; } figcaption { font-size: .88rem; color:
 table { border-collapse: collapse; font-size: .9rem; font-variant-numeric: tabular-nums; }
 th, td { text-align: right; padding: .25rem .7rem; border-bottom: 1px solid var(--line); }
 th:first-child, td:first-child { text-align: left; } thead th { color: var(--soft); font-weight: 600; }
-.scroll { overflow-x: auto; } td.bad-cell { color: var(--bad); font-weight: 600; }
+.scroll { overflow-x: auto; margin-bottom: 1rem; } td.bad-cell { color: var(--bad); font-weight: 600; }
 @media (max-width: 40rem) { .figures { grid-template-columns: 1fr; } }
 )";
 

@@ -65,6 +65,7 @@ void print_verdicts(const std::vector<BatchLine>& lines) {
                n_pass == members.size() ? "agree   " : "DISAGREE", family, n_pass, members.size(),
                worst_of(members).text);
   }
+  std::fflush(stdout);  // before the log goes on
 }
 
 std::string differences_of(const BatchLine& line) {
