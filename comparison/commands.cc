@@ -43,14 +43,12 @@ nlohmann::ordered_json mdr_json(const PreparedCase& prepared, const MdrAnswer& a
     json["limiting_profile"] = nullptr;
     return json;
   }
-  const auto worn = prepared.mdr.limiting ? *prepared.mdr.limiting
-                                          : mdr::limiting_profile(prepared.mdr.profile, *answer.stick_radius_shakedown,
-                                                                  mdr::maximum_indentation(prepared.mdr.motion));
+  const auto worn = worn_profile(prepared.mdr, answer.stick_radius_shakedown);
   std::vector<double> r, f;
   constexpr int n = 200;
   for (int i = 0; i <= n; ++i) {
-    r.push_back(1.1 * worn.outer_radius * i / n);
-    f.push_back(mdr::shape(worn, r.back()));
+    r.push_back(1.1 * worn->outer_radius * i / n);
+    f.push_back(mdr::shape(*worn, r.back()));
   }
   json["limiting_profile"] = {{"criterion", "shakedown"}, {"r", r}, {"f", f}};
   return json;

@@ -101,10 +101,7 @@ void write_contact(const Outcome& outcome, const NormalSimulation& normal, const
 void write_profile(const Outcome& outcome, const fs::path& file) {
   constexpr Eigen::Index n = 400;
   const auto& scene = outcome.mdr_scene;
-  auto worn = scene.limiting;
-  const double deepest = mdr::maximum_indentation(scene.motion);
-  if (!worn && outcome.mdr.stick_radius_shakedown)
-    worn = mdr::limiting_profile(scene.profile, *outcome.mdr.stick_radius_shakedown, deepest);
+  const auto worn = worn_profile(scene, outcome.mdr.stick_radius_shakedown);
   const double end = 1.1 * (worn ? worn->outer_radius : outcome.fem_scene.units.length);
   const Eigen::VectorXd r = Eigen::VectorXd::LinSpaced(n, 0, end);
   Eigen::VectorXd unworn(n), limiting(n);

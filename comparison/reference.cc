@@ -13,6 +13,11 @@ mdr::NormalResponse mdr_normal_response(const MdrScene& scene) {
                                        outer, scene.body, scene.motion);
 }
 
+std::optional<mdr::LimitingProfile> worn_profile(const MdrScene& scene, const std::optional<double>& shakedown_radius) {
+  if (scene.limiting || !shakedown_radius) return scene.limiting;
+  return mdr::limiting_profile(scene.profile, *shakedown_radius, mdr::maximum_indentation(scene.motion));
+}
+
 MdrAnswer mdr_answer(const MdrScene& scene, const mdr::NormalResponse& normal) {
   MdrAnswer answer{};
   answer.modulus_ratio = mdr::modulus_ratio(scene.body, mdr::angular_frequency(scene.motion.normal_frequency));
@@ -21,11 +26,7 @@ MdrAnswer mdr_answer(const MdrScene& scene, const mdr::NormalResponse& normal) {
   const auto radii = mdr::stick_radii(scene.profile, scene.body, scene.friction_coefficient, scene.motion);
   answer.stick_radius_first_slip = radii.first_slip;
   answer.stick_radius_shakedown = radii.shakedown;
-  if (scene.limiting)
-    answer.worn_radius = scene.limiting->outer_radius;
-  else if (radii.shakedown)
-    answer.worn_radius =
-        mdr::limiting_profile(scene.profile, *radii.shakedown, mdr::maximum_indentation(scene.motion)).outer_radius;
+  if (const auto worn = worn_profile(scene, radii.shakedown)) answer.worn_radius = worn->outer_radius;
   return answer;
 }
 

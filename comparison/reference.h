@@ -20,6 +20,10 @@ struct MdrAnswer {
 /// Normal response of the spring foundation in the periodic state; depends on the normal motion alone.
 mdr::NormalResponse mdr_normal_response(const MdrScene& scene);
 
+/// The profile in which the scene wears no more: the indenter itself if it is worn already, or else the limiting
+/// profile of the shakedown radius. Empty: nothing sticks, and wear goes on for ever.
+std::optional<mdr::LimitingProfile> worn_profile(const MdrScene& scene, const std::optional<double>& shakedown_radius);
+
 MdrAnswer mdr_answer(const MdrScene& scene, const mdr::NormalResponse& normal);
 
 }  // namespace fretval
