@@ -7,7 +7,7 @@
 
 namespace fretval::mdr {
 
-std::optional<double> tangential_amplitude_for_shakedown(const PronyBody& body, double mu, const Motion& motion,
+std::optional<double> tangential_amplitude_for_shakedown(const Rheology& body, double mu, const Motion& motion,
                                                          double depth) {
   validate(motion);
   require_positive("coefficient of friction", mu);

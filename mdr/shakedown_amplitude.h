@@ -14,7 +14,7 @@ namespace fretval::mdr {
 /// Empty where no amplitude does it: s <= Delta d, the contact opens at that depth in every cycle.
 /// The tangential amplitude of the motion is not used. Equal frequencies. Throws std::invalid_argument for bad
 /// arguments.
-std::optional<double> tangential_amplitude_for_shakedown(const PronyBody& body, double mu, const Motion& motion,
+std::optional<double> tangential_amplitude_for_shakedown(const Rheology& body, double mu, const Motion& motion,
                                                          double depth);
 
 }  // namespace fretval::mdr

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "mdr/motion.h"
-#include "mdr/rheology.h"
+#include "mdr/prony_body.h"
 
 namespace fretval::mdr {
 

@@ -2,7 +2,7 @@
 
 #include <Eigen/Core>
 
-#include "mdr/rheology.h"
+#include "mdr/prony_body.h"
 
 namespace fretval::mdr {
 

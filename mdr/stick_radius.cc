@@ -43,7 +43,7 @@ std::optional<double> stick_radius(const Profile& profile, double depth) {
 
 }  // namespace
 
-StickDepths stick_depths(const PronyBody& body, double mu, const Motion& motion) {
+StickDepths stick_depths(const Rheology& body, double mu, const Motion& motion) {
   validate(motion);
   require_positive("coefficient of friction", mu);
   if (motion.phase && motion.normal_frequency != motion.tangential_frequency) reject_unequal_frequencies(motion);
@@ -57,7 +57,7 @@ StickDepths stick_depths(const PronyBody& body, double mu, const Motion& motion)
           motion.indentation - (demands.forward + demands.backward) / 2};
 }
 
-StickRadii stick_radii(const Profile& profile, const PronyBody& body, double mu, const Motion& motion) {
+StickRadii stick_radii(const Profile& profile, const Rheology& body, double mu, const Motion& motion) {
   const StickDepths depths = stick_depths(body, mu, motion);
   return {stick_radius(profile, depths.first_slip), stick_radius(profile, depths.shakedown)};
 }

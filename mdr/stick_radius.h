@@ -36,9 +36,9 @@ struct StickRadii {
 /// mdr/paper_cases.h. Both criteria imply permanent contact, g(c) <= d0 - rho Delta d.
 /// mu positive. Throws std::invalid_argument for bad arguments and for a locked phase between unequal frequencies,
 /// which is not covered.
-StickDepths stick_depths(const PronyBody& body, double mu, const Motion& motion);
+StickDepths stick_depths(const Rheology& body, double mu, const Motion& motion);
 
 /// The stick radii c = g^-1 of the depths above, for the unworn profile.
-StickRadii stick_radii(const Profile& profile, const PronyBody& body, double mu, const Motion& motion);
+StickRadii stick_radii(const Profile& profile, const Rheology& body, double mu, const Motion& motion);
 
 }  // namespace fretval::mdr

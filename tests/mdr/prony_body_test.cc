@@ -1,4 +1,4 @@
-#include "mdr/rheology.h"
+#include "mdr/prony_body.h"
 
 #include <gtest/gtest.h>
 
@@ -9,25 +9,27 @@
 #include <stdexcept>
 #include <string>
 
+#include "mdr/rheology.h"
+
 namespace fretval::mdr {
 namespace {
 
 const double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double roundoff = 1e-14;  // a few operations in double precision
 
-TEST(Rheology, ElasticBodyIgnoresFrequency) {
+TEST(PronyBody, ElasticBodyIgnoresFrequency) {
   EXPECT_EQ(modulus_ratio(elastic(2e6), 1e5), 1);
   EXPECT_EQ(relaxation(elastic(2e6), 3), 2e6);
 }
 
-TEST(Rheology, KelvinVoigtIsPaper28) {
+TEST(PronyBody, KelvinVoigtIsPaper28) {
   for (const double omega : {1e-6, 0.3, 1.0, 40.0, 1e9}) {
     const double expected = std::sqrt(4e12 + 3e5 * 3e5 * omega * omega) / 2e6;
     EXPECT_NEAR(modulus_ratio(kelvin_voigt(2e6, 3e5), omega) / expected, 1, roundoff);
   }
 }
 
-TEST(Rheology, StandardSolidIsPaper29Corrected) {
+TEST(PronyBody, StandardSolidIsPaper29Corrected) {
   const double G1 = 2e6, G2 = 7e6, tau = 0.03;
   for (const double omega : {1e-6, 0.3, 20.0, 400.0, 1e9}) {
     const double x = omega * tau;
@@ -37,7 +39,7 @@ TEST(Rheology, StandardSolidIsPaper29Corrected) {
 }
 
 // Guard for the misprint: as printed, (29) would tend to 0 instead of G1 + G2.
-TEST(Rheology, LimitsOfSlowAndFastOscillation) {
+TEST(PronyBody, LimitsOfSlowAndFastOscillation) {
   const PronyBody body = prony(1, {2, 3}, {0.5, 1});
   EXPECT_EQ(modulus_ratio(body, 0), 1);
   EXPECT_NEAR(modulus_ratio(body, 1e-12), 1, roundoff);
@@ -49,7 +51,7 @@ TEST(Rheology, LimitsOfSlowAndFastOscillation) {
 }
 
 // G(omega) = i omega int_0^inf (G(t) - G0) exp(-i omega t) dt + G0: links the two independent functions.
-TEST(Rheology, ComplexModulusIsTheTransformOfTheRelaxation) {
+TEST(PronyBody, ComplexModulusIsTheTransformOfTheRelaxation) {
   const PronyBody body = prony(1, {2, 3}, {0.5, 1});
   const double omega = 1.7;
   boost::math::quadrature::gauss_kronrod<double, 31> quadrature;
@@ -63,13 +65,13 @@ TEST(Rheology, ComplexModulusIsTheTransformOfTheRelaxation) {
   EXPECT_NEAR(modulus.imag(), omega * part(std::cos), 1e-11);
 }
 
-TEST(Rheology, RatioIsAtLeastOneAndAdds) {
+TEST(PronyBody, RatioIsAtLeastOneAndAdds) {
   const PronyBody with_dashpot = prony(1, {2}, {0.5}, 0.3);
   const std::complex<double> difference = complex_modulus(with_dashpot, 4) - complex_modulus(prony(1, {2}, {0.5}), 4);
   EXPECT_NEAR(std::abs(difference - std::complex<double>(0, 1.2)), 0, roundoff);
 }
 
-TEST(Rheology, RejectsBadBodies) {
+TEST(PronyBody, RejectsBadBodies) {
   EXPECT_THROW(elastic(-1), std::invalid_argument);
   EXPECT_THROW(elastic(nan), std::invalid_argument);
   EXPECT_THROW(kelvin_voigt(1, -1), std::invalid_argument);
@@ -81,7 +83,7 @@ TEST(Rheology, RejectsBadBodies) {
   EXPECT_THROW(relaxation(elastic(1), -1), std::invalid_argument);
 }
 
-TEST(Rheology, MaxwellBodyIsNamed) {
+TEST(PronyBody, MaxwellBodyIsNamed) {
   try {
     standard_solid(0, 1, 1);
     FAIL();
