@@ -1,9 +1,7 @@
 #include "mdr/indentation.h"
 
 #include <algorithm>
-#include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <cmath>
-#include <limits>
 
 #include "mdr/checks.h"
 
@@ -28,25 +26,8 @@ double contact_radius(const Profile& profile, double indentation) {
 
 double normal_force(const Profile& profile, double shear_modulus, double indentation) {
   require_positive("shear modulus", shear_modulus);
-  const double n = profile.exponent;
-  return n / (n + 1) * 8 * shear_modulus * contact_radius(profile, indentation) * indentation;
-}
-
-double abel_slope_integral(const Profile& profile, double r, double a) {
-  const double n = profile.exponent;
-  // Below the smallest normal number a/r overflows; no other r is that close to the axis.
-  if (r <= a * std::numeric_limits<double>::min()) {
-    if (n <= 1) return std::numeric_limits<double>::infinity();
-    return transform_slope(profile, a) / (n - 1);
-  }
-  // x = r cosh(t) removes the root at x = r and leaves an integrand without any singularity, scaled by its value at the
-  // upper end against overflow. With 1 + excess = a/r the limit arcosh(a/r) keeps its relative accuracy as r -> a.
-  const double excess = (a - r) / r;
-  const double limit = std::log1p(excess + std::sqrt(excess) * std::sqrt(2 + excess));
-  const auto integrand = [&](double t) { return std::pow(r / a * std::cosh(t), n - 1); };
-  // The error estimate is that of the embedded Gauss rule; the Kronrod value itself is good to roundoff.
-  return transform_slope(profile, a) *
-         boost::math::quadrature::gauss_kronrod<double, 31>::integrate(integrand, 0.0, limit, 12, 1e-11);
+  const double a = contact_radius(profile, indentation);
+  return 8 * shear_modulus * (a * indentation - transform_integral(profile, a));
 }
 
 double pressure(const Profile& profile, double shear_modulus, double indentation, double r) {

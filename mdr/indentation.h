@@ -4,7 +4,7 @@
 
 namespace fretval::mdr {
 
-/// Elastic contact of an unworn power-law indenter with an incompressible half-space of shear modulus G: the exact
+/// Elastic contact of an unworn indenter with an incompressible half-space of shear modulus G: the exact
 /// axisymmetric solutions, read off the one-dimensional foundation with the spring loads q_z(x) = 4 G (d - g(x)) and
 /// q_x = (8/3) G u_x per length. With G = G0 they are the relaxed state of a viscoelastic body.
 ///
@@ -15,10 +15,10 @@ namespace fretval::mdr {
 /// a with g(a) = d.
 double contact_radius(const Profile& profile, double indentation);
 
-/// F = 8 G int_0^a (d - g) dx = 8 G a d n/(n+1). Parabola (Hertz): (16/3) G sqrt(R) d^(3/2).
+/// F = 8 G int_0^a (d - g) dx. Parabola (Hertz): (16/3) G sqrt(R) d^(3/2).
 double normal_force(const Profile& profile, double shear_modulus, double indentation);
 
-/// p(r) = (4 G/pi) int_r^a g'(x)/sqrt(x^2-r^2) dx for r < a, 0 beyond. +infinity at r = 0 for n <= 1.
+/// p(r) = (4 G/pi) int_r^a g'(x)/sqrt(x^2-r^2) dx for r < a, 0 beyond; infinite where abel_slope_integral() is.
 double pressure(const Profile& profile, double shear_modulus, double indentation, double r);
 
 /// Whole contact area sticks: F_x = (16/3) G a u_x.
@@ -33,8 +33,5 @@ double stick_radius_cattaneo_mindlin(const Profile& profile, double mu, double i
 /// The force to it: F_x = mu (F(a) - F(c)), F(c) being the normal force at the indentation g(c); mu F when sliding.
 double tangential_force_cattaneo_mindlin(const Profile& profile, double shear_modulus, double mu, double indentation,
                                          double tangential_displacement);
-
-/// int_r^a g'(x)/sqrt(x^2-r^2) dx for 0 <= r < a, the Abel integral behind every pressure. +infinity at r = 0, n <= 1.
-double abel_slope_integral(const Profile& profile, double r, double a);
 
 }  // namespace fretval::mdr

@@ -33,13 +33,7 @@ double worn_depth(const LimitingProfile& profile, double r);
 double transform(const LimitingProfile& profile, double x);
 
 /// Normal force in N on the limiting profile at an indentation 0 <= d <= d_max in m, body of shear modulus G in Pa:
-///   F = 8 G int_0^c max(d - g0, 0) dx,   for g0(c) <= d: 8 G c (d - g0(c)/(n+1))
+///   F = 8 G int_0^c max(d - g0, 0) dx,   for g0(c) <= d: 8 G (c d - int_0^c g0 dx)
 double limiting_normal_force(const LimitingProfile& profile, double shear_modulus, double indentation);
-
-/// Pressure in Pa at r >= 0 for the same arguments. With the whole stick area in contact, g0(c) < d,
-///   p = (4 G/pi) [int_r^c g0'(x)/sqrt(x^2-r^2) dx + (d - g0(c))/sqrt(c^2-r^2)],   parabola: the integral is
-///   (2/R) sqrt(c^2-r^2)
-/// which is +infinity at r = c and 0 beyond; otherwise the unworn pressure. +infinity at r = 0 for n <= 1.
-double limiting_pressure(const LimitingProfile& profile, double shear_modulus, double indentation, double r);
 
 }  // namespace fretval::mdr

@@ -132,34 +132,6 @@ TEST(LimitingProfile, ForceIsThatOfTheSpringsInTheStickZone) {
   }
 }
 
-TEST(LimitingProfile, PressureOfTheWornParabola) {
-  const double G = 3, R = 5, c = 0.5, d = 0.2;
-  const LimitingProfile worn = limiting_profile(parabola(R), c, d);
-  for (const double r : {0.0, 0.2, 0.499}) {
-    const double root = std::sqrt(c * c - r * r);
-    EXPECT_NEAR(limiting_pressure(worn, G, d, r) / (4 * G / pi * (2 / R * root + (d - c * c / R) / root)), 1, 1e-12);
-  }
-  EXPECT_TRUE(std::isinf(limiting_pressure(worn, G, d, c)));
-  EXPECT_EQ(limiting_pressure(worn, G, d, 0.6), 0);
-  EXPECT_EQ(limiting_pressure(worn, G, 0.01, 0.1), pressure(worn.unworn, G, 0.01, 0.1));
-}
-
-TEST(LimitingProfile, PressureIntegratesToTheForce) {
-  for (const double n : {0.5, 1.0, 2.0, 3.7}) {
-    const LimitingProfile worn = limiting_profile(power_law(0.1, n), 0.3, 0.2);
-    // r = c sin(t) takes the singularity at the edge out of the integrand; stay off t = pi/2 itself, which is
-    // 0/0, and off the axis, where the pressure is infinite for n <= 1.
-    const auto ring = [&](double t) {
-      const double r = 0.3 * std::sin(t);
-      return 2 * pi * r * limiting_pressure(worn, 3, 0.2, r) * 0.3 * std::cos(t);
-    };
-    boost::math::quadrature::tanh_sinh<double> quadrature;
-    const double force = quadrature.integrate(ring, 1e-100, pi / 2 - 1e-7, 1e-8);
-    // The strip left out carries about 1e-7 of the force.
-    EXPECT_NEAR(force / limiting_normal_force(worn, 3, 0.2), 1, 1e-6) << "n = " << n;
-  }
-}
-
 TEST(LimitingProfile, RejectsBadArguments) {
   EXPECT_THROW(limiting_profile(parabola(5), 0, 0.2), std::invalid_argument);
   EXPECT_THROW(limiting_profile(parabola(5), nan, 0.2), std::invalid_argument);
@@ -168,7 +140,6 @@ TEST(LimitingProfile, RejectsBadArguments) {
   const LimitingProfile worn = limiting_profile(parabola(5), 0.5, 0.2);
   EXPECT_THROW(shape(worn, -1), std::invalid_argument);
   EXPECT_THROW(limiting_normal_force(worn, 1, 0.21), std::invalid_argument);
-  EXPECT_THROW(limiting_pressure(worn, 0, 0.2, 0.1), std::invalid_argument);
 }
 
 }  // namespace

@@ -1,0 +1,156 @@
+#include "mdr/profile_table.h"
+
+#include <algorithm>
+#include <boost/math/tools/toms748_solve.hpp>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+
+#include "mdr/checks.h"
+
+namespace fretval::mdr {
+
+namespace {
+
+constexpr std::size_t least_image_nodes = 800;
+
+// A table whose tip is horizontal within this share of its steepest slope is smooth there, not a cone.
+constexpr double horizontal_tip = 1e-6;
+
+// Roundoff of a sum over all rows, over the largest image slope.
+constexpr double slope_roundoff = 1e-9;
+
+void check_rows(const std::vector<double>& r, const std::vector<double>& f) {
+  if (r.size() != f.size() || r.size() < 4)
+    throw std::invalid_argument("profile table of " + std::to_string(r.size()) + " radii and " +
+                                std::to_string(f.size()) + " heights: expected as many of both, and at least 4");
+  if (r[0] != 0) reject("first radius of the profile table", r[0], "must be 0, the axis");
+  for (std::size_t k = 0; k < r.size(); ++k) {
+    const std::string row = " in row " + std::to_string(k + 1) + " of the profile table";
+    require_finite("radius" + row, r[k]);
+    require_finite("height" + row, f[k]);
+    if (k > 0 && !(r[k] > r[k - 1])) reject("radius" + row, r[k], "must be greater than the one before");
+  }
+}
+
+PiecewiseCubic height_through(const std::vector<double>& r, const std::vector<double>& f) {
+  std::vector<double> height = f;
+  for (double& h : height) h -= f[0];
+  std::vector<double> slopes = monotone_slopes(r, height);
+  const double steepest = *std::max_element(slopes.begin(), slopes.end());
+  if (!(steepest > 0)) reject("largest slope of the profile table", steepest, "must be positive");
+  if (std::abs(slopes[0]) < horizontal_tip * steepest) slopes[0] = 0;
+  return hermite_cubic(r, height, slopes);
+}
+
+// (r f')', with which g'(x) = int_0^x (r f')'/sqrt(x^2-r^2) dr.
+PiecewiseCubic radial_slope(const PiecewiseCubic& height_slope) {
+  PiecewiseCubic result{height_slope.nodes, {}};
+  for (std::size_t k = 0; k < height_slope.coefficients.size(); ++k) {
+    const auto& c = height_slope.coefficients[k];
+    const double start = height_slope.nodes[k];
+    result.coefficients.push_back({c[0] + start * c[1], 2 * (c[1] + start * c[2]), 3 * c[2], 0});
+  }
+  return result;
+}
+
+std::vector<double> refined(const std::vector<double>& nodes) {
+  const std::size_t parts = 1 + least_image_nodes / nodes.size();
+  std::vector<double> fine;
+  for (std::size_t k = 0; k + 1 < nodes.size(); ++k) {
+    for (std::size_t part = 0; part < parts; ++part) {
+      const double share = static_cast<double>(part) / static_cast<double>(parts);
+      fine.push_back(nodes[k] + share * (nodes[k + 1] - nodes[k]));
+    }
+  }
+  fine.push_back(nodes.back());
+  return fine;
+}
+
+void check_rising(const std::vector<double>& x, const std::vector<double>& g, const std::vector<double>& slopes) {
+  const double tolerance = slope_roundoff * *std::max_element(slopes.begin(), slopes.end());
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    const bool falls = slopes[k] < -tolerance || (k > 0 && g[k] < g[k - 1] - tolerance * (x[k] - x[k - 1]));
+    if (falls)
+      reject("profile table at r in m", x[k],
+             "the one-dimensional image g falls here, so the contact would not be a full circle, which MDR assumes; "
+             "use a convex profile or remove the bump or dip");
+  }
+}
+
+PiecewiseCubic image_of(const PiecewiseCubic& height_slope) {
+  const PiecewiseCubic radial = radial_slope(height_slope);
+  const std::vector<double> x = refined(height_slope.nodes);
+  std::vector<double> g{0}, slopes{std::acos(0.0) * height_slope.coefficients[0][0]};
+  for (std::size_t k = 1; k < x.size(); ++k) {
+    g.push_back(x[k] * abel_integral_below(height_slope, 0, x[k], x[k]));
+    slopes.push_back(abel_integral_below(radial, 0, x[k], x[k]));
+  }
+  check_rising(x, g, slopes);
+  return hermite_cubic(x, g, slopes);
+}
+
+}  // namespace
+
+ProfileTable profile_table(const std::vector<double>& r, const std::vector<double>& f) {
+  check_rows(r, f);
+  ProfileTable table;
+  table.height = height_through(r, f);
+  table.height_slope = derivative(table.height);
+  table.image = image_of(table.height_slope);
+  table.image_slope = derivative(table.image);
+  return table;
+}
+
+double end_radius(const ProfileTable& profile) {
+  return profile.height.nodes.back();
+}
+
+double shape(const ProfileTable& profile, double r) {
+  return value(profile.height, r);
+}
+
+double shape_slope(const ProfileTable& profile, double r) {
+  return value(profile.height_slope, r);
+}
+
+double transform(const ProfileTable& profile, double x) {
+  return value(profile.image, std::abs(x));
+}
+
+double transform_slope(const ProfileTable& profile, double x) {
+  return value(profile.image_slope, x);
+}
+
+double transform_integral(const ProfileTable& profile, double x) {
+  return integral(profile.image, x);
+}
+
+double inverse_transform(const ProfileTable& profile, double depth) {
+  const PiecewiseCubic& image = profile.image;
+  // First node above the depth; a plateau of g belongs to the contact.
+  const auto above = std::upper_bound(image.coefficients.begin(), image.coefficients.end(), depth,
+                                      [](double d, const auto& piece) { return d < piece[0]; });
+  const auto k = static_cast<std::size_t>(above - image.coefficients.begin());
+  if (k == 0) return 0;
+  const auto excess = [&](double x) { return value(image, x) - depth; };
+  const double lower = image.nodes[k - 1], upper = image.nodes[k];
+  if (excess(lower) >= 0) return lower;
+  if (excess(upper) <= 0) return upper;
+  std::uintmax_t iterations = 200;
+  const auto bracket = boost::math::tools::toms748_solve(excess, lower, upper,
+                                                         boost::math::tools::eps_tolerance<double>(52), iterations);
+  return (bracket.first + bracket.second) / 2;
+}
+
+double abel_slope_integral(const ProfileTable& profile, double r, double a) {
+  return abel_integral_above(profile.image_slope, r, a);
+}
+
+double abel_depth_integral(const ProfileTable& profile, double lower, double upper, double r) {
+  return abel_integral_below(profile.image, lower, upper, r);
+}
+
+}  // namespace fretval::mdr
