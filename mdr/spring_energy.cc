@@ -1,0 +1,71 @@
+#include "mdr/spring_energy.h"
+
+#include <cmath>
+
+namespace fretval::mdr {
+
+namespace {
+
+// Stiffness per length over the length unit of the loads, both sides of the axis.
+double normal_scale(const PronyBody& body) {
+  return 2 * 4 * body.relaxed_modulus;
+}
+
+double tangential_scale(const PronyBody& body) {
+  return 2 * 8.0 / 3 * body.relaxed_modulus;
+}
+
+// int h^2/(gamma tau) dt over a step in which h decays and the tip moves by `move` at constant rate.
+double branch_heat(double gamma, double tau, double dt, const Eigen::ArrayXd& width, const Eigen::ArrayXd& memory,
+                   const Eigen::ArrayXd& move) {
+  const double z = dt / tau, once = -std::expm1(-z), twice = -std::expm1(-2 * z) / 2;
+  const Eigen::ArrayXd steady = gamma / z * move, rest = memory - steady;
+  return (width * (twice * rest.square() + 2 * once * rest * steady + z * steady.square())).sum() / gamma;
+}
+
+double bulk_heat(const SpringBed& bed, const PronyBody& body, double dt, const Eigen::ArrayXXd& memory,
+                 const Eigen::ArrayXd& move) {
+  double heat = body.viscosity / (body.relaxed_modulus * dt) * (bed.width * move.square()).sum();
+  for (Eigen::Index i = 0; i < memory.cols(); ++i) {
+    const auto branch = static_cast<std::size_t>(i);
+    heat += branch_heat(body.branch_moduli[branch] / body.relaxed_modulus, body.branch_times[branch], dt, bed.width,
+                        memory.col(i), move);
+  }
+  return heat;
+}
+
+double stored(const SpringBed& bed, const PronyBody& body, const Eigen::ArrayXd& tip, const Eigen::ArrayXXd& memory) {
+  double energy = (bed.width * tip.square()).sum() / 2;
+  for (Eigen::Index i = 0; i < memory.cols(); ++i) {
+    const double gamma = body.branch_moduli[static_cast<std::size_t>(i)] / body.relaxed_modulus;
+    energy += (bed.width * memory.col(i).square()).sum() / (2 * gamma);
+  }
+  return energy;
+}
+
+}  // namespace
+
+double normal_force(const SpringBed& bed, const PronyBody& body, const SpringState& state) {
+  return normal_scale(body) * (bed.width * state.normal_load).sum();
+}
+
+double tangential_force(const SpringBed& bed, const PronyBody& body, const SpringState& state) {
+  return tangential_scale(body) * (bed.width * state.tangential_load).sum();
+}
+
+double stored_energy(const SpringBed& bed, const PronyBody& body, const SpringState& state) {
+  return normal_scale(body) * stored(bed, body, state.normal_depth, state.normal_memory) +
+         tangential_scale(body) * stored(bed, body, state.tangential_shift, state.tangential_memory);
+}
+
+Dissipation dissipation(const SpringBed& bed, const PronyBody& body, double dt, const SpringState& before,
+                        const SpringState& after) {
+  const Eigen::ArrayXd traction = (before.tangential_load + after.tangential_load) / 2;
+  return {
+      tangential_scale(body) * (bed.width * traction * slip(before, after)).sum(),
+      normal_scale(body) * bulk_heat(bed, body, dt, before.normal_memory, after.normal_depth - before.normal_depth) +
+          tangential_scale(body) *
+              bulk_heat(bed, body, dt, before.tangential_memory, after.tangential_shift - before.tangential_shift)};
+}
+
+}  // namespace fretval::mdr

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "mdr/prony_body.h"
+#include "mdr/spring_bed.h"
+#include "mdr/spring_step.h"
+
+namespace fretval::mdr {
+
+/// Forces on the indenter and energies of the whole foundation, both sides of the axis: 2 sum(width ...). SI units.
+
+/// F_z and F_x in N.
+double normal_force(const SpringBed& bed, const PronyBody& body, const SpringState& state);
+double tangential_force(const SpringBed& bed, const PronyBody& body, const SpringState& state);
+
+/// Energy in J stored in the springs: relaxed ones and those of the branches.
+double stored_energy(const SpringBed& bed, const PronyBody& body, const SpringState& state);
+
+/// Energy in J that one step turned into heat.
+struct Dissipation {
+  double friction = 0;  ///< traction times slip, with what a spring releases when it loses contact under traction
+  double bulk = 0;      ///< dashpots of the branches and the parallel one
+};
+
+/// Of the step of length dt from one state to the next. Branches: exact for linear motion of the tips; friction: mean
+/// traction times slip, exact for the release of an elastic spring, which is what relaxation damping is made of
+/// (Popov, Popov and Pohrt, Scientific Reports 5 (2015) 16189).
+Dissipation dissipation(const SpringBed& bed, const PronyBody& body, double dt, const SpringState& before,
+                        const SpringState& after);
+
+}  // namespace fretval::mdr

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "mdr/motion.h"
+#include "mdr/prony_body.h"
+#include "mdr/spring_bed.h"
+#include "mdr/spring_step.h"
+#include "mdr/stick_radius.h"
+
+namespace fretval::mdr {
+
+/// Motion of the indenter in time.
+using IndenterPath = std::function<IndenterState(double time)>;
+
+/// Oscillation that starts from rest at d0: both amplitudes rise together and smoothly over ramp_duration in s.
+/// Phase 0 if the motion's is unlocked.
+IndenterPath ramped_path(const Motion& motion, double ramp_duration);
+
+/// How a history is stepped, and when it counts as periodic.
+struct HistoryControl {
+  double period;  ///< s
+  int steps_per_period = 360;
+  int n_ramp_periods = 10;  ///< the path is taken as periodic from here on
+  int max_periods = 400;
+  double periodicity = 1e-9;  ///< largest change of a traction from one period to the next over the largest traction
+};
+
+/// What the transient spring foundation says about a periodic motion: the second, independent way to both stick radii,
+/// and the reference for histories of finite elements.
+struct SpringHistory {
+  int n_periods;       ///< until periodic, with those of the ramp
+  StickDepths depths;  ///< g(c); see below
+
+  // The last period, both ends included.
+  std::vector<double> time;              ///< s
+  std::vector<double> normal_force;      ///< N
+  std::vector<double> tangential_force;  ///< N
+  Eigen::ArrayXd slip_amplitude;         ///< per spring: path of slip in the last period, m
+  Eigen::ArrayXd mean_traction;  ///< per spring: mean tangential_load over the last period, the locked-in offset, m
+
+  double friction_work;  ///< J per period
+  double bulk_work;      ///< J per period
+  double indenter_work;  ///< J per period: int F_z dd + F_x du_x; the sum of the other two, up to the time step
+};
+
+/// Steps the springs from the relaxed state at the path's start until their tractions repeat.
+///
+/// Stick depths: the friction margin of a spring that sticks, over its stiffness, is g(c) - g(x), so every stuck
+/// spring gives g(c); the outermost one is taken. First slip: least margin min(mu q_z -+ q_x) over the whole history of
+/// springs that never slipped; shakedown: mean of the two least margins over the last period, of springs that do not
+/// slip in it. Minima between time steps are those of parabolas. Not positive where no spring sticks.
+/// Throws std::runtime_error when the state is not periodic after max_periods, std::invalid_argument for bad arguments.
+SpringHistory spring_history(const SpringBed& bed, const PronyBody& body, double mu, const IndenterPath& path,
+                             const HistoryControl& control);
+
+}  // namespace fretval::mdr
