@@ -1,7 +1,6 @@
 #include "mdr/power_law.h"
 
 #include <boost/math/quadrature/gauss_kronrod.hpp>
-#include <boost/math/special_functions/beta.hpp>
 #include <boost/math/special_functions/gamma.hpp>
 #include <cmath>
 #include <limits>
@@ -12,21 +11,41 @@ namespace fretval::mdr {
 
 namespace {
 
-// int_0^phi cos^n. The recurrence for whole n adds positive terms only.
-double cosine_power_integral(double n, double phi) {
-  if (n != std::floor(n)) {
-    const double s = std::sin(phi);
-    return boost::math::beta(0.5, (n + 1) / 2, s * s) / 2;
-  }
-  const int order = static_cast<int>(n);
-  const double sine = std::sin(phi), cosine = std::cos(phi);
-  double power = order % 2 == 0 ? cosine : cosine * cosine;  // cos^(k-1)
-  double integral = order % 2 == 0 ? phi : sine;
-  for (int k = order % 2 == 0 ? 2 : 3; k <= order; k += 2) {
+// int_0^phi cos^n for whole n, by a recurrence that adds positive terms only.
+double whole_cosine_power_integral(int n, double sine, double cosine) {
+  double power = n % 2 == 0 ? cosine : cosine * cosine;  // cos^(k-1)
+  double integral = n % 2 == 0 ? std::atan2(sine, cosine) : sine;
+  for (int k = n % 2 == 0 ? 2 : 3; k <= n; k += 2) {
     integral = (power * sine + (k - 1) * integral) / k;
     power *= cosine * cosine;
   }
   return integral;
+}
+
+// sum_k (a)_k/k! y^k/(b + k c): the binomial series of an incomplete beta function, for 0 <= y <= 1/2.
+double binomial_series(double a, double b, double c, double y) {
+  double term = 1, sum = 1 / b;
+  for (int k = 0; k < 200; ++k) {
+    term *= (k + a) / (k + 1) * y;
+    const double next = term / (b + (k + 1) * c);
+    sum += next;
+    if (std::abs(next) < std::numeric_limits<double>::epsilon() / 4 * std::abs(sum)) break;
+  }
+  return sum;
+}
+
+// int_0^cosine t^n/sqrt(1-t^2) dt, for cosine^2 <= 1/2.
+double near_axis(double n, double cosine) {
+  return std::pow(cosine, n + 1) * binomial_series(0.5, n + 1, 2, cosine * cosine);
+}
+
+// int_cosine^1 t^n/sqrt(1-t^2) dt = int_0^sine (1-t^2)^((n-1)/2) dt.
+double near_edge(const PowerLaw& profile, double sine, double cosine) {
+  const double n = profile.exponent;
+  if (n == std::floor(n)) return whole_cosine_power_integral(static_cast<int>(n), sine, cosine);
+  if (sine * sine <= 0.5) return sine * binomial_series((1 - n) / 2, 1, 2, sine * sine);
+  const double whole = std::acos(0.0) * profile.coefficient / profile.image_coefficient;  // pi/(2 kappa_n)
+  return whole - near_axis(n, cosine);
 }
 
 }  // namespace
@@ -37,6 +56,7 @@ double transform_factor(double exponent) {
 }
 
 double shape(const PowerLaw& profile, double r) {
+  if (profile.exponent == 2) return profile.coefficient * r * r;
   return profile.coefficient * std::pow(r, profile.exponent);
 }
 
@@ -45,6 +65,7 @@ double shape_slope(const PowerLaw& profile, double r) {
 }
 
 double transform(const PowerLaw& profile, double x) {
+  if (profile.exponent == 2) return profile.image_coefficient * x * x;
   return profile.image_coefficient * std::pow(std::abs(x), profile.exponent);
 }
 
@@ -84,12 +105,10 @@ double abel_slope_integral(const PowerLaw& profile, double r, double a) {
 
 double abel_depth_integral(const PowerLaw& profile, double lower, double upper, double r) {
   const double n = profile.exponent;
-  if (2 * upper < r) {
-    const auto from_axis = [&](double x) { return boost::math::beta((n + 1) / 2, 0.5, (x / r) * (x / r)) / 2; };
-    return transform(profile, r) * (from_axis(upper) - (lower > 0 ? from_axis(lower) : 0));
-  }
-  // arccos(x/r) with its relative accuracy as x -> r.
-  const auto to_edge = [&](double x) { return cosine_power_integral(n, std::atan2(std::sqrt((r - x) * (r + x)), x)); };
+  if (upper == 0) return 0;
+  if (upper * upper <= r * r / 2)
+    return transform(profile, r) * (near_axis(n, upper / r) - (lower > 0 ? near_axis(n, lower / r) : 0));
+  const auto to_edge = [&](double x) { return near_edge(profile, std::sqrt((r - x) * (r + x)) / r, x / r); };
   return transform(profile, r) * (to_edge(lower) - (upper < r ? to_edge(upper) : 0));
 }
 
