@@ -34,6 +34,28 @@ double bulk_heat(const SpringBed& bed, const PronyBody& body, double dt, const E
   return heat;
 }
 
+// Stiffness of a stuck spring in a step, over the relaxed one.
+double step_stiffness(const PronyBody& body, double dt) {
+  double stiffness = 1;
+  for (std::size_t i = 0; i < body.branch_moduli.size(); ++i) {
+    const double z = dt / body.branch_times[i];
+    stiffness += body.branch_moduli[i] / body.relaxed_modulus * -std::expm1(-z) / z;
+  }
+  return stiffness;
+}
+
+double friction_heat(const SpringBed& bed, const PronyBody& body, double mu, double dt, const SpringState& before,
+                     const SpringState& after) {
+  const Eigen::ArrayXd path = slip(before, after);
+  const Eigen::ArrayXd limit = 1.5 * mu * before.normal_load, limit_after = 1.5 * mu * after.normal_load;
+  // Traction in the direction of slip; the stuck spring would have gone beyond the limit by its stiffness times slip.
+  const Eigen::ArrayXd room = (limit - path.sign() * before.tangential_load).max(0);
+  const Eigen::ArrayXd beyond = step_stiffness(body, dt) * path.abs();
+  const Eigen::ArrayXd sum = (room + beyond > 0).select(room + beyond, 1.0);
+  const Eigen::ArrayXd onset = (limit * beyond + limit_after * room) / sum;
+  return (bed.width * path.abs() * (onset + limit_after) / 2).sum();
+}
+
 double stored(const SpringBed& bed, const PronyBody& body, const Eigen::ArrayXd& tip, const Eigen::ArrayXXd& memory) {
   double energy = (bed.width * tip.square()).sum() / 2;
   for (Eigen::Index i = 0; i < memory.cols(); ++i) {
@@ -58,11 +80,10 @@ double stored_energy(const SpringBed& bed, const PronyBody& body, const SpringSt
          tangential_scale(body) * stored(bed, body, state.tangential_shift, state.tangential_memory);
 }
 
-Dissipation dissipation(const SpringBed& bed, const PronyBody& body, double dt, const SpringState& before,
+Dissipation dissipation(const SpringBed& bed, const PronyBody& body, double mu, double dt, const SpringState& before,
                         const SpringState& after) {
-  const Eigen::ArrayXd traction = (before.tangential_load + after.tangential_load) / 2;
   return {
-      tangential_scale(body) * (bed.width * traction * slip(before, after)).sum(),
+      tangential_scale(body) * friction_heat(bed, body, mu, dt, before, after),
       normal_scale(body) * bulk_heat(bed, body, dt, before.normal_memory, after.normal_depth - before.normal_depth) +
           tangential_scale(body) *
               bulk_heat(bed, body, dt, before.tangential_memory, after.tangential_shift - before.tangential_shift)};

@@ -21,10 +21,11 @@ struct Dissipation {
   double bulk = 0;      ///< dashpots of the branches and the parallel one
 };
 
-/// Of the step of length dt from one state to the next. Branches: exact for linear motion of the tips; friction: mean
-/// traction times slip, exact for the release of an elastic spring, which is what relaxation damping is made of
-/// (Popov, Popov and Pohrt, Scientific Reports 5 (2015) 16189).
-Dissipation dissipation(const SpringBed& bed, const PronyBody& body, double dt, const SpringState& before,
+/// Of the step of length dt from one state to the next. Branches: exact for linear motion of the tips. Friction: slip
+/// under the friction limit, from where the growing traction of the stuck spring meets it to the end of the step; exact
+/// for elastic springs, also for those that lose contact, whose release is what relaxation damping is made of (Popov,
+/// Popov and Pohrt, Scientific Reports 5 (2015) 16189).
+Dissipation dissipation(const SpringBed& bed, const PronyBody& body, double mu, double dt, const SpringState& before,
                         const SpringState& after);
 
 }  // namespace fretval::mdr

@@ -115,7 +115,7 @@ class History {
       margins.slip_path += slip(before, state_).abs();
       margins.traction_sum += state_.tangential_load;
       first_slip_.add(state_, mu_);
-      const Dissipation heat = dissipation(bed_, body_, dt_, before, state_);
+      const Dissipation heat = dissipation(bed_, body_, mu_, dt_, before, state_);
       result.friction_work += heat.friction;
       result.bulk_work += heat.bulk;
       record(result, time, margins);
