@@ -112,7 +112,7 @@ TEST(SpringStep, OscillatingFlatPunchHasTheComplexModulus) {
       const double loss = complex_modulus(body, omega).imag();
       const double expected = pi * loss * (8 * normal * normal + 16.0 / 3 * tangential * tangential);
       EXPECT_NEAR(heat.bulk / expected, 1, 30.0 / (n * n));
-      EXPECT_NEAR(heat.friction / expected, 0, 1e-12);
+      EXPECT_NEAR(heat.friction / expected, 0, 1e-11);  // roundoff of the slip times the limit
       // Second order, or exact to roundoff where there is no branch.
       if (before > 1e-12) {
         EXPECT_NEAR(before / worst, 4, 0.2);
