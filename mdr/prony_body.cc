@@ -11,8 +11,10 @@ namespace fretval::mdr {
 
 namespace {
 
-std::string branch(const char* quantity, std::size_t i) {
-  return quantity + (" of branch " + std::to_string(i + 1));
+// The name is put together only for the message: every evaluation of a modulus passes here.
+void require_positive_in_branch(const char* quantity, std::size_t i, double value) {
+  if (std::isfinite(value) && value > 0) return;
+  require_positive(quantity + (" of branch " + std::to_string(i + 1)), value);
 }
 
 }  // namespace
@@ -48,8 +50,8 @@ void validate(const PronyBody& body) {
                                 ": must equal the number of branch times, " + std::to_string(body.branch_times.size()));
   }
   for (std::size_t i = 0; i < body.branch_moduli.size(); ++i) {
-    require_positive(branch("modulus", i), body.branch_moduli[i]);
-    require_positive(branch("relaxation time", i), body.branch_times[i]);
+    require_positive_in_branch("modulus", i, body.branch_moduli[i]);
+    require_positive_in_branch("relaxation time", i, body.branch_times[i]);
   }
 }
 
