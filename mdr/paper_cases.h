@@ -12,7 +12,8 @@ namespace fretval::mdr {
 /// (21) says |cos(Omega + phi1)| where (20) has phi0. In (20) Omega = omega t + phi1, not phi0.
 ///
 /// modulus_ratio: rho = |G(omega)|/G'(0) >= 1 at the common frequency; mu: coefficient of friction, positive.
-/// Of the motion only indentation, amplitudes and phase enter. Bad arguments throw std::invalid_argument.
+/// Where a modulus ratio is given, only indentation, amplitudes and phase of the motion enter. Bad arguments throw
+/// std::invalid_argument.
 
 /// Right-hand side of (18) at the time t in s, which g(c) must not exceed at any time:
 ///   d0 - (1/G'(0)) [(2 u_x0/(3 mu)) |G' cos(omega t + phi0) - G'' sin(omega t + phi0)|

@@ -1,32 +1,18 @@
 #include "mdr/stick_radius.h"
 
-#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <vector>
 
 #include "mdr/checks.h"
+#include "mdr/stick_demands.h"
 
 namespace fretval::mdr {
 
 namespace {
 
-// Largest excess of the tangential demand over the normal oscillation, for pulls in the two directions; in m.
-struct Demands {
-  double forward;   // M+
-  double backward;  // M-
-};
-
-// |A e^(i phi) -+ D| as hypot(A - D, 2 sqrt(A D) sin or cos(phi/2)): free of cancellation at phi = 0, pi and A = D.
-Demands locked_demands(double tangential, double normal, double phase) {
-  const double cross = 2 * std::sqrt(tangential) * std::sqrt(normal);
-  return {std::hypot(tangential - normal, cross * std::sin(phase / 2)),
-          std::hypot(tangential - normal, cross * std::cos(phase / 2))};
-}
-
-StickDepths depths_of(double indentation, const Demands& demands) {
-  return {indentation - std::max(demands.forward, demands.backward),
-          indentation - (demands.forward + demands.backward) / 2};
+StickDepths depths_of(double indentation, const StickDemands& demands) {
+  return {indentation - first_slip_demand(demands), indentation - shakedown_demand(demands)};
 }
 
 // Oscillating part of the element's force under a motion, times factor/G0.
@@ -83,7 +69,7 @@ StickDepths stick_depths(const Rheology& body, double mu, const Motion& motion) 
   const double normal = motion.normal_amplitude * normal_ratio;
   const double tangential = 2 * motion.tangential_amplitude / (3 * mu) * tangential_ratio;
   if (motion.phase) return depths_of(motion.indentation, locked_demands(tangential, normal, *motion.phase));
-  return depths_of(motion.indentation, {tangential + normal, tangential + normal});
+  return depths_of(motion.indentation, unlocked_demands(tangential, normal));
 }
 
 StickRadii stick_radii(const Profile& profile, const Rheology& body, double mu, const HarmonicMotion& motion) {
