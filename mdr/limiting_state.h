@@ -70,7 +70,7 @@ struct LimitingState {
 /// Validity: as stick_depths(); equal frequencies or an unlocked phase. Relative accuracy of c: roundoff, enlarged
 /// where the two radii are about to merge.
 /// Throws std::invalid_argument for bad arguments and a locked phase between unequal frequencies, std::runtime_error
-/// when the two radii have merged within a relative 1e-10 of the load.
+/// for a tangential force above the largest that sticks by less than a relative 1e-11.
 std::optional<LimitingState> limiting_state(const Profile& profile, const Rheology& body, double mu,
                                             const FrettingControl& control, StickCriterion criterion);
 
