@@ -27,6 +27,7 @@ double supremum(const std::vector<Harmonic>& harmonics) {
   std::copy_if(harmonics.begin(), harmonics.end(), std::back_inserter(moving),
                [](const Harmonic& harmonic) { return harmonic.amplitude != 0; });
   std::vector<double> frequencies;
+  frequencies.reserve(moving.size());
   for (const Harmonic& harmonic : moving) frequencies.push_back(harmonic.frequency);
   double sum = 0;
   for (const CommensurateGroup& group : commensurate_groups(frequencies)) sum += group_maximum(group, moving);

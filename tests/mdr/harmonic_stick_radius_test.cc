@@ -6,6 +6,10 @@
 #include <complex>
 #include <functional>
 #include <random>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "mdr/stick_radius.h"
 

@@ -3,10 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <random>
 #include <stdexcept>
+#include <vector>
 
 namespace fretval::mdr {
 namespace {
@@ -30,7 +32,7 @@ double evaluate(const std::vector<TrigonometricTerm>& terms, double angle) {
 
 // Every maximum is among the zeros of P'. With z = e^(i theta) they are the zeros on the unit circle of a polynomial of
 // degree 2 n, eigenvalues of its companion matrix. An angle to 1e-7 gives the flat maximum to roundoff.
-double maximum_from_companion_matrix(const std::vector<TrigonometricTerm>& terms, int order) {
+double maximum_from_companion_matrix(const std::vector<TrigonometricTerm>& terms, Eigen::Index order) {
   Eigen::VectorXcd slope = Eigen::VectorXcd::Zero(2 * order + 1);
   for (const auto& term : terms) {
     const std::complex<double> half = std::polar(term.amplitude / 2, term.phase) * std::complex<double>(0, term.order);
@@ -118,6 +120,7 @@ TEST(TrigonometricMaximum, NarrowPeak) {
   const int n = 300;
   for (const double position : {0.1, 2.5, 6.1}) {
     std::vector<TrigonometricTerm> terms{{1, 0, 0}};
+    terms.reserve(n);
     for (int k = 1; k < n; ++k) terms.push_back({2 * (1 - double(k) / n), k, -k * position});
     const auto maximum = trigonometric_maximum(terms);
     EXPECT_NEAR(maximum.value, n, tolerance * n);
