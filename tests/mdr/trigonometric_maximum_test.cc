@@ -97,8 +97,8 @@ TEST(TrigonometricMaximum, NoDenseSampleIsHigher) {
   std::mt19937 random(6);
   std::uniform_real_distribution<double> unit(0, 1);
   for (int i = 0; i < 20; ++i) {
-    std::vector<TrigonometricTerm> terms;
-    for (int k = 0; k < 6; ++k) terms.push_back({unit(random), int(200 * unit(random)), 2 * pi * unit(random)});
+    std::vector<TrigonometricTerm> terms(6);
+    for (auto& term : terms) term = {unit(random), int(200 * unit(random)), 2 * pi * unit(random)};
     const double maximum = trigonometric_maximum(terms).value;
     for (int j = 0; j < 20000; ++j) ASSERT_LE(evaluate(terms, 1e-4 * pi * j), maximum + tolerance * 6);
   }
