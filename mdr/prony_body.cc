@@ -11,7 +11,7 @@ namespace fretval::mdr {
 
 namespace {
 
-// The name of the quantity is made up only when it is needed.
+// The name is put together only for the message: every evaluation of a modulus passes here.
 void require_positive_in_branch(const char* quantity, std::size_t i, double value) {
   if (std::isfinite(value) && value > 0) return;
   require_positive(quantity + (" of branch " + std::to_string(i + 1)), value);

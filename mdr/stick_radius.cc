@@ -1,39 +1,39 @@
 #include "mdr/stick_radius.h"
 
-#include <algorithm>
 #include <cmath>
-#include <sstream>
-#include <stdexcept>
+#include <complex>
+#include <vector>
 
 #include "mdr/checks.h"
+#include "mdr/stick_demands.h"
 
 namespace fretval::mdr {
 
 namespace {
 
-// Largest excess of the tangential demand over the normal oscillation, for pulls in the two directions; in m.
-struct Demands {
-  double forward;   // M+
-  double backward;  // M-
-};
-
-Demands unlocked_demands(double tangential, double normal) {
-  return {tangential + normal, tangential + normal};
+StickDepths depths_of(double indentation, const StickDemands& demands) {
+  return {indentation - first_slip_demand(demands), indentation - shakedown_demand(demands)};
 }
 
-// |A e^(i phi) -+ D| as hypot(A - D, 2 sqrt(A D) sin or cos(phi/2)): free of cancellation at phi = 0, pi and A = D.
-Demands locked_demands(double tangential, double normal, double phase) {
-  const double cross = 2 * std::sqrt(tangential) * std::sqrt(normal);
-  return {std::hypot(tangential - normal, cross * std::sin(phase / 2)),
-          std::hypot(tangential - normal, cross * std::cos(phase / 2))};
+// Oscillating part of the element's force under a motion, times factor/G0.
+std::vector<Harmonic> response(const Rheology& body, const std::vector<Harmonic>& motion, double factor) {
+  std::vector<Harmonic> forces;
+  for (const Harmonic& harmonic : motion) {
+    const std::complex<double> modulus = complex_modulus_ratio(body, angular_frequency(harmonic.frequency));
+    forces.push_back(
+        {factor * harmonic.amplitude * std::abs(modulus), harmonic.frequency, harmonic.phase + std::arg(modulus)});
+  }
+  return forces;
 }
 
-void reject_unequal_frequencies(const Motion& motion) {
-  std::ostringstream message;
-  message << "phase = " << *motion.phase << " rad is locked, but the normal frequency = " << motion.normal_frequency
-          << " Hz and the tangential frequency = " << motion.tangential_frequency
-          << " Hz differ: this is not covered; use equal frequencies or an unlocked phase";
-  throw std::invalid_argument(message.str());
+std::vector<Harmonic> reversed(std::vector<Harmonic> harmonics) {
+  for (Harmonic& harmonic : harmonics) harmonic.amplitude = -harmonic.amplitude;
+  return harmonics;
+}
+
+double supremum_of_sum(std::vector<Harmonic> first, const std::vector<Harmonic>& second) {
+  first.insert(first.end(), second.begin(), second.end());
+  return supremum(first);
 }
 
 std::optional<double> stick_radius(const Profile& profile, double depth) {
@@ -41,25 +41,43 @@ std::optional<double> stick_radius(const Profile& profile, double depth) {
   return inverse_transform(profile, depth);
 }
 
+StickRadii radii_of(const Profile& profile, const StickDepths& depths) {
+  return {stick_radius(profile, depths.first_slip), stick_radius(profile, depths.shakedown)};
+}
+
 }  // namespace
 
-StickDepths stick_depths(const Rheology& body, double mu, const Motion& motion) {
+StickDepths stick_depths(const Rheology& body, double mu, const HarmonicMotion& motion) {
   validate(motion);
   require_positive("coefficient of friction", mu);
-  if (motion.phase && motion.normal_frequency != motion.tangential_frequency) reject_unequal_frequencies(motion);
+  const std::vector<Harmonic> pull = response(body, motion.tangential, 2 / (3 * mu));
+  const std::vector<Harmonic> relief = response(body, motion.normal, -1);
+  if (motion.phase_locked)
+    return depths_of(motion.indentation, {supremum_of_sum(pull, relief), supremum_of_sum(reversed(pull), relief)});
+  const double largest_relief = supremum(relief);
+  return depths_of(motion.indentation, {supremum(pull) + largest_relief, supremum(reversed(pull)) + largest_relief});
+}
 
-  const double normal = motion.normal_amplitude * modulus_ratio(body, angular_frequency(motion.normal_frequency));
-  const double tangential =
-      2 * motion.tangential_amplitude / (3 * mu) * modulus_ratio(body, angular_frequency(motion.tangential_frequency));
-  const Demands demands =
-      motion.phase ? locked_demands(tangential, normal, *motion.phase) : unlocked_demands(tangential, normal);
-  return {motion.indentation - std::max(demands.forward, demands.backward),
-          motion.indentation - (demands.forward + demands.backward) / 2};
+StickDepths stick_depths(const Rheology& body, double mu, const Motion& motion) {
+  const bool equal_frequencies = motion.normal_frequency == motion.tangential_frequency;
+  if (motion.phase && !equal_frequencies) return stick_depths(body, mu, harmonic_motion(motion));
+  validate(motion);
+  require_positive("coefficient of friction", mu);
+  const double normal_ratio = modulus_ratio(body, angular_frequency(motion.normal_frequency));
+  const double tangential_ratio =
+      equal_frequencies ? normal_ratio : modulus_ratio(body, angular_frequency(motion.tangential_frequency));
+  const double normal = motion.normal_amplitude * normal_ratio;
+  const double tangential = 2 * motion.tangential_amplitude / (3 * mu) * tangential_ratio;
+  if (motion.phase) return depths_of(motion.indentation, locked_demands(tangential, normal, *motion.phase));
+  return depths_of(motion.indentation, unlocked_demands(tangential, normal));
+}
+
+StickRadii stick_radii(const Profile& profile, const Rheology& body, double mu, const HarmonicMotion& motion) {
+  return radii_of(profile, stick_depths(body, mu, motion));
 }
 
 StickRadii stick_radii(const Profile& profile, const Rheology& body, double mu, const Motion& motion) {
-  const StickDepths depths = stick_depths(body, mu, motion);
-  return {stick_radius(profile, depths.first_slip), stick_radius(profile, depths.shakedown)};
+  return radii_of(profile, stick_depths(body, mu, motion));
 }
 
 }  // namespace fretval::mdr

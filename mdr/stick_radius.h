@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "mdr/harmonic_motion.h"
 #include "mdr/motion.h"
 #include "mdr/profile.h"
 #include "mdr/rheology.h"
@@ -25,20 +26,27 @@ struct StickRadii {
 ///   shakedown:  no longer slips once early slip has locked in the most favourable tangential force (elastic case:
 ///               Barber, Davies and Hills 2011). It is never less than first_slip.
 ///
-///   A = 2 u_x0/(3 mu),   M+- = max_t(+-T - N),   T = A rho cos(Omega + phi0),   N = Delta d rho cos(Omega)
-///   first_slip = d0 - max(M+, M-),   shakedown = d0 - (M+ + M-)/2
+///   T(t) = 2/(3 mu) sum_k b_k |G(w_k)|/G0 cos(w_k t + psi_k + arg G(w_k))      forces of the element, both divided
+///   N(t) =          sum_j a_j |G(w_j)|/G0 cos(w_j t + phi_j + arg G(w_j))      by 4 G0 per length, T also by mu
+///   M+- = sup_t(+-T - N),   first_slip = d0 - max(M+, M-),   shakedown = d0 - (M+ + M-)/2
 ///
-///   Equal frequencies, phase locked: M+- = rho |A e^(i phi0) -+ Delta d|.
-///   Phase unlocked (empty), whatever the frequencies: M+ = M- = A rho_x + Delta d rho_z, paper (21) with rho = |G|/G0
-///   taken at each motion's own frequency.
+///   Phase unlocked: M+- = sup_t(+-T) + sup_t(-N).
 ///
-/// The departure from the paper: it has one stick radius, first_slip, as a list of cases; for its case list see
-/// mdr/paper_cases.h. Both criteria imply permanent contact, g(c) <= d0 - rho Delta d.
-/// mu positive. Throws std::invalid_argument for bad arguments and for a locked phase between unequal frequencies,
-/// which is not covered.
+/// The departure from the paper: it has one stick radius, first_slip, and for two harmonics of equal frequency or of
+/// unlocked phase only. Both criteria imply permanent contact, g(c) <= d0 - sup(-N).
+/// Suprema as in mdr/harmonic.h: where they are upper bounds, the depths are lower bounds.
+/// mu positive. Throws std::invalid_argument for bad arguments.
+StickDepths stick_depths(const Rheology& body, double mu, const HarmonicMotion& motion);
+
+/// The same for one harmonic in each direction, A = 2 u_x0/(3 mu), rho = |G|/G0:
+///   equal frequencies, phase locked:      M+- = rho |A e^(i phi0) -+ Delta d|; for the paper's case list see
+///                                         mdr/paper_cases.h
+///   phase unlocked (empty):               M+ = M- = A rho_x + Delta d rho_z, paper (21)
+///   unequal frequencies, phase locked:    as above
 StickDepths stick_depths(const Rheology& body, double mu, const Motion& motion);
 
 /// The stick radii c = g^-1 of the depths above, for the unworn profile.
+StickRadii stick_radii(const Profile& profile, const Rheology& body, double mu, const HarmonicMotion& motion);
 StickRadii stick_radii(const Profile& profile, const Rheology& body, double mu, const Motion& motion);
 
 }  // namespace fretval::mdr

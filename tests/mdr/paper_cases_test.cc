@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <complex>
 #include <random>
 #include <stdexcept>
 
@@ -24,14 +26,80 @@ double first_slip(const Motion& motion, double mu) {
   return stick_depths(elastic(1), mu, motion).first_slip;
 }
 
-TEST(PaperCases, CaseListIsTheOneLineFormula) {
+// The minimum of (20) over Omega without knowledge of its solution: between two singular points, where
+// cos(Omega + phi0) = 0, the right-hand side is smooth and a sinusoid, so each half turn has one stationary point
+// inside or none. Bisection of the slope finds it; the singular points themselves are candidates as well.
+double least_by_brute_force(double mu, const Motion& motion) {
+  const auto depth = [&](double angle) { return paper_no_slip_depth(1, mu, motion, angle); };
+  const double tangential = 2 * motion.tangential_amplitude / (3 * mu);
+  double least = motion.indentation + motion.normal_amplitude;
+  for (const double sign : {1.0, -1.0}) {
+    const double first = -*motion.phase - sign * pi / 2, last = first + pi;
+    least = std::min({least, depth(first), depth(last)});
+    const auto slope = [&](double angle) {
+      return sign * tangential * std::sin(angle + *motion.phase) - motion.normal_amplitude * std::sin(angle);
+    };
+    if (!(slope(first) < 0 && slope(last) > 0)) continue;
+    double lower = first, upper = last;
+    for (int i = 0; i < 40; ++i) (slope((lower + upper) / 2) < 0 ? lower : upper) = (lower + upper) / 2;
+    least = std::min(least, depth((lower + upper) / 2));
+  }
+  return least;
+}
+
+TEST(PaperCases, CaseListIsTheOneLineFormulaAndTheMinimumOf20) {
   std::mt19937 random(11);
   std::uniform_real_distribution<double> unit(0, 1);
   for (int i = 0; i < 10000; ++i) {
     const double mu = 0.05 + unit(random);
     const Motion motion = locked(0.01 + unit(random), 0.01 + unit(random), 4 * pi * (unit(random) - 0.5));
     const double scale = 1 + motion.normal_amplitude + motion.tangential_amplitude / mu;
-    ASSERT_NEAR(paper_case_list_depth(1, mu, motion), first_slip(motion, mu), tolerance * scale);
+    const double depth = paper_case_list_depth(1, mu, motion);
+    ASSERT_NEAR(depth, first_slip(motion, mu), tolerance * scale);
+    ASSERT_NEAR(depth, least_by_brute_force(mu, motion), tolerance * scale);
+  }
+}
+
+// The brute force is itself held against plain sampling, whose error is below (2 pi/n)^2/8 of the amplitudes.
+TEST(PaperCases, NoSampleOf20IsBelowItsMinimum) {
+  std::mt19937 random(12);
+  std::uniform_real_distribution<double> unit(0, 1);
+  const int n_samples = 2000;
+  for (int i = 0; i < 100; ++i) {
+    const Motion motion = locked(unit(random), unit(random), 4 * pi * (unit(random) - 0.5));
+    double least = 2;
+    for (int j = 0; j < n_samples; ++j)
+      least = std::min(least, paper_no_slip_depth(1, 0.7, motion, 2 * pi * j / n_samples));
+    const double minimum = least_by_brute_force(0.7, motion);
+    EXPECT_GE(least, minimum - tolerance);
+    EXPECT_NEAR(least, minimum, 2 * pi * pi / (4.0 * n_samples * n_samples) * 2);
+  }
+}
+
+TEST(PaperCases, Equation18IsEquation20WithThePhaseOfTheModulus) {
+  const PronyBody body = standard_solid(1, 3, 0.2);
+  const std::complex<double> ratio = complex_modulus_ratio(body, 4 * pi);
+  const Motion motion = locked(0.2, 0.3, 0.8);
+  for (int j = 0; j < 50; ++j) {
+    const double time = 0.01 * j;
+    EXPECT_NEAR(paper_no_slip_depth_at_time(body, 0.6, motion, time),
+                paper_no_slip_depth(std::abs(ratio), 0.6, motion, 4 * pi * time + std::arg(ratio)), tolerance);
+  }
+}
+
+TEST(PaperCases, Equation19IsTheCaseListForEveryRheology) {
+  std::mt19937 random(13);
+  std::uniform_real_distribution<double> unit(0, 1);
+  for (const Rheology& body : {Rheology(elastic(1)), Rheology(kelvin_voigt(1, 0.1)),
+                               Rheology(standard_solid(1, 3, 0.2)), Rheology(FractionalZener{1, 3, 0.1, 0.6})}) {
+    for (int i = 0; i < 200; ++i) {
+      const double mu = 0.1 + unit(random);
+      const Motion motion = locked(0.01 + unit(random), 0.01 + unit(random), 4 * pi * (unit(random) - 0.5));
+      const double rho = modulus_ratio(body, 4 * pi);
+      const double scale = 1 + rho * (motion.normal_amplitude + motion.tangential_amplitude / mu);
+      EXPECT_NEAR(paper_least_no_slip_depth(body, mu, motion), paper_case_list_depth(rho, mu, motion),
+                  tolerance * scale);
+    }
   }
 }
 
@@ -64,7 +132,12 @@ TEST(PaperCases, RejectBadArguments) {
   EXPECT_THROW(paper_quadrature_depth(1, 0, locked(0.1, 0.1, 0)), std::invalid_argument);
   EXPECT_THROW(paper_case_list_depth(1, 1, locked(0, 0.1, 0)), std::invalid_argument);
   EXPECT_THROW(paper_case_list_depth(1, 1, locked(0.1, 0, 0)), std::invalid_argument);
-  EXPECT_THROW(paper_case_list_depth(1, 1, (Motion{1, 0.1, 0.1, 1, 1, std::nullopt})), std::invalid_argument);
+  const Motion unlocked{1, 0.1, 0.1, 1, 1, std::nullopt}, unequal{1, 0.1, 0.1, 1, 2, 0.0};
+  EXPECT_THROW(paper_case_list_depth(1, 1, unlocked), std::invalid_argument);
+  EXPECT_THROW(paper_no_slip_depth(1, 1, unlocked, 0), std::invalid_argument);
+  EXPECT_THROW(paper_no_slip_depth_at_time(elastic(1), 1, unlocked, 0), std::invalid_argument);
+  EXPECT_THROW(paper_no_slip_depth_at_time(elastic(1), 1, unequal, 0), std::invalid_argument);
+  EXPECT_THROW(paper_least_no_slip_depth(elastic(1), 1, unequal), std::invalid_argument);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <random>
 
 #include "mdr/stick_radius.h"
@@ -15,6 +16,7 @@ TEST(ShakedownAmplitude, IsTheInverseOfTheShakedownDepth) {
   for (int i = 0; i < 1000; ++i) {
     const PronyBody body = standard_solid(1e6, 3e6 * unit(random), 0.01 + unit(random));
     Motion motion{1e-4, 2e-5 * unit(random), 0, 2, 2, 6.3 * unit(random)};
+    if (i % 5 == 0) motion.tangential_frequency = i % 15 == 0 ? std::sqrt(8.0) : 3;
     if (i % 10 == 0) motion.phase.reset();
     const double depth = 1e-4 * unit(random), mu = 0.1 + unit(random);
     const auto amplitude = tangential_amplitude_for_shakedown(body, mu, motion, depth);
