@@ -46,6 +46,8 @@ TEST(PronyBody, LimitsOfSlowAndFastOscillation) {
   EXPECT_NEAR(modulus_ratio(body, 1e-12), 1, roundoff);
   EXPECT_NEAR(modulus_ratio(body, 1e12), 6, 6 * roundoff);
   EXPECT_NEAR(modulus_ratio(body, 1e200), 6, 6 * roundoff);
+  EXPECT_EQ(modulus_ratio(prony(1, {2}, {1e200}), 1e200), 3);  // omega tau overflows
+  EXPECT_EQ(modulus_ratio(prony(1, {2}, {1e-200}), 1e-200), 1);
   // Next order of G'': sum G_i omega tau_i for slow, sum G_i/(omega tau_i) for fast oscillation.
   EXPECT_NEAR(complex_modulus(body, 1e-12).imag() / 4e-12, 1, roundoff);
   EXPECT_NEAR(complex_modulus(body, 1e12).imag() / 7e-12, 1, roundoff);
