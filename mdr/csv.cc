@@ -97,7 +97,7 @@ bool any_number(const std::vector<std::string_view>& fields) {
 std::vector<std::string_view> split(std::string_view text) {
   if (text.find(';') != std::string_view::npos) return split_at(text, ';');
   if (text.find(',') == std::string_view::npos) return split_at_blanks(text);
-  const std::vector<std::string_view> by_comma = split_at(text, ',');
+  std::vector<std::string_view> by_comma = split_at(text, ',');
   const bool one_value_each = std::none_of(by_comma.begin(), by_comma.end(), [](std::string_view field) {
     return field.find_first_of(blanks) != std::string_view::npos;
   });
@@ -140,6 +140,7 @@ void add_header(CsvColumns& table, const Line& line, const std::vector<std::stri
 void add_row(CsvColumns& table, const Line& line, const std::vector<std::string_view>& fields, std::size_t n_columns) {
   if (table.line_of_row.size() == max_rows) fail(line, "is one too many; must be at most a million rows");
   std::vector<double> row;
+  row.reserve(fields.size());
   for (const std::string_view field : fields) row.push_back(number(line, field));
   require_fields(line, fields, n_columns, ", with decimal points: decimal commas are not accepted");
   for (std::size_t i = 0; i < n_columns; ++i) table.columns[i].push_back(row[i]);

@@ -37,17 +37,19 @@ VectorXd free_solution(const MatrixXd& A, const VectorXd& b, const std::vector<I
   return A(Eigen::all, in_use).colPivHouseholderQr().solve(b);
 }
 
-// Unused column of steepest descent that would become positive, or -1.
-Index entering_column(const MatrixXd& A, const VectorXd& b, const ActiveSet& set, double tolerance) {
+// Takes the unused column of steepest descent into use, with the free solution as target. False if there is none.
+bool enter_column(const MatrixXd& A, const VectorXd& b, ActiveSet& set, VectorXd& target) {
+  const double tolerance = 10 * static_cast<double>(A.rows()) * std::numeric_limits<double>::epsilon();
   VectorXd descent = A.transpose() * (b - A * set.x);
   for (const Index j : set.in_use) descent(j) = 0;
   while (true) {
     Index j;
-    if (descent.maxCoeff(&j) <= tolerance) return -1;
-    std::vector<Index> wider = set.in_use;
-    wider.push_back(j);
+    if (descent.maxCoeff(&j) <= tolerance) return false;
+    set.in_use.push_back(j);
+    target = free_solution(A, b, set.in_use);
     // Descent of a column nearly dependent on those in use may be roundoff: then its coefficient is not positive.
-    if (free_solution(A, b, wider).tail<1>()(0) > 0) return j;
+    if (target.tail<1>()(0) > 0) return true;
+    set.in_use.pop_back();
     descent(j) = 0;
   }
 }
@@ -70,26 +72,32 @@ void step_to_boundary(ActiveSet& set, const VectorXd& target) {
   set.in_use = kept;
 }
 
+// The same problem in no more rows than columns: A = Q R leaves |R x - Q^T b| to minimise.
+void compress(MatrixXd& A, VectorXd& b) {
+  if (A.rows() <= A.cols()) return;
+  const Eigen::HouseholderQR<MatrixXd> factors(A);
+  b = (factors.householderQ().adjoint() * b).eval().head(A.cols()).eval();
+  A = factors.matrixQR().topRows(A.cols()).triangularView<Eigen::Upper>();
+}
+
 }  // namespace
 
 VectorXd non_negative_least_squares(const MatrixXd& A, const VectorXd& b, int max_iterations) {
   require_valid(A, b);
-  // With unit columns and right-hand side one tolerance serves every column.
   const double size = b.stableNorm();
+  if (size == 0) return VectorXd::Zero(A.cols());
+  // With unit columns and right-hand side one tolerance serves every column.
   VectorXd norms = A.colwise().stableNorm();
   norms = (norms.array() > 0).select(norms, 1);
-  if (size == 0) return VectorXd::Zero(A.cols());
-  const MatrixXd unit_A = A * norms.cwiseInverse().asDiagonal();
-  const VectorXd unit_b = b / size;
-  const double tolerance = 10 * static_cast<double>(A.rows()) * std::numeric_limits<double>::epsilon();
+  MatrixXd unit_A = A * norms.cwiseInverse().asDiagonal();
+  VectorXd unit_b = b / size;
+  compress(unit_A, unit_b);
 
   ActiveSet set{VectorXd::Zero(A.cols()), {}};
+  VectorXd target;
   const Index n_iterations = max_iterations > 0 ? max_iterations : 30 * A.cols();
   for (Index i = 0; i < n_iterations; ++i) {
-    const Index entering = entering_column(unit_A, unit_b, set, tolerance);
-    if (entering < 0) return size * set.x.cwiseQuotient(norms);
-    set.in_use.push_back(entering);
-    VectorXd target = free_solution(unit_A, unit_b, set.in_use);
+    if (!enter_column(unit_A, unit_b, set, target)) return size * set.x.cwiseQuotient(norms);
     while (!set.in_use.empty() && target.minCoeff() <= 0) {
       step_to_boundary(set, target);
       target = free_solution(unit_A, unit_b, set.in_use);

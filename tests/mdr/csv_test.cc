@@ -37,9 +37,10 @@ TEST(Csv, ReadsEverySeparator) {
 }
 
 TEST(Csv, SkipsCommentsBlankLinesMarkAndLineEndings) {
-  const std::string mark = "\xEF\xBB\xBF";
-  for (const std::string end : {"\n", "\r\n", "\r"}) {
-    const CsvColumns table = read(mark + "# measured" + end + end + "1,2 # first" + end + "  \t" + end + "3,4" + end);
+  for (const char* end : {"\n", "\r\n", "\r"}) {
+    std::string text = "\xEF\xBB\xBF";
+    for (const char* line : {"# measured", "", "1,2 # first", "  \t", "3,4"}) text.append(line).append(end);
+    const CsvColumns table = read(text);
     EXPECT_EQ(table.columns, (std::vector<Column>{{1, 3}, {2, 4}}));
     EXPECT_EQ(table.line_of_row, (std::vector<int>{3, 5}));
   }

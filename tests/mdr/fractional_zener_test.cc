@@ -12,6 +12,7 @@
 
 #include "mdr/prony_body.h"
 #include "mdr/rheology.h"
+#include "tests/mdr/synthetic_table.h"
 
 namespace fretval::mdr {
 namespace {
@@ -54,7 +55,7 @@ TEST(FractionalZener, AgreesWithFiftyDigits) {
 
 TEST(FractionalZener, OrderOneIsTheStandardSolid) {
   const PronyBody solid = standard_solid(1e6, 3e7, 0.02);
-  for (double omega = 1e-12; omega < 1e13; omega *= 7) {
+  for (const double omega : log_spaced(1e-12, 1e13, 2)) {
     const std::complex<double> modulus = complex_modulus(FractionalZener{1e6, 3e7, 0.02, 1}, omega);
     EXPECT_NEAR(modulus.real() / complex_modulus(solid, omega).real(), 1, roundoff);
     EXPECT_NEAR(modulus.imag() / complex_modulus(solid, omega).imag(), 1, roundoff);
@@ -89,7 +90,7 @@ TEST(FractionalZener, LossGrowsWithThePowerAlpha) {
 TEST(FractionalZener, RatioRisesFromOneToTheGlassyOne) {
   const Rheology body = FractionalZener{2, 6, 0.1, 0.4};
   double before = 1;
-  for (double omega = 1e-9; omega < 1e12; omega *= 3) {
+  for (const double omega : log_spaced(1e-9, 1e12, 2)) {
     const double ratio = modulus_ratio(body, omega);
     EXPECT_GT(ratio, before);
     EXPECT_LT(ratio, 4);

@@ -91,7 +91,7 @@ TEST(NonNegativeLeastSquares, KeepsOptimalityForLargeRandomProblems) {
 TEST(NonNegativeLeastSquares, KeepsOptimalityForIllConditionedProblems) {
   Random random;
   for (const int per_decade : {1, 4, 20}) {
-    const Index m = 120, n = 6 * per_decade;
+    const Index m = 120, n = Index{6} * per_decade;
     const MatrixXd A = MatrixXd::NullaryExpr(m, n, [&](Index i, Index j) {
       return 1 / (1 + std::pow(10, 6.0 * static_cast<double>(i) / m - static_cast<double>(j) / per_decade));
     });

@@ -26,7 +26,7 @@ double modulus_size(const Rheology& body, double omega) {
 // Largest relative difference of two bodies over the range of the table.
 double difference(const Rheology& a, const Rheology& b, const ModulusTable& table, const Measure& measure) {
   double worst = 0;
-  for (double f = table.frequency.front(); f <= table.frequency.back(); f *= 1.03) {
+  for (const double f : log_spaced(table.frequency.front(), table.frequency.back(), 80)) {
     worst = std::max(worst, std::abs(measure(a, two_pi * f) / measure(b, two_pi * f) - 1));
   }
   return worst;
@@ -149,7 +149,7 @@ TEST(PronyFit, ChoosesTheBranchesByTheHeldOutMisfit) {
 
 TEST(PronyFit, NamesTheMissingPlateau) {
   ModulusTable table;
-  for (double f = 1e-2; f < 1e3; f *= 1.5) {
+  for (const double f : log_spaced(1e-2, 1e3, 6)) {
     const double x = two_pi * f;  // Maxwell body
     table.frequency.push_back(f);
     table.storage.push_back(x * x / (1 + x * x));
