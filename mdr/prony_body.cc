@@ -61,9 +61,9 @@ std::complex<double> complex_modulus(const PronyBody& body, double omega) {
   std::complex<double> modulus(body.relaxed_modulus, omega * body.viscosity);
   for (std::size_t i = 0; i < body.branch_moduli.size(); ++i) {
     const double x = omega * body.branch_times[i];
-    // x/(1+x^2) = 1/(x + 1/x) neither overflows nor cancels, whatever the size of x.
-    const double loss = x > 0 ? 1 / (x + 1 / x) : 0;
-    modulus += body.branch_moduli[i] * std::complex<double>(x * loss, loss);
+    // In this form neither part cancels or becomes inf/inf, even if x underflows to 0 or overflows.
+    const double inverse = 1 / x;
+    modulus += body.branch_moduli[i] * std::complex<double>(1 / (1 + inverse * inverse), 1 / (x + inverse));
   }
   return modulus;
 }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <boost/math/quadrature/gauss_kronrod.hpp>
+#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
 #include <complex>
 #include <limits>
@@ -45,9 +46,33 @@ TEST(PronyBody, LimitsOfSlowAndFastOscillation) {
   EXPECT_NEAR(modulus_ratio(body, 1e-12), 1, roundoff);
   EXPECT_NEAR(modulus_ratio(body, 1e12), 6, 6 * roundoff);
   EXPECT_NEAR(modulus_ratio(body, 1e200), 6, 6 * roundoff);
+  EXPECT_EQ(modulus_ratio(prony(1, {2}, {1e200}), 1e200), 3);  // omega tau overflows
+  EXPECT_EQ(modulus_ratio(prony(1, {2}, {1e-200}), 1e-200), 1);
   // Next order of G'': sum G_i omega tau_i for slow, sum G_i/(omega tau_i) for fast oscillation.
   EXPECT_NEAR(complex_modulus(body, 1e-12).imag() / 4e-12, 1, roundoff);
   EXPECT_NEAR(complex_modulus(body, 1e12).imag() / 7e-12, 1, roundoff);
+}
+
+// x^2/(1 + x^2) and x/(1 + x^2) as they stand, in fifty digits, for branches up to 24 decades apart.
+TEST(PronyBody, AgreesWithFiftyDigits) {
+  using Precise = boost::multiprecision::cpp_bin_float_50;
+  const double times[] = {1e-12, 1e-6, 0.3, 1e6, 1e12};
+  const double moduli[] = {3e9, 4e8, 2e7, 5e6, 1e6};
+  for (const double viscosity : {0.0, 0.2}) {
+    const PronyBody body = prony(7e5, {moduli, moduli + 5}, {times, times + 5}, viscosity);
+    for (int exponent = -12; exponent <= 12; ++exponent) {
+      const double omega = 1.7 * std::pow(10, exponent);
+      Precise storage = body.relaxed_modulus, loss = Precise(omega) * viscosity;
+      for (std::size_t i = 0; i < 5; ++i) {
+        const Precise x = Precise(omega) * times[i];
+        storage += moduli[i] * x * x / (1 + x * x);
+        loss += moduli[i] * x / (1 + x * x);
+      }
+      const std::complex<double> modulus = complex_modulus(body, omega);
+      EXPECT_NEAR(static_cast<double>(modulus.real() / storage), 1, roundoff) << omega;
+      EXPECT_NEAR(static_cast<double>(modulus.imag() / loss), 1, roundoff) << omega;
+    }
+  }
 }
 
 // G(omega) = i omega int_0^inf (G(t) - G0) exp(-i omega t) dt + G0: links the two independent functions.
