@@ -9,32 +9,65 @@ namespace fretval {
 
 /// One scene, as a case file describes it. SI units; angles in degrees and frequencies in Hz, as in the file.
 struct Case {
-  enum class Shape { parabola, cone, power };
+  enum class Shape { parabola, cone, power, rounded_flat, truncated_sphere, table };
   enum class Wear { unworn, limiting };
   enum class Fields { none, extremes };
 
   struct Indenter {
     Shape shape = Shape::parabola;
-    double radius = 0;       ///< m; parabola
+    double radius = 0;       ///< m; parabola, truncated sphere
     double slope_angle = 0;  ///< deg; cone, between generatrix and surface
     double coefficient = 0;  ///< m^(1-n); power, f = b r^n
     double exponent = 0;     ///< n; power
+    double flat_radius = 0;  ///< m; rounded flat, truncated sphere
+    double edge_radius = 0;  ///< m; rounded flat
+    std::string table;       ///< file with columns r, f; table
+    double table_noise = 0;  ///< m, standard deviation of the heights; table
+  };
+
+  /// How well a Prony body stands for measured moduli; see mdr/prony_fit.h and mdr/kramers_kronig.h.
+  struct MasterCurve {
+    std::string table;
+    std::size_t n_frequencies = 0;
+    double residual = 0, held_out = 0, worst = 0, worst_frequency = 0;
+    bool kramers_kronig_consistent = true;
+    double kramers_kronig_worst = 0, kramers_kronig_frequency = 0;
   };
 
   struct Elastomer {
     std::string rheology;               ///< as named in the file
     double relaxed_modulus = 0;         ///< Pa, G'(0)
-    std::vector<double> branch_moduli;  ///< Pa
-    std::vector<double> branch_times;   ///< s
+    std::vector<double> branch_moduli;  ///< Pa; of the fit for measured moduli
+    std::vector<double> branch_times;   ///< s, at the temperature of the case
     double viscosity = 0;               ///< Pa s
+    double fractional_order = 0;        ///< fractional zener
+    std::optional<MasterCurve> master_curve;
+  };
+
+  /// One cosine of a motion beyond its first: phase in degrees, amplitude in m, frequency in Hz.
+  struct Harmonic {
+    double amplitude = 0, frequency = 0, phase = 0;
+  };
+
+  struct NormalForce {
+    double mean = 0, amplitude = 0;  ///< N
   };
 
   struct Motion {
     double indentation = 0;           ///< m, mean
     double normal_amplitude = 0;      ///< m
     double tangential_amplitude = 0;  ///< m
-    double frequency = 0;             ///< Hz, of both motions
+    double normal_frequency = 0;      ///< Hz
+    double tangential_frequency = 0;  ///< Hz
     std::optional<double> phase;      ///< deg; empty: unlocked
+    std::vector<Harmonic> normal_harmonics, tangential_harmonics;
+    std::optional<NormalForce> normal_force;  ///< prescribed instead of the indentation
+    std::optional<double> tangential_force;   ///< N, amplitude; instead of the tangential amplitude
+  };
+
+  struct WearKinetics {
+    double coefficient = 0;  ///< 1/Pa, worn depth per pressure and path of slip
+    double n_cycles = 0;
   };
 
   /// A sweep's place in its family of cases, for the report's plots.
@@ -52,12 +85,14 @@ struct Case {
   Motion motion;
   Wear wear = Wear::unworn;
   double worn_stick_ratio =
-      0;                 ///< limiting wear: stick radius over the unworn contact radius at the largest indentation
-  double tolerance = 0;  ///< relative, on the stick radius
+      0;  ///< limiting wear: stick radius over the unworn contact radius at the largest indentation
+  std::optional<WearKinetics> wear_kinetics;
+  double tolerance = 0;                      ///< relative, on the stick radius
   std::optional<unsigned> rings_per_radius;  ///< instead of what the tolerance asks for
   std::optional<int> steps_per_cycle;        ///< instead of what the tolerance asks for
   Fields fields = Fields::none;
   std::optional<Sweep> sweep;
+  std::vector<std::string> warnings;  ///< about the input, to be told to the user
 };
 
 /// Bad input: a file, entry or value the user has to change. Ends in exit code 2.

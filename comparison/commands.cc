@@ -7,12 +7,12 @@
 #include <algorithm>
 #include <filesystem>
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "comparison/batch.h"
 #include "comparison/case_file.h"
 #include "comparison/check.h"
 #include "comparison/files.h"
+#include "comparison/mdr_command.h"
 #include "comparison/outcome.h"
 #include "comparison/report.h"
 #include "comparison/stopwatch.h"
@@ -33,47 +33,6 @@ std::vector<Case> read_cases(const std::vector<std::string>& files) {
   return cases;
 }
 
-std::string length_text(const std::optional<double>& length) {
-  return length ? fmt::format("{:.4g} m", *length) : "none (nothing sticks)";
-}
-
-nlohmann::ordered_json mdr_json(const PreparedCase& prepared, const MdrAnswer& answer) {
-  nlohmann::ordered_json json{{"name", prepared.scene.name}, {"mdr", to_json(answer)}};
-  if (!answer.stick_radius_shakedown) {
-    json["limiting_profile"] = nullptr;
-    return json;
-  }
-  const auto worn = worn_profile(prepared.mdr, answer.stick_radius_shakedown);
-  std::vector<double> r, f;
-  constexpr int n = 200;
-  for (int i = 0; i <= n; ++i) {
-    r.push_back(1.1 * worn->outer_radius * i / n);
-    f.push_back(mdr::shape(*worn, r.back()));
-  }
-  json["limiting_profile"] = {{"criterion", "shakedown"}, {"r", r}, {"f", f}};
-  return json;
-}
-
-int run_mdr(const std::string& file, bool as_json) {
-  const auto prepared = prepare(read_case_file(file));
-  auto list = nlohmann::ordered_json::array();
-  for (const auto& one : prepared) {
-    const auto answer = mdr_answer(one.mdr, mdr_normal_response(one.mdr));
-    if (as_json) {
-      list.push_back(mdr_json(one, answer));
-      continue;
-    }
-    fmt::print(
-        "{}\n  modulus ratio              {:.6g}\n  largest contact radius     {:.4g} m\n"
-        "  stick radius, first slip   {}\n  stick radius, shakedown    {}\n"
-        "  outer radius of the wear   {}\n  largest normal force       {:.6g} N\n",
-        one.scene.name, answer.modulus_ratio, answer.contact_radius_max, length_text(answer.stick_radius_first_slip),
-        length_text(answer.stick_radius_shakedown), length_text(answer.worn_radius), answer.normal_force_max);
-  }
-  if (as_json) fmt::print("{}\n", (list.size() == 1 ? list[0] : list).dump(2));
-  return exit_agree;
-}
-
 int exit_code_of(const std::vector<BatchLine>& lines) {
   const auto failed = [](const BatchLine& line) { return !line.failure.empty(); };
   if (std::any_of(lines.begin(), lines.end(), failed)) return exit_numerics_failed;
@@ -84,6 +43,8 @@ int exit_code_of(const std::vector<BatchLine>& lines) {
 int run_cases(const std::vector<std::string>& files, const fs::path& output) {
   Stopwatch watch;
   const auto prepared = prepare(read_cases(files));
+  for (const auto& one : prepared)
+    for (const auto& warning : one.scene.warnings) spdlog::warn("{}", warning);
   fs::create_directories(output);
   const fem::PetscSession session;
   Progress progress;
@@ -136,14 +97,18 @@ void add_commands(CLI::App& app, Command& command) {
   struct Options {
     std::vector<std::string> files;
     std::string file, output = "results", suite = "small", junit, mesh, meshes = small_meshes().string();
-    bool json = false;
+    MdrOptions mdr;
   };
   const auto options = std::make_shared<Options>();
 
   auto* mdr = app.add_subcommand("mdr", "The analytic answer alone");
   mdr->add_option("case", options->file, "Case file (.prm or .json)")->required();
-  mdr->add_flag("--json", options->json, "Print JSON");
-  mdr->callback([=, &command] { command = [=] { return run_mdr(options->file, options->json); }; });
+  mdr->add_flag("--json", options->mdr.json, "Print JSON");
+  mdr->add_flag("--springs", options->mdr.springs,
+                "Also step the spring foundation through the motion, as a second way");
+  mdr->add_option("--fields", options->mdr.fields,
+                  "Write pressure, traction and displacements on the surface to this CSV");
+  mdr->callback([=, &command] { command = [=] { return run_mdr(options->file, options->mdr); }; });
 
   auto* run = app.add_subcommand("run", "MDR and finite elements, compared; writes the results and the report");
   run->add_option("cases", options->files, "Case files (.prm or .json)")->required();

@@ -55,6 +55,12 @@ int main(int argc, char** argv) {
   } catch (const std::filesystem::filesystem_error& error) {
     spdlog::error("{}", error.what());
     return fretval::exit_system_failed;
+  } catch (const std::system_error& error) {
+    spdlog::error("{}", error.what());
+    return fretval::exit_system_failed;
+  } catch (const std::runtime_error& error) {
+    spdlog::error("{}", error.what());
+    return fretval::exit_numerics_failed;
   } catch (const std::bad_alloc&) {
     spdlog::error("out of memory: use a larger Accuracy / Tolerance");
     return fretval::exit_system_failed;

@@ -10,7 +10,8 @@
 #include <filesystem>
 #include <fstream>
 #include <sstream>
-#include <stdexcept>
+#include <cerrno>
+#include <system_error>
 
 namespace fretval {
 namespace {
@@ -83,7 +84,7 @@ class ScratchFile {
   ScratchFile() {
     std::string pattern = (fs::temp_directory_path() / "fretval-plot-XXXXXX").string();
     const int descriptor = mkstemp(pattern.data());
-    if (descriptor < 0) throw std::runtime_error("cannot make a temporary file for a plot");
+    if (descriptor < 0) throw std::system_error(errno, std::generic_category(), "cannot make a temporary file for a plot");
     close(descriptor);
     path_ = pattern;
   }
@@ -105,14 +106,14 @@ std::string svg(const Plot& plot) {
   const ScratchFile script;
   std::ofstream(script.path()) << script_of(plot);
   FILE* pipe = popen(("gnuplot '" + script.path().string() + "' 2>&1").c_str(), "r");
-  if (!pipe) throw std::runtime_error("gnuplot could not be started");
+  if (!pipe) throw std::system_error(errno, std::generic_category(), "gnuplot could not be started");
   std::string output;
   std::array<char, 65536> buffer{};
   while (const std::size_t n = fread(buffer.data(), 1, buffer.size(), pipe)) output.append(buffer.data(), n);
   const int status = pclose(pipe);
   const auto begin = output.find("<svg");
   if (status != 0 || begin == std::string::npos)
-    throw std::runtime_error("gnuplot could not draw '" + plot.title + "': " + output.substr(0, 400));
+    throw std::system_error(std::make_error_code(std::errc::io_error), "gnuplot could not draw '" + plot.title + "': " + output.substr(0, 400));
   return output.substr(begin);
 }
 

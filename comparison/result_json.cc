@@ -21,9 +21,16 @@ const char* name_of(Case::Shape shape) {
       return "parabola";
     case Case::Shape::cone:
       return "cone";
-    default:
+    case Case::Shape::power:
       return "power";
+    case Case::Shape::rounded_flat:
+      return "rounded flat";
+    case Case::Shape::truncated_sphere:
+      return "truncated sphere";
+    case Case::Shape::table:
+      break;
   }
+  return "table";
 }
 
 ordered_json scene_json(const Outcome& outcome) {

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <tuple>
 
-#include "mdr/shakedown_amplitude.h"
 #include "meshes/grading.h"
 
 namespace fretval {
@@ -19,39 +18,6 @@ constexpr double contact_line_reserve = 1.12;
 // Rings at the edge of a worn stick zone over its radius: the last ring of width h carries a share of sqrt(2 h/c) of
 // the force of a flat punch, and a part of that of order 0.1 ends up outside.
 constexpr double worn_edge_ring = 5e-6;
-
-mdr::Profile profile_of(const Case::Indenter& indenter) {
-  switch (indenter.shape) {
-    case Case::Shape::parabola:
-      return mdr::parabola(indenter.radius);
-    case Case::Shape::cone:
-      return mdr::cone(indenter.slope_angle * degree);
-    default:
-      return mdr::power_law(indenter.coefficient, indenter.exponent);
-  }
-}
-
-mdr::PronyBody body_of(const Case::Elastomer& elastomer) {
-  return mdr::prony(elastomer.relaxed_modulus, elastomer.branch_moduli, elastomer.branch_times, elastomer.viscosity);
-}
-
-mdr::LimitingProfile limiting_of(const Case& scene, const MdrScene& mdr) {
-  const double deepest = mdr::maximum_indentation(mdr.motion);
-  const double unworn_radius = mdr::inverse_transform(mdr.profile, deepest);
-  return mdr::limiting_profile(mdr.profile, scene.worn_stick_ratio * unworn_radius, deepest);
-}
-
-double amplitude_for_shakedown(const Case& scene, const MdrScene& mdr) {
-  const double depth = mdr::transform(mdr.profile, mdr.limiting->stick_radius);
-  const auto amplitude = mdr::tangential_amplitude_for_shakedown(mdr.body, mdr.friction_coefficient, mdr.motion, depth);
-  if (!amplitude)
-    throw InputError(
-        fmt::format("{}: Wear / Stick radius ratio = {:g}: no tangential amplitude shakes down there, because "
-                    "the contact opens inside it in every cycle; expected a smaller ratio or a smaller Motion / "
-                    "Normal amplitude",
-                    scene.file, scene.worn_stick_ratio));
-  return *amplitude;
-}
 
 std::vector<double> contact_nodes(const Case& scene, const MdrScene& mdr, const Units& units,
                                   const Resolution& resolution) {
@@ -77,10 +43,20 @@ std::function<double(double)> profile_in(const Units& units, const Case& scene, 
       return [factor = length * length / (2 * indenter.radius * depth)](double r) { return factor * r * r; };
     case Case::Shape::cone:
       return [factor = std::tan(indenter.slope_angle * degree) * length / depth](double r) { return factor * r; };
-    default:
+    case Case::Shape::power:
       return [factor = indenter.coefficient * std::pow(length, indenter.exponent) / depth,
               n = indenter.exponent](double r) { return factor * std::pow(r, n); };
+    case Case::Shape::rounded_flat:
+      return [factor = length * length / (2 * indenter.edge_radius * depth), flat = indenter.flat_radius / length](
+                 double r) { return r > flat ? factor * (r - flat) * (r - flat) : 0; };
+    case Case::Shape::truncated_sphere:
+      return [factor = length * length / (2 * indenter.radius * depth), flat = indenter.flat_radius / length](
+                 double r) { return r > flat ? factor * (r - flat) * (r + flat) : 0; };
+    case Case::Shape::table:
+      break;
   }
+  // The heights between measured points are data; what MDR adds is their transform.
+  return [profile = mdr.profile, length, depth](double r) { return mdr::shape(profile, r * length) / depth; };
 }
 
 }  // namespace
@@ -90,29 +66,13 @@ bool BodySpecification::operator<(const BodySpecification& other) const {
          std::tie(other.contact_nodes, other.growth, other.far_radius, other.degree);
 }
 
-MdrScene mdr_scene(const Case& scene) {
-  const auto& motion = scene.motion;
-  const bool amplitude_follows = std::isnan(motion.tangential_amplitude);
-  std::optional<double> phase;
-  if (motion.phase) phase = *motion.phase * degree;
-  MdrScene mdr{profile_of(scene.indenter),
-               body_of(scene.elastomer),
-               scene.friction_coefficient,
-               {motion.indentation, motion.normal_amplitude, amplitude_follows ? 0 : motion.tangential_amplitude,
-                motion.frequency, motion.frequency, phase},
-               {}};
-  if (scene.wear == Case::Wear::limiting) mdr.limiting = limiting_of(scene, mdr);
-  if (amplitude_follows) mdr.motion.tangential_amplitude = amplitude_for_shakedown(scene, mdr);
-  return mdr;
-}
-
 FemScene fem_scene(const Case& scene, const MdrScene& mdr) {
   auto resolution = resolution_for(scene.tolerance);
   if (scene.rings_per_radius) resolution.elements_per_radius = *scene.rings_per_radius;
   if (scene.steps_per_cycle) resolution.steps_per_cycle = *scene.steps_per_cycle;
   const double deepest = scene.motion.indentation + scene.motion.normal_amplitude;
   const Units units{mdr::inverse_transform(mdr.profile, deepest), deepest, scene.elastomer.relaxed_modulus,
-                    mdr::angular_frequency(scene.motion.frequency)};
+                    mdr::angular_frequency(scene.motion.normal_frequency)};
   FemScene fem{units, {}, {}, {}, scene.friction_coefficient, profile_in(units, scene, mdr), resolution, {}};
   if (mdr.limiting)
     fem.worn_edge = {mdr.limiting->stick_radius / units.length, mdr.limiting->outer_radius / units.length};
@@ -131,7 +91,8 @@ bool same_normal_problem(const FemScene& a, const Case& case_a, const FemScene& 
   const auto key = [](const FemScene& fem, const Case& scene) {
     const auto& indenter = scene.indenter;
     return std::make_tuple(fem.body.contact_nodes, indenter.shape, indenter.radius, indenter.slope_angle,
-                           indenter.coefficient, indenter.exponent, scene.wear, scene.worn_stick_ratio,
+                           indenter.coefficient, indenter.exponent, indenter.flat_radius, indenter.edge_radius,
+                           indenter.table, indenter.table_noise, scene.wear, scene.worn_stick_ratio,
                            fem.relaxation.moduli, fem.relaxation.times, fem.relaxation.viscosity,
                            scene.motion.indentation, scene.motion.normal_amplitude, fem.resolution.steps_per_cycle,
                            fem.resolution.n_ramp_cycles, fem.resolution.periodicity);

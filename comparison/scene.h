@@ -4,28 +4,12 @@
 #include <optional>
 
 #include "comparison/case.h"
+#include "comparison/mdr_scene.h"
 #include "comparison/resolution.h"
 #include "fem/motion.h"
 #include "fem/relaxation.h"
-#include "mdr/limiting_profile.h"
-#include "mdr/motion.h"
-#include "mdr/profile.h"
-#include "mdr/rheology.h"
 
 namespace fretval {
-
-/// A case in the terms of the analytic reference. SI units, angles in radians.
-struct MdrScene {
-  mdr::Profile profile;
-  mdr::PronyBody body;
-  double friction_coefficient;
-  mdr::Motion motion;
-  std::optional<mdr::LimitingProfile> limiting;  ///< Wear / State = limiting: the indenter itself
-};
-
-/// Throws InputError for a limiting state that no tangential amplitude leads to, std::invalid_argument for values that
-/// the reference refuses.
-MdrScene mdr_scene(const Case& scene);
 
 /// Units that make a scene dimensionless: lengths along the surface, depths, shear modulus, angular frequency.
 /// The problem is linear in the depths, so they have a unit of their own and the same scene in nm and in m agrees to

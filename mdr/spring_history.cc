@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "mdr/checks.h"
+#include "mdr/commensurability.h"
 #include "mdr/spring_energy.h"
 
 namespace fretval::mdr {
@@ -106,6 +107,7 @@ class History {
   SpringHistory one_period(int period) {
     SpringHistory result{};
     result.n_periods = period + 1;
+    result.deepest = result.highest = state_;
     Margins margins(bed_.depth.size());
     record(result, period * control_.period, margins);
     for (int k = 1; k <= control_.steps_per_period; ++k) {
@@ -129,6 +131,8 @@ class History {
   void record(SpringHistory& result, double time, Margins& margins) {
     largest_shift_ = std::max(largest_shift_, std::abs(state_.indenter.tangential));
     margins.add(state_, mu_);
+    if (state_.indenter.indentation > result.deepest.indenter.indentation) result.deepest = state_;
+    if (state_.indenter.indentation < result.highest.indenter.indentation) result.highest = state_;
     result.time.push_back(time);
     result.normal_force.push_back(normal_force(bed_, body_, state_));
     result.tangential_force.push_back(tangential_force(bed_, body_, state_));
@@ -166,20 +170,35 @@ class History {
 
 }  // namespace
 
-IndenterPath ramped_path(const Motion& motion, double ramp_duration) {
+IndenterPath ramped_path(const HarmonicMotion& motion, double ramp_duration) {
   validate(motion);
   require_positive("ramp duration", ramp_duration);
   return [motion, ramp_duration](double time) -> IndenterState {
     const double s = std::clamp(time / ramp_duration, 0.0, 1.0);
     const double envelope = s * s * (3 - 2 * s), envelope_rate = 6 * s * (1 - s) / ramp_duration;
-    const double omega_z = angular_frequency(motion.normal_frequency);
-    const double omega_x = angular_frequency(motion.tangential_frequency);
-    const double angle_z = omega_z * time, angle_x = omega_x * time + motion.phase.value_or(0);
-    return {motion.indentation + motion.normal_amplitude * envelope * std::cos(angle_z),
-            motion.normal_amplitude * (envelope_rate * std::cos(angle_z) - envelope * omega_z * std::sin(angle_z)),
-            motion.tangential_amplitude * envelope * std::cos(angle_x),
-            motion.tangential_amplitude * (envelope_rate * std::cos(angle_x) - envelope * omega_x * std::sin(angle_x))};
+    const auto add = [&](const std::vector<Harmonic>& harmonics, double& position, double& rate) {
+      for (const Harmonic& harmonic : harmonics) {
+        const double omega = angular_frequency(harmonic.frequency), angle = omega * time + harmonic.phase;
+        position += harmonic.amplitude * envelope * std::cos(angle);
+        rate += harmonic.amplitude * (envelope_rate * std::cos(angle) - envelope * omega * std::sin(angle));
+      }
+    };
+    IndenterState state{motion.indentation, 0, 0, 0};
+    add(motion.normal, state.indentation, state.indentation_rate);
+    add(motion.tangential, state.tangential, state.tangential_rate);
+    return state;
   };
+}
+
+double common_period(const HarmonicMotion& motion) {
+  validate(motion);
+  if (!motion.phase_locked) throw std::invalid_argument("phase is unlocked: the motion has no period");
+  std::vector<double> frequencies;
+  for (const auto* harmonics : {&motion.normal, &motion.tangential})
+    for (const Harmonic& harmonic : *harmonics) frequencies.push_back(harmonic.frequency);
+  const auto groups = commensurate_groups(frequencies);
+  if (groups.size() != 1) throw std::invalid_argument("frequencies are not commensurate: the motion has no period");
+  return 1 / groups[0].base_frequency;
 }
 
 SpringHistory spring_history(const SpringBed& bed, const PronyBody& body, double mu, const IndenterPath& path,

@@ -3,7 +3,7 @@
 #include <functional>
 #include <vector>
 
-#include "mdr/motion.h"
+#include "mdr/harmonic_motion.h"
 #include "mdr/prony_body.h"
 #include "mdr/spring_bed.h"
 #include "mdr/spring_step.h"
@@ -14,9 +14,13 @@ namespace fretval::mdr {
 /// Motion of the indenter in time.
 using IndenterPath = std::function<IndenterState(double time)>;
 
-/// Oscillation that starts from rest at d0: both amplitudes rise together and smoothly over ramp_duration in s.
-/// Phase 0 if the motion's is unlocked.
-IndenterPath ramped_path(const Motion& motion, double ramp_duration);
+/// Oscillation that starts from rest at d0: all amplitudes rise together and smoothly over ramp_duration in s. The
+/// phase is taken as locked.
+IndenterPath ramped_path(const HarmonicMotion& motion, double ramp_duration);
+
+/// Period in s of a motion whose frequencies are commensurate. Throws std::invalid_argument if it never repeats: phase
+/// unlocked, or frequencies that are not commensurate (see mdr/commensurability.h).
+double common_period(const HarmonicMotion& motion);
 
 /// How a history is stepped, and when it counts as periodic.
 struct HistoryControl {
@@ -39,6 +43,8 @@ struct SpringHistory {
   std::vector<double> tangential_force;  ///< N
   Eigen::ArrayXd slip_amplitude;         ///< per spring: path of slip in the last period, m
   Eigen::ArrayXd mean_traction;  ///< per spring: mean tangential_load over the last period, the locked-in offset, m
+
+  SpringState deepest, highest;  ///< at the largest and the smallest indentation of the last period
 
   double friction_work;  ///< J per period
   double bulk_work;      ///< J per period

@@ -42,7 +42,7 @@ class WearingContact {
         motion_(motion),
         control_(control),
         dt_(1 / motion.normal_frequency / control.steps_per_cycle),
-        path_(ramped_path(motion, n_ramp_cycles / motion.normal_frequency)),
+        path_(ramped_path(harmonic_motion(motion), n_ramp_cycles / motion.normal_frequency)),
         bed_(spring_bed(profile, 1.15 * widest_worn_radius(profile, maximum_indentation(motion)), control.n_springs)),
         unworn_depth_(bed_.depth),
         matrices_(abel_matrices(bed_)),

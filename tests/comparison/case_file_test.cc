@@ -35,7 +35,7 @@ TEST(CaseFile, ReadsEveryEntry) {
   EXPECT_EQ(scene.motion.indentation, 1e-4);
   EXPECT_EQ(scene.motion.normal_amplitude, 2e-5);
   EXPECT_EQ(scene.motion.tangential_amplitude, 1.5e-5);
-  EXPECT_EQ(scene.motion.frequency, 1);
+  EXPECT_EQ(scene.motion.normal_frequency, 1);
   EXPECT_EQ(scene.motion.phase, 60);
   EXPECT_EQ(scene.tolerance, 0.01);
   EXPECT_EQ(scene.wear, Case::Wear::unworn);
@@ -115,12 +115,31 @@ INSTANTIATE_TEST_SUITE_P(
         BadCase{"Rheology = standard solid", "Rheology = rubber", {"Rheology = rubber", "kelvin voigt"}},
         BadCase{"Coefficient = 0.5", "Coefficient = 0", {"Friction / Coefficient = 0", "positive"}},
         BadCase{"Law = unidirectional", "Law = vector", {"Friction / Law = vector", "unidirectional"}},
-        BadCase{"Normal frequency = 1", "Normal frequency = 2", {"Tangential frequency = 1", "2 Hz", "free"}},
+        BadCase{"Normal amplitude = 2e-5",
+                "Normal amplitude = 2e-5\n  set Normal force = 1",
+                {"Indentation = 1e-4", "Normal force"}},
+        BadCase{
+            "Phase = 60", "Phase = 60\n  set Normal harmonics = 1e-5, 2", {"Normal harmonics = 1e-5, 2", "triples"}},
+        BadCase{"Phase = 60", "Phase = 60\n  set Normal harmonics = 1e-5, -2, 0", {"Normal harmonics", "positive"}},
+        BadCase{"set Radius = 1e-2",
+                "set Radius = 1e-2\n  set Flat radius = 1e-4",
+                {"Flat radius = 1e-4", "truncated sphere"}},
+        BadCase{"Shape = parabola\n  set Radius = 1e-2",
+                "Shape = table\n  set Table = none.csv",
+                {"Indenter / Table = none.csv", "relative to the case file"}},
+        BadCase{"times = 0.1", "times = 0.1\n  set Temperature = 40", {"Reference temperature is missing"}},
+        BadCase{
+            "times = 0.1", "times = 0.1\n  set Fractional order = 0.5", {"Fractional order = 0.5", "fractional zener"}},
+        BadCase{"subsection Accuracy",
+                "subsection Wear\n  set Coefficient = 1e-12\nend\nsubsection Accuracy",
+                {"Wear / Cycles is missing"}},
         BadCase{"Phase = 60", "Phase = often", {"Motion / Phase = often", "finite number"}},
         BadCase{"Tolerance = 0.01", "Tolerance = 1", {"Accuracy / Tolerance = 1", "1e-5"}},
         BadCase{"end\nsubsection Friction", "subsection Friction", {}},
         BadCase{"subsection Indenter", "include bad.prm\nsubsection Indenter", {"includes itself"}},
-        BadCase{"subsection Indenter", "include nowhere.prm\nsubsection Indenter", {"include nowhere.prm", "no such file"}}));
+        BadCase{"subsection Indenter",
+                "include nowhere.prm\nsubsection Indenter",
+                {"include nowhere.prm", "no such file"}}));
 
 TEST(CaseFile, NamesAFileThatIsNotThere) {
   try {

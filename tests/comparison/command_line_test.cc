@@ -55,6 +55,27 @@ TEST(CommandLine, PrintsTheAnalyticAnswerAsJson) {
   EXPECT_EQ(json.at("limiting_profile").at("r").size(), json.at("limiting_profile").at("f").size());
 }
 
+TEST(CommandLine, WritesTheFieldsOnTheSurface) {
+  const ScratchFolder folder;
+  const auto file = folder.write("case.prm", valid_case);
+  const auto fields = folder.path() / "fields.csv";
+  ASSERT_EQ(fretval_run("mdr " + file.string() + " --fields " + fields.string(), folder).exit_code, 0);
+  EXPECT_EQ(text_of(fields).rfind("r [m],f [m],p deepest [Pa],", 0), 0U);
+}
+
+// The reference goes further than the finite elements: what they cannot do is refused before anything is written.
+TEST(CommandLine, RunRefusesWhatOnlyTheReferenceAnswers) {
+  const ScratchFolder folder;
+  const auto file =
+      folder.write("case.prm", replace(valid_case, "Tangential frequency = 1", "Tangential frequency = 2"));
+  EXPECT_EQ(fretval_run("mdr " + file.string(), folder).exit_code, 0);
+  const auto run = fretval_run("run " + file.string() + " -o " + (folder.path() / "out").string(), folder);
+  EXPECT_EQ(run.exit_code, 2);
+  for (const char* part : {"case.prm", "Tangential frequency = 2 Hz", "free", "fretval mdr"})
+    EXPECT_NE(run.err.find(part), std::string::npos) << run.err;
+  EXPECT_FALSE(fs::exists(folder.path() / "out"));
+}
+
 TEST(CommandLine, RunWritesEveryResultAndTheReport) {
   const ScratchFolder folder;
   const auto file = folder.write("case.prm", valid_case);

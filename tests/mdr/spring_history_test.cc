@@ -20,8 +20,8 @@ SpringBed bed_for(const Motion& motion, Eigen::Index n) {
 
 SpringHistory history_of(const PronyBody& body, const Motion& motion, int steps, int ramp_periods, double periodicity) {
   const HistoryControl control{1 / motion.normal_frequency, steps, ramp_periods, 2000, periodicity};
-  return spring_history(bed_for(motion, 100), body, mu, ramped_path(motion, ramp_periods / motion.normal_frequency),
-                        control);
+  return spring_history(bed_for(motion, 100), body, mu,
+                        ramped_path(harmonic_motion(motion), ramp_periods / motion.normal_frequency), control);
 }
 
 // The transient springs know neither M+ nor M-. Elastic: only the sampled extremes of the margins are off, by the
@@ -65,8 +65,8 @@ TEST(SpringHistory, ForceIsThatOfThePeriodicState) {
   const auto g = [](double x) { return x * x; };
   for (const PronyBody& body : {standard_solid(1, 1.5, 0.3), kelvin_voigt(1, 0.15)}) {
     const NormalResponse periodic = periodic_normal_response(g, outer, body, motion);
-    const SpringHistory history =
-        spring_history(spring_bed(sphere, outer, 1000), body, 100, ramped_path(motion, 5), {1, 360, 5, 400, 1e-6});
+    const SpringHistory history = spring_history(spring_bed(sphere, outer, 1000), body, 100,
+                                                 ramped_path(harmonic_motion(motion), 5), {1, 360, 5, 400, 1e-6});
     const auto [least, most] = std::minmax_element(history.normal_force.begin(), history.normal_force.end());
     // Time step and springs: second order in 1/360 and 1/1000; with a dashpot springs touch with a jump.
     const double tolerance = body.viscosity > 0 ? 1e-3 : 2e-5;
@@ -100,7 +100,7 @@ TEST(SpringHistory, LockedInTractionIsTheBestOffset) {
 
 TEST(SpringHistory, RejectsBadArgumentsAndSaysWhenItIsNotPeriodic) {
   const Motion motion{1, 0.15, 0.1, 1, 1, 0.4};
-  const auto path = ramped_path(motion, 1);
+  const auto path = ramped_path(harmonic_motion(motion), 1);
   const SpringBed bed = bed_for(motion, 10);
   EXPECT_THROW(spring_history(bed, elastic(1), mu, path, {0, 360}), std::invalid_argument);
   EXPECT_THROW(spring_history(bed, elastic(1), mu, path, {1, 2}), std::invalid_argument);

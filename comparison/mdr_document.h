@@ -1,0 +1,36 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <vector>
+
+#include "comparison/case.h"
+#include "comparison/files.h"
+#include "mdr/limiting_profile.h"
+#include "mdr/spring_history.h"
+
+namespace fretval {
+
+/// The analytic answer to a case and what else its user asked for, as `fretval mdr --json` prints it; docs/results.md
+/// describes the entries. with_springs: also the transient spring foundation.
+struct MdrDocument {
+  nlohmann::ordered_json json;
+  std::optional<mdr::LimitingProfile> worn;  ///< in which nothing wears any more
+};
+
+/// Throws InputError for what cannot be answered, naming the case file.
+MdrDocument mdr_document(const Case& scene, bool with_springs);
+
+/// Transient spring foundation of a case with prescribed displacements and an unworn indenter.
+struct SpringAnswer {
+  mdr::SpringBed bed;
+  mdr::SpringHistory history;
+  int steps_per_period;
+};
+SpringAnswer spring_answer(const Case& scene);
+
+/// Fields on the surface over r, at the largest and smallest indentation of the periodic state, and in the limiting
+/// state at the largest one.
+std::vector<Column> surface_columns(const Case& scene, const std::optional<mdr::LimitingProfile>& worn);
+
+}  // namespace fretval

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <optional>
+
+#include "comparison/case.h"
+#include "mdr/harmonic_motion.h"
+#include "mdr/limiting_profile.h"
+#include "mdr/limiting_state.h"
+#include "mdr/motion.h"
+#include "mdr/profile.h"
+#include "mdr/rheology.h"
+
+namespace fretval {
+
+/// A case in the terms of the analytic reference, as far as finite elements can be compared with it: one prescribed
+/// displacement in each direction, a body with a history in time. SI units, angles in radians.
+struct MdrScene {
+  mdr::Profile profile;
+  mdr::PronyBody body;
+  double friction_coefficient;
+  mdr::Motion motion;
+  std::optional<mdr::LimitingProfile> limiting;  ///< Wear / State = limiting: the indenter itself
+};
+
+/// Throws InputError for a case that is not comparable (see require_comparable) or a limiting state that no tangential
+/// amplitude leads to, std::invalid_argument for values that the reference refuses.
+MdrScene mdr_scene(const Case& scene);
+
+/// Throws InputError, naming the entry, for a case that only the reference covers: prescribed forces, several
+/// harmonics, unequal frequencies, a body without a history in time.
+void require_comparable(const Case& scene);
+
+/// The same as a question.
+bool is_comparable(const Case& scene);
+
+/// The parts of a case, whether comparable or not. Tables are read here: InputError with file and line.
+mdr::Profile profile_of(const Case::Indenter& indenter);
+mdr::Rheology rheology_of(const Case::Elastomer& elastomer);
+mdr::HarmonicMotion harmonic_motion_of(const Case::Motion& motion);
+
+/// Of a case with a prescribed force.
+mdr::FrettingControl control_of(const Case::Motion& motion);
+
+}  // namespace fretval
