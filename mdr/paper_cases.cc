@@ -89,23 +89,31 @@ double paper_quadrature_depth(double modulus_ratio, double mu, const Motion& mot
          modulus_ratio * std::sqrt(tangential * tangential + motion.normal_amplitude * motion.normal_amplitude);
 }
 
-double paper_case_list_depth(double modulus_ratio, double mu, const Motion& motion) {
-  check(modulus_ratio, mu, motion);
+double paper_amplitude_ratio(double mu, const Motion& motion) {
+  check(1, mu, motion);
   require_positive("tangential amplitude", motion.tangential_amplitude);
+  return 3 * mu * motion.normal_amplitude / (2 * motion.tangential_amplitude);
+}
+
+PaperCandidates paper_candidates(double modulus_ratio, double mu, const Motion& motion) {
+  check(modulus_ratio, mu, motion);
   require_positive("normal amplitude", motion.normal_amplitude);
   require_phase(motion, "the case list (24) to (27)");
-
+  const double k = paper_amplitude_ratio(mu, motion), d0 = motion.indentation;
   const double amplitude = motion.normal_amplitude * modulus_ratio;
-  const double k = 3 * mu * motion.normal_amplitude / (2 * motion.tangential_amplitude);
-  const double cosine = std::cos(*motion.phase);
-  const double singular = motion.indentation - amplitude * std::abs(std::sin(*motion.phase));
+  const double cosine = std::cos(*motion.phase), sine = std::sin(*motion.phase);
   // Roundoff can push the radicand below zero where it vanishes, at k = 1 and cos(phi0) = +-1.
-  const double c1 = motion.indentation - amplitude / k * std::sqrt(std::max(0.0, k * k - 2 * k * cosine + 1));
-  const double c2 = motion.indentation - amplitude / k * std::sqrt(std::max(0.0, k * k + 2 * k * cosine + 1));
+  return {d0 - amplitude / k * std::sqrt(std::max(0.0, k * k - 2 * k * cosine + 1)),
+          d0 - amplitude / k * std::sqrt(std::max(0.0, k * k + 2 * k * cosine + 1)), d0 + amplitude * sine,
+          d0 - amplitude * sine};
+}
 
-  if (cosine <= -1 / k) return std::min(c1, singular);
-  if (cosine >= 1 / k) return std::min(c2, singular);
-  return std::min({c1, c2, singular});
+double paper_case_list_depth(double modulus_ratio, double mu, const Motion& motion) {
+  const auto [c1, c2, c3, c4] = paper_candidates(modulus_ratio, mu, motion);
+  const double k = paper_amplitude_ratio(mu, motion), cosine = std::cos(*motion.phase);
+  if (cosine <= -1 / k) return std::min({c1, c3, c4});
+  if (cosine >= 1 / k) return std::min({c2, c3, c4});
+  return std::min({c1, c2, c3, c4});
 }
 
 }  // namespace fretval::mdr

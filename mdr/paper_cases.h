@@ -36,9 +36,22 @@ double paper_unlocked_depth(double modulus_ratio, double mu, const Motion& motio
 /// (22): phase 90 degrees, g(c) = d0 - rho sqrt(A^2 + Delta d^2).
 double paper_quadrature_depth(double modulus_ratio, double mu, const Motion& motion);
 
-/// (24) to (27) with the rules 1 to 3 that follow them: the smallest of the admissible candidates, any fixed phase.
-/// k = 3 mu Delta d/(2 u_x0), (23) corrected.
-/// Needs a phase and both amplitudes positive, otherwise k is not defined.
+/// (23): k = 3 mu Delta d/(2 u_x0), mu in the numerator. Needs a tangential amplitude that is not 0.
+double paper_amplitude_ratio(double mu, const Motion& motion);
+
+/// The four candidates for g(c), each of which is admissible in some cases only.
+struct PaperCandidates {
+  double c1;  ///< (24): d0 - (Delta d rho/k) sqrt(k^2 - 2 k cos(phi0) + 1)
+  double c2;  ///< (25): d0 - (Delta d rho/k) sqrt(k^2 + 2 k cos(phi0) + 1)
+  double c3;  ///< (26): d0 + Delta d rho sin(phi0)
+  double c4;  ///< (27): d0 - Delta d rho sin(phi0)
+};
+
+/// (24) to (27). Needs a phase and both amplitudes positive, otherwise k is not defined.
+PaperCandidates paper_candidates(double modulus_ratio, double mu, const Motion& motion);
+
+/// The smallest of the admissible candidates by the rules 1 to 3 that follow (27), any fixed phase. The singular ones,
+/// c3 and c4, never decide.
 double paper_case_list_depth(double modulus_ratio, double mu, const Motion& motion);
 
 }  // namespace fretval::mdr

@@ -27,6 +27,31 @@ TEST(ElementForces, ElasticElementFollowsTheIndenter) {
   }
 }
 
+TEST(ElementForces, DisplacementsAreThoseOfTheIndenterLessTheProfile) {
+  const Motion motion{1, 0.2, 0.3, 2, 5, 0.7};
+  const ElementDisplacement u = element_displacement(motion, 0.4, 0.13);
+  EXPECT_NEAR(u.normal, 0.6 + 0.2 * std::cos(4 * pi * 0.13), tolerance);
+  EXPECT_NEAR(u.tangential, 0.3 * std::cos(10 * pi * 0.13 + 0.7), tolerance);
+}
+
+// (17) is the friction limit of the two forces, so it changes sign at the first-slip depth and at one instant only.
+TEST(ElementForces, FrictionMarginIsWhatIsLeftOfTheLimit) {
+  const Motion motion{1, 0.1, 0.2, 2, 2, 0.7};
+  const Rheology body = standard_solid(1, 3, 0.2);
+  const double depth = stick_depths(body, 0.5, motion).first_slip;
+  double least = std::numeric_limits<double>::max();
+  for (int k = 0; k < 4000; ++k) {
+    const double time = 0.5 * k / 4000, margin = element_friction_margin(body, 0.5, motion, depth, time);
+    EXPECT_NEAR(
+        margin,
+        0.5 * element_normal_force(body, motion, depth, time) - std::abs(element_tangential_force(body, motion, time)),
+        tolerance);
+    least = std::min(least, margin);
+  }
+  EXPECT_NEAR(least, 0, 1e-5);  // samples: (2 pi/4000)^2 of the force
+  EXPECT_THROW(element_friction_margin(body, 0, motion, depth, 0), std::invalid_argument);
+}
+
 // Spring and dashpot by hand: force = 4 (G u + eta du/dt), the derivative as a central difference of error h^2.
 TEST(ElementForces, DashpotForceIsTheRateOfDisplacement) {
   const double h = 1e-5;
@@ -80,6 +105,7 @@ TEST(ElementForces, RejectBadArguments) {
   const Motion unlocked{1, 0.2, 0.3, 2, 5, std::nullopt};
   EXPECT_NO_THROW(element_normal_force(elastic(1), unlocked, 0, 0));
   EXPECT_THROW(element_tangential_force(elastic(1), unlocked, 0), std::invalid_argument);
+  EXPECT_THROW(element_displacement(unlocked, 0, 0), std::invalid_argument);
   EXPECT_THROW(element_normal_force(elastic(1), unlocked, NAN, 0), std::invalid_argument);
   EXPECT_THROW(element_normal_force(elastic(1), unlocked, 0, INFINITY), std::invalid_argument);
 }

@@ -127,6 +127,22 @@ TEST(PaperCases, ModulusRatioScalesTheOscillation) {
   EXPECT_NEAR(paper_case_list_depth(rho, 0.7, motion), stick_depths(body, 0.7, motion).first_slip, tolerance);
 }
 
+// Each candidate is the right-hand side of (20) at its own angle: extrema inside the two intervals, and their ends.
+TEST(PaperCases, CandidatesAreValuesOf20) {
+  const double mu = 0.4, rho = 1.5;
+  const Motion motion{1, 0.2, 0.3, 1, 1, 1.1};
+  const double k = paper_amplitude_ratio(mu, motion);
+  EXPECT_NEAR(k, 3 * mu * 0.2 / (2 * 0.3), 1e-15);
+  const PaperCandidates candidates = paper_candidates(rho, mu, motion);
+  const auto value = [&](double angle) { return paper_no_slip_depth(rho, mu, motion, angle); };
+  EXPECT_NEAR(candidates.c3, value(std::acos(0.0) - 1.1), 1e-14);
+  EXPECT_NEAR(candidates.c4, value(-std::acos(0.0) - 1.1), 1e-14);
+  // cos(Omega + phi0)/k -+ cos(Omega) is largest at the argument of e^(-i phi0)/k -+ 1.
+  const auto angle = [&](double sign) { return std::atan2(-std::sin(1.1) / k, std::cos(1.1) / k + sign); };
+  EXPECT_NEAR(candidates.c1, value(angle(-1)), 1e-14);
+  EXPECT_NEAR(candidates.c2, value(angle(1) + 2 * std::acos(0.0)), 1e-14);
+}
+
 TEST(PaperCases, RejectBadArguments) {
   EXPECT_THROW(paper_unlocked_depth(0.9, 1, locked(0.1, 0.1, 0)), std::invalid_argument);
   EXPECT_THROW(paper_quadrature_depth(1, 0, locked(0.1, 0.1, 0)), std::invalid_argument);
