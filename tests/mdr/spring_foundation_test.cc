@@ -158,6 +158,30 @@ TEST(SpringFoundation, SeriesCoversOneCycle) {
   EXPECT_LE(response.normal_force_min, *std::min_element(response.normal_force.begin(), response.normal_force.end()));
 }
 
+// From frozen to instantaneous branches, also where the contact opens in every cycle: finite, bounded by the two
+// elastic limits, and within the stated 1e-7 of its limit for slow branches.
+TEST(SpringFoundation, AnyRelaxationTimeHasAPeriodicState) {
+  const Motion motion{1, 0.8, 0, 1 / (2 * std::acos(-1.0)), 1 / (2 * std::acos(-1.0)), {}};
+  const auto g = [](double x) { return x * x; };
+  const double outer = std::sqrt(1.8);
+  const auto largest = [&](const PronyBody& body) {
+    const NormalResponse response = periodic_normal_response(g, outer, body, motion);
+    EXPECT_TRUE(std::isfinite(response.normal_force_min));
+    return response.normal_force_max;
+  };
+  const double relaxed = largest(elastic(1)), frozen = largest(standard_solid(1, 2, 1e8));
+  EXPECT_NEAR(largest(standard_solid(1, 2, 1e-12)) / relaxed, 1, 1e-9);
+  for (int decade = -12; decade <= 12; ++decade) {
+    const double force = largest(standard_solid(1, 2, std::pow(10, decade)));
+    EXPECT_GE(force, relaxed * (1 - 1e-7)) << decade;
+    EXPECT_LE(force, 3 * relaxed) << decade;
+    if (decade > 7) {
+      EXPECT_NEAR(force / frozen, 1, 2e-7) << decade;
+    }
+    EXPECT_TRUE(std::isfinite(largest(kelvin_voigt(1, std::pow(10, decade))))) << decade;
+  }
+}
+
 TEST(SpringFoundation, RejectsBadArguments) {
   const auto g = [](double x) { return x * x; };
   const auto nan_profile = [](double) { return std::numeric_limits<double>::quiet_NaN(); };
