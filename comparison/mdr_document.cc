@@ -8,6 +8,7 @@
 #include "comparison/mdr_scene.h"
 #include "comparison/outcome.h"
 #include "comparison/reference.h"
+#include "mdr/force_control.h"
 #include "mdr/stick_radius.h"
 #include "mdr/wear_kinetics.h"
 
@@ -118,6 +119,29 @@ ordered_json elastomer_json(const Case::Elastomer& elastomer) {
             {"worst_frequency", curve.kramers_kronig_frequency}}}};
 }
 
+/// The displacements of a case. Under a normal force, which decides itself how deep the indenter goes, the indentation
+/// is the largest that the relaxed body would let it reach.
+mdr::HarmonicMotion displacements_of(const Case::Motion& motion, const mdr::Profile& profile,
+                                     const mdr::PronyBody& body) {
+  auto displacements = harmonic_motion_of(motion);
+  if (motion.normal_force)
+    displacements.indentation = mdr::indentation_for_force(profile, body.relaxed_modulus,
+                                                           motion.normal_force->mean + motion.normal_force->amplitude);
+  return displacements;
+}
+
+mdr::Loading loading_of(const Case::Motion& motion, const mdr::HarmonicMotion& displacements, double period) {
+  const double ramp = n_ramp_periods * period;
+  mdr::Loading loading{mdr::ramped_path(displacements, ramp), {}, {}};
+  if (motion.normal_force)
+    loading.normal_force =
+        mdr::ramped_force(motion.normal_force->mean, motion.normal_force->amplitude, motion.normal_frequency, 0, ramp);
+  if (motion.tangential_force)
+    loading.tangential_force = mdr::ramped_force(0, *motion.tangential_force, motion.tangential_frequency,
+                                                 displacements.tangential.front().phase, ramp);
+  return loading;
+}
+
 ordered_json springs_json(const Case& scene) {
   const auto answer = spring_answer(scene);
   const auto& history = answer.history;
@@ -176,13 +200,14 @@ MdrDocument mdr_document(const Case& scene, bool with_springs) {
 }
 
 SpringAnswer spring_answer(const Case& scene) {
-  const auto body = rheology_of(scene.elastomer);
-  if (!std::holds_alternative<mdr::PronyBody>(body))
+  const auto rheology = rheology_of(scene.elastomer);
+  if (!std::holds_alternative<mdr::PronyBody>(rheology))
     throw InputError(scene.file + ": Elastomer / Rheology: springs need a body with a history in time, a Prony body");
-  if (scene.motion.normal_force || scene.motion.tangential_force || scene.wear == Case::Wear::limiting)
-    throw InputError(scene.file + ": springs are stepped for an unworn indenter and prescribed displacements only");
+  if (scene.wear == Case::Wear::limiting)
+    throw InputError(scene.file + ": Wear / State = limiting: springs are stepped for an unworn indenter");
+  const auto& body = std::get<mdr::PronyBody>(rheology);
   const auto profile = profile_of(scene.indenter);
-  const auto motion = harmonic_motion_of(scene.motion);
+  const auto motion = displacements_of(scene.motion, profile, body);
   const double period = mdr::common_period(motion);
   double fastest = 0;
   for (const auto* harmonics : {&motion.normal, &motion.tangential})
@@ -190,8 +215,7 @@ SpringAnswer spring_answer(const Case& scene) {
   const int steps = steps_per_cycle * static_cast<int>(std::lround(fastest * period));
   const double outer = 1.001 * mdr::inverse_transform(profile, mdr::maximum_indentation(motion));
   auto bed = mdr::spring_bed(profile, std::min(outer, mdr::end_radius(profile)), n_springs);
-  auto history = mdr::spring_history(bed, std::get<mdr::PronyBody>(body), scene.friction_coefficient,
-                                     mdr::ramped_path(motion, n_ramp_periods * period),
+  auto history = mdr::spring_history(bed, body, scene.friction_coefficient, loading_of(scene.motion, motion, period),
                                      {period, steps, n_ramp_periods, 2000, 1e-7});
   return {std::move(bed), std::move(history), steps};
 }

@@ -21,7 +21,7 @@ struct MdrDocument {
 /// Throws InputError for what cannot be answered, naming the case file.
 MdrDocument mdr_document(const Case& scene, bool with_springs);
 
-/// Transient spring foundation of a case with prescribed displacements and an unworn indenter.
+/// Transient spring foundation of a case, unworn also where forces are prescribed.
 struct SpringAnswer {
   mdr::SpringBed bed;
   mdr::SpringHistory history;

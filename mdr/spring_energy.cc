@@ -6,15 +6,6 @@ namespace fretval::mdr {
 
 namespace {
 
-// Stiffness per length over the length unit of the loads, both sides of the axis.
-double normal_scale(const PronyBody& body) {
-  return 2 * 4 * body.relaxed_modulus;
-}
-
-double tangential_scale(const PronyBody& body) {
-  return 2 * 8.0 / 3 * body.relaxed_modulus;
-}
-
 // int h^2/(gamma tau) dt over a step in which h decays and the tip moves by `move` at constant rate.
 double branch_heat(double gamma, double tau, double dt, const Eigen::ArrayXd& width, const Eigen::ArrayXd& memory,
                    const Eigen::ArrayXd& move) {
@@ -66,6 +57,14 @@ double stored(const SpringBed& bed, const PronyBody& body, const Eigen::ArrayXd&
 }
 
 }  // namespace
+
+double normal_scale(const PronyBody& body) {
+  return 2 * 4 * body.relaxed_modulus;
+}
+
+double tangential_scale(const PronyBody& body) {
+  return 2 * 8.0 / 3 * body.relaxed_modulus;
+}
 
 double normal_force(const SpringBed& bed, const PronyBody& body, const SpringState& state) {
   return normal_scale(body) * (bed.width * state.normal_load).sum();

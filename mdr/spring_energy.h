@@ -8,6 +8,10 @@ namespace fretval::mdr {
 
 /// Forces on the indenter and energies of the whole foundation, both sides of the axis: 2 sum(width ...). SI units.
 
+/// Forces in N per sum(width * load): 8 G0 and (16/3) G0.
+double normal_scale(const PronyBody& body);
+double tangential_scale(const PronyBody& body);
+
 /// F_z and F_x in N.
 double normal_force(const SpringBed& bed, const PronyBody& body, const SpringState& state);
 double tangential_force(const SpringBed& bed, const PronyBody& body, const SpringState& state);

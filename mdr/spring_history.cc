@@ -74,18 +74,30 @@ void check(const HistoryControl& control) {
   require_positive("periodicity", control.periodicity);
 }
 
+// Where springs that have relaxed for ever carry the first force.
+double start_indentation(const SpringBed& bed, const PronyBody& body, const Loading& loading) {
+  if (!loading.normal_force) return loading.path(0).indentation;
+  const PronyBody relaxed = elastic(body.relaxed_modulus);
+  return SpringStep(relaxed, 1, 1)
+      .indentation_for_load(relaxed_state(bed, relaxed, 0), bed, loading.normal_force(0) / normal_scale(body));
+}
+
+void check(const Loading& loading) {
+  if (!loading.path && !(loading.normal_force && loading.tangential_force))
+    throw std::invalid_argument("loading without a path: it needs both forces");
+}
+
 class History {
  public:
-  History(const SpringBed& bed, const PronyBody& body, double mu, const IndenterPath& path,
-          const HistoryControl& control)
+  History(const SpringBed& bed, const PronyBody& body, double mu, const Loading& loading, const HistoryControl& control)
       : bed_(bed),
         body_(body),
         mu_(mu),
-        path_(path),
+        loading_(loading),
         control_(control),
         dt_(control.period / control.steps_per_period),
         step_(body, mu, dt_),
-        state_(relaxed_state(bed, body, path(0).indentation)),
+        state_(relaxed_state(bed, body, start_indentation(bed, body, loading))),
         first_slip_(bed.depth.size()) {}
 
   SpringHistory run() {
@@ -113,7 +125,7 @@ class History {
     for (int k = 1; k <= control_.steps_per_period; ++k) {
       const double time = (period + static_cast<double>(k) / control_.steps_per_period) * control_.period;
       const SpringState before = state_;
-      step_.advance(state_, bed_, path_(time));
+      step_.advance(state_, bed_, indenter(time));
       margins.slip_path += slip(before, state_).abs();
       margins.traction_sum += state_.tangential_load;
       first_slip_.add(state_, mu_);
@@ -126,6 +138,20 @@ class History {
     first_slip_.slip_path += margins.slip_path;
     finish(result, margins);
     return result;
+  }
+
+  [[nodiscard]] IndenterState indenter(double time) const {
+    IndenterState to = loading_.path ? loading_.path(time) : state_.indenter;
+    if (loading_.normal_force) {
+      to.indentation = step_.indentation_for_load(state_, bed_, loading_.normal_force(time) / normal_scale(body_));
+      to.indentation_rate = (to.indentation - state_.indenter.indentation) / dt_;
+    }
+    if (loading_.tangential_force) {
+      const double load = loading_.tangential_force(time) / tangential_scale(body_);
+      to.tangential = step_.tangential_for_load(state_, bed_, to.indentation, load);
+      to.tangential_rate = (to.tangential - state_.indenter.tangential) / dt_;
+    }
+    return to;
   }
 
   void record(SpringHistory& result, double time, Margins& margins) {
@@ -158,7 +184,7 @@ class History {
   const SpringBed& bed_;
   const PronyBody& body_;
   double mu_;
-  const IndenterPath& path_;
+  const Loading& loading_;
   const HistoryControl& control_;
   double dt_;
   SpringStep step_;
@@ -201,10 +227,23 @@ double common_period(const HarmonicMotion& motion) {
   return 1 / groups[0].base_frequency;
 }
 
-SpringHistory spring_history(const SpringBed& bed, const PronyBody& body, double mu, const IndenterPath& path,
+ForcePath ramped_force(double mean, double amplitude, double frequency, double phase, double ramp_duration) {
+  require_non_negative("mean force", mean);
+  require_non_negative("force amplitude", amplitude);
+  require_positive("frequency", frequency);
+  require_finite("phase", phase);
+  require_positive("ramp duration", ramp_duration);
+  return [=](double time) {
+    const double s = std::clamp(time / ramp_duration, 0.0, 1.0);
+    return mean + amplitude * s * s * (3 - 2 * s) * std::cos(angular_frequency(frequency) * time + phase);
+  };
+}
+
+SpringHistory spring_history(const SpringBed& bed, const PronyBody& body, double mu, const Loading& loading,
                              const HistoryControl& control) {
   check(control);
-  return History(bed, body, mu, path, control).run();
+  check(loading);
+  return History(bed, body, mu, loading, control).run();
 }
 
 }  // namespace fretval::mdr

@@ -22,6 +22,20 @@ IndenterPath ramped_path(const HarmonicMotion& motion, double ramp_duration);
 /// unlocked, or frequencies that are not commensurate (see mdr/commensurability.h).
 double common_period(const HarmonicMotion& motion);
 
+/// Prescribed force in N over time.
+using ForcePath = std::function<double(double time)>;
+
+/// What a rig prescribes over time: the path of the indenter, or instead of either of its directions a force.
+struct Loading {
+  IndenterPath path;           ///< its indentation at time 0 is the start; not needed under two forces
+  ForcePath normal_force;      ///< empty: the indentation is prescribed; positive
+  ForcePath tangential_force;  ///< empty: the tangential displacement is prescribed; 0 at time 0
+};
+
+/// Forces F0 + Delta F cos(2 pi f t) and F_x0 cos(2 pi f t + phase), the oscillating parts rising over ramp_duration
+/// in s. mean positive, amplitudes not negative, f in Hz positive, phase in rad.
+ForcePath ramped_force(double mean, double amplitude, double frequency, double phase, double ramp_duration);
+
 /// How a history is stepped, and when it counts as periodic.
 struct HistoryControl {
   double period;  ///< s
@@ -57,8 +71,11 @@ struct SpringHistory {
 /// spring gives g(c); the outermost one is taken. First slip: least margin min(mu q_z -+ q_x) over the whole history of
 /// springs that never slipped; shakedown: mean of the two least margins over the last period, of springs that do not
 /// slip in it. Minima between time steps are those of parabolas. Not positive where no spring sticks.
-/// Throws std::runtime_error when the state is not periodic after max_periods, std::invalid_argument for bad arguments.
-SpringHistory spring_history(const SpringBed& bed, const PronyBody& body, double mu, const IndenterPath& path,
+/// Under a prescribed force the motion of the indenter is found in every step; it is the same for all springs, so the
+/// margins mean the same.
+/// Throws std::runtime_error when the state is not periodic after max_periods or the contact slides under a tangential
+/// force, std::invalid_argument for bad arguments.
+SpringHistory spring_history(const SpringBed& bed, const PronyBody& body, double mu, const Loading& loading,
                              const HistoryControl& control);
 
 }  // namespace fretval::mdr

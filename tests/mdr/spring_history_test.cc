@@ -6,6 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "mdr/force_control.h"
 #include "mdr/spring_foundation.h"
 
 namespace fretval::mdr {
@@ -21,7 +22,8 @@ SpringBed bed_for(const Motion& motion, Eigen::Index n) {
 SpringHistory history_of(const PronyBody& body, const Motion& motion, int steps, int ramp_periods, double periodicity) {
   const HistoryControl control{1 / motion.normal_frequency, steps, ramp_periods, 2000, periodicity};
   return spring_history(bed_for(motion, 100), body, mu,
-                        ramped_path(harmonic_motion(motion), ramp_periods / motion.normal_frequency), control);
+                        {ramped_path(harmonic_motion(motion), ramp_periods / motion.normal_frequency), {}, {}},
+                        control);
 }
 
 // The transient springs know neither M+ nor M-. Elastic: only the sampled extremes of the margins are off, by the
@@ -65,8 +67,9 @@ TEST(SpringHistory, ForceIsThatOfThePeriodicState) {
   const auto g = [](double x) { return x * x; };
   for (const PronyBody& body : {standard_solid(1, 1.5, 0.3), kelvin_voigt(1, 0.15)}) {
     const NormalResponse periodic = periodic_normal_response(g, outer, body, motion);
-    const SpringHistory history = spring_history(spring_bed(sphere, outer, 1000), body, 100,
-                                                 ramped_path(harmonic_motion(motion), 5), {1, 360, 5, 400, 1e-6});
+    const SpringHistory history =
+        spring_history(spring_bed(sphere, outer, 1000), body, 100, {ramped_path(harmonic_motion(motion), 5), {}, {}},
+                       {1, 360, 5, 400, 1e-6});
     const auto [least, most] = std::minmax_element(history.normal_force.begin(), history.normal_force.end());
     // Time step and springs: second order in 1/360 and 1/1000; with a dashpot springs touch with a jump.
     const double tolerance = body.viscosity > 0 ? 1e-3 : 2e-5;
@@ -98,9 +101,60 @@ TEST(SpringHistory, LockedInTractionIsTheBestOffset) {
   EXPECT_NEAR(history.mean_traction[0], 0, 1e-3 * std::abs(best));
 }
 
+// Barber, Davies and Hills (2011): under two forces the elastic contact sticks for good where the unworn contact under
+// the force of the two tangents would reach, whatever the indenter does meanwhile. It holds for viscoelastic bodies as
+// well: at the two instants that decide, all springs outside slip the same way, so that the oscillation of F_x -+ mu
+// F_z is that of the springs inside, whose rheology cancels.
+TEST(SpringHistory, ForceControlledContactFollowsTheTwoTangentsForAnyRheology) {
+  const double F0 = 1, swing = 0.2, pull = 0.1, G = 1;
+  const SpringBed bed =
+      spring_bed(sphere, 1.01 * inverse_transform(sphere, indentation_for_force(sphere, G, F0 + swing)), 800);
+  for (const PronyBody& body : {elastic(G), standard_solid(G, 1.5, 0.3)}) {
+    for (const double phase : {0.0, 0.9}) {
+      const Loading loading{{}, ramped_force(F0, swing, 1, 0, 5), ramped_force(0, pull, 1, phase, 5)};
+      const SpringHistory history = spring_history(bed, body, mu, loading, {1, 90, 5, 100, 1e-6});
+      const double x = pull / mu * std::cos(phase), y = pull / mu * std::sin(phase);
+      const double tangents = F0 - (std::hypot(x - swing, y) + std::hypot(x + swing, y)) / 2;
+      // Springs: second order in 1/800; time: the fourth order of a step, for a body with branches the second.
+      EXPECT_NEAR(history.depths.shakedown / indentation_for_force(sphere, G, tangents), 1,
+                  body.branch_moduli.empty() ? 1e-5 : 1e-4)
+          << phase;
+      EXPECT_NEAR(*std::max_element(history.normal_force.begin(), history.normal_force.end()), F0 + swing, 1e-9);
+      // Nothing slips at phase 0; else the time step counts, (2 pi/90)^2.
+      EXPECT_NEAR(history.friction_work + history.bulk_work, history.indenter_work,
+                  5e-3 * history.indenter_work + 1e-9);
+    }
+  }
+}
+
+// The normal force that a prescribed motion takes, prescribed in turn, gives the same stick depth.
+TEST(SpringHistory, ForceControlOfAViscoelasticBodyGivesItsMotionBack) {
+  const Motion motion{1, 0.15, 0.1, 1, 1, 0.7};
+  const PronyBody body = standard_solid(1, 1.5, 0.3);
+  const SpringBed bed = bed_for(motion, 100);
+  const HistoryControl control{1, 90, 10, 400, 1e-7};
+  const SpringHistory free = spring_history(bed, body, mu, {ramped_path(harmonic_motion(motion), 10), {}, {}}, control);
+  const auto force_at = [&](const std::vector<double>& force) {
+    return [force](double time) {
+      return force[static_cast<std::size_t>(std::lround(90 * (time - std::floor(time)))) % 90];
+    };
+  };
+  const SpringHistory driven = spring_history(
+      bed, body, mu, {ramped_path(harmonic_motion(motion), 10), force_at(free.normal_force), {}}, control);
+  EXPECT_NEAR(driven.depths.shakedown, free.depths.shakedown, 1e-5);
+}
+
+TEST(SpringHistory, SaysWhenTheContactSlidesUnderAForce) {
+  const SpringBed bed = spring_bed(sphere, 1, 50);
+  const Loading loading{{}, ramped_force(1, 0, 1, 0, 5), ramped_force(0, 0.7, 1, 0, 5)};
+  EXPECT_THROW(spring_history(bed, elastic(1), mu, loading, {1, 90, 5, 100, 1e-7}), std::runtime_error);
+  EXPECT_THROW(spring_history(bed, elastic(1), mu, {{}, ramped_force(1, 0, 1, 0, 5), {}}, {1, 90}),
+               std::invalid_argument);
+}
+
 TEST(SpringHistory, RejectsBadArgumentsAndSaysWhenItIsNotPeriodic) {
   const Motion motion{1, 0.15, 0.1, 1, 1, 0.4};
-  const auto path = ramped_path(harmonic_motion(motion), 1);
+  const Loading path{ramped_path(harmonic_motion(motion), 1), {}, {}};
   const SpringBed bed = bed_for(motion, 10);
   EXPECT_THROW(spring_history(bed, elastic(1), mu, path, {0, 360}), std::invalid_argument);
   EXPECT_THROW(spring_history(bed, elastic(1), mu, path, {1, 2}), std::invalid_argument);
