@@ -120,9 +120,9 @@ TEST(SpringHistory, ForceControlledContactFollowsTheTwoTangentsForAnyRheology) {
                   body.branch_moduli.empty() ? 1e-5 : 1e-4)
           << phase;
       EXPECT_NEAR(*std::max_element(history.normal_force.begin(), history.normal_force.end()), F0 + swing, 1e-9);
-      // Nothing slips at phase 0; else the time step counts, (2 pi/90)^2.
+      // Nothing slips at phase 0, up to the springs at the edge; else the time step counts, (2 pi/90)^2.
       EXPECT_NEAR(history.friction_work + history.bulk_work, history.indenter_work,
-                  5e-3 * history.indenter_work + 1e-9);
+                  5e-3 * history.indenter_work + 1e-6);
     }
   }
 }
