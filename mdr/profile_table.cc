@@ -5,15 +5,17 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <stdexcept>
 #include <string>
 
 #include "mdr/checks.h"
+#include "mdr/convex_fit.h"
+#include "mdr/profile_rows.h"
 
 namespace fretval::mdr {
 
 namespace {
 
+constexpr std::size_t n_least_rows = 4;
 constexpr std::size_t least_image_nodes = 800;
 
 // A table whose tip is horizontal within this share of its steepest slope is smooth there, not a cone.
@@ -22,17 +24,8 @@ constexpr double horizontal_tip = 1e-6;
 // Roundoff of a sum over all rows, over the largest image slope.
 constexpr double slope_roundoff = 1e-9;
 
-void check_rows(const std::vector<double>& r, const std::vector<double>& f) {
-  if (r.size() != f.size() || r.size() < 4)
-    throw std::invalid_argument("profile table of " + std::to_string(r.size()) + " radii and " +
-                                std::to_string(f.size()) + " heights: expected as many of both, and at least 4");
-  if (r[0] != 0) reject("first radius of the profile table", r[0], "must be 0, the axis");
-  for (std::size_t k = 0; k < r.size(); ++k) {
-    const std::string row = " in row " + std::to_string(k + 1) + " of the profile table";
-    require_finite("radius" + row, r[k]);
-    require_finite("height" + row, f[k]);
-    if (k > 0 && !(r[k] > r[k - 1])) reject("radius" + row, r[k], "must be greater than the one before");
-  }
+void require_rise(double steepest) {
+  if (!(steepest > 0)) reject("largest slope of the profile table", steepest, "must be positive");
 }
 
 PiecewiseCubic height_through(const std::vector<double>& r, const std::vector<double>& f) {
@@ -40,7 +33,7 @@ PiecewiseCubic height_through(const std::vector<double>& r, const std::vector<do
   for (double& h : height) h -= f[0];
   std::vector<double> slopes = monotone_slopes(r, height);
   const double steepest = *std::max_element(slopes.begin(), slopes.end());
-  if (!(steepest > 0)) reject("largest slope of the profile table", steepest, "must be positive");
+  require_rise(steepest);
   if (std::abs(slopes[0]) < horizontal_tip * steepest) slopes[0] = 0;
   return hermite_cubic(r, height, slopes);
 }
@@ -92,16 +85,27 @@ PiecewiseCubic image_of(const PiecewiseCubic& height_slope) {
   return hermite_cubic(x, g, slopes);
 }
 
-}  // namespace
-
-ProfileTable profile_table(const std::vector<double>& r, const std::vector<double>& f) {
-  check_rows(r, f);
+ProfileTable table_of(const PiecewiseCubic& height) {
   ProfileTable table;
-  table.height = height_through(r, f);
+  table.height = height;
   table.height_slope = derivative(table.height);
   table.image = image_of(table.height_slope);
   table.image_slope = derivative(table.image);
   return table;
+}
+
+}  // namespace
+
+ProfileTable profile_table(const std::vector<double>& r, const std::vector<double>& f, double noise) {
+  require_non_negative("noise of the profile table in m", noise);
+  if (noise > 0) {
+    const ConvexFit fit = convex_fit(r, f, noise);
+    require_rise(value(derivative(fit.height), fit.height.nodes.back()));
+    return table_of(fit.height);
+  }
+  require_profile_rows(r, f, n_least_rows);
+  if (r[0] != 0) reject("first radius of the profile table", r[0], "must be 0, the axis");
+  return table_of(height_through(r, f));
 }
 
 double end_radius(const ProfileTable& profile) {
