@@ -17,7 +17,8 @@ struct ProfileTable {
 
 /// The profile of the points (r, f) in m, whose heights scatter with the standard deviation noise in m.
 ///
-/// noise = 0: the monotone Hermite cubic through the points; at least 4 rows, r[0] = 0, r increasing; f[0] is taken as
+/// noise = 0: the monotone Hermite cubic through the points, with two parabolas where that would bend down between
+/// convex rows; at least 4 rows, r[0] = 0, r increasing; f[0] is taken as
 /// the height of the tip and subtracted. Throws std::invalid_argument for bad rows, and when the image g falls
 /// anywhere: the contact would not be one full circle, which MDR assumes; the message says where. A convex profile
 /// never fails.

@@ -216,6 +216,28 @@ TEST(ProfileTable, NamesWhatIsWrong) {
   EXPECT_EQ(end_radius(table), 3);
 }
 
+// Hermite cubics would dip before the kink, where straight lines meet it from either side or both.
+TEST(ProfileTable, ConvexRowsWithAKinkAreAccepted) {
+  for (const double bend : {0.0, 0.3, 1.0}) {
+    for (const double kink : {0.3, 0.5, 0.51}) {
+      const auto f = [=](double r) {
+        return 0.2 * r + bend * r * r / 2 + std::max(0.0, r - kink) + (bend == 0.3 ? 0 : std::pow(r, 4));
+      };
+      const auto r = uniform(50, 1);
+      std::vector<double> rows;
+      for (const double radius : r) rows.push_back(f(radius));
+      const Profile table = tabulated(r, rows);
+      double slope_before = 0;
+      for (int k = 1; k < 997; ++k) {
+        const double slope = (shape(table, k / 997.0) - shape(table, (k - 1) / 997.0)) * 997;
+        EXPECT_GE(slope, slope_before - 3e-3) << k;  // the narrow bend of a kink between straight lines
+        slope_before = slope;
+      }
+      for (std::size_t k = 0; k < r.size(); ++k) EXPECT_NEAR(shape(table, r[k]), rows[k], 1e-14);
+    }
+  }
+}
+
 // A profile that is concave in places is no obstacle as long as its image rises.
 TEST(ProfileTable, ConcaveFlankIsAllowed) {
   const auto r = uniform(60, 1);
