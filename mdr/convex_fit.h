@@ -32,7 +32,8 @@ struct ConvexFit {
 ///
 /// At least 8 and at most 100000 rows; the first may lie off the axis. Throws std::invalid_argument for bad rows or
 /// noise, and for heights that no convex profile meets within the noise, or with residuals of more than 1.5 times its
-/// rms; the message says where and by how much. Noise below 1e-10 of the range of heights is taken as that.
+/// rms; the message says where and by how much. Noise below 1e-10 of the range of heights is taken as that. A kink is
+/// rounded over at least 1e-6 of the last radius, which noise below 1e-6 of the heights may show.
 ConvexFit convex_fit(const std::vector<double>& r, const std::vector<double>& f, double noise);
 
 }  // namespace fretval::mdr
