@@ -13,8 +13,8 @@
 namespace fretval::mdr {
 namespace {
 
-// Asked for is 1e-10. The adaptive quadrature of slope integrals of flat faces leaves up to 6e-12, powers of 20 up to
-// 2e-12, everything else less than 1e-13.
+// Asked for is 1e-10. The adaptive quadrature of slope integrals of flat faces leaves up to 6e-12, powers of 20 and a
+// rounded contact radius next to which the pressure is taken up to 3e-12, everything else less than 1e-13.
 constexpr double tolerance = 1e-11;
 
 class Draw {

@@ -62,7 +62,7 @@ void for_scenes(int n_draws, const Check& check) {
   Draw draw;
   for (int i = 0; i < n_draws; ++i) {
     std::vector<Profile> profiles = draw_profiles(draw);
-    if (i % 10 == 0) profiles.push_back(draw_table(draw));
+    if (i % 20 == 0) profiles.push_back(draw_table(draw));
     for (const Profile& profile : profiles) check(scene_of(profile, draw), draw);
   }
 }
