@@ -32,9 +32,15 @@ struct Flank {
   [[nodiscard]] double tangent() const { return sine / cosine; }
 };
 
-Flank flank_at(const FlatFaced& profile, double x) {
-  const double b = profile.flat_radius, root = std::sqrt((x - b) * (x + b));
+// root = sqrt(x^2-b^2)
+Flank flank_with_root(const FlatFaced& profile, double root) {
+  const double b = profile.flat_radius, x = std::hypot(root, b);
   return {std::atan2(root, b), root / x, b / x};
+}
+
+Flank flank_at(const FlatFaced& profile, double x) {
+  const double b = profile.flat_radius;
+  return flank_with_root(profile, std::sqrt((x - b) * (x + b)));
 }
 
 double tan_minus_angle(const Flank& flank) {
@@ -53,6 +59,10 @@ double rounding_volume(const Flank& flank) {  // sin^3/(3 cos) - (phi - sin cos)
   return integral_to(flank.angle, [](double psi) { return square(std::tan(psi) * std::sin(psi)) / 3; });
 }
 
+double image_over_x(const FlatFaced& profile, const Flank& flank) {
+  return profile.edge_slope * flank.angle + profile.curvature * profile.flat_radius * tan_minus_angle(flank);
+}
+
 }  // namespace
 
 double shape(const FlatFaced& profile, double r) {
@@ -68,8 +78,7 @@ double shape_slope(const FlatFaced& profile, double r) {
 double transform(const FlatFaced& profile, double x) {
   x = std::abs(x);
   if (x <= profile.flat_radius) return 0;
-  const Flank flank = flank_at(profile, x);
-  return x * (profile.edge_slope * flank.angle + profile.curvature * profile.flat_radius * tan_minus_angle(flank));
+  return x * image_over_x(profile, flank_at(profile, x));
 }
 
 double transform_slope(const FlatFaced& profile, double x) {
@@ -110,8 +119,7 @@ double abel_slope_integral(const FlatFaced& profile, double r, double a) {
   const double scale = std::max(delta, 1e-9 * b);  // without a break of slope the rest is of order scale^2
   const double end = std::asinh(std::sqrt((a - std::max(r, b)) * (a + std::max(r, b))) / scale);
   const auto integrand = [&](double u) {
-    const double root = scale * (r < b ? std::sinh(u) : std::cosh(u)), x = std::hypot(root, b);
-    const Flank flank{std::atan2(root, b), root / x, b / x};
+    const Flank flank = flank_with_root(profile, scale * (r < b ? std::sinh(u) : std::cosh(u)));
     return profile.edge_slope * (flank.angle * flank.sine + flank.cosine) +
            profile.curvature * b * flank.sine * (tan_minus_angle(flank) + flank.tangent());
   };
@@ -119,17 +127,23 @@ double abel_slope_integral(const FlatFaced& profile, double r, double a) {
 }
 
 double abel_depth_integral(const FlatFaced& profile, double lower, double upper, double r) {
-  lower = std::max(lower, profile.flat_radius);
+  const double b = profile.flat_radius;
+  lower = std::max(lower, b);
   if (upper <= lower) return 0;
+  // With S = sqrt(x^2-b^2) = S_r sin(theta) = S_r cos(psi) the integral is that of (g/x) S dtheta: x itself, which has
+  // few digits of its distance from b, does not occur. Each angle is accurate at one end.
+  const auto root_at = [b](double x) { return std::sqrt((x - b) * (x + b)); };
+  const auto other_root_at = [r](double x) { return std::sqrt((r - x) * (r + x)); };
+  const auto integrand = [&](double root) { return root * image_over_x(profile, flank_with_root(profile, root)); };
+  const double root_r = root_at(r);
   boost::math::quadrature::tanh_sinh<double> quadrature;
-  if (2 * upper < r) {
-    const auto integrand = [&](double x) { return transform(profile, x) / std::sqrt((r - x) * (r + x)); };
-    return quadrature.integrate(integrand, lower, upper, 1e-13);
+  if (root_at(upper) < other_root_at(upper)) {
+    const auto theta = [&](double x) { return std::atan2(root_at(x), other_root_at(x)); };
+    return quadrature.integrate([&](double t) { return integrand(root_r * std::sin(t)); }, theta(lower), theta(upper),
+                                1e-13);
   }
-  // x = r cos(psi); g begins with a root of its distance to the flat, which this quadrature does not mind.
-  const auto angle = [r](double x) { return std::atan2(std::sqrt((r - x) * (r + x)), x); };
-  const auto integrand = [&](double psi) { return transform(profile, std::min(r, r * std::cos(psi))); };
-  return quadrature.integrate(integrand, angle(upper), angle(lower), 1e-13);
+  const auto psi = [&](double x) { return std::atan2(other_root_at(x), root_at(x)); };
+  return quadrature.integrate([&](double t) { return integrand(root_r * std::cos(t)); }, psi(upper), psi(lower), 1e-13);
 }
 
 }  // namespace fretval::mdr

@@ -9,6 +9,7 @@
 
 #include "mdr/checks.h"
 #include "mdr/csv.h"
+#include "mdr/csv_units.h"
 
 namespace fretval::mdr {
 
@@ -17,31 +18,6 @@ namespace {
 using Units = std::map<std::string, double>;
 
 const double two_pi = 4 * std::acos(0.0);
-
-std::string without_brackets(const std::string& text) {
-  const std::size_t begin = text.find_last_of("[(");
-  const std::size_t end = text.find_last_of("])");
-  if (begin == std::string::npos || end == std::string::npos || end < begin) return text;
-  return text.substr(begin + 1, end - begin - 1);
-}
-
-// Size of the unit of a column, 1 if the header names none.
-double unit(const CsvColumns& csv, std::size_t column, const Units& known, const std::string& source_name) {
-  std::string name;
-  if (!csv.units.empty()) {
-    name = without_brackets(csv.units[column]);
-  } else if (!csv.names.empty() && without_brackets(csv.names[column]) != csv.names[column]) {
-    name = without_brackets(csv.names[column]);
-  } else {
-    return 1;
-  }
-  const auto entry = known.find(name);
-  if (entry != known.end()) return entry->second;
-  std::string valid;
-  for (const auto& [unit_name, size] : known) valid += (valid.empty() ? "" : ", ") + unit_name;
-  throw std::invalid_argument(source_name + ": unit of column " + std::to_string(column + 1) + " = \"" + name +
-                              "\": must be one of " + valid);
-}
 
 void scale(std::vector<double>& values, double size, const char* quantity, const CsvColumns& csv,
            const std::string& source_name) {
@@ -99,9 +75,10 @@ ModulusTable read_modulus_table(std::istream& stream, const std::string& source_
   CsvColumns csv = read_csv(stream, source_name, 3);
   const Units frequency_units = {{"Hz", 1}, {"rad/s", 1 / two_pi}};
   const Units modulus_units = {{"Pa", 1}, {"kPa", 1e3}, {"MPa", 1e6}, {"GPa", 1e9}};
-  scale(csv.columns[0], unit(csv, 0, frequency_units, source_name), "frequency", csv, source_name);
-  scale(csv.columns[1], unit(csv, 1, modulus_units, source_name) * factor, "storage modulus", csv, source_name);
-  scale(csv.columns[2], unit(csv, 2, modulus_units, source_name) * factor, "loss modulus", csv, source_name);
+  scale(csv.columns[0], unit_of_column(csv, 0, frequency_units, source_name), "frequency", csv, source_name);
+  scale(csv.columns[1], unit_of_column(csv, 1, modulus_units, source_name) * factor, "storage modulus", csv,
+        source_name);
+  scale(csv.columns[2], unit_of_column(csv, 2, modulus_units, source_name) * factor, "loss modulus", csv, source_name);
   ModulusTable table = ordered(csv.columns);
   if (table.frequency.size() < 2) {
     throw std::invalid_argument(source_name + ": has a single frequency; must have at least 2");

@@ -10,40 +10,35 @@ namespace fretval::mdr {
 
 namespace {
 
-using Moments = std::array<double, 4>;  // of 1, x, x^2, x^3 against a kernel
-
 std::size_t piece_at(const PiecewiseCubic& cubic, double x) {
   const auto above = std::upper_bound(cubic.nodes.begin() + 1, cubic.nodes.end() - 1, x);
   return static_cast<std::size_t>(above - cubic.nodes.begin()) - 1;
 }
 
-// int of x^m/sqrt(r^2-x^2) over lower..upper <= r
-Moments moments_below(double lower, double upper, double r) {
-  const double root_lower = std::sqrt((r - lower) * (r + lower));
-  const double root_upper = std::sqrt((r - upper) * (r + upper));
-  const double angle = std::atan2(root_lower, lower) - std::atan2(root_upper, upper);
-  return {angle, root_lower - root_upper, (r * r * angle + lower * root_lower - upper * root_upper) / 2,
-          (root_lower * (lower * lower + 2 * r * r) - root_upper * (upper * upper + 2 * r * r)) / 3};
+double cubic_at(const std::array<double, 4>& c, double t) {
+  return c[0] + t * (c[1] + t * (c[2] + t * c[3]));
 }
 
-// The same for upper < r/2, where the closed forms cancel but the kernel is smooth.
-Moments moments_far_below(double lower, double upper, double r) {
-  Moments moments{};
-  for (std::size_t m = 0; m < moments.size(); ++m) {
-    moments[m] = boost::math::quadrature::gauss<double, 15>::integrate(
-        [=](double x) { return std::pow(x, static_cast<double>(m)) / std::sqrt((r - x) * (r + x)); }, lower, upper);
-  }
-  return moments;
+template <class Function>
+double gauss(const Function& function, double from, double to) {
+  return boost::math::quadrature::gauss<double, 15>::integrate(function, from, to);
 }
 
-// int of x^m/sqrt(x^2-r^2) over r <= lower..upper
-Moments moments_above(double lower, double upper, double r) {
-  const double root_lower = std::sqrt((lower - r) * (lower + r));
-  const double root_upper = std::sqrt((upper - r) * (upper + r));
-  const double logarithm = std::log((upper + root_upper) / (lower + root_lower));
-  const double squares = r > 0 ? r * r * logarithm : 0;
-  return {logarithm, root_upper - root_lower, (upper * root_upper - lower * root_lower + squares) / 2,
-          (root_upper * (upper * upper + 2 * r * r) - root_lower * (lower * lower + 2 * r * r)) / 3};
+// Part of a piece and of its domain in an Abel integral.
+struct Span {
+  const std::array<double, 4>& coefficients;
+  double start, lower, upper;
+  [[nodiscard]] double at(double x) const { return cubic_at(coefficients, x - start); }
+};
+
+// int y/sqrt(r^2-x^2) over a span below r. The Gauss rule is good to roundoff wherever the nearest singularity is a
+// length of the interval away: x = r, or after y^2 = r - x, which removes it, x = -r.
+double span_below(const Span& span, double r) {
+  const double lower = span.lower, upper = span.upper;
+  if (upper - lower < r - upper)
+    return gauss([&](double x) { return span.at(x) / std::sqrt((r - x) * (r + x)); }, lower, upper);
+  return gauss([&](double y) { return 2 * span.at(r - y * y) / std::sqrt(2 * r - y * y); }, std::sqrt(r - upper),
+               std::sqrt(r - lower));
 }
 
 // Coefficients of powers of x instead of x - start.
@@ -52,18 +47,43 @@ std::array<double, 4> about_zero(const std::array<double, 4>& c, double start) {
           c[2] - 3 * start * c[3], c[3]};
 }
 
-template <class MomentsOf>
-double abel_integral(const PiecewiseCubic& cubic, double from, double to, const MomentsOf& moments_of) {
+// The closed form of the integral below, for a span not short against its distance from the axis.
+double closed_span_above(const Span& span, double r) {
+  const auto c = about_zero(span.coefficients, span.start);
+  const double lower = span.lower, upper = span.upper;
+  const double root_lower = std::sqrt((lower - r) * (lower + r));
+  const double root_upper = std::sqrt((upper - r) * (upper + r));
+  const double logarithm = std::log((upper + root_upper) / (lower + root_lower));
+  const double squares = r > 0 ? r * r * logarithm : 0;
+  const std::array<double, 4> moments{
+      logarithm, root_upper - root_lower, (upper * root_upper - lower * root_lower + squares) / 2,
+      (root_upper * (upper * upper + 2 * r * r) - root_lower * (lower * lower + 2 * r * r)) / 3};
+  double sum = 0;
+  for (std::size_t m = 0; m < 4; ++m) {
+    if (c[m] != 0) sum += c[m] * moments[m];  // a zero may meet an infinite moment
+  }
+  return sum;
+}
+
+// int y/sqrt(x^2-r^2) over a span above r, as above with y^2 = x - r.
+double span_above(const Span& span, double r) {
+  const double lower = span.lower, upper = span.upper;
+  if (upper - lower < lower - r)
+    return gauss([&](double x) { return span.at(x) / std::sqrt((x - r) * (x + r)); }, lower, upper);
+  if (upper < 2 * r)
+    return gauss([&](double y) { return 2 * span.at(r + y * y) / std::sqrt(2 * r + y * y); }, std::sqrt(lower - r),
+                 std::sqrt(upper - r));
+  return closed_span_above(span, r);
+}
+
+template <class SpanIntegral>
+double sum_of_spans(const PiecewiseCubic& cubic, double from, double to, const SpanIntegral& span_integral) {
   double sum = 0;
   for (std::size_t k = piece_at(cubic, from); k < cubic.coefficients.size(); ++k) {
     const bool last = k + 1 == cubic.coefficients.size();
     const double lower = std::max(from, cubic.nodes[k]), upper = last ? to : std::min(to, cubic.nodes[k + 1]);
     if (lower >= to) break;
-    const auto c = about_zero(cubic.coefficients[k], cubic.nodes[k]);
-    const Moments moments = moments_of(lower, upper);
-    for (std::size_t m = 0; m < 4; ++m) {
-      if (c[m] != 0) sum += c[m] * moments[m];  // a zero may meet an infinite moment
-    }
+    sum += span_integral(Span{cubic.coefficients[k], cubic.nodes[k], lower, upper});
   }
   return sum;
 }
@@ -105,9 +125,7 @@ std::vector<double> monotone_slopes(const std::vector<double>& nodes, const std:
 
 double value(const PiecewiseCubic& cubic, double x) {
   const std::size_t k = piece_at(cubic, x);
-  const double t = x - cubic.nodes[k];
-  const auto& c = cubic.coefficients[k];
-  return c[0] + t * (c[1] + t * (c[2] + t * c[3]));
+  return cubic_at(cubic.coefficients[k], x - cubic.nodes[k]);
 }
 
 PiecewiseCubic derivative(const PiecewiseCubic& cubic) {
@@ -127,14 +145,11 @@ double integral(const PiecewiseCubic& cubic, double x) {
 }
 
 double abel_integral_below(const PiecewiseCubic& cubic, double lower, double upper, double r) {
-  const bool far = 2 * upper < r;
-  return abel_integral(cubic, lower, upper, [r, far](double from, double to) {
-    return far ? moments_far_below(from, to, r) : moments_below(from, to, r);
-  });
+  return sum_of_spans(cubic, lower, upper, [r](const Span& span) { return span_below(span, r); });
 }
 
 double abel_integral_above(const PiecewiseCubic& cubic, double r, double a) {
-  return abel_integral(cubic, r, a, [r](double lower, double upper) { return moments_above(lower, upper, r); });
+  return sum_of_spans(cubic, r, a, [r](const Span& span) { return span_above(span, r); });
 }
 
 }  // namespace fretval::mdr

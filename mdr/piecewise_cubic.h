@@ -6,7 +6,7 @@
 namespace fretval::mdr {
 
 /// Piecewise polynomial of degree three or less: between nodes[k] and nodes[k+1] it is sum_m c[k][m] (x - nodes[k])^m.
-/// Its Abel integrals are sums of closed forms, so the end singularity of the kernel is exact.
+/// Its Abel integrals are sums over the pieces, each good to roundoff, the end singularity of the kernel included.
 struct PiecewiseCubic {
   std::vector<double> nodes;                        ///< increasing, first one 0
   std::vector<std::array<double, 4>> coefficients;  ///< one less than nodes

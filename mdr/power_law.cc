@@ -106,8 +106,13 @@ double abel_slope_integral(const PowerLaw& profile, double r, double a) {
 double abel_depth_integral(const PowerLaw& profile, double lower, double upper, double r) {
   const double n = profile.exponent;
   if (upper == 0) return 0;
-  if (upper * upper <= r * r / 2)
-    return transform(profile, r) * (near_axis(n, upper / r) - (lower > 0 ? near_axis(n, lower / r) : 0));
+  if (upper * upper <= r * r / 2) {
+    // In terms of g(x) instead of g(r), which may be out of range far from the contact.
+    const auto from_axis = [&](double x) {
+      return transform(profile, x) * (x / r) * binomial_series(0.5, n + 1, 2, (x / r) * (x / r));
+    };
+    return from_axis(upper) - from_axis(lower);
+  }
   const auto to_edge = [&](double x) { return near_edge(profile, std::sqrt((r - x) * (r + x)) / r, x / r); };
   return transform(profile, r) * (to_edge(lower) - (upper < r ? to_edge(upper) : 0));
 }

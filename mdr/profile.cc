@@ -53,8 +53,8 @@ Profile truncated_sphere(double radius, double flat_radius) {
   return FlatFaced{flat_radius, flat_radius / radius, 1 / radius};
 }
 
-Profile tabulated(const std::vector<double>& r, const std::vector<double>& f) {
-  return profile_table(r, f);
+Profile tabulated(const std::vector<double>& r, const std::vector<double>& f, double noise) {
+  return profile_table(r, f, noise);
 }
 
 double end_radius(const Profile& profile) {

@@ -34,8 +34,9 @@ Profile rounded_flat(double flat_radius, double edge_radius);
 /// Sphere of radius R worn or cut down to a flat of radius b, both in m and positive: f = (r^2 - b^2)/(2 R) for r > b.
 Profile truncated_sphere(double radius, double flat_radius);
 
-/// Profile through measured points (r, f) in m; see mdr/profile_table.h for what is asked of them.
-Profile tabulated(const std::vector<double>& r, const std::vector<double>& f);
+/// Profile of measured points (r, f) in m: through them, or with noise > 0, the standard deviation of their heights in
+/// m, the convex profile that fits them; see mdr/profile_table.h for what is asked of them.
+Profile tabulated(const std::vector<double>& r, const std::vector<double>& f, double noise = 0);
 
 /// Where the profile ends, in m: the last row of a table, infinity for all others.
 double end_radius(const Profile& profile);

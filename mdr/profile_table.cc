@@ -5,44 +5,73 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <stdexcept>
 #include <string>
 
 #include "mdr/checks.h"
+#include "mdr/convex_fit.h"
+#include "mdr/profile_rows.h"
 
 namespace fretval::mdr {
 
 namespace {
 
+constexpr std::size_t n_least_rows = 4;
 constexpr std::size_t least_image_nodes = 800;
 
 // A table whose tip is horizontal within this share of its steepest slope is smooth there, not a cone.
 constexpr double horizontal_tip = 1e-6;
 
+// Of slopes that should be equal.
+constexpr double bend_roundoff = 1e-12;
+
+// Share of an interval that a kink takes.
+constexpr double least_bend = 1e-3;
+
 // Roundoff of a sum over all rows, over the largest image slope.
 constexpr double slope_roundoff = 1e-9;
 
-void check_rows(const std::vector<double>& r, const std::vector<double>& f) {
-  if (r.size() != f.size() || r.size() < 4)
-    throw std::invalid_argument("profile table of " + std::to_string(r.size()) + " radii and " +
-                                std::to_string(f.size()) + " heights: expected as many of both, and at least 4");
-  if (r[0] != 0) reject("first radius of the profile table", r[0], "must be 0, the axis");
-  for (std::size_t k = 0; k < r.size(); ++k) {
-    const std::string row = " in row " + std::to_string(k + 1) + " of the profile table";
-    require_finite("radius" + row, r[k]);
-    require_finite("height" + row, f[k]);
-    if (k > 0 && !(r[k] > r[k - 1])) reject("radius" + row, r[k], "must be greater than the one before");
-  }
+void require_rise(double steepest) {
+  if (!(steepest > 0)) reject("largest slope of the profile table", steepest, "must be positive");
+}
+
+// Whether f'' keeps its sign from 0 to h in the cubic with this secant and these slopes at the ends.
+bool bends_one_way(double secant, double left, double right) {
+  const double slack = bend_roundoff * (std::abs(left) + std::abs(right));
+  return (2 * left + right) / 3 <= secant + slack && secant <= (left + 2 * right) / 3 + slack;
+}
+
+// Two parabolas instead of a cubic that would bend down between convex rows, as next to a kink. Source: Schumaker, SIAM
+// Journal on Numerical Analysis 20 (1983) 853. On a straight line up to a kink no convex curve of one tangent meets the
+// rows; there the bend takes a narrow share of the interval.
+void add_parabolas(PiecewiseCubic& height, double h, double secant, double left, double right) {
+  const double share = std::max(least_bend, std::min(secant - left, right - secant) / (right - left));
+  const double first = secant - left < right - secant ? h * (1 - share) : h * share, second = h - first;
+  const double middle = (2 * h * secant - first * left - second * right) / h;
+  const double f = height.coefficients.back()[0], start = height.nodes.back();
+  height.coefficients.back() = {f, left, (middle - left) / (2 * first), 0};
+  height.nodes.push_back(start + first);
+  height.coefficients.push_back({f + first * (left + middle) / 2, middle, (right - middle) / (2 * second), 0});
 }
 
 PiecewiseCubic height_through(const std::vector<double>& r, const std::vector<double>& f) {
-  std::vector<double> height = f;
-  for (double& h : height) h -= f[0];
-  std::vector<double> slopes = monotone_slopes(r, height);
+  std::vector<double> rows = f;
+  for (double& h : rows) h -= f[0];
+  std::vector<double> slopes = monotone_slopes(r, rows);
   const double steepest = *std::max_element(slopes.begin(), slopes.end());
-  if (!(steepest > 0)) reject("largest slope of the profile table", steepest, "must be positive");
+  require_rise(steepest);
   if (std::abs(slopes[0]) < horizontal_tip * steepest) slopes[0] = 0;
-  return hermite_cubic(r, height, slopes);
+  const PiecewiseCubic cubic = hermite_cubic(r, rows, slopes);
+  PiecewiseCubic height;
+  for (std::size_t k = 0; k + 1 < r.size(); ++k) {
+    height.nodes.push_back(r[k]);
+    height.coefficients.push_back(cubic.coefficients[k]);
+    const double h = r[k + 1] - r[k], secant = (rows[k + 1] - rows[k]) / h;
+    const bool convex_rows = slopes[k] <= secant && secant <= slopes[k + 1];
+    if (convex_rows && !bends_one_way(secant, slopes[k], slopes[k + 1]))
+      add_parabolas(height, h, secant, slopes[k], slopes[k + 1]);
+  }
+  height.nodes.push_back(r.back());
+  return height;
 }
 
 // (r f')', with which g'(x) = int_0^x (r f')'/sqrt(x^2-r^2) dr.
@@ -92,16 +121,27 @@ PiecewiseCubic image_of(const PiecewiseCubic& height_slope) {
   return hermite_cubic(x, g, slopes);
 }
 
-}  // namespace
-
-ProfileTable profile_table(const std::vector<double>& r, const std::vector<double>& f) {
-  check_rows(r, f);
+ProfileTable table_of(const PiecewiseCubic& height) {
   ProfileTable table;
-  table.height = height_through(r, f);
+  table.height = height;
   table.height_slope = derivative(table.height);
   table.image = image_of(table.height_slope);
   table.image_slope = derivative(table.image);
   return table;
+}
+
+}  // namespace
+
+ProfileTable profile_table(const std::vector<double>& r, const std::vector<double>& f, double noise) {
+  require_non_negative("noise of the profile table in m", noise);
+  if (noise > 0) {
+    const ConvexFit fit = convex_fit(r, f, noise);
+    require_rise(value(derivative(fit.height), fit.height.nodes.back()));
+    return table_of(fit.height);
+  }
+  require_profile_rows(r, f, n_least_rows);
+  if (r[0] != 0) reject("first radius of the profile table", r[0], "must be 0, the axis");
+  return table_of(height_through(r, f));
 }
 
 double end_radius(const ProfileTable& profile) {

@@ -6,19 +6,24 @@
 
 namespace fretval::mdr {
 
-/// Profile given by points. The height is the monotone Hermite cubic through the points; its image g has exact values
-/// and slopes at many nodes (closed forms of paper (3) per piece) and is a Hermite cubic between them, within about
-/// 1e-7 of the exact transform of the height for smooth tables of a hundred rows.
+/// Profile given by points. The height is a piecewise cubic; its image g has exact values and slopes at many nodes
+/// (paper (3) piece by piece) and is a Hermite cubic between them, within about 1e-7 of the exact transform
+/// of the height for smooth tables of a hundred rows.
 /// The functions below are those of mdr/profile.h, which documents them and checks their arguments.
 struct ProfileTable {
   PiecewiseCubic height, height_slope;
   PiecewiseCubic image, image_slope;
 };
 
-/// The profile through the points (r, f) in m: at least 4 rows, r[0] = 0, r increasing; f[0] is taken as the height of
-/// the tip and subtracted. Throws std::invalid_argument for bad rows, and when the image g falls anywhere: the contact
-/// would not be one full circle, which MDR assumes; the message says where. A convex profile never fails.
-ProfileTable profile_table(const std::vector<double>& r, const std::vector<double>& f);
+/// The profile of the points (r, f) in m, whose heights scatter with the standard deviation noise in m.
+///
+/// noise = 0: the monotone Hermite cubic through the points, with two parabolas where that would bend down between
+/// convex rows; at least 4 rows, r[0] = 0, r increasing; f[0] is taken as
+/// the height of the tip and subtracted. Throws std::invalid_argument for bad rows, and when the image g falls
+/// anywhere: the contact would not be one full circle, which MDR assumes; the message says where. A convex profile
+/// never fails.
+/// noise > 0: the convex fit of mdr/convex_fit.h, which says what is asked of the rows and what is refused.
+ProfileTable profile_table(const std::vector<double>& r, const std::vector<double>& f, double noise = 0);
 
 /// Radius of the last row, where the profile ends.
 double end_radius(const ProfileTable& profile);

@@ -15,9 +15,14 @@ namespace fretval::mdr {
 namespace {
 const double pi = std::acos(-1.0);
 
+// arcsin(a/r) for r >= a, accurate as r -> a.
+double arcsine(double a, double r) {
+  return std::atan2(a, std::sqrt((r - a) * (r + a)));
+}
+
 // (2/pi) int_0^a (d - g)/sqrt(r^2-x^2) dx at r >= a.
 double displacement_outside(const Profile& profile, double a, double indentation, double r) {
-  return 2 / pi * (indentation * std::asin(a / r) - abel_depth_integral(profile, 0, a, r));
+  return 2 / pi * (indentation * arcsine(a, r) - abel_depth_integral(profile, 0, a, r));
 }
 
 double stick_depth(double mu, double indentation, double tangential_displacement) {
@@ -95,7 +100,7 @@ double limiting_tangential_displacement(const LimitingProfile& profile, double t
   require_finite("tangential displacement", tangential_displacement);
   require_non_negative("radial coordinate r", r);
   const double c = profile.stick_radius;
-  return r <= c ? tangential_displacement : 2 / pi * tangential_displacement * std::asin(c / r);
+  return r <= c ? tangential_displacement : 2 / pi * tangential_displacement * arcsine(c, r);
 }
 
 LimitingStresses limiting_stresses(const LimitingProfile& profile, const Rheology& body, const Motion& motion, double r,

@@ -57,6 +57,17 @@ TEST(PiecewiseCubic, AbelIntegralsAreThoseOfAQuadrature) {
   }
 }
 
+// A hat of height 1/h and width 2 h has the integral 1, so its Abel integrals tend to the kernel at its place, to the
+// next order h^2/10 of the kernel's second derivative. Powers of x about the axis would lose (x/h)^3 here.
+TEST(PiecewiseCubic, NarrowPiecesFarFromTheAxisKeepTheirDigits) {
+  for (const double h : {1e-2, 1e-4, 1e-6}) {
+    const PiecewiseCubic hat = hermite_cubic({0, 0.5 - h, 0.5, 0.5 + h, 1}, {0, 0, 1 / h, 0, 0}, {0, 0, 0, 0, 0});
+    const double roundoff = 1e-15 / h;  // of the nodes over h
+    EXPECT_NEAR(abel_integral_below(hat, 0, 0.9, 0.9) * std::sqrt(0.81 - 0.25), 1, 0.5 * h * h + roundoff) << h;
+    EXPECT_NEAR(abel_integral_above(hat, 0.1, 1) * std::sqrt(0.25 - 0.01), 1, 0.7 * h * h + roundoff) << h;
+  }
+}
+
 TEST(PiecewiseCubic, AtTheAxisTheOuterIntegralNeedsAZero) {
   const PiecewiseCubic line = hermite_cubic({0, 1}, {0, 1}, {1, 1});
   EXPECT_NEAR(abel_integral_above(line, 0, 1), 1, 1e-15);
