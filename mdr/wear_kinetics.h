@@ -25,6 +25,7 @@ struct WearPoint {
   double deepest;         ///< worn depth, m
   double friction_work;   ///< J per cycle
   double contact_radius;  ///< largest, m
+  double stick_radius;    ///< m
 };
 
 /// Course of the wear, and the profile at its end.

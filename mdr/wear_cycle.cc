@@ -1,0 +1,89 @@
+#include "mdr/wear_cycle.h"
+
+#include <cmath>
+#include <stdexcept>
+
+#include "mdr/spring_energy.h"
+
+namespace fretval::mdr {
+
+namespace {
+constexpr int n_ramp_cycles = 3;
+constexpr int most_settling_cycles = 20000;
+constexpr double settled = 1e-8;      // change of the tractions in a cycle, over the largest
+constexpr double shaken_down = 1e-6;  // slip in a cycle, over the tangential amplitude
+constexpr double touching = 1e-6;     // gap, over the indentation: worn surfaces that only just part still touch
+}  // namespace
+
+WearingSprings::WearingSprings(const SpringBed& bed, const PronyBody& body, double mu, const Motion& motion,
+                               int steps_per_cycle)
+    : body_(body),
+      mu_(mu),
+      motion_(motion),
+      steps_per_cycle_(steps_per_cycle),
+      dt_(1 / motion.normal_frequency / steps_per_cycle),
+      path_(ramped_path(motion, n_ramp_cycles / motion.normal_frequency)),
+      bed_(bed),
+      step_(body, mu, dt_),
+      state_(relaxed_state(bed, body, motion.indentation)) {
+  for (; n_cycles_ < n_ramp_cycles; ++n_cycles_)
+    for (int k = 1; k <= steps_per_cycle_; ++k) step(k);
+}
+
+void WearingSprings::set_depth(const Eigen::ArrayXd& depth) {
+  bed_.depth = depth;
+}
+
+void WearingSprings::step(int k) {
+  const double time = (n_cycles_ + static_cast<double>(k) / steps_per_cycle_) / motion_.normal_frequency;
+  step_.advance(state_, bed_, path_(time));
+}
+
+void WearingSprings::settle() {
+  for (int cycle = 0; cycle < most_settling_cycles; ++cycle) {
+    const Eigen::ArrayXd before = state_.tangential_load;
+    for (int k = 1; k <= steps_per_cycle_; ++k) step(k);
+    ++n_cycles_;
+    if ((state_.tangential_load - before).abs().maxCoeff() <= settled * mu_ * state_.normal_load.maxCoeff()) return;
+  }
+  throw std::runtime_error("tractions of the springs still change after " + std::to_string(most_settling_cycles) +
+                           " cycles on the same profile: a relaxation time is far longer than the period");
+}
+
+WearCycle WearingSprings::settled_cycle(const AbelMatrices& matrices) {
+  settle();
+  const Eigen::Index n = bed_.depth.size();
+  Eigen::MatrixXd slip(n, steps_per_cycle_);
+  WearCycle cycle{{}, Eigen::MatrixXd(n, steps_per_cycle_), 0, 0, 0};
+  for (int k = 1; k <= steps_per_cycle_; ++k) {
+    const SpringState before = state_;
+    step(k);
+    const double shift = state_.indenter.tangential - before.indenter.tangential;
+    slip.col(k - 1) = (shift - (state_.tangential_shift - before.tangential_shift)).matrix();
+    const Eigen::ArrayXd gap = state_.normal_depth - (state_.indenter.indentation - bed_.depth);
+    cycle.load.col(k - 1) = (state_.normal_load > 0).select(state_.normal_load, -gap.max(0)).matrix();
+    cycle.friction_work += dissipation(bed_, body_, mu_, dt_, before, state_).friction;
+  }
+  ++n_cycles_;
+  const Eigen::ArrayXd spring_path = slip.cwiseAbs().rowwise().sum();
+  for (Eigen::Index j = 0; j < n; ++j)
+    if (spring_path[j] <= shaken_down * motion_.tangential_amplitude) slip.row(j).setZero();
+  const Eigen::MatrixXd path = (matrices.displacement.triangularView<Eigen::Lower>() * slip).cwiseAbs();
+  cycle.path = path / 2;
+  cycle.path.leftCols(steps_per_cycle_ - 1) += path.rightCols(steps_per_cycle_ - 1) / 2;
+  cycle.path.col(steps_per_cycle_ - 1) += path.col(0) / 2;
+  find_radii(cycle, slip);
+  return cycle;
+}
+
+void WearingSprings::find_radii(WearCycle& cycle, const Eigen::MatrixXd& slip) const {
+  const auto outer_edge = [&](Eigen::Index j) { return j < 0 ? 0 : bed_.position[j] + bed_.width[j] / 2; };
+  const double touch = -touching * motion_.indentation;
+  Eigen::Index outermost = slip.rows() - 1, sticking = 0;
+  while (outermost >= 0 && cycle.load.row(outermost).maxCoeff() < touch) --outermost;
+  while (sticking < slip.rows() && slip.row(sticking).isZero(0)) ++sticking;
+  cycle.contact_radius = outer_edge(outermost);
+  cycle.stick_radius = outer_edge(std::min(sticking - 1, outermost));
+}
+
+}  // namespace fretval::mdr

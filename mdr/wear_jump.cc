@@ -1,0 +1,74 @@
+#include "mdr/wear_jump.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+
+namespace fretval::mdr {
+
+namespace {
+
+constexpr int most_iterations = 60;
+constexpr double converged = 1e-13;  // last correction over the largest load: roundoff of the loads
+
+// The rings that slip, from the innermost one outwards, and the springs under them. Springs further inside keep their
+// load, and do not bear on these rings.
+class Jump {
+ public:
+  Jump(const AbelMatrices& matrices, const WearCycle& cycle, const Eigen::ArrayXd& room, Eigen::Index inner)
+      : n_(matrices.image.rows() - inner),
+        image_(matrices.image.bottomRightCorner(n_, n_)),
+        stress_(matrices.stress.bottomRightCorner(n_, n_)),
+        path_(cycle.path.bottomRows(n_)),
+        load_(cycle.load.bottomRows(n_)),
+        stiffness_(Eigen::MatrixXd::Ones(n_, cycle.load.cols())) {
+    for (Eigen::Index j = 0; j < n_; ++j) {
+      const double r = room[inner + j];
+      if (r > 0)
+        stiffness_.row(j) = (load_.row(j) / r).cwiseMax(1);
+      else
+        load_.row(j) = load_.row(j).cwiseMin(0);
+    }
+  }
+
+  [[nodiscard]] std::optional<Eigen::ArrayXd> worn(double work) const {
+    Eigen::VectorXd worn = Eigen::VectorXd::Zero(n_);
+    for (int iteration = 0; iteration < most_iterations; ++iteration) {
+      const Eigen::VectorXd correction = newton_correction(worn, work);
+      worn += correction;
+      if (correction.cwiseAbs().maxCoeff() <= converged * load_.maxCoeff()) return worn.array().max(0);
+    }
+    return std::nullopt;
+  }
+
+ private:
+  [[nodiscard]] Eigen::VectorXd newton_correction(const Eigen::VectorXd& worn, double work) const {
+    const Eigen::VectorXd fall = image_.triangularView<Eigen::Lower>() * worn;
+    const Eigen::MatrixXd load = (load_ - fall.asDiagonal() * stiffness_).cwiseMax(0);
+    const Eigen::MatrixXd relieved = (load.array() > 0).select(stiffness_, 0);
+    const Eigen::VectorXd wear = work * stress_.cwiseProduct(path_ * load.transpose()).rowwise().sum();
+    const Eigen::MatrixXd relief = work * stress_.cwiseProduct(path_ * relieved.transpose()) * image_;
+    Eigen::MatrixXd system = (wear.array() > 0).cast<double>().matrix().asDiagonal() * relief;
+    system.diagonal().array() += 1;
+    return system.partialPivLu().solve(wear.cwiseMax(0) - worn);
+  }
+
+  Eigen::Index n_;
+  Eigen::MatrixXd image_, stress_, path_, load_, stiffness_;
+};
+
+}  // namespace
+
+std::optional<Eigen::ArrayXd> wear_jump(const AbelMatrices& matrices, const WearCycle& cycle,
+                                        const Eigen::ArrayXd& room, double work) {
+  const Eigen::Index n = matrices.image.rows();
+  Eigen::Index inner = 0;
+  while (inner < n && cycle.path.row(inner).isZero(0)) ++inner;
+  Eigen::ArrayXd all = Eigen::ArrayXd::Zero(n);
+  if (inner == n) return all;
+  const std::optional<Eigen::ArrayXd> worn = Jump(matrices, cycle, room, inner).worn(work);
+  if (!worn) return std::nullopt;
+  all.tail(n - inner) = *worn;
+  return all;
+}
+
+}  // namespace fretval::mdr
