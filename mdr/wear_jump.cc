@@ -8,7 +8,7 @@ namespace fretval::mdr {
 namespace {
 
 constexpr int most_iterations = 60;
-constexpr double converged = 1e-13;  // last correction over the largest load: roundoff of the loads
+constexpr double converged = 1e-13;  // last correction over the largest load of all springs: roundoff
 
 // The rings that slip, from the innermost one outwards, and the springs under them. Springs further inside keep their
 // load, and do not bear on these rings.
@@ -20,7 +20,8 @@ class Jump {
         stress_(matrices.stress.bottomRightCorner(n_, n_)),
         path_(cycle.path.bottomRows(n_)),
         load_(cycle.load.bottomRows(n_)),
-        stiffness_(Eigen::MatrixXd::Ones(n_, cycle.load.cols())) {
+        stiffness_(Eigen::MatrixXd::Ones(n_, cycle.load.cols())),
+        accuracy_(converged * cycle.load.maxCoeff()) {
     for (Eigen::Index j = 0; j < n_; ++j) {
       const double r = room[inner + j];
       if (r > 0)
@@ -35,7 +36,7 @@ class Jump {
     for (int iteration = 0; iteration < most_iterations; ++iteration) {
       const Eigen::VectorXd correction = newton_correction(worn, work);
       worn += correction;
-      if (correction.cwiseAbs().maxCoeff() <= converged * load_.maxCoeff()) return worn.array().max(0);
+      if (correction.cwiseAbs().maxCoeff() <= accuracy_) return worn.array().max(0);
     }
     return std::nullopt;
   }
@@ -54,6 +55,7 @@ class Jump {
 
   Eigen::Index n_;
   Eigen::MatrixXd image_, stress_, path_, load_, stiffness_;
+  double accuracy_;  // m
 };
 
 }  // namespace
