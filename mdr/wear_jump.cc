@@ -8,20 +8,20 @@ namespace fretval::mdr {
 namespace {
 
 constexpr int most_iterations = 60;
-constexpr double converged = 1e-13;  // last correction over the largest load of all springs: roundoff
 
 // The rings that slip, from the innermost one outwards, and the springs under them. Springs further inside keep their
 // load, and do not bear on these rings.
 class Jump {
  public:
-  Jump(const AbelMatrices& matrices, const WearCycle& cycle, const Eigen::ArrayXd& room, Eigen::Index inner)
+  Jump(const AbelMatrices& matrices, const WearCycle& cycle, const Eigen::ArrayXd& room, Eigen::Index inner,
+       double accuracy)
       : n_(matrices.image.rows() - inner),
         image_(matrices.image.bottomRightCorner(n_, n_)),
         stress_(matrices.stress.bottomRightCorner(n_, n_)),
         path_(cycle.path.bottomRows(n_)),
         load_(cycle.load.bottomRows(n_)),
         stiffness_(Eigen::MatrixXd::Ones(n_, cycle.load.cols())),
-        accuracy_(converged * cycle.load.maxCoeff()) {
+        accuracy_(accuracy) {
     for (Eigen::Index j = 0; j < n_; ++j) {
       const double r = room[inner + j];
       if (r > 0)
@@ -46,11 +46,18 @@ class Jump {
     const Eigen::VectorXd fall = image_.triangularView<Eigen::Lower>() * worn;
     const Eigen::MatrixXd load = (load_ - fall.asDiagonal() * stiffness_).cwiseMax(0);
     const Eigen::MatrixXd relieved = (load.array() > 0).select(stiffness_, 0);
-    const Eigen::VectorXd wear = work * stress_.cwiseProduct(path_ * load.transpose()).rowwise().sum();
-    const Eigen::MatrixXd relief = work * stress_.cwiseProduct(path_ * relieved.transpose()) * image_;
+    const Eigen::VectorXd wear = work * stress_of(load).rowwise().sum();
+    const Eigen::MatrixXd relief = work * (stress_of(relieved) * image_.triangularView<Eigen::Lower>());
     Eigen::MatrixXd system = (wear.array() > 0).cast<double>().matrix().asDiagonal() * relief;
     system.diagonal().array() += 1;
     return system.partialPivLu().solve(wear.cwiseMax(0) - worn);
+  }
+
+  // Stress of each spring on each ring times the path of the ring, over all instants; only springs further out count.
+  [[nodiscard]] Eigen::MatrixXd stress_of(const Eigen::MatrixXd& load) const {
+    Eigen::MatrixXd product = Eigen::MatrixXd::Zero(n_, n_);
+    product.triangularView<Eigen::Upper>() = path_ * load.transpose();
+    return stress_.cwiseProduct(product);
   }
 
   Eigen::Index n_;
@@ -61,13 +68,13 @@ class Jump {
 }  // namespace
 
 std::optional<Eigen::ArrayXd> wear_jump(const AbelMatrices& matrices, const WearCycle& cycle,
-                                        const Eigen::ArrayXd& room, double work) {
+                                        const Eigen::ArrayXd& room, double work, double accuracy) {
   const Eigen::Index n = matrices.image.rows();
   Eigen::Index inner = 0;
   while (inner < n && cycle.path.row(inner).isZero(0)) ++inner;
   Eigen::ArrayXd all = Eigen::ArrayXd::Zero(n);
   if (inner == n) return all;
-  const std::optional<Eigen::ArrayXd> worn = Jump(matrices, cycle, room, inner).worn(work);
+  const std::optional<Eigen::ArrayXd> worn = Jump(matrices, cycle, room, inner, accuracy).worn(work);
   if (!worn) return std::nullopt;
   all.tail(n - inner) = *worn;
   return all;

@@ -16,8 +16,8 @@ namespace fretval::mdr {
 /// never goes beyond. stiffness_t is 1, as for an elastic or a slow change of g; but where a viscoelastic spring is
 /// hit faster than it relaxes, it is load_t over the room, so that the load ends just where the spring is out of
 /// reach: room = d_max - g per spring in m, not positive where it cannot be reached.
-/// Semismooth Newton iterations; empty if they do not converge.
+/// Semismooth Newton iterations, until they change dw by no more than the accuracy in m; empty if they do not converge.
 std::optional<Eigen::ArrayXd> wear_jump(const AbelMatrices& matrices, const WearCycle& cycle,
-                                        const Eigen::ArrayXd& room, double work);
+                                        const Eigen::ArrayXd& room, double work, double accuracy);
 
 }  // namespace fretval::mdr

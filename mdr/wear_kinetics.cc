@@ -17,7 +17,7 @@ namespace {
 
 constexpr double first_jump = 0.05;       // share of the largest
 constexpr double growth_per_jump = 10.0;  // relative growth of a jump over the one before, over largest_jump
-constexpr double margin_of_springs = 1.15;
+constexpr double margin_of_springs = 1.05;
 
 // The widest limiting profile, at c = 0, has f_inf = d_max beyond the axis.
 double widest_worn_radius(const Profile& profile, double maximum_indentation) {
@@ -67,7 +67,8 @@ class WearingContact {
   double jump(double n) {
     const Eigen::ArrayXd room = maximum_indentation_ - springs_.bed().depth;
     for (int trial = 0; trial < most_trials; ++trial) {
-      const std::optional<Eigen::ArrayXd> more = wear_jump(matrices_, cycle_, room, stiffness_ * n);
+      const std::optional<Eigen::ArrayXd> more =
+          wear_jump(matrices_, cycle_, room, stiffness_ * n, roundoff * maximum_indentation_);
       const double most = more ? more->maxCoeff() : 2 * largest_;
       if (most <= largest_) {
         worn_ += *more;
@@ -89,13 +90,12 @@ class WearingContact {
             cycle_.stick_radius};
   }
 
-  [[nodiscard]] bool at_end_of_springs() const { return cycle_.load.bottomRows(2).maxCoeff() > 0; }
-
   [[nodiscard]] const Eigen::ArrayXd& radius() const { return springs_.bed().position; }
   [[nodiscard]] const Eigen::ArrayXd& worn() const { return worn_; }
 
  private:
   static constexpr int most_trials = 60;
+  static constexpr double roundoff = 1e-13;
 
   double stiffness_;  // work of the wear jump per cycle
   double maximum_indentation_;
@@ -114,6 +114,11 @@ void check(const Motion& motion, const WearControl& control) {
   require_within("number of springs", static_cast<double>(control.n_springs), 10, 2000);
   require_within("steps per cycle", control.steps_per_cycle, 12, 1e5);
   require_within("largest jump", control.largest_jump, 1e-6, 1);
+  double before = 0;
+  for (const double cycles : control.snapshots) {
+    require_within("cycles of a snapshot", cycles, before, control.n_cycles);
+    before = cycles;
+  }
   if (!motion.phase || motion.normal_frequency != motion.tangential_frequency)
     throw std::invalid_argument("wear kinetics need equal frequencies and a locked phase");
 }
@@ -127,12 +132,19 @@ WearKinetics wear_kinetics(const Profile& profile, const PronyBody& body, double
   WearKinetics result;
   result.curve.push_back(contact.point(0));
   double done = 0, next = contact.cycles_of_jump(first_jump);
-  while (done < control.n_cycles && !contact.at_end_of_springs()) {
-    const double n = contact.jump(std::min(control.n_cycles - done, next));
-    done = n == control.n_cycles - done ? control.n_cycles : done + n;
-    next = (1 + growth_per_jump * control.largest_jump) * n;
-    result.curve.push_back(contact.point(done));
+  const auto wear_until = [&](double stop) {
+    while (done < stop) {
+      const double asked = std::min(stop - done, next), n = contact.jump(asked);
+      done = n == stop - done ? stop : done + n;
+      if (n < asked || n == next) next = (1 + growth_per_jump * control.largest_jump) * n;
+      result.curve.push_back(contact.point(done));
+    }
+  };
+  for (const double cycles : control.snapshots) {
+    wear_until(cycles);
+    result.snapshots.push_back(contact.worn());
   }
+  wear_until(control.n_cycles);
   result.radius = contact.radius();
   result.worn_depth = contact.worn();
   return result;
