@@ -20,7 +20,7 @@ namespace fretval::mdr {
 ///   - a uniform height or displacement is reproduced, and no displacement mean leaves the range of the springs', as
 ///     image has a positive diagonal, negative entries below it and row sums of 1: its inverse is not negative;
 ///   - area_i stress(i,j) = 2 width_j image(j,i): works of surface and springs are equal, total loads too.
-/// Smooth fields: errors fall with the first power of the width.
+/// Errors fall with the power 3/2 of the width for smooth fields, with 1/2 where a field is a root at its edge.
 struct AbelMatrices {
   Eigen::MatrixXd image;
   Eigen::MatrixXd stress;  ///< Pa per N/m

@@ -44,13 +44,22 @@ class Jump {
  private:
   [[nodiscard]] Eigen::VectorXd newton_correction(const Eigen::VectorXd& worn, double work) const {
     const Eigen::VectorXd fall = image_.triangularView<Eigen::Lower>() * worn;
-    const Eigen::MatrixXd load = (load_ - fall.asDiagonal() * stiffness_).cwiseMax(0);
-    const Eigen::MatrixXd relieved = (load.array() > 0).select(stiffness_, 0);
-    const Eigen::VectorXd wear = work * stress_of(load).rowwise().sum();
-    const Eigen::MatrixXd relief = work * (stress_of(relieved) * image_.triangularView<Eigen::Lower>());
-    Eigen::MatrixXd system = (wear.array() > 0).cast<double>().matrix().asDiagonal() * relief;
+    const Eigen::MatrixXd load = load_ - fall.asDiagonal() * stiffness_;
+    // At many cycles the loads that are left are below roundoff: springs that only just part still count as relieved.
+    const Eigen::MatrixXd relieved = (load.array() > -accuracy_).select(stiffness_, 0);
+    const Eigen::VectorXd wear = work * stress_of(load.cwiseMax(0)).rowwise().sum();
+    Eigen::MatrixXd system = work * (stress_of(relieved) * image_.triangularView<Eigen::Lower>());
     system.diagonal().array() += 1;
-    return system.partialPivLu().solve(wear.cwiseMax(0) - worn);
+    Eigen::VectorXd residual = wear - worn;
+    // A ring wears unless its own equation alone would heal it: with the residual over its slope, as at many cycles the
+    // residual itself is roundoff of any sign.
+    for (Eigen::Index i = 0; i < n_; ++i) {
+      if (residual[i] + worn[i] * system(i, i) > 0) continue;
+      system.row(i).setZero();
+      system(i, i) = 1;
+      residual[i] = -worn[i];
+    }
+    return system.partialPivLu().solve(residual);
   }
 
   // Stress of each spring on each ring times the path of the ring, over all instants; only springs further out count.

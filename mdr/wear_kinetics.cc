@@ -17,6 +17,7 @@ namespace {
 
 constexpr double first_jump = 0.05;       // share of the largest
 constexpr double growth_per_jump = 10.0;  // relative growth of a jump over the one before, over largest_jump
+constexpr double hardly = 1e-9;           // share of the largest jump: jumps that wear less may double
 constexpr double margin_of_springs = 1.05;
 
 // The widest limiting profile, at c = 0, has f_inf = d_max beyond the axis.
@@ -63,8 +64,13 @@ class WearingContact {
     return share * largest_ / std::max(rate.maxCoeff(), 0.0);
   }
 
-  // Wears for n cycles, or fewer if that were more than the largest jump, and returns how many.
-  double jump(double n) {
+  struct Jump {
+    double cycles;
+    double share;  // of the largest jump, that was worn off
+  };
+
+  // Wears for n cycles, or fewer if that were more than the largest jump.
+  Jump jump(double n) {
     const Eigen::ArrayXd room = maximum_indentation_ - springs_.bed().depth;
     for (int trial = 0; trial < most_trials; ++trial) {
       const std::optional<Eigen::ArrayXd> more =
@@ -74,7 +80,7 @@ class WearingContact {
         worn_ += *more;
         springs_.set_depth(unworn_depth_ + (matrices_.image * worn_.matrix()).array());
         cycle_ = springs_.settled_cycle(matrices_);
-        return n;
+        return {n, most / largest_};
       }
       n *= 0.9 * largest_ / most;
     }
@@ -134,9 +140,13 @@ WearKinetics wear_kinetics(const Profile& profile, const PronyBody& body, double
   double done = 0, next = contact.cycles_of_jump(first_jump);
   const auto wear_until = [&](double stop) {
     while (done < stop) {
-      const double asked = std::min(stop - done, next), n = contact.jump(asked);
-      done = n == stop - done ? stop : done + n;
-      if (n < asked || n == next) next = (1 + growth_per_jump * control.largest_jump) * n;
+      const double asked = std::min(stop - done, next);
+      const auto [cycles, share] = contact.jump(asked);
+      done = cycles == stop - done ? stop : done + cycles;
+      if (cycles < asked)
+        next = cycles;
+      else if (asked == next)
+        next *= share < hardly ? 2 : 1 + growth_per_jump * control.largest_jump;
       result.curve.push_back(contact.point(done));
     }
   };

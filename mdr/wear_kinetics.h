@@ -15,8 +15,8 @@ struct WearControl {
   double n_cycles;          ///< to compute; jumps over many of them are taken at once
   Eigen::Index n_springs = 150;
   int steps_per_cycle = 90;
-  double largest_jump = 0.01;     ///< in worn depth, over d_max
-  std::vector<double> snapshots;  ///< numbers of cycles, rising, at which to keep the worn depth
+  double largest_jump = 0.01;          ///< in worn depth, over d_max
+  std::vector<double> snapshots = {};  ///< numbers of cycles, rising, at which to keep the worn depth
 };
 
 /// One point of the kinetic curves.
@@ -59,16 +59,15 @@ struct WearKinetics {
 ///   One-dimensional friction and pressure of the sign of the springs', as the method of dimensionality reduction has
 ///   them.
 ///
-/// As k n grows, w tends to limiting_profile() of the shakedown radius, where the stick radius is smaller than one
-/// spacing to that of stick radius 0, worn_depth = d_max - f0: under a given motion wear always ends. Wear goes on
-/// where springs come into contact and stick without slip first; see THEORY on phases 0 and pi.
+/// As k n grows, w tends to limiting_profile() of the shakedown radius; where nothing sticks, to d_max - f0: under a
+/// given motion wear always ends. At phase 0 or pi and 2 u_x0 <= 3 mu Delta d everything that touches an elastic body
+/// sticks, and nothing wears. Friction work per cycle may rise first, as the slip zone wears in, before it dies out.
 ///
-/// Cost: about 10/largest_jump^(1/2) to 2/largest_jump jumps, each of a few cycles of the springs and some solutions
-/// with a dense matrix of the slipping rings.
-/// Source: Dimaki, Dmitriev, Chai and Popov, International Journal of Solids and Structures 51 (2014) 4215, extended to
-/// normal oscillation, viscoelastic springs and implicit jumps.
-/// Throws std::invalid_argument for bad arguments and when a profile table ends too early; std::runtime_error when the
-/// springs do not become periodic, as a relaxation time is far longer than the period.
+/// Cost: 50 to 300 jumps, each of two cycles of the springs, more in a body that relaxes slowly, and some solutions
+/// with a dense matrix of the slipping rings. Source: Dimaki, Dmitriev, Chai and Popov, International Journal of Solids
+/// and Structures 51 (2014) 4215, extended to normal oscillation, viscoelastic springs and implicit jumps. Throws
+/// std::invalid_argument for bad arguments and when a profile table ends too early; std::runtime_error when the springs
+/// do not become periodic, as a relaxation time is far longer than the period.
 WearKinetics wear_kinetics(const Profile& profile, const PronyBody& body, double mu, const Motion& motion,
                            const WearControl& control);
 
