@@ -38,9 +38,10 @@ SpringBed aligned_bed(const Profile& profile, const PronyBody& body, double mu, 
   const HistoryControl history{period, control.steps_per_cycle, 3, 20000, 1e-8};
   const double depth = spring_history(bed, body, mu, ramped_path(motion, 3 * period), history).depths.shakedown;
   if (depth <= 0) return bed;
-  const double c = inverse_transform(profile, depth), inside = std::floor(c / bed.width[0]);
+  const double c = inverse_transform(profile, depth), inside = std::round(c / bed.width[0]);
   if (inside == 0) return bed;
-  return spring_bed(profile, c / inside * static_cast<double>(control.n_springs), control.n_springs);
+  const double n_springs = std::ceil(outer * inside / c);
+  return spring_bed(profile, n_springs * c / inside, static_cast<Eigen::Index>(n_springs));
 }
 
 class WearingContact {

@@ -11,9 +11,9 @@ namespace fretval::mdr {
 
 /// What to wear, and how finely.
 struct WearControl {
-  double wear_coefficient;  ///< k in 1/Pa: worn depth per pressure and path of slip (Archard's K over hardness)
-  double n_cycles;          ///< to compute; jumps over many of them are taken at once
-  Eigen::Index n_springs = 150;
+  double wear_coefficient;       ///< k in 1/Pa: worn depth per pressure and path of slip (Archard's K over hardness)
+  double n_cycles;               ///< to compute; jumps over many of them are taken at once
+  Eigen::Index n_springs = 150;  ///< to start from; the stick radius becomes an edge of their intervals
   int steps_per_cycle = 90;
   double largest_jump = 0.01;          ///< in worn depth, over d_max
   std::vector<double> snapshots = {};  ///< numbers of cycles, rising, at which to keep the worn depth
@@ -52,7 +52,8 @@ struct WearKinetics {
 ///   n_springs        rings of constant height, next to the stick radius, where w rises like a root: volume and mean
 ///                    worn depth with the power 3/2 of the spacing, largest worn depth with 1/2. A history of the
 ///                    springs on the unworn profile finds the stick radius first, and the bed is laid with an edge
-///                    on it; it does not move, as wear leaves the springs inside alone.
+///                    on it; it does not move, as wear leaves the springs inside alone. A stick radius below half
+///                    a spacing is taken for 0.
 ///   largest_jump     first order, in the course only. A jump is implicit in the pressure and explicit in the slip, so
 ///                    that any number of cycles is stable and none wears beyond the loss of pressure.
 ///   steps_per_cycle  second order where springs keep contact, first where they come into contact in mid-step.

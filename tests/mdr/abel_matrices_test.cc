@@ -42,8 +42,8 @@ TEST(AbelMatrices, ImageOfAParabola) {
     const Eigen::VectorXd f = (bed.position.square() / (2 * R)).matrix();
     return ((abel_matrices(bed).image * f).array() - bed.depth).abs().maxCoeff();
   };
-  EXPECT_LT(error(40), 0.03 / R);  // of g <= 1/R; falls as below
-  EXPECT_GT(order(error), 0.9) << error(40) << " " << error(160);
+  EXPECT_LT(error(40), 0.002 / R);  // of g <= 1/R
+  EXPECT_GT(order(error), 1.4) << error(40) << " " << error(160);
 }
 
 TEST(AbelMatrices, SurfaceOfAParabola) {
@@ -52,8 +52,8 @@ TEST(AbelMatrices, SurfaceOfAParabola) {
     const Eigen::ArrayXd f = bed.position.square() / (2 * R);
     return ((abel_matrices(bed).displacement * bed.depth.matrix()).array() - f).abs().maxCoeff();
   };
-  EXPECT_LT(error(40), 0.01 / R);
-  EXPECT_GT(order(error), 0.9) << error(40) << " " << error(160);
+  EXPECT_LT(error(40), 0.0015 / R);
+  EXPECT_GT(order(error), 1.4) << error(40) << " " << error(160);
 }
 
 TEST(AbelMatrices, PressureOfHertz) {
@@ -64,7 +64,7 @@ TEST(AbelMatrices, PressureOfHertz) {
     return ((matrices.stress * q).array() - hertz_ring_means(bed, matrices.area)).abs().maxCoeff() /
            (8 * G / (pi * R) * a);
   };
-  EXPECT_LT(error(40), 0.1);
+  EXPECT_LT(error(40), 0.05);  // on the last ring, where the pressure is a root
   EXPECT_GT(order(error), 0.45) << error(40) << " " << error(160);
 }
 

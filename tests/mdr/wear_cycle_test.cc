@@ -37,15 +37,15 @@ double reye_error(const PronyBody& body, const Motion& motion, Eigen::Index n, i
   return mu * body.relaxed_modulus * (m.matrices.area * pressure_path(m)).sum() / m.cycle.friction_work - 1;
 }
 
-// Surface and springs do the same work; the trapezoidal rule over a step in which slip sets in is of second order.
+// Surface and springs do the same work. What remains is the trapezoidal rule over steps in which slip sets in while the
+// load changes: none at constant indentation, else of second order in the step.
 TEST(WearCycle, WornVolumeIsFrictionWork) {
   const Motion tangential{1, 0, 0.3, 1, 1, M_PI / 2}, both{1, 0.15, 0.3, 1, 1, 0.7};
   for (const PronyBody& body : {elastic(2), standard_solid(2, 2, 0.1)}) {
-    for (const Motion& motion : {tangential, both}) {
-      const double coarse = reye_error(body, motion, 100, 45), fine = reye_error(body, motion, 100, 360);
-      EXPECT_LT(std::abs(coarse), 0.02) << motion.normal_amplitude;
-      EXPECT_LT(std::abs(fine), 0.02 / 8) << coarse << " " << motion.normal_amplitude;
-    }
+    EXPECT_NEAR(reye_error(body, tangential, 100, 45), 0, 1e-12);  // roundoff
+    const double coarse = reye_error(body, both, 100, 45), fine = reye_error(body, both, 100, 360);
+    EXPECT_LT(std::abs(coarse), 0.002);
+    EXPECT_LT(std::abs(fine), std::abs(coarse) / 30);  // 64 but for the few steps in which slip turns round
   }
 }
 
