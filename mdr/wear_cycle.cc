@@ -1,7 +1,11 @@
 #include "mdr/wear_cycle.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <deque>
 #include <stdexcept>
+#include <string>
 
 #include "mdr/spring_energy.h"
 
@@ -10,6 +14,7 @@ namespace fretval::mdr {
 namespace {
 constexpr int n_ramp_cycles = 3;
 constexpr int most_settling_cycles = 20000;
+constexpr int longest_period = 12;    // in cycles: dashpots that lose and regain contact may repeat in several only
 constexpr double settled = 1e-8;      // change of the tractions in a cycle, over the largest
 constexpr double shaken_down = 1e-6;  // slip in a cycle, over the tangential amplitude
 constexpr double touching = 1e-6;     // gap, over the indentation: worn surfaces that only just part still touch
@@ -39,39 +44,43 @@ void WearingSprings::step(int k) {
   step_.advance(state_, bed_, path_(time));
 }
 
-void WearingSprings::settle() {
+int WearingSprings::settle() {
+  std::deque<Eigen::ArrayXd> latest{state_.tangential_load};  // at the ends of cycles, the last one first
   for (int cycle = 0; cycle < most_settling_cycles; ++cycle) {
-    const Eigen::ArrayXd before = state_.tangential_load;
     for (int k = 1; k <= steps_per_cycle_; ++k) step(k);
     ++n_cycles_;
-    if ((state_.tangential_load - before).abs().maxCoeff() <= settled * mu_ * state_.normal_load.maxCoeff()) return;
+    const double allowed = settled * mu_ * state_.normal_load.maxCoeff();
+    for (std::size_t period = 1; period <= latest.size(); ++period)
+      if ((state_.tangential_load - latest[period - 1]).abs().maxCoeff() <= allowed) return static_cast<int>(period);
+    latest.push_front(state_.tangential_load);
+    if (latest.size() > longest_period) latest.pop_back();
   }
   throw std::runtime_error("tractions of the springs still change after " + std::to_string(most_settling_cycles) +
                            " cycles on the same profile: a relaxation time is far longer than the period");
 }
 
 WearCycle WearingSprings::settled_cycle(const AbelMatrices& matrices) {
-  settle();
-  const Eigen::Index n = bed_.depth.size();
-  Eigen::MatrixXd slip(n, steps_per_cycle_);
-  WearCycle cycle{{}, Eigen::MatrixXd(n, steps_per_cycle_), 0, 0, 0};
-  for (int k = 1; k <= steps_per_cycle_; ++k) {
+  const int period = settle();
+  const Eigen::Index n = bed_.depth.size(), n_instants = static_cast<Eigen::Index>(period) * steps_per_cycle_;
+  Eigen::MatrixXd slip(n, n_instants);
+  WearCycle cycle{{}, Eigen::MatrixXd(n, n_instants), 0, 0, 0};
+  for (Eigen::Index instant = 0; instant < n_instants; ++instant) {
     const SpringState before = state_;
-    step(k);
+    step(static_cast<int>(instant) + 1);
     const double shift = state_.indenter.tangential - before.indenter.tangential;
-    slip.col(k - 1) = (shift - (state_.tangential_shift - before.tangential_shift)).matrix();
+    slip.col(instant) = (shift - (state_.tangential_shift - before.tangential_shift)).matrix();
     const Eigen::ArrayXd gap = state_.normal_depth - (state_.indenter.indentation - bed_.depth);
-    cycle.load.col(k - 1) = (state_.normal_load > 0).select(state_.normal_load, -gap.max(0)).matrix();
-    cycle.friction_work += dissipation(bed_, body_, mu_, dt_, before, state_).friction;
+    cycle.load.col(instant) = (state_.normal_load > 0).select(state_.normal_load, -gap.max(0)).matrix();
+    cycle.friction_work += dissipation(bed_, body_, mu_, dt_, before, state_).friction / period;
   }
-  ++n_cycles_;
-  const Eigen::ArrayXd spring_path = slip.cwiseAbs().rowwise().sum();
+  n_cycles_ += period;
+  const Eigen::ArrayXd spring_path = slip.cwiseAbs().rowwise().sum() / period;
   for (Eigen::Index j = 0; j < n; ++j)
     if (spring_path[j] <= shaken_down * motion_.tangential_amplitude) slip.row(j).setZero();
-  const Eigen::MatrixXd path = (matrices.displacement.triangularView<Eigen::Lower>() * slip).cwiseAbs();
-  cycle.path = path / 2;
-  cycle.path.leftCols(steps_per_cycle_ - 1) += path.rightCols(steps_per_cycle_ - 1) / 2;
-  cycle.path.col(steps_per_cycle_ - 1) += path.col(0) / 2;
+  const Eigen::MatrixXd path = (matrices.displacement.triangularView<Eigen::Lower>() * slip).cwiseAbs() / (2 * period);
+  cycle.path = path;
+  cycle.path.leftCols(n_instants - 1) += path.rightCols(n_instants - 1);
+  cycle.path.col(n_instants - 1) += path.col(0);
   find_radii(cycle, slip);
   return cycle;
 }

@@ -11,7 +11,8 @@
 
 namespace fretval::mdr {
 
-/// What wear needs to know of a periodic cycle: columns are the instants of the cycle.
+/// What wear needs to know of a periodic cycle: columns are its instants. Springs that repeat only after several
+/// cycles, as dashpots that lose contact may do, are followed for all of them, and path and work are shared out to one.
 struct WearCycle {
   Eigen::MatrixXd path;   ///< rings: path of slip in m, of each step half to the instant before and half to that after
   Eigen::MatrixXd load;   ///< springs: normal_load in m; less than 0: the gap in m between tip and indenter
@@ -29,15 +30,16 @@ class WearingSprings {
   /// Sets g of the springs.
   void set_depth(const Eigen::ArrayXd& depth);
 
-  /// Runs cycles until the tractions repeat to 1e-8 of the largest, so that the slip which settling takes is not taken
-  /// for wear of every cycle, and measures one. A spring that slips by less than 1e-6 of u_x0 in a cycle has shaken
-  /// down: what is left of its slip dies out, and does not count. Throws std::runtime_error when they do not settle.
+  /// Runs cycles until the tractions repeat, after up to 12 cycles, to 1e-8 of the largest, so that the slip which
+  /// settling takes is not taken for wear of every cycle, and measures one. A spring that slips by less than 1e-6 of
+  /// u_x0 in a cycle has shaken down: what is left of its slip dies out, and does not count. Throws std::runtime_error
+  /// when they do not settle.
   WearCycle settled_cycle(const AbelMatrices& matrices);
 
   [[nodiscard]] const SpringBed& bed() const { return bed_; }
 
  private:
-  void settle();
+  int settle();  // returns the number of cycles after which the tractions repeat
   void step(int k);
   void find_radii(WearCycle& cycle, const Eigen::MatrixXd& slip) const;
 

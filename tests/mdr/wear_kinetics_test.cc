@@ -76,6 +76,13 @@ TEST(WearKinetics, TendsToTheShakedownProfile) {
   }
 }
 
+// On its way a spring of this body loses contact for an instant, and its tractions repeat in four cycles only.
+TEST(WearKinetics, FollowsSpringsThatRepeatInSeveralCycles) {
+  const PronyBody body = prony(1, {1, 1}, {0.05, 0.5}, 0.02);
+  const WearKinetics wear = wear_kinetics(sphere, body, mu, both_small, {k, 1e6, 150});
+  EXPECT_LT(distance_from_limit(wear, sphere, body, both_small), 0.01);  // 60 springs' 0.02 to the power 3/2
+}
+
 TEST(WearKinetics, StaysInTheLimit) {
   for (const Motion& motion : {tangential, both}) {
     const WearKinetics wear = wear_kinetics(sphere, elastic(1), mu, motion, {k, 1e15, 80, 60, 0.02, {1e6}});
