@@ -171,6 +171,7 @@ ordered_json wear_json(const Case& scene) {
     json["deepest"].push_back(point.deepest);
     json["friction_work"].push_back(point.friction_work);
     json["contact_radius"].push_back(point.contact_radius);
+    json["stick_radius"].push_back(point.stick_radius);
   }
   const auto list = [](const Eigen::ArrayXd& a) { return std::vector<double>(a.data(), a.data() + a.size()); };
   json["r"] = list(kinetics.radius);

@@ -6,7 +6,7 @@
 #include <fstream>
 #include <string>
 
-#include "mdr/csv.h"
+#include "mdr/profile_csv.h"
 #include "mdr/shakedown_amplitude.h"
 
 namespace fretval {
@@ -17,8 +17,7 @@ constexpr double degree = 3.14159265358979323846 / 180;
 mdr::Profile profile_from_table(const Case::Indenter& indenter) {
   std::ifstream stream(indenter.table);
   try {
-    const auto table = mdr::read_csv(stream, indenter.table, 2);
-    return mdr::tabulated(table.columns[0], table.columns[1]);
+    return mdr::read_profile_table(stream, indenter.table, indenter.table_noise);
   } catch (const std::invalid_argument& error) {
     const std::string message = error.what();
     throw InputError(message.find(indenter.table) == std::string::npos ? indenter.table + ": " + message : message);

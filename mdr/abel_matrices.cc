@@ -1,5 +1,6 @@
 #include "mdr/abel_matrices.h"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -9,55 +10,54 @@ namespace fretval::mdr {
 namespace {
 const double pi = std::acos(-1.0);
 
-double arcosine(double x, double r) {  // arccos(x/r)
-  x = std::max(x, 0.0);
-  return std::atan2(std::sqrt((r - x) * (r + x)), x);
+double root(double x, double r) {  // int x/sqrt(x^2-r^2) dx from r, the image of a step at r
+  return x > r ? std::sqrt((x - r) * (x + r)) : 0;
 }
 
-Eigen::MatrixXd image_matrix(const Eigen::ArrayXd& x) {
-  Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(x.size(), x.size());
-  for (Eigen::Index j = 0; j < x.size(); ++j) {
-    for (Eigen::Index i = 0; i < j; ++i) {
-      const double weight = x[j] * (arcosine(x[i], x[j]) - arcosine(x[i + 1], x[j])) / (x[i + 1] - x[i]);
-      matrix(j, i) -= weight;
-      matrix(j, i + 1) += weight;
+// The ring is a step up at its inner edge and one down at its outer edge.
+Eigen::MatrixXd image_matrix(const Eigen::ArrayXd& edge) {
+  const Eigen::Index n = edge.size() - 1;
+  Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(n, n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    double below = 0;
+    for (Eigen::Index j = i; j < n; ++j) {
+      // Difference of the two roots without cancellation.
+      const double inner = root(edge[j + 1], edge[i]), outer = root(edge[j + 1], edge[i + 1]);
+      const double above = (edge[i + 1] - edge[i]) * (edge[i + 1] + edge[i]) / (inner + outer);
+      matrix(j, i) = (above - below) / (edge[j + 1] - edge[j]);
+      below = above;
     }
   }
   return matrix;
 }
 
-// A step of q at x = R is a flat punch, q/(pi sqrt(R^2-r^2)), whose mean over a ring is in closed form.
-Eigen::MatrixXd stress_matrix(const Eigen::ArrayXd& x, double h) {
-  Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(x.size(), x.size());
-  const auto root = [](double R, double r) { return std::sqrt((R - r) * (R + r)); };
-  for (Eigen::Index i = 0; i < x.size(); ++i) {
-    const double inner = x[i] - h / 2, outer = x[i] + h / 2;
-    for (Eigen::Index j = i; j < x.size(); ++j) {
-      const double R = std::max(outer, x[j] + h / 2);
-      const double mean = 2 / pi * (root(R, inner) - root(R, outer)) / ((outer - inner) * (outer + inner));
-      matrix(i, j) += mean;
-      if (j + 1 < x.size()) matrix(i, j + 1) -= mean;
-    }
+Eigen::ArrayXd interval_edges(const SpringBed& bed) {
+  const Eigen::Index n = bed.width.size();
+  Eigen::ArrayXd edge(n + 1);
+  edge[0] = 0;
+  for (Eigen::Index j = 0; j < n; ++j) {
+    edge[j + 1] = bed.position[j] + bed.width[j] / 2;
+    // Positions come from sums of widths: 1e-9 of the bed is far above their roundoff.
+    if (!(bed.width[j] > 0) || std::abs(edge[j + 1] - edge[j] - bed.width[j]) > 1e-9 * edge[j + 1])
+      throw std::invalid_argument(
+          "intervals of the springs overlap or leave gaps: the Abel matrices need them to "
+          "follow each other from the axis");
   }
-  return matrix;
-}
-
-Eigen::MatrixXd displacement_matrix(const Eigen::ArrayXd& x, double h) {
-  Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(x.size(), x.size());
-  for (Eigen::Index i = 0; i < x.size(); ++i) {
-    for (Eigen::Index j = 0; j <= i; ++j)
-      matrix(i, j) = 2 / pi * (arcosine(x[j] - h / 2, x[i]) - arcosine(std::min(x[j] + h / 2, x[i]), x[i]));
-  }
-  return matrix;
+  return edge;
 }
 
 }  // namespace
 
 AbelMatrices abel_matrices(const SpringBed& bed) {
-  const double h = bed.width[0];
-  if ((bed.width - h).abs().maxCoeff() > 1e-12 * h)
-    throw std::invalid_argument("springs of different widths: the matrices of the Abel transforms need equal ones");
-  return {image_matrix(bed.position), stress_matrix(bed.position, h), displacement_matrix(bed.position, h)};
+  const Eigen::ArrayXd edge = interval_edges(bed);
+  const Eigen::Index n = bed.width.size();
+  AbelMatrices matrices;
+  matrices.area = pi * (edge.tail(n) - edge.head(n)) * (edge.tail(n) + edge.head(n));
+  matrices.image = image_matrix(edge);
+  matrices.stress =
+      (1 / matrices.area).matrix().asDiagonal() * matrices.image.transpose() * (2 * bed.width).matrix().asDiagonal();
+  matrices.displacement = matrices.image.triangularView<Eigen::Lower>().solve(Eigen::MatrixXd::Identity(n, n));
+  return matrices;
 }
 
 }  // namespace fretval::mdr
