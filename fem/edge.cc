@@ -30,25 +30,48 @@ double root_beyond(const Eigen::VectorXd& x, const Eigen::VectorXd& y, int degre
   return centre - scale * 2 * c[0] / (c[1] + std::copysign(std::sqrt(discriminant), c[1]));
 }
 
+bool has_equal_rings(const Compliance& compliance) {
+  const auto& radii = compliance.radii;
+  for (std::size_t m = 1; m < radii.size(); ++m)
+    if (std::abs(radii[m] - radii[m - 1] - radii[1]) > 1e-9 * radii[1]) return false;
+  return true;
+}
+
+/// Radius at an indentation between events m - 1 and m, by the polynomial through the four nearest events.
+double radius_at(const ContactEvents& events, Eigen::Index m, double indentation) {
+  const Eigen::Index n = std::min<Eigen::Index>(4, events.radius.size());
+  const Eigen::Index begin = std::clamp<Eigen::Index>(m - 2, 0, events.radius.size() - n);
+  double radius = 0;
+  for (Eigen::Index i = begin; i < begin + n; ++i) {
+    double weight = 1;
+    for (Eigen::Index j = begin; j < begin + n; ++j)
+      if (j != i) weight *= (indentation - events.indentation[j]) / (events.indentation[i] - events.indentation[j]);
+    radius += weight * events.radius[i];
+  }
+  return radius;
+}
+
 }  // namespace
 
-Eigen::VectorXd effective_radii(const Compliance& compliance) {
+EffectiveRadii effective_radii(const Compliance& compliance) {
   const Eigen::Index n = compliance.areas.size();
   // Force of a unit indentation on rings 0..m-1 = |L_m^{-1} A_m|^2: one forward substitution serves every m.
   const Eigen::VectorXd half = cholesky_factor(compliance).triangularView<Eigen::Lower>().solve(compliance.areas);
   Eigen::VectorXd force(n + 1);
-  Eigen::MatrixXd radius_and_width(n + 1, 2);
+  Eigen::MatrixXd terms(n + 1, 3);
   force[0] = 0;
-  radius_and_width.row(0).setZero();
+  terms.row(0).setZero();
   for (Eigen::Index m = 1; m <= n; ++m) {
     force[m] = force[m - 1] + half[m - 1] * half[m - 1];
-    radius_and_width.row(m) << compliance.radii[m], compliance.radii[m] - compliance.radii[m - 1];
+    const double radius = compliance.radii[m], width = radius - compliance.radii[m - 1];
+    terms.row(m) << radius, width, width * width / radius;
   }
-  // Force = stiffness (radius - beta width of the last ring); the innermost discs are of too few rings for that.
-  const Eigen::Index begin = n / 4, count = std::max<Eigen::Index>(n / 2, 2);
-  const Eigen::Vector2d fit =
-      radius_and_width.middleRows(begin, count).colPivHouseholderQr().solve(force.segment(begin, count));
-  return force / fit[0];
+  // The innermost discs are of too few rings. Under rings that differ, the third term would fit their differences.
+  const Eigen::Index begin = n / 4, count = std::max<Eigen::Index>(n / 2, 3);
+  const auto fitted = terms.middleRows(begin, count).leftCols(has_equal_rings(compliance) ? 3 : 2);
+  const Eigen::VectorXd fit = fitted.colPivHouseholderQr().solve(force.segment(begin, count));
+  const double scatter = (fitted * fit - force.segment(begin, count)).cwiseAbs().maxCoeff() / fit[0];
+  return {force / fit[0], scatter};
 }
 
 ContactEvents contact_events(const Compliance& compliance, const Eigen::VectorXd& profile) {
@@ -57,7 +80,7 @@ ContactEvents contact_events(const Compliance& compliance, const Eigen::VectorXd
   const auto& areas = compliance.areas;
   const Eigen::VectorXd by_indentation = factor.triangularView<Eigen::Lower>().solve(areas);
   const Eigen::VectorXd by_profile = factor.triangularView<Eigen::Lower>().solve(areas.cwiseProduct(profile));
-  const Eigen::VectorXd effective = effective_radii(compliance);
+  const Eigen::VectorXd effective = effective_radii(compliance).radius;
   ContactEvents events{Eigen::VectorXd(n), Eigen::VectorXd(n), Eigen::VectorXd(n)};
   for (Eigen::Index m = 0; m < n; ++m) {
     const auto row = factor.row(m).head(m);
@@ -73,13 +96,12 @@ EdgeRadius largest_contact_radius(const NormalHistory& history, const ContactEve
   while (m < history.smallest_gap.size() && history.smallest_gap[m] <= 0) ++m;
   if (m < 2 || m >= history.smallest_gap.size()) throw SolverError("the contact has no edge inside the contact line");
   const double deepest = events.indentation[m] - history.smallest_gap[m] / events.closing_rate[m];
-  const double slope = (events.radius[m] - events.radius[m - 1]) / (events.indentation[m] - events.indentation[m - 1]);
-  return {events.radius[m] + slope * (deepest - events.indentation[m]), events.radius[m] - events.radius[m - 1]};
+  return {radius_at(events, m, deepest), events.radius[m] - events.radius[m - 1]};
 }
 
 EdgeRadius stick_radius(const Compliance& compliance, const Eigen::VectorXd& margin, Eigen::Index n_stuck) {
   if (n_stuck == 0) return {0, compliance.radii[1]};
-  const Eigen::VectorXd effective = effective_radii(compliance);
+  const auto [effective, scatter] = effective_radii(compliance);
   const double width = compliance.radii[n_stuck] - compliance.radii[n_stuck - 1];
   if (n_stuck < 3) return {effective[n_stuck], width};
   const Eigen::LLT<Eigen::MatrixXd> factor(compliance.matrix.topLeftCorner(n_stuck, n_stuck));
@@ -94,7 +116,8 @@ EdgeRadius stick_radius(const Compliance& compliance, const Eigen::VectorXd& mar
   }
   const double fitted = root_beyond(radius, load, 2);
   const double spread = std::abs(fitted - root_beyond(radius.tail(3), load.tail(3), 2));
-  return {fitted, spread + width * width / (4 * compliance.radii.back())};
+  const double relative_width = width / compliance.radii.back();
+  return {fitted, spread + scatter + relative_width * relative_width * width};
 }
 
 double touch_indentation(const Compliance& compliance, const Eigen::VectorXd& profile, Eigen::Index n_pressed,

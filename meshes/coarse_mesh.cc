@@ -2,6 +2,7 @@
 
 #include <gmsh.h>
 
+#include <cmath>
 #include <map>
 #include <string>
 
@@ -34,24 +35,31 @@ struct Curves {
   int axis;
 };
 
-Curves add_geometry(const std::vector<double>& surface_nodes, double far_radius) {
+/// The quarter disc less the strip: its upper boundary runs along the bottom of the strip, up its side, and on along
+/// the surface.
+Curves add_geometry(const std::vector<double>& surface_nodes, double strip_height, double far_radius) {
   namespace geo = gmsh::model::geo;
-  std::vector<int> points;
-  points.reserve(surface_nodes.size() + 1);
-  for (const double r : surface_nodes) points.push_back(geo::addPoint(r, 0., 0.));
-  points.push_back(geo::addPoint(far_radius, 0., 0.));
-  const int bottom = geo::addPoint(0., -far_radius, 0.);
+  std::vector<int> upper;
+  for (const double r : surface_nodes) upper.push_back(geo::addPoint(r, -strip_height, 0.));
+  if (strip_height > 0) upper.push_back(geo::addPoint(surface_nodes.back(), 0., 0.));
+  const int centre = strip_height > 0 ? geo::addPoint(0., 0., 0.) : upper.front();
+  const int far = geo::addPoint(far_radius, 0., 0.), bottom = geo::addPoint(0., -far_radius, 0.);
 
+  std::vector<int> boundary;
+  for (std::size_t i = 1; i < upper.size(); ++i) {
+    boundary.push_back(geo::addLine(upper[i - 1], upper[i]));
+    geo::mesh::setTransfiniteCurve(boundary.back(), 2);
+  }
   Curves curves;
-  for (std::size_t i = 1; i < points.size(); ++i) curves.surface.push_back(geo::addLine(points[i - 1], points[i]));
-  curves.arc = geo::addCircleArc(bottom, points.front(), points.back());
-  curves.axis = geo::addLine(points.front(), bottom);
+  if (strip_height == 0) curves.surface = boundary;
+  boundary.push_back(geo::addLine(upper.back(), far));  // the one without prescribed nodes
+  curves.surface.push_back(boundary.back());
+  curves.arc = geo::addCircleArc(bottom, centre, far);
+  curves.axis = geo::addLine(upper.front(), bottom);
 
   std::vector<int> loop{curves.axis, curves.arc};
-  for (auto line = curves.surface.rbegin(); line != curves.surface.rend(); ++line) loop.push_back(-*line);
+  for (auto line = boundary.rbegin(); line != boundary.rend(); ++line) loop.push_back(-*line);
   const int surface = geo::addPlaneSurface({geo::addCurveLoop(loop)});
-  // The last line is the one without prescribed nodes.
-  for (std::size_t i = 0; i + 1 < curves.surface.size(); ++i) geo::mesh::setTransfiniteCurve(curves.surface[i], 2);
   geo::mesh::setRecombine(2, surface);
   geo::synchronize();
   return curves;
@@ -118,16 +126,39 @@ CoarseMesh extract(const Curves& curves) {
   return mesh;
 }
 
+/// Puts the strip back on the mesh of the rest.
+void add_strip(CoarseMesh& mesh, const std::vector<double>& surface_nodes, double height) {
+  const double tolerance = 1e-6 * height;
+  const auto node_at = [&](double r, double z) {
+    unsigned k = 0;
+    while (k < mesh.nodes.size() && std::hypot(mesh.nodes[k][0] - r, mesh.nodes[k][1] - z) > tolerance) ++k;
+    if (k == mesh.nodes.size()) mesh.nodes.push_back({r, z});
+    return k;
+  };
+  std::vector<unsigned> top, bottom;
+  for (const double r : surface_nodes) {
+    bottom.push_back(node_at(r, -height));
+    top.push_back(node_at(r, 0));
+  }
+  mesh.edges.push_back({{top.front(), bottom.front()}, Side::axis});
+  for (std::size_t i = 1; i < top.size(); ++i) {
+    mesh.polygons.push_back({bottom[i - 1], bottom[i], top[i], top[i - 1]});
+    mesh.edges.push_back({{top[i - 1], top[i]}, Side::surface});
+  }
+}
+
 }  // namespace
 
-CoarseMesh coarse_mesh(const std::vector<double>& surface_nodes, double far_radius,
+CoarseMesh coarse_mesh(const std::vector<double>& surface_nodes, double strip_height, double far_radius,
                        const std::function<double(double r, double z)>& size) {
   // gmsh throws its messages as bare strings, which nothing that expects a std::exception would understand.
   try {
     const GmshScope scope;
-    const Curves curves = add_geometry(surface_nodes, far_radius);
+    const Curves curves = add_geometry(surface_nodes, strip_height, far_radius);
     generate(size);
-    return extract(curves);
+    CoarseMesh mesh = extract(curves);
+    if (strip_height > 0) add_strip(mesh, surface_nodes, strip_height);
+    return mesh;
   } catch (const std::string& message) {
     throw MeshError("mesh of the quarter disc: gmsh failed: " + message);
   }

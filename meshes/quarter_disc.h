@@ -23,8 +23,9 @@ double element_size(const QuarterDisc& disc, double r, double z);
 /// The same input gives the same mesh. The result passes `audit`.
 ///
 /// gmsh triangulates the disc at twice the size and merges triangles to quadrilaterals; splitting every cell at its
-/// centre then leaves quadrilaterals alone, whatever could not be merged. Neighbouring contact elements should differ
-/// by less than a factor of 2, and none be smaller than 1e-9 of the rest: otherwise cells get poor, down to an error.
+/// centre then leaves quadrilaterals alone, whatever could not be merged. Under a contact line of equal elements the
+/// two topmost layers are squares. Neighbouring contact elements should differ by less than a factor of 2, and none be
+/// smaller than 1e-9 of the rest: otherwise cells get poor, down to an error.
 ///
 /// Throws MeshError for input outside the ranges above, if gmsh fails, or if a cell comes out not convex.
 /// Not thread-safe and not reentrant: gmsh keeps global state, initialised and finalised here. gmsh must not be in use

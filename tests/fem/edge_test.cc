@@ -27,7 +27,7 @@ TEST(EffectiveRadii, AreShortOfTheRingsByAConstantFractionOfARing) {
   for (const Harmonic harmonic : {Harmonic::normal, Harmonic::tangential})
     for (const unsigned n : {16U, 64U, 128U}) {
       const auto& compliance = half_space(harmonic, n).compliance;
-      const Eigen::VectorXd radii = effective_radii(compliance);
+      const Eigen::VectorXd radii = effective_radii(compliance).radius;
       EXPECT_EQ(radii[0], 0);
       double lowest = 1, highest = 0;
       for (Index m = 4; m <= compliance.areas.size(); ++m) {
@@ -44,7 +44,7 @@ TEST(EffectiveRadii, AreShortOfTheRingsByAConstantFractionOfARing) {
 // off at 32 rings, h^2.
 TEST(EffectiveRadii, AreProportionalToThePunchForce) {
   const auto& compliance = normal_half_space(32).compliance;
-  const Eigen::VectorXd radii = effective_radii(compliance);
+  const Eigen::VectorXd radii = effective_radii(compliance).radius;
   std::vector<double> per_radius;
   for (const Index m : {1, 9, 20, 36}) {
     const Eigen::VectorXd areas = compliance.areas.head(m);
@@ -157,7 +157,7 @@ TEST_F(StickRadiusTest, IsTheRadiusAtWhichTheTransformReachesTheDepth) {
 TEST_F(StickRadiusTest, OfOneOrTwoRingsIsUncertainByARing) {
   const Eigen::VectorXd margin = Eigen::VectorXd::Ones(compliance_.areas.size());
   EXPECT_EQ(stick_radius(compliance_, margin, 0).radius, 0);
-  EXPECT_EQ(stick_radius(compliance_, margin, 2).radius, effective_radii(compliance_)[2]);
+  EXPECT_EQ(stick_radius(compliance_, margin, 2).radius, effective_radii(compliance_).radius[2]);
   for (const Index n : {0, 1, 2}) EXPECT_DOUBLE_EQ(stick_radius(compliance_, margin, n).uncertainty, 1.0 / 64);
 }
 
