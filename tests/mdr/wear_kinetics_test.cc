@@ -117,7 +117,7 @@ TEST(WearKinetics, IsWearCycleByCycle) {
   SpringBed worn_bed = bed;
   SpringState state = relaxed_state(bed, elastic(1), 1);
   const SpringStep step(elastic(1), mu, 1.0 / steps);
-  const IndenterPath path = ramped_path(both, 3);
+  const IndenterPath path = ramped_path(harmonic_motion(both), 3);
   const auto pressure = [&] { return Eigen::VectorXd((4 * matrices.stress * state.normal_load.matrix()).cwiseMax(0)); };
   Eigen::ArrayXd worn = Eigen::ArrayXd::Zero(n);
   for (int cycle = 0; cycle < n_cycles + 5; ++cycle) {
