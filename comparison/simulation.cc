@@ -107,8 +107,8 @@ FeAnswer simulate(const Body& body, const FemScene& scene, const NormalSimulatio
   const auto n_first = count_stuck(friction.slip_path, friction.first_slip_margin, never_slipped * amplitude);
   const auto n_shakedown = count_stuck(friction.period_slip, friction.shakedown_margin,
                                        shaken_down_slip * amplitude * scene.motion.cycles_per_period());
-  const auto first = fem::stick_radius(problem.compliance, friction.first_slip_margin, n_first);
-  auto shakedown = fem::stick_radius(problem.compliance, friction.shakedown_margin, n_shakedown);
+  const auto first = fem::stick_radius(problem.compliance, friction.first_slip_reserve, n_first);
+  auto shakedown = fem::stick_radius(problem.compliance, friction.shakedown_reserve, n_shakedown);
   if (scene.worn_edge) {
     // The margin is singular at the worn edge, where the rings are fine and one of them ends: counting them is exact.
     shakedown = {problem.compliance.radii[static_cast<std::size_t>(n_shakedown)], first.uncertainty};

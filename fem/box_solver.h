@@ -35,6 +35,8 @@ class BoxSolver {
                  std::vector<BoxState>& state) const;
 
   [[nodiscard]] Eigen::Index size() const { return matrix_.rows(); }
+  /// Lower Cholesky factor of C.
+  [[nodiscard]] const Eigen::MatrixXd& factor() const { return factor_; }
 
  private:
   void solve_interior(const std::vector<Eigen::Index>& interior, Eigen::VectorXd rhs, Eigen::VectorXd& x) const;

@@ -99,20 +99,25 @@ EdgeRadius largest_contact_radius(const NormalHistory& history, const ContactEve
   return {radius_at(events, m, deepest), events.radius[m] - events.radius[m - 1]};
 }
 
-EdgeRadius stick_radius(const Compliance& compliance, const Eigen::VectorXd& margin, Eigen::Index n_stuck) {
+SlipReserve::SlipReserve(const ContactProblem& problem)
+    : problem_(problem),
+      by_load_(problem.solver.factor().triangularView<Eigen::Lower>().solve(problem.compliance.areas)) {}
+
+Eigen::VectorXd SlipReserve::of(const Eigen::VectorXd& margin) const {
+  return (problem_.solver.factor().transpose().triangularView<Eigen::Upper>() * margin).cwiseQuotient(by_load_);
+}
+
+EdgeRadius stick_radius(const Compliance& compliance, const Eigen::VectorXd& reserve, Eigen::Index n_stuck) {
   if (n_stuck == 0) return {0, compliance.radii[1]};
   const auto [effective, scatter] = effective_radii(compliance);
   const double width = compliance.radii[n_stuck] - compliance.radii[n_stuck - 1];
   if (n_stuck < 3) return {effective[n_stuck], width};
-  const Eigen::LLT<Eigen::MatrixXd> factor(compliance.matrix.topLeftCorner(n_stuck, n_stuck));
-  const Eigen::VectorXd by_load = factor.matrixL().solve(compliance.areas.head(n_stuck));
-  const Eigen::VectorXd by_margin = factor.matrixU() * margin.head(n_stuck);
   const Eigen::Index n = std::min(n_stuck, n_fitted_events);
   Eigen::VectorXd radius(n), load(n);
   for (Eigen::Index k = 0; k < n; ++k) {
     const Eigen::Index j = n_stuck - n + k;
     radius[k] = (effective[j] + effective[j + 1]) / 2;
-    load[k] = by_margin[j] / by_load[j];
+    load[k] = reserve[j];
   }
   const double fitted = root_beyond(radius, load, 2);
   const double spread = std::abs(fitted - root_beyond(radius.tail(3), load.tail(3), 2));

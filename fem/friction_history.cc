@@ -6,6 +6,7 @@
 #include <limits>
 #include <vector>
 
+#include "fem/edge.h"
 #include "fem/running_minimum.h"
 #include "fem/solver_error.h"
 
@@ -63,26 +64,39 @@ class Stepper {
   std::vector<BoxState> stick_;  // interior: sticks
 };
 
+/// Slip reserves at an instant, against slip in either direction.
+struct Reserves {
+  Eigen::VectorXd forward, backward;
+};
+
 /// What is judged over one period.
 struct Period {
-  RunningMinimum forward, backward;  // mu p - tau, mu p + tau
+  RunningMinimum forward, backward;                  // mu p - tau, mu p + tau
+  RunningMinimum forward_reserve, backward_reserve;  // slip reserves of the same
   Eigen::VectorXd slip;
   Eigen::MatrixXd traction;
   double dissipated_energy = 0;
 
   Period(Eigen::Index n_rings, int n_steps)
-      : forward(n_rings, 0), backward(n_rings, 0), slip(n_rings), traction(Eigen::MatrixXd::Zero(n_rings, n_steps)) {}
+      : forward(n_rings, 0),
+        backward(n_rings, 0),
+        forward_reserve(n_rings, -infinity),
+        backward_reserve(n_rings, -infinity),
+        slip(n_rings),
+        traction(Eigen::MatrixXd::Zero(n_rings, n_steps)) {}
 
   void begin() {
-    forward.restart();
-    backward.restart();
+    for (auto* minimum : {&forward, &backward, &forward_reserve, &backward_reserve}) minimum->restart();
     slip.setZero();
     dissipated_energy = 0;
   }
 
-  void add(int k, const Eigen::VectorXd& limit, const Stepper::Result& step, const Eigen::VectorXd& areas) {
+  void add(int k, const Eigen::VectorXd& limit, const Stepper::Result& step, const Reserves& reserves,
+           const Eigen::VectorXd& areas) {
     forward.add(limit - step.traction);
     backward.add(limit + step.traction);
+    forward_reserve.add(reserves.forward);
+    backward_reserve.add(reserves.backward);
     slip += step.slip.cwiseAbs();
     traction.col(k) = step.traction;
     dissipated_energy += (step.middle_traction.array() * step.slip.array() * areas.array()).sum();
@@ -106,7 +120,9 @@ FrictionHistory friction_history(const ContactProblem& problem, const Relaxation
   FrictionHistory history{};
   history.periodicity = infinity;
   history.slip_path = Eigen::VectorXd::Zero(n);
-  RunningMinimum first_slip(n, 0);
+  const SlipReserve reserve(problem);
+  // No floor under a reserve: below zero between two samples it tells what a finer step would have let slip.
+  RunningMinimum first_slip(n, 0), first_forward(n, -infinity), first_backward(n, -infinity);
   std::vector<double> force{0};
   Period period(n, period_steps);
   while (!(history.periodicity <= control.periodicity)) {
@@ -121,8 +137,11 @@ FrictionHistory friction_history(const ContactProblem& problem, const Relaxation
       const auto index = static_cast<long>(force.size()) - 1;
       const Eigen::VectorXd limit = friction_coefficient * normal.pressure.col(normal.column(index + 1));
       const auto step = stepper.compute_step(index, limit);
+      const Reserves reserves{reserve.of(limit - step.traction), reserve.of(limit + step.traction)};
       first_slip.add(limit - step.traction.cwiseAbs());
-      period.add(k, limit, step, areas);
+      first_forward.add(reserves.forward);
+      first_backward.add(reserves.backward);
+      period.add(k, limit, step, reserves, areas);
       force.push_back(step.traction.dot(areas));
     }
     history.n_cycles += motion.cycles_per_period();
@@ -132,6 +151,8 @@ FrictionHistory friction_history(const ContactProblem& problem, const Relaxation
   }
   history.first_slip_margin = first_slip.value();
   history.shakedown_margin = (period.forward.value() + period.backward.value()) / 2;
+  history.first_slip_reserve = first_forward.value().cwiseMin(first_backward.value());
+  history.shakedown_reserve = (period.forward_reserve.value() + period.backward_reserve.value()) / 2;
   history.period_slip = period.slip;
   history.dissipated_energy = period.dissipated_energy;
   history.traction = std::move(period.traction);

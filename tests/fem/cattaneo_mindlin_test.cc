@@ -31,7 +31,8 @@ Sliding slide(unsigned n_per_radius, double displacement, double mu) {
   while (n_stuck < limit.size() && limit[n_stuck] > 0 &&
          states[static_cast<std::size_t>(n_stuck)] == BoxState::interior)
     ++n_stuck;
-  return {solution.x.dot(areas), stick_radius(tangential.compliance, limit - solution.x, n_stuck)};
+  return {solution.x.dot(areas),
+          stick_radius(tangential.compliance, SlipReserve(tangential).of(limit - solution.x), n_stuck)};
 }
 
 /// `u_x = (3 mu/2)(d - g(c))`, g(c) = c^2.

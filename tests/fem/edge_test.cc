@@ -141,7 +141,7 @@ class StickRadiusTest : public testing::Test {
     const auto margin = normal_contact(problem_, ring_means(compliance_, f), d).pressure;
     Index n_stuck = 0;
     while (n_stuck < margin.size() && margin[n_stuck] > 0) ++n_stuck;
-    return stick_radius(compliance_, margin, n_stuck);
+    return stick_radius(compliance_, SlipReserve(problem_).of(margin), n_stuck);
   }
 };
 
@@ -155,10 +155,10 @@ TEST_F(StickRadiusTest, IsTheRadiusAtWhichTheTransformReachesTheDepth) {
 }
 
 TEST_F(StickRadiusTest, OfOneOrTwoRingsIsUncertainByARing) {
-  const Eigen::VectorXd margin = Eigen::VectorXd::Ones(compliance_.areas.size());
-  EXPECT_EQ(stick_radius(compliance_, margin, 0).radius, 0);
-  EXPECT_EQ(stick_radius(compliance_, margin, 2).radius, effective_radii(compliance_).radius[2]);
-  for (const Index n : {0, 1, 2}) EXPECT_DOUBLE_EQ(stick_radius(compliance_, margin, n).uncertainty, 1.0 / 64);
+  const Eigen::VectorXd reserve = Eigen::VectorXd::Ones(compliance_.areas.size());
+  EXPECT_EQ(stick_radius(compliance_, reserve, 0).radius, 0);
+  EXPECT_EQ(stick_radius(compliance_, reserve, 2).radius, effective_radii(compliance_).radius[2]);
+  for (const Index n : {0, 1, 2}) EXPECT_DOUBLE_EQ(stick_radius(compliance_, reserve, n).uncertainty, 1.0 / 64);
 }
 
 }  // namespace

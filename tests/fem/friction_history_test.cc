@@ -49,8 +49,8 @@ StickRadii radii_of(const FrictionHistory& history, const Motion& motion, unsign
   };
   const Index never_slipped = count(history.slip_path, 1e-9 * motion.tangential_amplitude);
   const Index stuck = count(history.period_slip, negligible_slip * motion.tangential_amplitude);
-  return {stick_radius(compliance, history.first_slip_margin, never_slipped).radius,
-          stick_radius(compliance, history.shakedown_margin, stuck).radius};
+  return {stick_radius(compliance, history.first_slip_reserve, never_slipped).radius,
+          stick_radius(compliance, history.shakedown_reserve, stuck).radius};
 }
 
 NormalHistory press(const RelaxationModel& model, const Motion& motion, unsigned n = n_per_radius) {
@@ -65,8 +65,8 @@ Motion fretting(double k, double phase_in_degrees) {
   return motion;
 }
 
-// Of elements and of reading the radius; 6.6e-4 measured, nearly always too large (see CattaneoMindlin).
-constexpr double radius_tolerance = 1e-3;
+// Of elements and of reading the radius; 3.8e-5 measured at 64 rings, 1.6e-6 for one in two.
+constexpr double radius_tolerance = 5e-5;
 
 class StickRadiiOf : public testing::TestWithParam<double> {
  protected:
@@ -96,7 +96,7 @@ TEST_P(StickRadiiOf, AKelvinVoigtBody) {
   expect_theory(kelvin_voigt(), modulus_ratio);
 }
 
-// 5.3e-4 at 64 rings and 2.5e-4 at 128, but 1.3e-3 where only five rings of 64 stick.
+// 4.2e-5 at 64 rings, where five of them stick.
 TEST(StickRadiiSlow, ConvergeToTheory) {
   for (const unsigned n : {64U, 128U})
     for (const auto& model : {elastic_body(), standard_solid()}) {
@@ -109,11 +109,29 @@ TEST(StickRadiiSlow, ConvergeToTheory) {
               radii_of(friction_history(tangential_half_space(n), model, mu, motion, normal, {}), motion, n);
           const auto expected = expected_radii(rho, mu, motion);
           SCOPED_TRACE("k " + std::to_string(k) + ", phase " + std::to_string(phase));
-          const double tolerance = radius_tolerance * 64 / n;
-          EXPECT_NEAR(radii.first_slip, expected.first_slip, expected.first_slip < 0.1 ? 3 * tolerance : tolerance);
-          EXPECT_NEAR(radii.shakedown, expected.shakedown, tolerance);
+          EXPECT_NEAR(radii.first_slip, expected.first_slip, radius_tolerance * 64 / n);
+          EXPECT_NEAR(radii.shakedown, expected.shakedown, radius_tolerance * 64 / n);
         }
     }
+}
+
+// The slip reserve is smooth in time, so that its minimum can be read from a few samples: 2e-5 at 24 steps a cycle that
+// miss the extremes of the load. The margin itself, read from 45, is off by 1.3e-3.
+TEST(FrictionHistory, FewStepsGiveTheStickRadii) {
+  for (const auto& model : {elastic_body(), standard_solid()}) {
+    const double rho = model.times.empty() ? 1 : modulus_ratio;
+    const HistoryControl few{24, 400, 1e-7};
+    for (const double phase : {0.0, 37.0, 101.0}) {
+      const Motion motion = fretting(1, phase);
+      const auto normal = normal_history(normal_half_space(n_per_radius), model,
+                                         parabola_means(normal_half_space(n_per_radius)), motion, few);
+      const auto radii =
+          radii_of(friction_history(tangential_half_space(n_per_radius), model, mu, motion, normal, few), motion);
+      const auto expected = expected_radii(rho, mu, motion);
+      EXPECT_NEAR(radii.first_slip, expected.first_slip, radius_tolerance) << "phase " << phase;
+      EXPECT_NEAR(radii.shakedown, expected.shakedown, radius_tolerance) << "phase " << phase;
+    }
+  }
 }
 
 // A phase that creeps through everything: both radii obey g(c) = d0 - rho (A + Dd) (THEORY section 3).
@@ -126,8 +144,8 @@ TEST(StickRadiiSlow, OfAnUnlockedPhaseAreTheSmallest) {
     motion.phase.reset();
     const auto history = friction_history(tangential_half_space(n_per_radius), model, mu, motion, normal, {});
     const auto radii = radii_of(history, motion);
-    EXPECT_NEAR(radii.first_slip, expected, radius_tolerance);
-    EXPECT_NEAR(radii.shakedown, expected, radius_tolerance);
+    EXPECT_NEAR(radii.first_slip, expected, 3e-4);  // of the creep of the phase; 1.9e-4 measured
+    EXPECT_NEAR(radii.shakedown, expected, 3e-4);   // of the creep of the phase; 1.9e-4 measured
   }
 }
 
