@@ -52,7 +52,7 @@ std::string script_of(const Plot& plot) {
       << "set encoding utf8\nset border 3 lc rgb '#666666'\nset tics nomirror\nset grid lc rgb '#dddddd' lt 1 lw 0.5\n"
       << "set title " << quoted(plot.title) << "\nset xlabel " << quoted(plot.x_label) << "\nset ylabel "
       << quoted(plot.y_label) << "\nset datafile missing 'nan'\n"
-      << (plot.key_right ? "set key outside right top\n" : "set key below\n");
+      << (plot.key_right ? "set key outside right top\n" : "set key bmargin center vertical maxrows 3\nset bmargin 7\n");
   if (plot.log_y) script << "set logscale y\nset format y '10^{%L}'\n";
   if (plot.x_range) script << fmt::format("set xrange [{}:{}]\n", plot.x_range->first, plot.x_range->second);
   if (plot.y_range) script << fmt::format("set yrange [{}:{}]\n", plot.y_range->first, plot.y_range->second);
