@@ -104,6 +104,10 @@ class Stepper {
   Eigen::VectorXd gap_;
 };
 
+double longest_time(const RelaxationModel& relaxation) {
+  return relaxation.times.empty() ? 0 : *std::max_element(relaxation.times.begin(), relaxation.times.end());
+}
+
 }  // namespace
 
 Eigen::Index NormalHistory::column(long step) const {
@@ -149,10 +153,11 @@ NormalHistory normal_history(const ContactProblem& problem, const RelaxationMode
   std::vector<double> time{0};
   while (!(history.periodicity <= control.periodicity)) {
     if (history.n_cycles >= control.max_cycles)
-      throw SolverError(
-          fmt::format("the normal response is not periodic after {} cycles: it still changes by {:.1e} of "
-                      "its largest value per cycle, {:.1e} is asked for",
-                      history.n_cycles, history.periodicity, control.periodicity));
+      throw SolverError(fmt::format(
+          "the normal response is not periodic after {} cycles: it still changes by {:.1e} of "
+          "its largest value per cycle, {:.1e} is asked for; the longest relaxation time lasts {:.3g} cycles: "
+          "leave out branches that are slow beyond interest",
+          history.n_cycles, history.periodicity, control.periodicity, longest_time(relaxation) / (2 * pi)));
     stepper.compute_cycle(history, pressure, time);
     ++history.n_cycles;
     if (history.n_cycles > std::max(motion.n_ramp_cycles, 1)) history.periodicity = change_per_cycle(pressure, n_steps);

@@ -110,8 +110,11 @@ class History {
       if (change_ <= control_.periodicity * scale) return last;
     }
     std::ostringstream message;
+    const auto& times = body_.branch_times;
+    const double longest = times.empty() ? 0 : *std::max_element(times.begin(), times.end());
     message << "tractions of the springs still change by " << change_ << " m per period after " << control_.max_periods
-            << " periods: allow more periods";
+            << " periods; the longest relaxation time lasts " << longest / control_.period
+            << " periods: allow more periods, or leave out branches that are slow beyond interest";
     throw std::runtime_error(message.str());
   }
 
