@@ -120,6 +120,11 @@ EdgeRadius stick_radius(const Compliance& compliance, const Eigen::VectorXd& res
     load[k] = reserve[j];
   }
   const double fitted = root_beyond(radius, load, 2);
+  // The next ring has slipped. Next to a sharp edge of the indenter the reserve falls too steeply for the fit to see
+  // it.
+  const double next =
+      n_stuck + 1 < effective.size() ? (effective[n_stuck] + effective[n_stuck + 1]) / 2 : effective[n_stuck];
+  if (fitted > next + width / 4) return {(radius[n - 1] + next) / 2, width};
   const double spread = std::abs(fitted - root_beyond(radius.tail(3), load.tail(3), 2));
   const double relative_width = width / compliance.radii.back();
   return {fitted, spread + scatter + relative_width * relative_width * width};

@@ -154,6 +154,14 @@ TEST_F(StickRadiusTest, IsTheRadiusAtWhichTheTransformReachesTheDepth) {
   }
 }
 
+// A reserve that does not fall towards the edge at all, as inside the flat of a punch with sharp edges.
+TEST_F(StickRadiusTest, StaysWithinARingOfTheLastOneThatSticks) {
+  const Eigen::VectorXd reserve = Eigen::VectorXd::LinSpaced(compliance_.areas.size(), 1.01, 1);
+  const auto edge = stick_radius(compliance_, reserve, 30);
+  EXPECT_NEAR(edge.radius, 30.0 / 64, 1.0 / 64);
+  EXPECT_EQ(edge.uncertainty, 1.0 / 64);
+}
+
 TEST_F(StickRadiusTest, OfOneOrTwoRingsIsUncertainByARing) {
   const Eigen::VectorXd reserve = Eigen::VectorXd::Ones(compliance_.areas.size());
   EXPECT_EQ(stick_radius(compliance_, reserve, 0).radius, 0);
