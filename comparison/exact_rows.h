@@ -38,9 +38,17 @@ ExactIndentation exact_indentation(const std::string& name, const std::string& s
 std::vector<LadderRow> indentation_rows(const std::vector<LadderMesh>& meshes, const ExactIndentation& exact,
                                         const LadderDemand& radius, const LadderDemand& force);
 
+/// Forces of a unit displacement of a disc of radius 1: normal, without friction, and tangential, sticking.
+struct ExactPunch {
+  double normal, tangential;
+};
+
+/// `8 G a` and `(16/3) G a`, the springs of mdr/spring_energy.h under a flat face.
+ExactPunch exact_punch();
+
 /// Flat punch and full stick: force of the rings inside r = 1 for their nominal and for their effective radius
 /// (fem/edge.h).
-std::vector<LadderRow> punch_rows(const std::vector<LadderMesh>& meshes);
+std::vector<LadderRow> punch_rows(const std::vector<LadderMesh>& meshes, const ExactPunch& exact);
 
 /// What an exact solution says about the parabola at the indentation 1, over the tangential displacement.
 struct ExactSliding {
@@ -57,8 +65,9 @@ std::vector<LadderRow> sliding_rows(const std::vector<LadderMesh>& meshes, const
 /// rule: `W = 8 int_0^u F du - 4 u F(u)`; u_x from 0.3 to 0.9 of what makes the whole contact slide.
 LadderRow cycle_row(const std::vector<LadderMesh>& meshes, const ExactSliding& exact);
 
-/// Ratio of the intensities of traction and pressure at the edge of a fully worn contact at the limit of sticking.
-LadderRow worn_edge_row(const std::vector<LadderMesh>& meshes);
+/// Ratio of the intensities of traction and pressure at the edge of a fully worn contact at the limit of sticking:
+/// mu. unworn is what the finite elements get, exact what the solution takes, the same unless a test tampers.
+LadderRow worn_edge_row(const std::vector<LadderMesh>& meshes, const mdr::Profile& unworn, const mdr::Profile& exact);
 
 // Rows in time: body is what the finite elements get, exact what the solution takes, the same unless a test tampers.
 

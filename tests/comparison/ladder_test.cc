@@ -144,6 +144,18 @@ TEST(LadderGuard, AnotherCurveThanCattaneoAndMindlinFails) {
   for (const auto& row : sliding_rows(meshes(), wrong)) EXPECT_NE(failure_of(row), "") << row.quantity;
 }
 
+TEST(LadderGuard, AnotherStiffnessOfAPunchFails) {
+  const auto exact = exact_punch();
+  for (const auto& row : punch_rows(meshes(), exact)) EXPECT_EQ(failure_of(row), "") << row.scene << row.quantity;
+  for (const auto& row : punch_rows(meshes(), {1.01 * exact.normal, 1.01 * exact.tangential}))
+    EXPECT_NE(failure_of(row), "") << row.scene << row.quantity;
+}
+
+TEST(LadderGuard, AnotherProfileThanTheWornOneFails) {
+  EXPECT_EQ(failure_of(worn_edge_row(meshes(), mdr::parabola(1), mdr::parabola(1))), "");
+  EXPECT_NE(failure_of(worn_edge_row(meshes(), mdr::parabola(1), mdr::parabola(1.001))), "");
+}
+
 TEST(LadderGuardSlow, AnotherCurveThanCattaneoAndMindlinFailsTheCycle) {
   const auto exact = exact_sliding();
   EXPECT_EQ(failure_of(cycle_row(meshes(), exact)), "");
@@ -151,13 +163,15 @@ TEST(LadderGuardSlow, AnotherCurveThanCattaneoAndMindlinFailsTheCycle) {
   EXPECT_NE(failure_of(cycle_row(meshes(), wrong)), "");
 }
 
-TEST(LadderGuard, AnotherBranchFailsTheTimeRows) {
+TEST(LadderGuard, AnotherBranchFailsTheViscoelasticRows) {
   const auto body = mdr::standard_solid(1, 2, 0.4), other = mdr::standard_solid(1, 2, 0.404);
   const auto& mesh = meshes().front();
   for (const auto row_of : {step_row, growing_contact_time_row}) {
     EXPECT_EQ(failure_of(row_of(mesh, body, body)), "");
     EXPECT_NE(failure_of(row_of(mesh, body, other)), "");
   }
+  EXPECT_EQ(failure_of(growing_contact_mesh_row(meshes(), body, body)), "");
+  EXPECT_NE(failure_of(growing_contact_mesh_row(meshes(), body, other)), "");
 }
 
 }  // namespace
