@@ -103,6 +103,7 @@ std::string ladder_table(const std::vector<LadderRow>& rows) {
 
 std::string ladder_junit(const std::vector<LadderRow>& rows) {
   std::vector<JUnitCase> cases;
+  cases.reserve(rows.size());
   for (const auto& row : rows) cases.push_back({name_of(row), failure_of(row)});
   return junit_document("fretval check exact", cases);
 }
