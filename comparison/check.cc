@@ -5,15 +5,12 @@
 #include <map>
 
 #include "comparison/case_file.h"
-#include "comparison/escape.h"
+#include "comparison/junit.h"
 #include "meshes/msh_file.h"
 
 namespace fretval {
-namespace {
 
 namespace fs = std::filesystem;
-
-}  // namespace
 
 fs::path small_meshes() {
   return FRETVAL_SMALL_MESHES;
@@ -55,23 +52,17 @@ std::vector<BatchLine> run_check(const std::vector<CheckScene>& scenes) {
 }
 
 std::string junit_xml(const std::vector<BatchLine>& lines) {
-  std::string cases;
-  int n_failed = 0;
+  std::vector<JUnitCase> cases;
   for (const auto& line : lines) {
-    const bool pass = line.pass && line.failure.empty();
-    n_failed += pass ? 0 : 1;
-    std::string message = line.failure;
+    std::string failure = line.failure;
     for (const auto& [quantity, d] : line.verdict)
       if (!d.pass)
-        message += fmt::format("{}: difference {}, tolerance {:.1e}; ", quantity,
+        failure += fmt::format("{}: difference {}, tolerance {:.1e}; ", quantity,
                                d.difference ? fmt::format("{:.2e}", *d.difference) : "none", d.tolerance);
-    cases += fmt::format("  <testcase classname=\"fretval.check\" name=\"{}\"", html_escaped(line.name));
-    cases += pass ? "/>\n" : fmt::format("><failure message=\"{}\"/></testcase>\n", html_escaped(message));
+    if (failure.empty() && !line.pass) failure = "failed";
+    cases.push_back({line.name, failure});
   }
-  return fmt::format(
-      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuite name=\"fretval check\" tests=\"{}\" "
-      "failures=\"{}\">\n{}</testsuite>\n",
-      lines.size(), n_failed, cases);
+  return junit_document("fretval check", cases);
 }
 
 }  // namespace fretval

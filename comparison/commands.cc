@@ -11,7 +11,9 @@
 #include "comparison/batch.h"
 #include "comparison/case_file.h"
 #include "comparison/check.h"
+#include "comparison/exact_rows.h"
 #include "comparison/files.h"
+#include "comparison/ladder.h"
 #include "comparison/mdr_command.h"
 #include "comparison/outcome.h"
 #include "comparison/report.h"
@@ -60,9 +62,7 @@ int run_cases(const std::vector<std::string>& files, const fs::path& output) {
   return exit_code_of(lines);
 }
 
-int run_check_suite(const std::string& suite, const fs::path& meshes, const std::string& junit) {
-  if (suite != "small") throw InputError(fmt::format("--suite {}: expected small", suite));
-  const fem::PetscSession session;
+int run_small_suite(const fs::path& meshes, const std::string& junit) {
   const auto lines = run_check(check_scenes(meshes));
   bool all = true;
   for (const auto& line : lines) {
@@ -74,6 +74,27 @@ int run_check_suite(const std::string& suite, const fs::path& meshes, const std:
   if (!junit.empty()) write_file(junit, junit_xml(lines));
   fmt::print("{}\n", all ? "finite elements and MDR agree" : "finite elements and MDR DISAGREE");
   return all ? exit_agree : exit_disagree;
+}
+
+int run_exact_suite(const std::string& junit) {
+  const auto rows = exact_rows();
+  fmt::print("{}", ladder_table(rows));
+  if (!junit.empty()) write_file(junit, ladder_junit(rows));
+  const bool all = std::all_of(rows.begin(), rows.end(), [](const LadderRow& row) { return failure_of(row).empty(); });
+  const auto n_unmet =
+      std::count_if(rows.begin(), rows.end(), [](const LadderRow& row) { return meets_goal(row) == false; });
+  fmt::print("{}; {} of {} rows do not meet the goal of the project\n",
+             all ? "all rows are within their tolerance" : "rows FAIL", n_unmet, rows.size());
+  return all ? exit_agree : exit_disagree;
+}
+
+int run_check_suite(const std::string& suite, const fs::path& meshes, const std::string& junit) {
+  if (suite != "small" && suite != "exact") throw InputError(fmt::format("--suite {}: expected small or exact", suite));
+  Stopwatch watch;
+  const fem::PetscSession session;
+  const int exit_code = suite == "small" ? run_small_suite(meshes, junit) : run_exact_suite(junit);
+  spdlog::info("suite {} in {:.1f} s", suite, watch.lap());
+  return exit_code;
 }
 
 int write_mesh(const std::string& file, const std::string& output) {
@@ -115,9 +136,11 @@ void add_commands(CLI::App& app, Command& command) {
   run->add_option("-o,--output", options->output, "Folder for the results")->capture_default_str();
   run->callback([=, &command] { command = [=] { return run_cases(options->files, options->output); }; });
 
-  auto* check = app.add_subcommand("check", "CI check of MDR against finite elements on small meshes");
-  check->add_option("--suite", options->suite, "Which suite: small")->capture_default_str();
-  check->add_option("--meshes", options->meshes, "Folder with coarse.msh and fine.msh")->capture_default_str();
+  auto* check = app.add_subcommand(
+      "check", "CI check: MDR against finite elements on small meshes, or finite elements against exact solutions");
+  check->add_option("--suite", options->suite, "Which suite: small, exact")->capture_default_str();
+  check->add_option("--meshes", options->meshes, "Folder with coarse.msh and fine.msh, for the suite small")
+      ->capture_default_str();
   check->add_option("--junit", options->junit, "Also write JUnit XML to this file");
   check->callback(
       [=, &command] { command = [=] { return run_check_suite(options->suite, options->meshes, options->junit); }; });

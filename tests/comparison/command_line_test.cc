@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <nlohmann/json.hpp>
@@ -114,8 +115,20 @@ TEST(CommandLine, RefusesAMissingFile) {
   EXPECT_EQ(fretval_run("mdr nowhere.prm", folder).exit_code, 2);
   EXPECT_EQ(fretval_run("report nowhere", folder).exit_code, 2);
   EXPECT_EQ(fretval_run("check --meshes nowhere", folder).exit_code, 2);
-  EXPECT_EQ(fretval_run("check --suite nothing", folder).exit_code, 2);
+  const auto run = fretval_run("check --suite nothing", folder);
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_NE(run.err.find("expected small or exact"), std::string::npos) << run.err;
   EXPECT_EQ(fretval_run("dance", folder).exit_code, 2);
+}
+
+// The whole ladder: a heading, a line a row and the verdict; 17 rows.
+TEST(CommandLineSlow, ChecksTheExactSolutions) {
+  const ScratchFolder folder;
+  const auto junit = folder.path() / "junit.xml";
+  const auto run = fretval_run("check --suite exact --junit " + junit.string(), folder);
+  EXPECT_EQ(run.exit_code, 0) << run.out << run.err;
+  EXPECT_EQ(std::count(run.out.begin(), run.out.end(), '\n'), 1 + 17 + 1) << run.out;
+  EXPECT_NE(text_of(junit).find("tests=\"17\" failures=\"0\""), std::string::npos);
 }
 
 TEST(CommandLine, RefusesAMeshWithoutAGroup) {

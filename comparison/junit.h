@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace fretval {
+
+struct JUnitCase {
+  std::string name;
+  std::string failure;  ///< empty: passed
+};
+
+/// JUnit XML of a suite, for CI systems. name: of the suite; with dots for its spaces it is the class of
+/// the cases.
+std::string junit_document(const std::string& name, const std::vector<JUnitCase>& cases);
+
+}  // namespace fretval

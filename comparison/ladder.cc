@@ -1,0 +1,111 @@
+#include "comparison/ladder.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "comparison/junit.h"
+
+namespace fretval {
+namespace {
+
+/// The error at the goal's resolution; NaN if the ladder has no such rung.
+double error_at_goal(const LadderRow& row) {
+  for (std::size_t i = 0; i < row.errors.size(); ++i)
+    if (row.resolutions[i] == row.demand.goal_resolution) return row.errors[i];
+  return std::nan("");
+}
+
+std::string name_of(const LadderRow& row) {
+  return fmt::format("{}: {}", row.scene, row.quantity);
+}
+
+std::string order_text(const std::optional<double>& order) {
+  return order ? fmt::format("{:.1f}", *order) : "floor";
+}
+
+std::string goal_text(const LadderRow& row) {
+  const auto met = meets_goal(row);
+  if (!met) return "none";
+  return fmt::format("{:.0e} {}", *row.demand.goal, *met ? "met" : "UNMET");
+}
+
+std::string table_line(const LadderRow& row, std::size_t name_width) {
+  std::string errors;
+  for (const double error : row.errors) errors += fmt::format(" {:8.1e}", error);
+  const auto& demand = row.demand;
+  const std::string failure = failure_of(row);
+  return fmt::format("{} {:<{}} {:<5}{} {:>6} {:>5} {:>10.1e} {:<11} {}{}{}\n", failure.empty() ? "pass" : "FAIL",
+                     name_of(row), name_width, row.refined, errors, order_text(observed_order(row)),
+                     demand.expected_order > 0 ? fmt::format("{:.0f}", demand.expected_order) : "exact",
+                     demand.tolerance, goal_text(row), row.source, demand.note.empty() ? "" : "; " + demand.note,
+                     failure.empty() ? "" : " | " + failure);
+}
+
+}  // namespace
+
+std::optional<double> observed_order(const LadderRow& row) {
+  std::vector<double> x, y;
+  for (std::size_t i = 0; i < row.errors.size(); ++i) {
+    const double error = std::abs(row.errors[i]);
+    if (!std::isfinite(error)) return std::nullopt;
+    if (error <= row.demand.floor) continue;
+    x.push_back(std::log(row.resolutions[i]));
+    y.push_back(-std::log(error));
+  }
+  if (x.size() < 2) return std::nullopt;
+  const auto n = static_cast<double>(x.size());
+  double mean_x = 0, mean_y = 0, product = 0, square = 0;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    mean_x += x[i] / n;
+    mean_y += y[i] / n;
+  }
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    product += (x[i] - mean_x) * (y[i] - mean_y);
+    square += (x[i] - mean_x) * (x[i] - mean_x);
+  }
+  return product / square;
+}
+
+std::string failure_of(const LadderRow& row) {
+  const auto& demand = row.demand;
+  if (std::isnan(error_at_goal(row))) return fmt::format("no error at {} {}", demand.goal_resolution, row.refined);
+  for (std::size_t i = 0; i < row.errors.size(); ++i) {
+    if (!std::isfinite(row.errors[i])) return fmt::format("error at {} {} not finite", row.resolutions[i], row.refined);
+    if (row.resolutions[i] >= demand.goal_resolution && std::abs(row.errors[i]) > demand.tolerance)
+      return fmt::format("error {:.1e} at {} {}, tolerance {:.1e}", row.errors[i], row.resolutions[i], row.refined,
+                         demand.tolerance);
+  }
+  const auto order = observed_order(row);
+  if (order && *order < demand.expected_order - order_slack)
+    return fmt::format("order {:.2f}, expected {:.0f}", *order, demand.expected_order);
+  return "";
+}
+
+std::optional<bool> meets_goal(const LadderRow& row) {
+  if (!row.demand.goal) return std::nullopt;
+  return std::abs(error_at_goal(row)) <= *row.demand.goal;
+}
+
+std::string ladder_table(const std::vector<LadderRow>& rows) {
+  std::size_t name_width = 0, n_errors = 0;
+  for (const auto& row : rows) {
+    name_width = std::max(name_width, name_of(row).size());
+    n_errors = std::max(n_errors, row.errors.size());
+  }
+  std::string text = fmt::format("     {:<{}} {:<5}{:>{}} {:>6} {:>5} {:>10} {:<11} {}\n", "", name_width, "", "errors",
+                                 9 * n_errors, "order", "exp.", "tolerance", "goal", "source");
+  for (const auto& row : rows) text += table_line(row, name_width);
+  return text;
+}
+
+std::string ladder_junit(const std::vector<LadderRow>& rows) {
+  std::vector<JUnitCase> cases;
+  cases.reserve(rows.size());
+  for (const auto& row : rows) cases.push_back({name_of(row), failure_of(row)});
+  return junit_document("fretval check exact", cases);
+}
+
+}  // namespace fretval

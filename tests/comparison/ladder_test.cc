@@ -1,0 +1,178 @@
+#include "comparison/ladder.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "comparison/exact_rows.h"
+
+namespace fretval {
+namespace {
+
+const std::vector<int> rungs{16, 32, 64, 128};
+
+/// Errors factor n^-order.
+LadderRow power(double factor, double order) {
+  LadderRow row{"scene", "quantity", "a book", "rings", rungs, {}, {1e-3, 2, 0, 1e-4, ""}};
+  for (const int n : rungs) row.errors.push_back(factor * std::pow(n, -order));
+  return row;
+}
+
+TEST(Ladder, ObservesTheOrderOfExactPowers) {
+  for (const double order : {0.5, 1.0, 2.0, 3.7}) EXPECT_NEAR(observed_order(power(2, order)).value(), order, 1e-12);
+  EXPECT_NEAR(observed_order(power(-2, 2)).value(), 2, 1e-12);
+}
+
+TEST(Ladder, LeavesTheFloorOutOfTheOrder) {
+  auto row = power(1, 2);
+  row.errors[3] = row.errors[2] * 0.9;
+  EXPECT_LT(observed_order(row).value(), 1.8);
+  row.demand.floor = row.errors[2] * 0.95;
+  EXPECT_NEAR(observed_order(row).value(), 2, 1e-12);
+  row.demand.floor = row.errors[1];
+  EXPECT_FALSE(observed_order(row));
+  EXPECT_EQ(failure_of(row), "");
+}
+
+TEST(Ladder, AFloorDoesNotExcuseAnErrorBeyondTheTolerance) {
+  auto row = power(100, 2);
+  row.demand.floor = 1;
+  EXPECT_FALSE(observed_order(row));
+  EXPECT_NE(failure_of(row).find("error 2.4e-02 at 64 rings"), std::string::npos) << failure_of(row);
+}
+
+TEST(Ladder, PassesWithinToleranceAtTheExpectedOrder) {
+  EXPECT_EQ(failure_of(power(1, 2)), "");
+  EXPECT_EQ(failure_of(power(1, 2 - 0.9 * order_slack)), "");
+  EXPECT_EQ(failure_of(power(1, 3)), "");
+}
+
+TEST(Ladder, FailsBelowTheExpectedOrder) {
+  EXPECT_NE(failure_of(power(1e-2, 2 - 1.1 * order_slack)).find("order 1.67, expected 2"), std::string::npos);
+  EXPECT_NE(failure_of(power(1e-5, -1)), "");
+}
+
+TEST(Ladder, FailsWhereRefinementLeavesTheTolerance) {
+  auto row = power(1, 2);
+  row.demand.expected_order = 0;
+  EXPECT_EQ(failure_of(row), "");
+  row.errors[3] = -2e-3;
+  EXPECT_NE(failure_of(row).find("-2.0e-03 at 128 rings"), std::string::npos) << failure_of(row);
+}
+
+TEST(Ladder, FailsWithoutAnError) {
+  for (std::size_t i = 0; i < rungs.size(); ++i) {
+    auto row = power(1e-3, 2);
+    row.errors[i] = std::nan("");
+    EXPECT_FALSE(observed_order(row));
+    EXPECT_NE(failure_of(row), "") << i;
+    row.errors[i] = INFINITY;
+    EXPECT_NE(failure_of(row), "") << i;
+  }
+  auto row = power(1e-3, 2);
+  row.demand.goal_resolution = 48;
+  EXPECT_NE(failure_of(row).find("no error at 48"), std::string::npos);
+}
+
+TEST(Ladder, TellsTheGoalFromTheTolerance) {
+  EXPECT_EQ(meets_goal(power(0.1, 2)), true);
+  EXPECT_EQ(meets_goal(power(1, 2)), false);
+  auto row = power(1, 2);
+  row.demand.goal.reset();
+  EXPECT_FALSE(meets_goal(row).has_value());
+  row.demand.goal = 1;
+  row.errors[2] = std::nan("");
+  EXPECT_EQ(meets_goal(row), false);
+}
+
+TEST(Ladder, TableHasAnAlignedLinePerRow) {
+  auto longer = power(1, 1);
+  longer.scene = "a longer scene";
+  auto at_floor = power(1e-2, 2);
+  at_floor.demand.floor = 1;
+  std::istringstream table(ladder_table({power(1, 2), longer, at_floor}));
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(table, line);) lines.push_back(line);
+  ASSERT_EQ(lines.size(), 4U);
+  const auto column = lines[0].find("source");
+  for (std::size_t i = 1; i < lines.size(); ++i) EXPECT_EQ(lines[i].find("a book"), column) << lines[i];
+  EXPECT_EQ(lines[1].rfind("pass scene: quantity", 0), 0U);
+  EXPECT_NE(lines[1].find("2.4e-04"), std::string::npos);
+  EXPECT_NE(lines[1].find("1e-04 UNMET"), std::string::npos);
+  EXPECT_EQ(lines[2].rfind("FAIL a longer scene: quantity", 0), 0U);
+  EXPECT_NE(lines[2].find("| error 1.6e-02 at 64 rings, tolerance 1.0e-03"), std::string::npos) << lines[2];
+  EXPECT_NE(lines[3].find(" floor "), std::string::npos);
+  EXPECT_NE(lines[3].find("1e-04 met"), std::string::npos);
+}
+
+TEST(Ladder, WritesJUnitXml) {
+  const auto xml = ladder_junit({power(1, 2), power(1, 1)});
+  EXPECT_NE(xml.find("tests=\"2\" failures=\"1\""), std::string::npos) << xml;
+  EXPECT_NE(xml.find("name=\"scene: quantity\"/>"), std::string::npos) << xml;
+  EXPECT_NE(xml.find("<failure message=\"error 1.6e-02"), std::string::npos) << xml;
+}
+
+/// Meshes of the tests: without the finest one of the suite.
+const std::vector<LadderMesh>& meshes() {
+  static const auto ladder = half_space_ladder({16, 32, 64});
+  return ladder;
+}
+
+std::vector<LadderRow> hertz_rows(const ExactIndentation& exact) {
+  return indentation_rows(meshes(), exact, {1e-6, 3, 1e-7, 1e-6, ""}, {1.5e-4, 2, 1e-7, 1e-5, ""});
+}
+
+TEST(LadderGuard, AnotherForceOrRadiusThanHertzFails) {
+  const auto exact = exact_indentation("Hertz", "", 2);
+  for (const auto& row : hertz_rows(exact)) EXPECT_EQ(failure_of(row), "") << row.quantity;
+  auto wrong_force = exact, wrong_radius = exact;
+  wrong_force.force = [&](double d) { return 1.01 * exact.force(d); };
+  wrong_radius.contact_radius = [&](double d) { return 1.00001 * exact.contact_radius(d); };
+  EXPECT_NE(failure_of(hertz_rows(wrong_force)[1]), "");
+  EXPECT_NE(failure_of(hertz_rows(wrong_radius)[0]), "");
+}
+
+TEST(LadderGuard, AnotherCurveThanCattaneoAndMindlinFails) {
+  const auto exact = exact_sliding();
+  for (const auto& row : sliding_rows(meshes(), exact)) EXPECT_EQ(failure_of(row), "") << row.quantity;
+  const ExactSliding wrong{[&](double u) { return exact.stick_radius(u) + 1e-5; },
+                           [&](double u) { return 1.01 * exact.force(u); }};
+  for (const auto& row : sliding_rows(meshes(), wrong)) EXPECT_NE(failure_of(row), "") << row.quantity;
+}
+
+TEST(LadderGuard, AnotherStiffnessOfAPunchFails) {
+  const auto exact = exact_punch();
+  for (const auto& row : punch_rows(meshes(), exact)) EXPECT_EQ(failure_of(row), "") << row.scene << row.quantity;
+  for (const auto& row : punch_rows(meshes(), {1.01 * exact.normal, 1.01 * exact.tangential}))
+    EXPECT_NE(failure_of(row), "") << row.scene << row.quantity;
+}
+
+TEST(LadderGuard, AnotherProfileThanTheWornOneFails) {
+  EXPECT_EQ(failure_of(worn_edge_row(meshes(), mdr::parabola(1), mdr::parabola(1))), "");
+  EXPECT_NE(failure_of(worn_edge_row(meshes(), mdr::parabola(1), mdr::parabola(1.001))), "");
+}
+
+TEST(LadderGuardSlow, AnotherCurveThanCattaneoAndMindlinFailsTheCycle) {
+  const auto exact = exact_sliding();
+  EXPECT_EQ(failure_of(cycle_row(meshes(), exact)), "");
+  const ExactSliding wrong{exact.stick_radius, [&](double u) { return 1.01 * exact.force(u); }};
+  EXPECT_NE(failure_of(cycle_row(meshes(), wrong)), "");
+}
+
+TEST(LadderGuard, AnotherBranchFailsTheViscoelasticRows) {
+  const auto body = mdr::standard_solid(1, 2, 0.4), other = mdr::standard_solid(1, 2, 0.404);
+  const auto& mesh = meshes().front();
+  for (const auto row_of : {step_row, growing_contact_time_row}) {
+    EXPECT_EQ(failure_of(row_of(mesh, body, body)), "");
+    EXPECT_NE(failure_of(row_of(mesh, body, other)), "");
+  }
+  EXPECT_EQ(failure_of(growing_contact_mesh_row(meshes(), body, body)), "");
+  EXPECT_NE(failure_of(growing_contact_mesh_row(meshes(), body, other)), "");
+}
+
+}  // namespace
+}  // namespace fretval
