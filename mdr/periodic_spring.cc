@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "mdr/checks.h"
 
@@ -16,10 +17,12 @@ namespace {
 const double pi = std::acos(-1.0);
 constexpr int n_scan_steps = 16;  // from the deepest position to the angle of least harmonic force
 
-// One cycle from theta = 0: the state it ends in and its derivative by the state it starts from.
+// One cycle from theta = 0: how far the state ends from where it starts, and the derivative of that by the start. Both
+// are of the order of 2 pi over the relaxation times and made up of terms of that size, so that slow branches keep
+// their digits.
 struct Cycle {
   PeriodicSpring spring;
-  Eigen::ArrayXd end_deviation;
+  Eigen::VectorXd drift;
   Eigen::MatrixXd derivative;
 };
 
@@ -101,8 +104,13 @@ Eigen::VectorXd free_state(const SpringModel& model, double y, double lift_off, 
 // Contact all the time; the two events are put where it would be lost first.
 Cycle permanent_cycle(const SpringModel& model, double y, const Eigen::ArrayXd& initial) {
   const double event = least_force_angle(model);
-  const Eigen::ArrayXd to_end = decay(model, 2 * pi);
-  return {{y, event, event, initial, initial * decay(model, event)}, initial * to_end, to_end.matrix().asDiagonal()};
+  const Eigen::ArrayXd loss = (-2 * pi / model.branch_times).expm1();
+  return {{y, event, event, initial, initial * decay(model, event)}, initial * loss, loss.matrix().asDiagonal()};
+}
+
+// Change of harmonic_branch_depths() between two angles, without the y that they share.
+Eigen::ArrayXd harmonic_change(const SpringModel& model, double from, double to) {
+  return harmonic_branch_depths(model, 0, to) - harmonic_branch_depths(model, 0, from);
 }
 
 Cycle run_cycle(const SpringModel& model, double y, const Eigen::ArrayXd& initial) {
@@ -114,18 +122,21 @@ Cycle run_cycle(const SpringModel& model, double y, const Eigen::ArrayXd& initia
   const FreeRecovery& recovery = model.recovery;
   const Eigen::ArrayXd amplitudes = recovery.to_modes * free_state(model, y, lift_off, initial * to_lift_off);
   const double touch_down = find_touch_down(model, y, lift_off, amplitudes);
-  const Eigen::ArrayXd free_decay = (-recovery.rates * (touch_down - lift_off)).exp();
-  const Eigen::ArrayXd deviation =
-      (recovery.from_modes.bottomRows(n_branches) * (free_decay * amplitudes).matrix()).array() -
-      harmonic_branch_depths(model, y, touch_down);
+  const Eigen::ArrayXd free_loss = (-recovery.rates * (touch_down - lift_off)).expm1();
+  const auto branches = recovery.from_modes.bottomRows(n_branches);
+  // While free, the branches move by themselves; in contact they would have followed the harmonic.
+  const Eigen::ArrayXd departure =
+      (branches * (free_loss * amplitudes).matrix()).array() - harmonic_change(model, lift_off, touch_down);
 
   const Eigen::ArrayXd to_end = decay(model, 2 * pi - touch_down);
-  return {{y, lift_off, touch_down, initial, deviation},
-          deviation * to_end,
-          to_end.matrix().asDiagonal() *
-              (recovery.from_modes.bottomRows(n_branches) * free_decay.matrix().asDiagonal() *
-               recovery.to_modes.rightCols(n_branches)) *
-              to_lift_off.matrix().asDiagonal()};
+  const Eigen::ArrayXd contact_loss = (-(2 * pi - touch_down + lift_off) / model.branch_times).expm1();
+  Eigen::MatrixXd derivative = to_end.matrix().asDiagonal() *
+                               (branches * free_loss.matrix().asDiagonal() * recovery.to_modes.rightCols(n_branches)) *
+                               to_lift_off.matrix().asDiagonal();
+  derivative.diagonal() += contact_loss.matrix();
+  return {{y, lift_off, touch_down, initial, initial * to_lift_off + departure},
+          (initial * contact_loss + departure * to_end).matrix(),
+          std::move(derivative)};
 }
 
 }  // namespace
@@ -138,13 +149,12 @@ PeriodicSpring periodic_spring(const SpringModel& model, double y) {
   if (y >= std::hypot(model.storage, model.loss)) return permanent_cycle(model, y, deviation).spring;
   if (n_branches == 0) return run_cycle(model, y, deviation).spring;
 
-  // Convergence is quadratic: after a step this small only roundoff is left, and that grows with the relaxation times.
+  // Convergence is quadratic: after a step this small only roundoff is left.
   const double small_step = 1e-7 * (1 + std::abs(y));
   constexpr int n_newton_steps = 50;
   for (int k = 0; k < n_newton_steps; ++k) {
     const Cycle cycle = run_cycle(model, y, deviation);
-    const Eigen::MatrixXd drift = Eigen::MatrixXd::Identity(n_branches, n_branches) - cycle.derivative;
-    const Eigen::VectorXd step = drift.partialPivLu().solve((cycle.end_deviation - deviation).matrix());
+    const Eigen::VectorXd step = -cycle.derivative.partialPivLu().solve(cycle.drift);
     deviation += step.array();
     if (step.cwiseAbs().maxCoeff() <= small_step) return run_cycle(model, y, deviation).spring;
   }

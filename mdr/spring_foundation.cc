@@ -57,18 +57,8 @@ double rest_depth_integral(const Depth& g, double indentation, double radius) {
   return quadrature.integrate([&](double x) { return indentation - g(x); }, 0.0, radius, 1e-12);
 }
 
-// A branch this slow follows the mean of a cycle, whatever its time: its ripple, and with it the force, differs from
-// that of a slower one by less than 1e-7. A longer time would drown its drift in roundoff.
-constexpr double slowest_branch = 1e7;
-
-PronyBody with_bounded_times(PronyBody body, double omega) {
-  for (double& time : body.branch_times) time = std::min(time, slowest_branch / omega);
-  return body;
-}
-
 Foundation make_foundation(const Depth& g, double outer_radius, const PronyBody& body, const Motion& motion) {
-  const double omega = angular_frequency(motion.normal_frequency);
-  SpringModel model = spring_model(with_bounded_times(body, omega), omega);
+  SpringModel model = spring_model(body, angular_frequency(motion.normal_frequency));
   const double swing = std::hypot(model.storage, model.loss) * motion.normal_amplitude;
   const double permanent = radius_at_depth(g, motion.indentation - swing, outer_radius);
   return {g,

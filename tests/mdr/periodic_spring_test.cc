@@ -116,6 +116,38 @@ TEST(PeriodicSpring, RandomBodiesPushAndRepeat) {
   }
 }
 
+// A branch too slow for the cycle stays where the mean of the tip is, v = mean(u); the tip is held at the depth that
+// gives no force, gamma v/(1 + gamma), while the indenter is above it. v by bisection, the mean in closed form.
+double frozen_branch(double y, double gamma) {
+  const auto excess = [&](double v) {
+    const double rest = gamma * v / (1 + gamma), cosine = std::clamp(rest - y, -1.0, 1.0);
+    const double half = std::acos(cosine);  // in contact for |theta| < half
+    return (half * y + std::sin(half) + (std::acos(-1.0) - half) * rest) / std::acos(-1.0) - v;
+  };
+  double lower = -10, upper = 10 + y;
+  for (int k = 0; k < 200; ++k) (excess((lower + upper) / 2) > 0 ? lower : upper) = (lower + upper) / 2;
+  return lower;
+}
+
+TEST(PeriodicSpring, VerySlowBranchIsFrozen) {
+  for (const double y : {-0.9, -0.2, 0.4, 0.9}) {
+    for (const double gamma : {0.1, 2.0, 50.0}) {
+      const double v = frozen_branch(y, gamma), rest = gamma * v / (1 + gamma);
+      for (const double time : {1e9, 1e12}) {
+        const SpringModel model = spring_model(standard_solid(1, gamma, time), 1);
+        const PeriodicSpring spring = periodic_spring(model, y);
+        for (const double theta : {0.0, 0.3, 1.2}) {
+          const double depth = y + std::cos(theta);
+          const double force = depth > rest ? depth + gamma * (depth - v) : 0;
+          // The next term is of the order of 1/T.
+          EXPECT_NEAR(spring_force(model, spring, theta), force, (1e-12 + 10 / time) * (1 + gamma))
+              << "y = " << y << ", gamma = " << gamma << ", T = " << time << ", theta = " << theta;
+        }
+      }
+    }
+  }
+}
+
 TEST(PeriodicSpring, RejectsSpringsThatAreNeverTouched) {
   const SpringModel model = spring_model(elastic(1), 1);
   EXPECT_THROW(periodic_spring(model, -1), std::invalid_argument);
