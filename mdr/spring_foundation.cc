@@ -98,7 +98,7 @@ double intermittent_force(const Foundation& foundation, double theta) {
     const double force = spring_force(foundation.model, periodic_spring(foundation.model, y), theta);
     return force * width * pi / 2 * std::sin(pi * s);
   };
-  return boost::math::quadrature::gauss<double, 20>::integrate(integrand, 0.0, 1.0);
+  return boost::math::quadrature::gauss<double, 30>::integrate(integrand, 0.0, 1.0);
 }
 
 double normal_force(const Foundation& foundation, double angle) {

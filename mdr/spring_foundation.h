@@ -28,7 +28,7 @@ struct NormalResponse {
 /// closed form in time; the others are integrated by Gauss quadrature up to the edge of the contact at each instant.
 /// The result is the periodic state, which does not depend on the start; it is computed as such (mdr/periodic_spring.h)
 /// rather than by marching through transients. Relative accuracy 1e-10 of
-/// normal_force_max for any omega tau and a profile that is smooth or a cone, 1e-8 for a cusp.
+/// normal_force_max for any omega tau and a profile that is smooth or a cone, 1e-9 for a cusp.
 ///
 /// g: one-dimensional profile in m, continuous and not decreasing on [0, outer_radius], 0 <= g(0) < d0 + Delta d.
 /// outer_radius in m, positive: where the springs end. Unworn profile: the contact radius at d0 + Delta d; limiting
