@@ -106,7 +106,7 @@ PronyBody body_of(const VectorXd& moduli, const std::vector<double>& times, bool
   if (moduli(0) == 0) {
     throw std::invalid_argument(
         "relaxed modulus of the fitted Prony body = 0: the table shows no relaxed plateau, so the body would flow; "
-        "must be measured to lower frequencies, or given a known relaxed modulus");
+        "must be measured to lower frequencies");
   }
   PronyBody body{moduli(0), {}, {}, dashpot ? moduli(moduli.size() - 1) : 0};
   for (std::size_t i = 0; i < times.size(); ++i) {
