@@ -184,9 +184,11 @@ ordered_json wear_json(const Case& scene) {
 MdrDocument mdr_document(const Case& scene, bool with_springs) {
   try {
     const bool forces = scene.motion.normal_force || scene.motion.tangential_force;
-    auto document = is_comparable(scene) ? answer_comparable(scene)
-                    : forces             ? answer_forces(scene)
-                                         : answer_displacements(scene);
+    // The stick radii of a fractional body need no approximation of it.
+    const bool exact = scene.elastomer.fractional_order > 0 && scene.wear == Case::Wear::unworn;
+    auto document = forces                           ? answer_forces(scene)
+                    : is_comparable(scene) && !exact ? answer_comparable(scene)
+                                                     : answer_displacements(scene);
     ordered_json json{{"name", scene.name}};
     json.update(document.json);
     json["limiting_profile"] = profile_json(document.worn);
@@ -201,12 +203,9 @@ MdrDocument mdr_document(const Case& scene, bool with_springs) {
 }
 
 SpringAnswer spring_answer(const Case& scene) {
-  const auto rheology = rheology_of(scene.elastomer);
-  if (!std::holds_alternative<mdr::PronyBody>(rheology))
-    throw InputError(scene.file + ": Elastomer / Rheology: springs need a body with a history in time, a Prony body");
   if (scene.wear == Case::Wear::limiting)
     throw InputError(scene.file + ": Wear / State = limiting: springs are stepped for an unworn indenter");
-  const auto& body = std::get<mdr::PronyBody>(rheology);
+  const auto body = body_in_time(scene);
   const auto profile = profile_of(scene.indenter);
   const auto motion = displacements_of(scene.motion, profile, body);
   const double period = mdr::common_period(motion);

@@ -2,11 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <string>
 
 #include "mdr/profile_csv.h"
+#include "mdr/prony_approximation.h"
 #include "mdr/shakedown_amplitude.h"
 
 namespace fretval {
@@ -65,8 +67,6 @@ std::string why_not_comparable(const Case& scene) {
         "Motion / Tangential frequency = {:g} Hz: only the Normal frequency, {:g} Hz, is computed; use "
         "Phase = free with equal frequencies for motions that are not synchronised",
         motion.tangential_frequency, motion.normal_frequency);
-  if (scene.elastomer.fractional_order > 0)
-    return "Elastomer / Rheology = fractional zener: only Prony bodies have a history in time";
   return "";
 }
 
@@ -107,6 +107,13 @@ mdr::Rheology rheology_of(const Case::Elastomer& elastomer) {
   return mdr::prony(elastomer.relaxed_modulus, elastomer.branch_moduli, elastomer.branch_times, elastomer.viscosity);
 }
 
+mdr::PronyBody body_in_time(const Case& scene) {
+  const auto rheology = rheology_of(scene.elastomer);
+  if (const auto* body = std::get_if<mdr::PronyBody>(&rheology)) return *body;
+  const double lowest = std::min(scene.motion.normal_frequency, scene.motion.tangential_frequency);
+  return mdr::prony_approximation(std::get<mdr::FractionalZener>(rheology), lowest / 10, lowest * 1000).body;
+}
+
 mdr::HarmonicMotion harmonic_motion_of(const Case::Motion& motion) {
   return {motion.indentation,
           with_first({motion.normal_amplitude, motion.normal_frequency, 0}, motion.normal_harmonics),
@@ -130,7 +137,7 @@ MdrScene mdr_scene(const Case& scene) {
   const auto& motion = scene.motion;
   const bool amplitude_follows = std::isnan(motion.tangential_amplitude);
   MdrScene mdr{profile_of(scene.indenter),
-               std::get<mdr::PronyBody>(rheology_of(scene.elastomer)),
+               body_in_time(scene),
                scene.friction_coefficient,
                {motion.indentation, motion.normal_amplitude, amplitude_follows ? 0 : motion.tangential_amplitude,
                 motion.normal_frequency, motion.tangential_frequency, phase_of(motion)},

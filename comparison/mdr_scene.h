@@ -13,7 +13,7 @@
 namespace fretval {
 
 /// A case in the terms of the analytic reference, as far as finite elements can be compared with it: one prescribed
-/// displacement in each direction, a body with a history in time. SI units, angles in radians.
+/// displacement in each direction. SI units, angles in radians.
 struct MdrScene {
   mdr::Profile profile;
   mdr::PronyBody body;
@@ -36,6 +36,9 @@ bool is_comparable(const Case& scene);
 /// The parts of a case, whether comparable or not. Tables are read here: InputError with file and line.
 mdr::Profile profile_of(const Case::Indenter& indenter);
 mdr::Rheology rheology_of(const Case::Elastomer& elastomer);
+/// The body in time: a fractional one is approximated from a tenth of its lowest frequency of motion to a thousand
+/// times it.
+mdr::PronyBody body_in_time(const Case& scene);
 mdr::HarmonicMotion harmonic_motion_of(const Case::Motion& motion);
 
 /// Of a case with a prescribed force.

@@ -4,13 +4,13 @@
 #include <unistd.h>
 
 #include <array>
+#include <cerrno>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
-#include <cerrno>
 #include <system_error>
 
 namespace fretval {
@@ -52,7 +52,8 @@ std::string script_of(const Plot& plot) {
       << "set encoding utf8\nset border 3 lc rgb '#666666'\nset tics nomirror\nset grid lc rgb '#dddddd' lt 1 lw 0.5\n"
       << "set title " << quoted(plot.title) << "\nset xlabel " << quoted(plot.x_label) << "\nset ylabel "
       << quoted(plot.y_label) << "\nset datafile missing 'nan'\n"
-      << (plot.key_right ? "set key outside right top\n" : "set key bmargin center vertical maxrows 3\nset bmargin 7\n");
+      << (plot.key_right ? "set key outside right top\n"
+                         : "set key bmargin center vertical maxrows 3\nset bmargin 7\n");
   if (plot.log_y) script << "set logscale y\nset format y '10^{%L}'\n";
   if (plot.x_range) script << fmt::format("set xrange [{}:{}]\n", plot.x_range->first, plot.x_range->second);
   if (plot.y_range) script << fmt::format("set yrange [{}:{}]\n", plot.y_range->first, plot.y_range->second);
@@ -84,7 +85,8 @@ class ScratchFile {
   ScratchFile() {
     std::string pattern = (fs::temp_directory_path() / "fretval-plot-XXXXXX").string();
     const int descriptor = mkstemp(pattern.data());
-    if (descriptor < 0) throw std::system_error(errno, std::generic_category(), "cannot make a temporary file for a plot");
+    if (descriptor < 0)
+      throw std::system_error(errno, std::generic_category(), "cannot make a temporary file for a plot");
     close(descriptor);
     path_ = pattern;
   }
@@ -113,7 +115,8 @@ std::string svg(const Plot& plot) {
   const int status = pclose(pipe);
   const auto begin = output.find("<svg");
   if (status != 0 || begin == std::string::npos)
-    throw std::system_error(std::make_error_code(std::errc::io_error), "gnuplot could not draw '" + plot.title + "': " + output.substr(0, 400));
+    throw std::system_error(std::make_error_code(std::errc::io_error),
+                            "gnuplot could not draw '" + plot.title + "': " + output.substr(0, 400));
   return output.substr(begin);
 }
 

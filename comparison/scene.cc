@@ -78,9 +78,9 @@ FemScene fem_scene(const Case& scene, const MdrScene& mdr) {
     fem.worn_edge = {mdr.limiting->stick_radius / units.length, mdr.limiting->outer_radius / units.length};
   fem.body = {contact_nodes(scene, mdr, units, resolution), resolution.growth, resolution.far_radius,
               resolution.degree};
-  fem.relaxation.viscosity = scene.elastomer.viscosity * units.angular_frequency / units.modulus;
-  for (const double modulus : scene.elastomer.branch_moduli) fem.relaxation.moduli.push_back(modulus / units.modulus);
-  for (const double time : scene.elastomer.branch_times) fem.relaxation.times.push_back(time * units.angular_frequency);
+  fem.relaxation.viscosity = mdr.body.viscosity * units.angular_frequency / units.modulus;
+  for (const double modulus : mdr.body.branch_moduli) fem.relaxation.moduli.push_back(modulus / units.modulus);
+  for (const double time : mdr.body.branch_times) fem.relaxation.times.push_back(time * units.angular_frequency);
   fem.motion = {scene.motion.indentation / deepest, scene.motion.normal_amplitude / deepest,
                 mdr.motion.tangential_amplitude / deepest, mdr.motion.phase};
   fem.motion.n_ramp_cycles = resolution.n_ramp_cycles;

@@ -75,6 +75,14 @@ TEST(MdrDocument, FractionalBodyOfOrderOneIsTheStandardSolid) {
               1e-13);
 }
 
+// The springs step a Prony body that stands for the fractional one; the radii next to them need none.
+TEST(MdrDocument, SpringsStandForAFractionalBody) {
+  const auto json =
+      document_of(replace(valid_case, "standard solid", "fractional zener\n  set Fractional order = 0.5"), true);
+  for (const char* key : {"stick_radius_first_slip", "stick_radius_shakedown"})
+    EXPECT_NEAR(number(json, "springs", key) / number(json, "mdr", key), 1, 1e-4) << key;
+}
+
 // A table of the standard solid itself: the answer must be that of the standard solid, up to the misfit reported.
 TEST(MdrDocument, MeasuredModuliAreFitted) {
   const ScratchFolder folder;
