@@ -9,14 +9,6 @@ namespace fretval::mdr {
 
 namespace {
 const double pi = std::acos(-1.0);
-
-double stick_depth_cattaneo_mindlin(double mu, double indentation, double tangential_displacement) {
-  require_positive("coefficient of friction", mu);
-  require_non_negative("indentation", indentation);
-  require_non_negative("tangential displacement", tangential_displacement);
-  return std::max(0.0, indentation - 2 * tangential_displacement / (3 * mu));
-}
-
 }  // namespace
 
 double contact_radius(const Profile& profile, double indentation) {
@@ -43,6 +35,13 @@ double tangential_force_full_stick(const Profile& profile, double shear_modulus,
   require_positive("shear modulus", shear_modulus);
   require_non_negative("tangential displacement", tangential_displacement);
   return 16.0 / 3 * shear_modulus * contact_radius(profile, indentation) * tangential_displacement;
+}
+
+double stick_depth_cattaneo_mindlin(double mu, double indentation, double tangential_displacement) {
+  require_positive("coefficient of friction", mu);
+  require_non_negative("indentation", indentation);
+  require_non_negative("tangential displacement", tangential_displacement);
+  return std::max(0.0, indentation - 2 * tangential_displacement / (3 * mu));
 }
 
 double stick_radius_cattaneo_mindlin(const Profile& profile, double mu, double indentation,

@@ -25,8 +25,11 @@ double pressure(const Profile& profile, double shear_modulus, double indentation
 double tangential_force_full_stick(const Profile& profile, double shear_modulus, double indentation,
                                    double tangential_displacement);
 
-/// Tangential displacement applied monotonically after the normal load: stick radius c with g(c) = d - 2 u_x/(3 mu),
-/// and 0 once the whole contact slides.
+/// Tangential displacement applied monotonically after the normal load: the depth g(c) = d - 2 u_x/(3 mu) in m at the
+/// edge of the stick zone, and 0 once the whole contact slides.
+double stick_depth_cattaneo_mindlin(double mu, double indentation, double tangential_displacement);
+
+/// The stick radius c of this depth, and 0 once the whole contact slides.
 double stick_radius_cattaneo_mindlin(const Profile& profile, double mu, double indentation,
                                      double tangential_displacement);
 

@@ -28,10 +28,7 @@ double bulk_heat(const SpringBed& bed, const PronyBody& body, double dt, const E
 // Stiffness of a stuck spring in a step, over the relaxed one.
 double step_stiffness(const PronyBody& body, double dt) {
   double stiffness = 1;
-  for (std::size_t i = 0; i < body.branch_moduli.size(); ++i) {
-    const double z = dt / body.branch_times[i];
-    stiffness += body.branch_moduli[i] / body.relaxed_modulus * -std::expm1(-z) / z;
-  }
+  for (std::size_t i = 0; i < body.branch_moduli.size(); ++i) stiffness += branch_gain(body, i, dt);
   return stiffness;
 }
 

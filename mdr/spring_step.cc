@@ -21,6 +21,11 @@ double fitted_theta(double z) {
 
 }  // namespace
 
+double branch_gain(const PronyBody& body, std::size_t i, double dt) {
+  const double z = dt / body.branch_times[i];
+  return body.branch_moduli[i] / body.relaxed_modulus * -std::expm1(-z) / z;
+}
+
 SpringState relaxed_state(const SpringBed& bed, const PronyBody& body, double indentation) {
   validate(body);
   require_finite("indentation", indentation);
@@ -36,9 +41,8 @@ SpringStep::SpringStep(const PronyBody& body, double mu, double dt) : limit_(1.5
   require_positive("coefficient of friction", mu);
   require_positive("time step", dt);
   for (std::size_t i = 0; i < body.branch_moduli.size(); ++i) {
-    const double z = dt / body.branch_times[i];
-    decay_.push_back(std::exp(-z));
-    gain_.push_back(body.branch_moduli[i] / body.relaxed_modulus * -std::expm1(-z) / z);
+    decay_.push_back(std::exp(-dt / body.branch_times[i]));
+    gain_.push_back(branch_gain(body, i, dt));
     gain_sum_ += gain_.back();
   }
   viscosity_ = body.viscosity / body.relaxed_modulus;

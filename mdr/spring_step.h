@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
 #include <vector>
 
 #include "mdr/prony_body.h"
@@ -27,6 +28,10 @@ struct SpringState {
   Eigen::ArrayXXd normal_memory;      ///< springs x branches: branch forces over 4 G0, in m
   Eigen::ArrayXXd tangential_memory;  ///< over (8/3) G0
 };
+
+/// Force of branch i at the end of a step of length dt per displacement made in it at constant rate, over the relaxed
+/// stiffness: (G_i/G0) (tau_i/dt) (1 - exp(-dt/tau_i)).
+double branch_gain(const PronyBody& body, std::size_t i, double dt);
 
 /// Springs that have relaxed for ever at this indentation, without tangential displacement.
 SpringState relaxed_state(const SpringBed& bed, const PronyBody& body, double indentation);

@@ -25,12 +25,6 @@ double displacement_outside(const Profile& profile, double a, double indentation
   return 2 / pi * (indentation * arcsine(a, r) - abel_depth_integral(profile, 0, a, r));
 }
 
-double stick_depth(double mu, double indentation, double tangential_displacement) {
-  require_positive("coefficient of friction", mu);
-  require_non_negative("tangential displacement", tangential_displacement);
-  return std::max(0.0, indentation - 2 * tangential_displacement / (3 * mu));
-}
-
 double smooth_part(const LimitingProfile& profile, double shear_modulus, double r) {
   const double c = profile.stick_radius;
   return r < c ? 4 * shear_modulus / pi * abel_slope_integral(profile.unworn, r, c) : 0;
@@ -60,7 +54,7 @@ double normal_displacement(const Profile& profile, double indentation, double r)
 
 double tangential_displacement_cattaneo_mindlin(const Profile& profile, double mu, double indentation,
                                                 double tangential_displacement, double r) {
-  const double depth = stick_depth(mu, indentation, tangential_displacement);
+  const double depth = stick_depth_cattaneo_mindlin(mu, indentation, tangential_displacement);
   if (depth > 0 && r <= inverse_transform(profile, depth)) return tangential_displacement;
   return 1.5 * mu *
          (normal_displacement(profile, indentation, r) - (depth > 0 ? normal_displacement(profile, depth, r) : 0));
@@ -68,7 +62,7 @@ double tangential_displacement_cattaneo_mindlin(const Profile& profile, double m
 
 double traction_cattaneo_mindlin(const Profile& profile, double shear_modulus, double mu, double indentation,
                                  double tangential_displacement, double r) {
-  const double depth = stick_depth(mu, indentation, tangential_displacement);
+  const double depth = stick_depth_cattaneo_mindlin(mu, indentation, tangential_displacement);
   return mu * (pressure(profile, shear_modulus, indentation, r) - pressure(profile, shear_modulus, depth, r));
 }
 
