@@ -22,8 +22,8 @@ constexpr int steps_per_cycle = 360;  // of the fastest harmonic
 constexpr int n_ramp_periods = 20;
 constexpr int n_profile_points = 200;
 
-ordered_json or_null(const std::optional<double>& value) {
-  return value ? ordered_json(*value) : ordered_json(nullptr);
+double modulus_ratio_of(const Case& scene, const mdr::Rheology& body) {
+  return mdr::modulus_ratio(body, mdr::angular_frequency(scene.motion.normal_frequency));
 }
 
 /// Prescribed displacements, whatever their number and frequencies.
@@ -35,13 +35,13 @@ MdrDocument answer_displacements(const Case& scene) {
   const auto radii = mdr::stick_radii(profile, body, scene.friction_coefficient, motion);
   MdrDocument document;
   if (radii.shakedown) document.worn = mdr::limiting_profile(profile, *radii.shakedown, deepest);
-  document.json["mdr"] = {
-      {"modulus_ratio", mdr::modulus_ratio(body, mdr::angular_frequency(scene.motion.normal_frequency))},
-      {"contact_radius_max", mdr::inverse_transform(profile, deepest)},
-      {"stick_radius_first_slip", or_null(radii.first_slip)},
-      {"stick_radius_shakedown", or_null(radii.shakedown)},
-      {"worn_radius", document.worn ? ordered_json(document.worn->outer_radius) : ordered_json(nullptr)},
-      {"normal_force_max", nullptr}};
+  MdrAnswer answer{};
+  answer.modulus_ratio = modulus_ratio_of(scene, body);
+  answer.contact_radius_max = mdr::inverse_transform(profile, deepest);
+  answer.stick_radius_first_slip = radii.first_slip;
+  answer.stick_radius_shakedown = radii.shakedown;
+  if (document.worn) answer.worn_radius = document.worn->outer_radius;
+  document.json["mdr"] = to_json(answer);
   return document;
 }
 
@@ -67,17 +67,17 @@ MdrDocument answer_forces(const Case& scene) {
   };
   const auto first_slip = state(mdr::StickCriterion::first_slip), shakedown = state(mdr::StickCriterion::shakedown);
   MdrDocument document;
-  if (shakedown)
+  MdrAnswer answer{};
+  answer.modulus_ratio = modulus_ratio_of(scene, body);
+  if (first_slip) answer.stick_radius_first_slip = first_slip->stick_radius;
+  if (shakedown) {
     document.worn =
         mdr::limiting_profile(profile, shakedown->stick_radius, mdr::maximum_indentation(shakedown->motion));
-  document.json["mdr"] = {
-      {"modulus_ratio", mdr::modulus_ratio(body, mdr::angular_frequency(scene.motion.normal_frequency))},
-      {"contact_radius_max", shakedown ? ordered_json(shakedown->stick_radius) : ordered_json(nullptr)},
-      {"stick_radius_first_slip", first_slip ? ordered_json(first_slip->stick_radius) : ordered_json(nullptr)},
-      {"stick_radius_shakedown", shakedown ? ordered_json(shakedown->stick_radius) : ordered_json(nullptr)},
-      {"worn_radius", document.worn ? ordered_json(document.worn->outer_radius) : ordered_json(nullptr)},
-      {"normal_force_max", shakedown ? ordered_json(shakedown->mean_normal_force + shakedown->normal_force_amplitude)
-                                     : ordered_json(nullptr)}};
+    answer.contact_radius_max = answer.stick_radius_shakedown = shakedown->stick_radius;
+    answer.worn_radius = document.worn->outer_radius;
+    answer.normal_force_max = shakedown->mean_normal_force + shakedown->normal_force_amplitude;
+  }
+  document.json["mdr"] = to_json(answer);
   document.json["limiting_state"] = {{"first_slip", state_json(first_slip)}, {"shakedown", state_json(shakedown)}};
   return document;
 }

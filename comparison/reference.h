@@ -7,14 +7,14 @@
 
 namespace fretval {
 
-/// What MDR says about a scene; SI units. Empty: nothing sticks.
+/// What MDR says about a scene; SI units. Empty radii: nothing sticks. A comparable scene has both maxima.
 struct MdrAnswer {
   double modulus_ratio;
-  double contact_radius_max;
+  std::optional<double> contact_radius_max;  ///< empty: a prescribed force that no contact carries without slip
   std::optional<double> stick_radius_first_slip;
   std::optional<double> stick_radius_shakedown;
-  std::optional<double> worn_radius;  ///< a_inf of the limiting profile that belongs to the shakedown radius
-  double normal_force_max;
+  std::optional<double> worn_radius;       ///< a_inf of the limiting profile that belongs to the shakedown radius
+  std::optional<double> normal_force_max;  ///< empty: not computed, or as above
 };
 
 /// Normal response of the spring foundation in the periodic state; depends on the normal motion alone.

@@ -90,11 +90,11 @@ double peak_memory_bytes() {
 
 ordered_json to_json(const MdrAnswer& answer) {
   return {{"modulus_ratio", answer.modulus_ratio},
-          {"contact_radius_max", answer.contact_radius_max},
+          {"contact_radius_max", or_null(answer.contact_radius_max)},
           {"stick_radius_first_slip", or_null(answer.stick_radius_first_slip)},
           {"stick_radius_shakedown", or_null(answer.stick_radius_shakedown)},
           {"worn_radius", or_null(answer.worn_radius)},
-          {"normal_force_max", answer.normal_force_max}};
+          {"normal_force_max", or_null(answer.normal_force_max)}};
 }
 
 ordered_json result_json(const Outcome& outcome, const Body& body, const NormalSimulation& normal) {

@@ -30,8 +30,8 @@ Verdict compare(const MdrAnswer& mdr, const FeAnswer& fe, double unworn_radius, 
   Verdict verdict;
   if (fe.contact_radius_max)
     verdict["contact_radius_max"] =
-        judge(*fe.contact_radius_max / mdr.contact_radius_max - 1, tolerances.contact_radius);
-  verdict["normal_force_max"] = judge(fe.normal_force_max / mdr.normal_force_max - 1, tolerances.normal_force);
+        judge(*fe.contact_radius_max / mdr.contact_radius_max.value() - 1, tolerances.contact_radius);
+  verdict["normal_force_max"] = judge(fe.normal_force_max / mdr.normal_force_max.value() - 1, tolerances.normal_force);
   const double tolerance = tolerances.stick_radius;
   verdict["stick_radius_first_slip"] =
       judge_stick(fe.stick_radius_first_slip, mdr.stick_radius_first_slip, unworn_radius, tolerance);

@@ -11,6 +11,7 @@
 #include <string>
 
 #include "mdr/fractional_zener.h"
+#include "tests/mdr/error_of.h"
 #include "tests/mdr/synthetic_table.h"
 
 namespace fretval::mdr {
@@ -19,15 +20,6 @@ namespace {
 ModulusTable read(const std::string& text, double factor = 1) {
   std::istringstream stream(text);
   return read_modulus_table(stream, "dma.csv", factor);
-}
-
-std::string error_of(const std::function<void()>& action) {
-  try {
-    action();
-    return "accepted";
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
 }
 
 using Column = std::vector<double>;

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "mdr/rheology.h"
+#include "tests/mdr/error_of.h"
 #include "tests/mdr/synthetic_table.h"
 
 namespace fretval::mdr {
@@ -30,15 +31,6 @@ double difference(const Rheology& a, const Rheology& b, const ModulusTable& tabl
     worst = std::max(worst, std::abs(measure(a, two_pi * f) / measure(b, two_pi * f) - 1));
   }
   return worst;
-}
-
-std::string error_of(const std::function<void()>& action) {
-  try {
-    action();
-    return "accepted";
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
 }
 
 // Roundoff of the moduli, times the condition of the problem, below 1e3.
