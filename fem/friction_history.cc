@@ -2,11 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <functional>
 #include <limits>
 #include <vector>
 
-#include "fem/edge.h"
+#include "fem/punch_series.h"
 #include "fem/running_minimum.h"
 #include "fem/solver_error.h"
 
@@ -26,13 +27,12 @@ class Stepper {
         step_(relaxation, dt_),
         state_{Eigen::VectorXd::Zero(problem.n_rings()),
                Eigen::MatrixXd::Zero(problem.n_rings(), static_cast<Eigen::Index>(relaxation.moduli.size()))},
-        traction_(Eigen::VectorXd::Zero(problem.n_rings())),
-        stick_(static_cast<std::size_t>(problem.n_rings()), BoxState::interior) {}
+        stick_(static_cast<std::size_t>(problem.n_rings()), BoxState::interior),
+        zones_(stick_.size(), Zone::stuck) {}
 
   struct Result {
-    Eigen::VectorXd traction;         // at the balance time
-    Eigen::VectorXd slip;             // in the whole step
-    Eigen::VectorXd middle_traction;  // at the middle of the step, where the mean slip rate belongs
+    Eigen::VectorXd traction;  // at the balance time
+    Eigen::VectorXd slip;      // in the whole step
   };
 
   Result compute_step(long index, const Eigen::VectorXd& limit) {
@@ -41,32 +41,46 @@ class Stepper {
     const auto move = indenter_move(motion_, begin, begin + step_.fraction() * dt_);
     const Eigen::VectorXd held = step_.response_without_slip(state_, move);
     auto solution = problem_.solver.solve(areas.cwiseProduct(held), -limit, limit, stick_);
-    for (std::size_t i = 0; i < stick_.size(); ++i)
-      if (limit[static_cast<Eigen::Index>(i)] == 0)
-        stick_[i] = BoxState::interior;  // the guess for when it touches again
+    update_zones(limit);
     Eigen::VectorXd slip = (solution.residual.array() / areas.array()).matrix() / step_.instantaneous();
     step_.advance(state_, indenter_move(motion_, begin, begin + dt_), slip);
-    const double weight = 1.5 - step_.fraction();  // of the balance time, between it and the one before
-    Eigen::VectorXd middle_traction = weight * solution.x + (1 - weight) * traction_;
-    traction_ = solution.x;
-    return {std::move(solution.x), std::move(slip), std::move(middle_traction)};
+    return {std::move(solution.x), std::move(slip)};
   }
 
   [[nodiscard]] const Eigen::VectorXd& displacement() const { return state_.displacement; }
+  [[nodiscard]] double fraction() const { return step_.fraction(); }
+  /// The traction has kinks where these differ.
+  [[nodiscard]] const std::vector<signed char>& zones() const { return zones_; }
 
  private:
+  enum Zone : signed char { slipped_backward = -1, stuck = 0, slipped_forward = 1, touched_again = 2, free = 3 };
+
+  void update_zones(const Eigen::VectorXd& limit) {
+    for (std::size_t i = 0; i < stick_.size(); ++i) {
+      if (limit[static_cast<Eigen::Index>(i)] == 0) {
+        stick_[i] = BoxState::interior;  // the guess for when it touches again
+        zones_[i] = Zone::free;
+      } else if (stick_[i] != BoxState::interior) {
+        zones_[i] = stick_[i] == BoxState::upper ? Zone::slipped_forward : Zone::slipped_backward;
+      } else if (zones_[i] == Zone::free) {
+        zones_[i] = Zone::touched_again;
+      }
+    }
+  }
+
   const ContactProblem& problem_;
   std::function<ValueAndRate(double)> motion_;
   double dt_;
   RelaxationStep step_;
   RingState state_;
-  Eigen::VectorXd traction_;     // at the last balance time
-  std::vector<BoxState> stick_;  // interior: sticks
+  std::vector<BoxState> stick_;     // interior: sticks
+  std::vector<signed char> zones_;  // how each ring moved last
 };
 
-/// Slip reserves at an instant, against slip in either direction.
-struct Reserves {
-  Eigen::VectorXd forward, backward;
+/// Depths of the friction limit and of the traction (see PunchSeries) at an instant. Their difference and sum are the
+/// slip reserves against slip forward and backward.
+struct Depths {
+  Eigen::VectorXd limit, traction;
 };
 
 /// What is judged over one period.
@@ -75,7 +89,8 @@ struct Period {
   RunningMinimum forward_reserve, backward_reserve;  // slip reserves of the same
   Eigen::VectorXd slip;
   Eigen::MatrixXd traction;
-  double dissipated_energy = 0;
+  Eigen::VectorXd work, series_work;  // of friction, per area, and as a product of depths and displacements
+  std::vector<signed char> zones;     // what happened to each ring, as bits
 
   Period(Eigen::Index n_rings, int n_steps)
       : forward(n_rings, 0),
@@ -83,23 +98,31 @@ struct Period {
         forward_reserve(n_rings, -infinity),
         backward_reserve(n_rings, -infinity),
         slip(n_rings),
-        traction(Eigen::MatrixXd::Zero(n_rings, n_steps)) {}
+        traction(Eigen::MatrixXd::Zero(n_rings, n_steps)),
+        work(n_rings),
+        series_work(n_rings),
+        zones(static_cast<std::size_t>(n_rings)) {}
 
   void begin() {
     for (auto* minimum : {&forward, &backward, &forward_reserve, &backward_reserve}) minimum->restart();
     slip.setZero();
-    dissipated_energy = 0;
+    work.setZero();
+    series_work.setZero();
+    std::fill(zones.begin(), zones.end(), 0);
   }
 
-  void add(int k, const Eigen::VectorXd& limit, const Stepper::Result& step, const Reserves& reserves,
-           const Eigen::VectorXd& areas) {
+  void add(int k, const Eigen::VectorXd& limit, const Stepper::Result& step, const Depths& depths) {
     forward.add(limit - step.traction);
     backward.add(limit + step.traction);
-    forward_reserve.add(reserves.forward);
-    backward_reserve.add(reserves.backward);
+    forward_reserve.add(depths.limit - depths.traction);
+    backward_reserve.add(depths.limit + depths.traction);
     slip += step.slip.cwiseAbs();
     traction.col(k) = step.traction;
-    dissipated_energy += (step.middle_traction.array() * step.slip.array() * areas.array()).sum();
+    for (std::size_t i = 0; i < zones.size(); ++i) {
+      const auto ring = static_cast<Eigen::Index>(i);
+      if (step.slip[ring] != 0) zones[i] |= 1;
+      zones[i] |= limit[ring] > 0 ? 2 : 4;
+    }
   }
 };
 
@@ -114,13 +137,13 @@ FrictionHistory friction_history(const ContactProblem& problem, const Relaxation
                                  double friction_coefficient, const Motion& motion, const NormalHistory& normal,
                                  const HistoryControl& control) {
   const Eigen::Index n = problem.n_rings();
-  const auto& areas = problem.compliance.areas;
   const int period_steps = normal.steps_per_cycle * motion.cycles_per_period();
   Stepper stepper(problem, relaxation, motion, normal.steps_per_cycle);
   FrictionHistory history{};
   history.periodicity = infinity;
   history.slip_path = Eigen::VectorXd::Zero(n);
-  const SlipReserve reserve(problem);
+  const PunchSeries series(problem);
+  Eigen::VectorXd traction = Eigen::VectorXd::Zero(n), traction_depths = traction;
   // No floor under a reserve: below zero between two samples it tells what a finer step would have let slip.
   RunningMinimum first_slip(n, 0), first_forward(n, -infinity), first_backward(n, -infinity);
   std::vector<double> force{0};
@@ -137,12 +160,19 @@ FrictionHistory friction_history(const ContactProblem& problem, const Relaxation
       const auto index = static_cast<long>(force.size()) - 1;
       const Eigen::VectorXd limit = friction_coefficient * normal.pressure.col(normal.column(index + 1));
       const auto step = stepper.compute_step(index, limit);
-      const Reserves reserves{reserve.of(limit - step.traction), reserve.of(limit + step.traction)};
+      const Depths depths{series.depths(limit), series.depths(step.traction)};
       first_slip.add(limit - step.traction.cwiseAbs());
-      first_forward.add(reserves.forward);
-      first_backward.add(reserves.backward);
-      period.add(k, limit, step, reserves, areas);
-      force.push_back(step.traction.dot(areas));
+      first_forward.add(depths.limit - depths.traction);
+      first_backward.add(depths.limit + depths.traction);
+      period.add(k, limit, step, depths);
+      // The mean slip rate of a step belongs to its middle, between two balance times.
+      const double weight = 1.5 - stepper.fraction();
+      period.work += (weight * step.traction + (1 - weight) * traction).cwiseProduct(step.slip);
+      period.series_work +=
+          (weight * depths.traction + (1 - weight) * traction_depths).cwiseProduct(series.displacements(step.slip));
+      traction = step.traction;
+      traction_depths = depths.traction;
+      force.push_back(series.integral(depths.traction, stepper.zones()));
     }
     history.n_cycles += motion.cycles_per_period();
     history.slip_path += period.slip;
@@ -154,7 +184,8 @@ FrictionHistory friction_history(const ContactProblem& problem, const Relaxation
   history.first_slip_reserve = first_forward.value().cwiseMin(first_backward.value());
   history.shakedown_reserve = (period.forward_reserve.value() + period.backward_reserve.value()) / 2;
   history.period_slip = period.slip;
-  history.dissipated_energy = period.dissipated_energy;
+  history.dissipated_energy = series.integral(period.series_work, period.zones);
+  history.friction_work = period.work.cwiseProduct(problem.compliance.areas);
   history.traction = std::move(period.traction);
   history.displacement = stepper.displacement();
   history.force = Eigen::Map<Eigen::VectorXd>(force.data(), static_cast<Eigen::Index>(force.size()));

@@ -16,10 +16,12 @@ struct FrictionHistory {
   Eigen::VectorXd shakedown_reserve;   ///< per ring: mean of the smallest of either over the last period
   Eigen::VectorXd slip_path;           ///< per ring: length of slip from the start on
   Eigen::VectorXd period_slip;         ///< per ring: length of slip in the last period
-  Eigen::VectorXd force;               ///< per instant of the whole history, the instants of the normal one continued
-  Eigen::VectorXd displacement;        ///< of the rings, at the end of the last period
-  double dissipated_energy;            ///< by friction in the last period
-  Eigen::MatrixXd traction;            ///< n_rings x steps per period: the last period
+  Eigen::VectorXd force;          ///< per instant of the whole history, the instants of the normal one continued; see
+                                  ///< PunchSeries
+  Eigen::VectorXd displacement;   ///< of the rings, at the end of the last period
+  double dissipated_energy;       ///< by friction in the last period, see PunchSeries
+  Eigen::VectorXd friction_work;  ///< per ring: by friction in the last period
+  Eigen::MatrixXd traction;       ///< n_rings x steps per period: the last period
 };
 
 /// Steps Coulomb friction with unidirectional traction, |tau| <= mu p, through the motion from rest until the tractions

@@ -7,6 +7,7 @@
 #include <limits>
 #include <vector>
 
+#include "fem/punch_series.h"
 #include "fem/solver_error.h"
 
 namespace fretval::fem {
@@ -170,7 +171,7 @@ NormalHistory normal_history(const ContactProblem& problem, const RelaxationMode
     history.pressure.col(k) = pressure[static_cast<std::size_t>(k)];
     history.indentation[k] = normal_motion(motion, history.time[k]).value;
   }
-  history.force = history.pressure.transpose() * problem.compliance.areas;
+  history.force = contact_forces(PunchSeries(problem), history.pressure);
   return history;
 }
 

@@ -211,13 +211,15 @@ TEST(FrictionHistory, DissipatesTheWorkOfMindlinAndDeresiewicz) {
   EXPECT_LT(errors[2], 2e-3);
 }
 
-/// Work of the tangential force in the last cycle, by the trapezoidal rule.
-double work_of_indenter(const FrictionHistory& history, const Motion& motion, int n_steps) {
+/// Work of the tangential force of the rings in the last cycle, by the trapezoidal rule.
+double work_of_indenter(const FrictionHistory& history, const Motion& motion, const Eigen::VectorXd& areas) {
+  const Index n_steps = history.traction.cols(), first = history.force.size() - n_steps;
   double work = 0;
-  for (Index k = history.force.size() - n_steps; k < history.force.size(); ++k) {
-    const double end = 2 * pi / n_steps * static_cast<double>(k);
-    const double move = tangential_motion(motion, end).value - tangential_motion(motion, end - 2 * pi / n_steps).value;
-    work += (history.force[k] + history.force[k - 1]) / 2 * move;
+  for (Index k = 0; k < n_steps; ++k) {
+    const double dt = 2 * pi / static_cast<double>(n_steps), end = dt * static_cast<double>(first + k);
+    const double move = tangential_motion(motion, end).value - tangential_motion(motion, end - dt).value;
+    const auto before = history.traction.col((k + n_steps - 1) % n_steps);
+    work += areas.dot(history.traction.col(k) + before) / 2 * move;
   }
   return work;
 }
@@ -228,10 +230,22 @@ double work_of_indenter(const FrictionHistory& history, const Motion& motion, in
 TEST(FrictionHistory, DissipatesTheWorkOfTheIndenter) {
   for (const double phase : {0.0, 60.0, 90.0}) {
     const Motion motion = fretting(1, phase);
+    const auto& problem = tangential_half_space(n_per_radius);
+    const auto history = friction_history(problem, elastic_body(), mu, motion, press(elastic_body(), motion), {});
+    const double work = work_of_indenter(history, motion, problem.compliance.areas);
+    EXPECT_NEAR(history.friction_work.sum(), work, 1e-6 * mu * history.force.maxCoeff() * motion.tangential_amplitude);
+  }
+}
+
+// The energy is read at the edges of the zones, the sum over the rings is not; at 64 rings per radius they differ by at
+// most 5e-3, at 32 by up to 3e-2.
+TEST(FrictionHistory, DissipatedEnergyIsCloseToTheSumOverTheRings) {
+  for (const double phase : {60.0, 90.0}) {
+    const Motion motion = fretting(1, phase);
     const auto history = friction_history(tangential_half_space(n_per_radius), elastic_body(), mu, motion,
                                           press(elastic_body(), motion), {});
-    const double work = work_of_indenter(history, motion, 180);
-    EXPECT_NEAR(history.dissipated_energy, work, 1e-6 * mu * history.force.maxCoeff() * motion.tangential_amplitude);
+    EXPECT_NEAR(history.dissipated_energy / history.friction_work.sum(), 1, 5e-3);
+    EXPECT_NE(history.dissipated_energy, history.friction_work.sum());
   }
 }
 
@@ -284,8 +298,9 @@ TEST(FrictionHistory, ObeysCoulomb) {
   for (int k = 0; k < 180; ++k) {
     const Eigen::VectorXd limit = mu * normal.pressure.col(normal.column(first + k));
     EXPECT_LE((history.traction.col(k).cwiseAbs() - limit).maxCoeff(), 1e-12);
+    // The force is read at the edges of the zones, see PunchSeries: it is closer to the sum than a ring's share.
     EXPECT_NEAR(history.traction.col(k).dot(tangential_half_space(n_per_radius).compliance.areas),
-                history.force[first + k], 1e-12);
+                history.force[first + k], 1e-3 * history.force.maxCoeff());
   }
   EXPECT_GT(history.dissipated_energy, 0);
   EXPECT_GE(history.period_slip.minCoeff(), 0);

@@ -158,13 +158,15 @@ TEST(NormalHistory, DeepestDisplacementIsTheIndenter) {
   EXPECT_NEAR(history.highest_displacement[3], 0.6 - profile[3], 1e-12);
 }
 
+/// Plain sum over the rings: what steps are taken, without how the edge is read.
 double mean_force(const RelaxationModel& model, double amplitude, int n_steps) {
   HistoryControl control;
   control.steps_per_cycle = n_steps;
   const auto& problem = normal_half_space(32);
   Motion motion = fretting_motion();
   motion.normal_amplitude = amplitude;
-  return normal_history(problem, model, parabola_means(problem), motion, control).force.tail(n_steps).mean();
+  const auto history = normal_history(problem, model, parabola_means(problem), motion, control);
+  return (history.pressure.rightCols(n_steps).transpose() * problem.compliance.areas).mean();
 }
 
 // Every ring that comes or goes adds an error of dt^2 that depends on where in the step it does, so the errors scatter:

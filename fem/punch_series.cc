@@ -1,0 +1,134 @@
+#include "fem/punch_series.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "fem/edge.h"
+
+namespace fretval::fem {
+namespace {
+
+using Eigen::Index;
+
+constexpr Index n_stencil = 4;
+constexpr Index n_smallest = 3;
+
+/// The polynomial through nodes first..first+n-1.
+struct Stencil {
+  const Eigen::VectorXd& x;
+  const Eigen::VectorXd& y;
+  Index first, n;
+
+  double operator()(double at) const {
+    double value = 0;
+    for (Index i = first; i < first + n; ++i) {
+      double weight = 1;
+      for (Index j = first; j < first + n; ++j)
+        if (j != i) weight *= (at - x[j]) / (x[i] - x[j]);
+      value += weight * y[i];
+    }
+    return value;
+  }
+
+  /// Exact: the polynomial is a cubic at most.
+  [[nodiscard]] double integral(double from, double to) const {
+    const double middle = (from + to) / 2, offset = (to - from) / (2 * std::sqrt(3.0));
+    return (to - from) / 2 * ((*this)(middle - offset) + (*this)(middle + offset));
+  }
+};
+
+/// Rings first..last share a label.
+struct Zone {
+  Index first, last;
+  [[nodiscard]] Index size() const { return last - first + 1; }
+};
+
+std::vector<Zone> zones_of(const std::vector<signed char>& labels) {
+  std::vector<Zone> zones{{0, 0}};
+  for (std::size_t i = 1; i < labels.size(); ++i) {
+    if (labels[i] == labels[i - 1])
+      ++zones.back().last;
+    else
+      zones.push_back({static_cast<Index>(i), static_cast<Index>(i)});
+  }
+  return zones;
+}
+
+/// Where the polynomials of two neighbouring zones meet between their nodes; otherwise between the last ring of the
+/// one and the first of the other.
+double meeting_point(const Stencil& inner, const Stencil& outer, double between) {
+  const double difference_in = inner(inner.x[inner.first + inner.n - 1]) - outer(inner.x[inner.first + inner.n - 1]);
+  double low = inner.x[inner.first + inner.n - 1], high = outer.x[outer.first];
+  const double difference_out = inner(high) - outer(high);
+  if (!(difference_in * difference_out < 0)) return between;
+  while (high - low > 1e-14 * high) {
+    const double middle = (low + high) / 2;
+    if (middle <= low || middle >= high) break;
+    ((inner(middle) - outer(middle) < 0) == (difference_in < 0) ? low : high) = middle;
+  }
+  return (low + high) / 2;
+}
+
+}  // namespace
+
+PunchSeries::PunchSeries(const ContactProblem& problem)
+    : problem_(problem),
+      by_load_(problem.solver.factor().triangularView<Eigen::Lower>().solve(problem.compliance.areas)),
+      edges_(effective_radii(problem.compliance).radius),
+      radii_((edges_.head(problem.n_rings()) + edges_.tail(problem.n_rings())) / 2),
+      force_per_radius_(by_load_.squaredNorm() / edges_[problem.n_rings()]) {}
+
+Eigen::MatrixXd PunchSeries::depths(const Eigen::MatrixXd& tractions) const {
+  const Eigen::MatrixXd half = problem_.solver.factor().transpose().triangularView<Eigen::Upper>() * tractions;
+  return by_load_.cwiseInverse().asDiagonal() * half;
+}
+
+Eigen::VectorXd PunchSeries::displacements(const Eigen::VectorXd& rings) const {
+  return problem_.solver.factor()
+      .triangularView<Eigen::Lower>()
+      .solve(problem_.compliance.areas.cwiseProduct(rings))
+      .cwiseQuotient(by_load_);
+}
+
+double PunchSeries::integral(const Eigen::VectorXd& depths, const std::vector<signed char>& labels) const {
+  const auto zones = zones_of(labels);
+  const auto is_smooth = [&](std::size_t z) { return zones[z].size() >= n_smallest || z + 1 == zones.size(); };
+  // The innermost depth is off by the shape of the tip (its ring stands for 4/(3 pi) of its radius under a cone, for
+  // 1/2 under a parabola): where the next ones continue smoothly to it, they are continued to the centre instead.
+  const bool blunt =
+      zones[0].size() > n_stencil && std::abs(Stencil{radii_, depths, 1, n_stencil}(radii_[0]) - depths[0]) <=
+                                         0.1 * std::abs(depths[1] - depths[0]) + 1e-6 * std::abs(depths[0]);
+  double sum = 0, begin = 0;
+  for (std::size_t z = 0; z < zones.size(); ++z) {
+    const auto [first, last] = zones[z];
+    const Index node = std::max<Index>(first, blunt ? 1 : 0);
+    const Index n = std::min<Index>(n_stencil, last - node + 1);
+    double end = edges_[last + 1];
+    if (z + 1 < zones.size() && is_smooth(z) && is_smooth(z + 1))
+      end = meeting_point({radii_, depths, last - n + 1, n},
+                          {radii_, depths, last + 1, std::min(n_stencil, zones[z + 1].size())}, end);
+    for (Index i = first; i <= last; ++i) {
+      const double from = i == first ? begin : edges_[i], to = i == last ? end : edges_[i + 1];
+      const bool singular_tip = !blunt && i < n_stencil;
+      sum += is_smooth(z) && !singular_tip
+                 ? Stencil{radii_, depths, std::clamp(i - 1, node, last - n + 1), n}.integral(from, to)
+                 : (to - from) * depths[i];
+    }
+    begin = end;
+  }
+  return force_per_radius_ * sum;
+}
+
+Eigen::VectorXd contact_forces(const PunchSeries& series, const Eigen::MatrixXd& pressures) {
+  const Eigen::MatrixXd depths = series.depths(pressures);
+  Eigen::VectorXd forces(pressures.cols());
+  std::vector<signed char> zones(static_cast<std::size_t>(pressures.rows()));
+  for (Index k = 0; k < pressures.cols(); ++k) {
+    for (Index i = 0; i < pressures.rows(); ++i) zones[static_cast<std::size_t>(i)] = pressures(i, k) > 0 ? 0 : 1;
+    forces[k] = series.integral(depths.col(k), zones);
+  }
+  return forces;
+}
+
+}  // namespace fretval::fem

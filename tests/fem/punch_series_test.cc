@@ -1,0 +1,99 @@
+#include "fem/punch_series.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "fem/edge.h"
+#include "tests/fem/half_space.h"
+
+namespace fretval::fem {
+namespace {
+
+using Eigen::Index;
+
+Eigen::VectorXd hertz_pressure(const ContactProblem& problem, double indentation) {
+  const auto profile = ring_means(problem.compliance, [](double r) { return r * r / 2; });
+  return normal_contact(problem, profile, indentation).pressure;
+}
+
+std::vector<signed char> one_zone(const Eigen::VectorXd& field) {
+  return std::vector<signed char>(static_cast<std::size_t>(field.size()), 0);
+}
+
+class PunchSeriesTest : public testing::Test {
+ protected:
+  const ContactProblem& problem_ = normal_half_space(32);
+  PunchSeries series_{problem_};
+};
+
+TEST_F(PunchSeriesTest, DepthsAndDisplacementsAreConjugate) {
+  const Index n = problem_.n_rings();
+  const Eigen::VectorXd traction = Eigen::VectorXd::LinSpaced(n, 1, -0.3).array().cos();
+  const Eigen::VectorXd displacement = Eigen::VectorXd::LinSpaced(n, 0.2, 2).array().sin();
+  const Eigen::VectorXd b =
+      problem_.solver.factor().triangularView<Eigen::Lower>().solve(problem_.compliance.areas).array().square();
+  const double work = problem_.compliance.areas.dot(traction.cwiseProduct(displacement));
+  const Eigen::VectorXd depths = series_.depths(traction);
+  EXPECT_NEAR(b.dot(depths.cwiseProduct(series_.displacements(displacement))), work, 1e-12 * std::abs(work));
+  EXPECT_NEAR(b.dot(depths), traction.dot(problem_.compliance.areas), 1e-12);
+}
+
+TEST_F(PunchSeriesTest, AFlatPunchIsEquallyDeepEverywhere) {
+  const Index n = 20;
+  Eigen::VectorXd pressure = Eigen::VectorXd::Zero(problem_.n_rings());
+  pressure.head(n) = problem_.compliance.matrix.topLeftCorner(n, n).llt().solve(problem_.compliance.areas.head(n));
+  const Eigen::VectorXd depths = series_.depths(pressure);
+  EXPECT_LT((depths.head(n).array() - 1).abs().maxCoeff(), 1e-11);
+  EXPECT_EQ(depths.tail(depths.size() - n).cwiseAbs().maxCoeff(), 0);
+}
+
+// Hertz: F = (16/3) G sqrt(R) d^1.5, R = 1, at eleven positions of the edge within its ring. The plain sum is of second
+// order (3e-4), the integral of third (7e-7); without the zone of the free rings it would not find the edge.
+TEST_F(PunchSeriesTest, ForceIsAccurateWhereverTheEdgeIs) {
+  double worst = 0, worst_sum = 0, worst_without_zones = 0;
+  for (int k = 0; k <= 10; ++k) {
+    const double radius = 0.9 + k / 320.0, exact = 16.0 / 3 * radius * radius * radius;
+    const Eigen::VectorXd pressure = hertz_pressure(problem_, radius * radius);
+    const double force = contact_forces(series_, pressure)[0];
+    worst = std::max(worst, std::abs(force / exact - 1));
+    worst_sum = std::max(worst_sum, std::abs(pressure.dot(problem_.compliance.areas) / exact - 1));
+    const double unaware = series_.integral(series_.depths(pressure), one_zone(pressure));
+    worst_without_zones = std::max(worst_without_zones, std::abs(unaware / exact - 1));
+  }
+  EXPECT_LT(worst, 2e-6);
+  EXPECT_GT(worst_sum, 1e-4);
+  EXPECT_GT(worst_without_zones, 1e-5);
+}
+
+// Two parabolas that meet at a kink half way between two depths: the integral follows both.
+
+TEST_F(PunchSeriesTest, FollowsBothSidesOfAKink) {
+  const Eigen::VectorXd edges = effective_radii(problem_.compliance).radius;
+  const Index n = problem_.n_rings();
+  const double kink = edges[16] + 0.5 / 32, a = edges[n];
+  Eigen::VectorXd depths(n);
+  std::vector<signed char> zones(static_cast<std::size_t>(n));
+  for (Index i = 0; i < n; ++i) {
+    const double r = (edges[i] + edges[i + 1]) / 2;
+    depths[i] = 1 - r * r / 4 - (r > kink ? 0.5 * (r - kink) : 0);
+    zones[static_cast<std::size_t>(i)] = i > 16 ? 1 : 0;
+  }
+  const double exact = 8 * (a - a * a * a / 12 - 0.25 * (a - kink) * (a - kink));
+  const double with = series_.integral(depths, zones), without = series_.integral(depths, one_zone(depths));
+  EXPECT_NEAR(with / exact, 1, 2e-6);  // the force per radius, see EffectiveRadii
+  EXPECT_GT(std::abs(without - with) / exact, 1e-5);
+}
+
+TEST_F(PunchSeriesTest, ShortZonesFallBackToTheSum) {
+  const Eigen::VectorXd pressure = Eigen::VectorXd::Ones(problem_.n_rings());
+  std::vector<signed char> zones(static_cast<std::size_t>(problem_.n_rings()));
+  for (std::size_t i = 0; i < zones.size(); ++i) zones[i] = static_cast<signed char>(i % 2);
+  EXPECT_NEAR(series_.integral(series_.depths(pressure), zones), problem_.compliance.areas.sum(),
+              2e-3 * problem_.compliance.areas.sum());
+}
+
+}  // namespace
+}  // namespace fretval::fem
