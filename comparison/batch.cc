@@ -4,54 +4,70 @@
 #include <spdlog/spdlog.h>
 
 #include <map>
-#include <mutex>
 #include <set>
 
 #include "comparison/parallel.h"
-#include "fem/solver_error.h"
 
 namespace fretval {
 namespace {
 
 namespace fs = std::filesystem;
+using Indices = std::vector<std::size_t>;
 
-/// Cases that share their normal problem, by index.
-struct NormalGroup {
-  std::vector<std::size_t> members;
-};
-
-std::vector<NormalGroup> group_by_normal_problem(const std::vector<PreparedCase>& cases,
-                                                 const std::vector<std::size_t>& indices) {
-  std::vector<NormalGroup> groups;
-  for (const std::size_t i : indices) {
-    auto group = groups.begin();
-    while (group != groups.end()) {
-      const auto& first = cases[group->members.front()];
-      if (same_normal_problem(first.fem, first.scene, cases[i].fem, cases[i].scene)) break;
-      ++group;
-    }
-    if (group == groups.end()) group = groups.insert(group, NormalGroup{});
-    group->members.push_back(i);
+/// Runs studies until all are finished.
+void run_studies(const std::vector<PreparedCase>& cases, const Indices& indices, std::vector<CaseStudy>& studies,
+                 const std::function<Body(const BodySpecification&)>& make_body) {
+  while (true) {
+    std::vector<Probe> probes;
+    std::vector<std::pair<std::size_t, Resolution>> origin;  // study
+    for (std::size_t s = 0; s < studies.size(); ++s)
+      for (const auto& resolution : studies[s].wanted()) {
+        const auto& prepared = cases[indices[s]];
+        probes.push_back({&prepared.scene, at_resolution(prepared.fem, resolution)});
+        origin.emplace_back(s, resolution);
+      }
+    if (probes.empty()) return;
+    run_probes(probes, make_body, [&](std::size_t i, ProbeAnswer&& answer) {
+      studies[origin[i].first].take(origin[i].second, std::move(answer));
+    });
+    for (auto& study : studies)
+      if (!study.wanted().empty()) study.advance();
   }
-  return groups;
 }
 
-/// The normal problem of a group, computed both ways; failed: with the message instead.
-struct NormalAnswers {
-  NormalSimulation simulation;
-  mdr::NormalResponse reference;
+/// Normal responses of the spring foundation; a failure is kept as its message.
+struct Reference {
+  mdr::NormalResponse response;
   std::string failure;
 };
 
-NormalAnswers answer_normal(const Body& body, const PreparedCase& first) {
-  NormalAnswers answers;
+Reference reference_of(const MdrScene& scene) {
   try {
-    answers.reference = mdr_normal_response(first.mdr);
-    answers.simulation = simulate_normal(body, first.fem);
+    return {mdr_normal_response(scene), ""};
   } catch (const std::runtime_error& error) {
-    answers.failure = error.what();
+    return {{}, error.what()};
   }
-  return answers;
+}
+
+std::vector<Reference> references_of(const std::vector<PreparedCase>& cases, const Indices& indices) {
+  std::vector<std::size_t> leader(indices.size());  // the first case with the same normal problem
+  Indices leaders;
+  for (std::size_t s = 0; s < indices.size(); ++s) {
+    const auto& one = cases[indices[s]];
+    std::size_t l = 0;
+    while (l < leaders.size()) {
+      const auto& other = cases[indices[leaders[l]]];
+      if (same_normal_problem(one.fem, one.scene, other.fem, other.scene)) break;
+      ++l;
+    }
+    if (l == leaders.size()) leaders.push_back(s);
+    leader[s] = l;
+  }
+  std::vector<Reference> computed(leaders.size()), all;
+  for_each_in_parallel(leaders.size(),
+                       [&](std::size_t l) { computed[l] = reference_of(cases[indices[leaders[l]]].mdr); });
+  for (const std::size_t l : leader) all.push_back(computed[l]);
+  return all;
 }
 
 class Batch {
@@ -59,57 +75,51 @@ class Batch {
   Batch(const std::vector<PreparedCase>& cases, const fs::path& output, const BatchHooks& hooks)
       : cases_(cases), output_(output), hooks_(hooks), lines_(cases.size()) {}
 
-  void run_body(const BodySpecification& specification, const std::vector<std::size_t>& indices) {
-    const Body body = hooks_.make_body(specification);
-    spdlog::info("body: {} cells, {} dofs, {} rings; mesh {:.2f} s, assembly {:.2f} s, condensation {:.2f} s",
-                 body.mesh_quality.n_cells, body.n_dofs(), body.normal.contact.n_rings(), body.cost.mesh,
-                 body.cost.assembly, body.cost.factorisation);
-    const auto groups = group_by_normal_problem(cases_, indices);
-    std::vector<NormalAnswers> normals(groups.size());
-    for_each_in_parallel(groups.size(),
-                         [&](std::size_t g) { normals[g] = answer_normal(body, cases_[groups[g].members.front()]); });
-    std::vector<std::pair<std::size_t, std::size_t>> jobs;  // group, case
-    for (std::size_t g = 0; g < groups.size(); ++g)
-      for (const std::size_t i : groups[g].members) jobs.emplace_back(g, i);
-    for_each_in_parallel(jobs.size(), [&](std::size_t j) { run_case(body, normals[jobs[j].first], jobs[j].second); });
+  void run(const Indices& indices) {
+    std::vector<CaseStudy> studies;
+    for (const std::size_t i : indices) studies.emplace_back(cases_[i], hooks_.with_budget);
+    run_studies(cases_, indices, studies, hooks_.make_body);
+    const auto references = references_of(cases_, indices);
+    for (std::size_t s = 0; s < indices.size(); ++s) finish(indices[s], studies[s].result(), references[s]);
   }
 
   std::vector<BatchLine> take_lines() { return std::move(lines_); }
 
  private:
-  void run_case(const Body& body, const NormalAnswers& normal, std::size_t index) {
+  void finish(std::size_t index, StudyResult&& study, const Reference& reference) {
     const auto& prepared = cases_[index];
-    BatchLine line;
+    auto& line = lines_[index];
     line.name = prepared.scene.name;
-    line.failure = normal.failure;
+    line.failure = study.answer.failure.empty() ? reference.failure : study.answer.failure;
     if (line.failure.empty()) {
-      try {
-        const auto mdr = mdr_answer(prepared.mdr, normal.reference);
-        auto fe = simulate(body, prepared.fem, normal.simulation);
-        auto verdict = compare(mdr, fe, prepared.fem.units.length, prepared.tolerances);
-        line.pass = passes(verdict);
-        line.verdict = verdict;
-        const Outcome outcome{prepared.scene, prepared.mdr, prepared.fem, mdr, std::move(fe), std::move(verdict)};
-        const std::lock_guard<std::mutex> lock(mutex_);  // PETSc, which fields need, is not thread-safe
-        if (!output_.empty()) write_outcome(outcome, body, normal.simulation, normal.reference, output_ / line.name);
-      } catch (const fem::SolverError& error) {
-        line.failure = error.what();
-      }
+      const auto outcome = outcome_of(prepared, reference.response, std::move(study));
+      line.verdict = outcome.verdict;
+      line.pass = passes(line.verdict);
+      if (!output_.empty()) write_outcome(outcome, reference.response, output_ / line.name, hooks_.make_body);
     }
-    const std::lock_guard<std::mutex> lock(mutex_);
     hooks_.progress(line, ++n_done_, cases_.size());
-    lines_[index] = std::move(line);
   }
 
   const std::vector<PreparedCase>& cases_;
   const fs::path& output_;
   const BatchHooks& hooks_;
   std::vector<BatchLine> lines_;
-  std::mutex mutex_;
   std::size_t n_done_ = 0;
 };
 
 }  // namespace
+
+Outcome outcome_of(const PreparedCase& prepared, const mdr::NormalResponse& reference, StudyResult&& study) {
+  Outcome outcome{prepared.scene,
+                  prepared.mdr,
+                  at_resolution(prepared.fem, study.resolution),
+                  mdr_answer(prepared.mdr, reference),
+                  std::move(study),
+                  {}};
+  outcome.verdict = compare(outcome.mdr, outcome.study.answer.fe, prepared.fem.units.length, prepared.tolerances,
+                            outcome.study.budget);
+  return outcome;
+}
 
 std::vector<PreparedCase> prepare(const std::vector<Case>& cases) {
   std::vector<PreparedCase> prepared;
@@ -130,10 +140,10 @@ std::vector<PreparedCase> prepare(const std::vector<Case>& cases) {
 
 std::vector<BatchLine> run_batch(const std::vector<PreparedCase>& cases, const fs::path& output,
                                  const BatchHooks& hooks) {
-  std::map<BodySpecification, std::vector<std::size_t>> bodies;
+  std::map<BodySpecification, Indices> bodies;
   for (std::size_t i = 0; i < cases.size(); ++i) bodies[cases[i].fem.body].push_back(i);
   Batch batch(cases, output, hooks);
-  for (const auto& [specification, indices] : bodies) batch.run_body(specification, indices);
+  for (const auto& [specification, indices] : bodies) batch.run(indices);
   return batch.take_lines();
 }
 

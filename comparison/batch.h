@@ -5,18 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "comparison/body.h"
+#include "comparison/case_study.h"
 #include "comparison/outcome.h"
 
 namespace fretval {
-
-/// A case ready to be computed.
-struct PreparedCase {
-  Case scene;
-  MdrScene mdr;
-  FemScene fem;
-  Tolerances tolerances;
-};
 
 /// Checks everything about the cases that can be checked before the first one is computed. Throws InputError; bad
 /// values that only the reference refuses are reported with the file's name.
@@ -37,12 +29,17 @@ struct BatchHooks {
   };
   /// Called after each case, one call at a time.
   std::function<void(const BatchLine&, std::size_t n_done, std::size_t n_cases)> progress = [](auto&&...) {};
+  /// Whether error budgets are measured and the resolution adapts to them (see CaseStudy).
+  bool with_budget = true;
 };
 
-/// Computes all cases. Work is shared: one body per specification, one normal history per normal problem (at nu = 1/2
-/// it does not see the tangential motion); then the friction histories run on all cores. Each case writes its folder
-/// under `output` when it is done; with an empty path nothing is written. The lines come in the order of the cases.
+/// Computes all cases; those that start from one body go on together, so that they share bodies and normal histories
+/// (see run_probes). Each case writes its folder under `output` when it is done; with an empty path nothing is written.
+/// The lines come in the order of the cases.
 std::vector<BatchLine> run_batch(const std::vector<PreparedCase>& cases, const std::filesystem::path& output,
                                  const BatchHooks& hooks);
+
+/// What MDR says and whether finite elements agree, from the result of a study.
+Outcome outcome_of(const PreparedCase& prepared, const mdr::NormalResponse& reference, StudyResult&& study);
 
 }  // namespace fretval

@@ -34,20 +34,21 @@ meshes::Mesh mesh_of(const BodySpecification& specification) {
   return meshes::quarter_disc({specification.contact_nodes, specification.far_radius, specification.growth});
 }
 
-Body make_body(const meshes::Mesh& mesh, const std::string& name, unsigned degree) {
+Body make_body(const meshes::Mesh& mesh, const std::string& name, unsigned degree, bool tangential) {
   meshes::audit(mesh, name);
   const auto grid = grid_of(mesh);
   BodyCost cost;
   auto normal = make_harmonic(grid, fem::Harmonic::normal, degree, cost);
-  auto tangential = make_harmonic(grid, fem::Harmonic::tangential, degree, cost);
-  return {meshes::quality(mesh), std::move(normal), std::move(tangential), cost};
+  std::optional<HarmonicBody> second;
+  if (tangential) second.emplace(make_harmonic(grid, fem::Harmonic::tangential, degree, cost));
+  return {meshes::quality(mesh), std::move(normal), std::move(second), cost};
 }
 
 Body make_body(const BodySpecification& specification) {
   Stopwatch watch;
   const auto mesh = mesh_of(specification);
   const double seconds = watch.lap();
-  Body body = make_body(mesh, "generated mesh", specification.degree);
+  Body body = make_body(mesh, "generated mesh", specification.degree, specification.tangential);
   body.cost.mesh = seconds;
   return body;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "comparison/scene.h"
@@ -24,13 +25,16 @@ struct BodyCost {
   double mesh = 0, assembly = 0, factorisation = 0;
 };
 
-/// The elastic body with both harmonics, ready for any motion, friction, rheology and profile on its contact line.
+/// The elastic body with its harmonics, ready for any motion, friction, rheology and profile on its contact line.
 struct Body {
   meshes::MeshQuality mesh_quality;
-  HarmonicBody normal, tangential;
+  HarmonicBody normal;
+  std::optional<HarmonicBody> tangential;  ///< only if the indenter moves tangentially
   BodyCost cost;
 
-  [[nodiscard]] unsigned n_dofs() const { return normal.space.n_dofs() + tangential.space.n_dofs(); }
+  [[nodiscard]] unsigned n_dofs() const {
+    return normal.space.n_dofs() + (tangential ? tangential->space.n_dofs() : 0);
+  }
 };
 
 /// The mesh that a specification asks for.
@@ -38,7 +42,7 @@ meshes::Mesh mesh_of(const BodySpecification& specification);
 
 /// Audits the mesh, assembles and condenses. name: of the mesh, for messages. Throws meshes::MeshError,
 /// fem::SolverError.
-Body make_body(const meshes::Mesh& mesh, const std::string& name, unsigned degree);
+Body make_body(const meshes::Mesh& mesh, const std::string& name, unsigned degree, bool tangential = true);
 
 /// Both at once, with the time of the mesh in the cost.
 Body make_body(const BodySpecification& specification);

@@ -42,6 +42,7 @@ std::vector<BatchLine> run_check(const std::vector<CheckScene>& scenes) {
   std::vector<BatchLine> lines;
   for (const auto& [mesh, cases] : by_mesh) {
     BatchHooks hooks;
+    hooks.with_budget = false;  // the mesh is what it is
     const fs::path file = mesh;
     hooks.make_body = [&file](const BodySpecification& specification) {
       return make_body(meshes::read_msh(file), file.string(), specification.degree);
@@ -56,7 +57,7 @@ std::string junit_xml(const std::vector<BatchLine>& lines) {
   for (const auto& line : lines) {
     std::string failure = line.failure;
     for (const auto& [quantity, d] : line.verdict)
-      if (!d.pass)
+      if (!d.passes())
         failure += fmt::format("{}: difference {}, tolerance {:.1e}; ", quantity,
                                d.difference ? fmt::format("{:.2e}", *d.difference) : "none", d.tolerance);
     if (failure.empty() && !line.pass) failure = "failed";

@@ -54,7 +54,7 @@ std::vector<LadderMesh> half_space_ladder(const std::vector<int>& n_rings) {
   std::vector<LadderMesh> meshes;
   for (const int n : n_rings) {
     Body body = make_body({meshes::uniform_nodes(1.125, static_cast<unsigned>(n) * 9 / 8), 0.15, 25, 3});
-    meshes.push_back({n, std::move(body.normal.contact), std::move(body.tangential.contact)});
+    meshes.push_back({n, std::move(body.normal.contact), std::move(body.tangential->contact)});
   }
   return meshes;
 }

@@ -13,11 +13,15 @@ namespace {
 namespace fs = std::filesystem;
 constexpr double pi = 3.14159265358979323846;
 
-nlohmann::ordered_json run_json(const Outcome& outcome, const Body& body, const NormalSimulation& normal) {
+nlohmann::ordered_json run_json(const Outcome& outcome) {
   nlohmann::ordered_json libraries;
   for (const auto& [name, version] : versions()) libraries[name] = version;
   const auto& r = outcome.fem_scene.resolution;
-  const auto& q = body.mesh_quality;
+  const auto& normal = *outcome.study.answer.normal;
+  const auto& q = outcome.study.answer.body->mesh_quality;
+  nlohmann::ordered_json focus = nlohmann::ordered_json::object();
+  for (const auto& [quantity, f] : outcome.study.focus)
+    focus[quantity] = {{"inner", f.inner}, {"outer", f.outer}, {"ring", f.ring}};
   return {{"versions", libraries},
           {"resolution",
            {{"elements_per_radius", r.elements_per_radius},
@@ -26,10 +30,13 @@ nlohmann::ordered_json run_json(const Outcome& outcome, const Body& body, const 
             {"far_radius", r.far_radius},
             {"steps_per_cycle", r.steps_per_cycle},
             {"ramp_cycles", r.n_ramp_cycles},
-            {"periodicity", r.periodicity}}},
+            {"periodicity", r.periodicity},
+            {"focus", focus},
+            {"refinements", outcome.study.n_refinements},
+            {"computations", outcome.study.n_probes}}},
           {"reached",
            {{"periodicity_normal", normal.history.periodicity},
-            {"periodicity_tangential", outcome.fe.friction.periodicity},
+            {"periodicity_tangential", outcome.study.answer.fe.friction.periodicity},
             {"cycles_normal", normal.history.n_cycles}}},
           {"mesh",
            {{"cells", q.n_cells},
@@ -51,11 +58,10 @@ double periodic_value(const std::vector<double>& values, double cycles) {
   return (1 - weight) * values[k] + weight * values[k + 1];
 }
 
-void write_history(const Outcome& outcome, const NormalSimulation& normal, const mdr::NormalResponse& reference,
-                   const fs::path& file) {
+void write_history(const Outcome& outcome, const mdr::NormalResponse& reference, const fs::path& file) {
   const auto& fem = outcome.fem_scene;
-  const auto& history = normal.history;
-  const auto& friction = outcome.fe.friction;
+  const auto& history = outcome.study.answer.normal->history;
+  const auto& friction = outcome.study.answer.fe.friction;
   const Eigen::Index n = friction.traction.cols();
   const Eigen::Index first = friction.force.size() - n;
   const double dt = 2 * pi / history.steps_per_cycle;
@@ -77,14 +83,13 @@ void write_history(const Outcome& outcome, const NormalSimulation& normal, const
                    {"F_x [N]", tangential_force}});
 }
 
-void write_contact(const Outcome& outcome, const NormalSimulation& normal, const fem::Compliance& compliance,
-                   const fs::path& file) {
+void write_contact(const Outcome& outcome, const fs::path& file) {
+  const auto& normal = *outcome.study.answer.normal;
   const auto& units = outcome.fem_scene.units;
-  const auto& friction = outcome.fe.friction;
+  const auto& friction = outcome.study.answer.fe.friction;
   const auto last_cycle = normal.history.pressure.rightCols(normal.history.steps_per_cycle);
-  const Eigen::Map<const Eigen::VectorXd> radii(compliance.radii.data(),
-                                                static_cast<Eigen::Index>(compliance.radii.size()));
-  const Eigen::Index n = compliance.areas.size();
+  const auto n = static_cast<Eigen::Index>(outcome.study.answer.body->radii.size()) - 1;
+  const Eigen::Map<const Eigen::VectorXd> radii(outcome.study.answer.body->radii.data(), n + 1);
   write_csv(file,
             {{"r inner [m]", units.length * radii.head(n)},
              {"r outer [m]", units.length * radii.tail(n)},
@@ -124,20 +129,24 @@ void write_field(const HarmonicBody& body, const Eigen::VectorXd& rings, const U
 
 }  // namespace
 
-void write_outcome(const Outcome& outcome, const Body& body, const NormalSimulation& normal,
-                   const mdr::NormalResponse& reference, const fs::path& folder) {
+void write_outcome(const Outcome& outcome, const mdr::NormalResponse& reference, const fs::path& folder,
+                   const std::function<Body(const BodySpecification&)>& make_body) {
   fs::create_directories(folder);
-  write_history(outcome, normal, reference, folder / "history.csv");
-  write_contact(outcome, normal, body.normal.contact.compliance, folder / "contact.csv");
+  write_history(outcome, reference, folder / "history.csv");
+  write_contact(outcome, folder / "contact.csv");
   write_profile(outcome, folder / "profile.csv");
   if (outcome.scene.fields == Case::Fields::extremes) {
     const auto& units = outcome.fem_scene.units;
-    write_field(body.normal, normal.history.deepest_displacement, units, folder / "normal_deepest.vtu");
-    write_field(body.normal, normal.history.highest_displacement, units, folder / "normal_highest.vtu");
-    write_field(body.tangential, outcome.fe.friction.displacement, units, folder / "tangential_period_end.vtu");
+    const auto& history = outcome.study.answer.normal->history;
+    const Body body = make_body(outcome.fem_scene.body);
+    write_field(body.normal, history.deepest_displacement, units, folder / "normal_deepest.vtu");
+    write_field(body.normal, history.highest_displacement, units, folder / "normal_highest.vtu");
+    if (body.tangential)
+      write_field(*body.tangential, outcome.study.answer.fe.friction.displacement, units,
+                  folder / "tangential_period_end.vtu");
   }
-  write_file(folder / "run.json", run_json(outcome, body, normal).dump(2) + "\n");
-  write_file(folder / "result.json", result_json(outcome, body, normal).dump(2) + "\n");
+  write_file(folder / "run.json", run_json(outcome).dump(2) + "\n");
+  write_file(folder / "result.json", result_json(outcome).dump(2) + "\n");
 }
 
 }  // namespace fretval

@@ -1,13 +1,11 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <nlohmann/json_fwd.hpp>
-#include <optional>
 
 #include "comparison/body.h"
-#include "comparison/reference.h"
-#include "comparison/scene.h"
-#include "comparison/simulation.h"
+#include "comparison/case_study.h"
 #include "comparison/verdict.h"
 
 namespace fretval {
@@ -16,9 +14,9 @@ namespace fretval {
 struct Outcome {
   Case scene;
   MdrScene mdr_scene;
-  FemScene fem_scene;
+  FemScene fem_scene;  ///< at the resolution that the study has chosen
   MdrAnswer mdr;
-  FeAnswer fe;
+  StudyResult study;
   Verdict verdict;
 };
 
@@ -26,11 +24,11 @@ struct Outcome {
 nlohmann::ordered_json to_json(const MdrAnswer& answer);
 
 /// The whole of result.json, with the keys of the documentation in docs/results.md.
-nlohmann::ordered_json result_json(const Outcome& outcome, const Body& body, const NormalSimulation& normal);
+nlohmann::ordered_json result_json(const Outcome& outcome);
 
 /// Writes result.json, run.json, history.csv, contact.csv, profile.csv and, if the case asks for fields, the VTU files
-/// into a folder, which is made if need be.
-void write_outcome(const Outcome& outcome, const Body& body, const NormalSimulation& normal,
-                   const mdr::NormalResponse& reference, const std::filesystem::path& folder);
+/// into a folder, which is made if need be. make_body: for the fields, which need the whole body once more.
+void write_outcome(const Outcome& outcome, const mdr::NormalResponse& reference, const std::filesystem::path& folder,
+                   const std::function<Body(const BodySpecification&)>& make_body);
 
 }  // namespace fretval

@@ -1,11 +1,141 @@
 #include "comparison/resolution.h"
 
+#include <algorithm>
+#include <tuple>
+
 namespace fretval {
+namespace {
+
+constexpr unsigned most_rings = 512, fewest_rings = 8, most_degree = 4;
+constexpr int most_steps = 1440, fewest_steps = 8, most_ramp_cycles = 64, most_creep_cycles = 768;
+constexpr double finest_growth = 0.075, coarsest_growth = 1, largest_far_radius = 100, finest_periodicity = 1e-9;
+
+Resolution with_rings(Resolution r, double factor) {
+  r.elements_per_radius = static_cast<unsigned>(r.elements_per_radius * factor);
+  r.worn_edge_ring /= factor * factor;
+  if (r.focus) r.focus->ring /= factor;
+  return r;
+}
+
+Resolution with_steps(Resolution r, double factor) {
+  r.steps_per_cycle = static_cast<int>(r.steps_per_cycle * factor);
+  return r;
+}
+
+}  // namespace
+
+bool Resolution::operator<(const Resolution& o) const {
+  const auto key = [](const Resolution& r) {
+    return std::make_tuple(r.elements_per_radius, r.degree, r.growth, r.far_radius, r.steps_per_cycle, r.n_ramp_cycles,
+                           r.periodicity, r.n_creep_cycles, r.worn_edge_ring, r.active_set_slack, r.focus.has_value(),
+                           r.focus ? r.focus->inner : 0, r.focus ? r.focus->outer : 0, r.focus ? r.focus->ring : 0);
+  };
+  return key(*this) < key(o);
+}
 
 Resolution resolution_for(double tolerance) {
-  if (tolerance >= 1e-2) return {48, 3, 0.15, 25, 48, 8, 1e-5};
-  if (tolerance >= 1e-3) return {128, 3, 0.15, 25, 120, 10, 1e-6};
-  return {256, 3, 0.15, 25, 180, 12, 1e-7};
+  // What the rings at a worn edge let through is about a tenth of sqrt(2 ring/c) of the force.
+  const double worn_edge_ring = std::max(5 * tolerance * tolerance, 1e-8);
+  if (tolerance >= 1e-2) return {16, 2, 0.3, 10, 24, 4, 1e-4, 24, worn_edge_ring};
+  if (tolerance >= 1e-3) return {24, 3, 0.5, 12, 36, 8, 1e-5, 48, worn_edge_ring};
+  return {48, 3, 0.3, 20, 72, 12, 1e-6, 96, worn_edge_ring};
+}
+
+const char* name_of(ErrorSource source) {
+  switch (source) {
+    case ErrorSource::rings:
+      return "rings";
+    case ErrorSource::element_order:
+      return "element order";
+    case ErrorSource::grading:
+      return "grading";
+    case ErrorSource::far_field:
+      return "far field";
+    case ErrorSource::time_step:
+      return "time step";
+    case ErrorSource::start:
+      return "start";
+    case ErrorSource::creep:
+      return "creep";
+    case ErrorSource::cycles:
+      return "cycles";
+    case ErrorSource::active_set:
+      return "active set";
+    case ErrorSource::edge:
+      break;
+  }
+  return "edge";
+}
+
+std::vector<Variant> variants_of(const Resolution& resolution, const SceneNeeds& needs) {
+  std::vector<Variant> variants;
+  const auto add = [&](ErrorSource source, const Resolution& r) { variants.push_back({source, r}); };
+  for (const double factor : {0.5, 0.25})
+    if (resolution.elements_per_radius * factor >= fewest_rings)
+      add(ErrorSource::rings, with_rings(resolution, factor));
+  Resolution r = resolution;
+  r.degree = r.degree > 2 ? r.degree - 1 : r.degree + 1;
+  add(ErrorSource::element_order, r);
+  r = resolution;
+  r.growth = std::min(2 * r.growth, coarsest_growth);
+  add(ErrorSource::grading, r);
+  r = resolution;
+  r.far_radius /= 2;
+  add(ErrorSource::far_field, r);
+  for (const double factor : {0.5, 0.25})
+    if (resolution.steps_per_cycle * factor >= fewest_steps)
+      add(ErrorSource::time_step, with_steps(resolution, factor));
+  if (needs.memory) {
+    r = resolution;
+    r.n_ramp_cycles /= 2;
+    add(ErrorSource::start, r);
+  }
+  if (needs.creep) {
+    r = resolution;
+    r.n_creep_cycles /= 2;
+    add(ErrorSource::creep, r);
+  }
+  r = resolution;
+  r.periodicity *= 10;
+  add(ErrorSource::cycles, r);
+  r = resolution;
+  r.active_set_slack *= 1000;
+  add(ErrorSource::active_set, r);
+  return variants;
+}
+
+std::optional<Resolution> refined(const Resolution& resolution, ErrorSource source) {
+  Resolution r = resolution;
+  switch (source) {
+    case ErrorSource::rings:
+    case ErrorSource::edge:
+      if (2 * r.elements_per_radius > most_rings) return std::nullopt;
+      return with_rings(r, 2);
+    case ErrorSource::element_order:
+      if (++r.degree > most_degree) return std::nullopt;
+      return r;
+    case ErrorSource::grading:
+      if ((r.growth /= 2) < finest_growth) return std::nullopt;
+      return r;
+    case ErrorSource::far_field:
+      if ((r.far_radius *= 2) > largest_far_radius) return std::nullopt;
+      return r;
+    case ErrorSource::time_step:
+      if (2 * r.steps_per_cycle > most_steps) return std::nullopt;
+      return with_steps(r, 2);
+    case ErrorSource::start:
+      if ((r.n_ramp_cycles *= 2) > most_ramp_cycles) return std::nullopt;
+      return r;
+    case ErrorSource::creep:
+      if ((r.n_creep_cycles *= 2) > most_creep_cycles) return std::nullopt;
+      return r;
+    case ErrorSource::cycles:
+      if ((r.periodicity /= 10) < finest_periodicity) return std::nullopt;
+      return r;
+    case ErrorSource::active_set:
+      break;
+  }
+  return std::nullopt;
 }
 
 }  // namespace fretval

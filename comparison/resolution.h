@@ -1,19 +1,56 @@
 #pragma once
 
+#include <optional>
+#include <string>
+#include <vector>
+
 namespace fretval {
+
+/// Rings of one width between two radii, all over the contact radius, for an edge that equal rings do not resolve.
+struct Focus {
+  double inner, outer, ring;
+};
 
 /// How finely a scene is discretised.
 struct Resolution {
-  unsigned elements_per_radius;  ///< rings per contact radius
+  unsigned elements_per_radius;  ///< rings per contact radius, away from a focus
   unsigned degree;               ///< of the displacement
   double growth;                 ///< element size per distance from the contact
   double far_radius;             ///< over the contact radius
   int steps_per_cycle;
   int n_ramp_cycles;
-  double periodicity;  ///< largest relative change from one period to the next
+  double periodicity;               ///< largest relative change from one period to the next
+  int n_creep_cycles = 48;          ///< of an unlocked phase, see fem::Motion
+  double worn_edge_ring = 5e-6;     ///< limiting profile: rings at its edge over its stick radius
+  double active_set_slack = 1e-13;  ///< see fem::BoxSolver
+  std::optional<Focus> focus = {};  ///< empty: equal rings
+
+  bool operator<(const Resolution& other) const;
 };
 
-/// The settings that meet a relative tolerance on the stick radius, from the measured errors in docs/accuracy.md.
+/// The coarsest settings that usually meet a relative tolerance on the stick radius (and a tenth of it on contact
+/// radius and force), from the measured errors in docs/accuracy.md. What they miss in a case, its error budget shows.
 Resolution resolution_for(double tolerance);
+
+/// Where an error comes from.
+enum class ErrorSource { rings, element_order, grading, far_field, time_step, start, creep, cycles, active_set, edge };
+const char* name_of(ErrorSource source);
+
+/// A resolution that is coarser in one respect, or finer where coarser does not exist.
+struct Variant {
+  ErrorSource source;
+  Resolution resolution;
+};
+
+/// Which sources a scene has: an elastic body has no memory of its start, a locked phase does not creep.
+struct SceneNeeds {
+  bool memory = true, creep = false;
+};
+
+/// What has to be computed besides a resolution to measure its errors, each source by its own refinement.
+std::vector<Variant> variants_of(const Resolution& resolution, const SceneNeeds& needs);
+
+/// A resolution that is finer in one respect; empty: it cannot be refined further in this respect.
+std::optional<Resolution> refined(const Resolution& resolution, ErrorSource source);
 
 }  // namespace fretval

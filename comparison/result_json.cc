@@ -55,28 +55,38 @@ ordered_json scene_json(const Outcome& outcome) {
   return json;
 }
 
-ordered_json fe_json(const FeAnswer& fe) {
-  ordered_json json{
-      {"contact_radius_max", or_null(fe.contact_radius_max)},
-      {"stick_radius_first_slip", or_null(fe.stick_radius_first_slip)},
-      {"stick_radius_shakedown", or_null(fe.stick_radius_shakedown)},
-      {"worn_radius", nullptr},
-      {"normal_force_max", fe.normal_force_max},
-      {"error_estimate",
-       {{"stick_radius_first_slip", fe.first_slip_uncertainty}, {"stick_radius_shakedown", fe.shakedown_uncertainty}}}};
+ordered_json bar_json(const std::optional<ErrorBar>& bar) {
+  if (!bar) return nullptr;
+  ordered_json shares = ordered_json::object();
+  for (const auto& share : bar->shares)
+    shares[name_of(share.source)] = {{"estimate", share.estimate}, {"order", or_null(share.order)}};
+  return {{"total", bar->total()}, {"shares", shares}};
+}
+
+ordered_json fe_json(const FeAnswer& fe, const Verdict& verdict) {
+  ordered_json json{{"contact_radius_max", or_null(fe.contact_radius_max)},
+                    {"stick_radius_first_slip", or_null(fe.stick_radius_first_slip)},
+                    {"stick_radius_shakedown", or_null(fe.stick_radius_shakedown)},
+                    {"worn_radius", nullptr},
+                    {"normal_force_max", fe.normal_force_max}};
   if (fe.no_wear) {
     json["slip_inside_stick_zone"] = fe.no_wear->slip_inside;
     json["force_outside_stick_zone"] = fe.no_wear->force_outside;
     json["touch_indentation"] = fe.no_wear->touch_indentation;
   }
+  json["error_estimate"] = ordered_json::object();
+  for (const auto& [quantity, difference] : verdict) json["error_estimate"][quantity] = bar_json(difference.bar);
   return json;
 }
 
 ordered_json verdict_json(const Verdict& verdict) {
   ordered_json json = ordered_json::object();
   for (const auto& [quantity, difference] : verdict)
-    json[quantity] = {
-        {"difference", or_null(difference.difference)}, {"tolerance", difference.tolerance}, {"pass", difference.pass}};
+    json[quantity] = {{"difference", or_null(difference.difference)},
+                      {"tolerance", difference.tolerance},
+                      {"error_bar", difference.bar ? ordered_json(difference.bar->total()) : ordered_json(nullptr)},
+                      {"verdict", name_of(difference.finding)},
+                      {"pass", difference.passes()}};
   return json;
 }
 
@@ -97,23 +107,23 @@ ordered_json to_json(const MdrAnswer& answer) {
           {"normal_force_max", or_null(answer.normal_force_max)}};
 }
 
-ordered_json result_json(const Outcome& outcome, const Body& body, const NormalSimulation& normal) {
-  const auto& fe = outcome.fe;
+ordered_json result_json(const Outcome& outcome) {
+  const auto& [fe, normal, body, failure] = outcome.study.answer;
   return {{"name", outcome.scene.name},
           {"pass", passes(outcome.verdict)},
           {"scene", scene_json(outcome)},
           {"mdr", to_json(outcome.mdr)},
-          {"fe", fe_json(fe)},
+          {"fe", fe_json(fe, outcome.verdict)},
           {"comparison", verdict_json(outcome.verdict)},
           {"cost",
            {{"seconds",
-             {{"mesh", body.cost.mesh},
-              {"assembly", body.cost.assembly},
-              {"factorisation", body.cost.factorisation},
-              {"normal_history", normal.seconds},
+             {{"mesh", body->cost.mesh},
+              {"assembly", body->cost.assembly},
+              {"factorisation", body->cost.factorisation},
+              {"normal_history", normal->seconds},
               {"friction_history", fe.seconds}}},
-            {"dofs", body.n_dofs()},
-            {"contact_nodes", body.normal.space.contact_line().dofs.size()},
+            {"dofs", body->n_dofs},
+            {"contact_nodes", body->n_contact_nodes},
             {"time_steps", fe.n_steps},
             {"cycles", fe.n_cycles},
             {"peak_memory_bytes", peak_memory_bytes()}}}};

@@ -15,21 +15,25 @@ constexpr double degree = 3.14159265358979323846 / 180;
 // The contact line reaches a little beyond the largest contact, so that the first ring that never touches is on it.
 constexpr double contact_line_reserve = 1.12;
 
-// Rings at the edge of a worn stick zone over its radius: the last ring of width h carries a share of sqrt(2 h/c) of
-// the force of a flat punch, and a part of that of order 0.1 ends up outside.
-constexpr double worn_edge_ring = 5e-6;
+// Of rings that are graded along the surface.
+constexpr double surface_growth = 0.15;
 
-std::vector<double> contact_nodes(const Case& scene, const MdrScene& mdr, const Units& units,
-                                  const Resolution& resolution) {
+std::vector<double> contact_nodes(const FemScene& scene) {
+  const auto& resolution = scene.resolution;
   const double ring = 1.0 / resolution.elements_per_radius;
-  if (scene.wear == Case::Wear::unworn) {
-    const auto n = static_cast<unsigned>(std::ceil(contact_line_reserve * resolution.elements_per_radius / 2)) * 2;
-    return meshes::uniform_nodes(n * ring, n);
+  // A worn profile ends its zone at a known radius, where stresses are singular. Rounded up to quarters of the contact
+  // radius, so that profiles with the same c share their body.
+  if (scene.worn_edge) {
+    const double edge = scene.worn_edge->inner, end = std::ceil(4 * contact_line_reserve * scene.worn_edge->outer) / 4;
+    return meshes::graded_nodes({edge, edge, resolution.worn_edge_ring * edge}, end, ring, surface_growth);
   }
-  const double edge = mdr.limiting->stick_radius / units.length;
-  // Rounded up to quarters of the contact radius, so that profiles with the same c share their body.
-  const double end = std::ceil(4 * contact_line_reserve * mdr.limiting->outer_radius / units.length) / 4;
-  return meshes::graded_nodes(edge, end, ring, worn_edge_ring * edge, resolution.growth);
+  if (resolution.focus) {
+    const auto [inner, outer, fine] = *resolution.focus;
+    return meshes::graded_nodes({inner, outer, std::min(fine, ring)}, std::max(contact_line_reserve, outer + 4 * fine),
+                                ring, surface_growth);
+  }
+  const auto n = static_cast<unsigned>(std::ceil(contact_line_reserve * resolution.elements_per_radius / 2)) * 2;
+  return meshes::uniform_nodes(n * ring, n);
 }
 
 std::function<double(double)> profile_in(const Units& units, const Case& scene, const MdrScene& mdr) {
@@ -62,29 +66,37 @@ std::function<double(double)> profile_in(const Units& units, const Case& scene, 
 }  // namespace
 
 bool BodySpecification::operator<(const BodySpecification& other) const {
-  return std::tie(contact_nodes, growth, far_radius, degree) <
-         std::tie(other.contact_nodes, other.growth, other.far_radius, other.degree);
+  return std::tie(contact_nodes, growth, far_radius, degree, tangential) <
+         std::tie(other.contact_nodes, other.growth, other.far_radius, other.degree, other.tangential);
 }
 
 FemScene fem_scene(const Case& scene, const MdrScene& mdr) {
   auto resolution = resolution_for(scene.tolerance);
   if (scene.rings_per_radius) resolution.elements_per_radius = *scene.rings_per_radius;
   if (scene.steps_per_cycle) resolution.steps_per_cycle = *scene.steps_per_cycle;
+  // Without memory the start leaves nothing behind.
+  if (mdr.body.branch_moduli.empty() && mdr.body.viscosity == 0) resolution.n_ramp_cycles = 1;
   const double deepest = scene.motion.indentation + scene.motion.normal_amplitude;
   const Units units{mdr::inverse_transform(mdr.profile, deepest), deepest, scene.elastomer.relaxed_modulus,
                     mdr::angular_frequency(scene.motion.normal_frequency)};
   FemScene fem{units, {}, {}, {}, scene.friction_coefficient, profile_in(units, scene, mdr), resolution, {}};
   if (mdr.limiting)
     fem.worn_edge = {mdr.limiting->stick_radius / units.length, mdr.limiting->outer_radius / units.length};
-  fem.body = {contact_nodes(scene, mdr, units, resolution), resolution.growth, resolution.far_radius,
-              resolution.degree};
   fem.relaxation.viscosity = mdr.body.viscosity * units.angular_frequency / units.modulus;
   for (const double modulus : mdr.body.branch_moduli) fem.relaxation.moduli.push_back(modulus / units.modulus);
   for (const double time : mdr.body.branch_times) fem.relaxation.times.push_back(time * units.angular_frequency);
   fem.motion = {scene.motion.indentation / deepest, scene.motion.normal_amplitude / deepest,
                 mdr.motion.tangential_amplitude / deepest, mdr.motion.phase};
-  fem.motion.n_ramp_cycles = resolution.n_ramp_cycles;
-  return fem;
+  return at_resolution(std::move(fem), resolution);
+}
+
+FemScene at_resolution(FemScene scene, const Resolution& resolution) {
+  scene.resolution = resolution;
+  scene.body = {contact_nodes(scene), resolution.growth, resolution.far_radius, resolution.degree,
+                scene.motion.tangential_amplitude > 0};
+  scene.motion.n_ramp_cycles = resolution.n_ramp_cycles;
+  scene.motion.n_creep_cycles = resolution.n_creep_cycles;
+  return scene;
 }
 
 bool same_normal_problem(const FemScene& a, const Case& case_a, const FemScene& b, const Case& case_b) {
@@ -95,7 +107,7 @@ bool same_normal_problem(const FemScene& a, const Case& case_a, const FemScene& 
                            indenter.table, indenter.table_noise, scene.wear, scene.worn_stick_ratio,
                            fem.relaxation.moduli, fem.relaxation.times, fem.relaxation.viscosity,
                            scene.motion.indentation, scene.motion.normal_amplitude, fem.resolution.steps_per_cycle,
-                           fem.resolution.n_ramp_cycles, fem.resolution.periodicity);
+                           fem.resolution.n_ramp_cycles, fem.resolution.periodicity, fem.resolution.active_set_slack);
   };
   return key(a, case_a) == key(b, case_b);
 }

@@ -29,6 +29,7 @@ struct BodySpecification {
   std::vector<double> contact_nodes;  ///< ring radii over the contact radius
   double growth, far_radius;
   unsigned degree;
+  bool tangential = true;  ///< whether the tangential harmonic is needed
 
   bool operator<(const BodySpecification& other) const;
 };
@@ -50,7 +51,11 @@ struct FemScene {
   std::optional<WornEdge> worn_edge;
 };
 
+/// At the resolution that the tolerance of the case asks for.
 FemScene fem_scene(const Case& scene, const MdrScene& mdr);
+
+/// The same scene at another resolution.
+FemScene at_resolution(FemScene scene, const Resolution& resolution);
 
 /// True if two scenes share everything that the normal contact depends on.
 bool same_normal_problem(const FemScene& a, const Case& case_a, const FemScene& b, const Case& case_b);

@@ -5,6 +5,8 @@
 #include <limits>
 
 #include "comparison/stopwatch.h"
+#include "fem/punch_series.h"
+#include "fem/running_minimum.h"
 
 namespace fretval {
 namespace {
@@ -60,9 +62,8 @@ double largest_share_outside(const fem::NormalHistory& history, const Eigen::Vec
   return share;
 }
 
-NoWearEvidence no_wear_evidence(const Body& body, const FemScene& scene, const NormalSimulation& normal,
-                                const fem::FrictionHistory& friction) {
-  const auto& compliance = body.normal.contact.compliance;
+NoWearEvidence no_wear_evidence(const fem::Compliance& compliance, const FemScene& scene,
+                                const NormalSimulation& normal, const fem::FrictionHistory& friction) {
   const Eigen::Index n_inside = rings_within(compliance, scene.worn_edge->inner);
   const Eigen::Index n_worn = rings_within(compliance, scene.worn_edge->outer) - n_inside;
   return {friction.period_slip.head(n_inside).maxCoeff() / scene.motion.tangential_amplitude,
@@ -80,11 +81,40 @@ std::optional<double> dimensional(const fem::EdgeRadius& edge, double length) {
   return edge.radius * length;
 }
 
+/// Where the indenter does not move tangentially, nothing slips: a margin is the friction limit itself.
+fem::FrictionHistory history_at_rest(const fem::ContactProblem& problem, double friction_coefficient,
+                                     const fem::NormalHistory& normal) {
+  const Eigen::Index n = problem.n_rings(), n_instants = normal.pressure.cols(), n_steps = normal.steps_per_cycle;
+  const Eigen::MatrixXd limit = friction_coefficient * normal.pressure;
+  const Eigen::MatrixXd reserve = fem::PunchSeries(problem).depths(limit);
+  const auto smallest = [](const Eigen::MatrixXd& samples, double floor) {
+    fem::RunningMinimum minimum(samples.rows(), floor);
+    for (Eigen::Index k = 0; k < samples.cols(); ++k) minimum.add(samples.col(k));
+    return minimum.value();
+  };
+  const double none = -std::numeric_limits<double>::infinity();
+  fem::FrictionHistory history{};
+  history.n_cycles = normal.n_cycles;
+  history.first_slip_margin = smallest(limit, 0);
+  history.shakedown_margin = smallest(limit.rightCols(n_steps), 0);
+  history.first_slip_reserve = smallest(reserve, none);
+  history.shakedown_reserve = smallest(reserve.rightCols(n_steps), none);
+  history.slip_path = history.period_slip = history.friction_work = history.displacement = Eigen::VectorXd::Zero(n);
+  history.force = Eigen::VectorXd::Zero(n_instants);
+  history.traction = Eigen::MatrixXd::Zero(n, n_steps);
+  return history;
+}
+
+Eigen::Index largest_contact_rings(const fem::NormalHistory& history) {
+  Eigen::Index n = 0;
+  while (n < history.smallest_gap.size() && history.smallest_gap[n] <= 0) ++n;
+  return n;
+}
+
 }  // namespace
 
-NormalSimulation simulate_normal(const Body& body, const FemScene& scene) {
+NormalSimulation simulate_normal(const fem::ContactProblem& problem, const FemScene& scene) {
   Stopwatch watch;
-  const auto& problem = body.normal.contact;
   NormalSimulation simulation;
   simulation.profile = fem::ring_means(problem.compliance, scene.profile);
   simulation.history =
@@ -96,23 +126,25 @@ NormalSimulation simulate_normal(const Body& body, const FemScene& scene) {
   return simulation;
 }
 
-FeAnswer simulate(const Body& body, const FemScene& scene, const NormalSimulation& normal) {
+FeAnswer simulate(const ContactProblems& problems, const FemScene& scene, const NormalSimulation& normal) {
   Stopwatch watch;
-  const auto& problem = body.tangential.contact;
+  const auto& problem = problems.tangential ? *problems.tangential : problems.normal;
   FeAnswer answer{};
-  answer.friction = fem::friction_history(problem, scene.relaxation, scene.friction_coefficient, scene.motion,
-                                          normal.history, control_of(scene));
+  answer.friction = problems.tangential ? fem::friction_history(problem, scene.relaxation, scene.friction_coefficient,
+                                                                scene.motion, normal.history, control_of(scene))
+                                        : history_at_rest(problem, scene.friction_coefficient, normal.history);
   const auto& friction = answer.friction;
   const double amplitude = scene.motion.tangential_amplitude;
-  const auto n_first = count_stuck(friction.slip_path, friction.first_slip_margin, never_slipped * amplitude);
-  const auto n_shakedown = count_stuck(friction.period_slip, friction.shakedown_margin,
+  answer.rings.contact = largest_contact_rings(normal.history);
+  answer.rings.first_slip = count_stuck(friction.slip_path, friction.first_slip_margin, never_slipped * amplitude);
+  answer.rings.shakedown = count_stuck(friction.period_slip, friction.shakedown_margin,
                                        shaken_down_slip * amplitude * scene.motion.cycles_per_period());
-  const auto first = fem::stick_radius(problem.compliance, friction.first_slip_reserve, n_first);
-  auto shakedown = fem::stick_radius(problem.compliance, friction.shakedown_reserve, n_shakedown);
+  const auto first = fem::stick_radius(problem.compliance, friction.first_slip_reserve, answer.rings.first_slip);
+  auto shakedown = fem::stick_radius(problem.compliance, friction.shakedown_reserve, answer.rings.shakedown);
   if (scene.worn_edge) {
     // The margin is singular at the worn edge, where the rings are fine and one of them ends: counting them is exact.
-    shakedown = {problem.compliance.radii[static_cast<std::size_t>(n_shakedown)], first.uncertainty};
-    answer.no_wear = no_wear_evidence(body, scene, normal, friction);
+    shakedown = {problem.compliance.radii[static_cast<std::size_t>(answer.rings.shakedown)], first.uncertainty};
+    answer.no_wear = no_wear_evidence(problems.normal.compliance, scene, normal, friction);
   }
 
   const double length = scene.units.length;

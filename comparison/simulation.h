@@ -2,7 +2,6 @@
 
 #include <optional>
 
-#include "comparison/body.h"
 #include "comparison/scene.h"
 #include "fem/edge.h"
 #include "fem/friction_history.h"
@@ -18,7 +17,7 @@ struct NormalSimulation {
   double seconds;
 };
 
-NormalSimulation simulate_normal(const Body& body, const FemScene& scene);
+NormalSimulation simulate_normal(const fem::ContactProblem& problem, const FemScene& scene);
 
 /// What the finite elements say about the state in which nothing wears any more. Dimensionless ratios.
 struct NoWearEvidence {
@@ -27,22 +26,35 @@ struct NoWearEvidence {
   double touch_indentation;  ///< indentation at which the worn flank comes into contact, over the largest one
 };
 
+/// How many rings resolve the zones: in the largest contact, and inside either stick radius.
+struct ZoneRings {
+  Eigen::Index contact = 0, first_slip = 0, shakedown = 0;
+};
+
 /// What finite elements say about a scene; SI units. Empty: nothing sticks.
 struct FeAnswer {
   std::optional<double> contact_radius_max;  ///< empty for a worn profile, see NormalSimulation
   std::optional<double> stick_radius_first_slip;
   std::optional<double> stick_radius_shakedown;
-  double normal_force_max;
-  double first_slip_uncertainty;  ///< of reading the edge, see fem::EdgeRadius
-  double shakedown_uncertainty;
+  double normal_force_max = 0;
+  double first_slip_uncertainty = 0;  ///< of reading the edge, see fem::EdgeRadius
+  double shakedown_uncertainty = 0;
   std::optional<NoWearEvidence> no_wear;  ///< for a limiting profile
 
-  int n_cycles;
-  long n_steps;
-  double seconds;                 ///< of the friction history
+  ZoneRings rings;
+  int n_cycles = 0;
+  long n_steps = 0;
+  double seconds = 0;             ///< of the friction history
   fem::FrictionHistory friction;  ///< dimensionless
 };
 
-FeAnswer simulate(const Body& body, const FemScene& scene, const NormalSimulation& normal);
+/// The contact problems of one body.
+struct ContactProblems {
+  const fem::ContactProblem& normal;
+  const fem::ContactProblem* tangential;  ///< null: the indenter does not move tangentially
+};
+
+/// Without tangential motion no friction is solved for: what never loses contact sticks.
+FeAnswer simulate(const ContactProblems& problems, const FemScene& scene, const NormalSimulation& normal);
 
 }  // namespace fretval

@@ -21,7 +21,7 @@ Worst worst_of(const std::vector<BatchLine>& lines) {
   for (const auto& line : lines)
     for (const auto& [quantity, d] : line.verdict) {
       if (!d.difference) {
-        if (!d.pass) return {1e9, fmt::format("{} in {}: only one of the two sticks", quantity, line.name)};
+        if (!d.passes()) return {1e9, fmt::format("{} in {}: only one of the two sticks", quantity, line.name)};
         continue;
       }
       const double use = std::abs(*d.difference) / d.tolerance;
@@ -73,9 +73,9 @@ std::string differences_of(const BatchLine& line) {
   for (const auto& [quantity, d] : line.verdict)
     text += fmt::format("{}{} {}/{:.1e}{}", text.empty() ? "" : ", ", quantity,
                         d.difference ? fmt::format("{:.1e}", *d.difference)
-                        : d.pass     ? "none in both"
+                        : d.passes() ? "none in both"
                                      : "in one only",
-                        d.tolerance, d.pass ? "" : " !");
+                        d.tolerance, d.passes() ? "" : " !");
   return text;
 }
 

@@ -6,27 +6,40 @@
 namespace fretval {
 namespace {
 
+Difference judge(std::optional<double> difference, double size, double tolerance) {
+  return {difference, tolerance, std::abs(size) <= tolerance ? Finding::pass : Finding::fail};
+}
+
 Difference judge(double difference, double tolerance) {
-  return {difference, tolerance, std::abs(difference) <= tolerance};
+  return judge(difference, difference, tolerance);
 }
 
 Difference judge_stick(const std::optional<double>& fe, const std::optional<double>& mdr, double contact_radius,
                        double tolerance) {
-  if (!mdr) return {std::nullopt, tolerance, !fe};
-  const double ratio = *mdr / contact_radius;
-  const double widened = tolerance * std::max(1.0, 0.1 / ratio);
-  // A stick zone too small for the mesh is within a widened tolerance that covers all of it, or else a disagreement.
-  if (!fe) return {std::nullopt, widened, ratio <= widened};
-  return judge((*fe - *mdr) / contact_radius, widened);
+  const double size = (fe.value_or(0) - mdr.value_or(0)) / contact_radius;
+  // Where only one of the two says that nothing sticks there is no difference to show.
+  return judge(fe && mdr ? std::optional(size) : std::nullopt, size, tolerance);
+}
+
+Finding with_bar(const Difference& difference, double bar) {
+  const double size = difference.difference.value_or(0);
+  if (bar <= difference.tolerance || std::abs(size) > difference.tolerance + bar) return difference.finding;
+  return Finding::inconclusive;
 }
 
 }  // namespace
+
+const char* name_of(Finding finding) {
+  if (finding == Finding::inconclusive) return "inconclusive";
+  return finding == Finding::pass ? "pass" : "fail";
+}
 
 Tolerances tolerances_of(double accuracy) {
   return {accuracy, accuracy / 10, accuracy / 10};
 }
 
-Verdict compare(const MdrAnswer& mdr, const FeAnswer& fe, double unworn_radius, const Tolerances& tolerances) {
+Verdict compare(const MdrAnswer& mdr, const FeAnswer& fe, double unworn_radius, const Tolerances& tolerances,
+                const ErrorBudget& budget) {
   Verdict verdict;
   if (fe.contact_radius_max)
     verdict["contact_radius_max"] =
@@ -42,11 +55,18 @@ Verdict compare(const MdrAnswer& mdr, const FeAnswer& fe, double unworn_radius, 
     verdict["force_outside_stick_zone"] = judge(fe.no_wear->force_outside, tolerance);
     verdict["maximum_indentation"] = judge(fe.no_wear->touch_indentation - 1, tolerance);
   }
+  for (const auto& [quantity, bar] : budget) {
+    const auto found = verdict.find(quantity);
+    if (found == verdict.end()) continue;
+    auto& difference = found->second;
+    difference.bar = bar;
+    difference.finding = with_bar(difference, bar.total());
+  }
   return verdict;
 }
 
 bool passes(const Verdict& verdict) {
-  return std::all_of(verdict.begin(), verdict.end(), [](const auto& entry) { return entry.second.pass; });
+  return std::all_of(verdict.begin(), verdict.end(), [](const auto& entry) { return entry.second.passes(); });
 }
 
 }  // namespace fretval

@@ -4,17 +4,25 @@
 #include <optional>
 #include <string>
 
+#include "comparison/error_budget.h"
 #include "comparison/reference.h"
 #include "comparison/simulation.h"
 
 namespace fretval {
+
+/// What a comparison comes to.
+enum class Finding { pass, fail, inconclusive };
+const char* name_of(Finding finding);
 
 /// One quantity compared.
 struct Difference {
   std::optional<double>
       difference;  ///< finite elements less MDR, relative; empty: one of the two says that nothing sticks
   double tolerance;
-  bool pass;
+  Finding finding;
+  std::optional<ErrorBar> bar = {};  ///< of the finite elements; empty: not measured
+
+  [[nodiscard]] bool passes() const { return finding == Finding::pass; }
 };
 
 /// How far finite elements and MDR may lie apart.
@@ -29,14 +37,18 @@ Tolerances tolerances_of(double accuracy);
 
 /// Compared quantities by the name they have in result.json.
 ///
-/// Stick radii: (c_FE - c_MDR)/a, a the unworn contact radius at the largest indentation. Where c/a < 0.1 the tolerance
-/// grows by 0.1 a/c: c is the root of g(c) = depth, and for a profile with g'(0) = 0 a given error of the depth moves a
-/// small c ever further. Where MDR says that nothing sticks, the finite elements must say so too. For a limiting
+/// Stick radii: (c_FE - c_MDR)/a, a the unworn contact radius at the largest indentation. Where one of the two says
+/// that nothing sticks, the other must say so too or find a stick zone smaller than the tolerance. For a limiting
 /// profile: slip inside c over u_x0, force outside c over the force, and the indentation at which the flank touches
 /// over the largest one, all within the tolerance of the stick radius.
+///
+/// A comparison passes if the difference is within the tolerance. With an error bar of the finite elements wider than
+/// the tolerance it is inconclusive, unless the difference is larger than the bar and the tolerance together.
 using Verdict = std::map<std::string, Difference>;
 
-Verdict compare(const MdrAnswer& mdr, const FeAnswer& fe, double unworn_radius, const Tolerances& tolerances);
+/// budget: empty if none was measured.
+Verdict compare(const MdrAnswer& mdr, const FeAnswer& fe, double unworn_radius, const Tolerances& tolerances,
+                const ErrorBudget& budget = {});
 
 bool passes(const Verdict& verdict);
 

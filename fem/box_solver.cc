@@ -17,7 +17,6 @@ struct Violations {
   std::vector<BoxState> wanted;
 };
 
-// A tiny slack on the bounds keeps roundoff from moving an unknown that sits exactly at its limit back and forth.
 Violations find_violations(const Eigen::VectorXd& x, const Eigen::VectorXd& residual, const Eigen::VectorXd& lower,
                            const Eigen::VectorXd& upper, const std::vector<BoxState>& state, double slack,
                            double residual_slack) {
@@ -54,7 +53,7 @@ std::vector<Eigen::Index> place_unknowns(const Eigen::VectorXd& lower, const Eig
 
 }  // namespace
 
-BoxSolver::BoxSolver(const Eigen::MatrixXd& matrix) : matrix_(matrix) {
+BoxSolver::BoxSolver(const Eigen::MatrixXd& matrix, double slack) : matrix_(matrix), slack_(slack) {
   const Eigen::LLT<Eigen::MatrixXd> factor(matrix);
   if (factor.info() != Eigen::Success) throw SolverError("the contact compliance is not positive definite");
   factor_ = factor.matrixL();
@@ -112,8 +111,8 @@ BoxSolver::Solution BoxSolver::solve(const Eigen::VectorXd& q, const Eigen::Vect
       solution.residual[i] =
           state[i] == BoxState::interior ? 0 : reduced[i] - matrix_.col(i).head(last).dot(solved.head(last));
 
-    const double slack = 1e-13 * solution.x.lpNorm<Eigen::Infinity>();
-    const double residual_slack = 1e-13 * q.lpNorm<Eigen::Infinity>();
+    const double slack = slack_ * solution.x.lpNorm<Eigen::Infinity>();
+    const double residual_slack = slack_ * q.lpNorm<Eigen::Infinity>();
     const auto violations = find_violations(solution.x, solution.residual, lower, upper, state, slack, residual_slack);
     if (violations.indices.empty()) return solution;
     stalled = violations.indices.size() < fewest ? 0 : stalled + 1;

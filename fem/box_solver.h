@@ -20,8 +20,10 @@ enum class BoxState : signed char { lower = -1, interior = 0, upper = 1 };
 /// steps.
 class BoxSolver {
  public:
+  /// slack: by how much a bound may be crossed, over the largest unknown (or residual), before the unknown changes its
+  /// state: it keeps roundoff from moving one that sits exactly at its limit back and forth.
   /// Throws SolverError if C is not positive definite.
-  explicit BoxSolver(const Eigen::MatrixXd& matrix);
+  explicit BoxSolver(const Eigen::MatrixXd& matrix, double slack = 1e-13);
 
   struct Solution {
     Eigen::VectorXd x;
@@ -43,6 +45,7 @@ class BoxSolver {
 
   Eigen::MatrixXd matrix_;
   Eigen::MatrixXd factor_;  // lower Cholesky factor
+  double slack_;
 };
 
 }  // namespace fretval::fem

@@ -15,7 +15,9 @@ struct ContactProblem {
   Compliance compliance;
   BoxSolver solver;
 
-  explicit ContactProblem(Compliance c) : compliance(std::move(c)), solver(compliance.matrix) {}
+  /// slack: see BoxSolver.
+  explicit ContactProblem(Compliance c, double slack = 1e-13)
+      : compliance(std::move(c)), solver(compliance.matrix, slack) {}
   [[nodiscard]] Eigen::Index n_rings() const { return compliance.areas.size(); }
 };
 

@@ -47,21 +47,26 @@ std::vector<double> uniform_nodes(double length, unsigned n) {
   return nodes;
 }
 
-std::vector<double> graded_nodes(double edge_radius, double length, double coarse_size, double fine_size,
-                                 double growth) {
+std::vector<double> graded_nodes(const FineBlock& block, double length, double coarse_size, double growth) {
   require(std::isfinite(length) && length > 0., "length", length, "positive");
-  require(edge_radius >= 0. && edge_radius <= length, "edge radius", edge_radius, "between 0 and the length");
-  require(fine_size >= 1e-9 * length && std::isfinite(fine_size), "fine size", fine_size,
+  require(block.inner >= 0. && block.inner <= length, "inner end of the block", block.inner,
+          "between 0 and the length");
+  require(block.outer >= block.inner && block.outer <= length, "outer end of the block", block.outer,
+          "between the inner end and the length");
+  require(block.size >= 1e-9 * length && std::isfinite(block.size), "fine size", block.size,
           "at least 1e-9 of the length");
-  require(coarse_size >= fine_size, "coarse size", coarse_size, "at least the fine size");
+  require(coarse_size >= block.size, "coarse size", coarse_size, "at least the fine size");
   require(growth >= 0. && std::isfinite(growth), "growth", growth, "at least 0");
 
   std::vector<double> nodes;
-  const auto inner = graded_side(edge_radius, coarse_size, fine_size, growth);
-  for (auto distance = inner.rbegin(); distance != inner.rend(); ++distance) nodes.push_back(edge_radius - *distance);
-  nodes.push_back(edge_radius);
-  for (const double distance : graded_side(length - edge_radius, coarse_size, fine_size, growth))
-    nodes.push_back(edge_radius + distance);
+  const auto inner = graded_side(block.inner, coarse_size, block.size, growth);
+  for (auto distance = inner.rbegin(); distance != inner.rend(); ++distance) nodes.push_back(block.inner - *distance);
+  nodes.push_back(block.inner);
+  const double width = block.outer - block.inner;
+  const auto n = static_cast<unsigned>(std::ceil(width / block.size * (1. - 1e-12)));
+  for (unsigned i = 1; i <= n; ++i) nodes.push_back(i == n ? block.outer : block.inner + width * i / n);
+  for (const double distance : graded_side(length - block.outer, coarse_size, block.size, growth))
+    nodes.push_back(block.outer + distance);
   nodes.front() = 0.;
   nodes.back() = length;
   return nodes;

@@ -8,15 +8,20 @@ namespace fretval::meshes {
 /// Throws MeshError unless length > 0 and n >= 1.
 std::vector<double> uniform_nodes(double length, unsigned n);
 
-/// Nodes on [0, length], graded towards a node at edge_radius (where a stress is singular), in the unit of length.
+/// Where contact elements are fine, in the unit of length: equal elements of at most `size` on [inner, outer]. With
+/// inner = outer a single node, where a stress is singular.
+struct FineBlock {
+  double inner, outer, size;
+};
+
+/// Nodes on [0, length], graded towards a fine block.
 ///
-/// Away from edge_radius the elements are fine_size * (1 + growth)^k, k = 0, 1, ..., at most coarse_size. On either
-/// side the sizes are then shrunk by one common factor so that a whole number of them fits: an element is never larger
-/// than asked. 0, edge_radius and length are nodes exactly. edge_radius = 0 or length grades from one side alone.
+/// Away from the block the elements are size * (1 + growth)^k, k = 0, 1, ..., at most coarse_size. On either side the
+/// sizes are then shrunk by one common factor so that a whole number of them fits: an element is never larger than
+/// asked. 0, the ends of the block and length are nodes exactly.
 ///
-/// Throws MeshError unless 0 <= edge_radius <= length, 1e-9 length <= fine_size <= coarse_size and growth >= 0, and if
+/// Throws MeshError unless 0 <= inner <= outer <= length, 1e-9 length <= size <= coarse_size and growth >= 0, and if
 /// more than 100000 elements were needed on one side.
-std::vector<double> graded_nodes(double edge_radius, double length, double coarse_size, double fine_size,
-                                 double growth);
+std::vector<double> graded_nodes(const FineBlock& block, double length, double coarse_size, double growth);
 
 }  // namespace fretval::meshes

@@ -33,7 +33,7 @@ TEST(UniformNodes, RefuseNoLengthAndNoElements) {
 
 TEST(GradedNodes, HaveTheEdgeAndTheEndsExactly) {
   for (const double edge : {0.1, 0.3, 0.7 / 3, 1.}) {
-    const auto nodes = graded_nodes(edge, 1.2, 0.02, 1e-5, 0.15);
+    const auto nodes = graded_nodes({edge, edge, 1e-5}, 1.2, 0.02, 0.15);
     EXPECT_EQ(nodes.front(), 0.);
     EXPECT_EQ(nodes.back(), 1.2);
     EXPECT_TRUE(std::binary_search(nodes.begin(), nodes.end(), edge));
@@ -45,7 +45,7 @@ TEST(GradedNodes, HaveTheEdgeAndTheEndsExactly) {
 TEST(GradedNodes, GrowFromTheFineToTheCoarseSize) {
   const double edge = 0.5;
   const double growth = 0.15;
-  const auto nodes = graded_nodes(edge, 1.2, 0.02, 1e-5, growth);
+  const auto nodes = graded_nodes({edge, edge, 1e-5}, 1.2, 0.02, growth);
   const auto h = sizes(nodes);
   const auto at_edge = std::lower_bound(nodes.begin(), nodes.end(), edge) - nodes.begin();
   for (const auto i : {at_edge - 1, at_edge}) {
@@ -61,25 +61,46 @@ TEST(GradedNodes, GrowFromTheFineToTheCoarseSize) {
 }
 
 TEST(GradedNodes, AreUniformWithoutGrading) {
-  const auto nodes = graded_nodes(0.5, 1., 0.125, 0.125, 0.15);
+  const auto nodes = graded_nodes({0.5, 0.5, 0.125}, 1., 0.125, 0.15);
   const auto uniform = uniform_nodes(1., 8);
   ASSERT_EQ(nodes.size(), uniform.size());
   for (std::size_t i = 0; i < nodes.size(); ++i) EXPECT_NEAR(nodes[i], uniform[i], 1e-15);
 }
 
 TEST(GradedNodes, GradeFromOneSideAtTheEnds) {
-  const auto towards_axis = sizes(graded_nodes(0., 1., 0.1, 1e-3, 0.2));
+  const auto towards_axis = sizes(graded_nodes({0., 0., 1e-3}, 1., 0.1, 0.2));
   EXPECT_TRUE(std::is_sorted(towards_axis.begin(), towards_axis.begin() + 20));
-  const auto towards_end = sizes(graded_nodes(1., 1., 0.1, 1e-3, 0.2));
+  const auto towards_end = sizes(graded_nodes({1., 1., 1e-3}, 1., 0.1, 0.2));
   EXPECT_LT(towards_end.back(), 1e-3 * (1 + 1e-9));
 }
 
+TEST(GradedNodes, HaveEqualElementsInTheBlock) {
+  const auto nodes = graded_nodes({0.2, 0.31, 0.02}, 1., 0.1, 0.15);
+  const auto begin = std::find(nodes.begin(), nodes.end(), 0.2), end = std::find(nodes.begin(), nodes.end(), 0.31);
+  ASSERT_EQ(end - begin, 6);
+  for (auto node = begin; node != end; ++node) EXPECT_NEAR(node[1] - node[0], 0.11 / 6, 1e-15);
+  EXPECT_GT(end[2] - end[1], 0.02);
+}
+
 TEST(GradedNodes, RefuseWhatCannotBeGraded) {
-  expect_error([] { graded_nodes(1.3, 1.2, 0.1, 0.01, 0.1); }, {"edge radius is 1.3", "between 0 and the length"});
-  expect_error([] { graded_nodes(0.5, 1.2, 0.1, 0., 0.1); }, {"fine size is 0", "at least 1e-9"});
-  expect_error([] { graded_nodes(0.5, 1.2, 0.01, 0.1, 0.1); }, {"coarse size is 0.01", "at least the fine size"});
-  expect_error([] { graded_nodes(0.5, 1.2, 0.1, 0.01, -0.1); }, {"growth is -0.1", "at least 0"});
-  expect_error([] { graded_nodes(0.5, 1.2, 0.1, 1e-8, 0.); }, {"fine size 1e-08", "more than 100000 elements"});
+  expect_error(
+      [] {
+        graded_nodes({1.3, 1.3, 0.01}, 1.2, 0.1, 0.1);
+      },
+      {"inner end of the block is 1.3", "between 0 and the length"});
+  expect_error(
+      [] {
+        graded_nodes({0.5, 0.4, 0.01}, 1.2, 0.1, 0.1);
+      },
+      {"outer end of the block is 0.4", "between the inner end and the length"});
+  expect_error([] { graded_nodes({0.5, 0.5, 0.}, 1.2, 0.1, 0.1); }, {"fine size is 0", "at least 1e-9"});
+  expect_error(
+      [] {
+        graded_nodes({0.5, 0.5, 0.1}, 1.2, 0.01, 0.1);
+      },
+      {"coarse size is 0.01", "at least the fine size"});
+  expect_error([] { graded_nodes({0.5, 0.5, 0.01}, 1.2, 0.1, -0.1); }, {"growth is -0.1", "at least 0"});
+  expect_error([] { graded_nodes({0.5, 0.5, 1e-8}, 1.2, 0.1, 0.); }, {"fine size 1e-08", "more than 100000 elements"});
 }
 
 }  // namespace

@@ -43,7 +43,7 @@ void expect_same(const Mesh& a, const Mesh& b) {
 }
 
 TEST_F(MshFile, KeepsAllDigits) {
-  const Mesh mesh = quarter_disc({graded_nodes(1e-3 / 3, 1e-3, 1e-4 / 3, 1e-7, 0.2), 0.025});
+  const Mesh mesh = quarter_disc({graded_nodes({1e-3 / 3, 1e-3 / 3, 1e-7}, 1e-3, 1e-4 / 3, 0.2), 0.025});
   write_msh(mesh, file);
   expect_same(read_msh(file), mesh);
 }

@@ -58,7 +58,7 @@ TEST(QuarterDisc, OfAUniformContactLineIsGood) {
 TEST(QuarterDisc, OfAGradedContactLineIsGood) {
   for (const double ratio : {1e-1, 1e-3, 1e-5}) {
     SCOPED_TRACE(ratio);
-    const QuarterDisc disc{graded_nodes(0.5, 1.2, 0.02, 0.02 * ratio, 0.15), 25.};
+    const QuarterDisc disc{graded_nodes({0.5, 0.5, 0.02 * ratio}, 1.2, 0.02, 0.15), 25.};
     expect_good(quarter_disc(disc), disc, 0.2);
   }
 }
@@ -70,7 +70,8 @@ TEST(QuarterDiscSlow, OfRandomGradedContactLinesIsGood) {
     SCOPED_TRACE(i);
     const double coarse = std::pow(10., between(-2.6, -1.2));
     const double fine = coarse * std::pow(10., between(-5., 0.));
-    const QuarterDisc disc{graded_nodes(between(0.01, 0.99), 1., coarse, fine, between(0.1, 0.25)), between(5., 30.)};
+    const double edge = between(0.01, 0.99);
+    const QuarterDisc disc{graded_nodes({edge, edge, fine}, 1., coarse, between(0.1, 0.25)), between(5., 30.)};
     expect_good(quarter_disc(disc), disc, 0.05);
   }
 }
@@ -114,7 +115,7 @@ TEST(QuarterDisc, PutsFarNodesOnTheArc) {
 
 // Cells follow the size wanted in their middle, within the factor that merging triangles leaves.
 TEST(QuarterDisc, HasTheWantedSizes) {
-  const QuarterDisc disc{graded_nodes(0.5, 1., 0.02, 1e-4, 0.15), 25.};
+  const QuarterDisc disc{graded_nodes({0.5, 0.5, 1e-4}, 1., 0.02, 0.15), 25.};
   const Mesh mesh = quarter_disc(disc);
   double sum = 0.;
   for (const auto& cell : mesh.cells) {
@@ -136,7 +137,7 @@ TEST(QuarterDisc, GrowthCoarsensTheMesh) {
 }
 
 TEST(QuarterDisc, IsTheSameEveryTime) {
-  const QuarterDisc disc{graded_nodes(0.5, 1., 0.02, 1e-4, 0.15), 25.};
+  const QuarterDisc disc{graded_nodes({0.5, 0.5, 1e-4}, 1., 0.02, 0.15), 25.};
   const Mesh first = quarter_disc(disc);
   const Mesh second = quarter_disc(disc);
   EXPECT_EQ(first.nodes, second.nodes);

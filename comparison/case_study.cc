@@ -1,0 +1,194 @@
+#include "comparison/case_study.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace fretval {
+namespace {
+
+constexpr int most_refinements = 4;
+constexpr Eigen::Index enough_stuck_rings = 6, enough_slipping_rings = 5;
+constexpr double finest_ring_at_the_centre = 1e-4, finest_ring_at_the_edge = 1e-7;
+
+constexpr const char* first_slip = "stick_radius_first_slip";
+constexpr const char* shakedown = "stick_radius_shakedown";
+
+/// The next power of two, so that similar cases share their bodies.
+double rounded_up(double x) {
+  return std::exp2(std::ceil(std::log2(x)));
+}
+
+double finest_ring(const Resolution& resolution) {
+  return resolution.focus ? resolution.focus->ring : 1.0 / resolution.elements_per_radius;
+}
+
+double tolerance_of(const Tolerances& tolerances, const std::string& quantity) {
+  if (quantity == "contact_radius_max") return tolerances.contact_radius;
+  if (quantity == "normal_force_max") return tolerances.normal_force;
+  return tolerances.stick_radius;
+}
+
+}  // namespace
+
+CaseStudy::CaseStudy(const PreparedCase& prepared, bool with_budget)
+    : prepared_(prepared), with_budget_(with_budget), base_(prepared.fem.resolution) {
+  want(base_);
+}
+
+void CaseStudy::want(const Resolution& resolution) {
+  if (measures_.count(resolution) == 0) wanted_.push_back(resolution);
+}
+
+void CaseStudy::take(const Resolution& resolution, ProbeAnswer&& answer) {
+  measures_[resolution] = answer.failure.empty() ? measures_of(answer.fe, prepared_.fem.units) : Measures{};
+  const auto all = tracks();
+  const auto is_track = [&](const Resolution& track) { return !(track < resolution) && !(resolution < track); };
+  // The histories of variants are not needed any more.
+  if (std::any_of(all.begin(), all.end(), is_track)) answers_[resolution] = std::move(answer);
+}
+
+const Resolution& CaseStudy::resolution_of(const std::string& quantity) const {
+  const auto found = focused_.find(quantity);
+  return found == focused_.end() ? base_ : found->second;
+}
+
+std::vector<Resolution> CaseStudy::tracks() const {
+  std::vector<Resolution> all{base_};
+  for (const auto& [quantity, resolution] : focused_) all.push_back(resolution);
+  return all;
+}
+
+std::vector<Variant> CaseStudy::variants(const Resolution& resolution) const {
+  const auto& relaxation = prepared_.fem.relaxation;
+  return variants_of(resolution, {!relaxation.moduli.empty() || relaxation.viscosity > 0, !prepared_.fem.motion.phase});
+}
+
+std::optional<Focus> CaseStudy::closer_look(const std::string& quantity) const {
+  const Resolution& now = resolution_of(quantity);
+  const auto& answer = answers_.at(now);
+  const auto& rings = answer.fe.rings;
+  const Eigen::Index n_stuck = quantity == first_slip ? rings.first_slip : rings.shakedown;
+  const auto& measures = measures_.at(now);
+  const double c = measures.at(quantity), ring = finest_ring(now);
+  if (n_stuck < enough_stuck_rings) {
+    if (ring < finest_ring_at_the_centre) return std::nullopt;
+    const double outer = n_stuck > 0 ? rounded_up(1.5 * c + ring) : rounded_up(ring);
+    return Focus{0, outer, outer / 32};
+  }
+  const auto contact = measures.find("contact_radius_max");
+  if (rings.contact - n_stuck >= enough_slipping_rings || contact == measures.end()) return std::nullopt;
+  if (ring < finest_ring_at_the_edge) return std::nullopt;
+  const double edge = contact->second, width = rounded_up(std::max(1.5 * (edge - c), ring / 4));
+  // Similar cases share their bodies if the edge is where it is expected.
+  const double centre = std::abs(edge - 1) < width / 8 ? 1 : edge;
+  return Focus{centre - 2 * width, centre + width / 2, width / 16};
+}
+
+bool CaseStudy::focus_on_unresolved_edges() {
+  if (prepared_.scene.rings_per_radius || prepared_.fem.worn_edge) return false;
+  for (const char* quantity : {first_slip, shakedown}) {
+    const auto& now = resolution_of(quantity);
+    if (!answers_.at(now).failure.empty()) continue;
+    const auto focus = closer_look(quantity);
+    if (!focus || focus->ring > finest_ring(now) / 2) continue;
+    Resolution closer = base_;
+    closer.focus = focus;
+    focused_[quantity] = closer;
+    want(closer);
+  }
+  return !wanted_.empty();
+}
+
+ErrorBudget CaseStudy::budget() const {
+  ErrorBudget all;
+  for (const auto& track : tracks()) {
+    const auto list = variants(track);
+    std::vector<Measures> varied;
+    varied.reserve(list.size());
+    for (const auto& variant : list) varied.push_back(measures_.at(variant.resolution));
+    const auto& answer = answers_.at(track);
+    Measures edge;
+    if (answer.failure.empty() && !prepared_.fem.worn_edge) {
+      edge[first_slip] = answer.fe.first_slip_uncertainty / prepared_.fem.units.length;
+      edge[shakedown] = answer.fe.shakedown_uncertainty / prepared_.fem.units.length;
+    }
+    for (const auto& [quantity, bar] : error_budget(measures_.at(track), list, varied, track.degree, edge)) {
+      const auto& used = resolution_of(quantity);
+      if (!(used < track) && !(track < used)) all[quantity] = bar;
+    }
+  }
+  return all;
+}
+
+bool CaseStudy::refine_what_is_too_wide() {
+  if (n_refinements_ >= most_refinements) return false;
+  bool any = false;
+  std::set<std::pair<std::string, ErrorSource>> done;  // a track, by its key, and a source
+  const auto refine = [&](const std::string& quantity, ErrorSource source) {
+    if (source == ErrorSource::edge) source = ErrorSource::rings;
+    if (prepared_.scene.rings_per_radius && source == ErrorSource::rings) return;
+    if (prepared_.scene.steps_per_cycle && source == ErrorSource::time_step) return;
+    const auto found = focused_.find(quantity);
+    Resolution& track = found == focused_.end() ? base_ : found->second;
+    if (!done.insert({found == focused_.end() ? "" : quantity, source}).second) return;
+    if (const auto finer = refined(track, source)) {
+      track = *finer;
+      any = true;
+    }
+  };
+  for (const auto& [quantity, bar] : budget()) {
+    const double tolerance = tolerance_of(prepared_.tolerances, quantity), total = bar.total();
+    if (total <= tolerance) continue;
+    double largest = 0;
+    for (const auto& share : bar.shares) largest = std::max(largest, share.estimate);
+    for (const auto& share : bar.shares)
+      if (share.estimate >= std::min(largest, tolerance) / 2) refine(quantity, share.source);
+  }
+  if (any) ++n_refinements_;
+  return any;
+}
+
+void CaseStudy::advance() {
+  wanted_.clear();
+  if (!with_budget_ || !answers_.at(base_).failure.empty()) return;
+  if (focus_on_unresolved_edges()) return;
+  for (const auto& track : tracks())
+    for (const auto& variant : variants(track)) want(variant.resolution);
+  if (!wanted_.empty()) return;
+  if (!refine_what_is_too_wide()) return;
+  for (const auto& track : tracks()) {
+    want(track);
+    // What was a variant before has to be kept now.
+    if (measures_.count(track) > 0 && answers_.count(track) == 0) wanted_.push_back(track);
+  }
+}
+
+StudyResult CaseStudy::result() const {
+  StudyResult result;
+  result.answer = answers_.at(base_);
+  result.resolution = base_;
+  result.n_refinements = n_refinements_;
+  result.n_probes = static_cast<int>(measures_.size());
+  if (!result.answer.failure.empty()) return result;
+  for (const auto& [quantity, resolution] : focused_) {
+    const auto& focused = answers_.at(resolution);
+    if (!focused.failure.empty()) {
+      result.answer.failure = focused.failure;
+      return result;
+    }
+    auto& fe = result.answer.fe;
+    if (quantity == first_slip) {
+      fe.stick_radius_first_slip = focused.fe.stick_radius_first_slip;
+      fe.first_slip_uncertainty = focused.fe.first_slip_uncertainty;
+    } else {
+      fe.stick_radius_shakedown = focused.fe.stick_radius_shakedown;
+      fe.shakedown_uncertainty = focused.fe.shakedown_uncertainty;
+    }
+    result.focus[quantity] = *resolution.focus;
+  }
+  if (with_budget_) result.budget = budget();
+  return result;
+}
+
+}  // namespace fretval

@@ -1,0 +1,72 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "comparison/error_budget.h"
+#include "comparison/probe.h"
+#include "comparison/verdict.h"
+
+namespace fretval {
+
+/// A case ready to be computed.
+struct PreparedCase {
+  Case scene;
+  MdrScene mdr;
+  FemScene fem;
+  Tolerances tolerances;
+};
+
+/// What a study of a case comes to.
+struct StudyResult {
+  ProbeAnswer answer;  ///< at the chosen resolution, with the stick radii of the focused ones
+  Resolution resolution;
+  std::map<std::string, Focus> focus;  ///< stick radii that are read from a graded mesh, by name
+  ErrorBudget budget;                  ///< empty if none was asked for
+  int n_refinements = 0, n_probes = 0;
+};
+
+/// Chooses the resolution of a case by what its finite elements turn out to miss, without a look at what MDR says:
+///
+/// 1. the coarsest resolution that usually does (resolution_for);
+/// 2. a stick zone or a slip annulus of too few rings is focused on, again and again until it is resolved or proved
+///    smaller than the finest ring;
+/// 3. the error budget, each source by its own refinement;
+/// 4. while the bar of a quantity is wider than its tolerance, its largest sources are refined.
+///
+/// The caller computes what is wanted, round by round. Rings and steps that the case file fixes stay as they are.
+class CaseStudy {
+ public:
+  /// with_budget: false computes the first resolution and no more.
+  CaseStudy(const PreparedCase& prepared, bool with_budget);
+
+  /// Resolutions to be computed next; empty: the study is finished.
+  [[nodiscard]] const std::vector<Resolution>& wanted() const { return wanted_; }
+  void take(const Resolution& resolution, ProbeAnswer&& answer);
+  /// Call when all that was wanted is taken.
+  void advance();
+  [[nodiscard]] StudyResult result() const;
+
+ private:
+  [[nodiscard]] const Resolution& resolution_of(const std::string& quantity) const;
+  [[nodiscard]] std::vector<Resolution> tracks() const;
+  [[nodiscard]] std::vector<Variant> variants(const Resolution& resolution) const;
+  [[nodiscard]] std::optional<Focus> closer_look(const std::string& quantity) const;
+  [[nodiscard]] ErrorBudget budget() const;
+  bool focus_on_unresolved_edges();
+  bool refine_what_is_too_wide();
+  void want(const Resolution& resolution);
+
+  const PreparedCase& prepared_;
+  bool with_budget_;
+  Resolution base_;
+  std::map<std::string, Resolution> focused_;  // stick radii with a resolution of their own
+  std::map<Resolution, ProbeAnswer> answers_;
+  std::map<Resolution, Measures> measures_;
+  std::vector<Resolution> wanted_;
+  int n_refinements_ = 0;
+};
+
+}  // namespace fretval

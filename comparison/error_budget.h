@@ -1,0 +1,54 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "comparison/resolution.h"
+
+namespace fretval {
+
+/// What finite elements say, by the names of result.json and in the units of comparison: radii over the unworn contact
+/// radius (0: nothing sticks), logarithms of forces, so that differences are relative.
+using Measures = std::map<std::string, double>;
+
+/// Error of one quantity from one source.
+struct ErrorShare {
+  ErrorSource source;
+  double estimate;
+  std::optional<double> order;  ///< observed, where it is credible
+};
+
+/// Error bar of one quantity: the shares add up, whatever their signs.
+struct ErrorBar {
+  std::vector<ErrorShare> shares;
+  [[nodiscard]] double total() const;
+};
+
+using ErrorBudget = std::map<std::string, ErrorBar>;
+
+/// Measured values of a quantity at a resolution that was coarsened by 2, and by 4 (if there is one).
+struct Refinements {
+  double fine, medium;
+  std::optional<double> coarse;
+};
+
+/// Richardson's estimate of the error of the finest value, with the safety factors of Roache's grid convergence index
+/// (1994): with the observed order p if the differences have the same sign and p is between half and twice the expected
+/// order, 1.25 |fine - medium| / (2^min(p, expected) - 1). Otherwise with the expected order and three times the
+/// larger of what the two differences imply: one of them alone may be small by chance.
+ErrorShare richardson(ErrorSource source, const Refinements& values, double expected_order);
+
+/// The budget of the measures at a resolution. variants: the measures at each of `variants_of`, in its order; edge: the
+/// uncertainty of reading the edges (fem::EdgeRadius), by quantity.
+///
+/// Rings: third order (a worn edge: first, in a ring that shrinks with the square); time step, start and creep: second;
+/// far field: fourth (4.5 to 5 measured); grading: at least third. Elements: functionals converge like q^(2k) in the
+/// degree k, so the difference D from degree k - 1 stands for an error of D^(k/(k-1)), times 3; at degree 2, whose
+/// check is degree 3, for D itself. Cycles and active set: the difference made by ten times the periodicity and a
+/// thousand times the slack.
+ErrorBudget error_budget(const Measures& measures, const std::vector<Variant>& variants,
+                         const std::vector<Measures>& varied, unsigned degree, const Measures& edge);
+
+}  // namespace fretval

@@ -1,0 +1,153 @@
+#include "comparison/probe.h"
+
+#include <spdlog/spdlog.h>
+
+#include <cmath>
+#include <map>
+#include <mutex>
+
+#include "comparison/parallel.h"
+#include "comparison/stopwatch.h"
+#include "fem/solver_error.h"
+#include "meshes/mesh_error.h"
+
+namespace fretval {
+namespace {
+
+using Indices = std::vector<std::size_t>;
+
+/// Probes that share their normal problem.
+std::vector<Indices> normal_groups(const std::vector<Probe>& probes, const Indices& members) {
+  std::vector<Indices> groups;
+  for (const std::size_t i : members) {
+    auto group = groups.begin();
+    while (group != groups.end()) {
+      const auto& first = probes[group->front()];
+      if (same_normal_problem(first.fem, *first.scene, probes[i].fem, *probes[i].scene)) break;
+      ++group;
+    }
+    if (group == groups.end()) group = groups.insert(group, Indices{});
+    group->push_back(i);
+  }
+  return groups;
+}
+
+struct NormalAnswer {
+  std::shared_ptr<const NormalSimulation> simulation;
+  std::string failure;
+};
+
+/// The contact problems of a body for every slack that is asked for.
+class Problems {
+ public:
+  Problems(const Body& body, const std::vector<Probe>& probes, const Indices& members) : body_(body) {
+    for (const std::size_t i : members) {
+      const double slack = probes[i].fem.resolution.active_set_slack;
+      if (slack == Resolution{}.active_set_slack || others_.count(slack) > 0) continue;
+      Pair pair{std::make_unique<fem::ContactProblem>(body.normal.contact.compliance, slack), nullptr};
+      if (body.tangential)
+        pair.tangential = std::make_unique<fem::ContactProblem>(body.tangential->contact.compliance, slack);
+      others_.emplace(slack, std::move(pair));
+    }
+  }
+
+  [[nodiscard]] ContactProblems of(const FemScene& scene) const {
+    const auto found = others_.find(scene.resolution.active_set_slack);
+    if (found != others_.end()) return {*found->second.normal, found->second.tangential.get()};
+    return {body_.normal.contact, body_.tangential ? &body_.tangential->contact : nullptr};
+  }
+
+ private:
+  struct Pair {
+    std::unique_ptr<fem::ContactProblem> normal, tangential;
+  };
+  const Body& body_;
+  std::map<double, Pair> others_;
+};
+
+BodySummary summary_of(const Body& body) {
+  return {body.mesh_quality, body.cost, body.n_dofs(), body.normal.space.contact_line().dofs.size(),
+          body.normal.contact.compliance.radii};
+}
+
+/// failure of the numerics; anything else is not caught.
+template <class Work>
+std::string failure_of(const Work& work) {
+  try {
+    work();
+    return "";
+  } catch (const fem::SolverError& error) {
+    return error.what();
+  } catch (const meshes::MeshError& error) {
+    return error.what();
+  }
+}
+
+void run_on_body(const Body& body, const std::vector<Probe>& probes, const Indices& members,
+                 const std::function<void(std::size_t, ProbeAnswer&&)>& take) {
+  const auto summary = std::make_shared<const BodySummary>(summary_of(body));
+  const Problems problems(body, probes, members);
+  const auto groups = normal_groups(probes, members);
+  std::vector<NormalAnswer> normal(groups.size());
+  for_each_in_parallel(groups.size(), [&](std::size_t g) {
+    const auto& scene = probes[groups[g].front()].fem;
+    normal[g].failure = failure_of([&] {
+      normal[g].simulation =
+          std::make_shared<const NormalSimulation>(simulate_normal(problems.of(scene).normal, scene));
+    });
+  });
+  std::vector<std::pair<std::size_t, std::size_t>> jobs;  // group, probe
+  for (std::size_t g = 0; g < groups.size(); ++g)
+    for (const std::size_t i : groups[g]) jobs.emplace_back(g, i);
+  std::mutex mutex;
+  for_each_in_parallel(jobs.size(), [&](std::size_t j) {
+    const auto [g, i] = jobs[j];
+    ProbeAnswer answer;
+    answer.normal = normal[g].simulation;
+    answer.body = summary;
+    answer.failure = normal[g].failure;
+    const auto& scene = probes[i].fem;
+    if (answer.failure.empty())
+      answer.failure = failure_of([&] { answer.fe = simulate(problems.of(scene), scene, *answer.normal); });
+    const std::lock_guard<std::mutex> lock(mutex);
+    take(i, std::move(answer));
+  });
+}
+
+}  // namespace
+
+void run_probes(const std::vector<Probe>& probes, const std::function<Body(const BodySpecification&)>& make_body,
+                const std::function<void(std::size_t, ProbeAnswer&&)>& take) {
+  std::map<BodySpecification, Indices> bodies;
+  for (std::size_t i = 0; i < probes.size(); ++i) bodies[probes[i].fem.body].push_back(i);
+  for (const auto& [specification, members] : bodies) {
+    std::unique_ptr<Body> body;
+    const std::string failure = failure_of([&, &s = specification] { body = std::make_unique<Body>(make_body(s)); });
+    if (!body) {
+      for (const std::size_t i : members) {
+        ProbeAnswer answer;
+        answer.failure = failure;
+        take(i, std::move(answer));
+      }
+      continue;
+    }
+    spdlog::info("body: {} dofs, {} rings, {} scenes", body->n_dofs(), body->normal.contact.n_rings(), members.size());
+    run_on_body(*body, probes, members, take);
+  }
+}
+
+Measures measures_of(const FeAnswer& fe, const Units& units) {
+  Measures measures;
+  if (fe.contact_radius_max) measures["contact_radius_max"] = *fe.contact_radius_max / units.length;
+  measures["normal_force_max"] = std::log(fe.normal_force_max / units.force());
+  measures["stick_radius_first_slip"] = fe.stick_radius_first_slip.value_or(0) / units.length;
+  measures["stick_radius_shakedown"] = fe.stick_radius_shakedown.value_or(0) / units.length;
+  if (fe.no_wear) {
+    measures["slip_inside_stick_zone"] = fe.no_wear->slip_inside;
+    measures["force_outside_stick_zone"] = fe.no_wear->force_outside;
+    measures["maximum_indentation"] = fe.no_wear->touch_indentation;
+  }
+  return measures;
+}
+
+}  // namespace fretval
