@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "fem/punch_series.h"
@@ -45,6 +46,7 @@ class Stepper {
   Stepper(const ContactProblem& problem, const RelaxationModel& relaxation, const Eigen::VectorXd& profile,
           const Motion& motion, int n_steps)
       : problem_(problem),
+        series_(problem),
         relaxed_(relaxation.relaxed),
         profile_(profile),
         motion_([&motion](double t) { return normal_motion(motion, t); }),
@@ -60,8 +62,12 @@ class Stepper {
     state_.displacement = (indentation - profile_.array() + contact.gap.array()).matrix();
     for (Eigen::Index i = 0; i < profile_.size(); ++i)
       if (contact.pressure[i] > 0) contact_[static_cast<std::size_t>(i)] = BoxState::interior;
+    force_.push_back(relaxed_ * contact_force(series_, contact.pressure, contact.gap));
     return relaxed_ * contact.pressure;
   }
+
+  /// At every instant so far.
+  [[nodiscard]] const std::vector<double>& forces() const { return force_; }
 
   void compute_cycle(NormalHistory& history, std::vector<Eigen::VectorXd>& pressure, std::vector<double>& time) {
     history.smallest_gap = Eigen::VectorXd::Constant(profile_.size(), infinity);
@@ -82,6 +88,13 @@ class Stepper {
   }
 
  private:
+  /// Rings that are in contact at the beginning of a step, if a dashpot makes that matter.
+  [[nodiscard]] std::optional<Eigen::Index> n_closed() const {
+    constexpr double hardly_viscous = 0.9, roundoff = 1e-12;
+    if (step_.fraction() > hardly_viscous) return std::nullopt;
+    return (gap_.array() <= roundoff * gap_.maxCoeff()).count();
+  }
+
   Eigen::VectorXd compute_step(double begin, double balance, double end) {
     gap_ = state_.displacement + profile_;
     gap_.array() -= motion_(begin).value;
@@ -89,12 +102,15 @@ class Stepper {
     const Eigen::VectorXd held = step_.response_without_slip(state_, indenter_move(motion_, begin, balance));
     auto contact = solve_contact(problem_, held - step_.instantaneous() * gap_, contact_);
     const Eigen::VectorXd new_gap = contact.gap / step_.instantaneous();
+    const double weight = step_.fraction();
     step_.advance(state_, indenter_move(motion_, begin, end), gap_ - new_gap);
+    force_.push_back(contact_force(series_, contact.pressure, weight * new_gap + (1 - weight) * gap_, n_closed()));
     gap_ = new_gap;
     return std::move(contact.pressure);
   }
 
   const ContactProblem& problem_;
+  PunchSeries series_;
   double relaxed_;
   const Eigen::VectorXd& profile_;
   std::function<ValueAndRate(double)> motion_;
@@ -103,6 +119,7 @@ class Stepper {
   RingState state_;
   std::vector<BoxState> contact_;
   Eigen::VectorXd gap_;
+  std::vector<double> force_;
 };
 
 double longest_time(const RelaxationModel& relaxation) {
@@ -171,7 +188,7 @@ NormalHistory normal_history(const ContactProblem& problem, const RelaxationMode
     history.pressure.col(k) = pressure[static_cast<std::size_t>(k)];
     history.indentation[k] = normal_motion(motion, history.time[k]).value;
   }
-  history.force = contact_forces(PunchSeries(problem), history.pressure);
+  history.force = Eigen::Map<const Eigen::VectorXd>(stepper.forces().data(), n);
   return history;
 }
 

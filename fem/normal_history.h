@@ -3,23 +3,11 @@
 #include <Eigen/Dense>
 #include <functional>
 
-#include "fem/box_solver.h"
-#include "fem/compliance.h"
+#include "fem/contact_problem.h"
 #include "fem/motion.h"
 #include "fem/relaxation.h"
 
 namespace fretval::fem {
-
-/// A contact line with its compliance factored for contact (or friction) steps.
-struct ContactProblem {
-  Compliance compliance;
-  BoxSolver solver;
-
-  /// slack: see BoxSolver.
-  explicit ContactProblem(Compliance c, double slack = 1e-13)
-      : compliance(std::move(c)), solver(compliance.matrix, slack) {}
-  [[nodiscard]] Eigen::Index n_rings() const { return compliance.areas.size(); }
-};
 
 /// How finely a history is computed, and when it counts as periodic.
 struct HistoryControl {

@@ -91,7 +91,8 @@ Eigen::VectorXd PunchSeries::displacements(const Eigen::VectorXd& rings) const {
       .cwiseQuotient(by_load_);
 }
 
-double PunchSeries::integral(const Eigen::VectorXd& depths, const std::vector<signed char>& labels) const {
+double PunchSeries::integral(const Eigen::VectorXd& depths, const std::vector<signed char>& labels,
+                             std::optional<double> edge) const {
   const auto zones = zones_of(labels);
   const auto is_smooth = [&](std::size_t z) { return zones[z].size() >= n_smallest || z + 1 == zones.size(); };
   // The innermost depth is off by the shape of the tip (its ring stands for 4/(3 pi) of its radius under a cone, for
@@ -104,7 +105,7 @@ double PunchSeries::integral(const Eigen::VectorXd& depths, const std::vector<si
     const auto [first, last] = zones[z];
     const Index node = std::max<Index>(first, blunt ? 1 : 0);
     const Index n = std::min<Index>(n_stencil, last - node + 1);
-    double end = edges_[last + 1];
+    double end = z == 0 && edge ? *edge : edges_[last + 1];
     if (z + 1 < zones.size() && is_smooth(z) && is_smooth(z + 1))
       end = meeting_point({radii_, depths, last - n + 1, n},
                           {radii_, depths, last + 1, std::min(n_stencil, zones[z + 1].size())}, end);
@@ -120,15 +121,34 @@ double PunchSeries::integral(const Eigen::VectorXd& depths, const std::vector<si
   return force_per_radius_ * sum;
 }
 
-Eigen::VectorXd contact_forces(const PunchSeries& series, const Eigen::MatrixXd& pressures) {
-  const Eigen::MatrixXd depths = series.depths(pressures);
-  Eigen::VectorXd forces(pressures.cols());
-  std::vector<signed char> zones(static_cast<std::size_t>(pressures.rows()));
-  for (Index k = 0; k < pressures.cols(); ++k) {
-    for (Index i = 0; i < pressures.rows(); ++i) zones[static_cast<std::size_t>(i)] = pressures(i, k) > 0 ? 0 : 1;
-    forces[k] = series.integral(depths.col(k), zones);
+double PunchSeries::edge_of_gap(const Eigen::VectorXd& gap, Index n_closed, Index n_pressed) const {
+  const Eigen::VectorXd opening = displacements(gap);
+  const Stencil outside{radii_, opening, n_pressed, std::min(n_stencil, gap.size() - n_pressed)};
+  double low = radii_[n_closed - 1], high = radii_[n_pressed];
+  if (outside(low) >= 0) return edges_[n_pressed];
+  while (high - low > 1e-14 * high) {
+    const double middle = (low + high) / 2;
+    if (middle <= low || middle >= high) break;
+    (outside(middle) < 0 ? low : high) = middle;
   }
-  return forces;
+  return high;
+}
+
+double contact_force(const PunchSeries& series, const Eigen::VectorXd& pressure, const Eigen::VectorXd& gap,
+                     std::optional<Index> n_closed) {
+  std::vector<signed char> zones(static_cast<std::size_t>(pressure.size()));
+  for (Index i = 0; i < pressure.size(); ++i) zones[static_cast<std::size_t>(i)] = pressure[i] > 0 ? 0 : 1;
+  Eigen::VectorXd depths = series.depths(pressure);
+  const auto n_pressed = static_cast<Index>(std::find(zones.begin(), zones.end(), 1) - zones.begin());
+  const bool has_edge = n_pressed > n_stencil && n_pressed + 2 < pressure.size();
+  if (!has_edge) return series.integral(depths, zones);
+  const Index n_inner = std::clamp(n_closed.value_or(n_pressed), n_stencil, n_pressed);
+  const double edge = series.edge_of_gap(gap, n_inner, n_pressed);
+  for (Index i = n_inner; i < n_pressed; ++i) {
+    zones[static_cast<std::size_t>(i)] = 1;
+    depths[i] = 0;
+  }
+  return series.integral(depths, zones, edge);
 }
 
 }  // namespace fretval::fem

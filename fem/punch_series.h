@@ -1,9 +1,10 @@
 #pragma once
 
 #include <Eigen/Dense>
+#include <optional>
 #include <vector>
 
-#include "fem/normal_history.h"
+#include "fem/contact_problem.h"
 
 namespace fretval::fem {
 
@@ -32,7 +33,14 @@ class PunchSeries {
   /// `k int D dr` for depths, or products of depths and displacements, of all rings. zones: a label per ring; D may
   /// have a kink or a jump where neighbouring labels differ. Next to zones of fewer than three rings, and where the two
   /// sides do not meet between their rings (as with a dashpot, whose pressure jumps at the edge), it is the plain sum.
-  [[nodiscard]] double integral(const Eigen::VectorXd& depths, const std::vector<signed char>& zones) const;
+  /// edge: where the first zone ends in that case, if it is known.
+  [[nodiscard]] double integral(const Eigen::VectorXd& depths, const std::vector<signed char>& zones,
+                                std::optional<double> edge = std::nullopt) const;
+
+  /// Radius at which the gap outside n_pressed rings vanishes: its displacements in the sense above are to the gap what
+  /// the depths are to the pressure, smooth up to the edge, whatever pressure there is. Looked for outside the last of
+  /// n_closed rings; where the gap jumps (a flat punch), the effective radius of the pressed rings.
+  [[nodiscard]] double edge_of_gap(const Eigen::VectorXd& gap, Eigen::Index n_closed, Eigen::Index n_pressed) const;
 
  private:
   const ContactProblem& problem_;
@@ -42,7 +50,10 @@ class PunchSeries {
   double force_per_radius_;
 };
 
-/// Normal forces of ring pressures, one column each; the zones are the rings under pressure and the free ones.
-Eigen::VectorXd contact_forces(const PunchSeries& series, const Eigen::MatrixXd& pressures);
+/// Normal force of ring pressures and the gaps of the free rings. With a dashpot the pressure jumps at the edge, which
+/// is then found from the gaps. n_closed: with a dashpot, how many rings have been in contact for the whole step; the
+/// pressures of those that touched in it are averages, so the inner ones are continued in their place.
+double contact_force(const PunchSeries& series, const Eigen::VectorXd& pressure, const Eigen::VectorXd& gap,
+                     std::optional<Eigen::Index> n_closed = std::nullopt);
 
 }  // namespace fretval::fem

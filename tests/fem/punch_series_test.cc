@@ -14,9 +14,9 @@ namespace {
 
 using Eigen::Index;
 
-Eigen::VectorXd hertz_pressure(const ContactProblem& problem, double indentation) {
+NormalContact hertz_contact(const ContactProblem& problem, double indentation) {
   const auto profile = ring_means(problem.compliance, [](double r) { return r * r / 2; });
-  return normal_contact(problem, profile, indentation).pressure;
+  return normal_contact(problem, profile, indentation);
 }
 
 std::vector<signed char> one_zone(const Eigen::VectorXd& field) {
@@ -56,8 +56,8 @@ TEST_F(PunchSeriesTest, ForceIsAccurateWhereverTheEdgeIs) {
   double worst = 0, worst_sum = 0, worst_without_zones = 0;
   for (int k = 0; k <= 10; ++k) {
     const double radius = 0.9 + k / 320.0, exact = 16.0 / 3 * radius * radius * radius;
-    const Eigen::VectorXd pressure = hertz_pressure(problem_, radius * radius);
-    const double force = contact_forces(series_, pressure)[0];
+    const auto [pressure, gap] = hertz_contact(problem_, radius * radius);
+    const double force = contact_force(series_, pressure, gap);
     worst = std::max(worst, std::abs(force / exact - 1));
     worst_sum = std::max(worst_sum, std::abs(pressure.dot(problem_.compliance.areas) / exact - 1));
     const double unaware = series_.integral(series_.depths(pressure), one_zone(pressure));
@@ -66,6 +66,16 @@ TEST_F(PunchSeriesTest, ForceIsAccurateWhereverTheEdgeIs) {
   EXPECT_LT(worst, 2e-6);
   EXPECT_GT(worst_sum, 1e-4);
   EXPECT_GT(worst_without_zones, 1e-5);
+}
+
+// Pressure and gap vanish at the same radius.
+TEST_F(PunchSeriesTest, FindsTheEdgeFromTheGapAlone) {
+  for (int k = 0; k <= 10; ++k) {
+    const double radius = 0.9 + k / 320.0;
+    const auto [pressure, gap] = hertz_contact(problem_, radius * radius);
+    const Index n_pressed = (pressure.array() > 0).count();
+    EXPECT_NEAR(series_.edge_of_gap(gap, n_pressed, n_pressed), radius, 1e-5) << radius;
+  }
 }
 
 // Two parabolas that meet at a kink half way between two depths: the integral follows both.

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <utility>
+
+#include "fem/box_solver.h"
+#include "fem/compliance.h"
+
+namespace fretval::fem {
+
+/// A contact line with its compliance factored for contact (or friction) steps.
+struct ContactProblem {
+  Compliance compliance;
+  BoxSolver solver;
+
+  /// slack: see BoxSolver.
+  explicit ContactProblem(Compliance c, double slack = 1e-13)
+      : compliance(std::move(c)), solver(compliance.matrix, slack) {}
+  [[nodiscard]] Eigen::Index n_rings() const { return compliance.areas.size(); }
+};
+
+}  // namespace fretval::fem
