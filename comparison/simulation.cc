@@ -4,21 +4,11 @@
 #include <cmath>
 #include <limits>
 
+#include "comparison/stick_zones.h"
 #include "comparison/stopwatch.h"
 
 namespace fretval {
 namespace {
-
-// A ring that has shaken down still creeps a little while the offset settles; see THEORY section 3 for the threshold.
-constexpr double shaken_down_slip = 1e-4;
-constexpr double never_slipped = 1e-9;
-
-/// Rings from the centre that stick: slip no more than allowed and never lose their grip altogether.
-Eigen::Index count_stuck(const Eigen::VectorXd& slip, const Eigen::VectorXd& margin, double allowed) {
-  Eigen::Index n = 0;
-  while (n < slip.size() && slip[n] <= allowed && margin[n] > 0) ++n;
-  return n;
-}
 
 /// Largest value of a periodic signal: the peak of a quartic fitted to the samples within a twentieth of a period of
 /// the largest one. With a dashpot the force steps up with every ring that touches, by a share of order h; the fit
@@ -103,15 +93,11 @@ FeAnswer simulate(const Body& body, const FemScene& scene, const NormalSimulatio
   answer.friction = fem::friction_history(problem, scene.relaxation, scene.friction_coefficient, scene.motion,
                                           normal.history, control_of(scene));
   const auto& friction = answer.friction;
-  const double amplitude = scene.motion.tangential_amplitude;
-  const auto n_first = count_stuck(friction.slip_path, friction.first_slip_margin, never_slipped * amplitude);
-  const auto n_shakedown = count_stuck(friction.period_slip, friction.shakedown_margin,
-                                       shaken_down_slip * amplitude * scene.motion.cycles_per_period());
-  const auto first = fem::stick_radius(problem.compliance, friction.first_slip_reserve, n_first);
-  auto shakedown = fem::stick_radius(problem.compliance, friction.shakedown_reserve, n_shakedown);
+  const auto stuck = stuck_rings(friction, scene.motion);
+  auto [first, shakedown] = stick_zones(problem.compliance, friction, stuck);
   if (scene.worn_edge) {
     // The margin is singular at the worn edge, where the rings are fine and one of them ends: counting them is exact.
-    shakedown = {problem.compliance.radii[static_cast<std::size_t>(n_shakedown)], first.uncertainty};
+    shakedown = {problem.compliance.radii[static_cast<std::size_t>(stuck.shakedown)], first.uncertainty};
     answer.no_wear = no_wear_evidence(body, scene, normal, friction);
   }
 
