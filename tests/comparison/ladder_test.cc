@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "comparison/exact_rows.h"
+#include "comparison/exact_time_rows.h"
 
 namespace fretval {
 namespace {
@@ -140,8 +141,30 @@ TEST(LadderGuard, AnotherCurveThanCattaneoAndMindlinFails) {
   const auto exact = exact_sliding();
   for (const auto& row : sliding_rows(meshes(), exact)) EXPECT_EQ(failure_of(row), "") << row.quantity;
   const ExactSliding wrong{[&](double u) { return exact.stick_radius(u) + 1e-5; },
-                           [&](double u) { return 1.01 * exact.force(u); }};
+                           [&](double u) { return 1.01 * exact.force(u); },
+                           [&](double f) { return 1.01 * exact.displacement(f); }};
   for (const auto& row : sliding_rows(meshes(), wrong)) EXPECT_NE(failure_of(row), "") << row.quantity;
+}
+
+TEST(LadderGuard, AnotherCurveThanCattaneoAndMindlinFailsTheUnloading) {
+  const auto exact = exact_sliding();
+  EXPECT_EQ(failure_of(unloading_row(meshes(), exact)), "");
+  const ExactSliding wrong{exact.stick_radius, [&](double u) { return exact.force(1.01 * u); }, exact.displacement};
+  EXPECT_NE(failure_of(unloading_row(meshes(), wrong)), "");
+}
+
+TEST(LadderGuard, AnotherSlopeFailsTheObliqueLoading) {
+  const ObliqueLoading loading{0.4, 0.8, 0.925, 0.3, 3};
+  const auto exact = exact_oblique(loading);
+  for (const auto& row : oblique_rows(meshes(), loading, exact)) EXPECT_EQ(failure_of(row), "") << row.quantity;
+  auto other = loading;
+  other.sticking_slope *= 1.05;
+  EXPECT_NE(failure_of(oblique_rows(meshes(), loading, exact_oblique(other))[0]), "");
+  // Far off, no stick radius is left to be measured.
+  for (const double off : {1e-5, 1.0}) {
+    const ExactOblique wrong{[&](double d) { return exact.stick_radius(d) + off; }, exact.force};
+    EXPECT_NE(failure_of(oblique_rows(meshes(), loading, wrong)[1]), "") << off;
+  }
 }
 
 TEST(LadderGuard, AnotherStiffnessOfAPunchFails) {
@@ -159,19 +182,27 @@ TEST(LadderGuard, AnotherProfileThanTheWornOneFails) {
 TEST(LadderGuardSlow, AnotherCurveThanCattaneoAndMindlinFailsTheCycle) {
   const auto exact = exact_sliding();
   EXPECT_EQ(failure_of(cycle_row(meshes(), exact)), "");
-  const ExactSliding wrong{exact.stick_radius, [&](double u) { return 1.01 * exact.force(u); }};
+  const ExactSliding wrong{exact.stick_radius, [&](double u) { return 1.01 * exact.force(u); }, exact.displacement};
   EXPECT_NE(failure_of(cycle_row(meshes(), wrong)), "");
 }
 
 TEST(LadderGuard, AnotherBranchFailsTheViscoelasticRows) {
   const auto body = mdr::standard_solid(1, 2, 0.4), other = mdr::standard_solid(1, 2, 0.404);
   const auto& mesh = meshes().front();
-  for (const auto row_of : {step_row, growing_contact_time_row}) {
+  for (const auto row_of : {step_row, growing_contact_time_row, retraction_time_row}) {
     EXPECT_EQ(failure_of(row_of(mesh, body, body)), "");
     EXPECT_NE(failure_of(row_of(mesh, body, other)), "");
   }
-  EXPECT_EQ(failure_of(growing_contact_mesh_row(meshes(), body, body)), "");
-  EXPECT_NE(failure_of(growing_contact_mesh_row(meshes(), body, other)), "");
+  for (const auto row_of : {hertz_step_row, growing_contact_mesh_row, retraction_mesh_row}) {
+    EXPECT_EQ(failure_of(row_of(meshes(), body, body)), "");
+    EXPECT_NE(failure_of(row_of(meshes(), body, other)), "");
+  }
+}
+
+TEST(LadderGuard, AnotherBranchFailsTheRebound) {
+  const auto body = mdr::standard_solid(1, 2, 0.4), other = mdr::standard_solid(1, 2, 0.404);
+  for (const auto& row : rebound_rows(meshes(), body, body)) EXPECT_EQ(failure_of(row), "") << row.quantity;
+  for (const auto& row : rebound_rows(meshes(), body, other)) EXPECT_NE(failure_of(row), "") << row.quantity;
 }
 
 }  // namespace

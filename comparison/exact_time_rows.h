@@ -1,0 +1,37 @@
+#pragma once
+
+#include <vector>
+
+#include "comparison/exact_rows.h"
+#include "mdr/prony_body.h"
+
+namespace fretval {
+
+// Rows in time: body is what the finite elements get, exact what the solution takes, the same unless a test tampers.
+
+/// The force of a flat punch after a step, over its elastic force on the same rings, `G(t)/G0`. The scheme integrates
+/// it exactly in time.
+LadderRow step_row(const LadderMesh& mesh, const mdr::PronyBody& body, const mdr::PronyBody& exact);
+
+/// The force of a parabola pressed in at a constant rate, while the contact grows: over the number of steps, against
+/// Lee and Radok's integral of the elastic force of the same rings, and over the mesh, of the exact one.
+LadderRow growing_contact_time_row(const LadderMesh& mesh, const mdr::PronyBody& body, const mdr::PronyBody& exact);
+LadderRow growing_contact_mesh_row(const std::vector<LadderMesh>& meshes, const mdr::PronyBody& body,
+                                   const mdr::PronyBody& exact);
+
+/// The force of a parabola after a step of the indentation, `G(t)/G0` times Hertz.
+LadderRow hertz_step_row(const std::vector<LadderMesh>& meshes, const mdr::PronyBody& body,
+                         const mdr::PronyBody& exact);
+
+/// The force of a parabola pressed in and pulled out again, d = t (2 - t), until it has left: over the number of steps,
+/// against Ting's integral of the elastic force of the same rings, and over the mesh, of the exact one.
+LadderRow retraction_time_row(const LadderMesh& mesh, const mdr::PronyBody& body, const mdr::PronyBody& exact);
+LadderRow retraction_mesh_row(const std::vector<LadderMesh>& meshes, const mdr::PronyBody& body,
+                              const mdr::PronyBody& exact);
+
+/// A sphere that hits the body: coefficient of restitution and largest force. The finite elements integrate its motion
+/// by the trapezoidal rule, the reference is that of comparison/rebound.h.
+std::vector<LadderRow> rebound_rows(const std::vector<LadderMesh>& meshes, const mdr::PronyBody& body,
+                                    const mdr::PronyBody& exact);
+
+}  // namespace fretval
