@@ -1,5 +1,7 @@
 #include "comparison/exact_rows.h"
 
+#include <cmath>
+
 #include "comparison/exact_parts.h"
 #include "comparison/exact_time_rows.h"
 
@@ -40,6 +42,44 @@ void add_time(Rows& rows, const std::vector<LadderMesh>& meshes) {
   add(rows, rebound_rows(meshes, body, body));
 }
 
+/// All phases, each with three amplitudes: other positions of the edges within their ring.
+std::vector<TangentialOscillation> all_phases(double amplitude) {
+  std::vector<TangentialOscillation> oscillations;
+  for (const double share : {0.86, 0.93, 1.0})
+    for (int k = 0; k < 12; ++k) oscillations.push_back({share * amplitude, 15.0 * k});
+  return oscillations;
+}
+
+/// At a phase of 90 degrees, where both stick radii are the same: for c/a from 0.1 to 0.13.
+std::vector<TangentialOscillation> towards_no_stick(double modulus_ratio, double normal_amplitude) {
+  std::vector<TangentialOscillation> oscillations;
+  for (const double c : {0.1, 0.11, 0.12, 0.13}) {
+    const double relief = (1 - normal_amplitude - c * c) / modulus_ratio;
+    oscillations.push_back(
+        {1.5 * friction_coefficient * std::sqrt(relief * relief - normal_amplitude * normal_amplitude), 90});
+  }
+  return oscillations;
+}
+
+void add_periodic(Rows& rows, const std::vector<LadderMesh>& meshes) {
+  const auto elastic = mdr::elastic(1);
+  const auto solid = mdr::standard_solid(1, std::sqrt(3.5) - 1, 1);  // |G(omega = 1)| = 1.5
+  const std::string source = "two tangents, Barber, Davies & Hills 2011";
+  const std::string floor = "floor: far field, 120 steps a cycle";
+  const LadderDemand demand{1e-6, 3, far_field, 5e-5, floor};
+  const LadderDemand small_first{4e-5, 3, far_field, 1e-3, floor}, small{2e-6, 3, far_field, 1e-3, floor};
+  const LadderDemand together{6e-6, 1, far_field, 5e-5,
+                              "the stick zone ends where the smallest contact does: hardly falls from 32 rings on"};
+  // Elsewhere the normal amplitudes let the stick zone end some rings inside the smallest contact.
+  for (const PeriodicScene& scene :
+       {PeriodicScene{"periodic, elastic", source, elastic, 0.2, all_phases(0.27), demand, demand},
+        PeriodicScene{"periodic, standard solid", source, solid, 0.1, all_phases(0.25), demand, demand},
+        PeriodicScene{"periodic, c/a = 0.1 to 0.13", source, solid, 0.2, towards_no_stick(1.5, 0.2), small_first,
+                      small},
+        PeriodicScene{"periodic, k = 1 in phase", source, solid, 0.2, {{0.12, 0}}, demand, together}})
+    add(rows, periodic_rows(meshes, scene, exact_stick_radii()));
+}
+
 }  // namespace
 
 std::vector<LadderRow> exact_rows() {
@@ -48,6 +88,7 @@ std::vector<LadderRow> exact_rows() {
   add_indentation(rows, meshes);
   add_sliding(rows, meshes);
   add_time(rows, meshes);
+  add_periodic(rows, meshes);
   return rows;
 }
 

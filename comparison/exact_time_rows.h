@@ -1,9 +1,12 @@
 #pragma once
 
+#include <functional>
+#include <string>
 #include <vector>
 
 #include "comparison/exact_rows.h"
 #include "mdr/prony_body.h"
+#include "mdr/stick_radius.h"
 
 namespace fretval {
 
@@ -33,5 +36,28 @@ LadderRow retraction_mesh_row(const std::vector<LadderMesh>& meshes, const mdr::
 /// by the trapezoidal rule, the reference is that of comparison/rebound.h.
 std::vector<LadderRow> rebound_rows(const std::vector<LadderMesh>& meshes, const mdr::PronyBody& body,
                                     const mdr::PronyBody& exact);
+
+struct TangentialOscillation {
+  double amplitude, degrees;  ///< degrees: phase
+};
+
+/// Combined oscillation at omega = 1 about the indentation `1 - normal_amplitude`, under a parabola.
+struct PeriodicScene {
+  std::string name, source;  ///< source: of the shakedown radius
+  mdr::PronyBody body;
+  double normal_amplitude;
+  std::vector<TangentialOscillation> tangential;
+  LadderDemand first_slip, shakedown;
+};
+
+using ExactStickRadii = std::function<mdr::StickRadii(const mdr::PronyBody&, const mdr::Motion&)>;
+
+/// Both stick radii of mdr/stick_radius.h for the parabola.
+ExactStickRadii exact_stick_radii();
+
+/// First-slip and shakedown radius of the periodic state, 120 steps a cycle: the largest error over the
+/// tangential motions, over the largest contact radius.
+std::vector<LadderRow> periodic_rows(const std::vector<LadderMesh>& meshes, const PeriodicScene& scene,
+                                     const ExactStickRadii& exact);
 
 }  // namespace fretval

@@ -205,5 +205,24 @@ TEST(LadderGuard, AnotherBranchFailsTheRebound) {
   for (const auto& row : rebound_rows(meshes(), body, other)) EXPECT_NE(failure_of(row), "") << row.quantity;
 }
 
+TEST(LadderGuard, AnotherStickRadiusFailsThePeriodicState) {
+  const LadderDemand demand{1e-6, 3, 1e-7, 5e-5, ""};
+  const auto solid = mdr::standard_solid(1, std::sqrt(3.5) - 1, 1);
+  const PeriodicScene scene{"periodic", "", solid, 0.1, {{0.25, 30}, {0.23, 90}}, demand, demand};
+  const auto exact = exact_stick_radii();
+  for (const auto& row : periodic_rows(meshes(), scene, exact)) EXPECT_EQ(failure_of(row), "") << row.quantity;
+  const auto wrong = [&](const mdr::PronyBody& body, const mdr::Motion& motion) {
+    const auto radii = exact(body, motion);
+    return mdr::StickRadii{*radii.first_slip + 1e-5, *radii.shakedown + 1e-5};
+  };
+  for (const auto& row : periodic_rows(meshes(), scene, wrong)) EXPECT_NE(failure_of(row), "") << row.quantity;
+  // The paper's criterion is not that of the steady state.
+  const auto confused = [&](const mdr::PronyBody& body, const mdr::Motion& motion) {
+    const auto radii = exact(body, motion);
+    return mdr::StickRadii{radii.shakedown, radii.first_slip};
+  };
+  for (const auto& row : periodic_rows(meshes(), scene, confused)) EXPECT_NE(failure_of(row), "") << row.quantity;
+}
+
 }  // namespace
 }  // namespace fretval
