@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "comparison/exact_bulk_rows.h"
 #include "comparison/exact_parts.h"
 #include "comparison/exact_time_rows.h"
 
@@ -80,6 +81,15 @@ void add_periodic(Rows& rows, const std::vector<LadderMesh>& meshes) {
     add(rows, periodic_rows(meshes, scene, exact_stick_radii()));
 }
 
+void add_bulk(Rows& rows) {
+  const auto meshes = bulk_ladder(4);
+  for (const BulkScene& scene : {BulkScene{"Kelvin's force along z", fem::Harmonic::normal, 2.5e-8, 4e-6},
+                                 BulkScene{"Kelvin's force along x", fem::Harmonic::tangential, 2e-8, 4e-6}}) {
+    const auto field = fem::point_force(scene.harmonic, 1);
+    add(rows, bulk_rows(meshes, scene, field, field));
+  }
+}
+
 }  // namespace
 
 std::vector<LadderRow> exact_rows() {
@@ -89,6 +99,7 @@ std::vector<LadderRow> exact_rows() {
   add_sliding(rows, meshes);
   add_time(rows, meshes);
   add_periodic(rows, meshes);
+  add_bulk(rows);
   return rows;
 }
 

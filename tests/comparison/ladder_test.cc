@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "comparison/exact_bulk_rows.h"
 #include "comparison/exact_rows.h"
 #include "comparison/exact_time_rows.h"
 
@@ -222,6 +223,16 @@ TEST(LadderGuard, AnotherStickRadiusFailsThePeriodicState) {
     return mdr::StickRadii{radii.shakedown, radii.first_slip};
   };
   for (const auto& row : periodic_rows(meshes(), scene, confused)) EXPECT_NE(failure_of(row), "") << row.quantity;
+}
+
+TEST(LadderGuard, AnotherForceThanKelvinsFailsInTheBulk) {
+  const auto meshes = bulk_ladder(3);
+  for (const auto harmonic : {fem::Harmonic::normal, fem::Harmonic::tangential}) {
+    const BulkScene scene{"Kelvin", harmonic, 4e-7, 3e-5};
+    const auto exact = fem::point_force(harmonic, 1), wrong = fem::point_force(harmonic, 1.001);
+    for (const auto& row : bulk_rows(meshes, scene, exact, exact)) EXPECT_EQ(failure_of(row), "") << row.quantity;
+    for (const auto& row : bulk_rows(meshes, scene, exact, wrong)) EXPECT_NE(failure_of(row), "") << row.quantity;
+  }
 }
 
 }  // namespace
