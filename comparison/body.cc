@@ -8,13 +8,6 @@
 namespace fretval {
 namespace {
 
-fem::GridData grid_of(const meshes::Mesh& mesh) {
-  fem::GridData grid{mesh.nodes, mesh.cells, {}};
-  for (const auto& edge : mesh.edges)
-    grid.boundary.push_back({edge.nodes, static_cast<fem::BoundaryPart>(edge.boundary)});
-  return grid;
-}
-
 HarmonicBody make_harmonic(const fem::GridData& grid, fem::Harmonic harmonic, unsigned degree, BodyCost& cost) {
   Stopwatch watch;
   fem::HarmonicSpace space(grid, harmonic, degree);
@@ -29,6 +22,13 @@ HarmonicBody make_harmonic(const fem::GridData& grid, fem::Harmonic harmonic, un
 }
 
 }  // namespace
+
+fem::GridData grid_of(const meshes::Mesh& mesh) {
+  fem::GridData grid{mesh.nodes, mesh.cells, {}};
+  for (const auto& edge : mesh.edges)
+    grid.boundary.push_back({edge.nodes, static_cast<fem::BoundaryPart>(edge.boundary)});
+  return grid;
+}
 
 meshes::Mesh mesh_of(const BodySpecification& specification) {
   return meshes::quarter_disc({specification.contact_nodes, specification.far_radius, specification.growth});

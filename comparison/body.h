@@ -40,6 +40,9 @@ struct Body {
 /// The mesh that a specification asks for.
 meshes::Mesh mesh_of(const BodySpecification& specification);
 
+/// The mesh as the finite elements take it.
+fem::GridData grid_of(const meshes::Mesh& mesh);
+
 /// Audits the mesh, assembles and condenses. name: of the mesh, for messages. Throws meshes::MeshError,
 /// fem::SolverError.
 Body make_body(const meshes::Mesh& mesh, const std::string& name, unsigned degree, bool tangential = true);

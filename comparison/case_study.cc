@@ -68,7 +68,7 @@ std::optional<Focus> CaseStudy::closer_look(const std::string& quantity) const {
   const Resolution& now = resolution_of(quantity);
   const auto& answer = answers_.at(now);
   const auto& rings = answer.fe.rings;
-  const Eigen::Index n_stuck = quantity == first_slip ? rings.first_slip : rings.shakedown;
+  const Eigen::Index n_stuck = quantity == first_slip ? rings.stuck.first_slip : rings.stuck.shakedown;
   const auto& measures = measures_.at(now);
   const double c = measures.at(quantity), ring = finest_ring(now);
   if (n_stuck < enough_stuck_rings) {

@@ -7,7 +7,6 @@
 #include "comparison/ladder.h"
 #include "fem/normal_history.h"
 #include "mdr/profile.h"
-#include "mdr/prony_body.h"
 
 namespace fretval {
 
@@ -53,33 +52,51 @@ std::vector<LadderRow> punch_rows(const std::vector<LadderMesh>& meshes, const E
 /// What an exact solution says about the parabola at the indentation 1, over the tangential displacement.
 struct ExactSliding {
   std::function<double(double)> stick_radius, force;
+  std::function<double(double)> displacement;  ///< over the force
 };
 
-/// Cattaneo and Mindlin, as in mdr/indentation.h.
+/// Cattaneo and Mindlin, as in mdr/indentation.h; `u = (3 mu/2) [1 - (1 - F_x/(mu F))^(2/3)]`.
 ExactSliding exact_sliding();
 
-/// Stick radius, relative to the contact radius, and force, for stick radii from 0.3 to 0.9.
+/// Stick radius, relative to the contact radius, force, and the displacement that belongs to the force computed, for
+/// stick radii from 0.3 to 0.9.
 std::vector<LadderRow> sliding_rows(const std::vector<LadderMesh>& meshes, const ExactSliding& exact);
 
 /// Energy that a cycle between +-u_x dissipates, from the force-displacement curve of the first loading by Masing's
 /// rule: `W = 8 int_0^u F du - 4 u F(u)`; u_x from 0.3 to 0.9 of what makes the whole contact slide.
 LadderRow cycle_row(const std::vector<LadderMesh>& meshes, const ExactSliding& exact);
 
+/// Force between +u_x and -u_x after the first loading to u_x, relative to the largest: by Masing's rule
+/// `F(u_x) - 2 F((u_x - u)/2)`; u_x 0.3, 0.6 and 0.9 of what makes the whole contact slide.
+LadderRow unloading_row(const std::vector<LadderMesh>& meshes, const ExactSliding& exact);
+
 /// Ratio of the intensities of traction and pressure at the edge of a fully worn contact at the limit of sticking:
 /// mu. unworn is what the finite elements get, exact what the solution takes, the same unless a test tampers.
 LadderRow worn_edge_row(const std::vector<LadderMesh>& meshes, const mdr::Profile& unworn, const mdr::Profile& exact);
 
-// Rows in time: body is what the finite elements get, exact what the solution takes, the same unless a test tampers.
+/// A parabola pressed in to `first`, then moved on obliquely: du_x/dd below the slope at which the contact slides up to
+/// `second`, above it up to `last`.
+struct ObliqueLoading {
+  double first, second, last;
+  double sticking_slope, slipping_slope;
+};
+double tangential_displacement(const ObliqueLoading& loading, double indentation);
 
-/// The force of a flat punch after a step, over its elastic force on the same rings, `G(t)/G0`. The scheme integrates
-/// it exactly in time.
-LadderRow step_row(const LadderMesh& mesh, const mdr::PronyBody& body, const mdr::PronyBody& exact);
+/// What an exact solution says about it, over the indentation.
+struct ExactOblique {
+  std::function<double(double)> stick_radius, force;
+};
 
-/// The force of a parabola pressed in at a constant rate, while the contact grows: over the number of steps, against
-/// Lee and Radok's integral of the elastic force of the same rings, and over the mesh, of the exact one.
-LadderRow growing_contact_time_row(const LadderMesh& mesh, const mdr::PronyBody& body, const mdr::PronyBody& exact);
-LadderRow growing_contact_mesh_row(const std::vector<LadderMesh>& meshes, const mdr::PronyBody& body,
-                                   const mdr::PronyBody& exact);
+/// Jaeger's superposition of normal contacts. A point that joins the contact while everything sticks moves along from
+/// then on; with s = (2/3) du_x/dd of the sticking part, F the normal force and D = g(c) the depth at the stick radius
+///   `mu (d - D) = (2/3) u_x - s (max(D, first) - first)`,
+///   `F_x = mu [F(d) - F(D)] + s [F(max(D, first)) - F(first)]`;   D = d while everything sticks.
+ExactOblique exact_oblique(const ObliqueLoading& loading);
+
+/// Force relative to the largest one, and the stick radius over the contact radius while it is inside the first
+/// contact.
+std::vector<LadderRow> oblique_rows(const std::vector<LadderMesh>& meshes, const ObliqueLoading& loading,
+                                    const ExactOblique& exact);
 
 /// Every row, on 16, 32, 64 and 128 rings per contact radius.
 std::vector<LadderRow> exact_rows();

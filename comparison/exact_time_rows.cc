@@ -1,61 +1,13 @@
+#include "comparison/exact_time_rows.h"
+
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
-#include "comparison/exact_rows.h"
-#include "fem/relaxation.h"
+#include "comparison/exact_parts.h"
 #include "mdr/indentation.h"
 
 namespace fretval {
 namespace {
-
-using Path = std::function<fem::ValueAndRate(double)>;
-
-struct Loading {
-  std::vector<double> time, force;  // at the balance times
-};
-
-fem::RelaxationModel fem_model(const mdr::PronyBody& body) {
-  return {body.relaxed_modulus, body.branch_moduli, body.branch_times, body.viscosity};
-}
-
-/// Presses an indenter in along a path, from rest, in the intervals between the instants.
-Loading press(const fem::ContactProblem& problem, const fem::RelaxationModel& model, const Eigen::VectorXd& profile,
-              const Path& path, const std::vector<double>& instants) {
-  const Eigen::Index n = problem.n_rings();
-  const auto& areas = problem.compliance.areas;
-  const Eigen::VectorXd infinite = Eigen::VectorXd::Constant(n, std::numeric_limits<double>::infinity());
-  fem::RingState state{Eigen::VectorXd::Zero(n),
-                       Eigen::MatrixXd::Zero(n, static_cast<Eigen::Index>(model.times.size()))};
-  std::vector<fem::BoxState> contact(static_cast<std::size_t>(n), fem::BoxState::lower);
-  Loading loading;
-  for (std::size_t k = 1; k < instants.size(); ++k) {
-    const double begin = instants[k - 1], end = instants[k];
-    const fem::RelaxationStep step(model, end - begin);
-    const double balance = begin + step.fraction() * (end - begin);
-    const Eigen::VectorXd gap = (state.displacement + profile).array() - path(begin).value;
-    const Eigen::VectorXd held = step.response_without_slip(state, fem::indenter_move(path, begin, balance));
-    const Eigen::VectorXd load = areas.cwiseProduct(held - step.instantaneous() * gap);
-    const auto solution = problem.solver.solve(load, Eigen::VectorXd::Zero(n), infinite, contact);
-    const Eigen::VectorXd new_gap = -solution.residual.cwiseQuotient(areas) / step.instantaneous();
-    step.advance(state, fem::indenter_move(path, begin, end), gap - new_gap);
-    loading.time.push_back(balance);
-    loading.force.push_back(solution.x.dot(areas));
-  }
-  return loading;
-}
-
-/// 0, first, and n equal steps up to the end.
-std::vector<double> instants(double first, double end, int n) {
-  std::vector<double> t{0};
-  if (first > 0) t.push_back(first);
-  for (int k = 1; k <= n; ++k) t.push_back(first + (end - first) * k / n);
-  return t;
-}
-
-Eigen::VectorXd parabola_means(const fem::ContactProblem& problem) {
-  return fem::ring_means(problem.compliance, [](double r) { return r * r / 2; });
-}
 
 /// Lee and Radok's force `int_0^t G(t - t') dF(t')` on a fine grid of [0, 1], F(t) the elastic force at the indentation
 /// t. F is linear between the points of the grid, which leaves 1e-8.
@@ -93,17 +45,28 @@ class LeeRadok {
 /// Largest error over 0.3 < t < 1 relative to the final force, of a parabola pressed in by d(t) = t.
 double growing_contact_error(const fem::ContactProblem& problem, const mdr::PronyBody& body, int n_steps,
                              const LeeRadok& exact) {
-  const auto loading = press(
-      problem, fem_model(body), parabola_means(problem),
-      [](double t) {
-        return fem::ValueAndRate{t, 1};
-      },
-      instants(0, 1, n_steps));
+  const auto path = [](double t) { return fem::ValueAndRate{t, 1}; };
+  const auto profile = means_of(mdr::parabola(1), problem);
   double worst = 0;
-  for (std::size_t k = 0; k < loading.time.size(); ++k) {
-    const double error = std::abs(loading.force[k] / exact(1) - exact(loading.time[k]) / exact(1));
-    if (std::isnan(error)) return error;
-    if (loading.time[k] > 0.3) worst = std::max(worst, error);
+  for (const auto& force : press(problem, fem_model(body), profile, path, instants(0, 1, n_steps))) {
+    const double error = force.value / exact(1) - exact(force.time) / exact(1);
+    if (force.time > 0.3 || std::isnan(error)) take_worst(worst, error);
+  }
+  return worst;
+}
+
+/// Largest error of the force after a step of the indentation, in n steps of time: over `elastic G(t)/G0`.
+double relaxing_force_error(const fem::ContactProblem& problem, const Eigen::VectorXd& profile, double indentation,
+                            double elastic, const mdr::PronyBody& body, const mdr::PronyBody& exact, int n_steps) {
+  const auto path = [indentation](double t) {
+    const auto step = unit_step(t);
+    return fem::ValueAndRate{indentation * step.value, indentation * step.rate};
+  };
+  const auto forces = press(problem, fem_model(body), profile, path, instants(step_rise, 1, n_steps));
+  double worst = 0;
+  for (std::size_t k = 1; k < forces.size(); ++k) {
+    const double expected = elastic * mdr::relaxation(exact, forces[k].time) / exact.relaxed_modulus;
+    take_worst(worst, forces[k].value / expected - 1);
   }
   return worst;
 }
@@ -111,15 +74,8 @@ double growing_contact_error(const fem::ContactProblem& problem, const mdr::Pron
 }  // namespace
 
 LadderRow step_row(const LadderMesh& mesh, const mdr::PronyBody& body, const mdr::PronyBody& exact) {
-  // A rise this short is a step to a relative 1e-9/tau. Its rate is quadratic, as the scheme takes it.
-  const double rise = 1e-9;
-  const auto path = [rise](double t) {
-    const double x = std::min(t / rise, 1.0);
-    return fem::ValueAndRate{x * x * (3 - 2 * x), 6 * x * (1 - x) / rise};
-  };
-  const auto& compliance = mesh.normal.compliance;
-  const Eigen::VectorXd punch = fem::ring_means(compliance, [](double r) { return r < 1 ? 0.0 : 10.0; });
-  const double elastic = fem::normal_contact(mesh.normal, punch, 1).pressure.dot(compliance.areas);
+  const Eigen::VectorXd punch = fem::ring_means(mesh.normal.compliance, [](double r) { return r < 1 ? 0.0 : 10.0; });
+  const double elastic = force_of(mesh.normal, fem::normal_contact(mesh.normal, punch, 1).pressure);
   LadderRow row{"flat punch, step",
                 "relaxing force",
                 "correspondence, Lee 1955, on the elastic force of the same rings",
@@ -127,24 +83,32 @@ LadderRow step_row(const LadderMesh& mesh, const mdr::PronyBody& body, const mdr
                 {8, 16, 32, 64},
                 {},
                 {1e-8, 0, 1e-8, std::nullopt, "floor: rise time of the step"}};
-  for (const int n : row.resolutions) {
-    const auto loading = press(mesh.normal, fem_model(body), punch, path, instants(rise, 1, n));
-    double worst = 0;
-    for (std::size_t k = 1; k < loading.time.size(); ++k) {
-      const double force = elastic * mdr::relaxation(exact, loading.time[k]) / exact.relaxed_modulus;
-      const double error = std::abs(loading.force[k] / force - 1);
-      worst = std::isnan(error) ? error : std::max(worst, error);
-    }
-    row.errors.push_back(worst);
-  }
+  for (const int n : row.resolutions)
+    row.errors.push_back(relaxing_force_error(mesh.normal, punch, 1, elastic, body, exact, n));
   return row;
 }
 
+LadderRow hertz_step_row(const std::vector<LadderMesh>& meshes, const mdr::PronyBody& body,
+                         const mdr::PronyBody& exact) {
+  const auto parabola = mdr::parabola(1);
+  const auto error = [&](const LadderMesh& mesh) {
+    const auto profile = means_of(parabola, mesh.normal);
+    double worst = 0;
+    for (int k = 0; k < n_positions; ++k) {
+      const double indentation = mdr::transform(parabola, position(k, 0.8, 1));
+      const double elastic = mdr::normal_force(parabola, 1, indentation);
+      take_worst(worst, relaxing_force_error(mesh.normal, profile, indentation, elastic, body, exact, 8));
+    }
+    return worst;
+  };
+  return mesh_row("Hertz, step", "relaxing force", "Hertz 1882, correspondence, Lee 1955", meshes,
+                  {1.5e-4, 2, far_field, 1e-5, rings_note}, error);
+}
+
 LadderRow growing_contact_time_row(const LadderMesh& mesh, const mdr::PronyBody& body, const mdr::PronyBody& exact) {
-  const Eigen::VectorXd profile = parabola_means(mesh.normal);
-  const LeeRadok expected(exact, [&](double d) {
-    return fem::normal_contact(mesh.normal, profile, d).pressure.dot(mesh.normal.compliance.areas);
-  });
+  const Eigen::VectorXd profile = means_of(mdr::parabola(1), mesh.normal);
+  const LeeRadok expected(
+      exact, [&](double d) { return force_of(mesh.normal, fem::normal_contact(mesh.normal, profile, d).pressure); });
   LadderRow row{"Lee-Radok",
                 "force over time",
                 "Lee & Radok 1960, on the elastic force of the same rings",
@@ -160,18 +124,9 @@ LadderRow growing_contact_mesh_row(const std::vector<LadderMesh>& meshes, const 
                                    const mdr::PronyBody& exact) {
   const auto parabola = mdr::parabola(1);
   const LeeRadok expected(exact, [&](double d) { return mdr::normal_force(parabola, 1, d); });
-  LadderRow row{"Lee-Radok",
-                "force over mesh",
-                "Lee & Radok 1960",
-                "rings",
-                {},
-                {},
-                {1.5e-4, 2, 1e-8, 1e-5, "constant pressure on rings: h^2"}};
-  for (const auto& mesh : meshes) {
-    row.resolutions.push_back(mesh.n_rings);
-    row.errors.push_back(growing_contact_error(mesh.normal, body, 1600, expected));
-  }
-  return row;
+  const auto error = [&](const LadderMesh& mesh) { return growing_contact_error(mesh.normal, body, 1600, expected); };
+  return mesh_row("Lee-Radok", "force over mesh", "Lee & Radok 1960", meshes, {1.5e-4, 2, 1e-8, 1e-5, rings_note},
+                  error);
 }
 
 }  // namespace fretval

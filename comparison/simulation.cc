@@ -4,23 +4,12 @@
 #include <cmath>
 #include <limits>
 
+#include "comparison/stick_zones.h"
 #include "comparison/stopwatch.h"
-#include "fem/punch_series.h"
 #include "fem/running_minimum.h"
 
 namespace fretval {
 namespace {
-
-// A ring that has shaken down still creeps a little while the offset settles; see THEORY section 3 for the threshold.
-constexpr double shaken_down_slip = 1e-4;
-constexpr double never_slipped = 1e-9;
-
-/// Rings from the centre that stick: slip no more than allowed and never lose their grip altogether.
-Eigen::Index count_stuck(const Eigen::VectorXd& slip, const Eigen::VectorXd& margin, double allowed) {
-  Eigen::Index n = 0;
-  while (n < slip.size() && slip[n] <= allowed && margin[n] > 0) ++n;
-  return n;
-}
 
 /// Largest value of a periodic signal: the peak of a quartic fitted to the samples within a twentieth of a period of
 /// the largest one. With a dashpot the force steps up with every ring that touches, by a share of order h; the fit
@@ -86,7 +75,7 @@ fem::FrictionHistory history_at_rest(const fem::ContactProblem& problem, double 
                                      const fem::NormalHistory& normal) {
   const Eigen::Index n = problem.n_rings(), n_instants = normal.pressure.cols(), n_steps = normal.steps_per_cycle;
   const Eigen::MatrixXd limit = friction_coefficient * normal.pressure;
-  const Eigen::MatrixXd reserve = fem::PunchSeries(problem).depths(limit);
+  const Eigen::MatrixXd reserve = problem.series.depths(limit);
   const auto smallest = [](const Eigen::MatrixXd& samples, double floor) {
     fem::RunningMinimum minimum(samples.rows(), floor);
     for (Eigen::Index k = 0; k < samples.cols(); ++k) minimum.add(samples.col(k));
@@ -134,16 +123,12 @@ FeAnswer simulate(const ContactProblems& problems, const FemScene& scene, const 
                                                                 scene.motion, normal.history, control_of(scene))
                                         : history_at_rest(problem, scene.friction_coefficient, normal.history);
   const auto& friction = answer.friction;
-  const double amplitude = scene.motion.tangential_amplitude;
-  answer.rings.contact = largest_contact_rings(normal.history);
-  answer.rings.first_slip = count_stuck(friction.slip_path, friction.first_slip_margin, never_slipped * amplitude);
-  answer.rings.shakedown = count_stuck(friction.period_slip, friction.shakedown_margin,
-                                       shaken_down_slip * amplitude * scene.motion.cycles_per_period());
-  const auto first = fem::stick_radius(problem.compliance, friction.first_slip_reserve, answer.rings.first_slip);
-  auto shakedown = fem::stick_radius(problem.compliance, friction.shakedown_reserve, answer.rings.shakedown);
+  const auto stuck = stuck_rings(friction, scene.motion);
+  answer.rings = {largest_contact_rings(normal.history), stuck};
+  auto [first, shakedown] = stick_zones(problem.compliance, friction, stuck);
   if (scene.worn_edge) {
     // The margin is singular at the worn edge, where the rings are fine and one of them ends: counting them is exact.
-    shakedown = {problem.compliance.radii[static_cast<std::size_t>(answer.rings.shakedown)], first.uncertainty};
+    shakedown = {problem.compliance.radii[static_cast<std::size_t>(stuck.shakedown)], first.uncertainty};
     answer.no_wear = no_wear_evidence(problems.normal.compliance, scene, normal, friction);
   }
 

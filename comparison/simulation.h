@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "comparison/scene.h"
+#include "comparison/stick_zones.h"
 #include "fem/edge.h"
 #include "fem/friction_history.h"
 #include "fem/normal_history.h"
@@ -28,7 +29,8 @@ struct NoWearEvidence {
 
 /// How many rings resolve the zones: in the largest contact, and inside either stick radius.
 struct ZoneRings {
-  Eigen::Index contact = 0, first_slip = 0, shakedown = 0;
+  Eigen::Index contact = 0;
+  StuckRings stuck = {};
 };
 
 /// What finite elements say about a scene; SI units. Empty: nothing sticks.

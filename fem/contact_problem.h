@@ -4,6 +4,7 @@
 
 #include "fem/box_solver.h"
 #include "fem/compliance.h"
+#include "fem/punch_series.h"
 
 namespace fretval::fem {
 
@@ -11,10 +12,11 @@ namespace fretval::fem {
 struct ContactProblem {
   Compliance compliance;
   BoxSolver solver;
+  PunchSeries series;
 
   /// slack: see BoxSolver.
   explicit ContactProblem(Compliance c, double slack = 1e-13)
-      : compliance(std::move(c)), solver(compliance.matrix, slack) {}
+      : compliance(std::move(c)), solver(compliance.matrix, slack), series(compliance, solver.factor()) {}
   [[nodiscard]] Eigen::Index n_rings() const { return compliance.areas.size(); }
 };
 

@@ -99,14 +99,6 @@ EdgeRadius largest_contact_radius(const NormalHistory& history, const ContactEve
   return {radius_at(events, m, deepest), events.radius[m] - events.radius[m - 1]};
 }
 
-SlipReserve::SlipReserve(const ContactProblem& problem)
-    : problem_(problem),
-      by_load_(problem.solver.factor().triangularView<Eigen::Lower>().solve(problem.compliance.areas)) {}
-
-Eigen::VectorXd SlipReserve::of(const Eigen::VectorXd& margin) const {
-  return (problem_.solver.factor().transpose().triangularView<Eigen::Upper>() * margin).cwiseQuotient(by_load_);
-}
-
 EdgeRadius stick_radius(const Compliance& compliance, const Eigen::VectorXd& reserve, Eigen::Index n_stuck) {
   if (n_stuck == 0) return {0, compliance.radii[1]};
   const auto [effective, scatter] = effective_radii(compliance);

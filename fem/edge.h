@@ -42,32 +42,13 @@ ContactEvents contact_events(const Compliance& compliance, const Eigen::VectorXd
 /// the surface moves as in the elastic contact whatever the rheology (Lee & Radok), so the elastic events apply.
 EdgeRadius largest_contact_radius(const NormalHistory& history, const ContactEvents& events);
 
-/// How far the indenter could move on tangentially before a ring slips, for every ring and a stick margin mu p - |tau|
-/// of all rings.
-///
-/// The margin is a traction field on the stuck rings like the pressure under a punch: were the indenter displaced by a
-/// uniform d, it would fall by `d C^{-1} A`, and the outermost ring would slip when its own margin is used up. With the
-/// Cholesky factor C = L L^T of the compliance these slip events are at `d_j = (L^T margin)_j / (L^{-1} A)_j`, j = ...
-/// inwards from the last ring whose margin is not zero. The reserve is to the margin what a spring of MDR is to the
-/// pressure: it varies smoothly in time also next to the edge, where the margin falls and rises like |t - t*|, so it is
-/// the reserve whose minimum over time can be read from samples.
-class SlipReserve {
- public:
-  /// Of the tangential harmonic.
-  explicit SlipReserve(const ContactProblem& problem);
-  [[nodiscard]] Eigen::VectorXd of(const Eigen::VectorXd& margin) const;
-
- private:
-  const ContactProblem& problem_;
-  Eigen::VectorXd by_load_;
-};
-
-/// Radius at which a slip reserve vanishes, n_stuck: number of rings from the centre that stick. The event of ring j
-/// belongs to the mean of the effective radii of j and j+1 rings; the stick radius is where d(r), a quadratic through
-/// the outermost events, vanishes: less than a ring beyond the last one. It takes the compliance of the finite elements
-/// and nothing else. A radius of 0 if nothing sticks; the middle between the last event and the next one, uncertain by
-/// a ring, where the fit goes beyond the next by a quarter of a ring. Uncertainty otherwise: spread of the fit, scatter
-/// of the effective radii and h^3/L^2, h the width of the last stuck ring and L the length of the line.
+/// Radius at which a slip reserve (see PunchSeries::depths) vanishes, n_stuck: number of rings from the centre that
+/// stick. The event of ring j belongs to the mean of the effective radii of j and j+1 rings; the stick radius is where
+/// d(r), a quadratic through the outermost events, vanishes: less than a ring beyond the last one. It takes the
+/// compliance of the finite elements and nothing else. A radius of 0 if nothing sticks; the middle between the last
+/// event and the next one, uncertain by a ring, where the fit goes beyond the next by a quarter of a ring. Uncertainty
+/// otherwise: spread of the fit, scatter of the effective radii and h^3/L^2, h the width of the last stuck ring and L
+/// the length of the line.
 EdgeRadius stick_radius(const Compliance& compliance, const Eigen::VectorXd& reserve, Eigen::Index n_stuck);
 
 /// Indentation at which a worn flank comes into contact: rings 0..n_pressed-1 are pressed, and the gap of the n_flank

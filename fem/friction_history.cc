@@ -7,8 +7,8 @@
 #include <limits>
 #include <vector>
 
-#include "fem/punch_series.h"
 #include "fem/running_minimum.h"
+#include "fem/slip_zones.h"
 #include "fem/solver_error.h"
 
 namespace fretval::fem {
@@ -28,7 +28,7 @@ class Stepper {
         state_{Eigen::VectorXd::Zero(problem.n_rings()),
                Eigen::MatrixXd::Zero(problem.n_rings(), static_cast<Eigen::Index>(relaxation.moduli.size()))},
         stick_(static_cast<std::size_t>(problem.n_rings()), BoxState::interior),
-        zones_(stick_.size(), Zone::stuck) {}
+        zones_(problem.n_rings()) {}
 
   struct Result {
     Eigen::VectorXd traction;  // at the balance time
@@ -41,7 +41,10 @@ class Stepper {
     const auto move = indenter_move(motion_, begin, begin + step_.fraction() * dt_);
     const Eigen::VectorXd held = step_.response_without_slip(state_, move);
     auto solution = problem_.solver.solve(areas.cwiseProduct(held), -limit, limit, stick_);
-    update_zones(limit);
+    zones_.update(limit, stick_);
+    for (std::size_t i = 0; i < stick_.size(); ++i)
+      if (limit[static_cast<Eigen::Index>(i)] == 0)
+        stick_[i] = BoxState::interior;  // the guess for when it touches again
     Eigen::VectorXd slip = (solution.residual.array() / areas.array()).matrix() / step_.instantaneous();
     step_.advance(state_, indenter_move(motion_, begin, begin + dt_), slip);
     return {std::move(solution.x), std::move(slip)};
@@ -50,31 +53,16 @@ class Stepper {
   [[nodiscard]] const Eigen::VectorXd& displacement() const { return state_.displacement; }
   [[nodiscard]] double fraction() const { return step_.fraction(); }
   /// The traction has kinks where these differ.
-  [[nodiscard]] const std::vector<signed char>& zones() const { return zones_; }
+  [[nodiscard]] const std::vector<signed char>& zones() const { return zones_.labels(); }
 
  private:
-  enum Zone : signed char { slipped_backward = -1, stuck = 0, slipped_forward = 1, touched_again = 2, free = 3 };
-
-  void update_zones(const Eigen::VectorXd& limit) {
-    for (std::size_t i = 0; i < stick_.size(); ++i) {
-      if (limit[static_cast<Eigen::Index>(i)] == 0) {
-        stick_[i] = BoxState::interior;  // the guess for when it touches again
-        zones_[i] = Zone::free;
-      } else if (stick_[i] != BoxState::interior) {
-        zones_[i] = stick_[i] == BoxState::upper ? Zone::slipped_forward : Zone::slipped_backward;
-      } else if (zones_[i] == Zone::free) {
-        zones_[i] = Zone::touched_again;
-      }
-    }
-  }
-
   const ContactProblem& problem_;
   std::function<ValueAndRate(double)> motion_;
   double dt_;
   RelaxationStep step_;
   RingState state_;
-  std::vector<BoxState> stick_;     // interior: sticks
-  std::vector<signed char> zones_;  // how each ring moved last
+  std::vector<BoxState> stick_;  // interior: sticks
+  SlipZones zones_;
 };
 
 /// Depths of the friction limit and of the traction (see PunchSeries) at an instant. Their difference and sum are the
@@ -142,7 +130,7 @@ FrictionHistory friction_history(const ContactProblem& problem, const Relaxation
   FrictionHistory history{};
   history.periodicity = infinity;
   history.slip_path = Eigen::VectorXd::Zero(n);
-  const PunchSeries series(problem);
+  const auto& series = problem.series;
   Eigen::VectorXd traction = Eigen::VectorXd::Zero(n), traction_depths = traction;
   // No floor under a reserve: below zero between two samples it tells what a finer step would have let slip.
   RunningMinimum first_slip(n, 0), first_forward(n, -infinity), first_backward(n, -infinity);

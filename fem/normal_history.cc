@@ -8,7 +8,6 @@
 #include <optional>
 #include <vector>
 
-#include "fem/punch_series.h"
 #include "fem/solver_error.h"
 
 namespace fretval::fem {
@@ -46,7 +45,6 @@ class Stepper {
   Stepper(const ContactProblem& problem, const RelaxationModel& relaxation, const Eigen::VectorXd& profile,
           const Motion& motion, int n_steps)
       : problem_(problem),
-        series_(problem),
         relaxed_(relaxation.relaxed),
         profile_(profile),
         motion_([&motion](double t) { return normal_motion(motion, t); }),
@@ -62,7 +60,7 @@ class Stepper {
     state_.displacement = (indentation - profile_.array() + contact.gap.array()).matrix();
     for (Eigen::Index i = 0; i < profile_.size(); ++i)
       if (contact.pressure[i] > 0) contact_[static_cast<std::size_t>(i)] = BoxState::interior;
-    force_.push_back(relaxed_ * contact_force(series_, contact.pressure, contact.gap));
+    force_.push_back(relaxed_ * contact_force(problem_.series, contact.pressure, contact.gap));
     return relaxed_ * contact.pressure;
   }
 
@@ -104,13 +102,13 @@ class Stepper {
     const Eigen::VectorXd new_gap = contact.gap / step_.instantaneous();
     const double weight = step_.fraction();
     step_.advance(state_, indenter_move(motion_, begin, end), gap_ - new_gap);
-    force_.push_back(contact_force(series_, contact.pressure, weight * new_gap + (1 - weight) * gap_, n_closed()));
+    force_.push_back(
+        contact_force(problem_.series, contact.pressure, weight * new_gap + (1 - weight) * gap_, n_closed()));
     gap_ = new_gap;
     return std::move(contact.pressure);
   }
 
   const ContactProblem& problem_;
-  PunchSeries series_;
   double relaxed_;
   const Eigen::VectorXd& profile_;
   std::function<ValueAndRate(double)> motion_;

@@ -72,23 +72,21 @@ double meeting_point(const Stencil& inner, const Stencil& outer, double between)
 
 }  // namespace
 
-PunchSeries::PunchSeries(const ContactProblem& problem)
-    : problem_(problem),
-      by_load_(problem.solver.factor().triangularView<Eigen::Lower>().solve(problem.compliance.areas)),
-      edges_(effective_radii(problem.compliance).radius),
-      radii_((edges_.head(problem.n_rings()) + edges_.tail(problem.n_rings())) / 2),
-      force_per_radius_(by_load_.squaredNorm() / edges_[problem.n_rings()]) {}
+PunchSeries::PunchSeries(const Compliance& compliance, const Eigen::MatrixXd& factor)
+    : factor_(factor),
+      areas_(compliance.areas),
+      by_load_(factor.triangularView<Eigen::Lower>().solve(areas_)),
+      edges_(effective_radii(compliance).radius),
+      radii_((edges_.head(areas_.size()) + edges_.tail(areas_.size())) / 2),
+      force_per_radius_(by_load_.squaredNorm() / edges_[areas_.size()]) {}
 
 Eigen::MatrixXd PunchSeries::depths(const Eigen::MatrixXd& tractions) const {
-  const Eigen::MatrixXd half = problem_.solver.factor().transpose().triangularView<Eigen::Upper>() * tractions;
+  const Eigen::MatrixXd half = factor_.transpose().triangularView<Eigen::Upper>() * tractions;
   return by_load_.cwiseInverse().asDiagonal() * half;
 }
 
 Eigen::VectorXd PunchSeries::displacements(const Eigen::VectorXd& rings) const {
-  return problem_.solver.factor()
-      .triangularView<Eigen::Lower>()
-      .solve(problem_.compliance.areas.cwiseProduct(rings))
-      .cwiseQuotient(by_load_);
+  return factor_.triangularView<Eigen::Lower>().solve(areas_.cwiseProduct(rings)).cwiseQuotient(by_load_);
 }
 
 double PunchSeries::integral(const Eigen::VectorXd& depths, const std::vector<signed char>& labels,

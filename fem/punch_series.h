@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "fem/contact_problem.h"
+#include "fem/compliance.h"
 
 namespace fretval::fem {
 
@@ -20,10 +20,16 @@ namespace fretval::fem {
 /// force at 64 rings, where the sum gives 9e-5. Everything here comes from the compliance.
 class PunchSeries {
  public:
-  /// Keeps a reference to the problem.
-  explicit PunchSeries(const ContactProblem& problem);
+  /// factor: lower Cholesky factor of the compliance.
+  PunchSeries(const Compliance& compliance, const Eigen::MatrixXd& factor);
 
   /// D_j of ring tractions, one column each.
+  ///
+  /// Of a stick margin mu p - |tau| they are the slip reserves: how far the indenter could move on tangentially before
+  /// a ring slips. The margin is a traction on the stuck rings like the pressure under a punch; it falls by the
+  /// traction of a unit punch per displacement, ring after ring from the outside. A reserve is to the margin what a
+  /// spring of MDR is to the pressure: it varies smoothly in time also next to the edge, where the margin falls and
+  /// rises like |t - t*|, so it is the reserve whose minimum over time can be read from samples.
   [[nodiscard]] Eigen::MatrixXd depths(const Eigen::MatrixXd& tractions) const;
 
   /// `s_j = (L^{-1} (A s))_j / b_j` of ring displacements s: work-conjugate to the depths,
@@ -43,7 +49,8 @@ class PunchSeries {
   [[nodiscard]] double edge_of_gap(const Eigen::VectorXd& gap, Eigen::Index n_closed, Eigen::Index n_pressed) const;
 
  private:
-  const ContactProblem& problem_;
+  Eigen::MatrixXd factor_;
+  Eigen::VectorXd areas_;
   Eigen::VectorXd by_load_;  // b
   Eigen::VectorXd edges_;    // n + 1 effective radii
   Eigen::VectorXd radii_;    // of the depths

@@ -127,8 +127,8 @@ TEST(CommandLineSlow, ChecksTheExactSolutions) {
   const auto junit = folder.path() / "junit.xml";
   const auto run = fretval_run("check --suite exact --junit " + junit.string(), folder);
   EXPECT_EQ(run.exit_code, 0) << run.out << run.err;
-  EXPECT_EQ(std::count(run.out.begin(), run.out.end(), '\n'), 1 + 17 + 1) << run.out;
-  EXPECT_NE(text_of(junit).find("tests=\"17\" failures=\"0\""), std::string::npos);
+  EXPECT_EQ(std::count(run.out.begin(), run.out.end(), '\n'), 1 + 38 + 1) << run.out;
+  EXPECT_NE(text_of(junit).find("tests=\"38\" failures=\"0\""), std::string::npos);
 }
 
 TEST(CommandLine, RefusesAMeshWithoutAGroup) {

@@ -4,11 +4,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
 #include <vector>
 
+#include "comparison/exact_bulk_rows.h"
 #include "comparison/exact_rows.h"
+#include "comparison/exact_time_rows.h"
+#include "comparison/ladder_json.h"
 
 namespace fretval {
 namespace {
@@ -116,6 +120,37 @@ TEST(Ladder, WritesJUnitXml) {
   EXPECT_NE(xml.find("<failure message=\"error 1.6e-02"), std::string::npos) << xml;
 }
 
+TEST(Ladder, WritesJson) {
+  auto at_floor = power(1e-2, 2);
+  at_floor.demand.floor = 1;
+  at_floor.demand.goal.reset();
+  at_floor.demand.note = "a note";
+  auto broken = power(1, 2);
+  broken.errors[0] = std::nan("");
+  // Through text, as a reader gets it.
+  const auto json = nlohmann::json::parse(ladder_json({power(1, 2), at_floor, power(1, 1), broken}).dump());
+  ASSERT_EQ(json.size(), 4U);
+  EXPECT_EQ(json[0]["scene"], "scene");
+  EXPECT_EQ(json[0]["quantity"], "quantity");
+  EXPECT_EQ(json[0]["source"], "a book");
+  EXPECT_EQ(json[0]["refined"], "rings");
+  EXPECT_EQ(json[0]["resolutions"], nlohmann::json(rungs));
+  EXPECT_EQ(json[0]["errors"][1], std::pow(32, -2.0));
+  EXPECT_NEAR(json[0]["observed_order"], 2, 1e-12);
+  EXPECT_EQ(json[0]["expected_order"], 2);
+  EXPECT_EQ(json[0]["tolerance"], 1e-3);
+  EXPECT_EQ(json[0]["goal"], 1e-4);
+  EXPECT_EQ(json[0]["goal_met"], false);
+  EXPECT_EQ(json[0]["verdict"], "pass");
+  EXPECT_TRUE(json[1]["observed_order"].is_null());
+  EXPECT_TRUE(json[1]["goal"].is_null());
+  EXPECT_TRUE(json[1]["goal_met"].is_null());
+  EXPECT_EQ(json[1]["note"], "a note");
+  EXPECT_EQ(json[2]["verdict"], "error 1.6e-02 at 64 rings, tolerance 1.0e-03");
+  EXPECT_TRUE(json[3]["errors"][0].is_null());
+  EXPECT_EQ(json[3]["verdict"], "error at 16 rings not finite");
+}
+
 /// Meshes of the tests: without the finest one of the suite.
 const std::vector<LadderMesh>& meshes() {
   static const auto ladder = half_space_ladder({16, 32, 64});
@@ -140,8 +175,30 @@ TEST(LadderGuard, AnotherCurveThanCattaneoAndMindlinFails) {
   const auto exact = exact_sliding();
   for (const auto& row : sliding_rows(meshes(), exact)) EXPECT_EQ(failure_of(row), "") << row.quantity;
   const ExactSliding wrong{[&](double u) { return exact.stick_radius(u) + 1e-5; },
-                           [&](double u) { return 1.01 * exact.force(u); }};
+                           [&](double u) { return 1.01 * exact.force(u); },
+                           [&](double f) { return 1.01 * exact.displacement(f); }};
   for (const auto& row : sliding_rows(meshes(), wrong)) EXPECT_NE(failure_of(row), "") << row.quantity;
+}
+
+TEST(LadderGuard, AnotherCurveThanCattaneoAndMindlinFailsTheUnloading) {
+  const auto exact = exact_sliding();
+  EXPECT_EQ(failure_of(unloading_row(meshes(), exact)), "");
+  const ExactSliding wrong{exact.stick_radius, [&](double u) { return exact.force(1.01 * u); }, exact.displacement};
+  EXPECT_NE(failure_of(unloading_row(meshes(), wrong)), "");
+}
+
+TEST(LadderGuard, AnotherSlopeFailsTheObliqueLoading) {
+  const ObliqueLoading loading{0.4, 0.8, 0.925, 0.3, 3};
+  const auto exact = exact_oblique(loading);
+  for (const auto& row : oblique_rows(meshes(), loading, exact)) EXPECT_EQ(failure_of(row), "") << row.quantity;
+  auto other = loading;
+  other.sticking_slope *= 1.05;
+  EXPECT_NE(failure_of(oblique_rows(meshes(), loading, exact_oblique(other))[0]), "");
+  // Far off, no stick radius is left to be measured.
+  for (const double off : {1e-5, 1.0}) {
+    const ExactOblique wrong{[&](double d) { return exact.stick_radius(d) + off; }, exact.force};
+    EXPECT_NE(failure_of(oblique_rows(meshes(), loading, wrong)[1]), "") << off;
+  }
 }
 
 TEST(LadderGuard, AnotherStiffnessOfAPunchFails) {
@@ -159,19 +216,56 @@ TEST(LadderGuard, AnotherProfileThanTheWornOneFails) {
 TEST(LadderGuardSlow, AnotherCurveThanCattaneoAndMindlinFailsTheCycle) {
   const auto exact = exact_sliding();
   EXPECT_EQ(failure_of(cycle_row(meshes(), exact)), "");
-  const ExactSliding wrong{exact.stick_radius, [&](double u) { return 1.01 * exact.force(u); }};
+  const ExactSliding wrong{exact.stick_radius, [&](double u) { return 1.01 * exact.force(u); }, exact.displacement};
   EXPECT_NE(failure_of(cycle_row(meshes(), wrong)), "");
 }
 
 TEST(LadderGuard, AnotherBranchFailsTheViscoelasticRows) {
   const auto body = mdr::standard_solid(1, 2, 0.4), other = mdr::standard_solid(1, 2, 0.404);
   const auto& mesh = meshes().front();
-  for (const auto row_of : {step_row, growing_contact_time_row}) {
+  for (const auto row_of : {step_row, growing_contact_time_row, retraction_time_row}) {
     EXPECT_EQ(failure_of(row_of(mesh, body, body)), "");
     EXPECT_NE(failure_of(row_of(mesh, body, other)), "");
   }
-  EXPECT_EQ(failure_of(growing_contact_mesh_row(meshes(), body, body)), "");
-  EXPECT_NE(failure_of(growing_contact_mesh_row(meshes(), body, other)), "");
+  for (const auto row_of : {hertz_step_row, growing_contact_mesh_row, retraction_mesh_row}) {
+    EXPECT_EQ(failure_of(row_of(meshes(), body, body)), "");
+    EXPECT_NE(failure_of(row_of(meshes(), body, other)), "");
+  }
+}
+
+TEST(LadderGuard, AnotherBranchFailsTheRebound) {
+  const auto body = mdr::standard_solid(1, 2, 0.4), other = mdr::standard_solid(1, 2, 0.404);
+  for (const auto& row : rebound_rows(meshes(), body, body)) EXPECT_EQ(failure_of(row), "") << row.quantity;
+  for (const auto& row : rebound_rows(meshes(), body, other)) EXPECT_NE(failure_of(row), "") << row.quantity;
+}
+
+TEST(LadderGuard, AnotherStickRadiusFailsThePeriodicState) {
+  const LadderDemand demand{1e-6, 3, 1e-7, 5e-5, ""};
+  const auto solid = mdr::standard_solid(1, std::sqrt(3.5) - 1, 1);
+  const PeriodicScene scene{"periodic", "", solid, 0.1, {{0.25, 30}, {0.23, 90}}, demand, demand};
+  const auto exact = exact_stick_radii();
+  for (const auto& row : periodic_rows(meshes(), scene, exact)) EXPECT_EQ(failure_of(row), "") << row.quantity;
+  const auto wrong = [&](const mdr::PronyBody& body, const mdr::Motion& motion) {
+    const auto radii = exact(body, motion);
+    return mdr::StickRadii{*radii.first_slip + 1e-5, *radii.shakedown + 1e-5};
+  };
+  for (const auto& row : periodic_rows(meshes(), scene, wrong)) EXPECT_NE(failure_of(row), "") << row.quantity;
+  // The paper's criterion is not that of the steady state.
+  const auto confused = [&](const mdr::PronyBody& body, const mdr::Motion& motion) {
+    const auto radii = exact(body, motion);
+    return mdr::StickRadii{radii.shakedown, radii.first_slip};
+  };
+  for (const auto& row : periodic_rows(meshes(), scene, confused)) EXPECT_NE(failure_of(row), "") << row.quantity;
+}
+
+TEST(LadderGuard, AnotherForceThanKelvinsFailsInTheBulk) {
+  const auto meshes = bulk_ladder(3);
+  for (const auto harmonic : {fem::Harmonic::normal, fem::Harmonic::tangential}) {
+    const BulkScene scene{"Kelvin", harmonic, 4e-7, 3e-5};
+    const auto exact = fem::point_force(harmonic, 1), wrong = fem::point_force(harmonic, 1.001);
+    for (const auto& row : bulk_rows(meshes, scene, exact, exact)) EXPECT_EQ(failure_of(row), "") << row.quantity;
+    for (const auto& row : bulk_rows(meshes, scene, exact, wrong)) EXPECT_NE(failure_of(row), "") << row.quantity;
+  }
 }
 
 }  // namespace

@@ -32,7 +32,7 @@ Sliding slide(unsigned n_per_radius, double displacement, double mu) {
          states[static_cast<std::size_t>(n_stuck)] == BoxState::interior)
     ++n_stuck;
   return {solution.x.dot(areas),
-          stick_radius(tangential.compliance, SlipReserve(tangential).of(limit - solution.x), n_stuck)};
+          stick_radius(tangential.compliance, tangential.series.depths(limit - solution.x), n_stuck)};
 }
 
 /// `u_x = (3 mu/2)(d - g(c))`, g(c) = c^2.

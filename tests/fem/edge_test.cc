@@ -141,7 +141,7 @@ class StickRadiusTest : public testing::Test {
     const auto margin = normal_contact(problem_, ring_means(compliance_, f), d).pressure;
     Index n_stuck = 0;
     while (n_stuck < margin.size() && margin[n_stuck] > 0) ++n_stuck;
-    return stick_radius(compliance_, SlipReserve(problem_).of(margin), n_stuck);
+    return stick_radius(compliance_, problem_.series.depths(margin), n_stuck);
   }
 };
 

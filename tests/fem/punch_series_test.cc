@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "fem/edge.h"
+#include "fem/normal_history.h"
 #include "tests/fem/half_space.h"
 
 namespace fretval::fem {
@@ -26,7 +27,7 @@ std::vector<signed char> one_zone(const Eigen::VectorXd& field) {
 class PunchSeriesTest : public testing::Test {
  protected:
   const ContactProblem& problem_ = normal_half_space(32);
-  PunchSeries series_{problem_};
+  const PunchSeries& series_ = problem_.series;
 };
 
 TEST_F(PunchSeriesTest, DepthsAndDisplacementsAreConjugate) {

@@ -1,0 +1,126 @@
+#include "comparison/exact_parts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "fem/edge.h"
+#include "fem/solver_error.h"
+
+namespace fretval {
+
+double position(int k, double first, double last) {
+  return first + (last - first) * k / (n_positions - 1);
+}
+
+void take_worst(double& worst, double error) {
+  if (!(std::abs(error) <= worst)) worst = std::isnan(worst) ? worst : std::abs(error);
+}
+
+Eigen::VectorXd means_of(const mdr::Profile& profile, const fem::ContactProblem& problem) {
+  return fem::ring_means(problem.compliance, [&](double r) { return mdr::shape(profile, r); });
+}
+
+double force_of(const fem::ContactProblem& problem, const Eigen::VectorXd& pressure) {
+  fem::SlipZones zones(problem.n_rings());
+  zones.update(pressure,
+               std::vector<fem::BoxState>(static_cast<std::size_t>(pressure.size()), fem::BoxState::interior));
+  return problem.series.integral(problem.series.depths(pressure), zones.labels());
+}
+
+LadderRow mesh_row(const std::string& scene, const std::string& quantity, const std::string& source,
+                   const std::vector<LadderMesh>& meshes, const LadderDemand& demand,
+                   const std::function<double(const LadderMesh&)>& error) {
+  LadderRow row{scene, quantity, source, "rings", {}, {}, demand};
+  for (const auto& mesh : meshes) {
+    row.resolutions.push_back(mesh.n_rings);
+    row.errors.push_back(error(mesh));
+  }
+  return row;
+}
+
+Eigen::VectorXd friction_limit(const LadderMesh& mesh, const mdr::Profile& profile, double indentation) {
+  return friction_coefficient * fem::normal_contact(mesh.normal, means_of(profile, mesh.normal), indentation).pressure;
+}
+
+ElasticSliding::ElasticSliding(const fem::ContactProblem& tangential)
+    : problem_(tangential),
+      slip_(Eigen::VectorXd::Zero(tangential.n_rings())),
+      traction_(slip_),
+      limit_(slip_),
+      states_(static_cast<std::size_t>(tangential.n_rings()), fem::BoxState::interior),
+      zones_(tangential.n_rings()) {}
+
+const Eigen::VectorXd& ElasticSliding::step(double displacement, const Eigen::VectorXd& limit) {
+  const auto& areas = problem_.compliance.areas;
+  const Eigen::VectorXd load = areas.array() * (displacement - slip_.array());
+  auto solution = problem_.solver.solve(load, -limit, limit, states_);
+  slip_ += solution.residual.cwiseQuotient(areas);
+  traction_ = std::move(solution.x);
+  limit_ = limit;
+  zones_.update(limit, states_);
+  return traction_;
+}
+
+double ElasticSliding::force() const {
+  return problem_.series.integral(problem_.series.depths(traction_), zones_.labels());
+}
+
+double ElasticSliding::stick_radius() const {
+  Eigen::Index n_stuck = 0;
+  while (n_stuck < limit_.size() && limit_[n_stuck] > 0 &&
+         states_[static_cast<std::size_t>(n_stuck)] == fem::BoxState::interior)
+    ++n_stuck;
+  return fem::stick_radius(problem_.compliance, problem_.series.depths(limit_ - traction_), n_stuck).radius;
+}
+
+fem::RelaxationModel fem_model(const mdr::PronyBody& body) {
+  return {body.relaxed_modulus, body.branch_moduli, body.branch_times, body.viscosity};
+}
+
+NormalPath::NormalPath(const fem::ContactProblem& problem, const fem::RelaxationModel& model, Eigen::VectorXd profile)
+    : problem_(&problem),
+      model_(&model),
+      profile_(std::move(profile)),
+      state_{Eigen::VectorXd::Zero(problem.n_rings()),
+             Eigen::MatrixXd::Zero(problem.n_rings(), static_cast<Eigen::Index>(model.times.size()))},
+      contact_(static_cast<std::size_t>(problem.n_rings()), fem::BoxState::lower) {}
+
+NormalPath::Force NormalPath::step(const Path& path, double begin, double end) {
+  const Eigen::Index n = problem_->n_rings();
+  const auto& areas = problem_->compliance.areas;
+  const fem::RelaxationStep step(*model_, end - begin);
+  const double balance = begin + step.fraction() * (end - begin);
+  const Eigen::VectorXd gap = (state_.displacement + profile_).array() - path(begin).value;
+  const Eigen::VectorXd held = step.response_without_slip(state_, fem::indenter_move(path, begin, balance));
+  const Eigen::VectorXd load = areas.cwiseProduct(held - step.instantaneous() * gap);
+  const auto solution = problem_->solver.solve(
+      load, Eigen::VectorXd::Zero(n), Eigen::VectorXd::Constant(n, std::numeric_limits<double>::infinity()), contact_);
+  if (solution.x[n - 1] > 0) throw fem::SolverError("the contact reaches the end of the contact line");
+  const Eigen::VectorXd new_gap = -solution.residual.cwiseQuotient(areas) / step.instantaneous();
+  step.advance(state_, fem::indenter_move(path, begin, end), gap - new_gap);
+  return {balance, force_of(*problem_, solution.x)};
+}
+
+std::vector<NormalPath::Force> press(const fem::ContactProblem& problem, const fem::RelaxationModel& model,
+                                     const Eigen::VectorXd& profile, const Path& path,
+                                     const std::vector<double>& instants) {
+  NormalPath indenter(problem, model, profile);
+  std::vector<NormalPath::Force> forces;
+  for (std::size_t k = 1; k < instants.size(); ++k) forces.push_back(indenter.step(path, instants[k - 1], instants[k]));
+  return forces;
+}
+
+std::vector<double> instants(double first, double end, int n) {
+  std::vector<double> t{0};
+  if (first > 0) t.push_back(first);
+  for (int k = 1; k <= n; ++k) t.push_back(first + (end - first) * k / n);
+  return t;
+}
+
+fem::ValueAndRate unit_step(double t) {
+  const double x = std::min(t / step_rise, 1.0);
+  return {x * x * (3 - 2 * x), 6 * x * (1 - x) / step_rise};
+}
+
+}  // namespace fretval

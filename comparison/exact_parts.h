@@ -1,0 +1,108 @@
+#pragma once
+
+#include <Eigen/Dense>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "comparison/exact_rows.h"
+#include "comparison/ladder.h"
+#include "fem/box_solver.h"
+#include "fem/friction_history.h"
+#include "fem/normal_history.h"
+#include "fem/relaxation.h"
+#include "fem/slip_zones.h"
+#include "mdr/profile.h"
+#include "mdr/prony_body.h"
+
+namespace fretval {
+
+// What the rows of the verification ladder share. For exact_*_rows.cc alone.
+
+constexpr double friction_coefficient = 0.4;
+constexpr int n_positions = 193;
+
+/// What cutting the half-space off at 25 contact radii leaves of the errors of radii and forces.
+constexpr double far_field = 1e-7;
+
+/// Why forces and energies of rings are of second order.
+constexpr const char* rings_note = "constant pressure on rings: h^2";
+constexpr const char* far_field_note = "floor: far field";
+
+/// Position k of n_positions between two ends.
+double position(int k, double first, double last);
+
+/// Largest absolute value, NaN if any is.
+void take_worst(double& worst, double error);
+
+Eigen::VectorXd means_of(const mdr::Profile& profile, const fem::ContactProblem& problem);
+
+/// The force of a normal contact; friction has more zones, see ElasticSliding.
+double force_of(const fem::ContactProblem& problem, const Eigen::VectorXd& pressure);
+
+/// A row over meshes.
+LadderRow mesh_row(const std::string& scene, const std::string& quantity, const std::string& source,
+                   const std::vector<LadderMesh>& meshes, const LadderDemand& demand,
+                   const std::function<double(const LadderMesh&)>& error);
+
+/// Limit mu p of the tractions under the parabola at an indentation.
+Eigen::VectorXd friction_limit(const LadderMesh& mesh, const mdr::Profile& profile, double indentation);
+
+/// Coulomb friction on an elastic body, from rest, one box problem a step: exact in time as long as the contact does
+/// not grow within a step and no ring slips back and forth within one.
+class ElasticSliding {
+ public:
+  explicit ElasticSliding(const fem::ContactProblem& tangential);
+
+  /// Traction after a step to a displacement of the indenter; limit: mu p at its end.
+  const Eigen::VectorXd& step(double displacement, const Eigen::VectorXd& limit);
+
+  [[nodiscard]] double force() const;
+  /// Of the last step, under forward slip.
+  [[nodiscard]] double stick_radius() const;
+
+ private:
+  const fem::ContactProblem& problem_;
+  Eigen::VectorXd slip_, traction_, limit_;
+  std::vector<fem::BoxState> states_;
+  fem::SlipZones zones_;
+};
+
+using Path = std::function<fem::ValueAndRate(double)>;
+
+fem::RelaxationModel fem_model(const mdr::PronyBody& body);
+
+/// An indenter pressed into a viscoelastic body along a path, from rest. Copies are trial steps.
+class NormalPath {
+ public:
+  /// profile: ring means. problem and model must outlive it.
+  NormalPath(const fem::ContactProblem& problem, const fem::RelaxationModel& model, Eigen::VectorXd profile);
+
+  struct Force {
+    double time, value;  ///< time: at which forces are balanced
+  };
+  /// Throws SolverError when the contact reaches the end of the contact line.
+  Force step(const Path& path, double begin, double end);
+
+ private:
+  const fem::ContactProblem* problem_;
+  const fem::RelaxationModel* model_;
+  Eigen::VectorXd profile_;
+  fem::RingState state_;
+  std::vector<fem::BoxState> contact_;
+};
+
+/// Forces in the intervals between the instants.
+std::vector<NormalPath::Force> press(const fem::ContactProblem& problem, const fem::RelaxationModel& model,
+                                     const Eigen::VectorXd& profile, const Path& path,
+                                     const std::vector<double>& instants);
+
+/// 0, first, and n equal steps up to the end.
+std::vector<double> instants(double first, double end, int n);
+
+/// A unit step of the indentation, but for a rise this short: a step to a relative 1e-9/tau. Its rate is quadratic, as
+/// the scheme takes it.
+constexpr double step_rise = 1e-9;
+fem::ValueAndRate unit_step(double t);
+
+}  // namespace fretval

@@ -1,0 +1,39 @@
+#include "comparison/ladder_json.h"
+
+#include <nlohmann/json.hpp>
+#include <optional>
+
+namespace fretval {
+namespace {
+
+using nlohmann::ordered_json;
+
+template <typename T>
+ordered_json or_null(const std::optional<T>& value) {
+  return value ? ordered_json(*value) : ordered_json(nullptr);
+}
+
+}  // namespace
+
+ordered_json ladder_json(const std::vector<LadderRow>& rows) {
+  ordered_json array = ordered_json::array();
+  for (const auto& row : rows) {
+    const std::string failure = failure_of(row);
+    array.push_back({{"scene", row.scene},
+                     {"quantity", row.quantity},
+                     {"source", row.source},
+                     {"refined", row.refined},
+                     {"resolutions", row.resolutions},
+                     {"errors", row.errors},
+                     {"observed_order", or_null(observed_order(row))},
+                     {"expected_order", row.demand.expected_order},
+                     {"tolerance", row.demand.tolerance},
+                     {"goal", or_null(row.demand.goal)},
+                     {"goal_met", or_null(meets_goal(row))},
+                     {"verdict", failure.empty() ? "pass" : failure},
+                     {"note", row.demand.note}});
+  }
+  return array;
+}
+
+}  // namespace fretval

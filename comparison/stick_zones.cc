@@ -1,0 +1,31 @@
+#include "comparison/stick_zones.h"
+
+namespace fretval {
+namespace {
+
+constexpr double shaken_down_slip = 1e-4;
+constexpr double never_slipped = 1e-9;
+
+/// Rings from the centre that stick: slip no more than allowed and never lose their grip altogether.
+Eigen::Index count_stuck(const Eigen::VectorXd& slip, const Eigen::VectorXd& margin, double allowed) {
+  Eigen::Index n = 0;
+  while (n < slip.size() && slip[n] <= allowed && margin[n] > 0) ++n;
+  return n;
+}
+
+}  // namespace
+
+StuckRings stuck_rings(const fem::FrictionHistory& friction, const fem::Motion& motion) {
+  const double amplitude = motion.tangential_amplitude;
+  return {count_stuck(friction.slip_path, friction.first_slip_margin, never_slipped * amplitude),
+          count_stuck(friction.period_slip, friction.shakedown_margin,
+                      shaken_down_slip * amplitude * motion.cycles_per_period())};
+}
+
+StickZones stick_zones(const fem::Compliance& tangential, const fem::FrictionHistory& friction,
+                       const StuckRings& stuck) {
+  return {fem::stick_radius(tangential, friction.first_slip_reserve, stuck.first_slip),
+          fem::stick_radius(tangential, friction.shakedown_reserve, stuck.shakedown)};
+}
+
+}  // namespace fretval
