@@ -15,7 +15,7 @@ namespace {
 constexpr double probe_tolerance = 1e-8;
 
 std::string explain(int infog1, int infog2) {
-  const std::string codes = "MUMPS INFOG(1) = " + std::to_string(infog1) + ", INFOG(2) = " + std::to_string(infog2);
+  std::string codes = "MUMPS INFOG(1) = " + std::to_string(infog1) + ", INFOG(2) = " + std::to_string(infog2);
   switch (infog1) {
     case -6:
     case -10:

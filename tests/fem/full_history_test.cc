@@ -39,10 +39,10 @@ const Body& body(Harmonic harmonic) {
 
 /// Two branches, one of them fast, and a dashpot.
 RelaxationModel damped_branches() {
-  return {1, {0.5, 0.8}, {2, 0.1}, 0.3};
+  return {0.7, {0.5, 0.8}, {2, 0.1}, 0.3};
 }
 
-/// The contact radius moves by three rings, and slip comes and goes.
+/// Rings open and close, and slip comes and goes.
 Motion wide_motion() {
   return {0.5, 0.35, 0.35, pi / 3, 1};
 }
