@@ -73,7 +73,8 @@ std::vector<LadderRow> punch_rows(const std::vector<LadderMesh>& meshes, const E
     bool normal;
     double force;
   };
-  const LadderDemand nominal{2e-3, 1, far_field, 1e-5, "n rings act like a disc 0.1 to 0.15 rings smaller"};
+  const LadderDemand nominal{2e-3, 1, far_field, std::nullopt,
+                             "n rings act like a disc 0.1 to 0.15 rings smaller: read at the effective radius below"};
   const LadderDemand effective{1e-6, 3, 2 * far_field, 1e-5, far_field_note};
   std::vector<LadderRow> rows;
   for (const auto& punch : {Punch{"flat punch", "Boussinesq 1885, Sneddon 1965", true, exact.normal},

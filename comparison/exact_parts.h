@@ -25,8 +25,12 @@ constexpr int n_positions = 193;
 /// What cutting the half-space off at 25 contact radii leaves of the errors of radii and forces.
 constexpr double far_field = 1e-7;
 
-/// Why forces and energies of rings are of second order.
-constexpr const char* rings_note = "constant pressure on rings: h^2";
+/// Why some forces are of second order, see PunchSeries.
+constexpr const char* rings_note = "two edges less than three rings apart: h^2";
+
+/// What the elements under the rings leave of forces that the rings themselves read better.
+constexpr double bulk_floor = 1e-6;
+constexpr const char* bulk_note = "floor: elements under the rings";
 constexpr const char* far_field_note = "floor: far field";
 
 /// Position k of n_positions between two ends.

@@ -130,7 +130,7 @@ LadderRow retraction_mesh_row(const std::vector<LadderMesh>& meshes, const mdr::
   const auto error = [&](const LadderMesh& mesh) {
     return retraction_error(mesh.normal, body, 1600, &NormalPath::Force::value, [&](double t) { return expected(t); });
   };
-  return mesh_row("Ting", "force over mesh", "Ting 1966", meshes, {1.5e-4, 2, 1e-8, 5e-5, rings_note}, error);
+  return mesh_row("Ting", "force over mesh", "Ting 1966", meshes, {1e-5, 3, far_field, 5e-5, far_field_note}, error);
 }
 
 }  // namespace fretval

@@ -17,13 +17,14 @@ void add(Rows& rows, const Rows& more) {
 
 void add_indentation(Rows& rows, const std::vector<LadderMesh>& meshes) {
   add(rows, indentation_rows(meshes, exact_indentation("Hertz", "Hertz 1882, Johnson 1985", 2),
-                             {1e-6, 3, far_field, 1e-6, far_field_note}, {1.5e-4, 2, far_field, 1e-5, rings_note}));
+                             {1e-6, 3, far_field, 1e-6, far_field_note}, {1e-6, 3, bulk_floor, 1e-5, bulk_note}));
   add(rows, indentation_rows(meshes, exact_indentation("cone", "Love 1939, Sneddon 1965", 1),
-                             {1e-6, 3, far_field, 1e-6, far_field_note}, {1.5e-4, 2, far_field, 1e-5, rings_note}));
+                             {1e-6, 3, far_field, 1e-6, far_field_note},
+                             {1e-5, 2, far_field, 1e-5, "the ring at the tip: h^2"}));
   add(rows,
       indentation_rows(meshes, exact_indentation("power law n = 4", "Galin 1946, Sneddon 1965", 4),
                        {3e-6, 3, far_field, 1e-6, far_field_note + std::string("; third order with a larger constant")},
-                       {3e-4, 2, far_field, 1e-5, rings_note}));
+                       {6e-6, 2, far_field, 1e-5, far_field_note}));
   add(rows, punch_rows(meshes, exact_punch()));
 }
 

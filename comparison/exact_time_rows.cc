@@ -102,7 +102,7 @@ LadderRow hertz_step_row(const std::vector<LadderMesh>& meshes, const mdr::Prony
     return worst;
   };
   return mesh_row("Hertz, step", "relaxing force", "Hertz 1882, correspondence, Lee 1955", meshes,
-                  {1.5e-4, 2, far_field, 1e-5, rings_note}, error);
+                  {1e-6, 3, bulk_floor, 1e-5, bulk_note}, error);
 }
 
 LadderRow growing_contact_time_row(const LadderMesh& mesh, const mdr::PronyBody& body, const mdr::PronyBody& exact) {
@@ -129,8 +129,8 @@ LadderRow growing_contact_mesh_row(const std::vector<LadderMesh>& meshes, const 
   const auto error = [&](const LadderMesh& mesh) {
     return growing_contact_error(mesh.normal, body, 1600, &NormalPath::Force::value, expected);
   };
-  return mesh_row("Lee-Radok", "force over mesh", "Lee & Radok 1960", meshes, {1.5e-4, 2, 1e-8, 1e-5, rings_note},
-                  error);
+  return mesh_row("Lee-Radok", "force over mesh", "Lee & Radok 1960", meshes,
+                  {1e-6, 3, far_field, 1e-5, far_field_note}, error);
 }
 
 }  // namespace fretval

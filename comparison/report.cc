@@ -10,7 +10,9 @@
 #include "comparison/escape.h"
 #include "comparison/figures.h"
 #include "comparison/files.h"
+#include "comparison/ladder_report.h"
 #include "comparison/results_folder.h"
+#include "comparison/verdict_report.h"
 #include "comparison/versions.h"
 
 namespace fretval {
@@ -36,78 +38,10 @@ figure svg { width: 100%; height: auto; } figcaption { font-size: .88rem; color:
 table { border-collapse: collapse; font-size: .9rem; font-variant-numeric: tabular-nums; }
 th, td { text-align: right; padding: .25rem .7rem; border-bottom: 1px solid var(--line); }
 th:first-child, td:first-child { text-align: left; } thead th { color: var(--soft); font-weight: 600; }
+td.words { text-align: left; color: var(--soft); } .maybe { background: #8a6d00; }
 .scroll { overflow-x: auto; margin-bottom: 1rem; } td.bad-cell { color: var(--bad); font-weight: 600; }
 @media (max-width: 40rem) { .figures { grid-template-columns: 1fr; } }
 )";
-
-struct Quantity {
-  const char* key;
-  const char* name;
-};
-constexpr Quantity quantities[] = {{"stick_radius_first_slip", "stick radius, first slip (over a)"},
-                                   {"stick_radius_shakedown", "stick radius, shakedown (over a)"},
-                                   {"contact_radius_max", "largest contact radius (relative)"},
-                                   {"normal_force_max", "largest normal force (relative)"},
-                                   {"slip_inside_stick_zone", "slip inside c (over the amplitude)"},
-                                   {"force_outside_stick_zone", "force outside c (over the force)"},
-                                   {"maximum_indentation", "indentation at which the flank touches (relative)"}};
-
-/// Largest difference of a quantity over the results that are held to the unwidened tolerance.
-struct Extreme {
-  double difference = 0, tolerance = 0;
-  std::string name;
-  std::size_t n_compared = 0, n_pass = 0, n_widened = 0;
-};
-
-Extreme extreme_of(const Results& results, const char* key) {
-  Extreme extreme;
-  for (const auto& r : results) {
-    const auto& comparison = r.json.at("comparison");
-    if (!comparison.contains(key)) continue;
-    const auto& d = comparison[key];
-    ++extreme.n_compared;
-    extreme.n_pass += d.value("pass", false) ? 1 : 0;
-    const double tolerance = d.value("tolerance", 0.0);
-    if (tolerance > r.number("scene", "tolerance")) {
-      ++extreme.n_widened;
-      continue;
-    }
-    if (!d["difference"].is_number()) continue;
-    if (std::abs(d["difference"].get<double>()) < std::abs(extreme.difference)) continue;
-    extreme.difference = d["difference"].get<double>();
-    extreme.tolerance = tolerance;
-    extreme.name = r.json.at("name").get<std::string>();
-  }
-  return extreme;
-}
-
-std::string verdict_section(const Results& results) {
-  const auto n_pass = std::count_if(results.begin(), results.end(),
-                                    [](const auto& r) { return r.json.at("pass").template get<bool>(); });
-  const bool all = static_cast<std::size_t>(n_pass) == results.size();
-  std::string html = fmt::format(
-      "<p class=\"lead\"><span class=\"badge {}\">{}</span> Finite elements and MDR agree within tolerance in {} of {} "
-      "cases.</p>\n<div class=\"scroll\"><table><thead><tr><th>quantity</th><th>cases</th><th>agree</th>"
-      "<th>largest difference</th><th>tolerance</th><th>where</th></tr></thead><tbody>\n",
-      all ? "good" : "bad", all ? "confirmed" : "not confirmed", n_pass, results.size());
-  for (const auto& quantity : quantities) {
-    const auto e = extreme_of(results, quantity.key);
-    if (e.n_compared == 0) continue;
-    html += fmt::format("<tr><td>{}</td><td>{}</td><td{}>{}</td><td>{:.1e}</td><td>{:.0e}</td><td>{}</td></tr>\n",
-                        quantity.name, e.n_compared, e.n_pass == e.n_compared ? "" : " class=\"bad-cell\"", e.n_pass,
-                        e.difference, e.tolerance, html_escaped(e.name));
-  }
-  const auto widened = extreme_of(results, "stick_radius_shakedown").n_widened +
-                       extreme_of(results, "stick_radius_first_slip").n_widened;
-  html += "</tbody></table></div>\n";
-  if (widened > 0)
-    html += fmt::format(
-        "<p class=\"soft\">The differences are the largest where c/a ≥ 0.1. In {} comparisons MDR predicts a "
-        "smaller stick zone, whose radius is ill-conditioned (a root of g(c) near the tip); they count as "
-        "agreement within the tolerance times 0.1 a/c.</p>\n",
-        widened);
-  return html;
-}
 
 /// Largest distances, over a, of what finite elements find from both of MDR's radii.
 struct RadiiFindings {
@@ -320,15 +254,21 @@ std::string all_cases_section(const Results& results) {
 
 fs::path write_report(const fs::path& folder) {
   const auto results = read_results(folder);
-  const std::string page = fmt::format(
+  const auto ladder = read_json(folder / "ladder.json");
+  std::string page = fmt::format(
       "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
       "content=\"width=device-width, "
       "initial-scale=1\"><title>fretval: finite elements against MDR</title><style>{}</style></head><body>\n"
       "<h1>Finite elements against MDR</h1>\n<p class=\"soft\">Fretting of an elastomer under combined normal and "
       "tangential "
-      "oscillation</p>\n{}{}{}{}{}{}{}{}</body></html>\n",
-      style, verdict_section(results), radii_section(results), phase_section(results), rheology_section(results),
-      limiting_section(results), single_cases_section(results), cost_section(results), all_cases_section(results));
+      "oscillation</p>\n",
+      style);
+  for (const auto& section :
+       {verdict_section(results), radii_section(results), phase_section(results), rheology_section(results),
+        limiting_section(results), single_cases_section(results), budget_section(results),
+        ladder ? ladder_section(*ladder) : "", cost_section(results), all_cases_section(results)})
+    page += section;
+  page += "</body></html>\n";
   const fs::path file = folder / "index.html";
   write_file(file, page);
   return file;

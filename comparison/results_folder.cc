@@ -79,6 +79,16 @@ std::vector<StoredResult> read_results(const fs::path& folder) {
   return results;
 }
 
+std::optional<nlohmann::ordered_json> read_json(const fs::path& file) {
+  if (!fs::exists(file)) return std::nullopt;
+  std::ifstream stream(file);
+  try {
+    return nlohmann::ordered_json::parse(stream);
+  } catch (const nlohmann::json::exception& error) {
+    throw InputError(fmt::format("{}: {}", file.string(), error.what()));
+  }
+}
+
 std::pair<std::vector<double>, std::vector<double>> read_columns(const fs::path& file, const std::string& x,
                                                                  const std::string& y) {
   std::ifstream stream(file);

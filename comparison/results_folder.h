@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -24,6 +25,9 @@ struct StoredResult {
 /// Every result.json below a folder, by family and sweep value. Throws InputError if there is none or one cannot be
 /// read.
 std::vector<StoredResult> read_results(const std::filesystem::path& folder);
+
+/// What is in a JSON file; empty if there is none. Throws InputError if it cannot be read.
+std::optional<nlohmann::ordered_json> read_json(const std::filesystem::path& file);
 
 /// Two columns of a CSV file; empty if the file or a column is not there.
 std::pair<std::vector<double>, std::vector<double>> read_columns(const std::filesystem::path& file,
