@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <memory>
 
 #include "comparison/batch.h"
@@ -42,11 +43,20 @@ int exit_code_of(const std::vector<BatchLine>& lines) {
   return std::all_of(lines.begin(), lines.end(), agrees) ? exit_agree : exit_disagree;
 }
 
+/// Says what the scenes do not need, and so is not computed.
+void log_left_out(const std::vector<PreparedCase>& prepared) {
+  std::map<std::string, int> counts;
+  for (const auto& one : prepared)
+    for (const auto& words : left_out(one.fem)) ++counts[words];
+  for (const auto& [words, n] : counts) spdlog::info("{} of {} cases: {}", n, prepared.size(), words);
+}
+
 int run_cases(const std::vector<std::string>& files, const fs::path& output) {
   Stopwatch watch;
   const auto prepared = prepare(read_cases(files));
   for (const auto& one : prepared)
     for (const auto& warning : one.scene.warnings) spdlog::warn("{}", warning);
+  log_left_out(prepared);
   fs::create_directories(output);
   const fem::PetscSession session;
   Progress progress;

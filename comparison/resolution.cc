@@ -9,10 +9,12 @@ namespace {
 constexpr unsigned most_rings = 512, fewest_rings = 8, most_degree = 4;
 constexpr int most_steps = 1440, fewest_steps = 8, most_ramp_cycles = 64, most_creep_cycles = 768;
 constexpr double finest_growth = 0.075, coarsest_growth = 1, largest_far_radius = 100, finest_periodicity = 1e-9;
+constexpr double finest_edge_ring = 2e-6;  // gmsh tells nodes apart down to some 1e-7 of the contact line
 
 Resolution with_rings(Resolution r, double factor) {
   r.elements_per_radius = static_cast<unsigned>(r.elements_per_radius * factor);
-  r.worn_edge_ring /= factor * factor;
+  r.worn_edge_ring = std::max(r.worn_edge_ring / (factor * factor), finest_edge_ring);
+  r.surface_growth /= factor;
   if (r.focus) r.focus->ring /= factor;
   return r;
 }
@@ -27,7 +29,7 @@ Resolution with_steps(Resolution r, double factor) {
 bool Resolution::operator<(const Resolution& o) const {
   const auto key = [](const Resolution& r) {
     return std::make_tuple(r.elements_per_radius, r.degree, r.growth, r.far_radius, r.steps_per_cycle, r.n_ramp_cycles,
-                           r.periodicity, r.n_creep_cycles, r.worn_edge_ring, r.active_set_slack, r.focus.has_value(),
+                           r.periodicity, r.n_creep_cycles, r.worn_edge_ring, r.surface_growth, r.active_set_slack, r.focus.has_value(),
                            r.focus ? r.focus->inner : 0, r.focus ? r.focus->outer : 0, r.focus ? r.focus->ring : 0);
   };
   return key(*this) < key(o);
@@ -35,7 +37,7 @@ bool Resolution::operator<(const Resolution& o) const {
 
 Resolution resolution_for(double tolerance) {
   // What the rings at a worn edge let through is about a tenth of sqrt(2 ring/c) of the force.
-  const double worn_edge_ring = std::max(5 * tolerance * tolerance, 1e-8);
+  const double worn_edge_ring = std::max(5 * tolerance * tolerance, finest_edge_ring);
   if (tolerance >= 1e-2) return {16, 2, 0.3, 10, 24, 4, 1e-4, 24, worn_edge_ring};
   if (tolerance >= 1e-3) return {24, 3, 0.5, 12, 36, 8, 1e-5, 48, worn_edge_ring};
   return {48, 3, 0.3, 20, 72, 12, 1e-6, 96, worn_edge_ring};
@@ -99,7 +101,7 @@ std::vector<Variant> variants_of(const Resolution& resolution, const SceneNeeds&
   r.periodicity *= 10;
   add(ErrorSource::cycles, r);
   r = resolution;
-  r.active_set_slack *= 1000;
+  r.active_set_slack *= 10;
   add(ErrorSource::active_set, r);
   return variants;
 }

@@ -15,9 +15,6 @@ constexpr double degree = 3.14159265358979323846 / 180;
 // The contact line reaches a little beyond the largest contact, so that the first ring that never touches is on it.
 constexpr double contact_line_reserve = 1.12;
 
-// Of rings that are graded along the surface.
-constexpr double surface_growth = 0.15;
-
 std::vector<double> contact_nodes(const FemScene& scene) {
   const auto& resolution = scene.resolution;
   const double ring = 1.0 / resolution.elements_per_radius;
@@ -25,12 +22,12 @@ std::vector<double> contact_nodes(const FemScene& scene) {
   // radius, so that profiles with the same c share their body.
   if (scene.worn_edge) {
     const double edge = scene.worn_edge->inner, end = std::ceil(4 * contact_line_reserve * scene.worn_edge->outer) / 4;
-    return meshes::graded_nodes({edge, edge, resolution.worn_edge_ring * edge}, end, ring, surface_growth);
+    return meshes::graded_nodes({edge, edge, resolution.worn_edge_ring * edge}, end, ring, resolution.surface_growth);
   }
   if (resolution.focus) {
     const auto [inner, outer, fine] = *resolution.focus;
     return meshes::graded_nodes({inner, outer, std::min(fine, ring)}, std::max(contact_line_reserve, outer + 4 * fine),
-                                ring, surface_growth);
+                                ring, resolution.surface_growth);
   }
   const auto n = static_cast<unsigned>(std::ceil(contact_line_reserve * resolution.elements_per_radius / 2)) * 2;
   return meshes::uniform_nodes(n * ring, n);
@@ -97,6 +94,14 @@ FemScene at_resolution(FemScene scene, const Resolution& resolution) {
   scene.motion.n_ramp_cycles = resolution.n_ramp_cycles;
   scene.motion.n_creep_cycles = resolution.n_creep_cycles;
   return scene;
+}
+
+std::vector<std::string> left_out(const FemScene& scene) {
+  std::vector<std::string> words;
+  if (!scene.body.tangential) words.emplace_back("no tangential motion: no tangential harmonic, no friction history");
+  if (scene.relaxation.moduli.empty() && scene.relaxation.viscosity == 0)
+    words.emplace_back("elastic body: no memory, one cycle of ramp");
+  return words;
 }
 
 bool same_normal_problem(const FemScene& a, const Case& case_a, const FemScene& b, const Case& case_b) {

@@ -2,6 +2,8 @@
 
 #include <functional>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "comparison/case.h"
 #include "comparison/mdr_scene.h"
@@ -56,6 +58,9 @@ FemScene fem_scene(const Case& scene, const MdrScene& mdr);
 
 /// The same scene at another resolution.
 FemScene at_resolution(FemScene scene, const Resolution& resolution);
+
+/// What the model of a scene does without because the scene does not need it, in words for the log.
+std::vector<std::string> left_out(const FemScene& scene);
 
 /// True if two scenes share everything that the normal contact depends on.
 bool same_normal_problem(const FemScene& a, const Case& case_a, const FemScene& b, const Case& case_b);
