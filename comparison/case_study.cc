@@ -32,8 +32,8 @@ double tolerance_of(const Tolerances& tolerances, const std::string& quantity) {
 }  // namespace
 
 CaseStudy::CaseStudy(const PreparedCase& prepared, bool with_budget)
-    : prepared_(prepared), with_budget_(with_budget), base_(prepared.fem.resolution) {
-  want(base_);
+    : prepared_(prepared), with_budget_(with_budget), now_{prepared.fem.resolution, {}} {
+  want(now_.base);
 }
 
 void CaseStudy::want(const Resolution& resolution) {
@@ -49,13 +49,13 @@ void CaseStudy::take(const Resolution& resolution, ProbeAnswer&& answer) {
 }
 
 const Resolution& CaseStudy::resolution_of(const std::string& quantity) const {
-  const auto found = focused_.find(quantity);
-  return found == focused_.end() ? base_ : found->second;
+  const auto found = now_.focused.find(quantity);
+  return found == now_.focused.end() ? now_.base : found->second;
 }
 
 std::vector<Resolution> CaseStudy::tracks() const {
-  std::vector<Resolution> all{base_};
-  for (const auto& [quantity, resolution] : focused_) all.push_back(resolution);
+  std::vector<Resolution> all{now_.base};
+  for (const auto& [quantity, resolution] : now_.focused) all.push_back(resolution);
   return all;
 }
 
@@ -85,16 +85,20 @@ std::optional<Focus> CaseStudy::closer_look(const std::string& quantity) const {
   return Focus{centre - 2 * width, centre + width / 2, width / 16};
 }
 
+bool CaseStudy::failed() const {
+  const auto all = tracks();
+  return std::any_of(all.begin(), all.end(), [&](const Resolution& r) { return !answers_.at(r).failure.empty(); });
+}
+
 bool CaseStudy::focus_on_unresolved_edges() {
   if (prepared_.scene.rings_per_radius || prepared_.fem.worn_edge) return false;
   for (const char* quantity : {first_slip, shakedown}) {
     const auto& now = resolution_of(quantity);
-    if (!answers_.at(now).failure.empty()) continue;
     const auto focus = closer_look(quantity);
     if (!focus || focus->ring > finest_ring(now) / 2) continue;
-    Resolution closer = base_;
+    Resolution closer = now_.base;
     closer.focus = focus;
-    focused_[quantity] = closer;
+    now_.focused[quantity] = closer;
     want(closer);
   }
   return !wanted_.empty();
@@ -123,15 +127,16 @@ ErrorBudget CaseStudy::budget() const {
 
 bool CaseStudy::refine_what_is_too_wide() {
   if (n_refinements_ >= most_refinements) return false;
+  const Tracks before = now_;
   bool any = false;
   std::set<std::pair<std::string, ErrorSource>> done;  // a track, by its key, and a source
   const auto refine = [&](const std::string& quantity, ErrorSource source) {
     if (source == ErrorSource::edge) source = ErrorSource::rings;
     if (prepared_.scene.rings_per_radius && source == ErrorSource::rings) return;
     if (prepared_.scene.steps_per_cycle && source == ErrorSource::time_step) return;
-    const auto found = focused_.find(quantity);
-    Resolution& track = found == focused_.end() ? base_ : found->second;
-    if (!done.insert({found == focused_.end() ? "" : quantity, source}).second) return;
+    const auto found = now_.focused.find(quantity);
+    Resolution& track = found == now_.focused.end() ? now_.base : found->second;
+    if (!done.insert({found == now_.focused.end() ? "" : quantity, source}).second) return;
     if (const auto finer = refined(track, source)) {
       track = *finer;
       any = true;
@@ -145,13 +150,20 @@ bool CaseStudy::refine_what_is_too_wide() {
     for (const auto& share : bar.shares)
       if (share.estimate >= std::min(largest, tolerance) / 2) refine(quantity, share.source);
   }
-  if (any) ++n_refinements_;
+  if (any) {
+    ++n_refinements_;
+    before_ = before;
+  }
   return any;
 }
 
 void CaseStudy::advance() {
   wanted_.clear();
-  if (!with_budget_ || !answers_.at(base_).failure.empty()) return;
+  if (!with_budget_) return;
+  if (failed()) {
+    if (before_) now_ = *before_;
+    return;
+  }
   if (focus_on_unresolved_edges()) return;
   for (const auto& track : tracks())
     for (const auto& variant : variants(track)) want(variant.resolution);
@@ -166,12 +178,12 @@ void CaseStudy::advance() {
 
 StudyResult CaseStudy::result() const {
   StudyResult result;
-  result.answer = answers_.at(base_);
-  result.resolution = base_;
+  result.answer = answers_.at(now_.base);
+  result.resolution = now_.base;
   result.n_refinements = n_refinements_;
   result.n_probes = static_cast<int>(measures_.size());
   if (!result.answer.failure.empty()) return result;
-  for (const auto& [quantity, resolution] : focused_) {
+  for (const auto& [quantity, resolution] : now_.focused) {
     const auto& focused = answers_.at(resolution);
     if (!focused.failure.empty()) {
       result.answer.failure = focused.failure;

@@ -34,7 +34,8 @@ struct StudyResult {
 /// 2. a stick zone or a slip annulus of too few rings is focused on, again and again until it is resolved or proved
 ///    smaller than the finest ring;
 /// 3. the error budget, each source by its own refinement;
-/// 4. while the bar of a quantity is wider than its tolerance, its largest sources are refined.
+/// 4. while the bar of a quantity is wider than its tolerance, its largest sources are refined. A refinement whose
+///    numerics fail is taken back.
 ///
 /// The caller computes what is wanted, round by round. Rings and steps that the case file fixes stay as they are.
 class CaseStudy {
@@ -55,14 +56,19 @@ class CaseStudy {
   [[nodiscard]] std::vector<Variant> variants(const Resolution& resolution) const;
   [[nodiscard]] std::optional<Focus> closer_look(const std::string& quantity) const;
   [[nodiscard]] ErrorBudget budget() const;
+  [[nodiscard]] bool failed() const;
   bool focus_on_unresolved_edges();
   bool refine_what_is_too_wide();
   void want(const Resolution& resolution);
 
   const PreparedCase& prepared_;
   bool with_budget_;
-  Resolution base_;
-  std::map<std::string, Resolution> focused_;  // stick radii with a resolution of their own
+  struct Tracks {
+    Resolution base;
+    std::map<std::string, Resolution> focused;  // stick radii with a resolution of their own
+  };
+  Tracks now_;
+  std::optional<Tracks> before_;  // the last refinement
   std::map<Resolution, ProbeAnswer> answers_;
   std::map<Resolution, Measures> measures_;
   std::vector<Resolution> wanted_;
