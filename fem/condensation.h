@@ -1,10 +1,10 @@
 #pragma once
 
 #include <Eigen/Dense>
-#include <memory>
 #include <string>
 #include <vector>
 
+#include "fem/sparse_factor.h"
 #include "fem/sparse_matrix.h"
 
 namespace fretval::fem {
@@ -18,8 +18,6 @@ class Condensation {
  public:
   /// name: of the matrix, for error messages.
   Condensation(const SparseMatrix& matrix, const std::vector<unsigned>& interface_dofs, std::string name);
-  ~Condensation();
-  Condensation(Condensation&&) noexcept;
 
   /// S, n_interface x n_interface, in the order of interface_dofs.
   [[nodiscard]] const Eigen::MatrixXd& schur_complement() const { return schur_; }
@@ -28,8 +26,7 @@ class Condensation {
   [[nodiscard]] Eigen::VectorXd solve(const Eigen::VectorXd& rhs) const;
 
  private:
-  struct Factor;
-  std::unique_ptr<Factor> factor_;
+  SparseFactor factor_;
   Eigen::MatrixXd schur_;
 };
 

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <Eigen/Dense>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "fem/sparse_matrix.h"
+
+namespace fretval::fem {
+
+/// One MUMPS factorisation (through PETSc) of a symmetric indefinite matrix K, on request with its Schur complement
+/// `S = K_cc - K_ci K_ii^{-1} K_ic` on interface dofs c.
+///
+/// Every failure is a SolverError that names the matrix: non-finite entries, empty rows, MUMPS' INFOG codes, a singular
+/// matrix, a non-finite Schur complement, and a solve whose true residual is above 1e-8. Needs a PetscSession.
+class SparseFactor {
+ public:
+  /// name: of the matrix, for error messages.
+  SparseFactor(SparseMatrix matrix, std::string name);
+  /// interface_dofs: of the Schur complement; none of them, no Schur complement.
+  SparseFactor(SparseMatrix matrix, const std::vector<unsigned>& interface_dofs, std::string name);
+  ~SparseFactor();
+  SparseFactor(SparseFactor&&) noexcept;
+  SparseFactor& operator=(SparseFactor&&) noexcept;
+
+  /// S, n_interface x n_interface, in the order of interface_dofs.
+  [[nodiscard]] Eigen::MatrixXd schur_complement() const;
+
+  /// K^{-1} rhs: back-substitution and one refinement.
+  [[nodiscard]] Eigen::VectorXd solve(const Eigen::VectorXd& rhs) const;
+
+ private:
+  class Factored;  // PETSc objects
+  std::unique_ptr<Factored> factored_;
+};
+
+}  // namespace fretval::fem
