@@ -56,8 +56,7 @@ std::vector<LadderRow> oblique_rows(const std::vector<LadderMesh>& meshes, const
     const auto touch = fem::contact_events(mesh.normal.compliance, means).indentation;
     ElasticSliding sliding(mesh.tangential);
     for (const double d : indentations(loading, touch)) {
-      sliding.step(tangential_displacement(loading, d),
-                   friction_coefficient * fem::normal_contact(mesh.normal, means, d).pressure);
+      sliding.step(tangential_displacement(loading, d), friction_limit(mesh, profile, d));
       take(sliding, d);
     }
   };

@@ -39,8 +39,10 @@ LadderRow mesh_row(const std::string& scene, const std::string& quantity, const 
   return row;
 }
 
-Eigen::VectorXd friction_limit(const LadderMesh& mesh, const mdr::Profile& profile, double indentation) {
-  return friction_coefficient * fem::normal_contact(mesh.normal, means_of(profile, mesh.normal), indentation).pressure;
+FrictionLimit friction_limit(const LadderMesh& mesh, const mdr::Profile& profile, double indentation) {
+  const Eigen::VectorXd pressure =
+      fem::normal_contact(mesh.normal, means_of(profile, mesh.normal), indentation).pressure;
+  return {friction_coefficient * pressure, friction_coefficient * force_of(mesh.normal, pressure)};
 }
 
 ElasticSliding::ElasticSliding(const fem::ContactProblem& tangential)
@@ -51,19 +53,21 @@ ElasticSliding::ElasticSliding(const fem::ContactProblem& tangential)
       states_(static_cast<std::size_t>(tangential.n_rings()), fem::BoxState::interior),
       zones_(tangential.n_rings()) {}
 
-const Eigen::VectorXd& ElasticSliding::step(double displacement, const Eigen::VectorXd& limit) {
+const Eigen::VectorXd& ElasticSliding::step(double displacement, const FrictionLimit& friction) {
+  const auto& limit = friction.rings;
   const auto& areas = problem_.compliance.areas;
   const Eigen::VectorXd load = areas.array() * (displacement - slip_.array());
   auto solution = problem_.solver.solve(load, -limit, limit, states_);
   slip_ += solution.residual.cwiseQuotient(areas);
   traction_ = std::move(solution.x);
   limit_ = limit;
+  limit_force_ = friction.force;
   zones_.update(limit, states_);
   return traction_;
 }
 
 double ElasticSliding::force() const {
-  return problem_.series.integral(problem_.series.depths(traction_), zones_.labels());
+  return fem::friction_force(problem_.series, {limit_, traction_, zones_.labels(), limit_force_});
 }
 
 double ElasticSliding::stick_radius() const {
@@ -99,7 +103,7 @@ NormalPath::Force NormalPath::step(const Path& path, double begin, double end) {
   if (solution.x[n - 1] > 0) throw fem::SolverError("the contact reaches the end of the contact line");
   const Eigen::VectorXd new_gap = -solution.residual.cwiseQuotient(areas) / step.instantaneous();
   step.advance(state_, fem::indenter_move(path, begin, end), gap - new_gap);
-  return {balance, force_of(*problem_, solution.x)};
+  return {balance, force_of(*problem_, solution.x), solution.x.dot(areas)};
 }
 
 std::vector<NormalPath::Force> press(const fem::ContactProblem& problem, const fem::RelaxationModel& model,

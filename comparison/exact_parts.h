@@ -45,8 +45,14 @@ LadderRow mesh_row(const std::string& scene, const std::string& quantity, const 
                    const std::vector<LadderMesh>& meshes, const LadderDemand& demand,
                    const std::function<double(const LadderMesh&)>& error);
 
-/// Limit mu p of the tractions under the parabola at an indentation.
-Eigen::VectorXd friction_limit(const LadderMesh& mesh, const mdr::Profile& profile, double indentation);
+/// Limit of the tractions, and of their force.
+struct FrictionLimit {
+  Eigen::VectorXd rings;  ///< mu p
+  double force;           ///< mu times the normal force
+};
+
+/// Under a profile at an indentation.
+FrictionLimit friction_limit(const LadderMesh& mesh, const mdr::Profile& profile, double indentation);
 
 /// Coulomb friction on an elastic body, from rest, one box problem a step: exact in time as long as the contact does
 /// not grow within a step and no ring slips back and forth within one.
@@ -54,8 +60,8 @@ class ElasticSliding {
  public:
   explicit ElasticSliding(const fem::ContactProblem& tangential);
 
-  /// Traction after a step to a displacement of the indenter; limit: mu p at its end.
-  const Eigen::VectorXd& step(double displacement, const Eigen::VectorXd& limit);
+  /// Traction after a step to a displacement of the indenter; limit: at its end.
+  const Eigen::VectorXd& step(double displacement, const FrictionLimit& limit);
 
   [[nodiscard]] double force() const;
   /// Of the last step, under forward slip.
@@ -64,6 +70,7 @@ class ElasticSliding {
  private:
   const fem::ContactProblem& problem_;
   Eigen::VectorXd slip_, traction_, limit_;
+  double limit_force_ = 0;
   std::vector<fem::BoxState> states_;
   fem::SlipZones zones_;
 };
@@ -80,6 +87,7 @@ class NormalPath {
 
   struct Force {
     double time, value;  ///< time: at which forces are balanced
+    double sum;          ///< over the rings, which the springs of the same rings reproduce exactly
   };
   /// Throws SolverError when the contact reaches the end of the contact line.
   Force step(const Path& path, double begin, double end);

@@ -146,7 +146,8 @@ FrictionHistory friction_history(const ContactProblem& problem, const Relaxation
     period.begin();
     for (int k = 0; k < period_steps; ++k) {
       const auto index = static_cast<long>(force.size()) - 1;
-      const Eigen::VectorXd limit = friction_coefficient * normal.pressure.col(normal.column(index + 1));
+      const Eigen::Index column = normal.column(index + 1);
+      const Eigen::VectorXd limit = friction_coefficient * normal.pressure.col(column);
       const auto step = stepper.compute_step(index, limit);
       const Depths depths{series.depths(limit), series.depths(step.traction)};
       first_slip.add(limit - step.traction.cwiseAbs());
@@ -160,7 +161,8 @@ FrictionHistory friction_history(const ContactProblem& problem, const Relaxation
           (weight * depths.traction + (1 - weight) * traction_depths).cwiseProduct(series.displacements(step.slip));
       traction = step.traction;
       traction_depths = depths.traction;
-      force.push_back(series.integral(depths.traction, stepper.zones()));
+      force.push_back(
+          friction_force(series, {limit, step.traction, stepper.zones(), friction_coefficient * normal.force[column]}));
     }
     history.n_cycles += motion.cycles_per_period();
     history.slip_path += period.slip;

@@ -55,17 +55,19 @@ std::vector<Zone> zones_of(const std::vector<signed char>& labels) {
   return zones;
 }
 
-/// Where the polynomials of two neighbouring zones meet between their nodes; otherwise between the last ring of the
-/// one and the first of the other.
+/// Where the polynomials of two neighbouring zones meet between their nodes, or hardly beyond: at the instant at which
+/// a ring changes its zone, roundoff decides on which side of its node. Otherwise between the last ring of the one and
+/// the first of the other.
 double meeting_point(const Stencil& inner, const Stencil& outer, double between) {
-  const double difference_in = inner(inner.x[inner.first + inner.n - 1]) - outer(inner.x[inner.first + inner.n - 1]);
-  double low = inner.x[inner.first + inner.n - 1], high = outer.x[outer.first];
-  const double difference_out = inner(high) - outer(high);
-  if (!(difference_in * difference_out < 0)) return between;
+  constexpr double slack = 0.1;
+  const double last = inner.x[inner.first + inner.n - 1], next = outer.x[outer.first];
+  double low = last - slack * (next - last), high = next + slack * (next - last);
+  const double difference = inner(low) - outer(low);
+  if (!(difference * (inner(high) - outer(high)) < 0)) return between;
   while (high - low > 1e-14 * high) {
     const double middle = (low + high) / 2;
     if (middle <= low || middle >= high) break;
-    ((inner(middle) - outer(middle) < 0) == (difference_in < 0) ? low : high) = middle;
+    ((inner(middle) - outer(middle) < 0) == (difference < 0) ? low : high) = middle;
   }
   return (low + high) / 2;
 }
@@ -147,6 +149,22 @@ double contact_force(const PunchSeries& series, const Eigen::VectorXd& pressure,
     depths[i] = 0;
   }
   return series.integral(depths, zones, edge);
+}
+
+double friction_force(const PunchSeries& series, const FrictionState& state) {
+  const auto n = static_cast<Index>(state.zones.size());
+  const Eigen::VectorXd depths = series.depths(state.traction);
+  Index n_pressed = 0;
+  while (n_pressed < n && state.limit[n_pressed] > 0) ++n_pressed;
+  const double sign = n_pressed > 0 && state.traction[n_pressed - 1] < 0 ? -1 : 1;
+  const auto slips = [&](Index ring) { return sign * state.traction[ring] >= (1 - 1e-12) * state.limit[ring]; };
+  auto zones = state.zones;
+  Index first_slipping = n_pressed;
+  while (first_slipping > 0 && slips(first_slipping - 1)) --first_slipping;
+  if (first_slipping == n_pressed) return series.integral(depths, zones);
+  // The reserve of slipping rings is zero as outside the contact.
+  std::fill(zones.begin() + first_slipping, zones.end(), SlipZones::free);
+  return sign * (state.limit_force - series.integral(series.depths(state.limit) - sign * depths, zones));
 }
 
 }  // namespace fretval::fem

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "fem/compliance.h"
+#include "fem/slip_zones.h"
 
 namespace fretval::fem {
 
@@ -62,5 +63,17 @@ class PunchSeries {
 /// pressures of those that touched in it are averages, so the inner ones are continued in their place.
 double contact_force(const PunchSeries& series, const Eigen::VectorXd& pressure, const Eigen::VectorXd& gap,
                      std::optional<Eigen::Index> n_closed = std::nullopt);
+
+/// Friction at an instant.
+struct FrictionState {
+  const Eigen::VectorXd& limit;  ///< mu p
+  const Eigen::VectorXd& traction;
+  const std::vector<signed char>& zones;  ///< SlipZones::labels
+  double limit_force;                     ///< mu times the normal force
+};
+
+/// Tangential force. While the outermost rings slip it is what the slip reserve leaves of mu times the normal force:
+/// the reserve vanishes in the slip zone, however narrow it is, so the edge of the contact plays no part.
+double friction_force(const PunchSeries& series, const FrictionState& state);
 
 }  // namespace fretval::fem

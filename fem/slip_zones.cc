@@ -1,11 +1,6 @@
 #include "fem/slip_zones.h"
 
 namespace fretval::fem {
-namespace {
-
-enum Label : signed char { slipped_backward = -1, never_slipped = 0, slipped_forward = 1, touched_again = 2, free = 3 };
-
-}  // namespace
 
 SlipZones::SlipZones(Eigen::Index n_rings) : labels_(static_cast<std::size_t>(n_rings), never_slipped) {}
 

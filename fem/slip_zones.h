@@ -11,6 +11,14 @@ namespace fretval::fem {
 /// them (see PunchSeries::integral).
 class SlipZones {
  public:
+  enum Label : signed char {
+    slipped_backward = -1,
+    never_slipped = 0,
+    slipped_forward = 1,
+    touched_again = 2,
+    free = 3
+  };
+
   explicit SlipZones(Eigen::Index n_rings);
 
   /// After a step; states: of the friction problem, limit: mu p.
