@@ -13,7 +13,8 @@
 namespace fretval {
 
 /// Seconds of one setting: its body and its own histories. Wall time of one thread each, while histories of other
-/// settings ran on the other cores; what settings share is counted for each of them.
+/// settings ran on the other cores; what settings share is counted for each of them. Each stage is the fastest of
+/// TradePlan::n_repetitions runs: what slows a run down is not its own.
 struct TradeSeconds {
   BodyCost body;
   double normal_history = 0, friction_history = 0;
@@ -55,8 +56,8 @@ struct FullLevel {
 /// than two of them.
 struct AxisRate {
   Sweep sweep;
-  std::map<std::string, std::optional<double>> slope;  ///< by quantity
-  std::optional<double> largest_error;                 ///< slope of the largest error
+  std::map<std::string, std::optional<LogSlope>> slope;  ///< by quantity
+  std::optional<LogSlope> largest_error;                 ///< slope of the largest error
 };
 
 /// The recommended setting for a tolerance and the tool's own choice.
@@ -75,7 +76,7 @@ struct Trade {
   std::vector<FullLevel> full;
   std::vector<std::size_t> front;  ///< indices of points, by rising seconds
   std::vector<AxisRate> rates;
-  std::optional<double> seconds_over_rings;  ///< exponent, from the sweep over the rings
+  std::optional<LogSlope> seconds_over_rings;  ///< exponent, from the sweep over the rings
   std::vector<Recommendation> recommendations;
 };
 

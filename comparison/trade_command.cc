@@ -34,8 +34,8 @@ void print_point(const std::string& label, const TradePoint& point) {
 }
 
 void print_other_levels(const Trade& trade) {
-  fmt::print("closed form: error 0 by definition, {:.2e} s (mean of {})\n", trade.reference.seconds,
-             trade.reference.n_repetitions);
+  fmt::print("closed form: error 0 by definition, {:.2e} s, of which stick radii {:.1e} s (fastest of {})\n",
+             trade.reference.seconds, trade.reference.stick_radii_seconds, trade.reference.n_repetitions);
   for (const auto& p : trade.springs)
     fmt::print("springs: {} springs, {} steps a period: {}\n", p.setting.n_springs, p.setting.steps_per_period,
                p.failure.empty() ? fmt::format("error {:.2e}, {:.3f} s", largest_of(p.errors), p.seconds) : p.failure);
@@ -55,15 +55,18 @@ void print_other_levels(const Trade& trade) {
   }
 }
 
+std::string slope_text(const std::optional<LogSlope>& slope) {
+  return slope ? fmt::format("{:.2f} ({})", slope->slope, slope->n_points) : "-";
+}
+
 void print_rates(const Trade& trade) {
+  fmt::print("power of the error in each axis (points above the floor):\n");
   for (const auto& rate : trade.rates) {
-    fmt::print("error ~ {}^p: p = {}", name_of(rate.sweep),
-               rate.largest_error ? fmt::format("{:.2f}", *rate.largest_error) : "not observable");
-    for (const auto& [quantity, slope] : rate.slope)
-      if (slope) fmt::print(", {} {:.2f}", quantity, *slope);
+    fmt::print("  {:<10} largest {}", name_of(rate.sweep), slope_text(rate.largest_error));
+    for (const auto& [quantity, slope] : rate.slope) fmt::print(", {} {}", quantity, slope_text(slope));
     fmt::print("\n");
   }
-  if (trade.seconds_over_rings) fmt::print("seconds ~ rings^{:.2f}\n", *trade.seconds_over_rings);
+  fmt::print("power of the seconds in the rings: {}\n", slope_text(trade.seconds_over_rings));
 }
 
 void print_trade(const Trade& trade) {

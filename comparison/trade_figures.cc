@@ -147,8 +147,10 @@ std::vector<Json> members(const Json& trade, const Axis& axis) {
 
 std::string rate_text(const Json& trade, const Axis& axis) {
   const auto& rates = trade.at("rates");
-  if (!rates.contains(axis.sweep) || !rates[axis.sweep].at("largest_error").is_number()) return "";
-  return fmt::format(" Largest error: power {:.2f}.", rates[axis.sweep]["largest_error"].get<double>());
+  if (!rates.contains(axis.sweep) || rates[axis.sweep].at("largest_error").is_null()) return "";
+  const auto& slope = rates[axis.sweep]["largest_error"];
+  return fmt::format(" Largest error: power {:.2f}, from {} points.", slope.at("power").get<double>(),
+                     slope.at("points").get<int>());
 }
 
 Figure axis_figure(const Json& trade, const Axis& axis, const std::vector<Json>& points) {

@@ -24,13 +24,14 @@ std::vector<std::size_t> pareto_front(const std::vector<ErrorAndSeconds>& points
   return front;
 }
 
-std::optional<double> log_slope(const std::vector<double>& x, const std::vector<double>& y, double floor) {
-  double n = 0, sum_x = 0, sum_y = 0, sum_xx = 0, sum_xy = 0;
+std::optional<LogSlope> log_slope(const std::vector<double>& x, const std::vector<double>& y, double floor) {
+  int n = 0;
+  double sum_x = 0, sum_y = 0, sum_xx = 0, sum_xy = 0;
   double least = std::numeric_limits<double>::infinity(), largest = 0;
   for (std::size_t i = 0; i < x.size(); ++i) {
     if (!(x[i] > 0) || !(y[i] > floor) || !std::isfinite(y[i])) continue;
     const double u = std::log(x[i]), v = std::log(y[i]);
-    n += 1;
+    ++n;
     sum_x += u;
     sum_y += v;
     sum_xx += u * u;
@@ -39,7 +40,7 @@ std::optional<double> log_slope(const std::vector<double>& x, const std::vector<
     largest = std::max(largest, x[i]);
   }
   if (!(largest > least)) return std::nullopt;
-  return (n * sum_xy - sum_x * sum_y) / (n * sum_xx - sum_x * sum_x);
+  return LogSlope{(n * sum_xy - sum_x * sum_y) / (n * sum_xx - sum_x * sum_x), n};
 }
 
 double floor_of(const std::vector<double>& errors) {

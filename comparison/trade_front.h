@@ -19,9 +19,15 @@ struct ErrorAndSeconds {
 /// ones the first. Points that are not finite never count.
 std::vector<std::size_t> pareto_front(const std::vector<ErrorAndSeconds>& points);
 
+/// A power law fitted to points.
+struct LogSlope {
+  double slope;
+  int n_points;  ///< that it was fitted to; with two of them nothing confirms it
+};
+
 /// Slope of log y over log x by least squares, over the points with x > 0 and y > floor; empty if there are fewer than
 /// two different x.
-std::optional<double> log_slope(const std::vector<double>& x, const std::vector<double>& y, double floor);
+std::optional<LogSlope> log_slope(const std::vector<double>& x, const std::vector<double>& y, double floor);
 
 /// Errors of a sweep whose remainder is not its own: what other settings leave is in all of them, so those within three
 /// times the smallest one say nothing about the order. 0 for an empty list.

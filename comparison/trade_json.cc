@@ -76,7 +76,7 @@ ordered_json spring_json(const SpringPoint& point) {
             {"periodicity", s.periodicity}}},
           {"error", finite_or_null(largest_of(point.errors))},
           {"errors", point.errors},
-          {"seconds", point.seconds},
+          {"seconds", finite_or_null(point.seconds)},
           {"memory_bytes_estimated", point.memory_bytes},
           {"periods", point.n_periods},
           {"failure", failure_json(point.failure)}};
@@ -106,33 +106,41 @@ ordered_json full_json(const FullLevel& level, const TradePoint& condensed) {
           {"failure", failure_json(p.failure)}};
 }
 
+ordered_json slope_json(const std::optional<LogSlope>& slope) {
+  if (!slope) return nullptr;
+  return {{"power", slope->slope}, {"points", slope->n_points}};
+}
+
 ordered_json rates_json(const Trade& trade) {
   ordered_json json = ordered_json::object();
   for (const auto& rate : trade.rates) {
     ordered_json slopes = ordered_json::object();
-    for (const auto& [quantity, slope] : rate.slope) slopes[quantity] = or_null(slope);
-    json[name_of(rate.sweep)] = {{"largest_error", or_null(rate.largest_error)}, {"quantities", slopes}};
+    for (const auto& [quantity, slope] : rate.slope) slopes[quantity] = slope_json(slope);
+    json[name_of(rate.sweep)] = {{"largest_error", slope_json(rate.largest_error)}, {"quantities", slopes}};
   }
-  json["seconds_over_rings"] = or_null(trade.seconds_over_rings);
   return json;
 }
 
 }  // namespace
 
 ordered_json trade_json(const PreparedCase& prepared, const TradePlan& plan, const Trade& trade) {
-  ordered_json json{
-      {"name", prepared.scene.name},
-      {"file", prepared.scene.file},
-      {"mdr", to_json(trade.reference.answer)},
-      {"reference_setting", setting_json(plan.reference)},
-      {"closed_form",
-       {{"error", 0}, {"seconds", trade.reference.seconds}, {"repetitions", trade.reference.n_repetitions}}}};
+  ordered_json json{{"name", prepared.scene.name},
+                    {"file", prepared.scene.file},
+                    {"mdr", to_json(trade.reference.answer)},
+                    {"reference_setting", setting_json(plan.reference)},
+                    {"repetitions", plan.n_repetitions},
+                    {"closed_form",
+                     {{"error", 0},
+                      {"seconds", trade.reference.seconds},
+                      {"stick_radii_seconds", trade.reference.stick_radii_seconds},
+                      {"repetitions", trade.reference.n_repetitions}}}};
   for (const char* key : {"springs", "points", "full"}) json[key] = ordered_json::array();
   for (const auto& point : trade.springs) json["springs"].push_back(spring_json(point));
   for (const auto& point : trade.points) json["points"].push_back(point_json(point));
   for (const auto& level : trade.full) json["full"].push_back(full_json(level, trade.points.at(level.condensed)));
   json["front"] = trade.front;
   json["rates"] = rates_json(trade);
+  json["seconds_over_rings"] = slope_json(trade.seconds_over_rings);
   json["recommendations"] = ordered_json::array();
   for (const auto& r : trade.recommendations)
     json["recommendations"].push_back({{"tolerance", r.tolerance},

@@ -12,6 +12,7 @@
 #include "fem/full_history.h"
 #include "fem/solver_error.h"
 #include "mdr/spring_history.h"
+#include "mdr/stick_radius.h"
 #include "meshes/mesh_error.h"
 
 namespace fretval {
@@ -80,6 +81,28 @@ void measure(const PreparedCase& prepared, FullPoint& point) {
   point.memory_bytes = growth.peak_bytes();
 }
 
+mdr::SpringHistory stepped_springs(const PreparedCase& prepared, const SpringSetting& setting) {
+  const auto& profile = prepared.mdr.profile;
+  const auto motion = harmonic_motion_of(prepared.scene.motion);
+  const double period = mdr::common_period(motion), ramp = setting.n_ramp_periods * period;
+  const double outer = 1.001 * mdr::inverse_transform(profile, mdr::maximum_indentation(motion));
+  const auto bed = mdr::spring_bed(profile, std::min(outer, mdr::end_radius(profile)), setting.n_springs);
+  return mdr::spring_history(bed, prepared.mdr.body, prepared.mdr.friction_coefficient,
+                             {mdr::ramped_path(motion, ramp), {}, {}},
+                             {period, setting.steps_per_period, setting.n_ramp_periods, 2000, setting.periodicity});
+}
+
+Measures measures_of(const mdr::SpringHistory& history, const PreparedCase& prepared) {
+  const auto& units = prepared.fem.units;
+  const auto radius = [&](double depth) {
+    return depth > 0 ? mdr::inverse_transform(prepared.mdr.profile, depth) / units.length : 0;
+  };
+  const double force = *std::max_element(history.normal_force.begin(), history.normal_force.end());
+  return {{"normal_force_max", std::log(force / units.force())},
+          {"stick_radius_first_slip", radius(history.depths.first_slip)},
+          {"stick_radius_shakedown", radius(history.depths.shakedown)}};
+}
+
 }  // namespace
 
 Measures measures_of(const MdrAnswer& mdr, const Units& units, bool worn) {
@@ -113,15 +136,18 @@ double largest_of(const Measures& errors) {
 }
 
 ClosedForm closed_form(const PreparedCase& prepared) {
-  ClosedForm result{};
+  const double never = std::numeric_limits<double>::infinity();
+  ClosedForm result{{}, {}, never, never, 0};
   Stopwatch watch;
-  double seconds = 0;
-  while (seconds < closed_form_seconds) {
+  for (double seconds = 0; seconds < closed_form_seconds; ++result.n_repetitions) {
     result.answer = mdr_answer(prepared.mdr, mdr_normal_response(prepared.mdr));
-    ++result.n_repetitions;
-    seconds += watch.lap();
+    const double lap = watch.lap();
+    const auto& scene = prepared.mdr;
+    mdr::stick_radii(scene.profile, scene.body, scene.friction_coefficient, scene.motion);
+    result.stick_radii_seconds = std::min(result.stick_radii_seconds, watch.lap());
+    result.seconds = std::min(result.seconds, lap);
+    seconds += lap;
   }
-  result.seconds = seconds / result.n_repetitions;
   result.measures = measures_of(result.answer, prepared.fem.units, prepared.fem.worn_edge.has_value());
   return result;
 }
@@ -130,35 +156,25 @@ bool has_springs(const PreparedCase& prepared) {
   return !prepared.mdr.limiting && prepared.scene.motion.phase;
 }
 
-SpringPoint spring_point(const PreparedCase& prepared, const SpringSetting& setting, const Measures& reference) {
+SpringPoint spring_point(const PreparedCase& prepared, const SpringSetting& setting, const Measures& reference,
+                         int n_repetitions) {
   SpringPoint point;
   point.setting = setting;
-  Stopwatch watch;
-  try {
-    const auto& profile = prepared.mdr.profile;
-    const auto motion = harmonic_motion_of(prepared.scene.motion);
-    const double period = mdr::common_period(motion), ramp = setting.n_ramp_periods * period;
-    const double outer = 1.001 * mdr::inverse_transform(profile, mdr::maximum_indentation(motion));
-    const auto bed = mdr::spring_bed(profile, std::min(outer, mdr::end_radius(profile)), setting.n_springs);
-    const auto history = mdr::spring_history(
-        bed, prepared.mdr.body, prepared.mdr.friction_coefficient, {mdr::ramped_path(motion, ramp), {}, {}},
-        {period, setting.steps_per_period, setting.n_ramp_periods, 2000, setting.periodicity});
-    point.seconds = watch.lap();
-    point.n_periods = history.n_periods;
-    const auto radius = [&](double depth) {
-      return depth > 0 ? mdr::inverse_transform(profile, depth) / prepared.fem.units.length : 0;
-    };
-    const double force = *std::max_element(history.normal_force.begin(), history.normal_force.end());
-    point.errors = errors_of({{"normal_force_max", std::log(force / prepared.fem.units.force())},
-                              {"stick_radius_first_slip", radius(history.depths.first_slip)},
-                              {"stick_radius_shakedown", radius(history.depths.shakedown)}},
-                             reference);
-  } catch (const std::runtime_error& error) {
-    point.failure = error.what();
-  }
   // Bed 3, state 4 and two per branch, minima 3 in each of two directions and two spans, slip and mean traction.
   const double per_spring = 3 + 4 + 2.0 * static_cast<double>(prepared.mdr.body.branch_moduli.size()) + 12 + 4;
   point.memory_bytes = 8 * (per_spring * setting.n_springs + 3.0 * setting.steps_per_period);
+  point.seconds = std::numeric_limits<double>::infinity();
+  try {
+    Stopwatch watch;
+    for (int run = 0; run < n_repetitions; ++run) {
+      const auto history = stepped_springs(prepared, setting);
+      point.seconds = std::min(point.seconds, watch.lap());
+      point.n_periods = history.n_periods;
+      point.errors = errors_of(measures_of(history, prepared), reference);
+    }
+  } catch (const std::runtime_error& error) {
+    point.failure = error.what();
+  }
   return point;
 }
 

@@ -18,11 +18,13 @@ Measures errors_of(const Measures& measures, const Measures& reference);
 /// The largest one; NaN for none.
 double largest_of(const Measures& errors);
 
-/// The closed form with its periodic normal response, over and over for half a second.
+/// The closed form with its periodic normal response, over and over for half a second; the stick radii alone, which
+/// need no response, as often.
 struct ClosedForm {
   MdrAnswer answer;
   Measures measures;
-  double seconds;  ///< of one of them
+  double seconds;              ///< of the fastest one
+  double stick_radii_seconds;  ///< likewise
   int n_repetitions;
 };
 
@@ -39,8 +41,9 @@ struct SpringPoint {
   std::string failure;
 };
 
-/// Needs an unworn indenter and a locked phase: see has_springs.
-SpringPoint spring_point(const PreparedCase& prepared, const SpringSetting& setting, const Measures& reference);
+/// Needs an unworn indenter and a locked phase: see has_springs. Seconds: of the fastest of n_repetitions runs.
+SpringPoint spring_point(const PreparedCase& prepared, const SpringSetting& setting, const Measures& reference,
+                         int n_repetitions);
 bool has_springs(const PreparedCase& prepared);
 
 /// The finite elements stepped with every degree of freedom as an unknown, for as few cycles as the condensed ones need

@@ -38,8 +38,12 @@ Resolution reference_of(const TradeAxes& axes, const FemScene& scene) {
   return r;
 }
 
+bool has_long_histories(const FemScene& scene) {
+  return scene.relaxation.viscosity > 0 || !scene.motion.phase;
+}
+
 TradeAxes affordable(TradeAxes axes, const FemScene& scene) {
-  if (scene.relaxation.viscosity == 0 && scene.motion.phase) return axes;
+  if (!has_long_histories(scene)) return axes;
   const auto keep = [](auto& values, auto largest) {
     values.erase(std::remove_if(values.begin(), values.end(), [=](auto v) { return v > largest; }), values.end());
   };
@@ -78,7 +82,7 @@ Resolution chosen_resolution(double tolerance, const FemScene& scene) {
 
 TradePlan trade_plan(const FemScene& scene, const TradeAxes& wanted) {
   const auto axes = affordable(wanted, scene);
-  TradePlan plan{{1e-2, 1e-3, 1e-4}, reference_of(axes, scene), {}, {}, {}};
+  TradePlan plan{{1e-2, 1e-3, 1e-4}, reference_of(axes, scene), {}, {}, has_long_histories(scene) ? 1 : 2, {}};
   std::map<Resolution, std::set<Sweep>> settings;
   const auto vary = [&](Sweep sweep, const auto& values, auto entry) {
     for (const auto value : values) {

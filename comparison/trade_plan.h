@@ -38,6 +38,7 @@ struct TradePlan {
   Resolution reference;                  ///< the one-axis sweeps vary one of its entries
   std::vector<PlannedSetting> settings;  ///< of the condensed finite elements; no resolution twice
   std::vector<SpringSetting> springs;
+  int n_repetitions;             ///< of every measurement of time
   std::vector<Resolution> full;  ///< also stepped with every degree of freedom; each one of `settings`
 };
 
@@ -54,7 +55,7 @@ Resolution chosen_resolution(double tolerance, const FemScene& scene);
 
 /// Start, creep and periodicity of the joint sweep go with its time steps as in `resolution_for`, and its far radius
 /// with its rings: 12 up to 32 rings, 25 beyond. Its grading is 0.3. A dashpot or an unlocked phase makes histories
-/// long: then at most 48 rings and 96 steps.
+/// long: then at most 48 rings and 96 steps, each once instead of twice.
 TradePlan trade_plan(const FemScene& scene, const TradeAxes& axes = {});
 
 }  // namespace fretval
