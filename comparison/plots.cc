@@ -40,6 +40,8 @@ std::string style_of(const Series& series) {
       return fmt::format("with lines lw 1.6 dt 2 lc rgb '{}'", colour);
     case Series::Style::points:
       return fmt::format("with points pt 7 ps 0.45 lc rgb '{}'", colour);
+    case Series::Style::triangles:
+      return fmt::format("with points pt 9 ps 0.9 lc rgb '{}'", colour);
     default:
       return fmt::format("with points pt 6 ps 0.55 lc rgb '{}'", colour);
   }

@@ -9,7 +9,7 @@ namespace fretval {
 
 /// One curve or set of points; NaN values leave a gap.
 struct Series {
-  enum class Style { line, dashed, points, open_points };
+  enum class Style { line, dashed, points, open_points, triangles };
   std::string label;  ///< empty: not in the key
   std::vector<double> x, y;
   Style style = Style::line;

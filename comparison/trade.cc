@@ -165,14 +165,16 @@ std::vector<std::size_t> members_of(const std::vector<TradePoint>& points, Sweep
 AxisRate rate_of(const std::vector<TradePoint>& points, Sweep sweep) {
   std::vector<double> values, largest;
   std::map<std::string, std::vector<double>> errors;
-  for (const std::size_t i : members_of(points, sweep)) {
+  auto members = members_of(points, sweep);
+  if (sweep == Sweep::grading) std::reverse(members.begin(), members.end());  // coarsest first
+  for (const std::size_t i : members) {
     values.push_back(axis_value(sweep, points[i].setting.resolution));
     largest.push_back(points[i].error());
     for (const auto& [quantity, error] : points[i].errors) errors[quantity].push_back(error);
   }
-  AxisRate rate{sweep, {}, log_slope(values, largest, floor_of(largest))};
+  AxisRate rate{sweep, {}, observed_rate(values, largest)};
   for (const auto& [quantity, list] : errors)
-    if (list.size() == values.size()) rate.slope[quantity] = log_slope(values, list, floor_of(list));
+    if (list.size() == values.size()) rate.slope[quantity] = observed_rate(values, list);
   return rate;
 }
 

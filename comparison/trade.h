@@ -52,8 +52,8 @@ struct FullLevel {
   double extrapolated_seconds;
 };
 
-/// Observed rate of a one-axis sweep: error ~ value^slope, over the errors above the floor (see floor_of). Empty: fewer
-/// than two of them.
+/// Observed rate of a one-axis sweep: error ~ value^slope, over the errors above the floor (see observed_rate). Empty:
+/// fewer than two of them.
 struct AxisRate {
   Sweep sweep;
   std::map<std::string, std::optional<LogSlope>> slope;  ///< by quantity

@@ -16,7 +16,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr const char* extrapolated = "seconds_of_the_whole_history_extrapolated_from_the_measured_steps";
-constexpr int front_colour = 7, spring_colour = 3, full_colour = 4, closed_form_colour = 5;
+constexpr int front_colour = 7, spring_colour = 6, full_colour = 3, closed_form_colour = 5;
 
 double number(const Json& value) {
   return value.is_number() ? value.get<double>() : std::nan("");
@@ -91,10 +91,11 @@ Figure cost_figure(const Json& trade) {
   Series springs{"springs in time", {}, {}, Series::Style::open_points, spring_colour};
   for (const auto& point : trade.at("springs")) add(springs, number(point.at("seconds")), number(point.at("error")));
   if (!springs.x.empty()) plot.series.push_back(springs);
-  Series full{"all dofs (extrapolated)", {}, {}, Series::Style::open_points, full_colour};
+  Series full{"all dofs, extrapolated", {}, {}, Series::Style::triangles, full_colour};
   for (const auto& level : trade.at("full"))
     add(full, number(level.at(extrapolated)), number(level.at("error_of_the_condensed_point")));
   if (!full.x.empty()) plot.series.push_back(full);
+  plot.key_right = true;
   const auto [least, largest] = error_span(plot.series);
   const double seconds = number(trade.at("closed_form").at("seconds"));
   plot.series.push_back(
@@ -109,6 +110,10 @@ Figure cost_figure(const Json& trade) {
 Figure memory_figure(const Json& trade) {
   auto plot = log_plot("Error over memory", "MB");
   plot.series = clouds(trade, megabytes_of);
+  Series full{"all dofs", {}, {}, Series::Style::triangles, full_colour};
+  for (const auto& level : trade.at("full"))
+    add(full, number(level.at("memory_bytes_measured")) / 1e6, number(level.at("error_of_the_condensed_point")));
+  if (!full.x.empty()) plot.series.push_back(full);
   return {
       svg(plot),
       "Memory: measured peak growth of the process while the body was made, and the counted size of the histories."};
@@ -171,6 +176,7 @@ Figure axis_figure(const Json& trade, const Axis& axis, const std::vector<Json>&
     plot.series.push_back(marks);
   }
   for (const auto& point : points) plot.x_tics.push_back(number(point.at("setting").at(axis.key)));
+  plot.x_range = {plot.x_tics.front() / 1.15, plot.x_tics.back() * 1.15};
   return {svg(plot), fmt::format("One axis alone, the others at the reference setting.{}", rate_text(trade, axis))};
 }
 

@@ -50,6 +50,14 @@ double floor_of(const std::vector<double>& errors) {
   return std::isfinite(smallest) ? 3 * smallest : 0;
 }
 
+std::optional<LogSlope> observed_rate(std::vector<double> values, std::vector<double> errors) {
+  const double floor = floor_of(errors);
+  const auto end = std::find_if_not(errors.begin(), errors.end(), [=](double error) { return error > floor; });
+  values.resize(static_cast<std::size_t>(end - errors.begin()));
+  errors.resize(values.size());
+  return log_slope(values, errors, 0);
+}
+
 bool meets(const Measures& errors, double tolerance) {
   const auto tolerances = tolerances_of(tolerance);
   return !errors.empty() && std::all_of(errors.begin(), errors.end(), [&](const auto& entry) {

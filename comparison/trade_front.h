@@ -33,6 +33,9 @@ std::optional<LogSlope> log_slope(const std::vector<double>& x, const std::vecto
 /// times the smallest one say nothing about the order. 0 for an empty list.
 double floor_of(const std::vector<double>& errors);
 
+/// Slope of the errors of a sweep, coarsest first: over those before the first one that is not above the floor.
+std::optional<LogSlope> observed_rate(std::vector<double> values, std::vector<double> errors);
+
 /// Whether errors are within a tolerance: T on the stick radii (and on the evidence of a limiting profile), T/10 on
 /// contact radius and normal force, as in a verdict.
 bool meets(const Measures& errors, double tolerance);

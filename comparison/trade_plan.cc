@@ -38,12 +38,13 @@ Resolution reference_of(const TradeAxes& axes, const FemScene& scene) {
   return r;
 }
 
-bool has_long_histories(const FemScene& scene) {
-  return scene.relaxation.viscosity > 0 || !scene.motion.phase;
+/// One run has to do where histories are long.
+int repetitions_for(const FemScene& scene) {
+  return scene.relaxation.viscosity > 0 || !scene.motion.phase ? 1 : 2;
 }
 
 TradeAxes affordable(TradeAxes axes, const FemScene& scene) {
-  if (!has_long_histories(scene)) return axes;
+  if (scene.motion.phase) return axes;
   const auto keep = [](auto& values, auto largest) {
     values.erase(std::remove_if(values.begin(), values.end(), [=](auto v) { return v > largest; }), values.end());
   };
@@ -82,7 +83,7 @@ Resolution chosen_resolution(double tolerance, const FemScene& scene) {
 
 TradePlan trade_plan(const FemScene& scene, const TradeAxes& wanted) {
   const auto axes = affordable(wanted, scene);
-  TradePlan plan{{1e-2, 1e-3, 1e-4}, reference_of(axes, scene), {}, {}, has_long_histories(scene) ? 1 : 2, {}};
+  TradePlan plan{axes.tolerances, reference_of(axes, scene), {}, {}, repetitions_for(scene), {}};
   std::map<Resolution, std::set<Sweep>> settings;
   const auto vary = [&](Sweep sweep, const auto& values, auto entry) {
     for (const auto value : values) {

@@ -48,14 +48,15 @@ struct TradeAxes {
   std::vector<double> growths{0.15, 0.3, 0.6}, far_radii{3, 6, 12, 25};
   std::vector<int> steps{12, 24, 48, 96, 192};
   std::vector<unsigned> full_rings{8, 16};
+  std::vector<double> tolerances{1e-2, 1e-3, 1e-4};
 };
 
 /// The resolution that `resolution_for` chooses, with a start as short as a body without memory allows.
 Resolution chosen_resolution(double tolerance, const FemScene& scene);
 
 /// Start, creep and periodicity of the joint sweep go with its time steps as in `resolution_for`, and its far radius
-/// with its rings: 12 up to 32 rings, 25 beyond. Its grading is 0.3. A dashpot or an unlocked phase makes histories
-/// long: then at most 48 rings and 96 steps, each once instead of twice.
+/// with its rings: 12 up to 32 rings, 25 beyond. Its grading is 0.3. An unlocked phase makes histories long: then at
+/// most 48 rings and 96 steps. Times are measured twice; with an unlocked phase or a dashpot, once.
 TradePlan trade_plan(const FemScene& scene, const TradeAxes& axes = {});
 
 }  // namespace fretval

@@ -74,7 +74,8 @@ std::string rates_table(const Json& trade) {
     html += "</tr>\n";
   }
   return html + fmt::format(
-                    "</tbody></table></div>\n<p class=\"soft\">Least squares over the errors above three times "
+                    "</tbody></table></div>\n<p class=\"soft\">Least squares over the errors, coarsest first, down to "
+                    "three times "
                     "the smallest one of the sweep, their number in parentheses; – : fewer than two of them. Seconds "
                     "grow with the power {} "
                     "of the rings.</p>\n",
