@@ -54,8 +54,9 @@ std::string script_of(const Plot& plot) {
       << "set encoding utf8\nset border 3 lc rgb '#666666'\nset tics nomirror\nset grid lc rgb '#dddddd' lt 1 lw 0.5\n"
       << "set title " << quoted(plot.title) << "\nset xlabel " << quoted(plot.x_label) << "\nset ylabel "
       << quoted(plot.y_label) << "\nset datafile missing 'nan'\n"
-      << (plot.key_right ? "set key outside right top\n"
-                         : "set key bmargin center vertical maxrows 3\nset bmargin 7\n");
+      << (plot.key_right ? std::string("set key outside right top\n")
+                         : fmt::format("set key bmargin center vertical maxrows {}\nset bmargin {}\n", plot.key_rows,
+                                       plot.key_rows + 4));
   if (plot.log_y) script << "set logscale y\nset format y '10^{%L}'\n";
   if (plot.log_x) script << "set logscale x\n" << (plot.x_tics.empty() ? "set format x '10^{%L}'\n" : "");
   if (!plot.x_tics.empty()) script << fmt::format("set xtics ({:g})\n", fmt::join(plot.x_tics, ", "));

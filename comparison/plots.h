@@ -24,6 +24,7 @@ struct Plot {
   bool key_right = false;  ///< key on the right rather than below
   std::optional<std::pair<double, double>> x_range, y_range;
   bool log_x = false;
+  int key_rows = 3;                 ///< of a key below
   std::vector<double> x_tics = {};  ///< empty: where gnuplot puts them
 };
 

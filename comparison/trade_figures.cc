@@ -95,7 +95,7 @@ Figure cost_figure(const Json& trade) {
   for (const auto& level : trade.at("full"))
     add(full, number(level.at(extrapolated)), number(level.at("error_of_the_condensed_point")));
   if (!full.x.empty()) plot.series.push_back(full);
-  plot.key_right = true;
+  plot.key_rows = 4;
   const auto [least, largest] = error_span(plot.series);
   const double seconds = number(trade.at("closed_form").at("seconds"));
   plot.series.push_back(

@@ -6,6 +6,11 @@
 #include <tuple>
 
 namespace fretval {
+namespace {
+
+constexpr double same_error = 1e-6;  // histories that differ in nothing that matters differ in roundoff
+
+}  // namespace
 
 std::vector<std::size_t> pareto_front(const std::vector<ErrorAndSeconds>& points) {
   std::vector<std::size_t> order;
@@ -17,7 +22,7 @@ std::vector<std::size_t> pareto_front(const std::vector<ErrorAndSeconds>& points
   std::vector<std::size_t> front;
   double smallest = std::numeric_limits<double>::infinity();
   for (const std::size_t i : order) {
-    if (points[i].error >= smallest) continue;
+    if (points[i].error >= (1 - same_error) * smallest) continue;
     smallest = points[i].error;
     front.push_back(i);
   }

@@ -16,7 +16,7 @@ struct ErrorAndSeconds {
 
 /// Indices of the points for which no other one has both a smaller error and fewer seconds, by rising seconds and
 /// falling error. Of points with the same error the fastest counts, of equally fast ones the most accurate, of equal
-/// ones the first. Points that are not finite never count.
+/// ones the first; errors within 1e-6 of each other are the same. Points that are not finite never count.
 std::vector<std::size_t> pareto_front(const std::vector<ErrorAndSeconds>& points);
 
 /// A power law fitted to points.

@@ -92,7 +92,7 @@ std::string full_text(const Json& trade) {
     html += fmt::format(
         "<p>With all {} degrees of freedom as unknowns ({} rings per radius), {} normal and {} tangential steps were "
         "measured: {:.3f} s and {:.3f} s each. Pressures and tractions differ by at most {:.1e} and {:.1e} from the "
-        "condensed ones. The whole history would take {:.0f} s (extrapolated), condensed it takes {:.2f} s.</p>\n",
+        "condensed ones. The whole history would take {:.1f} s (extrapolated), condensed it takes {:.2f} s.</p>\n",
         level.at("dofs").get<int>(), level.at("setting").at("rings_per_radius").get<int>(),
         measured.at("normal_steps").get<long>(), measured.at("friction_steps").get<long>(),
         measured.at("seconds_per_normal_step").get<double>(), measured.at("seconds_per_friction_step").get<double>(),

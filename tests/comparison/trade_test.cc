@@ -31,6 +31,7 @@ TEST(ParetoFront, KeepsWhatNoOtherPointBeats) {
 TEST(ParetoFront, TakesOneOfEqualPointsAndNoneThatFailed) {
   const double none = std::nan("");
   EXPECT_EQ(pareto_front({{none, 1}, {1e-2, 2}, {1e-2, 2}, {1e-2, 3}, {1e-3, none}}), (std::vector<std::size_t>{1}));
+  EXPECT_EQ(pareto_front({{1e-2, 1}, {1e-2 * (1 - 1e-12), 2}}), (std::vector<std::size_t>{0}));
   EXPECT_EQ(pareto_front({{1e-2, 2}, {1e-3, 2}}), (std::vector<std::size_t>{1}));
   EXPECT_TRUE(pareto_front({}).empty());
 }
