@@ -6,7 +6,7 @@
 namespace fretval {
 namespace {
 
-constexpr double joint_growth = 0.3;
+constexpr double joint_growth = 0.3, worn_edge_tolerance = 1e-3;
 constexpr unsigned slow_finest_rings = 48;
 constexpr int slow_finest_steps = 96;
 
@@ -23,6 +23,7 @@ Resolution joint_setting(unsigned rings, unsigned degree, int steps, const FemSc
   r.degree = degree;
   r.growth = joint_growth;
   r.far_radius = rings <= 32 ? 12 : 25;
+  r.worn_edge_ring = resolution_for(worn_edge_tolerance).worn_edge_ring;
   r.steps_per_cycle = steps;
   return r;
 }
@@ -34,13 +35,14 @@ Resolution reference_of(const TradeAxes& axes, const FemScene& scene) {
   r.degree = 3;
   r.growth = joint_growth;
   r.far_radius = axes.far_radii.back();
+  r.worn_edge_ring = resolution_for(worn_edge_tolerance).worn_edge_ring;
   r.steps_per_cycle = axes.steps.back();
   return r;
 }
 
-/// One run has to do where histories are long.
+/// One run has to do where histories are long or bodies large.
 int repetitions_for(const FemScene& scene) {
-  return scene.relaxation.viscosity > 0 || !scene.motion.phase ? 1 : 2;
+  return scene.relaxation.viscosity > 0 || !scene.motion.phase || scene.worn_edge ? 1 : 2;
 }
 
 TradeAxes affordable(TradeAxes axes, const FemScene& scene) {

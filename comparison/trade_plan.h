@@ -55,8 +55,9 @@ struct TradeAxes {
 Resolution chosen_resolution(double tolerance, const FemScene& scene);
 
 /// Start, creep and periodicity of the joint sweep go with its time steps as in `resolution_for`, and its far radius
-/// with its rings: 12 up to 32 rings, 25 beyond. Its grading is 0.3. An unlocked phase makes histories long: then at
-/// most 48 rings and 96 steps. Times are measured twice; with an unlocked phase or a dashpot, once.
+/// with its rings: 12 up to 32 rings, 25 beyond. Its grading is 0.3; the rings at a worn edge are those for 1e-3
+/// throughout. An unlocked phase makes histories long: then at most 48 rings and 96 steps. Times are measured twice;
+/// with an unlocked phase, a dashpot or a worn edge, once.
 TradePlan trade_plan(const FemScene& scene, const TradeAxes& axes = {});
 
 }  // namespace fretval
