@@ -20,6 +20,7 @@
 #include "comparison/report.h"
 #include "comparison/stopwatch.h"
 #include "comparison/terminal.h"
+#include "comparison/trade_command.h"
 #include "fem/petsc_session.h"
 #include "meshes/msh_file.h"
 #include "meshes/quality.h"
@@ -163,6 +164,11 @@ void add_commands(CLI::App& app, Command& command) {
       return exit_agree;
     };
   });
+
+  auto* trade = app.add_subcommand("trade", "The speed-accuracy front of a case; writes trade.json");
+  trade->add_option("case", options->file, "Case file (.prm or .json) with a single case")->required();
+  trade->add_option("-o,--output", options->output, "Folder for the results")->capture_default_str();
+  trade->callback([=, &command] { command = [=] { return run_trade(options->file, options->output); }; });
 
   auto* mesh = app.add_subcommand("mesh", "The mesh of a case alone");
   mesh->add_option("case", options->file, "Case file (.prm or .json)")->required();

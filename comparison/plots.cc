@@ -40,6 +40,8 @@ std::string style_of(const Series& series) {
       return fmt::format("with lines lw 1.6 dt 2 lc rgb '{}'", colour);
     case Series::Style::points:
       return fmt::format("with points pt 7 ps 0.45 lc rgb '{}'", colour);
+    case Series::Style::triangles:
+      return fmt::format("with points pt 9 ps 0.9 lc rgb '{}'", colour);
     default:
       return fmt::format("with points pt 6 ps 0.55 lc rgb '{}'", colour);
   }
@@ -52,9 +54,12 @@ std::string script_of(const Plot& plot) {
       << "set encoding utf8\nset border 3 lc rgb '#666666'\nset tics nomirror\nset grid lc rgb '#dddddd' lt 1 lw 0.5\n"
       << "set title " << quoted(plot.title) << "\nset xlabel " << quoted(plot.x_label) << "\nset ylabel "
       << quoted(plot.y_label) << "\nset datafile missing 'nan'\n"
-      << (plot.key_right ? "set key outside right top\n"
-                         : "set key bmargin center vertical maxrows 3\nset bmargin 7\n");
+      << (plot.key_right ? std::string("set key outside right top\n")
+                         : fmt::format("set key bmargin center vertical maxrows {}\nset bmargin {}\n", plot.key_rows,
+                                       plot.key_rows + 4));
   if (plot.log_y) script << "set logscale y\nset format y '10^{%L}'\n";
+  if (plot.log_x) script << "set logscale x\n" << (plot.x_tics.empty() ? "set format x '10^{%L}'\n" : "");
+  if (!plot.x_tics.empty()) script << fmt::format("set xtics ({:g})\n", fmt::join(plot.x_tics, ", "));
   if (plot.x_range) script << fmt::format("set xrange [{}:{}]\n", plot.x_range->first, plot.x_range->second);
   if (plot.y_range) script << fmt::format("set yrange [{}:{}]\n", plot.y_range->first, plot.y_range->second);
   for (std::size_t k = 0; k < plot.series.size(); ++k) {

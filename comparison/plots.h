@@ -9,7 +9,7 @@ namespace fretval {
 
 /// One curve or set of points; NaN values leave a gap.
 struct Series {
-  enum class Style { line, dashed, points, open_points };
+  enum class Style { line, dashed, points, open_points, triangles };
   std::string label;  ///< empty: not in the key
   std::vector<double> x, y;
   Style style = Style::line;
@@ -23,6 +23,9 @@ struct Plot {
   bool log_y = false;
   bool key_right = false;  ///< key on the right rather than below
   std::optional<std::pair<double, double>> x_range, y_range;
+  bool log_x = false;
+  int key_rows = 3;                 ///< of a key below
+  std::vector<double> x_tics = {};  ///< empty: where gnuplot puts them
 };
 
 /// Draws a plot with gnuplot as an SVG element to embed in HTML. Throws std::runtime_error if gnuplot is missing or

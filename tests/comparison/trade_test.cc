@@ -1,0 +1,180 @@
+#include "comparison/trade.h"
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+
+#include "comparison/batch.h"
+#include "comparison/case_file.h"
+#include "comparison/trade_json.h"
+#include "comparison/trade_report.h"
+#include "tests/comparison/scratch_folder.h"
+
+namespace fretval {
+namespace {
+
+namespace fs = std::filesystem;
+
+PreparedCase prepared_case() {
+  const ScratchFolder folder;
+  return prepare(read_case_file(folder.write("case.prm", valid_case))).front();
+}
+
+TEST(ParetoFront, KeepsWhatNoOtherPointBeats) {
+  const std::vector<ErrorAndSeconds> points{{1e-2, 1}, {1e-3, 4}, {2e-3, 2}, {3e-3, 3}, {2e-3, 5}, {1e-4, 9}};
+  EXPECT_EQ(pareto_front(points), (std::vector<std::size_t>{0, 2, 1, 5}));
+}
+
+TEST(ParetoFront, TakesOneOfEqualPointsAndNoneThatFailed) {
+  const double none = std::nan("");
+  EXPECT_EQ(pareto_front({{none, 1}, {1e-2, 2}, {1e-2, 2}, {1e-2, 3}, {1e-3, none}}), (std::vector<std::size_t>{1}));
+  EXPECT_EQ(pareto_front({{1e-2, 1}, {1e-2 * (1 - 1e-12), 2}}), (std::vector<std::size_t>{0}));
+  EXPECT_EQ(pareto_front({{1e-2, 2}, {1e-3, 2}}), (std::vector<std::size_t>{1}));
+  EXPECT_TRUE(pareto_front({}).empty());
+}
+
+TEST(LogSlope, IsTheExponentOfAPower) {
+  std::vector<double> x, y;
+  for (const double value : {8.0, 12.0, 16.0, 32.0, 64.0}) {
+    x.push_back(value);
+    y.push_back(3 * std::pow(value, -2.5));
+  }
+  const auto all = log_slope(x, y, 0);
+  EXPECT_NEAR(all->slope, -2.5, 1e-13);
+  EXPECT_EQ(all->n_points, 5);
+  const auto above = log_slope(x, y, 1.01 * y[2]);  // the two largest
+  EXPECT_NEAR(above->slope, -2.5, 1e-13);
+  EXPECT_EQ(above->n_points, 2);
+  EXPECT_FALSE(log_slope(x, y, y[1]));
+  EXPECT_FALSE(log_slope({2, 2}, {1, 3}, 0));
+}
+
+// What the other settings leave behind must not flatten the slope of a sweep.
+TEST(LogSlope, LeavesOutTheFloorOfASweep) {
+  std::vector<double> x, y;
+  for (const double value : {8.0, 16.0, 32.0, 64.0, 128.0, 256.0}) {
+    x.push_back(value);
+    y.push_back(std::pow(value, -3) + 1e-6);
+  }
+  const auto rate = observed_rate(x, y);
+  // Three floors up an error is up to 3/2 of its own: a slope over three doublings may be off by log2(3/2)/3.
+  EXPECT_NEAR(rate->slope, -3, 0.2);
+  EXPECT_EQ(rate->n_points, 4);
+  EXPECT_GT(log_slope(x, y, 0)->slope, -2.5);
+  // A fine point that is off by chance is behind the floor and does not count.
+  EXPECT_NEAR(observed_rate({2, 4, 8, 16}, {1e-2, 1e-4, 2e-6, 4e-4})->slope, std::log2(1e-2), 1e-12);
+}
+
+TEST(Recommendation, PicksTheCheapestThatMeetsEveryTolerance) {
+  const auto errors = [](double stick, double contact, double force) {
+    return Measures{{"stick_radius_first_slip", stick / 2},
+                    {"stick_radius_shakedown", stick},
+                    {"contact_radius_max", contact},
+                    {"normal_force_max", force}};
+  };
+  const std::vector<Candidate> candidates{{errors(9e-4, 9e-5, 9e-5), 5},     {errors(9e-4, 2e-4, 9e-5), 1},
+                                          {errors(9e-4, 9e-5, 2e-4), 1},     {errors(2e-3, 9e-5, 9e-5), 1},
+                                          {errors(9.9e-4, 9e-5, 9.9e-5), 3}, {{}, 0.5}};
+  EXPECT_EQ(cheapest(candidates, 1e-3), 4U);
+  EXPECT_EQ(cheapest(candidates, 1e-4), std::nullopt);
+  EXPECT_FALSE(meets({}, 1));
+}
+
+TEST(TradePlan, VariesOneAxisAtATimeAndKeepsTheChoicesOfTheTool) {
+  const auto prepared = prepared_case();
+  const auto plan = trade_plan(prepared.fem);
+  std::map<Sweep, int> n;
+  for (const auto& setting : plan.settings)
+    for (const Sweep sweep : setting.sweeps) ++n[sweep];
+  EXPECT_EQ(n[Sweep::rings], 9);
+  EXPECT_EQ(n[Sweep::element_order], 3);
+  EXPECT_EQ(n[Sweep::grading], 3);
+  EXPECT_EQ(n[Sweep::far_field], 4);
+  EXPECT_EQ(n[Sweep::time_step], 5);
+  EXPECT_EQ(n[Sweep::joint], 90);
+  EXPECT_EQ(n[Sweep::chosen], 3);
+  for (const auto& setting : plan.settings) {
+    if (setting.sweeps.count(Sweep::rings) == 0) continue;
+    Resolution r = setting.resolution;
+    r.elements_per_radius = plan.reference.elements_per_radius;
+    EXPECT_FALSE(r < plan.reference || plan.reference < r);
+  }
+}
+
+/// A plan small enough for a test: rings alone, and a body with every degree of freedom.
+struct SmallTrade {
+  PreparedCase prepared = prepared_case();
+  TradePlan plan = trade_plan(prepared.fem, {{8, 12, 16}, {2}, {2}, {0.3}, {12}, {48}, {8}, {1e-2}});
+  Trade trade = compute_trade(prepared, plan);
+};
+
+const SmallTrade& small_trade() {
+  static const SmallTrade computed;
+  return computed;
+}
+
+TEST(Trade, ErrorsFallWithRingsAndTheFullModelAgrees) {
+  const auto& trade = small_trade().trade;
+  const auto rings = members_of(trade.points, Sweep::rings);
+  ASSERT_EQ(rings.size(), 3U);
+  for (std::size_t k = 1; k < rings.size(); ++k)
+    EXPECT_LT(trade.points[rings[k]].error(), trade.points[rings[k - 1]].error());
+  EXPECT_LT(trade.points[rings[0]].error(), 1e-2);
+  // At least second order between 8 and 16 rings; 3 is what the elements promise.
+  EXPECT_LT(trade.points[rings[2]].error(), trade.points[rings[0]].error() / 4);
+  for (const auto& point : trade.points) {
+    EXPECT_EQ(point.failure, "");
+    EXPECT_EQ(point.errors.size(), 4U);
+    EXPECT_GT(point.seconds.body.factorisation, 0);
+    EXPECT_GT(point.seconds.friction_history, 0);
+  }
+  ASSERT_EQ(trade.full.size(), 1U);
+  EXPECT_EQ(trade.full[0].point.failure, "");
+  EXPECT_LT(trade.full[0].point.pressure_difference, 1e-11);  // roundoff of the sparse solves
+  EXPECT_LT(trade.full[0].point.traction_difference, 1e-11);
+  EXPECT_GT(trade.full[0].extrapolated_seconds, trade.points[trade.full[0].condensed].seconds.total());
+  ASSERT_EQ(trade.springs.size(), 4U);
+  EXPECT_LT(trade.springs[3].errors.at("stick_radius_shakedown"), 1e-3);
+  ASSERT_EQ(trade.recommendations.size(), 1U);
+  ASSERT_TRUE(trade.recommendations[0].cheapest);
+  EXPECT_LE(trade.points[*trade.recommendations[0].cheapest].seconds.total(),
+            trade.points[trade.recommendations[0].chosen].seconds.total());
+}
+
+// What is written is enough to draw and tabulate it.
+TEST(Trade, IsReportedFromItsFile) {
+  const ScratchFolder folder;
+  EXPECT_EQ(trade_section(folder.path()), "");
+  const auto& [prepared, plan, trade] = small_trade();
+  folder.write("trade.json", trade_json(prepared, plan, trade).dump());
+  const auto html = trade_section(folder.path());
+  for (const char* part : {"Speed and accuracy: case", "<svg", "chosen by the tool", "extrapolated", "</table>"})
+    EXPECT_NE(html.find(part), std::string::npos) << part;
+  folder.write("trade.json", "{\"name\": 1}");
+  EXPECT_THROW(trade_section(folder.path()), InputError);
+}
+
+int exit_code_of_trade(const std::string& file, const ScratchFolder& folder) {
+  const std::string out = (folder.path() / "out").string(), log = (folder.path() / "log").string();
+  const int status =
+      std::system((std::string(FRETVAL_PROGRAM) + " trade " + file + " -o " + out + " >" + log + " 2>&1").c_str());
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+TEST(TradeCommand, RefusesBadInputAndWritesNothing) {
+  const ScratchFolder folder;
+  const auto sweep = folder.write(
+      "sweep.prm", valid_case + "subsection Sweep\n  set Entry = Motion / Phase\n  set Values = 0:90:180\nend\n");
+  const auto bad = folder.write("bad.prm", replace(valid_case, "modulus = 1e6", "modulus = -1"));
+  const auto forces =
+      folder.write("forces.prm", replace(valid_case, "Tangential frequency = 1", "Tangential frequency = 2"));
+  for (const auto& file : {sweep, bad, forces, folder.path() / "nowhere.prm"})
+    EXPECT_EQ(exit_code_of_trade(file.string(), folder), 2) << file;
+  EXPECT_FALSE(fs::exists(folder.path() / "out"));
+}
+
+}  // namespace
+}  // namespace fretval
