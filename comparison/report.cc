@@ -12,6 +12,7 @@
 #include "comparison/files.h"
 #include "comparison/ladder_report.h"
 #include "comparison/results_folder.h"
+#include "comparison/trade_report.h"
 #include "comparison/verdict_report.h"
 #include "comparison/versions.h"
 
@@ -265,7 +266,7 @@ fs::path write_report(const fs::path& folder) {
       style);
   for (const auto& section :
        {verdict_section(results), radii_section(results), phase_section(results), rheology_section(results),
-        limiting_section(results), single_cases_section(results), budget_section(results),
+        limiting_section(results), single_cases_section(results), budget_section(results), trade_section(folder),
         ladder ? ladder_section(*ladder) : "", cost_section(results), all_cases_section(results)})
     page += section;
   page += "</body></html>\n";
