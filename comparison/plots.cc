@@ -55,6 +55,7 @@ std::string script_of(const Plot& plot) {
       << (plot.key_right ? "set key outside right top\n"
                          : "set key bmargin center vertical maxrows 3\nset bmargin 7\n");
   if (plot.log_y) script << "set logscale y\nset format y '10^{%L}'\n";
+  if (plot.log_x) script << "set logscale x\nset format x '10^{%L}'\n";
   if (plot.x_range) script << fmt::format("set xrange [{}:{}]\n", plot.x_range->first, plot.x_range->second);
   if (plot.y_range) script << fmt::format("set yrange [{}:{}]\n", plot.y_range->first, plot.y_range->second);
   for (std::size_t k = 0; k < plot.series.size(); ++k) {

@@ -23,6 +23,7 @@ struct Plot {
   bool log_y = false;
   bool key_right = false;  ///< key on the right rather than below
   std::optional<std::pair<double, double>> x_range, y_range;
+  bool log_x = false;
 };
 
 /// Draws a plot with gnuplot as an SVG element to embed in HTML. Throws std::runtime_error if gnuplot is missing or

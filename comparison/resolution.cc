@@ -90,11 +90,12 @@ std::vector<Variant> variants_of(const Resolution& resolution, const SceneNeeds&
     r.n_ramp_cycles /= 2;
     add(ErrorSource::start, r);
   }
-  if (needs.creep) {
-    r = resolution;
-    r.n_creep_cycles /= 2;
-    add(ErrorSource::creep, r);
-  }
+  for (const int divisor : {2, 4})
+    if (needs.creep) {
+      r = resolution;
+      r.n_creep_cycles /= divisor;
+      add(ErrorSource::creep, r);
+    }
   r = resolution;
   r.periodicity *= 10;
   add(ErrorSource::cycles, r);
