@@ -7,33 +7,13 @@
 #include <set>
 
 #include "comparison/parallel.h"
+#include "comparison/study_driver.h"
 
 namespace fretval {
 namespace {
 
 namespace fs = std::filesystem;
 using Indices = std::vector<std::size_t>;
-
-/// Runs studies until all are finished.
-void run_studies(const std::vector<PreparedCase>& cases, const Indices& indices, std::vector<CaseStudy>& studies,
-                 const std::function<Body(const BodySpecification&)>& make_body) {
-  while (true) {
-    std::vector<Probe> probes;
-    std::vector<std::pair<std::size_t, Resolution>> origin;  // study
-    for (std::size_t s = 0; s < studies.size(); ++s)
-      for (const auto& resolution : studies[s].wanted()) {
-        const auto& prepared = cases[indices[s]];
-        probes.push_back({&prepared.scene, at_resolution(prepared.fem, resolution)});
-        origin.emplace_back(s, resolution);
-      }
-    if (probes.empty()) return;
-    run_probes(probes, make_body, [&](std::size_t i, ProbeAnswer&& answer) {
-      studies[origin[i].first].take(origin[i].second, std::move(answer));
-    });
-    for (auto& study : studies)
-      if (!study.wanted().empty()) study.advance();
-  }
-}
 
 /// Normal responses of the spring foundation; a failure is kept as its message.
 struct Reference {
@@ -78,7 +58,7 @@ class Batch {
   void run(const Indices& indices) {
     std::vector<CaseStudy> studies;
     for (const std::size_t i : indices) studies.emplace_back(cases_[i], hooks_.with_budget);
-    run_studies(cases_, indices, studies, hooks_.make_body);
+    run_studies(studies, hooks_.make_body);
     const auto references = references_of(cases_, indices);
     for (std::size_t s = 0; s < indices.size(); ++s) finish(indices[s], studies[s].result(), references[s]);
   }

@@ -8,7 +8,8 @@ namespace fretval {
 namespace {
 
 constexpr int most_refinements = 4;
-constexpr Eigen::Index enough_stuck_rings = 6, enough_slipping_rings = 5;
+constexpr Eigen::Index enough_stuck_rings = 6, enough_slipping_rings = 3;
+constexpr double worthwhile_gain = 4;  // a ring that is less finer than that, the error budget asks for by itself
 constexpr double finest_ring_at_the_centre = 1e-4, finest_ring_at_the_edge = 1e-7;
 
 constexpr const char* first_slip = "stick_radius_first_slip";
@@ -23,6 +24,10 @@ double finest_ring(const Resolution& resolution) {
   return resolution.focus ? resolution.focus->ring : 1.0 / resolution.elements_per_radius;
 }
 
+Eigen::Index rings_within(const std::vector<double>& radii, double c) {
+  return std::max<Eigen::Index>(std::upper_bound(radii.begin(), radii.end(), c) - radii.begin() - 1, 0);
+}
+
 double tolerance_of(const Tolerances& tolerances, const std::string& quantity) {
   if (quantity == "contact_radius_max") return tolerances.contact_radius;
   if (quantity == "normal_force_max") return tolerances.normal_force;
@@ -30,6 +35,13 @@ double tolerance_of(const Tolerances& tolerances, const std::string& quantity) {
 }
 
 }  // namespace
+
+double seconds_alone(const ProbeAnswer& answer) {
+  double seconds = answer.fe.seconds;
+  if (answer.body) seconds += answer.body->cost.mesh + answer.body->cost.assembly + answer.body->cost.factorisation;
+  if (answer.normal) seconds += answer.normal->seconds;
+  return seconds;
+}
 
 CaseStudy::CaseStudy(const PreparedCase& prepared, bool with_budget)
     : prepared_(prepared), with_budget_(with_budget), now_{prepared.fem.resolution, {}} {
@@ -68,11 +80,13 @@ std::optional<Focus> CaseStudy::closer_look(const std::string& quantity) const {
   const Resolution& now = resolution_of(quantity);
   const auto& answer = answers_.at(now);
   const auto& rings = answer.fe.rings;
-  const Eigen::Index n_stuck = quantity == first_slip ? rings.stuck.first_slip : rings.stuck.shakedown;
   const auto& measures = measures_.at(now);
   const double c = measures.at(quantity), ring = finest_ring(now);
+  const Eigen::Index n_stuck = rings_within(answer.body->radii, c);
   if (n_stuck < enough_stuck_rings) {
-    if (ring < finest_ring_at_the_centre) return std::nullopt;
+    // Of a zone that does not show, it is enough to know that it is small against the tolerance.
+    const double fine_enough = n_stuck > 0 ? 0 : prepared_.tolerances.stick_radius / 4;
+    if (ring < std::max(finest_ring_at_the_centre, fine_enough)) return std::nullopt;
     const double outer = n_stuck > 0 ? rounded_up(1.5 * c + ring) : rounded_up(ring);
     return Focus{0, outer, outer / 32};
   }
@@ -95,7 +109,7 @@ bool CaseStudy::focus_on_unresolved_edges() {
   for (const char* quantity : {first_slip, shakedown}) {
     const auto& now = resolution_of(quantity);
     const auto focus = closer_look(quantity);
-    if (!focus || focus->ring > finest_ring(now) / 2) continue;
+    if (!focus || focus->ring > finest_ring(now) / worthwhile_gain) continue;
     Resolution closer = now_.base;
     closer.focus = focus;
     now_.focused[quantity] = closer;
@@ -182,6 +196,7 @@ StudyResult CaseStudy::result() const {
   result.resolution = now_.base;
   result.n_refinements = n_refinements_;
   result.n_probes = static_cast<int>(measures_.size());
+  for (const auto& track : tracks()) result.seconds += seconds_alone(answers_.at(track));
   if (!result.answer.failure.empty()) return result;
   for (const auto& [quantity, resolution] : now_.focused) {
     const auto& focused = answers_.at(resolution);

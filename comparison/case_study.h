@@ -19,6 +19,9 @@ struct PreparedCase {
   Tolerances tolerances;
 };
 
+/// Seconds of an answer whose body and normal history were its own: mesh, assembly, factorisation, both histories.
+double seconds_alone(const ProbeAnswer& answer);
+
 /// What a study of a case comes to.
 struct StudyResult {
   ProbeAnswer answer;  ///< at the chosen resolution, with the stick radii of the focused ones
@@ -26,13 +29,15 @@ struct StudyResult {
   std::map<std::string, Focus> focus;  ///< stick radii that are read from a graded mesh, by name
   ErrorBudget budget;                  ///< empty if none was asked for
   int n_refinements = 0, n_probes = 0;
+  double seconds = 0;  ///< of the chosen resolutions if the case ran alone and without a budget
 };
 
 /// Chooses the resolution of a case by what its finite elements turn out to miss, without a look at what MDR says:
 ///
 /// 1. the coarsest resolution that usually does (resolution_for);
-/// 2. a stick zone or a slip annulus of too few rings is focused on, again and again until it is resolved or proved
-///    smaller than the finest ring;
+/// 2. a stick zone or a slip annulus of too few rings is focused on, again and again until it is resolved, proved
+///    smaller than the finest ring or, for a stick zone that does not show, than a quarter of the tolerance; where the
+///    rings of the focus were less than four times finer, step 4 gets there at a lower cost;
 /// 3. the error budget, each source by its own refinement;
 /// 4. while the bar of a quantity is wider than its tolerance, its largest sources are refined. A refinement whose
 ///    numerics fail is taken back.
@@ -45,6 +50,7 @@ class CaseStudy {
 
   /// Resolutions to be computed next; empty: the study is finished.
   [[nodiscard]] const std::vector<Resolution>& wanted() const { return wanted_; }
+  [[nodiscard]] const PreparedCase& prepared() const { return prepared_; }
   void take(const Resolution& resolution, ProbeAnswer&& answer);
   /// Call when all that was wanted is taken.
   void advance();

@@ -43,9 +43,11 @@ std::vector<BatchLine> run_check(const std::vector<CheckScene>& scenes) {
   for (const auto& [mesh, cases] : by_mesh) {
     BatchHooks hooks;
     hooks.with_budget = false;  // the mesh is what it is
-    const fs::path file = mesh;
-    hooks.make_body = [&file](const BodySpecification& specification) {
-      return make_body(meshes::read_msh(file), file.string(), specification.degree);
+    // Read here: a damaged file is bad input, not a failure of the numerics.
+    const std::string name = mesh.string();
+    const auto committed = meshes::read_msh(mesh);
+    hooks.make_body = [&](const BodySpecification& specification) {
+      return make_body(committed, name, specification.degree);
     };
     for (auto& line : run_batch(cases, {}, hooks)) lines.push_back(std::move(line));
   }

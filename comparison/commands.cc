@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <nlohmann/json.hpp>
 
 #include "comparison/batch.h"
 #include "comparison/case_file.h"
@@ -20,6 +21,9 @@
 #include "comparison/report.h"
 #include "comparison/stopwatch.h"
 #include "comparison/terminal.h"
+#include "comparison/tolerance_json.h"
+#include "comparison/tolerance_suite.h"
+#include "comparison/tolerance_table.h"
 #include "comparison/trade_command.h"
 #include "fem/petsc_session.h"
 #include "meshes/msh_file.h"
@@ -99,11 +103,27 @@ int run_exact_suite(const std::string& junit) {
   return all ? exit_agree : exit_disagree;
 }
 
-int run_check_suite(const std::string& suite, const fs::path& meshes, const std::string& junit) {
-  if (suite != "small" && suite != "exact") throw InputError(fmt::format("--suite {}: expected small or exact", suite));
+int run_tolerance(const ToleranceSuiteOptions& options, const std::string& junit, const std::string& json) {
+  const auto records = run_tolerance_suite(options);
+  fmt::print("{}", tolerance_table(records));
+  if (!junit.empty()) write_file(junit, tolerance_junit(records));
+  if (!json.empty()) write_file(json, tolerance_json(records).dump(2) + "\n");
+  const auto n_pass =
+      std::count_if(records.begin(), records.end(), [](const ToleranceRecord& record) { return record.passes(); });
+  fmt::print("{} of {} meet their tolerance, with every error covered by its bar\n", n_pass, records.size());
+  return static_cast<std::size_t>(n_pass) == records.size() ? exit_agree : exit_disagree;
+}
+
+int run_check_suite(const std::string& suite, const fs::path& meshes, const std::string& junit, const std::string& json,
+                    const ToleranceSuiteOptions& tolerance) {
+  if (suite != "small" && suite != "exact" && suite != "tolerance")
+    throw InputError(fmt::format("--suite {}: expected small, exact or tolerance", suite));
+  if (!json.empty() && suite != "tolerance") throw InputError("--json: it belongs to --suite tolerance");
   Stopwatch watch;
   const fem::PetscSession session;
-  const int exit_code = suite == "small" ? run_small_suite(meshes, junit) : run_exact_suite(junit);
+  const int exit_code = suite == "small"   ? run_small_suite(meshes, junit)
+                        : suite == "exact" ? run_exact_suite(junit)
+                                           : run_tolerance(tolerance, junit, json);
   spdlog::info("suite {} in {:.1f} s", suite, watch.lap());
   return exit_code;
 }
@@ -128,8 +148,9 @@ int write_mesh(const std::string& file, const std::string& output) {
 void add_commands(CLI::App& app, Command& command) {
   struct Options {
     std::vector<std::string> files;
-    std::string file, output = "results", suite = "small", junit, mesh, meshes = small_meshes().string();
+    std::string file, output = "results", suite = "small", junit, json, mesh, meshes = small_meshes().string();
     MdrOptions mdr;
+    ToleranceSuiteOptions tolerance;
   };
   const auto options = std::make_shared<Options>();
 
@@ -148,13 +169,23 @@ void add_commands(CLI::App& app, Command& command) {
   run->callback([=, &command] { command = [=] { return run_cases(options->files, options->output); }; });
 
   auto* check = app.add_subcommand(
-      "check", "CI check: MDR against finite elements on small meshes, or finite elements against exact solutions");
-  check->add_option("--suite", options->suite, "Which suite: small, exact")->capture_default_str();
+      "check",
+      "CI check: MDR against finite elements on small meshes, finite elements against exact solutions, or the "
+      "errors of the chosen settings against the tolerance");
+  check->add_option("--suite", options->suite, "Which suite: small, exact, tolerance")->capture_default_str();
   check->add_option("--meshes", options->meshes, "Folder with coarse.msh and fine.msh, for the suite small")
       ->capture_default_str();
   check->add_option("--junit", options->junit, "Also write JUnit XML to this file");
-  check->callback(
-      [=, &command] { command = [=] { return run_check_suite(options->suite, options->meshes, options->junit); }; });
+  check->add_option("--json", options->json, "Also write everything that was measured to this file; suite tolerance");
+  check->add_option("--tolerances", options->tolerance.tolerances, "Suite tolerance: at which tolerances")
+      ->capture_default_str()
+      ->check(CLI::PositiveNumber);
+  check->add_flag("!--no-costs", options->tolerance.costs, "Suite tolerance: do not search for the cheapest settings");
+  check->callback([=, &command] {
+    command = [=] {
+      return run_check_suite(options->suite, options->meshes, options->junit, options->json, options->tolerance);
+    };
+  });
 
   auto* report = app.add_subcommand("report", "One self-contained HTML page from the results in a folder");
   report->add_option("folder", options->file, "Folder with results")->required();

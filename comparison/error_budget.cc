@@ -7,9 +7,11 @@
 namespace fretval {
 namespace {
 
-double expected_order(ErrorSource source, const std::string& quantity) {
-  if (source == ErrorSource::time_step || source == ErrorSource::start || source == ErrorSource::creep) return 2;
+double expected_order(ErrorSource source, const std::string& quantity, bool memory) {
+  if (source == ErrorSource::time_step || source == ErrorSource::start) return 2;
+  if (source == ErrorSource::creep) return 1;
   if (source == ErrorSource::far_field) return 4;
+  if (source == ErrorSource::rings && quantity == "normal_force_max" && memory) return 2;
   const bool radius_or_force = quantity.find("radius") != std::string::npos || quantity == "normal_force_max";
   return source == ErrorSource::rings && !radius_or_force ? 1 : 3;
 }
@@ -21,7 +23,7 @@ double value_of(const Measures& measures, const std::string& quantity) {
 }
 
 double element_error(double difference, unsigned degree) {
-  if (degree == 2) return difference;
+  if (degree == 2) return 1.25 * difference;
   return 3 * std::pow(difference, static_cast<double>(degree) / (degree - 1));
 }
 
@@ -48,6 +50,8 @@ ErrorShare richardson(ErrorSource source, const Refinements& values, double expe
 
 ErrorBudget error_budget(const Measures& measures, const std::vector<Variant>& variants,
                          const std::vector<Measures>& varied, unsigned degree, const Measures& edge) {
+  const bool memory = std::any_of(variants.begin(), variants.end(),
+                                  [](const Variant& variant) { return variant.source == ErrorSource::start; });
   ErrorBudget budget;
   for (const auto& [quantity, value] : measures) {
     auto& shares = budget[quantity].shares;
@@ -63,7 +67,7 @@ ErrorBudget error_budget(const Measures& measures, const std::vector<Variant>& v
         Refinements values{value, other, std::nullopt};
         if (i + 1 < variants.size() && variants[i + 1].source == source)
           values.coarse = value_of(varied[i + 1], quantity);
-        shares.push_back(richardson(source, values, expected_order(source, quantity)));
+        shares.push_back(richardson(source, values, expected_order(source, quantity, memory)));
       }
     }
     const auto reading = edge.find(quantity);

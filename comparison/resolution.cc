@@ -29,8 +29,9 @@ Resolution with_steps(Resolution r, double factor) {
 bool Resolution::operator<(const Resolution& o) const {
   const auto key = [](const Resolution& r) {
     return std::make_tuple(r.elements_per_radius, r.degree, r.growth, r.far_radius, r.steps_per_cycle, r.n_ramp_cycles,
-                           r.periodicity, r.n_creep_cycles, r.worn_edge_ring, r.surface_growth, r.active_set_slack, r.focus.has_value(),
-                           r.focus ? r.focus->inner : 0, r.focus ? r.focus->outer : 0, r.focus ? r.focus->ring : 0);
+                           r.periodicity, r.n_creep_cycles, r.worn_edge_ring, r.surface_growth, r.active_set_slack,
+                           r.focus.has_value(), r.focus ? r.focus->inner : 0, r.focus ? r.focus->outer : 0,
+                           r.focus ? r.focus->ring : 0);
   };
   return key(*this) < key(o);
 }
@@ -92,11 +93,12 @@ std::vector<Variant> variants_of(const Resolution& resolution, const SceneNeeds&
     r.n_ramp_cycles /= 2;
     add(ErrorSource::start, r);
   }
-  if (needs.creep) {
-    r = resolution;
-    r.n_creep_cycles /= 2;
-    add(ErrorSource::creep, r);
-  }
+  for (const int divisor : {2, 4})
+    if (needs.creep) {
+      r = resolution;
+      r.n_creep_cycles /= divisor;
+      add(ErrorSource::creep, r);
+    }
   r = resolution;
   r.periodicity *= 10;
   add(ErrorSource::cycles, r);

@@ -22,7 +22,7 @@ struct Resolution {
   double periodicity;               ///< largest relative change from one period to the next
   int n_creep_cycles = 48;          ///< of an unlocked phase, see fem::Motion
   double worn_edge_ring = 5e-6;     ///< limiting profile: rings at its edge over its stick radius
-  double surface_growth = 0.15;      ///< of rings that are graded along the surface, per ring
+  double surface_growth = 0.15;     ///< of rings that are graded along the surface, per ring
   double active_set_slack = 1e-13;  ///< see fem::BoxSolver
   std::optional<Focus> focus = {};  ///< empty: equal rings
 

@@ -13,6 +13,14 @@ Eigen::Index count_stuck(const Eigen::VectorXd& slip, const Eigen::VectorXd& mar
   return n;
 }
 
+/// Between two instants a ring may have to slip although it sticks at both. Its reserve shows that: it is a minimum
+/// over time, interpolated, and it is negative.
+Eigen::Index with_reserve(const Eigen::VectorXd& reserve, Eigen::Index n_stuck) {
+  Eigen::Index n = 0;
+  while (n < n_stuck && reserve[n] > 0) ++n;
+  return n;
+}
+
 }  // namespace
 
 StuckRings stuck_rings(const fem::FrictionHistory& friction, const fem::Motion& motion) {
@@ -24,8 +32,10 @@ StuckRings stuck_rings(const fem::FrictionHistory& friction, const fem::Motion& 
 
 StickZones stick_zones(const fem::Compliance& tangential, const fem::FrictionHistory& friction,
                        const StuckRings& stuck) {
-  return {fem::stick_radius(tangential, friction.first_slip_reserve, stuck.first_slip),
-          fem::stick_radius(tangential, friction.shakedown_reserve, stuck.shakedown)};
+  return {fem::stick_radius(tangential, friction.first_slip_reserve,
+                            with_reserve(friction.first_slip_reserve, stuck.first_slip)),
+          fem::stick_radius(tangential, friction.shakedown_reserve,
+                            with_reserve(friction.shakedown_reserve, stuck.shakedown))};
 }
 
 }  // namespace fretval

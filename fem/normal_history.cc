@@ -88,7 +88,7 @@ class Stepper {
  private:
   /// Rings that are in contact at the beginning of a step, if a dashpot makes that matter.
   [[nodiscard]] std::optional<Eigen::Index> n_closed() const {
-    constexpr double hardly_viscous = 0.9, roundoff = 1e-12;
+    constexpr double hardly_viscous = 0.99, roundoff = 1e-12;
     if (step_.fraction() > hardly_viscous) return std::nullopt;
     return (gap_.array() <= roundoff * gap_.maxCoeff()).count();
   }

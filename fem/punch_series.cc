@@ -105,8 +105,10 @@ double PunchSeries::integral(const Eigen::VectorXd& depths, const std::vector<si
     const auto [first, last] = zones[z];
     const Index node = std::max<Index>(first, blunt ? 1 : 0);
     const Index n = std::min<Index>(n_stencil, last - node + 1);
-    double end = z == 0 && edge ? *edge : edges_[last + 1];
-    if (z + 1 < zones.size() && is_smooth(z) && is_smooth(z + 1))
+    double end = edges_[last + 1];
+    if (z == 0 && edge)
+      end = *edge;
+    else if (z + 1 < zones.size() && is_smooth(z) && is_smooth(z + 1))
       end = meeting_point({radii_, depths, last - n + 1, n},
                           {radii_, depths, last + 1, std::min(n_stencil, zones[z + 1].size())}, end);
     for (Index i = first; i <= last; ++i) {

@@ -40,7 +40,7 @@ class PunchSeries {
   /// `k int D dr` for depths, or products of depths and displacements, of all rings. zones: a label per ring; D may
   /// have a kink or a jump where neighbouring labels differ. Next to zones of fewer than three rings, and where the two
   /// sides do not meet between their rings (as with a dashpot, whose pressure jumps at the edge), it is the plain sum.
-  /// edge: where the first zone ends in that case, if it is known.
+  /// edge: where the first zone ends, if it is known from elsewhere.
   [[nodiscard]] double integral(const Eigen::VectorXd& depths, const std::vector<signed char>& zones,
                                 std::optional<double> edge = std::nullopt) const;
 
@@ -58,9 +58,10 @@ class PunchSeries {
   double force_per_radius_;
 };
 
-/// Normal force of ring pressures and the gaps of the free rings. With a dashpot the pressure jumps at the edge, which
-/// is then found from the gaps. n_closed: with a dashpot, how many rings have been in contact for the whole step; the
-/// pressures of those that touched in it are averages, so the inner ones are continued in their place.
+/// Normal force of ring pressures and the gaps of the free rings. The edge is found from the gaps: with a dashpot, or a
+/// branch that relaxes while the edge crosses a ring, the pressure jumps there. n_closed: with such a body, how many
+/// rings have been in contact for the whole step; the pressures of those that touched in it are averages, so the inner
+/// ones are continued in their place.
 double contact_force(const PunchSeries& series, const Eigen::VectorXd& pressure, const Eigen::VectorXd& gap,
                      std::optional<Eigen::Index> n_closed = std::nullopt);
 

@@ -55,7 +55,7 @@ TEST(Check, WritesJUnitXml) {
   good.name = "good";
   good.pass = true;
   bad.name = "<bad>";
-  bad.verdict["normal_force_max"] = {0.5, 0.1, false};
+  bad.verdict["normal_force_max"] = {0.5, 0.1, Finding::fail};
   const auto xml = junit_xml({good, bad});
   EXPECT_NE(xml.find("tests=\"2\" failures=\"1\""), std::string::npos) << xml;
   EXPECT_NE(xml.find("name=\"good\"/>"), std::string::npos) << xml;

@@ -22,7 +22,8 @@ FeAnswer simulate_case(const Case& scene) {
   const auto mdr = mdr_scene(scene);
   const auto fem = fem_scene(scene, mdr);
   const auto body = make_body(fem.body);
-  return simulate(body, fem, simulate_normal(body, fem));
+  const ContactProblems problems{body.normal.contact, body.tangential ? &body.tangential->contact : nullptr};
+  return simulate(problems, fem, simulate_normal(problems.normal, fem));
 }
 
 // The scene is made dimensionless before anything is computed, so units only change by roundoff.

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 namespace fretval {
 namespace {
@@ -32,10 +33,9 @@ TEST(Verdict, ComparesStickRadiiOverTheContactRadius) {
   EXPECT_FALSE(agree(0.5 * a, 0.4989 * a));
 }
 
-TEST(Verdict, WidensForSmallStickZonesOnly) {
-  EXPECT_TRUE(agree(0.05 * a, 0.0519 * a));
-  EXPECT_FALSE(agree(0.05 * a, 0.0521 * a));
-  EXPECT_FALSE(agree(0.1 * a, 0.1011 * a));
+TEST(Verdict, HoldsSmallStickZonesToTheSameTolerance) {
+  EXPECT_TRUE(agree(0.05 * a, 0.0509 * a));
+  EXPECT_FALSE(agree(0.05 * a, 0.0511 * a));
 }
 
 TEST(Verdict, DemandsThatBothSayThatNothingSticks) {
@@ -69,6 +69,31 @@ TEST(Verdict, HoldsTheLimitingStateToNoSlipAndNoPressure) {
   EXPECT_FALSE(judge());
   fe.no_wear = NoWearEvidence{1e-5, 1e-5, 1.002};
   EXPECT_FALSE(judge());
+}
+
+Finding finding_with(double difference, double bar) {
+  const ErrorBudget budget{{"stick_radius_shakedown", {{{ErrorSource::rings, bar, std::nullopt}}}}};
+  const auto verdict = compare(mdr_with(0.5 * a), fe_with((0.5 + difference) * a), a, tolerances_of(1e-3), budget);
+  return verdict.at("stick_radius_shakedown").finding;
+}
+
+TEST(Verdict, IsInconclusiveWhereTheErrorBarIsTooWide) {
+  EXPECT_EQ(finding_with(5e-4, 9e-4), Finding::pass);
+  EXPECT_EQ(finding_with(2e-3, 9e-4), Finding::fail);
+  EXPECT_EQ(finding_with(5e-4, 2e-3), Finding::inconclusive);
+  EXPECT_EQ(finding_with(2e-3, 2e-3), Finding::inconclusive);
+  // So far off that the bar does not matter.
+  EXPECT_EQ(finding_with(4e-3, 2e-3), Finding::fail);
+  EXPECT_EQ(finding_with(5e-4, std::numeric_limits<double>::infinity()), Finding::inconclusive);
+}
+
+TEST(Verdict, AnInconclusiveComparisonDoesNotPass) {
+  const ErrorBudget budget{{"normal_force_max", {{{ErrorSource::rings, 1e-3, std::nullopt}}}}};
+  const auto verdict = compare(mdr_with(0.5 * a), fe_with(0.5 * a), a, tolerances_of(1e-3), budget);
+  EXPECT_FALSE(passes(verdict));
+  EXPECT_FALSE(verdict.at("stick_radius_shakedown").bar);
+  ASSERT_TRUE(verdict.at("normal_force_max").bar);
+  EXPECT_EQ(verdict.at("normal_force_max").bar->total(), 1e-3);
 }
 
 }  // namespace

@@ -1,0 +1,90 @@
+#include "comparison/tolerance_grid.h"
+
+#include <cmath>
+
+namespace fretval {
+namespace {
+
+struct GridPoint {
+  Resolution resolution;
+  double seconds;
+  Measures measures;  ///< empty: the numerics failed
+};
+
+Resolution setting(unsigned rings, unsigned degree, double growth, double far_radius, int steps) {
+  Resolution r = resolution_for(steps <= 24 ? 1e-2 : steps <= 48 ? 1e-3 : 1e-4);
+  r.elements_per_radius = rings;
+  r.degree = degree;
+  r.growth = growth;
+  r.far_radius = far_radius;
+  r.steps_per_cycle = steps;
+  return r;
+}
+
+/// Time steps that go with a number of rings: neither should be much finer than the other.
+std::vector<int> steps_for(unsigned rings) {
+  if (rings <= 16) return {12, 24};
+  if (rings <= 32) return {24, 48};
+  return {48, 96};
+}
+
+bool meets(const Measures& measures, const Measures& exact, const Tolerances& tolerances) {
+  for (const auto& [quantity, value] : exact) {
+    const auto found = measures.find(quantity);
+    const double tolerance = quantity == "contact_radius_max" ? tolerances.contact_radius
+                             : quantity == "normal_force_max" ? tolerances.normal_force
+                                                              : tolerances.stick_radius;
+    if (found == measures.end() || !(std::abs(found->second - value) <= tolerance)) return false;
+  }
+  return true;
+}
+
+std::vector<std::vector<GridPoint>> grid_points(const std::vector<PreparedCase>& cases) {
+  const auto settings = grid_of_settings();
+  std::vector<Probe> probes;
+  for (const auto& prepared : cases)
+    for (auto resolution : settings) {
+      // Without memory there is no start to be careful about.
+      if (prepared.fem.resolution.n_ramp_cycles == 1) resolution.n_ramp_cycles = 1;
+      probes.push_back({&prepared.scene, at_resolution(prepared.fem, resolution)});
+    }
+  std::vector<std::vector<GridPoint>> points(cases.size(), std::vector<GridPoint>(settings.size()));
+  run_probes(probes, make_timed_body, [&](std::size_t i, ProbeAnswer&& answer) {
+    const std::size_t c = i / settings.size();
+    points[c][i % settings.size()] = {probes[i].fem.resolution, seconds_alone(answer),
+                                      answer.failure.empty() ? measures_of(answer.fe, cases[c].fem.units) : Measures{}};
+  });
+  return points;
+}
+
+}  // namespace
+
+std::vector<Resolution> grid_of_settings() {
+  std::vector<Resolution> settings;
+  for (const unsigned rings : {8U, 12U, 16U, 24U, 32U, 48U, 64U, 96U})
+    for (const int steps : steps_for(rings)) {
+      if (rings <= 16) settings.push_back(setting(rings, 2, 0.6, 6, steps));
+      if (rings <= 48) settings.push_back(setting(rings, 2, 0.3, 12, steps));
+      settings.push_back(setting(rings, 3, 0.6, 12, steps));
+      if (rings >= 24) settings.push_back(setting(rings, 3, 0.3, 25, steps));
+    }
+  return settings;
+}
+
+void search_grid(const std::vector<PreparedCase>& cases, const std::vector<MdrAnswer>& exact,
+                 std::vector<ToleranceRecord>& records) {
+  const auto points = grid_points(cases);
+  for (std::size_t c = 0; c < cases.size(); ++c) {
+    const auto wanted = exact_measures(exact[c], cases[c].fem.units);
+    for (auto& record : records) {
+      if (record.name != cases[c].scene.name) continue;
+      record.in_grid = true;
+      for (const auto& point : points[c])
+        if (meets(point.measures, wanted, tolerances_of(record.tolerance)) &&
+            (!record.cheapest || point.seconds < record.cheapest->seconds))
+          record.cheapest = Cheapest{point.resolution, point.seconds};
+    }
+  }
+}
+
+}  // namespace fretval

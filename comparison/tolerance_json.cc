@@ -1,0 +1,89 @@
+#include "comparison/tolerance_json.h"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "comparison/tolerance_table.h"
+
+namespace fretval {
+namespace {
+
+using nlohmann::ordered_json;
+
+ordered_json or_null(const std::optional<double>& value) {
+  return value && std::isfinite(*value) ? ordered_json(*value) : ordered_json(nullptr);
+}
+
+ordered_json json_of(const Resolution& r) {
+  return {{"rings", r.elements_per_radius},
+          {"degree", r.degree},
+          {"growth", r.growth},
+          {"far_radius", r.far_radius},
+          {"steps_per_cycle", r.steps_per_cycle},
+          {"ramp_cycles", r.n_ramp_cycles},
+          {"periodicity", r.periodicity}};
+}
+
+ordered_json json_of(const ToleranceSummary& s) {
+  return {{"tolerance", s.tolerance},
+          {"cases", s.n_cases},
+          {"meet", s.n_meet},
+          {"errors", s.n_errors},
+          {"covered", s.n_covered},
+          {"median_effectivity", or_null(s.median_effectivity)},
+          {"high_effectivity", or_null(s.high_effectivity)},
+          {"median_cost_ratio", or_null(s.median_cost_ratio)},
+          {"largest_cost_ratio", or_null(s.largest_cost_ratio)},
+          {"searched", s.n_searched},
+          {"not_in_grid", s.n_not_in_grid},
+          {"inconclusive", s.inconclusive}};
+}
+
+ordered_json errors_of(const ToleranceRecord& record) {
+  auto errors = ordered_json::object();
+  for (const auto& [quantity, e] : record.errors) {
+    auto shares = ordered_json::object();
+    const auto bar = record.budget.find(quantity);
+    if (bar != record.budget.end())
+      for (const auto& share : bar->second.shares) shares[name_of(share.source)] = or_null(share.estimate);
+    errors[quantity] = {{"error", or_null(e.error)},  {"tolerance", e.tolerance}, {"bar", or_null(e.bar)},
+                        {"covered", e.covered()},     {"meets", e.meets()},       {"finding", name_of(e.finding)},
+                        {"shares", std::move(shares)}};
+  }
+  return errors;
+}
+
+ordered_json json_of(const ToleranceRecord& record) {
+  auto focus = ordered_json::object();
+  for (const auto& [quantity, f] : record.focus)
+    focus[quantity] = {{"inner", f.inner}, {"outer", f.outer}, {"ring", f.ring}};
+  auto cheapest = ordered_json(nullptr);
+  if (record.cheapest)
+    cheapest = {{"resolution", json_of(record.cheapest->resolution)},
+                {"seconds", record.cheapest->seconds},
+                {"ratio", or_null(cost_ratio(record))}};
+  return {{"name", record.name},
+          {"tolerance", record.tolerance},
+          {"failure", record.failure.empty() ? ordered_json(nullptr) : ordered_json(record.failure)},
+          {"pass", record.passes()},
+          {"errors", errors_of(record)},
+          {"resolution", json_of(record.resolution)},
+          {"focus", std::move(focus)},
+          {"refinements", record.n_refinements},
+          {"computations", record.n_probes},
+          {"seconds", record.seconds},
+          {"searched", record.in_grid},
+          {"cheapest", std::move(cheapest)}};
+}
+
+}  // namespace
+
+ordered_json tolerance_json(const std::vector<ToleranceRecord>& records) {
+  auto summary = ordered_json::array(), all = ordered_json::array();
+  for (const auto& s : summaries(records)) summary.push_back(json_of(s));
+  for (const auto& record : records) all.push_back(json_of(record));
+  return {{"summary", std::move(summary)}, {"records", std::move(all)}};
+}
+
+}  // namespace fretval
