@@ -131,7 +131,8 @@ ErrorBudget CaseStudy::budget() const {
       edge[first_slip] = answer.fe.first_slip_uncertainty / prepared_.fem.units.length;
       edge[shakedown] = answer.fe.shakedown_uncertainty / prepared_.fem.units.length;
     }
-    for (const auto& [quantity, bar] : error_budget(measures_.at(track), list, varied, track.degree, edge)) {
+    for (const auto& [quantity, bar] :
+         error_budget(measures_.at(track), list, varied, track.degree, edge, prepared_.fem.relaxation.viscosity > 0)) {
       const auto& used = resolution_of(quantity);
       if (!(used < track) && !(track < used)) all[quantity] = bar;
     }

@@ -16,6 +16,7 @@
 #include "comparison/exact_rows.h"
 #include "comparison/files.h"
 #include "comparison/ladder.h"
+#include "comparison/ladder_json.h"
 #include "comparison/mdr_command.h"
 #include "comparison/outcome.h"
 #include "comparison/report.h"
@@ -91,10 +92,11 @@ int run_small_suite(const fs::path& meshes, const std::string& junit) {
   return all ? exit_agree : exit_disagree;
 }
 
-int run_exact_suite(const std::string& junit) {
+int run_exact_suite(const std::string& junit, const std::string& json) {
   const auto rows = exact_rows();
   fmt::print("{}", ladder_table(rows));
   if (!junit.empty()) write_file(junit, ladder_junit(rows));
+  if (!json.empty()) write_file(json, ladder_json(rows).dump(2) + "\n");
   const bool all = std::all_of(rows.begin(), rows.end(), [](const LadderRow& row) { return failure_of(row).empty(); });
   const auto n_unmet =
       std::count_if(rows.begin(), rows.end(), [](const LadderRow& row) { return meets_goal(row) == false; });
@@ -118,11 +120,11 @@ int run_check_suite(const std::string& suite, const fs::path& meshes, const std:
                     const ToleranceSuiteOptions& tolerance) {
   if (suite != "small" && suite != "exact" && suite != "tolerance")
     throw InputError(fmt::format("--suite {}: expected small, exact or tolerance", suite));
-  if (!json.empty() && suite != "tolerance") throw InputError("--json: it belongs to --suite tolerance");
+  if (!json.empty() && suite == "small") throw InputError("--json: it belongs to the suites exact and tolerance");
   Stopwatch watch;
   const fem::PetscSession session;
   const int exit_code = suite == "small"   ? run_small_suite(meshes, junit)
-                        : suite == "exact" ? run_exact_suite(junit)
+                        : suite == "exact" ? run_exact_suite(junit, json)
                                            : run_tolerance(tolerance, junit, json);
   spdlog::info("suite {} in {:.1f} s", suite, watch.lap());
   return exit_code;
@@ -176,7 +178,8 @@ void add_commands(CLI::App& app, Command& command) {
   check->add_option("--meshes", options->meshes, "Folder with coarse.msh and fine.msh, for the suite small")
       ->capture_default_str();
   check->add_option("--junit", options->junit, "Also write JUnit XML to this file");
-  check->add_option("--json", options->json, "Also write everything that was measured to this file; suite tolerance");
+  check->add_option("--json", options->json,
+                    "Also write everything that was measured to this file; suites exact and tolerance");
   check->add_option("--tolerances", options->tolerance.tolerances, "Suite tolerance: at which tolerances")
       ->capture_default_str()
       ->check(CLI::PositiveNumber);

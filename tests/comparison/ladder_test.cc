@@ -158,14 +158,14 @@ const std::vector<LadderMesh>& meshes() {
 }
 
 std::vector<LadderRow> hertz_rows(const ExactIndentation& exact) {
-  return indentation_rows(meshes(), exact, {1e-6, 3, 1e-7, 1e-6, ""}, {1.5e-4, 2, 1e-7, 1e-5, ""});
+  return indentation_rows(meshes(), exact, {1e-6, 3, 1e-7, 1e-6, ""}, {1e-6, 3, 1e-6, 1e-5, ""});
 }
 
 TEST(LadderGuard, AnotherForceOrRadiusThanHertzFails) {
   const auto exact = exact_indentation("Hertz", "", 2);
   for (const auto& row : hertz_rows(exact)) EXPECT_EQ(failure_of(row), "") << row.quantity;
   auto wrong_force = exact, wrong_radius = exact;
-  wrong_force.force = [&](double d) { return 1.01 * exact.force(d); };
+  wrong_force.force = [&](double d) { return 1.00001 * exact.force(d); };
   wrong_radius.contact_radius = [&](double d) { return 1.00001 * exact.contact_radius(d); };
   EXPECT_NE(failure_of(hertz_rows(wrong_force)[1]), "");
   EXPECT_NE(failure_of(hertz_rows(wrong_radius)[0]), "");
