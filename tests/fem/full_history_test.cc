@@ -115,8 +115,6 @@ TEST_P(FullHistoryOf, TractionIsThatOfTheCondensedBody) {
   const Eigen::MatrixXd pressure = pressures_over(normal, condensed.n_cycles);
   const auto full = full_friction(GetParam(), pressure, condensed.n_cycles);
   EXPECT_LT(largest_difference(full.traction.rightCols(n_steps), condensed.traction), roundoff);
-  const auto& areas = body(Harmonic::tangential).condensed.compliance.areas;
-  EXPECT_LT(largest_difference(full.traction.transpose() * areas, condensed.force), roundoff);
   const Eigen::ArrayXXd limit = mu * pressure.array(), margin = limit - full.traction.array().abs();
   EXPECT_LT((margin.rowwise().minCoeff().max(0).matrix() - condensed.first_slip_margin).cwiseAbs().maxCoeff(),
             roundoff);
