@@ -43,7 +43,7 @@ std::vector<LadderRow> indentation_rows(const std::vector<LadderMesh>& meshes, c
   };
   const auto force_error = [&](const LadderMesh& mesh) {
     return worst(mesh, [&](const fem::NormalContact& contact, double indentation) {
-      return force_of(mesh.normal, contact.pressure) / exact.force(indentation) - 1;
+      return fem::contact_force(mesh.normal.series, contact.pressure, contact.gap) / exact.force(indentation) - 1;
     });
   };
   return {mesh_row(exact.name, "contact radius", exact.source, meshes, radius, radius_error),
@@ -55,9 +55,8 @@ namespace {
 /// Force of a unit displacement of the n innermost rings.
 double force_of_stuck_rings(const fem::ContactProblem& problem, Eigen::Index n) {
   const auto& compliance = problem.compliance;
-  Eigen::VectorXd traction = Eigen::VectorXd::Zero(problem.n_rings());
-  traction.head(n) = compliance.matrix.topLeftCorner(n, n).llt().solve(compliance.areas.head(n));
-  return force_of(problem, traction);
+  const Eigen::VectorXd areas = compliance.areas.head(n);
+  return areas.dot(compliance.matrix.topLeftCorner(n, n).llt().solve(areas));
 }
 
 }  // namespace

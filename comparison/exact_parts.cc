@@ -21,13 +21,6 @@ Eigen::VectorXd means_of(const mdr::Profile& profile, const fem::ContactProblem&
   return fem::ring_means(problem.compliance, [&](double r) { return mdr::shape(profile, r); });
 }
 
-double force_of(const fem::ContactProblem& problem, const Eigen::VectorXd& pressure) {
-  fem::SlipZones zones(problem.n_rings());
-  zones.update(pressure,
-               std::vector<fem::BoxState>(static_cast<std::size_t>(pressure.size()), fem::BoxState::interior));
-  return problem.series.integral(problem.series.depths(pressure), zones.labels());
-}
-
 LadderRow mesh_row(const std::string& scene, const std::string& quantity, const std::string& source,
                    const std::vector<LadderMesh>& meshes, const LadderDemand& demand,
                    const std::function<double(const LadderMesh&)>& error) {
@@ -40,9 +33,9 @@ LadderRow mesh_row(const std::string& scene, const std::string& quantity, const 
 }
 
 FrictionLimit friction_limit(const LadderMesh& mesh, const mdr::Profile& profile, double indentation) {
-  const Eigen::VectorXd pressure =
-      fem::normal_contact(mesh.normal, means_of(profile, mesh.normal), indentation).pressure;
-  return {friction_coefficient * pressure, friction_coefficient * force_of(mesh.normal, pressure)};
+  const auto contact = fem::normal_contact(mesh.normal, means_of(profile, mesh.normal), indentation);
+  return {friction_coefficient * contact.pressure,
+          friction_coefficient * fem::contact_force(mesh.normal.series, contact.pressure, contact.gap)};
 }
 
 ElasticSliding::ElasticSliding(const fem::ContactProblem& tangential)
@@ -62,12 +55,12 @@ const Eigen::VectorXd& ElasticSliding::step(double displacement, const FrictionL
   traction_ = std::move(solution.x);
   limit_ = limit;
   limit_force_ = friction.force;
-  zones_.update(limit, states_);
+  zones_.update(limit, states_, problem_.series.depths(traction_));
   return traction_;
 }
 
 double ElasticSliding::force() const {
-  return fem::friction_force(problem_.series, {limit_, traction_, zones_.labels(), limit_force_});
+  return fem::friction_force(problem_.series, zones_, problem_.series.depths(limit_), limit_force_);
 }
 
 double ElasticSliding::stick_radius() const {
@@ -103,7 +96,11 @@ NormalPath::Force NormalPath::step(const Path& path, double begin, double end) {
   if (solution.x[n - 1] > 0) throw fem::SolverError("the contact reaches the end of the contact line");
   const Eigen::VectorXd new_gap = -solution.residual.cwiseQuotient(areas) / step.instantaneous();
   step.advance(state_, fem::indenter_move(path, begin, end), gap - new_gap);
-  return {balance, force_of(*problem_, solution.x), solution.x.dot(areas)};
+  n_touched_ = std::max<Eigen::Index>(n_touched_, (solution.x.array() > 0).count());
+  const double fraction = step.fraction();
+  return {balance,
+          fem::contact_force(problem_->series, solution.x, fraction * new_gap + (1 - fraction) * gap, {n_touched_}),
+          solution.x.dot(areas)};
 }
 
 std::vector<NormalPath::Force> press(const fem::ContactProblem& problem, const fem::RelaxationModel& model,

@@ -25,9 +25,6 @@ constexpr int n_positions = 193;
 /// What cutting the half-space off at 25 contact radii leaves of the errors of radii and forces.
 constexpr double far_field = 1e-7;
 
-/// Why some forces are of second order, see PunchSeries.
-constexpr const char* rings_note = "two edges less than three rings apart: h^2";
-
 /// What the elements under the rings leave of forces that the rings themselves read better.
 constexpr double bulk_floor = 1e-6;
 constexpr const char* bulk_note = "floor: elements under the rings";
@@ -40,9 +37,6 @@ double position(int k, double first, double last);
 void take_worst(double& worst, double error);
 
 Eigen::VectorXd means_of(const mdr::Profile& profile, const fem::ContactProblem& problem);
-
-/// The force of a normal contact; friction has more zones, see ElasticSliding.
-double force_of(const fem::ContactProblem& problem, const Eigen::VectorXd& pressure);
 
 /// A row over meshes.
 LadderRow mesh_row(const std::string& scene, const std::string& quantity, const std::string& source,
@@ -102,6 +96,7 @@ class NormalPath {
   Eigen::VectorXd profile_;
   fem::RingState state_;
   std::vector<fem::BoxState> contact_;
+  Eigen::Index n_touched_ = 0;  // rings, so far
 };
 
 /// Forces in the intervals between the instants.

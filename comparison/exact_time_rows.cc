@@ -75,7 +75,8 @@ double relaxing_force_error(const fem::ContactProblem& problem, const Eigen::Vec
 
 LadderRow step_row(const LadderMesh& mesh, const mdr::PronyBody& body, const mdr::PronyBody& exact) {
   const Eigen::VectorXd punch = fem::ring_means(mesh.normal.compliance, [](double r) { return r < 1 ? 0.0 : 10.0; });
-  const double elastic = force_of(mesh.normal, fem::normal_contact(mesh.normal, punch, 1).pressure);
+  const auto contact = fem::normal_contact(mesh.normal, punch, 1);
+  const double elastic = fem::contact_force(mesh.normal.series, contact.pressure, contact.gap);
   LadderRow row{"flat punch, step",
                 "relaxing force",
                 "correspondence, Lee 1955, on the elastic force of the same rings",

@@ -31,8 +31,8 @@ class Stepper {
         zones_(problem.n_rings()) {}
 
   struct Result {
-    Eigen::VectorXd traction;  // at the balance time
-    Eigen::VectorXd slip;      // in the whole step
+    Eigen::VectorXd traction, depths;  // at the balance time, see PunchSeries
+    Eigen::VectorXd slip;              // in the whole step
   };
 
   Result compute_step(long index, const Eigen::VectorXd& limit) {
@@ -41,19 +41,20 @@ class Stepper {
     const auto move = indenter_move(motion_, begin, begin + step_.fraction() * dt_);
     const Eigen::VectorXd held = step_.response_without_slip(state_, move);
     auto solution = problem_.solver.solve(areas.cwiseProduct(held), -limit, limit, stick_);
-    zones_.update(limit, stick_);
+    Eigen::VectorXd depths = problem_.series.depths(solution.x);
+    zones_.update(limit, stick_, depths);
     for (std::size_t i = 0; i < stick_.size(); ++i)
       if (limit[static_cast<Eigen::Index>(i)] == 0)
         stick_[i] = BoxState::interior;  // the guess for when it touches again
     Eigen::VectorXd slip = (solution.residual.array() / areas.array()).matrix() / step_.instantaneous();
     step_.advance(state_, indenter_move(motion_, begin, begin + dt_), slip);
-    return {std::move(solution.x), std::move(slip)};
+    return {std::move(solution.x), std::move(depths), std::move(slip)};
   }
 
   [[nodiscard]] const Eigen::VectorXd& displacement() const { return state_.displacement; }
   [[nodiscard]] double fraction() const { return step_.fraction(); }
   /// The traction has kinks where these differ.
-  [[nodiscard]] const std::vector<signed char>& zones() const { return zones_.labels(); }
+  [[nodiscard]] const SlipZones& zones() const { return zones_; }
 
  private:
   const ContactProblem& problem_;
@@ -63,12 +64,6 @@ class Stepper {
   RingState state_;
   std::vector<BoxState> stick_;  // interior: sticks
   SlipZones zones_;
-};
-
-/// Depths of the friction limit and of the traction (see PunchSeries) at an instant. Their difference and sum are the
-/// slip reserves against slip forward and backward.
-struct Depths {
-  Eigen::VectorXd limit, traction;
 };
 
 /// What is judged over one period.
@@ -99,11 +94,11 @@ struct Period {
     std::fill(zones.begin(), zones.end(), 0);
   }
 
-  void add(int k, const Eigen::VectorXd& limit, const Stepper::Result& step, const Depths& depths) {
+  void add(int k, const Eigen::VectorXd& limit, const Eigen::VectorXd& limit_depths, const Stepper::Result& step) {
     forward.add(limit - step.traction);
     backward.add(limit + step.traction);
-    forward_reserve.add(depths.limit - depths.traction);
-    backward_reserve.add(depths.limit + depths.traction);
+    forward_reserve.add(limit_depths - step.depths);
+    backward_reserve.add(limit_depths + step.depths);
     slip += step.slip.cwiseAbs();
     traction.col(k) = step.traction;
     for (std::size_t i = 0; i < zones.size(); ++i) {
@@ -149,20 +144,20 @@ FrictionHistory friction_history(const ContactProblem& problem, const Relaxation
       const Eigen::Index column = normal.column(index + 1);
       const Eigen::VectorXd limit = friction_coefficient * normal.pressure.col(column);
       const auto step = stepper.compute_step(index, limit);
-      const Depths depths{series.depths(limit), series.depths(step.traction)};
+      const Eigen::VectorXd limit_depths = series.depths(limit);
       first_slip.add(limit - step.traction.cwiseAbs());
-      first_forward.add(depths.limit - depths.traction);
-      first_backward.add(depths.limit + depths.traction);
-      period.add(k, limit, step, depths);
+      first_forward.add(limit_depths - step.depths);
+      first_backward.add(limit_depths + step.depths);
+      period.add(k, limit, limit_depths, step);
       // The mean slip rate of a step belongs to its middle, between two balance times.
       const double weight = 1.5 - stepper.fraction();
       period.work += (weight * step.traction + (1 - weight) * traction).cwiseProduct(step.slip);
       period.series_work +=
-          (weight * depths.traction + (1 - weight) * traction_depths).cwiseProduct(series.displacements(step.slip));
+          (weight * step.depths + (1 - weight) * traction_depths).cwiseProduct(series.displacements(step.slip));
       traction = step.traction;
-      traction_depths = depths.traction;
+      traction_depths = step.depths;
       force.push_back(
-          friction_force(series, {limit, step.traction, stepper.zones(), friction_coefficient * normal.force[column]}));
+          friction_force(series, stepper.zones(), limit_depths, friction_coefficient * normal.force[column]));
     }
     history.n_cycles += motion.cycles_per_period();
     history.slip_path += period.slip;

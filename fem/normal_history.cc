@@ -60,6 +60,7 @@ class Stepper {
     state_.displacement = (indentation - profile_.array() + contact.gap.array()).matrix();
     for (Eigen::Index i = 0; i < profile_.size(); ++i)
       if (contact.pressure[i] > 0) contact_[static_cast<std::size_t>(i)] = BoxState::interior;
+    n_touched_ = (contact.pressure.array() > 0).count();
     force_.push_back(relaxed_ * contact_force(problem_.series, contact.pressure, contact.gap));
     return relaxed_ * contact.pressure;
   }
@@ -102,8 +103,9 @@ class Stepper {
     const Eigen::VectorXd new_gap = contact.gap / step_.instantaneous();
     const double weight = step_.fraction();
     step_.advance(state_, indenter_move(motion_, begin, end), gap_ - new_gap);
-    force_.push_back(
-        contact_force(problem_.series, contact.pressure, weight * new_gap + (1 - weight) * gap_, n_closed()));
+    n_touched_ = std::max<Eigen::Index>(n_touched_, (contact.pressure.array() > 0).count());
+    force_.push_back(contact_force(problem_.series, contact.pressure, weight * new_gap + (1 - weight) * gap_,
+                                   {n_touched_, n_closed()}));
     gap_ = new_gap;
     return std::move(contact.pressure);
   }
@@ -117,6 +119,7 @@ class Stepper {
   RingState state_;
   std::vector<BoxState> contact_;
   Eigen::VectorXd gap_;
+  Eigen::Index n_touched_ = 0;  // rings, so far
   std::vector<double> force_;
 };
 

@@ -12,7 +12,8 @@ namespace {
 using Eigen::Index;
 
 constexpr Index n_stencil = 4;
-constexpr Index n_smallest = 3;
+constexpr Index n_smallest = 2;
+constexpr Index n_to_continue = 3;  // rings that tell where a zone ends
 
 /// The polynomial through nodes first..first+n-1.
 struct Stencil {
@@ -55,21 +56,26 @@ std::vector<Zone> zones_of(const std::vector<signed char>& labels) {
   return zones;
 }
 
-/// Where the polynomials of two neighbouring zones meet between their nodes, or hardly beyond: at the instant at which
-/// a ring changes its zone, roundoff decides on which side of its node. Otherwise between the last ring of the one and
-/// the first of the other.
-double meeting_point(const Stencil& inner, const Stencil& outer, double between) {
+/// Where f changes its sign between two nodes, or hardly beyond: at the instant at which a ring changes its zone,
+/// roundoff decides on which side of its node.
+template <class Function>
+std::optional<double> crossing(const Function& f, double node, double next) {
   constexpr double slack = 0.1;
-  const double last = inner.x[inner.first + inner.n - 1], next = outer.x[outer.first];
-  double low = last - slack * (next - last), high = next + slack * (next - last);
-  const double difference = inner(low) - outer(low);
-  if (!(difference * (inner(high) - outer(high)) < 0)) return between;
+  double low = node - slack * (next - node), high = next + slack * (next - node);
+  const double at_low = f(low);
+  if (!(at_low * f(high) < 0)) return std::nullopt;
   while (high - low > 1e-14 * high) {
     const double middle = (low + high) / 2;
     if (middle <= low || middle >= high) break;
-    ((inner(middle) - outer(middle) < 0) == (difference < 0) ? low : high) = middle;
+    ((f(middle) < 0) == (at_low < 0) ? low : high) = middle;
   }
   return (low + high) / 2;
+}
+
+/// Where the polynomials of two neighbouring zones meet.
+std::optional<double> meeting_point(const Stencil& inner, const Stencil& outer) {
+  return crossing([&](double r) { return inner(r) - outer(r); }, inner.x[inner.first + inner.n - 1],
+                  outer.x[outer.first]);
 }
 
 }  // namespace
@@ -92,7 +98,7 @@ Eigen::VectorXd PunchSeries::displacements(const Eigen::VectorXd& rings) const {
 }
 
 double PunchSeries::integral(const Eigen::VectorXd& depths, const std::vector<signed char>& labels,
-                             std::optional<double> edge) const {
+                             std::optional<double> end_of_depths) const {
   const auto zones = zones_of(labels);
   const auto is_smooth = [&](std::size_t z) { return zones[z].size() >= n_smallest || z + 1 == zones.size(); };
   // The innermost depth is off by the shape of the tip (its ring stands for 4/(3 pi) of its radius under a cone, for
@@ -106,13 +112,15 @@ double PunchSeries::integral(const Eigen::VectorXd& depths, const std::vector<si
     const Index node = std::max<Index>(first, blunt ? 1 : 0);
     const Index n = std::min<Index>(n_stencil, last - node + 1);
     double end = edges_[last + 1];
-    if (z == 0 && edge)
-      end = *edge;
-    else if (z + 1 < zones.size() && is_smooth(z) && is_smooth(z + 1))
+    if (z + 1 == zones.size())
+      end = end_of_depths.value_or(end);
+    else if (is_smooth(z) && is_smooth(z + 1))
       end = meeting_point({radii_, depths, last - n + 1, n},
-                          {radii_, depths, last + 1, std::min(n_stencil, zones[z + 1].size())}, end);
+                          {radii_, depths, last + 1, std::min(n_stencil, zones[z + 1].size())})
+                .value_or(end);
     for (Index i = first; i <= last; ++i) {
-      const double from = i == first ? begin : edges_[i], to = i == last ? end : edges_[i + 1];
+      const double from = i == first ? begin : edges_[i], to = i == last ? end : std::min(edges_[i + 1], end);
+      if (to <= from) continue;
       const bool singular_tip = !blunt && i < n_stencil;
       sum += is_smooth(z) && !singular_tip
                  ? Stencil{radii_, depths, std::clamp(i - 1, node, last - n + 1), n}.integral(from, to)
@@ -123,50 +131,109 @@ double PunchSeries::integral(const Eigen::VectorXd& depths, const std::vector<si
   return force_per_radius_ * sum;
 }
 
-double PunchSeries::edge_of_gap(const Eigen::VectorXd& gap, Index n_closed, Index n_pressed) const {
+double PunchSeries::edge_of_gap(const Eigen::VectorXd& gap, Index n_closed, Index n_pressed, Index n_smooth) const {
   const Eigen::VectorXd opening = displacements(gap);
-  const Stencil outside{radii_, opening, n_pressed, std::min(n_stencil, gap.size() - n_pressed)};
-  double low = radii_[n_closed - 1], high = radii_[n_pressed];
-  if (outside(low) >= 0) return edges_[n_pressed];
-  while (high - low > 1e-14 * high) {
-    const double middle = (low + high) / 2;
-    if (middle <= low || middle >= high) break;
-    (outside(middle) < 0 ? low : high) = middle;
-  }
-  return high;
+  const Stencil outside{radii_, opening, n_pressed, std::min(n_stencil, n_smooth - n_pressed)};
+  return crossing(outside, radii_[n_closed - 1], radii_[n_pressed]).value_or(edges_[n_pressed]);
+}
+
+std::optional<double> PunchSeries::edge_of_pressure(const Eigen::VectorXd& depths, Index n_pressed) const {
+  const Index n = std::min(n_stencil, n_pressed);
+  return crossing(Stencil{radii_, depths, n_pressed - n, n}, radii_[n_pressed - 1], radii_[n_pressed]);
 }
 
 double contact_force(const PunchSeries& series, const Eigen::VectorXd& pressure, const Eigen::VectorXd& gap,
-                     std::optional<Index> n_closed) {
-  std::vector<signed char> zones(static_cast<std::size_t>(pressure.size()));
-  for (Index i = 0; i < pressure.size(); ++i) zones[static_cast<std::size_t>(i)] = pressure[i] > 0 ? 0 : 1;
-  Eigen::VectorXd depths = series.depths(pressure);
-  const auto n_pressed = static_cast<Index>(std::find(zones.begin(), zones.end(), 1) - zones.begin());
+                     const ContactPast& past) {
+  const Eigen::VectorXd depths = series.depths(pressure);
+  Index n_pressed = 0;
+  while (n_pressed < pressure.size() && pressure[n_pressed] > 0) ++n_pressed;
   const bool has_edge = n_pressed > n_stencil && n_pressed + 2 < pressure.size();
-  if (!has_edge) return series.integral(depths, zones);
-  const Index n_inner = std::clamp(n_closed.value_or(n_pressed), n_stencil, n_pressed);
-  const double edge = series.edge_of_gap(gap, n_inner, n_pressed);
-  for (Index i = n_inner; i < n_pressed; ++i) {
-    zones[static_cast<std::size_t>(i)] = 1;
-    depths[i] = 0;
+  if (!has_edge) {
+    std::vector<signed char> zones(static_cast<std::size_t>(pressure.size()), 0);
+    std::fill(zones.begin() + n_pressed, zones.end(), 1);
+    return series.integral(depths, zones);
   }
-  return series.integral(depths, zones, edge);
+  const Index n_inner = std::clamp(past.n_closed.value_or(n_pressed), n_stencil, n_pressed);
+  const Index n_open = past.n_touched - n_pressed;  // rings that have lost contact
+  std::optional<double> edge;
+  if (n_open > 0 && n_open < n_to_continue) edge = series.edge_of_pressure(depths, n_pressed);
+  if (!edge) edge = series.edge_of_gap(gap, n_inner, n_pressed, n_open >= n_to_continue ? past.n_touched : gap.size());
+  return series.integral(depths, std::vector<signed char>(static_cast<std::size_t>(n_inner), 0), edge);
 }
 
-double friction_force(const PunchSeries& series, const FrictionState& state) {
-  const auto n = static_cast<Index>(state.zones.size());
-  const Eigen::VectorXd depths = series.depths(state.traction);
-  Index n_pressed = 0;
-  while (n_pressed < n && state.limit[n_pressed] > 0) ++n_pressed;
-  const double sign = n_pressed > 0 && state.traction[n_pressed - 1] < 0 ? -1 : 1;
-  const auto slips = [&](Index ring) { return sign * state.traction[ring] >= (1 - 1e-12) * state.limit[ring]; };
-  auto zones = state.zones;
-  Index first_slipping = n_pressed;
-  while (first_slipping > 0 && slips(first_slipping - 1)) --first_slipping;
-  if (first_slipping == n_pressed) return series.integral(depths, zones);
-  // The reserve of slipping rings is zero as outside the contact.
-  std::fill(zones.begin() + first_slipping, zones.end(), SlipZones::free);
-  return sign * (state.limit_force - series.integral(series.depths(state.limit) - sign * depths, zones));
+namespace {
+
+/// The reserve of the stuck rings and of the next ones as they were held, with their zones, and where it vanishes.
+struct HeldReserve {
+  Eigen::VectorXd reserve;
+  std::vector<signed char> zones;
+  std::optional<double> end;  ///< empty: not next to the last stuck ring
+};
+
+HeldReserve held_reserve(const PunchSeries& series, const SlipZones& zones, Eigen::VectorXd reserve,
+                         const Eigen::VectorXd& held, Index n_stuck) {
+  const auto& radii = series.radii();
+  const auto n_pressed = reserve.size();
+  HeldReserve result{reserve.head(n_stuck), {zones.labels().begin(), zones.labels().begin() + n_stuck}, std::nullopt};
+  const auto last = result.zones.back();
+  const Index n_last = std::find_if(result.zones.rbegin(), result.zones.rend(), [&](auto z) { return z != last; }) -
+                       result.zones.rbegin();
+  const auto next = n_stuck < n_pressed ? zones.held_labels()[static_cast<std::size_t>(n_stuck)] : last;
+  Index n_held = 0;
+  while (n_held < n_to_continue && n_stuck + n_held < n_pressed &&
+         zones.held_labels()[static_cast<std::size_t>(n_stuck + n_held)] == next)
+    ++n_held;
+  reserve.segment(n_stuck, n_held) = held.segment(n_stuck, n_held);
+  const auto vanishes = [&](const Stencil& stencil) { return crossing(stencil, radii[n_stuck - 1], radii[n_stuck]); };
+  const auto extend = [&](Index n, double end) {
+    result.reserve = reserve.head(n_stuck + n);
+    result.zones.insert(result.zones.end(), static_cast<std::size_t>(n), next);
+    result.end = end;
+    return result;
+  };
+  const Stencil stuck{radii, reserve, n_stuck - std::min(n_last, n_stencil), std::min(n_last, n_stencil)};
+  if (next != last && n_held > 1) {
+    const Stencil gone{radii, reserve, n_stuck, n_held};
+    const auto kink = meeting_point(stuck, gone), end = vanishes(gone);
+    if (kink && end && *kink < *end) return extend(n_held, *end);
+  }
+  if (next == last && n_last < n_to_continue) {
+    const Index n_more = std::min(n_held, n_to_continue - n_last);
+    if (const auto end = vanishes({radii, reserve, n_stuck - n_last, n_last + n_more})) return extend(n_more, *end);
+  }
+  result.end = vanishes(stuck);
+  return result;
+}
+
+}  // namespace
+
+double friction_force(const PunchSeries& series, const SlipZones& zones, const Eigen::VectorXd& limit_depths,
+                      double limit_force) {
+  const auto& labels = zones.labels();
+  const Index n_pressed = std::find(labels.begin(), labels.end(), SlipZones::free) - labels.begin();
+  const auto slip = zones.slip().begin();
+  if (n_pressed == 0 || n_pressed == series.radii().size()) return series.integral(zones.depths(), labels);
+  const int outermost = slip[n_pressed - 1];
+  Index n_stuck = n_pressed;
+  while (n_stuck > 0 && outermost != 0 && slip[n_stuck - 1] == outermost) --n_stuck;
+  if (n_stuck == 0) return outermost * limit_force;
+  const Eigen::VectorXd held = zones.held_depths().array() + zones.depths()[0];
+  const auto against = [&](int direction) {
+    return held_reserve(series, zones, (limit_depths - direction * zones.depths()).head(n_pressed),
+                        limit_depths - direction * held, n_stuck);
+  };
+  const auto force = [&](int direction, const HeldReserve& held, double end) {
+    return direction * (limit_force - series.integral(held.reserve, held.zones, end));
+  };
+  if (outermost != 0) {
+    const auto reserve = against(outermost);
+    return force(outermost, reserve, reserve.end.value_or(series.edges()[n_stuck]));
+  }
+  // Slip has begun outside the middle of the last ring, in one direction.
+  const auto forward = against(1), backward = against(-1);
+  if (forward.end && !(backward.end && *backward.end < *forward.end)) return force(1, forward, *forward.end);
+  if (backward.end) return force(-1, backward, *backward.end);
+  return series.integral(zones.depths(), labels);
 }
 
 }  // namespace fretval::fem

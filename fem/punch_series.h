@@ -37,17 +37,27 @@ class PunchSeries {
   /// `sum_j A_j t_j s_j = sum_j b_j^2 D_j s_j`.
   [[nodiscard]] Eigen::VectorXd displacements(const Eigen::VectorXd& rings) const;
 
-  /// `k int D dr` for depths, or products of depths and displacements, of all rings. zones: a label per ring; D may
-  /// have a kink or a jump where neighbouring labels differ. Next to zones of fewer than three rings, and where the two
-  /// sides do not meet between their rings (as with a dashpot, whose pressure jumps at the edge), it is the plain sum.
-  /// edge: where the first zone ends, if it is known from elsewhere.
+  /// `k int D dr` for depths, or products of depths and displacements, of the innermost rings. zones: a label per ring,
+  /// of these rings; D may have a kink or a jump where neighbouring labels differ. Next to zones of a single ring, and
+  /// where the two sides do not meet between their rings (as with a dashpot, whose pressure jumps at the edge), it is
+  /// the plain sum. end: where D ends, if not with the last ring; beyond the last ring D is continued up to there.
   [[nodiscard]] double integral(const Eigen::VectorXd& depths, const std::vector<signed char>& zones,
-                                std::optional<double> edge = std::nullopt) const;
+                                std::optional<double> end = std::nullopt) const;
 
   /// Radius at which the gap outside n_pressed rings vanishes: its displacements in the sense above are to the gap what
   /// the depths are to the pressure, smooth up to the edge, whatever pressure there is. Looked for outside the last of
-  /// n_closed rings; where the gap jumps (a flat punch), the effective radius of the pressed rings.
-  [[nodiscard]] double edge_of_gap(const Eigen::VectorXd& gap, Eigen::Index n_closed, Eigen::Index n_pressed) const;
+  /// n_closed rings, from rings inside n_smooth; where the gap jumps (a flat punch), the effective radius of the
+  /// pressed rings.
+  [[nodiscard]] double edge_of_gap(const Eigen::VectorXd& gap, Eigen::Index n_closed, Eigen::Index n_pressed,
+                                   Eigen::Index n_smooth) const;
+
+  /// Radius at which the pressure of n_pressed rings vanishes; empty if that is not where their contact ends.
+  [[nodiscard]] std::optional<double> edge_of_pressure(const Eigen::VectorXd& depths, Eigen::Index n_pressed) const;
+
+  /// Radii that the depths belong to.
+  [[nodiscard]] const Eigen::VectorXd& radii() const { return radii_; }
+  /// Effective radius of the n innermost rings, n = 0..n_rings.
+  [[nodiscard]] const Eigen::VectorXd& edges() const { return edges_; }
 
  private:
   Eigen::MatrixXd factor_;
@@ -58,23 +68,27 @@ class PunchSeries {
   double force_per_radius_;
 };
 
-/// Normal force of ring pressures and the gaps of the free rings. The edge is found from the gaps: with a dashpot, or a
-/// branch that relaxes while the edge crosses a ring, the pressure jumps there. n_closed: with such a body, how many
-/// rings have been in contact for the whole step; the pressures of those that touched in it are averages, so the inner
-/// ones are continued in their place.
-double contact_force(const PunchSeries& series, const Eigen::VectorXd& pressure, const Eigen::VectorXd& gap,
-                     std::optional<Eigen::Index> n_closed = std::nullopt);
-
-/// Friction at an instant.
-struct FrictionState {
-  const Eigen::VectorXd& limit;  ///< mu p
-  const Eigen::VectorXd& traction;
-  const std::vector<signed char>& zones;  ///< SlipZones::labels
-  double limit_force;                     ///< mu times the normal force
+/// What pressures and gaps of an instant do not tell of a contact.
+struct ContactPast {
+  /// Rings that have been in contact. In a body with memory the gap has a kink there once the contact is smaller.
+  Eigen::Index n_touched = 0;
+  /// With a dashpot: rings that have been in contact for the whole step.
+  std::optional<Eigen::Index> n_closed = std::nullopt;
 };
 
+/// Normal force of ring pressures and the gaps of the free rings. The edge is found from the gaps: with a dashpot, or a
+/// branch that relaxes while the edge crosses a ring, the pressure jumps there. With a dashpot the pressures of the
+/// rings that touched in the step are averages, so the inner ones are continued in their place. Less than three rings
+/// inside the kink of the gap, the edge is found from the pressures.
+double contact_force(const PunchSeries& series, const Eigen::VectorXd& pressure, const Eigen::VectorXd& gap,
+                     const ContactPast& past = {});
+
 /// Tangential force. While the outermost rings slip it is what the slip reserve leaves of mu times the normal force:
-/// the reserve vanishes in the slip zone, however narrow it is, so the edge of the contact plays no part.
-double friction_force(const PunchSeries& series, const FrictionState& state);
+/// the reserve vanishes in the slip zone, however narrow it is, so the edge of the contact plays no part. Where it
+/// begins to vanish is found from the reserve of the stuck rings, and of the next ones as they were held when their
+/// slip began: that of the last zone that sticks may have one ring or none left.
+/// limit_depths: of mu p, limit_force: mu times the normal force.
+double friction_force(const PunchSeries& series, const SlipZones& zones, const Eigen::VectorXd& limit_depths,
+                      double limit_force);
 
 }  // namespace fretval::fem

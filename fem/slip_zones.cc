@@ -1,18 +1,39 @@
 #include "fem/slip_zones.h"
 
 namespace fretval::fem {
+namespace {
 
-SlipZones::SlipZones(Eigen::Index n_rings) : labels_(static_cast<std::size_t>(n_rings), never_slipped) {}
+signed char slip_of(double limit, BoxState state) {
+  if (limit == 0 || state == BoxState::interior) return 0;
+  return state == BoxState::upper ? 1 : -1;
+}
 
-void SlipZones::update(const Eigen::VectorXd& limit, const std::vector<BoxState>& states) {
+}  // namespace
+
+SlipZones::SlipZones(Eigen::Index n_rings)
+    : labels_(static_cast<std::size_t>(n_rings), never_slipped),
+      slip_(labels_.size(), 0),
+      held_labels_(labels_),
+      depths_(Eigen::VectorXd::Zero(n_rings)),
+      held_depths_(depths_) {}
+
+void SlipZones::update(const Eigen::VectorXd& limit, const std::vector<BoxState>& states, Eigen::VectorXd depths) {
   for (std::size_t i = 0; i < labels_.size(); ++i) {
-    if (limit[static_cast<Eigen::Index>(i)] == 0)
+    const auto ring = static_cast<Eigen::Index>(i);
+    const signed char slip = slip_of(limit[ring], states[i]);
+    if (slip != slip_[i]) {
+      held_labels_[i] = labels_[i];
+      held_depths_[ring] = depths_[ring] - depths_[0];
+    }
+    slip_[i] = slip;
+    if (limit[ring] == 0)
       labels_[i] = free;
-    else if (states[i] != BoxState::interior)
-      labels_[i] = states[i] == BoxState::upper ? slipped_forward : slipped_backward;
+    else if (slip != 0)
+      labels_[i] = slip;
     else if (labels_[i] == free)
       labels_[i] = touched_again;
   }
+  depths_ = std::move(depths);
 }
 
 }  // namespace fretval::fem

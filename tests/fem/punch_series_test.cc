@@ -75,7 +75,7 @@ TEST_F(PunchSeriesTest, FindsTheEdgeFromTheGapAlone) {
     const double radius = 0.9 + k / 320.0;
     const auto [pressure, gap] = hertz_contact(problem_, radius * radius);
     const Index n_pressed = (pressure.array() > 0).count();
-    EXPECT_NEAR(series_.edge_of_gap(gap, n_pressed, n_pressed), radius, 1e-5) << radius;
+    EXPECT_NEAR(series_.edge_of_gap(gap, n_pressed, n_pressed, gap.size()), radius, 1e-5) << radius;
   }
 }
 
@@ -96,6 +96,35 @@ TEST_F(PunchSeriesTest, FollowsBothSidesOfAKink) {
   const double with = series_.integral(depths, zones), without = series_.integral(depths, one_zone(depths));
   EXPECT_NEAR(with / exact, 1, 2e-6);  // the force per radius, see EffectiveRadii
   EXPECT_GT(std::abs(without - with) / exact, 1e-5);
+}
+
+// Mindlin & Deresiewicz: F = F(u0) - 2 F((u0 - u)/2) on the way back from u0, F(u) = mu P [1 - (1 - u/u_all)^1.5]. Just
+// after the reversal hardly a ring slips back, and just before -u0 hardly one of those that slipped before u0 is left.
+TEST_F(PunchSeriesTest, FrictionForceOfZonesNarrowerThanARing) {
+  const auto& tangential = tangential_half_space(32);
+  const double mu = 0.5, all_slides = 1.5 * mu, u0 = 0.5 * all_slides;
+  const auto contact = hertz_contact(problem_, 1);
+  const Eigen::VectorXd limit = mu * contact.pressure;
+  const double normal_force = contact_force(series_, contact.pressure, contact.gap);
+  const auto exact = [&](double u) { return mu * normal_force * (1 - std::pow(1 - u / all_slides, 1.5)); };
+  Eigen::VectorXd slip = Eigen::VectorXd::Zero(problem_.n_rings());
+  std::vector<BoxState> states(static_cast<std::size_t>(slip.size()), BoxState::interior);
+  SlipZones zones(slip.size());
+  double worst = 0, worst_sum = 0;
+  for (int k = 0; k <= 100; ++k) {
+    const double u = u0 * (1 - k / 50.0);
+    const auto& areas = tangential.compliance.areas;
+    const Eigen::VectorXd load = areas.array() * (u - slip.array());
+    const auto solution = tangential.solver.solve(load, -limit, limit, states);
+    slip += solution.residual.cwiseQuotient(areas);
+    zones.update(limit, states, tangential.series.depths(solution.x));
+    const double force = friction_force(tangential.series, zones, tangential.series.depths(limit), mu * normal_force);
+    const double expected = exact(u0) - 2 * exact((u0 - u) / 2);
+    worst = std::max(worst, std::abs(force - expected) / exact(u0));
+    worst_sum = std::max(worst_sum, std::abs(solution.x.dot(areas) - expected) / exact(u0));
+  }
+  EXPECT_LT(worst, 4e-5);
+  EXPECT_GT(worst_sum, 5e-4);
 }
 
 TEST_F(PunchSeriesTest, ShortZonesFallBackToTheSum) {
