@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "comparison/error_budget.h"
+#include "comparison/measures.h"
 #include "comparison/probe.h"
 #include "comparison/verdict.h"
 

@@ -5,13 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "comparison/measures.h"
 #include "comparison/resolution.h"
 
 namespace fretval {
-
-/// What finite elements say, by the names of result.json and in the units of comparison: radii over the unworn contact
-/// radius (0: nothing sticks), logarithms of forces, so that differences are relative.
-using Measures = std::map<std::string, double>;
 
 /// Error of one quantity from one source.
 struct ErrorShare {

@@ -2,12 +2,10 @@
 
 #include <spdlog/spdlog.h>
 
-#include <cmath>
 #include <map>
 #include <mutex>
 
 #include "comparison/parallel.h"
-#include "comparison/stopwatch.h"
 #include "fem/solver_error.h"
 #include "meshes/mesh_error.h"
 
@@ -134,20 +132,6 @@ void run_probes(const std::vector<Probe>& probes, const std::function<Body(const
     spdlog::info("body: {} dofs, {} rings, {} scenes", body->n_dofs(), body->normal.contact.n_rings(), members.size());
     run_on_body(*body, probes, members, take);
   }
-}
-
-Measures measures_of(const FeAnswer& fe, const Units& units) {
-  Measures measures;
-  if (fe.contact_radius_max) measures["contact_radius_max"] = *fe.contact_radius_max / units.length;
-  measures["normal_force_max"] = std::log(fe.normal_force_max / units.force());
-  measures["stick_radius_first_slip"] = fe.stick_radius_first_slip.value_or(0) / units.length;
-  measures["stick_radius_shakedown"] = fe.stick_radius_shakedown.value_or(0) / units.length;
-  if (fe.no_wear) {
-    measures["slip_inside_stick_zone"] = fe.no_wear->slip_inside;
-    measures["force_outside_stick_zone"] = fe.no_wear->force_outside;
-    measures["maximum_indentation"] = fe.no_wear->touch_indentation;
-  }
-  return measures;
 }
 
 }  // namespace fretval

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "comparison/measures.h"
+
 namespace fretval {
 namespace {
 
@@ -75,7 +77,7 @@ void search_grid(const std::vector<PreparedCase>& cases, const std::vector<MdrAn
                  std::vector<ToleranceRecord>& records) {
   const auto points = grid_points(cases);
   for (std::size_t c = 0; c < cases.size(); ++c) {
-    const auto wanted = exact_measures(exact[c], cases[c].fem.units);
+    const auto wanted = measures_of(exact[c], cases[c].fem.units, cases[c].fem.worn_edge.has_value());
     for (auto& record : records) {
       if (record.name != cases[c].scene.name) continue;
       record.in_grid = true;

@@ -1,9 +1,9 @@
 #include "comparison/tolerance_suite.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
+#include "comparison/measures.h"
 #include "comparison/parallel.h"
 #include "comparison/study_driver.h"
 #include "comparison/tolerance_cases.h"
@@ -37,7 +37,7 @@ ToleranceRecord record_of(const PreparedCase& prepared, const MdrAnswer& exact, 
   const auto& units = prepared.fem.units;
   const auto fe = measures_of(study.answer.fe, units);
   const auto verdict = compare(exact, study.answer.fe, units.length, prepared.tolerances, study.budget);
-  for (const auto& [quantity, value] : exact_measures(exact, units)) {
+  for (const auto& [quantity, value] : measures_of(exact, units, prepared.fem.worn_edge.has_value())) {
     const auto measured = fe.find(quantity);
     const auto bar = study.budget.find(quantity);
     const auto judged = verdict.find(quantity);
@@ -71,13 +71,6 @@ bool ToleranceRecord::covered() const {
 
 bool ToleranceRecord::inconclusive() const {
   return !all_errors(*this, [](const TrueError& e) { return e.finding != Finding::inconclusive; });
-}
-
-Measures exact_measures(const MdrAnswer& mdr, const Units& units) {
-  return {{"contact_radius_max", mdr.contact_radius_max.value() / units.length},
-          {"normal_force_max", std::log(mdr.normal_force_max.value() / units.force())},
-          {"stick_radius_first_slip", mdr.stick_radius_first_slip.value_or(0) / units.length},
-          {"stick_radius_shakedown", mdr.stick_radius_shakedown.value_or(0) / units.length}};
 }
 
 Body make_timed_body(const BodySpecification& specification) {

@@ -5,6 +5,8 @@
 #include <limits>
 #include <tuple>
 
+#include "comparison/verdict.h"
+
 namespace fretval {
 namespace {
 

@@ -4,8 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "comparison/error_budget.h"
-#include "comparison/verdict.h"
+#include "comparison/measures.h"
 
 namespace fretval {
 
