@@ -28,12 +28,6 @@ Eigen::Index rings_within(const std::vector<double>& radii, double c) {
   return std::max<Eigen::Index>(std::upper_bound(radii.begin(), radii.end(), c) - radii.begin() - 1, 0);
 }
 
-double tolerance_of(const Tolerances& tolerances, const std::string& quantity) {
-  if (quantity == "contact_radius_max") return tolerances.contact_radius;
-  if (quantity == "normal_force_max") return tolerances.normal_force;
-  return tolerances.stick_radius;
-}
-
 }  // namespace
 
 double seconds_alone(const ProbeAnswer& answer) {

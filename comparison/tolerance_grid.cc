@@ -33,10 +33,8 @@ std::vector<int> steps_for(unsigned rings) {
 bool meets(const Measures& measures, const Measures& exact, const Tolerances& tolerances) {
   for (const auto& [quantity, value] : exact) {
     const auto found = measures.find(quantity);
-    const double tolerance = quantity == "contact_radius_max" ? tolerances.contact_radius
-                             : quantity == "normal_force_max" ? tolerances.normal_force
-                                                              : tolerances.stick_radius;
-    if (found == measures.end() || !(std::abs(found->second - value) <= tolerance)) return false;
+    if (found == measures.end() || !(std::abs(found->second - value) <= tolerance_of(tolerances, quantity)))
+      return false;
   }
   return true;
 }

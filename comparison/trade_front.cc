@@ -68,10 +68,7 @@ std::optional<LogSlope> observed_rate(std::vector<double> values, std::vector<do
 bool meets(const Measures& errors, double tolerance) {
   const auto tolerances = tolerances_of(tolerance);
   return !errors.empty() && std::all_of(errors.begin(), errors.end(), [&](const auto& entry) {
-    const auto& [quantity, error] = entry;
-    if (quantity == "contact_radius_max") return error <= tolerances.contact_radius;
-    if (quantity == "normal_force_max") return error <= tolerances.normal_force;
-    return error <= tolerances.stick_radius;
+    return entry.second <= tolerance_of(tolerances, entry.first);
   });
 }
 
