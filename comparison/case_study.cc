@@ -32,7 +32,7 @@ Eigen::Index rings_within(const std::vector<double>& radii, double c) {
 
 double seconds_alone(const ProbeAnswer& answer) {
   double seconds = answer.fe.seconds;
-  if (answer.body) seconds += answer.body->cost.mesh + answer.body->cost.assembly + answer.body->cost.factorisation;
+  if (answer.body) seconds += answer.body->cost.total();
   if (answer.normal) seconds += answer.normal->seconds;
   return seconds;
 }

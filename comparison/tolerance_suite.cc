@@ -14,10 +14,6 @@ namespace {
 
 constexpr double smallest_sure_time = 0.1;  // s
 
-double seconds_of(const BodyCost& cost) {
-  return cost.mesh + cost.assembly + cost.factorisation;
-}
-
 bool is_in_grid(std::size_t i) {
   return i % 10 == 0 || i % 10 == 3 || i % 10 == 6;
 }
@@ -75,10 +71,9 @@ bool ToleranceRecord::inconclusive() const {
 
 Body make_timed_body(const BodySpecification& specification) {
   Body body = make_body(specification);
-  if (seconds_of(body.cost) >= smallest_sure_time) return body;
+  if (body.cost.total() >= smallest_sure_time) return body;
   std::vector<BodyCost> costs{body.cost, make_body(specification).cost, make_body(specification).cost};
-  std::sort(costs.begin(), costs.end(),
-            [](const BodyCost& a, const BodyCost& b) { return seconds_of(a) < seconds_of(b); });
+  std::sort(costs.begin(), costs.end(), [](const BodyCost& a, const BodyCost& b) { return a.total() < b.total(); });
   body.cost = costs[1];
   return body;
 }

@@ -129,7 +129,7 @@ std::vector<Recommendation> recommendations_of(const PreparedCase& prepared, con
 }  // namespace
 
 double TradeSeconds::total() const {
-  return body.mesh + body.assembly + body.factorisation + normal_history + friction_history;
+  return body.total() + normal_history + friction_history;
 }
 
 std::optional<double> TradeMemory::total() const {

@@ -72,7 +72,7 @@ void measure(const PreparedCase& prepared, FullPoint& point) {
   const ResidentGrowth growth;
   const auto body = make_body(scene.body);
   point.n_dofs = body.n_dofs();
-  point.body_seconds = body.cost.mesh + body.cost.assembly + body.cost.factorisation;
+  point.body_seconds = body.cost.total();
   const Eigen::VectorXd profile = fem::ring_means(body.normal.contact.compliance, scene.profile);
   const auto normal = fem::normal_history(body.normal.contact, scene.relaxation, profile, scene.motion,
                                           few_cycles(scene.resolution.steps_per_cycle));
