@@ -49,9 +49,8 @@ void CaseStudy::want(const Resolution& resolution) {
 void CaseStudy::take(const Resolution& resolution, ProbeAnswer&& answer) {
   measures_[resolution] = answer.failure.empty() ? measures_of(answer.fe, prepared_.fem.units) : Measures{};
   const auto all = tracks();
-  const auto is_track = [&](const Resolution& track) { return !(track < resolution) && !(resolution < track); };
   // The histories of variants are not needed any more.
-  if (std::any_of(all.begin(), all.end(), is_track)) answers_[resolution] = std::move(answer);
+  if (std::find(all.begin(), all.end(), resolution) != all.end()) answers_[resolution] = std::move(answer);
 }
 
 const Resolution& CaseStudy::resolution_of(const std::string& quantity) const {
@@ -127,8 +126,7 @@ ErrorBudget CaseStudy::budget() const {
     }
     for (const auto& [quantity, bar] :
          error_budget(measures_.at(track), list, varied, track.degree, edge, prepared_.fem.relaxation.viscosity > 0)) {
-      const auto& used = resolution_of(quantity);
-      if (!(used < track) && !(track < used)) all[quantity] = bar;
+      if (resolution_of(quantity) == track) all[quantity] = bar;
     }
   }
   return all;

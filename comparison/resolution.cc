@@ -24,16 +24,21 @@ Resolution with_steps(Resolution r, double factor) {
   return r;
 }
 
+auto key(const Resolution& r) {
+  return std::make_tuple(r.elements_per_radius, r.degree, r.growth, r.far_radius, r.steps_per_cycle, r.n_ramp_cycles,
+                         r.periodicity, r.n_creep_cycles, r.worn_edge_ring, r.surface_growth, r.active_set_slack,
+                         r.focus.has_value(), r.focus ? r.focus->inner : 0, r.focus ? r.focus->outer : 0,
+                         r.focus ? r.focus->ring : 0);
+}
+
 }  // namespace
 
-bool Resolution::operator<(const Resolution& o) const {
-  const auto key = [](const Resolution& r) {
-    return std::make_tuple(r.elements_per_radius, r.degree, r.growth, r.far_radius, r.steps_per_cycle, r.n_ramp_cycles,
-                           r.periodicity, r.n_creep_cycles, r.worn_edge_ring, r.surface_growth, r.active_set_slack,
-                           r.focus.has_value(), r.focus ? r.focus->inner : 0, r.focus ? r.focus->outer : 0,
-                           r.focus ? r.focus->ring : 0);
-  };
-  return key(*this) < key(o);
+bool Resolution::operator<(const Resolution& other) const {
+  return key(*this) < key(other);
+}
+
+bool Resolution::operator==(const Resolution& other) const {
+  return key(*this) == key(other);
 }
 
 Resolution resolution_for(double tolerance) {

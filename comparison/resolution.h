@@ -1,7 +1,6 @@
 #pragma once
 
 #include <optional>
-#include <string>
 #include <vector>
 
 namespace fretval {
@@ -27,6 +26,7 @@ struct Resolution {
   std::optional<Focus> focus = {};  ///< empty: equal rings
 
   bool operator<(const Resolution& other) const;
+  bool operator==(const Resolution& other) const;
 };
 
 /// The coarsest settings that usually meet a relative tolerance on the stick radius (and a tenth of it on contact
