@@ -66,7 +66,7 @@ std::vector<Resolution> CaseStudy::tracks() const {
 
 std::vector<Variant> CaseStudy::variants(const Resolution& resolution) const {
   const auto& relaxation = prepared_.fem.relaxation;
-  return variants_of(resolution, {!relaxation.moduli.empty() || relaxation.viscosity > 0, !prepared_.fem.motion.phase});
+  return variants_of(resolution, {relaxation.has_memory(), !prepared_.fem.motion.phase});
 }
 
 std::optional<Focus> CaseStudy::closer_look(const std::string& quantity) const {

@@ -41,12 +41,13 @@ bool Resolution::operator==(const Resolution& other) const {
   return key(*this) == key(other);
 }
 
-Resolution resolution_for(double tolerance) {
+Resolution resolution_for(double tolerance, bool memory) {
   // What the rings at a worn edge let through is about a tenth of sqrt(2 ring/c) of the force.
   const double worn_edge_ring = std::max(5 * tolerance * tolerance, finest_edge_ring);
-  if (tolerance >= 1e-2) return {16, 2, 0.3, 10, 24, 4, 1e-4, 24, worn_edge_ring};
-  if (tolerance >= 1e-3) return {24, 3, 0.5, 12, 36, 8, 1e-5, 48, worn_edge_ring};
-  return {48, 3, 0.3, 20, 72, 12, 1e-6, 96, worn_edge_ring};
+  const auto ramp = [memory](int n_cycles) { return memory ? n_cycles : 1; };
+  if (tolerance >= 1e-2) return {16, 2, 0.3, 10, 24, ramp(4), 1e-4, 24, worn_edge_ring};
+  if (tolerance >= 1e-3) return {24, 3, 0.5, 12, 36, ramp(8), 1e-5, 48, worn_edge_ring};
+  return {48, 3, 0.3, 20, 72, ramp(12), 1e-6, 96, worn_edge_ring};
 }
 
 const char* name_of(ErrorSource source) {

@@ -31,7 +31,8 @@ struct Resolution {
 
 /// The coarsest settings that usually meet a relative tolerance on the stick radius (and a tenth of it on contact
 /// radius and force), from the measured errors in docs/accuracy.md. What they miss in a case, its error budget shows.
-Resolution resolution_for(double tolerance);
+/// memory: of the body, see fem::RelaxationModel; without it the start leaves nothing behind and one ramp cycle does.
+Resolution resolution_for(double tolerance, bool memory = true);
 
 /// Where an error comes from.
 enum class ErrorSource { rings, element_order, grading, far_field, time_step, start, creep, cycles, active_set, edge };
