@@ -44,9 +44,9 @@ struct Variant {
   Resolution resolution;
 };
 
-/// Which sources a scene has: an elastic body has no memory of its start, a locked phase does not creep.
+/// What the errors of a scene depend on: an elastic body has no memory of its start, a locked phase does not creep.
 struct SceneNeeds {
-  bool memory = true, creep = false;
+  bool memory = true, creep = false, dashpot = false;
 };
 
 /// What has to be computed besides a resolution to measure its errors, each source by its own refinement.
