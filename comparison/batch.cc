@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 
+#include "comparison/groups.h"
 #include "comparison/parallel.h"
 #include "comparison/study_driver.h"
 
@@ -29,24 +30,16 @@ Reference reference_of(const MdrScene& scene) {
   }
 }
 
-std::vector<Reference> references_of(const std::vector<PreparedCase>& cases, const Indices& indices) {
-  std::vector<std::size_t> leader(indices.size());  // the first case with the same normal problem
-  Indices leaders;
-  for (std::size_t s = 0; s < indices.size(); ++s) {
-    const auto& one = cases[indices[s]];
-    std::size_t l = 0;
-    while (l < leaders.size()) {
-      const auto& other = cases[indices[leaders[l]]];
-      if (same_normal_problem(one.fem, one.scene, other.fem, other.scene)) break;
-      ++l;
-    }
-    if (l == leaders.size()) leaders.push_back(s);
-    leader[s] = l;
-  }
-  std::vector<Reference> computed(leaders.size()), all;
-  for_each_in_parallel(leaders.size(),
-                       [&](std::size_t l) { computed[l] = reference_of(cases[indices[leaders[l]]].mdr); });
-  for (const std::size_t l : leader) all.push_back(computed[l]);
+/// By the index of the case; cases with the same normal problem share the work.
+std::map<std::size_t, Reference> references_of(const std::vector<PreparedCase>& cases, const Indices& indices) {
+  const auto groups = groups_of(indices, [&](std::size_t a, std::size_t b) {
+    return same_normal_problem(cases[a].fem, cases[a].scene, cases[b].fem, cases[b].scene);
+  });
+  std::vector<Reference> computed(groups.size());
+  for_each_in_parallel(groups.size(), [&](std::size_t g) { computed[g] = reference_of(cases[groups[g].front()].mdr); });
+  std::map<std::size_t, Reference> all;
+  for (std::size_t g = 0; g < groups.size(); ++g)
+    for (const std::size_t i : groups[g]) all[i] = computed[g];
   return all;
 }
 
@@ -60,7 +53,7 @@ class Batch {
     for (const std::size_t i : indices) studies.emplace_back(cases_[i], hooks_.with_budget);
     run_studies(studies, hooks_.make_body);
     const auto references = references_of(cases_, indices);
-    for (std::size_t s = 0; s < indices.size(); ++s) finish(indices[s], studies[s].result(), references[s]);
+    for (std::size_t s = 0; s < indices.size(); ++s) finish(indices[s], studies[s].result(), references.at(indices[s]));
   }
 
   std::vector<BatchLine> take_lines() { return std::move(lines_); }

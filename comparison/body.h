@@ -23,6 +23,8 @@ struct HarmonicBody {
 /// Seconds spent on a body.
 struct BodyCost {
   double mesh = 0, assembly = 0, factorisation = 0;
+
+  [[nodiscard]] double total() const { return mesh + assembly + factorisation; }
 };
 
 /// The elastic body with its harmonics, ready for any motion, friction, rheology and profile on its contact line.

@@ -28,17 +28,15 @@ Eigen::Index rings_within(const std::vector<double>& radii, double c) {
   return std::max<Eigen::Index>(std::upper_bound(radii.begin(), radii.end(), c) - radii.begin() - 1, 0);
 }
 
-double tolerance_of(const Tolerances& tolerances, const std::string& quantity) {
-  if (quantity == "contact_radius_max") return tolerances.contact_radius;
-  if (quantity == "normal_force_max") return tolerances.normal_force;
-  return tolerances.stick_radius;
+SceneNeeds needs_of(const FemScene& scene) {
+  return {scene.relaxation.has_memory(), !scene.motion.phase, scene.relaxation.viscosity > 0};
 }
 
 }  // namespace
 
 double seconds_alone(const ProbeAnswer& answer) {
   double seconds = answer.fe.seconds;
-  if (answer.body) seconds += answer.body->cost.mesh + answer.body->cost.assembly + answer.body->cost.factorisation;
+  if (answer.body) seconds += answer.body->cost.total();
   if (answer.normal) seconds += answer.normal->seconds;
   return seconds;
 }
@@ -55,9 +53,8 @@ void CaseStudy::want(const Resolution& resolution) {
 void CaseStudy::take(const Resolution& resolution, ProbeAnswer&& answer) {
   measures_[resolution] = answer.failure.empty() ? measures_of(answer.fe, prepared_.fem.units) : Measures{};
   const auto all = tracks();
-  const auto is_track = [&](const Resolution& track) { return !(track < resolution) && !(resolution < track); };
   // The histories of variants are not needed any more.
-  if (std::any_of(all.begin(), all.end(), is_track)) answers_[resolution] = std::move(answer);
+  if (std::find(all.begin(), all.end(), resolution) != all.end()) answers_[resolution] = std::move(answer);
 }
 
 const Resolution& CaseStudy::resolution_of(const std::string& quantity) const {
@@ -69,11 +66,6 @@ std::vector<Resolution> CaseStudy::tracks() const {
   std::vector<Resolution> all{now_.base};
   for (const auto& [quantity, resolution] : now_.focused) all.push_back(resolution);
   return all;
-}
-
-std::vector<Variant> CaseStudy::variants(const Resolution& resolution) const {
-  const auto& relaxation = prepared_.fem.relaxation;
-  return variants_of(resolution, {!relaxation.moduli.empty() || relaxation.viscosity > 0, !prepared_.fem.motion.phase});
 }
 
 std::optional<Focus> CaseStudy::closer_look(const std::string& quantity) const {
@@ -119,9 +111,10 @@ bool CaseStudy::focus_on_unresolved_edges() {
 }
 
 ErrorBudget CaseStudy::budget() const {
+  const auto needs = needs_of(prepared_.fem);
   ErrorBudget all;
   for (const auto& track : tracks()) {
-    const auto list = variants(track);
+    const auto list = variants_of(track, needs);
     std::vector<Measures> varied;
     varied.reserve(list.size());
     for (const auto& variant : list) varied.push_back(measures_.at(variant.resolution));
@@ -131,11 +124,8 @@ ErrorBudget CaseStudy::budget() const {
       edge[first_slip] = answer.fe.first_slip_uncertainty / prepared_.fem.units.length;
       edge[shakedown] = answer.fe.shakedown_uncertainty / prepared_.fem.units.length;
     }
-    for (const auto& [quantity, bar] :
-         error_budget(measures_.at(track), list, varied, track.degree, edge, prepared_.fem.relaxation.viscosity > 0)) {
-      const auto& used = resolution_of(quantity);
-      if (!(used < track) && !(track < used)) all[quantity] = bar;
-    }
+    for (const auto& [quantity, bar] : error_budget(measures_.at(track), list, varied, track.degree, edge, needs))
+      if (resolution_of(quantity) == track) all[quantity] = bar;
   }
   return all;
 }
@@ -181,7 +171,7 @@ void CaseStudy::advance() {
   }
   if (focus_on_unresolved_edges()) return;
   for (const auto& track : tracks())
-    for (const auto& variant : variants(track)) want(variant.resolution);
+    for (const auto& variant : variants_of(track, needs_of(prepared_.fem))) want(variant.resolution);
   if (!wanted_.empty()) return;
   if (!refine_what_is_too_wide()) return;
   for (const auto& track : tracks()) {

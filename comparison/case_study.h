@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "comparison/error_budget.h"
+#include "comparison/measures.h"
 #include "comparison/probe.h"
 #include "comparison/verdict.h"
 
@@ -59,7 +60,6 @@ class CaseStudy {
  private:
   [[nodiscard]] const Resolution& resolution_of(const std::string& quantity) const;
   [[nodiscard]] std::vector<Resolution> tracks() const;
-  [[nodiscard]] std::vector<Variant> variants(const Resolution& resolution) const;
   [[nodiscard]] std::optional<Focus> closer_look(const std::string& quantity) const;
   [[nodiscard]] ErrorBudget budget() const;
   [[nodiscard]] bool failed() const;

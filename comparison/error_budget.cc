@@ -7,11 +7,11 @@
 namespace fretval {
 namespace {
 
-double expected_order(ErrorSource source, const std::string& quantity, bool memory, bool dashpot) {
+double expected_order(ErrorSource source, const std::string& quantity, const SceneNeeds& needs) {
   if (source == ErrorSource::time_step || source == ErrorSource::start) return 2;
   if (source == ErrorSource::creep) return 1;
   if (source == ErrorSource::far_field) return 4;
-  if (source == ErrorSource::rings && quantity == "normal_force_max" && memory) return dashpot ? 1 : 2;
+  if (source == ErrorSource::rings && quantity == "normal_force_max" && needs.memory) return needs.dashpot ? 1 : 2;
   const bool radius_or_force = quantity.find("radius") != std::string::npos || quantity == "normal_force_max";
   return source == ErrorSource::rings && !radius_or_force ? 1 : 3;
 }
@@ -49,9 +49,8 @@ ErrorShare richardson(ErrorSource source, const Refinements& values, double expe
 }
 
 ErrorBudget error_budget(const Measures& measures, const std::vector<Variant>& variants,
-                         const std::vector<Measures>& varied, unsigned degree, const Measures& edge, bool dashpot) {
-  const bool memory = std::any_of(variants.begin(), variants.end(),
-                                  [](const Variant& variant) { return variant.source == ErrorSource::start; });
+                         const std::vector<Measures>& varied, unsigned degree, const Measures& edge,
+                         const SceneNeeds& needs) {
   ErrorBudget budget;
   for (const auto& [quantity, value] : measures) {
     auto& shares = budget[quantity].shares;
@@ -67,7 +66,7 @@ ErrorBudget error_budget(const Measures& measures, const std::vector<Variant>& v
         Refinements values{value, other, std::nullopt};
         if (i + 1 < variants.size() && variants[i + 1].source == source)
           values.coarse = value_of(varied[i + 1], quantity);
-        shares.push_back(richardson(source, values, expected_order(source, quantity, memory, dashpot)));
+        shares.push_back(richardson(source, values, expected_order(source, quantity, needs)));
       }
     }
     const auto reading = edge.find(quantity);

@@ -32,6 +32,14 @@ LadderRow mesh_row(const std::string& scene, const std::string& quantity, const 
   return row;
 }
 
+LadderRow time_row(const std::string& scene, const std::string& quantity, const std::string& source,
+                   const std::vector<int>& n_steps, const LadderDemand& demand,
+                   const std::function<double(int)>& error) {
+  LadderRow row{scene, quantity, source, "steps", n_steps, {}, demand};
+  for (const int n : n_steps) row.errors.push_back(error(n));
+  return row;
+}
+
 FrictionLimit friction_limit(const LadderMesh& mesh, const mdr::Profile& profile, double indentation) {
   const auto contact = fem::normal_contact(mesh.normal, means_of(profile, mesh.normal), indentation);
   return {friction_coefficient * contact.pressure,

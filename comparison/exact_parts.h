@@ -43,6 +43,11 @@ LadderRow mesh_row(const std::string& scene, const std::string& quantity, const 
                    const std::vector<LadderMesh>& meshes, const LadderDemand& demand,
                    const std::function<double(const LadderMesh&)>& error);
 
+/// A row over numbers of time steps.
+LadderRow time_row(const std::string& scene, const std::string& quantity, const std::string& source,
+                   const std::vector<int>& n_steps, const LadderDemand& demand,
+                   const std::function<double(int)>& error);
+
 /// Limit of the tractions, and of their force.
 struct FrictionLimit {
   Eigen::VectorXd rings;  ///< mu p

@@ -111,17 +111,11 @@ double retraction_error(const fem::ContactProblem& problem, const mdr::PronyBody
 
 LadderRow retraction_time_row(const LadderMesh& mesh, const mdr::PronyBody& body, const mdr::PronyBody& exact) {
   const TingOfRings expected(exact, mesh.normal, means_of(mdr::parabola(1), mesh.normal));
-  LadderRow row{"Ting",
-                "force over time",
-                "Ting 1966, on the elastic force of the same rings",
-                "steps",
-                {100, 200, 400, 800},
-                {},
-                {1.4e-5, 2, 1e-8, std::nullopt, "", 400}};
-  for (const int n : row.resolutions)
-    row.errors.push_back(
-        retraction_error(mesh.normal, body, n, &NormalPath::Force::sum, [&](double t) { return expected(t); }));
-  return row;
+  const auto error = [&](int n) {
+    return retraction_error(mesh.normal, body, n, &NormalPath::Force::sum, [&](double t) { return expected(t); });
+  };
+  return time_row("Ting", "force over time", "Ting 1966, on the elastic force of the same rings", {100, 200, 400, 800},
+                  {1.4e-5, 2, 1e-8, std::nullopt, "", 400}, error);
 }
 
 LadderRow retraction_mesh_row(const std::vector<LadderMesh>& meshes, const mdr::PronyBody& body,

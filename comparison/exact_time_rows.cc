@@ -77,16 +77,10 @@ LadderRow step_row(const LadderMesh& mesh, const mdr::PronyBody& body, const mdr
   const Eigen::VectorXd punch = fem::ring_means(mesh.normal.compliance, [](double r) { return r < 1 ? 0.0 : 10.0; });
   const auto contact = fem::normal_contact(mesh.normal, punch, 1);
   const double elastic = fem::contact_force(mesh.normal.series, contact.pressure, contact.gap);
-  LadderRow row{"flat punch, step",
-                "relaxing force",
-                "correspondence, Lee 1955, on the elastic force of the same rings",
-                "steps",
-                {8, 16, 32, 64},
-                {},
-                {1e-8, 0, 1e-8, std::nullopt, "floor: rise time of the step"}};
-  for (const int n : row.resolutions)
-    row.errors.push_back(relaxing_force_error(mesh.normal, punch, 1, elastic, body, exact, n));
-  return row;
+  return time_row("flat punch, step", "relaxing force",
+                  "correspondence, Lee 1955, on the elastic force of the same rings", {8, 16, 32, 64},
+                  {1e-8, 0, 1e-8, std::nullopt, "floor: rise time of the step"},
+                  [&](int n) { return relaxing_force_error(mesh.normal, punch, 1, elastic, body, exact, n); });
 }
 
 LadderRow hertz_step_row(const std::vector<LadderMesh>& meshes, const mdr::PronyBody& body,
@@ -111,16 +105,11 @@ LadderRow growing_contact_time_row(const LadderMesh& mesh, const mdr::PronyBody&
   const LeeRadok expected(exact, [&](double d) {
     return fem::normal_contact(mesh.normal, profile, d).pressure.dot(mesh.normal.compliance.areas);
   });
-  LadderRow row{"Lee-Radok",
-                "force over time",
-                "Lee & Radok 1960, on the elastic force of the same rings",
-                "steps",
-                {50, 100, 200, 400},
-                {},
-                {5e-6, 2, 1e-8, std::nullopt, "", 200}};
-  for (const int n : row.resolutions)
-    row.errors.push_back(growing_contact_error(mesh.normal, body, n, &NormalPath::Force::sum, expected));
-  return row;
+  const auto error = [&](int n) {
+    return growing_contact_error(mesh.normal, body, n, &NormalPath::Force::sum, expected);
+  };
+  return time_row("Lee-Radok", "force over time", "Lee & Radok 1960, on the elastic force of the same rings",
+                  {50, 100, 200, 400}, {5e-6, 2, 1e-8, std::nullopt, "", 200}, error);
 }
 
 LadderRow growing_contact_mesh_row(const std::vector<LadderMesh>& meshes, const mdr::PronyBody& body,

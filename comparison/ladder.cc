@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "comparison/junit.h"
+#include "comparison/log_slope.h"
 
 namespace fretval {
 namespace {
@@ -47,26 +48,14 @@ std::string table_line(const LadderRow& row, std::size_t name_width) {
 }  // namespace
 
 std::optional<double> observed_order(const LadderRow& row) {
-  std::vector<double> x, y;
+  std::vector<double> resolutions, errors;
   for (std::size_t i = 0; i < row.errors.size(); ++i) {
-    const double error = std::abs(row.errors[i]);
-    if (!std::isfinite(error)) return std::nullopt;
-    if (error <= row.demand.floor) continue;
-    x.push_back(std::log(row.resolutions[i]));
-    y.push_back(-std::log(error));
+    if (!std::isfinite(row.errors[i])) return std::nullopt;
+    resolutions.push_back(row.resolutions[i]);
+    errors.push_back(std::abs(row.errors[i]));
   }
-  if (x.size() < 2) return std::nullopt;
-  const auto n = static_cast<double>(x.size());
-  double mean_x = 0, mean_y = 0, product = 0, square = 0;
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    mean_x += x[i] / n;
-    mean_y += y[i] / n;
-  }
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    product += (x[i] - mean_x) * (y[i] - mean_y);
-    square += (x[i] - mean_x) * (x[i] - mean_x);
-  }
-  return product / square;
+  const auto fit = log_slope(resolutions, errors, row.demand.floor);
+  return fit ? std::optional(-fit->slope) : std::nullopt;
 }
 
 std::string failure_of(const LadderRow& row) {

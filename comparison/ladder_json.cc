@@ -1,19 +1,10 @@
 #include "comparison/ladder_json.h"
 
-#include <nlohmann/json.hpp>
-#include <optional>
+#include "comparison/json_parts.h"
 
 namespace fretval {
-namespace {
 
 using nlohmann::ordered_json;
-
-template <typename T>
-ordered_json or_null(const std::optional<T>& value) {
-  return value ? ordered_json(*value) : ordered_json(nullptr);
-}
-
-}  // namespace
 
 ordered_json ladder_json(const std::vector<LadderRow>& rows) {
   ordered_json array = ordered_json::array();

@@ -1,9 +1,9 @@
 #include "comparison/outcome.h"
 
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "comparison/files.h"
+#include "comparison/json_parts.h"
 #include "comparison/versions.h"
 #include "fem/field_output.h"
 
@@ -19,9 +19,6 @@ nlohmann::ordered_json run_json(const Outcome& outcome) {
   const auto& r = outcome.fem_scene.resolution;
   const auto& normal = *outcome.study.answer.normal;
   const auto& q = outcome.study.answer.body->mesh_quality;
-  nlohmann::ordered_json focus = nlohmann::ordered_json::object();
-  for (const auto& [quantity, f] : outcome.study.focus)
-    focus[quantity] = {{"inner", f.inner}, {"outer", f.outer}, {"ring", f.ring}};
   return {{"versions", libraries},
           {"resolution",
            {{"elements_per_radius", r.elements_per_radius},
@@ -31,7 +28,7 @@ nlohmann::ordered_json run_json(const Outcome& outcome) {
             {"steps_per_cycle", r.steps_per_cycle},
             {"ramp_cycles", r.n_ramp_cycles},
             {"periodicity", r.periodicity},
-            {"focus", focus},
+            {"focus", focus_json(outcome.study.focus)},
             {"refinements", outcome.study.n_refinements},
             {"computations", outcome.study.n_probes}}},
           {"reached",

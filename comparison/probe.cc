@@ -2,12 +2,11 @@
 
 #include <spdlog/spdlog.h>
 
-#include <cmath>
 #include <map>
 #include <mutex>
 
+#include "comparison/groups.h"
 #include "comparison/parallel.h"
-#include "comparison/stopwatch.h"
 #include "fem/solver_error.h"
 #include "meshes/mesh_error.h"
 
@@ -15,22 +14,6 @@ namespace fretval {
 namespace {
 
 using Indices = std::vector<std::size_t>;
-
-/// Probes that share their normal problem.
-std::vector<Indices> normal_groups(const std::vector<Probe>& probes, const Indices& members) {
-  std::vector<Indices> groups;
-  for (const std::size_t i : members) {
-    auto group = groups.begin();
-    while (group != groups.end()) {
-      const auto& first = probes[group->front()];
-      if (same_normal_problem(first.fem, *first.scene, probes[i].fem, *probes[i].scene)) break;
-      ++group;
-    }
-    if (group == groups.end()) group = groups.insert(group, Indices{});
-    group->push_back(i);
-  }
-  return groups;
-}
 
 struct NormalAnswer {
   std::shared_ptr<const NormalSimulation> simulation;
@@ -87,7 +70,9 @@ void run_on_body(const Body& body, const std::vector<Probe>& probes, const Indic
                  const std::function<void(std::size_t, ProbeAnswer&&)>& take) {
   const auto summary = std::make_shared<const BodySummary>(summary_of(body));
   const Problems problems(body, probes, members);
-  const auto groups = normal_groups(probes, members);
+  const auto groups = groups_of(members, [&](std::size_t a, std::size_t b) {
+    return same_normal_problem(probes[a].fem, *probes[a].scene, probes[b].fem, *probes[b].scene);
+  });
   std::vector<NormalAnswer> normal(groups.size());
   for_each_in_parallel(groups.size(), [&](std::size_t g) {
     const auto& scene = probes[groups[g].front()].fem;
@@ -134,20 +119,6 @@ void run_probes(const std::vector<Probe>& probes, const std::function<Body(const
     spdlog::info("body: {} dofs, {} rings, {} scenes", body->n_dofs(), body->normal.contact.n_rings(), members.size());
     run_on_body(*body, probes, members, take);
   }
-}
-
-Measures measures_of(const FeAnswer& fe, const Units& units) {
-  Measures measures;
-  if (fe.contact_radius_max) measures["contact_radius_max"] = *fe.contact_radius_max / units.length;
-  measures["normal_force_max"] = std::log(fe.normal_force_max / units.force());
-  measures["stick_radius_first_slip"] = fe.stick_radius_first_slip.value_or(0) / units.length;
-  measures["stick_radius_shakedown"] = fe.stick_radius_shakedown.value_or(0) / units.length;
-  if (fe.no_wear) {
-    measures["slip_inside_stick_zone"] = fe.no_wear->slip_inside;
-    measures["force_outside_stick_zone"] = fe.no_wear->force_outside;
-    measures["maximum_indentation"] = fe.no_wear->touch_indentation;
-  }
-  return measures;
 }
 
 }  // namespace fretval

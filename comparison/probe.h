@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "comparison/body.h"
-#include "comparison/error_budget.h"
 #include "comparison/simulation.h"
 
 namespace fretval {
@@ -39,8 +38,5 @@ struct ProbeAnswer {
 /// probe, one call at a time, in no particular order. Failures of the numerics are answers, not exceptions.
 void run_probes(const std::vector<Probe>& probes, const std::function<Body(const BodySpecification&)>& make_body,
                 const std::function<void(std::size_t probe, ProbeAnswer&& answer)>& take);
-
-/// The answer in the units of comparison.
-Measures measures_of(const FeAnswer& fe, const Units& units);
 
 }  // namespace fretval

@@ -24,24 +24,30 @@ Resolution with_steps(Resolution r, double factor) {
   return r;
 }
 
-}  // namespace
-
-bool Resolution::operator<(const Resolution& o) const {
-  const auto key = [](const Resolution& r) {
-    return std::make_tuple(r.elements_per_radius, r.degree, r.growth, r.far_radius, r.steps_per_cycle, r.n_ramp_cycles,
-                           r.periodicity, r.n_creep_cycles, r.worn_edge_ring, r.surface_growth, r.active_set_slack,
-                           r.focus.has_value(), r.focus ? r.focus->inner : 0, r.focus ? r.focus->outer : 0,
-                           r.focus ? r.focus->ring : 0);
-  };
-  return key(*this) < key(o);
+auto key(const Resolution& r) {
+  return std::make_tuple(r.elements_per_radius, r.degree, r.growth, r.far_radius, r.steps_per_cycle, r.n_ramp_cycles,
+                         r.periodicity, r.n_creep_cycles, r.worn_edge_ring, r.surface_growth, r.active_set_slack,
+                         r.focus.has_value(), r.focus ? r.focus->inner : 0, r.focus ? r.focus->outer : 0,
+                         r.focus ? r.focus->ring : 0);
 }
 
-Resolution resolution_for(double tolerance) {
+}  // namespace
+
+bool Resolution::operator<(const Resolution& other) const {
+  return key(*this) < key(other);
+}
+
+bool Resolution::operator==(const Resolution& other) const {
+  return key(*this) == key(other);
+}
+
+Resolution resolution_for(double tolerance, bool memory) {
   // What the rings at a worn edge let through is about a tenth of sqrt(2 ring/c) of the force.
   const double worn_edge_ring = std::max(5 * tolerance * tolerance, finest_edge_ring);
-  if (tolerance >= 1e-2) return {16, 2, 0.3, 10, 24, 4, 1e-4, 24, worn_edge_ring};
-  if (tolerance >= 1e-3) return {24, 3, 0.5, 12, 36, 8, 1e-5, 48, worn_edge_ring};
-  return {48, 3, 0.3, 20, 72, 12, 1e-6, 96, worn_edge_ring};
+  const auto ramp = [memory](int n_cycles) { return memory ? n_cycles : 1; };
+  if (tolerance >= 1e-2) return {16, 2, 0.3, 10, 24, ramp(4), 1e-4, 24, worn_edge_ring};
+  if (tolerance >= 1e-3) return {24, 3, 0.5, 12, 36, ramp(8), 1e-5, 48, worn_edge_ring};
+  return {48, 3, 0.3, 20, 72, ramp(12), 1e-6, 96, worn_edge_ring};
 }
 
 const char* name_of(ErrorSource source) {

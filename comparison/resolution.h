@@ -1,7 +1,6 @@
 #pragma once
 
 #include <optional>
-#include <string>
 #include <vector>
 
 namespace fretval {
@@ -27,11 +26,13 @@ struct Resolution {
   std::optional<Focus> focus = {};  ///< empty: equal rings
 
   bool operator<(const Resolution& other) const;
+  bool operator==(const Resolution& other) const;
 };
 
 /// The coarsest settings that usually meet a relative tolerance on the stick radius (and a tenth of it on contact
 /// radius and force), from the measured errors in docs/accuracy.md. What they miss in a case, its error budget shows.
-Resolution resolution_for(double tolerance);
+/// memory: of the body, see fem::RelaxationModel; without it the start leaves nothing behind and one ramp cycle does.
+Resolution resolution_for(double tolerance, bool memory = true);
 
 /// Where an error comes from.
 enum class ErrorSource { rings, element_order, grading, far_field, time_step, start, creep, cycles, active_set, edge };
@@ -43,9 +44,9 @@ struct Variant {
   Resolution resolution;
 };
 
-/// Which sources a scene has: an elastic body has no memory of its start, a locked phase does not creep.
+/// What the errors of a scene depend on: an elastic body has no memory of its start, a locked phase does not creep.
 struct SceneNeeds {
-  bool memory = true, creep = false;
+  bool memory = true, creep = false, dashpot = false;
 };
 
 /// What has to be computed besides a resolution to measure its errors, each source by its own refinement.

@@ -1,8 +1,6 @@
 #include <sys/resource.h>
 
-#include <cmath>
-#include <nlohmann/json.hpp>
-
+#include "comparison/json_parts.h"
 #include "comparison/outcome.h"
 #include "mdr/profile.h"
 
@@ -10,10 +8,6 @@ namespace fretval {
 namespace {
 
 using nlohmann::ordered_json;
-
-ordered_json or_null(const std::optional<double>& value) {
-  return value ? ordered_json(*value) : ordered_json(nullptr);
-}
 
 const char* name_of(Case::Shape shape) {
   switch (shape) {

@@ -68,15 +68,10 @@ bool BodySpecification::operator<(const BodySpecification& other) const {
 }
 
 FemScene fem_scene(const Case& scene, const MdrScene& mdr) {
-  auto resolution = resolution_for(scene.tolerance);
-  if (scene.rings_per_radius) resolution.elements_per_radius = *scene.rings_per_radius;
-  if (scene.steps_per_cycle) resolution.steps_per_cycle = *scene.steps_per_cycle;
-  // Without memory the start leaves nothing behind.
-  if (mdr.body.branch_moduli.empty() && mdr.body.viscosity == 0) resolution.n_ramp_cycles = 1;
   const double deepest = scene.motion.indentation + scene.motion.normal_amplitude;
   const Units units{mdr::inverse_transform(mdr.profile, deepest), deepest, scene.elastomer.relaxed_modulus,
                     mdr::angular_frequency(scene.motion.normal_frequency)};
-  FemScene fem{units, {}, {}, {}, scene.friction_coefficient, profile_in(units, scene, mdr), resolution, {}};
+  FemScene fem{units, {}, {}, {}, scene.friction_coefficient, profile_in(units, scene, mdr), {}, {}};
   if (mdr.limiting)
     fem.worn_edge = {mdr.limiting->stick_radius / units.length, mdr.limiting->outer_radius / units.length};
   fem.relaxation.viscosity = mdr.body.viscosity * units.angular_frequency / units.modulus;
@@ -84,6 +79,9 @@ FemScene fem_scene(const Case& scene, const MdrScene& mdr) {
   for (const double time : mdr.body.branch_times) fem.relaxation.times.push_back(time * units.angular_frequency);
   fem.motion = {scene.motion.indentation / deepest, scene.motion.normal_amplitude / deepest,
                 mdr.motion.tangential_amplitude / deepest, mdr.motion.phase};
+  auto resolution = resolution_for(scene.tolerance, fem.relaxation.has_memory());
+  if (scene.rings_per_radius) resolution.elements_per_radius = *scene.rings_per_radius;
+  if (scene.steps_per_cycle) resolution.steps_per_cycle = *scene.steps_per_cycle;
   return at_resolution(std::move(fem), resolution);
 }
 
@@ -99,8 +97,7 @@ FemScene at_resolution(FemScene scene, const Resolution& resolution) {
 std::vector<std::string> left_out(const FemScene& scene) {
   std::vector<std::string> words;
   if (!scene.body.tangential) words.emplace_back("no tangential motion: no tangential harmonic, no friction history");
-  if (scene.relaxation.moduli.empty() && scene.relaxation.viscosity == 0)
-    words.emplace_back("elastic body: no memory, one cycle of ramp");
+  if (!scene.relaxation.has_memory()) words.emplace_back("elastic body: no memory, one cycle of ramp");
   return words;
 }
 

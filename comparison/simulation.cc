@@ -11,9 +11,8 @@
 namespace fretval {
 namespace {
 
-/// Largest value of a periodic signal: the peak of a quartic fitted to the samples within a twentieth of a period of
-/// the largest one. With a dashpot the force steps up with every ring that touches, by a share of order h; the fit
-/// averages over that.
+/// Largest value of a smooth periodic signal, which lies between samples: the peak of a quartic fitted to those within
+/// a twentieth of a period of the largest one, two on either side of it at least.
 double periodic_maximum(const Eigen::VectorXd& samples) {
   const Eigen::Index n = samples.size(), half = std::max<Eigen::Index>(2, n / 20);
   Eigen::Index peak = 0;

@@ -7,8 +7,8 @@
 namespace fretval {
 
 /// Fixed settings that a user might choose by hand, from 8 rings and 12 steps to 96 rings and 96 steps, without focus.
-/// Settings that go with the time step (start, periodicity, creep) become finer with it.
-std::vector<Resolution> grid_of_settings();
+/// Settings that go with the time step (start, periodicity, creep) become finer with it. memory: see resolution_for.
+std::vector<Resolution> grid_of_settings(bool memory = true);
 
 /// Computes the cases at all settings, and gives to each of their records the cheapest one whose true errors meet the
 /// tolerance of the record.

@@ -1,19 +1,12 @@
 #include "comparison/tolerance_json.h"
 
-#include <cmath>
-#include <nlohmann/json.hpp>
-#include <optional>
-
+#include "comparison/json_parts.h"
 #include "comparison/tolerance_table.h"
 
 namespace fretval {
 namespace {
 
 using nlohmann::ordered_json;
-
-ordered_json or_null(const std::optional<double>& value) {
-  return value && std::isfinite(*value) ? ordered_json(*value) : ordered_json(nullptr);
-}
 
 ordered_json json_of(const Resolution& r) {
   return {{"rings", r.elements_per_radius},
@@ -55,9 +48,6 @@ ordered_json errors_of(const ToleranceRecord& record) {
 }
 
 ordered_json json_of(const ToleranceRecord& record) {
-  auto focus = ordered_json::object();
-  for (const auto& [quantity, f] : record.focus)
-    focus[quantity] = {{"inner", f.inner}, {"outer", f.outer}, {"ring", f.ring}};
   auto cheapest = ordered_json(nullptr);
   if (record.cheapest)
     cheapest = {{"resolution", json_of(record.cheapest->resolution)},
@@ -65,11 +55,11 @@ ordered_json json_of(const ToleranceRecord& record) {
                 {"ratio", or_null(cost_ratio(record))}};
   return {{"name", record.name},
           {"tolerance", record.tolerance},
-          {"failure", record.failure.empty() ? ordered_json(nullptr) : ordered_json(record.failure)},
+          {"failure", or_null(record.failure)},
           {"pass", record.passes()},
           {"errors", errors_of(record)},
           {"resolution", json_of(record.resolution)},
-          {"focus", std::move(focus)},
+          {"focus", focus_json(record.focus)},
           {"refinements", record.n_refinements},
           {"computations", record.n_probes},
           {"seconds", record.seconds},

@@ -1,9 +1,9 @@
 #include "comparison/tolerance_suite.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
+#include "comparison/measures.h"
 #include "comparison/parallel.h"
 #include "comparison/study_driver.h"
 #include "comparison/tolerance_cases.h"
@@ -13,10 +13,6 @@ namespace fretval {
 namespace {
 
 constexpr double smallest_sure_time = 0.1;  // s
-
-double seconds_of(const BodyCost& cost) {
-  return cost.mesh + cost.assembly + cost.factorisation;
-}
 
 bool is_in_grid(std::size_t i) {
   return i % 10 == 0 || i % 10 == 3 || i % 10 == 6;
@@ -37,7 +33,7 @@ ToleranceRecord record_of(const PreparedCase& prepared, const MdrAnswer& exact, 
   const auto& units = prepared.fem.units;
   const auto fe = measures_of(study.answer.fe, units);
   const auto verdict = compare(exact, study.answer.fe, units.length, prepared.tolerances, study.budget);
-  for (const auto& [quantity, value] : exact_measures(exact, units)) {
+  for (const auto& [quantity, value] : measures_of(exact, units, prepared.fem.worn_edge.has_value())) {
     const auto measured = fe.find(quantity);
     const auto bar = study.budget.find(quantity);
     const auto judged = verdict.find(quantity);
@@ -73,19 +69,11 @@ bool ToleranceRecord::inconclusive() const {
   return !all_errors(*this, [](const TrueError& e) { return e.finding != Finding::inconclusive; });
 }
 
-Measures exact_measures(const MdrAnswer& mdr, const Units& units) {
-  return {{"contact_radius_max", mdr.contact_radius_max.value() / units.length},
-          {"normal_force_max", std::log(mdr.normal_force_max.value() / units.force())},
-          {"stick_radius_first_slip", mdr.stick_radius_first_slip.value_or(0) / units.length},
-          {"stick_radius_shakedown", mdr.stick_radius_shakedown.value_or(0) / units.length}};
-}
-
 Body make_timed_body(const BodySpecification& specification) {
   Body body = make_body(specification);
-  if (seconds_of(body.cost) >= smallest_sure_time) return body;
+  if (body.cost.total() >= smallest_sure_time) return body;
   std::vector<BodyCost> costs{body.cost, make_body(specification).cost, make_body(specification).cost};
-  std::sort(costs.begin(), costs.end(),
-            [](const BodyCost& a, const BodyCost& b) { return seconds_of(a) < seconds_of(b); });
+  std::sort(costs.begin(), costs.end(), [](const BodyCost& a, const BodyCost& b) { return a.total() < b.total(); });
   body.cost = costs[1];
   return body;
 }

@@ -47,9 +47,6 @@ struct ToleranceRecord {
   [[nodiscard]] bool passes() const { return failure.empty() && meets() && covered(); }
 };
 
-/// The exact answer in the units of comparison.
-Measures exact_measures(const MdrAnswer& mdr, const Units& units);
-
 /// A body whose cost is the median of three if it is so small that a single measurement is mostly noise.
 Body make_timed_body(const BodySpecification& specification);
 

@@ -11,10 +11,6 @@
 namespace fretval {
 namespace {
 
-bool equal(const Resolution& a, const Resolution& b) {
-  return !(a < b) && !(b < a);
-}
-
 /// Numbers that a history keeps for its rings: pressure and force per instant; margins, reserves, slip, work and
 /// displacements per ring, with three samples for each of four minima; tractions of a period; the memory of either
 /// direction, one field per branch.
@@ -94,7 +90,7 @@ std::vector<TradePoint> condensed_points(const PreparedCase& prepared, const Tra
 
 std::size_t index_of(const std::vector<TradePoint>& points, const Resolution& resolution) {
   const auto found = std::find_if(points.begin(), points.end(),
-                                  [&](const TradePoint& p) { return equal(p.setting.resolution, resolution); });
+                                  [&](const TradePoint& p) { return p.setting.resolution == resolution; });
   return static_cast<std::size_t>(found - points.begin());
 }
 
@@ -129,7 +125,7 @@ std::vector<Recommendation> recommendations_of(const PreparedCase& prepared, con
 }  // namespace
 
 double TradeSeconds::total() const {
-  return body.mesh + body.assembly + body.factorisation + normal_history + friction_history;
+  return body.total() + normal_history + friction_history;
 }
 
 std::optional<double> TradeMemory::total() const {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "comparison/measures.h"
 #include "comparison/trade_front.h"
 #include "comparison/trade_levels.h"
 #include "comparison/trade_plan.h"

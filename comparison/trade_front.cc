@@ -5,6 +5,8 @@
 #include <limits>
 #include <tuple>
 
+#include "comparison/verdict.h"
+
 namespace fretval {
 namespace {
 
@@ -29,25 +31,6 @@ std::vector<std::size_t> pareto_front(const std::vector<ErrorAndSeconds>& points
   return front;
 }
 
-std::optional<LogSlope> log_slope(const std::vector<double>& x, const std::vector<double>& y, double floor) {
-  int n = 0;
-  double sum_x = 0, sum_y = 0, sum_xx = 0, sum_xy = 0;
-  double least = std::numeric_limits<double>::infinity(), largest = 0;
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    if (!(x[i] > 0) || !(y[i] > floor) || !std::isfinite(y[i])) continue;
-    const double u = std::log(x[i]), v = std::log(y[i]);
-    ++n;
-    sum_x += u;
-    sum_y += v;
-    sum_xx += u * u;
-    sum_xy += u * v;
-    least = std::min(least, x[i]);
-    largest = std::max(largest, x[i]);
-  }
-  if (!(largest > least)) return std::nullopt;
-  return LogSlope{(n * sum_xy - sum_x * sum_y) / (n * sum_xx - sum_x * sum_x), n};
-}
-
 double floor_of(const std::vector<double>& errors) {
   double smallest = std::numeric_limits<double>::infinity();
   for (const double error : errors)
@@ -66,10 +49,7 @@ std::optional<LogSlope> observed_rate(std::vector<double> values, std::vector<do
 bool meets(const Measures& errors, double tolerance) {
   const auto tolerances = tolerances_of(tolerance);
   return !errors.empty() && std::all_of(errors.begin(), errors.end(), [&](const auto& entry) {
-    const auto& [quantity, error] = entry;
-    if (quantity == "contact_radius_max") return error <= tolerances.contact_radius;
-    if (quantity == "normal_force_max") return error <= tolerances.normal_force;
-    return error <= tolerances.stick_radius;
+    return entry.second <= tolerance_of(tolerances, entry.first);
   });
 }
 

@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include "comparison/error_budget.h"
-#include "comparison/verdict.h"
+#include "comparison/log_slope.h"
+#include "comparison/measures.h"
 
 namespace fretval {
 
@@ -18,16 +18,6 @@ struct ErrorAndSeconds {
 /// falling error. Of points with the same error the fastest counts, of equally fast ones the most accurate, of equal
 /// ones the first; errors within 1e-6 of each other are the same. Points that are not finite never count.
 std::vector<std::size_t> pareto_front(const std::vector<ErrorAndSeconds>& points);
-
-/// A power law fitted to points.
-struct LogSlope {
-  double slope;
-  int n_points;  ///< that it was fitted to; with two of them nothing confirms it
-};
-
-/// Slope of log y over log x by least squares, over the points with x > 0 and y > floor; empty if there are fewer than
-/// two different x.
-std::optional<LogSlope> log_slope(const std::vector<double>& x, const std::vector<double>& y, double floor);
 
 /// Errors of a sweep whose remainder is not its own: what other settings leave is in all of them, so those within three
 /// times the smallest one say nothing about the order. 0 for an empty list.

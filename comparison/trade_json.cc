@@ -1,8 +1,6 @@
 #include "comparison/trade_json.h"
 
-#include <cmath>
-#include <nlohmann/json.hpp>
-
+#include "comparison/json_parts.h"
 #include "comparison/outcome.h"
 
 namespace fretval {
@@ -10,22 +8,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-template <class Value>
-ordered_json or_null(const std::optional<Value>& value) {
-  return value ? ordered_json(*value) : ordered_json(nullptr);
-}
-
-ordered_json finite_or_null(double value) {
-  return std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr);
-}
-
-ordered_json failure_json(const std::string& failure) {
-  return failure.empty() ? ordered_json(nullptr) : ordered_json(failure);
-}
-
 ordered_json setting_json(const Resolution& r) {
-  ordered_json focus = nullptr;
-  if (r.focus) focus = {{"inner", r.focus->inner}, {"outer", r.focus->outer}, {"ring", r.focus->ring}};
   return {{"rings_per_radius", r.elements_per_radius},
           {"element_order", r.degree},
           {"grading", r.growth},
@@ -36,7 +19,7 @@ ordered_json setting_json(const Resolution& r) {
           {"creep_cycles", r.n_creep_cycles},
           {"worn_edge_ring", r.worn_edge_ring},
           {"active_set_slack", r.active_set_slack},
-          {"focus", focus}};
+          {"focus", r.focus ? focus_json(*r.focus) : ordered_json(nullptr)}};
 }
 
 ordered_json point_json(const TradePoint& point) {
@@ -45,7 +28,7 @@ ordered_json point_json(const TradePoint& point) {
   const auto& s = point.seconds;
   return {{"setting", setting_json(point.setting.resolution)},
           {"sweeps", sweeps},
-          {"error", finite_or_null(point.error())},
+          {"error", or_null(point.error())},
           {"errors", point.errors},
           {"seconds",
            {{"mesh", s.body.mesh},
@@ -64,7 +47,7 @@ ordered_json point_json(const TradePoint& point) {
           {"normal_steps", point.n_normal_steps},
           {"friction_steps", point.n_friction_steps},
           {"cycles", point.n_cycles},
-          {"failure", failure_json(point.failure)}};
+          {"failure", or_null(point.failure)}};
 }
 
 ordered_json spring_json(const SpringPoint& point) {
@@ -74,12 +57,12 @@ ordered_json spring_json(const SpringPoint& point) {
             {"steps_per_period", s.steps_per_period},
             {"ramp_periods", s.n_ramp_periods},
             {"periodicity", s.periodicity}}},
-          {"error", finite_or_null(largest_of(point.errors))},
+          {"error", or_null(largest_of(point.errors))},
           {"errors", point.errors},
-          {"seconds", finite_or_null(point.seconds)},
+          {"seconds", or_null(point.seconds)},
           {"memory_bytes_estimated", point.memory_bytes},
           {"periods", point.n_periods},
-          {"failure", failure_json(point.failure)}};
+          {"failure", or_null(point.failure)}};
 }
 
 ordered_json full_json(const FullLevel& level, const TradePoint& condensed) {
@@ -87,7 +70,7 @@ ordered_json full_json(const FullLevel& level, const TradePoint& condensed) {
   const bool done = p.failure.empty();
   return {{"setting", setting_json(p.resolution)},
           {"condensed_point", level.condensed},
-          {"error_of_the_condensed_point", finite_or_null(condensed.error())},
+          {"error_of_the_condensed_point", or_null(condensed.error())},
           {"largest_relative_difference_from_condensed",
            done ? ordered_json{{"pressure", p.pressure_difference}, {"traction", p.traction_difference}}
                 : ordered_json(nullptr)},
@@ -103,7 +86,7 @@ ordered_json full_json(const FullLevel& level, const TradePoint& condensed) {
            done ? ordered_json(level.extrapolated_seconds) : ordered_json(nullptr)},
           {"memory_bytes_measured", or_null(p.memory_bytes)},
           {"dofs", p.n_dofs},
-          {"failure", failure_json(p.failure)}};
+          {"failure", or_null(p.failure)}};
 }
 
 ordered_json slope_json(const std::optional<LogSlope>& slope) {

@@ -72,7 +72,7 @@ void measure(const PreparedCase& prepared, FullPoint& point) {
   const ResidentGrowth growth;
   const auto body = make_body(scene.body);
   point.n_dofs = body.n_dofs();
-  point.body_seconds = body.cost.mesh + body.cost.assembly + body.cost.factorisation;
+  point.body_seconds = body.cost.total();
   const Eigen::VectorXd profile = fem::ring_means(body.normal.contact.compliance, scene.profile);
   const auto normal = fem::normal_history(body.normal.contact, scene.relaxation, profile, scene.motion,
                                           few_cycles(scene.resolution.steps_per_cycle));
@@ -104,36 +104,6 @@ Measures measures_of(const mdr::SpringHistory& history, const PreparedCase& prep
 }
 
 }  // namespace
-
-Measures measures_of(const MdrAnswer& mdr, const Units& units, bool worn) {
-  Measures measures;
-  measures["contact_radius_max"] = mdr.contact_radius_max.value() / units.length;
-  measures["normal_force_max"] = std::log(mdr.normal_force_max.value() / units.force());
-  measures["stick_radius_first_slip"] = mdr.stick_radius_first_slip.value_or(0) / units.length;
-  measures["stick_radius_shakedown"] = mdr.stick_radius_shakedown.value_or(0) / units.length;
-  if (worn) {
-    measures["slip_inside_stick_zone"] = 0;
-    measures["force_outside_stick_zone"] = 0;
-    measures["maximum_indentation"] = 1;
-  }
-  return measures;
-}
-
-Measures errors_of(const Measures& measures, const Measures& reference) {
-  Measures errors;
-  for (const auto& [quantity, value] : measures) {
-    const auto found = reference.find(quantity);
-    if (found != reference.end()) errors[quantity] = std::abs(value - found->second);
-  }
-  return errors;
-}
-
-double largest_of(const Measures& errors) {
-  if (errors.empty()) return std::nan("");
-  return std::max_element(errors.begin(), errors.end(),
-                          [](const auto& a, const auto& b) { return a.second < b.second; })
-      ->second;
-}
 
 ClosedForm closed_form(const PreparedCase& prepared) {
   const double never = std::numeric_limits<double>::infinity();

@@ -4,19 +4,10 @@
 #include <string>
 
 #include "comparison/case_study.h"
+#include "comparison/measures.h"
 #include "comparison/trade_plan.h"
 
 namespace fretval {
-
-/// What MDR says in the terms of `measures_of(const FeAnswer&, ...)`. For a limiting profile also what it says of the
-/// state in which nothing wears: no slip inside, no force outside, the flank touches at the largest indentation.
-Measures measures_of(const MdrAnswer& mdr, const Units& units, bool worn);
-
-/// Differences of what both have: over the contact radius for radii, relative for forces.
-Measures errors_of(const Measures& measures, const Measures& reference);
-
-/// The largest one; NaN for none.
-double largest_of(const Measures& errors);
 
 /// The closed form with its periodic normal response, over and over for half a second; the stick radii alone, which
 /// need no response, as often.

@@ -78,9 +78,7 @@ const char* name_of(Sweep sweep) {
 }
 
 Resolution chosen_resolution(double tolerance, const FemScene& scene) {
-  Resolution r = resolution_for(tolerance);
-  if (scene.relaxation.moduli.empty() && scene.relaxation.viscosity == 0) r.n_ramp_cycles = 1;
-  return r;
+  return resolution_for(tolerance, scene.relaxation.has_memory());
 }
 
 TradePlan trade_plan(const FemScene& scene, const TradeAxes& wanted) {

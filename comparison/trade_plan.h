@@ -51,7 +51,7 @@ struct TradeAxes {
   std::vector<double> tolerances{1e-2, 1e-3, 1e-4};
 };
 
-/// The resolution that `resolution_for` chooses, with a start as short as a body without memory allows.
+/// The resolution that `resolution_for` chooses for a scene.
 Resolution chosen_resolution(double tolerance, const FemScene& scene);
 
 /// Start, creep and periodicity of the joint sweep go with its time steps as in `resolution_for`, and its far radius

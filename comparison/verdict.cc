@@ -38,6 +38,12 @@ Tolerances tolerances_of(double accuracy) {
   return {accuracy, accuracy / 10, accuracy / 10};
 }
 
+double tolerance_of(const Tolerances& tolerances, const std::string& quantity) {
+  if (quantity == "contact_radius_max") return tolerances.contact_radius;
+  if (quantity == "normal_force_max") return tolerances.normal_force;
+  return tolerances.stick_radius;
+}
+
 Verdict compare(const MdrAnswer& mdr, const FeAnswer& fe, double unworn_radius, const Tolerances& tolerances,
                 const ErrorBudget& budget) {
   Verdict verdict;

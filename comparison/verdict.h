@@ -35,6 +35,9 @@ struct Tolerances {
 /// What a case asks for: T = Accuracy / Tolerance on the stick radius, T/10 on contact radius and normal force.
 Tolerances tolerances_of(double accuracy);
 
+/// The tolerance of a quantity of a Verdict or of Measures: that on the stick radius unless it has one of its own.
+double tolerance_of(const Tolerances& tolerances, const std::string& quantity);
+
 /// Compared quantities by the name they have in result.json.
 ///
 /// Stick radii: (c_FE - c_MDR)/a, a the unworn contact radius at the largest indentation. Where one of the two says

@@ -14,6 +14,9 @@ struct RelaxationModel {
   std::vector<double> moduli;
   std::vector<double> times;
   double viscosity = 0;
+
+  /// Whether the stress depends on more than the present strain; false: elastic.
+  [[nodiscard]] bool has_memory() const { return !moduli.empty() || viscosity > 0; }
 };
 
 struct ValueAndRate {

@@ -121,7 +121,7 @@ TEST(CommandLine, RefusesAMissingFile) {
   EXPECT_EQ(fretval_run("dance", folder).exit_code, 2);
 }
 
-// The whole ladder: a heading, a line a row and the verdict; 17 rows.
+// The whole ladder: a heading, a line a row and the verdict.
 TEST(CommandLineSlow, ChecksTheExactSolutions) {
   const ScratchFolder folder;
   const auto junit = folder.path() / "junit.xml";

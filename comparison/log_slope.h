@@ -1,0 +1,18 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+namespace fretval {
+
+/// A power law fitted to points.
+struct LogSlope {
+  double slope;
+  int n_points;  ///< that it was fitted to; with two of them nothing confirms it
+};
+
+/// Slope of log y over log x by least squares, over the points with x > 0 and y > floor; empty if there are fewer than
+/// two different x.
+std::optional<LogSlope> log_slope(const std::vector<double>& x, const std::vector<double>& y, double floor);
+
+}  // namespace fretval
