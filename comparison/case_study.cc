@@ -29,7 +29,7 @@ Eigen::Index rings_within(const std::vector<double>& radii, double c) {
 }
 
 SceneNeeds needs_of(const FemScene& scene) {
-  return {scene.relaxation.has_memory(), !scene.motion.phase, scene.relaxation.viscosity > 0};
+  return {scene.relaxation.has_memory(), !scene.motion.phase};
 }
 
 }  // namespace

@@ -11,7 +11,7 @@ double expected_order(ErrorSource source, const std::string& quantity, const Sce
   if (source == ErrorSource::time_step || source == ErrorSource::start) return 2;
   if (source == ErrorSource::creep) return 1;
   if (source == ErrorSource::far_field) return 4;
-  if (source == ErrorSource::rings && quantity == "normal_force_max" && needs.memory) return needs.dashpot ? 1 : 2;
+  if (source == ErrorSource::rings && quantity == "normal_force_max" && needs.memory) return 2;
   const bool radius_or_force = quantity.find("radius") != std::string::npos || quantity == "normal_force_max";
   return source == ErrorSource::rings && !radius_or_force ? 1 : 3;
 }

@@ -41,8 +41,8 @@ ErrorShare richardson(ErrorSource source, const Refinements& values, double expe
 /// uncertainty of reading the edges (fem::EdgeRadius), by quantity.
 ///
 /// Rings: third order (a worn edge: first, in a ring that shrinks with the square). With memory the force counts as
-/// second order and with a dashpot as first: the pressure next to the edge depends on when its ring touched, and
-/// coarser rings do not show all of that. Time step and start: second; creep: first (2.3e-4, 1.15e-4, 4.6e-5 at 24, 48,
+/// second order: the pressure next to the edge depends on when its ring touched, and coarser rings do not show all of
+/// that. Time step and start: second; creep: first (2.3e-4, 1.15e-4, 4.6e-5 at 24, 48,
 /// 96 cycles); far field: fourth (4.5 to 5 measured); grading: at least third. Elements: functionals converge like
 /// q^(2k) in the degree k, so the difference D from degree k - 1 stands for an error of D^(k/(k-1)), times 3; at degree
 /// 2, whose check is degree 3, for D itself, times 1.25. Cycles and active set: the difference made by ten times the

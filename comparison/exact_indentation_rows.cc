@@ -43,7 +43,7 @@ std::vector<LadderRow> indentation_rows(const std::vector<LadderMesh>& meshes, c
   };
   const auto force_error = [&](const LadderMesh& mesh) {
     return worst(mesh, [&](const fem::NormalContact& contact, double indentation) {
-      return fem::contact_force(mesh.normal.series, contact.pressure, contact.gap) / exact.force(indentation) - 1;
+      return fem::contact_force(mesh.normal.series, contact.pressure, contact.gap).force / exact.force(indentation) - 1;
     });
   };
   return {mesh_row(exact.name, "contact radius", exact.source, meshes, radius, radius_error),

@@ -43,7 +43,7 @@ LadderRow time_row(const std::string& scene, const std::string& quantity, const 
 FrictionLimit friction_limit(const LadderMesh& mesh, const mdr::Profile& profile, double indentation) {
   const auto contact = fem::normal_contact(mesh.normal, means_of(profile, mesh.normal), indentation);
   return {friction_coefficient * contact.pressure,
-          friction_coefficient * fem::contact_force(mesh.normal.series, contact.pressure, contact.gap)};
+          friction_coefficient * fem::contact_force(mesh.normal.series, contact.pressure, contact.gap).force};
 }
 
 ElasticSliding::ElasticSliding(const fem::ContactProblem& tangential)
@@ -104,11 +104,11 @@ NormalPath::Force NormalPath::step(const Path& path, double begin, double end) {
   if (solution.x[n - 1] > 0) throw fem::SolverError("the contact reaches the end of the contact line");
   const Eigen::VectorXd new_gap = -solution.residual.cwiseQuotient(areas) / step.instantaneous();
   step.advance(state_, fem::indenter_move(path, begin, end), gap - new_gap);
-  n_touched_ = std::max<Eigen::Index>(n_touched_, (solution.x.array() > 0).count());
   const double fraction = step.fraction();
-  return {balance,
-          fem::contact_force(problem_->series, solution.x, fraction * new_gap + (1 - fraction) * gap, {n_touched_}),
-          solution.x.dot(areas)};
+  const auto [force, radius] =
+      fem::contact_force(problem_->series, solution.x, fraction * new_gap + (1 - fraction) * gap, {largest_radius_});
+  largest_radius_ = std::max(largest_radius_, radius);
+  return {balance, force, solution.x.dot(areas)};
 }
 
 std::vector<NormalPath::Force> press(const fem::ContactProblem& problem, const fem::RelaxationModel& model,

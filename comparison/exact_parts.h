@@ -101,7 +101,7 @@ class NormalPath {
   Eigen::VectorXd profile_;
   fem::RingState state_;
   std::vector<fem::BoxState> contact_;
-  Eigen::Index n_touched_ = 0;  // rings, so far
+  double largest_radius_ = 0;  // of the contact, so far
 };
 
 /// Forces in the intervals between the instants.

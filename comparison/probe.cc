@@ -2,6 +2,7 @@
 
 #include <spdlog/spdlog.h>
 
+#include <future>
 #include <map>
 #include <mutex>
 
@@ -102,12 +103,14 @@ void run_on_body(const Body& body, const std::vector<Probe>& probes, const Indic
 }  // namespace
 
 void run_probes(const std::vector<Probe>& probes, const std::function<Body(const BodySpecification&)>& make_body,
-                const std::function<void(std::size_t, ProbeAnswer&&)>& take) {
+                const std::function<void(std::size_t, ProbeAnswer&&)>& take, Schedule schedule) {
   std::map<BodySpecification, Indices> bodies;
   for (std::size_t i = 0; i < probes.size(); ++i) bodies[probes[i].fem.body].push_back(i);
+  std::future<void> histories;  // of the body before
   for (const auto& [specification, members] : bodies) {
-    std::unique_ptr<Body> body;
-    const std::string failure = failure_of([&, &s = specification] { body = std::make_unique<Body>(make_body(s)); });
+    std::shared_ptr<Body> body;
+    const std::string failure = failure_of([&, &s = specification] { body = std::make_shared<Body>(make_body(s)); });
+    if (histories.valid()) histories.get();
     if (!body) {
       for (const std::size_t i : members) {
         ProbeAnswer answer;
@@ -117,8 +120,11 @@ void run_probes(const std::vector<Probe>& probes, const std::function<Body(const
       continue;
     }
     spdlog::info("body: {} dofs, {} rings, {} scenes", body->n_dofs(), body->normal.contact.n_rings(), members.size());
-    run_on_body(*body, probes, members, take);
+    histories = std::async(schedule == Schedule::overlapped ? std::launch::async : std::launch::deferred,
+                           [body, &probes, &members = members, &take] { run_on_body(*body, probes, members, take); });
+    if (schedule == Schedule::exclusive) histories.get();
   }
+  if (histories.valid()) histories.get();
 }
 
 }  // namespace fretval

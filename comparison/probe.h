@@ -33,10 +33,15 @@ struct ProbeAnswer {
   std::string failure;
 };
 
+/// overlapped: the next body is made while the histories of one run. exclusive: one after another, for seconds that
+/// nothing else disturbs.
+enum class Schedule { overlapped, exclusive };
+
 /// Computes probes. Work is shared: one body per specification, one normal history per normal problem (at nu = 1/2 it
 /// does not see the tangential motion); then the friction histories run on all cores. take is called once for each
 /// probe, one call at a time, in no particular order. Failures of the numerics are answers, not exceptions.
 void run_probes(const std::vector<Probe>& probes, const std::function<Body(const BodySpecification&)>& make_body,
-                const std::function<void(std::size_t probe, ProbeAnswer&& answer)>& take);
+                const std::function<void(std::size_t probe, ProbeAnswer&& answer)>& take,
+                Schedule schedule = Schedule::overlapped);
 
 }  // namespace fretval

@@ -46,7 +46,7 @@ struct Variant {
 
 /// What the errors of a scene depend on: an elastic body has no memory of its start, a locked phase does not creep.
 struct SceneNeeds {
-  bool memory = true, creep = false, dashpot = false;
+  bool memory = true, creep = false;
 };
 
 /// What has to be computed besides a resolution to measure its errors, each source by its own refinement.

@@ -4,7 +4,8 @@
 
 namespace fretval {
 
-void run_studies(std::vector<CaseStudy>& studies, const std::function<Body(const BodySpecification&)>& make_body) {
+void run_studies(std::vector<CaseStudy>& studies, const std::function<Body(const BodySpecification&)>& make_body,
+                 Schedule schedule) {
   while (true) {
     std::vector<Probe> probes;
     std::vector<std::pair<std::size_t, Resolution>> origin;  // study
@@ -15,9 +16,12 @@ void run_studies(std::vector<CaseStudy>& studies, const std::function<Body(const
         origin.emplace_back(s, resolution);
       }
     if (probes.empty()) return;
-    run_probes(probes, make_body, [&](std::size_t i, ProbeAnswer&& answer) {
-      studies[origin[i].first].take(origin[i].second, std::move(answer));
-    });
+    run_probes(
+        probes, make_body,
+        [&](std::size_t i, ProbeAnswer&& answer) {
+          studies[origin[i].first].take(origin[i].second, std::move(answer));
+        },
+        schedule);
     for (auto& study : studies)
       if (!study.wanted().empty()) study.advance();
   }

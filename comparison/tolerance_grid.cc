@@ -46,11 +46,14 @@ std::vector<std::vector<GridPoint>> grid_points(const std::vector<PreparedCase>&
     for (const auto& resolution : grid_of_settings(prepared.fem.relaxation.has_memory()))
       probes.push_back({&prepared.scene, at_resolution(prepared.fem, resolution)});
   std::vector<std::vector<GridPoint>> points(cases.size(), std::vector<GridPoint>(n_settings));
-  run_probes(probes, make_timed_body, [&](std::size_t i, ProbeAnswer&& answer) {
-    const std::size_t c = i / n_settings;
-    points[c][i % n_settings] = {probes[i].fem.resolution, seconds_alone(answer),
-                                 answer.failure.empty() ? measures_of(answer.fe, cases[c].fem.units) : Measures{}};
-  });
+  run_probes(
+      probes, make_timed_body,
+      [&](std::size_t i, ProbeAnswer&& answer) {
+        const std::size_t c = i / n_settings;
+        points[c][i % n_settings] = {probes[i].fem.resolution, seconds_alone(answer),
+                                     answer.failure.empty() ? measures_of(answer.fe, cases[c].fem.units) : Measures{}};
+      },
+      Schedule::exclusive);
   return points;
 }
 

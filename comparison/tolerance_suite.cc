@@ -86,16 +86,18 @@ std::vector<MdrAnswer> exact_answers(const std::vector<PreparedCase>& cases) {
 }
 
 std::vector<ToleranceRecord> tolerance_records(const std::vector<PreparedCase>& cases,
-                                               const std::vector<MdrAnswer>& exact) {
+                                               const std::vector<MdrAnswer>& exact, Schedule schedule) {
   std::vector<CaseStudy> studies;
   for (const auto& prepared : cases) studies.emplace_back(prepared, true);
-  run_studies(studies, [](const BodySpecification& s) { return make_body(s); });
+  run_studies(
+      studies, [](const BodySpecification& s) { return make_body(s); }, schedule);
   std::vector<ToleranceRecord> records;
   for (std::size_t i = 0; i < cases.size(); ++i) records.push_back(record_of(cases[i], exact[i], studies[i].result()));
   return records;
 }
 
 std::vector<ToleranceRecord> run_tolerance_suite(const ToleranceSuiteOptions& options) {
+  const auto schedule = options.costs ? Schedule::exclusive : Schedule::overlapped;
   std::vector<ToleranceRecord> all;
   std::vector<MdrAnswer> exact;
   std::vector<PreparedCase> searched;
@@ -110,7 +112,7 @@ std::vector<ToleranceRecord> run_tolerance_suite(const ToleranceSuiteOptions& op
         searched_exact.push_back(exact[i]);
       }
     }
-    for (auto& record : tolerance_records(cases, exact)) all.push_back(std::move(record));
+    for (auto& record : tolerance_records(cases, exact, schedule)) all.push_back(std::move(record));
   }
   if (options.costs) search_grid(searched, searched_exact, all);
   return all;

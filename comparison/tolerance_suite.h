@@ -56,7 +56,8 @@ std::vector<MdrAnswer> exact_answers(const std::vector<PreparedCase>& cases);
 /// Runs each case by a study of its own, all together, and holds it against MDR: which is exact here, so that errors
 /// and the coverage by error bars can be told apart.
 std::vector<ToleranceRecord> tolerance_records(const std::vector<PreparedCase>& cases,
-                                               const std::vector<MdrAnswer>& exact);
+                                               const std::vector<MdrAnswer>& exact,
+                                               Schedule schedule = Schedule::overlapped);
 
 struct ToleranceSuiteOptions {
   std::vector<double> tolerances{1e-2, 1e-3, 1e-4};

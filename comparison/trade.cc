@@ -78,13 +78,16 @@ std::vector<TradePoint> condensed_points(const PreparedCase& prepared, const Tra
   };
   std::vector<TradePoint> points(probes.size());
   for (int run = 0; run < plan.n_repetitions; ++run)
-    run_probes(probes, measured_body, [&](std::size_t i, ProbeAnswer&& answer) {
-      auto point = point_of(plan.settings[i], probes[i].fem, answer, reference);
-      if (point.failure.empty()) point.memory.body_peak = body_peak;
-      if (run > 0) point.seconds = fastest(points[i].seconds, point.seconds);
-      if (run == 0 && !point.failure.empty()) spdlog::warn("a setting failed: {}", point.failure);
-      points[i] = std::move(point);
-    });
+    run_probes(
+        probes, measured_body,
+        [&](std::size_t i, ProbeAnswer&& answer) {
+          auto point = point_of(plan.settings[i], probes[i].fem, answer, reference);
+          if (point.failure.empty()) point.memory.body_peak = body_peak;
+          if (run > 0) point.seconds = fastest(points[i].seconds, point.seconds);
+          if (run == 0 && !point.failure.empty()) spdlog::warn("a setting failed: {}", point.failure);
+          points[i] = std::move(point);
+        },
+        Schedule::exclusive);
   return points;
 }
 

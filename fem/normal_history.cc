@@ -60,8 +60,9 @@ class Stepper {
     state_.displacement = (indentation - profile_.array() + contact.gap.array()).matrix();
     for (Eigen::Index i = 0; i < profile_.size(); ++i)
       if (contact.pressure[i] > 0) contact_[static_cast<std::size_t>(i)] = BoxState::interior;
-    n_touched_ = (contact.pressure.array() > 0).count();
-    force_.push_back(relaxed_ * contact_force(problem_.series, contact.pressure, contact.gap));
+    const auto elastic = contact_force(problem_.series, contact.pressure, contact.gap);
+    force_.push_back(relaxed_ * elastic.force);
+    largest_radius_ = elastic.radius;
     return relaxed_ * contact.pressure;
   }
 
@@ -103,9 +104,10 @@ class Stepper {
     const Eigen::VectorXd new_gap = contact.gap / step_.instantaneous();
     const double weight = step_.fraction();
     step_.advance(state_, indenter_move(motion_, begin, end), gap_ - new_gap);
-    n_touched_ = std::max<Eigen::Index>(n_touched_, (contact.pressure.array() > 0).count());
-    force_.push_back(contact_force(problem_.series, contact.pressure, weight * new_gap + (1 - weight) * gap_,
-                                   {n_touched_, n_closed()}));
+    const Eigen::VectorXd gap = weight * new_gap + (1 - weight) * gap_;
+    const auto [force, radius] = contact_force(problem_.series, contact.pressure, gap, {largest_radius_, n_closed()});
+    force_.push_back(force);
+    largest_radius_ = std::max(largest_radius_, radius);
     gap_ = new_gap;
     return std::move(contact.pressure);
   }
@@ -119,7 +121,7 @@ class Stepper {
   RingState state_;
   std::vector<BoxState> contact_;
   Eigen::VectorXd gap_;
-  Eigen::Index n_touched_ = 0;  // rings, so far
+  double largest_radius_ = 0;  // of the contact, so far
   std::vector<double> force_;
 };
 

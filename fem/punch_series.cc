@@ -131,10 +131,24 @@ double PunchSeries::integral(const Eigen::VectorXd& depths, const std::vector<si
   return force_per_radius_ * sum;
 }
 
-double PunchSeries::edge_of_gap(const Eigen::VectorXd& gap, Index n_closed, Index n_pressed, Index n_smooth) const {
+double PunchSeries::edge_of_gap(const Eigen::VectorXd& gap, Index n_closed, Index n_pressed, double kink) const {
   const Eigen::VectorXd opening = displacements(gap);
-  const Stencil outside{radii_, opening, n_pressed, std::min(n_stencil, n_smooth - n_pressed)};
-  return crossing(outside, radii_[n_closed - 1], radii_[n_pressed]).value_or(edges_[n_pressed]);
+  // Nodes inside the kink, and the kink itself if it is away from them, where what is outside of it ends.
+  Index n_inside = 0;
+  while (n_inside < n_stencil && n_pressed + n_inside < gap.size() && radii_[n_pressed + n_inside] < kink) ++n_inside;
+  const Index first_outside = n_pressed + n_inside;
+  const Stencil outside{radii_, opening, first_outside, std::min(n_stencil, gap.size() - first_outside)};
+  const auto vanishing = [&](const Stencil& stencil) {
+    return crossing(stencil, radii_[n_closed - 1], radii_[n_pressed]).value_or(edges_[n_pressed]);
+  };
+  if (n_inside == 0) return vanishing(outside);
+  Eigen::VectorXd x(n_inside + 1), y(n_inside + 1);
+  x << radii_.segment(n_pressed, n_inside), kink;
+  y << opening.segment(n_pressed, n_inside), outside(kink);
+  constexpr double far_enough = 0.25;
+  const bool has_kink = n_inside < n_to_continue && outside.n == n_stencil &&
+                        kink - x[n_inside - 1] > far_enough * (radii_[n_pressed] - radii_[n_pressed - 1]);
+  return vanishing({x, y, 0, has_kink ? n_inside + 1 : n_inside});
 }
 
 std::optional<double> PunchSeries::edge_of_pressure(const Eigen::VectorXd& depths, Index n_pressed) const {
@@ -142,8 +156,8 @@ std::optional<double> PunchSeries::edge_of_pressure(const Eigen::VectorXd& depth
   return crossing(Stencil{radii_, depths, n_pressed - n, n}, radii_[n_pressed - 1], radii_[n_pressed]);
 }
 
-double contact_force(const PunchSeries& series, const Eigen::VectorXd& pressure, const Eigen::VectorXd& gap,
-                     const ContactPast& past) {
+ContactForce contact_force(const PunchSeries& series, const Eigen::VectorXd& pressure, const Eigen::VectorXd& gap,
+                           const ContactPast& past) {
   const Eigen::VectorXd depths = series.depths(pressure);
   Index n_pressed = 0;
   while (n_pressed < pressure.size() && pressure[n_pressed] > 0) ++n_pressed;
@@ -151,14 +165,17 @@ double contact_force(const PunchSeries& series, const Eigen::VectorXd& pressure,
   if (!has_edge) {
     std::vector<signed char> zones(static_cast<std::size_t>(pressure.size()), 0);
     std::fill(zones.begin() + n_pressed, zones.end(), 1);
-    return series.integral(depths, zones);
+    return {series.integral(depths, zones), series.edges()[n_pressed]};
   }
   const Index n_inner = std::clamp(past.n_closed.value_or(n_pressed), n_stencil, n_pressed);
-  const Index n_open = past.n_touched - n_pressed;  // rings that have lost contact
+  // Next to the largest contact so far, pressures that do not jump know the edge better.
+  const auto& radii = series.radii();
+  const bool smooth_pressure = !past.n_closed && past.largest_radius > radii[n_pressed] &&
+                               past.largest_radius < radii[std::min(n_pressed + n_to_continue, radii.size()) - 1];
   std::optional<double> edge;
-  if (n_open > 0 && n_open < n_to_continue) edge = series.edge_of_pressure(depths, n_pressed);
-  if (!edge) edge = series.edge_of_gap(gap, n_inner, n_pressed, n_open >= n_to_continue ? past.n_touched : gap.size());
-  return series.integral(depths, std::vector<signed char>(static_cast<std::size_t>(n_inner), 0), edge);
+  if (smooth_pressure) edge = series.edge_of_pressure(depths, n_pressed);
+  const double radius = edge ? *edge : series.edge_of_gap(gap, n_inner, n_pressed, past.largest_radius);
+  return {series.integral(depths, std::vector<signed char>(static_cast<std::size_t>(n_inner), 0), radius), radius};
 }
 
 namespace {

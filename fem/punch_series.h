@@ -45,13 +45,13 @@ class PunchSeries {
                                 std::optional<double> end = std::nullopt) const;
 
   /// Radius at which the gap outside n_pressed rings vanishes: its displacements in the sense above are to the gap what
-  /// the depths are to the pressure, smooth up to the edge, whatever pressure there is. Looked for outside the last of
-  /// n_closed rings, from rings inside n_smooth; where the gap jumps (a flat punch), the effective radius of the
-  /// pressed rings.
+  /// the depths are to the pressure, smooth up to the edge, whatever pressure there is, but for a kink at the edge of
+  /// the largest contact so far in a body with memory. Looked for outside the last of n_closed rings; where the gap
+  /// jumps (a flat punch), the effective radius of the pressed rings.
   [[nodiscard]] double edge_of_gap(const Eigen::VectorXd& gap, Eigen::Index n_closed, Eigen::Index n_pressed,
-                                   Eigen::Index n_smooth) const;
+                                   double kink) const;
 
-  /// Radius at which the pressure of n_pressed rings vanishes; empty if that is not where their contact ends.
+  /// Radius at which the pressure of n_pressed rings vanishes; empty if their contact does not end there.
   [[nodiscard]] std::optional<double> edge_of_pressure(const Eigen::VectorXd& depths, Eigen::Index n_pressed) const;
 
   /// Radii that the depths belong to.
@@ -70,18 +70,21 @@ class PunchSeries {
 
 /// What pressures and gaps of an instant do not tell of a contact.
 struct ContactPast {
-  /// Rings that have been in contact. In a body with memory the gap has a kink there once the contact is smaller.
-  Eigen::Index n_touched = 0;
+  double largest_radius = 0;  ///< of the contact so far
   /// With a dashpot: rings that have been in contact for the whole step.
   std::optional<Eigen::Index> n_closed = std::nullopt;
 };
 
-/// Normal force of ring pressures and the gaps of the free rings. The edge is found from the gaps: with a dashpot, or a
-/// branch that relaxes while the edge crosses a ring, the pressure jumps there. With a dashpot the pressures of the
-/// rings that touched in the step are averages, so the inner ones are continued in their place. Less than three rings
-/// inside the kink of the gap, the edge is found from the pressures.
-double contact_force(const PunchSeries& series, const Eigen::VectorXd& pressure, const Eigen::VectorXd& gap,
-                     const ContactPast& past = {});
+/// Normal force of a contact and where it ends.
+struct ContactForce {
+  double force, radius;
+};
+
+/// From ring pressures and the gaps of the free rings. The edge is found from the gaps: with a dashpot, or a branch
+/// that relaxes while the edge crosses a ring, the pressure jumps there. With a dashpot the pressures of the rings that
+/// touched in the step are averages, so the inner ones are continued in their place.
+ContactForce contact_force(const PunchSeries& series, const Eigen::VectorXd& pressure, const Eigen::VectorXd& gap,
+                           const ContactPast& past = {});
 
 /// Tangential force. While the outermost rings slip it is what the slip reserve leaves of mu times the normal force:
 /// the reserve vanishes in the slip zone, however narrow it is, so the edge of the contact plays no part. Where it
