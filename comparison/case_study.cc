@@ -1,5 +1,7 @@
 #include "comparison/case_study.h"
 
+#include <spdlog/spdlog.h>
+
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -150,6 +152,8 @@ bool CaseStudy::refine_what_is_too_wide() {
   for (const auto& [quantity, bar] : budget()) {
     const double tolerance = tolerance_of(prepared_.tolerances, quantity), total = bar.total();
     if (total <= tolerance) continue;
+    spdlog::info("{}: error bar of {} is {:.1e}, {:.1e} is asked for: refining", prepared_.scene.name, quantity, total,
+                 tolerance);
     double largest = 0;
     for (const auto& share : bar.shares) largest = std::max(largest, share.estimate);
     for (const auto& share : bar.shares)

@@ -25,6 +25,9 @@ constexpr int n_positions = 193;
 /// What cutting the half-space off at 25 contact radii leaves of the errors of radii and forces.
 constexpr double far_field = 1e-7;
 
+/// Why some forces end in the first order.
+constexpr const char* edges_note = "discs of n rings are 0.0025 rings larger tangentially than normally";
+
 /// What the elements under the rings leave of forces that the rings themselves read better.
 constexpr double bulk_floor = 1e-6;
 constexpr const char* bulk_note = "floor: elements under the rings";
