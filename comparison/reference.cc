@@ -7,10 +7,11 @@ namespace fretval {
 mdr::NormalResponse mdr_normal_response(const MdrScene& scene) {
   if (scene.limiting)
     return mdr::periodic_normal_response([worn = *scene.limiting](double x) { return mdr::transform(worn, x); },
-                                         scene.limiting->stick_radius, scene.body, scene.motion);
+                                         scene.limiting->stick_radius, scene.body, scene.motion,
+                                         mdr::transform_kinks(scene.limiting->unworn));
   const double outer = mdr::inverse_transform(scene.profile, mdr::maximum_indentation(scene.motion));
   return mdr::periodic_normal_response([profile = scene.profile](double x) { return mdr::transform(profile, x); },
-                                       outer, scene.body, scene.motion);
+                                       outer, scene.body, scene.motion, mdr::transform_kinks(scene.profile));
 }
 
 std::optional<mdr::LimitingProfile> worn_profile(const MdrScene& scene, const std::optional<double>& shakedown_radius) {

@@ -82,6 +82,11 @@ double transform_slope(const Profile& profile, double x) {
   return std::visit([x](const auto& p) { return transform_slope(p, x); }, profile);
 }
 
+std::vector<double> transform_kinks(const Profile& profile) {
+  const auto* flat_faced = std::get_if<FlatFaced>(&profile);
+  return flat_faced ? std::vector<double>{flat_faced->flat_radius} : std::vector<double>{};
+}
+
 double transform_integral(const Profile& profile, double x) {
   require_on_profile(profile, "coordinate x", x);
   return std::visit([x](const auto& p) { return transform_integral(p, x); }, profile);

@@ -53,6 +53,9 @@ double transform(const Profile& profile, double x);
 /// Derivative g'(x) at x >= 0; +infinity where the profile has a kink that turns up, and at x = 0 for n < 1.
 double transform_slope(const Profile& profile, double x);
 
+/// Where g is not smooth inside the contact: the edge of a flat face. Tables are smooth enough to be integrated as one.
+std::vector<double> transform_kinks(const Profile& profile);
+
 /// int_0^x g(x') dx' in m^2 at x >= 0.
 double transform_integral(const Profile& profile, double x);
 

@@ -25,6 +25,7 @@ using Depth = std::function<double(double)>;
 // The springs that carry force at some time: [0, permanent_radius] always, up to contact_radius now and then.
 struct Foundation {
   Depth g;
+  std::vector<double> kinks;
   double indentation;
   double amplitude;
   SpringModel model;
@@ -51,24 +52,40 @@ double radius_at_depth(const Depth& g, double depth, double outer_radius) {
   return edge([&](double x) { return depth - g(x); }, 0.0, outer_radius, 50);
 }
 
-double rest_depth_integral(const Depth& g, double indentation, double radius) {
-  if (radius == 0) return 0;
-  boost::math::quadrature::tanh_sinh<double> quadrature;
-  return quadrature.integrate([&](double x) { return indentation - g(x); }, 0.0, radius, 1e-12);
+// Sum of integral(from, to) over [lower, upper], cut at the kinks of the profile.
+template <class Integral>
+double sum_between_kinks(const std::vector<double>& kinks, double lower, double upper, const Integral& integral) {
+  double sum = 0;
+  for (const double kink : kinks) {
+    if (kink <= lower || kink >= upper) continue;
+    sum += integral(lower, kink);
+    lower = kink;
+  }
+  return sum + integral(lower, upper);
 }
 
-Foundation make_foundation(const Depth& g, double outer_radius, const PronyBody& body, const Motion& motion) {
+double rest_depth_integral(const Depth& g, const std::vector<double>& kinks, double indentation, double radius) {
+  if (radius == 0) return 0;
+  return sum_between_kinks(kinks, 0, radius, [&](double from, double to) {
+    boost::math::quadrature::tanh_sinh<double> quadrature;
+    return quadrature.integrate([&](double x) { return indentation - g(x); }, from, to, 1e-12);
+  });
+}
+
+Foundation make_foundation(const Depth& g, const std::vector<double>& kinks, double outer_radius, const PronyBody& body,
+                           const Motion& motion) {
   SpringModel model = spring_model(body, angular_frequency(motion.normal_frequency));
   const double swing = std::hypot(model.storage, model.loss) * motion.normal_amplitude;
   const double permanent = radius_at_depth(g, motion.indentation - swing, outer_radius);
   return {g,
+          kinks,
           motion.indentation,
           motion.normal_amplitude,
           std::move(model),
           8 * body.relaxed_modulus * motion.normal_amplitude,
           permanent,
           radius_at_depth(g, maximum_indentation(motion), outer_radius),
-          rest_depth_integral(g, motion.indentation, permanent) / motion.normal_amplitude};
+          rest_depth_integral(g, kinks, motion.indentation, permanent) / motion.normal_amplitude};
 }
 
 // y of the spring at x, see mdr/periodic_spring.h; the indenter never touches it unless y > -1.
@@ -86,19 +103,21 @@ double contact_edge(const Foundation& foundation, double theta) {
 }
 
 // The share of the springs that lose contact now and then, divided by 8 G0 Delta d. The substitution
-// x = lower + width sin^2(pi s/2) smooths the half-integer powers of the distance to either end.
+// x = from + width sin^2(pi s/2) smooths the half-integer powers of the distance to either end.
 double intermittent_force(const Foundation& foundation, double theta) {
-  const double lower = foundation.permanent_radius;
-  const double width = contact_edge(foundation, theta) - lower;
-  if (width <= 0) return 0;
-  const auto integrand = [&](double s) {
-    const double sine = std::sin(pi * s / 2);
-    const double y = relative_depth(foundation, lower + width * sine * sine);
-    if (y <= -1) return 0.0;
-    const double force = spring_force(foundation.model, periodic_spring(foundation.model, y), theta);
-    return force * width * pi / 2 * std::sin(pi * s);
-  };
-  return boost::math::quadrature::gauss<double, 30>::integrate(integrand, 0.0, 1.0);
+  const double lower = foundation.permanent_radius, upper = contact_edge(foundation, theta);
+  if (upper <= lower) return 0;
+  return sum_between_kinks(foundation.kinks, lower, upper, [&](double from, double to) {
+    const double width = to - from;
+    const auto integrand = [&](double s) {
+      const double sine = std::sin(pi * s / 2);
+      const double y = relative_depth(foundation, from + width * sine * sine);
+      if (y <= -1) return 0.0;
+      const double force = spring_force(foundation.model, periodic_spring(foundation.model, y), theta);
+      return force * width * pi / 2 * std::sin(pi * s);
+    };
+    return boost::math::quadrature::gauss<double, 30>::integrate(integrand, 0.0, 1.0);
+  });
 }
 
 double normal_force(const Foundation& foundation, double angle) {
@@ -120,14 +139,16 @@ double refined_extremum(const Foundation& foundation, const std::vector<double>&
 }
 
 // Without normal oscillation there is no amplitude to scale with, and nothing to wait for.
-NormalResponse static_response(const Depth& g, double outer_radius, const PronyBody& body, const Motion& motion) {
+NormalResponse static_response(const Depth& g, const std::vector<double>& kinks, double outer_radius,
+                               const PronyBody& body, const Motion& motion) {
   const double radius = radius_at_depth(g, motion.indentation, outer_radius);
-  const double force = 8 * body.relaxed_modulus * rest_depth_integral(g, motion.indentation, radius);
+  const double force = 8 * body.relaxed_modulus * rest_depth_integral(g, kinks, motion.indentation, radius);
   return {force, force, radius, {}, {}, {}};
 }
 
-NormalResponse oscillating_response(const Depth& g, double outer_radius, const PronyBody& body, const Motion& motion) {
-  const Foundation foundation = make_foundation(g, outer_radius, body, motion);
+NormalResponse oscillating_response(const Depth& g, const std::vector<double>& kinks, double outer_radius,
+                                    const PronyBody& body, const Motion& motion) {
+  const Foundation foundation = make_foundation(g, kinks, outer_radius, body, motion);
   std::vector<double> force;
   force.reserve(n_time_steps + 1);
   for (int k = 0; k < n_time_steps; ++k) force.push_back(normal_force(foundation, 2 * pi * k / n_time_steps));
@@ -153,10 +174,10 @@ void check_arguments(const Depth& g, double outer_radius, const PronyBody& body,
 }  // namespace
 
 NormalResponse periodic_normal_response(const std::function<double(double)>& g, double outer_radius,
-                                        const PronyBody& body, const Motion& motion) {
+                                        const PronyBody& body, const Motion& motion, const std::vector<double>& kinks) {
   check_arguments(g, outer_radius, body, motion);
-  NormalResponse response = motion.normal_amplitude > 0 ? oscillating_response(g, outer_radius, body, motion)
-                                                        : static_response(g, outer_radius, body, motion);
+  NormalResponse response = motion.normal_amplitude > 0 ? oscillating_response(g, kinks, outer_radius, body, motion)
+                                                        : static_response(g, kinks, outer_radius, body, motion);
   response.normal_force.resize(n_time_steps + 1, response.normal_force_max);
   for (int k = 0; k <= n_time_steps; ++k) {
     const double cycle = static_cast<double>(k) / n_time_steps;

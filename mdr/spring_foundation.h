@@ -33,8 +33,10 @@ struct NormalResponse {
 /// g: one-dimensional profile in m, continuous and not decreasing on [0, outer_radius], 0 <= g(0) < d0 + Delta d.
 /// outer_radius in m, positive: where the springs end. Unworn profile: the contact radius at d0 + Delta d; limiting
 /// profile: its stick radius, since the springs beyond carry no force. The tangential motion does not matter.
+/// kinks: where g is not smooth (transform_kinks), rising; the integrals are cut there.
 /// Throws std::invalid_argument for bad arguments, std::runtime_error when a spring does not become periodic.
 NormalResponse periodic_normal_response(const std::function<double(double)>& g, double outer_radius,
-                                        const PronyBody& body, const Motion& motion);
+                                        const PronyBody& body, const Motion& motion,
+                                        const std::vector<double>& kinks = {});
 
 }  // namespace fretval::mdr

@@ -26,14 +26,16 @@ Motion oscillation(double indentation, double amplitude) {
 
 NormalResponse unworn_response(const Profile& profile, const PronyBody& body, const Motion& motion) {
   return periodic_normal_response([&](double x) { return transform(profile, x); },
-                                  inverse_transform(profile, maximum_indentation(motion)), body, motion);
+                                  inverse_transform(profile, maximum_indentation(motion)), body, motion,
+                                  transform_kinks(profile));
 }
 
 // Quadrature error of 20 points on the smoothed integrand.
 constexpr double accuracy = 1e-8;
 
 TEST(SpringFoundation, ElasticBodyFollowsTheClosedForm) {
-  for (const Profile& profile : {parabola(5), cone(0.3), power_law(2, 3.7), power_law(0.2, 0.5)}) {
+  for (const Profile& profile : {parabola(5), cone(0.3), power_law(2, 3.7), power_law(0.2, 0.5),
+                                 truncated_sphere(5, 0.8), rounded_flat(0.7, 2)}) {
     for (const double amplitude : {0.1, 0.2, 0.5}) {
       const NormalResponse response = unworn_response(profile, elastic(3), oscillation(0.2, amplitude));
       const double largest = normal_force(profile, 3, 0.2 + amplitude);
