@@ -68,9 +68,9 @@ void add_periodic(Rows& rows, const std::vector<LadderMesh>& meshes) {
   const auto solid = mdr::standard_solid(1, std::sqrt(3.5) - 1, 1);  // |G(omega = 1)| = 1.5
   const std::string source = "two tangents, Barber, Davies & Hills 2011";
   const std::string floor = "floor: far field, 120 steps a cycle";
-  const LadderDemand demand{1e-6, 3, far_field, 5e-5, floor};
-  const LadderDemand small_first{4e-5, 3, far_field, 1e-3, floor}, small{2e-6, 3, far_field, 1e-3, floor};
-  const LadderDemand together{6e-6, 1, far_field, 5e-5,
+  const LadderDemand demand{1e-6, 3, 2 * far_field, 5e-5, floor};
+  const LadderDemand small_first{2e-6, 3, far_field, 1e-3, floor}, small{2e-6, 3, far_field, 1e-3, floor};
+  const LadderDemand together{8e-6, 0.5, far_field, 5e-5,
                               "the stick zone ends where the smallest contact does: hardly falls from 32 rings on"};
   // Elsewhere the normal amplitudes let the stick zone end some rings inside the smallest contact.
   for (const PeriodicScene& scene :

@@ -40,7 +40,7 @@ std::string table_line(const LadderRow& row, std::size_t name_width) {
   const std::string failure = failure_of(row);
   return fmt::format("{} {:<{}} {:<5}{} {:>6} {:>5} {:>10.1e} {:<11} {}{}{}\n", failure.empty() ? "pass" : "FAIL",
                      name_of(row), name_width, row.refined, errors, order_text(observed_order(row)),
-                     demand.expected_order > 0 ? fmt::format("{:.0f}", demand.expected_order) : "exact",
+                     demand.expected_order > 0 ? fmt::format("{:g}", demand.expected_order) : "exact",
                      demand.tolerance, goal_text(row), row.source, demand.note.empty() ? "" : "; " + demand.note,
                      failure.empty() ? "" : " | " + failure);
 }
@@ -69,7 +69,7 @@ std::string failure_of(const LadderRow& row) {
   }
   const auto order = observed_order(row);
   if (order && *order < demand.expected_order - order_slack)
-    return fmt::format("order {:.2f}, expected {:.0f}", *order, demand.expected_order);
+    return fmt::format("order {:.2f}, expected {:g}", *order, demand.expected_order);
   return "";
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "fem/solver_error.h"
 
@@ -16,18 +17,28 @@ Eigen::MatrixXd cholesky_factor(const Compliance& compliance) {
   return factor.matrixL();
 }
 
-/// Root, nearest to the last x, of the polynomial fitted to y(x) (least squares); the last x if it has none.
-double root_beyond(const Eigen::VectorXd& x, const Eigen::VectorXd& y, int degree) {
-  const double centre = x[x.size() - 1], scale = x[x.size() - 1] - x[0];
-  Eigen::MatrixXd powers(x.size(), degree + 1);
-  for (Eigen::Index i = 0; i < x.size(); ++i)
+/// Where the polynomial fitted to y(x) (least squares) vanishes, between the last but one x and a limit; empty if it
+/// does not. y falls.
+std::optional<double> root_beyond(const Eigen::VectorXd& x, const Eigen::VectorXd& y, int degree, double limit) {
+  const Eigen::Index n = x.size();
+  const double centre = x[n - 1], scale = centre - x[0];
+  Eigen::MatrixXd powers(n, degree + 1);
+  for (Eigen::Index i = 0; i < n; ++i)
     for (int k = 0; k <= degree; ++k) powers(i, k) = std::pow((x[i] - centre) / scale, k);
   const Eigen::VectorXd c = powers.colPivHouseholderQr().solve(y);
-  if (degree == 1) return centre - scale * c[0] / c[1];
-  const double discriminant = c[1] * c[1] - 4 * c[2] * c[0];
-  if (discriminant < 0) return centre;
-  // The root next to the centre, in the form that does not cancel.
-  return centre - scale * 2 * c[0] / (c[1] + std::copysign(std::sqrt(discriminant), c[1]));
+  const auto value = [&](double at) {
+    double sum = 0;
+    for (int k = degree; k >= 0; --k) sum = sum * (at - centre) / scale + c[k];
+    return sum;
+  };
+  double low = x[n - 2], high = limit;
+  if (!(value(low) > 0 && value(high) <= 0)) return std::nullopt;
+  while (high - low > 1e-14 * high) {
+    const double middle = (low + high) / 2;
+    if (middle <= low || middle >= high) break;
+    (value(middle) > 0 ? low : high) = middle;
+  }
+  return (low + high) / 2;
 }
 
 bool has_equal_rings(const Compliance& compliance) {
@@ -111,15 +122,19 @@ EdgeRadius stick_radius(const Compliance& compliance, const Eigen::VectorXd& res
     radius[k] = (effective[j] + effective[j + 1]) / 2;
     load[k] = reserve[j];
   }
-  const double fitted = root_beyond(radius, load, 2);
   // The next ring has slipped. Next to a sharp edge of the indenter the reserve falls too steeply for the fit to see
   // it.
   const double next =
       n_stuck + 1 < effective.size() ? (effective[n_stuck] + effective[n_stuck + 1]) / 2 : effective[n_stuck];
-  if (fitted > next + width / 4) return {(radius[n - 1] + next) / 2, width};
-  const double spread = std::abs(fitted - root_beyond(radius.tail(3), load.tail(3), 2));
+  const double limit = next + width / 4;
+  const auto root = [&](Eigen::Index n_events, Eigen::Index degree) {
+    const Eigen::Index m = std::min(n, n_events);
+    return root_beyond(radius.tail(m), load.tail(m), static_cast<int>(std::min(m - 1, degree)), limit);
+  };
+  const auto fitted = root(4, 2), other = root(n_fitted_events, 3);
+  if (!fitted || !other) return {(radius[n - 1] + next) / 2, width};
   const double relative_width = width / compliance.radii.back();
-  return {fitted, spread + scatter + relative_width * relative_width * width};
+  return {*fitted, std::abs(*fitted - *other) + scatter + relative_width * relative_width * width};
 }
 
 double touch_indentation(const Compliance& compliance, const Eigen::VectorXd& profile, Eigen::Index n_pressed,
