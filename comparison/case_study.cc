@@ -4,13 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 namespace fretval {
 namespace {
 
 constexpr int most_refinements = 4;
 constexpr Eigen::Index enough_stuck_rings = 6, enough_slipping_rings = 3;
+constexpr double far_too_wide = 8;     // shares this many times their tolerance are refined twice at once
 constexpr double worthwhile_gain = 4;  // a ring that is less finer than that, the error budget asks for by itself
 constexpr double finest_ring_at_the_centre = 1e-4, finest_ring_at_the_edge = 1e-7;
 
@@ -134,31 +134,33 @@ ErrorBudget CaseStudy::budget() const {
 
 bool CaseStudy::refine_what_is_too_wide() {
   if (n_refinements_ >= most_refinements) return false;
-  const Tracks before = now_;
-  bool any = false;
-  std::set<std::pair<std::string, ErrorSource>> done;  // a track, by its key, and a source
-  const auto refine = [&](const std::string& quantity, ErrorSource source) {
-    if (source == ErrorSource::edge) source = ErrorSource::rings;
-    if (prepared_.scene.rings_per_radius && source == ErrorSource::rings) return;
-    if (prepared_.scene.steps_per_cycle && source == ErrorSource::time_step) return;
-    const auto found = now_.focused.find(quantity);
-    Resolution& track = found == now_.focused.end() ? now_.base : found->second;
-    if (!done.insert({found == now_.focused.end() ? "" : quantity, source}).second) return;
-    if (const auto finer = refined(track, source)) {
-      track = *finer;
-      any = true;
-    }
-  };
+  std::map<std::pair<Resolution*, ErrorSource>, int> times;  // a track and a source
   for (const auto& [quantity, bar] : budget()) {
     const double tolerance = tolerance_of(prepared_.tolerances, quantity), total = bar.total();
     if (total <= tolerance) continue;
     spdlog::info("{}: error bar of {} is {:.1e}, {:.1e} is asked for: refining", prepared_.scene.name, quantity, total,
                  tolerance);
+    const auto found = now_.focused.find(quantity);
+    Resolution* track = found == now_.focused.end() ? &now_.base : &found->second;
     double largest = 0;
     for (const auto& share : bar.shares) largest = std::max(largest, share.estimate);
-    for (const auto& share : bar.shares)
-      if (share.estimate >= std::min(largest, tolerance) / 2) refine(quantity, share.source);
+    for (const auto& share : bar.shares) {
+      if (share.estimate < std::min(largest, tolerance) / 2) continue;
+      const auto source = share.source == ErrorSource::edge ? ErrorSource::rings : share.source;
+      if (prepared_.scene.rings_per_radius && source == ErrorSource::rings) continue;
+      if (prepared_.scene.steps_per_cycle && source == ErrorSource::time_step) continue;
+      int& n = times[{track, source}];
+      n = std::max(n, share.estimate > far_too_wide * tolerance ? 2 : 1);
+    }
   }
+  const Tracks before = now_;
+  bool any = false;
+  for (const auto& [where, n] : times)
+    for (int k = 0; k < n; ++k)
+      if (const auto finer = refined(*where.first, where.second)) {
+        *where.first = *finer;
+        any = true;
+      }
   if (any) {
     ++n_refinements_;
     before_ = before;

@@ -40,8 +40,8 @@ struct StudyResult {
 ///    smaller than the finest ring or, for a stick zone that does not show, than a quarter of the tolerance; where the
 ///    rings of the focus were less than four times finer, step 4 gets there at a lower cost;
 /// 3. the error budget, each source by its own refinement;
-/// 4. while the bar of a quantity is wider than its tolerance, its largest sources are refined. A refinement whose
-///    numerics fail is taken back.
+/// 4. while the bar of a quantity is wider than its tolerance, its largest sources are refined, twice at once if they
+///    are far too large. A refinement whose numerics fail is taken back.
 ///
 /// The caller computes what is wanted, round by round. Rings and steps that the case file fixes stay as they are.
 class CaseStudy {
