@@ -78,10 +78,10 @@ TEST(ToleranceSuite, MeetsATolerance) {
 TEST(ToleranceSuiteGuard, ReportsAMissForAnotherScene) {
   auto cases = some_cases(1e-2);
   const auto exact = exact_answers(cases);
-  for (auto& prepared : cases) prepared.fem.friction_coefficient *= 1.2;
+  for (auto& prepared : cases) prepared.fem.friction_coefficient *= 1.4;
   for (const auto& r : tolerance_records(cases, exact)) {
     EXPECT_FALSE(r.passes());
-    EXPECT_FALSE(r.meets()) << r.name;
+    EXPECT_FALSE(r.meets()) << tolerance_table({r});
   }
 }
 
