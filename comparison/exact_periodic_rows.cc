@@ -28,7 +28,7 @@ ZoneErrors zone_errors(const LadderMesh& mesh, const PeriodicScene& scene, const
     motion.tangential_amplitude = amplitude;
     motion.phase = phase;
     const auto friction = fem::friction_history(mesh.tangential, model, friction_coefficient, motion, normal, control);
-    const auto zones = stick_zones(mesh.tangential.compliance, friction, stuck_rings(friction, motion));
+    const auto zones = stick_zones(mesh.tangential.compliance, normal, friction, stuck_rings(friction, motion));
     const auto expected = exact(scene.body, {motion.indentation, motion.normal_amplitude, motion.tangential_amplitude,
                                              1 / (2 * pi), 1 / (2 * pi), phase});
     take_worst(errors.first_slip, zones.first_slip.radius - expected.first_slip.value_or(std::nan("")));

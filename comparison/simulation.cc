@@ -124,7 +124,7 @@ FeAnswer simulate(const ContactProblems& problems, const FemScene& scene, const 
   const auto& friction = answer.friction;
   const auto stuck = stuck_rings(friction, scene.motion);
   answer.rings = {largest_contact_rings(normal.history), stuck};
-  auto [first, shakedown] = stick_zones(problem.compliance, friction, stuck);
+  auto [first, shakedown] = stick_zones(problem.compliance, normal.history, friction, stuck);
   if (scene.worn_edge) {
     // The margin is singular at the worn edge, where the rings are fine and one of them ends: counting them is exact.
     shakedown = {problem.compliance.radii[static_cast<std::size_t>(stuck.shakedown)], first.uncertainty};

@@ -21,6 +21,17 @@ Eigen::Index with_reserve(const Eigen::VectorXd& reserve, Eigen::Index n_stuck) 
   return n;
 }
 
+fem::EdgeRadius stick_zone(const fem::Compliance& tangential, const fem::NormalHistory& normal, Eigen::Index n_columns,
+                           const Eigen::VectorXd& reserve, Eigen::Index n_stuck) {
+  constexpr double share_of_ring = 1e-3;
+  const Eigen::Index n = with_reserve(reserve, n_stuck);
+  auto edge = fem::stick_radius(tangential, reserve, n);
+  const bool next_loses_contact =
+      n > 0 && n < normal.pressure.rows() && normal.pressure.row(n).tail(n_columns).minCoeff() <= 0;
+  if (next_loses_contact) edge.uncertainty += share_of_ring * (tangential.radii[n] - tangential.radii[n - 1]);
+  return edge;
+}
+
 }  // namespace
 
 StuckRings stuck_rings(const fem::FrictionHistory& friction, const fem::Motion& motion) {
@@ -30,12 +41,10 @@ StuckRings stuck_rings(const fem::FrictionHistory& friction, const fem::Motion& 
                       shaken_down_slip * amplitude * motion.cycles_per_period())};
 }
 
-StickZones stick_zones(const fem::Compliance& tangential, const fem::FrictionHistory& friction,
-                       const StuckRings& stuck) {
-  return {fem::stick_radius(tangential, friction.first_slip_reserve,
-                            with_reserve(friction.first_slip_reserve, stuck.first_slip)),
-          fem::stick_radius(tangential, friction.shakedown_reserve,
-                            with_reserve(friction.shakedown_reserve, stuck.shakedown))};
+StickZones stick_zones(const fem::Compliance& tangential, const fem::NormalHistory& normal,
+                       const fem::FrictionHistory& friction, const StuckRings& stuck) {
+  return {stick_zone(tangential, normal, normal.pressure.cols(), friction.first_slip_reserve, stuck.first_slip),
+          stick_zone(tangential, normal, normal.steps_per_cycle, friction.shakedown_reserve, stuck.shakedown)};
 }
 
 }  // namespace fretval

@@ -18,11 +18,12 @@ struct StuckRings {
 /// THEORY section 3: a ring that has shaken down still creeps a little while the offset settles.
 StuckRings stuck_rings(const fem::FrictionHistory& friction, const fem::Motion& motion);
 
-/// Edges of both stick zones.
+/// Edges of both stick zones. One that ends where the smallest contact does is uncertain by a thousandth of a ring
+/// more: the reserve does not go on smoothly there (7e-4 rings off at most, at 32 to 128 rings).
 struct StickZones {
   fem::EdgeRadius first_slip, shakedown;
 };
-StickZones stick_zones(const fem::Compliance& tangential, const fem::FrictionHistory& friction,
-                       const StuckRings& stuck);
+StickZones stick_zones(const fem::Compliance& tangential, const fem::NormalHistory& normal,
+                       const fem::FrictionHistory& friction, const StuckRings& stuck);
 
 }  // namespace fretval

@@ -134,7 +134,7 @@ EdgeRadius stick_radius(const Compliance& compliance, const Eigen::VectorXd& res
   const auto fitted = root(4, 2), other = root(n_fitted_events, 3);
   if (!fitted || !other) return {(radius[n - 1] + next) / 2, width};
   const double relative_width = width / compliance.radii.back();
-  return {*fitted, std::abs(*fitted - *other) + scatter + relative_width * relative_width * width};
+  return {*fitted, 2 * std::abs(*fitted - *other) + scatter + relative_width * relative_width * width};
 }
 
 double touch_indentation(const Compliance& compliance, const Eigen::VectorXd& profile, Eigen::Index n_pressed,
