@@ -1,5 +1,6 @@
 #include "comparison/body.h"
 #include "comparison/exact_parts.h"
+#include "fem/contact_force.h"
 #include "fem/edge.h"
 #include "mdr/indentation.h"
 #include "mdr/spring_energy.h"

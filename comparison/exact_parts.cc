@@ -4,7 +4,9 @@
 #include <cmath>
 #include <limits>
 
+#include "fem/contact_force.h"
 #include "fem/edge.h"
+#include "fem/friction_force.h"
 #include "fem/solver_error.h"
 
 namespace fretval {

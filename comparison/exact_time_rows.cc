@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "comparison/exact_parts.h"
+#include "fem/contact_force.h"
 #include "mdr/indentation.h"
 
 namespace fretval {

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "fem/solver_error.h"
+#include "fem/stencil.h"
 
 namespace fretval::fem {
 namespace {
@@ -31,14 +32,7 @@ std::optional<double> root_beyond(const Eigen::VectorXd& x, const Eigen::VectorX
     for (int k = degree; k >= 0; --k) sum = sum * (at - centre) / scale + c[k];
     return sum;
   };
-  double low = x[n - 2], high = limit;
-  if (!(value(low) > 0 && value(high) <= 0)) return std::nullopt;
-  while (high - low > 1e-14 * high) {
-    const double middle = (low + high) / 2;
-    if (middle <= low || middle >= high) break;
-    (value(middle) > 0 ? low : high) = middle;
-  }
-  return (low + high) / 2;
+  return root_between(value, x[n - 2], limit);
 }
 
 bool has_equal_rings(const Compliance& compliance) {
@@ -48,18 +42,11 @@ bool has_equal_rings(const Compliance& compliance) {
   return true;
 }
 
-/// Radius at an indentation between events m - 1 and m, by the polynomial through the four nearest events.
+/// Radius at an indentation between events m - 1 and m, by the polynomial through the six nearest events.
 double radius_at(const ContactEvents& events, Eigen::Index m, double indentation) {
-  const Eigen::Index n = std::min<Eigen::Index>(4, events.radius.size());
-  const Eigen::Index begin = std::clamp<Eigen::Index>(m - 2, 0, events.radius.size() - n);
-  double radius = 0;
-  for (Eigen::Index i = begin; i < begin + n; ++i) {
-    double weight = 1;
-    for (Eigen::Index j = begin; j < begin + n; ++j)
-      if (j != i) weight *= (indentation - events.indentation[j]) / (events.indentation[i] - events.indentation[j]);
-    radius += weight * events.radius[i];
-  }
-  return radius;
+  const Eigen::Index n = std::min<Eigen::Index>(6, events.radius.size());
+  const Eigen::Index begin = std::clamp<Eigen::Index>(m - 3, 0, events.radius.size() - n);
+  return Stencil{events.indentation, events.radius, begin, n}(indentation);
 }
 
 }  // namespace

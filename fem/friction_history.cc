@@ -7,8 +7,8 @@
 #include <limits>
 #include <vector>
 
+#include "fem/friction_force.h"
 #include "fem/running_minimum.h"
-#include "fem/slip_zones.h"
 #include "fem/solver_error.h"
 
 namespace fretval::fem {

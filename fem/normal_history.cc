@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "fem/contact_force.h"
 #include "fem/solver_error.h"
 
 namespace fretval::fem {

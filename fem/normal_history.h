@@ -26,7 +26,7 @@ struct NormalHistory {
   Eigen::VectorXd time;                  ///< per instant: 0, then the balance time of each step
   Eigen::MatrixXd pressure;              ///< n_rings x n_instants
   Eigen::VectorXd indentation;           ///< per instant
-  Eigen::VectorXd force;                 ///< per instant, see PunchSeries
+  Eigen::VectorXd force;                 ///< per instant, see contact_force
   Eigen::VectorXd smallest_gap;          ///< per ring over the last cycle; 0 for rings that touch
   Eigen::VectorXd deepest_displacement;  ///< of the rings, at the largest indentation of the last cycle
   Eigen::VectorXd highest_displacement;  ///< of the rings, at the smallest indentation of the last cycle

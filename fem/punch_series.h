@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "fem/compliance.h"
-#include "fem/slip_zones.h"
 
 namespace fretval::fem {
 
@@ -67,31 +66,5 @@ class PunchSeries {
   Eigen::VectorXd radii_;    // of the depths
   double force_per_radius_;
 };
-
-/// What pressures and gaps of an instant do not tell of a contact.
-struct ContactPast {
-  double largest_radius = 0;  ///< of the contact so far
-  /// With a dashpot: rings that have been in contact for the whole step.
-  std::optional<Eigen::Index> n_closed = std::nullopt;
-};
-
-/// Normal force of a contact and where it ends.
-struct ContactForce {
-  double force, radius;
-};
-
-/// From ring pressures and the gaps of the free rings. The edge is found from the gaps: with a dashpot, or a branch
-/// that relaxes while the edge crosses a ring, the pressure jumps there. With a dashpot the pressures of the rings that
-/// touched in the step are averages, so the inner ones are continued in their place.
-ContactForce contact_force(const PunchSeries& series, const Eigen::VectorXd& pressure, const Eigen::VectorXd& gap,
-                           const ContactPast& past = {});
-
-/// Tangential force. While the outermost rings slip it is what the slip reserve leaves of mu times the normal force:
-/// the reserve vanishes in the slip zone, however narrow it is, so the edge of the contact plays no part. Where it
-/// begins to vanish is found from the reserve of the stuck rings, and of the next ones as they were held when their
-/// slip began: that of the last zone that sticks may have one ring or none left.
-/// limit_depths: of mu p, limit_force: mu times the normal force.
-double friction_force(const PunchSeries& series, const SlipZones& zones, const Eigen::VectorXd& limit_depths,
-                      double limit_force);
 
 }  // namespace fretval::fem

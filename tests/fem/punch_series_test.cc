@@ -6,7 +6,9 @@
 #include <cmath>
 #include <vector>
 
+#include "fem/contact_force.h"
 #include "fem/edge.h"
+#include "fem/friction_force.h"
 #include "fem/normal_history.h"
 #include "tests/fem/half_space.h"
 

@@ -1,0 +1,34 @@
+#include "fem/contact_force.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "fem/stencil.h"
+
+namespace fretval::fem {
+
+using Eigen::Index;
+
+ContactForce contact_force(const PunchSeries& series, const Eigen::VectorXd& pressure, const Eigen::VectorXd& gap,
+                           const ContactPast& past) {
+  const Eigen::VectorXd depths = series.depths(pressure);
+  Index n_pressed = 0;
+  while (n_pressed < pressure.size() && pressure[n_pressed] > 0) ++n_pressed;
+  const bool has_edge = n_pressed > n_stencil && n_pressed + 2 < pressure.size();
+  if (!has_edge) {
+    std::vector<signed char> zones(static_cast<std::size_t>(pressure.size()), 0);
+    std::fill(zones.begin() + n_pressed, zones.end(), 1);
+    return {series.integral(depths, zones), series.edges()[n_pressed]};
+  }
+  const Index n_inner = std::clamp(past.n_closed.value_or(n_pressed), n_stencil, n_pressed);
+  // Next to the largest contact so far, pressures that do not jump know the edge better.
+  const auto& radii = series.radii();
+  const bool smooth_pressure = !past.n_closed && past.largest_radius > radii[n_pressed] &&
+                               past.largest_radius < radii[std::min(n_pressed + n_to_continue, radii.size()) - 1];
+  std::optional<double> edge;
+  if (smooth_pressure) edge = series.edge_of_pressure(depths, n_pressed);
+  const double radius = edge ? *edge : series.edge_of_gap(gap, n_inner, n_pressed, past.largest_radius);
+  return {series.integral(depths, std::vector<signed char>(static_cast<std::size_t>(n_inner), 0), radius), radius};
+}
+
+}  // namespace fretval::fem

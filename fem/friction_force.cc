@@ -1,0 +1,88 @@
+#include "fem/friction_force.h"
+
+#include <algorithm>
+#include <optional>
+#include <vector>
+
+#include "fem/stencil.h"
+
+namespace fretval::fem {
+
+using Eigen::Index;
+
+namespace {
+
+/// The reserve of the stuck rings and of the next ones as they were held, with their zones, and where it vanishes.
+struct HeldReserve {
+  Eigen::VectorXd reserve;
+  std::vector<signed char> zones;
+  std::optional<double> end;  ///< empty: not next to the last stuck ring
+};
+
+HeldReserve held_reserve(const PunchSeries& series, const SlipZones& zones, Eigen::VectorXd reserve,
+                         const Eigen::VectorXd& held, Index n_stuck) {
+  const auto& radii = series.radii();
+  const auto n_pressed = reserve.size();
+  HeldReserve result{reserve.head(n_stuck), {zones.labels().begin(), zones.labels().begin() + n_stuck}, std::nullopt};
+  const auto last = result.zones.back();
+  const Index n_last = std::find_if(result.zones.rbegin(), result.zones.rend(), [&](auto z) { return z != last; }) -
+                       result.zones.rbegin();
+  const auto next = n_stuck < n_pressed ? zones.held_labels()[static_cast<std::size_t>(n_stuck)] : last;
+  Index n_held = 0;
+  while (n_held < n_to_continue && n_stuck + n_held < n_pressed &&
+         zones.held_labels()[static_cast<std::size_t>(n_stuck + n_held)] == next)
+    ++n_held;
+  reserve.segment(n_stuck, n_held) = held.segment(n_stuck, n_held);
+  const auto vanishes = [&](const Stencil& stencil) { return crossing(stencil, radii[n_stuck - 1], radii[n_stuck]); };
+  const auto extend = [&](Index n, double end) {
+    result.reserve = reserve.head(n_stuck + n);
+    result.zones.insert(result.zones.end(), static_cast<std::size_t>(n), next);
+    result.end = end;
+    return result;
+  };
+  const Stencil stuck{radii, reserve, n_stuck - std::min(n_last, n_stencil), std::min(n_last, n_stencil)};
+  if (next != last && n_held > 1) {
+    const Stencil gone{radii, reserve, n_stuck, n_held};
+    const auto kink = meeting_point(stuck, gone), end = vanishes(gone);
+    if (kink && end && *kink < *end) return extend(n_held, *end);
+  }
+  if (next == last && n_last < n_to_continue) {
+    const Index n_more = std::min(n_held, n_to_continue - n_last);
+    if (const auto end = vanishes({radii, reserve, n_stuck - n_last, n_last + n_more})) return extend(n_more, *end);
+  }
+  result.end = vanishes(stuck);
+  return result;
+}
+
+}  // namespace
+
+double friction_force(const PunchSeries& series, const SlipZones& zones, const Eigen::VectorXd& limit_depths,
+                      double limit_force) {
+  const auto& labels = zones.labels();
+  const Index n_pressed = std::find(labels.begin(), labels.end(), SlipZones::free) - labels.begin();
+  const auto slip = zones.slip().begin();
+  if (n_pressed == 0 || n_pressed == series.radii().size()) return series.integral(zones.depths(), labels);
+  const int outermost = slip[n_pressed - 1];
+  Index n_stuck = n_pressed;
+  while (n_stuck > 0 && outermost != 0 && slip[n_stuck - 1] == outermost) --n_stuck;
+  if (n_stuck == 0) return outermost * limit_force;
+  const Eigen::VectorXd held = zones.held_depths().array() + zones.depths()[0];
+  const auto against = [&](int direction) {
+    return held_reserve(series, zones, (limit_depths - direction * zones.depths()).head(n_pressed),
+                        limit_depths - direction * held, n_stuck);
+  };
+  const auto force = [&](int direction, const HeldReserve& reserve, double end) {
+    return direction * (limit_force - series.integral(reserve.reserve, reserve.zones, end));
+  };
+  if (outermost != 0) {
+    const auto reserve = against(outermost);
+    return force(outermost, reserve, reserve.end.value_or(series.edges()[n_stuck]));
+  }
+  // Slip has begun outside the middle of the last ring, in one direction.
+  const auto forward = against(1), backward = against(-1);
+  if (forward.end && !(backward.end && *backward.end < *forward.end)) return force(1, forward, *forward.end);
+  if (backward.end) return force(-1, backward, *backward.end);
+  return series.integral(zones.depths(), labels);
+}
+
+}  // namespace fretval::fem
