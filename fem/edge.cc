@@ -42,10 +42,10 @@ bool has_equal_rings(const Compliance& compliance) {
   return true;
 }
 
-/// Radius at an indentation between events m - 1 and m, by the polynomial through the six nearest events.
+/// Radius at an indentation between events m - 1 and m, by the polynomial through the four nearest events.
 double radius_at(const ContactEvents& events, Eigen::Index m, double indentation) {
-  const Eigen::Index n = std::min<Eigen::Index>(6, events.radius.size());
-  const Eigen::Index begin = std::clamp<Eigen::Index>(m - 3, 0, events.radius.size() - n);
+  const Eigen::Index n = std::min<Eigen::Index>(4, events.radius.size());
+  const Eigen::Index begin = std::clamp<Eigen::Index>(m - 2, 0, events.radius.size() - n);
   return Stencil{events.indentation, events.radius, begin, n}(indentation);
 }
 

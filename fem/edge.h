@@ -27,8 +27,7 @@ struct EffectiveRadii {
 EffectiveRadii effective_radii(const Compliance& compliance);
 
 /// The elastic indentations at which one more ring comes into contact, and the contact radius at each: the mean of the
-/// effective radii before and after. Between such events the radius is interpolated by a
-/// polynomial through six.
+/// effective radii before and after. Between such events the radius is interpolated by a cubic.
 struct ContactEvents {
   Eigen::VectorXd indentation;   ///< [m]: ring m touches while rings 0..m-1 are pressed
   Eigen::VectorXd closing_rate;  ///< [m]: -d(gap of ring m)/d(indentation) just before
