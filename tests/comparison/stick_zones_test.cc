@@ -1,0 +1,38 @@
+#include "comparison/stick_zones.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "comparison/exact_rows.h"
+#include "fem/normal_history.h"
+
+namespace fretval {
+namespace {
+
+// Parabola, k = 1 in phase: the stick zone ends where the smallest contact does, g(c) = c^2 = d0 - Delta d, and its
+// reserve goes on beyond it with a kink. A stick zone that ends inside is read much more closely.
+TEST(StickZones, EndingWithTheSmallestContactAreUncertainByAThousandthOfARing) {
+  const int n_rings = 48;
+  const auto meshes = half_space_ladder({n_rings});
+  const auto& [n, normal_problem, tangential_problem] = meshes.front();
+  const double mu = 0.5, share = 1e-3 / n_rings;
+  fem::Motion motion{0.8, 0.2, 1.5 * mu * 0.2, 0.0};
+  const fem::HistoryControl control{72, 400, 1e-6};
+  const auto profile = fem::ring_means(normal_problem.compliance, [](double r) { return r * r / 2; });
+  const auto normal = fem::normal_history(normal_problem, {}, profile, motion, control);
+  const auto zones_of = [&, &tangential = tangential_problem] {
+    const auto friction = fem::friction_history(tangential, {}, mu, motion, normal, control);
+    return stick_zones(tangential.compliance, normal, friction, stuck_rings(friction, motion));
+  };
+  const auto together = zones_of().shakedown;
+  EXPECT_GE(together.uncertainty, share);
+  EXPECT_NEAR(together.radius, std::sqrt(0.6), together.uncertainty);
+  motion.tangential_amplitude *= 2;  // A = 0.4: d0 - (0.2 + 0.6)/2
+  const auto inside = zones_of().shakedown;
+  EXPECT_LT(inside.uncertainty, share);
+  EXPECT_NEAR(inside.radius, std::sqrt(0.4), inside.uncertainty);
+}
+
+}  // namespace
+}  // namespace fretval
