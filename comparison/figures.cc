@@ -141,10 +141,7 @@ Figure difference_figure(const std::vector<const StoredResult*>& results, const 
   plot.series.push_back({"tolerance", {0, 180}, {tolerance, tolerance}, Series::Style::dashed, 7});
   plot.x_range = {0, 180};
   plot.y_range = {1e-6, 1e-1};
-  return {svg(plot),
-          "The same cases, all rheologies. Full points: shakedown, open points: first slip. Above the dashed line lie "
-          "stick zones with c/a < 0.1 only, for which the "
-          "tolerance is wider."};
+  return {svg(plot), "The same cases, all rheologies. Full points: shakedown, open points: first slip."};
 }
 
 /// Free surface of the finite elements at the largest indentation, up to the outer radius, about 25 points.
