@@ -24,7 +24,7 @@ std::vector<CheckScene> check_scenes(const fs::path& meshes) {
     Tolerances tolerances;
   };
   std::vector<CheckScene> scenes;
-  for (const auto& mesh : {SmallMesh{"coarse", {1e-4, 2e-4, 2e-4}}, SmallMesh{"fine", {4e-5, 2e-4, 6e-5}}})
+  for (const auto& mesh : {SmallMesh{"coarse", {1e-4, 2e-4, 2e-4}}, SmallMesh{"fine", {4e-5, 1.2e-4, 6e-5}}})
     for (const char* name : {"parabola-standard-solid", "cone-kelvin-voigt", "parabola-no-first-slip-zone"}) {
       const fs::path folder(FRETVAL_CHECK_CASES);
       for (auto& prepared : prepare(read_case_file(folder / (std::string(name) + ".prm")))) {
