@@ -120,9 +120,11 @@ void run_probes(const std::vector<Probe>& probes, const std::function<Body(const
       continue;
     }
     spdlog::info("body: {} dofs, {} rings, {} scenes", body->n_dofs(), body->normal.contact.n_rings(), members.size());
-    histories = std::async(schedule == Schedule::overlapped ? std::launch::async : std::launch::deferred,
-                           [body, &probes, &members = members, &take] { run_on_body(*body, probes, members, take); });
-    if (schedule == Schedule::exclusive) histories.get();
+    const auto run = [body, &probes, &members = members, &take] { run_on_body(*body, probes, members, take); };
+    if (schedule == Schedule::exclusive)
+      run();
+    else
+      histories = std::async(std::launch::async, run);
   }
   if (histories.valid()) histories.get();
 }

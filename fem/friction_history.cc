@@ -31,8 +31,8 @@ class Stepper {
         zones_(problem.n_rings()) {}
 
   struct Result {
-    Eigen::VectorXd traction, depths;  // at the balance time, see PunchSeries
-    Eigen::VectorXd slip;              // in the whole step
+    Eigen::VectorXd traction;  // at the balance time
+    Eigen::VectorXd slip;      // in the whole step
   };
 
   Result compute_step(long index, const Eigen::VectorXd& limit) {
@@ -41,14 +41,13 @@ class Stepper {
     const auto move = indenter_move(motion_, begin, begin + step_.fraction() * dt_);
     const Eigen::VectorXd held = step_.response_without_slip(state_, move);
     auto solution = problem_.solver.solve(areas.cwiseProduct(held), -limit, limit, stick_);
-    Eigen::VectorXd depths = problem_.series.depths(solution.x);
-    zones_.update(limit, stick_, depths);
+    zones_.update(limit, stick_, problem_.series.depths(solution.x));
     for (std::size_t i = 0; i < stick_.size(); ++i)
       if (limit[static_cast<Eigen::Index>(i)] == 0)
         stick_[i] = BoxState::interior;  // the guess for when it touches again
     Eigen::VectorXd slip = (solution.residual.array() / areas.array()).matrix() / step_.instantaneous();
     step_.advance(state_, indenter_move(motion_, begin, begin + dt_), slip);
-    return {std::move(solution.x), std::move(depths), std::move(slip)};
+    return {std::move(solution.x), std::move(slip)};
   }
 
   [[nodiscard]] const Eigen::VectorXd& displacement() const { return state_.displacement; }
@@ -94,11 +93,12 @@ struct Period {
     std::fill(zones.begin(), zones.end(), 0);
   }
 
-  void add(int k, const Eigen::VectorXd& limit, const Eigen::VectorXd& limit_depths, const Stepper::Result& step) {
+  void add(int k, const Eigen::VectorXd& limit, const Eigen::VectorXd& limit_depths, const Stepper::Result& step,
+           const Eigen::VectorXd& depths) {
     forward.add(limit - step.traction);
     backward.add(limit + step.traction);
-    forward_reserve.add(limit_depths - step.depths);
-    backward_reserve.add(limit_depths + step.depths);
+    forward_reserve.add(limit_depths - depths);
+    backward_reserve.add(limit_depths + depths);
     slip += step.slip.cwiseAbs();
     traction.col(k) = step.traction;
     for (std::size_t i = 0; i < zones.size(); ++i) {
@@ -144,18 +144,19 @@ FrictionHistory friction_history(const ContactProblem& problem, const Relaxation
       const Eigen::Index column = normal.column(index + 1);
       const Eigen::VectorXd limit = friction_coefficient * normal.pressure.col(column);
       const auto step = stepper.compute_step(index, limit);
+      const auto& depths = stepper.zones().depths();
       const Eigen::VectorXd limit_depths = series.depths(limit);
       first_slip.add(limit - step.traction.cwiseAbs());
-      first_forward.add(limit_depths - step.depths);
-      first_backward.add(limit_depths + step.depths);
-      period.add(k, limit, limit_depths, step);
+      first_forward.add(limit_depths - depths);
+      first_backward.add(limit_depths + depths);
+      period.add(k, limit, limit_depths, step, depths);
       // The mean slip rate of a step belongs to its middle, between two balance times.
       const double weight = 1.5 - stepper.fraction();
       period.work += (weight * step.traction + (1 - weight) * traction).cwiseProduct(step.slip);
       period.series_work +=
-          (weight * step.depths + (1 - weight) * traction_depths).cwiseProduct(series.displacements(step.slip));
+          (weight * depths + (1 - weight) * traction_depths).cwiseProduct(series.displacements(step.slip));
       traction = step.traction;
-      traction_depths = step.depths;
+      traction_depths = depths;
       force.push_back(
           friction_force(series, stepper.zones(), limit_depths, friction_coefficient * normal.force[column]));
     }

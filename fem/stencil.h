@@ -6,7 +6,7 @@
 
 namespace fretval::fem {
 
-// Depths of a PunchSeries between their nodes. For the readings of forces alone.
+// Fields of rings between their nodes. For the readings of forces and edges alone.
 
 constexpr Eigen::Index n_stencil = 4;
 constexpr Eigen::Index n_to_continue = 3;  // rings that tell where a zone ends
