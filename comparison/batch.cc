@@ -50,7 +50,7 @@ class Batch {
 
   void run(const Indices& indices) {
     std::vector<CaseStudy> studies;
-    for (const std::size_t i : indices) studies.emplace_back(cases_[i], hooks_.with_budget);
+    for (const std::size_t i : indices) studies.emplace_back(cases_[i], hooks_.depth);
     run_studies(studies, hooks_.make_body);
     const auto references = references_of(cases_, indices);
     for (std::size_t s = 0; s < indices.size(); ++s) finish(indices[s], studies[s].result(), references.at(indices[s]));

@@ -29,8 +29,7 @@ struct BatchHooks {
   };
   /// Called after each case, one call at a time.
   std::function<void(const BatchLine&, std::size_t n_done, std::size_t n_cases)> progress = [](auto&&...) {};
-  /// Whether error budgets are measured and the resolution adapts to them (see CaseStudy).
-  bool with_budget = true;
+  StudyDepth depth = StudyDepth::proof;
 };
 
 /// Computes all cases; those that start from one body go on together, so that they share bodies and normal histories

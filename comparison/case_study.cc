@@ -43,8 +43,8 @@ double seconds_alone(const ProbeAnswer& answer) {
   return seconds;
 }
 
-CaseStudy::CaseStudy(const PreparedCase& prepared, bool with_budget)
-    : prepared_(prepared), with_budget_(with_budget), now_{prepared.fem.resolution, {}} {
+CaseStudy::CaseStudy(const PreparedCase& prepared, StudyDepth depth)
+    : prepared_(prepared), depth_(depth), now_{prepared.fem.resolution, {}} {
   want(now_.base);
 }
 
@@ -170,21 +170,66 @@ bool CaseStudy::refine_what_is_too_wide() {
 
 void CaseStudy::advance() {
   wanted_.clear();
-  if (!with_budget_) return;
+  if (depth_ == StudyDepth::answer) return;
+  if (economy_) return economise();
   if (failed()) {
-    if (before_) now_ = *before_;
-    return;
+    if (!before_) return;
+    now_ = *before_;
+    return economise();
   }
   if (focus_on_unresolved_edges()) return;
   for (const auto& track : tracks())
     for (const auto& variant : variants_of(track, needs_of(prepared_.fem))) want(variant.resolution);
   if (!wanted_.empty()) return;
-  if (!refine_what_is_too_wide()) return;
+  if (!refine_what_is_too_wide()) return economise();
   for (const auto& track : tracks()) {
     want(track);
     // What was a variant before has to be kept now.
     if (measures_.count(track) > 0 && answers_.count(track) == 0) wanted_.push_back(track);
   }
+}
+
+std::vector<ProvedTrack> CaseStudy::proved_tracks() const {
+  const auto bars = budget();
+  const auto proved = [&](const std::string& quantity) -> ProvedValue {
+    return {measures_.at(resolution_of(quantity)).at(quantity), bars.at(quantity).total(),
+            tolerance_of(prepared_.tolerances, quantity)};
+  };
+  std::vector<ProvedTrack> tracks{{now_.base, {}}};
+  for (const auto& [quantity, bar] : bars) {
+    const ProvedMeasures alone{{quantity, proved(quantity)}};
+    // A resolution that is needed anyway may read this quantity well enough.
+    auto track = std::find_if(tracks.begin(), tracks.end(),
+                              [&](const ProvedTrack& t) { return covers(alone, measures_.at(t.resolution)); });
+    if (track == tracks.end()) {
+      const auto& own = resolution_of(quantity);
+      track = own == now_.base ? tracks.begin() : tracks.insert(tracks.end(), {own, {}});
+    }
+    track->measures.insert(alone.begin(), alone.end());
+  }
+  return tracks;
+}
+
+void CaseStudy::economise() {
+  if (depth_ != StudyDepth::economy) return;
+  if (!economy_)
+    economy_.emplace(
+        proved_tracks(), needs_of(prepared_.fem),
+        FixedByCase{prepared_.scene.rings_per_radius.has_value(), prepared_.scene.steps_per_cycle.has_value()});
+  wanted_ = economy_->advance(measures_);
+}
+
+CheapestProved CaseStudy::cheapest() const {
+  CheapestProved cheapest;
+  for (const auto& track : economy_->tracks()) {
+    cheapest.resolutions.push_back(track.resolution);
+    for (const auto& [quantity, proved] : track.measures) {
+      const double value = measures_.at(track.resolution).at(quantity);
+      cheapest.measures[quantity] = value;
+      cheapest.bars[quantity] = std::abs(value - proved.value) + proved.bar;
+    }
+  }
+  return cheapest;
 }
 
 StudyResult CaseStudy::result() const {
@@ -211,7 +256,8 @@ StudyResult CaseStudy::result() const {
     }
     result.focus[quantity] = *resolution.focus;
   }
-  if (with_budget_) result.budget = budget();
+  if (depth_ != StudyDepth::answer) result.budget = budget();
+  if (economy_) result.cheapest = cheapest();
   return result;
 }
 

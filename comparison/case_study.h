@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "comparison/economy.h"
 #include "comparison/error_budget.h"
 #include "comparison/measures.h"
 #include "comparison/probe.h"
@@ -23,12 +24,24 @@ struct PreparedCase {
 /// Seconds of an answer whose body and normal history were its own: mesh, assembly, factorisation, both histories.
 double seconds_alone(const ProbeAnswer& answer);
 
+/// How far a study goes: one resolution and no more; until the error bars meet the tolerance; and on to the cheapest
+/// resolutions that this proof covers.
+enum class StudyDepth { answer, proof, economy };
+
+/// The cheapest resolutions that the proof covers, see Economy.
+struct CheapestProved {
+  std::vector<Resolution> resolutions;  ///< the base, and one for each stick radius that needs a focus
+  Measures measures;
+  Measures bars;  ///< distance from the proved value, and the bar of that
+};
+
 /// What a study of a case comes to.
 struct StudyResult {
   ProbeAnswer answer;  ///< at the chosen resolution, with the stick radii of the focused ones
   Resolution resolution;
-  std::map<std::string, Focus> focus;  ///< stick radii that are read from a graded mesh, by name
-  ErrorBudget budget;                  ///< empty if none was asked for
+  std::map<std::string, Focus> focus;      ///< stick radii that are read from a graded mesh, by name
+  ErrorBudget budget;                      ///< empty if none was asked for
+  std::optional<CheapestProved> cheapest;  ///< with StudyDepth::economy
   int n_refinements = 0, n_probes = 0;
   double seconds = 0;  ///< of the chosen resolutions if the case ran alone and without a budget
 };
@@ -42,12 +55,13 @@ struct StudyResult {
 /// 3. the error budget, each source by its own refinement;
 /// 4. while the bar of a quantity is wider than its tolerance, its largest sources are refined, twice at once if they
 ///    are far too large. A refinement whose numerics fail is taken back.
+/// 5. StudyDepth::economy: what of the proved resolutions can be coarsened without moving anything by more than the
+///    bars leave of the tolerance (see Economy); a focus is left out where the plain rings read its zone well enough.
 ///
 /// The caller computes what is wanted, round by round. Rings and steps that the case file fixes stay as they are.
 class CaseStudy {
  public:
-  /// with_budget: false computes the first resolution and no more.
-  CaseStudy(const PreparedCase& prepared, bool with_budget);
+  CaseStudy(const PreparedCase& prepared, StudyDepth depth);
 
   /// Resolutions to be computed next; empty: the study is finished.
   [[nodiscard]] const std::vector<Resolution>& wanted() const { return wanted_; }
@@ -65,10 +79,13 @@ class CaseStudy {
   [[nodiscard]] bool failed() const;
   bool focus_on_unresolved_edges();
   bool refine_what_is_too_wide();
+  void economise();
+  [[nodiscard]] std::vector<ProvedTrack> proved_tracks() const;
+  [[nodiscard]] CheapestProved cheapest() const;
   void want(const Resolution& resolution);
 
   const PreparedCase& prepared_;
-  bool with_budget_;
+  StudyDepth depth_;
   struct Tracks {
     Resolution base;
     std::map<std::string, Resolution> focused;  // stick radii with a resolution of their own
@@ -79,6 +96,7 @@ class CaseStudy {
   std::map<Resolution, Measures> measures_;
   std::vector<Resolution> wanted_;
   int n_refinements_ = 0;
+  std::optional<Economy> economy_;
 };
 
 }  // namespace fretval

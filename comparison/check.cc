@@ -42,7 +42,7 @@ std::vector<BatchLine> run_check(const std::vector<CheckScene>& scenes) {
   std::vector<BatchLine> lines;
   for (const auto& [mesh, cases] : by_mesh) {
     BatchHooks hooks;
-    hooks.with_budget = false;  // the mesh is what it is
+    hooks.depth = StudyDepth::answer;  // the mesh is what it is
     // Read here: a damaged file is bad input, not a failure of the numerics.
     const std::string name = mesh.string();
     const auto committed = meshes::read_msh(mesh);

@@ -8,7 +8,10 @@ namespace {
 
 constexpr unsigned most_rings = 512, fewest_rings = 8, most_degree = 4;
 constexpr int most_steps = 1440, fewest_steps = 8, most_ramp_cycles = 64, most_creep_cycles = 768;
-constexpr double finest_growth = 0.075, coarsest_growth = 1, largest_far_radius = 100, finest_periodicity = 1e-9;
+constexpr double finest_growth = 0.075, coarsest_growth = 1, finest_periodicity = 1e-9, coarsest_periodicity = 1e-3;
+constexpr double largest_far_radius = 100, smallest_far_radius = 4;
+constexpr unsigned least_degree = 2;
+constexpr int fewest_creep_cycles = 6;
 constexpr double finest_edge_ring = 2e-6;  // gmsh tells nodes apart down to some 1e-7 of the contact line
 
 Resolution with_rings(Resolution r, double factor) {
@@ -146,6 +149,40 @@ std::optional<Resolution> refined(const Resolution& resolution, ErrorSource sour
       break;
   }
   return std::nullopt;
+}
+
+std::optional<Resolution> coarsened(const Resolution& resolution, Coarsening step, const SceneNeeds& needs) {
+  Resolution r = resolution;
+  const auto if_coarse_enough = [&](bool allowed) { return allowed ? std::optional(r) : std::nullopt; };
+  switch (step) {
+    case Coarsening::half_the_rings:
+    case Coarsening::three_quarters_of_the_rings:
+      r = with_rings(r, step == Coarsening::half_the_rings ? 0.5 : 0.75);
+      return if_coarse_enough(r.elements_per_radius >= fewest_rings);
+    case Coarsening::lower_degree:
+      --r.degree;
+      return if_coarse_enough(r.degree >= least_degree);
+    case Coarsening::half_the_steps:
+    case Coarsening::three_quarters_of_the_steps:
+      r = with_steps(r, step == Coarsening::half_the_steps ? 0.5 : 0.75);
+      return if_coarse_enough(r.steps_per_cycle >= fewest_steps);
+    case Coarsening::twice_the_growth:
+      r.growth = std::min(2 * r.growth, coarsest_growth);
+      return if_coarse_enough(r.growth > resolution.growth);
+    case Coarsening::half_the_far_radius:
+      r.far_radius = std::max(r.far_radius / 2, smallest_far_radius);
+      return if_coarse_enough(r.far_radius < resolution.far_radius);
+    case Coarsening::half_the_start:
+      r.n_ramp_cycles /= 2;
+      return if_coarse_enough(needs.memory && r.n_ramp_cycles > 0);
+    case Coarsening::half_the_creep:
+      r.n_creep_cycles /= 2;
+      return if_coarse_enough(needs.creep && r.n_creep_cycles >= fewest_creep_cycles);
+    case Coarsening::ten_times_the_periodicity:
+      break;
+  }
+  r.periodicity *= 10;
+  return if_coarse_enough(r.periodicity <= coarsest_periodicity);
 }
 
 }  // namespace fretval

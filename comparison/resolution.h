@@ -55,4 +55,23 @@ std::vector<Variant> variants_of(const Resolution& resolution, const SceneNeeds&
 /// A resolution that is finer in one respect; empty: it cannot be refined further in this respect.
 std::optional<Resolution> refined(const Resolution& resolution, ErrorSource source);
 
+/// Steps towards a lower cost, those that usually save most first.
+enum class Coarsening {
+  half_the_rings,
+  lower_degree,
+  half_the_steps,
+  three_quarters_of_the_rings,
+  twice_the_growth,
+  half_the_far_radius,
+  three_quarters_of_the_steps,
+  half_the_start,
+  half_the_creep,
+  ten_times_the_periodicity
+};
+constexpr int n_coarsenings = 10;
+
+/// A resolution that is coarser in one respect; empty: it cannot be coarsened further in this respect, or the scene
+/// does not need what is coarsened.
+std::optional<Resolution> coarsened(const Resolution& resolution, Coarsening step, const SceneNeeds& needs);
+
 }  // namespace fretval

@@ -39,22 +39,44 @@ bool meets(const Measures& measures, const Measures& exact, const Tolerances& to
   return true;
 }
 
-std::vector<std::vector<GridPoint>> grid_points(const std::vector<PreparedCase>& cases) {
-  const std::size_t n_settings = grid_of_settings().size();
+/// What is to be timed for a case: the grid, and what its records came to.
+std::vector<Resolution> settings_of(const PreparedCase& prepared, const std::vector<ToleranceRecord>& records) {
+  auto settings = grid_of_settings(prepared.fem.relaxation.has_memory());
+  for (const auto& record : records)
+    if (record.name == prepared.scene.name)
+      settings.insert(settings.end(), record.economised.resolutions.begin(), record.economised.resolutions.end());
+  return settings;
+}
+
+std::vector<std::vector<GridPoint>> grid_points(const std::vector<PreparedCase>& cases,
+                                                const std::vector<ToleranceRecord>& records) {
   std::vector<Probe> probes;
-  for (const auto& prepared : cases)
-    for (const auto& resolution : grid_of_settings(prepared.fem.relaxation.has_memory()))
-      probes.push_back({&prepared.scene, at_resolution(prepared.fem, resolution)});
-  std::vector<std::vector<GridPoint>> points(cases.size(), std::vector<GridPoint>(n_settings));
+  std::vector<std::pair<std::size_t, std::size_t>> places;
+  std::vector<std::vector<GridPoint>> points(cases.size());
+  for (std::size_t c = 0; c < cases.size(); ++c) {
+    const auto settings = settings_of(cases[c], records);
+    points[c].resize(settings.size());
+    for (std::size_t s = 0; s < settings.size(); ++s) {
+      probes.push_back({&cases[c].scene, at_resolution(cases[c].fem, settings[s])});
+      places.emplace_back(c, s);
+    }
+  }
   run_probes(
       probes, make_timed_body,
       [&](std::size_t i, ProbeAnswer&& answer) {
-        const std::size_t c = i / n_settings;
-        points[c][i % n_settings] = {probes[i].fem.resolution, seconds_alone(answer),
-                                     answer.failure.empty() ? measures_of(answer.fe, cases[c].fem.units) : Measures{}};
+        const auto [c, s] = places[i];
+        points[c][s] = {probes[i].fem.resolution, seconds_alone(answer),
+                        answer.failure.empty() ? measures_of(answer.fe, cases[c].fem.units) : Measures{}};
       },
       Schedule::exclusive);
   return points;
+}
+
+/// Of the resolutions that a record came to, in the order in which settings_of lists them.
+double take_seconds(std::vector<GridPoint>::const_iterator& point, const Economised& economised) {
+  double seconds = 0;
+  for (std::size_t k = 0; k < economised.resolutions.size(); ++k) seconds += (point++)->seconds;
+  return seconds;
 }
 
 }  // namespace
@@ -73,16 +95,20 @@ std::vector<Resolution> grid_of_settings(bool memory) {
 
 void search_grid(const std::vector<PreparedCase>& cases, const std::vector<MdrAnswer>& exact,
                  std::vector<ToleranceRecord>& records) {
-  const auto points = grid_points(cases);
+  const auto points = grid_points(cases, records);
   for (std::size_t c = 0; c < cases.size(); ++c) {
     const auto wanted = measures_of(exact[c], cases[c].fem.units, cases[c].fem.worn_edge.has_value());
+    const auto end_of_grid =
+        points[c].begin() + static_cast<std::ptrdiff_t>(grid_of_settings(cases[c].fem.relaxation.has_memory()).size());
+    auto economised = end_of_grid;
     for (auto& record : records) {
       if (record.name != cases[c].scene.name) continue;
       record.in_grid = true;
-      for (const auto& point : points[c])
-        if (meets(point.measures, wanted, tolerances_of(record.tolerance)) &&
-            (!record.cheapest || point.seconds < record.cheapest->seconds))
-          record.cheapest = Cheapest{point.resolution, point.seconds};
+      record.economised.seconds = take_seconds(economised, record.economised);
+      for (auto point = points[c].begin(); point != end_of_grid; ++point)
+        if (meets(point->measures, wanted, tolerances_of(record.tolerance)) &&
+            (!record.cheapest || point->seconds < record.cheapest->seconds))
+          record.cheapest = Cheapest{point->resolution, point->seconds};
     }
   }
 }

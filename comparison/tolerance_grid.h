@@ -10,8 +10,8 @@ namespace fretval {
 /// Settings that go with the time step (start, periodicity, creep) become finer with it. memory: see resolution_for.
 std::vector<Resolution> grid_of_settings(bool memory = true);
 
-/// Computes the cases at all settings, and gives to each of their records the cheapest one whose true errors meet the
-/// tolerance of the record.
+/// Computes the cases at all settings, and at those that their records came to (Economised), in one run. Gives to each
+/// of their records the seconds of its own, and the cheapest setting of the grid whose true errors meet the tolerance.
 void search_grid(const std::vector<PreparedCase>& cases, const std::vector<MdrAnswer>& exact,
                  std::vector<ToleranceRecord>& records);
 

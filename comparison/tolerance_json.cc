@@ -33,18 +33,28 @@ ordered_json json_of(const ToleranceSummary& s) {
           {"inconclusive", s.inconclusive}};
 }
 
-ordered_json errors_of(const ToleranceRecord& record) {
-  auto errors = ordered_json::object();
-  for (const auto& [quantity, e] : record.errors) {
-    auto shares = ordered_json::object();
-    const auto bar = record.budget.find(quantity);
-    if (bar != record.budget.end())
-      for (const auto& share : bar->second.shares) shares[name_of(share.source)] = or_null(share.estimate);
-    errors[quantity] = {{"error", or_null(e.error)},  {"tolerance", e.tolerance}, {"bar", or_null(e.bar)},
-                        {"covered", e.covered()},     {"meets", e.meets()},       {"finding", name_of(e.finding)},
-                        {"shares", std::move(shares)}};
+ordered_json json_of(const TrueErrors& errors, const ErrorBudget& budget) {
+  auto json = ordered_json::object();
+  for (const auto& [quantity, e] : errors) {
+    json[quantity] = {{"error", or_null(e.error)}, {"tolerance", e.tolerance}, {"bar", or_null(e.bar)},
+                      {"covered", e.covered()},    {"meets", e.meets()},       {"finding", name_of(e.finding())}};
+    const auto bar = budget.find(quantity);
+    if (bar == budget.end()) continue;
+    for (const auto& share : bar->second.shares)
+      json[quantity]["shares"][name_of(share.source)] = or_null(share.estimate);
   }
-  return errors;
+  return json;
+}
+
+ordered_json json_of(const Economised& economised) {
+  auto resolutions = ordered_json::array();
+  for (const auto& r : economised.resolutions) {
+    resolutions.push_back(json_of(r));
+    if (r.focus) resolutions.back()["focus"] = focus_json(*r.focus);
+  }
+  return {{"resolutions", std::move(resolutions)},
+          {"errors", json_of(economised.errors, {})},
+          {"seconds", economised.seconds > 0 ? ordered_json(economised.seconds) : ordered_json(nullptr)}};
 }
 
 ordered_json json_of(const ToleranceRecord& record) {
@@ -57,12 +67,13 @@ ordered_json json_of(const ToleranceRecord& record) {
           {"tolerance", record.tolerance},
           {"failure", or_null(record.failure)},
           {"pass", record.passes()},
-          {"errors", errors_of(record)},
+          {"errors", json_of(record.errors, record.budget)},
           {"resolution", json_of(record.resolution)},
           {"focus", focus_json(record.focus)},
           {"refinements", record.n_refinements},
           {"computations", record.n_probes},
           {"seconds", record.seconds},
+          {"economised", json_of(record.economised)},
           {"searched", record.in_grid},
           {"cheapest", std::move(cheapest)}};
 }

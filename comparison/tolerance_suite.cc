@@ -18,6 +18,23 @@ bool is_in_grid(std::size_t i) {
   return i % 10 == 0 || i % 10 == 3 || i % 10 == 6;
 }
 
+/// Errors, bars and findings of the quantities of a study; a quantity that it does not have becomes the failure.
+TrueErrors true_errors(const PreparedCase& prepared, const Measures& exact, const Measures& measured,
+                       const Measures& bars, std::string& failure) {
+  TrueErrors errors;
+  for (const auto& [quantity, value] : exact) {
+    const auto found = measured.find(quantity);
+    if (found == measured.end()) {
+      failure = "no " + quantity;
+      continue;
+    }
+    const auto bar = bars.find(quantity);
+    errors[quantity] = {found->second - value, tolerance_of(prepared.tolerances, quantity),
+                        bar == bars.end() ? std::numeric_limits<double>::infinity() : bar->second};
+  }
+  return errors;
+}
+
 ToleranceRecord record_of(const PreparedCase& prepared, const MdrAnswer& exact, const StudyResult& study) {
   ToleranceRecord record{};
   record.name = prepared.scene.name;
@@ -31,28 +48,22 @@ ToleranceRecord record_of(const PreparedCase& prepared, const MdrAnswer& exact, 
   record.budget = study.budget;
   if (!record.failure.empty()) return record;
   const auto& units = prepared.fem.units;
-  const auto fe = measures_of(study.answer.fe, units);
-  const auto verdict = compare(exact, study.answer.fe, units.length, prepared.tolerances, study.budget);
-  for (const auto& [quantity, value] : measures_of(exact, units, prepared.fem.worn_edge.has_value())) {
-    const auto measured = fe.find(quantity);
-    const auto bar = study.budget.find(quantity);
-    const auto judged = verdict.find(quantity);
-    if (measured == fe.end() || judged == verdict.end()) {
-      record.failure = "no " + quantity;
-      continue;
-    }
-    record.errors[quantity] = {
-        measured->second - value, judged->second.tolerance,
-        bar == study.budget.end() ? std::numeric_limits<double>::infinity() : bar->second.total(),
-        judged->second.finding};
-  }
+  const auto wanted = measures_of(exact, units, prepared.fem.worn_edge.has_value());
+  Measures bars;
+  for (const auto& [quantity, bar] : study.budget) bars[quantity] = bar.total();
+  record.errors = true_errors(prepared, wanted, measures_of(study.answer.fe, units), bars, record.failure);
+  const auto& cheapest = study.cheapest.value();
+  record.economised = {cheapest.resolutions,
+                       true_errors(prepared, wanted, cheapest.measures, cheapest.bars, record.failure), 0};
   return record;
 }
 
 template <class Property>
 bool all_errors(const ToleranceRecord& record, Property property) {
-  return std::all_of(record.errors.begin(), record.errors.end(),
-                     [&](const auto& entry) { return property(entry.second); });
+  const auto all_of = [&](const TrueErrors& errors) {
+    return std::all_of(errors.begin(), errors.end(), [&](const auto& entry) { return property(entry.second); });
+  };
+  return all_of(record.errors) && all_of(record.economised.errors);
 }
 
 }  // namespace
@@ -66,7 +77,7 @@ bool ToleranceRecord::covered() const {
 }
 
 bool ToleranceRecord::inconclusive() const {
-  return !all_errors(*this, [](const TrueError& e) { return e.finding != Finding::inconclusive; });
+  return !all_errors(*this, [](const TrueError& e) { return e.finding() != Finding::inconclusive; });
 }
 
 Body make_timed_body(const BodySpecification& specification) {
@@ -86,18 +97,16 @@ std::vector<MdrAnswer> exact_answers(const std::vector<PreparedCase>& cases) {
 }
 
 std::vector<ToleranceRecord> tolerance_records(const std::vector<PreparedCase>& cases,
-                                               const std::vector<MdrAnswer>& exact, Schedule schedule) {
+                                               const std::vector<MdrAnswer>& exact) {
   std::vector<CaseStudy> studies;
-  for (const auto& prepared : cases) studies.emplace_back(prepared, true);
-  run_studies(
-      studies, [](const BodySpecification& s) { return make_body(s); }, schedule);
+  for (const auto& prepared : cases) studies.emplace_back(prepared, StudyDepth::economy);
+  run_studies(studies, [](const BodySpecification& s) { return make_body(s); });
   std::vector<ToleranceRecord> records;
   for (std::size_t i = 0; i < cases.size(); ++i) records.push_back(record_of(cases[i], exact[i], studies[i].result()));
   return records;
 }
 
 std::vector<ToleranceRecord> run_tolerance_suite(const ToleranceSuiteOptions& options) {
-  const auto schedule = options.costs ? Schedule::exclusive : Schedule::overlapped;
   std::vector<ToleranceRecord> all;
   std::vector<MdrAnswer> exact;
   std::vector<PreparedCase> searched;
@@ -112,7 +121,7 @@ std::vector<ToleranceRecord> run_tolerance_suite(const ToleranceSuiteOptions& op
         searched_exact.push_back(exact[i]);
       }
     }
-    for (auto& record : tolerance_records(cases, exact, schedule)) all.push_back(std::move(record));
+    for (auto& record : tolerance_records(cases, exact)) all.push_back(std::move(record));
   }
   if (options.costs) search_grid(searched, searched_exact, all);
   return all;

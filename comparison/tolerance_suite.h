@@ -14,10 +14,10 @@ namespace fretval {
 struct TrueError {
   double error;  ///< finite elements less the exact answer
   double tolerance, bar;
-  Finding finding;
 
   [[nodiscard]] bool meets() const { return std::abs(error) <= tolerance; }
   [[nodiscard]] bool covered() const { return std::abs(error) <= bar; }
+  [[nodiscard]] Finding finding() const { return finding_of(error, tolerance, bar); }
 };
 
 /// The cheapest setting of the grid whose true errors meet a tolerance.
@@ -26,21 +26,32 @@ struct Cheapest {
   double seconds;
 };
 
+using TrueErrors = std::map<std::string, TrueError>;
+
+/// The cheapest settings that the proof covers, see CheapestProved.
+struct Economised {
+  std::vector<Resolution> resolutions;
+  TrueErrors errors;
+  double seconds = 0;  ///< of all of them alone, measured with the grid; 0 if it was not searched
+};
+
 /// A case at a tolerance.
 struct ToleranceRecord {
   std::string name;
   double tolerance;
   std::string failure;  ///< not empty: the numerics failed
-  std::map<std::string, TrueError> errors;
+  TrueErrors errors;    ///< of the proved answer
   Resolution resolution;
   std::map<std::string, Focus> focus;
   int n_refinements = 0, n_probes = 0;
   double seconds = 0;  ///< see StudyResult
   ErrorBudget budget;
+  Economised economised;
 
   bool in_grid = false;              ///< whether the grid was searched for this case
   std::optional<Cheapest> cheapest;  ///< empty: no setting of the grid meets the tolerance
 
+  /// Of the proved answer and of the economised one.
   [[nodiscard]] bool meets() const;
   [[nodiscard]] bool covered() const;
   [[nodiscard]] bool inconclusive() const;
@@ -53,11 +64,10 @@ Body make_timed_body(const BodySpecification& specification);
 /// What MDR says about each case.
 std::vector<MdrAnswer> exact_answers(const std::vector<PreparedCase>& cases);
 
-/// Runs each case by a study of its own, all together, and holds it against MDR: which is exact here, so that errors
-/// and the coverage by error bars can be told apart.
+/// Runs each case by a study of its own, all together and down to the cheapest settings that its proof covers, and
+/// holds it against MDR: which is exact here, so that errors and the coverage by error bars can be told apart.
 std::vector<ToleranceRecord> tolerance_records(const std::vector<PreparedCase>& cases,
-                                               const std::vector<MdrAnswer>& exact,
-                                               Schedule schedule = Schedule::overlapped);
+                                               const std::vector<MdrAnswer>& exact);
 
 struct ToleranceSuiteOptions {
   std::vector<double> tolerances{1e-2, 1e-3, 1e-4};

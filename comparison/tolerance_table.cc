@@ -27,11 +27,12 @@ ToleranceSummary summary_of(double tolerance, const std::vector<ToleranceRecord>
     if (record.tolerance != tolerance) continue;
     ++summary.n_cases;
     if (record.failure.empty() && record.meets()) ++summary.n_meet;
-    for (const auto& [quantity, e] : record.errors) {
-      ++summary.n_errors;
-      if (e.covered()) ++summary.n_covered;
-      if (e.error != 0) effectivities.push_back(e.bar / std::abs(e.error));
-    }
+    for (const auto* errors : {&record.errors, &record.economised.errors})
+      for (const auto& [quantity, e] : *errors) {
+        ++summary.n_errors;
+        if (e.covered()) ++summary.n_covered;
+        if (e.error != 0) effectivities.push_back(e.bar / std::abs(e.error));
+      }
     if (record.inconclusive()) summary.inconclusive.push_back(record.name);
     if (!record.in_grid) continue;
     ++summary.n_searched;
@@ -74,11 +75,14 @@ std::string paragraph_of(const ToleranceRecord& record) {
                                  remarks_of(record), text_of(record.resolution), record.n_refinements, record.seconds);
   for (const auto& [quantity, f] : record.focus)
     text += fmt::format("  focus of {}: rings of {:.2g} from {:.6g} to {:.6g}\n", quantity, f.ring, f.inner, f.outer);
-  for (const auto& [quantity, e] : record.errors) {
-    if (e.meets() && e.covered() && e.finding != Finding::inconclusive) continue;
-    text += fmt::format("  {:<24} error {:9.2e}, bar {:8.2e}, tolerance {:.0e}: {}{}\n", quantity, e.error, e.bar,
-                        e.tolerance, name_of(e.finding), share_text(record, quantity));
-  }
+  const auto list = [&](const TrueErrors& errors, const auto& remark) {
+    for (const auto& [quantity, e] : errors)
+      if (!e.meets() || !e.covered() || e.finding() == Finding::inconclusive)
+        text += fmt::format("  {:<24} error {:9.2e}, bar {:8.2e}, tolerance {:.0e}: {}{}\n", quantity, e.error, e.bar,
+                            e.tolerance, name_of(e.finding()), remark(quantity));
+  };
+  list(record.errors, [&](const std::string& quantity) { return share_text(record, quantity); });
+  list(record.economised.errors, [](const std::string&) { return ", economised"; });
   return text;
 }
 
@@ -86,7 +90,7 @@ std::string paragraph_of(const ToleranceRecord& record) {
 
 std::optional<double> cost_ratio(const ToleranceRecord& record) {
   if (!record.cheapest) return std::nullopt;
-  return record.seconds / record.cheapest->seconds;
+  return record.economised.seconds / record.cheapest->seconds;
 }
 
 std::vector<ToleranceSummary> summaries(const std::vector<ToleranceRecord>& records) {

@@ -7,7 +7,7 @@ namespace fretval {
 namespace {
 
 Difference judge(std::optional<double> difference, double size, double tolerance) {
-  return {difference, tolerance, std::abs(size) <= tolerance ? Finding::pass : Finding::fail};
+  return {difference, tolerance, finding_of(size, tolerance)};
 }
 
 Difference judge(double difference, double tolerance) {
@@ -21,13 +21,12 @@ Difference judge_stick(const std::optional<double>& fe, const std::optional<doub
   return judge(fe && mdr ? std::optional(size) : std::nullopt, size, tolerance);
 }
 
-Finding with_bar(const Difference& difference, double bar) {
-  const double size = difference.difference.value_or(0);
-  if (bar <= difference.tolerance || std::abs(size) > difference.tolerance + bar) return difference.finding;
-  return Finding::inconclusive;
-}
-
 }  // namespace
+
+Finding finding_of(double difference, double tolerance, double bar) {
+  if (bar > tolerance && std::abs(difference) <= tolerance + bar) return Finding::inconclusive;
+  return std::abs(difference) <= tolerance ? Finding::pass : Finding::fail;
+}
 
 const char* name_of(Finding finding) {
   if (finding == Finding::inconclusive) return "inconclusive";
@@ -66,7 +65,8 @@ Verdict compare(const MdrAnswer& mdr, const FeAnswer& fe, double unworn_radius, 
     if (found == verdict.end()) continue;
     auto& difference = found->second;
     difference.bar = bar;
-    difference.finding = with_bar(difference, bar.total());
+    if (bar.total() > difference.tolerance)
+      difference.finding = finding_of(difference.difference.value_or(0), difference.tolerance, bar.total());
   }
   return verdict;
 }

@@ -14,6 +14,10 @@ namespace fretval {
 enum class Finding { pass, fail, inconclusive };
 const char* name_of(Finding finding);
 
+/// Pass or fail by the tolerance; inconclusive if the error bar is wider than that, unless the difference is larger
+/// than both together.
+Finding finding_of(double difference, double tolerance, double bar = 0);
+
 /// One quantity compared.
 struct Difference {
   std::optional<double>
@@ -45,8 +49,7 @@ double tolerance_of(const Tolerances& tolerances, const std::string& quantity);
 /// profile: slip inside c over u_x0, force outside c over the force, and the indentation at which the flank touches
 /// over the largest one, all within the tolerance of the stick radius.
 ///
-/// A comparison passes if the difference is within the tolerance. With an error bar of the finite elements wider than
-/// the tolerance it is inconclusive, unless the difference is larger than the bar and the tolerance together.
+/// Whether a comparison passes is finding_of, with the error bar of the finite elements.
 using Verdict = std::map<std::string, Difference>;
 
 /// budget: empty if none was measured.

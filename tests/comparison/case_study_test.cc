@@ -32,7 +32,7 @@ struct Studied {
 
 Studied study(const Case& scene) {
   Studied studied{prepare({scene}).front(), {}, 0};
-  std::vector<CaseStudy> studies{CaseStudy(studied.prepared, true)};
+  std::vector<CaseStudy> studies{CaseStudy(studied.prepared, StudyDepth::proof)};
   run_studies(studies, [](const BodySpecification& s) { return make_body(s); });
   studied.result = studies.front().result();
   const auto& mdr = studied.prepared.mdr;
@@ -85,7 +85,7 @@ struct FakeNumerics {
 };
 
 StudyResult fake_study(const PreparedCase& prepared, const FakeNumerics& numerics) {
-  CaseStudy study(prepared, true);
+  CaseStudy study(prepared, StudyDepth::proof);
   while (!study.wanted().empty()) {
     const auto wanted = study.wanted();
     for (const auto& resolution : wanted) study.take(resolution, numerics(prepared, resolution));

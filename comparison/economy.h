@@ -1,0 +1,61 @@
+#pragma once
+
+#include <bitset>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "comparison/measures.h"
+#include "comparison/resolution.h"
+
+namespace fretval {
+
+/// What is proved of a quantity: its value and the error bar of that.
+struct ProvedValue {
+  double value, bar, tolerance;
+};
+using ProvedMeasures = std::map<std::string, ProvedValue>;
+
+/// Whether cheaper measures are proved to be within the tolerance: none lies farther from the proved value than its bar
+/// leaves of the tolerance. Measures that are not there are not proved.
+bool covers(const ProvedMeasures& proved, const Measures& measures);
+
+/// A resolution, and what it is needed for.
+struct ProvedTrack {
+  Resolution resolution;
+  ProvedMeasures measures;
+};
+
+/// What must not be coarsened because the case file fixes it.
+struct FixedByCase {
+  bool rings, steps;
+};
+
+/// Looks for cheaper resolutions than those whose error bars meet the tolerance. Each coarsening is tried on top of
+/// those that were accepted, is accepted if the proof covers what comes out, and is not tried again once it was
+/// refused. This finds the end of one path down, not the cheapest of all resolutions, with a dozen computations that
+/// are all cheaper than the proof.
+class Economy {
+ public:
+  Economy(const std::vector<ProvedTrack>& tracks, const SceneNeeds& needs, const FixedByCase& fixed);
+
+  /// Goes on as far as the known measures allow (empty measures: the numerics failed). Returns what has to be computed
+  /// before it can go on; empty: nothing is left to try.
+  std::vector<Resolution> advance(const std::map<Resolution, Measures>& known);
+
+  /// The cheapest so far, with what they are needed for.
+  [[nodiscard]] std::vector<ProvedTrack> tracks() const;
+
+ private:
+  struct Path {
+    ProvedTrack track;
+    std::bitset<n_coarsenings> refused;
+  };
+  std::optional<Resolution> advance(Path& path, const std::map<Resolution, Measures>& known) const;
+
+  SceneNeeds needs_;
+  std::vector<Path> paths_;
+};
+
+}  // namespace fretval
