@@ -50,7 +50,7 @@ class Batch {
 
   void run(const Indices& indices) {
     std::vector<CaseStudy> studies;
-    for (const std::size_t i : indices) studies.emplace_back(cases_[i], hooks_.depth);
+    for (const std::size_t i : indices) studies.emplace_back(cases_[i], depth_of(cases_[i]));
     run_studies(studies, hooks_.make_body);
     const auto references = references_of(cases_, indices);
     for (std::size_t s = 0; s < indices.size(); ++s) finish(indices[s], studies[s].result(), references.at(indices[s]));
@@ -59,11 +59,18 @@ class Batch {
   std::vector<BatchLine> take_lines() { return std::move(lines_); }
 
  private:
+  [[nodiscard]] StudyDepth depth_of(const PreparedCase& prepared) const {
+    return hooks_.depth == StudyDepth::proof && prepared.scene.economise ? StudyDepth::economy : hooks_.depth;
+  }
+
   void finish(std::size_t index, StudyResult&& study, const Reference& reference) {
     const auto& prepared = cases_[index];
     auto& line = lines_[index];
     line.name = prepared.scene.name;
     line.failure = study.answer.failure.empty() ? reference.failure : study.answer.failure;
+    if (study.cheapest)
+      for (const auto& resolution : study.cheapest->resolutions)
+        spdlog::info("{}: cheapest settings that the proof covers: {}", line.name, text_of(resolution));
     if (line.failure.empty()) {
       const auto outcome = outcome_of(prepared, reference.response, std::move(study));
       line.verdict = outcome.verdict;

@@ -29,6 +29,7 @@ struct BatchHooks {
   };
   /// Called after each case, one call at a time.
   std::function<void(const BatchLine&, std::size_t n_done, std::size_t n_cases)> progress = [](auto&&...) {};
+  /// Of all cases, but those that ask to be economised go on from the proof to that.
   StudyDepth depth = StudyDepth::proof;
 };
 

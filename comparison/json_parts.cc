@@ -28,4 +28,16 @@ ordered_json focus_json(const std::map<std::string, Focus>& focus) {
   return json;
 }
 
+ordered_json resolution_json(const Resolution& r) {
+  ordered_json json{{"rings", r.elements_per_radius},
+                    {"degree", r.degree},
+                    {"growth", r.growth},
+                    {"far_radius", r.far_radius},
+                    {"steps_per_cycle", r.steps_per_cycle},
+                    {"ramp_cycles", r.n_ramp_cycles},
+                    {"periodicity", r.periodicity}};
+  if (r.focus) json["focus"] = focus_json(*r.focus);
+  return json;
+}
+
 }  // namespace fretval

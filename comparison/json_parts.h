@@ -24,6 +24,9 @@ nlohmann::ordered_json or_null(const std::optional<double>& value);
 /// Null for an empty text.
 nlohmann::ordered_json or_null(const std::string& text);
 
+/// Rings, degree, growth, far_radius, steps_per_cycle, ramp_cycles, periodicity; focus if there is one.
+nlohmann::ordered_json resolution_json(const Resolution& resolution);
+
 /// Inner and outer radius and ring.
 nlohmann::ordered_json focus_json(const Focus& focus);
 

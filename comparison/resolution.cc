@@ -1,5 +1,7 @@
 #include "comparison/resolution.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <tuple>
 
@@ -42,6 +44,14 @@ bool Resolution::operator<(const Resolution& other) const {
 
 bool Resolution::operator==(const Resolution& other) const {
   return key(*this) == key(other);
+}
+
+std::string text_of(const Resolution& r) {
+  auto text = fmt::format("{} rings, degree {}, growth {:g}, far {:g}, {} steps, {} ramp cycles", r.elements_per_radius,
+                          r.degree, r.growth, r.far_radius, r.steps_per_cycle, r.n_ramp_cycles);
+  if (r.focus)
+    text += fmt::format(", rings of {:.2g} from {:.6g} to {:.6g}", r.focus->ring, r.focus->inner, r.focus->outer);
+  return text;
 }
 
 Resolution resolution_for(double tolerance, bool memory) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace fretval {
@@ -28,6 +29,9 @@ struct Resolution {
   bool operator<(const Resolution& other) const;
   bool operator==(const Resolution& other) const;
 };
+
+/// "24 rings, degree 3, growth 0.5, far 12, 36 steps, 8 ramp cycles", and the focus if there is one.
+std::string text_of(const Resolution& resolution);
 
 /// The coarsest settings that usually meet a relative tolerance on the stick radius (and a tenth of it on contact
 /// radius and force), from the measured errors in docs/accuracy.md. What they miss in a case, its error budget shows.

@@ -84,6 +84,13 @@ ordered_json verdict_json(const Verdict& verdict) {
   return json;
 }
 
+ordered_json economised_json(const std::optional<CheapestProved>& cheapest) {
+  if (!cheapest) return nullptr;
+  auto resolutions = ordered_json::array();
+  for (const auto& r : cheapest->resolutions) resolutions.push_back(resolution_json(r));
+  return {{"resolutions", std::move(resolutions)}, {"error_bars", cheapest->bars}};
+}
+
 double peak_memory_bytes() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
@@ -109,6 +116,7 @@ ordered_json result_json(const Outcome& outcome) {
           {"mdr", to_json(outcome.mdr)},
           {"fe", fe_json(fe, outcome.verdict)},
           {"comparison", verdict_json(outcome.verdict)},
+          {"economised", economised_json(outcome.study.cheapest)},
           {"cost",
            {{"seconds",
              {{"mesh", body->cost.mesh},

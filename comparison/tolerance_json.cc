@@ -8,16 +8,6 @@ namespace {
 
 using nlohmann::ordered_json;
 
-ordered_json json_of(const Resolution& r) {
-  return {{"rings", r.elements_per_radius},
-          {"degree", r.degree},
-          {"growth", r.growth},
-          {"far_radius", r.far_radius},
-          {"steps_per_cycle", r.steps_per_cycle},
-          {"ramp_cycles", r.n_ramp_cycles},
-          {"periodicity", r.periodicity}};
-}
-
 ordered_json json_of(const ToleranceSummary& s) {
   return {{"tolerance", s.tolerance},
           {"cases", s.n_cases},
@@ -48,10 +38,7 @@ ordered_json json_of(const TrueErrors& errors, const ErrorBudget& budget) {
 
 ordered_json json_of(const Economised& economised) {
   auto resolutions = ordered_json::array();
-  for (const auto& r : economised.resolutions) {
-    resolutions.push_back(json_of(r));
-    if (r.focus) resolutions.back()["focus"] = focus_json(*r.focus);
-  }
+  for (const auto& r : economised.resolutions) resolutions.push_back(resolution_json(r));
   return {{"resolutions", std::move(resolutions)},
           {"errors", json_of(economised.errors, {})},
           {"seconds", economised.seconds > 0 ? ordered_json(economised.seconds) : ordered_json(nullptr)}};
@@ -60,7 +47,7 @@ ordered_json json_of(const Economised& economised) {
 ordered_json json_of(const ToleranceRecord& record) {
   auto cheapest = ordered_json(nullptr);
   if (record.cheapest)
-    cheapest = {{"resolution", json_of(record.cheapest->resolution)},
+    cheapest = {{"resolution", resolution_json(record.cheapest->resolution)},
                 {"seconds", record.cheapest->seconds},
                 {"ratio", or_null(cost_ratio(record))}};
   return {{"name", record.name},
@@ -68,7 +55,7 @@ ordered_json json_of(const ToleranceRecord& record) {
           {"failure", or_null(record.failure)},
           {"pass", record.passes()},
           {"errors", json_of(record.errors, record.budget)},
-          {"resolution", json_of(record.resolution)},
+          {"resolution", resolution_json(record.resolution)},
           {"focus", focus_json(record.focus)},
           {"refinements", record.n_refinements},
           {"computations", record.n_probes},

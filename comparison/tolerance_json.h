@@ -11,7 +11,8 @@ namespace fretval {
 /// median_effectivity, high_effectivity, median_cost_ratio, largest_cost_ratio, searched, not_in_grid, inconclusive),
 /// and `records`, an array with an object a case and tolerance: name, tolerance, failure, pass, errors (by quantity:
 /// error, tolerance, bar, covered, meets, finding, shares by source), resolution, focus, refinements, computations,
-/// seconds, cheapest. Null: what there is none of, and numbers that are not finite.
+/// seconds, economised (resolutions, errors, seconds), searched, cheapest (of the grid: resolution, seconds, ratio).
+/// Null: what there is none of, and numbers that are not finite.
 nlohmann::ordered_json tolerance_json(const std::vector<ToleranceRecord>& records);
 
 }  // namespace fretval

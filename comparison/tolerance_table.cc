@@ -102,11 +102,6 @@ std::vector<ToleranceSummary> summaries(const std::vector<ToleranceRecord>& reco
   return all;
 }
 
-std::string text_of(const Resolution& r) {
-  return fmt::format("{} rings, degree {}, growth {:g}, far {:g}, {} steps, {} ramp cycles", r.elements_per_radius,
-                     r.degree, r.growth, r.far_radius, r.steps_per_cycle, r.n_ramp_cycles);
-}
-
 std::string tolerance_table(const std::vector<ToleranceRecord>& records) {
   std::string text =
       fmt::format("{:<10} {:>9} {:>9} {:>17} {:>9} {:>16} {:>9} {:>12} {}\n", "tolerance", "met", "covered",

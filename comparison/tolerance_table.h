@@ -32,7 +32,4 @@ std::string tolerance_table(const std::vector<ToleranceRecord>& records);
 /// JUnit XML of the records.
 std::string tolerance_junit(const std::vector<ToleranceRecord>& records);
 
-/// "24 rings, degree 3, growth 0.5, far 12, 36 steps"
-std::string text_of(const Resolution& resolution);
-
 }  // namespace fretval

@@ -84,8 +84,9 @@ struct FakeNumerics {
   }
 };
 
-StudyResult fake_study(const PreparedCase& prepared, const FakeNumerics& numerics) {
-  CaseStudy study(prepared, StudyDepth::proof);
+StudyResult fake_study(const PreparedCase& prepared, const FakeNumerics& numerics,
+                       StudyDepth depth = StudyDepth::proof) {
+  CaseStudy study(prepared, depth);
   while (!study.wanted().empty()) {
     const auto wanted = study.wanted();
     for (const auto& resolution : wanted) study.take(resolution, numerics(prepared, resolution));
@@ -123,6 +124,23 @@ TEST(CaseStudy, KeepsRingsAndStepsThatTheCaseFixes) {
   EXPECT_EQ(result.resolution.elements_per_radius, 20U);
   EXPECT_EQ(result.resolution.steps_per_cycle, 30);
   EXPECT_GT(result.budget.at("stick_radius_shakedown").total(), 1e-3);
+}
+
+TEST(CaseStudy, EconomisesWithinTheTolerance) {
+  const auto prepared = prepare({case_named("parabola-solid-90", 1e-3)}).front();
+  const FakeNumerics numerics{1, 0.5};
+  const auto result = fake_study(prepared, numerics, StudyDepth::economy);
+  ASSERT_TRUE(result.cheapest);
+  ASSERT_EQ(result.cheapest->resolutions.size(), 1U);
+  const auto& cheap = result.cheapest->resolutions.front();
+  EXPECT_LT(cheap.elements_per_radius * static_cast<unsigned>(cheap.steps_per_cycle),
+            result.resolution.elements_per_radius * static_cast<unsigned>(result.resolution.steps_per_cycle));
+  const double error = std::abs(result.cheapest->measures.at("stick_radius_shakedown") - 0.5);
+  const double bar = result.cheapest->bars.at("stick_radius_shakedown");
+  EXPECT_GT(error, 0);
+  EXPECT_LE(error, bar);
+  EXPECT_LE(bar, 1e-3);
+  EXPECT_FALSE(fake_study(prepared, numerics).cheapest);
 }
 
 }  // namespace
