@@ -54,7 +54,7 @@ void CaseStudy::want(const Resolution& resolution) {
 
 void CaseStudy::take(const Resolution& resolution, ProbeAnswer&& answer) {
   measures_[resolution] = answer.failure.empty() ? measures_of(answer.fe, prepared_.fem.units) : Measures{};
-  const auto all = tracks();
+  const auto all = tracks_of(now_);
   // The histories of variants are not needed any more.
   if (std::find(all.begin(), all.end(), resolution) != all.end()) answers_[resolution] = std::move(answer);
 }
@@ -64,9 +64,9 @@ const Resolution& CaseStudy::resolution_of(const std::string& quantity) const {
   return found == now_.focused.end() ? now_.base : found->second;
 }
 
-std::vector<Resolution> CaseStudy::tracks() const {
-  std::vector<Resolution> all{now_.base};
-  for (const auto& [quantity, resolution] : now_.focused) all.push_back(resolution);
+std::vector<Resolution> CaseStudy::tracks_of(const Tracks& tracks) {
+  std::vector<Resolution> all{tracks.base};
+  for (const auto& [quantity, resolution] : tracks.focused) all.push_back(resolution);
   return all;
 }
 
@@ -94,7 +94,7 @@ std::optional<Focus> CaseStudy::closer_look(const std::string& quantity) const {
 }
 
 bool CaseStudy::failed() const {
-  const auto all = tracks();
+  const auto all = tracks_of(now_);
   return std::any_of(all.begin(), all.end(), [&](const Resolution& r) { return !answers_.at(r).failure.empty(); });
 }
 
@@ -115,7 +115,7 @@ bool CaseStudy::focus_on_unresolved_edges() {
 ErrorBudget CaseStudy::budget() const {
   const auto needs = needs_of(prepared_.fem);
   ErrorBudget all;
-  for (const auto& track : tracks()) {
+  for (const auto& track : tracks_of(now_)) {
     const auto list = variants_of(track, needs);
     std::vector<Measures> varied;
     varied.reserve(list.size());
@@ -178,15 +178,23 @@ void CaseStudy::advance() {
     return economise();
   }
   if (focus_on_unresolved_edges()) return;
-  for (const auto& track : tracks())
+  for (const auto& track : tracks_of(now_))
     for (const auto& variant : variants_of(track, needs_of(prepared_.fem))) want(variant.resolution);
   if (!wanted_.empty()) return;
   if (!refine_what_is_too_wide()) return economise();
-  for (const auto& track : tracks()) {
+  for (const auto& track : tracks_of(now_)) {
     want(track);
     // What was a variant before has to be kept now.
     if (measures_.count(track) > 0 && answers_.count(track) == 0) wanted_.push_back(track);
   }
+  forget_old_answers();
+}
+
+void CaseStudy::forget_old_answers() {
+  auto kept = tracks_of(now_);
+  for (const auto& track : tracks_of(*before_)) kept.push_back(track);
+  for (auto answer = answers_.begin(); answer != answers_.end();)
+    answer = std::find(kept.begin(), kept.end(), answer->first) == kept.end() ? answers_.erase(answer) : ++answer;
 }
 
 std::vector<ProvedTrack> CaseStudy::proved_tracks() const {
@@ -238,7 +246,7 @@ StudyResult CaseStudy::result() const {
   result.resolution = now_.base;
   result.n_refinements = n_refinements_;
   result.n_probes = static_cast<int>(measures_.size());
-  for (const auto& track : tracks()) result.seconds += seconds_alone(answers_.at(track));
+  for (const auto& track : tracks_of(now_)) result.seconds += seconds_alone(answers_.at(track));
   if (!result.answer.failure.empty()) return result;
   for (const auto& [quantity, resolution] : now_.focused) {
     const auto& focused = answers_.at(resolution);

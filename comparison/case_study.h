@@ -72,8 +72,12 @@ class CaseStudy {
   [[nodiscard]] StudyResult result() const;
 
  private:
+  struct Tracks {
+    Resolution base;
+    std::map<std::string, Resolution> focused;  // stick radii with a resolution of their own
+  };
+  static std::vector<Resolution> tracks_of(const Tracks& tracks);
   [[nodiscard]] const Resolution& resolution_of(const std::string& quantity) const;
-  [[nodiscard]] std::vector<Resolution> tracks() const;
   [[nodiscard]] std::optional<Focus> closer_look(const std::string& quantity) const;
   [[nodiscard]] ErrorBudget budget() const;
   [[nodiscard]] bool failed() const;
@@ -83,13 +87,10 @@ class CaseStudy {
   [[nodiscard]] std::vector<ProvedTrack> proved_tracks() const;
   [[nodiscard]] CheapestProved cheapest() const;
   void want(const Resolution& resolution);
+  void forget_old_answers();
 
   const PreparedCase& prepared_;
   StudyDepth depth_;
-  struct Tracks {
-    Resolution base;
-    std::map<std::string, Resolution> focused;  // stick radii with a resolution of their own
-  };
   Tracks now_;
   std::optional<Tracks> before_;  // the last refinement
   std::map<Resolution, ProbeAnswer> answers_;

@@ -24,13 +24,12 @@ struct NormalAnswer {
 /// The contact problems of a body for every slack that is asked for.
 class Problems {
  public:
-  Problems(const Body& body, const std::vector<Probe>& probes, const Indices& members) : body_(body) {
+  Problems(const CondensedBody& body, const std::vector<Probe>& probes, const Indices& members) : body_(body) {
     for (const std::size_t i : members) {
       const double slack = probes[i].fem.resolution.active_set_slack;
       if (slack == Resolution{}.active_set_slack || others_.count(slack) > 0) continue;
-      Pair pair{std::make_unique<fem::ContactProblem>(body.normal.contact.compliance, slack), nullptr};
-      if (body.tangential)
-        pair.tangential = std::make_unique<fem::ContactProblem>(body.tangential->contact.compliance, slack);
+      Pair pair{std::make_unique<fem::ContactProblem>(body.normal.compliance, slack), nullptr};
+      if (body.tangential) pair.tangential = std::make_unique<fem::ContactProblem>(body.tangential->compliance, slack);
       others_.emplace(slack, std::move(pair));
     }
   }
@@ -38,21 +37,16 @@ class Problems {
   [[nodiscard]] ContactProblems of(const FemScene& scene) const {
     const auto found = others_.find(scene.resolution.active_set_slack);
     if (found != others_.end()) return {*found->second.normal, found->second.tangential.get()};
-    return {body_.normal.contact, body_.tangential ? &body_.tangential->contact : nullptr};
+    return {body_.normal, body_.tangential ? &*body_.tangential : nullptr};
   }
 
  private:
   struct Pair {
     std::unique_ptr<fem::ContactProblem> normal, tangential;
   };
-  const Body& body_;
+  const CondensedBody& body_;
   std::map<double, Pair> others_;
 };
-
-BodySummary summary_of(const Body& body) {
-  return {body.mesh_quality, body.cost, body.n_dofs(), body.normal.space.contact_line().dofs.size(),
-          body.normal.contact.compliance.radii};
-}
 
 /// failure of the numerics; anything else is not caught.
 template <class Work>
@@ -67,9 +61,8 @@ std::string failure_of(const Work& work) {
   }
 }
 
-void run_on_body(const Body& body, const std::vector<Probe>& probes, const Indices& members,
+void run_on_body(const CondensedBody& body, const std::vector<Probe>& probes, const Indices& members,
                  const std::function<void(std::size_t, ProbeAnswer&&)>& take) {
-  const auto summary = std::make_shared<const BodySummary>(summary_of(body));
   const Problems problems(body, probes, members);
   const auto groups = groups_of(members, [&](std::size_t a, std::size_t b) {
     return same_normal_problem(probes[a].fem, *probes[a].scene, probes[b].fem, *probes[b].scene);
@@ -90,7 +83,7 @@ void run_on_body(const Body& body, const std::vector<Probe>& probes, const Indic
     const auto [g, i] = jobs[j];
     ProbeAnswer answer;
     answer.normal = normal[g].simulation;
-    answer.body = summary;
+    answer.body = body.summary;
     answer.failure = normal[g].failure;
     const auto& scene = probes[i].fem;
     if (answer.failure.empty())
@@ -102,14 +95,33 @@ void run_on_body(const Body& body, const std::vector<Probe>& probes, const Indic
 
 }  // namespace
 
-void run_probes(const std::vector<Probe>& probes, const std::function<Body(const BodySpecification&)>& make_body,
+std::shared_ptr<const CondensedBody> condensed(Body&& body) {
+  const auto summary = std::make_shared<const BodySummary>(BodySummary{body.mesh_quality, body.cost, body.n_dofs(),
+                                                                       body.normal.space.contact_line().dofs.size(),
+                                                                       body.normal.contact.compliance.radii});
+  std::optional<fem::ContactProblem> tangential;
+  if (body.tangential) tangential = std::move(body.tangential->contact);
+  return std::make_shared<const CondensedBody>(
+      CondensedBody{std::move(body.normal.contact), std::move(tangential), summary});
+}
+
+std::shared_ptr<const CondensedBody> BodyStore::operator()(const BodySpecification& specification) {
+  auto& body = bodies_[specification];
+  if (!body) {
+    body = condensed(make_body_(specification));
+    spdlog::info("body: {} dofs, {} rings", body->summary->n_dofs, body->normal.n_rings());
+  }
+  return body;
+}
+
+void run_probes(const std::vector<Probe>& probes, const BodySource& body_of,
                 const std::function<void(std::size_t, ProbeAnswer&&)>& take, Schedule schedule) {
   std::map<BodySpecification, Indices> bodies;
   for (std::size_t i = 0; i < probes.size(); ++i) bodies[probes[i].fem.body].push_back(i);
   std::future<void> histories;  // of the body before
   for (const auto& [specification, members] : bodies) {
-    std::shared_ptr<Body> body;
-    const std::string failure = failure_of([&, &s = specification] { body = std::make_shared<Body>(make_body(s)); });
+    std::shared_ptr<const CondensedBody> body;
+    const std::string failure = failure_of([&, &s = specification] { body = body_of(s); });
     if (histories.valid()) histories.get();
     if (!body) {
       for (const std::size_t i : members) {
@@ -119,7 +131,6 @@ void run_probes(const std::vector<Probe>& probes, const std::function<Body(const
       }
       continue;
     }
-    spdlog::info("body: {} dofs, {} rings, {} scenes", body->n_dofs(), body->normal.contact.n_rings(), members.size());
     const auto run = [body, &probes, &members = members, &take] { run_on_body(*body, probes, members, take); };
     if (schedule == Schedule::exclusive)
       run();

@@ -1,11 +1,12 @@
 #include "comparison/study_driver.h"
 
+#include <functional>
 #include <utility>
 
 namespace fretval {
 
-void run_studies(std::vector<CaseStudy>& studies, const std::function<Body(const BodySpecification&)>& make_body,
-                 Schedule schedule) {
+void run_studies(std::vector<CaseStudy>& studies, const MakeBody& make_body) {
+  BodyStore bodies(make_body);
   while (true) {
     std::vector<Probe> probes;
     std::vector<std::pair<std::size_t, Resolution>> origin;  // study
@@ -16,12 +17,9 @@ void run_studies(std::vector<CaseStudy>& studies, const std::function<Body(const
         origin.emplace_back(s, resolution);
       }
     if (probes.empty()) return;
-    run_probes(
-        probes, make_body,
-        [&](std::size_t i, ProbeAnswer&& answer) {
-          studies[origin[i].first].take(origin[i].second, std::move(answer));
-        },
-        schedule);
+    run_probes(probes, std::ref(bodies), [&](std::size_t i, ProbeAnswer&& answer) {
+      studies[origin[i].first].take(origin[i].second, std::move(answer));
+    });
     for (auto& study : studies)
       if (!study.wanted().empty()) study.advance();
   }

@@ -1,16 +1,13 @@
 #pragma once
 
-#include <functional>
 #include <vector>
 
-#include "comparison/body.h"
 #include "comparison/case_study.h"
 
 namespace fretval {
 
-/// Runs studies until all are finished: what they want is computed round by round, together, so that they share bodies
-/// and normal histories (see run_probes). The studies' cases must outlive the call.
-void run_studies(std::vector<CaseStudy>& studies, const std::function<Body(const BodySpecification&)>& make_body,
-                 Schedule schedule = Schedule::overlapped);
+/// Runs studies until all are finished: what they want is computed round by round, together, so that they share normal
+/// histories (see run_probes); every body is made once. The studies' cases must outlive the call.
+void run_studies(std::vector<CaseStudy>& studies, const MakeBody& make_body);
 
 }  // namespace fretval

@@ -62,7 +62,7 @@ std::vector<std::vector<GridPoint>> grid_points(const std::vector<PreparedCase>&
     }
   }
   run_probes(
-      probes, make_timed_body,
+      probes, [](const BodySpecification& s) { return condensed(make_timed_body(s)); },
       [&](std::size_t i, ProbeAnswer&& answer) {
         const auto [c, s] = places[i];
         points[c][s] = {probes[i].fem.resolution, seconds_alone(answer),

@@ -58,7 +58,7 @@ void warm_up(const std::vector<Probe>& probes) {
   const auto coarsest = std::min_element(
       probes.begin(), probes.end(), [](const Probe& a, const Probe& b) { return a.fem.resolution < b.fem.resolution; });
   run_probes(
-      {*coarsest}, [](const BodySpecification& s) { return make_body(s); }, [](auto&&...) {});
+      {*coarsest}, [](const BodySpecification& s) { return condensed(make_body(s)); }, [](auto&&...) {});
 }
 
 std::vector<TradePoint> condensed_points(const PreparedCase& prepared, const TradePlan& plan,
@@ -74,7 +74,7 @@ std::vector<TradePoint> condensed_points(const PreparedCase& prepared, const Tra
     const ResidentGrowth growth;
     Body body = make_body(specification);
     body_peak = growth.peak_bytes();
-    return body;
+    return condensed(std::move(body));
   };
   std::vector<TradePoint> points(probes.size());
   for (int run = 0; run < plan.n_repetitions; ++run)
