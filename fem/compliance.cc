@@ -14,4 +14,10 @@ Compliance contact_compliance(const ContactLine& line, const Condensation& conde
   return compliance;
 }
 
+Eigen::MatrixXd cholesky_factor(const Compliance& compliance) {
+  const Eigen::LLT<Eigen::MatrixXd> factor(compliance.matrix);
+  if (factor.info() != Eigen::Success) throw SolverError("the contact compliance is not positive definite");
+  return factor.matrixL();
+}
+
 }  // namespace fretval::fem

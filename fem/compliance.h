@@ -21,4 +21,7 @@ struct Compliance {
 /// Throws SolverError if S is not positive definite.
 Compliance contact_compliance(const ContactLine& line, const Condensation& condensation);
 
+/// Lower Cholesky factor of the matrix. Throws SolverError if it is not positive definite.
+Eigen::MatrixXd cholesky_factor(const Compliance& compliance);
+
 }  // namespace fretval::fem

@@ -12,12 +12,6 @@ namespace {
 
 constexpr Eigen::Index n_fitted_events = 6;
 
-Eigen::MatrixXd cholesky_factor(const Compliance& compliance) {
-  const Eigen::LLT<Eigen::MatrixXd> factor(compliance.matrix);
-  if (factor.info() != Eigen::Success) throw SolverError("the contact compliance is not positive definite");
-  return factor.matrixL();
-}
-
 /// Where the polynomial fitted to y(x) (least squares) vanishes, between the last but one x and a limit; empty if it
 /// does not. y falls.
 std::optional<double> root_beyond(const Eigen::VectorXd& x, const Eigen::VectorXd& y, int degree, double limit) {
@@ -42,10 +36,10 @@ bool has_equal_rings(const Compliance& compliance) {
   return true;
 }
 
-/// Radius at an indentation between events m - 1 and m, by the polynomial through the four nearest events.
+/// Radius at an indentation between events m - 1 and m, by the polynomial through the nearest events.
 double radius_at(const ContactEvents& events, Eigen::Index m, double indentation) {
-  const Eigen::Index n = std::min<Eigen::Index>(4, events.radius.size());
-  const Eigen::Index begin = std::clamp<Eigen::Index>(m - 2, 0, events.radius.size() - n);
+  const Eigen::Index n = std::min(n_fitted_events, events.radius.size());
+  const Eigen::Index begin = std::clamp<Eigen::Index>(m - n / 2, 0, events.radius.size() - n);
   return Stencil{events.indentation, events.radius, begin, n}(indentation);
 }
 
@@ -70,23 +64,6 @@ EffectiveRadii effective_radii(const Compliance& compliance) {
   const Eigen::VectorXd fit = fitted.colPivHouseholderQr().solve(force.segment(begin, count));
   const double scatter = (fitted * fit - force.segment(begin, count)).cwiseAbs().maxCoeff() / fit[0];
   return {force / fit[0], scatter};
-}
-
-ContactEvents contact_events(const Compliance& compliance, const Eigen::VectorXd& profile) {
-  const Eigen::Index n = compliance.areas.size();
-  const Eigen::MatrixXd factor = cholesky_factor(compliance);
-  const auto& areas = compliance.areas;
-  const Eigen::VectorXd by_indentation = factor.triangularView<Eigen::Lower>().solve(areas);
-  const Eigen::VectorXd by_profile = factor.triangularView<Eigen::Lower>().solve(areas.cwiseProduct(profile));
-  const Eigen::VectorXd effective = effective_radii(compliance).radius;
-  ContactEvents events{Eigen::VectorXd(n), Eigen::VectorXd(n), Eigen::VectorXd(n)};
-  for (Eigen::Index m = 0; m < n; ++m) {
-    const auto row = factor.row(m).head(m);
-    events.closing_rate[m] = 1 - row.dot(by_indentation.head(m)) / areas[m];
-    events.indentation[m] = (profile[m] - row.dot(by_profile.head(m)) / areas[m]) / events.closing_rate[m];
-    events.radius[m] = m == 0 ? 0 : (effective[m] + effective[m + 1]) / 2;
-  }
-  return events;
 }
 
 EdgeRadius largest_contact_radius(const NormalHistory& history, const ContactEvents& events) {

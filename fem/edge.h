@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 
 #include "fem/compliance.h"
+#include "fem/contact_events.h"
 #include "fem/normal_history.h"
 
 namespace fretval::fem {
@@ -25,17 +26,6 @@ struct EffectiveRadii {
   double scatter;
 };
 EffectiveRadii effective_radii(const Compliance& compliance);
-
-/// The elastic indentations at which one more ring comes into contact, and the contact radius at each: the mean of the
-/// effective radii before and after. Between such events the radius is interpolated by a cubic.
-struct ContactEvents {
-  Eigen::VectorXd indentation;   ///< [m]: ring m touches while rings 0..m-1 are pressed
-  Eigen::VectorXd closing_rate;  ///< [m]: -d(gap of ring m)/d(indentation) just before
-  Eigen::VectorXd radius;
-};
-
-/// profile: ring means. The first event (m = 0) is the first touch.
-ContactEvents contact_events(const Compliance& compliance, const Eigen::VectorXd& profile);
 
 /// Largest contact radius of the last cycle of a normal history: the remaining gap of the first ring that never touches
 /// says how much deeper the indenter would have had to go for the next event. While the contact is the largest so far,
