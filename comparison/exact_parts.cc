@@ -6,7 +6,6 @@
 
 #include "fem/contact_force.h"
 #include "fem/edge.h"
-#include "fem/friction_force.h"
 #include "fem/solver_error.h"
 
 namespace fretval {
@@ -44,17 +43,18 @@ LadderRow time_row(const std::string& scene, const std::string& quantity, const 
 
 FrictionLimit friction_limit(const LadderMesh& mesh, const mdr::Profile& profile, double indentation) {
   const auto contact = fem::normal_contact(mesh.normal, means_of(profile, mesh.normal), indentation);
-  return {friction_coefficient * contact.pressure,
-          friction_coefficient * fem::contact_force(mesh.normal.series, contact.pressure, contact.gap).force};
+  const auto normal = fem::contact_force(mesh.normal.series, contact.pressure, contact.gap);
+  return {friction_coefficient * contact.pressure, friction_coefficient * normal.force, normal.radius};
 }
 
-ElasticSliding::ElasticSliding(const fem::ContactProblem& tangential)
-    : problem_(tangential),
-      slip_(Eigen::VectorXd::Zero(tangential.n_rings())),
+ElasticSliding::ElasticSliding(const LadderMesh& mesh)
+    : problem_(mesh.tangential),
+      touching_{mesh.normal.series.radii()},
+      slip_(Eigen::VectorXd::Zero(problem_.n_rings())),
       traction_(slip_),
       limit_(slip_),
-      states_(static_cast<std::size_t>(tangential.n_rings()), fem::BoxState::interior),
-      zones_(tangential.n_rings()) {}
+      states_(static_cast<std::size_t>(problem_.n_rings()), fem::BoxState::interior),
+      zones_(problem_.n_rings()) {}
 
 const Eigen::VectorXd& ElasticSliding::step(double displacement, const FrictionLimit& friction) {
   const auto& limit = friction.rings;
@@ -65,12 +65,13 @@ const Eigen::VectorXd& ElasticSliding::step(double displacement, const FrictionL
   traction_ = std::move(solution.x);
   limit_ = limit;
   limit_force_ = friction.force;
+  touching_.move_to(friction.contact_radius);
   zones_.update(limit, states_, problem_.series.depths(traction_));
   return traction_;
 }
 
 double ElasticSliding::force() const {
-  return fem::friction_force(problem_.series, zones_, problem_.series.depths(limit_), limit_force_);
+  return fem::friction_force(problem_.series, zones_, touching_, problem_.series.depths(limit_), limit_force_);
 }
 
 double ElasticSliding::stick_radius() const {

@@ -8,10 +8,10 @@
 #include "comparison/exact_rows.h"
 #include "comparison/ladder.h"
 #include "fem/box_solver.h"
+#include "fem/friction_force.h"
 #include "fem/friction_history.h"
 #include "fem/normal_history.h"
 #include "fem/relaxation.h"
-#include "fem/slip_zones.h"
 #include "mdr/profile.h"
 #include "mdr/prony_body.h"
 
@@ -55,6 +55,7 @@ LadderRow time_row(const std::string& scene, const std::string& quantity, const 
 struct FrictionLimit {
   Eigen::VectorXd rings;  ///< mu p
   double force;           ///< mu times the normal force
+  double contact_radius;
 };
 
 /// Under a profile at an indentation.
@@ -64,7 +65,7 @@ FrictionLimit friction_limit(const LadderMesh& mesh, const mdr::Profile& profile
 /// not grow within a step and no ring slips back and forth within one.
 class ElasticSliding {
  public:
-  explicit ElasticSliding(const fem::ContactProblem& tangential);
+  explicit ElasticSliding(const LadderMesh& mesh);
 
   /// Traction after a step to a displacement of the indenter; limit: at its end.
   const Eigen::VectorXd& step(double displacement, const FrictionLimit& limit);
@@ -75,6 +76,7 @@ class ElasticSliding {
 
  private:
   const fem::ContactProblem& problem_;
+  fem::TouchingRings touching_;
   Eigen::VectorXd slip_, traction_, limit_;
   double limit_force_ = 0;
   std::vector<fem::BoxState> states_;

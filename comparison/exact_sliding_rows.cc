@@ -29,7 +29,7 @@ std::vector<LadderRow> sliding_rows(const std::vector<LadderMesh>& meshes, const
       double error = 0;
       for (int k = 0; k < n_positions; ++k) {
         const double u = all_slides * (1 - mdr::transform(profile, position(k, 0.3, 0.9)));
-        ElasticSliding sliding(mesh.tangential);
+        ElasticSliding sliding(mesh);
         sliding.step(u, limit);
         take_worst(error, error_of(sliding, u));
       }
@@ -81,7 +81,7 @@ LadderRow unloading_row(const std::vector<LadderMesh>& meshes, const ExactSlidin
     double worst = 0;
     for (const double amplitude : {0.3, 0.6, 0.9}) {
       const double reversal = amplitude * all_slides, largest = exact.force(reversal);
-      ElasticSliding sliding(mesh.tangential);
+      ElasticSliding sliding(mesh);
       sliding.step(reversal, limit);
       for (int k = 0; k < n_positions; ++k) {
         const double u = position(k, reversal, -reversal);

@@ -54,10 +54,63 @@ HeldReserve held_reserve(const PunchSeries& series, const SlipZones& zones, Eige
   return result;
 }
 
+/// Depths at the radii of the series instead of those at which their rings touched again.
+Eigen::VectorXd at_own_radii(const PunchSeries& series, const TouchingRings& touching,
+                             const std::vector<signed char>& labels, const Eigen::VectorXd& depths) {
+  Eigen::VectorXd moved = depths;
+  const auto& radii = touching.radii;
+  const auto touched = [&](Index i) {
+    return i >= 0 && i < depths.size() && labels[static_cast<std::size_t>(i)] == SlipZones::touched_again;
+  };
+  for (Index i = 0; i < depths.size(); ++i) {
+    const Index inner = touched(i - 1) ? i - 1 : i, outer = touched(i + 1) ? i + 1 : i;
+    if (touched(i) && inner < outer)
+      moved[i] += (depths[outer] - depths[inner]) / (radii[outer] - radii[inner]) * (series.radii()[i] - radii[i]);
+  }
+  return moved;
+}
+
+/// The force if all rings stick and less than three have touched since the contact turned; empty otherwise.
+std::optional<double> force_of_growing_contact(const PunchSeries& series, const SlipZones& zones,
+                                               const TouchingRings& touching, const Eigen::VectorXd& limit_depths,
+                                               Index n_pressed) {
+  const double turning = touching.turning_radius, edge = touching.contact_radius;
+  const auto& radii = touching.radii;
+  const auto& depths = zones.depths();
+  const auto& labels = zones.labels();
+  Index n_before = n_pressed;
+  while (n_before > 0 && radii[n_before - 1] > turning) --n_before;
+  if (!touching.from_zero || n_before < n_stencil || n_pressed - n_before >= n_to_continue || edge <= turning)
+    return std::nullopt;
+  const std::vector<signed char> before(labels.begin(), labels.begin() + n_before);
+  const Index n_last =
+      std::find_if(before.rbegin(), before.rend(), [&](auto z) { return z != before.back(); }) - before.rbegin();
+  const Index n = std::min(n_last, n_stencil);
+  const double ring = radii[n_before] - radii[n_before - 1];
+  std::vector<double> x{turning}, y{Stencil{series.radii(), depths, n_before - n, n}(turning)};
+  for (Index i = n_before; i < n_pressed; ++i)
+    if (std::min(radii[i] - turning, edge - radii[i]) > 0.25 * ring) {
+      x.push_back(radii[i]);
+      y.push_back(depths[i]);
+    }
+  x.push_back(edge);
+  y.push_back(0);
+  const auto size = static_cast<Index>(x.size());
+  const Eigen::VectorXd at = Eigen::Map<Eigen::VectorXd>(x.data(), size),
+                        depth = Eigen::Map<Eigen::VectorXd>(y.data(), size);
+  const Stencil growth{at, depth, 0, size}, limit{series.radii(), limit_depths, n_pressed - n_stencil, n_stencil};
+  for (const double share : {0.25, 0.5, 0.75}) {
+    const double r = turning + share * (edge - turning);
+    if (std::abs(growth(r)) > limit(r)) return std::nullopt;
+  }
+  return series.integral(depths.head(n_before), before, turning) +
+         series.force_per_radius() * growth.integral(turning, edge);
+}
+
 }  // namespace
 
-double friction_force(const PunchSeries& series, const SlipZones& zones, const Eigen::VectorXd& limit_depths,
-                      double limit_force) {
+double friction_force(const PunchSeries& series, const SlipZones& zones, const TouchingRings& touching,
+                      const Eigen::VectorXd& limit_depths, double limit_force) {
   const auto& labels = zones.labels();
   const Index n_pressed = std::find(labels.begin(), labels.end(), SlipZones::free) - labels.begin();
   const auto slip = zones.slip().begin();
@@ -66,9 +119,13 @@ double friction_force(const PunchSeries& series, const SlipZones& zones, const E
   Index n_stuck = n_pressed;
   while (n_stuck > 0 && outermost != 0 && slip[n_stuck - 1] == outermost) --n_stuck;
   if (n_stuck == 0) return outermost * limit_force;
-  const Eigen::VectorXd held = zones.held_depths().array() + zones.depths()[0];
+  if (outermost == 0)
+    if (const auto force = force_of_growing_contact(series, zones, touching, limit_depths, n_pressed)) return *force;
+  const Eigen::VectorXd depths = at_own_radii(series, touching, labels, zones.depths());
+  const Eigen::VectorXd held =
+      at_own_radii(series, touching, zones.held_labels(), zones.held_depths()).array() + zones.depths()[0];
   const auto against = [&](int direction) {
-    return held_reserve(series, zones, (limit_depths - direction * zones.depths()).head(n_pressed),
+    return held_reserve(series, zones, (limit_depths - direction * depths).head(n_pressed),
                         limit_depths - direction * held, n_stuck);
   };
   const auto force = [&](int direction, const HeldReserve& reserve, double end) {
@@ -82,7 +139,7 @@ double friction_force(const PunchSeries& series, const SlipZones& zones, const E
   const auto forward = against(1), backward = against(-1);
   if (forward.end && !(backward.end && *backward.end < *forward.end)) return force(1, forward, *forward.end);
   if (backward.end) return force(-1, backward, *backward.end);
-  return series.integral(zones.depths(), labels);
+  return series.integral(depths, labels);
 }
 
 }  // namespace fretval::fem

@@ -130,6 +130,7 @@ FrictionHistory friction_history(const ContactProblem& problem, const Relaxation
   // No floor under a reserve: below zero between two samples it tells what a finer step would have let slip.
   RunningMinimum first_slip(n, 0), first_forward(n, -infinity), first_backward(n, -infinity);
   std::vector<double> force{0};
+  TouchingRings touching{normal.touch_radii, relaxation.viscosity == 0};
   Period period(n, period_steps);
   while (!(history.periodicity <= control.periodicity)) {
     if (history.n_cycles >= control.max_cycles * motion.cycles_per_period())
@@ -157,8 +158,9 @@ FrictionHistory friction_history(const ContactProblem& problem, const Relaxation
           (weight * depths + (1 - weight) * traction_depths).cwiseProduct(series.displacements(step.slip));
       traction = step.traction;
       traction_depths = depths;
+      touching.move_to(normal.contact_radius[column]);
       force.push_back(
-          friction_force(series, stepper.zones(), limit_depths, friction_coefficient * normal.force[column]));
+          friction_force(series, stepper.zones(), touching, limit_depths, friction_coefficient * normal.force[column]));
     }
     history.n_cycles += motion.cycles_per_period();
     history.slip_path += period.slip;

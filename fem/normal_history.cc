@@ -63,12 +63,14 @@ class Stepper {
       if (contact.pressure[i] > 0) contact_[static_cast<std::size_t>(i)] = BoxState::interior;
     const auto elastic = contact_force(problem_.series, contact.pressure, contact.gap);
     force_.push_back(relaxed_ * elastic.force);
+    radius_.push_back(elastic.radius);
     largest_radius_ = elastic.radius;
     return relaxed_ * contact.pressure;
   }
 
   /// At every instant so far.
   [[nodiscard]] const std::vector<double>& forces() const { return force_; }
+  [[nodiscard]] const std::vector<double>& contact_radii() const { return radius_; }
 
   void compute_cycle(NormalHistory& history, std::vector<Eigen::VectorXd>& pressure, std::vector<double>& time) {
     history.smallest_gap = Eigen::VectorXd::Constant(profile_.size(), infinity);
@@ -108,6 +110,7 @@ class Stepper {
     const Eigen::VectorXd gap = weight * new_gap + (1 - weight) * gap_;
     const auto [force, radius] = contact_force(problem_.series, contact.pressure, gap, {largest_radius_, n_closed()});
     force_.push_back(force);
+    radius_.push_back(radius);
     largest_radius_ = std::max(largest_radius_, radius);
     gap_ = new_gap;
     return std::move(contact.pressure);
@@ -123,7 +126,7 @@ class Stepper {
   std::vector<BoxState> contact_;
   Eigen::VectorXd gap_;
   double largest_radius_ = 0;  // of the contact, so far
-  std::vector<double> force_;
+  std::vector<double> force_, radius_;
 };
 
 double longest_time(const RelaxationModel& relaxation) {
@@ -193,6 +196,8 @@ NormalHistory normal_history(const ContactProblem& problem, const RelaxationMode
     history.indentation[k] = normal_motion(motion, history.time[k]).value;
   }
   history.force = Eigen::Map<const Eigen::VectorXd>(stepper.forces().data(), n);
+  history.contact_radius = Eigen::Map<const Eigen::VectorXd>(stepper.contact_radii().data(), n);
+  history.touch_radii = problem.series.radii();
   return history;
 }
 

@@ -27,6 +27,8 @@ struct NormalHistory {
   Eigen::MatrixXd pressure;              ///< n_rings x n_instants
   Eigen::VectorXd indentation;           ///< per instant
   Eigen::VectorXd force;                 ///< per instant, see contact_force
+  Eigen::VectorXd contact_radius;        ///< per instant
+  Eigen::VectorXd touch_radii;           ///< of the contact when a ring touches, see PunchSeries::radii
   Eigen::VectorXd smallest_gap;          ///< per ring over the last cycle; 0 for rings that touch
   Eigen::VectorXd deepest_displacement;  ///< of the rings, at the largest indentation of the last cycle
   Eigen::VectorXd highest_displacement;  ///< of the rings, at the smallest indentation of the last cycle

@@ -53,6 +53,8 @@ class PunchSeries {
   /// Radius at which the pressure of n_pressed rings vanishes; empty if their contact does not end there.
   [[nodiscard]] std::optional<double> edge_of_pressure(const Eigen::VectorXd& depths, Eigen::Index n_pressed) const;
 
+  /// k, of a unit punch.
+  [[nodiscard]] double force_per_radius() const { return force_per_radius_; }
   /// Radii that the depths belong to.
   [[nodiscard]] const Eigen::VectorXd& radii() const { return radii_; }
   /// Effective radius of the n innermost rings, n = 0..n_rings.

@@ -107,8 +107,10 @@ TEST_F(PunchSeriesTest, FrictionForceOfZonesNarrowerThanARing) {
   const double mu = 0.5, all_slides = 1.5 * mu, u0 = 0.5 * all_slides;
   const auto contact = hertz_contact(problem_, 1);
   const Eigen::VectorXd limit = mu * contact.pressure;
-  const double normal_force = contact_force(series_, contact.pressure, contact.gap).force;
-  const auto exact = [&](double u) { return mu * normal_force * (1 - std::pow(1 - u / all_slides, 1.5)); };
+  const auto [normal_force, contact_radius] = contact_force(series_, contact.pressure, contact.gap);
+  TouchingRings touching{series_.radii()};
+  touching.move_to(contact_radius);
+  const auto exact = [&, f = normal_force](double u) { return mu * f * (1 - std::pow(1 - u / all_slides, 1.5)); };
   Eigen::VectorXd slip = Eigen::VectorXd::Zero(problem_.n_rings());
   std::vector<BoxState> states(static_cast<std::size_t>(slip.size()), BoxState::interior);
   SlipZones zones(slip.size());
@@ -120,13 +122,52 @@ TEST_F(PunchSeriesTest, FrictionForceOfZonesNarrowerThanARing) {
     const auto solution = tangential.solver.solve(load, -limit, limit, states);
     slip += solution.residual.cwiseQuotient(areas);
     zones.update(limit, states, tangential.series.depths(solution.x));
-    const double force = friction_force(tangential.series, zones, tangential.series.depths(limit), mu * normal_force);
+    const double force =
+        friction_force(tangential.series, zones, touching, tangential.series.depths(limit), mu * normal_force);
     const double expected = exact(u0) - 2 * exact((u0 - u) / 2);
     worst = std::max(worst, std::abs(force - expected) / exact(u0));
     worst_sum = std::max(worst_sum, std::abs(solution.x.dot(areas) - expected) / exact(u0));
   }
   EXPECT_LT(worst, 4e-5);
   EXPECT_GT(worst_sum, 5e-4);
+}
+
+// A contact that grows while it sticks, from rest: each spring carries on from where it touched, so the force is that
+// of the normal one, 2/3 of the slope as large (Jaeger 1993).
+TEST_F(PunchSeriesTest, FrictionForceOfAContactThatHasGrownByLessThanThreeRings) {
+  const auto& tangential = tangential_half_space(32);
+  const double mu = 0.5, slope = 0.3, first = 0.5;
+  Eigen::VectorXd slip = Eigen::VectorXd::Zero(problem_.n_rings());
+  std::vector<BoxState> states(static_cast<std::size_t>(slip.size()), BoxState::interior);
+  SlipZones zones(slip.size());
+  TouchingRings touching{series_.radii()};
+  double first_force = 0, worst = 0, worst_sum = 0;
+  // Steps end where a ring touches: a ring that touches within one would stick since its beginning.
+  std::vector<double> indentations;
+  for (int k = 0; k <= 40; ++k) indentations.push_back(first + 0.003 * k);
+  const Eigen::VectorXd profile = ring_means(problem_.compliance, [](double r) { return r * r / 2; });
+  for (const double d : contact_events(problem_.compliance, profile).indentation)
+    if (first < d && d < indentations.back()) indentations.push_back(d);
+  std::sort(indentations.begin(), indentations.end());
+  for (const double indentation : indentations) {
+    const auto contact = hertz_contact(problem_, indentation);
+    const auto normal = contact_force(series_, contact.pressure, contact.gap);
+    if (indentation == first) first_force = normal.force;
+    touching.move_to(normal.radius);
+    const Eigen::VectorXd limit = mu * contact.pressure;
+    const auto& areas = tangential.compliance.areas;
+    const Eigen::VectorXd load = areas.array() * (slope * (indentation - first) - slip.array());
+    const auto solution = tangential.solver.solve(load, -limit, limit, states);
+    slip += solution.residual.cwiseQuotient(areas);
+    zones.update(limit, states, tangential.series.depths(solution.x));
+    const double force =
+        friction_force(tangential.series, zones, touching, tangential.series.depths(limit), mu * normal.force);
+    const double exact = 2.0 / 3 * slope * (normal.force - first_force);
+    worst = std::max(worst, std::abs(force - exact));
+    worst_sum = std::max(worst_sum, std::abs(solution.x.dot(areas) - exact));
+  }
+  EXPECT_LT(worst, 1e-6 * first_force);
+  EXPECT_GT(worst_sum, 1e-4 * first_force);
 }
 
 TEST_F(PunchSeriesTest, ShortZonesFallBackToTheSum) {
