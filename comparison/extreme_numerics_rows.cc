@@ -1,0 +1,56 @@
+#include <fmt/format.h>
+
+#include "comparison/extreme_rows.h"
+
+namespace fretval {
+namespace {
+
+ExtremeRow flattened_row(double aspect) {
+  ExtremeRow row{"flat cells under the contact", fmt::format("aspect ratio {:g}", aspect), extremes_base()};
+  row.flattening = aspect;
+  return row;
+}
+
+ExtremeRow cycles_row(int n_cycles) {
+  ExtremeRow row{"cycles", fmt::format("{} at least", n_cycles), extremes_base()};
+  row.ramp_cycles = n_cycles;
+  return row;
+}
+
+ExtremeRow refused(const char* family, const char* value, const Entries& entries, const char* words) {
+  return {family, value, entries, words};
+}
+
+}  // namespace
+
+std::vector<ExtremeRow> extreme_numerics_rows() {
+  std::vector<ExtremeRow> rows;
+  rows.push_back(refused("steps per cycle", "4", with(extremes_base(), {{"Accuracy / Steps per cycle", "4"}}),
+                         "Accuracy / Steps per cycle"));
+  for (const int n : {12, 16, 36, 100, 1000, 10000})
+    rows.push_back({"steps per cycle", fmt::format("{}", n),
+                    with(extremes_base(), {{"Accuracy / Steps per cycle", fmt::format("{}", n)}})});
+  for (const int n : {1, 10, 100, 1000, 10000}) rows.push_back(cycles_row(n));
+  rows.push_back(refused("rings per radius", "4", with(extremes_base(), {{"Accuracy / Rings per radius", "4"}}),
+                         "Accuracy / Rings per radius"));
+  for (const int n : {8, 16, 64, 256})
+    rows.push_back({"rings per radius", fmt::format("{}", n),
+                    with(extremes_base(), {{"Accuracy / Rings per radius", fmt::format("{}", n)}})});
+  for (const double aspect : {1.0, 10.0, 100.0}) rows.push_back(flattened_row(aspect));
+  return rows;
+}
+
+std::vector<ExtremeRow> extreme_bad_input_rows() {
+  const auto changed = [](const char* place, const char* value) { return with(extremes_base(), {{place, value}}); };
+  const auto row = [&](const char* place, const char* value) {
+    return refused("refused input", (std::string(place) + " = " + value).c_str(), changed(place, value), place);
+  };
+  return {row("Elastomer / Relaxed shear modulus", "0"),
+          row("Friction / Coefficient", "0"),
+          row("Motion / Indentation", "0"),
+          row("Motion / Normal frequency", "inf"),
+          row("Motion / Tangential amplitude", "nan"),
+          row("Accuracy / Tolerance", "1e-9")};
+}
+
+}  // namespace fretval
