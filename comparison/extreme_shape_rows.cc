@@ -44,7 +44,7 @@ Entries table(const char* file) {
 Entries limiting(double stick_ratio) {
   return with(extremes_base(), {{"Wear / State", "limiting"},
                                 {"Wear / Stick radius ratio", entry_text(stick_ratio)},
-                                {"Motion / Normal amplitude", "1e-5"},
+                                {"Motion / Normal amplitude", "1e-7"},
                                 {"Motion / Tangential amplitude", "shakedown"}});
 }
 

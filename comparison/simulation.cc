@@ -60,7 +60,9 @@ NoWearEvidence no_wear_evidence(const fem::Compliance& compliance, const FemScen
 }
 
 fem::HistoryControl control_of(const FemScene& scene) {
-  return {scene.resolution.steps_per_cycle, 400, scene.resolution.periodicity};
+  constexpr int most_after_ramp = 400;
+  return {scene.resolution.steps_per_cycle, scene.resolution.n_ramp_cycles + most_after_ramp,
+          scene.resolution.periodicity};
 }
 
 /// A stick zone narrower than a ring is none that the mesh can show.
