@@ -58,6 +58,20 @@ double shown(const std::string& quantity, double value) {
   return quantity == "normal_force_max" ? std::exp(value) : value;
 }
 
+ExtremeError error_of(const std::string& quantity, double exact, double fe, double tolerance,
+                      const ErrorBudget& budget) {
+  ExtremeError error{shown(quantity, exact), shown(quantity, fe), fe - exact, tolerance,
+                     std::numeric_limits<double>::infinity()};
+  const auto found = budget.find(quantity);
+  if (found == budget.end()) return error;
+  error.bar = found->second.total();
+  const auto& shares = found->second.shares;
+  const auto largest = std::max_element(shares.begin(), shares.end(),
+                                        [](const auto& a, const auto& b) { return a.estimate < b.estimate; });
+  if (largest != shares.end()) error.source = name_of(largest->source);
+  return error;
+}
+
 void finish(const Job& job, const StudyResult& study, ExtremeRecord& record) {
   record.refusal = study.answer.failure;
   record.seconds = study.seconds;
@@ -72,13 +86,9 @@ void finish(const Job& job, const StudyResult& study, ExtremeRecord& record) {
   if (!record.refusal.empty()) return;
   const auto& fem = job.prepared->fem;
   const auto exact = measures_of(job.exact, fem.units, fem.worn_edge.has_value());
-  for (const auto& [quantity, value] : measures_of(study.answer.fe, fem.units)) {
-    const auto bar = study.budget.find(quantity);
-    record.errors[quantity] = {
-        shown(quantity, exact.at(quantity)), shown(quantity, value), value - exact.at(quantity),
-        tolerance_of(job.prepared->tolerances, quantity),
-        bar == study.budget.end() ? std::numeric_limits<double>::infinity() : bar->second.total()};
-  }
+  for (const auto& [quantity, value] : measures_of(study.answer.fe, fem.units))
+    record.errors[quantity] =
+        error_of(quantity, exact.at(quantity), value, tolerance_of(job.prepared->tolerances, quantity), study.budget);
 }
 
 std::vector<std::size_t> jobs_with(const std::vector<ExtremeRow>& rows, const std::vector<Job>& jobs,

@@ -11,9 +11,10 @@ namespace fretval {
 /// One quantity of a scene, in the units of comparison: radii over the unworn contact radius at the largest indentation
 /// (0: nothing sticks), forces over G'(0) d_max a.
 struct ExtremeError {
-  double mdr, fe;         ///< fe: finite elements, or the springs that take their place
-  double error;           ///< fe less mdr; of forces, of their logarithms
-  double tolerance, bar;  ///< bar: of fe
+  double mdr, fe;           ///< fe: finite elements, or the springs that take their place
+  double error;             ///< fe less mdr; of forces, of their logarithms
+  double tolerance, bar;    ///< bar: of fe
+  std::string source = {};  ///< of the largest share of the bar
 
   [[nodiscard]] bool is_finite() const;
   [[nodiscard]] bool covered() const;

@@ -23,6 +23,7 @@ ordered_json json_of(const ExtremeRecord& record) {
                         {"fe", or_null(e.fe)},
                         {"error", or_null(e.error)},
                         {"bar", or_null(e.bar)},
+                        {"largest_share", or_null(e.source)},
                         {"tolerance", e.tolerance}};
   return {{"family", record.row.family},
           {"value", record.row.value},

@@ -14,7 +14,7 @@ namespace {
 /// Largest value of a smooth periodic signal, which lies between samples: the peak of a quartic fitted to those within
 /// a twentieth of a period of the largest one, two on either side of it at least.
 double periodic_maximum(const Eigen::VectorXd& samples) {
-  const Eigen::Index n = samples.size(), half = std::max<Eigen::Index>(2, n / 20);
+  const Eigen::Index n = samples.size(), half = std::max<Eigen::Index>(2, n / 60);
   Eigen::Index peak = 0;
   samples.maxCoeff(&peak);
   Eigen::MatrixXd powers(2 * half + 1, 5);
