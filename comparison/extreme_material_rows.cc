@@ -10,6 +10,8 @@ namespace fretval {
 namespace {
 
 constexpr double pi = 3.14159265358979323846;
+// A body that creeps for more than some 1e5 cycles is refused by name.
+constexpr const char* creeps = "the body creeps for";
 constexpr double relaxed_modulus = 1e6, indentation = 1e-4;  // Pa, m
 
 Entries kelvin_voigt(double omega_tau) {
@@ -39,14 +41,14 @@ void add_bodies(std::vector<ExtremeRow>& rows) {
     rows.push_back(
         {"viscosity, Kelvin-Voigt", fmt::format("omega eta/G0 = {:g}", x), with_small_amplitudes(kelvin_voigt(x))});
   for (const double x : {1e-1, 1e-2, 1e-4, 1e-6})
-    rows.push_back({"softening, G1/G0 at omega tau = 1", fmt::format("G0/Ginf = {:g}", x),
-                    with_small_amplitudes(standard_solid(1, 1 / x - 1))});
+    rows.push_back({"softening, omega tau = 1", fmt::format("G0/Ginf = {:g}", x),
+                    with_small_amplitudes(standard_solid(1, 1 / x - 1)), x < 1e-5 ? creeps : ""});
   for (const double x : {1e2, 1e4, 1e6})
-    rows.push_back({"softening, fast branch at omega tau = 1e6", fmt::format("G0/Ginf = {:g}", 1 / x),
-                    with_small_amplitudes(standard_solid(1e6, x - 1))});
+    rows.push_back({"softening, omega tau = 1e6", fmt::format("G0/Ginf = {:g}", 1 / x),
+                    with_small_amplitudes(standard_solid(1e6, x - 1)), creeps});
   for (const double x : {1e-1, 1e-3, 1e-6})
-    rows.push_back(
-        {"softening, amplitudes kept (contact opens)", fmt::format("G0/Ginf = {:g}", x), standard_solid(1, 1 / x - 1)});
+    rows.push_back({"softening, contact opens", fmt::format("G0/Ginf = {:g}", x), standard_solid(1, 1 / x - 1),
+                    x < 1e-5 ? creeps : ""});
 }
 
 void add_friction(std::vector<ExtremeRow>& rows) {

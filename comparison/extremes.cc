@@ -101,7 +101,8 @@ std::vector<std::size_t> jobs_with(const std::vector<ExtremeRow>& rows, const st
 
 Body make_flat_body(const BodySpecification& specification, double flattening) {
   if (flattening == 1) return make_body(specification);
-  return make_body(flattened(mesh_of(specification), flattening, specification.contact_nodes.back()), "flattened mesh",
+  const auto& nodes = specification.contact_nodes;
+  return make_body(flattened(mesh_of(specification), flattening, nodes[1], nodes.back()), "flattened mesh",
                    specification.degree, specification.tangential);
 }
 

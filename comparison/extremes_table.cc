@@ -43,8 +43,8 @@ std::string remark_of(const ExtremeRecord& record) {
   std::string remark;
   for (const auto& [quantity, e] : record.errors)
     if (e.bar > e.tolerance)
-      remark +=
-          fmt::format("{}{}: bar {:.1e}, tolerance {:.0e}", remark.empty() ? "" : "; ", quantity, e.bar, e.tolerance);
+      remark += fmt::format("{}{}: bar {:.1e}, mostly {}, tolerance {:.0e}", remark.empty() ? "" : "; ", quantity,
+                            e.bar, e.source, e.tolerance);
   return remark;
 }
 

@@ -5,10 +5,12 @@
 
 namespace fretval {
 
-meshes::Mesh flattened(meshes::Mesh mesh, double aspect, double reach) {
+meshes::Mesh flattened(meshes::Mesh mesh, double aspect, double ring, double reach) {
+  const double steepest = std::log(aspect) / std::log(reach / ring);
   for (auto& [r, z] : mesh.nodes) {
-    const double x = std::clamp((std::hypot(r, z) / reach - 1) / 6, 0.0, 1.0);
-    z *= std::pow(aspect, x * x * (3 - 2 * x) - 1);
+    const double x = std::clamp((r / reach - 1) / 2, 0.0, 1.0);
+    const double power = steepest * (1 - x * x * (3 - 2 * x));
+    if (z < 0 && z > -reach) z *= std::pow(-z / reach, power);
   }
   return mesh;
 }
