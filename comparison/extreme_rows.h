@@ -17,13 +17,12 @@ struct ExtremeRow {
   bool springs = false;                 ///< MDR is held to the transient spring foundation, finite elements refuse
   double flattening = 1;                ///< of the cells under the contact, see flattened() in comparison/flat_mesh.h
   std::optional<int> ramp_cycles = {};  ///< at least so many cycles are computed; empty: what the tolerance asks for
-  bool in_short = false;                ///< belongs to the short form
 };
 
 /// All families. Throws InputError if a scene cannot be set up.
 std::vector<ExtremeRow> extreme_rows();
 
-/// Those of the short form.
+/// Those of the short form, one or two of a family.
 std::vector<ExtremeRow> short_extreme_rows();
 
 /// Those whose family contains a text.

@@ -17,6 +17,7 @@ ordered_json entries_of(const Entries& entries) {
 }
 
 ordered_json json_of(const ExtremeRecord& record) {
+  const auto* worst = worst_of(record);
   auto errors = ordered_json::object();
   for (const auto& [quantity, e] : record.errors)
     errors[quantity] = {{"mdr", or_null(e.mdr)},
@@ -34,6 +35,7 @@ ordered_json json_of(const ExtremeRecord& record) {
           {"refusal", or_null(record.refusal)},
           {"second_way", record.row.springs ? "springs" : "finite elements"},
           {"errors", std::move(errors)},
+          {"worst", worst ? ordered_json(worst->first) : ordered_json(nullptr)},
           {"seconds", record.seconds},
           {"refinements", record.n_refinements},
           {"size_ratio", record.size_ratio},
