@@ -6,7 +6,8 @@ namespace fretval {
 namespace {
 
 ExtremeRow flattened_row(double aspect) {
-  ExtremeRow row{"flat cells under the contact", fmt::format("aspect ratio {:g}", aspect), extremes_base()};
+  ExtremeRow row{"flat cells under the contact", fmt::format("aspect ratio {:g}", aspect),
+                 with(extremes_base(), {{"Accuracy / Tolerance", "0.1"}})};
   row.flattening = aspect;
   return row;
 }
@@ -28,14 +29,22 @@ std::vector<ExtremeRow> extreme_numerics_rows() {
   for (const char* n : {"4", "15"})
     rows.push_back(refused("steps per cycle", n, with(extremes_base(), {{"Accuracy / Steps per cycle", n}}),
                            "Accuracy / Steps per cycle"));
-  for (const int n : {16, 36, 100, 1000, 10000})
+  for (const int n : {16, 36, 100, 10000})
     rows.push_back({"steps per cycle", fmt::format("{}", n),
                     with(extremes_base(), {{"Accuracy / Steps per cycle", fmt::format("{}", n)}})});
-  for (const int n : {1, 10, 100, 1000, 10000}) rows.push_back(cycles_row(n));
+  for (const int n : {1, 10, 100, 1000}) rows.push_back(cycles_row(n));
+  // An elastic body takes fewer computations for its error budget.
+  ExtremeRow many{"cycles", "10000 at least, elastic",
+                  with(extremes_base(), {{"Elastomer / Rheology", "elastic"},
+                                         {"Elastomer / Branch moduli", ""},
+                                         {"Elastomer / Branch times", ""},
+                                         {"Accuracy / Steps per cycle", "20"}})};
+  many.ramp_cycles = 10000;
+  rows.push_back(many);
   for (const char* n : {"4", "15"})
     rows.push_back(refused("rings per radius", n, with(extremes_base(), {{"Accuracy / Rings per radius", n}}),
                            "Accuracy / Rings per radius"));
-  for (const int n : {16, 64, 256})
+  for (const int n : {16, 32, 128})
     rows.push_back({"rings per radius", fmt::format("{}", n),
                     with(extremes_base(), {{"Accuracy / Rings per radius", fmt::format("{}", n)}})});
   for (const double aspect : {1.0, 10.0, 100.0}) rows.push_back(flattened_row(aspect));
