@@ -28,7 +28,7 @@ struct ExtremeRecord {
   std::map<std::string, ExtremeError> errors;
   double seconds = 0;  ///< of the chosen resolution, as if the scene ran alone and without a budget
   int n_refinements = 0;
-  double size_ratio = 0;  ///< largest over smallest edge of the finest mesh
+  double size_ratio = 0;  ///< largest edge of the mesh over its smallest one, or over the ring that a focus asks for
   double aspect_ratio = 0;
 };
 
