@@ -39,8 +39,9 @@ const std::vector<Section>& sections() {
 bool is_whole(double x, double least, double most) {
   return x == std::floor(x) && x >= least && x <= most;
 }
-const ValidNumber ring_count{[](double x) { return is_whole(x, 8, 640); }, "a whole number from 8 to 640"};
-const ValidNumber step_count{[](double x) { return is_whole(x, 12, 10000); }, "a whole number from 12 to 10000"};
+// The error budget halves them, and fewer than 8 tell nothing.
+const ValidNumber ring_count{[](double x) { return is_whole(x, 16, 640); }, "a whole number from 16 to 640"};
+const ValidNumber step_count{[](double x) { return is_whole(x, 16, 10000); }, "a whole number from 16 to 10000"};
 
 void read_wear(const EntryReader& entries, Case& scene) {
   if (entries.given("Wear", "State") && entries.one_of("Wear", "State", {"unworn", "limiting"}) == "limiting") {

@@ -73,12 +73,26 @@ Includes split_includes(const fs::path& file) {
   return result;
 }
 
+/// Runs what parses a file; its errors become bad input.
+template <class Parse>
+void parse_as_input(const fs::path& file, const Parse& parse) {
+  try {
+    parse();
+  } catch (const dealii::ExceptionBase& error) {
+    throw InputError(fmt::format("{}: {}. Valid entries: {}", file.string(), first_sentence(error), valid_entries()));
+  } catch (const InputError&) {
+    throw;
+  } catch (const std::exception& error) {
+    throw InputError(fmt::format("{}: {}", file.string(), error.what()));
+  }
+}
+
 void parse(const fs::path& file, dealii::ParameterHandler& handler, std::vector<fs::path> chain) {
   const fs::path canonical = fs::weakly_canonical(file);
   if (std::find(chain.begin(), chain.end(), canonical) != chain.end())
     throw InputError(fmt::format("{}: the file includes itself", file.string()));
   chain.push_back(canonical);
-  try {
+  parse_as_input(file, [&] {
     if (file.extension() == ".json") {
       std::istringstream text(read_text(file));
       handler.parse_input_from_json(text);
@@ -88,13 +102,7 @@ void parse(const fs::path& file, dealii::ParameterHandler& handler, std::vector<
     for (const auto& included : split.files) parse(included, handler, chain);
     std::istringstream text(split.text);
     handler.parse_input(text, file.string());
-  } catch (const dealii::ExceptionBase& error) {
-    throw InputError(fmt::format("{}: {}. Valid entries: {}", file.string(), first_sentence(error), valid_entries()));
-  } catch (const InputError&) {
-    throw;
-  } catch (const std::exception& error) {
-    throw InputError(fmt::format("{}: {}", file.string(), error.what()));
-  }
+  });
 }
 
 /// `a:step:b` or a list.
@@ -161,6 +169,18 @@ std::vector<Case> read_case_file(const fs::path& file) {
   Case scene = read_entries(entries, Case::Fields::extremes);
   scene.name = file.stem().string();
   return {scene};
+}
+
+Case read_case_text(const std::string& text, const fs::path& name) {
+  dealii::ParameterHandler handler;
+  declare_entries(handler);
+  parse_as_input(name, [&] {
+    std::istringstream stream(text);
+    handler.parse_input(stream, name.string());
+  });
+  Case scene = read_entries(EntryReader(handler, name.string()), Case::Fields::none);
+  scene.name = name.filename().string();
+  return scene;
 }
 
 }  // namespace fretval

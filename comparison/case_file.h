@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "comparison/case.h"
@@ -13,5 +14,9 @@ namespace fretval {
 /// A file with a subsection Sweep stands for several cases, one per value of the swept entry; without one, for a single
 /// case. Throws InputError naming the file, the entry, its value and what would be valid.
 std::vector<Case> read_case_file(const std::filesystem::path& file);
+
+/// A single case from the text of a .prm file without includes or a sweep. name: what the file would be called; tables
+/// are relative to it. Throws InputError likewise.
+Case read_case_text(const std::string& text, const std::filesystem::path& name);
 
 }  // namespace fretval

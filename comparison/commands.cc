@@ -14,6 +14,9 @@
 #include "comparison/case_file.h"
 #include "comparison/check.h"
 #include "comparison/exact_rows.h"
+#include "comparison/extremes.h"
+#include "comparison/extremes_json.h"
+#include "comparison/extremes_table.h"
 #include "comparison/files.h"
 #include "comparison/ladder.h"
 #include "comparison/ladder_json.h"
@@ -116,17 +119,44 @@ int run_tolerance(const ToleranceSuiteOptions& options, const std::string& junit
   return static_cast<std::size_t>(n_pass) == records.size() ? exit_agree : exit_disagree;
 }
 
-int run_check_suite(const std::string& suite, const fs::path& meshes, const std::string& junit, const std::string& json,
-                    const ToleranceSuiteOptions& tolerance) {
-  if (suite != "small" && suite != "exact" && suite != "tolerance")
-    throw InputError(fmt::format("--suite {}: expected small, exact or tolerance", suite));
-  if (!json.empty() && suite == "small") throw InputError("--json: it belongs to the suites exact and tolerance");
+int run_extremes_suite(const std::vector<ExtremeRow>& rows, const std::string& junit, const std::string& json) {
+  const auto records = run_extremes(rows);
+  fmt::print("{}", extremes_table(records));
+  if (!junit.empty()) write_file(junit, extremes_junit(records));
+  if (!json.empty()) write_file(json, extremes_json(records).dump(2) + "\n");
+  return count(records, ExtremeVerdict::fails) == 0 ? exit_agree : exit_disagree;
+}
+
+struct CheckOptions {
+  std::string suite = "small", meshes = small_meshes().string(), junit, json;
+  ToleranceSuiteOptions tolerance;
+  bool only_short = false;
+  std::string family;
+};
+
+std::vector<ExtremeRow> rows_of(const CheckOptions& options) {
+  auto rows = only_family(options.only_short ? short_extreme_rows() : extreme_rows(), options.family);
+  if (rows.empty()) throw InputError(fmt::format("--family {}: no family of the suite contains that", options.family));
+  return rows;
+}
+
+int run_suite(const CheckOptions& options) {
+  if (options.suite == "small") return run_small_suite(options.meshes, options.junit);
+  if (options.suite == "exact") return run_exact_suite(options.junit, options.json);
+  if (options.suite == "tolerance") return run_tolerance(options.tolerance, options.junit, options.json);
+  if (options.suite == "extremes") return run_extremes_suite(rows_of(options), options.junit, options.json);
+  throw InputError(fmt::format("--suite {}: expected small, exact, tolerance or extremes", options.suite));
+}
+
+int run_check_suite(const CheckOptions& options) {
+  if (!options.json.empty() && options.suite == "small")
+    throw InputError("--json: it belongs to the suites exact, tolerance and extremes");
+  if ((options.only_short || !options.family.empty()) && options.suite != "extremes")
+    throw InputError("--short and --family: they belong to the suite extremes");
   Stopwatch watch;
   const fem::PetscSession session;
-  const int exit_code = suite == "small"   ? run_small_suite(meshes, junit)
-                        : suite == "exact" ? run_exact_suite(junit, json)
-                                           : run_tolerance(tolerance, junit, json);
-  spdlog::info("suite {} in {:.1f} s", suite, watch.lap());
+  const int exit_code = run_suite(options);
+  spdlog::info("suite {} in {:.1f} s", options.suite, watch.lap());
   return exit_code;
 }
 
@@ -150,9 +180,9 @@ int write_mesh(const std::string& file, const std::string& output) {
 void add_commands(CLI::App& app, Command& command) {
   struct Options {
     std::vector<std::string> files;
-    std::string file, output = "results", suite = "small", junit, json, mesh, meshes = small_meshes().string();
+    std::string file, output = "results", mesh;
     MdrOptions mdr;
-    ToleranceSuiteOptions tolerance;
+    CheckOptions check;
   };
   const auto options = std::make_shared<Options>();
 
@@ -170,25 +200,25 @@ void add_commands(CLI::App& app, Command& command) {
   run->add_option("-o,--output", options->output, "Folder for the results")->capture_default_str();
   run->callback([=, &command] { command = [=] { return run_cases(options->files, options->output); }; });
 
-  auto* check = app.add_subcommand(
-      "check",
-      "CI check: MDR against finite elements on small meshes, finite elements against exact solutions, or the "
-      "errors of the chosen settings against the tolerance");
-  check->add_option("--suite", options->suite, "Which suite: small, exact, tolerance")->capture_default_str();
-  check->add_option("--meshes", options->meshes, "Folder with coarse.msh and fine.msh, for the suite small")
+  auto* check = app.add_subcommand("check",
+                                   "CI check: MDR against finite elements on small meshes, finite elements against "
+                                   "exact solutions, the errors of the "
+                                   "chosen settings against the tolerance, or scenes at the ends of every parameter");
+  check->add_option("--suite", options->check.suite, "Which suite: small, exact, tolerance, extremes")
       ->capture_default_str();
-  check->add_option("--junit", options->junit, "Also write JUnit XML to this file");
-  check->add_option("--json", options->json,
-                    "Also write everything that was measured to this file; suites exact and tolerance");
-  check->add_option("--tolerances", options->tolerance.tolerances, "Suite tolerance: at which tolerances")
+  check->add_option("--meshes", options->check.meshes, "Folder with coarse.msh and fine.msh, for the suite small")
+      ->capture_default_str();
+  check->add_option("--junit", options->check.junit, "Also write JUnit XML to this file");
+  check->add_option("--json", options->check.json,
+                    "Also write everything that was measured to this file; suites exact, tolerance and extremes");
+  check->add_option("--tolerances", options->check.tolerance.tolerances, "Suite tolerance: at which tolerances")
       ->capture_default_str()
       ->check(CLI::PositiveNumber);
-  check->add_flag("!--no-costs", options->tolerance.costs, "Suite tolerance: do not search for the cheapest settings");
-  check->callback([=, &command] {
-    command = [=] {
-      return run_check_suite(options->suite, options->meshes, options->junit, options->json, options->tolerance);
-    };
-  });
+  check->add_flag("!--no-costs", options->check.tolerance.costs,
+                  "Suite tolerance: do not search for the cheapest settings");
+  check->add_flag("--short", options->check.only_short, "Suite extremes: a few seconds of it");
+  check->add_option("--family", options->check.family, "Suite extremes: only the families whose name contains this");
+  check->callback([=, &command] { command = [=] { return run_check_suite(options->check); }; });
 
   auto* report = app.add_subcommand("report", "One self-contained HTML page from the results in a folder");
   report->add_option("folder", options->file, "Folder with results")->required();

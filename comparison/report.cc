@@ -8,6 +8,7 @@
 #include <set>
 
 #include "comparison/escape.h"
+#include "comparison/extremes_report.h"
 #include "comparison/figures.h"
 #include "comparison/files.h"
 #include "comparison/ladder_report.h"
@@ -257,6 +258,7 @@ std::string all_cases_section(const Results& results) {
 fs::path write_report(const fs::path& folder) {
   const auto results = read_results(folder);
   const auto ladder = read_json(folder / "ladder.json"), tolerance = read_json(folder / "tolerance.json");
+  const auto extremes = read_json(folder / "extremes.json");
   std::string page = fmt::format(
       "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
       "content=\"width=device-width, "
@@ -268,8 +270,8 @@ fs::path write_report(const fs::path& folder) {
   for (const auto& section :
        {verdict_section(results), radii_section(results), phase_section(results), rheology_section(results),
         limiting_section(results), single_cases_section(results), budget_section(results), trade_section(folder),
-        tolerance ? tolerance_section(*tolerance) : "", ladder ? ladder_section(*ladder) : "", cost_section(results),
-        all_cases_section(results)})
+        tolerance ? tolerance_section(*tolerance) : "", extremes ? extremes_section(*extremes) : "",
+        ladder ? ladder_section(*ladder) : "", cost_section(results), all_cases_section(results)})
     page += section;
   page += "</body></html>\n";
   const fs::path file = folder / "index.html";

@@ -15,6 +15,10 @@ constexpr double degree = 3.14159265358979323846 / 180;
 // The contact line reaches a little beyond the largest contact, so that the first ring that never touches is on it.
 constexpr double contact_line_reserve = 1.12;
 
+// Over the contact radius. Seven decades below the far cells a probe solve of the factor leaves 2e-10, ten decades
+// 7e-8.
+constexpr double finest_ring = 5e-8;
+
 std::vector<double> contact_nodes(const FemScene& scene) {
   const auto& resolution = scene.resolution;
   const double ring = 1.0 / resolution.elements_per_radius;
@@ -25,7 +29,8 @@ std::vector<double> contact_nodes(const FemScene& scene) {
     return meshes::graded_nodes({edge, edge, resolution.worn_edge_ring * edge}, end, ring, resolution.surface_growth);
   }
   if (resolution.focus) {
-    const auto [inner, outer, fine] = *resolution.focus;
+    const auto [inner, outer, wanted] = *resolution.focus;
+    const double fine = std::max(wanted, finest_ring);
     return meshes::graded_nodes({inner, outer, std::min(fine, ring)}, std::max(contact_line_reserve, outer + 4 * fine),
                                 ring, resolution.surface_growth);
   }

@@ -14,7 +14,7 @@ namespace {
 /// Largest value of a smooth periodic signal, which lies between samples: the peak of a quartic fitted to those within
 /// a twentieth of a period of the largest one, two on either side of it at least.
 double periodic_maximum(const Eigen::VectorXd& samples) {
-  const Eigen::Index n = samples.size(), half = std::max<Eigen::Index>(2, n / 20);
+  const Eigen::Index n = samples.size(), half = std::max<Eigen::Index>(2, n / 60);
   Eigen::Index peak = 0;
   samples.maxCoeff(&peak);
   Eigen::MatrixXd powers(2 * half + 1, 5);
@@ -60,7 +60,9 @@ NoWearEvidence no_wear_evidence(const fem::Compliance& compliance, const FemScen
 }
 
 fem::HistoryControl control_of(const FemScene& scene) {
-  return {scene.resolution.steps_per_cycle, 400, scene.resolution.periodicity};
+  constexpr int most_after_ramp = 400;
+  return {scene.resolution.steps_per_cycle, scene.resolution.n_ramp_cycles + most_after_ramp,
+          scene.resolution.periodicity};
 }
 
 /// A stick zone narrower than a ring is none that the mesh can show.

@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <functional>
 #include <limits>
+#include <utility>
 #include <vector>
 
+#include "fem/cycle_jump.h"
 #include "fem/friction_force.h"
 #include "fem/running_minimum.h"
 #include "fem/solver_error.h"
@@ -50,6 +52,7 @@ class Stepper {
     return {std::move(solution.x), std::move(slip)};
   }
 
+  [[nodiscard]] RingState& state() { return state_; }
   [[nodiscard]] const Eigen::VectorXd& displacement() const { return state_.displacement; }
   [[nodiscard]] double fraction() const { return step_.fraction(); }
   /// The traction has kinks where these differ.
@@ -132,12 +135,16 @@ FrictionHistory friction_history(const ContactProblem& problem, const Relaxation
   std::vector<double> force{0};
   TouchingRings touching{normal.touch_radii, relaxation.viscosity == 0};
   Period period(n, period_steps);
-  while (!(history.periodicity <= control.periodicity)) {
+  const double creep = longest_creep_time(relaxation) / (2 * pi * motion.cycles_per_period());  // periods
+  CycleJump jump(creep);
+  bool jumped = false;
+  while (jumped || !(history.periodicity <= control.periodicity)) {
     if (history.n_cycles >= control.max_cycles * motion.cycles_per_period())
-      throw SolverError(
-          fmt::format("the tangential response is not periodic after {} cycles: it still changes by {:.1e} "
-                      "of its largest value per period, {:.1e} is asked for",
-                      history.n_cycles, history.periodicity, control.periodicity));
+      throw SolverError(fmt::format(
+          "the tangential response is not periodic after {} cycles: it will still change by {:.1e} of its largest "
+          "value, {:.1e} is asked for; the body creeps for {:.3g} cycles: leave out branches that are slow beyond "
+          "interest, or raise the relaxed modulus",
+          history.n_cycles, history.periodicity, control.periodicity, creep * motion.cycles_per_period()));
     const Eigen::MatrixXd before = period.traction;
     period.begin();
     for (int k = 0; k < period_steps; ++k) {
@@ -164,8 +171,10 @@ FrictionHistory friction_history(const ContactProblem& problem, const Relaxation
     }
     history.n_cycles += motion.cycles_per_period();
     history.slip_path += period.slip;
-    if (history.n_cycles > motion.n_ramp_cycles + motion.cycles_per_period())
-      history.periodicity = change_per_period(period.traction, before);
+    const bool after_jump = std::exchange(jumped, false);
+    if (history.n_cycles <= std::max(motion.n_ramp_cycles, normal.n_cycles) + motion.cycles_per_period()) continue;
+    if (!after_jump) history.periodicity = change_to_come(creep) * change_per_period(period.traction, before);
+    if (history.periodicity > control.periodicity) jumped = jump.advance(stepper.state());
   }
   history.first_slip_margin = first_slip.value();
   history.shakedown_margin = (period.forward.value() + period.backward.value()) / 2;

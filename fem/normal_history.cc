@@ -6,9 +6,11 @@
 #include <array>
 #include <limits>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "fem/contact_force.h"
+#include "fem/cycle_jump.h"
 #include "fem/solver_error.h"
 
 namespace fretval::fem {
@@ -67,6 +69,8 @@ class Stepper {
     largest_radius_ = elastic.radius;
     return relaxed_ * contact.pressure;
   }
+
+  [[nodiscard]] RingState& state() { return state_; }
 
   /// At every instant so far.
   [[nodiscard]] const std::vector<double>& forces() const { return force_; }
@@ -129,10 +133,6 @@ class Stepper {
   std::vector<double> force_, radius_;
 };
 
-double longest_time(const RelaxationModel& relaxation) {
-  return relaxation.times.empty() ? 0 : *std::max_element(relaxation.times.begin(), relaxation.times.end());
-}
-
 }  // namespace
 
 Eigen::Index NormalHistory::column(long step) const {
@@ -176,16 +176,22 @@ NormalHistory normal_history(const ContactProblem& problem, const RelaxationMode
   history.periodicity = infinity;
   std::vector<Eigen::VectorXd> pressure{stepper.start()};
   std::vector<double> time{0};
-  while (!(history.periodicity <= control.periodicity)) {
+  const double creep = longest_creep_time(relaxation) / (2 * pi);
+  CycleJump jump(creep);
+  bool jumped = false;
+  while (jumped || !(history.periodicity <= control.periodicity)) {
     if (history.n_cycles >= control.max_cycles)
       throw SolverError(fmt::format(
-          "the normal response is not periodic after {} cycles: it still changes by {:.1e} of "
-          "its largest value per cycle, {:.1e} is asked for; the longest relaxation time lasts {:.3g} cycles: "
-          "leave out branches that are slow beyond interest",
-          history.n_cycles, history.periodicity, control.periodicity, longest_time(relaxation) / (2 * pi)));
+          "the normal response is not periodic after {} cycles: it will still change by {:.1e} of its largest value, "
+          "{:.1e} is asked for; the body creeps for {:.3g} cycles: leave out branches that are "
+          "slow beyond interest, or raise the relaxed modulus",
+          history.n_cycles, history.periodicity, control.periodicity, creep));
     stepper.compute_cycle(history, pressure, time);
     ++history.n_cycles;
-    if (history.n_cycles > std::max(motion.n_ramp_cycles, 1)) history.periodicity = change_per_cycle(pressure, n_steps);
+    const bool after_jump = std::exchange(jumped, false);
+    if (history.n_cycles <= std::max(motion.n_ramp_cycles, 1)) continue;
+    if (!after_jump) history.periodicity = change_to_come(creep) * change_per_cycle(pressure, n_steps);
+    if (history.periodicity > control.periodicity) jumped = jump.advance(stepper.state());
   }
   const auto n = static_cast<Eigen::Index>(pressure.size());
   history.time = Eigen::Map<Eigen::VectorXd>(time.data(), n);

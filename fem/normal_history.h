@@ -13,8 +13,9 @@ namespace fretval::fem {
 struct HistoryControl {
   int steps_per_cycle = 180;
   int max_cycles = 400;
-  double periodicity =
-      1e-7;  ///< largest change of a ring force from one period to the next, relative to the largest force
+  /// Largest change of a ring force that is still to come, relative to the largest force: the change from one period
+  /// to the next times change_to_come() of the longest creep time (see fem/cycle_jump.h).
+  double periodicity = 1e-7;
 };
 
 /// The normal contact problem through the ramp and on until its response is periodic. Ring pressures are unaffected by

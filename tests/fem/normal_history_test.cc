@@ -184,6 +184,23 @@ TEST(NormalHistory, IsOfSecondOrderInTime) {
   }
 }
 
+double largest_force(const NormalHistory& history) {
+  return largest_over_last_cycle(history, [&](Index k) { return history.force[k]; });
+}
+
+// A body that creeps for 320 cycles: one of them changes its forces by less than 1e-4 long before it has settled. Taken
+// for periodic by that change alone, its force is 3e-3 off.
+TEST(NormalHistory, FollowsASlowCreepToItsEnd) {
+  const auto& problem = normal_half_space(16);
+  const RelaxationModel slow{1, {1}, {1000}, 0};
+  const auto profile = parabola_means(problem);
+  HistoryControl loose{24, 400, 1e-4}, tight{24, 400, 1e-7};
+  const auto history = normal_history(problem, slow, profile, fretting_motion(), loose);
+  EXPECT_LT(history.n_cycles, 200);
+  EXPECT_NEAR(largest_force(history) / largest_force(normal_history(problem, slow, profile, fretting_motion(), tight)),
+              1, 2e-4);
+}
+
 TEST(NormalHistory, RepeatsItsLastCycle) {
   NormalHistory history;
   history.steps_per_cycle = 4;
@@ -205,6 +222,12 @@ TEST(NormalHistory, SaysWhenItIsNotPeriodic) {
   control.max_cycles = 11;
   control.periodicity = 1e-14;
   expect_solver_error(compute, {"normal response is not periodic", "11 cycles", "1.0e-14"});
+  const RelaxationModel endless{1, {1e6}, {1e6}, 0};
+  expect_solver_error(
+      [&] {
+        normal_history(problem, endless, parabola_means(problem), fretting_motion(), {24, 30, 1e-4});
+      },
+      {"the body creeps for 1.59e+11 cycles", "leave out branches"});
 }
 
 TEST(NormalHistory, SaysWhenTheContactLineIsTooShort) {
