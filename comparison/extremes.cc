@@ -110,7 +110,7 @@ void run_studies_of(const std::vector<std::size_t>& chosen, const std::vector<Jo
                     std::vector<ExtremeRecord>& records) {
   std::vector<CaseStudy> studies;
   studies.reserve(chosen.size());
-  for (const std::size_t i : chosen) studies.emplace_back(*jobs[i].prepared, true);
+  for (const std::size_t i : chosen) studies.emplace_back(*jobs[i].prepared, StudyDepth::proof);
   run_studies(studies, [&](const BodySpecification& s) { return make_flat_body(s, flattening); });
   for (std::size_t s = 0; s < chosen.size(); ++s) finish(jobs[chosen[s]], studies[s].result(), records[chosen[s]]);
 }

@@ -70,38 +70,45 @@ Eigen::VectorXd at_own_radii(const PunchSeries& series, const TouchingRings& tou
   return moved;
 }
 
-/// The force if all rings stick and less than three have touched since the contact turned; empty otherwise.
+/// The force if less than three rings have touched since the contact turned and all of them stick; empty otherwise:
+/// where slip begins outside the last ring, more of them show it better.
 std::optional<double> force_of_growing_contact(const PunchSeries& series, const SlipZones& zones,
-                                               const TouchingRings& touching, const Eigen::VectorXd& limit_depths,
-                                               Index n_pressed) {
+                                               const TouchingRings& touching, const Eigen::VectorXd& limit_depths) {
   const double turning = touching.turning_radius, edge = touching.contact_radius;
   const auto& radii = touching.radii;
+  const auto rings_within = [&](double r) {
+    return std::upper_bound(radii.data(), radii.data() + radii.size(), r) - radii.data();
+  };
+  const Index n_before = rings_within(turning);
+  if (!touching.from_zero || n_before < n_stencil || n_before == radii.size() || edge <= turning) return std::nullopt;
+  // Rings too close to either end tell no more than that.
+  const double apart = 0.25 * (radii[n_before] - radii[n_before - 1]);
+  const Index first = rings_within(turning + apart), n_grown = rings_within(edge - apart);
+  if (n_grown - n_before >= n_to_continue) return std::nullopt;
   const auto& depths = zones.depths();
   const auto& labels = zones.labels();
-  Index n_before = n_pressed;
-  while (n_before > 0 && radii[n_before - 1] > turning) --n_before;
-  if (!touching.from_zero || n_before < n_stencil || n_pressed - n_before >= n_to_continue || edge <= turning)
-    return std::nullopt;
+  for (Index i = n_before; i < n_grown; ++i)
+    if (zones.slip()[static_cast<std::size_t>(i)] != 0 ||
+        labels[static_cast<std::size_t>(i)] != SlipZones::touched_again)
+      return std::nullopt;
   const std::vector<signed char> before(labels.begin(), labels.begin() + n_before);
   const Index n_last =
       std::find_if(before.rbegin(), before.rend(), [&](auto z) { return z != before.back(); }) - before.rbegin();
-  const Index n = std::min(n_last, n_stencil);
-  const double ring = radii[n_before] - radii[n_before - 1];
-  std::vector<double> x{turning}, y{Stencil{series.radii(), depths, n_before - n, n}(turning)};
-  for (Index i = n_before; i < n_pressed; ++i)
-    if (std::min(radii[i] - turning, edge - radii[i]) > 0.25 * ring) {
-      x.push_back(radii[i]);
-      y.push_back(depths[i]);
-    }
-  x.push_back(edge);
-  y.push_back(0);
-  const auto size = static_cast<Index>(x.size());
-  const Eigen::VectorXd at = Eigen::Map<Eigen::VectorXd>(x.data(), size),
-                        depth = Eigen::Map<Eigen::VectorXd>(y.data(), size);
-  const Stencil growth{at, depth, 0, size}, limit{series.radii(), limit_depths, n_pressed - n_stencil, n_stencil};
-  for (const double share : {0.25, 0.5, 0.75}) {
-    const double r = turning + share * (edge - turning);
-    if (std::abs(growth(r)) > limit(r)) return std::nullopt;
+  const Index n = std::min(n_last, n_stencil), size = std::max<Index>(n_grown - first, 0) + 2;
+  Eigen::VectorXd x(size), y(size);
+  x[0] = turning;
+  y[0] = Stencil{series.radii(), depths, n_before - n, n}(turning);
+  for (Index k = 1; k + 1 < size; ++k) {
+    x[k] = radii[first + k - 1];
+    y[k] = depths[first + k - 1];
+  }
+  x[size - 1] = edge;
+  y[size - 1] = 0;
+  const Stencil limit{series.radii(), limit_depths, n_grown - n_stencil, n_stencil};
+  const Stencil growth{x, y, 0, size};
+  for (Index k = 0; k + 1 < size; ++k) {
+    const double middle = (x[k] + x[k + 1]) / 2;
+    if (std::abs(growth(middle)) > limit(middle)) return std::nullopt;
   }
   return series.integral(depths.head(n_before), before, turning) +
          series.force_per_radius() * growth.integral(turning, edge);
@@ -111,6 +118,7 @@ std::optional<double> force_of_growing_contact(const PunchSeries& series, const 
 
 double friction_force(const PunchSeries& series, const SlipZones& zones, const TouchingRings& touching,
                       const Eigen::VectorXd& limit_depths, double limit_force) {
+  if (const auto force = force_of_growing_contact(series, zones, touching, limit_depths)) return *force;
   const auto& labels = zones.labels();
   const Index n_pressed = std::find(labels.begin(), labels.end(), SlipZones::free) - labels.begin();
   const auto slip = zones.slip().begin();
@@ -119,8 +127,6 @@ double friction_force(const PunchSeries& series, const SlipZones& zones, const T
   Index n_stuck = n_pressed;
   while (n_stuck > 0 && outermost != 0 && slip[n_stuck - 1] == outermost) --n_stuck;
   if (n_stuck == 0) return outermost * limit_force;
-  if (outermost == 0)
-    if (const auto force = force_of_growing_contact(series, zones, touching, limit_depths, n_pressed)) return *force;
   const Eigen::VectorXd depths = at_own_radii(series, touching, labels, zones.depths());
   const Eigen::VectorXd held =
       at_own_radii(series, touching, zones.held_labels(), zones.held_depths()).array() + zones.depths()[0];

@@ -134,9 +134,9 @@ TEST_F(PunchSeriesTest, FrictionForceOfZonesNarrowerThanARing) {
 
 // A contact that grows while it sticks, from rest: each spring carries on from where it touched, so the force is that
 // of the normal one, 2/3 of the slope as large (Jaeger 1993).
-TEST_F(PunchSeriesTest, FrictionForceOfAContactThatHasGrownByLessThanThreeRings) {
+TEST_F(PunchSeriesTest, FrictionForceOfAContactThatGrows) {
   const auto& tangential = tangential_half_space(32);
-  const double mu = 0.5, slope = 0.3, first = 0.5;
+  const double mu = 0.5, slope = 0.3, first = 0.5, last = 0.62;
   Eigen::VectorXd slip = Eigen::VectorXd::Zero(problem_.n_rings());
   std::vector<BoxState> states(static_cast<std::size_t>(slip.size()), BoxState::interior);
   SlipZones zones(slip.size());
@@ -147,7 +147,7 @@ TEST_F(PunchSeriesTest, FrictionForceOfAContactThatHasGrownByLessThanThreeRings)
   for (int k = 0; k <= 40; ++k) indentations.push_back(first + 0.003 * k);
   const Eigen::VectorXd profile = ring_means(problem_.compliance, [](double r) { return r * r / 2; });
   for (const double d : contact_events(problem_.compliance, profile).indentation)
-    if (first < d && d < indentations.back()) indentations.push_back(d);
+    if (first < d && d < last) indentations.push_back(d);
   std::sort(indentations.begin(), indentations.end());
   for (const double indentation : indentations) {
     const auto contact = hertz_contact(problem_, indentation);
@@ -166,7 +166,7 @@ TEST_F(PunchSeriesTest, FrictionForceOfAContactThatHasGrownByLessThanThreeRings)
     worst = std::max(worst, std::abs(force - exact));
     worst_sum = std::max(worst_sum, std::abs(solution.x.dot(areas) - exact));
   }
-  EXPECT_LT(worst, 1e-6 * first_force);
+  EXPECT_LT(worst, 6e-6 * first_force);
   EXPECT_GT(worst_sum, 1e-4 * first_force);
 }
 
