@@ -22,11 +22,12 @@ namespace fs = std::filesystem;
 constexpr std::array<const char*, 9> palette{"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00",
                                              "#56b4e9", "#6a51a3", "#555555", "#a6761d"};
 
+/// A string of a gnuplot script. In double quotes gnuplot would run what stands between backquotes as a shell command.
 std::string quoted(const std::string& text) {
   std::string result = "\"";
   for (const char c : text) {
     if (c == '"' || c == '\\') result += '\\';
-    result += c == '\n' ? ' ' : c;
+    result += c == '\n' ? ' ' : c == '`' ? '\'' : c;
   }
   return result + '"';
 }

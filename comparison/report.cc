@@ -183,8 +183,8 @@ std::string single_cases_section(const Results& results) {
         "<div class=\"scroll\"><table><thead><tr><th>quantity</th><th>MDR</th><th>finite elements</th>"
         "<th>difference</th><th>tolerance</th></tr></thead><tbody>\n";
     for (const auto& [key, d] : r.json.at("comparison").items())
-      html += fmt::format("<tr><td>{}</td><td>{:.6g}</td><td>{:.6g}</td><td{}>{}</td><td>{:.1e}</td></tr>\n", key,
-                          r.number("mdr", key.c_str()), r.number("fe", key.c_str()),
+      html += fmt::format("<tr><td>{}</td><td>{:.6g}</td><td>{:.6g}</td><td{}>{}</td><td>{:.1e}</td></tr>\n",
+                          html_escaped(key), r.number("mdr", key.c_str()), r.number("fe", key.c_str()),
                           d.at("pass").get<bool>() ? "" : " class=\"bad-cell\"",
                           d.at("difference").is_number() ? fmt::format("{:.1e}", d["difference"].get<double>()) : "–",
                           d.at("tolerance").get<double>());
