@@ -15,6 +15,7 @@
 #include "comparison/check.h"
 #include "comparison/exact_rows.h"
 #include "comparison/files.h"
+#include "comparison/folder_lock.h"
 #include "comparison/ladder.h"
 #include "comparison/ladder_json.h"
 #include "comparison/mdr_command.h"
@@ -63,7 +64,7 @@ int run_cases(const std::vector<std::string>& files, const fs::path& output) {
   for (const auto& one : prepared)
     for (const auto& warning : one.scene.warnings) spdlog::warn("{}", warning);
   log_left_out(prepared);
-  fs::create_directories(output);
+  const FolderLock lock(output);
   const fem::PetscSession session;
   Progress progress;
   BatchHooks hooks;

@@ -4,8 +4,11 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <cerrno>
+#include <cstdio>
 #include <filesystem>
 #include <new>
+#include <system_error>
 
 #include "comparison/case.h"
 #include "comparison/commands.h"
@@ -42,7 +45,11 @@ int main(int argc, char** argv) {
     return app.exit(error) == 0 ? fretval::exit_agree : fretval::exit_bad_input;
   }
   try {
-    return command();
+    const int exit_code = command();
+    errno = 0;
+    if (std::fflush(stdout) != 0 || std::ferror(stdout))
+      throw std::system_error(errno ? errno : EIO, std::generic_category(), "cannot write to the standard output");
+    return exit_code;
   } catch (const fretval::InputError& error) {
     spdlog::error("{}", error.what());
     return fretval::exit_bad_input;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cmath>
@@ -12,6 +13,8 @@
 #include <fstream>
 #include <sstream>
 #include <system_error>
+
+#include "comparison/escape.h"
 
 namespace fretval {
 namespace {
@@ -48,6 +51,11 @@ std::string style_of(const Series& series) {
   }
 }
 
+bool is_drawn(const Plot& plot, const Series& series, std::size_t i) {
+  return std::isfinite(series.x[i]) && std::isfinite(series.y[i]) && (!plot.log_y || series.y[i] > 0) &&
+         (!plot.log_x || series.x[i] > 0);
+}
+
 std::string script_of(const Plot& plot) {
   std::ostringstream script;
   script
@@ -67,7 +75,7 @@ std::string script_of(const Plot& plot) {
     script << "$data" << k << " << EOD\n";
     const auto& series = plot.series[k];
     for (std::size_t i = 0; i < series.x.size(); ++i) {
-      const bool drawn = std::isfinite(series.y[i]) && (!plot.log_y || series.y[i] > 0);
+      const bool drawn = is_drawn(plot, series, i);
       script << fmt::format("{:.10g} {}\n", series.x[i], drawn ? fmt::format("{:.10g}", series.y[i]) : "nan");
     }
     script << "EOD\n";
@@ -108,11 +116,33 @@ class ScratchFile {
   fs::path path_;
 };
 
+bool has_points(const Plot& plot) {
+  return std::any_of(plot.series.begin(), plot.series.end(), [&](const Series& series) {
+    for (std::size_t i = 0; i < series.x.size(); ++i)
+      if (is_drawn(plot, series, i)) return true;
+    return false;
+  });
+}
+
+/// In place of a plot, for which gnuplot would fail.
+std::string nothing_to_draw(const Plot& plot) {
+  return fmt::format(
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 640 440\"><text x=\"320\" y=\"220\" "
+      "text-anchor=\"middle\">{}: no data</text></svg>",
+      html_escaped(plot.title));
+}
+
 }  // namespace
 
 std::string svg(const Plot& plot) {
+  if (!has_points(plot)) return nothing_to_draw(plot);
   const ScratchFile script;
-  std::ofstream(script.path()) << script_of(plot);
+  errno = 0;
+  std::ofstream stream(script.path());
+  stream << script_of(plot);
+  stream.close();
+  if (!stream)
+    throw std::system_error(errno ? errno : EIO, std::generic_category(), "cannot write " + script.path().string());
   FILE* pipe = popen(("gnuplot '" + script.path().string() + "' 2>&1").c_str(), "r");
   if (!pipe) throw std::system_error(errno, std::generic_category(), "gnuplot could not be started");
   std::string output;

@@ -9,8 +9,10 @@
 namespace fretval {
 
 /// Runs studies until all are finished: what they want is computed round by round, together, so that they share bodies
-/// and normal histories (see run_probes). The studies' cases must outlive the call.
-void run_studies(std::vector<CaseStudy>& studies, const std::function<Body(const BodySpecification&)>& make_body,
-                 Schedule schedule = Schedule::overlapped);
+/// and normal histories (see run_probes). The studies' cases must outlive the call. finished is called with the number
+/// of each study when it has all that it wants, one call at a time, while others may go on: it must not make bodies.
+void run_studies(
+    std::vector<CaseStudy>& studies, const std::function<Body(const BodySpecification&)>& make_body,
+    Schedule schedule = Schedule::overlapped, const std::function<void(std::size_t study)>& finished = [](auto) {});
 
 }  // namespace fretval
