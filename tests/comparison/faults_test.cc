@@ -4,6 +4,7 @@
 #include <sys/file.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <functional>
 #include <map>
@@ -17,6 +18,7 @@
 #include "comparison/results_folder.h"
 #include "comparison/study_driver.h"
 #include "fem/solver_error.h"
+#include "meshes/msh_file.h"
 #include "tests/comparison/run_fretval.h"
 
 // What goes wrong around a computation, and what the tool says. The list of faults is in docs/robustness.md.
@@ -240,6 +242,22 @@ TEST(ResultFaults, TagsInAResultAreNoTagsInTheReport) {
     EXPECT_EQ(page.find("<script"), std::string::npos) << seed;
     EXPECT_NE(page.find("&lt;script&gt;"), std::string::npos) << seed;
   }
+}
+
+// ---- the numerics
+
+// A mesh of somebody else's whose contact line ends inside the contact.
+TEST(NumericsFaults, AContactLineThatIsTooShortFailsTheCheck) {
+  const ScratchFolder folder;
+  auto mesh = meshes::read_msh(fs::path(FRETVAL_SOURCE_DIR) / "meshes" / "small" / "coarse.msh");
+  for (auto& edge : mesh.edges)
+    if (edge.boundary == meshes::Boundary::contact &&
+        std::max(mesh.nodes[edge.nodes[0]][0], mesh.nodes[edge.nodes[1]][0]) > 0.6)
+      edge.boundary = meshes::Boundary::free;
+  for (const char* name : {"coarse.msh", "fine.msh"}) meshes::write_msh(mesh, folder.path() / name);
+  const auto run = fretval_run("check --meshes " + quoted(folder.path()), folder);
+  EXPECT_EQ(run.exit_code, 3) << run.out;
+  expect_parts(run.out, {"FAIL", "end of the contact line of the mesh", "use a longer one"});
 }
 
 // ---- the system
