@@ -14,6 +14,7 @@
 #include "comparison/batch.h"
 #include "comparison/case_file.h"
 #include "comparison/folder_lock.h"
+#include "comparison/plots.h"
 #include "comparison/report.h"
 #include "comparison/results_folder.h"
 #include "comparison/study_driver.h"
@@ -315,6 +316,20 @@ TEST(SystemFaults, AFullDiskLeavesNothingHalfWritten) {
   EXPECT_NE(run.out.find("history.csv"), std::string::npos) << run.out;
   for (const char* name : {".partial", "result.json", "index.html"})
     EXPECT_EQ(run.out.find(name), std::string::npos) << run.out;
+}
+
+// gnuplot would run what stands between backquotes in a double-quoted string.
+TEST(SystemFaults, TextInAPlotIsText) {
+  const ScratchFolder folder;
+  const auto trace = folder.path() / "here";
+  Plot plot;
+  plot.title = "`touch " + trace.string() + "` <script>";
+  plot.x_label = "\"; system 'touch " + trace.string() + "'";
+  plot.series.push_back({"`touch " + trace.string() + "`\n", {0, 1}, {0, 1}, Series::Style::line, 0});
+  const std::string drawn = svg(plot);
+  EXPECT_FALSE(fs::exists(trace));
+  EXPECT_EQ(drawn.find("<script"), std::string::npos);
+  EXPECT_NE(drawn.find("script"), std::string::npos);
 }
 
 // Names of files are text in the report and nothing in a shell or in gnuplot.
