@@ -207,6 +207,56 @@ TEST(CaseFaults, ImplausibleUnitsAreWarnedAbout) {
   expect_parts(warnings("modulus = 1e6", "modulus = 1e12"), {"1e+12 Pa is implausible"});
 }
 
+// ---- tables
+
+struct BadTable {
+  std::string text;
+  std::vector<std::string> message;
+};
+
+TEST(TableFaults, BadProfilesAreRefusedByFileAndLine) {
+  const std::string rows = "0,0\n1e-4,1e-6\n2e-4,4e-6\n3e-4,9e-6\n";
+  const std::vector<BadTable> bad{{"", {"no rows"}},
+                                  {rows + "4e-4\n", {"line 5", "has 1 value; must have 2"}},
+                                  {rows + "2e-4,4e-6\n", {"line 5", "radius = 0.0002", "scan outwards"}},
+                                  {rows + "-4e-4,1\n", {"line 5", "radius = -0.0004"}},
+                                  {rows + "4e-4,nan\n", {"line 5", "finite"}},
+                                  {rows + "4e-4;1,6e-5\n", {"line 5", "decimal comma"}},
+                                  {rows + std::string("\0\1\2", 3), {"line 5", "zero byte"}},
+                                  {"r [\xb5m],f [\xb5m]\n" + rows, {"unit"}},
+                                  {"0,0\n1e-4,1e-6\n", {"at least 4"}},
+                                  {rows + std::string(1'000'000, '1'), {"line 5", "10000 characters"}}};
+  for (const auto& [text, parts] : bad) {
+    const ScratchFolder folder;
+    folder.write("pin.csv", text);
+    const auto file =
+        folder.write("bad.prm", replace(replace(valid_case, "parabola", "table"), "Radius = 1e-2", "Table = pin.csv"));
+    const auto message = refusal([&] { prepare(read_case_file(file)); });
+    expect_parts(message, {"pin.csv"});
+    expect_parts(message, parts);
+  }
+}
+
+TEST(TableFaults, BadModuliAreRefusedByFileAndLine) {
+  const std::vector<BadTable> bad{{"1,1e6,1e5\n", {"single frequency", "at least 2"}},
+                                  {"1,1e6,1e5\n2,-1e6,1e5\n", {"line 2", "storage modulus", "positive"}},
+                                  {"1,1e6,1e5\n0,1e6,1e5\n", {"line 2", "frequency", "positive"}},
+                                  {"1,1e6\n2,1e6\n", {"line 1", "must have 3"}},
+                                  {"f,G',G''\nHz,bar,bar\n1,1,1\n2,1,1\n", {"bar", "Pa"}}};
+  for (const auto& [text, parts] : bad) {
+    const ScratchFolder folder;
+    folder.write("dma.csv", text);
+    const auto file = folder.write(
+        "bad.prm", replace(valid_case,
+                           "standard solid\n  set Relaxed shear modulus = 1e6\n  set Branch moduli = 1e6\n  set Branch "
+                           "times = 0.1",
+                           "table\n  set Table = dma.csv\n  set Table modulus = shear"));
+    const auto message = refusal([&] { prepare(read_case_file(file)); });
+    expect_parts(message, {"dma.csv"});
+    expect_parts(message, parts);
+  }
+}
+
 // ---- stored results
 
 TEST(ResultFaults, AResultOfAnotherKindIsRefusedByKey) {
@@ -337,9 +387,11 @@ TEST(SystemFaults, HostileNamesAreText) {
   const ScratchFolder folder;
   const std::string html = "<img src=x onerror=alert(1)>", shell = "a`touch here`$(touch here);'\" touch here";
   folder.write(html + ".prm", elastic_case());
-  folder.write(shell + ".prm", elastic_case());
+  const std::string not_utf8 = "d\xff";
+  fs::create_directory(folder.path() / not_utf8);
+  folder.write(not_utf8 + "/" + shell + ".prm", elastic_case());
   const auto run = shell_run("cd " + quoted(folder.path()) + " && " + FRETVAL_PROGRAM + " run " +
-                                 quoted(html + ".prm") + " " + quoted(shell + ".prm") + " -o out",
+                                 quoted(html + ".prm") + " " + quoted(not_utf8 + "/" + shell + ".prm") + " -o out",
                              folder);
   ASSERT_EQ(run.exit_code, 0) << run.err;
   for (const auto& name : {html, shell}) EXPECT_TRUE(fs::exists(folder.path() / "out" / name / "result.json")) << name;
