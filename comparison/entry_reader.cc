@@ -25,10 +25,7 @@ std::string trimmed(const std::string& text) {
 
 /// A value as an error shows it.
 std::string shown(const std::string& text) {
-  std::string line = text.substr(0, 200) + (text.size() > 200 ? "..." : "");
-  for (char& c : line)
-    if (static_cast<unsigned char>(c) < ' ') c = '?';
-  return line;
+  return text.size() > 200 ? text.substr(0, 200) + "..." : text;
 }
 
 }  // namespace

@@ -368,6 +368,16 @@ TEST(SystemFaults, AFullDiskLeavesNothingHalfWritten) {
     EXPECT_EQ(run.out.find(name), std::string::npos) << run.out;
 }
 
+// What a file says is repeated in errors; it must not steer the terminal.
+TEST(SystemFaults, ErrorsHaveNoControlCharacters) {
+  const ScratchFolder folder;
+  const auto file = folder.write("case.prm", replace(valid_case, "set Radius", "set \x1b[2J\x07"));
+  const auto run = fretval_run("mdr " + quoted(file), folder);
+  EXPECT_EQ(run.exit_code, 2);
+  expect_parts(run.err, {"case.prm", "line 3", "?[2J?"});
+  EXPECT_EQ(run.err.find('\x1b'), std::string::npos);
+}
+
 // gnuplot would run what stands between backquotes in a double-quoted string.
 TEST(SystemFaults, TextInAPlotIsText) {
   const ScratchFolder folder;
