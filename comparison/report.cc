@@ -156,14 +156,16 @@ std::string limiting_section(const Results& results) {
       "<th>normal force</th><th>flank touches at</th><th>a<sub>∞</sub> / a<sub>0</sub></th></tr></thead><tbody>\n";
   for (const auto& r : results) {
     if (!r.swept_over("Wear / Stick radius ratio")) continue;
-    const auto& force = r.json.at("comparison").at("normal_force_max").at("difference");
+    const auto force =
+        r.json.at("comparison")
+            .value(nlohmann::ordered_json::json_pointer("/normal_force_max/difference"), nlohmann::ordered_json());
     html += fmt::format(
-        "<tr><td>{}</td><td>{:.5f}</td><td>{:.1e}</td><td>{:.1e}</td><td>{:+.1e}</td><td>{:.6f} "
+        "<tr><td>{}</td><td>{:.5f}</td><td>{:.1e}</td><td>{:.1e}</td><td>{}</td><td>{:.6f} "
         "d<sub>max</sub></td><td>{:.4f}</td></tr>\n",
         html_escaped(r.json.at("name").get<std::string>()),
         r.number("fe", "stick_radius_shakedown") / r.number("scene", "stick_radius_of_profile"),
-        r.number("fe", "slip_inside_stick_zone"), r.number("fe", "force_outside_stick_zone"), force.get<double>(),
-        r.number("fe", "touch_indentation"),
+        r.number("fe", "slip_inside_stick_zone"), r.number("fe", "force_outside_stick_zone"),
+        force.is_number() ? fmt::format("{:+.1e}", force.get<double>()) : "–", r.number("fe", "touch_indentation"),
         r.number("mdr", "worn_radius") / r.number("scene", "contact_radius_unworn"));
   }
   return html +

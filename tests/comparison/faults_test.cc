@@ -283,6 +283,21 @@ TEST(ResultFaults, AResultOfAnotherKindIsRefusedByKey) {
   expect_parts(refusal([&] { read_results(folder.path()); }), {"result.json", "no JSON object"});
 }
 
+// Found by fuzzing: a limiting profile whose forces were not compared, or not finite.
+TEST(ResultFaults, AReportShowsALimitingProfileWithoutForces) {
+  const fs::path seed = fs::path(FRETVAL_SOURCE_DIR) / "tests/fuzz/seeds/result_json/limiting.json";
+  for (const bool compared : {true, false}) {
+    auto json = nlohmann::json::parse(text_of(seed));
+    if (compared)
+      json["comparison"]["normal_force_max"]["difference"] = nullptr;
+    else
+      json["comparison"].erase("normal_force_max");
+    const ScratchFolder folder;
+    folder.write("result.json", json.dump());
+    EXPECT_NE(text_of(write_report(folder.path())).find("<td>–</td>"), std::string::npos);
+  }
+}
+
 // Names, keys and words of a stored result stand in the page as text.
 TEST(ResultFaults, TagsInAResultAreNoTagsInTheReport) {
   const fs::path seeds = fs::path(FRETVAL_SOURCE_DIR) / "tests/fuzz/seeds/result_json";
