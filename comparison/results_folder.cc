@@ -24,6 +24,8 @@ using nlohmann::ordered_json;
                                short_value ? value.dump() : value.type_name(), valid));
 }
 
+constexpr double most_of_anything = 2e9;
+
 using Kind = bool (ordered_json::*)() const noexcept;
 
 /// Throws unless a key of an object is of one kind; may_lack: or not there.
@@ -77,6 +79,9 @@ void require_cost(const fs::path& file, const ordered_json& cost) {
   require(file, cost, "cost/", "dofs", &ordered_json::is_number, "a number");
   for (const char* key : {"time_steps", "cycles", "peak_memory_bytes"})
     require(file, cost, "cost/", key, &ordered_json::is_number, "a number", true);
+  for (const char* count : {"dofs", "time_steps", "cycles"})  // which the report takes as integers
+    if (cost.contains(count) && !(std::abs(cost[count].get<double>()) <= most_of_anything))
+      fail(file, std::string("cost/") + count, cost[count], "at most 2e9");
 }
 
 void require_error_estimate(const fs::path& file, const ordered_json& fe) {

@@ -276,6 +276,8 @@ TEST(ResultFaults, AResultOfAnotherKindIsRefusedByKey) {
   expect_parts(with("/scene/sweep/value", nullptr), {"\"scene/sweep/value\" is null, must be a number"});
   expect_parts(with("/comparison/normal_force_max/difference", "1"), {"\"comparison/normal_force_max/difference\""});
   expect_parts(with("/cost/seconds/mesh", "1"), {"\"cost/seconds/mesh\"", "must be a number"});
+  for (const char* key : {"dofs", "time_steps", "cycles"})
+    expect_parts(with((std::string("/cost/") + key).c_str(), 1.2e12), {key, "at most 2e9"});
   expect_parts(with("/fe/error_estimate", 1), {"\"fe/error_estimate\" is 1, must be an object"});
   folder.write("result.json", good.dump().substr(0, 300));
   expect_parts(refusal([&] { read_results(folder.path()); }), {"result.json", "parse error"});
