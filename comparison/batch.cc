@@ -8,6 +8,7 @@
 
 #include "comparison/groups.h"
 #include "comparison/parallel.h"
+#include "comparison/plausibility.h"
 #include "comparison/study_driver.h"
 
 namespace fretval {
@@ -49,11 +50,20 @@ class Batch {
       : cases_(cases), output_(output), hooks_(hooks), lines_(cases.size()) {}
 
   void run(const Indices& indices) {
+    const auto references = references_of(cases_, indices);
     std::vector<CaseStudy> studies;
     for (const std::size_t i : indices) studies.emplace_back(cases_[i], depth_of(cases_[i]));
-    run_studies(studies, hooks_.make_body);
-    const auto references = references_of(cases_, indices);
-    for (std::size_t s = 0; s < indices.size(); ++s) finish(indices[s], studies[s].result(), references.at(indices[s]));
+    std::vector<std::size_t> with_fields;  // they need bodies, which only this thread makes
+    const auto finish_study = [&](std::size_t s) {
+      finish(indices[s], studies[s].result(), references.at(indices[s]));
+    };
+    run_studies(studies, hooks_.make_body, [&](std::size_t s) {
+      if (cases_[indices[s]].scene.fields == Case::Fields::none)
+        finish_study(s);
+      else
+        with_fields.push_back(s);
+    });
+    for (const std::size_t s : with_fields) finish_study(s);
   }
 
   std::vector<BatchLine> take_lines() { return std::move(lines_); }
@@ -71,6 +81,7 @@ class Batch {
     if (study.cheapest)
       for (const auto& resolution : study.cheapest->resolutions)
         spdlog::info("{}: cheapest settings that the proof covers: {}", line.name, text_of(resolution));
+    if (!output_.empty()) withdraw_outcome(output_ / line.name);
     if (line.failure.empty()) {
       const auto outcome = outcome_of(prepared, reference.response, std::move(study));
       line.verdict = outcome.verdict;
@@ -111,6 +122,8 @@ std::vector<PreparedCase> prepare(const std::vector<Case>& cases) {
     try {
       const auto mdr = mdr_scene(scene);
       prepared.push_back({scene, mdr, fem_scene(scene, mdr), tolerances_of(scene.tolerance)});
+      for (auto& warning : implausible_values(scene, mdr.profile))
+        prepared.back().scene.warnings.push_back(std::move(warning));
     } catch (const std::invalid_argument& error) {
       throw InputError(fmt::format("{}: {}", scene.file, error.what()));
     }

@@ -34,7 +34,9 @@ struct BatchHooks {
 };
 
 /// Computes all cases; those that start from one body go on together, so that they share bodies and normal histories
-/// (see run_probes). Each case writes its folder under `output` when it is done; with an empty path nothing is written.
+/// (see run_probes). Each case writes its folder under `output` when it is done, one with fields when the cases that
+/// started with it are; with an empty path nothing is written. What a folder holds from an earlier run no longer counts
+/// as a result from then on, also if the numerics of the case fail now.
 /// The lines come in the order of the cases.
 std::vector<BatchLine> run_batch(const std::vector<PreparedCase>& cases, const std::filesystem::path& output,
                                  const BatchHooks& hooks);

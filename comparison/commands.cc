@@ -18,6 +18,7 @@
 #include "comparison/extremes_json.h"
 #include "comparison/extremes_table.h"
 #include "comparison/files.h"
+#include "comparison/folder_lock.h"
 #include "comparison/ladder.h"
 #include "comparison/ladder_json.h"
 #include "comparison/mdr_command.h"
@@ -66,7 +67,7 @@ int run_cases(const std::vector<std::string>& files, const fs::path& output) {
   for (const auto& one : prepared)
     for (const auto& warning : one.scene.warnings) spdlog::warn("{}", warning);
   log_left_out(prepared);
-  fs::create_directories(output);
+  const FolderLock lock(output);
   const fem::PetscSession session;
   Progress progress;
   BatchHooks hooks;
@@ -92,7 +93,7 @@ int run_small_suite(const fs::path& meshes, const std::string& junit) {
   }
   if (!junit.empty()) write_file(junit, junit_xml(lines));
   fmt::print("{}\n", all ? "finite elements and MDR agree" : "finite elements and MDR DISAGREE");
-  return all ? exit_agree : exit_disagree;
+  return exit_code_of(lines);
 }
 
 int run_exact_suite(const std::string& junit, const std::string& json) {

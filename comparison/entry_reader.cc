@@ -23,6 +23,11 @@ std::string trimmed(const std::string& text) {
   return begin == std::string::npos ? "" : text.substr(begin, text.find_last_not_of(" \t") - begin + 1);
 }
 
+/// A value as an error shows it.
+std::string shown(const std::string& text) {
+  return text.size() > 200 ? text.substr(0, 200) + "..." : text;
+}
+
 }  // namespace
 
 const ValidNumber any_number{[](double) { return true; }, "a finite number"};
@@ -43,13 +48,13 @@ bool EntryReader::given(const std::string& section, const std::string& name) con
 void EntryReader::fail(const std::string& section, const std::string& name, const std::string& valid) const {
   const std::string value = text(section, name);
   if (value.empty()) throw InputError(fmt::format("{}: {} / {} is missing; expected {}", file_, section, name, valid));
-  throw InputError(fmt::format("{}: {} / {} = {}: expected {}", file_, section, name, value, valid));
+  throw InputError(fmt::format("{}: {} / {} = {}: expected {}", file_, section, name, shown(value), valid));
 }
 
 void EntryReader::forbid(const std::string& section, const std::string& name, const std::string& reason) const {
   if (given(section, name))
-    throw InputError(
-        fmt::format("{}: {} / {} = {} has no meaning here: {}", file_, section, name, text(section, name), reason));
+    throw InputError(fmt::format("{}: {} / {} = {} has no meaning here: {}", file_, section, name,
+                                 shown(text(section, name)), reason));
 }
 
 std::string EntryReader::one_of(const std::string& section, const std::string& name,

@@ -25,4 +25,10 @@ std::string html_escaped(const std::string& text) {
   return result;
 }
 
+std::string without_control_characters(std::string text) {
+  for (char& c : text)
+    if ((static_cast<unsigned char>(c) < ' ' && c != '\n') || c == 0x7F) c = '?';
+  return text;
+}
+
 }  // namespace fretval

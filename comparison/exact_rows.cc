@@ -21,10 +21,8 @@ void add_indentation(Rows& rows, const std::vector<LadderMesh>& meshes) {
   add(rows, indentation_rows(meshes, exact_indentation("cone", "Love 1939, Sneddon 1965", 1),
                              {1e-6, 3, far_field, 1e-6, far_field_note},
                              {1e-5, 2, far_field, 1e-5, "the ring at the tip: h^2"}));
-  add(rows,
-      indentation_rows(meshes, exact_indentation("power law n = 4", "Galin 1946, Sneddon 1965", 4),
-                       {1e-6, 3, far_field, 1e-6, far_field_note},
-                       {6e-6, 2, far_field, 1e-5, far_field_note}));
+  add(rows, indentation_rows(meshes, exact_indentation("power law n = 4", "Galin 1946, Sneddon 1965", 4),
+                             {1e-6, 3, far_field, 1e-6, far_field_note}, {6e-6, 2, far_field, 1e-5, far_field_note}));
   add(rows, punch_rows(meshes, exact_punch()));
 }
 

@@ -7,6 +7,7 @@
 #include <set>
 #include <tuple>
 
+#include "comparison/escape.h"
 #include "comparison/plots.h"
 
 namespace fretval {
@@ -109,7 +110,7 @@ Figure stick_radius_figure(const std::vector<const StoredResult*>& results, cons
   return {svg(plot),
           fmt::format("{}. Lines: MDR. Full points: finite elements, {}; open points: the other rheologies with "
                       "the same modulus ratio. Rheologies shown: {}. A missing point: nothing sticks.",
-                      plot.title, leading.begin()->second.rheology, list)};
+                      plot.title, html_escaped(leading.begin()->second.rheology), html_escaped(list))};
 }
 
 Figure difference_figure(const std::vector<const StoredResult*>& results, const std::string& shape) {

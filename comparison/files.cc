@@ -13,6 +13,7 @@ namespace fs = std::filesystem;
 void write_file(const fs::path& file, const std::string& content) {
   fs::path partial = file;
   partial += ".partial";
+  errno = 0;
   std::ofstream stream(partial, std::ios::binary);
   stream << content;
   stream.close();

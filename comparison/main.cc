@@ -4,11 +4,15 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <cerrno>
+#include <cstdio>
 #include <filesystem>
 #include <new>
+#include <system_error>
 
 #include "comparison/case.h"
 #include "comparison/commands.h"
+#include "comparison/escape.h"
 #include "comparison/versions.h"
 #include "fem/solver_error.h"
 #include "meshes/mesh_error.h"
@@ -20,6 +24,11 @@ std::string version_text() {
   for (const auto& [name, version] : fretval::versions()) text += fmt::format("{} {}\n", name, version);
   text.pop_back();
   return text;
+}
+
+/// Parts of a message may come from a file.
+void say(const std::exception& error) {
+  spdlog::error("{}", fretval::without_control_characters(error.what()));
 }
 
 }  // namespace
@@ -42,30 +51,34 @@ int main(int argc, char** argv) {
     return app.exit(error) == 0 ? fretval::exit_agree : fretval::exit_bad_input;
   }
   try {
-    return command();
+    const int exit_code = command();
+    errno = 0;
+    if (std::fflush(stdout) != 0 || std::ferror(stdout))
+      throw std::system_error(errno ? errno : EIO, std::generic_category(), "cannot write to the standard output");
+    return exit_code;
   } catch (const fretval::InputError& error) {
-    spdlog::error("{}", error.what());
+    say(error);
     return fretval::exit_bad_input;
   } catch (const fretval::meshes::MeshError& error) {
-    spdlog::error("{}", error.what());
+    say(error);
     return fretval::exit_bad_input;
   } catch (const fretval::fem::SolverError& error) {
-    spdlog::error("{}", error.what());
+    say(error);
     return fretval::exit_numerics_failed;
   } catch (const std::filesystem::filesystem_error& error) {
-    spdlog::error("{}", error.what());
+    say(error);
     return fretval::exit_system_failed;
   } catch (const std::system_error& error) {
-    spdlog::error("{}", error.what());
+    say(error);
     return fretval::exit_system_failed;
   } catch (const std::runtime_error& error) {
-    spdlog::error("{}", error.what());
+    say(error);
     return fretval::exit_numerics_failed;
   } catch (const std::bad_alloc&) {
     spdlog::error("out of memory: use a larger Accuracy / Tolerance");
     return fretval::exit_system_failed;
   } catch (const std::exception& error) {
-    spdlog::error("{}", error.what());
+    say(error);
     return fretval::exit_system_failed;
   }
 }

@@ -9,6 +9,8 @@
 #include "comparison/commands.h"
 #include "comparison/files.h"
 #include "comparison/mdr_document.h"
+#include "comparison/mdr_scene.h"
+#include "comparison/plausibility.h"
 
 namespace fretval {
 namespace {
@@ -60,6 +62,7 @@ int run_mdr(const std::string& file, const MdrOptions& options) {
   for (const auto& scene : cases) {
     for (const auto& warning : scene.warnings) spdlog::warn("{}", warning);
     const auto document = mdr_document(scene, options.springs);
+    for (const auto& warning : implausible_values(scene, profile_of(scene.indenter))) spdlog::warn("{}", warning);
     if (!options.fields.empty()) write_csv(options.fields, surface_columns(scene, document.worn));
     if (options.json) {
       list.push_back(document.json);

@@ -1,6 +1,8 @@
 #include "comparison/outcome.h"
 
 #include <cmath>
+#include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "comparison/files.h"
 #include "comparison/json_parts.h"
@@ -118,13 +120,21 @@ void write_profile(const Outcome& outcome, const fs::path& file) {
 
 void write_field(const HarmonicBody& body, const Eigen::VectorXd& rings, const Units& units, const fs::path& file) {
   const auto field = fem::extend_into_body(body.space, body.condensation, body.contact.compliance, rings);
-  fs::path partial = file;
-  partial += ".partial";
-  fem::write_vtu(body.space, field, units.length, units.depth, partial);
-  fs::rename(partial, file);
+  std::ostringstream text;
+  fem::write_vtu(body.space, field, units.length, units.depth, text);
+  write_file(file, text.str());
+}
+
+/// Names of files may have bytes that are not UTF-8.
+std::string as_text(const nlohmann::ordered_json& json) {
+  return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace
+
+void withdraw_outcome(const fs::path& folder) {
+  fs::remove(folder / "result.json");
+}
 
 void write_outcome(const Outcome& outcome, const mdr::NormalResponse& reference, const fs::path& folder,
                    const std::function<Body(const BodySpecification&)>& make_body) {
@@ -142,8 +152,8 @@ void write_outcome(const Outcome& outcome, const mdr::NormalResponse& reference,
       write_field(*body.tangential, outcome.study.answer.fe.friction.displacement, units,
                   folder / "tangential_period_end.vtu");
   }
-  write_file(folder / "run.json", run_json(outcome).dump(2) + "\n");
-  write_file(folder / "result.json", result_json(outcome).dump(2) + "\n");
+  write_file(folder / "run.json", as_text(run_json(outcome)));
+  write_file(folder / "result.json", as_text(result_json(outcome)));
 }
 
 }  // namespace fretval

@@ -26,8 +26,12 @@ nlohmann::ordered_json to_json(const MdrAnswer& answer);
 /// The whole of result.json, with the keys of the documentation in docs/results.md.
 nlohmann::ordered_json result_json(const Outcome& outcome);
 
+/// Removes the result.json of an earlier run from a folder, if there is one: without it a folder is no result.
+void withdraw_outcome(const std::filesystem::path& folder);
+
 /// Writes result.json, run.json, history.csv, contact.csv, profile.csv and, if the case asks for fields, the VTU files
-/// into a folder, which is made if need be. make_body: for the fields, which need the whole body once more.
+/// into a folder, which is made if need be; result.json comes last. make_body: for the fields, which need the whole
+/// body once more.
 void write_outcome(const Outcome& outcome, const mdr::NormalResponse& reference, const std::filesystem::path& folder,
                    const std::function<Body(const BodySpecification&)>& make_body);
 

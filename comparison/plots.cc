@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cmath>
@@ -13,6 +14,8 @@
 #include <sstream>
 #include <system_error>
 
+#include "comparison/escape.h"
+
 namespace fretval {
 namespace {
 
@@ -22,11 +25,12 @@ namespace fs = std::filesystem;
 constexpr std::array<const char*, 9> palette{"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00",
                                              "#56b4e9", "#6a51a3", "#555555", "#a6761d"};
 
+/// A string of a gnuplot script. In double quotes gnuplot would run what stands between backquotes as a shell command.
 std::string quoted(const std::string& text) {
   std::string result = "\"";
   for (const char c : text) {
     if (c == '"' || c == '\\') result += '\\';
-    result += c == '\n' ? ' ' : c;
+    result += c == '\n' ? ' ' : c == '`' ? '\'' : c;
   }
   return result + '"';
 }
@@ -45,6 +49,11 @@ std::string style_of(const Series& series) {
     default:
       return fmt::format("with points pt 6 ps 0.55 lc rgb '{}'", colour);
   }
+}
+
+bool is_drawn(const Plot& plot, const Series& series, std::size_t i) {
+  return std::isfinite(series.x[i]) && std::isfinite(series.y[i]) && (!plot.log_y || series.y[i] > 0) &&
+         (!plot.log_x || series.x[i] > 0);
 }
 
 std::string script_of(const Plot& plot) {
@@ -66,7 +75,7 @@ std::string script_of(const Plot& plot) {
     script << "$data" << k << " << EOD\n";
     const auto& series = plot.series[k];
     for (std::size_t i = 0; i < series.x.size(); ++i) {
-      const bool drawn = std::isfinite(series.y[i]) && (!plot.log_y || series.y[i] > 0);
+      const bool drawn = is_drawn(plot, series, i);
       script << fmt::format("{:.10g} {}\n", series.x[i], drawn ? fmt::format("{:.10g}", series.y[i]) : "nan");
     }
     script << "EOD\n";
@@ -107,11 +116,33 @@ class ScratchFile {
   fs::path path_;
 };
 
+bool has_points(const Plot& plot) {
+  return std::any_of(plot.series.begin(), plot.series.end(), [&](const Series& series) {
+    for (std::size_t i = 0; i < series.x.size(); ++i)
+      if (is_drawn(plot, series, i)) return true;
+    return false;
+  });
+}
+
+/// In place of a plot, for which gnuplot would fail.
+std::string nothing_to_draw(const Plot& plot) {
+  return fmt::format(
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 640 440\"><text x=\"320\" y=\"220\" "
+      "text-anchor=\"middle\">{}: no data</text></svg>",
+      html_escaped(plot.title));
+}
+
 }  // namespace
 
 std::string svg(const Plot& plot) {
+  if (!has_points(plot)) return nothing_to_draw(plot);
   const ScratchFile script;
-  std::ofstream(script.path()) << script_of(plot);
+  errno = 0;
+  std::ofstream stream(script.path());
+  stream << script_of(plot);
+  stream.close();
+  if (!stream)
+    throw std::system_error(errno ? errno : EIO, std::generic_category(), "cannot write " + script.path().string());
   FILE* pipe = popen(("gnuplot '" + script.path().string() + "' 2>&1").c_str(), "r");
   if (!pipe) throw std::system_error(errno, std::generic_category(), "gnuplot could not be started");
   std::string output;

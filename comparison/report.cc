@@ -157,14 +157,16 @@ std::string limiting_section(const Results& results) {
       "<th>normal force</th><th>flank touches at</th><th>a<sub>∞</sub> / a<sub>0</sub></th></tr></thead><tbody>\n";
   for (const auto& r : results) {
     if (!r.swept_over("Wear / Stick radius ratio")) continue;
-    const auto& force = r.json.at("comparison").at("normal_force_max").at("difference");
+    const auto force =
+        r.json.at("comparison")
+            .value(nlohmann::ordered_json::json_pointer("/normal_force_max/difference"), nlohmann::ordered_json());
     html += fmt::format(
-        "<tr><td>{}</td><td>{:.5f}</td><td>{:.1e}</td><td>{:.1e}</td><td>{:+.1e}</td><td>{:.6f} "
+        "<tr><td>{}</td><td>{:.5f}</td><td>{:.1e}</td><td>{:.1e}</td><td>{}</td><td>{:.6f} "
         "d<sub>max</sub></td><td>{:.4f}</td></tr>\n",
         html_escaped(r.json.at("name").get<std::string>()),
         r.number("fe", "stick_radius_shakedown") / r.number("scene", "stick_radius_of_profile"),
-        r.number("fe", "slip_inside_stick_zone"), r.number("fe", "force_outside_stick_zone"), force.get<double>(),
-        r.number("fe", "touch_indentation"),
+        r.number("fe", "slip_inside_stick_zone"), r.number("fe", "force_outside_stick_zone"),
+        force.is_number() ? fmt::format("{:+.1e}", force.get<double>()) : "–", r.number("fe", "touch_indentation"),
         r.number("mdr", "worn_radius") / r.number("scene", "contact_radius_unworn"));
   }
   return html +
@@ -184,8 +186,8 @@ std::string single_cases_section(const Results& results) {
         "<div class=\"scroll\"><table><thead><tr><th>quantity</th><th>MDR</th><th>finite elements</th>"
         "<th>difference</th><th>tolerance</th></tr></thead><tbody>\n";
     for (const auto& [key, d] : r.json.at("comparison").items())
-      html += fmt::format("<tr><td>{}</td><td>{:.6g}</td><td>{:.6g}</td><td{}>{}</td><td>{:.1e}</td></tr>\n", key,
-                          r.number("mdr", key.c_str()), r.number("fe", key.c_str()),
+      html += fmt::format("<tr><td>{}</td><td>{:.6g}</td><td>{:.6g}</td><td{}>{}</td><td>{:.1e}</td></tr>\n",
+                          html_escaped(key), r.number("mdr", key.c_str()), r.number("fe", key.c_str()),
                           d.at("pass").get<bool>() ? "" : " class=\"bad-cell\"",
                           d.at("difference").is_number() ? fmt::format("{:.1e}", d["difference"].get<double>()) : "–",
                           d.at("tolerance").get<double>());

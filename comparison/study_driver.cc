@@ -5,23 +5,29 @@
 
 namespace fretval {
 
-void run_studies(std::vector<CaseStudy>& studies, const MakeBody& make_body) {
+void run_studies(std::vector<CaseStudy>& studies, const MakeBody& make_body,
+                 const std::function<void(std::size_t)>& finished) {
   BodyStore bodies(make_body);
   while (true) {
     std::vector<Probe> probes;
     std::vector<std::pair<std::size_t, Resolution>> origin;  // study
+    std::vector<std::size_t> n_missing(studies.size());
     for (std::size_t s = 0; s < studies.size(); ++s)
       for (const auto& resolution : studies[s].wanted()) {
         const auto& prepared = studies[s].prepared();
         probes.push_back({&prepared.scene, at_resolution(prepared.fem, resolution)});
         origin.emplace_back(s, resolution);
+        ++n_missing[s];
       }
     if (probes.empty()) return;
-    run_probes(probes, std::ref(bodies), [&](std::size_t i, ProbeAnswer&& answer) {
-      studies[origin[i].first].take(origin[i].second, std::move(answer));
-    });
-    for (auto& study : studies)
-      if (!study.wanted().empty()) study.advance();
+    const auto take = [&](std::size_t i, ProbeAnswer&& answer) {
+      const auto& [s, resolution] = origin[i];
+      studies[s].take(resolution, std::move(answer));
+      if (--n_missing[s] > 0) return;
+      studies[s].advance();
+      if (studies[s].wanted().empty()) finished(s);
+    };
+    run_probes(probes, std::ref(bodies), take);
   }
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "comparison/case_study.h"
@@ -7,7 +8,11 @@
 namespace fretval {
 
 /// Runs studies until all are finished: what they want is computed round by round, together, so that they share normal
-/// histories (see run_probes); every body is made once. The studies' cases must outlive the call.
-void run_studies(std::vector<CaseStudy>& studies, const MakeBody& make_body);
+/// histories (see run_probes); every body is made once. The studies' cases must outlive the call. finished is called
+/// with the number of each study when it has all that it wants, one call at a time, while others may go on: it must not
+/// make bodies.
+void run_studies(
+    std::vector<CaseStudy>& studies, const MakeBody& make_body,
+    const std::function<void(std::size_t study)>& finished = [](auto) {});
 
 }  // namespace fretval

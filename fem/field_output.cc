@@ -4,9 +4,6 @@
 #include <deal.II/numerics/data_out.h>
 #include <deal.II/numerics/data_postprocessor.h>
 
-#include <cerrno>
-#include <fstream>
-
 #include "fem/harmonic_space_parts.h"
 #include "fem/solver_error.h"
 
@@ -75,7 +72,7 @@ Eigen::VectorXd extend_into_body(const HarmonicSpace& space, const Condensation&
 }
 
 void write_vtu(const HarmonicSpace& space, const Eigen::VectorXd& displacements, double length, double depth,
-               const std::filesystem::path& file) {
+               std::ostream& stream) {
   dealii::Vector<double> solution(displacements.begin(), displacements.end());
   const Displacements postprocessor(space.harmonic(), depth);
   ScaledDataOut output;
@@ -83,10 +80,7 @@ void write_vtu(const HarmonicSpace& space, const Eigen::VectorXd& displacements,
   output.add_data_vector(solution, postprocessor);
   output.build_patches(space.parts().element.degree);
   output.scale(length);
-  std::ofstream stream(file);
   output.write_vtu(stream);
-  if (!stream.flush())
-    throw std::filesystem::filesystem_error("cannot write", file, std::error_code(errno, std::generic_category()));
 }
 
 }  // namespace fretval::fem

@@ -1,6 +1,7 @@
 #pragma once
 
-#include <filesystem>
+#include <Eigen/Dense>
+#include <ostream>
 
 #include "fem/compliance.h"
 #include "fem/condensation.h"
@@ -14,10 +15,9 @@ Eigen::VectorXd extend_into_body(const HarmonicSpace& space, const Condensation&
                                  const Compliance& compliance, const Eigen::VectorXd& ring_displacements);
 
 /// Writes the mesh and the displacement amplitudes (n = 0: u_r, u_z; n = 1: u_r and u_z at theta = 0, u_theta at
-/// theta = 90 degrees) of the half-plane as a VTU file. Coordinates are multiplied by length, displacements by depth.
-/// For n = 0 a positive ring displacement points into the body. Throws std::filesystem::filesystem_error if the file
-/// cannot be written.
+/// theta = 90 degrees) of the half-plane in the VTU format. Coordinates are multiplied by length, displacements by
+/// depth. For n = 0 a positive ring displacement points into the body.
 void write_vtu(const HarmonicSpace& space, const Eigen::VectorXd& displacements, double length, double depth,
-               const std::filesystem::path& file);
+               std::ostream& stream);
 
 }  // namespace fretval::fem

@@ -39,7 +39,7 @@ double change_per_cycle(const std::vector<Eigen::VectorXd>& pressure, int n_step
     change = std::max(change, (pressure[k] - pressure[k - static_cast<std::size_t>(n_steps)]).cwiseAbs().maxCoeff());
     largest = std::max(largest, pressure[k].maxCoeff());
   }
-  return change / largest;
+  return change > 0 ? change / largest : 0;
 }
 
 /// Carries the rings from step to step.

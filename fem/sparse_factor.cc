@@ -14,22 +14,6 @@ namespace {
 // or more.
 constexpr double probe_tolerance = 1e-8;
 
-std::string explain(int infog1, int infog2) {
-  std::string codes = "MUMPS INFOG(1) = " + std::to_string(infog1) + ", INFOG(2) = " + std::to_string(infog2);
-  switch (infog1) {
-    case -6:
-    case -10:
-      return "the matrix is singular (" + codes + "); check the boundary conditions of the body";
-    case -8:
-    case -9:
-      return "MUMPS' work space was too small (" + codes + ")";
-    case -13:
-      return "out of memory (" + codes + "); use a coarser mesh";
-    default:
-      return codes;
-  }
-}
-
 void check(PetscErrorCode code, const std::string& name, const char* step) {
   if (code == 0) return;
   const char* text = nullptr;
@@ -70,18 +54,42 @@ struct OwnedMat {
   OwnedMat& operator=(const OwnedMat&) = delete;
 };
 
+bool needs_more_work_space(int infog1) {
+  return infog1 == -8 || infog1 == -9;
+}
+
 }  // namespace
+
+std::string explain_mumps(int infog1, int infog2) {
+  std::string codes = "MUMPS INFOG(1) = " + std::to_string(infog1) + ", INFOG(2) = " + std::to_string(infog2);
+  switch (infog1) {
+    case -6:
+    case -10:
+      return "the matrix is singular (" + codes + "); check the boundary conditions of the body";
+    case -8:
+    case -9:
+      return "MUMPS' work space was too small, also after it was made larger (" + codes + "); use a coarser mesh";
+    case -13:
+    case -19:
+      return "out of memory (" + codes + "); use a coarser mesh";
+    default:
+      return codes;
+  }
+}
 
 class SparseFactor::Factored {
  public:
-  Factored(SparseMatrix rows, const std::vector<unsigned>& interface_dofs, std::string name)
+  Factored(SparseMatrix rows, const std::vector<unsigned>& interface_dofs, std::string name, const SpareMemory& spare)
       : rows_(std::move(rows)), name_(std::move(name)) {
     check_entries(rows_, name_);
     check(MatCreateSeqAIJWithArrays(PETSC_COMM_SELF, rows_.n, rows_.n, rows_.row_start.data(), rows_.columns.data(),
                                     rows_.values.data(), &matrix_.mat),
           name_, "creating the matrix");
     MatSetOption(matrix_.mat, MAT_SYMMETRIC, PETSC_TRUE);
-    factorise(interface_dofs);
+    if (factorise(interface_dofs, spare.first)) return;
+    MatDestroy(&factor_.mat);
+    factorise(interface_dofs, spare.second);
+    check_mumps("the factorisation");
   }
 
   [[nodiscard]] Eigen::MatrixXd schur_complement() const {
@@ -131,11 +139,11 @@ class SparseFactor::Factored {
     return solution;
   }
 
-  void factorise(const std::vector<unsigned>& interface_dofs) {
+  /// False if the work space was too small.
+  bool factorise(const std::vector<unsigned>& interface_dofs, int percent_spare) {
     check(MatGetFactor(matrix_.mat, MATSOLVERMUMPS, MAT_FACTOR_CHOLESKY, &factor_.mat), name_, "setting up MUMPS");
     MatMumpsSetIcntl(factor_.mat, 7, 5);  // METIS: half the flops of the default ordering on these meshes
-    MatMumpsSetIcntl(factor_.mat, 14,
-                     60);  // % of spare work space: pivoting of the saddle point needs more than the default
+    MatMumpsSetIcntl(factor_.mat, 14, percent_spare);
     if (!interface_dofs.empty()) {
       const std::vector<PetscInt> indices(interface_dofs.begin(), interface_dofs.end());
       IS set = nullptr;
@@ -149,14 +157,19 @@ class SparseFactor::Factored {
     check(MatCholeskyFactorSymbolic(factor_.mat, matrix_.mat, nullptr, &info), name_, "the analysis");
     check_mumps("the analysis");
     check(MatCholeskyFactorNumeric(factor_.mat, matrix_.mat, &info), name_, "the factorisation");
+    if (needs_more_work_space(infog(1))) return false;
     check_mumps("the factorisation");
+    return true;
+  }
+
+  [[nodiscard]] int infog(int i) const {
+    PetscInt value = 0;
+    MatMumpsGetInfog(factor_.mat, i, &value);
+    return static_cast<int>(value);
   }
 
   void check_mumps(const char* step) const {
-    PetscInt infog1 = 0, infog2 = 0;
-    MatMumpsGetInfog(factor_.mat, 1, &infog1);
-    MatMumpsGetInfog(factor_.mat, 2, &infog2);
-    if (infog1 < 0) throw SolverError(name_ + ": " + step + " failed: " + explain(infog1, infog2));
+    if (infog(1) < 0) throw SolverError(name_ + ": " + step + " failed: " + explain_mumps(infog(1), infog(2)));
   }
 
   SparseMatrix rows_;  // PETSc works on these arrays
@@ -167,8 +180,9 @@ class SparseFactor::Factored {
 SparseFactor::SparseFactor(SparseMatrix matrix, std::string name)
     : SparseFactor(std::move(matrix), {}, std::move(name)) {}
 
-SparseFactor::SparseFactor(SparseMatrix matrix, const std::vector<unsigned>& interface_dofs, std::string name)
-    : factored_(std::make_unique<Factored>(std::move(matrix), interface_dofs, std::move(name))) {}
+SparseFactor::SparseFactor(SparseMatrix matrix, const std::vector<unsigned>& interface_dofs, std::string name,
+                           const SpareMemory& spare)
+    : factored_(std::make_unique<Factored>(std::move(matrix), interface_dofs, std::move(name), spare)) {}
 
 SparseFactor::~SparseFactor() = default;
 SparseFactor::SparseFactor(SparseFactor&&) noexcept = default;

@@ -121,11 +121,21 @@ PiecewiseCubic image_of(const PiecewiseCubic& height_slope) {
   return hermite_cubic(x, g, slopes);
 }
 
+void require_finite_pieces(const PiecewiseCubic& cubic) {
+  for (std::size_t k = 0; k < cubic.coefficients.size(); ++k)
+    for (const double c : cubic.coefficients[k])
+      if (!std::isfinite(c))
+        reject("profile table at r in m", cubic.nodes[k],
+               "the heights or their slopes are beyond the range of double; must be of the size of a profile");
+}
+
 ProfileTable table_of(const PiecewiseCubic& height) {
+  require_finite_pieces(height);
   ProfileTable table;
   table.height = height;
   table.height_slope = derivative(table.height);
   table.image = image_of(table.height_slope);
+  require_finite_pieces(table.image);
   table.image_slope = derivative(table.image);
   return table;
 }

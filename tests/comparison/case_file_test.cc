@@ -69,12 +69,13 @@ TEST(CaseFile, ExpandsASweep) {
   EXPECT_EQ(range[1].name, "family/phase-30");
   EXPECT_EQ(range[1].sweep->value, 30);
   EXPECT_EQ(sweep("10, 20").size(), 2U);
+  EXPECT_EQ(sweep("-90:30:-30").size(), 3U);
 }
 
 TEST(CaseFile, ReadsJsonThroughTheSameHandler) {
   const ScratchFolder folder;
   const auto file = folder.write("one.json", R"({
-    "Indenter": {"Shape": "cone", "Slope angle": "5"},
+    "Indenter": {"Shape": "cone", "Slope angle": 5},
     "Elastomer": {"Rheology": "elastic", "Relaxed shear modulus": "1e6"},
     "Friction": {"Coefficient": "0.5", "Law": "unidirectional"},
     "Motion": {"Indentation": "1e-4", "Normal amplitude": "0", "Normal frequency": "1",

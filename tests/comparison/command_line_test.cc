@@ -1,38 +1,14 @@
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
-#include "tests/comparison/scratch_folder.h"
+#include "tests/comparison/run_fretval.h"
 
 namespace fretval {
 namespace {
 
 namespace fs = std::filesystem;
-
-struct Run {
-  int exit_code;
-  std::string out, err;
-};
-
-std::string text_of(const fs::path& file) {
-  std::ifstream stream(file);
-  std::stringstream text;
-  text << stream.rdbuf();
-  return text.str();
-}
-
-Run fretval_run(const std::string& arguments, const ScratchFolder& folder) {
-  const fs::path out = folder.path() / "stdout.txt", err = folder.path() / "stderr.txt";
-  const std::string command =
-      std::string(FRETVAL_PROGRAM) + " " + arguments + " >" + out.string() + " 2>" + err.string();
-  const int status = std::system(command.c_str());
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, text_of(out), text_of(err)};
-}
 
 TEST(CommandLine, SaysItsVersionAndThoseOfItsLibraries) {
   const ScratchFolder folder;

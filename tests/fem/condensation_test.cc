@@ -147,5 +147,39 @@ TEST(CondensationErrors, NoticeASingularSchurComplement) {
   expect_solver_error([&] { Condensation(rows_of(matrix), {3, 5}, "the pump"); }, {"the pump", "singular"});
 }
 
+/// A saddle point whose pivots MUMPS has to delay: zero diagonals everywhere, so that its estimate of the work space
+/// is too small.
+SparseMatrix delayed_pivots() {
+  constexpr int n = 600;
+  Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(n, n);
+  std::mt19937 engine(3);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < i; ++j) matrix(i, j) = matrix(j, i) = uniform(engine);
+  return rows_of(matrix);
+}
+
+// A negative spare takes away from MUMPS' estimate; INFOG(1) is then -9.
+TEST(CondensationErrors, GiveMumpsMoreMemoryOnce) {
+  const Eigen::VectorXd rhs = random_vector(600);
+  const SparseFactor retried(delayed_pivots(), {}, "the pump", {-90, 60});
+  const SparseFactor enough(delayed_pivots(), {}, "the pump");
+  EXPECT_LT((retried.solve(rhs) - enough.solve(rhs)).norm(), 1e-10 * enough.solve(rhs).norm());
+  expect_solver_error(
+      [] {
+        SparseFactor(delayed_pivots(), {}, "the pump", {-90, -90});
+      },
+      {"the pump", "work space was too small", "INFOG(1) = -9", "coarser mesh"});
+}
+
+TEST(CondensationErrors, SayWhatMumpsMeans) {
+  EXPECT_NE(explain_mumps(-10, 3).find("singular (MUMPS INFOG(1) = -10, INFOG(2) = 3); check"), std::string::npos);
+  for (const int code : {-13, -19}) {
+    EXPECT_NE(explain_mumps(code, 0).find("out of memory"), std::string::npos);
+    EXPECT_NE(explain_mumps(code, 0).find("coarser mesh"), std::string::npos);
+  }
+  EXPECT_EQ(explain_mumps(-3, 7), "MUMPS INFOG(1) = -3, INFOG(2) = 7");
+}
+
 }  // namespace
 }  // namespace fretval::fem

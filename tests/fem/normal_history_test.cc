@@ -238,6 +238,19 @@ TEST(NormalHistory, SaysWhenTheContactLineIsTooShort) {
                       {"end of the contact line", "longer"});
 }
 
+// The indenter stays above the surface: no force, and no division by it.
+TEST(NormalHistory, WithoutContactHasNoForce) {
+  const auto& problem = normal_half_space(16);
+  Motion motion = fretting_motion();
+  motion.indentation = -2 * motion.normal_amplitude;
+  for (const auto& body : {elastic_body(), standard_solid()}) {
+    const auto history = normal_history(problem, body, parabola_means(problem), motion, {});
+    EXPECT_EQ(history.force.cwiseAbs().maxCoeff(), 0);
+    EXPECT_EQ(history.pressure.cwiseAbs().maxCoeff(), 0);
+    EXPECT_TRUE(history.deepest_displacement.allFinite());
+  }
+}
+
 TEST(NormalHistory, NeedsNoRamp) {
   const auto& problem = normal_half_space(16);
   Motion motion = fretting_motion();

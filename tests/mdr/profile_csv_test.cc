@@ -55,6 +55,17 @@ TEST(ProfileCsv, FitsANoisyScan) {
   EXPECT_NE(error_of(text.str(), 1e-8).find("scan.csv: profile table at r in m"), std::string::npos);
 }
 
+// Found by fuzzing: slopes between such heights overflow.
+TEST(ProfileCsv, RefusesHeightsBeyondTheRangeOfSlopes) {
+  std::istringstream stream("r,f\nmm,um\n0,5\n1,1\n2;1e308\n8,46\n");
+  try {
+    read_profile_table(stream, "table.csv");
+    FAIL();
+  } catch (const std::invalid_argument& error) {
+    EXPECT_NE(std::string(error.what()).find("table.csv: profile table at r in m"), std::string::npos) << error.what();
+  }
+}
+
 TEST(ProfileCsv, ErrorsNameSourceAndPlace) {
   const struct {
     const char* text;

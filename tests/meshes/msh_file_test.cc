@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <random>
 
 #include "meshes/audit.h"
 #include "meshes/grading.h"
@@ -77,6 +78,22 @@ TEST_F(MshFile, MustNotBeTruncatedAnywhere) {
     expect_unreadable(text.substr(0, length), {"must"});
   }
   expect_unreadable(text.substr(0, text.find("$EndElements")), {"$EndElements", "missing", "ends too early"});
+}
+
+// Whatever is in the file: a mesh that passes the audit, or an error.
+TEST_F(MshFile, MayHoldAnything) {
+  std::mt19937 engine(1);
+  const std::string text = block_text();
+  for (int k = 0; k < 300; ++k) {
+    std::string damaged = text;
+    for (int n = 0; n <= k % 5; ++n) damaged[engine() % damaged.size()] = static_cast<char>(engine());
+    write_text(file, damaged);
+    try {
+      audit(read_msh(file), file.string());
+    } catch (const MeshError& error) {
+      EXPECT_EQ(std::string(error.what()).rfind(file.string(), 0), 0U) << error.what();
+    }
+  }
 }
 
 TEST_F(MshFile, MustBeOfAKnownFormat) {

@@ -1,0 +1,35 @@
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <sstream>
+
+#include "comparison/case.h"
+#include "comparison/plots.h"
+#include "comparison/report.h"
+#include "comparison/versions.h"
+#include "tests/comparison/scratch_folder.h"
+
+// The report without gnuplot and without the libraries whose versions it names.
+std::string fretval::svg(const fretval::Plot& plot) {
+  for (const auto& series : plot.series)
+    if (series.x.size() != series.y.size()) std::abort();
+  return "<svg></svg>";
+}
+std::vector<std::pair<std::string, std::string>> fretval::versions() {
+  return {{"fretval", "0"}};
+}
+
+/// A report is written from a stored result, or the result is refused as bad input. Nothing of the result gets into the
+/// page as a tag.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  static const fretval::ScratchFolder folder;
+  folder.write("result.json", std::string(reinterpret_cast<const char*>(data), size));
+  try {
+    std::ifstream stream(fretval::write_report(folder.path()));
+    std::stringstream page;
+    page << stream.rdbuf();
+    if (page.str().find("<script") != std::string::npos) std::abort();
+  } catch (const fretval::InputError&) {
+  }
+  return 0;
+}
