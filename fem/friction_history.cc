@@ -129,6 +129,7 @@ FrictionHistory friction_history(const ContactProblem& problem, const Relaxation
   history.periodicity = infinity;
   history.slip_path = Eigen::VectorXd::Zero(n);
   const auto& series = problem.series;
+  const Eigen::MatrixXd depths_of_limits = friction_coefficient * series.depths(normal.pressure);
   Eigen::VectorXd traction = Eigen::VectorXd::Zero(n), traction_depths = traction;
   // No floor under a reserve: below zero between two samples it tells what a finer step would have let slip.
   RunningMinimum first_slip(n, 0), first_forward(n, -infinity), first_backward(n, -infinity);
@@ -153,7 +154,7 @@ FrictionHistory friction_history(const ContactProblem& problem, const Relaxation
       const Eigen::VectorXd limit = friction_coefficient * normal.pressure.col(column);
       const auto step = stepper.compute_step(index, limit);
       const auto& depths = stepper.zones().depths();
-      const Eigen::VectorXd limit_depths = series.depths(limit);
+      const Eigen::VectorXd limit_depths = depths_of_limits.col(column);
       first_slip.add(limit - step.traction.cwiseAbs());
       first_forward.add(limit_depths - depths);
       first_backward.add(limit_depths + depths);

@@ -41,7 +41,10 @@ PunchSeries::PunchSeries(const Compliance& compliance, const Eigen::MatrixXd& fa
       force_per_radius_(by_load_.squaredNorm() / edges_[areas_.size()]) {}
 
 Eigen::MatrixXd PunchSeries::depths(const Eigen::MatrixXd& tractions) const {
-  const Eigen::MatrixXd half = factor_.transpose().triangularView<Eigen::Upper>() * tractions;
+  const auto transposed = factor_.transpose().triangularView<Eigen::Upper>();
+  // The product with a matrix repacks the factor, which for a single column costs more than the product.
+  if (tractions.cols() == 1) return (transposed * tractions.col(0)).cwiseQuotient(by_load_);
+  const Eigen::MatrixXd half = transposed * tractions;
   return by_load_.cwiseInverse().asDiagonal() * half;
 }
 
