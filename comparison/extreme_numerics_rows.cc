@@ -18,7 +18,7 @@ ExtremeRow cycles_row(int n_cycles, const Entries& entries) {
   return row;
 }
 
-ExtremeRow refused(const char* family, const char* value, const Entries& entries, const char* words) {
+ExtremeRow refused(const char* family, const std::string& value, const Entries& entries, const char* words) {
   return {family, value, entries, words};
 }
 
@@ -52,7 +52,7 @@ std::vector<ExtremeRow> extreme_numerics_rows() {
 std::vector<ExtremeRow> extreme_bad_input_rows() {
   const auto changed = [](const char* place, const char* value) { return with(extremes_base(), {{place, value}}); };
   const auto row = [&](const char* place, const char* value) {
-    return refused("refused input", (std::string(place) + " = " + value).c_str(), changed(place, value), place);
+    return refused("refused input", std::string(place) + " = " + value, changed(place, value), place);
   };
   return {row("Elastomer / Relaxed shear modulus", "0"),
           row("Friction / Coefficient", "0"),

@@ -51,7 +51,7 @@ struct Probe {
 
 /// Its answer, or why there is none.
 struct ProbeAnswer {
-  FeAnswer fe;
+  FeAnswer fe = {};
   std::shared_ptr<const NormalSimulation> normal;
   std::shared_ptr<const BodySummary> body;
   std::string failure;

@@ -45,16 +45,20 @@ ContactEvents plain_contact_events(const Compliance& compliance, const Eigen::Ve
   return events;
 }
 
-/// Richardson's extrapolation of the events from rings of twice the width.
+/// Richardson's extrapolation of the events from rings of twice the width. Next to an edge of the indenter, and on a
+/// flat face, whose rings all touch at once, their difference says nothing; it is far too large then.
 void extrapolate(ContactEvents& events, const ContactEvents& wide) {
+  constexpr double too_large = 0.05;  // rings
   const Eigen::VectorXd radius = events.radius;
   const Eigen::Index n = events.radius.size(), n_wide = wide.radius.size();
   for (Eigen::Index m = 2 * n_left_alone; m < n && n_wide > n_nearest; ++m) {
     const Stencil nearest{wide.radius, wide.indentation,
                           std::clamp<Eigen::Index>(m / 2 - n_nearest / 2, 1, n_wide - n_nearest), n_nearest};
     const Eigen::Index after = std::min(m + 1, n - 1);
-    const double slope = (events.indentation[after] - events.indentation[m - 1]) / (radius[after] - radius[m - 1]);
-    events.radius[m] -= (events.indentation[m] - nearest(radius[m])) / (slope * (std::exp2(order_of_events) - 1));
+    const double rings = radius[after] - radius[m - 1];
+    const double slope = (events.indentation[after] - events.indentation[m - 1]) / rings;
+    const double off = (events.indentation[m] - nearest(radius[m])) / (slope * (std::exp2(order_of_events) - 1));
+    if (std::abs(off) < too_large * rings / static_cast<double>(after - m + 1)) events.radius[m] -= off;
   }
 }
 

@@ -98,6 +98,17 @@ TEST(ContactEvents, RadiiAreThoseOfHertz) {
   EXPECT_LT(errors[2], 1e-4);
 }
 
+// All rings of a flat face touch at once, so there is nothing to extrapolate from.
+TEST(ContactEvents, RadiiUnderAFlatFaceStayWhereTheirRingsAre) {
+  const auto& problem = normal_half_space(32);
+  const double flat = 0.6, ring = 1.0 / 32;
+  const auto profile =
+      ring_means(problem.compliance, [=](double r) { return r > flat ? (r - flat) * (r - flat) / 2 : 0; });
+  const auto events = contact_events(problem.compliance, profile);
+  for (Eigen::Index m = 1; m < events.radius.size(); ++m)
+    EXPECT_NEAR(events.radius[m], problem.compliance.radii[static_cast<std::size_t>(m)], ring) << m;
+}
+
 TEST_F(ContactEventsTest, TouchIndentationOfOneRingIsItsEvent) {
   for (const Index m : {1, 7, 40, 63})
     EXPECT_NEAR(touch_indentation(problem_.compliance, profile_, m, 1), events_.indentation[m], 1e-12);
