@@ -67,7 +67,7 @@ Plot error_bar_plot(const ordered_json& json) {
 
 Plot cost_plot(const ordered_json& json) {
   Plot plot;
-  plot.title = "Cost of the cheapest proved setting over the cheapest that meets the tolerance";
+  plot.title = "Cost over that of the cheapest setting of the grid";
   plot.x_label = "case, by rising ratio";
   plot.y_label = "ratio of seconds";
   plot.log_y = true;
