@@ -35,6 +35,12 @@ double ErrorBar::total() const {
   return sum;
 }
 
+const ErrorShare* ErrorBar::largest() const {
+  const auto found = std::max_element(shares.begin(), shares.end(),
+                                      [](const auto& a, const auto& b) { return a.estimate < b.estimate; });
+  return found == shares.end() ? nullptr : &*found;
+}
+
 ErrorShare richardson(ErrorSource source, const Refinements& values, double expected_order) {
   const double fine = values.fine - values.medium;
   if (!values.coarse) return {source, 3 * std::abs(fine) / (std::exp2(expected_order) - 1), std::nullopt};

@@ -21,6 +21,8 @@ struct ErrorShare {
 struct ErrorBar {
   std::vector<ErrorShare> shares;
   [[nodiscard]] double total() const;
+  /// Null if there are no shares.
+  [[nodiscard]] const ErrorShare* largest() const;
 };
 
 using ErrorBudget = std::map<std::string, ErrorBar>;

@@ -65,10 +65,7 @@ ExtremeError error_of(const std::string& quantity, double exact, double fe, doub
   const auto found = budget.find(quantity);
   if (found == budget.end()) return error;
   error.bar = found->second.total();
-  const auto& shares = found->second.shares;
-  const auto largest = std::max_element(shares.begin(), shares.end(),
-                                        [](const auto& a, const auto& b) { return a.estimate < b.estimate; });
-  if (largest != shares.end()) error.source = name_of(largest->source);
+  if (const auto* largest = found->second.largest()) error.source = name_of(largest->source);
   return error;
 }
 

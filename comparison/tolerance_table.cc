@@ -63,10 +63,8 @@ std::string remarks_of(const ToleranceRecord& record) {
 
 std::string share_text(const ToleranceRecord& record, const std::string& quantity) {
   const auto found = record.budget.find(quantity);
-  if (found == record.budget.end() || found->second.shares.empty()) return "";
-  const auto& shares = found->second.shares;
-  const auto largest = std::max_element(shares.begin(), shares.end(),
-                                        [](const auto& a, const auto& b) { return a.estimate < b.estimate; });
+  const ErrorShare* largest = found == record.budget.end() ? nullptr : found->second.largest();
+  if (!largest) return "";
   return fmt::format(", mostly {} {:.1e}", name_of(largest->source), largest->estimate);
 }
 

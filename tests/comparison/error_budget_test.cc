@@ -55,6 +55,9 @@ TEST(ErrorBudget, SumsTheShares) {
                       {ErrorSource::grading, 2e-3, std::nullopt},
                       {ErrorSource::edge, 4e-3, 3}}};
   EXPECT_DOUBLE_EQ(bar.total(), 7e-3);
+  ASSERT_TRUE(bar.largest());
+  EXPECT_EQ(bar.largest()->source, ErrorSource::edge);
+  EXPECT_FALSE(ErrorBar{}.largest());
 }
 
 TEST(ErrorBudget, HasAShareForEverySourceAndTheEdge) {
