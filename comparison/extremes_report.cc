@@ -55,9 +55,9 @@ std::string extremes_section(const ordered_json& json) {
     std::string body;
     for (const auto& scene : json.at("scenes")) body += row_html(scene);
     return fmt::format(
-        "<h2>Extremes</h2>\n<p>{} scenes at the ends of every parameter: {} agree, {} are refused by name as they have "
-        "to "
-        "be, {} are inconclusive (right within an error bar that is wider than the tolerance), {} fail. Stick radii "
+        "<h2>Extremes</h2>\n<p>{} scenes at the ends of every parameter: {} agree, {} are refused by name as they "
+        "have to be, {} are inconclusive (right within an error bar that is wider than the tolerance), {} fail. Stick "
+        "radii "
         "over the contact radius; error, bar and tolerance of the quantity closest to its tolerance (hover over the "
         "error to see which). To repeat: <code>fretval check --suite extremes</code>.</p>\n"
         "<details><summary>All scenes</summary>\n<div class=\"scroll\"><table><thead><tr><th>family: scene</th>"

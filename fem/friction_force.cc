@@ -12,6 +12,11 @@ using Eigen::Index;
 
 namespace {
 
+/// Rings at the end that share a label.
+Index size_of_last_zone(const std::vector<signed char>& zones) {
+  return std::find_if(zones.rbegin(), zones.rend(), [&](auto z) { return z != zones.back(); }) - zones.rbegin();
+}
+
 /// The reserve of the stuck rings and of the next ones as they were held, with their zones, and where it vanishes.
 struct HeldReserve {
   Eigen::VectorXd reserve;
@@ -25,8 +30,7 @@ HeldReserve held_reserve(const PunchSeries& series, const SlipZones& zones, Eige
   const auto n_pressed = reserve.size();
   HeldReserve result{reserve.head(n_stuck), {zones.labels().begin(), zones.labels().begin() + n_stuck}, std::nullopt};
   const auto last = result.zones.back();
-  const Index n_last = std::find_if(result.zones.rbegin(), result.zones.rend(), [&](auto z) { return z != last; }) -
-                       result.zones.rbegin();
+  const Index n_last = size_of_last_zone(result.zones);
   const auto next = n_stuck < n_pressed ? zones.held_labels()[static_cast<std::size_t>(n_stuck)] : last;
   Index n_held = 0;
   while (n_held < n_to_continue && n_stuck + n_held < n_pressed &&
@@ -92,9 +96,7 @@ std::optional<double> force_of_growing_contact(const PunchSeries& series, const 
         labels[static_cast<std::size_t>(i)] != SlipZones::touched_again)
       return std::nullopt;
   const std::vector<signed char> before(labels.begin(), labels.begin() + n_before);
-  const Index n_last =
-      std::find_if(before.rbegin(), before.rend(), [&](auto z) { return z != before.back(); }) - before.rbegin();
-  const Index n = std::min(n_last, n_stencil), size = std::max<Index>(n_grown - first, 0) + 2;
+  const Index n = std::min(size_of_last_zone(before), n_stencil), size = std::max<Index>(n_grown - first, 0) + 2;
   Eigen::VectorXd x(size), y(size);
   x[0] = turning;
   y[0] = Stencil{series.radii(), depths, n_before - n, n}(turning);
