@@ -5,12 +5,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "comparison/refinement_plan.h"
+
 namespace fretval {
 namespace {
 
-constexpr int most_refinements = 4;
+constexpr int most_refinements = 6;
 constexpr Eigen::Index enough_stuck_rings = 6, enough_slipping_rings = 3;
-constexpr double far_too_wide = 8;     // shares this many times their tolerance are refined twice at once
 constexpr double worthwhile_gain = 4;  // a ring that is less finer than that, the error budget asks for by itself
 constexpr double finest_ring_at_the_centre = 1e-4, finest_ring_at_the_edge = 1e-7;
 
@@ -34,6 +35,10 @@ SceneNeeds needs_of(const FemScene& scene) {
   return {scene.relaxation.has_memory(), !scene.motion.phase};
 }
 
+FixedByCase fixed_by(const Case& scene) {
+  return {scene.rings_per_radius.has_value(), scene.steps_per_cycle.has_value()};
+}
+
 }  // namespace
 
 double seconds_alone(const ProbeAnswer& answer) {
@@ -49,7 +54,8 @@ CaseStudy::CaseStudy(const PreparedCase& prepared, StudyDepth depth)
 }
 
 void CaseStudy::want(const Resolution& resolution) {
-  if (measures_.count(resolution) == 0) wanted_.push_back(resolution);
+  if (measures_.count(resolution) == 0 && std::find(wanted_.begin(), wanted_.end(), resolution) == wanted_.end())
+    wanted_.push_back(resolution);
 }
 
 void CaseStudy::take(const Resolution& resolution, ProbeAnswer&& answer) {
@@ -113,20 +119,15 @@ bool CaseStudy::focus_on_unresolved_edges() {
 }
 
 ErrorBudget CaseStudy::budget() const {
-  const auto needs = needs_of(prepared_.fem);
   ErrorBudget all;
   for (const auto& track : tracks_of(now_)) {
-    const auto list = variants_of(track, needs);
-    std::vector<Measures> varied;
-    varied.reserve(list.size());
-    for (const auto& variant : list) varied.push_back(measures_.at(variant.resolution));
     const auto& answer = answers_.at(track);
     Measures edge;
     if (answer.failure.empty() && !prepared_.fem.worn_edge) {
       edge[first_slip] = answer.fe.first_slip_uncertainty / prepared_.fem.units.length;
       edge[shakedown] = answer.fe.shakedown_uncertainty / prepared_.fem.units.length;
     }
-    for (const auto& [quantity, bar] : error_budget(measures_.at(track), list, varied, track.degree, edge, needs))
+    for (const auto& [quantity, bar] : error_budget(track, measures_, edge, needs_of(prepared_.fem)))
       if (resolution_of(quantity) == track) all[quantity] = bar;
   }
   return all;
@@ -134,33 +135,27 @@ ErrorBudget CaseStudy::budget() const {
 
 bool CaseStudy::refine_what_is_too_wide() {
   if (n_refinements_ >= most_refinements) return false;
-  std::map<std::pair<Resolution*, ErrorSource>, int> times;  // a track and a source
+  std::map<Resolution, std::vector<BarToMeet>> bars;  // by track
   for (const auto& [quantity, bar] : budget()) {
     const double tolerance = tolerance_of(prepared_.tolerances, quantity), total = bar.total();
-    if (total <= tolerance) continue;
-    spdlog::info("{}: error bar of {} is {:.1e}, {:.1e} is asked for: refining", prepared_.scene.name, quantity, total,
-                 tolerance);
-    const auto found = now_.focused.find(quantity);
-    Resolution* track = found == now_.focused.end() ? &now_.base : &found->second;
-    double largest = 0;
-    for (const auto& share : bar.shares) largest = std::max(largest, share.estimate);
-    for (const auto& share : bar.shares) {
-      if (share.estimate < std::min(largest, tolerance) / 2) continue;
-      const auto source = share.source == ErrorSource::edge ? ErrorSource::rings : share.source;
-      if (prepared_.scene.rings_per_radius && source == ErrorSource::rings) continue;
-      if (prepared_.scene.steps_per_cycle && source == ErrorSource::time_step) continue;
-      int& n = times[{track, source}];
-      n = std::max(n, share.estimate > far_too_wide * tolerance ? 2 : 1);
-    }
+    bars[resolution_of(quantity)].push_back({bar, tolerance});
+    if (total > tolerance)
+      spdlog::info("{}: error bar of {} is {:.1e}, {:.1e} is asked for: refining", prepared_.scene.name, quantity,
+                   total, tolerance);
   }
   const Tracks before = now_;
   bool any = false;
-  for (const auto& [where, n] : times)
-    for (int k = 0; k < n; ++k)
-      if (const auto finer = refined(*where.first, where.second)) {
-        *where.first = *finer;
-        any = true;
-      }
+  const auto refine = [&](Resolution& track) {
+    const auto& answer = answers_.at(track);
+    const Effort effort{static_cast<double>(answer.body->n_dofs), static_cast<double>(answer.body->radii.size() - 1),
+                        static_cast<double>(answer.fe.n_steps)};
+    const auto finer = planned_refinement(track, bars[track], effort, fixed_by(prepared_.scene));
+    if (!finer) return;
+    track = *finer;
+    any = true;
+  };
+  refine(now_.base);
+  for (auto& [quantity, track] : now_.focused) refine(track);
   if (any) {
     ++n_refinements_;
     before_ = before;
@@ -179,7 +174,10 @@ void CaseStudy::advance() {
   }
   if (focus_on_unresolved_edges()) return;
   for (const auto& track : tracks_of(now_))
-    for (const auto& variant : variants_of(track, needs_of(prepared_.fem))) want(variant.resolution);
+    for (const auto& variant : variants_of(track, needs_of(prepared_.fem))) {
+      want(variant.resolution);
+      want(variant.reference);
+    }
   if (!wanted_.empty()) return;
   if (!refine_what_is_too_wide()) return economise();
   for (const auto& track : tracks_of(now_)) {
@@ -198,32 +196,30 @@ void CaseStudy::forget_old_answers() {
 }
 
 std::vector<ProvedTrack> CaseStudy::proved_tracks() const {
-  const auto bars = budget();
-  const auto proved = [&](const std::string& quantity) -> ProvedValue {
-    return {measures_.at(resolution_of(quantity)).at(quantity), bars.at(quantity).total(),
-            tolerance_of(prepared_.tolerances, quantity)};
-  };
+  ProvedMeasures proved;
+  for (const auto& [quantity, bar] : budget())
+    proved[quantity] = {measures_.at(resolution_of(quantity)).at(quantity), bar.total(),
+                        tolerance_of(prepared_.tolerances, quantity)};
+  // One body is cheaper than several: often one resolution reads all well enough, or the base what has a focus.
+  for (const auto& track : tracks_of(now_))
+    if (covers(proved, measures_.at(track))) return {{track, proved}};
   std::vector<ProvedTrack> tracks{{now_.base, {}}};
-  for (const auto& [quantity, bar] : bars) {
-    const ProvedMeasures alone{{quantity, proved(quantity)}};
-    // A resolution that is needed anyway may read this quantity well enough.
+  for (const auto& entry : proved) {
+    const ProvedMeasures alone{entry};
     auto track = std::find_if(tracks.begin(), tracks.end(),
                               [&](const ProvedTrack& t) { return covers(alone, measures_.at(t.resolution)); });
     if (track == tracks.end()) {
-      const auto& own = resolution_of(quantity);
+      const auto& own = resolution_of(entry.first);
       track = own == now_.base ? tracks.begin() : tracks.insert(tracks.end(), {own, {}});
     }
-    track->measures.insert(alone.begin(), alone.end());
+    track->measures.insert(entry);
   }
   return tracks;
 }
 
 void CaseStudy::economise() {
   if (depth_ != StudyDepth::economy) return;
-  if (!economy_)
-    economy_.emplace(
-        proved_tracks(), needs_of(prepared_.fem),
-        FixedByCase{prepared_.scene.rings_per_radius.has_value(), prepared_.scene.steps_per_cycle.has_value()});
+  if (!economy_) economy_.emplace(proved_tracks(), needs_of(prepared_.fem), fixed_by(prepared_.scene));
   wanted_ = economy_->advance(measures_);
 }
 

@@ -30,7 +30,7 @@ enum class StudyDepth { answer, proof, economy };
 
 /// The cheapest resolutions that the proof covers, see Economy.
 struct CheapestProved {
-  std::vector<Resolution> resolutions;  ///< the base, and one for each stick radius that needs a focus
+  std::vector<Resolution> resolutions;  ///< one, or the base and those with a focus that it needs
   Measures measures;
   Measures bars;  ///< distance from the proved value, and the bar of that
 };
@@ -53,8 +53,8 @@ struct StudyResult {
 ///    smaller than the finest ring or, for a stick zone that does not show, than a quarter of the tolerance; where the
 ///    rings of the focus were less than four times finer, step 4 gets there at a lower cost;
 /// 3. the error budget, each source by its own refinement;
-/// 4. while the bar of a quantity is wider than its tolerance, its largest sources are refined, twice at once if they
-///    are far too large. A refinement whose numerics fail is taken back.
+/// 4. while the bar of a quantity is wider than its tolerance, what is expected to mend that at the lowest cost is
+///    refined (planned_refinement). A refinement whose numerics fail is taken back.
 /// 5. StudyDepth::economy: what of the proved resolutions can be coarsened without moving anything by more than the
 ///    bars leave of the tolerance (see Economy); a focus is left out where the plain rings read its zone well enough.
 ///

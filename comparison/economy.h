@@ -27,11 +27,6 @@ struct ProvedTrack {
   ProvedMeasures measures;
 };
 
-/// What must not be coarsened because the case file fixes it.
-struct FixedByCase {
-  bool rings, steps;
-};
-
 /// Looks for cheaper resolutions than those whose error bars meet the tolerance. Each coarsening is tried on top of
 /// those that were accepted, is accepted if the proof covers what comes out, and is not tried again once it was
 /// refused. This finds the end of one path down, not the cheapest of all resolutions, with a dozen computations that

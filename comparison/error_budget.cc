@@ -16,15 +16,25 @@ double expected_order(ErrorSource source, const std::string& quantity, const Sce
   return source == ErrorSource::rings && !radius_or_force ? 1 : 3;
 }
 
-/// A quantity that only one of two computations has, differs by all it can.
+/// NaN: not there.
 double value_of(const Measures& measures, const std::string& quantity) {
   const auto found = measures.find(quantity);
-  return found == measures.end() ? std::numeric_limits<double>::infinity() : found->second;
+  return found == measures.end() ? std::numeric_limits<double>::quiet_NaN() : found->second;
 }
 
 double element_error(double difference, unsigned degree) {
   if (degree == 2) return 1.25 * difference;
   return 3 * std::pow(difference, static_cast<double>(degree) / (degree - 1));
+}
+
+/// A quantity that only some of the computations have, may be off by anything.
+ErrorShare share_of(ErrorSource source, const Refinements& values, unsigned degree, double expected_order) {
+  const double difference = std::abs(values.fine - values.medium);
+  if (std::isnan(difference) || std::isnan(values.coarse.value_or(0)))
+    return {source, std::numeric_limits<double>::infinity(), std::nullopt};
+  if (source == ErrorSource::element_order) return {source, element_error(difference, degree), std::nullopt};
+  if (source == ErrorSource::cycles || source == ErrorSource::active_set) return {source, difference, std::nullopt};
+  return richardson(source, values, expected_order);
 }
 
 }  // namespace
@@ -54,26 +64,19 @@ ErrorShare richardson(ErrorSource source, const Refinements& values, double expe
           std::nullopt};
 }
 
-ErrorBudget error_budget(const Measures& measures, const std::vector<Variant>& variants,
-                         const std::vector<Measures>& varied, unsigned degree, const Measures& edge,
-                         const SceneNeeds& needs) {
+ErrorBudget error_budget(const Resolution& resolution, const std::map<Resolution, Measures>& known,
+                         const Measures& edge, const SceneNeeds& needs) {
+  const auto variants = variants_of(resolution, needs);
   ErrorBudget budget;
-  for (const auto& [quantity, value] : measures) {
+  for (const auto& [quantity, value] : known.at(resolution)) {
     auto& shares = budget[quantity].shares;
     for (std::size_t i = 0; i < variants.size(); ++i) {
-      const auto source = variants[i].source;
+      const auto& [source, varied, reference] = variants[i];
       if (i > 0 && variants[i - 1].source == source) continue;  // the coarser one of two
-      const double other = value_of(varied[i], quantity), difference = std::abs(value - other);
-      if (source == ErrorSource::element_order) {
-        shares.push_back({source, element_error(difference, degree), std::nullopt});
-      } else if (source == ErrorSource::cycles || source == ErrorSource::active_set) {
-        shares.push_back({source, difference, std::nullopt});
-      } else {
-        Refinements values{value, other, std::nullopt};
-        if (i + 1 < variants.size() && variants[i + 1].source == source)
-          values.coarse = value_of(varied[i + 1], quantity);
-        shares.push_back(richardson(source, values, expected_order(source, quantity, needs)));
-      }
+      Refinements values{value_of(known.at(reference), quantity), value_of(known.at(varied), quantity), std::nullopt};
+      if (i + 1 < variants.size() && variants[i + 1].source == source)
+        values.coarse = value_of(known.at(variants[i + 1].resolution), quantity);
+      shares.push_back(share_of(source, values, resolution.degree, expected_order(source, quantity, needs)));
     }
     const auto reading = edge.find(quantity);
     if (reading != edge.end()) shares.push_back({ErrorSource::edge, reading->second, std::nullopt});

@@ -39,8 +39,8 @@ struct Refinements {
 /// larger of what the two differences imply: one of them alone may be small by chance.
 ErrorShare richardson(ErrorSource source, const Refinements& values, double expected_order);
 
-/// The budget of the measures at a resolution. variants: the measures at each of `variants_of`, in its order; edge: the
-/// uncertainty of reading the edges (fem::EdgeRadius), by quantity.
+/// The budget of the measures at a resolution. known: the measures there and at each of its variants_of (empty if the
+/// numerics failed), with their references; edge: the uncertainty of reading the edges (fem::EdgeRadius), by quantity.
 ///
 /// Rings: third order (a worn edge: first, in a ring that shrinks with the square). With memory the force counts as
 /// second order: the pressure next to the edge depends on when its ring touched, and coarser rings do not show all of
@@ -49,8 +49,7 @@ ErrorShare richardson(ErrorSource source, const Refinements& values, double expe
 /// q^(2k) in the degree k, so the difference D from degree k - 1 stands for an error of D^(k/(k-1)), times 3; at degree
 /// 2, whose check is degree 3, for D itself, times 1.25. Cycles and active set: the difference made by ten times the
 /// periodicity or the slack.
-ErrorBudget error_budget(const Measures& measures, const std::vector<Variant>& variants,
-                         const std::vector<Measures>& varied, unsigned degree, const Measures& edge,
-                         const SceneNeeds& needs = {});
+ErrorBudget error_budget(const Resolution& resolution, const std::map<Resolution, Measures>& known,
+                         const Measures& edge, const SceneNeeds& needs = {});
 
 }  // namespace fretval

@@ -29,6 +29,20 @@ Resolution with_steps(Resolution r, double factor) {
   return r;
 }
 
+/// The coarsest resolutions on which an error of another source is measured.
+constexpr unsigned enough_rings = 24;
+constexpr int enough_steps = 24;
+
+Resolution with_fewer_rings(const Resolution& r) {
+  return r.elements_per_radius / 2 >= enough_rings ? with_rings(r, 0.5) : r;
+}
+
+Resolution with_fewer_steps(const Resolution& r) {
+  for (const int divisor : {4, 2})
+    if (r.steps_per_cycle / divisor >= enough_steps) return with_steps(r, 1.0 / divisor);
+  return r;
+}
+
 auto key(const Resolution& r) {
   return std::make_tuple(r.elements_per_radius, r.degree, r.growth, r.far_radius, r.steps_per_cycle, r.n_ramp_cycles,
                          r.periodicity, r.n_creep_cycles, r.worn_edge_ring, r.surface_growth, r.active_set_slack,
@@ -60,7 +74,7 @@ Resolution resolution_for(double tolerance, bool memory) {
   const auto ramp = [memory](int n_cycles) { return memory ? n_cycles : 1; };
   if (tolerance >= 1e-2) return {16, 2, 0.3, 10, 24, ramp(4), 1e-4, 24, worn_edge_ring};
   if (tolerance >= 1e-3) return {24, 3, 0.5, 12, 36, ramp(8), 1e-5, 48, worn_edge_ring};
-  return {48, 3, 0.3, 20, 72, ramp(12), 1e-6, 96, worn_edge_ring};
+  return {48, 3, 0.3, 20, 72, ramp(12), 1e-5, 96, worn_edge_ring};
 }
 
 const char* name_of(ErrorSource source) {
@@ -91,39 +105,28 @@ const char* name_of(ErrorSource source) {
 
 std::vector<Variant> variants_of(const Resolution& resolution, const SceneNeeds& needs) {
   std::vector<Variant> variants;
-  const auto add = [&](ErrorSource source, const Resolution& r) { variants.push_back({source, r}); };
+  const auto add = [&](ErrorSource source, const Resolution& reference, auto change) {
+    Resolution r = reference;
+    change(r);
+    variants.push_back({source, r, reference});
+  };
   for (const double factor : {0.5, 0.25})
     if (resolution.elements_per_radius * factor >= fewest_rings)
-      add(ErrorSource::rings, with_rings(resolution, factor));
-  Resolution r = resolution;
-  r.degree = r.degree > 2 ? r.degree - 1 : r.degree + 1;
-  add(ErrorSource::element_order, r);
-  r = resolution;
-  r.growth = std::min(2 * r.growth, coarsest_growth);
-  add(ErrorSource::grading, r);
-  r = resolution;
-  r.far_radius /= 2;
-  add(ErrorSource::far_field, r);
+      variants.push_back({ErrorSource::rings, with_rings(resolution, factor), resolution});
+  const Resolution quick = with_fewer_steps(resolution), coarse = with_fewer_rings(resolution),
+                   both = with_fewer_steps(coarse);
+  add(ErrorSource::element_order, quick, [](Resolution& r) { r.degree = r.degree > 2 ? r.degree - 1 : r.degree + 1; });
+  add(ErrorSource::grading, quick, [](Resolution& r) { r.growth = std::min(2 * r.growth, coarsest_growth); });
+  add(ErrorSource::far_field, both, [](Resolution& r) { r.far_radius /= 2; });
   for (const double factor : {0.5, 0.25})
-    if (resolution.steps_per_cycle * factor >= fewest_steps)
-      add(ErrorSource::time_step, with_steps(resolution, factor));
-  if (needs.memory) {
-    r = resolution;
-    r.n_ramp_cycles /= 2;
-    add(ErrorSource::start, r);
-  }
-  for (const int divisor : {2, 4})
-    if (needs.creep) {
-      r = resolution;
-      r.n_creep_cycles /= divisor;
-      add(ErrorSource::creep, r);
-    }
-  r = resolution;
-  r.periodicity *= 10;
-  add(ErrorSource::cycles, r);
-  r = resolution;
-  r.active_set_slack *= 10;
-  add(ErrorSource::active_set, r);
+    if (coarse.steps_per_cycle * factor >= fewest_steps)
+      variants.push_back({ErrorSource::time_step, with_steps(coarse, factor), coarse});
+  if (needs.memory) add(ErrorSource::start, both, [](Resolution& r) { r.n_ramp_cycles /= 2; });
+  if (needs.creep)
+    for (const int divisor : {2, 4})
+      add(ErrorSource::creep, coarse, [&](Resolution& r) { r.n_creep_cycles /= divisor; });
+  add(ErrorSource::cycles, coarse, [](Resolution& r) { r.periodicity *= 10; });
+  add(ErrorSource::active_set, both, [](Resolution& r) { r.active_set_slack *= 10; });
   return variants;
 }
 

@@ -19,6 +19,9 @@ constexpr double contact_line_reserve = 1.12;
 // 7e-8.
 constexpr double finest_ring = 5e-8;
 
+/// Of equal width. Fewer than three that do not touch do not tell where the contact ends.
+constexpr double rings_beyond = 4;
+
 std::vector<double> contact_nodes(const FemScene& scene) {
   const auto& resolution = scene.resolution;
   const double ring = 1.0 / resolution.elements_per_radius;
@@ -28,13 +31,14 @@ std::vector<double> contact_nodes(const FemScene& scene) {
     const double edge = scene.worn_edge->inner, end = std::ceil(4 * contact_line_reserve * scene.worn_edge->outer) / 4;
     return meshes::graded_nodes({edge, edge, resolution.worn_edge_ring * edge}, end, ring, resolution.surface_growth);
   }
+  const double end = std::max(contact_line_reserve, 1 + rings_beyond * ring);
   if (resolution.focus) {
     const auto [inner, outer, wanted] = *resolution.focus;
     const double fine = std::max(wanted, finest_ring);
-    return meshes::graded_nodes({inner, outer, std::min(fine, ring)}, std::max(contact_line_reserve, outer + 4 * fine),
-                                ring, resolution.surface_growth);
+    return meshes::graded_nodes({inner, outer, std::min(fine, ring)}, std::max(end, outer + rings_beyond * fine), ring,
+                                resolution.surface_growth);
   }
-  const auto n = static_cast<unsigned>(std::ceil(contact_line_reserve * resolution.elements_per_radius / 2)) * 2;
+  const auto n = static_cast<unsigned>(std::ceil(end * resolution.elements_per_radius / 2)) * 2;
   return meshes::uniform_nodes(n * ring, n);
 }
 

@@ -1,5 +1,7 @@
 #include "comparison/stick_zones.h"
 
+#include <algorithm>
+
 namespace fretval {
 namespace {
 
@@ -21,14 +23,19 @@ Eigen::Index with_reserve(const Eigen::VectorXd& reserve, Eigen::Index n_stuck) 
   return n;
 }
 
+/// Whether one of the two rings after the first n loses contact in the last n_columns instants.
+bool ends_next_to_smallest_contact(const fem::NormalHistory& normal, Eigen::Index n_columns, Eigen::Index n) {
+  const Eigen::Index n_next = std::min<Eigen::Index>(2, normal.pressure.rows() - n);
+  return n_next > 0 && normal.pressure.middleRows(n, n_next).rightCols(n_columns).minCoeff() <= 0;
+}
+
 fem::EdgeRadius stick_zone(const fem::Compliance& tangential, const fem::NormalHistory& normal, Eigen::Index n_columns,
                            const Eigen::VectorXd& reserve, Eigen::Index n_stuck) {
   constexpr double share_of_ring = 1e-3;
   const Eigen::Index n = with_reserve(reserve, n_stuck);
   auto edge = fem::stick_radius(tangential, reserve, n);
-  const bool next_loses_contact =
-      n > 0 && n < normal.pressure.rows() && normal.pressure.row(n).tail(n_columns).minCoeff() <= 0;
-  if (next_loses_contact) edge.uncertainty += share_of_ring * (tangential.radii[n] - tangential.radii[n - 1]);
+  if (n > 0 && ends_next_to_smallest_contact(normal, n_columns, n))
+    edge.uncertainty += share_of_ring * (tangential.radii[n] - tangential.radii[n - 1]);
   return edge;
 }
 

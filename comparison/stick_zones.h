@@ -18,8 +18,9 @@ struct StuckRings {
 /// THEORY section 3: a ring that has shaken down still creeps a little while the offset settles.
 StuckRings stuck_rings(const fem::FrictionHistory& friction, const fem::Motion& motion);
 
-/// Edges of both stick zones. One that ends where the smallest contact does is uncertain by a thousandth of a ring
-/// more: the reserve does not go on smoothly there (7e-4 rings off at most, at 32 to 128 rings).
+/// Edges of both stick zones. One that ends with the smallest contact, or less than two rings inside, is uncertain by a
+/// thousandth of a ring more: the reserve does not go on smoothly there (7e-4 rings off at most where both end
+/// together, 8e-4 a ring inside, at 32 to 192 rings).
 struct StickZones {
   fem::EdgeRadius first_slip, shakedown;
 };

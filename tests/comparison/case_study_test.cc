@@ -77,7 +77,9 @@ struct FakeNumerics {
     answer.fe.stick_radius_first_slip = answer.fe.stick_radius_shakedown = (0.5 + error) * length;
     answer.fe.normal_force_max = prepared.fem.units.force();
     answer.fe.rings.contact = static_cast<Eigen::Index>(rings);
+    answer.fe.n_steps = 10L * r.steps_per_cycle;
     BodySummary body{};
+    body.n_dofs = 500 * r.elements_per_radius;
     body.radii = at_resolution(prepared.fem, r).body.contact_nodes;
     answer.body = std::make_shared<const BodySummary>(body);
     return answer;

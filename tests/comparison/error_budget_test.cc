@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 #include <limits>
 
 namespace fretval {
@@ -60,24 +61,60 @@ TEST(ErrorBudget, SumsTheShares) {
   EXPECT_FALSE(ErrorBar{}.largest());
 }
 
+/// The measures of a resolution and of all that its errors are measured by.
+std::map<Resolution, Measures> all_known(const Resolution& resolution, const SceneNeeds& needs,
+                                         const std::function<double(const Resolution&)>& value) {
+  std::map<Resolution, Measures> known;
+  const auto add = [&](const Resolution& r) { known[r] = {{"stick_radius_shakedown", value(r)}}; };
+  add(resolution);
+  for (const auto& variant : variants_of(resolution, needs)) {
+    add(variant.resolution);
+    add(variant.reference);
+  }
+  return known;
+}
+
 TEST(ErrorBudget, HasAShareForEverySourceAndTheEdge) {
-  const Measures measures{{"stick_radius_shakedown", 0.5}};
-  const auto variants = variants_of(some_resolution(), {true, true});
-  const std::vector<Measures> varied(variants.size(), Measures{{"stick_radius_shakedown", 0.501}});
-  const auto budget = error_budget(measures, variants, varied, 3, {{"stick_radius_shakedown", 1e-5}});
-  const auto& shares = budget.at("stick_radius_shakedown").shares;
-  // rings, element order, grading, far field, time step, start, creep, cycles, active set, edge
-  EXPECT_EQ(shares.size(), 10U);
-  for (const auto& share : shares) EXPECT_GT(share.estimate, 0) << name_of(share.source);
+  for (const double tolerance : {1e-2, 1e-3, 1e-4}) {
+    const auto resolution = resolution_for(tolerance);
+    double value = 0.5;  // another one at each resolution
+    const auto known = all_known(resolution, {true, true}, [&](auto&&) { return value *= 1.001; });
+    const auto budget = error_budget(resolution, known, {{"stick_radius_shakedown", 1e-5}}, {true, true});
+    const auto& shares = budget.at("stick_radius_shakedown").shares;
+    // rings, element order, grading, far field, time step, start, creep, cycles, active set, edge
+    EXPECT_EQ(shares.size(), 10U);
+    for (const auto& share : shares) EXPECT_GT(share.estimate, 0) << name_of(share.source);
+  }
+}
+
+TEST(ErrorBudget, MeasuresWhatIsThere) {
+  // Errors of third order in the rings and of second in the steps, seen through coarser rings where those are many.
+  const auto resolution = resolution_for(1e-4);
+  const auto known = all_known(resolution, {}, [](const Resolution& r) {
+    return 0.5 + std::pow(r.elements_per_radius, -3) + 0.1 * std::pow(r.steps_per_cycle, -2);
+  });
+  const auto budget = error_budget(resolution, known, {});
+  for (const auto& share : budget.at("stick_radius_shakedown").shares) {
+    if (share.source == ErrorSource::rings)
+      EXPECT_NEAR(share.estimate, safety * std::pow(48, -3), 1e-12);
+    else if (share.source == ErrorSource::time_step)
+      EXPECT_NEAR(share.estimate, safety * 0.1 * std::pow(72, -2), 1e-12);
+    else
+      EXPECT_EQ(share.estimate, 0) << name_of(share.source);
+  }
 }
 
 TEST(ErrorBudget, IsInfiniteWhereAQuantityIsMissing) {
-  const Measures measures{{"stick_radius_shakedown", 0.5}};
-  const auto variants = variants_of(some_resolution(), {});
-  std::vector<Measures> varied(variants.size(), measures);
-  varied.front() = {};  // a variant whose numerics failed
-  const auto budget = error_budget(measures, variants, varied, 3, {});
-  EXPECT_EQ(budget.at("stick_radius_shakedown").total(), std::numeric_limits<double>::infinity());
+  const auto resolution = some_resolution();
+  const auto complete = all_known(resolution, {}, [](auto&&) { return 0.5; });
+  EXPECT_EQ(error_budget(resolution, complete, {}).at("stick_radius_shakedown").total(), 0);
+  for (const auto& [missing, measures] : complete) {
+    if (missing == resolution) continue;
+    auto known = complete;
+    known[missing] = {};  // its numerics failed
+    EXPECT_EQ(error_budget(resolution, known, {}).at("stick_radius_shakedown").total(),
+              std::numeric_limits<double>::infinity());
+  }
 }
 
 }  // namespace

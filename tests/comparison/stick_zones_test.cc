@@ -12,7 +12,7 @@ namespace {
 
 // Parabola, k = 1 in phase: the stick zone ends where the smallest contact does, g(c) = c^2 = d0 - Delta d, and its
 // reserve goes on beyond it with a kink. A stick zone that ends inside is read much more closely.
-TEST(StickZones, EndingWithTheSmallestContactAreUncertainByAThousandthOfARing) {
+TEST(StickZones, EndingNextToTheSmallestContactAreUncertainByAThousandthOfARing) {
   const int n_rings = 48;
   const auto meshes = half_space_ladder({n_rings});
   const auto& [n, normal_problem, tangential_problem] = meshes.front();
@@ -28,7 +28,13 @@ TEST(StickZones, EndingWithTheSmallestContactAreUncertainByAThousandthOfARing) {
   const auto together = zones_of().shakedown;
   EXPECT_GE(together.uncertainty, share);
   EXPECT_NEAR(together.radius, std::sqrt(0.6), together.uncertainty);
-  motion.tangential_amplitude *= 2;  // A = 0.4: d0 - (0.2 + 0.6)/2
+  // 0.9 rings inside: the reserve is bent before the kink.
+  const double c = std::sqrt(0.6) - 0.9 / n_rings;
+  motion.tangential_amplitude = 1.5 * mu * (0.8 - c * c);
+  const auto next = zones_of().shakedown;
+  EXPECT_GE(next.uncertainty, share);
+  EXPECT_NEAR(next.radius, c, next.uncertainty);
+  motion.tangential_amplitude = 1.5 * mu * 0.4;  // A = 0.4: d0 - (0.2 + 0.6)/2
   const auto inside = zones_of().shakedown;
   EXPECT_LT(inside.uncertainty, share);
   EXPECT_NEAR(inside.radius, std::sqrt(0.4), inside.uncertainty);
