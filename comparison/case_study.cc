@@ -17,6 +17,7 @@ constexpr double finest_ring_at_the_centre = 1e-4, finest_ring_at_the_edge = 1e-
 
 constexpr const char* first_slip = "stick_radius_first_slip";
 constexpr const char* shakedown = "stick_radius_shakedown";
+constexpr const char* normal_force = "normal_force_max";
 
 /// The next power of two, so that similar cases share their bodies.
 double rounded_up(double x) {
@@ -33,6 +34,18 @@ Eigen::Index rings_within(const std::vector<double>& radii, double c) {
 
 SceneNeeds needs_of(const FemScene& scene) {
   return {scene.relaxation.has_memory(), !scene.motion.phase};
+}
+
+/// What reading the edges leaves open, in the units of measures.
+Measures uncertainties_of_edges(const ProbeAnswer& answer, const FemScene& scene) {
+  if (!answer.failure.empty()) return {};
+  const auto& fe = answer.fe;
+  Measures uncertainties{{normal_force, fe.normal_force_uncertainty / fe.normal_force_max}};
+  if (!scene.worn_edge) {
+    uncertainties[first_slip] = fe.first_slip_uncertainty / scene.units.length;
+    uncertainties[shakedown] = fe.shakedown_uncertainty / scene.units.length;
+  }
+  return uncertainties;
 }
 
 FixedByCase fixed_by(const Case& scene) {
@@ -121,13 +134,8 @@ bool CaseStudy::focus_on_unresolved_edges() {
 ErrorBudget CaseStudy::budget() const {
   ErrorBudget all;
   for (const auto& track : tracks_of(now_)) {
-    const auto& answer = answers_.at(track);
-    Measures edge;
-    if (answer.failure.empty() && !prepared_.fem.worn_edge) {
-      edge[first_slip] = answer.fe.first_slip_uncertainty / prepared_.fem.units.length;
-      edge[shakedown] = answer.fe.shakedown_uncertainty / prepared_.fem.units.length;
-    }
-    for (const auto& [quantity, bar] : error_budget(track, measures_, edge, needs_of(prepared_.fem)))
+    const auto edges = uncertainties_of_edges(answers_.at(track), prepared_.fem);
+    for (const auto& [quantity, bar] : error_budget(track, measures_, edges, needs_of(prepared_.fem)))
       if (resolution_of(quantity) == track) all[quantity] = bar;
   }
   return all;

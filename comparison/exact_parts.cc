@@ -108,10 +108,10 @@ NormalPath::Force NormalPath::step(const Path& path, double begin, double end) {
   const Eigen::VectorXd new_gap = -solution.residual.cwiseQuotient(areas) / step.instantaneous();
   step.advance(state_, fem::indenter_move(path, begin, end), gap - new_gap);
   const double fraction = step.fraction();
-  const auto [force, radius] =
+  const auto contact =
       fem::contact_force(problem_->series, solution.x, fraction * new_gap + (1 - fraction) * gap, {largest_radius_});
-  largest_radius_ = std::max(largest_radius_, radius);
-  return {balance, force, solution.x.dot(areas)};
+  largest_radius_ = std::max(largest_radius_, contact.radius);
+  return {balance, contact.force, solution.x.dot(areas)};
 }
 
 std::vector<NormalPath::Force> press(const fem::ContactProblem& problem, const fem::RelaxationModel& model,

@@ -11,26 +11,34 @@
 namespace fretval {
 namespace {
 
-/// Largest value of a smooth periodic signal, which lies between samples: the peak of a quartic fitted to those within
-/// a twentieth of a period of the largest one, two on either side of it at least.
-double periodic_maximum(const Eigen::VectorXd& samples) {
-  const Eigen::Index n = samples.size(), half = std::max<Eigen::Index>(2, n / 60);
-  Eigen::Index peak = 0;
-  samples.maxCoeff(&peak);
-  Eigen::MatrixXd powers(2 * half + 1, 5);
-  Eigen::VectorXd values(2 * half + 1);
-  for (Eigen::Index k = -half; k <= half; ++k) {
-    const double x = static_cast<double>(k) / static_cast<double>(half);
-    powers.row(k + half) << 1, x, x * x, x * x * x, x * x * x * x;
-    values[k + half] = samples[(peak + k + n) % n];
+/// Largest value of a smooth periodic signal, and how uncertain that is.
+struct Peak {
+  double value, uncertainty;
+};
+
+/// It lies between samples: the peak of a quartic fitted to those within a twentieth of a period of the largest one,
+/// two on either side of it at least.
+Peak periodic_peak(const Eigen::VectorXd& samples, const Eigen::VectorXd& uncertainties) {
+  const Eigen::Index n = samples.size(), half = std::max<Eigen::Index>(2, n / 60), n_fitted = 2 * half + 1;
+  Eigen::Index largest = 0;
+  samples.maxCoeff(&largest);
+  const auto powers_of = [](double x) { return Eigen::RowVector<double, 5>(1, x, x * x, x * x * x, x * x * x * x); };
+  Eigen::MatrixXd powers(n_fitted, 5);
+  Eigen::VectorXd fitted(n_fitted), uncertainty(n_fitted);
+  for (Eigen::Index k = 0; k < n_fitted; ++k) {
+    const Eigen::Index instant = (largest + k - half + n) % n;
+    powers.row(k) = powers_of(static_cast<double>(k - half) / static_cast<double>(half));
+    fitted[k] = samples[instant];
+    uncertainty[k] = uncertainties[instant];
   }
-  const Eigen::VectorXd c = powers.colPivHouseholderQr().solve(values);
-  double largest = -std::numeric_limits<double>::infinity();
+  const Eigen::MatrixXd fit = powers.completeOrthogonalDecomposition().pseudoInverse();
+  Peak peak{-std::numeric_limits<double>::infinity(), 0};
   for (int i = -500; i <= 500; ++i) {
-    const double x = i / 500.0;
-    largest = std::max(largest, c[0] + x * (c[1] + x * (c[2] + x * (c[3] + x * c[4]))));
+    const Eigen::RowVectorXd weights = powers_of(i / 500.0) * fit;
+    const double value = weights * fitted;
+    if (value > peak.value) peak = {value, weights.cwiseAbs() * uncertainty};
   }
-  return largest;
+  return peak;
 }
 
 Eigen::Index rings_within(const fem::Compliance& compliance, double radius) {
@@ -139,8 +147,10 @@ FeAnswer simulate(const ContactProblems& problems, const FemScene& scene, const 
   answer.stick_radius_shakedown = dimensional(shakedown, length);
   answer.first_slip_uncertainty = first.uncertainty * length;
   answer.shakedown_uncertainty = shakedown.uncertainty * length;
-  const auto last_cycle = normal.history.force.tail(normal.history.steps_per_cycle);
-  answer.normal_force_max = periodic_maximum(last_cycle) * scene.units.force();
+  const int n_steps = normal.history.steps_per_cycle;
+  const auto peak = periodic_peak(normal.history.force.tail(n_steps), normal.history.force_uncertainty.tail(n_steps));
+  answer.normal_force_max = peak.value * scene.units.force();
+  answer.normal_force_uncertainty = peak.uncertainty * scene.units.force();
   answer.n_cycles = friction.n_cycles;
   answer.n_steps = friction.force.size() - 1;
   answer.seconds = watch.lap();

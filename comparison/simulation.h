@@ -39,7 +39,8 @@ struct FeAnswer {
   std::optional<double> stick_radius_first_slip;
   std::optional<double> stick_radius_shakedown;
   double normal_force_max = 0;
-  double first_slip_uncertainty = 0;  ///< of reading the edge, see fem::EdgeRadius
+  double normal_force_uncertainty = 0;  ///< of reading the edge, see fem::ContactForce
+  double first_slip_uncertainty = 0;    ///< of reading the edge, see fem::EdgeRadius
   double shakedown_uncertainty = 0;
   std::optional<NoWearEvidence> no_wear;  ///< for a limiting profile
 

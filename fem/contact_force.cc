@@ -1,6 +1,7 @@
 #include "fem/contact_force.h"
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "fem/stencil.h"
@@ -28,7 +29,15 @@ ContactForce contact_force(const PunchSeries& series, const Eigen::VectorXd& pre
   std::optional<double> edge;
   if (smooth_pressure) edge = series.edge_of_pressure(depths, n_pressed);
   const double radius = edge ? *edge : series.edge_of_gap(gap, n_inner, n_pressed, past.largest_radius);
-  return {series.integral(depths, std::vector<signed char>(static_cast<std::size_t>(n_inner), 0), radius), radius};
+  const std::vector<signed char> one_zone(static_cast<std::size_t>(n_inner), 0);
+  const double force = series.integral(depths, one_zone, radius);
+  if (!past.dashpot) {
+    const double at_edge = Stencil{radii, depths, n_inner - n_stencil, n_stencil}(radius);
+    const double too_much = series.force_per_radius() * at_edge * (radius - radii[n_inner - 1]) / 2;
+    return {force - too_much / 2, radius, std::abs(too_much) / 2};
+  }
+  const bool unseen_kink = past.largest_radius > radius && past.largest_radius <= radii[n_pressed];
+  return {force, radius, unseen_kink ? std::abs(series.integral(depths, one_zone, past.largest_radius) - force) : 0};
 }
 
 }  // namespace fretval::fem

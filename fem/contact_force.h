@@ -10,13 +10,20 @@ namespace fretval::fem {
 /// What pressures and gaps of an instant do not tell of a contact.
 struct ContactPast {
   double largest_radius = 0;  ///< of the contact so far
-  /// With a dashpot: rings that have been in contact for the whole step.
+  /// With a dashpot, or a branch that relaxes within a step: rings that have been in contact for the whole step.
   std::optional<Eigen::Index> n_closed = std::nullopt;
+  bool dashpot = false;  ///< the pressure jumps at the edge
 };
 
 /// Normal force of a contact and where it ends.
 struct ContactForce {
   double force, radius;
+  /// Of the force. Without a dashpot pressures vanish at the edge, in a body with memory maybe within less than a ring:
+  /// half of the difference between depths that go on smoothly to the edge and those that fall to zero from the last
+  /// ring on. (The force is the mean of both.) With a dashpot: what the pressures would bear up to the largest contact
+  /// so far, where the gap has a kink, if no ring lies between that and the last one pressed, so that nothing tells how
+  /// the gap goes on inside the kink.
+  double uncertainty = 0;
 };
 
 /// From ring pressures and the gaps of the free rings. The edge is found from the gaps: with a dashpot, or a branch

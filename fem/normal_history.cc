@@ -49,6 +49,7 @@ class Stepper {
           const Motion& motion, int n_steps)
       : problem_(problem),
         relaxed_(relaxation.relaxed),
+        has_dashpot_(relaxation.viscosity > 0),
         profile_(profile),
         motion_([&motion](double t) { return normal_motion(motion, t); }),
         n_steps_(n_steps),
@@ -64,9 +65,7 @@ class Stepper {
     for (Eigen::Index i = 0; i < profile_.size(); ++i)
       if (contact.pressure[i] > 0) contact_[static_cast<std::size_t>(i)] = BoxState::interior;
     const auto elastic = contact_force(problem_.series, contact.pressure, contact.gap);
-    force_.push_back(relaxed_ * elastic.force);
-    radius_.push_back(elastic.radius);
-    largest_radius_ = elastic.radius;
+    remember(elastic, relaxed_ * elastic.force);
     return relaxed_ * contact.pressure;
   }
 
@@ -74,6 +73,7 @@ class Stepper {
 
   /// At every instant so far.
   [[nodiscard]] const std::vector<double>& forces() const { return force_; }
+  [[nodiscard]] const std::vector<double>& force_uncertainties() const { return uncertainty_; }
   [[nodiscard]] const std::vector<double>& contact_radii() const { return radius_; }
 
   void compute_cycle(NormalHistory& history, std::vector<Eigen::VectorXd>& pressure, std::vector<double>& time) {
@@ -102,6 +102,13 @@ class Stepper {
     return (gap_.array() <= roundoff * gap_.maxCoeff()).count();
   }
 
+  void remember(const ContactForce& contact, double force) {
+    force_.push_back(force);
+    uncertainty_.push_back(contact.uncertainty);
+    radius_.push_back(contact.radius);
+    largest_radius_ = std::max(largest_radius_, contact.radius);
+  }
+
   Eigen::VectorXd compute_step(double begin, double balance, double end) {
     gap_ = state_.displacement + profile_;
     gap_.array() -= motion_(begin).value;
@@ -112,16 +119,15 @@ class Stepper {
     const double weight = step_.fraction();
     step_.advance(state_, indenter_move(motion_, begin, end), gap_ - new_gap);
     const Eigen::VectorXd gap = weight * new_gap + (1 - weight) * gap_;
-    const auto [force, radius] = contact_force(problem_.series, contact.pressure, gap, {largest_radius_, n_closed()});
-    force_.push_back(force);
-    radius_.push_back(radius);
-    largest_radius_ = std::max(largest_radius_, radius);
+    const auto now = contact_force(problem_.series, contact.pressure, gap, {largest_radius_, n_closed(), has_dashpot_});
+    remember(now, now.force);
     gap_ = new_gap;
     return std::move(contact.pressure);
   }
 
   const ContactProblem& problem_;
   double relaxed_;
+  bool has_dashpot_;
   const Eigen::VectorXd& profile_;
   std::function<ValueAndRate(double)> motion_;
   int n_steps_;
@@ -130,7 +136,7 @@ class Stepper {
   std::vector<BoxState> contact_;
   Eigen::VectorXd gap_;
   double largest_radius_ = 0;  // of the contact, so far
-  std::vector<double> force_, radius_;
+  std::vector<double> force_, uncertainty_, radius_;
 };
 
 }  // namespace
@@ -202,6 +208,7 @@ NormalHistory normal_history(const ContactProblem& problem, const RelaxationMode
     history.indentation[k] = normal_motion(motion, history.time[k]).value;
   }
   history.force = Eigen::Map<const Eigen::VectorXd>(stepper.forces().data(), n);
+  history.force_uncertainty = Eigen::Map<const Eigen::VectorXd>(stepper.force_uncertainties().data(), n);
   history.contact_radius = Eigen::Map<const Eigen::VectorXd>(stepper.contact_radii().data(), n);
   history.touch_radii = problem.series.radii();
   return history;

@@ -28,6 +28,7 @@ struct NormalHistory {
   Eigen::MatrixXd pressure;              ///< n_rings x n_instants
   Eigen::VectorXd indentation;           ///< per instant
   Eigen::VectorXd force;                 ///< per instant, see contact_force
+  Eigen::VectorXd force_uncertainty;     ///< per instant, see ContactForce
   Eigen::VectorXd contact_radius;        ///< per instant
   Eigen::VectorXd touch_radii;           ///< of the contact when a ring touches, see PunchSeries::radii
   Eigen::VectorXd smallest_gap;          ///< per ring over the last cycle; 0 for rings that touch
