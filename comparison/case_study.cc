@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "comparison/stick_depths.h"
+
 namespace fretval {
 namespace {
 
@@ -30,6 +32,12 @@ Eigen::Index rings_within(const std::vector<double>& radii, double c) {
   return std::max<Eigen::Index>(std::upper_bound(radii.begin(), radii.end(), c) - radii.begin() - 1, 0);
 }
 
+Measures centre_depths(const std::map<std::string, StickDepths>& zones) {
+  Measures centre;
+  for (const auto& [quantity, depths] : zones) centre[quantity] = depths.depth[0];
+  return centre;
+}
+
 SceneNeeds needs_of(const FemScene& scene) {
   return {scene.relaxation.has_memory(), !scene.motion.phase};
 }
@@ -52,8 +60,15 @@ void CaseStudy::want(const Resolution& resolution) {
   if (measures_.count(resolution) == 0) wanted_.push_back(resolution);
 }
 
+void CaseStudy::want_variants() {
+  for (const auto& track : tracks_of(now_))
+    for (const auto& variant : variants_of(track, needs_of(prepared_.fem))) want(variant.resolution);
+}
+
 void CaseStudy::take(const Resolution& resolution, ProbeAnswer&& answer) {
   measures_[resolution] = answer.failure.empty() ? measures_of(answer.fe, prepared_.fem.units) : Measures{};
+  if (answer.failure.empty() && !prepared_.fem.worn_edge)
+    depths_[resolution] = {{first_slip, answer.fe.first_slip_depths}, {shakedown, answer.fe.shakedown_depths}};
   const auto all = tracks_of(now_);
   // The histories of variants are not needed any more.
   if (std::find(all.begin(), all.end(), resolution) != all.end()) answers_[resolution] = std::move(answer);
@@ -126,10 +141,34 @@ ErrorBudget CaseStudy::budget() const {
       edge[first_slip] = answer.fe.first_slip_uncertainty / prepared_.fem.units.length;
       edge[shakedown] = answer.fe.shakedown_uncertainty / prepared_.fem.units.length;
     }
-    for (const auto& [quantity, bar] : error_budget(measures_.at(track), list, varied, track.degree, edge, needs))
+    auto bars = error_budget(measures_.at(track), list, varied, track.degree, edge, needs);
+    // Refining for it costs hundreds of rings, and does not decide what a border leaves open.
+    if (depth_ == StudyDepth::budget) carry_depths(track, list, bars);
+    for (const auto& [quantity, bar] : bars)
       if (resolution_of(quantity) == track) all[quantity] = bar;
   }
   return all;
+}
+
+/// Where the error of the depth at the centre leaves open whether anything sticks, adds to the bar what that means for
+/// the stick radius: under a flat face, all of the face or nothing.
+void CaseStudy::carry_depths(const Resolution& track, const std::vector<Variant>& variants, ErrorBudget& budget) const {
+  const auto own = depths_.find(track);
+  if (own == depths_.end()) return;
+  std::vector<Measures> varied;
+  for (const auto& variant : variants) {
+    const auto found = depths_.find(variant.resolution);
+    varied.push_back(found == depths_.end() ? Measures{} : centre_depths(found->second));
+  }
+  const auto centre = centre_depths(own->second);
+  for (const auto& [quantity, uncertainty] :
+       error_budget(centre, variants, varied, track.degree, {}, needs_of(prepared_.fem))) {
+    if (std::abs(centre.at(quantity)) > uncertainty.total()) continue;
+    auto& bar = budget.at(quantity);
+    const double reach =
+        reach_of_edge(own->second.at(quantity), measures_.at(track).at(quantity), uncertainty.total());
+    if (reach > bar.total()) bar.shares.push_back({ErrorSource::edge, reach - bar.total(), std::nullopt});
+  }
 }
 
 bool CaseStudy::refine_what_is_too_wide() {
@@ -171,6 +210,7 @@ bool CaseStudy::refine_what_is_too_wide() {
 void CaseStudy::advance() {
   wanted_.clear();
   if (depth_ == StudyDepth::answer) return;
+  if (depth_ == StudyDepth::budget) return want_variants();
   if (economy_) return economise();
   if (failed()) {
     if (!before_) return;
@@ -178,8 +218,7 @@ void CaseStudy::advance() {
     return economise();
   }
   if (focus_on_unresolved_edges()) return;
-  for (const auto& track : tracks_of(now_))
-    for (const auto& variant : variants_of(track, needs_of(prepared_.fem))) want(variant.resolution);
+  want_variants();
   if (!wanted_.empty()) return;
   if (!refine_what_is_too_wide()) return economise();
   for (const auto& track : tracks_of(now_)) {
