@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "comparison/refinement_plan.h"
+#include "comparison/stick_depths.h"
 
 namespace fretval {
 namespace {
@@ -32,6 +33,12 @@ Eigen::Index rings_within(const std::vector<double>& radii, double c) {
   return std::max<Eigen::Index>(std::upper_bound(radii.begin(), radii.end(), c) - radii.begin() - 1, 0);
 }
 
+Measures centre_depths(const std::map<std::string, StickDepths>& zones) {
+  Measures centre;
+  for (const auto& [quantity, depths] : zones) centre[quantity] = depths.depth[0];
+  return centre;
+}
+
 SceneNeeds needs_of(const FemScene& scene) {
   return {scene.relaxation.has_memory(), !scene.motion.phase};
 }
@@ -40,7 +47,8 @@ SceneNeeds needs_of(const FemScene& scene) {
 Measures uncertainties_of_edges(const ProbeAnswer& answer, const FemScene& scene) {
   if (!answer.failure.empty()) return {};
   const auto& fe = answer.fe;
-  Measures uncertainties{{normal_force, fe.normal_force_uncertainty / fe.normal_force_max}};
+  Measures uncertainties;
+  if (fe.normal_force_max > 0) uncertainties[normal_force] = fe.normal_force_uncertainty / fe.normal_force_max;
   if (!scene.worn_edge) {
     uncertainties[first_slip] = fe.first_slip_uncertainty / scene.units.length;
     uncertainties[shakedown] = fe.shakedown_uncertainty / scene.units.length;
@@ -71,8 +79,18 @@ void CaseStudy::want(const Resolution& resolution) {
     wanted_.push_back(resolution);
 }
 
+void CaseStudy::want_variants() {
+  for (const auto& track : tracks_of(now_))
+    for (const auto& variant : variants_of(track, needs_of(prepared_.fem))) {
+      want(variant.resolution);
+      want(variant.reference);
+    }
+}
+
 void CaseStudy::take(const Resolution& resolution, ProbeAnswer&& answer) {
   measures_[resolution] = answer.failure.empty() ? measures_of(answer.fe, prepared_.fem.units) : Measures{};
+  if (answer.failure.empty() && !prepared_.fem.worn_edge)
+    depths_[resolution] = {{first_slip, answer.fe.first_slip_depths}, {shakedown, answer.fe.shakedown_depths}};
   const auto all = tracks_of(now_);
   // The histories of variants are not needed any more.
   if (std::find(all.begin(), all.end(), resolution) != all.end()) answers_[resolution] = std::move(answer);
@@ -134,11 +152,32 @@ bool CaseStudy::focus_on_unresolved_edges() {
 ErrorBudget CaseStudy::budget() const {
   ErrorBudget all;
   for (const auto& track : tracks_of(now_)) {
-    const auto edges = uncertainties_of_edges(answers_.at(track), prepared_.fem);
-    for (const auto& [quantity, bar] : error_budget(track, measures_, edges, needs_of(prepared_.fem)))
+    auto bars = error_budget(track, measures_, uncertainties_of_edges(answers_.at(track), prepared_.fem),
+                             needs_of(prepared_.fem));
+    // Refining for it costs hundreds of rings, and does not decide what a border leaves open.
+    if (depth_ == StudyDepth::budget) carry_depths(track, bars);
+    for (const auto& [quantity, bar] : bars)
       if (resolution_of(quantity) == track) all[quantity] = bar;
   }
   return all;
+}
+
+/// Where the error of the depth at the centre leaves open whether anything sticks, adds to the bar what that means for
+/// the stick radius: under a flat face, all of the face or nothing.
+void CaseStudy::carry_depths(const Resolution& track, ErrorBudget& budget) const {
+  const auto own = depths_.find(track);
+  if (own == depths_.end()) return;
+  std::map<Resolution, Measures> centre;
+  for (const auto& [resolution, measures] : measures_) {
+    const auto found = depths_.find(resolution);
+    centre[resolution] = found == depths_.end() ? Measures{} : centre_depths(found->second);
+  }
+  for (const auto& [quantity, uncertainty] : error_budget(track, centre, {}, needs_of(prepared_.fem))) {
+    if (std::abs(centre.at(track).at(quantity)) > uncertainty.total()) continue;
+    auto& bar = budget.at(quantity);
+    const double reach = reach_of_edge(own->second.at(quantity), measures_.at(track).at(quantity), uncertainty.total());
+    if (reach > bar.total()) bar.shares.push_back({ErrorSource::edge, reach - bar.total(), std::nullopt});
+  }
 }
 
 bool CaseStudy::refine_what_is_too_wide() {
@@ -174,6 +213,7 @@ bool CaseStudy::refine_what_is_too_wide() {
 void CaseStudy::advance() {
   wanted_.clear();
   if (depth_ == StudyDepth::answer) return;
+  if (depth_ == StudyDepth::budget) return want_variants();
   if (economy_) return economise();
   if (failed()) {
     if (!before_) return;
@@ -181,11 +221,7 @@ void CaseStudy::advance() {
     return economise();
   }
   if (focus_on_unresolved_edges()) return;
-  for (const auto& track : tracks_of(now_))
-    for (const auto& variant : variants_of(track, needs_of(prepared_.fem))) {
-      want(variant.resolution);
-      want(variant.reference);
-    }
+  want_variants();
   if (!wanted_.empty()) return;
   if (!refine_what_is_too_wide()) return economise();
   for (const auto& track : tracks_of(now_)) {

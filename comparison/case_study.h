@@ -24,9 +24,9 @@ struct PreparedCase {
 /// Seconds of an answer whose body and normal history were its own: mesh, assembly, factorisation, both histories.
 double seconds_alone(const ProbeAnswer& answer);
 
-/// How far a study goes: one resolution and no more; until the error bars meet the tolerance; and on to the cheapest
-/// resolutions that this proof covers.
-enum class StudyDepth { answer, proof, economy };
+/// How far a study goes: one resolution and no more; that and its error bars, whatever they are; until the error bars
+/// meet the tolerance; and on to the cheapest resolutions that this proof covers.
+enum class StudyDepth { answer, budget, proof, economy };
 
 /// The cheapest resolutions that the proof covers, see Economy.
 struct CheapestProved {
@@ -80,6 +80,7 @@ class CaseStudy {
   [[nodiscard]] const Resolution& resolution_of(const std::string& quantity) const;
   [[nodiscard]] std::optional<Focus> closer_look(const std::string& quantity) const;
   [[nodiscard]] ErrorBudget budget() const;
+  void carry_depths(const Resolution& track, ErrorBudget& budget) const;
   [[nodiscard]] bool failed() const;
   bool focus_on_unresolved_edges();
   bool refine_what_is_too_wide();
@@ -87,6 +88,7 @@ class CaseStudy {
   [[nodiscard]] std::vector<ProvedTrack> proved_tracks() const;
   [[nodiscard]] CheapestProved cheapest() const;
   void want(const Resolution& resolution);
+  void want_variants();
   void forget_old_answers();
 
   const PreparedCase& prepared_;
@@ -95,6 +97,7 @@ class CaseStudy {
   std::optional<Tracks> before_;  // the last refinement
   std::map<Resolution, ProbeAnswer> answers_;
   std::map<Resolution, Measures> measures_;
+  std::map<Resolution, std::map<std::string, StickDepths>> depths_;  // of the stick zones; not of worn profiles
   std::vector<Resolution> wanted_;
   int n_refinements_ = 0;
   std::optional<Economy> economy_;

@@ -24,6 +24,9 @@
 #include "comparison/mdr_command.h"
 #include "comparison/outcome.h"
 #include "comparison/report.h"
+#include "comparison/soak.h"
+#include "comparison/soak_json.h"
+#include "comparison/soak_table.h"
 #include "comparison/stopwatch.h"
 #include "comparison/terminal.h"
 #include "comparison/tolerance_json.h"
@@ -128,9 +131,29 @@ int run_extremes_suite(const std::vector<ExtremeRow>& rows, const std::string& j
   return count(records, ExtremeVerdict::fails) == 0 ? exit_agree : exit_disagree;
 }
 
+int run_soak_suite(const SoakOptions& options, const std::string& junit, const std::string& json,
+                   const fs::path& worst) {
+  const auto run = run_soak(options, [&](std::size_t n_done) {
+    if (n_done % 1000 == 0) spdlog::info("{} of {} cases", n_done, options.n_cases);
+  });
+  const auto summary = summary_of(run);
+  fmt::print("{}", soak_table(run, summary));
+  if (!junit.empty()) write_file(junit, soak_junit(summary));
+  if (!json.empty()) write_file(json, soak_json(run, summary).dump(2) + "\n");
+  if (!worst.empty()) {
+    fs::create_directories(worst);
+    for (const auto* record : summary.worst)
+      write_file(worst / fmt::format("soak-{}-{}.prm", record->draw.seed, record->draw.number),
+                 case_text(soak_entries(record->draw)));
+  }
+  return summary.passes() ? exit_agree : exit_disagree;
+}
+
 struct CheckOptions {
   std::string suite = "small", meshes = small_meshes().string(), junit, json;
   ToleranceSuiteOptions tolerance;
+  SoakOptions soak;
+  std::string worst;
   bool only_short = false;
   std::string family;
 };
@@ -146,12 +169,15 @@ int run_suite(const CheckOptions& options) {
   if (options.suite == "exact") return run_exact_suite(options.junit, options.json);
   if (options.suite == "tolerance") return run_tolerance(options.tolerance, options.junit, options.json);
   if (options.suite == "extremes") return run_extremes_suite(rows_of(options), options.junit, options.json);
-  throw InputError(fmt::format("--suite {}: expected small, exact, tolerance or extremes", options.suite));
+  if (options.suite == "soak") return run_soak_suite(options.soak, options.junit, options.json, options.worst);
+  throw InputError(fmt::format("--suite {}: expected small, exact, tolerance, extremes or soak", options.suite));
 }
 
 int run_check_suite(const CheckOptions& options) {
   if (!options.json.empty() && options.suite == "small")
-    throw InputError("--json: it belongs to the suites exact, tolerance and extremes");
+    throw InputError("--json: it belongs to the suites exact, tolerance, extremes and soak");
+  if ((options.soak.only || !options.worst.empty()) && options.suite != "soak")
+    throw InputError("--only and --write-worst: they belong to the suite soak");
   if ((options.only_short || !options.family.empty()) && options.suite != "extremes")
     throw InputError("--short and --family: they belong to the suite extremes");
   Stopwatch watch;
@@ -201,17 +227,18 @@ void add_commands(CLI::App& app, Command& command) {
   run->add_option("-o,--output", options->output, "Folder for the results")->capture_default_str();
   run->callback([=, &command] { command = [=] { return run_cases(options->files, options->output); }; });
 
-  auto* check = app.add_subcommand("check",
-                                   "CI check: MDR against finite elements on small meshes, finite elements against "
-                                   "exact solutions, the errors of the "
-                                   "chosen settings against the tolerance, or scenes at the ends of every parameter");
-  check->add_option("--suite", options->check.suite, "Which suite: small, exact, tolerance, extremes")
+  auto* check = app.add_subcommand(
+      "check",
+      "CI check: MDR against finite elements on small meshes, finite elements against "
+      "exact solutions, the errors of the "
+      "chosen settings against the tolerance, scenes at the ends of every parameter, or random scenes");
+  check->add_option("--suite", options->check.suite, "Which suite: small, exact, tolerance, extremes, soak")
       ->capture_default_str();
   check->add_option("--meshes", options->check.meshes, "Folder with coarse.msh and fine.msh, for the suite small")
       ->capture_default_str();
   check->add_option("--junit", options->check.junit, "Also write JUnit XML to this file");
   check->add_option("--json", options->check.json,
-                    "Also write everything that was measured to this file; suites exact, tolerance and extremes");
+                    "Also write everything that was measured to this file; suites exact, tolerance, extremes and soak");
   check->add_option("--tolerances", options->check.tolerance.tolerances, "Suite tolerance: at which tolerances")
       ->capture_default_str()
       ->check(CLI::PositiveNumber);
@@ -219,6 +246,12 @@ void add_commands(CLI::App& app, Command& command) {
                   "Suite tolerance: do not search for the cheapest settings");
   check->add_flag("--short", options->check.only_short, "Suite extremes: a few seconds of it");
   check->add_option("--family", options->check.family, "Suite extremes: only the families whose name contains this");
+  check->add_option("--cases", options->check.soak.n_cases, "Suite soak: how many random cases")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 1000000));
+  check->add_option("--seed", options->check.soak.seed, "Suite soak: of the random cases")->capture_default_str();
+  check->add_option("--only", options->check.soak.only, "Suite soak: only the case of this number, from 0");
+  check->add_option("--write-worst", options->check.worst, "Suite soak: folder for case files of the ten worst");
   check->callback([=, &command] { command = [=] { return run_check_suite(options->check); }; });
 
   auto* report = app.add_subcommand("report", "One self-contained HTML page from the results in a folder");

@@ -13,6 +13,7 @@
 #include "comparison/files.h"
 #include "comparison/ladder_report.h"
 #include "comparison/results_folder.h"
+#include "comparison/soak_report.h"
 #include "comparison/tolerance_report.h"
 #include "comparison/trade_report.h"
 #include "comparison/verdict_report.h"
@@ -260,7 +261,7 @@ std::string all_cases_section(const Results& results) {
 fs::path write_report(const fs::path& folder) {
   const auto results = read_results(folder);
   const auto ladder = read_json(folder / "ladder.json"), tolerance = read_json(folder / "tolerance.json");
-  const auto extremes = read_json(folder / "extremes.json");
+  const auto extremes = read_json(folder / "extremes.json"), soak = read_json(folder / "soak.json");
   std::string page = fmt::format(
       "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
       "content=\"width=device-width, "
@@ -273,6 +274,7 @@ fs::path write_report(const fs::path& folder) {
        {verdict_section(results), radii_section(results), phase_section(results), rheology_section(results),
         limiting_section(results), single_cases_section(results), budget_section(results), trade_section(folder),
         tolerance ? tolerance_section(*tolerance) : "", extremes ? extremes_section(*extremes) : "",
+        soak ? soak_section(*soak) : "",
         ladder ? ladder_section(*ladder) : "", cost_section(results), all_cases_section(results)})
     page += section;
   page += "</body></html>\n";

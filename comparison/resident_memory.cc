@@ -30,6 +30,11 @@ bool reset_peak() {
 
 }  // namespace
 
+std::optional<double> resident_bytes() {
+  malloc_trim(0);
+  return status_bytes("VmRSS:");
+}
+
 ResidentGrowth::ResidentGrowth() {
   malloc_trim(0);
   if (reset_peak()) start_ = status_bytes("VmRSS:");

@@ -9,6 +9,7 @@ namespace fretval {
 namespace {
 
 constexpr unsigned most_rings = 512, fewest_rings = 8, most_degree = 4;
+constexpr unsigned fewest_rings_of_a_variant = 6;  // 24 rings have two to be compared with
 constexpr int most_steps = 1440, fewest_steps = 8, most_ramp_cycles = 64, most_creep_cycles = 768;
 constexpr double finest_growth = 0.075, coarsest_growth = 1, finest_periodicity = 1e-9, coarsest_periodicity = 1e-3;
 constexpr double largest_far_radius = 100, smallest_far_radius = 4;
@@ -72,9 +73,9 @@ Resolution resolution_for(double tolerance, bool memory) {
   // What the rings at a worn edge let through is about a tenth of sqrt(2 ring/c) of the force.
   const double worn_edge_ring = std::max(5 * tolerance * tolerance, finest_edge_ring);
   const auto ramp = [memory](int n_cycles) { return memory ? n_cycles : 1; };
-  if (tolerance >= 1e-2) return {16, 2, 0.3, 10, 24, ramp(4), 1e-4, 24, worn_edge_ring};
+  if (tolerance >= 1e-2) return {24, 2, 0.3, 10, 32, ramp(4), 1e-4, 24, worn_edge_ring};
   if (tolerance >= 1e-3) return {24, 3, 0.5, 12, 36, ramp(8), 1e-5, 48, worn_edge_ring};
-  return {48, 3, 0.3, 20, 72, ramp(12), 1e-5, 96, worn_edge_ring};
+  return {48, 3, 0.3, 20, 72, ramp(12), 1e-6, 96, worn_edge_ring};
 }
 
 const char* name_of(ErrorSource source) {
@@ -111,7 +112,7 @@ std::vector<Variant> variants_of(const Resolution& resolution, const SceneNeeds&
     variants.push_back({source, r, reference});
   };
   for (const double factor : {0.5, 0.25})
-    if (resolution.elements_per_radius * factor >= fewest_rings)
+    if (resolution.elements_per_radius * factor >= fewest_rings_of_a_variant)
       variants.push_back({ErrorSource::rings, with_rings(resolution, factor), resolution});
   const Resolution quick = with_fewer_steps(resolution), coarse = with_fewer_rings(resolution),
                    both = with_fewer_steps(coarse);

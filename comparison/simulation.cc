@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "comparison/stick_depths.h"
 #include "comparison/stick_zones.h"
 #include "comparison/stopwatch.h"
 #include "fem/running_minimum.h"
@@ -109,6 +110,20 @@ Eigen::Index largest_contact_rings(const fem::NormalHistory& history) {
   return n;
 }
 
+void add_stick_depths(const ContactProblems& problems, const NormalSimulation& normal, const FemScene& scene,
+                      FeAnswer& answer) {
+  const auto& friction = answer.friction;
+  const auto& series = (problems.tangential ? *problems.tangential : problems.normal).series;
+  const Eigen::Index n_contact = largest_contact_rings(normal.history);
+  const double amplitude = scene.motion.tangential_amplitude;
+  const auto depths = [&](const Eigen::VectorXd& reserve, const Eigen::VectorXd& slip, Eigen::Index n_stuck) {
+    return stick_depths({reserve.head(n_contact), series.displacements(slip).head(n_contact), n_stuck}, series.radii(),
+                        1.5 * scene.friction_coefficient, amplitude);
+  };
+  answer.first_slip_depths = depths(friction.first_slip_reserve, friction.slip_path, answer.rings.stuck.first_slip);
+  answer.shakedown_depths = depths(friction.shakedown_reserve, friction.period_slip / 4, answer.rings.stuck.shakedown);
+}
+
 }  // namespace
 
 NormalSimulation simulate_normal(const fem::ContactProblem& problem, const FemScene& scene) {
@@ -140,6 +155,8 @@ FeAnswer simulate(const ContactProblems& problems, const FemScene& scene, const 
     shakedown = {problem.compliance.radii[static_cast<std::size_t>(stuck.shakedown)], first.uncertainty};
     answer.no_wear = no_wear_evidence(problems.normal.compliance, scene, normal, friction);
   }
+
+  if (!scene.worn_edge) add_stick_depths(problems, normal, scene, answer);
 
   const double length = scene.units.length;
   if (normal.contact_radius) answer.contact_radius_max = dimensional(*normal.contact_radius, length);

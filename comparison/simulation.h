@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "comparison/scene.h"
+#include "comparison/stick_depths.h"
 #include "comparison/stick_zones.h"
 #include "fem/edge.h"
 #include "fem/friction_history.h"
@@ -42,6 +43,7 @@ struct FeAnswer {
   double normal_force_uncertainty = 0;  ///< of reading the edge, see fem::ContactForce
   double first_slip_uncertainty = 0;    ///< of reading the edge, see fem::EdgeRadius
   double shakedown_uncertainty = 0;
+  StickDepths first_slip_depths, shakedown_depths;  ///< empty for a limiting profile
   std::optional<NoWearEvidence> no_wear;  ///< for a limiting profile
 
   ZoneRings rings;

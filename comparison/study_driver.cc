@@ -8,6 +8,11 @@ namespace fretval {
 void run_studies(std::vector<CaseStudy>& studies, const MakeBody& make_body,
                  const std::function<void(std::size_t)>& finished) {
   BodyStore bodies(make_body);
+  run_studies(studies, bodies, finished);
+}
+
+void run_studies(std::vector<CaseStudy>& studies, BodyStore& bodies,
+                 const std::function<void(std::size_t)>& finished) {
   while (true) {
     std::vector<Probe> probes;
     std::vector<std::pair<std::size_t, Resolution>> origin;  // study

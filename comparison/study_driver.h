@@ -15,4 +15,9 @@ void run_studies(
     std::vector<CaseStudy>& studies, const MakeBody& make_body,
     const std::function<void(std::size_t study)>& finished = [](auto) {});
 
+/// The same with bodies that outlive the call.
+void run_studies(
+    std::vector<CaseStudy>& studies, BodyStore& bodies,
+    const std::function<void(std::size_t study)>& finished = [](auto) {});
+
 }  // namespace fretval

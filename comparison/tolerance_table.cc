@@ -7,17 +7,10 @@
 #include <cmath>
 
 #include "comparison/junit.h"
+#include "comparison/quantile.h"
 
 namespace fretval {
 namespace {
-
-/// Nearest rank.
-std::optional<double> quantile(std::vector<double> values, double share) {
-  if (values.empty()) return std::nullopt;
-  std::sort(values.begin(), values.end());
-  const auto rank = static_cast<std::size_t>(std::ceil(share * static_cast<double>(values.size())));
-  return values[std::max<std::size_t>(rank, 1) - 1];
-}
 
 ToleranceSummary summary_of(double tolerance, const std::vector<ToleranceRecord>& records) {
   ToleranceSummary summary;

@@ -28,16 +28,20 @@ ContactForce contact_force(const PunchSeries& series, const Eigen::VectorXd& pre
                                past.largest_radius < radii[std::min(n_pressed + n_to_continue, radii.size()) - 1];
   std::optional<double> edge;
   if (smooth_pressure) edge = series.edge_of_pressure(depths, n_pressed);
-  const double radius = edge ? *edge : series.edge_of_gap(gap, n_inner, n_pressed, past.largest_radius);
+  if (!edge) edge = series.edge_of_gap(gap, n_inner, n_pressed, past.largest_radius);
+  const double radius = edge.value_or(series.edges()[n_pressed]);
   const std::vector<signed char> one_zone(static_cast<std::size_t>(n_inner), 0);
   const double force = series.integral(depths, one_zone, radius);
-  if (!past.dashpot) {
-    const double at_edge = Stencil{radii, depths, n_inner - n_stencil, n_stencil}(radius);
-    const double too_much = series.force_per_radius() * at_edge * (radius - radii[n_inner - 1]) / 2;
-    return {force - too_much / 2, radius, std::abs(too_much) / 2};
+  if (past.dashpot) {
+    constexpr double share_of_kink = 0.25;
+    const bool unseen_kink = past.largest_radius > radius && past.largest_radius <= radii[n_pressed];
+    const double up_to_kink = unseen_kink ? series.integral(depths, one_zone, past.largest_radius) : force;
+    return {force, radius, share_of_kink * std::abs(up_to_kink - force)};
   }
-  const bool unseen_kink = past.largest_radius > radius && past.largest_radius <= radii[n_pressed];
-  return {force, radius, unseen_kink ? std::abs(series.integral(depths, one_zone, past.largest_radius) - force) : 0};
+  if (!edge) return {force, radius};  // at a sharp edge of the indenter pressures do not vanish
+  const double at_edge = Stencil{radii, depths, n_inner - n_stencil, n_stencil}(radius);
+  const double too_much = series.force_per_radius() * at_edge * (radius - radii[n_inner - 1]) / 2;
+  return {force - too_much / 2, radius, std::abs(too_much) / 2};
 }
 
 }  // namespace fretval::fem

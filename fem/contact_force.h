@@ -20,9 +20,9 @@ struct ContactForce {
   double force, radius;
   /// Of the force. Without a dashpot pressures vanish at the edge, in a body with memory maybe within less than a ring:
   /// half of the difference between depths that go on smoothly to the edge and those that fall to zero from the last
-  /// ring on. (The force is the mean of both.) With a dashpot: what the pressures would bear up to the largest contact
-  /// so far, where the gap has a kink, if no ring lies between that and the last one pressed, so that nothing tells how
-  /// the gap goes on inside the kink.
+  /// ring on. (The force is the mean of both.) With a dashpot: a quarter of what the pressures would bear up to the
+  /// largest contact so far, where the gap has a kink, if no ring lies between that and the last one pressed, so that
+  /// nothing tells how the gap goes on inside the kink (a tenth of that was missed at most).
   double uncertainty = 0;
 };
 

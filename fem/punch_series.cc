@@ -86,7 +86,8 @@ double PunchSeries::integral(const Eigen::VectorXd& depths, const std::vector<si
   return force_per_radius_ * sum;
 }
 
-double PunchSeries::edge_of_gap(const Eigen::VectorXd& gap, Index n_closed, Index n_pressed, double kink) const {
+std::optional<double> PunchSeries::edge_of_gap(const Eigen::VectorXd& gap, Index n_closed, Index n_pressed,
+                                               double kink) const {
   const Eigen::VectorXd opening = displacements(gap);
   // Nodes inside the kink, and the kink itself if it is away from them, where what is outside of it ends.
   Index n_inside = 0;
@@ -94,7 +95,7 @@ double PunchSeries::edge_of_gap(const Eigen::VectorXd& gap, Index n_closed, Inde
   const Index first_outside = n_pressed + n_inside;
   const Stencil outside{radii_, opening, first_outside, std::min(n_stencil, gap.size() - first_outside)};
   const auto vanishing = [&](const Stencil& stencil) {
-    return crossing(stencil, radii_[n_closed - 1], radii_[n_pressed]).value_or(edges_[n_pressed]);
+    return crossing(stencil, radii_[n_closed - 1], radii_[n_pressed]);
   };
   if (n_inside == 0) return vanishing(outside);
   Eigen::VectorXd x(n_inside + 1), y(n_inside + 1);

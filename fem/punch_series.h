@@ -45,10 +45,10 @@ class PunchSeries {
 
   /// Radius at which the gap outside n_pressed rings vanishes: its displacements in the sense above are to the gap what
   /// the depths are to the pressure, smooth up to the edge, whatever pressure there is, but for a kink at the edge of
-  /// the largest contact so far in a body with memory. Looked for outside the last of n_closed rings; where the gap
-  /// jumps (a flat punch), the effective radius of the pressed rings.
-  [[nodiscard]] double edge_of_gap(const Eigen::VectorXd& gap, Eigen::Index n_closed, Eigen::Index n_pressed,
-                                   double kink) const;
+  /// the largest contact so far in a body with memory. Looked for outside the last of n_closed rings; empty where
+  /// the gap jumps (a flat punch).
+  [[nodiscard]] std::optional<double> edge_of_gap(const Eigen::VectorXd& gap, Eigen::Index n_closed,
+                                                  Eigen::Index n_pressed, double kink) const;
 
   /// Radius at which the pressure of n_pressed rings vanishes; empty if their contact does not end there.
   [[nodiscard]] std::optional<double> edge_of_pressure(const Eigen::VectorXd& depths, Eigen::Index n_pressed) const;

@@ -93,9 +93,10 @@ TEST(CommandLine, RefusesAMissingFile) {
   EXPECT_EQ(fretval_run("check --meshes nowhere", folder).exit_code, 2);
   const auto run = fretval_run("check --suite nothing", folder);
   EXPECT_EQ(run.exit_code, 2);
-  EXPECT_NE(run.err.find("expected small, exact, tolerance or extremes"), std::string::npos) << run.err;
+  EXPECT_NE(run.err.find("expected small, exact, tolerance, extremes or soak"), std::string::npos) << run.err;
   EXPECT_EQ(fretval_run("check --suite exact --short", folder).exit_code, 2);
   EXPECT_EQ(fretval_run("check --suite extremes --family nothing", folder).exit_code, 2);
+  EXPECT_EQ(fretval_run("check --suite exact --only 3", folder).exit_code, 2);
   EXPECT_EQ(fretval_run("dance", folder).exit_code, 2);
 }
 

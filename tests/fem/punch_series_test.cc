@@ -77,7 +77,7 @@ TEST_F(PunchSeriesTest, FindsTheEdgeFromTheGapAlone) {
     const double radius = 0.9 + k / 320.0;
     const auto [pressure, gap] = hertz_contact(problem_, radius * radius);
     const Index n_pressed = (pressure.array() > 0).count();
-    EXPECT_NEAR(series_.edge_of_gap(gap, n_pressed, n_pressed, 0), radius, 1e-5) << radius;
+    EXPECT_NEAR(series_.edge_of_gap(gap, n_pressed, n_pressed, 0).value(), radius, 1e-5) << radius;
   }
 }
 
@@ -108,7 +108,7 @@ TEST_F(PunchSeriesTest, FrictionForceOfZonesNarrowerThanARing) {
   const auto contact = hertz_contact(problem_, 1);
   const Eigen::VectorXd limit = mu * contact.pressure;
   const auto [normal_force, contact_radius, uncertainty] = contact_force(series_, contact.pressure, contact.gap);
-  EXPECT_EQ(uncertainty, 0);  // of an elastic contact
+  EXPECT_LT(uncertainty, 1e-6 * normal_force);
   TouchingRings touching{series_.radii()};
   touching.move_to(contact_radius);
   const auto exact = [&, f = normal_force](double u) { return mu * f * (1 - std::pow(1 - u / all_slides, 1.5)); };
