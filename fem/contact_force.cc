@@ -40,7 +40,7 @@ ContactForce contact_force(const PunchSeries& series, const Eigen::VectorXd& pre
   }
   if (!edge) return {force, radius};  // at a sharp edge of the indenter pressures do not vanish
   const double at_edge = Stencil{radii, depths, n_inner - n_stencil, n_stencil}(radius);
-  const double too_much = series.force_per_radius() * at_edge * (radius - radii[n_inner - 1]) / 2;
+  const double too_much = series.force_per_radius() * at_edge * (radius - radii[n_pressed - 1]) / 2;
   return {force - too_much / 2, radius, std::abs(too_much) / 2};
 }
 
