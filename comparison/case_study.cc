@@ -19,6 +19,7 @@ constexpr double finest_ring_at_the_centre = 1e-4, finest_ring_at_the_edge = 1e-
 constexpr const char* first_slip = "stick_radius_first_slip";
 constexpr const char* shakedown = "stick_radius_shakedown";
 constexpr const char* normal_force = "normal_force_max";
+constexpr const char* contact_radius = "contact_radius_max";
 
 /// The next power of two, so that similar cases share their bodies.
 double rounded_up(double x) {
@@ -50,6 +51,7 @@ Measures uncertainties_of_edges(const ProbeAnswer& answer, const FemScene& scene
   Measures uncertainties;
   if (fe.normal_force_max > 0) uncertainties[normal_force] = fe.normal_force_uncertainty / fe.normal_force_max;
   if (!scene.worn_edge) {
+    uncertainties[contact_radius] = fe.contact_radius_uncertainty / scene.units.length;
     uncertainties[first_slip] = fe.first_slip_uncertainty / scene.units.length;
     uncertainties[shakedown] = fe.shakedown_uncertainty / scene.units.length;
   }
@@ -121,7 +123,7 @@ std::optional<Focus> CaseStudy::closer_look(const std::string& quantity) const {
     const double outer = n_stuck > 0 ? rounded_up(1.5 * c + ring) : rounded_up(ring);
     return Focus{0, outer, outer / 32};
   }
-  const auto contact = measures.find("contact_radius_max");
+  const auto contact = measures.find(contact_radius);
   if (rings.contact - n_stuck >= enough_slipping_rings || contact == measures.end()) return std::nullopt;
   if (ring < finest_ring_at_the_edge) return std::nullopt;
   const double edge = contact->second, width = rounded_up(std::max(1.5 * (edge - c), ring / 4));
@@ -156,6 +158,7 @@ ErrorBudget CaseStudy::budget() const {
                              needs_of(prepared_.fem));
     // Refining for it costs hundreds of rings, and does not decide what a border leaves open.
     if (depth_ == StudyDepth::budget) carry_depths(track, bars);
+    if (prepared_.fem.worn_edge) carry_slip_inside(track, bars);
     for (const auto& [quantity, bar] : bars)
       if (resolution_of(quantity) == track) all[quantity] = bar;
   }
@@ -177,6 +180,17 @@ void CaseStudy::carry_depths(const Resolution& track, ErrorBudget& budget) const
     auto& bar = budget.at(quantity);
     const double reach = reach_of_edge(own->second.at(quantity), measures_.at(track).at(quantity), uncertainty.total());
     if (reach > bar.total()) bar.shares.push_back({ErrorSource::edge, reach - bar.total(), std::nullopt});
+  }
+}
+
+/// The rings of a worn profile that stick are counted. Where the slip inside its stick radius is no more than its own
+/// bar, all rings up to there may stick.
+void CaseStudy::carry_slip_inside(const Resolution& track, ErrorBudget& budget) const {
+  const auto slip = budget.find("slip_inside_stick_zone");
+  if (slip == budget.end() || measures_.at(track).at(slip->first) > slip->second.total()) return;
+  for (const char* quantity : {first_slip, shakedown}) {
+    const double missing = prepared_.fem.worn_edge->inner - measures_.at(track).at(quantity);
+    if (missing > 0) budget.at(quantity).shares.push_back({ErrorSource::edge, missing, std::nullopt});
   }
 }
 

@@ -37,9 +37,7 @@ std::vector<LadderRow> indentation_rows(const std::vector<LadderMesh>& meshes, c
   const auto radius_error = [&](const LadderMesh& mesh) {
     const auto events = fem::contact_events(mesh.normal.compliance, means_of(exact.profile, mesh.normal));
     return worst(mesh, [&](const fem::NormalContact& contact, double indentation) {
-      fem::NormalHistory history{};
-      history.smallest_gap = contact.gap;
-      return fem::largest_contact_radius(history, events).radius / exact.contact_radius(indentation) - 1;
+      return fem::largest_contact_radius(contact.gap, events).radius / exact.contact_radius(indentation) - 1;
     });
   };
   const auto force_error = [&](const LadderMesh& mesh) {

@@ -83,6 +83,8 @@ FemScene fem_scene(const Case& scene, const MdrScene& mdr) {
   FemScene fem{units, {}, {}, {}, scene.friction_coefficient, profile_in(units, scene, mdr), {}, {}};
   if (mdr.limiting)
     fem.worn_edge = {mdr.limiting->stick_radius / units.length, mdr.limiting->outer_radius / units.length};
+  else if (scene.indenter.shape == Case::Shape::truncated_sphere)
+    fem.sharp_edge = scene.indenter.flat_radius / units.length;
   fem.relaxation.viscosity = mdr.body.viscosity * units.angular_frequency / units.modulus;
   for (const double modulus : mdr.body.branch_moduli) fem.relaxation.moduli.push_back(modulus / units.modulus);
   for (const double time : mdr.body.branch_times) fem.relaxation.times.push_back(time * units.angular_frequency);

@@ -51,6 +51,7 @@ struct FemScene {
   std::function<double(double)> profile;  ///< f(r)
   Resolution resolution;
   std::optional<WornEdge> worn_edge;
+  std::optional<double> sharp_edge = {};  ///< radius at which the slope of the unworn indenter jumps
 };
 
 /// At the resolution that the tolerance of the case asks for.

@@ -12,6 +12,8 @@
 namespace fretval {
 namespace {
 
+constexpr double pi = 3.14159265358979323846;
+
 /// Largest value of a smooth periodic signal, and how uncertain that is.
 struct Peak {
   double value, uncertainty;
@@ -124,17 +126,39 @@ void add_stick_depths(const ContactProblems& problems, const NormalSimulation& n
   answer.shakedown_depths = depths(friction.shakedown_reserve, friction.period_slip / 4, answer.rings.stuck.shakedown);
 }
 
+bool relaxes_within_a_step(const FemScene& scene) {
+  const double step = 2 * pi / scene.resolution.steps_per_cycle;
+  const auto& times = scene.relaxation.times;
+  return std::any_of(times.begin(), times.end(), [&](double time) { return time < 2 * step; });
+}
+
+void read_contact_radius(const fem::ContactProblem& problem, const FemScene& scene, NormalSimulation& simulation) {
+  const auto events = fem::contact_events(problem.compliance, simulation.profile);
+  simulation.contact_radius = fem::largest_contact_radius(simulation.history.smallest_gap, events);
+  if (!relaxes_within_a_step(scene)) return;
+  const auto other = fem::largest_contact_radius(simulation.history.smallest_gap_at_balance, events);
+  simulation.contact_radius_uncertainty = 2 * std::abs(other.radius - simulation.contact_radius->radius);
+}
+
+/// Next to a sharp edge of the indenter the pressure is singular, and rings that are not graded there miss the stick
+/// radius by half a ring (within four rings, at 32 and 128 rings).
+void widen_next_to_sharp_edge(const FemScene& scene, const fem::Compliance& compliance, fem::EdgeRadius& zone) {
+  if (!scene.sharp_edge || zone.radius <= 0) return;
+  const auto& radii = compliance.radii;
+  const auto next = std::upper_bound(radii.begin(), radii.end() - 1, zone.radius);
+  const double ring = *next - *(next - 1);
+  if (std::abs(zone.radius - *scene.sharp_edge) < 4 * ring) zone.uncertainty += ring;
+}
+
 }  // namespace
 
 NormalSimulation simulate_normal(const fem::ContactProblem& problem, const FemScene& scene) {
   Stopwatch watch;
-  NormalSimulation simulation;
+  NormalSimulation simulation{};
   simulation.profile = fem::ring_means(problem.compliance, scene.profile);
   simulation.history =
       fem::normal_history(problem, scene.relaxation, simulation.profile, scene.motion, control_of(scene));
-  if (!scene.worn_edge)
-    simulation.contact_radius =
-        fem::largest_contact_radius(simulation.history, fem::contact_events(problem.compliance, simulation.profile));
+  if (!scene.worn_edge) read_contact_radius(problem, scene, simulation);
   simulation.seconds = watch.lap();
   return simulation;
 }
@@ -156,10 +180,12 @@ FeAnswer simulate(const ContactProblems& problems, const FemScene& scene, const 
     answer.no_wear = no_wear_evidence(problems.normal.compliance, scene, normal, friction);
   }
 
+  for (auto* zone : {&first, &shakedown}) widen_next_to_sharp_edge(scene, problem.compliance, *zone);
   if (!scene.worn_edge) add_stick_depths(problems, normal, scene, answer);
 
   const double length = scene.units.length;
   if (normal.contact_radius) answer.contact_radius_max = dimensional(*normal.contact_radius, length);
+  answer.contact_radius_uncertainty = normal.contact_radius_uncertainty * length;
   answer.stick_radius_first_slip = dimensional(first, length);
   answer.stick_radius_shakedown = dimensional(shakedown, length);
   answer.first_slip_uncertainty = first.uncertainty * length;

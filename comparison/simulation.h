@@ -16,9 +16,13 @@ struct NormalSimulation {
   fem::NormalHistory history;
   std::optional<fem::EdgeRadius> contact_radius;  ///< empty for a worn profile, whose flank touches without pressure
   Eigen::VectorXd profile;                        ///< ring means
+  double contact_radius_uncertainty;              ///< of the time steps, see simulate_normal
   double seconds;
 };
 
+/// The largest contact radius is read at the ends of the steps; a second reading, at the balance times, differs from it
+/// to second order. Where a branch relaxes within a step, coarser steps do not show the error, and twice that
+/// difference is the uncertainty.
 NormalSimulation simulate_normal(const fem::ContactProblem& problem, const FemScene& scene);
 
 /// What the finite elements say about the state in which nothing wears any more. Dimensionless ratios.
@@ -40,11 +44,12 @@ struct FeAnswer {
   std::optional<double> stick_radius_first_slip;
   std::optional<double> stick_radius_shakedown;
   double normal_force_max = 0;
-  double normal_force_uncertainty = 0;  ///< of reading the edge, see fem::ContactForce
-  double first_slip_uncertainty = 0;    ///< of reading the edge, see fem::EdgeRadius
+  double contact_radius_uncertainty = 0;  ///< see simulate_normal
+  double normal_force_uncertainty = 0;    ///< of reading the edge, see fem::ContactForce
+  double first_slip_uncertainty = 0;      ///< of reading the edge, see fem::EdgeRadius
   double shakedown_uncertainty = 0;
   StickDepths first_slip_depths, shakedown_depths;  ///< empty for a limiting profile
-  std::optional<NoWearEvidence> no_wear;  ///< for a limiting profile
+  std::optional<NoWearEvidence> no_wear;            ///< for a limiting profile
 
   ZoneRings rings;
   int n_cycles = 0;

@@ -66,11 +66,11 @@ EffectiveRadii effective_radii(const Compliance& compliance) {
   return {force / fit[0], scatter};
 }
 
-EdgeRadius largest_contact_radius(const NormalHistory& history, const ContactEvents& events) {
+EdgeRadius largest_contact_radius(const Eigen::VectorXd& smallest_gap, const ContactEvents& events) {
   Eigen::Index m = 0;
-  while (m < history.smallest_gap.size() && history.smallest_gap[m] <= 0) ++m;
-  if (m < 2 || m >= history.smallest_gap.size()) throw SolverError("the contact has no edge inside the contact line");
-  const double deepest = events.indentation[m] - history.smallest_gap[m] / events.closing_rate[m];
+  while (m < smallest_gap.size() && smallest_gap[m] <= 0) ++m;
+  if (m < 2 || m >= smallest_gap.size()) throw SolverError("the contact has no edge inside the contact line");
+  const double deepest = events.indentation[m] - smallest_gap[m] / events.closing_rate[m];
   return {radius_at(events, m, deepest), events.radius[m] - events.radius[m - 1]};
 }
 

@@ -27,10 +27,11 @@ struct EffectiveRadii {
 };
 EffectiveRadii effective_radii(const Compliance& compliance);
 
-/// Largest contact radius of the last cycle of a normal history: the remaining gap of the first ring that never touches
-/// says how much deeper the indenter would have had to go for the next event. While the contact is the largest so far,
-/// the surface moves as in the elastic contact whatever the rheology (Lee & Radok), so the elastic events apply.
-EdgeRadius largest_contact_radius(const NormalHistory& history, const ContactEvents& events);
+/// Largest contact radius of a cycle from the smallest gap of each ring (see NormalHistory): the remaining gap of the
+/// first ring that never touches says how much deeper the indenter would have had to go for the next event. While the
+/// contact is the largest so far, the surface moves as in the elastic contact whatever the rheology (Lee & Radok), so
+/// the elastic events apply.
+EdgeRadius largest_contact_radius(const Eigen::VectorXd& smallest_gap, const ContactEvents& events);
 
 /// Radius at which a slip reserve (see PunchSeries::depths) vanishes, n_stuck: number of rings from the centre that
 /// stick. The event of ring j belongs to the mean of the effective radii of j and j+1 rings; the stick radius is where

@@ -11,6 +11,7 @@
 
 #include "fem/contact_force.h"
 #include "fem/cycle_jump.h"
+#include "fem/running_minimum.h"
 #include "fem/solver_error.h"
 
 namespace fretval::fem {
@@ -55,7 +56,8 @@ class Stepper {
         n_steps_(n_steps),
         step_(relaxation, 2 * pi / n_steps),
         state_{{}, Eigen::MatrixXd::Zero(profile.size(), static_cast<Eigen::Index>(relaxation.moduli.size()))},
-        contact_(static_cast<std::size_t>(profile.size()), BoxState::lower) {}
+        contact_(static_cast<std::size_t>(profile.size()), BoxState::lower),
+        gap_at_balance_(profile.size(), 0) {}
 
   /// Relaxed contact at the mean indentation; returns its ring pressures.
   Eigen::VectorXd start() {
@@ -78,6 +80,7 @@ class Stepper {
 
   void compute_cycle(NormalHistory& history, std::vector<Eigen::VectorXd>& pressure, std::vector<double>& time) {
     history.smallest_gap = Eigen::VectorXd::Constant(profile_.size(), infinity);
+    gap_at_balance_.restart();
     double deepest = -infinity, highest = infinity;
     const double dt = 2 * pi / n_steps_;
     for (int k = 0; k < n_steps_; ++k) {
@@ -92,6 +95,8 @@ class Stepper {
       deepest = std::max(deepest, indentation);
       highest = std::min(highest, indentation);
     }
+    history.smallest_gap_at_balance =
+        (history.smallest_gap.array() > 0).select(gap_at_balance_.value(), history.smallest_gap);
   }
 
  private:
@@ -119,6 +124,7 @@ class Stepper {
     const double weight = step_.fraction();
     step_.advance(state_, indenter_move(motion_, begin, end), gap_ - new_gap);
     const Eigen::VectorXd gap = weight * new_gap + (1 - weight) * gap_;
+    gap_at_balance_.add(gap);
     const auto now = contact_force(problem_.series, contact.pressure, gap, {largest_radius_, n_closed(), has_dashpot_});
     remember(now, now.force);
     gap_ = new_gap;
@@ -134,7 +140,8 @@ class Stepper {
   RelaxationStep step_;
   RingState state_;
   std::vector<BoxState> contact_;
-  Eigen::VectorXd gap_;
+  Eigen::VectorXd gap_;  // at the end of the step
+  RunningMinimum gap_at_balance_;
   double largest_radius_ = 0;  // of the contact, so far
   std::vector<double> force_, uncertainty_, radius_;
 };

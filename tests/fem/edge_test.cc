@@ -135,11 +135,9 @@ TEST_F(ContactEventsTest, TouchIndentationOfAFlankClosesItsMeanGap) {
 }
 
 TEST_F(ContactEventsTest, LargestContactRadiusNeedsAnEdge) {
-  NormalHistory history;
-  history.smallest_gap = Eigen::VectorXd::Zero(problem_.n_rings());
-  expect_solver_error([&] { largest_contact_radius(history, events_); }, {"no edge inside the contact line"});
-  history.smallest_gap.setOnes();
-  expect_solver_error([&] { largest_contact_radius(history, events_); }, {"no edge inside the contact line"});
+  const Eigen::VectorXd closed = Eigen::VectorXd::Zero(problem_.n_rings()), open = closed.array() + 1;
+  expect_solver_error([&] { largest_contact_radius(closed, events_); }, {"no edge inside the contact line"});
+  expect_solver_error([&] { largest_contact_radius(open, events_); }, {"no edge inside the contact line"});
 }
 
 class StickRadiusTest : public testing::Test {

@@ -144,7 +144,7 @@ TEST(NormalHistory, LargestContactRadiusIsTheElasticOne) {
   const auto events = contact_events(problem.compliance, parabola_means(problem));
   for (const auto& model : {elastic_body(), standard_solid(), kelvin_voigt()}) {
     const auto history = normal_history(problem, model, parabola_means(problem), fretting_motion(), {});
-    const double radius = largest_contact_radius(history, events).radius;
+    const double radius = largest_contact_radius(history.smallest_gap, events).radius;
     EXPECT_NEAR(radius, 1, 5e-5);
   }
 }

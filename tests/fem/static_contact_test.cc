@@ -45,12 +45,11 @@ Errors errors_of(const PowerLaw& indenter) {
     for (int k = 0; k < 8; ++k) {
       const double indentation = std::pow(1 - 0.2 * k / 7.3, indenter.exponent);
       const auto contact = normal_contact(problem, profile, indentation);
-      NormalHistory history;
-      history.smallest_gap = contact.gap;
       force =
           std::max(force, std::abs(contact.pressure.dot(problem.compliance.areas) / indenter.force(indentation) - 1));
       radius = std::max(
-          radius, std::abs(largest_contact_radius(history, events).radius / indenter.contact_radius(indentation) - 1));
+          radius,
+          std::abs(largest_contact_radius(contact.gap, events).radius / indenter.contact_radius(indentation) - 1));
     }
     errors.force.push_back(force);
     errors.radius.push_back(radius);
