@@ -171,8 +171,9 @@ std::optional<Resolution> coarsened(const Resolution& resolution, Coarsening ste
   switch (step) {
     case Coarsening::half_the_rings:
     case Coarsening::three_quarters_of_the_rings:
-      r = with_rings(r, step == Coarsening::half_the_rings ? 0.5 : 0.75);
-      return if_coarse_enough(r.elements_per_radius >= fewest_rings);
+      r = with_rings(
+          r, std::max(step == Coarsening::half_the_rings ? 0.5 : 0.75, (fewest_rings + 1e-9) / r.elements_per_radius));
+      return if_coarse_enough(r.elements_per_radius < resolution.elements_per_radius);
     case Coarsening::lower_degree:
       --r.degree;
       return if_coarse_enough(r.degree >= least_degree);

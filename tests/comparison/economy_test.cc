@@ -40,7 +40,7 @@ TEST(Economy, EndsAtTheCoarsestThatTheProofCovers) {
   EXPECT_EQ(rings.cheapest.elements_per_radius, 9U);
   const auto steps = descent([](const Resolution& r) { return measured(r, 0, 1); }, 1e-4);
   EXPECT_EQ(steps.cheapest.steps_per_cycle, 36);
-  EXPECT_EQ(steps.cheapest.elements_per_radius, 9U);
+  EXPECT_EQ(steps.cheapest.elements_per_radius, 8U);
   EXPECT_EQ(steps.cheapest.degree, 2U);
   EXPECT_LE(steps.n_computed, 25U);
 }
