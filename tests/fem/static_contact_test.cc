@@ -45,7 +45,7 @@ Errors errors_of(const PowerLaw& indenter) {
     for (int k = 0; k < 8; ++k) {
       const double indentation = std::pow(1 - 0.2 * k / 7.3, indenter.exponent);
       const auto contact = normal_contact(problem, profile, indentation);
-      NormalHistory history;
+      NormalHistory history{};
       history.smallest_gap = contact.gap;
       force =
           std::max(force, std::abs(contact.pressure.dot(problem.compliance.areas) / indenter.force(indentation) - 1));
