@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "tests/comparison/run_fretval.h"
@@ -30,6 +31,27 @@ TEST(CommandLine, PrintsTheAnalyticAnswerAsJson) {
     EXPECT_TRUE(json.at("mdr").contains(key)) << key;
   EXPECT_EQ(json.at("limiting_profile").at("criterion"), "shakedown");
   EXPECT_EQ(json.at("limiting_profile").at("r").size(), json.at("limiting_profile").at("f").size());
+}
+
+TEST(CommandLine, PrintsTheAnalyticAnswerAsText) {
+  const ScratchFolder folder;
+  const auto file =
+      folder.write("case.prm", valid_case + "subsection Wear\n  set Coefficient = 1e-15\n  set Cycles = 1000\nend\n");
+  const auto run = fretval_run("mdr " + file.string() + " --springs", folder);
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_EQ(run.out.rfind("case\n  modulus ratio ", 0), 0U) << run.out;
+  for (const char* label : {"largest contact radius", "stick radius, shakedown", "outer radius of the wear",
+                            "springs: shakedown", "springs: friction per cycle", "worn volume"})
+    EXPECT_NE(run.out.find(std::string("\n  ") + label + " "), std::string::npos) << label << "\n" << run.out;
+  EXPECT_NE(run.out.find(" m^3 after 1000 cycles\n"), std::string::npos) << run.out;
+}
+
+TEST(CommandLine, PrintsWhereNothingSticks) {
+  const ScratchFolder folder;
+  const auto file = folder.write("case.prm", replace(valid_case, "amplitude = 1.5e-5", "amplitude = 5e-4"));
+  const auto run = fretval_run("mdr " + file.string(), folder);
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_NE(run.out.find("stick radius, shakedown     none (nothing sticks)\n"), std::string::npos) << run.out;
 }
 
 TEST(CommandLine, WritesTheFieldsOnTheSurface) {
@@ -74,6 +96,23 @@ TEST(CommandLine, RunWritesEveryResultAndTheReport) {
   for (const auto& entry : fs::recursive_directory_iterator(out)) EXPECT_NE(entry.path().extension(), ".partial");
 }
 
+// The indenter that wear ends at: nothing slips inside c, and nothing is carried outside.
+TEST(CommandLine, RunHoldsALimitingProfileToNoWear) {
+  const ScratchFolder folder;
+  const auto file =
+      folder.write("case.prm", replace(valid_case, "1.5e-5", "shakedown") +
+                                   "subsection Wear\n  set State = limiting\n  set Stick radius ratio = 0.5\nend\n");
+  const auto run = fretval_run("run " + file.string() + " -o " + (folder.path() / "out").string(), folder);
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const auto json = nlohmann::json::parse(text_of(folder.path() / "out" / "case" / "result.json"));
+  for (const char* key : {"slip_inside_stick_zone", "force_outside_stick_zone", "maximum_indentation"}) {
+    EXPECT_EQ(json.at("comparison").at(key).at("pass"), true) << key;
+    EXPECT_LT(std::abs(json.at("comparison").at(key).at("difference").get<double>()), 0.01) << key;
+  }
+  EXPECT_EQ(json.at("scene").at("wear"), "limiting");
+  EXPECT_NE(text_of(folder.path() / "out" / "index.html").find("limiting profiles"), std::string::npos);
+}
+
 TEST(CommandLine, RefusesBadCasesAndWritesNothing) {
   const ScratchFolder folder;
   const auto good = folder.write("good.prm", valid_case);
@@ -102,11 +141,51 @@ TEST(CommandLine, RefusesAMissingFile) {
 // The whole ladder: a heading, a line a row and the verdict.
 TEST(CommandLineSlow, ChecksTheExactSolutions) {
   const ScratchFolder folder;
-  const auto junit = folder.path() / "junit.xml";
-  const auto run = fretval_run("check --suite exact --junit " + junit.string(), folder);
+  const auto junit = folder.path() / "junit.xml", json = folder.path() / "ladder.json";
+  const auto run = fretval_run("check --suite exact --junit " + junit.string() + " --json " + json.string(), folder);
   EXPECT_EQ(run.exit_code, 0) << run.out << run.err;
   EXPECT_EQ(std::count(run.out.begin(), run.out.end(), '\n'), 1 + 38 + 1) << run.out;
   EXPECT_NE(text_of(junit).find("tests=\"38\" failures=\"0\""), std::string::npos);
+  EXPECT_EQ(nlohmann::json::parse(text_of(json)).size(), 38U);
+}
+
+// Every case once, at the loosest tolerance there is.
+TEST(CommandLineSlow, ChecksATolerance) {
+  const ScratchFolder folder;
+  const auto junit = folder.path() / "junit.xml";
+  const auto run = fretval_run("check --suite tolerance --tolerances 0.1 --no-costs --junit " + junit.string(), folder);
+  EXPECT_EQ(run.exit_code, 0) << run.out << run.err;
+  EXPECT_NE(run.out.find("50 of 50 meet their tolerance"), std::string::npos) << run.out;
+  EXPECT_NE(text_of(junit).find("tests=\"50\" failures=\"0\""), std::string::npos);
+}
+
+TEST(CommandLine, ChecksOneFamilyOfTheExtremes) {
+  const ScratchFolder folder;
+  const auto junit = folder.path() / "junit.xml", json = folder.path() / "extremes.json";
+  const auto run = fretval_run(
+      "check --suite extremes --short --family 'refused input' --junit " + junit.string() + " --json " + json.string(),
+      folder);
+  EXPECT_EQ(run.exit_code, 0) << run.out << run.err;
+  EXPECT_NE(run.out.find("Friction / Coefficient = 0"), std::string::npos) << run.out;
+  EXPECT_NE(text_of(junit).find("tests=\"1\" failures=\"0\""), std::string::npos);
+  EXPECT_EQ(nlohmann::json::parse(text_of(json)).at("summary").at("refused"), 1);
+}
+
+TEST(CommandLine, RefusesOptionsOfAnotherSuite) {
+  const ScratchFolder folder;
+  const auto run = fretval_run("check --json file.json", folder);
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_NE(run.err.find("--json: it belongs to"), std::string::npos) << run.err;
+}
+
+TEST(CommandLine, SaysWhenGnuplotCannotDraw) {
+  const ScratchFolder folder;
+  fs::copy(fs::path(FRETVAL_SOURCE_DIR) / "tests/fuzz/seeds/result_json/phase.json", folder.path() / "result.json");
+  const auto run =
+      shell_run("PATH=/nowhere " + std::string(FRETVAL_PROGRAM) + " report " + folder.path().string(), folder);
+  EXPECT_EQ(run.exit_code, 4) << run.err;
+  EXPECT_NE(run.err.find("gnuplot could not draw"), std::string::npos) << run.err;
+  EXPECT_FALSE(fs::exists(folder.path() / "index.html"));
 }
 
 TEST(CommandLine, RefusesAMeshWithoutAGroup) {
@@ -133,6 +212,12 @@ TEST(CommandLine, WritesAMeshInMetres) {
   const auto mesh = folder.path() / "mesh.msh";
   ASSERT_EQ(fretval_run("mesh " + file.string() + " -o " + mesh.string(), folder).exit_code, 0);
   EXPECT_NE(text_of(mesh).find("\"contact\""), std::string::npos);
+  const auto sweep = folder.write(
+      "sweep.prm", valid_case + "subsection Sweep\n  set Entry = Motion / Phase\n  set Values = 0:90:180\nend\n");
+  const auto run = fretval_run("mesh " + sweep.string() + " -o " + (folder.path() / "no.msh").string(), folder);
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_NE(run.err.find("a sweep has many meshes"), std::string::npos) << run.err;
+  EXPECT_FALSE(fs::exists(folder.path() / "no.msh"));
 }
 
 }  // namespace

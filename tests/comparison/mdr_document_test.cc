@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "comparison/case_file.h"
@@ -60,6 +61,17 @@ TEST(MdrDocument, SpringsConfirmTheStickRadiiOfTwoFrequencies) {
   EXPECT_TRUE(json.at("mdr").at("normal_force_max").is_null());
 }
 
+// Springs under the forces themselves, whose indenter goes where it has to, against the two tangents.
+TEST(MdrDocument, SpringsConfirmTheStickRadiusUnderForces) {
+  const auto json = document_of(
+      replace(replace(valid_case, displacements, "set Normal force = 0.5\n  set Normal force amplitude = 0.1"),
+              "set Tangential amplitude = 1.5e-5", "set Tangential force amplitude = 0.05"),
+      true);
+  EXPECT_NEAR(number(json, "springs", "stick_radius_shakedown") / number(json, "mdr", "stick_radius_shakedown"), 1,
+              1e-3);
+  EXPECT_NEAR(number(json, "springs", "normal_force_max"), 0.6, 1e-6);
+}
+
 TEST(MdrDocument, SpringsNeedAPeriod) {
   EXPECT_THROW(
       document_of(replace(valid_case, "Tangential frequency = 1", "Tangential frequency = 1.4142135623"), true),
@@ -108,6 +120,28 @@ TEST(MdrDocument, MeasuredModuliAreFitted) {
       "young.prm", replace(valid_case, elastomer, "table\n  set Table = dma.csv\n  set Table modulus = Young"));
   const auto third = mdr_document(read_case_file(young).at(0), false).json;
   EXPECT_NEAR(3 * number(third, "mdr", "normal_force_max") / number(json, "mdr", "normal_force_max"), 1, 1e-9);
+}
+
+// Moduli that no body has are used all the same, with warnings that name the file.
+TEST(MdrDocument, WarnsAboutModuliThatContradictEachOther) {
+  const ScratchFolder folder;
+  std::string table = "f,G',G''\nHz,MPa,MPa\n";
+  for (int k = -20; k <= 20; ++k) table += std::to_string(std::pow(10.0, k / 10.0)) + ",1," + "0.9\n";
+  folder.write("dma.csv", table);
+  const auto file = folder.write(
+      "one.prm", replace(valid_case,
+                         "standard solid\n  set Relaxed shear modulus = 1e6\n  set Branch moduli = 1e6\n  set Branch "
+                         "times = 0.1",
+                         "table\n  set Table = dma.csv\n  set Table modulus = shear"));
+  const auto warnings = read_case_file(file).at(0).warnings;
+  const auto warned = [&](const char* part) {
+    return std::any_of(warnings.begin(), warnings.end(), [&](const std::string& warning) {
+      return warning.find("dma.csv") != std::string::npos && warning.find(part) != std::string::npos;
+    });
+  };
+  EXPECT_TRUE(warned("Kramers and Kronig"));
+  EXPECT_TRUE(warned("the Prony body misses the moduli by"));
+  EXPECT_TRUE(warned("the table does not reach the plateau"));
 }
 
 TEST(MdrDocument, MeasuredProfileIsReadWithItsUnits) {

@@ -233,7 +233,7 @@ TEST(SpringStep, ASplitBranchIsTheSameBody) {
   const auto end_of_path = [&](const PronyBody& body) {
     const SpringStep step(body, mu, 0.05);
     SpringState state = relaxed_state(bed, body, 0.1);
-    for (int k = 1; k <= 60; ++k) {
+    for (int k = 1; k <= 64; ++k) {
       const double d = 0.1 + 0.12 * std::sin(0.3 * k), u_x = 0.05 * std::sin(0.2 * k);
       step.advance(state, bed,
                    {d, (d - state.indenter.indentation) / 0.05, u_x, (u_x - state.indenter.tangential) / 0.05});
