@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "tests/comparison/run_fretval.h"
@@ -99,18 +100,66 @@ TEST(CommandLine, RunWritesEveryResultAndTheReport) {
 // The indenter that wear ends at: nothing slips inside c, and nothing is carried outside.
 TEST(CommandLine, RunHoldsALimitingProfileToNoWear) {
   const ScratchFolder folder;
-  const auto file =
-      folder.write("case.prm", replace(valid_case, "1.5e-5", "shakedown") +
-                                   "subsection Wear\n  set State = limiting\n  set Stick radius ratio = 0.5\nend\n");
-  const auto run = fretval_run("run " + file.string() + " -o " + (folder.path() / "out").string(), folder);
+  const auto file = folder.write("case.prm", replace(valid_case, "1.5e-5", "shakedown") +
+                                                 "subsection Wear\n  set State = limiting\nend\n"
+                                                 "subsection Sweep\n  set Entry = Wear / Stick radius ratio\n"
+                                                 "  set Values = 0.5\nend\n");
+  const auto out = folder.path() / "out";
+  const auto run = fretval_run("run " + file.string() + " -o " + out.string(), folder);
   ASSERT_EQ(run.exit_code, 0) << run.err;
-  const auto json = nlohmann::json::parse(text_of(folder.path() / "out" / "case" / "result.json"));
-  for (const char* key : {"slip_inside_stick_zone", "force_outside_stick_zone", "maximum_indentation"}) {
-    EXPECT_EQ(json.at("comparison").at(key).at("pass"), true) << key;
-    EXPECT_LT(std::abs(json.at("comparison").at(key).at("difference").get<double>()), 0.01) << key;
+  int n_results = 0;
+  for (const auto& entry : fs::recursive_directory_iterator(out)) {
+    if (entry.path().filename() != "result.json") continue;
+    ++n_results;
+    const auto json = nlohmann::json::parse(text_of(entry.path()));
+    EXPECT_EQ(json.at("scene").at("wear"), "limiting");
+    for (const char* key : {"slip_inside_stick_zone", "force_outside_stick_zone", "maximum_indentation"}) {
+      EXPECT_EQ(json.at("comparison").at(key).at("pass"), true) << key;
+      EXPECT_LT(std::abs(json.at("comparison").at(key).at("difference").get<double>()), 0.01) << key;
+    }
   }
-  EXPECT_EQ(json.at("scene").at("wear"), "limiting");
-  EXPECT_NE(text_of(folder.path() / "out" / "index.html").find("limiting profiles"), std::string::npos);
+  EXPECT_EQ(n_results, 1);
+  EXPECT_NE(text_of(out / "index.html").find("The state in which nothing wears any more"), std::string::npos);
+}
+
+// Every shape in the same scene, with finite elements as coarse as they get.
+TEST(CommandLine, RunComparesEveryShape) {
+  const std::map<std::string, std::string> shapes{{"cone", "Slope angle = 4"},
+                                                  {"power", "Coefficient = 1e5\n  set Exponent = 3"},
+                                                  {"rounded flat", "Flat radius = 3e-4\n  set Edge radius = 5e-3"},
+                                                  {"truncated sphere", "Flat radius = 3e-4\n  set Radius = 1e-2"},
+                                                  {"table", "Table = parabola.csv"}};
+  const ScratchFolder folder;
+  folder.write("parabola.csv", "r,f\nmm,nm\n0,0\n0.5,12500\n1,50000\n1.5,112500\n2,200000\n");
+  std::string files;
+  for (const auto& [shape, entries] : shapes) {
+    auto text = replace(valid_case, "parabola\n  set Radius = 1e-2", shape + "\n  set " + entries);
+    text = replace(text, "Tolerance = 0.01", "Tolerance = 0.1") + "subsection Output\n  set Fields = none\nend\n";
+    files += " " + quoted(folder.write(shape + ".prm", text));
+  }
+  const auto run = fretval_run("run" + files + " -o " + (folder.path() / "out").string(), folder);
+  ASSERT_EQ(run.exit_code, 0) << run.out << run.err;
+  for (const auto& [shape, entries] : shapes) {
+    const auto json = nlohmann::json::parse(text_of(folder.path() / "out" / shape / "result.json"));
+    EXPECT_EQ(json.at("scene").at("shape"), shape);
+    EXPECT_EQ(json.at("pass"), true) << shape;
+  }
+}
+
+TEST(CommandLine, MdrAnswersASweepWithAListAndHasNoFieldsOfIt) {
+  const ScratchFolder folder;
+  const auto file =
+      folder.write("sweep.prm", replace(valid_case, "Radius = 1e-2", "Radius = 1e-7") +
+                                    "subsection Sweep\n  set Entry = Motion / Phase\n  set Values = 0:90:180\nend\n");
+  const auto run = fretval_run("mdr " + file.string() + " --json", folder);
+  EXPECT_EQ(run.exit_code, 0);
+  const auto json = nlohmann::json::parse(run.out);
+  ASSERT_EQ(json.size(), 3U);
+  for (std::size_t k = 0; k < 3; ++k) EXPECT_EQ(json[k].at("name"), "sweep/phase-" + std::to_string(90 * k));
+  EXPECT_NE(run.err.find("slope"), std::string::npos) << "100 um into a radius of 100 nm is implausible: " << run.err;
+  const auto fields = fretval_run("mdr " + file.string() + " --fields " + (folder.path() / "f.csv").string(), folder);
+  EXPECT_EQ(fields.exit_code, 2);
+  EXPECT_NE(fields.err.find("a sweep has many fields"), std::string::npos) << fields.err;
 }
 
 TEST(CommandLine, RefusesBadCasesAndWritesNothing) {
@@ -136,6 +185,16 @@ TEST(CommandLine, RefusesAMissingFile) {
   EXPECT_EQ(fretval_run("check --suite exact --short", folder).exit_code, 2);
   EXPECT_EQ(fretval_run("check --suite extremes --family nothing", folder).exit_code, 2);
   EXPECT_EQ(fretval_run("dance", folder).exit_code, 2);
+}
+
+TEST(CommandLine, ChecksTheSmallSuite) {
+  const ScratchFolder folder;
+  const auto junit = folder.path() / "junit.xml";
+  const auto run = fretval_run("check --junit " + junit.string(), folder);
+  EXPECT_EQ(run.exit_code, 0) << run.out << run.err;
+  EXPECT_NE(run.out.find("finite elements and MDR agree\n"), std::string::npos) << run.out;
+  EXPECT_EQ(run.out.find("FAIL"), std::string::npos) << run.out;
+  EXPECT_NE(text_of(junit).find("tests=\"6\" failures=\"0\""), std::string::npos) << text_of(junit);
 }
 
 // The whole ladder: a heading, a line a row and the verdict.
