@@ -2,8 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "comparison/case.h"
+#include "comparison/ladder_report.h"
 #include "tests/comparison/run_fretval.h"
 
 namespace fretval {
@@ -47,6 +50,71 @@ TEST(Report, ComparesRheologiesByTheirLargestDifferences) {
       << section.substr(0, 2000);
   EXPECT_NE(section.find("<td>standard solid</td><td>1.359827</td><td>2</td>"), std::string::npos);
   EXPECT_NE(section.find("<td>-3.5e-04</td><td>up to 77</td>"), std::string::npos);
+}
+
+void expect_parts(const std::string& page, const std::vector<std::string>& parts) {
+  for (const auto& part : parts) EXPECT_NE(page.find(part), std::string::npos) << part;
+}
+
+TEST(Report, SaysWhichStickRadiusTheSteadyStateFollows) {
+  const auto as_stored = stored_phase();
+  expect_parts(page_of({as_stored}), {"it follows the shakedown radius", "Over 1 cases"});
+  auto equal = stored_phase();
+  for (const char* side : {"fe", "mdr"})
+    equal[side]["stick_radius_first_slip"] = equal[side]["stick_radius_shakedown"] = 0.0008;
+  expect_parts(page_of({equal}), {"it does not single out the shakedown radius"});
+  auto never = stored_phase();
+  never["mdr"]["stick_radius_first_slip"] = nullptr;
+  expect_parts(page_of({never}), {"In 1 of the cases the first-slip criterion says that nothing sticks"});
+  auto nothing = stored_phase();
+  for (const char* side : {"fe", "mdr"}) nothing[side]["stick_radius_shakedown"] = nullptr;
+  EXPECT_EQ(page_of({nothing}).find("Which stick radius do finite elements follow?"), std::string::npos);
+}
+
+TEST(Report, MarksWhatDoesNotAgree) {
+  auto single = stored_phase();
+  single["scene"].erase("sweep");
+  expect_parts(page_of({single}), {"standard solid: finite elements and MDR agree."});
+  single["pass"] = false;
+  single["comparison"]["normal_force_max"]["pass"] = false;
+  single["comparison"]["stick_radius_shakedown"]["difference"] = nullptr;
+  const auto page = page_of({single});
+  expect_parts(page, {"standard solid: they do not agree.", "<td class=\"bad-cell\">4.4e-05</td><td>1.0e-03</td>",
+                      "<td>–</td><td>1.0e-02</td>", "<td class=\"bad-cell\">disagree</td>"});
+}
+
+nlohmann::ordered_json ladder_row() {
+  return {{"scene", "Hertz"},
+          {"quantity", "force"},
+          {"source", "Hertz 1882"},
+          {"refined", "rings"},
+          {"resolutions", {16, 32}},
+          {"errors", {1e-3, 2.5e-4}},
+          {"observed_order", 2.0},
+          {"expected_order", 2},
+          {"tolerance", 1e-3},
+          {"goal", 1e-6},
+          {"goal_met", true},
+          {"verdict", "pass"},
+          {"note", ""}};
+}
+
+TEST(LadderSection, HasErrorsOrdersGoalsAndVerdictsOfEachRow) {
+  auto failing = ladder_row(), plain = ladder_row();
+  failing["errors"][1] = nullptr;
+  failing["observed_order"] = nullptr;
+  failing["goal_met"] = false;
+  failing["verdict"] = "the error is <not> finite";
+  plain["goal"] = plain["goal_met"] = nullptr;
+  plain["note"] = "to roundoff";
+  const auto html = ladder_section({ladder_row(), failing, plain});
+  expect_parts(html,
+               {"2 of 3 rows pass; 1 of 2 goals", "<td title=\"16 rings\">1.0e-03</td>",
+                "<td title=\"32 rings\">2.5e-04</td><td>2.0 (2)</td><td>1e-03</td><td>1e-06, met</td><td>pass</td>",
+                "<td title=\"32 rings\">not finite</td><td>floor (2)</td><td>1e-03</td><td>1e-06, not met</td>"
+                "<td class=\"bad-cell\">the error is &lt;not&gt; finite</td>",
+                "<td>–</td><td>pass</td><td class=\"words\">Hertz 1882; to roundoff</td>"});
+  EXPECT_THROW(ladder_section({{{"scene", "Hertz"}}}), InputError);
 }
 
 }  // namespace

@@ -3,12 +3,15 @@
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
 #include "comparison/batch.h"
 #include "comparison/case_file.h"
+#include "comparison/measures.h"
+#include "comparison/reference.h"
 #include "comparison/trade_json.h"
 #include "comparison/trade_report.h"
 #include "comparison/trade_text.h"
@@ -103,6 +106,58 @@ TEST(TradePlan, VariesOneAxisAtATimeAndKeepsTheChoicesOfTheTool) {
     r.elements_per_radius = plan.reference.elements_per_radius;
     EXPECT_FALSE(r < plan.reference || plan.reference < r);
   }
+}
+
+// Histories of an unlocked phase are long, those of a dashpot or a worn edge slow.
+TEST(TradePlan, OfALongHistoryIsSmaller) {
+  auto scene = prepared_case().fem;
+  const auto finest = [](const TradePlan& plan) {
+    unsigned rings = 0;
+    int steps = 0;
+    for (const auto& setting : plan.settings) {
+      if (setting.sweeps.count(Sweep::chosen) > 0) continue;
+      rings = std::max(rings, setting.resolution.elements_per_radius);
+      steps = std::max(steps, setting.resolution.steps_per_cycle);
+    }
+    return std::make_pair(rings, steps);
+  };
+  EXPECT_EQ(finest(trade_plan(scene)), std::make_pair(128U, 192));
+  EXPECT_EQ(trade_plan(scene).n_repetitions, 2);
+  auto dashpot = scene;
+  dashpot.relaxation.viscosity = 0.1;
+  EXPECT_EQ(finest(trade_plan(dashpot)), std::make_pair(128U, 192));
+  EXPECT_EQ(trade_plan(dashpot).n_repetitions, 1);
+  scene.motion.phase.reset();
+  EXPECT_EQ(finest(trade_plan(scene)), std::make_pair(48U, 96));
+  EXPECT_EQ(trade_plan(scene).n_repetitions, 1);
+}
+
+TEST(AxisValue, IsTheEntryThatASweepVaries) {
+  const Resolution r{8, 3, 0.25, 12, 24, 1, 1e-6};
+  EXPECT_EQ(axis_value(Sweep::rings, r), 8);
+  EXPECT_EQ(axis_value(Sweep::element_order, r), 3);
+  EXPECT_EQ(axis_value(Sweep::grading, r), 0.25);
+  EXPECT_EQ(axis_value(Sweep::far_field, r), 12);
+  EXPECT_EQ(axis_value(Sweep::time_step, r), 24);
+}
+
+TEST(Measures, OfAWornStateAreNoSlipNoForceAndTheWholeIndentation) {
+  const Units units{2, 0.5, 4, 1};  // a force of 4
+  const MdrAnswer answer{1.2, 2.5, std::nullopt, 1, std::nullopt, 4 * std::exp(1.0)};
+  auto measures = measures_of(answer, units, false);
+  EXPECT_EQ(measures.size(), 4U);
+  EXPECT_EQ(measures.at("contact_radius_max"), 1.25);
+  EXPECT_EQ(measures.at("stick_radius_first_slip"), 0);
+  EXPECT_EQ(measures.at("stick_radius_shakedown"), 0.5);
+  EXPECT_NEAR(measures.at("normal_force_max"), 1, 1e-15);
+  measures = measures_of(answer, units, true);
+  EXPECT_EQ(measures.at("slip_inside_stick_zone"), 0);
+  EXPECT_EQ(measures.at("force_outside_stick_zone"), 0);
+  EXPECT_EQ(measures.at("maximum_indentation"), 1);
+  // Only what both have is compared; nothing compared is no number.
+  EXPECT_EQ(errors_of({{"a", 1}, {"b", 2}}, {{"b", 5}, {"c", 0}}), (Measures{{"b", 3}}));
+  EXPECT_EQ(largest_of({{"a", 1}, {"b", 2}}), 2);
+  EXPECT_TRUE(std::isnan(largest_of({})));
 }
 
 /// A plan small enough for a test: rings alone, and a body with every degree of freedom.

@@ -56,7 +56,9 @@ def read_counters(build, folders):
     for i in range(0, len(objects), 20):
         run = subprocess.run(["gcov", "--all-blocks", "--branch-probabilities", "--branch-counts", "--stdout",
                               "--relative-only", "--source-prefix", str(Path.cwd()), *objects[i:i + 20]],
-                             capture_output=True, text=True, check=True)
+                             capture_output=True, text=True)
+        if run.returncode:
+            sys.exit("gcov failed; run tests/coverage/run once more from the start:\n" + run.stderr)
         for file, number, count, branches in read_text(run.stdout):
             if file.split("/")[0] not in folders:
                 continue
