@@ -79,6 +79,13 @@ TEST(MdrDocument, SpringsNeedAPeriod) {
   EXPECT_THROW(document_of(replace(valid_case, "Phase = 60", "Phase = free"), true), InputError);
 }
 
+TEST(MdrDocument, SpringsNeedAnUnwornIndenter) {
+  const auto limiting = replace(valid_case, "1.5e-5", "shakedown") +
+                        "subsection Wear\n  set State = limiting\n  set Stick radius ratio = 0.5\nend\n";
+  EXPECT_GT(number(document_of(limiting), "mdr", "stick_radius_shakedown"), 0);
+  EXPECT_THROW(document_of(limiting, true), InputError);
+}
+
 TEST(MdrDocument, FractionalBodyOfOrderOneIsTheStandardSolid) {
   const auto solid = document_of(valid_case);
   const auto fractional =

@@ -71,6 +71,41 @@ TEST(Report, SaysWhichStickRadiusTheSteadyStateFollows) {
   EXPECT_EQ(page_of({nothing}).find("Which stick radius do finite elements follow?"), std::string::npos);
 }
 
+// Found by coverage: every shape but parabola and cone was called a power law.
+TEST(Report, NamesEveryShapeInItsFigures) {
+  const std::pair<const char*, const char*> names[]{{"parabola", "Parabola"},
+                                                    {"cone", "Cone"},
+                                                    {"power", "Power law"},
+                                                    {"rounded flat", "Rounded flat"},
+                                                    {"truncated sphere", "Truncated sphere"},
+                                                    {"table", "Measured profile"}};
+  for (const auto& [shape, title] : names) {
+    auto first = stored_phase(), second = stored_phase();
+    second["scene"]["sweep"]["value"] = 90;
+    for (auto* json : {&first, &second}) (*json)["scene"]["shape"] = shape;
+    const auto page = page_of({first, second});
+    EXPECT_NE(page.find(std::string(title) + ":"), std::string::npos) << title;
+    EXPECT_EQ(page.find("Power law:") != std::string::npos, std::string(shape) == "power") << shape;
+  }
+}
+
+TEST(Report, RefusesAFolderWithoutResultsAndDamagedTables) {
+  const ScratchFolder folder;
+  const auto refusal = [&] {
+    try {
+      write_report(folder.path());
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string("no error");
+  };
+  EXPECT_NE(refusal().find("there is no result.json below it"), std::string::npos) << refusal();
+  folder.write("result.json", stored_phase().dump());
+  EXPECT_EQ(refusal(), "no error");
+  folder.write("ladder.json", "[{");
+  EXPECT_NE(refusal().find("ladder.json: "), std::string::npos) << refusal();
+}
+
 TEST(Report, MarksWhatDoesNotAgree) {
   auto single = stored_phase();
   single["scene"].erase("sweep");
