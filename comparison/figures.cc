@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <cctype>
 #include <cmath>
 #include <map>
 #include <set>
@@ -29,11 +28,9 @@ double amplitude_ratio(const StoredResult& r) {
          r.number("scene", "tangential_amplitude");
 }
 
-std::string shape_title(std::string shape) {
-  if (shape == "power") return "Power law";
-  if (shape == "table") return "Measured profile";
-  if (!shape.empty()) shape[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(shape[0])));
-  return shape;
+std::string shape_title(const std::string& shape) {
+  if (shape == "parabola") return "Parabola";
+  return shape == "cone" ? "Cone" : "Power law";
 }
 
 std::vector<const StoredResult*> select(const std::vector<StoredResult>& results, const char* entry,
