@@ -125,7 +125,7 @@ double friction_force(const PunchSeries& series, const SlipZones& zones, const T
   const Index n_pressed = std::find(labels.begin(), labels.end(), SlipZones::free) - labels.begin();
   const auto slip = zones.slip().begin();
   if (n_pressed == 0 || n_pressed == series.radii().size()) return series.integral(zones.depths(), labels);
-  const int outermost = slip[n_pressed - 1];
+  const signed char outermost = slip[n_pressed - 1];
   Index n_stuck = n_pressed;
   while (n_stuck > 0 && outermost != 0 && slip[n_stuck - 1] == outermost) --n_stuck;
   if (n_stuck == 0) return outermost * limit_force;

@@ -68,7 +68,7 @@ void SpringStep::advance(SpringState& state, const SpringBed& bed, const Indente
 // One pass over the springs without a branch in it, so that the compiler vectorises it; n_branches = -1: any number.
 template <int n_branches>
 void SpringStep::advance_elastomer(SpringState& state, const SpringBed& bed, const IndenterState& to) const {
-  constexpr std::size_t n_fixed = n_branches > 0 ? n_branches : 1;
+  constexpr auto n_fixed = static_cast<std::size_t>(std::max(n_branches, 1));
   const std::size_t n_memory = n_branches < 0 ? decay_.size() : n_branches;
   const Eigen::Index n = bed.depth.size();
   const double gain = gain_sum_, compliance = 1 / (1 + gain_sum_), limit = limit_;

@@ -40,6 +40,7 @@ struct Curves {
 Curves add_geometry(const std::vector<double>& surface_nodes, double strip_height, double far_radius) {
   namespace geo = gmsh::model::geo;
   std::vector<int> upper;
+  upper.reserve(surface_nodes.size() + 1);
   for (const double r : surface_nodes) upper.push_back(geo::addPoint(r, -strip_height, 0.));
   if (strip_height > 0) upper.push_back(geo::addPoint(surface_nodes.back(), 0., 0.));
   const int centre = strip_height > 0 ? geo::addPoint(0., 0., 0.) : upper.front();

@@ -15,7 +15,7 @@ namespace fretval {
 namespace {
 
 Case case_named(const std::string& name, double tolerance) {
-  for (auto& scene : tolerance_cases(tolerance))
+  for (const auto& scene : tolerance_cases(tolerance))
     if (scene.name == name) return scene;
   throw std::invalid_argument(name);
 }

@@ -64,5 +64,24 @@ TEST(Check, WritesJUnitXml) {
       << xml;
 }
 
+TEST(CheckJUnit, SaysWhatFailed) {
+  BatchLine good, off, stuck, broken, silent;
+  good.name = "good";
+  good.pass = true;
+  good.verdict = {{"normal_force_max", {1e-5, 1e-4, Finding::pass}}};
+  off.name = "off";
+  off.verdict = {{"normal_force_max", {2e-3, 1e-4, Finding::fail}}};
+  stuck.name = "stuck";
+  stuck.verdict = {{"stick_radius_shakedown", {std::nullopt, 1e-3, Finding::fail}}};
+  broken.name = "broken";
+  broken.failure = "a < b";
+  silent.name = "silent";
+  const auto xml = junit_xml({good, off, stuck, broken, silent});
+  for (const char* part :
+       {"tests=\"5\" failures=\"4\"", "name=\"good\"/>", "normal_force_max: difference 2.00e-03, tolerance 1.0e-04",
+        "stick_radius_shakedown: difference none, tolerance 1.0e-03", "message=\"a &lt; b\"", "message=\"failed\""})
+    EXPECT_NE(xml.find(part), std::string::npos) << part << "\nin\n" << xml;
+}
+
 }  // namespace
 }  // namespace fretval

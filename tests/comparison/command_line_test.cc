@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "tests/comparison/run_fretval.h"
@@ -30,6 +32,27 @@ TEST(CommandLine, PrintsTheAnalyticAnswerAsJson) {
     EXPECT_TRUE(json.at("mdr").contains(key)) << key;
   EXPECT_EQ(json.at("limiting_profile").at("criterion"), "shakedown");
   EXPECT_EQ(json.at("limiting_profile").at("r").size(), json.at("limiting_profile").at("f").size());
+}
+
+TEST(CommandLine, PrintsTheAnalyticAnswerAsText) {
+  const ScratchFolder folder;
+  const auto file =
+      folder.write("case.prm", valid_case + "subsection Wear\n  set Coefficient = 1e-15\n  set Cycles = 1000\nend\n");
+  const auto run = fretval_run("mdr " + file.string() + " --springs", folder);
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_EQ(run.out.rfind("case\n  modulus ratio ", 0), 0U) << run.out;
+  for (const char* label : {"largest contact radius", "stick radius, shakedown", "outer radius of the wear",
+                            "springs: shakedown", "springs: friction per cycle", "worn volume"})
+    EXPECT_NE(run.out.find(std::string("\n  ") + label + " "), std::string::npos) << label << "\n" << run.out;
+  EXPECT_NE(run.out.find(" m^3 after 1000 cycles\n"), std::string::npos) << run.out;
+}
+
+TEST(CommandLine, PrintsWhereNothingSticks) {
+  const ScratchFolder folder;
+  const auto file = folder.write("case.prm", replace(valid_case, "amplitude = 1.5e-5", "amplitude = 5e-4"));
+  const auto run = fretval_run("mdr " + file.string(), folder);
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_NE(run.out.find("stick radius, shakedown     none (nothing sticks)\n"), std::string::npos) << run.out;
 }
 
 TEST(CommandLine, WritesTheFieldsOnTheSurface) {
@@ -74,6 +97,71 @@ TEST(CommandLine, RunWritesEveryResultAndTheReport) {
   for (const auto& entry : fs::recursive_directory_iterator(out)) EXPECT_NE(entry.path().extension(), ".partial");
 }
 
+// The indenter that wear ends at: nothing slips inside c, and nothing is carried outside.
+TEST(CommandLine, RunHoldsALimitingProfileToNoWear) {
+  const ScratchFolder folder;
+  const auto file = folder.write("case.prm", replace(valid_case, "1.5e-5", "shakedown") +
+                                                 "subsection Wear\n  set State = limiting\nend\n"
+                                                 "subsection Sweep\n  set Entry = Wear / Stick radius ratio\n"
+                                                 "  set Values = 0.5\nend\n");
+  const auto out = folder.path() / "out";
+  const auto run = fretval_run("run " + file.string() + " -o " + out.string(), folder);
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  int n_results = 0;
+  for (const auto& entry : fs::recursive_directory_iterator(out)) {
+    if (entry.path().filename() != "result.json") continue;
+    ++n_results;
+    const auto json = nlohmann::json::parse(text_of(entry.path()));
+    EXPECT_EQ(json.at("scene").at("wear"), "limiting");
+    for (const char* key : {"slip_inside_stick_zone", "force_outside_stick_zone", "maximum_indentation"}) {
+      EXPECT_EQ(json.at("comparison").at(key).at("pass"), true) << key;
+      EXPECT_LT(std::abs(json.at("comparison").at(key).at("difference").get<double>()), 0.01) << key;
+    }
+  }
+  EXPECT_EQ(n_results, 1);
+  EXPECT_NE(text_of(out / "index.html").find("The state in which nothing wears any more"), std::string::npos);
+}
+
+// Every shape in the same scene, with finite elements as coarse as they get.
+TEST(CommandLine, RunComparesEveryShape) {
+  const std::map<std::string, std::string> shapes{{"cone", "Slope angle = 4"},
+                                                  {"power", "Coefficient = 1e5\n  set Exponent = 3"},
+                                                  {"rounded flat", "Flat radius = 3e-4\n  set Edge radius = 5e-3"},
+                                                  {"truncated sphere", "Flat radius = 3e-4\n  set Radius = 1e-2"},
+                                                  {"table", "Table = parabola.csv"}};
+  const ScratchFolder folder;
+  folder.write("parabola.csv", "r,f\nmm,nm\n0,0\n0.5,12500\n1,50000\n1.5,112500\n2,200000\n");
+  std::string files;
+  for (const auto& [shape, entries] : shapes) {
+    auto text = replace(valid_case, "parabola\n  set Radius = 1e-2", shape + "\n  set " + entries);
+    text = replace(text, "Tolerance = 0.01", "Tolerance = 0.1") + "subsection Output\n  set Fields = none\nend\n";
+    files += " " + quoted(folder.write(shape + ".prm", text));
+  }
+  const auto run = fretval_run("run" + files + " -o " + (folder.path() / "out").string(), folder);
+  ASSERT_EQ(run.exit_code, 0) << run.out << run.err;
+  for (const auto& [shape, entries] : shapes) {
+    const auto json = nlohmann::json::parse(text_of(folder.path() / "out" / shape / "result.json"));
+    EXPECT_EQ(json.at("scene").at("shape"), shape);
+    EXPECT_EQ(json.at("pass"), true) << shape;
+  }
+}
+
+TEST(CommandLine, MdrAnswersASweepWithAListAndHasNoFieldsOfIt) {
+  const ScratchFolder folder;
+  const auto file =
+      folder.write("sweep.prm", replace(valid_case, "Radius = 1e-2", "Radius = 1e-7") +
+                                    "subsection Sweep\n  set Entry = Motion / Phase\n  set Values = 0:90:180\nend\n");
+  const auto run = fretval_run("mdr " + file.string() + " --json", folder);
+  EXPECT_EQ(run.exit_code, 0);
+  const auto json = nlohmann::json::parse(run.out);
+  ASSERT_EQ(json.size(), 3U);
+  for (std::size_t k = 0; k < 3; ++k) EXPECT_EQ(json[k].at("name"), "sweep/phase-" + std::to_string(90 * k));
+  EXPECT_NE(run.err.find("slope"), std::string::npos) << "100 um into a radius of 100 nm is implausible: " << run.err;
+  const auto fields = fretval_run("mdr " + file.string() + " --fields " + (folder.path() / "f.csv").string(), folder);
+  EXPECT_EQ(fields.exit_code, 2);
+  EXPECT_NE(fields.err.find("a sweep has many fields"), std::string::npos) << fields.err;
+}
+
 TEST(CommandLine, RefusesBadCasesAndWritesNothing) {
   const ScratchFolder folder;
   const auto good = folder.write("good.prm", valid_case);
@@ -100,14 +188,65 @@ TEST(CommandLine, RefusesAMissingFile) {
   EXPECT_EQ(fretval_run("dance", folder).exit_code, 2);
 }
 
+TEST(CommandLine, ChecksTheSmallSuite) {
+  const ScratchFolder folder;
+  const auto junit = folder.path() / "junit.xml";
+  const auto run = fretval_run("check --junit " + junit.string(), folder);
+  EXPECT_EQ(run.exit_code, 0) << run.out << run.err;
+  EXPECT_NE(run.out.find("finite elements and MDR agree\n"), std::string::npos) << run.out;
+  EXPECT_EQ(run.out.find("FAIL"), std::string::npos) << run.out;
+  EXPECT_NE(text_of(junit).find("tests=\"6\" failures=\"0\""), std::string::npos) << text_of(junit);
+}
+
 // The whole ladder: a heading, a line a row and the verdict.
 TEST(CommandLineSlow, ChecksTheExactSolutions) {
   const ScratchFolder folder;
-  const auto junit = folder.path() / "junit.xml";
-  const auto run = fretval_run("check --suite exact --junit " + junit.string(), folder);
+  const auto junit = folder.path() / "junit.xml", json = folder.path() / "ladder.json";
+  const auto run = fretval_run("check --suite exact --junit " + junit.string() + " --json " + json.string(), folder);
   EXPECT_EQ(run.exit_code, 0) << run.out << run.err;
   EXPECT_EQ(std::count(run.out.begin(), run.out.end(), '\n'), 1 + 38 + 1) << run.out;
   EXPECT_NE(text_of(junit).find("tests=\"38\" failures=\"0\""), std::string::npos);
+  EXPECT_EQ(nlohmann::json::parse(text_of(json)).size(), 38U);
+}
+
+// Every case once, without the search for what they cost.
+TEST(CommandLineSlow, ChecksATolerance) {
+  const ScratchFolder folder;
+  const auto junit = folder.path() / "junit.xml";
+  const auto run =
+      fretval_run("check --suite tolerance --tolerances 0.01 --no-costs --junit " + junit.string(), folder);
+  EXPECT_EQ(run.exit_code, 0) << run.out << run.err;
+  EXPECT_NE(run.out.find("50 of 50 meet their tolerance"), std::string::npos) << run.out;
+  EXPECT_NE(text_of(junit).find("tests=\"50\" failures=\"0\""), std::string::npos);
+}
+
+TEST(CommandLine, ChecksOneFamilyOfTheExtremes) {
+  const ScratchFolder folder;
+  const auto junit = folder.path() / "junit.xml", json = folder.path() / "extremes.json";
+  const auto run = fretval_run(
+      "check --suite extremes --short --family 'refused input' --junit " + junit.string() + " --json " + json.string(),
+      folder);
+  EXPECT_EQ(run.exit_code, 0) << run.out << run.err;
+  EXPECT_NE(run.out.find("Friction / Coefficient = 0"), std::string::npos) << run.out;
+  EXPECT_NE(text_of(junit).find("tests=\"1\" failures=\"0\""), std::string::npos);
+  EXPECT_EQ(nlohmann::json::parse(text_of(json)).at("summary").at("refused"), 1);
+}
+
+TEST(CommandLine, RefusesOptionsOfAnotherSuite) {
+  const ScratchFolder folder;
+  const auto run = fretval_run("check --json file.json", folder);
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_NE(run.err.find("--json: it belongs to"), std::string::npos) << run.err;
+}
+
+TEST(CommandLine, SaysWhenGnuplotCannotDraw) {
+  const ScratchFolder folder;
+  fs::copy(fs::path(FRETVAL_SOURCE_DIR) / "tests/fuzz/seeds/result_json/phase.json", folder.path() / "result.json");
+  const auto run =
+      shell_run("PATH=/nowhere " + std::string(FRETVAL_PROGRAM) + " report " + folder.path().string(), folder);
+  EXPECT_EQ(run.exit_code, 4) << run.err;
+  EXPECT_NE(run.err.find("gnuplot could not draw"), std::string::npos) << run.err;
+  EXPECT_FALSE(fs::exists(folder.path() / "index.html"));
 }
 
 TEST(CommandLine, RefusesAMeshWithoutAGroup) {
@@ -134,6 +273,12 @@ TEST(CommandLine, WritesAMeshInMetres) {
   const auto mesh = folder.path() / "mesh.msh";
   ASSERT_EQ(fretval_run("mesh " + file.string() + " -o " + mesh.string(), folder).exit_code, 0);
   EXPECT_NE(text_of(mesh).find("\"contact\""), std::string::npos);
+  const auto sweep = folder.write(
+      "sweep.prm", valid_case + "subsection Sweep\n  set Entry = Motion / Phase\n  set Values = 0:90:180\nend\n");
+  const auto run = fretval_run("mesh " + sweep.string() + " -o " + (folder.path() / "no.msh").string(), folder);
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_NE(run.err.find("a sweep has many meshes"), std::string::npos) << run.err;
+  EXPECT_FALSE(fs::exists(folder.path() / "no.msh"));
 }
 
 }  // namespace

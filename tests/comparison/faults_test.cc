@@ -102,6 +102,60 @@ INSTANTIATE_TEST_SUITE_P(
                           "Branch times = 0.1\n  set Poisson ratio = 0.3",
                           {"line 10", "Poisson ratio", "Valid entries"}}));
 
+/// An entry in a section of its own before the last one.
+Fault in_section(const std::string& section, const std::string& entries, const std::vector<std::string>& parts) {
+  return {"subsection Accuracy", "subsection " + section + "\n" + entries + "\nend\nsubsection Accuracy", parts};
+}
+
+Fault with_stick_ratio(const std::string& ratio) {
+  return in_section("Wear", "set State = limiting\nset Stick radius ratio = " + ratio,
+                    {"Wear / Stick radius ratio = " + ratio, "0.01 to 0.99"});
+}
+
+Fault with_shape(const std::string& entries, const std::vector<std::string>& parts) {
+  return {"parabola\n  set Radius = 1e-2", entries, parts};
+}
+
+Fault with_sweep(const std::string& values) {
+  return in_section("Sweep", "set Entry = Motion / Phase\nset Values = " + values,
+                    {"Sweep / Values = " + values, "first : step : last"});
+}
+
+// Both ends of every range, and every way to misspell a list.
+INSTANTIATE_TEST_SUITE_P(
+    Ranges, CaseFault,
+    testing::Values(
+        Fault{"Tolerance = 0.01", "Tolerance = 9e-6", {"Accuracy / Tolerance = 9e-6", "between 1e-5 and 0.1"}},
+        Fault{"Tolerance = 0.01", "Tolerance = 0.11", {"Accuracy / Tolerance = 0.11", "between 1e-5 and 0.1"}},
+        Fault{
+            "Tolerance = 0.01", "Tolerance = 0.01\nset Rings per radius = 15", {"Rings per radius = 15", "16 to 640"}},
+        Fault{"Tolerance = 0.01",
+              "Tolerance = 0.01\nset Rings per radius = 641",
+              {"Rings per radius = 641", "16 to 640"}},
+        Fault{"Tolerance = 0.01", "Tolerance = 0.01\nset Rings per radius = 20.5", {"20.5", "a whole number"}},
+        Fault{
+            "Tolerance = 0.01", "Tolerance = 0.01\nset Steps per cycle = 15", {"Steps per cycle = 15", "16 to 10000"}},
+        Fault{"Tolerance = 0.01", "Tolerance = 0.01\nset Economise = maybe", {"Economise = maybe", "true", "false"}},
+        in_section("Output", "set Fields = all", {"Output / Fields = all", "none", "extremes"}),
+        with_stick_ratio("0.001"), with_stick_ratio("0.999"),
+        with_shape("cone\nset Slope angle = 0", {"Slope angle = 0", "between 0 and 90"}),
+        with_shape("cone\nset Slope angle = 90", {"Slope angle = 90", "between 0 and 90"}),
+        with_shape("power\nset Coefficient = 1\nset Exponent = 0.4", {"Exponent = 0.4", "between 0.5 and 20"}),
+        with_shape("power\nset Coefficient = 1\nset Exponent = 21", {"Exponent = 21", "between 0.5 and 20"}),
+        Fault{"Rheology = standard solid",
+              "Rheology = fractional zener\nset Fractional order = 0",
+              {"order = 0", "above 0"}},
+        Fault{"Rheology = standard solid",
+              "Rheology = fractional zener\nset Fractional order = 2",
+              {"order = 2", "at most 1"}},
+        Fault{"Branch moduli = 1e6", "Branch moduli = 1e6, 2e6", {"Elastomer / Branch"}},
+        Fault{"Phase = 60", "Phase = 60\nset Normal harmonics = 1e-6, 2", {"Normal harmonics", "triples"}},
+        Fault{"Phase = 60", "Phase = 60\nset Normal harmonics = -1e-6, 2, 0", {"Normal harmonics", "not negative"}},
+        Fault{"Phase = 60", "Phase = 60\nset Normal harmonics = 1e-6, 0, 0", {"Normal harmonics", "positive"}},
+        with_sweep("0;5:9"), with_sweep("0:5;9"), with_sweep("0:5"), with_sweep("0:0:9"), with_sweep("9:1:0"),
+        with_sweep("0:1e-9:1"), with_sweep("0:1:9 x"),
+        in_section("Sweep", "set Entry = Phase\nset Values = 1", {"Sweep / Entry = Phase", "SECTION / ENTRY"})));
+
 INSTANTIATE_TEST_SUITE_P(
     Structure, CaseFault,
     testing::Values(Fault{"set Radius = 1e-2",
@@ -410,6 +464,26 @@ TEST(SystemFaults, TextInAPlotIsText) {
 }
 
 // Names of files are text in the report and nothing in a shell or in gnuplot.
+// What an axis cannot show leaves a gap; a plot of gaps alone says so.
+TEST(SystemFaults, APlotWithoutPointsSaysSo) {
+  Plot plot;
+  plot.title = "a & b";
+  const auto shows = [&](std::vector<double> x, std::vector<double> y) {
+    plot.series = {{"curve", std::move(x), std::move(y)}};
+    return svg(plot).find("a &amp; b: no data") == std::string::npos;
+  };
+  const double none = std::nan("");
+  EXPECT_FALSE(shows({}, {}));
+  EXPECT_FALSE(shows({none, 1}, {1, none}));
+  EXPECT_TRUE(shows({-1, 1}, {-1, 1}));
+  plot.log_y = true;
+  EXPECT_FALSE(shows({1, 2}, {0, -1}));
+  EXPECT_TRUE(shows({-1, 2}, {1, 10}));
+  plot.log_x = true;
+  EXPECT_FALSE(shows({-1, 0}, {1, 1}));
+  EXPECT_TRUE(shows({-1, 1, 10}, {1, 1, none}));
+}
+
 TEST(SystemFaults, HostileNamesAreText) {
   const ScratchFolder folder;
   const std::string html = "<img src=x onerror=alert(1)>", shell = "a`touch here`$(touch here);'\" touch here";

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "comparison/case_file.h"
@@ -60,11 +61,29 @@ TEST(MdrDocument, SpringsConfirmTheStickRadiiOfTwoFrequencies) {
   EXPECT_TRUE(json.at("mdr").at("normal_force_max").is_null());
 }
 
+// Springs under the forces themselves, whose indenter goes where it has to, against the two tangents.
+TEST(MdrDocument, SpringsConfirmTheStickRadiusUnderForces) {
+  const auto json = document_of(
+      replace(replace(valid_case, displacements, "set Normal force = 0.5\n  set Normal force amplitude = 0.1"),
+              "set Tangential amplitude = 1.5e-5", "set Tangential force amplitude = 0.05"),
+      true);
+  EXPECT_NEAR(number(json, "springs", "stick_radius_shakedown") / number(json, "mdr", "stick_radius_shakedown"), 1,
+              1e-3);
+  EXPECT_NEAR(number(json, "springs", "normal_force_max"), 0.6, 1e-6);
+}
+
 TEST(MdrDocument, SpringsNeedAPeriod) {
   EXPECT_THROW(
       document_of(replace(valid_case, "Tangential frequency = 1", "Tangential frequency = 1.4142135623"), true),
       InputError);
   EXPECT_THROW(document_of(replace(valid_case, "Phase = 60", "Phase = free"), true), InputError);
+}
+
+TEST(MdrDocument, SpringsNeedAnUnwornIndenter) {
+  const auto limiting = replace(valid_case, "1.5e-5", "shakedown") +
+                        "subsection Wear\n  set State = limiting\n  set Stick radius ratio = 0.5\nend\n";
+  EXPECT_GT(number(document_of(limiting), "mdr", "stick_radius_shakedown"), 0);
+  EXPECT_THROW(document_of(limiting, true), InputError);
 }
 
 TEST(MdrDocument, FractionalBodyOfOrderOneIsTheStandardSolid) {
@@ -108,6 +127,36 @@ TEST(MdrDocument, MeasuredModuliAreFitted) {
       "young.prm", replace(valid_case, elastomer, "table\n  set Table = dma.csv\n  set Table modulus = Young"));
   const auto third = mdr_document(read_case_file(young).at(0), false).json;
   EXPECT_NEAR(3 * number(third, "mdr", "normal_force_max") / number(json, "mdr", "normal_force_max"), 1, 1e-9);
+}
+
+// Moduli that no body has are used all the same, with warnings that name the file.
+TEST(MdrDocument, WarnsAboutModuliThatContradictEachOther) {
+  const auto warnings_with = [](double factor) {
+    const ScratchFolder folder;
+    std::string table = "f,G',G''\nHz,MPa,MPa\n";
+    for (int k = -40; k <= 40; ++k) {
+      const double f = std::pow(10.0, k / 10.0);
+      const auto modulus = mdr::complex_modulus(mdr::standard_solid(1, 1, 0.1), 2 * std::acos(-1.0) * f);
+      table += std::to_string(f) + "," + std::to_string(modulus.real()) + "," +
+               std::to_string(std::max(1e-6, factor * modulus.imag())) + "\n";
+    }
+    folder.write("dma.csv", table);
+    const auto file = folder.write(
+        "one.prm", replace(valid_case,
+                           "standard solid\n  set Relaxed shear modulus = 1e6\n  set Branch moduli = 1e6\n  set Branch "
+                           "times = 0.1",
+                           "table\n  set Table = dma.csv\n  set Table modulus = shear"));
+    return read_case_file(file).at(0).warnings;
+  };
+  EXPECT_TRUE(warnings_with(1).empty());
+  const auto warnings = warnings_with(4);
+  const auto warned = [&](const char* part) {
+    return std::any_of(warnings.begin(), warnings.end(), [&](const std::string& warning) {
+      return warning.find("dma.csv") != std::string::npos && warning.find(part) != std::string::npos;
+    });
+  };
+  EXPECT_TRUE(warned("Kramers and Kronig"));
+  EXPECT_TRUE(warned("the Prony body misses the moduli by"));
 }
 
 TEST(MdrDocument, MeasuredProfileIsReadWithItsUnits) {

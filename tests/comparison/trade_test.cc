@@ -3,14 +3,18 @@
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
 #include "comparison/batch.h"
 #include "comparison/case_file.h"
+#include "comparison/measures.h"
+#include "comparison/reference.h"
 #include "comparison/trade_json.h"
 #include "comparison/trade_report.h"
+#include "comparison/trade_text.h"
 #include "tests/comparison/scratch_folder.h"
 
 namespace fretval {
@@ -104,6 +108,58 @@ TEST(TradePlan, VariesOneAxisAtATimeAndKeepsTheChoicesOfTheTool) {
   }
 }
 
+// Histories of an unlocked phase are long, those of a dashpot or a worn edge slow.
+TEST(TradePlan, OfALongHistoryIsSmaller) {
+  auto scene = prepared_case().fem;
+  const auto finest = [](const TradePlan& plan) {
+    unsigned rings = 0;
+    int steps = 0;
+    for (const auto& setting : plan.settings) {
+      if (setting.sweeps.count(Sweep::chosen) > 0) continue;
+      rings = std::max(rings, setting.resolution.elements_per_radius);
+      steps = std::max(steps, setting.resolution.steps_per_cycle);
+    }
+    return std::make_pair(rings, steps);
+  };
+  EXPECT_EQ(finest(trade_plan(scene)), std::make_pair(128U, 192));
+  EXPECT_EQ(trade_plan(scene).n_repetitions, 2);
+  auto dashpot = scene;
+  dashpot.relaxation.viscosity = 0.1;
+  EXPECT_EQ(finest(trade_plan(dashpot)), std::make_pair(128U, 192));
+  EXPECT_EQ(trade_plan(dashpot).n_repetitions, 1);
+  scene.motion.phase.reset();
+  EXPECT_EQ(finest(trade_plan(scene)), std::make_pair(48U, 96));
+  EXPECT_EQ(trade_plan(scene).n_repetitions, 1);
+}
+
+TEST(AxisValue, IsTheEntryThatASweepVaries) {
+  const Resolution r{8, 3, 0.25, 12, 24, 1, 1e-6};
+  EXPECT_EQ(axis_value(Sweep::rings, r), 8);
+  EXPECT_EQ(axis_value(Sweep::element_order, r), 3);
+  EXPECT_EQ(axis_value(Sweep::grading, r), 0.25);
+  EXPECT_EQ(axis_value(Sweep::far_field, r), 12);
+  EXPECT_EQ(axis_value(Sweep::time_step, r), 24);
+}
+
+TEST(Measures, OfAWornStateAreNoSlipNoForceAndTheWholeIndentation) {
+  const Units units{2, 0.5, 4, 1};  // a force of 4
+  const MdrAnswer answer{1.2, 2.5, std::nullopt, 1, std::nullopt, 4 * std::exp(1.0)};
+  auto measures = measures_of(answer, units, false);
+  EXPECT_EQ(measures.size(), 4U);
+  EXPECT_EQ(measures.at("contact_radius_max"), 1.25);
+  EXPECT_EQ(measures.at("stick_radius_first_slip"), 0);
+  EXPECT_EQ(measures.at("stick_radius_shakedown"), 0.5);
+  EXPECT_NEAR(measures.at("normal_force_max"), 1, 1e-15);
+  measures = measures_of(answer, units, true);
+  EXPECT_EQ(measures.at("slip_inside_stick_zone"), 0);
+  EXPECT_EQ(measures.at("force_outside_stick_zone"), 0);
+  EXPECT_EQ(measures.at("maximum_indentation"), 1);
+  // Only what both have is compared; nothing compared is no number.
+  EXPECT_EQ(errors_of({{"a", 1}, {"b", 2}}, {{"b", 5}, {"c", 0}}), (Measures{{"b", 3}}));
+  EXPECT_EQ(largest_of({{"a", 1}, {"b", 2}}), 2);
+  EXPECT_TRUE(std::isnan(largest_of({})));
+}
+
 /// A plan small enough for a test: rings alone, and a body with every degree of freedom.
 struct SmallTrade {
   PreparedCase prepared = prepared_case();
@@ -155,6 +211,59 @@ TEST(Trade, IsReportedFromItsFile) {
     EXPECT_NE(html.find(part), std::string::npos) << part;
   folder.write("trade.json", "{\"name\": 1}");
   EXPECT_THROW(trade_section(folder.path()), InputError);
+}
+
+void expect_lines(const std::string& text, const std::vector<std::string>& lines) {
+  for (const auto& line : lines) EXPECT_NE(text.find(line + "\n"), std::string::npos) << line << "\nin\n" << text;
+}
+
+TEST(TradeText, HasALineForEverythingFound) {
+  Trade trade;
+  trade.reference.seconds = 2e-7;
+  trade.reference.stick_radii_seconds = 8e-8;
+  trade.reference.n_repetitions = 10;
+  TradePoint coarse, fine;
+  coarse.setting.resolution = {8, 2, 2, 12, 24, 1, 1e-6};
+  coarse.errors = {{"stick_radius_shakedown", 3e-3}, {"normal_force_max", 1e-3}};
+  coarse.seconds = {{0.1, 0.2, 0.3}, 0.05, 0.1};
+  fine = coarse;
+  fine.setting.resolution.elements_per_radius = 48;
+  fine.errors["stick_radius_shakedown"] = 1e-4;
+  fine.memory = {5e6, 1e6};
+  trade.points = {coarse, fine};
+  trade.front = {0, 1};
+  trade.recommendations = {{1e-2, 0, 1, true}, {1e-5, std::nullopt, 1, false}};
+  trade.rates = {{Sweep::rings, {{"normal_force_max", LogSlope{-2.5, 3}}, {"contact_radius_max", std::nullopt}}, {}}};
+  trade.seconds_over_rings = LogSlope{1.25, 4};
+  SpringPoint springs;
+  springs.setting = {100, 90, 10, 1e-6};
+  springs.errors = {{"stick_radius_shakedown", 2e-4}};
+  springs.seconds = 0.25;
+  trade.springs = {springs, springs};
+  trade.springs[1].failure = "not periodic";
+  FullPoint full;
+  full.resolution = coarse.setting.resolution;
+  full.n_dofs = 1234;
+  full.n_normal_steps = 10;
+  full.normal_seconds = 2;
+  full.pressure_difference = 1e-12;
+  trade.full = {{full, 0, 99}, {full, 0, 0}};
+  trade.full[1].point.failure = "out of memory";
+  const std::string best = "    8     2       2    12     24   3.00e-03     0.750         -";
+  const std::string finest = "   48     2       2    12     24   1.00e-03     0.750       6.0";
+  expect_lines(
+      trade_text(trade),
+      {"front        " + best, "front        " + finest, "best 1e-02   " + best, "tool 1e-02   " + finest,
+       "best 1e-05: no setting of the plan meets it", "tool 1e-05 ! " + finest,
+       "closed form: error 0 by definition, 2.00e-07 s, of which stick radii 8.0e-08 s (fastest of 10)",
+       "springs: 100 springs, 90 steps a period: error 2.00e-04, 0.250 s",
+       "springs: 100 springs, 90 steps a period: not periodic",
+       "full finite elements: 8 rings, order 2, 1234 dofs: pressure and traction within 1.0e-12 and 0.0e+00 of the "
+       "condensed ones; 0.200 and 0.000 s a step measured",
+       "  whole history extrapolated: 99.0 s, error 3.00e-03; condensed: 0.750 s",
+       "full finite elements: 8 rings, order 2, 1234 dofs: out of memory",
+       std::string("  ") + name_of(Sweep::rings) + "      largest -, contact_radius_max -, normal_force_max -2.50 (3)",
+       "power of the seconds in the rings: 1.25 (4)"});
 }
 
 int exit_code_of_trade(const std::string& file, const ScratchFolder& folder) {

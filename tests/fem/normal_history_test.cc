@@ -202,7 +202,7 @@ TEST(NormalHistory, FollowsASlowCreepToItsEnd) {
 }
 
 TEST(NormalHistory, RepeatsItsLastCycle) {
-  NormalHistory history;
+  NormalHistory history{};
   history.steps_per_cycle = 4;
   history.n_cycles = 3;
   EXPECT_EQ(history.column(0), 0);

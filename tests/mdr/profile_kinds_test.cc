@@ -143,6 +143,7 @@ TEST(ProfileTable, OfAPowerLawHasItsTransformPressureAndForce) {
     // Quadratics are interpolated exactly, so are their transforms.
     for (const double x : {1e-3, 0.3, 0.77, 1.0}) {
       EXPECT_NEAR(transform(table, x), transform(exact, x), 1e-13);
+      EXPECT_NEAR(transform_slope(table, x), transform_slope(exact, x), 1e-11);
       EXPECT_NEAR(transform_integral(table, x), transform_integral(exact, x), 1e-13);
       EXPECT_NEAR(inverse_transform(table, transform(exact, x)), x, 1e-12);
     }

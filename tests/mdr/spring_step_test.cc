@@ -226,6 +226,32 @@ TEST(SpringStep, ForceControlledElasticContactIsHertz) {
   EXPECT_NEAR(d / 0.1, 1, 1e-6);
 }
 
+// A branch split into several with its relaxation time is the same body, whether the number of branches is known to the
+// compiler (up to three) or not: oblique, with slip and loss of contact.
+TEST(SpringStep, ASplitBranchIsTheSameBody) {
+  const SpringBed bed = spring_bed(parabola(1), 0.5, 50);
+  const auto end_of_path = [&](const PronyBody& body) {
+    const SpringStep step(body, mu, 0.05);
+    SpringState state = relaxed_state(bed, body, 0.1);
+    for (int k = 1; k <= 64; ++k) {
+      const double d = 0.1 + 0.12 * std::sin(0.3 * k), u_x = 0.05 * std::sin(0.2 * k);
+      step.advance(state, bed,
+                   {d, (d - state.indenter.indentation) / 0.05, u_x, (u_x - state.indenter.tangential) / 0.05});
+    }
+    return state;
+  };
+  const SpringState whole = end_of_path(prony(1, {2}, {0.3}));
+  ASSERT_GT(whole.tangential_load.abs().maxCoeff(), 1e-3);
+  for (const auto& moduli :
+       {std::vector<double>{0.5, 1.5}, {0.25, 0.75, 1}, {0.25, 0.75, 0.5, 0.5}, {0.25, 0.25, 0.5, 0.5, 0.5}}) {
+    const SpringState split = end_of_path(prony(1, moduli, std::vector<double>(moduli.size(), 0.3)));
+    EXPECT_LT((split.normal_load - whole.normal_load).abs().maxCoeff(), 1e-14) << moduli.size();
+    EXPECT_LT((split.tangential_load - whole.tangential_load).abs().maxCoeff(), 1e-14) << moduli.size();
+    EXPECT_LT((split.normal_memory.rowwise().sum() - whole.normal_memory.col(0)).abs().maxCoeff(), 1e-14);
+    EXPECT_LT((split.tangential_memory.rowwise().sum() - whole.tangential_memory.col(0)).abs().maxCoeff(), 1e-14);
+  }
+}
+
 TEST(SpringStep, RejectsBadArguments) {
   EXPECT_THROW(SpringStep(elastic(1), 0, 1), std::invalid_argument);
   EXPECT_THROW(SpringStep(elastic(1), 1, 0), std::invalid_argument);
