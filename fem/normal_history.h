@@ -21,9 +21,9 @@ struct HistoryControl {
 /// The normal contact problem through the ramp and on until its response is periodic. Ring pressures are unaffected by
 /// the tangential motion (nu = 1/2), so one normal history serves all tangential motions.
 struct NormalHistory {
-  int steps_per_cycle;
+  int steps_per_cycle = 0;
   int n_cycles = 0;                   ///< computed; from the last one on, the response repeats
-  double periodicity;                 ///< reached, see HistoryControl
+  double periodicity = 0;             ///< reached, see HistoryControl
   Eigen::VectorXd time;               ///< per instant: 0, then the balance time of each step
   Eigen::MatrixXd pressure;           ///< n_rings x n_instants
   Eigen::VectorXd indentation;        ///< per instant
