@@ -188,10 +188,8 @@ void CaseStudy::carry_depths(const Resolution& track, ErrorBudget& budget) const
 void CaseStudy::carry_slip_inside(const Resolution& track, ErrorBudget& budget) const {
   const auto slip = budget.find("slip_inside_stick_zone");
   if (slip == budget.end() || measures_.at(track).at(slip->first) > slip->second.total()) return;
-  for (const char* quantity : {first_slip, shakedown}) {
-    const double missing = prepared_.fem.worn_edge->inner - measures_.at(track).at(quantity);
-    if (missing > 0) budget.at(quantity).shares.push_back({ErrorSource::edge, missing, std::nullopt});
-  }
+  const double missing = prepared_.fem.worn_edge->inner - measures_.at(track).at(shakedown);
+  if (missing > 0) budget.at(shakedown).shares.push_back({ErrorSource::edge, missing, std::nullopt});
 }
 
 bool CaseStudy::refine_what_is_too_wide() {

@@ -32,16 +32,21 @@ ContactForce contact_force(const PunchSeries& series, const Eigen::VectorXd& pre
   const double radius = edge.value_or(series.edges()[n_pressed]);
   const std::vector<signed char> one_zone(static_cast<std::size_t>(n_inner), 0);
   const double force = series.integral(depths, one_zone, radius);
-  if (past.dashpot) {
+  double uncertainty = 0, too_much = 0;
+  if (past.edge != PressureAtEdge::vanishes) {
     constexpr double share_of_kink = 0.25;
     const bool unseen_kink = past.largest_radius > radius && past.largest_radius <= radii[n_pressed];
-    const double up_to_kink = unseen_kink ? series.integral(depths, one_zone, past.largest_radius) : force;
-    return {force, radius, share_of_kink * std::abs(up_to_kink - force)};
+    if (unseen_kink)
+      uncertainty = share_of_kink * std::abs(series.integral(depths, one_zone, past.largest_radius) - force);
   }
-  if (!edge) return {force, radius};  // at a sharp edge of the indenter pressures do not vanish
-  const double at_edge = Stencil{radii, depths, n_inner - n_stencil, n_stencil}(radius);
-  const double too_much = series.force_per_radius() * at_edge * (radius - radii[n_pressed - 1]) / 2;
-  return {force - too_much / 2, radius, std::abs(too_much) / 2};
+  // Not at a sharp edge of the indenter.
+  if (edge && past.edge != PressureAtEdge::jumps) {
+    const double at_edge = Stencil{radii, depths, n_inner - n_stencil, n_stencil}(radius);
+    too_much = series.force_per_radius() * at_edge * (radius - radii[n_pressed - 1]) / 2;
+    uncertainty += std::abs(too_much);
+  }
+  if (past.edge != PressureAtEdge::vanishes) return {force, radius, uncertainty};
+  return {force - too_much / 2, radius, uncertainty / 2};
 }
 
 }  // namespace fretval::fem

@@ -7,12 +7,16 @@
 
 namespace fretval::fem {
 
+/// What the pressure does at the edge of a growing contact: it jumps where only a dashpot adds to the relaxed body;
+/// with branches beside the dashpot it also falls towards the jump as they relax.
+enum class PressureAtEdge { vanishes, jumps, falls_and_jumps };
+
 /// What pressures and gaps of an instant do not tell of a contact.
 struct ContactPast {
   double largest_radius = 0;  ///< of the contact so far
   /// With a dashpot, or a branch that relaxes within a step: rings that have been in contact for the whole step.
   std::optional<Eigen::Index> n_closed = std::nullopt;
-  bool dashpot = false;  ///< the pressure jumps at the edge
+  PressureAtEdge edge = PressureAtEdge::vanishes;
 };
 
 /// Normal force of a contact and where it ends.
@@ -22,7 +26,8 @@ struct ContactForce {
   /// half of the difference between depths that go on smoothly to the edge and those that fall to zero from the last
   /// ring on. (The force is the mean of both.) With a dashpot: a quarter of what the pressures would bear up to the
   /// largest contact so far, where the gap has a kink, if no ring lies between that and the last one pressed, so that
-  /// nothing tells how the gap goes on inside the kink (a tenth of that was missed at most).
+  /// nothing tells how the gap goes on inside the kink (a tenth of that was missed at most). With both a dashpot and
+  /// branches, both, and the whole difference for the half.
   double uncertainty = 0;
 };
 

@@ -43,6 +43,11 @@ double change_per_cycle(const std::vector<Eigen::VectorXd>& pressure, int n_step
   return change > 0 ? change / largest : 0;
 }
 
+PressureAtEdge pressure_at_edge(const RelaxationModel& relaxation) {
+  if (relaxation.viscosity == 0) return PressureAtEdge::vanishes;
+  return relaxation.moduli.empty() ? PressureAtEdge::jumps : PressureAtEdge::falls_and_jumps;
+}
+
 /// Carries the rings from step to step.
 class Stepper {
  public:
@@ -50,7 +55,7 @@ class Stepper {
           const Motion& motion, int n_steps)
       : problem_(problem),
         relaxed_(relaxation.relaxed),
-        has_dashpot_(relaxation.viscosity > 0),
+        edge_(pressure_at_edge(relaxation)),
         profile_(profile),
         motion_([&motion](double t) { return normal_motion(motion, t); }),
         n_steps_(n_steps),
@@ -125,7 +130,7 @@ class Stepper {
     step_.advance(state_, indenter_move(motion_, begin, end), gap_ - new_gap);
     const Eigen::VectorXd gap = weight * new_gap + (1 - weight) * gap_;
     gap_at_balance_.add(gap);
-    const auto now = contact_force(problem_.series, contact.pressure, gap, {largest_radius_, n_closed(), has_dashpot_});
+    const auto now = contact_force(problem_.series, contact.pressure, gap, {largest_radius_, n_closed(), edge_});
     remember(now, now.force);
     gap_ = new_gap;
     return std::move(contact.pressure);
@@ -133,7 +138,7 @@ class Stepper {
 
   const ContactProblem& problem_;
   double relaxed_;
-  bool has_dashpot_;
+  PressureAtEdge edge_;
   const Eigen::VectorXd& profile_;
   std::function<ValueAndRate(double)> motion_;
   int n_steps_;
