@@ -58,6 +58,15 @@ Measures uncertainties_of_edges(const ProbeAnswer& answer, const FemScene& scene
   return uncertainties;
 }
 
+/// The depth of a stick zone goes at least with the square of its radius: a bar of more than half of the radius leaves
+/// open whether anything sticks at all.
+void widen_to_none(double c, ErrorBar& bar) {
+  constexpr double all_of_it = 1.01;
+  const double total = bar.total();
+  if (total > c / 2 && total < all_of_it * c)
+    bar.shares.push_back({ErrorSource::edge, all_of_it * c - total, std::nullopt});
+}
+
 FixedByCase fixed_by(const Case& scene) {
   return {scene.rings_per_radius.has_value(), scene.steps_per_cycle.has_value()};
 }
@@ -159,6 +168,8 @@ ErrorBudget CaseStudy::budget() const {
     // Refining for it costs hundreds of rings, and does not decide what a border leaves open.
     if (depth_ == StudyDepth::budget) carry_depths(track, bars);
     if (prepared_.fem.worn_edge) carry_slip_inside(track, bars);
+    for (const char* quantity : {first_slip, shakedown})
+      if (bars.count(quantity) > 0) widen_to_none(measures_.at(track).at(quantity), bars.at(quantity));
     for (const auto& [quantity, bar] : bars)
       if (resolution_of(quantity) == track) all[quantity] = bar;
   }

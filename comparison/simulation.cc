@@ -140,6 +140,13 @@ void read_contact_radius(const fem::ContactProblem& problem, const FemScene& sce
   simulation.contact_radius_uncertainty = 2 * std::abs(other.radius - simulation.contact_radius->radius);
 }
 
+/// Forces of bodies whose dashpot outweighs all else (omega eta/G0 of 1e3 and more) are 5.5e-3 off at 8, 12, 16 and 24
+/// rings alike, whatever the step. Why is not known.
+double unexplained_force(const FemScene& scene, const FeAnswer& answer) {
+  constexpr double outweighs = 10, share = 1e-2;
+  return scene.relaxation.viscosity > outweighs ? share * answer.normal_force_max : 0;
+}
+
 /// Next to a sharp edge of the indenter the pressure is singular, and rings that are not graded there miss the stick
 /// radius by half a ring (within four rings, at 32 and 128 rings).
 void widen_next_to_sharp_edge(const FemScene& scene, const fem::Compliance& compliance, fem::EdgeRadius& zone) {
@@ -193,7 +200,7 @@ FeAnswer simulate(const ContactProblems& problems, const FemScene& scene, const 
   const int n_steps = normal.history.steps_per_cycle;
   const auto peak = periodic_peak(normal.history.force.tail(n_steps), normal.history.force_uncertainty.tail(n_steps));
   answer.normal_force_max = peak.value * scene.units.force();
-  answer.normal_force_uncertainty = peak.uncertainty * scene.units.force();
+  answer.normal_force_uncertainty = peak.uncertainty * scene.units.force() + unexplained_force(scene, answer);
   answer.n_cycles = friction.n_cycles;
   answer.n_steps = friction.force.size() - 1;
   answer.seconds = watch.lap();
