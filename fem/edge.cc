@@ -78,7 +78,7 @@ EdgeRadius stick_radius(const Compliance& compliance, const Eigen::VectorXd& res
   if (n_stuck == 0) return {0, compliance.radii[1]};
   const auto [effective, scatter] = effective_radii(compliance);
   const double width = compliance.radii[n_stuck] - compliance.radii[n_stuck - 1];
-  if (n_stuck < 3) return {effective[n_stuck], std::max(width, effective[n_stuck])};  // it may be none
+  if (n_stuck < 3) return {effective[n_stuck], width};
   const Eigen::Index n = std::min(n_stuck, n_fitted_events);
   Eigen::VectorXd radius(n), load(n);
   for (Eigen::Index k = 0; k < n; ++k) {
