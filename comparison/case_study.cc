@@ -58,13 +58,17 @@ Measures uncertainties_of_edges(const ProbeAnswer& answer, const FemScene& scene
   return uncertainties;
 }
 
+/// Adds what a bar falls short of a width.
+void widen(ErrorBar& bar, double width) {
+  const double missing = width - bar.total();
+  if (missing > 0) bar.shares.push_back({ErrorSource::edge, missing, std::nullopt});
+}
+
 /// The depth of a stick zone goes at least with the square of its radius: a bar of more than half of the radius leaves
 /// open whether anything sticks at all.
 void widen_to_none(double c, ErrorBar& bar) {
   constexpr double all_of_it = 1.01;
-  const double total = bar.total();
-  if (total > c / 2 && total < all_of_it * c)
-    bar.shares.push_back({ErrorSource::edge, all_of_it * c - total, std::nullopt});
+  if (bar.total() > c / 2) widen(bar, all_of_it * c);
 }
 
 FixedByCase fixed_by(const Case& scene) {
@@ -100,7 +104,7 @@ void CaseStudy::want_variants() {
 
 void CaseStudy::take(const Resolution& resolution, ProbeAnswer&& answer) {
   measures_[resolution] = answer.failure.empty() ? measures_of(answer.fe, prepared_.fem.units) : Measures{};
-  if (answer.failure.empty() && !prepared_.fem.worn_edge)
+  if (depth_ == StudyDepth::budget && answer.failure.empty() && !prepared_.fem.worn_edge)
     depths_[resolution] = {{first_slip, answer.fe.first_slip_depths}, {shakedown, answer.fe.shakedown_depths}};
   const auto all = tracks_of(now_);
   // The histories of variants are not needed any more.
@@ -188,9 +192,8 @@ void CaseStudy::carry_depths(const Resolution& track, ErrorBudget& budget) const
   }
   for (const auto& [quantity, uncertainty] : error_budget(track, centre, {}, needs_of(prepared_.fem))) {
     if (std::abs(centre.at(track).at(quantity)) > uncertainty.total()) continue;
-    auto& bar = budget.at(quantity);
-    const double reach = reach_of_edge(own->second.at(quantity), measures_.at(track).at(quantity), uncertainty.total());
-    if (reach > bar.total()) bar.shares.push_back({ErrorSource::edge, reach - bar.total(), std::nullopt});
+    widen(budget.at(quantity),
+          reach_of_edge(own->second.at(quantity), measures_.at(track).at(quantity), uncertainty.total()));
   }
 }
 

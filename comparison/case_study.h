@@ -98,7 +98,7 @@ class CaseStudy {
   std::optional<Tracks> before_;  // the last refinement
   std::map<Resolution, ProbeAnswer> answers_;
   std::map<Resolution, Measures> measures_;
-  std::map<Resolution, std::map<std::string, StickDepths>> depths_;  // of the stick zones; not of worn profiles
+  std::map<Resolution, std::map<std::string, StickDepths>> depths_;  // with StudyDepth::budget; not of worn profiles
   std::vector<Resolution> wanted_;
   int n_refinements_ = 0;
   std::optional<Economy> economy_;

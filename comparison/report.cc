@@ -274,8 +274,8 @@ fs::path write_report(const fs::path& folder) {
        {verdict_section(results), radii_section(results), phase_section(results), rheology_section(results),
         limiting_section(results), single_cases_section(results), budget_section(results), trade_section(folder),
         tolerance ? tolerance_section(*tolerance) : "", extremes ? extremes_section(*extremes) : "",
-        soak ? soak_section(*soak) : "",
-        ladder ? ladder_section(*ladder) : "", cost_section(results), all_cases_section(results)})
+        soak ? soak_section(*soak) : "", ladder ? ladder_section(*ladder) : "", cost_section(results),
+        all_cases_section(results)})
     page += section;
   page += "</body></html>\n";
   const fs::path file = folder / "index.html";

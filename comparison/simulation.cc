@@ -112,11 +112,9 @@ Eigen::Index largest_contact_rings(const fem::NormalHistory& history) {
   return n;
 }
 
-void add_stick_depths(const ContactProblems& problems, const NormalSimulation& normal, const FemScene& scene,
-                      FeAnswer& answer) {
+void add_stick_depths(const fem::PunchSeries& series, const FemScene& scene, FeAnswer& answer) {
   const auto& friction = answer.friction;
-  const auto& series = (problems.tangential ? *problems.tangential : problems.normal).series;
-  const Eigen::Index n_contact = largest_contact_rings(normal.history);
+  const Eigen::Index n_contact = answer.rings.contact;
   const double amplitude = scene.motion.tangential_amplitude;
   const auto depths = [&](const Eigen::VectorXd& reserve, const Eigen::VectorXd& slip, Eigen::Index n_stuck) {
     return stick_depths({reserve.head(n_contact), series.displacements(slip).head(n_contact), n_stuck}, series.radii(),
@@ -188,7 +186,7 @@ FeAnswer simulate(const ContactProblems& problems, const FemScene& scene, const 
   }
 
   for (auto* zone : {&first, &shakedown}) widen_next_to_sharp_edge(scene, problem.compliance, *zone);
-  if (!scene.worn_edge) add_stick_depths(problems, normal, scene, answer);
+  if (!scene.worn_edge) add_stick_depths(problem.series, scene, answer);
 
   const double length = scene.units.length;
   if (normal.contact_radius) answer.contact_radius_max = dimensional(*normal.contact_radius, length);

@@ -8,17 +8,11 @@
 #include "comparison/batch.h"
 #include "comparison/reference.h"
 #include "comparison/study_driver.h"
-#include "comparison/tolerance_cases.h"
 #include "mdr/stick_radius.h"
+#include "tests/comparison/suite_case.h"
 
 namespace fretval {
 namespace {
-
-Case case_named(const std::string& name, double tolerance) {
-  for (const auto& scene : tolerance_cases(tolerance))
-    if (scene.name == name) return scene;
-  throw std::invalid_argument(name);
-}
 
 struct Studied {
   PreparedCase prepared;
@@ -42,7 +36,7 @@ Studied study(const Case& scene) {
 }
 
 TEST(CaseStudySlow, FocusesOnASmallStickZone) {
-  const auto studied = study(case_named("small-stick-parabola", 1e-3));
+  const auto studied = study(suite_case("small-stick-parabola", 1e-3));
   ASSERT_EQ(studied.result.answer.failure, "");
   EXPECT_NEAR(studied.exact, 0.02, 1e-9);
   EXPECT_EQ(studied.result.focus.count("stick_radius_shakedown"), 1U);
@@ -50,7 +44,7 @@ TEST(CaseStudySlow, FocusesOnASmallStickZone) {
 }
 
 TEST(CaseStudySlow, FocusesOnANarrowSlipAnnulus) {
-  const auto studied = study(case_named("narrow-slip-parabola", 1e-3));
+  const auto studied = study(suite_case("narrow-slip-parabola", 1e-3));
   ASSERT_EQ(studied.result.answer.failure, "");
   EXPECT_NEAR(studied.exact, 0.999, 1e-9);
   EXPECT_EQ(studied.result.focus.count("stick_radius_shakedown"), 1U);
@@ -58,7 +52,7 @@ TEST(CaseStudySlow, FocusesOnANarrowSlipAnnulus) {
 }
 
 TEST(CaseStudySlow, DoesNotFocusWhereRingsResolveTheZones) {
-  const auto studied = study(case_named("parabola-elastic-90", 1e-3));
+  const auto studied = study(suite_case("parabola-elastic-90", 1e-3));
   EXPECT_TRUE(studied.result.focus.empty());
   EXPECT_NEAR(studied.shakedown(), studied.exact, 1e-3);
 }
@@ -98,7 +92,7 @@ StudyResult fake_study(const PreparedCase& prepared, const FakeNumerics& numeric
 }
 
 TEST(CaseStudy, KeepsWhatIsFineEnough) {
-  const auto prepared = prepare({case_named("parabola-solid-90", 1e-3)}).front();
+  const auto prepared = prepare({suite_case("parabola-solid-90", 1e-3)}).front();
   const auto result = fake_study(prepared, {0.1, 0.01});
   EXPECT_EQ(result.n_refinements, 0);
   EXPECT_EQ(result.resolution.elements_per_radius, prepared.fem.resolution.elements_per_radius);
@@ -106,7 +100,7 @@ TEST(CaseStudy, KeepsWhatIsFineEnough) {
 }
 
 TEST(CaseStudy, RefinesOnlyWhatIsTooWide) {
-  const auto prepared = prepare({case_named("parabola-solid-90", 1e-3)}).front();
+  const auto prepared = prepare({suite_case("parabola-solid-90", 1e-3)}).front();
   const auto& start = prepared.fem.resolution;
   const auto rings = fake_study(prepared, {100, 0});
   EXPECT_GT(rings.resolution.elements_per_radius, start.elements_per_radius);
@@ -119,7 +113,7 @@ TEST(CaseStudy, RefinesOnlyWhatIsTooWide) {
 }
 
 TEST(CaseStudy, KeepsRingsAndStepsThatTheCaseFixes) {
-  auto scene = case_named("parabola-solid-90", 1e-3);
+  auto scene = suite_case("parabola-solid-90", 1e-3);
   scene.rings_per_radius = 20;
   scene.steps_per_cycle = 30;
   const auto result = fake_study(prepare({scene}).front(), {100, 10});
@@ -129,7 +123,7 @@ TEST(CaseStudy, KeepsRingsAndStepsThatTheCaseFixes) {
 }
 
 TEST(CaseStudy, EconomisesWithinTheTolerance) {
-  const auto prepared = prepare({case_named("parabola-solid-90", 1e-3)}).front();
+  const auto prepared = prepare({suite_case("parabola-solid-90", 1e-3)}).front();
   const FakeNumerics numerics{1, 0.5};
   const auto result = fake_study(prepared, numerics, StudyDepth::economy);
   ASSERT_TRUE(result.cheapest);

@@ -300,11 +300,7 @@ TEST(TableFaults, BadModuliAreRefusedByFileAndLine) {
   for (const auto& [text, parts] : bad) {
     const ScratchFolder folder;
     folder.write("dma.csv", text);
-    const auto file = folder.write(
-        "bad.prm", replace(valid_case,
-                           "standard solid\n  set Relaxed shear modulus = 1e6\n  set Branch moduli = 1e6\n  set Branch "
-                           "times = 0.1",
-                           "table\n  set Table = dma.csv\n  set Table modulus = shear"));
+    const auto file = folder.write("bad.prm", case_with_modulus_table());
     const auto message = refusal([&] { prepare(read_case_file(file)); });
     expect_parts(message, {"dma.csv"});
     expect_parts(message, parts);

@@ -69,4 +69,12 @@ inline std::string replace(std::string text, const std::string& from, const std:
   return text.replace(at, from.size(), to);
 }
 
+/// The valid case with the moduli of the table dma.csv; moduli: shear or Young.
+inline std::string case_with_modulus_table(const std::string& moduli = "shear") {
+  return replace(
+      valid_case,
+      "standard solid\n  set Relaxed shear modulus = 1e6\n  set Branch moduli = 1e6\n  set Branch times = 0.1",
+      "table\n  set Table = dma.csv\n  set Table modulus = " + moduli);
+}
+
 }  // namespace fretval

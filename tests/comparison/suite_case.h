@@ -1,0 +1,17 @@
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+#include "comparison/tolerance_cases.h"
+
+namespace fretval {
+
+/// A case of the tolerance suite by its name.
+inline Case suite_case(const std::string& name, double tolerance) {
+  for (const auto& scene : tolerance_cases(tolerance))
+    if (scene.name == name) return scene;
+  throw std::invalid_argument(name);
+}
+
+}  // namespace fretval
