@@ -10,6 +10,7 @@ namespace {
 constexpr double worthwhile = 3;   // periods
 constexpr double share = 0.7;      // of the jump that a single rate of decay would ask for
 constexpr double lengthening = 4;  // of one jump over the last one
+constexpr double roundoff = 1e-15;
 
 double product(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
   return a.cwiseProduct(b).sum();
@@ -33,8 +34,9 @@ double longest_creep_time(const RelaxationModel& relaxation) {
   return longest + viscosity / relaxation.relaxed;
 }
 
-double change_to_come(double periods) {
-  return periods <= 0 ? 1 : std::max(1.0, 1 / std::expm1(1 / periods));
+double change_to_come(double change, double periods) {
+  const double sum = periods <= 0 ? 1 : std::max(1.0, 1 / std::expm1(1 / periods));
+  return sum * std::max(change, roundoff);
 }
 
 bool CycleJump::advance(RingState& state) {

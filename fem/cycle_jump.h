@@ -12,10 +12,12 @@ namespace fretval::fem {
 /// periodic, and much longer than the relaxation times where the body is soft at rest and stiff in motion.
 double longest_creep_time(const RelaxationModel& relaxation);
 
-/// What is still to come of a change that dies out like exp(-k/n) over the periods k, over the change in one of them:
-///   sum_{k >= 1} exp(-k/n) = 1/(exp(1/n) - 1), at least 1
+/// What is still to come of a relative change in one period if it dies out like exp(-k/n) over n periods:
+///   change sum_{k >= 1} exp(-k/n) = change/(exp(1/n) - 1), at least the change
 /// So a history that creeps for a thousand periods is not taken for periodic because one of them changes it little.
-double change_to_come(double periods);
+/// A change below roundoff counts as roundoff: whether a body that creeps for 1e12 periods has settled, none of them
+/// can tell.
+double change_to_come(double change, double periods);
 
 /// Shortens a history that creeps for many periods to its periodic state: after every second period the rings are
 /// moved on along their drift, as if they had gone on with it for a number of periods. The periodic state does not

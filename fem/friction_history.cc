@@ -174,7 +174,7 @@ FrictionHistory friction_history(const ContactProblem& problem, const Relaxation
     history.slip_path += period.slip;
     const bool after_jump = std::exchange(jumped, false);
     if (history.n_cycles <= std::max(motion.n_ramp_cycles, normal.n_cycles) + motion.cycles_per_period()) continue;
-    if (!after_jump) history.periodicity = change_to_come(creep) * change_per_period(period.traction, before);
+    if (!after_jump) history.periodicity = change_to_come(change_per_period(period.traction, before), creep);
     if (history.periodicity > control.periodicity) jumped = jump.advance(stepper.state());
   }
   history.first_slip_margin = first_slip.value();

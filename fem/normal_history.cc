@@ -208,7 +208,7 @@ NormalHistory normal_history(const ContactProblem& problem, const RelaxationMode
     ++history.n_cycles;
     const bool after_jump = std::exchange(jumped, false);
     if (history.n_cycles <= std::max(motion.n_ramp_cycles, 1)) continue;
-    if (!after_jump) history.periodicity = change_to_come(creep) * change_per_cycle(pressure, n_steps);
+    if (!after_jump) history.periodicity = change_to_come(change_per_cycle(pressure, n_steps), creep);
     if (history.periodicity > control.periodicity) jumped = jump.advance(stepper.state());
   }
   const auto n = static_cast<Eigen::Index>(pressure.size());

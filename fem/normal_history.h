@@ -13,8 +13,7 @@ namespace fretval::fem {
 struct HistoryControl {
   int steps_per_cycle = 180;
   int max_cycles = 400;
-  /// Largest change of a ring force that is still to come, relative to the largest force: the change from one period
-  /// to the next times change_to_come() of the longest creep time (see fem/cycle_jump.h).
+  /// Largest change of a ring force that is still to come, relative to the largest force (change_to_come).
   double periodicity = 1e-7;
 };
 

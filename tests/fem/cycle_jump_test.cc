@@ -17,9 +17,15 @@ TEST(LongestCreepTime, IsExactForOneBranchAndForADashpot) {
 TEST(ChangeToCome, IsTheSumOfWhatDiesOut) {
   double sum = 0;
   for (int k = 1; k < 5000; ++k) sum += std::exp(-k / 100.0);
-  EXPECT_NEAR(change_to_come(100), sum, 1e-9 * sum);
-  EXPECT_EQ(change_to_come(0), 1);
-  EXPECT_EQ(change_to_come(0.1), 1);
+  EXPECT_NEAR(change_to_come(1e-3, 100), 1e-3 * sum, 1e-12 * sum);
+  EXPECT_EQ(change_to_come(1e-3, 0), 1e-3);
+  EXPECT_EQ(change_to_come(1e-3, 0.1), 1e-3);
+}
+
+// A contact that a jump had opened was taken for periodic because nothing changed in the next period.
+TEST(ChangeToCome, IsNotNoneWhereRoundoffHidesIt) {
+  EXPECT_GT(change_to_come(0, 1e12), 1e-4);
+  EXPECT_LT(change_to_come(0, 1e5), 1e-9);
 }
 
 /// Periods until x -> q x + (1 - q) is within 1e-6 of its fixed point 1, for each entry with a rate of its own.
