@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "comparison/refinement_plan.h"
 #include "comparison/stick_depths.h"
@@ -207,10 +208,23 @@ void CaseStudy::carry_slip_inside(const Resolution& track, ErrorBudget& budget) 
 }
 
 bool CaseStudy::refine_what_is_too_wide() {
+  return refine(1, std::numeric_limits<double>::infinity());
+}
+
+/// Cheaper settings are proved by what the bars leave of the tolerances: bars that leave hardly anything are refined
+/// once more, if that costs little.
+bool CaseStudy::make_room_for_economy() {
+  constexpr double share = 0.5, most_times = 2.5;
+  if (depth_ != StudyDepth::economy || has_room_) return false;
+  has_room_ = true;
+  return refine(share, most_times);
+}
+
+bool CaseStudy::refine(double share_of_tolerance, double most_times) {
   if (n_refinements_ >= most_refinements) return false;
   std::map<Resolution, std::vector<BarToMeet>> bars;  // by track
   for (const auto& [quantity, bar] : budget()) {
-    const double tolerance = tolerance_of(prepared_.tolerances, quantity), total = bar.total();
+    const double tolerance = share_of_tolerance * tolerance_of(prepared_.tolerances, quantity), total = bar.total();
     bars[resolution_of(quantity)].push_back({bar, tolerance});
     if (total > tolerance)
       spdlog::info("{}: error bar of {} is {:.1e}, {:.1e} is asked for: refining", prepared_.scene.name, quantity,
@@ -222,7 +236,7 @@ bool CaseStudy::refine_what_is_too_wide() {
     const auto& answer = answers_.at(track);
     const Effort effort{static_cast<double>(answer.body->n_dofs), static_cast<double>(answer.body->radii.size() - 1),
                         static_cast<double>(answer.fe.n_steps)};
-    const auto finer = planned_refinement(track, bars[track], effort, fixed_by(prepared_.scene));
+    const auto finer = planned_refinement(track, bars[track], effort, fixed_by(prepared_.scene), most_times);
     if (!finer) return;
     track = *finer;
     any = true;
@@ -249,7 +263,7 @@ void CaseStudy::advance() {
   if (focus_on_unresolved_edges()) return;
   want_variants();
   if (!wanted_.empty()) return;
-  if (!refine_what_is_too_wide()) return economise();
+  if (!refine_what_is_too_wide() && !make_room_for_economy()) return economise();
   for (const auto& track : tracks_of(now_)) {
     want(track);
     // What was a variant before has to be kept now.

@@ -85,6 +85,8 @@ class CaseStudy {
   [[nodiscard]] bool failed() const;
   bool focus_on_unresolved_edges();
   bool refine_what_is_too_wide();
+  bool make_room_for_economy();
+  bool refine(double share_of_tolerance, double most_times);
   void economise();
   [[nodiscard]] std::vector<ProvedTrack> proved_tracks() const;
   [[nodiscard]] CheapestProved cheapest() const;
@@ -101,6 +103,7 @@ class CaseStudy {
   std::map<Resolution, std::map<std::string, StickDepths>> depths_;  // with StudyDepth::budget; not of worn profiles
   std::vector<Resolution> wanted_;
   int n_refinements_ = 0;
+  bool has_room_ = false;  // as much as there is
   std::optional<Economy> economy_;
 };
 

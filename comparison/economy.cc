@@ -6,18 +6,17 @@
 namespace fretval {
 namespace {
 
-std::bitset<n_coarsenings> refused_from_the_start(const FixedByCase& fixed) {
-  std::bitset<n_coarsenings> refused;
-  const auto refuse = [&](Coarsening step) { refused.set(static_cast<std::size_t>(step)); };
-  if (fixed.rings) {
-    refuse(Coarsening::half_the_rings);
-    refuse(Coarsening::three_quarters_of_the_rings);
+bool is_fixed(Coarsening step, const FixedByCase& fixed) {
+  switch (step) {
+    case Coarsening::half_the_rings:
+    case Coarsening::three_quarters_of_the_rings:
+      return fixed.rings;
+    case Coarsening::half_the_steps:
+    case Coarsening::three_quarters_of_the_steps:
+      return fixed.steps;
+    default:
+      return false;
   }
-  if (fixed.steps) {
-    refuse(Coarsening::half_the_steps);
-    refuse(Coarsening::three_quarters_of_the_steps);
-  }
-  return refused;
 }
 
 }  // namespace
@@ -31,24 +30,23 @@ bool covers(const ProvedMeasures& proved, const Measures& measures) {
 }
 
 Economy::Economy(const std::vector<ProvedTrack>& tracks, const SceneNeeds& needs, const FixedByCase& fixed)
-    : needs_(needs) {
-  for (const auto& track : tracks) paths_.push_back({track, refused_from_the_start(fixed)});
+    : needs_(needs), fixed_(fixed) {
+  for (const auto& track : tracks) paths_.push_back({track});
 }
 
 std::optional<Resolution> Economy::advance(Path& path, const std::map<Resolution, Measures>& known) const {
-  for (std::size_t step = 0; step < n_coarsenings; ++step)
-    while (!path.refused.test(step)) {
-      const auto candidate = coarsened(path.track.resolution, static_cast<Coarsening>(step), needs_);
-      if (candidate) {
-        const auto found = known.find(*candidate);
-        if (found == known.end()) return candidate;
-        if (covers(path.track.measures, found->second)) {
-          path.track.resolution = *candidate;
-          continue;
-        }
-      }
-      path.refused.set(step);
+  for (; path.n_refused < n_coarsenings; ++path.n_refused, path.next = (path.next + 1) % n_coarsenings) {
+    const auto step = static_cast<Coarsening>(path.next);
+    while (!is_fixed(step, fixed_)) {
+      const auto candidate = coarsened(path.track.resolution, step, needs_);
+      if (!candidate) break;
+      const auto found = known.find(*candidate);
+      if (found == known.end()) return candidate;
+      if (!covers(path.track.measures, found->second)) break;
+      path.track.resolution = *candidate;
+      path.n_refused = 0;
     }
+  }
   return std::nullopt;
 }
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <bitset>
 #include <map>
 #include <optional>
 #include <string>
@@ -27,10 +26,10 @@ struct ProvedTrack {
   ProvedMeasures measures;
 };
 
-/// Looks for cheaper resolutions than those whose error bars meet the tolerance. Each coarsening is tried on top of
-/// those that were accepted, is accepted if the proof covers what comes out, and is not tried again once it was
-/// refused. This finds the end of one path down, not the cheapest of all resolutions, with a dozen computations that
-/// are all cheaper than the proof.
+/// Looks for cheaper resolutions than those whose error bars meet the tolerance. Each coarsening is tried in turn on
+/// top of those that were accepted, and is accepted if the proof covers what comes out, until none of them is. This
+/// finds the end of one path down, not the cheapest of all resolutions, with some twenty computations that are all
+/// cheaper than the proof.
 class Economy {
  public:
   Economy(const std::vector<ProvedTrack>& tracks, const SceneNeeds& needs, const FixedByCase& fixed);
@@ -45,11 +44,13 @@ class Economy {
  private:
   struct Path {
     ProvedTrack track;
-    std::bitset<n_coarsenings> refused;
+    int next = 0;       // coarsening to be tried
+    int n_refused = 0;  // in a row
   };
   std::optional<Resolution> advance(Path& path, const std::map<Resolution, Measures>& known) const;
 
   SceneNeeds needs_;
+  FixedByCase fixed_;
   std::vector<Path> paths_;
 };
 

@@ -39,8 +39,14 @@ std::vector<mdr::Harmonic> with_first(const mdr::Harmonic& first, const std::vec
 
 mdr::LimitingProfile limiting_of(const Case& scene, const MdrScene& mdr) {
   const double deepest = mdr::maximum_indentation(mdr.motion);
-  const double unworn_radius = mdr::inverse_transform(mdr.profile, deepest);
-  return mdr::limiting_profile(mdr.profile, scene.worn_stick_ratio * unworn_radius, deepest);
+  const double unworn_radius = mdr::inverse_transform(mdr.profile, deepest),
+               stick_radius = scene.worn_stick_ratio * unworn_radius;
+  if (mdr::transform(mdr.profile, stick_radius) <= 0)
+    throw InputError(
+        fmt::format("{}: Wear / Stick radius ratio = {:g}: it lies inside the flat face of the indenter, of which all "
+                    "or nothing sticks; expected a ratio above {:.4g}",
+                    scene.file, scene.worn_stick_ratio, mdr::inverse_transform(mdr.profile, 0) / unworn_radius));
+  return mdr::limiting_profile(mdr.profile, stick_radius, deepest);
 }
 
 double amplitude_for_shakedown(const Case& scene, const MdrScene& mdr) {

@@ -85,14 +85,20 @@ bool better(const Candidate& a, const Candidate& b) {
   return a.price() < b.price();
 }
 
-std::optional<Candidate> refined(const Candidate& candidate, ErrorSource source) {
+/// What a plan must keep to.
+struct Limits {
+  FixedByCase fixed;
+  double most_seconds;
+};
+
+std::optional<Candidate> refined(const Candidate& candidate, ErrorSource source, const Limits& limits) {
   const auto resolution = refined(candidate.resolution, source);
   if (!resolution) return std::nullopt;
   auto bars = candidate.bars;
   for (auto& [bar, tolerance] : bars)
     for (auto& share : bar.shares) share.estimate *= left_over(source, share);
   const auto effort = effort_after(source, candidate.effort, candidate.resolution.degree);
-  if (effort.n_dofs > most_dofs) return std::nullopt;
+  if (effort.n_dofs > most_dofs || expected_seconds(effort) > limits.most_seconds) return std::nullopt;
   return Candidate{*resolution, bars, effort};
 }
 
@@ -101,15 +107,15 @@ bool can_be_refined(ErrorSource source, const FixedByCase& fixed) {
 }
 
 /// The best of a candidate and all that follow from it by refining the sources from a given one on.
-Candidate best_from(const Candidate& candidate, std::size_t first, const FixedByCase& fixed) {
+Candidate best_from(const Candidate& candidate, std::size_t first, const Limits& limits) {
   Candidate best = candidate;
   if (candidate.meets() || first == sources.size()) return best;
   std::optional<Candidate> next = candidate;
   for (int times = 0; next && times <= most_refinements_at_once; ++times) {
-    auto found = best_from(*next, first + 1, fixed);
+    auto found = best_from(*next, first + 1, limits);
     if (better(found, best)) best = std::move(found);
-    if (!can_be_refined(sources[first], fixed)) break;
-    next = refined(*next, sources[first]);
+    if (!can_be_refined(sources[first], limits.fixed)) break;
+    next = refined(*next, sources[first], limits);
   }
   return best;
 }
@@ -121,13 +127,13 @@ double expected_seconds(const Effort& effort) {
 }
 
 std::optional<Resolution> planned_refinement(const Resolution& resolution, const std::vector<BarToMeet>& bars,
-                                             const Effort& effort, const FixedByCase& fixed) {
+                                             const Effort& effort, const FixedByCase& fixed, double most_times) {
   auto known = bars;
   for (auto& [bar, tolerance] : known)
     for (auto& share : bar.shares) share.estimate = std::min(share.estimate, most_tolerances * tolerance);
   const Candidate now{resolution, known, effort};
   if (now.meets()) return std::nullopt;
-  const auto best = best_from(now, 0, fixed);
+  const auto best = best_from(now, 0, {fixed, most_times * expected_seconds(effort)});
   if (best.resolution == resolution) return std::nullopt;
   return best.resolution;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -27,8 +28,10 @@ double expected_seconds(const Effort& effort);
 /// The cheapest refinement that is expected to bring all bars within their tolerances: of all combinations of up to two
 /// refinements (see refined) of each source, judged by what one of them takes from its share (the observed order, or
 /// the lowest that is usual) and adds to the effort. Where none is enough, the one that gets closest for its cost.
+/// most_times: what the effort may grow by, in expected seconds.
 /// Empty: no bar is too wide, or nothing can be refined that would help.
 std::optional<Resolution> planned_refinement(const Resolution& resolution, const std::vector<BarToMeet>& bars,
-                                             const Effort& effort, const FixedByCase& fixed);
+                                             const Effort& effort, const FixedByCase& fixed,
+                                             double most_times = std::numeric_limits<double>::infinity());
 
 }  // namespace fretval

@@ -166,6 +166,7 @@ std::optional<Resolution> refined(const Resolution& resolution, ErrorSource sour
 }
 
 std::optional<Resolution> coarsened(const Resolution& resolution, Coarsening step, const SceneNeeds& needs) {
+  constexpr double nearer = 0.6;
   Resolution r = resolution;
   const auto if_coarse_enough = [&](bool allowed) { return allowed ? std::optional(r) : std::nullopt; };
   switch (step) {
@@ -181,12 +182,16 @@ std::optional<Resolution> coarsened(const Resolution& resolution, Coarsening ste
     case Coarsening::three_quarters_of_the_steps:
       r = with_steps(r, step == Coarsening::half_the_steps ? 0.5 : 0.75);
       return if_coarse_enough(r.steps_per_cycle >= fewest_steps);
+    case Coarsening::three_fifths_of_the_far_radius:
+      r.far_radius = std::max(nearer * r.far_radius, smallest_far_radius);
+      return if_coarse_enough(r.far_radius < resolution.far_radius);
+    case Coarsening::coarser_outside:
+      r.growth = std::min(2 * r.growth, coarsest_growth);
+      r.far_radius = std::max(nearer * r.far_radius, smallest_far_radius);
+      return if_coarse_enough(r.growth > resolution.growth && r.far_radius < resolution.far_radius);
     case Coarsening::twice_the_growth:
       r.growth = std::min(2 * r.growth, coarsest_growth);
       return if_coarse_enough(r.growth > resolution.growth);
-    case Coarsening::half_the_far_radius:
-      r.far_radius = std::max(r.far_radius / 2, smallest_far_radius);
-      return if_coarse_enough(r.far_radius < resolution.far_radius);
     case Coarsening::half_the_start:
       r.n_ramp_cycles /= 2;
       return if_coarse_enough(needs.memory && r.n_ramp_cycles > 0);

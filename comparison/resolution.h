@@ -67,20 +67,22 @@ std::vector<Variant> variants_of(const Resolution& resolution, const SceneNeeds&
 /// A resolution that is finer in one respect; empty: it cannot be refined further in this respect.
 std::optional<Resolution> refined(const Resolution& resolution, ErrorSource source);
 
-/// Steps towards a lower cost, those that usually save most first.
+/// Steps towards a lower cost, those that usually save most first. Coarser grading makes a body stiffer and a nearer
+/// far field makes it softer, so both at once often move less than one of them.
 enum class Coarsening {
   half_the_rings,
   lower_degree,
   half_the_steps,
   three_quarters_of_the_rings,
+  three_fifths_of_the_far_radius,
+  coarser_outside,  ///< the last and the next at once
   twice_the_growth,
-  half_the_far_radius,
   three_quarters_of_the_steps,
   half_the_start,
   half_the_creep,
   ten_times_the_periodicity
 };
-constexpr int n_coarsenings = 10;
+constexpr int n_coarsenings = 11;
 
 /// A resolution that is coarser in one respect; empty: it cannot be coarsened further in this respect, or the scene
 /// does not need what is coarsened.

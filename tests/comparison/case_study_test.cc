@@ -139,5 +139,14 @@ TEST(CaseStudy, EconomisesWithinTheTolerance) {
   EXPECT_FALSE(fake_study(prepared, numerics).cheapest);
 }
 
+TEST(CaseStudy, RefinesOnceMoreWhereABarLeavesLittleToTheEconomy) {
+  const auto prepared = prepare({suite_case("parabola-solid-90", 1e-3)}).front();
+  const FakeNumerics numerics{9, 0};  // the bar is 0.8 of the tolerance
+  EXPECT_EQ(fake_study(prepared, numerics).n_refinements, 0);
+  const auto economised = fake_study(prepared, numerics, StudyDepth::economy);
+  EXPECT_EQ(economised.n_refinements, 1);
+  EXPECT_LT(economised.budget.at("stick_radius_shakedown").total(), 0.5e-3);
+}
+
 }  // namespace
 }  // namespace fretval

@@ -57,6 +57,16 @@ TEST(Economy, KeepsWhatTheCaseFixes) {
   EXPECT_EQ(descent(exact, 1e-4, {false, true}).cheapest.steps_per_cycle, proved_resolution.steps_per_cycle);
 }
 
+TEST(Economy, TriesAgainWhatWasRefused) {
+  // A lower degree alone is too much, and a nearer far field, which is tried after it, makes up for half of that.
+  const auto compute = [](const Resolution& r) {
+    const double degree = r.degree < 3 ? 1.2e-3 : 0, far_field = r.far_radius < 10 ? 1 : r.far_radius < 20 ? 6e-4 : 0;
+    return Measures{{quantity, 0.5 + degree - far_field}};
+  };
+  EXPECT_EQ(descent(compute, 1e-4).cheapest.degree, 2U);
+  EXPECT_NEAR(descent(compute, 1e-4).cheapest.far_radius, 12, 1e-9);
+}
+
 TEST(Economy, LeavesAloneWhatTheSceneDoesNotNeed) {
   const SceneNeeds elastic_and_locked{false, false};
   EXPECT_FALSE(coarsened(proved_resolution, Coarsening::half_the_start, elastic_and_locked));

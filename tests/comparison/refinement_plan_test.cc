@@ -67,6 +67,12 @@ TEST(PlannedRefinement, GoesAsFarAsItMayWhereAnErrorIsUnknown) {
   EXPECT_EQ(planned->elements_per_radius, 4 * start.elements_per_radius);
 }
 
+TEST(PlannedRefinement, CostsNoMoreThanItMay) {
+  const std::vector<BarToMeet> bars{bar({share(ErrorSource::rings, 4)})};
+  EXPECT_TRUE(planned_refinement(start, bars, effort, free_to_choose, 2));
+  EXPECT_FALSE(planned_refinement(start, bars, effort, free_to_choose, 1.5));
+}
+
 TEST(PlannedRefinement, LeavesAloneWhatTheCaseFixesAndWhatDoesNotHelp) {
   EXPECT_FALSE(plan({bar({share(ErrorSource::rings, 4)})}, {true, false}));
   EXPECT_FALSE(plan({bar({share(ErrorSource::time_step, 4)})}, {false, true}));

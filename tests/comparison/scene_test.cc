@@ -42,28 +42,44 @@ TEST(Scene, IsTheSameInMetresAndInNanometres) {
   EXPECT_NEAR(b.normal_force_max / (scale * scale * a.normal_force_max), 1, 1e-11);
 }
 
-TEST(Scene, LimitingStateHasItsStickRadiusAsShakedownRadius) {
+Case limiting_case(double stick_ratio) {
   Case scene = base_case();
-  scene.motion.normal_amplitude = 2e-6;
   scene.motion.tangential_amplitude = std::nan("");
   scene.wear = Case::Wear::limiting;
-  scene.worn_stick_ratio = 0.6;
+  scene.worn_stick_ratio = stick_ratio;
+  return scene;
+}
+
+std::string why_refused(const Case& scene) {
+  try {
+    prepare({scene});
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Scene, LimitingStateHasItsStickRadiusAsShakedownRadius) {
+  Case scene = limiting_case(0.6);
+  scene.motion.normal_amplitude = 2e-6;
   const auto mdr = mdr_scene(scene);
   const auto answer = mdr_answer(mdr, mdr_normal_response(mdr));
   EXPECT_NEAR(*answer.stick_radius_shakedown / mdr.limiting->stick_radius, 1, 1e-12);
 }
 
 TEST(Scene, SaysWhenNoAmplitudeShakesDown) {
-  Case scene = base_case();
-  scene.motion.tangential_amplitude = std::nan("");
-  scene.wear = Case::Wear::limiting;
+  EXPECT_NE(why_refused(limiting_case(0.95)).find("Stick radius ratio = 0.95"), std::string::npos);
+}
+
+// All of a flat face sticks or nothing, and which of them roundoff would decide.
+TEST(Scene, LimitingStateCannotStickInsideAFlatFace) {
+  Case scene = limiting_case(0.2);
+  scene.motion.normal_amplitude = 2e-6;
+  scene.indenter.shape = Case::Shape::rounded_flat;
+  scene.indenter.flat_radius = scene.indenter.edge_radius = 1e-3;
+  EXPECT_NE(why_refused(scene).find("inside the flat face"), std::string::npos);
   scene.worn_stick_ratio = 0.95;
-  try {
-    prepare({scene});
-    FAIL();
-  } catch (const InputError& error) {
-    EXPECT_NE(std::string(error.what()).find("Stick radius ratio = 0.95"), std::string::npos) << error.what();
-  }
+  EXPECT_EQ(why_refused(scene), "");
 }
 
 // An unlocked phase passes through every phase, so its stick radius is the smallest of all of them, paper (21).
