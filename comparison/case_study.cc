@@ -175,6 +175,7 @@ ErrorBudget CaseStudy::budget() const {
     if (prepared_.fem.worn_edge) carry_slip_inside(track, bars);
     for (const char* quantity : {first_slip, shakedown})
       if (bars.count(quantity) > 0) widen_to_none(measures_.at(track).at(quantity), bars.at(quantity));
+    if (depth_ == StudyDepth::budget) carry_drift(track, bars);
     for (const auto& [quantity, bar] : bars)
       if (resolution_of(quantity) == track) all[quantity] = bar;
   }
@@ -191,11 +192,24 @@ void CaseStudy::carry_depths(const Resolution& track, ErrorBudget& budget) const
     const auto found = depths_.find(resolution);
     centre[resolution] = found == depths_.end() ? Measures{} : centre_depths(found->second);
   }
-  for (const auto& [quantity, uncertainty] : error_budget(track, centre, {}, needs_of(prepared_.fem))) {
-    if (std::abs(centre.at(track).at(quantity)) > uncertainty.total()) continue;
-    widen(budget.at(quantity),
-          reach_of_edge(own->second.at(quantity), measures_.at(track).at(quantity), uncertainty.total()));
+  // Where nothing sticks, slips stand for depths, roughly, and not at all next to the edge of a flat face.
+  constexpr double safety_of_slips = 2, rings_next_to_face = 4;
+  const double face = prepared_.scene.indenter.flat_radius / prepared_.fem.units.length,
+               around_face = face > 0 ? face + rings_next_to_face / track.elements_per_radius : 0;
+  for (const auto& [quantity, bar] : error_budget(track, centre, {}, needs_of(prepared_.fem))) {
+    const double c = measures_.at(track).at(quantity), uncertainty = (c > 0 ? 1 : safety_of_slips) * bar.total();
+    if (std::abs(centre.at(track).at(quantity)) > uncertainty) continue;
+    const double reach = reach_of_edge(own->second.at(quantity), c, uncertainty);
+    widen(budget.at(quantity), c > 0 ? reach : std::max(reach, around_face));
   }
+}
+
+/// While an unlocked phase drifts too fast for the body, rings slip on the way that would not: where the first-slip
+/// zone is none, it may be all that sticks in the end.
+void CaseStudy::carry_drift(const Resolution& track, ErrorBudget& budget) const {
+  const auto& measures = measures_.at(track);
+  if (!needs_of(prepared_.fem).creep || measures.at(first_slip) > 0) return;
+  widen(budget.at(first_slip), measures.at(shakedown) + budget.at(shakedown).total());
 }
 
 /// The rings of a worn profile that stick are counted. Where the slip inside its stick radius is no more than its own

@@ -81,6 +81,7 @@ class CaseStudy {
   [[nodiscard]] std::optional<Focus> closer_look(const std::string& quantity) const;
   [[nodiscard]] ErrorBudget budget() const;
   void carry_depths(const Resolution& track, ErrorBudget& budget) const;
+  void carry_drift(const Resolution& track, ErrorBudget& budget) const;
   void carry_slip_inside(const Resolution& track, ErrorBudget& budget) const;
   [[nodiscard]] bool failed() const;
   bool focus_on_unresolved_edges();
