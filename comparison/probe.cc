@@ -28,9 +28,9 @@ class Problems {
     for (const std::size_t i : members) {
       const double slack = probes[i].fem.resolution.active_set_slack;
       if (slack == Resolution{}.active_set_slack || others_.count(slack) > 0) continue;
-      Pair pair{std::make_unique<fem::ContactProblem>(body.normal.compliance, slack), nullptr};
+      auto& pair = others_[slack];
+      pair.normal = std::make_unique<fem::ContactProblem>(body.normal.compliance, slack);
       if (body.tangential) pair.tangential = std::make_unique<fem::ContactProblem>(body.tangential->compliance, slack);
-      others_.emplace(slack, std::move(pair));
     }
   }
 

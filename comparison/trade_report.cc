@@ -67,7 +67,7 @@ std::string rates_table(const Json& trade) {
       "<div class=\"scroll\"><table><thead><tr><th>error ~ x<sup>p</sup> over</th><th>p, largest error</th>"
       "<th>first slip</th><th>shakedown</th><th>contact radius</th><th>normal force</th></tr></thead><tbody>\n";
   for (const auto& [name, rate] : trade.at("rates").items()) {
-    html += fmt::format("<tr><td>{}</td><td>{}</td>", name, slope_text(rate.at("largest_error")));
+    html += fmt::format("<tr><td>{}</td><td>{}</td>", html_escaped(name), slope_text(rate.at("largest_error")));
     for (const char* key :
          {"stick_radius_first_slip", "stick_radius_shakedown", "contact_radius_max", "normal_force_max"})
       html += fmt::format("<td>{}</td>", slope_text(rate.at("quantities").value(key, Json())));

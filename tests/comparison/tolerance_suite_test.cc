@@ -143,6 +143,7 @@ TEST(ToleranceJson, HasWhatTheReportShows) {
   EXPECT_NE(html.find("<svg"), std::string::npos);
   EXPECT_NE(html.find("&lt;searched&gt;"), std::string::npos) << html;
   EXPECT_EQ(tolerance_section(nlohmann::ordered_json::object()), "");
+  EXPECT_THROW(tolerance_section({{"records", {1}}}), InputError);
 }
 
 }  // namespace

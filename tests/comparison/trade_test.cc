@@ -209,6 +209,11 @@ TEST(Trade, IsReportedFromItsFile) {
   const auto html = trade_section(folder.path());
   for (const char* part : {"Speed and accuracy: case", "<svg", "chosen by the tool", "extrapolated", "</table>"})
     EXPECT_NE(html.find(part), std::string::npos) << part;
+  auto with_tag = trade_json(prepared, plan, trade);
+  const nlohmann::ordered_json rate = with_tag["rates"].begin().value();
+  with_tag["rates"]["<script>"] = rate;
+  folder.write("trade.json", with_tag.dump());
+  EXPECT_EQ(trade_section(folder.path()).find("<script"), std::string::npos);
   folder.write("trade.json", "{\"name\": 1}");
   EXPECT_THROW(trade_section(folder.path()), InputError);
 }
