@@ -124,7 +124,8 @@ TEST(Scene, ForceIsAsUncertainAsTheRingsAtTheEdgeLeaveIt) {
   const double error = fe.normal_force_max - exact_force(dashpot);
   EXPECT_GT(std::abs(error), 3e-4 * fe.normal_force_max);  // 5e-4: much more than any other source makes
   EXPECT_LE(std::abs(error), fe.normal_force_uncertainty);
-  EXPECT_EQ(simulate_case(fixed_case("parabola-voigt-0", 48, 48)).normal_force_uncertainty, 0);
+  const auto finer = simulate_case(fixed_case("parabola-voigt-0", 48, 48));
+  EXPECT_LT(finer.normal_force_uncertainty, 1e-4 * finer.normal_force_max);
   const auto branch = fixed_case("parabola-solid-60", 24, 96);
   const auto relaxing = simulate_case(branch);
   EXPECT_NEAR(relaxing.normal_force_max, exact_force(branch), relaxing.normal_force_uncertainty);
