@@ -93,9 +93,10 @@ FemScene fem_scene(const Case& scene, const MdrScene& mdr) {
   auto resolution = resolution_for(scene.tolerance, fem.relaxation.has_memory());
   // The force of a worn profile is of second order from 12 rings on, and the error bar goes down to a quarter of them.
   constexpr unsigned enough_rings_of_a_worn_profile = 48;
-  if (mdr.limiting && resolution.elements_per_radius < enough_rings_of_a_worn_profile)
+  if (scene.rings_per_radius)
+    resolution.elements_per_radius = *scene.rings_per_radius;
+  else if (mdr.limiting && resolution.elements_per_radius < enough_rings_of_a_worn_profile)
     resolution = refined(resolution, ErrorSource::rings).value();
-  if (scene.rings_per_radius) resolution.elements_per_radius = *scene.rings_per_radius;
   if (scene.steps_per_cycle) resolution.steps_per_cycle = *scene.steps_per_cycle;
   return at_resolution(std::move(fem), resolution);
 }
