@@ -185,10 +185,10 @@ std::optional<Resolution> coarsened(const Resolution& resolution, Coarsening ste
     case Coarsening::three_fifths_of_the_far_radius:
       r.far_radius = std::max(nearer * r.far_radius, smallest_far_radius);
       return if_coarse_enough(r.far_radius < resolution.far_radius);
-    case Coarsening::coarser_outside:
-      r.growth = std::min(2 * r.growth, coarsest_growth);
-      r.far_radius = std::max(nearer * r.far_radius, smallest_far_radius);
-      return if_coarse_enough(r.growth > resolution.growth && r.far_radius < resolution.far_radius);
+    case Coarsening::coarser_outside: {
+      const auto first = coarsened(resolution, Coarsening::three_fifths_of_the_far_radius, needs);
+      return first ? coarsened(*first, Coarsening::twice_the_growth, needs) : std::nullopt;
+    }
     case Coarsening::twice_the_growth:
       r.growth = std::min(2 * r.growth, coarsest_growth);
       return if_coarse_enough(r.growth > resolution.growth);
