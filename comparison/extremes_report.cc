@@ -6,7 +6,6 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "comparison/case.h"
 #include "comparison/escape.h"
 
 namespace fretval {
@@ -50,25 +49,21 @@ std::string row_html(const ordered_json& scene) {
 }  // namespace
 
 std::string extremes_section(const ordered_json& json) {
-  try {
-    const auto& s = json.at("summary");
-    std::string body;
-    for (const auto& scene : json.at("scenes")) body += row_html(scene);
-    return fmt::format(
-        "<h2>Extremes</h2>\n<p>{} scenes at the ends of every parameter: {} agree, {} are refused by name as they "
-        "have to be, {} are inconclusive (right within an error bar that is wider than the tolerance), {} fail. Stick "
-        "radii "
-        "over the contact radius; error, bar and tolerance of the quantity closest to its tolerance (hover over the "
-        "error to see which). To repeat: <code>fretval check --suite extremes</code>.</p>\n"
-        "<details><summary>All scenes</summary>\n<div class=\"scroll\"><table><thead><tr><th>family: scene</th>"
-        "<th>verdict</th><th>first slip, MDR</th><th>FE</th><th>shakedown, MDR</th><th>FE</th><th>error</th>"
-        "<th>bar</th><th>tolerance</th><th>seconds</th><th>remark</th></tr></thead><tbody>\n{}</tbody></table></div>"
-        "</details>\n",
-        s.at("scenes").get<int>(), s.at("agree").get<int>(), s.at("refused").get<int>(),
-        s.at("inconclusive").get<int>(), s.at("fail").get<int>(), body);
-  } catch (const nlohmann::json::exception& error) {
-    throw InputError(fmt::format("extremes.json: {}", error.what()));
-  }
+  const auto& s = json.at("summary");
+  std::string body;
+  for (const auto& scene : json.at("scenes")) body += row_html(scene);
+  return fmt::format(
+      "<h2>Extremes</h2>\n<p>{} scenes at the ends of every parameter: {} agree, {} are refused by name as they "
+      "have to be, {} are inconclusive (right within an error bar that is wider than the tolerance), {} fail. Stick "
+      "radii "
+      "over the contact radius; error, bar and tolerance of the quantity closest to its tolerance (hover over the "
+      "error to see which). To repeat: <code>fretval check --suite extremes</code>.</p>\n"
+      "<details><summary>All scenes</summary>\n<div class=\"scroll\"><table><thead><tr><th>family: scene</th>"
+      "<th>verdict</th><th>first slip, MDR</th><th>FE</th><th>shakedown, MDR</th><th>FE</th><th>error</th>"
+      "<th>bar</th><th>tolerance</th><th>seconds</th><th>remark</th></tr></thead><tbody>\n{}</tbody></table></div>"
+      "</details>\n",
+      s.at("scenes").get<int>(), s.at("agree").get<int>(), s.at("refused").get<int>(), s.at("inconclusive").get<int>(),
+      s.at("fail").get<int>(), body);
 }
 
 }  // namespace fretval

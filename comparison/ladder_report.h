@@ -6,7 +6,7 @@
 namespace fretval {
 
 /// HTML section of a verification ladder as ladder_json writes it: a table with the errors at each resolution, the
-/// orders and the verdicts. Throws InputError for JSON of another kind.
+/// orders and the verdicts. Throws nlohmann::json::exception for JSON of another kind.
 std::string ladder_section(const nlohmann::ordered_json& rows);
 
 }  // namespace fretval

@@ -7,6 +7,7 @@
 #include <map>
 #include <set>
 
+#include "comparison/case.h"
 #include "comparison/escape.h"
 #include "comparison/extremes_report.h"
 #include "comparison/figures.h"
@@ -256,12 +257,21 @@ std::string all_cases_section(const Results& results) {
          "nothing sticks, or not compared.</p></details>\n";
 }
 
+/// Section of a suite from what it wrote; empty if it was not run.
+std::string suite_section(const fs::path& file, std::string (*section)(const nlohmann::ordered_json&)) {
+  const auto json = read_json(file);
+  if (!json) return "";
+  try {
+    return section(*json);
+  } catch (const nlohmann::json::exception& error) {
+    throw InputError(fmt::format("{}: {}", file.string(), error.what()));
+  }
+}
+
 }  // namespace
 
 fs::path write_report(const fs::path& folder) {
   const auto results = read_results(folder);
-  const auto ladder = read_json(folder / "ladder.json"), tolerance = read_json(folder / "tolerance.json");
-  const auto extremes = read_json(folder / "extremes.json"), soak = read_json(folder / "soak.json");
   std::string page = fmt::format(
       "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
       "content=\"width=device-width, "
@@ -273,9 +283,9 @@ fs::path write_report(const fs::path& folder) {
   for (const auto& section :
        {verdict_section(results), radii_section(results), phase_section(results), rheology_section(results),
         limiting_section(results), single_cases_section(results), budget_section(results), trade_section(folder),
-        tolerance ? tolerance_section(*tolerance) : "", extremes ? extremes_section(*extremes) : "",
-        soak ? soak_section(*soak) : "", ladder ? ladder_section(*ladder) : "", cost_section(results),
-        all_cases_section(results)})
+        suite_section(folder / "tolerance.json", tolerance_section),
+        suite_section(folder / "extremes.json", extremes_section), suite_section(folder / "soak.json", soak_section),
+        suite_section(folder / "ladder.json", ladder_section), cost_section(results), all_cases_section(results)})
     page += section;
   page += "</body></html>\n";
   const fs::path file = folder / "index.html";

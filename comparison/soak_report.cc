@@ -4,7 +4,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "comparison/case.h"
 #include "comparison/escape.h"
 
 namespace fretval {
@@ -54,28 +53,23 @@ std::string memory_text(const ordered_json& memory) {
 }  // namespace
 
 std::string soak_section(const ordered_json& json) {
-  try {
-    const auto& s = json.at("summary");
-    std::string quantities, worst;
-    for (const auto& [quantity, d] : json.at("quantities").items())
-      if (d.at("comparisons").get<std::size_t>() > 0) quantities += quantity_row(quantity, d);
-    for (const auto& w : json.at("worst")) worst += worst_row(w);
-    return fmt::format(
-        "<h2>Random cases</h2>\n<p><span class=\"badge {}\">{}</span> {} (seed {}), on one coarse mesh without any "
-        "refinement, {} friction histories in {:.0f} s. {} To repeat: <code>fretval check --suite soak</code>.</p>\n"
-        "<div class=\"scroll\"><table><thead><tr><th>quantity</th><th>comparisons</th><th>above bar</th>"
-        "<th>error, median</th><th>90 % below</th><th>bar, median</th><th>90 % below</th><th>bars above 0.01</th>"
-        "<th>above 0.1</th><th>unbounded</th><th>bar over error, 10 % below</th><th>median</th></tr></thead><tbody>\n"
-        "{}</tbody></table></div>\n<p>The worst ten: error over bar.</p>\n<div class=\"scroll\"><table><thead><tr>"
-        "<th>number</th><th>quantity</th><th>MDR</th><th>FE</th><th>error</th><th>bar</th><th>share</th><th>scene</th>"
-        "<th></th></tr></thead><tbody>\n{}</tbody></table></div>\n",
-        s.at("pass").get<bool>() ? "good" : "bad", s.at("pass").get<bool>() ? "pass" : "fail",
-        html_escaped(s.at("verdict").get<std::string>()), s.at("seed").get<std::uint64_t>(),
-        s.at("histories").get<long>(), s.at("seconds").get<double>(), memory_text(json.at("memory")), quantities,
-        worst);
-  } catch (const nlohmann::json::exception& error) {
-    throw InputError(fmt::format("soak.json: {}", error.what()));
-  }
+  const auto& s = json.at("summary");
+  std::string quantities, worst;
+  for (const auto& [quantity, d] : json.at("quantities").items())
+    if (d.at("comparisons").get<std::size_t>() > 0) quantities += quantity_row(quantity, d);
+  for (const auto& w : json.at("worst")) worst += worst_row(w);
+  return fmt::format(
+      "<h2>Random cases</h2>\n<p><span class=\"badge {}\">{}</span> {} (seed {}), on one coarse mesh without any "
+      "refinement, {} friction histories in {:.0f} s. {} To repeat: <code>fretval check --suite soak</code>.</p>\n"
+      "<div class=\"scroll\"><table><thead><tr><th>quantity</th><th>comparisons</th><th>above bar</th>"
+      "<th>error, median</th><th>90 % below</th><th>bar, median</th><th>90 % below</th><th>bars above 0.01</th>"
+      "<th>above 0.1</th><th>unbounded</th><th>bar over error, 10 % below</th><th>median</th></tr></thead><tbody>\n"
+      "{}</tbody></table></div>\n<p>The worst ten: error over bar.</p>\n<div class=\"scroll\"><table><thead><tr>"
+      "<th>number</th><th>quantity</th><th>MDR</th><th>FE</th><th>error</th><th>bar</th><th>share</th><th>scene</th>"
+      "<th></th></tr></thead><tbody>\n{}</tbody></table></div>\n",
+      s.at("pass").get<bool>() ? "good" : "bad", s.at("pass").get<bool>() ? "pass" : "fail",
+      html_escaped(s.at("verdict").get<std::string>()), s.at("seed").get<std::uint64_t>(),
+      s.at("histories").get<long>(), s.at("seconds").get<double>(), memory_text(json.at("memory")), quantities, worst);
 }
 
 }  // namespace fretval

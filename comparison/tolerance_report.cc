@@ -7,7 +7,6 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "comparison/case.h"
 #include "comparison/escape.h"
 #include "comparison/plots.h"
 
@@ -90,7 +89,10 @@ bool has_points(const Plot& plot) {
   return std::any_of(plot.series.begin(), plot.series.end(), [](const Series& s) { return !s.x.empty(); });
 }
 
-std::string section_of(const ordered_json& json) {
+}  // namespace
+
+std::string tolerance_section(const ordered_json& json) {
+  if (!json.contains("records") || json.at("records").empty()) return "";
   std::string html =
       "<h2>Is the tolerance met, and at what cost?</h2>\n<p>Varied cases whose exact answer MDR gives. Errors: of the "
       "answer that the error bars prove, and of the cheapest settings which that proof covers. Met: they are within "
@@ -113,17 +115,6 @@ std::string section_of(const ordered_json& json) {
         "<figure>{}<figcaption>Without the cases that no setting of the grid meets.</figcaption></figure>\n",
         svg(costs));
   return html + "</div>\n";
-}
-
-}  // namespace
-
-std::string tolerance_section(const ordered_json& json) {
-  if (!json.contains("records") || json.at("records").empty()) return "";
-  try {
-    return section_of(json);
-  } catch (const nlohmann::json::exception& error) {
-    throw InputError(fmt::format("tolerance.json: {}", error.what()));
-  }
 }
 
 }  // namespace fretval

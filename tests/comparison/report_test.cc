@@ -145,7 +145,22 @@ TEST(LadderSection, HasErrorsOrdersGoalsAndVerdictsOfEachRow) {
                 "<td title=\"32 rings\">not finite</td><td>floor (2)</td><td>1e-03</td><td>1e-06, not met</td>"
                 "<td class=\"bad-cell\">the error is &lt;not&gt; finite</td>",
                 "<td>–</td><td>pass</td><td class=\"words\">Hertz 1882; to roundoff</td>"});
-  EXPECT_THROW(ladder_section({{{"scene", "Hertz"}}}), InputError);
+}
+
+TEST(Report, RefusesADamagedFileOfASuiteByItsName) {
+  for (const char* name : {"tolerance.json", "extremes.json", "soak.json", "ladder.json"}) {
+    const ScratchFolder folder;
+    fs::create_directories(folder.path() / "case");
+    folder.write("case/result.json", stored_phase().dump());
+    folder.write(name, R"({"records": [1]})");
+    try {
+      write_report(folder.path());
+      FAIL() << name;
+    } catch (const InputError& error) {
+      EXPECT_NE(std::string(error.what()).find(name), std::string::npos) << error.what();
+    }
+    EXPECT_FALSE(fs::exists(folder.path() / "index.html")) << name;
+  }
 }
 
 }  // namespace
