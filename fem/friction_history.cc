@@ -70,7 +70,8 @@ class Stepper {
 
 /// What is judged over one period.
 struct Period {
-  RunningMinimum forward, backward;                  // mu p - tau, mu p + tau
+  // Smallest mu p - tau and mu p + tau. Of the samples: between them a parabola would dip to zero at a kink.
+  Eigen::VectorXd forward, backward;
   RunningMinimum forward_reserve, backward_reserve;  // slip reserves of the same
   Eigen::VectorXd slip;
   Eigen::MatrixXd traction;
@@ -78,8 +79,8 @@ struct Period {
   std::vector<signed char> zones;     // what happened to each ring, as bits
 
   Period(Eigen::Index n_rings, int n_steps)
-      : forward(n_rings, 0),
-        backward(n_rings, 0),
+      : forward(n_rings),
+        backward(n_rings),
         forward_reserve(n_rings, -infinity),
         backward_reserve(n_rings, -infinity),
         slip(n_rings),
@@ -89,7 +90,9 @@ struct Period {
         zones(static_cast<std::size_t>(n_rings)) {}
 
   void begin() {
-    for (auto* minimum : {&forward, &backward, &forward_reserve, &backward_reserve}) minimum->restart();
+    for (auto* minimum : {&forward_reserve, &backward_reserve}) minimum->restart();
+    forward.setConstant(infinity);
+    backward.setConstant(infinity);
     slip.setZero();
     work.setZero();
     series_work.setZero();
@@ -98,8 +101,8 @@ struct Period {
 
   void add(int k, const Eigen::VectorXd& limit, const Eigen::VectorXd& limit_depths, const Stepper::Result& step,
            const Eigen::VectorXd& depths) {
-    forward.add(limit - step.traction);
-    backward.add(limit + step.traction);
+    forward = forward.cwiseMin(limit - step.traction);
+    backward = backward.cwiseMin(limit + step.traction);
     forward_reserve.add(limit_depths - depths);
     backward_reserve.add(limit_depths + depths);
     slip += step.slip.cwiseAbs();
@@ -128,11 +131,12 @@ FrictionHistory friction_history(const ContactProblem& problem, const Relaxation
   FrictionHistory history{};
   history.periodicity = infinity;
   history.slip_path = Eigen::VectorXd::Zero(n);
+  history.first_slip_margin = Eigen::VectorXd::Constant(n, infinity);
   const auto& series = problem.series;
   const Eigen::MatrixXd depths_of_limits = friction_coefficient * series.depths(normal.pressure);
   Eigen::VectorXd traction = Eigen::VectorXd::Zero(n), traction_depths = traction;
   // No floor under a reserve: below zero between two samples it tells what a finer step would have let slip.
-  RunningMinimum first_slip(n, 0), first_forward(n, -infinity), first_backward(n, -infinity);
+  RunningMinimum first_forward(n, -infinity), first_backward(n, -infinity);
   std::vector<double> force{0};
   TouchingRings touching{normal.touch_radii, relaxation.viscosity == 0};
   Period period(n, period_steps);
@@ -155,7 +159,7 @@ FrictionHistory friction_history(const ContactProblem& problem, const Relaxation
       const auto step = stepper.compute_step(index, limit);
       const auto& depths = stepper.zones().depths();
       const Eigen::VectorXd limit_depths = depths_of_limits.col(column);
-      first_slip.add(limit - step.traction.cwiseAbs());
+      history.first_slip_margin = history.first_slip_margin.cwiseMin(limit - step.traction.cwiseAbs());
       first_forward.add(limit_depths - depths);
       first_backward.add(limit_depths + depths);
       period.add(k, limit, limit_depths, step, depths);
@@ -177,8 +181,7 @@ FrictionHistory friction_history(const ContactProblem& problem, const Relaxation
     if (!after_jump) history.periodicity = change_to_come(change_per_period(period.traction, before), creep);
     if (history.periodicity > control.periodicity) jumped = jump.advance(stepper.state());
   }
-  history.first_slip_margin = first_slip.value();
-  history.shakedown_margin = (period.forward.value() + period.backward.value()) / 2;
+  history.shakedown_margin = (period.forward + period.backward) / 2;
   history.first_slip_reserve = first_forward.value().cwiseMin(first_backward.value());
   history.shakedown_reserve = (period.forward_reserve.value() + period.backward_reserve.value()) / 2;
   history.period_slip = period.slip;

@@ -10,8 +10,8 @@ namespace fretval::fem {
 struct FrictionHistory {
   int n_cycles;                        ///< computed
   double periodicity;                  ///< reached, see HistoryControl
-  Eigen::VectorXd first_slip_margin;   ///< per ring: smallest `mu p - |tau|` from the start on
-  Eigen::VectorXd shakedown_margin;    ///< per ring: `[min(mu p - tau) + min(mu p + tau)] / 2` over the last period
+  Eigen::VectorXd first_slip_margin;   ///< per ring: smallest sample of `mu p - |tau|` from the start on
+  Eigen::VectorXd shakedown_margin;    ///< per ring: `[min(mu p - tau) + min(mu p + tau)] / 2`, of the last period
   Eigen::VectorXd first_slip_reserve;  ///< per ring: smallest slip reserve of `mu p -+ tau` from the start on
   Eigen::VectorXd shakedown_reserve;   ///< per ring: mean of the smallest of either over the last period
   Eigen::VectorXd slip_path;           ///< per ring: length of slip from the start on
