@@ -29,6 +29,8 @@ struct ContactForce {
   /// nothing tells how the gap goes on inside the kink (a tenth of that was missed at most). With both a dashpot and
   /// branches, both, and the whole difference for the half.
   double uncertainty = 0;
+  double kink_uncertainty = 0;  ///< the part of it that an unseen kink makes, see also judge_unseen_kinks
+  Eigen::Index n_closed = 0;    ///< rings whose pressures are continued up to the radius; 0: no edge was found
 };
 
 /// From ring pressures and the gaps of the free rings. The edge is found from the gaps: with a dashpot, or a branch

@@ -71,17 +71,16 @@ class Stepper {
     state_.displacement = (indentation - profile_.array() + contact.gap.array()).matrix();
     for (Eigen::Index i = 0; i < profile_.size(); ++i)
       if (contact.pressure[i] > 0) contact_[static_cast<std::size_t>(i)] = BoxState::interior;
-    const auto elastic = contact_force(problem_.series, contact.pressure, contact.gap);
-    remember(elastic, relaxed_ * elastic.force);
+    auto reading = contact_force(problem_.series, contact.pressure, contact.gap);
+    reading.force *= relaxed_;
+    remember(reading);
     return relaxed_ * contact.pressure;
   }
 
   [[nodiscard]] RingState& state() { return state_; }
 
   /// At every instant so far.
-  [[nodiscard]] const std::vector<double>& forces() const { return force_; }
-  [[nodiscard]] const std::vector<double>& force_uncertainties() const { return uncertainty_; }
-  [[nodiscard]] const std::vector<double>& contact_radii() const { return radius_; }
+  [[nodiscard]] const std::vector<ContactForce>& contact_forces() const { return contact_forces_; }
 
   void compute_cycle(NormalHistory& history, std::vector<Eigen::VectorXd>& pressure, std::vector<double>& time) {
     history.smallest_gap = Eigen::VectorXd::Constant(profile_.size(), infinity);
@@ -112,10 +111,8 @@ class Stepper {
     return (gap_.array() <= roundoff * gap_.maxCoeff()).count();
   }
 
-  void remember(const ContactForce& contact, double force) {
-    force_.push_back(force);
-    uncertainty_.push_back(contact.uncertainty);
-    radius_.push_back(contact.radius);
+  void remember(const ContactForce& contact) {
+    contact_forces_.push_back(contact);
     largest_radius_ = std::max(largest_radius_, contact.radius);
   }
 
@@ -130,8 +127,7 @@ class Stepper {
     step_.advance(state_, indenter_move(motion_, begin, end), gap_ - new_gap);
     const Eigen::VectorXd gap = weight * new_gap + (1 - weight) * gap_;
     gap_at_balance_.add(gap);
-    const auto now = contact_force(problem_.series, contact.pressure, gap, {largest_radius_, n_closed(), edge_});
-    remember(now, now.force);
+    remember(contact_force(problem_.series, contact.pressure, gap, {largest_radius_, n_closed(), edge_}));
     gap_ = new_gap;
     return std::move(contact.pressure);
   }
@@ -148,7 +144,7 @@ class Stepper {
   Eigen::VectorXd gap_;  // at the end of the step
   RunningMinimum gap_at_balance_;
   double largest_radius_ = 0;  // of the contact, so far
-  std::vector<double> force_, uncertainty_, radius_;
+  std::vector<ContactForce> contact_forces_;
 };
 
 }  // namespace
@@ -214,14 +210,20 @@ NormalHistory normal_history(const ContactProblem& problem, const RelaxationMode
   const auto n = static_cast<Eigen::Index>(pressure.size());
   history.time = Eigen::Map<Eigen::VectorXd>(time.data(), n);
   history.pressure.resize(problem.n_rings(), n);
-  history.indentation.resize(n);
+  for (auto* series : {&history.indentation, &history.force, &history.force_uncertainty, &history.kink_uncertainty,
+                       &history.contact_radius})
+    series->resize(n);
+  history.n_closed.resize(n);
   for (Eigen::Index k = 0; k < n; ++k) {
     history.pressure.col(k) = pressure[static_cast<std::size_t>(k)];
     history.indentation[k] = normal_motion(motion, history.time[k]).value;
+    const auto& contact = stepper.contact_forces()[static_cast<std::size_t>(k)];
+    history.force[k] = contact.force;
+    history.force_uncertainty[k] = contact.uncertainty;
+    history.kink_uncertainty[k] = contact.kink_uncertainty;
+    history.n_closed[k] = contact.n_closed;
+    history.contact_radius[k] = contact.radius;
   }
-  history.force = Eigen::Map<const Eigen::VectorXd>(stepper.forces().data(), n);
-  history.force_uncertainty = Eigen::Map<const Eigen::VectorXd>(stepper.force_uncertainties().data(), n);
-  history.contact_radius = Eigen::Map<const Eigen::VectorXd>(stepper.contact_radii().data(), n);
   history.touch_radii = problem.series.radii();
   return history;
 }

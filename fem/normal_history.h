@@ -21,16 +21,18 @@ struct HistoryControl {
 /// the tangential motion (nu = 1/2), so one normal history serves all tangential motions.
 struct NormalHistory {
   int steps_per_cycle = 0;
-  int n_cycles = 0;                   ///< computed; from the last one on, the response repeats
-  double periodicity = 0;             ///< reached, see HistoryControl
-  Eigen::VectorXd time;               ///< per instant: 0, then the balance time of each step
-  Eigen::MatrixXd pressure;           ///< n_rings x n_instants
-  Eigen::VectorXd indentation;        ///< per instant
-  Eigen::VectorXd force;              ///< per instant, see contact_force
-  Eigen::VectorXd force_uncertainty;  ///< per instant, see ContactForce
-  Eigen::VectorXd contact_radius;     ///< per instant
-  Eigen::VectorXd touch_radii;        ///< of the contact when a ring touches, see PunchSeries::radii
-  Eigen::VectorXd smallest_gap;       ///< per ring over the last cycle; 0 for rings that touch
+  int n_cycles = 0;                       ///< computed; from the last one on, the response repeats
+  double periodicity = 0;                 ///< reached, see HistoryControl
+  Eigen::VectorXd time;                   ///< per instant: 0, then the balance time of each step
+  Eigen::MatrixXd pressure;               ///< n_rings x n_instants
+  Eigen::VectorXd indentation;            ///< per instant
+  Eigen::VectorXd force;                  ///< per instant, see contact_force
+  Eigen::VectorXd force_uncertainty;      ///< per instant, see ContactForce
+  Eigen::VectorXd kink_uncertainty;       ///< per instant, see ContactForce
+  Eigen::VectorX<Eigen::Index> n_closed;  ///< per instant, see ContactForce
+  Eigen::VectorXd contact_radius;         ///< per instant
+  Eigen::VectorXd touch_radii;            ///< of the contact when a ring touches, see PunchSeries::radii
+  Eigen::VectorXd smallest_gap;           ///< per ring over the last cycle; 0 for rings that touch
   /// The same from the gaps at the balance times, a parabola through three of them; both agree to second order.
   Eigen::VectorXd smallest_gap_at_balance;
   Eigen::VectorXd deepest_displacement;  ///< of the rings, at the largest indentation of the last cycle

@@ -1,0 +1,78 @@
+#include "fem/unseen_kink.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/fem/half_space.h"
+
+namespace fretval::fem {
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+constexpr double set_aside = 1e-2, other = 1e-9;
+constexpr int n_steps = 36, n_hidden = 5;
+
+/// A cycle of a flat punch of unit depth whose edge, as it was read, runs along cubics to 1 and back. The kink is
+/// hidden at n_hidden instants on either side.
+NormalHistory history_of(const ContactProblem& problem) {
+  const Eigen::Index n = 24;
+  Eigen::VectorXd pressure = Eigen::VectorXd::Zero(problem.n_rings());
+  pressure.head(n) = problem.compliance.matrix.topLeftCorner(n, n).llt().solve(problem.compliance.areas.head(n)).eval();
+  NormalHistory history;
+  history.steps_per_cycle = n_steps;
+  history.n_cycles = 1;
+  history.time.resize(n_steps + 1);
+  history.pressure = pressure.replicate(1, n_steps + 1);
+  history.force = history.contact_radius = history.kink_uncertainty = Eigen::VectorXd::Zero(n_steps + 1);
+  history.force_uncertainty = Eigen::VectorXd::Constant(n_steps + 1, other);
+  history.n_closed = Eigen::VectorX<Eigen::Index>::Constant(n_steps + 1, n);
+  for (int k = 0; k <= n_steps; ++k) {
+    const double t = history.time[k] = 2 * pi * k / n_steps, to_end = t - 2 * pi;
+    history.contact_radius[k] = k <= n_steps / 2 ? 1 - 0.03 * t + 0.004 * t * t * t : 1 - 0.05 * to_end * to_end;
+    if ((k > 0 && k <= n_hidden) || (k < n_steps && k >= n_steps - n_hidden)) {
+      history.kink_uncertainty[k] = set_aside;
+      history.force_uncertainty[k] += set_aside;
+    }
+  }
+  return history;
+}
+
+TEST(UnseenKink, CostsNothingWhereTheEdgeWasReadSmoothly) {
+  const auto& problem = normal_half_space(32);
+  auto history = history_of(problem);
+  judge_unseen_kinks(problem.series, 1, history);
+  for (int k = 1; k <= n_steps; ++k) EXPECT_NEAR(history.force_uncertainty[k], other, 1e-12) << k;
+}
+
+TEST(UnseenKink, CostsTwiceTheForceBetweenBothReadingsOfTheEdge) {
+  const auto& problem = normal_half_space(32);
+  auto history = history_of(problem);
+  constexpr double off = 1e-4;
+  for (const int k : {3, n_steps - 2}) history.contact_radius[k] += off;
+  judge_unseen_kinks(problem.series, 1, history);
+  for (const int k : {3, n_steps - 2})
+    EXPECT_NEAR(history.force_uncertainty[k], 2 * off * problem.series.force_per_radius() + other, 1e-10) << k;
+  EXPECT_NEAR(history.force_uncertainty[2], other, 1e-12);
+}
+
+TEST(UnseenKink, CostsNoMoreThanWasSetAside) {
+  const auto& problem = normal_half_space(32);
+  auto history = history_of(problem);
+  history.contact_radius[3] -= 0.01;
+  judge_unseen_kinks(problem.series, 1, history);
+  EXPECT_DOUBLE_EQ(history.force_uncertainty[3], set_aside + other);
+}
+
+TEST(UnseenKink, CostsWhatWasSetAsideWhereTooFewInstantsSeeIt) {
+  const auto& problem = normal_half_space(32);
+  auto history = history_of(problem);
+  history.kink_uncertainty[n_hidden + 3] = set_aside;
+  history.n_closed[n_steps - n_hidden - 1] = 0;
+  const Eigen::VectorXd before = history.force_uncertainty;
+  judge_unseen_kinks(problem.series, 1, history);
+  EXPECT_EQ(history.force_uncertainty, before);
+}
+
+}  // namespace
+}  // namespace fretval::fem
