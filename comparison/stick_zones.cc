@@ -30,12 +30,16 @@ bool ends_next_to_smallest_contact(const fem::NormalHistory& normal, Eigen::Inde
 }
 
 fem::EdgeRadius stick_zone(const fem::Compliance& tangential, const fem::NormalHistory& normal, Eigen::Index n_columns,
-                           const Eigen::VectorXd& reserve, Eigen::Index n_stuck) {
-  constexpr double share_of_ring = 1e-3;
+                           const Eigen::VectorXd& reserve, Eigen::Index n_stuck, double exponent) {
+  constexpr double anywhere = 3e-4, next_to_smallest_contact = 1e-3, if_blunt = 12.5;
   const Eigen::Index n = with_reserve(reserve, n_stuck);
   auto edge = fem::stick_radius(tangential, reserve, n);
-  if (n > 0 && ends_next_to_smallest_contact(normal, n_columns, n))
-    edge.uncertainty += share_of_ring * (tangential.radii[n] - tangential.radii[n - 1]);
+  if (n == 0) return edge;
+  const double ring = tangential.radii[n] - tangential.radii[n - 1], relative = ring / tangential.radii[n];
+  double rings = anywhere;
+  if (ends_next_to_smallest_contact(normal, n_columns, n))
+    rings = next_to_smallest_contact + if_blunt * std::max(exponent - 2, 0.0) * relative * relative;
+  edge.uncertainty += rings * ring;
   return edge;
 }
 
@@ -49,9 +53,10 @@ StuckRings stuck_rings(const fem::FrictionHistory& friction, const fem::Motion& 
 }
 
 StickZones stick_zones(const fem::Compliance& tangential, const fem::NormalHistory& normal,
-                       const fem::FrictionHistory& friction, const StuckRings& stuck) {
-  return {stick_zone(tangential, normal, normal.pressure.cols(), friction.first_slip_reserve, stuck.first_slip),
-          stick_zone(tangential, normal, normal.steps_per_cycle, friction.shakedown_reserve, stuck.shakedown)};
+                       const fem::FrictionHistory& friction, const StuckRings& stuck, double exponent) {
+  return {
+      stick_zone(tangential, normal, normal.pressure.cols(), friction.first_slip_reserve, stuck.first_slip, exponent),
+      stick_zone(tangential, normal, normal.steps_per_cycle, friction.shakedown_reserve, stuck.shakedown, exponent)};
 }
 
 }  // namespace fretval

@@ -40,5 +40,26 @@ TEST(StickZones, EndingNextToTheSmallestContactAreUncertainByAThousandthOfARing)
   EXPECT_NEAR(inside.radius, std::sqrt(0.4), inside.uncertainty);
 }
 
+// r^4, elastic, phi = 90 deg, g(c) = c^4 = d0 - sqrt(A^2 + Delta d^2) = 1e-4. The margins of the outer rings of such a
+// zone have kinks: a parabola through their samples touches zero, and the zone was lost at 60, 71 and 72 steps a cycle.
+TEST(StickZones, AreThereWhateverTheSteps) {
+  const int n_rings = 48;
+  const auto meshes = half_space_ladder({n_rings});
+  const auto& [n, normal_problem, tangential_problem] = meshes.front();
+  const double mu = 0.3, c = 0.1, mean = 1 / 1.1, amplitude = 0.1 / 1.1;
+  const double slope = std::sqrt(std::pow(mean - std::pow(c, 4), 2) - amplitude * amplitude);
+  const fem::Motion motion{mean, amplitude, 1.5 * mu * slope, std::acos(-1.0) / 2, 1};
+  const auto profile = fem::ring_means(normal_problem.compliance, [](double r) { return 3.0 / 8 * std::pow(r, 4); });
+  for (const int n_steps : {36, 60, 71, 72, 90}) {
+    const fem::HistoryControl control{n_steps, 400, 1e-6};
+    const auto normal = fem::normal_history(normal_problem, {}, profile, motion, control);
+    const auto friction = fem::friction_history(tangential_problem, {}, mu, motion, normal, control);
+    const auto zones = stick_zones(tangential_problem.compliance, normal, friction, stuck_rings(friction, motion));
+    EXPECT_NEAR(zones.first_slip.radius, c, zones.first_slip.uncertainty) << n_steps;
+    EXPECT_LT(zones.first_slip.uncertainty, 0.2 / n_rings) << n_steps;
+    EXPECT_NEAR(zones.shakedown.radius, c, zones.shakedown.uncertainty) << n_steps;
+  }
+}
+
 }  // namespace
 }  // namespace fretval
