@@ -9,7 +9,11 @@
 
 namespace fretval {
 
-void for_each_in_parallel(std::size_t n, const std::function<void(std::size_t)>& work) {
+std::size_t n_cores() {
+  return std::max(1U, std::thread::hardware_concurrency());
+}
+
+void for_each_in_parallel(std::size_t n, const std::function<void(std::size_t)>& work, std::size_t n_threads) {
   std::atomic<std::size_t> next{0};
   std::exception_ptr failure;
   std::mutex failure_mutex;
@@ -25,8 +29,7 @@ void for_each_in_parallel(std::size_t n, const std::function<void(std::size_t)>&
     }
   };
   std::vector<std::thread> threads;
-  const std::size_t n_threads = std::min<std::size_t>(n, std::max(1U, std::thread::hardware_concurrency()));
-  for (std::size_t i = 1; i < n_threads; ++i) threads.emplace_back(worker);
+  for (std::size_t i = 1; i < std::min(n, n_threads); ++i) threads.emplace_back(worker);
   worker();
   for (auto& thread : threads) thread.join();
   if (failure) std::rethrow_exception(failure);

@@ -106,12 +106,24 @@ std::shared_ptr<const CondensedBody> condensed(Body&& body) {
 }
 
 std::shared_ptr<const CondensedBody> BodyStore::operator()(const BodySpecification& specification) {
-  auto& body = bodies_[specification];
-  if (!body) {
-    body = condensed(make_body_(specification));
-    spdlog::info("body: {} dofs, {} rings", body->summary->n_dofs, body->normal.n_rings());
+  std::promise<std::shared_ptr<const CondensedBody>> promise;
+  Future body;
+  bool is_new = false;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    auto [entry, inserted] = bodies_.try_emplace(specification);
+    if (inserted) entry->second = promise.get_future().share();
+    body = entry->second;
+    is_new = inserted;
   }
-  return body;
+  if (!is_new) return body.get();
+  try {
+    promise.set_value(condensed(make_body_(specification)));
+    spdlog::info("body: {} dofs, {} rings", body.get()->summary->n_dofs, body.get()->normal.n_rings());
+  } catch (...) {
+    promise.set_exception(std::current_exception());
+  }
+  return body.get();
 }
 
 void run_probes(const std::vector<Probe>& probes, const BodySource& body_of,

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <functional>
+#include <future>
 #include <map>
 #include <memory>
+#include <mutex>
 #include <string>
 #include <vector>
 
@@ -31,16 +33,18 @@ std::shared_ptr<const CondensedBody> condensed(Body&& body);
 using MakeBody = std::function<Body(const BodySpecification&)>;
 using BodySource = std::function<std::shared_ptr<const CondensedBody>(const BodySpecification&)>;
 
-/// Makes every body once.
+/// Makes every body once, for all threads.
 class BodyStore {
  public:
   explicit BodyStore(MakeBody make_body) : make_body_(std::move(make_body)) {}
-  /// Throws what make_body throws.
+  /// Throws what make_body throws. Waits where another thread is making this body.
   std::shared_ptr<const CondensedBody> operator()(const BodySpecification& specification);
 
  private:
+  using Future = std::shared_future<std::shared_ptr<const CondensedBody>>;
   MakeBody make_body_;
-  std::map<BodySpecification, std::shared_ptr<const CondensedBody>> bodies_;
+  std::map<BodySpecification, Future> bodies_;
+  std::mutex mutex_;
 };
 
 /// A scene to be computed by finite elements.

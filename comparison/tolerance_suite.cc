@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 
 #include "comparison/measures.h"
 #include "comparison/parallel.h"
@@ -98,11 +99,24 @@ std::vector<MdrAnswer> exact_answers(const std::vector<PreparedCase>& cases) {
 
 std::vector<ToleranceRecord> tolerance_records(const std::vector<PreparedCase>& cases,
                                                const std::vector<MdrAnswer>& exact) {
-  std::vector<CaseStudy> studies;
-  for (const auto& prepared : cases) studies.emplace_back(prepared, StudyDepth::economy);
-  run_studies(studies, [](const BodySpecification& s) { return make_body(s); });
-  std::vector<ToleranceRecord> records;
-  for (std::size_t i = 0; i < cases.size(); ++i) records.push_back(record_of(cases[i], exact[i], studies[i].result()));
+  // A study waits for its own answers, and all of them for one factorisation at a time: one more than there are cores
+  // keeps these busy. Those that take longest come first.
+  std::vector<std::size_t> order(cases.size());
+  std::iota(order.begin(), order.end(), 0);
+  const auto settles_slowly = [&](std::size_t i) { return cases[i].fem.relaxation.viscosity > 0; };
+  std::stable_partition(order.begin(), order.end(), settles_slowly);
+  BodyStore bodies([](const BodySpecification& s) { return make_body(s); });
+  std::vector<ToleranceRecord> records(cases.size());
+  for_each_in_parallel(
+      cases.size(),
+      [&](std::size_t k) {
+        const std::size_t i = order[k];
+        std::vector<CaseStudy> alone;
+        alone.emplace_back(cases[i], StudyDepth::economy);
+        run_studies(alone, bodies);
+        records[i] = record_of(cases[i], exact[i], alone.front().result());
+      },
+      n_cores() + 1);
   return records;
 }
 

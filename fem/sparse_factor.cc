@@ -4,6 +4,7 @@
 #include <petscmat.h>
 
 #include <cmath>
+#include <mutex>
 
 #include "fem/solver_error.h"
 
@@ -13,6 +14,12 @@ namespace {
 // Healthy matrices give 1e-13 on even meshes and 2e-10 where cells span six decades in size; a singular one gives 1e-2
 // or more.
 constexpr double probe_tolerance = 1e-8;
+
+/// Neither PETSc nor MUMPS may be in two threads at once.
+std::mutex& petsc_mutex() {
+  static std::mutex mutex;
+  return mutex;
+}
 
 void check(PetscErrorCode code, const std::string& name, const char* step) {
   if (code == 0) return;
@@ -82,6 +89,7 @@ class SparseFactor::Factored {
   Factored(SparseMatrix rows, const std::vector<unsigned>& interface_dofs, std::string name, const SpareMemory& spare)
       : rows_(std::move(rows)), name_(std::move(name)) {
     check_entries(rows_, name_);
+    const std::lock_guard<std::mutex> lock(petsc_mutex());
     check(MatCreateSeqAIJWithArrays(PETSC_COMM_SELF, rows_.n, rows_.n, rows_.row_start.data(), rows_.columns.data(),
                                     rows_.values.data(), &matrix_.mat),
           name_, "creating the matrix");
@@ -93,6 +101,7 @@ class SparseFactor::Factored {
   }
 
   [[nodiscard]] Eigen::MatrixXd schur_complement() const {
+    const std::lock_guard<std::mutex> lock(petsc_mutex());
     OwnedMat owned;
     Mat& schur = owned.mat;
     check(MatFactorCreateSchurComplement(factor_.mat, &schur, nullptr), name_, "reading the Schur complement");
@@ -127,6 +136,7 @@ class SparseFactor::Factored {
 
  private:
   [[nodiscard]] Eigen::VectorXd back_substitute(const Eigen::VectorXd& rhs) const {
+    const std::lock_guard<std::mutex> lock(petsc_mutex());
     Vec b = nullptr, x = nullptr;
     Eigen::VectorXd solution(rhs.size());
     VecCreateSeqWithArray(PETSC_COMM_SELF, 1, rows_.n, rhs.data(), &b);
@@ -177,12 +187,17 @@ class SparseFactor::Factored {
   OwnedMat matrix_, factor_;
 };
 
+void SparseFactor::Release::operator()(Factored* factored) const {
+  const std::lock_guard<std::mutex> lock(petsc_mutex());
+  delete factored;
+}
+
 SparseFactor::SparseFactor(SparseMatrix matrix, std::string name)
     : SparseFactor(std::move(matrix), {}, std::move(name)) {}
 
 SparseFactor::SparseFactor(SparseMatrix matrix, const std::vector<unsigned>& interface_dofs, std::string name,
                            const SpareMemory& spare)
-    : factored_(std::make_unique<Factored>(std::move(matrix), interface_dofs, std::move(name), spare)) {}
+    : factored_(new Factored(std::move(matrix), interface_dofs, std::move(name), spare)) {}
 
 SparseFactor::~SparseFactor() = default;
 SparseFactor::SparseFactor(SparseFactor&&) noexcept = default;

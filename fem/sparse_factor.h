@@ -24,7 +24,8 @@ struct SpareMemory {
 ///
 /// Every failure is a SolverError that names the matrix: non-finite entries, empty rows, MUMPS' INFOG codes, a singular
 /// matrix, a non-finite Schur complement, and a solve whose true residual is above 1e-8. A work space
-/// that turns out too small is made larger, once. Needs a PetscSession.
+/// that turns out too small is made larger, once. Needs a PetscSession. Threads may use factors at the same time: they wait
+/// for each other, as PETSc and MUMPS serve one at a time.
 class SparseFactor {
  public:
   /// name: of the matrix, for error messages.
@@ -44,7 +45,10 @@ class SparseFactor {
 
  private:
   class Factored;  // PETSc objects
-  std::unique_ptr<Factored> factored_;
+  struct Release {
+    void operator()(Factored* factored) const;
+  };
+  std::unique_ptr<Factored, Release> factored_;
 };
 
 }  // namespace fretval::fem

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <map>
+#include <mutex>
 #include <string>
 
 #include "meshes/mesh_error.h"
@@ -11,10 +12,10 @@
 namespace fretval::meshes {
 namespace {
 
-/// gmsh, from initialisation to finalisation.
+/// gmsh, from initialisation to finalisation. Its state is global: one at a time.
 class GmshScope {
  public:
-  GmshScope() {
+  GmshScope() : lock_(mutex()) {
     // A user's own gmsh settings must not change the mesh.
     const bool read_settings = false;
     gmsh::initialize(0, nullptr, read_settings);
@@ -26,6 +27,13 @@ class GmshScope {
   }
   GmshScope(const GmshScope&) = delete;
   GmshScope& operator=(const GmshScope&) = delete;
+
+ private:
+  static std::mutex& mutex() {
+    static std::mutex mutex;
+    return mutex;
+  }
+  std::lock_guard<std::mutex> lock_;
 };
 
 /// Curves of the geometry, as gmsh tags.

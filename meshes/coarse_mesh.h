@@ -24,7 +24,7 @@ struct CoarseMesh {
 /// Meshes the quarter disc. surface_nodes: r of nodes that the surface must have, 0 first, strictly increasing, below
 /// far_radius, with no other node between them. size(r, z): wanted size, in the same unit. strip_height: of a row of
 /// rectangles under these nodes, one each; 0: none. The rest is meshed with gmsh.
-/// Throws MeshError if gmsh fails. Not thread-safe, see `quarter_disc`.
+/// Throws MeshError if gmsh fails. Threads wait for each other, see `quarter_disc`.
 CoarseMesh coarse_mesh(const std::vector<double>& surface_nodes, double strip_height, double far_radius,
                        const std::function<double(double r, double z)>& size);
 
