@@ -1,5 +1,6 @@
 #include "comparison/case_study.h"
 
+#include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
@@ -15,6 +16,8 @@ namespace {
 constexpr int most_refinements = 6;
 constexpr Eigen::Index enough_stuck_rings = 6, enough_slipping_rings = 3;
 constexpr double worthwhile_gain = 4;  // a ring that is less finer than that, the error budget asks for by itself
+// Unless it asks for so much, in tolerances, that equal rings would be far too many.
+constexpr double hopeless_bar = 15, worthwhile_gain_if_hopeless = 1.5;
 constexpr double finest_ring_at_the_centre = 1e-4, finest_ring_at_the_edge = 1e-7;
 
 constexpr const char* first_slip = "stick_radius_first_slip";
@@ -57,6 +60,14 @@ Measures uncertainties_of_edges(const ProbeAnswer& answer, const FemScene& scene
     uncertainties[shakedown] = fe.shakedown_uncertainty / scene.units.length;
   }
   return uncertainties;
+}
+
+std::string large_shares(const ErrorBar& bar) {
+  std::string text;
+  for (const auto& share : bar.shares)
+    if (share.estimate > bar.total() / 10)
+      text += fmt::format("{}{} {:.1e}", text.empty() ? "" : ", ", name_of(share.source), share.estimate);
+  return text;
 }
 
 /// Adds what a bar falls short of a width.
@@ -152,17 +163,28 @@ bool CaseStudy::failed() const {
 }
 
 bool CaseStudy::focus_on_unresolved_edges() {
-  if (prepared_.scene.rings_per_radius || prepared_.fem.worn_edge) return false;
+  for (const char* quantity : {first_slip, shakedown}) focus_on(quantity, worthwhile_gain);
+  return !wanted_.empty();
+}
+
+bool CaseStudy::focus_on_what_is_hopeless() {
+  const auto bars = budget();
   for (const char* quantity : {first_slip, shakedown}) {
-    const auto& now = resolution_of(quantity);
-    const auto focus = closer_look(quantity);
-    if (!focus || focus->ring > finest_ring(now) / worthwhile_gain) continue;
-    Resolution closer = now_.base;
-    closer.focus = focus;
-    now_.focused[quantity] = closer;
-    want(closer);
+    const auto bar = bars.find(quantity);
+    if (bar != bars.end() && bar->second.total() > hopeless_bar * tolerance_of(prepared_.tolerances, quantity))
+      focus_on(quantity, worthwhile_gain_if_hopeless);
   }
   return !wanted_.empty();
+}
+
+void CaseStudy::focus_on(const std::string& quantity, double least_gain) {
+  if (prepared_.scene.rings_per_radius || prepared_.fem.worn_edge) return;
+  const auto focus = closer_look(quantity);
+  if (!focus || focus->ring > finest_ring(resolution_of(quantity)) / least_gain) return;
+  Resolution closer = now_.base;
+  closer.focus = focus;
+  now_.focused[quantity] = closer;
+  want(closer);
 }
 
 ErrorBudget CaseStudy::budget() const {
@@ -192,12 +214,13 @@ void CaseStudy::carry_depths(const Resolution& track, ErrorBudget& budget) const
     const auto found = depths_.find(resolution);
     centre[resolution] = found == depths_.end() ? Measures{} : centre_depths(found->second);
   }
-  // Where nothing sticks, slips stand for depths, roughly, and not at all next to the edge of a flat face.
-  constexpr double safety_of_slips = 2, rings_next_to_face = 4;
+  // At the border the bar of a depth is hardly larger than its error. Where nothing sticks, slips stand for depths,
+  // and not at all next to the edge of a flat face.
+  constexpr double safety = 2, rings_next_to_face = 8;
   const double face = prepared_.scene.indenter.flat_radius / prepared_.fem.units.length,
                around_face = face > 0 ? face + rings_next_to_face / track.elements_per_radius : 0;
   for (const auto& [quantity, bar] : error_budget(track, centre, {}, needs_of(prepared_.fem))) {
-    const double c = measures_.at(track).at(quantity), uncertainty = (c > 0 ? 1 : safety_of_slips) * bar.total();
+    const double c = measures_.at(track).at(quantity), uncertainty = safety * bar.total();
     if (std::abs(centre.at(track).at(quantity)) > uncertainty) continue;
     const double reach = reach_of_edge(own->second.at(quantity), c, uncertainty);
     widen(budget.at(quantity), c > 0 ? reach : std::max(reach, around_face));
@@ -228,7 +251,7 @@ bool CaseStudy::refine_what_is_too_wide() {
 /// Cheaper settings are proved by what the bars leave of the tolerances: bars that leave hardly anything are refined
 /// once more, if that costs little.
 bool CaseStudy::make_room_for_economy() {
-  constexpr double share = 0.5, most_times = 2.5;
+  constexpr double share = 2.0 / 3, most_times = 2;
   if (depth_ != StudyDepth::economy || has_room_) return false;
   has_room_ = true;
   return refine(share, most_times);
@@ -241,8 +264,8 @@ bool CaseStudy::refine(double share_of_tolerance, double most_times) {
     const double tolerance = share_of_tolerance * tolerance_of(prepared_.tolerances, quantity), total = bar.total();
     bars[resolution_of(quantity)].push_back({bar, tolerance});
     if (total > tolerance)
-      spdlog::info("{}: error bar of {} is {:.1e}, {:.1e} is asked for: refining", prepared_.scene.name, quantity,
-                   total, tolerance);
+      spdlog::info("{}: error bar of {} is {:.1e} ({}), {:.1e} is asked for", prepared_.scene.name, quantity, total,
+                   large_shares(bar), tolerance);
   }
   const Tracks before = now_;
   bool any = false;
@@ -252,6 +275,7 @@ bool CaseStudy::refine(double share_of_tolerance, double most_times) {
                         static_cast<double>(answer.fe.n_steps)};
     const auto finer = planned_refinement(track, bars[track], effort, fixed_by(prepared_.scene), most_times);
     if (!finer) return;
+    spdlog::info("{}: from {} to {}", prepared_.scene.name, text_of(track), text_of(*finer));
     track = *finer;
     any = true;
   };
@@ -271,12 +295,15 @@ void CaseStudy::advance() {
   if (economy_) return economise();
   if (failed()) {
     if (!before_) return;
+    for (const auto& track : tracks_of(now_))
+      if (!answers_.at(track).failure.empty())
+        spdlog::info("{}: taken back: {}", prepared_.scene.name, answers_.at(track).failure);
     now_ = *before_;
     return economise();
   }
   if (focus_on_unresolved_edges()) return;
   want_variants();
-  if (!wanted_.empty()) return;
+  if (!wanted_.empty() || focus_on_what_is_hopeless()) return;
   if (!refine_what_is_too_wide() && !make_room_for_economy()) return economise();
   for (const auto& track : tracks_of(now_)) {
     want(track);

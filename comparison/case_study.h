@@ -51,7 +51,8 @@ struct StudyResult {
 /// 1. the coarsest resolution that usually does (resolution_for);
 /// 2. a stick zone or a slip annulus of too few rings is focused on, again and again until it is resolved, proved
 ///    smaller than the finest ring or, for a stick zone that does not show, than a quarter of the tolerance; where the
-///    rings of the focus were less than four times finer, step 4 gets there at a lower cost;
+///    rings of the focus were less than four times finer, step 4 gets there at a lower cost, unless the bar turns out
+///    to be more than 15 tolerances;
 /// 3. the error budget, each source by its own refinement;
 /// 4. while the bar of a quantity is wider than its tolerance, what is expected to mend that at the lowest cost is
 ///    refined (planned_refinement). A refinement whose numerics fail is taken back.
@@ -85,6 +86,8 @@ class CaseStudy {
   void carry_slip_inside(const Resolution& track, ErrorBudget& budget) const;
   [[nodiscard]] bool failed() const;
   bool focus_on_unresolved_edges();
+  bool focus_on_what_is_hopeless();
+  void focus_on(const std::string& quantity, double least_gain);
   bool refine_what_is_too_wide();
   bool make_room_for_economy();
   bool refine(double share_of_tolerance, double most_times);

@@ -7,13 +7,13 @@
 namespace fretval {
 namespace {
 
-double expected_order(ErrorSource source, const std::string& quantity, const SceneNeeds& needs) {
-  if (source == ErrorSource::time_step || source == ErrorSource::start) return 2;
-  if (source == ErrorSource::creep) return 1;
-  if (source == ErrorSource::far_field) return 4;
-  if (source == ErrorSource::rings && quantity == "normal_force_max" && needs.memory) return 2;
+ExpectedOrder expected_order(ErrorSource source, const std::string& quantity, const SceneNeeds& needs) {
+  if (source == ErrorSource::time_step || source == ErrorSource::start) return {2};
+  if (source == ErrorSource::creep) return {1};
+  if (source == ErrorSource::far_field) return {4};
+  if (source == ErrorSource::rings && quantity == "normal_force_max" && needs.memory) return {2, 6};
   const bool radius_or_force = quantity.find("radius") != std::string::npos || quantity == "normal_force_max";
-  return source == ErrorSource::rings && !radius_or_force ? 1 : 3;
+  return {source == ErrorSource::rings && !radius_or_force ? 1.0 : 3.0};
 }
 
 /// NaN: not there.
@@ -28,13 +28,13 @@ double element_error(double difference, unsigned degree) {
 }
 
 /// A quantity that only some of the computations have, may be off by anything.
-ErrorShare share_of(ErrorSource source, const Refinements& values, unsigned degree, double expected_order) {
+ErrorShare share_of(ErrorSource source, const Refinements& values, unsigned degree, const ExpectedOrder& expected) {
   const double difference = std::abs(values.fine - values.medium);
   if (std::isnan(difference) || std::isnan(values.coarse.value_or(0)))
     return {source, std::numeric_limits<double>::infinity(), std::nullopt};
   if (source == ErrorSource::element_order) return {source, element_error(difference, degree), std::nullopt};
   if (source == ErrorSource::cycles || source == ErrorSource::active_set) return {source, difference, std::nullopt};
-  return richardson(source, values, expected_order);
+  return richardson(source, values, expected);
 }
 
 }  // namespace
@@ -51,17 +51,17 @@ const ErrorShare* ErrorBar::largest() const {
   return found == shares.end() ? nullptr : &*found;
 }
 
-ErrorShare richardson(ErrorSource source, const Refinements& values, double expected_order) {
-  const double fine = values.fine - values.medium;
-  if (!values.coarse) return {source, 3 * std::abs(fine) / (std::exp2(expected_order) - 1), std::nullopt};
+ErrorShare richardson(ErrorSource source, const Refinements& values, const ExpectedOrder& expected) {
+  const double fine = values.fine - values.medium, gain = std::exp2(expected.order) - 1;
+  if (!values.coarse) return {source, 3 * std::abs(fine) / gain, std::nullopt};
   const double coarse = values.medium - *values.coarse;
   const double order = std::log2(coarse / fine);
-  if (fine * coarse > 0 && order >= expected_order / 2 && order <= 2 * expected_order)
-    return {source, 1.25 * std::abs(fine) / (std::exp2(std::min(order, expected_order)) - 1), order};
-  return {source,
-          3 * std::max(std::abs(fine) / (std::exp2(expected_order) - 1),
-                       std::abs(*values.coarse - values.fine) / (std::exp2(2 * expected_order) - 1)),
-          std::nullopt};
+  if (fine * coarse > 0 && order >= expected.order / 2 && order <= expected.highest)
+    return {source, 1.5 * std::abs(fine) / (std::exp2(std::min(order, expected.order)) - 1), order};
+  return {
+      source,
+      3 * std::max(std::abs(fine) / gain, std::abs(*values.coarse - values.fine) / (std::exp2(2 * expected.order) - 1)),
+      std::nullopt};
 }
 
 ErrorBudget error_budget(const Resolution& resolution, const std::map<Resolution, Measures>& known,

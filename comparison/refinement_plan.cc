@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 namespace fretval {
 namespace {
@@ -11,13 +12,18 @@ namespace {
 constexpr std::array sources{ErrorSource::rings,     ErrorSource::element_order, ErrorSource::grading,
                              ErrorSource::far_field, ErrorSource::time_step,     ErrorSource::start,
                              ErrorSource::creep,     ErrorSource::cycles};
-constexpr int most_refinements_at_once = 2;
 constexpr double most_dofs = 1.2e6;  // beyond that a body takes more than ten gigabytes
 // Two refinements are enough for shares up to this many tolerances; no order can be trusted further.
 constexpr double most_tolerances = 15;
 constexpr double weight_of_excess = 2;  // worth twice the cost to come twice as close where nothing is enough
 
-/// What one refinement of a source leaves of a share.
+/// Refinements of one source at once: the factors of each, one after another.
+const std::vector<std::vector<double>>& refinements_of(ErrorSource source) {
+  static const std::vector<std::vector<double>> by_twos{{2}, {2, 2}}, fine{{1.5}, {2}, {2, 1.5}, {2, 2}};
+  return source == ErrorSource::rings || source == ErrorSource::time_step ? fine : by_twos;
+}
+
+/// What a refinement of a source by a factor of two leaves of a share.
 double left_over(ErrorSource source, const ErrorShare& share) {
   constexpr double usual_order = 2, best_order = 3;
   const double by_order = std::exp2(-std::min(share.order.value_or(usual_order), best_order));
@@ -41,23 +47,24 @@ double left_over(ErrorSource source, const ErrorShare& share) {
   }
 }
 
-/// What one refinement of a source makes of the effort, as measured on equal rings.
-Effort effort_after(ErrorSource source, const Effort& effort, unsigned degree) {
+/// What a refinement of a source by a factor makes of the effort, as measured on equal rings.
+Effort effort_after(ErrorSource source, const Effort& effort, unsigned degree, double factor) {
   auto [n_dofs, n_rings, n_steps] = effort;
+  const auto growth = [doublings = std::log2(factor)](double of_two) { return std::pow(of_two, doublings); };
   switch (source) {
     case ErrorSource::rings:
-      return {1.85 * n_dofs, 2 * n_rings, n_steps};
+      return {growth(1.85) * n_dofs, factor * n_rings, n_steps};
     case ErrorSource::element_order:
-      return {n_dofs * std::pow(1 + 1.0 / degree, 2), n_rings, n_steps};
+      return {n_dofs * growth(std::pow(1 + 1.0 / degree, 2)), n_rings, n_steps};
     case ErrorSource::grading:
-      return {1.8 * n_dofs, n_rings, n_steps};
+      return {growth(1.8) * n_dofs, n_rings, n_steps};
     case ErrorSource::far_field:
-      return {1.05 * n_dofs, n_rings, n_steps};
+      return {growth(1.05) * n_dofs, n_rings, n_steps};
     case ErrorSource::time_step:
     case ErrorSource::creep:
-      return {n_dofs, n_rings, 2 * n_steps};
+      return {n_dofs, n_rings, factor * n_steps};
     default:
-      return {n_dofs, n_rings, 1.2 * n_steps};
+      return {n_dofs, n_rings, growth(1.2) * n_steps};
   }
 }
 
@@ -91,13 +98,13 @@ struct Limits {
   double most_seconds;
 };
 
-std::optional<Candidate> refined(const Candidate& candidate, ErrorSource source, const Limits& limits) {
-  const auto resolution = refined(candidate.resolution, source);
+std::optional<Candidate> refined(const Candidate& candidate, ErrorSource source, double factor, const Limits& limits) {
+  const auto resolution = refined(candidate.resolution, source, factor);
   if (!resolution) return std::nullopt;
   auto bars = candidate.bars;
   for (auto& [bar, tolerance] : bars)
-    for (auto& share : bar.shares) share.estimate *= left_over(source, share);
-  const auto effort = effort_after(source, candidate.effort, candidate.resolution.degree);
+    for (auto& share : bar.shares) share.estimate *= std::pow(left_over(source, share), std::log2(factor));
+  const auto effort = effort_after(source, candidate.effort, candidate.resolution.degree, factor);
   if (effort.n_dofs > most_dofs || expected_seconds(effort) > limits.most_seconds) return std::nullopt;
   return Candidate{*resolution, bars, effort};
 }
@@ -110,12 +117,17 @@ bool can_be_refined(ErrorSource source, const FixedByCase& fixed) {
 Candidate best_from(const Candidate& candidate, std::size_t first, const Limits& limits) {
   Candidate best = candidate;
   if (candidate.meets() || first == sources.size()) return best;
-  std::optional<Candidate> next = candidate;
-  for (int times = 0; next && times <= most_refinements_at_once; ++times) {
-    auto found = best_from(*next, first + 1, limits);
+  const auto consider = [&](const Candidate& next) {
+    auto found = best_from(next, first + 1, limits);
     if (better(found, best)) best = std::move(found);
-    if (!can_be_refined(sources[first], limits.fixed)) break;
-    next = refined(*next, sources[first], limits);
+  };
+  consider(candidate);
+  if (!can_be_refined(sources[first], limits.fixed)) return best;
+  for (const auto& factors : refinements_of(sources[first])) {
+    std::optional<Candidate> next = candidate;
+    for (auto factor = factors.begin(); next && factor != factors.end(); ++factor)
+      next = refined(*next, sources[first], *factor, limits);
+    if (next) consider(*next);
   }
   return best;
 }

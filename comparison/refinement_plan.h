@@ -26,7 +26,7 @@ struct Effort {
 double expected_seconds(const Effort& effort);
 
 /// The cheapest refinement that is expected to bring all bars within their tolerances: of all combinations of up to two
-/// refinements (see refined) of each source, judged by what one of them takes from its share (the observed order, or
+/// refinements (see refined) of each source, judged by what they take from its share (the observed order, or
 /// the lowest that is usual) and adds to the effort. Where none is enough, the one that gets closest for its cost.
 /// most_times: what the effort may grow by, in expected seconds.
 /// Empty: no bar is too wide, or nothing can be refined that would help.

@@ -131,13 +131,13 @@ std::vector<Variant> variants_of(const Resolution& resolution, const SceneNeeds&
   return variants;
 }
 
-std::optional<Resolution> refined(const Resolution& resolution, ErrorSource source) {
+std::optional<Resolution> refined(const Resolution& resolution, ErrorSource source, double factor) {
   Resolution r = resolution;
   switch (source) {
     case ErrorSource::rings:
     case ErrorSource::edge:
-      if (2 * r.elements_per_radius > most_rings) return std::nullopt;
-      return with_rings(r, 2);
+      if (factor * r.elements_per_radius > most_rings) return std::nullopt;
+      return with_rings(r, factor);
     case ErrorSource::element_order:
       if (++r.degree > most_degree) return std::nullopt;
       return r;
@@ -148,8 +148,8 @@ std::optional<Resolution> refined(const Resolution& resolution, ErrorSource sour
       if ((r.far_radius *= 2) > largest_far_radius) return std::nullopt;
       return r;
     case ErrorSource::time_step:
-      if (2 * r.steps_per_cycle > most_steps) return std::nullopt;
-      return with_steps(r, 2);
+      if (factor * r.steps_per_cycle > most_steps) return std::nullopt;
+      return with_steps(r, factor);
     case ErrorSource::start:
       if ((r.n_ramp_cycles *= 2) > most_ramp_cycles) return std::nullopt;
       return r;

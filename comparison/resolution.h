@@ -64,8 +64,9 @@ struct SceneNeeds {
 /// rings, far field, start and active set with both. Two of one source follow each other, the coarser one last.
 std::vector<Variant> variants_of(const Resolution& resolution, const SceneNeeds& needs);
 
-/// A resolution that is finer in one respect; empty: it cannot be refined further in this respect.
-std::optional<Resolution> refined(const Resolution& resolution, ErrorSource source);
+/// A resolution that is finer in one respect, rings and steps by a factor of 1.5 or 2; empty: it cannot be refined
+/// further in this respect.
+std::optional<Resolution> refined(const Resolution& resolution, ErrorSource source, double factor = 2);
 
 /// Steps towards a lower cost, those that usually save most first. Coarser grading makes a body stiffer and a nearer
 /// far field makes it softer, so both at once often move less than one of them.

@@ -9,7 +9,7 @@
 namespace fretval {
 namespace {
 
-constexpr double safety = 1.25;  // Roache, for an observed order
+constexpr double safety = 1.5;  // for an observed order
 
 /// Values with an error of exactly factor * h^order at h = 1, 2 and 4.
 Refinements power(double order, double factor = 1e-3) {
