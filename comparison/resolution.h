@@ -72,12 +72,12 @@ std::optional<Resolution> refined(const Resolution& resolution, ErrorSource sour
 /// far field makes it softer, so both at once often move less than one of them.
 enum class Coarsening {
   half_the_rings,
-  lower_degree,
   half_the_steps,
   three_quarters_of_the_rings,
   three_fifths_of_the_far_radius,
   coarser_outside,  ///< the last and the next at once
   twice_the_growth,
+  lower_degree,
   three_quarters_of_the_steps,
   half_the_start,
   half_the_creep,

@@ -37,6 +37,8 @@ TEST(PlannedRefinement, IsOfTheSourceThatIsTooWideAsOftenAsItsOrderAsks) {
   EXPECT_TRUE(plan({bar({share(ErrorSource::time_step, 3, 2)})}) == expected);  // 3/4 left
   expected.steps_per_cycle *= 2;
   EXPECT_TRUE(plan({bar({share(ErrorSource::time_step, 10, 2)})}) == expected);  // 10/16
+  expected.steps_per_cycle = 3 * start.steps_per_cycle / 2;
+  EXPECT_TRUE(plan({bar({share(ErrorSource::time_step, 2, 2)})}) == expected);  // 2/2.25
 }
 
 TEST(PlannedRefinement, TakesTheCheapestOfThoseThatAreEnough) {
@@ -48,7 +50,7 @@ TEST(PlannedRefinement, TakesTheCheapestOfThoseThatAreEnough) {
 
 TEST(PlannedRefinement, MeetsAllBarsAtOnce) {
   const auto planned =
-      plan({bar({share(ErrorSource::time_step, 2, 2)}), bar({share(ErrorSource::far_field, 1.5)}), bar({})});
+      plan({bar({share(ErrorSource::time_step, 3, 2)}), bar({share(ErrorSource::far_field, 1.5)}), bar({})});
   ASSERT_TRUE(planned);
   EXPECT_EQ(planned->steps_per_cycle, 2 * start.steps_per_cycle);
   EXPECT_EQ(planned->far_radius, 2 * start.far_radius);
@@ -56,7 +58,7 @@ TEST(PlannedRefinement, MeetsAllBarsAtOnce) {
 }
 
 TEST(PlannedRefinement, RefinesRingsForTheReadingOfEdges) {
-  const auto planned = plan({bar({share(ErrorSource::edge, 2)})});
+  const auto planned = plan({bar({share(ErrorSource::edge, 3)})});
   ASSERT_TRUE(planned);
   EXPECT_EQ(planned->elements_per_radius, 2 * start.elements_per_radius);
 }
@@ -70,7 +72,7 @@ TEST(PlannedRefinement, GoesAsFarAsItMayWhereAnErrorIsUnknown) {
 TEST(PlannedRefinement, CostsNoMoreThanItMay) {
   const std::vector<BarToMeet> bars{bar({share(ErrorSource::rings, 4)})};
   EXPECT_TRUE(planned_refinement(start, bars, effort, free_to_choose, 2));
-  EXPECT_FALSE(planned_refinement(start, bars, effort, free_to_choose, 1.5));
+  EXPECT_FALSE(planned_refinement(start, bars, effort, free_to_choose, 1.2));
 }
 
 TEST(PlannedRefinement, LeavesAloneWhatTheCaseFixesAndWhatDoesNotHelp) {
