@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "comparison/largest_force.h"
 #include "comparison/stick_depths.h"
 #include "comparison/stick_zones.h"
 #include "comparison/stopwatch.h"
@@ -14,46 +15,6 @@ namespace fretval {
 namespace {
 
 constexpr double pi = 3.14159265358979323846;
-
-/// Largest value of a smooth periodic signal, and how uncertain that is.
-struct Peak {
-  double value, uncertainty;
-};
-
-/// Peak of the quartic fitted to the largest sample and those within `half` of it.
-Peak peak_of_quartic(const Eigen::VectorXd& samples, const Eigen::VectorXd& uncertainties, Eigen::Index half) {
-  const Eigen::Index n = samples.size(), n_fitted = 2 * half + 1;
-  Eigen::Index largest = 0;
-  samples.maxCoeff(&largest);
-  const auto powers_of = [](double x) { return Eigen::RowVector<double, 5>(1, x, x * x, x * x * x, x * x * x * x); };
-  Eigen::MatrixXd powers(n_fitted, 5);
-  Eigen::VectorXd fitted(n_fitted), uncertainty(n_fitted);
-  for (Eigen::Index k = 0; k < n_fitted; ++k) {
-    const Eigen::Index instant = (largest + k - half + n) % n;
-    powers.row(k) = powers_of(static_cast<double>(k - half) / static_cast<double>(half));
-    fitted[k] = samples[instant];
-    uncertainty[k] = uncertainties[instant];
-  }
-  const Eigen::MatrixXd fit = powers.completeOrthogonalDecomposition().pseudoInverse();
-  Peak peak{-std::numeric_limits<double>::infinity(), 0};
-  for (int i = -500; i <= 500; ++i) {
-    const Eigen::RowVectorXd weights = powers_of(i / 500.0) * fit;
-    const double value = weights * fitted;
-    if (value > peak.value) peak = {value, weights.cwiseAbs() * uncertainty};
-  }
-  return peak;
-}
-
-/// It lies between samples: the peak of a quartic fitted to those within a twentieth of a period of the largest one,
-/// two on either side of it at least. Where the contact closes within a few steps the samples scatter, which one more
-/// on either side tells.
-Peak periodic_peak(const Eigen::VectorXd& samples, const Eigen::VectorXd& uncertainties) {
-  constexpr double safety = 2;
-  const Eigen::Index half = std::max<Eigen::Index>(2, samples.size() / 60);
-  auto peak = peak_of_quartic(samples, uncertainties, half);
-  peak.uncertainty += safety * std::abs(peak_of_quartic(samples, uncertainties, half + 1).value - peak.value);
-  return peak;
-}
 
 Eigen::Index rings_within(const fem::Compliance& compliance, double radius) {
   Eigen::Index n = 0;
@@ -152,60 +113,6 @@ void read_contact_radius(const fem::ContactProblem& problem, const FemScene& sce
   simulation.contact_radius_uncertainty = 2 * std::abs(other.radius - simulation.contact_radius->radius);
 }
 
-/// Forces of bodies whose dashpot outweighs all else (omega eta/G0 of 1e3 and more) are 5.5e-3 off at 8, 12, 16 and 24
-/// rings alike, whatever the step. Why is not known.
-double unexplained_force(const FemScene& scene, const FeAnswer& answer) {
-  constexpr double outweighs = 10, share = 1e-2;
-  return scene.relaxation.viscosity > outweighs ? share * answer.normal_force_max : 0;
-}
-
-double width_of_ring_at(const fem::Compliance& compliance, double radius) {
-  const auto& radii = compliance.radii;
-  const auto outer = std::lower_bound(radii.begin() + 1, radii.end() - 1, radius);
-  return *outer - *(outer - 1);
-}
-
-/// Where the edge of the contact of a body with memory travels by hardly a ring in a cycle, the rings do not show the
-/// pressures between its ends. Up to 2 % of the amplitude of the force were missed (cone, |G| of 15 G0, at 0.2 rings),
-/// 0.4 to 0.9 % at 2.1 to 3.1 rings (Kelvin-Voigt), 0.02 % at 4 to 6, whatever the step.
-double unseen_travel(const fem::ContactProblem& problem, const FemScene& scene, const fem::NormalHistory& history) {
-  constexpr double few_rings = 2, share = 0.05;
-  constexpr int order = 6;
-  if (!scene.relaxation.has_memory() || scene.worn_edge) return 0;
-  const auto radius = history.contact_radius.tail(history.steps_per_cycle);
-  const auto force = history.force.tail(history.steps_per_cycle);
-  const double n_rings =
-      (radius.maxCoeff() - radius.minCoeff()) / width_of_ring_at(problem.compliance, radius.maxCoeff());
-  const double unseen = share * std::pow(few_rings / std::max(n_rings, few_rings), order);
-  return unseen * (force.maxCoeff() - force.minCoeff()) / 2;
-}
-
-/// Where the contact grows by more than a ring in a step at its largest force, each of these rings has the pressure of
-/// the whole step. Of the share that a ring has in the force, 13 % were missed (a branch of 1.5 steps, contact lost in
-/// every cycle), by chance nothing with other steps.
-double unseen_growth(const fem::ContactProblem& problem, const FemScene& scene, const fem::NormalHistory& history) {
-  constexpr double share = 0.2;
-  if (!scene.relaxation.has_memory() || scene.worn_edge) return 0;
-  const auto radius = history.contact_radius.tail(history.steps_per_cycle);
-  const auto force = history.force.tail(history.steps_per_cycle);
-  Eigen::Index peak = 0;
-  const double largest = force.maxCoeff(&peak);
-  const Eigen::Index before = (peak + history.steps_per_cycle - 1) % history.steps_per_cycle;
-  const double ring = width_of_ring_at(problem.compliance, radius[peak]);
-  return radius[peak] - radius[before] > ring ? share * 2 * ring / radius[peak] * largest : 0;
-}
-
-/// A contact that ends hardly beyond the sharp edge of its indenter is a flat punch to its last rings, whose force is
-/// that of a disc up to half a ring larger or smaller (0.17 rings measured, at 0.2 rings beyond the edge).
-double force_at_sharp_edge(const fem::Compliance& compliance, const FemScene& scene,
-                           const fem::NormalHistory& history) {
-  constexpr double few_rings = 2, share_of_ring = 0.5;
-  const double radius = history.contact_radius.tail(history.steps_per_cycle).maxCoeff();
-  const double ring = width_of_ring_at(compliance, radius);
-  if (!scene.sharp_edge || radius - *scene.sharp_edge > few_rings * ring) return 0;
-  return share_of_ring * ring / radius * history.force.tail(history.steps_per_cycle).maxCoeff();
-}
-
 /// n of f ~ r^n in the outer half of the contact; at most that of the bluntest indenters. A flat face counts as such.
 double exponent_at_edge(const FemScene& scene) {
   constexpr double bluntest = 8;
@@ -263,14 +170,9 @@ FeAnswer simulate(const ContactProblems& problems, const FemScene& scene, const 
   answer.stick_radius_shakedown = dimensional(shakedown, length);
   answer.first_slip_uncertainty = first.uncertainty * length;
   answer.shakedown_uncertainty = shakedown.uncertainty * length;
-  const int n_steps = normal.history.steps_per_cycle;
-  const auto peak = periodic_peak(normal.history.force.tail(n_steps), normal.history.force_uncertainty.tail(n_steps));
-  answer.normal_force_max = peak.value * scene.units.force();
-  const double unseen = unseen_travel(problems.normal, scene, normal.history) +
-                        unseen_growth(problems.normal, scene, normal.history) +
-                        force_at_sharp_edge(problems.normal.compliance, scene, normal.history);
-  answer.normal_force_uncertainty =
-      (peak.uncertainty + unseen) * scene.units.force() + unexplained_force(scene, answer);
+  const auto force = largest_force(problems.normal, scene, normal.history);
+  answer.normal_force_max = force.value * scene.units.force();
+  answer.normal_force_uncertainty = force.uncertainty * scene.units.force();
   answer.n_cycles = friction.n_cycles;
   answer.n_steps = friction.force.size() - 1;
   answer.seconds = watch.lap();
