@@ -118,8 +118,9 @@ std::shared_ptr<const CondensedBody> BodyStore::operator()(const BodySpecificati
   }
   if (!is_new) return body.get();
   try {
-    promise.set_value(condensed(make_body_(specification)));
-    spdlog::info("body: {} dofs, {} rings", body.get()->summary->n_dofs, body.get()->normal.n_rings());
+    auto made = condensed(make_body_(specification));
+    spdlog::info("body: {} dofs, {} rings", made->summary->n_dofs, made->normal.n_rings());
+    promise.set_value(std::move(made));
   } catch (...) {
     promise.set_exception(std::current_exception());
   }

@@ -89,7 +89,6 @@ class SparseFactor::Factored {
   Factored(SparseMatrix rows, const std::vector<unsigned>& interface_dofs, std::string name, const SpareMemory& spare)
       : rows_(std::move(rows)), name_(std::move(name)) {
     check_entries(rows_, name_);
-    const std::lock_guard<std::mutex> lock(petsc_mutex());
     check(MatCreateSeqAIJWithArrays(PETSC_COMM_SELF, rows_.n, rows_.n, rows_.row_start.data(), rows_.columns.data(),
                                     rows_.values.data(), &matrix_.mat),
           name_, "creating the matrix");
@@ -196,8 +195,10 @@ SparseFactor::SparseFactor(SparseMatrix matrix, std::string name)
     : SparseFactor(std::move(matrix), {}, std::move(name)) {}
 
 SparseFactor::SparseFactor(SparseMatrix matrix, const std::vector<unsigned>& interface_dofs, std::string name,
-                           const SpareMemory& spare)
-    : factored_(new Factored(std::move(matrix), interface_dofs, std::move(name), spare)) {}
+                           const SpareMemory& spare) {
+  const std::lock_guard<std::mutex> lock(petsc_mutex());
+  factored_.reset(new Factored(std::move(matrix), interface_dofs, std::move(name), spare));
+}
 
 SparseFactor::~SparseFactor() = default;
 SparseFactor::SparseFactor(SparseFactor&&) noexcept = default;
