@@ -272,24 +272,30 @@ std::string suite_section(const fs::path& file, std::string (*section)(const nlo
 
 fs::path write_report(const fs::path& folder) {
   const auto results = read_results(folder);
-  std::string page = fmt::format(
-      "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
-      "content=\"width=device-width, "
-      "initial-scale=1\"><title>fretval: finite elements against MDR</title><style>{}</style></head><body>\n"
-      "<h1>Finite elements against MDR</h1>\n<p class=\"soft\">Fretting of an elastomer under combined normal and "
-      "tangential "
-      "oscillation</p>\n",
-      style);
+  const auto of_results = [&](std::string (*section)(const Results&)) {
+    return results.empty() ? "" : section(results);
+  };
+  std::string sections;
   for (const auto& section :
-       {verdict_section(results), radii_section(results), phase_section(results), rheology_section(results),
-        limiting_section(results), single_cases_section(results), budget_section(results), trade_section(folder),
-        suite_section(folder / "tolerance.json", tolerance_section),
+       {of_results(verdict_section), of_results(radii_section), of_results(phase_section), of_results(rheology_section),
+        of_results(limiting_section), of_results(single_cases_section), of_results(budget_section),
+        trade_section(folder), suite_section(folder / "tolerance.json", tolerance_section),
         suite_section(folder / "extremes.json", extremes_section), suite_section(folder / "soak.json", soak_section),
-        suite_section(folder / "ladder.json", ladder_section), cost_section(results), all_cases_section(results)})
-    page += section;
-  page += "</body></html>\n";
+        suite_section(folder / "ladder.json", ladder_section), of_results(cost_section), of_results(all_cases_section)})
+    sections += section;
+  if (sections.empty())
+    throw InputError(
+        fmt::format("{}: there is no result.json, trade.json or JSON of a suite below it; expected a folder that "
+                    "fretval run, trade or check --json has written",
+                    folder.string()));
   const fs::path file = folder / "index.html";
-  write_file(file, page);
+  write_file(file,
+             fmt::format("<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
+                         "content=\"width=device-width, initial-scale=1\"><title>fretval: finite elements against "
+                         "MDR</title><style>{}</style></head><body>\n<h1>Finite elements against MDR</h1>\n<p "
+                         "class=\"soft\">Fretting of an elastomer under combined normal and tangential "
+                         "oscillation</p>\n{}</body></html>\n",
+                         style, sections));
   return file;
 }
 

@@ -160,9 +160,6 @@ std::vector<StoredResult> read_results(const fs::path& folder) {
   std::vector<StoredResult> results;
   for (const auto& entry : fs::recursive_directory_iterator(folder))
     if (entry.path().filename() == "result.json") results.push_back(read_result(entry.path()));
-  if (results.empty())
-    throw InputError(fmt::format("{}: there is no result.json below it; expected a folder that fretval run has written",
-                                 folder.string()));
   std::sort(results.begin(), results.end(), [](const StoredResult& a, const StoredResult& b) {
     return std::make_tuple(a.family(), a.sweep_value()) < std::make_tuple(b.family(), b.sweep_value());
   });

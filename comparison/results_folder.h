@@ -22,8 +22,8 @@ struct StoredResult {
   [[nodiscard]] std::string family() const;  ///< name of the sweep, or the name of the case
 };
 
-/// Every result.json below a folder, by family and sweep value. Throws InputError if there is none or one cannot be
-/// read.
+/// Every result.json below a folder, by family and sweep value; maybe none. Throws InputError if there is no such
+/// folder or one cannot be read.
 std::vector<StoredResult> read_results(const std::filesystem::path& folder);
 
 /// What is in a JSON file; empty if there is none. Throws InputError if it cannot be read.

@@ -95,7 +95,7 @@ TEST(Report, RefusesAFolderWithoutResultsAndDamagedTables) {
     }
     return std::string("no error");
   };
-  EXPECT_NE(refusal().find("there is no result.json below it"), std::string::npos) << refusal();
+  EXPECT_NE(refusal().find("there is no result.json, trade.json"), std::string::npos) << refusal();
   folder.write("result.json", stored_phase().dump());
   EXPECT_EQ(refusal(), "no error");
   folder.write("ladder.json", "[{");
@@ -147,11 +147,17 @@ TEST(LadderSection, HasErrorsOrdersGoalsAndVerdictsOfEachRow) {
                 "<td>–</td><td>pass</td><td class=\"words\">Hertz 1882; to roundoff</td>"});
 }
 
+TEST(Report, DoesWithoutResultsWhereASuiteWasRun) {
+  const ScratchFolder folder;
+  folder.write("ladder.json", nlohmann::json::array({ladder_row()}).dump());
+  const auto page = text_of(write_report(folder.path()));
+  expect_parts(page, {"1 of 1 rows pass"});
+  EXPECT_EQ(page.find("All cases"), std::string::npos);
+}
+
 TEST(Report, RefusesADamagedFileOfASuiteByItsName) {
   for (const char* name : {"tolerance.json", "extremes.json", "soak.json", "ladder.json"}) {
     const ScratchFolder folder;
-    fs::create_directories(folder.path() / "case");
-    folder.write("case/result.json", stored_phase().dump());
     folder.write(name, R"({"records": [1]})");
     try {
       write_report(folder.path());
