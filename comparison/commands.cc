@@ -29,6 +29,7 @@
 #include "comparison/soak_table.h"
 #include "comparison/stopwatch.h"
 #include "comparison/terminal.h"
+#include "comparison/tolerance_cases.h"
 #include "comparison/tolerance_json.h"
 #include "comparison/tolerance_suite.h"
 #include "comparison/tolerance_table.h"
@@ -112,6 +113,15 @@ int run_exact_suite(const std::string& junit, const std::string& json) {
   return all ? exit_agree : exit_disagree;
 }
 
+void write_tolerance_cases(const std::vector<double>& tolerances, const fs::path& folder) {
+  for (const double tolerance : tolerances) {
+    const auto of_tolerance = folder / fmt::format("{:.0e}", tolerance);
+    fs::create_directories(of_tolerance);
+    for (const auto& [name, entries] : tolerance_entries(tolerance))
+      write_file(of_tolerance / (name + ".prm"), case_text(entries));
+  }
+}
+
 int run_tolerance(const ToleranceSuiteOptions& options, const std::string& junit, const std::string& json) {
   const auto records = run_tolerance_suite(options);
   fmt::print("{}", tolerance_table(records));
@@ -153,7 +163,7 @@ struct CheckOptions {
   std::string suite = "small", meshes = small_meshes().string(), junit, json;
   ToleranceSuiteOptions tolerance;
   SoakOptions soak;
-  std::string worst;
+  std::string tolerance_cases, worst;
   bool only_short = false;
   std::string family;
 };
@@ -167,7 +177,10 @@ std::vector<ExtremeRow> rows_of(const CheckOptions& options) {
 int run_suite(const CheckOptions& options) {
   if (options.suite == "small") return run_small_suite(options.meshes, options.junit);
   if (options.suite == "exact") return run_exact_suite(options.junit, options.json);
-  if (options.suite == "tolerance") return run_tolerance(options.tolerance, options.junit, options.json);
+  if (options.suite == "tolerance") {
+    if (!options.tolerance_cases.empty()) write_tolerance_cases(options.tolerance.tolerances, options.tolerance_cases);
+    return run_tolerance(options.tolerance, options.junit, options.json);
+  }
   if (options.suite == "extremes") return run_extremes_suite(rows_of(options), options.junit, options.json);
   if (options.suite == "soak") return run_soak_suite(options.soak, options.junit, options.json, options.worst);
   throw InputError(fmt::format("--suite {}: expected small, exact, tolerance, extremes or soak", options.suite));
@@ -178,6 +191,8 @@ int run_check_suite(const CheckOptions& options) {
     throw InputError("--json: it belongs to the suites exact, tolerance, extremes and soak");
   if ((options.soak.only || !options.worst.empty()) && options.suite != "soak")
     throw InputError("--only and --write-worst: they belong to the suite soak");
+  if (!options.tolerance_cases.empty() && options.suite != "tolerance")
+    throw InputError("--write-cases: it belongs to the suite tolerance");
   if ((options.only_short || !options.family.empty()) && options.suite != "extremes")
     throw InputError("--short and --family: they belong to the suite extremes");
   Stopwatch watch;
@@ -244,6 +259,8 @@ void add_commands(CLI::App& app, Command& command) {
       ->check(CLI::PositiveNumber);
   check->add_flag("!--no-costs", options->check.tolerance.costs,
                   "Suite tolerance: do not search for the cheapest settings");
+  check->add_option("--write-cases", options->check.tolerance_cases,
+                    "Suite tolerance: folder for its case files, one for each case and tolerance");
   check->add_flag("--short", options->check.only_short, "Suite extremes: a few seconds of it");
   check->add_option("--family", options->check.family, "Suite extremes: only the families whose name contains this");
   check->add_option("--cases", options->check.soak.n_cases, "Suite soak: how many random cases")

@@ -1,11 +1,10 @@
 #include "comparison/tolerance_cases.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <cmath>
 #include <limits>
-
-#include "comparison/mdr_scene.h"
-#include "mdr/profile.h"
-#include "mdr/shakedown_amplitude.h"
 
 namespace fretval {
 namespace {
@@ -14,80 +13,67 @@ constexpr double pi = 3.14159265358979323846;
 constexpr double depth = 1e-4, radius = 1e-3, modulus = 1e6, frequency = 1;  // m, m, Pa, Hz
 constexpr double unlocked = std::numeric_limits<double>::quiet_NaN();
 
-Case::Indenter parabola() {
-  Case::Indenter indenter;
-  indenter.radius = 1e-2;
-  return indenter;
+Entries parabola() {
+  return {{"Indenter / Shape", "parabola"}, {"Indenter / Radius", entry_text(1e-2)}};
 }
 
-Case::Indenter cone(double degrees) {
-  Case::Indenter indenter;
-  indenter.shape = Case::Shape::cone;
-  indenter.slope_angle = degrees;
-  return indenter;
+Entries cone(double degrees) {
+  return {{"Indenter / Shape", "cone"}, {"Indenter / Slope angle", entry_text(degrees)}};
 }
 
 /// f = depth (r/radius)^n
-Case::Indenter power(double exponent) {
-  Case::Indenter indenter;
-  indenter.shape = Case::Shape::power;
-  indenter.exponent = exponent;
-  indenter.coefficient = depth / std::pow(radius, exponent);
-  return indenter;
+Entries power(double exponent) {
+  return {{"Indenter / Shape", "power"},
+          {"Indenter / Exponent", entry_text(exponent)},
+          {"Indenter / Coefficient", entry_text(depth / std::pow(radius, exponent))}};
 }
 
-Case::Indenter rounded_flat(double flat_radius, double edge_radius) {
-  Case::Indenter indenter;
-  indenter.shape = Case::Shape::rounded_flat;
-  indenter.flat_radius = flat_radius;
-  indenter.edge_radius = edge_radius;
-  return indenter;
+Entries rounded_flat(double flat_radius, double edge_radius) {
+  return {{"Indenter / Shape", "rounded flat"},
+          {"Indenter / Flat radius", entry_text(flat_radius)},
+          {"Indenter / Edge radius", entry_text(edge_radius)}};
 }
 
-Case::Indenter truncated_sphere(double sphere_radius, double flat_radius) {
-  Case::Indenter indenter;
-  indenter.shape = Case::Shape::truncated_sphere;
-  indenter.radius = sphere_radius;
-  indenter.flat_radius = flat_radius;
-  return indenter;
+Entries truncated_sphere(double sphere_radius, double flat_radius) {
+  return {{"Indenter / Shape", "truncated sphere"},
+          {"Indenter / Radius", entry_text(sphere_radius)},
+          {"Indenter / Flat radius", entry_text(flat_radius)}};
 }
 
-Case::Elastomer elastic() {
-  Case::Elastomer elastomer;
-  elastomer.rheology = "elastic";
-  elastomer.relaxed_modulus = modulus;
-  return elastomer;
+Entries body(const char* rheology) {
+  return {{"Elastomer / Rheology", rheology}, {"Elastomer / Relaxed shear modulus", entry_text(modulus)}};
 }
 
-Case::Elastomer standard_solid(double modulus_ratio, double time) {
-  auto elastomer = elastic();
-  elastomer.rheology = "standard solid";
-  elastomer.branch_moduli = {modulus_ratio * modulus};
-  elastomer.branch_times = {time};
-  return elastomer;
+Entries elastic() {
+  return body("elastic");
 }
 
-Case::Elastomer kelvin_voigt(double omega_tau) {
-  auto elastomer = elastic();
-  elastomer.rheology = "kelvin voigt";
-  elastomer.viscosity = omega_tau * modulus / (2 * pi * frequency);
-  return elastomer;
+std::string list_of(std::vector<double> values, double unit) {
+  for (double& value : values) value *= unit;
+  return fmt::format("{}", fmt::join(values, ", "));
 }
 
-Case::Elastomer two_branches() {
-  auto elastomer = elastic();
-  elastomer.rheology = "prony";
-  elastomer.branch_moduli = {0.5 * modulus, 1.0 * modulus};
-  elastomer.branch_times = {0.5, 0.05};
-  return elastomer;
+/// Moduli over the relaxed one, times in s.
+Entries branches(const char* rheology, const std::vector<double>& moduli, const std::vector<double>& times) {
+  return with(body(rheology), {{"Elastomer / Branch moduli", list_of(moduli, modulus)},
+                               {"Elastomer / Branch times", list_of(times, 1)}});
 }
 
-Case::Elastomer three_branches() {
-  auto elastomer = elastic();
-  elastomer.rheology = "prony";
-  elastomer.branch_moduli = {0.4 * modulus, 0.6 * modulus, 1.0 * modulus};
-  elastomer.branch_times = {1.0, 0.15, 0.02};
-  return elastomer;
+Entries standard_solid(double modulus_ratio, double time) {
+  return branches("standard solid", {modulus_ratio}, {time});
+}
+
+Entries kelvin_voigt(double omega_tau) {
+  return with(body("kelvin voigt"),
+              {{"Elastomer / Viscosity", entry_text(omega_tau * modulus / (2 * pi * frequency))}});
+}
+
+Entries two_branches() {
+  return branches("prony", {0.5, 1.0}, {0.5, 0.05});
+}
+
+Entries three_branches() {
+  return branches("prony", {0.4, 0.6, 1.0}, {1.0, 0.15, 0.02});
 }
 
 /// How the tangential amplitude is given.
@@ -99,8 +85,7 @@ enum class Given {
 
 struct Row {
   const char* name;
-  Case::Indenter indenter;
-  Case::Elastomer elastomer;
+  Entries indenter, elastomer;
   double friction, normal;  ///< normal amplitude over the indentation
   double phase;             ///< deg
   Given given;
@@ -165,36 +150,38 @@ std::vector<Row> rows() {
   };
 }
 
-double tangential_amplitude(const Case& scene, Given given, double value) {
-  const double mu = scene.friction_coefficient;
-  if (given == Given::k) return 1.5 * mu * scene.motion.normal_amplitude / value;
-  if (given == Given::load) return 1.5 * mu * scene.motion.indentation * value;
-  const auto mdr = mdr_scene(scene);
-  const double contact_radius = mdr::inverse_transform(mdr.profile, mdr::maximum_indentation(mdr.motion));
-  return mdr::tangential_amplitude_for_shakedown(mdr.body, mu, mdr.motion,
-                                                 mdr::transform(mdr.profile, value * contact_radius))
-      .value();
+Entries with_tangential_amplitude(const Row& row, const Entries& entries) {
+  if (row.given == Given::shakedown) return with_stick_ratio(entries, row.value);
+  const double sliding = 1.5 * row.friction * depth;
+  const double amplitude = row.given == Given::k ? sliding * row.normal / row.value : sliding * row.value;
+  return with(entries, {{"Motion / Tangential amplitude", entry_text(amplitude)}});
+}
+
+Entries entries_of(const Row& row, double tolerance) {
+  const Entries entries{{"Accuracy / Tolerance", entry_text(tolerance)},
+                        {"Accuracy / Economise", "true"},
+                        {"Friction / Law", "unidirectional"},
+                        {"Friction / Coefficient", entry_text(row.friction)},
+                        {"Motion / Indentation", entry_text(depth)},
+                        {"Motion / Normal amplitude", entry_text(row.normal * depth)},
+                        {"Motion / Tangential amplitude", "0"},
+                        {"Motion / Normal frequency", entry_text(frequency)},
+                        {"Motion / Tangential frequency", entry_text(frequency)},
+                        {"Motion / Phase", std::isnan(row.phase) ? "free" : entry_text(row.phase)}};
+  return with_tangential_amplitude(row, with(with(entries, row.indenter), row.elastomer));
 }
 
 }  // namespace
 
+std::map<std::string, Entries> tolerance_entries(double tolerance) {
+  std::map<std::string, Entries> all;
+  for (const auto& row : rows()) all[row.name] = entries_of(row, tolerance);
+  return all;
+}
+
 std::vector<Case> tolerance_cases(double tolerance) {
   std::vector<Case> cases;
-  for (const auto& row : rows()) {
-    Case scene;
-    scene.name = row.name;
-    scene.file = "suite tolerance";
-    scene.indenter = row.indenter;
-    scene.elastomer = row.elastomer;
-    scene.friction_coefficient = row.friction;
-    scene.motion.indentation = depth;
-    scene.motion.normal_amplitude = row.normal * depth;
-    scene.motion.normal_frequency = scene.motion.tangential_frequency = frequency;
-    if (!std::isnan(row.phase)) scene.motion.phase = row.phase;
-    scene.motion.tangential_amplitude = tangential_amplitude(scene, row.given, row.value);
-    scene.tolerance = tolerance;
-    cases.push_back(scene);
-  }
+  for (const auto& row : rows()) cases.push_back(case_of(entries_of(row, tolerance), row.name, "suite tolerance"));
   return cases;
 }
 

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <map>
+#include <string>
 #include <vector>
 
-#include "comparison/case.h"
+#include "comparison/written_case.h"
 
 namespace fretval {
 
@@ -11,5 +13,8 @@ namespace fretval {
 /// zones down to 0.02 a, slip annuli down to 1e-3 a, no first-slip zone, no tangential motion. The stick radius of a
 /// truncated sphere is away from the edge of its flat. They were chosen before their errors were known.
 std::vector<Case> tolerance_cases(double tolerance);
+
+/// The same as entries of case files, by name.
+std::map<std::string, Entries> tolerance_entries(double tolerance);
 
 }  // namespace fretval

@@ -99,7 +99,9 @@ std::string tolerance_section(const ordered_json& json) {
       "the tolerance (a tenth of it for contact radius and force). Covered: the true error is within the error bar. "
       "Effectivity: error bar over true error. Cost ratio: seconds of the cheapest settings so proved over those of "
       "the "
-      "cheapest setting of a grid that happens to meet the tolerance, all of them measured in one run.</p>\n"
+      "cheapest setting of a grid that happens to meet the tolerance, all of them measured in one run. Case files: "
+      "<code>fretval check --suite tolerance --write-cases FOLDER</code>; <code>fretval run</code> repeats any of "
+      "them.</p>\n"
       "<div class=\"scroll\"><table><thead><tr><th>tolerance</th><th>met</th><th>covered</th><th>effectivity, "
       "median</th><th>90 % below</th><th>cost ratio, median</th><th>largest</th><th>not met by the grid</th>"
       "<th>inconclusive</th></tr></thead><tbody>\n";

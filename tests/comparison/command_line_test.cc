@@ -234,9 +234,12 @@ TEST(CommandLine, ChecksOneFamilyOfTheExtremes) {
 
 TEST(CommandLine, RefusesOptionsOfAnotherSuite) {
   const ScratchFolder folder;
-  const auto run = fretval_run("check --json file.json", folder);
-  EXPECT_EQ(run.exit_code, 2);
-  EXPECT_NE(run.err.find("--json: it belongs to"), std::string::npos) << run.err;
+  for (const std::string option : {"--json", "--write-cases"}) {
+    const auto run = fretval_run("check " + option + " " + (folder.path() / "there").string(), folder);
+    EXPECT_EQ(run.exit_code, 2);
+    EXPECT_NE(run.err.find(option + ": it belongs to"), std::string::npos) << run.err;
+    EXPECT_FALSE(fs::exists(folder.path() / "there"));
+  }
 }
 
 TEST(CommandLine, SaysWhenGnuplotCannotDraw) {
