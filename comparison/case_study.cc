@@ -16,8 +16,7 @@ namespace {
 constexpr int most_refinements = 6;
 constexpr Eigen::Index enough_stuck_rings = 6, enough_slipping_rings = 3;
 constexpr double worthwhile_gain = 4;  // a ring that is less finer than that, the error budget asks for by itself
-// Unless it asks for so much, in tolerances, that equal rings would be far too many.
-constexpr double hopeless_bar = 15, worthwhile_gain_if_hopeless = 1.5;
+constexpr double worthwhile_gain_if_hopeless = 1.5;  // where it asks for more than can be planned
 constexpr double finest_ring_at_the_centre = 1e-4, finest_ring_at_the_edge = 1e-7;
 
 constexpr const char* first_slip = "stick_radius_first_slip";
@@ -171,7 +170,7 @@ bool CaseStudy::focus_on_what_is_hopeless() {
   const auto bars = budget();
   for (const char* quantity : {first_slip, shakedown}) {
     const auto bar = bars.find(quantity);
-    if (bar != bars.end() && bar->second.total() > hopeless_bar * tolerance_of(prepared_.tolerances, quantity))
+    if (bar != bars.end() && bar->second.total() > most_tolerances * tolerance_of(prepared_.tolerances, quantity))
       focus_on(quantity, worthwhile_gain_if_hopeless);
   }
   return !wanted_.empty();

@@ -115,14 +115,16 @@ int run_exact_suite(const std::string& junit, const std::string& json) {
 
 void write_tolerance_cases(const std::vector<double>& tolerances, const fs::path& folder) {
   for (const double tolerance : tolerances) {
-    const auto of_tolerance = folder / fmt::format("{:.0e}", tolerance);
+    const auto of_tolerance = folder / entry_text(tolerance);
     fs::create_directories(of_tolerance);
     for (const auto& [name, entries] : tolerance_entries(tolerance))
       write_file(of_tolerance / (name + ".prm"), case_text(entries));
   }
 }
 
-int run_tolerance(const ToleranceSuiteOptions& options, const std::string& junit, const std::string& json) {
+int run_tolerance(const ToleranceSuiteOptions& options, const std::string& junit, const std::string& json,
+                  const fs::path& cases) {
+  if (!cases.empty()) write_tolerance_cases(options.tolerances, cases);
   const auto records = run_tolerance_suite(options);
   fmt::print("{}", tolerance_table(records));
   if (!junit.empty()) write_file(junit, tolerance_junit(records));
@@ -177,10 +179,8 @@ std::vector<ExtremeRow> rows_of(const CheckOptions& options) {
 int run_suite(const CheckOptions& options) {
   if (options.suite == "small") return run_small_suite(options.meshes, options.junit);
   if (options.suite == "exact") return run_exact_suite(options.junit, options.json);
-  if (options.suite == "tolerance") {
-    if (!options.tolerance_cases.empty()) write_tolerance_cases(options.tolerance.tolerances, options.tolerance_cases);
-    return run_tolerance(options.tolerance, options.junit, options.json);
-  }
+  if (options.suite == "tolerance")
+    return run_tolerance(options.tolerance, options.junit, options.json, options.tolerance_cases);
   if (options.suite == "extremes") return run_extremes_suite(rows_of(options), options.junit, options.json);
   if (options.suite == "soak") return run_soak_suite(options.soak, options.junit, options.json, options.worst);
   throw InputError(fmt::format("--suite {}: expected small, exact, tolerance, extremes or soak", options.suite));

@@ -12,9 +12,7 @@ namespace {
 constexpr std::array sources{ErrorSource::rings,     ErrorSource::element_order, ErrorSource::grading,
                              ErrorSource::far_field, ErrorSource::time_step,     ErrorSource::start,
                              ErrorSource::creep,     ErrorSource::cycles};
-constexpr double most_dofs = 1.2e6;  // beyond that a body takes more than ten gigabytes
-// Two refinements are enough for shares up to this many tolerances; no order can be trusted further.
-constexpr double most_tolerances = 15;
+constexpr double most_dofs = 1.2e6;     // beyond that a body takes more than ten gigabytes
 constexpr double weight_of_excess = 2;  // worth twice the cost to come twice as close where nothing is enough
 
 /// Refinements of one source at once: the factors of each, one after another.

@@ -22,6 +22,9 @@ struct Effort {
   double n_steps;  ///< of the friction history
 };
 
+/// Two refinements are enough for shares up to this many tolerances; no order can be trusted further.
+constexpr double most_tolerances = 15;
+
 /// Seconds that they take, roughly: 1e-5 n_dofs for the body, 1e-5 n_steps (n_rings/48)^1.4 for a history.
 double expected_seconds(const Effort& effort);
 

@@ -173,15 +173,16 @@ Entries entries_of(const Row& row, double tolerance) {
 
 }  // namespace
 
-std::map<std::string, Entries> tolerance_entries(double tolerance) {
-  std::map<std::string, Entries> all;
-  for (const auto& row : rows()) all[row.name] = entries_of(row, tolerance);
+std::vector<std::pair<std::string, Entries>> tolerance_entries(double tolerance) {
+  std::vector<std::pair<std::string, Entries>> all;
+  for (const auto& row : rows()) all.emplace_back(row.name, entries_of(row, tolerance));
   return all;
 }
 
 std::vector<Case> tolerance_cases(double tolerance) {
   std::vector<Case> cases;
-  for (const auto& row : rows()) cases.push_back(case_of(entries_of(row, tolerance), row.name, "suite tolerance"));
+  for (const auto& [name, entries] : tolerance_entries(tolerance))
+    cases.push_back(case_of(entries, name, "suite tolerance"));
   return cases;
 }
 

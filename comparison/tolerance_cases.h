@@ -1,7 +1,7 @@
 #pragma once
 
-#include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "comparison/written_case.h"
@@ -14,7 +14,7 @@ namespace fretval {
 /// truncated sphere is away from the edge of its flat. They were chosen before their errors were known.
 std::vector<Case> tolerance_cases(double tolerance);
 
-/// The same as entries of case files, by name.
-std::map<std::string, Entries> tolerance_entries(double tolerance);
+/// The same as entries of case files, with their names.
+std::vector<std::pair<std::string, Entries>> tolerance_entries(double tolerance);
 
 }  // namespace fretval

@@ -24,8 +24,8 @@ struct SpareMemory {
 ///
 /// Every failure is a SolverError that names the matrix: non-finite entries, empty rows, MUMPS' INFOG codes, a singular
 /// matrix, a non-finite Schur complement, and a solve whose true residual is above 1e-8. A work space
-/// that turns out too small is made larger, once. Needs a PetscSession. Threads may use factors at the same time: they wait
-/// for each other, as PETSc and MUMPS serve one at a time.
+/// that turns out too small is made larger, once. Needs a PetscSession. Threads may use factors at the same time: they
+/// wait for each other, as PETSc and MUMPS serve one at a time.
 class SparseFactor {
  public:
   /// name: of the matrix, for error messages.

@@ -28,8 +28,8 @@ double element_size(const QuarterDisc& disc, double r, double z);
 /// smaller than 1e-9 of the rest: otherwise cells get poor, down to an error.
 ///
 /// Throws MeshError for input outside the ranges above, if gmsh fails, or if a cell comes out not convex.
-/// Threads wait for each other: gmsh keeps global state, initialised and finalised here. It must not be in use elsewhere
-/// in the program meanwhile. gmsh leaves OpenMP at one thread (omp_set_num_threads) for the whole program.
+/// Threads wait for each other: gmsh keeps global state, initialised and finalised here. It must not be in use
+/// elsewhere in the program meanwhile. gmsh leaves OpenMP at one thread (omp_set_num_threads) for the whole program.
 Mesh quarter_disc(const QuarterDisc& disc);
 
 }  // namespace fretval::meshes
