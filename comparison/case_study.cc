@@ -44,7 +44,7 @@ Measures centre_depths(const std::map<std::string, StickDepths>& zones) {
 }
 
 SceneNeeds needs_of(const FemScene& scene) {
-  return {scene.relaxation.has_memory(), !scene.motion.phase};
+  return {scene.relaxation.has_memory(), !scene.motion.phase, scene.worn_edge.has_value()};
 }
 
 /// What reading the edges leaves open, in the units of measures.

@@ -53,9 +53,10 @@ struct FixedByCase {
   bool rings, steps;
 };
 
-/// What the errors of a scene depend on: an elastic body has no memory of its start, a locked phase does not creep.
+/// What the errors of a scene depend on: an elastic body has no memory of its start, a locked phase does not creep, the
+/// rings of a worn profile are graded.
 struct SceneNeeds {
-  bool memory = true, creep = false;
+  bool memory = true, creep = false, worn = false;
 };
 
 /// What has to be computed besides a resolution to measure its errors, each source by its own refinement. The rings are

@@ -104,6 +104,25 @@ TEST(ErrorBudget, MeasuresWhatIsThere) {
   }
 }
 
+TEST(ErrorBudget, TakesGradedRingsForSecondOrder) {
+  // First-slip radius of a worn power law in a viscoelastic body at 32, 16 and 8 rings (soak 1048): order 4.4 from one
+  // to the next, but 2 from there on (2.0e-4, 4.3e-5, 9.9e-6 at 32, 64, 128 rings).
+  const auto resolution = some_resolution();
+  const auto value = [&](const Resolution& r) {
+    const double coarseness = static_cast<double>(resolution.elements_per_radius) / r.elements_per_radius;
+    return coarseness > 3 ? -5.02e-3 : coarseness > 1.5 ? -4.12e-4 : -2.01e-4;
+  };
+  const auto bar = [&](bool worn) {
+    const SceneNeeds needs{true, false, worn};
+    return error_budget(resolution, all_known(resolution, needs, value), {}, needs)
+        .at("stick_radius_shakedown")
+        .total();
+  };
+  EXPECT_GT(bar(true), 2.01e-4);
+  EXPECT_LT(bar(true), 20 * 2.01e-4);
+  EXPECT_LT(bar(false), bar(true));
+}
+
 TEST(ErrorBudget, IsInfiniteWhereAQuantityIsMissing) {
   const auto resolution = some_resolution();
   const auto complete = all_known(resolution, {}, [](auto&&) { return 0.5; });
