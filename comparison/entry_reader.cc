@@ -59,7 +59,7 @@ void EntryReader::forbid(const std::string& section, const std::string& name, co
 
 std::string EntryReader::one_of(const std::string& section, const std::string& name,
                                 const std::vector<std::string>& choices) const {
-  const std::string value = text(section, name);
+  std::string value = text(section, name);
   if (std::find(choices.begin(), choices.end(), value) == choices.end())
     fail(section, name, fmt::format("one of {}", fmt::join(choices, ", ")));
   return value;

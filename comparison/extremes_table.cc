@@ -36,7 +36,7 @@ const std::pair<const std::string, ExtremeError>* worst_of(const ExtremeRecord& 
 }
 
 std::string remark_of(const ExtremeRecord& record) {
-  const std::string failure = failure_of(record);
+  std::string failure = failure_of(record);
   if (!failure.empty()) return failure;
   if (!record.refusal.empty()) return record.refusal;
   if (verdict_of(record) != ExtremeVerdict::inconclusive) return "";

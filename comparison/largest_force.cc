@@ -42,26 +42,18 @@ LargestForce periodic_peak(const Eigen::VectorXd& samples, const Eigen::VectorXd
   return peak;
 }
 
-/// Forces of bodies whose dashpot outweighs all else (omega eta/G0 of 1e3 and more) are 5.5e-3 off at 8, 12, 16 and 24
-/// rings alike, whatever the step. Why is not known.
-double unexplained_share(const FemScene& scene) {
-  constexpr double outweighs = 10, share = 1e-2;
-  return scene.relaxation.viscosity > outweighs ? share : 0;
-}
-
 double width_of_ring_at(const fem::Compliance& compliance, double radius) {
   const auto& radii = compliance.radii;
   const auto outer = std::lower_bound(radii.begin() + 1, radii.end() - 1, radius);
   return *outer - *(outer - 1);
 }
 
-/// Where the edge of the contact of a body with memory travels by hardly a ring in a cycle, the rings do not show the
-/// pressures between its ends. Up to 2 % of the amplitude of the force were missed (cone, |G| of 15 G0, at 0.2 rings),
-/// 0.4 to 0.9 % at 2.1 to 3.1 rings (Kelvin-Voigt), 0.02 % at 4 to 6, whatever the step.
+/// Where the edge of the contact of a body with branches travels by hardly a ring in a cycle, the rings do not show the
+/// pressures between its ends. Up to 2 % of the amplitude of the force were missed (cone, |G| of 15 G0, at 0.2 rings).
 double unseen_travel(const fem::ContactProblem& problem, const FemScene& scene, const fem::NormalHistory& history) {
   constexpr double few_rings = 2, share = 0.05;
   constexpr int order = 6;
-  if (!scene.relaxation.has_memory() || scene.worn_edge) return 0;
+  if (scene.relaxation.moduli.empty() || scene.worn_edge) return 0;
   const auto radius = history.contact_radius.tail(history.steps_per_cycle);
   const auto force = history.force.tail(history.steps_per_cycle);
   const double n_rings =
@@ -103,8 +95,7 @@ LargestForce largest_force(const fem::ContactProblem& problem, const FemScene& s
   const int n_steps = history.steps_per_cycle;
   auto largest = periodic_peak(history.force.tail(n_steps), history.force_uncertainty.tail(n_steps));
   largest.uncertainty += unseen_travel(problem, scene, history) + unseen_growth(problem, scene, history) +
-                         force_at_sharp_edge(problem.compliance, scene, history) +
-                         unexplained_share(scene) * largest.value;
+                         force_at_sharp_edge(problem.compliance, scene, history);
   return largest;
 }
 

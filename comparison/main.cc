@@ -31,9 +31,7 @@ void say(const std::exception& error) {
   spdlog::error("{}", fretval::without_control_characters(error.what()));
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+int run(int argc, char** argv) {
   spdlog::set_default_logger(spdlog::stderr_color_mt("fretval"));
   // On a terminal, a message first clears the line that the progress bar may be on.
   spdlog::set_pattern(isatty(STDERR_FILENO) ? "\r\033[K%^%l%$: %v" : "%^%l%$: %v");
@@ -79,6 +77,17 @@ int main(int argc, char** argv) {
     return fretval::exit_system_failed;
   } catch (const std::exception& error) {
     say(error);
+    return fretval::exit_system_failed;
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run(argc, argv);
+  } catch (...) {  // from a message
+    std::fputs("error: fretval ended before it could say why\n", stderr);
     return fretval::exit_system_failed;
   }
 }

@@ -12,13 +12,14 @@
 namespace fretval {
 
 /// The analytic answer to a case and what else its user asked for, as `fretval mdr --json` prints it; docs/results.md
-/// describes the entries. with_springs: also the transient spring foundation.
-struct MdrDocument {
+/// describes the entries.
+struct MdrDocument {  // NOLINT(bugprone-exception-escape): moving JSON checks an invariant, and throws nothing
   nlohmann::ordered_json json;
   std::optional<mdr::LimitingProfile> worn;  ///< in which nothing wears any more
 };
 
-/// Throws InputError for what cannot be answered, naming the case file.
+/// with_springs: also the transient spring foundation. Throws InputError for what cannot be answered, naming the case
+/// file.
 MdrDocument mdr_document(const Case& scene, bool with_springs);
 
 /// Transient spring foundation of a case, unworn also where forces are prescribed.

@@ -210,7 +210,8 @@ std::string cost_section(const Results& results) {
   }
   const auto& first = results.front().json.at("cost");
   std::string libraries;
-  for (const auto& [name, version] : versions()) libraries += (libraries.empty() ? "" : ", ") + name + " " + version;
+  for (const auto& [name, version] : versions())
+    libraries += fmt::format("{}{} {}", libraries.empty() ? "" : ", ", name, version);
   return fmt::format(
       "<h2>Method and cost</h2>\n<p>Mixed incompressible finite elements in Fourier harmonics on the meridian "
       "half-plane "
@@ -288,7 +289,7 @@ fs::path write_report(const fs::path& folder) {
         fmt::format("{}: there is no result.json, trade.json or JSON of a suite below it; expected a folder that "
                     "fretval run, trade or check --json has written",
                     folder.string()));
-  const fs::path file = folder / "index.html";
+  fs::path file = folder / "index.html";
   write_file(file,
              fmt::format("<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
                          "content=\"width=device-width, initial-scale=1\"><title>fretval: finite elements against "

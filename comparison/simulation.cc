@@ -107,7 +107,7 @@ bool relaxes_within_a_step(const FemScene& scene) {
 void read_contact_radius(const fem::ContactProblem& problem, const FemScene& scene, NormalSimulation& simulation) {
   const auto events = fem::contact_events(problem.compliance, simulation.profile);
   simulation.contact_radius = fem::largest_contact_radius(simulation.history.smallest_gap, events);
-  fem::judge_unseen_kinks(problem.series, simulation.contact_radius->radius, simulation.history);
+  fem::read_unseen_kinks(problem.series, simulation.contact_radius->radius, simulation.history);
   if (!relaxes_within_a_step(scene)) return;
   const auto other = fem::largest_contact_radius(simulation.history.smallest_gap_at_balance, events);
   simulation.contact_radius_uncertainty = 2 * std::abs(other.radius - simulation.contact_radius->radius);

@@ -26,10 +26,10 @@ struct ContactForce {
   /// half of the difference between depths that go on smoothly to the edge and those that fall to zero from the last
   /// ring on. (The force is the mean of both.) With a dashpot: a quarter of what the pressures would bear up to the
   /// largest contact so far, where the gap has a kink, if no ring lies between that and the last one pressed, so that
-  /// nothing tells how the gap goes on inside the kink (a tenth of that was missed at most). With both a dashpot and
+  /// nothing tells how the gap goes on inside the kink (read_unseen_kinks tells more). With both a dashpot and
   /// branches, both, and the whole difference for the half.
   double uncertainty = 0;
-  double kink_uncertainty = 0;  ///< the part of it that an unseen kink makes, see also judge_unseen_kinks
+  double kink_uncertainty = 0;  ///< the part of it that an unseen kink makes, see read_unseen_kinks
   Eigen::Index n_closed = 0;    ///< rings whose pressures are continued up to the radius; 0: no edge was found
 };
 

@@ -41,7 +41,7 @@ NormalHistory history_of(const ContactProblem& problem) {
 TEST(UnseenKink, CostsNothingWhereTheEdgeWasReadSmoothly) {
   const auto& problem = normal_half_space(32);
   auto history = history_of(problem);
-  judge_unseen_kinks(problem.series, 1, history);
+  read_unseen_kinks(problem.series, 1, history);
   for (int k = 1; k <= n_steps; ++k) EXPECT_NEAR(history.force_uncertainty[k], other, 1e-12) << k;
 }
 
@@ -50,28 +50,41 @@ TEST(UnseenKink, CostsTwiceTheForceBetweenBothReadingsOfTheEdge) {
   auto history = history_of(problem);
   constexpr double off = 1e-4;
   for (const int k : {3, n_steps - 2}) history.contact_radius[k] += off;
-  judge_unseen_kinks(problem.series, 1, history);
+  read_unseen_kinks(problem.series, 1, history);
   for (const int k : {3, n_steps - 2})
     EXPECT_NEAR(history.force_uncertainty[k], 2 * off * problem.series.force_per_radius() + other, 1e-10) << k;
   EXPECT_NEAR(history.force_uncertainty[2], other, 1e-12);
 }
 
-TEST(UnseenKink, CostsNoMoreThanWasSetAside) {
+TEST(UnseenKink, IsReadFromTheEdgeOverTimeWhereBothReadingsDisagree) {
   const auto& problem = normal_half_space(32);
   auto history = history_of(problem);
-  history.contact_radius[3] -= 0.01;
-  judge_unseen_kinks(problem.series, 1, history);
-  EXPECT_DOUBLE_EQ(history.force_uncertainty[3], set_aside + other);
+  const double right = history.contact_radius[3], t = history.time[3], off = 0.02;
+  history.contact_radius[3] += off;
+  history.force[3] = off * problem.series.force_per_radius();
+  read_unseen_kinks(problem.series, 1, history);
+  EXPECT_NEAR(history.contact_radius[3], right, 1e-12);
+  EXPECT_NEAR(history.force[3], 0, 1e-10);
+  // The parabola through the largest contact, 6 and 8 misses the cubic by its divided difference, 0.004.
+  const double parabola = 0.004 * t * std::abs((t - history.time[6]) * (t - history.time[8]));
+  EXPECT_NEAR(history.force_uncertainty[3], (2 * parabola + 0.1 * off) * problem.series.force_per_radius() + other,
+              1e-10);
 }
 
-TEST(UnseenKink, CostsWhatWasSetAsideWhereTooFewInstantsSeeIt) {
+TEST(UnseenKink, MayBeAnywhereBeyondTheLastClosedRingWhereTooFewInstantsSeeIt) {
   const auto& problem = normal_half_space(32);
   auto history = history_of(problem);
   history.kink_uncertainty[n_hidden + 3] = set_aside;
   history.n_closed[n_steps - n_hidden - 1] = 0;
-  const Eigen::VectorXd before = history.force_uncertainty;
-  judge_unseen_kinks(problem.series, 1, history);
-  EXPECT_EQ(history.force_uncertainty, before);
+  const Eigen::VectorXd force = history.force, radius = history.contact_radius;
+  read_unseen_kinks(problem.series, 1, history);
+  EXPECT_EQ(history.force, force);
+  EXPECT_EQ(history.contact_radius, radius);
+  const double closed = problem.series.radii()[history.n_closed[3] - 1];
+  for (const int k : {3, n_steps - 2})
+    EXPECT_NEAR(history.force_uncertainty[k], std::abs(radius[k] - closed) * problem.series.force_per_radius() + other,
+                1e-10)
+        << k;
 }
 
 }  // namespace
