@@ -54,6 +54,7 @@ std::vector<Series> clouds(const Json& trade, const Cost& cost) {
     add(series, cost(point), number(point.at("error")));
   }
   std::vector<Series> all;
+  all.reserve(by_order.size());
   for (auto& [order, series] : by_order) all.push_back(std::move(series));
   return all;
 }

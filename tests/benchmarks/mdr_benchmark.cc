@@ -13,7 +13,7 @@ namespace {
 const Motion motion{1e-4, 2.5e-5, 2e-5, 1, 1, 0.7};
 
 void stick_radius_pair(benchmark::State& state, const Profile& profile, const Rheology& body) {
-  for (auto _ : state) benchmark::DoNotOptimize(stick_radii(profile, body, 0.5, motion));
+  for ([[maybe_unused]] auto _ : state) benchmark::DoNotOptimize(stick_radii(profile, body, 0.5, motion));
 }
 BENCHMARK_CAPTURE(stick_radius_pair, parabola_elastic, parabola(1e-2), elastic(1e6));
 BENCHMARK_CAPTURE(stick_radius_pair, parabola_standard_solid, parabola(1e-2), standard_solid(1e6, 2e6, 0.1));
@@ -24,7 +24,7 @@ BENCHMARK_CAPTURE(stick_radius_pair, power_law, power_law(3, 1.7), standard_soli
 void limiting_profile_of_1000_points(benchmark::State& state, const Profile& profile) {
   const double a0 = inverse_transform(profile, maximum_indentation(motion));
   std::vector<double> f(1000);
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     const LimitingProfile worn = limiting_profile(profile, 0.6 * a0, maximum_indentation(motion));
     for (std::size_t k = 0; k < f.size(); ++k) f[k] = shape(worn, 2 * a0 * static_cast<double>(k) / 1000);
     benchmark::DoNotOptimize(f.data());
@@ -41,7 +41,7 @@ void spring_steps(benchmark::State& state, const PronyBody& body) {
   const SpringStep step(body, 0.5, 1.0 / 360);
   SpringState springs = relaxed_state(bed, body, motion.indentation);
   int k = 0;
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     const double angle = 2 * std::acos(-1.0) * (++k % 360) / 360;
     step.advance(springs, bed, {1e-4 + 2.5e-5 * std::cos(angle), 0, 2e-5 * std::cos(angle + 0.7), 0});
     benchmark::DoNotOptimize(springs.tangential_load.data());
@@ -51,8 +51,7 @@ void spring_steps(benchmark::State& state, const PronyBody& body) {
 BENCHMARK_CAPTURE(spring_steps, elastic, elastic(1e6));
 BENCHMARK_CAPTURE(spring_steps, one_branch, standard_solid(1e6, 2e6, 0.1));
 BENCHMARK_CAPTURE(spring_steps, three_branches, prony(1e6, {1e6, 5e5, 2e5}, {0.01, 0.1, 1}));
-BENCHMARK_CAPTURE(spring_steps, ten_branches,
-                  prony(1e6, std::vector<double>(10, 1e5), std::vector<double>(10, 0.1)));
+BENCHMARK_CAPTURE(spring_steps, ten_branches, prony(1e6, std::vector<double>(10, 1e5), std::vector<double>(10, 0.1)));
 BENCHMARK_CAPTURE(spring_steps, kelvin_voigt, kelvin_voigt(1e6, 1e5));
 
 }  // namespace

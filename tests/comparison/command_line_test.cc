@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -133,7 +134,7 @@ TEST(CommandLine, RunComparesEveryShape) {
   folder.write("parabola.csv", "r,f\nmm,nm\n0,0\n0.5,12500\n1,50000\n1.5,112500\n2,200000\n");
   std::string files;
   for (const auto& [shape, entries] : shapes) {
-    auto text = replace(valid_case, "parabola\n  set Radius = 1e-2", shape + "\n  set " + entries);
+    auto text = replace(valid_case, "parabola\n  set Radius = 1e-2", fmt::format("{}\n  set {}", shape, entries));
     text = replace(text, "Tolerance = 0.01", "Tolerance = 0.1") + "subsection Output\n  set Fields = none\nend\n";
     files += " " + quoted(folder.write(shape + ".prm", text));
   }
