@@ -256,7 +256,7 @@ TEST(TradeText, HasALineForEverythingFound) {
   trade.full[1].point.failure = "out of memory";
   const std::string best = "    8     2       2    12     24   3.00e-03     0.750         -";
   const std::string finest = "   48     2       2    12     24   1.00e-03     0.750       6.0";
-  const std::string full =
+  const std::string full_line =
       "full finite elements: 8 rings, order 2, 1234 dofs: pressure and traction within 1.0e-12 and 0.0e+00 of the "
       "condensed ones; 0.200 and 0.000 s a step measured";
   expect_lines(
@@ -265,7 +265,7 @@ TEST(TradeText, HasALineForEverythingFound) {
        "best 1e-05: no setting of the plan meets it", "tool 1e-05 ! " + finest,
        "closed form: error 0 by definition, 2.00e-07 s, of which stick radii 8.0e-08 s (fastest of 10)",
        "springs: 100 springs, 90 steps a period: error 2.00e-04, 0.250 s",
-       "springs: 100 springs, 90 steps a period: not periodic", full,
+       "springs: 100 springs, 90 steps a period: not periodic", full_line,
        "  whole history extrapolated: 99.0 s, error 3.00e-03; condensed: 0.750 s",
        "full finite elements: 8 rings, order 2, 1234 dofs: out of memory",
        std::string("  ") + name_of(Sweep::rings) + "      largest -, contact_radius_max -, normal_force_max -2.50 (3)",

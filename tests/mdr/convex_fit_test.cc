@@ -135,7 +135,7 @@ TEST(ConvexFit, IsConvexAndTwiceDifferentiable) {
   ASSERT_GT(height.nodes.size(), 5);
   EXPECT_EQ(value(height, 0), 0);
   EXPECT_GE(value(slope, 0), 0);
-  for (std::size_t k = 0; k < height.nodes.size(); ++k) EXPECT_GE(value(curvature, height.nodes[k]), -1e-13);
+  for (const double node : height.nodes) EXPECT_GE(value(curvature, node), -1e-13);
   for (std::size_t k = 1; k + 1 < height.nodes.size(); ++k) {
     const double h = height.nodes[k] - height.nodes[k - 1];
     const auto at_end = [h](const std::array<double, 4>& c) { return c[0] + h * (c[1] + h * (c[2] + h * c[3])); };

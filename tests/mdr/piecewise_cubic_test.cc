@@ -77,6 +77,7 @@ TEST(PiecewiseCubic, AtTheAxisTheOuterIntegralNeedsAZero) {
 TEST(PiecewiseCubic, MonotoneSlopesAreExactForQuadraticsAndNeverOvershoot) {
   const std::vector<double> x = {0, 0.1, 0.3, 0.35, 0.8};
   std::vector<double> y;
+  y.reserve(x.size());
   for (const double t : x) y.push_back(3 * t * t + t);
   const std::vector<double> slopes = monotone_slopes(x, y);
   for (std::size_t k = 0; k < x.size(); ++k) EXPECT_NEAR(slopes[k], 6 * x[k] + 1, 1e-13);

@@ -26,6 +26,7 @@ std::vector<double> uniform(std::size_t n, double end) {
 
 std::vector<double> heights(const Profile& profile, const std::vector<double>& r) {
   std::vector<double> f;
+  f.reserve(r.size());
   for (const double radius : r) f.push_back(shape(profile, radius));
   return f;
 }
@@ -226,6 +227,7 @@ TEST(ProfileTable, ConvexRowsWithAKinkAreAccepted) {
       };
       const auto r = uniform(50, 1);
       std::vector<double> rows;
+      rows.reserve(r.size());
       for (const double radius : r) rows.push_back(f(radius));
       const Profile table = tabulated(r, rows);
       double slope_before = 0;
