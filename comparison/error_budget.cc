@@ -12,9 +12,9 @@ ExpectedOrder expected_order(ErrorSource source, const std::string& quantity, co
   if (source == ErrorSource::creep) return {1};
   if (source == ErrorSource::far_field) return {4};
   if (source != ErrorSource::rings) return {3};
-  if (quantity == "normal_force_max") return needs.memory ? ExpectedOrder{2, 6} : needs.worn ? 2 : 3;
-  if (quantity.find("radius") == std::string::npos) return {1};
-  return needs.worn ? 2 : 3;
+  if (quantity == "normal_force_max" && needs.memory) return {2, 6};
+  if (quantity != "normal_force_max" && quantity.find("radius") == std::string::npos) return {1};
+  return {needs.worn ? 2.0 : 3.0};
 }
 
 /// NaN: not there.

@@ -36,9 +36,7 @@ struct Refinements {
 /// Order of convergence that is expected, and the highest that is credible.
 struct ExpectedOrder {
   double order;
-  double highest;
-  ExpectedOrder(double expected, double highest_credible) : order(expected), highest(highest_credible) {}
-  ExpectedOrder(double expected) : ExpectedOrder(expected, 2 * expected) {}  // NOLINT: most are just that
+  double highest = 2 * order;
 };
 
 /// Richardson's estimate of the error of the finest value, as in Roache's grid convergence index (1994): with the

@@ -1,6 +1,7 @@
 #include <benchmark/benchmark.h>
 
 #include <cmath>
+#include <random>
 #include <vector>
 
 #include "mdr/limiting_profile.h"
@@ -53,6 +54,22 @@ BENCHMARK_CAPTURE(spring_steps, one_branch, standard_solid(1e6, 2e6, 0.1));
 BENCHMARK_CAPTURE(spring_steps, three_branches, prony(1e6, {1e6, 5e5, 2e5}, {0.01, 0.1, 1}));
 BENCHMARK_CAPTURE(spring_steps, ten_branches, prony(1e6, std::vector<double>(10, 1e5), std::vector<double>(10, 0.1)));
 BENCHMARK_CAPTURE(spring_steps, kelvin_voigt, kelvin_voigt(1e6, 1e5));
+
+// A measured profile: rows of a truncated sphere with noise.
+void convex_fit_of_a_table(benchmark::State& state) {
+  constexpr double noise = 1e-6;
+  const auto n = static_cast<int>(state.range(0));
+  const Profile sphere = truncated_sphere(3, 0.4);
+  std::mt19937 random(9);
+  std::normal_distribution<double> scatter(0, noise);
+  std::vector<double> r(static_cast<std::size_t>(n)), f(r.size());
+  for (std::size_t k = 0; k < r.size(); ++k) {
+    r[k] = static_cast<double>(k) / (n - 1);
+    f[k] = shape(sphere, r[k]) + scatter(random);
+  }
+  for ([[maybe_unused]] auto _ : state) benchmark::DoNotOptimize(tabulated(r, f, noise));
+}
+BENCHMARK(convex_fit_of_a_table)->Arg(500)->Arg(5000)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace fretval::mdr

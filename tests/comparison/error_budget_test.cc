@@ -22,7 +22,7 @@ Resolution some_resolution() {
 
 TEST(Richardson, IsExactOnPowers) {
   for (const double order : {1.0, 2.0, 3.0}) {
-    const auto share = richardson(ErrorSource::rings, power(order), order);
+    const auto share = richardson(ErrorSource::rings, power(order), {order});
     EXPECT_NEAR(share.estimate, safety * 1e-3, 1e-14);  // roundoff
     ASSERT_TRUE(share.order);
     EXPECT_NEAR(*share.order, order, 1e-10);
@@ -31,14 +31,14 @@ TEST(Richardson, IsExactOnPowers) {
 
 TEST(Richardson, DoesNotTrustAnOrderAboveTheExpectedOne) {
   // Fourth order observed where third is expected: the error is taken for the larger one of third order.
-  const auto share = richardson(ErrorSource::rings, power(4), 3);
+  const auto share = richardson(ErrorSource::rings, power(4), {3});
   EXPECT_NEAR(share.estimate, safety * 1e-3 * (16 - 1) / (8 - 1), 1e-14);
 }
 
 TEST(Richardson, FallsBackWhenTheOrderIsNotCredible) {
   // An alternating sign, an order far too low, and one far too high: no observed order, and a larger safety factor.
   for (const auto& values : {Refinements{0.5, 0.501, 0.5005}, Refinements{0.5, 0.501, 0.5021}, power(7)}) {
-    const auto share = richardson(ErrorSource::rings, values, 3);
+    const auto share = richardson(ErrorSource::rings, values, {3});
     EXPECT_FALSE(share.order);
     EXPECT_GE(share.estimate, 3 * std::abs(values.fine - values.medium) / 7 * (1 - 1e-12));
     EXPECT_GE(share.estimate, 3 * std::abs(values.fine - *values.coarse) / 63 * (1 - 1e-12));
@@ -46,7 +46,7 @@ TEST(Richardson, FallsBackWhenTheOrderIsNotCredible) {
 }
 
 TEST(Richardson, DoesWithoutTheCoarsestValue) {
-  const auto share = richardson(ErrorSource::time_step, {0.5, 0.503, std::nullopt}, 2);
+  const auto share = richardson(ErrorSource::time_step, {0.5, 0.503, std::nullopt}, {2});
   EXPECT_NEAR(share.estimate, 3 * 0.003 / 3, 1e-14);
   EXPECT_FALSE(share.order);
 }

@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <cmath>
 #include <functional>
 #include <random>
@@ -210,13 +209,6 @@ TEST(ConvexFit, DoesNotDependOnUnits) {
   // Roundoff times the condition of the least squares with knots around the kink.
   for (const double x : {0.1, 0.45, 0.9})
     EXPECT_NEAR(transform(there, x * metre) / height, transform(here, x), 1e-10 * transform(here, 0.9));
-}
-
-TEST(ConvexFit, TakesThousandsOfRowsInNoTime) {
-  const Scan rows = scan(5000, truncated_sphere(3, 0.4), 1e-6, 9);
-  const auto start = std::chrono::steady_clock::now();
-  tabulated(rows.r, rows.f, 1e-6);
-  EXPECT_LT(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(), 1);
 }
 
 // What the fit gives serves as any other profile.

