@@ -5,9 +5,9 @@
 
 namespace fretval::fem {
 
-/// Forces of the last cycle where the gap has a kink that no ring shows (see ContactForce), from a second reading of
-/// the edge. It moves smoothly in time up to the largest contact and away from it, so at such an instant it also lies
-/// on the cubic through that and three instants on the same side whose kinks are seen, half as far apart as the kink is
+/// Forces of the last cycle where the gap has a kink that no ring shows (see ContactForce), from a second reading of the
+/// edge. It moves smoothly in time up to the largest contact and away from it, so at such an instant it also lies on
+/// the cubic through that and three instants on the same side whose kinks are seen, half as far apart as the kink is
 /// hidden for if the half cycle has room for it.
 ///
 /// The first reading supposes that the gap goes on inside the kink as it does outside, which is right where the body is
