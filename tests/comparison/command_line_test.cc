@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <nlohmann/json.hpp>
 
@@ -210,13 +211,19 @@ TEST(CommandLineSlow, ChecksTheExactSolutions) {
   EXPECT_EQ(nlohmann::json::parse(text_of(json)).size(), 38U);
 }
 
+std::size_t n_files(const fs::path& folder) {
+  return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
+}
+
 // Every case once, without the search for what they cost.
 TEST(CommandLineSlow, ChecksATolerance) {
   const ScratchFolder folder;
-  const auto junit = folder.path() / "junit.xml";
-  const auto run =
-      fretval_run("check --suite tolerance --tolerances 0.01 --no-costs --junit " + junit.string(), folder);
+  const auto junit = folder.path() / "junit.xml", cases = folder.path() / "cases";
+  const auto run = fretval_run("check --suite tolerance --tolerances 0.01 --no-costs --junit " + junit.string() +
+                                   " --write-cases " + cases.string(),
+                               folder);
   EXPECT_EQ(run.exit_code, 0) << run.out << run.err;
+  EXPECT_EQ(n_files(cases / "0.01"), 50U);
   EXPECT_NE(run.out.find("50 of 50 meet their tolerance"), std::string::npos) << run.out;
   EXPECT_NE(text_of(junit).find("tests=\"50\" failures=\"0\""), std::string::npos);
 }
@@ -231,6 +238,22 @@ TEST(CommandLine, ChecksOneFamilyOfTheExtremes) {
   EXPECT_NE(run.out.find("Friction / Coefficient = 0"), std::string::npos) << run.out;
   EXPECT_NE(text_of(junit).find("tests=\"1\" failures=\"0\""), std::string::npos);
   EXPECT_EQ(nlohmann::json::parse(text_of(json)).at("summary").at("refused"), 1);
+}
+
+// The worst cases are written as case files that the tool takes.
+TEST(CommandLine, ChecksRandomCasesAndWritesTheWorst) {
+  const ScratchFolder folder;
+  const auto junit = folder.path() / "junit.xml", json = folder.path() / "soak.json", worst = folder.path() / "worst";
+  const auto run = fretval_run("check --suite soak --cases 2 --junit " + junit.string() + " --json " + json.string() +
+                                   " --write-worst " + worst.string(),
+                               folder);
+  EXPECT_EQ(run.exit_code, 0) << run.out << run.err;
+  EXPECT_NE(run.out.find("pass: in 2 cases 0 failures"), std::string::npos) << run.out;
+  EXPECT_NE(text_of(junit).find("failures=\"0\""), std::string::npos);
+  EXPECT_TRUE(nlohmann::json::parse(text_of(json)).at("memory").at("flat").is_null());  // too few cases to judge
+  EXPECT_GT(n_files(worst), 0U);
+  for (const auto& file : fs::directory_iterator(worst))
+    EXPECT_EQ(fretval_run("mdr " + file.path().string(), folder).exit_code, 0) << file.path();
 }
 
 TEST(CommandLine, RefusesOptionsOfAnotherSuite) {
