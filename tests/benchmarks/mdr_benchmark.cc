@@ -4,9 +4,9 @@
 #include <random>
 #include <vector>
 
-#include "mdr/limiting_profile.h"
-#include "mdr/spring_step.h"
-#include "mdr/stick_radius.h"
+#include "mdr/springs/spring_step.h"
+#include "mdr/stick/limiting_profile.h"
+#include "mdr/stick/stick_radius.h"
 
 namespace fretval::mdr {
 namespace {

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "fem/petsc_session.h"
+#include "fem/condensation/petsc_session.h"
 
 int main(int argc, char** argv) {
   testing::InitGoogleTest(&argc, argv);

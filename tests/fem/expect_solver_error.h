@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "fem/solver_error.h"
+#include "fem/support/solver_error.h"
 
 namespace fretval::fem {
 

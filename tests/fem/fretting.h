@@ -4,7 +4,7 @@
 #include <cmath>
 #include <complex>
 
-#include "fem/normal_history.h"
+#include "fem/history/normal_history.h"
 
 namespace fretval::fem {
 

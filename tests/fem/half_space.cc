@@ -3,8 +3,8 @@
 #include <map>
 #include <tuple>
 
-#include "fem/condensation.h"
-#include "fem/stiffness.h"
+#include "fem/condensation/condensation.h"
+#include "fem/operators/stiffness.h"
 #include "meshes/grading.h"
 #include "meshes/quarter_disc.h"
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "fem/grid_data.h"
-#include "fem/harmonic_space.h"
-#include "fem/normal_history.h"
+#include "fem/history/normal_history.h"
+#include "fem/operators/grid_data.h"
+#include "fem/operators/harmonic_space.h"
 
 namespace fretval::fem {
 

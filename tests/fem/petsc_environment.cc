@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "fem/petsc_session.h"
+#include "fem/condensation/petsc_session.h"
 
 namespace fretval::fem {
 namespace {

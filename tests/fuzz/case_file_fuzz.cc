@@ -1,8 +1,8 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "comparison/case_file.h"
-#include "comparison/scene.h"
+#include "comparison/case/case_file.h"
+#include "comparison/simulation/fem_case.h"
 #include "tests/comparison/scratch_folder.h"
 
 /// No stack traces in the exceptions of deal.II: they take a hundred times longer than reading the case.
@@ -33,8 +33,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const auto file = scratch().write(!text.empty() && text[0] == '{' ? "case.json" : "case.prm", text);
   try {
     const auto cases = fretval::read_case_file(file);
-    const auto mdr = fretval::mdr_scene(cases.front());
-    static_cast<void>(fretval::fem_scene(cases.front(), mdr));
+    const auto mdr = fretval::mdr_case(cases.front());
+    static_cast<void>(fretval::fem_case(cases.front(), mdr));
   } catch (const fretval::InputError&) {
   } catch (const std::invalid_argument&) {  // prepare() puts the name of the file before it
   }

@@ -4,8 +4,8 @@
 #include <cstdlib>
 #include <sstream>
 
-#include "mdr/modulus_table.h"
-#include "mdr/profile_csv.h"
+#include "mdr/profiles/profile_csv.h"
+#include "mdr/rheology/modulus_table.h"
 
 namespace {
 

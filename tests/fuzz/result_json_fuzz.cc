@@ -3,10 +3,10 @@
 #include <cstdlib>
 #include <sstream>
 
-#include "comparison/case.h"
-#include "comparison/plots.h"
-#include "comparison/report.h"
-#include "comparison/versions.h"
+#include "comparison/case/case.h"
+#include "comparison/report/plots.h"
+#include "comparison/report/report.h"
+#include "comparison/support/versions.h"
 #include "tests/comparison/scratch_folder.h"
 
 // The report without gnuplot and without the libraries whose versions it names.

@@ -5,8 +5,8 @@
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
 
-#include "mdr/flat_faced.h"
-#include "mdr/power_law.h"
+#include "mdr/profiles/flat_faced.h"
+#include "mdr/profiles/power_law.h"
 
 // The profiles in fifty digits, where neither cancellation nor range is a concern. All formulas differ from those of
 // the library: series of positive terms, closed forms that cancel, and plain Gauss rules.

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "mdr/rheology.h"
+#include "mdr/rheology/rheology.h"
 
 namespace fretval::mdr {
 

@@ -5,8 +5,8 @@
 #include <random>
 #include <vector>
 
-#include "mdr/modulus_table.h"
-#include "mdr/rheology.h"
+#include "mdr/rheology/modulus_table.h"
+#include "mdr/rheology/rheology.h"
 
 namespace fretval::mdr {
 

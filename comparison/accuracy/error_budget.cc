@@ -1,0 +1,88 @@
+#include "comparison/accuracy/error_budget.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace fretval {
+namespace {
+
+ExpectedOrder expected_order(ErrorSource source, const std::string& quantity, const SceneNeeds& needs) {
+  if (source == ErrorSource::time_step || source == ErrorSource::start) return {2};
+  if (source == ErrorSource::creep) return {1};
+  if (source == ErrorSource::far_field) return {4};
+  if (source != ErrorSource::rings) return {3};
+  if (quantity == "normal_force_max" && needs.memory) return {2, 6};
+  if (quantity != "normal_force_max" && quantity.find("radius") == std::string::npos) return {1};
+  return {needs.worn ? 2.0 : 3.0};
+}
+
+/// NaN: not there.
+double value_of(const Measures& measures, const std::string& quantity) {
+  const auto found = measures.find(quantity);
+  return found == measures.end() ? std::numeric_limits<double>::quiet_NaN() : found->second;
+}
+
+double element_error(double difference, unsigned degree) {
+  if (degree == 2) return 1.25 * difference;
+  return 3 * std::pow(difference, static_cast<double>(degree) / (degree - 1));
+}
+
+/// A quantity that only some of the computations have, may be off by anything.
+ErrorShare share_of(ErrorSource source, const Refinements& values, unsigned degree, const ExpectedOrder& expected) {
+  const double difference = std::abs(values.fine - values.medium);
+  if (std::isnan(difference) || std::isnan(values.coarse.value_or(0)))
+    return {source, std::numeric_limits<double>::infinity(), std::nullopt};
+  if (source == ErrorSource::element_order) return {source, element_error(difference, degree), std::nullopt};
+  if (source == ErrorSource::cycles || source == ErrorSource::active_set) return {source, difference, std::nullopt};
+  return richardson(source, values, expected);
+}
+
+}  // namespace
+
+double ErrorBar::total() const {
+  double sum = 0;
+  for (const auto& share : shares) sum += share.estimate;
+  return sum;
+}
+
+const ErrorShare* ErrorBar::largest() const {
+  const auto found = std::max_element(shares.begin(), shares.end(),
+                                      [](const auto& a, const auto& b) { return a.estimate < b.estimate; });
+  return found == shares.end() ? nullptr : &*found;
+}
+
+ErrorShare richardson(ErrorSource source, const Refinements& values, const ExpectedOrder& expected) {
+  const double fine = values.fine - values.medium, gain = std::exp2(expected.order) - 1;
+  if (!values.coarse) return {source, 3 * std::abs(fine) / gain, std::nullopt};
+  const double coarse = values.medium - *values.coarse;
+  const double order = std::log2(coarse / fine);
+  if (fine * coarse > 0 && order >= expected.order / 2 && order <= expected.highest)
+    return {source, 1.5 * std::abs(fine) / (std::exp2(std::min(order, expected.order)) - 1), order};
+  return {
+      source,
+      3 * std::max(std::abs(fine) / gain, std::abs(*values.coarse - values.fine) / (std::exp2(2 * expected.order) - 1)),
+      std::nullopt};
+}
+
+ErrorBudget error_budget(const Resolution& resolution, const std::map<Resolution, Measures>& known,
+                         const Measures& edge, const SceneNeeds& needs) {
+  const auto variants = variants_of(resolution, needs);
+  ErrorBudget budget;
+  for (const auto& [quantity, value] : known.at(resolution)) {
+    auto& shares = budget[quantity].shares;
+    for (std::size_t i = 0; i < variants.size(); ++i) {
+      const auto& [source, varied, reference] = variants[i];
+      if (i > 0 && variants[i - 1].source == source) continue;  // the coarser one of two
+      Refinements values{value_of(known.at(reference), quantity), value_of(known.at(varied), quantity), std::nullopt};
+      if (i + 1 < variants.size() && variants[i + 1].source == source)
+        values.coarse = value_of(known.at(variants[i + 1].resolution), quantity);
+      shares.push_back(share_of(source, values, resolution.degree, expected_order(source, quantity, needs)));
+    }
+    const auto reading = edge.find(quantity);
+    if (reading != edge.end()) shares.push_back({ErrorSource::edge, reading->second, std::nullopt});
+  }
+  return budget;
+}
+
+}  // namespace fretval

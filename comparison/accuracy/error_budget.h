@@ -1,0 +1,63 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "comparison/accuracy/compared_quantities.h"
+#include "comparison/simulation/resolution.h"
+
+namespace fretval {
+
+/// Error of one quantity from one source.
+struct ErrorShare {
+  ErrorSource source;
+  double estimate;
+  std::optional<double> order;  ///< observed, where it is credible
+};
+
+/// Error bar of one quantity: the shares add up, whatever their signs.
+struct ErrorBar {
+  std::vector<ErrorShare> shares;
+  [[nodiscard]] double total() const;
+  /// Null if there are no shares.
+  [[nodiscard]] const ErrorShare* largest() const;
+};
+
+using ErrorBudget = std::map<std::string, ErrorBar>;
+
+/// Measured values of a quantity at a resolution that was coarsened by 2, and by 4 (if there is one).
+struct Refinements {
+  double fine, medium;
+  std::optional<double> coarse;
+};
+
+/// Order of convergence that is expected, and the highest that is credible.
+struct ExpectedOrder {
+  double order;
+  double highest = 2 * order;
+};
+
+/// Richardson's estimate of the error of the finest value, as in Roache's grid convergence index (1994): with the
+/// observed order p if the differences have the same sign and p is credible, at least half of the expected order,
+/// 1.5 |fine - medium| / (2^min(p, expected) - 1); with Roache's 1.25 two of 400 errors were 1.06 and 1.15 bars.
+/// Otherwise with the expected order and three times the larger of what the two differences imply: one of them alone
+/// may be small by chance.
+ErrorShare richardson(ErrorSource source, const Refinements& values, const ExpectedOrder& expected);
+
+/// The budget of the measures at a resolution. known: the measures there and at each of its variants_of (empty if the
+/// numerics failed), with their references; edge: the uncertainty of reading the edges (fem::EdgeRadius), by quantity.
+///
+/// Rings: third order, second where they are graded to a worn edge (-4.1e-4, -2.0e-4, -4.3e-5, -9.9e-6 at 16 to 128
+/// rings), first for what the worn edge lets through, in a ring that shrinks with the square. With memory the force
+/// counts as second order, up to sixth is credible as for all that is of third: the pressure next to the edge depends
+/// on when its ring touched, and coarser rings do not show all of that. Time step and start: second; creep: first
+/// (2.3e-4, 1.15e-4, 4.6e-5 at 24, 48, 96 cycles); far field: fourth (4.5 to 5 measured); grading: at least third.
+/// Elements: functionals converge like q^(2k) in the degree k, so the difference D from degree k - 1 stands for an
+/// error of D^(k/(k-1)), times 3; at degree 2, whose check is degree 3, for D itself, times 1.25. Cycles and active
+/// set: the difference made by ten times the periodicity or the slack.
+ErrorBudget error_budget(const Resolution& resolution, const std::map<Resolution, Measures>& known,
+                         const Measures& edge, const SceneNeeds& needs = {});
+
+}  // namespace fretval

@@ -1,0 +1,151 @@
+#include "comparison/accuracy/refinement_plan.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace fretval {
+namespace {
+
+constexpr std::array sources{ErrorSource::rings,     ErrorSource::element_order, ErrorSource::grading,
+                             ErrorSource::far_field, ErrorSource::time_step,     ErrorSource::start,
+                             ErrorSource::creep,     ErrorSource::cycles};
+constexpr double most_dofs = 1.2e6;     // beyond that a body takes more than ten gigabytes
+constexpr double weight_of_excess = 2;  // worth twice the cost to come twice as close where nothing is enough
+
+/// Refinements of one source at once: the factors of each, one after another.
+const std::vector<std::vector<double>>& refinements_of(ErrorSource source) {
+  static const std::vector<std::vector<double>> by_twos{{2}, {2, 2}}, fine{{1.5}, {2}, {2, 1.5}, {2, 2}};
+  return source == ErrorSource::rings || source == ErrorSource::time_step ? fine : by_twos;
+}
+
+/// What a refinement of a source by a factor of two leaves of a share.
+double left_over(ErrorSource source, const ErrorShare& share) {
+  constexpr double usual_order = 2, best_order = 3;
+  const double by_order = std::exp2(-std::min(share.order.value_or(usual_order), best_order));
+  const bool rings = source == ErrorSource::rings;
+  if (rings && (share.source == ErrorSource::edge || share.source == ErrorSource::element_order)) return 0.25;
+  if (source != share.source) return 1;
+  switch (source) {
+    case ErrorSource::element_order:
+    case ErrorSource::grading:
+      return 0.125;
+    case ErrorSource::far_field:
+      return 0.0625;
+    case ErrorSource::start:
+      return 0.25;
+    case ErrorSource::creep:
+      return 0.5;
+    case ErrorSource::cycles:
+      return 0.1;
+    default:
+      return by_order;
+  }
+}
+
+/// What a refinement of a source by a factor makes of the effort, as measured on equal rings.
+Effort effort_after(ErrorSource source, const Effort& effort, unsigned degree, double factor) {
+  auto [n_dofs, n_rings, n_steps] = effort;
+  const auto growth = [doublings = std::log2(factor)](double of_two) { return std::pow(of_two, doublings); };
+  switch (source) {
+    case ErrorSource::rings:
+      return {growth(1.85) * n_dofs, factor * n_rings, n_steps};
+    case ErrorSource::element_order:
+      return {n_dofs * growth(std::pow(1 + 1.0 / degree, 2)), n_rings, n_steps};
+    case ErrorSource::grading:
+      return {growth(1.8) * n_dofs, n_rings, n_steps};
+    case ErrorSource::far_field:
+      return {growth(1.05) * n_dofs, n_rings, n_steps};
+    case ErrorSource::time_step:
+    case ErrorSource::creep:
+      return {n_dofs, n_rings, factor * n_steps};
+    default:
+      return {n_dofs, n_rings, growth(1.2) * n_steps};
+  }
+}
+
+/// The widest bar over its tolerance.
+double excess_of(const std::vector<BarToMeet>& bars) {
+  double excess = 0;
+  for (const auto& [bar, tolerance] : bars) excess = std::max(excess, bar.total() / tolerance);
+  return excess;
+}
+
+struct Candidate {
+  Resolution resolution;
+  std::vector<BarToMeet> bars;  ///< as they are expected
+  Effort effort;
+  double excess = excess_of(bars);
+
+  [[nodiscard]] bool meets() const { return excess <= 1; }
+  [[nodiscard]] double price() const {
+    return expected_seconds(effort) * std::pow(std::max(excess, 1.0), weight_of_excess);
+  }
+};
+
+bool better(const Candidate& a, const Candidate& b) {
+  if (a.meets() != b.meets()) return a.meets();
+  return a.price() < b.price();
+}
+
+/// What a plan must keep to.
+struct Limits {
+  FixedByCase fixed;
+  double most_seconds;
+};
+
+std::optional<Candidate> refined(const Candidate& candidate, ErrorSource source, double factor, const Limits& limits) {
+  const auto resolution = refined(candidate.resolution, source, factor);
+  if (!resolution) return std::nullopt;
+  auto bars = candidate.bars;
+  for (auto& [bar, tolerance] : bars)
+    for (auto& share : bar.shares) share.estimate *= std::pow(left_over(source, share), std::log2(factor));
+  const auto effort = effort_after(source, candidate.effort, candidate.resolution.degree, factor);
+  if (effort.n_dofs > most_dofs || expected_seconds(effort) > limits.most_seconds) return std::nullopt;
+  return Candidate{*resolution, bars, effort};
+}
+
+bool can_be_refined(ErrorSource source, const FixedByCase& fixed) {
+  return !(fixed.rings && source == ErrorSource::rings) && !(fixed.steps && source == ErrorSource::time_step);
+}
+
+/// The best of a candidate and all that follow from it by refining the sources from a given one on.
+Candidate best_from(const Candidate& candidate, std::size_t first, const Limits& limits) {
+  Candidate best = candidate;
+  if (candidate.meets() || first == sources.size()) return best;
+  const auto consider = [&](const Candidate& next) {
+    auto found = best_from(next, first + 1, limits);
+    if (better(found, best)) best = std::move(found);
+  };
+  consider(candidate);
+  if (!can_be_refined(sources[first], limits.fixed)) return best;
+  for (const auto& factors : refinements_of(sources[first])) {
+    std::optional<Candidate> next = candidate;
+    for (auto factor = factors.begin(); next && factor != factors.end(); ++factor)
+      next = refined(*next, sources[first], *factor, limits);
+    if (next) consider(*next);
+  }
+  return best;
+}
+
+}  // namespace
+
+double expected_seconds(const Effort& effort) {
+  return 1e-5 * (effort.n_dofs + effort.n_steps * std::pow(effort.n_rings / 48, 1.4));
+}
+
+std::optional<Resolution> planned_refinement(const Resolution& resolution, const std::vector<BarToMeet>& bars,
+                                             const Effort& effort, const FixedByCase& fixed, double most_times) {
+  auto known = bars;
+  for (auto& [bar, tolerance] : known)
+    for (auto& share : bar.shares) share.estimate = std::min(share.estimate, most_tolerances * tolerance);
+  const Candidate now{resolution, known, effort};
+  if (now.meets()) return std::nullopt;
+  const auto best = best_from(now, 0, {fixed, most_times * expected_seconds(effort)});
+  if (best.resolution == resolution) return std::nullopt;
+  return best.resolution;
+}
+
+}  // namespace fretval

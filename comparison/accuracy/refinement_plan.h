@@ -1,0 +1,40 @@
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "comparison/accuracy/error_budget.h"
+#include "comparison/simulation/resolution.h"
+
+namespace fretval {
+
+/// An error bar, and how wide it may be.
+struct BarToMeet {
+  ErrorBar bar;
+  double tolerance;
+};
+
+/// What a resolution took, in numbers that are the same on every machine.
+struct Effort {
+  double n_dofs;   ///< of both harmonics
+  double n_rings;  ///< on the contact line
+  double n_steps;  ///< of the friction history
+};
+
+/// Two refinements are enough for shares up to this many tolerances; no order can be trusted further.
+constexpr double most_tolerances = 15;
+
+/// Seconds that they take, roughly: 1e-5 n_dofs for the body, 1e-5 n_steps (n_rings/48)^1.4 for a history.
+double expected_seconds(const Effort& effort);
+
+/// The cheapest refinement that is expected to bring all bars within their tolerances: of all combinations of up to two
+/// refinements (see refined) of each source, judged by what they take from its share (the observed order, or
+/// the lowest that is usual) and adds to the effort. Where none is enough, the one that gets closest for its cost.
+/// most_times: what the effort may grow by, in expected seconds.
+/// Empty: no bar is too wide, or nothing can be refined that would help.
+std::optional<Resolution> planned_refinement(const Resolution& resolution, const std::vector<BarToMeet>& bars,
+                                             const Effort& effort, const FixedByCase& fixed,
+                                             double most_times = std::numeric_limits<double>::infinity());
+
+}  // namespace fretval

@@ -1,0 +1,78 @@
+#include "comparison/accuracy/verdict.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fretval {
+namespace {
+
+Difference judge(std::optional<double> difference, double size, double tolerance) {
+  return {difference, tolerance, verdict_on(size, tolerance)};
+}
+
+Difference judge(double difference, double tolerance) {
+  return judge(difference, difference, tolerance);
+}
+
+Difference judge_stick(const std::optional<double>& fe, const std::optional<double>& mdr, double contact_radius,
+                       double tolerance) {
+  const double size = (fe.value_or(0) - mdr.value_or(0)) / contact_radius;
+  // Where only one of the two says that nothing sticks there is no difference to show.
+  return judge(fe && mdr ? std::optional(size) : std::nullopt, size, tolerance);
+}
+
+}  // namespace
+
+Verdict verdict_on(double difference, double tolerance, double bar) {
+  if (bar > tolerance && std::abs(difference) <= tolerance + bar) return Verdict::inconclusive;
+  return std::abs(difference) <= tolerance ? Verdict::pass : Verdict::fail;
+}
+
+const char* name_of(Verdict finding) {
+  if (finding == Verdict::inconclusive) return "inconclusive";
+  return finding == Verdict::pass ? "pass" : "fail";
+}
+
+Tolerances tolerances_of(double accuracy) {
+  return {accuracy, accuracy / 10, accuracy / 10};
+}
+
+double tolerance_of(const Tolerances& tolerances, const std::string& quantity) {
+  if (quantity == "contact_radius_max") return tolerances.contact_radius;
+  if (quantity == "normal_force_max") return tolerances.normal_force;
+  return tolerances.stick_radius;
+}
+
+Comparison compare(const MdrAnswer& mdr, const FeAnswer& fe, double unworn_radius, const Tolerances& tolerances,
+                   const ErrorBudget& budget) {
+  Comparison verdict;
+  if (fe.contact_radius_max)
+    verdict["contact_radius_max"] =
+        judge(*fe.contact_radius_max / mdr.contact_radius_max.value() - 1, tolerances.contact_radius);
+  verdict["normal_force_max"] = judge(fe.normal_force_max / mdr.normal_force_max.value() - 1, tolerances.normal_force);
+  const double tolerance = tolerances.stick_radius;
+  verdict["stick_radius_first_slip"] =
+      judge_stick(fe.stick_radius_first_slip, mdr.stick_radius_first_slip, unworn_radius, tolerance);
+  verdict["stick_radius_shakedown"] =
+      judge_stick(fe.stick_radius_shakedown, mdr.stick_radius_shakedown, unworn_radius, tolerance);
+  if (fe.no_wear) {
+    verdict["slip_inside_stick_zone"] = judge(fe.no_wear->slip_inside, tolerance);
+    verdict["force_outside_stick_zone"] = judge(fe.no_wear->force_outside, tolerance);
+    verdict["maximum_indentation"] = judge(fe.no_wear->touch_indentation - 1, tolerance);
+  }
+  for (const auto& [quantity, bar] : budget) {
+    const auto found = verdict.find(quantity);
+    if (found == verdict.end()) continue;
+    auto& difference = found->second;
+    difference.bar = bar;
+    if (bar.total() > difference.tolerance)
+      difference.finding = verdict_on(difference.difference.value_or(0), difference.tolerance, bar.total());
+  }
+  return verdict;
+}
+
+bool passes(const Comparison& verdict) {
+  return std::all_of(verdict.begin(), verdict.end(), [](const auto& entry) { return entry.second.passes(); });
+}
+
+}  // namespace fretval

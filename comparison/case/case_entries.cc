@@ -1,0 +1,114 @@
+#include "comparison/case/case_entries.h"
+
+#include <deal.II/base/parameter_handler.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "comparison/case/case_sections.h"
+
+namespace fretval {
+namespace {
+
+struct Section {
+  const char* name;
+  std::vector<const char*> entries;
+};
+
+const std::vector<Section>& sections() {
+  static const std::vector<Section> all{
+      {"Indenter",
+       {"Shape", "Radius", "Slope angle", "Coefficient", "Exponent", "Flat radius", "Edge radius", "Table",
+        "Table noise"}},
+      {"Elastomer",
+       {"Rheology", "Relaxed shear modulus", "Viscosity", "Branch moduli", "Branch times", "Fractional order", "Table",
+        "Table modulus", "Temperature", "Reference temperature", "WLF C1", "WLF C2"}},
+      {"Friction", {"Coefficient", "Law"}},
+      {"Motion",
+       {"Indentation", "Normal amplitude", "Normal force", "Normal force amplitude", "Normal frequency",
+        "Normal harmonics", "Tangential amplitude", "Tangential force amplitude", "Tangential frequency",
+        "Tangential harmonics", "Phase"}},
+      {"Wear", {"State", "Stick radius ratio", "Coefficient", "Cycles"}},
+      {"Accuracy", {"Tolerance", "Rings per radius", "Steps per cycle", "Economise"}},
+      {"Output", {"Fields"}},
+      {"Sweep", {"Entry", "Values"}}};
+  return all;
+}
+
+bool is_whole(double x, double least, double most) {
+  return x == std::floor(x) && x >= least && x <= most;
+}
+// The error budget halves them, and fewer than 8 tell nothing.
+const ValidNumber ring_count{[](double x) { return is_whole(x, 16, 640); }, "a whole number from 16 to 640"};
+const ValidNumber step_count{[](double x) { return is_whole(x, 16, 10000); }, "a whole number from 16 to 10000"};
+
+void read_wear(const EntryReader& entries, Case& scene) {
+  if (entries.given("Wear", "State") && entries.one_of("Wear", "State", {"unworn", "limiting"}) == "limiting") {
+    scene.wear = Case::Wear::limiting;
+    scene.worn_stick_ratio = entries.number(
+        "Wear", "Stick radius ratio",
+        {[](double x) { return x >= 0.01 && x <= 0.99; }, "a ratio of stick to unworn contact radius, 0.01 to 0.99"});
+    for (const char* name : {"Coefficient", "Cycles"})
+      entries.forbid("Wear", name, "the limiting profile wears no more");
+    for (const char* name : {"Normal force", "Tangential force amplitude", "Normal harmonics", "Tangential harmonics"})
+      entries.forbid("Motion", name, "Wear / State = limiting prescribes the stick radius of one oscillation");
+    return;
+  }
+  entries.forbid("Wear", "Stick radius ratio", "it belongs to State = limiting");
+  if (std::isnan(scene.motion.tangential_amplitude))
+    entries.fail("Motion", "Tangential amplitude",
+                 "a number in m; the word shakedown belongs to Wear / State = limiting");
+  if (entries.given("Wear", "Coefficient") || entries.given("Wear", "Cycles"))
+    scene.wear_kinetics = Case::WearKinetics{entries.number("Wear", "Coefficient", not_negative_number),
+                                             entries.number("Wear", "Cycles", not_negative_number)};
+}
+
+}  // namespace
+
+void declare_entries(dealii::ParameterHandler& handler) {
+  for (const auto& section : sections()) {
+    handler.enter_subsection(section.name);
+    for (const char* entry : section.entries) handler.declare_entry(entry, "");
+    handler.leave_subsection();
+  }
+}
+
+bool is_entry(const std::string& section, const std::string& name) {
+  for (const auto& s : sections())
+    if (s.name == section) return std::find(s.entries.begin(), s.entries.end(), name) != s.entries.end();
+  return false;
+}
+
+std::string valid_entries() {
+  std::string list;
+  for (const auto& section : sections())
+    list += fmt::format("{}{}: {}", list.empty() ? "" : "; ", section.name, fmt::join(section.entries, ", "));
+  return list;
+}
+
+Case read_entries(const EntryReader& entries, Case::Fields fields) {
+  Case scene;
+  scene.file = entries.file();
+  scene.indenter = read_indenter(entries);
+  scene.elastomer = read_elastomer(entries, scene.warnings);
+  scene.friction_coefficient = entries.number("Friction", "Coefficient", positive_number);
+  static_cast<void>(entries.one_of("Friction", "Law", {"unidirectional"}));
+  scene.motion = read_motion(entries);
+  read_wear(entries, scene);
+  scene.tolerance = entries.number("Accuracy", "Tolerance",
+                                   {[](double x) { return x >= 1e-5 && x <= 0.1; }, "a number between 1e-5 and 0.1"});
+  if (entries.given("Accuracy", "Rings per radius"))
+    scene.rings_per_radius = static_cast<unsigned>(entries.number("Accuracy", "Rings per radius", ring_count));
+  if (entries.given("Accuracy", "Steps per cycle"))
+    scene.steps_per_cycle = static_cast<int>(entries.number("Accuracy", "Steps per cycle", step_count));
+  scene.economise =
+      entries.given("Accuracy", "Economise") && entries.one_of("Accuracy", "Economise", {"true", "false"}) == "true";
+  scene.fields = fields;
+  if (entries.given("Output", "Fields"))
+    scene.fields = entries.one_of("Output", "Fields", {"none", "extremes"}) == "none" ? Case::Fields::none
+                                                                                      : Case::Fields::extremes;
+  return scene;
+}
+
+}  // namespace fretval

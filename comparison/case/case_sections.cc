@@ -1,0 +1,187 @@
+#include "comparison/case/case_sections.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "comparison/case/master_curve.h"
+#include "mdr/rheology/time_temperature.h"
+
+namespace fretval {
+namespace {
+
+struct Owner {
+  const char* entry;
+  std::vector<std::string> choices;  // of the entry that decides
+};
+
+/// Forbids the entries of a section that belong to other choices of one of its entries.
+void forbid_others(const EntryReader& entries, const std::string& section, const std::string& deciding,
+                   const std::string& choice, const std::vector<Owner>& owners) {
+  for (const auto& [entry, choices] : owners)
+    if (std::find(choices.begin(), choices.end(), choice) == choices.end())
+      entries.forbid(section, entry,
+                     fmt::format("it belongs to {} = {}, not to {}", deciding, fmt::join(choices, " or "), choice));
+}
+
+void read_branches(const EntryReader& entries, Case::Elastomer& elastomer) {
+  const std::string section = "Elastomer";
+  elastomer.branch_moduli = entries.numbers(section, "Branch moduli", positive_number);
+  elastomer.branch_times = entries.numbers(section, "Branch times", positive_number);
+  const auto n = elastomer.branch_moduli.size();
+  if (elastomer.rheology != "prony" && n != 1)
+    entries.fail(section, "Branch moduli", "one modulus; use Rheology = prony for several branches");
+  if (elastomer.branch_times.size() != n)
+    entries.fail(section, "Branch times", fmt::format("{} times, one for each of the Branch moduli", n));
+}
+
+/// Relaxation times belong to the reference temperature; the case may be at another one.
+void shift_to_temperature(const EntryReader& entries, Case::Elastomer& elastomer) {
+  const std::string section = "Elastomer";
+  if (!entries.given(section, "Temperature")) {
+    for (const char* name : {"Reference temperature", "WLF C1", "WLF C2"})
+      entries.forbid(section, name, "it belongs to a Temperature");
+    return;
+  }
+  const double temperature = entries.number(section, "Temperature", any_number);
+  const double reference = entries.number(section, "Reference temperature", any_number);
+  const double c1 = entries.number(section, "WLF C1", positive_number);
+  const double c2 = entries.number(section, "WLF C2", positive_number);
+  try {
+    const double factor = mdr::wlf_shift(c1, c2, reference, temperature);
+    for (double& time : elastomer.branch_times) time *= factor;
+    elastomer.viscosity *= factor;
+  } catch (const std::invalid_argument& error) {
+    throw InputError(fmt::format("{}: {} / Temperature: {}", entries.file(), section, error.what()));
+  }
+}
+
+std::vector<Case::Harmonic> read_harmonics(const EntryReader& entries, const std::string& name) {
+  std::vector<Case::Harmonic> harmonics;
+  if (!entries.given("Motion", name)) return harmonics;
+  const auto values = entries.numbers("Motion", name, any_number);
+  const char* valid = "triples of amplitude in m (not negative), frequency in Hz (positive) and phase in deg";
+  if (values.size() % 3 != 0) entries.fail("Motion", name, valid);
+  for (std::size_t k = 0; k < values.size(); k += 3) {
+    harmonics.push_back({values[k], values[k + 1], values[k + 2]});
+    if (!(harmonics.back().amplitude >= 0 && harmonics.back().frequency > 0)) entries.fail("Motion", name, valid);
+  }
+  return harmonics;
+}
+
+void read_normal_motion(const EntryReader& entries, Case::Motion& motion) {
+  const std::string section = "Motion";
+  if (entries.given(section, "Normal force")) {
+    for (const char* name : {"Indentation", "Normal amplitude"})
+      entries.forbid(section, name, "the Normal force is prescribed");
+    motion.normal_force = Case::NormalForce{entries.number(section, "Normal force", positive_number),
+                                            entries.number(section, "Normal force amplitude", not_negative_number)};
+    return;
+  }
+  entries.forbid(section, "Normal force amplitude", "it belongs to a Normal force");
+  motion.indentation = entries.number(section, "Indentation", positive_number);
+  motion.normal_amplitude = entries.number(section, "Normal amplitude", not_negative_number);
+}
+
+void read_tangential_motion(const EntryReader& entries, Case::Motion& motion) {
+  const std::string section = "Motion";
+  if (entries.given(section, "Tangential force amplitude")) {
+    entries.forbid(section, "Tangential amplitude", "the Tangential force amplitude is prescribed");
+    motion.tangential_force = entries.number(section, "Tangential force amplitude", not_negative_number);
+    return;
+  }
+  motion.tangential_amplitude = entries.text(section, "Tangential amplitude") == "shakedown"
+                                    ? std::nan("")
+                                    : entries.number(section, "Tangential amplitude", not_negative_number);
+}
+
+}  // namespace
+
+Case::Indenter read_indenter(const EntryReader& entries) {
+  const std::string section = "Indenter";
+  const std::vector<std::string> names{"parabola", "cone", "power", "rounded flat", "truncated sphere", "table"};
+  const std::string shape = entries.one_of(section, "Shape", names);
+  forbid_others(entries, section, "Shape", shape,
+                {{"Radius", {"parabola", "truncated sphere"}},
+                 {"Slope angle", {"cone"}},
+                 {"Coefficient", {"power"}},
+                 {"Exponent", {"power"}},
+                 {"Flat radius", {"rounded flat", "truncated sphere"}},
+                 {"Edge radius", {"rounded flat"}},
+                 {"Table", {"table"}},
+                 {"Table noise", {"table"}}});
+  Case::Indenter indenter;
+  indenter.shape = static_cast<Case::Shape>(std::find(names.begin(), names.end(), shape) - names.begin());
+  if (shape == "parabola" || shape == "truncated sphere")
+    indenter.radius = entries.number(section, "Radius", positive_number);
+  if (shape == "rounded flat" || shape == "truncated sphere")
+    indenter.flat_radius = entries.number(section, "Flat radius", positive_number);
+  if (shape == "rounded flat") indenter.edge_radius = entries.number(section, "Edge radius", positive_number);
+  if (shape == "cone")
+    indenter.slope_angle = entries.number(
+        section, "Slope angle", {[](double x) { return x > 0 && x < 90; }, "an angle between 0 and 90 degrees"});
+  if (shape == "power") {
+    indenter.coefficient = entries.number(section, "Coefficient", positive_number);
+    indenter.exponent = entries.number(section, "Exponent",
+                                       {[](double x) { return x >= 0.5 && x <= 20; }, "a number between 0.5 and 20"});
+  }
+  if (shape == "table") {
+    indenter.table = entries.path(section, "Table");
+    if (entries.given(section, "Table noise"))
+      indenter.table_noise = entries.number(section, "Table noise", not_negative_number);
+  }
+  return indenter;
+}
+
+Case::Elastomer read_elastomer(const EntryReader& entries, std::vector<std::string>& warnings) {
+  const std::string section = "Elastomer";
+  Case::Elastomer elastomer;
+  elastomer.rheology = entries.one_of(
+      section, "Rheology", {"elastic", "kelvin voigt", "standard solid", "prony", "fractional zener", "table"});
+  const std::vector<std::string> with_branches{"standard solid", "prony", "fractional zener"};
+  forbid_others(entries, section, "Rheology", elastomer.rheology,
+                {{"Relaxed shear modulus", {"elastic", "kelvin voigt", "standard solid", "prony", "fractional zener"}},
+                 {"Branch moduli", with_branches},
+                 {"Branch times", with_branches},
+                 {"Viscosity", {"kelvin voigt", "prony"}},
+                 {"Fractional order", {"fractional zener"}},
+                 {"Table", {"table"}},
+                 {"Table modulus", {"table"}}});
+  if (elastomer.rheology == "table") {
+    const bool youngs = entries.one_of(section, "Table modulus", {"shear", "Young"}) == "Young";
+    fit_master_curve(entries.path(section, "Table"), youngs, elastomer, warnings);
+  } else {
+    const ValidNumber relaxed{
+        [](double x) { return x > 0; },
+        "a positive modulus in Pa: a body that relaxes to nothing (Maxwell) has no permanent stick"};
+    elastomer.relaxed_modulus = entries.number(section, "Relaxed shear modulus", relaxed);
+  }
+  if (std::find(with_branches.begin(), with_branches.end(), elastomer.rheology) != with_branches.end())
+    read_branches(entries, elastomer);
+  if (elastomer.rheology == "kelvin voigt" || entries.given(section, "Viscosity"))
+    elastomer.viscosity = entries.number(section, "Viscosity", positive_number);
+  if (elastomer.rheology == "fractional zener")
+    elastomer.fractional_order = entries.number(
+        section, "Fractional order", {[](double x) { return x > 0 && x <= 1; }, "a number above 0 and at most 1"});
+  shift_to_temperature(entries, elastomer);
+  return elastomer;
+}
+
+Case::Motion read_motion(const EntryReader& entries) {
+  const std::string section = "Motion";
+  Case::Motion motion;
+  read_normal_motion(entries, motion);
+  read_tangential_motion(entries, motion);
+  motion.normal_frequency = entries.number(section, "Normal frequency", positive_number);
+  motion.tangential_frequency = entries.number(section, "Tangential frequency", positive_number);
+  if (entries.text(section, "Phase") != "free") motion.phase = entries.number(section, "Phase", any_number);
+  motion.normal_harmonics = read_harmonics(entries, "Normal harmonics");
+  motion.tangential_harmonics = read_harmonics(entries, "Tangential harmonics");
+  if (motion.normal_force || motion.tangential_force)
+    for (const char* name : {"Normal harmonics", "Tangential harmonics"})
+      entries.forbid(section, name, "a force is prescribed, with one frequency in each direction");
+  return motion;
+}
+
+}  // namespace fretval

@@ -1,0 +1,68 @@
+#include "comparison/case/master_curve.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+
+#include "mdr/rheology/kramers_kronig.h"
+#include "mdr/rheology/modulus_table.h"
+#include "mdr/rheology/prony_fit.h"
+
+namespace fretval {
+namespace {
+
+// Good measurements of one sample fit to a few percent.
+constexpr double bad_residual = 0.1;
+constexpr double far_below_measured = 0.7;
+
+void warn(const std::string& file, const mdr::ModulusTable& table, const mdr::PronyFit& fit,
+          const mdr::KramersKronig& relation, std::vector<std::string>& warnings) {
+  if (!relation.consistent)
+    warnings.push_back(
+        fmt::format("{}: G' and G'' contradict each other (Kramers and Kronig), most at {:.3g} Hz by {:.0f} %; no "
+                    "linear viscoelastic body has these moduli",
+                    file, relation.frequency_at_worst, 100 * relation.worst));
+  if (fit.residual > bad_residual)
+    warnings.push_back(
+        fmt::format("{}: the Prony body misses the moduli by {:.0f} % (root mean square), most at "
+                    "{:.3g} Hz by {:.0f} %",
+                    file, 100 * fit.residual, fit.worst_frequency, 100 * fit.worst));
+  const double lowest = *std::min_element(table.storage.begin(), table.storage.end());
+  if (fit.body.relaxed_modulus < far_below_measured * lowest)
+    warnings.push_back(
+        fmt::format("{}: the relaxed modulus of the fit, {:.3g} Pa, is far below the lowest measured "
+                    "G', {:.3g} Pa: the table does not reach the plateau, on which |G|/G'(0) depends",
+                    file, fit.body.relaxed_modulus, lowest));
+}
+
+}  // namespace
+
+void fit_master_curve(const std::string& file, bool youngs, Case::Elastomer& elastomer,
+                      std::vector<std::string>& warnings) {
+  try {
+    std::ifstream stream(file);
+    const auto table = mdr::read_modulus_table(stream, file, youngs ? 1.0 / 3 : 1);
+    const auto fit = mdr::fit_prony(table);
+    const auto relation = mdr::kramers_kronig(table);
+    elastomer.relaxed_modulus = fit.body.relaxed_modulus;
+    elastomer.branch_moduli = fit.body.branch_moduli;
+    elastomer.branch_times = fit.body.branch_times;
+    elastomer.viscosity = fit.body.viscosity;
+    elastomer.master_curve = Case::MasterCurve{file,
+                                               table.frequency.size(),
+                                               fit.residual,
+                                               fit.held_out,
+                                               fit.worst,
+                                               fit.worst_frequency,
+                                               relation.consistent,
+                                               relation.worst,
+                                               relation.frequency_at_worst};
+    warn(file, table, fit, relation, warnings);
+  } catch (const std::invalid_argument& error) {
+    const std::string message = error.what();
+    throw InputError(message.find(file) == std::string::npos ? file + ": " + message : message);
+  }
+}
+
+}  // namespace fretval

@@ -1,0 +1,34 @@
+#include "comparison/case/plausibility.h"
+
+#include <fmt/format.h>
+
+namespace fretval {
+namespace {
+
+constexpr double least_modulus = 1e3, largest_modulus = 1e9;  // Pa; gels to stiff rubbers below their glass transition
+constexpr double least_rise = 1e-3, largest_rise = 0.5;       // of the indenter at the edge of the contact
+
+}  // namespace
+
+std::vector<std::string> implausible_values(const Case& scene, const mdr::Profile& profile) {
+  std::vector<std::string> warnings;
+  const double modulus = scene.elastomer.relaxed_modulus;
+  if (modulus < least_modulus || modulus > largest_modulus)
+    warnings.push_back(
+        fmt::format("{}: a relaxed shear modulus of {:.3g} Pa is implausible for an elastomer, {:.0e} to "
+                    "{:.0e} Pa are usual; is it in Pa?",
+                    scene.file, modulus, least_modulus, largest_modulus));
+  if (scene.motion.normal_force) return warnings;
+  const double deepest = scene.motion.indentation + scene.motion.normal_amplitude;
+  const double a = mdr::inverse_transform(profile, deepest);
+  const double rise = mdr::shape_slope(profile, a);
+  if (!(rise >= least_rise && rise <= largest_rise))
+    warnings.push_back(
+        fmt::format("{}: at the largest indentation, {:.3g} m, the contact radius is a = {:.3g} m and the indenter "
+                    "rises there with "
+                    "a slope of {:.2g} (for a parabola a/R), {} to {} are usual; are all lengths in m?",
+                    scene.file, deepest, a, rise, least_rise, largest_rise));
+  return warnings;
+}
+
+}  // namespace fretval

@@ -1,0 +1,89 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cerrno>
+#include <cstdio>
+#include <filesystem>
+#include <new>
+#include <system_error>
+
+#include "comparison/case/case.h"
+#include "comparison/command_line/commands.h"
+#include "comparison/command_line/exit_codes.h"
+#include "comparison/support/escape.h"
+#include "comparison/support/log.h"
+#include "comparison/support/versions.h"
+#include "fem/support/solver_error.h"
+#include "meshes/mesh_error.h"
+
+namespace {
+
+std::string version_text() {
+  std::string text;
+  for (const auto& [name, version] : fretval::versions()) text += fmt::format("{} {}\n", name, version);
+  text.pop_back();
+  return text;
+}
+
+/// HarmonicSpaceParts of a message may come from a file.
+void say(const std::exception& error) {
+  fretval::log::error(fretval::without_control_characters(error.what()));
+}
+
+int run(int argc, char** argv) {
+  fretval::log::start();
+  CLI::App app{
+      "fretval: do finite elements confirm what the method of dimensionality reduction predicts for fretting on an "
+      "elastomer, how closely, and at what cost?"};
+  app.set_version_flag("--version", version_text());
+  app.require_subcommand(1);
+  fretval::Command command;
+  fretval::add_commands(app, command);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? fretval::exit_agree : fretval::exit_bad_input;
+  }
+  try {
+    const int exit_code = command();
+    errno = 0;
+    if (std::fflush(stdout) != 0 || std::ferror(stdout))
+      throw std::system_error(errno ? errno : EIO, std::generic_category(), "cannot write to the standard output");
+    return exit_code;
+  } catch (const fretval::InputError& error) {
+    say(error);
+    return fretval::exit_bad_input;
+  } catch (const fretval::meshes::MeshError& error) {
+    say(error);
+    return fretval::exit_bad_input;
+  } catch (const fretval::fem::SolverError& error) {
+    say(error);
+    return fretval::exit_numerics_failed;
+  } catch (const std::filesystem::filesystem_error& error) {
+    say(error);
+    return fretval::exit_system_failed;
+  } catch (const std::system_error& error) {
+    say(error);
+    return fretval::exit_system_failed;
+  } catch (const std::runtime_error& error) {
+    say(error);
+    return fretval::exit_numerics_failed;
+  } catch (const std::bad_alloc&) {
+    fretval::log::error("out of memory: use a larger Accuracy / Tolerance");
+    return fretval::exit_system_failed;
+  } catch (const std::exception& error) {
+    say(error);
+    return fretval::exit_system_failed;
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run(argc, argv);
+  } catch (...) {  // from a message
+    std::fputs("error: fretval ended before it could say why\n", stderr);
+    return fretval::exit_system_failed;
+  }
+}

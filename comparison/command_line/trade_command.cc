@@ -1,0 +1,41 @@
+#include "comparison/command_line/trade_command.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "comparison/case/case_file.h"
+#include "comparison/command_line/exit_codes.h"
+#include "comparison/results/batch.h"
+#include "comparison/support/files.h"
+#include "comparison/support/log.h"
+#include "comparison/support/stopwatch.h"
+#include "comparison/verification/trade/trade.h"
+#include "comparison/verification/trade/trade_json.h"
+#include "comparison/verification/trade/trade_text.h"
+#include "fem/condensation/petsc_session.h"
+
+namespace fretval {
+
+namespace fs = std::filesystem;
+
+int run_trade(const std::string& file, const fs::path& output) {
+  Stopwatch watch;
+  const auto cases = read_case_file(file);
+  if (cases.size() != 1)
+    throw InputError(fmt::format("{}: a sweep has many trades; expected a file with a single case", file));
+  const auto prepared = prepare(cases).front();
+  for (const auto& warning : prepared.scene.warnings) log::warn(warning);
+  const fs::path folder = output / prepared.scene.name;
+  fs::create_directories(folder);
+  const fem::PetscSession session;
+  const auto plan = trade_plan(prepared.fem);
+  const auto trade = compute_trade(prepared, plan);
+  write_file(folder / "trade.json", trade_json(prepared, plan, trade).dump(2) + "\n");
+  fmt::print("{}", trade_text(trade));
+  log::info(
+      fmt::format("{} settings in {:.1f} s: {}", trade.points.size(), watch.lap(), (folder / "trade.json").string()));
+  return trade.front.empty() ? exit_numerics_failed : exit_agree;
+}
+
+}  // namespace fretval

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+
+#include "comparison/reference/mdr_case.h"
+#include "mdr/springs/spring_foundation.h"
+
+namespace fretval {
+
+/// What MDR says about a scene; SI units. Empty radii: nothing sticks. A comparable scene has both maxima.
+struct MdrAnswer {
+  double modulus_ratio;
+  std::optional<double> contact_radius_max;  ///< empty: a prescribed force that no contact carries without slip
+  std::optional<double> stick_radius_first_slip;
+  std::optional<double> stick_radius_shakedown;
+  std::optional<double> worn_radius;       ///< a_inf of the limiting profile that belongs to the shakedown radius
+  std::optional<double> normal_force_max;  ///< empty: not computed, or as above
+};
+
+/// Normal response of the spring foundation in the periodic state; depends on the normal motion alone.
+mdr::NormalResponse mdr_normal_response(const MdrCase& scene);
+
+/// The profile in which the scene wears no more: the indenter itself if it is worn already, or else the limiting
+/// profile of the shakedown radius. Empty: nothing sticks, and wear goes on for ever.
+std::optional<mdr::LimitingProfile> worn_profile(const MdrCase& scene, const std::optional<double>& shakedown_radius);
+
+/// The "mdr" object of result.json. SI units; null where nothing sticks.
+nlohmann::ordered_json to_json(const MdrAnswer& answer);
+
+MdrAnswer mdr_answer(const MdrCase& scene, const mdr::NormalResponse& normal);
+
+}  // namespace fretval

@@ -1,0 +1,156 @@
+#include "comparison/reference/mdr_case.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <string>
+
+#include "mdr/profiles/profile_csv.h"
+#include "mdr/rheology/prony_approximation.h"
+#include "mdr/stick/shakedown_amplitude.h"
+
+namespace fretval {
+namespace {
+
+constexpr double degree = 3.14159265358979323846 / 180;
+
+mdr::Profile profile_from_table(const Case::Indenter& indenter) {
+  std::ifstream stream(indenter.table);
+  try {
+    return mdr::read_profile_table(stream, indenter.table, indenter.table_noise);
+  } catch (const std::invalid_argument& error) {
+    const std::string message = error.what();
+    throw InputError(message.find(indenter.table) == std::string::npos ? indenter.table + ": " + message : message);
+  }
+}
+
+std::optional<double> phase_of(const Case::Motion& motion) {
+  if (!motion.phase) return std::nullopt;
+  return *motion.phase * degree;
+}
+
+std::vector<mdr::Harmonic> with_first(const mdr::Harmonic& first, const std::vector<Case::Harmonic>& more) {
+  std::vector<mdr::Harmonic> harmonics{first};
+  for (const auto& [amplitude, frequency, phase] : more) harmonics.push_back({amplitude, frequency, phase * degree});
+  return harmonics;
+}
+
+mdr::LimitingProfile limiting_of(const Case& scene, const MdrCase& mdr) {
+  const double deepest = mdr::maximum_indentation(mdr.motion);
+  const double unworn_radius = mdr::inverse_transform(mdr.profile, deepest),
+               stick_radius = scene.worn_stick_ratio * unworn_radius;
+  if (mdr::transform(mdr.profile, stick_radius) <= 0)
+    throw InputError(
+        fmt::format("{}: Wear / Stick radius ratio = {:g}: it lies inside the flat face of the indenter, of which all "
+                    "or nothing sticks; expected a ratio above {:.4g}",
+                    scene.file, scene.worn_stick_ratio, mdr::inverse_transform(mdr.profile, 0) / unworn_radius));
+  return mdr::limiting_profile(mdr.profile, stick_radius, deepest);
+}
+
+double amplitude_for_shakedown(const Case& scene, const MdrCase& mdr) {
+  const double depth = mdr::transform(mdr.profile, mdr.limiting->stick_radius);
+  const auto amplitude = mdr::tangential_amplitude_for_shakedown(mdr.body, mdr.friction_coefficient, mdr.motion, depth);
+  if (!amplitude)
+    throw InputError(
+        fmt::format("{}: Wear / Stick radius ratio = {:g}: no tangential amplitude shakes down there, because "
+                    "the contact opens inside it in every cycle; expected a smaller ratio or a smaller Motion / "
+                    "Normal amplitude",
+                    scene.file, scene.worn_stick_ratio));
+  return *amplitude;
+}
+
+/// What finite elements do not do yet, and the entry that asks for it; empty: nothing.
+std::string why_not_comparable(const Case& scene) {
+  const auto& motion = scene.motion;
+  if (motion.normal_force) return "Motion / Normal force: forces are not prescribed";
+  if (motion.tangential_force) return "Motion / Tangential force amplitude: forces are not prescribed";
+  if (!motion.normal_harmonics.empty()) return "Motion / Normal harmonics: only one harmonic is computed";
+  if (!motion.tangential_harmonics.empty()) return "Motion / Tangential harmonics: only one harmonic is computed";
+  if (motion.normal_frequency != motion.tangential_frequency)
+    return fmt::format(
+        "Motion / Tangential frequency = {:g} Hz: only the Normal frequency, {:g} Hz, is computed; use "
+        "Phase = free with equal frequencies for motions that are not synchronised",
+        motion.tangential_frequency, motion.normal_frequency);
+  return "";
+}
+
+}  // namespace
+
+bool is_comparable(const Case& scene) {
+  return why_not_comparable(scene).empty();
+}
+
+void require_comparable(const Case& scene) {
+  const std::string reason = why_not_comparable(scene);
+  if (!reason.empty())
+    throw InputError(fmt::format("{}: {} by the finite elements; `fretval mdr` answers this case", scene.file, reason));
+}
+
+mdr::Profile profile_of(const Case::Indenter& indenter) {
+  switch (indenter.shape) {
+    case Case::Shape::parabola:
+      return mdr::parabola(indenter.radius);
+    case Case::Shape::cone:
+      return mdr::cone(indenter.slope_angle * degree);
+    case Case::Shape::power:
+      return mdr::power_law(indenter.coefficient, indenter.exponent);
+    case Case::Shape::rounded_flat:
+      return mdr::rounded_flat(indenter.flat_radius, indenter.edge_radius);
+    case Case::Shape::truncated_sphere:
+      return mdr::truncated_sphere(indenter.radius, indenter.flat_radius);
+    case Case::Shape::table:
+      break;
+  }
+  return profile_from_table(indenter);
+}
+
+mdr::Rheology rheology_of(const Case::Elastomer& elastomer) {
+  if (elastomer.fractional_order > 0)
+    return mdr::FractionalZener{elastomer.relaxed_modulus, elastomer.branch_moduli.at(0), elastomer.branch_times.at(0),
+                                elastomer.fractional_order};
+  return mdr::prony(elastomer.relaxed_modulus, elastomer.branch_moduli, elastomer.branch_times, elastomer.viscosity);
+}
+
+mdr::PronyBody body_in_time(const Case& scene) {
+  const auto rheology = rheology_of(scene.elastomer);
+  if (const auto* body = std::get_if<mdr::PronyBody>(&rheology)) return *body;
+  const double lowest = std::min(scene.motion.normal_frequency, scene.motion.tangential_frequency);
+  return mdr::prony_approximation(std::get<mdr::FractionalZener>(rheology), lowest / 10, lowest * 1000).body;
+}
+
+mdr::HarmonicMotion harmonic_motion_of(const Case::Motion& motion) {
+  return {motion.indentation,
+          with_first({motion.normal_amplitude, motion.normal_frequency, 0}, motion.normal_harmonics),
+          with_first({motion.tangential_amplitude, motion.tangential_frequency, phase_of(motion).value_or(0)},
+                     motion.tangential_harmonics),
+          motion.phase.has_value()};
+}
+
+mdr::FrettingControl control_of(const Case::Motion& motion) {
+  mdr::FrettingControl control{mdr::IndentationControl{motion.indentation, motion.normal_amplitude},
+                               mdr::TangentialDisplacementControl{motion.tangential_amplitude}, motion.normal_frequency,
+                               motion.tangential_frequency, phase_of(motion)};
+  if (motion.normal_force)
+    control.normal = mdr::NormalForceControl{motion.normal_force->mean, motion.normal_force->amplitude};
+  if (motion.tangential_force) control.tangential = mdr::TangentialForceControl{*motion.tangential_force};
+  return control;
+}
+
+MdrCase mdr_case(const Case& scene) {
+  require_comparable(scene);
+  const auto& motion = scene.motion;
+  const bool amplitude_follows = std::isnan(motion.tangential_amplitude);
+  MdrCase mdr{profile_of(scene.indenter),
+              body_in_time(scene),
+              scene.friction_coefficient,
+              {motion.indentation, motion.normal_amplitude, amplitude_follows ? 0 : motion.tangential_amplitude,
+               motion.normal_frequency, motion.tangential_frequency, phase_of(motion)},
+              {}};
+  if (scene.wear == Case::Wear::limiting) mdr.limiting = limiting_of(scene, mdr);
+  if (amplitude_follows) mdr.motion.tangential_amplitude = amplitude_for_shakedown(scene, mdr);
+  return mdr;
+}
+
+}  // namespace fretval

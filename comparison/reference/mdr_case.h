@@ -1,0 +1,47 @@
+#pragma once
+
+#include <optional>
+
+#include "comparison/case/case.h"
+#include "mdr/motion/harmonic_motion.h"
+#include "mdr/motion/motion.h"
+#include "mdr/profiles/profile.h"
+#include "mdr/rheology/rheology.h"
+#include "mdr/stick/limiting_profile.h"
+#include "mdr/stick/limiting_state.h"
+
+namespace fretval {
+
+/// A case in the terms of the analytic reference, as far as finite elements can be compared with it: one prescribed
+/// displacement in each direction. SI units, angles in radians.
+struct MdrCase {
+  mdr::Profile profile;
+  mdr::PronyBody body;
+  double friction_coefficient;
+  mdr::Motion motion;
+  std::optional<mdr::LimitingProfile> limiting;  ///< Wear / State = limiting: the indenter itself
+};
+
+/// Throws InputError for a case that is not comparable (see require_comparable) or a limiting state that no tangential
+/// amplitude leads to, std::invalid_argument for values that the reference refuses.
+MdrCase mdr_case(const Case& scene);
+
+/// Throws InputError, naming the entry, for a case that only the reference covers: prescribed forces, several
+/// harmonics, unequal frequencies, a body without a history in time.
+void require_comparable(const Case& scene);
+
+/// The same as a question.
+bool is_comparable(const Case& scene);
+
+/// The parts of a case, whether comparable or not. Tables are read here: InputError with file and line.
+mdr::Profile profile_of(const Case::Indenter& indenter);
+mdr::Rheology rheology_of(const Case::Elastomer& elastomer);
+/// The body in time: a fractional one is approximated from a tenth of its lowest frequency of motion to a thousand
+/// times it.
+mdr::PronyBody body_in_time(const Case& scene);
+mdr::HarmonicMotion harmonic_motion_of(const Case::Motion& motion);
+
+/// Of a case with a prescribed force.
+mdr::FrettingControl control_of(const Case::Motion& motion);
+
+}  // namespace fretval

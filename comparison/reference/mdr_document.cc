@@ -1,0 +1,222 @@
+#include "comparison/reference/mdr_document.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "comparison/reference/mdr_answer.h"
+#include "comparison/reference/mdr_case.h"
+#include "mdr/motion/force_control.h"
+#include "mdr/stick/stick_radius.h"
+#include "mdr/wear/wear_kinetics.h"
+
+namespace fretval {
+namespace {
+
+using nlohmann::ordered_json;
+
+constexpr Eigen::Index n_springs = 400;
+constexpr int steps_per_cycle = 360;  // of the fastest harmonic
+constexpr int n_ramp_periods = 20;
+constexpr int n_profile_points = 200;
+
+double modulus_ratio_of(const Case& scene, const mdr::Rheology& body) {
+  return mdr::modulus_ratio(body, mdr::angular_frequency(scene.motion.normal_frequency));
+}
+
+/// Prescribed displacements, whatever their number and frequencies.
+MdrDocument answer_displacements(const Case& scene) {
+  const auto profile = profile_of(scene.indenter);
+  const auto body = rheology_of(scene.elastomer);
+  const auto motion = harmonic_motion_of(scene.motion);
+  const double deepest = mdr::maximum_indentation(motion);
+  const auto radii = mdr::stick_radii(profile, body, scene.friction_coefficient, motion);
+  MdrDocument document;
+  if (radii.shakedown) document.worn = mdr::limiting_profile(profile, *radii.shakedown, deepest);
+  MdrAnswer answer{};
+  answer.modulus_ratio = modulus_ratio_of(scene, body);
+  answer.contact_radius_max = mdr::inverse_transform(profile, deepest);
+  answer.stick_radius_first_slip = radii.first_slip;
+  answer.stick_radius_shakedown = radii.shakedown;
+  if (document.worn) answer.worn_radius = document.worn->outer_radius;
+  document.json["mdr"] = to_json(answer);
+  return document;
+}
+
+ordered_json state_json(const std::optional<mdr::LimitingState>& state) {
+  if (!state) return nullptr;
+  return {{"stick_radius", state->stick_radius},
+          {"indentation", state->motion.indentation},
+          {"normal_amplitude", state->motion.normal_amplitude},
+          {"tangential_amplitude", state->motion.tangential_amplitude},
+          {"phase", state->motion.phase ? ordered_json(*state->motion.phase * 180 / std::acos(-1.0)) : nullptr},
+          {"normal_force_mean", state->mean_normal_force},
+          {"normal_force_amplitude", state->normal_force_amplitude},
+          {"tangential_force_amplitude", state->tangential_force_amplitude}};
+}
+
+/// A prescribed force: the fully worn contact, in which forces and displacements are linear in each other.
+MdrDocument answer_forces(const Case& scene) {
+  const auto profile = profile_of(scene.indenter);
+  const auto body = rheology_of(scene.elastomer);
+  const auto control = control_of(scene.motion);
+  const auto state = [&](mdr::StickCriterion criterion) {
+    return mdr::limiting_state(profile, body, scene.friction_coefficient, control, criterion);
+  };
+  const auto first_slip = state(mdr::StickCriterion::first_slip), shakedown = state(mdr::StickCriterion::shakedown);
+  MdrDocument document;
+  MdrAnswer answer{};
+  answer.modulus_ratio = modulus_ratio_of(scene, body);
+  if (first_slip) answer.stick_radius_first_slip = first_slip->stick_radius;
+  if (shakedown) {
+    document.worn =
+        mdr::limiting_profile(profile, shakedown->stick_radius, mdr::maximum_indentation(shakedown->motion));
+    answer.contact_radius_max = answer.stick_radius_shakedown = shakedown->stick_radius;
+    answer.worn_radius = document.worn->outer_radius;
+    answer.normal_force_max = shakedown->mean_normal_force + shakedown->normal_force_amplitude;
+  }
+  document.json["mdr"] = to_json(answer);
+  document.json["limiting_state"] = {{"first_slip", state_json(first_slip)}, {"shakedown", state_json(shakedown)}};
+  return document;
+}
+
+MdrDocument answer_comparable(const Case& scene) {
+  const auto mdr = mdr_case(scene);
+  const auto answer = mdr_answer(mdr, mdr_normal_response(mdr));
+  MdrDocument document;
+  document.worn = worn_profile(mdr, answer.stick_radius_shakedown);
+  document.json["mdr"] = to_json(answer);
+  return document;
+}
+
+ordered_json profile_json(const std::optional<mdr::LimitingProfile>& worn) {
+  if (!worn) return nullptr;
+  std::vector<double> r, f;
+  const double end = std::min(1.1 * worn->outer_radius, mdr::end_radius(worn->unworn));
+  for (int i = 0; i <= n_profile_points; ++i) {
+    r.push_back(end * i / n_profile_points);
+    f.push_back(mdr::shape(*worn, r.back()));
+  }
+  return {{"criterion", "shakedown"}, {"r", r}, {"f", f}};
+}
+
+ordered_json elastomer_json(const Case::Elastomer& elastomer) {
+  const auto& curve = *elastomer.master_curve;
+  return {{"table", curve.table},
+          {"frequencies", curve.n_frequencies},
+          {"relaxed_modulus", elastomer.relaxed_modulus},
+          {"branch_moduli", elastomer.branch_moduli},
+          {"branch_times", elastomer.branch_times},
+          {"residual", curve.residual},
+          {"held_out", curve.held_out},
+          {"worst", curve.worst},
+          {"worst_frequency", curve.worst_frequency},
+          {"kramers_kronig",
+           {{"consistent", curve.kramers_kronig_consistent},
+            {"worst", curve.kramers_kronig_worst},
+            {"worst_frequency", curve.kramers_kronig_frequency}}}};
+}
+
+/// The displacements of a case. Under a normal force, which decides itself how deep the indenter goes, the indentation
+/// is the largest that the relaxed body would let it reach.
+mdr::HarmonicMotion displacements_of(const Case::Motion& motion, const mdr::Profile& profile,
+                                     const mdr::PronyBody& body) {
+  auto displacements = harmonic_motion_of(motion);
+  if (motion.normal_force)
+    displacements.indentation = mdr::indentation_for_force(profile, body.relaxed_modulus,
+                                                           motion.normal_force->mean + motion.normal_force->amplitude);
+  return displacements;
+}
+
+mdr::Loading loading_of(const Case::Motion& motion, const mdr::HarmonicMotion& displacements, double period) {
+  const double ramp = n_ramp_periods * period;
+  mdr::Loading loading{mdr::ramped_path(displacements, ramp), {}, {}};
+  if (motion.normal_force)
+    loading.normal_force =
+        mdr::ramped_force(motion.normal_force->mean, motion.normal_force->amplitude, motion.normal_frequency, 0, ramp);
+  if (motion.tangential_force)
+    loading.tangential_force = mdr::ramped_force(0, *motion.tangential_force, motion.tangential_frequency,
+                                                 displacements.tangential.front().phase, ramp);
+  return loading;
+}
+
+ordered_json springs_json(const Case& scene) {
+  const auto answer = spring_answer(scene);
+  const auto& history = answer.history;
+  const auto profile = profile_of(scene.indenter);
+  const auto radius = [&](double depth) {
+    return depth > 0 ? ordered_json(mdr::inverse_transform(profile, depth)) : ordered_json(nullptr);
+  };
+  return {{"springs", n_springs},
+          {"steps_per_period", answer.steps_per_period},
+          {"periods", history.n_periods},
+          {"stick_radius_first_slip", radius(history.depths.first_slip)},
+          {"stick_radius_shakedown", radius(history.depths.shakedown)},
+          {"normal_force_max", *std::max_element(history.normal_force.begin(), history.normal_force.end())},
+          {"friction_work", history.friction_work},
+          {"bulk_work", history.bulk_work},
+          {"indenter_work", history.indenter_work}};
+}
+
+ordered_json wear_json(const Case& scene) {
+  const auto mdr = mdr_case(scene);
+  const auto kinetics = mdr::wear_kinetics(mdr.profile, mdr.body, mdr.friction_coefficient, mdr.motion,
+                                           {scene.wear_kinetics->coefficient, scene.wear_kinetics->n_cycles});
+  ordered_json json;
+  for (const auto& point : kinetics.curve) {
+    json["cycles"].push_back(point.cycles);
+    json["volume"].push_back(point.volume);
+    json["deepest"].push_back(point.deepest);
+    json["friction_work"].push_back(point.friction_work);
+    json["contact_radius"].push_back(point.contact_radius);
+    json["stick_radius"].push_back(point.stick_radius);
+  }
+  const auto list = [](const Eigen::ArrayXd& a) { return std::vector<double>(a.data(), a.data() + a.size()); };
+  json["r"] = list(kinetics.radius);
+  json["worn_depth"] = list(kinetics.worn_depth);
+  return json;
+}
+
+}  // namespace
+
+MdrDocument mdr_document(const Case& scene, bool with_springs) {
+  try {
+    const bool forces = scene.motion.normal_force || scene.motion.tangential_force;
+    // The stick radii of a fractional body need no approximation of it.
+    const bool exact = scene.elastomer.fractional_order > 0 && scene.wear == Case::Wear::unworn;
+    auto document = forces                           ? answer_forces(scene)
+                    : is_comparable(scene) && !exact ? answer_comparable(scene)
+                                                     : answer_displacements(scene);
+    ordered_json json{{"name", scene.name}};
+    json.update(document.json);
+    json["limiting_profile"] = profile_json(document.worn);
+    if (scene.elastomer.master_curve) json["elastomer"] = elastomer_json(scene.elastomer);
+    if (with_springs) json["springs"] = springs_json(scene);
+    if (scene.wear_kinetics) json["wear"] = wear_json(scene);
+    document.json = std::move(json);
+    return document;
+  } catch (const std::invalid_argument& error) {
+    throw InputError(fmt::format("{}: {}", scene.file, error.what()));
+  }
+}
+
+SpringAnswer spring_answer(const Case& scene) {
+  if (scene.wear == Case::Wear::limiting)
+    throw InputError(scene.file + ": Wear / State = limiting: springs are stepped for an unworn indenter");
+  const auto body = body_in_time(scene);
+  const auto profile = profile_of(scene.indenter);
+  const auto motion = displacements_of(scene.motion, profile, body);
+  const double period = mdr::common_period(motion);
+  double fastest = 0;
+  for (const auto* harmonics : {&motion.normal, &motion.tangential})
+    for (const auto& harmonic : *harmonics) fastest = std::max(fastest, harmonic.frequency);
+  const int steps = steps_per_cycle * static_cast<int>(std::lround(fastest * period));
+  const double outer = 1.001 * mdr::inverse_transform(profile, mdr::maximum_indentation(motion));
+  auto bed = mdr::spring_bed(profile, std::min(outer, mdr::end_radius(profile)), n_springs);
+  auto history = mdr::spring_history(bed, body, scene.friction_coefficient, loading_of(scene.motion, motion, period),
+                                     {period, steps, n_ramp_periods, 2000, 1e-7});
+  return {std::move(bed), std::move(history), steps};
+}
+
+}  // namespace fretval

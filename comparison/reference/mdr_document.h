@@ -1,0 +1,37 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <vector>
+
+#include "comparison/case/case.h"
+#include "comparison/support/files.h"
+#include "mdr/springs/spring_history.h"
+#include "mdr/stick/limiting_profile.h"
+
+namespace fretval {
+
+/// The analytic answer to a case and what else its user asked for, as `fretval mdr --json` prints it; docs/results.md
+/// describes the entries.
+struct MdrDocument {  // NOLINT(bugprone-exception-escape): moving JSON checks an invariant, and throws nothing
+  nlohmann::ordered_json json;
+  std::optional<mdr::LimitingProfile> worn;  ///< in which nothing wears any more
+};
+
+/// with_springs: also the transient spring foundation. Throws InputError for what cannot be answered, naming the case
+/// file.
+MdrDocument mdr_document(const Case& scene, bool with_springs);
+
+/// Transient spring foundation of a case, unworn also where forces are prescribed.
+struct SpringAnswer {
+  mdr::SpringBed bed;
+  mdr::SpringHistory history;
+  int steps_per_period;
+};
+SpringAnswer spring_answer(const Case& scene);
+
+/// Fields on the surface over r, at the largest and smallest indentation of the periodic state, and in the limiting
+/// state at the largest one.
+std::vector<Column> surface_columns(const Case& scene, const std::optional<mdr::LimitingProfile>& worn);
+
+}  // namespace fretval

@@ -1,0 +1,235 @@
+#include "comparison/report/figures.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <map>
+#include <set>
+#include <tuple>
+
+#include "comparison/report/plots.h"
+#include "comparison/support/escape.h"
+
+namespace fretval {
+namespace {
+
+constexpr const char* phase_entry = "Motion / Phase";
+constexpr const char* ratio_entry = "Wear / Stick radius ratio";
+
+struct Criterion {
+  const char* key;
+  const char* name;
+};
+constexpr Criterion first_slip{"stick_radius_first_slip", "first-slip radius (the paper's criterion)"};
+constexpr Criterion shakedown{"stick_radius_shakedown", "shakedown radius (the steady state)"};
+
+double amplitude_ratio(const StoredResult& r) {
+  return 1.5 * r.number("scene", "friction_coefficient") * r.number("scene", "normal_amplitude") /
+         r.number("scene", "tangential_amplitude");
+}
+
+std::string shape_title(const std::string& shape) {
+  if (shape == "parabola") return "Parabola";
+  return shape == "cone" ? "Cone" : "Power law";
+}
+
+std::vector<const StoredResult*> select(const std::vector<StoredResult>& results, const char* entry,
+                                        const std::string& shape) {
+  std::vector<const StoredResult*> selected;
+  for (const auto& r : results)
+    if (r.swept_over(entry) && r.text("scene", "shape") == shape) selected.push_back(&r);
+  return selected;
+}
+
+/// The shapes that are swept over an entry, in the paper's order.
+std::vector<std::string> shapes_swept(const std::vector<StoredResult>& results, const char* entry) {
+  std::vector<std::string> shapes;
+  for (const char* shape : {"parabola", "cone", "power"})
+    if (!select(results, entry, shape).empty()) shapes.emplace_back(shape);
+  return shapes;
+}
+
+/// A curve of a phase sweep: everything of one k and rheology.
+struct CurveKey {
+  double k;
+  std::string rheology;
+  bool operator<(const CurveKey& o) const { return std::tie(k, rheology) < std::tie(o.k, o.rheology); }
+};
+
+std::map<CurveKey, std::vector<const StoredResult*>> curves(const std::vector<const StoredResult*>& results) {
+  std::map<CurveKey, std::vector<const StoredResult*>> grouped;
+  for (const auto* r : results)
+    grouped[{std::round(1e6 * amplitude_ratio(*r)) / 1e6, r->text("scene", "rheology")}].push_back(r);
+  return grouped;
+}
+
+/// The sweep with the most points of each k carries the line; the others only add points.
+std::map<double, CurveKey> leading_curves(const std::map<CurveKey, std::vector<const StoredResult*>>& grouped) {
+  std::map<double, CurveKey> leading;
+  for (const auto& [key, members] : grouped) {
+    const auto found = leading.find(key.k);
+    if (found == leading.end() || grouped.at(found->second).size() < members.size()) leading[key.k] = key;
+  }
+  return leading;
+}
+
+int colour_of(const std::map<double, CurveKey>& leading, double k) {
+  return static_cast<int>(std::distance(leading.begin(), leading.find(k)));
+}
+
+Figure stick_radius_figure(const std::vector<const StoredResult*>& results, const std::string& shape,
+                           const Criterion& criterion) {
+  Plot plot;
+  plot.title = fmt::format("{}: {}", shape_title(shape), criterion.name);
+  plot.x_label = "phase φ_0 in degrees";
+  plot.y_label = "c over the contact radius at d_0";
+  plot.key_right = true;
+  const auto grouped = curves(results);
+  const auto leading = leading_curves(grouped);
+  std::set<std::string> rheologies;
+  for (const auto& [key, members] : grouped) {
+    const bool leads = leading.at(key.k).rheology == key.rheology;
+    const int colour = colour_of(leading, key.k);
+    Series line{fmt::format("k = {:g}", key.k), {}, {}, Series::Style::line, colour};
+    Series points{"", {}, {}, leads ? Series::Style::points : Series::Style::open_points, colour};
+    for (const auto* r : members) {
+      const double unit = r->number("scene", "contact_radius_at_rest");
+      line.x.push_back(r->sweep_value());
+      line.y.push_back(r->number("mdr", criterion.key) / unit);
+      points.x.push_back(r->sweep_value());
+      points.y.push_back(r->number("fe", criterion.key) / unit);
+    }
+    if (leads) plot.series.push_back(line);
+    plot.series.push_back(points);
+    rheologies.insert(key.rheology);
+  }
+  plot.x_range = {0, 180};
+  plot.y_range = {0, 0.9};
+  std::string list;
+  for (const auto& name : rheologies) list += (list.empty() ? "" : ", ") + name;
+  return {svg(plot),
+          fmt::format("{}. Lines: MDR. Full points: finite elements, {}; open points: the other rheologies with "
+                      "the same modulus ratio. Rheologies shown: {}. A missing point: nothing sticks.",
+                      plot.title, html_escaped(leading.begin()->second.rheology), html_escaped(list))};
+}
+
+Figure difference_figure(const std::vector<const StoredResult*>& results, const std::string& shape) {
+  Plot plot;
+  plot.title = fmt::format("{}: difference between finite elements and MDR", shape_title(shape));
+  plot.x_label = "phase φ_0 in degrees";
+  plot.y_label = "|c_{FE} - c_{MDR}| / a";
+  plot.log_y = true;
+  plot.key_right = true;
+  const auto grouped = curves(results);
+  const auto leading = leading_curves(grouped);
+  for (const auto& criterion : {first_slip, shakedown}) {
+    std::map<double, Series> per_k;
+    for (const auto& [key, members] : grouped) {
+      auto& series = per_k[key.k];
+      const bool first = criterion.key == first_slip.key;
+      series.style = first ? Series::Style::open_points : Series::Style::points;
+      series.label = first ? "" : fmt::format("k = {:g}", key.k);
+      series.colour = colour_of(leading, key.k);
+      for (const auto* r : members) {
+        series.x.push_back(r->sweep_value());
+        series.y.push_back(std::abs(r->number("fe", criterion.key) - r->number("mdr", criterion.key)) /
+                           r->number("scene", "contact_radius_unworn"));
+      }
+    }
+    for (auto& [k, series] : per_k) plot.series.push_back(std::move(series));
+  }
+  const double tolerance = results.front()->number("scene", "tolerance");
+  plot.series.push_back({"tolerance", {0, 180}, {tolerance, tolerance}, Series::Style::dashed, 7});
+  plot.x_range = {0, 180};
+  plot.y_range = {1e-6, 1e-1};
+  return {svg(plot), "The same cases, all rheologies. Full points: shakedown, open points: first slip."};
+}
+
+/// Free surface of the finite elements at the largest indentation, up to the outer radius, about 25 points.
+Series thinned_surface(const StoredResult& r, double outer, double length, double depth, int colour) {
+  const auto [radius, height] = read_columns(r.folder / "contact.csv", "r outer [m]", "surface height at d max [m]");
+  Series points{"", {}, {}, Series::Style::points, colour};
+  for (std::size_t i = 0; i < radius.size() && radius[i] <= outer * length; ++i) {
+    if (!points.x.empty() && radius[i] / length < points.x.back() + outer / 25) continue;
+    points.x.push_back(radius[i] / length);
+    points.y.push_back(height[i] / depth);
+  }
+  return points;
+}
+
+Figure limiting_profile_figure(const std::vector<const StoredResult*>& results, const std::string& shape) {
+  Plot plot;
+  plot.title = fmt::format("{}: limiting profiles", shape_title(shape));
+  plot.x_label = "r / a_0";
+  plot.y_label = "f_∞ / d_{max}";
+  plot.key_right = true;
+  int colour = 0;
+  for (const auto* r : results) {
+    const double length = r->number("scene", "contact_radius_unworn");
+    const double depth = r->number("scene", "indentation") + r->number("scene", "normal_amplitude");
+    auto [x, y] = read_columns(r->folder / "profile.csv", "r [m]", "f limiting [m]");
+    for (double& v : x) v /= length;
+    for (double& v : y) v /= depth;
+    const double outer = r->number("mdr", "worn_radius") / length;
+    for (std::size_t i = 1; i < x.size(); ++i)
+      if (x[i - 1] <= outer && outer < x[i])
+        plot.x_marks.emplace_back(outer, y[i - 1] + (y[i] - y[i - 1]) * (outer - x[i - 1]) / (x[i] - x[i - 1]));
+    plot.series.push_back(
+        {fmt::format("c = {:.2g} a_0", r->sweep_value()), std::move(x), std::move(y), Series::Style::line, colour});
+    plot.series.push_back(thinned_surface(*r, outer, length, depth, colour++));
+  }
+  plot.x_range = {0, 1.6};
+  plot.y_range = {0, 1.6};
+  return {svg(plot),
+          "Lines: the profiles that MDR predicts, which are the indenters of the finite element runs. Points: the "
+          "surface of "
+          "the finite elements at the largest indentation, which must lie on them without pressure outside c. "
+          "Triangles: a<sub>∞</sub>, where the wear ends."};
+}
+
+}  // namespace
+
+std::vector<Figure> stick_radius_figures(const std::vector<StoredResult>& results) {
+  std::vector<Figure> figures;
+  for (const auto& shape : shapes_swept(results, phase_entry)) {
+    const auto selected = select(results, phase_entry, shape);
+    figures.push_back(stick_radius_figure(selected, shape, first_slip));
+    figures.push_back(stick_radius_figure(selected, shape, shakedown));
+  }
+  return figures;
+}
+
+std::vector<Figure> difference_figures(const std::vector<StoredResult>& results) {
+  std::vector<Figure> figures;
+  for (const auto& shape : shapes_swept(results, phase_entry))
+    figures.push_back(difference_figure(select(results, phase_entry, shape), shape));
+  return figures;
+}
+
+std::vector<Figure> limiting_profile_figures(const std::vector<StoredResult>& results) {
+  std::vector<Figure> figures;
+  for (const auto& shape : shapes_swept(results, ratio_entry))
+    figures.push_back(limiting_profile_figure(select(results, ratio_entry, shape), shape));
+  return figures;
+}
+
+std::vector<Figure> single_case_figures(const StoredResult& result) {
+  Plot contact{"Contact over the last period", "r in m", "stress in Pa", {}, {}, false, false, {}, {}};
+  const auto add = [&](Plot& plot, const char* file, const char* x, const char* y, const char* label, int colour,
+                       Series::Style style) {
+    auto [xs, ys] = read_columns(result.folder / file, x, y);
+    plot.series.push_back({label, std::move(xs), std::move(ys), style, colour});
+  };
+  add(contact, "contact.csv", "r outer [m]", "p largest [Pa]", "largest pressure", 0, Series::Style::line);
+  add(contact, "contact.csv", "r outer [m]", "p smallest [Pa]", "smallest pressure", 0, Series::Style::dashed);
+  add(contact, "contact.csv", "r outer [m]", "tau largest [Pa]", "largest traction", 1, Series::Style::line);
+  add(contact, "contact.csv", "r outer [m]", "tau smallest [Pa]", "smallest traction", 1, Series::Style::dashed);
+  Plot forces{"Forces over the last period", "t in s", "force in N", {}, {}, false, false, {}, {}};
+  add(forces, "history.csv", "t [s]", "F_N MDR [N]", "normal, MDR", 0, Series::Style::line);
+  add(forces, "history.csv", "t [s]", "F_N [N]", "normal, finite elements", 0, Series::Style::points);
+  add(forces, "history.csv", "t [s]", "F_x [N]", "tangential, finite elements", 1, Series::Style::points);
+  return {{svg(contact), "Smallest and largest pressure and traction of every ring."},
+          {svg(forces), "Normal force of both methods, tangential force of the finite elements."}};
+}
+
+}  // namespace fretval

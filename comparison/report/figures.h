@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "comparison/results/results_folder.h"
+
+namespace fretval {
+
+struct Figure {
+  std::string svg, caption;
+};
+
+/// Stick radius over the phase, one plot per indenter shape and criterion: MDR as lines, finite elements as points, one
+/// colour per k = 3 mu Dd / (2 u_x0), in the paper's normalisation (figure 3). Results swept over the phase only.
+std::vector<Figure> stick_radius_figures(const std::vector<StoredResult>& results);
+
+/// (c_FE - c_MDR)/a over the phase, with the tolerance, for the same results.
+std::vector<Figure> difference_figures(const std::vector<StoredResult>& results);
+
+/// Limiting profiles over the radius, one plot per indenter shape, with a_inf marked (figure 4), and what the finite
+/// elements find on them. Results swept over the worn stick radius only.
+std::vector<Figure> limiting_profile_figures(const std::vector<StoredResult>& results);
+
+/// Pressure and traction over the radius and forces over a period, of a single case.
+std::vector<Figure> single_case_figures(const StoredResult& result);
+
+}  // namespace fretval

@@ -1,0 +1,114 @@
+#include "comparison/report/verdict_section.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "comparison/support/escape.h"
+
+namespace fretval {
+namespace {
+
+using Results = std::vector<StoredResult>;
+using nlohmann::ordered_json;
+
+struct Quantity {
+  const char* key;
+  const char* name;
+};
+constexpr Quantity quantities[] = {{"stick_radius_first_slip", "stick radius, first slip (over a)"},
+                                   {"stick_radius_shakedown", "stick radius, shakedown (over a)"},
+                                   {"contact_radius_max", "largest contact radius (relative)"},
+                                   {"normal_force_max", "largest normal force (relative)"},
+                                   {"slip_inside_stick_zone", "slip inside c (over the amplitude)"},
+                                   {"force_outside_stick_zone", "force outside c (over the force)"},
+                                   {"maximum_indentation", "indentation at which the flank touches (relative)"}};
+
+}  // namespace
+
+Extreme extreme_of(const Results& results, const char* key) {
+  Extreme extreme;
+  for (const auto& r : results) {
+    const auto& comparison = r.json.at("comparison");
+    if (!comparison.contains(key)) continue;
+    const auto& d = comparison[key];
+    ++extreme.n_compared;
+    extreme.n_pass += d.value("pass", false) ? 1 : 0;
+    extreme.n_inconclusive += d.value("verdict", "") == "inconclusive" ? 1 : 0;
+    const double tolerance = d.value("tolerance", 0.0);
+    const bool has_bar = d.contains("error_bar") && d["error_bar"].is_number();
+    if (has_bar) {
+      const double bar = d["error_bar"].get<double>();
+      ++extreme.n_with_bar;
+      if (!d["difference"].is_number() || std::abs(d["difference"].get<double>()) <= bar) ++extreme.n_covered;
+      extreme.largest_bar = std::max(extreme.largest_bar, bar);
+    }
+    if (!d["difference"].is_number()) continue;
+    if (std::abs(d["difference"].get<double>()) < std::abs(extreme.difference)) continue;
+    extreme.difference = d["difference"].get<double>();
+    extreme.tolerance = tolerance;
+    extreme.name = r.json.at("name").get<std::string>();
+  }
+  return extreme;
+}
+
+std::string verdict_section(const Results& results) {
+  const auto n_pass = std::count_if(results.begin(), results.end(),
+                                    [](const auto& r) { return r.json.at("pass").template get<bool>(); });
+  const bool all = static_cast<std::size_t>(n_pass) == results.size();
+  std::string html = fmt::format(
+      "<p class=\"lead\"><span class=\"badge {}\">{}</span> Finite elements and MDR agree within tolerance in {} of {} "
+      "cases.</p>\n<div class=\"scroll\"><table><thead><tr><th>quantity</th><th>cases</th><th>agree</th>"
+      "<th>inconclusive</th><th>largest difference</th><th>largest error bar</th><th>tolerance</th>"
+      "<th>difference within the bar</th><th>largest difference in</th></tr></thead><tbody>\n",
+      all ? "good" : "bad", all ? "confirmed" : "not confirmed", n_pass, results.size());
+  for (const auto& quantity : quantities) {
+    const auto e = extreme_of(results, quantity.key);
+    if (e.n_compared == 0) continue;
+    html += fmt::format(
+        "<tr><td>{}</td><td>{}</td><td{}>{}</td><td>{}</td><td>{:.1e}</td><td>{}</td><td>{:.0e}</td><td>{}</td>"
+        "<td>{}</td></tr>\n",
+        quantity.name, e.n_compared, e.n_pass == e.n_compared ? "" : " class=\"bad-cell\"", e.n_pass, e.n_inconclusive,
+        e.difference, e.n_with_bar > 0 ? fmt::format("{:.1e}", e.largest_bar) : "–", e.tolerance,
+        e.n_with_bar > 0 ? fmt::format("{} of {}", e.n_covered, e.n_with_bar) : "–", html_escaped(e.name));
+  }
+  return html +
+         "</tbody></table></div>\n<p class=\"soft\">The error bar is that of the finite elements, each source measured "
+         "by "
+         "its own refinement. A comparison whose bar is wider than its tolerance is inconclusive.</p>\n";
+}
+
+/// Which sources make up the error bars: median and largest share of each over all results.
+std::string budget_section(const Results& results) {
+  std::map<std::string, std::map<std::string, std::vector<double>>> shares;  // by source and quantity
+  for (const auto& r : results) {
+    const auto& fe = r.json.at("fe");
+    if (!fe.contains("error_estimate")) continue;
+    for (const auto& [quantity, bar] : fe["error_estimate"].items())
+      if (bar.is_object() && bar.contains("shares"))
+        for (const auto& [source, share] : bar["shares"].items())
+          if (share.value("estimate", ordered_json()).is_number())
+            shares[source][quantity].push_back(share["estimate"].get<double>());
+  }
+  if (shares.empty()) return "";
+  std::string html =
+      "<h2>Error budget of the finite elements</h2>\n<div class=\"scroll\"><table><thead><tr><th>source: median, "
+      "largest</th>";
+  for (const auto& quantity : quantities) html += fmt::format("<th>{}</th>", quantity.name);
+  html += "</tr></thead><tbody>\n";
+  for (auto& [source, by_quantity] : shares) {
+    html += fmt::format("<tr><td>{}</td>", html_escaped(source));
+    for (const auto& quantity : quantities) {
+      auto& values = by_quantity[quantity.key];
+      std::sort(values.begin(), values.end());
+      html += values.empty() ? "<td>–</td>"
+                             : fmt::format("<td>{:.0e}, {:.0e}</td>", values[values.size() / 2], values.back());
+    }
+    html += "</tr>\n";
+  }
+  return html + "</tbody></table></div>\n";
+}
+
+}  // namespace fretval

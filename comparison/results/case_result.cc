@@ -1,0 +1,159 @@
+#include "comparison/results/case_result.h"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "comparison/simulation/resolution_json.h"
+#include "comparison/support/files.h"
+#include "comparison/support/versions.h"
+#include "fem/condensation/field_output.h"
+
+namespace fretval {
+namespace {
+
+namespace fs = std::filesystem;
+constexpr double pi = 3.14159265358979323846;
+
+nlohmann::ordered_json run_json(const CaseResult& outcome) {
+  nlohmann::ordered_json libraries;
+  for (const auto& [name, version] : versions()) libraries[name] = version;
+  const auto& r = outcome.fem_case.resolution;
+  const auto& normal = *outcome.study.answer.normal;
+  const auto& q = outcome.study.answer.body->mesh_quality;
+  return {{"versions", libraries},
+          {"resolution",
+           {{"elements_per_radius", r.elements_per_radius},
+            {"degree", r.degree},
+            {"growth", r.growth},
+            {"far_radius", r.far_radius},
+            {"steps_per_cycle", r.steps_per_cycle},
+            {"ramp_cycles", r.n_ramp_cycles},
+            {"periodicity", r.periodicity},
+            {"focus", focus_json(outcome.study.focus)},
+            {"refinements", outcome.study.n_refinements},
+            {"computations", outcome.study.n_probes}}},
+          {"reached",
+           {{"periodicity_normal", normal.history.periodicity},
+            {"periodicity_tangential", outcome.study.answer.fe.friction.periodicity},
+            {"cycles_normal", normal.history.n_cycles}}},
+          {"mesh",
+           {{"cells", q.n_cells},
+            {"nodes", q.n_nodes},
+            {"min_scaled_jacobian", q.min_scaled_jacobian},
+            {"max_aspect_ratio", q.max_aspect_ratio}}},
+          {"units",
+           {{"length", outcome.fem_case.units.length},
+            {"depth", outcome.fem_case.units.depth},
+            {"modulus", outcome.fem_case.units.modulus},
+            {"angular_frequency", outcome.fem_case.units.angular_frequency}}}};
+}
+
+/// Value of a periodic table (equal steps, both ends included) at any time.
+double periodic_value(const std::vector<double>& values, double cycles) {
+  const double position = (cycles - std::floor(cycles)) * static_cast<double>(values.size() - 1);
+  const auto k = std::min(static_cast<std::size_t>(position), values.size() - 2);
+  const double weight = position - static_cast<double>(k);
+  return (1 - weight) * values[k] + weight * values[k + 1];
+}
+
+void write_history(const CaseResult& outcome, const mdr::NormalResponse& reference, const fs::path& file) {
+  const auto& fem = outcome.fem_case;
+  const auto& history = outcome.study.answer.normal->history;
+  const auto& friction = outcome.study.answer.fe.friction;
+  const Eigen::Index n = friction.traction.cols();
+  const Eigen::Index first = friction.force.size() - n;
+  const double dt = 2 * pi / history.steps_per_cycle;
+  Eigen::VectorXd time(n), indentation(n), displacement(n), normal_force(n), mdr_force(n), tangential_force(n);
+  for (Eigen::Index k = 0; k < n; ++k) {
+    const double t = history.time[1] + static_cast<double>(first + k - 1) * dt;
+    time[k] = t / fem.units.angular_frequency;
+    indentation[k] = fem::normal_motion(fem.motion, t).value * fem.units.depth;
+    displacement[k] = fem::tangential_motion(fem.motion, t).value * fem.units.depth;
+    normal_force[k] = history.force[history.column(first + k)] * fem.units.force();
+    mdr_force[k] = periodic_value(reference.normal_force, t / (2 * pi));
+    tangential_force[k] = friction.force[first + k] * fem.units.force();
+  }
+  write_csv(file, {{"t [s]", time},
+                   {"d [m]", indentation},
+                   {"u_x [m]", displacement},
+                   {"F_N [N]", normal_force},
+                   {"F_N MDR [N]", mdr_force},
+                   {"F_x [N]", tangential_force}});
+}
+
+void write_contact(const CaseResult& outcome, const fs::path& file) {
+  const auto& normal = *outcome.study.answer.normal;
+  const auto& units = outcome.fem_case.units;
+  const auto& friction = outcome.study.answer.fe.friction;
+  const auto last_cycle = normal.history.pressure.rightCols(normal.history.steps_per_cycle);
+  const auto n = static_cast<Eigen::Index>(outcome.study.answer.body->radii.size()) - 1;
+  const Eigen::Map<const Eigen::VectorXd> radii(outcome.study.answer.body->radii.data(), n + 1);
+  write_csv(file,
+            {{"r inner [m]", units.length * radii.head(n)},
+             {"r outer [m]", units.length * radii.tail(n)},
+             {"p smallest [Pa]", units.pressure() * last_cycle.rowwise().minCoeff()},
+             {"p largest [Pa]", units.pressure() * last_cycle.rowwise().maxCoeff()},
+             {"tau smallest [Pa]", units.pressure() * friction.traction.rowwise().minCoeff()},
+             {"tau largest [Pa]", units.pressure() * friction.traction.rowwise().maxCoeff()},
+             {"surface height at d max [m]", units.depth * (1 - normal.history.deepest_displacement.array()).matrix()},
+             {"slip per period [m]", units.depth * friction.period_slip},
+             {"first slip margin [Pa]", units.pressure() * friction.first_slip_margin},
+             {"shakedown margin [Pa]", units.pressure() * friction.shakedown_margin}});
+}
+
+void write_profile(const CaseResult& outcome, const fs::path& file) {
+  constexpr Eigen::Index n = 400;
+  const auto& scene = outcome.mdr_case;
+  const auto worn = worn_profile(scene, outcome.mdr.stick_radius_shakedown);
+  const double end = 1.1 * (worn ? worn->outer_radius : outcome.fem_case.units.length);
+  const Eigen::VectorXd r = Eigen::VectorXd::LinSpaced(n, 0, end);
+  Eigen::VectorXd unworn(n), limiting(n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    unworn[i] = mdr::shape(scene.profile, r[i]);
+    if (worn) limiting[i] = mdr::shape(*worn, r[i]);
+  }
+  std::vector<Column> columns{{"r [m]", r}, {"f unworn [m]", unworn}};
+  if (worn) columns.push_back({"f limiting [m]", limiting});
+  write_csv(file, columns);
+}
+
+void write_field(const HarmonicBody& body, const Eigen::VectorXd& rings, const Units& units, const fs::path& file) {
+  const auto field = fem::extend_into_body(body.space, body.condensation, body.contact.compliance, rings);
+  std::ostringstream text;
+  fem::write_vtu(body.space, field, units.length, units.depth, text);
+  write_file(file, text.str());
+}
+
+/// Names of files may have bytes that are not UTF-8.
+std::string as_text(const nlohmann::ordered_json& json) {
+  return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace
+
+void withdraw_result(const fs::path& folder) {
+  fs::remove(folder / "result.json");
+}
+
+void write_result(const CaseResult& outcome, const mdr::NormalResponse& reference, const fs::path& folder,
+                  const std::function<Body(const BodySpecification&)>& make_body) {
+  fs::create_directories(folder);
+  write_history(outcome, reference, folder / "history.csv");
+  write_contact(outcome, folder / "contact.csv");
+  write_profile(outcome, folder / "profile.csv");
+  if (outcome.scene.fields == Case::Fields::extremes) {
+    const auto& units = outcome.fem_case.units;
+    const auto& history = outcome.study.answer.normal->history;
+    const Body body = make_body(outcome.fem_case.body);
+    write_field(body.normal, history.deepest_displacement, units, folder / "normal_deepest.vtu");
+    write_field(body.normal, history.highest_displacement, units, folder / "normal_highest.vtu");
+    if (body.tangential)
+      write_field(*body.tangential, outcome.study.answer.fe.friction.displacement, units,
+                  folder / "tangential_period_end.vtu");
+  }
+  write_file(folder / "run.json", as_text(run_json(outcome)));
+  write_file(folder / "result.json", as_text(result_json(outcome)));
+}
+
+}  // namespace fretval

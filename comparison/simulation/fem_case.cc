@@ -1,0 +1,133 @@
+#include "comparison/simulation/fem_case.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <tuple>
+
+#include "meshes/grading.h"
+
+namespace fretval {
+namespace {
+
+constexpr double degree = 3.14159265358979323846 / 180;
+
+// The contact line reaches a little beyond the largest contact, so that the first ring that never touches is on it.
+constexpr double contact_line_reserve = 1.12;
+
+// Over the contact radius. Seven decades below the far cells a probe solve of the factor leaves 2e-10, ten decades
+// 7e-8.
+constexpr double finest_ring = 5e-8;
+
+/// Of equal width. Fewer than three that do not touch do not tell where the contact ends.
+constexpr double rings_beyond = 4;
+
+std::vector<double> contact_nodes(const FemCase& scene) {
+  const auto& resolution = scene.resolution;
+  const double ring = 1.0 / resolution.elements_per_radius;
+  // A worn profile ends its zone at a known radius, where stresses are singular. Rounded up to quarters of the contact
+  // radius, so that profiles with the same c share their body.
+  if (scene.worn_edge) {
+    const double edge = scene.worn_edge->inner, end = std::ceil(4 * contact_line_reserve * scene.worn_edge->outer) / 4;
+    return meshes::graded_nodes({edge, edge, resolution.worn_edge_ring * edge}, end, ring, resolution.surface_growth);
+  }
+  const double end = std::max(contact_line_reserve, 1 + rings_beyond * ring);
+  if (resolution.focus) {
+    const auto [inner, outer, wanted] = *resolution.focus;
+    const double fine = std::max(wanted, finest_ring);
+    return meshes::graded_nodes({inner, outer, std::min(fine, ring)}, std::max(end, outer + rings_beyond * fine), ring,
+                                resolution.surface_growth);
+  }
+  const auto n = static_cast<unsigned>(std::ceil(end * resolution.elements_per_radius / 2)) * 2;
+  return meshes::uniform_nodes(n * ring, n);
+}
+
+std::function<double(double)> profile_in(const Units& units, const Case& scene, const MdrCase& mdr) {
+  const double length = units.length, depth = units.depth;
+  if (mdr.limiting)
+    return [worn = *mdr.limiting, length, depth](double r) { return mdr::shape(worn, r * length) / depth; };
+  // Written out rather than taken from mdr/, so that an error there cannot cancel in the comparison.
+  const auto& indenter = scene.indenter;
+  switch (indenter.shape) {
+    case Case::Shape::parabola:
+      return [factor = length * length / (2 * indenter.radius * depth)](double r) { return factor * r * r; };
+    case Case::Shape::cone:
+      return [factor = std::tan(indenter.slope_angle * degree) * length / depth](double r) { return factor * r; };
+    case Case::Shape::power:
+      return [factor = indenter.coefficient * std::pow(length, indenter.exponent) / depth,
+              n = indenter.exponent](double r) { return factor * std::pow(r, n); };
+    case Case::Shape::rounded_flat:
+      return [factor = length * length / (2 * indenter.edge_radius * depth), flat = indenter.flat_radius / length](
+                 double r) { return r > flat ? factor * (r - flat) * (r - flat) : 0; };
+    case Case::Shape::truncated_sphere:
+      return [factor = length * length / (2 * indenter.radius * depth), flat = indenter.flat_radius / length](
+                 double r) { return r > flat ? factor * (r - flat) * (r + flat) : 0; };
+    case Case::Shape::table:
+      break;
+  }
+  // The heights between measured points are data; what MDR adds is their transform.
+  return [profile = mdr.profile, length, depth](double r) { return mdr::shape(profile, r * length) / depth; };
+}
+
+}  // namespace
+
+bool BodySpecification::operator<(const BodySpecification& other) const {
+  return std::tie(contact_nodes, growth, far_radius, degree, tangential) <
+         std::tie(other.contact_nodes, other.growth, other.far_radius, other.degree, other.tangential);
+}
+
+FemCase fem_case(const Case& scene, const MdrCase& mdr) {
+  const double deepest = scene.motion.indentation + scene.motion.normal_amplitude;
+  const Units units{mdr::inverse_transform(mdr.profile, deepest), deepest, scene.elastomer.relaxed_modulus,
+                    mdr::angular_frequency(scene.motion.normal_frequency)};
+  FemCase fem{units, {}, {}, {}, scene.friction_coefficient, profile_in(units, scene, mdr), {}, {}};
+  if (mdr.limiting)
+    fem.worn_edge = {mdr.limiting->stick_radius / units.length, mdr.limiting->outer_radius / units.length};
+  else if (scene.indenter.shape == Case::Shape::truncated_sphere)
+    fem.sharp_edge = scene.indenter.flat_radius / units.length;
+  fem.relaxation.viscosity = mdr.body.viscosity * units.angular_frequency / units.modulus;
+  for (const double modulus : mdr.body.branch_moduli) fem.relaxation.moduli.push_back(modulus / units.modulus);
+  for (const double time : mdr.body.branch_times) fem.relaxation.times.push_back(time * units.angular_frequency);
+  fem.motion = {scene.motion.indentation / deepest, scene.motion.normal_amplitude / deepest,
+                mdr.motion.tangential_amplitude / deepest, mdr.motion.phase};
+  auto resolution = resolution_for(scene.tolerance, fem.relaxation.has_memory());
+  // The force of a worn profile is of second order from 12 rings on, and the error bar goes down to a quarter of them.
+  constexpr unsigned enough_rings_of_a_worn_profile = 48;
+  if (scene.rings_per_radius)
+    resolution.elements_per_radius = *scene.rings_per_radius;
+  else if (mdr.limiting && resolution.elements_per_radius < enough_rings_of_a_worn_profile)
+    resolution = refined(resolution, ErrorSource::rings).value();
+  if (scene.steps_per_cycle) resolution.steps_per_cycle = *scene.steps_per_cycle;
+  return at_resolution(std::move(fem), resolution);
+}
+
+FemCase at_resolution(FemCase scene, const Resolution& resolution) {
+  scene.resolution = resolution;
+  scene.body = {contact_nodes(scene), resolution.growth, resolution.far_radius, resolution.degree,
+                scene.motion.tangential_amplitude > 0};
+  scene.motion.n_ramp_cycles = resolution.n_ramp_cycles;
+  scene.motion.n_creep_cycles = resolution.n_creep_cycles;
+  return scene;
+}
+
+std::vector<std::string> left_out(const FemCase& scene) {
+  std::vector<std::string> words;
+  if (!scene.body.tangential) words.emplace_back("no tangential motion: no tangential harmonic, no friction history");
+  if (!scene.relaxation.has_memory()) words.emplace_back("elastic body: no memory, one cycle of ramp");
+  return words;
+}
+
+bool same_normal_problem(const FemCase& a, const Case& case_a, const FemCase& b, const Case& case_b) {
+  const auto key = [](const FemCase& fem, const Case& scene) {
+    const auto& indenter = scene.indenter;
+    return std::make_tuple(fem.body.contact_nodes, indenter.shape, indenter.radius, indenter.slope_angle,
+                           indenter.coefficient, indenter.exponent, indenter.flat_radius, indenter.edge_radius,
+                           indenter.table, indenter.table_noise, scene.wear, scene.worn_stick_ratio,
+                           fem.relaxation.moduli, fem.relaxation.times, fem.relaxation.viscosity,
+                           scene.motion.indentation, scene.motion.normal_amplitude, fem.resolution.steps_per_cycle,
+                           fem.resolution.n_ramp_cycles, fem.resolution.periodicity, fem.resolution.active_set_slack);
+  };
+  return key(a, case_a) == key(b, case_b);
+}
+
+}  // namespace fretval

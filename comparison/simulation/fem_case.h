@@ -1,0 +1,69 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "comparison/case/case.h"
+#include "comparison/reference/mdr_case.h"
+#include "comparison/simulation/resolution.h"
+#include "fem/history/motion.h"
+#include "fem/history/relaxation.h"
+
+namespace fretval {
+
+/// Units that make a scene dimensionless: lengths along the surface, depths, shear modulus, angular frequency.
+/// The problem is linear in the depths, so they have a unit of their own and the same scene in nm and in m agrees to
+/// roundoff.
+struct Units {
+  double length;             ///< m, the unworn contact radius at the largest indentation
+  double depth;              ///< m, the largest indentation
+  double modulus;            ///< Pa, relaxed
+  double angular_frequency;  ///< rad/s
+
+  [[nodiscard]] double pressure() const { return modulus * depth / length; }
+  [[nodiscard]] double force() const { return modulus * depth * length; }
+};
+
+/// What determines the mesh and the operators; equal specifications share them.
+struct BodySpecification {
+  std::vector<double> contact_nodes;  ///< ring radii over the contact radius
+  double growth, far_radius;
+  unsigned degree;
+  bool tangential = true;  ///< whether the tangential harmonic is needed
+
+  bool operator<(const BodySpecification& other) const;
+};
+
+/// Where a worn profile departs from the unworn one, over the unit of length: the stick radius and a_inf.
+struct WornEdge {
+  double inner, outer;
+};
+
+/// A case in the terms of the finite elements: dimensionless in `units`.
+struct FemCase {
+  Units units;
+  BodySpecification body;
+  fem::RelaxationModel relaxation;
+  fem::Motion motion;
+  double friction_coefficient;
+  std::function<double(double)> profile;  ///< f(r)
+  Resolution resolution;
+  std::optional<WornEdge> worn_edge;
+  std::optional<double> sharp_edge = {};  ///< radius at which the slope of the unworn indenter jumps
+};
+
+/// At the resolution that the tolerance of the case asks for.
+FemCase fem_case(const Case& scene, const MdrCase& mdr);
+
+/// The same scene at another resolution.
+FemCase at_resolution(FemCase scene, const Resolution& resolution);
+
+/// What the model of a scene does without because the scene does not need it, in words for the log.
+std::vector<std::string> left_out(const FemCase& scene);
+
+/// True if two scenes share everything that the normal contact depends on.
+bool same_normal_problem(const FemCase& a, const Case& case_a, const FemCase& b, const Case& case_b);
+
+}  // namespace fretval

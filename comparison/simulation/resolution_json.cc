@@ -1,0 +1,31 @@
+#include "comparison/simulation/resolution_json.h"
+
+#include <nlohmann/json.hpp>
+
+namespace fretval {
+
+using nlohmann::ordered_json;
+
+ordered_json focus_json(const Focus& focus) {
+  return {{"inner", focus.inner}, {"outer", focus.outer}, {"ring", focus.ring}};
+}
+
+ordered_json focus_json(const std::map<std::string, Focus>& focus) {
+  auto json = ordered_json::object();
+  for (const auto& [quantity, one] : focus) json[quantity] = focus_json(one);
+  return json;
+}
+
+ordered_json resolution_json(const Resolution& r) {
+  ordered_json json{{"rings", r.elements_per_radius},
+                    {"degree", r.degree},
+                    {"growth", r.growth},
+                    {"far_radius", r.far_radius},
+                    {"steps_per_cycle", r.steps_per_cycle},
+                    {"ramp_cycles", r.n_ramp_cycles},
+                    {"periodicity", r.periodicity}};
+  if (r.focus) json["focus"] = focus_json(*r.focus);
+  return json;
+}
+
+}  // namespace fretval

@@ -1,0 +1,28 @@
+#include "comparison/support/junit.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "comparison/support/escape.h"
+
+namespace fretval {
+
+std::string junit_document(const std::string& name, const std::vector<JUnitCase>& cases) {
+  std::string class_name = name;
+  std::replace(class_name.begin(), class_name.end(), ' ', '.');
+  std::string text;
+  int n_failed = 0;
+  for (const auto& one : cases) {
+    const bool pass = one.failure.empty();
+    n_failed += pass ? 0 : 1;
+    text += fmt::format("  <testcase classname=\"{}\" name=\"{}\"", class_name, html_escaped(one.name));
+    text += pass ? "/>\n" : fmt::format("><failure message=\"{}\"/></testcase>\n", html_escaped(one.failure));
+  }
+  return fmt::format(
+      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuite name=\"{}\" tests=\"{}\" failures=\"{}\">\n"
+      "{}</testsuite>\n",
+      name, cases.size(), n_failed, text);
+}
+
+}  // namespace fretval

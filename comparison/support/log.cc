@@ -1,0 +1,27 @@
+#include "comparison/support/log.h"
+
+#include <spdlog/sinks/stdout_color_sinks.h>
+#include <spdlog/spdlog.h>
+#include <unistd.h>
+
+namespace fretval::log {
+
+void start() {
+  spdlog::set_default_logger(spdlog::stderr_color_mt("fretval"));
+  // On a terminal, a message first clears the line that the progress bar may be on.
+  spdlog::set_pattern(isatty(STDERR_FILENO) ? "\r\033[K%^%l%$: %v" : "%^%l%$: %v");
+}
+
+void info(const std::string& message) {
+  spdlog::info(spdlog::string_view_t(message));
+}
+
+void warn(const std::string& message) {
+  spdlog::warn(spdlog::string_view_t(message));
+}
+
+void error(const std::string& message) {
+  spdlog::error(spdlog::string_view_t(message));
+}
+
+}  // namespace fretval::log

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+
+/// Messages on the standard error, in colours on a terminal. Apart from the library that writes them, whose headers
+/// take six seconds to compile.
+namespace fretval::log {
+
+/// Call once, before the first message.
+void start();
+
+void info(const std::string& message);
+void warn(const std::string& message);
+void error(const std::string& message);
+
+}  // namespace fretval::log

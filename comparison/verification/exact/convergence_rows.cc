@@ -1,0 +1,100 @@
+#include "comparison/verification/exact/convergence_rows.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "comparison/support/junit.h"
+#include "comparison/support/log_slope.h"
+
+namespace fretval {
+namespace {
+
+/// The error at the goal's resolution; NaN if the ladder has no such rung.
+double error_at_goal(const ConvergenceRow& row) {
+  for (std::size_t i = 0; i < row.errors.size(); ++i)
+    if (row.resolutions[i] == row.demand.goal_resolution) return row.errors[i];
+  return std::nan("");
+}
+
+std::string name_of(const ConvergenceRow& row) {
+  return fmt::format("{}: {}", row.scene, row.quantity);
+}
+
+std::string order_text(const std::optional<double>& order) {
+  return order ? fmt::format("{:.1f}", *order) : "floor";
+}
+
+std::string goal_text(const ConvergenceRow& row) {
+  const auto met = meets_goal(row);
+  if (!met) return "none";
+  return fmt::format("{:.0e} {}", *row.demand.goal, *met ? "met" : "UNMET");
+}
+
+std::string table_line(const ConvergenceRow& row, std::size_t name_width) {
+  std::string errors;
+  for (const double error : row.errors) errors += fmt::format(" {:8.1e}", error);
+  const auto& demand = row.demand;
+  const std::string failure = failure_of(row);
+  return fmt::format("{} {:<{}} {:<5}{} {:>6} {:>5} {:>10.1e} {:<11} {}{}{}\n", failure.empty() ? "pass" : "FAIL",
+                     name_of(row), name_width, row.refined, errors, order_text(observed_order(row)),
+                     demand.expected_order > 0 ? fmt::format("{:g}", demand.expected_order) : "exact", demand.tolerance,
+                     goal_text(row), row.source, demand.note.empty() ? "" : "; " + demand.note,
+                     failure.empty() ? "" : " | " + failure);
+}
+
+}  // namespace
+
+std::optional<double> observed_order(const ConvergenceRow& row) {
+  std::vector<double> resolutions, errors;
+  for (std::size_t i = 0; i < row.errors.size(); ++i) {
+    if (!std::isfinite(row.errors[i])) return std::nullopt;
+    resolutions.push_back(row.resolutions[i]);
+    errors.push_back(std::abs(row.errors[i]));
+  }
+  const auto fit = log_slope(resolutions, errors, row.demand.floor);
+  return fit ? std::optional(-fit->slope) : std::nullopt;
+}
+
+std::string failure_of(const ConvergenceRow& row) {
+  const auto& demand = row.demand;
+  if (std::isnan(error_at_goal(row))) return fmt::format("no error at {} {}", demand.goal_resolution, row.refined);
+  for (std::size_t i = 0; i < row.errors.size(); ++i) {
+    if (!std::isfinite(row.errors[i])) return fmt::format("error at {} {} not finite", row.resolutions[i], row.refined);
+    if (row.resolutions[i] >= demand.goal_resolution && std::abs(row.errors[i]) > demand.tolerance)
+      return fmt::format("error {:.1e} at {} {}, tolerance {:.1e}", row.errors[i], row.resolutions[i], row.refined,
+                         demand.tolerance);
+  }
+  const auto order = observed_order(row);
+  if (order && *order < demand.expected_order - order_slack)
+    return fmt::format("order {:.2f}, expected {:g}", *order, demand.expected_order);
+  return "";
+}
+
+std::optional<bool> meets_goal(const ConvergenceRow& row) {
+  if (!row.demand.goal) return std::nullopt;
+  return std::abs(error_at_goal(row)) <= *row.demand.goal;
+}
+
+std::string convergence_table(const std::vector<ConvergenceRow>& rows) {
+  std::size_t name_width = 0, n_errors = 0;
+  for (const auto& row : rows) {
+    name_width = std::max(name_width, name_of(row).size());
+    n_errors = std::max(n_errors, row.errors.size());
+  }
+  std::string text = fmt::format("     {:<{}} {:<5}{:>{}} {:>6} {:>5} {:>10} {:<11} {}\n", "", name_width, "", "errors",
+                                 9 * n_errors, "order", "exp.", "tolerance", "goal", "source");
+  for (const auto& row : rows) text += table_line(row, name_width);
+  return text;
+}
+
+std::string convergence_junit(const std::vector<ConvergenceRow>& rows) {
+  std::vector<JUnitCase> cases;
+  cases.reserve(rows.size());
+  for (const auto& row : rows) cases.push_back({name_of(row), failure_of(row)});
+  return junit_document("fretval check exact", cases);
+}
+
+}  // namespace fretval

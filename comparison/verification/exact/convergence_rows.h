@@ -1,0 +1,50 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace fretval {
+
+/// What is demanded of a quantity of a verification ladder. Errors are relative.
+struct ConvergenceDemand {
+  double tolerance;            ///< at goal_resolution and finer
+  double expected_order;       ///< 0: none, the scheme is exact but for the floor
+  double floor;                ///< smaller errors have another source than the resolution, which the note names
+  std::optional<double> goal;  ///< what the project wants at goal_resolution; empty: it has set none
+  std::string note;            ///< source of the floor; why the tolerance is above the goal
+  int goal_resolution = 64;
+};
+
+/// Errors of one quantity against its exact solution on nested resolutions.
+struct ConvergenceRow {
+  std::string scene, quantity;
+  std::string source;            ///< of the exact solution
+  std::string refined;           ///< what the resolutions count: rings per contact radius, steps
+  std::vector<int> resolutions;  ///< rising
+  std::vector<double> errors;    ///< per resolution, the largest over the positions of an edge within its ring
+  ConvergenceDemand demand;
+};
+
+/// Order of convergence: least-squares slope of -log(error) over log(resolution), of the errors above the floor. Empty
+/// with fewer than two of them or if one is not finite.
+std::optional<double> observed_order(const ConvergenceRow& row);
+
+/// How far the observed order may stay below the expected one: the positions of an edge within its ring differ from
+/// mesh to mesh.
+constexpr double order_slack = 0.3;
+
+/// Why a row fails; empty: it passes. It passes when all errors are finite, those at the goal's resolution and finer
+/// ones are within the tolerance, and the observed order, if any error is above the floor, is the expected one.
+std::string failure_of(const ConvergenceRow& row);
+
+/// Whether the error at the goal's resolution is within the goal; empty if there is no goal.
+std::optional<bool> meets_goal(const ConvergenceRow& row);
+
+/// A heading, and one aligned line a row: verdict, errors, observed and expected order, tolerance, goal, source, note.
+std::string convergence_table(const std::vector<ConvergenceRow>& rows);
+
+/// JUnit XML of the rows.
+std::string convergence_junit(const std::vector<ConvergenceRow>& rows);
+
+}  // namespace fretval

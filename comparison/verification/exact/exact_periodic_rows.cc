@@ -1,0 +1,63 @@
+#include <boost/math/constants/constants.hpp>
+#include <cmath>
+
+#include "comparison/verification/exact/exact_parts.h"
+#include "comparison/verification/exact/exact_time_rows.h"
+#include "fem/stick_zone/stick_zones.h"
+
+namespace fretval {
+namespace {
+
+constexpr double pi = boost::math::constants::pi<double>();
+
+struct ZoneErrors {
+  double first_slip = 0, shakedown = 0;
+};
+
+/// Largest errors over the phases, over the largest contact radius, which is 1.
+ZoneErrors zone_errors(const ConvergenceMesh& mesh, const PeriodicScene& scene, const ExactStickRadii& exact) {
+  const fem::HistoryControl control{120, 400, 1e-7};
+  fem::Motion motion{1 - scene.normal_amplitude, scene.normal_amplitude, 0, 0.0};
+  motion.n_ramp_cycles = 40;  // after ten, first slip is still 2e-6 of a radius short of that of a slow rise
+  const auto model = fem_model(scene.body);
+  const auto profile = means_of(mdr::parabola(1), mesh.normal);
+  const auto normal = fem::normal_history(mesh.normal, model, profile, motion, control);
+  ZoneErrors errors;
+  for (const auto& [amplitude, degrees] : scene.tangential) {
+    const double phase = degrees * pi / 180;
+    motion.tangential_amplitude = amplitude;
+    motion.phase = phase;
+    const auto friction = fem::friction_history(mesh.tangential, model, friction_coefficient, motion, normal, control);
+    const auto zones =
+        fem::stick_zones(mesh.tangential.compliance, normal, friction, fem::stuck_rings(friction, motion));
+    const auto expected = exact(scene.body, {motion.indentation, motion.normal_amplitude, motion.tangential_amplitude,
+                                             1 / (2 * pi), 1 / (2 * pi), phase});
+    take_worst(errors.first_slip, zones.first_slip.radius - expected.first_slip.value_or(std::nan("")));
+    take_worst(errors.shakedown, zones.shakedown.radius - expected.shakedown.value_or(std::nan("")));
+  }
+  return errors;
+}
+
+}  // namespace
+
+ExactStickRadii exact_stick_radii() {
+  return [](const mdr::PronyBody& body, const mdr::Motion& motion) {
+    return mdr::stick_radii(mdr::parabola(1), body, friction_coefficient, motion);
+  };
+}
+
+std::vector<ConvergenceRow> periodic_rows(const std::vector<ConvergenceMesh>& meshes, const PeriodicScene& scene,
+                                          const ExactStickRadii& exact) {
+  ConvergenceRow first{scene.name, "first-slip radius", "paper, equations (19) to (27)", "rings", {},
+                       {},         scene.first_slip};
+  ConvergenceRow shakedown{scene.name, "shakedown radius", scene.source, "rings", {}, {}, scene.shakedown};
+  for (const auto& mesh : meshes) {
+    const auto errors = zone_errors(mesh, scene, exact);
+    for (auto* row : {&first, &shakedown}) row->resolutions.push_back(mesh.n_rings);
+    first.errors.push_back(errors.first_slip);
+    shakedown.errors.push_back(errors.shakedown);
+  }
+  return {first, shakedown};
+}
+
+}  // namespace fretval

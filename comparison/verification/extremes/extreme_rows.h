@@ -1,0 +1,38 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "comparison/verification/extremes/extreme_case.h"
+
+namespace fretval {
+
+/// A scene of the suite `extremes`, one of a family that goes to the end of one parameter.
+struct ExtremeRow {
+  std::string family;                   ///< "relaxation time, standard solid"
+  std::string value;                    ///< "omega tau = 1e-6"
+  Entries entries;                      ///< of its case file
+  std::string refusal = {};             ///< words of the message that has to come; empty: an answer has to come
+  bool springs = false;                 ///< MDR is held to the transient spring foundation, finite elements refuse
+  double flattening = 1;                ///< of the cells under the contact, see flattened() in comparison/flat_mesh.h
+  std::optional<int> ramp_cycles = {};  ///< at least so many cycles are computed; empty: what the tolerance asks for
+};
+
+/// All families. Throws InputError if a scene cannot be set up.
+std::vector<ExtremeRow> extreme_rows();
+
+/// Those of the short form, one or two of a family.
+std::vector<ExtremeRow> short_extreme_rows();
+
+/// Those whose family contains a text.
+std::vector<ExtremeRow> only_family(const std::vector<ExtremeRow>& rows, const std::string& text);
+
+/// The families by theme.
+std::vector<ExtremeRow> extreme_material_rows();   ///< moduli, times, friction, units
+std::vector<ExtremeRow> extreme_motion_rows();     ///< amplitudes, stick zones, phases, frequencies
+std::vector<ExtremeRow> extreme_shape_rows();      ///< indenters
+std::vector<ExtremeRow> extreme_numerics_rows();   ///< meshes, steps, cycles
+std::vector<ExtremeRow> extreme_bad_input_rows();  ///< values that a case file may not have
+
+}  // namespace fretval

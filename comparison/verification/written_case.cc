@@ -1,0 +1,46 @@
+#include "comparison/verification/written_case.h"
+
+#include <fmt/format.h>
+
+#include "comparison/case/case_file.h"
+#include "comparison/reference/mdr_case.h"
+#include "mdr/profiles/profile.h"
+#include "mdr/stick/shakedown_amplitude.h"
+
+namespace fretval {
+
+std::string entry_text(double value) {
+  return fmt::format("{}", value);
+}
+
+Entries with(Entries entries, const Entries& changes) {
+  for (const auto& [place, value] : changes) entries[place] = value;
+  return entries;
+}
+
+Entries with_stick_ratio(const Entries& entries, double stick_ratio, double factor) {
+  const auto scene = case_of(entries, "scene");
+  const auto mdr = mdr_case(scene);
+  const double contact_radius = mdr::inverse_transform(mdr.profile, mdr::maximum_indentation(mdr.motion));
+  const auto amplitude = mdr::tangential_amplitude_for_shakedown(
+      mdr.body, mdr.friction_coefficient, mdr.motion, mdr::transform(mdr.profile, stick_ratio * contact_radius));
+  if (!amplitude) throw InputError(fmt::format("no tangential amplitude shakes down at c/a = {:g}", stick_ratio));
+  return with(entries, {{"Motion / Tangential amplitude", entry_text(factor * *amplitude)}});
+}
+
+std::string case_text(const Entries& entries) {
+  std::string text;
+  for (const auto& [place, value] : entries) {
+    const auto slash = place.find(" / ");
+    text += fmt::format("subsection {}\n  set {} = {}\nend\n", place.substr(0, slash), place.substr(slash + 3), value);
+  }
+  return text;
+}
+
+Case case_of(const Entries& entries, const std::string& name, const std::string& file) {
+  Case scene = read_case_text(case_text(entries), file);
+  scene.name = name;
+  return scene;
+}
+
+}  // namespace fretval

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "comparison/case/case.h"
+
+namespace fretval {
+
+/// Entries of a case file by "SECTION / ENTRY". An empty value: the entry is not set.
+using Entries = std::map<std::string, std::string>;
+
+/// A number as a case file takes it, exact to the last bit.
+std::string entry_text(double value);
+
+/// The same entries but for the changed ones.
+Entries with(Entries entries, const Entries& changes);
+
+/// The same scene with the tangential amplitude that shakes down at a stick radius of c, stick_ratio = c over the
+/// unworn contact radius at the largest indentation, times a factor; 0: at the border to where nothing sticks. Throws
+/// InputError if there is none.
+Entries with_stick_ratio(const Entries& entries, double stick_ratio, double factor = 1);
+
+/// The entries as the text of a case file (.prm).
+std::string case_text(const Entries& entries);
+
+/// Reads the entries as `fretval run` reads a case file. file: for messages. Throws InputError.
+Case case_of(const Entries& entries, const std::string& name, const std::string& file = "suite extremes");
+
+}  // namespace fretval

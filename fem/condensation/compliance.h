@@ -1,0 +1,27 @@
+#pragma once
+
+#include <Eigen/Dense>
+
+#include "fem/condensation/condensation.h"
+#include "fem/operators/harmonic_space.h"
+
+namespace fretval::fem {
+
+/// Response of the contact line of a body with unit shear modulus to piecewise constant pressure or traction.
+///
+/// `matrix(i, j)` = integral over ring i of the displacement due to a unit traction on ring j = `B^T S^{-1} B`, with
+/// the Schur complement S and the ring loads B. Symmetric positive definite; for a modulus history G(t) it maps the
+/// ring tractions to `int G(t-t') du/dt' dt'` (THEORY section 7). Length^3 per shear modulus.
+struct Compliance {
+  std::vector<double> radii;  ///< n + 1 ring radii
+  Eigen::VectorXd areas;      ///< n ring areas
+  Eigen::MatrixXd matrix;     ///< n x n
+};
+
+/// Throws SolverError if S is not positive definite.
+Compliance contact_compliance(const ContactLine& line, const Condensation& condensation);
+
+/// Lower Cholesky factor of the matrix. Throws SolverError if it is not positive definite.
+Eigen::MatrixXd cholesky_factor(const Compliance& compliance);
+
+}  // namespace fretval::fem

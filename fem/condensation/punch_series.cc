@@ -1,0 +1,115 @@
+#include "fem/condensation/punch_series.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "fem/condensation/effective_radii.h"
+#include "fem/condensation/stencil.h"
+
+namespace fretval::fem {
+namespace {
+
+using Eigen::Index;
+
+constexpr Index n_smallest = 2;
+
+/// Rings first..last share a label.
+struct Zone {
+  Index first, last;
+  [[nodiscard]] Index size() const { return last - first + 1; }
+};
+
+std::vector<Zone> zones_of(const std::vector<signed char>& labels) {
+  std::vector<Zone> zones{{0, 0}};
+  for (std::size_t i = 1; i < labels.size(); ++i) {
+    if (labels[i] == labels[i - 1])
+      ++zones.back().last;
+    else
+      zones.push_back({static_cast<Index>(i), static_cast<Index>(i)});
+  }
+  return zones;
+}
+
+}  // namespace
+
+PunchSeries::PunchSeries(const Compliance& compliance, const Eigen::MatrixXd& factor)
+    : factor_(factor),
+      areas_(compliance.areas),
+      by_load_(factor.triangularView<Eigen::Lower>().solve(areas_)),
+      edges_(effective_radii(compliance).radius),
+      radii_((edges_.head(areas_.size()) + edges_.tail(areas_.size())) / 2),
+      force_per_radius_(by_load_.squaredNorm() / edges_[areas_.size()]) {}
+
+Eigen::MatrixXd PunchSeries::depths(const Eigen::MatrixXd& tractions) const {
+  const auto transposed = factor_.transpose().triangularView<Eigen::Upper>();
+  // The product with a matrix repacks the factor, which for a single column costs more than the product.
+  if (tractions.cols() == 1) return (transposed * tractions.col(0)).cwiseQuotient(by_load_);
+  const Eigen::MatrixXd half = transposed * tractions;
+  return by_load_.cwiseInverse().asDiagonal() * half;
+}
+
+Eigen::VectorXd PunchSeries::displacements(const Eigen::VectorXd& rings) const {
+  return factor_.triangularView<Eigen::Lower>().solve(areas_.cwiseProduct(rings)).cwiseQuotient(by_load_);
+}
+
+double PunchSeries::integral(const Eigen::VectorXd& depths, const std::vector<signed char>& labels,
+                             std::optional<double> end_of_depths) const {
+  const auto zones = zones_of(labels);
+  const auto is_smooth = [&](std::size_t z) { return zones[z].size() >= n_smallest || z + 1 == zones.size(); };
+  // The innermost depth is off by the shape of the tip (its ring stands for 4/(3 pi) of its radius under a cone, for
+  // 1/2 under a parabola): where the next ones continue smoothly to it, they are continued to the centre instead.
+  const bool blunt =
+      zones[0].size() > n_stencil && std::abs(Stencil{radii_, depths, 1, n_stencil}(radii_[0]) - depths[0]) <=
+                                         0.1 * std::abs(depths[1] - depths[0]) + 1e-6 * std::abs(depths[0]);
+  double sum = 0, begin = 0;
+  for (std::size_t z = 0; z < zones.size(); ++z) {
+    const auto [first, last] = zones[z];
+    const Index node = std::max<Index>(first, blunt ? 1 : 0);
+    const Index n = std::min<Index>(n_stencil, last - node + 1);
+    double end = edges_[last + 1];
+    if (z + 1 == zones.size())
+      end = end_of_depths.value_or(end);
+    else if (is_smooth(z) && is_smooth(z + 1))
+      end = meeting_point({radii_, depths, last - n + 1, n},
+                          {radii_, depths, last + 1, std::min(n_stencil, zones[z + 1].size())})
+                .value_or(end);
+    for (Index i = first; i <= last; ++i) {
+      const double from = i == first ? begin : edges_[i], to = i == last ? end : std::min(edges_[i + 1], end);
+      if (to <= from) continue;
+      const bool singular_tip = !blunt && i < n_stencil;
+      sum += is_smooth(z) && !singular_tip
+                 ? Stencil{radii_, depths, std::clamp(i - 1, node, last - n + 1), n}.integral(from, to)
+                 : (to - from) * depths[i];
+    }
+    begin = end;
+  }
+  return force_per_radius_ * sum;
+}
+
+std::optional<double> PunchSeries::edge_of_gap(const Eigen::VectorXd& gap, Index n_closed, Index n_pressed,
+                                               double kink) const {
+  const Eigen::VectorXd opening = displacements(gap);
+  // Nodes inside the kink, and the kink itself if it is away from them, where what is outside of it ends.
+  Index n_inside = 0;
+  while (n_inside < n_stencil && n_pressed + n_inside < gap.size() && radii_[n_pressed + n_inside] < kink) ++n_inside;
+  const Index first_outside = n_pressed + n_inside;
+  const Stencil outside{radii_, opening, first_outside, std::min(n_stencil, gap.size() - first_outside)};
+  const auto vanishing = [&](const Stencil& stencil) {
+    return crossing(stencil, radii_[n_closed - 1], radii_[n_pressed]);
+  };
+  if (n_inside == 0) return vanishing(outside);
+  Eigen::VectorXd x(n_inside + 1), y(n_inside + 1);
+  x << radii_.segment(n_pressed, n_inside), kink;
+  y << opening.segment(n_pressed, n_inside), outside(kink);
+  constexpr double far_enough = 0.25;
+  const bool has_kink = n_inside < n_to_continue && outside.n == n_stencil &&
+                        kink - x[n_inside - 1] > far_enough * (radii_[n_pressed] - radii_[n_pressed - 1]);
+  return vanishing({x, y, 0, has_kink ? n_inside + 1 : n_inside});
+}
+
+std::optional<double> PunchSeries::edge_of_pressure(const Eigen::VectorXd& depths, Index n_pressed) const {
+  const Index n = std::min(n_stencil, n_pressed);
+  return crossing(Stencil{radii_, depths, n_pressed - n, n}, radii_[n_pressed - 1], radii_[n_pressed]);
+}
+
+}  // namespace fretval::fem

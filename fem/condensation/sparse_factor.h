@@ -1,0 +1,54 @@
+#pragma once
+
+#include <Eigen/Dense>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "fem/operators/sparse_matrix.h"
+
+namespace fretval::fem {
+
+/// Why MUMPS failed, in words, from its codes INFOG(1) < 0 and INFOG(2).
+std::string explain_mumps(int infog1, int infog2);
+
+/// Work space of a factorisation beyond MUMPS' own estimate, in percent: how much at first, and how much when that was
+/// too little.
+struct SpareMemory {
+  int first = 60;  ///< pivoting of the saddle point needs more than the default of 30
+  int second = 400;
+};
+
+/// One MUMPS factorisation (through PETSc) of a symmetric indefinite matrix K, on request with its Schur complement
+/// `S = K_cc - K_ci K_ii^{-1} K_ic` on interface dofs c.
+///
+/// Every failure is a SolverError that names the matrix: non-finite entries, empty rows, MUMPS' INFOG codes, a singular
+/// matrix, a non-finite Schur complement, and a solve whose true residual is above 1e-8. A work space
+/// that turns out too small is made larger, once. Needs a PetscSession. Threads may use factors at the same time: they
+/// wait for each other, as PETSc and MUMPS serve one at a time.
+class SparseFactor {
+ public:
+  /// name: of the matrix, for error messages.
+  SparseFactor(SparseMatrix matrix, std::string name);
+  /// interface_dofs: of the Schur complement; none of them, no Schur complement.
+  SparseFactor(SparseMatrix matrix, const std::vector<unsigned>& interface_dofs, std::string name,
+               const SpareMemory& spare = {});
+  ~SparseFactor();
+  SparseFactor(SparseFactor&&) noexcept;
+  SparseFactor& operator=(SparseFactor&&) noexcept;
+
+  /// S, n_interface x n_interface, in the order of interface_dofs.
+  [[nodiscard]] Eigen::MatrixXd schur_complement() const;
+
+  /// K^{-1} rhs: back-substitution and one refinement.
+  [[nodiscard]] Eigen::VectorXd solve(const Eigen::VectorXd& rhs) const;
+
+ private:
+  class Factored;  // PETSc objects
+  struct Release {
+    void operator()(Factored* factored) const;
+  };
+  std::unique_ptr<Factored, Release> factored_;
+};
+
+}  // namespace fretval::fem

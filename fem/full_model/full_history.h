@@ -1,0 +1,43 @@
+#pragma once
+
+#include <Eigen/Dense>
+
+#include "fem/full_model/bordered_solver.h"
+#include "fem/history/motion.h"
+#include "fem/history/relaxation.h"
+#include "fem/operators/harmonic_space.h"
+
+namespace fretval::fem {
+
+/// Ring pressures of the full model; instants: 0, then the balance time of each step, those of NormalHistory.
+struct FullNormalHistory {
+  Eigen::MatrixXd pressure;  ///< n_rings x (1 + n_cycles * steps_per_cycle)
+  SolveCount count;
+};
+
+/// Ring tractions of the full model at the same instants.
+struct FullFrictionHistory {
+  Eigen::MatrixXd traction;  ///< n_rings x (1 + n_cycles * steps_per_cycle)
+  SolveCount count;
+};
+
+/// The verifier of normal_history: the same body and steps without condensation. Every degree of freedom is an unknown
+/// of every iteration of every step, and the viscoelastic history lives at the quadrature points.
+///
+/// A body whose moduli all relax like G(t) has no history but that of its contact line (THEORY section 7), so both
+/// agree to roundoff: they share the discretisation in space and time, and nothing of the solution.
+///
+/// space: of the normal harmonic; profile: ring means. Starts from relaxed contact at the mean indentation. Throws
+/// SolverError when a sparse solve fails, when an active set does not settle or when the contact reaches the last ring,
+/// and std::invalid_argument for a wrong harmonic or profile size.
+FullNormalHistory full_normal_history(const HarmonicSpace& space, const RelaxationModel& relaxation,
+                                      const Eigen::VectorXd& profile, const Motion& motion, int steps_per_cycle,
+                                      int n_cycles);
+
+/// The verifier of friction_history, from rest; see full_normal_history. space: of the tangential harmonic; pressure:
+/// of the rings, one column per instant, the first of them unused.
+FullFrictionHistory full_friction_history(const HarmonicSpace& space, const RelaxationModel& relaxation,
+                                          double friction_coefficient, const Motion& motion,
+                                          const Eigen::MatrixXd& pressure, int steps_per_cycle, int n_cycles);
+
+}  // namespace fretval::fem

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <Eigen/Dense>
+#include <optional>
+
+#include "fem/condensation/punch_series.h"
+
+namespace fretval::fem {
+
+/// What the pressure does at the edge of a growing contact: it jumps where only a dashpot adds to the relaxed body;
+/// with branches beside the dashpot it also falls towards the jump as they relax.
+enum class PressureAtEdge { vanishes, jumps, falls_and_jumps };
+
+/// What pressures and gaps of an instant do not tell of a contact.
+struct ContactPast {
+  double largest_radius = 0;  ///< of the contact so far
+  /// With a dashpot, or a branch that relaxes within a step: rings that have been in contact for the whole step.
+  std::optional<Eigen::Index> n_closed = std::nullopt;
+  PressureAtEdge edge = PressureAtEdge::vanishes;
+};
+
+/// Normal force of a contact and where it ends.
+struct ContactForce {
+  double force, radius;
+  /// Of the force. Without a dashpot pressures vanish at the edge, in a body with memory maybe within less than a ring:
+  /// half of the difference between depths that go on smoothly to the edge and those that fall to zero from the last
+  /// ring on. (The force is the mean of both.) With a dashpot: a quarter of what the pressures would bear up to the
+  /// largest contact so far, where the gap has a kink, if no ring lies between that and the last one pressed, so that
+  /// nothing tells how the gap goes on inside the kink (read_edges_near_largest_contact tells more). With both a
+  /// dashpot and branches, both, and the whole difference for the half.
+  double uncertainty = 0;
+  double kink_uncertainty = 0;  ///< the part of it that an unseen kink makes, see read_edges_near_largest_contact
+  Eigen::Index n_closed = 0;    ///< rings whose pressures are continued up to the radius; 0: no edge was found
+};
+
+/// From ring pressures and the gaps of the free rings. The edge is found from the gaps: with a dashpot, or a branch
+/// that relaxes while the edge crosses a ring, the pressure jumps there. With a dashpot the pressures of the rings that
+/// touched in the step are averages, so the inner ones are continued in their place.
+ContactForce contact_force(const PunchSeries& series, const Eigen::VectorXd& pressure, const Eigen::VectorXd& gap,
+                           const ContactPast& past = {});
+
+}  // namespace fretval::fem

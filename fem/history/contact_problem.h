@@ -1,0 +1,23 @@
+#pragma once
+
+#include <utility>
+
+#include "fem/condensation/compliance.h"
+#include "fem/condensation/punch_series.h"
+#include "fem/history/box_solver.h"
+
+namespace fretval::fem {
+
+/// A contact line with its compliance factored for contact (or friction) steps.
+struct ContactProblem {
+  Compliance compliance;
+  BoxSolver solver;
+  PunchSeries series;
+
+  /// slack: see BoxSolver.
+  explicit ContactProblem(Compliance c, double slack = 1e-13)
+      : compliance(std::move(c)), solver(compliance.matrix, slack), series(compliance, solver.factor()) {}
+  [[nodiscard]] Eigen::Index n_rings() const { return compliance.areas.size(); }
+};
+
+}  // namespace fretval::fem

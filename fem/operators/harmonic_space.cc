@@ -1,0 +1,165 @@
+#include "fem/operators/harmonic_space.h"
+
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/dofs/dof_tools.h>
+#include <deal.II/fe/fe_values.h>
+#include <deal.II/fe/mapping_q1.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <stdexcept>
+
+#include "fem/operators/harmonic_space_parts.h"
+
+namespace fretval::fem {
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+
+unsigned stable_degree(unsigned degree) {
+  if (degree < 2)
+    throw std::invalid_argument("displacement degree " + std::to_string(degree) + " is too low: 2 or more is stable");
+  return degree;
+}
+
+void require_part(const GridData& grid, BoundaryPart part, const char* name) {
+  const auto has_part = [part](const auto& edge) { return edge.part == part; };
+  if (std::none_of(grid.boundary.begin(), grid.boundary.end(), has_part))
+    throw std::invalid_argument(std::string("the grid has no edge in the boundary part '") + name + "'");
+}
+
+void build_triangulation(const GridData& grid, dealii::Triangulation<2>& triangulation) {
+  std::vector<dealii::Point<2>> points;
+  for (const auto& p : grid.points) points.emplace_back(p[0], p[1]);
+  std::vector<dealii::CellData<2>> cells(grid.cells.size());
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const auto& c = grid.cells[i];
+    cells[i].vertices = {c[0], c[1], c[3], c[2]};  // deal.II numbers corners lexicographically
+  }
+  dealii::SubCellData boundary;
+  for (const auto& edge : grid.boundary) {
+    dealii::CellData<1> line;
+    line.vertices = {edge.points[0], edge.points[1]};
+    line.boundary_id = static_cast<dealii::types::boundary_id>(edge.part);
+    boundary.boundary_lines.push_back(line);
+  }
+  triangulation.create_triangulation(points, cells, boundary);
+}
+
+bool is_part(const dealii::TriaAccessor<1, 2, 2>& face, BoundaryPart part) {
+  return face.at_boundary() && face.boundary_id() == static_cast<dealii::types::boundary_id>(part);
+}
+
+void constrain_axis(HarmonicSpaceParts& parts, Harmonic harmonic) {
+  std::vector<bool> zero(parts.element.n_components(), harmonic == Harmonic::tangential);
+  zero[0] = harmonic == Harmonic::normal;
+  dealii::DoFTools::make_zero_boundary_constraints(parts.dofs,
+                                                   static_cast<dealii::types::boundary_id>(BoundaryPart::axis),
+                                                   parts.constraints, dealii::ComponentMask(zero));
+}
+
+// A rotation about y leaves u.n = 0 on the far hemisphere, so the Robin term does not resist it. W vanishes at the
+// surface in Cerruti's solution for an incompressible body, which makes the far end of the surface the right place to
+// pin it.
+void pin_rotation(HarmonicSpaceParts& parts) {
+  double farthest = -1;
+  dealii::types::global_dof_index pinned = dealii::numbers::invalid_dof_index;
+  const unsigned w = vertical_component(Harmonic::tangential);
+  for (const auto& cell : parts.dofs.active_cell_iterators())
+    for (const unsigned v : cell->vertex_indices())
+      if (cell->vertex(v)[1] == 0 && cell->vertex(v)[0] > farthest) {
+        farthest = cell->vertex(v)[0];
+        pinned = cell->vertex_dof_index(v, w);
+      }
+  if (farthest <= 0) throw std::invalid_argument("the grid has no surface z = 0");
+  parts.constraints.add_line(pinned);
+}
+
+struct Ring {
+  std::map<unsigned, double> load;  // contact dof -> nodal force of unit traction
+  double inner, outer;
+};
+
+Ring integrate_ring(const HarmonicSpaceParts& parts, Harmonic harmonic,
+                    const dealii::DoFHandler<2>::active_cell_iterator& cell, unsigned face,
+                    dealii::FEFaceValues<2>& values) {
+  values.reinit(cell, face);
+  std::vector<dealii::types::global_dof_index> dofs(parts.element.n_dofs_per_cell());
+  cell->get_dof_indices(dofs);
+  Ring ring{};
+  for (unsigned i = 0; i < dofs.size(); ++i) {
+    if (parts.element.system_to_component_index(i).first != contact_component(harmonic)) continue;
+    if (!parts.element.has_support_on_face(i, face)) continue;
+    double force = 0;
+    for (const unsigned q : values.quadrature_point_indices())
+      force += 2 * pi * values.quadrature_point(q)[0] * values.shape_value(i, q) * values.JxW(q);
+    ring.load[dofs[i]] = force;
+  }
+  const double r0 = cell->face(face)->vertex(0)[0], r1 = cell->face(face)->vertex(1)[0];
+  ring.inner = std::min(r0, r1);
+  ring.outer = std::max(r0, r1);
+  return ring;
+}
+
+// Dofs of the line in order of radius: rings are sorted, and the support points give the order inside a ring.
+std::vector<unsigned> sort_by_radius(const HarmonicSpaceParts& parts, const std::vector<Ring>& rings) {
+  std::vector<dealii::Point<2>> support(parts.dofs.n_dofs());
+  dealii::DoFTools::map_dofs_to_support_points(dealii::MappingQ1<2>(), parts.dofs, support);
+  std::vector<unsigned> dofs;
+  for (const auto& ring : rings)
+    for (const auto& [dof, force] : ring.load) dofs.push_back(dof);
+  std::sort(dofs.begin(), dofs.end(), [&](unsigned a, unsigned b) { return support[a][0] < support[b][0]; });
+  dofs.erase(std::unique(dofs.begin(), dofs.end()), dofs.end());
+  return dofs;
+}
+
+ContactLine contact_line(const HarmonicSpaceParts& parts, Harmonic harmonic) {
+  dealii::FEFaceValues<2> values(parts.element, dealii::QGauss<1>(parts.element.degree + 1),
+                                 dealii::update_values | dealii::update_JxW_values | dealii::update_quadrature_points);
+  std::vector<Ring> rings;
+  for (const auto& cell : parts.dofs.active_cell_iterators())
+    for (const unsigned face : cell->face_indices())
+      if (is_part(*cell->face(face), BoundaryPart::contact))
+        rings.push_back(integrate_ring(parts, harmonic, cell, face, values));
+  std::sort(rings.begin(), rings.end(), [](const Ring& a, const Ring& b) { return a.inner < b.inner; });
+
+  ContactLine line;
+  line.dofs = sort_by_radius(parts, rings);
+  std::map<unsigned, Eigen::Index> position;
+  for (std::size_t i = 0; i < line.dofs.size(); ++i) position[line.dofs[i]] = static_cast<Eigen::Index>(i);
+  const auto n = static_cast<Eigen::Index>(rings.size());
+  line.areas.resize(n);
+  line.loads = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(line.dofs.size()), n);
+  line.radii.push_back(rings.front().inner);
+  for (Eigen::Index e = 0; e < n; ++e) {
+    const Ring& ring = rings[static_cast<std::size_t>(e)];
+    line.radii.push_back(ring.outer);
+    line.areas[e] = pi * (ring.outer - ring.inner) * (ring.outer + ring.inner);
+    for (const auto& [dof, force] : ring.load) line.loads(position[dof], e) = force;
+  }
+  return line;
+}
+
+}  // namespace
+
+HarmonicSpace::HarmonicSpace(const GridData& grid, Harmonic harmonic, unsigned degree)
+    : parts_(std::make_unique<HarmonicSpaceParts>(harmonic, stable_degree(degree))), harmonic_(harmonic) {
+  require_part(grid, BoundaryPart::contact, "contact");
+  require_part(grid, BoundaryPart::far, "far");
+  build_triangulation(grid, parts_->triangulation);
+  parts_->dofs.distribute_dofs(parts_->element);
+  constrain_axis(*parts_, harmonic);
+  if (harmonic == Harmonic::tangential) pin_rotation(*parts_);
+  parts_->constraints.close();
+  contact_line_ = fem::contact_line(*parts_, harmonic);
+}
+
+HarmonicSpace::~HarmonicSpace() = default;
+HarmonicSpace::HarmonicSpace(HarmonicSpace&&) noexcept = default;
+
+unsigned HarmonicSpace::n_dofs() const {
+  return parts_->dofs.n_dofs();
+}
+
+}  // namespace fretval::fem

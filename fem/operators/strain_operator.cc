@@ -1,0 +1,111 @@
+#include "fem/operators/strain_operator.h"
+
+#include <deal.II/base/quadrature_lib.h>
+
+#include <array>
+#include <cmath>
+
+namespace fretval::fem {
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+constexpr unsigned n_strains = 6;
+
+double angular_factor(Harmonic harmonic) {
+  return harmonic == Harmonic::normal ? 2 * pi : pi;
+}
+
+/// Rows of the strain and divergence operators at one point, one column per shape function.
+struct StrainColumn {
+  std::array<double, n_strains>
+      strain;  // rr, tt, zz, and the engineering shears divided by sqrt(2): strain . strain = eps:eps
+  double divergence;
+};
+
+// n = 0: component 0 is U, 1 is W.
+StrainColumn axisymmetric_strain(unsigned component, double value, const dealii::Tensor<1, 2>& grad, double r) {
+  const double shear = 1 / std::sqrt(2.0);
+  if (component == 0) return {{grad[0], value / r, 0, shear * grad[1], 0, 0}, grad[0] + value / r};
+  return {{0, 0, grad[1], shear * grad[0], 0, 0}, grad[1]};
+}
+
+// n = 1: component 0 is s, 1 is m, 2 is W; U = m + s, V = m - s.
+StrainColumn first_harmonic_strain(unsigned component, double value, const dealii::Tensor<1, 2>& grad, double r) {
+  const double shear = 1 / std::sqrt(2.0);
+  switch (component) {
+    case 0:
+      return {{grad[0], 0, 0, shear * grad[1], -shear * grad[0], -shear * grad[1]}, grad[0]};
+    case 1:
+      return {{grad[0], 2 * value / r, 0, shear * grad[1], shear * (grad[0] - 2 * value / r), shear * grad[1]},
+              grad[0] + 2 * value / r};
+    default:
+      return {{0, 0, grad[1], shear * grad[0], 0, -shear * value / r}, grad[1]};
+  }
+}
+
+}  // namespace
+
+CellOperators::CellOperators(const HarmonicSpace& space)
+    : harmonic_(space.harmonic()),
+      values_(space.parts().element, dealii::QGauss<2>(space.parts().element.degree + 1),
+              dealii::update_values | dealii::update_gradients | dealii::update_JxW_values |
+                  dealii::update_quadrature_points),
+      face_values_(space.parts().element, dealii::QGauss<1>(space.parts().element.degree + 1),
+                   dealii::update_values | dealii::update_JxW_values | dealii::update_normal_vectors |
+                       dealii::update_quadrature_points),
+      strain_(n_strains * values_.n_quadrature_points, values_.dofs_per_cell),
+      divergence_(values_.n_quadrature_points, values_.dofs_per_cell),
+      pressure_(values_.n_quadrature_points, values_.dofs_per_cell),
+      far_(0, values_.dofs_per_cell) {}
+
+void CellOperators::evaluate(const dealii::DoFHandler<2>::active_cell_iterator& cell) {
+  values_.reinit(cell);
+  strain_.setZero();
+  divergence_.setZero();
+  pressure_.setZero();
+  const auto& element = values_.get_fe();
+  const auto strain_of = harmonic_ == Harmonic::normal ? axisymmetric_strain : first_harmonic_strain;
+  for (const unsigned q : values_.quadrature_point_indices()) {
+    const double r = values_.quadrature_point(q)[0];
+    const double weight = std::sqrt(angular_factor(harmonic_) * r * values_.JxW(q));
+    for (unsigned i = 0; i < element.n_dofs_per_cell(); ++i) {
+      const unsigned component = element.system_to_component_index(i).first;
+      if (component == n_displacements(harmonic_)) {
+        pressure_(q, i) = weight * values_.shape_value(i, q);
+        continue;
+      }
+      const auto column = strain_of(component, values_.shape_value(i, q), values_.shape_grad(i, q), r);
+      for (unsigned k = 0; k < n_strains; ++k)
+        strain_(n_strains * q + k, i) = std::sqrt(2.0) * weight * column.strain[k];
+      divergence_(q, i) = weight * column.divergence;
+    }
+  }
+  far_.resize(0, far_.cols());
+  for (const unsigned face : cell->face_indices())
+    if (cell->face(face)->at_boundary() &&
+        cell->face(face)->boundary_id() == static_cast<dealii::types::boundary_id>(BoundaryPart::far)) {
+      face_values_.reinit(cell, face);
+      append_far_face();
+    }
+}
+
+void CellOperators::append_far_face() {
+  const auto& element = face_values_.get_fe();
+  const Eigen::Index n_before = far_.rows();
+  far_.conservativeResize(n_before + face_values_.n_quadrature_points, Eigen::NoChange);
+  for (const unsigned q : face_values_.quadrature_point_indices()) {
+    const auto x = face_values_.quadrature_point(q);
+    const double radius = x.norm();
+    // The point-load stress is purely radial, so on a chord of the arc the traction carries the cosine of the tilt.
+    const double tilt = (face_values_.normal_vector(q) * x) / radius;
+    const double weight = std::sqrt(angular_factor(harmonic_) * x[0] * face_values_.JxW(q) * tilt * 3 / radius);
+    for (unsigned i = 0; i < element.n_dofs_per_cell(); ++i) {
+      const unsigned component = element.system_to_component_index(i).first;
+      const bool radial = component + 1 < n_displacements(harmonic_);  // U, or both s and m: U = m + s
+      const double n = radial ? x[0] / radius : component == vertical_component(harmonic_) ? x[1] / radius : 0;
+      far_(n_before + q, i) = weight * n * face_values_.shape_value(i, q);
+    }
+  }
+}
+
+}  // namespace fretval::fem

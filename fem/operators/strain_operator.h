@@ -1,0 +1,44 @@
+#pragma once
+
+#include <deal.II/fe/fe_values.h>
+
+#include <Eigen/Dense>
+
+#include "fem/operators/harmonic_space.h"
+#include "fem/operators/harmonic_space_parts.h"
+
+namespace fretval::fem {
+
+/// Operators of one cell at its quadrature points, one column per shape function, for the few files that integrate
+/// stresses over the body: the stiffness (THEORY section 7) is
+/// `strain^T strain - divergence^T pressure - pressure^T divergence + far^T far`.
+///
+/// Every row carries the square root of the weight of its point, `sqrt(2 pi w_n r JxW)`, w_0 = 1, w_1 = 1/2, so that
+/// the product of two rows is a share of an integral. They are stacked, all points of a cell in one matrix, so that a
+/// cell costs a few matrix products.
+class CellOperators {
+ public:
+  explicit CellOperators(const HarmonicSpace& space);
+
+  void evaluate(const dealii::DoFHandler<2>::active_cell_iterator& cell);
+
+  /// sqrt(2) times the strain, 6 rows a point (rr, tt, zz and the tensor shears times sqrt(2)): its square is 2
+  /// eps:eps.
+  [[nodiscard]] const Eigen::MatrixXd& strain() const { return strain_; }
+  [[nodiscard]] const Eigen::MatrixXd& divergence() const { return divergence_; }
+  [[nodiscard]] const Eigen::MatrixXd& pressure() const { return pressure_; }
+
+  /// sqrt(3/R) times the normal displacement u.n at the points of the far faces, see assemble_stiffness; no row in the
+  /// other cells.
+  [[nodiscard]] const Eigen::MatrixXd& far() const { return far_; }
+
+ private:
+  void append_far_face();
+
+  Harmonic harmonic_;
+  dealii::FEValues<2> values_;
+  dealii::FEFaceValues<2> face_values_;
+  Eigen::MatrixXd strain_, divergence_, pressure_, far_;
+};
+
+}  // namespace fretval::fem

@@ -1,0 +1,101 @@
+#include "fem/stick_zone/edge_near_largest_contact.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include "fem/condensation/stencil.h"
+
+namespace fretval::fem {
+
+using Eigen::Index;
+
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+constexpr Index n_seen = 3;
+
+/// Half of a cycle: the instants before or after the largest contact, from there outwards.
+struct HalfCycle {
+  double time_of_largest;
+  Index next;  ///< column of the instant next to it
+  int outwards;
+  Index size;
+
+  [[nodiscard]] Index column(Index i) const { return next + outwards * i; }
+};
+
+/// Instants, from the largest contact on, behind which the kinks are seen. At the largest contact itself there is none.
+Index count_hidden(const NormalHistory& history, const HalfCycle& half) {
+  Index n = 1;
+  while (n < half.size && history.kink_uncertainty[half.column(n)] > 0) ++n;
+  return n;
+}
+
+/// Where the edge is at instants that see no kink, from those that do: on a cubic through the largest contact and three
+/// of them, and on a parabola without the last one.
+struct EdgeOverTime {
+  Eigen::VectorXd time, radius;
+
+  [[nodiscard]] double cubic(double t) const { return Stencil{time, radius, 0, n_seen + 1}(t); }
+  [[nodiscard]] double parabola(double t) const { return Stencil{time, radius, 0, n_seen}(t); }
+};
+
+std::optional<EdgeOverTime> edge_over_time(const NormalHistory& history, const HalfCycle& half, Index n_hidden,
+                                           double largest_radius) {
+  const Index n_left = half.size - 1 - n_hidden,
+              apart = std::min(std::max<Index>(1, n_hidden / 2), n_left / (n_seen - 1));
+  if (apart < 1) return std::nullopt;
+  EdgeOverTime edge{Eigen::VectorXd(n_seen + 1), Eigen::VectorXd(n_seen + 1)};
+  edge.time[0] = half.time_of_largest;
+  edge.radius[0] = largest_radius;
+  for (Index i = 0; i < n_seen; ++i) {
+    const Index column = half.column(n_hidden + i * apart);
+    if (history.kink_uncertainty[column] > 0 || history.n_closed[column] == 0) return std::nullopt;
+    edge.time[i + 1] = history.time[column];
+    edge.radius[i + 1] = history.contact_radius[column];
+  }
+  return edge;
+}
+
+void read_instant(const PunchSeries& series, const std::optional<EdgeOverTime>& edge, Index column,
+                  NormalHistory& history) {
+  constexpr double safety = 2, biased = 0.1;
+  const Eigen::VectorXd depths = series.depths(history.pressure.col(column));
+  const Index n_closed = history.n_closed[column];
+  const std::vector<signed char> one_zone(static_cast<std::size_t>(n_closed), 0);
+  const auto force = [&](double end) { return series.integral(depths, one_zone, end); };
+  double &radius = history.contact_radius[column], &kink = history.kink_uncertainty[column], uncertainty = 0;
+  if (!edge) {
+    uncertainty = std::abs(force(radius) - force(series.radii()[n_closed - 1]));
+  } else {
+    const double t = history.time[column], second = force(edge->cubic(t)), difference = second - force(radius);
+    uncertainty = safety * std::abs(difference);
+    if (std::abs(difference) > kink) {
+      uncertainty = safety * std::abs(second - force(edge->parabola(t))) + biased * std::abs(difference);
+      history.force[column] += difference;
+      radius = edge->cubic(t);
+    }
+  }
+  history.force_uncertainty[column] += uncertainty - kink;
+  kink = uncertainty;
+}
+
+void read_half(const PunchSeries& series, double largest_radius, const HalfCycle& half, NormalHistory& history) {
+  const Index n_hidden = count_hidden(history, half);
+  const auto edge = edge_over_time(history, half, n_hidden, largest_radius);
+  for (Index i = 0; i < n_hidden; ++i)
+    if (history.kink_uncertainty[half.column(i)] > 0) read_instant(series, edge, half.column(i), history);
+}
+
+}  // namespace
+
+void read_edges_near_largest_contact(const PunchSeries& series, double largest_radius, NormalHistory& history) {
+  const Index n = history.time.size(), n_steps = history.steps_per_cycle;
+  const double begin = 2 * pi * (history.n_cycles - 1), end = 2 * pi * history.n_cycles;
+  read_half(series, largest_radius, {begin, n - n_steps, 1, n_steps / 2}, history);
+  read_half(series, largest_radius, {end, n - 1, -1, n_steps / 2}, history);
+}
+
+}  // namespace fretval::fem

@@ -1,0 +1,48 @@
+#include "mdr/profiles/profile_csv.h"
+
+#include <cstddef>
+#include <map>
+#include <stdexcept>
+#include <vector>
+
+#include "mdr/support/checks.h"
+#include "mdr/support/csv.h"
+#include "mdr/support/csv_units.h"
+
+namespace fretval::mdr {
+
+namespace {
+
+// Micro as the sign of its own and as the Greek letter.
+const std::map<std::string, double> length_units = {{"m", 1},     {"mm", 1e-3},      {"um", 1e-6},
+                                                    {"nm", 1e-9}, {"\u00b5m", 1e-6}, {"\u03bcm", 1e-6}};
+
+void require_scan(const CsvColumns& csv, const std::string& source_name, double noise) {
+  const std::vector<double>& r = csv.columns[0];
+  for (std::size_t i = 0; i < r.size(); ++i) {
+    const std::string radius = source_name + ", line " + std::to_string(csv.line_of_row[i]) + ": radius";
+    require_non_negative(radius, r[i]);
+    if (i == 0 && noise == 0 && r[i] != 0) reject(radius, r[i], "must be 0, the axis, if no noise is stated");
+    if (i > 0 && r[i] == r[i - 1]) reject(radius, r[i], "must not be that of the row before");
+    if (i > 0 && r[i] < r[i - 1]) reject(radius, r[i], "must be greater than that of the row before, a scan outwards");
+  }
+}
+
+}  // namespace
+
+Profile read_profile_table(std::istream& stream, const std::string& source_name, double noise) {
+  require_non_negative("noise of the profile table in m", noise);
+  CsvColumns csv = read_csv(stream, source_name, 2);
+  require_scan(csv, source_name, noise);
+  for (std::size_t column = 0; column < 2; ++column) {
+    const double size = unit_of_column(csv, column, length_units, source_name);
+    for (double& length : csv.columns[column]) length *= size;
+  }
+  try {
+    return tabulated(csv.columns[0], csv.columns[1], noise);
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(source_name + ": " + error.what());
+  }
+}
+
+}  // namespace fretval::mdr

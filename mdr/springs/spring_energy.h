@@ -1,0 +1,35 @@
+#pragma once
+
+#include "mdr/rheology/prony_body.h"
+#include "mdr/springs/spring_bed.h"
+#include "mdr/springs/spring_step.h"
+
+namespace fretval::mdr {
+
+/// Forces on the indenter and energies of the whole foundation, both sides of the axis: 2 sum(width ...). SI units.
+
+/// Forces in N per sum(width * load): 8 G0 and (16/3) G0.
+double normal_scale(const PronyBody& body);
+double tangential_scale(const PronyBody& body);
+
+/// F_z and F_x in N.
+double normal_force(const SpringBed& bed, const PronyBody& body, const SpringState& state);
+double tangential_force(const SpringBed& bed, const PronyBody& body, const SpringState& state);
+
+/// Energy in J stored in the springs: relaxed ones and those of the branches.
+double stored_energy(const SpringBed& bed, const PronyBody& body, const SpringState& state);
+
+/// Energy in J that one step turned into heat.
+struct Dissipation {
+  double friction = 0;  ///< traction times slip, with what a spring releases when it loses contact under traction
+  double bulk = 0;      ///< dashpots of the branches and the parallel one
+};
+
+/// Of the step of length dt from one state to the next. Branches: exact for linear motion of the tips. Friction: slip
+/// under the friction limit, from where the growing traction of the stuck spring meets it to the end of the step; exact
+/// for elastic springs, also for those that lose contact, whose release is what relaxation damping is made of (Popov,
+/// Popov and Pohrt, Scientific Reports 5 (2015) 16189).
+Dissipation dissipation(const SpringBed& bed, const PronyBody& body, double mu, double dt, const SpringState& before,
+                        const SpringState& after);
+
+}  // namespace fretval::mdr

@@ -1,0 +1,252 @@
+#include "mdr/springs/spring_history.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+
+#include "mdr/motion/commensurability.h"
+#include "mdr/springs/spring_energy.h"
+#include "mdr/support/checks.h"
+
+namespace fretval::mdr {
+
+namespace {
+
+// Slip below this share of the largest tangential displacement is roundoff, or the last creep of a spring that has
+// shaken down.
+constexpr double never_slipped = 1e-11;
+constexpr double shaken_down = 1e-6;
+
+// Running minimum of a sampled signal per spring, at the vertex of the parabola through three samples.
+class SampledMinimum {
+ public:
+  explicit SampledMinimum(Eigen::Index n) : least_(Eigen::ArrayXd::Constant(n, infinity)), n_samples_(0) {}
+
+  void add(const Eigen::ArrayXd& sample) {
+    least_ = least_.min(sample);
+    if (n_samples_ >= 2) {
+      const Eigen::ArrayXd bend = before_ - 2 * last_ + sample, slope = (sample - before_) / 2;
+      const Eigen::ArrayXd vertex = last_ - slope.square() / (2 * bend);
+      least_ = (last_ < before_ && last_ <= sample).select(least_.min(vertex), least_);
+    }
+    before_.swap(last_);
+    last_ = sample;
+    ++n_samples_;
+  }
+
+  [[nodiscard]] const Eigen::ArrayXd& value() const { return least_; }
+
+ private:
+  static constexpr double infinity = 1e300;
+  Eigen::ArrayXd least_, before_, last_;
+  int n_samples_;
+};
+
+struct Margins {
+  SampledMinimum forward, backward;
+  Eigen::ArrayXd slip_path, traction_sum;
+
+  explicit Margins(Eigen::Index n)
+      : forward(n), backward(n), slip_path(Eigen::ArrayXd::Zero(n)), traction_sum(Eigen::ArrayXd::Zero(n)) {}
+
+  void add(const SpringState& state, double mu) {
+    const Eigen::ArrayXd limit = 1.5 * mu * state.normal_load;
+    forward.add(limit - state.tangential_load);
+    backward.add(limit + state.tangential_load);
+  }
+};
+
+// g(c) from the outermost of the springs that stick, counted from the axis.
+double stick_depth(const SpringBed& bed, double mu, const Eigen::ArrayXd& margin, const Eigen::ArrayXd& slip_path,
+                   double allowed) {
+  Eigen::Index n = 0;
+  while (n < margin.size() && slip_path[n] <= allowed && margin[n] > 0) ++n;
+  if (n == 0) return bed.depth[0] + std::min(0.0, margin[0] / (1.5 * mu));
+  return bed.depth[n - 1] + margin[n - 1] / (1.5 * mu);
+}
+
+void check(const HistoryControl& control) {
+  require_positive("period", control.period);
+  require_within("steps per period", control.steps_per_period, 4, 1e6);
+  require_within("ramp periods", control.n_ramp_periods, 1, 1e6);
+  require_within("largest number of periods", control.max_periods, control.n_ramp_periods + 1, 1e9);
+  require_positive("periodicity", control.periodicity);
+}
+
+// Where springs that have relaxed for ever carry the first force.
+double start_indentation(const SpringBed& bed, const PronyBody& body, const Loading& loading) {
+  if (!loading.normal_force) return loading.path(0).indentation;
+  const PronyBody relaxed = elastic(body.relaxed_modulus);
+  return SpringStep(relaxed, 1, 1)
+      .indentation_for_load(relaxed_state(bed, relaxed, 0), bed, loading.normal_force(0) / normal_scale(body));
+}
+
+void check(const Loading& loading) {
+  if (!loading.path && !(loading.normal_force && loading.tangential_force))
+    throw std::invalid_argument("loading without a path: it needs both forces");
+}
+
+class History {
+ public:
+  History(const SpringBed& bed, const PronyBody& body, double mu, const Loading& loading, const HistoryControl& control)
+      : bed_(bed),
+        body_(body),
+        mu_(mu),
+        loading_(loading),
+        control_(control),
+        dt_(control.period / control.steps_per_period),
+        step_(body, mu, dt_),
+        state_(relaxed_state(bed, body, start_indentation(bed, body, loading))),
+        first_slip_(bed.depth.size()) {}
+
+  SpringHistory run() {
+    for (int period = 0; period < control_.max_periods; ++period) {
+      const SpringState start = state_;
+      SpringHistory last = one_period(period);
+      if (period < control_.n_ramp_periods) continue;
+      const double scale = std::max(start.tangential_load.abs().maxCoeff(), mu_ * start.normal_load.maxCoeff());
+      change_ = (state_.tangential_load - start.tangential_load).abs().maxCoeff();
+      if (change_ <= control_.periodicity * scale) return last;
+    }
+    std::ostringstream message;
+    const auto& times = body_.branch_times;
+    const double longest = times.empty() ? 0 : *std::max_element(times.begin(), times.end());
+    message << "tractions of the springs still change by " << change_ << " m per period after " << control_.max_periods
+            << " periods; the longest relaxation time lasts " << longest / control_.period
+            << " periods: allow more periods, or leave out branches that are slow beyond interest";
+    throw std::runtime_error(message.str());
+  }
+
+ private:
+  SpringHistory one_period(int period) {
+    SpringHistory result{};
+    result.n_periods = period + 1;
+    result.deepest = result.highest = state_;
+    Margins margins(bed_.depth.size());
+    record(result, period * control_.period, margins);
+    for (int k = 1; k <= control_.steps_per_period; ++k) {
+      const double time = (period + static_cast<double>(k) / control_.steps_per_period) * control_.period;
+      const SpringState before = state_;
+      step_.advance(state_, bed_, indenter(time));
+      margins.slip_path += slip(before, state_).abs();
+      margins.traction_sum += state_.tangential_load;
+      first_slip_.add(state_, mu_);
+      const Dissipation heat = dissipation(bed_, body_, mu_, dt_, before, state_);
+      result.friction_work += heat.friction;
+      result.bulk_work += heat.bulk;
+      record(result, time, margins);
+      result.indenter_work += work_of_last_step(result, before);
+    }
+    first_slip_.slip_path += margins.slip_path;
+    finish(result, margins);
+    return result;
+  }
+
+  [[nodiscard]] IndenterState indenter(double time) const {
+    IndenterState to = loading_.path ? loading_.path(time) : state_.indenter;
+    if (loading_.normal_force) {
+      to.indentation = step_.indentation_for_load(state_, bed_, loading_.normal_force(time) / normal_scale(body_));
+      to.indentation_rate = (to.indentation - state_.indenter.indentation) / dt_;
+    }
+    if (loading_.tangential_force) {
+      const double load = loading_.tangential_force(time) / tangential_scale(body_);
+      to.tangential = step_.tangential_for_load(state_, bed_, to.indentation, load);
+      to.tangential_rate = (to.tangential - state_.indenter.tangential) / dt_;
+    }
+    return to;
+  }
+
+  void record(SpringHistory& result, double time, Margins& margins) {
+    largest_shift_ = std::max(largest_shift_, std::abs(state_.indenter.tangential));
+    margins.add(state_, mu_);
+    if (state_.indenter.indentation > result.deepest.indenter.indentation) result.deepest = state_;
+    if (state_.indenter.indentation < result.highest.indenter.indentation) result.highest = state_;
+    result.time.push_back(time);
+    result.normal_force.push_back(normal_force(bed_, body_, state_));
+    result.tangential_force.push_back(tangential_force(bed_, body_, state_));
+  }
+
+  [[nodiscard]] double work_of_last_step(const SpringHistory& result, const SpringState& before) const {
+    const std::size_t k = result.time.size() - 1;
+    const double fall = state_.indenter.indentation - before.indenter.indentation;
+    const double shift = state_.indenter.tangential - before.indenter.tangential;
+    return (result.normal_force[k - 1] + result.normal_force[k]) / 2 * fall +
+           (result.tangential_force[k - 1] + result.tangential_force[k]) / 2 * shift;
+  }
+
+  void finish(SpringHistory& result, const Margins& margins) const {
+    const Eigen::ArrayXd first = first_slip_.forward.value().min(first_slip_.backward.value());
+    const Eigen::ArrayXd shakedown = (margins.forward.value() + margins.backward.value()) / 2;
+    result.depths.first_slip = stick_depth(bed_, mu_, first, first_slip_.slip_path, never_slipped * largest_shift_);
+    result.depths.shakedown = stick_depth(bed_, mu_, shakedown, margins.slip_path, shaken_down * largest_shift_);
+    result.slip_amplitude = margins.slip_path;
+    result.mean_traction = margins.traction_sum / control_.steps_per_period;
+  }
+
+  const SpringBed& bed_;
+  const PronyBody& body_;
+  double mu_;
+  const Loading& loading_;
+  const HistoryControl& control_;
+  double dt_;
+  SpringStep step_;
+  SpringState state_;
+  Margins first_slip_;
+  double largest_shift_ = 0;
+  double change_ = 0;
+};
+
+}  // namespace
+
+IndenterPath ramped_path(const HarmonicMotion& motion, double ramp_duration) {
+  validate(motion);
+  require_positive("ramp duration", ramp_duration);
+  return [motion, ramp_duration](double time) -> IndenterState {
+    const double s = std::clamp(time / ramp_duration, 0.0, 1.0);
+    const double envelope = s * s * (3 - 2 * s), envelope_rate = 6 * s * (1 - s) / ramp_duration;
+    const auto add = [&](const std::vector<Harmonic>& harmonics, double& position, double& rate) {
+      for (const Harmonic& harmonic : harmonics) {
+        const double omega = angular_frequency(harmonic.frequency), angle = omega * time + harmonic.phase;
+        position += harmonic.amplitude * envelope * std::cos(angle);
+        rate += harmonic.amplitude * (envelope_rate * std::cos(angle) - envelope * omega * std::sin(angle));
+      }
+    };
+    IndenterState state{motion.indentation, 0, 0, 0};
+    add(motion.normal, state.indentation, state.indentation_rate);
+    add(motion.tangential, state.tangential, state.tangential_rate);
+    return state;
+  };
+}
+
+double common_period(const HarmonicMotion& motion) {
+  validate(motion);
+  if (!motion.phase_locked) throw std::invalid_argument("phase is unlocked: the motion has no period");
+  std::vector<double> frequencies;
+  for (const auto* harmonics : {&motion.normal, &motion.tangential})
+    for (const Harmonic& harmonic : *harmonics) frequencies.push_back(harmonic.frequency);
+  const auto groups = commensurate_groups(frequencies);
+  if (groups.size() != 1) throw std::invalid_argument("frequencies are not commensurate: the motion has no period");
+  return 1 / groups[0].base_frequency;
+}
+
+ForcePath ramped_force(double mean, double amplitude, double frequency, double phase, double ramp_duration) {
+  require_non_negative("mean force", mean);
+  require_non_negative("force amplitude", amplitude);
+  require_positive("frequency", frequency);
+  require_finite("phase", phase);
+  require_positive("ramp duration", ramp_duration);
+  return [=](double time) {
+    const double s = std::clamp(time / ramp_duration, 0.0, 1.0);
+    return mean + amplitude * s * s * (3 - 2 * s) * std::cos(angular_frequency(frequency) * time + phase);
+  };
+}
+
+SpringHistory spring_history(const SpringBed& bed, const PronyBody& body, double mu, const Loading& loading,
+                             const HistoryControl& control) {
+  check(control);
+  check(loading);
+  return History(bed, body, mu, loading, control).run();
+}
+
+}  // namespace fretval::mdr

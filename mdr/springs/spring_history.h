@@ -1,0 +1,81 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "mdr/motion/harmonic_motion.h"
+#include "mdr/rheology/prony_body.h"
+#include "mdr/springs/spring_bed.h"
+#include "mdr/springs/spring_step.h"
+#include "mdr/stick/stick_radius.h"
+
+namespace fretval::mdr {
+
+/// Motion of the indenter in time.
+using IndenterPath = std::function<IndenterState(double time)>;
+
+/// Oscillation that starts from rest at d0: all amplitudes rise together and smoothly over ramp_duration in s. The
+/// phase is taken as locked.
+IndenterPath ramped_path(const HarmonicMotion& motion, double ramp_duration);
+
+/// Period in s of a motion whose frequencies are commensurate. Throws std::invalid_argument if it never repeats: phase
+/// unlocked, or frequencies that are not commensurate (see mdr/commensurability.h).
+double common_period(const HarmonicMotion& motion);
+
+/// Prescribed force in N over time.
+using ForcePath = std::function<double(double time)>;
+
+/// What a rig prescribes over time: the path of the indenter, or instead of either of its directions a force.
+struct Loading {
+  IndenterPath path;           ///< its indentation at time 0 is the start; not needed under two forces
+  ForcePath normal_force;      ///< empty: the indentation is prescribed; positive
+  ForcePath tangential_force;  ///< empty: the tangential displacement is prescribed; 0 at time 0
+};
+
+/// Forces F0 + Delta F cos(2 pi f t) and F_x0 cos(2 pi f t + phase), the oscillating parts rising over ramp_duration
+/// in s. mean positive, amplitudes not negative, f in Hz positive, phase in rad.
+ForcePath ramped_force(double mean, double amplitude, double frequency, double phase, double ramp_duration);
+
+/// How a history is stepped, and when it counts as periodic.
+struct HistoryControl {
+  double period;  ///< s
+  int steps_per_period = 360;
+  int n_ramp_periods = 10;  ///< the path is taken as periodic from here on
+  int max_periods = 400;
+  double periodicity = 1e-9;  ///< largest change of a traction from one period to the next over the largest traction
+};
+
+/// What the transient spring foundation says about a periodic motion: the second, independent way to both stick radii,
+/// and the reference for histories of finite elements.
+struct SpringHistory {
+  int n_periods;       ///< until periodic, with those of the ramp
+  StickDepths depths;  ///< g(c); see below
+
+  // The last period, both ends included.
+  std::vector<double> time;              ///< s
+  std::vector<double> normal_force;      ///< N
+  std::vector<double> tangential_force;  ///< N
+  Eigen::ArrayXd slip_amplitude;         ///< per spring: path of slip in the last period, m
+  Eigen::ArrayXd mean_traction;  ///< per spring: mean tangential_load over the last period, the locked-in offset, m
+
+  SpringState deepest, highest;  ///< at the largest and the smallest indentation of the last period
+
+  double friction_work;  ///< J per period
+  double bulk_work;      ///< J per period
+  double indenter_work;  ///< J per period: int F_z dd + F_x du_x; the sum of the other two, up to the time step
+};
+
+/// Steps the springs from the relaxed state at the path's start until their tractions repeat.
+///
+/// Stick depths: the friction margin of a spring that sticks, over its stiffness, is g(c) - g(x), so every stuck
+/// spring gives g(c); the outermost one is taken. First slip: least margin min(mu q_z -+ q_x) over the whole history of
+/// springs that never slipped; shakedown: mean of the two least margins over the last period, of springs that do not
+/// slip in it. Minima between time steps are those of parabolas. Not positive where no spring sticks.
+/// Under a prescribed force the motion of the indenter is found in every step; it is the same for all springs, so the
+/// margins mean the same.
+/// Throws std::runtime_error when the state is not periodic after max_periods or the contact slides under a tangential
+/// force, std::invalid_argument for bad arguments.
+SpringHistory spring_history(const SpringBed& bed, const PronyBody& body, double mu, const Loading& loading,
+                             const HistoryControl& control);
+
+}  // namespace fretval::mdr

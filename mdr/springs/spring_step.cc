@@ -1,0 +1,207 @@
+#include "mdr/springs/spring_step.h"
+
+#include <algorithm>
+#include <array>
+#include <boost/math/tools/toms748_solve.hpp>
+#include <cmath>
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+
+#include "mdr/support/checks.h"
+
+namespace fretval::mdr {
+
+namespace {
+
+// 1/(1-e^-z) - 1/z: 1/2 for slow relaxation (trapezoidal rule), 1 for fast (implicit Euler), exact for one exponential.
+double fitted_theta(double z) {
+  return z < 1e-3 ? 0.5 + z / 12 : -1 / std::expm1(-z) - 1 / z;
+}
+
+}  // namespace
+
+double branch_gain(const PronyBody& body, std::size_t i, double dt) {
+  const double z = dt / body.branch_times[i];
+  return body.branch_moduli[i] / body.relaxed_modulus * -std::expm1(-z) / z;
+}
+
+SpringState relaxed_state(const SpringBed& bed, const PronyBody& body, double indentation) {
+  validate(body);
+  require_finite("indentation", indentation);
+  const Eigen::Index n = bed.depth.size(), n_branches = static_cast<Eigen::Index>(body.branch_moduli.size());
+  const Eigen::ArrayXd contact = (indentation - bed.depth).max(0);
+  const Eigen::ArrayXd none = Eigen::ArrayXd::Zero(n);
+  const Eigen::ArrayXXd memory = Eigen::ArrayXXd::Zero(n, n_branches);
+  return {{indentation, 0, 0, 0}, contact, none, contact, none, memory, memory};
+}
+
+SpringStep::SpringStep(const PronyBody& body, double mu, double dt) : limit_(1.5 * mu), dt_(dt), gain_sum_(0) {
+  validate(body);
+  require_positive("coefficient of friction", mu);
+  require_positive("time step", dt);
+  for (std::size_t i = 0; i < body.branch_moduli.size(); ++i) {
+    decay_.push_back(std::exp(-dt / body.branch_times[i]));
+    gain_.push_back(branch_gain(body, i, dt));
+    gain_sum_ += gain_.back();
+  }
+  viscosity_ = body.viscosity / body.relaxed_modulus;
+  theta_ = viscosity_ > 0 ? fitted_theta(dt * (1 + gain_sum_) / viscosity_) : 1;
+}
+
+void SpringStep::advance(SpringState& state, const SpringBed& bed, const IndenterState& to) const {
+  if (viscosity_ > 0) return advance_with_dashpot(state, bed, to);
+  switch (decay_.size()) {
+    case 0:
+      return advance_elastomer<0>(state, bed, to);
+    case 1:
+      return advance_elastomer<1>(state, bed, to);
+    case 2:
+      return advance_elastomer<2>(state, bed, to);
+    case 3:
+      return advance_elastomer<3>(state, bed, to);
+    default:
+      return advance_elastomer<-1>(state, bed, to);
+  }
+}
+
+// One pass over the springs without a branch in it, so that the compiler vectorises it; n_branches = -1: any number.
+template <int n_branches>
+void SpringStep::advance_elastomer(SpringState& state, const SpringBed& bed, const IndenterState& to) const {
+  constexpr auto n_fixed = static_cast<std::size_t>(std::max(n_branches, 1));
+  const std::size_t n_memory = n_branches < 0 ? decay_.size() : n_branches;
+  const Eigen::Index n = bed.depth.size();
+  const double gain = gain_sum_, compliance = 1 / (1 + gain_sum_), limit = limit_;
+  const double d = to.indentation, shift = to.tangential - state.indenter.tangential;
+  const double* g = bed.depth.data();
+  double *u = state.normal_depth.data(), *v = state.tangential_shift.data();
+  double *p = state.normal_load.data(), *t = state.tangential_load.data();
+  double *h = state.normal_memory.data(), *k = state.tangential_memory.data();
+  std::array<double, n_fixed> decay{}, branch_gain{};
+  if constexpr (n_branches > 0) {
+    std::copy_n(decay_.begin(), n_fixed, decay.begin());
+    std::copy_n(gain_.begin(), n_fixed, branch_gain.begin());
+  }
+  const double* a = n_branches < 0 ? decay_.data() : decay.data();
+  const double* b = n_branches < 0 ? gain_.data() : branch_gain.data();
+#pragma GCC ivdep
+  for (Eigen::Index j = 0; j < n; ++j) {
+    double left = 0, left_tangential = 0;  // of the memory, at the end of the step
+    for (std::size_t i = 0; i < n_memory; ++i) {
+      const Eigen::Index at = static_cast<Eigen::Index>(i) * n + j;
+      left += a[i] * h[at];
+      left_tangential += a[i] * k[at];
+    }
+    const double free = (gain * u[j] - left) * compliance;
+    const double depth = std::max(free, d - g[j]);
+    const double load = (1 + gain) * (depth - free);
+    const double trial = v[j] + left_tangential + (1 + gain) * shift;
+    const double most = limit * load;
+    const double traction = std::min(std::max(trial, -most), most);
+    const double tip = (traction - left_tangential + gain * v[j]) * compliance;
+    const double move = depth - u[j], tangential_move = tip - v[j];
+    for (std::size_t i = 0; i < n_memory; ++i) {
+      const Eigen::Index at = static_cast<Eigen::Index>(i) * n + j;
+      h[at] = a[i] * h[at] + b[i] * move;
+      k[at] = a[i] * k[at] + b[i] * tangential_move;
+    }
+    u[j] = depth;
+    v[j] = tip;
+    p[j] = load;
+    t[j] = traction;
+  }
+  state.indenter = to;
+}
+
+void SpringStep::advance_with_dashpot(SpringState& state, const SpringBed& bed, const IndenterState& to) const {
+  const double drag = viscosity_ / dt_, weight = drag + theta_ * (1 + gain_sum_);
+  const double shift = to.tangential - state.indenter.tangential;
+  const auto n_memory = static_cast<Eigen::Index>(decay_.size());
+  for (Eigen::Index j = 0; j < bed.depth.size(); ++j) {
+    double left = 0, left_tangential = 0, now = state.normal_depth[j], now_tangential = state.tangential_shift[j];
+    for (Eigen::Index i = 0; i < n_memory; ++i) {
+      const double a = decay_[static_cast<std::size_t>(i)];
+      left += a * state.normal_memory(j, i);
+      left_tangential += a * state.tangential_memory(j, i);
+      now += state.normal_memory(j, i);
+      now_tangential += state.tangential_memory(j, i);
+    }
+    // Position of a tip at the end of a step whose load, averaged with theta, is given.
+    const auto tip_under = [&](double load, double position, double remaining, double force_now) {
+      return (load + drag * position - theta_ * (remaining - gain_sum_ * position) - (1 - theta_) * force_now) / weight;
+    };
+    const double u = state.normal_depth[j], v = state.tangential_shift[j], touching = to.indentation - bed.depth[j];
+    const double free = tip_under(0, u, left, now);
+    const double pressed = touching + left + gain_sum_ * (touching - u) + viscosity_ * to.indentation_rate;
+    const bool contact = state.normal_load[j] > 0 ? pressed > 0 : touching > free;
+    const double load = contact ? std::max(0.0, pressed) : 0;
+    const double depth = contact ? touching : std::max(free, touching);
+    const double stuck = v + left_tangential + (1 + gain_sum_) * shift + viscosity_ * to.tangential_rate;
+    const double most = limit_ * load;
+    const double traction = std::min(std::max(stuck, -most), most);
+    const double mean_load = contact ? theta_ * traction + (1 - theta_) * state.tangential_load[j] : 0;
+    const double tip =
+        contact && traction == stuck ? v + shift : tip_under(mean_load, v, left_tangential, now_tangential);
+    for (Eigen::Index i = 0; i < n_memory; ++i) {
+      const double a = decay_[static_cast<std::size_t>(i)], b = gain_[static_cast<std::size_t>(i)];
+      state.normal_memory(j, i) = a * state.normal_memory(j, i) + b * (depth - u);
+      state.tangential_memory(j, i) = a * state.tangential_memory(j, i) + b * (tip - v);
+    }
+    state.normal_depth[j] = depth;
+    state.tangential_shift[j] = tip;
+    state.normal_load[j] = load;
+    state.tangential_load[j] = traction;
+  }
+  state.indenter = to;
+}
+
+double SpringStep::indentation_for_load(const SpringState& state, const SpringBed& bed, double load) const {
+  require_positive("normal load", load);
+  const auto excess = [&](double d) {
+    SpringState trial = state;
+    advance(trial, bed, {d, (d - state.indenter.indentation) / dt_, state.indenter.tangential, 0});
+    return (bed.width * trial.normal_load).sum() - load;
+  };
+  // Widened until it brackets; the load is monotone in d.
+  double width = std::max(bed.depth.abs().maxCoeff(), std::abs(state.indenter.indentation));
+  double lower = state.indenter.indentation - width, upper = state.indenter.indentation + width;
+  while (excess(upper) < 0) upper += width *= 2;
+  std::uintmax_t iterations = 200;
+  const auto bracket = boost::math::tools::toms748_solve(excess, lower, upper,
+                                                         boost::math::tools::eps_tolerance<double>(50), iterations);
+  return (bracket.first + bracket.second) / 2;
+}
+
+double SpringStep::tangential_for_load(const SpringState& state, const SpringBed& bed, double indentation,
+                                       double load) const {
+  require_finite("tangential load", load);
+  const double rate = (indentation - state.indenter.indentation) / dt_;
+  double normal_load = 0;
+  const auto excess = [&](double u_x) {
+    SpringState trial = state;
+    advance(trial, bed, {indentation, rate, u_x, (u_x - state.indenter.tangential) / dt_});
+    normal_load = (bed.width * trial.normal_load).sum();
+    return (bed.width * trial.tangential_load).sum() - load;
+  };
+  double width = std::max(std::abs(load) / bed.width.sum(), 1e-300);
+  const double start = state.indenter.tangential;
+  excess(start);
+  if (std::abs(load) >= limit_ * normal_load)
+    throw std::runtime_error("tangential force of " + std::to_string(std::abs(load) / (limit_ * normal_load)) +
+                             " times mu times the normal force: the contact slides, there is no displacement for it");
+  double lower = start - width, upper = start + width;
+  while (excess(lower) > 0) lower -= width *= 2;
+  while (excess(upper) < 0) upper += width *= 2;
+  std::uintmax_t iterations = 200;
+  const auto bracket = boost::math::tools::toms748_solve(excess, lower, upper,
+                                                         boost::math::tools::eps_tolerance<double>(50), iterations);
+  return (bracket.first + bracket.second) / 2;
+}
+
+Eigen::ArrayXd slip(const SpringState& before, const SpringState& after) {
+  const double shift = after.indenter.tangential - before.indenter.tangential;
+  return (before.normal_load > 0 || after.normal_load > 0)
+      .select(shift - (after.tangential_shift - before.tangential_shift), 0.0);
+}
+
+}  // namespace fretval::mdr

@@ -1,0 +1,81 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <vector>
+
+#include "mdr/rheology/prony_body.h"
+#include "mdr/springs/spring_bed.h"
+
+namespace fretval::mdr {
+
+/// Position and velocity of the rigid indenter at an instant, in m and m/s.
+struct IndenterState {
+  double indentation;
+  double indentation_rate;
+  double tangential;
+  double tangential_rate;
+};
+
+/// What the springs remember. Loads are divided by the relaxed stiffness, so that they are lengths:
+///   q_z = 4 G0 normal_load,   q_x = (8/3) G0 tangential_load      (forces per length, in N/m)
+struct SpringState {
+  IndenterState indenter;
+  Eigen::ArrayXd normal_depth;        ///< u_z of the tips in m
+  Eigen::ArrayXd tangential_shift;    ///< u_x of the tips in m
+  Eigen::ArrayXd normal_load;         ///< m, not negative
+  Eigen::ArrayXd tangential_load;     ///< m, at most (3 mu/2) normal_load in magnitude
+  Eigen::ArrayXXd normal_memory;      ///< springs x branches: branch forces over 4 G0, in m
+  Eigen::ArrayXXd tangential_memory;  ///< over (8/3) G0
+};
+
+/// Force of branch i at the end of a step of length dt per displacement made in it at constant rate, over the relaxed
+/// stiffness: (G_i/G0) (tau_i/dt) (1 - exp(-dt/tau_i)).
+double branch_gain(const PronyBody& body, std::size_t i, double dt);
+
+/// Springs that have relaxed for ever at this indentation, without tangential displacement.
+SpringState relaxed_state(const SpringBed& bed, const PronyBody& body, double indentation);
+
+/// One time step of the transient spring foundation: unilateral contact and Coulomb friction per spring,
+///
+///   q_z = 4 int G(t-t') u_z' dt' >= 0,  u_z >= d - g,  q_z (u_z - d + g) = 0
+///   q_x = (8/3) int G(t-t') u_x' dt',   |q_x| <= mu q_z, slip where it is equal
+///
+/// Source: paper, equations (1), (5), (6), (8). The tips move linearly over the step, for which the Prony update is
+/// exact; second order in dt. In a body with a dashpot a tip in contact has the indenter's own velocity, and a free or
+/// slipping one is integrated by the exponentially fitted theta rule, also of second order and damped for every dt.
+class SpringStep {
+ public:
+  /// mu and dt positive. Throws std::invalid_argument.
+  SpringStep(const PronyBody& body, double mu, double dt);
+
+  /// Moves the springs to the end of the step, where the indenter is at `to`.
+  void advance(SpringState& state, const SpringBed& bed, const IndenterState& to) const;
+
+  /// The indentation at the end of the step at which the normal load sum(width * normal_load) of all springs is the
+  /// given one, positive, in m^2; its rate is taken as its mean over the step.
+  [[nodiscard]] double indentation_for_load(const SpringState& state, const SpringBed& bed, double load) const;
+
+  /// The tangential displacement of the indenter at which sum(width * tangential_load) is the given one, for an
+  /// indentation already found. Throws std::runtime_error when friction cannot carry the load: the contact slides.
+  [[nodiscard]] double tangential_for_load(const SpringState& state, const SpringBed& bed, double indentation,
+                                           double load) const;
+
+ private:
+  template <int n_branches>
+  void advance_elastomer(SpringState& state, const SpringBed& bed, const IndenterState& to) const;
+  void advance_with_dashpot(SpringState& state, const SpringBed& bed, const IndenterState& to) const;
+
+  double limit_;               // (3/2) mu
+  double dt_;                  // s
+  std::vector<double> decay_;  // exp(-dt/tau_i)
+  std::vector<double> gain_;   // (G_i/G0) (tau_i/dt) (1 - decay_i)
+  double gain_sum_;
+  double viscosity_;  // eta/G0 in s
+  double theta_;
+};
+
+/// Slip of each spring against the indenter in a step, in m; 0 for springs out of contact before and after.
+Eigen::ArrayXd slip(const SpringState& before, const SpringState& after);
+
+}  // namespace fretval::mdr

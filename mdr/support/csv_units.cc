@@ -1,0 +1,36 @@
+#include "mdr/support/csv_units.h"
+
+#include <stdexcept>
+
+namespace fretval::mdr {
+
+namespace {
+
+std::string without_brackets(const std::string& text) {
+  const std::size_t begin = text.find_last_of("[(");
+  const std::size_t end = text.find_last_of("])");
+  if (begin == std::string::npos || end == std::string::npos || end < begin) return text;
+  return text.substr(begin + 1, end - begin - 1);
+}
+
+}  // namespace
+
+double unit_of_column(const CsvColumns& csv, std::size_t column, const std::map<std::string, double>& known,
+                      const std::string& source_name) {
+  std::string name;
+  if (!csv.units.empty()) {
+    name = without_brackets(csv.units[column]);
+  } else if (!csv.names.empty() && without_brackets(csv.names[column]) != csv.names[column]) {
+    name = without_brackets(csv.names[column]);
+  } else {
+    return 1;
+  }
+  const auto entry = known.find(name);
+  if (entry != known.end()) return entry->second;
+  std::string valid;
+  for (const auto& [unit_name, size] : known) valid += (valid.empty() ? "" : ", ") + unit_name;
+  throw std::invalid_argument(source_name + ": unit of column " + std::to_string(column + 1) + " = \"" + name +
+                              "\": must be one of " + valid);
+}
+
+}  // namespace fretval::mdr

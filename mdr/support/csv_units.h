@@ -1,0 +1,17 @@
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <string>
+
+#include "mdr/support/csv.h"
+
+namespace fretval::mdr {
+
+/// Size of a column's unit in the base unit: of the unit that the second header line names, or else of that in brackets
+/// in the column's name, "G' [MPa]"; 1 if the header names none. Throws std::invalid_argument that names the source,
+/// the column and the known units for any other.
+double unit_of_column(const CsvColumns& csv, std::size_t column, const std::map<std::string, double>& known,
+                      const std::string& source_name);
+
+}  // namespace fretval::mdr

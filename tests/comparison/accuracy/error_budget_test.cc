@@ -1,0 +1,140 @@
+#include "comparison/accuracy/error_budget.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <limits>
+
+namespace fretval {
+namespace {
+
+constexpr double safety = 1.5;  // for an observed order
+
+/// Values with an error of exactly factor * h^order at h = 1, 2 and 4.
+Refinements power(double order, double factor = 1e-3) {
+  return {0.5 + factor, 0.5 + factor * std::exp2(order), 0.5 + factor * std::exp2(2 * order)};
+}
+
+Resolution some_resolution() {
+  return resolution_for(1e-3);
+}
+
+TEST(Richardson, IsExactOnPowers) {
+  for (const double order : {1.0, 2.0, 3.0}) {
+    const auto share = richardson(ErrorSource::rings, power(order), {order});
+    EXPECT_NEAR(share.estimate, safety * 1e-3, 1e-14);  // roundoff
+    ASSERT_TRUE(share.order);
+    EXPECT_NEAR(*share.order, order, 1e-10);
+  }
+}
+
+TEST(Richardson, DoesNotTrustAnOrderAboveTheExpectedOne) {
+  // Fourth order observed where third is expected: the error is taken for the larger one of third order.
+  const auto share = richardson(ErrorSource::rings, power(4), {3});
+  EXPECT_NEAR(share.estimate, safety * 1e-3 * (16 - 1) / (8 - 1), 1e-14);
+}
+
+TEST(Richardson, FallsBackWhenTheOrderIsNotCredible) {
+  // An alternating sign, an order far too low, and one far too high: no observed order, and a larger safety factor.
+  for (const auto& values : {Refinements{0.5, 0.501, 0.5005}, Refinements{0.5, 0.501, 0.5021}, power(7)}) {
+    const auto share = richardson(ErrorSource::rings, values, {3});
+    EXPECT_FALSE(share.order);
+    EXPECT_GE(share.estimate, 3 * std::abs(values.fine - values.medium) / 7 * (1 - 1e-12));
+    EXPECT_GE(share.estimate, 3 * std::abs(values.fine - *values.coarse) / 63 * (1 - 1e-12));
+  }
+}
+
+TEST(Richardson, DoesWithoutTheCoarsestValue) {
+  const auto share = richardson(ErrorSource::time_step, {0.5, 0.503, std::nullopt}, {2});
+  EXPECT_NEAR(share.estimate, 3 * 0.003 / 3, 1e-14);
+  EXPECT_FALSE(share.order);
+}
+
+TEST(ErrorBudget, SumsTheShares) {
+  const ErrorBar bar{{{ErrorSource::rings, 1e-3, std::nullopt},
+                      {ErrorSource::grading, 2e-3, std::nullopt},
+                      {ErrorSource::edge, 4e-3, 3}}};
+  EXPECT_DOUBLE_EQ(bar.total(), 7e-3);
+  ASSERT_TRUE(bar.largest());
+  EXPECT_EQ(bar.largest()->source, ErrorSource::edge);
+  EXPECT_FALSE(ErrorBar{}.largest());
+}
+
+/// The measures of a resolution and of all that its errors are measured by.
+std::map<Resolution, Measures> all_known(const Resolution& resolution, const SceneNeeds& needs,
+                                         const std::function<double(const Resolution&)>& value) {
+  std::map<Resolution, Measures> known;
+  const auto add = [&](const Resolution& r) { known[r] = {{"stick_radius_shakedown", value(r)}}; };
+  add(resolution);
+  for (const auto& variant : variants_of(resolution, needs)) {
+    add(variant.resolution);
+    add(variant.reference);
+  }
+  return known;
+}
+
+TEST(ErrorBudget, HasAShareForEverySourceAndTheEdge) {
+  for (const double tolerance : {1e-2, 1e-3, 1e-4}) {
+    const auto resolution = resolution_for(tolerance);
+    double value = 0.5;  // another one at each resolution
+    const auto known = all_known(resolution, {true, true}, [&](auto&&) { return value *= 1.001; });
+    const auto budget = error_budget(resolution, known, {{"stick_radius_shakedown", 1e-5}}, {true, true});
+    const auto& shares = budget.at("stick_radius_shakedown").shares;
+    // rings, element order, grading, far field, time step, start, creep, cycles, active set, edge
+    EXPECT_EQ(shares.size(), 10U);
+    for (const auto& share : shares) EXPECT_GT(share.estimate, 0) << name_of(share.source);
+  }
+}
+
+TEST(ErrorBudget, MeasuresWhatIsThere) {
+  // Errors of third order in the rings and of second in the steps, seen through coarser rings where those are many.
+  const auto resolution = resolution_for(1e-4);
+  const auto known = all_known(resolution, {}, [](const Resolution& r) {
+    return 0.5 + std::pow(r.elements_per_radius, -3) + 0.1 * std::pow(r.steps_per_cycle, -2);
+  });
+  const auto budget = error_budget(resolution, known, {});
+  for (const auto& share : budget.at("stick_radius_shakedown").shares) {
+    if (share.source == ErrorSource::rings)
+      EXPECT_NEAR(share.estimate, safety * std::pow(48, -3), 1e-12);
+    else if (share.source == ErrorSource::time_step)
+      EXPECT_NEAR(share.estimate, safety * 0.1 * std::pow(72, -2), 1e-12);
+    else
+      EXPECT_EQ(share.estimate, 0) << name_of(share.source);
+  }
+}
+
+TEST(ErrorBudget, TakesGradedRingsForSecondOrder) {
+  // First-slip radius of a worn power law in a viscoelastic body at 32, 16 and 8 rings (soak 1048): order 4.4 from one
+  // to the next, but 2 from there on (2.0e-4, 4.3e-5, 9.9e-6 at 32, 64, 128 rings).
+  const auto resolution = some_resolution();
+  const auto value = [&](const Resolution& r) {
+    const double coarseness = static_cast<double>(resolution.elements_per_radius) / r.elements_per_radius;
+    return coarseness > 3 ? -5.02e-3 : coarseness > 1.5 ? -4.12e-4 : -2.01e-4;
+  };
+  const auto bar = [&](bool worn) {
+    const SceneNeeds needs{true, false, worn};
+    return error_budget(resolution, all_known(resolution, needs, value), {}, needs)
+        .at("stick_radius_shakedown")
+        .total();
+  };
+  EXPECT_GT(bar(true), 2.01e-4);
+  EXPECT_LT(bar(true), 20 * 2.01e-4);
+  EXPECT_LT(bar(false), bar(true));
+}
+
+TEST(ErrorBudget, IsInfiniteWhereAQuantityIsMissing) {
+  const auto resolution = some_resolution();
+  const auto complete = all_known(resolution, {}, [](auto&&) { return 0.5; });
+  EXPECT_EQ(error_budget(resolution, complete, {}).at("stick_radius_shakedown").total(), 0);
+  for (const auto& [missing, measures] : complete) {
+    if (missing == resolution) continue;
+    auto known = complete;
+    known[missing] = {};  // its numerics failed
+    EXPECT_EQ(error_budget(resolution, known, {}).at("stick_radius_shakedown").total(),
+              std::numeric_limits<double>::infinity());
+  }
+}
+
+}  // namespace
+}  // namespace fretval

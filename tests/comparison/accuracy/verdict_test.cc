@@ -1,0 +1,100 @@
+#include "comparison/accuracy/verdict.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace fretval {
+namespace {
+
+constexpr double a = 1e-3;
+
+MdrAnswer mdr_with(std::optional<double> stick) {
+  return {1.5, a, stick, stick, std::nullopt, 2.0};
+}
+
+FeAnswer fe_with(std::optional<double> stick) {
+  FeAnswer fe{};
+  fe.contact_radius_max = a;
+  fe.stick_radius_first_slip = stick;
+  fe.stick_radius_shakedown = stick;
+  fe.normal_force_max = 2.0;
+  return fe;
+}
+
+bool agree(std::optional<double> mdr, std::optional<double> fe) {
+  return passes(compare(mdr_with(mdr), fe_with(fe), a, tolerances_of(1e-3)));
+}
+
+TEST(Comparison, ComparesStickRadiiOverTheContactRadius) {
+  EXPECT_TRUE(agree(0.5 * a, 0.5009 * a));
+  EXPECT_FALSE(agree(0.5 * a, 0.5011 * a));
+  EXPECT_FALSE(agree(0.5 * a, 0.4989 * a));
+}
+
+TEST(Comparison, HoldsSmallStickZonesToTheSameTolerance) {
+  EXPECT_TRUE(agree(0.05 * a, 0.0509 * a));
+  EXPECT_FALSE(agree(0.05 * a, 0.0511 * a));
+}
+
+TEST(Comparison, DemandsThatBothSayThatNothingSticks) {
+  EXPECT_TRUE(agree(std::nullopt, std::nullopt));
+  EXPECT_FALSE(agree(std::nullopt, 0.01 * a));
+  EXPECT_FALSE(agree(0.1 * a, std::nullopt));
+}
+
+TEST(Comparison, HoldsRadiusAndForceToATenth) {
+  auto fe = fe_with(0.5 * a);
+  fe.contact_radius_max = a * (1 + 1.1e-4);
+  EXPECT_FALSE(passes(compare(mdr_with(0.5 * a), fe, a, tolerances_of(1e-3))));
+  fe = fe_with(0.5 * a);
+  fe.normal_force_max = 2.0 * (1 - 1.1e-4);
+  EXPECT_FALSE(passes(compare(mdr_with(0.5 * a), fe, a, tolerances_of(1e-3))));
+}
+
+TEST(Comparison, FailsOnNotANumber) {
+  EXPECT_FALSE(agree(0.5 * a, std::nan("")));
+}
+
+TEST(Comparison, HoldsTheLimitingStateToNoSlipAndNoPressure) {
+  auto fe = fe_with(0.5 * a);
+  fe.contact_radius_max.reset();
+  fe.no_wear = NoWearEvidence{1e-5, 1e-5, 1};
+  const auto judge = [&] { return passes(compare(mdr_with(0.5 * a), fe, a, tolerances_of(1e-3))); };
+  EXPECT_TRUE(judge());
+  fe.no_wear = NoWearEvidence{2e-3, 1e-5, 1};
+  EXPECT_FALSE(judge());
+  fe.no_wear = NoWearEvidence{1e-5, 2e-3, 1};
+  EXPECT_FALSE(judge());
+  fe.no_wear = NoWearEvidence{1e-5, 1e-5, 1.002};
+  EXPECT_FALSE(judge());
+}
+
+Verdict finding_with(double difference, double bar) {
+  const ErrorBudget budget{{"stick_radius_shakedown", {{{ErrorSource::rings, bar, std::nullopt}}}}};
+  const auto verdict = compare(mdr_with(0.5 * a), fe_with((0.5 + difference) * a), a, tolerances_of(1e-3), budget);
+  return verdict.at("stick_radius_shakedown").finding;
+}
+
+TEST(Comparison, IsInconclusiveWhereTheErrorBarIsTooWide) {
+  EXPECT_EQ(finding_with(5e-4, 9e-4), Verdict::pass);
+  EXPECT_EQ(finding_with(2e-3, 9e-4), Verdict::fail);
+  EXPECT_EQ(finding_with(5e-4, 2e-3), Verdict::inconclusive);
+  EXPECT_EQ(finding_with(2e-3, 2e-3), Verdict::inconclusive);
+  // So far off that the bar does not matter.
+  EXPECT_EQ(finding_with(4e-3, 2e-3), Verdict::fail);
+  EXPECT_EQ(finding_with(5e-4, std::numeric_limits<double>::infinity()), Verdict::inconclusive);
+}
+
+TEST(Comparison, AnInconclusiveComparisonDoesNotPass) {
+  const ErrorBudget budget{{"normal_force_max", {{{ErrorSource::rings, 1e-3, std::nullopt}}}}};
+  const auto verdict = compare(mdr_with(0.5 * a), fe_with(0.5 * a), a, tolerances_of(1e-3), budget);
+  EXPECT_FALSE(passes(verdict));
+  EXPECT_FALSE(verdict.at("stick_radius_shakedown").bar);
+  ASSERT_TRUE(verdict.at("normal_force_max").bar);
+  EXPECT_EQ(verdict.at("normal_force_max").bar->total(), 1e-3);
+}
+
+}  // namespace
+}  // namespace fretval

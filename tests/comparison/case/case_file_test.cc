@@ -1,0 +1,160 @@
+#include "comparison/case/case_file.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/comparison/scratch_folder.h"
+
+namespace fretval {
+namespace {
+
+Case read_one(const std::string& text) {
+  const ScratchFolder folder;
+  return read_case_file(folder.write("one.prm", text)).at(0);
+}
+
+std::string error_of(const std::string& text) {
+  const ScratchFolder folder;
+  const auto file = folder.write("bad.prm", text);
+  try {
+    read_case_file(file);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST(CaseFile, ReadsEveryEntry) {
+  const Case scene = read_one(valid_case);
+  EXPECT_EQ(scene.name, "one");
+  EXPECT_EQ(scene.indenter.shape, Case::Shape::parabola);
+  EXPECT_EQ(scene.indenter.radius, 1e-2);
+  EXPECT_EQ(scene.elastomer.relaxed_modulus, 1e6);
+  EXPECT_EQ(scene.elastomer.branch_moduli, std::vector<double>{1e6});
+  EXPECT_EQ(scene.elastomer.branch_times, std::vector<double>{0.1});
+  EXPECT_EQ(scene.friction_coefficient, 0.5);
+  EXPECT_EQ(scene.motion.indentation, 1e-4);
+  EXPECT_EQ(scene.motion.normal_amplitude, 2e-5);
+  EXPECT_EQ(scene.motion.tangential_amplitude, 1.5e-5);
+  EXPECT_EQ(scene.motion.normal_frequency, 1);
+  EXPECT_EQ(scene.motion.phase, 60);
+  EXPECT_EQ(scene.tolerance, 0.01);
+  EXPECT_EQ(scene.wear, Case::Wear::unworn);
+}
+
+TEST(CaseFile, ReadsAnUnlockedPhase) {
+  EXPECT_FALSE(read_one(replace(valid_case, "Phase = 60", "Phase = free")).motion.phase);
+}
+
+TEST(CaseFile, OverridesWhatItIncludes) {
+  const ScratchFolder folder;
+  folder.write("base.prm", valid_case);
+  const auto file = folder.write("derived.prm", "include base.prm\nsubsection Motion\n  set Phase = 10\nend\n");
+  const auto scene = read_case_file(file).at(0);
+  EXPECT_EQ(scene.motion.phase, 10);
+  EXPECT_EQ(scene.indenter.radius, 1e-2);
+  EXPECT_EQ(scene.name, "derived");
+}
+
+TEST(CaseFile, ExpandsASweep) {
+  const auto sweep = [](const std::string& values) {
+    const ScratchFolder folder;
+    return read_case_file(folder.write("family.prm", valid_case +
+                                                         "subsection Sweep\n  set Entry = Motion / Phase\n"
+                                                         "  set Values = " +
+                                                         values + "\nend\n"));
+  };
+  const auto range = sweep("0:30:180");
+  ASSERT_EQ(range.size(), 7U);
+  EXPECT_EQ(range[6].motion.phase, 180);
+  EXPECT_EQ(range[1].name, "family/phase-30");
+  EXPECT_EQ(range[1].sweep->value, 30);
+  EXPECT_EQ(sweep("10, 20").size(), 2U);
+  EXPECT_EQ(sweep("-90:30:-30").size(), 3U);
+}
+
+TEST(CaseFile, ReadsJsonThroughTheSameHandler) {
+  const ScratchFolder folder;
+  const auto file = folder.write("one.json", R"({
+    "Indenter": {"Shape": "cone", "Slope angle": 5},
+    "Elastomer": {"Rheology": "elastic", "Relaxed shear modulus": "1e6"},
+    "Friction": {"Coefficient": "0.5", "Law": "unidirectional"},
+    "Motion": {"Indentation": "1e-4", "Normal amplitude": "0", "Normal frequency": "1",
+               "Tangential amplitude": "1e-5", "Tangential frequency": "1", "Phase": "0"},
+    "Accuracy": {"Tolerance": "0.01"}})");
+  const auto scene = read_case_file(file).at(0);
+  EXPECT_EQ(scene.indenter.shape, Case::Shape::cone);
+  EXPECT_EQ(scene.indenter.slope_angle, 5);
+}
+
+struct BadCase {
+  std::string from, to;
+  std::vector<std::string> message;  // what the message must contain besides the file
+};
+
+class BadCaseFile : public testing::TestWithParam<BadCase> {};
+
+TEST_P(BadCaseFile, NamesFileEntryValueAndWhatWouldBeValid) {
+  const std::string message = error_of(replace(valid_case, GetParam().from, GetParam().to));
+  EXPECT_NE(message.find("bad.prm"), std::string::npos) << message;
+  for (const auto& part : GetParam().message) EXPECT_NE(message.find(part), std::string::npos) << message;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, BadCaseFile,
+    testing::Values(
+        BadCase{"set Radius = 1e-2", "set Radios = 1e-2", {"Radios", "Valid entries", "Slope angle"}},
+        BadCase{"subsection Friction", "subsection Fiction", {"Fiction", "Valid entries", "Friction"}},
+        BadCase{"set Radius = 1e-2", "", {"Indenter / Radius is missing", "positive"}},
+        BadCase{"set Radius = 1e-2", "set Radius = nan", {"Indenter / Radius = nan", "positive"}},
+        BadCase{"set Radius = 1e-2", "set Radius = 1e400", {"Indenter / Radius = 1e400", "positive"}},
+        BadCase{"set Radius = 1e-2", "set Radius = 0,01", {"Indenter / Radius = 0,01", "positive"}},
+        BadCase{"set Radius = 1e-2", "set Radius = 1e-2\n  set Slope angle = 5", {"Slope angle = 5", "cone"}},
+        BadCase{"modulus = 1e6", "modulus = -1e6", {"Relaxed shear modulus = -1e6", "positive"}},
+        BadCase{"modulus = 1e6", "modulus = 0", {"Relaxed shear modulus = 0", "Maxwell"}},
+        BadCase{"times = 0.1", "times = 0.1, 0.2", {"Branch times = 0.1, 0.2", "1 times"}},
+        BadCase{"times = 0.1", "times = 0.1,", {"Branch times", "last comma"}},
+        BadCase{"Rheology = standard solid", "Rheology = rubber", {"Rheology = rubber", "kelvin voigt"}},
+        BadCase{"Coefficient = 0.5", "Coefficient = 0", {"Friction / Coefficient = 0", "positive"}},
+        BadCase{"Law = unidirectional", "Law = vector", {"Friction / Law = vector", "unidirectional"}},
+        BadCase{"Normal amplitude = 2e-5",
+                "Normal amplitude = 2e-5\n  set Normal force = 1",
+                {"Indentation = 1e-4", "Normal force"}},
+        BadCase{
+            "Phase = 60", "Phase = 60\n  set Normal harmonics = 1e-5, 2", {"Normal harmonics = 1e-5, 2", "triples"}},
+        BadCase{"Phase = 60", "Phase = 60\n  set Normal harmonics = 1e-5, -2, 0", {"Normal harmonics", "positive"}},
+        BadCase{"set Radius = 1e-2",
+                "set Radius = 1e-2\n  set Flat radius = 1e-4",
+                {"Flat radius = 1e-4", "truncated sphere"}},
+        BadCase{"Shape = parabola\n  set Radius = 1e-2",
+                "Shape = table\n  set Table = none.csv",
+                {"Indenter / Table = none.csv", "relative to the case file"}},
+        BadCase{"times = 0.1", "times = 0.1\n  set Temperature = 40", {"Reference temperature is missing"}},
+        BadCase{
+            "times = 0.1", "times = 0.1\n  set Fractional order = 0.5", {"Fractional order = 0.5", "fractional zener"}},
+        BadCase{"subsection Accuracy",
+                "subsection Wear\n  set Coefficient = 1e-12\nend\nsubsection Accuracy",
+                {"Wear / Cycles is missing"}},
+        BadCase{"Phase = 60", "Phase = often", {"Motion / Phase = often", "finite number"}},
+        BadCase{"Tolerance = 0.01", "Tolerance = 1", {"Accuracy / Tolerance = 1", "1e-5"}},
+        BadCase{"end\nsubsection Friction", "subsection Friction", {}},
+        BadCase{"subsection Indenter", "include bad.prm\nsubsection Indenter", {"includes itself"}},
+        BadCase{"subsection Indenter",
+                "include nowhere.prm\nsubsection Indenter",
+                {"include nowhere.prm", "no such file"}}));
+
+TEST(CaseFile, NamesAFileThatIsNotThere) {
+  try {
+    read_case_file("nowhere/case.prm");
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("nowhere/case.prm: no such file"), std::string::npos);
+  }
+}
+
+TEST(CaseFile, RefusesASweepOverNothing) {
+  const auto message = error_of(valid_case + "subsection Sweep\n  set Entry = Motion / Speed\n  set Values = 1\nend\n");
+  EXPECT_NE(message.find("Motion / Speed"), std::string::npos) << message;
+}
+
+}  // namespace
+}  // namespace fretval

@@ -1,0 +1,592 @@
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <functional>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "comparison/accuracy/study_driver.h"
+#include "comparison/case/case_file.h"
+#include "comparison/report/plots.h"
+#include "comparison/report/report.h"
+#include "comparison/results/batch.h"
+#include "comparison/results/results_folder.h"
+#include "comparison/support/folder_lock.h"
+#include "fem/support/solver_error.h"
+#include "meshes/msh_file.h"
+#include "tests/comparison/run_fretval.h"
+
+// What goes wrong around a computation, and what the tool says. The list of faults is in docs/robustness.md.
+namespace fretval {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Message of the InputError, which ends in exit code 2; "no error" if there is none.
+std::string refusal(const std::function<void()>& action) {
+  try {
+    action();
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+std::string refusal_of(const std::string& name, const std::string& text) {
+  const ScratchFolder folder;
+  const auto file = folder.write(name, text);
+  return refusal([&] { prepare(read_case_file(file)); });
+}
+
+void expect_parts(const std::string& message, const std::vector<std::string>& parts) {
+  for (const auto& part : parts) EXPECT_NE(message.find(part), std::string::npos) << message << "\nlacks: " << part;
+}
+
+/// All files below a folder, and no other, relative to it.
+std::vector<std::string> files_below(const fs::path& folder) {
+  std::vector<std::string> files;
+  for (const auto& entry : fs::recursive_directory_iterator(folder))
+    if (entry.is_regular_file()) files.push_back(fs::relative(entry.path(), folder).string());
+  return files;
+}
+
+std::string elastic_case() {
+  std::string text = replace(valid_case, "standard solid", "elastic");
+  text = replace(text, "  set Branch moduli = 1e6\n  set Branch times = 0.1\n", "");
+  return replace(text, "Tolerance = 0.01", "Tolerance = 0.05");
+}
+
+// ---- case files
+
+struct Fault {
+  std::string from, to;
+  std::vector<std::string> message;  // besides the name of the file
+};
+
+class CaseFault : public testing::TestWithParam<Fault> {};
+
+TEST_P(CaseFault, IsRefusedByName) {
+  const auto& [from, to, parts] = GetParam();
+  const std::string message = refusal_of("bad.prm", replace(valid_case, from, to));
+  expect_parts(message, {"bad.prm"});
+  expect_parts(message, parts);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Numbers, CaseFault,
+    testing::Values(Fault{"Radius = 1e-2", "Radius = 0", {"Indenter / Radius = 0", "positive"}},
+                    Fault{"Radius = 1e-2", "Radius = -1e-2", {"Indenter / Radius = -1e-2", "positive"}},
+                    Fault{"Radius = 1e-2", "Radius = inf", {"Indenter / Radius = inf", "positive"}},
+                    Fault{"Radius = 1e-2", "Radius = 1e-400", {"Indenter / Radius = 1e-400", "positive"}},
+                    Fault{"Radius = 1e-2", "Radius = 1e-2 m", {"Indenter / Radius = 1e-2 m", "positive"}},
+                    Fault{"times = 0.1", "times = -0.1", {"Branch times = -0.1", "positive"}},
+                    Fault{"times = 0.1", "times = 0", {"Branch times = 0", "positive"}},
+                    Fault{"moduli = 1e6", "moduli = 0", {"Branch moduli = 0", "positive"}},
+                    Fault{"Coefficient = 0.5", "Coefficient = -0.5", {"Friction / Coefficient = -0.5", "positive"}},
+                    Fault{"Coefficient = 0.5", "Coefficient = nan", {"Friction / Coefficient = nan", "positive"}},
+                    Fault{"Indentation = 1e-4", "Indentation = 0", {"Motion / Indentation = 0", "positive"}},
+                    Fault{"Normal amplitude = 2e-5", "Normal amplitude = -1", {"Normal amplitude = -1", "negative"}},
+                    Fault{"Normal frequency = 1", "Normal frequency = 0", {"Normal frequency = 0", "positive"}},
+                    Fault{"Rheology = standard solid\n  set Relaxed shear modulus = 1e6\n  set Branch moduli = 1e6\n  "
+                          "set Branch times = 0.1",
+                          "Rheology = kelvin voigt\n  set Relaxed shear modulus = 1e6\n  set Viscosity = -1",
+                          {"Elastomer / Viscosity = -1", "positive"}},
+                    // The finite elements are for incompressible bodies alone.
+                    Fault{"Branch times = 0.1",
+                          "Branch times = 0.1\n  set Poisson ratio = 0.3",
+                          {"line 10", "Poisson ratio", "Valid entries"}}));
+
+/// An entry in a section of its own before the last one.
+Fault in_section(const std::string& section, const std::string& entries, const std::vector<std::string>& parts) {
+  return {"subsection Accuracy", "subsection " + section + "\n" + entries + "\nend\nsubsection Accuracy", parts};
+}
+
+Fault with_stick_ratio(const std::string& ratio) {
+  return in_section("Wear", "set State = limiting\nset Stick radius ratio = " + ratio,
+                    {"Wear / Stick radius ratio = " + ratio, "0.01 to 0.99"});
+}
+
+Fault with_shape(const std::string& entries, const std::vector<std::string>& parts) {
+  return {"parabola\n  set Radius = 1e-2", entries, parts};
+}
+
+Fault with_sweep(const std::string& values) {
+  return in_section("Sweep", "set Entry = Motion / Phase\nset Values = " + values,
+                    {"Sweep / Values = " + values, "first : step : last"});
+}
+
+// Both ends of every range, and every way to misspell a list.
+INSTANTIATE_TEST_SUITE_P(
+    Ranges, CaseFault,
+    testing::Values(
+        Fault{"Tolerance = 0.01", "Tolerance = 9e-6", {"Accuracy / Tolerance = 9e-6", "between 1e-5 and 0.1"}},
+        Fault{"Tolerance = 0.01", "Tolerance = 0.11", {"Accuracy / Tolerance = 0.11", "between 1e-5 and 0.1"}},
+        Fault{
+            "Tolerance = 0.01", "Tolerance = 0.01\nset Rings per radius = 15", {"Rings per radius = 15", "16 to 640"}},
+        Fault{"Tolerance = 0.01",
+              "Tolerance = 0.01\nset Rings per radius = 641",
+              {"Rings per radius = 641", "16 to 640"}},
+        Fault{"Tolerance = 0.01", "Tolerance = 0.01\nset Rings per radius = 20.5", {"20.5", "a whole number"}},
+        Fault{
+            "Tolerance = 0.01", "Tolerance = 0.01\nset Steps per cycle = 15", {"Steps per cycle = 15", "16 to 10000"}},
+        Fault{"Tolerance = 0.01", "Tolerance = 0.01\nset Economise = maybe", {"Economise = maybe", "true", "false"}},
+        in_section("Output", "set Fields = all", {"Output / Fields = all", "none", "extremes"}),
+        with_stick_ratio("0.001"), with_stick_ratio("0.999"),
+        with_shape("cone\nset Slope angle = 0", {"Slope angle = 0", "between 0 and 90"}),
+        with_shape("cone\nset Slope angle = 90", {"Slope angle = 90", "between 0 and 90"}),
+        with_shape("power\nset Coefficient = 1\nset Exponent = 0.4", {"Exponent = 0.4", "between 0.5 and 20"}),
+        with_shape("power\nset Coefficient = 1\nset Exponent = 21", {"Exponent = 21", "between 0.5 and 20"}),
+        Fault{"Rheology = standard solid",
+              "Rheology = fractional zener\nset Fractional order = 0",
+              {"order = 0", "above 0"}},
+        Fault{"Rheology = standard solid",
+              "Rheology = fractional zener\nset Fractional order = 2",
+              {"order = 2", "at most 1"}},
+        Fault{"Branch moduli = 1e6", "Branch moduli = 1e6, 2e6", {"Elastomer / Branch"}},
+        Fault{"Phase = 60", "Phase = 60\nset Normal harmonics = 1e-6, 2", {"Normal harmonics", "triples"}},
+        Fault{"Phase = 60", "Phase = 60\nset Normal harmonics = -1e-6, 2, 0", {"Normal harmonics", "not negative"}},
+        Fault{"Phase = 60", "Phase = 60\nset Normal harmonics = 1e-6, 0, 0", {"Normal harmonics", "positive"}},
+        with_sweep("0;5:9"), with_sweep("0:5;9"), with_sweep("0:5"), with_sweep("0:0:9"), with_sweep("9:1:0"),
+        with_sweep("0:1e-9:1"), with_sweep("0:1:9 x"),
+        in_section("Sweep", "set Entry = Phase\nset Values = 1", {"Sweep / Entry = Phase", "SECTION / ENTRY"})));
+
+INSTANTIATE_TEST_SUITE_P(
+    Structure, CaseFault,
+    testing::Values(Fault{"set Radius = 1e-2",
+                          "set Radius = 1e-2\n  set Radius = 2e-2",
+                          {"line 4", "Indenter / Radius is set a second time, first in line 3", "once"}},
+                    Fault{"subsection Accuracy",
+                          "subsection  Indenter\n  SET Radius = 1\nend\nsubsection Accuracy",
+                          {"Indenter / Radius is set a second time"}},
+                    Fault{"subsection Friction\n  set Coefficient = 0.5\n  set Law = unidirectional\nend\n",
+                          "",
+                          {"Friction / Coefficient is missing", "positive"}},
+                    Fault{"subsection Accuracy",
+                          "subsection Solver\n  set Threads = 4\nend\nsubsection Accuracy",
+                          {"Solver", "Valid entries"}},
+                    Fault{"subsection Indenter", "include\nsubsection Indenter", {"line 1", "names no file"}},
+                    Fault{"subsection Indenter", "INCLUDE bad.prm\nsubsection Indenter", {"includes itself"}},
+                    Fault{"subsection Indenter", "incl\\\nude bad.prm\nsubsection Indenter", {"includes itself"}},
+                    Fault{"subsection Friction",
+                          "include bad.prm\nsubsection Friction",
+                          {"line 11", "before the first subsection"}},
+                    Fault{"Law = unidirectional", "Law = \xff\xfe", {"Friction / Law", "unidirectional"}},
+                    Fault{"set Law", "s\xe9t Law", {"line 13", "Valid entries"}}));
+
+TEST(CaseFaults, IncludesThatLoopThroughOthersAreRefused) {
+  const ScratchFolder folder;
+  const auto file = folder.write("a.prm", "include b.prm\n");
+  folder.write("b.prm", "include a.prm\n");
+  expect_parts(refusal([&] { read_case_file(file); }), {"a.prm", "includes itself"});
+}
+
+// 2^20 files if each were read as often as it is named.
+TEST(CaseFaults, IncludesThatMultiplyAreRefused) {
+  const ScratchFolder folder;
+  folder.write("0.prm", "# nothing\n");
+  for (int i = 1; i <= 20; ++i) {
+    const std::string line = "include " + std::to_string(i - 1) + ".prm\n";
+    folder.write(std::to_string(i) + ".prm", line + line);
+  }
+  expect_parts(refusal([&] { read_case_file(folder.path() / "20.prm"); }), {"20.prm", "more than 100 files"});
+}
+
+TEST(CaseFaults, BinaryAndHugeFilesAreRefused) {
+  expect_parts(refusal_of("bad.prm", valid_case + std::string(1, '\0')), {"bad.prm", "zero byte", "text file"});
+  expect_parts(refusal_of("bad.prm", std::string(2'000'000, '#')), {"bad.prm", "2000000 bytes", "at most 1000000"});
+  expect_parts(refusal_of("bad.prm", ""), {"bad.prm"});
+}
+
+TEST(CaseFaults, AByteOrderMarkAndAnyLineEndingAreAccepted) {
+  std::string text = "\xEF\xBB\xBF# \xe9\n";
+  for (const char c : valid_case) text += c == '\n' ? std::string("\r\n") : std::string(1, c);
+  const ScratchFolder folder;
+  const auto scene = read_case_file(folder.write("case.prm", text)).at(0);
+  EXPECT_EQ(scene.indenter.radius, 1e-2);
+  EXPECT_EQ(scene.elastomer.rheology, "standard solid");
+}
+
+struct BadJson {
+  std::string text;
+  std::vector<std::string> message;
+};
+
+TEST(CaseFaults, BadJsonIsRefusedByName) {
+  const std::vector<BadJson> bad{
+      {"", {"empty"}},
+      {"[]", {"object of sections"}},
+      {"{\"Indenter\": 1}", {"Indenter", "object of entries"}},
+      {"{\"Indenter\": {\"Radios\": 1}}", {"Indenter / Radios", "no such entry", "Valid entries"}},
+      {"{\"Indentor\": {\"Radius\": 1}}", {"Indentor / Radius", "no such entry"}},
+      {"{\"Indenter\": {\"Radius\": [1]}}", {"Indenter / Radius", "text, a number, true or false"}},
+      {"{\"Indenter\": {\"Radius\": null}}", {"Indenter / Radius", "text, a number, true or false"}},
+      {"{\"Indenter\": {\"Radius\": 1, \"Radius\": 2}}", {"Indenter / Radius", "second time"}},
+      {"{\"Indenter\": {}, \"Indenter\": {}}", {"Indenter", "second time"}},
+      {"{\"Indenter\": {\"Shape\": \"\xff\"}}", {"UTF-8"}},
+      {"{\"Indenter\": {\"Radius\": 1e400}}", {"1e400"}},
+      {std::string(500'000, '['), {"parse error"}},
+      {std::string(300'000, '[') + std::string(300'000, ']'), {"object of sections"}}};
+  for (const auto& [text, parts] : bad) {
+    const auto message = refusal_of("bad.json", text);
+    expect_parts(message, {"bad.json"});
+    expect_parts(message, parts);
+  }
+}
+
+TEST(CaseFaults, NamesThatAreNoFolderAreRefused) {
+  for (const char* name : {"...prm", "..prm", "index.html.prm", "ladder.json.prm", "a\nb.prm", "a\x1b[2J.prm"})
+    expect_parts(refusal_of(name, valid_case), {"becomes that of a folder of results", "rename"});
+  expect_parts(refusal_of("a\xff.prm", valid_case), {"not UTF-8"});
+}
+
+TEST(CaseFaults, ImplausibleUnitsAreWarnedAbout) {
+  const auto warnings = [](const std::string& from, const std::string& to) {
+    const ScratchFolder folder;
+    std::string all;
+    const auto file = folder.write("case.prm", from.empty() ? valid_case : replace(valid_case, from, to));
+    const auto prepared = prepare(read_case_file(file));
+    for (const auto& warning : prepared.at(0).scene.warnings) all += warning;
+    return all;
+  };
+  EXPECT_EQ(warnings("", ""), "");
+  expect_parts(warnings("Indentation = 1e-4", "Indentation = 0.1"), {"case.prm", "slope of 3.2", "a/R", "in m?"});
+  expect_parts(warnings("Radius = 1e-2", "Radius = 1e-5"), {"case.prm", "a/R", "in m?"});
+  expect_parts(warnings("modulus = 1e6", "modulus = 1"), {"case.prm", "1 Pa is implausible", "in Pa?"});
+  expect_parts(warnings("modulus = 1e6", "modulus = 1e12"), {"1e+12 Pa is implausible"});
+}
+
+// ---- tables
+
+struct BadTable {
+  std::string text;
+  std::vector<std::string> message;
+};
+
+TEST(TableFaults, BadProfilesAreRefusedByFileAndLine) {
+  const std::string rows = "0,0\n1e-4,1e-6\n2e-4,4e-6\n3e-4,9e-6\n";
+  const std::vector<BadTable> bad{{"", {"no rows"}},
+                                  {rows + "4e-4\n", {"line 5", "has 1 value; must have 2"}},
+                                  {rows + "2e-4,4e-6\n", {"line 5", "radius = 0.0002", "scan outwards"}},
+                                  {rows + "-4e-4,1\n", {"line 5", "radius = -0.0004"}},
+                                  {rows + "4e-4,nan\n", {"line 5", "finite"}},
+                                  {rows + "4e-4;1,6e-5\n", {"line 5", "decimal comma"}},
+                                  {rows + std::string("\0\1\2", 3), {"line 5", "zero byte"}},
+                                  {"r [\xb5m],f [\xb5m]\n" + rows, {"unit"}},
+                                  {"0,0\n1e-4,1e-6\n", {"at least 4"}},
+                                  {rows + std::string(1'000'000, '1'), {"line 5", "10000 characters"}}};
+  for (const auto& [text, parts] : bad) {
+    const ScratchFolder folder;
+    folder.write("pin.csv", text);
+    const auto file =
+        folder.write("bad.prm", replace(replace(valid_case, "parabola", "table"), "Radius = 1e-2", "Table = pin.csv"));
+    const auto message = refusal([&] { prepare(read_case_file(file)); });
+    expect_parts(message, {"pin.csv"});
+    expect_parts(message, parts);
+  }
+}
+
+TEST(TableFaults, BadModuliAreRefusedByFileAndLine) {
+  const std::vector<BadTable> bad{{"1,1e6,1e5\n", {"single frequency", "at least 2"}},
+                                  {"1,1e6,1e5\n2,-1e6,1e5\n", {"line 2", "storage modulus", "positive"}},
+                                  {"1,1e6,1e5\n0,1e6,1e5\n", {"line 2", "frequency", "positive"}},
+                                  {"1,1e6\n2,1e6\n", {"line 1", "must have 3"}},
+                                  {"f,G',G''\nHz,bar,bar\n1,1,1\n2,1,1\n", {"bar", "Pa"}}};
+  for (const auto& [text, parts] : bad) {
+    const ScratchFolder folder;
+    folder.write("dma.csv", text);
+    const auto file = folder.write("bad.prm", case_with_modulus_table());
+    const auto message = refusal([&] { prepare(read_case_file(file)); });
+    expect_parts(message, {"dma.csv"});
+    expect_parts(message, parts);
+  }
+}
+
+// ---- stored results
+
+TEST(ResultFaults, AResultOfAnotherKindIsRefusedByKey) {
+  const auto good =
+      nlohmann::json::parse(text_of(fs::path(FRETVAL_SOURCE_DIR) / "tests/fuzz/seeds/result_json/phase.json"));
+  const ScratchFolder folder;
+  const auto with = [&](const char* pointer, const nlohmann::json& value) {
+    auto json = good;
+    json[nlohmann::json::json_pointer(pointer)] = value;
+    folder.write("result.json", json.dump());
+    return refusal([&] { read_results(folder.path()); });
+  };
+  EXPECT_EQ(with("/name", "good"), "no error");
+  expect_parts(with("/name", 1), {"result.json", "\"name\" is 1, must be text"});
+  expect_parts(with("/pass", "yes"), {"\"pass\" is \"yes\", must be true or false"});
+  expect_parts(with("/scene", nlohmann::json::array()), {"\"scene\" is array, must be an object"});
+  expect_parts(with("/scene/sweep/value", nullptr), {"\"scene/sweep/value\" is null, must be a number"});
+  expect_parts(with("/comparison/normal_force_max/difference", "1"), {"\"comparison/normal_force_max/difference\""});
+  expect_parts(with("/cost/seconds/mesh", "1"), {"\"cost/seconds/mesh\"", "must be a number"});
+  for (const char* key : {"dofs", "time_steps", "cycles"})
+    expect_parts(with((std::string("/cost/") + key).c_str(), 1.2e12), {key, "at most 2e9"});
+  expect_parts(with("/fe/error_estimate", 1), {"\"fe/error_estimate\" is 1, must be an object"});
+  folder.write("result.json", good.dump().substr(0, 300));
+  expect_parts(refusal([&] { read_results(folder.path()); }), {"result.json", "parse error"});
+  folder.write("result.json", "[]");
+  expect_parts(refusal([&] { read_results(folder.path()); }), {"result.json", "no JSON object"});
+}
+
+// Found by fuzzing: a limiting profile whose forces were not compared, or not finite.
+TEST(ResultFaults, AReportShowsALimitingProfileWithoutForces) {
+  const fs::path seed = fs::path(FRETVAL_SOURCE_DIR) / "tests/fuzz/seeds/result_json/limiting.json";
+  for (const bool compared : {true, false}) {
+    auto json = nlohmann::json::parse(text_of(seed));
+    if (compared)
+      json["comparison"]["normal_force_max"]["difference"] = nullptr;
+    else
+      json["comparison"].erase("normal_force_max");
+    const ScratchFolder folder;
+    folder.write("result.json", json.dump());
+    EXPECT_NE(text_of(write_report(folder.path())).find("<td>–</td>"), std::string::npos);
+  }
+}
+
+// Names, keys and words of a stored result stand in the page as text.
+TEST(ResultFaults, TagsInAResultAreNoTagsInTheReport) {
+  const fs::path seeds = fs::path(FRETVAL_SOURCE_DIR) / "tests/fuzz/seeds/result_json";
+  for (const char* seed : {"tags.json", "limiting.json"}) {
+    const ScratchFolder folder;
+    folder.write("result.json", text_of(seeds / seed));
+    const std::string page = text_of(write_report(folder.path()));
+    EXPECT_EQ(page.find("<script"), std::string::npos) << seed;
+    EXPECT_NE(page.find("&lt;script&gt;"), std::string::npos) << seed;
+  }
+}
+
+// ---- the numerics
+
+// A mesh of somebody else's whose contact line ends inside the contact.
+TEST(NumericsFaults, AContactLineThatIsTooShortFailsTheCheck) {
+  const ScratchFolder folder;
+  auto mesh = meshes::read_msh(fs::path(FRETVAL_SOURCE_DIR) / "meshes" / "small" / "coarse.msh");
+  for (auto& edge : mesh.edges)
+    if (edge.boundary == meshes::Boundary::contact &&
+        std::max(mesh.nodes[edge.nodes[0]][0], mesh.nodes[edge.nodes[1]][0]) > 0.6)
+      edge.boundary = meshes::Boundary::free;
+  for (const char* name : {"coarse.msh", "fine.msh"}) meshes::write_msh(mesh, folder.path() / name);
+  const auto run = fretval_run("check --meshes " + quoted(folder.path()), folder);
+  EXPECT_EQ(run.exit_code, 3) << run.out;
+  expect_parts(run.out, {"FAIL", "end of the contact line of the mesh", "use a longer one"});
+}
+
+// ---- the system
+
+TEST(SystemFaults, AFolderInUseIsRefusedAndLeftAlone) {
+  const ScratchFolder folder;
+  const auto file = folder.write("case.prm", elastic_case());
+  const auto out = folder.path() / "out";
+  const auto arguments = quoted(file) + " -o " + quoted(out);
+  {
+    const FolderLock lock(out);
+    const auto run = fretval_run("run " + arguments, folder);
+    EXPECT_EQ(run.exit_code, 4);
+    expect_parts(run.err, {"another fretval is writing", out.string(), "-o"});
+    EXPECT_TRUE(files_below(out).empty());
+  }
+  EXPECT_EQ(fretval_run("run " + arguments, folder).exit_code, 0);
+}
+
+TEST(SystemFaults, AFullStandardOutputIsASystemError) {
+  const ScratchFolder folder;
+  const auto file = folder.write("case.prm", elastic_case());
+  const auto run = shell_run(std::string(FRETVAL_PROGRAM) + " mdr " + quoted(file) + " >/dev/full", folder);
+  EXPECT_EQ(run.exit_code, 4);
+  expect_parts(run.err, {"standard output", "No space left"});
+}
+
+TEST(SystemFaults, AFolderThatCannotBeMadeIsASystemError) {
+  const ScratchFolder folder;
+  const auto file = folder.write("case.prm", elastic_case());
+  for (const char* verb : {"run", "trade"}) {
+    const auto run = fretval_run(verb + (" " + quoted(file) + " -o /proc/fretval"), folder);
+    EXPECT_EQ(run.exit_code, 4) << run.err;
+    expect_parts(run.err, {"/proc/fretval"});
+  }
+  const auto mesh = fretval_run("mesh " + quoted(file) + " -o /proc/mesh.msh", folder);
+  EXPECT_EQ(mesh.exit_code, 4);
+  expect_parts(mesh.err, {"/proc/mesh.msh"});
+}
+
+// A disk of 40 kB takes the first files of a case, not its fields.
+TEST(SystemFaults, AFullDiskLeavesNothingHalfWritten) {
+  const ScratchFolder folder;
+  const auto file = folder.write("case.prm", elastic_case());
+  const auto disk = folder.path() / "disk";
+  fs::create_directory(disk);
+  const std::string command =
+      "unshare -m sh -c " + quoted("mount -t tmpfs -o size=40k none " + disk.string() + " || exit 77; " +
+                                   FRETVAL_PROGRAM + " run " + file.string() + " -o " + disk.string() +
+                                   "; code=$?; cd " + disk.string() + "; find . -type f; exit $code");
+  const auto run = shell_run(command, folder);
+  if (run.exit_code == 77 || run.err.find("unshare") != std::string::npos) GTEST_SKIP() << "needs to mount a disk";
+  EXPECT_EQ(run.exit_code, 4) << run.err;
+  expect_parts(run.err, {"No space left", "case/"});
+  EXPECT_NE(run.out.find("history.csv"), std::string::npos) << run.out;
+  for (const char* name : {".partial", "result.json", "index.html"})
+    EXPECT_EQ(run.out.find(name), std::string::npos) << run.out;
+}
+
+// What a file says is repeated in errors; it must not steer the terminal.
+TEST(SystemFaults, ErrorsHaveNoControlCharacters) {
+  const ScratchFolder folder;
+  const auto file = folder.write("case.prm", replace(valid_case, "set Radius", "set \x1b[2J\x07"));
+  const auto run = fretval_run("mdr " + quoted(file), folder);
+  EXPECT_EQ(run.exit_code, 2);
+  expect_parts(run.err, {"case.prm", "line 3", "?[2J?"});
+  EXPECT_EQ(run.err.find('\x1b'), std::string::npos);
+}
+
+// gnuplot would run what stands between backquotes in a double-quoted string.
+TEST(SystemFaults, TextInAPlotIsText) {
+  const ScratchFolder folder;
+  const auto trace = folder.path() / "here";
+  Plot plot;
+  plot.title = "`touch " + trace.string() + "` <script>";
+  plot.x_label = "\"; system 'touch " + trace.string() + "'";
+  plot.series.push_back({"`touch " + trace.string() + "`\n", {0, 1}, {0, 1}, Series::Style::line, 0});
+  const std::string drawn = svg(plot);
+  EXPECT_FALSE(fs::exists(trace));
+  EXPECT_EQ(drawn.find("<script"), std::string::npos);
+  EXPECT_NE(drawn.find("script"), std::string::npos);
+}
+
+// Names of files are text in the report and nothing in a shell or in gnuplot.
+// What an axis cannot show leaves a gap; a plot of gaps alone says so.
+TEST(SystemFaults, APlotWithoutPointsSaysSo) {
+  Plot plot;
+  plot.title = "a & b";
+  const auto shows = [&](std::vector<double> x, std::vector<double> y) {
+    plot.series = {{"curve", std::move(x), std::move(y)}};
+    return svg(plot).find("a &amp; b: no data") == std::string::npos;
+  };
+  const double none = std::nan("");
+  EXPECT_FALSE(shows({}, {}));
+  EXPECT_FALSE(shows({none, 1}, {1, none}));
+  EXPECT_TRUE(shows({-1, 1}, {-1, 1}));
+  plot.log_y = true;
+  EXPECT_FALSE(shows({1, 2}, {0, -1}));
+  EXPECT_TRUE(shows({-1, 2}, {1, 10}));
+  plot.log_x = true;
+  EXPECT_FALSE(shows({-1, 0}, {1, 1}));
+  EXPECT_TRUE(shows({-1, 1, 10}, {1, 1, none}));
+}
+
+TEST(SystemFaults, HostileNamesAreText) {
+  const ScratchFolder folder;
+  const std::string html = "<img src=x onerror=alert(1)>", shell = "a`touch here`$(touch here);'\" touch here";
+  folder.write(html + ".prm", elastic_case());
+  const std::string not_utf8 = "d\xff";
+  fs::create_directory(folder.path() / not_utf8);
+  folder.write(not_utf8 + "/" + shell + ".prm", elastic_case());
+  const auto run = shell_run("cd " + quoted(folder.path()) + " && " + FRETVAL_PROGRAM + " run " +
+                                 quoted(html + ".prm") + " " + quoted(not_utf8 + "/" + shell + ".prm") + " -o out",
+                             folder);
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  for (const auto& name : {html, shell}) EXPECT_TRUE(fs::exists(folder.path() / "out" / name / "result.json")) << name;
+  EXPECT_FALSE(fs::exists(folder.path() / "here"));
+  const std::string page = text_of(folder.path() / "out" / "index.html");
+  EXPECT_EQ(page.find("<img"), std::string::npos);
+  EXPECT_NE(page.find("&lt;img src=x"), std::string::npos);
+}
+
+/// The program, started without waiting for it.
+pid_t start(const std::vector<std::string>& arguments, const fs::path& log) {
+  const pid_t child = fork();
+  if (child != 0) return child;
+  const int descriptor = open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
+  dup2(descriptor, STDOUT_FILENO);
+  dup2(descriptor, STDERR_FILENO);
+  std::vector<char*> words{const_cast<char*>(FRETVAL_PROGRAM)};
+  for (const auto& word : arguments) words.push_back(const_cast<char*>(word.c_str()));
+  words.push_back(nullptr);
+  execv(FRETVAL_PROGRAM, words.data());
+  _exit(127);
+}
+
+/// Everything of the results but what the computation cost.
+std::map<std::string, nlohmann::json> results_below(const fs::path& folder) {
+  std::map<std::string, nlohmann::json> results;
+  for (const auto& file : files_below(folder)) {
+    if (fs::path(file).filename() != "result.json") continue;
+    results[file] = nlohmann::json::parse(text_of(folder / file));
+    results[file].erase("cost");
+  }
+  return results;
+}
+
+// Nineteen cases of one body: they are computed together, each is written when it is done.
+TEST(SystemFaults, AKilledRunKeepsItsResultsAndCanBeRepeated) {
+  const ScratchFolder folder;
+  const auto file = folder.write("family.prm", elastic_case() +
+                                                   "subsection Sweep\n  set Entry = Motion / Phase\n"
+                                                   "  set Values = 0:5:90\nend\n");
+  const auto killed = folder.path() / "killed", whole = folder.path() / "whole";
+  const pid_t child = start({"run", file, "-o", killed}, folder.path() / "log.txt");
+  const auto n_written = [&] { return fs::exists(killed) ? results_below(killed).size() : 0; };
+  int status = 0;
+  bool ended = false;
+  while (n_written() == 0 && !ended) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    ended = waitpid(child, &status, WNOHANG) != 0;
+  }
+  if (!ended) {
+    kill(child, SIGKILL);
+    waitpid(child, &status, 0);
+  }
+  ASSERT_TRUE(WIFSIGNALED(status)) << text_of(folder.path() / "log.txt");
+  const auto kept = results_below(killed);
+  EXPECT_GE(kept.size(), 1U);
+  EXPECT_LT(kept.size(), 19U) << "the run was over before it was killed";
+  ASSERT_EQ(fretval_run("run " + quoted(file) + " -o " + quoted(killed), folder).exit_code, 0);
+  ASSERT_EQ(fretval_run("run " + quoted(file) + " -o " + quoted(whole), folder).exit_code, 0);
+  const auto repeated = results_below(killed), uninterrupted = results_below(whole);
+  EXPECT_EQ(uninterrupted.size(), 19U);
+  EXPECT_EQ(repeated, uninterrupted);
+  for (const auto& [name, result] : kept) EXPECT_EQ(result, uninterrupted.at(name)) << name;
+  for (const auto& name : files_below(killed)) EXPECT_NE(fs::path(name).extension(), ".partial") << name;
+}
+
+// A case that needs one computation is done when it has that, not when the others of its body have theirs.
+TEST(SystemFaults, ACaseIsDoneWhileOthersGoOn) {
+  const ScratchFolder folder;
+  const auto prepared = prepare(read_case_file(folder.write("case.prm", elastic_case())));
+  std::vector<CaseStudy> studies;
+  for (const auto depth : {StudyDepth::answer, StudyDepth::proof}) studies.emplace_back(prepared[0], depth);
+  std::vector<std::string> events;
+  run_studies(
+      studies,
+      [&](const BodySpecification& specification) {
+        events.emplace_back("body");
+        return make_body(specification);
+      },
+      [&](std::size_t s) { events.push_back("done " + std::to_string(s)); });
+  ASSERT_GE(events.size(), 4U);
+  EXPECT_EQ(events[1], "done 0");
+  EXPECT_EQ(events.back(), "done 1");
+}
+
+// What an earlier run left is no result of a case whose numerics fail now.
+TEST(SystemFaults, AFailedCaseLeavesNoOldResult) {
+  const ScratchFolder folder;
+  const auto out = folder.path() / "out";
+  fs::create_directories(out / "case");
+  std::ofstream(out / "case" / "result.json") << "{}";
+  BatchHooks hooks;
+  hooks.make_body = [](const BodySpecification&) -> Body { throw fem::SolverError("the pump is broken"); };
+  const auto prepared = prepare(read_case_file(folder.write("case.prm", elastic_case())));
+  const auto lines = run_batch(prepared, out, hooks);
+  EXPECT_EQ(lines.at(0).failure, "the pump is broken");
+  EXPECT_TRUE(files_below(out).empty());
+}
+
+}  // namespace
+}  // namespace fretval

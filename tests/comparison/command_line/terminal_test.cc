@@ -1,0 +1,77 @@
+#include "comparison/command_line/terminal.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+namespace fretval {
+namespace {
+
+BatchLine line_with(const std::string& name, std::optional<double> difference, Verdict finding) {
+  return {name, finding == Verdict::pass, "", {{"stick_radius_shakedown", {difference, 1e-3, finding}}}};
+}
+
+BatchLine failed(const std::string& name) {
+  return {name, false, "the pump is broken", {}};
+}
+
+std::string verdicts_of(const std::vector<BatchLine>& lines) {
+  testing::internal::CaptureStdout();
+  print_verdicts(lines);
+  return testing::internal::GetCapturedStdout();
+}
+
+// Away from a terminal, as in a log: a line per tenth.
+TEST(Progress, WritesALinePerTenthWithItsCounts) {
+  testing::internal::CaptureStderr();
+  Progress progress;
+  for (std::size_t k = 1; k <= 40; ++k) {
+    const auto name = "family/" + std::to_string(k);
+    progress.show(k == 3   ? failed(name)
+                  : k == 5 ? line_with(name, 2e-3, Verdict::fail)
+                           : line_with(name, 1e-4, Verdict::pass),
+                  k, 40);
+  }
+  const auto text = testing::internal::GetCapturedStderr();
+  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 10) << text;
+  EXPECT_NE(text.find("4/40 cases, 0 disagree, 1 failed\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("40/40 cases, 1 disagree, 1 failed\n"), std::string::npos) << text;
+}
+
+TEST(Verdicts, NameTheLargestUseOfAToleranceOfEachFile) {
+  const auto text = verdicts_of({line_with("one/a", 2e-4, Verdict::pass), line_with("one/b", -5e-4, Verdict::pass),
+                                 line_with("two/a", 1e-5, Verdict::pass)});
+  EXPECT_NE(
+      text.find("2 of   2 agree; largest use of a tolerance: stick_radius_shakedown in one/b: -5.0e-04 of 1.0e-03"),
+      std::string::npos)
+      << text;
+  EXPECT_NE(text.find("stick_radius_shakedown in two/a: 1.0e-05"), std::string::npos) << text;
+  EXPECT_EQ(text.find("DISAGREE"), std::string::npos) << text;
+}
+
+// That only one of the two says that something sticks is worse than any difference; that both say so is none.
+TEST(Verdicts, OnlyOneOfTwoThatSticksIsTheWorst) {
+  const auto one = line_with("one/a", std::nullopt, Verdict::fail), both = line_with("one/b", {}, Verdict::pass);
+  const auto text = verdicts_of({one, both, line_with("one/c", 5e-3, Verdict::fail)});
+  EXPECT_NE(text.find("DISAGREE one"), std::string::npos) << text;
+  EXPECT_NE(text.find("1 of   3 agree"), std::string::npos) << text;
+  EXPECT_NE(text.find("stick_radius_shakedown in one/a: only one of the two sticks"), std::string::npos) << text;
+  EXPECT_EQ(differences_of(one), "stick_radius_shakedown in one only/1.0e-03 !");
+  EXPECT_EQ(differences_of(both), "stick_radius_shakedown none in both/1.0e-03");
+}
+
+TEST(Verdicts, NameEveryCaseWhoseNumericsFailed) {
+  const auto text = verdicts_of({failed("one/a"), line_with("one/b", 1e-4, Verdict::pass)});
+  EXPECT_NE(text.find("FAILED   one/a: the pump is broken\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("DISAGREE one"), std::string::npos) << text;
+}
+
+TEST(Differences, AreListedWithTheirTolerances) {
+  BatchLine line = line_with("a", -2e-3, Verdict::fail);
+  line.verdict["normal_force_max"] = {1e-5, 1e-4, Verdict::pass};
+  EXPECT_EQ(differences_of(line), "normal_force_max 1.0e-05/1.0e-04, stick_radius_shakedown -2.0e-03/1.0e-03 !");
+}
+
+}  // namespace
+}  // namespace fretval

@@ -1,0 +1,185 @@
+#include "comparison/reference/mdr_document.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "comparison/case/case_file.h"
+#include "mdr/rheology/fractional_zener.h"
+#include "tests/comparison/scratch_folder.h"
+
+namespace fretval {
+namespace {
+
+using nlohmann::ordered_json;
+
+ordered_json document_of(const std::string& text, bool with_springs = false) {
+  const ScratchFolder folder;
+  return mdr_document(read_case_file(folder.write("one.prm", text)).at(0), with_springs).json;
+}
+
+double number(const ordered_json& json, const char* section, const char* key) {
+  return json.at(section).at(key).get<double>();
+}
+
+const std::string displacements = "set Indentation = 1e-4\n  set Normal amplitude = 2e-5";
+
+// The worn state found from its displacements carries forces; prescribing these gives the state back.
+TEST(MdrDocument, PrescribedForcesGiveBackTheStateOfTheirDisplacements) {
+  const std::string first =
+      replace(replace(valid_case, displacements, "set Normal force = 0.5\n  set Normal force amplitude = 0.1"),
+              "set Tangential amplitude = 1.5e-5", "set Tangential force amplitude = 0.05");
+  const auto forces = document_of(first);
+  const auto& state = forces.at("limiting_state").at("shakedown");
+  EXPECT_NEAR(state.at("normal_force_mean").get<double>(), 0.5, 1e-12);
+  const auto text = [&](const char* key) { return std::to_string(1e6 * state.at(key).get<double>()) + "e-6"; };
+  const auto back = document_of(replace(
+      replace(valid_case, displacements,
+              "set Indentation = " + text("indentation") + "\n  set Normal amplitude = " + text("normal_amplitude")),
+      "1.5e-5", text("tangential_amplitude")));
+  // Six decimals of a micrometre are printed.
+  EXPECT_NEAR(number(back, "mdr", "stick_radius_shakedown") / state.at("stick_radius").get<double>(), 1, 1e-6);
+}
+
+TEST(MdrDocument, SaysThatNothingSticksUnderTooMuchTangentialForce) {
+  const auto json = document_of(
+      replace(replace(valid_case, displacements, "set Normal force = 0.5\n  set Normal force amplitude = 0.1"),
+              "set Tangential amplitude = 1.5e-5", "set Tangential force amplitude = 5"));
+  EXPECT_TRUE(json.at("mdr").at("stick_radius_shakedown").is_null());
+  EXPECT_TRUE(json.at("limiting_profile").is_null());
+}
+
+// Two ways that share neither formula nor code: the maxima over the common period, and springs stepped in time.
+TEST(MdrDocument, SpringsConfirmTheStickRadiiOfTwoFrequencies) {
+  const auto json = document_of(replace(replace(valid_case, "Tangential frequency = 1", "Tangential frequency = 2"),
+                                        "Phase = 60", "Phase = 60\n  set Normal harmonics = 5e-6, 2, 30"),
+                                true);
+  for (const char* key : {"stick_radius_first_slip", "stick_radius_shakedown"})
+    EXPECT_NEAR(number(json, "springs", key) / number(json, "mdr", key), 1, 1e-5) << key;  // ramp and time step
+  EXPECT_LT(number(json, "mdr", "stick_radius_first_slip"), number(json, "mdr", "stick_radius_shakedown"));
+  EXPECT_TRUE(json.at("mdr").at("normal_force_max").is_null());
+}
+
+// Springs under the forces themselves, whose indenter goes where it has to, against the two tangents.
+TEST(MdrDocument, SpringsConfirmTheStickRadiusUnderForces) {
+  const auto json = document_of(
+      replace(replace(valid_case, displacements, "set Normal force = 0.5\n  set Normal force amplitude = 0.1"),
+              "set Tangential amplitude = 1.5e-5", "set Tangential force amplitude = 0.05"),
+      true);
+  EXPECT_NEAR(number(json, "springs", "stick_radius_shakedown") / number(json, "mdr", "stick_radius_shakedown"), 1,
+              1e-3);
+  EXPECT_NEAR(number(json, "springs", "normal_force_max"), 0.6, 1e-6);
+}
+
+TEST(MdrDocument, SpringsNeedAPeriod) {
+  EXPECT_THROW(
+      document_of(replace(valid_case, "Tangential frequency = 1", "Tangential frequency = 1.4142135623"), true),
+      InputError);
+  EXPECT_THROW(document_of(replace(valid_case, "Phase = 60", "Phase = free"), true), InputError);
+}
+
+TEST(MdrDocument, SpringsNeedAnUnwornIndenter) {
+  const auto limiting = replace(valid_case, "1.5e-5", "shakedown") +
+                        "subsection Wear\n  set State = limiting\n  set Stick radius ratio = 0.5\nend\n";
+  EXPECT_GT(number(document_of(limiting), "mdr", "stick_radius_shakedown"), 0);
+  EXPECT_THROW(document_of(limiting, true), InputError);
+}
+
+TEST(MdrDocument, FractionalBodyOfOrderOneIsTheStandardSolid) {
+  const auto solid = document_of(valid_case);
+  const auto fractional =
+      document_of(replace(valid_case, "standard solid", "fractional zener\n  set Fractional order = 1"));
+  EXPECT_NEAR(number(fractional, "mdr", "stick_radius_shakedown") / number(solid, "mdr", "stick_radius_shakedown"), 1,
+              1e-13);
+}
+
+// The springs step a Prony body that stands for the fractional one; the radii next to them need none.
+TEST(MdrDocument, SpringsStandForAFractionalBody) {
+  const auto json =
+      document_of(replace(valid_case, "standard solid", "fractional zener\n  set Fractional order = 0.5"), true);
+  for (const char* key : {"stick_radius_first_slip", "stick_radius_shakedown"})
+    EXPECT_NEAR(number(json, "springs", key) / number(json, "mdr", key), 1, 1e-4) << key;
+}
+
+/// Moduli of the standard solid from 1e-4 to 1e4 Hz; the loss moduli times a factor.
+std::string standard_solid_table(double loss_factor = 1) {
+  std::string table = "f,G',G''\nHz,MPa,MPa\n";
+  for (int k = -40; k <= 40; ++k) {
+    const double f = std::pow(10.0, k / 10.0);
+    const auto modulus = mdr::complex_modulus(mdr::standard_solid(1, 1, 0.1), 2 * std::acos(-1.0) * f);
+    table += std::to_string(f) + "," + std::to_string(modulus.real()) + "," +
+             std::to_string(std::max(1e-6, loss_factor * modulus.imag())) + "\n";
+  }
+  return table;
+}
+
+// A table of the standard solid itself: the answer must be that of the standard solid, up to the misfit reported.
+TEST(MdrDocument, MeasuredModuliAreFitted) {
+  const ScratchFolder folder;
+  folder.write("dma.csv", standard_solid_table());
+  const auto file = folder.write("one.prm", case_with_modulus_table());
+  const auto json = mdr_document(read_case_file(file).at(0), false).json;
+  EXPECT_LT(number(json, "elastomer", "residual"), 0.05);
+  EXPECT_NEAR(number(json, "mdr", "modulus_ratio") / number(document_of(valid_case), "mdr", "modulus_ratio"), 1, 0.01);
+  EXPECT_EQ(json.at("elastomer").at("kramers_kronig").at("consistent"), true);
+
+  // Young's moduli of the same body are three times as large.
+  const auto young = folder.write("young.prm", case_with_modulus_table("Young"));
+  const auto third = mdr_document(read_case_file(young).at(0), false).json;
+  EXPECT_NEAR(3 * number(third, "mdr", "normal_force_max") / number(json, "mdr", "normal_force_max"), 1, 1e-9);
+}
+
+// Moduli that no body has are used all the same, with warnings that name the file.
+TEST(MdrDocument, WarnsAboutModuliThatContradictEachOther) {
+  const auto warnings_with = [](double factor) {
+    const ScratchFolder folder;
+    folder.write("dma.csv", standard_solid_table(factor));
+    const auto file = folder.write("one.prm", case_with_modulus_table());
+    return read_case_file(file).at(0).warnings;
+  };
+  EXPECT_TRUE(warnings_with(1).empty());
+  const auto warnings = warnings_with(4);
+  const auto warned = [&](const char* part) {
+    return std::any_of(warnings.begin(), warnings.end(), [&](const std::string& warning) {
+      return warning.find("dma.csv") != std::string::npos && warning.find(part) != std::string::npos;
+    });
+  };
+  EXPECT_TRUE(warned("Kramers and Kronig"));
+  EXPECT_TRUE(warned("the Prony body misses the moduli by"));
+}
+
+TEST(MdrDocument, MeasuredProfileIsReadWithItsUnits) {
+  const ScratchFolder folder;
+  std::string table = "r,f\nmm,nm\n";
+  for (int k = 0; k <= 60; ++k) table += std::to_string(0.05 * k) + "," + std::to_string(125 * k * k) + "\n";
+  folder.write("pin.csv", table);  // r^2/(2 R), R = 10 mm
+  const auto file =
+      folder.write("one.prm", replace(valid_case, "parabola\n  set Radius = 1e-2", "table\n  set Table = pin.csv"));
+  const auto json = mdr_document(read_case_file(file).at(0), false).json;
+  const auto sphere = document_of(valid_case);
+  for (const char* key :
+       {"contact_radius_max", "stick_radius_first_slip", "stick_radius_shakedown", "worn_radius", "normal_force_max"})
+    EXPECT_NEAR(number(json, "mdr", key) / number(sphere, "mdr", key), 1, 1e-6) << key;  // six decimals are written
+}
+
+TEST(MdrDocument, HigherTemperatureSpeedsUpTheRelaxation) {
+  const auto cold = document_of(valid_case);
+  const std::string wlf =
+      "times = 0.1\n  set Reference temperature = 20\n  set WLF C1 = 8.86\n  set WLF C2 = 101.6\n  set Temperature = ";
+  const auto same = document_of(replace(valid_case, "times = 0.1", wlf + "20"));
+  const auto hot = document_of(replace(valid_case, "times = 0.1", wlf + "60"));
+  EXPECT_EQ(number(same, "mdr", "modulus_ratio"), number(cold, "mdr", "modulus_ratio"));
+  EXPECT_LT(number(hot, "mdr", "modulus_ratio"), number(cold, "mdr", "modulus_ratio"));
+}
+
+TEST(MdrDocument, WearKineticsTendToTheLimitingProfile) {
+  const auto json = document_of(valid_case + "subsection Wear\n  set Coefficient = 1e-9\n  set Cycles = 1e6\nend\n");
+  const auto& wear = json.at("wear");
+  EXPECT_EQ(wear.at("cycles").size(), wear.at("volume").size());
+  EXPECT_GT(wear.at("volume").back().get<double>(), 0);
+  EXPECT_LT(wear.at("friction_work").back().get<double>(), 1e-2 * wear.at("friction_work").front().get<double>());
+}
+
+}  // namespace
+}  // namespace fretval

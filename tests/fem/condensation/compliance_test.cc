@@ -1,0 +1,99 @@
+#include "fem/condensation/compliance.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Eigenvalues>
+#include <cmath>
+
+#include "fem/operators/stiffness.h"
+#include "tests/fem/expect_solver_error.h"
+#include "tests/fem/half_space.h"
+
+namespace fretval::fem {
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+
+TEST(Compliance, IsSymmetricPositiveDefinite) {
+  for (const Harmonic harmonic : {Harmonic::normal, Harmonic::tangential}) {
+    const Eigen::MatrixXd& matrix = half_space(harmonic, 64).compliance.matrix;
+    EXPECT_LT((matrix - matrix.transpose()).cwiseAbs().maxCoeff(), 1e-14 * matrix.cwiseAbs().maxCoeff());
+    EXPECT_GT(Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(matrix).eigenvalues()[0], 0);
+  }
+}
+
+// Second method: the whole system loaded by one ring, no Schur complement.
+TEST(Compliance, IsTheResponseOfTheWholeBody) {
+  const GridData grid = quarter_disc_grid(1, 16, 20, 0.25);
+  for (const Harmonic harmonic : {Harmonic::normal, Harmonic::tangential}) {
+    const HarmonicSpace space(grid, harmonic, 3);
+    const auto& line = space.contact_line();
+    const SparseMatrix stiffness = assemble_stiffness(space);
+    const Compliance compliance = contact_compliance(line, Condensation(stiffness, line.dofs, "body"));
+    const auto on_body = [&](Eigen::Index ring) {
+      Eigen::VectorXd load = Eigen::VectorXd::Zero(stiffness.n);
+      for (std::size_t i = 0; i < line.dofs.size(); ++i) load[line.dofs[i]] = line.loads(i, ring);
+      return load;
+    };
+    for (const Eigen::Index j : {0, 5, 15}) {
+      const Eigen::VectorXd u = solve_uncondensed(stiffness, on_body(j), "body");
+      for (Eigen::Index i = 0; i < 16; ++i)
+        EXPECT_NEAR(compliance.matrix(i, j), on_body(i).dot(u), 1e-12 * compliance.matrix.maxCoeff());
+    }
+  }
+}
+
+/// Displacement per unit uniform traction, averaged over the disc r < 1.
+double mean_displacement(const ContactProblem& problem, unsigned n) {
+  return problem.compliance.matrix.topLeftCorner(n, n).sum() / pi;
+}
+
+// Uniform pressure p on a disc of radius a: mean displacement 16 p a / (3 pi E*), E* = 4G (Johnson, Contact
+// Mechanics, 3.4); uniform traction: the same with G* = 8G/3. No free boundary, but a logarithmic slope at r = a that
+// leaves an error of h^2: 1.8e-5 at 16 rings, 1.1e-6 at 64.
+TEST(Compliance, OfAUniformTractionIsExact) {
+  for (const unsigned n : {16U, 64U}) {
+    const double tolerance = 3e-5 * 256 / (n * n);
+    EXPECT_NEAR(mean_displacement(normal_half_space(n), n) / (4 / (3 * pi)), 1, tolerance);
+    EXPECT_NEAR(mean_displacement(tangential_half_space(n), n) / (2 / pi), 1, tolerance);
+  }
+}
+
+// Both are the same body; they differ by the error of degree 2: 9.8e-5 at 16 rings, 2.4e-5 at 64.
+TEST(Compliance, HardlyDependsOnTheDegree) {
+  for (const Harmonic harmonic : {Harmonic::normal, Harmonic::tangential})
+    for (const unsigned n : {16U, 64U}) {
+      const double cubic = mean_displacement(half_space(harmonic, n), n);
+      const double quadratic = mean_displacement(half_space(harmonic, n, 2), n);
+      EXPECT_NEAR(quadratic / cubic, 1, 2e-3 / n);
+      EXPECT_NE(quadratic, cubic);
+    }
+}
+
+// What the point load at the far field misses decays like R^-3: 1.4e-4 at R = 5. From 10 on the mesh shows, 3e-6.
+TEST(Compliance, HardlyDependsOnTheFarRadius) {
+  for (const Harmonic harmonic : {Harmonic::normal, Harmonic::tangential}) {
+    std::vector<double> displacement;
+    for (const double far_radius : {5.0, 10.0, 20.0, 40.0}) {
+      const HarmonicSpace space(quarter_disc_grid(1, 16, far_radius, 0.15), harmonic, 3);
+      const auto compliance = contact_compliance(
+          space.contact_line(), Condensation(assemble_stiffness(space), space.contact_line().dofs, "body"));
+      displacement.push_back(compliance.matrix.sum() / pi);
+    }
+    EXPECT_NEAR(displacement[0] / displacement[3], 1, 1e-3);
+    EXPECT_NEAR(displacement[2] / displacement[3], 1, 1e-5);
+  }
+}
+
+TEST(Compliance, NeedsABodyThatIsHeld) {
+  const GridData grid = quarter_disc_grid(1, 8, 6, 0.35);
+  const HarmonicSpace space(grid, Harmonic::normal, 2);
+  SparseMatrix upside_down = assemble_stiffness(space);
+  for (double& value : upside_down.values) value = -value;
+  const Condensation condensation(upside_down, space.contact_line().dofs, "body");
+  expect_solver_error([&] { contact_compliance(space.contact_line(), condensation); },
+                      {"not positive definite", "not held"});
+}
+
+}  // namespace
+}  // namespace fretval::fem

@@ -1,0 +1,165 @@
+#include "fem/full_model/full_history.h"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+#include "fem/condensation/condensation.h"
+#include "fem/history/friction_history.h"
+#include "fem/operators/stiffness.h"
+#include "tests/fem/expect_solver_error.h"
+#include "tests/fem/fretting.h"
+#include "tests/fem/half_space.h"
+
+namespace fretval::fem {
+namespace {
+
+using Eigen::Index;
+
+constexpr double pi = 3.14159265358979323846;
+constexpr double mu = 0.5;
+constexpr int n_steps = 12;
+constexpr unsigned n_rings = 8;
+
+/// One body, to be stepped whole and condensed.
+struct Body {
+  HarmonicSpace space;
+  ContactProblem condensed;
+
+  explicit Body(Harmonic harmonic)
+      : space(quarter_disc_grid(1.125, n_rings, 6, 0.3), harmonic, 2),
+        condensed(contact_compliance(space.contact_line(),
+                                     Condensation(assemble_stiffness(space), space.contact_line().dofs, "body"))) {}
+};
+
+const Body& body(Harmonic harmonic) {
+  static const Body normal(Harmonic::normal), tangential(Harmonic::tangential);
+  return harmonic == Harmonic::normal ? normal : tangential;
+}
+
+/// Two branches, one of them fast, and a dashpot.
+RelaxationModel damped_branches() {
+  return {0.7, {0.5, 0.8}, {2, 0.1}, 0.3};
+}
+
+/// Rings open and close, and slip comes and goes.
+Motion wide_motion() {
+  return {0.5, 0.35, 0.35, pi / 3, 1};
+}
+
+/// Stops at the first chance: one cycle after the ramp, two for friction.
+HistoryControl few_cycles() {
+  return {n_steps, 5, 1e9};
+}
+
+Eigen::VectorXd profile() {
+  return parabola_means(body(Harmonic::normal).condensed);
+}
+
+NormalHistory condensed_normal(const RelaxationModel& model) {
+  return normal_history(body(Harmonic::normal).condensed, model, profile(), wide_motion(), few_cycles());
+}
+
+FrictionHistory condensed_friction(const RelaxationModel& model, const NormalHistory& normal) {
+  return friction_history(body(Harmonic::tangential).condensed, model, mu, wide_motion(), normal, few_cycles());
+}
+
+/// Pressures of the condensed history at the instants of n_cycles cycles.
+Eigen::MatrixXd pressures_over(const NormalHistory& normal, int n_cycles) {
+  Eigen::MatrixXd pressure(n_rings, 1 + n_cycles * n_steps);
+  for (Index k = 0; k < pressure.cols(); ++k) pressure.col(k) = normal.pressure.col(normal.column(k));
+  return pressure;
+}
+
+double largest_difference(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
+  return (a - b).cwiseAbs().maxCoeff() / b.cwiseAbs().maxCoeff();
+}
+
+// Condensation is exact, so the difference is roundoff of the sparse solves: 2e-14 measured.
+constexpr double roundoff = 1e-11;
+
+FullNormalHistory full_normal(const RelaxationModel& model, int n_cycles) {
+  return full_normal_history(body(Harmonic::normal).space, model, profile(), wide_motion(), n_steps, n_cycles);
+}
+
+FullFrictionHistory full_friction(const RelaxationModel& model, const Eigen::MatrixXd& pressure, int n_cycles) {
+  return full_friction_history(body(Harmonic::tangential).space, model, mu, wide_motion(), pressure, n_steps, n_cycles);
+}
+
+void expect_plausible(const SolveCount& count, Harmonic harmonic, Index n_instants) {
+  EXPECT_EQ(count.n_dofs, body(harmonic).space.n_dofs());
+  EXPECT_GE(count.n_solves, n_instants);
+  EXPECT_GT(count.n_factorisations, 10);  // the interior moves from step to step
+  EXPECT_LE(count.n_factorisations, count.n_solves);
+}
+
+class FullHistoryOf : public testing::TestWithParam<RelaxationModel> {};
+
+INSTANTIATE_TEST_SUITE_P(Bodies, FullHistoryOf,
+                         testing::Values(elastic_body(), standard_solid(), kelvin_voigt(), damped_branches()));
+
+TEST_P(FullHistoryOf, PressureIsThatOfTheCondensedBody) {
+  const auto condensed = condensed_normal(GetParam());
+  const auto full = full_normal(GetParam(), condensed.n_cycles);
+  ASSERT_EQ(full.pressure.cols(), condensed.pressure.cols());
+  EXPECT_LT(largest_difference(full.pressure, condensed.pressure), roundoff);
+  const Eigen::Matrix<Index, 1, Eigen::Dynamic> n_touching = (condensed.pressure.array() > 0).colwise().count();
+  EXPECT_LE(n_touching.minCoeff(), 3);  // rings open
+  EXPECT_EQ(n_touching.maxCoeff(), 7);  // and close
+  expect_plausible(full.count, Harmonic::normal, full.pressure.cols());
+}
+
+TEST_P(FullHistoryOf, TractionIsThatOfTheCondensedBody) {
+  const auto normal = condensed_normal(GetParam());
+  const auto condensed = condensed_friction(GetParam(), normal);
+  const Eigen::MatrixXd pressure = pressures_over(normal, condensed.n_cycles);
+  const auto full = full_friction(GetParam(), pressure, condensed.n_cycles);
+  EXPECT_LT(largest_difference(full.traction.rightCols(n_steps), condensed.traction), roundoff);
+  const Eigen::ArrayXXd limit = mu * pressure.array(), margin = limit - full.traction.array().abs();
+  EXPECT_LT((margin.rowwise().minCoeff().max(0).matrix() - condensed.first_slip_margin).cwiseAbs().maxCoeff(),
+            roundoff);
+  const Eigen::Array<bool, Eigen::Dynamic, Eigen::Dynamic> touching = limit > 0;
+  EXPECT_GT((touching && margin > 1e-6).count(), 50);                    // instants and rings that stick,
+  EXPECT_GT((touching && full.traction.array() >= limit).count(), 20);   // slip forwards
+  EXPECT_GT((touching && full.traction.array() <= -limit).count(), 20);  // and backwards
+  expect_plausible(full.count, Harmonic::tangential, full.traction.cols() - 1);
+}
+
+// The comparison above must notice a history that is a little wrong.
+TEST(FullHistory, DependsOnEveryRelaxationTime) {
+  const auto model = damped_branches();
+  const auto normal = condensed_normal(model);
+  const auto condensed = condensed_friction(model, normal);
+  const Eigen::MatrixXd pressure = pressures_over(normal, condensed.n_cycles);
+  for (const std::size_t branch : {0, 1}) {
+    auto other = model;
+    other.times[branch] *= 1.001;
+    EXPECT_GT(largest_difference(full_normal(other, normal.n_cycles).pressure, normal.pressure), 1e-5);
+    const auto friction = full_friction(other, pressure, condensed.n_cycles);
+    EXPECT_GT(largest_difference(friction.traction.rightCols(n_steps), condensed.traction), 1e-5);
+  }
+}
+
+TEST(FullHistory, RefusesWhatDoesNotFit) {
+  const auto& normal = body(Harmonic::normal).space;
+  const auto& tangential = body(Harmonic::tangential).space;
+  const auto model = elastic_body();
+  const auto motion = wide_motion();
+  const Eigen::VectorXd short_profile = profile().head(n_rings - 1);
+  EXPECT_THROW(full_normal_history(tangential, model, profile(), motion, n_steps, 1), std::invalid_argument);
+  EXPECT_THROW(full_normal_history(normal, model, short_profile, motion, n_steps, 1), std::invalid_argument);
+  const Eigen::MatrixXd pressure = Eigen::MatrixXd::Ones(n_rings, 1 + n_steps);
+  EXPECT_THROW(full_friction_history(normal, model, mu, motion, pressure, n_steps, 1), std::invalid_argument);
+  EXPECT_THROW(full_friction_history(tangential, model, mu, motion, pressure, n_steps, 2), std::invalid_argument);
+}
+
+TEST(FullHistory, SaysWhenTheContactReachesTheEndOfTheLine) {
+  Motion deep = wide_motion();
+  deep.indentation = 1;
+  expect_solver_error(
+      [&] { full_normal_history(body(Harmonic::normal).space, elastic_body(), profile(), deep, n_steps, 2); },
+      {"end of the contact line", "longer"});
+}
+
+}  // namespace
+}  // namespace fretval::fem

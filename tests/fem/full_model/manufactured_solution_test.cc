@@ -1,0 +1,135 @@
+#include "fem/full_model/manufactured_solution.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "fem/operators/grid_refinement.h"
+#include "tests/fem/convergence.h"
+#include "tests/fem/half_space.h"
+
+namespace fretval::fem {
+namespace {
+
+const std::vector<GridData>& grids() {
+  static const std::vector<GridData> grids = [] {
+    std::vector<GridData> list{quarter_disc_grid(1, 4, 6, 0.6)};
+    for (int k = 0; k < 2; ++k) list.push_back(refined(list.back()));
+    return list;
+  }();
+  return grids;
+}
+
+struct Errors {
+  std::vector<double> displacement, pressure;
+};
+
+Errors errors(Harmonic harmonic, unsigned degree, const StokesField& load, const StokesField& exact) {
+  Errors errors;
+  for (const auto& grid : grids()) {
+    const auto error = bulk_error(HarmonicSpace(grid, harmonic, degree), load, exact);
+    errors.displacement.push_back(error.displacement);
+    errors.pressure.push_back(error.pressure);
+  }
+  return errors;
+}
+
+/// A field with something about it changed.
+template <typename Change>
+StokesField changed(const StokesField& field, Change change) {
+  return [=](double r, double z) {
+    auto state = field(r, z);
+    change(state);
+    return state;
+  };
+}
+
+class PointForce : public testing::TestWithParam<Harmonic> {
+ protected:
+  StokesField field_ = point_force(GetParam(), 1);
+};
+
+INSTANTIATE_TEST_SUITE_P(Harmonics, PointForce, testing::Values(Harmonic::normal, Harmonic::tangential));
+
+// Strains of THEORY section 7 by central differences: truncation h^2, roundoff 1e-16/h.
+TEST_P(PointForce, HasTheStressOfItsStrains) {
+  const int n = GetParam() == Harmonic::normal ? 0 : 1;
+  const double h = 1e-5;
+  for (const auto& [r, z] : {std::pair{0.7, -0.3}, {2.0, -1.5}, {0.2, -4.0}}) {
+    const auto at = field_(r, z), east = field_(r + h, z), west = field_(r - h, z);
+    const auto north = field_(r, z + h), south = field_(r, z - h);
+    const auto along_r = [&](double StokesState::*f) { return (east.*f - west.*f) / (2 * h); };
+    const auto along_z = [&](double StokesState::*f) { return (north.*f - south.*f) / (2 * h); };
+    const double rr = along_r(&StokesState::u), hoop = (at.u + n * at.v) / r, zz = along_z(&StokesState::w);
+    EXPECT_NEAR(rr + hoop + zz, 0, 1e-9);
+    EXPECT_NEAR(at.stress[0][0], 2 * rr - at.pressure, 1e-9);
+    EXPECT_NEAR(at.stress[2][1], 2 * zz - at.pressure, 1e-9);
+    const double shear_rz = along_z(&StokesState::u) + along_r(&StokesState::w);
+    EXPECT_NEAR(at.stress[0][1], shear_rz, 1e-9);
+    EXPECT_NEAR(at.stress[2][0], shear_rz, 1e-9);
+    EXPECT_NEAR(at.stress[1][0], -n * at.u / r + along_r(&StokesState::v) - at.v / r, 1e-9);
+    EXPECT_NEAR(at.stress[1][1], along_z(&StokesState::v) - n * at.w / r, 1e-9);
+    // The hoop stress is what radial equilibrium leaves for it: none, the stress of a point force is radial.
+    EXPECT_NEAR(2 * hoop, at.pressure, 1e-9);
+  }
+}
+
+// Optimal orders: k + 1 for the displacement, k for the pressure of degree k - 1.
+TEST_P(PointForce, IsApproachedAtTheOrdersOfTheElements) {
+  for (const unsigned degree : {2U, 3U}) {
+    const auto [displacement, pressure] = errors(GetParam(), degree, field_, field_);
+    EXPECT_GT(observed_order(displacement), degree + 0.8) << displacement.back();
+    EXPECT_GT(observed_order(pressure), degree - 0.3) << pressure.back();
+    EXPECT_LT(displacement.back(), 1e-4);
+    EXPECT_LT(pressure.back(), 1e-3);
+  }
+}
+
+void expect_no_convergence(const Errors& errors) {
+  EXPECT_LT(observed_order(errors.displacement), 0.2);
+  EXPECT_GT(errors.displacement.back(), 1e-2);
+}
+
+TEST_P(PointForce, WithoutItsShareOfTheFarFieldConditionIsAnother) {
+  const auto load = changed(field_, [](StokesState& state) { state.u = state.w = 0; });
+  expect_no_convergence(errors(GetParam(), 3, load, field_));
+}
+
+TEST_P(PointForce, WithTheShearReversedIsAnother) {
+  const auto load = changed(field_, [](StokesState& state) {
+    state.stress[0][1] *= -1;
+    state.stress[2][0] *= -1;
+  });
+  expect_no_convergence(errors(GetParam(), 3, load, field_));
+}
+
+TEST_P(PointForce, WithThePressureReversedIsAnother) {
+  const auto exact = changed(field_, [](StokesState& state) { state.pressure *= -1; });
+  const auto error = bulk_error(HarmonicSpace(grids().front(), GetParam(), 3), field_, exact);
+  EXPECT_NEAR(error.pressure, 2, 1e-2);
+}
+
+double area(const GridData& grid) {
+  double twice = 0;
+  for (const auto& cell : grid.cells)
+    for (std::size_t k = 0; k < 4; ++k) {
+      const auto &a = grid.points[cell[k]], &b = grid.points[cell[(k + 1) % 4]];
+      twice += a[0] * b[1] - b[0] * a[1];
+    }
+  return twice / 2;
+}
+
+TEST(GridRefinement, SplitsEveryCellOfTheSameBody) {
+  const auto &coarse = grids()[0], &fine = grids()[1];
+  EXPECT_EQ(fine.cells.size(), 4 * coarse.cells.size());
+  EXPECT_EQ(fine.boundary.size(), 2 * coarse.boundary.size());
+  // Euler: points - edges + cells = 1, and 2 edges = 4 cells + boundary edges.
+  EXPECT_EQ(fine.points.size(), 1 + fine.cells.size() + fine.boundary.size() / 2);
+  EXPECT_NEAR(area(fine), area(coarse), 1e-12 * area(coarse));
+  const HarmonicSpace space(fine, Harmonic::normal, 2);
+  EXPECT_EQ(space.contact_line().n_elements(), 8);
+}
+
+}  // namespace
+}  // namespace fretval::fem

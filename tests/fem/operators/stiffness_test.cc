@@ -1,0 +1,271 @@
+#include "fem/operators/stiffness.h"
+
+#include <deal.II/dofs/dof_tools.h>
+#include <deal.II/fe/mapping_q1.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <map>
+
+#include "fem/operators/harmonic_space_parts.h"
+#include "tests/fem/half_space.h"
+
+namespace fretval::fem {
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+constexpr double far_radius = 6;
+
+/// Coarse, and as irregular as gmsh makes it.
+const GridData& grid() {
+  static const GridData grid = quarter_disc_grid(1, 8, far_radius, 0.35);
+  return grid;
+}
+
+struct Dof {
+  unsigned component;
+  double r, z;
+  bool near_far;  // in a cell with a corner on the far arc
+  bool near_pin;  // in a cell with the far end of the surface
+};
+
+std::vector<Dof> dofs_of(const HarmonicSpace& space) {
+  const auto& parts = space.parts();
+  std::vector<dealii::Point<2>> support(space.n_dofs());
+  dealii::DoFTools::map_dofs_to_support_points(dealii::MappingQ1<2>(), parts.dofs, support);
+  std::vector<Dof> dofs(space.n_dofs());
+  std::vector<dealii::types::global_dof_index> indices(parts.element.n_dofs_per_cell());
+  for (const auto& cell : parts.dofs.active_cell_iterators()) {
+    bool near_far = false, near_pin = false;
+    for (const unsigned v : cell->vertex_indices()) {
+      near_far = near_far || cell->vertex(v).norm() > far_radius * (1 - 1e-9);
+      near_pin = near_pin || cell->vertex(v)[0] > far_radius * (1 - 1e-9);
+    }
+    cell->get_dof_indices(indices);
+    for (unsigned i = 0; i < indices.size(); ++i) {
+      Dof& dof = dofs[indices[i]];
+      dof.component = parts.element.system_to_component_index(i).first;
+      dof.r = support[indices[i]][0];
+      dof.z = support[indices[i]][1];
+      dof.near_far = dof.near_far || near_far;
+      dof.near_pin = dof.near_pin || near_pin;
+    }
+  }
+  return dofs;
+}
+
+/// A field of every component: (U, W, P) or (s, m, W, P) at (r, z).
+using Field = std::function<std::array<double, 4>(double r, double z)>;
+
+struct Body {
+  HarmonicSpace space;
+  SparseMatrix stiffness;
+  std::vector<Dof> dofs;
+
+  Body(Harmonic harmonic, unsigned degree)
+      : space(grid(), harmonic, degree), stiffness(assemble_stiffness(space)), dofs(dofs_of(space)) {}
+
+  [[nodiscard]] Eigen::VectorXd interpolate(const Field& field) const {
+    Eigen::VectorXd u(stiffness.n);
+    for (int i = 0; i < stiffness.n; ++i) u[i] = field(dofs[i].r, dofs[i].z).at(dofs[i].component);
+    return u;
+  }
+
+  [[nodiscard]] Eigen::VectorXd force(const Eigen::VectorXd& u) const {
+    Eigen::VectorXd f = Eigen::VectorXd::Zero(stiffness.n);
+    for (int row = 0; row < stiffness.n; ++row)
+      for (int k = stiffness.row_start[row]; k < stiffness.row_start[row + 1]; ++k)
+        f[row] += stiffness.values[k] * u[stiffness.columns[k]];
+    return f;
+  }
+
+  /// Largest force on the chosen dofs, relative to the largest sum of its terms over all dofs: roundoff is 1e-15.
+  [[nodiscard]] double largest_force(const Eigen::VectorXd& u, const std::function<bool(const Dof&)>& chosen) const {
+    const Eigen::VectorXd f = force(u);
+    double largest = 0, scale = 0;
+    int n_chosen = 0;
+    for (int row = 0; row < stiffness.n; ++row) {
+      double terms = 0;
+      for (int k = stiffness.row_start[row]; k < stiffness.row_start[row + 1]; ++k)
+        terms += std::abs(stiffness.values[k] * u[stiffness.columns[k]]);
+      scale = std::max(scale, terms);
+      if (!chosen(dofs[row])) continue;
+      largest = std::max(largest, std::abs(f[row]));
+      ++n_chosen;
+    }
+    EXPECT_GT(n_chosen, 200);
+    return largest / scale;
+  }
+};
+
+constexpr double roundoff = 1e-13;
+
+bool inside(const Dof& dof) {
+  return !dof.near_far && dof.z < 0;
+}
+
+bool inside_or_on_surface(const Dof& dof) {
+  return !dof.near_far;
+}
+
+class StiffnessOfDegree : public testing::TestWithParam<unsigned> {
+ protected:
+  Body normal_{Harmonic::normal, GetParam()};
+  Body tangential_{Harmonic::tangential, GetParam()};
+};
+
+INSTANTIATE_TEST_SUITE_P(Degrees, StiffnessOfDegree, testing::Values(2U, 3U));
+
+// A rigid motion meets the far-field condition alone, whose energy is int (3/R) (u.n)^2 dA = 3 R (2 pi/3) for a unit
+// translation and a hemisphere. The chords lie inside the arc by h^2/(8 R^2) with h = 0.15 R to 0.35 R: 0.3 % measured.
+TEST_P(StiffnessOfDegree, TranslationsAreResistedByTheFarFieldAlone) {
+  const Eigen::VectorXd down = normal_.interpolate([](double, double) { return std::array<double, 4>{0, 1, 0, 0}; });
+  const Eigen::VectorXd along = tangential_.interpolate([](double, double) {
+    return std::array<double, 4>{1, 0, 0, 0};
+  });
+  EXPECT_LT(normal_.largest_force(down, inside_or_on_surface), roundoff);
+  EXPECT_LT(tangential_.largest_force(along, inside_or_on_surface), roundoff);
+  EXPECT_NEAR(down.dot(normal_.force(down)) / (2 * pi * far_radius), 1, 0.006);
+  EXPECT_NEAR(along.dot(tangential_.force(along)) / (2 * pi * far_radius), 1, 0.006);
+}
+
+// u.n = 0 on the hemisphere: no force even there, but next to the pin that holds the rotation.
+TEST_P(StiffnessOfDegree, RotationIsNotResisted) {
+  const Eigen::VectorXd u = tangential_.interpolate([](double r, double z) {
+    return std::array<double, 4>{z, 0, -r, 0};
+  });
+  EXPECT_LT(tangential_.largest_force(u, [](const Dof& dof) { return !dof.near_pin; }), roundoff);
+}
+
+// U = r, W = -2z: strains (1, 1, -2); with P = -4 the surface is free of traction.
+TEST_P(StiffnessOfDegree, UniformCompressionIsReproduced) {
+  const Eigen::VectorXd u = normal_.interpolate([](double r, double z) {
+    return std::array<double, 4>{r, -2 * z, -4, 0};
+  });
+  EXPECT_LT(normal_.largest_force(u, inside_or_on_surface), roundoff);
+}
+
+// The same strains with P = 0: sigma_zz = -4 loads the contact line like a uniform traction, ring by ring.
+TEST_P(StiffnessOfDegree, LoadsOfTheContactLineAreThoseOfAUniformPressure) {
+  const Eigen::VectorXd f = normal_.force(normal_.interpolate([](double r, double z) {
+    return std::array<double, 4>{r, -2 * z, 0, 0};
+  }));
+  const auto& line = normal_.space.contact_line();
+  const Eigen::VectorXd loads = line.loads.rowwise().sum();
+  for (std::size_t i = 0; i + 1 < line.dofs.size(); ++i)  // the last dof is also loaded from outside the line
+    EXPECT_NEAR(f[line.dofs[i]], -4 * loads[static_cast<Eigen::Index>(i)], 1e-13);
+}
+
+// Shear u_x = z: sigma_xz = 1, a uniform traction along x on the contact line.
+TEST_P(StiffnessOfDegree, LoadsOfTheContactLineAreThoseOfAUniformTraction) {
+  const Eigen::VectorXd u = tangential_.interpolate([](double, double z) { return std::array<double, 4>{z, 0, 0, 0}; });
+  EXPECT_LT(tangential_.largest_force(u, inside), roundoff);
+  const Eigen::VectorXd f = tangential_.force(u);
+  const auto& line = tangential_.space.contact_line();
+  const Eigen::VectorXd loads = line.loads.rowwise().sum();
+  for (std::size_t i = 0; i + 1 < line.dofs.size(); ++i)
+    EXPECT_NEAR(f[line.dofs[i]], loads[static_cast<Eigen::Index>(i)], 1e-13);
+}
+
+// Shear u_z = x: the other half of the rotation.
+TEST_P(StiffnessOfDegree, VerticalShearIsReproduced) {
+  const Eigen::VectorXd u = tangential_.interpolate([](double r, double) { return std::array<double, 4>{0, 0, r, 0}; });
+  EXPECT_LT(tangential_.largest_force(u, inside), roundoff);
+}
+
+// Q_k contains quadratic polynomials on straight-edged cells. n = 0: U = r z, W = -z^2, P = -2z (Stokes: grad P =
+// Laplacian of u = -2 e_z), sigma_zz = 0 at the surface.
+TEST_P(StiffnessOfDegree, QuadraticStokesFieldIsReproducedForTheNormalHarmonic) {
+  const Eigen::VectorXd u = normal_.interpolate([](double r, double z) {
+    return std::array<double, 4>{r * z, -z * z, -2 * z, 0};
+  });
+  EXPECT_LT(normal_.largest_force(u, inside), roundoff);
+}
+
+// n = 1, with every operator at work: u_x = x^2 - y^2 + b (x^2 + y^2) + c z^2, u_y = 2 x y, u_z = -(4 + 2b) x z is free
+// of divergence, and its Laplacian (4b + 2c) e_x is the gradient of P = (4b + 2c) x. With c = -(4 + 4b) sigma_zz
+// vanishes at the surface. In harmonics: s = b r^2 + c z^2, m = r^2, W = -(4 + 2b) r z, P = (4b + 2c) r.
+TEST_P(StiffnessOfDegree, QuadraticStokesFieldIsReproducedForTheTangentialHarmonic) {
+  const double b = 0.3, c = -4 - 4 * b;
+  const Eigen::VectorXd u = tangential_.interpolate([&](double r, double z) {
+    return std::array<double, 4>{b * r * r + c * z * z, r * r, -(4 + 2 * b) * r * z, (4 * b + 2 * c) * r};
+  });
+  EXPECT_LT(tangential_.largest_force(u, inside_or_on_surface), roundoff);
+}
+
+// The tests above must be able to fail: fields out of equilibrium or with a divergence give 1e-4 of the terms.
+TEST_P(StiffnessOfDegree, FieldOutOfEquilibriumIsNoticed) {
+  const Eigen::VectorXd compressed = normal_.interpolate([](double r, double z) {
+    return std::array<double, 4>{r, -1.9 * z, -4, 0};
+  });
+  EXPECT_GT(normal_.largest_force(compressed, inside), 1e-5);
+  const Eigen::VectorXd warped = tangential_.interpolate([](double r, double) {
+    return std::array<double, 4>{0, r * r, 0, 0};
+  });
+  EXPECT_GT(tangential_.largest_force(warped, inside), 1e-5);
+}
+
+TEST_P(StiffnessOfDegree, IsSymmetric) {
+  for (const Body* body : {&normal_, &tangential_}) {
+    const auto& k = body->stiffness;
+    std::map<std::pair<int, int>, double> entries;
+    double largest = 0;
+    for (int row = 0; row < k.n; ++row)
+      for (int i = k.row_start[row]; i < k.row_start[row + 1]; ++i) {
+        entries[{row, k.columns[i]}] = k.values[i];
+        largest = std::max(largest, std::abs(k.values[i]));
+      }
+    double asymmetry = 0;
+    for (const auto& [position, value] : entries) {
+      const auto mirrored = entries.find({position.second, position.first});
+      ASSERT_NE(mirrored, entries.end());
+      asymmetry = std::max(asymmetry, std::abs(value - mirrored->second));
+    }
+    EXPECT_LT(asymmetry, 1e-14 * largest);
+  }
+}
+
+TEST_P(StiffnessOfDegree, ConstrainedRowsHoldTheirDiagonalAlone) {
+  for (const Body* body : {&normal_, &tangential_}) {
+    const auto& constraints = body->space.parts().constraints;
+    EXPECT_GT(constraints.n_constraints(), 10U);
+    const auto& k = body->stiffness;
+    for (int row = 0; row < k.n; ++row)
+      for (int i = k.row_start[row]; i < k.row_start[row + 1]; ++i) {
+        const bool constrained = constraints.is_constrained(row) || constraints.is_constrained(k.columns[i]);
+        if (!constrained) continue;
+        if (k.columns[i] == row)
+          EXPECT_GT(k.values[i], 0);
+        else
+          EXPECT_EQ(k.values[i], 0);
+      }
+  }
+}
+
+TEST(ContactLine, RingsCarryTheirArea) {
+  for (const Harmonic harmonic : {Harmonic::normal, Harmonic::tangential}) {
+    const HarmonicSpace space(grid(), harmonic, 3);
+    const auto& line = space.contact_line();
+    ASSERT_EQ(line.n_elements(), 8);
+    ASSERT_EQ(line.dofs.size(), 25U);
+    for (Eigen::Index i = 0; i < 8; ++i) {
+      EXPECT_DOUBLE_EQ(line.radii[i], i / 8.0);
+      EXPECT_NEAR(line.areas[i], pi * (2 * i + 1) / 64, 1e-15);
+      EXPECT_NEAR(line.loads.col(i).sum(), line.areas[i], 1e-15);
+    }
+  }
+}
+
+TEST(HarmonicSpace, RefusesWhatItCannotUse) {
+  EXPECT_THROW(HarmonicSpace(grid(), Harmonic::normal, 1), std::invalid_argument);
+  for (const BoundaryPart part : {BoundaryPart::contact, BoundaryPart::far}) {
+    GridData without = grid();
+    for (auto& edge : without.boundary)
+      if (edge.part == part) edge.part = BoundaryPart::free;
+    EXPECT_THROW(HarmonicSpace(without, Harmonic::normal, 2), std::invalid_argument);
+  }
+}
+
+}  // namespace
+}  // namespace fretval::fem

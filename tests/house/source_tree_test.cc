@@ -1,0 +1,156 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace fretval {
+namespace {
+
+namespace fs = std::filesystem;
+using Names = std::set<std::string>;
+
+/// A room, by its folder, and the rooms that its files may include; every room may include itself.
+using House = std::map<std::string, Names>;
+
+/// The plan of docs/architecture.md. Rooms are listed from the ground up; `below` are all of a house listed before.
+House plan() {
+  House house;
+  const auto floors = [&](const std::vector<std::vector<std::string>>& stack, const Names& outside) {
+    Names below = outside;
+    for (const auto& floor : stack) {
+      for (const auto& room : floor) house[room] = below;
+      below.insert(floor.begin(), floor.end());
+    }
+  };
+  floors({{"mdr/support"},
+          {"mdr/profiles"},
+          {"mdr/motion"},
+          {"mdr/rheology"},
+          {"mdr/stick"},
+          {"mdr/springs"},
+          {"mdr/wear"}},
+         {});
+  floors(
+      {{"fem/support"}, {"fem/operators"}, {"fem/condensation"}, {"fem/history"}, {"fem/stick_zone", "fem/full_model"}},
+      {"deal.II", "petsc"});
+  floors({{"meshes"}}, {"gmsh"});
+  Names libraries{"deal.II", "petsc", "gmsh"};
+  for (const auto& [room, below] : house) libraries.insert(room);
+  floors({{"comparison/support"},
+          {"comparison/case"},
+          {"comparison/reference"},
+          {"comparison/simulation"},
+          {"comparison/accuracy"},
+          {"comparison/results"},
+          {"comparison/verification"},
+          {"comparison/verification/exact", "comparison/verification/tolerance", "comparison/verification/extremes",
+           "comparison/verification/random_cases", "comparison/verification/small", "comparison/verification/trade"}},
+         libraries);
+  floors({{"comparison/report"}, {"comparison/command_line"}}, [&] {
+    Names below = libraries;
+    for (const auto& [room, unused] : house) below.insert(room);
+    return below;
+  }());
+  return house;
+}
+
+/// What an #include line includes; empty for any other line.
+std::string included_file(const std::string& line) {
+  const auto hash = line.find_first_not_of(" \t");
+  const auto open = line.find_first_of("<\"");
+  if (hash == std::string::npos || line[hash] != '#' || open == std::string::npos) return "";
+  if (line.find("include", hash) > open) return "";
+  const auto close = line.find_first_of(">\"", open + 1);
+  return close == std::string::npos ? "" : line.substr(open + 1, close - open - 1);
+}
+
+/// The room that an included file belongs to; empty: a library that everybody may use.
+std::string room_of(const std::string& file) {
+  for (const char* library : {"deal.II", "petsc", "gmsh"})
+    if (file.rfind(library, 0) == 0) return library;
+  for (const char* top : {"mdr/", "meshes/", "fem/", "comparison/"})
+    if (file.rfind(top, 0) == 0) return fs::path(file).parent_path().string();
+  return "";
+}
+
+struct Include {
+  std::string file, included;
+};
+
+std::vector<Include> includes_below(const fs::path& root, const std::string& top) {
+  std::vector<Include> found;
+  for (const auto& entry : fs::recursive_directory_iterator(root / top)) {
+    if (entry.path().extension() != ".h" && entry.path().extension() != ".cc") continue;
+    std::ifstream stream(entry.path());
+    for (std::string line; std::getline(stream, line);)
+      if (const auto included = included_file(line); !included.empty())
+        found.push_back({entry.path().lexically_relative(root).string(), included});
+  }
+  return found;
+}
+
+std::vector<Include> all_includes() {
+  std::vector<Include> all;
+  for (const char* top : {"mdr", "meshes", "fem", "comparison"})
+    for (auto& include : includes_below(FRETVAL_SOURCE_DIR, top)) all.push_back(std::move(include));
+  return all;
+}
+
+/// Lines "file: include" that run against a plan.
+std::vector<std::string> against(const House& house, const std::vector<Include>& includes) {
+  std::vector<std::string> found;
+  for (const auto& [file, included] : includes) {
+    const std::string from = room_of(file), to = room_of(included);
+    if (to.empty() || to == from) continue;
+    const auto room = house.find(from);
+    if (room == house.end() || room->second.count(to) == 0) found.push_back(file + ": " + included);
+  }
+  return found;
+}
+
+TEST(SourceTree, IncludesPointDownTheHouse) {
+  EXPECT_EQ(against(plan(), all_includes()), std::vector<std::string>{});
+}
+
+TEST(SourceTree, TheCheckSeesAnIncludeThatRunsUp) {
+  EXPECT_EQ(against(plan(), {{"fem/operators/grid.h", "fem/history/motion.h"}}).size(), 1U);
+  EXPECT_EQ(against(plan(), {{"mdr/stick/a.cc", "fem/history/motion.h"}}).size(), 1U);
+  EXPECT_EQ(against(plan(), {{"fem/history/motion.cc", "mdr/motion/motion.h"}}).size(), 1U);
+  EXPECT_EQ(against(plan(), {{"comparison/new_room/a.h", "comparison/support/files.h"}}).size(), 1U);
+  EXPECT_EQ(against(plan(), {{"fem/history/a.cc", "fem/operators/b.h"}, {"mdr/wear/a.h", "vector"}}).size(), 0U);
+}
+
+/// Files that include each other, by their own names.
+std::vector<std::string> circles(const std::vector<Include>& includes) {
+  std::map<std::string, Names> graph;  // a header and its source are one
+  const auto name = [](const std::string& file) { return fs::path(file).replace_extension().string(); };
+  for (const auto& [file, included] : includes)
+    if (!room_of(included).empty() && name(file) != name(included)) graph[name(file)].insert(name(included));
+  std::vector<std::string> found;
+  for (const auto& [start, unused] : graph) {
+    Names seen;
+    std::vector<std::string> open{start};
+    while (!open.empty()) {
+      const auto here = open.back();
+      open.pop_back();
+      for (const auto& next : graph[here])
+        if (seen.insert(next).second) open.push_back(next);
+    }
+    if (seen.count(start) > 0) found.push_back(start);
+  }
+  return found;
+}
+
+TEST(SourceTree, NoFilesIncludeEachOther) {
+  EXPECT_EQ(circles(all_includes()), std::vector<std::string>{});
+  EXPECT_EQ(circles({{"fem/a/x.h", "fem/a/y.h"}, {"fem/a/y.cc", "fem/a/x.h"}}).size(), 2U);
+}
+
+}  // namespace
+}  // namespace fretval

@@ -1,0 +1,262 @@
+#include "mdr/springs/spring_step.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <vector>
+
+#include "mdr/profiles/indentation.h"
+#include "mdr/springs/spring_energy.h"
+#include "mdr/stick/surface_fields.h"
+
+namespace fretval::mdr {
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+const double mu = 0.4;
+
+SpringBed flat_bed(Eigen::Index n) {
+  return spring_bed([](double) { return 0.0; }, 1.0, n);
+}
+
+TEST(SpringBed, MeanDepthMakesTheFullContactExact) {
+  const SpringBed bed = spring_bed(parabola(2), 0.5, 7);
+  EXPECT_NEAR((bed.width * bed.depth).sum(), transform_integral(parabola(2), 0.5), 1e-15);
+  EXPECT_NEAR(bed.position[6] + bed.width[6] / 2, 0.5, 1e-15);
+  EXPECT_THROW(spring_bed(parabola(1), 0, 5), std::invalid_argument);
+  EXPECT_THROW(spring_bed(parabola(1), 1, 0), std::invalid_argument);
+}
+
+// Hertz and Cattaneo-Mindlin by elastic springs: the force error of a partial spring at the edge is of order width^2.
+TEST(SpringStep, ElasticSpringsAreHertzAndCattaneoMindlin) {
+  const Profile sphere = parabola(2);
+  const double d = 0.1, u_x = 0.03, G = 3;
+  const SpringBed bed = spring_bed(sphere, 0.5, 2000);
+  SpringState state = relaxed_state(bed, elastic(G), 0);
+  const SpringStep step(elastic(G), mu, 1);
+  step.advance(state, bed, {d, 0, 0, 0});
+  EXPECT_NEAR(normal_force(bed, elastic(G), state) / normal_force(sphere, G, d), 1, 1e-6);
+  step.advance(state, bed, {d, 0, u_x, 0});
+  EXPECT_NEAR(tangential_force(bed, elastic(G), state) / tangential_force_cattaneo_mindlin(sphere, G, mu, d, u_x), 1,
+              1e-6);
+  const double c = stick_radius_cattaneo_mindlin(sphere, mu, d, u_x);
+  for (Eigen::Index j = 0; j < 2000; ++j) {
+    if (bed.position[j] < c - 1e-3) {
+      EXPECT_NEAR(state.tangential_shift[j], u_x, 1e-16);
+    }
+    if (bed.position[j] > c + 1e-3) {
+      EXPECT_LT(state.tangential_shift[j], u_x);
+    }
+  }
+}
+
+// Step indentation and relaxation: q = 4 G(t) d, exact for every dt, because the springs of a flat punch stay put.
+TEST(SpringStep, RelaxationAfterAStepIsExact) {
+  const PronyBody body = prony(1, {2, 0.5}, {0.3, 4});
+  const SpringBed bed = flat_bed(3);
+  const double dt = 0.17;
+  SpringState state = relaxed_state(bed, body, 0);
+  // A jump is a motion within a step of no duration.
+  SpringStep(body, mu, 1e-12).advance(state, bed, {0.01, 0, 0, 0});
+  const SpringStep step(body, mu, dt);
+  for (int k = 1; k <= 50; ++k) {
+    step.advance(state, bed, {0.01, 0, 0, 0});
+    EXPECT_NEAR(normal_force(bed, body, state) / (8 * relaxation(body, k * dt) * 0.01), 1, 1e-11);
+  }
+}
+
+// A free Kelvin-Voigt spring recovers as exp(-G0 t/eta), which the fitted theta rule follows exactly for every dt.
+TEST(SpringStep, FreeKelvinVoigtSpringRecoversExactly) {
+  const PronyBody body = kelvin_voigt(2, 0.6);
+  const SpringBed bed = flat_bed(1);
+  for (const double dt : {0.01, 0.3, 5.0}) {
+    SpringState state = relaxed_state(bed, body, 0.1);
+    const SpringStep step(body, mu, dt);
+    for (int k = 1; k <= 4; ++k) {
+      step.advance(state, bed, {-1, 0, 0, 0});
+      EXPECT_NEAR(state.normal_depth[0], 0.1 * std::exp(-k * dt / 0.3), 1e-15) << dt;
+      EXPECT_EQ(state.normal_load[0], 0);
+    }
+  }
+}
+
+// Full stick in permanent contact: force amplitudes |G|, heat pi G'' u^2 per cycle, springs 4 and 8/3 per length.
+TEST(SpringStep, OscillatingFlatPunchHasTheComplexModulus) {
+  for (const PronyBody& body : {standard_solid(1, 2, 0.2), prony(1, {1, 3, 2, 1}, {0.01, 0.1, 1, 10}),
+                                kelvin_voigt(1, 0.4), prony(1, {2}, {0.2}, 0.3)}) {
+    const SpringBed bed = flat_bed(4);
+    const double omega = 2.5, normal = 0.01, tangential = 0.02;
+    double before = 0;
+    for (const int n : {100, 200}) {
+      const double dt = 2 * pi / omega / n;
+      const SpringStep step(body, 10, dt);
+      SpringState state = relaxed_state(bed, body, 1);
+      Dissipation heat;
+      double worst = 0;
+      for (int k = 1; k <= 60 * n; ++k) {
+        const double angle = omega * k * dt;
+        const SpringState last = state;
+        step.advance(state, bed,
+                     {1 + normal * std::sin(angle), normal * omega * std::cos(angle), tangential * std::sin(angle),
+                      tangential * omega * std::cos(angle)});
+        if (k <= 59 * n) continue;
+        const Dissipation more = dissipation(bed, body, 10, dt, last, state);
+        heat = {heat.friction + more.friction, heat.bulk + more.bulk};
+        const std::complex<double> modulus = complex_modulus(body, omega);
+        const double expected =
+            8 * (1 + normal * (modulus.real() * std::sin(angle) + modulus.imag() * std::cos(angle)));
+        worst = std::max(worst, std::abs(normal_force(bed, body, state) - expected));
+      }
+      const double loss = complex_modulus(body, omega).imag();
+      const double expected = pi * loss * (8 * normal * normal + 16.0 / 3 * tangential * tangential);
+      EXPECT_NEAR(heat.bulk / expected, 1, 30.0 / (n * n));
+      EXPECT_NEAR(heat.friction / expected, 0, 1e-11);  // roundoff of the slip times the limit
+      // Second order, or exact to roundoff where there is no branch.
+      if (before > 1e-12) {
+        EXPECT_NEAR(before / worst, 4, 0.2);
+      }
+      before = worst;
+    }
+  }
+}
+
+// Work done on the springs = heat + change of what they store, at every step and up to the third order in it.
+TEST(SpringStep, EnergyBalances) {
+  const Profile sphere = parabola(1);
+  const SpringBed bed = spring_bed(sphere, 0.4, 100);
+  for (const PronyBody& body : {elastic(2), standard_solid(1, 2, 0.2), prony(1, {2, 1}, {0.1, 0.5}, 0.05)}) {
+    double before = 0;
+    for (const int n : {200, 400, 800}) {
+      const double dt = 2.0 / n;
+      const SpringStep step(body, mu, dt);
+      SpringState state = relaxed_state(bed, body, 0.1);
+      const double start = stored_energy(bed, body, state);
+      double work = 0, heat = 0;
+      for (int k = 1; k <= n; ++k) {
+        const double t = k * dt;
+        const SpringState last = state;
+        step.advance(
+            state, bed,
+            {0.1 + 0.04 * std::sin(3 * t), 0.12 * std::cos(3 * t), 0.02 * std::sin(4 * t), 0.08 * std::cos(4 * t)});
+        const Dissipation more = dissipation(bed, body, mu, dt, last, state);
+        heat += more.friction + more.bulk;
+        work += (normal_force(bed, body, last) + normal_force(bed, body, state)) / 2 *
+                    (state.indenter.indentation - last.indenter.indentation) +
+                (tangential_force(bed, body, last) + tangential_force(bed, body, state)) / 2 *
+                    (state.indenter.tangential - last.indenter.tangential);
+      }
+      const double imbalance = std::abs(work - heat - (stored_energy(bed, body, state) - start)) / heat;
+      EXPECT_LT(imbalance, 200.0 / n / n + (body.viscosity > 0 ? 2.0 / n : 0)) << "n = " << n;
+      if (before > 0 && body.viscosity == 0) {
+        EXPECT_LT(imbalance, before);
+      }
+      before = imbalance;
+    }
+  }
+}
+
+// Mindlin and Deresiewicz at constant normal force, in MDR's terms: a spring slips twice a cycle by
+// 2 (u_x0 - (3 mu/2)(d - g)), under mu q_z. Summed over the slip zone and exact for every number of steps.
+TEST(SpringStep, MindlinDeresiewiczLoop) {
+  const Profile sphere = parabola(1);
+  const double d = 0.1, u_x = 0.02, G = 2;
+  const SpringBed bed = spring_bed(sphere, std::sqrt(d), 4000);
+  const SpringStep step(elastic(G), mu, 1);
+  SpringState state = relaxed_state(bed, elastic(G), d);
+  double heat = 0;
+  for (int k = 1; k <= 30; ++k) {
+    const SpringState last = state;
+    step.advance(state, bed, {d, 0, u_x * std::sin(2 * pi * k / 20), 0});
+    if (k > 10) heat += dissipation(bed, elastic(G), mu, 1, last, state).friction;
+  }
+  // int over the slip zone of 2 * 4 mu (4 G)(d - g)(u_x - 1.5 mu (d - g)) dx with g = x^2.
+  const double a = std::sqrt(d), c = std::sqrt(d - u_x / (1.5 * mu));
+  const auto primitive = [&](double x) {
+    const double first = d * x - x * x * x / 3;
+    const double second = d * d * x - 2 * d * x * x * x / 3 + std::pow(x, 5) / 5;
+    return 2 * 4 * mu * 4 * G * (u_x * first - 1.5 * mu * second);
+  };
+  EXPECT_NEAR(heat / (primitive(a) - primitive(c)), 1, 1e-5);  // partial springs at both edges, width^2
+}
+
+// Relaxation damping, Popov, Popov and Pohrt (2015): with unlimited friction a spring loses what it stores under
+// traction when contact opens. Stuck at u_x = s, pulled to s + e, then lifted: 2 (8/3) G e^2/2 per length.
+TEST(SpringStep, RelaxationDampingReleasesTheTangentialEnergy) {
+  const PronyBody body = elastic(3);
+  const SpringBed bed = flat_bed(10);
+  const SpringStep step(body, 1e9, 1);
+  SpringState state = relaxed_state(bed, body, 0.1);
+  step.advance(state, bed, {0.1, 0, 0.01, 0});
+  const SpringState loaded = state;
+  step.advance(state, bed, {-0.1, 0, 0.01, 0});
+  EXPECT_NEAR(dissipation(bed, body, 1e9, 1, loaded, state).friction, 8.0 / 3 * 3 * 0.01 * 0.01, 1e-12);
+  EXPECT_EQ(stored_energy(bed, body, state), 0);
+}
+
+TEST(SpringStep, ForceControlFindsTheMotionOfTheIndenter) {
+  const Profile sphere = parabola(1);
+  const SpringBed bed = spring_bed(sphere, 0.5, 300);
+  for (const PronyBody& body : {elastic(2), standard_solid(1, 2, 0.2), kelvin_voigt(1, 0.3)}) {
+    const SpringStep step(body, mu, 0.05);
+    SpringState state = relaxed_state(bed, body, 0.05);
+    for (int k = 1; k <= 40; ++k) {
+      const double load = 0.012 * (1 + 0.3 * std::sin(0.4 * k)), traction = 0.3 * 1.5 * mu * load * std::sin(0.7 * k);
+      const double d = step.indentation_for_load(state, bed, load);
+      const double u_x = step.tangential_for_load(state, bed, d, traction);
+      const double rate = (d - state.indenter.indentation) / 0.05, rate_x = (u_x - state.indenter.tangential) / 0.05;
+      step.advance(state, bed, {d, rate, u_x, rate_x});
+      EXPECT_NEAR((bed.width * state.normal_load).sum() / load, 1, 1e-12);
+      EXPECT_NEAR((bed.width * state.tangential_load).sum(), traction, 1e-12 * load);
+    }
+    EXPECT_THROW(static_cast<void>(step.tangential_for_load(state, bed, state.indenter.indentation, 1)),
+                 std::runtime_error);
+    EXPECT_THROW(static_cast<void>(step.indentation_for_load(state, bed, -1)), std::invalid_argument);
+  }
+}
+
+// Elastic force control is quasi-static: the forces give back Hertz' indentation.
+TEST(SpringStep, ForceControlledElasticContactIsHertz) {
+  const Profile sphere = parabola(1);
+  const SpringBed bed = spring_bed(sphere, 0.5, 2000);
+  const SpringStep step(elastic(2), mu, 1);
+  const double d =
+      step.indentation_for_load(relaxed_state(bed, elastic(2), 0.01), bed, normal_force(sphere, 2, 0.1) / (8 * 2));
+  EXPECT_NEAR(d / 0.1, 1, 1e-6);
+}
+
+// A branch split into several with its relaxation time is the same body, whether the number of branches is known to the
+// compiler (up to three) or not: oblique, with slip and loss of contact.
+TEST(SpringStep, ASplitBranchIsTheSameBody) {
+  const SpringBed bed = spring_bed(parabola(1), 0.5, 50);
+  const auto end_of_path = [&](const PronyBody& body) {
+    const SpringStep step(body, mu, 0.05);
+    SpringState state = relaxed_state(bed, body, 0.1);
+    for (int k = 1; k <= 64; ++k) {
+      const double d = 0.1 + 0.12 * std::sin(0.3 * k), u_x = 0.05 * std::sin(0.2 * k);
+      step.advance(state, bed,
+                   {d, (d - state.indenter.indentation) / 0.05, u_x, (u_x - state.indenter.tangential) / 0.05});
+    }
+    return state;
+  };
+  const SpringState whole = end_of_path(prony(1, {2}, {0.3}));
+  ASSERT_GT(whole.tangential_load.abs().maxCoeff(), 1e-3);
+  for (const auto& moduli :
+       {std::vector<double>{0.5, 1.5}, {0.25, 0.75, 1}, {0.25, 0.75, 0.5, 0.5}, {0.25, 0.25, 0.5, 0.5, 0.5}}) {
+    const SpringState split = end_of_path(prony(1, moduli, std::vector<double>(moduli.size(), 0.3)));
+    EXPECT_LT((split.normal_load - whole.normal_load).abs().maxCoeff(), 1e-14) << moduli.size();
+    EXPECT_LT((split.tangential_load - whole.tangential_load).abs().maxCoeff(), 1e-14) << moduli.size();
+    EXPECT_LT((split.normal_memory.rowwise().sum() - whole.normal_memory.col(0)).abs().maxCoeff(), 1e-14);
+    EXPECT_LT((split.tangential_memory.rowwise().sum() - whole.tangential_memory.col(0)).abs().maxCoeff(), 1e-14);
+  }
+}
+
+TEST(SpringStep, RejectsBadArguments) {
+  EXPECT_THROW(SpringStep(elastic(1), 0, 1), std::invalid_argument);
+  EXPECT_THROW(SpringStep(elastic(1), 1, 0), std::invalid_argument);
+  EXPECT_THROW(relaxed_state(flat_bed(2), elastic(1), NAN), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace fretval::mdr
