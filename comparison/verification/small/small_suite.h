@@ -8,22 +8,22 @@
 
 namespace fretval {
 
-/// The CI check: a few small scenes on the two committed meshes of meshes/small. Each scene is there twice, on the
+/// The CI check: a few small cases on the two committed meshes of meshes/small. Each case is there twice, on the
 /// coarse and on the fine mesh, with the tolerances that the ring width of the mesh allows.
-struct CheckScene {
+struct SmallCase {
   PreparedCase prepared;
   std::filesystem::path mesh;
 };
 
 /// meshes: folder with coarse.msh and fine.msh.
-std::vector<CheckScene> check_scenes(const std::filesystem::path& meshes);
+std::vector<SmallCase> small_cases(const std::filesystem::path& meshes);
 
 /// The folder of the committed meshes.
 std::filesystem::path small_meshes();
 
-/// Runs the scenes; one line each, in their order. Throws InputError or meshes::MeshError if the committed files are
+/// Runs the cases; one line each, in their order. Throws InputError or meshes::MeshError if the committed files are
 /// damaged.
-std::vector<BatchLine> run_check(const std::vector<CheckScene>& scenes);
+std::vector<BatchLine> run_small_suite(const std::vector<SmallCase>& cases);
 
 /// JUnit XML of the lines, for CI systems.
 std::string junit_xml(const std::vector<BatchLine>& lines);
