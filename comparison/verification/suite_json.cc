@@ -43,7 +43,7 @@ ordered_json json_of(const SuiteRow& row) {
 }  // namespace
 
 ordered_json suite_json(const SuiteRun& run) {
-  const auto counts = counts_of(run.rows);
+  const auto errors = count_errors(run.rows);
   long n_computations = 0;
   for (const auto& row : run.rows) n_computations += row.n_computations;
   auto checks = ordered_json::array(), quantities = ordered_json::array(), rows = ordered_json::array();
@@ -55,13 +55,13 @@ ordered_json suite_json(const SuiteRun& run) {
           {"about", run.about},
           {"summary",
            {{"pass", run.passes()},
-            {"cases", counts.n_rows},
-            {"agree", counts.n_agree},
-            {"refused", counts.n_refused},
-            {"inconclusive", counts.n_inconclusive},
-            {"fail", counts.n_fail},
-            {"errors", counts.n_errors},
-            {"above_bar", counts.n_above},
+            {"cases", run.rows.size()},
+            {"agree", count(run.rows, RowVerdict::agrees)},
+            {"refused", count(run.rows, RowVerdict::refused)},
+            {"inconclusive", count(run.rows, RowVerdict::inconclusive)},
+            {"fail", count(run.rows, RowVerdict::fails)},
+            {"errors", errors.n},
+            {"above_bar", errors.n_above},
             {"computations", n_computations},
             {"seconds", run.seconds}}},
           {"checks", std::move(checks)},

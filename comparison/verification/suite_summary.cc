@@ -62,27 +62,26 @@ std::vector<QuantitySummary> quantity_summaries(const std::vector<SuiteRow>& row
   return summaries;
 }
 
-SuiteCounts counts_of(const std::vector<SuiteRow>& rows) {
-  SuiteCounts counts;
-  for (const auto& row : rows) {
-    ++counts.n_rows;
-    const auto verdict = verdict_of(row);
-    counts.n_agree += verdict == RowVerdict::agrees ? 1 : 0;
-    counts.n_refused += verdict == RowVerdict::refused ? 1 : 0;
-    counts.n_inconclusive += verdict == RowVerdict::inconclusive ? 1 : 0;
-    counts.n_fail += verdict == RowVerdict::fails ? 1 : 0;
-    for (const auto& [quantity, compared] : row.compared) {
-      ++counts.n_errors;
-      counts.n_above += compared.share() > 1 ? 1 : 0;
-    }
+std::size_t count(const std::vector<SuiteRow>& rows, RowVerdict verdict) {
+  return static_cast<std::size_t>(
+      std::count_if(rows.begin(), rows.end(), [&](const SuiteRow& row) { return verdict_of(row) == verdict; }));
+}
+
+ErrorCounts count_errors(const std::vector<SuiteRow>& rows) {
+  ErrorCounts counts;
+  for (const auto& summary : quantity_summaries(rows)) {
+    counts.n += summary.n;
+    counts.n_above += summary.n_above;
   }
   return counts;
 }
 
-std::string text_of(const SuiteCounts& c) {
+std::string counts_text(const std::vector<SuiteRow>& rows) {
+  const auto errors = count_errors(rows);
   return fmt::format(
-      "{} cases: {} agree, {} refused as expected, {} inconclusive, {} FAIL; {} of {} errors are covered", c.n_rows,
-      c.n_agree, c.n_refused, c.n_inconclusive, c.n_fail, c.n_errors - c.n_above, c.n_errors);
+      "{} cases: {} agree, {} refused as expected, {} inconclusive, {} FAIL; {} of {} errors are covered", rows.size(),
+      count(rows, RowVerdict::agrees), count(rows, RowVerdict::refused), count(rows, RowVerdict::inconclusive),
+      count(rows, RowVerdict::fails), errors.n - errors.n_above, errors.n);
 }
 
 const ComparedQuantities::value_type* worst_of(const SuiteRow& row) {

@@ -28,15 +28,17 @@ struct QuantitySummary {
 /// By quantity and tolerance.
 std::vector<QuantitySummary> quantity_summaries(const std::vector<SuiteRow>& rows);
 
-/// How many rows came to each verdict, and how many errors there are and are above their bars.
-struct SuiteCounts {
-  std::size_t n_rows = 0, n_agree = 0, n_refused = 0, n_inconclusive = 0, n_fail = 0;
-  std::size_t n_errors = 0, n_above = 0;
+/// How many rows came to a verdict.
+std::size_t count(const std::vector<SuiteRow>& rows, RowVerdict verdict);
+
+/// How many errors there are, and how many of them are above their bars.
+struct ErrorCounts {
+  std::size_t n = 0, n_above = 0;
 };
-SuiteCounts counts_of(const std::vector<SuiteRow>& rows);
+ErrorCounts count_errors(const std::vector<SuiteRow>& rows);
 
 /// "160 cases: 134 agree, 22 refused as expected, 4 inconclusive, 0 FAIL; 570 of 570 errors are covered"
-std::string text_of(const SuiteCounts& counts);
+std::string counts_text(const std::vector<SuiteRow>& rows);
 
 /// The quantity with the largest share of its bar; null: nothing was compared.
 const ComparedQuantities::value_type* worst_of(const SuiteRow& row);

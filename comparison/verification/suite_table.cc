@@ -61,7 +61,7 @@ std::string suite_table(const SuiteRun& run) {
   for (const auto& summary : quantity_summaries(run.rows)) text += line_of(summary);
   for (const auto& check : run.checks)
     text += fmt::format("{}: {}{}\n", check.name, check.finding, check.failure.empty() ? "" : ": " + check.failure);
-  return text + fmt::format("{}: {}\n", run.passes() ? "pass" : "FAIL", text_of(counts_of(run.rows)));
+  return text + fmt::format("{}: {}\n", run.passes() ? "pass" : "FAIL", counts_text(run.rows));
 }
 
 std::string suite_junit(const SuiteRun& run) {

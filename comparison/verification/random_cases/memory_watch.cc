@@ -18,28 +18,15 @@ double median_bytes(const std::vector<MemorySample>& samples, std::size_t begin,
 
 }  // namespace
 
-double MemoryGrowth::bytes_per_case() const {
-  return (end - start) / static_cast<double>(n_cases);
-}
-
-bool MemoryGrowth::is_flat() const {
-  return end - start <= most_growth;
-}
-
-std::optional<MemoryGrowth> memory_growth(const std::vector<MemorySample>& samples) {
-  const std::size_t n = samples.size();
-  if (n < fewest_samples) return std::nullopt;
-  return MemoryGrowth{median_bytes(samples, n / 4, n / 2), median_bytes(samples, n - n / 4, n),
-                      samples.back().n_cases / 2};
-}
-
 SuiteCheck memory_check(const std::vector<MemorySample>& samples) {
-  const auto growth = memory_growth(samples);
-  if (!growth) return {"memory", "too few cases to judge", ""};
+  const std::size_t n = samples.size();
+  if (n < fewest_samples) return {"memory", "too few cases to judge", ""};
+  const double start = median_bytes(samples, n / 4, n / 2), end = median_bytes(samples, n - n / 4, n);
+  const auto n_cases = static_cast<double>(samples.back().n_cases) / 2;  // from the middle of the one to the other's
   return {"memory",
-          fmt::format("{:.1f} MB in the second quarter, {:.1f} MB in the last, {:.0f} bytes per case",
-                      growth->start / 1e6, growth->end / 1e6, growth->bytes_per_case()),
-          growth->is_flat() ? "" : "it grows"};
+          fmt::format("{:.1f} MB in the second quarter, {:.1f} MB in the last, {:.0f} bytes per case", start / 1e6,
+                      end / 1e6, (end - start) / n_cases),
+          end - start <= most_growth ? "" : "it grows"};
 }
 
 }  // namespace fretval

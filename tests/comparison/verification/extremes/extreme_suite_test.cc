@@ -42,7 +42,7 @@ TEST(Extremes, OfTheShortFormEndInAnAnswerOrANamedRefusal) {
   const auto run = run_extreme_suite(rows);
   EXPECT_EQ(run.rows.size(), rows.size());
   EXPECT_TRUE(run.passes()) << suite_table(run);
-  EXPECT_EQ(counts_of(run.rows).n_inconclusive, 0U) << suite_table(run);
+  EXPECT_EQ(count(run.rows, RowVerdict::inconclusive), 0U) << suite_table(run);
   for (std::size_t i = 0; i < rows.size(); ++i)
     EXPECT_EQ(verdict_of(run.rows[i]) == RowVerdict::refused, !rows[i].refusal.empty()) << rows[i].value;
 }

@@ -21,9 +21,7 @@ TEST(RandomSuite, RunsEveryCaseWithinItsBars) {
   const auto run = run_random_suite(options);
   EXPECT_TRUE(run.passes()) << suite_table(run);
   ASSERT_EQ(run.rows.size(), 40U);
-  const auto counts = counts_of(run.rows);
-  EXPECT_EQ(counts.n_fail, 0U);
-  EXPECT_GT(counts.n_errors, 150U);
+  EXPECT_GT(count_errors(run.rows).n, 150U);
   long n_computations = 0;
   for (const auto& row : run.rows) {
     EXPECT_EQ(row.n_refinements, 0);
