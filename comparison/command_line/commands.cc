@@ -3,24 +3,18 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <memory>
 
+#include "comparison/accuracy/prepared_case.h"
 #include "comparison/case/case_file.h"
 #include "comparison/command_line/check_command.h"
 #include "comparison/command_line/exit_codes.h"
 #include "comparison/command_line/mdr_command.h"
-#include "comparison/command_line/terminal.h"
+#include "comparison/command_line/run_command.h"
 #include "comparison/command_line/trade_command.h"
 #include "comparison/report/report.h"
-#include "comparison/results/batch.h"
-#include "comparison/results/case_result.h"
-#include "comparison/support/folder_lock.h"
-#include "comparison/support/log.h"
-#include "comparison/support/stopwatch.h"
-#include "fem/condensation/petsc_session.h"
 #include "meshes/msh_file.h"
 #include "meshes/quality.h"
 
@@ -28,49 +22,6 @@ namespace fretval {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::vector<Case> read_cases(const std::vector<std::string>& files) {
-  std::vector<Case> cases;
-  for (const auto& file : files)
-    for (auto& scene : read_case_file(file)) cases.push_back(std::move(scene));
-  return cases;
-}
-
-int exit_code_of(const std::vector<BatchLine>& lines) {
-  const auto failed = [](const BatchLine& line) { return !line.failure.empty(); };
-  if (std::any_of(lines.begin(), lines.end(), failed)) return exit_numerics_failed;
-  const auto agrees = [](const BatchLine& line) { return line.pass; };
-  return std::all_of(lines.begin(), lines.end(), agrees) ? exit_agree : exit_disagree;
-}
-
-/// Says what the scenes do not need, and so is not computed.
-void log_left_out(const std::vector<PreparedCase>& prepared) {
-  std::map<std::string, int> counts;
-  for (const auto& one : prepared)
-    for (const auto& words : left_out(one.fem)) ++counts[words];
-  for (const auto& [words, n] : counts) log::info(fmt::format("{} of {} cases: {}", n, prepared.size(), words));
-}
-
-int run_cases(const std::vector<std::string>& files, const fs::path& output) {
-  Stopwatch watch;
-  const auto prepared = prepare(read_cases(files));
-  for (const auto& one : prepared)
-    for (const auto& warning : one.scene.warnings) log::warn(warning);
-  log_left_out(prepared);
-  const FolderLock lock(output);
-  const fem::PetscSession session;
-  Progress progress;
-  BatchHooks hooks;
-  hooks.progress = [&](const BatchLine& line, std::size_t n_done, std::size_t n_cases) {
-    progress.show(line, n_done, n_cases);
-  };
-  const auto lines = run_batch(prepared, output, hooks);
-  print_verdicts(lines);
-  if (std::any_of(lines.begin(), lines.end(), [](const BatchLine& line) { return line.failure.empty(); }))
-    log::info(fmt::format("report: {}", write_report(output).string()));
-  log::info(fmt::format("{} cases in {:.1f} s", lines.size(), watch.lap()));
-  return exit_code_of(lines);
-}
 
 int write_mesh(const std::string& file, const std::string& output) {
   const auto cases = read_case_file(file);
@@ -93,6 +44,7 @@ void add_commands(CLI::App& app, Command& command) {
   struct Options {
     std::vector<std::string> files;
     std::string file, output = "results", mesh;
+    Proof proof = Proof::tolerance;
     MdrOptions mdr;
     CheckOptions check;
   };
@@ -110,7 +62,14 @@ void add_commands(CLI::App& app, Command& command) {
   auto* run = app.add_subcommand("run", "MDR and finite elements, compared; writes the results and the report");
   run->add_option("cases", options->files, "Case files (.prm or .json)")->required();
   run->add_option("-o,--output", options->output, "Folder for the results")->capture_default_str();
-  run->callback([=, &command] { command = [=] { return run_cases(options->files, options->output); }; });
+  run->add_option("--proof", options->proof,
+                  "How far the finite elements are proved: none, the answer alone; bars, with error bars whatever they "
+                  "are; tolerance, refined until the bars meet the tolerance")
+      ->transform(CLI::CheckedTransformer(
+          std::map<std::string, Proof>{{"none", Proof::none}, {"bars", Proof::bars}, {"tolerance", Proof::tolerance}}))
+      ->default_str("tolerance");
+  run->callback(
+      [=, &command] { command = [=] { return run_cases(options->files, options->output, options->proof); }; });
 
   auto* check = app.add_subcommand(
       "check",
