@@ -70,15 +70,4 @@ void print_verdicts(const std::vector<BatchLine>& lines) {
   std::fflush(stdout);  // before the log goes on
 }
 
-std::string differences_of(const BatchLine& line) {
-  std::string text;
-  for (const auto& [quantity, d] : line.comparison)
-    text += fmt::format("{}{} {}/{:.1e}{}", text.empty() ? "" : ", ", name_of(quantity),
-                        d.difference ? fmt::format("{:.1e}", *d.difference)
-                        : d.passes() ? "none in both"
-                                     : "in one only",
-                        d.tolerance, d.passes() ? "" : " !");
-  return text;
-}
-
 }  // namespace fretval

@@ -17,7 +17,7 @@
 
 namespace fretval {
 
-// What the rows of the verification ladder share. For exact_*_rows.cc alone.
+// What the rows of the suite `exact` share. For exact_*_rows.cc alone.
 
 constexpr double friction_coefficient = 0.4;
 constexpr int n_positions = 193;
