@@ -347,10 +347,10 @@ TEST(FrictionHistory, SaysWhenItIsNotPeriodic) {
   const Motion motion = fretting(1, 45);
   const auto normal = press(elastic_body(), motion);
   HistoryControl control;
-  control.max_cycles = 1;
+  control.max_cycles = normal.n_cycles + 1;  // of both: the friction has been beside the normal contact so far
   expect_solver_error(
       [&] { friction_history(tangential_half_space(n_per_radius), elastic_body(), mu, motion, normal, control); },
-      {"tangential response is not periodic", "1 cycles", "1.0e-07"});
+      {"tangential response is not periodic", std::to_string(control.max_cycles) + " cycles", "1.0e-07"});
 }
 
 }  // namespace
