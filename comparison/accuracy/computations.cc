@@ -10,9 +10,9 @@
 namespace fretval {
 namespace {
 
-Computation attempt(const FemCase& fem, const Resolution& resolution, BodyStore& bodies) {
+Computation attempt(const Compute& compute, const Resolution& resolution) {
   try {
-    return {compute_case(fem, resolution, bodies)};
+    return {compute(resolution)};
   } catch (const fem::SolverError& error) {
     return {{}, error.what()};
   } catch (const meshes::MeshError& error) {
@@ -29,9 +29,9 @@ void Computations::compute(const std::vector<Resolution>& resolutions) {
       missing.push_back(resolution);
   std::vector<Computation> computed(missing.size());
   for_each_in_parallel(
-      missing.size(), [&](std::size_t i) { computed[i] = attempt(fem_, missing[i], bodies_); }, n_threads_);
+      missing.size(), [&](std::size_t i) { computed[i] = attempt(compute_, missing[i]); }, n_threads_);
   for (std::size_t i = 0; i < missing.size(); ++i) {
-    quantities_[missing[i]] = computed[i].failure.empty() ? quantities_of(computed[i].fe, fem_.units) : Quantities{};
+    quantities_[missing[i]] = computed[i].failure.empty() ? quantities_of(computed[i].fe, units_) : Quantities{};
     all_[missing[i]] = std::move(computed[i]);
   }
 }

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <functional>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "comparison/accuracy/quantity.h"
@@ -15,12 +17,15 @@ struct Computation {
   std::string failure = {};
 };
 
+/// Computes a case at a resolution, as compute_case does.
+using Compute = std::function<FeAnswer(const Resolution&)>;
+
 /// A case at all the resolutions that its proof asks for, each computed once.
 class Computations {
  public:
-  /// n_threads: how many may be computed at once. The case and the bodies must outlive this.
-  Computations(const FemCase& fem, BodyStore& bodies, std::size_t n_threads)
-      : fem_(fem), bodies_(bodies), n_threads_(n_threads) {}
+  /// n_threads: how many may be computed at once.
+  Computations(const Units& units, Compute compute, std::size_t n_threads)
+      : units_(units), compute_(std::move(compute)), n_threads_(n_threads) {}
 
   /// Those that are not there yet. Failures of the numerics are part of the answer; anything else is thrown.
   void compute(const std::vector<Resolution>& resolutions);
@@ -32,8 +37,8 @@ class Computations {
   [[nodiscard]] int size() const { return static_cast<int>(all_.size()); }
 
  private:
-  const FemCase& fem_;
-  BodyStore& bodies_;
+  Units units_;
+  Compute compute_;
   std::size_t n_threads_;
   std::map<Resolution, Computation> all_;
   std::map<Resolution, Quantities> quantities_;

@@ -132,7 +132,13 @@ const char* name_of(Proof proof) {
 }
 
 ProvedAnswer prove(const PreparedCase& prepared, Proof proof, BodyStore& bodies, std::size_t n_threads) {
-  Computations computed(prepared.fem, bodies, n_threads);
+  return prove(
+      prepared, proof, [&](const Resolution& resolution) { return compute_case(prepared.fem, resolution, bodies); },
+      n_threads);
+}
+
+ProvedAnswer prove(const PreparedCase& prepared, Proof proof, const Compute& compute, std::size_t n_threads) {
+  Computations computed(prepared.fem.units, compute, n_threads);
   Tracks tracks{prepared.fem.resolution, {}};
   ProvedAnswer answer;
   if (proof == Proof::none) computed.compute(tracks.all());

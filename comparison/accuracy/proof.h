@@ -4,6 +4,7 @@
 #include <map>
 #include <string>
 
+#include "comparison/accuracy/computations.h"
 #include "comparison/accuracy/error_budget.h"
 #include "comparison/accuracy/prepared_case.h"
 #include "comparison/simulation/body_store.h"
@@ -40,5 +41,8 @@ struct ProvedAnswer {
 /// Rings and steps that the case file fixes stay as they are. n_threads: for the computations of one step.
 /// Safe to call from several threads with one store of bodies.
 ProvedAnswer prove(const PreparedCase& prepared, Proof proof, BodyStore& bodies, std::size_t n_threads = n_cores());
+
+/// The same with another way to compute the case.
+ProvedAnswer prove(const PreparedCase& prepared, Proof proof, const Compute& compute, std::size_t n_threads = 1);
 
 }  // namespace fretval

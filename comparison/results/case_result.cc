@@ -68,17 +68,17 @@ void write_history(const CaseResult& result, const mdr::NormalResponse& referenc
   const auto& history = result.fe.fe.normal;
   const auto& friction = result.fe.fe.friction;
   const Eigen::Index n = friction.traction.cols();
-  const Eigen::Index first = friction.force.size() - n;
+  const long first = friction.n_steps + 1 - n;
   const double dt = 2 * pi / history.steps_per_cycle;
   Eigen::VectorXd time(n), indentation(n), displacement(n), normal_force(n), mdr_force(n), tangential_force(n);
   for (Eigen::Index k = 0; k < n; ++k) {
-    const double t = history.time[1] + static_cast<double>(first + k - 1) * dt;
+    const double t = history.first_balance + static_cast<double>(first + k - 1) * dt;
     time[k] = t / fem.units.angular_frequency;
     indentation[k] = fem::normal_motion(fem.motion, t).value * fem.units.depth;
     displacement[k] = fem::tangential_motion(fem.motion, t).value * fem.units.depth;
     normal_force[k] = history.force[history.column(first + k)] * fem.units.force();
     mdr_force[k] = periodic_value(reference.normal_force, t / (2 * pi));
-    tangential_force[k] = friction.force[first + k] * fem.units.force();
+    tangential_force[k] = friction.force[k] * fem.units.force();
   }
   write_csv(file, {{"t [s]", time},
                    {"d [m]", indentation},

@@ -1,6 +1,7 @@
 #include "comparison/simulation/compute_case.h"
 
 #include "comparison/support/stopwatch.h"
+#include "fem/history/static_contact.h"
 
 namespace fretval {
 namespace {
@@ -22,6 +23,28 @@ class ProblemsAtSlack {
  private:
   const ContactBody& body_;
   std::optional<fem::ContactProblem> normal_, tangential_;
+};
+
+/// Friction beside the normal contact, or none where the indenter does not move tangentially.
+class Friction {
+ public:
+  Friction(const ContactProblems& problems, const FemCase& fem, const fem::NormalContact& at_start) {
+    if (problems.tangential)
+      moved_.emplace(*problems.tangential, fem.relaxation, fem.friction_coefficient, fem.motion,
+                     at_start.steps_per_cycle());
+    else
+      at_rest_.emplace(at_start, fem.friction_coefficient);
+  }
+
+  void step(const Eigen::VectorXd& pressure) { moved_ ? moved_->step(pressure) : at_rest_->step(pressure); }
+
+  [[nodiscard]] fem::FrictionHistory history(const fem::NormalHistory& normal, const fem::HistoryControl& control) {
+    return moved_ ? fem::friction_history(std::move(*moved_), normal, control) : at_rest_->history(normal);
+  }
+
+ private:
+  std::optional<fem::WatchedFriction> moved_;
+  std::optional<fem::FrictionAtRest> at_rest_;
 };
 
 fem::HistoryControl control_of(const FemCase& fem) {
@@ -48,12 +71,15 @@ FeAnswer compute_case(const FemCase& fem_case, const Resolution& resolution, Bod
   const auto control = control_of(fem);
 
   watch.lap();
-  auto normal = fem::normal_history(problems.normal, fem.relaxation, profile, fem.motion, control);
-  const auto contact_radius = read_contact_radius(problems.normal, fem, profile, normal);
+  const int steps_per_cycle = control.steps_per_cycle;
+  fem::NormalContact normal_contact(problems.normal, fem.relaxation, profile, fem.motion, steps_per_cycle);
+  Friction friction_contact(problems, fem, normal_contact);
+  auto normal = fem::normal_history(std::move(normal_contact), control, [&](const fem::NormalContact& contact) {
+    friction_contact.step(contact.pressure);
+  });
   const double normal_seconds = watch.lap();
-  auto friction = problems.tangential ? fem::friction_history(*problems.tangential, fem.relaxation,
-                                                              fem.friction_coefficient, fem.motion, normal, control)
-                                      : history_at_rest(problems.normal, fem.friction_coefficient, normal);
+  const auto contact_radius = read_contact_radius(problems.normal, fem, profile, normal);
+  auto friction = friction_contact.history(normal, control);
 
   auto answer = read_answer(problems, fem, profile, contact_radius, std::move(normal), std::move(friction));
   answer.body = body->summary;

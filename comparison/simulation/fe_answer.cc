@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "fem/history/running_minimum.h"
 #include "fem/stick_zone/contact_radius.h"
 #include "fem/stick_zone/edge_near_largest_contact.h"
 #include "fem/stick_zone/largest_force.h"
@@ -26,7 +25,7 @@ Eigen::Index rings_within(const fem::Compliance& compliance, double radius) {
 
 double largest_share_outside(const fem::NormalHistory& history, const Eigen::VectorXd& areas, Eigen::Index n_inside) {
   double share = 0;
-  for (Eigen::Index k = history.force.size() - history.steps_per_cycle; k < history.force.size(); ++k) {
+  for (Eigen::Index k = 0; k < history.force.size(); ++k) {
     const Eigen::Index n_outside = areas.size() - n_inside;
     const double outside = history.pressure.col(k).tail(n_outside).dot(areas.tail(n_outside));
     if (history.force[k] > 0) share = std::max(share, outside / history.force[k]);
@@ -105,29 +104,6 @@ std::optional<ContactRadius> read_contact_radius(const fem::ContactProblem& prob
   return ContactRadius{radius, 2 * std::abs(other.radius - radius)};
 }
 
-fem::FrictionHistory history_at_rest(const fem::ContactProblem& problem, double friction_coefficient,
-                                     const fem::NormalHistory& normal) {
-  const Eigen::Index n = problem.n_rings(), n_instants = normal.pressure.cols(), n_steps = normal.steps_per_cycle;
-  const Eigen::MatrixXd limit = friction_coefficient * normal.pressure;
-  const Eigen::MatrixXd reserve = problem.series.depths(limit);
-  constexpr double none = -std::numeric_limits<double>::infinity();
-  const auto smallest = [](const Eigen::MatrixXd& samples) {
-    fem::RunningMinimum minimum(samples.rows(), none);
-    for (Eigen::Index k = 0; k < samples.cols(); ++k) minimum.add(samples.col(k));
-    return minimum.value();
-  };
-  fem::FrictionHistory history{};
-  history.n_cycles = normal.n_cycles;
-  history.first_slip_margin = limit.rowwise().minCoeff();
-  history.shakedown_margin = limit.rightCols(n_steps).rowwise().minCoeff();
-  history.first_slip_reserve = smallest(reserve);
-  history.shakedown_reserve = smallest(reserve.rightCols(n_steps));
-  history.slip_path = history.period_slip = history.friction_work = history.displacement = Eigen::VectorXd::Zero(n);
-  history.force = Eigen::VectorXd::Zero(n_instants);
-  history.traction = Eigen::MatrixXd::Zero(n, n_steps);
-  return history;
-}
-
 FeAnswer read_answer(const ContactProblems& problems, const FemCase& fem, const Eigen::VectorXd& profile,
                      const std::optional<ContactRadius>& contact_radius, fem::NormalHistory&& normal,
                      fem::FrictionHistory&& friction) {
@@ -155,7 +131,7 @@ FeAnswer read_answer(const ContactProblems& problems, const FemCase& fem, const 
   answer.normal_force_max = force.value * fem.units.force();
   answer.normal_force_uncertainty = force.uncertainty * fem.units.force();
   answer.n_cycles = friction.n_cycles;
-  answer.n_steps = friction.force.size() - 1;
+  answer.n_steps = friction.n_steps;
   answer.normal = std::move(normal);
   answer.friction = std::move(friction);
   if (!fem.worn_edge) add_stick_depths(problem.series, fem, answer);

@@ -26,7 +26,8 @@ struct ZoneRings {
   fem::StuckRings stuck = {};
 };
 
-/// Seconds that the histories of a case took.
+/// Seconds that the histories of a case took: until the normal contact repeats, with the friction beside it, and until
+/// that repeats too.
 struct HistoryCost {
   double normal = 0, friction = 0;
 };
@@ -73,10 +74,6 @@ struct ContactRadius {
 /// (fem::read_edges_near_largest_contact). Empty for a worn profile, see FeAnswer.
 std::optional<ContactRadius> read_contact_radius(const fem::ContactProblem& problem, const FemCase& fem,
                                                  const Eigen::VectorXd& profile, fem::NormalHistory& history);
-
-/// Where the indenter does not move tangentially, nothing slips: a margin is the friction limit itself.
-fem::FrictionHistory history_at_rest(const fem::ContactProblem& problem, double friction_coefficient,
-                                     const fem::NormalHistory& normal);
 
 /// Reads everything but the contact radius from the histories, which it keeps. profile: ring means.
 FeAnswer read_answer(const ContactProblems& problems, const FemCase& fem, const Eigen::VectorXd& profile,

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "fem/full_model/strain_memory.h"
+#include "fem/full_model/strain_field.h"
 #include "fem/support/solver_error.h"
 
 namespace fretval::fem {
@@ -39,7 +39,10 @@ class Stepper {
         strain_(space),
         motion_(std::move(motion)),
         dt_(2 * pi / steps_per_cycle),
-        memory_(relaxation, dt_, strain_.of(start.displacement), strain_.of(start.driven)),
+        step_(relaxation, dt_),
+        driven_strain_(strain_.of(start.driven)),
+        state_{strain_.of(start.displacement),
+               Eigen::MatrixXd::Zero(driven_strain_.size(), static_cast<Eigen::Index>(relaxation.moduli.size()))},
         driven_(std::move(start.driven)),
         displacement_(std::move(start.displacement)) {}
 
@@ -47,12 +50,13 @@ class Stepper {
   /// at the bounds.
   Eigen::VectorXd compute_step(int index, const Eigen::VectorXd& interior_slip, const Eigen::VectorXd& lower,
                                const Eigen::VectorXd& upper, std::vector<BoxState>& state) {
-    const double begin = time(index), balance = begin + memory_.fraction() * dt_;
-    const Eigen::VectorXd force = strain_.force(memory_.stress_without_slip(indenter_move(motion_, begin, balance)));
-    auto solution = solver_.solve(force, -memory_.instantaneous() * interior_slip, lower, upper, state);
-    const Eigen::VectorXd slip = -solution.field / memory_.instantaneous();
+    const double begin = time(index), balance = begin + step_.fraction() * dt_;
+    const Eigen::VectorXd force =
+        strain_.force(step_.response_without_slip(state_, indenter_move(motion_, begin, balance), driven_strain_));
+    auto solution = solver_.solve(force, -step_.instantaneous() * interior_slip, lower, upper, state);
+    const Eigen::VectorXd slip = -solution.field / step_.instantaneous();
     const auto move = indenter_move(motion_, begin, begin + dt_);
-    memory_.advance(move, strain_.of(slip));
+    step_.advance(state_, move, strain_.of(slip), driven_strain_);
     displacement_ += move.increment * driven_ - slip;
     return std::move(solution.traction);
   }
@@ -65,7 +69,9 @@ class Stepper {
   StrainField strain_;
   std::function<ValueAndRate(double)> motion_;
   double dt_;
-  StrainMemory memory_;
+  RelaxationStep step_;
+  Eigen::VectorXd driven_strain_;
+  RingState state_;                        // strains
   Eigen::VectorXd driven_, displacement_;  // fields; what they hold at the dofs of the pressure has no meaning
 };
 

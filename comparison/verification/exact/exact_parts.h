@@ -11,6 +11,7 @@
 #include "fem/history/friction_history.h"
 #include "fem/history/normal_history.h"
 #include "fem/history/relaxation.h"
+#include "fem/history/static_contact.h"
 #include "mdr/profiles/profile.h"
 #include "mdr/rheology/prony_body.h"
 

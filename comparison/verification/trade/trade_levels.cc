@@ -10,6 +10,7 @@
 #include "comparison/support/stopwatch.h"
 #include "fem/full_model/full_history.h"
 #include "fem/history/friction_history.h"
+#include "fem/history/static_contact.h"
 #include "fem/support/solver_error.h"
 #include "mdr/springs/spring_history.h"
 #include "mdr/stick/stick_radius.h"
@@ -30,9 +31,28 @@ double largest_difference(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
   return (a - b).cwiseAbs().maxCoeff() / b.cwiseAbs().maxCoeff();
 }
 
-Eigen::MatrixXd pressures_over(const fem::NormalHistory& normal, Eigen::Index n_steps) {
-  Eigen::MatrixXd pressure(normal.pressure.rows(), 1 + n_steps);
-  for (Eigen::Index k = 0; k < pressure.cols(); ++k) pressure.col(k) = normal.pressure.col(normal.column(k));
+/// Condensed histories with what full ones are held against at every step: from the start on.
+struct Recorded {
+  fem::NormalHistory normal;
+  std::vector<Eigen::VectorXd> pressure;  ///< at the start and after every computed step
+};
+
+Recorded recorded_normal(const fem::ContactProblem& problem, const FemCase& fem, const Eigen::VectorXd& profile) {
+  const int steps = fem.resolution.steps_per_cycle;
+  fem::NormalContact contact(problem, fem.relaxation, profile, fem.motion, steps);
+  std::vector<Eigen::VectorXd> pressure{contact.pressure};
+  auto normal = fem::normal_history(std::move(contact), few_cycles(steps),
+                                    [&](const fem::NormalContact& now) { pressure.push_back(now.pressure); });
+  return {std::move(normal), std::move(pressure)};
+}
+
+/// Over a number of steps, the last cycle as often as need be.
+Eigen::MatrixXd pressures_over(const Recorded& recorded, long n_steps) {
+  Eigen::MatrixXd pressure(recorded.pressure.front().size(), 1 + n_steps);
+  const auto n_recorded = static_cast<long>(recorded.pressure.size());
+  for (long k = 0; k <= n_steps; ++k)
+    pressure.col(k) = k < n_recorded ? recorded.pressure[static_cast<std::size_t>(k)]
+                                     : Eigen::VectorXd(recorded.normal.pressure.col(recorded.normal.column(k)));
   return pressure;
 }
 
@@ -43,22 +63,23 @@ FemCase short_case(const FemCase& whole, const Resolution& resolution) {
   return fem;
 }
 
-void measure_normal(const Body& body, const FemCase& fem, const Eigen::VectorXd& profile,
-                    const fem::NormalHistory& condensed, FullPoint& point) {
+void measure_normal(const Body& body, const FemCase& fem, const Eigen::VectorXd& profile, const Recorded& condensed,
+                    FullPoint& point) {
   Stopwatch watch;
   const auto full = fem::full_normal_history(body.normal.space, fem.relaxation, profile, fem.motion,
-                                             fem.resolution.steps_per_cycle, condensed.n_cycles);
+                                             fem.resolution.steps_per_cycle, condensed.normal.n_cycles);
   point.normal_seconds = watch.lap();
   point.n_normal_steps = full.pressure.cols() - 1;
-  point.pressure_difference = largest_difference(full.pressure, condensed.pressure);
+  point.pressure_difference = largest_difference(full.pressure, pressures_over(condensed, condensed.normal.n_steps()));
 }
 
-void measure_friction(const Body& body, const FemCase& fem, double mu, const fem::NormalHistory& normal,
-                      FullPoint& point) {
+void measure_friction(const Body& body, const FemCase& fem, const Recorded& normal, FullPoint& point) {
   const int steps = fem.resolution.steps_per_cycle;
-  const auto condensed =
-      fem::friction_history(body.tangential->contact, fem.relaxation, mu, fem.motion, normal, few_cycles(steps));
-  const auto pressure = pressures_over(normal, static_cast<Eigen::Index>(condensed.n_cycles) * steps);
+  const double mu = fem.friction_coefficient;
+  fem::WatchedFriction friction(body.tangential->contact, fem.relaxation, mu, fem.motion, steps);
+  for (std::size_t k = 1; k < normal.pressure.size(); ++k) friction.step(normal.pressure[k]);
+  const auto condensed = fem::friction_history(std::move(friction), normal.normal, few_cycles(steps));
+  const auto pressure = pressures_over(normal, condensed.n_steps);
   Stopwatch watch;
   const auto full = fem::full_friction_history(body.tangential->space, fem.relaxation, mu, fem.motion, pressure, steps,
                                                condensed.n_cycles);
@@ -74,10 +95,9 @@ void measure(const PreparedCase& prepared, FullPoint& point) {
   point.n_dofs = body.n_dofs();
   point.body_seconds = body.cost.total();
   const Eigen::VectorXd profile = fem::ring_means(body.normal.contact.compliance, fem.profile);
-  const auto normal = fem::normal_history(body.normal.contact, fem.relaxation, profile, fem.motion,
-                                          few_cycles(fem.resolution.steps_per_cycle));
+  const auto normal = recorded_normal(body.normal.contact, fem, profile);
   measure_normal(body, fem, profile, normal, point);
-  if (body.tangential) measure_friction(body, fem, fem.friction_coefficient, normal, point);
+  if (body.tangential) measure_friction(body, fem, normal, point);
   point.memory_bytes = growth.peak_bytes();
 }
 

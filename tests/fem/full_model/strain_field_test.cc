@@ -1,4 +1,4 @@
-#include "fem/full_model/strain_memory.h"
+#include "fem/full_model/strain_field.h"
 
 #include <gtest/gtest.h>
 
@@ -70,40 +70,6 @@ TEST_P(StrainFieldOf, ForcesAreConjugateToFields) {
     if (space_.parts().constraints.is_constrained(i)) v[i] = 0;
   const Eigen::VectorXd strain = strain_.of(v), stress = random_vector(strain.size(), 3);
   EXPECT_NEAR(v.dot(strain_.force(stress)), strain.dot(stress), 1e-12 * strain.norm() * stress.norm());
-}
-
-const RelaxationModel model{0.7, {0.5, 0.8}, {2, 0.1}, 0.3};
-constexpr double dt = 0.2;
-
-// Second method: the rings of the condensed model, whose displacements all move like the indenter.
-TEST(StrainMemory, IsSteppedLikeTheRings) {
-  constexpr Eigen::Index n = 4;
-  const Eigen::VectorXd start = random_vector(n, 4);
-  const RelaxationStep rings(model, dt);
-  RingState state{start, Eigen::MatrixXd::Zero(n, 2)};
-  StrainMemory memory(model, dt, start, Eigen::VectorXd::Ones(n));
-  EXPECT_DOUBLE_EQ(memory.instantaneous(), rings.instantaneous());
-  EXPECT_DOUBLE_EQ(memory.fraction(), rings.fraction());
-  const auto motion = [](double t) { return ValueAndRate{std::sin(t), std::cos(t)}; };
-  for (int k = 0; k < 5; ++k) {
-    const auto move = indenter_move(motion, k * dt, (k + rings.fraction()) * dt);
-    EXPECT_LT((memory.stress_without_slip(move) - rings.response_without_slip(state, move)).norm(), 1e-14);
-    const auto whole = indenter_move(motion, k * dt, (k + 1) * dt);
-    const Eigen::VectorXd slip = random_vector(n, 10U + static_cast<unsigned>(k));
-    memory.advance(whole, slip);
-    rings.advance(state, whole, slip);
-  }
-}
-
-// A strain that does not follow the indenter takes no share of its motion.
-TEST(StrainMemory, OfADrivenStrainIsProportionalToIt) {
-  const Eigen::Vector3d driven(1, -2, 0);
-  StrainMemory memory(model, dt, Eigen::Vector3d::Zero(), driven);
-  const IndenterMove move{0.1, {1, 0.5, 0.2}};
-  memory.advance(move, Eigen::Vector3d::Zero());
-  const Eigen::VectorXd stress = memory.stress_without_slip(move);
-  EXPECT_GT(stress[0], 0);
-  EXPECT_LT((stress - stress[0] * driven).norm(), 1e-15);
 }
 
 }  // namespace

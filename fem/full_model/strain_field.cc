@@ -1,4 +1,4 @@
-#include "fem/full_model/strain_memory.h"
+#include "fem/full_model/strain_field.h"
 
 #include <utility>
 
@@ -41,32 +41,6 @@ Eigen::VectorXd StrainField::force(const Eigen::VectorXd& stress) const {
   }
   for (const unsigned dof : constrained_) force[dof] = 0;
   return force;
-}
-
-StrainMemory::StrainMemory(const RelaxationModel& model, double dt, Eigen::VectorXd strain, Eigen::VectorXd driven)
-    : model_(model),
-      fraction_(RelaxationStep(model, dt).fraction()),
-      to_balance_(model, fraction_ * dt),
-      whole_(model, dt),
-      instantaneous_(fraction_ * model.relaxed + model.viscosity / dt),
-      driven_(std::move(driven)),
-      strain_(std::move(strain)),
-      branches_(model.moduli.size(), Eigen::VectorXd::Zero(strain_.size())) {
-  for (std::size_t i = 0; i < branches_.size(); ++i) instantaneous_ += fraction_ * to_balance_.gain(i);
-}
-
-Eigen::VectorXd StrainMemory::stress_without_slip(const IndenterMove& move) const {
-  Eigen::VectorXd stress = model_.relaxed * (strain_ + move.increment * driven_);
-  stress += model_.viscosity * move.rates[2] * driven_;
-  for (std::size_t i = 0; i < branches_.size(); ++i)
-    stress += to_balance_.decay(i) * branches_[i] + to_balance_.memory_of(i, move) * driven_;
-  return stress;
-}
-
-void StrainMemory::advance(const IndenterMove& move, const Eigen::VectorXd& slip) {
-  strain_ += move.increment * driven_ - slip;
-  for (std::size_t i = 0; i < branches_.size(); ++i)
-    branches_[i] = whole_.decay(i) * branches_[i] + whole_.memory_of(i, move) * driven_ - whole_.gain(i) * slip;
 }
 
 }  // namespace fretval::fem
