@@ -51,7 +51,7 @@ std::string quantity_row(const ordered_json& q) {
   return fmt::format(
       "<tr><td>{}</td><td>{}</td><td>{}</td><td{}>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td>"
       "<td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n",
-      text(q.at("quantity")), number(q.at("tolerance"), "{:.0e}"), q.at("errors").get<int>(),
+      text(q.at("quantity")), number(q.at("tolerance")), q.at("errors").get<int>(),
       n_above == 0 ? "" : " class=\"bad-cell\"", n_above, q.at("wide").get<int>(), q.at("unbounded").get<int>(),
       number(error.at("median")), number(error.at("high")), number(bar.at("median")), number(bar.at("high")),
       number(effectivity.at("low"), "{:.3g}"), number(effectivity.at("median"), "{:.3g}"),
@@ -86,7 +86,7 @@ Plot error_bar_plot(const ordered_json& rows) {
   plot.log_x = plot.log_y = true;
   int colour = 0;
   for (auto& [tolerance, series] : by_tolerance) {
-    series.label = fmt::format("tolerance {:.0e}", tolerance);
+    series.label = fmt::format("tolerance {:.2g}", tolerance);
     series.style = Series::Style::points;
     series.colour = colour++;
     plot.series.push_back(std::move(series));
@@ -114,7 +114,7 @@ std::string row_html(const ordered_json& row) {
     const auto& q = row.at("quantities").at(row.at("worst").get<std::string>());
     numbers = fmt::format("<td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td>", text(row.at("worst")),
                           number(q.at("mdr"), "{:.6f}"), number(q.at("fe"), "{:.6f}"), number(q.at("error")),
-                          number(q.at("bar")), number(q.at("tolerance"), "{:.0e}"));
+                          number(q.at("bar")), number(q.at("tolerance")));
   }
   const auto& family = row.at("family");
   return fmt::format(

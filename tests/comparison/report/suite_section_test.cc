@@ -23,10 +23,10 @@ TEST(SuiteSection, ShowsVerdictQuantitiesAndRows) {
   expect_parts(html, {"<h2>Suite extremes</h2>", "<span class=\"badge bad\">fail</span> About &lt;it&gt;.",
                       "4 cases: 1 agree, 1 are refused", "2 fail.", "2 of 3 errors are above their bars",
                       "memory: 1 GB: <b>it grows</b>",
-                      "<td>stick_radius_shakedown</td><td>1e-02</td><td>3</td><td class=\"bad-cell\">2</td>", "<svg",
+                      "<td>stick_radius_shakedown</td><td>1.0e-02</td><td>3</td><td class=\"bad-cell\">2</td>", "<svg",
                       "<td>family: &lt;bad&gt;</td><td class=\"bad-cell\">FAIL</td>", "<pre>text of &lt;bad&gt;</pre>",
                       "<td>refused</td><td>refused</td>", "a &lt;b&gt;",
-                      "<td>0.600000</td><td>0.601000</td><td>1.0e-03</td><td>2.0e-03</td><td>1e-02</td>"});
+                      "<td>0.600000</td><td>0.601000</td><td>1.0e-03</td><td>2.0e-03</td><td>1.0e-02</td>"});
   EXPECT_EQ(html.find("<b>it"), html.rfind("<b>"));
   expect_parts(suite_section(suite_json(run_of({row_of(1e-3, 2e-3)}))), {"<span class=\"badge good\">pass</span>"});
 }

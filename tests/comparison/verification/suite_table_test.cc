@@ -27,10 +27,11 @@ SuiteRun mixed() {
 
 TEST(SuiteTable, HasALineARowAndAQuantity) {
   expect_parts(suite_table(mixed()),
-               {"family\n  agrees       good    stick_radius_shakedown     0.600000   0.601000   1.0e-03  2.0e-03",
+               {"family\n  agrees       good    stick_radius_shakedown     0.600000   0.601000   1.0e-03  2.0e-03   "
+                "1.0e-02   0.00\n",
                 "inconclusive wide", "bar 2.0e-02, mostly rings, tolerance 1e-02\n", "FAIL         <bad>",
                 "is above its bar 2.0e-03\n", "refused      refused -", "a b\n",
-                "stick_radius_shakedown       1e-02      3         1      1         0   1.0e-03   3.0e-02",
+                "stick_radius_shakedown     1.0e-02      3         1      1         0   1.0e-03   3.0e-02",
                 "memory: 200 MB\n", "draws: 30: too many\n",
                 "FAIL: 4 cases: 1 agree, 1 refused as expected, 1 inconclusive, 1 FAIL; 2 of 3 errors are covered\n"});
   expect_parts(suite_table(run_of({row_of(1e-3, 2e-3)})), {"pass: 1 cases: 1 agree"});
