@@ -1,19 +1,17 @@
 #include "fem/full_model/full_history.h"
 
 #include <functional>
-#include <limits>
 #include <stdexcept>
 #include <utility>
 #include <vector>
 
 #include "fem/full_model/strain_memory.h"
+#include "fem/history/require_room.h"
+#include "fem/support/constants.h"
 #include "fem/support/solver_error.h"
 
 namespace fretval::fem {
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Relaxed fields of a body at the start of its history.
 struct Start {
@@ -31,10 +29,10 @@ Eigen::VectorXd driven_field(BorderedSolver& solver) {
 }
 
 /// Carries the body from step to step.
-class Stepper {
+class FullStepper {
  public:
-  Stepper(const HarmonicSpace& space, BorderedSolver& solver, const RelaxationModel& relaxation,
-          std::function<ValueAndRate(double)> motion, int steps_per_cycle, Start start)
+  FullStepper(const HarmonicSpace& space, BorderedSolver& solver, const RelaxationModel& relaxation,
+              std::function<ValueAndRate(double)> motion, int steps_per_cycle, Start start)
       : solver_(solver),
         strain_(space),
         motion_(std::move(motion)),
@@ -73,11 +71,6 @@ void require(bool condition, const char* message) {
   if (!condition) throw std::invalid_argument(message);
 }
 
-void require_room(const Eigen::VectorXd& pressure) {
-  if (pressure[pressure.size() - 1] > 0)
-    throw SolverError("the contact reaches the end of the contact line of the mesh: use a longer one");
-}
-
 }  // namespace
 
 FullNormalHistory full_normal_history(const HarmonicSpace& space, const RelaxationModel& relaxation,
@@ -101,7 +94,8 @@ FullNormalHistory full_normal_history(const HarmonicSpace& space, const Relaxati
   FullNormalHistory history;
   history.pressure.resize(n, 1 + n_steps);
   history.pressure.col(0) = relaxation.relaxed * relaxed.traction;
-  Stepper stepper(space, solver, relaxation, position, steps_per_cycle, {std::move(relaxed.field), std::move(driven)});
+  FullStepper stepper(space, solver, relaxation, position, steps_per_cycle,
+                      {std::move(relaxed.field), std::move(driven)});
   for (int k = 0; k < n_steps; ++k) {
     // A ring in contact closes its gap: it slips by what is left of it.
     const Eigen::VectorXd gap = (stepper.ring_displacement() + profile).array() - position(stepper.time(k)).value;
@@ -122,7 +116,7 @@ FullFrictionHistory full_friction_history(const HarmonicSpace& space, const Rela
           "the pressures do not fit the rings of the contact line and the steps of the friction history");
   BorderedSolver solver(space, "the full friction problem");
   Start start{Eigen::VectorXd::Zero(space.n_dofs()), driven_field(solver)};
-  Stepper stepper(
+  FullStepper stepper(
       space, solver, relaxation, [&motion](double t) { return tangential_motion(motion, t); }, steps_per_cycle,
       std::move(start));
 

@@ -4,25 +4,22 @@
 
 #include <algorithm>
 #include <functional>
-#include <limits>
 #include <utility>
 #include <vector>
 
 #include "fem/history/cycle_jump.h"
 #include "fem/history/friction_force.h"
 #include "fem/history/running_minimum.h"
+#include "fem/support/constants.h"
 #include "fem/support/solver_error.h"
 
 namespace fretval::fem {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 /// Carries the rings from step to step.
-class Stepper {
+class FrictionStepper {
  public:
-  Stepper(const ContactProblem& problem, const RelaxationModel& relaxation, const Motion& motion, int n_steps)
+  FrictionStepper(const ContactProblem& problem, const RelaxationModel& relaxation, const Motion& motion, int n_steps)
       : problem_(problem),
         motion_([&motion](double t) { return tangential_motion(motion, t); }),
         dt_(2 * pi / n_steps),
@@ -99,8 +96,8 @@ struct Period {
     std::fill(zones.begin(), zones.end(), 0);
   }
 
-  void add(int k, const Eigen::VectorXd& limit, const Eigen::VectorXd& limit_depths, const Stepper::Result& step,
-           const Eigen::VectorXd& depths) {
+  void add(int k, const Eigen::VectorXd& limit, const Eigen::VectorXd& limit_depths,
+           const FrictionStepper::Result& step, const Eigen::VectorXd& depths) {
     forward = forward.cwiseMin(limit - step.traction);
     backward = backward.cwiseMin(limit + step.traction);
     forward_reserve.add(limit_depths - depths);
@@ -127,7 +124,7 @@ FrictionHistory friction_history(const ContactProblem& problem, const Relaxation
                                  const HistoryControl& control) {
   const Eigen::Index n = problem.n_rings();
   const int period_steps = normal.steps_per_cycle * motion.cycles_per_period();
-  Stepper stepper(problem, relaxation, motion, normal.steps_per_cycle);
+  FrictionStepper stepper(problem, relaxation, motion, normal.steps_per_cycle);
   FrictionHistory history{};
   history.periodicity = infinity;
   history.slip_path = Eigen::VectorXd::Zero(n);

@@ -4,26 +4,19 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
 
 #include "fem/history/contact_force.h"
 #include "fem/history/cycle_jump.h"
+#include "fem/history/require_room.h"
 #include "fem/history/running_minimum.h"
+#include "fem/support/constants.h"
 #include "fem/support/solver_error.h"
 
 namespace fretval::fem {
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
-void require_room(const Eigen::VectorXd& pressure) {
-  if (pressure[pressure.size() - 1] > 0)
-    throw SolverError("the contact reaches the end of the contact line of the mesh: use a longer one");
-}
 
 NormalContact solve_contact(const ContactProblem& problem, const Eigen::VectorXd& target,
                             std::vector<BoxState>& contact) {
@@ -49,10 +42,10 @@ PressureAtEdge pressure_at_edge(const RelaxationModel& relaxation) {
 }
 
 /// Carries the rings from step to step.
-class Stepper {
+class NormalStepper {
  public:
-  Stepper(const ContactProblem& problem, const RelaxationModel& relaxation, const Eigen::VectorXd& profile,
-          const Motion& motion, int n_steps)
+  NormalStepper(const ContactProblem& problem, const RelaxationModel& relaxation, const Eigen::VectorXd& profile,
+                const Motion& motion, int n_steps)
       : problem_(problem),
         relaxed_(relaxation.relaxed),
         edge_(pressure_at_edge(relaxation)),
@@ -183,7 +176,7 @@ NormalContact normal_contact(const ContactProblem& problem, const Eigen::VectorX
 
 NormalHistory normal_history(const ContactProblem& problem, const RelaxationModel& relaxation,
                              const Eigen::VectorXd& profile, const Motion& motion, const HistoryControl& control) {
-  Stepper stepper(problem, relaxation, profile, motion, control.steps_per_cycle);
+  NormalStepper stepper(problem, relaxation, profile, motion, control.steps_per_cycle);
   const int n_steps = control.steps_per_cycle;
   NormalHistory history;
   history.steps_per_cycle = n_steps;

@@ -9,7 +9,7 @@
 #include "tests/fem/convergence.h"
 #include "tests/fem/half_space.h"
 
-namespace fretval::fem {
+namespace fretval::fem::cattaneo_mindlin_test {
 namespace {
 
 constexpr double friction_coefficient = 0.4;
@@ -111,4 +111,4 @@ TEST(CattaneoMindlin, FrictionCoefficientMatters) {
 }
 
 }  // namespace
-}  // namespace fretval::fem
+}  // namespace fretval::fem::cattaneo_mindlin_test

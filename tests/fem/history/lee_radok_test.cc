@@ -9,7 +9,7 @@
 #include "tests/fem/convergence.h"
 #include "tests/fem/half_space.h"
 
-namespace fretval::fem {
+namespace fretval::fem::lee_radok_test {
 namespace {
 
 const RelaxationModel elastic{1, {}, {}, 0};
@@ -144,4 +144,4 @@ TEST(LeeRadok, MemoryMatters) {
 }
 
 }  // namespace
-}  // namespace fretval::fem
+}  // namespace fretval::fem::lee_radok_test

@@ -4,26 +4,26 @@
 
 #include <cmath>
 
-#include "comparison/verification/exact/exact_rows.h"
 #include "fem/history/normal_history.h"
+#include "fem/support/constants.h"
+#include "tests/fem/half_space.h"
 
-namespace fretval {
+namespace fretval::fem::stick_zones_test {
 namespace {
 
 // Parabola, k = 1 in phase: the stick zone ends where the smallest contact does, g(c) = c^2 = d0 - Delta d, and its
 // reserve goes on beyond it with a kink. A stick zone that ends inside is read much more closely.
 TEST(StickZones, EndingNextToTheSmallestContactAreUncertainByAThousandthOfARing) {
   const int n_rings = 48;
-  const auto meshes = half_space_meshes({n_rings});
-  const auto& [n, normal_problem, tangential_problem] = meshes.front();
+  const auto &normal_problem = normal_half_space(n_rings), &tangential_problem = tangential_half_space(n_rings);
   const double mu = 0.5, share = 1e-3 / n_rings;
-  fem::Motion motion{0.8, 0.2, 1.5 * mu * 0.2, 0.0};
-  const fem::HistoryControl control{72, 400, 1e-6};
-  const auto profile = fem::ring_means(normal_problem.compliance, [](double r) { return r * r / 2; });
-  const auto normal = fem::normal_history(normal_problem, {}, profile, motion, control);
-  const auto zones_of = [&, &tangential = tangential_problem] {
-    const auto friction = fem::friction_history(tangential, {}, mu, motion, normal, control);
-    return stick_zones(tangential.compliance, normal, friction, stuck_rings(friction, motion));
+  Motion motion{0.8, 0.2, 1.5 * mu * 0.2, 0.0};
+  const HistoryControl control{72, 400, 1e-6};
+  const auto profile = ring_means(normal_problem.compliance, [](double r) { return r * r / 2; });
+  const auto normal = normal_history(normal_problem, {}, profile, motion, control);
+  const auto zones_of = [&] {
+    const auto friction = friction_history(tangential_problem, {}, mu, motion, normal, control);
+    return stick_zones(tangential_problem.compliance, normal, friction, stuck_rings(friction, motion));
   };
   const auto together = zones_of().shakedown;
   EXPECT_GE(together.uncertainty, share);
@@ -44,16 +44,15 @@ TEST(StickZones, EndingNextToTheSmallestContactAreUncertainByAThousandthOfARing)
 // zone have kinks: a parabola through their samples touches zero, and the zone was lost at 60, 71 and 72 steps a cycle.
 TEST(StickZones, AreThereWhateverTheSteps) {
   const int n_rings = 48;
-  const auto meshes = half_space_meshes({n_rings});
-  const auto& [n, normal_problem, tangential_problem] = meshes.front();
+  const auto &normal_problem = normal_half_space(n_rings), &tangential_problem = tangential_half_space(n_rings);
   const double mu = 0.3, c = 0.1, mean = 1 / 1.1, amplitude = 0.1 / 1.1;
   const double slope = std::sqrt(std::pow(mean - std::pow(c, 4), 2) - amplitude * amplitude);
-  const fem::Motion motion{mean, amplitude, 1.5 * mu * slope, std::acos(-1.0) / 2, 1};
-  const auto profile = fem::ring_means(normal_problem.compliance, [](double r) { return 3.0 / 8 * std::pow(r, 4); });
+  const Motion motion{mean, amplitude, 1.5 * mu * slope, pi / 2, 1};
+  const auto profile = ring_means(normal_problem.compliance, [](double r) { return 3.0 / 8 * std::pow(r, 4); });
   for (const int n_steps : {36, 60, 71, 72, 90}) {
-    const fem::HistoryControl control{n_steps, 400, 1e-6};
-    const auto normal = fem::normal_history(normal_problem, {}, profile, motion, control);
-    const auto friction = fem::friction_history(tangential_problem, {}, mu, motion, normal, control);
+    const HistoryControl control{n_steps, 400, 1e-6};
+    const auto normal = normal_history(normal_problem, {}, profile, motion, control);
+    const auto friction = friction_history(tangential_problem, {}, mu, motion, normal, control);
     const auto zones = stick_zones(tangential_problem.compliance, normal, friction, stuck_rings(friction, motion));
     EXPECT_NEAR(zones.first_slip.radius, c, zones.first_slip.uncertainty) << n_steps;
     EXPECT_LT(zones.first_slip.uncertainty, 0.2 / n_rings) << n_steps;
@@ -62,4 +61,4 @@ TEST(StickZones, AreThereWhateverTheSteps) {
 }
 
 }  // namespace
-}  // namespace fretval
+}  // namespace fretval::fem::stick_zones_test
