@@ -7,20 +7,21 @@
 namespace fretval {
 namespace {
 
-ExpectedOrder expected_order(ErrorSource source, const std::string& quantity, const SceneNeeds& needs) {
+ExpectedOrder expected_order(ErrorSource source, Quantity quantity, const SceneNeeds& needs) {
   if (source == ErrorSource::time_step || source == ErrorSource::start) return {2};
   if (source == ErrorSource::creep) return {1};
   if (source == ErrorSource::far_field) return {4};
   if (source != ErrorSource::rings) return {3};
-  if (quantity == "normal_force_max" && needs.memory) return {2, 6};
-  if (quantity != "normal_force_max" && quantity.find("radius") == std::string::npos) return {1};
-  return {needs.worn ? 2.0 : 3.0};
+  const auto& traits = traits_of(quantity);
+  if (needs.memory && traits.rings_with_memory) return *traits.rings_with_memory;
+  constexpr double at_a_worn_edge = 2;
+  return {needs.worn ? std::min(traits.rings.order, at_a_worn_edge) : traits.rings.order};
 }
 
 /// NaN: not there.
-double value_of(const Measures& measures, const std::string& quantity) {
-  const auto found = measures.find(quantity);
-  return found == measures.end() ? std::numeric_limits<double>::quiet_NaN() : found->second;
+double value_of(const Quantities& values, Quantity quantity) {
+  const auto found = values.find(quantity);
+  return found == values.end() ? std::numeric_limits<double>::quiet_NaN() : found->second;
 }
 
 double element_error(double difference, unsigned degree) {
@@ -65,8 +66,8 @@ ErrorShare richardson(ErrorSource source, const Refinements& values, const Expec
       std::nullopt};
 }
 
-ErrorBudget error_budget(const Resolution& resolution, const std::map<Resolution, Measures>& known,
-                         const Measures& edge, const SceneNeeds& needs) {
+ErrorBudget error_budget(const Resolution& resolution, const std::map<Resolution, Quantities>& known,
+                         const Quantities& edge, const SceneNeeds& needs) {
   const auto variants = variants_of(resolution, needs);
   ErrorBudget budget;
   for (const auto& [quantity, value] : known.at(resolution)) {
@@ -74,10 +75,10 @@ ErrorBudget error_budget(const Resolution& resolution, const std::map<Resolution
     for (std::size_t i = 0; i < variants.size(); ++i) {
       const auto& [source, varied, reference] = variants[i];
       if (i > 0 && variants[i - 1].source == source) continue;  // the coarser one of two
-      Refinements values{value_of(known.at(reference), quantity), value_of(known.at(varied), quantity), std::nullopt};
+      Refinements found{value_of(known.at(reference), quantity), value_of(known.at(varied), quantity), std::nullopt};
       if (i + 1 < variants.size() && variants[i + 1].source == source)
-        values.coarse = value_of(known.at(variants[i + 1].resolution), quantity);
-      shares.push_back(share_of(source, values, resolution.degree, expected_order(source, quantity, needs)));
+        found.coarse = value_of(known.at(variants[i + 1].resolution), quantity);
+      shares.push_back(share_of(source, found, resolution.degree, expected_order(source, quantity, needs)));
     }
     const auto reading = edge.find(quantity);
     if (reading != edge.end()) shares.push_back({ErrorSource::edge, reading->second, std::nullopt});

@@ -2,11 +2,10 @@
 
 #include <map>
 #include <optional>
-#include <string>
 #include <vector>
 
-#include "comparison/accuracy/compared_quantities.h"
-#include "comparison/simulation/resolution.h"
+#include "comparison/accuracy/quantity.h"
+#include "comparison/accuracy/refinement.h"
 
 namespace fretval {
 
@@ -25,18 +24,12 @@ struct ErrorBar {
   [[nodiscard]] const ErrorShare* largest() const;
 };
 
-using ErrorBudget = std::map<std::string, ErrorBar>;
+using ErrorBudget = std::map<Quantity, ErrorBar>;
 
 /// Measured values of a quantity at a resolution that was coarsened by 2, and by 4 (if there is one).
 struct Refinements {
   double fine, medium;
   std::optional<double> coarse;
-};
-
-/// Order of convergence that is expected, and the highest that is credible.
-struct ExpectedOrder {
-  double order;
-  double highest = 2 * order;
 };
 
 /// Richardson's estimate of the error of the finest value, as in Roache's grid convergence index (1994): with the
@@ -46,8 +39,9 @@ struct ExpectedOrder {
 /// may be small by chance.
 ErrorShare richardson(ErrorSource source, const Refinements& values, const ExpectedOrder& expected);
 
-/// The budget of the measures at a resolution. known: the measures there and at each of its variants_of (empty if the
-/// numerics failed), with their references; edge: the uncertainty of reading the edges (fem::EdgeRadius), by quantity.
+/// The budget of the quantities at a resolution. known: the quantities there and at each of its variants_of (empty if
+/// the numerics failed), with their references; edge: the uncertainty of reading the edges (fem::EdgeRadius), by
+/// quantity.
 ///
 /// Rings: third order, second where they are graded to a worn edge (-4.1e-4, -2.0e-4, -4.3e-5, -9.9e-6 at 16 to 128
 /// rings), first for what the worn edge lets through, in a ring that shrinks with the square. With memory the force
@@ -57,7 +51,7 @@ ErrorShare richardson(ErrorSource source, const Refinements& values, const Expec
 /// Elements: functionals converge like q^(2k) in the degree k, so the difference D from degree k - 1 stands for an
 /// error of D^(k/(k-1)), times 3; at degree 2, whose check is degree 3, for D itself, times 1.25. Cycles and active
 /// set: the difference made by ten times the periodicity or the slack.
-ErrorBudget error_budget(const Resolution& resolution, const std::map<Resolution, Measures>& known,
-                         const Measures& edge, const SceneNeeds& needs = {});
+ErrorBudget error_budget(const Resolution& resolution, const std::map<Resolution, Quantities>& known,
+                         const Quantities& edge, const SceneNeeds& needs = {});
 
 }  // namespace fretval

@@ -28,51 +28,53 @@ Verdict verdict_on(double difference, double tolerance, double bar) {
   return std::abs(difference) <= tolerance ? Verdict::pass : Verdict::fail;
 }
 
-const char* name_of(Verdict finding) {
-  if (finding == Verdict::inconclusive) return "inconclusive";
-  return finding == Verdict::pass ? "pass" : "fail";
+const char* name_of(Verdict verdict) {
+  if (verdict == Verdict::inconclusive) return "inconclusive";
+  return verdict == Verdict::pass ? "pass" : "fail";
 }
 
 Tolerances tolerances_of(double accuracy) {
-  return {accuracy, accuracy / 10, accuracy / 10};
+  const auto over = [accuracy](Quantity quantity) { return accuracy / traits_of(quantity).strictness; };
+  return {over(Quantity::stick_radius_shakedown), over(Quantity::contact_radius_max), over(Quantity::normal_force_max)};
 }
 
-double tolerance_of(const Tolerances& tolerances, const std::string& quantity) {
-  if (quantity == "contact_radius_max") return tolerances.contact_radius;
-  if (quantity == "normal_force_max") return tolerances.normal_force;
+double tolerance_of(const Tolerances& tolerances, Quantity quantity) {
+  if (quantity == Quantity::contact_radius_max) return tolerances.contact_radius;
+  if (quantity == Quantity::normal_force_max) return tolerances.normal_force;
   return tolerances.stick_radius;
 }
 
 Comparison compare(const MdrAnswer& mdr, const FeAnswer& fe, double unworn_radius, const Tolerances& tolerances,
                    const ErrorBudget& budget) {
-  Comparison verdict;
+  Comparison comparison;
   if (fe.contact_radius_max)
-    verdict["contact_radius_max"] =
+    comparison[Quantity::contact_radius_max] =
         judge(*fe.contact_radius_max / mdr.contact_radius_max.value() - 1, tolerances.contact_radius);
-  verdict["normal_force_max"] = judge(fe.normal_force_max / mdr.normal_force_max.value() - 1, tolerances.normal_force);
+  comparison[Quantity::normal_force_max] =
+      judge(fe.normal_force_max / mdr.normal_force_max.value() - 1, tolerances.normal_force);
   const double tolerance = tolerances.stick_radius;
-  verdict["stick_radius_first_slip"] =
+  comparison[Quantity::stick_radius_first_slip] =
       judge_stick(fe.stick_radius_first_slip, mdr.stick_radius_first_slip, unworn_radius, tolerance);
-  verdict["stick_radius_shakedown"] =
+  comparison[Quantity::stick_radius_shakedown] =
       judge_stick(fe.stick_radius_shakedown, mdr.stick_radius_shakedown, unworn_radius, tolerance);
   if (fe.no_wear) {
-    verdict["slip_inside_stick_zone"] = judge(fe.no_wear->slip_inside, tolerance);
-    verdict["force_outside_stick_zone"] = judge(fe.no_wear->force_outside, tolerance);
-    verdict["maximum_indentation"] = judge(fe.no_wear->touch_indentation - 1, tolerance);
+    comparison[Quantity::slip_inside_stick_zone] = judge(fe.no_wear->slip_inside, tolerance);
+    comparison[Quantity::force_outside_stick_zone] = judge(fe.no_wear->force_outside, tolerance);
+    comparison[Quantity::maximum_indentation] = judge(fe.no_wear->touch_indentation - 1, tolerance);
   }
   for (const auto& [quantity, bar] : budget) {
-    const auto found = verdict.find(quantity);
-    if (found == verdict.end()) continue;
+    const auto found = comparison.find(quantity);
+    if (found == comparison.end()) continue;
     auto& difference = found->second;
     difference.bar = bar;
     if (bar.total() > difference.tolerance)
-      difference.finding = verdict_on(difference.difference.value_or(0), difference.tolerance, bar.total());
+      difference.verdict = verdict_on(difference.difference.value_or(0), difference.tolerance, bar.total());
   }
-  return verdict;
+  return comparison;
 }
 
-bool passes(const Comparison& verdict) {
-  return std::all_of(verdict.begin(), verdict.end(), [](const auto& entry) { return entry.second.passes(); });
+bool passes(const Comparison& comparison) {
+  return std::all_of(comparison.begin(), comparison.end(), [](const auto& entry) { return entry.second.passes(); });
 }
 
 }  // namespace fretval

@@ -2,17 +2,16 @@
 
 #include <map>
 #include <optional>
-#include <string>
 
 #include "comparison/accuracy/error_budget.h"
 #include "comparison/reference/mdr_answer.h"
-#include "comparison/simulation/simulation.h"
+#include "comparison/simulation/compute_case.h"
 
 namespace fretval {
 
 /// What a comparison comes to.
 enum class Verdict { pass, fail, inconclusive };
-const char* name_of(Verdict finding);
+const char* name_of(Verdict verdict);
 
 /// Pass or fail by the tolerance; inconclusive if the error bar is wider than that, unless the difference is larger
 /// than both together.
@@ -23,10 +22,10 @@ struct Difference {
   std::optional<double>
       difference;  ///< finite elements less MDR, relative; empty: one of the two says that nothing sticks
   double tolerance;
-  Verdict finding;
+  Verdict verdict;
   std::optional<ErrorBar> bar = {};  ///< of the finite elements; empty: not measured
 
-  [[nodiscard]] bool passes() const { return finding == Verdict::pass; }
+  [[nodiscard]] bool passes() const { return verdict == Verdict::pass; }
 };
 
 /// How far finite elements and MDR may lie apart.
@@ -36,26 +35,24 @@ struct Tolerances {
   double normal_force;    ///< relative
 };
 
-/// What a case asks for: T = Accuracy / Tolerance on the stick radius, T/10 on contact radius and normal force.
+/// What a case asks for: T = Accuracy / Tolerance over the strictness of each quantity.
 Tolerances tolerances_of(double accuracy);
 
-/// The tolerance of a quantity of a Comparison or of Measures: that on the stick radius unless it has one of its own.
-double tolerance_of(const Tolerances& tolerances, const std::string& quantity);
+/// The tolerance of a quantity: that on the stick radius unless it has one of its own.
+double tolerance_of(const Tolerances& tolerances, Quantity quantity);
 
-/// Compared quantities by the name they have in result.json.
-///
 /// Stick radii: (c_FE - c_MDR)/a, a the unworn contact radius at the largest indentation. Where one of the two says
 /// that nothing sticks, the other must say so too or find a stick zone smaller than the tolerance. For a limiting
 /// profile: slip inside c over u_x0, force outside c over the force, and the indentation at which the flank touches
 /// over the largest one, all within the tolerance of the stick radius.
 ///
 /// Whether a comparison passes is verdict_on, with the error bar of the finite elements.
-using Comparison = std::map<std::string, Difference>;
+using Comparison = std::map<Quantity, Difference>;
 
 /// budget: empty if none was measured.
 Comparison compare(const MdrAnswer& mdr, const FeAnswer& fe, double unworn_radius, const Tolerances& tolerances,
                    const ErrorBudget& budget = {});
 
-bool passes(const Comparison& verdict);
+bool passes(const Comparison& comparison);
 
 }  // namespace fretval

@@ -90,7 +90,6 @@ struct Case {
   double tolerance = 0;                      ///< relative, on the stick radius
   std::optional<unsigned> rings_per_radius;  ///< instead of what the tolerance asks for
   std::optional<int> steps_per_cycle;        ///< instead of what the tolerance asks for
-  bool economise = false;                    ///< also look for the cheapest settings that the error bars prove
   Fields fields = Fields::none;
   std::optional<Sweep> sweep;
   std::vector<std::string> warnings;  ///< about the input, to be told to the user

@@ -30,7 +30,7 @@ const std::vector<Section>& sections() {
         "Normal harmonics", "Tangential amplitude", "Tangential force amplitude", "Tangential frequency",
         "Tangential harmonics", "Phase"}},
       {"Wear", {"State", "Stick radius ratio", "Coefficient", "Cycles"}},
-      {"Accuracy", {"Tolerance", "Rings per radius", "Steps per cycle", "Economise"}},
+      {"Accuracy", {"Tolerance", "Rings per radius", "Steps per cycle"}},
       {"Output", {"Fields"}},
       {"Sweep", {"Entry", "Values"}}};
   return all;
@@ -102,8 +102,6 @@ Case read_entries(const EntryReader& entries, Case::Fields fields) {
     scene.rings_per_radius = static_cast<unsigned>(entries.number("Accuracy", "Rings per radius", ring_count));
   if (entries.given("Accuracy", "Steps per cycle"))
     scene.steps_per_cycle = static_cast<int>(entries.number("Accuracy", "Steps per cycle", step_count));
-  scene.economise =
-      entries.given("Accuracy", "Economise") && entries.one_of("Accuracy", "Economise", {"true", "false"}) == "true";
   scene.fields = fields;
   if (entries.given("Output", "Fields"))
     scene.fields = entries.one_of("Output", "Fields", {"none", "extremes"}) == "none" ? Case::Fields::none

@@ -228,7 +228,7 @@ std::string case_name(const fs::path& file) {
                                  file.string(), reason));
   };
   if (name.empty() || name == "." || name == "..") refuse("this would be another folder");
-  for (const char* taken : {"index.html", "ladder.json", "tolerance.json", "extremes.json", "soak.json"})
+  for (const char* taken : {"index.html", "exact.json", "tolerance.json", "extremes.json", "random.json"})
     if (name == taken) refuse("this is the name of a file there");
   if (std::any_of(name.begin(), name.end(), [](unsigned char c) { return c < ' ' || c == 0x7F; }))
     refuse("this one has control characters");

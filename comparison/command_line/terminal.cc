@@ -19,14 +19,16 @@ struct Worst {
 Worst worst_of(const std::vector<BatchLine>& lines) {
   Worst worst;
   for (const auto& line : lines)
-    for (const auto& [quantity, d] : line.verdict) {
+    for (const auto& [quantity, d] : line.comparison) {
       if (!d.difference) {
-        if (!d.passes()) return {1e9, fmt::format("{} in {}: only one of the two sticks", quantity, line.name)};
+        if (!d.passes())
+          return {1e9, fmt::format("{} in {}: only one of the two sticks", name_of(quantity), line.name)};
         continue;
       }
       const double use = std::abs(*d.difference) / d.tolerance;
       if (use > worst.use)
-        worst = {use, fmt::format("{} in {}: {:.1e} of {:.1e}", quantity, line.name, *d.difference, d.tolerance)};
+        worst = {use,
+                 fmt::format("{} in {}: {:.1e} of {:.1e}", name_of(quantity), line.name, *d.difference, d.tolerance)};
     }
   return worst;
 }
@@ -66,17 +68,6 @@ void print_verdicts(const std::vector<BatchLine>& lines) {
                worst_of(members).text);
   }
   std::fflush(stdout);  // before the log goes on
-}
-
-std::string differences_of(const BatchLine& line) {
-  std::string text;
-  for (const auto& [quantity, d] : line.verdict)
-    text += fmt::format("{}{} {}/{:.1e}{}", text.empty() ? "" : ", ", quantity,
-                        d.difference ? fmt::format("{:.1e}", *d.difference)
-                        : d.passes() ? "none in both"
-                                     : "in one only",
-                        d.tolerance, d.passes() ? "" : " !");
-  return text;
 }
 
 }  // namespace fretval

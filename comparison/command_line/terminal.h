@@ -23,7 +23,4 @@ class Progress {
 /// case.
 void print_verdicts(const std::vector<BatchLine>& lines);
 
-/// "quantity difference/tolerance, ..." of everything compared, with a ! where it does not pass.
-std::string differences_of(const BatchLine& line);
-
 }  // namespace fretval

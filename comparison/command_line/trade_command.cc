@@ -4,9 +4,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include "comparison/accuracy/prepared_case.h"
 #include "comparison/case/case_file.h"
 #include "comparison/command_line/exit_codes.h"
-#include "comparison/results/batch.h"
 #include "comparison/support/files.h"
 #include "comparison/support/log.h"
 #include "comparison/support/stopwatch.h"
@@ -25,8 +25,8 @@ int run_trade(const std::string& file, const fs::path& output) {
   if (cases.size() != 1)
     throw InputError(fmt::format("{}: a sweep has many trades; expected a file with a single case", file));
   const auto prepared = prepare(cases).front();
-  for (const auto& warning : prepared.scene.warnings) log::warn(warning);
-  const fs::path folder = output / prepared.scene.name;
+  for (const auto& warning : prepared.input.warnings) log::warn(warning);
+  const fs::path folder = output / prepared.input.name;
   fs::create_directories(folder);
   const fem::PetscSession session;
   const auto plan = trade_plan(prepared.fem);

@@ -9,10 +9,8 @@
 
 #include "comparison/case/case.h"
 #include "comparison/report/exact_section.h"
-#include "comparison/report/extremes_section.h"
 #include "comparison/report/figures.h"
-#include "comparison/report/random_cases_section.h"
-#include "comparison/report/tolerance_section.h"
+#include "comparison/report/suite_section.h"
 #include "comparison/report/trade_section.h"
 #include "comparison/report/verdict_section.h"
 #include "comparison/results/results_folder.h"
@@ -259,7 +257,7 @@ std::string all_cases_section(const Results& results) {
 }
 
 /// Section of a suite from what it wrote; empty if it was not run.
-std::string suite_section(const fs::path& file, std::string (*section)(const nlohmann::ordered_json&)) {
+std::string section_of(const fs::path& file, std::string (*section)(const nlohmann::ordered_json&)) {
   const auto json = read_json(file);
   if (!json) return "";
   try {
@@ -280,9 +278,9 @@ fs::path write_report(const fs::path& folder) {
   for (const auto& section :
        {of_results(verdict_section), of_results(radii_section), of_results(phase_section), of_results(rheology_section),
         of_results(limiting_section), of_results(single_cases_section), of_results(budget_section),
-        trade_section(folder), suite_section(folder / "tolerance.json", tolerance_section),
-        suite_section(folder / "extremes.json", extremes_section), suite_section(folder / "soak.json", soak_section),
-        suite_section(folder / "ladder.json", convergence_section), of_results(cost_section),
+        trade_section(folder), section_of(folder / "tolerance.json", suite_section),
+        section_of(folder / "extremes.json", suite_section), section_of(folder / "random.json", suite_section),
+        section_of(folder / "exact.json", convergence_section), of_results(cost_section),
         of_results(all_cases_section)})
     sections += section;
   if (sections.empty())

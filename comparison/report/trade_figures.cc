@@ -27,7 +27,7 @@ double seconds_of(const Json& point) {
 }
 
 double megabytes_of(const Json& point) {
-  return number(point.at("memory_bytes").at("total")) / 1e6;
+  return number(point.at("memory_bytes")) / 1e6;
 }
 
 void add(Series& series, double x, double y) {

@@ -30,7 +30,7 @@ std::string number_text(const Json& value, const char* format) {
 
 std::string row(const std::string& first, const std::string& second, const Json& point, bool bad) {
   const auto& s = point.at("setting");
-  const auto& memory = point.at("memory_bytes").at("total");
+  const auto& memory = point.at("memory_bytes");
   return fmt::format(
       "<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td{}>{}</td><td>{:.2f}</td>"
       "<td>{}</td></tr>\n",

@@ -5,43 +5,29 @@
 #include <string>
 #include <vector>
 
-#include "comparison/accuracy/case_study.h"
-#include "comparison/results/case_result.h"
+#include "comparison/accuracy/proof.h"
 
 namespace fretval {
 
-/// Checks everything about the cases that can be checked before the first one is computed. Throws InputError; bad
-/// values that only the reference refuses are reported with the file's name.
-std::vector<PreparedCase> prepare(const std::vector<Case>& cases);
-
-/// One line of the batch's outcome.
+/// One line of what a batch comes to.
 struct BatchLine {
   std::string name;
   bool pass = false;
   std::string failure;  ///< not empty: the numerics failed on this case, with this message
-  Comparison verdict;
+  Comparison comparison;
 };
 
-struct BatchHooks {
-  /// Makes the body for a specification; by default on a generated mesh.
-  std::function<Body(const BodySpecification&)> make_body = [](const BodySpecification& s) {
-    return fretval::make_body(s);
-  };
+struct BatchOptions {
+  Proof proof = Proof::tolerance;
+  MeshSource meshes = {};
+  std::filesystem::path output = {};  ///< empty: nothing is written
   /// Called after each case, one call at a time.
   std::function<void(const BatchLine&, std::size_t n_done, std::size_t n_cases)> progress = [](auto&&...) {};
-  /// Of all cases, but those that ask to be economised go on from the proof to that.
-  StudyDepth depth = StudyDepth::proof;
 };
 
-/// Computes all cases; those that start from one body go on together, so that they share bodies and normal histories
-/// (see run_probes). Each case writes its folder under `output` when it is done, one with fields when the cases that
-/// started with it are; with an empty path nothing is written. What a folder holds from an earlier run no longer counts
-/// as a result from then on, also if the numerics of the case fail now.
-/// The lines come in the order of the cases.
-std::vector<BatchLine> run_batch(const std::vector<PreparedCase>& cases, const std::filesystem::path& output,
-                                 const BatchHooks& hooks);
-
-/// What MDR says and whether finite elements agree, from the result of a study.
-CaseResult result_of(const PreparedCase& prepared, const mdr::NormalResponse& reference, StudyResult&& study);
+/// Computes all cases, on all cores, with shared bodies. Each case writes its folder under the output when it is done.
+/// What a folder holds from an earlier run no longer counts as a result from then on, also if the numerics of the case
+/// fail now. The lines come in the order of the cases.
+std::vector<BatchLine> run_batch(const std::vector<PreparedCase>& cases, const BatchOptions& options);
 
 }  // namespace fretval

@@ -28,25 +28,25 @@ const char* name_of(Case::Shape shape) {
   return "table";
 }
 
-ordered_json scene_json(const CaseResult& outcome) {
-  const auto& scene = outcome.scene;
-  const auto& motion = outcome.mdr_case.motion;
-  ordered_json json{{"file", scene.file},
-                    {"shape", name_of(scene.indenter.shape)},
-                    {"rheology", scene.elastomer.rheology},
-                    {"friction_coefficient", scene.friction_coefficient},
+ordered_json case_json(const CaseResult& result) {
+  const auto& input = result.input;
+  const auto& motion = result.mdr_case.motion;
+  ordered_json json{{"file", input.file},
+                    {"shape", name_of(input.indenter.shape)},
+                    {"rheology", input.elastomer.rheology},
+                    {"friction_coefficient", input.friction_coefficient},
                     {"indentation", motion.indentation},
                     {"normal_amplitude", motion.normal_amplitude},
                     {"tangential_amplitude", motion.tangential_amplitude},
                     {"frequency", motion.normal_frequency},
-                    {"phase", or_null(scene.motion.phase)},
-                    {"wear", scene.wear == Case::Wear::limiting ? "limiting" : "unworn"},
-                    {"contact_radius_at_rest", mdr::inverse_transform(outcome.mdr_case.profile, motion.indentation)},
-                    {"contact_radius_unworn", outcome.fem_case.units.length},
-                    {"tolerance", scene.tolerance}};
-  if (outcome.mdr_case.limiting) json["stick_radius_of_profile"] = outcome.mdr_case.limiting->stick_radius;
-  if (scene.sweep)
-    json["sweep"] = {{"family", scene.sweep->family}, {"entry", scene.sweep->entry}, {"value", scene.sweep->value}};
+                    {"phase", or_null(input.motion.phase)},
+                    {"wear", input.wear == Case::Wear::limiting ? "limiting" : "unworn"},
+                    {"contact_radius_at_rest", mdr::inverse_transform(result.mdr_case.profile, motion.indentation)},
+                    {"contact_radius_unworn", result.fem_case.units.length},
+                    {"tolerance", input.tolerance}};
+  if (result.mdr_case.limiting) json["stick_radius_of_profile"] = result.mdr_case.limiting->stick_radius;
+  if (input.sweep)
+    json["sweep"] = {{"family", input.sweep->family}, {"entry", input.sweep->entry}, {"value", input.sweep->value}};
   return json;
 }
 
@@ -58,7 +58,7 @@ ordered_json bar_json(const std::optional<ErrorBar>& bar) {
   return {{"total", bar->total()}, {"shares", shares}};
 }
 
-ordered_json fe_json(const FeAnswer& fe, const Comparison& verdict) {
+ordered_json fe_json(const FeAnswer& fe, const Comparison& comparison) {
   ordered_json json{{"contact_radius_max", or_null(fe.contact_radius_max)},
                     {"stick_radius_first_slip", or_null(fe.stick_radius_first_slip)},
                     {"stick_radius_shakedown", or_null(fe.stick_radius_shakedown)},
@@ -70,26 +70,21 @@ ordered_json fe_json(const FeAnswer& fe, const Comparison& verdict) {
     json["touch_indentation"] = fe.no_wear->touch_indentation;
   }
   json["error_estimate"] = ordered_json::object();
-  for (const auto& [quantity, difference] : verdict) json["error_estimate"][quantity] = bar_json(difference.bar);
+  for (const auto& [quantity, difference] : comparison)
+    json["error_estimate"][name_of(quantity)] = bar_json(difference.bar);
   return json;
 }
 
-ordered_json verdict_json(const Comparison& verdict) {
+ordered_json comparison_json(const Comparison& comparison) {
   ordered_json json = ordered_json::object();
-  for (const auto& [quantity, difference] : verdict)
-    json[quantity] = {{"difference", or_null(difference.difference)},
-                      {"tolerance", difference.tolerance},
-                      {"error_bar", difference.bar ? ordered_json(difference.bar->total()) : ordered_json(nullptr)},
-                      {"verdict", name_of(difference.finding)},
-                      {"pass", difference.passes()}};
+  for (const auto& [quantity, difference] : comparison)
+    json[name_of(quantity)] = {
+        {"difference", or_null(difference.difference)},
+        {"tolerance", difference.tolerance},
+        {"error_bar", difference.bar ? ordered_json(difference.bar->total()) : ordered_json(nullptr)},
+        {"verdict", name_of(difference.verdict)},
+        {"pass", difference.passes()}};
   return json;
-}
-
-ordered_json economised_json(const std::optional<CheapestProved>& cheapest) {
-  if (!cheapest) return nullptr;
-  auto resolutions = ordered_json::array();
-  for (const auto& r : cheapest->resolutions) resolutions.push_back(resolution_json(r));
-  return {{"resolutions", std::move(resolutions)}, {"error_bars", cheapest->bars}};
 }
 
 double peak_memory_bytes() {
@@ -100,24 +95,25 @@ double peak_memory_bytes() {
 
 }  // namespace
 
-ordered_json result_json(const CaseResult& outcome) {
-  const auto& [fe, normal, body, failure] = outcome.study.answer;
-  return {{"name", outcome.scene.name},
-          {"pass", passes(outcome.verdict)},
-          {"scene", scene_json(outcome)},
-          {"mdr", to_json(outcome.mdr)},
-          {"fe", fe_json(fe, outcome.verdict)},
-          {"comparison", verdict_json(outcome.verdict)},
-          {"economised", economised_json(outcome.study.cheapest)},
+ordered_json result_json(const CaseResult& result) {
+  const auto& fe = result.fe.fe;
+  const auto& body = *fe.body;
+  return {{"name", result.input.name},
+          {"pass", passes(result.comparison)},
+          {"proof", name_of(result.proof)},
+          {"scene", case_json(result)},
+          {"mdr", to_json(result.mdr)},
+          {"fe", fe_json(fe, result.comparison)},
+          {"comparison", comparison_json(result.comparison)},
           {"cost",
            {{"seconds",
-             {{"mesh", body->cost.mesh},
-              {"assembly", body->cost.assembly},
-              {"factorisation", body->cost.factorisation},
-              {"normal_history", normal->seconds},
-              {"friction_history", fe.seconds}}},
-            {"dofs", body->n_dofs},
-            {"contact_nodes", body->n_contact_nodes},
+             {{"mesh", body.cost.mesh},
+              {"assembly", body.cost.assembly},
+              {"factorisation", body.cost.factorisation},
+              {"normal_history", fe.seconds.normal},
+              {"friction_history", fe.seconds.friction}}},
+            {"dofs", body.n_dofs},
+            {"contact_nodes", body.n_contact_nodes},
             {"time_steps", fe.n_steps},
             {"cycles", fe.n_cycles},
             {"peak_memory_bytes", peak_memory_bytes()}}}};

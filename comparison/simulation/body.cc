@@ -8,20 +8,23 @@
 namespace fretval {
 namespace {
 
-HarmonicBody make_harmonic(const fem::GridData& grid, fem::Harmonic harmonic, unsigned degree, BodyCost& cost) {
-  Stopwatch watch;
+HarmonicOperators assemble_harmonic(const fem::GridData& grid, fem::Harmonic harmonic, unsigned degree) {
   fem::HarmonicSpace space(grid, harmonic, degree);
-  const auto stiffness = fem::assemble_stiffness(space);
-  cost.assembly += watch.lap();
-  fem::Condensation condensation(
-      stiffness, space.contact_line().dofs,
-      harmonic == fem::Harmonic::normal ? "stiffness of the normal harmonic" : "stiffness of the tangential harmonic");
-  fem::ContactProblem contact(fem::contact_compliance(space.contact_line(), condensation));
-  cost.factorisation += watch.lap();
-  return {std::move(space), std::move(condensation), std::move(contact)};
+  auto stiffness = fem::assemble_stiffness(space);
+  return {std::move(space), std::move(stiffness)};
+}
+
+HarmonicBody condense_harmonic(HarmonicOperators&& operators, const std::string& name) {
+  fem::Condensation condensation(operators.stiffness, operators.space.contact_line().dofs, name);
+  fem::ContactProblem contact(fem::contact_compliance(operators.space.contact_line(), condensation));
+  return {std::move(operators.space), std::move(condensation), std::move(contact)};
 }
 
 }  // namespace
+
+meshes::Mesh mesh_of(const BodySpecification& specification) {
+  return meshes::quarter_disc({specification.contact_nodes, specification.far_radius, specification.growth});
+}
 
 fem::GridData grid_of(const meshes::Mesh& mesh) {
   fem::GridData grid{mesh.nodes, mesh.cells, {}};
@@ -30,27 +33,43 @@ fem::GridData grid_of(const meshes::Mesh& mesh) {
   return grid;
 }
 
-meshes::Mesh mesh_of(const BodySpecification& specification) {
-  return meshes::quarter_disc({specification.contact_nodes, specification.far_radius, specification.growth});
+Operators assemble_operators(const meshes::Mesh& mesh, const std::string& name, unsigned degree, bool tangential) {
+  meshes::audit(mesh, name);
+  Stopwatch watch;
+  const auto grid = grid_of(mesh);
+  Operators operators{assemble_harmonic(grid, fem::Harmonic::normal, degree), {}, meshes::quality(mesh), {}};
+  if (tangential) operators.tangential.emplace(assemble_harmonic(grid, fem::Harmonic::tangential, degree));
+  operators.cost.assembly = watch.lap();
+  return operators;
 }
 
-Body make_body(const meshes::Mesh& mesh, const std::string& name, unsigned degree, bool tangential) {
-  meshes::audit(mesh, name);
-  const auto grid = grid_of(mesh);
-  BodyCost cost;
-  auto normal = make_harmonic(grid, fem::Harmonic::normal, degree, cost);
-  std::optional<HarmonicBody> second;
-  if (tangential) second.emplace(make_harmonic(grid, fem::Harmonic::tangential, degree, cost));
-  return {meshes::quality(mesh), std::move(normal), std::move(second), cost};
+Body condense(Operators&& operators) {
+  Stopwatch watch;
+  auto normal = condense_harmonic(std::move(operators.normal), "stiffness of the normal harmonic");
+  std::optional<HarmonicBody> tangential;
+  if (operators.tangential)
+    tangential.emplace(condense_harmonic(std::move(*operators.tangential), "stiffness of the tangential harmonic"));
+  Body body{std::move(normal), std::move(tangential), operators.mesh_quality, operators.cost};
+  body.cost.factorisation = watch.lap();
+  return body;
 }
 
 Body make_body(const BodySpecification& specification) {
   Stopwatch watch;
   const auto mesh = mesh_of(specification);
   const double seconds = watch.lap();
-  Body body = make_body(mesh, "generated mesh", specification.degree, specification.tangential);
+  Body body = condense(assemble_operators(mesh, "generated mesh", specification.degree, specification.tangential));
   body.cost.mesh = seconds;
   return body;
+}
+
+ContactBody contact_body(Body&& body) {
+  const auto summary = std::make_shared<const BodySummary>(BodySummary{body.mesh_quality, body.cost, body.n_dofs(),
+                                                                       body.normal.space.contact_line().dofs.size(),
+                                                                       body.normal.contact.compliance.radii});
+  std::optional<fem::ContactProblem> tangential;
+  if (body.tangential) tangential = std::move(body.tangential->contact);
+  return {std::move(body.normal.contact), std::move(tangential), summary};
 }
 
 }  // namespace fretval

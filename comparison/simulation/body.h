@@ -3,22 +3,17 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "comparison/simulation/fem_case.h"
 #include "fem/condensation/condensation.h"
-#include "fem/history/normal_history.h"
+#include "fem/history/contact_problem.h"
 #include "fem/operators/harmonic_space.h"
+#include "fem/operators/sparse_matrix.h"
 #include "meshes/mesh.h"
 #include "meshes/quality.h"
 
 namespace fretval {
-
-/// One harmonic of the body: its space, its factorised stiffness and the contact problem condensed from it.
-struct HarmonicBody {
-  fem::HarmonicSpace space;
-  fem::Condensation condensation;
-  fem::ContactProblem contact;
-};
 
 /// Seconds spent on a body.
 struct BodyCost {
@@ -27,11 +22,42 @@ struct BodyCost {
   [[nodiscard]] double total() const { return mesh + assembly + factorisation; }
 };
 
+/// The mesh that a specification asks for.
+meshes::Mesh mesh_of(const BodySpecification& specification);
+
+/// The mesh as the finite elements take it.
+fem::GridData grid_of(const meshes::Mesh& mesh);
+
+/// One harmonic of the body before it is factorised.
+struct HarmonicOperators {
+  fem::HarmonicSpace space;
+  fem::SparseMatrix stiffness;
+};
+
+/// What finite elements make of a mesh.
+struct Operators {
+  HarmonicOperators normal;
+  std::optional<HarmonicOperators> tangential;  ///< only if the indenter moves tangentially
+  meshes::MeshQuality mesh_quality;
+  BodyCost cost;
+};
+
+/// Audits the mesh and assembles its stiffness. name: of the mesh, for messages. Throws meshes::MeshError.
+Operators assemble_operators(const meshes::Mesh& mesh, const std::string& name, unsigned degree,
+                             bool tangential = true);
+
+/// One harmonic of the body: its space, its factorised stiffness and the contact problem condensed from it.
+struct HarmonicBody {
+  fem::HarmonicSpace space;
+  fem::Condensation condensation;
+  fem::ContactProblem contact;
+};
+
 /// The elastic body with its harmonics, ready for any motion, friction, rheology and profile on its contact line.
 struct Body {
-  meshes::MeshQuality mesh_quality;
   HarmonicBody normal;
   std::optional<HarmonicBody> tangential;  ///< only if the indenter moves tangentially
+  meshes::MeshQuality mesh_quality;
   BodyCost cost;
 
   [[nodiscard]] unsigned n_dofs() const {
@@ -39,17 +65,28 @@ struct Body {
   }
 };
 
-/// The mesh that a specification asks for.
-meshes::Mesh mesh_of(const BodySpecification& specification);
+/// Factorises the operators and condenses them to the contact line. Throws fem::SolverError.
+Body condense(Operators&& operators);
 
-/// The mesh as the finite elements take it.
-fem::GridData grid_of(const meshes::Mesh& mesh);
-
-/// Audits the mesh, assembles and condenses. name: of the mesh, for messages. Throws meshes::MeshError,
-/// fem::SolverError.
-Body make_body(const meshes::Mesh& mesh, const std::string& name, unsigned degree, bool tangential = true);
-
-/// Both at once, with the time of the mesh in the cost.
+/// On a generated mesh, with the time of that in the cost.
 Body make_body(const BodySpecification& specification);
+
+/// Figures of a body.
+struct BodySummary {
+  meshes::MeshQuality mesh_quality;
+  BodyCost cost;
+  unsigned n_dofs;
+  std::size_t n_contact_nodes;
+  std::vector<double> radii;  ///< of the rings
+};
+
+/// What histories need of a body: a thousandth of its memory.
+struct ContactBody {
+  fem::ContactProblem normal;
+  std::optional<fem::ContactProblem> tangential;  ///< only if the indenter moves tangentially
+  std::shared_ptr<const BodySummary> summary;
+};
+
+ContactBody contact_body(Body&& body);
 
 }  // namespace fretval

@@ -96,7 +96,7 @@ FemCase fem_case(const Case& scene, const MdrCase& mdr) {
   if (scene.rings_per_radius)
     resolution.elements_per_radius = *scene.rings_per_radius;
   else if (mdr.limiting && resolution.elements_per_radius < enough_rings_of_a_worn_profile)
-    resolution = refined(resolution, ErrorSource::rings).value();
+    resolution = with_rings(resolution, 2);
   if (scene.steps_per_cycle) resolution.steps_per_cycle = *scene.steps_per_cycle;
   return at_resolution(std::move(fem), resolution);
 }
@@ -115,19 +115,6 @@ std::vector<std::string> left_out(const FemCase& scene) {
   if (!scene.body.tangential) words.emplace_back("no tangential motion: no tangential harmonic, no friction history");
   if (!scene.relaxation.has_memory()) words.emplace_back("elastic body: no memory, one cycle of ramp");
   return words;
-}
-
-bool same_normal_problem(const FemCase& a, const Case& case_a, const FemCase& b, const Case& case_b) {
-  const auto key = [](const FemCase& fem, const Case& scene) {
-    const auto& indenter = scene.indenter;
-    return std::make_tuple(fem.body.contact_nodes, indenter.shape, indenter.radius, indenter.slope_angle,
-                           indenter.coefficient, indenter.exponent, indenter.flat_radius, indenter.edge_radius,
-                           indenter.table, indenter.table_noise, scene.wear, scene.worn_stick_ratio,
-                           fem.relaxation.moduli, fem.relaxation.times, fem.relaxation.viscosity,
-                           scene.motion.indentation, scene.motion.normal_amplitude, fem.resolution.steps_per_cycle,
-                           fem.resolution.n_ramp_cycles, fem.resolution.periodicity, fem.resolution.active_set_slack);
-  };
-  return key(a, case_a) == key(b, case_b);
 }
 
 }  // namespace fretval

@@ -63,7 +63,4 @@ FemCase at_resolution(FemCase scene, const Resolution& resolution);
 /// What the model of a scene does without because the scene does not need it, in words for the log.
 std::vector<std::string> left_out(const FemCase& scene);
 
-/// True if two scenes share everything that the normal contact depends on.
-bool same_normal_problem(const FemCase& a, const Case& case_a, const FemCase& b, const Case& case_b);
-
 }  // namespace fretval

@@ -10,12 +10,6 @@ ordered_json focus_json(const Focus& focus) {
   return {{"inner", focus.inner}, {"outer", focus.outer}, {"ring", focus.ring}};
 }
 
-ordered_json focus_json(const std::map<std::string, Focus>& focus) {
-  auto json = ordered_json::object();
-  for (const auto& [quantity, one] : focus) json[quantity] = focus_json(one);
-  return json;
-}
-
 ordered_json resolution_json(const Resolution& r) {
   ordered_json json{{"rings", r.elements_per_radius},
                     {"degree", r.degree},

@@ -1,8 +1,6 @@
 #pragma once
 
-#include <map>
 #include <nlohmann/json_fwd.hpp>
-#include <string>
 
 #include "comparison/simulation/resolution.h"
 
@@ -13,8 +11,5 @@ nlohmann::ordered_json resolution_json(const Resolution& resolution);
 
 /// Inner and outer radius and ring.
 nlohmann::ordered_json focus_json(const Focus& focus);
-
-/// An object with those of each quantity.
-nlohmann::ordered_json focus_json(const std::map<std::string, Focus>& focus);
 
 }  // namespace fretval

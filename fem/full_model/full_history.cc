@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "fem/full_model/strain_memory.h"
+#include "fem/full_model/strain_field.h"
 #include "fem/history/require_room.h"
 #include "fem/support/constants.h"
 #include "fem/support/solver_error.h"
@@ -29,15 +29,18 @@ Eigen::VectorXd driven_field(BorderedSolver& solver) {
 }
 
 /// Carries the body from step to step.
-class FullStepper {
+class Stepper {
  public:
-  FullStepper(const HarmonicSpace& space, BorderedSolver& solver, const RelaxationModel& relaxation,
-              std::function<ValueAndRate(double)> motion, int steps_per_cycle, Start start)
+  Stepper(const HarmonicSpace& space, BorderedSolver& solver, const RelaxationModel& relaxation,
+          std::function<ValueAndRate(double)> motion, int steps_per_cycle, Start start)
       : solver_(solver),
         strain_(space),
         motion_(std::move(motion)),
         dt_(2 * pi / steps_per_cycle),
-        memory_(relaxation, dt_, strain_.of(start.displacement), strain_.of(start.driven)),
+        step_(relaxation, dt_),
+        driven_strain_(strain_.of(start.driven)),
+        state_{strain_.of(start.displacement),
+               Eigen::MatrixXd::Zero(driven_strain_.size(), static_cast<Eigen::Index>(relaxation.moduli.size()))},
         driven_(std::move(start.driven)),
         displacement_(std::move(start.displacement)) {}
 
@@ -45,12 +48,13 @@ class FullStepper {
   /// at the bounds.
   Eigen::VectorXd compute_step(int index, const Eigen::VectorXd& interior_slip, const Eigen::VectorXd& lower,
                                const Eigen::VectorXd& upper, std::vector<BoxState>& state) {
-    const double begin = time(index), balance = begin + memory_.fraction() * dt_;
-    const Eigen::VectorXd force = strain_.force(memory_.stress_without_slip(indenter_move(motion_, begin, balance)));
-    auto solution = solver_.solve(force, -memory_.instantaneous() * interior_slip, lower, upper, state);
-    const Eigen::VectorXd slip = -solution.field / memory_.instantaneous();
+    const double begin = time(index), balance = begin + step_.fraction() * dt_;
+    const Eigen::VectorXd force =
+        strain_.force(step_.response_without_slip(state_, indenter_move(motion_, begin, balance), driven_strain_));
+    auto solution = solver_.solve(force, -step_.instantaneous() * interior_slip, lower, upper, state);
+    const Eigen::VectorXd slip = -solution.field / step_.instantaneous();
     const auto move = indenter_move(motion_, begin, begin + dt_);
-    memory_.advance(move, strain_.of(slip));
+    step_.advance(state_, move, strain_.of(slip), driven_strain_);
     displacement_ += move.increment * driven_ - slip;
     return std::move(solution.traction);
   }
@@ -63,7 +67,9 @@ class FullStepper {
   StrainField strain_;
   std::function<ValueAndRate(double)> motion_;
   double dt_;
-  StrainMemory memory_;
+  RelaxationStep step_;
+  Eigen::VectorXd driven_strain_;
+  RingState state_;                        // strains
   Eigen::VectorXd driven_, displacement_;  // fields; what they hold at the dofs of the pressure has no meaning
 };
 
@@ -94,8 +100,7 @@ FullNormalHistory full_normal_history(const HarmonicSpace& space, const Relaxati
   FullNormalHistory history;
   history.pressure.resize(n, 1 + n_steps);
   history.pressure.col(0) = relaxation.relaxed * relaxed.traction;
-  FullStepper stepper(space, solver, relaxation, position, steps_per_cycle,
-                      {std::move(relaxed.field), std::move(driven)});
+  Stepper stepper(space, solver, relaxation, position, steps_per_cycle, {std::move(relaxed.field), std::move(driven)});
   for (int k = 0; k < n_steps; ++k) {
     // A ring in contact closes its gap: it slips by what is left of it.
     const Eigen::VectorXd gap = (stepper.ring_displacement() + profile).array() - position(stepper.time(k)).value;
@@ -116,7 +121,7 @@ FullFrictionHistory full_friction_history(const HarmonicSpace& space, const Rela
           "the pressures do not fit the rings of the contact line and the steps of the friction history");
   BorderedSolver solver(space, "the full friction problem");
   Start start{Eigen::VectorXd::Zero(space.n_dofs()), driven_field(solver)};
-  FullStepper stepper(
+  Stepper stepper(
       space, solver, relaxation, [&motion](double t) { return tangential_motion(motion, t); }, steps_per_cycle,
       std::move(start));
 

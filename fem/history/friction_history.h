@@ -1,34 +1,110 @@
 #pragma once
 
 #include <Eigen/Dense>
+#include <functional>
+#include <vector>
 
+#include "fem/history/friction_contact.h"
 #include "fem/history/normal_history.h"
+#include "fem/history/running_minimum.h"
 
 namespace fretval::fem {
 
 /// Stick and slip of every ring, judged over the whole history and over the last period.
 struct FrictionHistory {
-  int n_cycles;                        ///< computed
-  double periodicity;                  ///< reached, see HistoryControl
+  int n_cycles = 0;                    ///< computed
+  long n_steps = 0;                    ///< computed
+  double periodicity = 0;              ///< reached, see HistoryControl
   Eigen::VectorXd first_slip_margin;   ///< per ring: smallest sample of `mu p - |tau|` from the start on
   Eigen::VectorXd shakedown_margin;    ///< per ring: `[min(mu p - tau) + min(mu p + tau)] / 2`, of the last period
   Eigen::VectorXd first_slip_reserve;  ///< per ring: smallest slip reserve of `mu p -+ tau` from the start on
   Eigen::VectorXd shakedown_reserve;   ///< per ring: mean of the smallest of either over the last period
   Eigen::VectorXd slip_path;           ///< per ring: length of slip from the start on
   Eigen::VectorXd period_slip;         ///< per ring: length of slip in the last period
-  Eigen::VectorXd force;          ///< per instant of the whole history, the instants of the normal one continued; see
-                                  ///< PunchSeries
-  Eigen::VectorXd displacement;   ///< of the rings, at the end of the last period
-  double dissipated_energy;       ///< by friction in the last period, see PunchSeries
-  Eigen::VectorXd friction_work;  ///< per ring: by friction in the last period
-  Eigen::MatrixXd traction;       ///< n_rings x steps per period: the last period
+  Eigen::VectorXd force;               ///< per step of the last period; see PunchSeries
+  Eigen::VectorXd displacement;        ///< of the rings, at the end of the last period
+  double dissipated_energy = 0;        ///< by friction in the last period, see PunchSeries
+  Eigen::VectorXd friction_work;       ///< per ring: by friction in the last period
+  Eigen::MatrixXd traction;            ///< n_rings x steps per period: the last period
 };
 
-/// Steps Coulomb friction with unidirectional traction, |tau| <= mu p, through the motion from rest until the tractions
-/// are periodic. Tangential contact problem and normal history must share the rings. Throws SolverError when the
-/// tractions are not periodic after control.max_cycles.
-FrictionHistory friction_history(const ContactProblem& problem, const RelaxationModel& relaxation,
-                                 double friction_coefficient, const Motion& motion, const NormalHistory& normal,
-                                 const HistoryControl& control);
+/// Watches for the rings that have never slipped.
+class FirstSlip {
+ public:
+  explicit FirstSlip(Eigen::Index n_rings);
+  void see(const FrictionContact& contact);
+  void report(FrictionHistory& history) const;
+
+ private:
+  Eigen::VectorXd margin_, slip_path_;
+  // No floor under a reserve: below zero between two samples it tells what a finer step would have let slip.
+  RunningMinimum forward_, backward_;
+};
+
+/// Watches one period: what still slips in it, its tractions, its energy.
+class FrictionPeriod {
+ public:
+  FrictionPeriod(Eigen::Index n_rings, int n_steps);
+  /// Forgets the period before, but for its last samples.
+  void begin();
+  void see(const FrictionContact& contact);
+  void report(const ContactProblem& problem, FrictionHistory& history) const;
+  [[nodiscard]] const Eigen::MatrixXd& traction() const { return traction_; }
+
+ private:
+  // Smallest mu p - tau and mu p + tau. Of the samples: between them a parabola would dip to zero at a kink.
+  Eigen::VectorXd forward_, backward_;
+  RunningMinimum forward_reserve_, backward_reserve_;  // slip reserves of the same
+  Eigen::VectorXd slip_;
+  Eigen::MatrixXd traction_;
+  Eigen::VectorXd work_, series_work_;  // of friction, per area, and as a product of depths and displacements
+  std::vector<signed char> zones_;      // what happened to each ring, as bits
+  Eigen::VectorXd last_traction_, last_depths_;
+  int k_ = 0;
+};
+
+/// Friction beside a normal contact, with everything that is watched. As long as the normal contact is on its way to
+/// its periodic state, step it with every step of that; then let friction_history go on.
+class WatchedFriction {
+ public:
+  /// See FrictionContact.
+  WatchedFriction(const ContactProblem& problem, const RelaxationModel& relaxation, double friction_coefficient,
+                  const Motion& motion, int steps_per_cycle);
+  void step(const Eigen::VectorXd& pressure);
+
+  FrictionContact contact;
+  FirstSlip first_slip;
+  FrictionPeriod period;
+  Eigen::MatrixXd traction_before;  ///< of the period before
+
+  [[nodiscard]] int period_steps() const { return contact.steps_per_cycle() * contact.motion().cycles_per_period(); }
+};
+
+/// Goes on under the repeating cycle of the normal contact until the tractions are periodic. Throws SolverError when
+/// they are not after control.max_cycles. see: called after each step.
+FrictionHistory friction_history(WatchedFriction friction, const NormalHistory& normal, const HistoryControl& control,
+                                 const std::function<void(const FrictionContact&)>& see = {});
+
+/// Both contacts from their start to their periodic states, side by side.
+struct ContactHistory {
+  NormalHistory normal;
+  FrictionHistory friction;
+};
+ContactHistory contact_history(NormalContact normal, WatchedFriction friction, const HistoryControl& control);
+
+/// Where the indenter does not move tangentially, nothing slips: a margin is the friction limit itself.
+class FrictionAtRest {
+ public:
+  /// contact: at its start.
+  FrictionAtRest(const NormalContact& contact, double friction_coefficient);
+  void step(const Eigen::VectorXd& pressure);
+  [[nodiscard]] FrictionHistory history(const NormalHistory& normal) const;
+
+ private:
+  const ContactProblem& problem_;
+  double friction_coefficient_;
+  Eigen::VectorXd margin_;
+  RunningMinimum reserve_;
+};
 
 }  // namespace fretval::fem

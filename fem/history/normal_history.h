@@ -3,9 +3,7 @@
 #include <Eigen/Dense>
 #include <functional>
 
-#include "fem/history/contact_problem.h"
-#include "fem/history/motion.h"
-#include "fem/history/relaxation.h"
+#include "fem/history/normal_contact.h"
 
 namespace fretval::fem {
 
@@ -17,44 +15,38 @@ struct HistoryControl {
   double periodicity = 1e-7;
 };
 
-/// The normal contact problem through the ramp and on until its response is periodic. Ring pressures are unaffected by
-/// the tangential motion (nu = 1/2), so one normal history serves all tangential motions.
+/// The periodic state of the normal contact: the last cycle, which repeats, and how the history came to it.
 struct NormalHistory {
   int steps_per_cycle = 0;
   int n_cycles = 0;                       ///< computed; from the last one on, the response repeats
   double periodicity = 0;                 ///< reached, see HistoryControl
-  Eigen::VectorXd time;                   ///< per instant: 0, then the balance time of each step
-  Eigen::MatrixXd pressure;               ///< n_rings x n_instants
-  Eigen::VectorXd indentation;            ///< per instant
-  Eigen::VectorXd force;                  ///< per instant, see contact_force
-  Eigen::VectorXd force_uncertainty;      ///< per instant, see ContactForce
-  Eigen::VectorXd kink_uncertainty;       ///< per instant, see ContactForce
-  Eigen::VectorX<Eigen::Index> n_closed;  ///< per instant, see ContactForce
-  Eigen::VectorXd contact_radius;         ///< per instant
-  Eigen::VectorXd touch_radii;            ///< of the contact when a ring touches, see PunchSeries::radii
-  Eigen::VectorXd smallest_gap;           ///< per ring over the last cycle; 0 for rings that touch
+  double first_balance = 0;               ///< time at which forces balanced in the first step of all
+  Eigen::VectorXd smallest_pressure;      ///< per ring, from the start on
+  Eigen::VectorXd time;                   ///< per step of the cycle: its balance time; so all that follow
+  Eigen::MatrixXd pressure;               ///< n_rings x steps_per_cycle
+  Eigen::VectorXd indentation;            ///< at the balance times
+  Eigen::VectorXd force;                  ///< see contact_force
+  Eigen::VectorXd force_uncertainty;      ///< see ContactForce
+  Eigen::VectorXd kink_uncertainty;       ///< see ContactForce
+  Eigen::VectorX<Eigen::Index> n_closed;  ///< see ContactForce
+  Eigen::VectorXd contact_radius;
+  Eigen::VectorXd touch_radii;   ///< of the contact when a ring touches, see PunchSeries::radii
+  Eigen::VectorXd smallest_gap;  ///< per ring over the cycle; 0 for rings that touch
   /// The same from the gaps at the balance times, a parabola through three of them; both agree to second order.
   Eigen::VectorXd smallest_gap_at_balance;
-  Eigen::VectorXd deepest_displacement;  ///< of the rings, at the largest indentation of the last cycle
-  Eigen::VectorXd highest_displacement;  ///< of the rings, at the smallest indentation of the last cycle
+  Eigen::VectorXd deepest_displacement;  ///< of the rings, at the largest indentation
+  Eigen::VectorXd highest_displacement;  ///< of the rings, at the smallest indentation
 
-  /// Column of `pressure` at a step counted from the start of the history, also beyond the computed ones.
-  [[nodiscard]] Eigen::Index column(long step) const;
+  /// Column of a step in the cycle, counted from 1 for the first step of the history; from the last computed cycle on.
+  [[nodiscard]] Eigen::Index column(long step) const { return (step - 1) % steps_per_cycle; }
+  [[nodiscard]] long n_steps() const { return static_cast<long>(n_cycles) * steps_per_cycle; }
 };
 
-/// Mean over each ring of a profile f(r).
-Eigen::VectorXd ring_means(const Compliance& compliance, const std::function<double(double)>& f);
+/// Whatever else goes along with the normal contact, step by step: friction, a record.
+using Beside = std::function<void(const NormalContact&)>;
 
-/// Elastic normal contact with unit shear modulus at a fixed indentation; profile: ring means.
-/// Returns the ring pressures and the remaining gaps.
-struct NormalContact {
-  Eigen::VectorXd pressure, gap;
-};
-NormalContact normal_contact(const ContactProblem& problem, const Eigen::VectorXd& profile, double indentation);
-
-/// Throws SolverError when the response is not periodic after max_cycles (message with the measure reached) or when the
-/// contact reaches the last ring of the line.
-NormalHistory normal_history(const ContactProblem& problem, const RelaxationModel& relaxation,
-                             const Eigen::VectorXd& profile, const Motion& motion, const HistoryControl& control);
+/// Steps a contact from its start until its response is periodic; beside is called after each step. Throws SolverError
+/// when it is not after max_cycles (message with the measure reached).
+NormalHistory normal_history(NormalContact contact, const HistoryControl& control, const Beside& beside = {});
 
 }  // namespace fretval::fem

@@ -67,19 +67,29 @@ RelaxationStep::RelaxationStep(const RelaxationModel& model, double dt)
 }
 
 Eigen::VectorXd RelaxationStep::response_without_slip(const RingState& state, const IndenterMove& move) const {
+  return response_without_slip(state, move, Eigen::VectorXd::Ones(state.displacement.size()));
+}
+
+Eigen::VectorXd RelaxationStep::response_without_slip(const RingState& state, const IndenterMove& move,
+                                                      const Eigen::VectorXd& driven) const {
   double common = model_.relaxed * move.increment + model_.viscosity * move.rates[2];
   for (std::size_t i = 0; i < to_balance_.n_branches(); ++i) common += to_balance_.memory_of(i, move);
-  Eigen::VectorXd response = (model_.relaxed * state.displacement).array() + common;
+  Eigen::VectorXd response = model_.relaxed * state.displacement + common * driven;
   for (std::size_t i = 0; i < to_balance_.n_branches(); ++i)
     response += to_balance_.decay(i) * state.memory.col(static_cast<Eigen::Index>(i));
   return response;
 }
 
 void RelaxationStep::advance(RingState& state, const IndenterMove& move, const Eigen::VectorXd& slip) const {
-  state.displacement.array() += move.increment - slip.array();
+  advance(state, move, slip, Eigen::VectorXd::Ones(slip.size()));
+}
+
+void RelaxationStep::advance(RingState& state, const IndenterMove& move, const Eigen::VectorXd& slip,
+                             const Eigen::VectorXd& driven) const {
+  state.displacement += move.increment * driven - slip;
   for (std::size_t i = 0; i < whole_.n_branches(); ++i) {
     auto h = state.memory.col(static_cast<Eigen::Index>(i));
-    h = (whole_.decay(i) * h - whole_.gain(i) * slip).array() + whole_.memory_of(i, move);
+    h = whole_.decay(i) * h - whole_.gain(i) * slip + whole_.memory_of(i, move) * driven;
   }
 }
 

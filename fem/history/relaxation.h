@@ -49,7 +49,7 @@ class PronyInterval {
   std::vector<std::array<double, 3>> weights_;  // of the rates
 };
 
-/// Displacements of the rings and the memory of their Prony branches.
+/// Displacements of the rings, or strains of a whole body, and the memory of their Prony branches.
 struct RingState {
   Eigen::VectorXd displacement;  ///< n
   Eigen::MatrixXd memory;        ///< n x n_branches
@@ -79,8 +79,15 @@ class RelaxationStep {
   /// w at the balance time of rings that do not slip; move: of the indenter up to the balance time.
   [[nodiscard]] Eigen::VectorXd response_without_slip(const RingState& state, const IndenterMove& move) const;
 
+  /// The same where the indenter moves each entry by its share: strains at the points of a body, of which driven is
+  /// that of a unit displacement of the indenter.
+  [[nodiscard]] Eigen::VectorXd response_without_slip(const RingState& state, const IndenterMove& move,
+                                                      const Eigen::VectorXd& driven) const;
+
   /// Moves the state to the end of the step; move: of the indenter over the whole step; slip: increments.
   void advance(RingState& state, const IndenterMove& move, const Eigen::VectorXd& slip) const;
+  void advance(RingState& state, const IndenterMove& move, const Eigen::VectorXd& slip,
+               const Eigen::VectorXd& driven) const;
 
  private:
   RelaxationModel model_;

@@ -25,13 +25,13 @@ Eigen::Index with_reserve(const Eigen::VectorXd& reserve, Eigen::Index n_stuck) 
   return n;
 }
 
-/// Whether one of the two rings after the first n loses contact in the last n_columns instants.
-bool ends_next_to_smallest_contact(const NormalHistory& normal, Eigen::Index n_columns, Eigen::Index n) {
-  const Eigen::Index n_next = std::min<Eigen::Index>(2, normal.pressure.rows() - n);
-  return n_next > 0 && normal.pressure.middleRows(n, n_next).rightCols(n_columns).minCoeff() <= 0;
+/// Whether one of the two rings after the first n loses contact; smallest: pressure of each ring.
+bool ends_next_to_smallest_contact(const Eigen::VectorXd& smallest, Eigen::Index n) {
+  const Eigen::Index n_next = std::min<Eigen::Index>(2, smallest.size() - n);
+  return n_next > 0 && smallest.segment(n, n_next).minCoeff() <= 0;
 }
 
-EdgeRadius stick_zone(const Compliance& tangential, const NormalHistory& normal, Eigen::Index n_columns,
+EdgeRadius stick_zone(const Compliance& tangential, const Eigen::VectorXd& smallest_pressure,
                       const Eigen::VectorXd& reserve, Eigen::Index n_stuck, double exponent) {
   constexpr double anywhere = 3e-4, next_to_smallest_contact = 1e-3, if_blunt = 12.5;
   const Eigen::Index n = with_reserve(reserve, n_stuck);
@@ -39,7 +39,7 @@ EdgeRadius stick_zone(const Compliance& tangential, const NormalHistory& normal,
   if (n == 0) return edge;
   const double ring = tangential.radii[n] - tangential.radii[n - 1], relative = ring / tangential.radii[n];
   double rings = anywhere;
-  if (ends_next_to_smallest_contact(normal, n_columns, n))
+  if (ends_next_to_smallest_contact(smallest_pressure, n))
     rings = next_to_smallest_contact + if_blunt * std::max(exponent - 2, 0.0) * relative * relative;
   edge.uncertainty += rings * ring;
   return edge;
@@ -56,9 +56,9 @@ StuckRings stuck_rings(const FrictionHistory& friction, const Motion& motion) {
 
 StickZones stick_zones(const Compliance& tangential, const NormalHistory& normal, const FrictionHistory& friction,
                        const StuckRings& stuck, double exponent) {
-  return {
-      stick_zone(tangential, normal, normal.pressure.cols(), friction.first_slip_reserve, stuck.first_slip, exponent),
-      stick_zone(tangential, normal, normal.steps_per_cycle, friction.shakedown_reserve, stuck.shakedown, exponent)};
+  const Eigen::VectorXd smallest_in_cycle = normal.pressure.rowwise().minCoeff();
+  return {stick_zone(tangential, normal.smallest_pressure, friction.first_slip_reserve, stuck.first_slip, exponent),
+          stick_zone(tangential, smallest_in_cycle, friction.shakedown_reserve, stuck.shakedown, exponent)};
 }
 
 }  // namespace fretval::fem

@@ -4,7 +4,8 @@
 #include <cmath>
 #include <complex>
 
-#include "fem/history/normal_history.h"
+#include "fem/history/static_contact.h"
+#include "tests/fem/recorded_history.h"
 
 namespace fretval::fem {
 

@@ -12,7 +12,7 @@
 namespace fretval {
 namespace {
 
-/// The error at the goal's resolution; NaN if the ladder has no such rung.
+/// The error at the goal's resolution; NaN if that is not there.
 double error_at_goal(const ConvergenceRow& row) {
   for (std::size_t i = 0; i < row.errors.size(); ++i)
     if (row.resolutions[i] == row.demand.goal_resolution) return row.errors[i];

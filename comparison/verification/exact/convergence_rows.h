@@ -6,7 +6,7 @@
 
 namespace fretval {
 
-/// What is demanded of a quantity of a verification ladder. Errors are relative.
+/// What is demanded of a row. Errors are relative.
 struct ConvergenceDemand {
   double tolerance;            ///< at goal_resolution and finer
   double expected_order;       ///< 0: none, the scheme is exact but for the floor

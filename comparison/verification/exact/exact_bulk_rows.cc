@@ -7,13 +7,13 @@
 
 namespace fretval {
 
-std::vector<BulkMesh> bulk_ladder(int n_meshes) {
+std::vector<BulkMesh> bulk_meshes(int n_meshes) {
   constexpr int coarsest = 4;
   const auto grid = grid_of(meshes::quarter_disc({meshes::uniform_nodes(1, coarsest), 6, 0.6}));
-  std::vector<BulkMesh> ladder{{coarsest, grid}};
-  while (static_cast<int>(ladder.size()) < n_meshes)
-    ladder.push_back({2 * ladder.back().n_rings, fem::refined(ladder.back().grid)});
-  return ladder;
+  std::vector<BulkMesh> meshes{{coarsest, grid}};
+  while (static_cast<int>(meshes.size()) < n_meshes)
+    meshes.push_back({2 * meshes.back().n_rings, fem::refined(meshes.back().grid)});
+  return meshes;
 }
 
 std::vector<ConvergenceRow> bulk_rows(const std::vector<BulkMesh>& meshes, const BulkScene& scene,

@@ -16,7 +16,7 @@ struct BulkMesh {
 };
 
 /// 4 rings, and each further mesh with every cell split into four.
-std::vector<BulkMesh> bulk_ladder(int n_meshes);
+std::vector<BulkMesh> bulk_meshes(int n_meshes);
 
 struct BulkScene {
   std::string name;

@@ -32,18 +32,18 @@ std::vector<ConvergenceRow> indentation_rows(const std::vector<ConvergenceMesh>&
     double error = 0;
     for (int k = 0; k < n_positions; ++k) {
       const double indentation = mdr::transform(exact.profile, position(k, 0.8, 1));
-      take_worst(error, error_of(fem::normal_contact(mesh.normal, profile, indentation), indentation));
+      take_worst(error, error_of(fem::static_contact(mesh.normal, profile, indentation), indentation));
     }
     return error;
   };
   const auto radius_error = [&](const ConvergenceMesh& mesh) {
     const auto events = fem::contact_events(mesh.normal.compliance, means_of(exact.profile, mesh.normal));
-    return worst(mesh, [&](const fem::NormalContact& contact, double indentation) {
+    return worst(mesh, [&](const fem::StaticContact& contact, double indentation) {
       return fem::largest_contact_radius(contact.gap, events).radius / exact.contact_radius(indentation) - 1;
     });
   };
   const auto force_error = [&](const ConvergenceMesh& mesh) {
-    return worst(mesh, [&](const fem::NormalContact& contact, double indentation) {
+    return worst(mesh, [&](const fem::StaticContact& contact, double indentation) {
       return fem::contact_force(mesh.normal.series, contact.pressure, contact.gap).force / exact.force(indentation) - 1;
     });
   };

@@ -42,7 +42,7 @@ ConvergenceRow time_row(const std::string& scene, const std::string& quantity, c
 }
 
 FrictionLimit friction_limit(const ConvergenceMesh& mesh, const mdr::Profile& profile, double indentation) {
-  const auto contact = fem::normal_contact(mesh.normal, means_of(profile, mesh.normal), indentation);
+  const auto contact = fem::static_contact(mesh.normal, means_of(profile, mesh.normal), indentation);
   const auto normal = fem::contact_force(mesh.normal.series, contact.pressure, contact.gap);
   return {friction_coefficient * contact.pressure, friction_coefficient * normal.force, normal.radius};
 }

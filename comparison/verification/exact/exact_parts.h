@@ -11,12 +11,13 @@
 #include "fem/history/friction_history.h"
 #include "fem/history/normal_history.h"
 #include "fem/history/relaxation.h"
+#include "fem/history/static_contact.h"
 #include "mdr/profiles/profile.h"
 #include "mdr/rheology/prony_body.h"
 
 namespace fretval {
 
-// What the rows of the verification ladder share. For exact_*_rows.cc alone.
+// What the rows of the suite `exact` share. For exact_*_rows.cc alone.
 
 constexpr double friction_coefficient = 0.4;
 constexpr int n_positions = 193;

@@ -21,13 +21,14 @@ ZoneErrors zone_errors(const ConvergenceMesh& mesh, const PeriodicScene& scene, 
   motion.n_ramp_cycles = 40;  // after ten, first slip is still 2e-6 of a radius short of that of a slow rise
   const auto model = fem_model(scene.body);
   const auto profile = means_of(mdr::parabola(1), mesh.normal);
-  const auto normal = fem::normal_history(mesh.normal, model, profile, motion, control);
   ZoneErrors errors;
   for (const auto& [amplitude, degrees] : scene.tangential) {
     const double phase = degrees * pi / 180;
     motion.tangential_amplitude = amplitude;
     motion.phase = phase;
-    const auto friction = fem::friction_history(mesh.tangential, model, friction_coefficient, motion, normal, control);
+    const auto [normal, friction] =
+        fem::contact_history({mesh.normal, model, profile, motion, control.steps_per_cycle},
+                             {mesh.tangential, model, friction_coefficient, motion, control.steps_per_cycle}, control);
     const auto zones =
         fem::stick_zones(mesh.tangential.compliance, normal, friction, fem::stuck_rings(friction, motion));
     const auto expected = exact(scene.body, {motion.indentation, motion.normal_amplitude, motion.tangential_amplitude,

@@ -67,7 +67,7 @@ class TingOfRings {
       : body_(std::move(body)) {
     const Eigen::VectorXd touch = fem::contact_events(problem.compliance, profile).indentation;
     const auto elastic = [&](double d) {
-      return fem::normal_contact(problem, profile, d).pressure.dot(problem.compliance.areas);
+      return fem::static_contact(problem, profile, d).pressure.dot(problem.compliance.areas);
     };
     double stiffness_before = 0;
     for (Eigen::Index m = 0; m < touch.size() && touch[m] < 1; ++m) {

@@ -81,7 +81,7 @@ void add_periodic(Rows& rows, const std::vector<ConvergenceMesh>& meshes) {
 }
 
 void add_bulk(Rows& rows) {
-  const auto meshes = bulk_ladder(4);
+  const auto meshes = bulk_meshes(4);
   for (const BulkScene& scene : {BulkScene{"Kelvin's force along z", fem::Harmonic::normal, 2.5e-8, 4e-6},
                                  BulkScene{"Kelvin's force along x", fem::Harmonic::tangential, 2e-8, 4e-6}}) {
     const auto field = fem::point_force(scene.harmonic, 1);

@@ -61,14 +61,16 @@ ConvergenceRow cycle_row(const std::vector<ConvergenceMesh>& meshes, const Exact
   const auto error = [&](const ConvergenceMesh& mesh) {
     fem::Motion motion{1, 0, 0, 0.0, 1};
     const auto profile = means_of(mdr::parabola(1), mesh.normal);
-    const auto normal = fem::normal_history(mesh.normal, {}, profile, motion, control);
+    const fem::RelaxationModel elastic;
     double worst = 0;
     for (int k = 0; k < n_positions; k += 4) {
       const double u = motion.tangential_amplitude = position(k, 0.3, 0.9) * all_slides;
       const double work =
           8 * boost::math::quadrature::gauss<double, 30>::integrate(exact.force, 0, u) - 4 * u * exact.force(u);
-      const auto history = fem::friction_history(mesh.tangential, {}, friction_coefficient, motion, normal, control);
-      take_worst(worst, history.dissipated_energy / work - 1);
+      const auto history = fem::contact_history(
+          {mesh.normal, elastic, profile, motion, control.steps_per_cycle},
+          {mesh.tangential, elastic, friction_coefficient, motion, control.steps_per_cycle}, control);
+      take_worst(worst, history.friction.dissipated_energy / work - 1);
     }
     return worst;
   };
@@ -129,7 +131,7 @@ double worn_edge_error(const ConvergenceMesh& mesh, const mdr::Profile& unworn, 
   const double indentation = (mdr::transform(unworn, c) + 1) / 2;
   const auto worn = mdr::limiting_profile(unworn, c, 1);
   const auto means = fem::ring_means(mesh.normal.compliance, [&](double r) { return mdr::shape(worn, r); });
-  const auto pressure = fem::normal_contact(mesh.normal, means, indentation).pressure;
+  const auto pressure = fem::static_contact(mesh.normal, means, indentation).pressure;
   const auto n = static_cast<Eigen::Index>(std::lround(c * mesh.n_rings));
   if ((pressure.array() > 0).count() != n) return std::nan("");  // the contact does not end at c
   const auto effective = mdr::limiting_profile(exact, fem::effective_radii(mesh.normal.compliance).radius[n], 1);

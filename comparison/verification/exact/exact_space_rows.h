@@ -9,7 +9,7 @@
 
 namespace fretval {
 
-/// The verification ladder: finite elements against exact solutions, on meshes that are refined.
+/// Rows of the suite `exact`: finite elements against exact solutions, on meshes that are refined.
 /// Dimensionless: unit shear modulus, and a contact radius of 1 at the indentation 1.
 
 /// What an exact solution says about an indenter on the elastic half-space, over the indentation. The profile is what

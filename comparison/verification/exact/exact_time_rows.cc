@@ -76,7 +76,7 @@ double relaxing_force_error(const fem::ContactProblem& problem, const Eigen::Vec
 
 ConvergenceRow step_row(const ConvergenceMesh& mesh, const mdr::PronyBody& body, const mdr::PronyBody& exact) {
   const Eigen::VectorXd punch = fem::ring_means(mesh.normal.compliance, [](double r) { return r < 1 ? 0.0 : 10.0; });
-  const auto contact = fem::normal_contact(mesh.normal, punch, 1);
+  const auto contact = fem::static_contact(mesh.normal, punch, 1);
   const double elastic = fem::contact_force(mesh.normal.series, contact.pressure, contact.gap).force;
   return time_row("flat punch, step", "relaxing force",
                   "correspondence, Lee 1955, on the elastic force of the same rings", {8, 16, 32, 64},
@@ -105,7 +105,7 @@ ConvergenceRow growing_contact_time_row(const ConvergenceMesh& mesh, const mdr::
                                         const mdr::PronyBody& exact) {
   const Eigen::VectorXd profile = means_of(mdr::parabola(1), mesh.normal);
   const LeeRadok expected(exact, [&](double d) {
-    return fem::normal_contact(mesh.normal, profile, d).pressure.dot(mesh.normal.compliance.areas);
+    return fem::static_contact(mesh.normal, profile, d).pressure.dot(mesh.normal.compliance.areas);
   });
   const auto error = [&](int n) {
     return growing_contact_error(mesh.normal, body, n, &NormalPath::Force::sum, expected);

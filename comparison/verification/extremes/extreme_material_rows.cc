@@ -14,22 +14,19 @@ constexpr double pi = 3.14159265358979323846;
 constexpr const char* creeps = "the body creeps for";
 constexpr double relaxed_modulus = 1e6, indentation = 1e-4;  // Pa, m
 
-Entries kelvin_voigt(double omega_tau) {
-  return with(extremes_base(), {{"Elastomer / Rheology", "kelvin voigt"},
-                                {"Elastomer / Branch moduli", ""},
-                                {"Elastomer / Branch times", ""},
-                                {"Elastomer / Viscosity", entry_text(omega_tau * relaxed_modulus / (2 * pi))}});
+Entries voigt(double omega_tau) {
+  return with_section(extremes_base(), kelvin_voigt(relaxed_modulus, omega_tau * relaxed_modulus / (2 * pi)));
 }
 
 Entries standard_solid(double omega_tau, double modulus_ratio) {
-  return with(extremes_base(), {{"Elastomer / Branch moduli", entry_text(modulus_ratio * relaxed_modulus)},
-                                {"Elastomer / Branch times", entry_text(omega_tau / (2 * pi))}});
+  return with_section(extremes_base(),
+                      branches("standard solid", relaxed_modulus, {modulus_ratio}, {omega_tau / (2 * pi)}));
 }
 
 /// Amplitudes so small that a stick zone of c/a = 0.6 is left, however stiff the body is at its frequency.
 Entries with_small_amplitudes(const Entries& entries) {
-  const auto scene = mdr_case(case_of(entries, "scene"));
-  const double ratio = mdr::modulus_ratio(scene.body, mdr::angular_frequency(scene.motion.normal_frequency));
+  const auto mdr = mdr_case(case_of(entries, "case"));
+  const double ratio = mdr::modulus_ratio(mdr.body, mdr::angular_frequency(mdr.motion.normal_frequency));
   return with_stick_ratio(with(entries, {{"Motion / Normal amplitude", entry_text(0.2 * indentation / ratio)}}), 0.6);
 }
 
@@ -38,8 +35,7 @@ void add_bodies(std::vector<ExtremeRow>& rows) {
     rows.push_back({"relaxation time, standard solid", fmt::format("omega tau = {:g}", x),
                     with_small_amplitudes(standard_solid(x, 1))});
   for (const double x : {1e-6, 1e-3, 1.0, 1e3, 1e6})
-    rows.push_back(
-        {"viscosity, Kelvin-Voigt", fmt::format("omega eta/G0 = {:g}", x), with_small_amplitudes(kelvin_voigt(x))});
+    rows.push_back({"viscosity, Kelvin-Voigt", fmt::format("omega eta/G0 = {:g}", x), with_small_amplitudes(voigt(x))});
   for (const double x : {1e-1, 1e-2, 1e-4, 1e-6})
     rows.push_back({"softening, omega tau = 1", fmt::format("G0/Ginf = {:g}", x),
                     with_small_amplitudes(standard_solid(1, 1 / x - 1)), x < 1e-5 ? creeps : ""});
@@ -52,14 +48,15 @@ void add_bodies(std::vector<ExtremeRow>& rows) {
 }
 
 void add_friction(std::vector<ExtremeRow>& rows) {
-  for (const double mu : {1e-4, 1e-2, 1.0, 1e2, 1e3}) {
-    const auto entries = with(extremes_base(), {{"Friction / Coefficient", entry_text(mu)}});
-    rows.push_back({"friction, amplitude scaled", fmt::format("mu = {:g}", mu), with_stick_ratio(entries, 0.6)});
-    rows.push_back({"friction, amplitude kept", fmt::format("mu = {:g}", mu), entries});
-  }
+  for (const bool scaled : {true, false})
+    for (const double mu : {1e-4, 1e-2, 1.0, 1e2, 1e3}) {
+      const auto entries = with(extremes_base(), {{"Friction / Coefficient", entry_text(mu)}});
+      rows.push_back({scaled ? "friction, amplitude scaled" : "friction, amplitude kept", fmt::format("mu = {:g}", mu),
+                      scaled ? with_stick_ratio(entries, 0.6) : entries});
+    }
 }
 
-/// The base scene with all lengths in another unit.
+/// The base with all lengths in another unit.
 Entries in_length_unit(double metre) {
   return with(extremes_base(), {{"Indenter / Radius", entry_text(1e-2 * metre)},
                                 {"Motion / Indentation", entry_text(1e-4 * metre)},

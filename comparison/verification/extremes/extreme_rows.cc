@@ -45,6 +45,19 @@ std::vector<ExtremeRow> chosen(const std::vector<ExtremeRow>& rows, Property pro
 
 }  // namespace
 
+Entries extremes_base() {
+  Entries entries{{"Friction / Coefficient", "0.5"},      {"Friction / Law", "unidirectional"},
+                  {"Motion / Indentation", "1e-4"},       {"Motion / Normal amplitude", "2e-5"},
+                  {"Motion / Normal frequency", "1"},     {"Motion / Tangential amplitude", "1.5e-5"},
+                  {"Motion / Tangential frequency", "1"}, {"Motion / Phase", "60"},
+                  {"Accuracy / Tolerance", "1e-2"}};
+  return with(with(entries, parabola(1e-2)), branches("standard solid", 1e6, {1}, {0.1}));
+}
+
+Entries elastic_base() {
+  return with_section(extremes_base(), elastic(1e6));
+}
+
 std::vector<ExtremeRow> extreme_rows() {
   std::vector<ExtremeRow> all;
   for (auto&& theme : {extreme_material_rows(), extreme_motion_rows(), extreme_shape_rows(), extreme_numerics_rows(),

@@ -4,22 +4,29 @@
 #include <string>
 #include <vector>
 
-#include "comparison/verification/extremes/extreme_case.h"
+#include "comparison/verification/case_parts.h"
 
 namespace fretval {
 
-/// A scene of the suite `extremes`, one of a family that goes to the end of one parameter.
+/// A case of the suite `extremes`, one of a family that goes to the end of one parameter.
 struct ExtremeRow {
   std::string family;                   ///< "relaxation time, standard solid"
   std::string value;                    ///< "omega tau = 1e-6"
   Entries entries;                      ///< of its case file
   std::string refusal = {};             ///< words of the message that has to come; empty: an answer has to come
   bool springs = false;                 ///< MDR is held to the transient spring foundation, finite elements refuse
-  double flattening = 1;                ///< of the cells under the contact, see flattened() in comparison/flat_mesh.h
+  double flattening = 1;                ///< of the cells under the contact, see flattened()
   std::optional<int> ramp_cycles = {};  ///< at least so many cycles are computed; empty: what the tolerance asks for
 };
 
-/// All families. Throws InputError if a scene cannot be set up.
+/// What all rows depart from: a parabola of 10 mm on a standard solid with |G|/G'(0) = 1.22, d0 = 0.1 mm,
+/// Delta d = 0.2 d0, phase 60 degrees, k = 1, tolerance 1e-2.
+Entries extremes_base();
+
+/// The same with an elastic body.
+Entries elastic_base();
+
+/// All families. Throws InputError if a case cannot be set up.
 std::vector<ExtremeRow> extreme_rows();
 
 /// Those of the short form, one or two of a family.

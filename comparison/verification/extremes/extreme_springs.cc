@@ -24,13 +24,13 @@ Radii over_contact_radius(const mdr::Profile& profile, double contact_radius, co
 }
 
 /// steps_per_cycle: of the faster motion.
-mdr::StickDepths stepped_depths(const Case& scene, const mdr::Profile& profile, const mdr::HarmonicMotion& motion,
+mdr::StickDepths stepped_depths(const Case& input, const mdr::Profile& profile, const mdr::HarmonicMotion& motion,
                                 double contact_radius, Eigen::Index n_springs, int steps_per_cycle) {
   const double period = mdr::common_period(motion);
-  const double fastest = std::max(scene.motion.normal_frequency, scene.motion.tangential_frequency);
+  const double fastest = std::max(input.motion.normal_frequency, input.motion.tangential_frequency);
   const int steps = steps_per_cycle * static_cast<int>(std::lround(fastest * period));
   const auto bed = mdr::spring_bed(profile, contact_radius, n_springs);
-  return mdr::spring_history(bed, body_in_time(scene), scene.friction_coefficient,
+  return mdr::spring_history(bed, body_in_time(input), input.friction_coefficient,
                              {mdr::ramped_path(motion, n_ramp_periods * period), {}, {}},
                              {period, steps, n_ramp_periods, 400, 1e-7})
       .depths;
@@ -38,19 +38,19 @@ mdr::StickDepths stepped_depths(const Case& scene, const mdr::Profile& profile, 
 
 }  // namespace
 
-std::map<std::string, ExtremeError> spring_errors(const Case& scene) {
-  const auto profile = profile_of(scene.indenter);
-  const auto motion = harmonic_motion_of(scene.motion);
+ComparedQuantities compared_with_springs(const Case& input) {
+  const auto profile = profile_of(input.indenter);
+  const auto motion = harmonic_motion_of(input.motion);
   const double a = mdr::inverse_transform(profile, mdr::maximum_indentation(motion));
   const auto mdr = over_contact_radius(
-      profile, a, mdr::stick_depths(rheology_of(scene.elastomer), scene.friction_coefficient, motion));
-  const auto coarse = over_contact_radius(profile, a, stepped_depths(scene, profile, motion, a, 50, 24));
-  const auto fine = over_contact_radius(profile, a, stepped_depths(scene, profile, motion, a, 100, 48));
-  const auto error = [&](double exact, double stepped, double coarser) {
-    return ExtremeError{exact, stepped, stepped - exact, scene.tolerance, 3 * std::abs(stepped - coarser)};
+      profile, a, mdr::stick_depths(rheology_of(input.elastomer), input.friction_coefficient, motion));
+  const auto coarse = over_contact_radius(profile, a, stepped_depths(input, profile, motion, a, 50, 24));
+  const auto fine = over_contact_radius(profile, a, stepped_depths(input, profile, motion, a, 100, 48));
+  const auto compared = [&](double exact, double stepped, double coarser) {
+    return ComparedQuantity{exact, stepped, input.tolerance, 3 * std::abs(stepped - coarser)};
   };
-  return {{"stick_radius_first_slip", error(mdr.first_slip, fine.first_slip, coarse.first_slip)},
-          {"stick_radius_shakedown", error(mdr.shakedown, fine.shakedown, coarse.shakedown)}};
+  return {{Quantity::stick_radius_first_slip, compared(mdr.first_slip, fine.first_slip, coarse.first_slip)},
+          {Quantity::stick_radius_shakedown, compared(mdr.shakedown, fine.shakedown, coarse.shakedown)}};
 }
 
 }  // namespace fretval

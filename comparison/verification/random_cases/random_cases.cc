@@ -192,7 +192,7 @@ double modulus_ratio_of(const Entries& entries) {
 
 }  // namespace
 
-Entries soak_entries(const SoakDraw& draw) {
+Entries random_entries(const RandomDraw& draw) {
   RandomNumbers random({draw.seed, draw.number, static_cast<std::uint64_t>(draw.attempt)});
   const auto scale = draw_scale(random);
   Entries entries{{"Accuracy / Tolerance", "1e-2"},

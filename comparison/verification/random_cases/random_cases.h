@@ -8,13 +8,13 @@ namespace fretval {
 
 /// Which random case: the seed of the suite, the number of the case, and how many times it was drawn before because
 /// the tool refused it as bad input.
-struct SoakDraw {
+struct RandomDraw {
   std::uint64_t seed;
   std::size_t number;
   int attempt = 0;
 };
 
-/// A random case, the same for the same draw on every machine. Drawn are (docs/soak.md has the shares)
+/// A random case, the same for the same draw on every machine. Drawn are (docs/random-cases.md has the shares)
 ///
 ///   lengths 1 nm to 1 m, depths 1e-3 to 0.3 of the contact radius, moduli 1 mPa to 1 TPa, 1e-6 to 1e6 Hz;
 ///   every shape with a formula: parabola, cone, r^1.2 to r^8, rounded flat, truncated sphere;
@@ -26,6 +26,6 @@ struct SoakDraw {
 ///   limiting profiles of c/a = 0.25, 0.5 and 0.75 (one body each).
 ///
 /// What finite elements refuse by name is not drawn: prescribed forces, several harmonics, unequal frequencies.
-Entries soak_entries(const SoakDraw& draw);
+Entries random_entries(const RandomDraw& draw);
 
 }  // namespace fretval

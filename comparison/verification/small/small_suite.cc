@@ -1,71 +1,57 @@
 #include "comparison/verification/small/small_suite.h"
 
-#include <fmt/format.h>
+#include <fstream>
+#include <sstream>
 
-#include <map>
-
-#include "comparison/case/case_file.h"
-#include "comparison/support/junit.h"
+#include "meshes/audit.h"
 #include "meshes/msh_file.h"
 
 namespace fretval {
+namespace {
 
 namespace fs = std::filesystem;
+
+std::shared_ptr<BodyStore> bodies_on(const fs::path& file) {
+  // Read here: a damaged file is bad input, not a failure of the numerics.
+  const auto mesh = meshes::read_msh(file);
+  meshes::audit(mesh, file.string());
+  return std::make_shared<BodyStore>(MeshSource{file.string(), [=](const BodySpecification&) { return mesh; }});
+}
+
+std::string text_of(const fs::path& file) {
+  std::ifstream stream(file);
+  std::ostringstream text;
+  text << stream.rdbuf();
+  return text.str();
+}
+
+}  // namespace
 
 fs::path small_meshes() {
   return FRETVAL_SMALL_MESHES;
 }
 
-std::vector<CheckScene> check_scenes(const fs::path& meshes) {
+std::vector<SuiteCase> small_cases(const fs::path& meshes) {
   // 20 and 40 rings per contact radius. Measured at worst: stick radius 4.9e-5 and 1.7e-5, contact radius 1.2e-4 twice
   // (time steps of the Kelvin-Voigt cone), normal force 9.2e-5 and 3.5e-5.
-  struct SmallMesh {
-    const char* name;
-    Tolerances tolerances;
-  };
-  std::vector<CheckScene> scenes;
-  for (const auto& mesh : {SmallMesh{"coarse", {1e-4, 2e-4, 2e-4}}, SmallMesh{"fine", {4e-5, 1.2e-4, 6e-5}}})
-    for (const char* name : {"parabola-standard-solid", "cone-kelvin-voigt", "parabola-no-first-slip-zone"}) {
-      const fs::path folder(FRETVAL_CHECK_CASES);
-      for (auto& prepared : prepare(read_case_file(folder / (std::string(name) + ".prm")))) {
-        prepared.scene.name += std::string("/") + mesh.name;
-        prepared.tolerances = mesh.tolerances;
-        scenes.push_back({std::move(prepared), meshes / (std::string(mesh.name) + ".msh")});
-      }
+  const std::vector<std::pair<std::string, Tolerances>> all_meshes{{"coarse", {1e-4, 2e-4, 2e-4}},
+                                                                   {"fine", {4e-5, 1.2e-4, 6e-5}}};
+  std::vector<SuiteCase> cases;
+  for (const auto& [mesh, tolerances] : all_meshes) {
+    const auto bodies = bodies_on(meshes / (mesh + ".msh"));
+    for (const std::string name : {"parabola-standard-solid", "cone-kelvin-voigt", "parabola-no-first-slip-zone"}) {
+      SuiteCase one{mesh + " mesh", name, text_of(fs::path(FRETVAL_CHECK_CASES) / (name + ".prm"))};
+      one.proof = Proof::none;
+      one.change = [t = tolerances](PreparedCase& prepared) { prepared.tolerances = t; };
+      one.bodies = bodies;
+      cases.push_back(std::move(one));
     }
-  return scenes;
+  }
+  return cases;
 }
 
-std::vector<BatchLine> run_check(const std::vector<CheckScene>& scenes) {
-  std::map<fs::path, std::vector<PreparedCase>> by_mesh;
-  for (const auto& scene : scenes) by_mesh[scene.mesh].push_back(scene.prepared);
-  std::vector<BatchLine> lines;
-  for (const auto& [mesh, cases] : by_mesh) {
-    BatchHooks hooks;
-    hooks.depth = StudyDepth::answer;  // the mesh is what it is
-    // Read here: a damaged file is bad input, not a failure of the numerics.
-    const std::string name = mesh.string();
-    const auto committed = meshes::read_msh(mesh);
-    hooks.make_body = [&](const BodySpecification& specification) {
-      return make_body(committed, name, specification.degree);
-    };
-    for (auto& line : run_batch(cases, {}, hooks)) lines.push_back(std::move(line));
-  }
-  return lines;
-}
-
-std::string junit_xml(const std::vector<BatchLine>& lines) {
-  std::vector<JUnitCase> cases;
-  for (const auto& line : lines) {
-    std::string failure = line.failure;
-    for (const auto& [quantity, d] : line.verdict)
-      if (!d.passes())
-        failure += fmt::format("{}: difference {}, tolerance {:.1e}; ", quantity,
-                               d.difference ? fmt::format("{:.2e}", *d.difference) : "none", d.tolerance);
-    if (failure.empty() && !line.pass) failure = "failed";
-    cases.push_back({line.name, failure});
-  }
-  return junit_document("fretval check", cases);
+SuiteRun run_small_suite(const fs::path& meshes) {
+  return run_suite("small", "Small cases on the committed meshes, without error bars.", small_cases(meshes));
 }
 
 }  // namespace fretval

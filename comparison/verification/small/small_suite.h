@@ -1,31 +1,20 @@
 #pragma once
 
 #include <filesystem>
-#include <string>
 #include <vector>
 
-#include "comparison/results/batch.h"
+#include "comparison/verification/suite.h"
 
 namespace fretval {
 
-/// The CI check: a few small scenes on the two committed meshes of meshes/small. Each scene is there twice, on the
-/// coarse and on the fine mesh, with the tolerances that the ring width of the mesh allows.
-struct CheckScene {
-  PreparedCase prepared;
-  std::filesystem::path mesh;
-};
-
-/// meshes: folder with coarse.msh and fine.msh.
-std::vector<CheckScene> check_scenes(const std::filesystem::path& meshes);
+/// The CI check: a few small cases on the two committed meshes of meshes/small. Each is there twice, on the coarse and
+/// on the fine mesh, with the tolerances that the ring width of the mesh allows, and without error bars.
+/// meshes: folder with coarse.msh and fine.msh. Throws InputError or meshes::MeshError if the files are damaged.
+std::vector<SuiteCase> small_cases(const std::filesystem::path& meshes);
 
 /// The folder of the committed meshes.
 std::filesystem::path small_meshes();
 
-/// Runs the scenes; one line each, in their order. Throws InputError or meshes::MeshError if the committed files are
-/// damaged.
-std::vector<BatchLine> run_check(const std::vector<CheckScene>& scenes);
-
-/// JUnit XML of the lines, for CI systems.
-std::string junit_xml(const std::vector<BatchLine>& lines);
+SuiteRun run_small_suite(const std::filesystem::path& meshes);
 
 }  // namespace fretval

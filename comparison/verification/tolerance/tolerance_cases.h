@@ -1,20 +1,18 @@
 #pragma once
 
-#include <string>
-#include <utility>
 #include <vector>
 
-#include "comparison/verification/written_case.h"
+#include "comparison/verification/suite.h"
 
 namespace fretval {
 
-/// Fifty varied cases on which the suite `tolerance` measures whether `Accuracy / Tolerance` is met: all shapes with
-/// a formula, elastic to three branches, Kelvin-Voigt bodies up to omega tau = 2, locked and unlocked phases, stick
-/// zones down to 0.02 a, slip annuli down to 1e-3 a, no first-slip zone, no tangential motion. The stick radius of a
-/// truncated sphere is away from the edge of its flat. They were chosen before their errors were known.
-std::vector<Case> tolerance_cases(double tolerance);
+/// Fifty varied cases on which the suite `tolerance` measures whether `Accuracy / Tolerance` is met, and proved: all
+/// shapes with a formula, elastic to three branches, Kelvin-Voigt bodies up to omega tau = 2, locked and unlocked
+/// phases, stick zones down to 0.02 a, slip annuli down to 1e-3 a, no first-slip zone, no tangential motion. The stick
+/// radius of a truncated sphere is away from the edge of its flat. They were chosen before their errors were known.
+std::vector<SuiteCase> tolerance_cases(double tolerance);
 
-/// The same as entries of case files, with their names.
-std::vector<std::pair<std::string, Entries>> tolerance_entries(double tolerance);
+/// The suite: all of them at each tolerance.
+SuiteRun run_tolerance_suite(const std::vector<double>& tolerances);
 
 }  // namespace fretval

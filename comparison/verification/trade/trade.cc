@@ -5,46 +5,50 @@
 #include <algorithm>
 #include <cmath>
 
-#include "comparison/simulation/fe_run.h"
+#include "comparison/simulation/compute_case.h"
 #include "comparison/support/log.h"
 #include "comparison/support/resident_memory.h"
+#include "fem/support/solver_error.h"
+#include "meshes/mesh_error.h"
 
 namespace fretval {
 namespace {
 
-/// Numbers that a history keeps for its rings: pressure and force per instant; margins, reserves, slip, work and
-/// displacements per ring, with three samples for each of four minima; tractions of a period; the memory of either
-/// direction, one field per branch.
-double history_bytes(const ProbeAnswer& answer, const FemCase& scene) {
-  const auto& normal = answer.normal->history;
-  const auto n_rings = static_cast<double>(normal.pressure.rows());
-  const auto n_instants = static_cast<double>(normal.pressure.cols());
-  const auto& friction = answer.fe.friction;
-  const double per_ring = 12 + 12 + 2.0 * static_cast<double>(scene.relaxation.moduli.size());
-  return 8 * (n_rings * (n_instants + per_ring + static_cast<double>(friction.traction.cols())) + 3 * n_instants +
-              static_cast<double>(friction.force.size()));
-}
-
-TradePoint point_of(const PlannedSetting& setting, const FemCase& scene, const ProbeAnswer& answer,
-                    const Measures& reference) {
+TradePoint point_of(const PlannedSetting& setting, const FemCase& fem, const FeAnswer& answer,
+                    const Quantities& reference) {
   TradePoint point;
   point.setting = setting;
-  point.failure = answer.failure;
-  if (answer.body) {
-    point.seconds.body = answer.body->cost;
-    point.n_dofs = answer.body->n_dofs;
-    point.n_contact_nodes = answer.body->n_contact_nodes;
-    point.n_rings = static_cast<Eigen::Index>(answer.body->radii.size()) - 1;
-  }
-  if (!answer.failure.empty()) return point;
-  point.errors = errors_of(measures_of(answer.fe, scene.units), reference);
-  point.seconds.normal_history = answer.normal->seconds;
-  point.seconds.friction_history = answer.fe.seconds;
-  point.memory.histories = history_bytes(answer, scene);
-  point.n_normal_steps = answer.normal->history.pressure.cols() - 1;
-  point.n_friction_steps = answer.fe.n_steps;
-  point.n_cycles = answer.fe.n_cycles;
+  point.seconds = {answer.body->cost, answer.seconds.normal, answer.seconds.friction};
+  point.n_dofs = answer.body->n_dofs;
+  point.n_contact_nodes = answer.body->n_contact_nodes;
+  point.n_rings = static_cast<Eigen::Index>(answer.body->radii.size()) - 1;
+  point.errors = errors_of(quantities_of(answer, fem.units), reference);
+  point.n_normal_steps = static_cast<long>(answer.normal.n_cycles) * answer.normal.steps_per_cycle;
+  point.n_friction_steps = answer.n_steps;
+  point.n_cycles = answer.n_cycles;
   return point;
+}
+
+TradePoint failed(const PlannedSetting& setting, const std::string& failure) {
+  log::warn(fmt::format("a setting failed: {}", failure));
+  TradePoint point;
+  point.setting = setting;
+  point.failure = failure;
+  return point;
+}
+
+TradePoint compute_point(const PreparedCase& prepared, const PlannedSetting& setting, const Quantities& reference) {
+  const ResidentGrowth growth;
+  try {
+    BodyStore its_own;
+    auto point = point_of(setting, prepared.fem, compute_case(prepared.fem, setting.resolution, its_own), reference);
+    point.memory_bytes = growth.peak_bytes();
+    return point;
+  } catch (const fem::SolverError& error) {
+    return failed(setting, error.what());
+  } catch (const meshes::MeshError& error) {
+    return failed(setting, error.what());
+  }
 }
 
 TradeSeconds fastest(const TradeSeconds& a, const TradeSeconds& b) {
@@ -54,41 +58,17 @@ TradeSeconds fastest(const TradeSeconds& a, const TradeSeconds& b) {
           std::min(a.friction_history, b.friction_history)};
 }
 
-/// The first body of a process also pays for what its libraries load and allocate once and for all.
-void warm_up(const std::vector<Probe>& probes) {
-  const auto coarsest = std::min_element(
-      probes.begin(), probes.end(), [](const Probe& a, const Probe& b) { return a.fem.resolution < b.fem.resolution; });
-  run_probes(
-      {*coarsest}, [](const BodySpecification& s) { return condensed(make_body(s)); }, [](auto&&...) {});
-}
-
 std::vector<TradePoint> condensed_points(const PreparedCase& prepared, const TradePlan& plan,
-                                         const Measures& reference) {
-  std::vector<Probe> probes;
-  probes.reserve(plan.settings.size());
-  for (const auto& setting : plan.settings)
-    probes.push_back({&prepared.scene, at_resolution(prepared.fem, setting.resolution)});
-  if (probes.empty()) return {};
-  warm_up(probes);
-  std::optional<double> body_peak;  // of the body that is being worked on: they come one after the other
-  const auto measured_body = [&](const BodySpecification& specification) {
-    const ResidentGrowth growth;
-    Body body = make_body(specification);
-    body_peak = growth.peak_bytes();
-    return condensed(std::move(body));
-  };
-  std::vector<TradePoint> points(probes.size());
-  for (int run = 0; run < plan.n_repetitions; ++run)
-    run_probes(
-        probes, measured_body,
-        [&](std::size_t i, ProbeAnswer&& answer) {
-          auto point = point_of(plan.settings[i], probes[i].fem, answer, reference);
-          if (point.failure.empty()) point.memory.body_peak = body_peak;
-          if (run > 0) point.seconds = fastest(points[i].seconds, point.seconds);
-          if (run == 0 && !point.failure.empty()) log::warn(fmt::format("a setting failed: {}", point.failure));
-          points[i] = std::move(point);
-        },
-        Schedule::exclusive);
+                                         const Quantities& reference) {
+  std::vector<TradePoint> points;
+  // The first body of a process also pays for what its libraries load and allocate once and for all.
+  if (!plan.settings.empty()) make_body(at_resolution(prepared.fem, plan.settings.front().resolution).body);
+  for (const auto& setting : plan.settings) {
+    auto point = compute_point(prepared, setting, reference);
+    for (int run = 1; run < plan.n_repetitions && point.failure.empty(); ++run)
+      point.seconds = fastest(point.seconds, compute_point(prepared, setting, reference).seconds);
+    points.push_back(std::move(point));
+  }
   return points;
 }
 
@@ -132,11 +112,6 @@ double TradeSeconds::total() const {
   return body.total() + normal_history + friction_history;
 }
 
-std::optional<double> TradeMemory::total() const {
-  if (!body_peak) return std::nullopt;
-  return *body_peak + histories;
-}
-
 double axis_value(Sweep sweep, const Resolution& resolution) {
   switch (sweep) {
     case Sweep::element_order:
@@ -164,7 +139,7 @@ std::vector<std::size_t> members_of(const std::vector<TradePoint>& points, Sweep
 
 AxisRate rate_of(const std::vector<TradePoint>& points, Sweep sweep) {
   std::vector<double> values, largest;
-  std::map<std::string, std::vector<double>> errors;
+  std::map<Quantity, std::vector<double>> errors;
   auto members = members_of(points, sweep);
   if (sweep == Sweep::grading) std::reverse(members.begin(), members.end());  // coarsest first
   for (const std::size_t i : members) {

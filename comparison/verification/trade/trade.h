@@ -13,29 +13,20 @@
 
 namespace fretval {
 
-/// Seconds of one setting: its body and its own histories. Wall time of one thread each, while histories of other
-/// settings ran on the other cores; what settings share is counted for each of them. Each stage is the fastest of
-/// TradePlan::n_repetitions runs: what slows a run down is not its own.
+/// Seconds of one setting, computed alone with a body of its own. Each stage is the fastest of TradePlan::n_repetitions
+/// runs: what slows a run down is not its own.
 struct TradeSeconds {
   BodyCost body;
   double normal_history = 0, friction_history = 0;
   [[nodiscard]] double total() const;
 };
 
-/// Memory of one setting: measured peak growth of the process while its body was made (see ResidentGrowth), and the
-/// sizes of what its histories keep per ring and instant, which is counted, not measured.
-struct TradeMemory {
-  std::optional<double> body_peak;  ///< empty where the system does not tell
-  double histories = 0;
-  [[nodiscard]] std::optional<double> total() const;
-};
-
 /// One setting of the condensed finite elements.
 struct TradePoint {
   PlannedSetting setting;
-  Measures errors;  ///< against the closed form; empty: it failed
+  Quantities errors;  ///< against the closed form; empty: it failed
   TradeSeconds seconds;
-  TradeMemory memory;
+  std::optional<double> memory_bytes;  ///< measured peak growth of the process, see ResidentGrowth
   unsigned n_dofs = 0;
   std::size_t n_contact_nodes = 0;
   Eigen::Index n_rings = 0;
@@ -57,8 +48,8 @@ struct FullLevel {
 /// fewer than two of them.
 struct AxisRate {
   Sweep sweep;
-  std::map<std::string, std::optional<LogSlope>> slope;  ///< by quantity
-  std::optional<LogSlope> largest_error;                 ///< slope of the largest error
+  std::map<Quantity, std::optional<LogSlope>> slope;  ///< by quantity
+  std::optional<LogSlope> largest_error;              ///< slope of the largest error
 };
 
 /// The recommended setting for a tolerance and the tool's own choice.

@@ -46,7 +46,7 @@ std::optional<LogSlope> observed_rate(std::vector<double> values, std::vector<do
   return log_slope(values, errors, 0);
 }
 
-bool meets(const Measures& errors, double tolerance) {
+bool meets(const Quantities& errors, double tolerance) {
   const auto tolerances = tolerances_of(tolerance);
   return !errors.empty() && std::all_of(errors.begin(), errors.end(), [&](const auto& entry) {
     return entry.second <= tolerance_of(tolerances, entry.first);

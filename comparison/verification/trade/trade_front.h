@@ -28,11 +28,11 @@ std::optional<LogSlope> observed_rate(std::vector<double> values, std::vector<do
 
 /// Whether errors are within a tolerance: T on the stick radii (and on the evidence of a limiting profile), T/10 on
 /// contact radius and normal force, as in a verdict.
-bool meets(const Measures& errors, double tolerance);
+bool meets(const Quantities& errors, double tolerance);
 
 /// A setting to choose from.
 struct Candidate {
-  Measures errors;  ///< empty: it failed
+  Quantities errors;  ///< empty: it failed
   double seconds;
 };
 

@@ -8,6 +8,12 @@ namespace {
 
 using nlohmann::ordered_json;
 
+ordered_json by_name(const Quantities& values) {
+  auto json = ordered_json::object();
+  for (const auto& [quantity, value] : values) json[name_of(quantity)] = value;
+  return json;
+}
+
 ordered_json setting_json(const Resolution& r) {
   return {{"rings_per_radius", r.elements_per_radius},
           {"element_order", r.degree},
@@ -29,7 +35,7 @@ ordered_json point_json(const TradePoint& point) {
   return {{"setting", setting_json(point.setting.resolution)},
           {"sweeps", sweeps},
           {"error", or_null(point.error())},
-          {"errors", point.errors},
+          {"errors", by_name(point.errors)},
           {"seconds",
            {{"mesh", s.body.mesh},
             {"assembly", s.body.assembly},
@@ -37,10 +43,7 @@ ordered_json point_json(const TradePoint& point) {
             {"normal_history", s.normal_history},
             {"friction_history", s.friction_history},
             {"total", s.total()}}},
-          {"memory_bytes",
-           {{"body_peak_measured", or_null(point.memory.body_peak)},
-            {"histories_counted", point.memory.histories},
-            {"total", or_null(point.memory.total())}}},
+          {"memory_bytes", or_null(point.memory_bytes)},
           {"dofs", point.n_dofs},
           {"contact_nodes", point.n_contact_nodes},
           {"rings", point.n_rings},
@@ -58,7 +61,7 @@ ordered_json spring_json(const SpringPoint& point) {
             {"ramp_periods", s.n_ramp_periods},
             {"periodicity", s.periodicity}}},
           {"error", or_null(largest_of(point.errors))},
-          {"errors", point.errors},
+          {"errors", by_name(point.errors)},
           {"seconds", or_null(point.seconds)},
           {"memory_bytes_estimated", point.memory_bytes},
           {"periods", point.n_periods},
@@ -98,7 +101,7 @@ ordered_json rates_json(const Trade& trade) {
   ordered_json json = ordered_json::object();
   for (const auto& rate : trade.rates) {
     ordered_json slopes = ordered_json::object();
-    for (const auto& [quantity, slope] : rate.slope) slopes[quantity] = slope_json(slope);
+    for (const auto& [quantity, slope] : rate.slope) slopes[name_of(quantity)] = slope_json(slope);
     json[name_of(rate.sweep)] = {{"largest_error", slope_json(rate.largest_error)}, {"quantities", slopes}};
   }
   return json;
@@ -107,8 +110,8 @@ ordered_json rates_json(const Trade& trade) {
 }  // namespace
 
 ordered_json trade_json(const PreparedCase& prepared, const TradePlan& plan, const Trade& trade) {
-  ordered_json json{{"name", prepared.scene.name},
-                    {"file", prepared.scene.file},
+  ordered_json json{{"name", prepared.input.name},
+                    {"file", prepared.input.file},
                     {"mdr", to_json(trade.reference.answer)},
                     {"reference_setting", setting_json(plan.reference)},
                     {"repetitions", plan.n_repetitions},

@@ -10,6 +10,7 @@
 #include "comparison/support/stopwatch.h"
 #include "fem/full_model/full_history.h"
 #include "fem/history/friction_history.h"
+#include "fem/history/static_contact.h"
 #include "fem/support/solver_error.h"
 #include "mdr/springs/spring_history.h"
 #include "mdr/stick/stick_radius.h"
@@ -30,60 +31,79 @@ double largest_difference(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
   return (a - b).cwiseAbs().maxCoeff() / b.cwiseAbs().maxCoeff();
 }
 
-Eigen::MatrixXd pressures_over(const fem::NormalHistory& normal, Eigen::Index n_steps) {
-  Eigen::MatrixXd pressure(normal.pressure.rows(), 1 + n_steps);
-  for (Eigen::Index k = 0; k < pressure.cols(); ++k) pressure.col(k) = normal.pressure.col(normal.column(k));
+/// Condensed histories with what full ones are held against at every step: from the start on.
+struct Recorded {
+  fem::NormalHistory normal;
+  std::vector<Eigen::VectorXd> pressure;  ///< at the start and after every computed step
+};
+
+Recorded recorded_normal(const fem::ContactProblem& problem, const FemCase& fem, const Eigen::VectorXd& profile) {
+  const int steps = fem.resolution.steps_per_cycle;
+  fem::NormalContact contact(problem, fem.relaxation, profile, fem.motion, steps);
+  std::vector<Eigen::VectorXd> pressure{contact.pressure};
+  auto normal = fem::normal_history(std::move(contact), few_cycles(steps),
+                                    [&](const fem::NormalContact& now) { pressure.push_back(now.pressure); });
+  return {std::move(normal), std::move(pressure)};
+}
+
+/// Over a number of steps, the last cycle as often as need be.
+Eigen::MatrixXd pressures_over(const Recorded& recorded, long n_steps) {
+  Eigen::MatrixXd pressure(recorded.pressure.front().size(), 1 + n_steps);
+  const auto n_recorded = static_cast<long>(recorded.pressure.size());
+  for (long k = 0; k <= n_steps; ++k)
+    pressure.col(k) = k < n_recorded ? recorded.pressure[static_cast<std::size_t>(k)]
+                                     : Eigen::VectorXd(recorded.normal.pressure.col(recorded.normal.column(k)));
   return pressure;
 }
 
-FemCase short_scene(const FemCase& fem, const Resolution& resolution) {
-  FemCase scene = at_resolution(fem, resolution);
-  scene.motion.n_ramp_cycles = 1;
-  if (!scene.motion.phase) scene.motion.phase = right_angle;
-  return scene;
+FemCase short_case(const FemCase& whole, const Resolution& resolution) {
+  FemCase fem = at_resolution(whole, resolution);
+  fem.motion.n_ramp_cycles = 1;
+  if (!fem.motion.phase) fem.motion.phase = right_angle;
+  return fem;
 }
 
-void measure_normal(const Body& body, const FemCase& scene, const Eigen::VectorXd& profile,
-                    const fem::NormalHistory& condensed, FullPoint& point) {
+void measure_normal(const Body& body, const FemCase& fem, const Eigen::VectorXd& profile, const Recorded& condensed,
+                    FullPoint& point) {
   Stopwatch watch;
-  const auto full = fem::full_normal_history(body.normal.space, scene.relaxation, profile, scene.motion,
-                                             scene.resolution.steps_per_cycle, condensed.n_cycles);
+  const auto full = fem::full_normal_history(body.normal.space, fem.relaxation, profile, fem.motion,
+                                             fem.resolution.steps_per_cycle, condensed.normal.n_cycles);
   point.normal_seconds = watch.lap();
   point.n_normal_steps = full.pressure.cols() - 1;
-  point.pressure_difference = largest_difference(full.pressure, condensed.pressure);
+  point.pressure_difference = largest_difference(full.pressure, pressures_over(condensed, condensed.normal.n_steps()));
 }
 
-void measure_friction(const Body& body, const FemCase& scene, double mu, const fem::NormalHistory& normal,
-                      FullPoint& point) {
-  const int steps = scene.resolution.steps_per_cycle;
-  const auto condensed =
-      fem::friction_history(body.tangential->contact, scene.relaxation, mu, scene.motion, normal, few_cycles(steps));
-  const auto pressure = pressures_over(normal, static_cast<Eigen::Index>(condensed.n_cycles) * steps);
+void measure_friction(const Body& body, const FemCase& fem, const Recorded& normal, FullPoint& point) {
+  const int steps = fem.resolution.steps_per_cycle;
+  const double mu = fem.friction_coefficient;
+  fem::WatchedFriction friction(body.tangential->contact, fem.relaxation, mu, fem.motion, steps);
+  for (std::size_t k = 1; k < normal.pressure.size(); ++k) friction.step(normal.pressure[k]);
+  const auto condensed = fem::friction_history(std::move(friction), normal.normal, few_cycles(steps));
+  const auto pressure = pressures_over(normal, condensed.n_steps);
   Stopwatch watch;
-  const auto full = fem::full_friction_history(body.tangential->space, scene.relaxation, mu, scene.motion, pressure,
-                                               steps, condensed.n_cycles);
+  const auto full = fem::full_friction_history(body.tangential->space, fem.relaxation, mu, fem.motion, pressure, steps,
+                                               condensed.n_cycles);
   point.friction_seconds = watch.lap();
   point.n_friction_steps = full.traction.cols() - 1;
   point.traction_difference = largest_difference(full.traction.rightCols(steps), condensed.traction);
 }
 
 void measure(const PreparedCase& prepared, FullPoint& point) {
-  const auto scene = short_scene(prepared.fem, point.resolution);
+  const auto fem = short_case(prepared.fem, point.resolution);
   const ResidentGrowth growth;
-  const auto body = make_body(scene.body);
+  const auto body = make_body(fem.body);
   point.n_dofs = body.n_dofs();
   point.body_seconds = body.cost.total();
-  const Eigen::VectorXd profile = fem::ring_means(body.normal.contact.compliance, scene.profile);
-  const auto normal = fem::normal_history(body.normal.contact, scene.relaxation, profile, scene.motion,
-                                          few_cycles(scene.resolution.steps_per_cycle));
-  measure_normal(body, scene, profile, normal, point);
-  if (body.tangential) measure_friction(body, scene, scene.friction_coefficient, normal, point);
+  const Eigen::VectorXd profile = fem::ring_means(body.normal.contact.compliance, fem.profile);
+  const auto normal = recorded_normal(body.normal.contact, fem, profile);
+  measure_normal(body, fem, profile, normal, point);
+  if (body.tangential) measure_friction(body, fem, normal, point);
   point.memory_bytes = growth.peak_bytes();
 }
 
 mdr::SpringHistory stepped_springs(const PreparedCase& prepared, const SpringSetting& setting) {
   const auto& profile = prepared.mdr.profile;
-  const auto motion = harmonic_motion_of(prepared.scene.motion);
+  const auto motion = harmonic_motion_of(prepared.input.motion);
   const double period = mdr::common_period(motion), ramp = setting.n_ramp_periods * period;
   const double outer = 1.001 * mdr::inverse_transform(profile, mdr::maximum_indentation(motion));
   const auto bed = mdr::spring_bed(profile, std::min(outer, mdr::end_radius(profile)), setting.n_springs);
@@ -92,15 +112,15 @@ mdr::SpringHistory stepped_springs(const PreparedCase& prepared, const SpringSet
                              {period, setting.steps_per_period, setting.n_ramp_periods, 2000, setting.periodicity});
 }
 
-Measures measures_of(const mdr::SpringHistory& history, const PreparedCase& prepared) {
+Quantities quantities_of(const mdr::SpringHistory& history, const PreparedCase& prepared) {
   const auto& units = prepared.fem.units;
   const auto radius = [&](double depth) {
     return depth > 0 ? mdr::inverse_transform(prepared.mdr.profile, depth) / units.length : 0;
   };
   const double force = *std::max_element(history.normal_force.begin(), history.normal_force.end());
-  return {{"normal_force_max", std::log(force / units.force())},
-          {"stick_radius_first_slip", radius(history.depths.first_slip)},
-          {"stick_radius_shakedown", radius(history.depths.shakedown)}};
+  return {{Quantity::normal_force_max, std::log(force / units.force())},
+          {Quantity::stick_radius_first_slip, radius(history.depths.first_slip)},
+          {Quantity::stick_radius_shakedown, radius(history.depths.shakedown)}};
 }
 
 }  // namespace
@@ -112,21 +132,21 @@ ClosedForm closed_form(const PreparedCase& prepared) {
   for (double seconds = 0; seconds < closed_form_seconds; ++result.n_repetitions) {
     result.answer = mdr_answer(prepared.mdr, mdr_normal_response(prepared.mdr));
     const double lap = watch.lap();
-    const auto& scene = prepared.mdr;
-    mdr::stick_radii(scene.profile, scene.body, scene.friction_coefficient, scene.motion);
+    const auto& mdr_case = prepared.mdr;
+    mdr::stick_radii(mdr_case.profile, mdr_case.body, mdr_case.friction_coefficient, mdr_case.motion);
     result.stick_radii_seconds = std::min(result.stick_radii_seconds, watch.lap());
     result.seconds = std::min(result.seconds, lap);
     seconds += lap;
   }
-  result.measures = measures_of(result.answer, prepared.fem.units, prepared.fem.worn_edge.has_value());
+  result.measures = quantities_of(result.answer, prepared.fem.units, prepared.fem.worn_edge.has_value());
   return result;
 }
 
 bool has_springs(const PreparedCase& prepared) {
-  return !prepared.mdr.limiting && prepared.scene.motion.phase;
+  return !prepared.mdr.limiting && prepared.input.motion.phase;
 }
 
-SpringPoint spring_point(const PreparedCase& prepared, const SpringSetting& setting, const Measures& reference,
+SpringPoint spring_point(const PreparedCase& prepared, const SpringSetting& setting, const Quantities& reference,
                          int n_repetitions) {
   SpringPoint point;
   point.setting = setting;
@@ -140,7 +160,7 @@ SpringPoint spring_point(const PreparedCase& prepared, const SpringSetting& sett
       const auto history = stepped_springs(prepared, setting);
       point.seconds = std::min(point.seconds, watch.lap());
       point.n_periods = history.n_periods;
-      point.errors = errors_of(measures_of(history, prepared), reference);
+      point.errors = errors_of(quantities_of(history, prepared), reference);
     }
   } catch (const std::runtime_error& error) {
     point.failure = error.what();

@@ -3,8 +3,8 @@
 #include <optional>
 #include <string>
 
-#include "comparison/accuracy/case_study.h"
 #include "comparison/accuracy/compared_quantities.h"
+#include "comparison/accuracy/prepared_case.h"
 #include "comparison/verification/trade/trade_plan.h"
 
 namespace fretval {
@@ -13,7 +13,7 @@ namespace fretval {
 /// need no response, as often.
 struct ClosedForm {
   MdrAnswer answer;
-  Measures measures;
+  Quantities measures;
   double seconds;              ///< of the fastest one
   double stick_radii_seconds;  ///< likewise
   int n_repetitions;
@@ -25,7 +25,7 @@ ClosedForm closed_form(const PreparedCase& prepared);
 /// The spring foundation stepped through the motion at one setting; it has stick radii and force, no contact radius.
 struct SpringPoint {
   SpringSetting setting;
-  Measures errors;  ///< empty: it failed
+  Quantities errors;  ///< empty: it failed
   double seconds = 0;
   double memory_bytes = 0;  ///< estimate: what the springs remember and the sampled minima of their margins
   int n_periods = 0;
@@ -33,7 +33,7 @@ struct SpringPoint {
 };
 
 /// Needs an unworn indenter and a locked phase: see has_springs. Seconds: of the fastest of n_repetitions runs.
-SpringPoint spring_point(const PreparedCase& prepared, const SpringSetting& setting, const Measures& reference,
+SpringPoint spring_point(const PreparedCase& prepared, const SpringSetting& setting, const Quantities& reference,
                          int n_repetitions);
 bool has_springs(const PreparedCase& prepared);
 

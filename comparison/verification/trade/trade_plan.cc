@@ -11,14 +11,14 @@ constexpr unsigned slow_finest_rings = 48;
 constexpr int slow_finest_steps = 96;
 
 /// A resolution whose number of steps is enough for a tolerance also has a start, a creep and a periodicity that are.
-Resolution with_start_for(int steps_per_cycle, const FemCase& scene) {
+Resolution with_start_for(int steps_per_cycle, const FemCase& fem) {
   for (const double tolerance : {1e-2, 1e-3})
-    if (steps_per_cycle <= 1.5 * resolution_for(tolerance).steps_per_cycle) return chosen_resolution(tolerance, scene);
-  return chosen_resolution(1e-4, scene);
+    if (steps_per_cycle <= 1.5 * resolution_for(tolerance).steps_per_cycle) return chosen_resolution(tolerance, fem);
+  return chosen_resolution(1e-4, fem);
 }
 
-Resolution joint_setting(unsigned rings, unsigned degree, int steps, const FemCase& scene) {
-  Resolution r = with_start_for(steps, scene);
+Resolution joint_setting(unsigned rings, unsigned degree, int steps, const FemCase& fem) {
+  Resolution r = with_start_for(steps, fem);
   r.elements_per_radius = rings;
   r.degree = degree;
   r.growth = joint_growth;
@@ -28,8 +28,8 @@ Resolution joint_setting(unsigned rings, unsigned degree, int steps, const FemCa
   return r;
 }
 
-Resolution reference_of(const TradeAxes& axes, const FemCase& scene) {
-  Resolution r = chosen_resolution(1e-4, scene);
+Resolution reference_of(const TradeAxes& axes, const FemCase& fem) {
+  Resolution r = chosen_resolution(1e-4, fem);
   const unsigned finest = axes.rings.back();
   r.elements_per_radius = finest > 64 ? 64 : finest;
   r.degree = 3;
@@ -41,12 +41,12 @@ Resolution reference_of(const TradeAxes& axes, const FemCase& scene) {
 }
 
 /// One run has to do where histories are long or bodies large.
-int repetitions_for(const FemCase& scene) {
-  return scene.relaxation.viscosity > 0 || !scene.motion.phase || scene.worn_edge ? 1 : 2;
+int repetitions_for(const FemCase& fem) {
+  return fem.relaxation.viscosity > 0 || !fem.motion.phase || fem.worn_edge ? 1 : 2;
 }
 
-TradeAxes affordable(TradeAxes axes, const FemCase& scene) {
-  if (scene.motion.phase) return axes;
+TradeAxes affordable(TradeAxes axes, const FemCase& fem) {
+  if (fem.motion.phase) return axes;
   const auto keep = [](auto& values, auto largest) {
     values.erase(std::remove_if(values.begin(), values.end(), [=](auto v) { return v > largest; }), values.end());
   };
@@ -77,13 +77,13 @@ const char* name_of(Sweep sweep) {
   return "chosen";
 }
 
-Resolution chosen_resolution(double tolerance, const FemCase& scene) {
-  return resolution_for(tolerance, scene.relaxation.has_memory());
+Resolution chosen_resolution(double tolerance, const FemCase& fem) {
+  return resolution_for(tolerance, fem.relaxation.has_memory());
 }
 
-TradePlan trade_plan(const FemCase& scene, const TradeAxes& wanted) {
-  const auto axes = affordable(wanted, scene);
-  TradePlan plan{axes.tolerances, reference_of(axes, scene), {}, {}, repetitions_for(scene), {}};
+TradePlan trade_plan(const FemCase& fem, const TradeAxes& wanted) {
+  const auto axes = affordable(wanted, fem);
+  TradePlan plan{axes.tolerances, reference_of(axes, fem), {}, {}, repetitions_for(fem), {}};
   std::map<Resolution, std::set<Sweep>> settings;
   const auto vary = [&](Sweep sweep, const auto& values, auto entry) {
     for (const auto value : values) {
@@ -99,10 +99,10 @@ TradePlan trade_plan(const FemCase& scene, const TradeAxes& wanted) {
   vary(Sweep::time_step, axes.steps, &Resolution::steps_per_cycle);
   for (const unsigned rings : axes.rings)
     for (const unsigned degree : axes.joint_degrees)
-      for (const int steps : axes.steps) settings[joint_setting(rings, degree, steps, scene)].insert(Sweep::joint);
-  for (const double tolerance : plan.tolerances) settings[chosen_resolution(tolerance, scene)].insert(Sweep::chosen);
+      for (const int steps : axes.steps) settings[joint_setting(rings, degree, steps, fem)].insert(Sweep::joint);
+  for (const double tolerance : plan.tolerances) settings[chosen_resolution(tolerance, fem)].insert(Sweep::chosen);
   for (const unsigned rings : axes.full_rings) {
-    plan.full.push_back(joint_setting(rings, 2, axes.steps.front(), scene));
+    plan.full.push_back(joint_setting(rings, 2, axes.steps.front(), fem));
     settings[plan.full.back()].insert(Sweep::joint);
   }
   for (const auto& [resolution, sweeps] : settings) plan.settings.push_back({resolution, sweeps});

@@ -51,13 +51,13 @@ struct TradeAxes {
   std::vector<double> tolerances{1e-2, 1e-3, 1e-4};
 };
 
-/// The resolution that `resolution_for` chooses for a scene.
-Resolution chosen_resolution(double tolerance, const FemCase& scene);
+/// The resolution that `resolution_for` chooses for a case.
+Resolution chosen_resolution(double tolerance, const FemCase& fem);
 
 /// Start, creep and periodicity of the joint sweep go with its time steps as in `resolution_for`, and its far radius
 /// with its rings: 12 up to 32 rings, 25 beyond. Its grading is 0.3; the rings at a worn edge are those for 1e-3
 /// throughout. An unlocked phase makes histories long: then at most 48 rings and 96 steps. Times are measured twice;
 /// with an unlocked phase, a dashpot or a worn edge, once.
-TradePlan trade_plan(const FemCase& scene, const TradeAxes& axes = {});
+TradePlan trade_plan(const FemCase& fem, const TradeAxes& axes = {});
 
 }  // namespace fretval

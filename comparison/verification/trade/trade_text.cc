@@ -18,7 +18,7 @@ std::string megabytes(const std::optional<double>& bytes) {
 
 std::string point_line(const std::string& label, const TradePoint& point) {
   return fmt::format("{:<12} {} {:>10.2e} {:>9.3f} {:>9}\n", label, setting_text(point.setting.resolution),
-                     point.error(), point.seconds.total(), megabytes(point.memory.total()));
+                     point.error(), point.seconds.total(), megabytes(point.memory_bytes));
 }
 
 std::string other_levels(const Trade& trade) {
@@ -54,7 +54,8 @@ std::string rates(const Trade& trade) {
   std::string text = "power of the error in each axis (points above the floor):\n";
   for (const auto& rate : trade.rates) {
     text += fmt::format("  {:<10} largest {}", name_of(rate.sweep), slope_text(rate.largest_error));
-    for (const auto& [quantity, slope] : rate.slope) text += fmt::format(", {} {}", quantity, slope_text(slope));
+    for (const auto& [quantity, slope] : rate.slope)
+      text += fmt::format(", {} {}", name_of(quantity), slope_text(slope));
     text += "\n";
   }
   return text + fmt::format("power of the seconds in the rings: {}\n", slope_text(trade.seconds_over_rings));

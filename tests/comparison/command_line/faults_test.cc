@@ -240,7 +240,7 @@ TEST(CaseFaults, BadJsonIsRefusedByName) {
 }
 
 TEST(CaseFaults, NamesThatAreNoFolderAreRefused) {
-  for (const char* name : {"...prm", "..prm", "index.html.prm", "ladder.json.prm", "a\nb.prm", "a\x1b[2J.prm"})
+  for (const char* name : {"...prm", "..prm", "index.html.prm", "exact.json.prm", "a\nb.prm", "a\x1b[2J.prm"})
     expect_parts(refusal_of(name, valid_case), {"becomes that of a folder of results", "rename"});
   expect_parts(refusal_of("a\xff.prm", valid_case), {"not UTF-8"});
 }

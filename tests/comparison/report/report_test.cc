@@ -98,8 +98,8 @@ TEST(Report, RefusesAFolderWithoutResultsAndDamagedTables) {
   EXPECT_NE(refusal().find("there is no result.json, trade.json"), std::string::npos) << refusal();
   folder.write("result.json", stored_phase().dump());
   EXPECT_EQ(refusal(), "no error");
-  folder.write("ladder.json", "[{");
-  EXPECT_NE(refusal().find("ladder.json: "), std::string::npos) << refusal();
+  folder.write("exact.json", "[{");
+  EXPECT_NE(refusal().find("exact.json: "), std::string::npos) << refusal();
 }
 
 TEST(Report, MarksWhatDoesNotAgree) {
@@ -150,14 +150,14 @@ TEST(ConvergenceSection, HasErrorsOrdersGoalsAndVerdictsOfEachRow) {
 
 TEST(Report, DoesWithoutResultsWhereASuiteWasRun) {
   const ScratchFolder folder;
-  folder.write("ladder.json", nlohmann::json::array({convergence_row()}).dump());
+  folder.write("exact.json", nlohmann::json::array({convergence_row()}).dump());
   const auto page = text_of(write_report(folder.path()));
   expect_parts(page, {"1 of 1 rows pass"});
   EXPECT_EQ(page.find("All cases"), std::string::npos);
 }
 
 TEST(Report, RefusesADamagedFileOfASuiteByItsName) {
-  for (const char* name : {"tolerance.json", "extremes.json", "soak.json", "ladder.json"}) {
+  for (const char* name : {"tolerance.json", "extremes.json", "random.json", "exact.json"}) {
     const ScratchFolder folder;
     folder.write(name, R"({"records": [1]})");
     try {

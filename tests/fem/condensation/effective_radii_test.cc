@@ -17,6 +17,7 @@
 #include "tests/fem/convergence.h"
 #include "tests/fem/expect_solver_error.h"
 #include "tests/fem/half_space.h"
+#include "tests/fem/recorded_history.h"
 
 namespace fretval::fem::effective_radii_test {
 namespace {
@@ -71,8 +72,8 @@ class ContactEventsTest : public testing::Test {
 TEST_F(ContactEventsTest, AreWhereTheContactGainsARing) {
   for (const Index m : {0, 1, 7, 40, 63}) {
     const double d = events_.indentation[m], step = 1e-6 * d;
-    const auto before = normal_contact(problem_, profile_, d - step),
-               after = normal_contact(problem_, profile_, d + step);
+    const auto before = static_contact(problem_, profile_, d - step),
+               after = static_contact(problem_, profile_, d + step);
     EXPECT_EQ(before.pressure[m], 0);
     EXPECT_GT(before.gap[m], 0);
     EXPECT_GT(after.pressure[m], 0);
@@ -153,7 +154,7 @@ class StickRadiusTest : public testing::Test {
 
   /// The margin under a profile f(r) "pressed" by d: positive inside the radius at which the transform g of f is d.
   EdgeRadius radius_of(const std::function<double(double)>& f, double d) const {
-    const auto margin = normal_contact(problem_, ring_means(compliance_, f), d).pressure;
+    const auto margin = static_contact(problem_, ring_means(compliance_, f), d).pressure;
     Index n_stuck = 0;
     while (n_stuck < margin.size() && margin[n_stuck] > 0) ++n_stuck;
     return stick_radius(compliance_, problem_.series.depths(margin), n_stuck);

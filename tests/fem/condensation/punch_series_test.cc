@@ -10,17 +10,17 @@
 #include "fem/condensation/effective_radii.h"
 #include "fem/history/contact_force.h"
 #include "fem/history/friction_force.h"
-#include "fem/history/normal_history.h"
 #include "tests/fem/half_space.h"
+#include "tests/fem/recorded_history.h"
 
 namespace fretval::fem::punch_series_test {
 namespace {
 
 using Eigen::Index;
 
-NormalContact hertz_contact(const ContactProblem& problem, double indentation) {
+StaticContact hertz_contact(const ContactProblem& problem, double indentation) {
   const auto profile = ring_means(problem.compliance, [](double r) { return r * r / 2; });
-  return normal_contact(problem, profile, indentation);
+  return static_contact(problem, profile, indentation);
 }
 
 std::vector<signed char> one_zone(const Eigen::VectorXd& field) {

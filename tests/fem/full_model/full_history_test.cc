@@ -11,6 +11,7 @@
 #include "tests/fem/expect_solver_error.h"
 #include "tests/fem/fretting.h"
 #include "tests/fem/half_space.h"
+#include "tests/fem/recorded_history.h"
 
 namespace fretval::fem::full_history_test {
 namespace {
@@ -56,16 +57,16 @@ Eigen::VectorXd profile() {
   return parabola_means(body(Harmonic::normal).condensed);
 }
 
-NormalHistory condensed_normal(const RelaxationModel& model) {
+NormalRecord condensed_normal(const RelaxationModel& model) {
   return normal_history(body(Harmonic::normal).condensed, model, profile(), wide_motion(), few_cycles());
 }
 
-FrictionHistory condensed_friction(const RelaxationModel& model, const NormalHistory& normal) {
+FrictionHistory condensed_friction(const RelaxationModel& model, const NormalRecord& normal) {
   return friction_history(body(Harmonic::tangential).condensed, model, mu, wide_motion(), normal, few_cycles());
 }
 
 /// Pressures of the condensed history at the instants of n_cycles cycles.
-Eigen::MatrixXd pressures_over(const NormalHistory& normal, int n_cycles) {
+Eigen::MatrixXd pressures_over(const NormalRecord& normal, int n_cycles) {
   Eigen::MatrixXd pressure(n_rings, 1 + n_cycles * n_steps);
   for (Index k = 0; k < pressure.cols(); ++k) pressure.col(k) = normal.pressure.col(normal.column(k));
   return pressure;

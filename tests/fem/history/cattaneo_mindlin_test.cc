@@ -8,6 +8,7 @@
 #include "fem/stick_zone/stick_radius.h"
 #include "tests/fem/convergence.h"
 #include "tests/fem/half_space.h"
+#include "tests/fem/recorded_history.h"
 
 namespace fretval::fem::cattaneo_mindlin_test {
 namespace {
@@ -24,7 +25,7 @@ Sliding slide(unsigned n_per_radius, double displacement, double mu) {
   const auto& normal = normal_half_space(n_per_radius);
   const auto& tangential = tangential_half_space(n_per_radius);
   const Eigen::VectorXd profile = ring_means(normal.compliance, [](double r) { return r * r / 2; });
-  const Eigen::VectorXd limit = mu * normal_contact(normal, profile, 1).pressure;
+  const Eigen::VectorXd limit = mu * static_contact(normal, profile, 1).pressure;
   const auto& areas = tangential.compliance.areas;
   std::vector<BoxState> states(static_cast<std::size_t>(limit.size()), BoxState::interior);
   const auto solution = tangential.solver.solve(displacement * areas, -limit, limit, states);

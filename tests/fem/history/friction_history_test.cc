@@ -14,6 +14,7 @@
 #include "tests/fem/expect_solver_error.h"
 #include "tests/fem/fretting.h"
 #include "tests/fem/half_space.h"
+#include "tests/fem/recorded_history.h"
 
 namespace fretval::fem::friction_history_test {
 namespace {
@@ -53,7 +54,7 @@ StickRadii radii_of(const FrictionHistory& history, const Motion& motion, unsign
           stick_radius(compliance, history.shakedown_reserve, stuck).radius};
 }
 
-NormalHistory press(const RelaxationModel& model, const Motion& motion, unsigned n = n_per_radius) {
+NormalRecord press(const RelaxationModel& model, const Motion& motion, unsigned n = n_per_radius) {
   const auto& problem = normal_half_space(n);
   return normal_history(problem, model, parabola_means(problem), motion, {});
 }

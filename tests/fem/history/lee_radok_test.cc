@@ -8,6 +8,7 @@
 
 #include "tests/fem/convergence.h"
 #include "tests/fem/half_space.h"
+#include "tests/fem/recorded_history.h"
 
 namespace fretval::fem::lee_radok_test {
 namespace {
@@ -113,7 +114,7 @@ TEST(LeeRadok, ImpulseOfAKelvinVoigtBody) {
 /// Elastic force of the parabola on the rings of a body.
 std::function<double(double)> force_of_rings(const ContactProblem& problem) {
   return [&problem, profile = ring_means(problem.compliance, [](double r) { return r * r / 2; })](double d) {
-    return normal_contact(problem, profile, d).pressure.dot(problem.compliance.areas);
+    return static_contact(problem, profile, d).pressure.dot(problem.compliance.areas);
   };
 }
 

@@ -1,4 +1,3 @@
-#include "fem/history/normal_history.h"
 
 #include <gtest/gtest.h>
 
@@ -16,13 +15,14 @@
 #include "tests/fem/expect_solver_error.h"
 #include "tests/fem/fretting.h"
 #include "tests/fem/half_space.h"
+#include "tests/fem/recorded_history.h"
 
 namespace fretval::fem::normal_history_test {
 namespace {
 
 using Eigen::Index;
 
-double largest_over_last_cycle(const NormalHistory& history, const std::function<double(Index)>& value) {
+double largest_over_last_cycle(const NormalRecord& history, const std::function<double(Index)>& value) {
   double largest = 0;
   for (Index k = history.time.size() - history.steps_per_cycle; k < history.time.size(); ++k)
     largest = std::max(largest, value(k));
@@ -35,7 +35,7 @@ double largest_over_last_cycle(const NormalHistory& history, const std::function
 TEST(NormalHistory, OfAFlatPunchFollowsTheComplexModulus) {
   const auto& problem = normal_half_space(32);
   const Eigen::VectorXd profile = ring_means(problem.compliance, [](double r) { return r < 0.75 ? 0.0 : 10.0; });
-  const double elastic_force = normal_contact(problem, profile, 1).pressure.dot(problem.compliance.areas);
+  const double elastic_force = static_contact(problem, profile, 1).pressure.dot(problem.compliance.areas);
   for (const auto& model : {elastic_body(), standard_solid(), kelvin_voigt(), three_branches()}) {
     const auto history = normal_history(problem, model, profile, fretting_motion(), {});
     const double error = largest_over_last_cycle(history, [&](Index k) {
@@ -53,7 +53,7 @@ TEST(NormalHistory, OfAnElasticBodyIsTheStaticContactAtEveryInstant) {
   const auto history = normal_history(problem, elastic_body(), profile, fretting_motion(), {});
   double worst = 0;
   for (Index k = 0; k < history.time.size(); k += 37) {
-    const auto contact = normal_contact(problem, profile, history.indentation[k]);
+    const auto contact = static_contact(problem, profile, history.indentation[k]);
     worst = std::max(worst, (history.pressure.col(k) - contact.pressure).cwiseAbs().maxCoeff());
     EXPECT_DOUBLE_EQ(history.indentation[k], normal_motion(fretting_motion(), history.time[k]).value);
   }
@@ -108,7 +108,7 @@ class Springs {
 
 /// Largest difference of the force to that of the springs over the last cycle, relative to its largest value. The
 /// springs make 16 steps to one of the history; between them their force is interpolated.
-double difference_to_springs(const NormalHistory& history, const RelaxationModel& model, const Motion& motion) {
+double difference_to_springs(const NormalRecord& history, const RelaxationModel& model, const Motion& motion) {
   const double dt = 2 * pi / history.steps_per_cycle / 16;
   Springs springs(model, dt, motion.indentation);
   double worst = 0, force = 0, force_before = 0;
@@ -184,7 +184,7 @@ TEST(NormalHistory, IsOfSecondOrderInTime) {
   }
 }
 
-double largest_force(const NormalHistory& history) {
+double largest_force(const NormalRecord& history) {
   return largest_over_last_cycle(history, [&](Index k) { return history.force[k]; });
 }
 
@@ -202,13 +202,21 @@ TEST(NormalHistory, FollowsASlowCreepToItsEnd) {
 }
 
 TEST(NormalHistory, RepeatsItsLastCycle) {
-  NormalHistory history{};
+  NormalHistory history;
   history.steps_per_cycle = 4;
   history.n_cycles = 3;
-  EXPECT_EQ(history.column(0), 0);
-  EXPECT_EQ(history.column(12), 12);
   for (long step = 9; step <= 12; ++step)
-    for (const long cycles : {1, 2, 50}) EXPECT_EQ(history.column(step + 4 * cycles), step);
+    for (const long cycles : {0, 1, 2, 50}) EXPECT_EQ(history.column(step + 4 * cycles), step - 9);
+}
+
+// What the readings take from the whole history, not from the cycle alone.
+TEST(NormalHistory, KnowsTheSmallestPressureSinceTheStart) {
+  const auto& problem = normal_half_space(16);
+  for (const auto& model : {elastic_body(), standard_solid()}) {
+    const auto record = normal_history(problem, model, parabola_means(problem), fretting_motion(), {});
+    EXPECT_EQ(record.smallest_pressure, Eigen::VectorXd(record.pressure.rowwise().minCoeff()));
+    EXPECT_EQ(record.cycle.pressure, Eigen::MatrixXd(record.pressure.rightCols(180)));
+  }
 }
 
 TEST(NormalHistory, SaysWhenItIsNotPeriodic) {

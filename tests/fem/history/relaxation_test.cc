@@ -232,5 +232,21 @@ TEST(PronyInterval, TwoIntervalsAreOne) {
   EXPECT_NEAR(whole.memory_of(0, indenter_move(quadratic, 0, 0.2)), half.decay(0) * first + second, 1e-15);
 }
 
+// A strain that does not follow the indenter takes no share of its motion.
+TEST(RelaxationStep, ResponseOfADrivenStrainIsProportionalToIt) {
+  const RelaxationModel model{0.7, {0.5, 0.8}, {2, 0.1}, 0.3};
+  const RelaxationStep step(model, 0.2);
+  const Eigen::VectorXd driven = Eigen::Vector3d(1, -2, 0), no_slip = Eigen::Vector3d::Zero();
+  RingState state{Eigen::Vector3d::Zero(), Eigen::MatrixXd::Zero(3, 2)};
+  const IndenterMove move{0.1, {1, 0.5, 0.2}};
+  step.advance(state, move, no_slip, driven);
+  const Eigen::VectorXd stress = step.response_without_slip(state, move, driven);
+  EXPECT_GT(stress[0], 0);
+  EXPECT_LT((stress - stress[0] * driven).norm(), 1e-15);
+  RingState ring{Eigen::VectorXd::Zero(1), Eigen::MatrixXd::Zero(1, 2)};
+  step.advance(ring, move, Eigen::VectorXd::Zero(1));
+  EXPECT_DOUBLE_EQ(step.response_without_slip(ring, move)[0], stress[0]);
+}
+
 }  // namespace
 }  // namespace fretval::fem::relaxation_test

@@ -10,6 +10,7 @@
 #include "fem/support/constants.h"
 #include "tests/fem/convergence.h"
 #include "tests/fem/half_space.h"
+#include "tests/fem/recorded_history.h"
 
 namespace fretval::fem::static_contact_test {
 namespace {
@@ -46,7 +47,7 @@ Errors errors_of(const PowerLaw& indenter) {
     double force = 0, radius = 0;
     for (int k = 0; k < 8; ++k) {
       const double indentation = std::pow(1 - 0.2 * k / 7.3, indenter.exponent);
-      const auto contact = normal_contact(problem, profile, indentation);
+      const auto contact = static_contact(problem, profile, indentation);
       force =
           std::max(force, std::abs(contact.pressure.dot(problem.compliance.areas) / indenter.force(indentation) - 1));
       radius = std::max(

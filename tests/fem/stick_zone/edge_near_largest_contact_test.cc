@@ -38,14 +38,14 @@ NormalHistory history_of(const ContactProblem& problem) {
   return history;
 }
 
-TEST(UnseenKink, CostsNothingWhereTheEdgeWasReadSmoothly) {
+TEST(EdgeNearLargestContact, CostsNothingWhereTheEdgeWasReadSmoothly) {
   const auto& problem = normal_half_space(32);
   auto history = history_of(problem);
   read_edges_near_largest_contact(problem.series, 1, history);
   for (int k = 1; k <= n_steps; ++k) EXPECT_NEAR(history.force_uncertainty[k], other, 1e-12) << k;
 }
 
-TEST(UnseenKink, CostsTwiceTheForceBetweenBothReadingsOfTheEdge) {
+TEST(EdgeNearLargestContact, CostsTwiceTheForceBetweenBothReadingsOfTheEdge) {
   const auto& problem = normal_half_space(32);
   auto history = history_of(problem);
   constexpr double off = 1e-4;
@@ -56,7 +56,7 @@ TEST(UnseenKink, CostsTwiceTheForceBetweenBothReadingsOfTheEdge) {
   EXPECT_NEAR(history.force_uncertainty[2], other, 1e-12);
 }
 
-TEST(UnseenKink, IsReadFromTheEdgeOverTimeWhereBothReadingsDisagree) {
+TEST(EdgeNearLargestContact, IsReadFromTheEdgeOverTimeWhereBothReadingsDisagree) {
   const auto& problem = normal_half_space(32);
   auto history = history_of(problem);
   const double right = history.contact_radius[3], t = history.time[3], off = 0.02;
@@ -71,7 +71,7 @@ TEST(UnseenKink, IsReadFromTheEdgeOverTimeWhereBothReadingsDisagree) {
               1e-10);
 }
 
-TEST(UnseenKink, MayBeAnywhereBeyondTheLastClosedRingWhereTooFewInstantsSeeIt) {
+TEST(EdgeNearLargestContact, MayBeAnywhereBeyondTheLastClosedRingWhereTooFewInstantsSeeIt) {
   const auto& problem = normal_half_space(32);
   auto history = history_of(problem);
   history.kink_uncertainty[n_hidden + 3] = set_aside;

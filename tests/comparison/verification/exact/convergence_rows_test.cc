@@ -26,12 +26,12 @@ ConvergenceRow power(double factor, double order) {
   return row;
 }
 
-TEST(Ladder, ObservesTheOrderOfExactPowers) {
+TEST(ConvergenceRow, ObservesTheOrderOfExactPowers) {
   for (const double order : {0.5, 1.0, 2.0, 3.7}) EXPECT_NEAR(observed_order(power(2, order)).value(), order, 1e-12);
   EXPECT_NEAR(observed_order(power(-2, 2)).value(), 2, 1e-12);
 }
 
-TEST(Ladder, LeavesTheFloorOutOfTheOrder) {
+TEST(ConvergenceRow, LeavesTheFloorOutOfTheOrder) {
   auto row = power(1, 2);
   row.errors[3] = row.errors[2] * 0.9;
   EXPECT_LT(observed_order(row).value(), 1.8);
@@ -42,25 +42,25 @@ TEST(Ladder, LeavesTheFloorOutOfTheOrder) {
   EXPECT_EQ(failure_of(row), "");
 }
 
-TEST(Ladder, AFloorDoesNotExcuseAnErrorBeyondTheTolerance) {
+TEST(ConvergenceRow, AFloorDoesNotExcuseAnErrorBeyondTheTolerance) {
   auto row = power(100, 2);
   row.demand.floor = 1;
   EXPECT_FALSE(observed_order(row));
   EXPECT_NE(failure_of(row).find("error 2.4e-02 at 64 rings"), std::string::npos) << failure_of(row);
 }
 
-TEST(Ladder, PassesWithinToleranceAtTheExpectedOrder) {
+TEST(ConvergenceRow, PassesWithinToleranceAtTheExpectedOrder) {
   EXPECT_EQ(failure_of(power(1, 2)), "");
   EXPECT_EQ(failure_of(power(1, 2 - 0.9 * order_slack)), "");
   EXPECT_EQ(failure_of(power(1, 3)), "");
 }
 
-TEST(Ladder, FailsBelowTheExpectedOrder) {
+TEST(ConvergenceRow, FailsBelowTheExpectedOrder) {
   EXPECT_NE(failure_of(power(1e-2, 2 - 1.1 * order_slack)).find("order 1.67, expected 2"), std::string::npos);
   EXPECT_NE(failure_of(power(1e-5, -1)), "");
 }
 
-TEST(Ladder, FailsWhereRefinementLeavesTheTolerance) {
+TEST(ConvergenceRow, FailsWhereRefinementLeavesTheTolerance) {
   auto row = power(1, 2);
   row.demand.expected_order = 0;
   EXPECT_EQ(failure_of(row), "");
@@ -68,7 +68,7 @@ TEST(Ladder, FailsWhereRefinementLeavesTheTolerance) {
   EXPECT_NE(failure_of(row).find("-2.0e-03 at 128 rings"), std::string::npos) << failure_of(row);
 }
 
-TEST(Ladder, FailsWithoutAnError) {
+TEST(ConvergenceRow, FailsWithoutAnError) {
   for (std::size_t i = 0; i < rungs.size(); ++i) {
     auto row = power(1e-3, 2);
     row.errors[i] = std::nan("");
@@ -82,7 +82,7 @@ TEST(Ladder, FailsWithoutAnError) {
   EXPECT_NE(failure_of(row).find("no error at 48"), std::string::npos);
 }
 
-TEST(Ladder, TellsTheGoalFromTheTolerance) {
+TEST(ConvergenceRow, TellsTheGoalFromTheTolerance) {
   EXPECT_EQ(meets_goal(power(0.1, 2)), true);
   EXPECT_EQ(meets_goal(power(1, 2)), false);
   auto row = power(1, 2);
@@ -93,7 +93,7 @@ TEST(Ladder, TellsTheGoalFromTheTolerance) {
   EXPECT_EQ(meets_goal(row), false);
 }
 
-TEST(Ladder, TableHasAnAlignedLinePerRow) {
+TEST(ConvergenceRow, TableHasAnAlignedLinePerRow) {
   auto longer = power(1, 1);
   longer.scene = "a longer scene";
   auto at_floor = power(1e-2, 2);
@@ -113,14 +113,14 @@ TEST(Ladder, TableHasAnAlignedLinePerRow) {
   EXPECT_NE(lines[3].find("1e-04 met"), std::string::npos);
 }
 
-TEST(Ladder, WritesJUnitXml) {
+TEST(ConvergenceRow, WritesJUnitXml) {
   const auto xml = convergence_junit({power(1, 2), power(1, 1)});
   EXPECT_NE(xml.find("tests=\"2\" failures=\"1\""), std::string::npos) << xml;
   EXPECT_NE(xml.find("name=\"scene: quantity\"/>"), std::string::npos) << xml;
   EXPECT_NE(xml.find("<failure message=\"error 1.6e-02"), std::string::npos) << xml;
 }
 
-TEST(Ladder, WritesJson) {
+TEST(ConvergenceRow, WritesJson) {
   auto at_floor = power(1e-2, 2);
   at_floor.demand.floor = 1;
   at_floor.demand.goal.reset();
@@ -153,8 +153,8 @@ TEST(Ladder, WritesJson) {
 
 /// Meshes of the tests: without the finest one of the suite.
 const std::vector<ConvergenceMesh>& meshes() {
-  static const auto ladder = half_space_meshes({16, 32, 64});
-  return ladder;
+  static const auto meshes = half_space_meshes({16, 32, 64});
+  return meshes;
 }
 
 std::vector<ConvergenceRow> hertz_rows(const ExactIndentation& exact) {
@@ -259,7 +259,7 @@ TEST(ConvergenceGuard, AnotherStickRadiusFailsThePeriodicState) {
 }
 
 TEST(ConvergenceGuard, AnotherForceThanKelvinsFailsInTheBulk) {
-  const auto meshes = bulk_ladder(3);
+  const auto meshes = bulk_meshes(3);
   for (const auto harmonic : {fem::Harmonic::normal, fem::Harmonic::tangential}) {
     const BulkScene scene{"Kelvin", harmonic, 4e-7, 3e-5};
     const auto exact = fem::point_force(harmonic, 1), wrong = fem::point_force(harmonic, 1.001);

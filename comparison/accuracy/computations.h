@@ -1,0 +1,47 @@
+#pragma once
+
+#include <functional>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "comparison/accuracy/quantity.h"
+#include "comparison/simulation/compute_case.h"
+
+namespace fretval {
+
+/// A case at one resolution, or why there is none: then only the failure.
+struct Computation {
+  FeAnswer fe;
+  std::string failure = {};
+};
+
+/// Computes a case at a resolution, as compute_case does.
+using Compute = std::function<FeAnswer(const Resolution&)>;
+
+/// A case at all the resolutions that its proof asks for, each computed once.
+class Computations {
+ public:
+  /// n_threads: how many may be computed at once.
+  Computations(const Units& units, Compute compute, std::size_t n_threads)
+      : units_(units), compute_(std::move(compute)), n_threads_(n_threads) {}
+
+  /// Those that are not there yet. Failures of the numerics are part of the answer; anything else is thrown.
+  void compute(const std::vector<Resolution>& resolutions);
+
+  [[nodiscard]] const Computation& at(const Resolution& resolution) const { return all_.at(resolution); }
+  [[nodiscard]] bool failed(const Resolution& resolution) const { return !at(resolution).failure.empty(); }
+  /// What is compared, by resolution; none where the numerics failed.
+  [[nodiscard]] const std::map<Resolution, Quantities>& quantities() const { return quantities_; }
+  [[nodiscard]] int size() const { return static_cast<int>(all_.size()); }
+
+ private:
+  Units units_;
+  Compute compute_;
+  std::size_t n_threads_;
+  std::map<Resolution, Computation> all_;
+  std::map<Resolution, Quantities> quantities_;
+};
+
+}  // namespace fretval

@@ -1,0 +1,128 @@
+#include "comparison/accuracy/error_bars.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fretval {
+namespace {
+
+/// What reading the edges leaves open, in the units of measures.
+Quantities uncertainties_of_edges(const Computation& computation, const FemCase& fem) {
+  if (!computation.failure.empty()) return {};
+  const auto& fe = computation.fe;
+  Quantities uncertainties;
+  if (fe.normal_force_max > 0)
+    uncertainties[Quantity::normal_force_max] = fe.normal_force_uncertainty / fe.normal_force_max;
+  if (!fem.worn_edge) {
+    uncertainties[Quantity::contact_radius_max] = fe.contact_radius_uncertainty / fem.units.length;
+    uncertainties[Quantity::stick_radius_first_slip] = fe.first_slip_uncertainty / fem.units.length;
+    uncertainties[Quantity::stick_radius_shakedown] = fe.shakedown_uncertainty / fem.units.length;
+  }
+  return uncertainties;
+}
+
+/// Adds what a bar falls short of a width.
+void widen(ErrorBar& bar, double width) {
+  const double missing = width - bar.total();
+  if (missing > 0) bar.shares.push_back({ErrorSource::edge, missing, std::nullopt});
+}
+
+/// The depth of a stick zone goes at least with the square of its radius: a bar of more than half of the radius leaves
+/// open whether anything sticks at all.
+void widen_to_none(double c, ErrorBar& bar) {
+  constexpr double all_of_it = 1.01;
+  if (bar.total() > c / 2) widen(bar, all_of_it * c);
+}
+
+/// A track of a proof, and what is known of it.
+struct Track {
+  const PreparedCase& prepared;
+  const Computations& computed;
+  const Resolution& resolution;
+
+  [[nodiscard]] double value(Quantity quantity) const { return computed.quantities().at(resolution).at(quantity); }
+};
+
+/// How deep the innermost ring sticks in either zone.
+Quantities centre_depths(const FeAnswer& fe) {
+  return {{Quantity::stick_radius_first_slip, fe.first_slip_depths.depth[0]},
+          {Quantity::stick_radius_shakedown, fe.shakedown_depths.depth[0]}};
+}
+
+/// Where the error of the depth at the centre leaves open whether anything sticks, adds to the bar what that means for
+/// the stick radius: under a flat face, all of the face or nothing.
+void carry_depths(const Track& track, ErrorBudget& budget) {
+  const auto& [prepared, computed, resolution] = track;
+  if (prepared.fem.worn_edge || computed.failed(resolution)) return;
+  std::map<Resolution, Quantities> centre;
+  for (const auto& [other, unused] : computed.quantities())
+    centre[other] = computed.failed(other) ? Quantities{} : centre_depths(computed.at(other).fe);
+  // At the border the bar of a depth is hardly larger than its error. Where nothing sticks, slips stand for depths,
+  // and not at all next to the edge of a flat face.
+  constexpr double safety = 2, rings_next_to_face = 8;
+  const double face = prepared.input.indenter.flat_radius / prepared.fem.units.length,
+               around_face = face > 0 ? face + rings_next_to_face / resolution.elements_per_radius : 0;
+  const auto& fe = computed.at(resolution).fe;
+  for (const auto& [quantity, bar] : error_budget(resolution, centre, {}, needs_of(prepared.fem))) {
+    const double c = track.value(quantity), uncertainty = safety * bar.total();
+    if (std::abs(centre.at(resolution).at(quantity)) > uncertainty) continue;
+    const auto& depths = quantity == Quantity::stick_radius_first_slip ? fe.first_slip_depths : fe.shakedown_depths;
+    const double reach = fem::reach_of_edge(depths, c, uncertainty);
+    widen(budget.at(quantity), c > 0 ? reach : std::max(reach, around_face));
+  }
+}
+
+/// While an unlocked phase drifts too fast for the body, rings slip on the way that would not: where the first-slip
+/// zone is none, it may be all that sticks in the end.
+void carry_drift(const Track& track, ErrorBudget& budget) {
+  constexpr auto first_slip = Quantity::stick_radius_first_slip, shakedown = Quantity::stick_radius_shakedown;
+  if (!needs_of(track.prepared.fem).creep || track.computed.failed(track.resolution) || track.value(first_slip) > 0)
+    return;
+  widen(budget.at(first_slip), track.value(shakedown) + budget.at(shakedown).total());
+}
+
+/// The rings of a worn profile that stick are counted. Where the slip inside its stick radius is no more than its own
+/// bar, all rings up to there may stick.
+void carry_slip_inside(const Track& track, ErrorBudget& budget) {
+  const auto slip = budget.find(Quantity::slip_inside_stick_zone);
+  if (slip == budget.end() || track.value(slip->first) > slip->second.total()) return;
+  constexpr auto shakedown = Quantity::stick_radius_shakedown;
+  const double missing = track.prepared.fem.worn_edge->inner - track.value(shakedown);
+  if (missing > 0) budget.at(shakedown).shares.push_back({ErrorSource::edge, missing, std::nullopt});
+}
+
+}  // namespace
+
+SceneNeeds needs_of(const FemCase& fem) {
+  return {fem.relaxation.has_memory(), !fem.motion.phase, fem.worn_edge.has_value()};
+}
+
+std::vector<Resolution> needed_for_bars(const Tracks& tracks, const SceneNeeds& needs) {
+  auto needed = tracks.all();
+  for (const auto& track : tracks.all())
+    for (const auto& variant : variants_of(track, needs)) {
+      needed.push_back(variant.resolution);
+      needed.push_back(variant.reference);
+    }
+  return needed;
+}
+
+ErrorBudget error_bars(const PreparedCase& prepared, const Tracks& tracks, const Computations& computed,
+                       Borders borders) {
+  ErrorBudget all;
+  for (const auto& resolution : tracks.all()) {
+    const Track track{prepared, computed, resolution};
+    auto bars = error_budget(resolution, computed.quantities(),
+                             uncertainties_of_edges(computed.at(resolution), prepared.fem), needs_of(prepared.fem));
+    if (borders == Borders::carried) carry_depths(track, bars);
+    if (prepared.fem.worn_edge) carry_slip_inside(track, bars);
+    for (const auto quantity : {Quantity::stick_radius_first_slip, Quantity::stick_radius_shakedown})
+      if (bars.count(quantity) > 0) widen_to_none(track.value(quantity), bars.at(quantity));
+    if (borders == Borders::carried) carry_drift(track, bars);
+    for (const auto& [quantity, bar] : bars)
+      if (tracks.of(quantity) == resolution) all[quantity] = bar;
+  }
+  return all;
+}
+
+}  // namespace fretval

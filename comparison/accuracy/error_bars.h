@@ -1,0 +1,23 @@
+#pragma once
+
+#include "comparison/accuracy/error_budget.h"
+#include "comparison/accuracy/tracks.h"
+
+namespace fretval {
+
+/// What the errors of a case depend on.
+SceneNeeds needs_of(const FemCase& fem);
+
+/// All that has to be computed for the error bars: tracks, variants and the references of those.
+std::vector<Resolution> needed_for_bars(const Tracks& tracks, const SceneNeeds& needs);
+
+/// Whether a bar also has to tell if anything sticks at all, where the error of a depth leaves that open. Refining for
+/// it costs hundreds of rings, and does not decide what a border leaves open, so only bars that are taken as they are
+/// carry it.
+enum class Borders { left_out, carried };
+
+/// The error bar of each quantity at the resolution that it is read from.
+ErrorBudget error_bars(const PreparedCase& prepared, const Tracks& tracks, const Computations& computed,
+                       Borders borders);
+
+}  // namespace fretval

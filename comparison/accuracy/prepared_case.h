@@ -1,0 +1,23 @@
+#pragma once
+
+#include <vector>
+
+#include "comparison/accuracy/verdict.h"
+#include "comparison/reference/mdr_case.h"
+#include "comparison/simulation/fem_case.h"
+
+namespace fretval {
+
+/// A case ready to be computed both ways.
+struct PreparedCase {
+  Case input;
+  MdrCase mdr;
+  FemCase fem;
+  Tolerances tolerances;
+};
+
+/// Checks everything about the cases that can be checked before the first one is computed. Throws InputError; bad
+/// values that only the reference refuses are reported with the file's name.
+std::vector<PreparedCase> prepare(const std::vector<Case>& cases);
+
+}  // namespace fretval

@@ -1,0 +1,161 @@
+#include "comparison/accuracy/proof.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+
+#include "comparison/accuracy/error_bars.h"
+#include "comparison/accuracy/refinement_plan.h"
+#include "comparison/accuracy/tracks.h"
+#include "comparison/support/log.h"
+
+namespace fretval {
+namespace {
+
+constexpr int most_refinements = 6;
+constexpr double worthwhile_gain = 4;  // a ring that is less finer than that, the error budget asks for by itself
+constexpr double worthwhile_gain_if_hopeless = 1.5;  // where it asks for more than can be planned
+constexpr std::array stick_radii{Quantity::stick_radius_first_slip, Quantity::stick_radius_shakedown};
+
+std::string large_shares(const ErrorBar& bar) {
+  std::string text;
+  for (const auto& share : bar.shares)
+    if (share.estimate > bar.total() / 10)
+      text += fmt::format("{}{} {:.1e}", text.empty() ? "" : ", ", name_of(share.source), share.estimate);
+  return text;
+}
+
+bool any_failed(const Tracks& tracks, const Computations& computed) {
+  const auto all = tracks.all();
+  return std::any_of(all.begin(), all.end(), [&](const Resolution& r) { return computed.failed(r); });
+}
+
+bool focus_on_unresolved_edges(const PreparedCase& prepared, const Computations& computed, Tracks& tracks) {
+  bool any = false;
+  for (const auto quantity : stick_radii) any |= focus_on(quantity, worthwhile_gain, prepared, computed, tracks);
+  return any;
+}
+
+bool focus_on_what_is_hopeless(const PreparedCase& prepared, const Computations& computed, Tracks& tracks) {
+  const auto bars = error_bars(prepared, tracks, computed, Borders::left_out);
+  bool any = false;
+  for (const auto quantity : stick_radii) {
+    const auto bar = bars.find(quantity);
+    if (bar != bars.end() && bar->second.total() > most_tolerances * tolerance_of(prepared.tolerances, quantity))
+      any |= focus_on(quantity, worthwhile_gain_if_hopeless, prepared, computed, tracks);
+  }
+  return any;
+}
+
+/// Focuses on what the rings do not resolve, and computes all that error bars need. Returns whether the numerics held.
+bool measure_errors(const PreparedCase& prepared, Computations& computed, Tracks& tracks) {
+  while (true) {
+    computed.compute(tracks.all());
+    if (any_failed(tracks, computed)) return false;
+    if (focus_on_unresolved_edges(prepared, computed, tracks)) continue;
+    computed.compute(needed_for_bars(tracks, needs_of(prepared.fem)));
+    if (!focus_on_what_is_hopeless(prepared, computed, tracks)) return true;
+  }
+}
+
+/// Empty: all bars meet their tolerances, or nothing can be refined that would help.
+std::optional<Tracks> finer(const PreparedCase& prepared, const Computations& computed, const Tracks& tracks) {
+  const auto& name = prepared.input.name;
+  std::map<Resolution, std::vector<BarToMeet>> bars;  // by track
+  for (const auto& [quantity, bar] : error_bars(prepared, tracks, computed, Borders::left_out)) {
+    const double tolerance = tolerance_of(prepared.tolerances, quantity), total = bar.total();
+    bars[tracks.of(quantity)].push_back({bar, tolerance});
+    if (total > tolerance)
+      log::info(fmt::format("{}: error bar of {} is {:.1e} ({}), {:.1e} is asked for", name, name_of(quantity), total,
+                            large_shares(bar), tolerance));
+  }
+  const FixedByCase fixed{prepared.input.rings_per_radius.has_value(), prepared.input.steps_per_cycle.has_value()};
+  Tracks next = tracks;
+  bool any = false;
+  const auto refine = [&](Resolution& track) {
+    const auto& fe = computed.at(track).fe;
+    const Effort effort{static_cast<double>(fe.body->n_dofs), static_cast<double>(fe.body->radii.size() - 1),
+                        static_cast<double>(fe.n_steps)};
+    const auto planned = planned_refinement(track, bars[track], effort, fixed);
+    if (!planned) return;
+    log::info(fmt::format("{}: from {} to {}", name, text_of(track), text_of(*planned)));
+    track = *planned;
+    any = true;
+  };
+  refine(next.base);
+  for (auto& [quantity, track] : next.focused) refine(track);
+  return any ? std::optional(next) : std::nullopt;
+}
+
+/// Returns the number of refinements.
+int refine_until_proved(const PreparedCase& prepared, Computations& computed, Tracks& tracks) {
+  std::optional<Tracks> before;
+  for (int n = 0;; ++n) {
+    if (!measure_errors(prepared, computed, tracks)) {
+      if (!before) return n;
+      for (const auto& track : tracks.all())
+        if (computed.failed(track))
+          log::info(fmt::format("{}: taken back: {}", prepared.input.name, computed.at(track).failure));
+      tracks = *before;
+      return n;
+    }
+    const auto next = n < most_refinements ? finer(prepared, computed, tracks) : std::nullopt;
+    if (!next) return n;
+    before = tracks;
+    tracks = *next;
+  }
+}
+
+/// The answer at the base, with the stick radii of the focused tracks.
+FeAnswer merged_answer(const Tracks& tracks, const Computations& computed) {
+  FeAnswer fe = computed.at(tracks.base).fe;
+  for (const auto& [quantity, resolution] : tracks.focused) {
+    const auto& focused = computed.at(resolution).fe;
+    if (quantity == Quantity::stick_radius_first_slip) {
+      fe.stick_radius_first_slip = focused.stick_radius_first_slip;
+      fe.first_slip_uncertainty = focused.first_slip_uncertainty;
+    } else {
+      fe.stick_radius_shakedown = focused.stick_radius_shakedown;
+      fe.shakedown_uncertainty = focused.shakedown_uncertainty;
+    }
+  }
+  return fe;
+}
+
+}  // namespace
+
+const char* name_of(Proof proof) {
+  if (proof == Proof::none) return "none";
+  return proof == Proof::bars ? "bars" : "tolerance";
+}
+
+ProvedAnswer prove(const PreparedCase& prepared, Proof proof, BodyStore& bodies, std::size_t n_threads) {
+  return prove(
+      prepared, proof, [&](const Resolution& resolution) { return compute_case(prepared.fem, resolution, bodies); },
+      n_threads);
+}
+
+ProvedAnswer prove(const PreparedCase& prepared, Proof proof, const Compute& compute, std::size_t n_threads) {
+  Computations computed(prepared.fem.units, compute, n_threads);
+  Tracks tracks{prepared.fem.resolution, {}};
+  ProvedAnswer answer;
+  if (proof == Proof::none) computed.compute(tracks.all());
+  if (proof == Proof::bars) computed.compute(needed_for_bars(tracks, needs_of(prepared.fem)));
+  if (proof == Proof::tolerance) answer.n_refinements = refine_until_proved(prepared, computed, tracks);
+
+  answer.resolution = tracks.base;
+  answer.n_computations = computed.size();
+  for (const auto& track : tracks.all())
+    if (answer.failure.empty()) answer.failure = computed.at(track).failure;
+  if (!answer.failure.empty()) return answer;
+  answer.fe = merged_answer(tracks, computed);
+  for (const auto& track : tracks.all()) answer.seconds += computed.at(track).fe.seconds_alone();
+  for (const auto& [quantity, resolution] : tracks.focused) answer.focus[quantity] = *resolution.focus;
+  const auto borders = proof == Proof::bars ? Borders::carried : Borders::left_out;
+  if (proof != Proof::none) answer.budget = error_bars(prepared, tracks, computed, borders);
+  return answer;
+}
+
+}  // namespace fretval

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+
+namespace fretval {
+
+/// What finite elements and MDR are compared in. The last three of a limiting profile's are beside it: slip inside c,
+/// force outside c, and the indentation at which its flank touches.
+enum class Quantity {
+  contact_radius_max,
+  force_outside_stick_zone,
+  maximum_indentation,
+  normal_force_max,
+  slip_inside_stick_zone,
+  stick_radius_first_slip,
+  stick_radius_shakedown
+};
+
+inline constexpr std::array all_quantities{Quantity::contact_radius_max,     Quantity::force_outside_stick_zone,
+                                           Quantity::maximum_indentation,    Quantity::normal_force_max,
+                                           Quantity::slip_inside_stick_zone, Quantity::stick_radius_first_slip,
+                                           Quantity::stick_radius_shakedown};
+
+/// Order of convergence that is expected, and the highest that is credible.
+struct ExpectedOrder {
+  double order;
+  double highest = 2 * order;
+};
+
+/// What is to be known of a quantity, whatever the case.
+struct QuantityTraits {
+  const char* name;   ///< in result.json
+  const char* title;  ///< for people
+  const char* scale;  ///< what its differences are divided by
+  const char* unit;   ///< of its value in SI; empty: a ratio
+  double strictness;  ///< its tolerance is that of the case over this
+  ExpectedOrder rings;
+  /// In a body with memory the pressure next to the edge depends on when its ring touched, and coarser rings do not
+  /// show all of that. Empty: as without memory.
+  std::optional<ExpectedOrder> rings_with_memory;
+};
+const QuantityTraits& traits_of(Quantity quantity);
+
+inline const char* name_of(Quantity quantity) {
+  return traits_of(quantity).name;
+}
+
+/// By its name in result.json; empty: there is none of that name.
+std::optional<Quantity> quantity_of(const std::string& name);
+
+/// In the units of comparison: radii over the unworn contact radius (0: nothing sticks), logarithms of forces, so that
+/// differences are relative.
+using Quantities = std::map<Quantity, double>;
+
+}  // namespace fretval

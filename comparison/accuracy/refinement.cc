@@ -1,0 +1,116 @@
+#include "comparison/accuracy/refinement.h"
+
+#include <algorithm>
+
+namespace fretval {
+namespace {
+
+constexpr unsigned most_rings = 512, most_degree = 4;
+constexpr unsigned fewest_rings_of_a_variant = 6;  // 24 rings have two to be compared with
+constexpr int most_steps = 1440, fewest_steps = 8, most_ramp_cycles = 64, most_creep_cycles = 768;
+constexpr double finest_growth = 0.075, coarsest_growth = 1, finest_periodicity = 1e-9, largest_far_radius = 100;
+
+/// The coarsest resolutions on which an error of another source is measured.
+constexpr unsigned enough_rings = 24;
+constexpr int enough_steps = 24;
+
+Resolution with_fewer_rings(const Resolution& r) {
+  return r.elements_per_radius / 2 >= enough_rings ? with_rings(r, 0.5) : r;
+}
+
+Resolution with_fewer_steps(const Resolution& r) {
+  for (const int divisor : {4, 2})
+    if (r.steps_per_cycle / divisor >= enough_steps) return with_steps(r, 1.0 / divisor);
+  return r;
+}
+
+}  // namespace
+
+const char* name_of(ErrorSource source) {
+  switch (source) {
+    case ErrorSource::rings:
+      return "rings";
+    case ErrorSource::element_order:
+      return "element order";
+    case ErrorSource::grading:
+      return "grading";
+    case ErrorSource::far_field:
+      return "far field";
+    case ErrorSource::time_step:
+      return "time step";
+    case ErrorSource::start:
+      return "start";
+    case ErrorSource::creep:
+      return "creep";
+    case ErrorSource::cycles:
+      return "cycles";
+    case ErrorSource::active_set:
+      return "active set";
+    case ErrorSource::edge:
+      break;
+  }
+  return "edge";
+}
+
+std::vector<Variant> variants_of(const Resolution& resolution, const SceneNeeds& needs) {
+  std::vector<Variant> variants;
+  const auto add = [&](ErrorSource source, const Resolution& reference, auto change) {
+    Resolution r = reference;
+    change(r);
+    variants.push_back({source, r, reference});
+  };
+  for (const double factor : {0.5, 0.25})
+    if (resolution.elements_per_radius * factor >= fewest_rings_of_a_variant)
+      variants.push_back({ErrorSource::rings, with_rings(resolution, factor), resolution});
+  const Resolution quick = with_fewer_steps(resolution), coarse = with_fewer_rings(resolution),
+                   both = with_fewer_steps(coarse);
+  add(ErrorSource::element_order, quick, [](Resolution& r) { r.degree = r.degree > 2 ? r.degree - 1 : r.degree + 1; });
+  add(ErrorSource::grading, quick, [](Resolution& r) { r.growth = std::min(2 * r.growth, coarsest_growth); });
+  add(ErrorSource::far_field, both, [](Resolution& r) { r.far_radius /= 2; });
+  for (const double factor : {0.5, 0.25})
+    if (coarse.steps_per_cycle * factor >= fewest_steps)
+      variants.push_back({ErrorSource::time_step, with_steps(coarse, factor), coarse});
+  if (needs.memory) add(ErrorSource::start, both, [](Resolution& r) { r.n_ramp_cycles /= 2; });
+  if (needs.creep)
+    for (const int divisor : {2, 4})
+      add(ErrorSource::creep, coarse, [&](Resolution& r) { r.n_creep_cycles /= divisor; });
+  add(ErrorSource::cycles, coarse, [](Resolution& r) { r.periodicity *= 10; });
+  add(ErrorSource::active_set, both, [](Resolution& r) { r.active_set_slack *= 10; });
+  return variants;
+}
+
+std::optional<Resolution> refined(const Resolution& resolution, ErrorSource source, double factor) {
+  Resolution r = resolution;
+  switch (source) {
+    case ErrorSource::rings:
+    case ErrorSource::edge:
+      if (factor * r.elements_per_radius > most_rings) return std::nullopt;
+      return with_rings(r, factor);
+    case ErrorSource::element_order:
+      if (++r.degree > most_degree) return std::nullopt;
+      return r;
+    case ErrorSource::grading:
+      if ((r.growth /= 2) < finest_growth) return std::nullopt;
+      return r;
+    case ErrorSource::far_field:
+      if ((r.far_radius *= 2) > largest_far_radius) return std::nullopt;
+      return r;
+    case ErrorSource::time_step:
+      if (factor * r.steps_per_cycle > most_steps) return std::nullopt;
+      return with_steps(r, factor);
+    case ErrorSource::start:
+      if ((r.n_ramp_cycles *= 2) > most_ramp_cycles) return std::nullopt;
+      return r;
+    case ErrorSource::creep:
+      if ((r.n_creep_cycles *= 2) > most_creep_cycles) return std::nullopt;
+      return r;
+    case ErrorSource::cycles:
+      if ((r.periodicity /= 10) < finest_periodicity) return std::nullopt;
+      return r;
+    case ErrorSource::active_set:
+      break;
+  }
+  return std::nullopt;
+}
+
+}  // namespace fretval

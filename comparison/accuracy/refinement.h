@@ -1,0 +1,41 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "comparison/simulation/resolution.h"
+
+namespace fretval {
+
+/// Where an error comes from.
+enum class ErrorSource { rings, element_order, grading, far_field, time_step, start, creep, cycles, active_set, edge };
+const char* name_of(ErrorSource source);
+
+/// A resolution that differs from a reference in one respect: coarser, or finer where coarser does not exist.
+struct Variant {
+  ErrorSource source;
+  Resolution resolution, reference;
+};
+
+/// What must not be refined because the case file fixes it.
+struct FixedByCase {
+  bool rings, steps;
+};
+
+/// What the errors of a scene depend on: an elastic body has no memory of its start, a locked phase does not creep, the
+/// rings of a worn profile are graded.
+struct SceneNeeds {
+  bool memory = true, creep = false, worn = false;
+};
+
+/// What has to be computed besides a resolution to measure its errors, each source by its own refinement. The rings are
+/// compared with the resolution itself. Where that is fine, the other sources are measured on something coarser that
+/// they do not get smaller by: element order and grading with fewer steps, time step, creep and cycles with half the
+/// rings, far field, start and active set with both. Two of one source follow each other, the coarser one last.
+std::vector<Variant> variants_of(const Resolution& resolution, const SceneNeeds& needs);
+
+/// A resolution that is finer in one respect, rings and steps by a factor of 1.5 or 2; empty: it cannot be refined
+/// further in this respect.
+std::optional<Resolution> refined(const Resolution& resolution, ErrorSource source, double factor = 2);
+
+}  // namespace fretval

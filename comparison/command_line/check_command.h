@@ -1,0 +1,39 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "comparison/verification/random_cases/random_suite.h"
+#include "comparison/verification/suite.h"
+
+namespace CLI {
+class App;
+class Option;
+}  // namespace CLI
+
+namespace fretval {
+
+/// What the verb `check` is asked for.
+struct CheckOptions {
+  std::string suite = "small", junit, json;
+  std::string meshes;                            ///< suite small
+  std::vector<double> tolerances;                ///< suite tolerance
+  std::string cases_folder;                      ///< suite tolerance; empty: case files are not written
+  bool only_short = false;                       ///< suite extremes
+  std::string family;                            ///< suite extremes; empty: all
+  RandomSuiteOptions random;                     ///< suite random
+  std::string worst_folder;                      ///< suite random; empty: case files are not written
+  std::map<const CLI::Option*, std::string> of;  ///< the suite that an option belongs to
+};
+
+/// Adds the options to the verb; parsing fills them. Both have to outlive that.
+void add_check_options(CLI::App& verb, CheckOptions& options);
+
+/// Runs the suite, prints its table, writes what was asked for; returns the exit code.
+int run_check(const CheckOptions& options);
+
+/// 3 if a case came to no answer although it should, 1 if anything else fails.
+int exit_code_of(const SuiteRun& run);
+
+}  // namespace fretval

@@ -1,0 +1,90 @@
+#include "comparison/simulation/compute_case.h"
+
+#include "comparison/support/stopwatch.h"
+#include "fem/history/static_contact.h"
+
+namespace fretval {
+namespace {
+
+/// The contact problems of a body at the slack of its active sets that is asked for.
+class ProblemsAtSlack {
+ public:
+  ProblemsAtSlack(const ContactBody& body, double slack) : body_(body) {
+    if (slack == Resolution{}.active_set_slack) return;
+    normal_.emplace(body.normal.compliance, slack);
+    if (body.tangential) tangential_.emplace(body.tangential->compliance, slack);
+  }
+
+  [[nodiscard]] ContactProblems problems() const {
+    if (normal_) return {*normal_, tangential_ ? &*tangential_ : nullptr};
+    return {body_.normal, body_.tangential ? &*body_.tangential : nullptr};
+  }
+
+ private:
+  const ContactBody& body_;
+  std::optional<fem::ContactProblem> normal_, tangential_;
+};
+
+/// Friction beside the normal contact, or none where the indenter does not move tangentially.
+class Friction {
+ public:
+  Friction(const ContactProblems& problems, const FemCase& fem, const fem::NormalContact& at_start) {
+    if (problems.tangential)
+      moved_.emplace(*problems.tangential, fem.relaxation, fem.friction_coefficient, fem.motion,
+                     at_start.steps_per_cycle());
+    else
+      at_rest_.emplace(at_start, fem.friction_coefficient);
+  }
+
+  void step(const Eigen::VectorXd& pressure) { moved_ ? moved_->step(pressure) : at_rest_->step(pressure); }
+
+  [[nodiscard]] fem::FrictionHistory history(const fem::NormalHistory& normal, const fem::HistoryControl& control) {
+    return moved_ ? fem::friction_history(std::move(*moved_), normal, control) : at_rest_->history(normal);
+  }
+
+ private:
+  std::optional<fem::WatchedFriction> moved_;
+  std::optional<fem::FrictionAtRest> at_rest_;
+};
+
+fem::HistoryControl control_of(const FemCase& fem) {
+  constexpr int most_after_ramp = 400;
+  return {fem.resolution.steps_per_cycle, fem.resolution.n_ramp_cycles + most_after_ramp, fem.resolution.periodicity};
+}
+
+}  // namespace
+
+FeAnswer compute_case(const FemCase& fem_case, const Resolution& resolution, BodyStore& bodies) {
+  const FemCase fem = at_resolution(fem_case, resolution);
+  Stopwatch watch;
+
+  const auto body = bodies.find_or_make(fem.body, [&] {
+    const auto mesh = bodies.meshes().mesh_of(fem.body);
+    const double mesh_seconds = watch.lap();
+    auto operators = assemble_operators(mesh, bodies.meshes().name, fem.body.degree, fem.body.tangential);
+    operators.cost.mesh = mesh_seconds;
+    return contact_body(condense(std::move(operators)));
+  });
+  const ProblemsAtSlack at_slack(*body, resolution.active_set_slack);
+  const auto problems = at_slack.problems();
+  const auto profile = fem::ring_means(problems.normal.compliance, fem.profile);
+  const auto control = control_of(fem);
+
+  watch.lap();
+  const int steps_per_cycle = control.steps_per_cycle;
+  fem::NormalContact normal_contact(problems.normal, fem.relaxation, profile, fem.motion, steps_per_cycle);
+  Friction friction_contact(problems, fem, normal_contact);
+  auto normal = fem::normal_history(std::move(normal_contact), control, [&](const fem::NormalContact& contact) {
+    friction_contact.step(contact.pressure);
+  });
+  const double normal_seconds = watch.lap();
+  const auto contact_radius = read_contact_radius(problems.normal, fem, profile, normal);
+  auto friction = friction_contact.history(normal, control);
+
+  auto answer = read_answer(problems, fem, profile, contact_radius, std::move(normal), std::move(friction));
+  answer.body = body->summary;
+  answer.seconds = {normal_seconds, watch.lap()};
+  return answer;
+}
+
+}  // namespace fretval

@@ -1,0 +1,141 @@
+#include "comparison/simulation/fe_answer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "fem/stick_zone/contact_radius.h"
+#include "fem/stick_zone/edge_near_largest_contact.h"
+#include "fem/stick_zone/largest_force.h"
+#include "fem/stick_zone/stick_depths.h"
+#include "fem/stick_zone/stick_zones.h"
+#include "fem/stick_zone/touch_indentation.h"
+
+namespace fretval {
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+
+Eigen::Index rings_within(const fem::Compliance& compliance, double radius) {
+  Eigen::Index n = 0;
+  // Half a ring of slack: the node at the edge is there to roundoff.
+  while (n < compliance.areas.size() && (compliance.radii[n] + compliance.radii[n + 1]) / 2 < radius) ++n;
+  return n;
+}
+
+double largest_share_outside(const fem::NormalHistory& history, const Eigen::VectorXd& areas, Eigen::Index n_inside) {
+  double share = 0;
+  for (Eigen::Index k = 0; k < history.force.size(); ++k) {
+    const Eigen::Index n_outside = areas.size() - n_inside;
+    const double outside = history.pressure.col(k).tail(n_outside).dot(areas.tail(n_outside));
+    if (history.force[k] > 0) share = std::max(share, outside / history.force[k]);
+  }
+  return share;
+}
+
+NoWearEvidence no_wear_evidence(const fem::Compliance& compliance, const FemCase& fem, const Eigen::VectorXd& profile,
+                                const fem::NormalHistory& normal, const fem::FrictionHistory& friction) {
+  const Eigen::Index n_inside = rings_within(compliance, fem.worn_edge->inner);
+  const Eigen::Index n_worn = rings_within(compliance, fem.worn_edge->outer) - n_inside;
+  return {friction.period_slip.head(n_inside).maxCoeff() / fem.motion.tangential_amplitude,
+          largest_share_outside(normal, compliance.areas, n_inside),
+          fem::touch_indentation(compliance, profile, n_inside, n_worn)};
+}
+
+/// A stick zone narrower than a ring is none that the mesh can show.
+std::optional<double> dimensional(const fem::EdgeRadius& edge, double length) {
+  if (edge.radius <= 0) return std::nullopt;
+  return edge.radius * length;
+}
+
+Eigen::Index largest_contact_rings(const fem::NormalHistory& history) {
+  Eigen::Index n = 0;
+  while (n < history.smallest_gap.size() && history.smallest_gap[n] <= 0) ++n;
+  return n;
+}
+
+void add_stick_depths(const fem::PunchSeries& series, const FemCase& fem, FeAnswer& answer) {
+  const auto& friction = answer.friction;
+  const Eigen::Index n_contact = answer.rings.contact;
+  const double amplitude = fem.motion.tangential_amplitude;
+  const auto depths = [&](const Eigen::VectorXd& reserve, const Eigen::VectorXd& slip, Eigen::Index n_stuck) {
+    return fem::stick_depths({reserve.head(n_contact), series.displacements(slip).head(n_contact), n_stuck},
+                             series.radii(), 1.5 * fem.friction_coefficient, amplitude);
+  };
+  answer.first_slip_depths = depths(friction.first_slip_reserve, friction.slip_path, answer.rings.stuck.first_slip);
+  answer.shakedown_depths = depths(friction.shakedown_reserve, friction.period_slip / 4, answer.rings.stuck.shakedown);
+}
+
+/// Whether a branch or, after a release, the dashpot relaxes within two steps.
+bool relaxes_within_a_step(const FemCase& fem) {
+  const double step = 2 * pi / fem.resolution.steps_per_cycle;
+  const auto is_short = [step](double time) { return time < 2 * step; };
+  const auto& [relaxed, moduli, times, viscosity] = fem.relaxation;
+  return (viscosity > 0 && is_short(viscosity / relaxed)) || std::any_of(times.begin(), times.end(), is_short);
+}
+
+/// n of f ~ r^n in the outer half of the contact; at most that of the bluntest indenters. A flat face counts as such.
+double exponent_at_edge(const FemCase& fem) {
+  constexpr double bluntest = 8;
+  const double edge = fem.profile(1), half_way = fem.profile(0.5);
+  return half_way > 0 ? std::min(std::log2(edge / half_way), bluntest) : bluntest;
+}
+
+/// Next to a sharp edge of the indenter the pressure is singular, and rings that are not graded there miss the stick
+/// radius by half a ring (within four rings, at 32 and 128 rings).
+void widen_next_to_sharp_edge(const FemCase& fem, const fem::Compliance& compliance, fem::EdgeRadius& zone) {
+  if (!fem.sharp_edge || zone.radius <= 0) return;
+  const auto& radii = compliance.radii;
+  const auto next = std::upper_bound(radii.begin(), radii.end() - 1, zone.radius);
+  const double ring = *next - *(next - 1);
+  if (std::abs(zone.radius - *fem.sharp_edge) < 4 * ring) zone.uncertainty += ring;
+}
+
+}  // namespace
+
+std::optional<ContactRadius> read_contact_radius(const fem::ContactProblem& problem, const FemCase& fem,
+                                                 const Eigen::VectorXd& profile, fem::NormalHistory& history) {
+  if (fem.worn_edge) return std::nullopt;
+  const auto events = fem::contact_events(problem.compliance, profile);
+  const double radius = fem::largest_contact_radius(history.smallest_gap, events).radius;
+  fem::read_edges_near_largest_contact(problem.series, radius, history);
+  if (!relaxes_within_a_step(fem)) return ContactRadius{radius};
+  const auto other = fem::largest_contact_radius(history.smallest_gap_at_balance, events);
+  return ContactRadius{radius, 2 * std::abs(other.radius - radius)};
+}
+
+FeAnswer read_answer(const ContactProblems& problems, const FemCase& fem, const Eigen::VectorXd& profile,
+                     const std::optional<ContactRadius>& contact_radius, fem::NormalHistory&& normal,
+                     fem::FrictionHistory&& friction) {
+  const auto& problem = problems.tangential ? *problems.tangential : problems.normal;
+  FeAnswer answer;
+  const auto stuck = fem::stuck_rings(friction, fem.motion);
+  answer.rings = {largest_contact_rings(normal), stuck};
+  auto [first, shakedown] = fem::stick_zones(problem.compliance, normal, friction, stuck, exponent_at_edge(fem));
+  if (fem.worn_edge) {
+    // The margin is singular at the worn edge, where the rings are fine and one of them ends: counting them is exact.
+    shakedown = {problem.compliance.radii[static_cast<std::size_t>(stuck.shakedown)], first.uncertainty};
+    answer.no_wear = no_wear_evidence(problems.normal.compliance, fem, profile, normal, friction);
+  }
+  for (auto* zone : {&first, &shakedown}) widen_next_to_sharp_edge(fem, problem.compliance, *zone);
+
+  const double length = fem.units.length;
+  if (contact_radius && contact_radius->radius > 0) answer.contact_radius_max = contact_radius->radius * length;
+  if (contact_radius) answer.contact_radius_uncertainty = contact_radius->uncertainty * length;
+  answer.stick_radius_first_slip = dimensional(first, length);
+  answer.stick_radius_shakedown = dimensional(shakedown, length);
+  answer.first_slip_uncertainty = first.uncertainty * length;
+  answer.shakedown_uncertainty = shakedown.uncertainty * length;
+  const auto force =
+      fem::largest_force(problems.normal, {fem.relaxation, fem.sharp_edge, fem.worn_edge.has_value()}, normal);
+  answer.normal_force_max = force.value * fem.units.force();
+  answer.normal_force_uncertainty = force.uncertainty * fem.units.force();
+  answer.n_cycles = friction.n_cycles;
+  answer.n_steps = friction.n_steps;
+  answer.normal = std::move(normal);
+  answer.friction = std::move(friction);
+  if (!fem.worn_edge) add_stick_depths(problem.series, fem, answer);
+  return answer;
+}
+
+}  // namespace fretval

@@ -1,0 +1,83 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "comparison/simulation/body.h"
+#include "comparison/simulation/fem_case.h"
+#include "fem/history/friction_history.h"
+#include "fem/history/normal_history.h"
+#include "fem/stick_zone/edge_radius.h"
+#include "fem/stick_zone/stick_depths.h"
+#include "fem/stick_zone/stick_zones.h"
+
+namespace fretval {
+
+/// What the finite elements say about the state in which nothing wears any more. Dimensionless ratios.
+struct NoWearEvidence {
+  double slip_inside;        ///< longest slip of a ring inside c in a period over the tangential amplitude
+  double force_outside;      ///< largest share of the normal force carried beyond c at any instant of the last cycle
+  double touch_indentation;  ///< indentation at which the worn flank comes into contact, over the largest one
+};
+
+/// How many rings resolve the zones: in the largest contact, and inside either stick radius.
+struct ZoneRings {
+  Eigen::Index contact = 0;
+  fem::StuckRings stuck = {};
+};
+
+/// Seconds that the histories of a case took: until the normal contact repeats, with the friction beside it, and until
+/// that repeats too.
+struct HistoryCost {
+  double normal = 0, friction = 0;
+};
+
+/// What finite elements say about a case; SI units. Empty: nothing sticks.
+struct FeAnswer {
+  std::optional<double> contact_radius_max;  ///< empty for a worn profile, whose flank touches without pressure
+  std::optional<double> stick_radius_first_slip;
+  std::optional<double> stick_radius_shakedown;
+  double normal_force_max = 0;
+  double contact_radius_uncertainty = 0;  ///< of the time steps, see read_contact_radius
+  double normal_force_uncertainty = 0;    ///< of reading the edge, see fem::ContactForce
+  double first_slip_uncertainty = 0;      ///< of reading the edge, see fem::EdgeRadius
+  double shakedown_uncertainty = 0;
+  fem::StickDepths first_slip_depths, shakedown_depths;  ///< empty for a limiting profile
+  std::optional<NoWearEvidence> no_wear;                 ///< for a limiting profile
+
+  ZoneRings rings;
+  int n_cycles = 0;
+  long n_steps = 0;
+  fem::NormalHistory normal;      ///< dimensionless
+  fem::FrictionHistory friction;  ///< dimensionless
+  std::shared_ptr<const BodySummary> body;
+  HistoryCost seconds;
+
+  /// Of an answer whose body was its own: mesh, assembly, factorisation, both histories.
+  [[nodiscard]] double seconds_alone() const { return body->cost.total() + seconds.normal + seconds.friction; }
+};
+
+/// The contact problems of one body.
+struct ContactProblems {
+  const fem::ContactProblem& normal;
+  const fem::ContactProblem* tangential;  ///< null: the indenter does not move tangentially
+};
+
+/// The largest contact radius and its uncertainty, dimensionless.
+struct ContactRadius {
+  double radius = 0, uncertainty = 0;
+};
+
+/// The largest contact radius is read at the ends of the steps; a second reading, at the balance times, differs from it
+/// to second order. Where a branch relaxes within a step, coarser steps do not show the error, and twice that
+/// difference is the uncertainty. Reads the edges next to the largest contact again
+/// (fem::read_edges_near_largest_contact). Empty for a worn profile, see FeAnswer.
+std::optional<ContactRadius> read_contact_radius(const fem::ContactProblem& problem, const FemCase& fem,
+                                                 const Eigen::VectorXd& profile, fem::NormalHistory& history);
+
+/// Reads everything but the contact radius from the histories, which it keeps. profile: ring means.
+FeAnswer read_answer(const ContactProblems& problems, const FemCase& fem, const Eigen::VectorXd& profile,
+                     const std::optional<ContactRadius>& contact_radius, fem::NormalHistory&& normal,
+                     fem::FrictionHistory&& friction);
+
+}  // namespace fretval

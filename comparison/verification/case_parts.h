@@ -1,0 +1,26 @@
+#pragma once
+
+#include <vector>
+
+#include "comparison/verification/written_case.h"
+
+namespace fretval {
+
+/// Sections of case files, as several suites need them; SI units, angles in degrees.
+Entries parabola(double radius);
+Entries cone(double degrees);
+Entries power(double exponent, double depth, double radius);  ///< f = depth (r/radius)^exponent
+Entries rounded_flat(double flat_radius, double edge_radius);
+Entries truncated_sphere(double radius, double flat_radius);
+Entries measured_profile(const std::string& file);
+
+Entries elastic(double modulus);
+Entries kelvin_voigt(double modulus, double viscosity);
+/// rheology: standard solid or prony; moduli over the relaxed one, times in s.
+Entries branches(const std::string& rheology, double modulus, std::vector<double> moduli,
+                 const std::vector<double>& times);
+
+/// The entries with another indenter or another elastomer, whose section takes the place of the old one.
+Entries with_section(const Entries& entries, const Entries& section);
+
+}  // namespace fretval

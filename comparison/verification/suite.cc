@@ -1,0 +1,168 @@
+#include "comparison/verification/suite.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "comparison/accuracy/compared_quantities.h"
+#include "comparison/accuracy/prepared_case.h"
+#include "comparison/case/case_file.h"
+#include "comparison/reference/mdr_answer.h"
+#include "comparison/support/parallel.h"
+#include "comparison/support/stopwatch.h"
+
+namespace fretval {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+// Below it, two numbers of order 1 are the same.
+constexpr double roundoff = 1e-12;
+
+void take_bar(const ErrorBudget& budget, Quantity quantity, ComparedQuantity& compared) {
+  const auto found = budget.find(quantity);
+  compared.bar = found == budget.end() ? infinity : found->second.total();
+  const ErrorShare* largest = found == budget.end() ? nullptr : found->second.largest();
+  if (largest) compared.source = name_of(largest->source);
+}
+
+/// What finite elements do not have of MDR's is not a number, and fails; but for the contact radius of a worn profile,
+/// whose flank touches without pressure, and where nothing is refined: coarse rings may not show an edge.
+ComparedQuantities compared_quantities(const PreparedCase& prepared, Proof proof, const ProvedAnswer& answer) {
+  const auto& units = prepared.fem.units;
+  const bool worn = prepared.fem.worn_edge.has_value();
+  const auto mdr = quantities_of(mdr_answer(prepared.mdr, mdr_normal_response(prepared.mdr)), units, worn);
+  const auto fe = quantities_of(answer.fe, units);
+  ComparedQuantities all;
+  for (const auto& [quantity, exact] : mdr) {
+    const auto found = fe.find(quantity);
+    const bool may_lack = proof == Proof::bars || (worn && quantity == Quantity::contact_radius_max);
+    if (found == fe.end() && may_lack) continue;
+    ComparedQuantity compared{exact, found == fe.end() ? std::nan("") : found->second,
+                              tolerance_of(prepared.tolerances, quantity), std::nullopt};
+    if (proof != Proof::none) take_bar(answer.budget, quantity, compared);
+    all[quantity] = compared;
+  }
+  return all;
+}
+
+SuiteRow run_case(const SuiteCase& asked, BodyStore& bodies, std::size_t n_threads) {
+  SuiteRow row{asked};
+  try {
+    const Case input = case_of(asked);
+    if (asked.second_way) row.compared = asked.second_way(input);
+    auto prepared = prepare({input}).front();
+    if (asked.change) asked.change(prepared);
+    const auto answer = prove(prepared, asked.proof, asked.bodies ? *asked.bodies : bodies, n_threads);
+    row.refusal = answer.failure;
+    row.seconds = answer.seconds;
+    row.n_refinements = answer.n_refinements;
+    row.n_computations = answer.n_computations;
+    if (row.refusal.empty()) row.compared = compared_quantities(prepared, asked.proof, answer);
+  } catch (const InputError& error) {
+    row.refusal = error.what();
+  } catch (const std::exception& error) {
+    row.failure = error.what();
+  }
+  return row;
+}
+
+std::string refusal_failure_of(const SuiteRow& row) {
+  const auto& expected = row.asked.refusal;
+  if (expected.empty()) return row.refusal.empty() ? "" : "refused: " + row.refusal;
+  if (row.refusal.empty()) return fmt::format("not refused; the message should say: {}", expected);
+  if (row.refusal.find(expected) == std::string::npos)
+    return fmt::format("refused without the words: {}: {}", expected, row.refusal);
+  return "";
+}
+
+std::string failure_of(const SuiteCase& asked, Quantity quantity, const ComparedQuantity& q) {
+  const bool lacks_bar = q.bar && std::isinf(*q.bar) && asked.proof == Proof::tolerance;
+  if (std::isinf(q.share()) || lacks_bar)
+    return fmt::format("{}: MDR says {}, the finite elements {}, their bar is {}", name_of(quantity), q.mdr, q.fe,
+                       q.bar.value_or(0));
+  if (q.share() > 1)
+    return fmt::format("{}: the error {:.1e} is above its {} {:.1e}", name_of(quantity), q.error(),
+                       q.bar ? "bar" : "tolerance", q.bar.value_or(q.tolerance));
+  if (asked.must_be_conclusive && q.has_wide_bar())
+    return fmt::format("{}: the bar {:.1e} is wider than the tolerance {:.0e}", name_of(quantity), *q.bar, q.tolerance);
+  return "";
+}
+
+}  // namespace
+
+double ComparedQuantity::share() const {
+  const double share = std::abs(error()) / (bar.value_or(tolerance) + roundoff);
+  return std::isnan(share) ? infinity : share;
+}
+
+const char* name_of(RowVerdict verdict) {
+  switch (verdict) {
+    case RowVerdict::agrees:
+      return "agrees";
+    case RowVerdict::inconclusive:
+      return "inconclusive";
+    case RowVerdict::refused:
+      return "refused";
+    case RowVerdict::fails:
+      break;
+  }
+  return "FAIL";
+}
+
+std::string failure_of(const SuiteRow& row) {
+  if (!row.failure.empty()) return row.failure;
+  std::string failure = refusal_failure_of(row);
+  if (!failure.empty()) return failure;
+  const bool has_answer = row.asked.refusal.empty() || row.asked.second_way;
+  if (has_answer && row.compared.empty()) return "nothing was compared";
+  for (const auto& [quantity, compared] : row.compared) {
+    failure = failure_of(row.asked, quantity, compared);
+    if (!failure.empty()) return failure;
+  }
+  return "";
+}
+
+RowVerdict verdict_of(const SuiteRow& row) {
+  if (!failure_of(row).empty()) return RowVerdict::fails;
+  if (!row.asked.refusal.empty()) return RowVerdict::refused;
+  const bool wide = std::any_of(row.compared.begin(), row.compared.end(),
+                                [](const auto& entry) { return entry.second.has_wide_bar(); });
+  return wide ? RowVerdict::inconclusive : RowVerdict::agrees;
+}
+
+bool SuiteRun::passes() const {
+  return !rows.empty() &&
+         std::all_of(rows.begin(), rows.end(), [](const SuiteRow& row) { return failure_of(row).empty(); }) &&
+         std::all_of(checks.begin(), checks.end(), [](const SuiteCheck& check) { return check.failure.empty(); });
+}
+
+std::vector<SuiteRow> run_cases(const std::vector<SuiteCase>& cases, BodyStore& bodies) {
+  std::vector<SuiteRow> rows(cases.size());
+  const std::size_t n_threads = cases.size() < n_cores() ? n_cores() : 1;
+  // All cases wait for one factorisation at a time: one more than there are cores keeps these busy.
+  for_each_in_parallel(
+      cases.size(), [&](std::size_t i) { rows[i] = run_case(cases[i], bodies, n_threads); }, n_cores() + 1);
+  return rows;
+}
+
+SuiteRun run_suite(const std::string& name, const std::string& about, const std::vector<SuiteCase>& cases) {
+  Stopwatch watch;
+  BodyStore bodies;
+  SuiteRun run{name, about, run_cases(cases, bodies)};
+  run.seconds = watch.lap();
+  return run;
+}
+
+Case case_of(const SuiteCase& suite_case) {
+  Case input = read_case_text(suite_case.text, title_of(suite_case));
+  input.name = title_of(suite_case);
+  return input;
+}
+
+std::string title_of(const SuiteCase& suite_case) {
+  return suite_case.family.empty() ? suite_case.name : suite_case.family + ": " + suite_case.name;
+}
+
+}  // namespace fretval

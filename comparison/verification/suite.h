@@ -1,0 +1,100 @@
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "comparison/accuracy/proof.h"
+#include "comparison/accuracy/quantity.h"
+#include "comparison/simulation/body_store.h"
+
+namespace fretval {
+
+/// One quantity of a case, in the units of comparison (see Quantities).
+struct ComparedQuantity {
+  double mdr, fe;  ///< fe: finite elements, or the second way that takes their place
+  double tolerance;
+  std::optional<double> bar;  ///< of fe, infinite where a coarser computation lacks the quantity; empty: not asked for
+  std::string source = {};    ///< of the largest share of the bar
+
+  [[nodiscard]] double error() const { return fe - mdr; }
+  /// |error| over the bar, or over the tolerance where there is none, both with a roundoff of 1e-12; above 1 the row
+  /// fails. Infinite if MDR or finite elements are not finite or the bar is not a number.
+  [[nodiscard]] double share() const;
+  [[nodiscard]] bool has_wide_bar() const { return bar && *bar > tolerance; }
+};
+
+using ComparedQuantities = std::map<Quantity, ComparedQuantity>;
+
+/// A case of a suite, and what is asked of it.
+struct SuiteCase {
+  std::string family = {}, name = {};  ///< unlike any other together; family: what it is a member of, may be empty
+  std::string text = {};               ///< of its case file, which has its tolerance
+  std::string refusal = {};            ///< words of the message that has to come; empty: an answer has to come
+  bool must_be_conclusive = false;     ///< no bar may be wider than its tolerance
+  Proof proof = Proof::tolerance;      ///< that the finite elements give
+  /// Holds MDR to something else where finite elements refuse.
+  std::function<ComparedQuantities(const Case&)> second_way = {};
+  /// Applied to what the case file comes to.
+  std::function<void(PreparedCase&)> change = {};
+  std::shared_ptr<BodyStore> bodies = {};  ///< on meshes of its own; null: those of the suite
+};
+
+/// What became of a case.
+struct SuiteRow {
+  SuiteCase asked;
+  std::string refusal = {};  ///< message of the bad input or of the numerics that came instead of an answer
+  std::string failure = {};  ///< message of any other exception, or of MDR
+  ComparedQuantities compared = {};
+  double seconds = 0;  ///< see ProvedAnswer
+  int n_refinements = 0, n_computations = 0;
+};
+
+/// agrees: every error is within its bar, and no bar is wider than its tolerance. inconclusive: within bars of which
+/// one is wider. refused: with the words that the case expects.
+enum class RowVerdict { agrees, inconclusive, refused, fails };
+const char* name_of(RowVerdict verdict);
+
+/// Why a row fails; empty: it does not. It fails with a refusal that is not expected, without the one that is or with
+/// another one, with any other exception, without anything compared, with a number that is not finite, with an error
+/// above its bar (above its tolerance where no bar was asked for), with an infinite bar although it was to meet the
+/// tolerance, and with a bar that is wider than its tolerance where the case has to be conclusive.
+std::string failure_of(const SuiteRow& row);
+
+RowVerdict verdict_of(const SuiteRow& row);
+
+/// Something that is asked of a suite as a whole.
+struct SuiteCheck {
+  std::string name, finding;
+  std::string failure;  ///< empty: it holds
+};
+
+/// A suite that was run.
+struct SuiteRun {
+  std::string name;   ///< as on the command line
+  std::string about;  ///< what its cases are, a sentence or two for people
+  std::vector<SuiteRow> rows = {};
+  std::vector<SuiteCheck> checks = {};
+  double seconds = 0;
+
+  /// No row and no check fails, and there are rows.
+  [[nodiscard]] bool passes() const;
+};
+
+/// Runs cases in parallel as `fretval run` would, each held against MDR; the rows come in the order of the cases.
+/// Whatever a case throws ends up in its row.
+std::vector<SuiteRow> run_cases(const std::vector<SuiteCase>& cases, BodyStore& bodies);
+
+/// All cases of a suite at once.
+SuiteRun run_suite(const std::string& name, const std::string& about, const std::vector<SuiteCase>& cases);
+
+/// Reads the case file. Throws InputError.
+Case case_of(const SuiteCase& suite_case);
+
+/// "family: name"
+std::string title_of(const SuiteCase& suite_case);
+
+}  // namespace fretval

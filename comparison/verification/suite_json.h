@@ -1,0 +1,16 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "comparison/verification/suite.h"
+
+namespace fretval {
+
+/// An object with `suite` and `about` (see SuiteRun), `summary` (pass, cases, agree, refused, inconclusive, fail,
+/// errors, above_bar, computations, seconds), `checks` (name, finding, failure), `quantities`, an array of
+/// QuantitySummary, and `rows`, the shown_rows: family, name, verdict, remark, refusal, expected_refusal, second_way,
+/// quantities (by name: mdr, fe, error, tolerance, bar, source), worst (the quantity closest to its bar), seconds,
+/// refinements, computations, case_file (its text). Null: what there is none of, and numbers that are not finite.
+nlohmann::ordered_json suite_json(const SuiteRun& run);
+
+}  // namespace fretval

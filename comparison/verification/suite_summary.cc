@@ -1,0 +1,126 @@
+#include "comparison/verification/suite_summary.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "comparison/support/quantile.h"
+
+namespace fretval {
+namespace {
+
+constexpr std::size_t most_shown = 200, n_worst = 10;
+
+Spread spread_of(const std::vector<double>& values) {
+  return {quantile(values, 0.1), quantile(values, 0.5), quantile(values, 0.9)};
+}
+
+struct Samples {
+  std::vector<double> errors, bars, effectivities;
+};
+
+void add(const ComparedQuantity& q, QuantitySummary& summary, Samples& samples) {
+  ++summary.n;
+  if (q.share() > 1) ++summary.n_above;
+  if (q.has_wide_bar()) ++summary.n_wide;
+  if (q.bar && std::isinf(*q.bar)) ++summary.n_unbounded;
+  const double error = std::abs(q.error());
+  if (!std::isfinite(error)) return;
+  samples.errors.push_back(error);
+  if (!q.bar || !std::isfinite(*q.bar)) return;
+  samples.bars.push_back(*q.bar);
+  if (error > 0) samples.effectivities.push_back(*q.bar / error);
+}
+
+double badness(const SuiteRow& row) {
+  const auto* worst = worst_of(row);
+  return failure_of(row).empty() ? worst ? worst->second.share() : 0 : std::numeric_limits<double>::infinity();
+}
+
+}  // namespace
+
+std::vector<QuantitySummary> quantity_summaries(const std::vector<SuiteRow>& rows) {
+  std::map<std::pair<Quantity, double>, std::pair<QuantitySummary, Samples>> all;
+  for (const auto& row : rows)
+    for (const auto& [quantity, compared] : row.compared) {
+      auto& [summary, samples] = all[{quantity, compared.tolerance}];
+      add(compared, summary, samples);
+    }
+  std::vector<QuantitySummary> summaries;
+  for (auto& [key, one] : all) {
+    auto& [summary, samples] = one;
+    summary.quantity = key.first;
+    summary.tolerance = key.second;
+    summary.error = spread_of(samples.errors);
+    summary.bar = spread_of(samples.bars);
+    summary.effectivity = spread_of(samples.effectivities);
+    summaries.push_back(summary);
+  }
+  return summaries;
+}
+
+std::size_t count(const std::vector<SuiteRow>& rows, RowVerdict verdict) {
+  return static_cast<std::size_t>(
+      std::count_if(rows.begin(), rows.end(), [&](const SuiteRow& row) { return verdict_of(row) == verdict; }));
+}
+
+ErrorCounts count_errors(const std::vector<SuiteRow>& rows) {
+  ErrorCounts counts;
+  for (const auto& summary : quantity_summaries(rows)) {
+    counts.n += summary.n;
+    counts.n_above += summary.n_above;
+  }
+  return counts;
+}
+
+std::string counts_text(const std::vector<SuiteRow>& rows) {
+  const auto errors = count_errors(rows);
+  return fmt::format(
+      "{} cases: {} agree, {} refused as expected, {} inconclusive, {} FAIL; {} of {} errors are covered", rows.size(),
+      count(rows, RowVerdict::agrees), count(rows, RowVerdict::refused), count(rows, RowVerdict::inconclusive),
+      count(rows, RowVerdict::fails), errors.n - errors.n_above, errors.n);
+}
+
+const ComparedQuantities::value_type* worst_of(const SuiteRow& row) {
+  const auto found = std::max_element(row.compared.begin(), row.compared.end(),
+                                      [](const auto& a, const auto& b) { return a.second.share() < b.second.share(); });
+  return found == row.compared.end() ? nullptr : &*found;
+}
+
+bool shows_all(const std::vector<SuiteRow>& rows) {
+  return rows.size() <= most_shown;
+}
+
+std::vector<const SuiteRow*> shown_rows(const std::vector<SuiteRow>& rows) {
+  if (!shows_all(rows)) return worst_rows(rows);
+  std::vector<const SuiteRow*> shown;
+  for (const auto& row : rows) shown.push_back(&row);
+  return shown;
+}
+
+std::vector<const SuiteRow*> worst_rows(const std::vector<SuiteRow>& rows) {
+  std::vector<std::pair<double, const SuiteRow*>> order;
+  for (const auto& row : rows) order.emplace_back(badness(row), &row);
+  std::stable_sort(order.begin(), order.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+  std::vector<const SuiteRow*> worst;
+  for (const auto& [bad, row] : order)
+    if (worst.size() < n_worst || std::isinf(bad)) worst.push_back(row);
+  return worst;
+}
+
+std::string remark_of(const SuiteRow& row) {
+  std::string failure = failure_of(row);
+  if (!failure.empty()) return failure;
+  if (!row.refusal.empty()) return row.refusal;
+  std::string remark;
+  for (const auto& [quantity, q] : row.compared)
+    if (q.has_wide_bar())
+      remark += fmt::format("{}{}: bar {:.1e}, mostly {}, tolerance {:.0e}", remark.empty() ? "" : "; ",
+                            name_of(quantity), *q.bar, q.source, q.tolerance);
+  return remark;
+}
+
+}  // namespace fretval

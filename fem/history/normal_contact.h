@@ -1,0 +1,57 @@
+#pragma once
+
+#include <Eigen/Dense>
+#include <optional>
+#include <vector>
+
+#include "fem/history/contact_force.h"
+#include "fem/history/contact_problem.h"
+#include "fem/history/motion.h"
+#include "fem/history/relaxation.h"
+#include "fem/history/running_minimum.h"
+
+namespace fretval::fem {
+
+/// The normal contact on its way through the motion: what it is like after the last step, and how it goes on. It begins
+/// relaxed, at the mean indentation. Ring pressures are unaffected by the tangential motion (nu = 1/2).
+class NormalContact {
+ public:
+  /// profile: ring means. All arguments must outlive this.
+  NormalContact(const ContactProblem& problem, const RelaxationModel& relaxation, const Eigen::VectorXd& profile,
+                const Motion& motion, int steps_per_cycle);
+
+  /// Goes on by a step. Throws SolverError when the contact reaches the last ring of the line.
+  void step();
+
+  long n_steps = 0;             ///< made
+  double time = 0;              ///< at which forces balanced in the last step
+  Eigen::VectorXd pressure;     ///< then
+  ContactForce reading;         ///< then: force and edge of the contact
+  Eigen::VectorXd gap;          ///< at the end of the step
+  Eigen::VectorXd balance_gap;  ///< at the balance time
+  RingState state;              ///< at the end of the step
+
+  [[nodiscard]] const ContactProblem& problem() const { return problem_; }
+  [[nodiscard]] const RelaxationModel& relaxation() const { return relaxation_; }
+  [[nodiscard]] const Motion& motion() const { return motion_; }
+  [[nodiscard]] int steps_per_cycle() const { return steps_per_cycle_; }
+  /// Indentation at the end of the last step.
+  [[nodiscard]] double indentation() const;
+
+ private:
+  [[nodiscard]] std::optional<Eigen::Index> n_closed() const;
+  void read(const Eigen::VectorXd& gap, const ContactPast& past);
+
+  const ContactProblem& problem_;
+  const RelaxationModel& relaxation_;
+  const Eigen::VectorXd& profile_;
+  const Motion& motion_;
+  int steps_per_cycle_;
+  double dt_;
+  RelaxationStep step_;
+  PressureAtEdge edge_;
+  std::vector<BoxState> contact_;
+  double largest_radius_ = 0;  // of the contact, so far
+};
+
+}  // namespace fretval::fem

@@ -1,0 +1,163 @@
+#include "comparison/accuracy/proof.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+
+#include "comparison/case/case_file.h"
+#include "comparison/reference/mdr_answer.h"
+#include "fem/support/solver_error.h"
+#include "mdr/stick/stick_radius.h"
+#include "tests/comparison/suite_case.h"
+
+namespace fretval {
+namespace {
+
+struct Studied {
+  PreparedCase prepared;
+  ProvedAnswer result;
+  double exact;  ///< shakedown radius over the unworn contact radius
+
+  [[nodiscard]] double shakedown() const {
+    return result.fe.stick_radius_shakedown.value() / prepared.fem.units.length;
+  }
+};
+
+Studied study(const Case& input) {
+  Studied studied{prepare({input}).front(), {}, 0};
+  BodyStore bodies;
+  studied.result = prove(studied.prepared, Proof::tolerance, bodies);
+  const auto& mdr = studied.prepared.mdr;
+  const auto radii = mdr::stick_radii(mdr.profile, mdr.body, mdr.friction_coefficient, mdr.motion);
+  studied.exact = radii.shakedown.value() / studied.prepared.fem.units.length;
+  return studied;
+}
+
+TEST(ProofSlow, FocusesOnASmallStickZone) {
+  const auto studied = study(suite_case("small-stick-parabola", 1e-3));
+  ASSERT_EQ(studied.result.failure, "");
+  EXPECT_NEAR(studied.exact, 0.02, 1e-9);
+  EXPECT_EQ(studied.result.focus.count(Quantity::stick_radius_shakedown), 1U);
+  EXPECT_NEAR(studied.shakedown(), studied.exact, 0.05 * studied.exact);
+}
+
+TEST(ProofSlow, FocusesOnANarrowSlipAnnulus) {
+  const auto studied = study(suite_case("narrow-slip-parabola", 1e-3));
+  ASSERT_EQ(studied.result.failure, "");
+  EXPECT_NEAR(studied.exact, 0.999, 1e-9);
+  EXPECT_EQ(studied.result.focus.count(Quantity::stick_radius_shakedown), 1U);
+  EXPECT_NEAR(studied.shakedown(), studied.exact, 0.05 * (1 - studied.exact));
+}
+
+TEST(ProofSlow, DoesNotFocusWhereRingsResolveTheZones) {
+  const auto studied = study(suite_case("parabola-elastic-90", 1e-3));
+  EXPECT_TRUE(studied.result.focus.empty());
+  EXPECT_NEAR(studied.shakedown(), studied.exact, 1e-3);
+}
+
+// At 24 rings the force was 5.6e-5 off under a bar of 2.5e-5: a worn profile on 6 rings tells nothing of finer ones.
+TEST(ProofSlow, ForceOfAWornProfileIsWithinItsBar) {
+  const auto cases = read_case_file(std::filesystem::path(FRETVAL_SOURCE_DIR) / "cases/figure4/figure4-parabola.prm");
+  const auto& input = cases.at(3);
+  EXPECT_EQ(input.worn_stick_ratio, 0.4);
+  const auto studied = study(input);
+  const auto& mdr = studied.prepared.mdr;
+  const double exact = mdr_answer(mdr, mdr_normal_response(mdr)).normal_force_max.value();
+  EXPECT_NEAR(studied.result.fe.normal_force_max / exact, 1,
+              studied.result.budget.at(Quantity::normal_force_max).total());
+}
+
+/// Lets a study believe that it computed what it asked for: every answer is the exact one but for an error that the
+/// rings and the steps make.
+struct FakeNumerics {
+  double ring_error, step_error;  ///< at 1 ring per radius and 1 step a cycle, of third and second order
+
+  FeAnswer operator()(const FemCase& fem, const Resolution& r) const {
+    const double rings = r.elements_per_radius, steps = r.steps_per_cycle;
+    const double error = ring_error / (rings * rings * rings) + step_error / (steps * steps);
+    const double length = fem.units.length;
+    FeAnswer answer;
+    answer.contact_radius_max = length;
+    answer.stick_radius_first_slip = answer.stick_radius_shakedown = (0.5 + error) * length;
+    answer.normal_force_max = fem.units.force();
+    answer.rings.contact = static_cast<Eigen::Index>(rings);
+    answer.n_steps = 10L * r.steps_per_cycle;
+    BodySummary body{};
+    body.n_dofs = 500 * r.elements_per_radius;
+    body.radii = at_resolution(fem, r).body.contact_nodes;
+    answer.body = std::make_shared<const BodySummary>(body);
+    return answer;
+  }
+};
+
+ProvedAnswer fake_study(const PreparedCase& prepared, const FakeNumerics& numerics, Proof proof = Proof::tolerance) {
+  return prove(prepared, proof, [&](const Resolution& r) { return numerics(prepared.fem, r); });
+}
+
+TEST(Proof, GoesAsFarAsItIsAsked) {
+  const auto prepared = prepare({suite_case("parabola-solid-90", 1e-3)}).front();
+  const FakeNumerics coarse{100, 0};
+  const auto answer = fake_study(prepared, coarse, Proof::none);
+  EXPECT_EQ(answer.n_computations, 1);
+  EXPECT_TRUE(answer.budget.empty());
+  EXPECT_GT(fake_study(prepared, coarse).n_refinements, 0);
+}
+
+// Where finer rings fail, what was proved before stands, with bars that are wider than asked for.
+TEST(Proof, TakesARefinementBackThatFails) {
+  const auto prepared = prepare({suite_case("parabola-solid-90", 1e-3)}).front();
+  const FakeNumerics coarse{100, 0};
+  const unsigned start = prepared.fem.resolution.elements_per_radius;
+  const auto answer = prove(prepared, Proof::tolerance, [&](const Resolution& r) {
+    if (r.elements_per_radius > start) throw fem::SolverError("out of rings");
+    return coarse(prepared.fem, r);
+  });
+  EXPECT_EQ(answer.failure, "");
+  EXPECT_EQ(answer.resolution.elements_per_radius, start);
+  EXPECT_GT(answer.budget.at(Quantity::stick_radius_shakedown).total(), 1e-3);
+}
+
+TEST(Proof, NamesAFailureOfTheNumerics) {
+  const auto prepared = prepare({suite_case("parabola-solid-90", 1e-3)}).front();
+  for (const auto proof : {Proof::none, Proof::bars, Proof::tolerance}) {
+    const auto answer =
+        prove(prepared, proof, [](const Resolution&) -> FeAnswer { throw fem::SolverError("singular"); });
+    EXPECT_EQ(answer.failure, "singular") << name_of(proof);
+  }
+}
+
+TEST(Proof, KeepsWhatIsFineEnough) {
+  const auto prepared = prepare({suite_case("parabola-solid-90", 1e-3)}).front();
+  const auto result = fake_study(prepared, {0.1, 0.01});
+  EXPECT_EQ(result.n_refinements, 0);
+  EXPECT_EQ(result.resolution.elements_per_radius, prepared.fem.resolution.elements_per_radius);
+  EXPECT_LE(result.budget.at(Quantity::stick_radius_shakedown).total(), 1e-3);
+}
+
+TEST(Proof, RefinesOnlyWhatIsTooWide) {
+  const auto prepared = prepare({suite_case("parabola-solid-90", 1e-3)}).front();
+  const auto& start = prepared.fem.resolution;
+  const auto rings = fake_study(prepared, {100, 0});
+  EXPECT_GT(rings.resolution.elements_per_radius, start.elements_per_radius);
+  EXPECT_EQ(rings.resolution.steps_per_cycle, start.steps_per_cycle);
+  EXPECT_LE(rings.budget.at(Quantity::stick_radius_shakedown).total(), 1e-3);
+  const auto steps = fake_study(prepared, {0, 10});
+  EXPECT_EQ(steps.resolution.elements_per_radius, start.elements_per_radius);
+  EXPECT_GT(steps.resolution.steps_per_cycle, start.steps_per_cycle);
+  EXPECT_LE(steps.budget.at(Quantity::stick_radius_shakedown).total(), 1e-3);
+}
+
+TEST(Proof, KeepsRingsAndStepsThatTheCaseFixes) {
+  auto input = suite_case("parabola-solid-90", 1e-3);
+  input.rings_per_radius = 20;
+  input.steps_per_cycle = 30;
+  const auto result = fake_study(prepare({input}).front(), {100, 10});
+  EXPECT_EQ(result.resolution.elements_per_radius, 20U);
+  EXPECT_EQ(result.resolution.steps_per_cycle, 30);
+  EXPECT_GT(result.budget.at(Quantity::stick_radius_shakedown).total(), 1e-3);
+}
+
+}  // namespace
+}  // namespace fretval

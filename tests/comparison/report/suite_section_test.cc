@@ -1,0 +1,47 @@
+#include "comparison/report/suite_section.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "comparison/verification/suite_json.h"
+#include "tests/comparison/suite_rows.h"
+
+namespace fretval {
+namespace {
+
+void expect_parts(const std::string& html, const std::vector<std::string>& parts) {
+  for (const auto& part : parts) EXPECT_NE(html.find(part), std::string::npos) << part << "\nin\n" << html;
+}
+
+TEST(SuiteSection, ShowsVerdictQuantitiesAndRows) {
+  auto run = run_of({row_of(1e-3, 2e-3, "good"), row_of(3e-2, 2e-3, "<bad>"), refused_row("a", "a <b>"),
+                     row_of(std::numeric_limits<double>::quiet_NaN(), std::nullopt, "broken")});
+  run.checks = {{"memory", "1 GB", "it grows"}};
+  const auto html = suite_section(suite_json(run));
+  expect_parts(html, {"<h2>Suite extremes</h2>", "<span class=\"badge bad\">fail</span> About &lt;it&gt;.",
+                      "4 cases: 1 agree, 1 are refused", "2 fail.", "2 of 3 errors are above their bars",
+                      "memory: 1 GB: <b>it grows</b>",
+                      "<td>stick_radius_shakedown</td><td>1e-02</td><td>3</td><td class=\"bad-cell\">2</td>", "<svg",
+                      "<td>family: &lt;bad&gt;</td><td class=\"bad-cell\">FAIL</td>", "<pre>text of &lt;bad&gt;</pre>",
+                      "<td>refused</td><td>refused</td>", "a &lt;b&gt;",
+                      "<td>0.600000</td><td>0.601000</td><td>1.0e-03</td><td>2.0e-03</td><td>1e-02</td>"});
+  EXPECT_EQ(html.find("<b>it"), html.rfind("<b>"));
+  expect_parts(suite_section(suite_json(run_of({row_of(1e-3, 2e-3)}))), {"<span class=\"badge good\">pass</span>"});
+}
+
+// The points of the figure would be the worst ones alone.
+TEST(SuiteSection, HasNoFigureOfSomeRows) {
+  const std::vector<SuiteRow> rows(300, row_of(1e-3, 2e-3));
+  const auto html = suite_section(suite_json(run_of(rows)));
+  EXPECT_EQ(html.find("<svg"), std::string::npos);
+  expect_parts(html, {"10 cases, each with"});
+}
+
+TEST(SuiteSection, RefusesJsonOfAnotherKind) {
+  EXPECT_THROW(suite_section(nlohmann::ordered_json::parse(R"({"records": [1]})")), nlohmann::json::exception);
+}
+
+}  // namespace
+}  // namespace fretval

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string>
+
+#include "comparison/verification/suite.h"
+
+namespace fretval {
+
+/// A row with one quantity, whose tolerance is 1e-2.
+inline SuiteRow row_of(double error, std::optional<double> bar, const std::string& name = "value") {
+  SuiteRow row;
+  row.asked.family = "family";
+  row.asked.name = name;
+  row.asked.text = "text of " + name;
+  row.compared[Quantity::stick_radius_shakedown] = {0.6, 0.6 + error, 1e-2, bar, "rings"};
+  return row;
+}
+
+inline SuiteRow refused_row(const std::string& expected, const std::string& message) {
+  SuiteRow row;
+  row.asked.name = "refused";
+  row.asked.refusal = expected;
+  row.refusal = message;
+  return row;
+}
+
+inline SuiteRun run_of(std::vector<SuiteRow> rows) {
+  return {"extremes", "About <it>.", std::move(rows)};
+}
+
+}  // namespace fretval

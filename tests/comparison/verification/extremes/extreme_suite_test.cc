@@ -1,0 +1,87 @@
+#include "comparison/verification/extremes/extreme_suite.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+#include "comparison/simulation/body.h"
+#include "comparison/simulation/fem_case.h"
+#include "comparison/verification/extremes/flat_mesh.h"
+#include "comparison/verification/suite_summary.h"
+#include "comparison/verification/suite_table.h"
+#include "meshes/audit.h"
+
+namespace fretval {
+namespace {
+
+TEST(ExtremeRows, CoverWhatTheyShould) {
+  const auto rows = extreme_rows();
+  std::set<std::string> names, families;
+  for (const auto& row : rows) {
+    EXPECT_TRUE(names.insert(row.family + ": " + row.value).second) << row.family << ": " << row.value;
+    families.insert(row.family);
+  }
+  EXPECT_EQ(rows.size(), 160U);
+  EXPECT_EQ(families.size(), 32U);
+  EXPECT_TRUE(only_family(rows, "no such family").empty());
+  EXPECT_EQ(only_family(rows, "power law").size(), 10U);
+}
+
+TEST(ExtremeRows, TheShortFormHasEveryKindOfRow) {
+  const auto rows = short_extreme_rows();
+  const auto has = [&](auto property) { return std::any_of(rows.begin(), rows.end(), property); };
+  EXPECT_TRUE(has([](const ExtremeRow& r) { return r.refusal.empty(); }));
+  EXPECT_TRUE(has([](const ExtremeRow& r) { return !r.refusal.empty() && !r.springs; }));
+  EXPECT_TRUE(has([](const ExtremeRow& r) { return r.springs; }));
+  EXPECT_EQ(rows.size(), 23U);
+}
+
+TEST(Extremes, OfTheShortFormEndInAnAnswerOrANamedRefusal) {
+  const auto rows = short_extreme_rows();
+  const auto run = run_extreme_suite(rows);
+  EXPECT_EQ(run.rows.size(), rows.size());
+  EXPECT_TRUE(run.passes()) << suite_table(run);
+  EXPECT_EQ(count(run.rows, RowVerdict::inconclusive), 0U) << suite_table(run);
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    EXPECT_EQ(verdict_of(run.rows[i]) == RowVerdict::refused, !rows[i].refusal.empty()) << rows[i].value;
+}
+
+// The folder of the measured profiles is no part of the result.
+TEST(Extremes, NameNoFolderOfTheMachine) {
+  const auto run = run_extreme_suite(only_family(short_extreme_rows(), "measured profile"));
+  ASSERT_EQ(run.rows.size(), 1U);
+  EXPECT_EQ(verdict_of(run.rows[0]), RowVerdict::refused);
+  EXPECT_EQ(run.rows[0].refusal.rfind("terrace.csv: ", 0), 0U) << run.rows[0].refusal;
+  EXPECT_NE(run.rows[0].asked.text.find("set Table = terrace.csv\n"), std::string::npos) << run.rows[0].asked.text;
+}
+
+// Cells, springs and cycles of a row reach its case.
+TEST(ExtremeCases, DoWhatTheirRowsSay) {
+  ExtremeRow flat{"family", "flat", extremes_base()}, springs = flat, cycles = flat;
+  flat.flattening = 10;
+  springs.springs = true;
+  cycles.ramp_cycles = 77;
+  const auto cases = extreme_cases({flat, springs, cycles, flat});
+  EXPECT_TRUE(cases[0].bodies);
+  EXPECT_EQ(cases[0].bodies, cases[3].bodies);
+  EXPECT_FALSE(cases[1].bodies);
+  EXPECT_TRUE(cases[1].second_way);
+  EXPECT_FALSE(cases[0].second_way);
+  auto prepared = prepare({case_of(cases[2])}).front();
+  cases[2].change(prepared);
+  EXPECT_EQ(prepared.fem.resolution.n_ramp_cycles, 77);
+}
+
+TEST(FlatMesh, HasFlatCellsAndTheOldBoundary) {
+  const BodySpecification specification{{0, 0.25, 0.5, 0.75, 1}, 0.3, 10, 2, true};
+  const auto mesh = mesh_of(specification);
+  const auto flat = flattened(mesh, 100, 0.25, 1);
+  meshes::audit(flat, "flat");
+  EXPECT_GT(meshes::quality(flat).max_aspect_ratio, 90);
+  EXPECT_LT(meshes::quality(mesh).max_aspect_ratio, 20);
+  EXPECT_NEAR(meshes::quality(flat).area, meshes::quality(mesh).area, 1e-6);
+}
+
+}  // namespace
+}  // namespace fretval

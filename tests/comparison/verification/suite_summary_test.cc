@@ -1,0 +1,81 @@
+#include "comparison/verification/suite_summary.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "tests/comparison/suite_rows.h"
+
+namespace fretval {
+namespace {
+
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+TEST(QuantitySummary, IsByQuantityAndTolerance) {
+  auto other = row_of(1e-3, 2e-3);
+  other.compared[Quantity::normal_force_max] = {1, 1, 1e-3, 1e-4, "rings"};
+  other.compared[Quantity::stick_radius_shakedown].tolerance = 1e-4;
+  const auto all = quantity_summaries({row_of(1e-3, 2e-3), row_of(-4e-3, 2e-3), row_of(2e-3, infinity),
+                                       row_of(not_a_number, 3e-2), row_of(0, 2e-3), other});
+  ASSERT_EQ(all.size(), 3U);
+  const auto &force = all[0], &strict = all[1], &usual = all[2];
+  EXPECT_EQ(force.quantity, Quantity::normal_force_max);
+  EXPECT_EQ(force.error.median, 0);
+  EXPECT_FALSE(force.effectivity.median) << "of an error that is zero";
+  EXPECT_EQ(strict.tolerance, 1e-4);
+  EXPECT_EQ(strict.n_wide, 1U);
+  EXPECT_EQ(usual.n, 5U);
+  EXPECT_EQ(usual.n_above, 2U);
+  EXPECT_EQ(usual.n_wide, 2U);
+  EXPECT_EQ(usual.n_unbounded, 1U);
+  EXPECT_NEAR(usual.error.low.value(), 0, 1e-15);
+  EXPECT_NEAR(usual.error.median.value(), 1e-3, 1e-15);
+  EXPECT_NEAR(usual.error.high.value(), 4e-3, 1e-15);
+  EXPECT_EQ(usual.bar.high, 2e-3);
+  EXPECT_NEAR(usual.effectivity.low.value(), 0.5, 1e-12);
+  EXPECT_NEAR(usual.effectivity.high.value(), 2, 1e-12);
+}
+
+TEST(SuiteCounts, AreOfRowsAndErrors) {
+  EXPECT_EQ(counts_text({row_of(1e-3, 2e-3), row_of(1e-3, 2e-2), row_of(3e-2, 2e-3), refused_row("a", "a b")}),
+            "4 cases: 1 agree, 1 refused as expected, 1 inconclusive, 1 FAIL; 2 of 3 errors are covered");
+}
+
+TEST(ShownRows, AreAllOfASmallSuite) {
+  const std::vector<SuiteRow> rows{row_of(1e-3, 2e-3), row_of(3e-2, 2e-3)};
+  EXPECT_TRUE(shows_all(rows));
+  ASSERT_EQ(shown_rows(rows).size(), 2U);
+  EXPECT_EQ(shown_rows(rows)[0], &rows[0]);
+}
+
+TEST(ShownRows, AreTheWorstOfALargeOne) {
+  std::vector<SuiteRow> rows(300, row_of(1e-3, 2e-3));
+  rows[250] = row_of(1.9e-3, 2e-3);
+  EXPECT_FALSE(shows_all(rows));
+  EXPECT_EQ(shown_rows(rows).size(), 10U);
+  EXPECT_EQ(shown_rows(rows)[0], &rows[250]);
+  for (std::size_t k = 100; k < 120; ++k) rows[k] = row_of(3e-3, 2e-3);
+  rows[299].failure = "singular";
+  ASSERT_EQ(shown_rows(rows).size(), 21U) << "every one that fails";
+  EXPECT_EQ(shown_rows(rows).back(), &rows[299]);
+}
+
+TEST(WorstQuantity, IsTheClosestToItsBar) {
+  EXPECT_EQ(worst_of(SuiteRow{}), nullptr);
+  auto row = row_of(1e-3, 2e-3);
+  row.compared[Quantity::contact_radius_max] = {1, 1.003, 1e-3, 4e-3, "rings"};
+  EXPECT_EQ(worst_of(row)->first, Quantity::contact_radius_max);
+  row.compared[Quantity::stick_radius_first_slip] = {0.5, not_a_number, 1e-2, 1e-3, "rings"};
+  EXPECT_EQ(worst_of(row)->first, Quantity::stick_radius_first_slip);
+}
+
+TEST(Remark, SaysWhyARowFailsIsRefusedOrIsInconclusive) {
+  EXPECT_EQ(remark_of(row_of(1e-3, 2e-3)), "");
+  EXPECT_EQ(remark_of(refused_row("a", "a b")), "a b");
+  EXPECT_EQ(remark_of(refused_row("", "a b")), "refused: a b");
+  EXPECT_EQ(remark_of(row_of(1e-3, 2e-2)), "stick_radius_shakedown: bar 2.0e-02, mostly rings, tolerance 1e-02");
+}
+
+}  // namespace
+}  // namespace fretval
