@@ -52,15 +52,6 @@ Eigen::VectorXd multiply(const SparseMatrix& matrix, const Eigen::VectorXd& x) {
   return y;
 }
 
-/// A PETSc matrix that goes with its scope, also when the constructor around it throws.
-struct OwnedMat {
-  Mat mat = nullptr;
-  OwnedMat() = default;
-  ~OwnedMat() { MatDestroy(&mat); }
-  OwnedMat(const OwnedMat&) = delete;
-  OwnedMat& operator=(const OwnedMat&) = delete;
-};
-
 bool needs_more_work_space(int infog1) {
   return infog1 == -8 || infog1 == -9;
 }
@@ -134,6 +125,15 @@ class SparseFactor::Factored {
   }
 
  private:
+  /// A PETSc matrix that goes with its scope, also when the constructor around it throws.
+  struct OwnedMat {
+    Mat mat = nullptr;
+    OwnedMat() = default;
+    ~OwnedMat() { MatDestroy(&mat); }
+    OwnedMat(const OwnedMat&) = delete;
+    OwnedMat& operator=(const OwnedMat&) = delete;
+  };
+
   [[nodiscard]] Eigen::VectorXd back_substitute(const Eigen::VectorXd& rhs) const {
     const std::lock_guard<std::mutex> lock(petsc_mutex());
     Vec b = nullptr, x = nullptr;

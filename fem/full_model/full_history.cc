@@ -1,19 +1,17 @@
 #include "fem/full_model/full_history.h"
 
 #include <functional>
-#include <limits>
 #include <stdexcept>
 #include <utility>
 #include <vector>
 
 #include "fem/full_model/strain_field.h"
+#include "fem/history/require_room.h"
+#include "fem/support/constants.h"
 #include "fem/support/solver_error.h"
 
 namespace fretval::fem {
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Relaxed fields of a body at the start of its history.
 struct Start {
@@ -77,11 +75,6 @@ class Stepper {
 
 void require(bool condition, const char* message) {
   if (!condition) throw std::invalid_argument(message);
-}
-
-void require_room(const Eigen::VectorXd& pressure) {
-  if (pressure[pressure.size() - 1] > 0)
-    throw SolverError("the contact reaches the end of the contact line of the mesh: use a longer one");
 }
 
 }  // namespace

@@ -9,11 +9,10 @@
 #include "fem/condensation/condensation.h"
 #include "fem/operators/harmonic_space_parts.h"
 #include "fem/operators/stiffness.h"
+#include "fem/support/constants.h"
 
 namespace fretval::fem {
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 // The fields are smooth but no polynomials.
 constexpr unsigned extra_points = 3;

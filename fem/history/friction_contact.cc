@@ -2,13 +2,9 @@
 
 #include <utility>
 
+#include "fem/support/constants.h"
+
 namespace fretval::fem {
-namespace {
-
-constexpr double pi = 3.14159265358979323846;
-
-}  // namespace
-
 FrictionContact::FrictionContact(const ContactProblem& problem, const RelaxationModel& relaxation,
                                  double friction_coefficient, const Motion& motion, int steps_per_cycle)
     : limit(Eigen::VectorXd::Zero(problem.n_rings())),

@@ -3,18 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 #include "fem/history/cycle_jump.h"
 #include "fem/history/friction_force.h"
+#include "fem/support/constants.h"
 #include "fem/support/solver_error.h"
 
 namespace fretval::fem {
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 double change_per_period(const Eigen::MatrixXd& now, const Eigen::MatrixXd& before) {
   const double largest = now.cwiseAbs().maxCoeff();

@@ -2,10 +2,10 @@
 
 #include <cmath>
 
+#include "fem/support/constants.h"
+
 namespace fretval::fem {
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 // Quintic smooth step: value, slope and curvature are continuous at both ends.
 ValueAndRate envelope(const Motion& motion, double t) {

@@ -2,18 +2,13 @@
 
 #include <algorithm>
 
+#include "fem/history/require_room.h"
 #include "fem/history/static_contact.h"
+#include "fem/support/constants.h"
 #include "fem/support/solver_error.h"
 
 namespace fretval::fem {
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
-
-void require_room(const Eigen::VectorXd& pressure) {
-  if (pressure[pressure.size() - 1] > 0)
-    throw SolverError("the contact reaches the end of the contact line of the mesh: use a longer one");
-}
 
 PressureAtEdge pressure_at_edge(const RelaxationModel& relaxation) {
   if (relaxation.viscosity == 0) return PressureAtEdge::vanishes;

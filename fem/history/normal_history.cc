@@ -3,17 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 #include "fem/history/cycle_jump.h"
+#include "fem/support/constants.h"
 #include "fem/support/solver_error.h"
 
 namespace fretval::fem {
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Records a cycle, over the one before.
 class CycleRecord {

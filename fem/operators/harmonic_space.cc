@@ -11,11 +11,10 @@
 #include <stdexcept>
 
 #include "fem/operators/harmonic_space_parts.h"
+#include "fem/support/constants.h"
 
 namespace fretval::fem {
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 unsigned stable_degree(unsigned degree) {
   if (degree < 2)

@@ -5,10 +5,11 @@
 #include <array>
 #include <cmath>
 
+#include "fem/support/constants.h"
+
 namespace fretval::fem {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
 constexpr unsigned n_strains = 6;
 
 double angular_factor(Harmonic harmonic) {

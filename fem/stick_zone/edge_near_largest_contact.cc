@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "fem/condensation/stencil.h"
+#include "fem/support/constants.h"
 
 namespace fretval::fem {
 
@@ -13,7 +14,6 @@ using Eigen::Index;
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
 constexpr Index n_seen = 3;
 
 /// Half of a cycle: the instants before or after the largest contact, from there outwards.

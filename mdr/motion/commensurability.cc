@@ -10,7 +10,7 @@ namespace fretval::mdr {
 
 namespace {
 
-const double relative_tolerance = 1e-12;
+const double ratio_tolerance = 1e-12;
 
 // The group with one more member, its orders scaled to the finer base; empty: an order would become too large.
 std::optional<CommensurateGroup> joined(const CommensurateGroup& group, std::size_t member, FrequencyRatio to_first) {
@@ -52,7 +52,7 @@ std::optional<FrequencyRatio> frequency_ratio(double ratio) {
     const double next_p = digit * p + last_p, next_q = digit * q + last_q;
     if (next_p > largest_order || next_q > largest_order) return std::nullopt;
     last_p = p, last_q = q, p = next_p, q = next_q;
-    if (std::abs(ratio * q - p) <= relative_tolerance * p) return FrequencyRatio{int(p), int(q)};
+    if (std::abs(ratio * q - p) <= ratio_tolerance * p) return FrequencyRatio{int(p), int(q)};
     rest = 1 / (rest - digit);
   }
 }

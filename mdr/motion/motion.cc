@@ -1,8 +1,7 @@
 #include "mdr/motion/motion.h"
 
-#include <cmath>
-
 #include "mdr/support/checks.h"
+#include "mdr/support/constants.h"
 
 namespace fretval::mdr {
 
@@ -20,7 +19,7 @@ double maximum_indentation(const Motion& motion) {
 }
 
 double angular_frequency(double frequency) {
-  return 2 * std::acos(-1.0) * frequency;
+  return 2 * pi * frequency;
 }
 
 }  // namespace fretval::mdr

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "mdr/support/checks.h"
+#include "mdr/support/constants.h"
 
 namespace fretval::mdr {
 
@@ -20,7 +21,7 @@ double quarter_turn_integral(const std::function<double(double)>& f, double r) {
   boost::math::quadrature::tanh_sinh<double, Policy> quadrature;
   double error = 0, size = 0;
   const double integral =
-      quadrature.integrate([&](double t) { return f(r * std::sin(t)); }, 0.0, std::acos(0.0), 1e-13, &error, &size);
+      quadrature.integrate([&](double t) { return f(r * std::sin(t)); }, 0.0, pi / 2, 1e-13, &error, &size);
   if (!std::isfinite(integral) || error > 1e-8 * size)
     throw std::invalid_argument("the Abel integral does not converge: the function is singular or too rough");
   return integral;
@@ -33,7 +34,7 @@ double abel_transform(const std::function<double(double)>& slope, double x) {
 }
 
 double abel_back_transform(const std::function<double(double)>& image, double r) {
-  return quarter_turn_integral(image, r) / std::acos(0.0);
+  return quarter_turn_integral(image, r) / (pi / 2);
 }
 
 }  // namespace fretval::mdr

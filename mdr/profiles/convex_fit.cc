@@ -19,7 +19,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr std::size_t n_least_rows = 8, n_most_rows = 100'000, n_most_knots = 200;
+constexpr std::size_t n_least_fitted_rows = 8, n_most_rows = 100'000, n_most_knots = 200;
 constexpr double largest_excess = 1.5;   // residual rms over noise
 constexpr double least_noise = 1e-10;    // over the range of heights, roundoff of the fit
 constexpr double least_interval = 1e-6;  // over the last radius
@@ -180,7 +180,7 @@ bool acceptable(const VectorXd& residual, double noise) {
 
 ConvexFit convex_fit(const std::vector<double>& r, const std::vector<double>& f, double noise) {
   require_positive("noise of the profile table in m", noise);
-  require_profile_rows(r, f, n_least_rows);
+  require_profile_rows(r, f, n_least_fitted_rows);
   if (r.size() > n_most_rows)
     reject("number of rows of a noisy profile table", static_cast<double>(r.size()),
            "must be at most 100000; average neighbouring rows");

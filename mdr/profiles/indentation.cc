@@ -4,12 +4,9 @@
 #include <cmath>
 
 #include "mdr/support/checks.h"
+#include "mdr/support/constants.h"
 
 namespace fretval::mdr {
-
-namespace {
-const double pi = std::acos(-1.0);
-}  // namespace
 
 double contact_radius(const Profile& profile, double indentation) {
   require_non_negative("indentation", indentation);

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "mdr/support/checks.h"
+#include "mdr/support/constants.h"
 
 namespace fretval::mdr {
 
@@ -44,7 +45,7 @@ double near_edge(const PowerLaw& profile, double sine, double cosine) {
   const double n = profile.exponent;
   if (n == std::floor(n)) return whole_cosine_power_integral(static_cast<int>(n), sine, cosine);
   if (sine * sine <= 0.5) return sine * binomial_series((1 - n) / 2, 1, 2, sine * sine);
-  const double whole = std::acos(0.0) * profile.coefficient / profile.image_coefficient;  // pi/(2 kappa_n)
+  const double whole = pi / 2 * profile.coefficient / profile.image_coefficient;  // pi/(2 kappa_n)
   return whole - near_axis(n, cosine);
 }
 
@@ -52,7 +53,7 @@ double near_edge(const PowerLaw& profile, double sine, double cosine) {
 
 double transform_factor(double exponent) {
   require_positive("exponent of the power law", exponent);
-  return std::sqrt(std::acos(-1.0)) / 2 * exponent * boost::math::tgamma_delta_ratio(exponent / 2, 0.5);
+  return std::sqrt(pi) / 2 * exponent * boost::math::tgamma_delta_ratio(exponent / 2, 0.5);
 }
 
 double shape(const PowerLaw& profile, double r) {

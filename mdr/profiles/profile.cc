@@ -5,6 +5,7 @@
 #include <string>
 
 #include "mdr/support/checks.h"
+#include "mdr/support/constants.h"
 
 namespace fretval::mdr {
 
@@ -27,7 +28,7 @@ Profile parabola(double radius) {
 }
 
 Profile cone(double slope_angle) {
-  const double quarter_turn = std::acos(0.0);
+  const double quarter_turn = pi / 2;
   require_finite("slope angle of the cone", slope_angle);
   if (!(slope_angle > 0 && slope_angle < quarter_turn)) {
     reject("slope angle of the cone", slope_angle, "must lie strictly between 0 and pi/2 rad");

@@ -10,6 +10,7 @@
 #include "mdr/profiles/convex_fit.h"
 #include "mdr/profiles/profile_rows.h"
 #include "mdr/support/checks.h"
+#include "mdr/support/constants.h"
 
 namespace fretval::mdr {
 
@@ -112,7 +113,7 @@ void check_rising(const std::vector<double>& x, const std::vector<double>& g, co
 PiecewiseCubic image_of(const PiecewiseCubic& height_slope) {
   const PiecewiseCubic radial = radial_slope(height_slope);
   const std::vector<double> x = refined(height_slope.nodes);
-  std::vector<double> g{0}, slopes{std::acos(0.0) * height_slope.coefficients[0][0]};
+  std::vector<double> g{0}, slopes{pi / 2 * height_slope.coefficients[0][0]};
   for (std::size_t k = 1; k < x.size(); ++k) {
     g.push_back(x[k] * abel_integral_below(height_slope, 0, x[k], x[k]));
     slopes.push_back(abel_integral_below(radial, 0, x[k], x[k]));

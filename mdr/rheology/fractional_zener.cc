@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "mdr/support/checks.h"
+#include "mdr/support/constants.h"
 
 namespace fretval::mdr {
 
@@ -17,7 +18,7 @@ std::complex<double> complex_modulus(const FractionalZener& body, double omega) 
   validate(body);
   require_non_negative("angular frequency", omega);
   if (omega == 0) return body.relaxed_modulus;
-  const double quarter_turns = body.order * std::acos(0.0);
+  const double quarter_turns = body.order * (pi / 2);
   const double magnitude = std::pow(omega * body.branch_time, -body.order);
   // 1/(1 + z^-1) neither overflows nor cancels, whatever the size of z = (i omega tau)^alpha.
   return body.relaxed_modulus + body.branch_modulus / (1.0 + std::polar(magnitude, -quarter_turns));

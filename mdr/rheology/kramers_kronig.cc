@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "mdr/support/checks.h"
+#include "mdr/support/constants.h"
 #include "mdr/support/non_negative_least_squares.h"
 
 namespace fretval::mdr {
@@ -19,7 +20,6 @@ using Eigen::VectorXd;
 constexpr double quadrature_allowance = 0.1;
 constexpr double n_standard_deviations = 5;  // for the largest of a hundred, with a size that is itself estimated
 
-const double pi = 2 * std::acos(0.0);
 const double decade = std::log(10.0);
 
 // Means of logarithms over parts of the table, and how many values each stands for.

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "mdr/support/checks.h"
+#include "mdr/support/constants.h"
 #include "mdr/support/csv.h"
 #include "mdr/support/csv_units.h"
 
@@ -16,8 +17,6 @@ namespace fretval::mdr {
 namespace {
 
 using Units = std::map<std::string, double>;
-
-const double two_pi = 4 * std::acos(0.0);
 
 void scale(std::vector<double>& values, double size, const char* quantity, const CsvColumns& csv,
            const std::string& source_name) {
@@ -73,7 +72,7 @@ void validate(const ModulusTable& table) {
 ModulusTable read_modulus_table(std::istream& stream, const std::string& source_name, double factor) {
   require_positive("factor of the moduli", factor);
   CsvColumns csv = read_csv(stream, source_name, 3);
-  const Units frequency_units = {{"Hz", 1}, {"rad/s", 1 / two_pi}};
+  const Units frequency_units = {{"Hz", 1}, {"rad/s", 1 / (2 * pi)}};
   const Units modulus_units = {{"Pa", 1}, {"kPa", 1e3}, {"MPa", 1e6}, {"GPa", 1e9}};
   scale(csv.columns[0], unit_of_column(csv, 0, frequency_units, source_name), "frequency", csv, source_name);
   scale(csv.columns[1], unit_of_column(csv, 1, modulus_units, source_name) * factor, "storage modulus", csv,
@@ -90,7 +89,7 @@ std::complex<double> complex_modulus(const ModulusTable& table, double omega) {
   validate(table);
   require_positive("angular frequency", omega);
   const double lowest = table.frequency.front(), highest = table.frequency.back();
-  const double wanted = omega / two_pi;
+  const double wanted = omega / (2 * pi);
   if (wanted < lowest * (1 - 1e-12) || wanted > highest * (1 + 1e-12)) {
     std::ostringstream range;
     range.precision(6);

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "mdr/support/checks.h"
+#include "mdr/support/constants.h"
 #include "mdr/support/non_negative_least_squares.h"
 
 namespace fretval::mdr {
@@ -24,8 +25,6 @@ constexpr int n_folds = 5;
 constexpr int most_branches_per_decade = 32;
 constexpr double worth_more_branches = 0.95;  // of the held-out misfit with half as many
 
-const double two_pi = 4 * std::acos(0.0);
-
 // Rows 2j and 2j + 1 are G' and G'' at frequency j over their measured values, so the right-hand side is all ones.
 // Columns are G0, the branches, and the viscosity if there is a dashpot.
 MatrixXd relative_responses(const ModulusTable& table, const std::vector<double>& times, bool dashpot) {
@@ -33,7 +32,7 @@ MatrixXd relative_responses(const ModulusTable& table, const std::vector<double>
   MatrixXd responses = MatrixXd::Zero(2 * n, 1 + n_branches + dashpot);
   for (Index j = 0; j < n; ++j) {
     const std::size_t row = static_cast<std::size_t>(j);
-    const double omega = two_pi * table.frequency[row];
+    const double omega = 2 * pi * table.frequency[row];
     responses(2 * j, 0) = 1 / table.storage[row];
     for (Index i = 0; i < n_branches; ++i) {
       const double x = omega * times[static_cast<std::size_t>(i)];
@@ -46,7 +45,7 @@ MatrixXd relative_responses(const ModulusTable& table, const std::vector<double>
 }
 
 std::vector<double> branch_times(const ModulusTable& table, int per_decade) {
-  const double shortest = 1 / (two_pi * table.frequency.back());
+  const double shortest = 1 / (2 * pi * table.frequency.back());
   const double decades = std::log10(table.frequency.back() / table.frequency.front());
   const int n_steps = std::max(1, static_cast<int>(std::ceil(decades * per_decade)));
   std::vector<double> times;
@@ -69,7 +68,9 @@ double held_out_misfit(const MatrixXd& responses) {
     std::vector<Index> in, out;
     for (Index row = 0; row < 2 * n; ++row) ((row / 2) % n_folds == fold ? out : in).push_back(row);
     const MatrixXd seen = responses(in, Eigen::all);
-    left_out(out) = misfits(responses(out, Eigen::all), non_negative_least_squares(seen, VectorXd::Ones(seen.rows())));
+    const VectorXd moduli = non_negative_least_squares(seen, VectorXd::Ones(seen.rows()));
+    const VectorXd unseen = misfits(responses(out, Eigen::all), moduli);
+    for (std::size_t k = 0; k < out.size(); ++k) left_out(out[k]) = unseen(static_cast<Index>(k));
   }
   return root_mean_square(left_out);
 }

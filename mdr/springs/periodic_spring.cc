@@ -10,11 +10,11 @@
 #include <utility>
 
 #include "mdr/support/checks.h"
+#include "mdr/support/constants.h"
 
 namespace fretval::mdr {
 
 namespace {
-const double pi = std::acos(-1.0);
 constexpr int n_scan_steps = 16;  // from the deepest position to the angle of least harmonic force
 
 // One cycle from theta = 0: how far the state ends from where it starts, and the derivative of that by the start. Both

@@ -5,11 +5,11 @@
 #include <vector>
 
 #include "mdr/support/checks.h"
+#include "mdr/support/constants.h"
 
 namespace fretval::mdr {
 
 namespace {
-const double pi = std::acos(-1.0);
 
 // Linear between the springs, from the axis to the end of the bed, where it has the given value.
 PiecewiseCubic linear(const SpringBed& bed, const Eigen::ArrayXd& values, double at_end) {

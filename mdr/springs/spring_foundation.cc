@@ -13,11 +13,11 @@
 #include "mdr/springs/periodic_spring.h"
 #include "mdr/springs/spring_model.h"
 #include "mdr/support/checks.h"
+#include "mdr/support/constants.h"
 
 namespace fretval::mdr {
 
 namespace {
-const double pi = std::acos(-1.0);
 constexpr int n_time_steps = 128;
 
 using Depth = std::function<double(double)>;

@@ -7,11 +7,11 @@
 
 #include "mdr/profiles/indentation.h"
 #include "mdr/support/checks.h"
+#include "mdr/support/constants.h"
 
 namespace fretval::mdr {
 
 namespace {
-const double pi = std::acos(-1.0);
 
 // (13) minus f0 = (2/pi) int_c^r (d_max - g0)/sqrt(r^2-x^2) dx, without regard to the outer radius.
 double depth_below_unworn(const Profile& unworn, double c, double maximum_indentation, double r) {

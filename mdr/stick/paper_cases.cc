@@ -8,6 +8,7 @@
 #include <string>
 
 #include "mdr/support/checks.h"
+#include "mdr/support/constants.h"
 #include "mdr/support/trigonometric_maximum.h"
 
 namespace fretval::mdr {
@@ -55,7 +56,7 @@ double paper_no_slip_depth_at_time(const Rheology& body, double mu, const Motion
 double paper_least_no_slip_depth(const Rheology& body, double mu, const Motion& motion) {
   const auto [storage, loss] = modulus_parts(body, mu, motion);
   const double tangential = 1 / mu * 2 / 3 * motion.tangential_amplitude;
-  const double quarter_turn = std::acos(0.0);
+  const double quarter_turn = pi / 2;
   double demand = 0;
   for (const double sign : {1.0, -1.0}) {
     // -sin(x) = cos(x + pi/2)

@@ -9,11 +9,11 @@
 
 #include "mdr/profiles/indentation.h"
 #include "mdr/support/checks.h"
+#include "mdr/support/constants.h"
 
 namespace fretval::mdr {
 
 namespace {
-const double pi = std::acos(-1.0);
 
 // arcsin(a/r) for r >= a, accurate as r -> a.
 double arcsine(double a, double r) {

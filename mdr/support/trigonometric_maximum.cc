@@ -6,14 +6,14 @@
 #include <map>
 
 #include "mdr/support/checks.h"
+#include "mdr/support/constants.h"
 
 namespace fretval::mdr {
 
 namespace {
-const double pi = std::acos(-1.0);
 
 // Bounds are compared to this part of sum |a_k|; roundoff of an evaluation is well below it.
-const double relative_tolerance = 2e-14;
+const double value_tolerance = 2e-14;
 
 struct Component {
   double order;
@@ -115,7 +115,7 @@ std::vector<Cell> divide(const Polynomial& polynomial, Candidate& best) {
 }
 
 Candidate branch_and_bound(const Polynomial& polynomial) {
-  const double tolerance = relative_tolerance * polynomial.size;
+  const double tolerance = value_tolerance * polynomial.size;
   Candidate best{};
   std::vector<Cell> cells = divide(polynomial, best);
   while (!cells.empty()) {

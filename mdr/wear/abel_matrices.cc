@@ -5,10 +5,11 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "mdr/support/constants.h"
+
 namespace fretval::mdr {
 
 namespace {
-const double pi = std::acos(-1.0);
 
 double root(double x, double r) {  // int x/sqrt(x^2-r^2) dx from r, the image of a step at r
   return x > r ? std::sqrt((x - r) * (x + r)) : 0;

@@ -14,10 +14,10 @@ namespace fretval::mdr {
 namespace {
 constexpr int n_ramp_cycles = 3;
 constexpr int most_settling_cycles = 20000;
-constexpr int longest_period = 12;    // in cycles: dashpots that lose and regain contact may repeat in several only
-constexpr double settled = 1e-8;      // change of the tractions in a cycle, over the largest
-constexpr double shaken_down = 1e-6;  // slip in a cycle, over the tangential amplitude
-constexpr double touching = 1e-6;     // gap, over the indentation: worn surfaces that only just part still touch
+constexpr int longest_period = 12;     // in cycles: dashpots that lose and regain contact may repeat in several only
+constexpr double settled = 1e-8;       // change of the tractions in a cycle, over the largest
+constexpr double hardly_slips = 1e-6;  // slip in a cycle, over the tangential amplitude
+constexpr double touching = 1e-6;      // gap, over the indentation: worn surfaces that only just part still touch
 }  // namespace
 
 WearingSprings::WearingSprings(const SpringBed& bed, const PronyBody& body, double mu, const Motion& motion,
@@ -76,7 +76,7 @@ WearCycle WearingSprings::settled_cycle(const AbelMatrices& matrices) {
   n_cycles_ += period;
   const Eigen::ArrayXd spring_path = slip.cwiseAbs().rowwise().sum() / period;
   for (Eigen::Index j = 0; j < n; ++j)
-    if (spring_path[j] <= shaken_down * motion_.tangential_amplitude) slip.row(j).setZero();
+    if (spring_path[j] <= hardly_slips * motion_.tangential_amplitude) slip.row(j).setZero();
   const Eigen::MatrixXd path = (matrices.displacement.triangularView<Eigen::Lower>() * slip).cwiseAbs() / (2 * period);
   cycle.path = path;
   cycle.path.leftCols(n_instants - 1) += path.rightCols(n_instants - 1);

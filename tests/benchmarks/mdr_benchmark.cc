@@ -7,6 +7,7 @@
 #include "mdr/springs/spring_step.h"
 #include "mdr/stick/limiting_profile.h"
 #include "mdr/stick/stick_radius.h"
+#include "mdr/support/constants.h"
 
 namespace fretval::mdr {
 namespace {
@@ -43,7 +44,7 @@ void spring_steps(benchmark::State& state, const PronyBody& body) {
   SpringState springs = relaxed_state(bed, body, motion.indentation);
   int k = 0;
   for ([[maybe_unused]] auto _ : state) {
-    const double angle = 2 * std::acos(-1.0) * (++k % 360) / 360;
+    const double angle = 2 * pi * (++k % 360) / 360;
     step.advance(springs, bed, {1e-4 + 2.5e-5 * std::cos(angle), 0, 2e-5 * std::cos(angle + 0.7), 0});
     benchmark::DoNotOptimize(springs.tangential_load.data());
   }

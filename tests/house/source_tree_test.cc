@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace fretval {
+namespace fretval::source_tree_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -153,4 +153,4 @@ TEST(SourceTree, NoFilesIncludeEachOther) {
 }
 
 }  // namespace
-}  // namespace fretval
+}  // namespace fretval::source_tree_test

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "mdr/rheology/rheology.h"
+#include "mdr/support/constants.h"
 
 namespace fretval::mdr {
 
@@ -14,7 +15,7 @@ namespace fretval::mdr {
 class MarchedSpring {
  public:
   MarchedSpring(const PronyBody& body, double y, int n_steps)
-      : y_(y), step_(2 * std::acos(-1.0) / n_steps), depth_(std::max(y, 0.0)), forces_(body.branch_moduli.size(), 0) {
+      : y_(y), step_(2 * pi / n_steps), depth_(std::max(y, 0.0)), forces_(body.branch_moduli.size(), 0) {
     stiffness_ = 1 + body.viscosity / body.relaxed_modulus / step_;
     memory_ = body.viscosity / body.relaxed_modulus / step_;
     for (std::size_t i = 0; i < forces_.size(); ++i) {
@@ -46,7 +47,7 @@ class MarchedSpring {
 // Forces at theta = 2 pi k/n_steps, k = 1..n_steps, of the last of n_cycles cycles. omega = 1: times in radians.
 inline std::vector<double> marched_cycle(const PronyBody& body, double y, int n_steps, int n_cycles) {
   MarchedSpring spring(body, y, n_steps);
-  const double step = 2 * std::acos(-1.0) / n_steps;
+  const double step = 2 * pi / n_steps;
   std::vector<double> forces(n_steps);
   // From the rest height upwards, a quarter of a cycle before the deepest position: nothing jumps.
   for (int k = -n_steps / 4 + 1; k <= 0; ++k) spring.advance(step * k);

@@ -7,10 +7,9 @@
 
 #include "mdr/rheology/modulus_table.h"
 #include "mdr/rheology/rheology.h"
+#include "mdr/support/constants.h"
 
 namespace fretval::mdr {
-
-inline const double two_pi = 2 * std::acos(-1.0);
 
 // At least n_per_decade numbers a decade at equal steps of the logarithm, both ends included.
 inline std::vector<double> log_spaced(double lowest, double highest, int n_per_decade) {
@@ -29,7 +28,7 @@ inline ModulusTable synthetic_table(const Rheology& body, double lowest, double 
   ModulusTable table;
   table.frequency = log_spaced(lowest, highest, n_per_decade);
   for (const double frequency : table.frequency) {
-    const std::complex<double> modulus = complex_modulus(body, two_pi * frequency);
+    const std::complex<double> modulus = complex_modulus(body, 2 * pi * frequency);
     table.storage.push_back(modulus.real() * (1 + noise * normal(engine)));
     table.loss.push_back(modulus.imag() * (1 + noise * normal(engine)));
   }

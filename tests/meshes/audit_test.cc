@@ -7,7 +7,7 @@
 #include "tests/meshes/block.h"
 #include "tests/meshes/expect_error.h"
 
-namespace fretval::meshes {
+namespace fretval::meshes::audit_test {
 namespace {
 
 void expect_defect(const Mesh& mesh, std::vector<std::string> parts) {
@@ -200,4 +200,4 @@ TEST(Audit, FindsOverlappingCells) {
 }
 
 }  // namespace
-}  // namespace fretval::meshes
+}  // namespace fretval::meshes::audit_test

@@ -10,7 +10,7 @@
 #include "tests/meshes/expect_error.h"
 #include "tests/meshes/scratch_folder.h"
 
-namespace fretval::meshes {
+namespace fretval::meshes::gmsh_file_test {
 namespace {
 
 /// gmsh reads what we write, and we read what it writes.
@@ -133,4 +133,4 @@ TEST_F(GmshFile, OfOursIsUnderstoodByGmsh) {
 }
 
 }  // namespace
-}  // namespace fretval::meshes
+}  // namespace fretval::meshes::gmsh_file_test

@@ -8,7 +8,7 @@
 
 #include "tests/meshes/expect_error.h"
 
-namespace fretval::meshes {
+namespace fretval::meshes::grading_test {
 namespace {
 
 std::vector<double> sizes(const std::vector<double>& nodes) {
@@ -104,4 +104,4 @@ TEST(GradedNodes, RefuseWhatCannotBeGraded) {
 }
 
 }  // namespace
-}  // namespace fretval::meshes
+}  // namespace fretval::meshes::grading_test

@@ -12,7 +12,7 @@
 #include "tests/meshes/expect_error.h"
 #include "tests/meshes/scratch_folder.h"
 
-namespace fretval::meshes {
+namespace fretval::meshes::msh_file_test {
 namespace {
 
 class MshFile : public testing::Test {
@@ -166,4 +166,4 @@ TEST_F(MshFile, TurnsAClockwiseBodyButNotASingleCell) {
 }
 
 }  // namespace
-}  // namespace fretval::meshes
+}  // namespace fretval::meshes::msh_file_test

@@ -6,7 +6,7 @@
 
 #include "tests/meshes/block.h"
 
-namespace fretval::meshes {
+namespace fretval::meshes::quality_test {
 namespace {
 
 TEST(Quality, OfSquaresIsPerfect) {
@@ -57,4 +57,4 @@ TEST(BoundaryLength, AddsUpTheEdgesOfOnePart) {
 }
 
 }  // namespace
-}  // namespace fretval::meshes
+}  // namespace fretval::meshes::quality_test

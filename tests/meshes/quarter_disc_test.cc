@@ -12,7 +12,7 @@
 #include "meshes/mesh_error.h"
 #include "tests/meshes/expect_error.h"
 
-namespace fretval::meshes {
+namespace fretval::meshes::quarter_disc_test {
 namespace {
 
 const double pi = std::acos(-1.);
@@ -189,4 +189,4 @@ TEST(QuarterDisc, PrintsNothing) {
 }
 
 }  // namespace
-}  // namespace fretval::meshes
+}  // namespace fretval::meshes::quarter_disc_test

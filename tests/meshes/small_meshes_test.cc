@@ -8,7 +8,7 @@
 #include "meshes/msh_file.h"
 #include "meshes/quarter_disc.h"
 
-namespace fretval::meshes {
+namespace fretval::meshes::small_meshes_test {
 namespace {
 
 /// The committed meshes, as meshes/small/README.md says they were made.
@@ -59,4 +59,4 @@ INSTANTIATE_TEST_SUITE_P(Committed, SmallMeshes,
                          [](const auto& info) { return std::filesystem::path(info.param.file).stem().string(); });
 
 }  // namespace
-}  // namespace fretval::meshes
+}  // namespace fretval::meshes::small_meshes_test

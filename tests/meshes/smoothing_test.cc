@@ -5,7 +5,7 @@
 #include "meshes/quality.h"
 #include "tests/meshes/block.h"
 
-namespace fretval::meshes {
+namespace fretval::meshes::smoothing_test {
 namespace {
 
 TEST(Smooth, MovesAnInnerNodeToTheMeanOfItsNeighbours) {
@@ -34,4 +34,4 @@ TEST(Smooth, LeavesTheBoundaryAlone) {
 }
 
 }  // namespace
-}  // namespace fretval::meshes
+}  // namespace fretval::meshes::smoothing_test

@@ -6,13 +6,12 @@
 #include <cmath>
 
 #include "fem/operators/stiffness.h"
+#include "fem/support/constants.h"
 #include "tests/fem/expect_solver_error.h"
 #include "tests/fem/half_space.h"
 
-namespace fretval::fem {
+namespace fretval::fem::compliance_test {
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 TEST(Compliance, IsSymmetricPositiveDefinite) {
   for (const Harmonic harmonic : {Harmonic::normal, Harmonic::tangential}) {
@@ -96,4 +95,4 @@ TEST(Compliance, NeedsABodyThatIsHeld) {
 }
 
 }  // namespace
-}  // namespace fretval::fem
+}  // namespace fretval::fem::compliance_test

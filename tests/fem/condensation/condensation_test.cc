@@ -11,7 +11,7 @@
 #include "tests/fem/expect_solver_error.h"
 #include "tests/fem/half_space.h"
 
-namespace fretval::fem {
+namespace fretval::fem::condensation_test {
 namespace {
 
 const GridData& grid() {
@@ -182,4 +182,4 @@ TEST(CondensationErrors, SayWhatMumpsMeans) {
 }
 
 }  // namespace
-}  // namespace fretval::fem
+}  // namespace fretval::fem::condensation_test

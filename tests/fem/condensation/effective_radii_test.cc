@@ -13,12 +13,13 @@
 #include "fem/stick_zone/edge_radius.h"
 #include "fem/stick_zone/stick_radius.h"
 #include "fem/stick_zone/touch_indentation.h"
+#include "fem/support/constants.h"
 #include "tests/fem/convergence.h"
 #include "tests/fem/expect_solver_error.h"
 #include "tests/fem/half_space.h"
 #include "tests/fem/recorded_history.h"
 
-namespace fretval::fem {
+namespace fretval::fem::effective_radii_test {
 namespace {
 
 using Eigen::Index;
@@ -165,7 +166,7 @@ class StickRadiusTest : public testing::Test {
 TEST_F(StickRadiusTest, IsTheRadiusAtWhichTheTransformReachesTheDepth) {
   for (const double c : {0.15, 0.3, 0.5, 0.7, 0.9}) {
     EXPECT_NEAR(radius_of([](double r) { return r * r; }, 2 * c * c).radius, c, 5e-5) << c;
-    EXPECT_NEAR(radius_of([](double r) { return r; }, std::acos(0.0) * c).radius, c, 1e-4) << c;
+    EXPECT_NEAR(radius_of([](double r) { return r; }, pi / 2 * c).radius, c, 1e-4) << c;
   }
 }
 
@@ -185,4 +186,4 @@ TEST_F(StickRadiusTest, OfOneOrTwoRingsIsUncertainByARing) {
 }
 
 }  // namespace
-}  // namespace fretval::fem
+}  // namespace fretval::fem::effective_radii_test

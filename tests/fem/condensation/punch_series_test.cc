@@ -13,7 +13,7 @@
 #include "tests/fem/half_space.h"
 #include "tests/fem/recorded_history.h"
 
-namespace fretval::fem {
+namespace fretval::fem::punch_series_test {
 namespace {
 
 using Eigen::Index;
@@ -182,4 +182,4 @@ TEST_F(PunchSeriesTest, ShortZonesFallBackToTheSum) {
 }
 
 }  // namespace
-}  // namespace fretval::fem
+}  // namespace fretval::fem::punch_series_test

@@ -11,7 +11,7 @@
 #include "tests/fem/expect_solver_error.h"
 #include "tests/fem/half_space.h"
 
-namespace fretval::fem {
+namespace fretval::fem::bordered_solver_test {
 namespace {
 
 using Eigen::Index;
@@ -84,4 +84,4 @@ TEST_P(BorderedSolverOf, NamesItselfInErrors) {
 }
 
 }  // namespace
-}  // namespace fretval::fem
+}  // namespace fretval::fem::bordered_solver_test

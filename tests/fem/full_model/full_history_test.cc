@@ -7,17 +7,17 @@
 #include "fem/condensation/condensation.h"
 #include "fem/history/friction_history.h"
 #include "fem/operators/stiffness.h"
+#include "fem/support/constants.h"
 #include "tests/fem/expect_solver_error.h"
 #include "tests/fem/fretting.h"
 #include "tests/fem/half_space.h"
 #include "tests/fem/recorded_history.h"
 
-namespace fretval::fem {
+namespace fretval::fem::full_history_test {
 namespace {
 
 using Eigen::Index;
 
-constexpr double pi = 3.14159265358979323846;
 constexpr double mu = 0.5;
 constexpr int n_steps = 12;
 constexpr unsigned n_rings = 8;
@@ -163,4 +163,4 @@ TEST(FullHistory, SaysWhenTheContactReachesTheEndOfTheLine) {
 }
 
 }  // namespace
-}  // namespace fretval::fem
+}  // namespace fretval::fem::full_history_test

@@ -9,7 +9,7 @@
 #include "tests/fem/convergence.h"
 #include "tests/fem/half_space.h"
 
-namespace fretval::fem {
+namespace fretval::fem::manufactured_solution_test {
 namespace {
 
 const std::vector<GridData>& grids() {
@@ -132,4 +132,4 @@ TEST(GridRefinement, SplitsEveryCellOfTheSameBody) {
 }
 
 }  // namespace
-}  // namespace fretval::fem
+}  // namespace fretval::fem::manufactured_solution_test

@@ -10,7 +10,7 @@
 #include "fem/operators/stiffness.h"
 #include "tests/fem/half_space.h"
 
-namespace fretval::fem {
+namespace fretval::fem::strain_memory_test {
 namespace {
 
 Eigen::VectorXd random_vector(Eigen::Index n, unsigned seed) {
@@ -73,4 +73,4 @@ TEST_P(StrainFieldOf, ForcesAreConjugateToFields) {
 }
 
 }  // namespace
-}  // namespace fretval::fem
+}  // namespace fretval::fem::strain_memory_test

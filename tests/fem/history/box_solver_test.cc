@@ -9,7 +9,7 @@
 
 #include "tests/fem/expect_solver_error.h"
 
-namespace fretval::fem {
+namespace fretval::fem::box_solver_test {
 namespace {
 
 using Eigen::Index;
@@ -217,4 +217,4 @@ TEST(BoxSolver, IgnoresAWarmStartAtAnInfiniteBound) {
 }
 
 }  // namespace
-}  // namespace fretval::fem
+}  // namespace fretval::fem::box_solver_test

@@ -10,7 +10,7 @@
 #include "tests/fem/half_space.h"
 #include "tests/fem/recorded_history.h"
 
-namespace fretval::fem {
+namespace fretval::fem::cattaneo_mindlin_test {
 namespace {
 
 constexpr double friction_coefficient = 0.4;
@@ -112,4 +112,4 @@ TEST(CattaneoMindlin, FrictionCoefficientMatters) {
 }
 
 }  // namespace
-}  // namespace fretval::fem
+}  // namespace fretval::fem::cattaneo_mindlin_test

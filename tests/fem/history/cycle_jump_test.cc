@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-namespace fretval::fem {
+namespace fretval::fem::cycle_jump_test {
 namespace {
 
 TEST(LongestCreepTime, IsExactForOneBranchAndForADashpot) {
@@ -56,4 +56,4 @@ TEST(CycleJump, LeavesAStateWithoutDriftWhereItIs) {
 }
 
 }  // namespace
-}  // namespace fretval::fem
+}  // namespace fretval::fem::cycle_jump_test

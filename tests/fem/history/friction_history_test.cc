@@ -9,18 +9,18 @@
 #include <vector>
 
 #include "fem/stick_zone/stick_radius.h"
+#include "fem/support/constants.h"
 #include "tests/fem/convergence.h"
 #include "tests/fem/expect_solver_error.h"
 #include "tests/fem/fretting.h"
 #include "tests/fem/half_space.h"
 #include "tests/fem/recorded_history.h"
 
-namespace fretval::fem {
+namespace fretval::fem::friction_history_test {
 namespace {
 
 using Eigen::Index;
 
-constexpr double pi = 3.14159265358979323846;
 constexpr double mu = 0.5;
 constexpr unsigned n_per_radius = 64;
 
@@ -354,4 +354,4 @@ TEST(FrictionHistory, SaysWhenItIsNotPeriodic) {
 }
 
 }  // namespace
-}  // namespace fretval::fem
+}  // namespace fretval::fem::friction_history_test

@@ -10,7 +10,7 @@
 #include "tests/fem/half_space.h"
 #include "tests/fem/recorded_history.h"
 
-namespace fretval::fem {
+namespace fretval::fem::lee_radok_test {
 namespace {
 
 const RelaxationModel elastic{1, {}, {}, 0};
@@ -145,4 +145,4 @@ TEST(LeeRadok, MemoryMatters) {
 }
 
 }  // namespace
-}  // namespace fretval::fem
+}  // namespace fretval::fem::lee_radok_test

@@ -4,10 +4,10 @@
 
 #include <cmath>
 
-namespace fretval::fem {
-namespace {
+#include "fem/support/constants.h"
 
-constexpr double pi = 3.14159265358979323846;
+namespace fretval::fem::motion_test {
+namespace {
 
 Motion locked() {
   return {0.8, 0.2, 0.3, 0.7, 3};
@@ -71,4 +71,4 @@ TEST(Motion, PeriodIsOneCycleOrTheCreep) {
 }
 
 }  // namespace
-}  // namespace fretval::fem
+}  // namespace fretval::fem::motion_test

@@ -10,18 +10,17 @@
 
 #include "fem/condensation/contact_events.h"
 #include "fem/stick_zone/contact_radius.h"
+#include "fem/support/constants.h"
 #include "tests/fem/convergence.h"
 #include "tests/fem/expect_solver_error.h"
 #include "tests/fem/fretting.h"
 #include "tests/fem/half_space.h"
 #include "tests/fem/recorded_history.h"
 
-namespace fretval::fem {
+namespace fretval::fem::normal_history_test {
 namespace {
 
 using Eigen::Index;
-
-constexpr double pi = 3.14159265358979323846;
 
 double largest_over_last_cycle(const NormalRecord& history, const std::function<double(Index)>& value) {
   double largest = 0;
@@ -292,4 +291,4 @@ TEST(RingMeans, AreExactForPolynomials) {
 }
 
 }  // namespace
-}  // namespace fretval::fem
+}  // namespace fretval::fem::normal_history_test

@@ -5,14 +5,14 @@
 #include <cmath>
 #include <complex>
 
+#include "fem/support/constants.h"
 #include "tests/fem/convergence.h"
 
-namespace fretval::fem {
+namespace fretval::fem::relaxation_test {
 namespace {
 
 using Complex = std::complex<double>;
 
-constexpr double pi = 3.14159265358979323846;
 constexpr Complex i_unit{0, 1};
 constexpr double step_of_a_history = 2 * pi / 180;
 
@@ -249,4 +249,4 @@ TEST(RelaxationStep, ResponseOfADrivenStrainIsProportionalToIt) {
 }
 
 }  // namespace
-}  // namespace fretval::fem
+}  // namespace fretval::fem::relaxation_test

@@ -7,14 +7,13 @@
 #include <limits>
 #include <vector>
 
+#include "fem/support/constants.h"
 #include "tests/fem/convergence.h"
 
-namespace fretval::fem {
+namespace fretval::fem::running_minimum_test {
 namespace {
 
 constexpr double no_floor = -std::numeric_limits<double>::infinity();
-
-constexpr double pi = 3.14159265358979323846;
 
 // A minimum that is not symmetric, at a place that no sampling hits; -e^x cos x has it at x = pi/4.
 double signal(double x) {
@@ -98,4 +97,4 @@ TEST(RunningMinimum, SeesAMinimumAcrossARestart) {
 }
 
 }  // namespace
-}  // namespace fretval::fem
+}  // namespace fretval::fem::running_minimum_test

@@ -7,11 +7,12 @@
 #include "fem/condensation/contact_events.h"
 #include "fem/condensation/effective_radii.h"
 #include "fem/stick_zone/contact_radius.h"
+#include "fem/support/constants.h"
 #include "tests/fem/convergence.h"
 #include "tests/fem/half_space.h"
 #include "tests/fem/recorded_history.h"
 
-namespace fretval::fem {
+namespace fretval::fem::static_contact_test {
 namespace {
 
 const std::vector<unsigned> meshes{16, 32, 64, 128};
@@ -23,8 +24,7 @@ struct PowerLaw {
   double exponent;
 
   [[nodiscard]] double shape(double r) const {
-    const double kappa =
-        std::sqrt(std::acos(-1.0)) / 2 * exponent * std::tgamma(exponent / 2) / std::tgamma((exponent + 1) / 2);
+    const double kappa = std::sqrt(pi) / 2 * exponent * std::tgamma(exponent / 2) / std::tgamma((exponent + 1) / 2);
     return std::pow(r, exponent) / kappa;
   }
   [[nodiscard]] double contact_radius(double indentation) const { return std::pow(indentation, 1 / exponent); }
@@ -124,4 +124,4 @@ TEST(StaticContact, FullStick) {
 }
 
 }  // namespace
-}  // namespace fretval::fem
+}  // namespace fretval::fem::static_contact_test

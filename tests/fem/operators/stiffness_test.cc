@@ -9,12 +9,12 @@
 #include <map>
 
 #include "fem/operators/harmonic_space_parts.h"
+#include "fem/support/constants.h"
 #include "tests/fem/half_space.h"
 
-namespace fretval::fem {
+namespace fretval::fem::stiffness_test {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
 constexpr double far_radius = 6;
 
 /// Coarse, and as irregular as gmsh makes it.
@@ -268,4 +268,4 @@ TEST(HarmonicSpace, RefusesWhatItCannotUse) {
 }
 
 }  // namespace
-}  // namespace fretval::fem
+}  // namespace fretval::fem::stiffness_test

@@ -4,12 +4,12 @@
 
 #include <cmath>
 
+#include "fem/support/constants.h"
 #include "tests/fem/half_space.h"
 
-namespace fretval::fem {
+namespace fretval::fem::edge_near_largest_contact_test {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
 constexpr double set_aside = 1e-2, other = 1e-9;
 constexpr int n_steps = 36, n_hidden = 5;
 
@@ -88,4 +88,4 @@ TEST(EdgeNearLargestContact, MayBeAnywhereBeyondTheLastClosedRingWhereTooFewInst
 }
 
 }  // namespace
-}  // namespace fretval::fem
+}  // namespace fretval::fem::edge_near_largest_contact_test

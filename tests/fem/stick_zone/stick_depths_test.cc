@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace fretval::fem {
+namespace fretval::fem::stick_depths_test {
 namespace {
 
 TEST(StickDepths, CarryADepthToTheRadius) {
@@ -32,4 +32,4 @@ TEST(StickDepths, ComeFromReservesAndSlip) {
 }
 
 }  // namespace
-}  // namespace fretval::fem
+}  // namespace fretval::fem::stick_depths_test

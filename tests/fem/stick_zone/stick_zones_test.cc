@@ -4,10 +4,11 @@
 
 #include <cmath>
 
+#include "fem/support/constants.h"
 #include "tests/fem/half_space.h"
 #include "tests/fem/recorded_history.h"
 
-namespace fretval::fem {
+namespace fretval::fem::stick_zones_test {
 namespace {
 
 // Parabola, k = 1 in phase: the stick zone ends where the smallest contact does, g(c) = c^2 = d0 - Delta d, and its
@@ -48,7 +49,7 @@ TEST(StickZones, AreThereWhateverTheSteps) {
   const auto& tangential_problem = tangential_half_space(n_rings);
   const double mu = 0.3, c = 0.1, mean = 1 / 1.1, amplitude = 0.1 / 1.1;
   const double slope = std::sqrt(std::pow(mean - std::pow(c, 4), 2) - amplitude * amplitude);
-  const Motion motion{mean, amplitude, 1.5 * mu * slope, std::acos(-1.0) / 2, 1};
+  const Motion motion{mean, amplitude, 1.5 * mu * slope, pi / 2, 1};
   const auto profile = ring_means(normal_problem.compliance, [](double r) { return 3.0 / 8 * std::pow(r, 4); });
   for (const int n_steps : {36, 60, 71, 72, 90}) {
     const HistoryControl control{n_steps, 400, 1e-6};
@@ -63,4 +64,4 @@ TEST(StickZones, AreThereWhateverTheSteps) {
 }
 
 }  // namespace
-}  // namespace fretval::fem
+}  // namespace fretval::fem::stick_zones_test

@@ -6,7 +6,9 @@
 #include <numeric>
 #include <stdexcept>
 
-namespace fretval::mdr {
+#include "mdr/support/constants.h"
+
+namespace fretval::mdr::commensurability_test {
 namespace {
 
 void expect_ratio(double ratio, int numerator, int denominator) {
@@ -21,7 +23,7 @@ TEST(FrequencyRatio, SeesThroughRoundoff) {
   expect_ratio(1.0 / 3, 1, 3);
   expect_ratio((0.1 + 0.2) / 0.3, 1, 1);
   expect_ratio(0.6 / 0.2, 3, 1);
-  expect_ratio((2 * std::acos(-1.0) * 3) / (2 * std::acos(-1.0) * 7), 3, 7);
+  expect_ratio((2 * pi * 3) / (2 * pi * 7), 3, 7);
   expect_ratio(0.3333333333333, 1, 3);
 }
 
@@ -37,8 +39,8 @@ TEST(FrequencyRatio, FindsEveryFractionUpToTheBound) {
 }
 
 TEST(FrequencyRatio, RefusesIrrationalAndLargeOnes) {
-  for (const double ratio : {std::sqrt(2.0), (1 + std::sqrt(5.0)) / 2, std::acos(-1.0), std::exp(1.0), 10001.0, 1e-5,
-                             1 + 1e-9, 10001.0 / 10003, 1e300, 1e-300}) {
+  for (const double ratio : {std::sqrt(2.0), (1 + std::sqrt(5.0)) / 2, pi, std::exp(1.0), 10001.0, 1e-5, 1 + 1e-9,
+                             10001.0 / 10003, 1e300, 1e-300}) {
     EXPECT_FALSE(frequency_ratio(ratio)) << ratio;
   }
   EXPECT_THROW(frequency_ratio(0), std::invalid_argument);
@@ -77,4 +79,4 @@ TEST(CommensurateGroups, OfNothingAndOfBadFrequencies) {
 }
 
 }  // namespace
-}  // namespace fretval::mdr
+}  // namespace fretval::mdr::commensurability_test

@@ -8,11 +8,10 @@
 #include <string>
 
 #include "mdr/profiles/indentation.h"
+#include "mdr/support/constants.h"
 
-namespace fretval::mdr {
+namespace fretval::mdr::force_control_test {
 namespace {
-
-const double pi = std::acos(-1.0);
 
 // A dozen rounding errors, relative.
 constexpr double tolerance = 1e-12;
@@ -78,4 +77,4 @@ TEST(TangentialDisplacementForForce, SlidingIsAnErrorThatSaysSo) {
 }
 
 }  // namespace
-}  // namespace fretval::mdr
+}  // namespace fretval::mdr::force_control_test

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <stdexcept>
 
-namespace fretval::mdr {
-namespace {
+#include "mdr/support/constants.h"
 
-const double pi = std::acos(-1.0);
+namespace fretval::mdr::harmonic_motion_test {
+namespace {
 
 // Guarantee of the maximum, for amplitudes of order one.
 constexpr double tolerance = 2e-13;
@@ -64,4 +64,4 @@ TEST(HarmonicMotion, RejectsBadMotions) {
 }
 
 }  // namespace
-}  // namespace fretval::mdr
+}  // namespace fretval::mdr::harmonic_motion_test

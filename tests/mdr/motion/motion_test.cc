@@ -5,7 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
-namespace fretval::mdr {
+namespace fretval::mdr::motion_test {
 namespace {
 
 TEST(Motion, MaximumIndentationIsPaper12) {
@@ -36,4 +36,4 @@ TEST(Motion, MessageNamesQuantityAndValue) {
 }
 
 }  // namespace
-}  // namespace fretval::mdr
+}  // namespace fretval::mdr::motion_test

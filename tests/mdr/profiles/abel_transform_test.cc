@@ -8,7 +8,7 @@
 
 #include "mdr/profiles/profile.h"
 
-namespace fretval::mdr {
+namespace fretval::mdr::abel_transform_test {
 namespace {
 
 // Profiles without a closed form: there and back again.
@@ -54,4 +54,4 @@ TEST(AbelTransform, AtTheAxisAndBadArguments) {
 }
 
 }  // namespace
-}  // namespace fretval::mdr
+}  // namespace fretval::mdr::abel_transform_test

@@ -13,7 +13,7 @@
 #include "mdr/profiles/profile.h"
 #include "mdr/stick/limiting_profile.h"
 
-namespace fretval::mdr {
+namespace fretval::mdr::convex_fit_test {
 namespace {
 
 struct Scan {
@@ -238,4 +238,4 @@ TEST(ConvexFit, NamesWhatIsWrong) {
 }
 
 }  // namespace
-}  // namespace fretval::mdr
+}  // namespace fretval::mdr::convex_fit_test

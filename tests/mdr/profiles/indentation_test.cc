@@ -7,10 +7,11 @@
 #include <limits>
 #include <stdexcept>
 
-namespace fretval::mdr {
+#include "mdr/support/constants.h"
+
+namespace fretval::mdr::indentation_test {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
 const double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double roundoff = 1e-13;  // some rounding errors of pow() and of the quadrature
 
@@ -85,4 +86,4 @@ TEST(Indentation, RejectsBadArguments) {
 }
 
 }  // namespace
-}  // namespace fretval::mdr
+}  // namespace fretval::mdr::indentation_test

@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace fretval::mdr {
+namespace fretval::mdr::profile_csv_test {
 namespace {
 
 Profile read(const std::string& text, double noise = 0) {
@@ -89,4 +89,4 @@ TEST(ProfileCsv, ErrorsNameSourceAndPlace) {
 }
 
 }  // namespace
-}  // namespace fretval::mdr
+}  // namespace fretval::mdr::profile_csv_test

@@ -11,11 +11,11 @@
 #include "mdr/profiles/indentation.h"
 #include "mdr/profiles/profile.h"
 #include "mdr/stick/limiting_profile.h"
+#include "mdr/support/constants.h"
 
-namespace fretval::mdr {
+namespace fretval::mdr::profile_kinds_test {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
 const double b = 0.4;  // flat radius
 
 std::vector<double> uniform(std::size_t n, double end) {
@@ -248,4 +248,4 @@ TEST(ProfileTable, ConcaveFlankIsAllowed) {
 }
 
 }  // namespace
-}  // namespace fretval::mdr
+}  // namespace fretval::mdr::profile_kinds_test

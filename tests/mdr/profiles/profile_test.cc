@@ -8,10 +8,11 @@
 #include <stdexcept>
 #include <vector>
 
-namespace fretval::mdr {
+#include "mdr/support/constants.h"
+
+namespace fretval::mdr::profile_test {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
 const double nan = std::numeric_limits<double>::quiet_NaN();
 
 // A few rounding errors of pow() and of the gamma function.
@@ -108,4 +109,4 @@ TEST(Profile, MessageNamesQuantityValueAndRange) {
 }
 
 }  // namespace
-}  // namespace fretval::mdr
+}  // namespace fretval::mdr::profile_test

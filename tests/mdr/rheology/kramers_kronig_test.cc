@@ -9,9 +9,10 @@
 #include <string>
 #include <utility>
 
+#include "mdr/support/constants.h"
 #include "tests/mdr/synthetic_table.h"
 
-namespace fretval::mdr {
+namespace fretval::mdr::kramers_kronig_test {
 namespace {
 
 const Rheology three_branches = prony(1e6, {2e6, 5e6, 8e6}, {3.3e-4, 0.0171, 0.71});
@@ -34,7 +35,7 @@ TEST(KramersKronig, PowerLawsAreConsistent) {
     for (int i = 0; i <= 80; ++i) {
       table.frequency.push_back(std::pow(10, -4 + 0.1 * i));
       table.storage.push_back(std::pow(table.frequency.back(), s));
-      table.loss.push_back(table.storage.back() * std::tan(std::acos(0.0) * s));
+      table.loss.push_back(table.storage.back() * std::tan(pi / 2 * s));
     }
     const KramersKronig result = kramers_kronig(table);
     EXPECT_TRUE(result.consistent) << s;
@@ -140,4 +141,4 @@ TEST(KramersKronig, RejectsWhatItCannotJudge) {
 }
 
 }  // namespace
-}  // namespace fretval::mdr
+}  // namespace fretval::mdr::kramers_kronig_test

@@ -8,7 +8,7 @@
 
 #include "mdr/motion/motion.h"
 
-namespace fretval::mdr {
+namespace fretval::mdr::prony_approximation_test {
 namespace {
 
 TEST(PronyApproximation, HasTheModulusOfTheFractionalBodyOverTheRange) {
@@ -39,4 +39,4 @@ TEST(PronyApproximation, RejectsBadRanges) {
 }
 
 }  // namespace
-}  // namespace fretval::mdr
+}  // namespace fretval::mdr::prony_approximation_test

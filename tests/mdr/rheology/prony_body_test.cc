@@ -12,7 +12,7 @@
 
 #include "mdr/rheology/rheology.h"
 
-namespace fretval::mdr {
+namespace fretval::mdr::prony_body_test {
 namespace {
 
 const double nan = std::numeric_limits<double>::quiet_NaN();
@@ -118,4 +118,4 @@ TEST(PronyBody, MaxwellBodyIsNamed) {
 }
 
 }  // namespace
-}  // namespace fretval::mdr
+}  // namespace fretval::mdr::prony_body_test

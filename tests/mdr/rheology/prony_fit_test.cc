@@ -10,10 +10,11 @@
 #include <string>
 
 #include "mdr/rheology/rheology.h"
+#include "mdr/support/constants.h"
 #include "tests/mdr/error_of.h"
 #include "tests/mdr/synthetic_table.h"
 
-namespace fretval::mdr {
+namespace fretval::mdr::prony_fit_test {
 namespace {
 
 const PronyBody known = prony(1e6, {2e6, 5e6, 8e6}, {3.3e-4, 0.0171, 0.71});
@@ -28,7 +29,7 @@ double modulus_size(const Rheology& body, double omega) {
 double difference(const Rheology& a, const Rheology& b, const ModulusTable& table, const Measure& measure) {
   double worst = 0;
   for (const double f : log_spaced(table.frequency.front(), table.frequency.back(), 80)) {
-    worst = std::max(worst, std::abs(measure(a, two_pi * f) / measure(b, two_pi * f) - 1));
+    worst = std::max(worst, std::abs(measure(a, 2 * pi * f) / measure(b, 2 * pi * f) - 1));
   }
   return worst;
 }
@@ -82,7 +83,7 @@ TEST(PronyFit, ReportsTheMisfitOfTheBodyItReturns) {
   const PronyFit fit = fit_prony(table);
   double sum = 0, worst = 0, worst_frequency = 0;
   for (std::size_t j = 0; j < table.frequency.size(); ++j) {
-    const std::complex<double> modulus = complex_modulus(fit.body, two_pi * table.frequency[j]);
+    const std::complex<double> modulus = complex_modulus(fit.body, 2 * pi * table.frequency[j]);
     for (const double misfit : {modulus.real() / table.storage[j] - 1, modulus.imag() / table.loss[j] - 1}) {
       sum += misfit * misfit;
       if (std::abs(misfit) <= worst) continue;
@@ -142,7 +143,7 @@ TEST(PronyFit, ChoosesTheBranchesByTheHeldOutMisfit) {
 TEST(PronyFit, NamesTheMissingPlateau) {
   ModulusTable table;
   for (const double f : log_spaced(1e-2, 1e3, 6)) {
-    const double x = two_pi * f;  // Maxwell body
+    const double x = 2 * pi * f;  // Maxwell body
     table.frequency.push_back(f);
     table.storage.push_back(x * x / (1 + x * x));
     table.loss.push_back(x / (1 + x * x));
@@ -165,4 +166,4 @@ TEST(PronyFit, RejectsBadArguments) {
 }
 
 }  // namespace
-}  // namespace fretval::mdr
+}  // namespace fretval::mdr::prony_fit_test

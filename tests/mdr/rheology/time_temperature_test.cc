@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace fretval::mdr {
+namespace fretval::mdr::time_temperature_test {
 namespace {
 
 const double nan = std::numeric_limits<double>::quiet_NaN();
@@ -73,4 +73,4 @@ TEST(TimeTemperature, RejectsBadArguments) {
 }
 
 }  // namespace
-}  // namespace fretval::mdr
+}  // namespace fretval::mdr::time_temperature_test

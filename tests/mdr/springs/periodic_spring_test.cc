@@ -8,12 +8,11 @@
 #include <stdexcept>
 #include <vector>
 
+#include "mdr/support/constants.h"
 #include "tests/mdr/marched_spring.h"
 
-namespace fretval::mdr {
+namespace fretval::mdr::periodic_spring_test {
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 double ratio(const SpringModel& model) {
   return std::hypot(model.storage, model.loss);
@@ -122,7 +121,7 @@ double frozen_branch(double y, double gamma) {
   const auto excess = [&](double v) {
     const double rest = gamma * v / (1 + gamma), cosine = std::clamp(rest - y, -1.0, 1.0);
     const double half = std::acos(cosine);  // in contact for |theta| < half
-    return (half * y + std::sin(half) + (std::acos(-1.0) - half) * rest) / std::acos(-1.0) - v;
+    return (half * y + std::sin(half) + (pi - half) * rest) / pi - v;
   };
   double lower = -10, upper = 10 + y;
   for (int k = 0; k < 200; ++k) (excess((lower + upper) / 2) > 0 ? lower : upper) = (lower + upper) / 2;
@@ -155,4 +154,4 @@ TEST(PeriodicSpring, RejectsSpringsThatAreNeverTouched) {
 }
 
 }  // namespace
-}  // namespace fretval::mdr
+}  // namespace fretval::mdr::periodic_spring_test

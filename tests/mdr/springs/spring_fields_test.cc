@@ -8,7 +8,7 @@
 #include "mdr/profiles/indentation.h"
 #include "mdr/stick/surface_fields.h"
 
-namespace fretval::mdr {
+namespace fretval::mdr::spring_fields_test {
 namespace {
 
 // Elastic springs against the closed forms of Hertz and of Cattaneo and Mindlin, on and off the contact.
@@ -50,4 +50,4 @@ TEST(SpringFields, RejectABadRadius) {
 }
 
 }  // namespace
-}  // namespace fretval::mdr
+}  // namespace fretval::mdr::spring_fields_test

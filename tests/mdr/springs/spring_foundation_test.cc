@@ -12,12 +12,11 @@
 #include "mdr/profiles/indentation.h"
 #include "mdr/profiles/profile.h"
 #include "mdr/stick/limiting_profile.h"
+#include "mdr/support/constants.h"
 #include "tests/mdr/marched_spring.h"
 
-namespace fretval::mdr {
+namespace fretval::mdr::spring_foundation_test {
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 // Frequency 1/(2 pi) Hz: omega = 1 rad/s.
 Motion oscillation(double indentation, double amplitude) {
@@ -163,7 +162,7 @@ TEST(SpringFoundation, SeriesCoversOneCycle) {
 // From frozen to instantaneous branches, also where the contact opens in every cycle: finite, bounded by the two
 // elastic limits, and within the stated 1e-7 of its limit for slow branches.
 TEST(SpringFoundation, AnyRelaxationTimeHasAPeriodicState) {
-  const Motion motion{1, 0.8, 0, 1 / (2 * std::acos(-1.0)), 1 / (2 * std::acos(-1.0)), {}};
+  const Motion motion{1, 0.8, 0, 1 / (2 * pi), 1 / (2 * pi), {}};
   const auto g = [](double x) { return x * x; };
   const double outer = std::sqrt(1.8);
   const auto largest = [&](const PronyBody& body) {
@@ -196,4 +195,4 @@ TEST(SpringFoundation, RejectsBadArguments) {
 }
 
 }  // namespace
-}  // namespace fretval::mdr
+}  // namespace fretval::mdr::spring_foundation_test

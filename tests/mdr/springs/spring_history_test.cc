@@ -9,7 +9,7 @@
 #include "mdr/motion/force_control.h"
 #include "mdr/springs/spring_foundation.h"
 
-namespace fretval::mdr {
+namespace fretval::mdr::spring_history_test {
 namespace {
 
 const double mu = 0.6;
@@ -171,4 +171,4 @@ TEST(SpringHistory, RejectsBadArgumentsAndSaysWhenItIsNotPeriodic) {
 }
 
 }  // namespace
-}  // namespace fretval::mdr
+}  // namespace fretval::mdr::spring_history_test

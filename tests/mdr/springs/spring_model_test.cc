@@ -6,7 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
-namespace fretval::mdr {
+namespace fretval::mdr::spring_model_test {
 namespace {
 
 Eigen::VectorXd recovered(const FreeRecovery& recovery, const Eigen::VectorXd& state, double theta) {
@@ -75,4 +75,4 @@ TEST(SpringModel, RejectsBadArguments) {
 }
 
 }  // namespace
-}  // namespace fretval::mdr
+}  // namespace fretval::mdr::spring_model_test

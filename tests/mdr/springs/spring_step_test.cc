@@ -10,11 +10,11 @@
 #include "mdr/profiles/indentation.h"
 #include "mdr/springs/spring_energy.h"
 #include "mdr/stick/surface_fields.h"
+#include "mdr/support/constants.h"
 
-namespace fretval::mdr {
+namespace fretval::mdr::spring_step_test {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
 const double mu = 0.4;
 
 SpringBed flat_bed(Eigen::Index n) {
@@ -259,4 +259,4 @@ TEST(SpringStep, RejectsBadArguments) {
 }
 
 }  // namespace
-}  // namespace fretval::mdr
+}  // namespace fretval::mdr::spring_step_test

@@ -10,11 +10,10 @@
 #include <stdexcept>
 
 #include "mdr/stick/stick_radius.h"
+#include "mdr/support/constants.h"
 
-namespace fretval::mdr {
+namespace fretval::mdr::element_forces_test {
 namespace {
-
-const double pi = std::acos(-1.0);
 
 // A dozen rounding errors.
 constexpr double tolerance = 1e-12;
@@ -111,4 +110,4 @@ TEST(ElementForces, RejectBadArguments) {
 }
 
 }  // namespace
-}  // namespace fretval::mdr
+}  // namespace fretval::mdr::element_forces_test

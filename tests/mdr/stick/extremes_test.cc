@@ -8,9 +8,10 @@
 #include "mdr/profiles/profile.h"
 #include "mdr/stick/limiting_profile.h"
 #include "mdr/stick/surface_fields.h"
+#include "mdr/support/constants.h"
 #include "tests/mdr/fifty_digits.h"
 
-namespace fretval::mdr {
+namespace fretval::mdr::extremes_test {
 namespace {
 
 // Asked for is 1e-10. The adaptive quadrature of slope integrals of flat faces leaves up to 6e-12, powers of 20 and a
@@ -201,7 +202,7 @@ TEST(Extremes, TablesOverManyDecadesKeepTheirDigits) {
 TEST(Extremes, FarFieldsOfSteepProfilesStayInRange) {
   for (const double n : {0.5, 2.0, 20.0}) {
     for (const double r : {1e12, 1e17, 1e60}) {
-      const double point = normal_force(power_law(1, n), 3, 0.1) / (12 * std::acos(-1.0) * r);
+      const double point = normal_force(power_law(1, n), 3, 0.1) / (12 * pi * r);
       EXPECT_NEAR(normal_displacement(power_law(1, n), 0.1, r) / point, 1, tolerance) << n << " at " << r;
     }
   }
@@ -256,4 +257,4 @@ TEST(Extremes, DoNotDependOnUnits) {
 }
 
 }  // namespace
-}  // namespace fretval::mdr
+}  // namespace fretval::mdr::extremes_test

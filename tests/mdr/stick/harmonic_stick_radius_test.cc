@@ -12,11 +12,10 @@
 #include <vector>
 
 #include "mdr/stick/stick_radius.h"
+#include "mdr/support/constants.h"
 
-namespace fretval::mdr {
+namespace fretval::mdr::harmonic_stick_radius_test {
 namespace {
-
-const double pi = std::acos(-1.0);
 
 // Roundoff of both sides, relative to the lengths that enter.
 constexpr double tolerance = 1e-12;
@@ -249,4 +248,4 @@ TEST(HarmonicStickDepths, RejectBadArguments) {
 }
 
 }  // namespace
-}  // namespace fretval::mdr
+}  // namespace fretval::mdr::harmonic_stick_radius_test

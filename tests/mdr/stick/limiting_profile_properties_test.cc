@@ -8,7 +8,7 @@
 #include "mdr/profiles/indentation.h"
 #include "mdr/stick/limiting_profile.h"
 
-namespace fretval::mdr {
+namespace fretval::mdr::limiting_profile_properties_test {
 namespace {
 
 // Of d_max: a few rounding errors of the two parts that make a worn depth.
@@ -137,4 +137,4 @@ TEST(LimitingProfileProperties, CarriesNoMoreThanTheUnwornOneAtTheSameDepth) {
 }
 
 }  // namespace
-}  // namespace fretval::mdr
+}  // namespace fretval::mdr::limiting_profile_properties_test

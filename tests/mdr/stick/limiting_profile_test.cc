@@ -10,11 +10,11 @@
 #include <vector>
 
 #include "mdr/profiles/indentation.h"
+#include "mdr/support/constants.h"
 
-namespace fretval::mdr {
+namespace fretval::mdr::limiting_profile_test {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
 const double nan = std::numeric_limits<double>::quiet_NaN();
 
 double outer_ratio(const Profile& unworn, double stick_ratio) {
@@ -143,4 +143,4 @@ TEST(LimitingProfile, RejectsBadArguments) {
 }
 
 }  // namespace
-}  // namespace fretval::mdr
+}  // namespace fretval::mdr::limiting_profile_test

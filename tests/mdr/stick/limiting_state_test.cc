@@ -14,11 +14,10 @@
 #include "mdr/profiles/indentation.h"
 #include "mdr/stick/element_forces.h"
 #include "mdr/stick/stick_radius.h"
+#include "mdr/support/constants.h"
 
-namespace fretval::mdr {
+namespace fretval::mdr::limiting_state_test {
 namespace {
-
-const double pi = std::acos(-1.0);
 
 // Roundoff; the largest demands drawn below keep the two radii of the mixed control apart.
 constexpr double tolerance = 1e-12;
@@ -255,4 +254,4 @@ TEST(LimitingState, RejectsBadControls) {
 }
 
 }  // namespace
-}  // namespace fretval::mdr
+}  // namespace fretval::mdr::limiting_state_test

@@ -9,11 +9,10 @@
 #include <stdexcept>
 
 #include "mdr/stick/stick_radius.h"
+#include "mdr/support/constants.h"
 
-namespace fretval::mdr {
+namespace fretval::mdr::paper_cases_test {
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 // A dozen rounding errors, relative to the sum of the lengths that enter.
 constexpr double tolerance = 1e-12;
@@ -135,12 +134,12 @@ TEST(PaperCases, CandidatesAreValuesOf20) {
   EXPECT_NEAR(k, 3 * mu * 0.2 / (2 * 0.3), 1e-15);
   const PaperCandidates candidates = paper_candidates(rho, mu, motion);
   const auto value = [&](double angle) { return paper_no_slip_depth(rho, mu, motion, angle); };
-  EXPECT_NEAR(candidates.c3, value(std::acos(0.0) - 1.1), 1e-14);
-  EXPECT_NEAR(candidates.c4, value(-std::acos(0.0) - 1.1), 1e-14);
+  EXPECT_NEAR(candidates.c3, value(pi / 2 - 1.1), 1e-14);
+  EXPECT_NEAR(candidates.c4, value(-pi / 2 - 1.1), 1e-14);
   // cos(Omega + phi0)/k -+ cos(Omega) is largest at the argument of e^(-i phi0)/k -+ 1.
   const auto angle = [&](double sign) { return std::atan2(-std::sin(1.1) / k, std::cos(1.1) / k + sign); };
   EXPECT_NEAR(candidates.c1, value(angle(-1)), 1e-14);
-  EXPECT_NEAR(candidates.c2, value(angle(1) + 2 * std::acos(0.0)), 1e-14);
+  EXPECT_NEAR(candidates.c2, value(angle(1) + pi), 1e-14);
 }
 
 TEST(PaperCases, RejectBadArguments) {
@@ -157,4 +156,4 @@ TEST(PaperCases, RejectBadArguments) {
 }
 
 }  // namespace
-}  // namespace fretval::mdr
+}  // namespace fretval::mdr::paper_cases_test

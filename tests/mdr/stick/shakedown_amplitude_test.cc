@@ -7,7 +7,7 @@
 
 #include "mdr/stick/stick_radius.h"
 
-namespace fretval::mdr {
+namespace fretval::mdr::shakedown_amplitude_test {
 namespace {
 
 TEST(ShakedownAmplitude, IsTheInverseOfTheShakedownDepth) {
@@ -30,4 +30,4 @@ TEST(ShakedownAmplitude, IsTheInverseOfTheShakedownDepth) {
 }
 
 }  // namespace
-}  // namespace fretval::mdr
+}  // namespace fretval::mdr::shakedown_amplitude_test

@@ -6,11 +6,10 @@
 #include <random>
 
 #include "mdr/stick/stick_radius.h"
+#include "mdr/support/constants.h"
 
-namespace fretval::mdr {
+namespace fretval::mdr::stick_radius_properties_test {
 namespace {
-
-const double pi = std::acos(-1.0);
 
 struct Scene {
   PronyBody body;
@@ -191,4 +190,4 @@ TEST(StickDepthExtremes, DoNotDependOnUnits) {
 }
 
 }  // namespace
-}  // namespace fretval::mdr
+}  // namespace fretval::mdr::stick_radius_properties_test

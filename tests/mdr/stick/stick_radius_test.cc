@@ -9,10 +9,11 @@
 #include <random>
 #include <stdexcept>
 
-namespace fretval::mdr {
+#include "mdr/support/constants.h"
+
+namespace fretval::mdr::stick_radius_test {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
 const double nan = std::numeric_limits<double>::quiet_NaN();
 
 // Depths of order one, a dozen rounding errors.
@@ -138,4 +139,4 @@ TEST(StickRadii, RejectBadArguments) {
 }
 
 }  // namespace
-}  // namespace fretval::mdr
+}  // namespace fretval::mdr::stick_radius_test

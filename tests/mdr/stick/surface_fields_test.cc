@@ -10,11 +10,11 @@
 
 #include "mdr/profiles/indentation.h"
 #include "mdr/stick/stick_radius.h"
+#include "mdr/support/constants.h"
 
-namespace fretval::mdr {
+namespace fretval::mdr::surface_fields_test {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
 const double G = 3, R = 5, d = 0.2, mu = 0.4;
 const double a = std::sqrt(R * d);
 
@@ -140,4 +140,4 @@ TEST(SurfaceFields, RejectsBadArguments) {
 }
 
 }  // namespace
-}  // namespace fretval::mdr
+}  // namespace fretval::mdr::surface_fields_test

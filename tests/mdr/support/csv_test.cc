@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace fretval::mdr {
+namespace fretval::mdr::csv_test {
 namespace {
 
 CsvColumns read(const std::string& text, std::size_t n_columns = 2) {
@@ -123,4 +123,4 @@ TEST(Csv, RejectsBadStreamAndNoColumns) {
 }
 
 }  // namespace
-}  // namespace fretval::mdr
+}  // namespace fretval::mdr::csv_test

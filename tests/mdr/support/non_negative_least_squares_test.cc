@@ -10,7 +10,7 @@
 #include <stdexcept>
 #include <vector>
 
-namespace fretval::mdr {
+namespace fretval::mdr::non_negative_least_squares_test {
 namespace {
 
 using Eigen::Index;
@@ -138,4 +138,4 @@ TEST(NonNegativeLeastSquares, RejectsBadInput) {
 }
 
 }  // namespace
-}  // namespace fretval::mdr
+}  // namespace fretval::mdr::non_negative_least_squares_test

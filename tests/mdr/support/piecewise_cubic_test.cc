@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-namespace fretval::mdr {
+namespace fretval::mdr::piecewise_cubic_test {
 namespace {
 
 const std::vector<double> nodes = {0, 0.3, 0.35, 1.1, 2};
@@ -93,4 +93,4 @@ TEST(PiecewiseCubic, MonotoneSlopesAreExactForQuadraticsAndNeverOvershoot) {
 }
 
 }  // namespace
-}  // namespace fretval::mdr
+}  // namespace fretval::mdr::piecewise_cubic_test

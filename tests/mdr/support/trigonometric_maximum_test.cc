@@ -10,10 +10,10 @@
 #include <stdexcept>
 #include <vector>
 
-namespace fretval::mdr {
-namespace {
+#include "mdr/support/constants.h"
 
-const double pi = std::acos(-1.0);
+namespace fretval::mdr::trigonometric_maximum_test {
+namespace {
 
 // The guarantee of the function, relative to the sum of the amplitudes.
 constexpr double tolerance = 1e-13;
@@ -151,4 +151,4 @@ TEST(TrigonometricMaximum, RejectsBadTerms) {
 }
 
 }  // namespace
-}  // namespace fretval::mdr
+}  // namespace fretval::mdr::trigonometric_maximum_test

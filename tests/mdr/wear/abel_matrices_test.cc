@@ -7,10 +7,11 @@
 #include <functional>
 #include <stdexcept>
 
-namespace fretval::mdr {
+#include "mdr/support/constants.h"
+
+namespace fretval::mdr::abel_matrices_test {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
 const double R = 2, G = 3, d = 0.32, a = 0.8;  // a^2 = R d
 
 SpringBed bed_to(double outer, Eigen::Index n) {
@@ -131,4 +132,4 @@ TEST(AbelMatrices, IntervalsWithGapsAreRejected) {
 }
 
 }  // namespace
-}  // namespace fretval::mdr
+}  // namespace fretval::mdr::abel_matrices_test

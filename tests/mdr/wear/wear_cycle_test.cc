@@ -7,7 +7,7 @@
 #include "mdr/stick/stick_radius.h"
 #include "mdr/wear/wear_jump.h"
 
-namespace fretval::mdr {
+namespace fretval::mdr::wear_cycle_test {
 namespace {
 
 const double mu = 0.6;
@@ -88,4 +88,4 @@ TEST(WearJump, ShortOnesAreExplicit) {
 }
 
 }  // namespace
-}  // namespace fretval::mdr
+}  // namespace fretval::mdr::wear_cycle_test

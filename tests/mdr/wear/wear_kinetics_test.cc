@@ -11,13 +11,13 @@
 
 #include "mdr/stick/limiting_profile.h"
 #include "mdr/stick/stick_radius.h"
+#include "mdr/support/constants.h"
 #include "mdr/wear/abel_matrices.h"
 #include "mdr/wear/wear_cycle.h"
 
-namespace fretval::mdr {
+namespace fretval::mdr::wear_kinetics_test {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
 const double mu = 0.6;
 const Profile sphere = parabola(1);
 const Motion tangential{1, 0, 0.3, 1, 1, pi / 2}, both{1, 0.15, 0.3, 1, 1, 0.7}, both_small{1, 0.15, 0.15, 1, 1, 0.7};
@@ -256,4 +256,4 @@ TEST(WearKinetics, BadArgumentsAreNamed) {
 }
 
 }  // namespace
-}  // namespace fretval::mdr
+}  // namespace fretval::mdr::wear_kinetics_test
