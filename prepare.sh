@@ -1,5 +1,5 @@
-# Sourced by ./run and ./test: installs the Debian packages that are missing, then configures and builds the release preset.
-# A second time both steps find nothing to do and take about a second.
+# Sourced by ./run and ./test: `prepare TARGET` installs the Debian packages that are missing, then configures the release preset and
+# builds the target. A second time all of it finds nothing to do and takes about a second.
 
 say() { printf '== %s\n' "$*"; }
 
@@ -19,13 +19,12 @@ install_missing_packages() {
   "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -qq -y --no-install-recommends "${missing[@]}" >/dev/null
 }
 
-build_release() {
-  say "building fretval in build/release (the first time takes a few minutes)"
+prepare() {
+  install_missing_packages
+  say "building $1 in build/release (the first time takes a few minutes)"
   mkdir -p build
   cmake --preset release >build/configure.log 2>&1 || { cat build/configure.log; exit 4; }
-  cmake --build --preset release
+  cmake --build --preset release --target "$1"
 }
 
 cd "$(dirname "${BASH_SOURCE[0]}")"
-install_missing_packages
-build_release
