@@ -24,6 +24,12 @@ inline constexpr std::array all_quantities{Quantity::contact_radius_max,     Qua
                                            Quantity::slip_inside_stick_zone, Quantity::stick_radius_first_slip,
                                            Quantity::stick_radius_shakedown};
 
+/// The same in the order in which people ask for them.
+inline constexpr std::array quantities_by_interest{
+    Quantity::stick_radius_first_slip, Quantity::stick_radius_shakedown, Quantity::contact_radius_max,
+    Quantity::normal_force_max,        Quantity::slip_inside_stick_zone, Quantity::force_outside_stick_zone,
+    Quantity::maximum_indentation};
+
 /// Order of convergence that is expected, and the highest that is credible.
 struct ExpectedOrder {
   double order;
@@ -34,6 +40,7 @@ struct ExpectedOrder {
 struct QuantityTraits {
   const char* name;   ///< in result.json
   const char* title;  ///< for people
+  const char* label;  ///< the same in two words, for the axis of a plot
   const char* scale;  ///< what its differences are divided by
   const char* unit;   ///< of its value in SI; empty: a ratio
   double strictness;  ///< its tolerance is that of the case over this

@@ -14,7 +14,7 @@ double rounded_up(double x) {
   return std::exp2(std::ceil(std::log2(x)));
 }
 
-double finest_ring(const Resolution& resolution) {
+double ring_of(const Resolution& resolution) {
   return resolution.focus ? resolution.focus->ring : 1.0 / resolution.elements_per_radius;
 }
 
@@ -40,7 +40,7 @@ std::optional<Focus> closer_look(Quantity quantity, const Tracks& tracks, const 
   const Resolution& now = tracks.of(quantity);
   const auto& fe = computed.at(now).fe;
   const auto& values = computed.quantities().at(now);
-  const double c = values.at(quantity), ring = finest_ring(now);
+  const double c = values.at(quantity), ring = ring_of(now);
   const Eigen::Index n_stuck = rings_within(fe.body->radii, c);
   if (n_stuck < enough_stuck_rings) {
     // Of a zone that does not show, it is enough to know that it is small against the tolerance.
@@ -62,7 +62,7 @@ bool focus_on(Quantity quantity, double least_gain, const PreparedCase& prepared
               Tracks& tracks) {
   if (prepared.input.rings_per_radius || prepared.fem.worn_edge) return false;
   const auto focus = closer_look(quantity, tracks, computed, prepared.tolerances);
-  if (!focus || focus->ring > finest_ring(tracks.of(quantity)) / least_gain) return false;
+  if (!focus || focus->ring > ring_of(tracks.of(quantity)) / least_gain) return false;
   Resolution closer = tracks.base;
   closer.focus = focus;
   tracks.focused[quantity] = closer;

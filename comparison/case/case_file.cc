@@ -12,6 +12,7 @@
 #include <sstream>
 
 #include "comparison/case/case_entries.h"
+#include "comparison/case/trimmed.h"
 
 namespace fretval {
 namespace {
@@ -59,12 +60,6 @@ std::string first_sentence(const dealii::ExceptionBase& error) {
   if (message.rfind("Line <", 0) != 0 || number_end == std::string::npos || place_end == std::string::npos)
     return message;
   return "line " + message.substr(6, number_end - 6) + message.substr(place_end);
-}
-
-std::string trimmed(const std::string& text) {
-  const char* blanks = " \t\r";
-  const auto begin = text.find_first_not_of(blanks);
-  return begin == std::string::npos ? "" : text.substr(begin, text.find_last_not_of(blanks) - begin + 1);
 }
 
 /// Words of a name separated by single blanks.

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <filesystem>
 
+#include "comparison/case/trimmed.h"
+
 namespace fretval {
 namespace {
 
@@ -16,11 +18,6 @@ double parse_number(const std::string& text, bool& ok) {
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   ok = error == std::errc() && end == text.data() + text.size() && std::isfinite(value);
   return value;
-}
-
-std::string trimmed(const std::string& text) {
-  const auto begin = text.find_first_not_of(" \t");
-  return begin == std::string::npos ? "" : text.substr(begin, text.find_last_not_of(" \t") - begin + 1);
 }
 
 /// A value as an error shows it.

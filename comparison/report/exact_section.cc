@@ -25,7 +25,7 @@ std::string errors_cells(const ordered_json& row) {
   return cells;
 }
 
-std::string row_html(const ordered_json& row) {
+std::string convergence_row_html(const ordered_json& row) {
   const bool pass = row.at("verdict").get<std::string>() == "pass";
   const auto& goal = row.at("goal");
   const std::string goal_text = goal.is_number() ? fmt::format("{:.0e}, {}", goal.get<double>(),
@@ -52,7 +52,7 @@ std::string convergence_section(const ordered_json& rows) {
     n_pass += row.at("verdict").get<std::string>() == "pass" ? 1 : 0;
     if (row.at("goal").is_number()) ++n_goals;
     if (row.at("goal_met").is_boolean() && row.at("goal_met").get<bool>()) ++n_met;
-    body += row_html(row);
+    body += convergence_row_html(row);
   }
   return fmt::format(
       "<h2>Verification: finite elements against exact solutions</h2>\n<p>{} of {} rows pass; {} of {} goals of the "

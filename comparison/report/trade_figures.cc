@@ -7,6 +7,7 @@
 #include <map>
 #include <string>
 
+#include "comparison/accuracy/quantity.h"
 #include "comparison/report/plots.h"
 #include "comparison/support/escape.h"
 
@@ -18,16 +19,16 @@ using Json = nlohmann::ordered_json;
 constexpr const char* extrapolated = "seconds_of_the_whole_history_extrapolated_from_the_measured_steps";
 constexpr int front_colour = 7, spring_colour = 6, full_colour = 3, closed_form_colour = 5;
 
-double number(const Json& value) {
+double as_double(const Json& value) {
   return value.is_number() ? value.get<double>() : std::nan("");
 }
 
 double seconds_of(const Json& point) {
-  return number(point.at("seconds").at("total"));
+  return as_double(point.at("seconds").at("total"));
 }
 
 double megabytes_of(const Json& point) {
-  return number(point.at("memory_bytes")) / 1e6;
+  return as_double(point.at("memory_bytes")) / 1e6;
 }
 
 void add(Series& series, double x, double y) {
@@ -51,7 +52,7 @@ std::vector<Series> clouds(const Json& trade, const Cost& cost) {
     series.label = fmt::format("order {}", order);
     series.style = Series::Style::points;
     series.colour = order - 2;
-    add(series, cost(point), number(point.at("error")));
+    add(series, cost(point), as_double(point.at("error")));
   }
   std::vector<Series> all;
   all.reserve(by_order.size());
@@ -63,7 +64,7 @@ Series front_line(const Json& trade) {
   Series front{"front", {}, {}, Series::Style::line, front_colour};
   for (const auto& i : trade.at("front")) {
     const auto& point = trade.at("points").at(i.get<std::size_t>());
-    add(front, seconds_of(point), number(point.at("error")));
+    add(front, seconds_of(point), as_double(point.at("error")));
   }
   return front;
 }
@@ -90,15 +91,16 @@ Figure cost_figure(const Json& trade) {
   plot.series = clouds(trade, seconds_of);
   plot.series.push_back(front_line(trade));
   Series springs{"springs in time", {}, {}, Series::Style::open_points, spring_colour};
-  for (const auto& point : trade.at("springs")) add(springs, number(point.at("seconds")), number(point.at("error")));
+  for (const auto& point : trade.at("springs"))
+    add(springs, as_double(point.at("seconds")), as_double(point.at("error")));
   if (!springs.x.empty()) plot.series.push_back(springs);
   Series full{"all dofs, extrapolated", {}, {}, Series::Style::triangles, full_colour};
   for (const auto& level : trade.at("full"))
-    add(full, number(level.at(extrapolated)), number(level.at("error_of_the_condensed_point")));
+    add(full, as_double(level.at(extrapolated)), as_double(level.at("error_of_the_condensed_point")));
   if (!full.x.empty()) plot.series.push_back(full);
   plot.key_rows = 4;
   const auto [least, largest] = error_span(plot.series);
-  const double seconds = number(trade.at("closed_form").at("seconds"));
+  const double seconds = as_double(trade.at("closed_form").at("seconds"));
   plot.series.push_back(
       {"closed form: error 0", {seconds, seconds}, {least, largest}, Series::Style::dashed, closed_form_colour});
   return {svg(plot), fmt::format("{}: largest error over all compared quantities against the closed form of MDR, over "
@@ -113,7 +115,7 @@ Figure memory_figure(const Json& trade) {
   plot.series = clouds(trade, megabytes_of);
   Series full{"all dofs", {}, {}, Series::Style::triangles, full_colour};
   for (const auto& level : trade.at("full"))
-    add(full, number(level.at("memory_bytes_measured")) / 1e6, number(level.at("error_of_the_condensed_point")));
+    add(full, as_double(level.at("memory_bytes_measured")) / 1e6, as_double(level.at("error_of_the_condensed_point")));
   if (!full.x.empty()) plot.series.push_back(full);
   return {
       svg(plot),
@@ -131,22 +133,12 @@ constexpr Axis axes[] = {{"rings", "rings_per_radius", "rings per contact radius
                          {"grading", "grading", "grading"},
                          {"element order", "element_order", "element order"}};
 
-struct Quantity {
-  const char* key;
-  const char* name;
-};
-constexpr Quantity quantities[] = {
-    {"stick_radius_first_slip", "first slip"}, {"stick_radius_shakedown", "shakedown"},
-    {"contact_radius_max", "contact radius"},  {"normal_force_max", "normal force"},
-    {"slip_inside_stick_zone", "slip inside"}, {"force_outside_stick_zone", "force outside"},
-    {"maximum_indentation", "indentation"}};
-
 std::vector<Json> members(const Json& trade, const Axis& axis) {
   std::vector<Json> list;
   for (const auto& point : trade.at("points"))
     if (is_in(point, axis.sweep) && point.at("error").is_number()) list.push_back(point);
   std::sort(list.begin(), list.end(), [&](const Json& a, const Json& b) {
-    return number(a.at("setting").at(axis.key)) < number(b.at("setting").at(axis.key));
+    return as_double(a.at("setting").at(axis.key)) < as_double(b.at("setting").at(axis.key));
   });
   return list;
 }
@@ -163,11 +155,13 @@ Figure axis_figure(const Json& trade, const Axis& axis, const std::vector<Json>&
   auto plot = log_plot(fmt::format("Error over {}", axis.title), axis.title);
   plot.y_label = "error";
   int colour = 0;
-  for (const auto& [key, name] : quantities) {
-    Series line{name, {}, {}, Series::Style::line, colour}, marks{"", {}, {}, Series::Style::points, colour};
+  for (const auto quantity : quantities_by_interest) {
+    const char* key = name_of(quantity);
+    Series line{traits_of(quantity).label, {}, {}, Series::Style::line, colour},
+        marks{"", {}, {}, Series::Style::points, colour};
     for (const auto& point : points) {
       if (!point.at("errors").contains(key)) continue;
-      const double x = number(point.at("setting").at(axis.key)), y = number(point.at("errors").at(key));
+      const double x = as_double(point.at("setting").at(axis.key)), y = as_double(point.at("errors").at(key));
       add(line, x, y);
       add(marks, x, y);
     }
@@ -176,7 +170,7 @@ Figure axis_figure(const Json& trade, const Axis& axis, const std::vector<Json>&
     plot.series.push_back(line);
     plot.series.push_back(marks);
   }
-  for (const auto& point : points) plot.x_tics.push_back(number(point.at("setting").at(axis.key)));
+  for (const auto& point : points) plot.x_tics.push_back(as_double(point.at("setting").at(axis.key)));
   plot.x_range = {plot.x_tics.front() / 1.15, plot.x_tics.back() * 1.15};
   return {svg(plot), fmt::format("One axis alone, the others at the reference setting.{}", rate_text(trade, axis))};
 }

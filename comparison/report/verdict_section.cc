@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 
+#include "comparison/accuracy/quantity.h"
 #include "comparison/support/escape.h"
 
 namespace fretval {
@@ -14,17 +15,9 @@ namespace {
 using Results = std::vector<StoredResult>;
 using nlohmann::ordered_json;
 
-struct Quantity {
-  const char* key;
-  const char* name;
-};
-constexpr Quantity quantities[] = {{"stick_radius_first_slip", "stick radius, first slip (over a)"},
-                                   {"stick_radius_shakedown", "stick radius, shakedown (over a)"},
-                                   {"contact_radius_max", "largest contact radius (relative)"},
-                                   {"normal_force_max", "largest normal force (relative)"},
-                                   {"slip_inside_stick_zone", "slip inside c (over the amplitude)"},
-                                   {"force_outside_stick_zone", "force outside c (over the force)"},
-                                   {"maximum_indentation", "indentation at which the flank touches (relative)"}};
+std::string title_with_scale(Quantity quantity) {
+  return fmt::format("{} ({})", traits_of(quantity).title, traits_of(quantity).scale);
+}
 
 }  // namespace
 
@@ -64,14 +57,14 @@ std::string verdict_section(const Results& results) {
       "<th>inconclusive</th><th>largest difference</th><th>largest error bar</th><th>tolerance</th>"
       "<th>difference within the bar</th><th>largest difference in</th></tr></thead><tbody>\n",
       all ? "good" : "bad", all ? "confirmed" : "not confirmed", n_pass, results.size());
-  for (const auto& quantity : quantities) {
-    const auto e = extreme_of(results, quantity.key);
+  for (const auto quantity : quantities_by_interest) {
+    const auto e = extreme_of(results, name_of(quantity));
     if (e.n_compared == 0) continue;
     html += fmt::format(
         "<tr><td>{}</td><td>{}</td><td{}>{}</td><td>{}</td><td>{:.1e}</td><td>{}</td><td>{:.0e}</td><td>{}</td>"
         "<td>{}</td></tr>\n",
-        quantity.name, e.n_compared, e.n_pass == e.n_compared ? "" : " class=\"bad-cell\"", e.n_pass, e.n_inconclusive,
-        e.difference, e.n_with_bar > 0 ? fmt::format("{:.1e}", e.largest_bar) : "–", e.tolerance,
+        title_with_scale(quantity), e.n_compared, e.n_pass == e.n_compared ? "" : " class=\"bad-cell\"", e.n_pass,
+        e.n_inconclusive, e.difference, e.n_with_bar > 0 ? fmt::format("{:.1e}", e.largest_bar) : "–", e.tolerance,
         e.n_with_bar > 0 ? fmt::format("{} of {}", e.n_covered, e.n_with_bar) : "–", html_escaped(e.name));
   }
   return html +
@@ -96,12 +89,12 @@ std::string budget_section(const Results& results) {
   std::string html =
       "<h2>Error budget of the finite elements</h2>\n<div class=\"scroll\"><table><thead><tr><th>source: median, "
       "largest</th>";
-  for (const auto& quantity : quantities) html += fmt::format("<th>{}</th>", quantity.name);
+  for (const auto quantity : quantities_by_interest) html += fmt::format("<th>{}</th>", title_with_scale(quantity));
   html += "</tr></thead><tbody>\n";
   for (auto& [source, by_quantity] : shares) {
     html += fmt::format("<tr><td>{}</td>", html_escaped(source));
-    for (const auto& quantity : quantities) {
-      auto& values = by_quantity[quantity.key];
+    for (const auto quantity : quantities_by_interest) {
+      auto& values = by_quantity[name_of(quantity)];
       std::sort(values.begin(), values.end());
       html += values.empty() ? "<td>–</td>"
                              : fmt::format("<td>{:.0e}, {:.0e}</td>", values[values.size() / 2], values.back());

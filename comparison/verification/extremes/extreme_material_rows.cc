@@ -12,7 +12,7 @@ namespace {
 constexpr double pi = 3.14159265358979323846;
 // A body that creeps for more than some 1e5 cycles is refused by name.
 constexpr const char* creeps = "the body creeps for";
-constexpr double relaxed_modulus = 1e6, indentation = 1e-4;  // Pa, m
+constexpr double relaxed_modulus = 1e6;  // Pa
 
 Entries voigt(double omega_tau) {
   return with_section(extremes_base(), kelvin_voigt(relaxed_modulus, omega_tau * relaxed_modulus / (2 * pi)));
@@ -27,7 +27,8 @@ Entries standard_solid(double omega_tau, double modulus_ratio) {
 Entries with_small_amplitudes(const Entries& entries) {
   const auto mdr = mdr_case(case_of(entries, "case"));
   const double ratio = mdr::modulus_ratio(mdr.body, mdr::angular_frequency(mdr.motion.normal_frequency));
-  return with_stick_ratio(with(entries, {{"Motion / Normal amplitude", entry_text(0.2 * indentation / ratio)}}), 0.6);
+  return with_stick_ratio(with(entries, {{"Motion / Normal amplitude", entry_text(0.2 * usual_indentation / ratio)}}),
+                          0.6);
 }
 
 void add_bodies(std::vector<ExtremeRow>& rows) {

@@ -5,16 +5,14 @@
 namespace fretval {
 namespace {
 
-constexpr double indentation = 1e-4;  // m
-
 Entries steady_normal(const Entries& entries) {
   return with(entries, {{"Motion / Normal amplitude", "0"}, {"Motion / Phase", "0"}});
 }
 
 Entries in_phase(const Entries& entries, double phase, double normal, double k) {
   return with(entries, {{"Motion / Phase", entry_text(phase)},
-                        {"Motion / Normal amplitude", entry_text(normal * indentation)},
-                        {"Motion / Tangential amplitude", entry_text(0.75 * normal * indentation / k)}});
+                        {"Motion / Normal amplitude", entry_text(normal * usual_indentation)},
+                        {"Motion / Tangential amplitude", entry_text(0.75 * normal * usual_indentation / k)}});
 }
 
 void add_amplitudes(std::vector<ExtremeRow>& rows) {
@@ -23,12 +21,12 @@ void add_amplitudes(std::vector<ExtremeRow>& rows) {
                     with_stick_ratio(with(extremes_base(), {{"Motion / Normal amplitude", "1e-5"}}), 0, x)});
   for (const double x : {1e-8, 1e-4, 1e-2, 0.1, 0.5, 0.9, 0.99, 0.999, 1.0, 1.1, 2.0, 10.0})
     rows.push_back({"normal amplitude, elastic", fmt::format("Dd/d0 = {:g}", x),
-                    with(elastic_base(), {{"Motion / Normal amplitude", entry_text(x * indentation)},
+                    with(elastic_base(), {{"Motion / Normal amplitude", entry_text(x * usual_indentation)},
                                           {"Motion / Tangential amplitude", "7.5e-8"},
                                           {"Motion / Phase", "90"}})});
   for (const double x : {1e-8, 1e-2, 0.5, 0.9, 1.0, 2.0})
     rows.push_back({"normal amplitude, standard solid", fmt::format("Dd/d0 = {:g}", x),
-                    with(extremes_base(), {{"Motion / Normal amplitude", entry_text(x * indentation)},
+                    with(extremes_base(), {{"Motion / Normal amplitude", entry_text(x * usual_indentation)},
                                            {"Motion / Tangential amplitude", "7.5e-7"}})});
 }
 

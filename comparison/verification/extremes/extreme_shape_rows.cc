@@ -5,12 +5,12 @@
 namespace fretval {
 namespace {
 
-constexpr double indentation = 1e-4, radius = 1e-3;  // m
+constexpr double radius = 1e-3;  // m
 
 /// A contact of about the radius, flat up to the given share of it.
 Entries flat_up_to(double flat_share) {
   const double flat = flat_share * radius, rest = radius - flat;
-  return rounded_flat(flat, rest * radius / (2 * indentation));
+  return rounded_flat(flat, rest * radius / (2 * usual_indentation));
 }
 
 Entries measured(const char* file) {
@@ -34,7 +34,7 @@ std::vector<ExtremeRow> extreme_shape_rows() {
     rows.push_back({family, value, with_stick_ratio(entries, 0, 0.5)});
   };
   for (const double n : {0.5, 0.7, 1.0, 1.5, 2.0, 3.0, 4.0, 6.0, 10.0, 20.0})
-    add("power law", fmt::format("n = {:g}", n), power(n, indentation, radius));
+    add("power law", fmt::format("n = {:g}", n), power(n, usual_indentation, radius));
   for (const double degrees : {1e-3, 1.0, 45.0, 89.0}) add("cone", fmt::format("{:g} deg", degrees), cone(degrees));
   for (const double share : {0.01, 0.5, 0.9, 0.99})
     add("flat with a rounded edge", fmt::format("b = {:g} mm", share), flat_up_to(share));

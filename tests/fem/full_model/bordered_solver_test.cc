@@ -4,12 +4,12 @@
 
 #include <cmath>
 #include <limits>
-#include <random>
 
 #include "fem/condensation/compliance.h"
 #include "fem/operators/stiffness.h"
 #include "tests/fem/expect_solver_error.h"
 #include "tests/fem/half_space.h"
+#include "tests/fem/random_vector.h"
 
 namespace fretval::fem::bordered_solver_test {
 namespace {
@@ -17,14 +17,6 @@ namespace {
 using Eigen::Index;
 
 constexpr Index n_rings = 8;
-
-Eigen::VectorXd random_vector(Index n, unsigned seed) {
-  std::mt19937 engine(seed);
-  std::uniform_real_distribution<double> uniform(-1, 1);
-  Eigen::VectorXd vector(n);
-  for (auto& value : vector) value = uniform(engine);
-  return vector;
-}
 
 class BorderedSolverOf : public testing::TestWithParam<Harmonic> {
  protected:

@@ -3,23 +3,15 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <random>
 #include <vector>
 
 #include "fem/operators/harmonic_space_parts.h"
 #include "fem/operators/stiffness.h"
 #include "tests/fem/half_space.h"
+#include "tests/fem/random_vector.h"
 
 namespace fretval::fem::strain_memory_test {
 namespace {
-
-Eigen::VectorXd random_vector(Eigen::Index n, unsigned seed) {
-  std::mt19937 engine(seed);
-  std::uniform_real_distribution<double> uniform(-1, 1);
-  Eigen::VectorXd vector(n);
-  for (auto& value : vector) value = uniform(engine);
-  return vector;
-}
 
 /// K u for a displacement u without pressure: the forces of its stresses, and its divergence at the pressure dofs.
 Eigen::VectorXd multiply(const SparseMatrix& matrix, const Eigen::VectorXd& u) {

@@ -7,6 +7,7 @@
 
 #include "fem/support/constants.h"
 #include "tests/fem/convergence.h"
+#include "tests/fem/fretting.h"
 
 namespace fretval::fem::relaxation_test {
 namespace {
@@ -27,12 +28,6 @@ const RelaxationModel branches_and_dashpot{1, {1, 2}, {1.5, 0.2}, 0.05};
 Complex branch_modulus(const RelaxationModel& model, std::size_t branch) {
   const Complex z = i_unit * model.times[branch];
   return model.moduli[branch] * z / (1.0 + z);
-}
-
-Complex complex_modulus(const RelaxationModel& model) {
-  Complex modulus = model.relaxed + i_unit * model.viscosity;
-  for (std::size_t i = 0; i < model.moduli.size(); ++i) modulus += branch_modulus(model, i);
-  return modulus;
 }
 
 /// One ring in the periodic state with displacement Re(amplitude e^{it}), at time t.
