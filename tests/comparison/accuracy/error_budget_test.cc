@@ -61,11 +61,11 @@ TEST(ErrorBudget, SumsTheShares) {
   EXPECT_FALSE(ErrorBar{}.largest());
 }
 
-/// The measures of a resolution and of all that its errors are measured by.
-std::map<Resolution, Measures> all_known(const Resolution& resolution, const SceneNeeds& needs,
-                                         const std::function<double(const Resolution&)>& value) {
-  std::map<Resolution, Measures> known;
-  const auto add = [&](const Resolution& r) { known[r] = {{"stick_radius_shakedown", value(r)}}; };
+/// The quantities of a resolution and of all that its errors are measured by.
+std::map<Resolution, Quantities> all_known(const Resolution& resolution, const SceneNeeds& needs,
+                                           const std::function<double(const Resolution&)>& value) {
+  std::map<Resolution, Quantities> known;
+  const auto add = [&](const Resolution& r) { known[r] = {{Quantity::stick_radius_shakedown, value(r)}}; };
   add(resolution);
   for (const auto& variant : variants_of(resolution, needs)) {
     add(variant.resolution);
@@ -79,8 +79,8 @@ TEST(ErrorBudget, HasAShareForEverySourceAndTheEdge) {
     const auto resolution = resolution_for(tolerance);
     double value = 0.5;  // another one at each resolution
     const auto known = all_known(resolution, {true, true}, [&](auto&&) { return value *= 1.001; });
-    const auto budget = error_budget(resolution, known, {{"stick_radius_shakedown", 1e-5}}, {true, true});
-    const auto& shares = budget.at("stick_radius_shakedown").shares;
+    const auto budget = error_budget(resolution, known, {{Quantity::stick_radius_shakedown, 1e-5}}, {true, true});
+    const auto& shares = budget.at(Quantity::stick_radius_shakedown).shares;
     // rings, element order, grading, far field, time step, start, creep, cycles, active set, edge
     EXPECT_EQ(shares.size(), 10U);
     for (const auto& share : shares) EXPECT_GT(share.estimate, 0) << name_of(share.source);
@@ -94,7 +94,7 @@ TEST(ErrorBudget, MeasuresWhatIsThere) {
     return 0.5 + std::pow(r.elements_per_radius, -3) + 0.1 * std::pow(r.steps_per_cycle, -2);
   });
   const auto budget = error_budget(resolution, known, {});
-  for (const auto& share : budget.at("stick_radius_shakedown").shares) {
+  for (const auto& share : budget.at(Quantity::stick_radius_shakedown).shares) {
     if (share.source == ErrorSource::rings)
       EXPECT_NEAR(share.estimate, safety * std::pow(48, -3), 1e-12);
     else if (share.source == ErrorSource::time_step)
@@ -105,8 +105,8 @@ TEST(ErrorBudget, MeasuresWhatIsThere) {
 }
 
 TEST(ErrorBudget, TakesGradedRingsForSecondOrder) {
-  // First-slip radius of a worn power law in a viscoelastic body at 32, 16 and 8 rings (soak 1048): order 4.4 from one
-  // to the next, but 2 from there on (2.0e-4, 4.3e-5, 9.9e-6 at 32, 64, 128 rings).
+  // First-slip radius of a worn power law in a viscoelastic body at 32, 16 and 8 rings (random case 1048): order 4.4
+  // from one to the next, but 2 from there on (2.0e-4, 4.3e-5, 9.9e-6 at 32, 64, 128 rings).
   const auto resolution = some_resolution();
   const auto value = [&](const Resolution& r) {
     const double coarseness = static_cast<double>(resolution.elements_per_radius) / r.elements_per_radius;
@@ -115,7 +115,7 @@ TEST(ErrorBudget, TakesGradedRingsForSecondOrder) {
   const auto bar = [&](bool worn) {
     const SceneNeeds needs{true, false, worn};
     return error_budget(resolution, all_known(resolution, needs, value), {}, needs)
-        .at("stick_radius_shakedown")
+        .at(Quantity::stick_radius_shakedown)
         .total();
   };
   EXPECT_GT(bar(true), 2.01e-4);
@@ -126,12 +126,12 @@ TEST(ErrorBudget, TakesGradedRingsForSecondOrder) {
 TEST(ErrorBudget, IsInfiniteWhereAQuantityIsMissing) {
   const auto resolution = some_resolution();
   const auto complete = all_known(resolution, {}, [](auto&&) { return 0.5; });
-  EXPECT_EQ(error_budget(resolution, complete, {}).at("stick_radius_shakedown").total(), 0);
-  for (const auto& [missing, measures] : complete) {
+  EXPECT_EQ(error_budget(resolution, complete, {}).at(Quantity::stick_radius_shakedown).total(), 0);
+  for (const auto& [missing, quantities] : complete) {
     if (missing == resolution) continue;
     auto known = complete;
     known[missing] = {};  // its numerics failed
-    EXPECT_EQ(error_budget(resolution, known, {}).at("stick_radius_shakedown").total(),
+    EXPECT_EQ(error_budget(resolution, known, {}).at(Quantity::stick_radius_shakedown).total(),
               std::numeric_limits<double>::infinity());
   }
 }

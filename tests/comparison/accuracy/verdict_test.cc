@@ -71,29 +71,29 @@ TEST(Comparison, HoldsTheLimitingStateToNoSlipAndNoPressure) {
   EXPECT_FALSE(judge());
 }
 
-Verdict finding_with(double difference, double bar) {
-  const ErrorBudget budget{{"stick_radius_shakedown", {{{ErrorSource::rings, bar, std::nullopt}}}}};
+Verdict verdict_with(double difference, double bar) {
+  const ErrorBudget budget{{Quantity::stick_radius_shakedown, {{{ErrorSource::rings, bar, std::nullopt}}}}};
   const auto verdict = compare(mdr_with(0.5 * a), fe_with((0.5 + difference) * a), a, tolerances_of(1e-3), budget);
-  return verdict.at("stick_radius_shakedown").finding;
+  return verdict.at(Quantity::stick_radius_shakedown).verdict;
 }
 
 TEST(Comparison, IsInconclusiveWhereTheErrorBarIsTooWide) {
-  EXPECT_EQ(finding_with(5e-4, 9e-4), Verdict::pass);
-  EXPECT_EQ(finding_with(2e-3, 9e-4), Verdict::fail);
-  EXPECT_EQ(finding_with(5e-4, 2e-3), Verdict::inconclusive);
-  EXPECT_EQ(finding_with(2e-3, 2e-3), Verdict::inconclusive);
+  EXPECT_EQ(verdict_with(5e-4, 9e-4), Verdict::pass);
+  EXPECT_EQ(verdict_with(2e-3, 9e-4), Verdict::fail);
+  EXPECT_EQ(verdict_with(5e-4, 2e-3), Verdict::inconclusive);
+  EXPECT_EQ(verdict_with(2e-3, 2e-3), Verdict::inconclusive);
   // So far off that the bar does not matter.
-  EXPECT_EQ(finding_with(4e-3, 2e-3), Verdict::fail);
-  EXPECT_EQ(finding_with(5e-4, std::numeric_limits<double>::infinity()), Verdict::inconclusive);
+  EXPECT_EQ(verdict_with(4e-3, 2e-3), Verdict::fail);
+  EXPECT_EQ(verdict_with(5e-4, std::numeric_limits<double>::infinity()), Verdict::inconclusive);
 }
 
 TEST(Comparison, AnInconclusiveComparisonDoesNotPass) {
-  const ErrorBudget budget{{"normal_force_max", {{{ErrorSource::rings, 1e-3, std::nullopt}}}}};
+  const ErrorBudget budget{{Quantity::normal_force_max, {{{ErrorSource::rings, 1e-3, std::nullopt}}}}};
   const auto verdict = compare(mdr_with(0.5 * a), fe_with(0.5 * a), a, tolerances_of(1e-3), budget);
   EXPECT_FALSE(passes(verdict));
-  EXPECT_FALSE(verdict.at("stick_radius_shakedown").bar);
-  ASSERT_TRUE(verdict.at("normal_force_max").bar);
-  EXPECT_EQ(verdict.at("normal_force_max").bar->total(), 1e-3);
+  EXPECT_FALSE(verdict.at(Quantity::stick_radius_shakedown).bar);
+  ASSERT_TRUE(verdict.at(Quantity::normal_force_max).bar);
+  EXPECT_EQ(verdict.at(Quantity::normal_force_max).bar->total(), 1e-3);
 }
 
 }  // namespace

@@ -8,8 +8,8 @@
 namespace fretval {
 namespace {
 
-BatchLine line_with(const std::string& name, std::optional<double> difference, Verdict finding) {
-  return {name, finding == Verdict::pass, "", {{"stick_radius_shakedown", {difference, 1e-3, finding}}}};
+BatchLine line_with(const std::string& name, std::optional<double> difference, Verdict verdict) {
+  return {name, verdict == Verdict::pass, "", {{Quantity::stick_radius_shakedown, {difference, 1e-3, verdict}}}};
 }
 
 BatchLine failed(const std::string& name) {

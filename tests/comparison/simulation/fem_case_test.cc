@@ -4,10 +4,10 @@
 
 #include <cmath>
 
+#include "comparison/accuracy/prepared_case.h"
 #include "comparison/case/case_file.h"
 #include "comparison/reference/mdr_answer.h"
-#include "comparison/results/batch.h"
-#include "comparison/simulation/simulation.h"
+#include "comparison/simulation/compute_case.h"
 #include "tests/comparison/scratch_folder.h"
 #include "tests/comparison/suite_case.h"
 
@@ -22,9 +22,8 @@ Case base_case() {
 FeAnswer simulate_case(const Case& scene) {
   const auto mdr = mdr_case(scene);
   const auto fem = fem_case(scene, mdr);
-  const auto body = make_body(fem.body);
-  const ContactProblems problems{body.normal.contact, body.tangential ? &body.tangential->contact : nullptr};
-  return simulate(problems, fem, simulate_normal(problems.normal, fem));
+  BodyStore bodies;
+  return compute_case(fem, fem.resolution, bodies);
 }
 
 // The scene is made dimensionless before anything is computed, so units only change by roundoff.

@@ -11,7 +11,7 @@
 
 #include "comparison/verification/exact/convergence_json.h"
 #include "comparison/verification/exact/exact_bulk_rows.h"
-#include "comparison/verification/exact/exact_rows.h"
+#include "comparison/verification/exact/exact_space_rows.h"
 #include "comparison/verification/exact/exact_time_rows.h"
 
 namespace fretval {

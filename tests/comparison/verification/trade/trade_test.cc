@@ -12,7 +12,6 @@
 #include "comparison/case/case_file.h"
 #include "comparison/reference/mdr_answer.h"
 #include "comparison/report/trade_section.h"
-#include "comparison/results/batch.h"
 #include "comparison/verification/trade/trade_json.h"
 #include "comparison/verification/trade/trade_text.h"
 #include "tests/comparison/scratch_folder.h"
@@ -74,10 +73,10 @@ TEST(LogSlope, LeavesOutTheFloorOfASweep) {
 
 TEST(Recommendation, PicksTheCheapestThatMeetsEveryTolerance) {
   const auto errors = [](double stick, double contact, double force) {
-    return Measures{{"stick_radius_first_slip", stick / 2},
-                    {"stick_radius_shakedown", stick},
-                    {"contact_radius_max", contact},
-                    {"normal_force_max", force}};
+    return Quantities{{Quantity::stick_radius_first_slip, stick / 2},
+                      {Quantity::stick_radius_shakedown, stick},
+                      {Quantity::contact_radius_max, contact},
+                      {Quantity::normal_force_max, force}};
   };
   const std::vector<Candidate> candidates{{errors(9e-4, 9e-5, 9e-5), 5},     {errors(9e-4, 2e-4, 9e-5), 1},
                                           {errors(9e-4, 9e-5, 2e-4), 1},     {errors(2e-3, 9e-5, 9e-5), 1},
@@ -141,22 +140,23 @@ TEST(AxisValue, IsTheEntryThatASweepVaries) {
   EXPECT_EQ(axis_value(Sweep::time_step, r), 24);
 }
 
-TEST(Measures, OfAWornStateAreNoSlipNoForceAndTheWholeIndentation) {
+TEST(Quantities, OfAWornStateAreNoSlipNoForceAndTheWholeIndentation) {
   const Units units{2, 0.5, 4, 1};  // a force of 4
   const MdrAnswer answer{1.2, 2.5, std::nullopt, 1, std::nullopt, 4 * std::exp(1.0)};
-  auto measures = measures_of(answer, units, false);
+  auto measures = quantities_of(answer, units, false);
   EXPECT_EQ(measures.size(), 4U);
-  EXPECT_EQ(measures.at("contact_radius_max"), 1.25);
-  EXPECT_EQ(measures.at("stick_radius_first_slip"), 0);
-  EXPECT_EQ(measures.at("stick_radius_shakedown"), 0.5);
-  EXPECT_NEAR(measures.at("normal_force_max"), 1, 1e-15);
-  measures = measures_of(answer, units, true);
-  EXPECT_EQ(measures.at("slip_inside_stick_zone"), 0);
-  EXPECT_EQ(measures.at("force_outside_stick_zone"), 0);
-  EXPECT_EQ(measures.at("maximum_indentation"), 1);
+  EXPECT_EQ(measures.at(Quantity::contact_radius_max), 1.25);
+  EXPECT_EQ(measures.at(Quantity::stick_radius_first_slip), 0);
+  EXPECT_EQ(measures.at(Quantity::stick_radius_shakedown), 0.5);
+  EXPECT_NEAR(measures.at(Quantity::normal_force_max), 1, 1e-15);
+  measures = quantities_of(answer, units, true);
+  EXPECT_EQ(measures.at(Quantity::slip_inside_stick_zone), 0);
+  EXPECT_EQ(measures.at(Quantity::force_outside_stick_zone), 0);
+  EXPECT_EQ(measures.at(Quantity::maximum_indentation), 1);
   // Only what both have is compared; nothing compared is no number.
-  EXPECT_EQ(errors_of({{"a", 1}, {"b", 2}}, {{"b", 5}, {"c", 0}}), (Measures{{"b", 3}}));
-  EXPECT_EQ(largest_of({{"a", 1}, {"b", 2}}), 2);
+  const auto a = Quantity::contact_radius_max, b = Quantity::normal_force_max, c = Quantity::stick_radius_shakedown;
+  EXPECT_EQ(errors_of({{a, 1}, {b, 2}}, {{b, 5}, {c, 0}}), (Quantities{{b, 3}}));
+  EXPECT_EQ(largest_of({{a, 1}, {b, 2}}), 2);
   EXPECT_TRUE(std::isnan(largest_of({})));
 }
 
@@ -193,7 +193,7 @@ TEST(Trade, ErrorsFallWithRingsAndTheFullModelAgrees) {
   EXPECT_LT(trade.full[0].point.traction_difference, 1e-11);
   EXPECT_GT(trade.full[0].extrapolated_seconds, trade.points[trade.full[0].condensed].seconds.total());
   ASSERT_EQ(trade.springs.size(), 4U);
-  EXPECT_LT(trade.springs[3].errors.at("stick_radius_shakedown"), 1e-3);
+  EXPECT_LT(trade.springs[3].errors.at(Quantity::stick_radius_shakedown), 1e-3);
   ASSERT_EQ(trade.recommendations.size(), 1U);
   ASSERT_TRUE(trade.recommendations[0].cheapest);
   EXPECT_LE(trade.points[*trade.recommendations[0].cheapest].seconds.total(),
@@ -229,20 +229,22 @@ TEST(TradeText, HasALineForEverythingFound) {
   trade.reference.n_repetitions = 10;
   TradePoint coarse, fine;
   coarse.setting.resolution = {8, 2, 2, 12, 24, 1, 1e-6};
-  coarse.errors = {{"stick_radius_shakedown", 3e-3}, {"normal_force_max", 1e-3}};
+  coarse.errors = {{Quantity::stick_radius_shakedown, 3e-3}, {Quantity::normal_force_max, 1e-3}};
   coarse.seconds = {{0.1, 0.2, 0.3}, 0.05, 0.1};
   fine = coarse;
   fine.setting.resolution.elements_per_radius = 48;
-  fine.errors["stick_radius_shakedown"] = 1e-4;
-  fine.memory = {5e6, 1e6};
+  fine.errors[Quantity::stick_radius_shakedown] = 1e-4;
+  fine.memory_bytes = 6e6;
   trade.points = {coarse, fine};
   trade.front = {0, 1};
   trade.recommendations = {{1e-2, 0, 1, true}, {1e-5, std::nullopt, 1, false}};
-  trade.rates = {{Sweep::rings, {{"normal_force_max", LogSlope{-2.5, 3}}, {"contact_radius_max", std::nullopt}}, {}}};
+  trade.rates = {{Sweep::rings,
+                  {{Quantity::normal_force_max, LogSlope{-2.5, 3}}, {Quantity::contact_radius_max, std::nullopt}},
+                  {}}};
   trade.seconds_over_rings = LogSlope{1.25, 4};
   SpringPoint springs;
   springs.setting = {100, 90, 10, 1e-6};
-  springs.errors = {{"stick_radius_shakedown", 2e-4}};
+  springs.errors = {{Quantity::stick_radius_shakedown, 2e-4}};
   springs.seconds = 0.25;
   trade.springs = {springs, springs};
   trade.springs[1].failure = "not periodic";
