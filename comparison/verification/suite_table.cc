@@ -36,7 +36,7 @@ bool are_families(const std::vector<const SuiteRow*>& rows) {
 
 std::string rows_text(const SuiteRun& run) {
   const auto rows = shown_rows(run.rows);
-  const bool by_families = are_families(rows);
+  const bool by_families = shows_all(run.rows) && are_families(rows);
   const auto name = [&](const SuiteRow& row) { return by_families ? row.asked.name : title_of(row.asked); };
   std::size_t width = 0;
   for (const auto* row : rows) width = std::max(width, name(*row).size());
