@@ -7,7 +7,6 @@
 #include <set>
 #include <tuple>
 
-#include "comparison/report/plots.h"
 #include "comparison/support/escape.h"
 
 namespace fretval {
@@ -107,10 +106,12 @@ Figure stick_radius_figure(const std::vector<const StoredResult*>& results, cons
   plot.y_range = {0, 0.9};
   std::string list;
   for (const auto& name : rheologies) list += (list.empty() ? "" : ", ") + name;
-  return {svg(plot),
-          fmt::format("{}. Lines: MDR. Full points: finite elements, {}; open points: the other rheologies with "
-                      "the same modulus ratio. Rheologies shown: {}. A missing point: nothing sticks.",
-                      plot.title, html_escaped(leading.begin()->second.rheology), html_escaped(list))};
+  auto caption = fmt::format(
+      "{}. Lines: MDR. Full points: finite elements, {}; open points: the other rheologies with the same modulus "
+      "ratio. "
+      "Rheologies shown: {}. A missing point: nothing sticks.",
+      plot.title, html_escaped(leading.begin()->second.rheology), html_escaped(list));
+  return {std::move(plot), std::move(caption)};
 }
 
 Figure difference_figure(const std::vector<const StoredResult*>& results, const std::string& shape) {
@@ -142,7 +143,7 @@ Figure difference_figure(const std::vector<const StoredResult*>& results, const 
   plot.series.push_back({"tolerance", {0, 180}, {tolerance, tolerance}, Series::Style::dashed, 7});
   plot.x_range = {0, 180};
   plot.y_range = {1e-6, 1e-1};
-  return {svg(plot), "The same cases, all rheologies. Full points: shakedown, open points: first slip."};
+  return {std::move(plot), "The same cases, all rheologies. Full points: shakedown, open points: first slip."};
 }
 
 /// Free surface of the finite elements at the largest indentation, up to the outer radius, about 25 points.
@@ -180,7 +181,7 @@ Figure limiting_profile_figure(const std::vector<const StoredResult*>& results, 
   }
   plot.x_range = {0, 1.6};
   plot.y_range = {0, 1.6};
-  return {svg(plot),
+  return {std::move(plot),
           "Lines: the profiles that MDR predicts, which are the indenters of the finite element runs. Points: the "
           "surface of "
           "the finite elements at the largest indentation, which must lie on them without pressure outside c. "
@@ -188,6 +189,16 @@ Figure limiting_profile_figure(const std::vector<const StoredResult*>& results, 
 }
 
 }  // namespace
+
+std::string figures_html(const std::vector<Figure>& figures) {
+  std::vector<Plot> plots;
+  for (const auto& figure : figures) plots.push_back(figure.plot);
+  const auto drawn = svgs(plots);
+  std::string html = "<div class=\"figures\">\n";
+  for (std::size_t i = 0; i < figures.size(); ++i)
+    html += fmt::format("<figure>{}<figcaption>{}</figcaption></figure>\n", drawn[i], figures[i].caption);
+  return html + "</div>\n";
+}
 
 std::vector<Figure> stick_radius_figures(const std::vector<StoredResult>& results) {
   std::vector<Figure> figures;
@@ -228,8 +239,8 @@ std::vector<Figure> single_case_figures(const StoredResult& result) {
   add(forces, "history.csv", "t [s]", "F_N MDR [N]", "normal, MDR", 0, Series::Style::line);
   add(forces, "history.csv", "t [s]", "F_N [N]", "normal, finite elements", 0, Series::Style::points);
   add(forces, "history.csv", "t [s]", "F_x [N]", "tangential, finite elements", 1, Series::Style::points);
-  return {{svg(contact), "Smallest and largest pressure and traction of every ring."},
-          {svg(forces), "Normal force of both methods, tangential force of the finite elements."}};
+  return {{std::move(contact), "Smallest and largest pressure and traction of every ring."},
+          {std::move(forces), "Normal force of both methods, tangential force of the finite elements."}};
 }
 
 }  // namespace fretval

@@ -3,13 +3,18 @@
 #include <string>
 #include <vector>
 
+#include "comparison/report/plots.h"
 #include "comparison/results/results_folder.h"
 
 namespace fretval {
 
 struct Figure {
-  std::string svg, caption;
+  Plot plot;
+  std::string caption;  ///< HTML
 };
+
+/// Figures side by side.
+std::string figures_html(const std::vector<Figure>& figures);
 
 /// Stick radius over the phase, one plot per indenter shape and criterion: MDR as lines, finite elements as points, one
 /// colour per k = 3 mu Dd / (2 u_x0), in the paper's normalisation (figure 3). Results swept over the phase only.

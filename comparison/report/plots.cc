@@ -59,7 +59,7 @@ bool is_drawn(const Plot& plot, const Series& series, std::size_t i) {
 std::string script_of(const Plot& plot) {
   std::ostringstream script;
   script
-      << "set terminal svg size 640,440 dynamic font 'Helvetica,15' background '#ffffff'\n"
+      << "reset\nset terminal svg size 640,440 dynamic font 'Helvetica,15' background '#ffffff'\n"
       << "set encoding utf8\nset border 3 lc rgb '#666666'\nset tics nomirror\nset grid lc rgb '#dddddd' lt 1 lw 0.5\n"
       << "set title " << quoted(plot.title) << "\nset xlabel " << quoted(plot.x_label) << "\nset ylabel "
       << quoted(plot.y_label) << "\nset datafile missing 'nan'\n"
@@ -124,6 +124,25 @@ bool has_points(const Plot& plot) {
   });
 }
 
+/// What gnuplot says to a script, errors included.
+std::string output_of_gnuplot(const std::string& script) {
+  const ScratchFile file;
+  errno = 0;
+  std::ofstream stream(file.path());
+  stream << script;
+  stream.close();
+  if (!stream)
+    throw std::system_error(errno ? errno : EIO, std::generic_category(), "cannot write " + file.path().string());
+  FILE* pipe = popen(("gnuplot '" + file.path().string() + "' 2>&1").c_str(), "r");
+  if (!pipe) throw std::system_error(errno, std::generic_category(), "gnuplot could not be started");
+  std::string output;
+  std::array<char, 65536> buffer{};
+  while (const std::size_t n = fread(buffer.data(), 1, buffer.size(), pipe)) output.append(buffer.data(), n);
+  if (pclose(pipe) != 0)
+    throw std::system_error(std::make_error_code(std::errc::io_error), "gnuplot could not draw: " + output.substr(0, 400));
+  return output;
+}
+
 /// In place of a plot, for which gnuplot would fail.
 std::string nothing_to_draw(const Plot& plot) {
   return fmt::format(
@@ -134,26 +153,28 @@ std::string nothing_to_draw(const Plot& plot) {
 
 }  // namespace
 
-std::string svg(const Plot& plot) {
-  if (!has_points(plot)) return nothing_to_draw(plot);
-  const ScratchFile script;
-  errno = 0;
-  std::ofstream stream(script.path());
-  stream << script_of(plot);
-  stream.close();
-  if (!stream)
-    throw std::system_error(errno ? errno : EIO, std::generic_category(), "cannot write " + script.path().string());
-  FILE* pipe = popen(("gnuplot '" + script.path().string() + "' 2>&1").c_str(), "r");
-  if (!pipe) throw std::system_error(errno, std::generic_category(), "gnuplot could not be started");
-  std::string output;
-  std::array<char, 65536> buffer{};
-  while (const std::size_t n = fread(buffer.data(), 1, buffer.size(), pipe)) output.append(buffer.data(), n);
-  const int status = pclose(pipe);
-  const auto begin = output.find("<svg");
-  if (status != 0 || begin == std::string::npos)
-    throw std::system_error(std::make_error_code(std::errc::io_error),
-                            "gnuplot could not draw '" + plot.title + "': " + output.substr(0, 400));
-  return output.substr(begin);
+std::vector<std::string> svgs(const std::vector<Plot>& plots) {
+  std::string script;
+  for (const auto& plot : plots)
+    if (has_points(plot)) script += script_of(plot);
+  std::string drawn = script.empty() ? "" : output_of_gnuplot(script);
+  std::vector<std::string> elements;
+  std::size_t end = 0;
+  for (const auto& plot : plots) {
+    if (!has_points(plot)) {
+      elements.push_back(nothing_to_draw(plot));
+      continue;
+    }
+    const std::string closing = "</svg>";
+    const auto begin = drawn.find("<svg", end);
+    end = drawn.find(closing, begin);
+    if (begin == std::string::npos || end == std::string::npos)
+      throw std::system_error(std::make_error_code(std::errc::io_error),
+                              "gnuplot could not draw '" + plot.title + "': " + drawn.substr(0, 400));
+    end += closing.size();
+    elements.push_back(drawn.substr(begin, end - begin));
+  }
+  return elements;
 }
 
 }  // namespace fretval

@@ -28,8 +28,8 @@ struct Plot {
   std::vector<double> x_tics = {};  ///< empty: where gnuplot puts them
 };
 
-/// Draws a plot with gnuplot as an SVG element to embed in HTML. Throws std::runtime_error if gnuplot is missing or
+/// Draws plots with gnuplot as SVG elements to embed in HTML. Throws std::runtime_error if gnuplot is missing or
 /// refuses.
-std::string svg(const Plot& plot);
+std::vector<std::string> svgs(const std::vector<Plot>& plots);
 
 }  // namespace fretval

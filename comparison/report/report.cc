@@ -103,13 +103,6 @@ std::string radii_section(const Results& results) {
   return html + "</p>\n";
 }
 
-std::string figures_html(const std::vector<Figure>& figures) {
-  std::string html = "<div class=\"figures\">\n";
-  for (const auto& figure : figures)
-    html += fmt::format("<figure>{}<figcaption>{}</figcaption></figure>\n", figure.svg, figure.caption);
-  return html + "</div>\n";
-}
-
 std::string phase_section(const Results& results) {
   const auto figures = stick_radius_figures(results);
   if (figures.empty()) return "";

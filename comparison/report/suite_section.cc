@@ -7,7 +7,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "comparison/report/plots.h"
+#include "comparison/report/figures.h"
 #include "comparison/support/escape.h"
 
 namespace fretval {
@@ -100,12 +100,11 @@ Plot error_bar_plot(const ordered_json& rows) {
 std::string figure_html(const ordered_json& json) {
   const auto& rows = json.at("rows");
   if (rows.size() != json.at("summary").at("cases").get<std::size_t>()) return "";
-  const auto plot = error_bar_plot(rows);
+  auto plot = error_bar_plot(rows);
   if (plot.series.empty()) return "";
-  return fmt::format(
-      "<div class=\"figures\"><figure>{}<figcaption>A point a quantity and case; below the line the error bar does not "
-      "cover the error. Smaller values are drawn at 10<sup>-10</sup>.</figcaption></figure></div>\n",
-      svg(plot));
+  return figures_html({{std::move(plot),
+                        "A point a quantity and case; below the line the error bar does not cover the error. Smaller "
+                        "values are drawn at 10<sup>-10</sup>."}});
 }
 
 std::string row_html(const ordered_json& row) {

@@ -8,7 +8,6 @@
 #include <string>
 
 #include "comparison/accuracy/quantity.h"
-#include "comparison/report/plots.h"
 #include "comparison/support/escape.h"
 
 namespace fretval {
@@ -103,11 +102,12 @@ Figure cost_figure(const Json& trade) {
   const double seconds = as_double(trade.at("closed_form").at("seconds"));
   plot.series.push_back(
       {"closed form: error 0", {seconds, seconds}, {least, largest}, Series::Style::dashed, closed_form_colour});
-  return {svg(plot), fmt::format("{}: largest error over all compared quantities against the closed form of MDR, over "
-                                 "the seconds of a setting (body and its own histories). No setting on the front is "
-                                 "beaten in both. With all dofs the error is that of the condensed elements, which "
-                                 "they equal; their time is extrapolated from a few measured steps.",
-                                 html_escaped(trade.at("name").get<std::string>()))};
+  return {std::move(plot),
+          fmt::format("{}: largest error over all compared quantities against the closed form of MDR, over "
+                      "the seconds of a setting (body and its own histories). No setting on the front is "
+                      "beaten in both. With all dofs the error is that of the condensed elements, which "
+                      "they equal; their time is extrapolated from a few measured steps.",
+                      html_escaped(trade.at("name").get<std::string>()))};
 }
 
 Figure memory_figure(const Json& trade) {
@@ -118,7 +118,7 @@ Figure memory_figure(const Json& trade) {
     add(full, as_double(level.at("memory_bytes_measured")) / 1e6, as_double(level.at("error_of_the_condensed_point")));
   if (!full.x.empty()) plot.series.push_back(full);
   return {
-      svg(plot),
+      std::move(plot),
       "Memory: measured peak growth of the process while the body was made, and the counted size of the histories."};
 }
 
@@ -172,7 +172,8 @@ Figure axis_figure(const Json& trade, const Axis& axis, const std::vector<Json>&
   }
   for (const auto& point : points) plot.x_tics.push_back(as_double(point.at("setting").at(axis.key)));
   plot.x_range = {plot.x_tics.front() / 1.15, plot.x_tics.back() * 1.15};
-  return {svg(plot), fmt::format("One axis alone, the others at the reference setting.{}", rate_text(trade, axis))};
+  return {std::move(plot),
+          fmt::format("One axis alone, the others at the reference setting.{}", rate_text(trade, axis))};
 }
 
 }  // namespace

@@ -113,10 +113,8 @@ std::string trade_html(const Json& trade) {
   html += recommendations_table(trade);
   html +=
       "<p class=\"soft\">A tolerance holds for the stick radii over the contact radius, a tenth of it for contact "
-      "radius and normal force; the error shown is the largest of all.</p>\n<div class=\"figures\">\n";
-  for (const auto& figure : trade_figures(trade))
-    html += fmt::format("<figure>{}<figcaption>{}</figcaption></figure>\n", figure.svg, figure.caption);
-  return html + "</div>\n" + full_text(trade) + rates_table(trade);
+      "radius and normal force; the error shown is the largest of all.</p>\n";
+  return html + figures_html(trade_figures(trade)) + full_text(trade) + rates_table(trade);
 }
 
 }  // namespace

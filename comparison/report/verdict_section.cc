@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 
+#include "comparison/accuracy/proof.h"
 #include "comparison/accuracy/quantity.h"
 #include "comparison/support/escape.h"
 
@@ -17,6 +18,30 @@ using nlohmann::ordered_json;
 
 std::string title_with_scale(Quantity quantity) {
   return fmt::format("{} ({})", traits_of(quantity).title, traits_of(quantity).scale);
+}
+
+/// How far the finite elements are proved, see Proof.
+std::string proof_text(const Results& results) {
+  std::map<std::string, int> counts;
+  for (const auto& r : results) ++counts[r.json.value("proof", "")];
+  std::string html;
+  const auto add = [&](Proof proof, const char* text) {
+    const auto found = counts.find(name_of(proof));
+    if (found == counts.end()) return;
+    if (counts.size() > 1) html += fmt::format("{} cases: ", found->second);
+    html += text;
+  };
+  add(Proof::none,
+      "The answer of the finite elements alone, computed without error bars (<code>--proof none</code>): what it is "
+      "worth only the difference tells. ");
+  add(Proof::bars,
+      "The finite elements have error bars, each source measured by its own refinement, and are taken as they are "
+      "(<code>--proof bars</code>). ");
+  add(Proof::tolerance,
+      "The finite elements have error bars, each source measured by its own refinement, and were refined while the "
+      "bars "
+      "were wider than the tolerance (<code>--proof tolerance</code>). ");
+  return html + "A comparison whose bar is wider than its tolerance is inconclusive.";
 }
 
 }  // namespace
@@ -67,10 +92,7 @@ std::string verdict_section(const Results& results) {
         e.n_inconclusive, e.difference, e.n_with_bar > 0 ? fmt::format("{:.1e}", e.largest_bar) : "–", e.tolerance,
         e.n_with_bar > 0 ? fmt::format("{} of {}", e.n_covered, e.n_with_bar) : "–", html_escaped(e.name));
   }
-  return html +
-         "</tbody></table></div>\n<p class=\"soft\">The error bar is that of the finite elements, each source measured "
-         "by "
-         "its own refinement. A comparison whose bar is wider than its tolerance is inconclusive.</p>\n";
+  return html + "</tbody></table></div>\n<p class=\"soft\">" + proof_text(results) + "</p>\n";
 }
 
 /// Which sources make up the error bars: median and largest share of each over all results.

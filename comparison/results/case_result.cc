@@ -6,6 +6,7 @@
 
 #include "comparison/simulation/resolution_json.h"
 #include "comparison/support/files.h"
+#include "comparison/support/parallel.h"
 #include "comparison/support/versions.h"
 #include "fem/condensation/field_output.h"
 
@@ -130,6 +131,24 @@ void write_field(const HarmonicBody& body, const Eigen::VectorXd& rings, const U
   write_file(file, text.str());
 }
 
+void write_fields(const CaseResult& result, const fs::path& folder) {
+  const Body body = make_body(result.fem_case.body);
+  const auto& normal = result.fe.fe.normal;
+  struct Field {
+    const HarmonicBody& body;
+    const Eigen::VectorXd& rings;
+    const char* file;
+  };
+  std::vector<Field> fields{{body.normal, normal.deepest_displacement, "normal_deepest.vtu"},
+                            {body.normal, normal.highest_displacement, "normal_highest.vtu"}};
+  if (body.tangential)
+    fields.push_back({*body.tangential, result.fe.fe.friction.displacement, "tangential_period_end.vtu"});
+  for_each_in_parallel(fields.size(), [&](std::size_t i) {
+    const auto& [harmonic, rings, file] = fields[i];
+    write_field(harmonic, rings, result.fem_case.units, folder / file);
+  });
+}
+
 /// Names of files may have bytes that are not UTF-8.
 std::string as_text(const nlohmann::ordered_json& json) {
   return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
@@ -160,15 +179,7 @@ void write_result(const CaseResult& result, const mdr::NormalResponse& reference
   write_history(result, reference, folder / "history.csv");
   write_contact(result, folder / "contact.csv");
   write_profile(result, folder / "profile.csv");
-  if (result.input.fields == Case::Fields::extremes) {
-    const auto& units = result.fem_case.units;
-    const auto& history = result.fe.fe.normal;
-    const Body body = make_body(result.fem_case.body);
-    write_field(body.normal, history.deepest_displacement, units, folder / "normal_deepest.vtu");
-    write_field(body.normal, history.highest_displacement, units, folder / "normal_highest.vtu");
-    if (body.tangential)
-      write_field(*body.tangential, result.fe.fe.friction.displacement, units, folder / "tangential_period_end.vtu");
-  }
+  if (result.input.fields == Case::Fields::extremes) write_fields(result, folder);
   write_file(folder / "run.json", as_text(run_json(result)));
   write_file(folder / "result.json", as_text(result_json(result)));
 }

@@ -100,6 +100,7 @@ void require_result(const fs::path& file, const ordered_json& json) {
   if (!json.is_object()) throw InputError(fmt::format("{}: is no JSON object, must be a result", file.string()));
   require(file, json, "", "name", &ordered_json::is_string, "text");
   require(file, json, "", "pass", &ordered_json::is_boolean, "true or false");
+  require(file, json, "", "proof", &ordered_json::is_string, "text", true);
   for (const char* key : {"scene", "mdr", "fe", "comparison", "cost"})
     require(file, json, "", key, &ordered_json::is_object, "an object");
   require_scene(file, json["scene"]);

@@ -1,5 +1,6 @@
 #include "comparison/simulation/body.h"
 
+#include "comparison/support/parallel.h"
 #include "comparison/support/stopwatch.h"
 #include "fem/operators/stiffness.h"
 #include "meshes/audit.h"
@@ -37,19 +38,24 @@ Operators assemble_operators(const meshes::Mesh& mesh, const std::string& name, 
   meshes::audit(mesh, name);
   Stopwatch watch;
   const auto grid = grid_of(mesh);
-  Operators operators{assemble_harmonic(grid, fem::Harmonic::normal, degree), {}, meshes::quality(mesh), {}};
-  if (tangential) operators.tangential.emplace(assemble_harmonic(grid, fem::Harmonic::tangential, degree));
+  std::optional<HarmonicOperators> harmonics[2];
+  for_each_in_parallel(tangential ? 2 : 1, [&](std::size_t n) {
+    harmonics[n].emplace(assemble_harmonic(grid, n == 0 ? fem::Harmonic::normal : fem::Harmonic::tangential, degree));
+  });
+  Operators operators{std::move(*harmonics[0]), std::move(harmonics[1]), meshes::quality(mesh), {}};
   operators.cost.assembly = watch.lap();
   return operators;
 }
 
 Body condense(Operators&& operators) {
   Stopwatch watch;
-  auto normal = condense_harmonic(std::move(operators.normal), "stiffness of the normal harmonic");
-  std::optional<HarmonicBody> tangential;
-  if (operators.tangential)
-    tangential.emplace(condense_harmonic(std::move(*operators.tangential), "stiffness of the tangential harmonic"));
-  Body body{std::move(normal), std::move(tangential), operators.mesh_quality, operators.cost};
+  std::optional<HarmonicBody> harmonics[2];
+  for_each_in_parallel(operators.tangential ? 2 : 1, [&](std::size_t n) {
+    harmonics[n].emplace(
+        n == 0 ? condense_harmonic(std::move(operators.normal), "stiffness of the normal harmonic")
+               : condense_harmonic(std::move(*operators.tangential), "stiffness of the tangential harmonic"));
+  });
+  Body body{std::move(*harmonics[0]), std::move(harmonics[1]), operators.mesh_quality, operators.cost};
   body.cost.factorisation = watch.lap();
   return body;
 }

@@ -1,10 +1,14 @@
 #pragma once
 
+#include <limits>
 #include <string>
 
 #include "comparison/verification/suite.h"
 
 namespace fretval {
+
+inline constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+inline constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// A row with one quantity, whose tolerance is 1e-2.
 inline SuiteRow row_of(double error, std::optional<double> bar, const std::string& name = "value") {

@@ -20,6 +20,7 @@
 #include "comparison/support/folder_lock.h"
 #include "fem/support/solver_error.h"
 #include "meshes/msh_file.h"
+#include "tests/comparison/expect_parts.h"
 #include "tests/comparison/run_fretval.h"
 
 // What goes wrong around a computation, and what the tool says. The list of faults is in docs/robustness.md.
@@ -42,10 +43,6 @@ std::string refusal_of(const std::string& name, const std::string& text) {
   const ScratchFolder folder;
   const auto file = folder.write(name, text);
   return refusal([&] { prepare(read_case_file(file)); });
-}
-
-void expect_parts(const std::string& message, const std::vector<std::string>& parts) {
-  for (const auto& part : parts) EXPECT_NE(message.find(part), std::string::npos) << message << "\nlacks: " << part;
 }
 
 /// All files below a folder, and no other, relative to it.
@@ -453,7 +450,7 @@ TEST(SystemFaults, TextInAPlotIsText) {
   plot.title = "`touch " + trace.string() + "` <script>";
   plot.x_label = "\"; system 'touch " + trace.string() + "'";
   plot.series.push_back({"`touch " + trace.string() + "`\n", {0, 1}, {0, 1}, Series::Style::line, 0});
-  const std::string drawn = svg(plot);
+  const std::string drawn = svgs({plot}).front();
   EXPECT_FALSE(fs::exists(trace));
   EXPECT_EQ(drawn.find("<script"), std::string::npos);
   EXPECT_NE(drawn.find("script"), std::string::npos);
@@ -466,7 +463,7 @@ TEST(SystemFaults, APlotWithoutPointsSaysSo) {
   plot.title = "a & b";
   const auto shows = [&](std::vector<double> x, std::vector<double> y) {
     plot.series = {{"curve", std::move(x), std::move(y)}};
-    return svg(plot).find("a &amp; b: no data") == std::string::npos;
+    return svgs({plot}).front().find("a &amp; b: no data") == std::string::npos;
   };
   const double none = std::nan("");
   EXPECT_FALSE(shows({}, {}));

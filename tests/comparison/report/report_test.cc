@@ -7,6 +7,7 @@
 
 #include "comparison/case/case.h"
 #include "comparison/report/exact_section.h"
+#include "tests/comparison/expect_parts.h"
 #include "tests/comparison/run_fretval.h"
 
 namespace fretval {
@@ -50,10 +51,6 @@ TEST(Report, ComparesRheologiesByTheirLargestDifferences) {
       << section.substr(0, 2000);
   EXPECT_NE(section.find("<td>standard solid</td><td>1.359827</td><td>2</td>"), std::string::npos);
   EXPECT_NE(section.find("<td>-3.5e-04</td><td>up to 77</td>"), std::string::npos);
-}
-
-void expect_parts(const std::string& page, const std::vector<std::string>& parts) {
-  for (const auto& part : parts) EXPECT_NE(page.find(part), std::string::npos) << part;
 }
 
 TEST(Report, SaysWhichStickRadiusTheSteadyStateFollows) {

@@ -6,14 +6,11 @@
 #include <nlohmann/json.hpp>
 
 #include "comparison/verification/suite_json.h"
+#include "tests/comparison/expect_parts.h"
 #include "tests/comparison/suite_rows.h"
 
 namespace fretval {
 namespace {
-
-void expect_parts(const std::string& html, const std::vector<std::string>& parts) {
-  for (const auto& part : parts) EXPECT_NE(html.find(part), std::string::npos) << part << "\nin\n" << html;
-}
 
 TEST(SuiteSection, ShowsVerdictQuantitiesAndRows) {
   auto run = run_of({row_of(1e-3, 2e-3, "good"), row_of(3e-2, 2e-3, "<bad>"), refused_row("a", "a <b>"),

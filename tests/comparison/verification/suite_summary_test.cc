@@ -2,15 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include <limits>
-
 #include "tests/comparison/suite_rows.h"
 
 namespace fretval {
 namespace {
-
-constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 TEST(QuantitySummary, IsByQuantityAndTolerance) {
   auto other = row_of(1e-3, 2e-3);

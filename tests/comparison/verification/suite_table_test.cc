@@ -2,21 +2,14 @@
 
 #include <gtest/gtest.h>
 
-#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "comparison/verification/suite_json.h"
+#include "tests/comparison/expect_parts.h"
 #include "tests/comparison/suite_rows.h"
 
 namespace fretval {
 namespace {
-
-constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
-void expect_parts(const std::string& text, const std::vector<std::string>& parts) {
-  for (const auto& part : parts) EXPECT_NE(text.find(part), std::string::npos) << part << "\nin\n" << text;
-}
 
 SuiteRun mixed() {
   auto run = run_of(

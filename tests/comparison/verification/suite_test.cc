@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <limits>
-
 #include "comparison/verification/case_parts.h"
 #include "comparison/verification/extremes/extreme_rows.h"
 #include "comparison/verification/suite_table.h"
@@ -11,9 +9,6 @@
 
 namespace fretval {
 namespace {
-
-constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 SuiteRow with_proof(SuiteRow row, Proof proof) {
   row.asked.proof = proof;

@@ -152,13 +152,13 @@ TEST(ConvergenceRow, WritesJson) {
 }
 
 /// Meshes of the tests: without the finest one of the suite.
-const std::vector<ConvergenceMesh>& meshes() {
+const std::vector<ConvergenceMesh>& three_meshes() {
   static const auto meshes = half_space_meshes({16, 32, 64});
   return meshes;
 }
 
 std::vector<ConvergenceRow> hertz_rows(const ExactIndentation& exact) {
-  return indentation_rows(meshes(), exact, {1e-6, 3, 1e-7, 1e-6, ""}, {1e-6, 3, 1e-6, 1e-5, ""});
+  return indentation_rows(three_meshes(), exact, {1e-6, 3, 1e-7, 1e-6, ""}, {1e-6, 3, 1e-6, 1e-5, ""});
 }
 
 TEST(ConvergenceGuard, AnotherForceOrRadiusThanHertzFails) {
@@ -173,70 +173,70 @@ TEST(ConvergenceGuard, AnotherForceOrRadiusThanHertzFails) {
 
 TEST(ConvergenceGuard, AnotherCurveThanCattaneoAndMindlinFails) {
   const auto exact = exact_sliding();
-  for (const auto& row : sliding_rows(meshes(), exact)) EXPECT_EQ(failure_of(row), "") << row.quantity;
+  for (const auto& row : sliding_rows(three_meshes(), exact)) EXPECT_EQ(failure_of(row), "") << row.quantity;
   const ExactSliding wrong{[&](double u) { return exact.stick_radius(u) + 1e-5; },
                            [&](double u) { return 1.01 * exact.force(u); },
                            [&](double f) { return 1.01 * exact.displacement(f); }};
-  for (const auto& row : sliding_rows(meshes(), wrong)) EXPECT_NE(failure_of(row), "") << row.quantity;
+  for (const auto& row : sliding_rows(three_meshes(), wrong)) EXPECT_NE(failure_of(row), "") << row.quantity;
 }
 
 TEST(ConvergenceGuard, AnotherCurveThanCattaneoAndMindlinFailsTheUnloading) {
   const auto exact = exact_sliding();
-  EXPECT_EQ(failure_of(unloading_row(meshes(), exact)), "");
+  EXPECT_EQ(failure_of(unloading_row(three_meshes(), exact)), "");
   const ExactSliding wrong{exact.stick_radius, [&](double u) { return exact.force(1.01 * u); }, exact.displacement};
-  EXPECT_NE(failure_of(unloading_row(meshes(), wrong)), "");
+  EXPECT_NE(failure_of(unloading_row(three_meshes(), wrong)), "");
 }
 
 TEST(ConvergenceGuard, AnotherSlopeFailsTheObliqueLoading) {
   const ObliqueLoading loading{0.4, 0.8, 0.925, 0.3, 3};
   const auto exact = exact_oblique(loading);
-  for (const auto& row : oblique_rows(meshes(), loading, exact)) EXPECT_EQ(failure_of(row), "") << row.quantity;
+  for (const auto& row : oblique_rows(three_meshes(), loading, exact)) EXPECT_EQ(failure_of(row), "") << row.quantity;
   auto other = loading;
   other.sticking_slope *= 1.05;
-  EXPECT_NE(failure_of(oblique_rows(meshes(), loading, exact_oblique(other))[0]), "");
+  EXPECT_NE(failure_of(oblique_rows(three_meshes(), loading, exact_oblique(other))[0]), "");
   // Far off, no stick radius is left to be measured.
   for (const double off : {1e-5, 1.0}) {
     const ExactOblique wrong{[&](double d) { return exact.stick_radius(d) + off; }, exact.force};
-    EXPECT_NE(failure_of(oblique_rows(meshes(), loading, wrong)[1]), "") << off;
+    EXPECT_NE(failure_of(oblique_rows(three_meshes(), loading, wrong)[1]), "") << off;
   }
 }
 
 TEST(ConvergenceGuard, AnotherStiffnessOfAPunchFails) {
   const auto exact = exact_punch();
-  for (const auto& row : punch_rows(meshes(), exact)) EXPECT_EQ(failure_of(row), "") << row.scene << row.quantity;
-  for (const auto& row : punch_rows(meshes(), {1.01 * exact.normal, 1.01 * exact.tangential}))
+  for (const auto& row : punch_rows(three_meshes(), exact)) EXPECT_EQ(failure_of(row), "") << row.scene << row.quantity;
+  for (const auto& row : punch_rows(three_meshes(), {1.01 * exact.normal, 1.01 * exact.tangential}))
     EXPECT_NE(failure_of(row), "") << row.scene << row.quantity;
 }
 
 TEST(ConvergenceGuard, AnotherProfileThanTheWornOneFails) {
-  EXPECT_EQ(failure_of(worn_edge_row(meshes(), mdr::parabola(1), mdr::parabola(1))), "");
-  EXPECT_NE(failure_of(worn_edge_row(meshes(), mdr::parabola(1), mdr::parabola(1.001))), "");
+  EXPECT_EQ(failure_of(worn_edge_row(three_meshes(), mdr::parabola(1), mdr::parabola(1))), "");
+  EXPECT_NE(failure_of(worn_edge_row(three_meshes(), mdr::parabola(1), mdr::parabola(1.001))), "");
 }
 
 TEST(ConvergenceGuardSlow, AnotherCurveThanCattaneoAndMindlinFailsTheCycle) {
   const auto exact = exact_sliding();
-  EXPECT_EQ(failure_of(cycle_row(meshes(), exact)), "");
+  EXPECT_EQ(failure_of(cycle_row(three_meshes(), exact)), "");
   const ExactSliding wrong{exact.stick_radius, [&](double u) { return 1.01 * exact.force(u); }, exact.displacement};
-  EXPECT_NE(failure_of(cycle_row(meshes(), wrong)), "");
+  EXPECT_NE(failure_of(cycle_row(three_meshes(), wrong)), "");
 }
 
 TEST(ConvergenceGuard, AnotherBranchFailsTheViscoelasticRows) {
   const auto body = mdr::standard_solid(1, 2, 0.4), other = mdr::standard_solid(1, 2, 0.404);
-  const auto& mesh = meshes().front();
+  const auto& mesh = three_meshes().front();
   for (const auto row_of : {step_row, growing_contact_time_row, retraction_time_row}) {
     EXPECT_EQ(failure_of(row_of(mesh, body, body)), "");
     EXPECT_NE(failure_of(row_of(mesh, body, other)), "");
   }
   for (const auto row_of : {hertz_step_row, growing_contact_mesh_row, retraction_mesh_row}) {
-    EXPECT_EQ(failure_of(row_of(meshes(), body, body)), "");
-    EXPECT_NE(failure_of(row_of(meshes(), body, other)), "");
+    EXPECT_EQ(failure_of(row_of(three_meshes(), body, body)), "");
+    EXPECT_NE(failure_of(row_of(three_meshes(), body, other)), "");
   }
 }
 
 TEST(ConvergenceGuard, AnotherBranchFailsTheRebound) {
   const auto body = mdr::standard_solid(1, 2, 0.4), other = mdr::standard_solid(1, 2, 0.404);
-  for (const auto& row : rebound_rows(meshes(), body, body)) EXPECT_EQ(failure_of(row), "") << row.quantity;
-  for (const auto& row : rebound_rows(meshes(), body, other)) EXPECT_NE(failure_of(row), "") << row.quantity;
+  for (const auto& row : rebound_rows(three_meshes(), body, body)) EXPECT_EQ(failure_of(row), "") << row.quantity;
+  for (const auto& row : rebound_rows(three_meshes(), body, other)) EXPECT_NE(failure_of(row), "") << row.quantity;
 }
 
 TEST(ConvergenceGuard, AnotherStickRadiusFailsThePeriodicState) {
@@ -244,18 +244,18 @@ TEST(ConvergenceGuard, AnotherStickRadiusFailsThePeriodicState) {
   const auto solid = mdr::standard_solid(1, std::sqrt(3.5) - 1, 1);
   const PeriodicScene scene{"periodic", "", solid, 0.1, {{0.25, 30}, {0.23, 90}}, demand, demand};
   const auto exact = exact_stick_radii();
-  for (const auto& row : periodic_rows(meshes(), scene, exact)) EXPECT_EQ(failure_of(row), "") << row.quantity;
+  for (const auto& row : periodic_rows(three_meshes(), scene, exact)) EXPECT_EQ(failure_of(row), "") << row.quantity;
   const auto wrong = [&](const mdr::PronyBody& body, const mdr::Motion& motion) {
     const auto radii = exact(body, motion);
     return mdr::StickRadii{*radii.first_slip + 1e-5, *radii.shakedown + 1e-5};
   };
-  for (const auto& row : periodic_rows(meshes(), scene, wrong)) EXPECT_NE(failure_of(row), "") << row.quantity;
+  for (const auto& row : periodic_rows(three_meshes(), scene, wrong)) EXPECT_NE(failure_of(row), "") << row.quantity;
   // The paper's criterion is not that of the steady state.
   const auto confused = [&](const mdr::PronyBody& body, const mdr::Motion& motion) {
     const auto radii = exact(body, motion);
     return mdr::StickRadii{radii.shakedown, radii.first_slip};
   };
-  for (const auto& row : periodic_rows(meshes(), scene, confused)) EXPECT_NE(failure_of(row), "") << row.quantity;
+  for (const auto& row : periodic_rows(three_meshes(), scene, confused)) EXPECT_NE(failure_of(row), "") << row.quantity;
 }
 
 TEST(ConvergenceGuard, AnotherForceThanKelvinsFailsInTheBulk) {
