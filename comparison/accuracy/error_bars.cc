@@ -24,7 +24,7 @@ Quantities uncertainties_of_edges(const Computation& computation, const FemCase&
 /// Adds what a bar falls short of a width.
 void widen(ErrorBar& bar, double width) {
   const double missing = width - bar.total();
-  if (missing > 0) bar.shares.push_back({ErrorSource::edge, missing, std::nullopt});
+  if (missing > 0) bar.add(ErrorSource::edge, missing);
 }
 
 /// The depth of a stick zone goes at least with the square of its radius: a bar of more than half of the radius leaves
@@ -88,7 +88,7 @@ void carry_slip_inside(const Track& track, ErrorBudget& budget) {
   if (slip == budget.end() || track.value(slip->first) > slip->second.total()) return;
   constexpr auto shakedown = Quantity::stick_radius_shakedown;
   const double missing = track.prepared.fem.worn_edge->inner - track.value(shakedown);
-  if (missing > 0) budget.at(shakedown).shares.push_back({ErrorSource::edge, missing, std::nullopt});
+  if (missing > 0) budget.at(shakedown).add(ErrorSource::edge, missing);
 }
 
 }  // namespace

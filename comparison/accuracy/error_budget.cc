@@ -41,6 +41,15 @@ ErrorShare share_of(ErrorSource source, const Refinements& values, unsigned degr
 
 }  // namespace
 
+void ErrorBar::add(ErrorSource source, double estimate) {
+  const auto found =
+      std::find_if(shares.begin(), shares.end(), [source](const auto& share) { return share.source == source; });
+  if (found == shares.end())
+    shares.push_back({source, estimate, std::nullopt});
+  else
+    found->estimate += estimate;
+}
+
 double ErrorBar::total() const {
   double sum = 0;
   for (const auto& share : shares) sum += share.estimate;
@@ -71,17 +80,18 @@ ErrorBudget error_budget(const Resolution& resolution, const std::map<Resolution
   const auto variants = variants_of(resolution, needs);
   ErrorBudget budget;
   for (const auto& [quantity, value] : known.at(resolution)) {
-    auto& shares = budget[quantity].shares;
+    auto& bar = budget[quantity];
     for (std::size_t i = 0; i < variants.size(); ++i) {
       const auto& [source, varied, reference] = variants[i];
       if (i > 0 && variants[i - 1].source == source) continue;  // the coarser one of two
       Refinements found{value_of(known.at(reference), quantity), value_of(known.at(varied), quantity), std::nullopt};
       if (i + 1 < variants.size() && variants[i + 1].source == source)
         found.coarse = value_of(known.at(variants[i + 1].resolution), quantity);
-      shares.push_back(share_of(source, found, resolution.degree, expected_order(source, quantity, needs)));
+      bar.shares.push_back(share_of(source, found, resolution.degree, expected_order(source, quantity, needs)));
     }
     const auto reading = edge.find(quantity);
-    if (reading != edge.end()) shares.push_back({ErrorSource::edge, reading->second, std::nullopt});
+    if (reading == edge.end()) continue;
+    bar.add(quantity == Quantity::contact_radius_max ? ErrorSource::time_step : ErrorSource::edge, reading->second);
   }
   return budget;
 }

@@ -18,7 +18,9 @@ struct ErrorShare {
 
 /// Error bar of one quantity: the shares add up, whatever their signs.
 struct ErrorBar {
-  std::vector<ErrorShare> shares;
+  std::vector<ErrorShare> shares;  ///< one a source
+  /// To the share of that source, or as one.
+  void add(ErrorSource source, double estimate);
   [[nodiscard]] double total() const;
   /// Null if there are no shares.
   [[nodiscard]] const ErrorShare* largest() const;
@@ -41,7 +43,7 @@ ErrorShare richardson(ErrorSource source, const Refinements& values, const Expec
 
 /// The budget of the quantities at a resolution. known: the quantities there and at each of its variants_of (empty if
 /// the numerics failed), with their references; edge: the uncertainty of reading the edges (fem::EdgeRadius), by
-/// quantity.
+/// quantity. That of the contact radius lies between the time steps, and counts there.
 ///
 /// Rings: third order, second where they are graded to a worn edge (-4.1e-4, -2.0e-4, -4.3e-5, -9.9e-6 at 16 to 128
 /// rings), first for what the worn edge lets through, in a ring that shrinks with the square. With memory the force

@@ -101,7 +101,10 @@ std::optional<Candidate> refined(const Candidate& candidate, ErrorSource source,
   if (!resolution) return std::nullopt;
   auto bars = candidate.bars;
   for (auto& [bar, tolerance] : bars)
-    for (auto& share : bar.shares) share.estimate *= std::pow(left_over(source, share), std::log2(factor));
+    for (auto& share : bar.shares) {
+      const double left = left_over(source, share);
+      if (left < 1) share.estimate *= std::pow(left, std::log2(factor));
+    }
   const auto effort = effort_after(source, candidate.effort, candidate.resolution.degree, factor);
   if (effort.n_dofs > most_dofs || expected_seconds(effort) > limits.most_seconds) return std::nullopt;
   return Candidate{*resolution, bars, effort};

@@ -9,11 +9,10 @@
 namespace fretval {
 namespace {
 
-BatchLine run_case(const PreparedCase& prepared, const BatchOptions& options, BodyStore& bodies,
-                   std::size_t n_threads) {
+BatchLine run_case(const PreparedCase& prepared, const BatchOptions& options, BodyStore& bodies) {
   BatchLine line;
   line.name = prepared.input.name;
-  auto fe = prove(prepared, options.proof, bodies, n_threads);
+  auto fe = prove(prepared, options.proof, bodies);
   mdr::NormalResponse reference;
   try {
     reference = mdr_normal_response(prepared.mdr);
@@ -38,9 +37,10 @@ std::vector<BatchLine> run_batch(const std::vector<PreparedCase>& cases, const B
   BodyStore bodies(options.meshes);
   std::mutex mutex;
   std::size_t n_done = 0;
-  const std::size_t n_threads_of_a_case = std::max<std::size_t>(1, n_cores() / std::max<std::size_t>(1, cases.size()));
-  for_each_in_parallel(cases.size(), [&](std::size_t i) {
-    lines[i] = run_case(cases[i], options, bodies, n_threads_of_a_case);
+  for_each_in_parallel(cases.size(), [&](std::size_t turn) {
+    // From both ends: neighbours share bodies, and would wait for each other's.
+    const std::size_t i = turn % 2 == 0 ? turn / 2 : cases.size() - 1 - turn / 2;
+    lines[i] = run_case(cases[i], options, bodies);
     const std::lock_guard<std::mutex> lock(mutex);
     options.progress(lines[i], ++n_done, cases.size());
   });

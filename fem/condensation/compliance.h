@@ -21,7 +21,7 @@ struct Compliance {
 /// Throws SolverError if S is not positive definite.
 Compliance contact_compliance(const ContactLine& line, const Condensation& condensation);
 
-/// Lower Cholesky factor of the matrix. Throws SolverError if it is not positive definite.
-Eigen::MatrixXd cholesky_factor(const Compliance& compliance);
+/// Lower Cholesky factor of the matrix of a compliance. Throws SolverError if it is not positive definite.
+Eigen::MatrixXd cholesky_factor(const Eigen::MatrixXd& compliance);
 
 }  // namespace fretval::fem

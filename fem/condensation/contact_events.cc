@@ -30,7 +30,7 @@ Compliance with_wider_rings(const Compliance& compliance) {
 
 ContactEvents plain_contact_events(const Compliance& compliance, const Eigen::VectorXd& profile) {
   const Eigen::Index n = compliance.areas.size();
-  const Eigen::MatrixXd factor = cholesky_factor(compliance);
+  const Eigen::MatrixXd factor = cholesky_factor(compliance.matrix);
   const auto& areas = compliance.areas;
   const Eigen::VectorXd by_indentation = factor.triangularView<Eigen::Lower>().solve(areas);
   const Eigen::VectorXd by_profile = factor.triangularView<Eigen::Lower>().solve(areas.cwiseProduct(profile));

@@ -18,7 +18,8 @@ bool has_equal_rings(const Compliance& compliance) {
 EffectiveRadii effective_radii(const Compliance& compliance) {
   const Eigen::Index n = compliance.areas.size();
   // Force of a unit indentation on rings 0..m-1 = |L_m^{-1} A_m|^2: one forward substitution serves every m.
-  const Eigen::VectorXd half = cholesky_factor(compliance).triangularView<Eigen::Lower>().solve(compliance.areas);
+  const Eigen::VectorXd half =
+      cholesky_factor(compliance.matrix).triangularView<Eigen::Lower>().solve(compliance.areas);
   Eigen::VectorXd force(n + 1);
   Eigen::MatrixXd terms(n + 1, 3);
   force[0] = 0;

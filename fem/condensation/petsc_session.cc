@@ -8,10 +8,24 @@
 #include "fem/support/solver_error.h"
 
 namespace fretval::fem {
+namespace {
+
+bool is_started_by_mpirun() {
+  return std::getenv("OMPI_COMM_WORLD_SIZE") != nullptr || std::getenv("PMIX_RANK") != nullptr;
+}
+
+/// Open MPI's daemon, for programs that spawn others, and its search for networks: 0.2 s each.
+void leave_out_what_one_process_does_not_need() {
+  constexpr int keep = 0;  // what the user has set
+  setenv("OMPI_MCA_ess_singleton_isolated", "1", keep);
+  setenv("OMPI_MCA_pml", "ob1", keep);
+  setenv("OMPI_MCA_btl", "self", keep);
+}
+
+}  // namespace
 
 PetscSession::PetscSession() {
-  // A single process would start a daemon of Open MPI, 0.2 s, which only programs that spawn others need.
-  setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
+  if (!is_started_by_mpirun()) leave_out_what_one_process_does_not_need();
   if (PetscInitializeNoArguments() != 0) throw SolverError("PETSc could not be started");
   // Dense blocks are small and cases run in parallel: threads inside BLAS would only get in the way.
   openblas_set_num_threads(1);

@@ -102,7 +102,7 @@ std::optional<double> PunchSeries::edge_of_gap(const Eigen::VectorXd& gap, Index
   x << radii_.segment(n_pressed, n_inside), kink;
   y << opening.segment(n_pressed, n_inside), outside(kink);
   constexpr double far_enough = 0.25;
-  const bool has_kink = n_inside < n_to_continue && outside.n == n_stencil &&
+  const bool has_kink = n_inside < n_to_continue && outside.n_nodes() == n_stencil &&
                         kink - x[n_inside - 1] > far_enough * (radii_[n_pressed] - radii_[n_pressed - 1]);
   return vanishing({x, y, 0, has_kink ? n_inside + 1 : n_inside});
 }

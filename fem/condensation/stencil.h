@@ -11,28 +11,39 @@ namespace fretval::fem {
 constexpr Eigen::Index n_stencil = 4;
 constexpr Eigen::Index n_to_continue = 3;  // rings that tell where a zone ends
 
-/// The polynomial through nodes first..first+n-1.
-struct Stencil {
-  const Eigen::VectorXd& x;
-  const Eigen::VectorXd& y;
-  Eigen::Index first, n;
+/// The polynomial through nodes first..first+n-1, in Newton's form. Without nodes it is zero.
+class Stencil {
+ public:
+  Stencil(const Eigen::VectorXd& x, const Eigen::VectorXd& y, Eigen::Index first, Eigen::Index n) : n_(n) {
+    for (Eigen::Index i = 0; i < n; ++i) {
+      x_[i] = x[first + i];
+      differences_[i] = y[first + i];
+    }
+    for (Eigen::Index order = 1; order < n; ++order)
+      for (Eigen::Index i = n - 1; i >= order; --i)
+        differences_[i] = (differences_[i] - differences_[i - 1]) / (x_[i] - x_[i - order]);
+  }
+
+  [[nodiscard]] Eigen::Index n_nodes() const { return n_; }
+  [[nodiscard]] double first_node() const { return x_[0]; }
+  [[nodiscard]] double last_node() const { return x_[n_ - 1]; }
 
   double operator()(double at) const {
     double value = 0;
-    for (Eigen::Index i = first; i < first + n; ++i) {
-      double weight = 1;
-      for (Eigen::Index j = first; j < first + n; ++j)
-        if (j != i) weight *= (at - x[j]) / (x[i] - x[j]);
-      value += weight * y[i];
-    }
+    for (Eigen::Index i = n_ - 1; i >= 0; --i) value = value * (at - x_[i]) + differences_[i];
     return value;
   }
 
-  /// Exact: the polynomial is a cubic at most.
+  /// Exact for a cubic.
   [[nodiscard]] double integral(double from, double to) const {
     const double middle = (from + to) / 2, offset = (to - from) / (2 * std::sqrt(3.0));
     return (to - from) / 2 * ((*this)(middle - offset) + (*this)(middle + offset));
   }
+
+ private:
+  static constexpr Eigen::Index most_nodes = 8;
+  Eigen::Index n_;
+  double x_[most_nodes], differences_[most_nodes];
 };
 
 /// Where f changes its sign between low and high, by bisection.
@@ -58,8 +69,7 @@ std::optional<double> crossing(const Function& f, double node, double next) {
 
 /// Where the polynomials of two neighbouring zones meet.
 inline std::optional<double> meeting_point(const Stencil& inner, const Stencil& outer) {
-  return crossing([&](double r) { return inner(r) - outer(r); }, inner.x[inner.first + inner.n - 1],
-                  outer.x[outer.first]);
+  return crossing([&](double r) { return inner(r) - outer(r); }, inner.last_node(), outer.first_node());
 }
 
 }  // namespace fretval::fem

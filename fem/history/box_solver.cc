@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "fem/condensation/compliance.h"
 #include "fem/support/solver_error.h"
 
 namespace fretval::fem {
@@ -37,10 +38,10 @@ Violations find_violations(const Eigen::VectorXd& x, const Eigen::VectorXd& resi
   return violations;
 }
 
-// Puts the bounded unknowns at their bounds, zero elsewhere, and returns the interior ones.
-std::vector<Eigen::Index> place_unknowns(const Eigen::VectorXd& lower, const Eigen::VectorXd& upper,
-                                         std::vector<BoxState>& state, Eigen::VectorXd& x) {
-  std::vector<Eigen::Index> interior;
+// Puts the bounded unknowns at their bounds, zero elsewhere, and lists the interior ones.
+void place_unknowns(const Eigen::VectorXd& lower, const Eigen::VectorXd& upper, std::vector<BoxState>& state,
+                    Eigen::VectorXd& x, std::vector<Eigen::Index>& interior) {
+  interior.clear();
   for (Eigen::Index i = 0; i < x.size(); ++i) {
     if (lower[i] == upper[i]) state[i] = BoxState::lower;
     if (state[i] == BoxState::lower && !std::isfinite(lower[i])) state[i] = BoxState::interior;
@@ -48,33 +49,26 @@ std::vector<Eigen::Index> place_unknowns(const Eigen::VectorXd& lower, const Eig
     x[i] = state[i] == BoxState::interior ? 0 : state[i] == BoxState::lower ? lower[i] : upper[i];
     if (state[i] == BoxState::interior) interior.push_back(i);
   }
-  return interior;
 }
 
 }  // namespace
 
-BoxSolver::BoxSolver(const Eigen::MatrixXd& matrix, double slack) : matrix_(matrix), slack_(slack) {
-  const Eigen::LLT<Eigen::MatrixXd> factor(matrix);
-  if (factor.info() != Eigen::Success) throw SolverError("the contact compliance is not positive definite");
-  factor_ = factor.matrixL();
-}
+BoxSolver::BoxSolver(const Eigen::MatrixXd& matrix, double slack)
+    : matrix_(matrix), factor_(cholesky_factor(matrix)), slack_(slack) {}
 
-// Interior = leading block {0..k-1} plus a few extra indices, eliminated by their own Schur complement.
-void BoxSolver::solve_interior(const std::vector<Eigen::Index>& interior, Eigen::VectorXd rhs,
-                               Eigen::VectorXd& x) const {
-  Eigen::Index k = 0;
-  const auto n = static_cast<Eigen::Index>(interior.size());
-  while (k < n && interior[k] == k) ++k;
+// Interior = leading block {0..k-1} plus a few extra indices, eliminated by their own Schur complement. x: the
+// right-hand side on entry, where it is interior.
+void BoxSolver::solve_interior(const std::vector<Eigen::Index>& interior, Eigen::Index k, Eigen::VectorXd& x) const {
   const auto block = factor_.topLeftCorner(k, k).triangularView<Eigen::Lower>();
-  const Eigen::Index n_extra = n - k;
-  Eigen::VectorXd head = rhs.head(k);
+  const Eigen::Index n_extra = static_cast<Eigen::Index>(interior.size()) - k;
+  auto head = x.head(k);
   block.solveInPlace(head);
   if (n_extra > 0) {
     Eigen::MatrixXd coupling(k, n_extra), extra(n_extra, n_extra);
     Eigen::VectorXd tail(n_extra);
     for (Eigen::Index j = 0; j < n_extra; ++j) {
       coupling.col(j) = matrix_.col(interior[k + j]).head(k);
-      tail[j] = rhs[k + j];
+      tail[j] = x[interior[k + j]];
       for (Eigen::Index i = 0; i < n_extra; ++i) extra(i, j) = matrix_(interior[k + i], interior[k + j]);
     }
     block.solveInPlace(coupling);
@@ -85,7 +79,6 @@ void BoxSolver::solve_interior(const std::vector<Eigen::Index>& interior, Eigen:
     for (Eigen::Index j = 0; j < n_extra; ++j) x[interior[k + j]] = tail[j];
   }
   block.transpose().solveInPlace(head);
-  x.head(k) = head;
 }
 
 BoxSolver::Solution BoxSolver::solve(const Eigen::VectorXd& q, const Eigen::VectorXd& lower,
@@ -93,27 +86,29 @@ BoxSolver::Solution BoxSolver::solve(const Eigen::VectorXd& q, const Eigen::Vect
   if (!q.allFinite()) throw std::invalid_argument("the right-hand side of the contact problem is not finite");
   const Eigen::Index n = size();
   const int limit = 50 + 10 * static_cast<int>(n);
-  Solution solution{Eigen::VectorXd::Zero(n), Eigen::VectorXd::Zero(n), 0};
+  Solution solution{Eigen::VectorXd(n), Eigen::VectorXd(n), 0};
+  auto &x = solution.x, &residual = solution.residual;
+  std::vector<Eigen::Index> interior;
   std::size_t fewest = std::numeric_limits<std::size_t>::max();
   int stalled = 0;
   for (; solution.iterations < limit; ++solution.iterations) {
-    const auto interior = place_unknowns(lower, upper, state, solution.x);
-    Eigen::VectorXd reduced = q;
-    for (Eigen::Index i = 0; i < n; ++i)
-      if (solution.x[i] != 0) reduced.noalias() -= solution.x[i] * matrix_.col(i);
-    Eigen::VectorXd rhs(static_cast<Eigen::Index>(interior.size()));
-    for (Eigen::Index j = 0; j < rhs.size(); ++j) rhs[j] = reduced[interior[j]];
-    const Eigen::VectorXd at_bounds = solution.x;
-    solve_interior(interior, std::move(rhs), solution.x);
-    const Eigen::VectorXd solved = solution.x - at_bounds;
-    const Eigen::Index last = interior.empty() ? 0 : interior.back() + 1;
-    for (Eigen::Index i = 0; i < n; ++i)
-      solution.residual[i] =
-          state[i] == BoxState::interior ? 0 : reduced[i] - matrix_.col(i).head(last).dot(solved.head(last));
+    place_unknowns(lower, upper, state, x, interior);
+    const auto n_interior = static_cast<Eigen::Index>(interior.size());
+    Eigen::Index k = 0;
+    while (k < n_interior && interior[k] == k) ++k;
+    // What the bounded unknowns leave, then what the interior ones leave of that.
+    residual = q;
+    if (!x.tail(n - k).isZero(0)) residual.noalias() -= matrix_.rightCols(n - k) * x.tail(n - k);
+    for (const auto i : interior) x[i] = residual[i];
+    solve_interior(interior, k, x);
+    residual.tail(n - k).noalias() -= matrix_.bottomLeftCorner(n - k, k) * x.head(k);
+    for (Eigen::Index j = k; j < n_interior; ++j)
+      residual.tail(n - k).noalias() -= x[interior[j]] * matrix_.col(interior[j]).tail(n - k);
+    for (const auto i : interior) residual[i] = 0;
 
-    const double slack = slack_ * solution.x.lpNorm<Eigen::Infinity>();
+    const double slack = slack_ * x.lpNorm<Eigen::Infinity>();
     const double residual_slack = slack_ * q.lpNorm<Eigen::Infinity>();
-    const auto violations = find_violations(solution.x, solution.residual, lower, upper, state, slack, residual_slack);
+    const auto violations = find_violations(x, residual, lower, upper, state, slack, residual_slack);
     if (violations.indices.empty()) return solution;
     stalled = violations.indices.size() < fewest ? 0 : stalled + 1;
     fewest = std::min(fewest, violations.indices.size());

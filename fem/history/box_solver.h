@@ -41,7 +41,7 @@ class BoxSolver {
   [[nodiscard]] const Eigen::MatrixXd& factor() const { return factor_; }
 
  private:
-  void solve_interior(const std::vector<Eigen::Index>& interior, Eigen::VectorXd rhs, Eigen::VectorXd& x) const;
+  void solve_interior(const std::vector<Eigen::Index>& interior, Eigen::Index k, Eigen::VectorXd& x) const;
 
   Eigen::MatrixXd matrix_;
   Eigen::MatrixXd factor_;  // lower Cholesky factor

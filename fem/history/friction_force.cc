@@ -62,7 +62,7 @@ HeldReserve held_reserve(const PunchSeries& series, const SlipZones& zones, Eige
 Eigen::VectorXd at_own_radii(const PunchSeries& series, const TouchingRings& touching,
                              const std::vector<signed char>& labels, const Eigen::VectorXd& depths) {
   Eigen::VectorXd moved = depths;
-  const auto& radii = touching.radii;
+  const Eigen::VectorXd& radii = touching.radii;
   const auto touched = [&](Index i) {
     return i >= 0 && i < depths.size() && labels[static_cast<std::size_t>(i)] == SlipZones::touched_again;
   };
@@ -79,7 +79,7 @@ Eigen::VectorXd at_own_radii(const PunchSeries& series, const TouchingRings& tou
 std::optional<double> force_of_growing_contact(const PunchSeries& series, const SlipZones& zones,
                                                const TouchingRings& touching, const Eigen::VectorXd& limit_depths) {
   const double turning = touching.turning_radius, edge = touching.contact_radius;
-  const auto& radii = touching.radii;
+  const Eigen::VectorXd& radii = touching.radii;
   const auto rings_within = [&](double r) {
     return std::upper_bound(radii.data(), radii.data() + radii.size(), r) - radii.data();
   };

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Dense>
+#include <functional>
 
 #include "fem/condensation/punch_series.h"
 #include "fem/history/slip_zones.h"
@@ -9,8 +10,9 @@ namespace fretval::fem {
 
 /// Where rings touch, as the normal contact has it.
 struct TouchingRings {
-  const Eigen::VectorXd& radii;  ///< of the contact when a ring touches: those of the series of the normal problem
-  bool from_zero = true;         ///< whether the traction of a ring that touches begins at zero: not with a dashpot
+  /// Of the contact when a ring touches: those of the series of the normal problem.
+  std::reference_wrapper<const Eigen::VectorXd> radii;
+  bool from_zero = true;  ///< whether the traction of a ring that touches begins at zero: not with a dashpot
   double contact_radius = 0;
   double turning_radius = 0;  ///< of the contact when it last began to grow
 

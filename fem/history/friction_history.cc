@@ -18,6 +18,42 @@ double change_per_period(const Eigen::MatrixXd& now, const Eigen::MatrixXd& befo
   return largest == 0 ? 0 : (now - before).cwiseAbs().maxCoeff() / largest;
 }
 
+/// What the tangential forces of a period are read from, kept until it is known to be the last one: a reading takes as
+/// long as a step.
+class ForcesOfPeriod {
+ public:
+  explicit ForcesOfPeriod(int n_steps) : n_steps_(n_steps) {}
+
+  void see(const FrictionContact& contact, const TouchingRings& touching, double normal_force) {
+    Sample sample{contact.zones, touching, contact.limit_depths, contact.friction_coefficient() * normal_force};
+    const auto k = static_cast<std::size_t>((contact.n_steps - 1) % n_steps_);
+    if (k < samples_.size())
+      samples_[k] = std::move(sample);
+    else
+      samples_.push_back(std::move(sample));
+  }
+
+  [[nodiscard]] Eigen::VectorXd values(const FrictionContact& contact) const {
+    Eigen::VectorXd forces(n_steps_);
+    for (std::size_t k = 0; k < samples_.size(); ++k) {
+      const auto& [zones, touching, limit_depths, limit_force] = samples_[k];
+      forces[static_cast<Eigen::Index>(k)] =
+          friction_force(contact.problem().series, zones, touching, limit_depths, limit_force);
+    }
+    return forces;
+  }
+
+ private:
+  struct Sample {
+    SlipZones zones;
+    TouchingRings touching;
+    Eigen::VectorXd limit_depths;
+    double limit_force;
+  };
+  int n_steps_;
+  std::vector<Sample> samples_;
+};
+
 }  // namespace
 
 FirstSlip::FirstSlip(Eigen::Index n_rings)
@@ -117,11 +153,10 @@ void WatchedFriction::step(const Eigen::VectorXd& pressure) {
 FrictionHistory friction_history(WatchedFriction friction, const NormalHistory& normal, const HistoryControl& control,
                                  const std::function<void(const FrictionContact&)>& see) {
   auto& contact = friction.contact;
-  const auto& series = contact.problem().series;
   const int cycles_per_period = contact.motion().cycles_per_period(), period_steps = friction.period_steps();
   FrictionHistory history;
   history.periodicity = infinity;
-  history.force.resize(period_steps);
+  ForcesOfPeriod forces(period_steps);
   TouchingRings touching{normal.touch_radii, contact.relaxation().viscosity == 0};
   const double creep = longest_creep_time(contact.relaxation()) / (2 * pi * cycles_per_period);  // periods
   CycleJump jump(creep);
@@ -137,9 +172,7 @@ FrictionHistory friction_history(WatchedFriction friction, const NormalHistory& 
       const Eigen::Index column = normal.column(contact.n_steps + 1);
       friction.step(normal.pressure.col(column));
       touching.move_to(normal.contact_radius[column]);
-      history.force[(contact.n_steps - 1) % period_steps] =
-          friction_force(series, friction.contact.zones, touching, contact.limit_depths,
-                         contact.friction_coefficient() * normal.force[column]);
+      forces.see(contact, touching, normal.force[column]);
       if (see) see(contact);
     } while (contact.n_steps % period_steps != 0);
     history.n_cycles = static_cast<int>(contact.n_steps / contact.steps_per_cycle());
@@ -153,6 +186,7 @@ FrictionHistory friction_history(WatchedFriction friction, const NormalHistory& 
   history.n_steps = contact.n_steps;
   friction.first_slip.report(history);
   friction.period.report(contact.problem(), history);
+  history.force = forces.values(contact);
   history.displacement = contact.state.displacement;
   return history;
 }

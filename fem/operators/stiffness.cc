@@ -7,14 +7,15 @@
 #include <algorithm>
 
 #include "fem/operators/strain_operator.h"
+#include "fem/support/dense.h"
 
 namespace fretval::fem {
 namespace {
 
 Eigen::MatrixXd cell_stiffness(const CellOperators& operators) {
   const Eigen::MatrixXd coupling = operators.divergence().transpose() * operators.pressure();
-  Eigen::MatrixXd matrix = operators.strain().transpose() * operators.strain() - coupling - coupling.transpose();
-  if (operators.far().rows() > 0) matrix += operators.far().transpose() * operators.far();
+  Eigen::MatrixXd matrix = gram(operators.strain()) - coupling - coupling.transpose();
+  if (operators.far().rows() > 0) matrix += gram(operators.far());
   return matrix;
 }
 
