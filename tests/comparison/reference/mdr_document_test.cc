@@ -95,7 +95,7 @@ TEST(MdrDocument, FractionalBodyOfOrderOneIsTheStandardSolid) {
 }
 
 // The springs step a Prony body that stands for the fractional one; the radii next to them need none.
-TEST(MdrDocument, SpringsStandForAFractionalBody) {
+TEST(MdrDocumentSlow, SpringsStandForAFractionalBody) {
   const auto json =
       document_of(replace(valid_case, "standard solid", "fractional zener\n  set Fractional order = 0.5"), true);
   for (const char* key : {"stick_radius_first_slip", "stick_radius_shakedown"})

@@ -171,7 +171,7 @@ TEST(ConvergenceGuard, AnotherForceOrRadiusThanHertzFails) {
   EXPECT_NE(failure_of(hertz_rows(wrong_radius)[0]), "");
 }
 
-TEST(ConvergenceGuard, AnotherCurveThanCattaneoAndMindlinFails) {
+TEST(ConvergenceGuardSlow, AnotherCurveThanCattaneoAndMindlinFails) {
   const auto exact = exact_sliding();
   for (const auto& row : sliding_rows(three_meshes(), exact)) EXPECT_EQ(failure_of(row), "") << row.quantity;
   const ExactSliding wrong{[&](double u) { return exact.stick_radius(u) + 1e-5; },
@@ -180,14 +180,14 @@ TEST(ConvergenceGuard, AnotherCurveThanCattaneoAndMindlinFails) {
   for (const auto& row : sliding_rows(three_meshes(), wrong)) EXPECT_NE(failure_of(row), "") << row.quantity;
 }
 
-TEST(ConvergenceGuard, AnotherCurveThanCattaneoAndMindlinFailsTheUnloading) {
+TEST(ConvergenceGuardSlow, AnotherCurveThanCattaneoAndMindlinFailsTheUnloading) {
   const auto exact = exact_sliding();
   EXPECT_EQ(failure_of(unloading_row(three_meshes(), exact)), "");
   const ExactSliding wrong{exact.stick_radius, [&](double u) { return exact.force(1.01 * u); }, exact.displacement};
   EXPECT_NE(failure_of(unloading_row(three_meshes(), wrong)), "");
 }
 
-TEST(ConvergenceGuard, AnotherSlopeFailsTheObliqueLoading) {
+TEST(ConvergenceGuardSlow, AnotherSlopeFailsTheObliqueLoading) {
   const ObliqueLoading loading{0.4, 0.8, 0.925, 0.3, 3};
   const auto exact = exact_oblique(loading);
   for (const auto& row : oblique_rows(three_meshes(), loading, exact)) EXPECT_EQ(failure_of(row), "") << row.quantity;
@@ -201,14 +201,14 @@ TEST(ConvergenceGuard, AnotherSlopeFailsTheObliqueLoading) {
   }
 }
 
-TEST(ConvergenceGuard, AnotherStiffnessOfAPunchFails) {
+TEST(ConvergenceGuardSlow, AnotherStiffnessOfAPunchFails) {
   const auto exact = exact_punch();
   for (const auto& row : punch_rows(three_meshes(), exact)) EXPECT_EQ(failure_of(row), "") << row.scene << row.quantity;
   for (const auto& row : punch_rows(three_meshes(), {1.01 * exact.normal, 1.01 * exact.tangential}))
     EXPECT_NE(failure_of(row), "") << row.scene << row.quantity;
 }
 
-TEST(ConvergenceGuard, AnotherProfileThanTheWornOneFails) {
+TEST(ConvergenceGuardSlow, AnotherProfileThanTheWornOneFails) {
   EXPECT_EQ(failure_of(worn_edge_row(three_meshes(), mdr::parabola(1), mdr::parabola(1))), "");
   EXPECT_NE(failure_of(worn_edge_row(three_meshes(), mdr::parabola(1), mdr::parabola(1.001))), "");
 }
@@ -220,7 +220,7 @@ TEST(ConvergenceGuardSlow, AnotherCurveThanCattaneoAndMindlinFailsTheCycle) {
   EXPECT_NE(failure_of(cycle_row(three_meshes(), wrong)), "");
 }
 
-TEST(ConvergenceGuard, AnotherBranchFailsTheViscoelasticRows) {
+TEST(ConvergenceGuardSlow, AnotherBranchFailsTheViscoelasticRows) {
   const auto body = mdr::standard_solid(1, 2, 0.4), other = mdr::standard_solid(1, 2, 0.404);
   const auto& mesh = three_meshes().front();
   for (const auto row_of : {step_row, growing_contact_time_row, retraction_time_row}) {
@@ -233,13 +233,13 @@ TEST(ConvergenceGuard, AnotherBranchFailsTheViscoelasticRows) {
   }
 }
 
-TEST(ConvergenceGuard, AnotherBranchFailsTheRebound) {
+TEST(ConvergenceGuardSlow, AnotherBranchFailsTheRebound) {
   const auto body = mdr::standard_solid(1, 2, 0.4), other = mdr::standard_solid(1, 2, 0.404);
   for (const auto& row : rebound_rows(three_meshes(), body, body)) EXPECT_EQ(failure_of(row), "") << row.quantity;
   for (const auto& row : rebound_rows(three_meshes(), body, other)) EXPECT_NE(failure_of(row), "") << row.quantity;
 }
 
-TEST(ConvergenceGuard, AnotherStickRadiusFailsThePeriodicState) {
+TEST(ConvergenceGuardSlow, AnotherStickRadiusFailsThePeriodicState) {
   const ConvergenceDemand demand{1e-6, 3, 1e-7, 5e-5, ""};
   const auto solid = mdr::standard_solid(1, std::sqrt(3.5) - 1, 1);
   const PeriodicScene scene{"periodic", "", solid, 0.1, {{0.25, 30}, {0.23, 90}}, demand, demand};
@@ -258,7 +258,7 @@ TEST(ConvergenceGuard, AnotherStickRadiusFailsThePeriodicState) {
   for (const auto& row : periodic_rows(three_meshes(), scene, confused)) EXPECT_NE(failure_of(row), "") << row.quantity;
 }
 
-TEST(ConvergenceGuard, AnotherForceThanKelvinsFailsInTheBulk) {
+TEST(ConvergenceGuardSlow, AnotherForceThanKelvinsFailsInTheBulk) {
   const auto meshes = bulk_meshes(3);
   for (const auto harmonic : {fem::Harmonic::normal, fem::Harmonic::tangential}) {
     const BulkScene scene{"Kelvin", harmonic, 4e-7, 3e-5};

@@ -37,7 +37,7 @@ TEST(ExtremeRows, TheShortFormHasEveryKindOfRow) {
   EXPECT_EQ(rows.size(), 23U);
 }
 
-TEST(Extremes, OfTheShortFormEndInAnAnswerOrANamedRefusal) {
+TEST(ExtremesSlow, OfTheShortFormEndInAnAnswerOrANamedRefusal) {
   const auto rows = short_extreme_rows();
   const auto run = run_extreme_suite(rows);
   EXPECT_EQ(run.rows.size(), rows.size());

@@ -15,7 +15,7 @@ SuiteRun only(std::size_t number) {
 }
 
 // See docs/random-cases.md for the errors that were once above their bars.
-TEST(RandomSuite, RunsEveryCaseWithinItsBars) {
+TEST(RandomSuiteSlow, RunsEveryCaseWithinItsBars) {
   RandomSuiteOptions options;
   options.n_cases = 40;
   const auto run = run_random_suite(options);

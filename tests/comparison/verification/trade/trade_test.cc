@@ -172,7 +172,7 @@ const SmallTrade& small_trade() {
   return computed;
 }
 
-TEST(Trade, ErrorsFallWithRingsAndTheFullModelAgrees) {
+TEST(TradeSlow, ErrorsFallWithRingsAndTheFullModelAgrees) {
   const auto& trade = small_trade().trade;
   const auto rings = members_of(trade.points, Sweep::rings);
   ASSERT_EQ(rings.size(), 3U);
@@ -201,7 +201,7 @@ TEST(Trade, ErrorsFallWithRingsAndTheFullModelAgrees) {
 }
 
 // What is written is enough to draw and tabulate it.
-TEST(Trade, IsReportedFromItsFile) {
+TEST(TradeSlow, IsReportedFromItsFile) {
   const ScratchFolder folder;
   EXPECT_EQ(trade_section(folder.path()), "");
   const auto& [prepared, plan, trade] = small_trade();
