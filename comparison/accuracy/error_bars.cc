@@ -6,7 +6,7 @@
 namespace fretval {
 namespace {
 
-/// What reading the edges leaves open, in the units of measures.
+/// What reading the edges leaves open, in the units of the comparison.
 Quantities uncertainties_of_edges(const Computation& computation, const FemCase& fem) {
   if (!computation.failure.empty()) return {};
   const auto& fe = computation.fe;
@@ -93,11 +93,11 @@ void carry_slip_inside(const Track& track, ErrorBudget& budget) {
 
 }  // namespace
 
-SceneNeeds needs_of(const FemCase& fem) {
+CaseNeeds needs_of(const FemCase& fem) {
   return {fem.relaxation.has_memory(), !fem.motion.phase, fem.worn_edge.has_value()};
 }
 
-std::vector<Resolution> needed_for_bars(const Tracks& tracks, const SceneNeeds& needs) {
+std::vector<Resolution> needed_for_bars(const Tracks& tracks, const CaseNeeds& needs) {
   auto needed = tracks.all();
   for (const auto& track : tracks.all())
     for (const auto& variant : variants_of(track, needs)) {

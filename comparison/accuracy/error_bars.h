@@ -6,10 +6,10 @@
 namespace fretval {
 
 /// What the errors of a case depend on.
-SceneNeeds needs_of(const FemCase& fem);
+CaseNeeds needs_of(const FemCase& fem);
 
 /// All that has to be computed for the error bars: tracks, variants and the references of those.
-std::vector<Resolution> needed_for_bars(const Tracks& tracks, const SceneNeeds& needs);
+std::vector<Resolution> needed_for_bars(const Tracks& tracks, const CaseNeeds& needs);
 
 /// Whether a bar also has to tell if anything sticks at all, where the error of a depth leaves that open. Refining for
 /// it costs hundreds of rings, and does not decide what a border leaves open, so only bars that are taken as they are

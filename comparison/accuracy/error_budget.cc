@@ -7,7 +7,7 @@
 namespace fretval {
 namespace {
 
-ExpectedOrder expected_order(ErrorSource source, Quantity quantity, const SceneNeeds& needs) {
+ExpectedOrder expected_order(ErrorSource source, Quantity quantity, const CaseNeeds& needs) {
   if (source == ErrorSource::time_step || source == ErrorSource::start) return {2};
   if (source == ErrorSource::creep) return {1};
   if (source == ErrorSource::far_field) return {4};
@@ -76,7 +76,7 @@ ErrorShare richardson(ErrorSource source, const Refinements& values, const Expec
 }
 
 ErrorBudget error_budget(const Resolution& resolution, const std::map<Resolution, Quantities>& known,
-                         const Quantities& edge, const SceneNeeds& needs) {
+                         const Quantities& edge, const CaseNeeds& needs) {
   const auto variants = variants_of(resolution, needs);
   ErrorBudget budget;
   for (const auto& [quantity, value] : known.at(resolution)) {

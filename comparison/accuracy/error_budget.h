@@ -54,6 +54,6 @@ ErrorShare richardson(ErrorSource source, const Refinements& values, const Expec
 /// error of D^(k/(k-1)), times 3; at degree 2, whose check is degree 3, for D itself, times 1.25. Cycles and active
 /// set: the difference made by ten times the periodicity or the slack.
 ErrorBudget error_budget(const Resolution& resolution, const std::map<Resolution, Quantities>& known,
-                         const Quantities& edge, const SceneNeeds& needs = {});
+                         const Quantities& edge, const CaseNeeds& needs = {});
 
 }  // namespace fretval

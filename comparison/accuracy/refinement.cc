@@ -52,7 +52,7 @@ const char* name_of(ErrorSource source) {
   return "edge";
 }
 
-std::vector<Variant> variants_of(const Resolution& resolution, const SceneNeeds& needs) {
+std::vector<Variant> variants_of(const Resolution& resolution, const CaseNeeds& needs) {
   std::vector<Variant> variants;
   const auto add = [&](ErrorSource source, const Resolution& reference, auto change) {
     Resolution r = reference;

@@ -22,9 +22,9 @@ struct FixedByCase {
   bool rings, steps;
 };
 
-/// What the errors of a scene depend on: an elastic body has no memory of its start, a locked phase does not creep, the
+/// What the errors of a case depend on: an elastic body has no memory of its start, a locked phase does not creep, the
 /// rings of a worn profile are graded.
-struct SceneNeeds {
+struct CaseNeeds {
   bool memory = true, creep = false, worn = false;
 };
 
@@ -32,7 +32,7 @@ struct SceneNeeds {
 /// compared with the resolution itself. Where that is fine, the other sources are measured on something coarser that
 /// they do not get smaller by: element order and grading with fewer steps, time step, creep and cycles with half the
 /// rings, far field, start and active set with both. Two of one source follow each other, the coarser one last.
-std::vector<Variant> variants_of(const Resolution& resolution, const SceneNeeds& needs);
+std::vector<Variant> variants_of(const Resolution& resolution, const CaseNeeds& needs);
 
 /// A resolution that is finer in one respect, rings and steps by a factor of 1.5 or 2; empty: it cannot be refined
 /// further in this respect.

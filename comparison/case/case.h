@@ -7,7 +7,7 @@
 
 namespace fretval {
 
-/// One scene, as a case file describes it. SI units; angles in degrees and frequencies in Hz, as in the file.
+/// One case, as a case file describes it. SI units; angles in degrees and frequencies in Hz, as in the file.
 struct Case {
   enum class Shape { parabola, cone, power, rounded_flat, truncated_sphere, table };
   enum class Wear { unworn, limiting };

@@ -43,10 +43,10 @@ bool is_whole(double x, double least, double most) {
 const ValidNumber ring_count{[](double x) { return is_whole(x, 16, 640); }, "a whole number from 16 to 640"};
 const ValidNumber step_count{[](double x) { return is_whole(x, 16, 10000); }, "a whole number from 16 to 10000"};
 
-void read_wear(const EntryReader& entries, Case& scene) {
+void read_wear(const EntryReader& entries, Case& input) {
   if (entries.given("Wear", "State") && entries.one_of("Wear", "State", {"unworn", "limiting"}) == "limiting") {
-    scene.wear = Case::Wear::limiting;
-    scene.worn_stick_ratio = entries.number(
+    input.wear = Case::Wear::limiting;
+    input.worn_stick_ratio = entries.number(
         "Wear", "Stick radius ratio",
         {[](double x) { return x >= 0.01 && x <= 0.99; }, "a ratio of stick to unworn contact radius, 0.01 to 0.99"});
     for (const char* name : {"Coefficient", "Cycles"})
@@ -56,11 +56,11 @@ void read_wear(const EntryReader& entries, Case& scene) {
     return;
   }
   entries.forbid("Wear", "Stick radius ratio", "it belongs to State = limiting");
-  if (std::isnan(scene.motion.tangential_amplitude))
+  if (std::isnan(input.motion.tangential_amplitude))
     entries.fail("Motion", "Tangential amplitude",
                  "a number in m; the word shakedown belongs to Wear / State = limiting");
   if (entries.given("Wear", "Coefficient") || entries.given("Wear", "Cycles"))
-    scene.wear_kinetics = Case::WearKinetics{entries.number("Wear", "Coefficient", not_negative_number),
+    input.wear_kinetics = Case::WearKinetics{entries.number("Wear", "Coefficient", not_negative_number),
                                              entries.number("Wear", "Cycles", not_negative_number)};
 }
 
@@ -88,25 +88,25 @@ std::string valid_entries() {
 }
 
 Case read_entries(const EntryReader& entries, Case::Fields fields) {
-  Case scene;
-  scene.file = entries.file();
-  scene.indenter = read_indenter(entries);
-  scene.elastomer = read_elastomer(entries, scene.warnings);
-  scene.friction_coefficient = entries.number("Friction", "Coefficient", positive_number);
+  Case input;
+  input.file = entries.file();
+  input.indenter = read_indenter(entries);
+  input.elastomer = read_elastomer(entries, input.warnings);
+  input.friction_coefficient = entries.number("Friction", "Coefficient", positive_number);
   static_cast<void>(entries.one_of("Friction", "Law", {"unidirectional"}));
-  scene.motion = read_motion(entries);
-  read_wear(entries, scene);
-  scene.tolerance = entries.number("Accuracy", "Tolerance",
+  input.motion = read_motion(entries);
+  read_wear(entries, input);
+  input.tolerance = entries.number("Accuracy", "Tolerance",
                                    {[](double x) { return x >= 1e-5 && x <= 0.1; }, "a number between 1e-5 and 0.1"});
   if (entries.given("Accuracy", "Rings per radius"))
-    scene.rings_per_radius = static_cast<unsigned>(entries.number("Accuracy", "Rings per radius", ring_count));
+    input.rings_per_radius = static_cast<unsigned>(entries.number("Accuracy", "Rings per radius", ring_count));
   if (entries.given("Accuracy", "Steps per cycle"))
-    scene.steps_per_cycle = static_cast<int>(entries.number("Accuracy", "Steps per cycle", step_count));
-  scene.fields = fields;
+    input.steps_per_cycle = static_cast<int>(entries.number("Accuracy", "Steps per cycle", step_count));
+  input.fields = fields;
   if (entries.given("Output", "Fields"))
-    scene.fields = entries.one_of("Output", "Fields", {"none", "extremes"}) == "none" ? Case::Fields::none
+    input.fields = entries.one_of("Output", "Fields", {"none", "extremes"}) == "none" ? Case::Fields::none
                                                                                       : Case::Fields::extremes;
-  return scene;
+  return input;
 }
 
 }  // namespace fretval

@@ -280,10 +280,10 @@ std::vector<Case> expand_sweep(const fs::path& file, dealii::ParameterHandler& h
     handler.enter_subsection(swept.section);
     handler.set(swept.name, fmt::format("{:.15g}", value));
     handler.leave_subsection();
-    Case scene = read_entries(EntryReader(handler, file.string()), Case::Fields::none);
-    scene.name = fmt::format("{}/{}-{:g}", family, slug, value);
-    scene.sweep = Case::Sweep{family, swept.section + " / " + swept.name, value};
-    cases.push_back(std::move(scene));
+    Case input = read_entries(EntryReader(handler, file.string()), Case::Fields::none);
+    input.name = fmt::format("{}/{}-{:g}", family, slug, value);
+    input.sweep = Case::Sweep{family, swept.section + " / " + swept.name, value};
+    cases.push_back(std::move(input));
   }
   return cases;
 }
@@ -296,18 +296,18 @@ std::vector<Case> read_case_file(const fs::path& file) {
   Parser(handler).parse(file, {});
   const EntryReader entries(handler, file.string());
   if (entries.given("Sweep", "Entry")) return expand_sweep(file, handler, entries);
-  Case scene = read_entries(entries, Case::Fields::extremes);
-  scene.name = case_name(file);
-  return {scene};
+  Case input = read_entries(entries, Case::Fields::extremes);
+  input.name = case_name(file);
+  return {input};
 }
 
 Case read_case_text(const std::string& text, const fs::path& name) {
   dealii::ParameterHandler handler;
   declare_entries(handler);
   parse_text(text, name, handler);
-  Case scene = read_entries(EntryReader(handler, name.string()), Case::Fields::none);
-  scene.name = name.filename().string();
-  return scene;
+  Case input = read_entries(EntryReader(handler, name.string()), Case::Fields::none);
+  input.name = name.filename().string();
+  return input;
 }
 
 }  // namespace fretval

@@ -4,7 +4,7 @@
 
 namespace fretval {
 
-/// The sections of a case file that describe the scene. Measured tables are read, and moduli fitted, here: what follows
+/// The sections of a case file that describe the case. Measured tables are read, and moduli fitted, here: what follows
 /// sees numbers. Each throws InputError.
 Case::Indenter read_indenter(const EntryReader& entries);
 Case::Motion read_motion(const EntryReader& entries);

@@ -10,16 +10,16 @@ constexpr double least_rise = 1e-3, largest_rise = 0.5;       // of the indenter
 
 }  // namespace
 
-std::vector<std::string> implausible_values(const Case& scene, const mdr::Profile& profile) {
+std::vector<std::string> implausible_values(const Case& input, const mdr::Profile& profile) {
   std::vector<std::string> warnings;
-  const double modulus = scene.elastomer.relaxed_modulus;
+  const double modulus = input.elastomer.relaxed_modulus;
   if (modulus < least_modulus || modulus > largest_modulus)
     warnings.push_back(
         fmt::format("{}: a relaxed shear modulus of {:.3g} Pa is implausible for an elastomer, {:.0e} to "
                     "{:.0e} Pa are usual; is it in Pa?",
-                    scene.file, modulus, least_modulus, largest_modulus));
-  if (scene.motion.normal_force) return warnings;
-  const double deepest = scene.motion.indentation + scene.motion.normal_amplitude;
+                    input.file, modulus, least_modulus, largest_modulus));
+  if (input.motion.normal_force) return warnings;
+  const double deepest = input.motion.indentation + input.motion.normal_amplitude;
   const double a = mdr::inverse_transform(profile, deepest);
   const double rise = mdr::shape_slope(profile, a);
   if (!(rise >= least_rise && rise <= largest_rise))
@@ -27,7 +27,7 @@ std::vector<std::string> implausible_values(const Case& scene, const mdr::Profil
         fmt::format("{}: at the largest indentation, {:.3g} m, the contact radius is a = {:.3g} m and the indenter "
                     "rises there with "
                     "a slope of {:.2g} (for a parabola a/R), {} to {} are usual; are all lengths in m?",
-                    scene.file, deepest, a, rise, least_rise, largest_rise));
+                    input.file, deepest, a, rise, least_rise, largest_rise));
   return warnings;
 }
 

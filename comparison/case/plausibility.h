@@ -11,6 +11,6 @@ namespace fretval {
 /// Warnings about values of a case that are possible but look like a wrong unit: a relaxed modulus that no elastomer
 /// has, and an indenter whose surface rises far more, or far less, at the edge of the contact than where contacts are
 /// measured. The rise is f'(a), which for a parabola is a/R.
-std::vector<std::string> implausible_values(const Case& scene, const mdr::Profile& profile);
+std::vector<std::string> implausible_values(const Case& input, const mdr::Profile& profile);
 
 }  // namespace fretval

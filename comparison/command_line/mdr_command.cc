@@ -59,11 +59,11 @@ int run_mdr(const std::string& file, const MdrOptions& options) {
   if (!options.fields.empty() && cases.size() != 1)
     throw InputError(fmt::format("{}: a sweep has many fields; --fields needs a file with a single case", file));
   auto list = ordered_json::array();
-  for (const auto& scene : cases) {
-    for (const auto& warning : scene.warnings) log::warn(warning);
-    const auto document = mdr_document(scene, options.springs);
-    for (const auto& warning : implausible_values(scene, profile_of(scene.indenter))) log::warn(warning);
-    if (!options.fields.empty()) write_csv(options.fields, surface_columns(scene, document.worn));
+  for (const auto& input : cases) {
+    for (const auto& warning : input.warnings) log::warn(warning);
+    const auto document = mdr_document(input, options.springs);
+    for (const auto& warning : implausible_values(input, profile_of(input.indenter))) log::warn(warning);
+    if (!options.fields.empty()) write_csv(options.fields, surface_columns(input, document.worn));
     if (options.json) {
       list.push_back(document.json);
     } else {

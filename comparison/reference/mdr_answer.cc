@@ -7,19 +7,19 @@
 
 namespace fretval {
 
-mdr::NormalResponse mdr_normal_response(const MdrCase& scene) {
-  if (scene.limiting)
-    return mdr::periodic_normal_response([worn = *scene.limiting](double x) { return mdr::transform(worn, x); },
-                                         scene.limiting->stick_radius, scene.body, scene.motion,
-                                         mdr::transform_kinks(scene.limiting->unworn));
-  const double outer = mdr::inverse_transform(scene.profile, mdr::maximum_indentation(scene.motion));
-  return mdr::periodic_normal_response([profile = scene.profile](double x) { return mdr::transform(profile, x); },
-                                       outer, scene.body, scene.motion, mdr::transform_kinks(scene.profile));
+mdr::NormalResponse mdr_normal_response(const MdrCase& mdr) {
+  if (mdr.limiting)
+    return mdr::periodic_normal_response([worn = *mdr.limiting](double x) { return mdr::transform(worn, x); },
+                                         mdr.limiting->stick_radius, mdr.body, mdr.motion,
+                                         mdr::transform_kinks(mdr.limiting->unworn));
+  const double outer = mdr::inverse_transform(mdr.profile, mdr::maximum_indentation(mdr.motion));
+  return mdr::periodic_normal_response([profile = mdr.profile](double x) { return mdr::transform(profile, x); }, outer,
+                                       mdr.body, mdr.motion, mdr::transform_kinks(mdr.profile));
 }
 
-std::optional<mdr::LimitingProfile> worn_profile(const MdrCase& scene, const std::optional<double>& shakedown_radius) {
-  if (scene.limiting || !shakedown_radius) return scene.limiting;
-  return mdr::limiting_profile(scene.profile, *shakedown_radius, mdr::maximum_indentation(scene.motion));
+std::optional<mdr::LimitingProfile> worn_profile(const MdrCase& mdr, const std::optional<double>& shakedown_radius) {
+  if (mdr.limiting || !shakedown_radius) return mdr.limiting;
+  return mdr::limiting_profile(mdr.profile, *shakedown_radius, mdr::maximum_indentation(mdr.motion));
 }
 
 nlohmann::ordered_json to_json(const MdrAnswer& answer) {
@@ -31,15 +31,15 @@ nlohmann::ordered_json to_json(const MdrAnswer& answer) {
           {"normal_force_max", or_null(answer.normal_force_max)}};
 }
 
-MdrAnswer mdr_answer(const MdrCase& scene, const mdr::NormalResponse& normal) {
+MdrAnswer mdr_answer(const MdrCase& mdr, const mdr::NormalResponse& normal) {
   MdrAnswer answer{};
-  answer.modulus_ratio = mdr::modulus_ratio(scene.body, mdr::angular_frequency(scene.motion.normal_frequency));
+  answer.modulus_ratio = mdr::modulus_ratio(mdr.body, mdr::angular_frequency(mdr.motion.normal_frequency));
   answer.contact_radius_max = normal.contact_radius_max;
   answer.normal_force_max = normal.normal_force_max;
-  const auto radii = mdr::stick_radii(scene.profile, scene.body, scene.friction_coefficient, scene.motion);
+  const auto radii = mdr::stick_radii(mdr.profile, mdr.body, mdr.friction_coefficient, mdr.motion);
   answer.stick_radius_first_slip = radii.first_slip;
   answer.stick_radius_shakedown = radii.shakedown;
-  if (const auto worn = worn_profile(scene, radii.shakedown)) answer.worn_radius = worn->outer_radius;
+  if (const auto worn = worn_profile(mdr, radii.shakedown)) answer.worn_radius = worn->outer_radius;
   return answer;
 }
 

@@ -8,7 +8,7 @@
 
 namespace fretval {
 
-/// What MDR says about a scene; SI units. Empty radii: nothing sticks. A comparable scene has both maxima.
+/// What MDR says about a mdr; SI units. Empty radii: nothing sticks. A comparable mdr has both maxima.
 struct MdrAnswer {
   double modulus_ratio;
   std::optional<double> contact_radius_max;  ///< empty: a prescribed force that no contact carries without slip
@@ -19,15 +19,15 @@ struct MdrAnswer {
 };
 
 /// Normal response of the spring foundation in the periodic state; depends on the normal motion alone.
-mdr::NormalResponse mdr_normal_response(const MdrCase& scene);
+mdr::NormalResponse mdr_normal_response(const MdrCase& mdr);
 
-/// The profile in which the scene wears no more: the indenter itself if it is worn already, or else the limiting
+/// The profile in which the mdr wears no more: the indenter itself if it is worn already, or else the limiting
 /// profile of the shakedown radius. Empty: nothing sticks, and wear goes on for ever.
-std::optional<mdr::LimitingProfile> worn_profile(const MdrCase& scene, const std::optional<double>& shakedown_radius);
+std::optional<mdr::LimitingProfile> worn_profile(const MdrCase& mdr, const std::optional<double>& shakedown_radius);
 
 /// The "mdr" object of result.json. SI units; null where nothing sticks.
 nlohmann::ordered_json to_json(const MdrAnswer& answer);
 
-MdrAnswer mdr_answer(const MdrCase& scene, const mdr::NormalResponse& normal);
+MdrAnswer mdr_answer(const MdrCase& mdr, const mdr::NormalResponse& normal);
 
 }  // namespace fretval

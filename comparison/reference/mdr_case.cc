@@ -37,19 +37,19 @@ std::vector<mdr::Harmonic> with_first(const mdr::Harmonic& first, const std::vec
   return harmonics;
 }
 
-mdr::LimitingProfile limiting_of(const Case& scene, const MdrCase& mdr) {
+mdr::LimitingProfile limiting_of(const Case& input, const MdrCase& mdr) {
   const double deepest = mdr::maximum_indentation(mdr.motion);
   const double unworn_radius = mdr::inverse_transform(mdr.profile, deepest),
-               stick_radius = scene.worn_stick_ratio * unworn_radius;
+               stick_radius = input.worn_stick_ratio * unworn_radius;
   if (mdr::transform(mdr.profile, stick_radius) <= 0)
     throw InputError(
         fmt::format("{}: Wear / Stick radius ratio = {:g}: it lies inside the flat face of the indenter, of which all "
                     "or nothing sticks; expected a ratio above {:.4g}",
-                    scene.file, scene.worn_stick_ratio, mdr::inverse_transform(mdr.profile, 0) / unworn_radius));
+                    input.file, input.worn_stick_ratio, mdr::inverse_transform(mdr.profile, 0) / unworn_radius));
   return mdr::limiting_profile(mdr.profile, stick_radius, deepest);
 }
 
-double amplitude_for_shakedown(const Case& scene, const MdrCase& mdr) {
+double amplitude_for_shakedown(const Case& input, const MdrCase& mdr) {
   const double depth = mdr::transform(mdr.profile, mdr.limiting->stick_radius);
   const auto amplitude = mdr::tangential_amplitude_for_shakedown(mdr.body, mdr.friction_coefficient, mdr.motion, depth);
   if (!amplitude)
@@ -57,13 +57,13 @@ double amplitude_for_shakedown(const Case& scene, const MdrCase& mdr) {
         fmt::format("{}: Wear / Stick radius ratio = {:g}: no tangential amplitude shakes down there, because "
                     "the contact opens inside it in every cycle; expected a smaller ratio or a smaller Motion / "
                     "Normal amplitude",
-                    scene.file, scene.worn_stick_ratio));
+                    input.file, input.worn_stick_ratio));
   return *amplitude;
 }
 
 /// What finite elements do not do yet, and the entry that asks for it; empty: nothing.
-std::string why_not_comparable(const Case& scene) {
-  const auto& motion = scene.motion;
+std::string why_not_comparable(const Case& input) {
+  const auto& motion = input.motion;
   if (motion.normal_force) return "Motion / Normal force: forces are not prescribed";
   if (motion.tangential_force) return "Motion / Tangential force amplitude: forces are not prescribed";
   if (!motion.normal_harmonics.empty()) return "Motion / Normal harmonics: only one harmonic is computed";
@@ -78,14 +78,14 @@ std::string why_not_comparable(const Case& scene) {
 
 }  // namespace
 
-bool is_comparable(const Case& scene) {
-  return why_not_comparable(scene).empty();
+bool is_comparable(const Case& input) {
+  return why_not_comparable(input).empty();
 }
 
-void require_comparable(const Case& scene) {
-  const std::string reason = why_not_comparable(scene);
+void require_comparable(const Case& input) {
+  const std::string reason = why_not_comparable(input);
   if (!reason.empty())
-    throw InputError(fmt::format("{}: {} by the finite elements; `fretval mdr` answers this case", scene.file, reason));
+    throw InputError(fmt::format("{}: {} by the finite elements; `fretval mdr` answers this case", input.file, reason));
 }
 
 mdr::Profile profile_of(const Case::Indenter& indenter) {
@@ -113,10 +113,10 @@ mdr::Rheology rheology_of(const Case::Elastomer& elastomer) {
   return mdr::prony(elastomer.relaxed_modulus, elastomer.branch_moduli, elastomer.branch_times, elastomer.viscosity);
 }
 
-mdr::PronyBody body_in_time(const Case& scene) {
-  const auto rheology = rheology_of(scene.elastomer);
+mdr::PronyBody body_in_time(const Case& input) {
+  const auto rheology = rheology_of(input.elastomer);
   if (const auto* body = std::get_if<mdr::PronyBody>(&rheology)) return *body;
-  const double lowest = std::min(scene.motion.normal_frequency, scene.motion.tangential_frequency);
+  const double lowest = std::min(input.motion.normal_frequency, input.motion.tangential_frequency);
   return mdr::prony_approximation(std::get<mdr::FractionalZener>(rheology), lowest / 10, lowest * 1000).body;
 }
 
@@ -138,18 +138,18 @@ mdr::FrettingControl control_of(const Case::Motion& motion) {
   return control;
 }
 
-MdrCase mdr_case(const Case& scene) {
-  require_comparable(scene);
-  const auto& motion = scene.motion;
+MdrCase mdr_case(const Case& input) {
+  require_comparable(input);
+  const auto& motion = input.motion;
   const bool amplitude_follows = std::isnan(motion.tangential_amplitude);
-  MdrCase mdr{profile_of(scene.indenter),
-              body_in_time(scene),
-              scene.friction_coefficient,
+  MdrCase mdr{profile_of(input.indenter),
+              body_in_time(input),
+              input.friction_coefficient,
               {motion.indentation, motion.normal_amplitude, amplitude_follows ? 0 : motion.tangential_amplitude,
                motion.normal_frequency, motion.tangential_frequency, phase_of(motion)},
               {}};
-  if (scene.wear == Case::Wear::limiting) mdr.limiting = limiting_of(scene, mdr);
-  if (amplitude_follows) mdr.motion.tangential_amplitude = amplitude_for_shakedown(scene, mdr);
+  if (input.wear == Case::Wear::limiting) mdr.limiting = limiting_of(input, mdr);
+  if (amplitude_follows) mdr.motion.tangential_amplitude = amplitude_for_shakedown(input, mdr);
   return mdr;
 }
 

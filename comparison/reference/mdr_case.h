@@ -24,21 +24,21 @@ struct MdrCase {
 
 /// Throws InputError for a case that is not comparable (see require_comparable) or a limiting state that no tangential
 /// amplitude leads to, std::invalid_argument for values that the reference refuses.
-MdrCase mdr_case(const Case& scene);
+MdrCase mdr_case(const Case& input);
 
 /// Throws InputError, naming the entry, for a case that only the reference covers: prescribed forces, several
 /// harmonics, unequal frequencies, a body without a history in time.
-void require_comparable(const Case& scene);
+void require_comparable(const Case& input);
 
 /// The same as a question.
-bool is_comparable(const Case& scene);
+bool is_comparable(const Case& input);
 
 /// The parts of a case, whether comparable or not. Tables are read here: InputError with file and line.
 mdr::Profile profile_of(const Case::Indenter& indenter);
 mdr::Rheology rheology_of(const Case::Elastomer& elastomer);
 /// The body in time: a fractional one is approximated from a tenth of its lowest frequency of motion to a thousand
 /// times it.
-mdr::PronyBody body_in_time(const Case& scene);
+mdr::PronyBody body_in_time(const Case& input);
 mdr::HarmonicMotion harmonic_motion_of(const Case::Motion& motion);
 
 /// Of a case with a prescribed force.

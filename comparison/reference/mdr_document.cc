@@ -21,21 +21,21 @@ constexpr int steps_per_cycle = 360;  // of the fastest harmonic
 constexpr int n_ramp_periods = 20;
 constexpr int n_profile_points = 200;
 
-double modulus_ratio_of(const Case& scene, const mdr::Rheology& body) {
-  return mdr::modulus_ratio(body, mdr::angular_frequency(scene.motion.normal_frequency));
+double modulus_ratio_of(const Case& input, const mdr::Rheology& body) {
+  return mdr::modulus_ratio(body, mdr::angular_frequency(input.motion.normal_frequency));
 }
 
 /// Prescribed displacements, whatever their number and frequencies.
-MdrDocument answer_displacements(const Case& scene) {
-  const auto profile = profile_of(scene.indenter);
-  const auto body = rheology_of(scene.elastomer);
-  const auto motion = harmonic_motion_of(scene.motion);
+MdrDocument answer_displacements(const Case& input) {
+  const auto profile = profile_of(input.indenter);
+  const auto body = rheology_of(input.elastomer);
+  const auto motion = harmonic_motion_of(input.motion);
   const double deepest = mdr::maximum_indentation(motion);
-  const auto radii = mdr::stick_radii(profile, body, scene.friction_coefficient, motion);
+  const auto radii = mdr::stick_radii(profile, body, input.friction_coefficient, motion);
   MdrDocument document;
   if (radii.shakedown) document.worn = mdr::limiting_profile(profile, *radii.shakedown, deepest);
   MdrAnswer answer{};
-  answer.modulus_ratio = modulus_ratio_of(scene, body);
+  answer.modulus_ratio = modulus_ratio_of(input, body);
   answer.contact_radius_max = mdr::inverse_transform(profile, deepest);
   answer.stick_radius_first_slip = radii.first_slip;
   answer.stick_radius_shakedown = radii.shakedown;
@@ -57,17 +57,17 @@ ordered_json state_json(const std::optional<mdr::LimitingState>& state) {
 }
 
 /// A prescribed force: the fully worn contact, in which forces and displacements are linear in each other.
-MdrDocument answer_forces(const Case& scene) {
-  const auto profile = profile_of(scene.indenter);
-  const auto body = rheology_of(scene.elastomer);
-  const auto control = control_of(scene.motion);
+MdrDocument answer_forces(const Case& input) {
+  const auto profile = profile_of(input.indenter);
+  const auto body = rheology_of(input.elastomer);
+  const auto control = control_of(input.motion);
   const auto state = [&](mdr::StickCriterion criterion) {
-    return mdr::limiting_state(profile, body, scene.friction_coefficient, control, criterion);
+    return mdr::limiting_state(profile, body, input.friction_coefficient, control, criterion);
   };
   const auto first_slip = state(mdr::StickCriterion::first_slip), shakedown = state(mdr::StickCriterion::shakedown);
   MdrDocument document;
   MdrAnswer answer{};
-  answer.modulus_ratio = modulus_ratio_of(scene, body);
+  answer.modulus_ratio = modulus_ratio_of(input, body);
   if (first_slip) answer.stick_radius_first_slip = first_slip->stick_radius;
   if (shakedown) {
     document.worn =
@@ -81,8 +81,8 @@ MdrDocument answer_forces(const Case& scene) {
   return document;
 }
 
-MdrDocument answer_comparable(const Case& scene) {
-  const auto mdr = mdr_case(scene);
+MdrDocument answer_comparable(const Case& input) {
+  const auto mdr = mdr_case(input);
   const auto answer = mdr_answer(mdr, mdr_normal_response(mdr));
   MdrDocument document;
   document.worn = worn_profile(mdr, answer.stick_radius_shakedown);
@@ -141,10 +141,10 @@ mdr::Loading loading_of(const Case::Motion& motion, const mdr::HarmonicMotion& d
   return loading;
 }
 
-ordered_json springs_json(const Case& scene) {
-  const auto answer = spring_answer(scene);
+ordered_json springs_json(const Case& input) {
+  const auto answer = spring_answer(input);
   const auto& history = answer.history;
-  const auto profile = profile_of(scene.indenter);
+  const auto profile = profile_of(input.indenter);
   const auto radius = [&](double depth) {
     return depth > 0 ? ordered_json(mdr::inverse_transform(profile, depth)) : ordered_json(nullptr);
   };
@@ -159,10 +159,10 @@ ordered_json springs_json(const Case& scene) {
           {"indenter_work", history.indenter_work}};
 }
 
-ordered_json wear_json(const Case& scene) {
-  const auto mdr = mdr_case(scene);
+ordered_json wear_json(const Case& input) {
+  const auto mdr = mdr_case(input);
   const auto kinetics = mdr::wear_kinetics(mdr.profile, mdr.body, mdr.friction_coefficient, mdr.motion,
-                                           {scene.wear_kinetics->coefficient, scene.wear_kinetics->n_cycles});
+                                           {input.wear_kinetics->coefficient, input.wear_kinetics->n_cycles});
   ordered_json json;
   for (const auto& point : kinetics.curve) {
     json["cycles"].push_back(point.cycles);
@@ -180,33 +180,33 @@ ordered_json wear_json(const Case& scene) {
 
 }  // namespace
 
-MdrDocument mdr_document(const Case& scene, bool with_springs) {
+MdrDocument mdr_document(const Case& input, bool with_springs) {
   try {
-    const bool forces = scene.motion.normal_force || scene.motion.tangential_force;
+    const bool forces = input.motion.normal_force || input.motion.tangential_force;
     // The stick radii of a fractional body need no approximation of it.
-    const bool exact = scene.elastomer.fractional_order > 0 && scene.wear == Case::Wear::unworn;
-    auto document = forces                           ? answer_forces(scene)
-                    : is_comparable(scene) && !exact ? answer_comparable(scene)
-                                                     : answer_displacements(scene);
-    ordered_json json{{"name", scene.name}};
+    const bool exact = input.elastomer.fractional_order > 0 && input.wear == Case::Wear::unworn;
+    auto document = forces                           ? answer_forces(input)
+                    : is_comparable(input) && !exact ? answer_comparable(input)
+                                                     : answer_displacements(input);
+    ordered_json json{{"name", input.name}};
     json.update(document.json);
     json["limiting_profile"] = profile_json(document.worn);
-    if (scene.elastomer.master_curve) json["elastomer"] = elastomer_json(scene.elastomer);
-    if (with_springs) json["springs"] = springs_json(scene);
-    if (scene.wear_kinetics) json["wear"] = wear_json(scene);
+    if (input.elastomer.master_curve) json["elastomer"] = elastomer_json(input.elastomer);
+    if (with_springs) json["springs"] = springs_json(input);
+    if (input.wear_kinetics) json["wear"] = wear_json(input);
     document.json = std::move(json);
     return document;
   } catch (const std::invalid_argument& error) {
-    throw InputError(fmt::format("{}: {}", scene.file, error.what()));
+    throw InputError(fmt::format("{}: {}", input.file, error.what()));
   }
 }
 
-SpringAnswer spring_answer(const Case& scene) {
-  if (scene.wear == Case::Wear::limiting)
-    throw InputError(scene.file + ": Wear / State = limiting: springs are stepped for an unworn indenter");
-  const auto body = body_in_time(scene);
-  const auto profile = profile_of(scene.indenter);
-  const auto motion = displacements_of(scene.motion, profile, body);
+SpringAnswer spring_answer(const Case& input) {
+  if (input.wear == Case::Wear::limiting)
+    throw InputError(input.file + ": Wear / State = limiting: springs are stepped for an unworn indenter");
+  const auto body = body_in_time(input);
+  const auto profile = profile_of(input.indenter);
+  const auto motion = displacements_of(input.motion, profile, body);
   const double period = mdr::common_period(motion);
   double fastest = 0;
   for (const auto* harmonics : {&motion.normal, &motion.tangential})
@@ -214,7 +214,7 @@ SpringAnswer spring_answer(const Case& scene) {
   const int steps = steps_per_cycle * static_cast<int>(std::lround(fastest * period));
   const double outer = 1.001 * mdr::inverse_transform(profile, mdr::maximum_indentation(motion));
   auto bed = mdr::spring_bed(profile, std::min(outer, mdr::end_radius(profile)), n_springs);
-  auto history = mdr::spring_history(bed, body, scene.friction_coefficient, loading_of(scene.motion, motion, period),
+  auto history = mdr::spring_history(bed, body, input.friction_coefficient, loading_of(input.motion, motion, period),
                                      {period, steps, n_ramp_periods, 2000, 1e-7});
   return {std::move(bed), std::move(history), steps};
 }

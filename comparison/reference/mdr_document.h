@@ -20,7 +20,7 @@ struct MdrDocument {  // NOLINT(bugprone-exception-escape): moving JSON checks a
 
 /// with_springs: also the transient spring foundation. Throws InputError for what cannot be answered, naming the case
 /// file.
-MdrDocument mdr_document(const Case& scene, bool with_springs);
+MdrDocument mdr_document(const Case& input, bool with_springs);
 
 /// Transient spring foundation of a case, unworn also where forces are prescribed.
 struct SpringAnswer {
@@ -28,10 +28,10 @@ struct SpringAnswer {
   mdr::SpringHistory history;
   int steps_per_period;
 };
-SpringAnswer spring_answer(const Case& scene);
+SpringAnswer spring_answer(const Case& input);
 
 /// Fields on the surface over r, at the largest and smallest indentation of the periodic state, and in the limiting
 /// state at the largest one.
-std::vector<Column> surface_columns(const Case& scene, const std::optional<mdr::LimitingProfile>& worn);
+std::vector<Column> surface_columns(const Case& input, const std::optional<mdr::LimitingProfile>& worn);
 
 }  // namespace fretval

@@ -26,9 +26,9 @@ void add_spring_columns(const mdr::SpringFields& fields, const std::string& posi
 }
 
 /// At the deepest position, with the singular part of the pressure apart; the traction is singular altogether.
-void add_worn_columns(const mdr::LimitingProfile& worn, const MdrCase& scene, const Eigen::VectorXd& r,
+void add_worn_columns(const mdr::LimitingProfile& worn, const MdrCase& mdr, const Eigen::VectorXd& r,
                       std::vector<Column>& columns) {
-  const auto stresses = [&](double x) { return mdr::limiting_stresses(worn, scene.body, scene.motion, x, 0); };
+  const auto stresses = [&](double x) { return mdr::limiting_stresses(worn, mdr.body, mdr.motion, x, 0); };
   columns.push_back(column("f worn [m]", r, [&](double x) { return mdr::shape(worn, x); }));
   columns.push_back(column("p worn regular [Pa]", r, [&](double x) { return stresses(x).pressure.regular; }));
   columns.push_back(column("p worn [Pa]", r, [&](double x) { return mdr::total(stresses(x).pressure, x); }));
@@ -37,9 +37,9 @@ void add_worn_columns(const mdr::LimitingProfile& worn, const MdrCase& scene, co
 
 }  // namespace
 
-std::vector<Column> surface_columns(const Case& scene, const std::optional<mdr::LimitingProfile>& worn) {
-  const auto springs = spring_answer(scene);
-  const auto mdr = mdr_case(scene);
+std::vector<Column> surface_columns(const Case& input, const std::optional<mdr::LimitingProfile>& worn) {
+  const auto springs = spring_answer(input);
+  const auto mdr = mdr_case(input);
   const double a = mdr::inverse_transform(mdr.profile, mdr::maximum_indentation(mdr.motion));
   const double width = std::min(1.6 * a, mdr::end_radius(mdr.profile)) / n_field_points;
   // Off the axis, where the pressure under a cone is infinite.

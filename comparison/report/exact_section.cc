@@ -35,7 +35,7 @@ std::string convergence_row_html(const ordered_json& row) {
   return fmt::format(
       "<tr><td>{}: {}</td>{}<td>{} ({:.0f})</td><td>{:.0e}</td><td>{}</td><td{}>{}</td><td class=\"words\">{}{}{}</td>"
       "</tr>\n",
-      html_escaped(row.at("scene").get<std::string>()), html_escaped(row.at("quantity").get<std::string>()),
+      html_escaped(row.at("solution").get<std::string>()), html_escaped(row.at("quantity").get<std::string>()),
       errors_cells(row), order.is_number() ? fmt::format("{:.1f}", order.get<double>()) : "floor",
       row.at("expected_order").get<double>(), row.at("tolerance").get<double>(), goal_text,
       pass ? "" : " class=\"bad-cell\"", html_escaped(row.at("verdict").get<std::string>()),

@@ -7,6 +7,7 @@
 #include <map>
 #include <set>
 
+#include "comparison/accuracy/quantity.h"
 #include "comparison/case/case.h"
 #include "comparison/report/exact_section.h"
 #include "comparison/report/figures.h"
@@ -168,6 +169,18 @@ std::string limiting_section(const Results& results) {
          "at the worst instant; difference of the largest normal force relative to MDR.</p>\n";
 }
 
+/// "largest contact radius in m"
+std::string title_with_unit(const std::string& key) {
+  const auto quantity = quantity_of(key);
+  if (!quantity) return html_escaped(key);
+  const auto& traits = traits_of(*quantity);
+  return *traits.unit ? fmt::format("{} in {}", traits.title, traits.unit) : traits.title;
+}
+
+std::string value_text(double value) {
+  return std::isnan(value) ? "–" : fmt::format("{:.6g}", value);
+}
+
 std::string single_cases_section(const Results& results) {
   std::string html;
   for (const auto& r : results) {
@@ -179,8 +192,9 @@ std::string single_cases_section(const Results& results) {
         "<div class=\"scroll\"><table><thead><tr><th>quantity</th><th>MDR</th><th>finite elements</th>"
         "<th>difference</th><th>tolerance</th></tr></thead><tbody>\n";
     for (const auto& [key, d] : r.json.at("comparison").items())
-      html += fmt::format("<tr><td>{}</td><td>{:.6g}</td><td>{:.6g}</td><td{}>{}</td><td>{:.1e}</td></tr>\n",
-                          html_escaped(key), r.number("mdr", key.c_str()), r.number("fe", key.c_str()),
+      html += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td><td{}>{}</td><td>{:.1e}</td></tr>\n",
+                          title_with_unit(key), value_text(r.number("mdr", key.c_str())),
+                          value_text(r.number("fe", key.c_str())),
                           d.at("pass").get<bool>() ? "" : " class=\"bad-cell\"",
                           d.at("difference").is_number() ? fmt::format("{:.1e}", d["difference"].get<double>()) : "–",
                           d.at("tolerance").get<double>());

@@ -110,13 +110,13 @@ void write_contact(const CaseResult& result, const fs::path& file) {
 
 void write_profile(const CaseResult& result, const fs::path& file) {
   constexpr Eigen::Index n = 400;
-  const auto& scene = result.mdr_case;
-  const auto worn = worn_profile(scene, result.mdr.stick_radius_shakedown);
+  const auto& mdr = result.mdr_case;
+  const auto worn = worn_profile(mdr, result.mdr.stick_radius_shakedown);
   const double end = 1.1 * (worn ? worn->outer_radius : result.fem_case.units.length);
   const Eigen::VectorXd r = Eigen::VectorXd::LinSpaced(n, 0, end);
   Eigen::VectorXd unworn(n), limiting(n);
   for (Eigen::Index i = 0; i < n; ++i) {
-    unworn[i] = mdr::shape(scene.profile, r[i]);
+    unworn[i] = mdr::shape(mdr.profile, r[i]);
     if (worn) limiting[i] = mdr::shape(*worn, r[i]);
   }
   std::vector<Column> columns{{"r [m]", r}, {"f unworn [m]", unworn}};

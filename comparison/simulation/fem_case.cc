@@ -22,13 +22,13 @@ constexpr double finest_ring = 5e-8;
 /// Of equal width. Fewer than three that do not touch do not tell where the contact ends.
 constexpr double rings_beyond = 4;
 
-std::vector<double> contact_nodes(const FemCase& scene) {
-  const auto& resolution = scene.resolution;
+std::vector<double> contact_nodes(const FemCase& fem) {
+  const auto& resolution = fem.resolution;
   const double ring = 1.0 / resolution.elements_per_radius;
   // A worn profile ends its zone at a known radius, where stresses are singular. Rounded up to quarters of the contact
   // radius, so that profiles with the same c share their body.
-  if (scene.worn_edge) {
-    const double edge = scene.worn_edge->inner, end = std::ceil(4 * contact_line_reserve * scene.worn_edge->outer) / 4;
+  if (fem.worn_edge) {
+    const double edge = fem.worn_edge->inner, end = std::ceil(4 * contact_line_reserve * fem.worn_edge->outer) / 4;
     return meshes::graded_nodes({edge, edge, resolution.worn_edge_ring * edge}, end, ring, resolution.surface_growth);
   }
   const double end = std::max(contact_line_reserve, 1 + rings_beyond * ring);
@@ -42,12 +42,12 @@ std::vector<double> contact_nodes(const FemCase& scene) {
   return meshes::uniform_nodes(n * ring, n);
 }
 
-std::function<double(double)> profile_in(const Units& units, const Case& scene, const MdrCase& mdr) {
+std::function<double(double)> profile_in(const Units& units, const Case& input, const MdrCase& mdr) {
   const double length = units.length, depth = units.depth;
   if (mdr.limiting)
     return [worn = *mdr.limiting, length, depth](double r) { return mdr::shape(worn, r * length) / depth; };
   // Written out rather than taken from mdr/, so that an error there cannot cancel in the comparison.
-  const auto& indenter = scene.indenter;
+  const auto& indenter = input.indenter;
   switch (indenter.shape) {
     case Case::Shape::parabola:
       return [factor = length * length / (2 * indenter.radius * depth)](double r) { return factor * r * r; };
@@ -76,44 +76,44 @@ bool BodySpecification::operator<(const BodySpecification& other) const {
          std::tie(other.contact_nodes, other.growth, other.far_radius, other.degree, other.tangential);
 }
 
-FemCase fem_case(const Case& scene, const MdrCase& mdr) {
-  const double deepest = scene.motion.indentation + scene.motion.normal_amplitude;
-  const Units units{mdr::inverse_transform(mdr.profile, deepest), deepest, scene.elastomer.relaxed_modulus,
-                    mdr::angular_frequency(scene.motion.normal_frequency)};
-  FemCase fem{units, {}, {}, {}, scene.friction_coefficient, profile_in(units, scene, mdr), {}, {}};
+FemCase fem_case(const Case& input, const MdrCase& mdr) {
+  const double deepest = input.motion.indentation + input.motion.normal_amplitude;
+  const Units units{mdr::inverse_transform(mdr.profile, deepest), deepest, input.elastomer.relaxed_modulus,
+                    mdr::angular_frequency(input.motion.normal_frequency)};
+  FemCase fem{units, {}, {}, {}, input.friction_coefficient, profile_in(units, input, mdr), {}, {}};
   if (mdr.limiting)
     fem.worn_edge = {mdr.limiting->stick_radius / units.length, mdr.limiting->outer_radius / units.length};
-  else if (scene.indenter.shape == Case::Shape::truncated_sphere)
-    fem.sharp_edge = scene.indenter.flat_radius / units.length;
+  else if (input.indenter.shape == Case::Shape::truncated_sphere)
+    fem.sharp_edge = input.indenter.flat_radius / units.length;
   fem.relaxation.viscosity = mdr.body.viscosity * units.angular_frequency / units.modulus;
   for (const double modulus : mdr.body.branch_moduli) fem.relaxation.moduli.push_back(modulus / units.modulus);
   for (const double time : mdr.body.branch_times) fem.relaxation.times.push_back(time * units.angular_frequency);
-  fem.motion = {scene.motion.indentation / deepest, scene.motion.normal_amplitude / deepest,
+  fem.motion = {input.motion.indentation / deepest, input.motion.normal_amplitude / deepest,
                 mdr.motion.tangential_amplitude / deepest, mdr.motion.phase};
-  auto resolution = resolution_for(scene.tolerance, fem.relaxation.has_memory());
+  auto resolution = resolution_for(input.tolerance, fem.relaxation.has_memory());
   // The force of a worn profile is of second order from 12 rings on, and the error bar goes down to a quarter of them.
   constexpr unsigned enough_rings_of_a_worn_profile = 48;
-  if (scene.rings_per_radius)
-    resolution.elements_per_radius = *scene.rings_per_radius;
+  if (input.rings_per_radius)
+    resolution.elements_per_radius = *input.rings_per_radius;
   else if (mdr.limiting && resolution.elements_per_radius < enough_rings_of_a_worn_profile)
     resolution = with_rings(resolution, 2);
-  if (scene.steps_per_cycle) resolution.steps_per_cycle = *scene.steps_per_cycle;
+  if (input.steps_per_cycle) resolution.steps_per_cycle = *input.steps_per_cycle;
   return at_resolution(std::move(fem), resolution);
 }
 
-FemCase at_resolution(FemCase scene, const Resolution& resolution) {
-  scene.resolution = resolution;
-  scene.body = {contact_nodes(scene), resolution.growth, resolution.far_radius, resolution.degree,
-                scene.motion.tangential_amplitude > 0};
-  scene.motion.n_ramp_cycles = resolution.n_ramp_cycles;
-  scene.motion.n_creep_cycles = resolution.n_creep_cycles;
-  return scene;
+FemCase at_resolution(FemCase fem, const Resolution& resolution) {
+  fem.resolution = resolution;
+  fem.body = {contact_nodes(fem), resolution.growth, resolution.far_radius, resolution.degree,
+              fem.motion.tangential_amplitude > 0};
+  fem.motion.n_ramp_cycles = resolution.n_ramp_cycles;
+  fem.motion.n_creep_cycles = resolution.n_creep_cycles;
+  return fem;
 }
 
-std::vector<std::string> left_out(const FemCase& scene) {
+std::vector<std::string> left_out(const FemCase& fem) {
   std::vector<std::string> words;
-  if (!scene.body.tangential) words.emplace_back("no tangential motion: no tangential harmonic, no friction history");
-  if (!scene.relaxation.has_memory()) words.emplace_back("elastic body: no memory, one cycle of ramp");
+  if (!fem.body.tangential) words.emplace_back("no tangential motion: no tangential harmonic, no friction history");
+  if (!fem.relaxation.has_memory()) words.emplace_back("elastic body: no memory, one cycle of ramp");
   return words;
 }
 

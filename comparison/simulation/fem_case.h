@@ -13,8 +13,8 @@
 
 namespace fretval {
 
-/// Units that make a scene dimensionless: lengths along the surface, depths, shear modulus, angular frequency.
-/// The problem is linear in the depths, so they have a unit of their own and the same scene in nm and in m agrees to
+/// Units that make a case dimensionless: lengths along the surface, depths, shear modulus, angular frequency.
+/// The problem is linear in the depths, so they have a unit of their own and the same case in nm and in m agrees to
 /// roundoff.
 struct Units {
   double length;             ///< m, the unworn contact radius at the largest indentation
@@ -55,12 +55,12 @@ struct FemCase {
 };
 
 /// At the resolution that the tolerance of the case asks for.
-FemCase fem_case(const Case& scene, const MdrCase& mdr);
+FemCase fem_case(const Case& input, const MdrCase& mdr);
 
-/// The same scene at another resolution.
-FemCase at_resolution(FemCase scene, const Resolution& resolution);
+/// The same case at another resolution.
+FemCase at_resolution(FemCase fem, const Resolution& resolution);
 
-/// What the model of a scene does without because the scene does not need it, in words for the log.
-std::vector<std::string> left_out(const FemCase& scene);
+/// What the model of a case does without because the case does not need it, in words for the log.
+std::vector<std::string> left_out(const FemCase& fem);
 
 }  // namespace fretval

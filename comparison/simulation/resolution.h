@@ -10,7 +10,7 @@ struct Focus {
   double inner, outer, ring;
 };
 
-/// How finely a scene is discretised.
+/// How finely a case is discretised.
 struct Resolution {
   unsigned elements_per_radius;  ///< rings per contact radius, away from a focus
   unsigned degree;               ///< of the displacement
@@ -37,7 +37,7 @@ Resolution with_steps(Resolution resolution, double factor);
 std::string text_of(const Resolution& resolution);
 
 /// The coarsest settings that usually meet a relative tolerance on the stick radius (and a tenth of it on contact
-/// radius and force), from the measured errors in docs/accuracy.md. What they miss in a case, its error budget shows.
+/// radius and force), as docs/verification.md shows. What they miss in a case, its error budget shows.
 /// memory: of the body, see fem::RelaxationModel; without it the start leaves nothing behind and one ramp cycle does.
 Resolution resolution_for(double tolerance, bool memory = true);
 

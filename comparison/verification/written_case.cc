@@ -19,8 +19,8 @@ Entries with(Entries entries, const Entries& changes) {
 }
 
 Entries with_stick_ratio(const Entries& entries, double stick_ratio, double factor) {
-  const auto scene = case_of(entries, "scene");
-  const auto mdr = mdr_case(scene);
+  const auto input = case_of(entries, "case");
+  const auto mdr = mdr_case(input);
   const double contact_radius = mdr::inverse_transform(mdr.profile, mdr::maximum_indentation(mdr.motion));
   const auto amplitude = mdr::tangential_amplitude_for_shakedown(
       mdr.body, mdr.friction_coefficient, mdr.motion, mdr::transform(mdr.profile, stick_ratio * contact_radius));
@@ -38,9 +38,9 @@ std::string case_text(const Entries& entries) {
 }
 
 Case case_of(const Entries& entries, const std::string& name, const std::string& file) {
-  Case scene = read_case_text(case_text(entries), file);
-  scene.name = name;
-  return scene;
+  Case input = read_case_text(case_text(entries), file);
+  input.name = name;
+  return input;
 }
 
 }  // namespace fretval

@@ -16,7 +16,7 @@ std::string entry_text(double value);
 /// The same entries but for the changed ones.
 Entries with(Entries entries, const Entries& changes);
 
-/// The same scene with the tangential amplitude that shakes down at a stick radius of c, stick_ratio = c over the
+/// The same case with the tangential amplitude that shakes down at a stick radius of c, stick_ratio = c over the
 /// unworn contact radius at the largest indentation, times a factor; 0: at the border to where nothing sticks. Throws
 /// InputError if there is none.
 Entries with_stick_ratio(const Entries& entries, double stick_ratio, double factor = 1);

@@ -10,7 +10,7 @@ ordered_json convergence_json(const std::vector<ConvergenceRow>& rows) {
   ordered_json array = ordered_json::array();
   for (const auto& row : rows) {
     const std::string failure = failure_of(row);
-    array.push_back({{"scene", row.scene},
+    array.push_back({{"solution", row.solution},
                      {"quantity", row.quantity},
                      {"source", row.source},
                      {"refined", row.refined},

@@ -20,7 +20,7 @@ double error_at_goal(const ConvergenceRow& row) {
 }
 
 std::string name_of(const ConvergenceRow& row) {
-  return fmt::format("{}: {}", row.scene, row.quantity);
+  return fmt::format("{}: {}", row.solution, row.quantity);
 }
 
 std::string order_text(const std::optional<double>& order) {

@@ -18,7 +18,7 @@ struct ConvergenceDemand {
 
 /// Errors of one quantity against its exact solution on nested resolutions.
 struct ConvergenceRow {
-  std::string scene, quantity;
+  std::string solution, quantity;
   std::string source;            ///< of the exact solution
   std::string refined;           ///< what the resolutions count: rings per contact radius, steps
   std::vector<int> resolutions;  ///< rising

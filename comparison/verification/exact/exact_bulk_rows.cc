@@ -16,18 +16,18 @@ std::vector<BulkMesh> bulk_meshes(int n_meshes) {
   return meshes;
 }
 
-std::vector<ConvergenceRow> bulk_rows(const std::vector<BulkMesh>& meshes, const BulkScene& scene,
+std::vector<ConvergenceRow> bulk_rows(const std::vector<BulkMesh>& meshes, const BulkCase& bulk,
                                       const fem::StokesField& load, const fem::StokesField& exact) {
   const ConvergenceDemand demand{
       0, 0, 1e-11, std::nullopt, "cubic displacement, quadratic pressure; floor: roundoff", meshes.back().n_rings};
-  ConvergenceRow displacement{scene.name, "displacement in the bulk", "Kelvin 1848", "rings", {}, {}, demand};
-  ConvergenceRow pressure{scene.name, "pressure in the bulk", "Kelvin 1848", "rings", {}, {}, demand};
-  displacement.demand.tolerance = scene.displacement_tolerance;
+  ConvergenceRow displacement{bulk.name, "displacement in the bulk", "Kelvin 1848", "rings", {}, {}, demand};
+  ConvergenceRow pressure{bulk.name, "pressure in the bulk", "Kelvin 1848", "rings", {}, {}, demand};
+  displacement.demand.tolerance = bulk.displacement_tolerance;
   displacement.demand.expected_order = 4;
-  pressure.demand.tolerance = scene.pressure_tolerance;
+  pressure.demand.tolerance = bulk.pressure_tolerance;
   pressure.demand.expected_order = 3;
   for (const auto& mesh : meshes) {
-    const auto error = fem::bulk_error(fem::HarmonicSpace(mesh.grid, scene.harmonic, 3), load, exact);
+    const auto error = fem::bulk_error(fem::HarmonicSpace(mesh.grid, bulk.harmonic, 3), load, exact);
     for (auto* row : {&displacement, &pressure}) row->resolutions.push_back(mesh.n_rings);
     displacement.errors.push_back(error.displacement);
     pressure.errors.push_back(error.pressure);

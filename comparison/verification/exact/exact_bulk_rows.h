@@ -18,14 +18,14 @@ struct BulkMesh {
 /// 4 rings, and each further mesh with every cell split into four.
 std::vector<BulkMesh> bulk_meshes(int n_meshes);
 
-struct BulkScene {
+struct BulkCase {
   std::string name;
   fem::Harmonic harmonic;
   double displacement_tolerance, pressure_tolerance;  ///< on the finest mesh
 };
 
 /// Displacement and pressure in the body under the tractions of a field: see fem/manufactured_solution.h.
-std::vector<ConvergenceRow> bulk_rows(const std::vector<BulkMesh>& meshes, const BulkScene& scene,
+std::vector<ConvergenceRow> bulk_rows(const std::vector<BulkMesh>& meshes, const BulkCase& bulk,
                                       const fem::StokesField& load, const fem::StokesField& exact);
 
 }  // namespace fretval

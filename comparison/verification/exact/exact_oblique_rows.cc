@@ -80,9 +80,9 @@ std::vector<ConvergenceRow> oblique_rows(const std::vector<ConvergenceMesh>& mes
     });
     return n_measured > 0 ? worst : std::nan("");
   };
-  const std::string scene = "oblique loading", source = "Jaeger 1993";
-  return {mesh_row(scene, "force", source, meshes, {3e-6, 2, far_field, 1e-5, far_field_note}, force_error),
-          mesh_row(scene, "stick radius", source, meshes,
+  const std::string solution = "oblique loading", source = "Jaeger 1993";
+  return {mesh_row(solution, "force", source, meshes, {3e-6, 2, far_field, 1e-5, far_field_note}, force_error),
+          mesh_row(solution, "stick radius", source, meshes,
                    {1e-6, 3, far_field, 5e-6,
                     "inside the first contact: less than six rings outside it the fit of the stick edge meets the "
                     "kink of the traction there, and is off by up to a ring"},

@@ -22,10 +22,10 @@ Eigen::VectorXd means_of(const mdr::Profile& profile, const fem::ContactProblem&
   return fem::ring_means(problem.compliance, [&](double r) { return mdr::shape(profile, r); });
 }
 
-ConvergenceRow mesh_row(const std::string& scene, const std::string& quantity, const std::string& source,
+ConvergenceRow mesh_row(const std::string& solution, const std::string& quantity, const std::string& source,
                         const std::vector<ConvergenceMesh>& meshes, const ConvergenceDemand& demand,
                         const std::function<double(const ConvergenceMesh&)>& error) {
-  ConvergenceRow row{scene, quantity, source, "rings", {}, {}, demand};
+  ConvergenceRow row{solution, quantity, source, "rings", {}, {}, demand};
   for (const auto& mesh : meshes) {
     row.resolutions.push_back(mesh.n_rings);
     row.errors.push_back(error(mesh));
@@ -33,10 +33,10 @@ ConvergenceRow mesh_row(const std::string& scene, const std::string& quantity, c
   return row;
 }
 
-ConvergenceRow time_row(const std::string& scene, const std::string& quantity, const std::string& source,
+ConvergenceRow time_row(const std::string& solution, const std::string& quantity, const std::string& source,
                         const std::vector<int>& n_steps, const ConvergenceDemand& demand,
                         const std::function<double(int)>& error) {
-  ConvergenceRow row{scene, quantity, source, "steps", n_steps, {}, demand};
+  ConvergenceRow row{solution, quantity, source, "steps", n_steps, {}, demand};
   for (const int n : n_steps) row.errors.push_back(error(n));
   return row;
 }

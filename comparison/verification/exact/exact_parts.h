@@ -51,12 +51,12 @@ void take_worst(double& worst, double error);
 Eigen::VectorXd means_of(const mdr::Profile& profile, const fem::ContactProblem& problem);
 
 /// A row over meshes.
-ConvergenceRow mesh_row(const std::string& scene, const std::string& quantity, const std::string& source,
+ConvergenceRow mesh_row(const std::string& solution, const std::string& quantity, const std::string& source,
                         const std::vector<ConvergenceMesh>& meshes, const ConvergenceDemand& demand,
                         const std::function<double(const ConvergenceMesh&)>& error);
 
 /// A row over numbers of time steps.
-ConvergenceRow time_row(const std::string& scene, const std::string& quantity, const std::string& source,
+ConvergenceRow time_row(const std::string& solution, const std::string& quantity, const std::string& source,
                         const std::vector<int>& n_steps, const ConvergenceDemand& demand,
                         const std::function<double(int)>& error);
 

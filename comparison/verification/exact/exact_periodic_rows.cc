@@ -15,14 +15,14 @@ struct ZoneErrors {
 };
 
 /// Largest errors over the phases, over the largest contact radius, which is 1.
-ZoneErrors zone_errors(const ConvergenceMesh& mesh, const PeriodicScene& scene, const ExactStickRadii& exact) {
+ZoneErrors zone_errors(const ConvergenceMesh& mesh, const PeriodicCase& periodic, const ExactStickRadii& exact) {
   const fem::HistoryControl control{120, 400, 1e-7};
-  fem::Motion motion{1 - scene.normal_amplitude, scene.normal_amplitude, 0, 0.0};
+  fem::Motion motion{1 - periodic.normal_amplitude, periodic.normal_amplitude, 0, 0.0};
   motion.n_ramp_cycles = 40;  // after ten, first slip is still 2e-6 of a radius short of that of a slow rise
-  const auto model = fem_model(scene.body);
+  const auto model = fem_model(periodic.body);
   const auto profile = means_of(mdr::parabola(1), mesh.normal);
   ZoneErrors errors;
-  for (const auto& [amplitude, degrees] : scene.tangential) {
+  for (const auto& [amplitude, degrees] : periodic.tangential) {
     const double phase = degrees * pi / 180;
     motion.tangential_amplitude = amplitude;
     motion.phase = phase;
@@ -31,8 +31,8 @@ ZoneErrors zone_errors(const ConvergenceMesh& mesh, const PeriodicScene& scene, 
                              {mesh.tangential, model, friction_coefficient, motion, control.steps_per_cycle}, control);
     const auto zones =
         fem::stick_zones(mesh.tangential.compliance, normal, friction, fem::stuck_rings(friction, motion));
-    const auto expected = exact(scene.body, {motion.indentation, motion.normal_amplitude, motion.tangential_amplitude,
-                                             1 / (2 * pi), 1 / (2 * pi), phase});
+    const auto expected = exact(periodic.body, {motion.indentation, motion.normal_amplitude,
+                                                motion.tangential_amplitude, 1 / (2 * pi), 1 / (2 * pi), phase});
     take_worst(errors.first_slip, zones.first_slip.radius - expected.first_slip.value_or(std::nan("")));
     take_worst(errors.shakedown, zones.shakedown.radius - expected.shakedown.value_or(std::nan("")));
   }
@@ -47,13 +47,13 @@ ExactStickRadii exact_stick_radii() {
   };
 }
 
-std::vector<ConvergenceRow> periodic_rows(const std::vector<ConvergenceMesh>& meshes, const PeriodicScene& scene,
+std::vector<ConvergenceRow> periodic_rows(const std::vector<ConvergenceMesh>& meshes, const PeriodicCase& periodic,
                                           const ExactStickRadii& exact) {
-  ConvergenceRow first{scene.name, "first-slip radius", "paper, equations (19) to (27)", "rings", {},
-                       {},         scene.first_slip};
-  ConvergenceRow shakedown{scene.name, "shakedown radius", scene.source, "rings", {}, {}, scene.shakedown};
+  ConvergenceRow first{periodic.name,      "first-slip radius", "paper, equations (19) to (27)", "rings", {}, {},
+                       periodic.first_slip};
+  ConvergenceRow shakedown{periodic.name, "shakedown radius", periodic.source, "rings", {}, {}, periodic.shakedown};
   for (const auto& mesh : meshes) {
-    const auto errors = zone_errors(mesh, scene, exact);
+    const auto errors = zone_errors(mesh, periodic, exact);
     for (auto* row : {&first, &shakedown}) row->resolutions.push_back(mesh.n_rings);
     first.errors.push_back(errors.first_slip);
     shakedown.errors.push_back(errors.shakedown);

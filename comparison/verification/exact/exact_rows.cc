@@ -71,21 +71,20 @@ void add_periodic(Rows& rows, const std::vector<ConvergenceMesh>& meshes) {
   const ConvergenceDemand together{
       8e-6, 0.5, far_field, 5e-5, "the stick zone ends where the smallest contact does: hardly falls from 32 rings on"};
   // Elsewhere the normal amplitudes let the stick zone end some rings inside the smallest contact.
-  for (const PeriodicScene& scene :
-       {PeriodicScene{"periodic, elastic", source, elastic, 0.2, all_phases(0.27), demand, demand},
-        PeriodicScene{"periodic, standard solid", source, solid, 0.1, all_phases(0.25), demand, demand},
-        PeriodicScene{"periodic, c/a = 0.1 to 0.13", source, solid, 0.2, towards_no_stick(1.5, 0.2), small_first,
-                      small},
-        PeriodicScene{"periodic, k = 1 in phase", source, solid, 0.2, {{0.12, 0}}, demand, together}})
-    add(rows, periodic_rows(meshes, scene, exact_stick_radii()));
+  for (const PeriodicCase& solution :
+       {PeriodicCase{"periodic, elastic", source, elastic, 0.2, all_phases(0.27), demand, demand},
+        PeriodicCase{"periodic, standard solid", source, solid, 0.1, all_phases(0.25), demand, demand},
+        PeriodicCase{"periodic, c/a = 0.1 to 0.13", source, solid, 0.2, towards_no_stick(1.5, 0.2), small_first, small},
+        PeriodicCase{"periodic, k = 1 in phase", source, solid, 0.2, {{0.12, 0}}, demand, together}})
+    add(rows, periodic_rows(meshes, solution, exact_stick_radii()));
 }
 
 void add_bulk(Rows& rows) {
   const auto meshes = bulk_meshes(4);
-  for (const BulkScene& scene : {BulkScene{"Kelvin's force along z", fem::Harmonic::normal, 2.5e-8, 4e-6},
-                                 BulkScene{"Kelvin's force along x", fem::Harmonic::tangential, 2e-8, 4e-6}}) {
-    const auto field = fem::point_force(scene.harmonic, 1);
-    add(rows, bulk_rows(meshes, scene, field, field));
+  for (const BulkCase& solution : {BulkCase{"Kelvin's force along z", fem::Harmonic::normal, 2.5e-8, 4e-6},
+                                   BulkCase{"Kelvin's force along x", fem::Harmonic::tangential, 2e-8, 4e-6}}) {
+    const auto field = fem::point_force(solution.harmonic, 1);
+    add(rows, bulk_rows(meshes, solution, field, field));
   }
 }
 

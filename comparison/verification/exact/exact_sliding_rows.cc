@@ -46,12 +46,12 @@ std::vector<ConvergenceRow> sliding_rows(const std::vector<ConvergenceMesh>& mes
   const auto displacement_error = [&](const ElasticSliding& sliding, double u) {
     return exact.displacement(sliding.force()) / u - 1;
   };
-  const std::string scene = "Cattaneo-Mindlin", source = "Cattaneo 1938, Mindlin 1949";
-  return {mesh_row(scene, "stick radius", source, meshes, {5e-6, 3, far_field, 5e-6, far_field_note},
+  const std::string solution = "Cattaneo-Mindlin", source = "Cattaneo 1938, Mindlin 1949";
+  return {mesh_row(solution, "stick radius", source, meshes, {5e-6, 3, far_field, 5e-6, far_field_note},
                    worst_over_positions(radius_error)),
-          mesh_row(scene, "force", source, meshes, {2e-6, 3, far_field, 1e-5, far_field_note},
+          mesh_row(solution, "force", source, meshes, {2e-6, 3, far_field, 1e-5, far_field_note},
                    worst_over_positions(force_error)),
-          mesh_row(scene, "displacement", source, meshes, {2e-6, 3, far_field, 1e-5, far_field_note},
+          mesh_row(solution, "displacement", source, meshes, {2e-6, 3, far_field, 1e-5, far_field_note},
                    worst_over_positions(displacement_error))};
 }
 

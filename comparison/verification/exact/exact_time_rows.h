@@ -44,7 +44,7 @@ struct TangentialOscillation {
 };
 
 /// Combined oscillation at omega = 1 about the indentation `1 - normal_amplitude`, under a parabola.
-struct PeriodicScene {
+struct PeriodicCase {
   std::string name, source;  ///< source: of the shakedown radius
   mdr::PronyBody body;
   double normal_amplitude;
@@ -59,7 +59,7 @@ ExactStickRadii exact_stick_radii();
 
 /// First-slip and shakedown radius of the periodic state, 120 steps a cycle: the largest error over the
 /// tangential motions, over the largest contact radius.
-std::vector<ConvergenceRow> periodic_rows(const std::vector<ConvergenceMesh>& meshes, const PeriodicScene& scene,
+std::vector<ConvergenceRow> periodic_rows(const std::vector<ConvergenceMesh>& meshes, const PeriodicCase& periodic,
                                           const ExactStickRadii& exact);
 
 }  // namespace fretval

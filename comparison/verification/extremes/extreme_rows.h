@@ -8,7 +8,7 @@
 
 namespace fretval {
 
-/// Mean indentation of the scenes, m, where they do not say otherwise.
+/// Mean indentation of the cases, m, where they do not say otherwise.
 constexpr double usual_indentation = 1e-4;
 
 /// A case of the suite `extremes`, one of a family that goes to the end of one parameter.

@@ -1,0 +1,38 @@
+# The tables of docs/verification.md from what `fretval check --suite NAME --json FILE` writes: jq -r -f docs/tables.jq FILE
+
+def power_of_ten: log10 | floor;
+def number:
+  if . == null then "–" elif . == 0 then "0"
+  else fabs as $size | ($size | power_of_ten) as $e | ($size / pow(10; $e) * 10 | round / 10) as $digits
+    | (if $digits >= 10 then [1, $e + 1] else [$digits, $e] end) as [$d, $e]
+    | (if . < 0 then "-" else "" end) + (if $e >= -1 and $e <= 1 then $d * pow(10; $e) * 100 | round / 100 | tostring else "\($d)e\($e)" end)
+  end;
+def line: "| " + join(" | ") + " |";
+def table($heads): ($heads | line), ($heads | map("---") | line), (.[] | line);
+def spread: if .low == .high then .median | number else "\(.median | number), \(.high | number)" end;
+
+def exact_row:
+  ["\(.solution): \(.quantity)", "\(.resolutions[0]) to \(.resolutions[-1]) \(.refined)", (.errors | map(number) | join(", ")),
+   "\(if .observed_order == null then "floor" else .observed_order * 10 | round / 10 | tostring end) (\(if .expected_order == 0 then "exact" else .expected_order | tostring end))",
+   (.tolerance | number), (.goal | number), .verdict];
+
+def quantity_row:
+  [.quantity, (.tolerance | number), .errors, .above_bar, .wide, (.error | spread), (.bar | spread), (.effectivity.median | number)] | map(tostring);
+
+# Families in the order in which they come.
+def families: reduce .[] as $row ({}; .[$row.family] += [$row]) | to_entries[]
+  | [.key, "\(.value[0].name) … \(.value[-1].name)", (.value | length),
+     (.value | map(select(.verdict == "agrees")) | length), (.value | map(select(.verdict == "refused")) | length),
+     (.value | map(select(.verdict == "inconclusive")) | length), (.value | map(select(.verdict == "FAIL")) | length)] | map(tostring);
+
+if type == "array" then
+  map(exact_row) | table(["solution: quantity", "refined", "errors", "order (expected)", "tolerance", "goal", "verdict"])
+else
+  (.summary | "\(.cases) cases: \(.agree) agree, \(.refused) refused by name as expected, \(.inconclusive) inconclusive, \(.fail) fail. \(.errors - .above_bar) of \(.errors) errors are within their bars. \(.computations) computations, \(.seconds | round) s."),
+  "",
+  ([.quantities[] | quantity_row]
+    | table(["quantity", "tolerance", "errors", "above bar", "bars above tolerance", "error: median, 90 %", "bar: median, 90 %", "bar over error, median"])),
+  (if [.rows[].family] | unique | length > 3 then
+     "", ([.rows | families] | table(["family", "from … to", "cases", "agree", "refused", "inconclusive", "fail"]))
+   else empty end)
+end
