@@ -2,23 +2,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace fretval {
 namespace {
 
-Difference judge(std::optional<double> difference, double size, double tolerance) {
-  return {difference, tolerance, verdict_on(size, tolerance)};
-}
-
 Difference judge(double difference, double tolerance) {
-  return judge(difference, difference, tolerance);
+  return {difference, tolerance, verdict_on(difference, tolerance)};
 }
 
 Difference judge_stick(const std::optional<double>& fe, const std::optional<double>& mdr, double contact_radius,
                        double tolerance) {
-  const double size = (fe.value_or(0) - mdr.value_or(0)) / contact_radius;
-  // Where only one of the two says that nothing sticks there is no difference to show.
-  return judge(fe && mdr ? std::optional(size) : std::nullopt, size, tolerance);
+  auto judged = judge((fe.value_or(0) - mdr.value_or(0)) / contact_radius, tolerance);
+  if (!fe || !mdr) judged.only_one = std::exchange(judged.difference, std::nullopt).value();
+  return judged;
 }
 
 }  // namespace
@@ -67,8 +64,8 @@ Comparison compare(const MdrAnswer& mdr, const FeAnswer& fe, double unworn_radiu
     if (found == comparison.end()) continue;
     auto& difference = found->second;
     difference.bar = bar;
-    if (bar.total() > difference.tolerance)
-      difference.verdict = verdict_on(difference.difference.value_or(0), difference.tolerance, bar.total());
+    difference.verdict =
+        verdict_on(difference.difference.value_or(difference.only_one), difference.tolerance, bar.total());
   }
   return comparison;
 }

@@ -19,11 +19,11 @@ Verdict verdict_on(double difference, double tolerance, double bar = 0);
 
 /// One quantity compared.
 struct Difference {
-  std::optional<double>
-      difference;  ///< finite elements less MDR, relative; empty: one of the two says that nothing sticks
+  std::optional<double> difference;  ///< finite elements less MDR, relative; empty: nothing sticks, says one or both
   double tolerance;
   Verdict verdict;
   std::optional<ErrorBar> bar = {};  ///< of the finite elements; empty: not measured
+  double only_one = 0;               ///< without a difference: the stick radius that only one of the two finds
 
   [[nodiscard]] bool passes() const { return verdict == Verdict::pass; }
 };

@@ -34,8 +34,11 @@ int exit_code_of(const std::vector<BatchLine>& lines) {
 /// Says what the cases do not need, and so is not computed.
 void log_left_out(const std::vector<PreparedCase>& prepared) {
   std::map<std::string, int> counts;
-  for (const auto& one : prepared)
+  for (const auto& one : prepared) {
     for (const auto& words : left_out(one.fem)) ++counts[words];
+    if (one.input.wear_kinetics)
+      ++counts["Wear / Coefficient and Cycles are left to `fretval mdr`: nothing wears here"];
+  }
   for (const auto& [words, n] : counts) log::info(fmt::format("{} of {} cases: {}", n, prepared.size(), words));
 }
 

@@ -20,15 +20,10 @@ Worst worst_of(const std::vector<BatchLine>& lines) {
   Worst worst;
   for (const auto& line : lines)
     for (const auto& [quantity, d] : line.comparison) {
-      if (!d.difference) {
-        if (!d.passes())
-          return {1e9, fmt::format("{} in {}: only one of the two sticks", name_of(quantity), line.name)};
-        continue;
-      }
-      const double use = std::abs(*d.difference) / d.tolerance;
-      if (use > worst.use)
-        worst = {use,
-                 fmt::format("{} in {}: {:.1e} of {:.1e}", name_of(quantity), line.name, *d.difference, d.tolerance)};
+      const double difference = d.difference.value_or(d.only_one), use = std::abs(difference) / d.tolerance;
+      if (use <= worst.use) continue;
+      worst = {use, fmt::format("{} in {}: {:.1e} of {:.1e}{}", name_of(quantity), line.name, difference, d.tolerance,
+                                d.only_one != 0 ? ", only one of the two sticks" : "")};
     }
   return worst;
 }

@@ -5,6 +5,7 @@
 
 #include "fem/condensation/effective_radii.h"
 #include "fem/condensation/stencil.h"
+#include "fem/support/dense.h"
 
 namespace fretval::fem {
 namespace {
@@ -41,15 +42,18 @@ PunchSeries::PunchSeries(const Compliance& compliance, const Eigen::MatrixXd& fa
       force_per_radius_(by_load_.squaredNorm() / edges_[areas_.size()]) {}
 
 Eigen::MatrixXd PunchSeries::depths(const Eigen::MatrixXd& tractions) const {
-  const auto transposed = factor_.transpose().triangularView<Eigen::Upper>();
-  // The product with a matrix repacks the factor, which for a single column costs more than the product.
-  if (tractions.cols() == 1) return (transposed * tractions.col(0)).cwiseQuotient(by_load_);
-  const Eigen::MatrixXd half = transposed * tractions;
-  return by_load_.cwiseInverse().asDiagonal() * half;
+  Eigen::MatrixXd depths = tractions;
+  for (auto column : depths.colwise()) {
+    multiply_transposed(factor_, column);
+    column.array() /= by_load_.array();
+  }
+  return depths;
 }
 
 Eigen::VectorXd PunchSeries::displacements(const Eigen::VectorXd& rings) const {
-  return factor_.triangularView<Eigen::Lower>().solve(areas_.cwiseProduct(rings)).cwiseQuotient(by_load_);
+  Eigen::VectorXd displacements = areas_.cwiseProduct(rings);
+  solve_leading(factor_, displacements);
+  return displacements.cwiseQuotient(by_load_);
 }
 
 double PunchSeries::integral(const Eigen::VectorXd& depths, const std::vector<signed char>& labels,

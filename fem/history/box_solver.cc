@@ -1,11 +1,14 @@
 #include "fem/history/box_solver.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <string>
 
 #include "fem/condensation/compliance.h"
+#include "fem/support/dense.h"
 #include "fem/support/solver_error.h"
 
 namespace fretval::fem {
@@ -54,7 +57,21 @@ void place_unknowns(const Eigen::VectorXd& lower, const Eigen::VectorXd& upper, 
 }  // namespace
 
 BoxSolver::BoxSolver(const Eigen::MatrixXd& matrix, double slack)
-    : matrix_(matrix), factor_(cholesky_factor(matrix)), slack_(slack) {}
+    : matrix_(matrix), factor_(cholesky_factor(matrix)), probe_(matrix.rows()), slack_(slack) {
+  for (Eigen::Index i = 0; i < probe_.size(); ++i) probe_[i] = std::cos(1.0 + 0.7 * static_cast<double>(i));
+  image_ = matrix_ * probe_;
+}
+
+/// The residuals of the interior are set to zero, not computed. One product with a fixed vector tells whether they are:
+/// probe . (q - C x) = probe . q - (C probe) . x.
+void BoxSolver::check(const Eigen::VectorXd& q, const Solution& solution) const {
+  constexpr double most = 1e-9;  // roundoff leaves 1e-13, an equation that does not hold something of order 1
+  const double left = probe_.dot(q - solution.residual) - image_.dot(solution.x);
+  const double size = probe_.cwiseAbs().dot(q.cwiseAbs()) + image_.cwiseAbs().dot(solution.x.cwiseAbs());
+  if (!(std::abs(left) <= most * size))
+    throw SolverError(
+        fmt::format("a contact step does not fulfil its equations: {:.1e} of {:.1e} is left", left, size));
+}
 
 // Interior = leading block {0..k-1} plus a few extra indices, eliminated by their own Schur complement. x: the
 // right-hand side on entry, where it is interior.
@@ -62,7 +79,7 @@ void BoxSolver::solve_interior(const std::vector<Eigen::Index>& interior, Eigen:
   const auto block = factor_.topLeftCorner(k, k).triangularView<Eigen::Lower>();
   const Eigen::Index n_extra = static_cast<Eigen::Index>(interior.size()) - k;
   auto head = x.head(k);
-  block.solveInPlace(head);
+  solve_leading(factor_, head);
   if (n_extra > 0) {
     Eigen::MatrixXd coupling(k, n_extra), extra(n_extra, n_extra);
     Eigen::VectorXd tail(n_extra);
@@ -78,12 +95,13 @@ void BoxSolver::solve_interior(const std::vector<Eigen::Index>& interior, Eigen:
     head.noalias() -= coupling * tail;
     for (Eigen::Index j = 0; j < n_extra; ++j) x[interior[k + j]] = tail[j];
   }
-  block.transpose().solveInPlace(head);
+  solve_leading_transposed(factor_, head);
 }
 
 BoxSolver::Solution BoxSolver::solve(const Eigen::VectorXd& q, const Eigen::VectorXd& lower,
                                      const Eigen::VectorXd& upper, std::vector<BoxState>& state) const {
   if (!q.allFinite()) throw std::invalid_argument("the right-hand side of the contact problem is not finite");
+  if (lower.hasNaN() || upper.hasNaN()) throw std::invalid_argument("a bound of the contact problem is not a number");
   const Eigen::Index n = size();
   const int limit = 50 + 10 * static_cast<int>(n);
   Solution solution{Eigen::VectorXd(n), Eigen::VectorXd(n), 0};
@@ -98,10 +116,10 @@ BoxSolver::Solution BoxSolver::solve(const Eigen::VectorXd& q, const Eigen::Vect
     while (k < n_interior && interior[k] == k) ++k;
     // What the bounded unknowns leave, then what the interior ones leave of that.
     residual = q;
-    if (!x.tail(n - k).isZero(0)) residual.noalias() -= matrix_.rightCols(n - k) * x.tail(n - k);
+    if (!x.tail(n - k).isZero(0)) subtract_product(matrix_, 0, k, x.tail(n - k), residual);
     for (const auto i : interior) x[i] = residual[i];
     solve_interior(interior, k, x);
-    residual.tail(n - k).noalias() -= matrix_.bottomLeftCorner(n - k, k) * x.head(k);
+    subtract_product(matrix_, k, 0, x.head(k), residual.tail(n - k));
     for (Eigen::Index j = k; j < n_interior; ++j)
       residual.tail(n - k).noalias() -= x[interior[j]] * matrix_.col(interior[j]).tail(n - k);
     for (const auto i : interior) residual[i] = 0;
@@ -109,7 +127,10 @@ BoxSolver::Solution BoxSolver::solve(const Eigen::VectorXd& q, const Eigen::Vect
     const double slack = slack_ * x.lpNorm<Eigen::Infinity>();
     const double residual_slack = slack_ * q.lpNorm<Eigen::Infinity>();
     const auto violations = find_violations(x, residual, lower, upper, state, slack, residual_slack);
-    if (violations.indices.empty()) return solution;
+    if (violations.indices.empty()) {
+      check(q, solution);
+      return solution;
+    }
     stalled = violations.indices.size() < fewest ? 0 : stalled + 1;
     fewest = std::min(fewest, violations.indices.size());
     const std::size_t n_changes = stalled > patience ? 1 : violations.indices.size();

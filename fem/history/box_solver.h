@@ -32,7 +32,9 @@ class BoxSolver {
   };
 
   /// state: warm start on entry, the state of the solution on exit. Unknowns with lower = upper are fixed.
-  /// Throws SolverError if the iteration limit is reached, and std::invalid_argument for non-finite q.
+  /// Throws SolverError if the iteration limit is reached or the solution does not fulfil its equations, and
+  /// std::invalid_argument for non-finite q and bounds that are no
+  /// numbers.
   Solution solve(const Eigen::VectorXd& q, const Eigen::VectorXd& lower, const Eigen::VectorXd& upper,
                  std::vector<BoxState>& state) const;
 
@@ -43,8 +45,11 @@ class BoxSolver {
  private:
   void solve_interior(const std::vector<Eigen::Index>& interior, Eigen::Index k, Eigen::VectorXd& x) const;
 
+  void check(const Eigen::VectorXd& q, const Solution& solution) const;
+
   Eigen::MatrixXd matrix_;
-  Eigen::MatrixXd factor_;  // lower Cholesky factor
+  Eigen::MatrixXd factor_;         // lower Cholesky factor
+  Eigen::VectorXd probe_, image_;  // any vector, and its product with the matrix
   double slack_;
 };
 

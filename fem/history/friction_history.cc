@@ -83,11 +83,11 @@ FrictionPeriod::FrictionPeriod(Eigen::Index n_rings, int n_steps)
       backward_reserve_(n_rings, -infinity),
       slip_(n_rings),
       traction_(Eigen::MatrixXd::Zero(n_rings, n_steps)),
-      work_(n_rings),
-      series_work_(n_rings),
+      slips_(traction_),
+      depths_(traction_),
       zones_(static_cast<std::size_t>(n_rings)),
-      last_traction_(Eigen::VectorXd::Zero(n_rings)),
-      last_depths_(last_traction_) {
+      traction_before_(Eigen::VectorXd::Zero(n_rings)),
+      depths_before_(traction_before_) {
   begin();
 }
 
@@ -96,9 +96,11 @@ void FrictionPeriod::begin() {
   forward_.setConstant(infinity);
   backward_.setConstant(infinity);
   slip_.setZero();
-  work_.setZero();
-  series_work_.setZero();
   std::fill(zones_.begin(), zones_.end(), 0);
+  if (k_ > 0) {
+    traction_before_ = traction_.col(k_ - 1);
+    depths_before_ = depths_.col(k_ - 1);
+  }
   k_ = 0;
 }
 
@@ -110,27 +112,34 @@ void FrictionPeriod::see(const FrictionContact& contact) {
   forward_reserve_.add(contact.limit_depths - depths);
   backward_reserve_.add(contact.limit_depths + depths);
   slip_ += slip.cwiseAbs();
-  traction_.col(k_++) = traction;
+  traction_.col(k_) = traction;
+  slips_.col(k_) = slip;
+  depths_.col(k_++) = depths;
   for (std::size_t i = 0; i < zones_.size(); ++i) {
     const auto ring = static_cast<Eigen::Index>(i);
     if (slip[ring] != 0) zones_[i] |= 1;
     zones_[i] |= limit[ring] > 0 ? 2 : 4;
   }
-  // The mean slip rate of a step belongs to its middle, between two balance times.
-  const double weight = 1.5 - contact.fraction();
-  work_ += (weight * traction + (1 - weight) * last_traction_).cwiseProduct(slip);
-  series_work_ +=
-      (weight * depths + (1 - weight) * last_depths_).cwiseProduct(contact.problem().series.displacements(slip));
-  last_traction_ = traction;
-  last_depths_ = depths;
+  weight_ = 1.5 - contact.fraction();
 }
 
 void FrictionPeriod::report(const ContactProblem& problem, FrictionHistory& history) const {
   history.shakedown_margin = (forward_ + backward_) / 2;
   history.shakedown_reserve = (forward_reserve_.value() + backward_reserve_.value()) / 2;
   history.period_slip = slip_;
-  history.dissipated_energy = problem.series.integral(series_work_, zones_);
-  history.friction_work = work_.cwiseProduct(problem.compliance.areas);
+  // Of friction, per area, and as a product of depths and displacements. The mean slip rate of a step belongs to its
+  // middle, between two balance times.
+  const auto in_the_middle = [this](const Eigen::MatrixXd& columns, const Eigen::VectorXd& before, int k) {
+    return (weight_ * columns.col(k) + (1 - weight_) * (k == 0 ? before : Eigen::VectorXd(columns.col(k - 1)))).eval();
+  };
+  Eigen::VectorXd work = Eigen::VectorXd::Zero(slip_.size()), series_work = work;
+  for (int k = 0; k < k_; ++k) {
+    const Eigen::VectorXd slip = slips_.col(k);
+    work += in_the_middle(traction_, traction_before_, k).cwiseProduct(slip);
+    series_work += in_the_middle(depths_, depths_before_, k).cwiseProduct(problem.series.displacements(slip));
+  }
+  history.dissipated_energy = problem.series.integral(series_work, zones_);
+  history.friction_work = work.cwiseProduct(problem.compliance.areas);
   history.traction = traction_;
 }
 

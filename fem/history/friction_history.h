@@ -56,10 +56,10 @@ class FrictionPeriod {
   Eigen::VectorXd forward_, backward_;
   RunningMinimum forward_reserve_, backward_reserve_;  // slip reserves of the same
   Eigen::VectorXd slip_;
-  Eigen::MatrixXd traction_;
-  Eigen::VectorXd work_, series_work_;  // of friction, per area, and as a product of depths and displacements
-  std::vector<signed char> zones_;      // what happened to each ring, as bits
-  Eigen::VectorXd last_traction_, last_depths_;
+  Eigen::MatrixXd traction_, slips_, depths_;        // a column a step
+  std::vector<signed char> zones_;                   // what happened to each ring, as bits
+  Eigen::VectorXd traction_before_, depths_before_;  // at the end of the period before
+  double weight_ = 1;                                // of a step's end in its middle
   int k_ = 0;
 };
 

@@ -21,6 +21,29 @@ Eigen::MatrixXd solve_lower(const Eigen::MatrixXd& lower, Eigen::MatrixXd rhs) {
   return rhs;
 }
 
+void solve_leading(const Eigen::MatrixXd& lower, Eigen::Ref<Eigen::VectorXd> x) {
+  cblas_dtrsv(CblasColMajor, CblasLower, CblasNoTrans, CblasNonUnit, static_cast<blasint>(x.size()), lower.data(),
+              static_cast<blasint>(lower.rows()), x.data(), 1);
+}
+
+void solve_leading_transposed(const Eigen::MatrixXd& lower, Eigen::Ref<Eigen::VectorXd> x) {
+  cblas_dtrsv(CblasColMajor, CblasLower, CblasTrans, CblasNonUnit, static_cast<blasint>(x.size()), lower.data(),
+              static_cast<blasint>(lower.rows()), x.data(), 1);
+}
+
+void multiply_transposed(const Eigen::MatrixXd& lower, Eigen::Ref<Eigen::VectorXd> x) {
+  cblas_dtrmv(CblasColMajor, CblasLower, CblasTrans, CblasNonUnit, static_cast<blasint>(x.size()), lower.data(),
+              static_cast<blasint>(lower.rows()), x.data(), 1);
+}
+
+void subtract_product(const Eigen::MatrixXd& matrix, Eigen::Index row, Eigen::Index column,
+                      const Eigen::Ref<const Eigen::VectorXd>& x, Eigen::Ref<Eigen::VectorXd> y) {
+  const auto n_rows = static_cast<blasint>(y.size()), n_columns = static_cast<blasint>(x.size());
+  if (n_rows == 0 || n_columns == 0) return;
+  cblas_dgemv(CblasColMajor, CblasNoTrans, n_rows, n_columns, -1, &matrix(row, column),
+              static_cast<blasint>(matrix.rows()), x.data(), 1, 1, y.data(), 1);
+}
+
 Eigen::MatrixXd gram(const Eigen::MatrixXd& half) {
   const auto n = static_cast<blasint>(half.cols()), k = static_cast<blasint>(half.rows());
   Eigen::MatrixXd product(n, n);

@@ -87,6 +87,21 @@ TEST(Comparison, IsInconclusiveWhereTheErrorBarIsTooWide) {
   EXPECT_EQ(verdict_with(5e-4, std::numeric_limits<double>::infinity()), Verdict::inconclusive);
 }
 
+// A zone that only one of the two finds is a difference of all of it, whatever the bar makes of the rest.
+TEST(Comparison, DisagreesWhereOnlyOneSticksBeyondTheBar) {
+  const auto verdict = [](std::optional<double> mdr, std::optional<double> fe, double bar) {
+    const ErrorBudget budget{{Quantity::stick_radius_shakedown, {{{ErrorSource::rings, bar, std::nullopt}}}}};
+    return compare(mdr_with(mdr), fe_with(fe), a, tolerances_of(1e-3), budget)
+        .at(Quantity::stick_radius_shakedown)
+        .verdict;
+  };
+  EXPECT_EQ(verdict(0.5 * a, std::nullopt, 2e-3), Verdict::fail);
+  EXPECT_EQ(verdict(std::nullopt, 0.5 * a, 2e-3), Verdict::fail);
+  EXPECT_EQ(verdict(1e-3 * a, std::nullopt, 2e-3), Verdict::inconclusive);
+  EXPECT_EQ(verdict(std::nullopt, std::nullopt, 2e-3), Verdict::inconclusive);
+  EXPECT_EQ(verdict(std::nullopt, std::nullopt, 5e-4), Verdict::pass);
+}
+
 TEST(Comparison, AnInconclusiveComparisonDoesNotPass) {
   const ErrorBudget budget{{Quantity::normal_force_max, {{{ErrorSource::rings, 1e-3, std::nullopt}}}}};
   const auto verdict = compare(mdr_with(0.5 * a), fe_with(0.5 * a), a, tolerances_of(1e-3), budget);

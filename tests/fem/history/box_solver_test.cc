@@ -200,6 +200,25 @@ TEST(BoxSolver, RefusesLoadsThatAreNotFinite) {
   }
 }
 
+TEST(BoxSolver, RefusesBoundsThatAreNoNumbers) {
+  const BoxSolver solver(MatrixXd::Identity(3, 3));
+  const VectorXd zero = VectorXd::Zero(3), ones = VectorXd::Ones(3);
+  VectorXd bad = ones;
+  bad[2] = std::nan("");
+  std::vector<BoxState> states(3, BoxState::interior);
+  EXPECT_THROW(solver.solve(zero, bad, ones, states), std::invalid_argument);
+  EXPECT_THROW(solver.solve(zero, zero, bad, states), std::invalid_argument);
+}
+
+// The factor of a matrix whose triangles differ solves another problem than its columns state.
+TEST(BoxSolver, NoticesThatItsAnswerDoesNotFulfilTheEquations) {
+  MatrixXd matrix = MatrixXd::Identity(3, 3);
+  matrix(0, 2) = 0.1;
+  const VectorXd q = VectorXd::Ones(3), none = VectorXd::Constant(3, infinity);
+  std::vector<BoxState> states(3, BoxState::interior);
+  expect_solver_error([&] { BoxSolver(matrix).solve(q, -none, none, states); }, {"does not fulfil its equations"});
+}
+
 TEST(BoxSolver, RefusesAMatrixThatIsNotPositiveDefinite) {
   MatrixXd matrix = MatrixXd::Identity(3, 3);
   matrix(2, 2) = -1;
