@@ -18,6 +18,19 @@ inline Eigen::VectorXd parabola_means(const ContactProblem& problem) {
   return ring_means(problem.compliance, [](double r) { return r * r / 2; });
 }
 
+/// Under this parabola, Hertz: `a = sqrt(d)`, `F = (16/3) d^1.5`.
+inline StaticContact hertz_contact(const ContactProblem& problem, double indentation) {
+  return static_contact(problem, parabola_means(problem), indentation);
+}
+
+/// Tractions of the rings under a unit displacement of the n innermost ones, the others free.
+inline Eigen::VectorXd punch_traction(const ContactProblem& problem, Eigen::Index n) {
+  const auto& [radii, areas, matrix] = problem.compliance;
+  Eigen::VectorXd traction = Eigen::VectorXd::Zero(problem.n_rings());
+  traction.head(n) = matrix.topLeftCorner(n, n).llt().solve(areas.head(n));
+  return traction;
+}
+
 /// `|G(omega)| / G0` of the two viscoelastic bodies below.
 constexpr double modulus_ratio = 1.5;
 

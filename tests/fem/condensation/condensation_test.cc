@@ -3,13 +3,15 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Eigenvalues>
+#include <cmath>
 #include <limits>
-#include <random>
 
 #include "fem/operators/harmonic_space.h"
 #include "fem/operators/stiffness.h"
 #include "tests/fem/expect_solver_error.h"
 #include "tests/fem/half_space.h"
+#include "tests/fem/random_vector.h"
+#include "tests/fem/saddle_point.h"
 
 namespace fretval::fem::condensation_test {
 namespace {
@@ -17,41 +19,6 @@ namespace {
 const GridData& grid() {
   static const GridData grid = quarter_disc_grid(1, 16, 20, 0.25);
   return grid;
-}
-
-/// All entries stored, zero or not.
-SparseMatrix rows_of(const Eigen::MatrixXd& dense) {
-  SparseMatrix rows;
-  rows.n = static_cast<int>(dense.rows());
-  rows.row_start.push_back(0);
-  for (int i = 0; i < rows.n; ++i) {
-    for (int j = 0; j < rows.n; ++j) {
-      rows.columns.push_back(j);
-      rows.values.push_back(dense(i, j));
-    }
-    rows.row_start.push_back(static_cast<int>(rows.columns.size()));
-  }
-  return rows;
-}
-
-/// A saddle point, like the stiffness: 6 displacements, 2 pressures.
-Eigen::MatrixXd small_saddle_point() {
-  Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(8, 8);
-  std::mt19937 engine(1);
-  std::uniform_real_distribution<double> uniform(-1, 1);
-  for (int i = 0; i < 8; ++i)
-    for (int j = 0; j < i; ++j) matrix(i, j) = matrix(j, i) = uniform(engine);
-  for (int i = 0; i < 6; ++i) matrix(i, i) = 6;
-  matrix.bottomRightCorner(2, 2).setZero();
-  return matrix;
-}
-
-Eigen::VectorXd random_vector(Eigen::Index n) {
-  std::mt19937 engine(2);
-  std::uniform_real_distribution<double> uniform(-1, 1);
-  Eigen::VectorXd vector(n);
-  for (auto& value : vector) value = uniform(engine);
-  return vector;
 }
 
 TEST(Condensation, IsTheSchurComplementOfADenseMatrix) {
@@ -68,7 +35,7 @@ TEST(Condensation, IsTheSchurComplementOfADenseMatrix) {
   const Eigen::MatrixXd expected = cc - ci * ii.partialPivLu().solve(ci.transpose());
   const Condensation condensation(rows_of(matrix), kept, "small");
   EXPECT_LT((condensation.schur_complement() - expected).norm(), 1e-12 * expected.norm());
-  const Eigen::VectorXd rhs = random_vector(8);
+  const Eigen::VectorXd rhs = random_vector(8, 2);
   EXPECT_LT((condensation.solve(rhs) - matrix.partialPivLu().solve(rhs)).norm(), 1e-13);
 }
 
@@ -93,7 +60,7 @@ TEST_P(CondensationOf, ABodyGivesTheSolutionOfTheWholeSystem) {
   const auto& line = space_.contact_line();
   Eigen::VectorXd surface_load = Eigen::VectorXd::Zero(stiffness_.n);
   for (std::size_t i = 0; i < line.dofs.size(); ++i) surface_load[line.dofs[i]] = line.loads.row(i).sum();
-  for (const Eigen::VectorXd& rhs : {surface_load, random_vector(stiffness_.n)}) {
+  for (const Eigen::VectorXd& rhs : {surface_load, random_vector(stiffness_.n, 2)}) {
     const Eigen::VectorXd whole = solve_uncondensed(stiffness_, rhs, "body");
     const double difference = (condensation_.solve(rhs) - whole).norm() / whole.norm();
     EXPECT_LT(difference, 1e-10);
@@ -118,7 +85,7 @@ TEST(CondensationErrors, NameTheEntryThatIsNotFinite) {
     matrix(5, 2) = bad;
     expect_solver_error([&] { Condensation(rows_of(matrix), {1}, "the pump"); },
                         {"the pump", "row 5", "column 2", "not finite"});
-    expect_solver_error([&] { solve_uncondensed(rows_of(matrix), random_vector(8), "the pump"); },
+    expect_solver_error([&] { solve_uncondensed(rows_of(matrix), random_vector(8, 2), "the pump"); },
                         {"the pump", "row 5", "column 2", "not finite"});
   }
 }
@@ -135,7 +102,7 @@ TEST(CondensationErrors, SaySingular) {
   matrix.row(5) = matrix.row(3);
   matrix.col(5) = matrix.col(3);  // two equal unknowns, none of them kept
   expect_solver_error([&] { Condensation(rows_of(matrix), {1}, "the pump"); }, {"the pump", "singular"});
-  expect_solver_error([&] { solve_uncondensed(rows_of(matrix), random_vector(8), "the pump"); },
+  expect_solver_error([&] { solve_uncondensed(rows_of(matrix), random_vector(8, 2), "the pump"); },
                       {"the pump", "singular"});
 }
 
@@ -145,40 +112,6 @@ TEST(CondensationErrors, NoticeASingularSchurComplement) {
   matrix.row(5) = matrix.row(3);
   matrix.col(5) = matrix.col(3);
   expect_solver_error([&] { Condensation(rows_of(matrix), {3, 5}, "the pump"); }, {"the pump", "singular"});
-}
-
-/// A saddle point whose pivots MUMPS has to delay: zero diagonals everywhere, so that its estimate of the work space
-/// is too small.
-SparseMatrix delayed_pivots() {
-  constexpr int n = 600;
-  Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(n, n);
-  std::mt19937 engine(3);
-  std::uniform_real_distribution<double> uniform(-1, 1);
-  for (int i = 0; i < n; ++i)
-    for (int j = 0; j < i; ++j) matrix(i, j) = matrix(j, i) = uniform(engine);
-  return rows_of(matrix);
-}
-
-// A negative spare takes away from MUMPS' estimate; INFOG(1) is then -9.
-TEST(CondensationErrors, GiveMumpsMoreMemoryOnce) {
-  const Eigen::VectorXd rhs = random_vector(600);
-  const SparseFactor retried(delayed_pivots(), {}, "the pump", {-90, 60});
-  const SparseFactor enough(delayed_pivots(), {}, "the pump");
-  EXPECT_LT((retried.solve(rhs) - enough.solve(rhs)).norm(), 1e-10 * enough.solve(rhs).norm());
-  expect_solver_error(
-      [] {
-        SparseFactor(delayed_pivots(), {}, "the pump", {-90, -90});
-      },
-      {"the pump", "work space was too small", "INFOG(1) = -9", "coarser mesh"});
-}
-
-TEST(CondensationErrors, SayWhatMumpsMeans) {
-  EXPECT_NE(explain_mumps(-10, 3).find("singular (MUMPS INFOG(1) = -10, INFOG(2) = 3); check"), std::string::npos);
-  for (const int code : {-13, -19}) {
-    EXPECT_NE(explain_mumps(code, 0).find("out of memory"), std::string::npos);
-    EXPECT_NE(explain_mumps(code, 0).find("coarser mesh"), std::string::npos);
-  }
-  EXPECT_EQ(explain_mumps(-3, 7), "MUMPS INFOG(1) = -3, INFOG(2) = 7");
 }
 
 }  // namespace

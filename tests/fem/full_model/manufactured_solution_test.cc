@@ -110,26 +110,5 @@ TEST_P(PointForce, WithThePressureReversedIsAnother) {
   EXPECT_NEAR(error.pressure, 2, 1e-2);
 }
 
-double area(const GridData& grid) {
-  double twice = 0;
-  for (const auto& cell : grid.cells)
-    for (std::size_t k = 0; k < 4; ++k) {
-      const auto &a = grid.points[cell[k]], &b = grid.points[cell[(k + 1) % 4]];
-      twice += a[0] * b[1] - b[0] * a[1];
-    }
-  return twice / 2;
-}
-
-TEST(GridRefinement, SplitsEveryCellOfTheSameBody) {
-  const auto &coarse = grids()[0], &fine = grids()[1];
-  EXPECT_EQ(fine.cells.size(), 4 * coarse.cells.size());
-  EXPECT_EQ(fine.boundary.size(), 2 * coarse.boundary.size());
-  // Euler: points - edges + cells = 1, and 2 edges = 4 cells + boundary edges.
-  EXPECT_EQ(fine.points.size(), 1 + fine.cells.size() + fine.boundary.size() / 2);
-  EXPECT_NEAR(area(fine), area(coarse), 1e-12 * area(coarse));
-  const HarmonicSpace space(fine, Harmonic::normal, 2);
-  EXPECT_EQ(space.contact_line().n_elements(), 8);
-}
-
 }  // namespace
 }  // namespace fretval::fem::manufactured_solution_test

@@ -238,14 +238,6 @@ TEST(NormalHistory, SaysWhenItIsNotPeriodic) {
       {"the body creeps for 1.59e+11 cycles", "leave out branches"});
 }
 
-TEST(NormalHistory, SaysWhenTheContactLineIsTooShort) {
-  const auto& problem = normal_half_space(16);
-  Motion motion = fretting_motion();
-  motion.indentation = 1.2;
-  expect_solver_error([&] { normal_history(problem, elastic_body(), parabola_means(problem), motion, {}); },
-                      {"end of the contact line", "longer"});
-}
-
 // The indenter stays above the surface: no force, and no division by it.
 TEST(NormalHistory, WithoutContactHasNoForce) {
   const auto& problem = normal_half_space(16);

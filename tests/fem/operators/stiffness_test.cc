@@ -243,29 +243,5 @@ TEST_P(StiffnessOfDegree, ConstrainedRowsHoldTheirDiagonalAlone) {
   }
 }
 
-TEST(ContactLine, RingsCarryTheirArea) {
-  for (const Harmonic harmonic : {Harmonic::normal, Harmonic::tangential}) {
-    const HarmonicSpace space(grid(), harmonic, 3);
-    const auto& line = space.contact_line();
-    ASSERT_EQ(line.n_elements(), 8);
-    ASSERT_EQ(line.dofs.size(), 25U);
-    for (Eigen::Index i = 0; i < 8; ++i) {
-      EXPECT_DOUBLE_EQ(line.radii[i], i / 8.0);
-      EXPECT_NEAR(line.areas[i], pi * (2 * i + 1) / 64, 1e-15);
-      EXPECT_NEAR(line.loads.col(i).sum(), line.areas[i], 1e-15);
-    }
-  }
-}
-
-TEST(HarmonicSpace, RefusesWhatItCannotUse) {
-  EXPECT_THROW(HarmonicSpace(grid(), Harmonic::normal, 1), std::invalid_argument);
-  for (const BoundaryPart part : {BoundaryPart::contact, BoundaryPart::far}) {
-    GridData without = grid();
-    for (auto& edge : without.boundary)
-      if (edge.part == part) edge.part = BoundaryPart::free;
-    EXPECT_THROW(HarmonicSpace(without, Harmonic::normal, 2), std::invalid_argument);
-  }
-}
-
 }  // namespace
 }  // namespace fretval::fem::stiffness_test

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "fem/support/constants.h"
+#include "tests/fem/fretting.h"
 #include "tests/fem/half_space.h"
 
 namespace fretval::fem::edge_near_largest_contact_test {
@@ -17,13 +18,11 @@ constexpr int n_steps = 36, n_hidden = 5;
 /// hidden at n_hidden instants on either side.
 NormalHistory history_of(const ContactProblem& problem) {
   const Eigen::Index n = 24;
-  Eigen::VectorXd pressure = Eigen::VectorXd::Zero(problem.n_rings());
-  pressure.head(n) = problem.compliance.matrix.topLeftCorner(n, n).llt().solve(problem.compliance.areas.head(n)).eval();
   NormalHistory history;
   history.steps_per_cycle = n_steps;
   history.n_cycles = 1;
   history.time.resize(n_steps + 1);
-  history.pressure = pressure.replicate(1, n_steps + 1);
+  history.pressure = punch_traction(problem, n).replicate(1, n_steps + 1);
   history.force = history.contact_radius = history.kink_uncertainty = Eigen::VectorXd::Zero(n_steps + 1);
   history.force_uncertainty = Eigen::VectorXd::Constant(n_steps + 1, other);
   history.n_closed = Eigen::VectorX<Eigen::Index>::Constant(n_steps + 1, n);

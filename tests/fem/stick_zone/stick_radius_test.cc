@@ -1,0 +1,56 @@
+#include "fem/stick_zone/stick_radius.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+
+#include "fem/condensation/effective_radii.h"
+#include "fem/support/constants.h"
+#include "tests/fem/half_space.h"
+#include "tests/fem/recorded_history.h"
+
+namespace fretval::fem::stick_radius_test {
+namespace {
+
+using Eigen::Index;
+
+class StickRadiusTest : public testing::Test {
+ protected:
+  const ContactProblem& problem_ = tangential_half_space(64);
+  const Compliance& compliance_ = problem_.compliance;
+
+  /// The margin under a profile f(r) "pressed" by d: positive inside the radius at which the transform g of f is d.
+  EdgeRadius radius_of(const std::function<double(double)>& f, double d) const {
+    const auto margin = static_contact(problem_, ring_means(compliance_, f), d).pressure;
+    Index n_stuck = 0;
+    while (n_stuck < margin.size() && margin[n_stuck] > 0) ++n_stuck;
+    return stick_radius(compliance_, problem_.series.depths(margin), n_stuck);
+  }
+};
+
+// Margins like sqrt(c^2 - r^2) (parabola, g = 2 f) and like arcosh(c/r) (cone, g = pi/2 f); 1e-5 to 3e-5 measured at 64
+// rings.
+TEST_F(StickRadiusTest, IsTheRadiusAtWhichTheTransformReachesTheDepth) {
+  for (const double c : {0.15, 0.3, 0.5, 0.7, 0.9}) {
+    EXPECT_NEAR(radius_of([](double r) { return r * r; }, 2 * c * c).radius, c, 5e-5) << c;
+    EXPECT_NEAR(radius_of([](double r) { return r; }, pi / 2 * c).radius, c, 1e-4) << c;
+  }
+}
+
+// A reserve that does not fall towards the edge at all, as inside the flat of a punch with sharp edges.
+TEST_F(StickRadiusTest, StaysWithinARingOfTheLastOneThatSticks) {
+  const Eigen::VectorXd reserve = Eigen::VectorXd::LinSpaced(compliance_.areas.size(), 1.01, 1);
+  const auto edge = stick_radius(compliance_, reserve, 30);
+  EXPECT_NEAR(edge.radius, 30.0 / 64, 1.0 / 64);
+  EXPECT_EQ(edge.uncertainty, 1.0 / 64);
+}
+
+TEST_F(StickRadiusTest, OfOneOrTwoRingsIsUncertainByARing) {
+  const Eigen::VectorXd reserve = Eigen::VectorXd::Ones(compliance_.areas.size());
+  EXPECT_EQ(stick_radius(compliance_, reserve, 0).radius, 0);
+  EXPECT_EQ(stick_radius(compliance_, reserve, 2).radius, effective_radii(compliance_).radius[2]);
+  for (const Index n : {0, 1, 2}) EXPECT_DOUBLE_EQ(stick_radius(compliance_, reserve, n).uncertainty, 1.0 / 64);
+}
+
+}  // namespace
+}  // namespace fretval::fem::stick_radius_test

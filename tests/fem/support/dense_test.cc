@@ -1,0 +1,61 @@
+#include "fem/support/dense.h"
+
+#include <gtest/gtest.h>
+
+#include <utility>
+
+#include "tests/fem/random_vector.h"
+
+namespace fretval::fem::dense_test {
+namespace {
+
+using Eigen::MatrixXd;
+
+MatrixXd random_matrix(Eigen::Index rows, Eigen::Index columns, unsigned seed) {
+  return random_vector(rows * columns, seed).reshaped(rows, columns);
+}
+
+MatrixXd positive_definite(Eigen::Index n) {
+  const MatrixXd half = random_matrix(n, n, 1);
+  return half * half.transpose() + MatrixXd::Identity(n, n);
+}
+
+constexpr double roundoff = 1e-12;  // 1e-16 by n and the condition, 70 and 100
+
+// Second method: Eigen's own.
+TEST(Dense, CholeskyIsThatOfEigen) {
+  for (const Eigen::Index n : {1, 2, 7, 70}) {
+    const MatrixXd matrix = positive_definite(n), expected = matrix.llt().matrixL();
+    const auto factor = cholesky(matrix);
+    ASSERT_TRUE(factor);
+    EXPECT_LT((*factor - expected).norm(), roundoff * expected.norm()) << n;
+    EXPECT_EQ(MatrixXd(factor->triangularView<Eigen::StrictlyUpper>()), MatrixXd::Zero(n, n));
+  }
+}
+
+TEST(Dense, CholeskyOfWhatIsNotPositiveDefiniteIsEmpty) {
+  MatrixXd indefinite = positive_definite(7), singular = indefinite;
+  indefinite(6, 6) = -1;
+  singular.row(3).setZero();
+  singular.col(3).setZero();
+  for (const MatrixXd& matrix : {indefinite, singular}) EXPECT_FALSE(cholesky(matrix));
+}
+
+// What lies above the diagonal is none of the triangle.
+TEST(Dense, SolvesALowerTriangle) {
+  MatrixXd lower = *cholesky(positive_definite(70));
+  const MatrixXd rhs = random_matrix(70, 3, 2), expected = lower.triangularView<Eigen::Lower>().solve(rhs);
+  lower.triangularView<Eigen::StrictlyUpper>().setConstant(7);
+  EXPECT_LT((solve_lower(lower, rhs) - expected).norm(), roundoff * expected.norm());
+}
+
+TEST(Dense, GramIsBothTrianglesOfTheProduct) {
+  for (const auto& [rows, columns] : {std::pair{1, 5}, {70, 3}, {3, 70}}) {
+    const MatrixXd half = random_matrix(rows, columns, 3), expected = half.transpose() * half, product = gram(half);
+    EXPECT_LT((product - expected).norm(), roundoff * expected.norm());
+    EXPECT_EQ(product, product.transpose());
+  }
+}
+
+}  // namespace
+}  // namespace fretval::fem::dense_test
