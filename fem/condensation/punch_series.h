@@ -14,10 +14,10 @@ namespace fretval::fem {
 /// and its force is `A.t = sum_j b_j^2 D_j`, exactly.
 ///
 /// That sum is the midpoint rule for `k int D(r) dr`, k the force of a unit punch per radius, with D_j at the mean of
-/// the effective radii of j and j+1 rings (fem/edge.h). D(r) is smooth but for kinks where a zone ends, in the middle
-/// of a ring; there the sum is off by the second order of the ring. The integrals below follow the cubics of either
-/// side up to their intersection instead (subcell resolution, Harten 1989), which is of third order: 2e-7 for the Hertz
-/// force at 64 rings, where the sum gives 9e-5. Everything here comes from the compliance.
+/// the effective radii of j and j+1 rings (fem/condensation/effective_radii.h). D(r) is smooth but for kinks where a
+/// zone ends, in the middle of a ring; there the sum is off by the second order of the ring. The integrals below follow
+/// the cubics of either side up to their intersection instead (subcell resolution, Harten 1989), which is of third
+/// order: 2e-7 for the Hertz force at 64 rings, where the sum gives 9e-5. Everything here comes from the compliance.
 class PunchSeries {
  public:
   /// factor: lower Cholesky factor of the compliance.
