@@ -32,4 +32,12 @@ inline SuiteRun run_of(std::vector<SuiteRow> rows) {
   return {"extremes", "About <it>.", std::move(rows)};
 }
 
+/// Two rows that agree or may, one that fails, one that is refused; of the two checks one fails.
+inline SuiteRun mixed_run() {
+  auto run = run_of(
+      {row_of(1e-3, 2e-3, "good"), row_of(1e-3, 2e-2, "wide"), row_of(3e-2, 2e-3, "<bad>"), refused_row("a", "a b")});
+  run.checks = {{"memory", "200 MB", ""}, {"draws", "30", "too many"}};
+  return run;
+}
+
 }  // namespace fretval

@@ -2,14 +2,13 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <filesystem>
-#include <memory>
 
 #include "comparison/case/case_file.h"
 #include "comparison/reference/mdr_answer.h"
 #include "fem/support/solver_error.h"
 #include "mdr/stick/stick_radius.h"
+#include "tests/comparison/fake_numerics.h"
 #include "tests/comparison/suite_case.h"
 
 namespace fretval {
@@ -69,31 +68,8 @@ TEST(ProofSlow, ForceOfAWornProfileIsWithinItsBar) {
               studied.result.budget.at(Quantity::normal_force_max).total());
 }
 
-/// Lets a study believe that it computed what it asked for: every answer is the exact one but for an error that the
-/// rings and the steps make.
-struct FakeNumerics {
-  double ring_error, step_error;  ///< at 1 ring per radius and 1 step a cycle, of third and second order
-
-  FeAnswer operator()(const FemCase& fem, const Resolution& r) const {
-    const double rings = r.elements_per_radius, steps = r.steps_per_cycle;
-    const double error = ring_error / (rings * rings * rings) + step_error / (steps * steps);
-    const double length = fem.units.length;
-    FeAnswer answer;
-    answer.contact_radius_max = length;
-    answer.stick_radius_first_slip = answer.stick_radius_shakedown = (0.5 + error) * length;
-    answer.normal_force_max = fem.units.force();
-    answer.rings.contact = static_cast<Eigen::Index>(rings);
-    answer.n_steps = 10L * r.steps_per_cycle;
-    BodySummary body{};
-    body.n_dofs = 500 * r.elements_per_radius;
-    body.radii = at_resolution(fem, r).body.contact_nodes;
-    answer.body = std::make_shared<const BodySummary>(body);
-    return answer;
-  }
-};
-
 ProvedAnswer fake_study(const PreparedCase& prepared, const FakeNumerics& numerics, Proof proof = Proof::tolerance) {
-  return prove(prepared, proof, [&](const Resolution& r) { return numerics(prepared.fem, r); });
+  return prove(prepared, proof, fake_compute(prepared, numerics));
 }
 
 TEST(Proof, GoesAsFarAsItIsAsked) {

@@ -7,20 +7,17 @@
 #include <algorithm>
 #include <chrono>
 #include <functional>
-#include <future>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <thread>
 
 #include "comparison/case/case_file.h"
-#include "comparison/report/plots.h"
 #include "comparison/report/report.h"
-#include "comparison/results/batch.h"
-#include "comparison/results/results_folder.h"
 #include "comparison/support/folder_lock.h"
-#include "fem/support/solver_error.h"
 #include "meshes/msh_file.h"
 #include "tests/comparison/expect_parts.h"
+#include "tests/comparison/read_case.h"
+#include "tests/comparison/refusal.h"
 #include "tests/comparison/run_fretval.h"
 
 // What goes wrong around a computation, and what the tool says. The list of faults is in docs/robustness.md.
@@ -28,16 +25,6 @@ namespace fretval {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Message of the InputError, which ends in exit code 2; "no error" if there is none.
-std::string refusal(const std::function<void()>& action) {
-  try {
-    action();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
-}
 
 std::string refusal_of(const std::string& name, const std::string& text) {
   const ScratchFolder folder;
@@ -51,12 +38,6 @@ std::vector<std::string> files_below(const fs::path& folder) {
   for (const auto& entry : fs::recursive_directory_iterator(folder))
     if (entry.is_regular_file()) files.push_back(fs::relative(entry.path(), folder).string());
   return files;
-}
-
-std::string elastic_case() {
-  std::string text = replace(valid_case, "standard solid", "elastic");
-  text = replace(text, "  set Branch moduli = 1e6\n  set Branch times = 0.1\n", "");
-  return replace(text, "Tolerance = 0.01", "Tolerance = 0.05");
 }
 
 // ---- case files
@@ -242,22 +223,6 @@ TEST(CaseFaults, NamesThatAreNoFolderAreRefused) {
   expect_parts(refusal_of("a\xff.prm", valid_case), {"not UTF-8"});
 }
 
-TEST(CaseFaults, ImplausibleUnitsAreWarnedAbout) {
-  const auto warnings = [](const std::string& from, const std::string& to) {
-    const ScratchFolder folder;
-    std::string all;
-    const auto file = folder.write("case.prm", from.empty() ? valid_case : replace(valid_case, from, to));
-    const auto prepared = prepare(read_case_file(file));
-    for (const auto& warning : prepared.at(0).input.warnings) all += warning;
-    return all;
-  };
-  EXPECT_EQ(warnings("", ""), "");
-  expect_parts(warnings("Indentation = 1e-4", "Indentation = 0.1"), {"case.prm", "slope of 3.2", "a/R", "in m?"});
-  expect_parts(warnings("Radius = 1e-2", "Radius = 1e-5"), {"case.prm", "a/R", "in m?"});
-  expect_parts(warnings("modulus = 1e6", "modulus = 1"), {"case.prm", "1 Pa is implausible", "in Pa?"});
-  expect_parts(warnings("modulus = 1e6", "modulus = 1e12"), {"1e+12 Pa is implausible"});
-}
-
 // ---- tables
 
 struct BadTable {
@@ -305,32 +270,6 @@ TEST(TableFaults, BadModuliAreRefusedByFileAndLine) {
 }
 
 // ---- stored results
-
-TEST(ResultFaults, AResultOfAnotherKindIsRefusedByKey) {
-  const auto good =
-      nlohmann::json::parse(text_of(fs::path(FRETVAL_SOURCE_DIR) / "tests/fuzz/seeds/result_json/phase.json"));
-  const ScratchFolder folder;
-  const auto with = [&](const char* pointer, const nlohmann::json& value) {
-    auto json = good;
-    json[nlohmann::json::json_pointer(pointer)] = value;
-    folder.write("result.json", json.dump());
-    return refusal([&] { read_results(folder.path()); });
-  };
-  EXPECT_EQ(with("/name", "good"), "no error");
-  expect_parts(with("/name", 1), {"result.json", "\"name\" is 1, must be text"});
-  expect_parts(with("/pass", "yes"), {"\"pass\" is \"yes\", must be true or false"});
-  expect_parts(with("/scene", nlohmann::json::array()), {"\"scene\" is array, must be an object"});
-  expect_parts(with("/scene/sweep/value", nullptr), {"\"scene/sweep/value\" is null, must be a number"});
-  expect_parts(with("/comparison/normal_force_max/difference", "1"), {"\"comparison/normal_force_max/difference\""});
-  expect_parts(with("/cost/seconds/mesh", "1"), {"\"cost/seconds/mesh\"", "must be a number"});
-  for (const char* key : {"dofs", "time_steps", "cycles"})
-    expect_parts(with((std::string("/cost/") + key).c_str(), 1.2e12), {key, "at most 2e9"});
-  expect_parts(with("/fe/error_estimate", 1), {"\"fe/error_estimate\" is 1, must be an object"});
-  folder.write("result.json", good.dump().substr(0, 300));
-  expect_parts(refusal([&] { read_results(folder.path()); }), {"result.json", "parse error"});
-  folder.write("result.json", "[]");
-  expect_parts(refusal([&] { read_results(folder.path()); }), {"result.json", "no JSON object"});
-}
 
 // Found by fuzzing: a limiting profile whose forces were not compared, or not finite.
 TEST(ResultFaults, AReportShowsALimitingProfileWithoutForces) {
@@ -442,41 +381,7 @@ TEST(SystemFaults, ErrorsHaveNoControlCharacters) {
   EXPECT_EQ(run.err.find('\x1b'), std::string::npos);
 }
 
-// gnuplot would run what stands between backquotes in a double-quoted string.
-TEST(SystemFaults, TextInAPlotIsText) {
-  const ScratchFolder folder;
-  const auto trace = folder.path() / "here";
-  Plot plot;
-  plot.title = "`touch " + trace.string() + "` <script>";
-  plot.x_label = "\"; system 'touch " + trace.string() + "'";
-  plot.series.push_back({"`touch " + trace.string() + "`\n", {0, 1}, {0, 1}, Series::Style::line, 0});
-  const std::string drawn = svgs({plot}).front();
-  EXPECT_FALSE(fs::exists(trace));
-  EXPECT_EQ(drawn.find("<script"), std::string::npos);
-  EXPECT_NE(drawn.find("script"), std::string::npos);
-}
-
 // Names of files are text in the report and nothing in a shell or in gnuplot.
-// What an axis cannot show leaves a gap; a plot of gaps alone says so.
-TEST(SystemFaults, APlotWithoutPointsSaysSo) {
-  Plot plot;
-  plot.title = "a & b";
-  const auto shows = [&](std::vector<double> x, std::vector<double> y) {
-    plot.series = {{"curve", std::move(x), std::move(y)}};
-    return svgs({plot}).front().find("a &amp; b: no data") == std::string::npos;
-  };
-  const double none = std::nan("");
-  EXPECT_FALSE(shows({}, {}));
-  EXPECT_FALSE(shows({none, 1}, {1, none}));
-  EXPECT_TRUE(shows({-1, 1}, {-1, 1}));
-  plot.log_y = true;
-  EXPECT_FALSE(shows({1, 2}, {0, -1}));
-  EXPECT_TRUE(shows({-1, 2}, {1, 10}));
-  plot.log_x = true;
-  EXPECT_FALSE(shows({-1, 0}, {1, 1}));
-  EXPECT_TRUE(shows({-1, 1, 10}, {1, 1, none}));
-}
-
 TEST(SystemFaults, HostileNamesAreText) {
   const ScratchFolder folder;
   const std::string html = "<img src=x onerror=alert(1)>", shell = "a`touch here`$(touch here);'\" touch here";
@@ -550,46 +455,6 @@ TEST(SystemFaults, AKilledRunKeepsItsResultsAndCanBeRepeated) {
   EXPECT_EQ(repeated, uninterrupted);
   for (const auto& [name, result] : kept) EXPECT_EQ(result, uninterrupted.at(name)) << name;
   for (const auto& name : files_below(killed)) EXPECT_NE(fs::path(name).extension(), ".partial") << name;
-}
-
-// A case that needs little is done when it has that, not when the others have theirs.
-TEST(SystemFaults, ACaseIsDoneWhileOthersGoOn) {
-  const ScratchFolder folder;
-  const auto quick = folder.write("quick.prm", elastic_case());
-  const auto slow = folder.write("slow.prm", replace(elastic_case(), "Tolerance = 0.05", "Tolerance = 1e-4"));
-  auto cases = read_case_file(quick);
-  cases.push_back(read_case_file(slow).at(0));
-  constexpr double farthest_of_quick = 10;
-  std::promise<void> quick_is_done;
-  const auto done = quick_is_done.get_future().share();
-  BatchOptions options;
-  options.meshes.mesh_of = [&](const BodySpecification& specification) {
-    if (specification.far_radius > farthest_of_quick) {
-      EXPECT_EQ(done.wait_for(std::chrono::minutes(1)), std::future_status::ready) << "quick waits for slow";
-    }
-    return mesh_of(specification);
-  };
-  options.progress = [&](const BatchLine& line, auto...) {
-    if (line.name == "quick") quick_is_done.set_value();
-  };
-  const auto lines = run_batch(prepare(cases), options);
-  EXPECT_TRUE(lines[0].pass && lines[1].pass);
-}
-
-// What an earlier run left is no result of a case whose numerics fail now.
-TEST(SystemFaults, AFailedCaseLeavesNoOldResult) {
-  const ScratchFolder folder;
-  const auto out = folder.path() / "out";
-  fs::create_directories(out / "case");
-  std::ofstream(out / "case" / "result.json") << "{}";
-  BatchOptions options;
-  options.output = out;
-  options.meshes.mesh_of = [](const BodySpecification&) -> meshes::Mesh {
-    throw fem::SolverError("the pump is broken");
-  };
-  const auto lines = run_batch(prepare(read_case_file(folder.write("case.prm", elastic_case()))), options);
-  EXPECT_EQ(lines.at(0).failure, "the pump is broken");
-  EXPECT_TRUE(files_below(out).empty());
 }
 
 }  // namespace

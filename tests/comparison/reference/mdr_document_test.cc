@@ -2,11 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "comparison/case/case_file.h"
-#include "mdr/rheology/fractional_zener.h"
+#include "tests/comparison/modulus_table.h"
 #include "tests/comparison/scratch_folder.h"
 
 namespace fretval {
@@ -102,18 +101,6 @@ TEST(MdrDocumentSlow, SpringsStandForAFractionalBody) {
     EXPECT_NEAR(number(json, "springs", key) / number(json, "mdr", key), 1, 1e-4) << key;
 }
 
-/// Moduli of the standard solid from 1e-4 to 1e4 Hz; the loss moduli times a factor.
-std::string standard_solid_table(double loss_factor = 1) {
-  std::string table = "f,G',G''\nHz,MPa,MPa\n";
-  for (int k = -40; k <= 40; ++k) {
-    const double f = std::pow(10.0, k / 10.0);
-    const auto modulus = mdr::complex_modulus(mdr::standard_solid(1, 1, 0.1), 2 * std::acos(-1.0) * f);
-    table += std::to_string(f) + "," + std::to_string(modulus.real()) + "," +
-             std::to_string(std::max(1e-6, loss_factor * modulus.imag())) + "\n";
-  }
-  return table;
-}
-
 // A table of the standard solid itself: the answer must be that of the standard solid, up to the misfit reported.
 TEST(MdrDocument, MeasuredModuliAreFitted) {
   const ScratchFolder folder;
@@ -128,25 +115,6 @@ TEST(MdrDocument, MeasuredModuliAreFitted) {
   const auto young = folder.write("young.prm", case_with_modulus_table("Young"));
   const auto third = mdr_document(read_case_file(young).at(0), false).json;
   EXPECT_NEAR(3 * number(third, "mdr", "normal_force_max") / number(json, "mdr", "normal_force_max"), 1, 1e-9);
-}
-
-// Moduli that no body has are used all the same, with warnings that name the file.
-TEST(MdrDocument, WarnsAboutModuliThatContradictEachOther) {
-  const auto warnings_with = [](double factor) {
-    const ScratchFolder folder;
-    folder.write("dma.csv", standard_solid_table(factor));
-    const auto file = folder.write("one.prm", case_with_modulus_table());
-    return read_case_file(file).at(0).warnings;
-  };
-  EXPECT_TRUE(warnings_with(1).empty());
-  const auto warnings = warnings_with(4);
-  const auto warned = [&](const char* part) {
-    return std::any_of(warnings.begin(), warnings.end(), [&](const std::string& warning) {
-      return warning.find("dma.csv") != std::string::npos && warning.find(part) != std::string::npos;
-    });
-  };
-  EXPECT_TRUE(warned("Kramers and Kronig"));
-  EXPECT_TRUE(warned("the Prony body misses the moduli by"));
 }
 
 TEST(MdrDocument, MeasuredProfileIsReadWithItsUnits) {

@@ -5,12 +5,8 @@
 #include <algorithm>
 #include <set>
 
-#include "comparison/simulation/body.h"
-#include "comparison/simulation/fem_case.h"
-#include "comparison/verification/extremes/flat_mesh.h"
 #include "comparison/verification/suite_summary.h"
 #include "comparison/verification/suite_table.h"
-#include "meshes/audit.h"
 
 namespace fretval {
 namespace {
@@ -71,16 +67,6 @@ TEST(ExtremeCases, DoWhatTheirRowsSay) {
   auto prepared = prepare({case_of(cases[2])}).front();
   cases[2].change(prepared);
   EXPECT_EQ(prepared.fem.resolution.n_ramp_cycles, 77);
-}
-
-TEST(FlatMesh, HasFlatCellsAndTheOldBoundary) {
-  const BodySpecification specification{{0, 0.25, 0.5, 0.75, 1}, 0.3, 10, 2, true};
-  const auto mesh = mesh_of(specification);
-  const auto flat = flattened(mesh, 100, 0.25, 1);
-  meshes::audit(flat, "flat");
-  EXPECT_GT(meshes::quality(flat).max_aspect_ratio, 90);
-  EXPECT_LT(meshes::quality(mesh).max_aspect_ratio, 20);
-  EXPECT_NEAR(meshes::quality(flat).area, meshes::quality(mesh).area, 1e-6);
 }
 
 }  // namespace

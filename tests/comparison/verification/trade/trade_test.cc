@@ -3,133 +3,18 @@
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
-#include <algorithm>
-#include <cmath>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
-#include "comparison/accuracy/compared_quantities.h"
-#include "comparison/case/case_file.h"
-#include "comparison/reference/mdr_answer.h"
 #include "comparison/report/trade_section.h"
 #include "comparison/verification/trade/trade_json.h"
 #include "comparison/verification/trade/trade_text.h"
-#include "tests/comparison/scratch_folder.h"
+#include "tests/comparison/read_case.h"
 
 namespace fretval {
 namespace {
 
 namespace fs = std::filesystem;
-
-PreparedCase prepared_case() {
-  const ScratchFolder folder;
-  return prepare(read_case_file(folder.write("case.prm", valid_case))).front();
-}
-
-TEST(ParetoFront, KeepsWhatNoOtherPointBeats) {
-  const std::vector<ErrorAndSeconds> points{{1e-2, 1}, {1e-3, 4}, {2e-3, 2}, {3e-3, 3}, {2e-3, 5}, {1e-4, 9}};
-  EXPECT_EQ(pareto_front(points), (std::vector<std::size_t>{0, 2, 1, 5}));
-}
-
-TEST(ParetoFront, TakesOneOfEqualPointsAndNoneThatFailed) {
-  const double none = std::nan("");
-  EXPECT_EQ(pareto_front({{none, 1}, {1e-2, 2}, {1e-2, 2}, {1e-2, 3}, {1e-3, none}}), (std::vector<std::size_t>{1}));
-  EXPECT_EQ(pareto_front({{1e-2, 1}, {1e-2 * (1 - 1e-12), 2}}), (std::vector<std::size_t>{0}));
-  EXPECT_EQ(pareto_front({{1e-2, 2}, {1e-3, 2}}), (std::vector<std::size_t>{1}));
-  EXPECT_TRUE(pareto_front({}).empty());
-}
-
-TEST(LogSlope, IsTheExponentOfAPower) {
-  std::vector<double> x, y;
-  for (const double value : {8.0, 12.0, 16.0, 32.0, 64.0}) {
-    x.push_back(value);
-    y.push_back(3 * std::pow(value, -2.5));
-  }
-  const auto all = log_slope(x, y, 0);
-  EXPECT_NEAR(all->slope, -2.5, 1e-13);
-  EXPECT_EQ(all->n_points, 5);
-  const auto above = log_slope(x, y, 1.01 * y[2]);  // the two largest
-  EXPECT_NEAR(above->slope, -2.5, 1e-13);
-  EXPECT_EQ(above->n_points, 2);
-  EXPECT_FALSE(log_slope(x, y, y[1]));
-  EXPECT_FALSE(log_slope({2, 2}, {1, 3}, 0));
-}
-
-// What the other settings leave behind must not flatten the slope of a sweep.
-TEST(LogSlope, LeavesOutTheFloorOfASweep) {
-  std::vector<double> x, y;
-  for (const double value : {8.0, 16.0, 32.0, 64.0, 128.0, 256.0}) {
-    x.push_back(value);
-    y.push_back(std::pow(value, -3) + 1e-6);
-  }
-  const auto rate = observed_rate(x, y);
-  // Three floors up an error is up to 3/2 of its own: a slope over three doublings may be off by log2(3/2)/3.
-  EXPECT_NEAR(rate->slope, -3, 0.2);
-  EXPECT_EQ(rate->n_points, 4);
-  EXPECT_GT(log_slope(x, y, 0)->slope, -2.5);
-  // A fine point that is off by chance is behind the floor and does not count.
-  EXPECT_NEAR(observed_rate({2, 4, 8, 16}, {1e-2, 1e-4, 2e-6, 4e-4})->slope, std::log2(1e-2), 1e-12);
-}
-
-TEST(Recommendation, PicksTheCheapestThatMeetsEveryTolerance) {
-  const auto errors = [](double stick, double contact, double force) {
-    return Quantities{{Quantity::stick_radius_first_slip, stick / 2},
-                      {Quantity::stick_radius_shakedown, stick},
-                      {Quantity::contact_radius_max, contact},
-                      {Quantity::normal_force_max, force}};
-  };
-  const std::vector<Candidate> candidates{{errors(9e-4, 9e-5, 9e-5), 5},     {errors(9e-4, 2e-4, 9e-5), 1},
-                                          {errors(9e-4, 9e-5, 2e-4), 1},     {errors(2e-3, 9e-5, 9e-5), 1},
-                                          {errors(9.9e-4, 9e-5, 9.9e-5), 3}, {{}, 0.5}};
-  EXPECT_EQ(cheapest(candidates, 1e-3), 4U);
-  EXPECT_EQ(cheapest(candidates, 1e-4), std::nullopt);
-  EXPECT_FALSE(meets({}, 1));
-}
-
-TEST(TradePlan, VariesOneAxisAtATimeAndKeepsTheChoicesOfTheTool) {
-  const auto prepared = prepared_case();
-  const auto plan = trade_plan(prepared.fem);
-  std::map<Sweep, int> n;
-  for (const auto& setting : plan.settings)
-    for (const Sweep sweep : setting.sweeps) ++n[sweep];
-  EXPECT_EQ(n[Sweep::rings], 9);
-  EXPECT_EQ(n[Sweep::element_order], 3);
-  EXPECT_EQ(n[Sweep::grading], 3);
-  EXPECT_EQ(n[Sweep::far_field], 4);
-  EXPECT_EQ(n[Sweep::time_step], 5);
-  EXPECT_EQ(n[Sweep::joint], 90);
-  EXPECT_EQ(n[Sweep::chosen], 3);
-  for (const auto& setting : plan.settings) {
-    if (setting.sweeps.count(Sweep::rings) == 0) continue;
-    Resolution r = setting.resolution;
-    r.elements_per_radius = plan.reference.elements_per_radius;
-    EXPECT_FALSE(r < plan.reference || plan.reference < r);
-  }
-}
-
-// Histories of an unlocked phase are long, those of a dashpot or a worn edge slow.
-TEST(TradePlan, OfALongHistoryIsSmaller) {
-  auto scene = prepared_case().fem;
-  const auto finest = [](const TradePlan& plan) {
-    unsigned rings = 0;
-    int steps = 0;
-    for (const auto& setting : plan.settings) {
-      if (setting.sweeps.count(Sweep::chosen) > 0) continue;
-      rings = std::max(rings, setting.resolution.elements_per_radius);
-      steps = std::max(steps, setting.resolution.steps_per_cycle);
-    }
-    return std::make_pair(rings, steps);
-  };
-  EXPECT_EQ(finest(trade_plan(scene)), std::make_pair(128U, 192));
-  EXPECT_EQ(trade_plan(scene).n_repetitions, 2);
-  auto dashpot = scene;
-  dashpot.relaxation.viscosity = 0.1;
-  EXPECT_EQ(finest(trade_plan(dashpot)), std::make_pair(128U, 192));
-  EXPECT_EQ(trade_plan(dashpot).n_repetitions, 1);
-  scene.motion.phase.reset();
-  EXPECT_EQ(finest(trade_plan(scene)), std::make_pair(48U, 96));
-  EXPECT_EQ(trade_plan(scene).n_repetitions, 1);
-}
 
 TEST(AxisValue, IsTheEntryThatASweepVaries) {
   const Resolution r{8, 3, 0.25, 12, 24, 1, 1e-6};
@@ -138,26 +23,6 @@ TEST(AxisValue, IsTheEntryThatASweepVaries) {
   EXPECT_EQ(axis_value(Sweep::grading, r), 0.25);
   EXPECT_EQ(axis_value(Sweep::far_field, r), 12);
   EXPECT_EQ(axis_value(Sweep::time_step, r), 24);
-}
-
-TEST(Quantities, OfAWornStateAreNoSlipNoForceAndTheWholeIndentation) {
-  const Units units{2, 0.5, 4, 1};  // a force of 4
-  const MdrAnswer answer{1.2, 2.5, std::nullopt, 1, std::nullopt, 4 * std::exp(1.0)};
-  auto measures = quantities_of(answer, units, false);
-  EXPECT_EQ(measures.size(), 4U);
-  EXPECT_EQ(measures.at(Quantity::contact_radius_max), 1.25);
-  EXPECT_EQ(measures.at(Quantity::stick_radius_first_slip), 0);
-  EXPECT_EQ(measures.at(Quantity::stick_radius_shakedown), 0.5);
-  EXPECT_NEAR(measures.at(Quantity::normal_force_max), 1, 1e-15);
-  measures = quantities_of(answer, units, true);
-  EXPECT_EQ(measures.at(Quantity::slip_inside_stick_zone), 0);
-  EXPECT_EQ(measures.at(Quantity::force_outside_stick_zone), 0);
-  EXPECT_EQ(measures.at(Quantity::maximum_indentation), 1);
-  // Only what both have is compared; nothing compared is no number.
-  const auto a = Quantity::contact_radius_max, b = Quantity::normal_force_max, c = Quantity::stick_radius_shakedown;
-  EXPECT_EQ(errors_of({{a, 1}, {b, 2}}, {{b, 5}, {c, 0}}), (Quantities{{b, 3}}));
-  EXPECT_EQ(largest_of({{a, 1}, {b, 2}}), 2);
-  EXPECT_TRUE(std::isnan(largest_of({})));
 }
 
 /// A plan small enough for a test: rings alone, and a body with every degree of freedom.

@@ -1,0 +1,76 @@
+#include "comparison/accuracy/error_bars.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/comparison/fake_numerics.h"
+#include "tests/comparison/suite_case.h"
+
+namespace fretval {
+namespace {
+
+constexpr auto first_slip_radius = Quantity::stick_radius_first_slip,
+               shakedown_radius = Quantity::stick_radius_shakedown;
+
+ErrorBudget bars_of(const PreparedCase& prepared, const FakeNumerics& numerics, Borders borders = Borders::left_out,
+                    const std::optional<Focus>& focus = {}) {
+  Tracks tracks{prepared.fem.resolution, {}};
+  if (focus) (tracks.focused[shakedown_radius] = tracks.base).focus = focus;
+  Computations computed(prepared.fem.units, fake_compute(prepared, numerics), 1);
+  computed.compute(needed_for_bars(tracks, needs_of(prepared.fem)));
+  return error_bars(prepared, tracks, computed, borders);
+}
+
+PreparedCase prepared_of(const std::string& name) {
+  return prepare({suite_case(name, 1e-3)}).front();
+}
+
+TEST(ErrorBars, CoverTheErrorsThatAreThere) {
+  for (const char* name : {"parabola-elastic-90", "parabola-solid-90", "parabola-elastic-free"})
+    for (const auto& focus : {std::optional<Focus>(), std::optional(Focus{0, 0.25, 0.01})}) {
+      const auto prepared = prepared_of(name);
+      const FakeNumerics numerics{30, 2};
+      const double error = numerics.error(prepared.fem.resolution);
+      const auto bars = bars_of(prepared, numerics, Borders::left_out, focus);
+      EXPECT_EQ(bars.size(), 4U) << name;
+      for (const auto quantity : {first_slip_radius, shakedown_radius}) {
+        EXPECT_GT(bars.at(quantity).total(), error) << name;
+        EXPECT_LT(bars.at(quantity).total(), 3 * error) << name;
+      }
+      EXPECT_EQ(bars.at(Quantity::contact_radius_max).total(), 0) << name << ": which is exact";
+    }
+}
+
+// A bar of more than half of a stick radius leaves open whether anything sticks.
+TEST(ErrorBars, OfASmallStickZoneReachToNothing) {
+  const auto prepared = prepared_of("parabola-elastic-90");
+  const double rings = prepared.fem.resolution.elements_per_radius, to_error = rings * rings * rings;
+  const double resolved = bars_of(prepared, {0.002 * to_error, 0, 0.008}).at(shakedown_radius).total(),
+               open = bars_of(prepared, {0.004 * to_error, 0, 0.006}).at(shakedown_radius).total();
+  EXPECT_LT(resolved, 0.005);
+  EXPECT_GT(open, 0.01);
+}
+
+// Nothing is known of the radius but that a depth within its error decides on it.
+TEST(ErrorBars, CarryADepthThatMayBeNone) {
+  const auto prepared = prepared_of("parabola-elastic-90");
+  const double rings = prepared.fem.resolution.elements_per_radius, to_error = rings * rings * rings;
+  const FakeNumerics open{0, 0, 0.5, 0.5, 1e-3, 2e-3 * to_error}, clear{0, 0, 0.5, 0.5, 1e-1, 2e-3 * to_error};
+  EXPECT_GE(bars_of(prepared, open, Borders::carried).at(shakedown_radius).total(), 0.5);
+  EXPECT_LT(bars_of(prepared, open, Borders::left_out).at(shakedown_radius).total(), 0.1);
+  EXPECT_LT(bars_of(prepared, clear, Borders::carried).at(shakedown_radius).total(), 0.1);
+}
+
+// While an unlocked phase drifts, rings slip on the way that would not.
+TEST(ErrorBars, OfNoFirstSlipZoneReachToTheShakedownRadiusWhereThePhaseDrifts) {
+  const FakeNumerics no_first_slip{0, 0, 0, 0.3};
+  const auto bar = [&](const char* name) {
+    return bars_of(prepared_of(name), no_first_slip, Borders::carried).at(first_slip_radius).total();
+  };
+  EXPECT_GE(bar("parabola-elastic-free"), 0.3);
+  EXPECT_LT(bar("parabola-elastic-90"), 0.1);
+}
+
+}  // namespace
+}  // namespace fretval

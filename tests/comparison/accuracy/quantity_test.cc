@@ -1,0 +1,44 @@
+#include "comparison/accuracy/quantity.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+#include "tests/comparison/stored_result.h"
+
+namespace fretval {
+namespace {
+
+TEST(Quantity, IsFoundByTheNameInStoredResults) {
+  for (const auto quantity : all_quantities) EXPECT_EQ(quantity_of(name_of(quantity)), quantity);
+  EXPECT_FALSE(quantity_of("stick_radius"));
+  const auto stored = stored_result();
+  for (const auto& [key, unused] : stored.at("comparison").items()) EXPECT_TRUE(quantity_of(key)) << key;
+}
+
+// The table of traits is in the order of the enumeration, and so are the keys of result.json.
+TEST(Quantity, HasTraitsOfItsOwn) {
+  std::set<std::string> titles, labels;
+  for (const auto quantity : all_quantities) {
+    const auto& traits = traits_of(quantity);
+    EXPECT_TRUE(titles.insert(traits.title).second) << traits.title;
+    EXPECT_TRUE(labels.insert(traits.label).second) << traits.label;
+    EXPECT_EQ(std::string(traits.name).find("_radius") != std::string::npos, std::string(traits.unit) == "m");
+  }
+  EXPECT_STREQ(traits_of(Quantity::normal_force_max).unit, "N");
+  EXPECT_STREQ(name_of(Quantity::stick_radius_first_slip), "stick_radius_first_slip");
+  EXPECT_STREQ(name_of(Quantity::stick_radius_shakedown), "stick_radius_shakedown");
+}
+
+TEST(Quantity, IsListedOnceInEitherOrder) {
+  const auto by_name = [](Quantity a, Quantity b) { return std::string(name_of(a)) < name_of(b); };
+  EXPECT_TRUE(std::is_sorted(all_quantities.begin(), all_quantities.end(), by_name));
+  auto sorted = quantities_by_interest;
+  std::sort(sorted.begin(), sorted.end());
+  EXPECT_EQ(sorted, all_quantities);
+  EXPECT_EQ(std::adjacent_find(sorted.begin(), sorted.end()), sorted.end());
+}
+
+}  // namespace
+}  // namespace fretval

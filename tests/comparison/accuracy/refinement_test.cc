@@ -1,0 +1,134 @@
+#include "comparison/accuracy/refinement.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <set>
+
+namespace fretval {
+namespace {
+
+/// What stands for how fine a resolution is in the respect of a source, and may be set.
+double entry_of(ErrorSource source, const Resolution& r) {
+  switch (source) {
+    case ErrorSource::element_order:
+      return r.degree;
+    case ErrorSource::grading:
+      return r.growth;
+    case ErrorSource::far_field:
+      return r.far_radius;
+    case ErrorSource::time_step:
+      return r.steps_per_cycle;
+    case ErrorSource::start:
+      return r.n_ramp_cycles;
+    case ErrorSource::creep:
+      return r.n_creep_cycles;
+    case ErrorSource::cycles:
+      return r.periodicity;
+    case ErrorSource::active_set:
+      return r.active_set_slack;
+    default:
+      return r.elements_per_radius;
+  }
+}
+
+/// Whether two resolutions differ in the respect of a source, and in no other.
+bool differ_only_in(ErrorSource source, Resolution a, const Resolution& b) {
+  if (entry_of(source, a) == entry_of(source, b)) return false;
+  switch (source) {
+    case ErrorSource::element_order:
+      a.degree = b.degree;
+      break;
+    case ErrorSource::grading:
+      a.growth = b.growth;
+      break;
+    case ErrorSource::far_field:
+      a.far_radius = b.far_radius;
+      break;
+    case ErrorSource::time_step:
+      a.steps_per_cycle = b.steps_per_cycle;
+      break;
+    case ErrorSource::start:
+      a.n_ramp_cycles = b.n_ramp_cycles;
+      break;
+    case ErrorSource::creep:
+      a.n_creep_cycles = b.n_creep_cycles;
+      break;
+    case ErrorSource::cycles:
+      a.periodicity = b.periodicity;
+      break;
+    case ErrorSource::active_set:
+      a.active_set_slack = b.active_set_slack;
+      break;
+    default:
+      a.elements_per_radius = b.elements_per_radius;
+      a.worn_edge_ring = b.worn_edge_ring;
+      a.surface_growth = b.surface_growth;
+      a.focus = b.focus;
+  }
+  return a == b;
+}
+
+TEST(Variants, DifferFromTheirReferencesInTheirOwnRespectAlone) {
+  for (const double accuracy : {1e-2, 1e-3, 1e-4})
+    for (const bool focused : {false, true}) {
+      auto resolution = resolution_for(accuracy);
+      if (focused) resolution.focus = Focus{0, 0.25, 0.01};
+      for (const auto& [source, varied, reference] : variants_of(resolution, {true, true, false}))
+        EXPECT_TRUE(differ_only_in(source, varied, reference)) << name_of(source) << ": " << text_of(varied);
+    }
+}
+
+// Richardson's estimate takes them for twice and four times as coarse.
+TEST(Variants, OfTwoOfASourceTheSecondIsTwiceAsCoarse) {
+  const auto variants = variants_of(resolution_for(1e-4), {true, true, false});
+  std::map<ErrorSource, int> n;
+  for (std::size_t i = 0; i < variants.size(); ++i) {
+    const auto& [source, varied, reference] = variants[i];
+    ++n[source];
+    if (n[source] == 1) continue;
+    EXPECT_EQ(variants[i - 1].source, source) << "they follow each other";
+    EXPECT_EQ(4 * entry_of(source, varied), entry_of(source, reference)) << name_of(source);
+    EXPECT_EQ(2 * entry_of(source, varied), entry_of(source, variants[i - 1].resolution)) << name_of(source);
+  }
+  for (const auto source : {ErrorSource::rings, ErrorSource::time_step, ErrorSource::creep}) EXPECT_EQ(n[source], 2);
+  EXPECT_EQ(n.size(), 9U) << "all but the reading of edges";
+}
+
+TEST(Variants, AreOfWhatTheSceneNeeds) {
+  const auto sources = [](const SceneNeeds& needs) {
+    std::set<ErrorSource> all;
+    for (const auto& variant : variants_of(resolution_for(1e-3), needs)) all.insert(variant.source);
+    return all;
+  };
+  const auto elastic = sources({false, false, false}), with_memory = sources({true, false, false}),
+             unlocked = sources({false, true, false});
+  EXPECT_EQ(elastic.count(ErrorSource::start) + elastic.count(ErrorSource::creep), 0U);
+  EXPECT_EQ(with_memory.size(), elastic.size() + 1);
+  EXPECT_EQ(with_memory.count(ErrorSource::start), 1U);
+  EXPECT_EQ(unlocked.size(), elastic.size() + 1);
+  EXPECT_EQ(unlocked.count(ErrorSource::creep), 1U);
+}
+
+TEST(Refined, GoesTheOtherWayThanVariantsUntilItsLimit) {
+  const auto start = resolution_for(1e-3);
+  for (const auto& [source, varied, reference] : variants_of(start, {true, true, false})) {
+    if (source == ErrorSource::active_set) continue;
+    const double coarser = entry_of(source, varied) - entry_of(source, reference);
+    int n = 0;
+    auto now = start;
+    for (auto finer = refined(now, source); finer; finer = refined(now, source)) {
+      EXPECT_TRUE(differ_only_in(source, *finer, now)) << name_of(source);
+      EXPECT_LT((entry_of(source, *finer) - entry_of(source, now)) * coarser, 0) << name_of(source);
+      now = *finer;
+      ASSERT_LT(++n, 20) << name_of(source) << " has no limit";
+    }
+    EXPECT_GT(n, 0) << name_of(source);
+  }
+  EXPECT_FALSE(refined(start, ErrorSource::active_set));
+  EXPECT_TRUE(refined(start, ErrorSource::edge) == refined(start, ErrorSource::rings));
+}
+
+}  // namespace
+}  // namespace fretval

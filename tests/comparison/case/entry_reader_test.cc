@@ -1,0 +1,55 @@
+#include "comparison/case/entry_reader.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/comparison/expect_parts.h"
+#include "tests/comparison/read_case.h"
+#include "tests/comparison/refusal.h"
+
+namespace fretval {
+namespace {
+
+/// What a case says whose phase is written so.
+std::string refusal_of_phase(const std::string& text) {
+  return refusal([&] { read_case(replace(valid_case, "Phase = 60", "Phase = " + text)); });
+}
+
+TEST(EntryReader, TakesNothingForANumberThatIsOnlyPartlyOne) {
+  EXPECT_EQ(read_case(replace(valid_case, "Phase = 60", "Phase = -1.5e-3")).motion.phase, -1.5e-3);
+  for (const char* text : {"1 m", "1,5", "0x10", "1e", "--1", "inf", "1e999"})
+    expect_parts(refusal_of_phase(text), {"case.prm: Motion / Phase = ", text, "a finite number"});
+  expect_parts(refusal_of_phase(""), {"case.prm: Motion / Phase is missing", "a finite number"});
+}
+
+TEST(EntryReader, SplitsListsAndHoldsEachValueToWhatIsValid) {
+  const auto branches = [](const std::string& times) {
+    const auto text = replace(valid_case, "moduli = 1e6\n  set Branch times = 0.1",
+                              "moduli = 1e6, 1e6, 1e6\n  set Branch times = " + times);
+    return read_case(replace(text, "standard solid", "prony")).elastomer.branch_times;
+  };
+  EXPECT_EQ(branches("1,2e-3 ,\t3"), (std::vector<double>{1, 2e-3, 3}));
+  for (const char* times : {"1, -2, 3", "1,,3", "1, 2,", "1; 2; 3"})
+    expect_parts(refusal([&] { branches(times); }), {"case.prm: Elastomer / Branch times = "});
+}
+
+TEST(EntryReader, ShowsNoMoreOfAValueThanFitsInAMessage) {
+  const auto message = refusal_of_phase(std::string(5000, 'x'));
+  EXPECT_LT(message.size(), 500U);
+  expect_parts(message, {"xxx..."});
+}
+
+TEST(EntryReader, FindsAFileBesideTheCaseFile) {
+  const ScratchFolder folder;
+  std::filesystem::create_directory(folder.path() / "below");
+  folder.write("pin.csv", "0,0\n1e-4,1e-6\n2e-4,4e-6\n3e-4,9e-6\n");
+  const auto table_of = [&](const std::string& name) {
+    const auto text = replace(valid_case, "parabola\n  set Radius = 1e-2", "table\n  set Table = " + name);
+    return read_case_file(folder.write("below/case.prm", text)).at(0).indenter.table;
+  };
+  EXPECT_TRUE(std::filesystem::equivalent(table_of("../pin.csv"), folder.path() / "pin.csv"));
+  for (const char* none : {"pin.csv", ".."})
+    expect_parts(refusal([&] { table_of(none); }), {"Indenter / Table", "relative to the case file"});
+}
+
+}  // namespace
+}  // namespace fretval

@@ -1,0 +1,31 @@
+#include "comparison/case/plausibility.h"
+
+#include <gtest/gtest.h>
+
+#include "comparison/reference/mdr_case.h"
+#include "tests/comparison/expect_parts.h"
+#include "tests/comparison/read_case.h"
+
+namespace fretval {
+namespace {
+
+TEST(Plausibility, ImplausibleUnitsAreWarnedAbout) {
+  const auto warnings = [](const std::string& from, const std::string& to) {
+    const auto scene = read_case(replace(valid_case, from, to));
+    std::string all;
+    for (const auto& warning : implausible_values(scene, profile_of(scene.indenter))) all += warning;
+    return all;
+  };
+  EXPECT_EQ(warnings("Phase = 60", "Phase = 30"), "");
+  expect_parts(warnings("Indentation = 1e-4", "Indentation = 0.1"), {"case.prm", "slope of 3.2", "a/R", "in m?"});
+  expect_parts(warnings("Radius = 1e-2", "Radius = 1e-5"), {"case.prm", "a/R", "in m?"});
+  expect_parts(warnings("modulus = 1e6", "modulus = 1"), {"case.prm", "1 Pa is implausible", "in Pa?"});
+  expect_parts(warnings("modulus = 1e6", "modulus = 1e12"), {"1e+12 Pa is implausible"});
+  // Of a prescribed force the indentation is not known here.
+  const std::string displacement = "Indentation = 1e-4\n  set Normal amplitude = 2e-5",
+                    force = "Normal force = 1e6\n  set Normal force amplitude = 0";
+  EXPECT_EQ(warnings(displacement, force), "");
+}
+
+}  // namespace
+}  // namespace fretval

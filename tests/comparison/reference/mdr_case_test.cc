@@ -1,0 +1,64 @@
+#include "comparison/reference/mdr_case.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+
+#include "comparison/reference/mdr_answer.h"
+#include "tests/comparison/expect_parts.h"
+#include "tests/comparison/read_case.h"
+#include "tests/comparison/refusal.h"
+
+namespace fretval {
+namespace {
+
+TEST(MdrCase, LimitingStateHasItsStickRadiusAsShakedownRadius) {
+  const auto mdr = mdr_case(limiting_case(0.6, 2e-6));
+  const auto answer = mdr_answer(mdr, mdr_normal_response(mdr));
+  EXPECT_NEAR(*answer.stick_radius_shakedown / mdr.limiting->stick_radius, 1, 1e-12);
+}
+
+TEST(MdrCase, SaysWhenNoAmplitudeShakesDown) {
+  expect_parts(refusal([] { mdr_case(limiting_case(0.95)); }), {"Stick radius ratio = 0.95"});
+}
+
+// All of a flat face sticks or nothing, and which of them roundoff would decide.
+TEST(MdrCase, LimitingStateCannotStickInsideAFlatFace) {
+  Case scene = limiting_case(0.2, 2e-6);
+  scene.indenter.shape = Case::Shape::rounded_flat;
+  scene.indenter.flat_radius = scene.indenter.edge_radius = 1e-3;
+  expect_parts(refusal([&] { mdr_case(scene); }), {"inside the flat face"});
+  scene.worn_stick_ratio = 0.95;
+  EXPECT_EQ(refusal([&] { mdr_case(scene); }), "no error");
+}
+
+TEST(MdrCase, NamesTheEntryThatOnlyTheReferenceCovers) {
+  EXPECT_TRUE(is_comparable(read_case()));
+  const auto expect_refused = [](const char* entry, const std::function<void(Case::Motion&)>& change) {
+    Case scene = read_case();
+    change(scene.motion);
+    EXPECT_FALSE(is_comparable(scene)) << entry;
+    expect_parts(refusal([&] { mdr_case(scene); }), {"case.prm: Motion / ", entry, "fretval mdr"});
+  };
+  expect_refused("Normal force", [](auto& motion) { motion.normal_force = {1, 0.1}; });
+  expect_refused("Tangential force amplitude", [](auto& motion) { motion.tangential_force = 0.1; });
+  expect_refused("Normal harmonics", [](auto& motion) { motion.normal_harmonics = {{1e-6, 2, 0}}; });
+  expect_refused("Tangential harmonics", [](auto& motion) { motion.tangential_harmonics = {{1e-6, 2, 0}}; });
+  expect_refused("Tangential frequency = 2 Hz", [](auto& motion) { motion.tangential_frequency = 2; });
+}
+
+// A Prony body stands for the fractional one; the modulus over the frequencies of the motion is all that counts.
+TEST(MdrCase, FractionalBodyHasItsModulusInTime) {
+  Case scene = read_case(replace(valid_case, "standard solid", "fractional zener\n  set Fractional order = 0.5"));
+  scene.motion.tangential_frequency = 50;
+  const auto rheology = rheology_of(scene.elastomer);
+  const auto body = body_in_time(scene);
+  for (const double frequency : {1.0, 50.0}) {
+    const double w = mdr::angular_frequency(frequency);
+    EXPECT_NEAR(std::abs(mdr::complex_modulus(body, w) / mdr::complex_modulus(rheology, w) - 1.0), 0, 1e-4);
+  }
+}
+
+}  // namespace
+}  // namespace fretval

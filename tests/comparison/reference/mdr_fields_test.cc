@@ -1,0 +1,58 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "comparison/reference/mdr_answer.h"
+#include "comparison/reference/mdr_document.h"
+#include "mdr/stick/limiting_profile.h"
+#include "tests/comparison/read_case.h"
+
+namespace fretval {
+namespace {
+
+Eigen::VectorXd column_of(const std::vector<Column>& columns, const std::string& name) {
+  for (const auto& column : columns)
+    if (column.name == name) return column.values;
+  ADD_FAILURE() << "no column " << name;
+  return {};
+}
+
+// Hertz: p = 8 G a/(pi R) sqrt(1 - r^2/a^2), and the surface follows the indenter.
+TEST(SurfaceColumns, OfAnElasticSphereAreHertzs) {
+  const auto scene = read_case(elastic_case());
+  const auto columns = surface_columns(scene, std::nullopt);
+  const double R = scene.indenter.radius, d = 1.2e-4, a = std::sqrt(R * d), peak = 8e6 * a / (std::acos(-1.0) * R);
+  const auto r = column_of(columns, "r [m]"), p = column_of(columns, "p deepest [Pa]"),
+             u = column_of(columns, "u_z deepest [m]"), f = column_of(columns, "f [m]");
+  EXPECT_GT(r.maxCoeff(), 1.5 * a);
+  for (Eigen::Index i = 0; i < r.size(); ++i) {
+    EXPECT_NEAR(f[i] / (r[i] * r[i] / (2 * R)), 1, 1e-12);
+    if (r[i] < 0.98 * a) {
+      EXPECT_NEAR(p[i], peak * std::sqrt(1 - r[i] * r[i] / (a * a)), 1e-2 * peak) << r[i] / a;
+      EXPECT_NEAR(u[i], d - f[i], 1e-3 * d) << r[i] / a;
+    }
+    if (r[i] > 1.02 * a) {
+      EXPECT_EQ(p[i], 0) << r[i] / a;
+    }
+  }
+}
+
+TEST(SurfaceColumns, OfTheLimitingStateAreThereForALockedPhase) {
+  auto scene = read_case(elastic_case());
+  const auto mdr = mdr_case(scene);
+  const auto worn = worn_profile(mdr, mdr_answer(mdr, mdr_normal_response(mdr)).stick_radius_shakedown);
+  const auto columns = surface_columns(scene, worn);
+  const auto r = column_of(columns, "r [m]"), pressure = column_of(columns, "p worn [Pa]"),
+             profile = column_of(columns, "f worn [m]"), unworn = column_of(columns, "f [m]");
+  for (Eigen::Index i = 0; i < r.size(); ++i) {
+    EXPECT_GE(profile[i], unworn[i] * (1 - 1e-12));
+    if (r[i] > worn->stick_radius) {
+      EXPECT_EQ(pressure[i], 0) << "nothing wears outside";
+    }
+  }
+  EXPECT_EQ(columns.size(), surface_columns(scene, std::nullopt).size() + 4);
+}
+
+}  // namespace
+}  // namespace fretval

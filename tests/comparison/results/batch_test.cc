@@ -1,0 +1,80 @@
+#include "comparison/results/batch.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <fstream>
+#include <future>
+
+#include "fem/support/solver_error.h"
+#include "tests/comparison/read_case.h"
+
+namespace fretval {
+namespace {
+
+namespace fs = std::filesystem;
+
+// A case that needs little is done when it has that, not when the others have theirs.
+TEST(Batch, ACaseIsDoneWhileOthersGoOn) {
+  const ScratchFolder folder;
+  const auto quick = folder.write("quick.prm", elastic_case());
+  const auto slow = folder.write("slow.prm", replace(elastic_case(), "Tolerance = 0.05", "Tolerance = 1e-4"));
+  auto cases = read_case_file(quick);
+  cases.push_back(read_case_file(slow).at(0));
+  constexpr double farthest_of_quick = 10;
+  std::promise<void> quick_is_done;
+  const auto done = quick_is_done.get_future().share();
+  BatchOptions options;
+  options.meshes.mesh_of = [&](const BodySpecification& specification) {
+    if (specification.far_radius > farthest_of_quick) {
+      EXPECT_EQ(done.wait_for(std::chrono::minutes(1)), std::future_status::ready) << "quick waits for slow";
+    }
+    return mesh_of(specification);
+  };
+  options.progress = [&](const BatchLine& line, auto...) {
+    if (line.name == "quick") quick_is_done.set_value();
+  };
+  const auto lines = run_batch(prepare(cases), options);
+  EXPECT_TRUE(lines[0].pass && lines[1].pass);
+}
+
+// What an earlier run left is no result of a case whose numerics fail now.
+TEST(Batch, AFailedCaseLeavesNoOldResult) {
+  const ScratchFolder folder;
+  const auto out = folder.path() / "out";
+  fs::create_directories(out / "case");
+  std::ofstream(out / "case" / "result.json") << "{}";
+  BatchOptions options;
+  options.output = out;
+  options.meshes.mesh_of = [](const BodySpecification&) -> meshes::Mesh {
+    throw fem::SolverError("the pump is broken");
+  };
+  const auto lines = run_batch(prepare(read_case_file(folder.write("case.prm", elastic_case()))), options);
+  EXPECT_EQ(lines.at(0).failure, "the pump is broken");
+  EXPECT_TRUE(fs::is_empty(out / "case"));
+}
+
+TEST(Batch, HasItsLinesInTheOrderOfItsCasesAndCountsThemAsTheyAreDone) {
+  std::vector<Case> cases;
+  for (const char* name : {"a", "b", "c", "d", "e"}) {
+    cases.push_back(read_case(elastic_case()));
+    cases.back().name = name;
+  }
+  BatchOptions options;
+  options.meshes.mesh_of = [](const BodySpecification&) -> meshes::Mesh { throw fem::SolverError("no mesh"); };
+  std::vector<std::size_t> counts;
+  options.progress = [&](const BatchLine&, std::size_t n_done, std::size_t n_cases) {
+    counts.push_back(n_done);
+    EXPECT_EQ(n_cases, 5U);
+  };
+  const auto lines = run_batch(prepare(cases), options);
+  ASSERT_EQ(lines.size(), 5U);
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    EXPECT_EQ(lines[i].name, cases[i].name);
+    EXPECT_FALSE(lines[i].pass);
+  }
+  EXPECT_EQ(counts, (std::vector<std::size_t>{1, 2, 3, 4, 5}));
+}
+
+}  // namespace
+}  // namespace fretval

@@ -1,0 +1,82 @@
+#include "comparison/results/results_folder.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/comparison/expect_parts.h"
+#include "tests/comparison/refusal.h"
+#include "tests/comparison/stored_result.h"
+
+namespace fretval {
+namespace {
+
+TEST(ResultsFolder, RefusesAResultOfAnotherKindByKey) {
+  const auto good = stored_result();
+  const ScratchFolder folder;
+  const auto with = [&](const char* pointer, const nlohmann::ordered_json& value) {
+    auto json = good;
+    json[nlohmann::ordered_json::json_pointer(pointer)] = value;
+    folder.write("result.json", json.dump());
+    return refusal([&] { read_results(folder.path()); });
+  };
+  EXPECT_EQ(with("/name", "good"), "no error");
+  expect_parts(with("/name", 1), {"result.json", "\"name\" is 1, must be text"});
+  expect_parts(with("/pass", "yes"), {"\"pass\" is \"yes\", must be true or false"});
+  expect_parts(with("/scene", nlohmann::ordered_json::array()), {"\"scene\" is array, must be an object"});
+  expect_parts(with("/scene/sweep/value", nullptr), {"\"scene/sweep/value\" is null, must be a number"});
+  expect_parts(with("/comparison/normal_force_max/difference", "1"), {"\"comparison/normal_force_max/difference\""});
+  expect_parts(with("/cost/seconds/mesh", "1"), {"\"cost/seconds/mesh\"", "must be a number"});
+  for (const char* key : {"dofs", "time_steps", "cycles"})
+    expect_parts(with((std::string("/cost/") + key).c_str(), 1.2e12), {key, "at most 2e9"});
+  expect_parts(with("/fe/error_estimate", 1), {"\"fe/error_estimate\" is 1, must be an object"});
+  folder.write("result.json", good.dump().substr(0, 300));
+  expect_parts(refusal([&] { read_results(folder.path()); }), {"result.json", "parse error"});
+  folder.write("result.json", "[]");
+  expect_parts(refusal([&] { read_results(folder.path()); }), {"result.json", "no JSON object"});
+}
+
+TEST(ResultsFolder, IsReadByFamilyAndSweepValueFromAllFoldersBelow) {
+  const ScratchFolder folder;
+  const auto add = [&](const char* name, const char* family, int value) {
+    auto json = stored_result();
+    json["name"] = name;
+    json["scene"]["sweep"]["family"] = family;
+    json["scene"]["sweep"]["value"] = value;
+    std::filesystem::create_directories(folder.path() / name);
+    folder.write(std::string(name) + "/result.json", json.dump());
+  };
+  add("x/late", "first", 100);
+  add("early", "first", 20);
+  add("other", "second", 0);
+  const auto results = read_results(folder.path());
+  ASSERT_EQ(results.size(), 3U);
+  EXPECT_EQ(results[0].sweep_value(), 20);
+  EXPECT_EQ(results[1].folder, folder.path() / "x/late");
+  EXPECT_EQ(results[2].family(), "second");
+  EXPECT_TRUE(results[0].swept_over("Motion / Phase"));
+  EXPECT_FALSE(results[0].swept_over("Wear / Stick radius ratio"));
+  expect_parts(refusal([&] { read_results(folder.path() / "nowhere"); }), {"nowhere", "no such folder"});
+}
+
+// Nothing that is absent may look like a zero.
+TEST(StoredResult, HasNoNumberWhereThereIsNone) {
+  const StoredResult result{stored_result(), {}};
+  EXPECT_EQ(result.number("scene", "tolerance"), 0.01);
+  EXPECT_TRUE(std::isnan(result.number("fe", "worn_radius"))) << "null";
+  EXPECT_TRUE(std::isnan(result.number("fe", "no such key")));
+  EXPECT_TRUE(std::isnan(result.number("scene", "shape"))) << "text";
+}
+
+TEST(ReadColumns, TakesTheNamedOnesOrNone) {
+  const ScratchFolder folder;
+  const auto file = folder.write("table.csv", "r [m],p [Pa],u [m]\n1,2,3\n4e-3,5,6\n");
+  const auto [radius, depth] = read_columns(file, "r [m]", "u [m]");
+  EXPECT_EQ(radius, (std::vector<double>{1, 4e-3}));
+  EXPECT_EQ(depth, (std::vector<double>{3, 6}));
+  EXPECT_TRUE(read_columns(file, "r [m]", "tau [Pa]").first.empty());
+  EXPECT_TRUE(read_columns(folder.path() / "none.csv", "r [m]", "u [m]").second.empty());
+}
+
+}  // namespace
+}  // namespace fretval

@@ -1,0 +1,18 @@
+#include "comparison/support/junit.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/comparison/expect_parts.h"
+
+namespace fretval {
+namespace {
+
+TEST(JUnit, HasACaseEachAndCountsFailures) {
+  const auto xml = junit_document("fretval run", {{"a & b", ""}, {"c", "0.1 < 0.2"}, {"d", ""}});
+  expect_parts(xml, {"<testsuite name=\"fretval run\" tests=\"3\" failures=\"1\">",
+                     "<testcase classname=\"fretval.run\" name=\"a &amp; b\"/>",
+                     "name=\"c\"><failure message=\"0.1 &lt; 0.2\"/></testcase>", "</testsuite>\n"});
+}
+
+}  // namespace
+}  // namespace fretval
