@@ -7,23 +7,23 @@
 namespace fretval {
 
 /// What finite elements say at the resolution that the case asks for.
-inline FeAnswer simulate_case(const Case& scene) {
-  const auto mdr = mdr_case(scene);
-  const auto fem = fem_case(scene, mdr);
+inline FeAnswer simulate_case(const Case& input) {
+  const auto mdr = mdr_case(input);
+  const auto fem = fem_case(input, mdr);
   BodyStore bodies;
   return compute_case(fem, fem.resolution, bodies);
 }
 
 /// A case of the tolerance suite with rings and steps of its own.
 inline Case fixed_case(const std::string& name, unsigned rings, int steps) {
-  auto scene = suite_case(name, 1e-2);
-  scene.rings_per_radius = rings;
-  scene.steps_per_cycle = steps;
-  return scene;
+  auto input = suite_case(name, 1e-2);
+  input.rings_per_radius = rings;
+  input.steps_per_cycle = steps;
+  return input;
 }
 
-inline MdrAnswer exact_answer(const Case& scene) {
-  const auto mdr = mdr_case(scene);
+inline MdrAnswer exact_answer(const Case& input) {
+  const auto mdr = mdr_case(input);
   return mdr_answer(mdr, mdr_normal_response(mdr));
 }
 

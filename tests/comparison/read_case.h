@@ -28,12 +28,12 @@ inline std::string elastic_case() {
 
 /// A limiting profile under the normal amplitude of the case, which must be small where most of the contact sticks.
 inline Case limiting_case(double stick_ratio, double normal_amplitude = 2e-5) {
-  Case scene = read_case();
-  scene.motion.normal_amplitude = normal_amplitude;
-  scene.motion.tangential_amplitude = std::nan("");
-  scene.wear = Case::Wear::limiting;
-  scene.worn_stick_ratio = stick_ratio;
-  return scene;
+  Case input = read_case();
+  input.motion.normal_amplitude = normal_amplitude;
+  input.motion.tangential_amplitude = std::nan("");
+  input.wear = Case::Wear::limiting;
+  input.worn_stick_ratio = stick_ratio;
+  return input;
 }
 
 }  // namespace fretval

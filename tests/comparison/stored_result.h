@@ -17,7 +17,7 @@ inline nlohmann::ordered_json stored_result(const std::string& name = "phase") {
 
 /// A row of exact.json.
 inline nlohmann::ordered_json stored_convergence_row() {
-  return {{"scene", "Hertz"},
+  return {{"solution", "Hertz"},
           {"quantity", "force"},
           {"source", "Hertz 1882"},
           {"refined", "rings"},

@@ -62,7 +62,7 @@ TEST(ErrorBudget, SumsTheShares) {
 }
 
 /// The quantities of a resolution and of all that its errors are measured by.
-std::map<Resolution, Quantities> all_known(const Resolution& resolution, const SceneNeeds& needs,
+std::map<Resolution, Quantities> all_known(const Resolution& resolution, const CaseNeeds& needs,
                                            const std::function<double(const Resolution&)>& value) {
   std::map<Resolution, Quantities> known;
   const auto add = [&](const Resolution& r) { known[r] = {{Quantity::stick_radius_shakedown, value(r)}}; };
@@ -113,7 +113,7 @@ TEST(ErrorBudget, TakesGradedRingsForSecondOrder) {
     return coarseness > 3 ? -5.02e-3 : coarseness > 1.5 ? -4.12e-4 : -2.01e-4;
   };
   const auto bar = [&](bool worn) {
-    const SceneNeeds needs{true, false, worn};
+    const CaseNeeds needs{true, false, worn};
     return error_budget(resolution, all_known(resolution, needs, value), {}, needs)
         .at(Quantity::stick_radius_shakedown)
         .total();

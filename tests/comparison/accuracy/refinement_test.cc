@@ -96,8 +96,8 @@ TEST(Variants, OfTwoOfASourceTheSecondIsTwiceAsCoarse) {
   EXPECT_EQ(n.size(), 9U) << "all but the reading of edges";
 }
 
-TEST(Variants, AreOfWhatTheSceneNeeds) {
-  const auto sources = [](const SceneNeeds& needs) {
+TEST(Variants, AreOfWhatTheCaseNeeds) {
+  const auto sources = [](const CaseNeeds& needs) {
     std::set<ErrorSource> all;
     for (const auto& variant : variants_of(resolution_for(1e-3), needs)) all.insert(variant.source);
     return all;

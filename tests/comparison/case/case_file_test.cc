@@ -24,21 +24,21 @@ std::string error_of(const std::string& text) {
 }
 
 TEST(CaseFile, ReadsEveryEntry) {
-  const Case scene = read_one(valid_case);
-  EXPECT_EQ(scene.name, "one");
-  EXPECT_EQ(scene.indenter.shape, Case::Shape::parabola);
-  EXPECT_EQ(scene.indenter.radius, 1e-2);
-  EXPECT_EQ(scene.elastomer.relaxed_modulus, 1e6);
-  EXPECT_EQ(scene.elastomer.branch_moduli, std::vector<double>{1e6});
-  EXPECT_EQ(scene.elastomer.branch_times, std::vector<double>{0.1});
-  EXPECT_EQ(scene.friction_coefficient, 0.5);
-  EXPECT_EQ(scene.motion.indentation, 1e-4);
-  EXPECT_EQ(scene.motion.normal_amplitude, 2e-5);
-  EXPECT_EQ(scene.motion.tangential_amplitude, 1.5e-5);
-  EXPECT_EQ(scene.motion.normal_frequency, 1);
-  EXPECT_EQ(scene.motion.phase, 60);
-  EXPECT_EQ(scene.tolerance, 0.01);
-  EXPECT_EQ(scene.wear, Case::Wear::unworn);
+  const Case input = read_one(valid_case);
+  EXPECT_EQ(input.name, "one");
+  EXPECT_EQ(input.indenter.shape, Case::Shape::parabola);
+  EXPECT_EQ(input.indenter.radius, 1e-2);
+  EXPECT_EQ(input.elastomer.relaxed_modulus, 1e6);
+  EXPECT_EQ(input.elastomer.branch_moduli, std::vector<double>{1e6});
+  EXPECT_EQ(input.elastomer.branch_times, std::vector<double>{0.1});
+  EXPECT_EQ(input.friction_coefficient, 0.5);
+  EXPECT_EQ(input.motion.indentation, 1e-4);
+  EXPECT_EQ(input.motion.normal_amplitude, 2e-5);
+  EXPECT_EQ(input.motion.tangential_amplitude, 1.5e-5);
+  EXPECT_EQ(input.motion.normal_frequency, 1);
+  EXPECT_EQ(input.motion.phase, 60);
+  EXPECT_EQ(input.tolerance, 0.01);
+  EXPECT_EQ(input.wear, Case::Wear::unworn);
 }
 
 TEST(CaseFile, ReadsAnUnlockedPhase) {
@@ -49,10 +49,10 @@ TEST(CaseFile, OverridesWhatItIncludes) {
   const ScratchFolder folder;
   folder.write("base.prm", valid_case);
   const auto file = folder.write("derived.prm", "include base.prm\nsubsection Motion\n  set Phase = 10\nend\n");
-  const auto scene = read_case_file(file).at(0);
-  EXPECT_EQ(scene.motion.phase, 10);
-  EXPECT_EQ(scene.indenter.radius, 1e-2);
-  EXPECT_EQ(scene.name, "derived");
+  const auto input = read_case_file(file).at(0);
+  EXPECT_EQ(input.motion.phase, 10);
+  EXPECT_EQ(input.indenter.radius, 1e-2);
+  EXPECT_EQ(input.name, "derived");
 }
 
 TEST(CaseFile, ExpandsASweep) {
@@ -81,9 +81,9 @@ TEST(CaseFile, ReadsJsonThroughTheSameHandler) {
     "Motion": {"Indentation": "1e-4", "Normal amplitude": "0", "Normal frequency": "1",
                "Tangential amplitude": "1e-5", "Tangential frequency": "1", "Phase": "0"},
     "Accuracy": {"Tolerance": "0.01"}})");
-  const auto scene = read_case_file(file).at(0);
-  EXPECT_EQ(scene.indenter.shape, Case::Shape::cone);
-  EXPECT_EQ(scene.indenter.slope_angle, 5);
+  const auto input = read_case_file(file).at(0);
+  EXPECT_EQ(input.indenter.shape, Case::Shape::cone);
+  EXPECT_EQ(input.indenter.slope_angle, 5);
 }
 
 struct BadCase {

@@ -25,21 +25,21 @@ TEST(MdrCase, SaysWhenNoAmplitudeShakesDown) {
 
 // All of a flat face sticks or nothing, and which of them roundoff would decide.
 TEST(MdrCase, LimitingStateCannotStickInsideAFlatFace) {
-  Case scene = limiting_case(0.2, 2e-6);
-  scene.indenter.shape = Case::Shape::rounded_flat;
-  scene.indenter.flat_radius = scene.indenter.edge_radius = 1e-3;
-  expect_parts(refusal([&] { mdr_case(scene); }), {"inside the flat face"});
-  scene.worn_stick_ratio = 0.95;
-  EXPECT_EQ(refusal([&] { mdr_case(scene); }), "no error");
+  Case input = limiting_case(0.2, 2e-6);
+  input.indenter.shape = Case::Shape::rounded_flat;
+  input.indenter.flat_radius = input.indenter.edge_radius = 1e-3;
+  expect_parts(refusal([&] { mdr_case(input); }), {"inside the flat face"});
+  input.worn_stick_ratio = 0.95;
+  EXPECT_EQ(refusal([&] { mdr_case(input); }), "no error");
 }
 
 TEST(MdrCase, NamesTheEntryThatOnlyTheReferenceCovers) {
   EXPECT_TRUE(is_comparable(read_case()));
   const auto expect_refused = [](const char* entry, const std::function<void(Case::Motion&)>& change) {
-    Case scene = read_case();
-    change(scene.motion);
-    EXPECT_FALSE(is_comparable(scene)) << entry;
-    expect_parts(refusal([&] { mdr_case(scene); }), {"case.prm: Motion / ", entry, "fretval mdr"});
+    Case input = read_case();
+    change(input.motion);
+    EXPECT_FALSE(is_comparable(input)) << entry;
+    expect_parts(refusal([&] { mdr_case(input); }), {"case.prm: Motion / ", entry, "fretval mdr"});
   };
   expect_refused("Normal force", [](auto& motion) { motion.normal_force = {1, 0.1}; });
   expect_refused("Tangential force amplitude", [](auto& motion) { motion.tangential_force = 0.1; });
@@ -50,10 +50,10 @@ TEST(MdrCase, NamesTheEntryThatOnlyTheReferenceCovers) {
 
 // A Prony body stands for the fractional one; the modulus over the frequencies of the motion is all that counts.
 TEST(MdrCase, FractionalBodyHasItsModulusInTime) {
-  Case scene = read_case(replace(valid_case, "standard solid", "fractional zener\n  set Fractional order = 0.5"));
-  scene.motion.tangential_frequency = 50;
-  const auto rheology = rheology_of(scene.elastomer);
-  const auto body = body_in_time(scene);
+  Case input = read_case(replace(valid_case, "standard solid", "fractional zener\n  set Fractional order = 0.5"));
+  input.motion.tangential_frequency = 50;
+  const auto rheology = rheology_of(input.elastomer);
+  const auto body = body_in_time(input);
   for (const double frequency : {1.0, 50.0}) {
     const double w = mdr::angular_frequency(frequency);
     EXPECT_NEAR(std::abs(mdr::complex_modulus(body, w) / mdr::complex_modulus(rheology, w) - 1.0), 0, 1e-4);

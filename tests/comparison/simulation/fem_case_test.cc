@@ -8,8 +8,8 @@
 namespace fretval {
 namespace {
 
-// The scene is made dimensionless before anything is computed, so units only change by roundoff.
-TEST(Scene, IsTheSameInMetresAndInNanometres) {
+// A case is made dimensionless before anything is computed, so units only change by roundoff.
+TEST(FemCase, IsTheSameInMetresAndInNanometres) {
   const Case large = read_case();
   Case small = large;
   const double scale = 1e-9;
@@ -24,11 +24,11 @@ TEST(Scene, IsTheSameInMetresAndInNanometres) {
 }
 
 // An unlocked phase passes through every phase, so its stick radius is the smallest of all of them, paper (21).
-TEST(Scene, UnlockedPhaseFollowsTheWorstPhase) {
-  Case scene = read_case();
-  scene.motion.phase.reset();
-  const auto answer = exact_answer(scene);
-  const auto fe = simulate_case(scene);
+TEST(FemCase, UnlockedPhaseFollowsTheWorstPhase) {
+  Case input = read_case();
+  input.motion.phase.reset();
+  const auto answer = exact_answer(input);
+  const auto fe = simulate_case(input);
   // Measured 1.3e-3 at this coarse tolerance of 1e-2; a locked phase of 90 degrees is 0.2 a away.
   EXPECT_NEAR(*fe.stick_radius_shakedown, *answer.stick_radius_shakedown, 5e-3 * answer.contact_radius_max.value());
   EXPECT_NEAR(*fe.stick_radius_first_slip, *answer.stick_radius_first_slip, 5e-3 * answer.contact_radius_max.value());
@@ -36,9 +36,9 @@ TEST(Scene, UnlockedPhaseFollowsTheWorstPhase) {
 
 // The pressure of a body with a dashpot jumps at the edge of the contact, so the gaps beyond it have to tell where it
 // ends. On a contact line with fewer than three rings beyond, the force was 3e-3 off at 8, 12 and 16 rings alike.
-TEST(Scene, RingsBeyondTheContactTellWhereItEnds) {
-  const auto scene = fixed_case("parabola-voigt-90", 16, 48);
-  EXPECT_NEAR(simulate_case(scene).normal_force_max / exact_answer(scene).normal_force_max.value(), 1, 1e-4);
+TEST(FemCase, RingsBeyondTheContactTellWhereItEnds) {
+  const auto input = fixed_case("parabola-voigt-90", 16, 48);
+  EXPECT_NEAR(simulate_case(input).normal_force_max / exact_answer(input).normal_force_max.value(), 1, 1e-4);
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ const std::vector<int> rungs{16, 32, 64, 128};
 
 /// Errors factor n^-order.
 ConvergenceRow power(double factor, double order) {
-  ConvergenceRow row{"scene", "quantity", "a book", "rings", rungs, {}, {1e-3, 2, 0, 1e-4, ""}};
+  ConvergenceRow row{"solution", "quantity", "a book", "rings", rungs, {}, {1e-3, 2, 0, 1e-4, ""}};
   for (const int n : rungs) row.errors.push_back(factor * std::pow(n, -order));
   return row;
 }
@@ -95,7 +95,7 @@ TEST(ConvergenceRow, TellsTheGoalFromTheTolerance) {
 
 TEST(ConvergenceRow, TableHasAnAlignedLinePerRow) {
   auto longer = power(1, 1);
-  longer.scene = "a longer scene";
+  longer.solution = "a longer solution";
   auto at_floor = power(1e-2, 2);
   at_floor.demand.floor = 1;
   std::istringstream table(convergence_table({power(1, 2), longer, at_floor}));
@@ -104,10 +104,10 @@ TEST(ConvergenceRow, TableHasAnAlignedLinePerRow) {
   ASSERT_EQ(lines.size(), 4U);
   const auto column = lines[0].find("source");
   for (std::size_t i = 1; i < lines.size(); ++i) EXPECT_EQ(lines[i].find("a book"), column) << lines[i];
-  EXPECT_EQ(lines[1].rfind("pass scene: quantity", 0), 0U);
+  EXPECT_EQ(lines[1].rfind("pass solution: quantity", 0), 0U);
   EXPECT_NE(lines[1].find("2.4e-04"), std::string::npos);
   EXPECT_NE(lines[1].find("1e-04 UNMET"), std::string::npos);
-  EXPECT_EQ(lines[2].rfind("FAIL a longer scene: quantity", 0), 0U);
+  EXPECT_EQ(lines[2].rfind("FAIL a longer solution: quantity", 0), 0U);
   EXPECT_NE(lines[2].find("| error 1.6e-02 at 64 rings, tolerance 1.0e-03"), std::string::npos) << lines[2];
   EXPECT_NE(lines[3].find(" floor "), std::string::npos);
   EXPECT_NE(lines[3].find("1e-04 met"), std::string::npos);
@@ -116,7 +116,7 @@ TEST(ConvergenceRow, TableHasAnAlignedLinePerRow) {
 TEST(ConvergenceRow, WritesJUnitXml) {
   const auto xml = convergence_junit({power(1, 2), power(1, 1)});
   EXPECT_NE(xml.find("tests=\"2\" failures=\"1\""), std::string::npos) << xml;
-  EXPECT_NE(xml.find("name=\"scene: quantity\"/>"), std::string::npos) << xml;
+  EXPECT_NE(xml.find("name=\"solution: quantity\"/>"), std::string::npos) << xml;
   EXPECT_NE(xml.find("<failure message=\"error 1.6e-02"), std::string::npos) << xml;
 }
 
@@ -130,7 +130,7 @@ TEST(ConvergenceRow, WritesJson) {
   // Through text, as a reader gets it.
   const auto json = nlohmann::json::parse(convergence_json({power(1, 2), at_floor, power(1, 1), broken}).dump());
   ASSERT_EQ(json.size(), 4U);
-  EXPECT_EQ(json[0]["scene"], "scene");
+  EXPECT_EQ(json[0]["solution"], "solution");
   EXPECT_EQ(json[0]["quantity"], "quantity");
   EXPECT_EQ(json[0]["source"], "a book");
   EXPECT_EQ(json[0]["refined"], "rings");
@@ -203,9 +203,10 @@ TEST(ConvergenceGuardSlow, AnotherSlopeFailsTheObliqueLoading) {
 
 TEST(ConvergenceGuardSlow, AnotherStiffnessOfAPunchFails) {
   const auto exact = exact_punch();
-  for (const auto& row : punch_rows(three_meshes(), exact)) EXPECT_EQ(failure_of(row), "") << row.scene << row.quantity;
+  for (const auto& row : punch_rows(three_meshes(), exact))
+    EXPECT_EQ(failure_of(row), "") << row.solution << row.quantity;
   for (const auto& row : punch_rows(three_meshes(), {1.01 * exact.normal, 1.01 * exact.tangential}))
-    EXPECT_NE(failure_of(row), "") << row.scene << row.quantity;
+    EXPECT_NE(failure_of(row), "") << row.solution << row.quantity;
 }
 
 TEST(ConvergenceGuardSlow, AnotherProfileThanTheWornOneFails) {
@@ -242,29 +243,30 @@ TEST(ConvergenceGuardSlow, AnotherBranchFailsTheRebound) {
 TEST(ConvergenceGuardSlow, AnotherStickRadiusFailsThePeriodicState) {
   const ConvergenceDemand demand{1e-6, 3, 1e-7, 5e-5, ""};
   const auto solid = mdr::standard_solid(1, std::sqrt(3.5) - 1, 1);
-  const PeriodicScene scene{"periodic", "", solid, 0.1, {{0.25, 30}, {0.23, 90}}, demand, demand};
+  const PeriodicCase solution{"periodic", "", solid, 0.1, {{0.25, 30}, {0.23, 90}}, demand, demand};
   const auto exact = exact_stick_radii();
-  for (const auto& row : periodic_rows(three_meshes(), scene, exact)) EXPECT_EQ(failure_of(row), "") << row.quantity;
+  for (const auto& row : periodic_rows(three_meshes(), solution, exact)) EXPECT_EQ(failure_of(row), "") << row.quantity;
   const auto wrong = [&](const mdr::PronyBody& body, const mdr::Motion& motion) {
     const auto radii = exact(body, motion);
     return mdr::StickRadii{*radii.first_slip + 1e-5, *radii.shakedown + 1e-5};
   };
-  for (const auto& row : periodic_rows(three_meshes(), scene, wrong)) EXPECT_NE(failure_of(row), "") << row.quantity;
+  for (const auto& row : periodic_rows(three_meshes(), solution, wrong)) EXPECT_NE(failure_of(row), "") << row.quantity;
   // The paper's criterion is not that of the steady state.
   const auto confused = [&](const mdr::PronyBody& body, const mdr::Motion& motion) {
     const auto radii = exact(body, motion);
     return mdr::StickRadii{radii.shakedown, radii.first_slip};
   };
-  for (const auto& row : periodic_rows(three_meshes(), scene, confused)) EXPECT_NE(failure_of(row), "") << row.quantity;
+  for (const auto& row : periodic_rows(three_meshes(), solution, confused))
+    EXPECT_NE(failure_of(row), "") << row.quantity;
 }
 
 TEST(ConvergenceGuardSlow, AnotherForceThanKelvinsFailsInTheBulk) {
   const auto meshes = bulk_meshes(3);
   for (const auto harmonic : {fem::Harmonic::normal, fem::Harmonic::tangential}) {
-    const BulkScene scene{"Kelvin", harmonic, 4e-7, 3e-5};
+    const BulkCase solution{"Kelvin", harmonic, 4e-7, 3e-5};
     const auto exact = fem::point_force(harmonic, 1), wrong = fem::point_force(harmonic, 1.001);
-    for (const auto& row : bulk_rows(meshes, scene, exact, exact)) EXPECT_EQ(failure_of(row), "") << row.quantity;
-    for (const auto& row : bulk_rows(meshes, scene, exact, wrong)) EXPECT_NE(failure_of(row), "") << row.quantity;
+    for (const auto& row : bulk_rows(meshes, solution, exact, exact)) EXPECT_EQ(failure_of(row), "") << row.quantity;
+    for (const auto& row : bulk_rows(meshes, solution, exact, wrong)) EXPECT_NE(failure_of(row), "") << row.quantity;
   }
 }
 
