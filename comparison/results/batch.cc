@@ -37,9 +37,7 @@ std::vector<BatchLine> run_batch(const std::vector<PreparedCase>& cases, const B
   BodyStore bodies(options.meshes);
   std::mutex mutex;
   std::size_t n_done = 0;
-  for_each_in_parallel(cases.size(), [&](std::size_t turn) {
-    // From both ends: neighbours share bodies, and would wait for each other's.
-    const std::size_t i = turn % 2 == 0 ? turn / 2 : cases.size() - 1 - turn / 2;
+  for_each_in_parallel(cases.size(), [&](std::size_t i) {
     lines[i] = run_case(cases[i], options, bodies);
     const std::lock_guard<std::mutex> lock(mutex);
     options.progress(lines[i], ++n_done, cases.size());

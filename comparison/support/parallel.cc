@@ -1,9 +1,9 @@
 #include "comparison/support/parallel.h"
 
 #include <algorithm>
-#include <atomic>
 #include <exception>
 #include <mutex>
+#include <optional>
 #include <thread>
 #include <vector>
 
@@ -14,23 +14,27 @@ std::size_t n_cores() {
 }
 
 void for_each_in_parallel(std::size_t n, const std::function<void(std::size_t)>& work, std::size_t n_threads) {
-  std::atomic<std::size_t> next{0};
+  std::mutex mutex;
+  std::size_t front = 0, back = n;
   std::exception_ptr failure;
-  std::mutex failure_mutex;
-  const auto worker = [&] {
-    for (std::size_t i = next++; i < n; i = next++) {
+  const auto next = [&](bool from_front) -> std::optional<std::size_t> {
+    const std::lock_guard<std::mutex> lock(mutex);
+    if (front == back || failure) return std::nullopt;
+    return from_front ? front++ : --back;
+  };
+  const auto worker = [&](std::size_t number) {
+    while (const auto i = next(number % 2 == 0)) {
       try {
-        work(i);
+        work(*i);
       } catch (...) {
-        const std::lock_guard<std::mutex> lock(failure_mutex);
+        const std::lock_guard<std::mutex> lock(mutex);
         if (!failure) failure = std::current_exception();
-        next = n;
       }
     }
   };
   std::vector<std::thread> threads;
-  for (std::size_t i = 1; i < std::min(n, n_threads); ++i) threads.emplace_back(worker);
-  worker();
+  for (std::size_t number = 1; number < std::min(n, n_threads); ++number) threads.emplace_back(worker, number);
+  worker(0);
   for (auto& thread : threads) thread.join();
   if (failure) std::rethrow_exception(failure);
 }

@@ -8,8 +8,9 @@ namespace fretval {
 /// Cores of the machine, at least one.
 std::size_t n_cores();
 
-/// Calls work(0..n-1) on so many threads, each index once, in no particular order. The first exception ends the rest
-/// and is rethrown.
+/// Calls work(0..n-1) on so many threads, each index once. They work from both ends towards the middle: neighbours
+/// often share something that is made once, and would wait for each other. The first exception ends the rest and is
+/// rethrown.
 void for_each_in_parallel(std::size_t n, const std::function<void(std::size_t)>& work,
                           std::size_t n_threads = n_cores());
 
