@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <utility>
+#include <vector>
 
 #include "fem/history/cycle_jump.h"
 #include "fem/history/friction_force.h"
@@ -22,21 +24,17 @@ double change_per_period(const Eigen::MatrixXd& now, const Eigen::MatrixXd& befo
 /// long as a step.
 class ForcesOfPeriod {
  public:
-  explicit ForcesOfPeriod(int n_steps) : n_steps_(n_steps) {}
+  explicit ForcesOfPeriod(int n_steps) : samples_(static_cast<std::size_t>(n_steps)) {}
 
   void see(const FrictionContact& contact, const TouchingRings& touching, double normal_force) {
-    Sample sample{contact.zones, touching, contact.limit_depths, contact.friction_coefficient() * normal_force};
-    const auto k = static_cast<std::size_t>((contact.n_steps - 1) % n_steps_);
-    if (k < samples_.size())
-      samples_[k] = std::move(sample);
-    else
-      samples_.push_back(std::move(sample));
+    samples_[static_cast<std::size_t>(contact.n_steps - 1) % samples_.size()] =
+        Sample{contact.zones, touching, contact.limit_depths, contact.friction_coefficient() * normal_force};
   }
 
   [[nodiscard]] Eigen::VectorXd values(const FrictionContact& contact) const {
-    Eigen::VectorXd forces(n_steps_);
+    Eigen::VectorXd forces(static_cast<Eigen::Index>(samples_.size()));
     for (std::size_t k = 0; k < samples_.size(); ++k) {
-      const auto& [zones, touching, limit_depths, limit_force] = samples_[k];
+      const auto& [zones, touching, limit_depths, limit_force] = samples_[k].value();
       forces[static_cast<Eigen::Index>(k)] =
           friction_force(contact.problem().series, zones, touching, limit_depths, limit_force);
     }
@@ -50,8 +48,7 @@ class ForcesOfPeriod {
     Eigen::VectorXd limit_depths;
     double limit_force;
   };
-  int n_steps_;
-  std::vector<Sample> samples_;
+  std::vector<std::optional<Sample>> samples_;  // by step of the period
 };
 
 }  // namespace
