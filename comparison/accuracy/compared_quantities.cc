@@ -29,7 +29,7 @@ Quantities quantities_of(const MdrAnswer& mdr, const Units& units, bool worn) {
   values[Quantity::stick_radius_first_slip] = mdr.stick_radius_first_slip.value_or(0) / units.length;
   values[Quantity::stick_radius_shakedown] = mdr.stick_radius_shakedown.value_or(0) / units.length;
   if (worn) {
-    values[Quantity::slip_inside_stick_zone] = 0;
+    if (mdr.wears_no_more()) values[Quantity::slip_inside_stick_zone] = 0;
     values[Quantity::force_outside_stick_zone] = 0;
     values[Quantity::maximum_indentation] = 1;
   }

@@ -13,11 +13,9 @@ Quantities uncertainties_of_edges(const Computation& computation, const FemCase&
   Quantities uncertainties;
   if (fe.normal_force_max > 0)
     uncertainties[Quantity::normal_force_max] = fe.normal_force_uncertainty / fe.normal_force_max;
-  if (!fem.worn_edge) {
-    uncertainties[Quantity::contact_radius_max] = fe.contact_radius_uncertainty / fem.units.length;
-    uncertainties[Quantity::stick_radius_first_slip] = fe.first_slip_uncertainty / fem.units.length;
-    uncertainties[Quantity::stick_radius_shakedown] = fe.shakedown_uncertainty / fem.units.length;
-  }
+  if (!fem.worn_edge) uncertainties[Quantity::contact_radius_max] = fe.contact_radius_uncertainty / fem.units.length;
+  uncertainties[Quantity::stick_radius_first_slip] = fe.first_slip_uncertainty / fem.units.length;
+  uncertainties[Quantity::stick_radius_shakedown] = fe.shakedown_uncertainty / fem.units.length;
   return uncertainties;
 }
 

@@ -55,7 +55,7 @@ Comparison compare(const MdrAnswer& mdr, const FeAnswer& fe, double unworn_radiu
   comparison[Quantity::stick_radius_shakedown] =
       judge_stick(fe.stick_radius_shakedown, mdr.stick_radius_shakedown, unworn_radius, tolerance);
   if (fe.no_wear) {
-    comparison[Quantity::slip_inside_stick_zone] = judge(fe.no_wear->slip_inside, tolerance);
+    if (mdr.wears_no_more()) comparison[Quantity::slip_inside_stick_zone] = judge(fe.no_wear->slip_inside, tolerance);
     comparison[Quantity::force_outside_stick_zone] = judge(fe.no_wear->force_outside, tolerance);
     comparison[Quantity::maximum_indentation] = judge(fe.no_wear->touch_indentation - 1, tolerance);
   }

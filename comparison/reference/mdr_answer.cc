@@ -31,12 +31,20 @@ nlohmann::ordered_json to_json(const MdrAnswer& answer) {
           {"normal_force_max", or_null(answer.normal_force_max)}};
 }
 
+bool MdrAnswer::wears_no_more() const {
+  constexpr double roundoff = 1e-9;  // of the amplitude whose stick radius is asked for
+  return stick_radius_shakedown && *stick_radius_shakedown >= (1 - roundoff) * contact_radius_max.value();
+}
+
 MdrAnswer mdr_answer(const MdrCase& mdr, const mdr::NormalResponse& normal) {
   MdrAnswer answer{};
   answer.modulus_ratio = mdr::modulus_ratio(mdr.body, mdr::angular_frequency(mdr.motion.normal_frequency));
   answer.contact_radius_max = normal.contact_radius_max;
   answer.normal_force_max = normal.normal_force_max;
-  const auto radii = mdr::stick_radii(mdr.profile, mdr.body, mdr.friction_coefficient, mdr.motion);
+  const auto radii_on = [&](const auto& profile) {
+    return mdr::stick_radii(profile, mdr.body, mdr.friction_coefficient, mdr.motion);
+  };
+  const auto radii = mdr.limiting ? radii_on(*mdr.limiting) : radii_on(mdr.profile);
   answer.stick_radius_first_slip = radii.first_slip;
   answer.stick_radius_shakedown = radii.shakedown;
   if (const auto worn = worn_profile(mdr, radii.shakedown)) answer.worn_radius = worn->outer_radius;

@@ -8,7 +8,7 @@
 
 namespace fretval {
 
-/// What MDR says about a mdr; SI units. Empty radii: nothing sticks. A comparable mdr has both maxima.
+/// What MDR says about a case; SI units. Empty radii: nothing sticks. A comparable case has both maxima.
 struct MdrAnswer {
   double modulus_ratio;
   std::optional<double> contact_radius_max;  ///< empty: a prescribed force that no contact carries without slip
@@ -16,12 +16,15 @@ struct MdrAnswer {
   std::optional<double> stick_radius_shakedown;
   std::optional<double> worn_radius;       ///< a_inf of the limiting profile that belongs to the shakedown radius
   std::optional<double> normal_force_max;  ///< empty: not computed, or as above
+
+  /// Whether all of the largest contact sticks in the end, as it does under a profile that is limiting for the motion.
+  [[nodiscard]] bool wears_no_more() const;
 };
 
 /// Normal response of the spring foundation in the periodic state; depends on the normal motion alone.
 mdr::NormalResponse mdr_normal_response(const MdrCase& mdr);
 
-/// The profile in which the mdr wears no more: the indenter itself if it is worn already, or else the limiting
+/// The profile in which the case wears no more: the indenter itself if it is worn already, or else the limiting
 /// profile of the shakedown radius. Empty: nothing sticks, and wear goes on for ever.
 std::optional<mdr::LimitingProfile> worn_profile(const MdrCase& mdr, const std::optional<double>& shakedown_radius);
 

@@ -4,18 +4,20 @@
 #include <mutex>
 #include <stdexcept>
 
+#include "comparison/reference/normal_responses.h"
 #include "comparison/results/case_result.h"
 
 namespace fretval {
 namespace {
 
-BatchLine run_case(const PreparedCase& prepared, const BatchOptions& options, BodyStore& bodies) {
+BatchLine run_case(const PreparedCase& prepared, const BatchOptions& options, BodyStore& bodies,
+                   NormalResponses& references) {
   BatchLine line;
   line.name = prepared.input.name;
   auto fe = prove(prepared, options.proof, bodies);
-  mdr::NormalResponse reference;
+  std::shared_ptr<const mdr::NormalResponse> reference;
   try {
-    reference = mdr_normal_response(prepared.mdr);
+    reference = references.of(prepared.input, prepared.mdr);
   } catch (const std::runtime_error& error) {
     line.failure = error.what();
   }
@@ -23,10 +25,10 @@ BatchLine run_case(const PreparedCase& prepared, const BatchOptions& options, Bo
   const auto folder = options.output / line.name;
   if (!options.output.empty()) withdraw_result(folder);
   if (!line.failure.empty()) return line;
-  const auto result = result_of(prepared, reference, options.proof, std::move(fe));
+  const auto result = result_of(prepared, *reference, options.proof, std::move(fe));
   line.comparison = result.comparison;
   line.pass = passes(line.comparison);
-  if (!options.output.empty()) write_result(result, reference, folder);
+  if (!options.output.empty()) write_result(result, *reference, folder);
   return line;
 }
 
@@ -35,10 +37,11 @@ BatchLine run_case(const PreparedCase& prepared, const BatchOptions& options, Bo
 std::vector<BatchLine> run_batch(const std::vector<PreparedCase>& cases, const BatchOptions& options) {
   std::vector<BatchLine> lines(cases.size());
   BodyStore bodies(options.meshes);
+  NormalResponses references;
   std::mutex mutex;
   std::size_t n_done = 0;
   for_each_in_parallel(cases.size(), [&](std::size_t i) {
-    lines[i] = run_case(cases[i], options, bodies);
+    lines[i] = run_case(cases[i], options, bodies, references);
     const std::lock_guard<std::mutex> lock(mutex);
     options.progress(lines[i], ++n_done, cases.size());
   });

@@ -59,9 +59,9 @@ FeAnswer compute_case(const FemCase& fem_case, const Resolution& resolution, Bod
   Stopwatch watch;
 
   const auto body = bodies.find_or_make(fem.body, [&] {
-    const auto mesh = bodies.meshes().mesh_of(fem.body);
+    const auto mesh = bodies.meshes.mesh_of(fem.body);
     const double mesh_seconds = watch.lap();
-    auto operators = assemble_operators(mesh, bodies.meshes().name, fem.body.degree, fem.body.tangential);
+    auto operators = assemble_operators(mesh, bodies.meshes.name, fem.body.degree, fem.body.tangential);
     operators.cost.mesh = mesh_seconds;
     return contact_body(condense(std::move(operators)));
   });

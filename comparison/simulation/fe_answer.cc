@@ -42,6 +42,17 @@ NoWearEvidence no_wear_evidence(const fem::Compliance& compliance, const FemCase
           fem::touch_indentation(compliance, profile, n_inside, n_worn)};
 }
 
+/// The stick zone of a worn profile may end with the contact, where margins are singular, rings fine and one of them
+/// ends there: counting them is exact. As long as that edge is nearer than the rings that a fit takes, the edge is that
+/// of a ring, uncertain by the next one; further inside it is read like any other.
+void count_at_worn_edge(const fem::Compliance& compliance, Eigen::Index n_stuck, Eigen::Index n_inside,
+                        fem::EdgeRadius& zone) {
+  constexpr Eigen::Index n_fitted = 6;  // see fem::stick_radius
+  if (n_stuck <= n_inside - n_fitted) return;
+  const auto& radii = compliance.radii;
+  zone = {radii[n_stuck], n_stuck == n_inside ? 0 : radii[n_stuck + 1] - radii[n_stuck]};
+}
+
 /// A stick zone narrower than a ring is none that the mesh can show.
 std::optional<double> dimensional(const fem::EdgeRadius& edge, double length) {
   if (edge.radius <= 0) return std::nullopt;
@@ -113,8 +124,9 @@ FeAnswer read_answer(const ContactProblems& problems, const FemCase& fem, const 
   answer.rings = {largest_contact_rings(normal), stuck};
   auto [first, shakedown] = fem::stick_zones(problem.compliance, normal, friction, stuck, exponent_at_edge(fem));
   if (fem.worn_edge) {
-    // The margin is singular at the worn edge, where the rings are fine and one of them ends: counting them is exact.
-    shakedown = {problem.compliance.radii[static_cast<std::size_t>(stuck.shakedown)], first.uncertainty};
+    const Eigen::Index n_inside = rings_within(problem.compliance, fem.worn_edge->inner);
+    count_at_worn_edge(problem.compliance, stuck.first_slip, n_inside, first);
+    count_at_worn_edge(problem.compliance, stuck.shakedown, n_inside, shakedown);
     answer.no_wear = no_wear_evidence(problems.normal.compliance, fem, profile, normal, friction);
   }
   for (auto* zone : {&first, &shakedown}) widen_next_to_sharp_edge(fem, problem.compliance, *zone);

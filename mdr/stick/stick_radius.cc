@@ -1,5 +1,6 @@
 #include "mdr/stick/stick_radius.h"
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <vector>
@@ -78,6 +79,13 @@ StickRadii stick_radii(const Profile& profile, const Rheology& body, double mu, 
 
 StickRadii stick_radii(const Profile& profile, const Rheology& body, double mu, const Motion& motion) {
   return radii_of(profile, stick_depths(body, mu, motion));
+}
+
+StickRadii stick_radii(const LimitingProfile& worn, const Rheology& body, double mu, const Motion& motion) {
+  StickRadii radii = stick_radii(worn.unworn, body, mu, motion);
+  for (auto* radius : {&radii.first_slip, &radii.shakedown})
+    if (*radius) *radius = std::min(**radius, worn.stick_radius);
+  return radii;
 }
 
 }  // namespace fretval::mdr

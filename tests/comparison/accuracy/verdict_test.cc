@@ -61,10 +61,14 @@ TEST(Comparison, HoldsTheLimitingStateToNoSlipAndNoPressure) {
   auto fe = fe_with(0.5 * a);
   fe.contact_radius_max.reset();
   fe.no_wear = NoWearEvidence{1e-5, 1e-5, 1};
-  const auto judge = [&] { return passes(compare(mdr_with(0.5 * a), fe, a, tolerances_of(1e-3))); };
+  MdrAnswer mdr = mdr_with(0.5 * a);
+  mdr.contact_radius_max = 0.5 * a;  // all of the contact sticks
+  const auto judge = [&] { return passes(compare(mdr, fe, a, tolerances_of(1e-3))); };
   EXPECT_TRUE(judge());
   fe.no_wear = NoWearEvidence{2e-3, 1e-5, 1};
   EXPECT_FALSE(judge());
+  mdr.contact_radius_max = 0.6 * a;  // its outer part slips, says MDR as well
+  EXPECT_TRUE(judge());
   fe.no_wear = NoWearEvidence{1e-5, 2e-3, 1};
   EXPECT_FALSE(judge());
   fe.no_wear = NoWearEvidence{1e-5, 1e-5, 1.002};

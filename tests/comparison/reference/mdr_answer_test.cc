@@ -30,6 +30,17 @@ TEST(MdrAnswer, SaysNullWhereNothingSticks) {
   EXPECT_TRUE(json.at("normal_force_max").is_number());
 }
 
+TEST(MdrAnswer, OfAWornProfileSticksNoFurtherThanItTouches) {
+  Case input = limiting_case(0.3, 2e-6);
+  EXPECT_TRUE(exact_answer(input).wears_no_more());
+  input.motion.tangential_amplitude = 1e-6;
+  const auto answer = exact_answer(input);
+  EXPECT_TRUE(answer.wears_no_more());
+  EXPECT_EQ(answer.stick_radius_shakedown, answer.contact_radius_max);
+  EXPECT_EQ(answer.stick_radius_first_slip, answer.contact_radius_max);
+  EXPECT_EQ(answer.worn_radius, mdr_case(input).limiting->outer_radius);
+}
+
 TEST(WornProfile, IsTheIndenterThatIsWornAlready) {
   const auto worn = mdr_case(limiting_case(0.5)), unworn = mdr_case(read_case());
   EXPECT_EQ(worn_profile(worn, 1e-4)->stick_radius, worn.limiting->stick_radius);

@@ -87,5 +87,24 @@ TEST(FeAnswer, OfALimitingProfileHasEvidenceThatNothingWears) {
   EXPECT_NEAR(fe.no_wear->touch_indentation, 1, scene.tolerance);
 }
 
+// A smaller motion than the one that the profile is limiting for leaves all of the contact sticking, a larger one does
+// not.
+TEST(FeAnswer, OfAWornProfileFollowsMdrUnderAnotherMotion) {
+  Case input = limiting_case(0.5, 2e-6);
+  input.elastomer.branch_moduli = input.elastomer.branch_times = {};
+  input.rings_per_radius = 32;
+  for (const double amplitude : {2e-5, 7e-5}) {
+    input.motion.tangential_amplitude = amplitude;
+    const auto mdr = mdr_case(input);
+    const auto fe = simulate_case(input);
+    const auto exact = exact_answer(input);
+    const double c = mdr.limiting->stick_radius;
+    EXPECT_EQ(exact.wears_no_more(), amplitude < 5e-5);
+    EXPECT_NEAR(*fe.stick_radius_shakedown, *exact.stick_radius_shakedown, 1e-4 * c) << amplitude;
+    EXPECT_NEAR(*fe.stick_radius_first_slip, *exact.stick_radius_first_slip, 1e-4 * c) << amplitude;
+    EXPECT_EQ(fe.no_wear->slip_inside > 1e-2, amplitude > 5e-5);
+  }
+}
+
 }  // namespace
 }  // namespace fretval

@@ -126,6 +126,20 @@ TEST(StickRadii, InvertTheProfileOrAreEmpty) {
   EXPECT_FALSE(none.shakedown);
 }
 
+// Inside c a worn profile is the unworn one, and outside it carries nothing.
+TEST(StickRadii, OfAWornProfileAreThoseOfTheUnwornOneButAtMostItsOwn) {
+  const auto motion = locked(0.3, 0.3, 0);  // unworn: sqrt(4 0.5) and sqrt(4 0.7)
+  const auto worn_to = [&](double c) {
+    return stick_radii(limiting_profile(parabola(4), c, 1.3), elastic(1), 1, motion);
+  };
+  EXPECT_EQ(*worn_to(1.2).first_slip, 1.2);
+  EXPECT_EQ(*worn_to(1.2).shakedown, 1.2);
+  EXPECT_NEAR(*worn_to(1.5).first_slip, std::sqrt(2), tolerance);
+  EXPECT_EQ(*worn_to(1.5).shakedown, 1.5);
+  EXPECT_NEAR(*worn_to(2).shakedown, std::sqrt(2.8), tolerance);
+  EXPECT_FALSE(stick_radii(limiting_profile(parabola(4), 1, 2), elastic(1), 1, locked(1, 0, 0)).shakedown);
+}
+
 TEST(StickRadii, RejectBadArguments) {
   const auto depths = [](double mu, const Motion& motion) { return stick_depths(elastic(1), mu, motion); };
   EXPECT_THROW(depths(0, locked(0.1, 0.1, 0)), std::invalid_argument);

@@ -1,0 +1,17 @@
+#include "comparison/reference/normal_responses.h"
+
+#include "comparison/reference/mdr_answer.h"
+
+namespace fretval {
+
+std::shared_ptr<const mdr::NormalResponse> NormalResponses::of(const Case& input, const MdrCase& mdr) {
+  const auto& shape = input.indenter;
+  const Indenter indenter{shape.shape,       shape.radius,      shape.slope_angle, shape.coefficient, shape.exponent,
+                          shape.flat_radius, shape.edge_radius, shape.table,       shape.table_noise};
+  const Body body{mdr.body.relaxed_modulus, mdr.body.branch_moduli, mdr.body.branch_times, mdr.body.viscosity};
+  const Motion motion{mdr.motion.indentation, mdr.motion.normal_amplitude, mdr.motion.normal_frequency};
+  return responses_.find_or_make({indenter, body, motion, {input.wear, input.worn_stick_ratio}},
+                                 [&] { return mdr_normal_response(mdr); });
+}
+
+}  // namespace fretval

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "comparison/case/case.h"
+#include "comparison/reference/mdr_case.h"
+#include "comparison/support/made_once.h"
+#include "mdr/springs/spring_foundation.h"
+
+namespace fretval {
+
+/// MDR's normal responses (see mdr_normal_response): cases that differ in phase, friction or tangential amplitude share
+/// theirs.
+class NormalResponses {
+ public:
+  /// mdr: of the same case. Throws what mdr_normal_response throws.
+  std::shared_ptr<const mdr::NormalResponse> of(const Case& input, const MdrCase& mdr);
+
+ private:
+  using Indenter = std::tuple<Case::Shape, double, double, double, double, double, double, std::string, double>;
+  using Body = std::tuple<double, std::vector<double>, std::vector<double>, double>;
+  using Motion = std::tuple<double, double, double>;
+  using Wear = std::tuple<Case::Wear, double>;
+  MadeOnce<std::tuple<Indenter, Body, Motion, Wear>, mdr::NormalResponse> responses_;
+};
+
+}  // namespace fretval
