@@ -7,6 +7,8 @@
 #include <map>
 #include <set>
 
+#include "tests/meshes/expect_error.h"
+
 namespace fretval::meshes::coarse_mesh_test {
 namespace {
 
@@ -108,6 +110,15 @@ TEST(CoarseMeshTest, SizeIsTheOneAskedFor) {
   const auto n = [](double size) { return static_cast<double>(mesh_of(0, size).polygons.size()); };
   EXPECT_NEAR(n(0.5) / n(1), 4, 1);
   EXPECT_NEAR(n(0.5), std::acos(-1.) / 4 * 64 / 0.25, 80);
+}
+
+TEST(CoarseMeshTest, FailureOfGmshIsAnErrorAndLeavesItUsable) {
+  expect_error(
+      [] {
+        coarse_mesh({0, 1, 1}, 0, far_radius, [](double, double) { return 1.; });
+      },
+      {"mesh of the quarter disc: gmsh failed: "});
+  EXPECT_FALSE(mesh_of(0).polygons.empty());
 }
 
 }  // namespace
