@@ -13,27 +13,6 @@ namespace {
 // Guarantee of the maximum, for amplitudes of order one.
 constexpr double tolerance = 2e-13;
 
-TEST(Supremum, OfCommensurateHarmonicsIsTheMaximum) {
-  // cos(theta) - cos(2 theta) = x + 1 - 2 x^2, at most 9/8 at x = cos(theta) = 1/4.
-  EXPECT_NEAR(supremum({{1, 3, 0}, {-1, 6, 0}}), 1.125, tolerance);
-  EXPECT_NEAR(supremum({{1, 3, 0}, {1, 6, pi}}), 1.125, tolerance);
-  EXPECT_NEAR(supremum({{1, 1.0 / 3, 0}, {1, 2.0 / 3, pi}}), 1.125, tolerance);
-}
-
-TEST(Supremum, OfIncommensurateHarmonicsIsTheSum) {
-  EXPECT_NEAR(supremum({{1, 1, 0.3}, {-0.5, std::sqrt(2.0), 2}}), 1.5, tolerance);
-  // Two groups, each with its own maximum.
-  const double root = std::sqrt(2.0);
-  EXPECT_NEAR(supremum({{1, 1, 0}, {2, root, 0}, {-1, 2, 0}, {-2, 2 * root, 0}}), 3 * 1.125, tolerance);
-}
-
-TEST(Supremum, IgnoresHarmonicsThatDoNotMove) {
-  EXPECT_EQ(supremum({}), 0);
-  // Through 1/97, 1/101 and 1/103 Hz the order of 1 Hz would exceed the bound.
-  EXPECT_NEAR(supremum({{0, 1.0 / 97, 0}, {0, 1.0 / 101, 0}, {0, 1.0 / 103, 0}, {1, 1, 0}, {1, 2, pi}}), 1.125,
-              tolerance);
-}
-
 TEST(HarmonicMotion, ExtremesOfTheIndentation) {
   const HarmonicMotion motion{2, {{1, 3, 0}, {1, 6, pi}}, {{5, 1, 0}}};
   EXPECT_NEAR(maximum_indentation(motion), 3.125, tolerance);

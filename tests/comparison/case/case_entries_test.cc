@@ -1,0 +1,83 @@
+#include "comparison/case/case_entries.h"
+
+#include <gtest/gtest.h>
+
+#include <utility>
+
+#include "tests/comparison/expect_parts.h"
+#include "tests/comparison/read_case.h"
+#include "tests/comparison/refusal.h"
+
+namespace fretval::case_entries_test {
+namespace {
+
+std::string case_with(const std::string& section, const std::string& entries) {
+  return valid_case + "subsection " + section + "\n" + entries + "\nend\n";
+}
+
+std::string refusal_of(const std::string& section, const std::string& entries) {
+  return refusal([&] { read_case(case_with(section, entries)); });
+}
+
+TEST(CaseEntries, BelongToTheirSection) {
+  EXPECT_TRUE(is_entry("Friction", "Coefficient"));
+  EXPECT_TRUE(is_entry("Wear", "Coefficient"));
+  EXPECT_FALSE(is_entry("Friction", "Radius"));
+  EXPECT_FALSE(is_entry("Friction", "coefficient"));
+  EXPECT_FALSE(is_entry("Fiction", "Coefficient"));
+  expect_parts(valid_entries(),
+               {"Indenter: Shape, Radius, ", "; Friction: Coefficient, Law; ", "Sweep: Entry, Values"});
+}
+
+TEST(CaseEntries, HaveNoDefaults) {
+  for (const auto& [line, entry] : {std::pair("  set Coefficient = 0.5\n", "Friction / Coefficient"),
+                                    {"  set Law = unidirectional\n", "Friction / Law"},
+                                    {"  set Tolerance = 0.01\n", "Accuracy / Tolerance"}})
+    expect_parts(refusal([&, line = line] { read_case(replace(valid_case, line, "")); }),
+                 {"case.prm: " + std::string(entry) + " is missing"});
+}
+
+TEST(CaseEntries, OfALimitingProfileAreAStickRadiusAndNoWear) {
+  const std::string limiting = "set State = limiting\nset Stick radius ratio = ";
+  const Case input = read_case(case_with("Wear", limiting + "0.5"));
+  EXPECT_EQ(input.wear, Case::Wear::limiting);
+  EXPECT_EQ(input.worn_stick_ratio, 0.5);
+  EXPECT_FALSE(input.wear_kinetics);
+  for (const char* ratio : {"0.009", "0.991", "1"})
+    expect_parts(refusal_of("Wear", limiting + ratio), {"Stick radius ratio = ", "0.01 to 0.99"});
+  expect_parts(refusal_of("Wear", limiting + "0.5\nset Cycles = 10"), {"Wear / Cycles = 10", "wears no more"});
+  expect_parts(refusal_of("Wear", "set Stick radius ratio = 0.5"), {"it belongs to State = limiting"});
+}
+
+TEST(CaseEntries, OfWearKineticsComeTogether) {
+  EXPECT_FALSE(read_case().wear_kinetics);
+  const Case input = read_case(case_with("Wear", "set Coefficient = 2e-12\nset Cycles = 300"));
+  EXPECT_EQ(input.wear_kinetics->coefficient, 2e-12);
+  EXPECT_EQ(input.wear_kinetics->n_cycles, 300);
+  expect_parts(refusal_of("Wear", "set Cycles = 300"), {"Wear / Coefficient is missing"});
+}
+
+TEST(CaseEntries, OfTheResolutionAreWholeNumbersWithinBounds) {
+  EXPECT_FALSE(read_case().rings_per_radius);
+  EXPECT_FALSE(read_case().steps_per_cycle);
+  const Case input = read_case(case_with("Accuracy", "set Rings per radius = 640\nset Steps per cycle = 16"));
+  EXPECT_EQ(input.rings_per_radius, 640U);
+  EXPECT_EQ(input.steps_per_cycle, 16);
+  for (const char* rings : {"15", "641", "20.5"})
+    expect_parts(refusal_of("Accuracy", std::string("set Rings per radius = ") + rings), {"from 16 to 640"});
+  for (const char* steps : {"15", "10001", "20.5"})
+    expect_parts(refusal_of("Accuracy", std::string("set Steps per cycle = ") + steps), {"from 16 to 10000"});
+}
+
+TEST(CaseEntries, OfTheToleranceIncludeTheirBounds) {
+  const auto tolerance = [](const std::string& text) {
+    return read_case(replace(valid_case, "Tolerance = 0.01", "Tolerance = " + text)).tolerance;
+  };
+  EXPECT_EQ(tolerance("1e-5"), 1e-5);
+  EXPECT_EQ(tolerance("0.1"), 0.1);
+  for (const char* text : {"9e-6", "0.11"})
+    expect_parts(refusal([&] { tolerance(text); }), {"Accuracy / Tolerance = ", "between 1e-5 and 0.1"});
+}
+
+}  // namespace
+}  // namespace fretval::case_entries_test

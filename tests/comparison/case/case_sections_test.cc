@@ -1,0 +1,130 @@
+#include "comparison/case/case_sections.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/comparison/expect_parts.h"
+#include "tests/comparison/read_case.h"
+#include "tests/comparison/refusal.h"
+
+namespace fretval::case_sections_test {
+namespace {
+
+/// The valid case with other lines instead of those of a section.
+std::string case_with(const std::string& section, const std::string& entries) {
+  const auto begin = valid_case.find("subsection " + section), end = valid_case.find("end\n", begin);
+  return valid_case.substr(0, begin) + "subsection " + section + "\n" + entries + "\n" + valid_case.substr(end);
+}
+
+Case::Indenter indenter(const std::string& entries) {
+  return read_case(case_with("Indenter", entries)).indenter;
+}
+
+Case::Elastomer elastomer(const std::string& entries) {
+  return read_case(case_with("Elastomer", entries)).elastomer;
+}
+
+Case::Motion motion(const std::string& entries) {
+  return read_case(case_with("Motion", entries)).motion;
+}
+
+TEST(CaseSections, EveryShapeHasItsOwnNumbers) {
+  const auto cone = indenter("set Shape = cone\nset Slope angle = 5");
+  EXPECT_EQ(cone.shape, Case::Shape::cone);
+  EXPECT_EQ(cone.slope_angle, 5);
+  const auto power = indenter("set Shape = power\nset Coefficient = 3\nset Exponent = 2.5");
+  EXPECT_EQ(power.shape, Case::Shape::power);
+  EXPECT_EQ(power.coefficient, 3);
+  EXPECT_EQ(power.exponent, 2.5);
+  const auto flat = indenter("set Shape = rounded flat\nset Flat radius = 1e-3\nset Edge radius = 2e-3");
+  EXPECT_EQ(flat.shape, Case::Shape::rounded_flat);
+  EXPECT_EQ(flat.flat_radius, 1e-3);
+  EXPECT_EQ(flat.edge_radius, 2e-3);
+  const auto sphere = indenter("set Shape = truncated sphere\nset Radius = 1e-2\nset Flat radius = 1e-3");
+  EXPECT_EQ(sphere.shape, Case::Shape::truncated_sphere);
+  EXPECT_EQ(sphere.radius, 1e-2);
+  EXPECT_EQ(sphere.flat_radius, 1e-3);
+}
+
+TEST(CaseSections, NumbersOfAnotherShapeOrBodyAreRefused) {
+  expect_parts(refusal([] { indenter("set Shape = cone\nset Slope angle = 5\nset Radius = 1"); }),
+               {"Indenter / Radius = 1", "it belongs to Shape = parabola or truncated sphere, not to cone"});
+  expect_parts(refusal([] { elastomer("set Rheology = elastic\nset Relaxed shear modulus = 1\nset Viscosity = 1"); }),
+               {"Elastomer / Viscosity = 1", "kelvin voigt or prony, not to elastic"});
+  expect_parts(refusal([] { indenter("set Shape = cone\nset Slope angle = 90"); }), {"between 0 and 90 degrees"});
+}
+
+TEST(CaseSections, EveryRheologyHasItsOwnNumbers) {
+  const auto voigt = elastomer("set Rheology = kelvin voigt\nset Relaxed shear modulus = 1e6\nset Viscosity = 2e4");
+  EXPECT_EQ(voigt.viscosity, 2e4);
+  EXPECT_TRUE(voigt.branch_moduli.empty());
+  const std::string branches =
+      "set Relaxed shear modulus = 1e6\nset Branch moduli = 2e6, 3e6\nset Branch times = 1, 4\n";
+  const auto prony = elastomer("set Rheology = prony\n" + branches);
+  EXPECT_EQ(prony.relaxed_modulus, 1e6);
+  EXPECT_EQ(prony.branch_moduli, (std::vector<double>{2e6, 3e6}));
+  EXPECT_EQ(prony.branch_times, (std::vector<double>{1, 4}));
+  EXPECT_EQ(prony.viscosity, 0);
+  expect_parts(refusal([&] { elastomer("set Rheology = standard solid\n" + branches); }),
+               {"Branch moduli = 2e6, 3e6", "Rheology = prony"});
+}
+
+// Half the way to the pole at T_r - c2: log10 a_T = c1, so times and viscosity are ten times as long; moduli stay.
+TEST(CaseSections, TemperatureShiftsTimesAndViscosity) {
+  const std::string body =
+      "set Rheology = prony\nset Relaxed shear modulus = 1e6\nset Branch moduli = 2e6\nset Branch times = 0.5\n"
+      "set Viscosity = 30\n";
+  const auto cold =
+      elastomer(body + "set Temperature = -5\nset Reference temperature = 20\nset WLF C1 = 1\nset WLF C2 = 50");
+  EXPECT_NEAR(cold.branch_times[0], 5, 1e-14);
+  EXPECT_NEAR(cold.viscosity, 300, 1e-12);
+  EXPECT_EQ(cold.branch_moduli[0], 2e6);
+  EXPECT_EQ(cold.relaxed_modulus, 1e6);
+  expect_parts(
+      refusal([&] {
+        elastomer(body + "set Temperature = -30\nset Reference temperature = 20\nset WLF C1 = 1\nset WLF C2 = 50");
+      }),
+      {"case.prm: Elastomer / Temperature: "});
+  expect_parts(refusal([&] { elastomer(body + "set WLF C1 = 1"); }), {"WLF C1 = 1", "it belongs to a Temperature"});
+}
+
+const std::string frequencies = "set Normal frequency = 1\nset Tangential frequency = 2\nset Phase = free\n";
+const std::string displacements = "set Indentation = 1e-4\nset Normal amplitude = 2e-5\n";
+
+TEST(CaseSections, ForcesStandInsteadOfDisplacements) {
+  const auto forced = motion(frequencies + "set Normal force = 3\nset Normal force amplitude = 1\n" +
+                             "set Tangential force amplitude = 0.5");
+  EXPECT_EQ(forced.normal_force->mean, 3);
+  EXPECT_EQ(forced.normal_force->amplitude, 1);
+  EXPECT_EQ(forced.tangential_force, 0.5);
+  EXPECT_EQ(forced.normal_frequency, 1);
+  EXPECT_EQ(forced.tangential_frequency, 2);
+  EXPECT_FALSE(forced.phase);
+  expect_parts(
+      refusal([] {
+        motion(frequencies + displacements + "set Tangential force amplitude = 1\nset Tangential amplitude = 1e-5");
+      }),
+      {"Tangential amplitude = 1e-5", "Tangential force amplitude is prescribed"});
+  expect_parts(
+      refusal([] {
+        motion(frequencies + displacements + "set Tangential amplitude = 1e-5\nset Normal force amplitude = 1");
+      }),
+      {"Normal force amplitude = 1", "it belongs to a Normal force"});
+}
+
+TEST(CaseSections, HarmonicsAreTriples) {
+  const std::string still = frequencies + displacements + "set Tangential amplitude = 0\n";
+  const auto read = motion(still + "set Normal harmonics = 1e-6, 3, 45, 2e-6, 5, -90");
+  ASSERT_EQ(read.normal_harmonics.size(), 2U);
+  EXPECT_TRUE(read.tangential_harmonics.empty());
+  EXPECT_EQ(read.normal_harmonics[1].amplitude, 2e-6);
+  EXPECT_EQ(read.normal_harmonics[1].frequency, 5);
+  EXPECT_EQ(read.normal_harmonics[1].phase, -90);
+  for (const char* bad : {"1e-6, 3", "-1e-6, 3, 45", "1e-6, 0, 45"})
+    expect_parts(refusal([&] { motion(still + "set Tangential harmonics = " + bad); }),
+                 {"Motion / Tangential harmonics = ", "triples of amplitude"});
+}
+
+}  // namespace
+}  // namespace fretval::case_sections_test
