@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <random>
 
 #include "comparison/command_line/exit_codes.h"
 #include "comparison/support/files.h"
@@ -15,6 +16,7 @@
 #include "comparison/verification/exact/convergence_rows.h"
 #include "comparison/verification/exact/exact_rows.h"
 #include "comparison/verification/extremes/extreme_suite.h"
+#include "comparison/verification/random_cases/random_suite.h"
 #include "comparison/verification/small/small_suite.h"
 #include "comparison/verification/suite_json.h"
 #include "comparison/verification/suite_summary.h"
@@ -69,8 +71,12 @@ Outcome check_extremes(const CheckOptions& options) {
   return outcome_of(run_extreme_suite(rows));
 }
 
+/// Error bars were made with cases in view that were drawn before: without a seed there are new ones.
 Outcome check_random(const CheckOptions& options) {
-  const auto run = run_random_suite(options.random);
+  if (options.only && !options.seed) throw InputError("--only: of which cases? Expected their --seed as well");
+  const auto seed = options.seed.value_or(std::random_device()());
+  if (!options.seed) log::info(fmt::format("new cases: --seed {} draws them again", seed));
+  const auto run = run_random_suite({seed, options.n_cases, options.only});
   if (!options.worst_folder.empty())
     for (const auto* row : worst_rows(run.rows)) write_case_file(options.worst_folder, row->asked);
   return outcome_of(run);
@@ -108,14 +114,12 @@ void add_check_options(CLI::App& verb, CheckOptions& options) {
   belongs(verb.add_flag("--short", options.only_short, "Suite extremes: a few seconds of it"), "extremes");
   belongs(verb.add_option("--family", options.family, "Suite extremes: only the families whose name contains this"),
           "extremes");
-  belongs(verb.add_option("--cases", options.random.n_cases, "Suite random: how many cases")
+  belongs(verb.add_option("--cases", options.n_cases, "Suite random: how many cases")
               ->capture_default_str()
               ->check(CLI::Range(1, 1000000)),
           "random");
-  belongs(verb.add_option("--seed", options.random.seed, "Suite random: of the cases")->capture_default_str(),
-          "random");
-  belongs(verb.add_option("--only", options.random.only, "Suite random: only the case of this number, from 0"),
-          "random");
+  belongs(verb.add_option("--seed", options.seed, "Suite random: of the cases; otherwise a new one"), "random");
+  belongs(verb.add_option("--only", options.only, "Suite random: only the case of this number, from 0"), "random");
   belongs(verb.add_option("--write-worst", options.worst_folder, "Suite random: folder for case files of the worst"),
           "random");
 }

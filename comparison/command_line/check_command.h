@@ -1,10 +1,11 @@
 #pragma once
 
+#include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "comparison/verification/random_cases/random_suite.h"
 #include "comparison/verification/suite.h"
 
 namespace CLI {
@@ -22,7 +23,9 @@ struct CheckOptions {
   std::string cases_folder;                      ///< suite tolerance; empty: case files are not written
   bool only_short = false;                       ///< suite extremes
   std::string family;                            ///< suite extremes; empty: all
-  RandomSuiteOptions random;                     ///< suite random
+  std::size_t n_cases = 10000;                   ///< suite random
+  std::optional<std::uint64_t> seed;             ///< suite random; empty: a new one
+  std::optional<std::size_t> only;               ///< suite random: the number of the one case
   std::string worst_folder;                      ///< suite random; empty: case files are not written
   std::map<const CLI::Option*, std::string> of;  ///< the suite that an option belongs to
 };

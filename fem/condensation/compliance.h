@@ -11,7 +11,7 @@ namespace fretval::fem {
 ///
 /// `matrix(i, j)` = integral over ring i of the displacement due to a unit traction on ring j = `B^T S^{-1} B`, with
 /// the Schur complement S and the ring loads B. Symmetric positive definite; for a modulus history G(t) it maps the
-/// ring tractions to `int G(t-t') du/dt' dt'` (THEORY section 7). Length^3 per shear modulus.
+/// ring tractions to `int G(t-t') du/dt' dt'` (docs/theory.md). Length^3 per shear modulus.
 struct Compliance {
   std::vector<double> radii;  ///< n + 1 ring radii
   Eigen::VectorXd areas;      ///< n ring areas

@@ -55,6 +55,7 @@ class PunchSeries {
 
   /// k, of a unit punch.
   [[nodiscard]] double force_per_radius() const { return force_per_radius_; }
+  [[nodiscard]] const Eigen::VectorXd& areas() const { return areas_; }
   /// Radii that the depths belong to.
   [[nodiscard]] const Eigen::VectorXd& radii() const { return radii_; }
   /// Effective radius of the n innermost rings, n = 0..n_rings.

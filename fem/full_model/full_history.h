@@ -24,7 +24,7 @@ struct FullFrictionHistory {
 /// The verifier of normal_history: the same body and steps without condensation. Every degree of freedom is an unknown
 /// of every iteration of every step, and the viscoelastic history lives at the quadrature points.
 ///
-/// A body whose moduli all relax like G(t) has no history but that of its contact line (THEORY section 7), so both
+/// A body whose moduli all relax like G(t) has no history but that of its contact line, so both
 /// agree to roundoff: they share the discretisation in space and time, and nothing of the solution.
 ///
 /// space: of the normal harmonic; profile: ring means. Starts from relaxed contact at the mean indentation. Throws

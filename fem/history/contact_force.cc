@@ -10,11 +10,24 @@ namespace fretval::fem {
 
 using Eigen::Index;
 
-ContactForce contact_force(const PunchSeries& series, const Eigen::VectorXd& pressure, const Eigen::VectorXd& gap,
-                           const ContactPast& past) {
+namespace {
+
+/// Plain sum over the rings that are pressed beyond the first free one. At the ends of each of their zones it is
+/// uncertain by half of what the last ring bears.
+void add_detached(const PunchSeries& series, const Eigen::VectorXd& pressure, Index first, ContactForce& contact) {
+  const Eigen::VectorXd forces = pressure.cwiseProduct(series.areas());
+  for (Index i = first; i < forces.size(); ++i) {
+    if (forces[i] <= 0) continue;
+    contact.force += forces[i];
+    const bool ends_inside = forces[i - 1] <= 0, ends_outside = i + 1 == forces.size() || forces[i + 1] <= 0;
+    contact.uncertainty += (ends_inside + ends_outside) * forces[i] / 2;
+  }
+}
+
+/// Of the n_pressed rings around the centre.
+ContactForce central_force(const PunchSeries& series, const Eigen::VectorXd& pressure, const Eigen::VectorXd& gap,
+                           Index n_pressed, const ContactPast& past) {
   const Eigen::VectorXd depths = series.depths(pressure);
-  Index n_pressed = 0;
-  while (n_pressed < pressure.size() && pressure[n_pressed] > 0) ++n_pressed;
   const bool has_edge = n_pressed > n_stencil && n_pressed + 2 < pressure.size();
   if (!has_edge) {
     std::vector<signed char> zones(static_cast<std::size_t>(pressure.size()), 0);
@@ -46,6 +59,21 @@ ContactForce contact_force(const PunchSeries& series, const Eigen::VectorXd& pre
   }
   if (past.edge != PressureAtEdge::vanishes) return {force, radius, uncertainty + kink, kink, n_inner};
   return {force - too_much / 2, radius, uncertainty / 2};
+}
+
+}  // namespace
+
+ContactForce contact_force(const PunchSeries& series, const Eigen::VectorXd& pressure, const Eigen::VectorXd& gap,
+                           const ContactPast& past) {
+  Index n_pressed = 0;
+  while (n_pressed < pressure.size() && pressure[n_pressed] > 0) ++n_pressed;
+  const Index n_beyond = pressure.size() - n_pressed;
+  if ((pressure.tail(n_beyond).array() <= 0).all()) return central_force(series, pressure, gap, n_pressed, past);
+  Eigen::VectorXd central = pressure;
+  central.tail(n_beyond).setZero();
+  auto contact = central_force(series, central, gap, n_pressed, past);
+  add_detached(series, pressure, n_pressed, contact);
+  return contact;
 }
 
 }  // namespace fretval::fem

@@ -33,7 +33,8 @@ struct ContactForce {
   Eigen::Index n_closed = 0;    ///< rings whose pressures are continued up to the radius; 0: no edge was found
 };
 
-/// From ring pressures and the gaps of the free rings. The edge is found from the gaps: with a dashpot, or a branch
+/// From ring pressures and the gaps of the free rings; rings that press beyond the first free one add their forces, and
+/// the radius is that of the zone around the centre. The edge is found from the gaps: with a dashpot, or a branch
 /// that relaxes while the edge crosses a ring, the pressure jumps there. With a dashpot the pressures of the rings that
 /// touched in the step are averages, so the inner ones are continued in their place.
 ContactForce contact_force(const PunchSeries& series, const Eigen::VectorXd& pressure, const Eigen::VectorXd& gap,

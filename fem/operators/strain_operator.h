@@ -10,7 +10,7 @@
 namespace fretval::fem {
 
 /// Operators of one cell at its quadrature points, one column per shape function, for the few files that integrate
-/// stresses over the body: the stiffness (THEORY section 7) is
+/// stresses over the body: the stiffness is
 /// `strain^T strain - divergence^T pressure - pressure^T divergence + far^T far`.
 ///
 /// Every row carries the square root of the weight of its point, `sqrt(2 pi w_n r JxW)`, w_0 = 1, w_1 = 1/2, so that

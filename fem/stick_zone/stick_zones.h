@@ -15,7 +15,7 @@ struct StuckRings {
   Eigen::Index shakedown;   ///< no longer slip
 };
 
-/// THEORY section 3: a ring that has shaken down still creeps a little while the offset settles.
+/// docs/theory.md: a ring that has shaken down still creeps a little while the offset settles.
 StuckRings stuck_rings(const FrictionHistory& friction, const Motion& motion);
 
 /// Edges of both stick zones. They scatter by 3e-4 rings with the mesh (4.5e-4 measured, with a bar of half of that

@@ -61,7 +61,9 @@ SuiteCheck drawn_again_check(std::size_t n_again, std::size_t n_cases) {
 
 SuiteRun run_random_suite(const RandomSuiteOptions& options) {
   Stopwatch watch;
-  SuiteRun run{"random", "Random cases on one coarse mesh, with their error bars but without any refinement."};
+  SuiteRun run{"random", fmt::format("Random cases of seed {} on one coarse mesh, with their error bars but without "
+                                     "any refinement.",
+                                     options.seed)};
   const std::size_t first = options.only.value_or(0), end = options.only ? first + 1 : options.n_cases;
   run.rows.reserve(end - first);
   BodyStore bodies;

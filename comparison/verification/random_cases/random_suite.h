@@ -10,9 +10,9 @@
 namespace fretval {
 
 struct RandomSuiteOptions {
+  std::uint64_t seed;
   std::size_t n_cases = 10000;
-  std::uint64_t seed = 1;
-  std::optional<std::size_t> only;  ///< the number of the one case that is to be run, from 0
+  std::optional<std::size_t> only = {};  ///< the number of the one case that is to be run, from 0
 };
 
 /// Random cases on one coarse discretisation whose bodies are made once, each with its error bars (Proof::bars) but

@@ -244,8 +244,8 @@ TEST(CommandLine, ChecksOneFamilyOfTheExtremes) {
 TEST(CommandLine, ChecksRandomCasesAndWritesTheWorst) {
   const ScratchFolder folder;
   const auto junit = folder.path() / "junit.xml", json = folder.path() / "random.json", worst = folder.path() / "worst";
-  const auto run = fretval_run("check --suite random --cases 2 --junit " + junit.string() + " --json " + json.string() +
-                                   " --write-worst " + worst.string(),
+  const auto run = fretval_run("check --suite random --cases 2 --seed 1 --junit " + junit.string() + " --json " +
+                                   json.string() + " --write-worst " + worst.string(),
                                folder);
   EXPECT_EQ(run.exit_code, 0) << run.out << run.err;
   EXPECT_NE(run.out.find("pass: 2 cases: "), std::string::npos) << run.out;
@@ -254,6 +254,21 @@ TEST(CommandLine, ChecksRandomCasesAndWritesTheWorst) {
   EXPECT_EQ(n_files(worst), 2U);
   for (const auto& file : fs::directory_iterator(worst))
     EXPECT_EQ(fretval_run("mdr " + file.path().string(), folder).exit_code, 0) << file.path();
+}
+
+// Whether their errors are within the bars is not for a test to say: nobody has seen these cases.
+TEST(CommandLine, DrawsNewRandomCasesAndSaysHowToRepeatThem) {
+  const ScratchFolder folder;
+  const auto seed_of = [&] {
+    const auto run = fretval_run("check --suite random --cases 1", folder);
+    const auto at = run.err.find("--seed ");
+    EXPECT_NE(at, std::string::npos) << run.err;
+    return run.err.substr(at + 7, run.err.find(' ', at + 7) - at - 7);
+  };
+  EXPECT_NE(seed_of(), seed_of());
+  const auto run = fretval_run("check --suite random --only 3", folder);
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_NE(run.err.find("--only: of which cases? Expected their --seed"), std::string::npos) << run.err;
 }
 
 TEST(CommandLine, RefusesOptionsOfAnotherSuite) {

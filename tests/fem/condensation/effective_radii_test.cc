@@ -31,7 +31,7 @@ TEST(EffectiveRadii, AreShortOfTheRingsByAConstantFractionOfARing) {
     }
 }
 
-// The definition: force of the punch over a force per radius, which is 8 G d for a half-space (THEORY section 8); 1e-3
+// The definition: force of the punch over a force per radius, which is 8 G d for a half-space (docs/theory.md); 1e-3
 // off at 32 rings, h^2.
 TEST(EffectiveRadii, AreProportionalToThePunchForce) {
   const auto& compliance = normal_half_space(32).compliance;

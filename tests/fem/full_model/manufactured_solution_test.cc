@@ -52,7 +52,7 @@ class PointForce : public testing::TestWithParam<Harmonic> {
 
 INSTANTIATE_TEST_SUITE_P(Harmonics, PointForce, testing::Values(Harmonic::normal, Harmonic::tangential));
 
-// Strains of THEORY section 7 by central differences: truncation h^2, roundoff 1e-16/h.
+// Strains of the harmonics by central differences: truncation h^2, roundoff 1e-16/h.
 TEST_P(PointForce, HasTheStressOfItsStrains) {
   const int n = GetParam() == Harmonic::normal ? 0 : 1;
   const double h = 1e-5;

@@ -110,7 +110,6 @@ VectorXd enumerate(const BoxProblem& problem) {
 // Roundoff of matrices of condition up to 1e3: 2.5e-14 measured.
 TEST(BoxSolver, FindsTheBestOfAllStates) {
   Random random(1);
-  double worst = 0;
   for (int trial = 0; trial < 300; ++trial) {
     const BoxProblem problem = random_problem(random, 1 + random.below(6));
     const VectorXd expected = enumerate(problem);
@@ -119,14 +118,12 @@ TEST(BoxSolver, FindsTheBestOfAllStates) {
     const auto solution = BoxSolver(problem.matrix).solve(problem.q, problem.lower, problem.upper, states);
     ASSERT_TRUE(solution.x.allFinite()) << "trial " << trial;
     EXPECT_LT((solution.x - expected).cwiseAbs().maxCoeff(), 1e-11) << "trial " << trial;
-    worst = std::max(worst, (solution.x - expected).cwiseAbs().maxCoeff());
   }
 }
 
 // Roundoff: 7.5e-14 measured.
 TEST(BoxSolver, FulfilsTheConditionsOfLargeProblems) {
   Random random(2);
-  double worst = 0;
   for (int trial = 0; trial < 40; ++trial) {
     const BoxProblem problem = random_problem(random, 20 + random.below(150));
     auto states = random_states(random, problem.q.size());
@@ -139,7 +136,6 @@ TEST(BoxSolver, FulfilsTheConditionsOfLargeProblems) {
         EXPECT_EQ(solution.residual[i], 0);
       }
     }
-    worst = std::max(worst, violation(problem, solution.x));
   }
 }
 
@@ -174,19 +170,16 @@ TEST(BoxSolver, StartsFromAnyState) {
   EXPECT_EQ(solver.solve(problem.q, problem.lower, problem.upper, first).iterations, 0) << "the warm start is the end";
 }
 
-// Block changes alone can cycle on matrices that are positive definite but far from M-matrices; single changes end.
+// Changing all violated unknowns at once goes round for ever here: {} -> {2} -> {0, 1, 2} -> {1} -> {2}. Single changes
+// end at {1, 2}.
 TEST(BoxSolver, EndsWhereBlockChangesCycle) {
-  Random random(5);
-  for (int trial = 0; trial < 30; ++trial) {
-    BoxProblem problem = random_problem(random, 80);
-    const VectorXd direction = VectorXd::Random(80);
-    problem.matrix += 1e3 * direction * direction.transpose();
-    problem.lower.setZero();
-    problem.upper.setConstant(infinity);
-    auto states = random_states(random, 80);
-    const auto solution = BoxSolver(problem.matrix).solve(problem.q, problem.lower, problem.upper, states);
-    EXPECT_LT(violation(problem, solution.x), 1e-8);
-  }
+  BoxProblem problem{MatrixXd(3, 3), VectorXd(3), VectorXd::Zero(3), VectorXd::Constant(3, infinity)};
+  problem.matrix << 13, 18, -8, 18, 26, -10, -8, -10, 7;
+  problem.q << -5, -2, 6;
+  std::vector<BoxState> states(3, BoxState::lower);
+  const auto solution = BoxSolver(problem.matrix).solve(problem.q, problem.lower, problem.upper, states);
+  EXPECT_LT((solution.x - Eigen::Vector3d(0, 23.0 / 41, 68.0 / 41)).norm(), 1e-12);
+  EXPECT_TRUE((states == std::vector<BoxState>{BoxState::lower, BoxState::interior, BoxState::interior}));
 }
 
 TEST(BoxSolver, RefusesLoadsThatAreNotFinite) {

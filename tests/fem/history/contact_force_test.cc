@@ -51,6 +51,21 @@ TEST_F(ContactForceTest, OfAFlatPunchEndsAtItsFace) {
   EXPECT_NEAR(contact.radius, 0.75 - 0.1 * ring_, 0.02 * ring_);
 }
 
+// A sphere with a groove presses inside it and around it.
+TEST_F(ContactForceTest, CountsRingsThatPressBeyondAFreeOne) {
+  const auto profile =
+      ring_means(problem_.compliance, [](double r) { return 0.5 < r && r < 0.6 ? r * r / 2 + 1 : r * r / 2; });
+  const auto [pressure, gap] = static_contact(problem_, profile, 0.9);
+  const auto contact = contact_force(series_, pressure, gap);
+  const Eigen::VectorXd forces = pressure.cwiseProduct(problem_.compliance.areas);
+  constexpr Index n_inside = 16;
+  EXPECT_EQ(pressure[n_inside], 0);
+  EXPECT_GT(forces.tail(forces.size() - n_inside).sum(), 0.2 * forces.sum());
+  EXPECT_NEAR(contact.force, forces.sum(), contact.uncertainty);
+  EXPECT_LT(contact.uncertainty, 0.1 * forces.sum());
+  EXPECT_NEAR(contact.radius, 0.5, ring_ / 2);
+}
+
 /// A dashpot under a growing parabola: the Hertz pressure and, up to the same edge, that of a flat punch of the speed
 /// of the indentation, of which the ring that touched in the step has borne half, on average.
 struct Growing {

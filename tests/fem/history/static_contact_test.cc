@@ -18,7 +18,7 @@ namespace {
 const std::vector<unsigned> meshes{16, 32, 64, 128};
 
 /// `f = b r^n` with the transform `g = kappa b x^n`, kappa = (sqrt(pi)/2) n Gamma(n/2) / Gamma((n+1)/2): the contact
-/// has the radius a where g(a) = d and the force `F = 8 int_0^a (d - g) dx = 8 n/(n+1) d a` (THEORY sections 2 and 8).
+/// has the radius a where g(a) = d and the force `F = 8 int_0^a (d - g) dx = 8 n/(n+1) d a` (docs/theory.md).
 /// b is such that d = 1 gives a = 1.
 struct PowerLaw {
   double exponent;

@@ -9,16 +9,11 @@ namespace fretval {
 namespace {
 
 SuiteRun only(std::size_t number) {
-  RandomSuiteOptions options;
-  options.only = number;
-  return run_random_suite(options);
+  return run_random_suite({1, 1, number});
 }
 
-// See docs/random-cases.md for the errors that were once above their bars.
 TEST(RandomSuiteSlow, RunsEveryCaseWithinItsBars) {
-  RandomSuiteOptions options;
-  options.n_cases = 40;
-  const auto run = run_random_suite(options);
+  const auto run = run_random_suite({1, 40});
   EXPECT_TRUE(run.passes()) << suite_table(run);
   ASSERT_EQ(run.rows.size(), 40U);
   EXPECT_GT(count_errors(run.rows).n, 150U);
@@ -41,9 +36,7 @@ TEST(RandomSuiteSlow, KeepsWhatItFoundWithinTheBars) {
 }
 
 TEST(RandomSuite, RepeatsASingleCase) {
-  RandomSuiteOptions options;
-  options.n_cases = 3;
-  const auto all = run_random_suite(options);
+  const auto all = run_random_suite({1, 3});
   const auto one = only(2);
   ASSERT_EQ(one.rows.size(), 1U);
   EXPECT_EQ(one.rows[0].asked.name, "random-1-2");
