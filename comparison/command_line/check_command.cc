@@ -11,8 +11,6 @@
 #include "comparison/support/files.h"
 #include "comparison/support/log.h"
 #include "comparison/support/stopwatch.h"
-#include "comparison/verification/exact/convergence_json.h"
-#include "comparison/verification/exact/convergence_rows.h"
 #include "comparison/verification/exact/exact_rows.h"
 #include "comparison/verification/extremes/extreme_suite.h"
 #include "comparison/verification/small/small_suite.h"

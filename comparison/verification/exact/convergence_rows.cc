@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "comparison/support/json.h"
 #include "comparison/support/junit.h"
 #include "comparison/support/log_slope.h"
 
@@ -41,7 +42,7 @@ std::string table_line(const ConvergenceRow& row, std::size_t name_width) {
   return fmt::format("{} {:<{}} {:<5}{} {:>6} {:>5} {:>10.1e} {:<11} {}{}{}\n", failure.empty() ? "pass" : "FAIL",
                      name_of(row), name_width, row.refined, errors, order_text(observed_order(row)),
                      demand.expected_order > 0 ? fmt::format("{:g}", demand.expected_order) : "exact", demand.tolerance,
-                     goal_text(row), row.source, demand.note.empty() ? "" : "; " + demand.note,
+                     goal_text(row), row.source, *demand.note ? fmt::format("; {}", demand.note) : "",
                      failure.empty() ? "" : " | " + failure);
 }
 
@@ -95,6 +96,27 @@ std::string convergence_junit(const std::vector<ConvergenceRow>& rows) {
   cases.reserve(rows.size());
   for (const auto& row : rows) cases.push_back({name_of(row), failure_of(row)});
   return junit_document("fretval check exact", cases);
+}
+
+nlohmann::ordered_json convergence_json(const std::vector<ConvergenceRow>& rows) {
+  auto array = nlohmann::ordered_json::array();
+  for (const auto& row : rows) {
+    const std::string failure = failure_of(row);
+    array.push_back({{"solution", row.solution},
+                     {"quantity", row.quantity},
+                     {"source", row.source},
+                     {"refined", row.refined},
+                     {"resolutions", row.resolutions},
+                     {"errors", row.errors},
+                     {"observed_order", or_null(observed_order(row))},
+                     {"expected_order", row.demand.expected_order},
+                     {"tolerance", row.demand.tolerance},
+                     {"goal", or_null(row.demand.goal)},
+                     {"goal_met", or_null(meets_goal(row))},
+                     {"verdict", failure.empty() ? "pass" : failure},
+                     {"note", row.demand.note}});
+  }
+  return array;
 }
 
 }  // namespace fretval
