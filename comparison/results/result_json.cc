@@ -97,7 +97,8 @@ double peak_memory_bytes() {
 
 ordered_json result_json(const CaseResult& result) {
   const auto& fe = result.fe.fe;
-  const auto& body = *fe.body;
+  auto cost = cost_json(fe);
+  cost["peak_memory_bytes"] = peak_memory_bytes();
   return {{"name", result.input.name},
           {"pass", passes(result.comparison)},
           {"proof", name_of(result.proof)},
@@ -105,18 +106,21 @@ ordered_json result_json(const CaseResult& result) {
           {"mdr", to_json(result.mdr)},
           {"fe", fe_json(fe, result.comparison)},
           {"comparison", comparison_json(result.comparison)},
-          {"cost",
-           {{"seconds",
-             {{"mesh", body.cost.mesh},
-              {"assembly", body.cost.assembly},
-              {"factorisation", body.cost.factorisation},
-              {"normal_history", fe.seconds.normal},
-              {"friction_history", fe.seconds.friction}}},
-            {"dofs", body.n_dofs},
-            {"contact_nodes", body.n_contact_nodes},
-            {"time_steps", fe.n_steps},
-            {"cycles", fe.n_cycles},
-            {"peak_memory_bytes", peak_memory_bytes()}}}};
+          {"cost", std::move(cost)}};
+}
+
+ordered_json cost_json(const FeAnswer& fe) {
+  const auto& body = *fe.body;
+  return {{"seconds",
+           {{"mesh", body.cost.mesh},
+            {"assembly", body.cost.assembly},
+            {"factorisation", body.cost.factorisation},
+            {"normal_history", fe.seconds.normal},
+            {"friction_history", fe.seconds.friction}}},
+          {"dofs", body.n_dofs},
+          {"contact_nodes", body.n_contact_nodes},
+          {"time_steps", fe.n_steps},
+          {"cycles", fe.n_cycles}};
 }
 
 }  // namespace fretval

@@ -1,7 +1,6 @@
 #include "comparison/verification/exact/convergence_rows.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -22,28 +21,6 @@ double error_at_goal(const ConvergenceRow& row) {
 
 std::string name_of(const ConvergenceRow& row) {
   return fmt::format("{}: {}", row.solution, row.quantity);
-}
-
-std::string order_text(const std::optional<double>& order) {
-  return order ? fmt::format("{:.1f}", *order) : "floor";
-}
-
-std::string goal_text(const ConvergenceRow& row) {
-  const auto met = meets_goal(row);
-  if (!met) return "none";
-  return fmt::format("{:.0e} {}", *row.demand.goal, *met ? "met" : "UNMET");
-}
-
-std::string table_line(const ConvergenceRow& row, std::size_t name_width) {
-  std::string errors;
-  for (const double error : row.errors) errors += fmt::format(" {:8.1e}", error);
-  const auto& demand = row.demand;
-  const std::string failure = failure_of(row);
-  return fmt::format("{} {:<{}} {:<5}{} {:>6} {:>5} {:>10.1e} {:<11} {}{}{}\n", failure.empty() ? "pass" : "FAIL",
-                     name_of(row), name_width, row.refined, errors, order_text(observed_order(row)),
-                     demand.expected_order > 0 ? fmt::format("{:g}", demand.expected_order) : "exact", demand.tolerance,
-                     goal_text(row), row.source, *demand.note ? fmt::format("; {}", demand.note) : "",
-                     failure.empty() ? "" : " | " + failure);
 }
 
 }  // namespace
@@ -77,18 +54,6 @@ std::string failure_of(const ConvergenceRow& row) {
 std::optional<bool> meets_goal(const ConvergenceRow& row) {
   if (!row.demand.goal) return std::nullopt;
   return std::abs(error_at_goal(row)) <= *row.demand.goal;
-}
-
-std::string convergence_table(const std::vector<ConvergenceRow>& rows) {
-  std::size_t name_width = 0, n_errors = 0;
-  for (const auto& row : rows) {
-    name_width = std::max(name_width, name_of(row).size());
-    n_errors = std::max(n_errors, row.errors.size());
-  }
-  std::string text = fmt::format("     {:<{}} {:<5}{:>{}} {:>6} {:>5} {:>10} {:<11} {}\n", "", name_width, "", "errors",
-                                 9 * n_errors, "order", "exp.", "tolerance", "goal", "source");
-  for (const auto& row : rows) text += table_line(row, name_width);
-  return text;
 }
 
 std::string convergence_junit(const std::vector<ConvergenceRow>& rows) {

@@ -42,9 +42,6 @@ std::string failure_of(const ConvergenceRow& row);
 /// Whether the error at the goal's resolution is within the goal; empty if there is no goal.
 std::optional<bool> meets_goal(const ConvergenceRow& row);
 
-/// A heading, and one aligned line a row: verdict, errors, observed and expected order, tolerance, goal, source, note.
-std::string convergence_table(const std::vector<ConvergenceRow>& rows);
-
 /// JUnit XML of the rows.
 std::string convergence_junit(const std::vector<ConvergenceRow>& rows);
 

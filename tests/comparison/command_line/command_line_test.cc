@@ -222,9 +222,7 @@ TEST(CommandLineSlow, ChecksATolerance) {
       folder);
   EXPECT_EQ(run.exit_code, 0) << run.out << run.err;
   EXPECT_EQ(n_files(cases / "0.01"), 50U);
-  EXPECT_NE(run.out.find("pass: 50 cases: 50 agree, 0 refused as expected, 0 inconclusive, 0 FAIL; 200 of 200"),
-            std::string::npos)
-      << run.out;
+  EXPECT_NE(run.out.find("pass: 50 cases: 50 agree, 0 are refused"), std::string::npos) << run.out;
   EXPECT_NE(text_of(junit).find("tests=\"50\" failures=\"0\""), std::string::npos);
 }
 

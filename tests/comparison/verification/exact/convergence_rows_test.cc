@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -88,26 +87,6 @@ TEST(ConvergenceRow, TellsTheGoalFromTheTolerance) {
   row.demand.goal = 1;
   row.errors[2] = std::nan("");
   EXPECT_EQ(meets_goal(row), false);
-}
-
-TEST(ConvergenceRow, TableHasAnAlignedLinePerRow) {
-  auto longer = power(1, 1);
-  longer.solution = "a longer solution";
-  auto at_floor = power(1e-2, 2);
-  at_floor.demand.floor = 1;
-  std::istringstream table(convergence_table({power(1, 2), longer, at_floor}));
-  std::vector<std::string> lines;
-  for (std::string line; std::getline(table, line);) lines.push_back(line);
-  ASSERT_EQ(lines.size(), 4U);
-  const auto column = lines[0].find("source");
-  for (std::size_t i = 1; i < lines.size(); ++i) EXPECT_EQ(lines[i].find("a book"), column) << lines[i];
-  EXPECT_EQ(lines[1].rfind("pass solution: quantity", 0), 0U);
-  EXPECT_NE(lines[1].find("2.4e-04"), std::string::npos);
-  EXPECT_NE(lines[1].find("1e-04 UNMET"), std::string::npos);
-  EXPECT_EQ(lines[2].rfind("FAIL a longer solution: quantity", 0), 0U);
-  EXPECT_NE(lines[2].find("| error 1.6e-02 at 64 rings, tolerance 1.0e-03"), std::string::npos) << lines[2];
-  EXPECT_NE(lines[3].find(" floor "), std::string::npos);
-  EXPECT_NE(lines[3].find("1e-04 met"), std::string::npos);
 }
 
 TEST(ConvergenceRow, WritesJUnitXml) {

@@ -6,7 +6,7 @@
 #include <set>
 
 #include "comparison/verification/suite_summary.h"
-#include "comparison/verification/suite_table.h"
+#include "tests/comparison/suite_rows.h"
 
 namespace fretval {
 namespace {
@@ -37,8 +37,8 @@ TEST(ExtremesSlow, OfTheShortFormEndInAnAnswerOrANamedRefusal) {
   const auto rows = short_extreme_rows();
   const auto run = run_extreme_suite(rows);
   EXPECT_EQ(run.rows.size(), rows.size());
-  EXPECT_TRUE(run.passes()) << suite_table(run);
-  EXPECT_EQ(count(run.rows, RowVerdict::inconclusive), 0U) << suite_table(run);
+  EXPECT_TRUE(run.passes()) << remarks_of(run);
+  EXPECT_EQ(count(run.rows, RowVerdict::inconclusive), 0U) << remarks_of(run);
   for (std::size_t i = 0; i < rows.size(); ++i)
     EXPECT_EQ(verdict_of(run.rows[i]) == RowVerdict::refused, !rows[i].refusal.empty()) << rows[i].value;
 }

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "comparison/verification/suite_summary.h"
-#include "comparison/verification/suite_table.h"
+#include "tests/comparison/suite_rows.h"
 
 namespace fretval {
 namespace {
@@ -19,7 +19,7 @@ TEST(RandomSuiteSlow, RunsEveryCaseWithinItsBars) {
   RandomSuiteOptions options;
   options.n_cases = 40;
   const auto run = run_random_suite(options);
-  EXPECT_TRUE(run.passes()) << suite_table(run);
+  EXPECT_TRUE(run.passes()) << remarks_of(run);
   ASSERT_EQ(run.rows.size(), 40U);
   EXPECT_GT(count_errors(run.rows).n, 150U);
   long n_computations = 0;
