@@ -101,7 +101,7 @@ void add_check_options(CLI::App& verb, CheckOptions& options) {
   belongs(verb.add_option("--write-cases", options.cases_folder,
                           "Suite tolerance: folder for its case files, one for each case and tolerance"),
           "tolerance");
-  belongs(verb.add_flag("--short", options.only_short, "Suite extremes: a few seconds of it"), "extremes");
+  belongs(verb.add_flag("--short", options.only_short, "Suite extremes: the first of each family"), "extremes");
   belongs(verb.add_option("--family", options.family, "Suite extremes: only the families whose name contains this"),
           "extremes");
   belongs(verb.add_option("--cases", options.random.n_cases, "Suite random: how many cases")

@@ -10,29 +10,11 @@ namespace {
 
 using nlohmann::ordered_json;
 
-const char* name_of(Case::Shape shape) {
-  switch (shape) {
-    case Case::Shape::parabola:
-      return "parabola";
-    case Case::Shape::cone:
-      return "cone";
-    case Case::Shape::power:
-      return "power";
-    case Case::Shape::rounded_flat:
-      return "rounded flat";
-    case Case::Shape::truncated_sphere:
-      return "truncated sphere";
-    case Case::Shape::table:
-      break;
-  }
-  return "table";
-}
-
 ordered_json case_json(const CaseResult& result) {
   const auto& input = result.input;
   const auto& motion = result.mdr_case.motion;
   ordered_json json{{"file", input.file},
-                    {"shape", name_of(input.indenter.shape)},
+                    {"shape", Case::shape_names[static_cast<std::size_t>(input.indenter.shape)]},
                     {"rheology", input.elastomer.rheology},
                     {"friction_coefficient", input.friction_coefficient},
                     {"indentation", motion.indentation},
