@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -10,6 +11,8 @@ namespace fretval {
 /// One case, as a case file describes it. SI units; angles in degrees and frequencies in Hz, as in the file.
 struct Case {
   enum class Shape { parabola, cone, power, rounded_flat, truncated_sphere, table };
+  /// In the order of the enumeration, as in the file.
+  static constexpr std::array shape_names{"parabola", "cone", "power", "rounded flat", "truncated sphere", "table"};
   enum class Wear { unworn, limiting };
   enum class Fields { none, extremes };
 

@@ -258,12 +258,7 @@ SweptEntry swept_entry(const EntryReader& entries) {
   const std::string text = entries.text("Sweep", "Entry");
   const auto slash = text.find('/');
   if (slash == std::string::npos) entries.fail("Sweep", "Entry", "SECTION / ENTRY, for example Motion / Phase");
-  const auto trim = [](std::string word) {
-    word.erase(0, word.find_first_not_of(' '));
-    word.erase(word.find_last_not_of(' ') + 1);
-    return word;
-  };
-  SweptEntry swept{trim(text.substr(0, slash)), trim(text.substr(slash + 1))};
+  SweptEntry swept{trimmed(text.substr(0, slash)), trimmed(text.substr(slash + 1))};
   if (!is_entry(swept.section, swept.name) || swept.section == "Sweep")
     entries.fail("Sweep", "Entry", "SECTION / ENTRY of this file, for example Motion / Phase");
   return swept;

@@ -100,8 +100,8 @@ void read_tangential_motion(const EntryReader& entries, Case::Motion& motion) {
 
 Case::Indenter read_indenter(const EntryReader& entries) {
   const std::string section = "Indenter";
-  const std::vector<std::string> names{"parabola", "cone", "power", "rounded flat", "truncated sphere", "table"};
-  const std::string shape = entries.one_of(section, "Shape", names);
+  const auto& names = Case::shape_names;
+  const std::string shape = entries.one_of(section, "Shape", {names.begin(), names.end()});
   forbid_others(entries, section, "Shape", shape,
                 {{"Radius", {"parabola", "truncated sphere"}},
                  {"Slope angle", {"cone"}},

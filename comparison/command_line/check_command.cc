@@ -9,18 +9,17 @@
 #include <random>
 
 #include "comparison/command_line/exit_codes.h"
+#include "comparison/report/exact_section.h"
+#include "comparison/report/suite_section.h"
 #include "comparison/support/files.h"
 #include "comparison/support/log.h"
 #include "comparison/support/stopwatch.h"
-#include "comparison/verification/exact/convergence_json.h"
-#include "comparison/verification/exact/convergence_rows.h"
 #include "comparison/verification/exact/exact_rows.h"
 #include "comparison/verification/extremes/extreme_suite.h"
 #include "comparison/verification/random_cases/random_suite.h"
 #include "comparison/verification/small/small_suite.h"
 #include "comparison/verification/suite_json.h"
 #include "comparison/verification/suite_summary.h"
-#include "comparison/verification/suite_table.h"
 #include "comparison/verification/tolerance/tolerance_cases.h"
 #include "fem/condensation/petsc_session.h"
 
@@ -37,19 +36,16 @@ struct Outcome {
 };
 
 Outcome outcome_of(const SuiteRun& run) {
-  return {suite_table(run), suite_junit(run), suite_json(run), exit_code_of(run)};
+  auto json = suite_json(run);
+  return {suite_text(json), suite_junit(run), std::move(json), exit_code_of(run)};
 }
 
 Outcome check_exact() {
   const auto rows = exact_rows();
   const bool all =
       std::all_of(rows.begin(), rows.end(), [](const ConvergenceRow& row) { return failure_of(row).empty(); });
-  const auto n_unmet =
-      std::count_if(rows.begin(), rows.end(), [](const ConvergenceRow& row) { return meets_goal(row) == false; });
-  return {convergence_table(rows) + fmt::format("{}; {} of {} rows do not meet the goal of the project\n",
-                                                all ? "all rows are within their tolerance" : "rows FAIL", n_unmet,
-                                                rows.size()),
-          convergence_junit(rows), convergence_json(rows), all ? exit_agree : exit_disagree};
+  auto json = convergence_json(rows);
+  return {convergence_text(json), convergence_junit(rows), std::move(json), all ? exit_agree : exit_disagree};
 }
 
 void write_case_file(const fs::path& folder, const SuiteCase& one) {
@@ -111,7 +107,7 @@ void add_check_options(CLI::App& verb, CheckOptions& options) {
   belongs(verb.add_option("--write-cases", options.cases_folder,
                           "Suite tolerance: folder for its case files, one for each case and tolerance"),
           "tolerance");
-  belongs(verb.add_flag("--short", options.only_short, "Suite extremes: a few seconds of it"), "extremes");
+  belongs(verb.add_flag("--short", options.only_short, "Suite extremes: the first of each family"), "extremes");
   belongs(verb.add_option("--family", options.family, "Suite extremes: only the families whose name contains this"),
           "extremes");
   belongs(verb.add_option("--cases", options.n_cases, "Suite random: how many cases")

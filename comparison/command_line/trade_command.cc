@@ -7,12 +7,11 @@
 #include "comparison/accuracy/prepared_case.h"
 #include "comparison/case/case_file.h"
 #include "comparison/command_line/exit_codes.h"
+#include "comparison/report/trade_section.h"
 #include "comparison/support/files.h"
 #include "comparison/support/log.h"
 #include "comparison/support/stopwatch.h"
 #include "comparison/verification/trade/trade.h"
-#include "comparison/verification/trade/trade_json.h"
-#include "comparison/verification/trade/trade_text.h"
 #include "fem/condensation/petsc_session.h"
 
 namespace fretval {
@@ -31,8 +30,9 @@ int run_trade(const std::string& file, const fs::path& output) {
   const fem::PetscSession session;
   const auto plan = trade_plan(prepared.fem);
   const auto trade = compute_trade(prepared, plan);
-  write_file(folder / "trade.json", trade_json(prepared, plan, trade).dump(2) + "\n");
-  fmt::print("{}", trade_text(trade));
+  const auto json = trade_json(prepared, plan, trade);
+  write_file(folder / "trade.json", json.dump(2) + "\n");
+  fmt::print("{}", trade_text(json));
   log::info(
       fmt::format("{} settings in {:.1f} s: {}", trade.points.size(), watch.lap(), (folder / "trade.json").string()));
   return trade.front.empty() ? exit_numerics_failed : exit_agree;

@@ -16,9 +16,6 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr Eigen::Index n_springs = 400;
-constexpr int steps_per_cycle = 360;  // of the fastest harmonic
-constexpr int n_ramp_periods = 20;
 constexpr int n_profile_points = 200;
 
 double modulus_ratio_of(const Case& input, const mdr::Rheology& body) {
@@ -129,8 +126,8 @@ mdr::HarmonicMotion displacements_of(const Case::Motion& motion, const mdr::Prof
   return displacements;
 }
 
-mdr::Loading loading_of(const Case::Motion& motion, const mdr::HarmonicMotion& displacements, double period) {
-  const double ramp = n_ramp_periods * period;
+/// ramp: s
+mdr::Loading loading_of(const Case::Motion& motion, const mdr::HarmonicMotion& displacements, double ramp) {
   mdr::Loading loading{mdr::ramped_path(displacements, ramp), {}, {}};
   if (motion.normal_force)
     loading.normal_force =
@@ -148,7 +145,7 @@ ordered_json springs_json(const Case& input) {
   const auto radius = [&](double depth) {
     return depth > 0 ? ordered_json(mdr::inverse_transform(profile, depth)) : ordered_json(nullptr);
   };
-  return {{"springs", n_springs},
+  return {{"springs", answer.bed.position.size()},
           {"steps_per_period", answer.steps_per_period},
           {"periods", history.n_periods},
           {"stick_radius_first_slip", radius(history.depths.first_slip)},
@@ -201,7 +198,7 @@ MdrDocument mdr_document(const Case& input, bool with_springs) {
   }
 }
 
-SpringAnswer spring_answer(const Case& input) {
+SpringAnswer spring_answer(const Case& input, const SpringSetting& setting) {
   if (input.wear == Case::Wear::limiting)
     throw InputError(input.file + ": Wear / State = limiting: springs are stepped for an unworn indenter");
   const auto body = body_in_time(input);
@@ -211,11 +208,12 @@ SpringAnswer spring_answer(const Case& input) {
   double fastest = 0;
   for (const auto* harmonics : {&motion.normal, &motion.tangential})
     for (const auto& harmonic : *harmonics) fastest = std::max(fastest, harmonic.frequency);
-  const int steps = steps_per_cycle * static_cast<int>(std::lround(fastest * period));
+  const int steps = setting.steps_per_cycle * static_cast<int>(std::lround(fastest * period));
   const double outer = 1.001 * mdr::inverse_transform(profile, mdr::maximum_indentation(motion));
-  auto bed = mdr::spring_bed(profile, std::min(outer, mdr::end_radius(profile)), n_springs);
-  auto history = mdr::spring_history(bed, body, input.friction_coefficient, loading_of(input.motion, motion, period),
-                                     {period, steps, n_ramp_periods, 2000, 1e-7});
+  auto bed = mdr::spring_bed(profile, std::min(outer, mdr::end_radius(profile)), setting.n_springs);
+  auto history = mdr::spring_history(bed, body, input.friction_coefficient,
+                                     loading_of(input.motion, motion, setting.n_ramp_periods * period),
+                                     {period, steps, setting.n_ramp_periods, 2000, setting.periodicity});
   return {std::move(bed), std::move(history), steps};
 }
 

@@ -22,13 +22,21 @@ struct MdrDocument {  // NOLINT(bugprone-exception-escape): moving JSON checks a
 /// file.
 MdrDocument mdr_document(const Case& input, bool with_springs);
 
+/// How finely the springs are stepped, see mdr::HistoryControl.
+struct SpringSetting {
+  Eigen::Index n_springs = 400;
+  int steps_per_cycle = 360;  ///< of the fastest harmonic
+  int n_ramp_periods = 20;
+  double periodicity = 1e-7;
+};
+
 /// Transient spring foundation of a case, unworn also where forces are prescribed.
 struct SpringAnswer {
   mdr::SpringBed bed;
   mdr::SpringHistory history;
   int steps_per_period;
 };
-SpringAnswer spring_answer(const Case& input);
+SpringAnswer spring_answer(const Case& input, const SpringSetting& setting = {});
 
 /// Fields on the surface over r, at the largest and smallest indentation of the periodic state, and in the limiting
 /// state at the largest one.

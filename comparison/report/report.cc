@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <set>
 
 #include "comparison/accuracy/quantity.h"
 #include "comparison/case/case.h"
 #include "comparison/report/exact_section.h"
 #include "comparison/report/figures.h"
 #include "comparison/report/suite_section.h"
+#include "comparison/report/table.h"
 #include "comparison/report/trade_section.h"
 #include "comparison/report/verdict_section.h"
 #include "comparison/results/results_folder.h"
@@ -117,68 +117,55 @@ std::string rheology_section(const Results& results) {
   for (const auto& r : results)
     if (r.swept_over("Motion / Phase")) by_rheology[r.text("scene", "rheology")].push_back(r);
   if (by_rheology.size() < 2) return "";
-  std::string html =
-      "<h2>Does only the modulus ratio matter?</h2>\n<p>The paper says that the rheology enters the stick radius "
-      "through ρ = "
-      "|G(ω)|/G'(0) alone. Finite elements with different rheologies:</p>\n<div "
-      "class=\"scroll\"><table><thead><tr><th>rheology"
-      "</th><th>ρ</th><th>cases</th><th>first slip, largest difference</th><th>shakedown, largest difference</th>"
-      "<th>cycles to the steady state</th></tr></thead><tbody>\n";
+  Table table{{"rheology", "ρ", "cases", "first slip, largest difference", "shakedown, largest difference",
+               "cycles to the steady state"}};
   for (const auto& [name, members] : by_rheology) {
     int most_cycles = 0;
     for (const auto& r : members) most_cycles = std::max(most_cycles, r.json.at("cost").value("cycles", 0));
-    html +=
-        fmt::format("<tr><td>{}</td><td>{:.6f}</td><td>{}</td><td>{:.1e}</td><td>{:.1e}</td><td>up to {}</td></tr>\n",
-                    html_escaped(name), members.front().number("mdr", "modulus_ratio"), members.size(),
-                    extreme_of(members, "stick_radius_first_slip").difference,
-                    extreme_of(members, "stick_radius_shakedown").difference, most_cycles);
+    table.rows.push_back(
+        {name, number_text(members.front().number("mdr", "modulus_ratio"), "{:.6f}"), fmt::format("{}", members.size()),
+         number_text(extreme_of(members, "stick_radius_first_slip").difference),
+         number_text(extreme_of(members, "stick_radius_shakedown").difference), fmt::format("up to {}", most_cycles)});
   }
-  return html + "</tbody></table></div>\n";
+  return "<h2>Does only the modulus ratio matter?</h2>\n<p>The paper says that the rheology enters the stick radius "
+         "through ρ = |G(ω)|/G'(0) alone. Finite elements with different rheologies:</p>\n" +
+         html_of(table);
+}
+
+std::string difference_text(const StoredResult& r, const char* key) {
+  const auto& comparison = r.json.at("comparison");
+  return comparison.contains(key) ? number_text(comparison[key]["difference"], "{:+.1e}") : "–";
 }
 
 std::string limiting_section(const Results& results) {
   const auto figures = limiting_profile_figures(results);
   if (figures.empty()) return "";
-  std::string html =
-      "<h2>The state in which nothing wears any more (figure 4 of the paper)</h2>\n<p>Here the limiting profile itself "
-      "is the "
-      "indenter, and it oscillates with a motion whose shakedown radius is its c. In the periodic state the finite "
-      "elements "
-      "have to find no slip inside c and no pressure outside.</p>\n" +
-      figures_html(figures) +
-      "<div class=\"scroll\"><table><thead><tr><th>case</th><th>c<sub>FE</sub> / c</th><th>slip inside c</th><th>force "
-      "outside c</th>"
-      "<th>normal force</th><th>flank touches at</th><th>a<sub>∞</sub> / a<sub>0</sub></th></tr></thead><tbody>\n";
+  Table table{{"case", "c<sub>FE</sub> / c", "slip inside c", "force outside c", "normal force", "flank touches at",
+               "a<sub>∞</sub> / a<sub>0</sub>"}};
   for (const auto& r : results) {
     if (!r.swept_over("Wear / Stick radius ratio")) continue;
-    const auto force =
-        r.json.at("comparison")
-            .value(nlohmann::ordered_json::json_pointer("/normal_force_max/difference"), nlohmann::ordered_json());
-    html += fmt::format(
-        "<tr><td>{}</td><td>{:.5f}</td><td>{:.1e}</td><td>{:.1e}</td><td>{}</td><td>{:.6f} "
-        "d<sub>max</sub></td><td>{:.4f}</td></tr>\n",
-        html_escaped(r.json.at("name").get<std::string>()),
-        r.number("fe", "stick_radius_shakedown") / r.number("scene", "stick_radius_of_profile"),
-        r.number("fe", "slip_inside_stick_zone"), r.number("fe", "force_outside_stick_zone"),
-        force.is_number() ? fmt::format("{:+.1e}", force.get<double>()) : "–", r.number("fe", "touch_indentation"),
-        r.number("mdr", "worn_radius") / r.number("scene", "contact_radius_unworn"));
+    const auto fe = [&](const char* key) { return r.number("fe", key); };
+    table.rows.push_back(
+        {r.json.at("name").get<std::string>(),
+         fmt::format("{:.5f}", fe("stick_radius_shakedown") / r.number("scene", "stick_radius_of_profile")),
+         number_text(fe("slip_inside_stick_zone")), number_text(fe("force_outside_stick_zone")),
+         difference_text(r, "normal_force_max"), fmt::format("{:.6f} d_max", fe("touch_indentation")),
+         fmt::format("{:.4f}", r.number("mdr", "worn_radius") / r.number("scene", "contact_radius_unworn"))});
   }
-  return html +
-         "</tbody></table></div>\n<p class=\"soft\">Slip over the tangential amplitude, force outside c over the "
-         "normal force, "
-         "at the worst instant; difference of the largest normal force relative to MDR.</p>\n";
+  return "<h2>The state in which nothing wears any more (figure 4 of the paper)</h2>\n<p>Here the limiting profile "
+         "itself is the indenter, and it oscillates with a motion whose shakedown radius is its c. In the periodic "
+         "state the finite elements have to find no slip inside c and no pressure outside.</p>\n" +
+         figures_html(figures) + html_of(table) +
+         "<p class=\"soft\">Slip over the tangential amplitude, force outside c over the normal force, at the worst "
+         "instant; difference of the largest normal force relative to MDR.</p>\n";
 }
 
 /// "largest contact radius in m"
 std::string title_with_unit(const std::string& key) {
   const auto quantity = quantity_of(key);
-  if (!quantity) return html_escaped(key);
+  if (!quantity) return key;
   const auto& traits = traits_of(*quantity);
   return *traits.unit ? fmt::format("{} in {}", traits.title, traits.unit) : traits.title;
-}
-
-std::string value_text(double value) {
-  return std::isnan(value) ? "–" : fmt::format("{:.6g}", value);
 }
 
 std::string single_cases_section(const Results& results) {
@@ -188,30 +175,24 @@ std::string single_cases_section(const Results& results) {
     html += fmt::format("<h2>Case {}</h2>\n<p>{}: {}.</p>\n", html_escaped(r.family()),
                         html_escaped(r.text("scene", "shape") + ", " + r.text("scene", "rheology")),
                         r.json.at("pass").get<bool>() ? "finite elements and MDR agree" : "they do not agree");
-    html +=
-        "<div class=\"scroll\"><table><thead><tr><th>quantity</th><th>MDR</th><th>finite elements</th>"
-        "<th>difference</th><th>tolerance</th></tr></thead><tbody>\n";
+    Table table{{"quantity", "MDR", "finite elements", "difference", "tolerance"}};
     for (const auto& [key, d] : r.json.at("comparison").items())
-      html += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td><td{}>{}</td><td>{:.1e}</td></tr>\n",
-                          title_with_unit(key), value_text(r.number("mdr", key.c_str())),
-                          value_text(r.number("fe", key.c_str())),
-                          d.at("pass").get<bool>() ? "" : " class=\"bad-cell\"",
-                          d.at("difference").is_number() ? fmt::format("{:.1e}", d["difference"].get<double>()) : "–",
-                          d.at("tolerance").get<double>());
-    html += "</tbody></table></div>\n" + figures_html(single_case_figures(r));
+      table.rows.push_back({title_with_unit(key), number_text(r.number("mdr", key.c_str()), "{:.6g}"),
+                            number_text(r.number("fe", key.c_str()), "{:.6g}"),
+                            bad_if(!d.at("pass").get<bool>(), number_text(d.at("difference"))),
+                            number_text(d.at("tolerance"))});
+    html += html_of(table) + figures_html(single_case_figures(r));
   }
   return html;
 }
 
 std::string cost_section(const Results& results) {
   double friction = 0, steps = 0, memory = 0;
-  std::set<std::string> bodies;
   for (const auto& r : results) {
     const auto& cost = r.json.at("cost");
     friction += cost.at("seconds").value("friction_history", 0.0);
     steps += cost.value("time_steps", 0.0);
     memory = std::max(memory, cost.value("peak_memory_bytes", 0.0));
-    bodies.insert(cost.at("seconds").dump().substr(0, 80) + cost.at("dofs").dump());
   }
   const auto& first = results.front().json.at("cost");
   std::string libraries;
@@ -233,45 +214,21 @@ std::string cost_section(const Results& results) {
 }
 
 std::string all_cases_section(const Results& results) {
-  std::string html =
-      "<h2>All cases</h2>\n<details><summary>Stick radii and differences of every case</summary>\n<div "
-      "class=\"scroll\"><table>"
-      "<thead><tr><th>case</th><th>c first slip, MDR</th><th>FE</th><th>c shakedown, MDR</th><th>FE</th><th>contact "
-      "radius</th>"
-      "<th>normal force</th><th></th></tr></thead><tbody>\n";
-  const auto length = [](const StoredResult& r, const char* section, const char* key) {
-    const double value = r.number(section, key) / r.number("scene", "contact_radius_unworn");
-    return std::isnan(value) ? std::string("–") : fmt::format("{:.5f}", value);
-  };
-  const auto difference = [](const StoredResult& r, const char* key) {
-    const auto& comparison = r.json.at("comparison");
-    if (!comparison.contains(key) || !comparison[key]["difference"].is_number()) return std::string("–");
-    return fmt::format("{:+.1e}", comparison[key]["difference"].get<double>());
-  };
+  Table table{{"case", "c first slip, MDR", "FE", "c shakedown, MDR", "FE", "contact radius", "normal force", ""}};
   for (const auto& r : results) {
     const bool pass = r.json.at("pass").get<bool>();
-    html += fmt::format(
-        "<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td{}>{}</td></tr>\n",
-        html_escaped(r.json.at("name").get<std::string>()), length(r, "mdr", "stick_radius_first_slip"),
-        length(r, "fe", "stick_radius_first_slip"), length(r, "mdr", "stick_radius_shakedown"),
-        length(r, "fe", "stick_radius_shakedown"), difference(r, "contact_radius_max"),
-        difference(r, "normal_force_max"), pass ? "" : " class=\"bad-cell\"", pass ? "agree" : "disagree");
+    const auto length = [&](const char* section, const char* key) {
+      return number_text(r.number(section, key) / r.number("scene", "contact_radius_unworn"), "{:.5f}");
+    };
+    table.rows.push_back({r.json.at("name").get<std::string>(), length("mdr", "stick_radius_first_slip"),
+                          length("fe", "stick_radius_first_slip"), length("mdr", "stick_radius_shakedown"),
+                          length("fe", "stick_radius_shakedown"), difference_text(r, "contact_radius_max"),
+                          difference_text(r, "normal_force_max"), bad_if(!pass, pass ? "agree" : "disagree")});
   }
-  return html +
-         "</tbody></table></div>\n<p class=\"soft\">Radii over the unworn contact radius at the largest indentation; – "
-         ": "
-         "nothing sticks, or not compared.</p></details>\n";
-}
-
-/// Section of a suite from what it wrote; empty if it was not run.
-std::string section_of(const fs::path& file, std::string (*section)(const nlohmann::ordered_json&)) {
-  const auto json = read_json(file);
-  if (!json) return "";
-  try {
-    return section(*json);
-  } catch (const nlohmann::json::exception& error) {
-    throw InputError(fmt::format("{}: {}", file.string(), error.what()));
-  }
+  return "<h2>All cases</h2>\n<details><summary>Stick radii and differences of every case</summary>\n" +
+         html_of(table) +
+         "<p class=\"soft\">Radii over the unworn contact radius at the largest indentation; – : nothing sticks, or "
+         "not compared.</p></details>\n";
 }
 
 }  // namespace

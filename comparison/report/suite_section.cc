@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "comparison/report/figures.h"
+#include "comparison/report/table.h"
 #include "comparison/support/escape.h"
 
 namespace fretval {
@@ -22,49 +23,73 @@ std::string text(const ordered_json& value) {
   return value.is_string() ? html_escaped(value.get<std::string>()) : "";
 }
 
-std::string number(const ordered_json& value, const char* format = "{:.1e}") {
-  return value.is_number() ? fmt::format(fmt::runtime(format), value.get<double>()) : "–";
+/// "4 cases: 1 agree, ..."
+std::string summary_text(const ordered_json& summary) {
+  const auto n = [&](const char* key) { return summary.at(key).get<long>(); };
+  return fmt::format(
+      "{} cases: {} agree, {} are refused by name as they have to be, {} are inconclusive (right within an error bar "
+      "that is wider than the tolerance), {} fail. {} of {} errors are above their bars. {} computations, {:.0f} s.",
+      n("cases"), n("agree"), n("refused"), n("inconclusive"), n("fail"), n("above_bar"), n("errors"),
+      n("computations"), summary.at("seconds").get<double>());
+}
+
+/// What is asked of the suite as a whole.
+std::string checks_text(const ordered_json& checks) {
+  std::string all;
+  for (const auto& check : checks)
+    all += fmt::format(" {}: {}{}.", check.at("name").get<std::string>(), check.at("finding").get<std::string>(),
+                       check.at("failure").is_string() ? ": " + check["failure"].get<std::string>() : "");
+  return all;
 }
 
 std::string verdict_html(const ordered_json& json) {
-  const auto& s = json.at("summary");
-  const bool pass = s.at("pass").get<bool>();
-  std::string html = fmt::format(
-      "<h2>Suite {0}</h2>\n<p><span class=\"badge {1}\">{2}</span> {3} {4} cases: {5} agree, {6} are refused by name "
-      "as "
-      "they have to be, {7} are inconclusive (right within an error bar that is wider than the tolerance), {8} fail. "
-      "{9} of {10} errors are above their bars. To repeat: <code>fretval check --suite {0}</code>, {11} computations, "
-      "{12:.0f} s.",
-      text(json.at("suite")), pass ? "good" : "bad", pass ? "pass" : "fail", text(json.at("about")),
-      s.at("cases").get<int>(), s.at("agree").get<int>(), s.at("refused").get<int>(), s.at("inconclusive").get<int>(),
-      s.at("fail").get<int>(), s.at("above_bar").get<int>(), s.at("errors").get<int>(),
-      s.at("computations").get<long>(), s.at("seconds").get<double>());
-  for (const auto& check : json.at("checks"))
-    html += fmt::format(" {}: {}{}.", text(check.at("name")), text(check.at("finding")),
-                        check.at("failure").is_string() ? ": <b>" + text(check.at("failure")) + "</b>" : "");
-  return html + "</p>\n";
-}
-
-std::string quantity_row(const ordered_json& q) {
-  const auto n_above = q.at("above_bar").get<int>();
-  const auto &error = q.at("error"), &bar = q.at("bar"), &effectivity = q.at("effectivity");
+  const bool pass = json.at("summary").at("pass").get<bool>();
   return fmt::format(
-      "<tr><td>{}</td><td>{}</td><td>{}</td><td{}>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td>"
-      "<td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n",
-      text(q.at("quantity")), number(q.at("tolerance")), q.at("errors").get<int>(),
-      n_above == 0 ? "" : " class=\"bad-cell\"", n_above, q.at("wide").get<int>(), q.at("unbounded").get<int>(),
-      number(error.at("median")), number(error.at("high")), number(bar.at("median")), number(bar.at("high")),
-      number(effectivity.at("low"), "{:.3g}"), number(effectivity.at("median"), "{:.3g}"),
-      number(effectivity.at("high"), "{:.3g}"));
+      "<h2>Suite {0}</h2>\n<p><span class=\"badge {1}\">{2}</span> {3} {4}{5} To repeat: <code>fretval check --suite "
+      "{0}</code>.</p>\n",
+      text(json.at("suite")), pass ? "good" : "bad", pass ? "pass" : "fail", text(json.at("about")),
+      summary_text(json.at("summary")), html_escaped(checks_text(json.at("checks"))));
 }
 
-std::string quantities_html(const ordered_json& quantities) {
-  std::string html =
-      "<div class=\"scroll\"><table><thead><tr><th>quantity</th><th>tolerance</th><th>errors</th><th>above bar</th>"
-      "<th>bars above tolerance</th><th>unbounded</th><th>error, median</th><th>90 % below</th><th>bar, median</th>"
-      "<th>90 % below</th><th>bar over error, 10 % below</th><th>median</th><th>90 % below</th></tr></thead><tbody>\n";
-  for (const auto& q : quantities) html += quantity_row(q);
-  return html + "</tbody></table></div>\n";
+Table quantities_table(const ordered_json& quantities) {
+  Table table{{"quantity", "tolerance", "errors", "above bar", "bars above tolerance", "unbounded", "error, median",
+               "90 % below", "bar, median", "90 % below", "bar over error, 10 % below", "median", "90 % below"}};
+  for (const auto& q : quantities) {
+    const auto &error = q.at("error"), &bar = q.at("bar"), &effectivity = q.at("effectivity");
+    const auto count = [&](const char* key) { return number_text(q.at(key), "{:.0f}"); };
+    table.rows.push_back({q.at("quantity").get<std::string>(), number_text(q.at("tolerance")), count("errors"),
+                          bad_if(q.at("above_bar") != 0, count("above_bar")), count("wide"), count("unbounded"),
+                          number_text(error.at("median")), number_text(error.at("high")), number_text(bar.at("median")),
+                          number_text(bar.at("high")), number_text(effectivity.at("low"), "{:.3g}"),
+                          number_text(effectivity.at("median"), "{:.3g}"),
+                          number_text(effectivity.at("high"), "{:.3g}")});
+  }
+  return table;
+}
+
+/// Each case with the quantity that is closest to its bar.
+Table cases_table(const ordered_json& rows) {
+  Table table{{"case", "verdict", "quantity", "MDR", "FE", "error", "bar", "tolerance", "seconds", "remark"}};
+  for (const auto& row : rows) {
+    const bool has_worst = row.at("worst").is_string();
+    const auto worst = has_worst ? row["worst"].get<std::string>() : "–";
+    const auto number = [&](const char* key, const char* format = "{:.1e}") {
+      return has_worst ? number_text(row.at("quantities").at(worst).at(key), format) : "–";
+    };
+    const auto family = row.at("family").get<std::string>(), verdict = row.at("verdict").get<std::string>();
+    Cell name((family.empty() ? "" : family + ": ") + row.at("name").get<std::string>());
+    name.details = row.at("case_file").get<std::string>();
+    const auto& remark = row.at("remark");
+    table.rows.push_back({name, bad_if(verdict == "FAIL", verdict), worst, number("mdr", "{:.6f}"),
+                          number("fe", "{:.6f}"), number("error"), number("bar"), number("tolerance"),
+                          number_text(row.at("seconds"), "{:.2f}"),
+                          words_cell(remark.is_string() ? remark.get<std::string>() : "")});
+  }
+  return table;
+}
+
+bool has_all_rows(const ordered_json& json) {
+  return json.at("rows").size() == json.at("summary").at("cases").get<std::size_t>();
 }
 
 /// A series a tolerance of a quantity.
@@ -98,47 +123,32 @@ Plot error_bar_plot(const ordered_json& rows) {
 }
 
 std::string figure_html(const ordered_json& json) {
-  const auto& rows = json.at("rows");
-  if (rows.size() != json.at("summary").at("cases").get<std::size_t>()) return "";
-  auto plot = error_bar_plot(rows);
+  if (!has_all_rows(json)) return "";
+  auto plot = error_bar_plot(json.at("rows"));
   if (plot.series.empty()) return "";
   return figures_html({{std::move(plot),
                         "A point a quantity and case; below the line the error bar does not cover the error. Smaller "
                         "values are drawn at 10<sup>-10</sup>."}});
 }
 
-std::string row_html(const ordered_json& row) {
-  std::string numbers = "<td>–</td><td>–</td><td>–</td><td>–</td><td>–</td><td>–</td>";
-  if (row.at("worst").is_string()) {
-    const auto& q = row.at("quantities").at(row.at("worst").get<std::string>());
-    numbers = fmt::format("<td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td>", text(row.at("worst")),
-                          number(q.at("mdr"), "{:.6f}"), number(q.at("fe"), "{:.6f}"), number(q.at("error")),
-                          number(q.at("bar")), number(q.at("tolerance")));
-  }
-  const auto& family = row.at("family");
-  return fmt::format(
-      "<tr><td>{}{}{}</td><td{}>{}</td>{}<td>{}</td><td class=\"words\">{}</td><td class=\"words\"><details><summary>"
-      "case file</summary><pre>{}</pre></details></td></tr>\n",
-      text(family), family.get<std::string>().empty() ? "" : ": ", text(row.at("name")),
-      row.at("verdict") == "FAIL" ? " class=\"bad-cell\"" : "", text(row.at("verdict")), numbers,
-      number(row.at("seconds"), "{:.2f}"), text(row.at("remark")), text(row.at("case_file")));
-}
-
-std::string rows_html(const ordered_json& rows) {
-  std::string html = fmt::format(
-      "<details><summary>{} cases, each with the quantity that is closest to its bar</summary>\n<div class=\"scroll\">"
-      "<table><thead><tr><th>case</th><th>verdict</th><th>quantity</th><th>MDR</th><th>FE</th><th>error</th><th>bar</"
-      "th>"
-      "<th>tolerance</th><th>seconds</th><th>remark</th><th></th></tr></thead><tbody>\n",
-      rows.size());
-  for (const auto& row : rows) html += row_html(row);
-  return html + "</tbody></table></div></details>\n";
-}
-
 }  // namespace
 
 std::string suite_section(const ordered_json& json) {
-  return verdict_html(json) + quantities_html(json.at("quantities")) + figure_html(json) + rows_html(json.at("rows"));
+  const auto& rows = json.at("rows");
+  return verdict_html(json) + html_of(quantities_table(json.at("quantities"))) + figure_html(json) +
+         fmt::format(
+             "<details><summary>{} cases, each with the quantity that is closest to its bar</summary>\n{}"
+             "</details>\n",
+             rows.size(), html_of(cases_table(rows)));
+}
+
+std::string suite_text(const ordered_json& json) {
+  const auto& summary = json.at("summary");
+  return fmt::format("{}{}\n{}\n{}: {}{}\n",
+                     has_all_rows(json) ? "" : fmt::format("the worst of {}\n", summary.at("cases").get<std::size_t>()),
+                     text_of(cases_table(json.at("rows"))), text_of(quantities_table(json.at("quantities"))),
+                     summary.at("pass").get<bool>() ? "pass" : "FAIL", summary_text(summary),
+                     checks_text(json.at("checks")));
 }
 
 }  // namespace fretval

@@ -10,4 +10,7 @@ namespace fretval {
 /// files. Throws nlohmann::json::exception for JSON of another kind, std::runtime_error without gnuplot.
 std::string suite_section(const nlohmann::ordered_json& json);
 
+/// The same for a terminal, without the figure and the case files.
+std::string suite_text(const nlohmann::ordered_json& json);
+
 }  // namespace fretval

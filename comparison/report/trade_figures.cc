@@ -15,7 +15,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* extrapolated = "seconds_of_the_whole_history_extrapolated_from_the_measured_steps";
 constexpr int front_colour = 7, spring_colour = 6, full_colour = 3, closed_form_colour = 5;
 
 double as_double(const Json& value) {
@@ -23,7 +22,7 @@ double as_double(const Json& value) {
 }
 
 double seconds_of(const Json& point) {
-  return as_double(point.at("seconds").at("total"));
+  return as_double(point.at("seconds"));
 }
 
 double megabytes_of(const Json& point) {
@@ -46,7 +45,7 @@ template <class Cost>
 std::vector<Series> clouds(const Json& trade, const Cost& cost) {
   std::map<int, Series> by_order;
   for (const auto& point : trade.at("points")) {
-    const int order = point.at("setting").at("element_order").get<int>();
+    const int order = point.at("setting").at("degree").get<int>();
     auto& series = by_order[order];
     series.label = fmt::format("order {}", order);
     series.style = Series::Style::points;
@@ -85,18 +84,24 @@ std::pair<double, double> error_span(const std::vector<Series>& all) {
   return {least, largest};
 }
 
+Series all_dofs(const char* label) {
+  return {label, {}, {}, Series::Style::triangles, full_colour};
+}
+
+/// unit: that the cost is multiplied by.
+void add_levels(Plot& plot, Series series, const Json& levels, const char* cost, const char* error, double unit = 1) {
+  for (const auto& level : levels) add(series, unit * as_double(level.at(cost)), as_double(level.at(error)));
+  if (!series.x.empty()) plot.series.push_back(std::move(series));
+}
+
 Figure cost_figure(const Json& trade) {
   auto plot = log_plot("Error over time", "seconds");
   plot.series = clouds(trade, seconds_of);
   plot.series.push_back(front_line(trade));
-  Series springs{"springs in time", {}, {}, Series::Style::open_points, spring_colour};
-  for (const auto& point : trade.at("springs"))
-    add(springs, as_double(point.at("seconds")), as_double(point.at("error")));
-  if (!springs.x.empty()) plot.series.push_back(springs);
-  Series full{"all dofs, extrapolated", {}, {}, Series::Style::triangles, full_colour};
-  for (const auto& level : trade.at("full"))
-    add(full, as_double(level.at(extrapolated)), as_double(level.at("error_of_the_condensed_point")));
-  if (!full.x.empty()) plot.series.push_back(full);
+  add_levels(plot, {"springs in time", {}, {}, Series::Style::open_points, spring_colour}, trade.at("springs"),
+             "seconds", "error");
+  add_levels(plot, all_dofs("all dofs, extrapolated"), trade.at("full"), "extrapolated_seconds",
+             "error_of_the_condensed_point");
   plot.key_rows = 4;
   const auto [least, largest] = error_span(plot.series);
   const double seconds = as_double(trade.at("closed_form").at("seconds"));
@@ -113,10 +118,7 @@ Figure cost_figure(const Json& trade) {
 Figure memory_figure(const Json& trade) {
   auto plot = log_plot("Error over memory", "MB");
   plot.series = clouds(trade, megabytes_of);
-  Series full{"all dofs", {}, {}, Series::Style::triangles, full_colour};
-  for (const auto& level : trade.at("full"))
-    add(full, as_double(level.at("memory_bytes_measured")) / 1e6, as_double(level.at("error_of_the_condensed_point")));
-  if (!full.x.empty()) plot.series.push_back(full);
+  add_levels(plot, all_dofs("all dofs"), trade.at("full"), "memory_bytes", "error_of_the_condensed_point", 1e-6);
   return {
       std::move(plot),
       "Memory: measured peak growth of the process while the body was made, and the counted size of the histories."};
@@ -127,11 +129,11 @@ struct Axis {
   const char* key;  ///< of the setting
   const char* title;
 };
-constexpr Axis axes[] = {{"rings", "rings_per_radius", "rings per contact radius"},
+constexpr Axis axes[] = {{"rings", "elements_per_radius", "rings per contact radius"},
                          {"time step", "steps_per_cycle", "steps per cycle"},
                          {"far field", "far_radius", "far radius over a"},
-                         {"grading", "grading", "grading"},
-                         {"element order", "element_order", "element order"}};
+                         {"grading", "growth", "grading"},
+                         {"element order", "degree", "element order"}};
 
 std::vector<Json> members(const Json& trade, const Axis& axis) {
   std::vector<Json> list;

@@ -3,11 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
 #include <vector>
 
-#include "comparison/case/case.h"
+#include "comparison/accuracy/quantity.h"
+#include "comparison/report/table.h"
 #include "comparison/report/trade_figures.h"
+#include "comparison/results/results_folder.h"
 #include "comparison/support/escape.h"
 
 namespace fretval {
@@ -24,37 +25,45 @@ std::vector<fs::path> trades_below(const fs::path& folder) {
   return files;
 }
 
-std::string number_text(const Json& value, const char* format) {
-  return value.is_number() ? fmt::format(fmt::runtime(format), value.get<double>()) : "–";
+std::string megabytes(const Json& bytes) {
+  return bytes.is_number() ? fmt::format("{:.0f}", bytes.get<double>() / 1e6) : "–";
 }
 
-std::string row(const std::string& first, const std::string& second, const Json& point, bool bad) {
-  const auto& s = point.at("setting");
-  const auto& memory = point.at("memory_bytes");
-  return fmt::format(
-      "<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td{}>{}</td><td>{:.2f}</td>"
-      "<td>{}</td></tr>\n",
-      first, second, s.at("rings_per_radius").get<int>(), s.at("element_order").get<int>(),
-      number_text(s.at("grading"), "{:g}"), number_text(s.at("far_radius"), "{:g}"), s.at("steps_per_cycle").get<int>(),
-      bad ? " class=\"bad-cell\"" : "", number_text(point.at("error"), "{:.1e}"),
-      point.at("seconds").at("total").get<double>(),
-      memory.is_number() ? fmt::format("{:.0f}", memory.get<double>() / 1e6) : "–");
+std::vector<Cell> row_of(const std::string& name, const Json& level, const Json& error, const Json& seconds,
+                         bool is_bad = false) {
+  const auto& setting = level.at("setting");
+  std::vector<Cell> row{name};
+  for (const char* key : {"elements_per_radius", "degree", "growth", "far_radius", "steps_per_cycle"})
+    row.emplace_back(number_text(setting.value(key, Json()), "{:g}"));
+  row.push_back(bad_if(is_bad, number_text(error)));
+  row.emplace_back(number_text(seconds, "{:.3g}"));
+  row.emplace_back(megabytes(level.value("memory_bytes", Json())));
+  return row;
 }
 
-std::string recommendations_table(const Json& trade) {
-  std::string html =
-      "<div class=\"scroll\"><table><thead><tr><th>tolerance</th><th></th><th>rings</th><th>order</th><th>grading</th>"
-      "<th>far radius</th><th>steps</th><th>error</th><th>seconds</th><th>MB</th></tr></thead><tbody>\n";
-  const auto& points = trade.at("points");
+std::vector<Cell> row_of(const std::string& name, const Json& point, bool is_bad = false) {
+  return row_of(name, point, point.at("error"), point.at("seconds"), is_bad);
+}
+
+/// The recommended settings beside the tool's own, the front, and the other levels.
+Table settings_table(const Json& trade) {
+  Table table{{"", "rings", "order", "grading", "far radius", "steps", "error", "seconds", "MB"}};
+  const auto point = [&](const Json& index) { return trade.at("points").at(index.get<std::size_t>()); };
   for (const auto& r : trade.at("recommendations")) {
     const auto tolerance = number_text(r.at("tolerance"), "{:.0e}");
-    html += r.at("cheapest").is_number()
-                ? row(tolerance, "cheapest", points.at(r["cheapest"].get<std::size_t>()), false)
-                : fmt::format("<tr><td>{}</td><td>no setting meets it</td></tr>\n", tolerance);
-    html += row(tolerance, "chosen by the tool", points.at(r.at("chosen").get<std::size_t>()),
-                !r.at("chosen_meets_tolerance").get<bool>());
+    table.rows.push_back(r.at("cheapest").is_number() ? row_of("cheapest for " + tolerance, point(r["cheapest"]))
+                                                      : std::vector<Cell>{"no setting of the plan meets " + tolerance});
+    const bool meets = r.at("chosen_meets_tolerance").get<bool>();
+    table.rows.push_back(row_of(fmt::format("chosen by the tool for {}{}", tolerance, meets ? "" : ", too coarse"),
+                                point(r.at("chosen")), !meets));
   }
-  return html + "</tbody></table></div>\n";
+  for (const auto& index : trade.at("front")) table.rows.push_back(row_of("front", point(index)));
+  for (const auto& level : trade.at("springs"))
+    table.rows.push_back(row_of(fmt::format("{} springs", level.at("setting").at("springs").get<int>()), level));
+  for (const auto& level : trade.at("full"))
+    table.rows.push_back(row_of(fmt::format("all {} dofs, extrapolated", level.at("dofs").get<int>()), level,
+                                level.at("error_of_the_condensed_point"), level.at("extrapolated_seconds")));
+  return table;
 }
 
 std::string slope_text(const Json& slope) {
@@ -62,73 +71,53 @@ std::string slope_text(const Json& slope) {
   return fmt::format("{:.2f} ({})", slope.at("power").get<double>(), slope.at("points").get<int>());
 }
 
-std::string rates_table(const Json& trade) {
-  std::string html =
-      "<div class=\"scroll\"><table><thead><tr><th>error ~ x<sup>p</sup> over</th><th>p, largest error</th>"
-      "<th>first slip</th><th>shakedown</th><th>contact radius</th><th>normal force</th></tr></thead><tbody>\n";
-  for (const auto& [name, rate] : trade.at("rates").items()) {
-    html += fmt::format("<tr><td>{}</td><td>{}</td>", html_escaped(name), slope_text(rate.at("largest_error")));
-    for (const char* key :
-         {"stick_radius_first_slip", "stick_radius_shakedown", "contact_radius_max", "normal_force_max"})
-      html += fmt::format("<td>{}</td>", slope_text(rate.at("quantities").value(key, Json())));
-    html += "</tr>\n";
+Table rates_table(const Json& trade) {
+  Table table{{"error ~ x^p over", "p, largest error"}};
+  std::vector<const char*> keys;
+  for (const auto quantity : quantities_by_interest) {
+    if (!trade.at("rates").front().at("quantities").contains(name_of(quantity))) continue;
+    keys.push_back(name_of(quantity));
+    table.heads.emplace_back(traits_of(quantity).label);
   }
-  return html + fmt::format(
-                    "</tbody></table></div>\n<p class=\"soft\">Least squares over the errors, coarsest first, down to "
-                    "three times "
-                    "the smallest one of the sweep, their number in parentheses; – : fewer than two of them. Seconds "
-                    "grow with the power {} "
-                    "of the rings.</p>\n",
-                    slope_text(trade.at("seconds_over_rings")));
+  for (const auto& [axis, rate] : trade.at("rates").items()) {
+    std::vector<Cell> row{axis, slope_text(rate.at("largest_error"))};
+    for (const char* key : keys) row.emplace_back(slope_text(rate.at("quantities").value(key, Json())));
+    table.rows.push_back(std::move(row));
+  }
+  return table;
 }
 
-std::string full_text(const Json& trade) {
-  std::string html;
-  for (const auto& level : trade.at("full")) {
-    const auto& difference = level.at("largest_relative_difference_from_condensed");
-    if (!difference.is_object()) continue;
-    const auto& measured = level.at("measured");
-    const auto& condensed = trade.at("points").at(level.at("condensed_point").get<std::size_t>());
-    html += fmt::format(
-        "<p>With all {} degrees of freedom as unknowns ({} rings per radius), {} normal and {} tangential steps were "
-        "measured: {:.3f} s and {:.3f} s each. Pressures and tractions differ by at most {:.1e} and {:.1e} from the "
-        "condensed ones. The whole history would take {:.1f} s (extrapolated), condensed it takes {:.2f} s.</p>\n",
-        level.at("dofs").get<int>(), level.at("setting").at("rings_per_radius").get<int>(),
-        measured.at("normal_steps").get<long>(), measured.at("friction_steps").get<long>(),
-        measured.at("seconds_per_normal_step").get<double>(), measured.at("seconds_per_friction_step").get<double>(),
-        difference.at("pressure").get<double>(), difference.at("traction").get<double>(),
-        level.at("seconds_of_the_whole_history_extrapolated_from_the_measured_steps").get<double>(),
-        condensed.at("seconds").at("total").get<double>());
-  }
-  return html;
+std::string closed_form_text(const Json& trade) {
+  const auto& closed_form = trade.at("closed_form");
+  return fmt::format("The closed form takes {:.1e} s, {:.1e} s of them for the stick radii.",
+                     closed_form.at("seconds").get<double>(), closed_form.at("stick_radii_seconds").get<double>());
 }
+
+constexpr const char* rates_note =
+    "Least squares over the errors, coarsest first, down to three times the smallest one of the axis; their number in "
+    "parentheses, – : fewer than two of them.";
 
 std::string trade_html(const Json& trade) {
-  std::string html = fmt::format(
-      "<h2>Speed and accuracy: {}</h2>\n<p>The closed form takes {:.1e} s, {:.1e} s of them for the stick radii. {} "
-      "settings of "
-      "the finite elements, each against it:</p>\n",
-      html_escaped(trade.at("name").get<std::string>()), trade.at("closed_form").at("seconds").get<double>(),
-      trade.at("closed_form").at("stick_radii_seconds").get<double>(), trade.at("points").size());
-  html += recommendations_table(trade);
-  html +=
-      "<p class=\"soft\">A tolerance holds for the stick radii over the contact radius, a tenth of it for contact "
-      "radius and normal force; the error shown is the largest of all.</p>\n";
-  return html + figures_html(trade_figures(trade)) + full_text(trade) + rates_table(trade);
+  return fmt::format(
+      "<h2>Speed and accuracy: {}</h2>\n<p>{} {} settings of the finite elements, each against it:</p>\n{}<p "
+      "class=\"soft\">A tolerance holds for the stick radii over the contact radius, a tenth of it for contact radius "
+      "and normal force; the error shown is the largest of all. With all degrees of freedom as unknowns it is that of "
+      "the condensed elements, which they equal, and the seconds are extrapolated from two cycles.</p>\n{}{}<p "
+      "class=\"soft\">{}</p>\n",
+      html_escaped(trade.at("name").get<std::string>()), closed_form_text(trade), trade.at("points").size(),
+      html_of(settings_table(trade)), figures_html(trade_figures(trade)), html_of(rates_table(trade)), rates_note);
 }
 
 }  // namespace
 
+std::string trade_text(const Json& trade) {
+  return fmt::format("{}\n{}\n{}{}\n", closed_form_text(trade), text_of(settings_table(trade)),
+                     text_of(rates_table(trade)), rates_note);
+}
+
 std::string trade_section(const fs::path& folder) {
   std::string html;
-  for (const auto& file : trades_below(folder)) {
-    std::ifstream stream(file);
-    try {
-      html += trade_html(Json::parse(stream));
-    } catch (const nlohmann::json::exception& error) {
-      throw InputError(fmt::format("{}: {}", file.string(), error.what()));
-    }
-  }
+  for (const auto& file : trades_below(folder)) html += section_of(file, trade_html);
   return html;
 }
 

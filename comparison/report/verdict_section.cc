@@ -8,6 +8,7 @@
 
 #include "comparison/accuracy/proof.h"
 #include "comparison/accuracy/quantity.h"
+#include "comparison/report/table.h"
 #include "comparison/support/escape.h"
 
 namespace fretval {
@@ -76,23 +77,22 @@ std::string verdict_section(const Results& results) {
   const auto n_pass = std::count_if(results.begin(), results.end(),
                                     [](const auto& r) { return r.json.at("pass").template get<bool>(); });
   const bool all = static_cast<std::size_t>(n_pass) == results.size();
-  std::string html = fmt::format(
-      "<p class=\"lead\"><span class=\"badge {}\">{}</span> Finite elements and MDR agree within tolerance in {} of {} "
-      "cases.</p>\n<div class=\"scroll\"><table><thead><tr><th>quantity</th><th>cases</th><th>agree</th>"
-      "<th>inconclusive</th><th>largest difference</th><th>largest error bar</th><th>tolerance</th>"
-      "<th>difference within the bar</th><th>largest difference in</th></tr></thead><tbody>\n",
-      all ? "good" : "bad", all ? "confirmed" : "not confirmed", n_pass, results.size());
+  Table table{{"quantity", "cases", "agree", "inconclusive", "largest difference", "largest error bar", "tolerance",
+               "difference within the bar", "largest difference in"}};
   for (const auto quantity : quantities_by_interest) {
     const auto e = extreme_of(results, name_of(quantity));
     if (e.n_compared == 0) continue;
-    html += fmt::format(
-        "<tr><td>{}</td><td>{}</td><td{}>{}</td><td>{}</td><td>{:.1e}</td><td>{}</td><td>{:.0e}</td><td>{}</td>"
-        "<td>{}</td></tr>\n",
-        title_with_scale(quantity), e.n_compared, e.n_pass == e.n_compared ? "" : " class=\"bad-cell\"", e.n_pass,
-        e.n_inconclusive, e.difference, e.n_with_bar > 0 ? fmt::format("{:.1e}", e.largest_bar) : "–", e.tolerance,
-        e.n_with_bar > 0 ? fmt::format("{} of {}", e.n_covered, e.n_with_bar) : "–", html_escaped(e.name));
+    table.rows.push_back({title_with_scale(quantity), fmt::format("{}", e.n_compared),
+                          bad_if(e.n_pass != e.n_compared, fmt::format("{}", e.n_pass)),
+                          fmt::format("{}", e.n_inconclusive), number_text(e.difference),
+                          e.n_with_bar > 0 ? number_text(e.largest_bar) : "–", number_text(e.tolerance, "{:.0e}"),
+                          e.n_with_bar > 0 ? fmt::format("{} of {}", e.n_covered, e.n_with_bar) : "–", e.name});
   }
-  return html + "</tbody></table></div>\n<p class=\"soft\">" + proof_text(results) + "</p>\n";
+  return fmt::format(
+      "<p class=\"lead\"><span class=\"badge {}\">{}</span> Finite elements and MDR agree within tolerance in {} of {} "
+      "cases.</p>\n{}<p class=\"soft\">{}</p>\n",
+      all ? "good" : "bad", all ? "confirmed" : "not confirmed", n_pass, results.size(), html_of(table),
+      proof_text(results));
 }
 
 /// Which sources make up the error bars: median and largest share of each over all results.
@@ -108,22 +108,18 @@ std::string budget_section(const Results& results) {
             shares[source][quantity].push_back(share["estimate"].get<double>());
   }
   if (shares.empty()) return "";
-  std::string html =
-      "<h2>Error budget of the finite elements</h2>\n<div class=\"scroll\"><table><thead><tr><th>source: median, "
-      "largest</th>";
-  for (const auto quantity : quantities_by_interest) html += fmt::format("<th>{}</th>", title_with_scale(quantity));
-  html += "</tr></thead><tbody>\n";
+  Table table{{"source: median, largest"}};
+  for (const auto quantity : quantities_by_interest) table.heads.push_back(title_with_scale(quantity));
   for (auto& [source, by_quantity] : shares) {
-    html += fmt::format("<tr><td>{}</td>", html_escaped(source));
+    std::vector<Cell> row{source};
     for (const auto quantity : quantities_by_interest) {
       auto& values = by_quantity[name_of(quantity)];
       std::sort(values.begin(), values.end());
-      html += values.empty() ? "<td>–</td>"
-                             : fmt::format("<td>{:.0e}, {:.0e}</td>", values[values.size() / 2], values.back());
+      row.emplace_back(values.empty() ? "–" : fmt::format("{:.0e}, {:.0e}", values[values.size() / 2], values.back()));
     }
-    html += "</tr>\n";
+    table.rows.push_back(std::move(row));
   }
-  return html + "</tbody></table></div>\n";
+  return "<h2>Error budget of the finite elements</h2>\n" + html_of(table);
 }
 
 }  // namespace fretval

@@ -25,21 +25,14 @@ nlohmann::ordered_json focus_by_quantity(const std::map<Quantity, Focus>& focus)
 nlohmann::ordered_json run_json(const CaseResult& result) {
   nlohmann::ordered_json libraries;
   for (const auto& [name, version] : versions()) libraries[name] = version;
-  const auto& r = result.fem_case.resolution;
   const auto& normal = result.fe.fe.normal;
   const auto& q = result.fe.fe.body->mesh_quality;
+  auto resolution = resolution_json(result.fem_case.resolution);
+  resolution["focus"] = focus_by_quantity(result.fe.focus);
+  resolution["refinements"] = result.fe.n_refinements;
+  resolution["computations"] = result.fe.n_computations;
   return {{"versions", libraries},
-          {"resolution",
-           {{"elements_per_radius", r.elements_per_radius},
-            {"degree", r.degree},
-            {"growth", r.growth},
-            {"far_radius", r.far_radius},
-            {"steps_per_cycle", r.steps_per_cycle},
-            {"ramp_cycles", r.n_ramp_cycles},
-            {"periodicity", r.periodicity},
-            {"focus", focus_by_quantity(result.fe.focus)},
-            {"refinements", result.fe.n_refinements},
-            {"computations", result.fe.n_computations}}},
+          {"resolution", resolution},
           {"reached",
            {{"periodicity_normal", normal.periodicity},
             {"periodicity_tangential", result.fe.fe.friction.periodicity},
@@ -77,7 +70,8 @@ void write_history(const CaseResult& result, const mdr::NormalResponse& referenc
     time[k] = t / fem.units.angular_frequency;
     indentation[k] = fem::normal_motion(fem.motion, t).value * fem.units.depth;
     displacement[k] = fem::tangential_motion(fem.motion, t).value * fem.units.depth;
-    normal_force[k] = history.force[history.column(first + k)] * fem.units.force();
+    const auto column = history.column(first + k);
+    normal_force[k] = (history.force[column] + history.force_beyond[column]) * fem.units.force();
     mdr_force[k] = periodic_value(reference.normal_force, t / (2 * pi));
     tangential_force[k] = friction.force[k] * fem.units.force();
   }

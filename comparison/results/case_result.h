@@ -26,6 +26,10 @@ CaseResult result_of(const PreparedCase& prepared, const mdr::NormalResponse& re
 /// The whole of result.json, with the keys of the documentation in docs/results.md.
 nlohmann::ordered_json result_json(const CaseResult& result);
 
+/// What an answer of the finite elements cost: seconds (mesh, assembly, factorisation, normal_history,
+/// friction_history), dofs, contact_nodes, time_steps, cycles.
+nlohmann::ordered_json cost_json(const FeAnswer& fe);
+
 /// Removes the result.json of an earlier run from a folder, if there is one: without it a folder is no result.
 void withdraw_result(const std::filesystem::path& folder);
 

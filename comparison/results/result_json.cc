@@ -10,29 +10,11 @@ namespace {
 
 using nlohmann::ordered_json;
 
-const char* name_of(Case::Shape shape) {
-  switch (shape) {
-    case Case::Shape::parabola:
-      return "parabola";
-    case Case::Shape::cone:
-      return "cone";
-    case Case::Shape::power:
-      return "power";
-    case Case::Shape::rounded_flat:
-      return "rounded flat";
-    case Case::Shape::truncated_sphere:
-      return "truncated sphere";
-    case Case::Shape::table:
-      break;
-  }
-  return "table";
-}
-
 ordered_json case_json(const CaseResult& result) {
   const auto& input = result.input;
   const auto& motion = result.mdr_case.motion;
   ordered_json json{{"file", input.file},
-                    {"shape", name_of(input.indenter.shape)},
+                    {"shape", Case::shape_names[static_cast<std::size_t>(input.indenter.shape)]},
                     {"rheology", input.elastomer.rheology},
                     {"friction_coefficient", input.friction_coefficient},
                     {"indentation", motion.indentation},
@@ -97,7 +79,8 @@ double peak_memory_bytes() {
 
 ordered_json result_json(const CaseResult& result) {
   const auto& fe = result.fe.fe;
-  const auto& body = *fe.body;
+  auto cost = cost_json(fe);
+  cost["peak_memory_bytes"] = peak_memory_bytes();
   return {{"name", result.input.name},
           {"pass", passes(result.comparison)},
           {"proof", name_of(result.proof)},
@@ -105,18 +88,21 @@ ordered_json result_json(const CaseResult& result) {
           {"mdr", to_json(result.mdr)},
           {"fe", fe_json(fe, result.comparison)},
           {"comparison", comparison_json(result.comparison)},
-          {"cost",
-           {{"seconds",
-             {{"mesh", body.cost.mesh},
-              {"assembly", body.cost.assembly},
-              {"factorisation", body.cost.factorisation},
-              {"normal_history", fe.seconds.normal},
-              {"friction_history", fe.seconds.friction}}},
-            {"dofs", body.n_dofs},
-            {"contact_nodes", body.n_contact_nodes},
-            {"time_steps", fe.n_steps},
-            {"cycles", fe.n_cycles},
-            {"peak_memory_bytes", peak_memory_bytes()}}}};
+          {"cost", std::move(cost)}};
+}
+
+ordered_json cost_json(const FeAnswer& fe) {
+  const auto& body = *fe.body;
+  return {{"seconds",
+           {{"mesh", body.cost.mesh},
+            {"assembly", body.cost.assembly},
+            {"factorisation", body.cost.factorisation},
+            {"normal_history", fe.seconds.normal},
+            {"friction_history", fe.seconds.friction}}},
+          {"dofs", body.n_dofs},
+          {"contact_nodes", body.n_contact_nodes},
+          {"time_steps", fe.n_steps},
+          {"cycles", fe.n_cycles}};
 }
 
 }  // namespace fretval

@@ -167,11 +167,11 @@ std::vector<StoredResult> read_results(const fs::path& folder) {
   return results;
 }
 
-std::optional<nlohmann::ordered_json> read_json(const fs::path& file) {
-  if (!fs::exists(file)) return std::nullopt;
+std::string section_of(const fs::path& file, std::string (*section)(const ordered_json&)) {
+  if (!fs::exists(file)) return "";
   std::ifstream stream(file);
   try {
-    return nlohmann::ordered_json::parse(stream);
+    return section(ordered_json::parse(stream));
   } catch (const nlohmann::json::exception& error) {
     throw InputError(fmt::format("{}: {}", file.string(), error.what()));
   }

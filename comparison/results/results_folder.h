@@ -26,8 +26,9 @@ struct StoredResult {
 /// folder or one cannot be read.
 std::vector<StoredResult> read_results(const std::filesystem::path& folder);
 
-/// What is in a JSON file; empty if there is none. Throws InputError if it cannot be read.
-std::optional<nlohmann::ordered_json> read_json(const std::filesystem::path& file);
+/// What a section of the report makes of a JSON file; empty if there is none. Throws InputError if it is no JSON, or
+/// none that the section takes.
+std::string section_of(const std::filesystem::path& file, std::string (*section)(const nlohmann::ordered_json&));
 
 /// Two columns of a CSV file; empty if the file or a column is not there.
 std::pair<std::vector<double>, std::vector<double>> read_columns(const std::filesystem::path& file,

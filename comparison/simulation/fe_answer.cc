@@ -42,15 +42,20 @@ NoWearEvidence no_wear_evidence(const fem::Compliance& compliance, const FemCase
           fem::touch_indentation(compliance, profile, n_inside, n_worn)};
 }
 
-/// The stick zone of a worn profile may end with the contact, where margins are singular, rings fine and one of them
-/// ends there: counting them is exact. As long as that edge is nearer than the rings that a fit takes, the edge is that
-/// of a ring, uncertain by the next one; further inside it is read like any other.
-void count_at_worn_edge(const fem::Compliance& compliance, Eigen::Index n_stuck, Eigen::Index n_inside,
-                        fem::EdgeRadius& zone) {
-  constexpr Eigen::Index n_fitted = 6;  // see fem::stick_radius
-  if (n_stuck <= n_inside - n_fitted) return;
-  const auto& radii = compliance.radii;
-  zone = {radii[n_stuck], n_stuck == n_inside ? 0 : radii[n_stuck + 1] - radii[n_stuck]};
+/// Where all of the contact inside a worn flank sticks, its edge is known. Where nothing does, the slip tells whether
+/// that holds up to the centre, to which it falls.
+void read_on_worn_profile(const fem::Compliance& compliance, Eigen::Index n_inside, Eigen::Index n_stuck,
+                          const Eigen::VectorXd& slip, fem::EdgeRadius& zone) {
+  if (n_stuck == n_inside) zone = {compliance.radii[n_stuck], 0};
+  if (n_stuck == 0 && 2 * slip[0] > slip[1]) zone.uncertainty = 0;
+}
+
+/// Next to the worn edge the margins after shakedown are singular, but rings are fine there: those that stick are
+/// counted, which is out by no more than the next one, where the edge that was read is further off.
+void hold_to_count(const fem::Compliance& compliance, Eigen::Index n_stuck, fem::EdgeRadius& zone) {
+  if (n_stuck == 0) return;
+  const double counted = compliance.radii[n_stuck], next = compliance.radii[n_stuck + 1] - counted;
+  if (std::abs(zone.radius - counted) > next) zone = {counted, next};
 }
 
 /// A stick zone narrower than a ring is none that the mesh can show.
@@ -125,8 +130,9 @@ FeAnswer read_answer(const ContactProblems& problems, const FemCase& fem, const 
   auto [first, shakedown] = fem::stick_zones(problem.compliance, normal, friction, stuck, exponent_at_edge(fem));
   if (fem.worn_edge) {
     const Eigen::Index n_inside = rings_within(problem.compliance, fem.worn_edge->inner);
-    count_at_worn_edge(problem.compliance, stuck.first_slip, n_inside, first);
-    count_at_worn_edge(problem.compliance, stuck.shakedown, n_inside, shakedown);
+    hold_to_count(problem.compliance, stuck.shakedown, shakedown);
+    read_on_worn_profile(problem.compliance, n_inside, stuck.first_slip, friction.slip_path, first);
+    read_on_worn_profile(problem.compliance, n_inside, stuck.shakedown, friction.period_slip, shakedown);
     answer.no_wear = no_wear_evidence(problems.normal.compliance, fem, profile, normal, friction);
   }
   for (auto* zone : {&first, &shakedown}) widen_next_to_sharp_edge(fem, problem.compliance, *zone);

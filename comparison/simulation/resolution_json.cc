@@ -11,7 +11,7 @@ ordered_json focus_json(const Focus& focus) {
 }
 
 ordered_json resolution_json(const Resolution& r) {
-  ordered_json json{{"rings", r.elements_per_radius},
+  ordered_json json{{"elements_per_radius", r.elements_per_radius},
                     {"degree", r.degree},
                     {"growth", r.growth},
                     {"far_radius", r.far_radius},

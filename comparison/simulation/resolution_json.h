@@ -6,7 +6,7 @@
 
 namespace fretval {
 
-/// Rings, degree, growth, far_radius, steps_per_cycle, ramp_cycles, periodicity; focus if there is one.
+/// elements_per_radius, degree, growth, far_radius, steps_per_cycle, ramp_cycles, periodicity; focus if there is one.
 nlohmann::ordered_json resolution_json(const Resolution& resolution);
 
 /// Inner and outer radius and ring.

@@ -1,6 +1,7 @@
 #include "comparison/verification/suite_json.h"
 
 #include "comparison/support/json.h"
+#include "comparison/support/junit.h"
 #include "comparison/verification/suite_summary.h"
 
 namespace fretval {
@@ -67,6 +68,15 @@ ordered_json suite_json(const SuiteRun& run) {
           {"checks", std::move(checks)},
           {"quantities", std::move(quantities)},
           {"rows", std::move(rows)}};
+}
+
+std::string suite_junit(const SuiteRun& run) {
+  std::vector<JUnitCase> cases;
+  for (const auto& row : run.rows)
+    cases.push_back({title_of(row.asked) + (verdict_of(row) == RowVerdict::inconclusive ? " (inconclusive)" : ""),
+                     failure_of(row)});
+  for (const auto& check : run.checks) cases.push_back({check.name, check.failure});
+  return junit_document("fretval check " + run.name, cases);
 }
 
 }  // namespace fretval

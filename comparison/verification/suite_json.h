@@ -1,6 +1,7 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
+#include <string>
 
 #include "comparison/verification/suite.h"
 
@@ -12,5 +13,8 @@ namespace fretval {
 /// quantities (by name: mdr, fe, error, tolerance, bar, source), worst (the quantity closest to its bar), seconds,
 /// refinements, computations, case_file (its text). Null: what there is none of, and numbers that are not finite.
 nlohmann::ordered_json suite_json(const SuiteRun& run);
+
+/// JUnit XML of all rows and of the checks of the whole; an inconclusive row passes, and says so by its name.
+std::string suite_junit(const SuiteRun& run);
 
 }  // namespace fretval

@@ -76,26 +76,14 @@ ErrorCounts count_errors(const std::vector<SuiteRow>& rows) {
   return counts;
 }
 
-std::string counts_text(const std::vector<SuiteRow>& rows) {
-  const auto errors = count_errors(rows);
-  return fmt::format(
-      "{} cases: {} agree, {} refused as expected, {} inconclusive, {} FAIL; {} of {} errors are covered", rows.size(),
-      count(rows, RowVerdict::agrees), count(rows, RowVerdict::refused), count(rows, RowVerdict::inconclusive),
-      count(rows, RowVerdict::fails), errors.n - errors.n_above, errors.n);
-}
-
 const ComparedQuantities::value_type* worst_of(const SuiteRow& row) {
   const auto found = std::max_element(row.compared.begin(), row.compared.end(),
                                       [](const auto& a, const auto& b) { return a.second.share() < b.second.share(); });
   return found == row.compared.end() ? nullptr : &*found;
 }
 
-bool shows_all(const std::vector<SuiteRow>& rows) {
-  return rows.size() <= most_shown;
-}
-
 std::vector<const SuiteRow*> shown_rows(const std::vector<SuiteRow>& rows) {
-  if (!shows_all(rows)) return worst_rows(rows);
+  if (rows.size() > most_shown) return worst_rows(rows);
   std::vector<const SuiteRow*> shown;
   for (const auto& row : rows) shown.push_back(&row);
   return shown;

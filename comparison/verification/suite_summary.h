@@ -37,15 +37,11 @@ struct ErrorCounts {
 };
 ErrorCounts count_errors(const std::vector<SuiteRow>& rows);
 
-/// "160 cases: 134 agree, 22 refused as expected, 4 inconclusive, 0 FAIL; 570 of 570 errors are covered"
-std::string counts_text(const std::vector<SuiteRow>& rows);
-
 /// The quantity with the largest share of its bar; null: nothing was compared.
 const ComparedQuantities::value_type* worst_of(const SuiteRow& row);
 
 /// The rows that tables and JSON show: all of a suite that is small enough to be read, otherwise the worst ten, with
 /// every one that fails. Failing rows come first then, the others by the largest share of a bar.
-bool shows_all(const std::vector<SuiteRow>& rows);
 std::vector<const SuiteRow*> shown_rows(const std::vector<SuiteRow>& rows);
 std::vector<const SuiteRow*> worst_rows(const std::vector<SuiteRow>& rows);
 

@@ -12,16 +12,21 @@ using Eigen::Index;
 
 namespace {
 
-/// Plain sum over the rings that are pressed beyond the first free one. At the ends of each of their zones it is
-/// uncertain by half of what the last ring bears.
-void add_detached(const PunchSeries& series, const Eigen::VectorXd& pressure, Index first, ContactForce& contact) {
+/// Force of the depths beyond the edge of the contact around the centre, a plain sum: uncertain by half of what the
+/// last ring of each zone bears.
+ForceBeyond force_beyond(const PunchSeries& series, const Eigen::VectorXd& pressure, Index n_pressed, double radius) {
+  ForceBeyond beyond;
+  const Index n = pressure.size() - n_pressed;
+  if ((pressure.tail(n).array() <= 0).all()) return beyond;
+  const Eigen::VectorXd depths = series.depths(pressure).col(0).tail(n), &edges = series.edges();
+  beyond.force = series.force_per_radius() *
+                 (depths.dot(edges.tail(n) - edges.segment(n_pressed, n)) + depths[0] * (edges[n_pressed] - radius));
   const Eigen::VectorXd forces = pressure.cwiseProduct(series.areas());
-  for (Index i = first; i < forces.size(); ++i) {
-    if (forces[i] <= 0) continue;
-    contact.force += forces[i];
+  for (Index i = n_pressed; i < forces.size(); ++i) {
     const bool ends_inside = forces[i - 1] <= 0, ends_outside = i + 1 == forces.size() || forces[i + 1] <= 0;
-    contact.uncertainty += (ends_inside + ends_outside) * forces[i] / 2;
+    beyond.uncertainty += (ends_inside + ends_outside) * forces[i] / 2;
   }
+  return beyond;
 }
 
 /// Of the n_pressed rings around the centre.
@@ -67,12 +72,8 @@ ContactForce contact_force(const PunchSeries& series, const Eigen::VectorXd& pre
                            const ContactPast& past) {
   Index n_pressed = 0;
   while (n_pressed < pressure.size() && pressure[n_pressed] > 0) ++n_pressed;
-  const Index n_beyond = pressure.size() - n_pressed;
-  if ((pressure.tail(n_beyond).array() <= 0).all()) return central_force(series, pressure, gap, n_pressed, past);
-  Eigen::VectorXd central = pressure;
-  central.tail(n_beyond).setZero();
-  auto contact = central_force(series, central, gap, n_pressed, past);
-  add_detached(series, pressure, n_pressed, contact);
+  auto contact = central_force(series, pressure, gap, n_pressed, past);
+  contact.beyond = force_beyond(series, pressure, n_pressed, contact.radius);
   return contact;
 }
 

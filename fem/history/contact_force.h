@@ -19,7 +19,12 @@ struct ContactPast {
   PressureAtEdge edge = PressureAtEdge::vanishes;
 };
 
-/// Normal force of a contact and where it ends.
+/// What the depths bear beyond the contact around the centre, where rings press beyond the first free one.
+struct ForceBeyond {
+  double force = 0, uncertainty = 0;
+};
+
+/// Normal force of the depths (see PunchSeries) of the contact around the centre, and where it ends.
 struct ContactForce {
   double force, radius;
   /// Of the force. Without a dashpot pressures vanish at the edge, in a body with memory maybe within less than a ring:
@@ -31,10 +36,10 @@ struct ContactForce {
   double uncertainty = 0;
   double kink_uncertainty = 0;  ///< the part of it that an unseen kink makes, see read_edges_near_largest_contact
   Eigen::Index n_closed = 0;    ///< rings whose pressures are continued up to the radius; 0: no edge was found
+  ForceBeyond beyond = {};
 };
 
-/// From ring pressures and the gaps of the free rings; rings that press beyond the first free one add their forces, and
-/// the radius is that of the zone around the centre. The edge is found from the gaps: with a dashpot, or a branch
+/// From ring pressures and the gaps of the free rings. The edge is found from the gaps: with a dashpot, or a branch
 /// that relaxes while the edge crosses a ring, the pressure jumps there. With a dashpot the pressures of the rings that
 /// touched in the step are averages, so the inner ones are continued in their place.
 ContactForce contact_force(const PunchSeries& series, const Eigen::VectorXd& pressure, const Eigen::VectorXd& gap,

@@ -20,8 +20,9 @@ class CycleRecord {
     const Eigen::Index n = contact.steps_per_cycle();
     history.smallest_pressure = contact.pressure;
     history.pressure = Eigen::MatrixXd::Zero(contact.pressure.size(), n);
-    for (auto* series : {&history.time, &history.indentation, &history.force, &history.force_uncertainty,
-                         &history.kink_uncertainty, &history.contact_radius})
+    for (auto* series :
+         {&history.time, &history.indentation, &history.force, &history.force_uncertainty, &history.kink_uncertainty,
+          &history.force_beyond, &history.force_beyond_uncertainty, &history.contact_radius})
       series->resize(n);
     history.n_closed.resize(n);
   }
@@ -41,6 +42,8 @@ class CycleRecord {
     history_.force[k] = contact.reading.force;
     history_.force_uncertainty[k] = contact.reading.uncertainty;
     history_.kink_uncertainty[k] = contact.reading.kink_uncertainty;
+    history_.force_beyond[k] = contact.reading.beyond.force;
+    history_.force_beyond_uncertainty[k] = contact.reading.beyond.uncertainty;
     history_.n_closed[k] = contact.reading.n_closed;
     history_.contact_radius[k] = contact.reading.radius;
     history_.smallest_gap = history_.smallest_gap.cwiseMin(contact.gap);

@@ -18,17 +18,18 @@ struct HistoryControl {
 /// The periodic state of the normal contact: the last cycle, which repeats, and how the history came to it.
 struct NormalHistory {
   int steps_per_cycle = 0;
-  int n_cycles = 0;                       ///< computed; from the last one on, the response repeats
-  double periodicity = 0;                 ///< reached, see HistoryControl
-  double first_balance = 0;               ///< time at which forces balanced in the first step of all
-  Eigen::VectorXd smallest_pressure;      ///< per ring, from the start on
-  Eigen::VectorXd time;                   ///< per step of the cycle: its balance time; so all that follow
-  Eigen::MatrixXd pressure;               ///< n_rings x steps_per_cycle
-  Eigen::VectorXd indentation;            ///< at the balance times
-  Eigen::VectorXd force;                  ///< see contact_force
-  Eigen::VectorXd force_uncertainty;      ///< see ContactForce
-  Eigen::VectorXd kink_uncertainty;       ///< see ContactForce
-  Eigen::VectorX<Eigen::Index> n_closed;  ///< see ContactForce
+  int n_cycles = 0;                   ///< computed; from the last one on, the response repeats
+  double periodicity = 0;             ///< reached, see HistoryControl
+  double first_balance = 0;           ///< time at which forces balanced in the first step of all
+  Eigen::VectorXd smallest_pressure;  ///< per ring, from the start on
+  Eigen::VectorXd time;               ///< per step of the cycle: its balance time; so all that follow
+  Eigen::MatrixXd pressure;           ///< n_rings x steps_per_cycle
+  Eigen::VectorXd indentation;        ///< at the balance times
+  Eigen::VectorXd force;              ///< of the contact around the centre, see contact_force
+  Eigen::VectorXd force_uncertainty;  ///< see ContactForce
+  Eigen::VectorXd kink_uncertainty;   ///< see ContactForce
+  Eigen::VectorXd force_beyond, force_beyond_uncertainty;  ///< of rings that press beyond a free one
+  Eigen::VectorX<Eigen::Index> n_closed;                   ///< see ContactForce
   Eigen::VectorXd contact_radius;
   Eigen::VectorXd touch_radii;   ///< of the contact when a ring touches, see PunchSeries::radii
   Eigen::VectorXd smallest_gap;  ///< per ring over the cycle; 0 for rings that touch

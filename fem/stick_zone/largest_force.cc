@@ -91,7 +91,12 @@ double force_at_sharp_edge(const Compliance& compliance, const ForceContext& con
 
 LargestForce largest_force(const ContactProblem& problem, const ForceContext& context, const NormalHistory& history) {
   const int n_steps = history.steps_per_cycle;
-  auto largest = periodic_peak(history.force.tail(n_steps), history.force_uncertainty.tail(n_steps));
+  Eigen::VectorXd force = history.force.tail(n_steps), uncertainty = history.force_uncertainty.tail(n_steps);
+  if (!context.worn) {
+    force += history.force_beyond.tail(n_steps);
+    uncertainty += history.force_beyond_uncertainty.tail(n_steps);
+  }
+  auto largest = periodic_peak(force, uncertainty);
   largest.uncertainty += unseen_travel(problem, context, history) + unseen_growth(problem, context, history) +
                          force_at_sharp_edge(problem.compliance, context, history);
   return largest;

@@ -16,7 +16,8 @@ struct ForceContext {
 
 /// Largest normal force of the periodic state, dimensionless, and how uncertain its reading is: of the edges at its
 /// instants (see ContactForce), of the peak between the samples, and of what rings and steps do not show of it
-/// however they are compared.
+/// however they are compared. Of a worn profile, that of the contact inside its flank: what the flank bears, which
+/// should be nothing, is a quantity of its own.
 struct LargestForce {
   double value, uncertainty;
 };

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "comparison/verification/suite.h"
+#include "comparison/verification/suite_summary.h"
 
 namespace fretval {
 
@@ -38,6 +39,14 @@ inline SuiteRun mixed_run() {
       {row_of(1e-3, 2e-3, "good"), row_of(1e-3, 2e-2, "wide"), row_of(3e-2, 2e-3, "<bad>"), refused_row("a", "a b")});
   run.checks = {{"memory", "200 MB", ""}, {"draws", "30", "too many"}};
   return run;
+}
+
+/// What there is to be said of its rows.
+inline std::string remarks_of(const SuiteRun& run) {
+  std::string text;
+  for (const auto& row : run.rows)
+    if (const auto remark = remark_of(row); !remark.empty()) text += title_of(row.asked) + ": " + remark + "\n";
+  return text;
 }
 
 }  // namespace fretval

@@ -1,11 +1,11 @@
 #include "comparison/verification/exact/convergence_rows.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "comparison/support/json.h"
 #include "comparison/support/junit.h"
 #include "comparison/support/log_slope.h"
 
@@ -21,28 +21,6 @@ double error_at_goal(const ConvergenceRow& row) {
 
 std::string name_of(const ConvergenceRow& row) {
   return fmt::format("{}: {}", row.solution, row.quantity);
-}
-
-std::string order_text(const std::optional<double>& order) {
-  return order ? fmt::format("{:.1f}", *order) : "floor";
-}
-
-std::string goal_text(const ConvergenceRow& row) {
-  const auto met = meets_goal(row);
-  if (!met) return "none";
-  return fmt::format("{:.0e} {}", *row.demand.goal, *met ? "met" : "UNMET");
-}
-
-std::string table_line(const ConvergenceRow& row, std::size_t name_width) {
-  std::string errors;
-  for (const double error : row.errors) errors += fmt::format(" {:8.1e}", error);
-  const auto& demand = row.demand;
-  const std::string failure = failure_of(row);
-  return fmt::format("{} {:<{}} {:<5}{} {:>6} {:>5} {:>10.1e} {:<11} {}{}{}\n", failure.empty() ? "pass" : "FAIL",
-                     name_of(row), name_width, row.refined, errors, order_text(observed_order(row)),
-                     demand.expected_order > 0 ? fmt::format("{:g}", demand.expected_order) : "exact", demand.tolerance,
-                     goal_text(row), row.source, demand.note.empty() ? "" : "; " + demand.note,
-                     failure.empty() ? "" : " | " + failure);
 }
 
 }  // namespace
@@ -78,23 +56,32 @@ std::optional<bool> meets_goal(const ConvergenceRow& row) {
   return std::abs(error_at_goal(row)) <= *row.demand.goal;
 }
 
-std::string convergence_table(const std::vector<ConvergenceRow>& rows) {
-  std::size_t name_width = 0, n_errors = 0;
-  for (const auto& row : rows) {
-    name_width = std::max(name_width, name_of(row).size());
-    n_errors = std::max(n_errors, row.errors.size());
-  }
-  std::string text = fmt::format("     {:<{}} {:<5}{:>{}} {:>6} {:>5} {:>10} {:<11} {}\n", "", name_width, "", "errors",
-                                 9 * n_errors, "order", "exp.", "tolerance", "goal", "source");
-  for (const auto& row : rows) text += table_line(row, name_width);
-  return text;
-}
-
 std::string convergence_junit(const std::vector<ConvergenceRow>& rows) {
   std::vector<JUnitCase> cases;
   cases.reserve(rows.size());
   for (const auto& row : rows) cases.push_back({name_of(row), failure_of(row)});
   return junit_document("fretval check exact", cases);
+}
+
+nlohmann::ordered_json convergence_json(const std::vector<ConvergenceRow>& rows) {
+  auto array = nlohmann::ordered_json::array();
+  for (const auto& row : rows) {
+    const std::string failure = failure_of(row);
+    array.push_back({{"solution", row.solution},
+                     {"quantity", row.quantity},
+                     {"source", row.source},
+                     {"refined", row.refined},
+                     {"resolutions", row.resolutions},
+                     {"errors", row.errors},
+                     {"observed_order", or_null(observed_order(row))},
+                     {"expected_order", row.demand.expected_order},
+                     {"tolerance", row.demand.tolerance},
+                     {"goal", or_null(row.demand.goal)},
+                     {"goal_met", or_null(meets_goal(row))},
+                     {"verdict", failure.empty() ? "pass" : failure},
+                     {"note", row.demand.note}});
+  }
+  return array;
 }
 
 }  // namespace fretval

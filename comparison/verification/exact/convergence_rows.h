@@ -1,5 +1,6 @@
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,18 +13,18 @@ struct ConvergenceDemand {
   double expected_order;       ///< 0: none, the scheme is exact but for the floor
   double floor;                ///< smaller errors have another source than the resolution, which the note names
   std::optional<double> goal;  ///< what the project wants at goal_resolution; empty: it has set none
-  std::string note;            ///< source of the floor; why the tolerance is above the goal
+  const char* note;            ///< source of the floor; why the tolerance is above the goal
   int goal_resolution = 64;
 };
 
 /// Errors of one quantity against its exact solution on nested resolutions.
 struct ConvergenceRow {
   std::string solution, quantity;
-  std::string source;            ///< of the exact solution
-  std::string refined;           ///< what the resolutions count: rings per contact radius, steps
-  std::vector<int> resolutions;  ///< rising
-  std::vector<double> errors;    ///< per resolution, the largest over the positions of an edge within its ring
+  std::string source;  ///< of the exact solution
   ConvergenceDemand demand;
+  std::string refined = "rings";      ///< what the resolutions count: rings per contact radius, steps
+  std::vector<int> resolutions = {};  ///< rising
+  std::vector<double> errors = {};    ///< per resolution, the largest over the positions of an edge within its ring
 };
 
 /// Order of convergence: least-squares slope of -log(error) over log(resolution), of the errors above the floor. Empty
@@ -41,10 +42,12 @@ std::string failure_of(const ConvergenceRow& row);
 /// Whether the error at the goal's resolution is within the goal; empty if there is no goal.
 std::optional<bool> meets_goal(const ConvergenceRow& row);
 
-/// A heading, and one aligned line a row: verdict, errors, observed and expected order, tolerance, goal, source, note.
-std::string convergence_table(const std::vector<ConvergenceRow>& rows);
-
 /// JUnit XML of the rows.
 std::string convergence_junit(const std::vector<ConvergenceRow>& rows);
+
+/// An array with an object a row: solution, quantity, source, refined, resolutions, errors, observed_order,
+/// expected_order, tolerance, goal, goal_met, verdict ("pass" or why it fails), note. Null: observed_order with all
+/// errors at the floor, goal and goal_met without a goal, and errors that are not finite.
+nlohmann::ordered_json convergence_json(const std::vector<ConvergenceRow>& rows);
 
 }  // namespace fretval

@@ -1,6 +1,5 @@
-#include "comparison/verification/exact/exact_bulk_rows.h"
-
 #include "comparison/simulation/body.h"
+#include "comparison/verification/exact/exact_rows.h"
 #include "fem/operators/grid_refinement.h"
 #include "meshes/grading.h"
 #include "meshes/quarter_disc.h"
@@ -17,22 +16,21 @@ std::vector<BulkMesh> bulk_meshes(int n_meshes) {
 }
 
 std::vector<ConvergenceRow> bulk_rows(const std::vector<BulkMesh>& meshes, const BulkCase& bulk,
-                                      const fem::StokesField& load, const fem::StokesField& exact) {
-  const ConvergenceDemand demand{
-      0, 0, 1e-11, std::nullopt, "cubic displacement, quadratic pressure; floor: roundoff", meshes.back().n_rings};
-  ConvergenceRow displacement{bulk.name, "displacement in the bulk", "Kelvin 1848", "rings", {}, {}, demand};
-  ConvergenceRow pressure{bulk.name, "pressure in the bulk", "Kelvin 1848", "rings", {}, {}, demand};
-  displacement.demand.tolerance = bulk.displacement_tolerance;
-  displacement.demand.expected_order = 4;
-  pressure.demand.tolerance = bulk.pressure_tolerance;
-  pressure.demand.expected_order = 3;
-  for (const auto& mesh : meshes) {
-    const auto error = fem::bulk_error(fem::HarmonicSpace(mesh.grid, bulk.harmonic, 3), load, exact);
-    for (auto* row : {&displacement, &pressure}) row->resolutions.push_back(mesh.n_rings);
-    displacement.errors.push_back(error.displacement);
-    pressure.errors.push_back(error.pressure);
-  }
-  return {displacement, pressure};
+                                      const fem::StokesField& exact) {
+  const char* source = "Kelvin 1848";
+  ConvergenceDemand displacement{
+      bulk.displacement_tolerance, 4, 1e-11, std::nullopt, "cubic displacement, quadratic pressure; floor: roundoff",
+      meshes.back().n_rings};
+  ConvergenceDemand pressure = displacement;
+  pressure.tolerance = bulk.pressure_tolerance;
+  pressure.expected_order = 3;
+  return mesh_rows({{bulk.name, "displacement in the bulk", source, displacement},
+                    {bulk.name, "pressure in the bulk", source, pressure}},
+                   meshes, [&](const BulkMesh& mesh) {
+                     const auto error = fem::bulk_error(fem::HarmonicSpace(mesh.grid, bulk.harmonic, 3),
+                                                        fem::point_force(bulk.harmonic, 1), exact);
+                     return std::vector<double>{error.displacement, error.pressure};
+                   });
 }
 
 }  // namespace fretval

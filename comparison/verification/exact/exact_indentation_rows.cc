@@ -1,5 +1,5 @@
 #include "comparison/simulation/body.h"
-#include "comparison/verification/exact/exact_space_rows.h"
+#include "comparison/verification/exact/exact_rows.h"
 #include "fem/condensation/contact_events.h"
 #include "fem/condensation/effective_radii.h"
 #include "fem/history/contact_force.h"
@@ -27,28 +27,22 @@ ExactIndentation exact_indentation(const std::string& name, const std::string& s
 
 std::vector<ConvergenceRow> indentation_rows(const std::vector<ConvergenceMesh>& meshes, const ExactIndentation& exact,
                                              const ConvergenceDemand& radius, const ConvergenceDemand& force) {
-  const auto worst = [&](const ConvergenceMesh& mesh, const auto& error_of) {
+  const auto errors = [&](const ConvergenceMesh& mesh) {
     const Eigen::VectorXd profile = means_of(exact.profile, mesh.normal);
-    double error = 0;
+    const auto events = fem::contact_events(mesh.normal.compliance, profile);
+    double radius_error = 0, force_error = 0;
     for (int k = 0; k < n_positions; ++k) {
       const double indentation = mdr::transform(exact.profile, position(k, 0.8, 1));
-      take_worst(error, error_of(fem::static_contact(mesh.normal, profile, indentation), indentation));
+      const auto contact = fem::static_contact(mesh.normal, profile, indentation);
+      const double contact_radius = fem::largest_contact_radius(contact.gap, events).radius;
+      const double contact_force = fem::contact_force(mesh.normal.series, contact.pressure, contact.gap).force;
+      take_worst(radius_error, contact_radius / exact.contact_radius(indentation) - 1);
+      take_worst(force_error, contact_force / exact.force(indentation) - 1);
     }
-    return error;
+    return std::vector<double>{radius_error, force_error};
   };
-  const auto radius_error = [&](const ConvergenceMesh& mesh) {
-    const auto events = fem::contact_events(mesh.normal.compliance, means_of(exact.profile, mesh.normal));
-    return worst(mesh, [&](const fem::StaticContact& contact, double indentation) {
-      return fem::largest_contact_radius(contact.gap, events).radius / exact.contact_radius(indentation) - 1;
-    });
-  };
-  const auto force_error = [&](const ConvergenceMesh& mesh) {
-    return worst(mesh, [&](const fem::StaticContact& contact, double indentation) {
-      return fem::contact_force(mesh.normal.series, contact.pressure, contact.gap).force / exact.force(indentation) - 1;
-    });
-  };
-  return {mesh_row(exact.name, "contact radius", exact.source, meshes, radius, radius_error),
-          mesh_row(exact.name, "force", exact.source, meshes, force, force_error)};
+  return mesh_rows({{exact.name, "contact radius", exact.source, radius}, {exact.name, "force", exact.source, force}},
+                   meshes, errors);
 }
 
 namespace {
@@ -80,18 +74,15 @@ std::vector<ConvergenceRow> punch_rows(const std::vector<ConvergenceMesh>& meshe
   std::vector<ConvergenceRow> rows;
   for (const auto& punch : {Punch{"flat punch", "Boussinesq 1885, Sneddon 1965", true, exact.normal},
                             Punch{"full stick", "Mindlin 1949", false, exact.tangential}}) {
-    const auto problem = [&](const ConvergenceMesh& mesh) -> const fem::ContactProblem& {
-      return punch.normal ? mesh.normal : mesh.tangential;
+    const auto errors = [&](const ConvergenceMesh& mesh) {
+      const auto& problem = punch.normal ? mesh.normal : mesh.tangential;
+      const double force = force_of_stuck_rings(problem, mesh.n_rings) / punch.force;
+      return std::vector<double>{force - 1, force / fem::effective_radii(problem.compliance).radius[mesh.n_rings] - 1};
     };
-    const auto error = [&](const ConvergenceMesh& mesh) {
-      return force_of_stuck_rings(problem(mesh), mesh.n_rings) / punch.force - 1;
-    };
-    const auto error_per_radius = [&](const ConvergenceMesh& mesh) {
-      return (1 + error(mesh)) / fem::effective_radii(problem(mesh).compliance).radius[mesh.n_rings] - 1;
-    };
-    rows.push_back(mesh_row(punch.name, "force", punch.source, meshes, nominal, error));
-    rows.push_back(
-        mesh_row(punch.name, "force over effective radius", punch.source, meshes, effective, error_per_radius));
+    for (auto& row : mesh_rows({{punch.name, "force", punch.source, nominal},
+                                {punch.name, "force over effective radius", punch.source, effective}},
+                               meshes, errors))
+      rows.push_back(std::move(row));
   }
   return rows;
 }

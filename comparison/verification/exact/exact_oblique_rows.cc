@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "comparison/verification/exact/exact_space_rows.h"
+#include "comparison/verification/exact/exact_rows.h"
 #include "fem/condensation/contact_events.h"
 #include "fem/stick_zone/stick_radius.h"
 #include "mdr/profiles/indentation.h"
@@ -48,45 +48,36 @@ ExactOblique exact_oblique(const ObliqueLoading& loading) {
           }};
 }
 
-std::vector<ConvergenceRow> oblique_rows(const std::vector<ConvergenceMesh>& meshes, const ObliqueLoading& loading,
-                                         const ExactOblique& exact) {
+std::vector<ConvergenceRow> oblique_rows(const std::vector<ConvergenceMesh>& meshes, const ExactOblique& exact) {
+  const auto& loading = oblique_loading;
   const auto profile = mdr::parabola(1);
-  // Steps end where a ring touches, so that the contact does not change within one: no error of time.
-  const auto follow = [&](const ConvergenceMesh& mesh, const auto& take) {
-    const auto means = means_of(profile, mesh.normal);
-    const auto touch = fem::contact_events(mesh.normal.compliance, means).indentation;
+  const double first_contact = mdr::contact_radius(profile, loading.first);
+  const auto errors = [&](const ConvergenceMesh& mesh) {
+    const auto touch = fem::contact_events(mesh.normal.compliance, means_of(profile, mesh.normal)).indentation;
     ElasticSliding sliding(mesh);
+    double force_error = 0, radius_error = 0;
+    int n_radii = 0;
+    // Steps end where a ring touches, so that the contact does not change within one: no error of time.
     for (const double d : indentations(loading, touch)) {
       sliding.step(tangential_displacement(loading, d), friction_limit(mesh, profile, d));
-      take(sliding, d);
-    }
-  };
-  const auto force_error = [&](const ConvergenceMesh& mesh) {
-    double worst = 0;
-    follow(mesh, [&](const ElasticSliding& sliding, double d) {
-      take_worst(worst, (sliding.force() - exact.force(d)) / exact.force(loading.last));
-    });
-    return worst;
-  };
-  const auto radius_error = [&](const ConvergenceMesh& mesh) {
-    const double first_contact = mdr::contact_radius(profile, loading.first);
-    double worst = 0;
-    int n_measured = 0;
-    follow(mesh, [&](const ElasticSliding& sliding, double d) {
+      take_worst(force_error, (sliding.force() - exact.force(d)) / exact.force(loading.last));
       const double radius = exact.stick_radius(d);
-      if (d <= loading.second || radius > first_contact) return;
-      take_worst(worst, (sliding.stick_radius() - radius) / mdr::contact_radius(profile, d));
-      ++n_measured;
-    });
-    return n_measured > 0 ? worst : std::nan("");
+      if (d <= loading.second || radius > first_contact) continue;
+      take_worst(radius_error, (sliding.stick_radius() - radius) / mdr::contact_radius(profile, d));
+      ++n_radii;
+    }
+    return std::vector<double>{force_error, n_radii > 0 ? radius_error : std::nan("")};
   };
   const std::string solution = "oblique loading", source = "Jaeger 1993";
-  return {mesh_row(solution, "force", source, meshes, {3e-6, 2, far_field, 1e-5, far_field_note}, force_error),
-          mesh_row(solution, "stick radius", source, meshes,
-                   {1e-6, 3, far_field, 5e-6,
-                    "inside the first contact: less than six rings outside it the fit of the stick edge meets the "
-                    "kink of the traction there, and is off by up to a ring"},
-                   radius_error)};
+  return mesh_rows(
+      {{solution, "force", source, {3e-6, 2, far_field, 1e-5, far_field_note}},
+       {solution,
+        "stick radius",
+        source,
+        {1e-6, 3, far_field, 5e-6,
+         "inside the first contact: less than six rings outside it the fit of the stick edge meets the kink of the "
+         "traction there, and is off by up to a ring"}}},
+      meshes, errors);
 }
 
 }  // namespace fretval

@@ -22,21 +22,14 @@ Eigen::VectorXd means_of(const mdr::Profile& profile, const fem::ContactProblem&
   return fem::ring_means(problem.compliance, [&](double r) { return mdr::shape(profile, r); });
 }
 
-ConvergenceRow mesh_row(const std::string& solution, const std::string& quantity, const std::string& source,
-                        const std::vector<ConvergenceMesh>& meshes, const ConvergenceDemand& demand,
+ConvergenceRow mesh_row(const ConvergenceRow& row, const std::vector<ConvergenceMesh>& meshes,
                         const std::function<double(const ConvergenceMesh&)>& error) {
-  ConvergenceRow row{solution, quantity, source, "rings", {}, {}, demand};
-  for (const auto& mesh : meshes) {
-    row.resolutions.push_back(mesh.n_rings);
-    row.errors.push_back(error(mesh));
-  }
-  return row;
+  return mesh_rows({row}, meshes, [&](const ConvergenceMesh& mesh) { return std::vector<double>{error(mesh)}; })[0];
 }
 
-ConvergenceRow time_row(const std::string& solution, const std::string& quantity, const std::string& source,
-                        const std::vector<int>& n_steps, const ConvergenceDemand& demand,
-                        const std::function<double(int)>& error) {
-  ConvergenceRow row{solution, quantity, source, "steps", n_steps, {}, demand};
+ConvergenceRow time_row(ConvergenceRow row, const std::vector<int>& n_steps, const std::function<double(int)>& error) {
+  row.refined = "steps";
+  row.resolutions = n_steps;
   for (const int n : n_steps) row.errors.push_back(error(n));
   return row;
 }
@@ -86,41 +79,50 @@ fem::RelaxationModel fem_model(const mdr::PronyBody& body) {
   return {body.relaxed_modulus, body.branch_moduli, body.branch_times, body.viscosity};
 }
 
-NormalPath::NormalPath(const fem::ContactProblem& problem, const fem::RelaxationModel& model, Eigen::VectorXd profile)
-    : problem_(&problem),
-      model_(&model),
-      profile_(std::move(profile)),
-      state_{Eigen::VectorXd::Zero(problem.n_rings()),
-             Eigen::MatrixXd::Zero(problem.n_rings(), static_cast<Eigen::Index>(model.times.size()))},
-      contact_(static_cast<std::size_t>(problem.n_rings()), fem::BoxState::lower) {}
-
-NormalPath::Force NormalPath::step(const Path& path, double begin, double end) {
-  const Eigen::Index n = problem_->n_rings();
-  const auto& areas = problem_->compliance.areas;
-  const fem::RelaxationStep step(*model_, end - begin);
-  const double balance = begin + step.fraction() * (end - begin);
-  const Eigen::VectorXd gap = (state_.displacement + profile_).array() - path(begin).value;
-  const Eigen::VectorXd held = step.response_without_slip(state_, fem::indenter_move(path, begin, balance));
-  const Eigen::VectorXd load = areas.cwiseProduct(held - step.instantaneous() * gap);
-  const auto solution = problem_->solver.solve(
-      load, Eigen::VectorXd::Zero(n), Eigen::VectorXd::Constant(n, std::numeric_limits<double>::infinity()), contact_);
-  if (solution.x[n - 1] > 0) throw fem::SolverError("the contact reaches the end of the contact line");
-  const Eigen::VectorXd new_gap = -solution.residual.cwiseQuotient(areas) / step.instantaneous();
-  step.advance(state_, fem::indenter_move(path, begin, end), gap - new_gap);
-  const double fraction = step.fraction();
-  const auto contact =
-      fem::contact_force(problem_->series, solution.x, fraction * new_gap + (1 - fraction) * gap, {largest_radius_});
-  largest_radius_ = std::max(largest_radius_, contact.radius);
-  return {balance, contact.force, solution.x.dot(areas)};
+mdr::PronyBody viscoelastic_body() {
+  return mdr::standard_solid(1, 2, 0.4);
 }
 
-std::vector<NormalPath::Force> press(const fem::ContactProblem& problem, const fem::RelaxationModel& model,
-                                     const Eigen::VectorXd& profile, const Path& path,
-                                     const std::vector<double>& instants) {
-  NormalPath indenter(problem, model, profile);
-  std::vector<NormalPath::Force> forces;
-  for (std::size_t k = 1; k < instants.size(); ++k) forces.push_back(indenter.step(path, instants[k - 1], instants[k]));
+std::vector<PressingForce> press(const fem::ContactProblem& problem, const Eigen::VectorXd& profile, const Path& path,
+                                 const std::vector<double>& instants) {
+  const Eigen::Index n = problem.n_rings();
+  const auto& areas = problem.compliance.areas;
+  const auto model = fem_model(viscoelastic_body());
+  fem::RingState state{Eigen::VectorXd::Zero(n),
+                       Eigen::MatrixXd::Zero(n, static_cast<Eigen::Index>(model.times.size()))};
+  std::vector<fem::BoxState> contact(static_cast<std::size_t>(n), fem::BoxState::lower);
+  double largest_radius = 0;  // of the contact, so far
+  std::vector<PressingForce> forces;
+  for (std::size_t k = 1; k < instants.size(); ++k) {
+    const double begin = instants[k - 1], end = instants[k];
+    const fem::RelaxationStep step(model, end - begin);
+    const double fraction = step.fraction(), balance = begin + fraction * (end - begin);
+    const Eigen::VectorXd gap = (state.displacement + profile).array() - path(begin).value;
+    const Eigen::VectorXd held = step.response_without_slip(state, fem::indenter_move(path, begin, balance));
+    const Eigen::VectorXd load = areas.cwiseProduct(held - step.instantaneous() * gap);
+    const auto solution = problem.solver.solve(
+        load, Eigen::VectorXd::Zero(n), Eigen::VectorXd::Constant(n, std::numeric_limits<double>::infinity()), contact);
+    if (solution.x[n - 1] > 0) throw fem::SolverError("the contact reaches the end of the contact line");
+    const Eigen::VectorXd new_gap = -solution.residual.cwiseQuotient(areas) / step.instantaneous();
+    step.advance(state, fem::indenter_move(path, begin, end), gap - new_gap);
+    const auto force =
+        fem::contact_force(problem.series, solution.x, fraction * new_gap + (1 - fraction) * gap, {largest_radius});
+    largest_radius = std::max(largest_radius, force.radius);
+    forces.push_back({balance, force.force, solution.x.dot(areas)});
+  }
   return forces;
+}
+
+PressingError pressing_error(const std::vector<PressingForce>& forces, double PressingForce::*kind,
+                             const std::function<double(double)>& exact) {
+  PressingError error{0, 0};
+  for (const auto& force : forces) {
+    if (force.time <= 0.3 && !std::isnan(force.*kind)) continue;
+    const double expected = exact(force.time);
+    error.largest_exact = std::max(error.largest_exact, expected);
+    take_worst(error.largest_error, force.*kind - expected);
+  }
+  return error;
 }
 
 std::vector<double> instants(double first, double end, int n) {

@@ -50,15 +50,27 @@ void take_worst(double& worst, double error);
 
 Eigen::VectorXd means_of(const mdr::Profile& profile, const fem::ContactProblem& problem);
 
-/// A row over meshes.
-ConvergenceRow mesh_row(const std::string& solution, const std::string& quantity, const std::string& source,
-                        const std::vector<ConvergenceMesh>& meshes, const ConvergenceDemand& demand,
+/// Rows over meshes that come from one pass over each of them. rows: without resolutions and errors; errors: of a mesh,
+/// one for each row.
+template <class Mesh, class Errors>
+std::vector<ConvergenceRow> mesh_rows(std::vector<ConvergenceRow> rows, const std::vector<Mesh>& meshes,
+                                      const Errors& errors) {
+  for (const auto& mesh : meshes) {
+    const std::vector<double> of_mesh = errors(mesh);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      rows[i].resolutions.push_back(mesh.n_rings);
+      rows[i].errors.push_back(of_mesh.at(i));
+    }
+  }
+  return rows;
+}
+
+/// A single one.
+ConvergenceRow mesh_row(const ConvergenceRow& row, const std::vector<ConvergenceMesh>& meshes,
                         const std::function<double(const ConvergenceMesh&)>& error);
 
 /// A row over numbers of time steps.
-ConvergenceRow time_row(const std::string& solution, const std::string& quantity, const std::string& source,
-                        const std::vector<int>& n_steps, const ConvergenceDemand& demand,
-                        const std::function<double(int)>& error);
+ConvergenceRow time_row(ConvergenceRow row, const std::vector<int>& n_steps, const std::function<double(int)>& error);
 
 /// Limit of the tractions, and of their force.
 struct FrictionLimit {
@@ -96,32 +108,26 @@ using Path = std::function<fem::ValueAndRate(double)>;
 
 fem::RelaxationModel fem_model(const mdr::PronyBody& body);
 
-/// An indenter pressed into a viscoelastic body along a path, from rest. Copies are trial steps.
-class NormalPath {
- public:
-  /// profile: ring means. problem and model must outlive it.
-  NormalPath(const fem::ContactProblem& problem, const fem::RelaxationModel& model, Eigen::VectorXd profile);
+/// What the finite elements get in the rows in time; the exact solutions are handed theirs.
+mdr::PronyBody viscoelastic_body();
 
-  struct Force {
-    double time, value;  ///< time: at which forces are balanced
-    double sum;          ///< over the rings, which the springs of the same rings reproduce exactly
-  };
-  /// Throws SolverError when the contact reaches the end of the contact line.
-  Force step(const Path& path, double begin, double end);
-
- private:
-  const fem::ContactProblem* problem_;
-  const fem::RelaxationModel* model_;
-  Eigen::VectorXd profile_;
-  fem::RingState state_;
-  std::vector<fem::BoxState> contact_;
-  double largest_radius_ = 0;  // of the contact, so far
+/// The force of an indenter that is pressed into a viscoelastic body.
+struct PressingForce {
+  double time, value;  ///< time: at which forces are balanced
+  double sum;          ///< over the rings, which the springs of the same rings reproduce exactly
 };
 
-/// Forces in the intervals between the instants.
-std::vector<NormalPath::Force> press(const fem::ContactProblem& problem, const fem::RelaxationModel& model,
-                                     const Eigen::VectorXd& profile, const Path& path,
-                                     const std::vector<double>& instants);
+/// Forces in the intervals between the instants, from rest along a path. profile: ring means. Throws SolverError when
+/// the contact reaches the end of the contact line.
+std::vector<PressingForce> press(const fem::ContactProblem& problem, const Eigen::VectorXd& profile, const Path& path,
+                                 const std::vector<double>& instants);
+
+/// What they are off from an exact force over time, once t > 0.3.
+struct PressingError {
+  double largest_error, largest_exact;
+};
+PressingError pressing_error(const std::vector<PressingForce>& forces, double PressingForce::*kind,
+                             const std::function<double(double)>& exact);
 
 /// 0, first, and n equal steps up to the end.
 std::vector<double> instants(double first, double end, int n);

@@ -1,8 +1,7 @@
 #include <boost/math/constants/constants.hpp>
 #include <cmath>
 
-#include "comparison/verification/exact/exact_parts.h"
-#include "comparison/verification/exact/exact_time_rows.h"
+#include "comparison/verification/exact/exact_rows.h"
 #include "fem/stick_zone/stick_zones.h"
 
 namespace fretval {
@@ -10,18 +9,15 @@ namespace {
 
 constexpr double pi = boost::math::constants::pi<double>();
 
-struct ZoneErrors {
-  double first_slip = 0, shakedown = 0;
-};
-
-/// Largest errors over the phases, over the largest contact radius, which is 1.
-ZoneErrors zone_errors(const ConvergenceMesh& mesh, const PeriodicCase& periodic, const ExactStickRadii& exact) {
+/// Largest errors of first slip and shakedown over the phases, over the largest contact radius, which is 1.
+std::vector<double> zone_errors(const ConvergenceMesh& mesh, const PeriodicCase& periodic,
+                                const ExactStickRadii& exact) {
   const fem::HistoryControl control{120, 400, 1e-7};
   fem::Motion motion{1 - periodic.normal_amplitude, periodic.normal_amplitude, 0, 0.0};
   motion.n_ramp_cycles = 40;  // after ten, first slip is still 2e-6 of a radius short of that of a slow rise
   const auto model = fem_model(periodic.body);
   const auto profile = means_of(mdr::parabola(1), mesh.normal);
-  ZoneErrors errors;
+  double first_slip = 0, shakedown = 0;
   for (const auto& [amplitude, degrees] : periodic.tangential) {
     const double phase = degrees * pi / 180;
     motion.tangential_amplitude = amplitude;
@@ -33,10 +29,10 @@ ZoneErrors zone_errors(const ConvergenceMesh& mesh, const PeriodicCase& periodic
         fem::stick_zones(mesh.tangential.compliance, normal, friction, fem::stuck_rings(friction, motion));
     const auto expected = exact(periodic.body, {motion.indentation, motion.normal_amplitude,
                                                 motion.tangential_amplitude, 1 / (2 * pi), 1 / (2 * pi), phase});
-    take_worst(errors.first_slip, zones.first_slip.radius - expected.first_slip.value_or(std::nan("")));
-    take_worst(errors.shakedown, zones.shakedown.radius - expected.shakedown.value_or(std::nan("")));
+    take_worst(first_slip, zones.first_slip.radius - expected.first_slip.value_or(std::nan("")));
+    take_worst(shakedown, zones.shakedown.radius - expected.shakedown.value_or(std::nan("")));
   }
-  return errors;
+  return {first_slip, shakedown};
 }
 
 }  // namespace
@@ -49,16 +45,9 @@ ExactStickRadii exact_stick_radii() {
 
 std::vector<ConvergenceRow> periodic_rows(const std::vector<ConvergenceMesh>& meshes, const PeriodicCase& periodic,
                                           const ExactStickRadii& exact) {
-  ConvergenceRow first{periodic.name,      "first-slip radius", "paper, equations (19) to (27)", "rings", {}, {},
-                       periodic.first_slip};
-  ConvergenceRow shakedown{periodic.name, "shakedown radius", periodic.source, "rings", {}, {}, periodic.shakedown};
-  for (const auto& mesh : meshes) {
-    const auto errors = zone_errors(mesh, periodic, exact);
-    for (auto* row : {&first, &shakedown}) row->resolutions.push_back(mesh.n_rings);
-    first.errors.push_back(errors.first_slip);
-    shakedown.errors.push_back(errors.shakedown);
-  }
-  return {first, shakedown};
+  return mesh_rows({{periodic.name, "first-slip radius", "paper, equations (19) to (27)", periodic.first_slip},
+                    {periodic.name, "shakedown radius", periodic.source, periodic.shakedown}},
+                   meshes, [&](const ConvergenceMesh& mesh) { return zone_errors(mesh, periodic, exact); });
 }
 
 }  // namespace fretval

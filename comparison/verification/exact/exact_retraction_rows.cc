@@ -3,8 +3,7 @@
 #include <boost/math/tools/roots.hpp>
 #include <cmath>
 
-#include "comparison/verification/exact/exact_parts.h"
-#include "comparison/verification/exact/exact_time_rows.h"
+#include "comparison/verification/exact/exact_rows.h"
 #include "fem/condensation/contact_events.h"
 #include "mdr/profiles/indentation.h"
 
@@ -93,39 +92,31 @@ class TingOfRings {
   std::vector<Spring> springs_;
 };
 
-/// Largest error over 0.3 < t < 2, relative to the largest force.
-double retraction_error(const fem::ContactProblem& problem, const mdr::PronyBody& body, int n_steps,
-                        double NormalPath::Force::*kind, const std::function<double(double)>& exact) {
-  double worst = 0, largest = 0;
-  for (const auto& force :
-       press(problem, fem_model(body), means_of(mdr::parabola(1), problem), in_and_out, instants(0, 2, n_steps))) {
-    if (force.time <= 0.3 && !std::isnan(force.*kind)) continue;
-    const double expected = exact(force.time);
-    largest = std::max(largest, expected);
-    take_worst(worst, force.*kind - expected);
-  }
-  return worst / largest;
+/// Largest error relative to the largest force.
+double retraction_error(const fem::ContactProblem& problem, int n_steps, double PressingForce::*kind,
+                        const std::function<double(double)>& exact) {
+  const auto forces = press(problem, means_of(mdr::parabola(1), problem), in_and_out, instants(0, 2, n_steps));
+  const auto error = pressing_error(forces, kind, exact);
+  return error.largest_error / error.largest_exact;
 }
 
 }  // namespace
 
-ConvergenceRow retraction_time_row(const ConvergenceMesh& mesh, const mdr::PronyBody& body,
-                                   const mdr::PronyBody& exact) {
-  const TingOfRings expected(exact, mesh.normal, means_of(mdr::parabola(1), mesh.normal));
-  const auto error = [&](int n) {
-    return retraction_error(mesh.normal, body, n, &NormalPath::Force::sum, [&](double t) { return expected(t); });
-  };
-  return time_row("Ting", "force over time", "Ting 1966, on the elastic force of the same rings", {100, 200, 400, 800},
-                  {1.4e-5, 2, 1e-8, std::nullopt, "", 400}, error);
+ConvergenceRow retraction_time_row(const std::vector<ConvergenceMesh>& meshes, const mdr::PronyBody& exact) {
+  const auto& problem = meshes.front().normal;
+  const TingOfRings expected(exact, problem, means_of(mdr::parabola(1), problem));
+  const ConvergenceDemand demand{1.4e-5, 2, 1e-8, std::nullopt, "", 400};
+  return time_row({"Ting", "force over time", "Ting 1966, on the elastic force of the same rings", demand},
+                  {100, 200, 400, 800},
+                  [&](int n) { return retraction_error(problem, n, &PressingForce::sum, expected); });
 }
 
-ConvergenceRow retraction_mesh_row(const std::vector<ConvergenceMesh>& meshes, const mdr::PronyBody& body,
-                                   const mdr::PronyBody& exact) {
+ConvergenceRow retraction_mesh_row(const std::vector<ConvergenceMesh>& meshes, const mdr::PronyBody& exact) {
   const Ting expected(exact);
-  const auto error = [&](const ConvergenceMesh& mesh) {
-    return retraction_error(mesh.normal, body, 1600, &NormalPath::Force::value, [&](double t) { return expected(t); });
-  };
-  return mesh_row("Ting", "force over mesh", "Ting 1966", meshes, {1e-5, 3, far_field, 5e-5, far_field_note}, error);
+  return mesh_row({"Ting", "force over mesh", "Ting 1966", {1e-5, 3, far_field, 5e-5, far_field_note}}, meshes,
+                  [&](const ConvergenceMesh& mesh) {
+                    return retraction_error(mesh.normal, 1600, &PressingForce::value, expected);
+                  });
 }
 
 }  // namespace fretval

@@ -1,7 +1,7 @@
 #include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
 
-#include "comparison/verification/exact/exact_space_rows.h"
+#include "comparison/verification/exact/exact_rows.h"
 #include "fem/condensation/effective_radii.h"
 #include "fem/stick_zone/stick_radius.h"
 #include "mdr/profiles/indentation.h"
@@ -24,35 +24,25 @@ ExactSliding exact_sliding() {
 
 std::vector<ConvergenceRow> sliding_rows(const std::vector<ConvergenceMesh>& meshes, const ExactSliding& exact) {
   const auto profile = mdr::parabola(1);
-  const auto worst_over_positions = [&](const auto& error_of) {
-    return [&profile, error_of](const ConvergenceMesh& mesh) {
-      const auto limit = friction_limit(mesh, profile, 1);
-      double error = 0;
-      for (int k = 0; k < n_positions; ++k) {
-        const double u = all_slides * (1 - mdr::transform(profile, position(k, 0.3, 0.9)));
-        ElasticSliding sliding(mesh);
-        sliding.step(u, limit);
-        take_worst(error, error_of(sliding, u));
-      }
-      return error;
-    };
-  };
-  const auto radius_error = [&](const ElasticSliding& sliding, double u) {
-    return sliding.stick_radius() - exact.stick_radius(u);
-  };
-  const auto force_error = [&](const ElasticSliding& sliding, double u) {
-    return sliding.force() / exact.force(u) - 1;
-  };
-  const auto displacement_error = [&](const ElasticSliding& sliding, double u) {
-    return exact.displacement(sliding.force()) / u - 1;
+  const auto errors = [&](const ConvergenceMesh& mesh) {
+    const auto limit = friction_limit(mesh, profile, 1);
+    double radius_error = 0, force_error = 0, displacement_error = 0;
+    for (int k = 0; k < n_positions; ++k) {
+      const double u = all_slides * (1 - mdr::transform(profile, position(k, 0.3, 0.9)));
+      ElasticSliding sliding(mesh);
+      sliding.step(u, limit);
+      take_worst(radius_error, sliding.stick_radius() - exact.stick_radius(u));
+      take_worst(force_error, sliding.force() / exact.force(u) - 1);
+      take_worst(displacement_error, exact.displacement(sliding.force()) / u - 1);
+    }
+    return std::vector<double>{radius_error, force_error, displacement_error};
   };
   const std::string solution = "Cattaneo-Mindlin", source = "Cattaneo 1938, Mindlin 1949";
-  return {mesh_row(solution, "stick radius", source, meshes, {5e-6, 3, far_field, 5e-6, far_field_note},
-                   worst_over_positions(radius_error)),
-          mesh_row(solution, "force", source, meshes, {2e-6, 3, far_field, 1e-5, far_field_note},
-                   worst_over_positions(force_error)),
-          mesh_row(solution, "displacement", source, meshes, {2e-6, 3, far_field, 1e-5, far_field_note},
-                   worst_over_positions(displacement_error))};
+  const ConvergenceDemand demand{2e-6, 3, far_field, 1e-5, far_field_note};
+  return mesh_rows({{solution, "stick radius", source, {5e-6, 3, far_field, 5e-6, far_field_note}},
+                    {solution, "force", source, demand},
+                    {solution, "displacement", source, demand}},
+                   meshes, errors);
 }
 
 ConvergenceRow cycle_row(const std::vector<ConvergenceMesh>& meshes, const ExactSliding& exact) {
@@ -74,8 +64,11 @@ ConvergenceRow cycle_row(const std::vector<ConvergenceMesh>& meshes, const Exact
     }
     return worst;
   };
-  return mesh_row("Mindlin-Deresiewicz", "energy of a cycle", "Mindlin & Deresiewicz 1953", meshes,
-                  {1e-4, 3, far_field, 2e-4, far_field_note}, error);
+  return mesh_row({"Mindlin-Deresiewicz",
+                   "energy of a cycle",
+                   "Mindlin & Deresiewicz 1953",
+                   {1e-4, 3, far_field, 2e-4, far_field_note}},
+                  meshes, error);
 }
 
 ConvergenceRow unloading_row(const std::vector<ConvergenceMesh>& meshes, const ExactSliding& exact) {
@@ -94,8 +87,11 @@ ConvergenceRow unloading_row(const std::vector<ConvergenceMesh>& meshes, const E
     }
     return worst;
   };
-  return mesh_row("Mindlin-Deresiewicz", "force while unloading", "Mindlin & Deresiewicz 1953", meshes,
-                  {1e-5, 1, far_field, 1e-5, edges_note}, error);
+  return mesh_row({"Mindlin-Deresiewicz",
+                   "force while unloading",
+                   "Mindlin & Deresiewicz 1953",
+                   {1e-5, 1, far_field, 1e-5, edges_note}},
+                  meshes, error);
 }
 
 namespace {
@@ -124,8 +120,9 @@ double ratio_of_intensities(const ConvergenceMesh& mesh, const Eigen::VectorXd& 
   return mindlin / (3.0 / 8 * inverse[0] - 10.0 / 8 * inverse[1] + 15.0 / 8 * inverse[2]);
 }
 
-/// Error of the ratio under a profile that is worn outside c.
-double worn_edge_error(const ConvergenceMesh& mesh, const mdr::Profile& unworn, const mdr::Profile& exact, double c) {
+/// Error of the ratio under a parabola that is worn outside c.
+double worn_edge_error(const ConvergenceMesh& mesh, const mdr::Profile& exact, double c) {
+  const auto unworn = mdr::parabola(1);
   const auto& compliance = mesh.tangential.compliance;
   // Half way between the indentations at which the edge touches and at which the worn flank does.
   const double indentation = (mdr::transform(unworn, c) + 1) / 2;
@@ -146,15 +143,17 @@ double worn_edge_error(const ConvergenceMesh& mesh, const mdr::Profile& unworn, 
 
 }  // namespace
 
-ConvergenceRow worn_edge_row(const std::vector<ConvergenceMesh>& meshes, const mdr::Profile& unworn,
-                             const mdr::Profile& exact) {
+ConvergenceRow worn_edge_row(const std::vector<ConvergenceMesh>& meshes, const mdr::Profile& exact) {
   const auto error = [&](const ConvergenceMesh& mesh) {
     double worst = 0;
-    for (const double c : {0.5, 0.625, 0.75, 0.875}) take_worst(worst, worn_edge_error(mesh, unworn, exact, c));
+    for (const double c : {0.5, 0.625, 0.75, 0.875}) take_worst(worst, worn_edge_error(mesh, exact, c));
     return worst;
   };
-  return mesh_row("worn contact", "ratio of edge intensities", "paper, equations (9), (13)", meshes,
-                  {5e-6, 3, far_field, std::nullopt, "edge at the effective radius"}, error);
+  return mesh_row({"worn contact",
+                   "ratio of edge intensities",
+                   "paper, equations (9), (13)",
+                   {5e-6, 3, far_field, std::nullopt, "edge at the effective radius"}},
+                  meshes, error);
 }
 
 }  // namespace fretval

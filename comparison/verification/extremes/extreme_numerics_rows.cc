@@ -5,13 +5,6 @@
 namespace fretval {
 namespace {
 
-ExtremeRow flattened_row(double aspect) {
-  ExtremeRow row{"flat cells under the contact", fmt::format("aspect ratio {:g}", aspect),
-                 with(extremes_base(), {{"Accuracy / Tolerance", "0.1"}})};
-  row.flattening = aspect;
-  return row;
-}
-
 ExtremeRow cycles_row(int n_cycles, const Entries& entries) {
   ExtremeRow row{"cycles", fmt::format("{} at least", n_cycles), entries};
   row.ramp_cycles = n_cycles;
@@ -42,7 +35,6 @@ std::vector<ExtremeRow> extreme_numerics_rows() {
   for (const int n : {16, 32, 128})
     rows.push_back({"rings per radius", fmt::format("{}", n),
                     with(extremes_base(), {{"Accuracy / Rings per radius", fmt::format("{}", n)}})});
-  for (const double aspect : {1.0, 10.0, 100.0}) rows.push_back(flattened_row(aspect));
   return rows;
 }
 

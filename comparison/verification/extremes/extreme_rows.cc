@@ -3,38 +3,10 @@
 #include <algorithm>
 #include <iterator>
 #include <set>
-#include <utility>
+#include <string>
 
 namespace fretval {
 namespace {
-
-bool in_short_form(const ExtremeRow& row) {
-  static const std::set<std::pair<std::string, std::string>> rows{
-      {"relaxation time, standard solid", "omega tau = 1e-06"},
-      {"relaxation time, standard solid", "omega tau = 1e+06"},
-      {"viscosity, Kelvin-Voigt", "omega eta/G0 = 1e-06"},
-      {"softening, omega tau = 1", "G0/Ginf = 0.0001"},
-      {"softening, omega tau = 1e6", "G0/Ginf = 1e-06"},
-      {"friction, amplitude kept", "mu = 0.0001"},
-      {"friction, amplitude kept", "mu = 1000"},
-      {"length", "a = 1 nm"},
-      {"tangential amplitude over sliding", "0.5"},
-      {"tangential amplitude over sliding", "2"},
-      {"normal amplitude, elastic", "Dd/d0 = 0.999"},
-      {"normal amplitude, elastic", "Dd/d0 = 2"},
-      {"border of no stick", "elastic"},
-      {"all stick", "u_x0 = 0"},
-      {"in phase, elastic", "phi0 = 0, k = 1"},
-      {"power law", "n = 1"},
-      {"measured profile", "terrace"},
-      {"frequency ratio", "f_x/f_z = 0.5"},
-      {"frequency ratio", "f_x/f_z = 1000"},
-      {"steps per cycle", "15"},
-      {"rings per radius", "15"},
-      {"cycles", "1 at least"},
-      {"refused input", "Friction / Coefficient = 0"}};
-  return rows.count({row.family, row.value}) > 0;
-}
 
 template <class Property>
 std::vector<ExtremeRow> chosen(const std::vector<ExtremeRow>& rows, Property property) {
@@ -67,7 +39,8 @@ std::vector<ExtremeRow> extreme_rows() {
 }
 
 std::vector<ExtremeRow> short_extreme_rows() {
-  return chosen(extreme_rows(), in_short_form);
+  std::set<std::string> seen;
+  return chosen(extreme_rows(), [&](const ExtremeRow& row) { return seen.insert(row.family).second; });
 }
 
 std::vector<ExtremeRow> only_family(const std::vector<ExtremeRow>& rows, const std::string& text) {

@@ -18,7 +18,6 @@ struct ExtremeRow {
   Entries entries;                      ///< of its case file
   std::string refusal = {};             ///< words of the message that has to come; empty: an answer has to come
   bool springs = false;                 ///< MDR is held to the transient spring foundation, finite elements refuse
-  double flattening = 1;                ///< of the cells under the contact, see flattened()
   std::optional<int> ramp_cycles = {};  ///< at least so many cycles are computed; empty: what the tolerance asks for
 };
 
@@ -32,7 +31,7 @@ Entries elastic_base();
 /// All families. Throws InputError if a case cannot be set up.
 std::vector<ExtremeRow> extreme_rows();
 
-/// Those of the short form, one or two of a family.
+/// The first of each family.
 std::vector<ExtremeRow> short_extreme_rows();
 
 /// Those whose family contains a text.

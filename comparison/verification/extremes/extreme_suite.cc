@@ -1,18 +1,9 @@
 #include "comparison/verification/extremes/extreme_suite.h"
 
 #include "comparison/verification/extremes/extreme_springs.h"
-#include "comparison/verification/extremes/flat_mesh.h"
 
 namespace fretval {
 namespace {
-
-std::shared_ptr<BodyStore> flat_bodies(double flattening) {
-  const auto flat_mesh = [=](const BodySpecification& specification) {
-    const auto& nodes = specification.contact_nodes;
-    return flattened(mesh_of(specification), flattening, nodes[1], nodes.back());
-  };
-  return std::make_shared<BodyStore>(MeshSource{"flattened mesh", flat_mesh});
-}
 
 void compute_at_least(int n_cycles, PreparedCase& prepared) {
   auto resolution = prepared.fem.resolution;
@@ -30,14 +21,11 @@ void leave_out_folder(std::string& text) {
 }  // namespace
 
 std::vector<SuiteCase> extreme_cases(const std::vector<ExtremeRow>& rows) {
-  std::map<double, std::shared_ptr<BodyStore>> bodies{{1, nullptr}};
   std::vector<SuiteCase> cases;
   for (const auto& row : rows) {
     SuiteCase one{row.family, row.value, case_text(row.entries), row.refusal};
     if (row.springs) one.second_way = compared_with_springs;
     if (row.ramp_cycles) one.change = [n = *row.ramp_cycles](PreparedCase& p) { compute_at_least(n, p); };
-    if (bodies.count(row.flattening) == 0) bodies[row.flattening] = flat_bodies(row.flattening);
-    one.bodies = bodies[row.flattening];
     cases.push_back(std::move(one));
   }
   return cases;

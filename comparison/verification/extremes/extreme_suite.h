@@ -7,7 +7,7 @@
 
 namespace fretval {
 
-/// The rows as cases of a suite; those of one flattening share their bodies.
+/// The rows as cases of a suite.
 std::vector<SuiteCase> extreme_cases(const std::vector<ExtremeRow>& rows);
 
 SuiteRun run_extreme_suite(const std::vector<ExtremeRow>& rows);

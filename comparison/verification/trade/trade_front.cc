@@ -12,6 +12,15 @@ namespace {
 
 constexpr double same_error = 1e-6;  // histories that differ in nothing that matters differ in roundoff
 
+/// Errors of a sweep whose remainder is not its own: what other settings leave is in all of them, so those within three
+/// times the smallest one say nothing about the order. 0 for an empty list.
+double floor_of(const std::vector<double>& errors) {
+  double smallest = std::numeric_limits<double>::infinity();
+  for (const double error : errors)
+    if (std::isfinite(error)) smallest = std::min(smallest, error);
+  return std::isfinite(smallest) ? 3 * smallest : 0;
+}
+
 }  // namespace
 
 std::vector<std::size_t> pareto_front(const std::vector<ErrorAndSeconds>& points) {
@@ -29,13 +38,6 @@ std::vector<std::size_t> pareto_front(const std::vector<ErrorAndSeconds>& points
     front.push_back(i);
   }
   return front;
-}
-
-double floor_of(const std::vector<double>& errors) {
-  double smallest = std::numeric_limits<double>::infinity();
-  for (const double error : errors)
-    if (std::isfinite(error)) smallest = std::min(smallest, error);
-  return std::isfinite(smallest) ? 3 * smallest : 0;
 }
 
 std::optional<LogSlope> observed_rate(std::vector<double> values, std::vector<double> errors) {

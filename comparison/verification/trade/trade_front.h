@@ -19,10 +19,6 @@ struct ErrorAndSeconds {
 /// ones the first; errors within 1e-6 of each other are the same. Points that are not finite never count.
 std::vector<std::size_t> pareto_front(const std::vector<ErrorAndSeconds>& points);
 
-/// Errors of a sweep whose remainder is not its own: what other settings leave is in all of them, so those within three
-/// times the smallest one say nothing about the order. 0 for an empty list.
-double floor_of(const std::vector<double>& errors);
-
 /// Slope of the errors of a sweep, coarsest first: over those before the first one that is not above the floor.
 std::optional<LogSlope> observed_rate(std::vector<double> values, std::vector<double> errors);
 

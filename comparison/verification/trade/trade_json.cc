@@ -1,7 +1,9 @@
-#include "comparison/verification/trade/trade_json.h"
+#include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "comparison/simulation/resolution_json.h"
 #include "comparison/support/json.h"
+#include "comparison/verification/trade/trade.h"
 
 namespace fretval {
 namespace {
@@ -14,82 +16,44 @@ ordered_json by_name(const Quantities& values) {
   return json;
 }
 
-ordered_json setting_json(const Resolution& r) {
-  return {{"rings_per_radius", r.elements_per_radius},
-          {"element_order", r.degree},
-          {"grading", r.growth},
-          {"far_radius", r.far_radius},
-          {"steps_per_cycle", r.steps_per_cycle},
-          {"ramp_cycles", r.n_ramp_cycles},
-          {"periodicity", r.periodicity},
-          {"creep_cycles", r.n_creep_cycles},
-          {"worn_edge_ring", r.worn_edge_ring},
-          {"active_set_slack", r.active_set_slack},
-          {"focus", r.focus ? focus_json(*r.focus) : ordered_json(nullptr)}};
-}
-
 ordered_json point_json(const TradePoint& point) {
-  auto sweeps = ordered_json::array();
-  for (const Sweep sweep : point.setting.sweeps) sweeps.push_back(name_of(sweep));
-  const auto& s = point.seconds;
-  return {{"setting", setting_json(point.setting.resolution)},
-          {"sweeps", sweeps},
+  return {{"setting", resolution_json(point.resolution)},
+          {"sweeps", point.sweeps},
           {"error", or_null(point.error())},
           {"errors", by_name(point.errors)},
-          {"seconds",
-           {{"mesh", s.body.mesh},
-            {"assembly", s.body.assembly},
-            {"factorisation", s.body.factorisation},
-            {"normal_history", s.normal_history},
-            {"friction_history", s.friction_history},
-            {"total", s.total()}}},
+          {"seconds", point.seconds},
           {"memory_bytes", or_null(point.memory_bytes)},
-          {"dofs", point.n_dofs},
-          {"contact_nodes", point.n_contact_nodes},
-          {"rings", point.n_rings},
-          {"normal_steps", point.n_normal_steps},
-          {"friction_steps", point.n_friction_steps},
-          {"cycles", point.n_cycles},
+          {"cost", point.cost},
           {"failure", or_null(point.failure)}};
 }
 
-ordered_json spring_json(const SpringPoint& point) {
-  const auto& s = point.setting;
+ordered_json spring_json(const SpringLevel& level) {
+  const auto& s = level.setting;
   return {{"setting",
            {{"springs", s.n_springs},
-            {"steps_per_period", s.steps_per_period},
+            {"steps_per_cycle", s.steps_per_cycle},
             {"ramp_periods", s.n_ramp_periods},
             {"periodicity", s.periodicity}}},
-          {"error", or_null(largest_of(point.errors))},
-          {"errors", by_name(point.errors)},
-          {"seconds", or_null(point.seconds)},
-          {"memory_bytes_estimated", point.memory_bytes},
-          {"periods", point.n_periods},
-          {"failure", or_null(point.failure)}};
+          {"error", or_null(largest_of(level.errors))},
+          {"errors", by_name(level.errors)},
+          {"seconds", level.seconds},
+          {"failure", or_null(level.failure)}};
 }
 
+/// condensed: at the same setting, whose error it has and whose steps it is extrapolated to.
 ordered_json full_json(const FullLevel& level, const TradePoint& condensed) {
-  const auto& p = level.point;
-  const bool done = p.failure.empty();
-  return {{"setting", setting_json(p.resolution)},
-          {"condensed_point", level.condensed},
+  return {{"setting", resolution_json(level.resolution)},
           {"error_of_the_condensed_point", or_null(condensed.error())},
-          {"largest_relative_difference_from_condensed",
-           done ? ordered_json{{"pressure", p.pressure_difference}, {"traction", p.traction_difference}}
-                : ordered_json(nullptr)},
           {"measured",
-           {{"normal_steps", p.n_normal_steps},
-            {"friction_steps", p.n_friction_steps},
-            {"body_seconds", p.body_seconds},
-            {"normal_seconds", p.normal_seconds},
-            {"friction_seconds", p.friction_seconds},
-            {"seconds_per_normal_step", p.seconds_per_normal_step()},
-            {"seconds_per_friction_step", p.seconds_per_friction_step()}}},
-          {"seconds_of_the_whole_history_extrapolated_from_the_measured_steps",
-           done ? ordered_json(level.extrapolated_seconds) : ordered_json(nullptr)},
-          {"memory_bytes_measured", or_null(p.memory_bytes)},
-          {"dofs", p.n_dofs},
-          {"failure", or_null(p.failure)}};
+           {{"body_seconds", level.body_seconds},
+            {"seconds_per_normal_step", level.seconds_per_normal_step},
+            {"seconds_per_friction_step", level.seconds_per_friction_step}}},
+          {"extrapolated_seconds",
+           level.failure.empty() ? ordered_json(level.seconds(condensed.n_normal_steps, condensed.n_friction_steps))
+                                 : ordered_json(nullptr)},
+          {"memory_bytes", or_null(level.memory_bytes)},
+          {"dofs", level.n_dofs},
+          {"failure", or_null(level.failure)}};
 }
 
 ordered_json slope_json(const std::optional<LogSlope>& slope) {
@@ -102,7 +66,7 @@ ordered_json rates_json(const Trade& trade) {
   for (const auto& rate : trade.rates) {
     ordered_json slopes = ordered_json::object();
     for (const auto& [quantity, slope] : rate.slope) slopes[name_of(quantity)] = slope_json(slope);
-    json[name_of(rate.sweep)] = {{"largest_error", slope_json(rate.largest_error)}, {"quantities", slopes}};
+    json[rate.axis] = {{"largest_error", slope_json(rate.largest_error)}, {"quantities", slopes}};
   }
   return json;
 }
@@ -110,24 +74,22 @@ ordered_json rates_json(const Trade& trade) {
 }  // namespace
 
 ordered_json trade_json(const PreparedCase& prepared, const TradePlan& plan, const Trade& trade) {
-  ordered_json json{{"name", prepared.input.name},
-                    {"file", prepared.input.file},
-                    {"mdr", to_json(trade.reference.answer)},
-                    {"reference_setting", setting_json(plan.reference)},
-                    {"repetitions", plan.n_repetitions},
-                    {"closed_form",
-                     {{"error", 0},
-                      {"seconds", trade.reference.seconds},
-                      {"stick_radii_seconds", trade.reference.stick_radii_seconds},
-                      {"repetitions", trade.reference.n_repetitions}}}};
-  for (const char* key : {"springs", "points", "full"}) json[key] = ordered_json::array();
-  for (const auto& point : trade.springs) json["springs"].push_back(spring_json(point));
+  ordered_json json{
+      {"name", prepared.input.name},
+      {"file", prepared.input.file},
+      {"mdr", to_json(trade.closed_form.answer)},
+      {"reference_setting", resolution_json(plan.reference)},
+      {"closed_form",
+       {{"seconds", trade.closed_form.seconds}, {"stick_radii_seconds", trade.closed_form.stick_radii_seconds}}}};
+  for (const char* key : {"springs", "points", "full", "recommendations"}) json[key] = ordered_json::array();
+  for (const auto& level : trade.springs) json["springs"].push_back(spring_json(level));
   for (const auto& point : trade.points) json["points"].push_back(point_json(point));
-  for (const auto& level : trade.full) json["full"].push_back(full_json(level, trade.points.at(level.condensed)));
+  for (const auto& level : trade.full) {
+    const auto same = [&](const TradePoint& point) { return point.resolution == level.resolution; };
+    json["full"].push_back(full_json(level, *std::find_if(trade.points.begin(), trade.points.end(), same)));
+  }
   json["front"] = trade.front;
   json["rates"] = rates_json(trade);
-  json["seconds_over_rings"] = slope_json(trade.seconds_over_rings);
-  json["recommendations"] = ordered_json::array();
   for (const auto& r : trade.recommendations)
     json["recommendations"].push_back({{"tolerance", r.tolerance},
                                        {"cheapest", or_null(r.cheapest)},

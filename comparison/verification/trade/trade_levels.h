@@ -2,10 +2,12 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "comparison/accuracy/compared_quantities.h"
 #include "comparison/accuracy/prepared_case.h"
-#include "comparison/verification/trade/trade_plan.h"
+#include "comparison/reference/mdr_answer.h"
+#include "comparison/reference/mdr_document.h"
 
 namespace fretval {
 
@@ -13,53 +15,41 @@ namespace fretval {
 /// need no response, as often.
 struct ClosedForm {
   MdrAnswer answer;
-  Quantities measures;
   double seconds;              ///< of the fastest one
   double stick_radii_seconds;  ///< likewise
-  int n_repetitions;
 };
 
 /// Throws std::runtime_error where the reference fails.
 ClosedForm closed_form(const PreparedCase& prepared);
 
 /// The spring foundation stepped through the motion at one setting; it has stick radii and force, no contact radius.
-struct SpringPoint {
+struct SpringLevel {
   SpringSetting setting;
   Quantities errors;  ///< empty: it failed
   double seconds = 0;
-  double memory_bytes = 0;  ///< estimate: what the springs remember and the sampled minima of their margins
-  int n_periods = 0;
-  std::string failure;
+  std::string failure = {};
 };
 
-/// Needs an unworn indenter and a locked phase: see has_springs. Seconds: of the fastest of n_repetitions runs.
-SpringPoint spring_point(const PreparedCase& prepared, const SpringSetting& setting, const Quantities& reference,
-                         int n_repetitions);
-bool has_springs(const PreparedCase& prepared);
+/// From 50 springs on; none for a worn indenter or an unlocked phase.
+std::vector<SpringLevel> spring_levels(const PreparedCase& prepared, const Quantities& reference);
 
-/// The finite elements stepped with every degree of freedom as an unknown, for as few cycles as the condensed ones need
-/// to be asked for, and the condensed ones through the same steps.
-///
-/// The start takes one cycle here, and an unlocked phase is locked at 90 degrees: that changes what is computed, not
-/// what a step costs.
-struct FullPoint {
+/// The finite elements stepped with every degree of freedom as an unknown, for two cycles. They equal the condensed
+/// ones (fem/full_model/full_history.h), so their error is that of the same setting. An unlocked phase is a right angle
+/// here: the cost of a step does not depend on it.
+struct FullLevel {
   Resolution resolution;
   unsigned n_dofs = 0;
-  long n_normal_steps = 0, n_friction_steps = 0;  ///< measured; friction: 0 without tangential motion
-  double body_seconds = 0;                        ///< mesh, assembly and factorisation
-  double normal_seconds = 0, friction_seconds = 0;
-  double pressure_difference = 0;      ///< largest, from the condensed ones, over the largest pressure
-  double traction_difference = 0;      ///< likewise of the tractions of the last cycle
-  std::optional<double> memory_bytes;  ///< measured, see ResidentGrowth: body and histories
-  std::string failure;
+  double body_seconds = 0, seconds_per_normal_step = 0, seconds_per_friction_step = 0;
+  std::optional<double> memory_bytes = {};  ///< measured peak growth of the process, see ResidentGrowth
+  std::string failure = {};
 
-  /// Measured.
-  [[nodiscard]] double seconds_per_normal_step() const;
-  [[nodiscard]] double seconds_per_friction_step() const;
-  /// Extrapolated: the body and as many steps as a whole history has, each as long as the measured ones.
-  [[nodiscard]] double extrapolated_seconds(long n_normal_steps, long n_friction_steps) const;
+  /// Extrapolated to so many steps.
+  [[nodiscard]] double seconds(long n_normal_steps, long n_friction_steps) const {
+    return body_seconds + seconds_per_normal_step * static_cast<double>(n_normal_steps) +
+           seconds_per_friction_step * static_cast<double>(n_friction_steps);
+  }
 };
 
-FullPoint full_point(const PreparedCase& prepared, const Resolution& resolution);
+FullLevel full_level(const PreparedCase& prepared, const Resolution& resolution);
 
 }  // namespace fretval

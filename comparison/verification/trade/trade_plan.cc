@@ -40,11 +40,6 @@ Resolution reference_of(const TradeAxes& axes, const FemCase& fem) {
   return r;
 }
 
-/// One run has to do where histories are long or bodies large.
-int repetitions_for(const FemCase& fem) {
-  return fem.relaxation.viscosity > 0 || !fem.motion.phase || fem.worn_edge ? 1 : 2;
-}
-
 TradeAxes affordable(TradeAxes axes, const FemCase& fem) {
   if (fem.motion.phase) return axes;
   const auto keep = [](auto& values, auto largest) {
@@ -57,24 +52,14 @@ TradeAxes affordable(TradeAxes axes, const FemCase& fem) {
 
 }  // namespace
 
-const char* name_of(Sweep sweep) {
-  switch (sweep) {
-    case Sweep::rings:
-      return "rings";
-    case Sweep::element_order:
-      return "element order";
-    case Sweep::grading:
-      return "grading";
-    case Sweep::far_field:
-      return "far field";
-    case Sweep::time_step:
-      return "time step";
-    case Sweep::joint:
-      return "joint";
-    case Sweep::chosen:
-      break;
-  }
-  return "chosen";
+const std::array<TradeAxis, 5>& trade_axes() {
+  static const std::array<TradeAxis, 5> axes{
+      {{"rings", [](const Resolution& r) -> double { return r.elements_per_radius; }},
+       {"time step", [](const Resolution& r) -> double { return r.steps_per_cycle; }},
+       {"far field", [](const Resolution& r) { return r.far_radius; }},
+       {"grading", [](const Resolution& r) { return r.growth; }, true},
+       {"element order", [](const Resolution& r) -> double { return r.degree; }, false, false}}};
+  return axes;
 }
 
 Resolution chosen_resolution(double tolerance, const FemCase& fem) {
@@ -83,30 +68,27 @@ Resolution chosen_resolution(double tolerance, const FemCase& fem) {
 
 TradePlan trade_plan(const FemCase& fem, const TradeAxes& wanted) {
   const auto axes = affordable(wanted, fem);
-  TradePlan plan{axes.tolerances, reference_of(axes, fem), {}, {}, repetitions_for(fem), {}};
-  std::map<Resolution, std::set<Sweep>> settings;
-  const auto vary = [&](Sweep sweep, const auto& values, auto entry) {
+  TradePlan plan{axes.tolerances, reference_of(axes, fem), {}, {}};
+  const auto vary = [&](const char* axis, const auto& values, auto entry) {
     for (const auto value : values) {
       Resolution r = plan.reference;
       r.*entry = value;
-      settings[r].insert(sweep);
+      plan.settings[r].insert(axis);
     }
   };
-  vary(Sweep::rings, axes.rings, &Resolution::elements_per_radius);
-  vary(Sweep::element_order, axes.degrees, &Resolution::degree);
-  vary(Sweep::grading, axes.growths, &Resolution::growth);
-  vary(Sweep::far_field, axes.far_radii, &Resolution::far_radius);
-  vary(Sweep::time_step, axes.steps, &Resolution::steps_per_cycle);
+  vary("rings", axes.rings, &Resolution::elements_per_radius);
+  vary("element order", axes.degrees, &Resolution::degree);
+  vary("grading", axes.growths, &Resolution::growth);
+  vary("far field", axes.far_radii, &Resolution::far_radius);
+  vary("time step", axes.steps, &Resolution::steps_per_cycle);
   for (const unsigned rings : axes.rings)
     for (const unsigned degree : axes.joint_degrees)
-      for (const int steps : axes.steps) settings[joint_setting(rings, degree, steps, fem)].insert(Sweep::joint);
-  for (const double tolerance : plan.tolerances) settings[chosen_resolution(tolerance, fem)].insert(Sweep::chosen);
+      for (const int steps : axes.steps) plan.settings[joint_setting(rings, degree, steps, fem)].insert("joint");
+  for (const double tolerance : plan.tolerances) plan.settings[chosen_resolution(tolerance, fem)].insert("chosen");
   for (const unsigned rings : axes.full_rings) {
     plan.full.push_back(joint_setting(rings, 2, axes.steps.front(), fem));
-    settings[plan.full.back()].insert(Sweep::joint);
+    plan.settings[plan.full.back()].insert("joint");
   }
-  for (const auto& [resolution, sweeps] : settings) plan.settings.push_back({resolution, sweeps});
-  plan.springs = {{50, 45, 5, 1e-4}, {100, 90, 10, 1e-5}, {200, 180, 20, 1e-6}, {400, 360, 20, 1e-7}};
   return plan;
 }
 

@@ -1,44 +1,31 @@
 #pragma once
 
+#include <array>
+#include <map>
 #include <set>
+#include <string>
 #include <vector>
 
 #include "comparison/simulation/fem_case.h"
-#include "comparison/simulation/resolution.h"
 
 namespace fretval {
 
-/// What a setting of a trade is there for.
-enum class Sweep {
-  rings,          ///< one axis around the reference
-  element_order,  ///< likewise
-  grading,        ///< likewise
-  far_field,      ///< likewise
-  time_step,      ///< likewise
-  joint,          ///< rings, order and time steps together: where the front is looked for
-  chosen          ///< what `resolution_for` chooses for a tolerance
+/// An entry of the resolution that a trade varies alone, the others at a reference.
+struct TradeAxis {
+  const char* name;
+  double (*value)(const Resolution&);
+  bool finer_is_smaller = false;
+  bool has_order = true;  ///< the error is expected to go like a power of it
 };
-const char* name_of(Sweep sweep);
-
-/// A resolution and every sweep that it belongs to.
-struct PlannedSetting {
-  Resolution resolution;
-  std::set<Sweep> sweeps;
-};
-
-/// The spring foundation in time, see mdr::HistoryControl.
-struct SpringSetting {
-  int n_springs, steps_per_period, n_ramp_periods;
-  double periodicity;
-};
+const std::array<TradeAxis, 5>& trade_axes();
 
 /// What a trade computes.
 struct TradePlan {
-  std::vector<double> tolerances;        ///< for which settings are recommended, falling
-  Resolution reference;                  ///< the one-axis sweeps vary one of its entries
-  std::vector<PlannedSetting> settings;  ///< of the condensed finite elements; no resolution twice
-  std::vector<SpringSetting> springs;
-  int n_repetitions;             ///< of every measurement of time
+  std::vector<double> tolerances;  ///< for which settings are recommended, falling
+  Resolution reference;
+  /// Settings of the condensed finite elements, and what each is there for: the names of axes, "joint" (rings, order
+  /// and time steps together: where the front is looked for), "chosen" (by `resolution_for` for a tolerance).
+  std::map<Resolution, std::set<std::string>> settings;
   std::vector<Resolution> full;  ///< also stepped with every degree of freedom; each one of `settings`
 };
 
@@ -54,10 +41,9 @@ struct TradeAxes {
 /// The resolution that `resolution_for` chooses for a case.
 Resolution chosen_resolution(double tolerance, const FemCase& fem);
 
-/// Start, creep and periodicity of the joint sweep go with its time steps as in `resolution_for`, and its far radius
-/// with its rings: 12 up to 32 rings, 25 beyond. Its grading is 0.3; the rings at a worn edge are those for 1e-3
-/// throughout. An unlocked phase makes histories long: then at most 48 rings and 96 steps. Times are measured twice;
-/// with an unlocked phase, a dashpot or a worn edge, once.
+/// Start, creep and periodicity of the joint settings go with their time steps as in `resolution_for`, and their far
+/// radius with their rings: 12 up to 32 rings, 25 beyond. Their grading is 0.3; the rings at a worn edge are those for
+/// 1e-3 throughout. An unlocked phase makes histories long: then at most 48 rings and 96 steps.
 TradePlan trade_plan(const FemCase& fem, const TradeAxes& axes = {});
 
 }  // namespace fretval

@@ -204,9 +204,9 @@ TEST(CommandLineSlow, ChecksTheExactSolutions) {
   const auto junit = folder.path() / "junit.xml", json = folder.path() / "exact.json";
   const auto run = fretval_run("check --suite exact --junit " + junit.string() + " --json " + json.string(), folder);
   EXPECT_EQ(run.exit_code, 0) << run.out << run.err;
-  EXPECT_EQ(std::count(run.out.begin(), run.out.end(), '\n'), 1 + 38 + 1) << run.out;
-  EXPECT_NE(text_of(junit).find("tests=\"38\" failures=\"0\""), std::string::npos);
-  EXPECT_EQ(nlohmann::json::parse(text_of(json)).size(), 38U);
+  EXPECT_EQ(std::count(run.out.begin(), run.out.end(), '\n'), 1 + 36 + 1) << run.out;
+  EXPECT_NE(text_of(junit).find("tests=\"36\" failures=\"0\""), std::string::npos);
+  EXPECT_EQ(nlohmann::json::parse(text_of(json)).size(), 36U);
 }
 
 std::size_t n_files(const fs::path& folder) {
@@ -222,9 +222,7 @@ TEST(CommandLineSlow, ChecksATolerance) {
       folder);
   EXPECT_EQ(run.exit_code, 0) << run.out << run.err;
   EXPECT_EQ(n_files(cases / "0.01"), 50U);
-  EXPECT_NE(run.out.find("pass: 50 cases: 50 agree, 0 refused as expected, 0 inconclusive, 0 FAIL; 200 of 200"),
-            std::string::npos)
-      << run.out;
+  EXPECT_NE(run.out.find("pass: 50 cases: 50 agree, 0 are refused"), std::string::npos) << run.out;
   EXPECT_NE(text_of(junit).find("tests=\"50\" failures=\"0\""), std::string::npos);
 }
 
@@ -235,7 +233,7 @@ TEST(CommandLine, ChecksOneFamilyOfTheExtremes) {
       "check --suite extremes --short --family 'refused input' --junit " + junit.string() + " --json " + json.string(),
       folder);
   EXPECT_EQ(run.exit_code, 0) << run.out << run.err;
-  EXPECT_NE(run.out.find("Friction / Coefficient = 0"), std::string::npos) << run.out;
+  EXPECT_NE(run.out.find("Elastomer / Relaxed shear modulus = 0"), std::string::npos) << run.out;
   EXPECT_NE(text_of(junit).find("tests=\"1\" failures=\"0\""), std::string::npos);
   EXPECT_EQ(nlohmann::json::parse(text_of(json)).at("summary").at("refused"), 1);
 }

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "tests/comparison/expect_parts.h"
 #include "tests/comparison/stored_result.h"
 
@@ -17,13 +19,19 @@ TEST(ConvergenceSection, HasErrorsOrdersGoalsAndVerdictsOfEachRow) {
   plain["goal"] = plain["goal_met"] = nullptr;
   plain["note"] = "to roundoff";
   const auto html = convergence_section({stored_convergence_row(), failing, plain});
-  const std::string not_finite =
-      "<td title=\"32 rings\">not finite</td><td>floor (2)</td><td>1e-03</td><td>1e-06, not met</td>"
-      "<td class=\"bad-cell\">the error is &lt;not&gt; finite</td>";
   expect_parts(html,
-               {"2 of 3 rows pass; 1 of 2 goals", "<td title=\"16 rings\">1.0e-03</td>",
-                "<td title=\"32 rings\">2.5e-04</td><td>2.0 (2)</td><td>1e-03</td><td>1e-06, met</td><td>pass</td>",
-                not_finite, "<td>–</td><td>pass</td><td class=\"words\">Hertz 1882; to roundoff</td>"});
+               {"2 of 3 rows pass; 1 of 2 goals",
+                "<td>16 to 32 rings</td><td>1.0e-03, 2.5e-04</td><td>2.0 (2)</td><td>1.0e-03</td><td>1e-06, met</td>"
+                "<td>pass</td>",
+                "<td>1.0e-03, not finite</td><td>floor (2)</td><td>1.0e-03</td><td>1e-06, not met</td>"
+                "<td class=\"bad-cell\">the error is &lt;not&gt; finite</td>",
+                "<td>–</td><td>pass</td><td class=\"words\">Hertz 1882; to roundoff</td>"});
+}
+
+TEST(ConvergenceText, HasALineARow) {
+  const auto text = convergence_text({stored_convergence_row(), stored_convergence_row()});
+  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 1 + 2 + 1) << text;
+  expect_parts(text, {"\nHertz: force        16 to 32 rings  1.0e-03, 2.5e-04", "2 of 2 rows pass; 2 of 2 goals"});
 }
 
 }  // namespace

@@ -10,8 +10,8 @@ namespace {
 // Numbers that differ, so that none can stand in the place of another.
 TEST(ResolutionJson, HasEveryNumberUnderItsName) {
   const auto json = resolution_json({24, 3, 0.5, 12, 36, 8, 1e-5});
-  const nlohmann::ordered_json wanted{{"rings", 24},        {"degree", 3},           {"growth", 0.5},
-                                      {"far_radius", 12.},  {"steps_per_cycle", 36}, {"ramp_cycles", 8},
+  const nlohmann::ordered_json wanted{{"elements_per_radius", 24}, {"degree", 3},           {"growth", 0.5},
+                                      {"far_radius", 12.},         {"steps_per_cycle", 36}, {"ramp_cycles", 8},
                                       {"periodicity", 1e-5}};
   EXPECT_EQ(json, wanted);
 }

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "tests/comparison/expect_parts.h"
 #include "tests/comparison/suite_rows.h"
 
 namespace fretval {
@@ -33,6 +34,13 @@ TEST(SuiteJson, HasWhatIsThereAndNullForWhatIsNot) {
   EXPECT_TRUE(json["rows"][3]["worst"].is_null());
   EXPECT_TRUE(json["rows"][4]["quantities"]["stick_radius_shakedown"]["bar"].is_null());
   EXPECT_TRUE(json["rows"][4]["quantities"]["stick_radius_shakedown"]["fe"].is_null());
+}
+
+TEST(SuiteJUnit, HasACaseARowAndACheck) {
+  const auto xml = suite_junit(mixed_run());
+  expect_parts(xml, {"name=\"fretval check extremes\" tests=\"6\" failures=\"2\"", "name=\"family: good\"/>",
+                     "name=\"family: wide (inconclusive)\"/>", "name=\"family: &lt;bad&gt;\"><failure",
+                     "name=\"memory\"/>", "name=\"draws\"><failure message=\"too many\"/>"});
 }
 
 }  // namespace

@@ -4,7 +4,6 @@
 
 #include "comparison/verification/case_parts.h"
 #include "comparison/verification/extremes/extreme_rows.h"
-#include "comparison/verification/suite_table.h"
 #include "tests/comparison/suite_rows.h"
 
 namespace fretval {

@@ -19,7 +19,7 @@ NormalHistory cycle_of(int n_steps, const Force& force, const Radius& radius) {
   history.time = Eigen::VectorXd::LinSpaced(n_steps, 2 * pi / n_steps, 2 * pi);
   history.force = history.time.unaryExpr(force);
   history.contact_radius = history.time.unaryExpr(radius);
-  history.force_uncertainty = Eigen::VectorXd::Zero(n_steps);
+  history.force_uncertainty = history.force_beyond = history.force_beyond_uncertainty = Eigen::VectorXd::Zero(n_steps);
   return history;
 }
 

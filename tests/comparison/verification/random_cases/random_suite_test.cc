@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "comparison/verification/suite_summary.h"
-#include "comparison/verification/suite_table.h"
+#include "tests/comparison/suite_rows.h"
 
 namespace fretval {
 namespace {
@@ -14,7 +14,7 @@ SuiteRun only(std::size_t number) {
 
 TEST(RandomSuiteSlow, RunsEveryCaseWithinItsBars) {
   const auto run = run_random_suite({1, 40});
-  EXPECT_TRUE(run.passes()) << suite_table(run);
+  EXPECT_TRUE(run.passes()) << remarks_of(run);
   ASSERT_EQ(run.rows.size(), 40U);
   EXPECT_GT(count_errors(run.rows).n, 150U);
   long n_computations = 0;

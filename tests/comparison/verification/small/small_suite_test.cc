@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "comparison/verification/suite_summary.h"
-#include "comparison/verification/suite_table.h"
+#include "tests/comparison/suite_rows.h"
 
 namespace fretval {
 namespace {
@@ -31,7 +31,7 @@ std::size_t n_agree_if(const std::function<void(FemCase&)>& tamper) {
 TEST(SmallSuite, AgreesOnTheCommittedMeshes) {
   const auto run = run_small_suite(small_meshes());
   ASSERT_EQ(run.rows.size(), 6U);
-  EXPECT_EQ(count(run.rows, RowVerdict::agrees), 6U) << suite_table(run);
+  EXPECT_EQ(count(run.rows, RowVerdict::agrees), 6U) << remarks_of(run);
   for (const auto& row : run.rows) EXPECT_EQ(row.compared.size(), 4U) << row.asked.name;
 }
 

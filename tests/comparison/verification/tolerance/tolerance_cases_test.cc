@@ -5,8 +5,8 @@
 #include <set>
 
 #include "comparison/accuracy/prepared_case.h"
-#include "comparison/verification/suite_table.h"
 #include "mdr/stick/stick_radius.h"
+#include "tests/comparison/suite_rows.h"
 
 namespace fretval {
 namespace {
@@ -55,7 +55,7 @@ TEST(ToleranceSuite, MeetsATolerance) {
   const auto run = run_suite("tolerance", "", some_cases());
   ASSERT_EQ(run.rows.size(), 2U);
   for (const auto& row : run.rows) {
-    EXPECT_EQ(verdict_of(row), RowVerdict::agrees) << suite_table(run);
+    EXPECT_EQ(verdict_of(row), RowVerdict::agrees) << remarks_of(run);
     for (const auto& [quantity, q] : row.compared) EXPECT_LE(std::abs(q.error()), q.tolerance) << name_of(quantity);
   }
 }
