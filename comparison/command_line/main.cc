@@ -37,7 +37,6 @@ void keep_memory_of_bodies() {
   constexpr int one_gigabyte = 1 << 30;
   mallopt(M_MMAP_THRESHOLD, one_gigabyte);
   mallopt(M_TRIM_THRESHOLD, one_gigabyte);
-  mallopt(M_ARENA_MAX, 1);
 }
 
 int run(int argc, char** argv) {
