@@ -149,11 +149,29 @@ WatchedFriction::WatchedFriction(const ContactProblem& problem, const Relaxation
 void WatchedFriction::step(const Eigen::VectorXd& pressure) {
   if (contact.n_steps % period_steps() == 0) {
     traction_before = period.traction();
+    slip_before = period.slip();
     period.begin();
   }
   contact.step(pressure);
   first_slip.see(contact);
   period.see(contact);
+}
+
+namespace {
+
+/// Where slip dies out slowly everywhere, tractions hardly change from period to period long before the rings stick.
+bool is_about_to_stick(const Eigen::VectorXd& before, const Eigen::VectorXd& slip, double allowed, double n_periods) {
+  Eigen::Index n = 0;
+  while (n < slip.size() && slip[n] <= allowed) ++n;
+  if (n == slip.size() || !(slip[n] < before[n])) return false;
+  return std::log(slip[n] / allowed) < n_periods * std::log(before[n] / slip[n]);
+}
+
+}  // namespace
+
+double slip_of_stuck_ring(const Motion& motion) {
+  constexpr double per_amplitude_and_cycle = 1e-4;
+  return per_amplitude_and_cycle * motion.tangential_amplitude * motion.cycles_per_period();
 }
 
 FrictionHistory friction_history(WatchedFriction friction, const NormalHistory& normal, const HistoryControl& control,
@@ -166,9 +184,12 @@ FrictionHistory friction_history(WatchedFriction friction, const NormalHistory& 
   TouchingRings touching{normal.touch_radii, contact.relaxation().viscosity == 0};
   const double creep = longest_creep_time(contact.relaxation()) / (2 * pi * cycles_per_period);  // periods
   CycleJump jump(creep);
-  bool jumped = false;
-  while (jumped || !(history.periodicity <= control.periodicity)) {
-    if (history.n_cycles >= control.max_cycles * cycles_per_period)
+  const double allowed_slip = slip_of_stuck_ring(contact.motion());
+  bool jumped = false, settling = false;
+  while (jumped || settling || !(history.periodicity <= control.periodicity)) {
+    const bool at_end = history.n_cycles >= control.max_cycles * cycles_per_period;
+    if (at_end && history.periodicity <= control.periodicity) break;
+    if (at_end)
       throw SolverError(fmt::format(
           "the tangential response is not periodic after {} cycles: it will still change by {:.1e} of its largest "
           "value, {:.1e} is asked for; the body creeps for {:.3g} cycles: leave out branches that are slow beyond "
@@ -184,10 +205,13 @@ FrictionHistory friction_history(WatchedFriction friction, const NormalHistory& 
     history.n_cycles = static_cast<int>(contact.n_steps / contact.steps_per_cycle());
     const bool after_jump = std::exchange(jumped, false);
     if (history.n_cycles <= std::max(contact.motion().n_ramp_cycles, normal.n_cycles) + cycles_per_period) continue;
-    if (!after_jump)
+    if (!after_jump) {
       history.periodicity =
           change_to_come(change_per_period(friction.period.traction(), friction.traction_before), creep);
-    if (history.periodicity > control.periodicity) jumped = jump.advance(contact.state);
+      settling = is_about_to_stick(friction.slip_before, friction.period.slip(), allowed_slip,
+                                   static_cast<double>(history.n_cycles) / cycles_per_period);
+    }
+    if (settling || history.periodicity > control.periodicity) jumped = jump.advance(contact.state);
   }
   history.n_steps = contact.n_steps;
   friction.first_slip.report(history);

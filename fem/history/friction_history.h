@@ -28,6 +28,10 @@ struct FrictionHistory {
   Eigen::MatrixXd traction;            ///< n_rings x steps per period: the last period
 };
 
+/// Length of slip in a period up to which a ring counts as stuck: one that has shaken down still creeps a little while
+/// its offset settles.
+double slip_of_stuck_ring(const Motion& motion);
+
 /// Watches for the rings that have never slipped.
 class FirstSlip {
  public:
@@ -50,6 +54,7 @@ class FrictionPeriod {
   void see(const FrictionContact& contact);
   void report(const ContactProblem& problem, FrictionHistory& history) const;
   [[nodiscard]] const Eigen::MatrixXd& traction() const { return traction_; }
+  [[nodiscard]] const Eigen::VectorXd& slip() const { return slip_; }
 
  private:
   // Smallest mu p - tau and mu p + tau. Of the samples: between them a parabola would dip to zero at a kink.
@@ -76,12 +81,15 @@ class WatchedFriction {
   FirstSlip first_slip;
   FrictionPeriod period;
   Eigen::MatrixXd traction_before;  ///< of the period before
+  Eigen::VectorXd slip_before;      ///< likewise
 
   [[nodiscard]] int period_steps() const { return contact.steps_per_cycle() * contact.motion().cycles_per_period(); }
 };
 
-/// Goes on under the repeating cycle of the normal contact until the tractions are periodic. Throws SolverError when
-/// they are not after control.max_cycles. see: called after each step.
+/// Goes on under the repeating cycle of the normal contact until the tractions are periodic, and the innermost ring
+/// that slips is not about to stick: its slip, dying out as from the last period but one to the last, would be that of
+/// a stuck ring within as many periods again as there have been. Throws SolverError when they are not after
+/// control.max_cycles. see: called after each step.
 FrictionHistory friction_history(WatchedFriction friction, const NormalHistory& normal, const HistoryControl& control,
                                  const std::function<void(const FrictionContact&)>& see = {});
 

@@ -7,7 +7,6 @@
 namespace fretval::fem {
 namespace {
 
-constexpr double shaken_down_slip = 1e-4;
 constexpr double never_slipped = 1e-9;
 
 /// Rings from the centre that stick: slip no more than allowed and never lose their grip altogether.
@@ -48,10 +47,8 @@ EdgeRadius stick_zone(const Compliance& tangential, const Eigen::VectorXd& small
 }  // namespace
 
 StuckRings stuck_rings(const FrictionHistory& friction, const Motion& motion) {
-  const double amplitude = motion.tangential_amplitude;
-  return {count_stuck(friction.slip_path, friction.first_slip_margin, never_slipped * amplitude),
-          count_stuck(friction.period_slip, friction.shakedown_margin,
-                      shaken_down_slip * amplitude * motion.cycles_per_period())};
+  return {count_stuck(friction.slip_path, friction.first_slip_margin, never_slipped * motion.tangential_amplitude),
+          count_stuck(friction.period_slip, friction.shakedown_margin, slip_of_stuck_ring(motion))};
 }
 
 StickZones stick_zones(const Compliance& tangential, const NormalHistory& normal, const FrictionHistory& friction,

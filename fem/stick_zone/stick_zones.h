@@ -15,7 +15,7 @@ struct StuckRings {
   Eigen::Index shakedown;   ///< no longer slip
 };
 
-/// docs/theory.md: a ring that has shaken down still creeps a little while the offset settles.
+/// By what they slip, and never losing their grip altogether; see slip_of_stuck_ring.
 StuckRings stuck_rings(const FrictionHistory& friction, const Motion& motion);
 
 /// Edges of both stick zones. They scatter by 3e-4 rings with the mesh (4.5e-4 measured, with a bar of half of that

@@ -135,6 +135,27 @@ TEST(FrictionHistory, FewStepsGiveTheStickRadii) {
   }
 }
 
+// In phase with k just above 1 and no first-slip zone everything slips a little, less and less, while the body creeps:
+// the tractions repeat to 1e-4 when rings that will stick still slip 1.5e-4 of the amplitude.
+TEST(FrictionHistory, GoesOnWhereSlipDiesOutSlowlyEverywhere) {
+  const RelaxationModel soft_at_rest{1, {7}, {1}, 0};
+  const double rho = std::abs(complex_modulus(soft_at_rest));
+  Motion motion{0.8, 0.096, 1.5 * mu * 0.096 / 1.02, 0.0};
+  motion.n_ramp_cycles = 4;
+  HistoryControl control;
+  control.steps_per_cycle = 72;
+  control.periodicity = 1e-4;
+  const auto& problem = normal_half_space(32);
+  const auto normal = normal_history(problem, soft_at_rest, parabola_means(problem), motion, control);
+  const auto history = friction_history(tangential_half_space(32), soft_at_rest, mu, motion, normal, control);
+  const auto expected = expected_radii(rho, mu, motion);
+  EXPECT_EQ(expected.first_slip, 0);
+  const auto n_stuck = static_cast<Index>(expected.shakedown * 32);
+  ASSERT_EQ(n_stuck, 16);
+  EXPECT_LE(history.period_slip.head(n_stuck).maxCoeff(), slip_of_stuck_ring(motion));
+  EXPECT_GT(history.period_slip[n_stuck + 2], 10 * slip_of_stuck_ring(motion));
+}
+
 // A phase that creeps through everything: both radii obey g(c) = d0 - rho (A + Dd) (docs/theory.md).
 TEST(StickRadiiSlow, OfAnUnlockedPhaseAreTheSmallest) {
   for (const auto& model : {elastic_body(), standard_solid()}) {
