@@ -124,6 +124,9 @@ int run_check(const CheckOptions& options) {
   for (const auto& [option, suite] : options.of)
     if (option->count() > 0 && suite != options.suite)
       throw InputError(fmt::format("{}: it belongs to the suite {}", option->get_name(), suite));
+  // Before minutes of computing, not after.
+  for (const fs::path file : {options.junit, options.json})
+    if (file.has_parent_path()) fs::create_directories(file.parent_path());
   Stopwatch watch;
   const fem::PetscSession session;
   const auto outcome = check(options);

@@ -41,6 +41,7 @@ figure { margin: 0; border: 1px solid var(--line); border-radius: .6rem; padding
 figure svg { width: 100%; height: auto; } figcaption { font-size: .88rem; color: var(--soft); padding: 0 .4rem .3rem; }
 table { border-collapse: collapse; font-size: .9rem; font-variant-numeric: tabular-nums; }
 th, td { text-align: right; padding: .25rem .7rem; border-bottom: 1px solid var(--line); }
+td { white-space: nowrap; } td:first-child, td.words { white-space: normal; }
 th:first-child, td:first-child { text-align: left; } thead th { color: var(--soft); font-weight: 600; }
 td.words { text-align: left; color: var(--soft); } .maybe { background: #8a6d00; }
 .scroll { overflow-x: auto; margin-bottom: 1rem; } td.bad-cell { color: var(--bad); font-weight: 600; }
@@ -231,6 +232,16 @@ std::string all_cases_section(const Results& results) {
          "not compared.</p></details>\n";
 }
 
+std::string left_out_section(const Results& results) {
+  const auto n = std::count_if(results.begin(), results.end(),
+                               [](const auto& r) { return r.json.at("scene").contains("left_out"); });
+  if (n == 0) return "";
+  return fmt::format(
+      "<p class=\"soft\">{} of {} cases have a wear coefficient. Finite elements leave it out: they answer for the "
+      "profile of the case, and <code>fretval mdr</code> for the course of wear.</p>\n",
+      n, results.size());
+}
+
 }  // namespace
 
 fs::path write_report(const fs::path& folder) {
@@ -240,9 +251,9 @@ fs::path write_report(const fs::path& folder) {
   };
   std::string sections;
   for (const auto& section :
-       {of_results(verdict_section), of_results(radii_section), of_results(phase_section), of_results(rheology_section),
-        of_results(limiting_section), of_results(single_cases_section), of_results(budget_section),
-        trade_section(folder), section_of(folder / "tolerance.json", suite_section),
+       {of_results(verdict_section), of_results(left_out_section), of_results(radii_section), of_results(phase_section),
+        of_results(rheology_section), of_results(limiting_section), of_results(single_cases_section),
+        of_results(budget_section), trade_section(folder), section_of(folder / "tolerance.json", suite_section),
         section_of(folder / "extremes.json", suite_section), section_of(folder / "random.json", suite_section),
         section_of(folder / "exact.json", convergence_section), of_results(cost_section),
         of_results(all_cases_section)})

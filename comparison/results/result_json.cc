@@ -27,6 +27,7 @@ ordered_json case_json(const CaseResult& result) {
                     {"contact_radius_unworn", result.fem_case.units.length},
                     {"tolerance", input.tolerance}};
   if (result.mdr_case.limiting) json["stick_radius_of_profile"] = result.mdr_case.limiting->stick_radius;
+  if (input.wear_kinetics) json["left_out"] = {"Wear / Coefficient", "Wear / Cycles"};
   if (input.sweep)
     json["sweep"] = {{"family", input.sweep->family}, {"entry", input.sweep->entry}, {"value", input.sweep->value}};
   return json;

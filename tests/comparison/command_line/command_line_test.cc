@@ -241,7 +241,8 @@ TEST(CommandLine, ChecksOneFamilyOfTheExtremes) {
 // The worst cases are written as case files that the tool takes.
 TEST(CommandLine, ChecksRandomCasesAndWritesTheWorst) {
   const ScratchFolder folder;
-  const auto junit = folder.path() / "junit.xml", json = folder.path() / "random.json", worst = folder.path() / "worst";
+  const auto junit = folder.path() / "junit.xml", json = folder.path() / "new" / "random.json",
+             worst = folder.path() / "worst";
   const auto run = fretval_run("check --suite random --cases 2 --seed 1 --junit " + junit.string() + " --json " +
                                    json.string() + " --write-worst " + worst.string(),
                                folder);

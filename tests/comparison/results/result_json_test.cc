@@ -39,6 +39,13 @@ TEST(ResultJson, IsNullForWhatIsAbsent) {
   EXPECT_EQ(json["pass"], false);
 }
 
+TEST(ResultJson, NamesWhatFiniteElementsLeaveOut) {
+  auto result = result_with({0, 0});
+  EXPECT_FALSE(written(result)["scene"].contains("left_out"));
+  result.input.wear_kinetics = Case::WearKinetics{1e-13, 1e6};
+  EXPECT_EQ(written(result)["scene"]["left_out"], (nlohmann::json{"Wear / Coefficient", "Wear / Cycles"}));
+}
+
 TEST(ResultJson, HasBarsBySourceAndNullForAnUnboundedOne) {
   const ErrorBar bounded{{{ErrorSource::rings, 0.25, 2.5}, {ErrorSource::time_step, 0.5, std::nullopt}}},
       unbounded{{{ErrorSource::rings, std::numeric_limits<double>::infinity(), std::nullopt}}};
