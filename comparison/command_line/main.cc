@@ -31,8 +31,8 @@ void say(const std::exception& error) {
   fretval::log::error(fretval::without_control_characters(error.what()));
 }
 
-/// Every body takes hundreds of megabytes and gives them back. Where they go back to the kernel, and come from another
-/// heap in each thread, clearing their pages is a tenth of the time of a worn profile.
+/// Every body takes hundreds of megabytes and gives them back. Where they go back to the kernel and come anew, clearing
+/// their pages is a tenth of the time of a worn profile.
 void keep_memory_of_bodies() {
   constexpr int one_gigabyte = 1 << 30;
   mallopt(M_MMAP_THRESHOLD, one_gigabyte);

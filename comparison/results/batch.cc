@@ -10,10 +10,13 @@
 namespace fretval {
 namespace {
 
-BatchLine run_case(const PreparedCase& prepared, const BatchOptions& options, BodyStore& bodies,
+BatchLine run_case(const PreparedCase& asked, const BatchOptions& options, BodyStore& bodies,
                    NormalResponses& references) {
   BatchLine line;
-  line.name = prepared.input.name;
+  line.name = asked.input.name;
+  const bool writes_fields = !options.output.empty() && asked.input.fields == Case::Fields::extremes;
+  PreparedCase prepared = asked;
+  prepared.fem.keeps_body = writes_fields;
   auto fe = prove(prepared, options.proof, bodies);
   std::shared_ptr<const mdr::NormalResponse> reference;
   try {

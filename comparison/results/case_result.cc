@@ -126,7 +126,10 @@ void write_field(const HarmonicBody& body, const Eigen::VectorXd& rings, const U
 }
 
 void write_fields(const CaseResult& result, const fs::path& folder) {
-  const Body body = make_body(result.fem_case.body);
+  const auto& kept = result.fe.fe.whole_body;
+  std::optional<Body> made;
+  if (!kept) made.emplace(make_body(result.fem_case.body));
+  const Body& body = made ? *made : *kept;
   const auto& normal = result.fe.fe.normal;
   struct Field {
     const HarmonicBody& body;

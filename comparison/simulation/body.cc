@@ -69,13 +69,13 @@ Body make_body(const BodySpecification& specification) {
   return body;
 }
 
-ContactBody contact_body(Body&& body) {
+ContactBody contact_body(const Body& body) {
   const auto summary = std::make_shared<const BodySummary>(BodySummary{body.mesh_quality, body.cost, body.n_dofs(),
                                                                        body.normal.space.contact_line().dofs.size(),
                                                                        body.normal.contact.compliance.radii});
   std::optional<fem::ContactProblem> tangential;
-  if (body.tangential) tangential = std::move(body.tangential->contact);
-  return {std::move(body.normal.contact), std::move(tangential), summary};
+  if (body.tangential) tangential.emplace(body.tangential->contact);
+  return {body.normal.contact, std::move(tangential), summary};
 }
 
 }  // namespace fretval

@@ -87,6 +87,6 @@ struct ContactBody {
   std::shared_ptr<const BodySummary> summary;
 };
 
-ContactBody contact_body(Body&& body);
+ContactBody contact_body(const Body& body);
 
 }  // namespace fretval

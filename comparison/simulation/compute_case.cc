@@ -58,12 +58,15 @@ FeAnswer compute_case(const FemCase& fem_case, const Resolution& resolution, Bod
   const FemCase fem = at_resolution(fem_case, resolution);
   Stopwatch watch;
 
+  std::shared_ptr<const Body> whole;
   const auto body = bodies.find_or_make(fem.body, [&] {
     const auto mesh = bodies.meshes.mesh_of(fem.body);
     const double mesh_seconds = watch.lap();
     auto operators = assemble_operators(mesh, bodies.meshes.name, fem.body.degree, fem.body.tangential);
     operators.cost.mesh = mesh_seconds;
-    return contact_body(condense(std::move(operators)));
+    const auto made = std::make_shared<const Body>(condense(std::move(operators)));
+    if (fem_case.keeps_body && resolution == fem_case.resolution) whole = made;
+    return contact_body(*made);
   });
   const ProblemsAtSlack at_slack(*body, resolution.active_set_slack);
   const auto problems = at_slack.problems();
@@ -83,6 +86,7 @@ FeAnswer compute_case(const FemCase& fem_case, const Resolution& resolution, Bod
 
   auto answer = read_answer(problems, fem, profile, contact_radius, std::move(normal), std::move(friction));
   answer.body = body->summary;
+  answer.whole_body = whole;
   answer.seconds = {normal_seconds, watch.lap()};
   return answer;
 }

@@ -51,6 +51,7 @@ struct FeAnswer {
   fem::NormalHistory normal;      ///< dimensionless
   fem::FrictionHistory friction;  ///< dimensionless
   std::shared_ptr<const BodySummary> body;
+  std::shared_ptr<const Body> whole_body;  ///< see FemCase::keeps_body; null: not asked for, or made by another case
   HistoryCost seconds;
 
   /// Of an answer whose body was its own: mesh, assembly, factorisation, both histories.

@@ -51,6 +51,7 @@ struct FemCase {
   std::function<double(double)> profile;  ///< f(r)
   Resolution resolution;
   std::optional<WornEdge> worn_edge;
+  bool keeps_body = false;                ///< an answer at this resolution goes with the whole body, for fields
   std::optional<double> sharp_edge = {};  ///< radius at which the slope of the unworn indenter jumps
 };
 

@@ -31,8 +31,7 @@ TEST(NormalResponses, AreMadeAnewForAnyOtherNormalProblem) {
   others[2].elastomer.branch_times[0] *= 2;
   others[3].motion.normal_amplitude *= 0.5;
   others[4] = limiting_case(0.3, input.motion.normal_amplitude);
-  for (const auto& other : others)
-    EXPECT_NE(response_of(responses, other)->normal_force_max, first->normal_force_max);
+  for (const auto& other : others) EXPECT_NE(response_of(responses, other)->normal_force_max, first->normal_force_max);
 }
 
 }  // namespace
