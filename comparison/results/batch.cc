@@ -14,9 +14,8 @@ BatchLine run_case(const PreparedCase& asked, const BatchOptions& options, BodyS
                    NormalResponses& references) {
   BatchLine line;
   line.name = asked.input.name;
-  const bool writes_fields = !options.output.empty() && asked.input.fields == Case::Fields::extremes;
   PreparedCase prepared = asked;
-  prepared.fem.keeps_body = writes_fields;
+  prepared.fem.keeps_body = !options.output.empty() && asked.input.fields == Case::Fields::extremes;
   auto fe = prove(prepared, options.proof, bodies);
   std::shared_ptr<const mdr::NormalResponse> reference;
   try {

@@ -34,8 +34,8 @@ double largest_share_outside(const fem::NormalHistory& history, const Eigen::Vec
 }
 
 NoWearEvidence no_wear_evidence(const fem::Compliance& compliance, const FemCase& fem, const Eigen::VectorXd& profile,
-                                const fem::NormalHistory& normal, const fem::FrictionHistory& friction) {
-  const Eigen::Index n_inside = rings_within(compliance, fem.worn_edge->inner);
+                                const fem::NormalHistory& normal, const fem::FrictionHistory& friction,
+                                Eigen::Index n_inside) {
   const Eigen::Index n_worn = rings_within(compliance, fem.worn_edge->outer) - n_inside;
   return {friction.period_slip.head(n_inside).maxCoeff() / fem.motion.tangential_amplitude,
           largest_share_outside(normal, compliance.areas, n_inside),
@@ -133,7 +133,7 @@ FeAnswer read_answer(const ContactProblems& problems, const FemCase& fem, const 
     hold_to_count(problem.compliance, stuck.shakedown, shakedown);
     read_on_worn_profile(problem.compliance, n_inside, stuck.first_slip, friction.slip_path, first);
     read_on_worn_profile(problem.compliance, n_inside, stuck.shakedown, friction.period_slip, shakedown);
-    answer.no_wear = no_wear_evidence(problems.normal.compliance, fem, profile, normal, friction);
+    answer.no_wear = no_wear_evidence(problems.normal.compliance, fem, profile, normal, friction, n_inside);
   }
   for (auto* zone : {&first, &shakedown}) widen_next_to_sharp_edge(fem, problem.compliance, *zone);
 

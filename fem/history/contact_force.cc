@@ -12,33 +12,35 @@ using Eigen::Index;
 
 namespace {
 
-/// Force of the depths beyond the edge of the contact around the centre, a plain sum: uncertain by half of what the
-/// last ring of each zone bears.
-ForceBeyond force_beyond(const PunchSeries& series, const Eigen::VectorXd& pressure, Index n_pressed, double radius) {
-  ForceBeyond beyond;
-  const Index n = pressure.size() - n_pressed;
-  if ((pressure.tail(n).array() <= 0).all()) return beyond;
-  const Eigen::VectorXd depths = series.depths(pressure).col(0).tail(n), &edges = series.edges();
-  beyond.force = series.force_per_radius() *
-                 (depths.dot(edges.tail(n) - edges.segment(n_pressed, n)) + depths[0] * (edges[n_pressed] - radius));
+/// What the edges of the zones beyond the first free ring leave open: half of what the last ring of each bears.
+double uncertainty_beyond(const PunchSeries& series, const Eigen::VectorXd& pressure, Index n_pressed) {
   const Eigen::VectorXd forces = pressure.cwiseProduct(series.areas());
-  for (Index i = n_pressed; i < forces.size(); ++i) {
+  double uncertainty = 0;
+  for (Index i = n_pressed + 1; i < forces.size(); ++i) {
     const bool ends_inside = forces[i - 1] <= 0, ends_outside = i + 1 == forces.size() || forces[i + 1] <= 0;
-    beyond.uncertainty += (ends_inside + ends_outside) * forces[i] / 2;
+    uncertainty += (ends_inside + ends_outside) * forces[i] / 2;
   }
-  return beyond;
+  return uncertainty;
+}
+
+/// Of the depths beyond the edge of the contact around the centre, a plain sum.
+double force_beyond(const PunchSeries& series, const Eigen::VectorXd& depths, Index n_pressed, double radius) {
+  const Index n = depths.size() - n_pressed;
+  const auto& edges = series.edges();
+  return series.force_per_radius() * (depths.tail(n).dot(edges.tail(n) - edges.segment(n_pressed, n)) +
+                                      depths[n_pressed] * (edges[n_pressed] - radius));
+}
+
+/// Too few rings around the centre to tell where they end, or no free ring: of all rings.
+ContactForce force_of_all(const PunchSeries& series, const Eigen::VectorXd& depths, Index n_pressed) {
+  std::vector<signed char> zones(static_cast<std::size_t>(depths.size()), 0);
+  std::fill(zones.begin() + n_pressed, zones.end(), 1);
+  return {series.integral(depths, zones), series.edges()[n_pressed]};
 }
 
 /// Of the n_pressed rings around the centre.
-ContactForce central_force(const PunchSeries& series, const Eigen::VectorXd& pressure, const Eigen::VectorXd& gap,
+ContactForce central_force(const PunchSeries& series, const Eigen::VectorXd& depths, const Eigen::VectorXd& gap,
                            Index n_pressed, const ContactPast& past) {
-  const Eigen::VectorXd depths = series.depths(pressure);
-  const bool has_edge = n_pressed > n_stencil && n_pressed + 2 < pressure.size();
-  if (!has_edge) {
-    std::vector<signed char> zones(static_cast<std::size_t>(pressure.size()), 0);
-    std::fill(zones.begin() + n_pressed, zones.end(), 1);
-    return {series.integral(depths, zones), series.edges()[n_pressed]};
-  }
   const Index n_inner = std::clamp(past.n_closed.value_or(n_pressed), n_stencil, n_pressed);
   // Next to the largest contact so far, pressures that do not jump know the edge better.
   const auto& radii = series.radii();
@@ -72,8 +74,13 @@ ContactForce contact_force(const PunchSeries& series, const Eigen::VectorXd& pre
                            const ContactPast& past) {
   Index n_pressed = 0;
   while (n_pressed < pressure.size() && pressure[n_pressed] > 0) ++n_pressed;
-  auto contact = central_force(series, pressure, gap, n_pressed, past);
-  contact.beyond = force_beyond(series, pressure, n_pressed, contact.radius);
+  const Eigen::VectorXd depths = series.depths(pressure);
+  const bool has_edge = n_pressed > n_stencil && n_pressed + 2 < pressure.size();
+  auto contact =
+      has_edge ? central_force(series, depths, gap, n_pressed, past) : force_of_all(series, depths, n_pressed);
+  contact.beyond.uncertainty = uncertainty_beyond(series, pressure, n_pressed);
+  if (has_edge && contact.beyond.uncertainty > 0)
+    contact.beyond.force = force_beyond(series, depths, n_pressed, contact.radius);
   return contact;
 }
 

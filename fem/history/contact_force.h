@@ -19,7 +19,8 @@ struct ContactPast {
   PressureAtEdge edge = PressureAtEdge::vanishes;
 };
 
-/// What the depths bear beyond the contact around the centre, where rings press beyond the first free one.
+/// What the depths bear beyond the contact around the centre, where rings press beyond the first free one. Around a
+/// centre of too few rings to have an edge no force is told apart, only the uncertainty.
 struct ForceBeyond {
   double force = 0, uncertainty = 0;
 };

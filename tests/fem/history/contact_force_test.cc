@@ -67,6 +67,19 @@ TEST_F(ContactForceTest, CountsRingsThatPressBeyondAFreeOne) {
   EXPECT_NEAR(contact.radius, 0.5, ring_ / 2);
 }
 
+// Nothing presses at the centre, or on a few rings alone: all the rest is beyond a free ring.
+TEST_F(ContactForceTest, CountsEachRingOnceWhereTheCentreIsFree) {
+  for (const double pin : {0.0, 0.1}) {
+    const auto profile =
+        ring_means(problem_.compliance, [pin](double r) { return r < pin || (0.3 < r && r < 0.75) ? 0.0 : 10.0; });
+    const auto [pressure, gap] = static_contact(problem_, profile, 0.5);
+    const auto contact = contact_force(series_, pressure, gap);
+    const double sum = pressure.dot(problem_.compliance.areas);
+    EXPECT_NEAR(contact.force + contact.beyond.force, sum, contact.uncertainty + contact.beyond.uncertainty) << pin;
+    EXPECT_LT(contact.uncertainty + contact.beyond.uncertainty, 0.5 * sum) << pin;
+  }
+}
+
 /// A dashpot under a growing parabola: the Hertz pressure and, up to the same edge, that of a flat punch of the speed
 /// of the indentation, of which the ring that touched in the step has borne half, on average.
 struct Growing {
