@@ -9,12 +9,12 @@ def number:
   end;
 def line: "| " + join(" | ") + " |";
 def table($heads): ($heads | line), ($heads | map("---") | line), (.[] | line);
-def spread: if .low == .high then .median | number else "\(.median | number), \(.high | number)" end;
+def spread: if .median == .high then .median | number else "\(.median | number), \(.high | number)" end;
 
 def exact_row:
   ["\(.solution): \(.quantity)", "\(.resolutions[0]) to \(.resolutions[-1]) \(.refined)", (.errors | map(number) | join(", ")),
    "\(if .observed_order == null then "floor" else .observed_order * 10 | round / 10 | tostring end) (\(if .expected_order == 0 then "exact" else .expected_order | tostring end))",
-   (.tolerance | number), (.goal | number), .verdict];
+   (.tolerance | number), .verdict];
 
 def quantity_row:
   [.quantity, (.tolerance | number), .errors, .above_bar, .wide, (.error | spread), (.bar | spread), (.effectivity.median | number)] | map(tostring);
@@ -26,7 +26,7 @@ def families: reduce .[] as $row ({}; .[$row.family] += [$row]) | to_entries[]
      (.value | map(select(.verdict == "inconclusive")) | length), (.value | map(select(.verdict == "FAIL")) | length)] | map(tostring);
 
 if type == "array" then
-  map(exact_row) | table(["solution: quantity", "refined", "errors", "order (expected)", "tolerance", "goal", "verdict"])
+  map(exact_row) | table(["solution: quantity", "refined", "errors", "order (expected)", "tolerance", "verdict"])
 else
   (.summary | "\(.cases) cases: \(.agree) agree, \(.refused) refused by name as expected, \(.inconclusive) inconclusive, \(.fail) fail. \(.errors - .above_bar) of \(.errors) errors are within their bars. \(.computations) computations, \(.seconds | round) s."),
   "",

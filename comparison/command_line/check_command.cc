@@ -15,7 +15,7 @@
 #include "comparison/support/log.h"
 #include "comparison/support/stopwatch.h"
 #include "comparison/verification/exact/exact_rows.h"
-#include "comparison/verification/extremes/extreme_suite.h"
+#include "comparison/verification/extremes/extreme_cases.h"
 #include "comparison/verification/random_cases/random_suite.h"
 #include "comparison/verification/small/small_suite.h"
 #include "comparison/verification/suite_json.h"
@@ -62,9 +62,9 @@ Outcome check_tolerance(const CheckOptions& options) {
 }
 
 Outcome check_extremes(const CheckOptions& options) {
-  const auto rows = only_family(options.only_short ? short_extreme_rows() : extreme_rows(), options.family);
-  if (rows.empty()) throw InputError(fmt::format("--family {}: no family of the suite contains that", options.family));
-  return outcome_of(run_extreme_suite(rows));
+  const auto cases = only_family(options.only_short ? short_extreme_cases() : extreme_cases(), options.family);
+  if (cases.empty()) throw InputError(fmt::format("--family {}: no family of the suite contains that", options.family));
+  return outcome_of(run_extreme_suite(cases));
 }
 
 /// Error bars were made with cases in view that were drawn before: without a seed there are new ones.

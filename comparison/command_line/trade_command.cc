@@ -29,13 +29,12 @@ int run_trade(const std::string& file, const fs::path& output) {
   fs::create_directories(folder);
   const fem::PetscSession session;
   const auto plan = trade_plan(prepared.fem);
-  const auto trade = compute_trade(prepared, plan);
-  const auto json = trade_json(prepared, plan, trade);
+  const auto levels = computed_levels(prepared, plan);
+  const auto json = trade_json(prepared, plan, levels);
   write_file(folder / "trade.json", json.dump(2) + "\n");
   fmt::print("{}", trade_text(json));
-  log::info(
-      fmt::format("{} settings in {:.1f} s: {}", trade.points.size(), watch.lap(), (folder / "trade.json").string()));
-  return trade.front.empty() ? exit_numerics_failed : exit_agree;
+  log::info(fmt::format("{} settings in {:.1f} s: {}", levels.size(), watch.lap(), (folder / "trade.json").string()));
+  return json.at("front").empty() ? exit_numerics_failed : exit_agree;
 }
 
 }  // namespace fretval

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "comparison/report/table.h"
@@ -20,35 +21,25 @@ std::string errors_text(const ordered_json& errors) {
 }
 
 Table convergence_table(const ordered_json& rows) {
-  Table table{
-      {"solution: quantity", "refined", "errors", "order (expected)", "tolerance", "goal", "verdict", "source; note"}};
+  Table table{{"solution: quantity", "refined", "errors", "order (expected)", "tolerance", "verdict", "source; note"}};
   for (const auto& row : rows) {
     const auto text = [&](const char* key) { return row.at(key).get<std::string>(); };
-    const auto &goal = row.at("goal"), &order = row.at("observed_order"), &resolutions = row.at("resolutions");
+    const auto &order = row.at("observed_order"), &resolutions = row.at("resolutions");
     table.rows.push_back(
         {text("solution") + ": " + text("quantity"),
          fmt::format("{} to {} {}", resolutions.front().get<int>(), resolutions.back().get<int>(), text("refined")),
          errors_text(row.at("errors")),
          fmt::format("{} ({:.2g})", order.is_number() ? number_text(order, "{:.1f}") : "floor",
                      row.at("expected_order").get<double>()),
-         number_text(row.at("tolerance")),
-         goal.is_number()
-             ? fmt::format("{:.0e}, {}", goal.get<double>(), row.at("goal_met").get<bool>() ? "met" : "not met")
-             : "–",
-         bad_if(text("verdict") != "pass", text("verdict")),
+         number_text(row.at("tolerance")), bad_if(text("verdict") != "pass", text("verdict")),
          words_cell(text("source") + (text("note").empty() ? "" : "; ") + text("note"))});
   }
   return table;
 }
 
 std::string passed_text(const ordered_json& rows) {
-  std::size_t n_pass = 0, n_goals = 0, n_met = 0;
-  for (const auto& row : rows) {
-    n_pass += row.at("verdict") == "pass" ? 1 : 0;
-    n_goals += row.at("goal").is_number() ? 1 : 0;
-    n_met += row.at("goal_met") == true ? 1 : 0;
-  }
-  return fmt::format("{} of {} rows pass; {} of {} goals of the project are met.", n_pass, rows.size(), n_met, n_goals);
+  const auto n = std::count_if(rows.begin(), rows.end(), [](const auto& row) { return row.at("verdict") == "pass"; });
+  return fmt::format("{} of {} rows pass.", n, rows.size());
 }
 
 }  // namespace

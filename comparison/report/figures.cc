@@ -32,19 +32,18 @@ std::string shape_title(const std::string& shape) {
   return shape == "cone" ? "Cone" : "Power law";
 }
 
-std::vector<const StoredResult*> select(const std::vector<StoredResult>& results, const char* entry,
-                                        const std::string& shape) {
-  std::vector<const StoredResult*> selected;
-  for (const auto& r : results)
-    if (r.swept_over(entry) && r.text("scene", "shape") == shape) selected.push_back(&r);
-  return selected;
-}
+using Members = std::vector<const StoredResult*>;
 
-/// The shapes that are swept over an entry, in the paper's order.
-std::vector<std::string> shapes_swept(const std::vector<StoredResult>& results, const char* entry) {
-  std::vector<std::string> shapes;
-  for (const char* shape : {"parabola", "cone", "power"})
-    if (!select(results, entry, shape).empty()) shapes.emplace_back(shape);
+/// The results that are swept over an entry, by shape, in the paper's order.
+std::vector<std::pair<std::string, Members>> swept_by_shape(const std::vector<StoredResult>& results,
+                                                            const char* entry) {
+  std::vector<std::pair<std::string, Members>> shapes;
+  for (const char* shape : {"parabola", "cone", "power"}) {
+    Members members;
+    for (const auto& r : results)
+      if (r.swept_over(entry) && r.text("scene", "shape") == shape) members.push_back(&r);
+    if (!members.empty()) shapes.emplace_back(shape, std::move(members));
+  }
   return shapes;
 }
 
@@ -55,15 +54,15 @@ struct CurveKey {
   bool operator<(const CurveKey& o) const { return std::tie(k, rheology) < std::tie(o.k, o.rheology); }
 };
 
-std::map<CurveKey, std::vector<const StoredResult*>> curves(const std::vector<const StoredResult*>& results) {
-  std::map<CurveKey, std::vector<const StoredResult*>> grouped;
+std::map<CurveKey, Members> curves(const Members& results) {
+  std::map<CurveKey, Members> grouped;
   for (const auto* r : results)
     grouped[{std::round(1e6 * amplitude_ratio(*r)) / 1e6, r->text("scene", "rheology")}].push_back(r);
   return grouped;
 }
 
 /// The sweep with the most points of each k carries the line; the others only add points.
-std::map<double, CurveKey> leading_curves(const std::map<CurveKey, std::vector<const StoredResult*>>& grouped) {
+std::map<double, CurveKey> leading_curves(const std::map<CurveKey, Members>& grouped) {
   std::map<double, CurveKey> leading;
   for (const auto& [key, members] : grouped) {
     const auto found = leading.find(key.k);
@@ -76,12 +75,9 @@ int colour_of(const std::map<double, CurveKey>& leading, double k) {
   return static_cast<int>(std::distance(leading.begin(), leading.find(k)));
 }
 
-Figure stick_radius_figure(const std::vector<const StoredResult*>& results, const std::string& shape,
-                           const Criterion& criterion) {
-  Plot plot;
-  plot.title = fmt::format("{}: {}", shape_title(shape), criterion.name);
-  plot.x_label = "phase φ_0 in degrees";
-  plot.y_label = "c over the contact radius at d_0";
+Figure stick_radius_figure(const Members& results, const std::string& shape, const Criterion& criterion) {
+  Plot plot{fmt::format("{}: {}", shape_title(shape), criterion.name), "phase φ_0 in degrees",
+            "c over the contact radius at d_0"};
   plot.key_right = true;
   const auto grouped = curves(results);
   const auto leading = leading_curves(grouped);
@@ -114,11 +110,9 @@ Figure stick_radius_figure(const std::vector<const StoredResult*>& results, cons
   return {std::move(plot), std::move(caption)};
 }
 
-Figure difference_figure(const std::vector<const StoredResult*>& results, const std::string& shape) {
-  Plot plot;
-  plot.title = fmt::format("{}: difference between finite elements and MDR", shape_title(shape));
-  plot.x_label = "phase φ_0 in degrees";
-  plot.y_label = "|c_{FE} - c_{MDR}| / a";
+Figure difference_figure(const Members& results, const std::string& shape) {
+  Plot plot{fmt::format("{}: difference between finite elements and MDR", shape_title(shape)), "phase φ_0 in degrees",
+            "|c_{FE} - c_{MDR}| / a"};
   plot.log_y = true;
   plot.key_right = true;
   const auto grouped = curves(results);
@@ -158,13 +152,11 @@ Series thinned_surface(const StoredResult& r, double outer, double length, doubl
   return points;
 }
 
-Figure limiting_profile_figure(const std::vector<const StoredResult*>& results, const std::string& shape) {
-  Plot plot;
-  plot.title = fmt::format("{}: limiting profiles", shape_title(shape));
-  plot.x_label = "r / a_0";
-  plot.y_label = "f_∞ / d_{max}";
+Figure limiting_profile_figure(const Members& results, const std::string& shape) {
+  Plot plot{fmt::format("{}: limiting profiles", shape_title(shape)), "r / a_0", "f_∞ / d_{max}"};
   plot.key_right = true;
   int colour = 0;
+  Series ends{"", {}, {}, Series::Style::triangles, 7};
   for (const auto* r : results) {
     const double length = r->number("scene", "contact_radius_unworn");
     const double depth = r->number("scene", "indentation") + r->number("scene", "normal_amplitude");
@@ -173,14 +165,16 @@ Figure limiting_profile_figure(const std::vector<const StoredResult*>& results, 
     for (double& v : y) v /= depth;
     const double outer = r->number("mdr", "worn_radius") / length;
     for (std::size_t i = 1; i < x.size(); ++i)
-      if (x[i - 1] <= outer && outer < x[i])
-        plot.x_marks.emplace_back(outer, y[i - 1] + (y[i] - y[i - 1]) * (outer - x[i - 1]) / (x[i] - x[i - 1]));
+      if (x[i - 1] <= outer && outer < x[i]) {
+        ends.x.push_back(outer);
+        ends.y.push_back(y[i - 1] + (y[i] - y[i - 1]) * (outer - x[i - 1]) / (x[i] - x[i - 1]));
+      }
     plot.series.push_back(
         {fmt::format("c = {:.2g} a_0", r->sweep_value()), std::move(x), std::move(y), Series::Style::line, colour});
     plot.series.push_back(thinned_surface(*r, outer, length, depth, colour++));
   }
-  plot.x_range = {0, 1.6};
-  plot.y_range = {0, 1.6};
+  plot.series.push_back(std::move(ends));
+  plot.x_range = plot.y_range = {0, 1.6};
   return {std::move(plot),
           "Lines: the profiles that MDR predicts, which are the indenters of the finite element runs. Points: the "
           "surface of "
@@ -202,30 +196,28 @@ std::string figures_html(const std::vector<Figure>& figures) {
 
 std::vector<Figure> stick_radius_figures(const std::vector<StoredResult>& results) {
   std::vector<Figure> figures;
-  for (const auto& shape : shapes_swept(results, phase_entry)) {
-    const auto selected = select(results, phase_entry, shape);
-    figures.push_back(stick_radius_figure(selected, shape, first_slip));
-    figures.push_back(stick_radius_figure(selected, shape, shakedown));
-  }
+  for (const auto& [shape, members] : swept_by_shape(results, phase_entry))
+    for (const auto& criterion : {first_slip, shakedown})
+      figures.push_back(stick_radius_figure(members, shape, criterion));
   return figures;
 }
 
 std::vector<Figure> difference_figures(const std::vector<StoredResult>& results) {
   std::vector<Figure> figures;
-  for (const auto& shape : shapes_swept(results, phase_entry))
-    figures.push_back(difference_figure(select(results, phase_entry, shape), shape));
+  for (const auto& [shape, members] : swept_by_shape(results, phase_entry))
+    figures.push_back(difference_figure(members, shape));
   return figures;
 }
 
 std::vector<Figure> limiting_profile_figures(const std::vector<StoredResult>& results) {
   std::vector<Figure> figures;
-  for (const auto& shape : shapes_swept(results, ratio_entry))
-    figures.push_back(limiting_profile_figure(select(results, ratio_entry, shape), shape));
+  for (const auto& [shape, members] : swept_by_shape(results, ratio_entry))
+    figures.push_back(limiting_profile_figure(members, shape));
   return figures;
 }
 
 std::vector<Figure> single_case_figures(const StoredResult& result) {
-  Plot contact{"Contact over the last period", "r in m", "stress in Pa", {}, {}, false, false, {}, {}};
+  Plot contact{"Contact over the last period", "r in m", "stress in Pa"};
   const auto add = [&](Plot& plot, const char* file, const char* x, const char* y, const char* label, int colour,
                        Series::Style style) {
     auto [xs, ys] = read_columns(result.folder / file, x, y);
@@ -235,7 +227,7 @@ std::vector<Figure> single_case_figures(const StoredResult& result) {
   add(contact, "contact.csv", "r outer [m]", "p smallest [Pa]", "smallest pressure", 0, Series::Style::dashed);
   add(contact, "contact.csv", "r outer [m]", "tau largest [Pa]", "largest traction", 1, Series::Style::line);
   add(contact, "contact.csv", "r outer [m]", "tau smallest [Pa]", "smallest traction", 1, Series::Style::dashed);
-  Plot forces{"Forces over the last period", "t in s", "force in N", {}, {}, false, false, {}, {}};
+  Plot forces{"Forces over the last period", "t in s", "force in N"};
   add(forces, "history.csv", "t [s]", "F_N MDR [N]", "normal, MDR", 0, Series::Style::line);
   add(forces, "history.csv", "t [s]", "F_N [N]", "normal, finite elements", 0, Series::Style::points);
   add(forces, "history.csv", "t [s]", "F_x [N]", "tangential, finite elements", 1, Series::Style::points);

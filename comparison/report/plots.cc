@@ -42,6 +42,8 @@ std::string style_of(const Series& series) {
       return fmt::format("with lines lw 1.6 lc rgb '{}'", colour);
     case Series::Style::dashed:
       return fmt::format("with lines lw 1.6 dt 2 lc rgb '{}'", colour);
+    case Series::Style::line_points:
+      return fmt::format("with linespoints lw 1.6 pt 7 ps 0.45 lc rgb '{}'", colour);
     case Series::Style::points:
       return fmt::format("with points pt 7 ps 0.45 lc rgb '{}'", colour);
     case Series::Style::triangles:
@@ -63,9 +65,8 @@ std::string script_of(const Plot& plot) {
       << "set encoding utf8\nset border 3 lc rgb '#666666'\nset tics nomirror\nset grid lc rgb '#dddddd' lt 1 lw 0.5\n"
       << "set title " << quoted(plot.title) << "\nset xlabel " << quoted(plot.x_label) << "\nset ylabel "
       << quoted(plot.y_label) << "\nset datafile missing 'nan'\n"
-      << (plot.key_right ? std::string("set key outside right top\n")
-                         : fmt::format("set key bmargin center vertical maxrows {}\nset bmargin {}\n", plot.key_rows,
-                                       plot.key_rows + 4));
+      << (plot.key_right ? "set key outside right top\n"
+                         : "set key bmargin center vertical maxrows 3\nset bmargin 7\n");
   if (plot.log_y) script << "set logscale y\nset format y '10^{%L}'\n";
   if (plot.log_x) script << "set logscale x\n" << (plot.x_tics.empty() ? "set format x '10^{%L}'\n" : "");
   if (!plot.x_tics.empty()) script << fmt::format("set xtics ({:g})\n", fmt::join(plot.x_tics, ", "));
@@ -80,15 +81,12 @@ std::string script_of(const Plot& plot) {
     }
     script << "EOD\n";
   }
-  script << "$marks << EOD\n";
-  for (const auto& [x, y] : plot.x_marks) script << fmt::format("{:.10g} {:.10g}\n", x, y);
-  script << "EOD\nplot ";
+  script << "plot ";
   for (std::size_t k = 0; k < plot.series.size(); ++k) {
     const auto& series = plot.series[k];
     script << (k ? ", " : "") << "$data" << k << " using 1:2 " << style_of(series)
            << (series.label.empty() ? " notitle" : " title " + quoted(series.label));
   }
-  if (!plot.x_marks.empty()) script << ", $marks using 1:2 with points pt 9 ps 0.9 lc rgb '#000000' notitle";
   script << "\n";
   return script.str();
 }
@@ -139,7 +137,8 @@ std::string output_of_gnuplot(const std::string& script) {
   std::array<char, 65536> buffer{};
   while (const std::size_t n = fread(buffer.data(), 1, buffer.size(), pipe)) output.append(buffer.data(), n);
   if (pclose(pipe) != 0)
-    throw std::system_error(std::make_error_code(std::errc::io_error), "gnuplot could not draw: " + output.substr(0, 400));
+    throw std::system_error(std::make_error_code(std::errc::io_error),
+                            "gnuplot could not draw: " + output.substr(0, 400));
   return output;
 }
 

@@ -9,7 +9,7 @@ namespace fretval {
 
 /// One curve or set of points; NaN values leave a gap.
 struct Series {
-  enum class Style { line, dashed, points, open_points, triangles };
+  enum class Style { line, dashed, line_points, points, open_points, triangles };
   std::string label;  ///< empty: not in the key
   std::vector<double> x, y;
   Style style = Style::line;
@@ -18,13 +18,11 @@ struct Series {
 
 struct Plot {
   std::string title, x_label, y_label;
-  std::vector<Series> series;
-  std::vector<std::pair<double, double>> x_marks;  ///< small triangles at (x, y)
+  std::vector<Series> series = {};
   bool log_y = false;
   bool key_right = false;  ///< key on the right rather than below
-  std::optional<std::pair<double, double>> x_range, y_range;
+  std::optional<std::pair<double, double>> x_range = {}, y_range = {};
   bool log_x = false;
-  int key_rows = 3;                 ///< of a key below
   std::vector<double> x_tics = {};  ///< empty: where gnuplot puts them
 };
 

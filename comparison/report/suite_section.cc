@@ -33,36 +33,26 @@ std::string summary_text(const ordered_json& summary) {
       n("computations"), summary.at("seconds").get<double>());
 }
 
-/// What is asked of the suite as a whole.
-std::string checks_text(const ordered_json& checks) {
-  std::string all;
-  for (const auto& check : checks)
-    all += fmt::format(" {}: {}{}.", check.at("name").get<std::string>(), check.at("finding").get<std::string>(),
-                       check.at("failure").is_string() ? ": " + check["failure"].get<std::string>() : "");
-  return all;
-}
-
 std::string verdict_html(const ordered_json& json) {
   const bool pass = json.at("summary").at("pass").get<bool>();
   return fmt::format(
-      "<h2>Suite {0}</h2>\n<p><span class=\"badge {1}\">{2}</span> {3} {4}{5} To repeat: <code>fretval check --suite "
+      "<h2>Suite {0}</h2>\n<p><span class=\"badge {1}\">{2}</span> {3} {4} To repeat: <code>fretval check --suite "
       "{0}</code>.</p>\n",
       text(json.at("suite")), pass ? "good" : "bad", pass ? "pass" : "fail", text(json.at("about")),
-      summary_text(json.at("summary")), html_escaped(checks_text(json.at("checks"))));
+      summary_text(json.at("summary")));
 }
 
 Table quantities_table(const ordered_json& quantities) {
-  Table table{{"quantity", "tolerance", "errors", "above bar", "bars above tolerance", "unbounded", "error, median",
-               "90 % below", "bar, median", "90 % below", "bar over error, 10 % below", "median", "90 % below"}};
+  Table table{{"quantity", "tolerance", "errors", "above bar", "bars above tolerance", "error, median", "90 % below",
+               "bar, median", "90 % below", "bar over error, median", "90 % below"}};
   for (const auto& q : quantities) {
-    const auto &error = q.at("error"), &bar = q.at("bar"), &effectivity = q.at("effectivity");
-    const auto count = [&](const char* key) { return number_text(q.at(key), "{:.0f}"); };
-    table.rows.push_back({q.at("quantity").get<std::string>(), number_text(q.at("tolerance")), count("errors"),
-                          bad_if(q.at("above_bar") != 0, count("above_bar")), count("wide"), count("unbounded"),
-                          number_text(error.at("median")), number_text(error.at("high")), number_text(bar.at("median")),
-                          number_text(bar.at("high")), number_text(effectivity.at("low"), "{:.3g}"),
-                          number_text(effectivity.at("median"), "{:.3g}"),
-                          number_text(effectivity.at("high"), "{:.3g}")});
+    std::vector<Cell> row{q.at("quantity").get<std::string>(), number_text(q.at("tolerance"))};
+    for (const char* key : {"errors", "above_bar", "wide"})
+      row.push_back(bad_if(std::string(key) == "above_bar" && q.at(key) != 0, number_text(q.at(key), "{:.0f}")));
+    for (const char* key : {"error", "bar", "effectivity"})
+      for (const char* share : {"median", "high"})
+        row.emplace_back(number_text(q.at(key).at(share), std::string(key) == "effectivity" ? "{:.3g}" : "{:.1e}"));
+    table.rows.push_back(std::move(row));
   }
   return table;
 }
@@ -104,10 +94,7 @@ Plot error_bar_plot(const ordered_json& rows) {
       series.y.push_back(std::max(q.at("bar").get<double>(), smallest_shown));
       largest = std::max({largest, series.x.back(), series.y.back()});
     }
-  Plot plot;
-  plot.title = "Error bar over true error";
-  plot.x_label = "true error";
-  plot.y_label = "error bar";
+  Plot plot{"Error bar over true error", "true error", "error bar"};
   plot.log_x = plot.log_y = true;
   int colour = 0;
   for (auto& [tolerance, series] : by_tolerance) {
@@ -144,11 +131,10 @@ std::string suite_section(const ordered_json& json) {
 
 std::string suite_text(const ordered_json& json) {
   const auto& summary = json.at("summary");
-  return fmt::format("{}{}\n{}\n{}: {}{}\n",
+  return fmt::format("{}{}\n{}\n{}: {}\n",
                      has_all_rows(json) ? "" : fmt::format("the worst of {}\n", summary.at("cases").get<std::size_t>()),
                      text_of(cases_table(json.at("rows"))), text_of(quantities_table(json.at("quantities"))),
-                     summary.at("pass").get<bool>() ? "pass" : "FAIL", summary_text(summary),
-                     checks_text(json.at("checks")));
+                     summary.at("pass").get<bool>() ? "pass" : "FAIL", summary_text(summary));
 }
 
 }  // namespace fretval

@@ -5,7 +5,7 @@
 
 namespace fretval {
 
-/// HTML section of a suite as suite_json writes it: verdict and counts, the checks of the whole, a line a quantity and
+/// HTML section of a suite as suite_json writes it: verdict and counts, a line a quantity and
 /// tolerance, all error bars over their errors as a figure where all rows are there, and the rows with their case
 /// files. Throws nlohmann::json::exception for JSON of another kind, std::runtime_error without gnuplot.
 std::string suite_section(const nlohmann::ordered_json& json);

@@ -3,11 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <vector>
 
 #include "comparison/accuracy/quantity.h"
+#include "comparison/report/figures.h"
 #include "comparison/report/table.h"
-#include "comparison/report/trade_figures.h"
 #include "comparison/results/results_folder.h"
 #include "comparison/support/escape.h"
 
@@ -25,94 +26,141 @@ std::vector<fs::path> trades_below(const fs::path& folder) {
   return files;
 }
 
-std::string megabytes(const Json& bytes) {
-  return bytes.is_number() ? fmt::format("{:.0f}", bytes.get<double>() / 1e6) : "–";
+const Json& level_at(const Json& trade, const Json& index) {
+  return trade.at("levels").at(index.get<std::size_t>());
 }
 
-std::vector<Cell> row_of(const std::string& name, const Json& level, const Json& error, const Json& seconds,
-                         bool is_bad = false) {
-  const auto& setting = level.at("setting");
+std::string kind_of(const Json& level) {
+  return level.at("kind").get<std::string>();
+}
+
+std::vector<Cell> row_of(const std::string& name, const Json& level, bool is_bad = false) {
   std::vector<Cell> row{name};
   for (const char* key : {"elements_per_radius", "degree", "growth", "far_radius", "steps_per_cycle"})
-    row.emplace_back(number_text(setting.value(key, Json()), "{:g}"));
-  row.push_back(bad_if(is_bad, number_text(error)));
-  row.emplace_back(number_text(seconds, "{:.3g}"));
-  row.emplace_back(megabytes(level.value("memory_bytes", Json())));
+    row.emplace_back(number_text(level.at("setting").value(key, Json()), "{:g}"));
+  row.push_back(bad_if(is_bad, number_text(level.at("error"))));
+  row.emplace_back(number_text(level.at("seconds"), "{:.3g}"));
   return row;
-}
-
-std::vector<Cell> row_of(const std::string& name, const Json& point, bool is_bad = false) {
-  return row_of(name, point, point.at("error"), point.at("seconds"), is_bad);
 }
 
 /// The recommended settings beside the tool's own, the front, and the other levels.
 Table settings_table(const Json& trade) {
-  Table table{{"", "rings", "order", "grading", "far radius", "steps", "error", "seconds", "MB"}};
-  const auto point = [&](const Json& index) { return trade.at("points").at(index.get<std::size_t>()); };
+  Table table{{"", "rings", "order", "grading", "far radius", "steps", "error", "seconds"}};
   for (const auto& r : trade.at("recommendations")) {
     const auto tolerance = number_text(r.at("tolerance"), "{:.0e}");
-    table.rows.push_back(r.at("cheapest").is_number() ? row_of("cheapest for " + tolerance, point(r["cheapest"]))
-                                                      : std::vector<Cell>{"no setting of the plan meets " + tolerance});
+    table.rows.push_back(r.at("cheapest").is_number()
+                             ? row_of("cheapest for " + tolerance, level_at(trade, r["cheapest"]))
+                             : std::vector<Cell>{"no setting of the plan meets " + tolerance});
     const bool meets = r.at("chosen_meets_tolerance").get<bool>();
     table.rows.push_back(row_of(fmt::format("chosen by the tool for {}{}", tolerance, meets ? "" : ", too coarse"),
-                                point(r.at("chosen")), !meets));
+                                level_at(trade, r.at("chosen")), !meets));
   }
-  for (const auto& index : trade.at("front")) table.rows.push_back(row_of("front", point(index)));
-  for (const auto& level : trade.at("springs"))
-    table.rows.push_back(row_of(fmt::format("{} springs", level.at("setting").at("springs").get<int>()), level));
-  for (const auto& level : trade.at("full"))
-    table.rows.push_back(row_of(fmt::format("all {} dofs, extrapolated", level.at("dofs").get<int>()), level,
-                                level.at("error_of_the_condensed_point"), level.at("extrapolated_seconds")));
-  return table;
-}
-
-std::string slope_text(const Json& slope) {
-  if (slope.is_null()) return "–";
-  return fmt::format("{:.2f} ({})", slope.at("power").get<double>(), slope.at("points").get<int>());
-}
-
-Table rates_table(const Json& trade) {
-  Table table{{"error ~ x^p over", "p, largest error"}};
-  std::vector<const char*> keys;
-  for (const auto quantity : quantities_by_interest) {
-    if (!trade.at("rates").front().at("quantities").contains(name_of(quantity))) continue;
-    keys.push_back(name_of(quantity));
-    table.heads.emplace_back(traits_of(quantity).label);
-  }
-  for (const auto& [axis, rate] : trade.at("rates").items()) {
-    std::vector<Cell> row{axis, slope_text(rate.at("largest_error"))};
-    for (const char* key : keys) row.emplace_back(slope_text(rate.at("quantities").value(key, Json())));
-    table.rows.push_back(std::move(row));
+  for (const auto& index : trade.at("front")) table.rows.push_back(row_of("front", level_at(trade, index)));
+  for (const auto& level : trade.at("levels")) {
+    const auto kind = kind_of(level), number = number_text(level.at("setting").value("springs", Json()), "{:.0f} ");
+    if (kind != "condensed") table.rows.push_back(row_of(kind == "springs" ? number + kind : kind, level));
   }
   return table;
 }
 
-std::string closed_form_text(const Json& trade) {
-  const auto& closed_form = trade.at("closed_form");
-  return fmt::format("The closed form takes {:.1e} s, {:.1e} s of them for the stick radii.",
-                     closed_form.at("seconds").get<double>(), closed_form.at("stick_radii_seconds").get<double>());
+std::string list_text(const Json& numbers, const char* format) {
+  std::string text;
+  for (const auto& number : numbers) text += (text.empty() ? "" : ", ") + number_text(number, format);
+  return text;
 }
 
-constexpr const char* rates_note =
-    "Least squares over the errors, coarsest first, down to three times the smallest one of the axis; their number in "
-    "parentheses, – : fewer than two of them.";
+Table axes_table(const Json& trade) {
+  Table table{{"alone", "values", "errors", "error goes with the power"}};
+  for (const auto& [axis, found] : trade.at("axes").items())
+    table.rows.push_back({axis, list_text(found.at("values"), "{:g}"), list_text(found.at("errors"), "{:.1e}"),
+                          number_text(found.at("power"), "{:.1f}")});
+  return table;
+}
+
+Plot error_plot(const std::string& x_label, const std::string& title) {
+  Plot plot{title, x_label, "error"};
+  plot.log_x = plot.log_y = true;
+  return plot;
+}
+
+void add(Series& series, const Json& x, const Json& y) {
+  if (!x.is_number() || !y.is_number()) return;
+  series.x.push_back(x.get<double>());
+  series.y.push_back(y.get<double>());
+}
+
+/// A cloud of points for each kind of level and order of elements, the front, and the closed form, whose error is none.
+Figure cost_figure(const Json& trade) {
+  std::map<std::string, Series> clouds;
+  Series closed_form{"closed form: error 0", {}, {}, Series::Style::dashed, 5},
+      front{"", {}, {}, Series::Style::line, 7};
+  for (const auto& level : trade.at("levels")) {
+    const auto kind = kind_of(level);
+    const bool condensed = kind == "condensed";
+    const auto order = condensed ? level.at("setting").at("degree").get<int>() : 0;
+    auto& cloud = clouds[condensed ? fmt::format("order {}", order) : kind];
+    cloud.style = condensed ? Series::Style::points : Series::Style::triangles;
+    cloud.colour = condensed ? order - 2 : kind == "springs" ? 6 : 3;
+    add(kind == "closed form" ? closed_form : cloud, level.at("seconds"), level.at("error"));
+  }
+  for (const auto& index : trade.at("front"))
+    add(front, level_at(trade, index).at("seconds"), level_at(trade, index).at("error"));
+  auto plot = error_plot("seconds", "Error over time");
+  for (auto& [label, cloud] : clouds) {
+    cloud.label = label;
+    if (!cloud.x.empty()) plot.series.push_back(std::move(cloud));
+  }
+  if (!closed_form.x.empty() && !front.y.empty()) {
+    closed_form.x.push_back(closed_form.x.front());
+    closed_form.y = {front.y.front(), front.y.back()};
+    plot.series.push_back(std::move(closed_form));
+  }
+  plot.series.push_back(std::move(front));
+  return {std::move(plot),
+          "Largest error over all compared quantities against the closed form of MDR, over the seconds "
+          "of a setting (body and its own histories). Line: the front, no setting of which is beaten in both."};
+}
+
+Figure axis_figure(const Json& trade, const std::string& axis, const Json& found) {
+  auto plot = error_plot(axis, "Error over " + axis);
+  for (std::size_t k = 0; k < quantities_by_interest.size(); ++k) {
+    const auto& traits = traits_of(quantities_by_interest[k]);
+    Series series{traits.label, {}, {}, Series::Style::line_points, static_cast<int>(k)};
+    for (const auto& index : found.at("levels")) {
+      const auto& level = level_at(trade, index);
+      add(series, level.at("axes").at(axis), level.at("errors").value(traits.name, Json()));
+    }
+    if (!series.x.empty()) plot.series.push_back(std::move(series));
+  }
+  plot.x_tics = found.at("values").get<std::vector<double>>();
+  const auto [least, largest] = std::minmax_element(plot.x_tics.begin(), plot.x_tics.end());
+  plot.x_range = {*least / 1.15, *largest * 1.15};
+  return {std::move(plot), "One axis alone, the others at the reference setting."};
+}
+
+std::vector<Figure> figures_of(const Json& trade) {
+  std::vector<Figure> figures{cost_figure(trade)};
+  for (const auto& [axis, found] : trade.at("axes").items())
+    if (found.at("levels").size() > 1) figures.push_back(axis_figure(trade, axis, found));
+  return figures;
+}
 
 std::string trade_html(const Json& trade) {
   return fmt::format(
-      "<h2>Speed and accuracy: {}</h2>\n<p>{} {} settings of the finite elements, each against it:</p>\n{}<p "
+      "<h2>Speed and accuracy: {}</h2>\n<p>{} ways to answer the case, each against the closed form:</p>\n{}<p "
       "class=\"soft\">A tolerance holds for the stick radii over the contact radius, a tenth of it for contact radius "
       "and normal force; the error shown is the largest of all. With all degrees of freedom as unknowns it is that of "
-      "the condensed elements, which they equal, and the seconds are extrapolated from two cycles.</p>\n{}{}<p "
-      "class=\"soft\">{}</p>\n",
-      html_escaped(trade.at("name").get<std::string>()), closed_form_text(trade), trade.at("points").size(),
-      html_of(settings_table(trade)), figures_html(trade_figures(trade)), html_of(rates_table(trade)), rates_note);
+      "the condensed elements, which they equal, and the seconds are extrapolated from two cycles.</p>\n{}<p>What one "
+      "axis alone gives, the others at a fine reference setting; the power is fitted to the errors above three times "
+      "the smallest one:</p>\n{}",
+      html_escaped(trade.at("name").get<std::string>()), trade.at("levels").size(), html_of(settings_table(trade)),
+      figures_html(figures_of(trade)), html_of(axes_table(trade)));
 }
 
 }  // namespace
 
 std::string trade_text(const Json& trade) {
-  return fmt::format("{}\n{}\n{}{}\n", closed_form_text(trade), text_of(settings_table(trade)),
-                     text_of(rates_table(trade)), rates_note);
+  return text_of(settings_table(trade)) + "\n" + text_of(axes_table(trade));
 }
 
 std::string trade_section(const fs::path& folder) {

@@ -17,103 +17,89 @@ namespace fs = std::filesystem;
 
 using nlohmann::ordered_json;
 
-[[noreturn]] void fail(const fs::path& file, const std::string& key, const ordered_json& value, const char* valid) {
-  const bool short_value =
-      value.is_primitive() && !(value.is_string() && value.get_ref<const std::string&>().size() > 60);
-  throw InputError(fmt::format("{}: the key \"{}\" is {}, must be {}; is this a result of fretval?", file.string(), key,
-                               short_value ? value.dump() : value.type_name(), valid));
+/// What a value of a result has to be.
+struct Kind {
+  bool (*is)(const ordered_json& value);
+  const char* words;
+};
+constexpr double most_of_anything = 2e9;  // which the report takes as an integer
+const Kind text{[](const ordered_json& v) { return v.is_string(); }, "text"};
+const Kind yes_or_no{[](const ordered_json& v) { return v.is_boolean(); }, "true or false"};
+const Kind object{[](const ordered_json& v) { return v.is_object(); }, "an object"};
+const Kind number{[](const ordered_json& v) { return v.is_number(); }, "a number"};
+const Kind number_or_null{[](const ordered_json& v) { return v.is_number() || v.is_null(); }, "a number or null"};
+const Kind count{[](const ordered_json& v) { return v.is_number() && std::abs(v.get<double>()) <= most_of_anything; },
+                 "a number of at most 2e9"};
+
+/// A place in a result that the report reads; *: every key of an object. Its parts are those of the places before it.
+struct Place {
+  std::string path;
+  Kind kind;
+  bool may_lack = false;
+};
+const std::vector<Place> places{{"name", text},
+                                {"pass", yes_or_no},
+                                {"proof", text, true},
+                                {"scene", object},
+                                {"scene/shape", text, true},
+                                {"scene/rheology", text, true},
+                                {"scene/sweep", object, true},
+                                {"scene/sweep/family", text},
+                                {"scene/sweep/entry", text},
+                                {"scene/sweep/value", number},
+                                {"mdr", object},
+                                {"fe", object},
+                                {"fe/error_estimate", object, true},
+                                {"fe/error_estimate/*/shares", object, true},
+                                {"fe/error_estimate/*/shares/*", object},
+                                {"comparison", object},
+                                {"comparison/*", object},
+                                {"comparison/*/pass", yes_or_no},
+                                {"comparison/*/tolerance", number},
+                                {"comparison/*/verdict", text, true},
+                                {"comparison/*/difference", number_or_null},
+                                {"comparison/*/error_bar", number_or_null, true},
+                                {"cost", object},
+                                {"cost/seconds", object},
+                                {"cost/seconds/*", number},
+                                {"cost/dofs", count},
+                                {"cost/time_steps", count, true},
+                                {"cost/cycles", count, true},
+                                {"cost/peak_memory_bytes", number, true}};
+
+std::string shown(const ordered_json& value) {
+  const bool long_text = value.is_string() && value.get_ref<const std::string&>().size() > 60;
+  return value.is_primitive() && !long_text ? value.dump() : value.type_name();
 }
 
-constexpr double most_of_anything = 2e9;
-
-using Kind = bool (ordered_json::*)() const noexcept;
-
-/// Throws unless a key of an object is of one kind; may_lack: or not there.
-void require(const fs::path& file, const ordered_json& object, const std::string& path, const char* key, Kind kind,
-             const char* valid, bool may_lack = false) {
-  const std::string full = path + key;
-  if (!object.contains(key)) {
-    if (may_lack) return;
-    throw InputError(fmt::format("{}: the key \"{}\" is missing; is this a result of fretval?", file.string(), full));
+/// Throws unless what is at the rest of a path, from a value on, is of its kind. before: the path of the value.
+void require(const fs::path& file, const Place& place, const ordered_json& value, const std::string& before,
+             const std::string& rest) {
+  const auto slash = rest.find('/');
+  const std::string key = rest.substr(0, slash), after = slash == std::string::npos ? "" : rest.substr(slash + 1);
+  if (rest.empty()) {
+    if (!place.kind.is(value))
+      throw InputError(fmt::format("{}: the key \"{}\" is {}, must be {}; is this a result of fretval?", file.string(),
+                                   before, shown(value), place.kind.words));
+  } else if (value.is_object()) {
+    const auto path = [&](const std::string& name) { return before + (before.empty() ? "" : "/") + name; };
+    if (key == "*")
+      for (const auto& [name, part] : value.items()) require(file, place, part, path(name), after);
+    else if (value.contains(key))
+      require(file, place, value[key], path(key), after);
+    else if (after.empty() && !place.may_lack)
+      throw InputError(
+          fmt::format("{}: the key \"{}\" is missing; is this a result of fretval?", file.string(), path(key)));
   }
-  if (!(object.at(key).*kind)()) fail(file, full, object.at(key), valid);
-}
-
-void require_number_or_null(const fs::path& file, const ordered_json& object, const std::string& path,
-                            const char* key) {
-  if (object.contains(key) && !object.at(key).is_null())
-    require(file, object, path, key, &ordered_json::is_number, "a number or null");
-}
-
-void require_objects_in(const fs::path& file, const ordered_json& object, const std::string& path) {
-  for (const auto& [key, part] : object.items())
-    if (!part.is_object()) fail(file, path + key, part, "an object");
-}
-
-void require_scene(const fs::path& file, const ordered_json& scene) {
-  for (const char* key : {"shape", "rheology"})
-    require(file, scene, "scene/", key, &ordered_json::is_string, "text", true);
-  require(file, scene, "scene/", "sweep", &ordered_json::is_object, "an object", true);
-  if (!scene.contains("sweep")) return;
-  for (const char* key : {"family", "entry"})
-    require(file, scene["sweep"], "scene/sweep/", key, &ordered_json::is_string, "text");
-  require(file, scene["sweep"], "scene/sweep/", "value", &ordered_json::is_number, "a number");
-}
-
-void require_comparison(const fs::path& file, const ordered_json& comparison) {
-  require_objects_in(file, comparison, "comparison/");
-  for (const auto& [key, one] : comparison.items()) {
-    const std::string path = "comparison/" + key + "/";
-    require(file, one, path, "pass", &ordered_json::is_boolean, "true or false");
-    require(file, one, path, "tolerance", &ordered_json::is_number, "a number");
-    require(file, one, path, "verdict", &ordered_json::is_string, "text", true);
-    if (!one.contains("difference")) fail(file, path + "difference", nullptr, "there");
-    for (const char* number : {"difference", "error_bar"}) require_number_or_null(file, one, path, number);
-  }
-}
-
-void require_cost(const fs::path& file, const ordered_json& cost) {
-  require(file, cost, "cost/", "seconds", &ordered_json::is_object, "an object");
-  for (const auto& [key, seconds] : cost["seconds"].items())
-    if (!seconds.is_number()) fail(file, "cost/seconds/" + key, seconds, "a number");
-  require(file, cost, "cost/", "dofs", &ordered_json::is_number, "a number");
-  for (const char* key : {"time_steps", "cycles", "peak_memory_bytes"})
-    require(file, cost, "cost/", key, &ordered_json::is_number, "a number", true);
-  for (const char* count : {"dofs", "time_steps", "cycles"})  // which the report takes as integers
-    if (cost.contains(count) && !(std::abs(cost[count].get<double>()) <= most_of_anything))
-      fail(file, std::string("cost/") + count, cost[count], "at most 2e9");
-}
-
-void require_error_estimate(const fs::path& file, const ordered_json& fe) {
-  require(file, fe, "fe/", "error_estimate", &ordered_json::is_object, "an object", true);
-  if (!fe.contains("error_estimate")) return;
-  for (const auto& [quantity, bar] : fe["error_estimate"].items()) {
-    if (!bar.is_object()) continue;
-    const std::string path = "fe/error_estimate/" + quantity + "/";
-    require(file, bar, path, "shares", &ordered_json::is_object, "an object", true);
-    if (bar.contains("shares")) require_objects_in(file, bar["shares"], path + "shares/");
-  }
-}
-
-/// Everything that the report takes from a result is there and of its kind.
-void require_result(const fs::path& file, const ordered_json& json) {
-  if (!json.is_object()) throw InputError(fmt::format("{}: is no JSON object, must be a result", file.string()));
-  require(file, json, "", "name", &ordered_json::is_string, "text");
-  require(file, json, "", "pass", &ordered_json::is_boolean, "true or false");
-  require(file, json, "", "proof", &ordered_json::is_string, "text", true);
-  for (const char* key : {"scene", "mdr", "fe", "comparison", "cost"})
-    require(file, json, "", key, &ordered_json::is_object, "an object");
-  require_scene(file, json["scene"]);
-  require_comparison(file, json["comparison"]);
-  require_cost(file, json["cost"]);
-  require_error_estimate(file, json["fe"]);
 }
 
 StoredResult read_result(const fs::path& file) {
   std::ifstream stream(file);
   try {
     StoredResult result{ordered_json::parse(stream), file.parent_path()};
-    require_result(file, result.json);
+    if (!result.json.is_object())
+      throw InputError(fmt::format("{}: is no JSON object, must be a result", file.string()));
+    for (const auto& place : places) require(file, place, result.json, "", place.path);
     return result;
   } catch (const nlohmann::json::exception& error) {
     throw InputError(fmt::format("{}: {}", file.string(), error.what()));

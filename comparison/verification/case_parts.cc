@@ -3,62 +3,53 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <cmath>
-
 namespace fretval {
 namespace {
 
-Entries indenter(const char* shape, const Entries& lengths) {
-  return with({{"Indenter / Shape", shape}}, lengths);
-}
-
-Entries elastomer(const std::string& rheology, double modulus, const Entries& rest) {
-  return with({{"Elastomer / Rheology", rheology}, {"Elastomer / Relaxed shear modulus", entry_text(modulus)}}, rest);
+/// A section with its deciding entry.
+Entries section(const char* deciding, const std::string& choice, const std::map<std::string, double>& numbers) {
+  return with_numbers({{deciding, choice}}, numbers);
 }
 
 }  // namespace
 
 Entries parabola(double radius) {
-  return indenter("parabola", {{"Indenter / Radius", entry_text(radius)}});
+  return section("Indenter / Shape", "parabola", {{"Indenter / Radius", radius}});
 }
 
 Entries cone(double degrees) {
-  return indenter("cone", {{"Indenter / Slope angle", entry_text(degrees)}});
+  return section("Indenter / Shape", "cone", {{"Indenter / Slope angle", degrees}});
 }
 
-Entries power(double exponent, double depth, double radius) {
-  return indenter("power", {{"Indenter / Exponent", entry_text(exponent)},
-                            {"Indenter / Coefficient", entry_text(depth / std::pow(radius, exponent))}});
+Entries power(double exponent, double coefficient) {
+  return section("Indenter / Shape", "power",
+                 {{"Indenter / Exponent", exponent}, {"Indenter / Coefficient", coefficient}});
 }
 
 Entries rounded_flat(double flat_radius, double edge_radius) {
-  return indenter("rounded flat", {{"Indenter / Flat radius", entry_text(flat_radius)},
-                                   {"Indenter / Edge radius", entry_text(edge_radius)}});
+  return section("Indenter / Shape", "rounded flat",
+                 {{"Indenter / Flat radius", flat_radius}, {"Indenter / Edge radius", edge_radius}});
 }
 
 Entries truncated_sphere(double radius, double flat_radius) {
-  return indenter("truncated sphere",
-                  {{"Indenter / Radius", entry_text(radius)}, {"Indenter / Flat radius", entry_text(flat_radius)}});
-}
-
-Entries measured_profile(const std::string& file) {
-  return indenter("table", {{"Indenter / Table", file}});
+  return section("Indenter / Shape", "truncated sphere",
+                 {{"Indenter / Radius", radius}, {"Indenter / Flat radius", flat_radius}});
 }
 
 Entries elastic(double modulus) {
-  return elastomer("elastic", modulus, {});
+  return section("Elastomer / Rheology", "elastic", {{"Elastomer / Relaxed shear modulus", modulus}});
 }
 
 Entries kelvin_voigt(double modulus, double viscosity) {
-  return elastomer("kelvin voigt", modulus, {{"Elastomer / Viscosity", entry_text(viscosity)}});
+  return section("Elastomer / Rheology", "kelvin voigt",
+                 {{"Elastomer / Relaxed shear modulus", modulus}, {"Elastomer / Viscosity", viscosity}});
 }
 
-Entries branches(const std::string& rheology, double modulus, std::vector<double> moduli,
+Entries branches(const std::string& rheology, double modulus, const std::vector<double>& moduli,
                  const std::vector<double>& times) {
-  for (double& branch : moduli) branch *= modulus;
-  return elastomer(rheology, modulus,
-                   {{"Elastomer / Branch moduli", fmt::format("{}", fmt::join(moduli, ", "))},
-                    {"Elastomer / Branch times", fmt::format("{}", fmt::join(times, ", "))}});
+  return with(section("Elastomer / Rheology", rheology, {{"Elastomer / Relaxed shear modulus", modulus}}),
+              {{"Elastomer / Branch moduli", fmt::format("{}", fmt::join(moduli, ", "))},
+               {"Elastomer / Branch times", fmt::format("{}", fmt::join(times, ", "))}});
 }
 
 Entries with_section(const Entries& entries, const Entries& section) {

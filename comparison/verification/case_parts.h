@@ -9,15 +9,13 @@ namespace fretval {
 /// Sections of case files, as several suites need them; SI units, angles in degrees.
 Entries parabola(double radius);
 Entries cone(double degrees);
-Entries power(double exponent, double depth, double radius);  ///< f = depth (r/radius)^exponent
+Entries power(double exponent, double coefficient);
 Entries rounded_flat(double flat_radius, double edge_radius);
 Entries truncated_sphere(double radius, double flat_radius);
-Entries measured_profile(const std::string& file);
 
 Entries elastic(double modulus);
 Entries kelvin_voigt(double modulus, double viscosity);
-/// rheology: standard solid or prony; moduli over the relaxed one, times in s.
-Entries branches(const std::string& rheology, double modulus, std::vector<double> moduli,
+Entries branches(const std::string& rheology, double modulus, const std::vector<double>& moduli,
                  const std::vector<double>& times);
 
 /// The entries with another indenter or another elastomer, whose section takes the place of the old one.

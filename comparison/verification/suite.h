@@ -15,7 +15,7 @@ namespace fretval {
 
 /// One quantity of a case, in the units of comparison (see Quantities).
 struct ComparedQuantity {
-  double mdr, fe;  ///< fe: finite elements, or the second way that takes their place
+  double mdr, fe;
   double tolerance;
   std::optional<double> bar;  ///< of fe, infinite where a coarser computation lacks the quantity; empty: not asked for
   std::string source = {};    ///< of the largest share of the bar
@@ -36,8 +36,6 @@ struct SuiteCase {
   std::string refusal = {};            ///< words of the message that has to come; empty: an answer has to come
   bool must_be_conclusive = false;     ///< no bar may be wider than its tolerance
   Proof proof = Proof::tolerance;      ///< that the finite elements give
-  /// Holds MDR to something else where finite elements refuse.
-  std::function<ComparedQuantities(const Case&)> second_way = {};
   /// Applied to what the case file comes to.
   std::function<void(PreparedCase&)> change = {};
   std::shared_ptr<BodyStore> bodies = {};  ///< on meshes of its own; null: those of the suite
@@ -66,21 +64,14 @@ std::string failure_of(const SuiteRow& row);
 
 RowVerdict verdict_of(const SuiteRow& row);
 
-/// Something that is asked of a suite as a whole.
-struct SuiteCheck {
-  std::string name, finding;
-  std::string failure;  ///< empty: it holds
-};
-
 /// A suite that was run.
 struct SuiteRun {
   std::string name;   ///< as on the command line
   std::string about;  ///< what its cases are, a sentence or two for people
   std::vector<SuiteRow> rows = {};
-  std::vector<SuiteCheck> checks = {};
   double seconds = 0;
 
-  /// No row and no check fails, and there are rows.
+  /// No row fails, and there are rows.
   [[nodiscard]] bool passes() const;
 };
 

@@ -2,6 +2,7 @@
 
 #include "comparison/support/json.h"
 #include "comparison/support/junit.h"
+#include "comparison/support/quantile.h"
 #include "comparison/verification/suite_summary.h"
 
 namespace fretval {
@@ -9,14 +10,9 @@ namespace {
 
 using nlohmann::ordered_json;
 
-ordered_json json_of(const Spread& spread) {
-  return {{"low", or_null(spread.low)}, {"median", or_null(spread.median)}, {"high", or_null(spread.high)}};
-}
-
-ordered_json json_of(const QuantitySummary& s) {
-  return {{"quantity", name_of(s.quantity)}, {"tolerance", s.tolerance}, {"errors", s.n},
-          {"above_bar", s.n_above},          {"wide", s.n_wide},         {"unbounded", s.n_unbounded},
-          {"error", json_of(s.error)},       {"bar", json_of(s.bar)},    {"effectivity", json_of(s.effectivity)}};
+/// 50 and 90 % of the values are not larger.
+ordered_json spread(const std::vector<double>& values) {
+  return {{"median", or_null(quantile(values, 0.5))}, {"high", or_null(quantile(values, 0.9))}};
 }
 
 ordered_json json_of(const SuiteRow& row) {
@@ -32,7 +28,6 @@ ordered_json json_of(const SuiteRow& row) {
           {"remark", or_null(remark_of(row))},
           {"refusal", or_null(row.refusal)},
           {"expected_refusal", or_null(row.asked.refusal)},
-          {"second_way", static_cast<bool>(row.asked.second_way)},
           {"quantities", std::move(quantities)},
           {"worst", or_null(std::string(worst ? name_of(worst->first) : ""))},
           {"seconds", row.seconds},
@@ -44,13 +39,22 @@ ordered_json json_of(const SuiteRow& row) {
 }  // namespace
 
 ordered_json suite_json(const SuiteRun& run) {
-  const auto errors = count_errors(run.rows);
   long n_computations = 0;
+  std::size_t n_errors = 0, n_above = 0;
   for (const auto& row : run.rows) n_computations += row.n_computations;
-  auto checks = ordered_json::array(), quantities = ordered_json::array(), rows = ordered_json::array();
-  for (const auto& check : run.checks)
-    checks.push_back({{"name", check.name}, {"finding", check.finding}, {"failure", or_null(check.failure)}});
-  for (const auto& summary : quantity_summaries(run.rows)) quantities.push_back(json_of(summary));
+  auto quantities = ordered_json::array(), rows = ordered_json::array();
+  for (const auto& [key, s] : quantity_summaries(run.rows)) {
+    n_errors += s.n;
+    n_above += s.n_above;
+    quantities.push_back({{"quantity", name_of(key.first)},
+                          {"tolerance", key.second},
+                          {"errors", s.n},
+                          {"above_bar", s.n_above},
+                          {"wide", s.n_wide},
+                          {"error", spread(s.errors)},
+                          {"bar", spread(s.bars)},
+                          {"effectivity", spread(s.effectivities)}});
+  }
   for (const auto* row : shown_rows(run.rows)) rows.push_back(json_of(*row));
   return {{"suite", run.name},
           {"about", run.about},
@@ -61,11 +65,10 @@ ordered_json suite_json(const SuiteRun& run) {
             {"refused", count(run.rows, RowVerdict::refused)},
             {"inconclusive", count(run.rows, RowVerdict::inconclusive)},
             {"fail", count(run.rows, RowVerdict::fails)},
-            {"errors", errors.n},
-            {"above_bar", errors.n_above},
+            {"errors", n_errors},
+            {"above_bar", n_above},
             {"computations", n_computations},
             {"seconds", run.seconds}}},
-          {"checks", std::move(checks)},
           {"quantities", std::move(quantities)},
           {"rows", std::move(rows)}};
 }
@@ -75,7 +78,6 @@ std::string suite_junit(const SuiteRun& run) {
   for (const auto& row : run.rows)
     cases.push_back({title_of(row.asked) + (verdict_of(row) == RowVerdict::inconclusive ? " (inconclusive)" : ""),
                      failure_of(row)});
-  for (const auto& check : run.checks) cases.push_back({check.name, check.failure});
   return junit_document("fretval check " + run.name, cases);
 }
 

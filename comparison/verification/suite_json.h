@@ -8,13 +8,14 @@
 namespace fretval {
 
 /// An object with `suite` and `about` (see SuiteRun), `summary` (pass, cases, agree, refused, inconclusive, fail,
-/// errors, above_bar, computations, seconds), `checks` (name, finding, failure), `quantities`, an array of
-/// QuantitySummary, and `rows`, the shown_rows: family, name, verdict, remark, refusal, expected_refusal, second_way,
-/// quantities (by name: mdr, fe, error, tolerance, bar, source), worst (the quantity closest to its bar), seconds,
-/// refinements, computations, case_file (its text). Null: what there is none of, and numbers that are not finite.
+/// errors, above_bar, computations, seconds), `quantities`, an array (quantity, tolerance, errors, above_bar, wide, and
+/// median and high, 90 %, of error, bar and effectivity), and `rows`, the shown_rows: family, name, verdict, remark,
+/// refusal, expected_refusal, quantities (by name: mdr, fe, error, tolerance, bar, source), worst (the quantity closest
+/// to its bar), seconds, refinements, computations, case_file (its text). Null: what there is none of, and numbers that
+/// are not finite.
 nlohmann::ordered_json suite_json(const SuiteRun& run);
 
-/// JUnit XML of all rows and of the checks of the whole; an inconclusive row passes, and says so by its name.
+/// JUnit XML of all rows; an inconclusive row passes, and says so by its name.
 std::string suite_junit(const SuiteRun& run);
 
 }  // namespace fretval

@@ -5,34 +5,22 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
-
-#include "comparison/support/quantile.h"
 
 namespace fretval {
 namespace {
 
 constexpr std::size_t most_shown = 200, n_worst = 10;
 
-Spread spread_of(const std::vector<double>& values) {
-  return {quantile(values, 0.1), quantile(values, 0.5), quantile(values, 0.9)};
-}
-
-struct Samples {
-  std::vector<double> errors, bars, effectivities;
-};
-
-void add(const ComparedQuantity& q, QuantitySummary& summary, Samples& samples) {
+void add(const ComparedQuantity& q, QuantitySummary& summary) {
   ++summary.n;
   if (q.share() > 1) ++summary.n_above;
   if (q.has_wide_bar()) ++summary.n_wide;
-  if (q.bar && std::isinf(*q.bar)) ++summary.n_unbounded;
   const double error = std::abs(q.error());
   if (!std::isfinite(error)) return;
-  samples.errors.push_back(error);
+  summary.errors.push_back(error);
   if (!q.bar || !std::isfinite(*q.bar)) return;
-  samples.bars.push_back(*q.bar);
-  if (error > 0) samples.effectivities.push_back(*q.bar / error);
+  summary.bars.push_back(*q.bar);
+  if (error > 0) summary.effectivities.push_back(*q.bar / error);
 }
 
 double badness(const SuiteRow& row) {
@@ -42,38 +30,16 @@ double badness(const SuiteRow& row) {
 
 }  // namespace
 
-std::vector<QuantitySummary> quantity_summaries(const std::vector<SuiteRow>& rows) {
-  std::map<std::pair<Quantity, double>, std::pair<QuantitySummary, Samples>> all;
+QuantitySummaries quantity_summaries(const std::vector<SuiteRow>& rows) {
+  QuantitySummaries all;
   for (const auto& row : rows)
-    for (const auto& [quantity, compared] : row.compared) {
-      auto& [summary, samples] = all[{quantity, compared.tolerance}];
-      add(compared, summary, samples);
-    }
-  std::vector<QuantitySummary> summaries;
-  for (auto& [key, one] : all) {
-    auto& [summary, samples] = one;
-    summary.quantity = key.first;
-    summary.tolerance = key.second;
-    summary.error = spread_of(samples.errors);
-    summary.bar = spread_of(samples.bars);
-    summary.effectivity = spread_of(samples.effectivities);
-    summaries.push_back(summary);
-  }
-  return summaries;
+    for (const auto& [quantity, compared] : row.compared) add(compared, all[{quantity, compared.tolerance}]);
+  return all;
 }
 
 std::size_t count(const std::vector<SuiteRow>& rows, RowVerdict verdict) {
   return static_cast<std::size_t>(
       std::count_if(rows.begin(), rows.end(), [&](const SuiteRow& row) { return verdict_of(row) == verdict; }));
-}
-
-ErrorCounts count_errors(const std::vector<SuiteRow>& rows) {
-  ErrorCounts counts;
-  for (const auto& summary : quantity_summaries(rows)) {
-    counts.n += summary.n;
-    counts.n_above += summary.n_above;
-  }
-  return counts;
 }
 
 const ComparedQuantities::value_type* worst_of(const SuiteRow& row) {

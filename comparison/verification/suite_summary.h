@@ -1,41 +1,30 @@
 #pragma once
 
-#include <optional>
+#include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "comparison/verification/suite.h"
 
 namespace fretval {
 
-/// Quantiles of a sample: 10, 50 and 90 % of it are not larger. Empty: of nothing.
-struct Spread {
-  std::optional<double> low, median, high;
-};
-
 /// How one quantity came out over all cases that were held to one tolerance.
 struct QuantitySummary {
-  Quantity quantity;
-  double tolerance;
   std::size_t n = 0;
-  std::size_t n_above = 0;      ///< errors that are above their bar, see ComparedQuantity::share
-  std::size_t n_wide = 0;       ///< bars that are wider than the tolerance
-  std::size_t n_unbounded = 0;  ///< of those, infinite ones
-  Spread error, bar;            ///< |error|; finite bars
-  Spread effectivity;           ///< bar over error, where both are finite and the error is not zero
+  std::size_t n_above = 0;                 ///< errors that are above their bar, see ComparedQuantity::share
+  std::size_t n_wide = 0;                  ///< bars that are wider than the tolerance
+  std::vector<double> errors = {};         ///< |error|, finite ones
+  std::vector<double> bars = {};           ///< finite ones of these
+  std::vector<double> effectivities = {};  ///< bar over error, where both are finite and the error is not zero
 };
 
 /// By quantity and tolerance.
-std::vector<QuantitySummary> quantity_summaries(const std::vector<SuiteRow>& rows);
+using QuantitySummaries = std::map<std::pair<Quantity, double>, QuantitySummary>;
+QuantitySummaries quantity_summaries(const std::vector<SuiteRow>& rows);
 
 /// How many rows came to a verdict.
 std::size_t count(const std::vector<SuiteRow>& rows, RowVerdict verdict);
-
-/// How many errors there are, and how many of them are above their bars.
-struct ErrorCounts {
-  std::size_t n = 0, n_above = 0;
-};
-ErrorCounts count_errors(const std::vector<SuiteRow>& rows);
 
 /// The quantity with the largest share of its bar; null: nothing was compared.
 const ComparedQuantities::value_type* worst_of(const SuiteRow& row);

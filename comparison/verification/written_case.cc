@@ -18,6 +18,11 @@ Entries with(Entries entries, const Entries& changes) {
   return entries;
 }
 
+Entries with_numbers(Entries entries, const std::map<std::string, double>& changes) {
+  for (const auto& [place, value] : changes) entries[place] = entry_text(value);
+  return entries;
+}
+
 Entries with_stick_ratio(const Entries& entries, double stick_ratio, double factor) {
   const auto input = case_of(entries, "case");
   const auto mdr = mdr_case(input);

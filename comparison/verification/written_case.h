@@ -15,6 +15,7 @@ std::string entry_text(double value);
 
 /// The same entries but for the changed ones.
 Entries with(Entries entries, const Entries& changes);
+Entries with_numbers(Entries entries, const std::map<std::string, double>& changes);
 
 /// The same case with the tangential amplitude that shakes down at a stick radius of c, stick_ratio = c over the
 /// unworn contact radius at the largest indentation, times a factor; 0: at the border to where nothing sticks. Throws

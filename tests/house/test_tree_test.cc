@@ -18,12 +18,8 @@ const std::map<std::string, std::string> exceptions{
     {"comparison/command_line/main", "the tests of the program run it"},
     {"comparison/command_line/mdr_command", "the tests of the program run it"},
     {"comparison/command_line/run_command", "the tests of the program run it"},
-    {"comparison/report/trade_", "drawn from a computed trade in trade_test.cc"},
     {"comparison/support/log", "hands messages to a library; the tests of the program read them"},
-    {"comparison/verification/exact/exact_", "rows of a suite, spoilt one by one in convergence_rows_test.cc"},
-    {"comparison/verification/extremes/extreme_", "rows of a suite, computed in extreme_suite_test.cc"},
-    {"comparison/verification/trade/trade_json", "written and read back in trade_test.cc"},
-    {"comparison/verification/trade/trade_levels", "computed in trade_test.cc"}};
+    {"comparison/verification/exact/exact_rows", "the list of all rows, counted by the test of the command check"}};
 
 /// All .cc below a folder, from it on and without the extension.
 Names sources_below(const fs::path& root, const std::string& top) {

@@ -9,11 +9,10 @@ namespace fretval {
 
 /// What is demanded of a row. Errors are relative.
 struct ConvergenceDemand {
-  double tolerance;            ///< at goal_resolution and finer
-  double expected_order;       ///< 0: none, the scheme is exact but for the floor
-  double floor;                ///< smaller errors have another source than the resolution, which the note names
-  std::optional<double> goal;  ///< what the project wants at goal_resolution; empty: it has set none
-  const char* note;            ///< source of the floor; why the tolerance is above the goal
+  double tolerance;       ///< at the goal's resolution and finer ones
+  double expected_order;  ///< 0: none, the scheme is exact but for the floor
+  double floor;           ///< smaller errors have another source than the resolution, which the note names
+  const char* note;       ///< source of the floor
   int goal_resolution = 64;
 };
 
@@ -39,15 +38,12 @@ constexpr double order_slack = 0.3;
 /// ones are within the tolerance, and the observed order, if any error is above the floor, is the expected one.
 std::string failure_of(const ConvergenceRow& row);
 
-/// Whether the error at the goal's resolution is within the goal; empty if there is no goal.
-std::optional<bool> meets_goal(const ConvergenceRow& row);
-
 /// JUnit XML of the rows.
 std::string convergence_junit(const std::vector<ConvergenceRow>& rows);
 
 /// An array with an object a row: solution, quantity, source, refined, resolutions, errors, observed_order,
-/// expected_order, tolerance, goal, goal_met, verdict ("pass" or why it fails), note. Null: observed_order with all
-/// errors at the floor, goal and goal_met without a goal, and errors that are not finite.
+/// expected_order, tolerance, verdict ("pass" or why it fails), note. Null: observed_order with all errors at the
+/// floor, and errors that are not finite.
 nlohmann::ordered_json convergence_json(const std::vector<ConvergenceRow>& rows);
 
 }  // namespace fretval

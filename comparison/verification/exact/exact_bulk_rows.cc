@@ -1,5 +1,6 @@
 #include "comparison/simulation/body.h"
 #include "comparison/verification/exact/exact_rows.h"
+#include "fem/full_model/manufactured_solution.h"
 #include "fem/operators/grid_refinement.h"
 #include "meshes/grading.h"
 #include "meshes/quarter_disc.h"
@@ -15,22 +16,24 @@ std::vector<BulkMesh> bulk_meshes(int n_meshes) {
   return meshes;
 }
 
-std::vector<ConvergenceRow> bulk_rows(const std::vector<BulkMesh>& meshes, const BulkCase& bulk,
-                                      const fem::StokesField& exact) {
-  const char* source = "Kelvin 1848";
-  ConvergenceDemand displacement{
-      bulk.displacement_tolerance, 4, 1e-11, std::nullopt, "cubic displacement, quadratic pressure; floor: roundoff",
-      meshes.back().n_rings};
-  ConvergenceDemand pressure = displacement;
-  pressure.tolerance = bulk.pressure_tolerance;
-  pressure.expected_order = 3;
-  return mesh_rows({{bulk.name, "displacement in the bulk", source, displacement},
-                    {bulk.name, "pressure in the bulk", source, pressure}},
-                   meshes, [&](const BulkMesh& mesh) {
-                     const auto error = fem::bulk_error(fem::HarmonicSpace(mesh.grid, bulk.harmonic, 3),
-                                                        fem::point_force(bulk.harmonic, 1), exact);
-                     return std::vector<double>{error.displacement, error.pressure};
-                   });
+/// Displacement and pressure in the body under the tractions of a unit force, see
+/// fem/full_model/manufactured_solution.h.
+Rows bulk_rows(const std::vector<BulkMesh>& meshes, double exact_force) {
+  const ConvergenceDemand displacement{2e-8, 4, 1e-11, "cubic displacement, quadratic pressure; floor: roundoff", 32};
+  const ConvergenceDemand pressure{4e-6, 3, 1e-11, displacement.note, 32};
+  Rows rows;
+  for (const auto harmonic : {fem::Harmonic::normal, fem::Harmonic::tangential}) {
+    const char* name = harmonic == fem::Harmonic::normal ? "Kelvin's force along z" : "Kelvin's force along x";
+    append(rows, mesh_rows(Rows{{name, "displacement in the bulk", "Kelvin 1848", displacement},
+                                {name, "pressure in the bulk", "Kelvin 1848", pressure}},
+                           meshes, [&](const BulkMesh& mesh) {
+                             const auto error = fem::bulk_error(fem::HarmonicSpace(mesh.grid, harmonic, 3),
+                                                                fem::point_force(harmonic, 1),
+                                                                fem::point_force(harmonic, exact_force));
+                             return std::vector<double>{error.displacement, error.pressure};
+                           }));
+  }
+  return rows;
 }
 
 }  // namespace fretval

@@ -1,4 +1,3 @@
-#include "comparison/simulation/body.h"
 #include "comparison/verification/exact/exact_rows.h"
 #include "fem/condensation/contact_events.h"
 #include "fem/condensation/effective_radii.h"
@@ -6,46 +5,42 @@
 #include "fem/stick_zone/contact_radius.h"
 #include "mdr/profiles/indentation.h"
 #include "mdr/springs/spring_energy.h"
-#include "meshes/grading.h"
 
 namespace fretval {
+namespace {
 
-std::vector<ConvergenceMesh> half_space_meshes(const std::vector<int>& n_rings) {
-  std::vector<ConvergenceMesh> meshes;
-  for (const int n : n_rings) {
-    Body body = make_body({meshes::uniform_nodes(1.125, static_cast<unsigned>(n) * 9 / 8), 0.15, 25, 3});
-    meshes.push_back({n, std::move(body.normal.contact), std::move(body.tangential->contact)});
-  }
-  return meshes;
-}
+/// `f = b r^n` with the exact solution of mdr/profiles/indentation.h, and b such that the contact radius is 1 at the
+/// indentation 1.
+struct Indenter {
+  const char *name, *source;
+  double exponent;
+  ConvergenceDemand radius, force;
+};
 
-ExactIndentation exact_indentation(const std::string& name, const std::string& source, double exponent) {
-  const auto profile = mdr::power_law(1 / mdr::transform_factor(exponent), exponent);
-  return {name, source, profile, [profile](double d) { return mdr::contact_radius(profile, d); },
-          [profile](double d) { return mdr::normal_force(profile, 1, d); }};
-}
-
-std::vector<ConvergenceRow> indentation_rows(const std::vector<ConvergenceMesh>& meshes, const ExactIndentation& exact,
-                                             const ConvergenceDemand& radius, const ConvergenceDemand& force) {
+/// Contact radius and force, for contact radii from 0.8 to 1.
+Rows indenter_rows(const Meshes& meshes, const Indenter& indenter, const ExactScene& exact) {
+  const auto steep = [&](double steepness) {
+    return mdr::power_law(steepness / mdr::transform_factor(indenter.exponent), indenter.exponent);
+  };
+  const auto shape = steep(1), exact_shape = steep(exact.steepness);
   const auto errors = [&](const ConvergenceMesh& mesh) {
-    const Eigen::VectorXd profile = means_of(exact.profile, mesh.normal);
+    const Eigen::VectorXd profile = means_of(shape, mesh.normal);
     const auto events = fem::contact_events(mesh.normal.compliance, profile);
     double radius_error = 0, force_error = 0;
     for (int k = 0; k < n_positions; ++k) {
-      const double indentation = mdr::transform(exact.profile, position(k, 0.8, 1));
+      const double indentation = mdr::transform(shape, position(k, 0.8, 1));
       const auto contact = fem::static_contact(mesh.normal, profile, indentation);
-      const double contact_radius = fem::largest_contact_radius(contact.gap, events).radius;
-      const double contact_force = fem::contact_force(mesh.normal.series, contact.pressure, contact.gap).force;
-      take_worst(radius_error, contact_radius / exact.contact_radius(indentation) - 1);
-      take_worst(force_error, contact_force / exact.force(indentation) - 1);
+      const double radius = fem::largest_contact_radius(contact.gap, events).radius;
+      const double force = fem::contact_force(mesh.normal.series, contact.pressure, contact.gap).force;
+      take_worst(radius_error, radius / mdr::contact_radius(exact_shape, indentation) - 1);
+      take_worst(force_error, force / mdr::normal_force(exact_shape, exact.modulus, indentation) - 1);
     }
     return std::vector<double>{radius_error, force_error};
   };
-  return mesh_rows({{exact.name, "contact radius", exact.source, radius}, {exact.name, "force", exact.source, force}},
+  return mesh_rows(Rows{{indenter.name, "contact radius", indenter.source, indenter.radius},
+                        {indenter.name, "force", indenter.source, indenter.force}},
                    meshes, errors);
 }
-
-namespace {
 
 /// Force of a unit displacement of the n innermost rings.
 double force_of_stuck_rings(const fem::ContactProblem& problem, Eigen::Index n) {
@@ -54,36 +49,35 @@ double force_of_stuck_rings(const fem::ContactProblem& problem, Eigen::Index n) 
   return areas.dot(compliance.matrix.topLeftCorner(n, n).llt().solve(areas));
 }
 
-}  // namespace
-
-ExactPunch exact_punch() {
-  const auto body = mdr::elastic(1);
-  return {mdr::normal_scale(body), mdr::tangential_scale(body)};
+/// Force of the rings inside r = 1 at a unit displacement, for their nominal and for their effective radius
+/// (fem/condensation/effective_radii.h): normal without friction, `8 G a`, or tangential and sticking, `(16/3) G a`.
+Rows punch_rows(const Meshes& meshes, bool is_normal, const ExactScene& exact) {
+  const char* name = is_normal ? "flat punch" : "full stick";
+  const char* source = is_normal ? "Boussinesq 1885, Sneddon 1965" : "Mindlin 1949";
+  const auto body = mdr::elastic(exact.modulus);
+  const double exact_force = is_normal ? mdr::normal_scale(body) : mdr::tangential_scale(body);
+  const auto errors = [&](const ConvergenceMesh& mesh) {
+    const auto& problem = is_normal ? mesh.normal : mesh.tangential;
+    const double force = force_of_stuck_rings(problem, mesh.n_rings) / exact_force;
+    return std::vector<double>{force - 1, force / fem::effective_radii(problem.compliance).radius[mesh.n_rings] - 1};
+  };
+  const char* nominal_note = "n rings act like a disc 0.1 to 0.15 rings smaller: read at the effective radius below";
+  return mesh_rows(Rows{{name, "force", source, {2e-3, 1, far_field, nominal_note}},
+                        {name, "force over effective radius", source, {1e-6, 3, 2 * far_field, far_field_note}}},
+                   meshes, errors);
 }
 
-std::vector<ConvergenceRow> punch_rows(const std::vector<ConvergenceMesh>& meshes, const ExactPunch& exact) {
-  struct Punch {
-    const char *name, *source;
-    bool normal;
-    double force;
-  };
-  const ConvergenceDemand nominal{
-      2e-3, 1, far_field, std::nullopt,
-      "n rings act like a disc 0.1 to 0.15 rings smaller: read at the effective radius below"};
-  const ConvergenceDemand effective{1e-6, 3, 2 * far_field, 1e-5, far_field_note};
-  std::vector<ConvergenceRow> rows;
-  for (const auto& punch : {Punch{"flat punch", "Boussinesq 1885, Sneddon 1965", true, exact.normal},
-                            Punch{"full stick", "Mindlin 1949", false, exact.tangential}}) {
-    const auto errors = [&](const ConvergenceMesh& mesh) {
-      const auto& problem = punch.normal ? mesh.normal : mesh.tangential;
-      const double force = force_of_stuck_rings(problem, mesh.n_rings) / punch.force;
-      return std::vector<double>{force - 1, force / fem::effective_radii(problem.compliance).radius[mesh.n_rings] - 1};
-    };
-    for (auto& row : mesh_rows({{punch.name, "force", punch.source, nominal},
-                                {punch.name, "force over effective radius", punch.source, effective}},
-                               meshes, errors))
-      rows.push_back(std::move(row));
-  }
+}  // namespace
+
+Rows indentation_rows(const Meshes& meshes, const ExactScene& exact) {
+  const ConvergenceDemand radius{1e-6, 3, far_field, far_field_note};
+  Rows rows;
+  for (const auto& indenter :
+       {Indenter{"Hertz", "Hertz 1882, Johnson 1985", 2, radius, {1e-6, 3, bulk_floor, bulk_note}},
+        Indenter{"cone", "Love 1939, Sneddon 1965", 1, radius, {1e-5, 2, far_field, "the ring at the tip: h^2"}},
+        Indenter{"power law n = 4", "Galin 1946, Sneddon 1965", 4, radius, {6e-6, 2, far_field, far_field_note}}})
+    append(rows, indenter_rows(meshes, indenter, exact));
+  for (const bool is_normal : {true, false}) append(rows, punch_rows(meshes, is_normal, exact));
   return rows;
 }
 

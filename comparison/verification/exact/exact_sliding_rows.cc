@@ -1,34 +1,110 @@
+#include <algorithm>
 #include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
 
 #include "comparison/verification/exact/exact_rows.h"
-#include "fem/condensation/effective_radii.h"
+#include "fem/condensation/contact_events.h"
+#include "fem/history/box_solver.h"
+#include "fem/history/contact_force.h"
+#include "fem/history/friction_force.h"
+#include "fem/history/friction_history.h"
 #include "fem/stick_zone/stick_radius.h"
 #include "mdr/profiles/indentation.h"
-#include "mdr/stick/surface_fields.h"
 
 namespace fretval {
-
 namespace {
-/// Tangential displacement at which the whole contact slides under the indentation 1.
-constexpr double all_slides = 1.5 * friction_coefficient;
-}  // namespace
 
-ExactSliding exact_sliding() {
-  const auto profile = mdr::parabola(1);
-  const double mu = friction_coefficient, normal_force = mdr::normal_force(profile, 1, 1);
-  return {[=](double u) { return mdr::stick_radius_cattaneo_mindlin(profile, mu, 1, u); },
-          [=](double u) { return mdr::tangential_force_cattaneo_mindlin(profile, 1, mu, 1, u); },
-          [=](double f) { return 1.5 * mu * (1 - std::pow(1 - f / (mu * normal_force), 2.0 / 3)); }};
+const mdr::Profile unworn = mdr::parabola(1);
+
+/// Limit of the tractions, and of their force.
+struct FrictionLimit {
+  Eigen::VectorXd rings;  ///< mu p
+  double force;           ///< mu times the normal force
+  double contact_radius;
+};
+
+/// Under the parabola at an indentation.
+FrictionLimit friction_limit(const ConvergenceMesh& mesh, double indentation) {
+  const auto contact = fem::static_contact(mesh.normal, means_of(unworn, mesh.normal), indentation);
+  const auto normal = fem::contact_force(mesh.normal.series, contact.pressure, contact.gap);
+  return {friction_coefficient * contact.pressure, friction_coefficient * normal.force, normal.radius};
 }
 
-std::vector<ConvergenceRow> sliding_rows(const std::vector<ConvergenceMesh>& meshes, const ExactSliding& exact) {
-  const auto profile = mdr::parabola(1);
+/// Coulomb friction on an elastic body, from rest, one box problem a step: exact in time as long as the contact does
+/// not grow within a step and no ring slips back and forth within one.
+class ElasticSliding {
+ public:
+  explicit ElasticSliding(const ConvergenceMesh& mesh)
+      : problem_(mesh.tangential),
+        touching_{mesh.normal.series.radii()},
+        slip_(Eigen::VectorXd::Zero(problem_.n_rings())),
+        traction_(slip_),
+        states_(static_cast<std::size_t>(problem_.n_rings()), fem::BoxState::interior),
+        zones_(problem_.n_rings()) {}
+
+  /// To a displacement of the indenter; limit: at the end of the step.
+  void step(double displacement, const FrictionLimit& limit) {
+    limit_ = limit;
+    const auto& areas = problem_.compliance.areas;
+    const Eigen::VectorXd load = areas.array() * (displacement - slip_.array());
+    auto solution = problem_.solver.solve(load, -limit.rings, limit.rings, states_);
+    slip_ += solution.residual.cwiseQuotient(areas);
+    traction_ = std::move(solution.x);
+    touching_.move_to(limit.contact_radius);
+    zones_.update(limit.rings, states_, problem_.series.depths(traction_));
+  }
+
+  [[nodiscard]] double force() const {
+    return fem::friction_force(problem_.series, zones_, touching_, problem_.series.depths(limit_.rings), limit_.force);
+  }
+
+  /// Of the last step, under forward slip.
+  [[nodiscard]] double stick_radius() const {
+    Eigen::Index n_stuck = 0;
+    while (n_stuck < limit_.rings.size() && limit_.rings[n_stuck] > 0 &&
+           states_[static_cast<std::size_t>(n_stuck)] == fem::BoxState::interior)
+      ++n_stuck;
+    return fem::stick_radius(problem_.compliance, problem_.series.depths(limit_.rings - traction_), n_stuck).radius;
+  }
+
+ private:
+  const fem::ContactProblem& problem_;
+  fem::TouchingRings touching_;
+  Eigen::VectorXd slip_, traction_;
+  FrictionLimit limit_ = {};
+  std::vector<fem::BoxState> states_;
+  fem::SlipZones zones_;
+};
+
+/// Tangential displacement at which the whole contact slides under the indentation 1.
+const double all_slides = 1.5 * friction_coefficient;
+
+/// Cattaneo and Mindlin on the parabola at the indentation 1, over the tangential displacement.
+struct CattaneoMindlin {
+  ExactScene scene;
+  mdr::Profile profile = mdr::parabola(1 / scene.steepness);
+
+  [[nodiscard]] double stick_radius(double u) const {
+    return mdr::stick_radius_cattaneo_mindlin(profile, scene.friction_coefficient, 1, u);
+  }
+  [[nodiscard]] double force(double u) const {
+    return mdr::tangential_force_cattaneo_mindlin(profile, scene.modulus, scene.friction_coefficient, 1, u);
+  }
+  /// Over the force: `u = (3 mu/2) [1 - (1 - F_x/(mu F))^(2/3)]`.
+  [[nodiscard]] double displacement(double f) const {
+    const double mu = scene.friction_coefficient;
+    return 1.5 * mu * (1 - std::pow(1 - f / (mu * mdr::normal_force(profile, scene.modulus, 1)), 2.0 / 3));
+  }
+};
+
+/// Stick radius, relative to the contact radius, force, and the displacement that belongs to the force computed, for
+/// stick radii from 0.3 to 0.9.
+Rows loading_rows(const Meshes& meshes, const CattaneoMindlin& exact) {
   const auto errors = [&](const ConvergenceMesh& mesh) {
-    const auto limit = friction_limit(mesh, profile, 1);
+    const auto limit = friction_limit(mesh, 1);
     double radius_error = 0, force_error = 0, displacement_error = 0;
     for (int k = 0; k < n_positions; ++k) {
-      const double u = all_slides * (1 - mdr::transform(profile, position(k, 0.3, 0.9)));
+      const double u = all_slides * (1 - mdr::transform(unworn, position(k, 0.3, 0.9)));
       ElasticSliding sliding(mesh);
       sliding.step(u, limit);
       take_worst(radius_error, sliding.stick_radius() - exact.stick_radius(u));
@@ -37,26 +113,28 @@ std::vector<ConvergenceRow> sliding_rows(const std::vector<ConvergenceMesh>& mes
     }
     return std::vector<double>{radius_error, force_error, displacement_error};
   };
-  const std::string solution = "Cattaneo-Mindlin", source = "Cattaneo 1938, Mindlin 1949";
-  const ConvergenceDemand demand{2e-6, 3, far_field, 1e-5, far_field_note};
-  return mesh_rows({{solution, "stick radius", source, {5e-6, 3, far_field, 5e-6, far_field_note}},
-                    {solution, "force", source, demand},
-                    {solution, "displacement", source, demand}},
+  const char *solution = "Cattaneo-Mindlin", *source = "Cattaneo 1938, Mindlin 1949";
+  const ConvergenceDemand demand{2e-6, 3, far_field, far_field_note};
+  return mesh_rows(Rows{{solution, "stick radius", source, {5e-6, 3, far_field, far_field_note}},
+                        {solution, "force", source, demand},
+                        {solution, "displacement", source, demand}},
                    meshes, errors);
 }
 
-ConvergenceRow cycle_row(const std::vector<ConvergenceMesh>& meshes, const ExactSliding& exact) {
+/// Energy that a cycle between +-u_x dissipates, from the force-displacement curve of the first loading by Masing's
+/// rule: `W = 8 int_0^u F du - 4 u F(u)`; u_x from 0.3 to 0.9 of what makes the whole contact slide.
+ConvergenceRow cycle_row(const Meshes& meshes, const CattaneoMindlin& exact) {
+  using Gauss = boost::math::quadrature::gauss<double, 30>;
   fem::HistoryControl control;
   control.steps_per_cycle = 720;
   const auto error = [&](const ConvergenceMesh& mesh) {
     fem::Motion motion{1, 0, 0, 0.0, 1};
-    const auto profile = means_of(mdr::parabola(1), mesh.normal);
+    const auto profile = means_of(unworn, mesh.normal);
     const fem::RelaxationModel elastic;
     double worst = 0;
     for (int k = 0; k < n_positions; k += 4) {
       const double u = motion.tangential_amplitude = position(k, 0.3, 0.9) * all_slides;
-      const double work =
-          8 * boost::math::quadrature::gauss<double, 30>::integrate(exact.force, 0, u) - 4 * u * exact.force(u);
+      const double work = 8 * Gauss::integrate([&](double x) { return exact.force(x); }, 0, u) - 4 * u * exact.force(u);
       const auto history = fem::contact_history(
           {mesh.normal, elastic, profile, motion, control.steps_per_cycle},
           {mesh.tangential, elastic, friction_coefficient, motion, control.steps_per_cycle}, control);
@@ -64,16 +142,16 @@ ConvergenceRow cycle_row(const std::vector<ConvergenceMesh>& meshes, const Exact
     }
     return worst;
   };
-  return mesh_row({"Mindlin-Deresiewicz",
-                   "energy of a cycle",
-                   "Mindlin & Deresiewicz 1953",
-                   {1e-4, 3, far_field, 2e-4, far_field_note}},
-                  meshes, error);
+  return mesh_row(
+      {"Mindlin-Deresiewicz", "energy of a cycle", "Mindlin & Deresiewicz 1953", {1e-4, 3, far_field, far_field_note}},
+      meshes, error);
 }
 
-ConvergenceRow unloading_row(const std::vector<ConvergenceMesh>& meshes, const ExactSliding& exact) {
+/// Force between +u_x and -u_x after the first loading to u_x, relative to the largest: by Masing's rule
+/// `F(u_x) - 2 F((u_x - u)/2)`; u_x 0.3, 0.6 and 0.9 of what makes the whole contact slide.
+ConvergenceRow unloading_row(const Meshes& meshes, const CattaneoMindlin& exact) {
   const auto error = [&](const ConvergenceMesh& mesh) {
-    const auto limit = friction_limit(mesh, mdr::parabola(1), 1);
+    const auto limit = friction_limit(mesh, 1);
     double worst = 0;
     for (const double amplitude : {0.3, 0.6, 0.9}) {
       const double reversal = amplitude * all_slides, largest = exact.force(reversal);
@@ -90,70 +168,96 @@ ConvergenceRow unloading_row(const std::vector<ConvergenceMesh>& meshes, const E
   return mesh_row({"Mindlin-Deresiewicz",
                    "force while unloading",
                    "Mindlin & Deresiewicz 1953",
-                   {1e-5, 1, far_field, 1e-5, edges_note}},
+                   {1e-5, 1, far_field, "discs of n rings are 0.0025 rings larger tangentially than normally"}},
                   meshes, error);
 }
 
-namespace {
+/// A parabola pressed in to `first`, then moved on obliquely: du_x/dd below the slope at which the contact slides up to
+/// `second`, above it up to `last`.
+struct ObliqueLoading {
+  double first, second, last;
+  double sticking_slope, slipping_slope;
 
-/// Intensities at the edge of the n innermost rings, per `sqrt(k)`, k = force of a unit displacement per radius, over
-/// the outermost n_edges edges, the smallest first. By Irwin's relation the intensity is `sqrt(k dW/dc)`, W the energy
-/// of stresses inside c; one ring more adds `y^2/2`, y an entry of `L^T x`, L the Cholesky factor of the compliance and
-/// x the stress. Stresses themselves alternate from ring to ring next to a singular edge.
-Eigen::VectorXd edge_intensities(const fem::Compliance& compliance, const Eigen::VectorXd& stress, Eigen::Index n,
-                                 Eigen::Index n_edges) {
-  const Eigen::MatrixXd factor = compliance.matrix.topLeftCorner(n, n).llt().matrixL();
-  const Eigen::VectorXd radii = fem::effective_radii(compliance).radius.segment(n - n_edges, n_edges + 1);
-  const Eigen::VectorXd widths = radii.tail(n_edges) - radii.head(n_edges);
-  const Eigen::VectorXd roots = factor.transpose() * stress.head(n);
-  return roots.tail(n_edges).cwiseQuotient(widths.cwiseSqrt());
+  [[nodiscard]] double displacement(double d) const {
+    return sticking_slope * (std::clamp(d, first, second) - first) + slipping_slope * std::max(0.0, d - second);
+  }
+};
+constexpr ObliqueLoading loading{0.4, 0.8, 0.925, 0.3, 3};
+
+/// Indentations of both parts of the loading, with those among them at which a ring touches: the contact does not
+/// change within a step that ends there, and there is no error of time.
+std::vector<double> oblique_indentations(const ConvergenceMesh& mesh) {
+  std::vector<double> all;
+  for (int k = 0; k < n_positions; ++k) {
+    all.push_back(position(k, loading.first, loading.second));
+    all.push_back(position(k, loading.second, loading.last));
+  }
+  for (const double d : fem::contact_events(mesh.normal.compliance, means_of(unworn, mesh.normal)).indentation)
+    if (loading.first < d && d < loading.last) all.push_back(d);
+  std::sort(all.begin(), all.end());
+  return all;
 }
 
-/// Ratio of the intensities of traction and pressure at the effective edge of the n innermost rings: the parabola
-/// through three edges, continued by half a ring.
-double ratio_of_intensities(const ConvergenceMesh& mesh, const Eigen::VectorXd& traction,
-                            const Eigen::VectorXd& pressure, Eigen::Index n) {
-  const Eigen::VectorXd inverse = edge_intensities(mesh.normal.compliance, pressure, n, 3)
-                                      .cwiseQuotient(edge_intensities(mesh.tangential.compliance, traction, n, 3));
-  // sqrt(k_x/k_z), Mindlin's ratio of the tangential and the normal stiffness of an incompressible half-space.
-  const double mindlin = std::sqrt(2.0 / 3);
-  return mindlin / (3.0 / 8 * inverse[0] - 10.0 / 8 * inverse[1] + 15.0 / 8 * inverse[2]);
-}
+/// Jaeger's superposition of normal contacts, over the indentation. A point that joins the contact while everything
+/// sticks moves along from then on; with s = (2/3) du_x/dd of the sticking part, F the normal force and D = g(c) the
+/// depth at the stick radius
+///   `mu (d - D) = (2/3) u_x - s (max(D, first) - first)`,
+///   `F_x = mu [F(d) - F(D)] + s [F(max(D, first)) - F(first)]`;   D = d while everything sticks.
+struct Jaeger {
+  ExactScene scene;
+  mdr::Profile profile = mdr::parabola(1 / scene.steepness);
+  double share = 2.0 / 3 * loading.sticking_slope;
 
-/// Error of the ratio under a parabola that is worn outside c.
-double worn_edge_error(const ConvergenceMesh& mesh, const mdr::Profile& exact, double c) {
-  const auto unworn = mdr::parabola(1);
-  const auto& compliance = mesh.tangential.compliance;
-  // Half way between the indentations at which the edge touches and at which the worn flank does.
-  const double indentation = (mdr::transform(unworn, c) + 1) / 2;
-  const auto worn = mdr::limiting_profile(unworn, c, 1);
-  const auto means = fem::ring_means(mesh.normal.compliance, [&](double r) { return mdr::shape(worn, r); });
-  const auto pressure = fem::static_contact(mesh.normal, means, indentation).pressure;
-  const auto n = static_cast<Eigen::Index>(std::lround(c * mesh.n_rings));
-  if ((pressure.array() > 0).count() != n) return std::nan("");  // the contact does not end at c
-  const auto effective = mdr::limiting_profile(exact, fem::effective_radii(mesh.normal.compliance).radius[n], 1);
-  const double displacement =
-      1.5 * friction_coefficient * (indentation - mdr::transform(exact, effective.stick_radius));
-  const Eigen::VectorXd traction =
-      compliance.matrix.topLeftCorner(n, n).llt().solve(displacement * compliance.areas.head(n));
-  const double exact_ratio = mdr::limiting_traction(effective, 1, displacement, 0).intensity /
-                             mdr::limiting_pressure(effective, 1, indentation, 0).intensity;
-  return ratio_of_intensities(mesh, traction, pressure, n) / exact_ratio - 1;
-}
+  [[nodiscard]] double stick_depth(double d) const {
+    if (d <= loading.second) return d;
+    // Inside the first contact a point sticks since u = 0, outside it since the contact came to it.
+    const double mu = scene.friction_coefficient, u = loading.displacement(d), inside = d - u / (1.5 * mu);
+    if (inside <= loading.first) return inside;
+    return (mu * d - 2.0 / 3 * u - share * loading.first) / (mu - share);
+  }
+  [[nodiscard]] double stick_radius(double d) const { return mdr::contact_radius(profile, stick_depth(d)); }
+  [[nodiscard]] double force(double d) const {
+    const auto normal_force = [&](double depth) { return mdr::normal_force(profile, scene.modulus, depth); };
+    const double stuck = stick_depth(d);
+    return scene.friction_coefficient * (normal_force(d) - normal_force(stuck)) +
+           share * (normal_force(std::max(stuck, loading.first)) - normal_force(loading.first));
+  }
+};
 
 }  // namespace
 
-ConvergenceRow worn_edge_row(const std::vector<ConvergenceMesh>& meshes, const mdr::Profile& exact) {
-  const auto error = [&](const ConvergenceMesh& mesh) {
-    double worst = 0;
-    for (const double c : {0.5, 0.625, 0.75, 0.875}) take_worst(worst, worn_edge_error(mesh, exact, c));
-    return worst;
+Rows sliding_rows(const Meshes& meshes, const ExactScene& exact) {
+  Rows rows = loading_rows(meshes, {exact});
+  append(rows, {cycle_row(meshes, {exact}), unloading_row(meshes, {exact})});
+  return rows;
+}
+
+/// Force relative to the largest one, and the stick radius over the contact radius while it is inside the first
+/// contact.
+Rows oblique_rows(const Meshes& meshes, const ExactScene& scene) {
+  const Jaeger exact{scene};
+  const double first_contact = mdr::contact_radius(unworn, loading.first);
+  const auto errors = [&](const ConvergenceMesh& mesh) {
+    ElasticSliding sliding(mesh);
+    double force_error = 0, radius_error = 0;
+    int n_radii = 0;
+    for (const double d : oblique_indentations(mesh)) {
+      sliding.step(loading.displacement(d), friction_limit(mesh, d));
+      take_worst(force_error, (sliding.force() - exact.force(d)) / exact.force(loading.last));
+      const double radius = exact.stick_radius(d);
+      if (d <= loading.second || radius > first_contact) continue;
+      take_worst(radius_error, (sliding.stick_radius() - radius) / mdr::contact_radius(unworn, d));
+      ++n_radii;
+    }
+    return std::vector<double>{force_error, n_radii > 0 ? radius_error : std::nan("")};
   };
-  return mesh_row({"worn contact",
-                   "ratio of edge intensities",
-                   "paper, equations (9), (13)",
-                   {5e-6, 3, far_field, std::nullopt, "edge at the effective radius"}},
-                  meshes, error);
+  const char *solution = "oblique loading", *source = "Jaeger 1993";
+  const char* kink_note =
+      "inside the first contact: less than six rings outside it the fit of the stick edge meets the kink of the "
+      "traction there, and is off by up to a ring";
+  return mesh_rows(Rows{{solution, "force", source, {3e-6, 2, far_field, far_field_note}},
+                        {solution, "stick radius", source, {1e-6, 3, far_field, kink_note}}},
+                   meshes, errors);
 }
 
 }  // namespace fretval

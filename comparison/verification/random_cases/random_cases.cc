@@ -1,7 +1,6 @@
 #include "comparison/verification/random_cases/random_cases.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -9,6 +8,7 @@
 
 #include "comparison/reference/mdr_case.h"
 #include "comparison/support/random_numbers.h"
+#include "comparison/verification/case_parts.h"
 
 namespace fretval {
 namespace {
@@ -25,9 +25,9 @@ struct Scale {
   [[nodiscard]] double time() const { return 1 / (2 * pi * frequency); }
 };
 
-/// Six digits: short case files, and roundoff of a library's exp and log does not show.
-std::string short_text(double value) {
-  return fmt::format("{:.6g}", value);
+/// To six digits: short case files, and roundoff of a library's exp and log does not show.
+double rounded(double value) {
+  return std::stod(fmt::format("{:.6g}", value));
 }
 
 Scale draw_scale(RandomNumbers& random) {
@@ -46,68 +46,51 @@ double draw_exponent(RandomNumbers& random) {
 /// Shapes whose contact radius at the depth is about the length.
 Entries draw_indenter(RandomNumbers& random, const Scale& scale) {
   const double radius = scale.length * scale.length / scale.depth;
-  switch (random.weighted({3, 2, 3, 1.5, 1.5})) {
-    case 0:
-      return {{"Indenter / Shape", "parabola"}, {"Indenter / Radius", short_text(radius)}};
-    case 1: {
-      const double degrees = std::atan(2 * scale.depth / (pi * scale.length)) * 180 / pi;
-      return {{"Indenter / Shape", "cone"}, {"Indenter / Slope angle", short_text(degrees)}};
-    }
-    case 2: {
-      const std::string exponent = short_text(draw_exponent(random));
-      return {{"Indenter / Shape", "power"},
-              {"Indenter / Exponent", exponent},
-              {"Indenter / Coefficient", short_text(scale.depth / std::pow(scale.length, std::stod(exponent)))}};
-    }
-    case 3:
-      return {{"Indenter / Shape", "rounded flat"},
-              {"Indenter / Flat radius", short_text(scale.length * random.uniform(0.05, 0.95))},
-              {"Indenter / Edge radius", short_text(radius * random.log_uniform(0.1, 10))}};
-    default:
-      return {{"Indenter / Shape", "truncated sphere"},
-              {"Indenter / Flat radius", short_text(scale.length * random.uniform(0.05, 0.95))},
-              {"Indenter / Radius", short_text(radius * random.log_uniform(0.1, 10))}};
+  const auto shape = random.weighted({3, 2, 3, 1.5, 1.5});
+  if (shape == 0) return parabola(rounded(radius));
+  if (shape == 1) return cone(rounded(std::atan(2 * scale.depth / (pi * scale.length)) * 180 / pi));
+  if (shape == 2) {
+    const double exponent = rounded(draw_exponent(random));
+    return power(exponent, rounded(scale.depth / std::pow(scale.length, exponent)));
   }
+  const double flat = rounded(scale.length * random.uniform(0.05, 0.95));
+  const double rest = rounded(radius * random.log_uniform(0.1, 10));
+  return shape == 3 ? rounded_flat(flat, rest) : truncated_sphere(rest, flat);
 }
 
-/// Branches of a body in units of the scale. stiffest: of a branch, over the relaxed modulus; less for slow ones, so
-/// that no branch makes the body creep for more than most_creep.
-Entries draw_branches(RandomNumbers& random, const Scale& scale, std::size_t n, double stiffest = 100) {
-  std::vector<std::string> moduli, times;
+/// Branches in units of the scale. stiffest: of a branch, over the relaxed modulus; less for slow ones, so that no
+/// branch makes the body creep for more than most_creep.
+Entries draw_branches(RandomNumbers& random, const Scale& scale, const char* rheology, std::size_t n,
+                      double stiffest = 100) {
+  std::vector<double> moduli, times;
   for (std::size_t k = 0; k < n; ++k) {
     const double time = random.log_uniform(1e-3, most_creep);
-    times.push_back(short_text(scale.time() * time));
-    moduli.push_back(short_text(scale.modulus * random.log_uniform(1e-2, std::min(stiffest, most_creep / time))));
+    times.push_back(rounded(scale.time() * time));
+    moduli.push_back(rounded(scale.modulus * random.log_uniform(1e-2, std::min(stiffest, most_creep / time))));
   }
-  return {{"Elastomer / Branch moduli", fmt::format("{}", fmt::join(moduli, ", "))},
-          {"Elastomer / Branch times", fmt::format("{}", fmt::join(times, ", "))}};
-}
-
-std::string draw_viscosity(RandomNumbers& random, const Scale& scale) {
-  return short_text(scale.modulus * scale.time() * random.log_uniform(1e-3, 10));
+  return branches(rheology, rounded(scale.modulus), moduli, times);
 }
 
 Entries draw_elastomer(RandomNumbers& random, const Scale& scale) {
-  const Entries relaxed{{"Elastomer / Relaxed shear modulus", short_text(scale.modulus)}};
+  const auto draw_viscosity = [&] { return rounded(scale.modulus * scale.time() * random.log_uniform(1e-3, 10)); };
   switch (random.weighted({2, 2.5, 1.5, 3, 1})) {
     case 0:
-      return with(relaxed, {{"Elastomer / Rheology", "elastic"}});
+      return elastic(rounded(scale.modulus));
     case 1:
-      return with(with(relaxed, draw_branches(random, scale, 1)), {{"Elastomer / Rheology", "standard solid"}});
+      return draw_branches(random, scale, "standard solid", 1);
     case 2:
-      return with(relaxed,
-                  {{"Elastomer / Rheology", "kelvin voigt"}, {"Elastomer / Viscosity", draw_viscosity(random, scale)}});
+      return kelvin_voigt(rounded(scale.modulus), draw_viscosity());
     case 3: {
       const std::size_t n_branches = 1 + random.index(4);
-      const auto body =
-          with(with(relaxed, draw_branches(random, scale, n_branches)), {{"Elastomer / Rheology", "prony"}});
-      return random.chance(0.3) ? with(body, {{"Elastomer / Viscosity", draw_viscosity(random, scale)}}) : body;
+      const auto body = draw_branches(random, scale, "prony", n_branches);
+      return random.chance(0.3) ? with_numbers(body, {{"Elastomer / Viscosity", draw_viscosity()}}) : body;
     }
-    default:
+    default: {
       // Its spectrum reaches a hundred times beyond a cycle, whatever its time.
-      return with(with(relaxed, draw_branches(random, scale, 1, 1)),
-                  {{"Elastomer / Rheology", "fractional zener"},
-                   {"Elastomer / Fractional order", short_text(random.uniform(0.1, 1))}});
+      const double order = rounded(random.uniform(0.1, 1));
+      return with_numbers(draw_branches(random, scale, "fractional zener", 1, 1),
+                          {{"Elastomer / Fractional order", order}});
+    }
   }
 }
 
@@ -132,13 +115,13 @@ std::string draw_phase(RandomNumbers& random) {
     case 0:
       return "free";
     case 1:
-      return short_text(random.one_of<double>({0, 90, 180, -90}));
+      return entry_text(random.one_of<double>({0, 90, 180, -90}));
     case 2: {
       const double near = random.one_of<double>({0, 180}), sign = random.one_of<double>({-1, 1});
       return entry_text(near + sign * random.log_uniform(1e-6, 1));
     }
     default:
-      return short_text(random.uniform(-180, 360));
+      return entry_text(rounded(random.uniform(-180, 360)));
   }
 }
 
@@ -185,7 +168,7 @@ Entries with_tangential_amplitude(RandomNumbers& random, Entries entries, double
 
 /// |G(omega)|/G'(0) of a case without motion yet.
 double modulus_ratio_of(const Entries& entries) {
-  const auto still = with(entries, {{"Motion / Normal amplitude", "0"}, {"Motion / Tangential amplitude", "0"}});
+  const auto still = with_numbers(entries, {{"Motion / Normal amplitude", 0}, {"Motion / Tangential amplitude", 0}});
   const auto mdr = mdr_case(case_of(still, "case"));
   return mdr::modulus_ratio(mdr.body, mdr::angular_frequency(mdr.motion.normal_frequency));
 }
@@ -195,18 +178,17 @@ double modulus_ratio_of(const Entries& entries) {
 Entries random_entries(const RandomDraw& draw) {
   RandomNumbers random({draw.seed, draw.number, static_cast<std::uint64_t>(draw.attempt)});
   const auto scale = draw_scale(random);
-  Entries entries{{"Accuracy / Tolerance", "1e-2"},
-                  {"Accuracy / Rings per radius", "32"},
-                  {"Accuracy / Steps per cycle", "32"},
-                  {"Friction / Law", "unidirectional"}};
-  entries = with(entries, draw_indenter(random, scale));
-  entries = with(entries, draw_elastomer(random, scale));
+  Entries entries = draw_indenter(random, scale);
+  entries.merge(draw_elastomer(random, scale));
   const double friction = random.log_uniform(0.01, 10);
-  entries = with(entries, {{"Friction / Coefficient", short_text(friction)},
-                           {"Motion / Indentation", short_text(scale.depth)},
-                           {"Motion / Normal frequency", short_text(scale.frequency)},
-                           {"Motion / Tangential frequency", short_text(scale.frequency)},
-                           {"Motion / Phase", draw_phase(random)}});
+  entries = with_numbers(with(entries, {{"Friction / Law", "unidirectional"}, {"Motion / Phase", draw_phase(random)}}),
+                         {{"Accuracy / Tolerance", 1e-2},
+                          {"Accuracy / Rings per radius", 32},
+                          {"Accuracy / Steps per cycle", 32},
+                          {"Friction / Coefficient", rounded(friction)},
+                          {"Motion / Indentation", rounded(scale.depth)},
+                          {"Motion / Normal frequency", rounded(scale.frequency)},
+                          {"Motion / Tangential frequency", rounded(scale.frequency)}});
   // A body that is stiff in motion loses contact at small amplitudes.
   const double stiffening = modulus_ratio_of(entries);
   const bool flat = entries.count("Indenter / Flat radius") > 0, worn = random.chance(0.03) && !flat;

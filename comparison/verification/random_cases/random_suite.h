@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <optional>
 
 #include "comparison/verification/random_cases/random_cases.h"
@@ -18,8 +17,7 @@ struct RandomSuiteOptions {
 /// Random cases on one coarse discretisation whose bodies are made once, each with its error bars (Proof::bars) but
 /// without any refinement. Bars may be wider than the tolerance, and are infinite where a coarser computation lacks the
 /// quantity; errors have to be within them. A case that the tool refuses as bad input (InputError) is drawn again, at
-/// most 100 times; nothing else is left out. As a whole, the memory has to be flat, and no more than one case in a
-/// hundred, or a single one, may be drawn again. Only the shown_rows keep the text of their case file.
+/// most 100 times; nothing else is left out.
 SuiteRun run_random_suite(const RandomSuiteOptions& options);
 
 }  // namespace fretval

@@ -13,11 +13,11 @@ constexpr double depth = 1e-4, radius = 1e-3, modulus = 1e6, frequency = 1;  // 
 constexpr double unlocked = std::numeric_limits<double>::quiet_NaN();
 
 Entries r_to(double exponent) {
-  return power(exponent, depth, radius);
+  return power(exponent, depth / std::pow(radius, exponent));
 }
 
 Entries standard_solid(double modulus_ratio, double time) {
-  return branches("standard solid", modulus, {modulus_ratio}, {time});
+  return branches("standard solid", modulus, {modulus_ratio * modulus}, {time});
 }
 
 Entries voigt(double omega_tau) {
@@ -43,8 +43,8 @@ struct Row {
 std::vector<Row> rows() {
   const auto sphere = parabola(1e-2), hooke = elastic(modulus);
   const auto fast = standard_solid(1, 0.1), slow = standard_solid(3, 0.3), short_time = standard_solid(2, 0.02);
-  const auto two_branches = branches("prony", modulus, {0.5, 1.0}, {0.5, 0.05});
-  const auto three_branches = branches("prony", modulus, {0.4, 0.6, 1.0}, {1.0, 0.15, 0.02});
+  const auto two_branches = branches("prony", modulus, {0.5e6, 1e6}, {0.5, 0.05});
+  const auto three_branches = branches("prony", modulus, {0.4e6, 0.6e6, 1e6}, {1.0, 0.15, 0.02});
   return {
       {"parabola-elastic-90", sphere, hooke, 0.5, 0.2, 90, Given::k, 1},
       {"parabola-elastic-0", sphere, hooke, 0.3, 0.1, 0, Given::k, 0.5},
@@ -99,24 +99,20 @@ std::vector<Row> rows() {
   };
 }
 
-Entries with_tangential_amplitude(const Row& row, const Entries& entries) {
-  if (row.given == Given::shakedown) return with_stick_ratio(entries, row.value);
-  const double sliding = 1.5 * row.friction * depth;
-  const double amplitude = row.given == Given::k ? sliding * row.normal / row.value : sliding * row.value;
-  return with(entries, {{"Motion / Tangential amplitude", entry_text(amplitude)}});
-}
-
 Entries entries_of(const Row& row, double tolerance) {
-  const Entries entries{{"Accuracy / Tolerance", entry_text(tolerance)},
-                        {"Friction / Law", "unidirectional"},
-                        {"Friction / Coefficient", entry_text(row.friction)},
-                        {"Motion / Indentation", entry_text(depth)},
-                        {"Motion / Normal amplitude", entry_text(row.normal * depth)},
-                        {"Motion / Tangential amplitude", "0"},
-                        {"Motion / Normal frequency", entry_text(frequency)},
-                        {"Motion / Tangential frequency", entry_text(frequency)},
-                        {"Motion / Phase", std::isnan(row.phase) ? "free" : entry_text(row.phase)}};
-  return with_tangential_amplitude(row, with(with(entries, row.indenter), row.elastomer));
+  const double sliding = 1.5 * row.friction * depth;
+  Entries entries = with_numbers({{"Friction / Law", "unidirectional"}, {"Motion / Phase", "free"}},
+                                 {{"Accuracy / Tolerance", tolerance},
+                                  {"Friction / Coefficient", row.friction},
+                                  {"Motion / Indentation", depth},
+                                  {"Motion / Normal amplitude", row.normal * depth},
+                                  {"Motion / Normal frequency", frequency},
+                                  {"Motion / Tangential frequency", frequency},
+                                  {"Motion / Tangential amplitude",
+                                   row.given == Given::k ? sliding * row.normal / row.value : sliding * row.value}});
+  if (!std::isnan(row.phase)) entries["Motion / Phase"] = entry_text(row.phase);
+  entries = with(with(entries, row.indenter), row.elastomer);
+  return row.given == Given::shakedown ? with_stick_ratio(entries, row.value) : entries;
 }
 
 }  // namespace

@@ -1,112 +1,122 @@
 #include "comparison/verification/trade/trade.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <cmath>
+#include <limits>
+#include <utility>
 
-#include "comparison/results/case_result.h"
-#include "comparison/simulation/compute_case.h"
-#include "comparison/support/log.h"
-#include "comparison/support/resident_memory.h"
-#include "comparison/verification/trade/trade_front.h"
-#include "fem/support/solver_error.h"
-#include "meshes/mesh_error.h"
+#include "comparison/accuracy/verdict.h"
+#include "comparison/simulation/resolution_json.h"
+#include "comparison/support/json.h"
 
 namespace fretval {
 namespace {
 
-void compute_point(const PreparedCase& prepared, const Quantities& reference, TradePoint& point) {
-  const ResidentGrowth growth;
-  try {
-    BodyStore its_own;
-    const auto answer = compute_case(prepared.fem, point.resolution, its_own);
-    point.errors = errors_of(quantities_of(answer, prepared.fem.units), reference);
-    point.seconds = answer.seconds_alone();
-    point.n_normal_steps = static_cast<long>(answer.normal.n_cycles) * answer.normal.steps_per_cycle;
-    point.n_friction_steps = answer.n_steps;
-    point.cost = cost_json(answer);
-    point.memory_bytes = growth.peak_bytes();
-  } catch (const fem::SolverError& error) {
-    point.failure = error.what();
-  } catch (const meshes::MeshError& error) {
-    point.failure = error.what();
-  }
-  if (!point.failure.empty()) log::warn(fmt::format("a setting failed: {}", point.failure));
+using nlohmann::ordered_json;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double same_error = 1e-6;  // histories that differ in nothing that matters differ in roundoff
+constexpr double floors = 3;         // an error within so many times the smallest one is not its own
+
+std::vector<std::size_t> condensed_without_failure(const std::vector<TradeLevel>& levels) {
+  std::vector<std::size_t> all;
+  for (std::size_t i = 0; i < levels.size(); ++i)
+    if (levels[i].kind == "condensed" && std::isfinite(levels[i].error())) all.push_back(i);
+  return all;
 }
 
-std::vector<TradePoint> condensed_points(const PreparedCase& prepared, const TradePlan& plan,
-                                         const Quantities& reference) {
-  std::vector<TradePoint> points;
-  // The first body of a process also pays for what its libraries load and allocate once and for all.
-  make_body(at_resolution(prepared.fem, plan.settings.begin()->first).body);
-  for (const auto& [resolution, sweeps] : plan.settings) {
-    points.push_back({resolution, sweeps});
-    compute_point(prepared, reference, points.back());
-  }
-  return points;
+ordered_json level_json(const TradeLevel& level) {
+  auto errors = ordered_json::object();
+  for (const auto& [quantity, error] : level.errors) errors[name_of(quantity)] = error;
+  return {{"kind", level.kind},
+          {"setting", level.setting},
+          {"axes", level.axes},
+          {"error", or_null(level.error())},
+          {"errors", errors},
+          {"seconds", or_null(level.seconds)},
+          {"failure", or_null(level.failure)}};
 }
 
-std::size_t index_of(const std::vector<TradePoint>& points, const Resolution& resolution) {
-  const auto found =
-      std::find_if(points.begin(), points.end(), [&](const TradePoint& p) { return p.resolution == resolution; });
-  return static_cast<std::size_t>(found - points.begin());
-}
-
-std::vector<Recommendation> recommendations_of(const PreparedCase& prepared, const TradePlan& plan,
-                                               const std::vector<TradePoint>& points) {
-  std::vector<Candidate> candidates;
-  for (const auto& point : points) candidates.push_back({point.errors, point.seconds});
-  std::vector<Recommendation> recommendations;
-  for (const double tolerance : plan.tolerances) {
-    const std::size_t chosen = index_of(points, chosen_resolution(tolerance, prepared.fem));
-    recommendations.push_back(
-        {tolerance, cheapest(candidates, tolerance), chosen, meets(points.at(chosen).errors, tolerance)});
+/// The levels that an axis alone varies, coarsest first, and the power of its values that the error goes with; none for
+/// the order of the elements, which is an exponent itself.
+ordered_json axis_json(const std::vector<TradeLevel>& levels, const std::string& axis) {
+  auto members = condensed_without_failure(levels);
+  members.erase(
+      std::remove_if(members.begin(), members.end(), [&](std::size_t i) { return levels[i].axes.count(axis) == 0; }),
+      members.end());
+  std::sort(members.begin(), members.end(),
+            [&](std::size_t a, std::size_t b) { return levels[a].axes.at(axis) < levels[b].axes.at(axis); });
+  if (axis == "grading") std::reverse(members.begin(), members.end());
+  std::vector<double> values, errors;
+  for (const std::size_t i : members) {
+    values.push_back(levels[i].axes.at(axis));
+    errors.push_back(levels[i].error());
   }
-  return recommendations;
-}
-
-AxisRate rate_of(const std::vector<TradePoint>& points, const TradeAxis& axis) {
-  std::vector<double> values, largest;
-  std::map<Quantity, std::vector<double>> errors;
-  for (const std::size_t i : members_of(points, axis)) {
-    values.push_back(axis.value(points[i].resolution));
-    largest.push_back(points[i].error());
-    for (const auto& [quantity, error] : points[i].errors) errors[quantity].push_back(error);
-  }
-  AxisRate rate{axis.name, {}, observed_rate(values, largest)};
-  for (const auto& [quantity, list] : errors)
-    if (list.size() == values.size()) rate.slope[quantity] = observed_rate(values, list);
-  return rate;
+  const auto rate = axis == "order" ? std::nullopt : observed_rate(values, errors);
+  return {{"levels", members},
+          {"values", values},
+          {"errors", errors},
+          {"power", rate ? ordered_json(rate->slope) : ordered_json(nullptr)}};
 }
 
 }  // namespace
 
-std::vector<std::size_t> members_of(const std::vector<TradePoint>& points, const TradeAxis& axis) {
-  std::vector<std::size_t> members;
-  for (std::size_t i = 0; i < points.size(); ++i)
-    if (points[i].sweeps.count(axis.name) > 0 && !points[i].errors.empty()) members.push_back(i);
-  std::stable_sort(members.begin(), members.end(), [&](std::size_t a, std::size_t b) {
-    return axis.value(points[a].resolution) < axis.value(points[b].resolution);
+std::vector<std::size_t> front_of(const std::vector<TradeLevel>& levels) {
+  auto order = condensed_without_failure(levels);
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return std::make_pair(levels[a].seconds, levels[a].error()) < std::make_pair(levels[b].seconds, levels[b].error());
   });
-  if (axis.finer_is_smaller) std::reverse(members.begin(), members.end());
-  return members;
+  std::vector<std::size_t> front;
+  double smallest = infinity;
+  for (const std::size_t i : order) {
+    if (levels[i].error() >= (1 - same_error) * smallest) continue;
+    smallest = levels[i].error();
+    front.push_back(i);
+  }
+  return front;
 }
 
-Trade compute_trade(const PreparedCase& prepared, const TradePlan& plan) {
-  Trade trade{closed_form(prepared)};
-  const auto reference =
-      quantities_of(trade.closed_form.answer, prepared.fem.units, prepared.fem.worn_edge.has_value());
-  trade.springs = spring_levels(prepared, reference);
-  trade.points = condensed_points(prepared, plan, reference);
-  for (const auto& resolution : plan.full) trade.full.push_back(full_level(prepared, resolution));
-  std::vector<ErrorAndSeconds> costs;
-  for (const auto& point : trade.points) costs.push_back({point.error(), point.seconds});
-  trade.front = pareto_front(costs);
-  for (const auto& axis : trade_axes())
-    if (axis.has_order) trade.rates.push_back(rate_of(trade.points, axis));
-  trade.recommendations = recommendations_of(prepared, plan, trade.points);
-  return trade;
+std::optional<std::size_t> cheapest(const std::vector<TradeLevel>& levels, double tolerance) {
+  std::optional<std::size_t> best;
+  for (const std::size_t i : condensed_without_failure(levels))
+    if (meets(levels[i].errors, tolerance) && (!best || levels[i].seconds < levels[*best].seconds)) best = i;
+  return best;
+}
+
+bool meets(const Quantities& errors, double tolerance) {
+  const auto tolerances = tolerances_of(tolerance);
+  return !errors.empty() && std::all_of(errors.begin(), errors.end(), [&](const auto& entry) {
+    return entry.second <= tolerance_of(tolerances, entry.first);
+  });
+}
+
+std::optional<LogSlope> observed_rate(std::vector<double> values, std::vector<double> errors) {
+  if (errors.empty()) return std::nullopt;
+  const double floor = floors * *std::min_element(errors.begin(), errors.end());
+  const auto end = std::find_if_not(errors.begin(), errors.end(), [=](double error) { return error > floor; });
+  values.resize(static_cast<std::size_t>(end - errors.begin()));
+  errors.resize(values.size());
+  return log_slope(values, errors, 0);
+}
+
+ordered_json trade_json(const PreparedCase& prepared, const TradePlan& plan, const std::vector<TradeLevel>& levels) {
+  ordered_json json{{"name", prepared.input.name},
+                    {"file", prepared.input.file},
+                    {"reference_setting", resolution_json(plan.reference)},
+                    {"levels", ordered_json::array()},
+                    {"front", front_of(levels)}};
+  for (const auto& level : levels) json["levels"].push_back(level_json(level));
+  for (const char* axis : {"rings", "order", "grading", "far radius", "steps"})
+    json["axes"][axis] = axis_json(levels, axis);
+  json["recommendations"] = ordered_json::array();
+  for (const double tolerance : plan.tolerances) {
+    const auto found = plan.settings.find(chosen_resolution(tolerance, prepared.fem));
+    const auto chosen = static_cast<std::size_t>(std::distance(plan.settings.begin(), found));
+    json["recommendations"].push_back({{"tolerance", tolerance},
+                                       {"cheapest", or_null(cheapest(levels, tolerance))},
+                                       {"chosen", chosen},
+                                       {"chosen_meets_tolerance", meets(levels.at(chosen).errors, tolerance)}});
+  }
+  return json;
 }
 
 }  // namespace fretval

@@ -1,70 +1,30 @@
 #pragma once
 
-#include <map>
-#include <nlohmann/json.hpp>
 #include <optional>
-#include <set>
-#include <string>
-#include <vector>
 
-#include "comparison/accuracy/compared_quantities.h"
-#include "comparison/accuracy/prepared_case.h"
 #include "comparison/support/log_slope.h"
 #include "comparison/verification/trade/trade_levels.h"
-#include "comparison/verification/trade/trade_plan.h"
 
 namespace fretval {
 
-/// One setting of the condensed finite elements, computed alone with a body of its own.
-struct TradePoint {
-  Resolution resolution;
-  std::set<std::string> sweeps;  ///< see TradePlan::settings
-  Quantities errors = {};        ///< against the closed form; empty: it failed
-  double seconds = 0;            ///< of the body and the histories
-  long n_normal_steps = 0, n_friction_steps = 0;
-  std::optional<double> memory_bytes = {};  ///< measured peak growth of the process, see ResidentGrowth
-  nlohmann::ordered_json cost = {};         ///< see cost_json
-  std::string failure = {};
+/// Indices of the condensed levels for which no other one has both a smaller error and fewer seconds, by rising seconds
+/// and falling error. Of levels with the same error the fastest counts, of equally fast ones the most accurate, of
+/// equal ones the first; errors within 1e-6 of each other are the same. Failed levels never count.
+std::vector<std::size_t> front_of(const std::vector<TradeLevel>& levels);
 
-  [[nodiscard]] double error() const { return largest_of(errors); }
-};
+/// Index of the fastest condensed level that meets a tolerance; empty: none does.
+std::optional<std::size_t> cheapest(const std::vector<TradeLevel>& levels, double tolerance);
 
-/// Observed rate over one axis: error ~ value^slope, over the errors above the floor (see observed_rate). Empty: fewer
-/// than two of them.
-struct AxisRate {
-  const char* axis;
-  std::map<Quantity, std::optional<LogSlope>> slope;  ///< by quantity
-  std::optional<LogSlope> largest_error;              ///< slope of the largest error
-};
+/// Whether errors are within a tolerance: T on the stick radii (and on the evidence of a limiting profile), T/10 on
+/// contact radius and normal force, as in a verdict.
+bool meets(const Quantities& errors, double tolerance);
 
-/// The recommended setting for a tolerance and the tool's own choice.
-struct Recommendation {
-  double tolerance;
-  std::optional<std::size_t> cheapest;  ///< index of a point; empty: no setting of the plan is good enough
-  std::size_t chosen;
-  bool chosen_meets;
-};
+/// Slope of the errors of an axis over its values, both coarsest first: over the errors before the first one within
+/// three times the smallest. What other settings leave is in all of them, and says nothing about the order.
+std::optional<LogSlope> observed_rate(std::vector<double> values, std::vector<double> errors);
 
-/// What a trade comes to.
-struct Trade {
-  ClosedForm closed_form;
-  std::vector<SpringLevel> springs = {};  ///< of an unworn indenter under a locked phase
-  std::vector<TradePoint> points = {};
-  std::vector<FullLevel> full = {};
-  std::vector<std::size_t> front = {};  ///< indices of points, by rising seconds
-  std::vector<AxisRate> rates = {};
-  std::vector<Recommendation> recommendations = {};
-};
-
-/// Points of an axis, coarsest first; failed ones are left out.
-std::vector<std::size_t> members_of(const std::vector<TradePoint>& points, const TradeAxis& axis);
-
-/// Computes a plan. Failures of the numerics at a setting are part of the answer. Needs a PetscSession. Throws
-/// std::runtime_error where the closed form fails.
-Trade compute_trade(const PreparedCase& prepared, const TradePlan& plan);
-
-/// The whole of trade.json: every point with its settings, errors, seconds and memory; the front, the rates and the
-/// recommended settings refer to `points` by index. SI units; absent values are null.
-nlohmann::ordered_json trade_json(const PreparedCase& prepared, const TradePlan& plan, const Trade& trade);
+/// The whole of trade.json, see docs/results.md. SI units; absent values are null.
+nlohmann::ordered_json trade_json(const PreparedCase& prepared, const TradePlan& plan,
+                                  const std::vector<TradeLevel>& levels);
 
 }  // namespace fretval

@@ -1,24 +1,39 @@
 #include "comparison/verification/trade/trade_levels.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "comparison/reference/mdr_document.h"
 #include "comparison/simulation/body.h"
-#include "comparison/support/resident_memory.h"
+#include "comparison/simulation/compute_case.h"
+#include "comparison/simulation/resolution_json.h"
+#include "comparison/support/log.h"
 #include "comparison/support/stopwatch.h"
 #include "fem/full_model/full_history.h"
 #include "fem/history/static_contact.h"
-#include "fem/support/solver_error.h"
-#include "mdr/stick/stick_radius.h"
-#include "meshes/mesh_error.h"
 
 namespace fretval {
 namespace {
 
+using nlohmann::ordered_json;
+
 constexpr double closed_form_seconds = 0.5;
 constexpr double right_angle = 3.14159265358979323846 / 2;
 constexpr int n_full_cycles = 2;
+
+template <class Compute>
+TradeLevel attempted(TradeLevel level, const Compute& compute) {
+  try {
+    compute(level);
+  } catch (const std::runtime_error& error) {
+    level.failure = error.what();
+    log::warn(fmt::format("a setting failed: {}", level.failure));
+  }
+  return level;
+}
 
 Quantities quantities_of(const mdr::SpringHistory& history, const PreparedCase& prepared) {
   const auto& units = prepared.fem.units;
@@ -31,75 +46,84 @@ Quantities quantities_of(const mdr::SpringHistory& history, const PreparedCase& 
           {Quantity::stick_radius_shakedown, radius(history.depths.shakedown)}};
 }
 
-void measure(const PreparedCase& prepared, FullLevel& level) {
-  FemCase fem = at_resolution(prepared.fem, level.resolution);
+TradeLevel spring_level(const PreparedCase& prepared, const Quantities& reference, const SpringSetting& setting) {
+  return attempted({"springs", {{"springs", setting.n_springs}, {"steps_per_cycle", setting.steps_per_cycle}}},
+                   [&](TradeLevel& level) {
+                     Stopwatch watch;
+                     const auto answer = spring_answer(prepared.input, setting);
+                     level.seconds = watch.lap();
+                     level.errors = errors_of(quantities_of(answer.history, prepared), reference);
+                   });
+}
+
+FeAnswer computed_alone(const PreparedCase& prepared, const Resolution& resolution) {
+  BodyStore its_own;
+  return compute_case(prepared.fem, resolution, its_own);
+}
+
+/// Seconds of the body and of as many steps as the condensed elements took. An unlocked phase is a right angle here:
+/// the cost of a step does not depend on it.
+double seconds_of_full_model(const PreparedCase& prepared, const Resolution& resolution, const FeAnswer& condensed) {
+  FemCase fem = at_resolution(prepared.fem, resolution);
   fem.motion.n_ramp_cycles = 1;
   if (!fem.motion.phase) fem.motion.phase = right_angle;
-  const int steps = fem.resolution.steps_per_cycle;
-  const ResidentGrowth growth;
+  const int steps = resolution.steps_per_cycle;
   const auto body = make_body(fem.body);
-  level.n_dofs = body.n_dofs();
-  level.body_seconds = body.cost.total();
   const Eigen::VectorXd profile = fem::ring_means(body.normal.contact.compliance, fem.profile);
   Stopwatch watch;
   const auto normal =
       fem::full_normal_history(body.normal.space, fem.relaxation, profile, fem.motion, steps, n_full_cycles);
-  level.seconds_per_normal_step = watch.lap() / (n_full_cycles * steps);
-  if (body.tangential) {
-    fem::full_friction_history(body.tangential->space, fem.relaxation, fem.friction_coefficient, fem.motion,
-                               normal.pressure, steps, n_full_cycles);
-    level.seconds_per_friction_step = watch.lap() / (n_full_cycles * steps);
+  double seconds = body.cost.total() + watch.lap() / n_full_cycles * condensed.normal.n_cycles;
+  if (!body.tangential) return seconds;
+  fem::full_friction_history(body.tangential->space, fem.relaxation, fem.friction_coefficient, fem.motion,
+                             normal.pressure, steps, n_full_cycles);
+  return seconds + watch.lap() / (n_full_cycles * steps) * static_cast<double>(condensed.n_steps);
+}
+
+TradeLevel full_level(const PreparedCase& prepared, const Quantities& reference, const Resolution& resolution) {
+  return attempted({"all dofs", resolution_json(resolution)}, [&](TradeLevel& level) {
+    const auto condensed = computed_alone(prepared, resolution);
+    level.seconds = seconds_of_full_model(prepared, resolution, condensed);
+    level.errors = errors_of(quantities_of(condensed, prepared.fem.units), reference);
+  });
+}
+
+/// With its periodic normal response.
+TradeLevel closed_form_level(const PreparedCase& prepared, const Quantities& reference) {
+  TradeLevel level{"closed form", ordered_json::object(), {}, errors_of(reference, reference)};
+  level.seconds = std::numeric_limits<double>::infinity();
+  Stopwatch watch;
+  for (double spent = 0; spent < closed_form_seconds;) {
+    mdr_answer(prepared.mdr, mdr_normal_response(prepared.mdr));
+    const double lap = watch.lap();
+    level.seconds = std::min(level.seconds, lap);
+    spent += lap;
   }
-  level.memory_bytes = growth.peak_bytes();
+  return level;
 }
 
 }  // namespace
 
-ClosedForm closed_form(const PreparedCase& prepared) {
-  const double never = std::numeric_limits<double>::infinity();
-  const auto& mdr_case = prepared.mdr;
-  ClosedForm result{{}, never, never};
-  Stopwatch watch;
-  for (double seconds = 0; seconds < closed_form_seconds;) {
-    result.answer = mdr_answer(mdr_case, mdr_normal_response(mdr_case));
-    const double lap = watch.lap();
-    mdr::stick_radii(mdr_case.profile, mdr_case.body, mdr_case.friction_coefficient, mdr_case.motion);
-    result.stick_radii_seconds = std::min(result.stick_radii_seconds, watch.lap());
-    result.seconds = std::min(result.seconds, lap);
-    seconds += lap;
-  }
-  return result;
-}
-
-std::vector<SpringLevel> spring_levels(const PreparedCase& prepared, const Quantities& reference) {
-  if (prepared.mdr.limiting || !prepared.input.motion.phase) return {};
-  std::vector<SpringLevel> levels;
-  for (const auto& setting : {SpringSetting{50, 45, 5, 1e-4}, SpringSetting{100, 90, 10, 1e-5},
-                              SpringSetting{200, 180, 20, 1e-6}, SpringSetting{400, 360, 20, 1e-7}}) {
-    SpringLevel level{setting, {}};
-    try {
-      Stopwatch watch;
-      const auto answer = spring_answer(prepared.input, setting);
-      level.seconds = watch.lap();
-      level.errors = errors_of(quantities_of(answer.history, prepared), reference);
-    } catch (const std::runtime_error& error) {
-      level.failure = error.what();
-    }
-    levels.push_back(std::move(level));
-  }
+std::vector<TradeLevel> computed_levels(const PreparedCase& prepared, const TradePlan& plan) {
+  const auto exact = mdr_answer(prepared.mdr, mdr_normal_response(prepared.mdr));
+  const auto reference = quantities_of(exact, prepared.fem.units, prepared.fem.worn_edge.has_value());
+  // The first body of a process also pays for what its libraries load and allocate once and for all.
+  make_body(at_resolution(prepared.fem, plan.settings.begin()->first).body);
+  std::vector<TradeLevel> levels;
+  for (const auto& [resolution, axes] : plan.settings)
+    levels.push_back(
+        attempted({"condensed", resolution_json(resolution), axes}, [&, &r = resolution](TradeLevel& level) {
+          const auto answer = computed_alone(prepared, r);
+          level.seconds = answer.seconds_alone();
+          level.errors = errors_of(quantities_of(answer, prepared.fem.units), reference);
+        }));
+  for (const auto& resolution : plan.full) levels.push_back(full_level(prepared, reference, resolution));
+  if (!prepared.mdr.limiting && prepared.input.motion.phase)
+    for (const auto& setting : {SpringSetting{50, 45, 5, 1e-4}, SpringSetting{100, 90, 10, 1e-5},
+                                SpringSetting{200, 180, 20, 1e-6}, SpringSetting{400, 360, 20, 1e-7}})
+      levels.push_back(spring_level(prepared, reference, setting));
+  levels.push_back(closed_form_level(prepared, reference));
   return levels;
-}
-
-FullLevel full_level(const PreparedCase& prepared, const Resolution& resolution) {
-  FullLevel level{resolution};
-  try {
-    measure(prepared, level);
-  } catch (const fem::SolverError& error) {
-    level.failure = error.what();
-  } catch (const meshes::MeshError& error) {
-    level.failure = error.what();
-  }
-  return level;
 }
 
 }  // namespace fretval

@@ -249,7 +249,7 @@ TEST(CommandLine, ChecksRandomCasesAndWritesTheWorst) {
   EXPECT_EQ(run.exit_code, 0) << run.out << run.err;
   EXPECT_NE(run.out.find("pass: 2 cases: "), std::string::npos) << run.out;
   EXPECT_NE(text_of(junit).find("failures=\"0\""), std::string::npos);
-  EXPECT_EQ(nlohmann::json::parse(text_of(json)).at("checks").at(0).at("finding"), "too few cases to judge");
+  EXPECT_EQ(nlohmann::json::parse(text_of(json)).at("rows").size(), 2U);
   EXPECT_EQ(n_files(worst), 2U);
   for (const auto& file : fs::directory_iterator(worst))
     EXPECT_EQ(fretval_run("mdr " + file.path().string(), folder).exit_code, 0) << file.path();

@@ -68,8 +68,9 @@ TEST(Figures, MarkWhereTheWearEnds) {
   const auto figures = limiting_profile_figures({result});
   ASSERT_EQ(figures.size(), 1U);
   const auto& plot = figures[0].plot;
-  EXPECT_EQ(plot.x_marks, (std::vector<std::pair<double, double>>{{1.5, 1.5}}));
-  ASSERT_EQ(plot.series.size(), 2U);
+  EXPECT_EQ(plot.series.back().x, std::vector<double>{1.5});
+  EXPECT_EQ(plot.series.back().y, std::vector<double>{1.5});
+  ASSERT_EQ(plot.series.size(), 3U);
   EXPECT_EQ(plot.series[0].x, (std::vector<double>{0, 1, 2}));
   EXPECT_EQ(plot.series[1].y, (std::vector<double>{0.5, 1.5})) << "up to there";
 }

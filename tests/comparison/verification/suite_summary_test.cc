@@ -14,22 +14,19 @@ TEST(QuantitySummary, IsByQuantityAndTolerance) {
   const auto all = quantity_summaries({row_of(1e-3, 2e-3), row_of(-4e-3, 2e-3), row_of(2e-3, infinity),
                                        row_of(not_a_number, 3e-2), row_of(0, 2e-3), other});
   ASSERT_EQ(all.size(), 3U);
-  const auto &force = all[0], &strict = all[1], &usual = all[2];
-  EXPECT_EQ(force.quantity, Quantity::normal_force_max);
-  EXPECT_EQ(force.error.median, 0);
-  EXPECT_FALSE(force.effectivity.median) << "of an error that is zero";
-  EXPECT_EQ(strict.tolerance, 1e-4);
-  EXPECT_EQ(strict.n_wide, 1U);
+  const auto& force = all.at({Quantity::normal_force_max, 1e-3});
+  EXPECT_EQ(force.errors, std::vector<double>{0});
+  EXPECT_TRUE(force.effectivities.empty()) << "of an error that is zero";
+  EXPECT_EQ(all.at({Quantity::stick_radius_shakedown, 1e-4}).n_wide, 1U);
+  const auto& usual = all.at({Quantity::stick_radius_shakedown, 1e-2});
   EXPECT_EQ(usual.n, 5U);
   EXPECT_EQ(usual.n_above, 2U);
   EXPECT_EQ(usual.n_wide, 2U);
-  EXPECT_EQ(usual.n_unbounded, 1U);
-  EXPECT_NEAR(usual.error.low.value(), 0, 1e-15);
-  EXPECT_NEAR(usual.error.median.value(), 1e-3, 1e-15);
-  EXPECT_NEAR(usual.error.high.value(), 4e-3, 1e-15);
-  EXPECT_EQ(usual.bar.high, 2e-3);
-  EXPECT_NEAR(usual.effectivity.low.value(), 0.5, 1e-12);
-  EXPECT_NEAR(usual.effectivity.high.value(), 2, 1e-12);
+  EXPECT_EQ(usual.errors.size(), 4U);
+  EXPECT_EQ(usual.bars, (std::vector<double>{2e-3, 2e-3, 2e-3}));
+  ASSERT_EQ(usual.effectivities.size(), 2U);
+  EXPECT_NEAR(usual.effectivities[0], 2, 1e-12);
+  EXPECT_NEAR(usual.effectivities[1], 0.5, 1e-12);
 }
 
 TEST(ShownRows, AreAllOfASmallSuite) {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "comparison/verification/extremes/extreme_rows.h"
+#include "comparison/verification/extremes/extreme_cases.h"
 #include "tests/comparison/computed_case.h"
 #include "tests/comparison/expect_parts.h"
 #include "tests/comparison/refusal.h"

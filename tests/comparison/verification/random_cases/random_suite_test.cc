@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include "comparison/verification/suite_summary.h"
+#include <nlohmann/json.hpp>
+
+#include "comparison/verification/suite_json.h"
 #include "tests/comparison/suite_rows.h"
 
 namespace fretval {
@@ -16,15 +18,13 @@ TEST(RandomSuiteSlow, RunsEveryCaseWithinItsBars) {
   const auto run = run_random_suite({1, 40});
   EXPECT_TRUE(run.passes()) << remarks_of(run);
   ASSERT_EQ(run.rows.size(), 40U);
-  EXPECT_GT(count_errors(run.rows).n, 150U);
+  EXPECT_GT(suite_json(run)["summary"]["errors"].get<int>(), 150);
   long n_computations = 0;
   for (const auto& row : run.rows) {
     EXPECT_EQ(row.n_refinements, 0);
     n_computations += row.n_computations;
   }
   EXPECT_GT(n_computations, 300);
-  ASSERT_EQ(run.checks.size(), 2U);
-  EXPECT_EQ(run.checks[0].finding, "too few cases to judge");
 }
 
 // Cases of which an error was above its bar, by what their bars missed: a flat face that sticks as a whole by a depth

@@ -1,0 +1,41 @@
+#include "comparison/verification/trade/trade_levels.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/comparison/read_case.h"
+
+namespace fretval {
+namespace {
+
+/// Rings alone, and a body with every degree of freedom.
+TEST(TradeLevelsSlow, ErrorsFallWithRingsAndTheFullModelIsSlower) {
+  const auto prepared = prepared_case();
+  const auto plan = trade_plan(prepared.fem, {{8, 12, 16}, {2}, {2}, {0.3}, {12}, {48}, {8}, {1e-2}});
+  std::map<std::string, std::vector<TradeLevel>> levels;
+  std::map<double, double> errors;  // over rings
+  for (const auto& level : computed_levels(prepared, plan)) {
+    EXPECT_EQ(level.failure, "");
+    EXPECT_GT(level.seconds, 0);
+    levels[level.kind].push_back(level);
+    if (level.axes.count("rings") > 0) errors[level.axes.at("rings")] = level.error();
+  }
+  EXPECT_LT(errors.at(12), errors.at(8));
+  EXPECT_LT(errors.at(16), errors.at(12));
+  EXPECT_LT(errors.at(8), 1e-2);
+  // 3.8 times between 8 and 16 rings, 2.5e-4 to 6.6e-5 with elements of degree 2.
+  EXPECT_LT(errors.at(16), errors.at(8) / 3);
+  ASSERT_EQ(levels["condensed"].size(), plan.settings.size());
+  EXPECT_EQ(levels["condensed"].front().errors.size(), 4U);
+  ASSERT_EQ(levels["all dofs"].size(), 1U);
+  const auto& full = levels["all dofs"].front();
+  for (const auto& level : levels["condensed"])
+    if (level.setting == full.setting) {
+      EXPECT_GT(full.seconds, level.seconds);
+    }
+  ASSERT_EQ(levels["springs"].size(), 4U);
+  EXPECT_LT(levels["springs"].back().errors.at(Quantity::stick_radius_shakedown), 1e-3);
+  EXPECT_EQ(levels["closed form"].at(0).error(), 0);
+}
+
+}  // namespace
+}  // namespace fretval
