@@ -3,7 +3,8 @@
 namespace fretval {
 namespace {
 
-TEST(IndentationRows, FailForAnotherModulusOrIndenter) {
+TEST(IndentationRows, PassAndFailForAnotherModulusOrIndenter) {
+  EXPECT_EQ(names_of(indentation_rows(goal_mesh(), {}), true), NamesOfRows{});
   expect_to_guard(indentation_rows, {{1.01}, {1, 0.4, 1.001}});
 }
 

@@ -1,0 +1,50 @@
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "tests/comparison/run_fretval.h"
+
+namespace fretval {
+namespace {
+
+namespace fs = std::filesystem;
+
+TEST(Commands, RefusesAMissingFile) {
+  const ScratchFolder folder;
+  EXPECT_EQ(fretval_run("run nowhere.prm", folder).exit_code, 2);
+  EXPECT_EQ(fretval_run("mdr nowhere.prm", folder).exit_code, 2);
+  EXPECT_EQ(fretval_run("report nowhere", folder).exit_code, 2);
+  EXPECT_EQ(fretval_run("check --meshes nowhere", folder).exit_code, 2);
+  const auto run = fretval_run("check --suite nothing", folder);
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_NE(run.err.find("expected small, exact, tolerance, extremes or random"), std::string::npos) << run.err;
+  EXPECT_EQ(fretval_run("check --suite extremes --family nothing", folder).exit_code, 2);
+  EXPECT_EQ(fretval_run("dance", folder).exit_code, 2);
+}
+
+TEST(Commands, SaysWhenGnuplotCannotDraw) {
+  const ScratchFolder folder;
+  fs::copy(fs::path(FRETVAL_SOURCE_DIR) / "tests/fuzz/seeds/result_json/phase.json", folder.path() / "result.json");
+  const auto run =
+      shell_run("PATH=/nowhere " + std::string(FRETVAL_PROGRAM) + " report " + folder.path().string(), folder);
+  EXPECT_EQ(run.exit_code, 4) << run.err;
+  EXPECT_NE(run.err.find("gnuplot could not draw"), std::string::npos) << run.err;
+  EXPECT_FALSE(fs::exists(folder.path() / "index.html"));
+}
+
+TEST(Commands, WritesAMeshInMetres) {
+  const ScratchFolder folder;
+  const auto file = folder.write("case.prm", valid_case);
+  const auto mesh = folder.path() / "mesh.msh";
+  ASSERT_EQ(fretval_run("mesh " + file.string() + " -o " + mesh.string(), folder).exit_code, 0);
+  EXPECT_NE(text_of(mesh).find("\"contact\""), std::string::npos);
+  const auto sweep = folder.write(
+      "sweep.prm", valid_case + "subsection Sweep\n  set Entry = Motion / Phase\n  set Values = 0:90:180\nend\n");
+  const auto run = fretval_run("mesh " + sweep.string() + " -o " + (folder.path() / "no.msh").string(), folder);
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_NE(run.err.find("a sweep has many meshes"), std::string::npos) << run.err;
+  EXPECT_FALSE(fs::exists(folder.path() / "no.msh"));
+}
+
+}  // namespace
+}  // namespace fretval

@@ -1,0 +1,111 @@
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "tests/comparison/run_fretval.h"
+
+namespace fretval {
+namespace {
+
+namespace fs = std::filesystem;
+
+// The reference goes further than the finite elements: what they cannot do is refused before anything is written.
+TEST(RunCommand, RefusesWhatOnlyTheReferenceAnswers) {
+  const ScratchFolder folder;
+  const auto file =
+      folder.write("case.prm", replace(valid_case, "Tangential frequency = 1", "Tangential frequency = 2"));
+  EXPECT_EQ(fretval_run("mdr " + file.string(), folder).exit_code, 0);
+  const auto run = fretval_run("run " + file.string() + " -o " + (folder.path() / "out").string(), folder);
+  EXPECT_EQ(run.exit_code, 2);
+  for (const char* part : {"case.prm", "Tangential frequency = 2 Hz", "free", "fretval mdr"})
+    EXPECT_NE(run.err.find(part), std::string::npos) << run.err;
+  EXPECT_FALSE(fs::exists(folder.path() / "out"));
+}
+
+TEST(RunCommand, WritesEveryResultAndTheReport) {
+  const ScratchFolder folder;
+  const auto file = folder.write("case.prm", valid_case);
+  const auto run = fretval_run("run " + file.string() + " -o " + (folder.path() / "out").string(), folder);
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const fs::path out = folder.path() / "out";
+  for (const char* name : {"result.json", "run.json", "history.csv", "contact.csv", "profile.csv", "normal_deepest.vtu",
+                           "normal_highest.vtu", "tangential_period_end.vtu"})
+    EXPECT_GT(fs::file_size(out / "case" / name), 100U) << name;
+  const auto json = nlohmann::json::parse(text_of(out / "case" / "result.json"));
+  for (const char* key : {"name", "pass", "mdr", "fe", "comparison", "cost"}) EXPECT_TRUE(json.contains(key)) << key;
+  for (const char* key : {"contact_radius_max", "stick_radius_first_slip", "stick_radius_shakedown", "worn_radius",
+                          "normal_force_max", "error_estimate"})
+    EXPECT_TRUE(json.at("fe").contains(key)) << key;
+  for (const char* key : {"seconds", "dofs", "contact_nodes", "time_steps", "cycles", "peak_memory_bytes"})
+    EXPECT_TRUE(json.at("cost").contains(key)) << key;
+  EXPECT_EQ(json.at("pass"), true);
+  EXPECT_NE(text_of(out / "index.html").find("Which stick radius do finite elements follow?"), std::string::npos);
+  for (const auto& entry : fs::recursive_directory_iterator(out)) EXPECT_NE(entry.path().extension(), ".partial");
+}
+
+// The indenter that wear ends at: nothing slips inside c, and nothing is carried outside.
+TEST(RunCommand, HoldsALimitingProfileToNoWear) {
+  const ScratchFolder folder;
+  const auto file = folder.write("case.prm", replace(valid_case, "1.5e-5", "shakedown") +
+                                                 "subsection Wear\n  set State = limiting\nend\n"
+                                                 "subsection Sweep\n  set Entry = Wear / Stick radius ratio\n"
+                                                 "  set Values = 0.5\nend\n");
+  const auto out = folder.path() / "out";
+  const auto run = fretval_run("run " + file.string() + " --proof none -o " + out.string(), folder);
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  int n_results = 0;
+  for (const auto& entry : fs::recursive_directory_iterator(out)) {
+    if (entry.path().filename() != "result.json") continue;
+    ++n_results;
+    const auto json = nlohmann::json::parse(text_of(entry.path()));
+    EXPECT_EQ(json.at("scene").at("wear"), "limiting");
+    for (const char* key : {"slip_inside_stick_zone", "force_outside_stick_zone", "maximum_indentation"}) {
+      EXPECT_EQ(json.at("comparison").at(key).at("pass"), true) << key;
+      EXPECT_LT(std::abs(json.at("comparison").at(key).at("difference").get<double>()), 0.01) << key;
+    }
+  }
+  EXPECT_EQ(n_results, 1);
+  EXPECT_NE(text_of(out / "index.html").find("The state in which nothing wears any more"), std::string::npos);
+}
+
+// Every shape in the same scene, with finite elements as coarse as they get.
+TEST(RunCommand, ComparesEveryShape) {
+  const std::map<std::string, std::string> shapes{{"cone", "Slope angle = 4"},
+                                                  {"power", "Coefficient = 1e5\n  set Exponent = 3"},
+                                                  {"rounded flat", "Flat radius = 3e-4\n  set Edge radius = 5e-3"},
+                                                  {"truncated sphere", "Flat radius = 3e-4\n  set Radius = 1e-2"},
+                                                  {"table", "Table = parabola.csv"}};
+  const ScratchFolder folder;
+  folder.write("parabola.csv", "r,f\nmm,nm\n0,0\n0.5,12500\n1,50000\n1.5,112500\n2,200000\n");
+  std::string files;
+  for (const auto& [shape, entries] : shapes) {
+    auto text = replace(valid_case, "parabola\n  set Radius = 1e-2", fmt::format("{}\n  set {}", shape, entries));
+    text = replace(text, "Tolerance = 0.01", "Tolerance = 0.1") + "subsection Output\n  set Fields = none\nend\n";
+    files += " " + quoted(folder.write(shape + ".prm", text));
+  }
+  const auto run = fretval_run("run" + files + " -o " + (folder.path() / "out").string(), folder);
+  ASSERT_EQ(run.exit_code, 0) << run.out << run.err;
+  for (const auto& [shape, entries] : shapes) {
+    const auto json = nlohmann::json::parse(text_of(folder.path() / "out" / shape / "result.json"));
+    EXPECT_EQ(json.at("scene").at("shape"), shape);
+    EXPECT_EQ(json.at("pass"), true) << shape;
+  }
+}
+
+TEST(RunCommand, RefusesBadCasesAndWritesNothing) {
+  const ScratchFolder folder;
+  const auto good = folder.write("good.prm", valid_case);
+  const auto bad = folder.write("bad.prm", replace(valid_case, "modulus = 1e6", "modulus = -1"));
+  const auto run =
+      fretval_run("run " + good.string() + " " + bad.string() + " -o " + (folder.path() / "out").string(), folder);
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_NE(run.err.find("bad.prm: Elastomer / Relaxed shear modulus = -1"), std::string::npos) << run.err;
+  EXPECT_FALSE(fs::exists(folder.path() / "out"));
+}
+
+}  // namespace
+}  // namespace fretval
