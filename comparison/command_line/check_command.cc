@@ -42,10 +42,8 @@ Outcome outcome_of(const SuiteRun& run) {
 
 Outcome check_exact() {
   const auto rows = exact_rows();
-  const bool all =
-      std::all_of(rows.begin(), rows.end(), [](const ConvergenceRow& row) { return failure_of(row).empty(); });
   auto json = convergence_json(rows);
-  return {convergence_text(json), convergence_junit(rows), std::move(json), all ? exit_agree : exit_disagree};
+  return {convergence_text(json), convergence_junit(rows), std::move(json), exit_code_of(rows)};
 }
 
 void write_case_file(const fs::path& folder, const SuiteCase& one) {
@@ -143,6 +141,11 @@ int exit_code_of(const SuiteRun& run) {
     return !row.failure.empty() || (row.asked.refusal.empty() && !row.refusal.empty());
   };
   return std::any_of(run.rows.begin(), run.rows.end(), has_no_answer) ? exit_numerics_failed : exit_disagree;
+}
+
+int exit_code_of(const std::vector<ConvergenceRow>& rows) {
+  const auto passes = [](const ConvergenceRow& row) { return failure_of(row).empty(); };
+  return std::all_of(rows.begin(), rows.end(), passes) ? exit_agree : exit_disagree;
 }
 
 }  // namespace fretval

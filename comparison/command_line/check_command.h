@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "comparison/verification/exact/convergence_rows.h"
 #include "comparison/verification/suite.h"
 
 namespace CLI {
@@ -38,5 +39,8 @@ int run_check(const CheckOptions& options);
 
 /// 3 if a case came to no answer although it should, 1 if anything else fails.
 int exit_code_of(const SuiteRun& run);
+
+/// Of the suite exact: 1 if any row fails.
+int exit_code_of(const std::vector<ConvergenceRow>& rows);
 
 }  // namespace fretval
