@@ -41,6 +41,15 @@ TEST(GradedNodes, HaveTheEdgeAndTheEndsExactly) {
   }
 }
 
+// Ten tenths are a little less than one: no reason for an eleventh.
+TEST(GradedNodes, AreNoneMoreThanFit) {
+  for (const FineBlock block : {FineBlock{0, 0, 0.1}, FineBlock{1, 1, 0.1}, FineBlock{0, 1, 0.1}}) {
+    const auto nodes = graded_nodes(block, 1, 0.1, 0);
+    ASSERT_EQ(nodes.size(), 11U);
+    for (std::size_t i = 0; i < nodes.size(); ++i) EXPECT_NEAR(nodes[i], 0.1 * static_cast<double>(i), 1e-15);
+  }
+}
+
 // The common factor that makes a whole number of elements fit is above 1 - (largest size)/(length of the side).
 TEST(GradedNodes, GrowFromTheFineToTheCoarseSize) {
   const double edge = 0.5;

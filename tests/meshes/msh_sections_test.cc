@@ -94,6 +94,7 @@ TEST_F(MshSectionsTest, OfVersion41TakeGroupsFromEntitiesOfTheirDimension) {
 
 TEST_F(MshSectionsTest, OfVersion41MustHoldWhatTheyAnnounce) {
   expect_unreadable(replaced(square_41, "2 4 10 40", "2 5 10 40"), {"number of nodes is 4", "5 as announced"});
+  expect_unreadable(replaced(square_41, "2 4 10 40", "2 3 10 40"), {"number of nodes is 4", "3 as announced"});
   expect_unreadable(replaced(square_41, "3 3 1 3", "3 2 1 3"), {"number of elements is 3", "2 as announced"});
   expect_unreadable(replaced(square_41, "1 0 1 -7 2 1 -1", "1 0 2 7 9 2 1 -1"),
                     {"physical groups of entity 1 of dimension 1 is 2", "0 or 1"});

@@ -172,6 +172,17 @@ TEST(QuarterDisc, RefusesBadInput) {
   expect_error([] { quarter_disc({{0., 1.}, 25., 0.}); }, {"growth is 0", "between 0.02 and 1"});
 }
 
+TEST(QuarterDisc, TakesTheFinestGrowth) {
+  const QuarterDisc disc{uniform_nodes(1., 4), 4., 0.02};
+  expect_good(quarter_disc(disc), disc, 0.3);
+}
+
+// An odd number of elements: the last edge of the coarse mesh ends half-way to the arc.
+TEST(QuarterDisc, MayEndHardlyBeyondItsContactLine) {
+  const QuarterDisc disc{uniform_nodes(1., 15), 1.05, 0.3};
+  expect_good(quarter_disc(disc), disc, 0.3);
+}
+
 // Elements of 1e-13 are beyond the tolerances of gmsh. Whatever happens, the next mesh must not suffer.
 TEST(QuarterDisc, RecoversFromAFailureOfGmsh) {
   const QuarterDisc impossible{{0., 0.5, 0.5 + 1e-13, 0.5 + 2e-13, 0.5 + 3e-13, 0.6, 1.}, 25.};

@@ -17,6 +17,16 @@ TEST(Smooth, MovesAnInnerNodeToTheMeanOfItsNeighbours) {
   EXPECT_DOUBLE_EQ(mesh.nodes[4][1], -1.);
 }
 
+// Those across a cell do not count.
+TEST(Smooth, KnowsNeighboursByTheirEdges) {
+  Mesh mesh = block();
+  mesh.nodes[8] = {2.5, 0.5};
+  mesh.nodes[4] = {1.9, -1.9};
+  smooth(mesh);
+  EXPECT_DOUBLE_EQ(mesh.nodes[4][0], 1.);
+  EXPECT_DOUBLE_EQ(mesh.nodes[4][1], -1.);
+}
+
 TEST(Smooth, LeavesGoodCellsAlone) {
   Mesh mesh = block();
   mesh.nodes[4] = {1.5, -1.};

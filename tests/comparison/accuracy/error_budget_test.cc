@@ -104,6 +104,24 @@ TEST(ErrorBudget, MeasuresWhatIsThere) {
   }
 }
 
+// One order less changes the value by d. Errors go with h to the order: that of degree p is d^(p/(p-1)), three times
+// for safety; quadratic elements are compared with cubic ones instead, and have the error d itself.
+TEST(ErrorBudget, KnowsTheElementOrderFromTheOneBelow) {
+  constexpr double d = 1e-4;
+  const std::map<unsigned, double> shares{{2, 1.25e-4}, {3, 3e-6}, {4, 3 * std::cbrt(1e-16)}};
+  for (const auto& [degree, wanted] : shares) {
+    auto resolution = some_resolution();
+    resolution.degree = degree;
+    const auto known =
+        all_known(resolution, {}, [p = degree](const Resolution& r) { return r.degree == p ? 0.5 : 0.5 + d; });
+    const auto budget = error_budget(resolution, known, {});
+    for (const auto& share : budget.at(Quantity::stick_radius_shakedown).shares) {
+      const bool order = share.source == ErrorSource::element_order;
+      EXPECT_NEAR(share.estimate, order ? wanted : 0, 1e-12) << degree << name_of(share.source);
+    }
+  }
+}
+
 TEST(ErrorBudget, TakesGradedRingsForSecondOrder) {
   // First-slip radius of a worn power law in a viscoelastic body at 32, 16 and 8 rings (random case 1048): order 4.4
   // from one to the next, but 2 from there on (2.0e-4, 4.3e-5, 9.9e-6 at 32, 64, 128 rings).

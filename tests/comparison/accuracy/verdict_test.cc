@@ -53,6 +53,28 @@ TEST(Comparison, HoldsRadiusAndForceToATenth) {
   EXPECT_FALSE(passes(compare(mdr_with(0.5 * a), fe, a, tolerances_of(1e-3))));
 }
 
+// Finite elements less MDR: radii over a, contact radius and force relatively, slip and force outside c as they are.
+TEST(Comparison, HasEveryDifferenceWithItsSignAndTolerance) {
+  FeAnswer fe = fe_with(0.5 * a);
+  fe.stick_radius_shakedown = 0.25 * a;
+  fe.contact_radius_max = 1.25 * a;
+  fe.normal_force_max = 1;
+  fe.no_wear = NoWearEvidence{0.125, 0.0625, 0.75};
+  MdrAnswer mdr = mdr_with(a);
+  mdr.stick_radius_first_slip = 0.375 * a;
+  const std::map<Quantity, std::pair<double, double>> wanted{
+      {Quantity::contact_radius_max, {0.25, 1e-4}},        {Quantity::normal_force_max, {-0.5, 1e-4}},
+      {Quantity::stick_radius_first_slip, {0.0625, 1e-3}}, {Quantity::stick_radius_shakedown, {-0.375, 1e-3}},
+      {Quantity::slip_inside_stick_zone, {0.125, 1e-3}},   {Quantity::force_outside_stick_zone, {0.0625, 1e-3}},
+      {Quantity::maximum_indentation, {-0.25, 1e-3}}};
+  const auto found = compare(mdr, fe, 2 * a, tolerances_of(1e-3));
+  ASSERT_EQ(found.size(), wanted.size());
+  for (const auto& [quantity, one] : wanted) {
+    EXPECT_NEAR(found.at(quantity).difference.value(), one.first, 1e-12) << name_of(quantity);
+    EXPECT_NEAR(found.at(quantity).tolerance, one.second, 1e-15) << name_of(quantity);
+  }
+}
+
 TEST(Comparison, FailsOnNotANumber) {
   EXPECT_FALSE(agree(0.5 * a, std::nan("")));
 }

@@ -43,6 +43,8 @@ TEST(CaseEntries, OfALimitingProfileAreAStickRadiusAndNoWear) {
   EXPECT_EQ(input.wear, Case::Wear::limiting);
   EXPECT_EQ(input.worn_stick_ratio, 0.5);
   EXPECT_FALSE(input.wear_kinetics);
+  for (const double ratio : {0.01, 0.99})
+    EXPECT_EQ(read_case(case_with("Wear", limiting + std::to_string(ratio))).worn_stick_ratio, ratio);
   for (const char* ratio : {"0.009", "0.991", "1"})
     expect_parts(refusal_of("Wear", limiting + ratio), {"Stick radius ratio = ", "0.01 to 0.99"});
   expect_parts(refusal_of("Wear", limiting + "0.5\nset Cycles = 10"), {"Wear / Cycles = 10", "wears no more"});
@@ -63,6 +65,9 @@ TEST(CaseEntries, OfTheResolutionAreWholeNumbersWithinBounds) {
   const Case input = read_case(case_with("Accuracy", "set Rings per radius = 640\nset Steps per cycle = 16"));
   EXPECT_EQ(input.rings_per_radius, 640U);
   EXPECT_EQ(input.steps_per_cycle, 16);
+  const Case other = read_case(case_with("Accuracy", "set Rings per radius = 16\nset Steps per cycle = 10000"));
+  EXPECT_EQ(other.rings_per_radius, 16U);
+  EXPECT_EQ(other.steps_per_cycle, 10000);
   for (const char* rings : {"15", "641", "20.5"})
     expect_parts(refusal_of("Accuracy", std::string("set Rings per radius = ") + rings), {"from 16 to 640"});
   for (const char* steps : {"15", "10001", "20.5"})

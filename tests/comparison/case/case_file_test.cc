@@ -69,6 +69,8 @@ TEST(CaseFile, ExpandsASweep) {
   EXPECT_EQ(range[1].name, "family/phase-30");
   EXPECT_EQ(range[1].sweep->value, 30);
   EXPECT_EQ(sweep("10, 20").size(), 2U);
+  EXPECT_EQ(sweep("0:0.1:0.3").size(), 4U) << "0.1 + 0.1 + 0.1 > 0.3";
+  EXPECT_EQ(sweep("0.123456789").at(0).motion.phase, 0.123456789) << "the name has fewer digits";
   EXPECT_EQ(sweep("-90:30:-30").size(), 3U);
 }
 

@@ -47,6 +47,25 @@ TEST(CaseSections, EveryShapeHasItsOwnNumbers) {
   EXPECT_EQ(sphere.flat_radius, 1e-3);
 }
 
+TEST(CaseSections, BoundsAreTakenOrRefusedAsTheMessageSays) {
+  for (const double exponent : {0.5, 20.0})
+    EXPECT_EQ(indenter("set Shape = power\nset Coefficient = 3\nset Exponent = " + std::to_string(exponent)).exponent,
+              exponent);
+  for (const char* exponent : {"0.49", "20.1"})
+    expect_parts(
+        refusal([&] { indenter(std::string("set Shape = power\nset Coefficient = 3\nset Exponent = ") + exponent); }),
+        {"a number between 0.5 and 20"});
+  for (const char* angle : {"0", "90"})
+    expect_parts(refusal([&] { indenter(std::string("set Shape = cone\nset Slope angle = ") + angle); }),
+                 {"between 0 and 90 degrees"});
+  const std::string fractional =
+      "set Rheology = fractional zener\nset Relaxed shear modulus = 1e6\nset Branch moduli = 2e6\n"
+      "set Branch times = 1\nset Fractional order = ";
+  EXPECT_EQ(elastomer(fractional + "1").fractional_order, 1);
+  for (const char* order : {"0", "1.01"})
+    expect_parts(refusal([&] { elastomer(fractional + order); }), {"above 0 and at most 1"});
+}
+
 TEST(CaseSections, NumbersOfAnotherShapeOrBodyAreRefused) {
   expect_parts(refusal([] { indenter("set Shape = cone\nset Slope angle = 5\nset Radius = 1"); }),
                {"Indenter / Radius = 1", "it belongs to Shape = parabola or truncated sphere, not to cone"});

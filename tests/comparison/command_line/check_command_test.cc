@@ -117,5 +117,13 @@ TEST(CheckCommand, RefusesAMeshWithoutAGroup) {
   EXPECT_NE(run.err.find("axes"), std::string::npos) << run.err;
 }
 
+TEST(CheckCommand, DisagreesIfARowOfTheExactSuiteFails) {
+  const ConvergenceRow good{"Hertz", "force", "", {1e-3, 2, 0, ""}, "rings", {32, 64}, {1e-4, 2.5e-5}};
+  auto bad = good;
+  bad.errors = {1, 1};
+  EXPECT_EQ(exit_code_of(std::vector<ConvergenceRow>{good, good}), 0);
+  EXPECT_EQ(exit_code_of(std::vector<ConvergenceRow>{good, bad}), 1);
+}
+
 }  // namespace
 }  // namespace fretval

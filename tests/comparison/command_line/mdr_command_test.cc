@@ -1,7 +1,11 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
 
+#include "comparison/reference/mdr_document.h"
+#include "tests/comparison/expect_parts.h"
+#include "tests/comparison/read_case.h"
 #include "tests/comparison/run_fretval.h"
 
 namespace fretval {
@@ -21,6 +25,7 @@ TEST(MdrCommand, PrintsTheAnalyticAnswerAsJson) {
   EXPECT_EQ(json.at("limiting_profile").at("r").size(), json.at("limiting_profile").at("f").size());
 }
 
+// The document of the case has the same numbers under keys; here each has its words and its unit.
 TEST(MdrCommand, PrintsTheAnalyticAnswerAsText) {
   const ScratchFolder folder;
   const auto file =
@@ -28,10 +33,24 @@ TEST(MdrCommand, PrintsTheAnalyticAnswerAsText) {
   const auto run = fretval_run("mdr " + file.string() + " --springs", folder);
   ASSERT_EQ(run.exit_code, 0) << run.err;
   EXPECT_EQ(run.out.rfind("case\n  modulus ratio ", 0), 0U) << run.out;
-  for (const char* label : {"largest contact radius", "stick radius, shakedown", "outer radius of the wear",
-                            "springs: shakedown", "springs: friction per cycle", "worn volume"})
-    EXPECT_NE(run.out.find(std::string("\n  ") + label + " "), std::string::npos) << label << "\n" << run.out;
-  EXPECT_NE(run.out.find(" m^3 after 1000 cycles\n"), std::string::npos) << run.out;
+  const auto json = mdr_document(read_case_file(file).at(0), true).json;
+  const auto expect_line = [&](const char* words, const char* section, const char* key, const char* unit) {
+    expect_parts(run.out, {fmt::format("\n  {:<28}{:.6g}{}\n", words, json.at(section).at(key).get<double>(), unit)});
+  };
+  expect_line("modulus ratio", "mdr", "modulus_ratio", "");
+  expect_line("largest contact radius", "mdr", "contact_radius_max", " m");
+  expect_line("stick radius, first slip", "mdr", "stick_radius_first_slip", " m");
+  expect_line("stick radius, shakedown", "mdr", "stick_radius_shakedown", " m");
+  expect_line("outer radius of the wear", "mdr", "worn_radius", " m");
+  expect_line("largest normal force", "mdr", "normal_force_max", " N");
+  expect_line("springs: first slip", "springs", "stick_radius_first_slip", " m");
+  expect_line("springs: shakedown", "springs", "stick_radius_shakedown", " m");
+  expect_line("springs: largest force", "springs", "normal_force_max", " N");
+  expect_line("springs: friction per cycle", "springs", "friction_work", " J");
+  expect_line("springs: bulk per cycle", "springs", "bulk_work", " J");
+  const double volume = json.at("wear").at("volume").back();
+  EXPECT_GT(volume, 0);
+  expect_parts(run.out, {fmt::format("\n  {:<28}{:.6g} m^3 after 1000 cycles\n", "worn volume", volume)});
 }
 
 TEST(MdrCommand, PrintsWhereNothingSticks) {

@@ -6,6 +6,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "tests/comparison/read_case.h"
 #include "tests/comparison/run_fretval.h"
 
 namespace fretval {
@@ -45,6 +46,37 @@ TEST(RunCommand, WritesEveryResultAndTheReport) {
   EXPECT_EQ(json.at("pass"), true);
   EXPECT_NE(text_of(out / "index.html").find("Which stick radius do finite elements follow?"), std::string::npos);
   for (const auto& entry : fs::recursive_directory_iterator(out)) EXPECT_NE(entry.path().extension(), ".partial");
+}
+
+const std::string coarse = "  set Rings per radius = 16\n  set Steps per cycle = 16\nend\n";
+
+// Rings and steps that are far too coarse for what is asked, and nothing that refines them.
+TEST(RunCommand, ExitsWith1WhereTheTwoDisagree) {
+  const ScratchFolder folder;
+  const auto text = replace(elastic_case(), "Tolerance = 0.05\nend\n", "Tolerance = 1e-5\n" + coarse);
+  const auto out = folder.path() / "out";
+  const auto run =
+      fretval_run("run " + quoted(folder.write("case.prm", text)) + " --proof none -o " + quoted(out), folder);
+  EXPECT_EQ(run.exit_code, 1) << run.out << run.err;
+  EXPECT_EQ(run.out.rfind("DISAGREE case", 0), 0U) << run.out;
+  EXPECT_EQ(nlohmann::json::parse(text_of(out / "case" / "result.json")).at("pass"), false);
+  EXPECT_NE(text_of(out / "index.html").find("not confirmed"), std::string::npos);
+}
+
+// A branch of 1e12 cycles creeps on for ever. The case beside it has its result and the report all the same.
+TEST(RunCommand, ExitsWith3WhereTheNumericsOfOneCaseFail) {
+  const ScratchFolder folder;
+  const auto good = folder.write("good.prm", replace(elastic_case(), "0.05\nend\n", "0.05\n" + coarse));
+  const auto creeping = folder.write(
+      "creeping.prm", replace(replace(valid_case, "times = 0.1", "times = 1e12"), "0.01\nend\n", "0.05\n" + coarse));
+  const auto out = folder.path() / "out";
+  const auto run =
+      fretval_run("run " + quoted(good) + " " + quoted(creeping) + " --proof none -o " + quoted(out), folder);
+  EXPECT_EQ(run.exit_code, 3) << run.out << run.err;
+  EXPECT_NE(run.out.find("FAILED   creeping: "), std::string::npos) << run.out;
+  EXPECT_TRUE(fs::exists(out / "good" / "result.json"));
+  EXPECT_FALSE(fs::exists(out / "creeping" / "result.json"));
+  EXPECT_TRUE(fs::exists(out / "index.html"));
 }
 
 // The indenter that wear ends at: nothing slips inside c, and nothing is carried outside.

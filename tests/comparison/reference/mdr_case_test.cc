@@ -60,5 +60,25 @@ TEST(MdrCase, FractionalBodyHasItsModulusInTime) {
   }
 }
 
+// Degrees of the case file are radians of the reference, also of further harmonics.
+TEST(MdrCase, HarmonicsHaveTheirNumbersInRadians) {
+  Case input = read_case();
+  input.motion.normal_harmonics = {{3e-6, 2, 90}};
+  input.motion.tangential_harmonics = {{4e-6, 3, -45}};
+  const auto motion = harmonic_motion_of(input.motion);
+  const double pi = std::acos(-1.0);
+  EXPECT_EQ(motion.indentation, 1e-4);
+  const std::vector<mdr::Harmonic> normal{{2e-5, 1, 0}, {3e-6, 2, pi / 2}},
+      tangential{{1.5e-5, 1, pi / 3}, {4e-6, 3, -pi / 4}};
+  for (const auto& [found, wanted] : {std::pair(motion.normal, normal), {motion.tangential, tangential}}) {
+    ASSERT_EQ(found.size(), wanted.size());
+    for (std::size_t k = 0; k < found.size(); ++k) {
+      EXPECT_EQ(found[k].amplitude, wanted[k].amplitude);
+      EXPECT_EQ(found[k].frequency, wanted[k].frequency);
+      EXPECT_NEAR(found[k].phase, wanted[k].phase, 1e-15);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace fretval

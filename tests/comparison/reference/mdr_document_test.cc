@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "comparison/case/case_file.h"
@@ -91,6 +92,48 @@ TEST(MdrDocument, SpringsConfirmTheStickRadiusUnderForces) {
   EXPECT_NEAR(number(json, "springs", "normal_force_max"), 0.6, 1e-6);
 }
 
+const std::string forces = "set Normal force = 0.5\n  set Normal force amplitude = 0.1";
+
+// The worn contact is a flat one of radius c: F = 8 G (c d - c^3/(3 R)), dF = 8 G c dd, T = (16/3) G c u. The phase
+// between the displacements is that of the forces.
+TEST(MdrDocument, LimitingStateHasTheForcesOfAFlatContact) {
+  const auto json = document_of(replace(replace(elastic_case(), displacements, forces), "Tangential amplitude = 1.5e-5",
+                                        "Tangential force amplitude = 0.05"));
+  for (const char* criterion : {"first_slip", "shakedown"}) {
+    const auto& state = json.at("limiting_state").at(criterion);
+    const double c = state.at("stick_radius"), G = 1e6, R = 1e-2;
+    EXPECT_NEAR(state.at("indentation"), 0.5 / (8 * G * c) + c * c / (3 * R), 1e-12);
+    EXPECT_NEAR(state.at("normal_amplitude"), 0.1 / (8 * G * c), 1e-12);
+    EXPECT_NEAR(state.at("tangential_amplitude"), 0.05 * 3 / (16 * G * c), 1e-12);
+    EXPECT_NEAR(state.at("phase"), 60, 1e-9);
+    EXPECT_NEAR(state.at("normal_force_mean"), 0.5, 1e-12);
+    EXPECT_NEAR(state.at("normal_force_amplitude"), 0.1, 1e-12);
+    EXPECT_NEAR(state.at("tangential_force_amplitude"), 0.05, 1e-12);
+  }
+  EXPECT_NEAR(number(json, "mdr", "normal_force_max"), 0.6, 1e-12);
+}
+
+// Mindlin and Deresiewicz at constant d: T = mu F [1 - (1 - u/u_s)^(3/2)] with u_s = 3/2 mu d, and over a cycle of
+// amplitude U the loop of Masing, 8 int_0^U T du - 4 U T(U). An elastic bulk keeps nothing.
+TEST(MdrDocument, SpringsKnowWhereTheWorkGoes) {
+  const auto elastic = document_of(replace(elastic_case(), "amplitude = 2e-5", "amplitude = 0"), true);
+  const double G = 1e6, R = 1e-2, d = 1e-4, mu = 0.5, U = 1.5e-5, limit = 1.5 * mu * d, left = 1 - U / limit,
+               force = mu * 16. / 3 * G * std::sqrt(R) * std::pow(d, 1.5), end = force * (1 - std::pow(left, 1.5)),
+               area = force * (U - 0.4 * limit * (1 - std::pow(left, 2.5))), loop = 8 * area - 4 * U * end;
+  EXPECT_NEAR(number(elastic, "springs", "friction_work"), loop, 1e-2 * loop);
+  EXPECT_NEAR(number(elastic, "springs", "bulk_work"), 0, 1e-9 * loop);
+  EXPECT_NEAR(number(elastic, "springs", "indenter_work"), loop, 1e-2 * loop);
+}
+
+TEST(MdrDocument, HasTheFitOfMeasuredModuli) {
+  auto input = read_case();
+  input.elastomer.master_curve = Case::MasterCurve{"dma.csv", 81, 0.01, 0.02, 0.03, 4, true, 0.05, 6};
+  EXPECT_EQ(mdr_document(input, false).json.at("elastomer"), ordered_json::parse(R"({
+    "table": "dma.csv", "frequencies": 81, "relaxed_modulus": 1e6, "branch_moduli": [1e6], "branch_times": [0.1],
+    "residual": 0.01, "held_out": 0.02, "worst": 0.03, "worst_frequency": 4.0,
+    "kramers_kronig": {"consistent": true, "worst": 0.05, "worst_frequency": 6.0}})"));
+}
+
 TEST(MdrDocument, SpringsNeedAPeriod) {
   EXPECT_THROW(
       document_of(replace(valid_case, "Tangential frequency = 1", "Tangential frequency = 1.4142135623"), true),
@@ -166,6 +209,13 @@ TEST(MdrDocument, WearKineticsTendToTheLimitingProfile) {
   const auto& wear = json.at("wear");
   EXPECT_EQ(wear.at("cycles").size(), wear.at("volume").size());
   EXPECT_GT(wear.at("volume").back().get<double>(), 0);
+  const auto r = wear.at("r").get<std::vector<double>>(), depth = wear.at("worn_depth").get<std::vector<double>>();
+  double volume = 0;
+  for (std::size_t k = 1; k < r.size(); ++k) volume += 2 * std::acos(-1.0) * r[k] * depth[k] * (r[k] - r[k - 1]);
+  EXPECT_NEAR(wear.at("volume").back(), volume, 1e-2 * volume);
+  EXPECT_EQ(wear.at("deepest").back(), *std::max_element(depth.begin(), depth.end()));
+  EXPECT_EQ(wear.at("deepest").front(), 0);
+  EXPECT_NEAR(wear.at("cycles").back(), 1e6, 1e-6);
   EXPECT_LT(wear.at("friction_work").back().get<double>(), 1e-2 * wear.at("friction_work").front().get<double>());
 }
 

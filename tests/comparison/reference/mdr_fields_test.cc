@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "comparison/reference/mdr_answer.h"
 #include "comparison/reference/mdr_document.h"
@@ -35,6 +36,28 @@ TEST(SurfaceColumns, OfAnElasticSphereAreHertzs) {
     if (r[i] > 1.02 * a) {
       EXPECT_EQ(p[i], 0) << r[i] / a;
     }
+  }
+}
+
+// Half as deep at the other end. An indenter that slides drags the surface along with mu p: backwards at the deepest
+// position, forwards at the highest one, 60 degrees behind.
+TEST(SurfaceColumns, OfASlidingSphereAreThoseOfBothEnds) {
+  auto scene = read_case(elastic_case());
+  scene.motion.indentation = 9e-5;
+  scene.motion.normal_amplitude = 3e-5;
+  scene.motion.tangential_amplitude = 2e-3;
+  const auto columns = surface_columns(scene, std::nullopt);
+  const auto r = column_of(columns, "r [m]");
+  for (const auto& [end, depth, sense] : {std::tuple("deepest", 12e-5, -1), std::tuple("highest", 6e-5, 1)}) {
+    const std::string at = std::string(" ") + end + " ";
+    const double a = std::sqrt(1e-2 * depth), peak = 8e6 * a / (std::acos(-1.0) * 1e-2);
+    const auto p = column_of(columns, "p" + at + "[Pa]"), tau = column_of(columns, "tau" + at + "[Pa]"),
+               u_z = column_of(columns, "u_z" + at + "[m]");
+    EXPECT_NEAR(p[0], peak, 1e-2 * peak) << end;
+    EXPECT_NEAR(u_z[0], depth, 1e-3 * depth) << end;
+    for (Eigen::Index i = 0; i < r.size(); ++i) EXPECT_NEAR(tau[i], sense * 0.5 * p[i], 1e-6 * peak) << end << r[i] / a;
+    // Displacement of the middle under tractions mu p: 3/2 mu d, as under the normal ones d.
+    EXPECT_NEAR(column_of(columns, "u_x" + at + "[m]")[0], sense * 0.75 * depth, 1e-3 * depth) << end;
   }
 }
 

@@ -103,6 +103,54 @@ TEST(Report, MarksWhatDoesNotAgree) {
                       "<td>–</td><td>1.0e-02</td>", "<td class=\"bad-cell\">disagree</td>"});
 }
 
+// Every number another one: which of the two says it, in which unit, over which length.
+TEST(Report, HasTheNumbersOfACaseInTheirPlaces) {
+  auto json = stored_result();
+  json["name"] = "a/case";
+  json["scene"].erase("sweep");
+  json["scene"]["contact_radius_unworn"] = 2;
+  const std::map<std::string, std::pair<double, double>> numbers{{"contact_radius_max", {1.9, 1.8}},
+                                                                 {"normal_force_max", {31, 32}},
+                                                                 {"stick_radius_first_slip", {0.5, 0.6}},
+                                                                 {"stick_radius_shakedown", {0.7, 0.9}}};
+  for (const auto& [key, both] : numbers) {
+    json["mdr"][key] = both.first;
+    json["fe"][key] = both.second;
+  }
+  json["comparison"]["contact_radius_max"]["difference"] = -0.0625;
+  json["comparison"]["normal_force_max"]["difference"] = 0.03125;
+  json["cost"] = {{"seconds", {{"friction_history", 4.5}}},
+                  {"dofs", 103},
+                  {"time_steps", 12},
+                  {"cycles", 3},
+                  {"peak_memory_bytes", 64e6}};
+  expect_parts(page_of({json}),
+               {"<h2>Case a/case</h2>\n<p>parabola, standard solid",
+                "<td>largest contact radius in m</td><td>1.9</td><td>1.8</td><td>-6.2e-02</td><td>1.0e-03</td>",
+                "<td>largest normal force in N</td><td>31</td><td>32</td><td>3.1e-02</td><td>1.0e-03</td>",
+                "<td>stick radius, first slip in m</td><td>0.5</td><td>0.6</td>",
+                "<td>a/case</td><td>0.25000</td><td>0.30000</td><td>0.35000</td><td>0.45000</td><td>-6.2e-02</td>"
+                "<td>+3.1e-02</td><td>agree</td>",
+                "A case like a/case has 103 degrees of freedom and takes 12 time steps over 3 cycles in 4.50 s.",
+                "All 1 cases: 12 time steps, 4 s of friction histories on one core, peak memory 64 MB."});
+}
+
+// c_FE over the c of the profile, a_inf over a0.
+TEST(Report, HasTheRatiosOfAWornProfile) {
+  auto json = stored_result("limiting");
+  json["name"] = "worn";
+  json["scene"]["contact_radius_unworn"] = 2;
+  json["scene"]["stick_radius_of_profile"] = 0.5;
+  json["mdr"]["worn_radius"] = 2.5;
+  json["fe"]["stick_radius_shakedown"] = 0.625;
+  json["fe"]["slip_inside_stick_zone"] = 0.25;
+  json["fe"]["force_outside_stick_zone"] = 0.125;
+  json["fe"]["touch_indentation"] = 1.5;
+  json["comparison"]["normal_force_max"]["difference"] = -0.03125;
+  expect_parts(page_of({json}), {"<td>worn</td><td>1.25000</td><td>2.5e-01</td><td>1.2e-01</td><td>-3.1e-02</td>"
+                                 "<td>1.500000 d_max</td><td>1.2500</td>"});
+}
+
 TEST(Report, DoesWithoutResultsWhereASuiteWasRun) {
   const ScratchFolder folder;
   folder.write("exact.json", nlohmann::ordered_json::array({stored_convergence_row()}).dump());

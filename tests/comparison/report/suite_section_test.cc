@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <regex>
 
 #include "comparison/verification/suite_json.h"
 #include "tests/comparison/expect_parts.h"
@@ -26,6 +27,30 @@ TEST(SuiteSection, ShowsVerdictQuantitiesAndRows) {
        "<td>refused</td><td>refused</td>", "a &lt;b&gt;",
        "<td>0.600000</td><td>0.601000</td><td>1.0e-03</td><td>2.0e-03</td><td>1.0e-02</td>"});
   expect_parts(suite_section(suite_json(run_of({row_of(1e-3, 2e-3)}))), {"<span class=\"badge good\">pass</span>"});
+}
+
+/// Places of the points of a drawing, that of the key among them.
+std::vector<std::pair<std::string, std::string>> points_in(const std::string& svg) {
+  const std::regex place("<use xlink:href='#gpPt[0-9]+' transform='translate\\(([0-9.]+),([0-9.]+)\\)");
+  std::vector<std::pair<std::string, std::string>> points;
+  for (std::sregex_iterator match(svg.begin(), svg.end(), place), end; match != end; ++match)
+    points.emplace_back((*match)[1], (*match)[2]);
+  return points;
+}
+
+// Two points above each other have the same error, two beside each other the same bar.
+TEST(SuiteSection, DrawsTheBarOverTheError) {
+  const auto points = points_in(
+      suite_section(suite_json(run_of({row_of(1e-3, 2e-3, "a"), row_of(1e-3, 8e-3, "b"), row_of(4e-3, 8e-3, "c")}))));
+  ASSERT_EQ(points.size(), 4U);
+  int n_above = 0, n_beside = 0;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    for (std::size_t k = 0; k < i; ++k) {
+      n_above += points[i].first == points[k].first && points[i].second != points[k].second;
+      n_beside += points[i].first != points[k].first && points[i].second == points[k].second;
+    }
+  EXPECT_EQ(n_above, 1);
+  EXPECT_EQ(n_beside, 1);
 }
 
 // The points of the figure would be the worst ones alone.

@@ -61,6 +61,26 @@ TEST(Extreme, IsTheLargestDifferenceWhateverItsSign) {
   EXPECT_EQ(extreme_of({proved("bars")}, "slip_inside_stick_zone").n_compared, 0U);
 }
 
+TEST(VerdictSection, HasARowOfNumbersForEachQuantity) {
+  const auto html =
+      verdict_section({with_difference("small", 1e-4, 2e-4, "pass"), with_difference("large", -3e-4, 1e-4, "pass"),
+                       with_difference("wide", 2e-4, 5e-2, "inconclusive")});
+  expect_parts(html, {"<td>stick radius, shakedown (over a)</td><td>3</td><td class=\"bad-cell\">2</td><td>1</td>"
+                      "<td>-3.0e-04</td><td>5.0e-02</td><td>1e-02</td><td>2 of 3</td><td>large</td>"});
+}
+
+// Of three shares, whatever their order.
+TEST(BudgetSection, HasMedianAndLargestOfEachShare) {
+  std::vector<StoredResult> results;
+  for (const double estimate : {3e-4, 9e-4, 1e-4}) {
+    results.push_back(proved("bars"));
+    auto& bars = results.back().json["fe"]["error_estimate"];
+    bars = {{"stick_radius_shakedown", {{"total", 1}, {"shares", {{"rings", {{"estimate", estimate}}}}}}}};
+  }
+  const auto html = budget_section(results);
+  expect_parts(html, {"<td>rings</td>", "<td>3e-04, 9e-04</td>"});
+}
+
 TEST(BudgetSection, HasASourceALineAndNothingWithoutBars) {
   auto other = proved("bars"), without = proved("none");
   for (auto& [quantity, bar] : other.json["fe"]["error_estimate"].items()) bar["shares"]["rings"]["estimate"] = 7e-2;

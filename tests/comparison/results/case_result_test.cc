@@ -3,10 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "comparison/results/results_folder.h"
-#include "tests/comparison/read_case.h"
+#include "tests/comparison/made_up_result.h"
 #include "tests/comparison/run_fretval.h"
+#include "tests/comparison/small_body.h"
+#include "tests/fem/vtu_data.h"
 
 namespace fretval {
 namespace {
@@ -43,6 +47,107 @@ TEST(CaseResult, IsReadBackAsItIsWritten) {
   const auto [r, worn] = read_columns(place / "profile.csv", "r [m]", "f limiting [m]");
   EXPECT_GT(r.back(), result.mdr.worn_radius.value());
   EXPECT_FALSE(fs::exists(place / "normal_deepest.vtu"));
+}
+
+/// What of a result is written to one of its files.
+std::string written(const CaseResult& result, const char* file) {
+  const ScratchFolder folder;
+  write_result(result, made_up_reference(), folder.path());
+  return text_of(folder.path() / file);
+}
+
+// The period ends with step 12, at the deepest position: 12 s after the start, d = (0.75 + 0.25 cos) 0.5 m and
+// u_x = 0.125 cos(t + 60 deg) 0.5 m, forces with what presses beyond the first free ring.
+TEST(CaseResult, HasItsHistoryInSiUnitsStepByStep) {
+  EXPECT_EQ(written(made_up_result(), "history.csv"),
+            "t [s],d [m],u_x [m],F_N [N],F_N MDR [N],F_x [N]\n"
+            "9,0.375,-0.05412658774,15,200,-10\n"
+            "10,0.25,-0.03125,20,300,-20\n"
+            "11,0.375,0.05412658774,30,400,10\n"
+            "12,0.5,0.03125,42.5,100,20\n");
+}
+
+TEST(CaseResult, HasItsRingsInSiUnits) {
+  EXPECT_EQ(written(made_up_result(), "contact.csv"),
+            "r inner [m],r outer [m],p smallest [Pa],p largest [Pa],tau smallest [Pa],tau largest [Pa],"
+            "surface height at d max [m],slip per period [m],first slip margin [Pa],shakedown margin [Pa]\n"
+            "0,1,5,12.5,-5,7.5,0.1,0,-0.25,0.5\n"
+            "1,3,0,5,-1.25,1.25,0.35,0.1,1,-1\n");
+}
+
+/// What wear takes off a parabola beyond c, (13) of the paper in closed form.
+double worn_off(double radius, double c, double deepest, double r) {
+  const double angle = std::acos(c / r);
+  return 2 / std::acos(-1.0) *
+         (deepest * angle - (r * r / 2 * angle + c / 2 * std::sqrt(r * r - c * c)) / radius);
+}
+
+// R = 1e-2 m, 1.2e-4 m deep, c = 6e-4 m.
+TEST(CaseResult, HasItsProfilesInMetres) {
+  const ScratchFolder folder;
+  write_result(made_up_result(), made_up_reference(), folder.path());
+  const auto [r, unworn] = read_columns(folder.path() / "profile.csv", "r [m]", "f unworn [m]");
+  const auto limiting = read_columns(folder.path() / "profile.csv", "r [m]", "f limiting [m]").second;
+  ASSERT_EQ(r.size(), 400U);
+  EXPECT_EQ(r.front(), 0);
+  for (std::size_t k = 0; k < r.size(); ++k) {
+    const double f = 50 * r[k] * r[k], worn = r[k] > 6e-4 ? worn_off(1e-2, 6e-4, 1.2e-4, r[k]) : 0;
+    EXPECT_NEAR(unworn[k], f, 1e-9 * f) << r[k];
+    EXPECT_NEAR(limiting[k], f + std::max(worn, 0.0), 1e-9 * f) << r[k];
+  }
+  EXPECT_LT(worn_off(1e-2, 6e-4, 1.2e-4, r.back()), 0) << "beyond the end of the wear";
+}
+
+TEST(CaseResult, SaysHowItWasComputed) {
+  auto result = made_up_result();
+  result.fem_case.resolution = {24, 3, 0.5, 12, 4, 8, 1e-5};
+  result.fe.focus[Quantity::stick_radius_shakedown] = {0.25, 0.75, 0.0625};
+  auto json = nlohmann::json::parse(written(result, "run.json"));
+  EXPECT_EQ(json["versions"].size(), 6U);
+  json.erase("versions");
+  EXPECT_EQ(json, nlohmann::json::parse(R"({
+    "resolution": {"elements_per_radius": 24, "degree": 3, "growth": 0.5, "far_radius": 12, "steps_per_cycle": 4,
+      "ramp_cycles": 8, "periodicity": 1e-5, "refinements": 5, "computations": 6,
+      "focus": {"stick_radius_shakedown": {"inner": 0.25, "outer": 0.75, "ring": 0.0625}}},
+    "reached": {"periodicity_normal": 1e-6, "periodicity_tangential": 2e-6, "cycles_normal": 2},
+    "mesh": {"cells": 101, "nodes": 102, "min_scaled_jacobian": 0.625, "max_aspect_ratio": 4.5},
+    "units": {"length": 2, "depth": 0.5, "modulus": 10, "angular_frequency": 1.5707963267948966}})"));
+}
+
+/// A field of a VTU file at a point, in m.
+double at_point(const std::string& file, const std::string& field, double x, double y) {
+  const auto points = vtu_data(file, ""), values = vtu_data(file, field);
+  for (std::size_t k = 0; k < values.size(); ++k)
+    if (std::hypot(points[3 * k] - x, points[3 * k + 1] - y) < 1e-6) return values[k];
+  ADD_FAILURE() << "no point at " << x << ", " << y;
+  return 0;
+}
+
+// Of rings that all move by one depth the middle does so too, but for what four rings miss: the indenter goes down, and
+// along x, where u_r = u cos(theta) and u_theta = -u sin(theta). Lengths are of 2 m, depths of 0.5 m.
+TEST(CaseResult, HasItsFieldsInMetres) {
+  auto result = made_up_result();
+  result.input.fields = Case::Fields::extremes;
+  auto& fe = result.fe.fe;
+  fe.whole_body = std::make_shared<const Body>(make_body(small_body()));
+  auto summary = *fe.body;
+  summary.radii = small_body().contact_nodes;
+  fe.body = std::make_shared<const BodySummary>(summary);
+  const Eigen::VectorXd ones = Eigen::VectorXd::Ones(4);
+  fe.normal.pressure = fe.friction.traction = Eigen::MatrixXd::Zero(4, 4);
+  for (auto* rings : {&fe.friction.period_slip, &fe.friction.first_slip_margin, &fe.friction.shakedown_margin})
+    *rings = ones;
+  fe.normal.deepest_displacement = ones;
+  fe.normal.highest_displacement = 0.5 * ones;
+  fe.friction.displacement = 0.25 * ones;
+  const ScratchFolder folder;
+  write_result(result, made_up_reference(), folder.path());
+  const auto file = [&](const char* name) { return text_of(folder.path() / name); };
+  constexpr double x = 1;  // the middle of the line
+  EXPECT_NEAR(at_point(file("normal_deepest.vtu"), "u_z", x, 0), -0.5, 0.02);
+  EXPECT_NEAR(at_point(file("normal_highest.vtu"), "u_z", x, 0), -0.25, 0.01);
+  EXPECT_NEAR(at_point(file("tangential_period_end.vtu"), "u_r_cos", x, 0), 0.125, 0.01);
+  EXPECT_NEAR(at_point(file("tangential_period_end.vtu"), "u_theta_sin", x, 0), -0.125, 0.01);
 }
 
 TEST(CaseResult, IsWithdrawnWithoutWhatLiesBesideIt) {

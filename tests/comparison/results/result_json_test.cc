@@ -1,11 +1,12 @@
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include <limits>
 #include <nlohmann/json.hpp>
 
 #include "comparison/results/case_result.h"
 #include "tests/comparison/fake_numerics.h"
-#include "tests/comparison/read_case.h"
+#include "tests/comparison/made_up_result.h"
 
 namespace fretval {
 namespace {
@@ -59,6 +60,50 @@ TEST(ResultJson, HasBarsBySourceAndNullForAnUnboundedOne) {
   EXPECT_TRUE(json["comparison"]["stick_radius_first_slip"]["error_bar"].is_null());
   EXPECT_EQ(json["comparison"]["stick_radius_first_slip"]["verdict"], "inconclusive");
   EXPECT_TRUE(json["fe"]["error_estimate"]["normal_force_max"].is_null());
+}
+
+/// Of this process so far. getrusage counts in units of 1024 bytes.
+long most_kilobytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return usage.ru_maxrss;
+}
+
+// Numbers of the case are those of its file, where d0 = 1e-4 m touches a parabola of R = 1e-2 m up to sqrt(R d0).
+TEST(ResultJson, HasEveryNumberUnderItsKey) {
+  auto result = made_up_result();
+  result.input.file = "made/up.prm";
+  result.input.name = "made up";
+  result.input.sweep = Case::Sweep{"family", "Motion / Phase", 60};
+  auto json = written(result);
+  const long before = most_kilobytes();
+  const double bytes = written(result)["cost"]["peak_memory_bytes"];
+  EXPECT_GE(bytes, 1024.0 * static_cast<double>(before));
+  EXPECT_LE(bytes, 1024.0 * static_cast<double>(most_kilobytes()));
+  json["cost"].erase("peak_memory_bytes");
+  EXPECT_NEAR(json["scene"]["contact_radius_at_rest"], 1e-3, 1e-15);
+  json["scene"].erase("contact_radius_at_rest");
+  EXPECT_EQ(json, nlohmann::json::parse(R"({
+    "name": "made up", "pass": false, "proof": "bars",
+    "scene": {"file": "made/up.prm", "shape": "parabola", "rheology": "standard solid", "friction_coefficient": 0.5,
+      "indentation": 1e-4, "normal_amplitude": 2e-5, "tangential_amplitude": 1.5e-5, "frequency": 1, "phase": 60,
+      "wear": "unworn", "contact_radius_unworn": 2, "tolerance": 0.01,
+      "sweep": {"family": "family", "entry": "Motion / Phase", "value": 60}},
+    "mdr": {"modulus_ratio": 1.5, "contact_radius_max": 1.1, "stick_radius_first_slip": 0.45,
+      "stick_radius_shakedown": 6e-4, "worn_radius": 1.9, "normal_force_max": 40},
+    "fe": {"contact_radius_max": 1.25, "stick_radius_first_slip": 0.5, "stick_radius_shakedown": 0.75,
+      "worn_radius": null, "normal_force_max": 42.5,
+      "slip_inside_stick_zone": 0.01, "force_outside_stick_zone": 0.02, "touch_indentation": 1.03,
+      "error_estimate": {"stick_radius_shakedown": null,
+        "normal_force_max": {"total": 0.03125, "shares": {"rings": {"estimate": 0.03125, "order": 2.5}}}}},
+    "comparison": {
+      "normal_force_max": {"difference": 0.0625, "tolerance": 0.1, "error_bar": 0.03125, "verdict": "pass",
+        "pass": true},
+      "stick_radius_shakedown": {"difference": 0.15, "tolerance": 0.125, "error_bar": null, "verdict": "fail",
+        "pass": false}},
+    "cost": {"seconds": {"mesh": 1.5, "assembly": 2.5, "factorisation": 3.5, "normal_history": 4.5,
+        "friction_history": 5.5},
+      "dofs": 103, "contact_nodes": 104, "time_steps": 12, "cycles": 3}})"));
 }
 
 }  // namespace

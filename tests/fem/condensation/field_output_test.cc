@@ -4,6 +4,7 @@
 #include <deal.II/fe/mapping_q1.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 #include <string>
@@ -14,6 +15,7 @@
 #include "fem/support/constants.h"
 #include "tests/fem/half_space.h"
 #include "tests/fem/random_vector.h"
+#include "tests/fem/vtu_data.h"
 
 namespace fretval::fem::field_output_test {
 namespace {
@@ -76,6 +78,44 @@ std::string vtu_of(const HarmonicSpace& space, const Eigen::VectorXd& field, dou
   std::ostringstream stream;
   write_vtu(space, field, length, depth, stream);
   return stream.str().substr(stream.str().find("<VTKFile"));
+}
+
+/// A field of given components at each node.
+Eigen::VectorXd field_of(const HarmonicSpace& space, const std::vector<double>& components) {
+  const auto& parts = space.parts();
+  Eigen::VectorXd field = Eigen::VectorXd::Zero(space.n_dofs());
+  for (unsigned c = 0; c < components.size(); ++c) {
+    dealii::ComponentMask mask(parts.element.n_components(), false);
+    mask.set(c, true);
+    for (const auto dof : dealii::DoFTools::extract_dofs(parts.dofs, mask))
+      field[static_cast<Eigen::Index>(dof)] = components[c];
+  }
+  return field;
+}
+
+// Components U and W count inwards and down, the axes of the file outwards and up. Of the first harmonic they are s, m
+// and W with u_r = (m + s) cos(theta) and u_theta = (m - s) sin(theta). A disc of 6 units of 3 m, depths of 2 m.
+TEST(FieldOutput, HasEveryDisplacementUnderItsNameInMetres) {
+  const GridData grid = quarter_disc_grid(1, 8, 6, 0.35);
+  const auto file_of = [&](Harmonic harmonic, const std::vector<double>& components) {
+    const HarmonicSpace space(grid, harmonic, 2);
+    return vtu_of(space, field_of(space, components), 3, 2);
+  };
+  const auto all_are = [](const std::string& file, const char* name, float value) {
+    const auto values = vtu_data(file, name);
+    EXPECT_GT(values.size(), 100U);
+    for (const float one : values) EXPECT_FLOAT_EQ(one, value) << name;
+  };
+  const auto normal = file_of(Harmonic::normal, {0.5, 0.75});
+  all_are(normal, "u_r", -1);
+  all_are(normal, "u_z", -1.5);
+  const auto tangential = file_of(Harmonic::tangential, {0.5, 2, 0.75});
+  all_are(tangential, "u_r_cos", 5);
+  all_are(tangential, "u_theta_sin", 3);
+  all_are(tangential, "u_z_cos", 1.5);
+  const auto points = vtu_data(normal, "");
+  EXPECT_FLOAT_EQ(*std::max_element(points.begin(), points.end()), 18);
+  EXPECT_FLOAT_EQ(*std::min_element(points.begin(), points.end()), -18);
 }
 
 TEST(FieldOutput, WritesDisplacementsInTheirUnit) {

@@ -305,13 +305,18 @@ TEST(FrictionHistory, ObeysCoulomb) {
   const auto normal = press(standard_solid(), motion);
   const auto history = friction_history(tangential_half_space(n_per_radius), standard_solid(), mu, motion, normal, {});
   const long first = static_cast<long>(history.force.size()) - 180;
+  const auto n_rings = history.traction.rows();
+  Eigen::VectorXd forward = Eigen::VectorXd::Constant(n_rings, infinity), backward = forward;
   for (int k = 0; k < 180; ++k) {
     const Eigen::VectorXd limit = mu * normal.pressure.col(normal.column(first + k));
     EXPECT_LE((history.traction.col(k).cwiseAbs() - limit).maxCoeff(), 1e-12);
+    forward = forward.cwiseMin(limit - history.traction.col(k));
+    backward = backward.cwiseMin(limit + history.traction.col(k));
     // The force is read at the edges of the zones, see PunchSeries: it is closer to the sum than a ring's share.
     EXPECT_NEAR(history.traction.col(k).dot(tangential_half_space(n_per_radius).compliance.areas),
                 history.force[first + k], 1e-3 * history.force.maxCoeff());
   }
+  EXPECT_LT((history.shakedown_margin - (forward + backward) / 2).cwiseAbs().maxCoeff(), 1e-12);
   EXPECT_GT(history.dissipated_energy, 0);
   EXPECT_GE(history.period_slip.minCoeff(), 0);
   EXPECT_GE((history.slip_path - history.period_slip).minCoeff(), 0);

@@ -44,6 +44,16 @@ TEST(LargestForce, IsThePeakBetweenTheSamples) {
   }
 }
 
+// But for a worn profile, whose flank hardly touches.
+TEST(LargestForce, CountsWhatPressesBeyondAFreeRing) {
+  const auto body = elastic_body();
+  auto history = cycle_of(
+      180, [](double t) { return 3 + std::cos(t - 1); }, resting);
+  history.force_beyond = history.time.unaryExpr([](double t) { return 0.5 + 0.25 * std::cos(t - 1); });
+  EXPECT_NEAR(largest_force(normal_half_space(16), {body}, history).value, 4.75, 1e-7);
+  EXPECT_NEAR(largest_force(normal_half_space(16), {body, std::nullopt, true}, history).value, 4, 1e-7);
+}
+
 // All edges of a contact misread alike put its largest force off by as much.
 TEST(LargestForce, IsAtLeastAsUncertainAsItsSamples) {
   const auto body = elastic_body();

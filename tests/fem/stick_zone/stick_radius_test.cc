@@ -37,6 +37,17 @@ TEST_F(StickRadiusTest, IsTheRadiusAtWhichTheTransformReachesTheDepth) {
   }
 }
 
+// A reserve whose curvature changes, whichever way, is read in two ways that differ.
+TEST_F(StickRadiusTest, IsLessCertainWhereTheReserveIsNoParabola) {
+  const Eigen::VectorXd edges = effective_radii(compliance_).radius;
+  const Index n = compliance_.areas.size();
+  const auto uncertainty = [&](double cubic) {
+    const Eigen::ArrayXd x = (edges.head(n) + edges.tail(n)).array() / 2 - edges[30];
+    return stick_radius(compliance_, (cubic * x.cube() - x).matrix(), 30).uncertainty;
+  };
+  for (const double cubic : {-30.0, 30.0}) EXPECT_GT(uncertainty(cubic), 1.01 * uncertainty(0)) << cubic;
+}
+
 // A reserve that does not fall towards the edge at all, as inside the flat of a punch with sharp edges.
 TEST_F(StickRadiusTest, StaysWithinARingOfTheLastOneThatSticks) {
   const Eigen::VectorXd reserve = Eigen::VectorXd::LinSpaced(compliance_.areas.size(), 1.01, 1);

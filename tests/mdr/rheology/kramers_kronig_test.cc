@@ -56,6 +56,10 @@ TEST(KramersKronig, ExactBodiesAreConsistent) {
   }
 }
 
+TEST(KramersKronig, AValueADecadeIsEnough) {
+  EXPECT_NO_THROW(kramers_kronig(synthetic_table(one_branch, 1e-4, 1e6, 1)));
+}
+
 // What relaxes outside the range leaves its loss in the range, but hardly a trace in G'.
 TEST(KramersKronig, CutRangesAreConsistent) {
   EXPECT_TRUE(kramers_kronig(synthetic_table(one_branch, 1e-3, 1, 10)).consistent);

@@ -59,6 +59,15 @@ TEST(SpringStep, RelaxationAfterAStepIsExact) {
   }
 }
 
+// Where a step is so short that theta comes from its series, the tenth digit of the recovery tells its slope.
+TEST(SpringStep, FreeKelvinVoigtSpringRecoversExactlyInShortSteps) {
+  const PronyBody body = kelvin_voigt(1, 2000);
+  const SpringBed bed = flat_bed(1);
+  SpringState state = relaxed_state(bed, body, 1);
+  SpringStep(body, mu, 1).advance(state, bed, {-1, -2, 0, 0});
+  EXPECT_NEAR(1 - state.normal_depth[0], -std::expm1(-1.0 / 2000), 1e-14);
+}
+
 // A free Kelvin-Voigt spring recovers as exp(-G0 t/eta), which the fitted theta rule follows exactly for every dt.
 TEST(SpringStep, FreeKelvinVoigtSpringRecoversExactly) {
   const PronyBody body = kelvin_voigt(2, 0.6);

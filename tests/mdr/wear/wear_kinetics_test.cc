@@ -201,6 +201,7 @@ TEST(WearKinetics, SnapshotsAreStatesOnTheWay) {
   const WearKinetics wear = wear_kinetics(sphere, elastic(1), mu, both, {k, 300, 50, 60, 0.002, {30, 100, 300}});
   ASSERT_EQ(wear.snapshots.size(), 3U);
   EXPECT_TRUE((wear.snapshots[2] == wear.worn_depth).all());
+  EXPECT_EQ(wear.curve.back().deepest, wear.worn_depth.maxCoeff());
   EXPECT_TRUE((wear.snapshots[1] >= wear.snapshots[0]).all());
   const WearKinetics alone = wear_kinetics(sphere, elastic(1), mu, both, {k, 100, 50, 60, 0.002});
   // The jumps fall a little differently: within their own error.
