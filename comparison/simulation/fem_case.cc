@@ -92,11 +92,11 @@ FemCase fem_case(const Case& input, const MdrCase& mdr) {
                 mdr.motion.tangential_amplitude / deepest, mdr.motion.phase};
   auto resolution = resolution_for(input.tolerance, fem.relaxation.has_memory());
   // The force of a worn profile is of second order from 12 rings on, and the error bar goes down to a quarter of them.
-  constexpr unsigned enough_rings_of_a_worn_profile = 48;
+  constexpr double enough_rings_of_a_worn_profile = 48;
   if (input.rings_per_radius)
     resolution.elements_per_radius = *input.rings_per_radius;
   else if (mdr.limiting && resolution.elements_per_radius < enough_rings_of_a_worn_profile)
-    resolution = with_rings(resolution, 2);
+    resolution = with_rings(resolution, enough_rings_of_a_worn_profile / resolution.elements_per_radius);
   if (input.steps_per_cycle) resolution.steps_per_cycle = *input.steps_per_cycle;
   return at_resolution(std::move(fem), resolution);
 }

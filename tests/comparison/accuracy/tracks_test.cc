@@ -54,7 +54,7 @@ TEST(Tracks, LeadAllQuantitiesButTheFocusedOnesToTheBase) {
 }
 
 TEST(CloserLook, EndsWithEnoughRingsInASmallStickZone) {
-  for (const double c : {0.002, 0.02, 0.1, 0.2}) {
+  for (const double c : {0.002, 0.02, 0.1, 0.15}) {
     const LookedAt looked(c);
     EXPECT_GT(looked.n, 0) << c;
     EXPECT_LT(looked.n, 5) << c;
