@@ -33,7 +33,6 @@ double ratio_of_intensities(const ConvergenceMesh& mesh, const Eigen::VectorXd& 
 
 /// Error of the ratio under a parabola that is worn outside c.
 double worn_edge_error(const ConvergenceMesh& mesh, const ExactScene& exact, double c) {
-  const double friction_coefficient = ExactScene().friction_coefficient;
   const auto unworn = mdr::parabola(1), exact_unworn = mdr::parabola(1 / exact.steepness);
   const auto& compliance = mesh.tangential.compliance;
   // Half way between the indentations at which the edge touches and at which the worn flank does.
