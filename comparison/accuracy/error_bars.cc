@@ -79,6 +79,18 @@ void carry_drift(const Track& track, ErrorBudget& budget) {
   widen(budget.at(first_slip), track.value(shakedown) + budget.at(shakedown).total());
 }
 
+/// A cycle near a motion without one asks elements for a little less or more depth.
+void carry_near_cycle(const Track& track, ErrorBudget& budget) {
+  const auto& [prepared, computed, resolution] = track;
+  const double error = at_resolution(prepared.fem, resolution).error_of_demand;
+  if (error == 0 || prepared.fem.worn_edge || computed.failed(resolution)) return;
+  const auto& fe = computed.at(resolution).fe;
+  for (const auto quantity : {Quantity::stick_radius_first_slip, Quantity::stick_radius_shakedown}) {
+    const auto& depths = quantity == Quantity::stick_radius_first_slip ? fe.first_slip_depths : fe.shakedown_depths;
+    budget.at(quantity).add(ErrorSource::creep, fem::width_of_edge(depths, error));
+  }
+}
+
 /// The rings of a worn profile that stick are counted. Where the slip inside its stick radius is no more than its own
 /// bar, all rings up to there may stick.
 void carry_slip_inside(const Track& track, ErrorBudget& budget) {
@@ -92,7 +104,7 @@ void carry_slip_inside(const Track& track, ErrorBudget& budget) {
 }  // namespace
 
 CaseNeeds needs_of(const FemCase& fem) {
-  return {fem.relaxation.has_memory(), !fem.motion.phase, fem.worn_edge.has_value()};
+  return {fem.relaxation.has_memory(), !fem.motion.locked, fem.worn_edge.has_value()};
 }
 
 std::vector<Resolution> needed_for_bars(const Tracks& tracks, const CaseNeeds& needs) {
@@ -113,6 +125,7 @@ ErrorBudget error_bars(const PreparedCase& prepared, const Tracks& tracks, const
     auto bars = error_budget(resolution, computed.quantities(),
                              uncertainties_of_edges(computed.at(resolution), prepared.fem), needs_of(prepared.fem));
     if (borders == Borders::carried) carry_depths(track, bars);
+    carry_near_cycle(track, bars);
     if (prepared.fem.worn_edge) carry_slip_inside(track, bars);
     for (const auto quantity : {Quantity::stick_radius_first_slip, Quantity::stick_radius_shakedown})
       if (bars.count(quantity) > 0) widen_to_none(track.value(quantity), bars.at(quantity));

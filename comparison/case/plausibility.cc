@@ -19,7 +19,8 @@ std::vector<std::string> implausible_values(const Case& input, const mdr::Profil
                     "{:.0e} Pa are usual; is it in Pa?",
                     input.file, modulus, least_modulus, largest_modulus));
   if (input.motion.normal_force) return warnings;
-  const double deepest = input.motion.indentation + input.motion.normal_amplitude;
+  double deepest = input.motion.indentation + input.motion.normal_amplitude;
+  for (const auto& harmonic : input.motion.normal_harmonics) deepest += harmonic.amplitude;
   const double a = mdr::inverse_transform(profile, deepest);
   const double rise = mdr::shape_slope(profile, a);
   if (!(rise >= least_rise && rise <= largest_rise))

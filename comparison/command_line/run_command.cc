@@ -57,7 +57,7 @@ int run_cases(const std::vector<std::string>& files, const std::filesystem::path
       run_batch(prepared, {proof, {}, output, [&](const BatchLine& line, std::size_t n_done, std::size_t n_cases) {
                              progress.show(line, n_done, n_cases);
                            }});
-  print_verdicts(lines);
+  lines.size() == 1 && lines[0].failure.empty() ? print_answer(lines[0]) : print_verdicts(lines);
   if (std::any_of(lines.begin(), lines.end(), [](const BatchLine& line) { return line.failure.empty(); }))
     log::info(fmt::format("report: {}", write_report(output).string()));
   log::info(fmt::format("{} cases in {:.1f} s", lines.size(), watch.lap()));

@@ -49,6 +49,11 @@ void Progress::show(const BatchLine& line, std::size_t n_done, std::size_t n_cas
              n_done == n_cases ? "\n" : "");
 }
 
+void print_answer(const BatchLine& line) {
+  fmt::print("{}", line.answer);
+  std::fflush(stdout);  // before the log goes on
+}
+
 void print_verdicts(const std::vector<BatchLine>& lines) {
   std::map<std::string, std::vector<BatchLine>> families;
   for (const auto& line : lines) families[line.name.substr(0, line.name.find('/'))].push_back(line);

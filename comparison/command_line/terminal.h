@@ -19,6 +19,9 @@ class Progress {
   int n_disagree_ = 0, n_failed_ = 0;
 };
 
+/// The answer to a single case, see answer_text.
+void print_answer(const BatchLine& line);
+
 /// A line per case file on stdout: how many of its cases agree, and which comes closest to its tolerance; every failed
 /// case.
 void print_verdicts(const std::vector<BatchLine>& lines);

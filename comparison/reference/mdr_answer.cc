@@ -3,18 +3,23 @@
 #include <nlohmann/json.hpp>
 
 #include "comparison/support/json.h"
+#include "mdr/springs/stepped_response.h"
 #include "mdr/stick/stick_radius.h"
 
 namespace fretval {
 
 mdr::NormalResponse mdr_normal_response(const MdrCase& mdr) {
+  const auto response = [&mdr](const std::function<double(double)>& g, double outer) {
+    const auto& [indentation, normal, tangential, locked] = mdr.motion;
+    if (normal.size() > 1) return mdr::stepped_normal_response(g, outer, mdr.body, mdr.motion).response;
+    const auto& [amplitude, frequency, phase] = normal.front();
+    return mdr::periodic_normal_response(g, outer, mdr.body, {indentation, amplitude, 0, frequency, frequency, {}},
+                                         mdr::transform_kinks(mdr.profile));
+  };
   if (mdr.limiting)
-    return mdr::periodic_normal_response([worn = *mdr.limiting](double x) { return mdr::transform(worn, x); },
-                                         mdr.limiting->stick_radius, mdr.body, mdr.motion,
-                                         mdr::transform_kinks(mdr.limiting->unworn));
-  const double outer = mdr::inverse_transform(mdr.profile, mdr::maximum_indentation(mdr.motion));
-  return mdr::periodic_normal_response([profile = mdr.profile](double x) { return mdr::transform(profile, x); }, outer,
-                                       mdr.body, mdr.motion, mdr::transform_kinks(mdr.profile));
+    return response([worn = *mdr.limiting](double x) { return mdr::transform(worn, x); }, mdr.limiting->stick_radius);
+  return response([profile = mdr.profile](double x) { return mdr::transform(profile, x); },
+                  mdr::inverse_transform(mdr.profile, mdr::maximum_indentation(mdr.motion)));
 }
 
 std::optional<mdr::LimitingProfile> worn_profile(const MdrCase& mdr, const std::optional<double>& shakedown_radius) {
@@ -38,11 +43,13 @@ bool MdrAnswer::wears_no_more() const {
 
 MdrAnswer mdr_answer(const MdrCase& mdr, const mdr::NormalResponse& normal) {
   MdrAnswer answer{};
-  answer.modulus_ratio = mdr::modulus_ratio(mdr.body, mdr::angular_frequency(mdr.motion.normal_frequency));
+  answer.modulus_ratio = mdr::modulus_ratio(mdr.body, mdr::angular_frequency(mdr.motion.normal.front().frequency));
   answer.contact_radius_max = normal.contact_radius_max;
   answer.normal_force_max = normal.normal_force_max;
   const auto radii_on = [&](const auto& profile) {
-    return mdr::stick_radii(profile, mdr.body, mdr.friction_coefficient, mdr.motion);
+    const auto one_each = mdr::one_harmonic_each(mdr.motion);
+    return one_each ? mdr::stick_radii(profile, mdr.body, mdr.friction_coefficient, *one_each)
+                    : mdr::stick_radii(profile, mdr.body, mdr.friction_coefficient, mdr.motion);
   };
   const auto radii = mdr.limiting ? radii_on(*mdr.limiting) : radii_on(mdr.profile);
   answer.stick_radius_first_slip = radii.first_slip;

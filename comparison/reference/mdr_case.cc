@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <limits>
 #include <string>
 
 #include "mdr/profiles/profile_csv.h"
@@ -51,7 +52,8 @@ mdr::LimitingProfile limiting_of(const Case& input, const MdrCase& mdr) {
 
 double amplitude_for_shakedown(const Case& input, const MdrCase& mdr) {
   const double depth = mdr::transform(mdr.profile, mdr.limiting->stick_radius);
-  const auto amplitude = mdr::tangential_amplitude_for_shakedown(mdr.body, mdr.friction_coefficient, mdr.motion, depth);
+  const auto motion = one_harmonic_each_of(input, mdr, "Motion / Tangential amplitude = shakedown");
+  const auto amplitude = mdr::tangential_amplitude_for_shakedown(mdr.body, mdr.friction_coefficient, motion, depth);
   if (!amplitude)
     throw InputError(
         fmt::format("{}: Wear / Stick radius ratio = {:g}: no tangential amplitude shakes down there, because "
@@ -66,13 +68,20 @@ std::string why_not_comparable(const Case& input) {
   const auto& motion = input.motion;
   if (motion.normal_force) return "Motion / Normal force: forces are not prescribed";
   if (motion.tangential_force) return "Motion / Tangential force amplitude: forces are not prescribed";
-  if (!motion.normal_harmonics.empty()) return "Motion / Normal harmonics: only one harmonic is computed";
-  if (!motion.tangential_harmonics.empty()) return "Motion / Tangential harmonics: only one harmonic is computed";
-  if (motion.normal_frequency != motion.tangential_frequency)
-    return fmt::format(
-        "Motion / Tangential frequency = {:g} Hz: only the Normal frequency, {:g} Hz, is computed; use "
-        "Phase = free with equal frequencies for motions that are not synchronised",
-        motion.tangential_frequency, motion.normal_frequency);
+  const auto path = harmonic_motion_of(motion);
+  if (!mdr::common_cycle({path.indentation, path.normal, {}}))
+    return "Motion / Normal harmonics: normal frequencies without a common period are not computed";
+  constexpr double largest_ratio = 1000;
+  double slowest = std::numeric_limits<double>::infinity(), fastest = 0;
+  for (const auto* harmonics : {&path.normal, &path.tangential})
+    for (const auto& [amplitude, frequency, phase] : *harmonics) {
+      if (amplitude == 0) continue;
+      slowest = std::min(slowest, frequency);
+      fastest = std::max(fastest, frequency);
+    }
+  if (fastest > largest_ratio * slowest)
+    return fmt::format("Motion: frequencies of {:g} and {:g} Hz, more than a factor of {:g} apart, are not computed",
+                       slowest, fastest, largest_ratio);
   return "";
 }
 
@@ -116,7 +125,9 @@ mdr::Rheology rheology_of(const Case::Elastomer& elastomer) {
 mdr::PronyBody body_in_time(const Case& input) {
   const auto rheology = rheology_of(input.elastomer);
   if (const auto* body = std::get_if<mdr::PronyBody>(&rheology)) return *body;
-  const double lowest = std::min(input.motion.normal_frequency, input.motion.tangential_frequency);
+  double lowest = std::min(input.motion.normal_frequency, input.motion.tangential_frequency);
+  for (const auto* harmonics : {&input.motion.normal_harmonics, &input.motion.tangential_harmonics})
+    for (const auto& harmonic : *harmonics) lowest = std::min(lowest, harmonic.frequency);
   return mdr::prony_approximation(std::get<mdr::FractionalZener>(rheology), lowest / 10, lowest * 1000).body;
 }
 
@@ -126,6 +137,12 @@ mdr::HarmonicMotion harmonic_motion_of(const Case::Motion& motion) {
           with_first({motion.tangential_amplitude, motion.tangential_frequency, phase_of(motion).value_or(0)},
                      motion.tangential_harmonics),
           motion.phase.has_value()};
+}
+
+mdr::Motion one_harmonic_each_of(const Case& input, const MdrCase& mdr, const std::string& what) {
+  const auto motion = mdr::one_harmonic_each(mdr.motion);
+  if (!motion) throw InputError(fmt::format("{}: {}: it needs one harmonic in each direction", input.file, what));
+  return *motion;
 }
 
 mdr::FrettingControl control_of(const Case::Motion& motion) {
@@ -142,14 +159,15 @@ MdrCase mdr_case(const Case& input) {
   require_comparable(input);
   const auto& motion = input.motion;
   const bool amplitude_follows = std::isnan(motion.tangential_amplitude);
+  auto path = harmonic_motion_of(motion);
+  if (amplitude_follows) path.tangential.front().amplitude = 0;
   MdrCase mdr{profile_of(input.indenter),
               body_in_time(input),
               input.friction_coefficient,
-              {motion.indentation, motion.normal_amplitude, amplitude_follows ? 0 : motion.tangential_amplitude,
-               motion.normal_frequency, motion.tangential_frequency, phase_of(motion)},
+              mdr::shifted(mdr::without_still_harmonics(path), mdr::time_of_maximum_indentation(path)),
               {}};
   if (input.wear == Case::Wear::limiting) mdr.limiting = limiting_of(input, mdr);
-  if (amplitude_follows) mdr.motion.tangential_amplitude = amplitude_for_shakedown(input, mdr);
+  if (amplitude_follows) mdr.motion.tangential.front().amplitude = amplitude_for_shakedown(input, mdr);
   return mdr;
 }
 

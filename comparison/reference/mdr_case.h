@@ -12,13 +12,13 @@
 
 namespace fretval {
 
-/// A case in the terms of the analytic reference, as far as finite elements can be compared with it: one prescribed
-/// displacement in each direction. SI units, angles in radians.
+/// A case in the terms of the analytic reference, as far as finite elements can be compared with it: prescribed
+/// displacements that repeat. SI units, angles in radians.
 struct MdrCase {
   mdr::Profile profile;
   mdr::PronyBody body;
   double friction_coefficient;
-  mdr::Motion motion;
+  mdr::HarmonicMotion motion;                    ///< without still harmonics; time 0: an instant of largest indentation
   std::optional<mdr::LimitingProfile> limiting;  ///< Wear / State = limiting: the indenter itself
 };
 
@@ -26,8 +26,8 @@ struct MdrCase {
 /// amplitude leads to, std::invalid_argument for values that the reference refuses.
 MdrCase mdr_case(const Case& input);
 
-/// Throws InputError, naming the entry, for a case that only the reference covers: prescribed forces, several
-/// harmonics, unequal frequencies, a body without a history in time.
+/// Throws InputError, naming the entry, for a case that only the reference covers: prescribed forces, frequencies
+/// without a common period.
 void require_comparable(const Case& input);
 
 /// The same as a question.
@@ -40,6 +40,9 @@ mdr::Rheology rheology_of(const Case::Elastomer& elastomer);
 /// times it.
 mdr::PronyBody body_in_time(const Case& input);
 mdr::HarmonicMotion harmonic_motion_of(const Case::Motion& motion);
+
+/// The motion of a case that has one harmonic in each direction. Throws InputError, naming what needs it, for others.
+mdr::Motion one_harmonic_each_of(const Case& input, const MdrCase& mdr, const std::string& what);
 
 /// Of a case with a prescribed force.
 mdr::FrettingControl control_of(const Case::Motion& motion);

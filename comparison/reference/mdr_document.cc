@@ -158,7 +158,8 @@ ordered_json springs_json(const Case& input) {
 
 ordered_json wear_json(const Case& input) {
   const auto mdr = mdr_case(input);
-  const auto kinetics = mdr::wear_kinetics(mdr.profile, mdr.body, mdr.friction_coefficient, mdr.motion,
+  const auto motion = one_harmonic_each_of(input, mdr, "Wear / Coefficient");
+  const auto kinetics = mdr::wear_kinetics(mdr.profile, mdr.body, mdr.friction_coefficient, motion,
                                            {input.wear_kinetics->coefficient, input.wear_kinetics->n_cycles});
   ordered_json json;
   for (const auto& point : kinetics.curve) {

@@ -26,9 +26,9 @@ void add_spring_columns(const mdr::SpringFields& fields, const std::string& posi
 }
 
 /// At the deepest position, with the singular part of the pressure apart; the traction is singular altogether.
-void add_worn_columns(const mdr::LimitingProfile& worn, const MdrCase& mdr, const Eigen::VectorXd& r,
-                      std::vector<Column>& columns) {
-  const auto stresses = [&](double x) { return mdr::limiting_stresses(worn, mdr.body, mdr.motion, x, 0); };
+void add_worn_columns(const mdr::LimitingProfile& worn, const mdr::PronyBody& body, const mdr::Motion& motion,
+                      const Eigen::VectorXd& r, std::vector<Column>& columns) {
+  const auto stresses = [&](double x) { return mdr::limiting_stresses(worn, body, motion, x, 0); };
   columns.push_back(column("f worn [m]", r, [&](double x) { return mdr::shape(worn, x); }));
   columns.push_back(column("p worn regular [Pa]", r, [&](double x) { return stresses(x).pressure.regular; }));
   columns.push_back(column("p worn [Pa]", r, [&](double x) { return mdr::total(stresses(x).pressure, x); }));
@@ -48,7 +48,8 @@ std::vector<Column> surface_columns(const Case& input, const std::optional<mdr::
   columns.push_back(column("f [m]", r, [&](double x) { return mdr::shape(mdr.profile, x); }));
   add_spring_columns(mdr::spring_fields(springs.bed, mdr.body, springs.history.deepest), "deepest", r, columns);
   add_spring_columns(mdr::spring_fields(springs.bed, mdr.body, springs.history.highest), "highest", r, columns);
-  if (worn && mdr.motion.phase) add_worn_columns(*worn, mdr, r, columns);
+  const auto motion = mdr::one_harmonic_each(mdr.motion);
+  if (worn && motion && motion->phase) add_worn_columns(*worn, mdr.body, *motion, r, columns);
   return columns;
 }
 

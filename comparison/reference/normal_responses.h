@@ -22,7 +22,7 @@ class NormalResponses {
  private:
   using Indenter = std::tuple<Case::Shape, double, double, double, double, double, double, std::string, double>;
   using Body = std::tuple<double, std::vector<double>, std::vector<double>, double>;
-  using Motion = std::tuple<double, double, double>;
+  using Motion = std::tuple<double, std::vector<std::tuple<double, double, double>>>;
   using Wear = std::tuple<Case::Wear, double>;
   MadeOnce<std::tuple<Indenter, Body, Motion, Wear>, mdr::NormalResponse> responses_;
 };

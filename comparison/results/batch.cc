@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "comparison/reference/normal_responses.h"
+#include "comparison/results/answer_text.h"
 #include "comparison/results/case_result.h"
 
 namespace fretval {
@@ -30,6 +31,7 @@ BatchLine run_case(const PreparedCase& asked, const BatchOptions& options, BodyS
   const auto result = result_of(prepared, *reference, options.proof, std::move(fe));
   line.comparison = result.comparison;
   line.pass = passes(line.comparison);
+  line.answer = answer_text(result);
   if (!options.output.empty()) write_result(result, *reference, folder);
   return line;
 }

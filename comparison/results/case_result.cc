@@ -49,8 +49,10 @@ nlohmann::ordered_json run_json(const CaseResult& result) {
             {"angular_frequency", result.fem_case.units.angular_frequency}}}};
 }
 
-/// Value of a periodic table (equal steps, both ends included) at any time.
-double periodic_value(const std::vector<double>& values, double cycles) {
+/// Normal force of a periodic response at any time in s.
+double force_at(const mdr::NormalResponse& response, double time) {
+  const auto& values = response.normal_force;
+  const double cycles = time / response.time.back();
   const double position = (cycles - std::floor(cycles)) * static_cast<double>(values.size() - 1);
   const auto k = std::min(static_cast<std::size_t>(position), values.size() - 2);
   const double weight = position - static_cast<double>(k);
@@ -72,7 +74,7 @@ void write_history(const CaseResult& result, const mdr::NormalResponse& referenc
     displacement[k] = fem::tangential_motion(fem.motion, t).value * fem.units.depth;
     const auto column = history.column(first + k);
     normal_force[k] = (history.force[column] + history.force_beyond[column]) * fem.units.force();
-    mdr_force[k] = periodic_value(reference.normal_force, t / (2 * pi));
+    mdr_force[k] = force_at(reference, time[k]);
     tangential_force[k] = friction.force[k] * fem.units.force();
   }
   write_csv(file, {{"t [s]", time},

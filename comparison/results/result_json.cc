@@ -1,5 +1,7 @@
 #include <sys/resource.h>
 
+#include <cmath>
+
 #include "comparison/results/case_result.h"
 #include "comparison/simulation/resolution_json.h"
 #include "comparison/support/json.h"
@@ -10,6 +12,14 @@ namespace {
 
 using nlohmann::ordered_json;
 
+/// Amplitudes in m, frequencies in Hz, phases in degrees from an instant of largest indentation.
+ordered_json harmonics_json(const std::vector<mdr::Harmonic>& harmonics) {
+  auto json = ordered_json::array();
+  for (const auto& [amplitude, frequency, phase] : harmonics)
+    json.push_back({{"amplitude", amplitude}, {"frequency", frequency}, {"phase", phase * 180 / std::acos(-1.0)}});
+  return json;
+}
+
 ordered_json case_json(const CaseResult& result) {
   const auto& input = result.input;
   const auto& motion = result.mdr_case.motion;
@@ -18,14 +28,17 @@ ordered_json case_json(const CaseResult& result) {
                     {"rheology", input.elastomer.rheology},
                     {"friction_coefficient", input.friction_coefficient},
                     {"indentation", motion.indentation},
-                    {"normal_amplitude", motion.normal_amplitude},
-                    {"tangential_amplitude", motion.tangential_amplitude},
-                    {"frequency", motion.normal_frequency},
+                    {"normal_amplitude", motion.normal.front().amplitude},
+                    {"tangential_amplitude", motion.tangential.front().amplitude},
+                    {"frequency", motion.normal.front().frequency},
+                    {"tangential_frequency", motion.tangential.front().frequency},
                     {"phase", or_null(input.motion.phase)},
                     {"wear", input.wear == Case::Wear::limiting ? "limiting" : "unworn"},
                     {"contact_radius_at_rest", mdr::inverse_transform(result.mdr_case.profile, motion.indentation)},
                     {"contact_radius_unworn", result.fem_case.units.length},
                     {"tolerance", input.tolerance}};
+  if (motion.normal.size() > 1) json["normal_harmonics"] = harmonics_json(motion.normal);
+  if (motion.tangential.size() > 1) json["tangential_harmonics"] = harmonics_json(motion.tangential);
   if (result.mdr_case.limiting) json["stick_radius_of_profile"] = result.mdr_case.limiting->stick_radius;
   if (input.wear_kinetics) json["left_out"] = {"Wear / Coefficient", "Wear / Cycles"};
   if (input.sweep)

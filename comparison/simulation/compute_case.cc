@@ -49,7 +49,7 @@ class Friction {
 
 fem::HistoryControl control_of(const FemCase& fem) {
   constexpr int most_after_ramp = 400;
-  return {fem.resolution.steps_per_cycle, fem.resolution.n_ramp_cycles + most_after_ramp, fem.resolution.periodicity};
+  return {fem.steps_per_cycle(), fem.motion.cycles_of_ramp() + most_after_ramp, fem.resolution.periodicity};
 }
 
 }  // namespace

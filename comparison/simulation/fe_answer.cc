@@ -37,7 +37,7 @@ NoWearEvidence no_wear_evidence(const fem::Compliance& compliance, const FemCase
                                 const fem::NormalHistory& normal, const fem::FrictionHistory& friction,
                                 Eigen::Index n_inside) {
   const Eigen::Index n_worn = rings_within(compliance, fem.worn_edge->outer) - n_inside;
-  return {friction.period_slip.head(n_inside).maxCoeff() / fem.motion.tangential_amplitude,
+  return {friction.period_slip.head(n_inside).maxCoeff() / fem.motion.tangential_amplitude(),
           largest_share_outside(normal, compliance.areas, n_inside),
           fem::touch_indentation(compliance, profile, n_inside, n_worn)};
 }
@@ -73,7 +73,7 @@ Eigen::Index largest_contact_rings(const fem::NormalHistory& history) {
 void add_stick_depths(const fem::PunchSeries& series, const FemCase& fem, FeAnswer& answer) {
   const auto& friction = answer.friction;
   const Eigen::Index n_contact = answer.rings.contact;
-  const double amplitude = fem.motion.tangential_amplitude;
+  const double amplitude = fem.motion.tangential_amplitude();
   const auto depths = [&](const Eigen::VectorXd& reserve, const Eigen::VectorXd& slip, Eigen::Index n_stuck) {
     return fem::stick_depths({reserve.head(n_contact), series.displacements(slip).head(n_contact), n_stuck},
                              series.radii(), 1.5 * fem.friction_coefficient, amplitude);
@@ -84,7 +84,7 @@ void add_stick_depths(const fem::PunchSeries& series, const FemCase& fem, FeAnsw
 
 /// Whether a branch or, after a release, the dashpot relaxes within two steps.
 bool relaxes_within_a_step(const FemCase& fem) {
-  const double step = 2 * pi / fem.resolution.steps_per_cycle;
+  const double step = 2 * pi / fem.steps_per_cycle();
   const auto is_short = [step](double time) { return time < 2 * step; };
   const auto& [relaxed, moduli, times, viscosity] = fem.relaxation;
   return (viscosity > 0 && is_short(viscosity / relaxed)) || std::any_of(times.begin(), times.end(), is_short);
@@ -144,8 +144,9 @@ FeAnswer read_answer(const ContactProblems& problems, const FemCase& fem, const 
   answer.stick_radius_shakedown = dimensional(shakedown, length);
   answer.first_slip_uncertainty = first.uncertainty * length;
   answer.shakedown_uncertainty = shakedown.uncertainty * length;
-  const auto force =
-      fem::largest_force(problems.normal, {fem.relaxation, fem.sharp_edge, fem.worn_edge.has_value()}, normal);
+  const auto force = fem::largest_force(
+      problems.normal, {fem.relaxation, fem.sharp_edge, fem.worn_edge.has_value(), fem.motion.highest_normal_order()},
+      normal);
   answer.normal_force_max = force.value * fem.units.force();
   answer.normal_force_uncertainty = force.uncertainty * fem.units.force();
   answer.n_cycles = friction.n_cycles;

@@ -4,7 +4,9 @@
 
 #include <cmath>
 #include <tuple>
+#include <utility>
 
+#include "comparison/simulation/near_cycle.h"
 #include "meshes/grading.h"
 
 namespace fretval {
@@ -69,6 +71,25 @@ std::function<double(double)> profile_in(const Units& units, const Case& input, 
   return [profile = mdr.profile, length, depth](double r) { return mdr::shape(profile, r * length) / depth; };
 }
 
+/// Those that move; depth: the unit.
+std::vector<fem::Oscillation> oscillations(const std::vector<mdr::Harmonic>& harmonics, const std::vector<int>& orders,
+                                           double depth) {
+  std::vector<fem::Oscillation> moving;
+  for (std::size_t i = 0; i < harmonics.size(); ++i)
+    if (orders[i] > 0) moving.push_back({harmonics[i].amplitude / depth, orders[i], harmonics[i].phase});
+  return moving;
+}
+
+/// Makes time dimensionless with a cycle, and the motion too; of a relaxation that is still in s.
+void take_cycle(const mdr::HarmonicMotion& motion, const mdr::CommonCycle& cycle, FemCase& fem) {
+  const double frequency = mdr::angular_frequency(cycle.frequency),
+               scale = frequency / std::exchange(fem.units.angular_frequency, frequency), depth = fem.units.depth;
+  fem.relaxation.viscosity *= scale;
+  for (double& time : fem.relaxation.times) time *= scale;
+  fem.motion = {motion.indentation / depth, oscillations(motion.normal, cycle.normal_orders, depth),
+                oscillations(motion.tangential, cycle.tangential_orders, depth), motion.phase_locked};
+}
+
 }  // namespace
 
 bool BodySpecification::operator<(const BodySpecification& other) const {
@@ -77,19 +98,22 @@ bool BodySpecification::operator<(const BodySpecification& other) const {
 }
 
 FemCase fem_case(const Case& input, const MdrCase& mdr) {
-  const double deepest = input.motion.indentation + input.motion.normal_amplitude;
-  const Units units{mdr::inverse_transform(mdr.profile, deepest), deepest, input.elastomer.relaxed_modulus,
-                    mdr::angular_frequency(input.motion.normal_frequency)};
+  const double deepest = mdr::maximum_indentation(mdr.motion);
+  const Units units{mdr::inverse_transform(mdr.profile, deepest), deepest, input.elastomer.relaxed_modulus, 1};
   FemCase fem{units, {}, {}, {}, input.friction_coefficient, profile_in(units, input, mdr), {}, {}};
   if (mdr.limiting)
     fem.worn_edge = {mdr.limiting->stick_radius / units.length, mdr.limiting->outer_radius / units.length};
   else if (input.indenter.shape == Case::Shape::truncated_sphere)
     fem.sharp_edge = input.indenter.flat_radius / units.length;
-  fem.relaxation.viscosity = mdr.body.viscosity * units.angular_frequency / units.modulus;
+  fem.relaxation.viscosity = mdr.body.viscosity / units.modulus;
   for (const double modulus : mdr.body.branch_moduli) fem.relaxation.moduli.push_back(modulus / units.modulus);
-  for (const double time : mdr.body.branch_times) fem.relaxation.times.push_back(time * units.angular_frequency);
-  fem.motion = {input.motion.indentation / deepest, input.motion.normal_amplitude / deepest,
-                mdr.motion.tangential_amplitude / deepest, mdr.motion.phase};
+  fem.relaxation.times = mdr.body.branch_times;
+  constexpr int longest_cycle = 200;  // oscillations
+  const auto cycle = mdr::common_cycle(mdr.motion);
+  if (cycle && cycle->highest_order() <= longest_cycle)
+    take_cycle(mdr.motion, *cycle, fem);
+  else
+    fem.without_short_cycle = mdr.motion;
   auto resolution = resolution_for(input.tolerance, fem.relaxation.has_memory());
   // The force of a worn profile is of second order from 12 rings on, and the error bar goes down to a quarter of them.
   constexpr double enough_rings_of_a_worn_profile = 48;
@@ -103,8 +127,15 @@ FemCase fem_case(const Case& input, const MdrCase& mdr) {
 
 FemCase at_resolution(FemCase fem, const Resolution& resolution) {
   fem.resolution = resolution;
+  if (fem.without_short_cycle) {
+    const auto near = near_cycle(fem, 2 * resolution.n_creep_cycles);
+    take_cycle(*fem.without_short_cycle, near.cycle, fem);
+    fem.error_of_demand = near.error_of_demand;
+    fem.motion.locked = !near.creeps;
+    if (near.creeps && fem.motion.tangential.size() == 1) fem.motion.tangential.front().phase = 0;
+  }
   fem.body = {contact_nodes(fem), resolution.growth, resolution.far_radius, resolution.degree,
-              fem.motion.tangential_amplitude > 0};
+              fem.motion.tangential_amplitude() > 0};
   fem.motion.n_ramp_cycles = resolution.n_ramp_cycles;
   fem.motion.n_creep_cycles = resolution.n_creep_cycles;
   return fem;

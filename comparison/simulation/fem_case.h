@@ -20,7 +20,7 @@ struct Units {
   double length;             ///< m, the unworn contact radius at the largest indentation
   double depth;              ///< m, the largest indentation
   double modulus;            ///< Pa, relaxed
-  double angular_frequency;  ///< rad/s
+  double angular_frequency;  ///< rad/s, of the cycle with which the motion repeats
 
   [[nodiscard]] double pressure() const { return modulus * depth / length; }
   [[nodiscard]] double force() const { return modulus * depth * length; }
@@ -53,6 +53,13 @@ struct FemCase {
   std::optional<WornEdge> worn_edge;
   bool keeps_body = false;                ///< an answer at this resolution goes with the whole body, for fields
   std::optional<double> sharp_edge = {};  ///< radius at which the slope of the unworn indenter jumps
+  /// The motion, if its frequencies have no common period, or a long one: finite elements take a near cycle then, see
+  /// comparison/simulation/near_cycle.h, with this error of the depth that an element asks for to stick.
+  std::optional<mdr::HarmonicMotion> without_short_cycle = {};
+  double error_of_demand = 0;
+
+  /// The resolution's steps belong to the fastest oscillation.
+  [[nodiscard]] int steps_per_cycle() const { return resolution.steps_per_cycle * motion.highest_order(); }
 };
 
 /// At the resolution that the tolerance of the case asks for.

@@ -28,7 +28,8 @@ Entries with_stick_ratio(const Entries& entries, double stick_ratio, double fact
   const auto mdr = mdr_case(input);
   const double contact_radius = mdr::inverse_transform(mdr.profile, mdr::maximum_indentation(mdr.motion));
   const auto amplitude = mdr::tangential_amplitude_for_shakedown(
-      mdr.body, mdr.friction_coefficient, mdr.motion, mdr::transform(mdr.profile, stick_ratio * contact_radius));
+      mdr.body, mdr.friction_coefficient, one_harmonic_each_of(input, mdr, "Motion / Tangential amplitude"),
+      mdr::transform(mdr.profile, stick_ratio * contact_radius));
   if (!amplitude) throw InputError(fmt::format("no tangential amplitude shakes down at c/a = {:g}", stick_ratio));
   return with(entries, {{"Motion / Tangential amplitude", entry_text(factor * *amplitude)}});
 }

@@ -170,8 +170,10 @@ bool is_about_to_stick(const Eigen::VectorXd& before, const Eigen::VectorXd& sli
 }  // namespace
 
 double slip_of_stuck_ring(const Motion& motion) {
-  constexpr double per_amplitude_and_cycle = 1e-4;
-  return per_amplitude_and_cycle * motion.tangential_amplitude * motion.cycles_per_period();
+  constexpr double per_amplitude_and_oscillation = 1e-4;
+  double path = 0;
+  for (const auto& oscillation : motion.tangential) path += oscillation.amplitude * oscillation.order;
+  return per_amplitude_and_oscillation * path * motion.cycles_per_period();
 }
 
 FrictionHistory friction_history(WatchedFriction friction, const NormalHistory& normal, const HistoryControl& control,
@@ -204,7 +206,7 @@ FrictionHistory friction_history(WatchedFriction friction, const NormalHistory& 
     } while (contact.n_steps % period_steps != 0);
     history.n_cycles = static_cast<int>(contact.n_steps / contact.steps_per_cycle());
     const bool after_jump = std::exchange(jumped, false);
-    if (history.n_cycles <= std::max(contact.motion().n_ramp_cycles, normal.n_cycles) + cycles_per_period) continue;
+    if (history.n_cycles <= std::max(contact.motion().cycles_of_ramp(), normal.n_cycles) + cycles_per_period) continue;
     if (!after_jump) {
       history.periodicity =
           change_to_come(change_per_period(friction.period.traction(), friction.traction_before), creep);

@@ -1,40 +1,108 @@
 #include "fem/history/motion.h"
 
+#include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "fem/support/constants.h"
 
 namespace fretval::fem {
 namespace {
 
+int highest(const std::vector<Oscillation>& oscillations) {
+  int order = 1;
+  for (const auto& oscillation : oscillations) order = std::max(order, oscillation.order);
+  return order;
+}
+
+double ramp_duration(const Motion& motion) {
+  int lowest = motion.highest_order();
+  for (const auto* direction : {&motion.normal, &motion.tangential})
+    for (const auto& oscillation : *direction) lowest = std::min(lowest, oscillation.order);
+  return 2 * pi * motion.n_ramp_cycles / lowest;
+}
+
 // Quintic smooth step: value, slope and curvature are continuous at both ends.
 ValueAndRate envelope(const Motion& motion, double t) {
-  const double duration = 2 * pi * motion.n_ramp_cycles;
+  const double duration = ramp_duration(motion);
   if (t >= duration) return {1, 0};
   const double x = t / duration;
   return {x * x * x * (10 + x * (-15 + 6 * x)), 30 * x * x * (1 - x) * (1 - x) / duration};
 }
 
-ValueAndRate phase(const Motion& motion, double t) {
-  if (motion.phase) return {*motion.phase, 0};
-  const double x = t / motion.n_creep_cycles;
-  return {pi / 2 * (1 - std::cos(x)), pi / 2 * std::sin(x) / motion.n_creep_cycles};
+/// Lags of the tangential motion that differ.
+double span_of_lags(const Motion& motion) {
+  int common = 1, lowest = motion.highest_order();
+  for (const auto* direction : {&motion.normal, &motion.tangential})
+    for (const auto& oscillation : *direction) {
+      common = std::lcm(common, oscillation.order);
+      lowest = std::min(lowest, oscillation.order);
+    }
+  return lowest == motion.highest_order() ? pi / common : 2 * pi / common;
+}
+
+ValueAndRate lag(const Motion& motion, double t) {
+  if (motion.locked) return {0, 0};
+  const double n = motion.cycles_per_period(), x = t / n, half = span_of_lags(motion) / 2;
+  return {half * (1 - std::cos(x)), half * std::sin(x) / n};
+}
+
+/// Their sum at a time that runs at the given rate.
+ValueAndRate sum_of(const std::vector<Oscillation>& oscillations, const ValueAndRate& time) {
+  ValueAndRate sum{0, 0};
+  for (const auto& [amplitude, order, phase] : oscillations) {
+    const double argument = order * time.value + phase;
+    sum.value += amplitude * std::cos(argument);
+    sum.rate -= amplitude * order * time.rate * std::sin(argument);
+  }
+  return sum;
+}
+
+ValueAndRate product(const ValueAndRate& e, const ValueAndRate& f) {
+  return {e.value * f.value, e.rate * f.value + e.value * f.rate};
 }
 
 }  // namespace
 
+int Motion::cycles_per_period() const {
+  constexpr int fewest = 2;
+  if (locked) return 1;
+  const int order = highest_order();
+  return std::max((n_creep_cycles + order - 1) / order, fewest);
+}
+
+int Motion::highest_order() const {
+  return std::max(highest(normal), highest(tangential));
+}
+
+int Motion::highest_normal_order() const {
+  return highest(normal);
+}
+
+int Motion::cycles_of_ramp() const {
+  return static_cast<int>(std::ceil(ramp_duration(*this) / (2 * pi)));
+}
+
+double Motion::tangential_amplitude() const {
+  double sum = 0;
+  for (const auto& oscillation : tangential) sum += oscillation.amplitude;
+  return sum;
+}
+
+Motion one_frequency(double indentation, double normal_amplitude, double tangential_amplitude,
+                     std::optional<double> phase) {
+  return {indentation, {{normal_amplitude}}, {{tangential_amplitude, 1, phase.value_or(0)}}, phase.has_value()};
+}
+
 ValueAndRate normal_motion(const Motion& motion, double t) {
-  const auto e = envelope(motion, t);
-  return {motion.indentation + e.value * motion.normal_amplitude * std::cos(t),
-          motion.normal_amplitude * (e.rate * std::cos(t) - e.value * std::sin(t))};
+  auto d = product(envelope(motion, t), sum_of(motion.normal, {t, 1}));
+  d.value += motion.indentation;
+  return d;
 }
 
 ValueAndRate tangential_motion(const Motion& motion, double t) {
-  const auto e = envelope(motion, t);
-  const auto phi = phase(motion, t);
-  const double argument = t + phi.value;
-  return {e.value * motion.tangential_amplitude * std::cos(argument),
-          motion.tangential_amplitude * (e.rate * std::cos(argument) - e.value * (1 + phi.rate) * std::sin(argument))};
+  const auto s = lag(motion, t);
+  return product(envelope(motion, t), sum_of(motion.tangential, {t + s.value, 1 + s.rate}));
 }
 
 }  // namespace fretval::fem

@@ -1,28 +1,52 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "fem/history/relaxation.h"
 
 namespace fretval::fem {
 
-/// Motion of the indenter in dimensionless time t (omega = 1, a cycle is 2 pi): `d = d0 + e(t) Dd cos t`,
-/// `u_x = e(t) u_x0 cos(t + phi(t))`. The envelope e rises smoothly from 0 to 1 over n_ramp_cycles, so that the history
-/// starts relaxed at d0 and raises both amplitudes together.
+/// One cosine of a motion, `amplitude cos(order t + phase)`.
+struct Oscillation {
+  double amplitude;  ///< not negative
+  int order = 1;     ///< oscillations per cycle, positive
+  double phase = 0;
+};
+
+/// Motion of the indenter in dimensionless time t, in which a cycle lasts 2 pi: the common period of all oscillations.
 ///
-/// A locked motion has a constant phase, and its period is one cycle. An unlocked one creeps from 0 to pi and back,
-/// `phi = (pi/2)(1 - cos(t / n_creep_cycles))`: it rests for an instant at both ends, where the extremes of the load
-/// lie, and its period is n_creep_cycles.
+///   d = d0 + e(t) sum_j a_j cos(n_j t + phi_j),     u_x = e(t) sum_k b_k cos(m_k (t + s(t)) + psi_k)
+///
+/// The cycle has to begin and end at its largest indentation, where readings of the contact look for it. The envelope e
+/// rises smoothly from 0 to 1 over n_ramp_cycles of the slowest oscillation, so that the history starts relaxed at d0
+/// and raises all amplitudes together.
+///
+/// A locked motion has s = 0, and its period is one cycle. In an unlocked one the tangential motion creeps ahead of the
+/// normal one and back, `s = (L/2)(1 - cos(t / n))`, through all lags that differ: L = 2 pi over the least common
+/// multiple of all orders in either direction; half of that, pi, for oscillations of one frequency, where a lag by half
+/// a cycle turns the tangential motion round. There it rests for an instant at the lags at which the extremes of the
+/// load lie. n = n_creep_cycles over the highest order, two at least, is the period in cycles.
 struct Motion {
   double indentation;
-  double normal_amplitude;
-  double tangential_amplitude;
-  std::optional<double> phase;  ///< empty: unlocked
+  std::vector<Oscillation> normal, tangential;
+  bool locked = true;
   int n_ramp_cycles = 10;
   int n_creep_cycles = 48;
 
-  [[nodiscard]] int cycles_per_period() const { return phase ? 1 : n_creep_cycles; }
+  [[nodiscard]] int cycles_per_period() const;
+  /// Oscillations per cycle of the fastest of all, and of the fastest normal one; 1 at least.
+  [[nodiscard]] int highest_order() const;
+  [[nodiscard]] int highest_normal_order() const;
+  /// Whole cycles until the ramp is over.
+  [[nodiscard]] int cycles_of_ramp() const;
+  /// Sum of the tangential amplitudes: u_x is never larger.
+  [[nodiscard]] double tangential_amplitude() const;
 };
+
+/// One cosine in each direction, of the same frequency. phase: of the tangential one, ahead; empty: unlocked.
+Motion one_frequency(double indentation, double normal_amplitude, double tangential_amplitude,
+                     std::optional<double> phase);
 
 ValueAndRate normal_motion(const Motion& motion, double t);
 ValueAndRate tangential_motion(const Motion& motion, double t);

@@ -101,7 +101,7 @@ NormalHistory normal_history(NormalContact contact, const HistoryControl& contro
     record.end();
     ++history.n_cycles;
     const bool after_jump = std::exchange(jumped, false);
-    if (history.n_cycles <= std::max(contact.motion().n_ramp_cycles, 1)) continue;
+    if (history.n_cycles <= std::max(contact.motion().cycles_of_ramp(), 1)) continue;
     if (!after_jump) history.periodicity = change_to_come(change_per_cycle(history.pressure, before), creep);
     if (history.periodicity > control.periodicity) jumped = jump.advance(contact.state);
   }

@@ -19,6 +19,9 @@ struct RelaxationModel {
   [[nodiscard]] bool has_memory() const { return !moduli.empty() || viscosity > 0; }
 };
 
+/// `|G(omega)|` over the relaxed modulus.
+double stiffening_at(const RelaxationModel& relaxation, double omega);
+
 struct ValueAndRate {
   double value, rate;
 };

@@ -31,12 +31,12 @@ LargestForce peak_of_quartic(const Eigen::VectorXd& samples, const Eigen::Vector
   return peak;
 }
 
-/// It lies between samples: the peak of a quartic fitted to those within a twentieth of a period of the largest one,
-/// two on either side of it at least. Where the contact closes within a few steps the samples scatter, which one more
-/// on either side tells.
-LargestForce periodic_peak(const Eigen::VectorXd& samples, const Eigen::VectorXd& uncertainties) {
+/// It lies between samples: the peak of a quartic fitted to those within a twentieth of an oscillation of the largest
+/// one, two on either side of it at least. Where the contact closes within a few steps the samples scatter, which one
+/// more on either side tells.
+LargestForce periodic_peak(const Eigen::VectorXd& samples, const Eigen::VectorXd& uncertainties, int oscillations) {
   constexpr double safety = 2;
-  const Eigen::Index half = std::max<Eigen::Index>(2, samples.size() / 60);
+  const Eigen::Index half = std::max<Eigen::Index>(2, samples.size() / (60 * oscillations));
   auto peak = peak_of_quartic(samples, uncertainties, half);
   peak.uncertainty += safety * std::abs(peak_of_quartic(samples, uncertainties, half + 1).value - peak.value);
   return peak;
@@ -96,7 +96,7 @@ LargestForce largest_force(const ContactProblem& problem, const ForceContext& co
     force += history.force_beyond.tail(n_steps);
     uncertainty += history.force_beyond_uncertainty.tail(n_steps);
   }
-  auto largest = periodic_peak(force, uncertainty);
+  auto largest = periodic_peak(force, uncertainty, context.oscillations);
   largest.uncertainty += unseen_travel(problem, context, history) + unseen_growth(problem, context, history) +
                          force_at_sharp_edge(problem.compliance, context, history);
   return largest;

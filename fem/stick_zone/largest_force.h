@@ -12,6 +12,7 @@ struct ForceContext {
   const RelaxationModel& relaxation;
   std::optional<double> sharp_edge = {};  ///< radius at which the slope of the indenter jumps
   bool worn = false;                      ///< profile with a flank that touches all at once
+  int oscillations = 1;                   ///< of the normal motion in a cycle, of its fastest harmonic
 };
 
 /// Largest normal force of the periodic state, dimensionless, and how uncertain its reading is: of the edges at its

@@ -32,4 +32,8 @@ double reach_of_edge(const StickDepths& depths, double c, double uncertainty) {
   return std::max({c - crossing(depths, uncertainty), crossing(depths, -uncertainty) - c, 0.0});
 }
 
+double width_of_edge(const StickDepths& depths, double uncertainty) {
+  return crossing(depths, -uncertainty) - crossing(depths, uncertainty);
+}
+
 }  // namespace fretval::fem

@@ -29,4 +29,8 @@ StickDepths stick_depths(const StickRings& rings, const Eigen::VectorXd& radii, 
 /// of the face sticks or nothing. Where the depths end, the edge may be that of the contact, 1.
 double reach_of_edge(const StickDepths& depths, double c, double uncertainty);
 
+/// How far apart the depths fall to `uncertainty` and to minus it: twice what the edge moves if all of them are off by
+/// that. Unlike reach_of_edge it does not count that the edge is read more finely than the depths are spaced.
+double width_of_edge(const StickDepths& depths, double uncertainty);
+
 }  // namespace fretval::fem

@@ -47,7 +47,7 @@ EdgeRadius stick_zone(const Compliance& tangential, const Eigen::VectorXd& small
 }  // namespace
 
 StuckRings stuck_rings(const FrictionHistory& friction, const Motion& motion) {
-  return {count_stuck(friction.slip_path, friction.first_slip_margin, never_slipped * motion.tangential_amplitude),
+  return {count_stuck(friction.slip_path, friction.first_slip_margin, never_slipped * motion.tangential_amplitude()),
           count_stuck(friction.period_slip, friction.shakedown_margin, slip_of_stuck_ring(motion))};
 }
 

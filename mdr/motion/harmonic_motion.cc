@@ -1,8 +1,14 @@
 #include "mdr/motion/harmonic_motion.h"
 
+#include <algorithm>
+#include <iterator>
+#include <stdexcept>
 #include <string>
 
+#include "mdr/motion/commensurability.h"
 #include "mdr/support/checks.h"
+#include "mdr/support/constants.h"
+#include "mdr/support/trigonometric_maximum.h"
 
 namespace fretval::mdr {
 
@@ -15,6 +21,14 @@ void validate_direction(const std::vector<Harmonic>& harmonics, const std::strin
     require_positive("frequency" + where, harmonics[i].frequency);
     require_finite("phase" + where, harmonics[i].phase);
   }
+}
+
+std::vector<Harmonic> moving(const std::vector<Harmonic>& harmonics) {
+  std::vector<Harmonic> those;
+  std::copy_if(harmonics.begin(), harmonics.end(), std::back_inserter(those),
+               [](const Harmonic& harmonic) { return harmonic.amplitude > 0; });
+  if (those.empty() && !harmonics.empty()) those.push_back(harmonics.front());
+  return those;
 }
 
 }  // namespace
@@ -31,6 +45,69 @@ HarmonicMotion harmonic_motion(const Motion& motion) {
           {{motion.normal_amplitude, motion.normal_frequency, 0}},
           {{motion.tangential_amplitude, motion.tangential_frequency, motion.phase.value_or(0)}},
           motion.phase.has_value()};
+}
+
+std::optional<Motion> one_harmonic_each(const HarmonicMotion& motion) {
+  validate(motion);
+  const auto [indentation, normal, tangential, locked] = without_still_harmonics(motion);
+  if (normal.size() != 1 || tangential.size() != 1 || normal[0].phase != 0) return std::nullopt;
+  return Motion{
+      indentation,         normal[0].amplitude,     tangential[0].amplitude,
+      normal[0].frequency, tangential[0].frequency, locked ? std::optional(tangential[0].phase) : std::nullopt};
+}
+
+HarmonicMotion without_still_harmonics(const HarmonicMotion& motion) {
+  return {motion.indentation, moving(motion.normal), moving(motion.tangential), motion.phase_locked};
+}
+
+int CommonCycle::highest_order() const {
+  int highest = 1;
+  for (const auto* orders : {&normal_orders, &tangential_orders})
+    for (const int order : *orders) highest = std::max(highest, order);
+  return highest;
+}
+
+std::optional<CommonCycle> common_cycle(const HarmonicMotion& motion) {
+  CommonCycle cycle{motion.normal.empty() ? 0 : motion.normal.front().frequency, std::vector<int>(motion.normal.size()),
+                    std::vector<int>(motion.tangential.size())};
+  std::vector<double> frequencies;
+  std::vector<int*> orders;
+  const auto add_moving = [&](const std::vector<Harmonic>& harmonics, std::vector<int>& their_orders) {
+    for (std::size_t i = 0; i < harmonics.size(); ++i) {
+      if (harmonics[i].amplitude == 0) continue;
+      frequencies.push_back(harmonics[i].frequency);
+      orders.push_back(&their_orders[i]);
+    }
+  };
+  add_moving(motion.normal, cycle.normal_orders);
+  add_moving(motion.tangential, cycle.tangential_orders);
+  if (frequencies.empty()) return cycle;
+  const auto groups = commensurate_groups(frequencies);
+  if (groups.size() != 1) return std::nullopt;
+  cycle.frequency = groups[0].base_frequency;
+  for (std::size_t i = 0; i < orders.size(); ++i) *orders[groups[0].members[i]] = groups[0].orders[i];
+  return cycle;
+}
+
+HarmonicMotion shifted(HarmonicMotion motion, double time) {
+  for (auto* harmonics : {&motion.normal, &motion.tangential})
+    for (Harmonic& harmonic : *harmonics) harmonic.phase += angular_frequency(harmonic.frequency) * time;
+  return motion;
+}
+
+double time_of_maximum_indentation(const HarmonicMotion& motion) {
+  validate(motion);
+  const auto harmonics = moving(motion.normal);
+  if (harmonics.empty() || (harmonics.size() == 1 && harmonics[0].phase == 0)) return 0;
+  const auto cycle = common_cycle({motion.indentation, harmonics, {}});
+  if (!cycle)
+    throw std::invalid_argument(
+        "frequencies of the normal motion are not commensurate: its largest indentation may "
+        "never be reached");
+  std::vector<TrigonometricTerm> terms;
+  for (std::size_t i = 0; i < harmonics.size(); ++i)
+    terms.push_back({harmonics[i].amplitude, cycle->normal_orders[i], harmonics[i].phase});
+  return trigonometric_maximum(terms).angle / angular_frequency(cycle->frequency);
 }
 
 double maximum_indentation(const HarmonicMotion& motion) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "mdr/motion/harmonic.h"
@@ -26,6 +27,32 @@ void validate(const HarmonicMotion& motion);
 
 /// The same motion, one harmonic each.
 HarmonicMotion harmonic_motion(const Motion& motion);
+
+/// The other way round; empty where a direction has more than one harmonic that moves, or the indentation is not
+/// largest at time 0. A direction at rest keeps its first frequency.
+std::optional<Motion> one_harmonic_each(const HarmonicMotion& motion);
+
+/// The motion with its harmonics that do not move left out, but for the first of a direction in which none does.
+HarmonicMotion without_still_harmonics(const HarmonicMotion& motion);
+
+/// The same motion from a time in s on, which becomes its time 0.
+HarmonicMotion shifted(HarmonicMotion motion, double time);
+
+/// The cycle with which a motion repeats, and how often each harmonic oscillates in it; 0 for one that does not move.
+struct CommonCycle {
+  double frequency;  ///< Hz
+  std::vector<int> normal_orders, tangential_orders;
+
+  [[nodiscard]] int highest_order() const;
+};
+
+/// Empty: frequencies are not commensurate (see mdr/motion/commensurability.h). Whether the phase is locked does not
+/// matter. Where nothing moves, the cycle is that of the first normal harmonic.
+std::optional<CommonCycle> common_cycle(const HarmonicMotion& motion);
+
+/// Time in s at which the indentation is largest, the smallest that is not negative; 0 for one harmonic of phase 0.
+/// Throws std::invalid_argument where the normal frequencies are not commensurate: it may never be reached.
+double time_of_maximum_indentation(const HarmonicMotion& motion);
 
 /// Least upper bound of d(t) in m, see supremum() in mdr/harmonic.h: d_max of the limiting profile.
 double maximum_indentation(const HarmonicMotion& motion);

@@ -5,7 +5,6 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "mdr/motion/commensurability.h"
 #include "mdr/springs/spring_energy.h"
 #include "mdr/support/checks.h"
 
@@ -106,13 +105,14 @@ class History {
       SpringHistory last = one_period(period);
       if (period < control_.n_ramp_periods) continue;
       const double scale = std::max(start.tangential_load.abs().maxCoeff(), mu_ * start.normal_load.maxCoeff());
-      change_ = (state_.tangential_load - start.tangential_load).abs().maxCoeff();
+      change_ = std::max((state_.tangential_load - start.tangential_load).abs().maxCoeff(),
+                         mu_ * (state_.normal_load - start.normal_load).abs().maxCoeff());
       if (change_ <= control_.periodicity * scale) return last;
     }
     std::ostringstream message;
     const auto& times = body_.branch_times;
     const double longest = times.empty() ? 0 : *std::max_element(times.begin(), times.end());
-    message << "tractions of the springs still change by " << change_ << " m per period after " << control_.max_periods
+    message << "loads of the springs still change by " << change_ << " m per period after " << control_.max_periods
             << " periods; the longest relaxation time lasts " << longest / control_.period
             << " periods: allow more periods, or leave out branches that are slow beyond interest";
     throw std::runtime_error(message.str());
@@ -222,12 +222,9 @@ IndenterPath ramped_path(const HarmonicMotion& motion, double ramp_duration) {
 double common_period(const HarmonicMotion& motion) {
   validate(motion);
   if (!motion.phase_locked) throw std::invalid_argument("phase is unlocked: the motion has no period");
-  std::vector<double> frequencies;
-  for (const auto* harmonics : {&motion.normal, &motion.tangential})
-    for (const Harmonic& harmonic : *harmonics) frequencies.push_back(harmonic.frequency);
-  const auto groups = commensurate_groups(frequencies);
-  if (groups.size() != 1) throw std::invalid_argument("frequencies are not commensurate: the motion has no period");
-  return 1 / groups[0].base_frequency;
+  const auto cycle = common_cycle(motion);
+  if (!cycle) throw std::invalid_argument("frequencies are not commensurate: the motion has no period");
+  return 1 / cycle->frequency;
 }
 
 ForcePath ramped_force(double mean, double amplitude, double frequency, double phase, double ramp_duration) {

@@ -46,6 +46,12 @@ StickRadii radii_of(const Profile& profile, const StickDepths& depths) {
   return {stick_radius(profile, depths.first_slip), stick_radius(profile, depths.shakedown)};
 }
 
+StickRadii at_most(double largest, StickRadii radii) {
+  for (auto* radius : {&radii.first_slip, &radii.shakedown})
+    if (*radius) *radius = std::min(**radius, largest);
+  return radii;
+}
+
 }  // namespace
 
 StickDepths stick_depths(const Rheology& body, double mu, const HarmonicMotion& motion) {
@@ -81,11 +87,12 @@ StickRadii stick_radii(const Profile& profile, const Rheology& body, double mu, 
   return radii_of(profile, stick_depths(body, mu, motion));
 }
 
+StickRadii stick_radii(const LimitingProfile& worn, const Rheology& body, double mu, const HarmonicMotion& motion) {
+  return at_most(worn.stick_radius, stick_radii(worn.unworn, body, mu, motion));
+}
+
 StickRadii stick_radii(const LimitingProfile& worn, const Rheology& body, double mu, const Motion& motion) {
-  StickRadii radii = stick_radii(worn.unworn, body, mu, motion);
-  for (auto* radius : {&radii.first_slip, &radii.shakedown})
-    if (*radius) *radius = std::min(**radius, worn.stick_radius);
-  return radii;
+  return at_most(worn.stick_radius, stick_radii(worn.unworn, body, mu, motion));
 }
 
 }  // namespace fretval::mdr

@@ -53,6 +53,7 @@ StickRadii stick_radii(const Profile& profile, const Rheology& body, double mu, 
 /// For a worn profile: its elements inside c are those of the unworn one, and outside c none is pressed. A stick radius
 /// is that of the unworn profile, at most c: a motion smaller than the one that the profile is limiting for leaves all
 /// of the contact sticking, a larger one lets its outer part slip, and wear goes on.
+StickRadii stick_radii(const LimitingProfile& worn, const Rheology& body, double mu, const HarmonicMotion& motion);
 StickRadii stick_radii(const LimitingProfile& worn, const Rheology& body, double mu, const Motion& motion);
 
 }  // namespace fretval::mdr

@@ -13,7 +13,8 @@ inline CaseResult made_up_result() {
   auto prepared = prepared_case();
   prepared.input.fields = Case::Fields::none;
   prepared.fem.units = {2, 0.5, 10, pi / 2};
-  prepared.fem.motion = {0.75, 0.25, 0.125, pi / 3, 1};
+  prepared.fem.motion = fem::one_frequency(0.75, 0.25, 0.125, pi / 3);
+  prepared.fem.motion.n_ramp_cycles = 1;
   BodySummary body{};
   body.mesh_quality.n_cells = 101;
   body.mesh_quality.n_nodes = 102;
@@ -68,6 +69,7 @@ inline CaseResult made_up_result() {
 /// What MDR says of its force, in N, at every quarter of a cycle.
 inline mdr::NormalResponse made_up_reference() {
   mdr::NormalResponse reference{};
+  reference.time = {0, 1, 2, 3, 4};
   reference.normal_force = {100, 200, 300, 400, 100};
   return reference;
 }

@@ -11,7 +11,7 @@ namespace fretval::fem {
 
 /// A parabola of radius of curvature 1, d0 = 0.8, normal amplitude 0.2: the contact radius is at most 1.
 inline Motion fretting_motion() {
-  return {0.8, 0.2, 0, 0.0};
+  return one_frequency(0.8, 0.2, 0, 0.0);
 }
 
 inline Eigen::VectorXd parabola_means(const ContactProblem& problem) {

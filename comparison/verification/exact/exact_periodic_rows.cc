@@ -28,15 +28,14 @@ struct PeriodicCase {
 /// which is 1.
 std::vector<double> zone_errors(const ConvergenceMesh& mesh, const PeriodicCase& periodic, const ExactScene& exact) {
   const fem::HistoryControl control{120, 400, 1e-7};
-  fem::Motion motion{1 - periodic.normal_amplitude, periodic.normal_amplitude, 0, 0.0};
+  fem::Motion motion = fem::one_frequency(1 - periodic.normal_amplitude, periodic.normal_amplitude, 0, 0.0);
   motion.n_ramp_cycles = 40;  // after ten, first slip is still 2e-6 of a radius short of that of a slow rise
   const auto model = fem_model(periodic.body);
   const auto profile = means_of(mdr::parabola(1), mesh.normal);
   double first_slip = 0, shakedown = 0;
   for (const auto& [amplitude, degrees] : periodic.tangential) {
     const double phase = degrees * pi / 180;
-    motion.tangential_amplitude = amplitude;
-    motion.phase = phase;
+    motion.tangential = {{amplitude, 1, phase}};
     const auto [normal, friction] =
         fem::contact_history({mesh.normal, model, profile, motion, control.steps_per_cycle},
                              {mesh.tangential, model, friction_coefficient, motion, control.steps_per_cycle}, control);
@@ -44,7 +43,7 @@ std::vector<double> zone_errors(const ConvergenceMesh& mesh, const PeriodicCase&
         fem::stick_zones(mesh.tangential.compliance, normal, friction, fem::stuck_rings(friction, motion));
     const auto expected =
         mdr::stick_radii(mdr::parabola(1 / exact.steepness), periodic.body, exact.friction_coefficient,
-                         {motion.indentation, motion.normal_amplitude, amplitude, 1 / (2 * pi), 1 / (2 * pi), phase});
+                         {motion.indentation, periodic.normal_amplitude, amplitude, 1 / (2 * pi), 1 / (2 * pi), phase});
     take_worst(first_slip, zones.first_slip.radius - expected.first_slip.value_or(std::nan("")));
     take_worst(shakedown, zones.shakedown.radius - expected.shakedown.value_or(std::nan("")));
   }

@@ -128,12 +128,13 @@ ConvergenceRow cycle_row(const Meshes& meshes, const CattaneoMindlin& exact) {
   fem::HistoryControl control;
   control.steps_per_cycle = 720;
   const auto error = [&](const ConvergenceMesh& mesh) {
-    fem::Motion motion{1, 0, 0, 0.0, 1};
+    fem::Motion motion = fem::one_frequency(1, 0, 0, 0.0);
+    motion.n_ramp_cycles = 1;
     const auto profile = means_of(unworn, mesh.normal);
     const fem::RelaxationModel elastic;
     double worst = 0;
     for (int k = 0; k < n_positions; k += 4) {
-      const double u = motion.tangential_amplitude = position(k, 0.3, 0.9) * all_slides;
+      const double u = motion.tangential.front().amplitude = position(k, 0.3, 0.9) * all_slides;
       const double work = 8 * Gauss::integrate([&](double x) { return exact.force(x); }, 0, u) - 4 * u * exact.force(u);
       const auto history = fem::contact_history(
           {mesh.normal, elastic, profile, motion, control.steps_per_cycle},

@@ -42,7 +42,7 @@ void add(Cases& cases, const char* family, const std::string& name, const Entrie
 /// Amplitudes so small that a stick zone of c/a = 0.6 is left, however stiff the body is at its frequency.
 Entries with_small_amplitudes(const Entries& entries) {
   const auto mdr = mdr_case(case_of(entries, "case"));
-  const double ratio = mdr::modulus_ratio(mdr.body, mdr::angular_frequency(mdr.motion.normal_frequency));
+  const double ratio = mdr::modulus_ratio(mdr.body, mdr::angular_frequency(mdr.motion.normal.front().frequency));
   return with_stick_ratio(with_numbers(entries, {{"Motion / Normal amplitude", 0.2 * indentation / ratio}}), 0.6);
 }
 

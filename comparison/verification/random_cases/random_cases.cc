@@ -170,7 +170,7 @@ Entries with_tangential_amplitude(RandomNumbers& random, Entries entries, double
 double modulus_ratio_of(const Entries& entries) {
   const auto still = with_numbers(entries, {{"Motion / Normal amplitude", 0}, {"Motion / Tangential amplitude", 0}});
   const auto mdr = mdr_case(case_of(still, "case"));
-  return mdr::modulus_ratio(mdr.body, mdr::angular_frequency(mdr.motion.normal_frequency));
+  return mdr::modulus_ratio(mdr.body, mdr::angular_frequency(mdr.motion.normal.front().frequency));
 }
 
 }  // namespace

@@ -66,8 +66,8 @@ FeAnswer computed_alone(const PreparedCase& prepared, const Resolution& resoluti
 double seconds_of_full_model(const PreparedCase& prepared, const Resolution& resolution, const FeAnswer& condensed) {
   FemCase fem = at_resolution(prepared.fem, resolution);
   fem.motion.n_ramp_cycles = 1;
-  if (!fem.motion.phase) fem.motion.phase = right_angle;
-  const int steps = resolution.steps_per_cycle;
+  if (!std::exchange(fem.motion.locked, true)) fem.motion.tangential.front().phase = right_angle;
+  const int steps = fem.steps_per_cycle();
   const auto body = make_body(fem.body);
   const Eigen::VectorXd profile = fem::ring_means(body.normal.contact.compliance, fem.profile);
   Stopwatch watch;

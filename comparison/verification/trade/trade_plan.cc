@@ -38,7 +38,7 @@ Resolution chosen_resolution(double tolerance, const FemCase& fem) {
 }
 
 TradePlan trade_plan(const FemCase& fem, TradeGrid grid) {
-  if (!fem.motion.phase) {
+  if (!fem.motion.locked) {
     leave_out_above(grid.rings, slow_finest_rings);
     leave_out_above(grid.steps, slow_finest_steps);
   }

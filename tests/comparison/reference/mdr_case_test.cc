@@ -43,9 +43,24 @@ TEST(MdrCase, NamesTheEntryThatOnlyTheReferenceCovers) {
   };
   expect_refused("Normal force", [](auto& motion) { motion.normal_force = {1, 0.1}; });
   expect_refused("Tangential force amplitude", [](auto& motion) { motion.tangential_force = 0.1; });
-  expect_refused("Normal harmonics", [](auto& motion) { motion.normal_harmonics = {{1e-6, 2, 0}}; });
-  expect_refused("Tangential harmonics", [](auto& motion) { motion.tangential_harmonics = {{1e-6, 2, 0}}; });
-  expect_refused("Tangential frequency = 2 Hz", [](auto& motion) { motion.tangential_frequency = 2; });
+}
+
+// The cycle of the finite elements begins at the largest indentation, and so does that of the reference.
+TEST(MdrCase, TimeBeginsAtTheLargestIndentation) {
+  Case input = read_case();
+  input.motion.normal_harmonics = {{8e-6, 2, 110}};
+  const auto mdr = mdr_case(input);
+  double depth = mdr.motion.indentation;
+  for (const auto& harmonic : mdr.motion.normal) depth += harmonic.amplitude * std::cos(harmonic.phase);
+  EXPECT_NEAR(depth / mdr::maximum_indentation(harmonic_motion_of(input.motion)), 1, 1e-12);
+  EXPECT_EQ(mdr_case(read_case()).motion.tangential.front().phase, std::acos(-1.0) / 3);
+}
+
+TEST(MdrCase, NamesWhatNeedsOneHarmonicInEachDirection) {
+  Case input = limiting_case(0.6, 2e-6);
+  input.motion.tangential_harmonics = {{1e-6, 2, 0}};
+  expect_parts(refusal([&] { mdr_case(input); }),
+               {"Tangential amplitude = shakedown", "one harmonic in each direction"});
 }
 
 // A Prony body stands for the fractional one; the modulus over the frequencies of the motion is all that counts.

@@ -34,6 +34,26 @@ TEST(FemCase, UnlockedPhaseFollowsTheWorstPhase) {
   EXPECT_NEAR(*fe.stick_radius_first_slip, *answer.stick_radius_first_slip, 5e-3 * answer.contact_radius_max.value());
 }
 
+// Two frequencies, and a second harmonic of either, whose cycle does not begin with the first one's: both closed
+// formulas of the reference, and the largest force of its springs.
+TEST(FemCase, SeveralHarmonicsFollowTheReference) {
+  for (const auto& [normal, tangential] : {std::pair(1.0, 2.0), {3.0, 2.0}}) {
+    Case input = read_case();
+    input.motion.normal_frequency = normal;
+    input.motion.tangential_frequency = tangential;
+    input.motion.normal_harmonics = {{6e-6, 2 * normal, 100}};
+    input.motion.tangential_harmonics = {{4e-6, 2 * tangential, -50}};
+    const auto answer = exact_answer(input);
+    const auto fe = simulate_case(input);
+    const double a = answer.contact_radius_max.value();
+    EXPECT_NEAR(fe.contact_radius_max.value(), a, 2e-3 * a);
+    EXPECT_NEAR(fe.stick_radius_shakedown.value(), answer.stick_radius_shakedown.value(), 5e-3 * a);
+    EXPECT_NEAR(fe.stick_radius_first_slip.value(), answer.stick_radius_first_slip.value(), 5e-3 * a);
+    EXPECT_NEAR(fe.normal_force_max / answer.normal_force_max.value(), 1, 2e-3);
+    EXPECT_GT(answer.stick_radius_shakedown.value() - answer.stick_radius_first_slip.value(), 1e-3 * a);
+  }
+}
+
 // The pressure of a body with a dashpot jumps at the edge of the contact, so the gaps beyond it have to tell where it
 // ends. On a contact line with fewer than three rings beyond, the force was 3e-3 off at 8, 12 and 16 rings alike.
 TEST(FemCase, RingsBeyondTheContactTellWhereItEnds) {

@@ -45,7 +45,9 @@ RelaxationModel damped_branches() {
 
 /// Rings open and close, and slip comes and goes.
 Motion wide_motion() {
-  return {0.5, 0.35, 0.35, pi / 3, 1};
+  Motion motion = one_frequency(0.5, 0.35, 0.35, pi / 3);
+  motion.n_ramp_cycles = 1;
+  return motion;
 }
 
 /// Stops at the first chance: one cycle after the ramp, two for friction.

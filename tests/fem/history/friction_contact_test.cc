@@ -15,7 +15,9 @@ constexpr double mu = 0.5, amplitude = 0.9 * 1.5 * mu;  // d = 1: all slides at 
 
 /// u = amplitude sin t.
 Motion sliding_motion() {
-  return {1, 0, amplitude, -pi / 2, 0};
+  auto motion = one_frequency(1, 0, amplitude, -pi / 2);
+  motion.n_ramp_cycles = 0;
+  return motion;
 }
 
 class FrictionContactTest : public testing::Test {
@@ -56,7 +58,7 @@ TEST_F(FrictionContactTest, OfAnElasticBodyKnowsNoTime) {
 // Reversed motion, reversed tractions.
 TEST_F(FrictionContactTest, HasNoPreferredSide) {
   Motion reversed = sliding_motion();
-  reversed.tangential_amplitude *= -1;
+  reversed.tangential[0].amplitude *= -1;
   const auto solid = standard_solid();
   FrictionContact there(problem_, solid, mu, motion_, 36), back(problem_, solid, mu, reversed, 36);
   for (int k = 0; k < 20; ++k) {

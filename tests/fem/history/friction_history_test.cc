@@ -31,9 +31,9 @@ struct StickRadii {
 /// docs/theory.md, A = 2 u_x0 / (3 mu), g(c) = c^2: `g(c_first) = d0 - max(M+, M-)`,
 /// `g(c_shake) = d0 - (M+ + M-)/2`, `M+- = rho |A e^{i phi} -+ Dd|`. No stick where g < 0.
 StickRadii expected_radii(double rho, double friction_coefficient, const Motion& motion) {
-  const double a = 2 * motion.tangential_amplitude / (3 * friction_coefficient);
-  const double forward = rho * std::abs(std::polar(a, *motion.phase) - motion.normal_amplitude);
-  const double backward = rho * std::abs(std::polar(a, *motion.phase) + motion.normal_amplitude);
+  const double a = 2 * motion.tangential[0].amplitude / (3 * friction_coefficient);
+  const double forward = rho * std::abs(std::polar(a, motion.tangential[0].phase) - motion.normal[0].amplitude);
+  const double backward = rho * std::abs(std::polar(a, motion.tangential[0].phase) + motion.normal[0].amplitude);
   return {std::sqrt(std::max(0.0, motion.indentation - std::max(forward, backward))),
           std::sqrt(std::max(0.0, motion.indentation - (forward + backward) / 2))};
 }
@@ -48,8 +48,8 @@ StickRadii radii_of(const FrictionHistory& history, const Motion& motion, unsign
     while (n_rings < slip.size() && slip[n_rings] <= limit) ++n_rings;
     return n_rings;
   };
-  const Index never_slipped = count(history.slip_path, 1e-9 * motion.tangential_amplitude);
-  const Index stuck = count(history.period_slip, negligible_slip * motion.tangential_amplitude);
+  const Index never_slipped = count(history.slip_path, 1e-9 * motion.tangential[0].amplitude);
+  const Index stuck = count(history.period_slip, negligible_slip * motion.tangential[0].amplitude);
   return {stick_radius(compliance, history.first_slip_reserve, never_slipped).radius,
           stick_radius(compliance, history.shakedown_reserve, stuck).radius};
 }
@@ -61,8 +61,8 @@ NormalRecord press(const RelaxationModel& model, const Motion& motion, unsigned 
 
 Motion fretting(double k, double phase_in_degrees) {
   Motion motion = fretting_motion();
-  motion.phase = phase_in_degrees * pi / 180;
-  motion.tangential_amplitude = 1.5 * mu * motion.normal_amplitude / k;
+  motion.tangential[0].phase = phase_in_degrees * pi / 180;
+  motion.tangential[0].amplitude = 1.5 * mu * motion.normal[0].amplitude / k;
   return motion;
 }
 
@@ -140,7 +140,7 @@ TEST(FrictionHistory, FewStepsGiveTheStickRadii) {
 TEST(FrictionHistory, GoesOnWhereSlipDiesOutSlowlyEverywhere) {
   const RelaxationModel soft_at_rest{1, {7}, {1}, 0};
   const double rho = std::abs(complex_modulus(soft_at_rest));
-  Motion motion{0.8, 0.096, 1.5 * mu * 0.096 / 1.02, 0.0};
+  Motion motion = one_frequency(0.8, 0.096, 1.5 * mu * 0.096 / 1.02, 0.0);
   motion.n_ramp_cycles = 4;
   HistoryControl control;
   control.steps_per_cycle = 72;
@@ -163,7 +163,7 @@ TEST(StickRadiiSlow, OfAnUnlockedPhaseAreTheSmallest) {
     const auto normal = press(model, fretting(2, 0));
     Motion motion = fretting(2, 0);
     const double expected = expected_radii(rho, mu, motion).first_slip;
-    motion.phase.reset();
+    motion.locked = false;
     const auto history = friction_history(tangential_half_space(n_per_radius), model, mu, motion, normal, {});
     const auto radii = radii_of(history, motion);
     EXPECT_NEAR(radii.first_slip, expected, 3e-4);  // of the creep of the phase; 1.9e-4 measured
@@ -175,7 +175,7 @@ TEST(StickRadiiSlow, OfAnUnlockedPhaseAreTheSmallest) {
 TEST(FrictionHistory, DependsOnFrictionNormalMotionViscosityAndPhase) {
   const auto radii = [](const RelaxationModel& model, double friction, double normal_amplitude, double phase) {
     Motion motion = fretting(2, phase);
-    motion.normal_amplitude = normal_amplitude;
+    motion.normal[0].amplitude = normal_amplitude;
     const auto normal = press(model, motion);
     return radii_of(friction_history(tangential_half_space(n_per_radius), model, friction, motion, normal, {}), motion);
   };
@@ -203,8 +203,8 @@ TEST(FrictionHistory, TellsFirstSlipFromShakedown) {
 /// Indentation held at 0.8.
 Motion constant_load(double tangential_amplitude) {
   Motion motion = fretting_motion();
-  motion.normal_amplitude = 0;
-  motion.tangential_amplitude = tangential_amplitude;
+  motion.normal[0].amplitude = 0;
+  motion.tangential[0].amplitude = tangential_amplitude;
   return motion;
 }
 
@@ -255,7 +255,8 @@ TEST(FrictionHistory, DissipatesTheWorkOfTheIndenter) {
     const auto& problem = tangential_half_space(n_per_radius);
     const auto history = friction_history(problem, elastic_body(), mu, motion, press(elastic_body(), motion), {});
     const double work = work_of_indenter(history, motion, problem.compliance.areas);
-    EXPECT_NEAR(history.friction_work.sum(), work, 1e-6 * mu * history.force.maxCoeff() * motion.tangential_amplitude);
+    EXPECT_NEAR(history.friction_work.sum(), work,
+                1e-6 * mu * history.force.maxCoeff() * motion.tangential[0].amplitude);
   }
 }
 
@@ -331,8 +332,8 @@ TEST(FrictionHistory, OfAFlatPunchThatSticksFollowsTheComplexModulus) {
   const double unit_force =
       areas.head(n).dot(tangential.compliance.matrix.topLeftCorner(n, n).llt().solve(areas.head(n)));
   Motion motion = fretting_motion();
-  motion.phase = 0.7;
-  motion.tangential_amplitude = 0.05;
+  motion.tangential[0].phase = 0.7;
+  motion.tangential[0].amplitude = 0.05;
   for (const auto& model : {elastic_body(), standard_solid(), kelvin_voigt(), three_branches()}) {
     const auto& problem = normal_half_space(32);
     const auto profile = ring_means(problem.compliance, [](double r) { return r < 0.75 ? 0.0 : 10.0; });

@@ -10,17 +10,33 @@ namespace fretval::fem::motion_test {
 namespace {
 
 Motion locked() {
-  return {0.8, 0.2, 0.3, 0.7, 3};
+  auto motion = one_frequency(0.8, 0.2, 0.3, 0.7);
+  motion.n_ramp_cycles = 3;
+  return motion;
 }
 
 Motion unlocked() {
-  return {0.8, 0.2, 0.3, {}, 3, 12};
+  auto motion = one_frequency(0.8, 0.2, 0.3, {});
+  motion.n_ramp_cycles = 3;
+  motion.n_creep_cycles = 12;
+  return motion;
+}
+
+/// Two normal and two tangential oscillations of orders 2, 3, 3 and 5.
+Motion several() {
+  return {0.8, {{0.1, 2, 0.4}, {0.05, 3, 0}}, {{0.2, 3, 0.7}, {0.1, 5, -0.3}}, true, 4, 60};
+}
+
+Motion several_unlocked() {
+  auto motion = several();
+  motion.locked = false;
+  return motion;
 }
 
 // Central difference: h^2/6 = 2e-11 of the third derivative, and roundoff of t = 80 over h, 1e-14/1e-5 = 1e-9.
 TEST(Motion, RatesAreDerivatives) {
   const double h = 1e-5;
-  for (const auto& motion : {locked(), unlocked()})
+  for (const auto& motion : {locked(), unlocked(), several(), several_unlocked()})
     for (const auto& part : {normal_motion, tangential_motion})
       for (int k = 0; k < 216; ++k) {
         const double t = 0.1 + 0.37 * k;
@@ -62,6 +78,31 @@ TEST(Motion, UnlockedPhaseCreepsThereAndBackWithinThePeriod) {
     EXPECT_NEAR(tangential_motion(motion, begin + dt).value, 0.3 * std::cos(dt), 1e-4);
     EXPECT_NEAR(tangential_motion(motion, begin + half + dt).value, -0.3 * std::cos(half + dt), 1e-4);
     EXPECT_NEAR(tangential_motion(motion, begin + dt).value, tangential_motion(motion, 2 * begin + dt).value, 1e-13);
+  }
+}
+
+TEST(Motion, IsTheSumOfItsOscillationsAfterTheRampOfTheSlowest) {
+  const Motion motion = several();
+  EXPECT_EQ(motion.cycles_of_ramp(), 2);
+  EXPECT_EQ(motion.highest_order(), 5);
+  EXPECT_EQ(motion.highest_normal_order(), 3);
+  EXPECT_DOUBLE_EQ(motion.tangential_amplitude(), 0.3);
+  for (int k = 0; k < 60; ++k) {
+    const double t = 4 * pi + 0.1 * k;
+    EXPECT_NEAR(normal_motion(motion, t).value, 0.8 + 0.1 * std::cos(2 * t + 0.4) + 0.05 * std::cos(3 * t), 1e-14);
+    EXPECT_NEAR(tangential_motion(motion, t).value, 0.2 * std::cos(3 * t + 0.7) + 0.1 * std::cos(5 * t - 0.3), 1e-14);
+  }
+}
+
+// Orders 2 and 3 against 3 and 5: lags that differ by 2 pi/30 are the same, and all of them occur.
+TEST(Motion, UnlockedOscillationsPassThroughAllLags) {
+  const Motion motion = several_unlocked();
+  EXPECT_EQ(motion.cycles_per_period(), 12);
+  const double half = 12 * pi, lag = 2 * pi / 30;
+  for (const double dt : {-0.05, 0.0, 0.05}) {
+    const double t = 3 * half + dt, ahead = t + lag;
+    EXPECT_NEAR(tangential_motion(motion, t).value, 0.2 * std::cos(3 * ahead + 0.7) + 0.1 * std::cos(5 * ahead - 0.3),
+                1e-4);
   }
 }
 

@@ -40,7 +40,7 @@ TEST_F(NormalContactTest, OfAnElasticBodyIsHertzAtEveryStep) {
 // Begins relaxed: nothing is left to creep. Of Hertz as above, of rest roundoff.
 TEST_F(NormalContactTest, AtRestStaysAtRest) {
   Motion motion = fretting_motion();
-  motion.normal_amplitude = 0;
+  motion.normal[0].amplitude = 0;
   for (RelaxationModel model : {elastic_body(), standard_solid(), kelvin_voigt(), three_branches()}) {
     model.relaxed = 2;
     NormalContact contact(problem_, model, profile_, motion, 36);

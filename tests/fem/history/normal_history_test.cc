@@ -164,7 +164,7 @@ double mean_force(const RelaxationModel& model, double amplitude, int n_steps) {
   control.steps_per_cycle = n_steps;
   const auto& problem = normal_half_space(32);
   Motion motion = fretting_motion();
-  motion.normal_amplitude = amplitude;
+  motion.normal[0].amplitude = amplitude;
   const auto history = normal_history(problem, model, parabola_means(problem), motion, control);
   return (history.pressure.rightCols(n_steps).transpose() * problem.compliance.areas).mean();
 }
@@ -242,7 +242,7 @@ TEST(NormalHistory, SaysWhenItIsNotPeriodic) {
 TEST(NormalHistory, WithoutContactHasNoForce) {
   const auto& problem = normal_half_space(16);
   Motion motion = fretting_motion();
-  motion.indentation = -2 * motion.normal_amplitude;
+  motion.indentation = -2 * motion.normal[0].amplitude;
   for (const auto& body : {elastic_body(), standard_solid()}) {
     const auto history = normal_history(problem, body, parabola_means(problem), motion, {});
     EXPECT_EQ(history.force.cwiseAbs().maxCoeff(), 0);
@@ -264,7 +264,7 @@ TEST(NormalHistory, DependsOnAmplitudeAndRheology) {
   const auto& problem = normal_half_space(16);
   const auto peak = [&](const RelaxationModel& model, double amplitude) {
     Motion motion = fretting_motion();
-    motion.normal_amplitude = amplitude;
+    motion.normal[0].amplitude = amplitude;
     return normal_history(problem, model, parabola_means(problem), motion, {}).force.maxCoeff();
   };
   EXPECT_GT(peak(standard_solid(), 0.2) / peak(standard_solid(), 0), 1.2);

@@ -18,7 +18,7 @@ TEST(StickZones, EndingNextToTheSmallestContactAreUncertainByAThousandthOfARing)
   const auto& normal_problem = normal_half_space(n_rings);
   const auto& tangential_problem = tangential_half_space(n_rings);
   const double mu = 0.5, share = 1e-3 / n_rings;
-  Motion motion{0.8, 0.2, 1.5 * mu * 0.2, 0.0};
+  Motion motion = one_frequency(0.8, 0.2, 1.5 * mu * 0.2, 0.0);
   const HistoryControl control{72, 400, 1e-6};
   const auto profile = ring_means(normal_problem.compliance, [](double r) { return r * r / 2; });
   const auto normal = normal_history(normal_problem, {}, profile, motion, control);
@@ -31,11 +31,11 @@ TEST(StickZones, EndingNextToTheSmallestContactAreUncertainByAThousandthOfARing)
   EXPECT_NEAR(together.radius, std::sqrt(0.6), together.uncertainty);
   // 0.9 rings inside: the reserve is bent before the kink.
   const double c = std::sqrt(0.6) - 0.9 / n_rings;
-  motion.tangential_amplitude = 1.5 * mu * (0.8 - c * c);
+  motion.tangential[0].amplitude = 1.5 * mu * (0.8 - c * c);
   const auto next = zones_of().shakedown;
   EXPECT_GE(next.uncertainty, share);
   EXPECT_NEAR(next.radius, c, next.uncertainty);
-  motion.tangential_amplitude = 1.5 * mu * 0.4;  // A = 0.4: d0 - (0.2 + 0.6)/2
+  motion.tangential[0].amplitude = 1.5 * mu * 0.4;  // A = 0.4: d0 - (0.2 + 0.6)/2
   const auto inside = zones_of().shakedown;
   EXPECT_LT(inside.uncertainty, share);
   EXPECT_NEAR(inside.radius, std::sqrt(0.4), inside.uncertainty);
@@ -49,7 +49,8 @@ TEST(StickZones, AreThereWhateverTheSteps) {
   const auto& tangential_problem = tangential_half_space(n_rings);
   const double mu = 0.3, c = 0.1, mean = 1 / 1.1, amplitude = 0.1 / 1.1;
   const double slope = std::sqrt(std::pow(mean - std::pow(c, 4), 2) - amplitude * amplitude);
-  const Motion motion{mean, amplitude, 1.5 * mu * slope, pi / 2, 1};
+  Motion motion = one_frequency(mean, amplitude, 1.5 * mu * slope, pi / 2);
+  motion.n_ramp_cycles = 1;
   const auto profile = ring_means(normal_problem.compliance, [](double r) { return 3.0 / 8 * std::pow(r, 4); });
   for (const int n_steps : {36, 60, 71, 72, 90}) {
     const HistoryControl control{n_steps, 400, 1e-6};
@@ -77,7 +78,7 @@ TEST(StickZones, KnowTheSmallestContactOfTheirOwnTime) {
       Eigen::VectorXd::LinSpaced(n, 0.5 - ring / 2, 0.5 - (static_cast<double>(n) - 0.5) * ring);
   friction.slip_path = friction.period_slip = Eigen::VectorXd::Zero(n);
   friction.first_slip_margin = friction.shakedown_margin = friction.first_slip_reserve.cwiseMax(0);
-  const auto stuck = stuck_rings(friction, {1, 0, 0.1, 0});
+  const auto stuck = stuck_rings(friction, one_frequency(1, 0, 0.1, 0));
   EXPECT_EQ(stuck.first_slip, 8);
   EXPECT_EQ(stuck.shakedown, 8);
   const auto always = stick_zones(compliance, normal, friction, stuck, 2);

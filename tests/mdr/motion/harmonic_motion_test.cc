@@ -30,6 +30,53 @@ TEST(HarmonicMotion, FromMotion) {
   EXPECT_FALSE(harmonic_motion({1, 0.2, 0.3, 2, 5, std::nullopt}).phase_locked);
 }
 
+TEST(HarmonicMotion, BackToMotion) {
+  const Motion motion{1, 0.2, 0.3, 2, 5, 0.7};
+  auto harmonic = harmonic_motion(motion);
+  harmonic.normal.push_back({0, 7, 1});  // does not move
+  const auto back = one_harmonic_each(harmonic).value();
+  EXPECT_EQ(back.indentation, 1);
+  EXPECT_EQ(back.normal_amplitude, 0.2);
+  EXPECT_EQ(back.tangential_amplitude, 0.3);
+  EXPECT_EQ(back.normal_frequency, 2);
+  EXPECT_EQ(back.tangential_frequency, 5);
+  EXPECT_EQ(back.phase, 0.7);
+  harmonic.phase_locked = false;
+  EXPECT_FALSE(one_harmonic_each(harmonic)->phase);
+  harmonic.normal[0].phase = 0.1;
+  EXPECT_FALSE(one_harmonic_each(harmonic)) << "not deepest at time 0";
+  harmonic.normal = {{0.2, 2, 0}, {0.1, 4, 0}};
+  EXPECT_FALSE(one_harmonic_each(harmonic));
+}
+
+// 2 Hz and 3 Hz repeat every second, 1.5 and 2.5 Hz every two; what does not move counts for nothing.
+TEST(HarmonicMotion, CommonCycle) {
+  const auto cycle = common_cycle({1, {{0.1, 2, 0}}, {{0.1, 3, 0}}}).value();
+  EXPECT_DOUBLE_EQ(cycle.frequency, 1);
+  EXPECT_EQ(cycle.normal_orders, std::vector<int>{2});
+  EXPECT_EQ(cycle.tangential_orders, std::vector<int>{3});
+  EXPECT_EQ(cycle.highest_order(), 3);
+  const auto longer = common_cycle({1, {{0.1, 1.5, 0}, {0, std::sqrt(2), 0}}, {{0.1, 2.5, 0}}}).value();
+  EXPECT_DOUBLE_EQ(longer.frequency, 0.5);
+  EXPECT_EQ(longer.normal_orders, (std::vector<int>{3, 0}));
+  EXPECT_EQ(longer.tangential_orders, std::vector<int>{5});
+  EXPECT_FALSE(common_cycle({1, {{0.1, 1, 0}}, {{0.1, std::sqrt(2), 0}}}));
+  EXPECT_EQ(common_cycle({1, {{0, 7, 0}}, {{0, 3, 0}}})->frequency, 7) << "nothing moves";
+}
+
+// cos(3 w t) + cos(6 w t + pi) is largest where cos(3 w t) = 1/4.
+TEST(HarmonicMotion, TimeOfTheLargestIndentation) {
+  const HarmonicMotion motion{2, {{1, 3, 0}, {1, 6, pi}}, {{0.5, 1, 0.2}}};
+  const double time = time_of_maximum_indentation(motion);
+  EXPECT_NEAR(std::cos(2 * pi * 3 * time), 0.25, 1e-9);
+  const auto later = shifted(motion, time);
+  EXPECT_NEAR(std::cos(later.normal[0].phase) + std::cos(later.normal[1].phase), 1.125, tolerance);
+  EXPECT_NEAR(later.tangential[0].phase, 0.2 + 2 * pi * time, 1e-15);
+  EXPECT_EQ(time_of_maximum_indentation({2, {{1, 3, 0}}, {}}), 0);
+  EXPECT_NEAR(time_of_maximum_indentation({2, {{1, 0.5, -pi / 2}}, {}}), 0.5, 1e-12);
+  EXPECT_THROW(time_of_maximum_indentation({2, {{1, 1, 0}, {1, pi, 0}}, {}}), std::invalid_argument);
+}
+
 TEST(HarmonicMotion, RejectsBadMotions) {
   EXPECT_THROW(validate(HarmonicMotion{0, {}, {}}), std::invalid_argument);
   EXPECT_THROW(validate(HarmonicMotion{1, {{-1, 1, 0}}, {}}), std::invalid_argument);

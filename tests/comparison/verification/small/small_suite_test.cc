@@ -44,7 +44,7 @@ TEST(SmallSuiteGuard, FailsWithoutFriction) {
 }
 
 TEST(SmallSuiteGuard, FailsWithoutNormalOscillation) {
-  EXPECT_EQ(n_agree_if([](FemCase& fem) { fem.motion.normal_amplitude = 0; }), 0U);
+  EXPECT_EQ(n_agree_if([](FemCase& fem) { fem.motion.normal.front().amplitude = 0; }), 0U);
 }
 
 TEST(SmallSuiteGuard, FailsWithoutViscosity) {
@@ -52,7 +52,7 @@ TEST(SmallSuiteGuard, FailsWithoutViscosity) {
 }
 
 TEST(SmallSuiteGuard, FailsWithAnotherPhase) {
-  EXPECT_EQ(n_agree_if([](FemCase& fem) { *fem.motion.phase += 0.1; }), 0U);
+  EXPECT_EQ(n_agree_if([](FemCase& fem) { fem.motion.tangential.front().phase += 0.1; }), 0U);
 }
 
 TEST(SmallSuiteGuard, FailsWithAnotherProfile) {

@@ -43,7 +43,7 @@ TEST(TradePlan, OfALongHistoryIsSmaller) {
     return std::make_pair(rings, steps);
   };
   EXPECT_EQ(finest(trade_plan(scene)), std::make_pair(128U, 192));
-  scene.motion.phase.reset();
+  scene.motion.locked = false;
   EXPECT_EQ(finest(trade_plan(scene)), std::make_pair(48U, 96));
 }
 

@@ -1,0 +1,103 @@
+#include "comparison/results/answer_text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace fretval {
+namespace {
+
+struct Prefix {
+  const char* name;
+  double factor;
+};
+constexpr std::array prefixes{Prefix{"n", 1e-9}, Prefix{"µ", 1e-6}, Prefix{"m", 1e-3}, Prefix{"", 1},
+                              Prefix{"k", 1e3},  Prefix{"M", 1e6},  Prefix{"G", 1e9}};
+
+const Prefix& prefix_for(double value) {
+  const auto* best = &prefixes.front();
+  for (const auto& prefix : prefixes)
+    if (std::abs(value) >= prefix.factor) best = &prefix;
+  return *best;
+}
+
+/// Decimals that show a bar with one digit, or a value with six.
+int decimals_of(double value, double bar) {
+  constexpr int six = 5, most = 9;
+  const auto exponent = [](double x) { return static_cast<int>(std::floor(std::log10(std::abs(x)))); };
+  if (bar > 0) return std::clamp(-exponent(bar), 0, most);
+  return value == 0 ? 0 : std::clamp(six - exponent(value), 0, most);
+}
+
+struct Value {
+  std::optional<double> fe, mdr;
+};
+
+Value value_of(const CaseResult& result, Quantity quantity) {
+  const auto& fe = result.fe.fe;
+  const auto& mdr = result.mdr;
+  switch (quantity) {
+    case Quantity::stick_radius_first_slip:
+      return {fe.stick_radius_first_slip, mdr.stick_radius_first_slip};
+    case Quantity::stick_radius_shakedown:
+      return {fe.stick_radius_shakedown, mdr.stick_radius_shakedown};
+    case Quantity::contact_radius_max:
+      return {fe.contact_radius_max, mdr.contact_radius_max};
+    default:
+      return {fe.normal_force_max, mdr.normal_force_max};
+  }
+}
+
+std::string verdict_text(const CaseResult& result) {
+  double largest = 0;
+  for (const auto& [quantity, difference] : result.comparison)
+    largest = std::max(largest, std::abs(difference.difference.value_or(difference.only_one)));
+  const auto any = [&](Verdict verdict) {
+    return std::any_of(result.comparison.begin(), result.comparison.end(),
+                       [&](const auto& compared) { return compared.second.verdict == verdict; });
+  };
+  if (any(Verdict::fail))
+    return fmt::format("finite elements do not confirm MDR: they differ by up to {:.1e}", largest);
+  if (any(Verdict::inconclusive))
+    return fmt::format(
+        "open: the error bars of the finite elements are wider than the tolerance; they differ from MDR by up to "
+        "{:.1e}",
+        largest);
+  return fmt::format("finite elements confirm MDR to {:.1e}", largest);
+}
+
+}  // namespace
+
+std::string with_unit(double value, double bar, const std::string& unit) {
+  const auto& [name, factor] = prefix_for(value);
+  const int decimals = decimals_of(value / factor, bar / factor);
+  const auto number = fmt::format("{:.{}f}", value / factor, decimals);
+  if (bar <= 0) return fmt::format("{} {}{}", number, name, unit);
+  return fmt::format("{} ± {:.{}f} {}{}", number, bar / factor, decimals, name, unit);
+}
+
+std::string answer_text(const CaseResult& result) {
+  const auto row = [](const std::string& title, const std::string& fe, const std::string& mdr) {
+    return fmt::format("  {:<28} {:<28} {}\n", title, fe, mdr);
+  };
+  std::string text =
+      fmt::format("{}: {}\n", result.input.name, verdict_text(result)) + row("", "finite elements", "MDR");
+  for (const auto quantity : quantities_by_interest) {
+    const auto compared = result.comparison.find(quantity);
+    const auto& traits = traits_of(quantity);
+    if (compared == result.comparison.end() || *traits.unit == '\0') continue;
+    const auto [fe, mdr] = value_of(result, quantity);
+    const double scale = quantity == Quantity::normal_force_max ? fe.value_or(0) : result.fem_case.units.length;
+    const auto& bar = compared->second.bar;
+    const auto shown = [&](const std::optional<double>& value, double width) {
+      return value ? with_unit(*value, width, traits.unit) : std::string("none");
+    };
+    text += row(traits.title, shown(fe, bar ? bar->total() * scale : 0), shown(mdr, 0));
+  }
+  if (result.mdr.worn_radius) text += row("wear ends at the radius", "", with_unit(*result.mdr.worn_radius, 0, "m"));
+  return text;
+}
+
+}  // namespace fretval

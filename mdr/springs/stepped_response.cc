@@ -1,0 +1,61 @@
+#include "mdr/springs/stepped_response.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "mdr/springs/spring_history.h"
+
+namespace fretval::mdr {
+namespace {
+
+constexpr Eigen::Index n_springs = 200;
+constexpr int steps_per_oscillation = 180, n_ramp_periods = 8, most_periods = 2000;
+constexpr double periodicity = 1e-9;
+
+/// Largest of periodic samples, both ends included: the vertex of the parabola through it and its neighbours.
+double peak(const std::vector<double>& samples, double sign) {
+  const auto n = samples.size() - 1;
+  std::size_t k = 0;
+  for (std::size_t i = 0; i < n; ++i)
+    if (sign * samples[i] > sign * samples[k]) k = i;
+  const double before = samples[(k + n - 1) % n], here = samples[k], after = samples[k + 1];
+  const double bend = before - 2 * here + after, slope = (after - before) / 2;
+  return bend == 0 ? here : here - slope * slope / (2 * bend);
+}
+
+SpringHistory history_with(const std::function<double(double)>& g, double outer_radius, const PronyBody& body,
+                           const HarmonicMotion& motion, double fineness) {
+  const double period = common_period(motion);
+  double fastest = 0;
+  for (const auto& harmonic : motion.normal) fastest = std::max(fastest, harmonic.frequency);
+  const auto count = [fineness](double n) { return static_cast<int>(std::lround(fineness * n)); };
+  return spring_history(
+      spring_bed(g, outer_radius, count(n_springs)), body, 1, {ramped_path(motion, n_ramp_periods * period), {}, {}},
+      {period, count(steps_per_oscillation * fastest * period), n_ramp_periods, most_periods, periodicity});
+}
+
+}  // namespace
+
+SteppedResponse stepped_normal_response(const std::function<double(double)>& g, double outer_radius,
+                                        const PronyBody& body, const HarmonicMotion& motion) {
+  const HarmonicMotion normal{motion.indentation, motion.normal, {}};
+  const auto coarse = history_with(g, outer_radius, body, normal, 1),
+             fine = history_with(g, outer_radius, body, normal, 2);
+  const auto correction = [&](double sign) {
+    return (peak(fine.normal_force, sign) - peak(coarse.normal_force, sign)) / 3;
+  };
+  NormalResponse response{peak(fine.normal_force, 1) + correction(1),
+                          std::max(peak(fine.normal_force, -1) + correction(-1), 0.0),
+                          outer_radius,
+                          {},
+                          {},
+                          fine.normal_force};
+  const auto path = ramped_path(normal, 1e-9 * common_period(normal));
+  for (const double time : fine.time) {
+    response.time.push_back(time - fine.time.front());
+    response.indentation.push_back(path(time).indentation);
+  }
+  return {std::move(response), std::abs(correction(1))};
+}
+
+}  // namespace fretval::mdr

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <functional>
+
+#include "mdr/motion/harmonic_motion.h"
+#include "mdr/springs/spring_foundation.h"
+
+namespace fretval::mdr {
+
+/// Normal response to a normal motion of several harmonics of commensurate frequencies, over their common period, which
+/// begins with the motion's time 0. The transient springs (mdr/springs/spring_history.h) are stepped until they repeat;
+/// the largest and the smallest force are extrapolated from n and 2 n springs and steps, each of second order, and
+/// error is a third of the difference. Otherwise as periodic_normal_response for one harmonic, which has no error.
+/// Throws std::invalid_argument for bad arguments and incommensurate frequencies, std::runtime_error when the springs
+/// do not become periodic.
+struct SteppedResponse {
+  NormalResponse response;
+  double error;  ///< N
+};
+SteppedResponse stepped_normal_response(const std::function<double(double)>& g, double outer_radius,
+                                        const PronyBody& body, const HarmonicMotion& motion);
+
+}  // namespace fretval::mdr
