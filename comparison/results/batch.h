@@ -15,7 +15,7 @@ struct BatchLine {
   bool pass = false;
   std::string failure;  ///< not empty: the numerics failed on this case, with this message
   Comparison comparison;
-  std::string answer;  ///< for people, see answer_text
+  std::string answer = {};  ///< for people, see answer_text
 };
 
 struct BatchOptions {

@@ -128,9 +128,13 @@ FemCase fem_case(const Case& input, const MdrCase& mdr) {
 FemCase at_resolution(FemCase fem, const Resolution& resolution) {
   fem.resolution = resolution;
   if (fem.without_short_cycle) {
-    const auto near = near_cycle(fem, 2 * resolution.n_creep_cycles);
+    const auto stiffening = [&fem](double frequency) {
+      return fem::stiffening_at(fem.relaxation, mdr::angular_frequency(frequency) / fem.units.angular_frequency);
+    };
+    const auto near =
+        near_cycle(*fem.without_short_cycle, stiffening, fem.friction_coefficient, 2 * resolution.n_creep_cycles);
     take_cycle(*fem.without_short_cycle, near.cycle, fem);
-    fem.error_of_demand = near.error_of_demand;
+    fem.error_of_demand = near.error_of_demand / fem.units.depth;
     fem.motion.locked = !near.creeps;
     if (near.creeps && fem.motion.tangential.size() == 1) fem.motion.tangential.front().phase = 0;
   }

@@ -54,7 +54,7 @@ struct FemCase {
   bool keeps_body = false;                ///< an answer at this resolution goes with the whole body, for fields
   std::optional<double> sharp_edge = {};  ///< radius at which the slope of the unworn indenter jumps
   /// The motion, if its frequencies have no common period, or a long one: finite elements take a near cycle then, see
-  /// comparison/simulation/near_cycle.h, with this error of the depth that an element asks for to stick.
+  /// comparison/simulation/near_cycle.h, with this error of the depth that an element asks for to stick, dimensionless.
   std::optional<mdr::HarmonicMotion> without_short_cycle = {};
   double error_of_demand = 0;
 

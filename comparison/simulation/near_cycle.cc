@@ -9,17 +9,17 @@
 namespace fretval {
 namespace {
 
-/// One direction of the motion, in units of depth of an element.
+/// One direction of the motion, as depths of an element.
 class Demand {
  public:
-  Demand(const FemCase& fem, double per_depth) : fem_(fem), per_depth_(per_depth) {}
+  Demand(const Stiffening& stiffening, double per_depth) : stiffening_(stiffening), per_depth_(per_depth) {}
 
   /// Of the harmonic with this order in a cycle of this frequency in Hz.
   void add(const mdr::Harmonic& harmonic, int order, double cycle) {
     if (harmonic.amplitude == 0) return;
-    const double rounded = amplitude_at(harmonic, order * cycle);
+    const double depth = harmonic.amplitude / per_depth_, rounded = depth * stiffening_(order * cycle);
     curvature_ += rounded * order * order;
-    rounding_ += std::abs(rounded - amplitude_at(harmonic, harmonic.frequency));
+    rounding_ += std::abs(rounded - depth * stiffening_(harmonic.frequency));
     multiple_ = std::lcm(multiple_, long{order});
   }
 
@@ -28,49 +28,44 @@ class Demand {
   [[nodiscard]] long multiple() const { return multiple_; }
 
  private:
-  [[nodiscard]] double amplitude_at(const mdr::Harmonic& harmonic, double frequency) const {
-    const double omega = mdr::angular_frequency(frequency) / fem_.units.angular_frequency;
-    return harmonic.amplitude / fem_.units.depth / per_depth_ * fem::stiffening_at(fem_.relaxation, omega);
-  }
-
-  const FemCase& fem_;
+  const Stiffening& stiffening_;
   double per_depth_;
   double curvature_ = 0, rounding_ = 0;
   long multiple_ = 1;
 };
 
-/// The cycle of q cycles of the normal motion.
-NearCycle cycle_of(const FemCase& fem, const mdr::CommonCycle& of_normal, int q, int n_oscillations) {
-  constexpr int enough_to_creep = 12;
-  const auto& motion = *fem.without_short_cycle;
-  NearCycle near{{of_normal.frequency / q, of_normal.normal_orders, {}}, false, 0};
-  Demand normal(fem, 1), tangential(fem, 1.5 * fem.friction_coefficient);
-  for (std::size_t j = 0; j < motion.normal.size(); ++j)
-    normal.add(motion.normal[j], near.cycle.normal_orders[j] *= q, near.cycle.frequency);
-  for (const auto& harmonic : motion.tangential) {
-    const auto order = static_cast<int>(std::max(std::round(harmonic.frequency / near.cycle.frequency), 1.0));
-    near.cycle.tangential_orders.push_back(harmonic.amplitude == 0 ? 0 : order);
-    tangential.add(harmonic, order, near.cycle.frequency);
-  }
-  const double a = normal.curvature(), b = tangential.curvature();
-  double lag = fem::pi / static_cast<double>(std::lcm(normal.multiple(), tangential.multiple()));
-  const int n_cycles = n_oscillations / near.cycle.highest_order();
-  near.creeps = n_cycles >= enough_to_creep;
-  if (near.creeps) lag *= fem::pi / n_cycles;
-  near.error_of_demand = tangential.rounding() + (a + b > 0 ? a * b / (a + b) * lag * lag / 2 : 0);
-  return near;
+/// Orders of the harmonics in a cycle of q cycles of the normal motion.
+mdr::CommonCycle cycle_of(const mdr::HarmonicMotion& motion, const mdr::CommonCycle& of_normal, int q) {
+  mdr::CommonCycle cycle{of_normal.frequency / q, of_normal.normal_orders, {}};
+  for (int& order : cycle.normal_orders) order *= q;
+  for (const auto& [amplitude, frequency, phase] : motion.tangential)
+    cycle.tangential_orders.push_back(
+        amplitude == 0 ? 0 : static_cast<int>(std::max(std::round(frequency / cycle.frequency), 1.0)));
+  return cycle;
 }
 
 }  // namespace
 
-NearCycle near_cycle(const FemCase& fem, int n_oscillations) {
-  const auto& motion = *fem.without_short_cycle;
+NearCycle near_cycle(const mdr::HarmonicMotion& motion, const Stiffening& stiffening, double friction_coefficient,
+                     int n_oscillations) {
+  constexpr int enough_to_creep = 12;
   const auto of_normal = mdr::common_cycle({motion.indentation, motion.normal, {}}).value();
   std::optional<NearCycle> nearest;
   for (int q = 1;; ++q) {
-    auto next = cycle_of(fem, of_normal, q, n_oscillations);
-    if (nearest && next.cycle.highest_order() > n_oscillations) return *nearest;
-    if (!nearest || next.error_of_demand < nearest->error_of_demand) nearest = std::move(next);
+    const auto cycle = cycle_of(motion, of_normal, q);
+    if (nearest && cycle.highest_order() > n_oscillations) return *nearest;
+    Demand normal(stiffening, 1), tangential(stiffening, 1.5 * friction_coefficient);
+    for (std::size_t j = 0; j < motion.normal.size(); ++j)
+      normal.add(motion.normal[j], cycle.normal_orders[j], cycle.frequency);
+    for (std::size_t k = 0; k < motion.tangential.size(); ++k)
+      tangential.add(motion.tangential[k], cycle.tangential_orders[k], cycle.frequency);
+    const double a = normal.curvature(), b = tangential.curvature();
+    double lag = fem::pi / static_cast<double>(std::lcm(normal.multiple(), tangential.multiple()));
+    const int n_cycles = n_oscillations / cycle.highest_order();
+    const bool creeps = n_cycles >= enough_to_creep;
+    if (creeps) lag *= fem::pi / n_cycles;
+    const double error = tangential.rounding() + (a + b > 0 ? a * b / (a + b) * lag * lag / 2 : 0);
+    if (!nearest || error < nearest->error_of_demand) nearest = NearCycle{cycle, creeps, error};
   }
 }
 

@@ -58,7 +58,7 @@ TEST(MdrCase, TimeBeginsAtTheLargestIndentation) {
 
 TEST(MdrCase, NamesWhatNeedsOneHarmonicInEachDirection) {
   Case input = limiting_case(0.6, 2e-6);
-  input.motion.tangential_harmonics = {{1e-6, 2, 0}};
+  input.motion.normal_harmonics = {{1e-7, 2, 0}};
   expect_parts(refusal([&] { mdr_case(input); }),
                {"Tangential amplitude = shakedown", "one harmonic in each direction"});
 }

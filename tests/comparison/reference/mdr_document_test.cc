@@ -60,10 +60,9 @@ TEST(MdrDocument, SpringsConfirmTheStickRadiiOfTwoFrequencies) {
   for (const char* key : {"stick_radius_first_slip", "stick_radius_shakedown"})
     EXPECT_NEAR(number(json, "springs", key) / number(json, "mdr", key), 1, 1e-5) << key;  // ramp and time step
   EXPECT_LT(number(json, "mdr", "stick_radius_first_slip"), number(json, "mdr", "stick_radius_shakedown"));
-  EXPECT_TRUE(json.at("mdr").at("normal_force_max").is_null());
+  EXPECT_NEAR(number(json, "springs", "normal_force_max") / number(json, "mdr", "normal_force_max"), 1, 1e-5);
 }
 
-// The finite elements refuse unequal frequencies: springs are all that MDR can be held to there.
 TEST(MdrDocumentSlow, SpringsConfirmTheStickRadiiOfAnyFrequencyRatio) {
   for (const char* frequency : {"1e-3", "1e-2", "0.5", "1e2", "1e3"}) {
     const auto input = read_case(

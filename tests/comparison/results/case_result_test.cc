@@ -78,8 +78,7 @@ TEST(CaseResult, HasItsRingsInSiUnits) {
 /// What wear takes off a parabola beyond c, (13) of the paper in closed form.
 double worn_off(double radius, double c, double deepest, double r) {
   const double angle = std::acos(c / r);
-  return 2 / std::acos(-1.0) *
-         (deepest * angle - (r * r / 2 * angle + c / 2 * std::sqrt(r * r - c * c)) / radius);
+  return 2 / std::acos(-1.0) * (deepest * angle - (r * r / 2 * angle + c / 2 * std::sqrt(r * r - c * c)) / radius);
 }
 
 // R = 1e-2 m, 1.2e-4 m deep, c = 6e-4 m.
