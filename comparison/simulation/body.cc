@@ -11,7 +11,7 @@ namespace {
 
 HarmonicOperators assemble_harmonic(const fem::GridData& grid, fem::Harmonic harmonic, unsigned degree) {
   fem::HarmonicSpace space(grid, harmonic, degree);
-  auto stiffness = fem::assemble_stiffness(space);
+  auto stiffness = fem::assemble_skeleton_stiffness(space);
   return {std::move(space), std::move(stiffness)};
 }
 

@@ -5,6 +5,7 @@
 #include <deal.II/numerics/data_postprocessor.h>
 
 #include "fem/operators/harmonic_space_parts.h"
+#include "fem/operators/stiffness.h"
 #include "fem/support/solver_error.h"
 
 namespace fretval::fem {
@@ -66,9 +67,9 @@ Eigen::VectorXd extend_into_body(const HarmonicSpace& space, const Condensation&
   const Eigen::VectorXd tractions = factor.solve(compliance.areas.cwiseProduct(ring_displacements));
   const auto& line = space.contact_line();
   const Eigen::VectorXd forces = line.loads * tractions;
-  Eigen::VectorXd rhs = Eigen::VectorXd::Zero(space.n_dofs());
+  Eigen::VectorXd rhs = Eigen::VectorXd::Zero(space.n_skeleton_dofs());
   for (std::size_t i = 0; i < line.dofs.size(); ++i) rhs[line.dofs[i]] = forces[static_cast<Eigen::Index>(i)];
-  return condensation.solve(rhs);
+  return extend_into_cells(space, condensation.solve(rhs));
 }
 
 void write_vtu(const HarmonicSpace& space, const Eigen::VectorXd& displacements, double length, double depth,

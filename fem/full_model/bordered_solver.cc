@@ -17,7 +17,7 @@ constexpr double slack = 1e-12;
 
 /// `[K, -B; -B^T, 0]`, with a unit diagonal instead of B for rings that are not in the interior.
 SparseMatrix bordered(const SparseMatrix& stiffness, const ContactLine& line, const std::vector<bool>& interior) {
-  std::map<int, Eigen::Index> on_line;  // by dof, to keep the columns of a row sorted
+  std::map<int, Eigen::Index> on_line;  // by dof
   for (std::size_t i = 0; i < line.dofs.size(); ++i)
     on_line[static_cast<int>(line.dofs[i])] = static_cast<Eigen::Index>(i);
   SparseMatrix matrix;
@@ -39,7 +39,6 @@ SparseMatrix bordered(const SparseMatrix& stiffness, const ContactLine& line, co
     matrix.row_start.push_back(static_cast<int>(matrix.columns.size()));
   }
   for (Eigen::Index ring = 0; ring < line.n_elements(); ++ring) {
-    for (const auto& [dof, position] : on_line) add_border(dof, line.loads(position, ring), ring);
     add(stiffness.n + static_cast<int>(ring), interior[static_cast<std::size_t>(ring)] ? 0 : 1);
     matrix.row_start.push_back(static_cast<int>(matrix.columns.size()));
   }

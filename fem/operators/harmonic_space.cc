@@ -1,6 +1,7 @@
 #include "fem/operators/harmonic_space.h"
 
 #include <deal.II/base/quadrature_lib.h>
+#include <deal.II/dofs/dof_renumbering.h>
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/fe/mapping_q1.h>
@@ -44,6 +45,23 @@ void build_triangulation(const GridData& grid, dealii::Triangulation<2>& triangu
     boundary.boundary_lines.push_back(line);
   }
   triangulation.create_triangulation(points, cells, boundary);
+}
+
+bool is_interior_displacement(const HarmonicSpaceParts& parts, unsigned cell_dof) {
+  return cell_dof >= parts.element.get_first_quad_index() &&
+         parts.element.system_to_component_index(cell_dof).first + 1 < parts.element.n_components();
+}
+
+/// The number of the others is returned.
+unsigned number_interiors_last(HarmonicSpaceParts& parts) {
+  std::vector<bool> interior(parts.dofs.n_dofs(), false);
+  std::vector<dealii::types::global_dof_index> dofs(parts.element.n_dofs_per_cell());
+  for (const auto& cell : parts.dofs.active_cell_iterators()) {
+    cell->get_dof_indices(dofs);
+    for (unsigned i = 0; i < dofs.size(); ++i) interior[dofs[i]] = is_interior_displacement(parts, i);
+  }
+  dealii::DoFRenumbering::sort_selected_dofs_back(parts.dofs, interior);
+  return static_cast<unsigned>(std::count(interior.begin(), interior.end(), false));
 }
 
 bool is_part(const dealii::TriaAccessor<1, 2, 2>& face, BoundaryPart part) {
@@ -148,6 +166,7 @@ HarmonicSpace::HarmonicSpace(const GridData& grid, Harmonic harmonic, unsigned d
   require_part(grid, BoundaryPart::far, "far");
   build_triangulation(grid, parts_->triangulation);
   parts_->dofs.distribute_dofs(parts_->element);
+  n_skeleton_dofs_ = number_interiors_last(*parts_);
   constrain_axis(*parts_, harmonic);
   if (harmonic == Harmonic::tangential) pin_rotation(*parts_);
   parts_->constraints.close();

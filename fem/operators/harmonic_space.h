@@ -27,6 +27,9 @@ struct ContactLine {
 /// axis r = 0 are plain Dirichlet ones: n = 0: U = 0; n = 1: m = W = P = 0. The contact unknown is W (n = 0) or s (n =
 /// 1), the angular mean of u_x, work-conjugate to a unidirectional traction tau(r) e_x. The rotation left free by the
 /// far-field condition for n = 1 is removed by one W value at the far end of the surface.
+///
+/// Displacements of the nodes inside cells are the last dofs. The others are the skeleton: displacements of corners and
+/// edges, and all pressures.
 class HarmonicSpace {
  public:
   /// degree: of the displacement, 2 (Q2/Q1) or more. Throws std::invalid_argument for a lower one or a grid without
@@ -39,10 +42,12 @@ class HarmonicSpace {
   [[nodiscard]] Harmonic harmonic() const { return harmonic_; }
   [[nodiscard]] const ContactLine& contact_line() const { return contact_line_; }
   [[nodiscard]] unsigned n_dofs() const;
+  [[nodiscard]] unsigned n_skeleton_dofs() const { return n_skeleton_dofs_; }
 
  private:
   std::unique_ptr<HarmonicSpaceParts> parts_;
   Harmonic harmonic_;
+  unsigned n_skeleton_dofs_ = 0;
   ContactLine contact_line_;
 };
 

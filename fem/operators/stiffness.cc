@@ -1,68 +1,135 @@
 #include "fem/operators/stiffness.h"
 
-#include <deal.II/dofs/dof_tools.h>
-#include <deal.II/lac/dynamic_sparsity_pattern.h>
-#include <deal.II/lac/sparse_matrix.h>
-
 #include <algorithm>
 
 #include "fem/operators/strain_operator.h"
 #include "fem/support/dense.h"
+#include "fem/support/solver_error.h"
 
 namespace fretval::fem {
 namespace {
 
-Eigen::MatrixXd cell_stiffness(const CellOperators& operators) {
+/// A symmetric matrix over some dofs, which ascend: displacements inside the cell are the last ones.
+struct CellStiffness {
+  std::vector<int> dofs;
+  Eigen::MatrixXd matrix;
+};
+
+Eigen::MatrixXd stiffness_of(const CellOperators& operators) {
   const Eigen::MatrixXd coupling = operators.divergence().transpose() * operators.pressure();
   Eigen::MatrixXd matrix = gram(operators.strain()) - coupling - coupling.transpose();
   if (operators.far().rows() > 0) matrix += gram(operators.far());
   return matrix;
 }
 
-SparseMatrix to_rows(const dealii::SparseMatrix<double>& matrix) {
-  SparseMatrix rows;
-  rows.n = static_cast<int>(matrix.m());
-  rows.row_start.assign(1, 0);
-  rows.columns.reserve(matrix.n_nonzero_elements());
-  rows.values.reserve(matrix.n_nonzero_elements());
-  std::vector<std::pair<int, double>> entries;
-  for (int row = 0; row < rows.n; ++row) {
-    entries.clear();
-    for (auto it = matrix.begin(row); it != matrix.end(row); ++it)
-      entries.emplace_back(static_cast<int>(it->column()), it->value());
-    std::sort(entries.begin(), entries.end());  // deal.II stores the diagonal first
-    for (const auto& [column, value] : entries) {
-      rows.columns.push_back(column);
-      rows.values.push_back(value);
-    }
-    rows.row_start.push_back(static_cast<int>(rows.columns.size()));
+/// Calls `use` with the stiffness of each cell over its free dofs.
+template <class Use>
+void for_each_cell(const HarmonicSpace& space, Use&& use) {
+  const auto& parts = space.parts();
+  CellOperators operators(space);
+  std::vector<dealii::types::global_dof_index> dofs(parts.element.n_dofs_per_cell());
+  for (const auto& cell : parts.dofs.active_cell_iterators()) {
+    operators.evaluate(cell);
+    cell->get_dof_indices(dofs);
+    std::vector<Eigen::Index> order;
+    for (std::size_t i = 0; i < dofs.size(); ++i)
+      if (!parts.constraints.is_constrained(dofs[i])) order.push_back(static_cast<Eigen::Index>(i));
+    std::sort(order.begin(), order.end(), [&](auto a, auto b) { return dofs[a] < dofs[b]; });
+    CellStiffness ordered{{}, stiffness_of(operators)(order, order)};
+    for (const auto i : order) ordered.dofs.push_back(static_cast<int>(dofs[i]));
+    use(std::move(ordered));
   }
-  return rows;
+}
+
+/// A row to which no cell contributes holds a 1 on its diagonal.
+SparseMatrix sum_of(const std::vector<CellStiffness>& cells, unsigned n) {
+  struct Share {
+    const CellStiffness* cell;
+    Eigen::Index row;
+  };
+  std::vector<std::vector<Share>> shares(n);
+  for (const auto& cell : cells)
+    for (std::size_t i = 0; i < cell.dofs.size(); ++i)
+      shares[cell.dofs[i]].push_back({&cell, static_cast<Eigen::Index>(i)});
+
+  SparseMatrix sum;
+  sum.n = static_cast<int>(n);
+  sum.row_start.push_back(0);
+  std::vector<double> values(n, 0);
+  std::vector<int> columns;
+  std::vector<int> last_row(n, -1);
+  for (int row = 0; row < sum.n; ++row) {
+    columns.clear();
+    for (const auto& [cell, i] : shares[row])
+      for (auto j = i; j < cell->matrix.rows(); ++j) {
+        const int column = cell->dofs[j];
+        if (last_row[column] != row) {
+          last_row[column] = row;
+          columns.push_back(column);
+          values[column] = 0;
+        }
+        values[column] += cell->matrix(j, i);
+      }
+    if (columns.empty()) {
+      columns.push_back(row);
+      values[row] = 1;
+    }
+    std::sort(columns.begin(), columns.end());
+    for (const int column : columns) {
+      sum.columns.push_back(column);
+      sum.values.push_back(values[column]);
+    }
+    sum.row_start.push_back(static_cast<int>(sum.columns.size()));
+  }
+  return sum;
+}
+
+/// With the Cholesky factor L of the stiffness of the displacements inside a cell, K_ii = L L^T, and H = L^-1 K_is.
+struct Interior {
+  Eigen::Index n_skeleton;
+  Eigen::MatrixXd factor, coupling;
+};
+
+Interior interior_of(const CellStiffness& cell, unsigned n_skeleton_dofs) {
+  const auto first = std::lower_bound(cell.dofs.begin(), cell.dofs.end(), static_cast<int>(n_skeleton_dofs));
+  const Eigen::Index n_skeleton = first - cell.dofs.begin(), n = cell.matrix.rows() - n_skeleton;
+  auto factor = cholesky(cell.matrix.bottomRightCorner(n, n));
+  if (!factor) throw SolverError("the stiffness inside a cell is not positive definite: the cell is inverted");
+  Eigen::MatrixXd coupling = solve_lower(*factor, cell.matrix.bottomLeftCorner(n, n_skeleton));
+  return {n_skeleton, *std::move(factor), std::move(coupling)};
 }
 
 }  // namespace
 
 SparseMatrix assemble_stiffness(const HarmonicSpace& space) {
-  const auto& parts = space.parts();
-  const unsigned n_cell_dofs = parts.element.n_dofs_per_cell();
-  dealii::DynamicSparsityPattern dynamic_pattern(parts.dofs.n_dofs());
-  dealii::DoFTools::make_sparsity_pattern(parts.dofs, dynamic_pattern, parts.constraints, false);
-  dealii::SparsityPattern pattern;
-  pattern.copy_from(dynamic_pattern);
-  dealii::SparseMatrix<double> matrix(pattern);
+  std::vector<CellStiffness> cells;
+  for_each_cell(space, [&](CellStiffness&& cell) { cells.push_back(std::move(cell)); });
+  return sum_of(cells, space.n_dofs());
+}
 
-  CellOperators operators(space);
-  dealii::FullMatrix<double> cell_matrix(n_cell_dofs, n_cell_dofs);
-  std::vector<dealii::types::global_dof_index> dofs(n_cell_dofs);
-  for (const auto& cell : parts.dofs.active_cell_iterators()) {
-    operators.evaluate(cell);
-    const Eigen::MatrixXd dense = cell_stiffness(operators);
-    for (unsigned i = 0; i < n_cell_dofs; ++i)
-      for (unsigned j = 0; j < n_cell_dofs; ++j) cell_matrix(i, j) = dense(i, j);
-    cell->get_dof_indices(dofs);
-    parts.constraints.distribute_local_to_global(cell_matrix, dofs, matrix);
-  }
-  return to_rows(matrix);
+SparseMatrix assemble_skeleton_stiffness(const HarmonicSpace& space) {
+  std::vector<CellStiffness> cells;
+  for_each_cell(space, [&](CellStiffness&& cell) {
+    const auto interior = interior_of(cell, space.n_skeleton_dofs());
+    const auto n = interior.n_skeleton;
+    cell.dofs.resize(n);
+    cells.push_back({std::move(cell.dofs), cell.matrix.topLeftCorner(n, n) - gram(interior.coupling)});
+  });
+  return sum_of(cells, space.n_skeleton_dofs());
+}
+
+Eigen::VectorXd extend_into_cells(const HarmonicSpace& space, const Eigen::VectorXd& skeleton) {
+  Eigen::VectorXd field(space.n_dofs());
+  field.head(skeleton.size()) = skeleton;
+  for_each_cell(space, [&](const CellStiffness& cell) {
+    const auto interior = interior_of(cell, space.n_skeleton_dofs());
+    const std::vector<int> outer(cell.dofs.begin(), cell.dofs.begin() + interior.n_skeleton);
+    const std::vector<int> inner(cell.dofs.begin() + interior.n_skeleton, cell.dofs.end());
+    Eigen::VectorXd values = -interior.coupling * field(outer);
+    interior.factor.triangularView<Eigen::Lower>().transpose().solveInPlace(values);
+    field(inner) = values;
+  });
+  return field;
 }
 
 }  // namespace fretval::fem

@@ -34,7 +34,7 @@ const ContactProblem& half_space(Harmonic harmonic, unsigned n_per_radius, unsig
   auto found = problems.find(key);
   if (found == problems.end()) {
     const HarmonicSpace space(half_space_grid(n_per_radius), harmonic, degree);
-    const Condensation condensation(assemble_stiffness(space), space.contact_line().dofs, "half-space");
+    const Condensation condensation(assemble_skeleton_stiffness(space), space.contact_line().dofs, "half-space");
     found = problems.emplace(key, contact_compliance(space.contact_line(), condensation)).first;
   }
   return found->second;

@@ -7,13 +7,13 @@
 
 namespace fretval::fem {
 
-/// All entries stored, zero or not.
+/// All entries of the upper triangle stored, zero or not.
 inline SparseMatrix rows_of(const Eigen::MatrixXd& dense) {
   SparseMatrix rows;
   rows.n = static_cast<int>(dense.rows());
   rows.row_start.push_back(0);
   for (int i = 0; i < rows.n; ++i) {
-    for (int j = 0; j < rows.n; ++j) {
+    for (int j = i; j < rows.n; ++j) {
       rows.columns.push_back(j);
       rows.values.push_back(dense(i, j));
     }

@@ -5,6 +5,7 @@
 #include <Eigen/Eigenvalues>
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 #include "fem/operators/harmonic_space.h"
 #include "fem/operators/stiffness.h"
@@ -79,14 +80,39 @@ TEST_P(CondensationOf, ABodyKeepsTheContactForces) {
   EXPECT_LT((condensation_.schur_complement() * on_line - load).norm(), 1e-10 * load.norm());
 }
 
+/// Harmonic and degree.
+class CondensationOfASkeleton : public testing::TestWithParam<std::tuple<Harmonic, unsigned>> {};
+
+INSTANTIATE_TEST_SUITE_P(HarmonicsAndDegrees, CondensationOfASkeleton,
+                         testing::Combine(testing::Values(Harmonic::normal, Harmonic::tangential),
+                                          testing::Values(2U, 3U, 4U)));
+
+// Displacements inside cells are eliminated before or by MUMPS: roundoff, 1e-13 measured.
+TEST_P(CondensationOfASkeleton, IsThatOfTheWholeBody) {
+  const HarmonicSpace space(quarter_disc_grid(1, 8, 6, 0.35), std::get<0>(GetParam()), std::get<1>(GetParam()));
+  const auto& line = space.contact_line();
+  const SparseMatrix stiffness = assemble_stiffness(space);
+  const Condensation whole(stiffness, line.dofs, "body");
+  const Condensation skeleton(assemble_skeleton_stiffness(space), line.dofs, "skeleton");
+  const Eigen::MatrixXd difference = skeleton.schur_complement() - whole.schur_complement();
+  EXPECT_LT(difference.cwiseAbs().maxCoeff(), 1e-10 * whole.schur_complement().cwiseAbs().maxCoeff());
+
+  Eigen::VectorXd load = Eigen::VectorXd::Zero(space.n_dofs());
+  for (std::size_t i = 0; i < line.dofs.size(); ++i) load[line.dofs[i]] = line.loads(static_cast<Eigen::Index>(i), 3);
+  const Eigen::VectorXd field = extend_into_cells(space, skeleton.solve(load.head(space.n_skeleton_dofs())));
+  EXPECT_LT((multiply(stiffness, field) - load).norm(), 1e-9 * load.norm());
+  const Eigen::VectorXd expected = whole.solve(load);
+  EXPECT_LT((field - expected).norm(), 1e-10 * expected.norm());
+}
+
 TEST(CondensationErrors, NameTheEntryThatIsNotFinite) {
   for (const double bad : {std::nan(""), std::numeric_limits<double>::infinity()}) {
     Eigen::MatrixXd matrix = small_saddle_point();
-    matrix(5, 2) = bad;
+    matrix(2, 5) = bad;
     expect_solver_error([&] { Condensation(rows_of(matrix), {1}, "the pump"); },
-                        {"the pump", "row 5", "column 2", "not finite"});
+                        {"the pump", "row 2", "column 5", "not finite"});
     expect_solver_error([&] { solve_uncondensed(rows_of(matrix), random_vector(8, 2), "the pump"); },
-                        {"the pump", "row 5", "column 2", "not finite"});
+                        {"the pump", "row 2", "column 5", "not finite"});
   }
 }
 

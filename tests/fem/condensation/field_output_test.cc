@@ -27,7 +27,7 @@ struct Body {
 
   explicit Body(Harmonic harmonic)
       : space(quarter_disc_grid(1, 16, 20, 0.25), harmonic, 3),
-        condensation(assemble_stiffness(space), space.contact_line().dofs, "body"),
+        condensation(assemble_skeleton_stiffness(space), space.contact_line().dofs, "body"),
         compliance(contact_compliance(space.contact_line(), condensation)) {}
 
   [[nodiscard]] Eigen::VectorXd extend(const Eigen::VectorXd& rings) const {

@@ -13,15 +13,6 @@
 namespace fretval::fem::strain_memory_test {
 namespace {
 
-/// K u for a displacement u without pressure: the forces of its stresses, and its divergence at the pressure dofs.
-Eigen::VectorXd multiply(const SparseMatrix& matrix, const Eigen::VectorXd& u) {
-  Eigen::VectorXd force = Eigen::VectorXd::Zero(matrix.n);
-  for (int row = 0; row < matrix.n; ++row)
-    for (int k = matrix.row_start[row]; k < matrix.row_start[row + 1]; ++k)
-      force[row] += matrix.values[k] * u[matrix.columns[k]];
-  return force;
-}
-
 std::vector<bool> pressure_dofs(const HarmonicSpace& space) {
   const auto& parts = space.parts();
   std::vector<bool> is_pressure(space.n_dofs(), false);
@@ -52,7 +43,7 @@ TEST_P(StrainFieldOf, ForcesOfElasticStressesAreThoseOfTheStiffness) {
   const Eigen::VectorXd force = strain_.force(strain_.of(u));
   Eigen::VectorXd expected = multiply(assemble_stiffness(space_), u);
   for (unsigned i = 0; i < space_.n_dofs(); ++i)
-    if (is_pressure[i]) expected[i] = 0;
+    if (is_pressure[i]) expected[i] = 0;  // divergences
   EXPECT_LT((force - expected).cwiseAbs().maxCoeff(), 1e-13 * expected.cwiseAbs().maxCoeff());
 }
 

@@ -4,13 +4,15 @@
 #include <deal.II/fe/mapping_q1.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
-#include <map>
+#include <tuple>
 
 #include "fem/operators/harmonic_space_parts.h"
 #include "fem/support/constants.h"
 #include "tests/fem/half_space.h"
+#include "tests/fem/random_vector.h"
 
 namespace fretval::fem::stiffness_test {
 namespace {
@@ -72,24 +74,18 @@ struct Body {
     return u;
   }
 
-  [[nodiscard]] Eigen::VectorXd force(const Eigen::VectorXd& u) const {
-    Eigen::VectorXd f = Eigen::VectorXd::Zero(stiffness.n);
-    for (int row = 0; row < stiffness.n; ++row)
-      for (int k = stiffness.row_start[row]; k < stiffness.row_start[row + 1]; ++k)
-        f[row] += stiffness.values[k] * u[stiffness.columns[k]];
-    return f;
-  }
+  [[nodiscard]] Eigen::VectorXd force(const Eigen::VectorXd& u) const { return multiply(stiffness, u); }
 
   /// Largest force on the chosen dofs, relative to the largest sum of its terms over all dofs: roundoff is 1e-15.
   [[nodiscard]] double largest_force(const Eigen::VectorXd& u, const std::function<bool(const Dof&)>& chosen) const {
     const Eigen::VectorXd f = force(u);
+    SparseMatrix sizes = stiffness;
+    for (double& value : sizes.values) value = std::abs(value);
+    const Eigen::VectorXd terms = multiply(sizes, u.cwiseAbs());
     double largest = 0, scale = 0;
     int n_chosen = 0;
     for (int row = 0; row < stiffness.n; ++row) {
-      double terms = 0;
-      for (int k = stiffness.row_start[row]; k < stiffness.row_start[row + 1]; ++k)
-        terms += std::abs(stiffness.values[k] * u[stiffness.columns[k]]);
-      scale = std::max(scale, terms);
+      scale = std::max(scale, terms[row]);
       if (!chosen(dofs[row])) continue;
       largest = std::max(largest, std::abs(f[row]));
       ++n_chosen;
@@ -206,23 +202,13 @@ TEST_P(StiffnessOfDegree, FieldOutOfEquilibriumIsNoticed) {
   EXPECT_GT(tangential_.largest_force(warped, inside), 1e-5);
 }
 
-TEST_P(StiffnessOfDegree, IsSymmetric) {
+TEST_P(StiffnessOfDegree, IsAnUpperTriangleWhoseRowsBeginWithTheirDiagonal) {
   for (const Body* body : {&normal_, &tangential_}) {
     const auto& k = body->stiffness;
-    std::map<std::pair<int, int>, double> entries;
-    double largest = 0;
-    for (int row = 0; row < k.n; ++row)
-      for (int i = k.row_start[row]; i < k.row_start[row + 1]; ++i) {
-        entries[{row, k.columns[i]}] = k.values[i];
-        largest = std::max(largest, std::abs(k.values[i]));
-      }
-    double asymmetry = 0;
-    for (const auto& [position, value] : entries) {
-      const auto mirrored = entries.find({position.second, position.first});
-      ASSERT_NE(mirrored, entries.end());
-      asymmetry = std::max(asymmetry, std::abs(value - mirrored->second));
+    for (int row = 0; row < k.n; ++row) {
+      EXPECT_EQ(k.columns[k.row_start[row]], row);
+      EXPECT_TRUE(std::is_sorted(&k.columns[k.row_start[row]], &k.columns[k.row_start[row + 1] - 1] + 1));
     }
-    EXPECT_LT(asymmetry, 1e-14 * largest);
   }
 }
 
@@ -240,6 +226,50 @@ TEST_P(StiffnessOfDegree, ConstrainedRowsHoldTheirDiagonalAlone) {
         else
           EXPECT_EQ(k.values[i], 0);
       }
+  }
+}
+
+/// Harmonic and degree.
+class SkeletonOf : public testing::TestWithParam<std::tuple<Harmonic, unsigned>> {
+ protected:
+  HarmonicSpace space_{grid(), std::get<0>(GetParam()), std::get<1>(GetParam())};
+  SparseMatrix whole_ = assemble_stiffness(space_), skeleton_ = assemble_skeleton_stiffness(space_);
+};
+
+INSTANTIATE_TEST_SUITE_P(HarmonicsAndDegrees, SkeletonOf,
+                         testing::Combine(testing::Values(Harmonic::normal, Harmonic::tangential),
+                                          testing::Values(2U, 3U, 4U)));
+
+TEST_P(SkeletonOf, LeavesOutTheDisplacementsInsideCells) {
+  const auto [harmonic, degree] = GetParam();
+  const unsigned n_inside = n_displacements(harmonic) * (degree - 1) * (degree - 1);
+  EXPECT_EQ(space_.n_dofs() - space_.n_skeleton_dofs(), n_inside * grid().cells.size());
+  EXPECT_EQ(skeleton_.n, static_cast<int>(space_.n_skeleton_dofs()));
+  EXPECT_LT(skeleton_.values.size(), whole_.values.size());
+}
+
+// S u_s are the forces on the skeleton, and there are none inside the cells, whatever moves the skeleton. Roundoff of
+// the terms of a row.
+TEST_P(SkeletonOf, ExtendsIntoTheCellsWithoutForcesThere) {
+  Eigen::VectorXd moved = random_vector(skeleton_.n, 1);
+  for (int i = 0; i < skeleton_.n; ++i)
+    if (space_.parts().constraints.is_constrained(i)) moved[i] = 0;
+  const Eigen::VectorXd field = extend_into_cells(space_, moved);
+  EXPECT_EQ(field.head(skeleton_.n), moved);
+  Eigen::VectorXd expected = Eigen::VectorXd::Zero(whole_.n);
+  expected.head(skeleton_.n) = multiply(skeleton_, moved);
+  EXPECT_LT((multiply(whole_, field) - expected).cwiseAbs().maxCoeff(), 1e-12 * expected.cwiseAbs().maxCoeff());
+}
+
+TEST_P(SkeletonOf, HasANegativeDiagonalAtThePressures) {
+  const auto dofs = dofs_of(space_);
+  for (int i = 0; i < skeleton_.n; ++i) {
+    const bool free_pressure =
+        dofs[i].component == n_displacements(space_.harmonic()) && !space_.parts().constraints.is_constrained(i);
+    EXPECT_EQ(skeleton_.values[skeleton_.row_start[i]] < 0, free_pressure) << i;
+    if (free_pressure) {
+      EXPECT_EQ(whole_.values[whole_.row_start[i]], 0);
+    }
   }
 }
 
