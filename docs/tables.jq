@@ -1,4 +1,5 @@
 # The tables of docs/verification.md from what `fretval check --suite NAME --json FILE` writes: jq -r -f docs/tables.jq FILE
+# and that of the motions from results: jq -s -r -f docs/tables.jq report/*/*/result.json
 
 def power_of_ten: log10 | floor;
 def number:
@@ -25,7 +26,19 @@ def families: reduce .[] as $row ({}; .[$row.family] += [$row]) | to_entries[]
      (.value | map(select(.verdict == "agrees")) | length), (.value | map(select(.verdict == "refused")) | length),
      (.value | map(select(.verdict == "inconclusive")) | length), (.value | map(select(.verdict == "FAIL")) | length)] | map(tostring);
 
-if type == "array" then
+# A case: radii over the contact radius.
+def share($case): (. / $case.scene.contact_radius_unworn * 1e4 | round / 1e4 | tostring);
+def beside($case; $q): if $case.mdr[$q] == null then ["none", "none", ""] else
+  [($case.mdr[$q] | share($case)), ($case.comparison[$q].difference | number), ($case.comparison[$q].error_bar | number)] end;
+def motion_row: . as $case
+  | [.name] + beside($case; "stick_radius_first_slip") + beside($case; "stick_radius_shakedown")
+    + [($case.comparison.normal_force_max.difference | number), ($case.comparison.normal_force_max.error_bar | number)];
+
+if type == "array" and (.[0] | has("scene")) then
+  (map(.comparison | to_entries[]) | "\(length) values, \(map(select(.value.pass)) | length) agree, \(map(select((.value.difference | fabs) <= .value.error_bar)) | length) lie within their bars."),
+  "",
+  (map(motion_row) | table(["motion", "c/a, first slip: MDR", "FE - MDR", "bar", "c/a, shakedown: MDR", "FE - MDR", "bar", "force: FE - MDR", "bar"]))
+elif type == "array" then
   map(exact_row) | table(["solution: quantity", "refined", "errors", "order (expected)", "tolerance", "verdict"])
 else
   (.summary | "\(.cases) cases: \(.agree) agree, \(.refused) refused by name as expected, \(.inconclusive) inconclusive, \(.fail) fail. \(.errors - .above_bar) of \(.errors) errors are within their bars. \(.computations) computations, \(.seconds | round) s."),

@@ -125,6 +125,24 @@ std::string draw_phase(RandomNumbers& random) {
   }
 }
 
+/// f_x/f_z.
+double draw_frequency_ratio(RandomNumbers& random) {
+  if (random.chance(0.8)) return 1;
+  const double golden = (1 + std::sqrt(5)) / 2;
+  return random.one_of<double>({1.0 / 2, 2, 2.0 / 3, 3.0 / 2, 5.0 / 7, 7.0 / 5, 1.001, golden});
+}
+
+/// A second or third harmonic of a direction that moves, in some cases.
+Entries with_harmonic(RandomNumbers& random, Entries entries, const std::string& direction) {
+  const double amplitude = std::stod(entries.at("Motion / " + direction + " amplitude")),
+               frequency = std::stod(entries.at("Motion / " + direction + " frequency"));
+  if (!random.chance(0.07)) return entries;
+  entries["Motion / " + direction + " harmonics"] =
+      fmt::format("{}, {}, {}", entry_text(rounded(amplitude * random.uniform(0.05, 0.5))),
+                  entry_text(frequency * random.one_of<double>({2, 3})), entry_text(rounded(random.uniform(0, 360))));
+  return entries;
+}
+
 /// Entries with the amplitude that shakes down at a stick radius; the same entries if none does, because the contact
 /// opens inside it in every cycle.
 Entries with_stick_ratio_if_any(const Entries& entries, double stick_ratio, double factor = 1) {
@@ -188,7 +206,7 @@ Entries random_entries(const RandomDraw& draw) {
                           {"Friction / Coefficient", rounded(friction)},
                           {"Motion / Indentation", rounded(scale.depth)},
                           {"Motion / Normal frequency", rounded(scale.frequency)},
-                          {"Motion / Tangential frequency", rounded(scale.frequency)}});
+                          {"Motion / Tangential frequency", draw_frequency_ratio(random) * rounded(scale.frequency)}});
   // A body that is stiff in motion loses contact at small amplitudes.
   const double stiffening = modulus_ratio_of(entries);
   const bool flat = entries.count("Indenter / Flat radius") > 0, worn = random.chance(0.03) && !flat;
@@ -199,8 +217,9 @@ Entries random_entries(const RandomDraw& draw) {
     return with(entries, {{"Wear / State", "limiting"},
                           {"Wear / Stick radius ratio", random.one_of<std::string>({"0.25", "0.5", "0.75"})},
                           {"Motion / Tangential amplitude", "shakedown"}});
-  return with_tangential_amplitude(random, entries, 1.5 * friction * scale.depth / stiffening,
-                                   stiffening * normal_ratio);
+  entries =
+      with_tangential_amplitude(random, entries, 1.5 * friction * scale.depth / stiffening, stiffening * normal_ratio);
+  return with_harmonic(random, with_harmonic(random, entries, "Normal"), "Tangential");
 }
 
 }  // namespace fretval
