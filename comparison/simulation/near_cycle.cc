@@ -20,27 +20,36 @@ class Demand {
     const double depth = harmonic.amplitude / per_depth_, rounded = depth * stiffening_(order * cycle);
     curvature_ += rounded * order * order;
     rounding_ += std::abs(rounded - depth * stiffening_(harmonic.frequency));
-    multiple_ = std::lcm(multiple_, long{order});
+    repeats_ = std::gcd(repeats_, order);
   }
 
   [[nodiscard]] double curvature() const { return curvature_; }
   [[nodiscard]] double rounding() const { return rounding_; }
-  [[nodiscard]] long multiple() const { return multiple_; }
+  /// How often it repeats in a cycle.
+  [[nodiscard]] int repeats() const { return std::max(repeats_, 1); }
 
  private:
   const Stiffening& stiffening_;
   double per_depth_;
   double curvature_ = 0, rounding_ = 0;
-  long multiple_ = 1;
+  int repeats_ = 0;
 };
 
-/// Orders of the harmonics in a cycle of q cycles of the normal motion.
+/// Orders of the harmonics in a cycle of q cycles of the normal motion. Tangential ones that are multiples of one
+/// frequency stay so.
 mdr::CommonCycle cycle_of(const mdr::HarmonicMotion& motion, const mdr::CommonCycle& of_normal, int q) {
   mdr::CommonCycle cycle{of_normal.frequency / q, of_normal.normal_orders, {}};
   for (int& order : cycle.normal_orders) order *= q;
-  for (const auto& [amplitude, frequency, phase] : motion.tangential)
-    cycle.tangential_orders.push_back(
-        amplitude == 0 ? 0 : static_cast<int>(std::max(std::round(frequency / cycle.frequency), 1.0)));
+  const auto order = [&cycle](double frequency) {
+    return static_cast<int>(std::max(std::round(frequency / cycle.frequency), 1.0));
+  };
+  if (const auto tangential = mdr::common_cycle({motion.indentation, {}, motion.tangential})) {
+    cycle.tangential_orders = tangential->tangential_orders;
+    for (int& own : cycle.tangential_orders) own *= order(tangential->frequency);
+  } else {
+    for (const auto& [amplitude, frequency, phase] : motion.tangential)
+      cycle.tangential_orders.push_back(amplitude == 0 ? 0 : order(frequency));
+  }
   return cycle;
 }
 
@@ -60,7 +69,7 @@ NearCycle near_cycle(const mdr::HarmonicMotion& motion, const Stiffening& stiffe
     for (std::size_t k = 0; k < motion.tangential.size(); ++k)
       tangential.add(motion.tangential[k], cycle.tangential_orders[k], cycle.frequency);
     const double a = normal.curvature(), b = tangential.curvature();
-    double lag = fem::pi / static_cast<double>(std::lcm(normal.multiple(), tangential.multiple()));
+    double lag = fem::pi / std::lcm(normal.repeats(), tangential.repeats());
     const int n_cycles = n_oscillations / cycle.highest_order();
     const bool creeps = n_cycles >= enough_to_creep;
     if (creeps) lag *= fem::pi / n_cycles;

@@ -21,8 +21,9 @@ using Stiffening = std::function<double(double frequency)>;
 /// that has more. In m, with tangential amplitudes over 3 mu/2 and both times |G|/G(0):
 ///
 ///   lags      (A B/(A + B)) (pi/l)^2/2,   A = sum_j a_j n_j^2,  B = sum_k b_k m_k^2,  l = least common multiple of
-///             the orders: lags are the same that differ by 2 pi/l, and where the extremes of both directions miss
-///             each other by half of that, each takes its share. Creeping in N cycles: pi/l (pi/N) in place of pi/l
+///             how often either direction repeats in a cycle: lags are the same that differ by 2 pi/l, and where the
+///             extremes of both directions miss each other by half of that, each takes its share. Creeping in N
+///             cycles: pi/l (pi/N) in place of pi/l
 ///   rounding  sum_k b_k | |G(w_k)| - |G(rounded w_k)| |/G(0)
 ///
 /// A cycle creeps if there is time for 12 of it.

@@ -15,6 +15,13 @@ int highest(const std::vector<Oscillation>& oscillations) {
   return order;
 }
 
+/// With how many equal parts of a cycle they repeat.
+int common_divisor(const std::vector<Oscillation>& oscillations) {
+  int divisor = 0;
+  for (const auto& oscillation : oscillations) divisor = std::gcd(divisor, oscillation.order);
+  return divisor;
+}
+
 double ramp_duration(const Motion& motion) {
   int lowest = motion.highest_order();
   for (const auto* direction : {&motion.normal, &motion.tangential})
@@ -32,13 +39,9 @@ ValueAndRate envelope(const Motion& motion, double t) {
 
 /// Lags of the tangential motion that differ.
 double span_of_lags(const Motion& motion) {
-  int common = 1, lowest = motion.highest_order();
-  for (const auto* direction : {&motion.normal, &motion.tangential})
-    for (const auto& oscillation : *direction) {
-      common = std::lcm(common, oscillation.order);
-      lowest = std::min(lowest, oscillation.order);
-    }
-  return lowest == motion.highest_order() ? pi / common : 2 * pi / common;
+  const int normal = common_divisor(motion.normal), tangential = common_divisor(motion.tangential);
+  const bool one_frequency = motion.normal.size() == 1 && motion.tangential.size() == 1 && normal == tangential;
+  return (one_frequency ? pi : 2 * pi) / std::lcm(std::max(normal, 1), std::max(tangential, 1));
 }
 
 ValueAndRate lag(const Motion& motion, double t) {

@@ -24,9 +24,10 @@ struct Oscillation {
 ///
 /// A locked motion has s = 0, and its period is one cycle. In an unlocked one the tangential motion creeps ahead of the
 /// normal one and back, `s = (L/2)(1 - cos(t / n))`, through all lags that differ: L = 2 pi over the least common
-/// multiple of all orders in either direction; half of that, pi, for oscillations of one frequency, where a lag by half
-/// a cycle turns the tangential motion round. There it rests for an instant at the lags at which the extremes of the
-/// load lie. n = n_creep_cycles over the highest order, two at least, is the period in cycles.
+/// multiple of how often either direction repeats in a cycle; half of that, pi, for one oscillation each of the same
+/// frequency, where a lag by half a cycle turns the tangential motion round. There it rests for an instant at the lags
+/// at which the extremes of the load lie. n = n_creep_cycles over the highest order, two at least, is the period in
+/// cycles.
 struct Motion {
   double indentation;
   std::vector<Oscillation> normal, tangential;

@@ -50,6 +50,17 @@ TEST(NearCycle, HasTheFinestLagsWhereTheBodyIsElastic) {
   EXPECT_EQ(near.cycle.normal_orders.front(), 59);
 }
 
+// Second harmonics are locked to the first ones, and stay so: lags are those of the first ones alone.
+TEST(NearCycle, KeepsHarmonicsOfOneDirectionTogether) {
+  auto motion = with_ratio(golden);
+  motion.tangential.push_back({1e-6, 6 * golden, 1});
+  motion.normal.push_back({1e-6, 4, 1});
+  const auto near = near_cycle(motion, stiffening, friction, 96);
+  EXPECT_EQ(near.cycle.tangential_orders[2], 3 * near.cycle.tangential_orders[0]);
+  EXPECT_EQ(near.cycle.normal_orders[1], 2 * near.cycle.normal_orders[0]);
+  EXPECT_LE(near.cycle.highest_order(), 96);
+}
+
 // Two generators that drift apart slowly go through all lags of a single cycle.
 TEST(NearCycle, CreepsWhereTheFrequenciesAreNearlyEqual) {
   const auto near = near_cycle(with_ratio(1.00001), stiffening, friction, 96);

@@ -94,16 +94,24 @@ TEST(Motion, IsTheSumOfItsOscillationsAfterTheRampOfTheSlowest) {
   }
 }
 
-// Orders 2 and 3 against 3 and 5: lags that differ by 2 pi/30 are the same, and all of them occur.
+// Half way through its period the tangential motion is ahead by as many lags as differ. Orders 2 and 3 repeat once a
+// cycle, as do 3 and 5: a whole cycle ahead; 2 and 4 against 3: a sixth of it.
 TEST(Motion, UnlockedOscillationsPassThroughAllLags) {
-  const Motion motion = several_unlocked();
+  auto motion = several_unlocked();
   EXPECT_EQ(motion.cycles_per_period(), 12);
-  const double half = 12 * pi, lag = 2 * pi / 30;
-  for (const double dt : {-0.05, 0.0, 0.05}) {
-    const double t = 3 * half + dt, ahead = t + lag;
-    EXPECT_NEAR(tangential_motion(motion, t).value, 0.2 * std::cos(3 * ahead + 0.7) + 0.1 * std::cos(5 * ahead - 0.3),
-                1e-4);
-  }
+  const auto expect_ahead = [&](double lag) {
+    auto locked = motion;
+    locked.locked = true;
+    for (const double dt : {-0.05, 0.0, 0.05}) {
+      const double t = 3 * pi * motion.cycles_per_period() + dt;
+      EXPECT_NEAR(tangential_motion(motion, t).value, tangential_motion(locked, t + lag).value, 1e-3);
+      EXPECT_GT(std::abs(tangential_motion(motion, t / 2).value - tangential_motion(locked, t / 2).value), 1e-3);
+    }
+  };
+  expect_ahead(2 * pi);
+  motion.normal[1].order = 4;
+  motion.tangential.resize(1);
+  expect_ahead(2 * pi / 6);
 }
 
 TEST(Motion, PeriodIsOneCycleOrTheCreep) {
