@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "comparison/support/json.h"
+#include "mdr/stick/shakedown_amplitude.h"
 #include "mdr/stick/stick_radius.h"
 
 namespace fretval {
@@ -28,7 +29,8 @@ nlohmann::ordered_json to_json(const MdrAnswer& answer) {
           {"stick_radius_first_slip", or_null(answer.stick_radius_first_slip)},
           {"stick_radius_shakedown", or_null(answer.stick_radius_shakedown)},
           {"worn_radius", or_null(answer.worn_radius)},
-          {"normal_force_max", or_null(answer.normal_force_max)}};
+          {"normal_force_max", or_null(answer.normal_force_max)},
+          {"limiting_amplitude", or_null(answer.limiting_amplitude)}};
 }
 
 bool MdrAnswer::wears_no_more() const {
@@ -47,6 +49,12 @@ MdrAnswer mdr_answer(const MdrCase& mdr, const mdr::NormalResponse& normal) {
   const auto radii = mdr.limiting ? radii_on(*mdr.limiting) : radii_on(mdr.profile);
   answer.stick_radius_first_slip = radii.first_slip;
   answer.stick_radius_shakedown = radii.shakedown;
+  if (mdr.limiting && mdr.motion.tangential_amplitude > 0)
+    answer.limiting_amplitude =
+        mdr::tangential_amplitude_for_shakedown(mdr.body, mdr.friction_coefficient, mdr.motion,
+                                                mdr::transform(mdr.profile, mdr.limiting->stick_radius))
+            .value_or(0) /
+        mdr.motion.tangential_amplitude;
   if (const auto worn = worn_profile(mdr, radii.shakedown)) answer.worn_radius = worn->outer_radius;
   return answer;
 }
