@@ -18,6 +18,7 @@ Quantities quantities_of(const FeAnswer& fe, const Units& units) {
     values[Quantity::slip_inside_stick_zone] = fe.no_wear->slip_inside;
     values[Quantity::force_outside_stick_zone] = fe.no_wear->force_outside;
     values[Quantity::maximum_indentation] = fe.no_wear->touch_indentation;
+    if (fe.no_wear->limiting_amplitude) values[Quantity::limiting_amplitude] = *fe.no_wear->limiting_amplitude;
   }
   return values;
 }
@@ -32,6 +33,7 @@ Quantities quantities_of(const MdrAnswer& mdr, const Units& units, bool worn) {
     if (mdr.wears_no_more()) values[Quantity::slip_inside_stick_zone] = 0;
     values[Quantity::force_outside_stick_zone] = 0;
     values[Quantity::maximum_indentation] = 1;
+    if (mdr.limiting_amplitude) values[Quantity::limiting_amplitude] = *mdr.limiting_amplitude;
   }
   return values;
 }

@@ -12,7 +12,7 @@ struct Units;
 Quantities quantities_of(const FeAnswer& fe, const Units& units);
 
 /// What MDR says. worn: also of the state of a limiting profile in which nothing wears: no slip inside, no force
-/// outside, the flank touches at the largest indentation.
+/// outside, the flank touches at the largest indentation, slip begins inside beyond the amplitude it is limiting for.
 Quantities quantities_of(const MdrAnswer& mdr, const Units& units, bool worn);
 
 /// Absolute differences of what both have: over the contact radius for radii, relative for forces.

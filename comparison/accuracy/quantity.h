@@ -7,11 +7,12 @@
 
 namespace fretval {
 
-/// What finite elements and MDR are compared in. The last three of a limiting profile's are beside it: slip inside c,
-/// force outside c, and the indentation at which its flank touches.
+/// What finite elements and MDR are compared in. Four are of a limiting profile: slip inside c, force outside c, the
+/// indentation at which its flank touches, and the tangential amplitude at which slip begins inside c.
 enum class Quantity {
   contact_radius_max,
   force_outside_stick_zone,
+  limiting_amplitude,
   maximum_indentation,
   normal_force_max,
   slip_inside_stick_zone,
@@ -19,16 +20,16 @@ enum class Quantity {
   stick_radius_shakedown
 };
 
-inline constexpr std::array all_quantities{Quantity::contact_radius_max,     Quantity::force_outside_stick_zone,
-                                           Quantity::maximum_indentation,    Quantity::normal_force_max,
-                                           Quantity::slip_inside_stick_zone, Quantity::stick_radius_first_slip,
-                                           Quantity::stick_radius_shakedown};
+inline constexpr std::array all_quantities{Quantity::contact_radius_max,      Quantity::force_outside_stick_zone,
+                                           Quantity::limiting_amplitude,      Quantity::maximum_indentation,
+                                           Quantity::normal_force_max,        Quantity::slip_inside_stick_zone,
+                                           Quantity::stick_radius_first_slip, Quantity::stick_radius_shakedown};
 
 /// The same in the order in which people ask for them.
-inline constexpr std::array quantities_by_interest{
-    Quantity::stick_radius_first_slip, Quantity::stick_radius_shakedown, Quantity::contact_radius_max,
-    Quantity::normal_force_max,        Quantity::slip_inside_stick_zone, Quantity::force_outside_stick_zone,
-    Quantity::maximum_indentation};
+inline constexpr std::array quantities_by_interest{Quantity::stick_radius_first_slip,  Quantity::stick_radius_shakedown,
+                                                   Quantity::contact_radius_max,       Quantity::normal_force_max,
+                                                   Quantity::limiting_amplitude,       Quantity::slip_inside_stick_zone,
+                                                   Quantity::force_outside_stick_zone, Quantity::maximum_indentation};
 
 /// Order of convergence that is expected, and the highest that is credible.
 struct ExpectedOrder {

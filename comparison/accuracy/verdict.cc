@@ -58,6 +58,9 @@ Comparison compare(const MdrAnswer& mdr, const FeAnswer& fe, double unworn_radiu
     if (mdr.wears_no_more()) comparison[Quantity::slip_inside_stick_zone] = judge(fe.no_wear->slip_inside, tolerance);
     comparison[Quantity::force_outside_stick_zone] = judge(fe.no_wear->force_outside, tolerance);
     comparison[Quantity::maximum_indentation] = judge(fe.no_wear->touch_indentation - 1, tolerance);
+    if (fe.no_wear->limiting_amplitude && mdr.limiting_amplitude)
+      comparison[Quantity::limiting_amplitude] =
+          judge(*fe.no_wear->limiting_amplitude - *mdr.limiting_amplitude, tolerance);
   }
   for (const auto& [quantity, bar] : budget) {
     const auto found = comparison.find(quantity);

@@ -44,7 +44,8 @@ double tolerance_of(const Tolerances& tolerances, Quantity quantity);
 /// Stick radii: (c_FE - c_MDR)/a, a the unworn contact radius at the largest indentation. Where one of the two says
 /// that nothing sticks, the other must say so too or find a stick zone smaller than the tolerance. For a limiting
 /// profile: slip inside c over u_x0 where MDR says that all of the contact sticks, force outside c over the force, and
-/// the indentation at which the flank touches over the largest one, all within the tolerance of the stick radius.
+/// the indentation at which the flank touches over the largest one, the amplitude at which slip begins inside c over
+/// that of the case, all within the tolerance of the stick radius.
 ///
 /// Whether a comparison passes is verdict_on, with the error bar of the finite elements.
 using Comparison = std::map<Quantity, Difference>;

@@ -4,6 +4,7 @@
 
 #include "comparison/support/json.h"
 #include "mdr/springs/stepped_response.h"
+#include "mdr/stick/shakedown_amplitude.h"
 #include "mdr/stick/stick_radius.h"
 
 namespace fretval {
@@ -33,7 +34,8 @@ nlohmann::ordered_json to_json(const MdrAnswer& answer) {
           {"stick_radius_first_slip", or_null(answer.stick_radius_first_slip)},
           {"stick_radius_shakedown", or_null(answer.stick_radius_shakedown)},
           {"worn_radius", or_null(answer.worn_radius)},
-          {"normal_force_max", or_null(answer.normal_force_max)}};
+          {"normal_force_max", or_null(answer.normal_force_max)},
+          {"limiting_amplitude", or_null(answer.limiting_amplitude)}};
 }
 
 bool MdrAnswer::wears_no_more() const {
@@ -46,14 +48,20 @@ MdrAnswer mdr_answer(const MdrCase& mdr, const mdr::NormalResponse& normal) {
   answer.modulus_ratio = mdr::modulus_ratio(mdr.body, mdr::angular_frequency(mdr.motion.normal.front().frequency));
   answer.contact_radius_max = normal.contact_radius_max;
   answer.normal_force_max = normal.normal_force_max;
+  const auto one_each = mdr::one_harmonic_each(mdr.motion);
   const auto radii_on = [&](const auto& profile) {
-    const auto one_each = mdr::one_harmonic_each(mdr.motion);
     return one_each ? mdr::stick_radii(profile, mdr.body, mdr.friction_coefficient, *one_each)
                     : mdr::stick_radii(profile, mdr.body, mdr.friction_coefficient, mdr.motion);
   };
   const auto radii = mdr.limiting ? radii_on(*mdr.limiting) : radii_on(mdr.profile);
   answer.stick_radius_first_slip = radii.first_slip;
   answer.stick_radius_shakedown = radii.shakedown;
+  if (mdr.limiting && one_each && one_each->tangential_amplitude > 0)
+    answer.limiting_amplitude =
+        mdr::tangential_amplitude_for_shakedown(mdr.body, mdr.friction_coefficient, *one_each,
+                                                mdr::transform(mdr.profile, mdr.limiting->stick_radius))
+            .value_or(0) /
+        one_each->tangential_amplitude;
   if (const auto worn = worn_profile(mdr, radii.shakedown)) answer.worn_radius = worn->outer_radius;
   return answer;
 }

@@ -16,6 +16,9 @@ struct MdrAnswer {
   std::optional<double> stick_radius_shakedown;
   std::optional<double> worn_radius;       ///< a_inf of the limiting profile that belongs to the shakedown radius
   std::optional<double> normal_force_max;  ///< empty: not computed, or as above
+  /// Tangential amplitude that the indenter is the limiting profile for, over that of the case; 0: there is none.
+  /// Empty: the indenter is not worn, or does not move tangentially.
+  std::optional<double> limiting_amplitude = {};
 
   /// Whether all of the largest contact sticks in the end, as it does under a profile that is limiting for the motion.
   [[nodiscard]] bool wears_no_more() const;

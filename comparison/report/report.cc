@@ -138,24 +138,33 @@ std::string difference_text(const StoredResult& r, const char* key) {
   return comparison.contains(key) ? number_text(comparison[key]["difference"], "{:+.1e}") : "–";
 }
 
+std::string bar_text(const StoredResult& r, const char* key) {
+  const auto& comparison = r.json.at("comparison");
+  return comparison.contains(key) ? number_text(comparison[key]["error_bar"], "{:.0e}") : "–";
+}
+
 std::string limiting_section(const Results& results) {
   const auto figures = limiting_profile_figures(results);
   if (figures.empty()) return "";
-  Table table{{"case", "c<sub>FE</sub> / c", "slip inside c", "force outside c", "normal force", "flank touches at",
-               "a<sub>∞</sub> / a<sub>0</sub>"}};
+  Table table{{"case", "amplitude at which slip begins", "± bar", "slip inside c", "force outside c", "normal force",
+               "flank touches at", "a<sub>∞</sub> / a<sub>0</sub>"}};
   for (const auto& r : results) {
     if (!r.swept_over("Wear / Stick radius ratio")) continue;
     const auto fe = [&](const char* key) { return r.number("fe", key); };
     table.rows.push_back(
-        {r.json.at("name").get<std::string>(),
-         fmt::format("{:.5f}", fe("stick_radius_shakedown") / r.number("scene", "stick_radius_of_profile")),
-         number_text(fe("slip_inside_stick_zone")), number_text(fe("force_outside_stick_zone")),
-         difference_text(r, "normal_force_max"), fmt::format("{:.6f} d_max", fe("touch_indentation")),
+        {r.json.at("name").get<std::string>(), fmt::format("{:.6f}", fe("limiting_amplitude")),
+         bar_text(r, "limiting_amplitude"), number_text(fe("slip_inside_stick_zone")),
+         number_text(fe("force_outside_stick_zone")), difference_text(r, "normal_force_max"),
+         fmt::format("{:.6f} d_max", fe("touch_indentation")),
          fmt::format("{:.4f}", r.number("mdr", "worn_radius") / r.number("scene", "contact_radius_unworn"))});
   }
   return "<h2>The state in which nothing wears any more (figure 4 of the paper)</h2>\n<p>Here the limiting profile "
          "itself is the indenter, and it oscillates with a motion whose shakedown radius is its c. In the periodic "
-         "state the finite elements have to find no slip inside c and no pressure outside.</p>\n" +
+         "state the finite elements have to find no slip inside c and no pressure outside. That c is where the mesh "
+         "has a node, so what they say about it is an amplitude: how far the tangential motion may grow, over that of "
+         "MDR, "
+         "before the periodic state begins to slip inside c. 1: with the very amplitude that MDR has for this "
+         "c.</p>\n" +
          figures_html(figures) + html_of(table) +
          "<p class=\"soft\">Slip over the tangential amplitude, force outside c over the normal force, at the worst "
          "instant; difference of the largest normal force relative to MDR.</p>\n";

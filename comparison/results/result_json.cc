@@ -64,6 +64,7 @@ ordered_json fe_json(const FeAnswer& fe, const Comparison& comparison) {
     json["slip_inside_stick_zone"] = fe.no_wear->slip_inside;
     json["force_outside_stick_zone"] = fe.no_wear->force_outside;
     json["touch_indentation"] = fe.no_wear->touch_indentation;
+    json["limiting_amplitude"] = or_null(fe.no_wear->limiting_amplitude);
   }
   json["error_estimate"] = ordered_json::object();
   for (const auto& [quantity, difference] : comparison)

@@ -48,7 +48,7 @@ class Friction {
 };
 
 fem::HistoryControl control_of(const FemCase& fem) {
-  constexpr int most_after_ramp = 400;
+  constexpr int most_after_ramp = 800;
   return {fem.steps_per_cycle(), fem.motion.cycles_of_ramp() + most_after_ramp, fem.resolution.periodicity};
 }
 

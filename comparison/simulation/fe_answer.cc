@@ -7,6 +7,7 @@
 #include "fem/stick_zone/contact_radius.h"
 #include "fem/stick_zone/edge_near_largest_contact.h"
 #include "fem/stick_zone/largest_force.h"
+#include "fem/stick_zone/limiting_amplitude.h"
 #include "fem/stick_zone/stick_depths.h"
 #include "fem/stick_zone/stick_zones.h"
 #include "fem/stick_zone/touch_indentation.h"
@@ -33,13 +34,18 @@ double largest_share_outside(const fem::NormalHistory& history, const Eigen::Vec
   return share;
 }
 
-NoWearEvidence no_wear_evidence(const fem::Compliance& compliance, const FemCase& fem, const Eigen::VectorXd& profile,
+NoWearEvidence no_wear_evidence(const ContactProblems& problems, const FemCase& fem, const Eigen::VectorXd& profile,
                                 const fem::NormalHistory& normal, const fem::FrictionHistory& friction,
                                 Eigen::Index n_inside) {
+  const auto& compliance = problems.normal.compliance;
   const Eigen::Index n_worn = rings_within(compliance, fem.worn_edge->outer) - n_inside;
-  return {friction.period_slip.head(n_inside).maxCoeff() / fem.motion.tangential_amplitude(),
-          largest_share_outside(normal, compliance.areas, n_inside),
-          fem::touch_indentation(compliance, profile, n_inside, n_worn)};
+  NoWearEvidence evidence{0, largest_share_outside(normal, compliance.areas, n_inside),
+                          fem::touch_indentation(compliance, profile, n_inside, n_worn), std::nullopt};
+  if (!problems.tangential) return evidence;
+  evidence.slip_inside = friction.period_slip.head(n_inside).maxCoeff() / fem.motion.tangential_amplitude();
+  evidence.limiting_amplitude = fem::limiting_amplitude(problems.normal, *problems.tangential, fem.relaxation,
+                                                        fem.friction_coefficient, fem.motion, normal, n_inside);
+  return evidence;
 }
 
 /// Where all of the contact inside a worn flank sticks, its edge is known. Where nothing does, the slip tells whether
@@ -133,7 +139,7 @@ FeAnswer read_answer(const ContactProblems& problems, const FemCase& fem, const 
     hold_to_count(problem.compliance, stuck.shakedown, shakedown);
     read_on_worn_profile(problem.compliance, n_inside, stuck.first_slip, friction.slip_path, first);
     read_on_worn_profile(problem.compliance, n_inside, stuck.shakedown, friction.period_slip, shakedown);
-    answer.no_wear = no_wear_evidence(problems.normal.compliance, fem, profile, normal, friction, n_inside);
+    answer.no_wear = no_wear_evidence(problems, fem, profile, normal, friction, n_inside);
   }
   for (auto* zone : {&first, &shakedown}) widen_next_to_sharp_edge(fem, problem.compliance, *zone);
 

@@ -18,6 +18,9 @@ struct NoWearEvidence {
   double slip_inside;        ///< longest slip of a ring inside c in a period over the tangential amplitude
   double force_outside;      ///< largest share of the normal force carried beyond c at any instant of the last cycle
   double touch_indentation;  ///< indentation at which the worn flank comes into contact, over the largest one
+  /// Largest tangential amplitude under which nothing slips inside c, over that of the case (fem::limiting_amplitude).
+  /// Empty: the indenter does not move tangentially.
+  std::optional<double> limiting_amplitude;
 };
 
 /// How many rings resolve the zones: in the largest contact, and inside either stick radius.

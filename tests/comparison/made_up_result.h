@@ -33,7 +33,7 @@ inline CaseResult made_up_result() {
   fe.stick_radius_first_slip = 0.5;
   fe.stick_radius_shakedown = 0.75;
   fe.normal_force_max = 42.5;
-  fe.no_wear = NoWearEvidence{0.01, 0.02, 1.03};
+  fe.no_wear = NoWearEvidence{0.01, 0.02, 1.03, 1.04};
   fe.n_cycles = 3;
   fe.n_steps = 12;
   fe.seconds = {4.5, 5.5};
@@ -59,7 +59,7 @@ inline CaseResult made_up_result() {
   friction.first_slip_margin = Eigen::Vector2d(-0.1, 0.4);
   friction.shakedown_margin = Eigen::Vector2d(0.2, -0.4);
 
-  const MdrAnswer mdr{1.5, 1.1, 0.45, 6e-4, 1.9, 40};
+  const MdrAnswer mdr{1.5, 1.1, 0.45, 6e-4, 1.9, 40, 0.95};
   const Comparison comparison{
       {Quantity::normal_force_max, {0.0625, 0.1, Verdict::pass, ErrorBar{{{ErrorSource::rings, 0.03125, 2.5}}}}},
       {Quantity::stick_radius_shakedown, {0.15, 0.125, Verdict::fail, std::nullopt}}};

@@ -59,14 +59,15 @@ TEST(Comparison, HasEveryDifferenceWithItsSignAndTolerance) {
   fe.stick_radius_shakedown = 0.25 * a;
   fe.contact_radius_max = 1.25 * a;
   fe.normal_force_max = 1;
-  fe.no_wear = NoWearEvidence{0.125, 0.0625, 0.75};
+  fe.no_wear = NoWearEvidence{0.125, 0.0625, 0.75, 1.5};
   MdrAnswer mdr = mdr_with(a);
   mdr.stick_radius_first_slip = 0.375 * a;
+  mdr.limiting_amplitude = 1.25;
   const std::map<Quantity, std::pair<double, double>> wanted{
       {Quantity::contact_radius_max, {0.25, 1e-4}},        {Quantity::normal_force_max, {-0.5, 1e-4}},
       {Quantity::stick_radius_first_slip, {0.0625, 1e-3}}, {Quantity::stick_radius_shakedown, {-0.375, 1e-3}},
       {Quantity::slip_inside_stick_zone, {0.125, 1e-3}},   {Quantity::force_outside_stick_zone, {0.0625, 1e-3}},
-      {Quantity::maximum_indentation, {-0.25, 1e-3}}};
+      {Quantity::maximum_indentation, {-0.25, 1e-3}},      {Quantity::limiting_amplitude, {0.25, 1e-3}}};
   const auto found = compare(mdr, fe, 2 * a, tolerances_of(1e-3));
   ASSERT_EQ(found.size(), wanted.size());
   for (const auto& [quantity, one] : wanted) {
@@ -82,18 +83,21 @@ TEST(Comparison, FailsOnNotANumber) {
 TEST(Comparison, HoldsTheLimitingStateToNoSlipAndNoPressure) {
   auto fe = fe_with(0.5 * a);
   fe.contact_radius_max.reset();
-  fe.no_wear = NoWearEvidence{1e-5, 1e-5, 1};
+  fe.no_wear = NoWearEvidence{1e-5, 1e-5, 1, 1};
   MdrAnswer mdr = mdr_with(0.5 * a);
   mdr.contact_radius_max = 0.5 * a;  // all of the contact sticks
+  mdr.limiting_amplitude = 1;
   const auto judge = [&] { return passes(compare(mdr, fe, a, tolerances_of(1e-3))); };
   EXPECT_TRUE(judge());
-  fe.no_wear = NoWearEvidence{2e-3, 1e-5, 1};
+  fe.no_wear = NoWearEvidence{2e-3, 1e-5, 1, 1};
   EXPECT_FALSE(judge());
   mdr.contact_radius_max = 0.6 * a;  // its outer part slips, says MDR as well
   EXPECT_TRUE(judge());
-  fe.no_wear = NoWearEvidence{1e-5, 2e-3, 1};
+  fe.no_wear = NoWearEvidence{1e-5, 2e-3, 1, 1};
   EXPECT_FALSE(judge());
-  fe.no_wear = NoWearEvidence{1e-5, 1e-5, 1.002};
+  fe.no_wear = NoWearEvidence{1e-5, 1e-5, 1.002, 1};
+  EXPECT_FALSE(judge());
+  fe.no_wear = NoWearEvidence{1e-5, 1e-5, 1, 0.998};
   EXPECT_FALSE(judge());
 }
 

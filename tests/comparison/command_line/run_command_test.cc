@@ -95,7 +95,8 @@ TEST(RunCommand, HoldsALimitingProfileToNoWear) {
     ++n_results;
     const auto json = nlohmann::json::parse(text_of(entry.path()));
     EXPECT_EQ(json.at("scene").at("wear"), "limiting");
-    for (const char* key : {"slip_inside_stick_zone", "force_outside_stick_zone", "maximum_indentation"}) {
+    for (const char* key :
+         {"slip_inside_stick_zone", "force_outside_stick_zone", "maximum_indentation", "limiting_amplitude"}) {
       EXPECT_EQ(json.at("comparison").at(key).at("pass"), true) << key;
       EXPECT_LT(std::abs(json.at("comparison").at(key).at("difference").get<double>()), 0.01) << key;
     }

@@ -135,20 +135,22 @@ TEST(Report, HasTheNumbersOfACaseInTheirPlaces) {
                 "All 1 cases: 12 time steps, 4 s of friction histories on one core, peak memory 64 MB."});
 }
 
-// c_FE over the c of the profile, a_inf over a0.
+// The amplitude at which slip begins with its bar, a_inf over a0.
 TEST(Report, HasTheRatiosOfAWornProfile) {
   auto json = stored_result("limiting");
   json["name"] = "worn";
   json["scene"]["contact_radius_unworn"] = 2;
-  json["scene"]["stick_radius_of_profile"] = 0.5;
   json["mdr"]["worn_radius"] = 2.5;
-  json["fe"]["stick_radius_shakedown"] = 0.625;
+  json["fe"]["limiting_amplitude"] = 1.25;
+  json["comparison"]["limiting_amplitude"] = {
+      {"difference", 0.25}, {"tolerance", 1e-3}, {"error_bar", 0.5}, {"verdict", "inconclusive"}, {"pass", false}};
   json["fe"]["slip_inside_stick_zone"] = 0.25;
   json["fe"]["force_outside_stick_zone"] = 0.125;
   json["fe"]["touch_indentation"] = 1.5;
   json["comparison"]["normal_force_max"]["difference"] = -0.03125;
-  expect_parts(page_of({json}), {"<td>worn</td><td>1.25000</td><td>2.5e-01</td><td>1.2e-01</td><td>-3.1e-02</td>"
-                                 "<td>1.500000 d_max</td><td>1.2500</td>"});
+  expect_parts(page_of({json}),
+               {"<td>worn</td><td>1.250000</td><td>5e-01</td><td>2.5e-01</td><td>1.2e-01</td><td>-3.1e-02</td>"
+                "<td>1.500000 d_max</td><td>1.2500</td>"});
 }
 
 TEST(Report, DoesWithoutResultsWhereASuiteWasRun) {

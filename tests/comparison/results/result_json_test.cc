@@ -91,10 +91,11 @@ TEST(ResultJson, HasEveryNumberUnderItsKey) {
       "wear": "unworn", "contact_radius_unworn": 2, "tolerance": 0.01,
       "sweep": {"family": "family", "entry": "Motion / Phase", "value": 60}},
     "mdr": {"modulus_ratio": 1.5, "contact_radius_max": 1.1, "stick_radius_first_slip": 0.45,
-      "stick_radius_shakedown": 6e-4, "worn_radius": 1.9, "normal_force_max": 40},
+      "stick_radius_shakedown": 6e-4, "worn_radius": 1.9, "normal_force_max": 40, "limiting_amplitude": 0.95},
     "fe": {"contact_radius_max": 1.25, "stick_radius_first_slip": 0.5, "stick_radius_shakedown": 0.75,
       "worn_radius": null, "normal_force_max": 42.5,
       "slip_inside_stick_zone": 0.01, "force_outside_stick_zone": 0.02, "touch_indentation": 1.03,
+      "limiting_amplitude": 1.04,
       "error_estimate": {"stick_radius_shakedown": null,
         "normal_force_max": {"total": 0.03125, "shares": {"rings": {"estimate": 0.03125, "order": 2.5}}}}},
     "comparison": {

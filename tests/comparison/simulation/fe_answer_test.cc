@@ -87,6 +87,36 @@ TEST(FeAnswer, OfALimitingProfileHasEvidenceThatNothingWears) {
   EXPECT_NEAR(fe.no_wear->touch_indentation, 1, scene.tolerance);
 }
 
+TEST(FeAnswer, OfALimitingProfileThatOnlyMovesNormallyHasNoAmplitude) {
+  auto scene = limiting_case(0.5);
+  scene.rings_per_radius = 16;
+  scene.motion.tangential_amplitude = 0;
+  const auto fe = simulate_case(scene);
+  EXPECT_EQ(fe.no_wear->slip_inside, 0);
+  EXPECT_FALSE(fe.no_wear->limiting_amplitude);
+  EXPECT_FALSE(exact_answer(scene).limiting_amplitude);
+}
+
+// The node at c says nothing about c: what does is the amplitude at which finite elements begin to slip inside, found
+// from pressures alone, and confirmed by histories a percent below and above it.
+// The reading is linear in the amplitude, to roundoff.
+TEST(FeAnswer, OfALimitingProfileTurnsToSlipAtTheAmplitudeItIsLimitingFor) {
+  auto scene = limiting_case(0.5);
+  scene.rings_per_radius = 24;
+  scene.tolerance = 1e-3;
+  const auto fe = simulate_case(scene);
+  const double factor = fe.no_wear->limiting_amplitude.value();
+  EXPECT_NEAR(factor, 1, scene.tolerance);
+  scene.motion.tangential_amplitude = 0.99 * factor * mdr_case(scene).motion.tangential.front().amplitude;
+  const auto below = simulate_case(scene);
+  scene.motion.tangential_amplitude *= 1.01 / 0.99;
+  const auto above = simulate_case(scene);
+  EXPECT_LT(below.no_wear->slip_inside, 1e-4);
+  EXPECT_GT(above.no_wear->slip_inside, 1e-3);
+  EXPECT_NEAR(below.no_wear->limiting_amplitude.value(), 1 / 0.99, 1e-9);
+  EXPECT_NEAR(above.no_wear->limiting_amplitude.value(), 1 / 1.01, 1e-9);
+}
+
 // A smaller motion than the one that the profile is limiting for leaves all of the contact sticking, a larger one does
 // not.
 TEST(FeAnswer, OfAWornProfileFollowsMdrUnderAnotherMotion) {
@@ -103,6 +133,7 @@ TEST(FeAnswer, OfAWornProfileFollowsMdrUnderAnotherMotion) {
     EXPECT_NEAR(*fe.stick_radius_shakedown, *exact.stick_radius_shakedown, 1e-4 * c) << amplitude;
     EXPECT_NEAR(*fe.stick_radius_first_slip, *exact.stick_radius_first_slip, 1e-4 * c) << amplitude;
     EXPECT_EQ(fe.no_wear->slip_inside > 1e-2, amplitude > 5e-5);
+    EXPECT_NEAR(*fe.no_wear->limiting_amplitude / *exact.limiting_amplitude, 1, input.tolerance) << amplitude;
   }
 }
 
