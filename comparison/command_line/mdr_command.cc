@@ -63,6 +63,9 @@ int run_mdr(const std::string& file, const MdrOptions& options) {
     for (const auto& warning : input.warnings) log::warn(warning);
     const auto document = mdr_document(input, options.springs);
     for (const auto& warning : implausible_values(input, profile_of(input.indenter))) log::warn(warning);
+    if (options.springs)
+      for (const auto& warning : document.json["springs"]["warnings"])
+        log::warn(fmt::format("{}: {}", input.name, warning.get<std::string>()));
     if (!options.fields.empty()) write_csv(options.fields, surface_columns(input, document.worn));
     if (options.json) {
       list.push_back(document.json);

@@ -7,6 +7,8 @@
 
 #include "comparison/reference/mdr_answer.h"
 #include "comparison/reference/mdr_case.h"
+#include "comparison/reference/spring_agreement.h"
+#include "comparison/support/json.h"
 #include "mdr/motion/force_control.h"
 #include "mdr/stick/stick_radius.h"
 #include "mdr/wear/wear_kinetics.h"
@@ -138,13 +140,21 @@ mdr::Loading loading_of(const Case::Motion& motion, const mdr::HarmonicMotion& d
   return loading;
 }
 
-ordered_json springs_json(const Case& input) {
+/// closed_form: the stick radii as they stand in the document.
+ordered_json springs_json(const Case& input, const ordered_json& closed_form) {
   const auto answer = spring_answer(input);
   const auto& history = answer.history;
   const auto profile = profile_of(input.indenter);
   const auto radius = [&](double depth) {
     return depth > 0 ? ordered_json(mdr::inverse_transform(profile, depth)) : ordered_json(nullptr);
   };
+  const auto known = [&](const char* key) {
+    return closed_form[key].is_null() ? std::nullopt : std::optional(closed_form[key].get<double>());
+  };
+  // Under a force the closed form has the first-slip radius of the worn contact, the springs that of the unworn one.
+  const bool forces = input.motion.normal_force || input.motion.tangential_force;
+  const auto agreement = spring_agreement(answer.bed, history, profile,
+                                          {known("stick_radius_first_slip"), known("stick_radius_shakedown"), !forces});
   return {{"springs", answer.bed.position.size()},
           {"steps_per_period", answer.steps_per_period},
           {"periods", history.n_periods},
@@ -153,7 +163,11 @@ ordered_json springs_json(const Case& input) {
           {"normal_force_max", *std::max_element(history.normal_force.begin(), history.normal_force.end())},
           {"friction_work", history.friction_work},
           {"bulk_work", history.bulk_work},
-          {"indenter_work", history.indenter_work}};
+          {"indenter_work", history.indenter_work},
+          {"difference_first_slip", or_null(agreement.first_slip)},
+          {"difference_shakedown", agreement.shakedown},
+          {"slip_inside", agreement.slip_inside},
+          {"warnings", agreement.warnings}};
 }
 
 ordered_json wear_json(const Case& input) {
@@ -190,7 +204,7 @@ MdrDocument mdr_document(const Case& input, bool with_springs) {
     json.update(document.json);
     json["limiting_profile"] = profile_json(document.worn);
     if (input.elastomer.master_curve) json["elastomer"] = elastomer_json(input.elastomer);
-    if (with_springs) json["springs"] = springs_json(input);
+    if (with_springs) json["springs"] = springs_json(input, document.json["mdr"]);
     if (input.wear_kinetics) json["wear"] = wear_json(input);
     document.json = std::move(json);
     return document;

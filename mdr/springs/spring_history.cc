@@ -12,8 +12,9 @@ namespace fretval::mdr {
 
 namespace {
 
-// Slip below this share of the largest tangential displacement is roundoff, or the last creep of a spring that has
-// shaken down.
+// Shares of the largest tangential displacement: of a step, roundoff, which 1e5 steps would add up to slip; of a path,
+// what counts as none, and the last creep of a spring that has shaken down.
+constexpr double roundoff_of_step = 1e-14;
 constexpr double never_slipped = 1e-11;
 constexpr double shaken_down = 1e-6;
 
@@ -129,7 +130,8 @@ class History {
       const double time = (period + static_cast<double>(k) / control_.steps_per_period) * control_.period;
       const SpringState before = state_;
       step_.advance(state_, bed_, indenter(time));
-      margins.slip_path += slip(before, state_).abs();
+      const Eigen::ArrayXd slipped = slip(before, state_).abs();
+      margins.slip_path += (slipped > roundoff_of_step * largest_shift_).select(slipped, 0);
       margins.traction_sum += state_.tangential_load;
       first_slip_.add(state_, mu_);
       const Dissipation heat = dissipation(bed_, body_, mu_, dt_, before, state_);
@@ -180,6 +182,8 @@ class History {
     const Eigen::ArrayXd shakedown = (margins.forward.value() + margins.backward.value()) / 2;
     result.depths.first_slip = stick_depth(bed_, mu_, first, first_slip_.slip_path, never_slipped * largest_shift_);
     result.depths.shakedown = stick_depth(bed_, mu_, shakedown, margins.slip_path, shaken_down * largest_shift_);
+    result.settling_depth = stick_depth(bed_, mu_, shakedown, margins.slip_path, settling_slip * largest_shift_);
+    result.largest_shift = largest_shift_;
     result.slip_amplitude = margins.slip_path;
     result.mean_traction = margins.traction_sum / control_.steps_per_period;
   }

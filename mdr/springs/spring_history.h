@@ -48,8 +48,10 @@ struct HistoryControl {
 /// What the transient spring foundation says about a periodic motion: the second, independent way to both stick radii,
 /// and the reference for histories of finite elements.
 struct SpringHistory {
-  int n_periods;       ///< until periodic, with those of the ramp
-  StickDepths depths;  ///< g(c); see below
+  int n_periods;          ///< until periodic, with those of the ramp
+  StickDepths depths;     ///< g(c); see below
+  double settling_depth;  ///< as depths.shakedown, if springs that still settle are counted among those that stick
+  double largest_shift;   ///< tangential displacement of the indenter, m
 
   // The last period, both ends included.
   std::vector<double> time;              ///< s
@@ -65,6 +67,8 @@ struct SpringHistory {
   double indenter_work;  ///< J per period: int F_z dd + F_x du_x; the sum of the other two, up to the time step
 };
 
+constexpr double settling_slip = 1e-4;
+
 /// Steps the springs from the relaxed state at the path's start until their tractions repeat.
 ///
 /// Stick depths: the friction margin of a spring that sticks, over its stiffness, is g(c) - g(x), so every stuck
@@ -72,7 +76,9 @@ struct SpringHistory {
 /// springs that never slipped; shakedown: mean of the two least margins over the last period, of springs that do not
 /// slip in it. Minima between time steps are those of parabolas. Not positive where no spring sticks.
 /// Under a prescribed force the motion of the indenter is found in every step; it is the same for all springs, so the
-/// margins mean the same.
+/// margins mean the same. Where slip dies out slowly everywhere (a body much stiffer in motion than at rest), tractions
+/// repeat while springs still slip a little; settling_depth counts springs that slip by up to settling_slip of the
+/// largest tangential displacement in the period: their margins are those of springs that stick.
 /// Throws std::runtime_error when the state is not periodic after max_periods or the contact slides under a tangential
 /// force, std::invalid_argument for bad arguments.
 SpringHistory spring_history(const SpringBed& bed, const PronyBody& body, double mu, const Loading& loading,

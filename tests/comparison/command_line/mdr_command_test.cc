@@ -53,6 +53,16 @@ TEST(MdrCommand, PrintsTheAnalyticAnswerAsText) {
   expect_parts(run.out, {fmt::format("\n  {:<28}{:.6g} m^3 after 1000 cycles\n", "worn volume", volume)});
 }
 
+TEST(MdrCommand, WarnsWhereSpringsStillSettle) {
+  const ScratchFolder folder;
+  auto text = replace(valid_case, "Branch moduli = 1e6\n  set Branch times = 0.1",
+                      "Branch moduli = 7e6\n  set Branch times = 0.2");
+  text = replace(replace(text, "Normal amplitude = 2e-5", "Normal amplitude = 1.2e-5"), "1.5e-5", "8.823529e-6");
+  const auto file = folder.write("case.prm", replace(text, "Phase = 60", "Phase = 0"));
+  expect_parts(fretval_run("mdr " + file.string() + " --springs", folder).err, {"case: shakedown radius 0.001"});
+  EXPECT_EQ(fretval_run("mdr " + file.string(), folder).err.find("shakedown radius"), std::string::npos);
+}
+
 TEST(MdrCommand, PrintsWhereNothingSticks) {
   const ScratchFolder folder;
   const auto file = folder.write("case.prm", replace(valid_case, "amplitude = 1.5e-5", "amplitude = 5e-4"));

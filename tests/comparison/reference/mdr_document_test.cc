@@ -89,6 +89,8 @@ TEST(MdrDocument, SpringsConfirmTheStickRadiusUnderForces) {
   EXPECT_NEAR(number(json, "springs", "stick_radius_shakedown") / number(json, "mdr", "stick_radius_shakedown"), 1,
               1e-3);
   EXPECT_NEAR(number(json, "springs", "normal_force_max"), 0.6, 1e-6);
+  EXPECT_TRUE(json.at("springs").at("difference_first_slip").is_null());
+  EXPECT_TRUE(json.at("springs").at("warnings").empty());
 }
 
 const std::string forces = "set Normal force = 0.5\n  set Normal force amplitude = 0.1";

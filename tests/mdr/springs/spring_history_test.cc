@@ -51,6 +51,28 @@ TEST(SpringHistory, ViscoelasticSpringsGiveBothStickDepths) {
   }
 }
 
+// A slow branch takes 1100 periods: 4e5 steps, each of which moves a spring that sticks by roundoff.
+TEST(SpringHistory, RoundoffOfManyStepsIsNoSlip) {
+  const Motion motion{1, 0.08, 0.057, 1, 1, 0.0};
+  const PronyBody body = standard_solid(1, 1, 100);
+  const SpringHistory history = spring_history(
+      bed_for(motion, 5), body, mu, {ramped_path(harmonic_motion(motion), 20), {}, {}}, {1, 360, 20, 4000, 1e-10});
+  EXPECT_GT(history.n_periods, 1000);
+  EXPECT_NEAR(history.depths.first_slip, stick_depths(body, mu, motion).first_slip, 2e-4);  // start: the ramp is short
+}
+
+// A body eight times stiffer in motion, in phase, k = 1.02, no first-slip zone: all springs still slip a little when
+// their tractions repeat to 1e-7, and none of them sticks. What they would stick at is in their margins.
+TEST(SpringHistory, KnowsWhereSpringsThatSettleWillStick) {
+  const Motion motion{1, 0.12, 1.5 * mu * 0.12 / 1.02, 1, 1, 0.0};
+  const PronyBody body = standard_solid(1, 7, 0.2);
+  const SpringHistory history = history_of(body, motion, 360, 20, 1e-7);
+  const double exact = stick_depths(body, mu, motion).shakedown;
+  EXPECT_GT(exact, 0.2);
+  EXPECT_LT(history.depths.shakedown, 0.01);
+  EXPECT_NEAR(history.settling_depth, exact, 1e-4);
+}
+
 TEST(SpringHistory, NothingSticksUnderAWideMotion) {
   const Motion motion{1, 0.2, 2, 1, 1, 0.7};
   EXPECT_LT(stick_depths(elastic(1), mu, motion).shakedown, 0);
