@@ -6,8 +6,7 @@
 
 namespace fretval::fem {
 
-/// The elastic indentations at which one more ring comes into contact, and the contact radius at each. Between such
-/// events the radius is interpolated by the polynomial through the six nearest.
+/// The elastic indentations at which one more ring comes into contact, and the contact radius at each.
 struct ContactEvents {
   Eigen::VectorXd indentation;   ///< [m]: ring m touches while rings 0..m-1 are pressed
   Eigen::VectorXd closing_rate;  ///< [m]: -d(gap of ring m)/d(indentation) just before

@@ -33,7 +33,7 @@ struct NormalHistory {
   Eigen::VectorXd contact_radius;
   Eigen::VectorXd touch_radii;   ///< of the contact when a ring touches, see PunchSeries::radii
   Eigen::VectorXd smallest_gap;  ///< per ring over the cycle; 0 for rings that touch
-  /// The same from the gaps at the balance times, a parabola through three of them; both agree to second order.
+  /// The same from the gaps at the balance times, between which it is a RunningMinimum; both agree to second order.
   Eigen::VectorXd smallest_gap_at_balance;
   Eigen::VectorXd deepest_displacement;  ///< of the rings, at the largest indentation
   Eigen::VectorXd highest_displacement;  ///< of the rings, at the smallest indentation

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "tests/fem/expect_solver_error.h"
+#include "tests/worse.h"
 
 namespace fretval::fem::box_solver_test {
 namespace {
@@ -63,10 +64,10 @@ double violation(const BoxProblem& problem, const VectorXd& x) {
   const VectorXd residual = problem.q - problem.matrix * x;
   double largest = 0;
   for (Index i = 0; i < x.size(); ++i) {
-    largest = std::max({largest, problem.lower[i] - x[i], x[i] - problem.upper[i]});
+    largest = worse(largest, std::max(problem.lower[i] - x[i], x[i] - problem.upper[i]));
     // All conditions in one: x is the projection of x + residual onto the box.
     const double projected = std::min(std::max(x[i] + residual[i], problem.lower[i]), problem.upper[i]);
-    largest = std::max(largest, std::abs(projected - x[i]));
+    largest = worse(largest, std::abs(projected - x[i]));
   }
   return largest;
 }
@@ -105,6 +106,13 @@ VectorXd enumerate(const BoxProblem& problem) {
     least = std::min(least, violated);
   }
   return best;
+}
+
+// A test of the tests: what is no number fulfils nothing.
+TEST(BoxSolver, ConditionsDoNotHoldForWhatIsNoNumber) {
+  Random random(5);
+  const BoxProblem problem = random_problem(random, 3);
+  EXPECT_TRUE(std::isnan(violation(problem, VectorXd::Constant(3, std::nan("")))));
 }
 
 // Roundoff of matrices of condition up to 1e3: 2.5e-14 measured.

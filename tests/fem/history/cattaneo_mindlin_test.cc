@@ -9,6 +9,7 @@
 #include "tests/fem/convergence.h"
 #include "tests/fem/half_space.h"
 #include "tests/fem/recorded_history.h"
+#include "tests/worse.h"
 
 namespace fretval::fem::cattaneo_mindlin_test {
 namespace {
@@ -57,8 +58,8 @@ Errors errors_of(unsigned n_per_radius, double c_min) {
   for (int k = 0; k < 29; ++k) {
     const double c = c_min + (0.9 - c_min) * k / 28;
     const auto sliding = slide(n_per_radius, displacement_for(c), friction_coefficient);
-    errors.radius = std::max(errors.radius, std::abs(sliding.stick_radius.radius - c));
-    errors.force = std::max(errors.force, std::abs(sliding.force / force_for(c) - 1));
+    errors.radius = worse(errors.radius, std::abs(sliding.stick_radius.radius - c));
+    errors.force = worse(errors.force, std::abs(sliding.force / force_for(c) - 1));
   }
   return errors;
 }

@@ -10,6 +10,7 @@
 #include "fem/history/contact_force.h"
 #include "tests/fem/fretting.h"
 #include "tests/fem/half_space.h"
+#include "tests/worse.h"
 
 namespace fretval::fem::friction_force_test {
 namespace {
@@ -66,8 +67,8 @@ TEST_F(FrictionForceTest, IsThatOfCattaneoAndMindlin) {
     const auto force = sliding.step(u, contact_.pressure, normal_);
     const auto error = [&](double value) { return std::abs(value - first_loading(u)) / (mu * normal_.force); };
     double& so_far = c > 5.0 / 32 ? worst : worst_of_few;
-    so_far = std::max(so_far, error(force.read));
-    worst_sum = std::max(worst_sum, error(force.sum));
+    so_far = worse(so_far, error(force.read));
+    worst_sum = worse(worst_sum, error(force.sum));
   }
   EXPECT_LT(worst, 6e-6);
   EXPECT_LT(worst_of_few, 1e-4);
@@ -84,8 +85,8 @@ TEST_F(FrictionForceTest, OfZonesNarrowerThanARing) {
     const double u = u0 * (1 - k / 50.0);
     const auto force = sliding.step(u, contact_.pressure, normal_);
     const double expected = first_loading(u0) - 2 * first_loading((u0 - u) / 2);
-    worst = std::max(worst, std::abs(force.read - expected) / first_loading(u0));
-    worst_sum = std::max(worst_sum, std::abs(force.sum - expected) / first_loading(u0));
+    worst = worse(worst, std::abs(force.read - expected) / first_loading(u0));
+    worst_sum = worse(worst_sum, std::abs(force.sum - expected) / first_loading(u0));
   }
   EXPECT_LT(worst, 4e-5);
   EXPECT_GT(worst_sum, 5e-4);
@@ -109,8 +110,8 @@ TEST_F(FrictionForceTest, OfAContactThatGrows) {
     if (indentation == first) first_force = normal.force;
     const auto force = sliding.step(slope * (indentation - first), contact.pressure, normal);
     const double exact = 2.0 / 3 * slope * (normal.force - first_force);
-    worst = std::max(worst, std::abs(force.read - exact));
-    worst_sum = std::max(worst_sum, std::abs(force.sum - exact));
+    worst = worse(worst, std::abs(force.read - exact));
+    worst_sum = worse(worst_sum, std::abs(force.sum - exact));
   }
   EXPECT_LT(worst, 6e-6 * first_force);
   EXPECT_GT(worst_sum, 1e-4 * first_force);

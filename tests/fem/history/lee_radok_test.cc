@@ -9,6 +9,7 @@
 #include "tests/fem/convergence.h"
 #include "tests/fem/half_space.h"
 #include "tests/fem/recorded_history.h"
+#include "tests/worse.h"
 
 namespace fretval::fem::lee_radok_test {
 namespace {
@@ -75,7 +76,7 @@ double error_of(const RelaxationModel& model, const Loading& loading,
   double worst = 0;
   const std::size_t stride = std::max<std::size_t>(1, loading.time.size() / 20);
   for (std::size_t k = loading.time.size() - 1; loading.time[k] > 0.3; k -= stride)
-    worst = std::max(worst, std::abs(loading.force[k] - lee_radok(model, elastic_force, loading.time[k])));
+    worst = worse(worst, std::abs(loading.force[k] - lee_radok(model, elastic_force, loading.time[k])));
   return worst / lee_radok(model, elastic_force, 1);
 }
 

@@ -16,6 +16,7 @@
 #include "tests/fem/fretting.h"
 #include "tests/fem/half_space.h"
 #include "tests/fem/recorded_history.h"
+#include "tests/worse.h"
 
 namespace fretval::fem::normal_history_test {
 namespace {
@@ -54,7 +55,7 @@ TEST(NormalHistory, OfAnElasticBodyIsTheStaticContactAtEveryInstant) {
   double worst = 0;
   for (Index k = 0; k < history.time.size(); k += 37) {
     const auto contact = static_contact(problem, profile, history.indentation[k]);
-    worst = std::max(worst, (history.pressure.col(k) - contact.pressure).cwiseAbs().maxCoeff());
+    worst = worse(worst, (history.pressure.col(k) - contact.pressure).cwiseAbs().maxCoeff());
     EXPECT_DOUBLE_EQ(history.indentation[k], normal_motion(fretting_motion(), history.time[k]).value);
   }
   EXPECT_LT(worst, 1e-11);
@@ -121,7 +122,7 @@ double difference_to_springs(const NormalRecord& history, const RelaxationModel&
     }
     if (k < n - history.steps_per_cycle) continue;
     const double weight = static_cast<double>(step) - history.time[k] / dt;
-    worst = std::max(worst, std::abs(history.force[k] - (1 - weight) * force - weight * force_before));
+    worst = worse(worst, std::abs(history.force[k] - (1 - weight) * force - weight * force_before));
   }
   return worst / history.force.maxCoeff();
 }

@@ -8,6 +8,7 @@
 #include "fem/support/constants.h"
 #include "tests/fem/convergence.h"
 #include "tests/fem/fretting.h"
+#include "tests/worse.h"
 
 namespace fretval::fem::relaxation_test {
 namespace {
@@ -52,7 +53,7 @@ double error_of_sticking_ring(const RelaxationModel& model, RingState state, dou
   for (int k = 0; k < n_steps; ++k) {
     const double t = begin + k * dt, balance = t + step.fraction() * dt;
     const double w = step.response_without_slip(state, indenter_move(cosine, t, balance))[0];
-    worst = std::max(worst, std::abs(w - (modulus * std::exp(i_unit * balance)).real()));
+    worst = worse(worst, std::abs(w - (modulus * std::exp(i_unit * balance)).real()));
     step.advance(state, indenter_move(cosine, t, t + dt), no_slip);
   }
   return worst / std::abs(modulus);
@@ -155,7 +156,7 @@ double error_of_slipping_ring(const RelaxationModel& model, int n_steps, bool in
     const double t = k * dt, balance = t + step.fraction() * dt;
     const auto slip = slip_for(step, state, move(t, balance), std::cos(balance));
     step.advance(state, move(t, t + dt), slip);
-    worst = std::max(worst, std::abs(state.displacement[0] - (amplitude * std::exp(i_unit * (t + dt))).real()));
+    worst = worse(worst, std::abs(state.displacement[0] - (amplitude * std::exp(i_unit * (t + dt))).real()));
   }
   return worst / std::abs(amplitude);
 }

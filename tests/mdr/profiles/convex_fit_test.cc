@@ -12,6 +12,7 @@
 #include "mdr/profiles/indentation.h"
 #include "mdr/profiles/profile.h"
 #include "mdr/stick/limiting_profile.h"
+#include "tests/worse.h"
 
 namespace fretval::mdr::convex_fit_test {
 namespace {
@@ -117,7 +118,7 @@ TEST(ConvexFit, ReportsTheResiduals) {
   for (std::size_t k = 0; k < rows.r.size(); ++k) {
     const double residual = rows.f[k] - fit.offset - value(fit.height, rows.r[k]);
     rms += residual * residual / 2000;
-    worst = std::max(worst, std::abs(residual));
+    worst = worse(worst, std::abs(residual));
     if (rows.r[k] == fit.worst_radius) {
       EXPECT_NEAR(residual, fit.worst_residual, 1e-13);
     }

@@ -14,6 +14,7 @@
 #include "mdr/support/constants.h"
 #include "tests/mdr/error_of.h"
 #include "tests/mdr/synthetic_table.h"
+#include "tests/worse.h"
 
 namespace fretval::mdr::modulus_table_test {
 namespace {
@@ -92,7 +93,7 @@ TEST(ModulusTable, InterpolationConvergesQuadratically) {
     double worst = 0;
     for (const double f : log_spaced(1, 1e4, 200)) {
       const std::complex<double> exact = complex_modulus(body, 2 * pi * f);
-      worst = std::max(worst, std::abs(complex_modulus(table, 2 * pi * f) - exact) / std::abs(exact));
+      worst = worse(worst, std::abs(complex_modulus(table, 2 * pi * f) - exact) / std::abs(exact));
     }
     return worst;
   };

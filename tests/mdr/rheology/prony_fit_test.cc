@@ -13,6 +13,7 @@
 #include "mdr/support/constants.h"
 #include "tests/mdr/error_of.h"
 #include "tests/mdr/synthetic_table.h"
+#include "tests/worse.h"
 
 namespace fretval::mdr::prony_fit_test {
 namespace {
@@ -29,7 +30,7 @@ double modulus_size(const Rheology& body, double omega) {
 double difference(const Rheology& a, const Rheology& b, const ModulusTable& table, const Measure& measure) {
   double worst = 0;
   for (const double f : log_spaced(table.frequency.front(), table.frequency.back(), 80)) {
-    worst = std::max(worst, std::abs(measure(a, 2 * pi * f) / measure(b, 2 * pi * f) - 1));
+    worst = worse(worst, std::abs(measure(a, 2 * pi * f) / measure(b, 2 * pi * f) - 1));
   }
   return worst;
 }

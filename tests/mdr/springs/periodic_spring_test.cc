@@ -10,6 +10,7 @@
 
 #include "mdr/support/constants.h"
 #include "tests/mdr/marched_spring.h"
+#include "tests/worse.h"
 
 namespace fretval::mdr::periodic_spring_test {
 namespace {
@@ -28,7 +29,7 @@ double marching_error(const PronyBody& body, double y, int n_steps) {
   for (int k = 1; k <= n_steps; ++k) {
     const double theta = 2 * pi * k / n_steps;
     if (body.viscosity > 0 && std::abs(theta - spring.touch_down) < 4 * pi / n_steps) continue;
-    error = std::max(error, std::abs(marched[k - 1] - spring_force(model, spring, theta)));
+    error = worse(error, std::abs(marched[k - 1] - spring_force(model, spring, theta)));
   }
   return error;
 }

@@ -7,6 +7,7 @@
 
 #include "mdr/profiles/indentation.h"
 #include "mdr/stick/surface_fields.h"
+#include "tests/worse.h"
 
 namespace fretval::mdr::spring_fields_test {
 namespace {
@@ -24,12 +25,14 @@ TEST(SpringFields, AreThoseOfHertzAndCattaneoMindlin) {
     double worst = 0;
     for (const double s : {0.0, 0.2, 0.77, 0.95, 1.1, 1.25}) {
       const double r = s * a, p0 = pressure(sphere, G, d, 0);
-      worst = std::max({worst, std::abs(pressure(fields, r) - pressure(sphere, G, d, r)) / p0,
-                        std::abs(traction(fields, r) - traction_cattaneo_mindlin(sphere, G, mu, d, u_x, r)) / p0,
-                        std::abs(normal_displacement(fields, r) - normal_displacement(sphere, d, r)) / d,
-                        std::abs(tangential_displacement(fields, r) -
-                                 tangential_displacement_cattaneo_mindlin(sphere, mu, d, u_x, r)) /
-                            u_x});
+      for (const double error :
+           {std::abs(pressure(fields, r) - pressure(sphere, G, d, r)) / p0,
+            std::abs(traction(fields, r) - traction_cattaneo_mindlin(sphere, G, mu, d, u_x, r)) / p0,
+            std::abs(normal_displacement(fields, r) - normal_displacement(sphere, d, r)) / d,
+            std::abs(tangential_displacement(fields, r) -
+                     tangential_displacement_cattaneo_mindlin(sphere, mu, d, u_x, r)) /
+                u_x})
+        worst = worse(worst, error);
     }
     // Between first and second order: the springs at the edges are in contact, or slip, in part.
     if (before > 0) {

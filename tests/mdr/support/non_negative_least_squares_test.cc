@@ -10,6 +10,8 @@
 #include <stdexcept>
 #include <vector>
 
+#include "tests/worse.h"
+
 namespace fretval::mdr::non_negative_least_squares_test {
 namespace {
 
@@ -35,7 +37,7 @@ double kkt_violation(const MatrixXd& A, const VectorXd& b, const VectorXd& x) {
   for (Index j = 0; j < x.size(); ++j) {
     const double scale = A.col(j).norm() * b.norm();
     if (scale == 0) continue;
-    worst = std::max(worst, (x(j) > 0 ? std::abs(descent(j)) : descent(j)) / scale);
+    worst = worse(worst, (x(j) > 0 ? std::abs(descent(j)) : descent(j)) / scale);
   }
   return worst;
 }
