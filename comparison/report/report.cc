@@ -116,7 +116,7 @@ std::string phase_section(const Results& results) {
 std::string rheology_section(const Results& results) {
   std::map<std::string, Results> by_rheology;
   for (const auto& r : results)
-    if (r.swept_over("Motion / Phase")) by_rheology[r.text("scene", "rheology")].push_back(r);
+    if (r.swept_over("Motion / Phase") && r.has_one_frequency()) by_rheology[r.text("scene", "rheology")].push_back(r);
   if (by_rheology.size() < 2) return "";
   Table table{{"rheology", "ρ", "cases", "first slip, largest difference", "shakedown, largest difference",
                "cycles to the steady state"}};
@@ -168,6 +168,39 @@ std::string limiting_section(const Results& results) {
          figures_html(figures) + html_of(table) +
          "<p class=\"soft\">Slip over the tangential amplitude, force outside c over the normal force, at the worst "
          "instant; difference of the largest normal force relative to MDR.</p>\n";
+}
+
+/// "2 Hz, 4 Hz": the frequencies of a direction.
+std::string frequencies_text(const StoredResult& r, const char* harmonics, const char* frequency) {
+  const auto& scene = r.json.at("scene");
+  if (!scene.contains(harmonics)) return number_text(scene.at(frequency), "{:.4g} Hz");
+  std::string text;
+  for (const auto& harmonic : scene.at(harmonics))
+    text += (text.empty() ? "" : ", ") + number_text(harmonic.at("frequency"), "{:.4g} Hz");
+  return text;
+}
+
+/// Motions that are not the paper's.
+std::string motions_section(const Results& results) {
+  Table table{{"case", "normal", "tangential", "c first slip, MDR", "finite elements", "± bar", "c shakedown, MDR",
+               "finite elements", "± bar"}};
+  for (const auto& r : results) {
+    if (r.has_one_frequency()) continue;
+    const auto radius = [&](const char* section, const char* key) {
+      return number_text(r.number(section, key) / r.number("scene", "contact_radius_unworn"), "{:.5f}");
+    };
+    table.rows.push_back({r.json.at("name").get<std::string>(), frequencies_text(r, "normal_harmonics", "frequency"),
+                          frequencies_text(r, "tangential_harmonics", "tangential_frequency")});
+    for (const char* key : {"stick_radius_first_slip", "stick_radius_shakedown"})
+      for (const auto& cell : {radius("mdr", key), radius("fe", key), bar_text(r, key)})
+        table.rows.back().push_back(cell);
+  }
+  if (table.rows.empty()) return "";
+  return "<h2>Other motions</h2>\n<p>Frequencies that differ between the directions, or several of them. Radii over "
+         "the unworn contact radius at the largest indentation. Frequencies without a common period let every lag "
+         "between the directions come by: MDR takes all of them, the finite elements a cycle nearby, and the bar "
+         "counts what that leaves out.</p>\n" +
+         html_of(table);
 }
 
 /// "largest contact radius in m"
@@ -261,11 +294,11 @@ fs::path write_report(const fs::path& folder) {
   std::string sections;
   for (const auto& section :
        {of_results(verdict_section), of_results(left_out_section), of_results(radii_section), of_results(phase_section),
-        of_results(rheology_section), of_results(limiting_section), of_results(single_cases_section),
-        of_results(budget_section), trade_section(folder), section_of(folder / "tolerance.json", suite_section),
-        section_of(folder / "extremes.json", suite_section), section_of(folder / "random.json", suite_section),
-        section_of(folder / "exact.json", convergence_section), of_results(cost_section),
-        of_results(all_cases_section)})
+        of_results(rheology_section), of_results(motions_section), of_results(limiting_section),
+        of_results(single_cases_section), of_results(budget_section), trade_section(folder),
+        section_of(folder / "tolerance.json", suite_section), section_of(folder / "extremes.json", suite_section),
+        section_of(folder / "random.json", suite_section), section_of(folder / "exact.json", convergence_section),
+        of_results(cost_section), of_results(all_cases_section)})
     sections += section;
   if (sections.empty())
     throw InputError(

@@ -130,6 +130,12 @@ bool StoredResult::swept_over(const char* entry) const {
   return scene.contains("sweep") && scene["sweep"].value("entry", "") == entry;
 }
 
+bool StoredResult::has_one_frequency() const {
+  const auto& scene = json.at("scene");
+  return !scene.contains("normal_harmonics") && !scene.contains("tangential_harmonics") &&
+         !(scene.contains("tangential_frequency") && scene.at("tangential_frequency") != scene.at("frequency"));
+}
+
 double StoredResult::sweep_value() const {
   const auto& scene = json.at("scene");
   return scene.contains("sweep") ? scene["sweep"].value("value", 0.0) : 0;

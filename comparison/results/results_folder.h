@@ -19,6 +19,8 @@ struct StoredResult {
   [[nodiscard]] std::string text(const char* section, const char* key) const;
   [[nodiscard]] bool swept_over(const char* entry) const;
   [[nodiscard]] double sweep_value() const;
+  /// Whether both directions move with one harmonic of the same frequency, as in the paper.
+  [[nodiscard]] bool has_one_frequency() const;
   [[nodiscard]] std::string family() const;  ///< name of the sweep, or the name of the case
 };
 

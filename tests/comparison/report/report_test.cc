@@ -136,6 +136,24 @@ TEST(Report, HasTheNumbersOfACaseInTheirPlaces) {
 }
 
 // The amplitude at which slip begins with its bar, a_inf over a0.
+// A phase sweep at another frequency ratio is no point of the paper's figure 3.
+TEST(Report, KeepsOtherMotionsApart) {
+  auto paper = stored_result(), ratio = stored_result(), harmonics = stored_result();
+  ratio["name"] = "at a ratio";
+  ratio["scene"]["tangential_frequency"] = 1.5;
+  ratio["scene"]["contact_radius_unworn"] = 2;
+  ratio["mdr"]["stick_radius_first_slip"] = 0.25;
+  ratio["fe"]["stick_radius_shakedown"] = 1.5;
+  harmonics["name"] = "with harmonics";
+  harmonics["scene"]["tangential_frequency"] = 1;
+  harmonics["scene"]["normal_harmonics"] = {{{"frequency", 1}}, {{"frequency", 3}}};
+  expect_parts(page_of({paper, ratio, harmonics}),
+               {"Other motions", "at a ratio", "1.5 Hz", "0.12500", "0.75000", "with harmonics", "1 Hz, 3 Hz"});
+  const auto only = page_of({ratio, harmonics});
+  EXPECT_EQ(only.find("figure 3 of the paper"), std::string::npos);
+  EXPECT_EQ(page_of({paper}).find("Other motions"), std::string::npos);
+}
+
 TEST(Report, HasTheRatiosOfAWornProfile) {
   auto json = stored_result("limiting");
   json["name"] = "worn";
