@@ -1,5 +1,6 @@
 #include "comparison/simulation/near_cycle.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <optional>

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "comparison/reference/mdr_document.h"
 #include "comparison/simulation/body.h"
