@@ -132,7 +132,7 @@ FemCase at_resolution(FemCase fem, const Resolution& resolution) {
       return fem::stiffening_at(fem.relaxation, mdr::angular_frequency(frequency) / fem.units.angular_frequency);
     };
     const auto near =
-        near_cycle(*fem.without_short_cycle, stiffening, fem.friction_coefficient, 2 * resolution.n_creep_cycles);
+        near_cycle(*fem.without_short_cycle, stiffening, fem.friction_coefficient, resolution.n_creep_cycles);
     take_cycle(*fem.without_short_cycle, near.cycle, fem);
     fem.error_of_demand = near.error_of_demand / fem.units.depth;
     fem.motion.locked = !near.creeps;

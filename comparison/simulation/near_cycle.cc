@@ -5,6 +5,7 @@
 #include <numeric>
 #include <optional>
 
+#include "fem/history/motion.h"
 #include "fem/support/constants.h"
 
 namespace fretval {
@@ -57,8 +58,8 @@ mdr::CommonCycle cycle_of(const mdr::HarmonicMotion& motion, const mdr::CommonCy
 }  // namespace
 
 NearCycle near_cycle(const mdr::HarmonicMotion& motion, const Stiffening& stiffening, double friction_coefficient,
-                     int n_oscillations) {
-  constexpr int enough_to_creep = 12;
+                     int n_creep_cycles) {
+  const int n_oscillations = 2 * n_creep_cycles, slow_enough_to_creep = n_oscillations / 12;
   const auto of_normal = mdr::common_cycle({motion.indentation, motion.normal, {}}).value();
   std::optional<NearCycle> nearest;
   for (int q = 1;; ++q) {
@@ -71,9 +72,8 @@ NearCycle near_cycle(const mdr::HarmonicMotion& motion, const Stiffening& stiffe
       tangential.add(motion.tangential[k], cycle.tangential_orders[k], cycle.frequency);
     const double a = normal.curvature(), b = tangential.curvature();
     double lag = fem::pi / std::lcm(normal.repeats(), tangential.repeats());
-    const int n_cycles = n_oscillations / cycle.highest_order();
-    const bool creeps = n_cycles >= enough_to_creep;
-    if (creeps) lag *= fem::pi / n_cycles;
+    const bool creeps = cycle.highest_order() <= slow_enough_to_creep;
+    if (creeps) lag *= fem::pi / fem::creep_period(n_creep_cycles, cycle.highest_order());
     const double error = tangential.rounding() + (a + b > 0 ? a * b / (a + b) * lag * lag / 2 : 0);
     if (!nearest || error < nearest->error_of_demand) nearest = NearCycle{cycle, creeps, error};
   }

@@ -17,8 +17,8 @@ struct NearCycle {
 /// The body's |G|/G(0) at a frequency in Hz.
 using Stiffening = std::function<double(double frequency)>;
 
-/// The one with the smallest error of those of at most n oscillations of the fastest harmonic, the shortest if even
-/// that has more. In m, with tangential amplitudes over 3 mu/2 and both times |G|/G(0):
+/// The one with the smallest error of those of at most 2 n_creep_cycles oscillations of the fastest harmonic, the
+/// shortest if even that has more. In m, with tangential amplitudes over 3 mu/2 and both times |G|/G(0):
 ///
 ///   lags      (A B/(A + B)) (pi/l)^2/2,   A = sum_j a_j n_j^2,  B = sum_k b_k m_k^2,  l = least common multiple of
 ///             how often either direction repeats in a cycle: lags are the same that differ by 2 pi/l, and where the
@@ -26,8 +26,8 @@ using Stiffening = std::function<double(double frequency)>;
 ///             cycles: pi/l (pi/N) in place of pi/l
 ///   rounding  sum_k b_k | |G(w_k)| - |G(rounded w_k)| |/G(0)
 ///
-/// A cycle creeps if there is time for 12 of it.
+/// A cycle creeps if there is time for 12 of it, in N = fem::creep_period cycles.
 NearCycle near_cycle(const mdr::HarmonicMotion& motion, const Stiffening& stiffening, double friction_coefficient,
-                     int n_oscillations);
+                     int n_creep_cycles);
 
 }  // namespace fretval

@@ -68,10 +68,7 @@ ValueAndRate product(const ValueAndRate& e, const ValueAndRate& f) {
 }  // namespace
 
 int Motion::cycles_per_period() const {
-  constexpr int fewest = 2;
-  if (locked) return 1;
-  const int order = highest_order();
-  return std::max((n_creep_cycles + order - 1) / order, fewest);
+  return locked ? 1 : creep_period(n_creep_cycles, highest_order());
 }
 
 int Motion::highest_order() const {
@@ -90,6 +87,12 @@ double Motion::tangential_amplitude() const {
   double sum = 0;
   for (const auto& oscillation : tangential) sum += oscillation.amplitude;
   return sum;
+}
+
+int creep_period(int n_creep_cycles, int highest_order) {
+  constexpr int largest_divisor = 2;
+  const int divisor = std::min(highest_order, largest_divisor);
+  return (n_creep_cycles + divisor - 1) / divisor;
 }
 
 Motion one_frequency(double indentation, double normal_amplitude, double tangential_amplitude,

@@ -26,8 +26,7 @@ struct Oscillation {
 /// normal one and back, `s = (L/2)(1 - cos(t / n))`, through all lags that differ: L = 2 pi over the least common
 /// multiple of how often either direction repeats in a cycle; half of that, pi, for one oscillation each of the same
 /// frequency, where a lag by half a cycle turns the tangential motion round. There it rests for an instant at the lags
-/// at which the extremes of the load lie. n = n_creep_cycles over the highest order, two at least, is the period in
-/// cycles.
+/// at which the extremes of the load lie. The period in cycles is n = creep_period(n_creep_cycles, highest order).
 struct Motion {
   double indentation;
   std::vector<Oscillation> normal, tangential;
@@ -44,6 +43,10 @@ struct Motion {
   /// Sum of the tangential amplitudes: u_x is never larger.
   [[nodiscard]] double tangential_amplitude() const;
 };
+
+/// Cycles in which an unlocked motion creeps there and back: n_creep_cycles, or half as many where one of them has more
+/// than one oscillation. Half as many creep twice as fast, which tells the error of creeping.
+int creep_period(int n_creep_cycles, int highest_order);
 
 /// One cosine in each direction, of the same frequency. phase: of the tangential one, ahead; empty: unlocked.
 Motion one_frequency(double indentation, double normal_amplitude, double tangential_amplitude,

@@ -31,7 +31,7 @@ int order_of(const NearCycle& near) {
 // Convergents of the golden ratio are ... 55/34, 89/55, 144/89 ... For p/q the lags are off by
 // (pi^2/2) A D/(A p^2 + D q^2), A = 2 u_x0/(3 mu), see mdr/motion/commensurability.h, and |G| by its rounding.
 TEST(NearCycle, IsAConvergentOfTheGoldenRatio) {
-  const auto near = near_cycle(with_ratio(golden), stiffening, friction, 96);
+  const auto near = near_cycle(with_ratio(golden), stiffening, friction, 48);
   EXPECT_EQ(near.cycle.tangential_orders, (std::vector<int>{89, 0}));
   EXPECT_EQ(near.cycle.normal_orders.front(), 55);
   EXPECT_DOUBLE_EQ(near.cycle.frequency, 2.0 / 55);
@@ -45,7 +45,7 @@ TEST(NearCycle, IsAConvergentOfTheGoldenRatio) {
 
 // The frequency does not matter to an elastic body: the longest cycle in lowest terms has the finest lags.
 TEST(NearCycle, HasTheFinestLagsWhereTheBodyIsElastic) {
-  const auto near = near_cycle(with_ratio(golden), elastic, friction, 96);
+  const auto near = near_cycle(with_ratio(golden), elastic, friction, 48);
   EXPECT_EQ(order_of(near), 95);
   EXPECT_EQ(near.cycle.normal_orders.front(), 59);
 }
@@ -55,7 +55,7 @@ TEST(NearCycle, KeepsHarmonicsOfOneDirectionTogether) {
   auto motion = with_ratio(golden);
   motion.tangential.push_back({1e-6, 6 * golden, 1});
   motion.normal.push_back({1e-6, 4, 1});
-  const auto near = near_cycle(motion, stiffening, friction, 96);
+  const auto near = near_cycle(motion, stiffening, friction, 48);
   EXPECT_EQ(near.cycle.tangential_orders[2], 3 * near.cycle.tangential_orders[0]);
   EXPECT_EQ(near.cycle.normal_orders[1], 2 * near.cycle.normal_orders[0]);
   EXPECT_LE(near.cycle.highest_order(), 96);
@@ -63,13 +63,13 @@ TEST(NearCycle, KeepsHarmonicsOfOneDirectionTogether) {
 
 // Two generators that drift apart slowly go through all lags of a single cycle.
 TEST(NearCycle, CreepsWhereTheFrequenciesAreNearlyEqual) {
-  const auto near = near_cycle(with_ratio(1.00001), stiffening, friction, 96);
+  const auto near = near_cycle(with_ratio(1.00001), stiffening, friction, 48);
   EXPECT_EQ(order_of(near), 1);
   EXPECT_TRUE(near.creeps);
 }
 
 TEST(NearCycle, IsTheShortestWhereThatIsTooLong) {
-  const auto near = near_cycle(with_ratio(300.4), stiffening, friction, 96);
+  const auto near = near_cycle(with_ratio(300.4), stiffening, friction, 48);
   EXPECT_EQ(order_of(near), 300);
   EXPECT_EQ(near.cycle.normal_orders.front(), 1);
   EXPECT_FALSE(near.creeps);

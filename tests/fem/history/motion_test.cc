@@ -98,7 +98,7 @@ TEST(Motion, IsTheSumOfItsOscillationsAfterTheRampOfTheSlowest) {
 // cycle, as do 3 and 5: a whole cycle ahead; 2 and 4 against 3: a sixth of it.
 TEST(Motion, UnlockedOscillationsPassThroughAllLags) {
   auto motion = several_unlocked();
-  EXPECT_EQ(motion.cycles_per_period(), 12);
+  EXPECT_EQ(motion.cycles_per_period(), 30);
   const auto expect_ahead = [&](double lag) {
     auto locked = motion;
     locked.locked = true;
@@ -117,6 +117,8 @@ TEST(Motion, UnlockedOscillationsPassThroughAllLags) {
 TEST(Motion, PeriodIsOneCycleOrTheCreep) {
   EXPECT_EQ(locked().cycles_per_period(), 1);
   EXPECT_EQ(unlocked().cycles_per_period(), 12);
+  EXPECT_EQ(creep_period(48, 3), 24);
+  for (const int order : {4, 14}) EXPECT_EQ(creep_period(48, order), 2 * creep_period(24, order));
 }
 
 }  // namespace
