@@ -26,8 +26,8 @@ struct MdrCase {
 /// amplitude leads to, std::invalid_argument for values that the reference refuses.
 MdrCase mdr_case(const Case& input);
 
-/// Throws InputError, naming the entry, for a case that only the reference covers: prescribed forces, frequencies
-/// without a common period.
+/// Throws InputError, naming the entry, for a case that only the reference covers: prescribed forces, normal
+/// frequencies without a common period, frequencies more than a factor of 1000 apart.
 void require_comparable(const Case& input);
 
 /// The same as a question.
