@@ -9,7 +9,7 @@ namespace {
 
 ExpectedOrder expected_order(ErrorSource source, Quantity quantity, const CaseNeeds& needs) {
   if (source == ErrorSource::time_step || source == ErrorSource::start) return {2};
-  if (source == ErrorSource::creep) return {1};
+  if (source == ErrorSource::creep || source == ErrorSource::wear_jump) return {1};
   if (source == ErrorSource::far_field) return {4};
   if (source != ErrorSource::rings) return {3};
   const auto& traits = traits_of(quantity);
@@ -77,7 +77,12 @@ ErrorShare richardson(ErrorSource source, const Refinements& values, const Expec
 
 ErrorBudget error_budget(const Resolution& resolution, const std::map<Resolution, Quantities>& known,
                          const Quantities& edge, const CaseNeeds& needs) {
-  const auto variants = variants_of(resolution, needs);
+  return error_budget(resolution, variants_of(resolution, needs), known, edge, needs);
+}
+
+ErrorBudget error_budget(const Resolution& resolution, const std::vector<Variant>& variants,
+                         const std::map<Resolution, Quantities>& known, const Quantities& edge,
+                         const CaseNeeds& needs) {
   ErrorBudget budget;
   for (const auto& [quantity, value] : known.at(resolution)) {
     auto& bar = budget[quantity];

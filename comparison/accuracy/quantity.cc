@@ -8,6 +8,7 @@ const QuantityTraits& traits_of(Quantity quantity) {
   // In the order of the enumeration.
   static constexpr std::array<QuantityTraits, all_quantities.size()> table{{
       {"contact_radius_max", "largest contact radius", "contact radius", "relative", "m", 10, {3}, {}},
+      {"distance_to_limit", "distance from the limiting profile", "distance", "over a and d max", "", 0.5, {2}, {}},
       {"force_outside_stick_zone", "force outside c", "force outside", "over the force", "", 1, {1}, {}},
       {"limiting_amplitude", "amplitude at which slip begins inside c", "amplitude", "relative", "", 1, {1}, {}},
       {"maximum_indentation", "indentation at which the flank touches", "indentation", "relative", "", 1, {1}, {}},
@@ -15,6 +16,8 @@ const QuantityTraits& traits_of(Quantity quantity) {
       {"slip_inside_stick_zone", "slip inside c", "slip inside", "over the amplitude", "", 1, {1}, {}},
       {"stick_radius_first_slip", "stick radius, first slip", "first slip", "over a", "m", 1, {3}, {}},
       {"stick_radius_shakedown", "stick radius, shakedown", "shakedown", "over a", "m", 1, {3}, {}},
+      {"worn_radius", "outer radius of the wear", "worn radius", "over a", "m", 0.2, {2}, {}},
+      {"worn_volume", "worn volume", "worn volume", "over that of the limit", "m³", 0.5, {2}, {}},
   }};
   return table[static_cast<std::size_t>(quantity)];
 }

@@ -8,28 +8,47 @@
 namespace fretval {
 
 /// What finite elements and MDR are compared in. Four are of a limiting profile: slip inside c, force outside c, the
-/// indentation at which its flank touches, and the tangential amplitude at which slip begins inside c.
+/// indentation at which its flank touches, and the tangential amplitude at which slip begins inside c. Three are of an
+/// indenter that has worn: the volume over that of the limiting profile, the outer radius of the wear, and the largest
+/// distance of the worn profile from the limiting one (see distance_to_limit).
 enum class Quantity {
   contact_radius_max,
+  distance_to_limit,
   force_outside_stick_zone,
   limiting_amplitude,
   maximum_indentation,
   normal_force_max,
   slip_inside_stick_zone,
   stick_radius_first_slip,
-  stick_radius_shakedown
+  stick_radius_shakedown,
+  worn_radius,
+  worn_volume
 };
 
-inline constexpr std::array all_quantities{Quantity::contact_radius_max,      Quantity::force_outside_stick_zone,
-                                           Quantity::limiting_amplitude,      Quantity::maximum_indentation,
-                                           Quantity::normal_force_max,        Quantity::slip_inside_stick_zone,
-                                           Quantity::stick_radius_first_slip, Quantity::stick_radius_shakedown};
+inline constexpr std::array all_quantities{Quantity::contact_radius_max,
+                                           Quantity::distance_to_limit,
+                                           Quantity::force_outside_stick_zone,
+                                           Quantity::limiting_amplitude,
+                                           Quantity::maximum_indentation,
+                                           Quantity::normal_force_max,
+                                           Quantity::slip_inside_stick_zone,
+                                           Quantity::stick_radius_first_slip,
+                                           Quantity::stick_radius_shakedown,
+                                           Quantity::worn_radius,
+                                           Quantity::worn_volume};
 
 /// The same in the order in which people ask for them.
-inline constexpr std::array quantities_by_interest{Quantity::stick_radius_first_slip,  Quantity::stick_radius_shakedown,
-                                                   Quantity::contact_radius_max,       Quantity::normal_force_max,
-                                                   Quantity::limiting_amplitude,       Quantity::slip_inside_stick_zone,
-                                                   Quantity::force_outside_stick_zone, Quantity::maximum_indentation};
+inline constexpr std::array quantities_by_interest{Quantity::stick_radius_first_slip,
+                                                   Quantity::stick_radius_shakedown,
+                                                   Quantity::contact_radius_max,
+                                                   Quantity::normal_force_max,
+                                                   Quantity::distance_to_limit,
+                                                   Quantity::worn_radius,
+                                                   Quantity::worn_volume,
+                                                   Quantity::limiting_amplitude,
+                                                   Quantity::slip_inside_stick_zone,
+                                                   Quantity::force_outside_stick_zone,
+                                                   Quantity::maximum_indentation};
 
 /// Order of convergence that is expected, and the highest that is credible.
 struct ExpectedOrder {

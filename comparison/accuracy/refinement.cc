@@ -8,7 +8,8 @@ namespace {
 constexpr unsigned most_rings = 512, most_degree = 4;
 constexpr unsigned fewest_rings_of_a_variant = 6;  // 24 rings have two to be compared with
 constexpr int most_steps = 1440, fewest_steps = 8, most_ramp_cycles = 64, most_creep_cycles = 768;
-constexpr double finest_growth = 0.075, coarsest_growth = 1, finest_periodicity = 1e-9, largest_far_radius = 100;
+constexpr double finest_growth = 0.075, coarsest_growth = 1, finest_periodicity = 1e-9, finest_wear_jump = 1e-3,
+                 largest_far_radius = 100;
 
 /// The coarsest resolutions on which an error of another source is measured.
 constexpr unsigned enough_rings = 24;
@@ -22,6 +23,17 @@ Resolution with_fewer_steps(const Resolution& r) {
   for (const int divisor : {4, 2})
     if (r.steps_per_cycle / divisor >= enough_steps) return with_steps(r, 1.0 / divisor);
   return r;
+}
+
+template <class Change>
+Variant variant(ErrorSource source, const Resolution& reference, Change change) {
+  Resolution r = reference;
+  change(r);
+  return {source, r, reference};
+}
+
+void other_degree(Resolution& r) {
+  r.degree = r.degree > 2 ? r.degree - 1 : r.degree + 1;
 }
 
 }  // namespace
@@ -46,6 +58,8 @@ const char* name_of(ErrorSource source) {
       return "cycles";
     case ErrorSource::active_set:
       return "active set";
+    case ErrorSource::wear_jump:
+      return "wear jump";
     case ErrorSource::edge:
       break;
   }
@@ -55,16 +69,14 @@ const char* name_of(ErrorSource source) {
 std::vector<Variant> variants_of(const Resolution& resolution, const CaseNeeds& needs) {
   std::vector<Variant> variants;
   const auto add = [&](ErrorSource source, const Resolution& reference, auto change) {
-    Resolution r = reference;
-    change(r);
-    variants.push_back({source, r, reference});
+    variants.push_back(variant(source, reference, change));
   };
   for (const double factor : {0.5, 0.25})
     if (resolution.elements_per_radius * factor >= fewest_rings_of_a_variant)
       variants.push_back({ErrorSource::rings, with_rings(resolution, factor), resolution});
   const Resolution quick = with_fewer_steps(resolution), coarse = with_fewer_rings(resolution),
                    both = with_fewer_steps(coarse);
-  add(ErrorSource::element_order, quick, [](Resolution& r) { r.degree = r.degree > 2 ? r.degree - 1 : r.degree + 1; });
+  add(ErrorSource::element_order, quick, other_degree);
   add(ErrorSource::grading, quick, [](Resolution& r) { r.growth = std::min(2 * r.growth, coarsest_growth); });
   add(ErrorSource::far_field, both, [](Resolution& r) { r.far_radius /= 2; });
   for (const double factor : {0.5, 0.25})
@@ -77,6 +89,18 @@ std::vector<Variant> variants_of(const Resolution& resolution, const CaseNeeds& 
   add(ErrorSource::cycles, coarse, [](Resolution& r) { r.periodicity *= 10; });
   add(ErrorSource::active_set, both, [](Resolution& r) { r.active_set_slack *= 10; });
   return variants;
+}
+
+std::vector<Variant> variants_of_wear(const Resolution& resolution) {
+  const Resolution coarse = with_rings(resolution, 0.5);
+  return {{ErrorSource::rings, coarse, resolution},
+          {ErrorSource::rings, with_rings(resolution, 0.25), resolution},
+          variant(ErrorSource::element_order, coarse, other_degree),
+          variant(ErrorSource::far_field, coarse, [](Resolution& r) { r.far_radius /= 2; }),
+          {ErrorSource::time_step, with_steps(coarse, 0.5), coarse},
+          {ErrorSource::time_step, with_steps(coarse, 0.25), coarse},
+          variant(ErrorSource::wear_jump, coarse, [](Resolution& r) { r.wear_jump *= 2; }),
+          variant(ErrorSource::wear_jump, coarse, [](Resolution& r) { r.wear_jump *= 4; })};
 }
 
 std::optional<Resolution> refined(const Resolution& resolution, ErrorSource source, double factor) {
@@ -106,6 +130,9 @@ std::optional<Resolution> refined(const Resolution& resolution, ErrorSource sour
       return r;
     case ErrorSource::cycles:
       if ((r.periodicity /= 10) < finest_periodicity) return std::nullopt;
+      return r;
+    case ErrorSource::wear_jump:
+      if ((r.wear_jump /= 2) < finest_wear_jump) return std::nullopt;
       return r;
     case ErrorSource::active_set:
       break;

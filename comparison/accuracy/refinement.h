@@ -8,7 +8,19 @@
 namespace fretval {
 
 /// Where an error comes from.
-enum class ErrorSource { rings, element_order, grading, far_field, time_step, start, creep, cycles, active_set, edge };
+enum class ErrorSource {
+  rings,
+  element_order,
+  grading,
+  far_field,
+  time_step,
+  start,
+  creep,
+  cycles,
+  active_set,
+  wear_jump,
+  edge
+};
 const char* name_of(ErrorSource source);
 
 /// A resolution that differs from a reference in one respect: coarser, or finer where coarser does not exist.
@@ -33,6 +45,10 @@ struct CaseNeeds {
 /// they do not get smaller by: element order and grading with fewer steps, time step, creep and cycles with half the
 /// rings, far field, start and active set with both. Two of one source follow each other, the coarser one last.
 std::vector<Variant> variants_of(const Resolution& resolution, const CaseNeeds& needs);
+
+/// The same for the course of wear, which ends shaken down and reads no edges: rings, element order, far field, time
+/// step, and the jumps over many cycles; all but the rings on half of them.
+std::vector<Variant> variants_of_wear(const Resolution& resolution);
 
 /// A resolution that is finer in one respect, rings and steps by a factor of 1.5 or 2; empty: it cannot be refined
 /// further in this respect.

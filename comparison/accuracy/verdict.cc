@@ -38,7 +38,7 @@ Tolerances tolerances_of(double accuracy) {
 double tolerance_of(const Tolerances& tolerances, Quantity quantity) {
   if (quantity == Quantity::contact_radius_max) return tolerances.contact_radius;
   if (quantity == Quantity::normal_force_max) return tolerances.normal_force;
-  return tolerances.stick_radius;
+  return tolerances.stick_radius / traits_of(quantity).strictness;
 }
 
 Comparison compare(const MdrAnswer& mdr, const FeAnswer& fe, double unworn_radius, const Tolerances& tolerances,

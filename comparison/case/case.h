@@ -68,9 +68,19 @@ struct Case {
     std::optional<double> tangential_force;   ///< N, amplitude; instead of the tangential amplitude
   };
 
+  enum class WearLaw { archard, energy, power };
+  /// In the order of the enumeration, as in the file.
+  static constexpr std::array wear_law_names{"archard", "energy", "power"};
+
+  /// How the indenter wears, and for how long.
   struct WearKinetics {
-    double coefficient = 0;  ///< 1/Pa, worn depth per pressure and path of slip
-    double n_cycles = 0;
+    WearLaw law = WearLaw::archard;
+    /// Worn depth per path of slip and pressure, 1/Pa (archard), or pressure^exponent, Pa^-exponent (power); per energy
+    /// of friction and area, 1/Pa (energy).
+    double coefficient = 0;
+    double exponent = 1;             ///< of the pressure; power
+    std::optional<double> n_cycles;  ///< of the motion; empty: until nothing is left that would wear
+    double until = 0;                ///< ends before, when the volume worn off in a cycle has fallen to this share
   };
 
   /// A sweep's place in its family of cases, for the report's plots.

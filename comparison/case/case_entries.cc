@@ -29,7 +29,7 @@ const std::vector<Section>& sections() {
        {"Indentation", "Normal amplitude", "Normal force", "Normal force amplitude", "Normal frequency",
         "Normal harmonics", "Tangential amplitude", "Tangential force amplitude", "Tangential frequency",
         "Tangential harmonics", "Phase"}},
-      {"Wear", {"State", "Stick radius ratio", "Coefficient", "Cycles"}},
+      {"Wear", {"State", "Stick radius ratio", "Law", "Coefficient", "Exponent", "Cycles", "Until"}},
       {"Accuracy", {"Tolerance", "Rings per radius", "Steps per cycle"}},
       {"Output", {"Fields"}},
       {"Sweep", {"Entry", "Values"}}};
@@ -43,13 +43,36 @@ bool is_whole(double x, double least, double most) {
 const ValidNumber ring_count{[](double x) { return is_whole(x, 16, 640); }, "a whole number from 16 to 640"};
 const ValidNumber step_count{[](double x) { return is_whole(x, 16, 10000); }, "a whole number from 16 to 10000"};
 
+std::optional<Case::WearKinetics> read_wear_kinetics(const EntryReader& entries) {
+  constexpr std::array names{"Law", "Coefficient", "Exponent", "Cycles", "Until"};
+  if (std::none_of(names.begin(), names.end(), [&](const char* name) { return entries.given("Wear", name); }))
+    return {};
+  Case::WearKinetics wear;
+  wear.coefficient = entries.number("Wear", "Coefficient", not_negative_number);
+  if (entries.given("Wear", "Law")) {
+    const auto& laws = Case::wear_law_names;
+    const auto name = entries.one_of("Wear", "Law", {laws.begin(), laws.end()});
+    wear.law = static_cast<Case::WearLaw>(std::find(laws.begin(), laws.end(), name) - laws.begin());
+  }
+  if (wear.law == Case::WearLaw::power)
+    wear.exponent = entries.number(
+        "Wear", "Exponent", {[](double x) { return x >= 0.25 && x <= 4; }, "an exponent of the pressure, 0.25 to 4"});
+  else
+    entries.forbid("Wear", "Exponent", "it belongs to Law = power");
+  if (entries.given("Wear", "Cycles")) wear.n_cycles = entries.number("Wear", "Cycles", not_negative_number);
+  if (entries.given("Wear", "Until"))
+    wear.until = entries.number(
+        "Wear", "Until", {[](double x) { return x >= 1e-12 && x < 1; }, "a share of the first wear rate, 1e-12 to 1"});
+  return wear;
+}
+
 void read_wear(const EntryReader& entries, Case& input) {
   if (entries.given("Wear", "State") && entries.one_of("Wear", "State", {"unworn", "limiting"}) == "limiting") {
     input.wear = Case::Wear::limiting;
     input.worn_stick_ratio = entries.number(
         "Wear", "Stick radius ratio",
         {[](double x) { return x >= 0.01 && x <= 0.99; }, "a ratio of stick to unworn contact radius, 0.01 to 0.99"});
-    for (const char* name : {"Coefficient", "Cycles"})
+    for (const char* name : {"Law", "Coefficient", "Exponent", "Cycles", "Until"})
       entries.forbid("Wear", name, "the limiting profile wears no more");
     for (const char* name : {"Normal force", "Tangential force amplitude", "Normal harmonics", "Tangential harmonics"})
       entries.forbid("Motion", name, "Wear / State = limiting prescribes the stick radius of one oscillation");
@@ -59,9 +82,7 @@ void read_wear(const EntryReader& entries, Case& input) {
   if (std::isnan(input.motion.tangential_amplitude))
     entries.fail("Motion", "Tangential amplitude",
                  "a number in m; the word shakedown belongs to Wear / State = limiting");
-  if (entries.given("Wear", "Coefficient") || entries.given("Wear", "Cycles"))
-    input.wear_kinetics = Case::WearKinetics{entries.number("Wear", "Coefficient", not_negative_number),
-                                             entries.number("Wear", "Cycles", not_negative_number)};
+  input.wear_kinetics = read_wear_kinetics(entries);
 }
 
 }  // namespace

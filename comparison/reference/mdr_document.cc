@@ -7,11 +7,11 @@
 
 #include "comparison/reference/mdr_answer.h"
 #include "comparison/reference/mdr_case.h"
+#include "comparison/reference/mdr_wear.h"
 #include "comparison/reference/spring_agreement.h"
 #include "comparison/support/json.h"
 #include "mdr/motion/force_control.h"
 #include "mdr/stick/stick_radius.h"
-#include "mdr/wear/wear_kinetics.h"
 
 namespace fretval {
 namespace {
@@ -170,26 +170,6 @@ ordered_json springs_json(const Case& input, const ordered_json& closed_form) {
           {"warnings", agreement.warnings}};
 }
 
-ordered_json wear_json(const Case& input) {
-  const auto mdr = mdr_case(input);
-  const auto motion = one_harmonic_each_of(input, mdr, "Wear / Coefficient");
-  const auto kinetics = mdr::wear_kinetics(mdr.profile, mdr.body, mdr.friction_coefficient, motion,
-                                           {input.wear_kinetics->coefficient, input.wear_kinetics->n_cycles});
-  ordered_json json;
-  for (const auto& point : kinetics.curve) {
-    json["cycles"].push_back(point.cycles);
-    json["volume"].push_back(point.volume);
-    json["deepest"].push_back(point.deepest);
-    json["friction_work"].push_back(point.friction_work);
-    json["contact_radius"].push_back(point.contact_radius);
-    json["stick_radius"].push_back(point.stick_radius);
-  }
-  const auto list = [](const Eigen::ArrayXd& a) { return std::vector<double>(a.data(), a.data() + a.size()); };
-  json["r"] = list(kinetics.radius);
-  json["worn_depth"] = list(kinetics.worn_depth);
-  return json;
-}
-
 }  // namespace
 
 MdrDocument mdr_document(const Case& input, bool with_springs) {
@@ -205,7 +185,9 @@ MdrDocument mdr_document(const Case& input, bool with_springs) {
     json["limiting_profile"] = profile_json(document.worn);
     if (input.elastomer.master_curve) json["elastomer"] = elastomer_json(input.elastomer);
     if (with_springs) json["springs"] = springs_json(input, document.json["mdr"]);
-    if (input.wear_kinetics) json["wear"] = wear_json(input);
+    if (input.wear_kinetics && input.wear_kinetics->n_cycles)
+      if (const auto kinetics = wear_kinetics_of(input, mdr_case(input), *input.wear_kinetics->n_cycles))
+        json["wear"] = to_json(*kinetics);
     document.json = std::move(json);
     return document;
   } catch (const std::invalid_argument& error) {

@@ -274,16 +274,6 @@ std::string all_cases_section(const Results& results) {
          "not compared.</p></details>\n";
 }
 
-std::string left_out_section(const Results& results) {
-  const auto n = std::count_if(results.begin(), results.end(),
-                               [](const auto& r) { return r.json.at("scene").contains("left_out"); });
-  if (n == 0) return "";
-  return fmt::format(
-      "<p class=\"soft\">{} of {} cases have a wear coefficient. Finite elements leave it out: they answer for the "
-      "profile of the case, and <code>fretval mdr</code> for the course of wear.</p>\n",
-      n, results.size());
-}
-
 }  // namespace
 
 fs::path write_report(const fs::path& folder) {
@@ -293,12 +283,12 @@ fs::path write_report(const fs::path& folder) {
   };
   std::string sections;
   for (const auto& section :
-       {of_results(verdict_section), of_results(left_out_section), of_results(radii_section), of_results(phase_section),
-        of_results(rheology_section), of_results(motions_section), of_results(limiting_section),
-        of_results(single_cases_section), of_results(budget_section), trade_section(folder),
-        section_of(folder / "tolerance.json", suite_section), section_of(folder / "extremes.json", suite_section),
-        section_of(folder / "random.json", suite_section), section_of(folder / "exact.json", convergence_section),
-        of_results(cost_section), of_results(all_cases_section)})
+       {of_results(verdict_section), of_results(radii_section), of_results(phase_section), of_results(rheology_section),
+        of_results(motions_section), of_results(limiting_section), of_results(single_cases_section),
+        of_results(budget_section), trade_section(folder), section_of(folder / "tolerance.json", suite_section),
+        section_of(folder / "extremes.json", suite_section), section_of(folder / "random.json", suite_section),
+        section_of(folder / "exact.json", convergence_section), of_results(cost_section),
+        of_results(all_cases_section)})
     sections += section;
   if (sections.empty())
     throw InputError(

@@ -45,6 +45,8 @@ Value value_of(const CaseResult& result, Quantity quantity) {
       return {fe.stick_radius_shakedown, mdr.stick_radius_shakedown};
     case Quantity::contact_radius_max:
       return {fe.contact_radius_max, mdr.contact_radius_max};
+    case Quantity::worn_radius:
+      return {result.wear->fe.worn_radius * result.fem_case.units.length, mdr.worn_radius};
     default:
       return {fe.normal_force_max, mdr.normal_force_max};
   }
@@ -68,6 +70,22 @@ std::string verdict_text(const CaseResult& result) {
   return fmt::format("finite elements confirm MDR to {:.1e}", largest);
 }
 
+/// What has become of the indenter.
+std::string wear_text(const ProvedWear& wear, const Units& units) {
+  const auto& last = wear.fe.course.curve.back();
+  const double cubic_millimetres = 1e9;
+  auto text = fmt::format("  worn off: {:.6g} mm³ in {:.3g} cycles", last.volume * units.volume() * cubic_millimetres,
+                          last.cycles);
+  if (wear.kinetics) text += fmt::format(" (MDR {:.6g} mm³)", wear.kinetics->curve.back().volume * cubic_millimetres);
+  if (wear.ends_in_limit())
+    return text +
+           fmt::format("; nothing wears any more\n  worn profile: {:.1e} from the limiting one (in r/a and f/d max)\n",
+                       wear.distance_shakedown);
+  if (wear.fe.course.end == fem::WearEnd::cycles)
+    return text + fmt::format("; still {:.2g} from the limiting profile\n", wear.distance_shakedown);
+  return text + "; what still bears pressure sticks throughout, and wears no more\n";
+}
+
 }  // namespace
 
 std::string with_unit(double value, double bar, const std::string& unit) {
@@ -87,7 +105,7 @@ std::string answer_text(const CaseResult& result) {
   for (const auto quantity : quantities_by_interest) {
     const auto compared = result.comparison.find(quantity);
     const auto& traits = traits_of(quantity);
-    if (compared == result.comparison.end() || *traits.unit == '\0') continue;
+    if (compared == result.comparison.end() || *traits.unit == '\0' || quantity == Quantity::worn_volume) continue;
     const auto [fe, mdr] = value_of(result, quantity);
     const double scale = quantity == Quantity::normal_force_max ? fe.value_or(0) : result.fem_case.units.length;
     const auto& bar = compared->second.bar;
@@ -96,6 +114,7 @@ std::string answer_text(const CaseResult& result) {
     };
     text += row(traits.title, shown(fe, bar ? bar->total() * scale : 0), shown(mdr, 0));
   }
+  if (result.wear) return text + wear_text(*result.wear, result.fem_case.units);
   if (result.mdr.worn_radius) text += row("wear ends at the radius", "", with_unit(*result.mdr.worn_radius, 0, "m"));
   return text;
 }

@@ -28,7 +28,13 @@ BatchLine run_case(const PreparedCase& asked, const BatchOptions& options, BodyS
   const auto folder = options.output / line.name;
   if (!options.output.empty()) withdraw_result(folder);
   if (!line.failure.empty()) return line;
-  const auto result = result_of(prepared, *reference, options.proof, std::move(fe));
+  auto result = result_of(prepared, *reference, options.proof, std::move(fe));
+  if (wears(prepared)) {
+    auto wear = prove_wear(prepared, result.mdr, result.fe, options.proof, bodies);
+    line.failure = wear.failure;
+    if (!line.failure.empty()) return line;
+    add_wear(std::move(wear), result);
+  }
   line.comparison = result.comparison;
   line.pass = passes(line.comparison);
   line.answer = answer_text(result);

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "comparison/results/wear_json.h"
 #include "comparison/simulation/resolution_json.h"
 #include "comparison/support/files.h"
 #include "comparison/support/parallel.h"
@@ -169,6 +170,11 @@ CaseResult result_of(const PreparedCase& prepared, const mdr::NormalResponse& re
   return result;
 }
 
+void add_wear(ProvedWear&& wear, CaseResult& result) {
+  result.comparison.insert(wear.comparison.begin(), wear.comparison.end());
+  result.wear = std::move(wear);
+}
+
 void withdraw_result(const fs::path& folder) {
   fs::remove(folder / "result.json");
 }
@@ -178,6 +184,7 @@ void write_result(const CaseResult& result, const mdr::NormalResponse& reference
   write_history(result, reference, folder / "history.csv");
   write_contact(result, folder / "contact.csv");
   write_profile(result, folder / "profile.csv");
+  if (result.wear) write_wear(*result.wear, result.fem_case.units, folder);
   if (result.input.fields == Case::Fields::extremes) write_fields(result, folder);
   write_file(folder / "run.json", as_text(run_json(result)));
   write_file(folder / "result.json", as_text(result_json(result)));

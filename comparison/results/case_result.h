@@ -4,6 +4,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "comparison/accuracy/proof.h"
+#include "comparison/accuracy/wear_proof.h"
 #include "comparison/reference/mdr_answer.h"
 
 namespace fretval {
@@ -16,12 +17,16 @@ struct CaseResult {
   MdrAnswer mdr;
   Proof proof;
   ProvedAnswer fe;
-  Comparison comparison;
+  Comparison comparison;  ///< of everything
+  std::optional<ProvedWear> wear = {};
 };
 
 /// Both answers to a case, compared.
 CaseResult result_of(const PreparedCase& prepared, const mdr::NormalResponse& reference, Proof proof,
                      ProvedAnswer&& fe);
+
+/// Adds the wear of the indenter to a result.
+void add_wear(ProvedWear&& wear, CaseResult& result);
 
 /// The whole of result.json, with the keys of the documentation in docs/results.md.
 nlohmann::ordered_json result_json(const CaseResult& result);

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "comparison/results/case_result.h"
+#include "comparison/results/wear_json.h"
 #include "comparison/simulation/resolution_json.h"
 #include "comparison/support/json.h"
 #include "mdr/profiles/profile.h"
@@ -40,7 +41,12 @@ ordered_json case_json(const CaseResult& result) {
   if (motion.normal.size() > 1) json["normal_harmonics"] = harmonics_json(motion.normal);
   if (motion.tangential.size() > 1) json["tangential_harmonics"] = harmonics_json(motion.tangential);
   if (result.mdr_case.limiting) json["stick_radius_of_profile"] = result.mdr_case.limiting->stick_radius;
-  if (input.wear_kinetics) json["left_out"] = {"Wear / Coefficient", "Wear / Cycles"};
+  if (const auto& wear = input.wear_kinetics)
+    json["wear_law"] = {{"law", Case::wear_law_names[static_cast<std::size_t>(wear->law)]},
+                        {"coefficient", wear->coefficient},
+                        {"exponent", wear->exponent},
+                        {"cycles", or_null(wear->n_cycles)},
+                        {"until", wear->until}};
   if (input.sweep)
     json["sweep"] = {{"family", input.sweep->family}, {"entry", input.sweep->entry}, {"value", input.sweep->value}};
   return json;
@@ -54,7 +60,8 @@ ordered_json bar_json(const std::optional<ErrorBar>& bar) {
   return {{"total", bar->total()}, {"shares", shares}};
 }
 
-ordered_json fe_json(const FeAnswer& fe, const Comparison& comparison) {
+ordered_json fe_json(const CaseResult& result) {
+  const auto& fe = result.fe.fe;
   ordered_json json{{"contact_radius_max", or_null(fe.contact_radius_max)},
                     {"stick_radius_first_slip", or_null(fe.stick_radius_first_slip)},
                     {"stick_radius_shakedown", or_null(fe.stick_radius_shakedown)},
@@ -67,8 +74,12 @@ ordered_json fe_json(const FeAnswer& fe, const Comparison& comparison) {
     json["limiting_amplitude"] = or_null(fe.no_wear->limiting_amplitude);
   }
   json["error_estimate"] = ordered_json::object();
-  for (const auto& [quantity, difference] : comparison)
+  for (const auto& [quantity, difference] : result.comparison)
     json["error_estimate"][name_of(quantity)] = bar_json(difference.bar);
+  if (result.wear) {
+    json["worn_radius"] = result.wear->fe.worn_radius * result.fem_case.units.length;
+    json["wear"] = to_json(*result.wear, result.fem_case.units);
+  }
   return json;
 }
 
@@ -96,12 +107,14 @@ ordered_json result_json(const CaseResult& result) {
   const auto& fe = result.fe.fe;
   auto cost = cost_json(fe);
   cost["peak_memory_bytes"] = peak_memory_bytes();
+  auto mdr = to_json(result.mdr);
+  if (result.wear && result.wear->kinetics) mdr["wear"] = to_json(*result.wear->kinetics);
   return {{"name", result.input.name},
           {"pass", passes(result.comparison)},
           {"proof", name_of(result.proof)},
           {"scene", case_json(result)},
-          {"mdr", to_json(result.mdr)},
-          {"fe", fe_json(fe, result.comparison)},
+          {"mdr", std::move(mdr)},
+          {"fe", fe_json(result)},
           {"comparison", comparison_json(result.comparison)},
           {"cost", std::move(cost)}};
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <string>
 
 #include "comparison/simulation/body.h"
@@ -20,5 +21,10 @@ class BodyStore : public MadeOnce<BodySpecification, ContactBody> {
   explicit BodyStore(MeshSource source = {}) : meshes(std::move(source)) {}
   const MeshSource meshes;
 };
+
+/// Mesh, operators and condensation of a specification, unless the store has them. whole: set to the whole body if it
+/// had to be made.
+std::shared_ptr<const ContactBody> find_or_make_body(const BodySpecification& specification, BodyStore& bodies,
+                                                     std::shared_ptr<const Body>* whole = nullptr);
 
 }  // namespace fretval

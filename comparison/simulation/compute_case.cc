@@ -59,15 +59,8 @@ FeAnswer compute_case(const FemCase& fem_case, const Resolution& resolution, Bod
   Stopwatch watch;
 
   std::shared_ptr<const Body> whole;
-  const auto body = bodies.find_or_make(fem.body, [&] {
-    const auto mesh = bodies.meshes.mesh_of(fem.body);
-    const double mesh_seconds = watch.lap();
-    auto operators = assemble_operators(mesh, bodies.meshes.name, fem.body.degree, fem.body.tangential);
-    operators.cost.mesh = mesh_seconds;
-    const auto made = std::make_shared<const Body>(condense(std::move(operators)));
-    if (fem_case.keeps_body && resolution == fem_case.resolution) whole = made;
-    return contact_body(*made);
-  });
+  const bool keeps = fem_case.keeps_body && resolution == fem_case.resolution;
+  const auto body = find_or_make_body(fem.body, bodies, keeps ? &whole : nullptr);
   const ProblemsAtSlack at_slack(*body, resolution.active_set_slack);
   const auto problems = at_slack.problems();
   const auto profile = fem::ring_means(problems.normal.compliance, fem.profile);

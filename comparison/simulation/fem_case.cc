@@ -31,6 +31,7 @@ std::vector<double> contact_nodes(const FemCase& fem) {
   // radius, so that profiles with the same c share their body.
   if (fem.worn_edge) {
     const double edge = fem.worn_edge->inner, end = std::ceil(4 * contact_line_reserve * fem.worn_edge->outer) / 4;
+    if (edge == 0) return meshes::uniform_nodes(end, static_cast<unsigned>(std::ceil(end / ring)));
     return meshes::graded_nodes({edge, edge, resolution.worn_edge_ring * edge}, end, ring, resolution.surface_growth);
   }
   const double end = std::max(contact_line_reserve, 1 + rings_beyond * ring);

@@ -24,6 +24,7 @@ struct Units {
 
   [[nodiscard]] double pressure() const { return modulus * depth / length; }
   [[nodiscard]] double force() const { return modulus * depth * length; }
+  [[nodiscard]] double volume() const { return length * length * depth; }
 };
 
 /// What determines the mesh and the operators; equal specifications share them.
@@ -36,7 +37,8 @@ struct BodySpecification {
   bool operator<(const BodySpecification& other) const;
 };
 
-/// Where a worn profile departs from the unworn one, over the unit of length: the stick radius and a_inf.
+/// Where a worn profile departs from the unworn one, over the unit of length: the stick radius (0: nothing sticks) and
+/// a_inf.
 struct WornEdge {
   double inner, outer;
 };

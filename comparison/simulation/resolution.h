@@ -23,6 +23,7 @@ struct Resolution {
   double worn_edge_ring = 5e-6;     ///< limiting profile: rings at its edge over its stick radius
   double surface_growth = 0.15;     ///< of rings that are graded along the surface, per ring
   double active_set_slack = 1e-13;  ///< see fem::BoxSolver
+  double wear_jump = 0.01;          ///< worn depth of a jump over the largest indentation, see fem::WearControl
   std::optional<Focus> focus = {};  ///< empty: equal rings
 
   bool operator<(const Resolution& other) const;

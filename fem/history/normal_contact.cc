@@ -1,9 +1,9 @@
 #include "fem/history/normal_contact.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "fem/history/require_room.h"
-#include "fem/history/static_contact.h"
 #include "fem/support/constants.h"
 #include "fem/support/solver_error.h"
 
@@ -17,12 +17,12 @@ PressureAtEdge pressure_at_edge(const RelaxationModel& relaxation) {
 
 }  // namespace
 
-NormalContact::NormalContact(const ContactProblem& problem, const RelaxationModel& relaxation,
-                             const Eigen::VectorXd& profile, const Motion& motion, int steps_per_cycle)
-    : state{{}, Eigen::MatrixXd::Zero(profile.size(), static_cast<Eigen::Index>(relaxation.moduli.size()))},
+NormalContact::NormalContact(const ContactProblem& problem, const RelaxationModel& relaxation, Eigen::VectorXd shape,
+                             const Motion& motion, int steps_per_cycle)
+    : profile(std::move(shape)),
+      state{{}, Eigen::MatrixXd::Zero(profile.size(), static_cast<Eigen::Index>(relaxation.moduli.size()))},
       problem_(problem),
       relaxation_(relaxation),
-      profile_(profile),
       motion_(motion),
       steps_per_cycle_(steps_per_cycle),
       dt_(2 * pi / steps_per_cycle),
@@ -57,17 +57,25 @@ void NormalContact::read(const Eigen::VectorXd& gap_then, const ContactPast& pas
   largest_radius_ = std::max(largest_radius_, reading.radius);
 }
 
-void NormalContact::step() {
+void NormalContact::step(const PressureWear& wear) {
   const auto position = [this](double t) { return normal_motion(motion_, t); };
   const double begin = dt_ * static_cast<double>(n_steps), weight = step_.fraction();
   time = begin + weight * dt_;
-  gap = state.displacement + profile_;
+  gap = state.displacement + profile;
   gap.array() -= position(begin).value;
   // A ring in contact closes its gap: it slips by what is left of it.
   const Eigen::VectorXd held = step_.response_without_slip(state, indenter_move(position, begin, time));
-  auto contact = solve_contact(problem_, held - step_.instantaneous() * gap, contact_);
+  const Eigen::VectorXd target = held - step_.instantaneous() * gap;
+  auto contact =
+      solve_wearing_contact(problem_, target, {step_.instantaneous() * wear.coefficient, wear.exponent}, contact_);
   const Eigen::VectorXd new_gap = contact.gap / step_.instantaneous();
-  step_.advance(state, indenter_move(position, begin, begin + dt_), gap - new_gap);
+  Eigen::VectorXd slip = gap - new_gap;
+  if (wear.coefficient.size() > 0) {
+    const Eigen::VectorXd worn = wear.coefficient.cwiseProduct(contact.pressure.array().pow(wear.exponent).matrix());
+    profile += worn;
+    slip += worn;
+  }
+  step_.advance(state, indenter_move(position, begin, begin + dt_), slip);
   balance_gap = weight * new_gap + (1 - weight) * gap;
   pressure = std::move(contact.pressure);
   read(balance_gap, {largest_radius_, n_closed(), edge_});

@@ -8,7 +8,7 @@
 #include "fem/history/contact_problem.h"
 #include "fem/history/motion.h"
 #include "fem/history/relaxation.h"
-#include "fem/history/running_minimum.h"
+#include "fem/history/static_contact.h"
 
 namespace fretval::fem {
 
@@ -16,14 +16,16 @@ namespace fretval::fem {
 /// relaxed, at the mean indentation. Ring pressures are unaffected by the tangential motion (nu = 1/2).
 class NormalContact {
  public:
-  /// profile: ring means. All arguments must outlive this.
-  NormalContact(const ContactProblem& problem, const RelaxationModel& relaxation, const Eigen::VectorXd& profile,
+  /// profile: ring means. The other arguments must outlive this.
+  NormalContact(const ContactProblem& problem, const RelaxationModel& relaxation, Eigen::VectorXd profile,
                 const Motion& motion, int steps_per_cycle);
 
-  /// Goes on by a step. Throws SolverError when the contact reaches the last ring of the line.
-  void step();
+  /// Goes on by a step, in which the indenter wears. Throws SolverError when the contact reaches the last ring of the
+  /// line.
+  void step(const PressureWear& wear = {});
 
   long n_steps = 0;             ///< made
+  Eigen::VectorXd profile;      ///< ring means; at the end of the step
   double time = 0;              ///< at which forces balanced in the last step
   Eigen::VectorXd pressure;     ///< then
   ContactForce reading;         ///< then: force and edge of the contact
@@ -44,7 +46,6 @@ class NormalContact {
 
   const ContactProblem& problem_;
   const RelaxationModel& relaxation_;
-  const Eigen::VectorXd& profile_;
   const Motion& motion_;
   int steps_per_cycle_;
   double dt_;

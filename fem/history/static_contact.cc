@@ -1,7 +1,10 @@
 #include "fem/history/static_contact.h"
 
+#include <algorithm>
 #include <array>
 #include <limits>
+
+#include "fem/support/solver_error.h"
 
 namespace fretval::fem {
 
@@ -24,14 +27,53 @@ Eigen::VectorXd ring_means(const Compliance& compliance, const std::function<dou
   return means;
 }
 
+namespace {
+
+StaticContact solve(const BoxSolver& solver, const Eigen::VectorXd& areas, const Eigen::VectorXd& target,
+                    std::vector<BoxState>& states) {
+  const Eigen::Index n = areas.size();
+  const auto solution = solver.solve(areas.cwiseProduct(target), Eigen::VectorXd::Zero(n),
+                                     Eigen::VectorXd::Constant(n, std::numeric_limits<double>::infinity()), states);
+  return {solution.x, (-solution.residual.array() / areas.array()).matrix()};
+}
+
+/// As solve_contact, of rings that wear by softness times their pressure.
+StaticContact solve_softened(const ContactProblem& problem, const Eigen::VectorXd& target,
+                             const Eigen::VectorXd& softness, std::vector<BoxState>& states) {
+  const auto& areas = problem.compliance.areas;
+  Eigen::MatrixXd matrix = problem.compliance.matrix;
+  matrix.diagonal() += areas.cwiseProduct(softness);
+  return solve(BoxSolver(matrix), areas, target, states);
+}
+
+}  // namespace
+
 StaticContact solve_contact(const ContactProblem& problem, const Eigen::VectorXd& target,
                             std::vector<BoxState>& states) {
-  const Eigen::Index n = problem.n_rings();
-  const auto& areas = problem.compliance.areas;
-  const auto solution =
-      problem.solver.solve(areas.cwiseProduct(target), Eigen::VectorXd::Zero(n),
-                           Eigen::VectorXd::Constant(n, std::numeric_limits<double>::infinity()), states);
-  return {solution.x, (-solution.residual.array() / areas.array()).matrix()};
+  return solve(problem.solver, problem.compliance.areas, target, states);
+}
+
+StaticContact solve_wearing_contact(const ContactProblem& problem, const Eigen::VectorXd& target,
+                                    const PressureWear& wear, std::vector<BoxState>& states) {
+  if (wear.coefficient.isZero(0)) return solve_contact(problem, target, states);
+  if (wear.exponent == 1) return solve_softened(problem, target, wear.coefficient, states);
+  constexpr int most_iterations = 200;
+  constexpr double roundoff = 1e-16, converged = 1e-9, least_share = 0.1;  // of the iterate before
+  const double m = wear.exponent;
+  const auto& coefficient = wear.coefficient.array();
+  auto contact = solve_contact(problem, target, states);
+  // Of p^m its tangent, or with m < 1, where tangents overshoot, its secant from 0, which gains a factor 1 - m a time.
+  // At p = 0 it has neither, and a ring of hardly any pressure hardly wears.
+  const double slope = std::max(m, 1.0);
+  const double floor = roundoff * contact.pressure.maxCoeff();
+  Eigen::ArrayXd at = contact.pressure.array().max(floor);
+  for (int iteration = 0; iteration < most_iterations; ++iteration) {
+    const Eigen::ArrayXd worn = coefficient * at.pow(m);
+    contact = solve_softened(problem, target - (1 - slope) * worn.matrix(), (slope * worn / at).matrix(), states);
+    at = contact.pressure.array().max(least_share * at).max(floor);
+    if ((coefficient * at.pow(m) - worn).abs().maxCoeff() <= converged * worn.maxCoeff()) return contact;
+  }
+  throw SolverError("the pressure under which an indenter wears does not converge");
 }
 
 StaticContact static_contact(const ContactProblem& problem, const Eigen::VectorXd& profile, double indentation) {

@@ -21,7 +21,19 @@ struct StaticContact {
 StaticContact solve_contact(const ContactProblem& problem, const Eigen::VectorXd& target,
                             std::vector<BoxState>& states);
 
-/// The same at a fixed indentation; profile: ring means.
+/// What rings lose in height under a pressure: `coefficient p^exponent`. Empty: nothing.
+struct PressureWear {
+  Eigen::VectorXd coefficient;  ///< per ring, not negative
+  double exponent = 1;          ///< positive
+};
+
+/// The same while the rings of the indenter wear off under the pressure that is found, which lets them sink in less:
+/// `target_i = (C p)_i/A_i + gap_i + coefficient_i p_i^exponent`. With exponent 1 the wear is a diagonal added to the
+/// compliance, otherwise Newton's iterations of such problems. Throws SolverError where they do not converge.
+StaticContact solve_wearing_contact(const ContactProblem& problem, const Eigen::VectorXd& target,
+                                    const PressureWear& wear, std::vector<BoxState>& states);
+
+/// Without wear at a fixed indentation; profile: ring means.
 StaticContact static_contact(const ContactProblem& problem, const Eigen::VectorXd& profile, double indentation);
 
 }  // namespace fretval::fem

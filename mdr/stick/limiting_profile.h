@@ -29,6 +29,9 @@ double shape(const LimitingProfile& profile, double r);
 /// Depth of wear f_inf(r) - f0(r) >= 0 in m, with the relative accuracy of its own small size as r -> c.
 double worn_depth(const LimitingProfile& profile, double r);
 
+/// Volume in m^3 that is worn off: `2 pi int_c^a_inf worn_depth(r) r dr`, relative accuracy 1e-10.
+double worn_volume(const LimitingProfile& profile);
+
 /// g_inf(x) in m, paper equation (9): g0 for |x| <= c, d_max beyond. Holds up to the contact radius at d_max.
 double transform(const LimitingProfile& profile, double x);
 

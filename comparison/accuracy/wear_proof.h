@@ -1,0 +1,39 @@
+#pragma once
+
+#include <optional>
+
+#include "comparison/accuracy/proof.h"
+#include "comparison/reference/mdr_wear.h"
+#include "comparison/simulation/wear_simulation.h"
+
+namespace fretval {
+
+/// The wear of a case by finite elements, compared with MDR.
+struct ProvedWear {
+  WearSimulation fe;  ///< at the chosen resolution
+  std::string failure = {};
+  Resolution resolution;
+  WearLimits limits;
+  std::optional<mdr::WearKinetics> kinetics = {};  ///< to the last cycle of the finite elements; see wear_kinetics_of
+  /// Of the worn profile from either limit, see distance_to_limit.
+  double distance_shakedown = 0, distance_first_slip = 0;
+  /// Share of the rings outside the stick radius in the force of the largest pressures at the end: where wear has ended
+  /// and this has not fallen to nothing, what is pressed there sticks.
+  double pressed_outside = 0;
+  Comparison comparison = {};
+  int n_computations = 0;
+
+  /// Whether wear has ended because nothing is pressed any more where it slips.
+  [[nodiscard]] bool ends_in_limit() const;
+};
+
+/// Whether the wear of a case is run: it asks for it, and the indenter moves tangentially.
+bool wears(const PreparedCase& prepared);
+
+/// Runs the wear of a case, with the rings graded around the stick radius that finite elements have found for the
+/// unworn indenter, which wear leaves alone, and measures its errors by refinement (variants_of_wear). With
+/// Proof::tolerance what is largest is refined until all bars are within the tolerance, up to three times.
+ProvedWear prove_wear(const PreparedCase& prepared, const MdrAnswer& mdr, const ProvedAnswer& unworn, Proof proof,
+                      BodyStore& bodies);
+
+}  // namespace fretval

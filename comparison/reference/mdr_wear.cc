@@ -1,0 +1,47 @@
+#include "comparison/reference/mdr_wear.h"
+
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "mdr/profiles/profile.h"
+
+namespace fretval {
+
+WearLimits wear_limits(const MdrCase& mdr, const MdrAnswer& answer) {
+  constexpr double almost_none = 1e-6;
+  const double deepest = mdr::maximum_indentation(mdr.motion);
+  const double least = almost_none * mdr::inverse_transform(mdr.profile, deepest);
+  const auto limit = [&](const std::optional<double>& stick_radius) {
+    return mdr::limiting_profile(mdr.profile, stick_radius.value_or(least), deepest);
+  };
+  return {limit(answer.stick_radius_shakedown), limit(answer.stick_radius_first_slip)};
+}
+
+std::optional<mdr::WearKinetics> wear_kinetics_of(const Case& input, const MdrCase& mdr, double n_cycles) {
+  const auto& wear = input.wear_kinetics.value();
+  const auto motion = mdr::one_harmonic_each(mdr.motion);
+  if (wear.law == Case::WearLaw::power || !motion || !motion->phase ||
+      motion->normal_frequency != motion->tangential_frequency)
+    return std::nullopt;
+  const double coefficient =
+      wear.law == Case::WearLaw::energy ? mdr.friction_coefficient * wear.coefficient : wear.coefficient;
+  return mdr::wear_kinetics(mdr.profile, mdr.body, mdr.friction_coefficient, *motion, {coefficient, n_cycles});
+}
+
+nlohmann::ordered_json to_json(const mdr::WearKinetics& kinetics) {
+  nlohmann::ordered_json json;
+  for (const auto& point : kinetics.curve) {
+    json["cycles"].push_back(point.cycles);
+    json["volume"].push_back(point.volume);
+    json["deepest"].push_back(point.deepest);
+    json["friction_work"].push_back(point.friction_work);
+    json["contact_radius"].push_back(point.contact_radius);
+    json["stick_radius"].push_back(point.stick_radius);
+  }
+  const auto list = [](const Eigen::ArrayXd& a) { return std::vector<double>(a.data(), a.data() + a.size()); };
+  json["r"] = list(kinetics.radius);
+  json["worn_depth"] = list(kinetics.worn_depth);
+  return json;
+}
+
+}  // namespace fretval

@@ -1,0 +1,108 @@
+#include "comparison/results/wear_json.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "comparison/simulation/resolution_json.h"
+#include "comparison/support/files.h"
+
+namespace fretval {
+namespace {
+
+using nlohmann::ordered_json;
+
+const char* name_of(fem::WearEnd end) {
+  switch (end) {
+    case fem::WearEnd::cycles:
+      return "cycles asked for";
+    case fem::WearEnd::rate:
+      return "rate fallen";
+    case fem::WearEnd::nothing_left:
+      break;
+  }
+  return "nothing left";
+}
+
+std::vector<double> list(const Eigen::VectorXd& values) {
+  return {values.begin(), values.end()};
+}
+
+/// What each ring does in each step, as a text a step: o open, s sticks, f slips forward, b slips backward.
+ordered_json zones_json(const fem::WearingContact::Period& period) {
+  auto steps = ordered_json::array();
+  for (Eigen::Index k = 0; k < period.slip.cols(); ++k) {
+    std::string text;
+    for (Eigen::Index i = 0; i < period.slip.rows(); ++i) text += period.zone(i, k);
+    steps.push_back(text);
+  }
+  return steps;
+}
+
+/// Some states of the course, evenly spread over the worn volume.
+std::vector<std::size_t> snapshots_of(const fem::WearCourse& course) {
+  constexpr int n = 8;
+  std::vector<std::size_t> chosen;
+  const auto& curve = course.curve;
+  for (int i = 0; i <= n; ++i) {
+    const double volume = curve.back().volume * i / n;
+    const auto found = std::find_if(curve.begin(), curve.end(), [&](const auto& p) { return p.volume >= volume; });
+    const auto k = static_cast<std::size_t>(std::min(found, curve.end() - 1) - curve.begin());
+    if (chosen.empty() || chosen.back() != k) chosen.push_back(k);
+  }
+  if (chosen.back() + 1 != curve.size()) chosen.push_back(curve.size() - 1);
+  return chosen;
+}
+
+}  // namespace
+
+ordered_json to_json(const ProvedWear& wear, const Units& units) {
+  const auto& course = wear.fe.course;
+  ordered_json json;
+  for (const auto& point : course.curve) {
+    json["cycles"].push_back(point.cycles);
+    json["volume"].push_back(point.volume * units.volume());
+    json["volume_rate"].push_back(point.volume_rate * units.volume());
+    json["deepest"].push_back(point.deepest * units.depth);
+    json["friction_work"].push_back(point.friction_work * units.force() * units.depth);
+    json["contact_radius"].push_back(point.contact_radius * units.length);
+    json["stick_radius"].push_back(point.stick_radius * units.length);
+  }
+  json["r"] = list(units.length * wear.fe.centre);
+  json["worn_depth"] = list(units.depth * course.worn.back());
+  json["end"] = name_of(course.end);
+  json["ends_in_limit"] = wear.ends_in_limit();
+  json["distance_to_limit"] = {{"shakedown", wear.distance_shakedown}, {"first_slip", wear.distance_first_slip}};
+  json["volume_of_limit"] = mdr::worn_volume(wear.limits.shakedown);
+  json["pressed_outside"] = wear.pressed_outside;
+  json["zones"] = {{"start", zones_json(course.first)}, {"end", zones_json(course.last)}};
+  json["resolution"] = resolution_json(wear.resolution);
+  json["cost"] = {{"seconds", wear.fe.seconds},
+                  {"rings", wear.fe.centre.size()},
+                  {"jumps", course.n_jumps},
+                  {"cycles_stepped", course.n_cycles_stepped},
+                  {"computations", wear.n_computations}};
+  return json;
+}
+
+void write_wear(const ProvedWear& wear, const Units& units, const std::filesystem::path& folder) {
+  const auto& course = wear.fe.course;
+  const Eigen::Index n = wear.fe.centre.size();
+  const auto height = [&](const Eigen::VectorXd& worn) { return units.depth * (wear.fe.unworn + worn); };
+  const auto with_centre = [n](const Eigen::VectorXd& values) {
+    Eigen::VectorXd all = Eigen::VectorXd::Zero(n + 1);
+    all.tail(n) = values;
+    return all;
+  };
+  write_csv(folder / "worn_profile.csv", {{"r [m]", with_centre(units.length * wear.fe.centre)},
+                                          {"f [m]", with_centre(height(course.worn.back()))}});
+  std::vector<Column> columns{{"r [m]", units.length * wear.fe.centre},
+                              {"p largest, start [Pa]", units.pressure() * course.first.largest_pressure},
+                              {"p largest, end [Pa]", units.pressure() * course.last.largest_pressure}};
+  for (const auto k : snapshots_of(course))
+    columns.push_back({fmt::format("f after {:.6g} cycles [m]", course.curve[k].cycles), height(course.worn[k])});
+  write_csv(folder / "wear.csv", columns);
+}
+
+}  // namespace fretval

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json_fwd.hpp>
+
+#include "comparison/accuracy/wear_proof.h"
+
+namespace fretval {
+
+/// "fe.wear" of result.json: the course with the keys of the reference's (`cycles`, `volume`, `deepest`,
+/// `friction_work`, `contact_radius`, `stick_radius`; the final `worn_depth` over `r`), and `law`, `end`,
+/// `distance_to_limit`, `pressed_outside`, `zones`, what it cost. SI units.
+nlohmann::ordered_json to_json(const ProvedWear& wear, const Units& units);
+
+/// worn_profile.csv, which Shape = table reads: radius and height of the worn indenter, from the centre on. wear.csv:
+/// by ring the heights at some states of the course, and the largest pressures at its start and end.
+void write_wear(const ProvedWear& wear, const Units& units, const std::filesystem::path& folder);
+
+}  // namespace fretval

@@ -1,0 +1,84 @@
+#include "comparison/simulation/wear_simulation.h"
+
+#include <cmath>
+#include <limits>
+
+#include "comparison/support/stopwatch.h"
+#include "fem/history/static_contact.h"
+
+namespace fretval {
+namespace {
+
+/// Under a height of the largest indentation the flank reaches the plane that no surface comes above.
+double widest_wear(const FemCase& fem) {
+  double inner = 1, outer = 1;
+  while (fem.profile(outer) < 1) inner = std::exchange(outer, 1.25 * outer);
+  constexpr double close = 1e-3;
+  while (outer - inner > close) {
+    const double middle = (inner + outer) / 2;
+    (fem.profile(middle) < 1 ? inner : outer) = middle;
+  }
+  return outer;
+}
+
+/// In the units of the case: depths have one of their own, and so have lengths of slip.
+fem::WearLaw law_in(const Units& units, const Case::WearKinetics& wear, double friction_coefficient) {
+  const double coefficient =
+      wear.law == Case::WearLaw::energy ? friction_coefficient * wear.coefficient : wear.coefficient;
+  return {coefficient * std::pow(units.pressure(), wear.exponent), wear.exponent};
+}
+
+/// Wear ends like a straight line: drawn through the two outermost rings but one, which may be worn in part.
+double worn_radius_of(const WearSimulation& wear) {
+  constexpr double nothing = 1e-7;
+  const Eigen::VectorXd& worn = wear.course.worn.back();
+  Eigen::Index outermost = worn.size() - 1;
+  while (outermost >= 0 && worn[outermost] <= nothing) --outermost;
+  if (outermost < 0) return 0;
+  const double edge = wear.radii[static_cast<std::size_t>(outermost) + 1];
+  if (outermost < 2 || worn[outermost - 2] <= worn[outermost - 1]) return edge;
+  const double inner = wear.centre[outermost - 2], outer = wear.centre[outermost - 1];
+  const double fall = (worn[outermost - 2] - worn[outermost - 1]) / (outer - inner);
+  return std::min(outer + worn[outermost - 1] / fall, edge);
+}
+
+}  // namespace
+
+Resolution resolution_for_wear(const Resolution& of_the_case) {
+  constexpr unsigned rings = 96;
+  constexpr int steps = 96;
+  constexpr double edge_ring = 1e-4;
+  Resolution r = of_the_case;
+  r.elements_per_radius = rings;
+  r.steps_per_cycle = steps;
+  r.worn_edge_ring = edge_ring;
+  r.focus.reset();
+  return r;
+}
+
+WearSimulation simulate_wear(const FemCase& fem_case, const Case::WearKinetics& wear, double stick_radius,
+                             const Resolution& resolution, BodyStore& bodies, const fem::WearProgress& progress) {
+  Stopwatch watch;
+  FemCase fem = fem_case;
+  fem.worn_edge = {stick_radius, widest_wear(fem_case)};
+  fem = at_resolution(std::move(fem), resolution);
+  const auto body = find_or_make_body(fem.body, bodies);
+  WearSimulation simulation;
+  simulation.radii = body->summary->radii;
+  simulation.unworn = fem::ring_means(body->normal.compliance, fem.profile);
+  simulation.centre.resize(simulation.unworn.size());
+  for (Eigen::Index i = 0; i < simulation.centre.size(); ++i)
+    simulation.centre[i] = std::hypot(simulation.radii[i], simulation.radii[i + 1]) / std::sqrt(2);
+  constexpr double nothing = 1e-6;
+  simulation.course = fem::wear_course(
+      fem::WearingContact(body->normal, *body->tangential, fem.relaxation, fem.motion, fem.steps_per_cycle(),
+                          simulation.unworn, fem.friction_coefficient,
+                          law_in(fem.units, wear, fem.friction_coefficient)),
+      {wear.n_cycles.value_or(std::numeric_limits<double>::infinity()), wear.until, resolution.wear_jump, nothing},
+      progress);
+  simulation.worn_radius = worn_radius_of(simulation);
+  simulation.seconds = watch.lap();
+  return simulation;
+}
+
+}  // namespace fretval

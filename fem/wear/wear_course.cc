@@ -1,0 +1,85 @@
+#include "fem/wear/wear_course.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+namespace fretval::fem {
+namespace {
+
+constexpr double first_jump = 0.05;   // share of the largest
+constexpr double largest_growth = 3;  // of one jump over the last one
+constexpr double too_much = 2;        // of the largest jump
+
+double outer_edge(const std::vector<double>& radii, Eigen::Index n_rings) {
+  return radii[static_cast<std::size_t>(n_rings)];
+}
+
+WearPoint point_of(const WearingContact& contact, double cycles) {
+  const auto& period = contact.period();
+  const auto& [radii, areas, matrix] = contact.normal().problem().compliance;
+  const Eigen::VectorXd worn = contact.worn();
+  Eigen::Index n_pressed = areas.size(), n_stuck = 0;
+  while (n_pressed > 0 && period.largest_pressure[n_pressed - 1] == 0) --n_pressed;
+  while (n_stuck < n_pressed && period.path[n_stuck] == 0) ++n_stuck;
+  return {cycles,
+          areas.dot(worn),
+          areas.dot(period.rate),
+          period.friction_work,
+          worn.maxCoeff(),
+          outer_edge(radii, n_pressed),
+          outer_edge(radii, n_stuck)};
+}
+
+struct Jump {
+  WearingContact after;
+  double cycles, deepest;  ///< worn off
+};
+
+/// Over n cycles, or fewer if those wore off too much.
+Jump jump(const WearingContact& contact, double n_cycles, double largest) {
+  const Eigen::VectorXd before = contact.worn();
+  while (true) {
+    WearingContact after = contact;
+    after.wear_off(n_cycles);
+    const double deepest = (after.worn() - before).maxCoeff();
+    if (deepest <= too_much * largest) {
+      after.settle();
+      return {std::move(after), n_cycles, deepest};
+    }
+    n_cycles *= largest / deepest;
+  }
+}
+
+}  // namespace
+
+WearCourse wear_course(WearingContact start, const WearControl& control, const WearProgress& progress) {
+  std::optional<WearingContact> contact(std::move(start));
+  contact->settle();
+  WearCourse course;
+  const auto add = [&](double cycles) {
+    course.curve.push_back(point_of(*contact, cycles));
+    course.worn.push_back(contact->worn());
+    if (progress) progress(course.curve.back());
+  };
+  add(0);
+  course.first = contact->period();
+  const double first_rate = course.curve.front().volume_rate;
+  double next = first_jump * control.largest_jump / contact->period().rate.maxCoeff();
+  for (bool goes_on = first_rate > 0; goes_on; ++course.n_jumps) {
+    const double done = course.curve.back().cycles, left = control.most_cycles - done;
+    auto [after, cycles, deepest] = jump(*contact, std::min(next, left), control.largest_jump);
+    contact.emplace(std::move(after));
+    add(cycles >= left ? control.most_cycles : done + cycles);
+    next = cycles * std::min(control.largest_jump / deepest, largest_growth);
+    course.end = cycles >= left                                                           ? WearEnd::cycles
+                 : course.curve.back().volume_rate <= control.rate_fallen_to * first_rate ? WearEnd::rate
+                                                                                          : WearEnd::nothing_left;
+    goes_on = course.end == WearEnd::nothing_left && (cycles < done || deepest > control.accuracy);
+  }
+  course.last = contact->period();
+  course.n_cycles_stepped = contact->n_cycles_stepped();
+  return course;
+}
+
+}  // namespace fretval::fem

@@ -1,0 +1,89 @@
+#include "fem/wear/wearing_contact.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "fem/history/friction_history.h"
+#include "fem/support/solver_error.h"
+
+namespace fretval::fem {
+
+WearingContact::WearingContact(const ContactProblem& normal, const ContactProblem& tangential,
+                               const RelaxationModel& relaxation, const Motion& motion, int steps_per_cycle,
+                               Eigen::VectorXd profile, double friction_coefficient, const WearLaw& law)
+    : normal_(normal, relaxation, std::move(profile), motion, steps_per_cycle),
+      friction_(tangential, relaxation, friction_coefficient, motion, steps_per_cycle),
+      law_(law),
+      unworn_(normal_.profile) {
+  for (int cycle = 0; cycle < motion.cycles_of_ramp(); ++cycle)
+    for (int k = 0; k < steps_per_cycle; ++k) {
+      normal_.step();
+      friction_.step(normal_.pressure);
+    }
+  run_period(0);
+}
+
+char WearingContact::Period::zone(Eigen::Index ring, Eigen::Index step) const {
+  if (pressure(ring, step) == 0) return 'o';
+  const double way = slip(ring, step);
+  return way == 0 ? 's' : way > 0 ? 'f' : 'b';
+}
+
+void WearingContact::run_period(double n_cycles) {
+  const Eigen::Index n = normal_.profile.size(), n_steps = period_steps();
+  const double per_cycle = 1.0 / normal_.motion().cycles_per_period();
+  Period now;
+  now.slip.resize(n, n_steps);
+  now.pressure.resize(n, n_steps);
+  now.rate = Eigen::VectorXd::Zero(n);
+  for (Eigen::Index k = 0; k < n_steps; ++k) {
+    if (n_cycles > 0)
+      normal_.step({(n_cycles * per_cycle * law_.coefficient) * period_.slip.col(k).cwiseAbs(), law_.exponent});
+    else
+      normal_.step();
+    friction_.step(normal_.pressure);
+    now.slip.col(k) = friction_.slip;
+    now.pressure.col(k) = normal_.pressure;
+    now.rate += law_.coefficient * per_cycle *
+                friction_.slip.cwiseAbs().cwiseProduct(normal_.pressure.array().pow(law_.exponent).matrix());
+    now.friction_work +=
+        per_cycle * friction_.traction.cwiseProduct(friction_.slip).dot(normal_.problem().compliance.areas);
+  }
+  now.largest_pressure = now.pressure.rowwise().maxCoeff();
+  now.path = now.slip.cwiseAbs().rowwise().sum();
+  period_ = std::move(now);
+}
+
+bool WearingContact::slip_repeats(const Eigen::VectorXd& path_before) const {
+  constexpr double repeats = 1e-2;  // of the ring's own slip
+  const double stuck = slip_of_stuck_ring(normal_.motion());
+  for (Eigen::Index i = 0; i < path_before.size(); ++i)
+    if (period_.path[i] > stuck && std::abs(period_.path[i] - path_before[i]) > repeats * period_.path[i]) return false;
+  return true;
+}
+
+void WearingContact::settle() {
+  constexpr int most_periods = 400;
+  for (int n = 0; n < most_periods; ++n) {
+    const Eigen::VectorXd before = period_.path;
+    run_period(0);
+    if (!slip_repeats(before)) continue;
+    return take_creep_for_stick();
+  }
+  throw SolverError(fmt::format("slip still changes after {} periods on the same profile", most_periods));
+}
+
+void WearingContact::take_creep_for_stick() {
+  for (Eigen::Index i = 0; i < period_.path.size(); ++i) {
+    if (period_.path[i] > slip_of_stuck_ring(normal_.motion())) continue;
+    period_.slip.row(i).setZero();
+    period_.path[i] = period_.rate[i] = 0;
+  }
+}
+
+void WearingContact::wear_off(double n_cycles) {
+  run_period(n_cycles);
+}
+
+}  // namespace fretval::fem
