@@ -24,17 +24,19 @@ double value_of(const Quantities& values, Quantity quantity) {
   return found == values.end() ? std::numeric_limits<double>::quiet_NaN() : found->second;
 }
 
-double element_error(double difference, unsigned degree) {
-  if (degree == 2) return 1.25 * difference;
-  return 3 * std::pow(difference, static_cast<double>(degree) / (degree - 1));
+double element_error(double difference, unsigned degree, unsigned other) {
+  if (other > degree) return 1.25 * difference;
+  return 3 * std::pow(difference, static_cast<double>(degree) / other);
 }
 
 /// A quantity that only some of the computations have, may be off by anything.
-ErrorShare share_of(ErrorSource source, const Refinements& values, unsigned degree, const ExpectedOrder& expected) {
+ErrorShare share_of(const Variant& variant, const Refinements& values, const ExpectedOrder& expected) {
+  const auto source = variant.source;
   const double difference = std::abs(values.fine - values.medium);
   if (std::isnan(difference) || std::isnan(values.coarse.value_or(0)))
     return {source, std::numeric_limits<double>::infinity(), std::nullopt};
-  if (source == ErrorSource::element_order) return {source, element_error(difference, degree), std::nullopt};
+  if (source == ErrorSource::element_order)
+    return {source, element_error(difference, variant.reference.degree, variant.resolution.degree), std::nullopt};
   if (source == ErrorSource::cycles || source == ErrorSource::active_set) return {source, difference, std::nullopt};
   return richardson(source, values, expected);
 }
@@ -92,7 +94,7 @@ ErrorBudget error_budget(const Resolution& resolution, const std::vector<Variant
       Refinements found{value_of(known.at(reference), quantity), value_of(known.at(varied), quantity), std::nullopt};
       if (i + 1 < variants.size() && variants[i + 1].source == source)
         found.coarse = value_of(known.at(variants[i + 1].resolution), quantity);
-      bar.shares.push_back(share_of(source, found, resolution.degree, expected_order(source, quantity, needs)));
+      bar.shares.push_back(share_of(variants[i], found, expected_order(source, quantity, needs)));
     }
     const auto reading = edge.find(quantity);
     if (reading == edge.end()) continue;

@@ -91,11 +91,12 @@ std::vector<Variant> variants_of(const Resolution& resolution, const CaseNeeds& 
   return variants;
 }
 
+/// Next to a singular edge, elements of even and of odd degree come from either side: see resolution_for_wear.
 std::vector<Variant> variants_of_wear(const Resolution& resolution) {
   const Resolution coarse = with_rings(resolution, 0.5);
   return {{ErrorSource::rings, coarse, resolution},
           {ErrorSource::rings, with_rings(resolution, 0.25), resolution},
-          variant(ErrorSource::element_order, coarse, other_degree),
+          variant(ErrorSource::element_order, coarse, [](Resolution& r) { r.degree -= 2; }),
           variant(ErrorSource::far_field, coarse, [](Resolution& r) { r.far_radius /= 2; }),
           {ErrorSource::time_step, with_steps(coarse, 0.5), coarse},
           {ErrorSource::time_step, with_steps(coarse, 0.25), coarse},

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "comparison/accuracy/distance_to_limit.h"
 #include "comparison/support/log.h"
@@ -60,16 +61,16 @@ std::vector<Resolution> needed_for_bars(const Resolution& resolution) {
   return needed;
 }
 
-double distance_of(const WearSimulation& wear, const Units& units, const mdr::LimitingProfile& limit) {
-  return distance_to_limit(limit, units.length, units.length * wear.centre,
-                           units.depth * (wear.unworn + wear.course.worn.back()));
+double distance_of(const WearSimulation& wear, const Eigen::VectorXd& worn, const Units& units,
+                   const mdr::LimitingProfile& limit) {
+  return distance_to_limit(limit, units.length, units.length * wear.centre, units.depth * (wear.unworn + worn));
 }
 
 Quantities quantities_of(const WearSimulation& wear, const Units& units, const WearLimits& limits) {
   return {
       {Quantity::worn_volume, wear.course.curve.back().volume * units.volume() / mdr::worn_volume(limits.shakedown)},
       {Quantity::worn_radius, wear.worn_radius},
-      {Quantity::distance_to_limit, distance_of(wear, units, limits.shakedown)}};
+      {Quantity::distance_to_limit, distance_of(wear, wear.course.worn.back(), units, limits.shakedown)}};
 }
 
 ErrorBudget budget_of(const PreparedCase& prepared, const WearLimits& limits, const Resolution& resolution,
@@ -115,21 +116,27 @@ ErrorBudget measure_errors(const PreparedCase& prepared, Proof proof, WearComput
   return {};
 }
 
-double share_pressed_outside(const WearSimulation& wear, double stick_radius) {
-  const auto& pressure = wear.course.last.largest_pressure;
-  double outside = 0, all = 0;
-  for (Eigen::Index i = 0; i < pressure.size(); ++i) {
-    const double force = pressure[i] * (std::pow(wear.radii[i + 1], 2) - std::pow(wear.radii[i], 2));
-    all += force;
-    if (wear.centre[i] > stick_radius) outside += force;
-  }
-  return all > 0 ? outside / all : 0;
+/// Force of pressures on the rings beyond a radius, up to a factor.
+double force_beyond(const WearSimulation& wear, const Eigen::VectorXd& pressure, double radius) {
+  double force = 0;
+  for (Eigen::Index i = 0; i < pressure.size(); ++i)
+    if (wear.centre[i] > radius) force += pressure[i] * (std::pow(wear.radii[i + 1], 2) - std::pow(wear.radii[i], 2));
+  return force;
 }
 
-/// Where wear has ended in its limit, that; otherwise the springs' course, if they have it.
-std::optional<double> reference_volume(const ProvedWear& wear) {
-  if (wear.ends_in_limit()) return mdr::worn_volume(wear.limits.shakedown);
-  return wear.kinetics ? std::optional(wear.kinetics->curve.back().volume) : std::nullopt;
+double share_pressed_outside(const WearSimulation& wear, double radius) {
+  const auto& [first, last] = std::tie(wear.course.first.largest_pressure, wear.course.last.largest_pressure);
+  return force_beyond(wear, last, radius) / force_beyond(wear, first, 0);
+}
+
+/// Whether springs of twice as many steps wear off as much. Where everything that touches sticks, they slip by what
+/// their time steps are off, and in many cycles that wears: their friction work falls with the square of the step.
+bool springs_agree(const PreparedCase& prepared, const ProvedWear& wear) {
+  const auto& last = wear.kinetics->curve.back();
+  const auto finer =
+      wear_kinetics_of(prepared.input, prepared.mdr, last.cycles, 2 * mdr::WearControl{}.steps_per_cycle);
+  const double tolerance = tolerance_of(prepared.tolerances, Quantity::worn_volume);
+  return std::abs(finer->curve.back().volume - last.volume) <= tolerance * mdr::worn_volume(wear.limits.shakedown);
 }
 
 Comparison compare(const PreparedCase& prepared, const ProvedWear& wear, const ErrorBudget& budget) {
@@ -145,9 +152,12 @@ Comparison compare(const PreparedCase& prepared, const ProvedWear& wear, const E
       comparison[quantity] = {difference, tolerance, verdict_on(difference, tolerance, bar->second.total()),
                               bar->second};
   };
-  if (const auto volume = reference_volume(wear))
-    judge(Quantity::worn_volume, *volume / mdr::worn_volume(wear.limits.shakedown));
-  if (!wear.ends_in_limit()) return comparison;
+  if (!wear.ends_in_limit()) {
+    if (wear.kinetics && wear.springs_agree)
+      judge(Quantity::worn_volume, wear.kinetics->curve.back().volume / mdr::worn_volume(wear.limits.shakedown));
+    return comparison;
+  }
+  judge(Quantity::worn_volume, 1);
   judge(Quantity::worn_radius, wear.limits.shakedown.outer_radius / units.length);
   judge(Quantity::distance_to_limit, 0);
   return comparison;
@@ -176,9 +186,13 @@ ProvedWear prove_wear(const PreparedCase& prepared, const MdrAnswer& mdr, const 
   if (!wear.failure.empty()) return wear;
   wear.fe = std::move(computed.all.at(wear.resolution).fe);
   wear.kinetics = wear_kinetics_of(prepared.input, prepared.mdr, wear.fe.course.curve.back().cycles);
-  wear.distance_shakedown = distance_of(wear.fe, units, wear.limits.shakedown);
-  wear.distance_first_slip = distance_of(wear.fe, units, wear.limits.first_slip);
-  wear.pressed_outside = share_pressed_outside(wear.fe, stick_radius);
+  for (const auto& worn : wear.fe.course.worn) {
+    wear.distance_shakedown.push_back(distance_of(wear.fe, worn, units, wear.limits.shakedown));
+    wear.distance_first_slip.push_back(distance_of(wear.fe, worn, units, wear.limits.first_slip));
+  }
+  const double close = tolerance_of(prepared.tolerances, Quantity::distance_to_limit);
+  wear.pressed_outside = share_pressed_outside(wear.fe, stick_radius + close);
+  wear.springs_agree = wear.kinetics && (wear.ends_in_limit() || springs_agree(prepared, wear));
   wear.comparison = compare(prepared, wear, budget);
   return wear;
 }

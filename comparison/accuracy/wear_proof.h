@@ -15,10 +15,12 @@ struct ProvedWear {
   Resolution resolution;
   WearLimits limits;
   std::optional<mdr::WearKinetics> kinetics = {};  ///< to the last cycle of the finite elements; see wear_kinetics_of
-  /// Of the worn profile from either limit, see distance_to_limit.
-  double distance_shakedown = 0, distance_first_slip = 0;
-  /// Share of the rings outside the stick radius in the force of the largest pressures at the end: where wear has ended
-  /// and this has not fallen to nothing, what is pressed there sticks.
+  bool springs_agree = false;                      ///< with springs of finer steps, where their volume is compared
+  /// Of the profile from either limit, see distance_to_limit, at each point of the course.
+  std::vector<double> distance_shakedown = {}, distance_first_slip = {};
+  /// Force that the largest pressures in a cycle bear outside the stick radius (and the tolerance of the distance) at
+  /// the end, over that of the whole contact at the start. Where wear has ended and this is not nothing, what is
+  /// pressed there sticks.
   double pressed_outside = 0;
   Comparison comparison = {};
   int n_computations = 0;

@@ -17,7 +17,8 @@ WearLimits wear_limits(const MdrCase& mdr, const MdrAnswer& answer) {
   return {limit(answer.stick_radius_shakedown), limit(answer.stick_radius_first_slip)};
 }
 
-std::optional<mdr::WearKinetics> wear_kinetics_of(const Case& input, const MdrCase& mdr, double n_cycles) {
+std::optional<mdr::WearKinetics> wear_kinetics_of(const Case& input, const MdrCase& mdr, double n_cycles,
+                                                  int steps_per_cycle) {
   const auto& wear = input.wear_kinetics.value();
   const auto motion = mdr::one_harmonic_each(mdr.motion);
   if (wear.law == Case::WearLaw::power || !motion || !motion->phase ||
@@ -25,7 +26,9 @@ std::optional<mdr::WearKinetics> wear_kinetics_of(const Case& input, const MdrCa
     return std::nullopt;
   const double coefficient =
       wear.law == Case::WearLaw::energy ? mdr.friction_coefficient * wear.coefficient : wear.coefficient;
-  return mdr::wear_kinetics(mdr.profile, mdr.body, mdr.friction_coefficient, *motion, {coefficient, n_cycles});
+  mdr::WearControl control{coefficient, n_cycles};
+  control.steps_per_cycle = steps_per_cycle;
+  return mdr::wear_kinetics(mdr.profile, mdr.body, mdr.friction_coefficient, *motion, control);
 }
 
 nlohmann::ordered_json to_json(const mdr::WearKinetics& kinetics) {

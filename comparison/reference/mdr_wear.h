@@ -19,7 +19,8 @@ WearLimits wear_limits(const MdrCase& mdr, const MdrAnswer& answer);
 
 /// The course of the wear of a case by springs. Empty: the law is not linear in the pressure, or the motion has several
 /// harmonics, other frequencies or no locked phase, which they do not have.
-std::optional<mdr::WearKinetics> wear_kinetics_of(const Case& input, const MdrCase& mdr, double n_cycles);
+std::optional<mdr::WearKinetics> wear_kinetics_of(const Case& input, const MdrCase& mdr, double n_cycles,
+                                                  int steps_per_cycle = mdr::WearControl{}.steps_per_cycle);
 
 /// The "wear" object of `fretval mdr --json` and result.json; SI units.
 nlohmann::ordered_json to_json(const mdr::WearKinetics& kinetics);

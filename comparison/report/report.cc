@@ -14,6 +14,7 @@
 #include "comparison/report/table.h"
 #include "comparison/report/trade_section.h"
 #include "comparison/report/verdict_section.h"
+#include "comparison/report/wear_section.h"
 #include "comparison/results/results_folder.h"
 #include "comparison/support/escape.h"
 #include "comparison/support/files.h"
@@ -284,11 +285,11 @@ fs::path write_report(const fs::path& folder) {
   std::string sections;
   for (const auto& section :
        {of_results(verdict_section), of_results(radii_section), of_results(phase_section), of_results(rheology_section),
-        of_results(motions_section), of_results(limiting_section), of_results(single_cases_section),
-        of_results(budget_section), trade_section(folder), section_of(folder / "tolerance.json", suite_section),
-        section_of(folder / "extremes.json", suite_section), section_of(folder / "random.json", suite_section),
-        section_of(folder / "exact.json", convergence_section), of_results(cost_section),
-        of_results(all_cases_section)})
+        of_results(motions_section), of_results(limiting_section), of_results(wear_section),
+        of_results(single_cases_section), of_results(budget_section), trade_section(folder),
+        section_of(folder / "tolerance.json", suite_section), section_of(folder / "extremes.json", suite_section),
+        section_of(folder / "random.json", suite_section), section_of(folder / "exact.json", convergence_section),
+        of_results(cost_section), of_results(all_cases_section)})
     sections += section;
   if (sections.empty())
     throw InputError(

@@ -80,9 +80,9 @@ std::string wear_text(const ProvedWear& wear, const Units& units) {
   if (wear.ends_in_limit())
     return text +
            fmt::format("; nothing wears any more\n  worn profile: {:.1e} from the limiting one (in r/a and f/d max)\n",
-                       wear.distance_shakedown);
+                       wear.distance_shakedown.back());
   if (wear.fe.course.end == fem::WearEnd::cycles)
-    return text + fmt::format("; still {:.2g} from the limiting profile\n", wear.distance_shakedown);
+    return text + fmt::format("; still {:.2g} from the limiting profile\n", wear.distance_shakedown.back());
   return text + "; what still bears pressure sticks throughout, and wears no more\n";
 }
 

@@ -29,6 +29,7 @@ ordered_json case_json(const CaseResult& result) {
                     {"rheology", input.elastomer.rheology},
                     {"friction_coefficient", input.friction_coefficient},
                     {"indentation", motion.indentation},
+                    {"indentation_max", result.fem_case.units.depth},
                     {"normal_amplitude", motion.normal.front().amplitude},
                     {"tangential_amplitude", motion.tangential.front().amplitude},
                     {"frequency", motion.normal.front().frequency},

@@ -169,6 +169,12 @@ std::string section_of(const fs::path& file, std::string (*section)(const ordere
   }
 }
 
+std::vector<std::string> column_names(const fs::path& file) {
+  std::ifstream stream(file);
+  std::string line;
+  return std::getline(stream, line) ? split(line) : std::vector<std::string>{};
+}
+
 std::pair<std::vector<double>, std::vector<double>> read_columns(const fs::path& file, const std::string& x,
                                                                  const std::string& y) {
   std::ifstream stream(file);

@@ -32,6 +32,9 @@ std::vector<StoredResult> read_results(const std::filesystem::path& folder);
 /// none that the section takes.
 std::string section_of(const std::filesystem::path& file, std::string (*section)(const nlohmann::ordered_json&));
 
+/// Names of the columns of a CSV file; empty if it is not there.
+std::vector<std::string> column_names(const std::filesystem::path& file);
+
 /// Two columns of a CSV file; empty if the file or a column is not there.
 std::pair<std::vector<double>, std::vector<double>> read_columns(const std::filesystem::path& file,
                                                                  const std::string& x, const std::string& y);

@@ -69,12 +69,16 @@ ordered_json to_json(const ProvedWear& wear, const Units& units) {
     json["contact_radius"].push_back(point.contact_radius * units.length);
     json["stick_radius"].push_back(point.stick_radius * units.length);
   }
+  json["distance_to_shakedown_limit"] = wear.distance_shakedown;
+  json["distance_to_first_slip_limit"] = wear.distance_first_slip;
   json["r"] = list(units.length * wear.fe.centre);
   json["worn_depth"] = list(units.depth * course.worn.back());
   json["end"] = name_of(course.end);
   json["ends_in_limit"] = wear.ends_in_limit();
-  json["distance_to_limit"] = {{"shakedown", wear.distance_shakedown}, {"first_slip", wear.distance_first_slip}};
+  json["distance_to_limit"] = {{"shakedown", wear.distance_shakedown.back()},
+                               {"first_slip", wear.distance_first_slip.back()}};
   json["volume_of_limit"] = mdr::worn_volume(wear.limits.shakedown);
+  json["springs_agree"] = wear.springs_agree;
   json["pressed_outside"] = wear.pressed_outside;
   json["zones"] = {{"start", zones_json(course.first)}, {"end", zones_json(course.last)}};
   json["resolution"] = resolution_json(wear.resolution);

@@ -35,21 +35,22 @@ double worn_radius_of(const WearSimulation& wear) {
   Eigen::Index outermost = worn.size() - 1;
   while (outermost >= 0 && worn[outermost] <= nothing) --outermost;
   if (outermost < 0) return 0;
-  const double edge = wear.radii[static_cast<std::size_t>(outermost) + 1];
-  if (outermost < 2 || worn[outermost - 2] <= worn[outermost - 1]) return edge;
+  const auto ring = static_cast<std::size_t>(outermost);
+  if (outermost < 2 || worn[outermost - 2] <= worn[outermost - 1]) return wear.radii[ring + 1];
   const double inner = wear.centre[outermost - 2], outer = wear.centre[outermost - 1];
   const double fall = (worn[outermost - 2] - worn[outermost - 1]) / (outer - inner);
-  return std::min(outer + worn[outermost - 1] / fall, edge);
+  return std::min(outer + worn[outermost - 1] / fall, wear.radii[ring + 2]);
 }
 
 }  // namespace
 
 Resolution resolution_for_wear(const Resolution& of_the_case) {
-  constexpr unsigned rings = 96;
-  constexpr int steps = 96;
-  constexpr double edge_ring = 1e-4;
+  constexpr unsigned rings = 64, degree = 5;
+  constexpr int steps = 144;
+  constexpr double edge_ring = 2e-4;
   Resolution r = of_the_case;
   r.elements_per_radius = rings;
+  r.degree = degree;
   r.steps_per_cycle = steps;
   r.worn_edge_ring = edge_ring;
   r.focus.reset();

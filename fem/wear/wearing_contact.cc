@@ -69,14 +69,17 @@ void WearingContact::settle() {
     const Eigen::VectorXd before = period_.path;
     run_period(0);
     if (!slip_repeats(before)) continue;
-    return take_creep_for_stick();
+    return take_dying_slip_for_stick(before);
   }
   throw SolverError(fmt::format("slip still changes after {} periods on the same profile", most_periods));
 }
 
-void WearingContact::take_creep_for_stick() {
+void WearingContact::take_dying_slip_for_stick(const Eigen::VectorXd& path_before) {
+  constexpr double roundoff = 1e-9, dying = 1e-3;  // of the longest path; of the ring's own, in a period
+  const double creep = slip_of_stuck_ring(normal_.motion()), nothing = roundoff * period_.path.maxCoeff();
   for (Eigen::Index i = 0; i < period_.path.size(); ++i) {
-    if (period_.path[i] > slip_of_stuck_ring(normal_.motion())) continue;
+    const double path = period_.path[i];
+    if (path > nothing && (path > creep || path > (1 - dying) * path_before[i])) continue;
     period_.slip.row(i).setZero();
     period_.path[i] = period_.rate[i] = 0;
   }

@@ -56,7 +56,7 @@ class WearingContact {
   [[nodiscard]] bool slip_repeats(const Eigen::VectorXd& path_before) const;
   [[nodiscard]] int period_steps() const { return normal_.steps_per_cycle() * normal_.motion().cycles_per_period(); }
   void run_period(double n_cycles);
-  void take_creep_for_stick();
+  void take_dying_slip_for_stick(const Eigen::VectorXd& path_before);
 
   NormalContact normal_;
   FrictionContact friction_;

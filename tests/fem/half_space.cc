@@ -11,11 +11,27 @@
 namespace fretval::fem {
 namespace {
 
-const GridData& half_space_grid(unsigned n_per_radius) {
-  static std::map<unsigned, GridData> grids;
-  auto found = grids.find(n_per_radius);
+using Line = std::tuple<double, unsigned>;  // its length, rings per unit length
+
+const GridData& half_space_grid(const Line& line) {
+  static std::map<Line, GridData> grids;
+  auto found = grids.find(line);
+  const auto [length, n_per_radius] = line;
   if (found == grids.end())
-    found = grids.emplace(n_per_radius, quarter_disc_grid(1.125, n_per_radius * 9 / 8, 25, 0.15)).first;
+    found =
+        grids.emplace(line, quarter_disc_grid(length, static_cast<unsigned>(n_per_radius * length), 25, 0.15)).first;
+  return found->second;
+}
+
+const ContactProblem& condensed(const Line& line, Harmonic harmonic, unsigned degree) {
+  static std::map<std::tuple<Line, Harmonic, unsigned>, ContactProblem> problems;
+  const auto key = std::make_tuple(line, harmonic, degree);
+  auto found = problems.find(key);
+  if (found == problems.end()) {
+    const HarmonicSpace space(half_space_grid(line), harmonic, degree);
+    const Condensation condensation(assemble_skeleton_stiffness(space), space.contact_line().dofs, "half-space");
+    found = problems.emplace(key, contact_compliance(space.contact_line(), condensation)).first;
+  }
   return found->second;
 }
 
@@ -29,15 +45,11 @@ GridData quarter_disc_grid(double contact_length, unsigned n_contact, double far
 }
 
 const ContactProblem& half_space(Harmonic harmonic, unsigned n_per_radius, unsigned degree) {
-  static std::map<std::tuple<Harmonic, unsigned, unsigned>, ContactProblem> problems;
-  const auto key = std::make_tuple(harmonic, n_per_radius, degree);
-  auto found = problems.find(key);
-  if (found == problems.end()) {
-    const HarmonicSpace space(half_space_grid(n_per_radius), harmonic, degree);
-    const Condensation condensation(assemble_skeleton_stiffness(space), space.contact_line().dofs, "half-space");
-    found = problems.emplace(key, contact_compliance(space.contact_line(), condensation)).first;
-  }
-  return found->second;
+  return condensed({1.125, n_per_radius}, harmonic, degree);
+}
+
+const ContactProblem& long_half_space(Harmonic harmonic, unsigned n_per_radius) {
+  return condensed({1.375, n_per_radius}, harmonic, 3);
 }
 
 }  // namespace fretval::fem

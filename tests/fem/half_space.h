@@ -21,4 +21,7 @@ inline const ContactProblem& tangential_half_space(unsigned n_per_radius) {
   return half_space(Harmonic::tangential, n_per_radius);
 }
 
+/// The same with a line of 1.375, for indenters that wear beyond their first contact.
+const ContactProblem& long_half_space(Harmonic harmonic, unsigned n_per_radius);
+
 }  // namespace fretval::fem

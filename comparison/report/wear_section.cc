@@ -1,0 +1,263 @@
+#include "comparison/report/wear_section.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include "comparison/report/figures.h"
+#include "comparison/report/table.h"
+#include "comparison/report/zone_map.h"
+#include "comparison/support/escape.h"
+
+namespace fretval {
+namespace {
+
+using Results = std::vector<StoredResult>;
+using nlohmann::ordered_json;
+using Numbers = std::vector<double>;
+
+const ordered_json* wear_of(const StoredResult& r) {
+  const auto& fe = r.json.at("fe");
+  const auto found = fe.find("wear");
+  return found == fe.end() ? nullptr : &*found;
+}
+
+const ordered_json* mdr_wear_of(const StoredResult& r) {
+  const auto& mdr = r.json.at("mdr");
+  const auto found = mdr.find("wear");
+  return found == mdr.end() ? nullptr : &*found;
+}
+
+double length_of(const StoredResult& r) {
+  return r.number("scene", "contact_radius_unworn");
+}
+
+double depth_of(const StoredResult& r) {
+  return r.number("scene", "indentation_max");
+}
+
+std::string law_text(const StoredResult& r) {
+  const auto& law = r.json.at("scene").at("wear_law");
+  const auto name = law.at("law").get<std::string>();
+  return name == "power" ? fmt::format("p^{:g}", law.at("exponent").get<double>()) : name;
+}
+
+std::string end_text(const ordered_json& wear) {
+  if (wear.at("ends_in_limit").get<bool>()) return "nothing wears any more";
+  return wear.at("end") == "cycles asked for" ? "cycles asked for" : "all that is pressed sticks";
+}
+
+std::string wear_difference_text(const StoredResult& r, const char* key) {
+  const auto& comparison = r.json.at("comparison");
+  if (!comparison.contains(key)) return "–";
+  const auto& d = comparison.at(key);
+  return fmt::format("{} ± {}", number_text(d.at("difference")), number_text(d.at("error_bar")));
+}
+
+Table table_of(const Results& results) {
+  Table table{{"case", "body", "law", "c / a<sub>0</sub>", "distance from the limit", "… of the first-slip radius",
+               "a<sub>∞</sub> / a<sub>0</sub>, MDR", "difference", "volume over that of the limit",
+               "difference from MDR", "cycles", "end", "seconds"}};
+  for (const auto& r : results) {
+    const auto* wear = wear_of(r);
+    if (!wear) continue;
+    const auto& distance = wear->at("distance_to_limit");
+    table.rows.push_back(
+        {r.json.at("name").get<std::string>(), r.text("scene", "rheology"), law_text(r),
+         fmt::format("{:.4f}", r.number("fe", "stick_radius_shakedown") / length_of(r)),
+         number_text(distance.at("shakedown")), number_text(distance.at("first_slip")),
+         fmt::format("{:.4f}", r.number("mdr", "worn_radius") / length_of(r)), wear_difference_text(r, "worn_radius"),
+         fmt::format("{:.5f}", wear->at("volume").back().get<double>() / wear->at("volume_of_limit").get<double>()),
+         wear_difference_text(r, "worn_volume"), fmt::format("{:.2g}", wear->at("cycles").back().get<double>()),
+         words_cell(end_text(*wear)), fmt::format("{:.1f}", wear->at("cost").at("seconds").get<double>())});
+  }
+  return table;
+}
+
+Series curve_from(const StoredResult& r, const char* file, const std::string& column, const Series& look) {
+  auto [radius, height] = read_columns(r.folder / file, "r [m]", column);
+  Series series = look;
+  for (std::size_t i = 0; i < radius.size(); ++i) {
+    series.x.push_back(radius[i] / length_of(r));
+    series.y.push_back(height[i] / depth_of(r));
+  }
+  return series;
+}
+
+/// Every so many points of a curve, in equal distances along it.
+Series thinned(const Series& series, double distance) {
+  Series few = series;
+  few.x.clear();
+  few.y.clear();
+  for (std::size_t i = 0; i < series.x.size(); ++i)
+    if (few.x.empty() || std::hypot(series.x[i] - few.x.back(), series.y[i] - few.y.back()) >= distance) {
+      few.x.push_back(series.x[i]);
+      few.y.push_back(series.y[i]);
+    }
+  return few;
+}
+
+/// All that has worn to its end under one shape: limits as lines, worn profiles as points, a colour a stick radius.
+Figure claim_figure(const Results& results, const std::string& shape) {
+  Plot plot{fmt::format("{}: where wear ends", shape), "r / a_0", "f / d_{max}"};
+  plot.key_right = true;
+  std::vector<double> radii;
+  const auto colour_of = [&](double c) {
+    const auto found =
+        std::find_if(radii.begin(), radii.end(), [c](double other) { return std::abs(c - other) < 2e-3; });
+    if (found == radii.end()) radii.push_back(c);
+    return static_cast<int>(std::min(found, radii.end()) - radii.begin());
+  };
+  for (const auto& r : results) {
+    const auto* wear = wear_of(r);
+    if (!wear || r.text("scene", "shape") != shape || !wear->at("ends_in_limit").get<bool>()) continue;
+    const double c = r.number("mdr", "stick_radius_shakedown") / length_of(r);
+    const auto n_before = radii.size();
+    const int colour = colour_of(c);
+    if (radii.size() > n_before)
+      plot.series.push_back(curve_from(r, "profile.csv", "f limiting [m]",
+                                       {fmt::format("c = {:.2f} a_0", c), {}, {}, Series::Style::line, colour}));
+    plot.series.push_back(
+        thinned(curve_from(r, "worn_profile.csv", "f [m]", {"", {}, {}, Series::Style::points, colour}), 0.05));
+  }
+  plot.x_range = {0, 1.5};
+  plot.y_range = {0, 1.2};
+  return {std::move(plot),
+          "Lines: the limiting profiles of MDR's shakedown radii. Points: the indenters that finite elements have worn "
+          "until nothing wears any more, whatever the law of wear, its coefficient and the rheology."};
+}
+
+Figure sequence_figure(const StoredResult& r) {
+  Plot plot{"Profile in the course of wear", "r / a_0", "f / d_{max}"};
+  plot.key_right = true;
+  int colour = 0;
+  for (const auto& column : column_names(r.folder / "wear.csv"))
+    if (column.rfind("f after", 0) == 0)
+      plot.series.push_back(curve_from(r, "wear.csv", column,
+                                       {column.substr(2, column.size() - 6), {}, {}, Series::Style::line, colour++}));
+  plot.series.push_back(
+      curve_from(r, "profile.csv", "f limiting [m]", {"limit, MDR", {}, {}, Series::Style::dashed, 7}));
+  plot.x_range = {0, 1.5};
+  plot.y_range = {0, 1.2};
+  return {std::move(plot), "Lines: finite elements. Dashed: the limiting profile."};
+}
+
+/// From the second point on, for a logarithm of the cycles.
+Series over_cycles(const ordered_json& wear, const char* key, double unit, const Series& look) {
+  Series series = look;
+  const auto cycles = wear.at("cycles").get<Numbers>(), values = wear.at(key).get<Numbers>();
+  for (std::size_t i = 1; i < cycles.size(); ++i) {
+    series.x.push_back(cycles[i]);
+    series.y.push_back(values[i] / unit);
+  }
+  return series;
+}
+
+Figure volume_figure(const StoredResult& r, const ordered_json& wear) {
+  Plot plot{"Worn volume", "cycles", "over that of the limiting profile"};
+  plot.log_x = plot.key_right = true;
+  const double unit = wear.at("volume_of_limit").get<double>();
+  if (const auto* mdr = mdr_wear_of(r))
+    plot.series.push_back(over_cycles(*mdr, "volume", unit, {"MDR", {}, {}, Series::Style::line, 0}));
+  plot.series.push_back(over_cycles(wear, "volume", unit, {"finite elements", {}, {}, Series::Style::points, 1}));
+  return {std::move(plot), "Points: the jumps of the finite elements over many cycles."};
+}
+
+Figure distance_figure(const ordered_json& wear) {
+  Plot plot{"Distance from the limiting profile", "cycles", "in r / a_0 and f / d_{max}"};
+  plot.log_x = plot.log_y = plot.key_right = true;
+  plot.series.push_back(over_cycles(wear, "distance_to_shakedown_limit", 1,
+                                    {"of the shakedown radius", {}, {}, Series::Style::line_points, 1}));
+  plot.series.push_back(over_cycles(wear, "distance_to_first_slip_limit", 1,
+                                    {"of the first-slip radius", {}, {}, Series::Style::line_points, 0}));
+  return {std::move(plot), "Largest distance of a ring of the worn profile from either curve."};
+}
+
+Figure pressure_figure(const StoredResult& r) {
+  Plot plot{"Largest pressure in the cycle", "r / a_0", "p in MPa"};
+  plot.key_right = true;
+  int colour = 0;
+  for (const char* when : {"start", "end"}) {
+    auto [radius, pressure] = read_columns(r.folder / "wear.csv", "r [m]", fmt::format("p largest, {} [Pa]", when));
+    Series series{when, {}, {}, Series::Style::line, colour++};
+    for (std::size_t i = 0; i < radius.size(); ++i) {
+      series.x.push_back(radius[i] / length_of(r));
+      series.y.push_back(pressure[i] / 1e6);
+    }
+    plot.series.push_back(std::move(series));
+  }
+  plot.x_range = {0, 1.5};
+  const auto& start = plot.series.front().y;
+  plot.y_range = {0, start.empty() ? 1 : 3 * *std::max_element(start.begin(), start.end())};
+  return {std::move(plot), "At the end the pressure is singular at the edge of the stick zone, and nothing beyond."};
+}
+
+std::string course_html(const StoredResult& r, const ordered_json& wear) {
+  const auto radii = wear.at("r").get<Numbers>();
+  std::string maps;
+  for (const char* when : {"start", "end"})
+    maps += zone_map_figure(fmt::format("Stick, slip and open, {} of the wear", when), radii, length_of(r),
+                            wear.at("zones").at(when).get<std::vector<std::string>>());
+  return fmt::format("<h3>The course of {}</h3>\n", html_escaped(r.json.at("name").get<std::string>())) +
+         figures_html({sequence_figure(r), volume_figure(r, wear), pressure_figure(r), distance_figure(wear)}) +
+         "<div class=\"figures\">\n" + maps + "</div>\n";
+}
+
+std::string findings_text(const Results& results) {
+  int n = 0, n_limit = 0;
+  double farthest = 0, nearest_first_slip = std::numeric_limits<double>::infinity();
+  for (const auto& r : results) {
+    const auto* wear = wear_of(r);
+    if (!wear) continue;
+    ++n;
+    if (!wear->at("ends_in_limit").get<bool>()) continue;
+    ++n_limit;
+    const auto& distance = wear->at("distance_to_limit");
+    const double shakedown = distance.at("shakedown"), first_slip = distance.at("first_slip");
+    farthest = std::max(farthest, shakedown);
+    // Where both radii are the same, so are the limits.
+    if (first_slip > 2 * shakedown) nearest_first_slip = std::min(nearest_first_slip, first_slip);
+  }
+  auto text = fmt::format("{} of {} indenters have worn until nothing wears any more; ", n_limit, n);
+  if (n_limit > 0)
+    text += fmt::format(
+        "the farthest of them ends {:.1e} from the limiting profile of the shakedown radius, in the plane of "
+        "r/a<sub>0</sub> and f/d<sub>max</sub>. ",
+        farthest);
+  if (std::isfinite(nearest_first_slip))
+    text += fmt::format(
+        "From the limit of the first-slip radius, where that is another one, they stay at least {:.2g} "
+        "away. ",
+        nearest_first_slip);
+  return text;
+}
+
+}  // namespace
+
+std::string wear_section(const Results& results) {
+  const auto table = table_of(results);
+  if (table.rows.empty()) return "";
+  std::vector<Figure> claims;
+  std::set<std::string> shapes, families;
+  std::string courses;
+  for (const auto& r : results) {
+    const auto* wear = wear_of(r);
+    if (!wear) continue;
+    if (wear->at("ends_in_limit").get<bool>() && shapes.insert(r.text("scene", "shape")).second)
+      claims.push_back(claim_figure(results, r.text("scene", "shape")));
+    if (families.insert(r.family()).second) courses += course_html(r, *wear);
+  }
+  return "<h2>Wear to the end</h2>\n<p>Finite elements run the fretting, and the indenter wears where it slips under "
+         "pressure, until nothing wears any more. MDR has the shape it must end in. " +
+         findings_text(results) + "</p>\n" + figures_html(claims) + html_of(table) +
+         "<p class=\"soft\">Distances and radii over the unworn contact radius, volumes over that of the limiting "
+         "profile, with the error bar of the finite elements. Where all that is pressed sticks, wear stops before the "
+         "limit, and the volume is compared with the springs of MDR.</p>\n<details><summary>The course of wear, one "
+         "case of each family</summary>\n" +
+         courses + "</details>\n";
+}
+
+}  // namespace fretval

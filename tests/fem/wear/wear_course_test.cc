@@ -1,0 +1,118 @@
+#include "fem/wear/wear_course.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/fem/wear/wearing_half_space.h"
+
+namespace fretval::fem::wear_course_test {
+namespace {
+
+constexpr WearLaw archard{1e-3};
+
+// docs/theory.md: where nothing wears any more, the indenter is the limiting profile. Second order in the rings.
+TEST(WearCourse, EndsInTheLimitingProfileWithSecondOrder) {
+  const auto error = [](unsigned n_per_radius) {
+    const WearingHalfSpace half_space(n_per_radius);
+    return half_space.distance_from_limit(half_space.course(archard).worn.back());
+  };
+  const double fine = error(32);
+  EXPECT_LT(fine, 5e-4);
+  EXPECT_GT(error(16) / fine, 3);
+}
+
+// In the state that no law wears any more.
+TEST(WearCourse, EndsThereWhateverTheLaw) {
+  const WearingHalfSpace half_space;
+  const auto reference = half_space.course(archard).worn.back();
+  for (const WearLaw& law : {WearLaw{1e-2}, WearLaw{1e-3, 0.5}, WearLaw{1e-3, 2}})
+    EXPECT_LT((half_space.course(law).worn.back() - reference).cwiseAbs().maxCoeff(), 2e-4) << law.exponent;
+}
+
+// A standard solid with |G|/G0 = 1.2 has the same c under motions 1.2 times smaller. Of the motion the limit knows c
+// and the largest indentation alone.
+TEST(WearCourse, EndsThereWhateverTheRheology) {
+  WearingHalfSpace half_space;
+  const double rho = 1.2;
+  half_space.body = {1, {std::sqrt(2 * rho * rho - 1) - 1}, {1}, 0};
+  half_space.motion.normal[0].amplitude /= rho;
+  half_space.motion.tangential[0].amplitude /= rho;
+  half_space.motion.n_ramp_cycles = 8;
+  const auto course = half_space.course(archard);
+  EXPECT_EQ(course.curve.back().stick_radius, WearingHalfSpace::stick_radius);
+  EXPECT_LT(half_space.distance_from_limit(course.worn.back()), 5e-4);
+}
+
+// Reye: volume = k/mu times the work of friction, summed over the cycles by trapezoids. First order in the jumps.
+TEST(WearCourse, VolumeIsTheWorkOfFrictionTimesItsCoefficient) {
+  const WearingHalfSpace half_space;
+  const auto error = [&](double jump) {
+    const auto course = half_space.course(archard, jump, 2e3);
+    double work = 0;
+    for (std::size_t i = 1; i < course.curve.size(); ++i) {
+      const auto &before = course.curve[i - 1], &after = course.curve[i];
+      work += (after.cycles - before.cycles) * (before.friction_work + after.friction_work) / 2;
+    }
+    return std::abs(work * archard.coefficient / WearingHalfSpace::mu / course.curve.back().volume - 1);
+  };
+  const double small = error(2.5e-3);
+  EXPECT_LT(small, 1.2e-2);
+  EXPECT_GT(error(1e-2) / small, 3);
+}
+
+TEST(WearCourse, LeavesTheStickZoneAloneAndNeverGrows) {
+  const WearingHalfSpace half_space;
+  const auto course = half_space.course(archard);
+  const auto n_stuck = static_cast<Eigen::Index>(WearingHalfSpace::stick_radius * 32);
+  ASSERT_GT(course.worn.size(), 10u);
+  for (std::size_t i = 1; i < course.worn.size(); ++i) {
+    EXPECT_TRUE(course.worn[i].head(n_stuck).isZero(0)) << i;
+    EXPECT_GE((course.worn[i] - course.worn[i - 1]).minCoeff(), 0) << i;
+  }
+  EXPECT_GT(course.worn.back()[n_stuck + 1], 0.05);
+  EXPECT_EQ(course.curve.back().stick_radius, WearingHalfSpace::stick_radius);
+}
+
+// What is pressed at the end does not slip: the singular pressure of the limiting state ends at c.
+TEST(WearCourse, BearsNothingOutsideInTheEnd) {
+  const auto course = WearingHalfSpace().course(archard);
+  const auto n_stuck = static_cast<Eigen::Index>(WearingHalfSpace::stick_radius * 32);
+  const auto& pressure = course.last.largest_pressure;
+  EXPECT_LT(pressure.tail(pressure.size() - n_stuck).maxCoeff(), 1e-5 * pressure.maxCoeff());
+  EXPECT_GT(pressure[n_stuck - 1], 2 * course.first.largest_pressure[n_stuck - 1]);
+}
+
+// Jumps over many cycles against each cycle by itself: first order.
+TEST(WearCourse, JumpsTendToTheProfileOfTheCyclesOneByOne) {
+  const WearingHalfSpace half_space;
+  const WearLaw strong{1e-2};
+  constexpr int n = 160;
+  const auto worn = [&](double jump) { return half_space.course(strong, jump, n); };
+  const auto single = worn(2.4e-4), jumps = worn(4e-3);
+  EXPECT_GT(single.n_jumps, n - 20);
+  EXPECT_LT(jumps.n_jumps, n / 8);
+  const auto error = [&](const WearCourse& course) {
+    return (course.worn.back() - single.worn.back()).cwiseAbs().maxCoeff();
+  };
+  EXPECT_LT(error(jumps), 1e-3);
+  EXPECT_GT(error(worn(1.6e-2)) / error(jumps), 3);
+}
+
+TEST(WearCourse, EndsWhereItIsTold) {
+  const WearingHalfSpace half_space;
+  const auto by_cycles = half_space.course(archard, 0.01, 700);
+  EXPECT_EQ(by_cycles.end, WearEnd::cycles);
+  EXPECT_EQ(by_cycles.curve.back().cycles, 700);
+  const auto by_rate = half_space.course(archard, 0.01, infinity, 0.1);
+  EXPECT_EQ(by_rate.end, WearEnd::rate);
+  EXPECT_LE(by_rate.curve.back().volume_rate, 0.1 * by_rate.curve.front().volume_rate);
+  EXPECT_GT(by_rate.curve[by_rate.curve.size() - 2].volume_rate, 0.1 * by_rate.curve.front().volume_rate);
+  const auto never = half_space.course({0});
+  EXPECT_EQ(never.end, WearEnd::nothing_left);
+  EXPECT_EQ(never.n_jumps, 0);
+  EXPECT_EQ(never.curve.size(), 1u);
+}
+
+}  // namespace
+}  // namespace fretval::fem::wear_course_test

@@ -1,0 +1,67 @@
+#include "fem/wear/wearing_contact.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/fem/wear/wearing_half_space.h"
+
+namespace fretval::fem::wearing_contact_test {
+namespace {
+
+// A few cycles at once wear off what as many would at the rate of the last one; roundoff but for the fall of pressure.
+TEST(WearingContact, WearsOffTheRateTimesTheCycles) {
+  const WearingHalfSpace half_space;
+  auto contact = half_space.contact({1e-3});
+  contact.settle();
+  const Eigen::VectorXd rate = contact.period().rate;
+  ASSERT_GT(rate.maxCoeff(), 0);
+  contact.wear_off(1e-3);
+  EXPECT_LT((contact.worn() - 1e-3 * rate).cwiseAbs().maxCoeff(), 1e-5 * 1e-3 * rate.maxCoeff());
+}
+
+// The rate itself: k p |ds| of each step.
+TEST(WearingContact, RateIsTheLawAtSlipAndPressure) {
+  const WearingHalfSpace half_space;
+  for (const double exponent : {1.0, 2.0}) {
+    auto contact = half_space.contact({0.3, exponent});
+    contact.settle();
+    const auto& [slip, pressure, path, rate, largest, work] = contact.period();
+    const Eigen::ArrayXXd depth = 0.3 * pressure.array().pow(exponent) * slip.array().abs();
+    EXPECT_LT((depth.rowwise().sum() - rate.array()).abs().maxCoeff(), 1e-12 * rate.maxCoeff());
+    EXPECT_NEAR(path.maxCoeff(), slip.cwiseAbs().rowwise().sum().maxCoeff(), 1e-15);
+    if (exponent != 1) continue;
+    EXPECT_NEAR(work * 0.3 / WearingHalfSpace::mu, rate.dot(half_space.normal.compliance.areas), 1e-10 * work);
+  }
+}
+
+// However many cycles, none wears beyond the plane of the largest indentation, where nothing bears any more.
+TEST(WearingContact, HoweverManyCyclesWearNoDeeperThanThePressure) {
+  const WearingHalfSpace half_space;
+  auto contact = half_space.contact({1e-3});
+  contact.settle();
+  contact.wear_off(1e12);
+  const Eigen::VectorXd worn = contact.worn();
+  EXPECT_GT(worn.maxCoeff(), 0.1);
+  const Eigen::VectorXd height = half_space.profile + worn;
+  EXPECT_LT((worn.array() > 0).select(height, 0).maxCoeff(), 1);
+}
+
+// Of a ring in the middle, one in the slip zone, and one that never touches.
+TEST(WearingContact, ZonesStickSlipAndOpen) {
+  const WearingHalfSpace half_space;
+  auto contact = half_space.contact({1e-3});
+  contact.settle();
+  const auto& period = contact.period();
+  const Eigen::Index n = half_space.profile.size();
+  int forward = 0, backward = 0;
+  for (Eigen::Index k = 0; k < period.slip.cols(); ++k) {
+    EXPECT_EQ(period.zone(2, k), 's');
+    EXPECT_EQ(period.zone(n - 1, k), 'o');
+    forward += period.zone(24, k) == 'f' ? 1 : 0;
+    backward += period.zone(24, k) == 'b' ? 1 : 0;
+  }
+  EXPECT_GT(forward, 5);
+  EXPECT_GT(backward, 5);
+}
+
+}  // namespace
+}  // namespace fretval::fem::wearing_contact_test
