@@ -5,6 +5,7 @@
 #include <string>
 
 #include "comparison/simulation/body.h"
+#include "comparison/simulation/normal_store.h"
 #include "comparison/support/made_once.h"
 
 namespace fretval {
@@ -15,11 +16,12 @@ struct MeshSource {
   std::function<meshes::Mesh(const BodySpecification&)> mesh_of = fretval::mesh_of;
 };
 
-/// The bodies that cases and their refinements share.
+/// The bodies that cases and their refinements share, with the normal histories on them.
 class BodyStore : public MadeOnce<BodySpecification, ContactBody> {
  public:
   explicit BodyStore(MeshSource source = {}) : meshes(std::move(source)) {}
   const MeshSource meshes;
+  NormalStore normals;
 };
 
 /// Mesh, operators and condensation of a specification, unless the store has them. whole: set to the whole body if it

@@ -25,27 +25,17 @@ class ProblemsAtSlack {
   std::optional<fem::ContactProblem> normal_, tangential_;
 };
 
-/// Friction beside the normal contact, or none where the indenter does not move tangentially.
-class Friction {
- public:
-  Friction(const ContactProblems& problems, const FemCase& fem, const fem::NormalContact& at_start) {
-    if (problems.tangential)
-      moved_.emplace(*problems.tangential, fem.relaxation, fem.friction_coefficient, fem.motion,
-                     at_start.steps_per_cycle());
-    else
-      at_rest_.emplace(at_start, fem.friction_coefficient);
-  }
-
-  void step(const Eigen::VectorXd& pressure) { moved_ ? moved_->step(pressure) : at_rest_->step(pressure); }
-
-  [[nodiscard]] fem::FrictionHistory history(const fem::NormalHistory& normal, const fem::HistoryControl& control) {
-    return moved_ ? fem::friction_history(std::move(*moved_), normal, control) : at_rest_->history(normal);
-  }
-
- private:
-  std::optional<fem::WatchedFriction> moved_;
-  std::optional<fem::FrictionAtRest> at_rest_;
-};
+/// The friction beside the normal contact, or none where the indenter does not move tangentially. normal: with its
+/// edges read.
+fem::FrictionHistory friction_beside(const std::vector<Eigen::VectorXd>& pressures, const fem::NormalHistory& normal,
+                                     const ContactProblems& problems, const FemCase& fem,
+                                     const fem::HistoryControl& control) {
+  if (!problems.tangential) return fem::friction_at_rest(problems.normal, fem.friction_coefficient, pressures, normal);
+  fem::WatchedFriction friction(*problems.tangential, fem.relaxation, fem.friction_coefficient, fem.motion,
+                                control.steps_per_cycle);
+  for (std::size_t k = 1; k < pressures.size(); ++k) friction.step(pressures[k]);
+  return fem::friction_history(std::move(friction), normal, control);
+}
 
 fem::HistoryControl control_of(const FemCase& fem) {
   constexpr int most_after_ramp = 800;
@@ -66,21 +56,16 @@ FeAnswer compute_case(const FemCase& fem_case, const Resolution& resolution, Bod
   const auto profile = fem::ring_means(problems.normal.compliance, fem.profile);
   const auto control = control_of(fem);
 
+  const auto record = bodies.normals.find_or_make(fem, problems.normal, profile, control);
+  auto normal = record->history;
   watch.lap();
-  const int steps_per_cycle = control.steps_per_cycle;
-  fem::NormalContact normal_contact(problems.normal, fem.relaxation, profile, fem.motion, steps_per_cycle);
-  Friction friction_contact(problems, fem, normal_contact);
-  auto normal = fem::normal_history(std::move(normal_contact), control, [&](const fem::NormalContact& contact) {
-    friction_contact.step(contact.pressure);
-  });
-  const double normal_seconds = watch.lap();
   const auto contact_radius = read_contact_radius(problems.normal, fem, profile, normal);
-  auto friction = friction_contact.history(normal, control);
+  auto friction = friction_beside(record->pressures, normal, problems, fem, control);
 
   auto answer = read_answer(problems, fem, profile, contact_radius, std::move(normal), std::move(friction));
   answer.body = body->summary;
   answer.whole_body = whole;
-  answer.seconds = {normal_seconds, watch.lap()};
+  answer.seconds = {record->seconds, watch.lap()};
   return answer;
 }
 

@@ -29,8 +29,7 @@ struct ZoneRings {
   fem::StuckRings stuck = {};
 };
 
-/// Seconds that the histories of a case took: until the normal contact repeats, with the friction beside it, and until
-/// that repeats too.
+/// Seconds that the histories of a case took, each until it repeats; of the normal one also where cases share it.
 struct HistoryCost {
   double normal = 0, friction = 0;
 };

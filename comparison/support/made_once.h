@@ -7,7 +7,7 @@
 
 namespace fretval {
 
-/// Values by key, each made once, for all threads.
+/// Values by key, each made once, for all threads, unless it is forgotten.
 template <class Key, class Value>
 class MadeOnce {
  public:
@@ -32,6 +32,12 @@ class MadeOnce {
       promise.set_exception(std::current_exception());
     }
     return value.get();
+  }
+
+  /// It is made again for who asks for it from now on.
+  void forget(const Key& key) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    values_.erase(key);
   }
 
  private:

@@ -40,6 +40,9 @@ class SparseFactor {
   /// S, n_interface x n_interface, in the order of interface_dofs.
   [[nodiscard]] Eigen::MatrixXd schur_complement() const;
 
+  /// Throws unless K x = rhs after one back-substitution of some rhs.
+  void probe() const;
+
   /// K^{-1} rhs: back-substitution and one refinement.
   [[nodiscard]] Eigen::VectorXd solve(const Eigen::VectorXd& rhs) const;
 

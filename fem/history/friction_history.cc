@@ -231,31 +231,23 @@ ContactHistory contact_history(NormalContact normal, WatchedFriction friction, c
   return history;
 }
 
-FrictionAtRest::FrictionAtRest(const NormalContact& contact, double friction_coefficient)
-    : problem_(contact.problem()),
-      friction_coefficient_(friction_coefficient),
-      margin_(Eigen::VectorXd::Constant(contact.pressure.size(), infinity)),
-      reserve_(contact.pressure.size(), -infinity) {
-  step(contact.pressure);
-}
-
-void FrictionAtRest::step(const Eigen::VectorXd& pressure) {
-  const Eigen::VectorXd limit = friction_coefficient_ * pressure;
-  margin_ = margin_.cwiseMin(limit);
-  reserve_.add(problem_.series.depths(limit));
-}
-
-FrictionHistory FrictionAtRest::history(const NormalHistory& normal) const {
-  const Eigen::Index n = problem_.n_rings(), n_steps = normal.steps_per_cycle;
-  RunningMinimum last_cycle(n, -infinity);
-  for (Eigen::Index k = 0; k < n_steps; ++k)
-    last_cycle.add(problem_.series.depths(friction_coefficient_ * normal.pressure.col(k)));
+FrictionHistory friction_at_rest(const ContactProblem& problem, double friction_coefficient,
+                                 const std::vector<Eigen::VectorXd>& pressures, const NormalHistory& normal) {
+  const Eigen::Index n = problem.n_rings(), n_steps = normal.steps_per_cycle;
   FrictionHistory history;
+  history.first_slip_margin = Eigen::VectorXd::Constant(n, infinity);
+  RunningMinimum since_start(n, -infinity), last_cycle(n, -infinity);
+  for (const auto& pressure : pressures) {
+    const Eigen::VectorXd limit = friction_coefficient * pressure;
+    history.first_slip_margin = history.first_slip_margin.cwiseMin(limit);
+    since_start.add(problem.series.depths(limit));
+  }
+  for (Eigen::Index k = 0; k < n_steps; ++k)
+    last_cycle.add(problem.series.depths(friction_coefficient * normal.pressure.col(k)));
   history.n_cycles = normal.n_cycles;
   history.n_steps = normal.n_steps();
-  history.first_slip_margin = margin_;
-  history.shakedown_margin = friction_coefficient_ * normal.pressure.rowwise().minCoeff();
-  history.first_slip_reserve = reserve_.value();
+  history.shakedown_margin = friction_coefficient * normal.pressure.rowwise().minCoeff();
+  history.first_slip_reserve = since_start.value();
   history.shakedown_reserve = last_cycle.value();
   history.slip_path = history.period_slip = history.friction_work = history.displacement = Eigen::VectorXd::Zero(n);
   history.force = Eigen::VectorXd::Zero(n_steps);

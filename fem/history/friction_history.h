@@ -100,19 +100,9 @@ struct ContactHistory {
 };
 ContactHistory contact_history(NormalContact normal, WatchedFriction friction, const HistoryControl& control);
 
-/// Where the indenter does not move tangentially, nothing slips: a margin is the friction limit itself.
-class FrictionAtRest {
- public:
-  /// contact: at its start.
-  FrictionAtRest(const NormalContact& contact, double friction_coefficient);
-  void step(const Eigen::VectorXd& pressure);
-  [[nodiscard]] FrictionHistory history(const NormalHistory& normal) const;
-
- private:
-  const ContactProblem& problem_;
-  double friction_coefficient_;
-  Eigen::VectorXd margin_;
-  RunningMinimum reserve_;
-};
+/// Where the indenter does not move tangentially, nothing slips: a margin is the friction limit itself. problem: the
+/// normal one; pressures: at the start, then after each step until they repeat.
+FrictionHistory friction_at_rest(const ContactProblem& problem, double friction_coefficient,
+                                 const std::vector<Eigen::VectorXd>& pressures, const NormalHistory& normal);
 
 }  // namespace fretval::fem

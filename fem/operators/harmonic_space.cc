@@ -47,18 +47,13 @@ void build_triangulation(const GridData& grid, dealii::Triangulation<2>& triangu
   triangulation.create_triangulation(points, cells, boundary);
 }
 
-bool is_interior_displacement(const HarmonicSpaceParts& parts, unsigned cell_dof) {
-  return cell_dof >= parts.element.get_first_quad_index() &&
-         parts.element.system_to_component_index(cell_dof).first + 1 < parts.element.n_components();
-}
-
 /// The number of the others is returned.
 unsigned number_interiors_last(HarmonicSpaceParts& parts) {
   std::vector<bool> interior(parts.dofs.n_dofs(), false);
   std::vector<dealii::types::global_dof_index> dofs(parts.element.n_dofs_per_cell());
   for (const auto& cell : parts.dofs.active_cell_iterators()) {
     cell->get_dof_indices(dofs);
-    for (unsigned i = 0; i < dofs.size(); ++i) interior[dofs[i]] = is_interior_displacement(parts, i);
+    for (unsigned i = 0; i < dofs.size(); ++i) interior[dofs[i]] = i >= parts.element.get_first_quad_index();
   }
   dealii::DoFRenumbering::sort_selected_dofs_back(parts.dofs, interior);
   return static_cast<unsigned>(std::count(interior.begin(), interior.end(), false));

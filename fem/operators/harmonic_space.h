@@ -28,8 +28,7 @@ struct ContactLine {
 /// 1), the angular mean of u_x, work-conjugate to a unidirectional traction tau(r) e_x. The rotation left free by the
 /// far-field condition for n = 1 is removed by one W value at the far end of the surface.
 ///
-/// Displacements of the nodes inside cells are the last dofs. The others are the skeleton: displacements of corners and
-/// edges, and all pressures.
+/// The dofs of the nodes inside cells are the last ones. The others, on corners and edges, are the skeleton.
 class HarmonicSpace {
  public:
   /// degree: of the displacement, 2 (Q2/Q1) or more. Throws std::invalid_argument for a lower one or a grid without

@@ -4,12 +4,11 @@
 
 #include "fem/operators/strain_operator.h"
 #include "fem/support/dense.h"
-#include "fem/support/solver_error.h"
 
 namespace fretval::fem {
 namespace {
 
-/// A symmetric matrix over some dofs, which ascend: displacements inside the cell are the last ones.
+/// A symmetric matrix over some dofs, which ascend: those inside the cell are the last ones.
 struct CellStiffness {
   std::vector<int> dofs;
   Eigen::MatrixXd matrix;
@@ -84,19 +83,15 @@ SparseMatrix sum_of(const std::vector<CellStiffness>& cells, unsigned n) {
   return sum;
 }
 
-/// With the Cholesky factor L of the stiffness of the displacements inside a cell, K_ii = L L^T, and H = L^-1 K_is.
-struct Interior {
-  Eigen::Index n_skeleton;
-  Eigen::MatrixXd factor, coupling;
-};
+/// `-K_ii^{-1} K_is`: what is inside a cell as its skeleton moves.
+Eigen::MatrixXd extension_of(const CellStiffness& cell, Eigen::Index n_skeleton) {
+  const Eigen::Index n = cell.matrix.rows() - n_skeleton;
+  return -cell.matrix.bottomRightCorner(n, n).partialPivLu().solve(cell.matrix.bottomLeftCorner(n, n_skeleton));
+}
 
-Interior interior_of(const CellStiffness& cell, unsigned n_skeleton_dofs) {
-  const auto first = std::lower_bound(cell.dofs.begin(), cell.dofs.end(), static_cast<int>(n_skeleton_dofs));
-  const Eigen::Index n_skeleton = first - cell.dofs.begin(), n = cell.matrix.rows() - n_skeleton;
-  auto factor = cholesky(cell.matrix.bottomRightCorner(n, n));
-  if (!factor) throw SolverError("the stiffness inside a cell is not positive definite: the cell is inverted");
-  Eigen::MatrixXd coupling = solve_lower(*factor, cell.matrix.bottomLeftCorner(n, n_skeleton));
-  return {n_skeleton, *std::move(factor), std::move(coupling)};
+/// How many of its dofs are of the skeleton.
+Eigen::Index n_skeleton_of(const CellStiffness& cell, unsigned n_skeleton_dofs) {
+  return std::lower_bound(cell.dofs.begin(), cell.dofs.end(), static_cast<int>(n_skeleton_dofs)) - cell.dofs.begin();
 }
 
 }  // namespace
@@ -110,10 +105,10 @@ SparseMatrix assemble_stiffness(const HarmonicSpace& space) {
 SparseMatrix assemble_skeleton_stiffness(const HarmonicSpace& space) {
   std::vector<CellStiffness> cells;
   for_each_cell(space, [&](CellStiffness&& cell) {
-    const auto interior = interior_of(cell, space.n_skeleton_dofs());
-    const auto n = interior.n_skeleton;
+    const auto n = n_skeleton_of(cell, space.n_skeleton_dofs()), n_inside = cell.matrix.rows() - n;
+    const Eigen::MatrixXd yielding = cell.matrix.topRightCorner(n, n_inside) * extension_of(cell, n);
     cell.dofs.resize(n);
-    cells.push_back({std::move(cell.dofs), cell.matrix.topLeftCorner(n, n) - gram(interior.coupling)});
+    cells.push_back({std::move(cell.dofs), cell.matrix.topLeftCorner(n, n) + yielding});
   });
   return sum_of(cells, space.n_skeleton_dofs());
 }
@@ -122,12 +117,10 @@ Eigen::VectorXd extend_into_cells(const HarmonicSpace& space, const Eigen::Vecto
   Eigen::VectorXd field(space.n_dofs());
   field.head(skeleton.size()) = skeleton;
   for_each_cell(space, [&](const CellStiffness& cell) {
-    const auto interior = interior_of(cell, space.n_skeleton_dofs());
-    const std::vector<int> outer(cell.dofs.begin(), cell.dofs.begin() + interior.n_skeleton);
-    const std::vector<int> inner(cell.dofs.begin() + interior.n_skeleton, cell.dofs.end());
-    Eigen::VectorXd values = -interior.coupling * field(outer);
-    interior.factor.triangularView<Eigen::Lower>().transpose().solveInPlace(values);
-    field(inner) = values;
+    const auto n = n_skeleton_of(cell, space.n_skeleton_dofs());
+    const std::vector<int> outer(cell.dofs.begin(), cell.dofs.begin() + n);
+    const std::vector<int> inner(cell.dofs.begin() + n, cell.dofs.end());
+    field(inner) = extension_of(cell, n) * field(outer);
   });
   return field;
 }

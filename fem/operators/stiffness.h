@@ -18,15 +18,14 @@ namespace fretval::fem {
 /// unit.
 SparseMatrix assemble_stiffness(const HarmonicSpace& space);
 
-/// The same without the displacements i at the nodes inside cells, which are eliminated cell by cell: over the skeleton
-/// dofs s `K_ss - K_si K_ii^{-1} K_is`, the exact stiffness of a body without loads inside its cells.
-/// K_ii is positive definite, because a displacement that vanishes on the border of a cell strains it (Korn). It gives
-/// every pressure a negative diagonal, where K_ss has none.
-/// For Q3/Q2: 14 of 22 (n = 0) and 19 of 31 (n = 1) dofs of a cell remain. Throws SolverError for a cell that is
-/// inverted.
+/// The same without the dofs i of the nodes inside cells, which are eliminated cell by cell: over the skeleton dofs s
+/// `K_ss - K_si K_ii^{-1} K_is`, the exact stiffness of a body without loads inside its cells.
+/// K_ii is regular: displacements that vanish on the border of a cell strain it (Korn), and the gradient of a pressure
+/// that vanishes there works on them. It gives every pressure a negative diagonal, where K_ss has none.
+/// For Q3/Q2: 13 of 22 (n = 0) and 18 of 31 (n = 1) dofs of a cell remain.
 SparseMatrix assemble_skeleton_stiffness(const HarmonicSpace& space);
 
-/// All dofs of a body from those of its skeleton: `u_i = -K_ii^{-1} K_is u_s` inside the cells.
+/// All dofs of a body from those of its skeleton: `x_i = -K_ii^{-1} K_is x_s` inside the cells.
 Eigen::VectorXd extend_into_cells(const HarmonicSpace& space, const Eigen::VectorXd& skeleton);
 
 }  // namespace fretval::fem

@@ -26,11 +26,6 @@ void solve_leading(const Eigen::MatrixXd& lower, Eigen::Ref<Eigen::VectorXd> x) 
               static_cast<blasint>(lower.rows()), x.data(), 1);
 }
 
-void solve_leading_transposed(const Eigen::MatrixXd& lower, Eigen::Ref<Eigen::VectorXd> x) {
-  cblas_dtrsv(CblasColMajor, CblasLower, CblasTrans, CblasNonUnit, static_cast<blasint>(x.size()), lower.data(),
-              static_cast<blasint>(lower.rows()), x.data(), 1);
-}
-
 void multiply_transposed(const Eigen::MatrixXd& lower, Eigen::Ref<Eigen::VectorXd> x) {
   cblas_dtrmv(CblasColMajor, CblasLower, CblasTrans, CblasNonUnit, static_cast<blasint>(x.size()), lower.data(),
               static_cast<blasint>(lower.rows()), x.data(), 1);

@@ -14,9 +14,8 @@ std::optional<Eigen::MatrixXd> cholesky(Eigen::MatrixXd matrix);
 /// L^-1 rhs of a lower triangle.
 Eigen::MatrixXd solve_lower(const Eigen::MatrixXd& lower, Eigen::MatrixXd rhs);
 
-/// x <- L_n^-1 x, x <- L_n^-T x and x <- L^T x, L_n the leading n rows and columns of a lower triangle, n = x.size().
+/// x <- L_n^-1 x and x <- L^T x, L_n the leading n rows and columns of a lower triangle, n = x.size().
 void solve_leading(const Eigen::MatrixXd& lower, Eigen::Ref<Eigen::VectorXd> x);
-void solve_leading_transposed(const Eigen::MatrixXd& lower, Eigen::Ref<Eigen::VectorXd> x);
 void multiply_transposed(const Eigen::MatrixXd& lower, Eigen::Ref<Eigen::VectorXd> x);
 
 /// y <- y - A x of the block of a matrix that begins at a row and a column.

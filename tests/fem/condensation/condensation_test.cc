@@ -87,7 +87,7 @@ INSTANTIATE_TEST_SUITE_P(HarmonicsAndDegrees, CondensationOfASkeleton,
                          testing::Combine(testing::Values(Harmonic::normal, Harmonic::tangential),
                                           testing::Values(2U, 3U, 4U)));
 
-// Displacements inside cells are eliminated before or by MUMPS: roundoff, 1e-13 measured.
+// What is inside cells is eliminated before or by MUMPS: roundoff, 1e-13 measured.
 TEST_P(CondensationOfASkeleton, IsThatOfTheWholeBody) {
   const HarmonicSpace space(quarter_disc_grid(1, 8, 6, 0.35), std::get<0>(GetParam()), std::get<1>(GetParam()));
   const auto& line = space.contact_line();

@@ -240,9 +240,9 @@ INSTANTIATE_TEST_SUITE_P(HarmonicsAndDegrees, SkeletonOf,
                          testing::Combine(testing::Values(Harmonic::normal, Harmonic::tangential),
                                           testing::Values(2U, 3U, 4U)));
 
-TEST_P(SkeletonOf, LeavesOutTheDisplacementsInsideCells) {
+TEST_P(SkeletonOf, LeavesOutTheNodesInsideCells) {
   const auto [harmonic, degree] = GetParam();
-  const unsigned n_inside = n_displacements(harmonic) * (degree - 1) * (degree - 1);
+  const unsigned n_inside = n_displacements(harmonic) * (degree - 1) * (degree - 1) + (degree - 2) * (degree - 2);
   EXPECT_EQ(space_.n_dofs() - space_.n_skeleton_dofs(), n_inside * grid().cells.size());
   EXPECT_EQ(skeleton_.n, static_cast<int>(space_.n_skeleton_dofs()));
   EXPECT_LT(skeleton_.values.size(), whole_.values.size());
