@@ -181,7 +181,7 @@ Figure pressure_figure(const StoredResult& r) {
   plot.key_right = true;
   int colour = 0;
   for (const char* when : {"start", "end"}) {
-    auto [radius, pressure] = read_columns(r.folder / "wear.csv", "r [m]", fmt::format("p largest, {} [Pa]", when));
+    auto [radius, pressure] = read_columns(r.folder / "wear.csv", "r [m]", fmt::format("p largest at {} [Pa]", when));
     Series series{when, {}, {}, Series::Style::line, colour++};
     for (std::size_t i = 0; i < radius.size(); ++i) {
       series.x.push_back(radius[i] / length_of(r));

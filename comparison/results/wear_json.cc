@@ -102,8 +102,8 @@ void write_wear(const ProvedWear& wear, const Units& units, const std::filesyste
   write_csv(folder / "worn_profile.csv", {{"r [m]", with_centre(units.length * wear.fe.centre)},
                                           {"f [m]", with_centre(height(course.worn.back()))}});
   std::vector<Column> columns{{"r [m]", units.length * wear.fe.centre},
-                              {"p largest, start [Pa]", units.pressure() * course.first.largest_pressure},
-                              {"p largest, end [Pa]", units.pressure() * course.last.largest_pressure}};
+                              {"p largest at start [Pa]", units.pressure() * course.first.largest_pressure},
+                              {"p largest at end [Pa]", units.pressure() * course.last.largest_pressure}};
   for (const auto k : snapshots_of(course))
     columns.push_back({fmt::format("f after {:.6g} cycles [m]", course.curve[k].cycles), height(course.worn[k])});
   write_csv(folder / "wear.csv", columns);

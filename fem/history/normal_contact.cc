@@ -71,7 +71,8 @@ void NormalContact::step(const PressureWear& wear) {
   const Eigen::VectorXd new_gap = contact.gap / step_.instantaneous();
   Eigen::VectorXd slip = gap - new_gap;
   if (wear.coefficient.size() > 0) {
-    const Eigen::VectorXd worn = wear.coefficient.cwiseProduct(contact.pressure.array().pow(wear.exponent).matrix());
+    const Eigen::VectorXd worn =
+        wear.coefficient.cwiseProduct(contact.pressure.array().max(0).pow(wear.exponent).matrix());
     profile += worn;
     slip += worn;
   }

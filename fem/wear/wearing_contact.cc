@@ -46,7 +46,7 @@ void WearingContact::run_period(double n_cycles) {
     now.slip.col(k) = friction_.slip;
     now.pressure.col(k) = normal_.pressure;
     now.rate += law_.coefficient * per_cycle *
-                friction_.slip.cwiseAbs().cwiseProduct(normal_.pressure.array().pow(law_.exponent).matrix());
+                friction_.slip.cwiseAbs().cwiseProduct(normal_.pressure.array().max(0).pow(law_.exponent).matrix());
     now.friction_work +=
         per_cycle * friction_.traction.cwiseProduct(friction_.slip).dot(normal_.problem().compliance.areas);
   }

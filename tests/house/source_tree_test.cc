@@ -37,7 +37,7 @@ House plan() {
           {"mdr/wear"}},
          {});
   floors(
-      {{"fem/support"}, {"fem/operators"}, {"fem/condensation"}, {"fem/history"}, {"fem/stick_zone", "fem/full_model"}},
+      {{"fem/support"}, {"fem/operators"}, {"fem/condensation"}, {"fem/history"}, {"fem/stick_zone", "fem/full_model", "fem/wear"}},
       {"deal.II", "petsc"});
   floors({{"meshes"}}, {"gmsh"});
   Names libraries{"deal.II", "petsc", "gmsh"};

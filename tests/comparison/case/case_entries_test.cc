@@ -51,6 +51,28 @@ TEST(CaseEntries, OfALimitingProfileAreAStickRadiusAndNoWear) {
   expect_parts(refusal_of("Wear", "set Stick radius ratio = 0.5"), {"it belongs to State = limiting"});
 }
 
+TEST(CaseEntries, OfWearAreALawAndWhereItEnds) {
+  const auto wear = [](const std::string& entries) { return read_case(case_with("Wear", entries)).wear_kinetics; };
+  const auto archard = wear("set Coefficient = 1e-12");
+  EXPECT_EQ(archard->law, Case::WearLaw::archard);
+  EXPECT_EQ(archard->exponent, 1);
+  EXPECT_FALSE(archard->n_cycles);
+  EXPECT_EQ(archard->until, 0);
+  EXPECT_EQ(wear("set Law = energy\nset Coefficient = 1e-12\nset Until = 1e-3")->until, 1e-3);
+  const auto power = wear("set Law = power\nset Exponent = 0.5\nset Coefficient = 1e-12");
+  EXPECT_EQ(power->law, Case::WearLaw::power);
+  EXPECT_EQ(power->exponent, 0.5);
+  expect_parts(refusal_of("Wear", "set Law = linear\nset Coefficient = 1"),
+               {"Wear / Law = linear", "archard", "power"});
+  expect_parts(refusal_of("Wear", "set Law = power\nset Coefficient = 1"), {"Wear / Exponent is missing"});
+  expect_parts(refusal_of("Wear", "set Coefficient = 1\nset Exponent = 2"), {"it belongs to Law = power"});
+  for (const char* exponent : {"0.2", "4.1"})
+    expect_parts(refusal_of("Wear", std::string("set Law = power\nset Coefficient = 1\nset Exponent = ") + exponent),
+                 {"0.25 to 4"});
+  for (const char* until : {"1", "0"})
+    expect_parts(refusal_of("Wear", std::string("set Coefficient = 1\nset Until = ") + until), {"1e-12 to 1"});
+}
+
 TEST(CaseEntries, OfWearKineticsComeTogether) {
   EXPECT_FALSE(read_case().wear_kinetics);
   const Case input = read_case(case_with("Wear", "set Coefficient = 2e-12\nset Cycles = 300"));

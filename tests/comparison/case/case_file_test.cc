@@ -134,8 +134,8 @@ INSTANTIATE_TEST_SUITE_P(
         BadCase{
             "times = 0.1", "times = 0.1\n  set Fractional order = 0.5", {"Fractional order = 0.5", "fractional zener"}},
         BadCase{"subsection Accuracy",
-                "subsection Wear\n  set Coefficient = 1e-12\nend\nsubsection Accuracy",
-                {"Wear / Cycles is missing"}},
+                "subsection Wear\n  set Cycles = 100\nend\nsubsection Accuracy",
+                {"Wear / Coefficient is missing"}},
         BadCase{"Phase = 60", "Phase = often", {"Motion / Phase = often", "finite number"}},
         BadCase{"Tolerance = 0.01", "Tolerance = 1", {"Accuracy / Tolerance = 1", "1e-5"}},
         BadCase{"end\nsubsection Friction", "subsection Friction", {}},

@@ -45,13 +45,6 @@ TEST(Report, ComparesRheologiesByTheirLargestDifferences) {
   EXPECT_NE(section.find("<td>-3.5e-04</td><td>up to 77</td>"), std::string::npos);
 }
 
-TEST(Report, SaysWhereFiniteElementsLeaveWearOut) {
-  auto wearing = stored_result();
-  EXPECT_EQ(page_of({wearing}).find("wear coefficient"), std::string::npos);
-  wearing["scene"]["left_out"] = {"Wear / Coefficient", "Wear / Cycles"};
-  expect_parts(page_of({wearing, stored_result()}), {"1 of 2 cases have a wear coefficient", "fretval mdr"});
-}
-
 TEST(Report, SaysWhichStickRadiusTheSteadyStateFollows) {
   const auto as_stored = stored_result();
   expect_parts(page_of({as_stored}), {"it follows the shakedown radius", "Over 1 cases"});

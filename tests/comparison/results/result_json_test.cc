@@ -40,11 +40,17 @@ TEST(ResultJson, IsNullForWhatIsAbsent) {
   EXPECT_EQ(json["pass"], false);
 }
 
-TEST(ResultJson, NamesWhatFiniteElementsLeaveOut) {
+TEST(ResultJson, HasTheLawOfWear) {
   auto result = result_with({0, 0});
-  EXPECT_FALSE(written(result)["scene"].contains("left_out"));
-  result.input.wear_kinetics = Case::WearKinetics{1e-13, 1e6};
-  EXPECT_EQ(written(result)["scene"]["left_out"], (nlohmann::json{"Wear / Coefficient", "Wear / Cycles"}));
+  EXPECT_FALSE(written(result)["scene"].contains("wear_law"));
+  EXPECT_FALSE(written(result)["fe"].contains("wear"));
+  result.input.wear_kinetics = Case::WearKinetics{Case::WearLaw::power, 1e-13, 2, {}, 1e-3};
+  const auto law = written(result)["scene"]["wear_law"];
+  EXPECT_EQ(law["law"], "power");
+  EXPECT_EQ(law["coefficient"], 1e-13);
+  EXPECT_EQ(law["exponent"], 2);
+  EXPECT_TRUE(law["cycles"].is_null());
+  EXPECT_EQ(law["until"], 1e-3);
 }
 
 TEST(ResultJson, HasBarsBySourceAndNullForAnUnboundedOne) {
@@ -86,7 +92,7 @@ TEST(ResultJson, HasEveryNumberUnderItsKey) {
   EXPECT_EQ(json, nlohmann::json::parse(R"({
     "name": "made up", "pass": false, "proof": "bars",
     "scene": {"file": "made/up.prm", "shape": "parabola", "rheology": "standard solid", "friction_coefficient": 0.5,
-      "indentation": 1e-4, "normal_amplitude": 2e-5, "tangential_amplitude": 1.5e-5, "frequency": 1,
+      "indentation": 1e-4, "indentation_max": 0.5, "normal_amplitude": 2e-5, "tangential_amplitude": 1.5e-5, "frequency": 1,
       "tangential_frequency": 1, "phase": 60,
       "wear": "unworn", "contact_radius_unworn": 2, "tolerance": 0.01,
       "sweep": {"family": "family", "entry": "Motion / Phase", "value": 60}},

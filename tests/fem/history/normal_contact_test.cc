@@ -68,6 +68,27 @@ TEST_F(NormalContactTest, PressesWhereItTouchesAndNowhereElse) {
   }
 }
 
+// A ring loses k p^m of its height in a step, and the surface closes what that leaves: gaps are those of the worn
+// profile over the displaced surface. Roundoff.
+TEST_F(NormalContactTest, WearsByThePressureOfTheStep) {
+  const Motion motion = without_ramp();
+  for (const auto& model : {elastic_body(), standard_solid(), kelvin_voigt()})
+    for (const double exponent : {1.0, 2.0}) {
+      NormalContact contact(problem_, model, profile_, motion, 36);
+      const Eigen::VectorXd coefficient = Eigen::VectorXd::LinSpaced(profile_.size(), 0, 1e-3);
+      for (int k = 0; k < 6; ++k) {
+        const Eigen::VectorXd before = contact.profile;
+        contact.step({coefficient, exponent});
+        const Eigen::VectorXd worn = coefficient.cwiseProduct(contact.pressure.array().max(0).pow(exponent).matrix());
+        EXPECT_LT((contact.profile - before - worn).cwiseAbs().maxCoeff(), 1e-14);
+        const Eigen::ArrayXd gap = (contact.state.displacement + contact.profile).array() - contact.indentation();
+        EXPECT_LT((gap - contact.gap.array()).abs().maxCoeff(), 1e-9) << exponent;
+        EXPECT_LT(contact.pressure.cwiseProduct(contact.gap).cwiseAbs().maxCoeff(), 1e-12);
+      }
+      EXPECT_GT((contact.profile - profile_).maxCoeff(), 1e-4);
+    }
+}
+
 TEST_F(NormalContactTest, SaysWhenTheContactLineIsTooShort) {
   const auto body = elastic_body();
   Motion motion = without_ramp();

@@ -123,5 +123,28 @@ TEST(StaticContact, FullStick) {
   check_punch(Harmonic::tangential, 16.0 / 3);
 }
 
+// target = C p / A + k p^m - gap, with pressure or gap zero: an answer is checked by its equations. Roundoff, and 1e-9
+// of the wear where Newton's iterations end.
+TEST(StaticContact, WearsByThePressureThatIsFound) {
+  const auto& problem = normal_half_space(32);
+  const auto& [radii, areas, matrix] = problem.compliance;
+  const Eigen::Index n = problem.n_rings();
+  Eigen::VectorXd target(n);
+  for (Eigen::Index i = 0; i < n; ++i) target[i] = 0.5 - std::pow(radii[i] + radii[i + 1], 2) / 8;
+  Eigen::VectorXd coefficient = Eigen::VectorXd::Zero(n);
+  coefficient.segment(8, 24).setConstant(0.05);
+  for (const double exponent : {0.25, 0.5, 1.0, 2.0, 4.0}) {
+    std::vector<BoxState> states(static_cast<std::size_t>(n), BoxState::interior);
+    const auto [pressure, gap] = solve_wearing_contact(problem, target, {coefficient, exponent}, states);
+    const Eigen::VectorXd worn = coefficient.cwiseProduct(pressure.array().max(0).pow(exponent).matrix());
+    const Eigen::VectorXd left = target - (matrix * pressure).cwiseQuotient(areas) + gap - worn;
+    EXPECT_LT(left.cwiseAbs().maxCoeff(), 1e-9) << exponent;
+    EXPECT_GT(pressure.minCoeff(), -1e-12);
+    EXPECT_GT(gap.minCoeff(), -1e-12);
+    EXPECT_EQ(pressure.cwiseProduct(gap).cwiseAbs().maxCoeff(), 0);
+    EXPECT_GT(worn.maxCoeff(), 0.01);
+  }
+}
+
 }  // namespace
 }  // namespace fretval::fem::static_contact_test

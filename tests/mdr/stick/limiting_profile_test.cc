@@ -132,6 +132,24 @@ TEST(LimitingProfile, ForceIsThatOfTheSpringsInTheStickZone) {
   }
 }
 
+// With no stick zone left all of a parabola is gone that d_max reaches, int (d - r^2/2) 2 pi r dr = pi d^2 R; a sum of
+// strips; nothing where all sticks.
+TEST(LimitingProfile, WornVolumeIsTheIntegralOfTheDepth) {
+  EXPECT_NEAR(worn_volume(limiting_profile(parabola(1), 1e-6, 1)), pi, 1e-5);
+  EXPECT_EQ(worn_volume(limiting_profile(parabola(5), 1, 0.2)), 0);
+  for (const auto& unworn : {parabola(5), cone(0.1)}) {
+    const LimitingProfile worn = limiting_profile(unworn, 0.6, 0.2);
+    constexpr int n = 200000;
+    const double width = (worn.outer_radius - 0.6) / n;
+    double sum = 0;
+    for (int i = 0; i < n; ++i) {
+      const double r = 0.6 + (i + 0.5) * width;
+      sum += 2 * pi * r * worn_depth(worn, r) * width;
+    }
+    EXPECT_NEAR(worn_volume(worn) / sum, 1, 1e-7);
+  }
+}
+
 TEST(LimitingProfile, RejectsBadArguments) {
   EXPECT_THROW(limiting_profile(parabola(5), 0, 0.2), std::invalid_argument);
   EXPECT_THROW(limiting_profile(parabola(5), nan, 0.2), std::invalid_argument);

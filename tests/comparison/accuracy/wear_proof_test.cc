@@ -1,0 +1,52 @@
+#include "comparison/accuracy/wear_proof.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/comparison/wearing_case.h"
+
+namespace fretval {
+namespace {
+
+ProvedWear proved(const PreparedCase& prepared, Proof proof) {
+  BodyStore bodies;
+  const auto mdr = mdr_answer(prepared.mdr, mdr_normal_response(prepared.mdr));
+  ProvedAnswer unworn;
+  unworn.fe = compute_case(prepared.fem, prepared.fem.resolution, bodies);
+  return prove_wear(prepared, mdr, unworn, proof, bodies);
+}
+
+TEST(WearProof, WearsWhereTheCaseAsksForItAndSomethingSlips) {
+  EXPECT_TRUE(wears(wearing_case("  set Coefficient = 1e-12\n")));
+  EXPECT_FALSE(wears(wearing_case("")));
+  EXPECT_FALSE(wears(wearing_case("  set Coefficient = 1e-12\n", "set Tangential amplitude = 0")));
+}
+
+// The paper's claim, without error bars: the end is the limiting profile of the shakedown radius.
+TEST(WearProof, EndsInTheLimit) {
+  const auto wear = proved(wearing_case("  set Coefficient = 1e-12\n"), Proof::none);
+  ASSERT_EQ(wear.failure, "");
+  EXPECT_TRUE(wear.ends_in_limit());
+  EXPECT_LT(wear.pressed_outside, 1e-5);
+  EXPECT_EQ(wear.n_computations, 1);
+  EXPECT_GT(wear.distance_shakedown.front(), 0.1);
+  EXPECT_LT(wear.distance_shakedown.back(), 1e-3);
+  for (const auto quantity : {Quantity::worn_volume, Quantity::worn_radius, Quantity::distance_to_limit}) {
+    ASSERT_EQ(wear.comparison.count(quantity), 1u);
+    EXPECT_TRUE(wear.comparison.at(quantity).passes()) << name_of(quantity);
+    EXPECT_FALSE(wear.comparison.at(quantity).bar);
+  }
+}
+
+// After few cycles there is no limit yet, and the springs' volume is what it is compared with.
+TEST(WearProof, OnItsWayIsComparedWithTheSprings) {
+  const auto wear = proved(wearing_case("  set Coefficient = 1e-12\n  set Cycles = 1e5\n"), Proof::none);
+  ASSERT_EQ(wear.failure, "");
+  EXPECT_FALSE(wear.ends_in_limit());
+  EXPECT_TRUE(wear.springs_agree);
+  ASSERT_EQ(wear.comparison.size(), 1u);
+  EXPECT_TRUE(wear.comparison.at(Quantity::worn_volume).passes());
+  EXPECT_GT(wear.kinetics->curve.back().volume, 1e-3 * mdr::worn_volume(wear.limits.shakedown));
+}
+
+}  // namespace
+}  // namespace fretval

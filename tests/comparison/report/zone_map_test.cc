@@ -1,0 +1,31 @@
+#include "comparison/report/zone_map.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/comparison/expect_parts.h"
+
+namespace fretval {
+namespace {
+
+int count(const std::string& text, const std::string& part) {
+  int n = 0;
+  for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++n;
+  return n;
+}
+
+// Rings of equal zones are one rectangle, open ones none.
+TEST(ZoneMap, DrawsARectangleAZoneAndAStep) {
+  const std::vector<double> radii{std::sqrt(0.5), std::sqrt(2.5), std::sqrt(6.5)};  // edges at 1, 2, 3
+  const auto html = zone_map_figure("a < b", radii, 3, {"ssf", "sbo"});
+  expect_parts(html, {"<svg", "a &lt; b", "r / a"});
+  EXPECT_EQ(count(html, "fill=\"#0072b2\""), 2);
+  EXPECT_EQ(count(html, "fill=\"#e69f00\""), 1);
+  EXPECT_EQ(count(html, "fill=\"#f0e442\""), 1);
+  // Of the axis of 252 pixels, 84 a ring; the first zone of the first step is two rings high.
+  expect_parts(html, {"height=\"168.00\" fill=\"#0072b2\"", "height=\"84.00\" fill=\"#e69f00\""});
+}
+
+}  // namespace
+}  // namespace fretval

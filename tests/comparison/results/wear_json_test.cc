@@ -1,0 +1,91 @@
+#include "comparison/results/wear_json.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "mdr/profiles/profile.h"
+#include "tests/comparison/scratch_folder.h"
+
+namespace fretval {
+namespace {
+
+const Units units{1e-3, 1e-4, 1e6, 6.0};  // m, m, Pa, rad/s
+
+/// Two rings, of which the outer one wears.
+ProvedWear made_up_wear() {
+  ProvedWear wear{
+      {},
+      {},
+      {},
+      {mdr::limiting_profile(mdr::parabola(1e-2), 5e-4, 1e-4), mdr::limiting_profile(mdr::parabola(1e-2), 4e-4, 1e-4)}};
+  auto& [course, radii, unworn, centre, worn_radius, seconds] = wear.fe;
+  radii = {0, 0.5, 1};
+  centre = Eigen::Vector2d(0.25, 0.75);
+  unworn = Eigen::Vector2d(0.1, 0.5);
+  course.curve = {{0, 0, 2, 3, 0, 1, 0.5}, {1e6, 0.25, 0.5, 1, 0.2, 1, 0.5}};
+  course.worn = {Eigen::Vector2d::Zero(), Eigen::Vector2d(0, 0.2)};
+  course.end = fem::WearEnd::rate;
+  course.n_jumps = 1;
+  course.n_cycles_stepped = 7;
+  for (auto* period : {&course.first, &course.last}) {
+    period->slip = Eigen::Matrix2d{{0, 0}, {1, -1}};
+    period->pressure = Eigen::Matrix2d{{2, 1}, {1, 3}};
+    period->largest_pressure = Eigen::Vector2d(2, 3);
+  }
+  course.last.pressure(1, 0) = 0;
+  wear.distance_shakedown = {0.3, 0.01};
+  wear.distance_first_slip = {0.4, 0.2};
+  wear.pressed_outside = 0.125;
+  wear.n_computations = 9;
+  return wear;
+}
+
+TEST(WearJson, IsInSiUnits) {
+  const auto json = to_json(made_up_wear(), units);
+  EXPECT_EQ(json["cycles"], (std::vector<double>{0, 1e6}));
+  EXPECT_DOUBLE_EQ(json["volume"][1], 0.25 * 1e-10);
+  EXPECT_DOUBLE_EQ(json["volume_rate"][1], 0.5 * 1e-10);
+  EXPECT_DOUBLE_EQ(json["deepest"][1], 0.2e-4);
+  EXPECT_DOUBLE_EQ(json["friction_work"][0], 3 * 0.1 * 1e-4) << "1e6 Pa 1e-4 m 1e-3 m, times 1e-4 m";
+  EXPECT_DOUBLE_EQ(json["stick_radius"][1], 5e-4);
+  EXPECT_DOUBLE_EQ(json["contact_radius"][1], 1e-3);
+  EXPECT_DOUBLE_EQ(json["r"][1], 7.5e-4);
+  EXPECT_DOUBLE_EQ(json["worn_depth"][1], 2e-5);
+  EXPECT_EQ(json["distance_to_limit"]["shakedown"], 0.01);
+  EXPECT_EQ(json["distance_to_limit"]["first_slip"], 0.2);
+  EXPECT_EQ(json["distance_to_shakedown_limit"][0], 0.3);
+  EXPECT_EQ(json["end"], "rate fallen");
+  EXPECT_EQ(json["ends_in_limit"], false) << "an eighth of the force is pressed outside";
+  EXPECT_EQ(json["cost"]["computations"], 9);
+  EXPECT_EQ(json["cost"]["cycles_stepped"], 7);
+}
+
+TEST(WearJson, ZonesAreATextAStep) {
+  const auto zones = to_json(made_up_wear(), units)["zones"];
+  EXPECT_EQ(zones["start"], (std::vector<std::string>{"sf", "sb"}));
+  EXPECT_EQ(zones["end"], (std::vector<std::string>{"so", "sb"}));
+}
+
+TEST(WearJson, WritesAProfileThatACaseReads) {
+  const ScratchFolder folder;
+  write_wear(made_up_wear(), units, folder.path());
+  std::ifstream profile(folder.path() / "worn_profile.csv");
+  std::string header, centre, inner, outer;
+  std::getline(profile, header);
+  std::getline(profile, centre);
+  std::getline(profile, inner);
+  std::getline(profile, outer);
+  EXPECT_EQ(header, "r [m],f [m]");
+  EXPECT_EQ(centre, "0,0");
+  EXPECT_EQ(inner, "0.00025,1e-05");
+  EXPECT_EQ(outer, "0.00075,7e-05");
+  std::ifstream course(folder.path() / "wear.csv");
+  std::getline(course, header);
+  EXPECT_EQ(header,
+            "r [m],p largest at start [Pa],p largest at end [Pa],f after 0 cycles [m],f after 1e+06 cycles [m]");
+}
+
+}  // namespace
+}  // namespace fretval

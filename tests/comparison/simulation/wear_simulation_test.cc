@@ -1,0 +1,77 @@
+#include "comparison/simulation/wear_simulation.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/comparison/wearing_case.h"
+
+namespace fretval {
+namespace {
+
+const std::string archard = "  set Coefficient = 1e-12\n";
+
+Resolution coarse() {
+  Resolution r = resolution_for_wear(resolution_for(1e-3));
+  r.elements_per_radius = 24;
+  r.degree = 3;
+  r.steps_per_cycle = 48;
+  r.worn_edge_ring = 1e-2;
+  return r;
+}
+
+struct Wearing {
+  BodyStore bodies;
+
+  WearSimulation run(const std::string& wear, double stick_radius = 0.594, const std::string& motion = "") {
+    const auto prepared = wearing_case(wear, motion);
+    return simulate_wear(prepared.fem, *prepared.input.wear_kinetics, stick_radius, coarse(), bodies);
+  }
+};
+
+// THEORY of the parabola: f_inf = f0 at a_inf/a0 = 1.2298 for c = 0.5 a0, 1.1429 for 0.7; by interpolation in c^2 and
+// the rings of 1/24 to 5e-3.
+TEST(WearSimulation, EndsWithItsWearAtTheOuterRadius) {
+  Wearing wearing;
+  const auto wear = wearing.run(archard);
+  EXPECT_EQ(wear.course.end, fem::WearEnd::nothing_left);
+  EXPECT_NEAR(wear.worn_radius, 1.1898, 1e-2);
+  EXPECT_NEAR(wear.unworn[20], std::pow(wear.centre[20], 2) / 2, 1e-12);
+  EXPECT_NEAR(wear.centre[0], wear.radii[1] / std::sqrt(2), 1e-12);
+}
+
+// What slips bears mu p: k of the energy of friction is mu times that of Archard's law.
+TEST(WearSimulation, ByTheEnergyOfFrictionIsArchardsWithTheCoefficientOfFriction) {
+  Wearing wearing;
+  const auto by_pressure = wearing.run(archard + "  set Cycles = 1e6\n");
+  const auto by_energy = wearing.run("  set Law = energy\n  set Coefficient = 2e-12\n  set Cycles = 1e6\n");
+  EXPECT_EQ(by_pressure.course.end, fem::WearEnd::cycles);
+  EXPECT_GT(by_pressure.course.curve.back().volume, 0);
+  EXPECT_NEAR(by_energy.course.curve.back().volume / by_pressure.course.curve.back().volume, 1, 1e-12);
+}
+
+// k p^m of the pressure in Pa: with the exponent 1 it is Archard's, with another one the rate is of another size.
+TEST(WearSimulation, ByAPowerTakesThePressureInPascal) {
+  Wearing wearing;
+  const auto rate = [&](const std::string& law) {
+    return wearing.run(law + "  set Cycles = 1\n").course.curve.front().volume_rate;
+  };
+  const double archards = rate(archard);
+  EXPECT_NEAR(rate("  set Law = power\n  set Exponent = 1\n  set Coefficient = 1e-12\n") / archards, 1, 1e-12);
+  // The rings that slip bear up to 2e5 Pa: with k p^2 = 1e-12 p at 1e5 Pa.
+  const double square = rate("  set Law = power\n  set Exponent = 2\n  set Coefficient = 1e-17\n") / archards;
+  EXPECT_GT(square, 0.3);
+  EXPECT_LT(square, 2);
+}
+
+// Nothing sticks: all that the largest indentation reaches is worn, to the plane of the apex.
+TEST(WearSimulation, WearsAllOfItWhereNothingSticks) {
+  Wearing wearing;
+  const auto wear = wearing.run(archard, 0, "set Tangential amplitude = 1e-4");
+  EXPECT_EQ(wear.course.end, fem::WearEnd::nothing_left);
+  for (Eigen::Index i = 0; i < 20; ++i) EXPECT_NEAR(wear.unworn[i] + wear.course.worn.back()[i], 1, 2e-3) << i;
+  EXPECT_EQ(wear.course.curve.back().stick_radius, 0);
+}
+
+}  // namespace
+}  // namespace fretval
