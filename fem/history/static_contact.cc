@@ -43,7 +43,12 @@ StaticContact solve_softened(const ContactProblem& problem, const Eigen::VectorX
   const auto& areas = problem.compliance.areas;
   Eigen::MatrixXd matrix = problem.compliance.matrix;
   matrix.diagonal() += areas.cwiseProduct(softness);
-  return solve(BoxSolver(matrix), areas, target, states);
+  // To a unit diagonal: a very soft ring bears next to nothing, and that has its sign all the same.
+  const Eigen::VectorXd scale = matrix.diagonal().cwiseSqrt().cwiseInverse();
+  matrix = scale.asDiagonal() * matrix * scale.asDiagonal();
+  auto contact = solve(BoxSolver(matrix), areas.cwiseProduct(scale), target, states);
+  contact.pressure.array() *= scale.array();
+  return contact;
 }
 
 }  // namespace
