@@ -71,12 +71,14 @@ StaticContact solve_wearing_contact(const ContactProblem& problem, const Eigen::
   // At p = 0 it has neither, and a ring of hardly any pressure hardly wears.
   const double slope = std::max(m, 1.0);
   const double floor = roundoff * contact.pressure.maxCoeff();
+  const double nothing = roundoff * target.lpNorm<Eigen::Infinity>();
   Eigen::ArrayXd at = contact.pressure.array().max(floor);
   for (int iteration = 0; iteration < most_iterations; ++iteration) {
     const Eigen::ArrayXd worn = coefficient * at.pow(m);
     contact = solve_softened(problem, target - (1 - slope) * worn.matrix(), (slope * worn / at).matrix(), states);
     at = contact.pressure.array().max(least_share * at).max(floor);
-    if ((coefficient * at.pow(m) - worn).abs().maxCoeff() <= converged * worn.maxCoeff()) return contact;
+    if ((coefficient * at.pow(m) - worn).abs().maxCoeff() <= std::max(converged * worn.maxCoeff(), nothing))
+      return contact;
   }
   throw SolverError("the pressure under which an indenter wears does not converge");
 }
