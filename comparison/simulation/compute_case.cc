@@ -36,7 +36,9 @@ class Friction {
       at_rest_.emplace(at_start, fem.friction_coefficient);
   }
 
-  void step(const Eigen::VectorXd& pressure) { moved_ ? moved_->step(pressure) : at_rest_->step(pressure); }
+  void step_beside(const fem::NormalContact& normal) {
+    moved_ ? moved_->step_beside(normal) : at_rest_->step(normal.pressure);
+  }
 
   [[nodiscard]] fem::FrictionHistory history(const fem::NormalHistory& normal, const fem::HistoryControl& control) {
     return moved_ ? fem::friction_history(std::move(*moved_), normal, control) : at_rest_->history(normal);
@@ -77,9 +79,8 @@ FeAnswer compute_case(const FemCase& fem_case, const Resolution& resolution, Bod
   const int steps_per_cycle = control.steps_per_cycle;
   fem::NormalContact normal_contact(problems.normal, fem.relaxation, profile, fem.motion, steps_per_cycle);
   Friction friction_contact(problems, fem, normal_contact);
-  auto normal = fem::normal_history(std::move(normal_contact), control, [&](const fem::NormalContact& contact) {
-    friction_contact.step(contact.pressure);
-  });
+  auto normal = fem::normal_history(std::move(normal_contact), control,
+                                    [&](const fem::NormalContact& contact) { friction_contact.step_beside(contact); });
   const double normal_seconds = watch.lap();
   const auto contact_radius = read_contact_radius(problems.normal, fem, profile, normal);
   auto friction = friction_contact.history(normal, control);

@@ -42,7 +42,7 @@ NoWearEvidence no_wear_evidence(const ContactProblems& problems, const FemCase& 
   NoWearEvidence evidence{0, largest_share_outside(normal, compliance.areas, n_inside),
                           fem::touch_indentation(compliance, profile, n_inside, n_worn), std::nullopt};
   if (!problems.tangential) return evidence;
-  evidence.slip_inside = friction.period_slip.head(n_inside).maxCoeff() / fem.motion.tangential_amplitude();
+  evidence.slip_inside = friction.period_slip.head(n_inside).maxCoeff() / friction.amplitude;
   evidence.limiting_amplitude = fem::limiting_amplitude(problems.normal, *problems.tangential, fem.relaxation,
                                                         fem.friction_coefficient, fem.motion, normal, n_inside);
   return evidence;
@@ -79,10 +79,9 @@ Eigen::Index largest_contact_rings(const fem::NormalHistory& history) {
 void add_stick_depths(const fem::PunchSeries& series, const FemCase& fem, FeAnswer& answer) {
   const auto& friction = answer.friction;
   const Eigen::Index n_contact = answer.rings.contact;
-  const double amplitude = fem.motion.tangential_amplitude();
   const auto depths = [&](const Eigen::VectorXd& reserve, const Eigen::VectorXd& slip, Eigen::Index n_stuck) {
     return fem::stick_depths({reserve.head(n_contact), series.displacements(slip).head(n_contact), n_stuck},
-                             series.radii(), 1.5 * fem.friction_coefficient, amplitude);
+                             series.radii(), 1.5 * fem.friction_coefficient, friction.amplitude);
   };
   answer.first_slip_depths = depths(friction.first_slip_reserve, friction.slip_path, answer.rings.stuck.first_slip);
   answer.shakedown_depths = depths(friction.shakedown_reserve, friction.period_slip / 4, answer.rings.stuck.shakedown);

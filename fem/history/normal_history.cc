@@ -36,7 +36,7 @@ class CycleRecord {
 
   void add(Eigen::Index k, const NormalContact& contact) {
     history_.time[k] = contact.time;
-    history_.indentation[k] = normal_motion(contact.motion(), contact.time).value;
+    history_.indentation[k] = contact.balance_indentation;
     history_.pressure.col(k) = contact.pressure;
     history_.smallest_pressure = history_.smallest_pressure.cwiseMin(contact.pressure);
     history_.force[k] = contact.reading.force;
@@ -48,7 +48,7 @@ class CycleRecord {
     history_.contact_radius[k] = contact.reading.radius;
     history_.smallest_gap = history_.smallest_gap.cwiseMin(contact.gap);
     gap_at_balance_.add(contact.balance_gap);
-    const double indentation = contact.indentation();
+    const double indentation = contact.indentation;
     if (indentation > deepest_) history_.deepest_displacement = contact.state.displacement;
     if (indentation < highest_) history_.highest_displacement = contact.state.displacement;
     deepest_ = std::max(deepest_, indentation);
@@ -103,7 +103,7 @@ NormalHistory normal_history(NormalContact contact, const HistoryControl& contro
     const bool after_jump = std::exchange(jumped, false);
     if (history.n_cycles <= std::max(contact.motion().cycles_of_ramp(), 1)) continue;
     if (!after_jump) history.periodicity = change_to_come(change_per_cycle(history.pressure, before), creep);
-    if (history.periodicity > control.periodicity) jumped = jump.advance(contact.state);
+    if (history.periodicity > control.periodicity) jumped = jump.advance(contact.state, contact.indentation);
   }
   return history;
 }
