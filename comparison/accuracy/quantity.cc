@@ -9,12 +9,14 @@ const QuantityTraits& traits_of(Quantity quantity) {
   static constexpr std::array<QuantityTraits, all_quantities.size()> table{{
       {"contact_radius_max", "largest contact radius", "contact radius", "relative", "m", 10, {3}, {}},
       {"force_outside_stick_zone", "force outside c", "force outside", "over the force", "", 1, {1}, {}},
+      {"indentation_max", "largest indentation", "largest depth", "relative", "m", 10, {3}, ExpectedOrder{2, 6}},
       {"limiting_amplitude", "amplitude at which slip begins inside c", "amplitude", "relative", "", 1, {1}, {}},
       {"maximum_indentation", "indentation at which the flank touches", "indentation", "relative", "", 1, {1}, {}},
       {"normal_force_max", "largest normal force", "normal force", "relative", "N", 10, {3}, ExpectedOrder{2, 6}},
       {"slip_inside_stick_zone", "slip inside c", "slip inside", "over the amplitude", "", 1, {1}, {}},
       {"stick_radius_first_slip", "stick radius, first slip", "first slip", "over a", "m", 1, {3}, {}},
       {"stick_radius_shakedown", "stick radius, shakedown", "shakedown", "over a", "m", 1, {3}, {}},
+      {"tangential_amplitude", "tangential amplitude", "u_x", "relative", "m", 1, {3}, ExpectedOrder{2, 6}},
   }};
   return table[static_cast<std::size_t>(quantity)];
 }

@@ -30,7 +30,7 @@ BatchLine run_case(const PreparedCase& asked, const BatchOptions& options, BodyS
   if (!line.failure.empty()) return line;
   const auto result = result_of(prepared, *reference, options.proof, std::move(fe));
   line.comparison = result.comparison;
-  line.pass = passes(line.comparison);
+  line.pass = passes(result);
   line.answer = answer_text(result);
   if (!options.output.empty()) write_result(result, *reference, folder);
   return line;

@@ -19,6 +19,9 @@ struct CaseResult {
   Comparison comparison;
 };
 
+/// Whether all that is compared passes; gross slip, if either of both finds it, is what both have to find.
+bool passes(const CaseResult& result);
+
 /// Both answers to a case, compared.
 CaseResult result_of(const PreparedCase& prepared, const mdr::NormalResponse& reference, Proof proof,
                      ProvedAnswer&& fe);

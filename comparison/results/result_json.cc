@@ -5,6 +5,7 @@
 #include "comparison/results/case_result.h"
 #include "comparison/simulation/resolution_json.h"
 #include "comparison/support/json.h"
+#include "mdr/motion/force_control.h"
 #include "mdr/profiles/profile.h"
 
 namespace fretval {
@@ -23,20 +24,24 @@ ordered_json harmonics_json(const std::vector<mdr::Harmonic>& harmonics) {
 ordered_json case_json(const CaseResult& result) {
   const auto& input = result.input;
   const auto& motion = result.mdr_case.motion;
+  const bool normal_force = result.mdr_case.normal_force, tangential_force = result.mdr_case.tangential_force;
+  const double at_rest = normal_force ? mdr::indentation_for_force(result.mdr_case.profile,
+                                                                   input.elastomer.relaxed_modulus, motion.indentation)
+                                      : motion.indentation;
   ordered_json json{{"file", input.file},
                     {"shape", Case::shape_names[static_cast<std::size_t>(input.indenter.shape)]},
                     {"rheology", input.elastomer.rheology},
                     {"friction_coefficient", input.friction_coefficient},
-                    {"indentation", motion.indentation},
-                    {"normal_amplitude", motion.normal.front().amplitude},
-                    {"tangential_amplitude", motion.tangential.front().amplitude},
                     {"frequency", motion.normal.front().frequency},
                     {"tangential_frequency", motion.tangential.front().frequency},
                     {"phase", or_null(input.motion.phase)},
                     {"wear", input.wear == Case::Wear::limiting ? "limiting" : "unworn"},
-                    {"contact_radius_at_rest", mdr::inverse_transform(result.mdr_case.profile, motion.indentation)},
+                    {"contact_radius_at_rest", mdr::inverse_transform(result.mdr_case.profile, at_rest)},
                     {"contact_radius_unworn", result.fem_case.units.length},
                     {"tolerance", input.tolerance}};
+  json[normal_force ? "normal_force_mean" : "indentation"] = motion.indentation;
+  json[normal_force ? "normal_force_amplitude" : "normal_amplitude"] = motion.normal.front().amplitude;
+  json[tangential_force ? "tangential_force_amplitude" : "tangential_amplitude"] = motion.tangential.front().amplitude;
   if (motion.normal.size() > 1) json["normal_harmonics"] = harmonics_json(motion.normal);
   if (motion.tangential.size() > 1) json["tangential_harmonics"] = harmonics_json(motion.tangential);
   if (result.mdr_case.limiting) json["stick_radius_of_profile"] = result.mdr_case.limiting->stick_radius;
@@ -59,7 +64,10 @@ ordered_json fe_json(const FeAnswer& fe, const Comparison& comparison) {
                     {"stick_radius_first_slip", or_null(fe.stick_radius_first_slip)},
                     {"stick_radius_shakedown", or_null(fe.stick_radius_shakedown)},
                     {"worn_radius", nullptr},
-                    {"normal_force_max", fe.normal_force_max}};
+                    {"normal_force_max", fe.gross_slip ? ordered_json(nullptr) : ordered_json(fe.normal_force_max)}};
+  if (fe.indentation_max) json["indentation_max"] = *fe.indentation_max;
+  if (fe.tangential_amplitude) json["tangential_amplitude"] = *fe.tangential_amplitude;
+  if (fe.gross_slip) json["gross_slip"] = {{"time", fe.gross_slip->time}, {"amplitude", fe.gross_slip->amplitude}};
   if (fe.no_wear) {
     json["slip_inside_stick_zone"] = fe.no_wear->slip_inside;
     json["force_outside_stick_zone"] = fe.no_wear->force_outside;
@@ -97,7 +105,7 @@ ordered_json result_json(const CaseResult& result) {
   auto cost = cost_json(fe);
   cost["peak_memory_bytes"] = peak_memory_bytes();
   return {{"name", result.input.name},
-          {"pass", passes(result.comparison)},
+          {"pass", passes(result)},
           {"proof", name_of(result.proof)},
           {"scene", case_json(result)},
           {"mdr", to_json(result.mdr)},

@@ -1,6 +1,7 @@
 #include "comparison/simulation/compute_case.h"
 
 #include "comparison/support/stopwatch.h"
+#include "fem/history/gross_slip.h"
 #include "fem/history/static_contact.h"
 
 namespace fretval {
@@ -54,6 +55,29 @@ fem::HistoryControl control_of(const FemCase& fem) {
   return {fem.steps_per_cycle(), fem.motion.cycles_of_ramp() + most_after_ramp, fem.resolution.periodicity};
 }
 
+FeAnswer answer_of_histories(const ContactProblems& problems, const FemCase& fem) {
+  Stopwatch watch;
+  const auto profile = fem::ring_means(problems.normal.compliance, fem.profile);
+  const auto control = control_of(fem);
+  fem::NormalContact normal_contact(problems.normal, fem.relaxation, profile, fem.motion, control.steps_per_cycle);
+  Friction friction_contact(problems, fem, normal_contact);
+  auto normal = fem::normal_history(std::move(normal_contact), control,
+                                    [&](const fem::NormalContact& contact) { friction_contact.step_beside(contact); });
+  const double normal_seconds = watch.lap();
+  const auto contact_radius = read_contact_radius(problems.normal, fem, profile, normal);
+  auto friction = friction_contact.history(normal, control);
+
+  auto answer = read_answer(problems, fem, profile, contact_radius, std::move(normal), std::move(friction));
+  answer.seconds = {normal_seconds, watch.lap()};
+  return answer;
+}
+
+FeAnswer answer_of(const fem::GrossSlip& slip, const FemCase& fem) {
+  FeAnswer answer;
+  answer.gross_slip = GrossSlipStart{slip.time / fem.units.angular_frequency, slip.amplitude};
+  return answer;
+}
+
 }  // namespace
 
 FeAnswer compute_case(const FemCase& fem_case, const Resolution& resolution, BodyStore& bodies) {
@@ -71,24 +95,15 @@ FeAnswer compute_case(const FemCase& fem_case, const Resolution& resolution, Bod
     return contact_body(*made);
   });
   const ProblemsAtSlack at_slack(*body, resolution.active_set_slack);
-  const auto problems = at_slack.problems();
-  const auto profile = fem::ring_means(problems.normal.compliance, fem.profile);
-  const auto control = control_of(fem);
 
-  watch.lap();
-  const int steps_per_cycle = control.steps_per_cycle;
-  fem::NormalContact normal_contact(problems.normal, fem.relaxation, profile, fem.motion, steps_per_cycle);
-  Friction friction_contact(problems, fem, normal_contact);
-  auto normal = fem::normal_history(std::move(normal_contact), control,
-                                    [&](const fem::NormalContact& contact) { friction_contact.step_beside(contact); });
-  const double normal_seconds = watch.lap();
-  const auto contact_radius = read_contact_radius(problems.normal, fem, profile, normal);
-  auto friction = friction_contact.history(normal, control);
-
-  auto answer = read_answer(problems, fem, profile, contact_radius, std::move(normal), std::move(friction));
+  FeAnswer answer;
+  try {
+    answer = answer_of_histories(at_slack.problems(), fem);
+  } catch (const fem::GrossSlip& slip) {
+    answer = answer_of(slip, fem);
+  }
   answer.body = body->summary;
   answer.whole_body = whole;
-  answer.seconds = {normal_seconds, watch.lap()};
   return answer;
 }
 

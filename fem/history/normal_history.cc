@@ -16,7 +16,7 @@ namespace {
 class CycleRecord {
  public:
   CycleRecord(const NormalContact& contact, NormalHistory& history)
-      : history_(history), gap_at_balance_(contact.pressure.size(), 0) {
+      : history_(history), gap_at_balance_(contact.pressure.size(), 0), height_(1, -infinity) {
     const Eigen::Index n = contact.steps_per_cycle();
     history.smallest_pressure = contact.pressure;
     history.pressure = Eigen::MatrixXd::Zero(contact.pressure.size(), n);
@@ -30,6 +30,7 @@ class CycleRecord {
   void begin() {
     history_.smallest_gap = Eigen::VectorXd::Constant(history_.pressure.rows(), infinity);
     gap_at_balance_.restart();
+    height_.restart();
     deepest_ = -infinity;
     highest_ = infinity;
   }
@@ -48,6 +49,7 @@ class CycleRecord {
     history_.contact_radius[k] = contact.reading.radius;
     history_.smallest_gap = history_.smallest_gap.cwiseMin(contact.gap);
     gap_at_balance_.add(contact.balance_gap);
+    height_.add(Eigen::VectorXd::Constant(1, -contact.indentation));
     const double indentation = contact.indentation;
     if (indentation > deepest_) history_.deepest_displacement = contact.state.displacement;
     if (indentation < highest_) history_.highest_displacement = contact.state.displacement;
@@ -58,11 +60,12 @@ class CycleRecord {
   void end() {
     history_.smallest_gap_at_balance =
         (history_.smallest_gap.array() > 0).select(gap_at_balance_.value(), history_.smallest_gap);
+    history_.largest_indentation = -height_.value()[0];
   }
 
  private:
   NormalHistory& history_;
-  RunningMinimum gap_at_balance_;
+  RunningMinimum gap_at_balance_, height_;
   double deepest_ = -infinity, highest_ = infinity;
 };
 
