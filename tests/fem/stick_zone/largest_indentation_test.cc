@@ -33,7 +33,7 @@ TEST(LargestIndentation, OfAStiffDashpotIsHardlyOff) {
   RelaxationModel body{1, {}, {}, 100};
   auto history = uncertain_once();
   const double once = largest_indentation(normal_half_space(32), body, history).uncertainty;
-  EXPECT_LT(once, 0.01 * 1e-3 / (8 * 0.5));
+  EXPECT_LT(once, 0.02 * 1e-3 / (8 * 0.5));  // in either of two cycles a 128th
   history.force_uncertainty[4] = 1e-3;
   EXPECT_NEAR(largest_indentation(normal_half_space(32), body, history).uncertainty, 2 * once, 0.02 * once);
 }
