@@ -8,10 +8,25 @@
 
 namespace fretval {
 
+namespace {
+
+/// Of either answer: a normal force and what it makes the indenter do, of which one is prescribed.
+template <class Answer>
+void add_response(const Answer& answer, double normal_force_max, const Units& units, Quantities& values) {
+  if (answer.indentation_max)
+    values[Quantity::indentation_max] = std::log(*answer.indentation_max / units.depth);
+  else
+    values[Quantity::normal_force_max] = std::log(normal_force_max / units.force());
+  if (answer.tangential_amplitude)
+    values[Quantity::tangential_amplitude] = std::log(*answer.tangential_amplitude / units.depth);
+}
+
+}  // namespace
+
 Quantities quantities_of(const FeAnswer& fe, const Units& units) {
   Quantities values;
   if (fe.contact_radius_max) values[Quantity::contact_radius_max] = *fe.contact_radius_max / units.length;
-  values[Quantity::normal_force_max] = std::log(fe.normal_force_max / units.force());
+  add_response(fe, fe.normal_force_max, units, values);
   values[Quantity::stick_radius_first_slip] = fe.stick_radius_first_slip.value_or(0) / units.length;
   values[Quantity::stick_radius_shakedown] = fe.stick_radius_shakedown.value_or(0) / units.length;
   if (fe.no_wear) {
@@ -26,7 +41,7 @@ Quantities quantities_of(const FeAnswer& fe, const Units& units) {
 Quantities quantities_of(const MdrAnswer& mdr, const Units& units, bool worn) {
   Quantities values;
   values[Quantity::contact_radius_max] = mdr.contact_radius_max.value() / units.length;
-  values[Quantity::normal_force_max] = std::log(mdr.normal_force_max.value() / units.force());
+  add_response(mdr, mdr.normal_force_max.value(), units, values);
   values[Quantity::stick_radius_first_slip] = mdr.stick_radius_first_slip.value_or(0) / units.length;
   values[Quantity::stick_radius_shakedown] = mdr.stick_radius_shakedown.value_or(0) / units.length;
   if (worn) {

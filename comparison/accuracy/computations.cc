@@ -12,7 +12,9 @@ namespace {
 
 Computation attempt(const Compute& compute, const Resolution& resolution) {
   try {
-    return {compute(resolution)};
+    Computation computation{compute(resolution)};
+    if (computation.fe.gross_slip) computation.failure = "the whole contact slides";
+    return computation;
   } catch (const fem::SolverError& error) {
     return {{}, error.what()};
   } catch (const meshes::MeshError& error) {

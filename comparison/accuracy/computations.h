@@ -11,7 +11,8 @@
 
 namespace fretval {
 
-/// A case at one resolution, or why there is none: then only the failure.
+/// A case at one resolution, or why there is none: then only the failure. Gross slip counts as one, for there is
+/// nothing to be refined, and its answer says when it starts.
 struct Computation {
   FeAnswer fe;
   std::string failure = {};

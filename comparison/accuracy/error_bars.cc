@@ -11,6 +11,7 @@ Quantities uncertainties_of_edges(const Computation& computation, const FemCase&
   if (!computation.failure.empty()) return {};
   const auto& fe = computation.fe;
   Quantities uncertainties;
+  if (fe.indentation_max) uncertainties[Quantity::indentation_max] = fe.indentation_uncertainty / *fe.indentation_max;
   if (fe.normal_force_max > 0)
     uncertainties[Quantity::normal_force_max] = fe.normal_force_uncertainty / fe.normal_force_max;
   if (!fem.worn_edge) uncertainties[Quantity::contact_radius_max] = fe.contact_radius_uncertainty / fem.units.length;

@@ -147,6 +147,12 @@ ProvedAnswer prove(const PreparedCase& prepared, Proof proof, const Compute& com
 
   answer.resolution = tracks.base;
   answer.n_computations = computed.size();
+  const auto& base = computed.at(tracks.base).fe;
+  if (base.gross_slip) {
+    answer.fe = base;
+    answer.seconds = base.seconds_alone();
+    return answer;
+  }
   for (const auto& track : tracks.all())
     if (answer.failure.empty()) answer.failure = computed.at(track).failure;
   if (!answer.failure.empty()) return answer;

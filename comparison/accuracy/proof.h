@@ -19,9 +19,9 @@ const char* name_of(Proof proof);
 
 /// The answer of the finite elements to a case, as far as it is proved.
 struct ProvedAnswer {
-  FeAnswer fe;                      ///< at the chosen resolution, with the stick radii of the focused ones
-  std::string failure;              ///< of the numerics; not empty: there is no answer
-  Resolution resolution;            ///< chosen
+  FeAnswer fe;            ///< at the chosen resolution, with the stick radii of the focused ones; or gross slip
+  std::string failure;    ///< of the numerics; not empty: there is no answer
+  Resolution resolution;  ///< chosen
   std::map<Quantity, Focus> focus;  ///< stick radii that are read from a graded mesh
   ErrorBudget budget;               ///< empty with Proof::none
   int n_refinements = 0, n_computations = 0;

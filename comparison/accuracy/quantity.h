@@ -8,19 +8,23 @@
 namespace fretval {
 
 /// What finite elements and MDR are compared in. Four are of a limiting profile: slip inside c, force outside c, the
-/// indentation at which its flank touches, and the tangential amplitude at which slip begins inside c. Three are of an
-/// indenter that has worn: the volume over that of the limiting profile, the outer radius of the wear, and the largest
-/// distance of the worn profile from the limiting one (see distance_to_limit).
+/// indentation at which its flank touches, and the tangential amplitude at which slip begins inside c. Where a normal
+/// force is prescribed the largest indentation stands for the largest force, and a tangential force comes with the
+/// amplitude of the displacement. Three are of an indenter that has worn: the volume over that of the limiting profile,
+/// the outer radius of the wear, and the largest distance of the worn profile from the limiting one (see
+/// distance_to_limit).
 enum class Quantity {
   contact_radius_max,
   distance_to_limit,
   force_outside_stick_zone,
+  indentation_max,
   limiting_amplitude,
   maximum_indentation,
   normal_force_max,
   slip_inside_stick_zone,
   stick_radius_first_slip,
   stick_radius_shakedown,
+  tangential_amplitude,
   worn_radius,
   worn_volume
 };
@@ -28,12 +32,14 @@ enum class Quantity {
 inline constexpr std::array all_quantities{Quantity::contact_radius_max,
                                            Quantity::distance_to_limit,
                                            Quantity::force_outside_stick_zone,
+                                           Quantity::indentation_max,
                                            Quantity::limiting_amplitude,
                                            Quantity::maximum_indentation,
                                            Quantity::normal_force_max,
                                            Quantity::slip_inside_stick_zone,
                                            Quantity::stick_radius_first_slip,
                                            Quantity::stick_radius_shakedown,
+                                           Quantity::tangential_amplitude,
                                            Quantity::worn_radius,
                                            Quantity::worn_volume};
 
@@ -42,6 +48,8 @@ inline constexpr std::array quantities_by_interest{Quantity::stick_radius_first_
                                                    Quantity::stick_radius_shakedown,
                                                    Quantity::contact_radius_max,
                                                    Quantity::normal_force_max,
+                                                   Quantity::indentation_max,
+                                                   Quantity::tangential_amplitude,
                                                    Quantity::distance_to_limit,
                                                    Quantity::worn_radius,
                                                    Quantity::worn_volume,
@@ -78,8 +86,8 @@ inline const char* name_of(Quantity quantity) {
 /// By its name in result.json; empty: there is none of that name.
 std::optional<Quantity> quantity_of(const std::string& name);
 
-/// In the units of comparison: radii over the unworn contact radius (0: nothing sticks), logarithms of forces, so that
-/// differences are relative.
+/// In the units of comparison: radii over the unworn contact radius (0: nothing sticks), logarithms of forces and of
+/// what they make the indenter do, so that differences are relative.
 using Quantities = std::map<Quantity, double>;
 
 }  // namespace fretval

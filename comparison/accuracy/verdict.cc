@@ -37,18 +37,38 @@ Tolerances tolerances_of(double accuracy) {
 
 double tolerance_of(const Tolerances& tolerances, Quantity quantity) {
   if (quantity == Quantity::contact_radius_max) return tolerances.contact_radius;
-  if (quantity == Quantity::normal_force_max) return tolerances.normal_force;
+  if (quantity == Quantity::normal_force_max || quantity == Quantity::indentation_max) return tolerances.normal_force;
   return tolerances.stick_radius / traits_of(quantity).strictness;
 }
+
+namespace {
+
+Difference judge_relative(const std::optional<double>& fe, const std::optional<double>& mdr, double tolerance) {
+  return judge(fe.value() / mdr.value() - 1, tolerance);
+}
+
+void compare_responses(const MdrAnswer& mdr, const FeAnswer& fe, const Tolerances& tolerances, Comparison& comparison) {
+  if (fe.indentation_max)
+    comparison[Quantity::indentation_max] =
+        judge_relative(fe.indentation_max, mdr.indentation_max, tolerances.normal_force);
+  else
+    comparison[Quantity::normal_force_max] =
+        judge_relative(fe.normal_force_max, mdr.normal_force_max, tolerances.normal_force);
+  if (fe.tangential_amplitude)
+    comparison[Quantity::tangential_amplitude] =
+        judge_relative(fe.tangential_amplitude, mdr.tangential_amplitude, tolerances.stick_radius);
+}
+
+}  // namespace
 
 Comparison compare(const MdrAnswer& mdr, const FeAnswer& fe, double unworn_radius, const Tolerances& tolerances,
                    const ErrorBudget& budget) {
   Comparison comparison;
+  if (fe.gross_slip || mdr.gross_slip) return comparison;
   if (fe.contact_radius_max)
     comparison[Quantity::contact_radius_max] =
         judge(*fe.contact_radius_max / mdr.contact_radius_max.value() - 1, tolerances.contact_radius);
-  comparison[Quantity::normal_force_max] =
-      judge(fe.normal_force_max / mdr.normal_force_max.value() - 1, tolerances.normal_force);
+  compare_responses(mdr, fe, tolerances, comparison);
   const double tolerance = tolerances.stick_radius;
   comparison[Quantity::stick_radius_first_slip] =
       judge_stick(fe.stick_radius_first_slip, mdr.stick_radius_first_slip, unworn_radius, tolerance);

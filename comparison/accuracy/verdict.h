@@ -32,7 +32,7 @@ struct Difference {
 struct Tolerances {
   double stick_radius;    ///< over the unworn contact radius at the largest indentation
   double contact_radius;  ///< relative
-  double normal_force;    ///< relative
+  double normal_force;    ///< relative, also on the indentation where the force is prescribed
 };
 
 /// What a case asks for: T = Accuracy / Tolerance over the strictness of each quantity.
@@ -46,6 +46,8 @@ double tolerance_of(const Tolerances& tolerances, Quantity quantity);
 /// profile: slip inside c over u_x0 where MDR says that all of the contact sticks, force outside c over the force, and
 /// the indentation at which the flank touches over the largest one, the amplitude at which slip begins inside c over
 /// that of the case, all within the tolerance of the stick radius.
+///
+/// Where either of them finds gross slip there is nothing to compare but that.
 ///
 /// Whether a comparison passes is verdict_on, with the error bar of the finite elements.
 using Comparison = std::map<Quantity, Difference>;

@@ -69,12 +69,15 @@ std::optional<Case::WearKinetics> read_wear_kinetics(const EntryReader& entries)
 void read_wear(const EntryReader& entries, Case& input) {
   if (entries.given("Wear", "State") && entries.one_of("Wear", "State", {"unworn", "limiting"}) == "limiting") {
     input.wear = Case::Wear::limiting;
-    input.worn_stick_ratio = entries.number(
-        "Wear", "Stick radius ratio",
-        {[](double x) { return x >= 0.01 && x <= 0.99; }, "a ratio of stick to unworn contact radius, 0.01 to 0.99"});
+    if (input.motion.normal_force || input.motion.tangential_force)
+      entries.forbid("Wear", "Stick radius ratio", "under a prescribed force it follows from the motion");
+    else
+      input.worn_stick_ratio = entries.number(
+          "Wear", "Stick radius ratio",
+          {[](double x) { return x >= 0.01 && x <= 0.99; }, "a ratio of stick to unworn contact radius, 0.01 to 0.99"});
     for (const char* name : {"Law", "Coefficient", "Exponent", "Cycles", "Until"})
       entries.forbid("Wear", name, "the limiting profile wears no more");
-    for (const char* name : {"Normal force", "Tangential force amplitude", "Normal harmonics", "Tangential harmonics"})
+    for (const char* name : {"Normal harmonics", "Tangential harmonics"})
       entries.forbid("Motion", name, "Wear / State = limiting prescribes the stick radius of one oscillation");
     return;
   }

@@ -24,6 +24,9 @@ int run_trade(const std::string& file, const fs::path& output) {
   if (cases.size() != 1)
     throw InputError(fmt::format("{}: a sweep has many trades; expected a file with a single case", file));
   const auto prepared = prepare(cases).front();
+  if (prepared.mdr.has_forces())
+    throw InputError(
+        fmt::format("{}: Motion: a force is prescribed; the levels of a trade need prescribed displacements", file));
   for (const auto& warning : prepared.input.warnings) log::warn(warning);
   const fs::path folder = output / prepared.input.name;
   fs::create_directories(folder);

@@ -1,5 +1,6 @@
 #include "comparison/reference/mdr_answer.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "comparison/support/json.h"
@@ -9,10 +10,86 @@
 
 namespace fretval {
 
+namespace {
+
+/// The displacements of a case; of a limiting profile under forces those of its state.
+mdr::HarmonicMotion displacements_of(const MdrCase& mdr) {
+  return mdr.limiting && mdr.has_forces() ? mdr::harmonic_motion(mdr.limiting_state->motion) : mdr.motion;
+}
+
+std::optional<double> radius_at(const MdrCase& mdr, double depth) {
+  return depth > 0 ? std::optional(mdr::inverse_transform(mdr.profile, depth)) : std::nullopt;
+}
+
+/// Of an unworn indenter, by the springs. Under both forces the shakedown radius has a closed form.
+MdrAnswer forced_answer(const MdrCase& mdr, const mdr::NormalResponse& normal) {
+  MdrAnswer answer{};
+  answer.contact_radius_max = normal.contact_radius_max;
+  answer.normal_force_max = normal.normal_force_max;
+  mdr::ForcedResponse response, error;
+  try {
+    const auto stepped = mdr::forced_response(mdr.profile, mdr.body, mdr.friction_coefficient, mdr.prescribed());
+    response = stepped.response;
+    error = stepped.error;
+  } catch (const mdr::GrossSlip& slip) {
+    answer.gross_slip = slip.amplitude;
+    return answer;
+  }
+  answer.stick_radius_first_slip = radius_at(mdr, response.depths.first_slip);
+  answer.stick_radius_shakedown = mdr.normal_force && mdr.tangential_force && mdr.limiting_state
+                                      ? mdr.limiting_state->stick_radius
+                                      : radius_at(mdr, response.depths.shakedown);
+  const double deepest = response.largest_indentation;
+  answer.stepping_error =
+      std::max({error.depths.first_slip, error.depths.shakedown, error.largest_indentation}) / deepest;
+  if (mdr.normal_force) answer.indentation_max = deepest;
+  if (mdr.tangential_force) {
+    answer.tangential_amplitude = response.tangential_amplitude;
+    answer.stepping_error = std::max(answer.stepping_error, error.tangential_amplitude / response.tangential_amplitude);
+  }
+  return answer;
+}
+
+MdrAnswer displaced_answer(const MdrCase& mdr, const mdr::HarmonicMotion& motion, const mdr::NormalResponse& normal) {
+  MdrAnswer answer{};
+  answer.contact_radius_max = normal.contact_radius_max;
+  answer.normal_force_max = normal.normal_force_max;
+  const auto one_each = mdr::one_harmonic_each(motion);
+  const auto radii_on = [&](const auto& profile) {
+    return one_each ? mdr::stick_radii(profile, mdr.body, mdr.friction_coefficient, *one_each)
+                    : mdr::stick_radii(profile, mdr.body, mdr.friction_coefficient, motion);
+  };
+  const auto radii = mdr.limiting ? radii_on(*mdr.limiting) : radii_on(mdr.profile);
+  // On the way to a limiting state under forces the outer part slips, which the state does not know.
+  answer.stick_radius_first_slip =
+      mdr.has_forces()
+          ? radius_at(mdr, mdr::forced_response(*mdr.limiting, mdr.body, mdr.friction_coefficient, mdr.prescribed())
+                               .response.depths.first_slip)
+          : radii.first_slip;
+  answer.stick_radius_shakedown = radii.shakedown;
+  if (mdr.limiting && one_each && one_each->tangential_amplitude > 0)
+    answer.limiting_amplitude =
+        mdr::tangential_amplitude_for_shakedown(mdr.body, mdr.friction_coefficient, *one_each,
+                                                mdr::transform(mdr.profile, mdr.limiting->stick_radius))
+            .value_or(0) /
+        one_each->tangential_amplitude;
+  if (mdr.normal_force) answer.indentation_max = mdr::maximum_indentation(motion);
+  if (mdr.tangential_force) answer.tangential_amplitude = motion.tangential.front().amplitude;
+  return answer;
+}
+
+}  // namespace
+
 mdr::NormalResponse mdr_normal_response(const MdrCase& mdr) {
-  const auto response = [&mdr](const std::function<double(double)>& g, double outer) {
-    const auto& [indentation, normal, tangential, locked] = mdr.motion;
-    if (normal.size() > 1) return mdr::stepped_normal_response(g, outer, mdr.body, mdr.motion).response;
+  if (mdr.normal_force && !mdr.limiting) {
+    auto normal = mdr.prescribed();
+    for (auto& harmonic : normal.motion.tangential) harmonic.amplitude = 0;
+    return mdr::forced_response(mdr.profile, mdr.body, 1, normal).response.normal;
+  }
+  const auto motion = displacements_of(mdr);
+  const auto response = [&](const std::function<double(double)>& g, double outer) {
+    const auto& [indentation, normal, tangential, locked] = motion;
+    if (normal.size() > 1) return mdr::stepped_normal_response(g, outer, mdr.body, motion).response;
     const auto& [amplitude, frequency, phase] = normal.front();
     return mdr::periodic_normal_response(g, outer, mdr.body, {indentation, amplitude, 0, frequency, frequency, {}},
                                          mdr::transform_kinks(mdr.profile));
@@ -20,22 +97,31 @@ mdr::NormalResponse mdr_normal_response(const MdrCase& mdr) {
   if (mdr.limiting)
     return response([worn = *mdr.limiting](double x) { return mdr::transform(worn, x); }, mdr.limiting->stick_radius);
   return response([profile = mdr.profile](double x) { return mdr::transform(profile, x); },
-                  mdr::inverse_transform(mdr.profile, mdr::maximum_indentation(mdr.motion)));
+                  mdr::inverse_transform(mdr.profile, mdr::maximum_indentation(motion)));
 }
 
 std::optional<mdr::LimitingProfile> worn_profile(const MdrCase& mdr, const std::optional<double>& shakedown_radius) {
   if (mdr.limiting || !shakedown_radius) return mdr.limiting;
-  return mdr::limiting_profile(mdr.profile, *shakedown_radius, mdr::maximum_indentation(mdr.motion));
+  if (mdr.has_forces() && !mdr.limiting_state) return std::nullopt;
+  if (mdr.has_forces())
+    return mdr::limiting_profile(mdr.profile, mdr.limiting_state->stick_radius,
+                                 mdr::maximum_indentation(mdr.limiting_state->motion));
+  return mdr::limiting_profile(mdr.profile, *shakedown_radius, deepest_indentation(mdr));
 }
 
 nlohmann::ordered_json to_json(const MdrAnswer& answer) {
-  return {{"modulus_ratio", answer.modulus_ratio},
-          {"contact_radius_max", or_null(answer.contact_radius_max)},
-          {"stick_radius_first_slip", or_null(answer.stick_radius_first_slip)},
-          {"stick_radius_shakedown", or_null(answer.stick_radius_shakedown)},
-          {"worn_radius", or_null(answer.worn_radius)},
-          {"normal_force_max", or_null(answer.normal_force_max)},
-          {"limiting_amplitude", or_null(answer.limiting_amplitude)}};
+  nlohmann::ordered_json json{{"modulus_ratio", answer.modulus_ratio},
+                              {"contact_radius_max", or_null(answer.contact_radius_max)},
+                              {"stick_radius_first_slip", or_null(answer.stick_radius_first_slip)},
+                              {"stick_radius_shakedown", or_null(answer.stick_radius_shakedown)},
+                              {"worn_radius", or_null(answer.worn_radius)},
+                              {"normal_force_max", or_null(answer.normal_force_max)},
+                              {"limiting_amplitude", or_null(answer.limiting_amplitude)}};
+  if (answer.indentation_max) json["indentation_max"] = *answer.indentation_max;
+  if (answer.tangential_amplitude) json["tangential_amplitude"] = *answer.tangential_amplitude;
+  if (answer.stepping_error > 0) json["stepping_error"] = answer.stepping_error;
+  if (answer.gross_slip) json["gross_slip"] = *answer.gross_slip;
+  return json;
 }
 
 bool MdrAnswer::wears_no_more() const {
@@ -44,25 +130,10 @@ bool MdrAnswer::wears_no_more() const {
 }
 
 MdrAnswer mdr_answer(const MdrCase& mdr, const mdr::NormalResponse& normal) {
-  MdrAnswer answer{};
+  auto answer = mdr.has_forces() && !mdr.limiting ? forced_answer(mdr, normal)
+                                                  : displaced_answer(mdr, displacements_of(mdr), normal);
   answer.modulus_ratio = mdr::modulus_ratio(mdr.body, mdr::angular_frequency(mdr.motion.normal.front().frequency));
-  answer.contact_radius_max = normal.contact_radius_max;
-  answer.normal_force_max = normal.normal_force_max;
-  const auto one_each = mdr::one_harmonic_each(mdr.motion);
-  const auto radii_on = [&](const auto& profile) {
-    return one_each ? mdr::stick_radii(profile, mdr.body, mdr.friction_coefficient, *one_each)
-                    : mdr::stick_radii(profile, mdr.body, mdr.friction_coefficient, mdr.motion);
-  };
-  const auto radii = mdr.limiting ? radii_on(*mdr.limiting) : radii_on(mdr.profile);
-  answer.stick_radius_first_slip = radii.first_slip;
-  answer.stick_radius_shakedown = radii.shakedown;
-  if (mdr.limiting && one_each && one_each->tangential_amplitude > 0)
-    answer.limiting_amplitude =
-        mdr::tangential_amplitude_for_shakedown(mdr.body, mdr.friction_coefficient, *one_each,
-                                                mdr::transform(mdr.profile, mdr.limiting->stick_radius))
-            .value_or(0) /
-        one_each->tangential_amplitude;
-  if (const auto worn = worn_profile(mdr, radii.shakedown)) answer.worn_radius = worn->outer_radius;
+  if (const auto worn = worn_profile(mdr, answer.stick_radius_shakedown)) answer.worn_radius = worn->outer_radius;
   return answer;
 }
 

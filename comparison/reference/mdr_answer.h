@@ -19,6 +19,13 @@ struct MdrAnswer {
   /// Tangential amplitude that the indenter is the limiting profile for, over that of the case; 0: there is none.
   /// Empty: the indenter is not worn, or does not move tangentially.
   std::optional<double> limiting_amplitude = {};
+  std::optional<double> indentation_max = {};       ///< in the periodic state; empty: prescribed, or as above
+  std::optional<double> tangential_amplitude = {};  ///< half of what lies between the extremes of u_x; likewise
+  /// Of springs that were stepped in time, the largest relative error of what is above; 0: closed forms.
+  double stepping_error = 0;
+  /// Of all amplitudes, the share at which the whole contact begins to slide under a prescribed tangential force while
+  /// they rise slowly; then all else but the normal response is empty. Empty: it never does.
+  std::optional<double> gross_slip = {};
 
   /// Whether all of the largest contact sticks in the end, as it does under a profile that is limiting for the motion.
   [[nodiscard]] bool wears_no_more() const;
@@ -28,7 +35,8 @@ struct MdrAnswer {
 mdr::NormalResponse mdr_normal_response(const MdrCase& mdr);
 
 /// The profile in which the case wears no more: the indenter itself if it is worn already, or else the limiting
-/// profile of the shakedown radius. Empty: nothing sticks, and wear goes on for ever.
+/// profile of the shakedown radius; under forces that of their limiting state. Empty: nothing sticks, and wear goes on
+/// for ever; or the state of two frequencies is not known.
 std::optional<mdr::LimitingProfile> worn_profile(const MdrCase& mdr, const std::optional<double>& shakedown_radius);
 
 /// The "mdr" object of result.json. SI units; null where nothing sticks.

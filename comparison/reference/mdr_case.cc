@@ -38,7 +38,18 @@ std::vector<mdr::Harmonic> with_first(const mdr::Harmonic& first, const std::vec
   return harmonics;
 }
 
+mdr::LimitingProfile limiting_under_forces(const Case& input, const MdrCase& mdr) {
+  if (!mdr.limiting_state)
+    throw InputError(fmt::format(
+        "{}: Wear / State = limiting: there is no limiting state, because no contact carries the prescribed "
+        "motion without slip, or has two frequencies; expected smaller amplitudes, and one frequency",
+        input.file));
+  return mdr::limiting_profile(mdr.profile, mdr.limiting_state->stick_radius,
+                               mdr::maximum_indentation(mdr.limiting_state->motion));
+}
+
 mdr::LimitingProfile limiting_of(const Case& input, const MdrCase& mdr) {
+  if (mdr.has_forces()) return limiting_under_forces(input, mdr);
   const double deepest = mdr::maximum_indentation(mdr.motion);
   const double unworn_radius = mdr::inverse_transform(mdr.profile, deepest),
                stick_radius = input.worn_stick_ratio * unworn_radius;
@@ -66,9 +77,18 @@ double amplitude_for_shakedown(const Case& input, const MdrCase& mdr) {
 /// What finite elements do not do yet, and the entry that asks for it; empty: nothing.
 std::string why_not_comparable(const Case& input) {
   const auto& motion = input.motion;
-  if (motion.normal_force) return "Motion / Normal force: forces are not prescribed";
-  if (motion.tangential_force) return "Motion / Tangential force amplitude: forces are not prescribed";
   const auto path = harmonic_motion_of(motion);
+  const char* force = motion.normal_force       ? "Motion / Normal force"
+                      : motion.tangential_force ? "Motion / Tangential force amplitude"
+                                                : nullptr;
+  if (motion.normal_force && motion.normal_force->amplitude >= motion.normal_force->mean)
+    return fmt::format(
+        "Motion / Normal force amplitude = {:g}: a normal force that is not positive all the time, as one "
+        "below its mean of {:g} N would be, is not balanced",
+        motion.normal_force->amplitude, motion.normal_force->mean);
+  if (force && !(path.phase_locked && mdr::common_cycle(path)))
+    return fmt::format("{}: forces with an unlocked phase or frequencies without a common period are not prescribed",
+                       force);
   if (!mdr::common_cycle({path.indentation, path.normal, {}}))
     return "Motion / Normal harmonics: normal frequencies without a common period are not computed";
   constexpr double largest_ratio = 1000;
@@ -132,14 +152,19 @@ mdr::PronyBody body_in_time(const Case& input) {
 }
 
 mdr::HarmonicMotion harmonic_motion_of(const Case::Motion& motion) {
-  return {motion.indentation,
-          with_first({motion.normal_amplitude, motion.normal_frequency, 0}, motion.normal_harmonics),
-          with_first({motion.tangential_amplitude, motion.tangential_frequency, phase_of(motion).value_or(0)},
-                     motion.tangential_harmonics),
-          motion.phase.has_value()};
+  const auto& force = motion.normal_force;
+  const double mean = force ? force->mean : motion.indentation,
+               normal = force ? force->amplitude : motion.normal_amplitude,
+               tangential = motion.tangential_force.value_or(motion.tangential_amplitude);
+  return {
+      mean, with_first({normal, motion.normal_frequency, 0}, motion.normal_harmonics),
+      with_first({tangential, motion.tangential_frequency, phase_of(motion).value_or(0)}, motion.tangential_harmonics),
+      motion.phase.has_value()};
 }
 
 mdr::Motion one_harmonic_each_of(const Case& input, const MdrCase& mdr, const std::string& what) {
+  if (mdr.has_forces())
+    throw InputError(fmt::format("{}: {}: it needs prescribed displacements in both directions", input.file, what));
   const auto motion = mdr::one_harmonic_each(mdr.motion);
   if (!motion) throw InputError(fmt::format("{}: {}: it needs one harmonic in each direction", input.file, what));
   return *motion;
@@ -155,17 +180,33 @@ mdr::FrettingControl control_of(const Case::Motion& motion) {
   return control;
 }
 
+double deepest_indentation(const MdrCase& mdr) {
+  return mdr.limiting && mdr.has_forces() ? mdr::maximum_indentation(mdr.limiting_state->motion)
+                                          : mdr::deepest_indentation(mdr.profile, mdr.body, mdr.prescribed());
+}
+
 MdrCase mdr_case(const Case& input) {
   require_comparable(input);
   const auto& motion = input.motion;
   const bool amplitude_follows = std::isnan(motion.tangential_amplitude);
+  if (amplitude_follows && motion.normal_force)
+    throw InputError(
+        fmt::format("{}: Motion / Tangential amplitude = shakedown: it belongs to an Indentation; under a Normal force "
+                    "it has to be "
+                    "a number in m",
+                    input.file));
   auto path = harmonic_motion_of(motion);
   if (amplitude_follows) path.tangential.front().amplitude = 0;
   MdrCase mdr{profile_of(input.indenter),
               body_in_time(input),
               input.friction_coefficient,
               mdr::shifted(mdr::without_still_harmonics(path), mdr::time_of_maximum_indentation(path)),
-              {}};
+              {},
+              motion.normal_force.has_value(),
+              motion.tangential_force.has_value()};
+  if (mdr.has_forces() && motion.normal_frequency == motion.tangential_frequency)
+    mdr.limiting_state = mdr::limiting_state(mdr.profile, rheology_of(input.elastomer), mdr.friction_coefficient,
+                                             control_of(motion), mdr::StickCriterion::shakedown);
   if (input.wear == Case::Wear::limiting) mdr.limiting = limiting_of(input, mdr);
   if (amplitude_follows) mdr.motion.tangential.front().amplitude = amplitude_for_shakedown(input, mdr);
   return mdr;

@@ -7,27 +7,42 @@
 #include "mdr/motion/motion.h"
 #include "mdr/profiles/profile.h"
 #include "mdr/rheology/rheology.h"
+#include "mdr/springs/forced_response.h"
 #include "mdr/stick/limiting_profile.h"
 #include "mdr/stick/limiting_state.h"
 
 namespace fretval {
 
-/// A case in the terms of the analytic reference, as far as finite elements can be compared with it: prescribed
-/// displacements that repeat. SI units, angles in radians.
+/// A case in the terms of the analytic reference, as far as finite elements can be compared with it: what is prescribed
+/// repeats. SI units, angles in radians.
 struct MdrCase {
   mdr::Profile profile;
   mdr::PronyBody body;
   double friction_coefficient;
-  mdr::HarmonicMotion motion;                    ///< without still harmonics; time 0: an instant of largest indentation
-  std::optional<mdr::LimitingProfile> limiting;  ///< Wear / State = limiting: the indenter itself
+  /// Without still harmonics; time 0: an instant of largest indentation or, where it is prescribed, normal force. A
+  /// force stands in the place of the displacement.
+  mdr::HarmonicMotion motion;
+  std::optional<mdr::LimitingProfile> limiting;         ///< Wear / State = limiting: the indenter itself
+  bool normal_force = false, tangential_force = false;  ///< what is prescribed; false: displacements
+  /// What forces lead to; empty: no forces, two frequencies, or no limiting state. A limiting profile under forces is
+  /// its.
+  std::optional<mdr::LimitingState> limiting_state = {};
+
+  [[nodiscard]] bool has_forces() const { return normal_force || tangential_force; }
+  [[nodiscard]] mdr::Prescribed prescribed() const { return {motion, normal_force, tangential_force}; }
 };
+
+/// Largest indentation that is reached or, under a normal force, an upper bound of it (mdr::deepest_indentation), which
+/// the body of the finite elements is made for. In a limiting state that forces lead to, that of the state.
+double deepest_indentation(const MdrCase& mdr);
 
 /// Throws InputError for a case that is not comparable (see require_comparable) or a limiting state that no tangential
 /// amplitude leads to, std::invalid_argument for values that the reference refuses.
 MdrCase mdr_case(const Case& input);
 
-/// Throws InputError, naming the entry, for a case that only the reference covers: prescribed forces, normal
-/// frequencies without a common period, frequencies more than a factor of 1000 apart.
+/// Throws InputError, naming the entry, for a case that only the reference covers: normal frequencies without a common
+/// period, frequencies more than a factor of 1000 apart; under prescribed forces an unlocked phase, frequencies without
+/// a common period and a normal force that is not always positive.
 void require_comparable(const Case& input);
 
 /// The same as a question.

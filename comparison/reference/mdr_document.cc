@@ -10,7 +10,6 @@
 #include "comparison/reference/mdr_wear.h"
 #include "comparison/reference/spring_agreement.h"
 #include "comparison/support/json.h"
-#include "mdr/motion/force_control.h"
 #include "mdr/stick/stick_radius.h"
 
 namespace fretval {
@@ -117,29 +116,6 @@ ordered_json elastomer_json(const Case::Elastomer& elastomer) {
             {"worst_frequency", curve.kramers_kronig_frequency}}}};
 }
 
-/// The displacements of a case. Under a normal force, which decides itself how deep the indenter goes, the indentation
-/// is the largest that the relaxed body would let it reach.
-mdr::HarmonicMotion displacements_of(const Case::Motion& motion, const mdr::Profile& profile,
-                                     const mdr::PronyBody& body) {
-  auto displacements = harmonic_motion_of(motion);
-  if (motion.normal_force)
-    displacements.indentation = mdr::indentation_for_force(profile, body.relaxed_modulus,
-                                                           motion.normal_force->mean + motion.normal_force->amplitude);
-  return displacements;
-}
-
-/// ramp: s
-mdr::Loading loading_of(const Case::Motion& motion, const mdr::HarmonicMotion& displacements, double ramp) {
-  mdr::Loading loading{mdr::ramped_path(displacements, ramp), {}, {}};
-  if (motion.normal_force)
-    loading.normal_force =
-        mdr::ramped_force(motion.normal_force->mean, motion.normal_force->amplitude, motion.normal_frequency, 0, ramp);
-  if (motion.tangential_force)
-    loading.tangential_force = mdr::ramped_force(0, *motion.tangential_force, motion.tangential_frequency,
-                                                 displacements.tangential.front().phase, ramp);
-  return loading;
-}
-
 /// closed_form: the stick radii as they stand in the document.
 ordered_json springs_json(const Case& input, const ordered_json& closed_form) {
   const auto answer = spring_answer(input);
@@ -200,16 +176,18 @@ SpringAnswer spring_answer(const Case& input, const SpringSetting& setting) {
     throw InputError(input.file + ": Wear / State = limiting: springs are stepped for an unworn indenter");
   const auto body = body_in_time(input);
   const auto profile = profile_of(input.indenter);
-  const auto motion = displacements_of(input.motion, profile, body);
+  const mdr::Prescribed prescribed{harmonic_motion_of(input.motion), input.motion.normal_force.has_value(),
+                                   input.motion.tangential_force.has_value()};
+  const auto& motion = prescribed.motion;
   const double period = mdr::common_period(motion);
   double fastest = 0;
   for (const auto* harmonics : {&motion.normal, &motion.tangential})
     for (const auto& harmonic : *harmonics) fastest = std::max(fastest, harmonic.frequency);
   const int steps = setting.steps_per_cycle * static_cast<int>(std::lround(fastest * period));
-  const double outer = 1.001 * mdr::inverse_transform(profile, mdr::maximum_indentation(motion));
+  const double outer = 1.001 * mdr::inverse_transform(profile, mdr::deepest_indentation(profile, body, prescribed));
   auto bed = mdr::spring_bed(profile, std::min(outer, mdr::end_radius(profile)), setting.n_springs);
   auto history = mdr::spring_history(bed, body, input.friction_coefficient,
-                                     loading_of(input.motion, motion, setting.n_ramp_periods * period),
+                                     mdr::loading_of(prescribed, setting.n_ramp_periods * period),
                                      {period, steps, setting.n_ramp_periods, 2000, setting.periodicity});
   return {std::move(bed), std::move(history), steps};
 }

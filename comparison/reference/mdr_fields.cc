@@ -40,7 +40,7 @@ void add_worn_columns(const mdr::LimitingProfile& worn, const mdr::PronyBody& bo
 std::vector<Column> surface_columns(const Case& input, const std::optional<mdr::LimitingProfile>& worn) {
   const auto springs = spring_answer(input);
   const auto mdr = mdr_case(input);
-  const double a = mdr::inverse_transform(mdr.profile, mdr::maximum_indentation(mdr.motion));
+  const double a = mdr::inverse_transform(mdr.profile, deepest_indentation(mdr));
   const double width = std::min(1.6 * a, mdr::end_radius(mdr.profile)) / n_field_points;
   // Off the axis, where the pressure under a cone is infinite.
   const Eigen::VectorXd r = Eigen::VectorXd::LinSpaced(n_field_points, 0.5 * width, (n_field_points - 0.5) * width);
@@ -49,7 +49,7 @@ std::vector<Column> surface_columns(const Case& input, const std::optional<mdr::
   add_spring_columns(mdr::spring_fields(springs.bed, mdr.body, springs.history.deepest), "deepest", r, columns);
   add_spring_columns(mdr::spring_fields(springs.bed, mdr.body, springs.history.highest), "highest", r, columns);
   const auto motion = mdr::one_harmonic_each(mdr.motion);
-  if (worn && motion && motion->phase) add_worn_columns(*worn, mdr.body, *motion, r, columns);
+  if (worn && !mdr.has_forces() && motion && motion->phase) add_worn_columns(*worn, mdr.body, *motion, r, columns);
   return columns;
 }
 

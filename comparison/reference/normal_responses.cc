@@ -9,10 +9,10 @@ std::shared_ptr<const mdr::NormalResponse> NormalResponses::of(const Case& input
   const Indenter indenter{shape.shape,       shape.radius,      shape.slope_angle, shape.coefficient, shape.exponent,
                           shape.flat_radius, shape.edge_radius, shape.table,       shape.table_noise};
   const Body body{mdr.body.relaxed_modulus, mdr.body.branch_moduli, mdr.body.branch_times, mdr.body.viscosity};
-  Motion motion{mdr.motion.indentation, {}};
+  Motion motion{mdr.normal_force, mdr.motion.indentation, {}};
   for (const auto& [amplitude, frequency, phase] : mdr.motion.normal)
-    std::get<1>(motion).emplace_back(amplitude, frequency, phase);
-  return responses_.find_or_make({indenter, body, motion, {input.wear, input.worn_stick_ratio}},
+    std::get<2>(motion).emplace_back(amplitude, frequency, phase);
+  return responses_.find_or_make({indenter, body, motion, mdr.limiting ? mdr.limiting->stick_radius : 0},
                                  [&] { return mdr_normal_response(mdr); });
 }
 

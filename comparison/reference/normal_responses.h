@@ -22,9 +22,9 @@ class NormalResponses {
  private:
   using Indenter = std::tuple<Case::Shape, double, double, double, double, double, double, std::string, double>;
   using Body = std::tuple<double, std::vector<double>, std::vector<double>, double>;
-  using Motion = std::tuple<double, std::vector<std::tuple<double, double, double>>>;
-  using Wear = std::tuple<Case::Wear, double>;
-  MadeOnce<std::tuple<Indenter, Body, Motion, Wear>, mdr::NormalResponse> responses_;
+  using Motion = std::tuple<bool, double, std::vector<std::tuple<double, double, double>>>;
+  /// Last the stick radius of the limiting profile, or 0.
+  MadeOnce<std::tuple<Indenter, Body, Motion, double>, mdr::NormalResponse> responses_;
 };
 
 }  // namespace fretval

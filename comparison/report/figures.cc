@@ -41,7 +41,8 @@ std::vector<std::pair<std::string, Members>> swept_by_shape(const std::vector<St
   for (const char* shape : {"parabola", "cone", "power"}) {
     Members members;
     for (const auto& r : results)
-      if (r.swept_over(entry) && r.has_one_frequency() && r.text("scene", "shape") == shape) members.push_back(&r);
+      if (r.swept_over(entry) && r.has_one_frequency() && !r.has_forces() && r.text("scene", "shape") == shape)
+        members.push_back(&r);
     if (!members.empty()) shapes.emplace_back(shape, std::move(members));
   }
   return shapes;

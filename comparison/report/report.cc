@@ -10,6 +10,7 @@
 #include "comparison/case/case.h"
 #include "comparison/report/exact_section.h"
 #include "comparison/report/figures.h"
+#include "comparison/report/forces_section.h"
 #include "comparison/report/suite_section.h"
 #include "comparison/report/table.h"
 #include "comparison/report/trade_section.h"
@@ -117,7 +118,8 @@ std::string phase_section(const Results& results) {
 std::string rheology_section(const Results& results) {
   std::map<std::string, Results> by_rheology;
   for (const auto& r : results)
-    if (r.swept_over("Motion / Phase") && r.has_one_frequency()) by_rheology[r.text("scene", "rheology")].push_back(r);
+    if (r.swept_over("Motion / Phase") && r.has_one_frequency() && !r.has_forces())
+      by_rheology[r.text("scene", "rheology")].push_back(r);
   if (by_rheology.size() < 2) return "";
   Table table{{"rheology", "ρ", "cases", "first slip, largest difference", "shakedown, largest difference",
                "cycles to the steady state"}};
@@ -285,7 +287,7 @@ fs::path write_report(const fs::path& folder) {
   std::string sections;
   for (const auto& section :
        {of_results(verdict_section), of_results(radii_section), of_results(phase_section), of_results(rheology_section),
-        of_results(motions_section), of_results(limiting_section), of_results(wear_section),
+        of_results(motions_section), of_results(forces_section), of_results(limiting_section), of_results(wear_section),
         of_results(single_cases_section), of_results(budget_section), trade_section(folder),
         section_of(folder / "tolerance.json", suite_section), section_of(folder / "extremes.json", suite_section),
         section_of(folder / "random.json", suite_section), section_of(folder / "exact.json", convergence_section),

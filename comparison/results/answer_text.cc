@@ -45,11 +45,23 @@ Value value_of(const CaseResult& result, Quantity quantity) {
       return {fe.stick_radius_shakedown, mdr.stick_radius_shakedown};
     case Quantity::contact_radius_max:
       return {fe.contact_radius_max, mdr.contact_radius_max};
+    case Quantity::indentation_max:
+      return {fe.indentation_max, mdr.indentation_max};
+    case Quantity::tangential_amplitude:
+      return {fe.tangential_amplitude, mdr.tangential_amplitude};
     case Quantity::worn_radius:
       return {result.wear->fe.worn_radius * result.fem_case.units.length, mdr.worn_radius};
     default:
       return {fe.normal_force_max, mdr.normal_force_max};
   }
+}
+
+std::string gross_slip_text(const std::optional<GrossSlipStart>& fe, const std::optional<double>& mdr) {
+  const auto at = [](double share) { return fmt::format("at {:.1f} % of the amplitudes", 100 * share); };
+  const std::string none = "no gross slip";
+  return fmt::format(
+      "gross slip: the tangential force comes to mu times the normal force. Finite elements: {}; MDR: {}",
+      fe ? fmt::format("after {}, {}", with_unit(fe->time, 0, "s"), at(fe->amplitude)) : none, mdr ? at(*mdr) : none);
 }
 
 std::string verdict_text(const CaseResult& result) {
@@ -97,6 +109,8 @@ std::string with_unit(double value, double bar, const std::string& unit) {
 }
 
 std::string answer_text(const CaseResult& result) {
+  if (result.fe.fe.gross_slip || result.mdr.gross_slip)
+    return fmt::format("{}: {}\n", result.input.name, gross_slip_text(result.fe.fe.gross_slip, result.mdr.gross_slip));
   const auto row = [](const std::string& title, const std::string& fe, const std::string& mdr) {
     return fmt::format("  {:<28} {:<28} {}\n", title, fe, mdr);
   };
@@ -107,7 +121,8 @@ std::string answer_text(const CaseResult& result) {
     const auto& traits = traits_of(quantity);
     if (compared == result.comparison.end() || *traits.unit == '\0' || quantity == Quantity::worn_volume) continue;
     const auto [fe, mdr] = value_of(result, quantity);
-    const double scale = quantity == Quantity::normal_force_max ? fe.value_or(0) : result.fem_case.units.length;
+    const bool over_a = quantity == Quantity::contact_radius_max || std::string(traits.scale) == "over a";
+    const double scale = over_a ? result.fem_case.units.length : fe.value_or(0);
     const auto& bar = compared->second.bar;
     const auto shown = [&](const std::optional<double>& value, double width) {
       return value ? with_unit(*value, width, traits.unit) : std::string("none");

@@ -36,7 +36,7 @@ BatchLine run_case(const PreparedCase& asked, const BatchOptions& options, BodyS
     add_wear(std::move(wear), result);
   }
   line.comparison = result.comparison;
-  line.pass = passes(line.comparison);
+  line.pass = passes(result);
   line.answer = answer_text(result);
   if (!options.output.empty()) write_result(result, *reference, folder);
   return line;

@@ -71,11 +71,12 @@ void write_history(const CaseResult& result, const mdr::NormalResponse& referenc
   for (Eigen::Index k = 0; k < n; ++k) {
     const double t = history.first_balance + static_cast<double>(first + k - 1) * dt;
     time[k] = t / fem.units.angular_frequency;
-    indentation[k] = fem::normal_motion(fem.motion, t).value * fem.units.depth;
-    displacement[k] = fem::tangential_motion(fem.motion, t).value * fem.units.depth;
     const auto column = history.column(first + k);
+    indentation[k] = history.indentation[column] * fem.units.depth;
+    displacement[k] = friction.indenter[k] * fem.units.depth;
     normal_force[k] = (history.force[column] + history.force_beyond[column]) * fem.units.force();
-    mdr_force[k] = force_at(reference, time[k]);
+    mdr_force[k] = fem.motion.normal_force ? fem::normal_motion(fem.motion, t).value * fem.units.force()
+                                           : force_at(reference, time[k]);
     tangential_force[k] = friction.force[k] * fem.units.force();
   }
   write_csv(file, {{"t [s]", time},
@@ -99,7 +100,8 @@ void write_contact(const CaseResult& result, const fs::path& file) {
                    {"p largest [Pa]", units.pressure() * last_cycle.rowwise().maxCoeff()},
                    {"tau smallest [Pa]", units.pressure() * friction.traction.rowwise().minCoeff()},
                    {"tau largest [Pa]", units.pressure() * friction.traction.rowwise().maxCoeff()},
-                   {"surface height at d max [m]", units.depth * (1 - normal.deepest_displacement.array()).matrix()},
+                   {"surface height at d max [m]",
+                    units.depth * (normal.largest_indentation - normal.deepest_displacement.array()).matrix()},
                    {"slip per period [m]", units.depth * friction.period_slip},
                    {"first slip margin [Pa]", units.pressure() * friction.first_slip_margin},
                    {"shakedown margin [Pa]", units.pressure() * friction.shakedown_margin}});
@@ -149,12 +151,24 @@ void write_fields(const CaseResult& result, const fs::path& folder) {
   });
 }
 
+/// What there is of a contact that does not slide as a whole.
+void write_periodic_state(const CaseResult& result, const mdr::NormalResponse& reference, const fs::path& folder) {
+  write_history(result, reference, folder / "history.csv");
+  write_contact(result, folder / "contact.csv");
+  if (result.input.fields == Case::Fields::extremes) write_fields(result, folder);
+}
+
 /// Names of files may have bytes that are not UTF-8.
 std::string as_text(const nlohmann::ordered_json& json) {
   return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace
+
+bool passes(const CaseResult& result) {
+  const bool fe_slips = result.fe.fe.gross_slip.has_value(), mdr_slips = result.mdr.gross_slip.has_value();
+  return fe_slips == mdr_slips && passes(result.comparison);
+}
 
 CaseResult result_of(const PreparedCase& prepared, const mdr::NormalResponse& reference, Proof proof,
                      ProvedAnswer&& fe) {
@@ -181,11 +195,9 @@ void withdraw_result(const fs::path& folder) {
 
 void write_result(const CaseResult& result, const mdr::NormalResponse& reference, const fs::path& folder) {
   fs::create_directories(folder);
-  write_history(result, reference, folder / "history.csv");
-  write_contact(result, folder / "contact.csv");
   write_profile(result, folder / "profile.csv");
+  if (!result.fe.fe.gross_slip) write_periodic_state(result, reference, folder);
   if (result.wear) write_wear(*result.wear, result.fem_case.units, folder);
-  if (result.input.fields == Case::Fields::extremes) write_fields(result, folder);
   write_file(folder / "run.json", as_text(run_json(result)));
   write_file(folder / "result.json", as_text(result_json(result)));
 }

@@ -21,6 +21,9 @@ struct CaseResult {
   std::optional<ProvedWear> wear = {};
 };
 
+/// Whether all that is compared passes; gross slip, if either of both finds it, is what both have to find.
+bool passes(const CaseResult& result);
+
 /// Both answers to a case, compared.
 CaseResult result_of(const PreparedCase& prepared, const mdr::NormalResponse& reference, Proof proof,
                      ProvedAnswer&& fe);

@@ -6,6 +6,7 @@
 #include "comparison/results/wear_json.h"
 #include "comparison/simulation/resolution_json.h"
 #include "comparison/support/json.h"
+#include "mdr/motion/force_control.h"
 #include "mdr/profiles/profile.h"
 
 namespace fretval {
@@ -24,30 +25,35 @@ ordered_json harmonics_json(const std::vector<mdr::Harmonic>& harmonics) {
 ordered_json case_json(const CaseResult& result) {
   const auto& input = result.input;
   const auto& motion = result.mdr_case.motion;
+  const bool normal_force = result.mdr_case.normal_force, tangential_force = result.mdr_case.tangential_force;
+  const double at_rest = normal_force ? mdr::indentation_for_force(result.mdr_case.profile,
+                                                                   input.elastomer.relaxed_modulus, motion.indentation)
+                                      : motion.indentation;
   ordered_json json{{"file", input.file},
                     {"shape", Case::shape_names[static_cast<std::size_t>(input.indenter.shape)]},
                     {"rheology", input.elastomer.rheology},
                     {"friction_coefficient", input.friction_coefficient},
-                    {"indentation", motion.indentation},
-                    {"indentation_max", result.fem_case.units.depth},
-                    {"normal_amplitude", motion.normal.front().amplitude},
-                    {"tangential_amplitude", motion.tangential.front().amplitude},
                     {"frequency", motion.normal.front().frequency},
                     {"tangential_frequency", motion.tangential.front().frequency},
                     {"phase", or_null(input.motion.phase)},
                     {"wear", input.wear == Case::Wear::limiting ? "limiting" : "unworn"},
-                    {"contact_radius_at_rest", mdr::inverse_transform(result.mdr_case.profile, motion.indentation)},
+                    {"contact_radius_at_rest", mdr::inverse_transform(result.mdr_case.profile, at_rest)},
                     {"contact_radius_unworn", result.fem_case.units.length},
                     {"tolerance", input.tolerance}};
+  json[normal_force ? "normal_force_mean" : "indentation"] = motion.indentation;
+  json[normal_force ? "normal_force_amplitude" : "normal_amplitude"] = motion.normal.front().amplitude;
+  json[tangential_force ? "tangential_force_amplitude" : "tangential_amplitude"] = motion.tangential.front().amplitude;
   if (motion.normal.size() > 1) json["normal_harmonics"] = harmonics_json(motion.normal);
   if (motion.tangential.size() > 1) json["tangential_harmonics"] = harmonics_json(motion.tangential);
   if (result.mdr_case.limiting) json["stick_radius_of_profile"] = result.mdr_case.limiting->stick_radius;
-  if (const auto& wear = input.wear_kinetics)
+  if (const auto& wear = input.wear_kinetics) {
+    json["indentation_max"] = result.fem_case.units.depth;
     json["wear_law"] = {{"law", Case::wear_law_names[static_cast<std::size_t>(wear->law)]},
                         {"coefficient", wear->coefficient},
                         {"exponent", wear->exponent},
                         {"cycles", or_null(wear->n_cycles)},
                         {"until", wear->until}};
+  }
   if (input.sweep)
     json["sweep"] = {{"family", input.sweep->family}, {"entry", input.sweep->entry}, {"value", input.sweep->value}};
   return json;
@@ -67,7 +73,10 @@ ordered_json fe_json(const CaseResult& result) {
                     {"stick_radius_first_slip", or_null(fe.stick_radius_first_slip)},
                     {"stick_radius_shakedown", or_null(fe.stick_radius_shakedown)},
                     {"worn_radius", nullptr},
-                    {"normal_force_max", fe.normal_force_max}};
+                    {"normal_force_max", fe.gross_slip ? ordered_json(nullptr) : ordered_json(fe.normal_force_max)}};
+  if (fe.indentation_max) json["indentation_max"] = *fe.indentation_max;
+  if (fe.tangential_amplitude) json["tangential_amplitude"] = *fe.tangential_amplitude;
+  if (fe.gross_slip) json["gross_slip"] = {{"time", fe.gross_slip->time}, {"amplitude", fe.gross_slip->amplitude}};
   if (fe.no_wear) {
     json["slip_inside_stick_zone"] = fe.no_wear->slip_inside;
     json["force_outside_stick_zone"] = fe.no_wear->force_outside;
@@ -111,7 +120,7 @@ ordered_json result_json(const CaseResult& result) {
   auto mdr = to_json(result.mdr);
   if (result.wear && result.wear->kinetics) mdr["wear"] = to_json(*result.wear->kinetics);
   return {{"name", result.input.name},
-          {"pass", passes(result.comparison)},
+          {"pass", passes(result)},
           {"proof", name_of(result.proof)},
           {"scene", case_json(result)},
           {"mdr", std::move(mdr)},

@@ -136,6 +136,11 @@ bool StoredResult::has_one_frequency() const {
          !(scene.contains("tangential_frequency") && scene.at("tangential_frequency") != scene.at("frequency"));
 }
 
+bool StoredResult::has_forces() const {
+  const auto& scene = json.at("scene");
+  return scene.contains("normal_force_mean") || scene.contains("tangential_force_amplitude");
+}
+
 double StoredResult::sweep_value() const {
   const auto& scene = json.at("scene");
   return scene.contains("sweep") ? scene["sweep"].value("value", 0.0) : 0;

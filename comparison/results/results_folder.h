@@ -21,6 +21,8 @@ struct StoredResult {
   [[nodiscard]] double sweep_value() const;
   /// Whether both directions move with one harmonic of the same frequency, as in the paper.
   [[nodiscard]] bool has_one_frequency() const;
+  /// Whether a force is prescribed.
+  [[nodiscard]] bool has_forces() const;
   [[nodiscard]] std::string family() const;  ///< name of the sweep, or the name of the case
 };
 

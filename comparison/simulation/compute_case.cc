@@ -1,6 +1,7 @@
 #include "comparison/simulation/compute_case.h"
 
 #include "comparison/support/stopwatch.h"
+#include "fem/history/gross_slip.h"
 #include "fem/history/static_contact.h"
 
 namespace fretval {
@@ -27,13 +28,16 @@ class ProblemsAtSlack {
 
 /// The friction beside the normal contact, or none where the indenter does not move tangentially. normal: with its
 /// edges read.
-fem::FrictionHistory friction_beside(const std::vector<Eigen::VectorXd>& pressures, const fem::NormalHistory& normal,
+fem::FrictionHistory friction_beside(const NormalRecord& record, const fem::NormalHistory& normal,
                                      const ContactProblems& problems, const FemCase& fem,
                                      const fem::HistoryControl& control) {
-  if (!problems.tangential) return fem::friction_at_rest(problems.normal, fem.friction_coefficient, pressures, normal);
+  if (!problems.tangential)
+    return fem::friction_at_rest(problems.normal, fem.friction_coefficient, record.pressures, normal);
   fem::WatchedFriction friction(*problems.tangential, fem.relaxation, fem.friction_coefficient, fem.motion,
                                 control.steps_per_cycle);
-  for (std::size_t k = 1; k < pressures.size(); ++k) friction.step(pressures[k]);
+  for (std::size_t k = 1; k < record.pressures.size(); ++k)
+    friction.step(record.pressures[k],
+                  fem::NormalInstant{problems.normal.series.radii(), record.radii[k], record.forces[k]});
   return fem::friction_history(std::move(friction), normal, control);
 }
 
@@ -42,30 +46,43 @@ fem::HistoryControl control_of(const FemCase& fem) {
   return {fem.steps_per_cycle(), fem.motion.cycles_of_ramp() + most_after_ramp, fem.resolution.periodicity};
 }
 
+FeAnswer answer_of_histories(const ContactProblems& problems, const FemCase& fem, NormalStore& normals) {
+  const auto profile = fem::ring_means(problems.normal.compliance, fem.profile);
+  const auto control = control_of(fem);
+  const auto record = normals.find_or_make(fem, problems.normal, profile, control);
+  auto normal = record->history;
+  Stopwatch watch;
+  const auto contact_radius = read_contact_radius(problems.normal, fem, profile, normal);
+  auto friction = friction_beside(*record, normal, problems, fem, control);
+
+  auto answer = read_answer(problems, fem, profile, contact_radius, std::move(normal), std::move(friction));
+  answer.seconds = {record->seconds, watch.lap()};
+  return answer;
+}
+
+FeAnswer answer_of(const fem::GrossSlip& slip, const FemCase& fem) {
+  FeAnswer answer;
+  answer.gross_slip = GrossSlipStart{slip.time / fem.units.angular_frequency, slip.amplitude};
+  return answer;
+}
+
 }  // namespace
 
 FeAnswer compute_case(const FemCase& fem_case, const Resolution& resolution, BodyStore& bodies) {
   const FemCase fem = at_resolution(fem_case, resolution);
-  Stopwatch watch;
-
   std::shared_ptr<const Body> whole;
   const bool keeps = fem_case.keeps_body && resolution == fem_case.resolution;
   const auto body = find_or_make_body(fem.body, bodies, keeps ? &whole : nullptr);
   const ProblemsAtSlack at_slack(*body, resolution.active_set_slack);
-  const auto problems = at_slack.problems();
-  const auto profile = fem::ring_means(problems.normal.compliance, fem.profile);
-  const auto control = control_of(fem);
 
-  const auto record = bodies.normals.find_or_make(fem, problems.normal, profile, control);
-  auto normal = record->history;
-  watch.lap();
-  const auto contact_radius = read_contact_radius(problems.normal, fem, profile, normal);
-  auto friction = friction_beside(record->pressures, normal, problems, fem, control);
-
-  auto answer = read_answer(problems, fem, profile, contact_radius, std::move(normal), std::move(friction));
+  FeAnswer answer;
+  try {
+    answer = answer_of_histories(at_slack.problems(), fem, bodies.normals);
+  } catch (const fem::GrossSlip& slip) {
+    answer = answer_of(slip, fem);
+  }
   answer.body = body->summary;
   answer.whole_body = whole;
-  answer.seconds = {record->seconds, watch.lap()};
   return answer;
 }
 

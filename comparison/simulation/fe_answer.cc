@@ -7,6 +7,7 @@
 #include "fem/stick_zone/contact_radius.h"
 #include "fem/stick_zone/edge_near_largest_contact.h"
 #include "fem/stick_zone/largest_force.h"
+#include "fem/stick_zone/largest_indentation.h"
 #include "fem/stick_zone/limiting_amplitude.h"
 #include "fem/stick_zone/stick_depths.h"
 #include "fem/stick_zone/stick_zones.h"
@@ -42,7 +43,7 @@ NoWearEvidence no_wear_evidence(const ContactProblems& problems, const FemCase& 
   NoWearEvidence evidence{0, largest_share_outside(normal, compliance.areas, n_inside),
                           fem::touch_indentation(compliance, profile, n_inside, n_worn), std::nullopt};
   if (!problems.tangential) return evidence;
-  evidence.slip_inside = friction.period_slip.head(n_inside).maxCoeff() / fem.motion.tangential_amplitude();
+  evidence.slip_inside = friction.period_slip.head(n_inside).maxCoeff() / friction.amplitude;
   evidence.limiting_amplitude = fem::limiting_amplitude(problems.normal, *problems.tangential, fem.relaxation,
                                                         fem.friction_coefficient, fem.motion, normal, n_inside);
   return evidence;
@@ -79,10 +80,9 @@ Eigen::Index largest_contact_rings(const fem::NormalHistory& history) {
 void add_stick_depths(const fem::PunchSeries& series, const FemCase& fem, FeAnswer& answer) {
   const auto& friction = answer.friction;
   const Eigen::Index n_contact = answer.rings.contact;
-  const double amplitude = fem.motion.tangential_amplitude();
   const auto depths = [&](const Eigen::VectorXd& reserve, const Eigen::VectorXd& slip, Eigen::Index n_stuck) {
     return fem::stick_depths({reserve.head(n_contact), series.displacements(slip).head(n_contact), n_stuck},
-                             series.radii(), 1.5 * fem.friction_coefficient, amplitude);
+                             series.radii(), 1.5 * fem.friction_coefficient, friction.amplitude);
   };
   answer.first_slip_depths = depths(friction.first_slip_reserve, friction.slip_path, answer.rings.stuck.first_slip);
   answer.shakedown_depths = depths(friction.shakedown_reserve, friction.period_slip / 4, answer.rings.stuck.shakedown);
@@ -119,6 +119,12 @@ std::optional<ContactRadius> read_contact_radius(const fem::ContactProblem& prob
                                                  const Eigen::VectorXd& profile, fem::NormalHistory& history) {
   if (fem.worn_edge) return std::nullopt;
   const auto events = fem::contact_events(problem.compliance, profile);
+  if (fem.motion.normal_force) {
+    // a ~ d^(1/n)
+    const double radius = fem::largest_contact_radius(history.smallest_gap_at_balance, events).radius;
+    const auto [depth, uncertainty] = fem::largest_indentation(problem, fem.relaxation, history);
+    return ContactRadius{radius, radius * uncertainty / (depth * exponent_at_edge(fem))};
+  }
   const double radius = fem::largest_contact_radius(history.smallest_gap, events).radius;
   fem::read_edges_near_largest_contact(problem.series, radius, history);
   if (!relaxes_within_a_step(fem)) return ContactRadius{radius};
@@ -155,6 +161,12 @@ FeAnswer read_answer(const ContactProblems& problems, const FemCase& fem, const 
       normal);
   answer.normal_force_max = force.value * fem.units.force();
   answer.normal_force_uncertainty = force.uncertainty * fem.units.force();
+  if (fem.motion.normal_force) {
+    const auto [depth, uncertainty] = fem::largest_indentation(problems.normal, fem.relaxation, normal);
+    answer.indentation_max = depth * fem.units.depth;
+    answer.indentation_uncertainty = uncertainty * fem.units.depth;
+  }
+  if (fem.motion.tangential_force) answer.tangential_amplitude = friction.amplitude * fem.units.depth;
   answer.n_cycles = friction.n_cycles;
   answer.n_steps = friction.n_steps;
   answer.normal = std::move(normal);

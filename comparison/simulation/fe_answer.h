@@ -23,6 +23,12 @@ struct NoWearEvidence {
   std::optional<double> limiting_amplitude;
 };
 
+/// When the whole contact begins to slide under a prescribed tangential force, while the amplitudes rise or after.
+struct GrossSlipStart {
+  double time;       ///< s, from the start of the history on
+  double amplitude;  ///< of all oscillations then, over that of the case
+};
+
 /// How many rings resolve the zones: in the largest contact, and inside either stick radius.
 struct ZoneRings {
   Eigen::Index contact = 0;
@@ -40,9 +46,13 @@ struct FeAnswer {
   std::optional<double> stick_radius_first_slip;
   std::optional<double> stick_radius_shakedown;
   double normal_force_max = 0;
-  double contact_radius_uncertainty = 0;  ///< of the time steps, see read_contact_radius
-  double normal_force_uncertainty = 0;    ///< of reading the edge, see fem::ContactForce
-  double first_slip_uncertainty = 0;      ///< of reading the edge, see fem::EdgeRadius
+  std::optional<double> indentation_max;       ///< empty: prescribed
+  std::optional<double> tangential_amplitude;  ///< half of what lies between the extremes of u_x; empty: prescribed
+  std::optional<GrossSlipStart> gross_slip;    ///< then there is nothing else but the body and the cost
+  double contact_radius_uncertainty = 0;       ///< of the time steps, see read_contact_radius
+  double normal_force_uncertainty = 0;         ///< of reading the edge, see fem::ContactForce
+  double indentation_uncertainty = 0;          ///< see fem::LargestIndentation
+  double first_slip_uncertainty = 0;           ///< of reading the edge, see fem::EdgeRadius
   double shakedown_uncertainty = 0;
   fem::StickDepths first_slip_depths, shakedown_depths;  ///< empty for a limiting profile
   std::optional<NoWearEvidence> no_wear;                 ///< for a limiting profile
@@ -74,7 +84,9 @@ struct ContactRadius {
 /// The largest contact radius is read at the ends of the steps; a second reading, at the balance times, differs from it
 /// to second order. Where a branch relaxes within a step, coarser steps do not show the error, and twice that
 /// difference is the uncertainty. Reads the edges next to the largest contact again
-/// (fem::read_edges_near_largest_contact). Empty for a worn profile, see FeAnswer.
+/// (fem::read_edges_near_largest_contact). Under a prescribed force, whose largest contact lies between the steps, that
+/// second reading is the one, and the uncertainty is what that of the force leaves open. Empty for a worn profile, see
+/// FeAnswer.
 std::optional<ContactRadius> read_contact_radius(const fem::ContactProblem& problem, const FemCase& fem,
                                                  const Eigen::VectorXd& profile, fem::NormalHistory& history);
 

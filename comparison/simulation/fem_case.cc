@@ -72,23 +72,27 @@ std::function<double(double)> profile_in(const Units& units, const Case& input, 
   return [profile = mdr.profile, length, depth](double r) { return mdr::shape(profile, r * length) / depth; };
 }
 
-/// Those that move; depth: the unit.
+/// Those that move.
 std::vector<fem::Oscillation> oscillations(const std::vector<mdr::Harmonic>& harmonics, const std::vector<int>& orders,
-                                           double depth) {
+                                           double unit) {
   std::vector<fem::Oscillation> moving;
   for (std::size_t i = 0; i < harmonics.size(); ++i)
-    if (orders[i] > 0) moving.push_back({harmonics[i].amplitude / depth, orders[i], harmonics[i].phase});
+    if (orders[i] > 0) moving.push_back({harmonics[i].amplitude / unit, orders[i], harmonics[i].phase});
   return moving;
 }
 
-/// Makes time dimensionless with a cycle, and the motion too; of a relaxation that is still in s.
+/// Makes time dimensionless with a cycle, and what is prescribed too; of a relaxation that is still in s.
 void take_cycle(const mdr::HarmonicMotion& motion, const mdr::CommonCycle& cycle, FemCase& fem) {
   const double frequency = mdr::angular_frequency(cycle.frequency),
-               scale = frequency / std::exchange(fem.units.angular_frequency, frequency), depth = fem.units.depth;
+               scale = frequency / std::exchange(fem.units.angular_frequency, frequency);
   fem.relaxation.viscosity *= scale;
   for (double& time : fem.relaxation.times) time *= scale;
-  fem.motion = {motion.indentation / depth, oscillations(motion.normal, cycle.normal_orders, depth),
-                oscillations(motion.tangential, cycle.tangential_orders, depth), motion.phase_locked};
+  const auto unit = [&fem](bool force) { return force ? fem.units.force() : fem.units.depth; };
+  const double normal = unit(fem.motion.normal_force), tangential = unit(fem.motion.tangential_force);
+  fem.motion.indentation = motion.indentation / normal;
+  fem.motion.normal = oscillations(motion.normal, cycle.normal_orders, normal);
+  fem.motion.tangential = oscillations(motion.tangential, cycle.tangential_orders, tangential);
+  fem.motion.locked = motion.phase_locked;
 }
 
 }  // namespace
@@ -99,7 +103,7 @@ bool BodySpecification::operator<(const BodySpecification& other) const {
 }
 
 FemCase fem_case(const Case& input, const MdrCase& mdr) {
-  const double deepest = mdr::maximum_indentation(mdr.motion);
+  const double deepest = deepest_indentation(mdr);
   const Units units{mdr::inverse_transform(mdr.profile, deepest), deepest, input.elastomer.relaxed_modulus, 1};
   FemCase fem{units, {}, {}, {}, input.friction_coefficient, profile_in(units, input, mdr), {}, {}};
   if (mdr.limiting)
@@ -109,9 +113,11 @@ FemCase fem_case(const Case& input, const MdrCase& mdr) {
   fem.relaxation.viscosity = mdr.body.viscosity / units.modulus;
   for (const double modulus : mdr.body.branch_moduli) fem.relaxation.moduli.push_back(modulus / units.modulus);
   fem.relaxation.times = mdr.body.branch_times;
+  fem.motion.normal_force = mdr.normal_force;
+  fem.motion.tangential_force = mdr.tangential_force;
   constexpr int longest_cycle = 200;  // oscillations
   const auto cycle = mdr::common_cycle(mdr.motion);
-  if (cycle && cycle->highest_order() <= longest_cycle)
+  if (cycle && (mdr.has_forces() || cycle->highest_order() <= longest_cycle))
     take_cycle(mdr.motion, *cycle, fem);
   else
     fem.without_short_cycle = mdr.motion;

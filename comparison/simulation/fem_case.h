@@ -18,7 +18,7 @@ namespace fretval {
 /// roundoff.
 struct Units {
   double length;             ///< m, the unworn contact radius at the largest indentation
-  double depth;              ///< m, the largest indentation
+  double depth;              ///< m, the largest indentation, see deepest_indentation
   double modulus;            ///< Pa, relaxed
   double angular_frequency;  ///< rad/s, of the cycle with which the motion repeats
 

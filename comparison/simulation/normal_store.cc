@@ -18,7 +18,7 @@ std::vector<std::vector<double>> parameters_of(const FemCase& fem, const Eigen::
           {relaxed, viscosity},
           moduli,
           times,
-          {fem.motion.indentation, static_cast<double>(fem.motion.n_ramp_cycles)},
+          {fem.motion.indentation, static_cast<double>(fem.motion.n_ramp_cycles), fem.motion.normal_force ? 1.0 : 0.0},
           normal,
           orders,
           {static_cast<double>(control.steps_per_cycle), static_cast<double>(control.max_cycles), control.periodicity,
@@ -30,10 +30,13 @@ NormalRecord make_record(const FemCase& fem, const fem::ContactProblem& problem,
   Stopwatch watch;
   fem::NormalContact start(problem, fem.relaxation, profile, fem.motion, control.steps_per_cycle);
   NormalRecord record;
-  record.pressures.push_back(start.pressure);
-  record.history = fem::normal_history(std::move(start), control, [&](const fem::NormalContact& contact) {
+  const auto add = [&record](const fem::NormalContact& contact) {
     record.pressures.push_back(contact.pressure);
-  });
+    record.radii.push_back(contact.reading.radius);
+    record.forces.push_back(contact.reading.force);
+  };
+  add(start);
+  record.history = fem::normal_history(std::move(start), control, add);
   record.seconds = watch.lap();
   return record;
 }

@@ -13,10 +13,11 @@
 
 namespace fretval {
 
-/// A normal history with the pressures that drive the friction beside it.
+/// A normal history with what drives the friction beside it.
 struct NormalRecord {
   fem::NormalHistory history;
   std::vector<Eigen::VectorXd> pressures;  ///< at the start, then after each step until the response repeats
+  std::vector<double> radii, forces;       ///< of the contact, likewise, see fem::ContactForce
   double seconds = 0;                      ///< that it took
 };
 

@@ -16,10 +16,13 @@ double product(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
   return a.cwiseProduct(b).sum();
 }
 
-Eigen::MatrixXd packed(const RingState& state) {
-  Eigen::MatrixXd all(state.displacement.size(), state.memory.cols() + 1);
-  all.col(0) = state.displacement;
-  all.rightCols(state.memory.cols()) = state.memory;
+/// A column for the displacements, with the indenter last, and one for each memory.
+Eigen::MatrixXd packed(const RingState& state, double indenter) {
+  const Eigen::Index n = state.displacement.size();
+  Eigen::MatrixXd all = Eigen::MatrixXd::Zero(n + 1, state.memory.cols() + 1);
+  all.col(0).head(n) = state.displacement;
+  all(n, 0) = indenter;
+  all.topRightCorner(n, state.memory.cols()) = state.memory;
   return all;
 }
 
@@ -39,9 +42,10 @@ double change_to_come(double change, double periods) {
   return sum * std::max(change, roundoff);
 }
 
-bool CycleJump::advance(RingState& state) {
+bool CycleJump::advance(RingState& state, double& indenter) {
   if (slowest_ < worthwhile) return false;
-  Eigen::MatrixXd end = packed(state);
+  const Eigen::Index n = state.displacement.size();
+  Eigen::MatrixXd end = packed(state, indenter);
   bool moved = false;
   if (n_periods_ > 0) {
     Eigen::MatrixXd drift = end - begin_;
@@ -53,8 +57,9 @@ bool CycleJump::advance(RingState& state) {
       if (length * share >= 1) {
         longest_ = length;
         end += share * length * drift;
-        state.displacement = end.col(0);
-        state.memory = end.rightCols(end.cols() - 1);
+        state.displacement = end.col(0).head(n);
+        state.memory = end.topRightCorner(n, end.cols() - 1);
+        indenter = end(n, 0);
         moved = true;
       }
     }

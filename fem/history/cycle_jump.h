@@ -33,8 +33,8 @@ class CycleJump {
   /// slowest: longest creep time in periods; too short to need it: nothing is ever moved.
   explicit CycleJump(double slowest) : slowest_(slowest) {}
 
-  /// After a period. Returns whether the state was moved.
-  bool advance(RingState& state);
+  /// After a period. indenter: its displacement, which goes along. Returns whether the state was moved.
+  bool advance(RingState& state, double& indenter);
 
  private:
   double slowest_, longest_ = 2;

@@ -1,7 +1,11 @@
 #include "fem/history/friction_contact.h"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
+#include "fem/history/force_balance.h"
+#include "fem/history/gross_slip.h"
 #include "fem/support/constants.h"
 
 namespace fretval::fem {
@@ -22,21 +26,59 @@ FrictionContact::FrictionContact(const ContactProblem& problem, const Relaxation
       step_(relaxation, dt_),
       stick_(static_cast<std::size_t>(limit.size()), BoxState::interior) {}
 
-void FrictionContact::step(const Eigen::VectorXd& pressure) {
+FrictionContact::Attempt FrictionContact::attempt(const IndenterMove& to_balance) const {
+  Attempt attempt{stick_, {}};
+  const Eigen::VectorXd held = step_.response_without_slip(state, to_balance);
+  attempt.solution = problem_.solver.solve(problem_.compliance.areas.cwiseProduct(held), -limit, limit, attempt.stick);
+  return attempt;
+}
+
+/// Of the displacement in the whole step, in which the indenter moves steadily.
+double FrictionContact::increment_under_force(double time, const NormalInstant& normal) {
+  if (!touching_) touching_.emplace(TouchingRings{normal.touch_radii, relaxation_.viscosity == 0});
+  touching_->move_to(normal.radius);
+  const double force = tangential_motion(motion_, time).value, most = friction_coefficient_ * normal.force,
+               spare = most - std::abs(force);
+  if (!(spare > 0)) {
+    const double share = spare_before_ > 0 ? spare_before_ / (spare_before_ - spare) : 1,
+                 start = time_before_ + share * (time - time_before_);
+    throw GrossSlip(start, amplitude_share(motion_, start));
+  }
+  time_before_ = time;
+  spare_before_ = spare;
+  const auto n_stuck = std::count(stick_.begin(), stick_.end(), BoxState::interior);
+  const double radius = std::min(problem_.compliance.radii[static_cast<std::size_t>(n_stuck)], normal.radius),
+               stiffness = problem_.series.force_per_radius() * radius * step_.instantaneous();
+  const auto force_after = [&](double increment) {
+    const auto made = attempt(steady_move(step_.fraction() * increment, step_.fraction() * dt_));
+    SlipZones after = zones;
+    after.update(limit, made.stick, problem_.series.depths(made.solution.x));
+    return friction_force(problem_.series, after, *touching_, limit_depths, most);
+  };
+  return displacement_for_force(force_after, force, {last_increment_, stiffness, most});
+}
+
+void FrictionContact::step(const Eigen::VectorXd& pressure, const std::optional<NormalInstant>& normal) {
   const auto position = [this](double t) { return tangential_motion(motion_, t); };
-  const double begin = dt_ * static_cast<double>(n_steps);
-  const auto& areas = problem_.compliance.areas;
+  const double begin = dt_ * static_cast<double>(n_steps), weight = step_.fraction(), time = begin + weight * dt_;
   limit = friction_coefficient_ * pressure;
   limit_depths = friction_coefficient_ * problem_.series.depths(pressure);
-  const auto to_balance = indenter_move(position, begin, begin + step_.fraction() * dt_);
-  const Eigen::VectorXd held = step_.response_without_slip(state, to_balance);
-  auto solution = problem_.solver.solve(areas.cwiseProduct(held), -limit, limit, stick_);
-  zones.update(limit, stick_, problem_.series.depths(solution.x));
+  auto to_balance = indenter_move(position, begin, time), whole = indenter_move(position, begin, begin + dt_);
+  if (motion_.tangential_force) {
+    last_increment_ = increment_under_force(time, normal.value());
+    to_balance = steady_move(weight * last_increment_, weight * dt_);
+    whole = steady_move(last_increment_, dt_);
+  }
+  auto [stick, solution] = attempt(to_balance);
+  zones.update(limit, stick, problem_.series.depths(solution.x));
+  stick_ = std::move(stick);
   for (std::size_t i = 0; i < stick_.size(); ++i)
     if (limit[static_cast<Eigen::Index>(i)] == 0)
       stick_[i] = BoxState::interior;  // the guess for when it touches again
-  slip = (solution.residual.array() / areas.array()).matrix() / step_.instantaneous();
-  step_.advance(state, indenter_move(position, begin, begin + dt_), slip);
+  slip = (solution.residual.array() / problem_.compliance.areas.array()).matrix() / step_.instantaneous();
+  step_.advance(state, whole, slip);
+  balance_displacement = displacement + to_balance.increment;
+  displacement += whole.increment;
   traction = std::move(solution.x);
   ++n_steps;
 }

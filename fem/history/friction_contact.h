@@ -1,33 +1,45 @@
 #pragma once
 
 #include <Eigen/Dense>
+#include <optional>
 #include <vector>
 
 #include "fem/history/contact_problem.h"
+#include "fem/history/friction_force.h"
 #include "fem/history/motion.h"
 #include "fem/history/relaxation.h"
 #include "fem/history/slip_zones.h"
 
 namespace fretval::fem {
 
+/// The normal contact at the balance time of a step, as a tangential force has to know it.
+struct NormalInstant {
+  const Eigen::VectorXd& touch_radii;  ///< see TouchingRings
+  double radius, force;                ///< see ContactForce
+};
+
 /// Coulomb friction with unidirectional traction, |tau| <= mu p, on its way through the motion beside a normal contact:
-/// what it is like after the last step, and how it goes on. It begins at rest, without traction.
+/// what it is like after the last step, and how it goes on. It begins at rest, without traction. Where a force is
+/// prescribed, each step finds the displacement at which friction_force balances it.
 class FrictionContact {
  public:
   /// The problem shares its rings with that of the normal contact. All arguments must outlive this.
   FrictionContact(const ContactProblem& problem, const RelaxationModel& relaxation, double friction_coefficient,
                   const Motion& motion, int steps_per_cycle);
 
-  /// Goes on by a step under ring pressures at its balance time.
-  void step(const Eigen::VectorXd& pressure);
+  /// Goes on by a step under ring pressures at its balance time. normal: needed under a prescribed force; then throws
+  /// GrossSlip where |F_x| reaches mu F_N.
+  void step(const Eigen::VectorXd& pressure, const std::optional<NormalInstant>& normal = {});
 
-  long n_steps = 0;              ///< made
-  Eigen::VectorXd limit;         ///< mu p
-  Eigen::VectorXd limit_depths;  ///< the same as depths of PunchSeries
-  Eigen::VectorXd traction;      ///< at the balance time
-  Eigen::VectorXd slip;          ///< in the whole step
-  RingState state;               ///< at the end of the step
-  SlipZones zones;               ///< the traction has kinks where these differ; with its depths
+  long n_steps = 0;                 ///< made
+  double displacement = 0;          ///< of the indenter at the end of the step
+  double balance_displacement = 0;  ///< at the balance time
+  Eigen::VectorXd limit;            ///< mu p
+  Eigen::VectorXd limit_depths;     ///< the same as depths of PunchSeries
+  Eigen::VectorXd traction;         ///< at the balance time
+  Eigen::VectorXd slip;             ///< in the whole step
+  RingState state;                  ///< at the end of the step
+  SlipZones zones;                  ///< the traction has kinks where these differ; with its depths
 
   [[nodiscard]] const ContactProblem& problem() const { return problem_; }
   [[nodiscard]] const RelaxationModel& relaxation() const { return relaxation_; }
@@ -38,6 +50,14 @@ class FrictionContact {
   [[nodiscard]] double fraction() const { return step_.fraction(); }
 
  private:
+  /// What a move of the indenter up to the balance time would come to.
+  struct Attempt {
+    std::vector<BoxState> stick;
+    BoxSolver::Solution solution;
+  };
+  [[nodiscard]] Attempt attempt(const IndenterMove& to_balance) const;
+  [[nodiscard]] double increment_under_force(double time, const NormalInstant& normal);
+
   const ContactProblem& problem_;
   const RelaxationModel& relaxation_;
   double friction_coefficient_;
@@ -46,6 +66,10 @@ class FrictionContact {
   double dt_;
   RelaxationStep step_;
   std::vector<BoxState> stick_;  // interior: sticks
+  // Under a prescribed force.
+  std::optional<TouchingRings> touching_;
+  double last_increment_ = 0;                  // of the displacement
+  double time_before_ = 0, spare_before_ = 0;  // of the last balance, and what was left of mu F_N then
 };
 
 }  // namespace fretval::fem

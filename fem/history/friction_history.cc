@@ -82,6 +82,9 @@ FrictionPeriod::FrictionPeriod(Eigen::Index n_rings, int n_steps)
       traction_(Eigen::MatrixXd::Zero(n_rings, n_steps)),
       slips_(traction_),
       depths_(traction_),
+      indenter_(n_steps),
+      least_(1, -infinity),
+      most_(1, -infinity),
       zones_(static_cast<std::size_t>(n_rings)),
       traction_before_(Eigen::VectorXd::Zero(n_rings)),
       depths_before_(traction_before_) {
@@ -89,7 +92,7 @@ FrictionPeriod::FrictionPeriod(Eigen::Index n_rings, int n_steps)
 }
 
 void FrictionPeriod::begin() {
-  for (auto* minimum : {&forward_reserve_, &backward_reserve_}) minimum->restart();
+  for (auto* minimum : {&forward_reserve_, &backward_reserve_, &least_, &most_}) minimum->restart();
   forward_.setConstant(infinity);
   backward_.setConstant(infinity);
   slip_.setZero();
@@ -111,6 +114,9 @@ void FrictionPeriod::see(const FrictionContact& contact) {
   slip_ += slip.cwiseAbs();
   traction_.col(k_) = traction;
   slips_.col(k_) = slip;
+  least_.add(Eigen::VectorXd::Constant(1, contact.displacement));
+  most_.add(Eigen::VectorXd::Constant(1, -contact.displacement));
+  indenter_[k_] = contact.balance_displacement;
   depths_.col(k_++) = depths;
   for (std::size_t i = 0; i < zones_.size(); ++i) {
     const auto ring = static_cast<Eigen::Index>(i);
@@ -138,6 +144,11 @@ void FrictionPeriod::report(const ContactProblem& problem, FrictionHistory& hist
   history.dissipated_energy = problem.series.integral(series_work, zones_);
   history.friction_work = work.cwiseProduct(problem.compliance.areas);
   history.traction = traction_;
+  history.indenter = indenter_;
+}
+
+double FrictionPeriod::amplitude(const Motion& motion) const {
+  return motion.tangential_force ? -(least_.value()[0] + most_.value()[0]) / 2 : motion.tangential_amplitude();
 }
 
 WatchedFriction::WatchedFriction(const ContactProblem& problem, const RelaxationModel& relaxation,
@@ -146,15 +157,19 @@ WatchedFriction::WatchedFriction(const ContactProblem& problem, const Relaxation
       first_slip(problem.n_rings()),
       period(problem.n_rings(), period_steps()) {}
 
-void WatchedFriction::step(const Eigen::VectorXd& pressure) {
+void WatchedFriction::step(const Eigen::VectorXd& pressure, const std::optional<NormalInstant>& normal) {
   if (contact.n_steps % period_steps() == 0) {
     traction_before = period.traction();
     slip_before = period.slip();
     period.begin();
   }
-  contact.step(pressure);
+  contact.step(pressure, normal);
   first_slip.see(contact);
   period.see(contact);
+}
+
+void WatchedFriction::step_beside(const NormalContact& normal) {
+  step(normal.pressure, NormalInstant{normal.problem().series.radii(), normal.reading.radius, normal.reading.force});
 }
 
 namespace {
@@ -169,11 +184,12 @@ bool is_about_to_stick(const Eigen::VectorXd& before, const Eigen::VectorXd& sli
 
 }  // namespace
 
-double slip_of_stuck_ring(const Motion& motion) {
+double slip_of_stuck_ring(const Motion& motion, double amplitude) {
   constexpr double per_amplitude_and_oscillation = 1e-4;
+  if (amplitude == 0) return 0;
   double path = 0;
   for (const auto& oscillation : motion.tangential) path += oscillation.amplitude * oscillation.order;
-  return per_amplitude_and_oscillation * path * motion.cycles_per_period();
+  return per_amplitude_and_oscillation * path / motion.tangential_amplitude() * amplitude * motion.cycles_per_period();
 }
 
 FrictionHistory friction_history(WatchedFriction friction, const NormalHistory& normal, const HistoryControl& control,
@@ -186,7 +202,6 @@ FrictionHistory friction_history(WatchedFriction friction, const NormalHistory& 
   TouchingRings touching{normal.touch_radii, contact.relaxation().viscosity == 0};
   const double creep = longest_creep_time(contact.relaxation()) / (2 * pi * cycles_per_period);  // periods
   CycleJump jump(creep);
-  const double allowed_slip = slip_of_stuck_ring(contact.motion());
   bool jumped = false, settling = false;
   while (jumped || settling || !(history.periodicity <= control.periodicity)) {
     const bool at_end = history.n_cycles >= control.max_cycles * cycles_per_period;
@@ -199,7 +214,8 @@ FrictionHistory friction_history(WatchedFriction friction, const NormalHistory& 
           history.n_cycles, history.periodicity, control.periodicity, creep * cycles_per_period));
     do {
       const Eigen::Index column = normal.column(contact.n_steps + 1);
-      friction.step(normal.pressure.col(column));
+      friction.step(normal.pressure.col(column),
+                    NormalInstant{normal.touch_radii, normal.contact_radius[column], normal.force[column]});
       touching.move_to(normal.contact_radius[column]);
       forces.see(contact, touching, normal.force[column]);
       if (see) see(contact);
@@ -210,23 +226,26 @@ FrictionHistory friction_history(WatchedFriction friction, const NormalHistory& 
     if (!after_jump) {
       history.periodicity =
           change_to_come(change_per_period(friction.period.traction(), friction.traction_before), creep);
-      settling = is_about_to_stick(friction.slip_before, friction.period.slip(), allowed_slip,
+      const double allowed = slip_of_stuck_ring(contact.motion(), friction.period.amplitude(contact.motion()));
+      settling = is_about_to_stick(friction.slip_before, friction.period.slip(), allowed,
                                    static_cast<double>(history.n_cycles) / cycles_per_period);
     }
-    if (settling || history.periodicity > control.periodicity) jumped = jump.advance(contact.state);
+    if (settling || history.periodicity > control.periodicity)
+      jumped = jump.advance(contact.state, contact.displacement);
   }
   history.n_steps = contact.n_steps;
   friction.first_slip.report(history);
   friction.period.report(contact.problem(), history);
   history.force = forces.values(contact);
   history.displacement = contact.state.displacement;
+  history.amplitude = friction.period.amplitude(contact.motion());
   return history;
 }
 
 ContactHistory contact_history(NormalContact normal, WatchedFriction friction, const HistoryControl& control) {
   ContactHistory history;
-  history.normal = normal_history(std::move(normal), control,
-                                  [&](const NormalContact& contact) { friction.step(contact.pressure); });
+  history.normal =
+      normal_history(std::move(normal), control, [&](const NormalContact& contact) { friction.step_beside(contact); });
   history.friction = friction_history(std::move(friction), history.normal, control);
   return history;
 }
@@ -250,7 +269,7 @@ FrictionHistory friction_at_rest(const ContactProblem& problem, double friction_
   history.first_slip_reserve = since_start.value();
   history.shakedown_reserve = last_cycle.value();
   history.slip_path = history.period_slip = history.friction_work = history.displacement = Eigen::VectorXd::Zero(n);
-  history.force = Eigen::VectorXd::Zero(n_steps);
+  history.force = history.indenter = Eigen::VectorXd::Zero(n_steps);
   history.traction = Eigen::MatrixXd::Zero(n, n_steps);
   return history;
 }

@@ -23,14 +23,16 @@ struct FrictionHistory {
   Eigen::VectorXd period_slip;         ///< per ring: length of slip in the last period
   Eigen::VectorXd force;               ///< per step of the last period; see PunchSeries
   Eigen::VectorXd displacement;        ///< of the rings, at the end of the last period
+  Eigen::VectorXd indenter;            ///< its displacement, per step of the last period
+  double amplitude = 0;                ///< of the indenter; under a force half of what lies between its extremes
   double dissipated_energy = 0;        ///< by friction in the last period, see PunchSeries
   Eigen::VectorXd friction_work;       ///< per ring: by friction in the last period
   Eigen::MatrixXd traction;            ///< n_rings x steps per period: the last period
 };
 
 /// Length of slip in a period up to which a ring counts as stuck: one that has shaken down still creeps a little while
-/// its offset settles.
-double slip_of_stuck_ring(const Motion& motion);
+/// its offset settles. amplitude: of the indenter, see FrictionHistory.
+double slip_of_stuck_ring(const Motion& motion, double amplitude);
 
 /// Watches for the rings that have never slipped.
 class FirstSlip {
@@ -53,6 +55,8 @@ class FrictionPeriod {
   void begin();
   void see(const FrictionContact& contact);
   void report(const ContactProblem& problem, FrictionHistory& history) const;
+  /// Of the indenter in this period, see FrictionHistory.
+  [[nodiscard]] double amplitude(const Motion& motion) const;
   [[nodiscard]] const Eigen::MatrixXd& traction() const { return traction_; }
   [[nodiscard]] const Eigen::VectorXd& slip() const { return slip_; }
 
@@ -61,7 +65,9 @@ class FrictionPeriod {
   Eigen::VectorXd forward_, backward_;
   RunningMinimum forward_reserve_, backward_reserve_;  // slip reserves of the same
   Eigen::VectorXd slip_;
-  Eigen::MatrixXd traction_, slips_, depths_;        // a column a step
+  Eigen::MatrixXd traction_, slips_, depths_;  // a column a step
+  Eigen::VectorXd indenter_;
+  RunningMinimum least_, most_;                      // of the indenter, the other way round
   std::vector<signed char> zones_;                   // what happened to each ring, as bits
   Eigen::VectorXd traction_before_, depths_before_;  // at the end of the period before
   double weight_ = 1;                                // of a step's end in its middle
@@ -75,7 +81,9 @@ class WatchedFriction {
   /// See FrictionContact.
   WatchedFriction(const ContactProblem& problem, const RelaxationModel& relaxation, double friction_coefficient,
                   const Motion& motion, int steps_per_cycle);
-  void step(const Eigen::VectorXd& pressure);
+  void step(const Eigen::VectorXd& pressure, const std::optional<NormalInstant>& normal = {});
+  /// Beside the normal contact after its last step.
+  void step_beside(const NormalContact& normal);
 
   FrictionContact contact;
   FirstSlip first_slip;

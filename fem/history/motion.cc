@@ -100,6 +100,10 @@ Motion one_frequency(double indentation, double normal_amplitude, double tangent
   return {indentation, {{normal_amplitude}}, {{tangential_amplitude, 1, phase.value_or(0)}}, phase.has_value()};
 }
 
+double amplitude_share(const Motion& motion, double t) {
+  return envelope(motion, t).value;
+}
+
 ValueAndRate normal_motion(const Motion& motion, double t) {
   auto d = product(envelope(motion, t), sum_of(motion.normal, {t, 1}));
   d.value += motion.indentation;

@@ -27,12 +27,16 @@ struct Oscillation {
 /// multiple of how often either direction repeats in a cycle; half of that, pi, for one oscillation each of the same
 /// frequency, where a lag by half a cycle turns the tangential motion round. There it rests for an instant at the lags
 /// at which the extremes of the load lie. The period in cycles is n = creep_period(n_creep_cycles, highest order).
+///
+/// Where a force is prescribed it takes the place of the displacement: F_N(t) that of d, F_x(t) that of u_x. Then a
+/// cycle begins at the largest normal force, and the displacements follow from the contact.
 struct Motion {
   double indentation;
   std::vector<Oscillation> normal, tangential;
   bool locked = true;
   int n_ramp_cycles = 10;
   int n_creep_cycles = 48;
+  bool normal_force = false, tangential_force = false;  ///< what is prescribed; false: a displacement
 
   [[nodiscard]] int cycles_per_period() const;
   /// Oscillations per cycle of the fastest of all, and of the fastest normal one; 1 at least.
@@ -40,7 +44,7 @@ struct Motion {
   [[nodiscard]] int highest_normal_order() const;
   /// Whole cycles until the ramp is over.
   [[nodiscard]] int cycles_of_ramp() const;
-  /// Sum of the tangential amplitudes: u_x is never larger.
+  /// Sum of the tangential amplitudes: u_x, or F_x, is never larger.
   [[nodiscard]] double tangential_amplitude() const;
 };
 
@@ -51,6 +55,9 @@ int creep_period(int n_creep_cycles, int highest_order);
 /// One cosine in each direction, of the same frequency. phase: of the tangential one, ahead; empty: unlocked.
 Motion one_frequency(double indentation, double normal_amplitude, double tangential_amplitude,
                      std::optional<double> phase);
+
+/// The envelope: how much of the amplitudes there is at a time, 1 after the ramp.
+double amplitude_share(const Motion& motion, double t);
 
 ValueAndRate normal_motion(const Motion& motion, double t);
 ValueAndRate tangential_motion(const Motion& motion, double t);

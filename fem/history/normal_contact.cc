@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "fem/history/force_balance.h"
 #include "fem/history/require_room.h"
 #include "fem/support/constants.h"
 #include "fem/support/solver_error.h"
@@ -13,6 +14,10 @@ namespace {
 PressureAtEdge pressure_at_edge(const RelaxationModel& relaxation) {
   if (relaxation.viscosity == 0) return PressureAtEdge::vanishes;
   return relaxation.moduli.empty() ? PressureAtEdge::jumps : PressureAtEdge::falls_and_jumps;
+}
+
+double total_force(const ContactForce& reading) {
+  return reading.force + reading.beyond.force;
 }
 
 }  // namespace
@@ -29,20 +34,29 @@ NormalContact::NormalContact(const ContactProblem& problem, const RelaxationMode
       step_(relaxation, dt_),
       edge_(pressure_at_edge(relaxation)),
       contact_(static_cast<std::size_t>(profile.size()), BoxState::lower) {
-  const double depth = normal_motion(motion, 0).value;
+  const double depth = start_indentation();
   const auto contact = static_contact(problem, profile, depth);
   state.displacement = (depth - profile.array() + contact.gap.array()).matrix();
   for (Eigen::Index i = 0; i < profile.size(); ++i)
     if (contact.pressure[i] > 0) contact_[static_cast<std::size_t>(i)] = BoxState::interior;
+  indentation = balance_indentation = depth;
   gap = balance_gap = contact.gap;
-  pressure = contact.pressure;
-  read(contact.gap, {});
+  reading = contact_force(problem.series, contact.pressure, contact.gap);
+  largest_radius_ = reading.radius;
   reading.force *= relaxation.relaxed;
-  pressure *= relaxation.relaxed;
+  pressure = relaxation.relaxed * contact.pressure;
 }
 
-double NormalContact::indentation() const {
-  return normal_motion(motion_, dt_ * static_cast<double>(n_steps)).value;
+double NormalContact::start_indentation() const {
+  const double start = normal_motion(motion_, 0).value;
+  if (!motion_.normal_force) return start;
+  const double force = start / relaxation_.relaxed, guess = profile.tail(1)[0] / 2,
+               stiffness = problem_.series.force_per_radius() * problem_.compliance.radii.back() / 2;
+  const auto force_at = [this](double depth) {
+    const auto contact = static_contact(problem_, profile, depth);
+    return total_force(contact_force(problem_.series, contact.pressure, contact.gap));
+  };
+  return displacement_for_force(force_at, force, {guess, stiffness, force});
 }
 
 /// Rings that are in contact at the beginning of a step, if a dashpot makes that matter.
@@ -52,35 +66,55 @@ std::optional<Eigen::Index> NormalContact::n_closed() const {
   return (gap.array() <= roundoff * gap.maxCoeff()).count();
 }
 
-void NormalContact::read(const Eigen::VectorXd& gap_then, const ContactPast& past) {
-  reading = contact_force(problem_.series, pressure, gap_then, past);
-  largest_radius_ = std::max(largest_radius_, reading.radius);
+NormalContact::Attempt NormalContact::attempt(const IndenterMove& to_balance, const PressureWear& wear) const {
+  // A ring in contact closes its gap: it slips by what is left of it.
+  const Eigen::VectorXd held = step_.response_without_slip(state, to_balance);
+  Attempt attempt{contact_, {}, {}, {}, {}, {}};
+  auto contact = solve_wearing_contact(problem_, held - step_.instantaneous() * gap,
+                                       {step_.instantaneous() * wear.coefficient, wear.exponent}, attempt.contact);
+  attempt.worn = worn_by(wear, contact.pressure);
+  attempt.gap = contact.gap / step_.instantaneous();
+  attempt.balance_gap = step_.fraction() * attempt.gap + (1 - step_.fraction()) * gap;
+  attempt.pressure = std::move(contact.pressure);
+  attempt.reading =
+      contact_force(problem_.series, attempt.pressure, attempt.balance_gap, {largest_radius_, n_closed(), edge_});
+  return attempt;
+}
+
+/// Of the indentation in the whole step, in which it moves steadily.
+double NormalContact::increment_under_force(const PressureWear& wear) const {
+  const double force = normal_motion(motion_, time).value,
+               stiffness = problem_.series.force_per_radius() * reading.radius * step_.instantaneous();
+  const auto force_after = [this, &wear](double increment) {
+    return total_force(attempt(steady_move(step_.fraction() * increment, step_.fraction() * dt_), wear).reading);
+  };
+  return displacement_for_force(force_after, force, {last_increment_, stiffness, force});
 }
 
 void NormalContact::step(const PressureWear& wear) {
-  const auto position = [this](double t) { return normal_motion(motion_, t); };
   const double begin = dt_ * static_cast<double>(n_steps), weight = step_.fraction();
   time = begin + weight * dt_;
   gap = state.displacement + profile;
-  gap.array() -= position(begin).value;
-  // A ring in contact closes its gap: it slips by what is left of it.
-  const Eigen::VectorXd held = step_.response_without_slip(state, indenter_move(position, begin, time));
-  const Eigen::VectorXd target = held - step_.instantaneous() * gap;
-  auto contact =
-      solve_wearing_contact(problem_, target, {step_.instantaneous() * wear.coefficient, wear.exponent}, contact_);
-  const Eigen::VectorXd new_gap = contact.gap / step_.instantaneous();
-  Eigen::VectorXd slip = gap - new_gap;
-  if (wear.coefficient.size() > 0) {
-    const Eigen::VectorXd worn =
-        wear.coefficient.cwiseProduct(contact.pressure.array().max(0).pow(wear.exponent).matrix());
-    profile += worn;
-    slip += worn;
+  gap.array() -= indentation;
+  const auto position = [this](double t) { return normal_motion(motion_, t); };
+  auto to_balance = indenter_move(position, begin, time), whole = indenter_move(position, begin, begin + dt_);
+  if (motion_.normal_force) {
+    last_increment_ = increment_under_force(wear);
+    to_balance = steady_move(weight * last_increment_, weight * dt_);
+    whole = steady_move(last_increment_, dt_);
   }
-  step_.advance(state, indenter_move(position, begin, begin + dt_), slip);
-  balance_gap = weight * new_gap + (1 - weight) * gap;
-  pressure = std::move(contact.pressure);
-  read(balance_gap, {largest_radius_, n_closed(), edge_});
-  gap = new_gap;
+  auto made = attempt(to_balance, wear);
+  step_.advance(state, whole, gap - made.gap + made.worn);
+  profile += made.worn;
+  balance_indentation = motion_.normal_force ? indentation + to_balance.increment : position(time).value;
+  const double end = dt_ * static_cast<double>(n_steps + 1);
+  indentation = motion_.normal_force ? indentation + whole.increment : position(end).value;
+  gap = std::move(made.gap);
+  balance_gap = std::move(made.balance_gap);
+  pressure = std::move(made.pressure);
+  contact_ = std::move(made.contact);
+  reading = made.reading;
+  largest_radius_ = std::max(largest_radius_, reading.radius);
   ++n_steps;
   require_room(pressure);
 }

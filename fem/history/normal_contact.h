@@ -13,7 +13,9 @@
 namespace fretval::fem {
 
 /// The normal contact on its way through the motion: what it is like after the last step, and how it goes on. It begins
-/// relaxed, at the mean indentation. Ring pressures are unaffected by the tangential motion (nu = 1/2).
+/// relaxed, at the mean indentation or, where a force is prescribed, under its mean: then each step finds the
+/// indentation at which the force balances, by its reading. Ring pressures are unaffected by the tangential motion (nu
+/// = 1/2).
 class NormalContact {
  public:
   /// profile: ring means. The other arguments must outlive this.
@@ -24,25 +26,33 @@ class NormalContact {
   /// line.
   void step(const PressureWear& wear = {});
 
-  long n_steps = 0;             ///< made
-  Eigen::VectorXd profile;      ///< ring means; at the end of the step
-  double time = 0;              ///< at which forces balanced in the last step
-  Eigen::VectorXd pressure;     ///< then
-  ContactForce reading;         ///< then: force and edge of the contact
-  Eigen::VectorXd gap;          ///< at the end of the step
-  Eigen::VectorXd balance_gap;  ///< at the balance time
-  RingState state;              ///< at the end of the step
+  long n_steps = 0;                ///< made
+  Eigen::VectorXd profile;         ///< ring means; at the end of the step
+  double time = 0;                 ///< at which forces balanced in the last step
+  double indentation = 0;          ///< at the end of the step
+  double balance_indentation = 0;  ///< at the balance time
+  Eigen::VectorXd pressure;        ///< then
+  ContactForce reading;            ///< then: force and edge of the contact
+  Eigen::VectorXd gap;             ///< at the end of the step
+  Eigen::VectorXd balance_gap;     ///< at the balance time
+  RingState state;                 ///< at the end of the step
 
   [[nodiscard]] const ContactProblem& problem() const { return problem_; }
   [[nodiscard]] const RelaxationModel& relaxation() const { return relaxation_; }
   [[nodiscard]] const Motion& motion() const { return motion_; }
   [[nodiscard]] int steps_per_cycle() const { return steps_per_cycle_; }
-  /// Indentation at the end of the last step.
-  [[nodiscard]] double indentation() const;
 
  private:
+  /// What a move of the indenter up to the balance time would come to.
+  struct Attempt {
+    std::vector<BoxState> contact;
+    Eigen::VectorXd pressure, worn, gap, balance_gap;
+    ContactForce reading;
+  };
+  [[nodiscard]] Attempt attempt(const IndenterMove& to_balance, const PressureWear& wear) const;
+  [[nodiscard]] double start_indentation() const;
+  [[nodiscard]] double increment_under_force(const PressureWear& wear) const;
   [[nodiscard]] std::optional<Eigen::Index> n_closed() const;
-  void read(const Eigen::VectorXd& gap, const ContactPast& past);
 
   const ContactProblem& problem_;
   const RelaxationModel& relaxation_;
@@ -53,6 +63,7 @@ class NormalContact {
   PressureAtEdge edge_;
   std::vector<BoxState> contact_;
   double largest_radius_ = 0;  // of the contact, so far
+  double last_increment_ = 0;  // of the indentation
 };
 
 }  // namespace fretval::fem

@@ -16,7 +16,7 @@ namespace {
 class CycleRecord {
  public:
   CycleRecord(const NormalContact& contact, NormalHistory& history)
-      : history_(history), gap_at_balance_(contact.pressure.size(), 0) {
+      : history_(history), gap_at_balance_(contact.pressure.size(), 0), height_(1, -infinity) {
     const Eigen::Index n = contact.steps_per_cycle();
     history.smallest_pressure = contact.pressure;
     history.pressure = Eigen::MatrixXd::Zero(contact.pressure.size(), n);
@@ -30,13 +30,14 @@ class CycleRecord {
   void begin() {
     history_.smallest_gap = Eigen::VectorXd::Constant(history_.pressure.rows(), infinity);
     gap_at_balance_.restart();
+    height_.restart();
     deepest_ = -infinity;
     highest_ = infinity;
   }
 
   void add(Eigen::Index k, const NormalContact& contact) {
     history_.time[k] = contact.time;
-    history_.indentation[k] = normal_motion(contact.motion(), contact.time).value;
+    history_.indentation[k] = contact.balance_indentation;
     history_.pressure.col(k) = contact.pressure;
     history_.smallest_pressure = history_.smallest_pressure.cwiseMin(contact.pressure);
     history_.force[k] = contact.reading.force;
@@ -48,7 +49,8 @@ class CycleRecord {
     history_.contact_radius[k] = contact.reading.radius;
     history_.smallest_gap = history_.smallest_gap.cwiseMin(contact.gap);
     gap_at_balance_.add(contact.balance_gap);
-    const double indentation = contact.indentation();
+    height_.add(Eigen::VectorXd::Constant(1, -contact.indentation));
+    const double indentation = contact.indentation;
     if (indentation > deepest_) history_.deepest_displacement = contact.state.displacement;
     if (indentation < highest_) history_.highest_displacement = contact.state.displacement;
     deepest_ = std::max(deepest_, indentation);
@@ -58,11 +60,12 @@ class CycleRecord {
   void end() {
     history_.smallest_gap_at_balance =
         (history_.smallest_gap.array() > 0).select(gap_at_balance_.value(), history_.smallest_gap);
+    history_.largest_indentation = -height_.value()[0];
   }
 
  private:
   NormalHistory& history_;
-  RunningMinimum gap_at_balance_;
+  RunningMinimum gap_at_balance_, height_;
   double deepest_ = -infinity, highest_ = infinity;
 };
 
@@ -103,7 +106,7 @@ NormalHistory normal_history(NormalContact contact, const HistoryControl& contro
     const bool after_jump = std::exchange(jumped, false);
     if (history.n_cycles <= std::max(contact.motion().cycles_of_ramp(), 1)) continue;
     if (!after_jump) history.periodicity = change_to_come(change_per_cycle(history.pressure, before), creep);
-    if (history.periodicity > control.periodicity) jumped = jump.advance(contact.state);
+    if (history.periodicity > control.periodicity) jumped = jump.advance(contact.state, contact.indentation);
   }
   return history;
 }

@@ -25,6 +25,7 @@ struct NormalHistory {
   Eigen::VectorXd time;               ///< per step of the cycle: its balance time; so all that follow
   Eigen::MatrixXd pressure;           ///< n_rings x steps_per_cycle
   Eigen::VectorXd indentation;        ///< at the balance times
+  double largest_indentation = 0;     ///< of the cycle, at the ends of the steps and between them
   Eigen::VectorXd force;              ///< of the contact around the centre, see contact_force
   Eigen::VectorXd force_uncertainty;  ///< see ContactForce
   Eigen::VectorXd kink_uncertainty;   ///< see ContactForce

@@ -51,6 +51,11 @@ IndenterMove indenter_move(const std::function<ValueAndRate(double)>& motion, do
   return {last.value - first.value, {first.rate, motion((begin + end) / 2).rate, last.rate}};
 }
 
+IndenterMove steady_move(double increment, double duration) {
+  const double rate = increment / duration;
+  return {increment, {rate, rate, rate}};
+}
+
 PronyInterval::PronyInterval(const RelaxationModel& model, double duration) {
   for (std::size_t i = 0; i < model.moduli.size(); ++i) {
     const double z = duration / model.times[i];

@@ -34,6 +34,9 @@ struct IndenterMove {
 
 IndenterMove indenter_move(const std::function<ValueAndRate(double)>& motion, double begin, double end);
 
+/// At constant rate: while the indenter follows a force, which says nothing of what it does inside a step.
+IndenterMove steady_move(double increment, double duration);
+
 /// Exact Prony update over an interval.
 class PronyInterval {
  public:

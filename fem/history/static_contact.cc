@@ -58,6 +58,11 @@ StaticContact solve_contact(const ContactProblem& problem, const Eigen::VectorXd
   return solve(problem.solver, problem.compliance.areas, target, states);
 }
 
+Eigen::VectorXd worn_by(const PressureWear& wear, const Eigen::VectorXd& pressure) {
+  if (wear.coefficient.size() == 0) return Eigen::VectorXd::Zero(pressure.size());
+  return wear.coefficient.cwiseProduct(pressure.array().max(0).pow(wear.exponent).matrix());
+}
+
 StaticContact solve_wearing_contact(const ContactProblem& problem, const Eigen::VectorXd& target,
                                     const PressureWear& wear, std::vector<BoxState>& states) {
   if (wear.coefficient.isZero(0)) return solve_contact(problem, target, states);

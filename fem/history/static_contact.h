@@ -27,9 +27,12 @@ struct PressureWear {
   double exponent = 1;          ///< positive
 };
 
-/// The same while the rings of the indenter wear off under the pressure that is found, which lets them sink in less:
-/// `target_i = (C p)_i/A_i + coefficient_i p_i^exponent - gap_i`. With exponent 1 the wear is a diagonal added to the
-/// compliance, otherwise Newton's iterations of such problems. Throws SolverError where they do not converge.
+/// What it takes off each ring.
+Eigen::VectorXd worn_by(const PressureWear& wear, const Eigen::VectorXd& pressure);
+
+/// solve_contact while the rings of the indenter wear off under the pressure that is found, which lets them sink in
+/// less: `target_i = (C p)_i/A_i + coefficient_i p_i^exponent - gap_i`. With exponent 1 the wear is a diagonal added to
+/// the compliance, otherwise Newton's iterations of such problems. Throws SolverError where they do not converge.
 StaticContact solve_wearing_contact(const ContactProblem& problem, const Eigen::VectorXd& target,
                                     const PressureWear& wear, std::vector<BoxState>& states);
 

@@ -42,6 +42,17 @@ std::vector<double> periodic_response(const RelaxationModel& relaxation, Motion 
   return response;
 }
 
+/// The same where the force is prescribed: over that of a unit punch of the rings inside, whatever the body.
+std::vector<double> response_to_force(const PunchSeries& series, Motion motion, const NormalHistory& normal,
+                                      Index n_inside) {
+  motion.n_ramp_cycles = 0;
+  std::vector<double> response;
+  for (long k = 0; k < static_cast<long>(normal.steps_per_cycle) * motion.cycles_per_period(); ++k)
+    response.push_back(tangential_motion(motion, normal.first_balance + 2 * pi * k / normal.steps_per_cycle).value /
+                       (series.force_per_radius() * series.edges()[n_inside]));
+  return response;
+}
+
 /// Where a concave f falls to zero, from two points beyond: secants come down to it.
 template <class Function>
 double fallen_to_zero(const Function& f, double x, double next) {
@@ -62,8 +73,9 @@ double fallen_to_zero(const Function& f, double x, double next) {
 double limiting_amplitude(const ContactProblem& normal_problem, const ContactProblem& tangential_problem,
                           const RelaxationModel& relaxation, double friction_coefficient, const Motion& motion,
                           const NormalHistory& normal, Index n_inside) {
-  const auto response = periodic_response(relaxation, motion, normal.steps_per_cycle);
   const auto &pressed = normal_problem.series, &sheared = tangential_problem.series;
+  const auto response = motion.tangential_force ? response_to_force(sheared, motion, normal, n_inside)
+                                                : periodic_response(relaxation, motion, normal.steps_per_cycle);
   const double tangential_per_depth = friction_coefficient * pressed.force_per_radius() / sheared.force_per_radius();
   const Eigen::ArrayXXd grip = tangential_per_depth * pressed.depths(normal.pressure).topRows(n_inside).array();
   const auto grip_at = [&](std::size_t step) { return grip.col(static_cast<Index>(step) % grip.cols()); };

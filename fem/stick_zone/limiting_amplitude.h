@@ -13,8 +13,8 @@ namespace fretval::fem {
 /// slips in the periodic state: the smallest lambda of a ring at which
 ///   min over t of (w - lambda u)  +  min over t of (w + lambda u)  =  0,   w = mu D k_n/k_t
 /// D(t): depth of the ring in the pressure (PunchSeries of the normal problem); k_n, k_t: force of a unit punch per
-/// radius, normally and tangentially; u(t): response of the body to the tangential motion without slip. 0 where a ring
-/// loses contact.
+/// radius, normally and tangentially; u(t): response of the body to the tangential motion without slip, under a
+/// prescribed force F_x(t) that over the force of a unit punch. 0 where a ring loses contact.
 ///
 /// While all these rings stick they are a flat punch, whose traction is lambda u t0, and what slip has locked in. Some
 /// locked-in traction keeps them within mu p at all times just if no sum above is negative, and where the normal

@@ -47,8 +47,8 @@ EdgeRadius stick_zone(const Compliance& tangential, const Eigen::VectorXd& small
 }  // namespace
 
 StuckRings stuck_rings(const FrictionHistory& friction, const Motion& motion) {
-  return {count_stuck(friction.slip_path, friction.first_slip_margin, never_slipped * motion.tangential_amplitude()),
-          count_stuck(friction.period_slip, friction.shakedown_margin, slip_of_stuck_ring(motion))};
+  return {count_stuck(friction.slip_path, friction.first_slip_margin, never_slipped * friction.amplitude),
+          count_stuck(friction.period_slip, friction.shakedown_margin, slip_of_stuck_ring(motion, friction.amplitude))};
 }
 
 StickZones stick_zones(const Compliance& tangential, const NormalHistory& normal, const FrictionHistory& friction,

@@ -57,7 +57,7 @@ void WearingContact::run_period(double n_cycles) {
 
 bool WearingContact::slip_repeats(const Eigen::VectorXd& path_before) const {
   constexpr double repeats = 1e-2;  // of the ring's own slip
-  const double stuck = slip_of_stuck_ring(normal_.motion());
+  const double stuck = slip_of_stuck_ring(normal_.motion(), normal_.motion().tangential_amplitude());
   for (Eigen::Index i = 0; i < path_before.size(); ++i)
     if (period_.path[i] > stuck && std::abs(period_.path[i] - path_before[i]) > repeats * period_.path[i]) return false;
   return true;
@@ -76,7 +76,8 @@ void WearingContact::settle() {
 
 void WearingContact::take_dying_slip_for_stick(const Eigen::VectorXd& path_before) {
   constexpr double roundoff = 1e-9, dying = 1e-3;  // of the longest path; of the ring's own, in a period
-  const double creep = slip_of_stuck_ring(normal_.motion()), nothing = roundoff * period_.path.maxCoeff();
+  const double creep = slip_of_stuck_ring(normal_.motion(), normal_.motion().tangential_amplitude()),
+               nothing = roundoff * period_.path.maxCoeff();
   for (Eigen::Index i = 0; i < period_.path.size(); ++i) {
     const double path = period_.path[i];
     if (path > nothing && (path > creep || path > (1 - dying) * path_before[i])) continue;

@@ -129,7 +129,12 @@ class History {
     for (int k = 1; k <= control_.steps_per_period; ++k) {
       const double time = (period + static_cast<double>(k) / control_.steps_per_period) * control_.period;
       const SpringState before = state_;
-      step_.advance(state_, bed_, indenter(time));
+      try {
+        step_.advance(state_, bed_, indenter(time));
+      } catch (GrossSlip& slip) {
+        slip.time = time;
+        throw;
+      }
       const Eigen::ArrayXd slipped = slip(before, state_).abs();
       margins.slip_path += (slipped > roundoff_of_step * largest_shift_).select(slipped, 0);
       margins.traction_sum += state_.tangential_load;
@@ -149,12 +154,12 @@ class History {
     IndenterState to = loading_.path ? loading_.path(time) : state_.indenter;
     if (loading_.normal_force) {
       to.indentation = step_.indentation_for_load(state_, bed_, loading_.normal_force(time) / normal_scale(body_));
-      to.indentation_rate = (to.indentation - state_.indenter.indentation) / dt_;
+      to.indentation_rate = step_.arrived(state_, to.indentation, to.tangential).indentation_rate;
     }
     if (loading_.tangential_force) {
       const double load = loading_.tangential_force(time) / tangential_scale(body_);
       to.tangential = step_.tangential_for_load(state_, bed_, to.indentation, load);
-      to.tangential_rate = (to.tangential - state_.indenter.tangential) / dt_;
+      to.tangential_rate = step_.arrived(state_, to.indentation, to.tangential).tangential_rate;
     }
     return to;
   }
@@ -165,6 +170,8 @@ class History {
     if (state_.indenter.indentation > result.deepest.indenter.indentation) result.deepest = state_;
     if (state_.indenter.indentation < result.highest.indenter.indentation) result.highest = state_;
     result.time.push_back(time);
+    result.indentation.push_back(state_.indenter.indentation);
+    result.tangential_displacement.push_back(state_.indenter.tangential);
     result.normal_force.push_back(normal_force(bed_, body_, state_));
     result.tangential_force.push_back(tangential_force(bed_, body_, state_));
   }
@@ -203,12 +210,17 @@ class History {
 
 }  // namespace
 
+double amplitude_share(double time, double ramp_duration) {
+  const double s = std::clamp(time / ramp_duration, 0.0, 1.0);
+  return s * s * (3 - 2 * s);
+}
+
 IndenterPath ramped_path(const HarmonicMotion& motion, double ramp_duration) {
   validate(motion);
   require_positive("ramp duration", ramp_duration);
   return [motion, ramp_duration](double time) -> IndenterState {
     const double s = std::clamp(time / ramp_duration, 0.0, 1.0);
-    const double envelope = s * s * (3 - 2 * s), envelope_rate = 6 * s * (1 - s) / ramp_duration;
+    const double envelope = amplitude_share(time, ramp_duration), envelope_rate = 6 * s * (1 - s) / ramp_duration;
     const auto add = [&](const std::vector<Harmonic>& harmonics, double& position, double& rate) {
       for (const Harmonic& harmonic : harmonics) {
         const double omega = angular_frequency(harmonic.frequency), angle = omega * time + harmonic.phase;
@@ -238,8 +250,8 @@ ForcePath ramped_force(double mean, double amplitude, double frequency, double p
   require_finite("phase", phase);
   require_positive("ramp duration", ramp_duration);
   return [=](double time) {
-    const double s = std::clamp(time / ramp_duration, 0.0, 1.0);
-    return mean + amplitude * s * s * (3 - 2 * s) * std::cos(angular_frequency(frequency) * time + phase);
+    return mean +
+           amplitude * amplitude_share(time, ramp_duration) * std::cos(angular_frequency(frequency) * time + phase);
   };
 }
 

@@ -14,6 +14,9 @@ namespace fretval::mdr {
 /// Motion of the indenter in time.
 using IndenterPath = std::function<IndenterState(double time)>;
 
+/// How much of the amplitudes there is at a time in s, while they rise smoothly from rest over ramp_duration in s.
+double amplitude_share(double time, double ramp_duration);
+
 /// Oscillation that starts from rest at d0: all amplitudes rise together and smoothly over ramp_duration in s. The
 /// phase is taken as locked.
 IndenterPath ramped_path(const HarmonicMotion& motion, double ramp_duration);
@@ -54,10 +57,12 @@ struct SpringHistory {
   double largest_shift;   ///< tangential displacement of the indenter, m
 
   // The last period, both ends included.
-  std::vector<double> time;              ///< s
-  std::vector<double> normal_force;      ///< N
-  std::vector<double> tangential_force;  ///< N
-  Eigen::ArrayXd slip_amplitude;         ///< per spring: path of slip in the last period, m
+  std::vector<double> time;                     ///< s
+  std::vector<double> indentation;              ///< m
+  std::vector<double> tangential_displacement;  ///< of the indenter, m
+  std::vector<double> normal_force;             ///< N
+  std::vector<double> tangential_force;         ///< N
+  Eigen::ArrayXd slip_amplitude;                ///< per spring: path of slip in the last period, m
   Eigen::ArrayXd mean_traction;  ///< per spring: mean tangential_load over the last period, the locked-in offset, m
 
   SpringState deepest, highest;  ///< at the largest and the smallest indentation of the last period

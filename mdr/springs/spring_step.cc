@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "mdr/support/checks.h"
 
@@ -33,7 +34,8 @@ SpringState relaxed_state(const SpringBed& bed, const PronyBody& body, double in
   const Eigen::ArrayXd contact = (indentation - bed.depth).max(0);
   const Eigen::ArrayXd none = Eigen::ArrayXd::Zero(n);
   const Eigen::ArrayXXd memory = Eigen::ArrayXXd::Zero(n, n_branches);
-  return {{indentation, 0, 0, 0}, contact, none, contact, none, memory, memory};
+  const IndenterState rest{indentation, 0, 0, 0};
+  return {rest, contact, none, contact, none, memory, memory, rest};
 }
 
 SpringStep::SpringStep(const PronyBody& body, double mu, double dt) : limit_(1.5 * mu), dt_(dt), gain_sum_(0) {
@@ -110,7 +112,7 @@ void SpringStep::advance_elastomer(SpringState& state, const SpringBed& bed, con
     p[j] = load;
     t[j] = traction;
   }
-  state.indenter = to;
+  state.indenter_before = std::exchange(state.indenter, to);
 }
 
 void SpringStep::advance_with_dashpot(SpringState& state, const SpringBed& bed, const IndenterState& to) const {
@@ -152,14 +154,23 @@ void SpringStep::advance_with_dashpot(SpringState& state, const SpringBed& bed, 
     state.normal_load[j] = load;
     state.tangential_load[j] = traction;
   }
-  state.indenter = to;
+  state.indenter_before = std::exchange(state.indenter, to);
+}
+
+IndenterState SpringStep::arrived(const SpringState& state, double indentation, double tangential) const {
+  const auto rate = [this](double now, double last, double before) {
+    return (3 * now - 4 * last + before) / (2 * dt_);
+  };
+  const auto &last = state.indenter, &before = state.indenter_before;
+  return {indentation, rate(indentation, last.indentation, before.indentation), tangential,
+          rate(tangential, last.tangential, before.tangential)};
 }
 
 double SpringStep::indentation_for_load(const SpringState& state, const SpringBed& bed, double load) const {
   require_positive("normal load", load);
   const auto excess = [&](double d) {
     SpringState trial = state;
-    advance(trial, bed, {d, (d - state.indenter.indentation) / dt_, state.indenter.tangential, 0});
+    advance(trial, bed, arrived(state, d, state.indenter.tangential));
     return (bed.width * trial.normal_load).sum() - load;
   };
   // Widened until it brackets; the load is monotone in d.
@@ -175,11 +186,10 @@ double SpringStep::indentation_for_load(const SpringState& state, const SpringBe
 double SpringStep::tangential_for_load(const SpringState& state, const SpringBed& bed, double indentation,
                                        double load) const {
   require_finite("tangential load", load);
-  const double rate = (indentation - state.indenter.indentation) / dt_;
   double normal_load = 0;
   const auto excess = [&](double u_x) {
     SpringState trial = state;
-    advance(trial, bed, {indentation, rate, u_x, (u_x - state.indenter.tangential) / dt_});
+    advance(trial, bed, arrived(state, indentation, u_x));
     normal_load = (bed.width * trial.normal_load).sum();
     return (bed.width * trial.tangential_load).sum() - load;
   };
@@ -187,8 +197,8 @@ double SpringStep::tangential_for_load(const SpringState& state, const SpringBed
   const double start = state.indenter.tangential;
   excess(start);
   if (std::abs(load) >= limit_ * normal_load)
-    throw std::runtime_error("tangential force of " + std::to_string(std::abs(load) / (limit_ * normal_load)) +
-                             " times mu times the normal force: the contact slides, there is no displacement for it");
+    throw GrossSlip("tangential force of " + std::to_string(std::abs(load) / (limit_ * normal_load)) +
+                    " times mu times the normal force: the contact slides, there is no displacement for it");
   double lower = start - width, upper = start + width;
   while (excess(lower) > 0) lower -= width *= 2;
   while (excess(upper) < 0) upper += width *= 2;

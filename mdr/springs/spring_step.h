@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <stdexcept>
 #include <vector>
 
 #include "mdr/rheology/prony_body.h"
@@ -27,6 +28,7 @@ struct SpringState {
   Eigen::ArrayXd tangential_load;     ///< m, at most (3 mu/2) normal_load in magnitude
   Eigen::ArrayXXd normal_memory;      ///< springs x branches: branch forces over 4 G0, in m
   Eigen::ArrayXXd tangential_memory;  ///< over (8/3) G0
+  IndenterState indenter_before;      ///< a step earlier; at the start as indenter
 };
 
 /// Force of branch i at the end of a step of length dt per displacement made in it at constant rate, over the relaxed
@@ -35,6 +37,13 @@ double branch_gain(const PronyBody& body, std::size_t i, double dt);
 
 /// Springs that have relaxed for ever at this indentation, without tangential displacement.
 SpringState relaxed_state(const SpringBed& bed, const PronyBody& body, double indentation);
+
+/// The whole contact slides under a prescribed tangential force.
+struct GrossSlip : std::runtime_error {
+  using std::runtime_error::runtime_error;
+  double time = 0;       ///< s, of a history; at the end of the step in which it slides
+  double amplitude = 1;  ///< of all oscillations then, over that after the ramp (forced_response)
+};
 
 /// One time step of the transient spring foundation: unilateral contact and Coulomb friction per spring,
 ///
@@ -52,12 +61,17 @@ class SpringStep {
   /// Moves the springs to the end of the step, where the indenter is at `to`.
   void advance(SpringState& state, const SpringBed& bed, const IndenterState& to) const;
 
+  /// Where the indenter follows a force: at the end of a step to that indentation and tangential displacement, with the
+  /// rates of the parabolas through them and the last two positions (BDF2: second order, and no ringing). With a
+  /// dashpot the force depends on them.
+  [[nodiscard]] IndenterState arrived(const SpringState& state, double indentation, double tangential) const;
+
   /// The indentation at the end of the step at which the normal load sum(width * normal_load) of all springs is the
-  /// given one, positive, in m^2; its rate is taken as its mean over the step.
+  /// given one, positive, in m^2; its rate is that of arrived().
   [[nodiscard]] double indentation_for_load(const SpringState& state, const SpringBed& bed, double load) const;
 
   /// The tangential displacement of the indenter at which sum(width * tangential_load) is the given one, for an
-  /// indentation already found. Throws std::runtime_error when friction cannot carry the load: the contact slides.
+  /// indentation already found. Throws GrossSlip when friction cannot carry the load.
   [[nodiscard]] double tangential_for_load(const SpringState& state, const SpringBed& bed, double indentation,
                                            double load) const;
 

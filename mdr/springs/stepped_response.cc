@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mdr/springs/sampled_peak.h"
 #include "mdr/springs/spring_history.h"
 
 namespace fretval::mdr {
@@ -11,17 +12,6 @@ namespace {
 constexpr Eigen::Index n_springs = 200;
 constexpr int steps_per_oscillation = 180, n_ramp_periods = 8, most_periods = 2000;
 constexpr double periodicity = 1e-9;
-
-/// Largest of periodic samples, both ends included: the vertex of the parabola through it and its neighbours.
-double peak(const std::vector<double>& samples, double sign) {
-  const auto n = samples.size() - 1;
-  std::size_t k = 0;
-  for (std::size_t i = 0; i < n; ++i)
-    if (sign * samples[i] > sign * samples[k]) k = i;
-  const double before = samples[(k + n - 1) % n], here = samples[k], after = samples[k + 1];
-  const double bend = before - 2 * here + after, slope = (after - before) / 2;
-  return bend == 0 ? here : here - slope * slope / (2 * bend);
-}
 
 SpringHistory history_with(const std::function<double(double)>& g, double outer_radius, const PronyBody& body,
                            const HarmonicMotion& motion, double fineness) {
@@ -42,10 +32,10 @@ SteppedResponse stepped_normal_response(const std::function<double(double)>& g, 
   const auto coarse = history_with(g, outer_radius, body, normal, 1),
              fine = history_with(g, outer_radius, body, normal, 2);
   const auto correction = [&](double sign) {
-    return (peak(fine.normal_force, sign) - peak(coarse.normal_force, sign)) / 3;
+    return (sampled_peak(fine.normal_force, sign) - sampled_peak(coarse.normal_force, sign)) / 3;
   };
-  NormalResponse response{peak(fine.normal_force, 1) + correction(1),
-                          std::max(peak(fine.normal_force, -1) + correction(-1), 0.0),
+  NormalResponse response{sampled_peak(fine.normal_force, 1) + correction(1),
+                          std::max(sampled_peak(fine.normal_force, -1) + correction(-1), 0.0),
                           outer_radius,
                           {},
                           {},

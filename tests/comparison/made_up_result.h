@@ -48,6 +48,8 @@ inline CaseResult made_up_result() {
   normal.force = Eigen::Vector4d(1, 2, 3, 4);
   normal.force_beyond = Eigen::Vector4d(0.5, 0, 0, 0.25);
   normal.deepest_displacement = Eigen::Vector2d(0.8, 0.3);
+  normal.indentation = Eigen::Vector4d(0.75, 0.5, 0.75, 1);
+  normal.largest_indentation = 1;
 
   auto& friction = fe.friction;
   friction.n_cycles = 3;
@@ -55,6 +57,7 @@ inline CaseResult made_up_result() {
   friction.periodicity = 2e-6;
   friction.traction = (Eigen::MatrixXd(2, 4) << -1, -2, 1, 3, 0.5, 0, -0.5, 0).finished();
   friction.force = Eigen::Vector4d(-1, -2, 1, 2);
+  friction.indenter = 0.125 * Eigen::Vector4d(-std::sqrt(0.75), -0.5, std::sqrt(0.75), 0.5);
   friction.period_slip = Eigen::Vector2d(0, 0.2);
   friction.first_slip_margin = Eigen::Vector2d(-0.1, 0.4);
   friction.shakedown_margin = Eigen::Vector2d(0.2, -0.4);

@@ -25,7 +25,7 @@ struct RandomDraw {
 ///   to 1e-9, gross slip;
 ///   limiting profiles of c/a = 0.25, 0.5 and 0.75 (one body each).
 ///
-/// What finite elements refuse by name is not drawn: prescribed forces, several harmonics, unequal frequencies.
+/// Not drawn are prescribed forces, and what finite elements refuse by name.
 Entries random_entries(const RandomDraw& draw);
 
 }  // namespace fretval

@@ -49,6 +49,9 @@ TEST(CaseEntries, OfALimitingProfileAreAStickRadiusAndNoWear) {
     expect_parts(refusal_of("Wear", limiting + ratio), {"Stick radius ratio = ", "0.01 to 0.99"});
   expect_parts(refusal_of("Wear", limiting + "0.5\nset Cycles = 10"), {"Wear / Cycles = 10", "wears no more"});
   expect_parts(refusal_of("Wear", "set Stick radius ratio = 0.5"), {"it belongs to State = limiting"});
+  const std::string forced =
+      replace(case_with("Wear", limiting + "0.5"), "Tangential amplitude = 1.5e-5", "Tangential force amplitude = 0.1");
+  expect_parts(refusal([&] { read_case(forced); }), {"Stick radius ratio = 0.5", "follows from the motion"});
 }
 
 TEST(CaseEntries, OfWearAreALawAndWhereItEnds) {

@@ -18,13 +18,29 @@ namespace fs = std::filesystem;
 TEST(RunCommand, RefusesWhatOnlyTheReferenceAnswers) {
   const ScratchFolder folder;
   const auto file = folder.write(
-      "case.prm", replace(valid_case, "Tangential amplitude = 1.5e-5", "Tangential force amplitude = 0.1"));
+      "case.prm", replace(replace(valid_case, "Tangential amplitude = 1.5e-5", "Tangential force amplitude = 0.1"),
+                          "Phase = 60", "Phase = free"));
   EXPECT_EQ(fretval_run("mdr " + file.string(), folder).exit_code, 0);
   const auto run = fretval_run("run " + file.string() + " -o " + (folder.path() / "out").string(), folder);
   EXPECT_EQ(run.exit_code, 2);
   for (const char* part : {"case.prm", "Tangential force amplitude", "fretval mdr"})
     EXPECT_NE(run.err.find(part), std::string::npos) << run.err;
   EXPECT_FALSE(fs::exists(folder.path() / "out"));
+}
+
+// Gross slip is an answer, and both have to find it.
+TEST(RunCommand, SaysThatAllOfTheContactSlides) {
+  const ScratchFolder folder;
+  const auto file =
+      folder.write("case.prm", replace(valid_case, "Tangential amplitude = 1.5e-5", "Tangential force amplitude = 9"));
+  const auto run = fretval_run("run " + file.string() + " -o " + (folder.path() / "out").string(), folder);
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_NE(run.out.find("gross slip"), std::string::npos) << run.out;
+  const auto json = nlohmann::json::parse(text_of(folder.path() / "out/case/result.json"));
+  EXPECT_TRUE(json.at("pass"));
+  EXPECT_LT(json.at("fe").at("gross_slip").at("amplitude"), 0.1);
+  EXPECT_LT(json.at("mdr").at("gross_slip"), 0.1);
+  EXPECT_TRUE(json.at("fe").at("normal_force_max").is_null());
 }
 
 TEST(RunCommand, WritesEveryResultAndTheReport) {

@@ -35,14 +35,63 @@ TEST(MdrCase, LimitingStateCannotStickInsideAFlatFace) {
 
 TEST(MdrCase, NamesTheEntryThatOnlyTheReferenceCovers) {
   EXPECT_TRUE(is_comparable(read_case()));
+  Case forced = read_case();
+  forced.motion.normal_force = {1, 0.1};
+  forced.motion.tangential_force = 0.1;
+  EXPECT_TRUE(is_comparable(forced));
   const auto expect_refused = [](const char* entry, const std::function<void(Case::Motion&)>& change) {
     Case input = read_case();
     change(input.motion);
     EXPECT_FALSE(is_comparable(input)) << entry;
     expect_parts(refusal([&] { mdr_case(input); }), {"case.prm: Motion / ", entry, "fretval mdr"});
   };
-  expect_refused("Normal force", [](auto& motion) { motion.normal_force = {1, 0.1}; });
-  expect_refused("Tangential force amplitude", [](auto& motion) { motion.tangential_force = 0.1; });
+  // The indenter would leave the surface.
+  expect_refused("Normal force amplitude = 1", [](auto& motion) { motion.normal_force = {1, 1}; });
+  expect_refused("Normal force", [](auto& motion) {
+    motion.normal_force = {1, 0.1};
+    motion.phase.reset();
+  });
+  expect_refused("Tangential force amplitude", [](auto& motion) {
+    motion.tangential_force = 0.1;
+    motion.tangential_frequency = std::sqrt(2.0);
+  });
+}
+
+/// A parabola of 1 cm, G0 = 1 MPa, under F0 = 0.5 N, with a tangential force.
+Case forced_case(double normal_amplitude, double tangential) {
+  Case input = read_case();
+  input.motion.normal_force = {0.5, normal_amplitude};
+  input.motion.tangential_force = tangential;
+  return input;
+}
+
+// Hertz under the largest force, of the relaxed body.
+TEST(MdrCase, UnderANormalForceTheRelaxedBodyGoesDeepest) {
+  const auto mdr = mdr_case(forced_case(0.1, 0.05));
+  EXPECT_TRUE(mdr.normal_force && mdr.tangential_force);
+  EXPECT_EQ(mdr.motion.indentation, 0.5);
+  EXPECT_EQ(mdr.motion.normal.front().amplitude, 0.1);
+  EXPECT_EQ(mdr.motion.tangential.front().amplitude, 0.05);
+  EXPECT_NEAR(deepest_indentation(mdr) / std::pow(3 * 0.6 / (16 * 1e6 * std::sqrt(1e-2)), 2.0 / 3), 1, 1e-12);
+}
+
+// The radius of the profile is that to which the forces lead; it is not asked for.
+TEST(MdrCase, LimitingProfileOfForcesIsThatOfTheirState) {
+  Case input = forced_case(0, 0.05);
+  input.wear = Case::Wear::limiting;
+  const auto mdr = mdr_case(input);
+  const double c = std::cbrt(3 * (0.5 - 0.05 / input.friction_coefficient) * 1e-2 / (16 * 1e6));
+  EXPECT_NEAR(mdr.limiting->stick_radius / c, 1, 1e-9);
+  EXPECT_NEAR(deepest_indentation(mdr) / mdr::maximum_indentation(mdr.limiting_state->motion), 1, 1e-12);
+  input.motion.tangential_force = 1;
+  expect_parts(refusal([&] { mdr_case(input); }), {"Wear / State = limiting", "no limiting state"});
+}
+
+TEST(MdrCase, ShakedownAmplitudeNeedsAnIndentation) {
+  Case input = forced_case(0.1, 0);
+  input.motion.tangential_force.reset();
+  input.motion.tangential_amplitude = std::nan("");
+  expect_parts(refusal([&] { mdr_case(input); }), {"Tangential amplitude = shakedown", "Indentation"});
 }
 
 // The cycle of the finite elements begins at the largest indentation, and so does that of the reference.

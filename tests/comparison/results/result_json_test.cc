@@ -92,7 +92,7 @@ TEST(ResultJson, HasEveryNumberUnderItsKey) {
   EXPECT_EQ(json, nlohmann::json::parse(R"({
     "name": "made up", "pass": false, "proof": "bars",
     "scene": {"file": "made/up.prm", "shape": "parabola", "rheology": "standard solid", "friction_coefficient": 0.5,
-      "indentation": 1e-4, "indentation_max": 0.5, "normal_amplitude": 2e-5, "tangential_amplitude": 1.5e-5, "frequency": 1,
+      "indentation": 1e-4, "normal_amplitude": 2e-5, "tangential_amplitude": 1.5e-5, "frequency": 1,
       "tangential_frequency": 1, "phase": 60,
       "wear": "unworn", "contact_radius_unworn": 2, "tolerance": 0.01,
       "sweep": {"family": "family", "entry": "Motion / Phase", "value": 60}},

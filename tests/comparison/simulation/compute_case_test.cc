@@ -37,6 +37,47 @@ TEST(ComputeCase, IsCattaneosAndMindlinsProblemForASteadyElasticSphere) {
   EXPECT_EQ(fe.rings.contact, 16);
 }
 
+/// The same, under the normal force of d and the tangential one of the stick radius.
+Case under_forces(const Case& scene, double stick_share) {
+  const double R = scene.indenter.radius, G = scene.elastomer.relaxed_modulus;
+  const double force = 16 * G / 3 * std::sqrt(R * std::pow(scene.motion.indentation, 3));
+  Case input = scene;
+  input.motion.normal_force = {force, 0};
+  input.motion.tangential_force = scene.friction_coefficient * force * (1 - std::pow(stick_share, 3));
+  return input;
+}
+
+// d and u_x from F and F_x: c/a = (1 - F_x/(mu F))^(1/3).
+TEST(ComputeCase, IsCattaneosAndMindlinsProblemUnderForcesToo) {
+  const auto scene = suite_case("parabola-elastic-steady", 1e-2);
+  constexpr double share = 0.6, discretisation = 2e-3;
+  const auto fem = prepare({under_forces(scene, share)}).front().fem;
+  BodyStore bodies;
+  const auto fe = compute_case(fem, coarse_resolution, bodies);
+  const double d = scene.motion.indentation, a = std::sqrt(scene.indenter.radius * d);
+  EXPECT_NEAR(fe.indentation_max.value() / d, 1, discretisation);
+  EXPECT_NEAR(fe.contact_radius_max.value() / a, 1, discretisation);
+  EXPECT_NEAR(fe.stick_radius_first_slip.value() / a, share, 2 * discretisation);
+  EXPECT_NEAR(fe.stick_radius_shakedown.value() / a, share, 2 * discretisation);
+  // Sixteen steps see the reversal to (2 pi/16)^2/8.
+  EXPECT_NEAR(fe.tangential_amplitude.value() / (1.5 * scene.friction_coefficient * d * (1 - share * share)), 1, 2e-2);
+}
+
+// |F_x| = 1.25 mu F: all slides as soon as the ramp comes to 0.8 of it, at the next peak at the latest.
+TEST(ComputeCase, SaysWhenAllOfTheContactSlides) {
+  auto input = under_forces(suite_case("parabola-elastic-steady", 1e-2), 0.6);
+  input.motion.tangential_force = 1.25 * input.friction_coefficient * input.motion.normal_force->mean;
+  const auto fem = prepare({input}).front().fem;
+  BodyStore bodies;
+  const auto fe = compute_case(fem, coarse_resolution, bodies);
+  ASSERT_TRUE(fe.gross_slip);
+  EXPECT_GE(fe.gross_slip->amplitude, 0.8 - 1e-3);
+  EXPECT_LE(fe.gross_slip->amplitude, 1);
+  EXPECT_LE(fe.gross_slip->time, 2 / input.motion.tangential_frequency);
+  EXPECT_FALSE(fe.stick_radius_shakedown || fe.contact_radius_max);
+  EXPECT_GT(fe.body->n_dofs, 0);
+}
+
 TEST(ComputeCase, SharesBodiesOfCasesThatDifferInNoMesh) {
   CountedBodies bodies;
   const auto steady = prepare({suite_case("parabola-elastic-steady", 1e-2)}).front().fem,

@@ -33,11 +33,14 @@ int periods_to_settle(double slowest) {
   const std::array<double, 2> q{0.2, 0.99};
   RingState state{Eigen::VectorXd::Zero(2), Eigen::MatrixXd::Zero(2, 0)};
   CycleJump jump(slowest);
+  double indenter = 0;  // with the rate of the slower one
   int n = 0;
   for (; n < 10000 && (state.displacement.array() - 1).abs().maxCoeff() > 1e-6; ++n) {
     for (Eigen::Index i = 0; i < 2; ++i) state.displacement[i] += (1 - q[i]) * (1 - state.displacement[i]);
-    jump.advance(state);
+    indenter += (1 - q[1]) * (1 - indenter);
+    jump.advance(state, indenter);
   }
+  EXPECT_NEAR(indenter, state.displacement[1], 1e-14);
   return n;
 }
 
@@ -50,7 +53,9 @@ TEST(CycleJump, ShortensASlowCreep) {
 TEST(CycleJump, LeavesAStateWithoutDriftWhereItIs) {
   RingState state{Eigen::VectorXd::Ones(3), Eigen::MatrixXd::Ones(3, 2)};
   CycleJump jump(1e4);
-  for (int k = 0; k < 10; ++k) jump.advance(state);
+  double indenter = 2;
+  for (int k = 0; k < 10; ++k) jump.advance(state, indenter);
+  EXPECT_EQ(indenter, 2);
   EXPECT_EQ(state.displacement, Eigen::VectorXd(Eigen::VectorXd::Ones(3)));
   EXPECT_EQ(state.memory, Eigen::MatrixXd(Eigen::MatrixXd::Ones(3, 2)));
 }

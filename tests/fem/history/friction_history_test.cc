@@ -153,8 +153,8 @@ TEST(FrictionHistory, GoesOnWhereSlipDiesOutSlowlyEverywhere) {
   EXPECT_EQ(expected.first_slip, 0);
   const auto n_stuck = static_cast<Index>(expected.shakedown * 32);
   ASSERT_EQ(n_stuck, 16);
-  EXPECT_LE(history.period_slip.head(n_stuck).maxCoeff(), slip_of_stuck_ring(motion));
-  EXPECT_GT(history.period_slip[n_stuck + 2], 10 * slip_of_stuck_ring(motion));
+  EXPECT_LE(history.period_slip.head(n_stuck).maxCoeff(), slip_of_stuck_ring(motion, motion.tangential_amplitude()));
+  EXPECT_GT(history.period_slip[n_stuck + 2], 10 * slip_of_stuck_ring(motion, motion.tangential_amplitude()));
 }
 
 // A phase that creeps through everything: both radii obey g(c) = d0 - rho (A + Dd) (docs/theory.md).

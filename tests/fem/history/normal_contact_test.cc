@@ -30,7 +30,7 @@ TEST_F(NormalContactTest, OfAnElasticBodyIsHertzAtEveryStep) {
   const Motion motion = without_ramp();
   NormalContact contact(problem_, body, profile_, motion, 36);
   for (int k = 0; k <= 36; ++k) {
-    const double d = contact.indentation();
+    const double d = contact.indentation;
     EXPECT_NEAR(contact.reading.force / (16.0 / 3 * std::pow(d, 1.5)), 1, 3e-6) << k;
     EXPECT_NEAR(contact.reading.radius, std::sqrt(d), 1e-5) << k;
     contact.step();
@@ -63,7 +63,7 @@ TEST_F(NormalContactTest, PressesWhereItTouchesAndNowhereElse) {
       EXPECT_GE(contact.gap.minCoeff(), -1e-14);
       EXPECT_EQ(contact.gap.cwiseProduct(contact.pressure).cwiseAbs().maxCoeff(), 0) << k;
       const Eigen::VectorXd overlap = contact.state.displacement + profile_ - contact.gap;
-      EXPECT_LT((overlap.array() - contact.indentation()).abs().maxCoeff(), 1e-14) << k;
+      EXPECT_LT((overlap.array() - contact.indentation).abs().maxCoeff(), 1e-14) << k;
     }
   }
 }

@@ -251,5 +251,12 @@ TEST(Relaxation, StiffensWithTheFrequency) {
   EXPECT_EQ(stiffening_at(elastic, 3), 1);
 }
 
+TEST(IndenterMove, AtConstantRateIsThatOfALinearMotion) {
+  const auto linear = [](double t) { return ValueAndRate{1 + 3 * t, 3}; };
+  const auto steady = steady_move(0.6, 0.2), move = indenter_move(linear, 0.5, 0.7);
+  EXPECT_NEAR(steady.increment, move.increment, 1e-15);
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(steady.rates[i], move.rates[i], 1e-14);
+}
+
 }  // namespace
 }  // namespace fretval::fem::relaxation_test

@@ -134,8 +134,7 @@ TEST(SpringStep, ForceControlFindsTheMotionOfTheIndenter) {
       const double load = 0.012 * (1 + 0.3 * std::sin(0.4 * k)), traction = 0.3 * 1.5 * mu * load * std::sin(0.7 * k);
       const double d = step.indentation_for_load(state, bed, load);
       const double u_x = step.tangential_for_load(state, bed, d, traction);
-      const double rate = (d - state.indenter.indentation) / 0.05, rate_x = (u_x - state.indenter.tangential) / 0.05;
-      step.advance(state, bed, {d, rate, u_x, rate_x});
+      step.advance(state, bed, step.arrived(state, d, u_x));
       EXPECT_NEAR((bed.width * state.normal_load).sum() / load, 1, 1e-12);
       EXPECT_NEAR((bed.width * state.tangential_load).sum(), traction, 1e-12 * load);
     }

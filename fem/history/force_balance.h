@@ -1,0 +1,20 @@
+#pragma once
+
+#include <functional>
+
+namespace fretval::fem {
+
+/// Where a search for the balance of a force begins.
+struct BalanceGuess {
+  double displacement;
+  double stiffness;  ///< force per displacement around there, roughly; positive
+  double scale;      ///< of forces, whose roundoff does not matter; positive
+};
+
+/// The displacement of the indenter at which a force that rises with it has a value: secants, held between the nearest
+/// displacements that are known to be too small and too large. Accurate to roundoff of the scale. A reading of a force
+/// may jump by a little where a ring changes its state; a value inside the jump is balanced at its place. force: of a
+/// displacement. Throws SolverError if the force stays on one side of the value.
+double displacement_for_force(const std::function<double(double)>& force, double value, const BalanceGuess& guess);
+
+}  // namespace fretval::fem

@@ -1,0 +1,108 @@
+#include "mdr/springs/forced_response.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "mdr/motion/force_control.h"
+#include "mdr/springs/sampled_peak.h"
+
+namespace fretval::mdr {
+namespace {
+
+/// n springs.
+using Bed = std::function<SpringBed(Eigen::Index n)>;
+
+SpringHistory history_with(const Bed& bed, const PronyBody& body, double mu, const Prescribed& prescribed,
+                           int fineness) {
+  constexpr Eigen::Index n_springs = 200;
+  constexpr int steps_per_oscillation = 180, fewest_ramp_periods = 20, most_periods = 2000;
+  constexpr double many_creep_times = 10;
+  // With a dashpot the load of a spring jumps when it touches, and which is the last one may change from period to
+  // period; the ramp is slow enough that nothing else does.
+  const double periodicity = body.viscosity > 0 ? 1e-2 : 1e-8;
+  const double period = common_period(prescribed.motion);
+  double creep = body.viscosity;
+  for (std::size_t i = 0; i < body.branch_times.size(); ++i) creep += body.branch_moduli[i] * body.branch_times[i];
+  const int n_creep = static_cast<int>(std::ceil(many_creep_times * creep / body.relaxed_modulus / period));
+  double fastest = 0;
+  for (const auto* harmonics : {&prescribed.motion.normal, &prescribed.motion.tangential})
+    for (const auto& harmonic : *harmonics) fastest = std::max(fastest, harmonic.frequency);
+  const int n_steps = fineness * static_cast<int>(std::lround(steps_per_oscillation * fastest * period)),
+            n_ramp = fineness * std::max(fewest_ramp_periods, n_creep);
+  try {
+    return spring_history(bed(fineness * n_springs), body, mu, loading_of(prescribed, n_ramp * period),
+                          {period, n_steps, n_ramp, most_periods, periodicity});
+  } catch (GrossSlip& slip) {
+    slip.amplitude = amplitude_share(slip.time, n_ramp * period);
+    throw;
+  }
+}
+
+ForcedResponse response_of(const std::function<double(double)>& radius_at, const SpringHistory& history) {
+  const double deepest = sampled_peak(history.indentation, 1);
+  NormalResponse normal{sampled_peak(history.normal_force, 1),
+                        std::max(sampled_peak(history.normal_force, -1), 0.0),
+                        radius_at(deepest),
+                        {},
+                        history.indentation,
+                        history.normal_force};
+  for (const double time : history.time) normal.time.push_back(time - history.time.front());
+  const auto& shift = history.tangential_displacement;
+  return {std::move(normal),
+          {history.depths.first_slip, history.settling_depth},
+          deepest,
+          (sampled_peak(shift, 1) - sampled_peak(shift, -1)) / 2};
+}
+
+/// radius_at: of the contact, of the indentation.
+SteppedForcedResponse extrapolated(const Bed& bed, const std::function<double(double)>& radius_at,
+                                   const PronyBody& body, double mu, const Prescribed& prescribed) {
+  const auto coarse = response_of(radius_at, history_with(bed, body, mu, prescribed, 1));
+  SteppedForcedResponse stepped{response_of(radius_at, history_with(bed, body, mu, prescribed, 2)), {}};
+  const auto extrapolate = [&](auto&& part) {
+    const double correction = (part(stepped.response) - part(coarse)) / 3;
+    part(stepped.response) += correction;
+    part(stepped.error) = 3 * std::abs(correction);
+  };
+  extrapolate([](auto& r) -> auto& { return r.normal.normal_force_max; });
+  extrapolate([](auto& r) -> auto& { return r.normal.normal_force_min; });
+  extrapolate([](auto& r) -> auto& { return r.normal.contact_radius_max; });
+  extrapolate([](auto& r) -> auto& { return r.depths.first_slip; });
+  extrapolate([](auto& r) -> auto& { return r.depths.shakedown; });
+  extrapolate([](auto& r) -> auto& { return r.largest_indentation; });
+  extrapolate([](auto& r) -> auto& { return r.tangential_amplitude; });
+  return stepped;
+}
+
+}  // namespace
+
+double deepest_indentation(const Profile& profile, const PronyBody& body, const Prescribed& prescribed) {
+  const double most = maximum_indentation(prescribed.motion);
+  return prescribed.normal_force ? indentation_for_force(profile, body.relaxed_modulus, most) : most;
+}
+
+Loading loading_of(const Prescribed& prescribed, double ramp_duration) {
+  const auto path = ramped_path(prescribed.motion, ramp_duration);
+  Loading loading{path, {}, {}};
+  if (prescribed.normal_force) loading.normal_force = [path](double time) { return path(time).indentation; };
+  if (prescribed.tangential_force) loading.tangential_force = [path](double time) { return path(time).tangential; };
+  return loading;
+}
+
+SteppedForcedResponse forced_response(const Profile& profile, const PronyBody& body, double mu,
+                                      const Prescribed& prescribed) {
+  constexpr double room = 1.001;
+  const double outer =
+      std::min(room * inverse_transform(profile, deepest_indentation(profile, body, prescribed)), end_radius(profile));
+  return extrapolated([&](Eigen::Index n) { return spring_bed(profile, outer, n); },
+                      [&](double depth) { return inverse_transform(profile, depth); }, body, mu, prescribed);
+}
+
+SteppedForcedResponse forced_response(const LimitingProfile& worn, const PronyBody& body, double mu,
+                                      const Prescribed& prescribed) {
+  const auto g = [&worn](double x) { return transform(worn, x); };
+  return extrapolated([&](Eigen::Index n) { return spring_bed(g, worn.stick_radius, n); },
+                      [&](double /*depth*/) { return worn.stick_radius; }, body, mu, prescribed);
+}
+
+}  // namespace fretval::mdr

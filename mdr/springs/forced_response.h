@@ -1,0 +1,49 @@
+#pragma once
+
+#include <functional>
+
+#include "mdr/motion/harmonic_motion.h"
+#include "mdr/springs/spring_foundation.h"
+#include "mdr/springs/spring_history.h"
+#include "mdr/stick/limiting_profile.h"
+
+namespace fretval::mdr {
+
+/// What a rig prescribes over time, each direction a displacement or a force. A force stands in the motion in the place
+/// of the displacement, in N.
+struct Prescribed {
+  HarmonicMotion motion;  ///< commensurate, phase locked; time 0: the largest indentation or normal force
+  bool normal_force = false, tangential_force = false;
+};
+
+/// Indentation that no relaxation of the body exceeds: of a prescribed force, that of the relaxed body under its
+/// largest value (a creep compliance that rises to that of the relaxed body never makes more of it).
+double deepest_indentation(const Profile& profile, const PronyBody& body, const Prescribed& prescribed);
+
+/// What springs are stepped under: the mean of each direction, its oscillations rising over ramp_duration in s.
+Loading loading_of(const Prescribed& prescribed, double ramp_duration);
+
+/// Periodic response of the spring foundation where a force is prescribed, over the common period.
+struct ForcedResponse {
+  NormalResponse normal;
+  StickDepths depths;           ///< as in SpringHistory; settled, see SpringHistory::settling_depth
+  double largest_indentation;   ///< m
+  double tangential_amplitude;  ///< m, half of what lies between the extremes of u_x
+};
+
+/// The transient springs (mdr/springs/spring_history.h), stepped until they repeat. Extrapolated from n and 2 n
+/// springs, steps and cycles of the ramp, each of second order; with a dashpot, where the load jumps at the edge,
+/// springs are of first order. error: the whole difference. Throws std::invalid_argument for bad arguments,
+/// std::runtime_error when the springs do not become periodic and for a tangential force that no friction holds (gross
+/// slip).
+struct SteppedForcedResponse {
+  ForcedResponse response, error;
+};
+SteppedForcedResponse forced_response(const Profile& profile, const PronyBody& body, double mu,
+                                      const Prescribed& prescribed);
+
+/// The same of a worn indenter, whose springs end at its stick radius.
+SteppedForcedResponse forced_response(const LimitingProfile& worn, const PronyBody& body, double mu,
+                                      const Prescribed& prescribed);
+
+}  // namespace fretval::mdr

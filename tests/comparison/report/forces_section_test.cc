@@ -1,0 +1,41 @@
+#include "comparison/report/forces_section.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/comparison/expect_parts.h"
+#include "tests/comparison/stored_result.h"
+
+namespace fretval {
+namespace {
+
+std::string section_of(const nlohmann::ordered_json& json) {
+  return forces_section({StoredResult{json, {}}});
+}
+
+TEST(ForcesSection, IsNotThereWithoutForces) {
+  EXPECT_EQ(section_of(stored_result()), "");
+}
+
+TEST(ForcesSection, ShowsWhatTheForcesLeadTo) {
+  auto json = stored_result();
+  json["name"] = "forced";
+  json["scene"]["normal_force_mean"] = 0.5;
+  json["scene"]["contact_radius_unworn"] = 2;
+  json["mdr"]["stick_radius_shakedown"] = 0.75;
+  json["fe"]["stick_radius_shakedown"] = 0.5;
+  json["comparison"]["indentation_max"] = {{"difference", 3e-5}, {"error_bar", 4e-5}, {"tolerance", 1}, {"pass", true}};
+  expect_parts(section_of(json), {"<td>forced</td>", "<td>0.37500</td><td>0.25000</td>", "+3.0e-05 ± 4e-05"});
+  EXPECT_EQ(section_of(json).find("gross slip"), std::string::npos);
+}
+
+TEST(ForcesSection, SaysWhoFindsGrossSlip) {
+  auto json = stored_result();
+  json["scene"]["tangential_force_amplitude"] = 0.5;
+  json["mdr"]["gross_slip"] = 0.8333;
+  expect_parts(section_of(json), {"gross slip at – of the amplitudes, at 0.83 says MDR"});
+  json["fe"]["gross_slip"] = {{"time", 1.5}, {"amplitude", 0.875}};
+  expect_parts(section_of(json), {"gross slip at 0.88 of the amplitudes, at 0.83 says MDR"});
+}
+
+}  // namespace
+}  // namespace fretval

@@ -1,0 +1,87 @@
+#include "mdr/springs/forced_response.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "mdr/motion/force_control.h"
+#include "mdr/profiles/indentation.h"
+#include "mdr/stick/limiting_state.h"
+
+namespace fretval::mdr::forced_response_test {
+namespace {
+
+constexpr double mu = 0.5, mean = 0.5, amplitude = 0.1, tangential = 0.05;
+const double pi = std::acos(-1.0);
+
+const Profile profiles[] = {parabola(1e-2), cone(0.05)};
+
+Prescribed both_forces(double phase) {
+  return {{mean, {{amplitude, 1, 0}}, {{tangential, 1, phase}}, true}, true, true};
+}
+
+// Hertz and the cone. Extrapolated springs: fourth order.
+TEST(ForcedResponse, OfAnElasticBodyIndentsLikeTheElasticContact) {
+  for (const auto& profile : profiles) {
+    const auto body = elastic(1e6);
+    const auto response = forced_response(profile, body, mu, both_forces(0)).response;
+    const double deepest = indentation_for_force(profile, 1e6, mean + amplitude);
+    EXPECT_NEAR(response.largest_indentation / deepest, 1, 1e-6);
+    EXPECT_NEAR(response.normal.contact_radius_max / inverse_transform(profile, deepest), 1, 1e-6);
+    EXPECT_NEAR(response.normal.normal_force_max, mean + amplitude, 1e-6 * mean);
+    EXPECT_NEAR(response.normal.normal_force_min, mean - amplitude, 1e-6 * mean);
+  }
+}
+
+// Under a steady normal force: Cattaneo and Mindlin, (3 mu/2)(d - g(c)) on either side. Where the slip ends inside its
+// spring, 2e-5 are left.
+TEST(ForcedResponse, SlidesLikeCattaneoAndMindlin) {
+  for (const auto& profile : profiles) {
+    Prescribed prescribed = both_forces(0);
+    prescribed.motion.normal[0].amplitude = 0;
+    const auto response = forced_response(profile, elastic(1e6), mu, prescribed).response;
+    const double exact = tangential_displacement_for_force(profile, 1e6, mu, mean, tangential);
+    EXPECT_NEAR(response.tangential_amplitude / exact, 1, 4e-5);
+    const double stick_depth = indentation_for_force(profile, 1e6, mean - tangential / mu);
+    EXPECT_NEAR(response.depths.first_slip / stick_depth, 1, 1e-5);
+    EXPECT_NEAR(response.depths.shakedown / stick_depth, 1, 1e-5);
+  }
+}
+
+// The closed form of the worn contact is that of the unworn one, whatever the body: g(c) with
+// N(g(c)) = F0 - (|F_x/mu e^(i phase) - F1| + |F_x/mu e^(i phase) + F1|)/2. With a dashpot 4e-4 of c at worst, the others
+// 1e-6; the error says so.
+TEST(ForcedResponse, ShakesDownToTheRadiusOfTheLimitingState) {
+  for (const auto& profile : profiles)
+    for (const double phase : {0.0, pi / 4})
+      for (const auto& body : {elastic(1e6), standard_solid(1e6, 1e6, 0.1), kelvin_voigt(1e6, 2e5)}) {
+        const FrettingControl control{NormalForceControl{mean, amplitude}, TangentialForceControl{tangential}, 1, 1,
+                                      phase};
+        const double exact = limiting_state(profile, body, mu, control, StickCriterion::shakedown)->stick_radius;
+        const auto [response, error] = forced_response(profile, body, mu, both_forces(phase));
+        const double found = inverse_transform(profile, response.depths.shakedown);
+        const double tolerance = body.viscosity > 0 ? 1e-3 : 1e-5;
+        EXPECT_NEAR(found / exact, 1, tolerance) << phase << " " << body.viscosity;
+        EXPECT_LT(error.depths.shakedown, tolerance * response.depths.shakedown);
+      }
+}
+
+// A creep compliance that rises: no body goes deeper than the relaxed one, and one that is stiff in motion less deep.
+TEST(ForcedResponse, GoesNoDeeperThanTheRelaxedBody) {
+  const auto prescribed = both_forces(pi / 2);
+  for (const auto& body : {standard_solid(1e6, 1e6, 0.1), kelvin_voigt(1e6, 2e5)}) {
+    const double bound = deepest_indentation(profiles[0], body, prescribed);
+    const auto response = forced_response(profiles[0], body, mu, prescribed).response;
+    EXPECT_LT(response.largest_indentation, bound * (1 - 1e-3));
+    EXPECT_GT(response.largest_indentation, indentation_for_force(profiles[0], 1e6, mean));
+  }
+}
+
+TEST(ForcedResponse, SaysThatTheContactSlides) {
+  auto prescribed = both_forces(0);
+  prescribed.motion.tangential[0].amplitude = 0.4;
+  EXPECT_THROW(forced_response(profiles[0], elastic(1e6), mu, prescribed), std::runtime_error);
+}
+
+}  // namespace
+}  // namespace fretval::mdr::forced_response_test

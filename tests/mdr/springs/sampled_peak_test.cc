@@ -1,0 +1,27 @@
+#include "mdr/springs/sampled_peak.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace fretval::mdr::sampled_peak_test {
+namespace {
+
+// Between samples, also across the ends of the period. Of a parabola through a cosine: (x dt)^4/24 at most.
+TEST(SampledPeak, IsTheOneBetweenTheSamples) {
+  constexpr int n = 36;
+  const double dt = 2 * std::acos(-1.0) / n;
+  for (const double phase : {0.0, 0.3 * dt, 0.5 * dt, 1.0, 3.0}) {
+    std::vector<double> samples;
+    for (int k = 0; k <= n; ++k) samples.push_back(5 + 2 * std::cos(k * dt + phase));
+    EXPECT_NEAR(sampled_peak(samples, 1), 7, 2 * std::pow(dt, 4) / 24) << phase;
+    EXPECT_NEAR(sampled_peak(samples, -1), 3, 2 * std::pow(dt, 4) / 24) << phase;
+  }
+}
+
+TEST(SampledPeak, OfAConstantIsTheConstant) {
+  EXPECT_EQ(sampled_peak({2, 2, 2, 2}, 1), 2);
+}
+
+}  // namespace
+}  // namespace fretval::mdr::sampled_peak_test
