@@ -14,7 +14,7 @@
 namespace fretval {
 namespace {
 
-constexpr int most_rounds = 3;
+constexpr int most_rounds = 2;
 
 struct WearComputation {
   WearSimulation fe;
@@ -82,38 +82,23 @@ ErrorBudget budget_of(const PreparedCase& prepared, const WearLimits& limits, co
   return error_budget(resolution, variants_of_wear(resolution), known, {}, {prepared.fem.relaxation.has_memory()});
 }
 
-/// What is refined next: the largest share of the bar that is furthest above its tolerance. Empty: none is.
-std::optional<Resolution> finer(const PreparedCase& prepared, const Resolution& resolution, const ErrorBudget& budget) {
+/// What is refined next: the largest share of the bar that is furthest above its tolerance, of what is compared. Empty:
+/// none is.
+std::optional<Resolution> finer(const PreparedCase& prepared, const ProvedWear& wear, const ErrorBudget& budget) {
   const ErrorShare* largest = nullptr;
   double furthest = 1;
   for (const auto& [quantity, bar] : budget) {
     const double times = bar.total() / tolerance_of(prepared.tolerances, quantity);
-    if (!(times > furthest)) continue;
+    if (!(times > furthest) || (quantity != Quantity::worn_volume && !wear.ends_in_limit())) continue;
     furthest = times;
     largest = bar.largest();
   }
   if (!largest) return std::nullopt;
-  const auto next = refined(resolution, largest->source);
+  const auto next = refined(wear.resolution, largest->source);
   if (next)
-    log::info(fmt::format("{}: an error bar of the wear is {:.1f} times the tolerance: from {} to {}",
-                          prepared.input.name, furthest, text_of(resolution), text_of(*next)));
+    log::info(fmt::format("{}: an error bar of the wear is {:.1f} times the tolerance; refined: {}",
+                          prepared.input.name, furthest, name_of(largest->source)));
   return next;
-}
-
-/// Refines until the bars meet their tolerances.
-ErrorBudget measure_errors(const PreparedCase& prepared, Proof proof, WearComputations& computed, ProvedWear& wear) {
-  computed.compute({wear.resolution});
-  for (int n = 0; proof != Proof::none; ++n) {
-    computed.compute(needed_for_bars(wear.resolution));
-    auto budget = budget_of(prepared, wear.limits, wear.resolution, computed);
-    const bool goes_on = proof == Proof::tolerance && n < most_rounds;
-    const auto next = goes_on ? finer(prepared, wear.resolution, budget) : std::nullopt;
-    if (!next) return budget;
-    computed.compute({*next});
-    if (!computed.all.at(*next).failure.empty()) return budget;
-    wear.resolution = *next;
-  }
-  return {};
 }
 
 /// Force of pressures on the rings beyond a radius, up to a factor.
@@ -124,9 +109,33 @@ double force_beyond(const WearSimulation& wear, const Eigen::VectorXd& pressure,
   return force;
 }
 
-double share_pressed_outside(const WearSimulation& wear, double radius) {
-  const auto& [first, last] = std::tie(wear.course.first.largest_pressure, wear.course.last.largest_pressure);
-  return force_beyond(wear, last, radius) / force_beyond(wear, first, 0);
+/// Takes a computation for the answer.
+void take(const PreparedCase& prepared, double stick_radius, const WearComputation& computation, ProvedWear& wear) {
+  wear.failure = computation.failure;
+  wear.fe = computation.fe;
+  if (!wear.failure.empty()) return;
+  const auto& [first, last] = std::tie(wear.fe.course.first.largest_pressure, wear.fe.course.last.largest_pressure);
+  const double close = tolerance_of(prepared.tolerances, Quantity::distance_to_limit);
+  wear.pressed_outside = force_beyond(wear.fe, last, stick_radius + close) / force_beyond(wear.fe, first, 0);
+}
+
+/// Refines until the bars meet their tolerances.
+ErrorBudget measure_errors(const PreparedCase& prepared, double stick_radius, Proof proof, WearComputations& computed,
+                           ProvedWear& wear) {
+  computed.compute({wear.resolution});
+  take(prepared, stick_radius, computed.all.at(wear.resolution), wear);
+  for (int n = 0; proof != Proof::none && wear.failure.empty(); ++n) {
+    computed.compute(needed_for_bars(wear.resolution));
+    auto budget = budget_of(prepared, wear.limits, wear.resolution, computed);
+    const bool goes_on = proof == Proof::tolerance && n < most_rounds;
+    const auto next = goes_on ? finer(prepared, wear, budget) : std::nullopt;
+    if (!next) return budget;
+    computed.compute({*next});
+    if (!computed.all.at(*next).failure.empty()) return budget;
+    wear.resolution = *next;
+    take(prepared, stick_radius, computed.all.at(*next), wear);
+  }
+  return {};
 }
 
 /// Whether springs of twice as many steps wear off as much. Where everything that touches sticks, they slip by what
@@ -136,7 +145,8 @@ bool springs_agree(const PreparedCase& prepared, const ProvedWear& wear) {
   const auto finer =
       wear_kinetics_of(prepared.input, prepared.mdr, last.cycles, 2 * mdr::WearControl{}.steps_per_cycle);
   const double tolerance = tolerance_of(prepared.tolerances, Quantity::worn_volume);
-  return std::abs(finer->curve.back().volume - last.volume) <= tolerance * mdr::worn_volume(wear.limits.shakedown);
+  return finer &&
+         std::abs(finer->curve.back().volume - last.volume) <= tolerance * mdr::worn_volume(wear.limits.shakedown);
 }
 
 Comparison compare(const PreparedCase& prepared, const ProvedWear& wear, const ErrorBudget& budget) {
@@ -180,18 +190,14 @@ ProvedWear prove_wear(const PreparedCase& prepared, const MdrAnswer& mdr, const 
   const double stick_radius = unworn.fe.stick_radius_shakedown.value_or(0) / units.length;
   ProvedWear wear{{}, {}, resolution_for_wear(prepared.fem.resolution), wear_limits(prepared.mdr, mdr)};
   WearComputations computed(prepared, stick_radius, bodies);
-  const auto budget = measure_errors(prepared, proof, computed, wear);
+  const auto budget = measure_errors(prepared, stick_radius, proof, computed, wear);
   wear.n_computations = static_cast<int>(computed.all.size());
-  wear.failure = computed.all.at(wear.resolution).failure;
   if (!wear.failure.empty()) return wear;
-  wear.fe = std::move(computed.all.at(wear.resolution).fe);
   wear.kinetics = wear_kinetics_of(prepared.input, prepared.mdr, wear.fe.course.curve.back().cycles);
   for (const auto& worn : wear.fe.course.worn) {
     wear.distance_shakedown.push_back(distance_of(wear.fe, worn, units, wear.limits.shakedown));
     wear.distance_first_slip.push_back(distance_of(wear.fe, worn, units, wear.limits.first_slip));
   }
-  const double close = tolerance_of(prepared.tolerances, Quantity::distance_to_limit);
-  wear.pressed_outside = share_pressed_outside(wear.fe, stick_radius + close);
   wear.springs_agree = wear.kinetics && (wear.ends_in_limit() || springs_agree(prepared, wear));
   wear.comparison = compare(prepared, wear, budget);
   return wear;

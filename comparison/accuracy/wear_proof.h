@@ -34,7 +34,7 @@ bool wears(const PreparedCase& prepared);
 
 /// Runs the wear of a case, with the rings graded around the stick radius that finite elements have found for the
 /// unworn indenter, which wear leaves alone, and measures its errors by refinement (variants_of_wear). With
-/// Proof::tolerance what is largest is refined until all bars are within the tolerance, up to three times.
+/// Proof::tolerance what is largest is refined until all bars are within the tolerance, up to twice.
 ProvedWear prove_wear(const PreparedCase& prepared, const MdrAnswer& mdr, const ProvedAnswer& unworn, Proof proof,
                       BodyStore& bodies);
 

@@ -81,7 +81,7 @@ TEST_F(NormalContactTest, WearsByThePressureOfTheStep) {
         contact.step({coefficient, exponent});
         const Eigen::VectorXd worn = coefficient.cwiseProduct(contact.pressure.array().max(0).pow(exponent).matrix());
         EXPECT_LT((contact.profile - before - worn).cwiseAbs().maxCoeff(), 1e-14);
-        const Eigen::ArrayXd gap = (contact.state.displacement + contact.profile).array() - contact.indentation();
+        const Eigen::ArrayXd gap = (contact.state.displacement + contact.profile).array() - contact.indentation;
         EXPECT_LT((gap - contact.gap.array()).abs().maxCoeff(), 1e-9) << exponent;
         EXPECT_LT(contact.pressure.cwiseProduct(contact.gap).cwiseAbs().maxCoeff(), 1e-12);
       }
