@@ -27,7 +27,7 @@ const Prefix& prefix_for(double value) {
 int decimals_of(double value, double bar) {
   constexpr int six = 5, most = 9;
   const auto exponent = [](double x) { return static_cast<int>(std::floor(std::log10(std::abs(x)))); };
-  if (bar > 0) return std::clamp(-exponent(bar), 0, most);
+  if (bar > 0 && std::isfinite(bar)) return std::clamp(-exponent(bar), 0, most);
   return value == 0 ? 0 : std::clamp(six - exponent(value), 0, most);
 }
 
@@ -104,7 +104,7 @@ std::string with_unit(double value, double bar, const std::string& unit) {
   const auto& [name, factor] = prefix_for(value);
   const int decimals = decimals_of(value / factor, bar / factor);
   const auto number = fmt::format("{:.{}f}", value / factor, decimals);
-  if (bar <= 0) return fmt::format("{} {}{}", number, name, unit);
+  if (bar <= 0 || !std::isfinite(bar)) return fmt::format("{} {}{}", number, name, unit);
   return fmt::format("{} ± {:.{}f} {}{}", number, bar / factor, decimals, name, unit);
 }
 

@@ -28,18 +28,26 @@ fem::WearLaw law_in(const Units& units, const Case::WearKinetics& wear, double f
   return {coefficient * std::pow(units.pressure(), wear.exponent), wear.exponent};
 }
 
-/// Wear ends like a straight line: drawn through the two outermost rings but one, which may be worn in part.
-double worn_radius_of(const WearSimulation& wear) {
+/// Where a line through two neighbouring rings meets zero; no further than the first ring that is not worn.
+double end_of_line(const WearSimulation& wear, Eigen::Index inner, double last) {
+  const Eigen::VectorXd& worn = wear.course.worn.back();
+  const double fall = (worn[inner] - worn[inner + 1]) / (wear.centre[inner + 1] - wear.centre[inner]);
+  return fall > 0 ? std::min(wear.centre[inner + 1] + worn[inner + 1] / fall, last) : last;
+}
+
+/// Wear ends like a straight line: drawn through the two outermost rings but one, which may be worn in part. How far
+/// that is off, the line through the two before tells.
+void read_worn_radius(WearSimulation& wear) {
   constexpr double nothing = 1e-7;
   const Eigen::VectorXd& worn = wear.course.worn.back();
   Eigen::Index outermost = worn.size() - 1;
   while (outermost >= 0 && worn[outermost] <= nothing) --outermost;
-  if (outermost < 0) return 0;
+  if (outermost < 0) return;
   const auto ring = static_cast<std::size_t>(outermost);
-  if (outermost < 2 || worn[outermost - 2] <= worn[outermost - 1]) return wear.radii[ring + 1];
-  const double inner = wear.centre[outermost - 2], outer = wear.centre[outermost - 1];
-  const double fall = (worn[outermost - 2] - worn[outermost - 1]) / (outer - inner);
-  return std::min(outer + worn[outermost - 1] / fall, wear.radii[ring + 2]);
+  const double inner_edge = wear.radii[ring], last = wear.radii[std::min(ring + 2, wear.radii.size() - 1)];
+  wear.worn_radius = outermost < 3 ? wear.radii[ring + 1] : end_of_line(wear, outermost - 2, last);
+  wear.worn_radius_uncertainty =
+      outermost < 3 ? last - inner_edge : std::abs(end_of_line(wear, outermost - 3, last) - wear.worn_radius);
 }
 
 }  // namespace
@@ -77,7 +85,7 @@ WearSimulation simulate_wear(const FemCase& fem_case, const Case::WearKinetics& 
                           law_in(fem.units, wear, fem.friction_coefficient)),
       {wear.n_cycles.value_or(std::numeric_limits<double>::infinity()), wear.until, resolution.wear_jump, nothing},
       progress);
-  simulation.worn_radius = worn_radius_of(simulation);
+  read_worn_radius(simulation);
   simulation.seconds = watch.lap();
   return simulation;
 }

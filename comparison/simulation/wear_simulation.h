@@ -13,10 +13,11 @@ namespace fretval {
 /// What finite elements say about an indenter that wears: dimensionless, in the units of its case.
 struct WearSimulation {
   fem::WearCourse course;
-  std::vector<double> radii;  ///< of the rings
-  Eigen::VectorXd unworn;     ///< ring means of the height
-  Eigen::VectorXd centre;     ///< of each ring: the radius of half of its area
-  double worn_radius = 0;     ///< where the worn profile meets the unworn one
+  std::vector<double> radii;           ///< of the rings
+  Eigen::VectorXd unworn;              ///< ring means of the height
+  Eigen::VectorXd centre;              ///< of each ring: the radius of half of its area
+  double worn_radius = 0;              ///< where the worn profile meets the unworn one
+  double worn_radius_uncertainty = 0;  ///< of reading it
   double seconds = 0;
 };
 

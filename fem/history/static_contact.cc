@@ -68,7 +68,7 @@ StaticContact solve_wearing_contact(const ContactProblem& problem, const Eigen::
   if (wear.coefficient.isZero(0)) return solve_contact(problem, target, states);
   if (wear.exponent == 1) return solve_softened(problem, target, wear.coefficient, states);
   constexpr int most_iterations = 200;
-  constexpr double roundoff = 1e-16, converged = 1e-9, least_share = 0.1;  // of the iterate before
+  constexpr double roundoff = 1e-16, converged = 1e-7, least_share = 0.1;  // of the iterate before
   const double m = wear.exponent;
   const auto& coefficient = wear.coefficient.array();
   auto contact = solve_contact(problem, target, states);
