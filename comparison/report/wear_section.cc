@@ -72,7 +72,7 @@ Table table_of(const Results& results) {
          fmt::format("{:.4f}", r.number("mdr", "worn_radius") / length_of(r)), wear_difference_text(r, "worn_radius"),
          fmt::format("{:.5f}", wear->at("volume").back().get<double>() / wear->at("volume_of_limit").get<double>()),
          wear_difference_text(r, "worn_volume"), fmt::format("{:.2g}", wear->at("cycles").back().get<double>()),
-         words_cell(end_text(*wear)), fmt::format("{:.1f}", wear->at("cost").at("seconds").get<double>())});
+         end_text(*wear), fmt::format("{:.1f}", wear->at("cost").at("seconds").get<double>())});
   }
   return table;
 }
@@ -106,10 +106,10 @@ Figure claim_figure(const Results& results, const std::string& shape) {
   plot.key_right = true;
   std::vector<double> radii;
   const auto colour_of = [&](double c) {
-    const auto found =
-        std::find_if(radii.begin(), radii.end(), [c](double other) { return std::abs(c - other) < 2e-3; });
-    if (found == radii.end()) radii.push_back(c);
-    return static_cast<int>(std::min(found, radii.end()) - radii.begin());
+    std::size_t i = 0;
+    while (i < radii.size() && std::abs(radii[i] - c) > 2e-3) ++i;
+    if (i == radii.size()) radii.push_back(c);
+    return static_cast<int>(i);
   };
   for (const auto& r : results) {
     const auto* wear = wear_of(r);
