@@ -1,5 +1,5 @@
 # The tables of docs/verification.md from what `fretval check --suite NAME --json FILE` writes: jq -r -f docs/tables.jq FILE
-# and that of the motions from results: jq -s -r -f docs/tables.jq report/*/*/result.json
+# and those of motions, forces and wear from results: jq -s -r -f docs/tables.jq report/*/*/result.json
 
 def power_of_ten: log10 | floor;
 def number:
@@ -34,7 +34,16 @@ def motion_row: . as $case
   | [.name] + beside($case; "stick_radius_first_slip") + beside($case; "stick_radius_shakedown")
     + [($case.comparison.normal_force_max.difference | number), ($case.comparison.normal_force_max.error_bar | number)];
 
-if type == "array" and (.[0] | has("scene")) then
+def wear_row: . as $case | .fe.wear as $wear | def compared($q): if .comparison[$q] == null then ["–", ""] else
+    [(.comparison[$q].difference | number), (.comparison[$q].error_bar | number)] end;
+  [.name, (if .scene.wear_law.law == "power" then "p^\(.scene.wear_law.exponent)" else .scene.wear_law.law end),
+   (.fe.stick_radius_shakedown // 0 | share($case)), ($wear.distance_to_limit.shakedown | number), ($wear.distance_to_limit.first_slip | number),
+   ($wear.volume[-1] / $wear.volume_of_limit * 1e5 | round / 1e5 | tostring)] + compared("worn_volume") + compared("worn_radius")
+   + [($wear.cycles[-1] | number), ($wear.cost.seconds * 10 | round / 10 | tostring)];
+
+if type == "array" and (.[0] | .fe | has("wear")) then
+  map(wear_row) | table(["case", "law", "c/a", "distance from the limit", "from that of first slip", "volume over that of the limit", "FE - MDR", "bar", "a_∞/a: FE - MDR", "bar", "cycles", "seconds"])
+elif type == "array" and (.[0] | has("scene")) then
   (map(.comparison | to_entries[]) | "\(length) values, \(map(select(.value.pass)) | length) agree, \(map(select((.value.difference | fabs) <= .value.error_bar)) | length) lie within their bars."),
   "",
   (map(motion_row) | table(["motion", "c/a, first slip: MDR", "FE - MDR", "bar", "c/a, shakedown: MDR", "FE - MDR", "bar", "force: FE - MDR", "bar"]))
