@@ -94,13 +94,15 @@ void write_wear(const ProvedWear& wear, const Units& units, const std::filesyste
   const auto& course = wear.fe.course;
   const Eigen::Index n = wear.fe.centre.size();
   const auto height = [&](const Eigen::VectorXd& worn) { return units.depth * (wear.fe.unworn + worn); };
-  const auto with_centre = [n](const Eigen::VectorXd& values) {
-    Eigen::VectorXd all = Eigen::VectorXd::Zero(n + 1);
-    all.tail(n) = values;
+  // The table of an indenter begins on the axis, where the apex has worn like the ring around it.
+  const auto from_axis = [n](double at_axis, const Eigen::VectorXd& values) {
+    Eigen::VectorXd all(n + 1);
+    all << at_axis, values;
     return all;
   };
-  write_csv(folder / "worn_profile.csv", {{"r [m]", with_centre(units.length * wear.fe.centre)},
-                                          {"f [m]", with_centre(height(course.worn.back()))}});
+  const Eigen::VectorXd& worn = course.worn.back();
+  write_csv(folder / "worn_profile.csv", {{"r [m]", from_axis(0, units.length * wear.fe.centre)},
+                                          {"f [m]", from_axis(units.depth * worn[0], height(worn))}});
   std::vector<Column> columns{{"r [m]", units.length * wear.fe.centre},
                               {"p largest at start [Pa]", units.pressure() * course.first.largest_pressure},
                               {"p largest at end [Pa]", units.pressure() * course.last.largest_pressure}};
