@@ -68,7 +68,7 @@ TEST(WearJson, ZonesAreATextAStep) {
   EXPECT_EQ(zones["end"], (std::vector<std::string>{"so", "sb"}));
 }
 
-TEST(WearJson, WritesAProfileThatACaseReads) {
+TEST(WearJson, WritesTheWornProfileAsATable) {
   const ScratchFolder folder;
   write_wear(made_up_wear(), units, folder.path());
   std::ifstream profile(folder.path() / "worn_profile.csv");
