@@ -45,8 +45,7 @@ void WearingContact::run_period(double n_cycles) {
     friction_.step(normal_.pressure);
     now.slip.col(k) = friction_.slip;
     now.pressure.col(k) = normal_.pressure;
-    now.rate += law_.coefficient * per_cycle *
-                friction_.slip.cwiseAbs().cwiseProduct(normal_.pressure.array().max(0).pow(law_.exponent).matrix());
+    now.rate += per_cycle * worn_by({law_.coefficient * friction_.slip.cwiseAbs(), law_.exponent}, normal_.pressure);
     now.friction_work +=
         per_cycle * friction_.traction.cwiseProduct(friction_.slip).dot(normal_.problem().compliance.areas);
   }
