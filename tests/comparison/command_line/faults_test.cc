@@ -33,10 +33,12 @@ std::string refusal_of(const std::string& name, const std::string& text) {
 }
 
 /// All files below a folder, and no other, relative to it.
+/// Also while a run writes there, and files go away.
 std::vector<std::string> files_below(const fs::path& folder) {
   std::vector<std::string> files;
+  std::error_code gone;
   for (const auto& entry : fs::recursive_directory_iterator(folder))
-    if (entry.is_regular_file()) files.push_back(fs::relative(entry.path(), folder).string());
+    if (entry.is_regular_file(gone)) files.push_back(entry.path().lexically_relative(folder).string());
   return files;
 }
 
