@@ -95,7 +95,7 @@ void BoxSolver::solve_interior(const std::vector<Eigen::Index>& interior, Eigen:
     head.noalias() -= coupling * tail;
     for (Eigen::Index j = 0; j < n_extra; ++j) x[interior[k + j]] = tail[j];
   }
-  block.transpose().solveInPlace(head);  // BLAS takes half as long again, at 36 as at 374 rings
+  block.transpose().solveInPlace(head);  // BLAS takes half as long again at 36 rings
 }
 
 BoxSolver::Solution BoxSolver::solve(const Eigen::VectorXd& q, const Eigen::VectorXd& lower,
