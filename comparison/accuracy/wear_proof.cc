@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <tuple>
 
 #include "comparison/accuracy/distance_to_limit.h"
@@ -140,6 +141,17 @@ ErrorBudget measure_errors(const PreparedCase& prepared, double stick_radius, Pr
   return {};
 }
 
+/// The course by springs; also empty where they do not become periodic.
+std::optional<mdr::WearKinetics> springs_of(const PreparedCase& prepared, double n_cycles,
+                                            int steps_per_cycle = mdr::WearControl{}.steps_per_cycle) {
+  try {
+    return wear_kinetics_of(prepared.input, prepared.mdr, n_cycles, steps_per_cycle);
+  } catch (const std::runtime_error& error) {
+    log::info(fmt::format("{}: no course of wear by springs: {}", prepared.input.name, error.what()));
+    return std::nullopt;
+  }
+}
+
 /// Volume after any number of cycles, between the points of a course.
 double volume_after(const mdr::WearKinetics& kinetics, double cycles) {
   const auto& curve = kinetics.curve;
@@ -156,8 +168,7 @@ double volume_after(const mdr::WearKinetics& kinetics, double cycles) {
 /// wears: their friction work falls with the square of the step.
 bool springs_agree(const PreparedCase& prepared, const ProvedWear& wear) {
   constexpr double share = 1e-2;
-  const auto finer = wear_kinetics_of(prepared.input, prepared.mdr, wear.kinetics->curve.back().cycles,
-                                      2 * mdr::WearControl{}.steps_per_cycle);
+  const auto finer = springs_of(prepared, wear.kinetics->curve.back().cycles, 2 * mdr::WearControl{}.steps_per_cycle);
   const double allowed = share * mdr::worn_volume(wear.limits.shakedown);
   return finer && std::all_of(wear.kinetics->curve.begin(), wear.kinetics->curve.end(), [&](const auto& point) {
            return std::abs(volume_after(*finer, point.cycles) - point.volume) <= allowed;
@@ -208,7 +219,7 @@ ProvedWear prove_wear(const PreparedCase& prepared, const MdrAnswer& mdr, const 
   const auto budget = measure_errors(prepared, stick_radius, proof, computed, wear);
   wear.n_computations = static_cast<int>(computed.all.size());
   if (!wear.failure.empty()) return wear;
-  wear.kinetics = wear_kinetics_of(prepared.input, prepared.mdr, wear.fe.course.curve.back().cycles);
+  wear.kinetics = springs_of(prepared, wear.fe.course.curve.back().cycles);
   for (const auto& worn : wear.fe.course.worn) {
     wear.distance_shakedown.push_back(distance_of(wear.fe, worn, units, wear.limits.shakedown));
     wear.distance_first_slip.push_back(distance_of(wear.fe, worn, units, wear.limits.first_slip));

@@ -43,8 +43,13 @@ bool is_whole(double x, double least, double most) {
 const ValidNumber ring_count{[](double x) { return is_whole(x, 16, 640); }, "a whole number from 16 to 640"};
 const ValidNumber step_count{[](double x) { return is_whole(x, 16, 10000); }, "a whole number from 16 to 10000"};
 
-std::optional<Case::WearKinetics> read_wear_kinetics(const EntryReader& entries) {
-  constexpr std::array names{"Law", "Coefficient", "Exponent", "Cycles", "Until"};
+constexpr std::array wear_kinetics_names{"Law", "Coefficient", "Exponent", "Cycles", "Until"};
+
+std::optional<Case::WearKinetics> read_wear_kinetics(const EntryReader& entries, const Case::Motion& motion) {
+  const auto& names = wear_kinetics_names;
+  if (motion.normal_force || motion.tangential_force)
+    for (const char* name : names)
+      entries.forbid("Wear", name, "the course of wear needs prescribed displacements in both directions");
   if (std::none_of(names.begin(), names.end(), [&](const char* name) { return entries.given("Wear", name); }))
     return {};
   Case::WearKinetics wear;
@@ -75,8 +80,7 @@ void read_wear(const EntryReader& entries, Case& input) {
       input.worn_stick_ratio = entries.number(
           "Wear", "Stick radius ratio",
           {[](double x) { return x >= 0.01 && x <= 0.99; }, "a ratio of stick to unworn contact radius, 0.01 to 0.99"});
-    for (const char* name : {"Law", "Coefficient", "Exponent", "Cycles", "Until"})
-      entries.forbid("Wear", name, "the limiting profile wears no more");
+    for (const char* name : wear_kinetics_names) entries.forbid("Wear", name, "the limiting profile wears no more");
     for (const char* name : {"Normal harmonics", "Tangential harmonics"})
       entries.forbid("Motion", name, "Wear / State = limiting prescribes the stick radius of one oscillation");
     return;
@@ -85,7 +89,7 @@ void read_wear(const EntryReader& entries, Case& input) {
   if (std::isnan(input.motion.tangential_amplitude))
     entries.fail("Motion", "Tangential amplitude",
                  "a number in m; the word shakedown belongs to Wear / State = limiting");
-  input.wear_kinetics = read_wear_kinetics(entries);
+  input.wear_kinetics = read_wear_kinetics(entries, input.motion);
 }
 
 }  // namespace

@@ -146,6 +146,17 @@ ordered_json springs_json(const Case& input, const ordered_json& closed_form) {
           {"warnings", agreement.warnings}};
 }
 
+ordered_json wear_json(const Case& input) {
+  const auto kinetics = wear_kinetics_of(input, mdr_case(input), *input.wear_kinetics->n_cycles);
+  if (!kinetics)
+    throw InputError(fmt::format(
+        "{}: Wear / Cycles = {:g}: springs have the course of wear under one oscillation in each direction, "
+        "of the same frequency and locked, by the laws archard and energy; leave it out, or let finite "
+        "elements run it (fretval run)",
+        input.file, *input.wear_kinetics->n_cycles));
+  return to_json(*kinetics);
+}
+
 }  // namespace
 
 MdrDocument mdr_document(const Case& input, bool with_springs) {
@@ -161,9 +172,7 @@ MdrDocument mdr_document(const Case& input, bool with_springs) {
     json["limiting_profile"] = profile_json(document.worn);
     if (input.elastomer.master_curve) json["elastomer"] = elastomer_json(input.elastomer);
     if (with_springs) json["springs"] = springs_json(input, document.json["mdr"]);
-    if (input.wear_kinetics && input.wear_kinetics->n_cycles)
-      if (const auto kinetics = wear_kinetics_of(input, mdr_case(input), *input.wear_kinetics->n_cycles))
-        json["wear"] = to_json(*kinetics);
+    if (input.wear_kinetics && input.wear_kinetics->n_cycles) json["wear"] = wear_json(input);
     document.json = std::move(json);
     return document;
   } catch (const std::invalid_argument& error) {

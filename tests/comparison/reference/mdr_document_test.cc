@@ -205,6 +205,21 @@ TEST(MdrDocument, HigherTemperatureSpeedsUpTheRelaxation) {
   EXPECT_LT(number(hot, "mdr", "modulus_ratio"), number(cold, "mdr", "modulus_ratio"));
 }
 
+TEST(MdrDocument, RefusesACourseOfWearThatSpringsDoNotHave) {
+  const auto wearing = [](const std::string& law) {
+    return valid_case + "subsection Wear\n  set Cycles = 1e6\n  set Coefficient = 1e-9\n" + law + "end\n";
+  };
+  for (const auto& text :
+       {wearing("  set Law = power\n  set Exponent = 2\n"), replace(wearing(""), "Phase = 60", "Phase = free"),
+        replace(wearing(""), "Tangential frequency = 1", "Tangential frequency = 2")})
+    try {
+      document_of(text);
+      ADD_FAILURE() << text;
+    } catch (const InputError& error) {
+      expect_parts(error.what(), {"Wear / Cycles = 1e+06", "fretval run"});
+    }
+}
+
 TEST(MdrDocument, WearKineticsTendToTheLimitingProfile) {
   const auto json = document_of(valid_case + "subsection Wear\n  set Coefficient = 1e-9\n  set Cycles = 1e6\nend\n");
   const auto& wear = json.at("wear");
