@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <vector>
 
 namespace fretval {
 namespace {
@@ -17,33 +16,37 @@ double distance_to_segment(const Point& p, const Point& a, const Point& b) {
   return (p - a - share * along).norm();
 }
 
-/// The curve as a chain of points, denser and denser towards the stick radius, where it rises like a root.
-std::vector<Point> curve_of(const mdr::LimitingProfile& limit, double contact_radius, double end) {
+/// From the segment beside the point outward, as far as one may be nearer than what was found.
+double distance_to_chain(const Point& p, const ProfileChain& chain) {
+  const auto right =
+      std::lower_bound(chain.begin(), chain.end(), p.x(), [](const Point& vertex, double r) { return vertex.x() < r; });
+  double nearest = std::numeric_limits<double>::infinity();
+  for (auto b = std::max(right, chain.begin() + 1); b != chain.end() && (b - 1)->x() - p.x() < nearest; ++b)
+    nearest = std::min(nearest, distance_to_segment(p, *(b - 1), *b));
+  for (auto b = right; b > chain.begin() + 1 && p.x() - (b - 1)->x() < nearest; --b)
+    nearest = std::min(nearest, distance_to_segment(p, *(b - 2), *(b - 1)));
+  return nearest;
+}
+
+}  // namespace
+
+/// Denser and denser towards the stick radius, where it rises like a root.
+ProfileChain chain_of(const mdr::LimitingProfile& limit, double contact_radius, double end) {
   constexpr int n = 1000;
-  std::vector<Point> curve;
+  ProfileChain chain;
   const auto add = [&](double r) {
-    curve.emplace_back(r / contact_radius, mdr::shape(limit, r) / limit.maximum_indentation);
+    chain.emplace_back(r / contact_radius, mdr::shape(limit, r) / limit.maximum_indentation);
   };
   const double c = limit.stick_radius, a = limit.outer_radius;
   for (int i = 0; i < n; ++i) add(c * i / n);
   for (int i = 0; i < n; ++i) add(c + (a - c) * i * i / (1.0 * n * n));
   for (int i = 0; i <= n; ++i) add(a + std::max(end - a, 0.0) * i / n);
-  return curve;
+  return chain;
 }
 
-}  // namespace
-
-double distance_to_limit(const mdr::LimitingProfile& limit, double contact_radius, const Eigen::VectorXd& r,
-                         const Eigen::VectorXd& f) {
-  const auto curve = curve_of(limit, contact_radius, r.maxCoeff());
+double distance_between(const ProfileChain& points, const ProfileChain& chain) {
   double largest = 0;
-  for (Eigen::Index i = 0; i < r.size(); ++i) {
-    const Point point(r[i] / contact_radius, f[i] / limit.maximum_indentation);
-    double nearest = std::numeric_limits<double>::infinity();
-    for (std::size_t k = 1; k < curve.size(); ++k)
-      nearest = std::min(nearest, distance_to_segment(point, curve[k - 1], curve[k]));
-    largest = std::max(largest, nearest);
-  }
+  for (const auto& point : points) largest = std::max(largest, distance_to_chain(point, chain));
   return largest;
 }
 

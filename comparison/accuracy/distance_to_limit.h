@@ -1,15 +1,21 @@
 #pragma once
 
 #include <Eigen/Dense>
+#include <vector>
 
 #include "mdr/stick/limiting_profile.h"
 
 namespace fretval {
 
-/// Largest distance of the points (r, f) of a profile, in m, from the curve of a limiting one, in the plane of r/a and
-/// f/d_max, a the unworn contact radius. The curve is vertical at the stick radius: a stick radius that is off by
-/// 1e-4 a is a distance of 1e-4, though heights differ by 9e-3 d_max there.
-double distance_to_limit(const mdr::LimitingProfile& limit, double contact_radius, const Eigen::VectorXd& r,
-                         const Eigen::VectorXd& f);
+/// A profile in the plane of r/a and f/d_max, a the unworn contact radius and d_max the largest indentation, as a chain
+/// of points with r rising.
+using ProfileChain = std::vector<Eigen::Vector2d>;
+
+/// The limiting profile out to a radius, in m, dense enough to measure distances of 1e-6 from it.
+ProfileChain chain_of(const mdr::LimitingProfile& limit, double contact_radius, double end);
+
+/// Largest distance of the points of a profile from the chain of another. Not in height: a worn profile is vertical at
+/// the stick radius, where a radius that is off by 1e-4 a stands for 9e-3 d_max.
+double distance_between(const ProfileChain& points, const ProfileChain& chain);
 
 }  // namespace fretval

@@ -8,8 +8,8 @@ namespace fretval {
 namespace {
 
 ExpectedOrder expected_order(ErrorSource source, Quantity quantity, const CaseNeeds& needs) {
-  if (source == ErrorSource::time_step || source == ErrorSource::start) return {2};
-  if (source == ErrorSource::creep || source == ErrorSource::wear_jump) return {1};
+  if (source == ErrorSource::time_step || source == ErrorSource::start || source == ErrorSource::wear_jump) return {2};
+  if (source == ErrorSource::creep) return {1};
   if (source == ErrorSource::far_field) return {4};
   if (source != ErrorSource::rings) return {3};
   const auto& traits = traits_of(quantity);
@@ -82,20 +82,30 @@ ErrorBudget error_budget(const Resolution& resolution, const std::map<Resolution
   return error_budget(resolution, variants_of(resolution, needs), known, edge, needs);
 }
 
+ErrorBar error_bar(Quantity quantity, const std::vector<Variant>& variants, const Change& change,
+                   const CaseNeeds& needs) {
+  ErrorBar bar;
+  for (std::size_t i = 0; i < variants.size(); ++i) {
+    const auto& [source, varied, reference] = variants[i];
+    if (i > 0 && variants[i - 1].source == source) continue;  // the coarser one of two
+    const double medium = -change(reference, varied);
+    Refinements found{0, medium, std::nullopt};
+    if (i + 1 < variants.size() && variants[i + 1].source == source)
+      found.coarse = medium - change(varied, variants[i + 1].resolution);
+    bar.shares.push_back(share_of(variants[i], found, expected_order(source, quantity, needs)));
+  }
+  return bar;
+}
+
 ErrorBudget error_budget(const Resolution& resolution, const std::vector<Variant>& variants,
                          const std::map<Resolution, Quantities>& known, const Quantities& edge,
                          const CaseNeeds& needs) {
   ErrorBudget budget;
   for (const auto& [quantity, value] : known.at(resolution)) {
-    auto& bar = budget[quantity];
-    for (std::size_t i = 0; i < variants.size(); ++i) {
-      const auto& [source, varied, reference] = variants[i];
-      if (i > 0 && variants[i - 1].source == source) continue;  // the coarser one of two
-      Refinements found{value_of(known.at(reference), quantity), value_of(known.at(varied), quantity), std::nullopt};
-      if (i + 1 < variants.size() && variants[i + 1].source == source)
-        found.coarse = value_of(known.at(variants[i + 1].resolution), quantity);
-      bar.shares.push_back(share_of(variants[i], found, expected_order(source, quantity, needs)));
-    }
+    const auto change = [&known, quantity = quantity](const Resolution& finer, const Resolution& coarser) {
+      return value_of(known.at(finer), quantity) - value_of(known.at(coarser), quantity);
+    };
+    auto& bar = budget[quantity] = error_bar(quantity, variants, change, needs);
     const auto reading = edge.find(quantity);
     if (reading == edge.end()) continue;
     bar.add(quantity == Quantity::contact_radius_max ? ErrorSource::time_step : ErrorSource::edge, reading->second);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <map>
 #include <optional>
 #include <vector>
@@ -50,13 +51,21 @@ ErrorShare richardson(ErrorSource source, const Refinements& values, const Expec
 /// counts as second order, up to sixth is credible as for all that is of third: the pressure next to the edge depends
 /// on when its ring touched, and coarser rings do not show all of that. The tangential amplitude under a force is of
 /// second order: readings of the force that reverse with few rings scatter (2.3e-4, 1.7e-4, 1.1e-5, 3.0e-5 at 32, 48,
-/// 96, 192 rings). Time step and start: second; jumps of wear
-/// and creep: first (2.3e-4, 1.15e-4, 4.6e-5 at 24, 48, 96 cycles); far field:
+/// 96, 192 rings). Time step, start and jumps of wear: second;
+/// creep: first (2.3e-4, 1.15e-4, 4.6e-5 at 24, 48, 96 cycles); far field:
 /// fourth (4.5 to 5 measured); grading: at least third. Elements: functionals converge like q^(2k) in the degree k, so
 /// the difference D from degree j < k stands for an error of D^(k/j), times 3; at degree 2, whose check is degree
 /// 3, for D itself, times 1.25. Cycles and active set: the difference made by ten times the periodicity or the slack.
 ErrorBudget error_budget(const Resolution& resolution, const std::map<Resolution, Quantities>& known,
                          const Quantities& edge, const CaseNeeds& needs = {});
+
+/// By how much a quantity changes from the second resolution to the first; NaN where one of them does not have it.
+using Change = std::function<double(const Resolution& finer, const Resolution& coarser)>;
+
+/// The shares of a quantity by its differences, which may also be distances between fields: then the bar is one of the
+/// distance to the true field.
+ErrorBar error_bar(Quantity quantity, const std::vector<Variant>& variants, const Change& change,
+                   const CaseNeeds& needs);
 
 /// The same with other variants: known at each of them and its reference.
 ErrorBudget error_budget(const Resolution& resolution, const std::vector<Variant>& variants,

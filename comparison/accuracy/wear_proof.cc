@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <tuple>
 
@@ -62,27 +63,74 @@ std::vector<Resolution> needed_for_bars(const Resolution& resolution) {
   return needed;
 }
 
-double distance_of(const WearSimulation& wear, const Eigen::VectorXd& worn, const Units& units,
-                   const mdr::LimitingProfile& limit) {
-  return distance_to_limit(limit, units.length, units.length * wear.centre, units.depth * (wear.unworn + worn));
+ProfileChain worn_chain(const WearSimulation& wear, const Eigen::VectorXd& worn, const Units& units, double deepest) {
+  ProfileChain chain;
+  for (Eigen::Index i = 0; i < worn.size(); ++i)
+    chain.emplace_back(wear.centre[i], units.depth * (wear.unworn[i] + worn[i]) / deepest);
+  return chain;
+}
+
+ProfileChain limit_of(const WearSimulation& wear, const Units& units, const mdr::LimitingProfile& limit) {
+  return chain_of(limit, units.length, units.length * wear.radii.back());
+}
+
+/// Of the profiles of a course from a limit.
+std::vector<double> distances(const WearSimulation& wear, const Units& units, const mdr::LimitingProfile& limit) {
+  const auto chain = limit_of(wear, units, limit);
+  std::vector<double> distances;
+  for (const auto& worn : wear.course.worn)
+    distances.push_back(distance_between(worn_chain(wear, worn, units, limit.maximum_indentation), chain));
+  return distances;
 }
 
 Quantities quantities_of(const WearSimulation& wear, const Units& units, const WearLimits& limits) {
   return {
       {Quantity::worn_volume, wear.course.curve.back().volume * units.volume() / mdr::worn_volume(limits.shakedown)},
-      {Quantity::worn_radius, wear.worn_radius},
-      {Quantity::distance_to_limit, distance_of(wear, wear.course.worn.back(), units, limits.shakedown)}};
+      {Quantity::worn_radius, wear.worn_radius}};
+}
+
+/// A ring slips as a whole, or not at all: the stick radius is known to the width of the rings at it.
+double edge_ring(const WearSimulation& wear) {
+  const auto edge = std::find(wear.radii.begin() + 1, wear.radii.end() - 1, wear.course.curve.back().stick_radius);
+  return std::max(edge[0] - edge[-1], edge[1] - edge[0]);
+}
+
+/// The share of the worn volume that one of the stick radius makes: the volume vanishes like (a - c)^(5/2) as c reaches
+/// the contact radius, and depends on smaller c less.
+double volume_per_stick_radius(const WearSimulation& wear) {
+  const auto& [first, last] = std::tie(wear.course.curve.front(), wear.course.curve.back());
+  const double outside = first.contact_radius - last.stick_radius;
+  return outside > 0 ? 2.5 / outside : 0;
 }
 
 ErrorBudget budget_of(const PreparedCase& prepared, const WearLimits& limits, const Resolution& resolution,
                       const WearComputations& computed) {
+  const auto& units = prepared.fem.units;
+  const auto variants = variants_of_wear(resolution);
+  const CaseNeeds needs{prepared.fem.relaxation.has_memory()};
   std::map<Resolution, Quantities> known;
-  for (const auto& [other, computation] : computed.all)
-    known[other] =
-        computation.failure.empty() ? quantities_of(computation.fe, prepared.fem.units, limits) : Quantities{};
-  return error_budget(resolution, variants_of_wear(resolution), known,
-                      {{Quantity::worn_radius, computed.all.at(resolution).fe.worn_radius_uncertainty}},
-                      {prepared.fem.relaxation.has_memory()});
+  std::map<Resolution, ProfileChain> worn;
+  for (const auto& [other, computation] : computed.all) {
+    known[other] = {};
+    if (!computation.failure.empty()) continue;
+    known[other] = quantities_of(computation.fe, units, limits);
+    worn[other] =
+        worn_chain(computation.fe, computation.fe.course.worn.back(), units, limits.shakedown.maximum_indentation);
+  }
+  auto budget = error_budget(resolution, variants, known,
+                             {{Quantity::worn_radius, computed.all.at(resolution).fe.worn_radius_uncertainty}}, needs);
+  const auto between = [&worn](const Resolution& finer, const Resolution& coarser) {
+    const auto a = worn.find(finer), b = worn.find(coarser);
+    return a == worn.end() || b == worn.end() ? std::numeric_limits<double>::quiet_NaN()
+                                              : distance_between(b->second, a->second);
+  };
+  budget[Quantity::distance_to_limit] = error_bar(Quantity::distance_to_limit, variants, between, needs);
+  const auto& [fe, failure] = computed.all.at(resolution);
+  const double edge = edge_ring(fe);
+  budget[Quantity::distance_to_limit].add(ErrorSource::edge, edge);
+  budget[Quantity::worn_volume].add(
+      ErrorSource::edge, edge * volume_per_stick_radius(fe) * known.at(resolution).at(Quantity::worn_volume));
+  return budget;
 }
 
 /// What is refined next: the largest share of the bar that is furthest above its tolerance, of what is compared. Empty:
@@ -177,7 +225,8 @@ bool springs_agree(const PreparedCase& prepared, const ProvedWear& wear) {
 
 Comparison compare(const PreparedCase& prepared, const ProvedWear& wear, const ErrorBudget& budget) {
   const auto& units = prepared.fem.units;
-  const auto values = quantities_of(wear.fe, units, wear.limits);
+  auto values = quantities_of(wear.fe, units, wear.limits);
+  values[Quantity::distance_to_limit] = wear.distance_shakedown.back();
   Comparison comparison;
   const auto judge = [&](Quantity quantity, double expected) {
     const double difference = values.at(quantity) - expected, tolerance = tolerance_of(prepared.tolerances, quantity);
@@ -220,10 +269,8 @@ ProvedWear prove_wear(const PreparedCase& prepared, const MdrAnswer& mdr, const 
   wear.n_computations = static_cast<int>(computed.all.size());
   if (!wear.failure.empty()) return wear;
   wear.kinetics = springs_of(prepared, wear.fe.course.curve.back().cycles);
-  for (const auto& worn : wear.fe.course.worn) {
-    wear.distance_shakedown.push_back(distance_of(wear.fe, worn, units, wear.limits.shakedown));
-    wear.distance_first_slip.push_back(distance_of(wear.fe, worn, units, wear.limits.first_slip));
-  }
+  wear.distance_shakedown = distances(wear.fe, units, wear.limits.shakedown);
+  wear.distance_first_slip = distances(wear.fe, units, wear.limits.first_slip);
   wear.springs_agree = wear.kinetics && (wear.ends_in_limit() || springs_agree(prepared, wear));
   wear.comparison = compare(prepared, wear, budget);
   return wear;

@@ -16,7 +16,7 @@ struct ProvedWear {
   WearLimits limits;
   std::optional<mdr::WearKinetics> kinetics = {};  ///< to the last cycle of the finite elements; see wear_kinetics_of
   bool springs_agree = false;                      ///< with springs of finer steps, where their volume is compared
-  /// Of the profile from either limit, see distance_to_limit, at each point of the course.
+  /// Of the profile from either limit, see distance_between, at each point of the course.
   std::vector<double> distance_shakedown = {}, distance_first_slip = {};
   /// Force that the largest pressures in a cycle bear outside the stick radius (and the tolerance of the distance) at
   /// the end, over that of the whole contact at the start. Where wear has ended and this is not nothing, what is

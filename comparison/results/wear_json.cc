@@ -85,6 +85,7 @@ ordered_json to_json(const ProvedWear& wear, const Units& units) {
   json["cost"] = {{"seconds", wear.fe.seconds},
                   {"rings", wear.fe.centre.size()},
                   {"jumps", course.n_jumps},
+                  {"largest_jump_error", course.largest_jump_error * units.depth},
                   {"cycles_stepped", course.n_cycles_stepped},
                   {"computations", wear.n_computations}};
   return json;

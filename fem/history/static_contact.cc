@@ -68,14 +68,15 @@ StaticContact solve_wearing_contact(const ContactProblem& problem, const Eigen::
   if (wear.coefficient.isZero(0)) return solve_contact(problem, target, states);
   if (wear.exponent == 1) return solve_softened(problem, target, wear.coefficient, states);
   constexpr int most_iterations = 200;
-  constexpr double roundoff = 1e-16, converged = 1e-7, least_share = 0.1;  // of the iterate before
+  constexpr double converged = 1e-7, least_share = 0.1;  // of the iterate before
+  constexpr double no_pressure = 1e-16, roundoff = 1e-14;
   const double m = wear.exponent;
   const auto& coefficient = wear.coefficient.array();
   auto contact = solve_contact(problem, target, states);
   // Of p^m its tangent, or with m < 1, where tangents overshoot, its secant from 0, which gains a factor 1 - m a time.
   // At p = 0 it has neither, and a ring of hardly any pressure hardly wears.
   const double slope = std::max(m, 1.0);
-  const double floor = roundoff * contact.pressure.maxCoeff();
+  const double floor = no_pressure * contact.pressure.maxCoeff();
   const double nothing = roundoff * target.lpNorm<Eigen::Infinity>();
   Eigen::ArrayXd at = contact.pressure.array().max(floor);
   for (int iteration = 0; iteration < most_iterations; ++iteration) {

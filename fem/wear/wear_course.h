@@ -38,16 +38,18 @@ struct WearCourse {
   WearingContact::Period first, last;
   WearEnd end = WearEnd::nothing_left;
   int n_jumps = 0;
+  double largest_jump_error = 0;  ///< worn depth, before a jump is extrapolated
   int n_cycles_stepped = 0;
 };
 
 /// Called after each jump.
 using WearProgress = std::function<void(const WearPoint&)>;
 
-/// Wears a contact by jumps: each takes the wear of many cycles in one, then the slip settles on the new profile. The
-/// next jump is as long as the last one suggests, at most three times; one that wears off more than twice the largest
-/// is taken back. Errors are of first order in the largest jump, in the course alone: where wear ends, it ends in a
-/// state in which nothing under pressure slips, whatever the jumps.
+/// Wears a contact by jumps: each takes the wear of many cycles in one period, then the slip settles on the new
+/// profile. A jump is made at once and in two halves, which are extrapolated to second order in its length. The next
+/// is as long as the last one suggests, at most three times; one that wears off more than twice the largest is taken
+/// back. Errors are in the course alone: where wear ends, it ends in a state in which nothing under pressure slips,
+/// whatever the jumps.
 WearCourse wear_course(WearingContact contact, const WearControl& control, const WearProgress& progress = {});
 
 }  // namespace fretval::fem

@@ -35,6 +35,9 @@ class WearingContact {
   /// no n, however large, wears off more than what bears a pressure.
   void wear_off(double n_cycles);
 
+  /// Gives the indenter another worn depth of each ring; it does not move for that.
+  void take_worn(const Eigen::VectorXd& worn) { normal_.profile = unworn_ + worn; }
+
   /// Of the last period.
   struct Period {
     Eigen::MatrixXd slip, pressure;  ///< a column a step; a slip of 0: the ring sticks

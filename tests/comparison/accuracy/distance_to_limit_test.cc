@@ -10,7 +10,7 @@ namespace {
 const mdr::LimitingProfile limit = mdr::limiting_profile(mdr::parabola(2), 1, 2);  // contact radius 2
 
 double distance_of(double r, double f) {
-  return distance_to_limit(limit, 2, Eigen::VectorXd::Constant(1, r), Eigen::VectorXd::Constant(1, f));
+  return distance_between({{r / 2, f / 2}}, chain_of(limit, 2, 3));
 }
 
 TEST(DistanceToLimit, IsNoneOnTheCurve) {
@@ -27,10 +27,27 @@ TEST(DistanceToLimit, IsMeasuredInContactRadiusAndLargestIndentation) {
 }
 
 TEST(DistanceToLimit, IsTheLargestOfAllPoints) {
-  Eigen::Vector3d r{0, 0.5, 1}, f{0, mdr::shape(limit, 0.5), mdr::shape(limit, 1.0)};
-  EXPECT_LT(distance_to_limit(limit, 2, r, f), 1e-6);
-  f[0] = -0.2;
-  EXPECT_NEAR(distance_to_limit(limit, 2, r, f), 0.1, 1e-6);
+  ProfileChain points{{0, 0}, {0.25, mdr::shape(limit, 0.5) / 2}, {0.5, mdr::shape(limit, 1.0) / 2}};
+  const auto chain = chain_of(limit, 2, 3);
+  EXPECT_LT(distance_between(points, chain), 1e-6);
+  points[0].y() = -0.1;
+  EXPECT_NEAR(distance_between(points, chain), 0.1, 1e-6);
+}
+
+// Against a search through many points of all segments, of points all around a zigzag and beyond its ends.
+TEST(DistanceToLimit, FindsTheNearestSegment) {
+  const ProfileChain zigzag{{0, 0}, {1, 2}, {1, -1}, {1.5, 3}, {2, 0}, {3, 0.5}};
+  for (double x = -1; x <= 4; x += 0.37)
+    for (double y = -2; y <= 4; y += 0.41) {
+      const Eigen::Vector2d p(x, y);
+      double nearest = 100;
+      for (std::size_t k = 1; k < zigzag.size(); ++k)
+        for (int i = 0; i <= 2000; ++i)
+          nearest = std::min(nearest, (p - zigzag[k - 1] - (zigzag[k] - zigzag[k - 1]) * i / 2000).norm());
+      const double found = distance_between({p}, zigzag), spacing = 4.0 / 2000;
+      EXPECT_LE(found, nearest + 1e-12) << x << " " << y;
+      EXPECT_GE(found, nearest - spacing) << x << " " << y;
+    }
 }
 
 }  // namespace

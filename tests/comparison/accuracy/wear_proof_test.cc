@@ -48,5 +48,20 @@ TEST(WearProof, OnItsWayIsComparedWithTheSprings) {
   EXPECT_GT(wear.kinetics->curve.back().volume, 1e-3 * mdr::worn_volume(wear.limits.shakedown));
 }
 
+// What a bar takes the volume to depend on the stick radius by, 5/2 V/(a - c), is reached at c = a and not exceeded.
+TEST(WearProof, VolumeVanishesLikeThePowerFiveHalvesOfTheSlipZone) {
+  for (const auto& profile : {mdr::parabola(1), mdr::cone(1)}) {
+    const auto power = [&](double c) {
+      const auto volume = [&](double radius) {
+        return mdr::worn_volume(mdr::limiting_profile(profile, radius, mdr::transform(profile, 1)));
+      };
+      const double step = 1e-3 * (1 - c);
+      return (volume(c - step) - volume(c + step)) / (2 * step) * (1 - c) / volume(c);
+    };
+    EXPECT_NEAR(power(0.99), 2.5, 0.02);
+    for (const double c : {0.2, 0.4, 0.6, 0.8, 0.9}) EXPECT_LT(power(c), 2.5) << c;
+  }
+}
+
 }  // namespace
 }  // namespace fretval

@@ -44,7 +44,7 @@ TEST(WearCourse, EndsThereWhateverTheRheology) {
   EXPECT_LT(half_space.distance_from_limit(course.worn.back()), 5e-4);
 }
 
-// Reye: volume = k/mu times the work of friction, summed over the cycles by trapezoids. First order in the jumps.
+// Reye: volume = k/mu times the work of friction, summed over the cycles by trapezoids. Second order in the jumps.
 TEST(WearCourse, VolumeIsTheWorkOfFrictionTimesItsCoefficient) {
   const WearingHalfSpace half_space;
   const auto error = [&](double jump) {
@@ -56,9 +56,8 @@ TEST(WearCourse, VolumeIsTheWorkOfFrictionTimesItsCoefficient) {
     }
     return std::abs(work * archard.coefficient / WearingHalfSpace::mu / course.curve.back().volume - 1);
   };
-  const double small = error(2.5e-3);
-  EXPECT_LT(small, 1.2e-2);
-  EXPECT_GT(error(1e-2) / small, 3);
+  EXPECT_LT(error(5e-3), 1e-3);
+  EXPECT_GT(error(1e-2) / error(2.5e-3), 7);
 }
 
 TEST(WearCourse, LeavesTheStickZoneAloneAndNeverGrows) {
@@ -83,20 +82,33 @@ TEST(WearCourse, BearsNothingOutsideInTheEnd) {
   EXPECT_GT(pressure[n_stuck - 1], 2 * course.first.largest_pressure[n_stuck - 1]);
 }
 
-// Jumps over many cycles against each cycle by itself: first order.
-TEST(WearCourse, JumpsTendToTheProfileOfTheCyclesOneByOne) {
+// Jumps over many cycles against each cycle by itself, which wears with the slip of the one before: they differ by
+// what a cycle wears off.
+TEST(WearCourse, JumpsAreTheLimitOfTheCyclesOneByOne) {
   const WearingHalfSpace half_space;
-  const WearLaw strong{1e-2};
-  constexpr int n = 160;
-  const auto worn = [&](double jump) { return half_space.course(strong, jump, n); };
-  const auto single = worn(2.4e-4), jumps = worn(4e-3);
-  EXPECT_GT(single.n_jumps, n - 20);
-  EXPECT_LT(jumps.n_jumps, n / 3);
-  const auto error = [&](const WearCourse& course) {
-    return (course.worn.back() - single.worn.back()).cwiseAbs().maxCoeff();
+  const auto difference = [&](int n) {
+    const WearLaw law{1.6 / n};
+    auto one_by_one = half_space.contact(law);
+    one_by_one.settle();
+    for (int cycle = 0; cycle < n; ++cycle) one_by_one.wear_off(1);
+    const auto jumps = half_space.course(law, 8e-3, n);
+    EXPECT_LT(jumps.n_jumps, n / 6);
+    EXPECT_GT(jumps.worn.back().maxCoeff(), 0.1);
+    return (jumps.worn.back() - one_by_one.worn()).cwiseAbs().maxCoeff();
   };
-  EXPECT_LT(error(jumps), 1.5e-3);
-  EXPECT_GT(error(worn(1.6e-2)) / error(jumps), 3);
+  const double many = difference(320);
+  EXPECT_LT(many, 3e-4);
+  EXPECT_GT(difference(160) / many, 1.8);
+}
+
+// What both ways of a jump differ by is of the second order in its length.
+TEST(WearCourse, JumpsTellHowFarTheyAreOff) {
+  const WearingHalfSpace half_space;
+  const auto error = [&](double jump) { return half_space.course(archard, jump, 2e3).largest_jump_error; };
+  const double small = error(2.5e-3);
+  EXPECT_GT(small, 0);
+  EXPECT_LT(small, 2.5e-3);
+  EXPECT_GT(error(1e-2) / small, 8);
 }
 
 TEST(WearCourse, EndsWhereItIsTold) {
