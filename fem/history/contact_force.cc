@@ -84,4 +84,11 @@ ContactForce contact_force(const PunchSeries& series, const Eigen::VectorXd& pre
   return contact;
 }
 
+ContactForce sum_of_rings(const std::vector<double>& radii, const Eigen::VectorXd& areas,
+                          const Eigen::VectorXd& pressure) {
+  std::size_t n_pressed = static_cast<std::size_t>(pressure.size());
+  while (n_pressed > 0 && !(pressure[static_cast<Eigen::Index>(n_pressed - 1)] > 0)) --n_pressed;
+  return {areas.dot(pressure), radii[n_pressed]};
+}
+
 }  // namespace fretval::fem

@@ -2,6 +2,7 @@
 
 #include <Eigen/Dense>
 #include <optional>
+#include <vector>
 
 #include "fem/condensation/punch_series.h"
 
@@ -39,6 +40,14 @@ struct ContactForce {
   Eigen::Index n_closed = 0;    ///< rings whose pressures are continued up to the radius; 0: no edge was found
   ForceBeyond beyond = {};
 };
+
+/// How a force is read from the pressures of rings: by depths that go on to the edge of a contact which has grown from
+/// its centre, or as their sum over the areas, which supposes nothing.
+enum class ForceReading { up_to_the_edge, sum_of_rings };
+
+/// The sum, and the outer edge of the outermost ring that is pressed. radii: of the rings, from 0 on.
+ContactForce sum_of_rings(const std::vector<double>& radii, const Eigen::VectorXd& areas,
+                          const Eigen::VectorXd& pressure);
 
 /// From ring pressures and the gaps of the free rings. The edge is found from the gaps: with a dashpot, or a branch
 /// that relaxes while the edge crosses a ring, the pressure jumps there. With a dashpot the pressures of the rings that

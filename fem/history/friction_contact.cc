@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "fem/history/contact_force.h"
 #include "fem/history/force_balance.h"
 #include "fem/history/gross_slip.h"
 #include "fem/support/constants.h"
@@ -33,12 +34,22 @@ FrictionContact::Attempt FrictionContact::attempt(const IndenterMove& to_balance
   return attempt;
 }
 
+double FrictionContact::force_of(const Attempt& made, const std::optional<NormalInstant>& normal) const {
+  if (!normal) return problem_.compliance.areas.dot(made.solution.x);
+  SlipZones after = zones;
+  after.update(limit, made.stick, problem_.series.depths(made.solution.x));
+  return friction_force(problem_.series, after, *touching_, limit_depths, friction_coefficient_ * normal->force);
+}
+
 /// Of the displacement in the whole step, in which the indenter moves steadily.
-double FrictionContact::increment_under_force(double time, const NormalInstant& normal) {
-  if (!touching_) touching_.emplace(TouchingRings{normal.touch_radii, relaxation_.viscosity == 0});
-  touching_->move_to(normal.radius);
-  const double force = tangential_motion(motion_, time).value, most = friction_coefficient_ * normal.force,
-               spare = most - std::abs(force);
+double FrictionContact::increment_under_force(double time, const std::optional<NormalInstant>& normal) {
+  if (normal) {
+    if (!touching_) touching_.emplace(TouchingRings{normal->touch_radii, relaxation_.viscosity == 0});
+    touching_->move_to(normal->radius);
+  }
+  const auto sums = sum_of_rings(problem_.compliance.radii, problem_.compliance.areas, limit);
+  const double force = tangential_motion(motion_, time).value,
+               most = normal ? friction_coefficient_ * normal->force : sums.force, spare = most - std::abs(force);
   if (!(spare > 0)) {
     const double share = spare_before_ > 0 ? spare_before_ / (spare_before_ - spare) : 1,
                  start = time_before_ + share * (time - time_before_);
@@ -47,13 +58,11 @@ double FrictionContact::increment_under_force(double time, const NormalInstant& 
   time_before_ = time;
   spare_before_ = spare;
   const auto n_stuck = std::count(stick_.begin(), stick_.end(), BoxState::interior);
-  const double radius = std::min(problem_.compliance.radii[static_cast<std::size_t>(n_stuck)], normal.radius),
+  const double radius = std::min(problem_.compliance.radii[static_cast<std::size_t>(n_stuck)],
+                                 normal ? normal->radius : sums.radius),
                stiffness = problem_.series.force_per_radius() * radius * step_.instantaneous();
   const auto force_after = [&](double increment) {
-    const auto made = attempt(steady_move(step_.fraction() * increment, step_.fraction() * dt_));
-    SlipZones after = zones;
-    after.update(limit, made.stick, problem_.series.depths(made.solution.x));
-    return friction_force(problem_.series, after, *touching_, limit_depths, most);
+    return force_of(attempt(steady_move(step_.fraction() * increment, step_.fraction() * dt_)), normal);
   };
   return displacement_for_force(force_after, force, {last_increment_, stiffness, most});
 }
@@ -65,7 +74,7 @@ void FrictionContact::step(const Eigen::VectorXd& pressure, const std::optional<
   limit_depths = friction_coefficient_ * problem_.series.depths(pressure);
   auto to_balance = indenter_move(position, begin, time), whole = indenter_move(position, begin, begin + dt_);
   if (motion_.tangential_force) {
-    last_increment_ = increment_under_force(time, normal.value());
+    last_increment_ = increment_under_force(time, normal);
     to_balance = steady_move(weight * last_increment_, weight * dt_);
     whole = steady_move(last_increment_, dt_);
   }

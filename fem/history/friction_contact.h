@@ -20,15 +20,16 @@ struct NormalInstant {
 
 /// Coulomb friction with unidirectional traction, |tau| <= mu p, on its way through the motion beside a normal contact:
 /// what it is like after the last step, and how it goes on. It begins at rest, without traction. Where a force is
-/// prescribed, each step finds the displacement at which friction_force balances it.
+/// prescribed, each step finds the displacement at which friction_force balances it or, of a normal contact that
+/// nothing else is told of, the sum over the rings.
 class FrictionContact {
  public:
   /// The problem shares its rings with that of the normal contact. All arguments must outlive this.
   FrictionContact(const ContactProblem& problem, const RelaxationModel& relaxation, double friction_coefficient,
                   const Motion& motion, int steps_per_cycle);
 
-  /// Goes on by a step under ring pressures at its balance time. normal: needed under a prescribed force; then throws
-  /// GrossSlip where |F_x| reaches mu F_N.
+  /// Goes on by a step under ring pressures at its balance time. normal: what friction_force needs under a prescribed
+  /// force. Throws GrossSlip where such a force reaches mu F_N.
   void step(const Eigen::VectorXd& pressure, const std::optional<NormalInstant>& normal = {});
 
   long n_steps = 0;                 ///< made
@@ -56,7 +57,8 @@ class FrictionContact {
     BoxSolver::Solution solution;
   };
   [[nodiscard]] Attempt attempt(const IndenterMove& to_balance) const;
-  [[nodiscard]] double increment_under_force(double time, const NormalInstant& normal);
+  [[nodiscard]] double force_of(const Attempt& made, const std::optional<NormalInstant>& normal) const;
+  [[nodiscard]] double increment_under_force(double time, const std::optional<NormalInstant>& normal);
 
   const ContactProblem& problem_;
   const RelaxationModel& relaxation_;

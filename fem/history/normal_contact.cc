@@ -23,13 +23,14 @@ double total_force(const ContactForce& reading) {
 }  // namespace
 
 NormalContact::NormalContact(const ContactProblem& problem, const RelaxationModel& relaxation, Eigen::VectorXd shape,
-                             const Motion& motion, int steps_per_cycle)
+                             const Motion& motion, int steps_per_cycle, ForceReading how)
     : profile(std::move(shape)),
       state{{}, Eigen::MatrixXd::Zero(profile.size(), static_cast<Eigen::Index>(relaxation.moduli.size()))},
       problem_(problem),
       relaxation_(relaxation),
       motion_(motion),
       steps_per_cycle_(steps_per_cycle),
+      how_(how),
       dt_(2 * pi / steps_per_cycle),
       step_(relaxation, dt_),
       edge_(pressure_at_edge(relaxation)),
@@ -41,10 +42,17 @@ NormalContact::NormalContact(const ContactProblem& problem, const RelaxationMode
     if (contact.pressure[i] > 0) contact_[static_cast<std::size_t>(i)] = BoxState::interior;
   indentation = balance_indentation = depth;
   gap = balance_gap = contact.gap;
-  reading = contact_force(problem.series, contact.pressure, contact.gap);
+  reading = read(contact.pressure, contact.gap, {});
   largest_radius_ = reading.radius;
   reading.force *= relaxation.relaxed;
   pressure = relaxation.relaxed * contact.pressure;
+}
+
+ContactForce NormalContact::read(const Eigen::VectorXd& on_rings, const Eigen::VectorXd& gaps,
+                                 const ContactPast& past) const {
+  if (how_ == ForceReading::sum_of_rings)
+    return sum_of_rings(problem_.compliance.radii, problem_.compliance.areas, on_rings);
+  return contact_force(problem_.series, on_rings, gaps, past);
 }
 
 double NormalContact::start_indentation() const {
@@ -54,7 +62,7 @@ double NormalContact::start_indentation() const {
                stiffness = problem_.series.force_per_radius() * problem_.compliance.radii.back() / 2;
   const auto force_at = [this](double depth) {
     const auto contact = static_contact(problem_, profile, depth);
-    return total_force(contact_force(problem_.series, contact.pressure, contact.gap));
+    return total_force(read(contact.pressure, contact.gap, {}));
   };
   return displacement_for_force(force_at, force, {guess, stiffness, force});
 }
@@ -76,8 +84,7 @@ NormalContact::Attempt NormalContact::attempt(const IndenterMove& to_balance, co
   attempt.gap = contact.gap / step_.instantaneous();
   attempt.balance_gap = step_.fraction() * attempt.gap + (1 - step_.fraction()) * gap;
   attempt.pressure = std::move(contact.pressure);
-  attempt.reading =
-      contact_force(problem_.series, attempt.pressure, attempt.balance_gap, {largest_radius_, n_closed(), edge_});
+  attempt.reading = read(attempt.pressure, attempt.balance_gap, {largest_radius_, n_closed(), edge_});
   return attempt;
 }
 

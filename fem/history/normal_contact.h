@@ -20,7 +20,7 @@ class NormalContact {
  public:
   /// profile: ring means. The other arguments must outlive this.
   NormalContact(const ContactProblem& problem, const RelaxationModel& relaxation, Eigen::VectorXd profile,
-                const Motion& motion, int steps_per_cycle);
+                const Motion& motion, int steps_per_cycle, ForceReading how = ForceReading::up_to_the_edge);
 
   /// Goes on by a step, in which the indenter wears. Throws SolverError when the contact reaches the last ring of the
   /// line.
@@ -49,6 +49,8 @@ class NormalContact {
     Eigen::VectorXd pressure, worn, gap, balance_gap;
     ContactForce reading;
   };
+  [[nodiscard]] ContactForce read(const Eigen::VectorXd& pressure, const Eigen::VectorXd& gap,
+                                  const ContactPast& past) const;
   [[nodiscard]] Attempt attempt(const IndenterMove& to_balance, const PressureWear& wear) const;
   [[nodiscard]] double start_indentation() const;
   [[nodiscard]] double increment_under_force(const PressureWear& wear) const;
@@ -58,6 +60,7 @@ class NormalContact {
   const RelaxationModel& relaxation_;
   const Motion& motion_;
   int steps_per_cycle_;
+  ForceReading how_;
   double dt_;
   RelaxationStep step_;
   PressureAtEdge edge_;

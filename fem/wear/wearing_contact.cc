@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "fem/history/friction_history.h"
@@ -12,7 +13,7 @@ namespace fretval::fem {
 WearingContact::WearingContact(const ContactProblem& normal, const ContactProblem& tangential,
                                const RelaxationModel& relaxation, const Motion& motion, int steps_per_cycle,
                                Eigen::VectorXd profile, double friction_coefficient, const WearLaw& law)
-    : normal_(normal, relaxation, std::move(profile), motion, steps_per_cycle),
+    : normal_(normal, relaxation, std::move(profile), motion, steps_per_cycle, ForceReading::sum_of_rings),
       friction_(tangential, relaxation, friction_coefficient, motion, steps_per_cycle),
       law_(law),
       unworn_(normal_.profile) {
@@ -37,18 +38,23 @@ void WearingContact::run_period(double n_cycles) {
   now.slip.resize(n, n_steps);
   now.pressure.resize(n, n_steps);
   now.rate = Eigen::VectorXd::Zero(n);
+  double least = friction_.displacement, most = least;
   for (Eigen::Index k = 0; k < n_steps; ++k) {
     if (n_cycles > 0)
       normal_.step({(n_cycles * per_cycle * law_.coefficient) * period_.slip.col(k).cwiseAbs(), law_.exponent});
     else
       normal_.step();
     friction_.step(normal_.pressure);
+    now.largest_indentation = std::max(now.largest_indentation, normal_.indentation);
+    least = std::min(least, friction_.displacement);
+    most = std::max(most, friction_.displacement);
     now.slip.col(k) = friction_.slip;
     now.pressure.col(k) = normal_.pressure;
     now.rate += per_cycle * worn_by({law_.coefficient * friction_.slip.cwiseAbs(), law_.exponent}, normal_.pressure);
     now.friction_work +=
         per_cycle * friction_.traction.cwiseProduct(friction_.slip).dot(normal_.problem().compliance.areas);
   }
+  now.tangential_amplitude = (most - least) / 2;
   now.largest_pressure = now.pressure.rowwise().maxCoeff();
   now.path = now.slip.cwiseAbs().rowwise().sum();
   period_ = std::move(now);
@@ -56,7 +62,7 @@ void WearingContact::run_period(double n_cycles) {
 
 bool WearingContact::slip_repeats(const Eigen::VectorXd& path_before) const {
   constexpr double repeats = 1e-2;  // of the ring's own slip
-  const double stuck = slip_of_stuck_ring(normal_.motion(), normal_.motion().tangential_amplitude());
+  const double stuck = slip_of_stuck_ring(normal_.motion(), period_.tangential_amplitude);
   for (Eigen::Index i = 0; i < path_before.size(); ++i)
     if (period_.path[i] > stuck && std::abs(period_.path[i] - path_before[i]) > repeats * period_.path[i]) return false;
   return true;
@@ -75,7 +81,7 @@ void WearingContact::settle() {
 
 void WearingContact::take_dying_slip_for_stick(const Eigen::VectorXd& path_before) {
   constexpr double roundoff = 1e-9, dying = 1e-3;  // of the longest path; of the ring's own, in a period
-  const double creep = slip_of_stuck_ring(normal_.motion(), normal_.motion().tangential_amplitude()),
+  const double creep = slip_of_stuck_ring(normal_.motion(), period_.tangential_amplitude),
                nothing = roundoff * period_.path.maxCoeff();
   for (Eigen::Index i = 0; i < period_.path.size(); ++i) {
     const double path = period_.path[i];

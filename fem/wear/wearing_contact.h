@@ -17,7 +17,8 @@ struct WearLaw {
 
 /// A contact that goes on and on while its indenter loses its shape: both steppers, and what the last period of the
 /// motion has shown of the slip. Time goes on without wear (settle) until the slip repeats, or with it (wear_off) for
-/// as many cycles at once as are asked for.
+/// as many cycles at once as are asked for. Prescribed forces are balanced by the sums over the rings: a worn flank
+/// touches all at once, and no reading of an edge holds on it.
 class WearingContact {
  public:
   /// At rest, on a profile of ring means. The problems, which share their rings, the relaxation and the motion must
@@ -44,7 +45,9 @@ class WearingContact {
     Eigen::VectorXd path;            ///< length of slip of each ring
     Eigen::VectorXd rate;            ///< wear per cycle of each ring at that slip and pressure
     Eigen::VectorXd largest_pressure;
-    double friction_work = 0;  ///< per cycle
+    double friction_work = 0;         ///< per cycle
+    double largest_indentation = 0;   ///< of the indenter
+    double tangential_amplitude = 0;  ///< of the indenter: half of what it moves
 
     /// What a ring does in a step: o open, s sticks, f slips forward, b backward.
     [[nodiscard]] char zone(Eigen::Index ring, Eigen::Index step) const;

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "fem/support/constants.h"
 #include "tests/fem/wear/wearing_half_space.h"
 
 namespace fretval::fem::wear_course_test {
@@ -109,6 +110,21 @@ TEST(WearCourse, JumpsTellHowFarTheyAreOff) {
   EXPECT_GT(small, 0);
   EXPECT_LT(small, 2.5e-3);
   EXPECT_GT(error(1e-2) / small, 8);
+}
+
+// A constant normal force F and an oscillating tangential one Q: Cattaneo and Mindlin's stick radius is that of the worn
+// contact too, which sinks in until the disc bears F = 8 (c d - c^3/3) by itself, here with d = 1.
+TEST(WearCourse, UnderForcesSinksIntoTheLimitingState) {
+  WearingHalfSpace half_space;
+  const double c = half_space.effective_stick_radius(), cubed = c * c * c, force = 8 * (c - cubed / 3),
+               tangential = WearingHalfSpace::mu * force * (1 - cubed / (3 * force / 16));
+  half_space.motion = one_frequency(force, 0, tangential, pi / 2);
+  half_space.motion.normal_force = half_space.motion.tangential_force = true;
+  const auto course = half_space.course(archard);
+  EXPECT_NEAR(course.first.largest_indentation, std::cbrt(3 * force / 16) * std::cbrt(3 * force / 16), 1e-3);
+  EXPECT_NEAR(course.last.largest_indentation, 1, 1e-3);
+  EXPECT_NEAR(course.curve.back().stick_radius, WearingHalfSpace::stick_radius, 1.0 / 32);
+  EXPECT_LT(half_space.distance_from_limit(course.worn.back()), 1e-3);
 }
 
 TEST(WearCourse, EndsWhereItIsTold) {

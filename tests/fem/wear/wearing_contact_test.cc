@@ -24,7 +24,7 @@ TEST(WearingContact, RateIsTheLawAtSlipAndPressure) {
   for (const double exponent : {1.0, 2.0}) {
     auto contact = half_space.contact({0.3, exponent});
     contact.settle();
-    const auto& [slip, pressure, path, rate, largest, work] = contact.period();
+    const auto& [slip, pressure, path, rate, largest, work, indentation, amplitude] = contact.period();
     const Eigen::ArrayXXd depth = 0.3 * pressure.array().pow(exponent) * slip.array().abs();
     EXPECT_LT((depth.rowwise().sum() - rate.array()).abs().maxCoeff(), 1e-12 * rate.maxCoeff());
     EXPECT_NEAR(path.maxCoeff(), slip.cwiseAbs().rowwise().sum().maxCoeff(), 1e-15);

@@ -43,9 +43,10 @@ struct WearingHalfSpace {
     return effective_radii(normal.compliance).radius[n];
   }
 
-  /// Height of the limiting profile of a stick radius c, and of the unworn one beyond (docs/theory.md).
+  /// Height of the limiting profile of a stick radius c, and of the unworn one beyond (docs/theory.md). Forces are to
+  /// press 1 deep.
   [[nodiscard]] double limit(double r, double c) const {
-    const double deepest = motion.indentation + motion.normal[0].amplitude;
+    const double deepest = motion.normal_force ? 1 : motion.indentation + motion.normal[0].amplitude;
     if (r <= c) return r * r / 2;
     const double worn =
         (r * r * std::asin(c / r) - c * std::sqrt(r * r - c * c)) / pi + 2 / pi * deepest * std::acos(c / r);
