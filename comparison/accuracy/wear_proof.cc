@@ -26,8 +26,8 @@ struct WearComputation {
 /// The wear of a case at all the resolutions that are asked for, each computed once.
 class WearComputations {
  public:
-  WearComputations(const PreparedCase& prepared, double stick_radius, BodyStore& bodies)
-      : prepared_(prepared), stick_radius_(stick_radius), bodies_(bodies) {}
+  WearComputations(const PreparedCase& prepared, const WornEdge& edge, BodyStore& bodies)
+      : prepared_(prepared), edge_(edge), bodies_(bodies) {}
 
   void compute(const std::vector<Resolution>& wanted) {
     std::vector<Resolution> missing;
@@ -41,7 +41,7 @@ class WearComputations {
  private:
   [[nodiscard]] WearComputation attempt(const Resolution& resolution) const {
     try {
-      return {simulate_wear(prepared_.fem, *prepared_.input.wear_kinetics, stick_radius_, resolution, bodies_)};
+      return {simulate_wear(prepared_.fem, *prepared_.input.wear_kinetics, edge_, resolution, bodies_)};
     } catch (const fem::SolverError& error) {
       return {{}, error.what()};
     } catch (const meshes::MeshError& error) {
@@ -50,7 +50,7 @@ class WearComputations {
   }
 
   const PreparedCase& prepared_;
-  double stick_radius_;
+  WornEdge edge_;
   BodyStore& bodies_;
 };
 
@@ -140,7 +140,8 @@ std::optional<Resolution> finer(const PreparedCase& prepared, const ProvedWear& 
   double furthest = 1;
   for (const auto& [quantity, bar] : budget) {
     const double times = bar.total() / tolerance_of(prepared.tolerances, quantity);
-    if (!(times > furthest) || (quantity != Quantity::worn_volume && !wear.ends_in_limit())) continue;
+    if (!(times > furthest) || !wear.limits.reached || (quantity != Quantity::worn_volume && !wear.ends_in_limit()))
+      continue;
     furthest = times;
     largest = bar.largest();
   }
@@ -242,6 +243,7 @@ Comparison compare(const PreparedCase& prepared, const ProvedWear& wear, const E
       judge(Quantity::worn_volume, wear.kinetics->curve.back().volume / mdr::worn_volume(wear.limits.shakedown));
     return comparison;
   }
+  if (!wear.limits.reached) return comparison;
   judge(Quantity::worn_volume, 1);
   judge(Quantity::worn_radius, wear.limits.shakedown.outer_radius / units.length);
   judge(Quantity::distance_to_limit, 0);
@@ -262,13 +264,20 @@ bool wears(const PreparedCase& prepared) {
 ProvedWear prove_wear(const PreparedCase& prepared, const MdrAnswer& mdr, const ProvedAnswer& unworn, Proof proof,
                       BodyStore& bodies) {
   const auto& units = prepared.fem.units;
-  const double stick_radius = unworn.fe.stick_radius_shakedown.value_or(0) / units.length;
   ProvedWear wear{{}, {}, resolution_for_wear(prepared.fem.resolution), wear_limits(prepared.mdr, mdr)};
-  WearComputations computed(prepared, stick_radius, bodies);
-  const auto budget = measure_errors(prepared, stick_radius, proof, computed, wear);
+  WornEdge edge{};
+  try {
+    edge = edge_of_wear(prepared.fem, *prepared.input.wear_kinetics,
+                        unworn.fe.stick_radius_shakedown.value_or(0) / units.length, bodies);
+  } catch (const fem::SolverError& error) {
+    wear.failure = error.what();
+    return wear;
+  }
+  WearComputations computed(prepared, edge, bodies);
+  const auto budget = measure_errors(prepared, edge.inner, proof, computed, wear);
   wear.n_computations = static_cast<int>(computed.all.size());
   if (!wear.failure.empty()) return wear;
-  wear.kinetics = springs_of(prepared, wear.fe.course.curve.back().cycles);
+  if (!prepared.mdr.has_forces()) wear.kinetics = springs_of(prepared, wear.fe.course.curve.back().cycles);
   wear.distance_shakedown = distances(wear.fe, units, wear.limits.shakedown);
   wear.distance_first_slip = distances(wear.fe, units, wear.limits.first_slip);
   wear.springs_agree = wear.kinetics && (wear.ends_in_limit() || springs_agree(prepared, wear));

@@ -32,9 +32,9 @@ struct ProvedWear {
 /// Whether the wear of a case is run: it asks for it, and the indenter moves tangentially.
 bool wears(const PreparedCase& prepared);
 
-/// Runs the wear of a case, with the rings graded around the stick radius that finite elements have found for the
-/// unworn indenter, which wear leaves alone, and measures its errors by refinement (variants_of_wear). With
-/// Proof::tolerance what is largest is refined until all bars are within the tolerance, up to twice.
+/// Runs the wear of a case, with the rings graded around the stick radius that edge_of_wear finds, and measures its
+/// errors by refinement (variants_of_wear). With Proof::tolerance what is largest is refined until all bars are within
+/// the tolerance, up to twice.
 ProvedWear prove_wear(const PreparedCase& prepared, const MdrAnswer& mdr, const ProvedAnswer& unworn, Proof proof,
                       BodyStore& bodies);
 

@@ -45,11 +45,8 @@ const ValidNumber step_count{[](double x) { return is_whole(x, 16, 10000); }, "a
 
 constexpr std::array wear_kinetics_names{"Law", "Coefficient", "Exponent", "Cycles", "Until"};
 
-std::optional<Case::WearKinetics> read_wear_kinetics(const EntryReader& entries, const Case::Motion& motion) {
+std::optional<Case::WearKinetics> read_wear_kinetics(const EntryReader& entries) {
   const auto& names = wear_kinetics_names;
-  if (motion.normal_force || motion.tangential_force)
-    for (const char* name : names)
-      entries.forbid("Wear", name, "the course of wear needs prescribed displacements in both directions");
   if (std::none_of(names.begin(), names.end(), [&](const char* name) { return entries.given("Wear", name); }))
     return {};
   Case::WearKinetics wear;
@@ -89,7 +86,7 @@ void read_wear(const EntryReader& entries, Case& input) {
   if (std::isnan(input.motion.tangential_amplitude))
     entries.fail("Motion", "Tangential amplitude",
                  "a number in m; the word shakedown belongs to Wear / State = limiting");
-  input.wear_kinetics = read_wear_kinetics(entries, input.motion);
+  input.wear_kinetics = read_wear_kinetics(entries);
 }
 
 }  // namespace

@@ -38,18 +38,25 @@ std::vector<mdr::Harmonic> with_first(const mdr::Harmonic& first, const std::vec
   return harmonics;
 }
 
-mdr::LimitingProfile limiting_under_forces(const Case& input, const MdrCase& mdr) {
+/// What forces lead to, which is what wear ends in.
+void require_limiting_state(const Case& input, const MdrCase& mdr, const std::string& entry) {
   if (!mdr.limiting_state)
     throw InputError(fmt::format(
-        "{}: Wear / State = limiting: there is no limiting state, because no contact carries the prescribed "
-        "motion without slip, or has two frequencies; expected smaller amplitudes, and one frequency",
-        input.file));
+        "{}: {}: there is no limiting state, because no contact carries the prescribed motion without slip, or has two "
+        "frequencies; expected smaller amplitudes, and one frequency",
+        input.file, entry));
+}
+
+mdr::LimitingProfile limiting_under_forces(const MdrCase& mdr) {
   return mdr::limiting_profile(mdr.profile, mdr.limiting_state->stick_radius,
                                mdr::maximum_indentation(mdr.limiting_state->motion));
 }
 
 mdr::LimitingProfile limiting_of(const Case& input, const MdrCase& mdr) {
-  if (mdr.has_forces()) return limiting_under_forces(input, mdr);
+  if (mdr.has_forces()) {
+    require_limiting_state(input, mdr, "Wear / State = limiting");
+    return limiting_under_forces(mdr);
+  }
   const double deepest = mdr::maximum_indentation(mdr.motion);
   const double unworn_radius = mdr::inverse_transform(mdr.profile, deepest),
                stick_radius = input.worn_stick_ratio * unworn_radius;
@@ -207,6 +214,8 @@ MdrCase mdr_case(const Case& input) {
   if (mdr.has_forces() && motion.normal_frequency == motion.tangential_frequency)
     mdr.limiting_state = mdr::limiting_state(mdr.profile, rheology_of(input.elastomer), mdr.friction_coefficient,
                                              control_of(motion), mdr::StickCriterion::shakedown);
+  if (mdr.has_forces() && input.wear_kinetics)
+    require_limiting_state(input, mdr, fmt::format("Wear / Coefficient = {:g}", input.wear_kinetics->coefficient));
   if (input.wear == Case::Wear::limiting) mdr.limiting = limiting_of(input, mdr);
   if (amplitude_follows) mdr.motion.tangential.front().amplitude = amplitude_for_shakedown(input, mdr);
   return mdr;

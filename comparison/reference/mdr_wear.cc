@@ -9,19 +9,24 @@ namespace fretval {
 
 WearLimits wear_limits(const MdrCase& mdr, const MdrAnswer& answer) {
   constexpr double almost_none = 1e-6;
-  const double deepest = mdr::maximum_indentation(mdr.motion);
+  const double deepest =
+      mdr::maximum_indentation(mdr.has_forces() ? mdr::harmonic_motion(mdr.limiting_state->motion) : mdr.motion);
   const double least = almost_none * mdr::inverse_transform(mdr.profile, deepest);
   const auto limit = [&](const std::optional<double>& stick_radius) {
     return mdr::limiting_profile(mdr.profile, stick_radius.value_or(least), deepest);
   };
-  return {limit(answer.stick_radius_shakedown), limit(answer.stick_radius_first_slip)};
+  constexpr double roundoff = 1e-6;
+  const bool grows =
+      mdr.has_forces() && mdr.limiting_state->stick_radius > (1 + roundoff) * answer.stick_radius_shakedown.value_or(0);
+  return {limit(mdr.has_forces() ? mdr.limiting_state->stick_radius : answer.stick_radius_shakedown),
+          limit(answer.stick_radius_first_slip), !grows};
 }
 
 std::optional<mdr::WearKinetics> wear_kinetics_of(const Case& input, const MdrCase& mdr, double n_cycles,
                                                   int steps_per_cycle) {
   const auto& wear = input.wear_kinetics.value();
   const auto motion = mdr::one_harmonic_each(mdr.motion);
-  if (wear.law == Case::WearLaw::power || !motion || !motion->phase ||
+  if (wear.law == Case::WearLaw::power || mdr.has_forces() || !motion || !motion->phase ||
       motion->normal_frequency != motion->tangential_frequency)
     return std::nullopt;
   const double coefficient =

@@ -11,14 +11,20 @@
 namespace fretval {
 
 /// The profiles that the wear of a case tends to, for either stick radius. Where nothing sticks, that of a stick radius
-/// of a millionth of the contact radius: all that the largest indentation reaches is worn.
+/// of a millionth of the contact radius: all that the largest indentation reaches is worn. Under prescribed forces that
+/// of the limiting state, whose largest indentation wear leads to, and of the first-slip radius of the unworn contact
+/// at the same depth.
 struct WearLimits {
   mdr::LimitingProfile shakedown, first_slip;
+  /// Whether wear leads to that of shakedown. Not where the stick zone grows on the way, as it does under a normal
+  /// force and a prescribed tangential displacement: the deeper the indenter has sunk in, the more of it sticks, and
+  /// what has been worn off before stays so. Then the end depends on the course, and so on the law of wear.
+  bool reached = true;
 };
 WearLimits wear_limits(const MdrCase& mdr, const MdrAnswer& answer);
 
 /// The course of the wear of a case by springs. Empty: the law is not linear in the pressure, or the motion has several
-/// harmonics, other frequencies or no locked phase, which they do not have. Prescribed displacements only. Throws
+/// harmonics, other frequencies, no locked phase or prescribed forces, which they do not have. Throws
 /// std::runtime_error where the springs do not become periodic.
 std::optional<mdr::WearKinetics> wear_kinetics_of(const Case& input, const MdrCase& mdr, double n_cycles,
                                                   int steps_per_cycle = mdr::WearControl{}.steps_per_cycle);

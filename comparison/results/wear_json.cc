@@ -75,6 +75,7 @@ ordered_json to_json(const ProvedWear& wear, const Units& units) {
   json["worn_depth"] = list(units.depth * course.worn.back());
   json["end"] = name_of(course.end);
   json["ends_in_limit"] = wear.ends_in_limit();
+  json["limit_is_reached"] = wear.limits.reached;
   json["distance_to_limit"] = {{"shakedown", wear.distance_shakedown.back()},
                                {"first_slip", wear.distance_first_slip.back()}};
   json["volume_of_limit"] = mdr::worn_volume(wear.limits.shakedown);

@@ -1,22 +1,27 @@
 #include "comparison/simulation/wear_simulation.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 #include "comparison/support/stopwatch.h"
+#include "fem/history/require_room.h"
 #include "fem/history/static_contact.h"
 
 namespace fretval {
 namespace {
 
 /// Under a height of the largest indentation the flank reaches the plane that no surface comes above.
-double widest_wear(const FemCase& fem) {
+double widest_wear(const FemCase& fem, double largest_indentation) {
   double inner = 1, outer = 1;
-  while (fem.profile(outer) < 1) inner = std::exchange(outer, 1.25 * outer);
+  while (fem.profile(outer) < largest_indentation) inner = std::exchange(outer, 1.25 * outer);
   constexpr double close = 1e-3;
   while (outer - inner > close) {
     const double middle = (inner + outer) / 2;
-    (fem.profile(middle) < 1 ? inner : outer) = middle;
+    (fem.profile(middle) < largest_indentation ? inner : outer) = middle;
   }
   return outer;
 }
@@ -65,11 +70,35 @@ Resolution resolution_for_wear(const Resolution& of_the_case) {
   return r;
 }
 
-WearSimulation simulate_wear(const FemCase& fem_case, const Case::WearKinetics& wear, double stick_radius,
+WornEdge edge_of_wear(const FemCase& fem, const Case::WearKinetics& wear, double unworn_stick_radius,
+                      BodyStore& bodies) {
+  if (!fem.motion.normal_force && !fem.motion.tangential_force) return {unworn_stick_radius, widest_wear(fem, 1)};
+  constexpr int most_passes = 12;
+  constexpr double reserve = 1.05, deeper = 1.5;
+  auto resolution = with_steps(with_rings(resolution_for_wear(fem.resolution), 0.5), 0.5);
+  double depth = deeper, stick_radius = unworn_stick_radius;
+  for (int pass = 0; pass < most_passes; ++pass) {
+    const WornEdge edge{stick_radius, widest_wear(fem, depth)};
+    try {
+      const auto pass_made = simulate_wear(fem, wear, edge, resolution, bodies);
+      const auto& [radii, course] = std::tie(pass_made.radii, pass_made.course);
+      const auto found = std::upper_bound(radii.begin(), radii.end(), course.curve.back().stick_radius);
+      const double ring = found == radii.end() ? 0 : *found - *(found - 1);
+      depth = reserve * course.last.largest_indentation;
+      const double before = std::exchange(stick_radius, course.curve.back().stick_radius);
+      if (std::abs(stick_radius - before) <= ring) return {stick_radius, widest_wear(fem, depth)};
+    } catch (const fem::NoRoom&) {
+      depth *= deeper;
+    }
+  }
+  throw fem::SolverError(fmt::format("the stick radius under wear does not settle in {} runs", most_passes));
+}
+
+WearSimulation simulate_wear(const FemCase& fem_case, const Case::WearKinetics& wear, const WornEdge& edge,
                              const Resolution& resolution, BodyStore& bodies, const fem::WearProgress& progress) {
   Stopwatch watch;
   FemCase fem = fem_case;
-  fem.worn_edge = {stick_radius, widest_wear(fem_case)};
+  fem.worn_edge = edge;
   fem = at_resolution(std::move(fem), resolution);
   const auto body = find_or_make_body(fem.body, bodies);
   WearSimulation simulation;

@@ -1,12 +1,10 @@
 #include "fem/history/require_room.h"
 
-#include "fem/support/solver_error.h"
-
 namespace fretval::fem {
 
 void require_room(const Eigen::VectorXd& pressure) {
   if (pressure[pressure.size() - 1] > 0)
-    throw SolverError("the contact reaches the end of the contact line of the mesh: use a longer one");
+    throw NoRoom("the contact reaches the end of the contact line of the mesh: use a longer one");
 }
 
 }  // namespace fretval::fem

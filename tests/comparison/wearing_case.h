@@ -7,6 +7,16 @@
 
 namespace fretval {
 
+/// As wearing_case, under a normal force of 0.3 N and a tangential displacement or force (`set ENTRY = VALUE`).
+inline PreparedCase wearing_under_force(const std::string& tangential) {
+  std::string text = elastic_case() + "subsection Wear\n  set Coefficient = 1e-12\nend\n";
+  text = replace(text, "Indentation = 1e-4", "Normal force = 0.3");
+  text = replace(text, "Normal amplitude = 2e-5", "Normal force amplitude = 0");
+  text = replace(text, "set Tangential amplitude = 1.5e-5", tangential);
+  text = replace(text, "Tolerance = 0.05", "Tolerance = 1e-3");
+  return prepare({read_case(text)}).front();
+}
+
 /// A sphere of 10 mm on an elastic rubber, contact radius 1 mm at the largest indentation of 0.1 mm, a quarter of a
 /// cycle between its motions: c = 0.594 mm. wear: entries of the section; motion: one that replaces that of its name.
 inline PreparedCase wearing_case(const std::string& wear, const std::string& motion = "") {

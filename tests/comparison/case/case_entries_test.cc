@@ -76,20 +76,6 @@ TEST(CaseEntries, OfWearAreALawAndWhereItEnds) {
     expect_parts(refusal_of("Wear", std::string("set Coefficient = 1\nset Until = ") + until), {"1e-12 to 1"});
 }
 
-TEST(CaseEntries, OfWearBelongToPrescribedDisplacements) {
-  const auto wearing = case_with("Wear", "set Coefficient = 1e-12");
-  const std::string why = "needs prescribed displacements";
-  for (const auto& [entry, force] : {std::pair{"Tangential amplitude = 1.5e-5", "Tangential force amplitude = 0.1"},
-                                     std::pair{"Indentation = 1e-4\n  set Normal amplitude = 2e-5",
-                                               "Normal force = 1\n  set Normal force amplitude = 0.1"}})
-    try {
-      read_case(replace(wearing, entry, force));
-      ADD_FAILURE() << force;
-    } catch (const InputError& error) {
-      expect_parts(error.what(), {"Wear / Coefficient = 1e-12", why});
-    }
-}
-
 TEST(CaseEntries, OfWearKineticsComeTogether) {
   EXPECT_FALSE(read_case().wear_kinetics);
   const Case input = read_case(case_with("Wear", "set Coefficient = 2e-12\nset Cycles = 300"));

@@ -85,6 +85,10 @@ TEST(MdrCase, LimitingProfileOfForcesIsThatOfTheirState) {
   EXPECT_NEAR(deepest_indentation(mdr) / mdr::maximum_indentation(mdr.limiting_state->motion), 1, 1e-12);
   input.motion.tangential_force = 1;
   expect_parts(refusal([&] { mdr_case(input); }), {"Wear / State = limiting", "no limiting state"});
+  input.wear = Case::Wear::unworn;
+  input.wear_kinetics = Case::WearKinetics{};
+  input.wear_kinetics->coefficient = 1e-12;
+  expect_parts(refusal([&] { mdr_case(input); }), {"Wear / Coefficient = 1e-12", "no limiting state"});
 }
 
 TEST(MdrCase, ShakedownAmplitudeNeedsAnIndentation) {

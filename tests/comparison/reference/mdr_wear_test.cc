@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "tests/comparison/wearing_case.h"
@@ -37,6 +38,23 @@ TEST(MdrWear, LimitsBelongToEitherStickRadius) {
   EXPECT_NEAR(limits.shakedown.maximum_indentation, 1e-4, 1e-18);
   EXPECT_NEAR(limits.first_slip.stick_radius, 1e-9, 1e-13) << "nothing sticks";
   EXPECT_NEAR(limits.first_slip.outer_radius, std::sqrt(2) * 1e-3, 1e-7) << "f0 = d_max";
+}
+
+// Under a constant normal force F and a tangential force Q: c^3 = a^3 (1 - Q/(mu F)), a^3 = 3 F R/(16 G), and the disc
+// bears the force alone in the end, F = 8 G (c d - c^3/(3 R)).
+TEST(MdrWear, LimitUnderForcesIsWhatTheyPressTheWornIndenterTo) {
+  const double force = 0.3, modulus = 1e6, radius = 1e-2, a = std::cbrt(3 * force * radius / (16 * modulus));
+  const auto limits_under = [](const std::string& tangential) {
+    const auto prepared = wearing_under_force(tangential);
+    return wear_limits(prepared.mdr, mdr_answer(prepared.mdr, mdr_normal_response(prepared.mdr)));
+  };
+  const auto limits = limits_under("set Tangential force amplitude = 0.06");
+  const double c = a * std::cbrt(1 - 0.06 / (0.5 * force));
+  EXPECT_NEAR(limits.shakedown.stick_radius / c, 1, 1e-9);
+  EXPECT_NEAR(limits.shakedown.maximum_indentation / (force / (8 * modulus * c) + c * c / (3 * radius)), 1, 1e-9);
+  EXPECT_TRUE(limits.reached);
+  // A displacement drags a deeper contact no further: more of it sticks.
+  EXPECT_FALSE(limits_under("set Tangential amplitude = 1.5e-5").reached);
 }
 
 }  // namespace

@@ -25,7 +25,7 @@ struct Wearing {
 
   WearSimulation run(const std::string& wear, double stick_radius = 0.594, const std::string& motion = "") {
     const auto prepared = wearing_case(wear, motion);
-    return simulate_wear(prepared.fem, *prepared.input.wear_kinetics, stick_radius, coarse(), bodies);
+    return simulate_wear(prepared.fem, *prepared.input.wear_kinetics, {stick_radius, 1.5}, coarse(), bodies);
   }
 };
 
@@ -62,6 +62,19 @@ TEST(WearSimulation, ByAPowerTakesThePressureInPascal) {
   const double square = rate("  set Law = power\n  set Exponent = 2\n  set Coefficient = 1e-17\n") / archards;
   EXPECT_GT(square, 0.3);
   EXPECT_LT(square, 2);
+}
+
+// Under both forces the stick radius of the unworn contact is that of the worn one; the indenter sinks in on the way.
+TEST(WearSimulation, EndsUnderForcesWithTheStickRadiusOfTheUnworn) {
+  BodyStore bodies;
+  const auto prepared = wearing_under_force("set Tangential force amplitude = 0.06");
+  const double unworn = std::cbrt(1 - 0.06 / (0.5 * 0.3));
+  const auto edge = edge_of_wear(prepared.fem, *prepared.input.wear_kinetics, unworn, bodies);
+  EXPECT_NEAR(edge.inner, unworn, 1e-3);
+  // F = 16/3 = 8 (c d - c^3/3) in units of the unworn contact; beyond it r^2/2 = d.
+  const double depth = 2 / (3 * unworn) + unworn * unworn / 3;
+  EXPECT_GT(edge.outer, std::sqrt(2 * depth));
+  EXPECT_LT(edge.outer, 1.05 * std::sqrt(2 * depth));
 }
 
 // Nothing sticks: all that the largest indentation reaches is worn, to the plane of the apex.
