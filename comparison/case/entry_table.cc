@@ -82,7 +82,7 @@ SectionTraits motion_entries() {
         {D::length},
         "not negative, or the word shakedown",
         needed,
-        "u_x0; shakedown: the one that shakes down at the Stick radius ratio of a limiting profile"},
+        "u_x0; shakedown: the one that the limiting profile belongs to"},
        {"Tangential force amplitude",
         {D::force},
         "not negative",
@@ -121,7 +121,7 @@ std::vector<SectionTraits> all_sections() {
          {D::wear_rate},
          "not negative",
          "no wear",
-         "worn depth per pressure and path of slip (energy: per energy of friction and area; power: in Pa^-exponent, "
+         "worn depth per pressure and path of slip; energy: per energy of friction and area; power: in Pa^-exponent, "
          "without a unit)"},
         {"Exponent", {D::number}, "0.25 to 4", "an error with Law = power", "power: of the pressure"},
         {"Cycles", {D::number}, "not negative", "until nothing wears any more", "of the motion"},
@@ -235,7 +235,19 @@ std::string no_such_entry(const std::string& section, const std::string& name, P
 }
 
 std::string entries_reference() {
-  std::string text;
+  std::string text =
+      "# Entries of a case file\n\n`fretval explain --entries` prints this page; `fretval new` writes a case file to "
+      "begin "
+      "with.\n\nA case file (`.prm`) has subsections of entries, `set NAME = VALUE`; what follows a # is a comment. "
+      "`include FILE` lines\nbefore the first subsection take over another file, whose entries may be set again. The "
+      "same "
+      "in JSON: sections as objects\nof entries, lists as arrays.\n\nNumbers may have a unit of what the entry "
+      "measures; "
+      "without one they are in the unit of the table. In a list each number\nhas a unit, or none, or the last one for "
+      "all.\n\n| measured in | also |\n| --- | --- |\n";
+  for (const auto dimension : {D::length, D::frequency, D::pressure, D::time, D::angle, D::viscosity, D::force,
+                               D::temperature, D::difference, D::wear_rate})
+    text += fmt::format("| {} | {} |\n", base_unit(dimension), other_units(dimension));
   for (const auto& section : case_sections()) {
     text += fmt::format(
         "\n## {}\n\n| entry | values | unit | where it is not set | meaning |\n| --- | --- | --- | --- | --- |\n",

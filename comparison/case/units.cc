@@ -82,10 +82,15 @@ std::string base_unit(Dimension dimension) {
 std::string valid_units(Dimension dimension) {
   if (dimension == Dimension::number) return "a pure number, without a unit";
   if (dimension == Dimension::varying) return "in SI, without a unit: which one depends on another entry";
+  return "in " + base_unit(dimension) + ", " + other_units(dimension) + "; in " + base_unit(dimension) +
+         " without a unit";
+}
+
+std::string other_units(Dimension dimension) {
   std::string list;
   for (const auto& unit : units_of(dimension))
-    if (unit.listed) list += (list.empty() ? "" : ", ") + std::string(unit.name);
-  return "in " + list + "; in " + base_unit(dimension) + " without a unit";
+    if (unit.listed && unit.name != base_unit(dimension)) list += (list.empty() ? "" : ", ") + std::string(unit.name);
+  return list;
 }
 
 }  // namespace fretval

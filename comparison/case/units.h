@@ -32,7 +32,10 @@ std::optional<Measure> read_measure(const std::string& text, Dimension dimension
 /// The unit of a number without one: "m", "1/Pa", …; empty for numbers, "SI" where it varies.
 std::string base_unit(Dimension dimension);
 
-/// "m, cm, mm, um, µm, nm; m without a unit", for messages; "a pure number, without a unit".
+/// "cm, mm, um, µm, nm"
+std::string other_units(Dimension dimension);
+
+/// "in m, cm, mm, um, µm, nm; m without a unit", for messages; "a pure number, without a unit".
 std::string valid_units(Dimension dimension);
 
 }  // namespace fretval
