@@ -108,6 +108,9 @@ struct Case {
   std::vector<std::string> warnings;  ///< about the input, to be told to the user
 };
 
+/// Whether a case has to say how accurately finite elements are to compute it; MDR's answer needs no Tolerance.
+enum class Accuracy { needed, optional };
+
 /// Bad input: a file, entry or value the user has to change. Ends in exit code 2.
 struct InputError : std::runtime_error {
   using std::runtime_error::runtime_error;

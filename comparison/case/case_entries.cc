@@ -7,34 +7,10 @@
 #include <cmath>
 
 #include "comparison/case/case_sections.h"
+#include "comparison/case/entry_table.h"
 
 namespace fretval {
 namespace {
-
-struct Section {
-  const char* name;
-  std::vector<const char*> entries;
-};
-
-const std::vector<Section>& sections() {
-  static const std::vector<Section> all{
-      {"Indenter",
-       {"Shape", "Radius", "Slope angle", "Coefficient", "Exponent", "Flat radius", "Edge radius", "Table",
-        "Table noise"}},
-      {"Elastomer",
-       {"Rheology", "Relaxed shear modulus", "Viscosity", "Branch moduli", "Branch times", "Fractional order", "Table",
-        "Table modulus", "Temperature", "Reference temperature", "WLF C1", "WLF C2"}},
-      {"Friction", {"Coefficient", "Law"}},
-      {"Motion",
-       {"Indentation", "Normal amplitude", "Normal force", "Normal force amplitude", "Normal frequency",
-        "Normal harmonics", "Tangential amplitude", "Tangential force amplitude", "Tangential frequency",
-        "Tangential harmonics", "Phase"}},
-      {"Wear", {"State", "Stick radius ratio", "Law", "Coefficient", "Exponent", "Cycles", "Until"}},
-      {"Accuracy", {"Tolerance", "Rings per radius", "Steps per cycle"}},
-      {"Output", {"Fields"}},
-      {"Sweep", {"Entry", "Values"}}};
-  return all;
-}
 
 bool is_whole(double x, double least, double most) {
   return x == std::floor(x) && x >= least && x <= most;
@@ -54,7 +30,7 @@ std::optional<Case::WearKinetics> read_wear_kinetics(const EntryReader& entries)
   if (entries.given("Wear", "Law")) {
     const auto& laws = Case::wear_law_names;
     const auto name = entries.one_of("Wear", "Law", {laws.begin(), laws.end()});
-    wear.law = static_cast<Case::WearLaw>(std::find(laws.begin(), laws.end(), name) - laws.begin());
+    if (!name.empty()) wear.law = static_cast<Case::WearLaw>(std::find(laws.begin(), laws.end(), name) - laws.begin());
   }
   if (wear.law == Case::WearLaw::power)
     wear.exponent = entries.number(
@@ -83,7 +59,7 @@ void read_wear(const EntryReader& entries, Case& input) {
     return;
   }
   entries.forbid("Wear", "Stick radius ratio", "it belongs to State = limiting");
-  if (std::isnan(input.motion.tangential_amplitude))
+  if (entries.text("Motion", "Tangential amplitude") == "shakedown")
     entries.fail("Motion", "Tangential amplitude",
                  "a number in m; the word shakedown belongs to Wear / State = limiting");
   input.wear_kinetics = read_wear_kinetics(entries);
@@ -92,45 +68,34 @@ void read_wear(const EntryReader& entries, Case& input) {
 }  // namespace
 
 void declare_entries(dealii::ParameterHandler& handler) {
-  for (const auto& section : sections()) {
+  for (const auto& section : case_sections()) {
     handler.enter_subsection(section.name);
-    for (const char* entry : section.entries) handler.declare_entry(entry, "");
+    for (const auto& entry : section.entries) handler.declare_entry(entry.name, "");
     handler.leave_subsection();
   }
 }
 
-bool is_entry(const std::string& section, const std::string& name) {
-  for (const auto& s : sections())
-    if (s.name == section) return std::find(s.entries.begin(), s.entries.end(), name) != s.entries.end();
-  return false;
-}
-
-std::string valid_entries() {
-  std::string list;
-  for (const auto& section : sections())
-    list += fmt::format("{}{}: {}", list.empty() ? "" : "; ", section.name, fmt::join(section.entries, ", "));
-  return list;
-}
-
-Case read_entries(const EntryReader& entries, Case::Fields fields) {
+Case read_entries(const EntryReader& entries, const Reading& reading) {
   Case input;
   input.file = entries.file();
   input.indenter = read_indenter(entries);
   input.elastomer = read_elastomer(entries, input.warnings);
   input.friction_coefficient = entries.number("Friction", "Coefficient", positive_number);
-  static_cast<void>(entries.one_of("Friction", "Law", {"unidirectional"}));
+  if (entries.given("Friction", "Law")) static_cast<void>(entries.one_of("Friction", "Law", {"unidirectional"}));
   input.motion = read_motion(entries);
   read_wear(entries, input);
-  input.tolerance = entries.number("Accuracy", "Tolerance",
-                                   {[](double x) { return x >= 1e-5 && x <= 0.1; }, "a number between 1e-5 and 0.1"});
+  if (reading.accuracy == Accuracy::needed || entries.given("Accuracy", "Tolerance"))
+    input.tolerance = entries.number("Accuracy", "Tolerance",
+                                     {[](double x) { return x >= 1e-5 && x <= 0.1; }, "a number between 1e-5 and 0.1"});
   if (entries.given("Accuracy", "Rings per radius"))
-    input.rings_per_radius = static_cast<unsigned>(entries.number("Accuracy", "Rings per radius", ring_count));
+    input.rings_per_radius = entries.whole("Accuracy", "Rings per radius", ring_count);
   if (entries.given("Accuracy", "Steps per cycle"))
-    input.steps_per_cycle = static_cast<int>(entries.number("Accuracy", "Steps per cycle", step_count));
-  input.fields = fields;
+    input.steps_per_cycle = static_cast<int>(entries.whole("Accuracy", "Steps per cycle", step_count));
+  input.fields = reading.fields;
   if (entries.given("Output", "Fields"))
     input.fields = entries.one_of("Output", "Fields", {"none", "extremes"}) == "none" ? Case::Fields::none
                                                                                       : Case::Fields::extremes;
+  entries.throw_problems();
   return input;
 }
 

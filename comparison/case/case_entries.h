@@ -1,21 +1,20 @@
 #pragma once
 
-#include <string>
-
 #include "comparison/case/case.h"
 #include "comparison/case/entry_reader.h"
 
 namespace fretval {
 
-/// Declares every entry of a case file, all without a default: what is not set is an error where it is needed.
+/// Declares every entry of a case file (see entry_table.h), all without a default: what is not set is an error where it
+/// is needed.
 void declare_entries(dealii::ParameterHandler& handler);
 
-bool is_entry(const std::string& section, const std::string& name);
+struct Reading {
+  Case::Fields fields;  ///< what to write when the file does not say
+  Accuracy accuracy;
+};
 
-/// "Indenter: Shape, Radius, ...; Elastomer: ...", for error messages.
-std::string valid_entries();
-
-/// Everything but the name. fields: what to write when the file does not say.
-Case read_entries(const EntryReader& entries, Case::Fields fields);
+/// Everything but the name. Throws InputError with everything that is wrong.
+Case read_entries(const EntryReader& entries, const Reading& reading);
 
 }  // namespace fretval

@@ -6,12 +6,13 @@
 #include <algorithm>
 #include <cctype>
 #include <fstream>
-#include <map>
 #include <nlohmann/json.hpp>
-#include <set>
 #include <sstream>
 
 #include "comparison/case/case_entries.h"
+#include "comparison/case/entry_table.h"
+#include "comparison/case/json_entries.h"
+#include "comparison/case/prm_text.h"
 #include "comparison/case/trimmed.h"
 
 namespace fretval {
@@ -62,140 +63,25 @@ std::string first_sentence(const dealii::ExceptionBase& error) {
   return "line " + message.substr(6, number_end - 6) + message.substr(place_end);
 }
 
-/// Words of a name separated by single blanks.
-std::string name_in(const std::string& text) {
-  std::istringstream words(text);
-  std::string name;
-  for (std::string word; words >> word;) name += (name.empty() ? "" : " ") + word;
-  return name;
-}
-
-/// What a file says by itself: which files it includes, and its lines without those, so that numbers stay right.
-class Lines {
- public:
-  explicit Lines(const fs::path& file) : file_(file) {
-    std::istringstream stream(read_text(file));
-    std::string logical;  // a line that ends in a backslash goes on in the next
-    for (std::string line; std::getline(stream, line);) {
-      ++n_read_;
-      logical += trimmed(line.substr(0, line.find('#')));
-      if (!logical.empty() && logical.back() == '\\') {
-        logical.pop_back();
-        text_ += '\n';
-        continue;
-      }
-      take(logical);
-      logical.clear();
-    }
-    if (!logical.empty()) take(logical);
-  }
-
-  [[nodiscard]] const std::vector<fs::path>& included() const { return included_; }
-  [[nodiscard]] const std::string& text() const { return text_; }
-
- private:
-  [[noreturn]] void fail(const std::string& problem) const {
-    throw InputError(fmt::format("{}: line {}: {}", file_.string(), n_read_, problem));
-  }
-
-  void take(const std::string& line) {
-    std::istringstream words(line);
-    std::string word, rest;
-    words >> word;
-    std::getline(words, rest);
-    std::transform(word.begin(), word.end(), word.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    if (word == "include") {
-      include(trimmed(rest));
-      text_ += '\n';
-      return;
-    }
-    if (word == "subsection") sections_.push_back(name_in(rest));
-    if (word == "end" && !sections_.empty()) sections_.pop_back();
-    if (word == "set") take_entry(name_in(rest.substr(0, rest.find('='))));
-    text_ += line + '\n';
-  }
-
-  void include(const std::string& name) {
-    if (name.empty()) fail("the include line names no file");
-    if (!sections_.empty() || !line_of_entry_.empty())
-      fail(fmt::format("include {} must stand before the first subsection", name));
-    included_.push_back(file_.parent_path() / name);
-    std::error_code error;
-    if (!fs::exists(included_.back(), error))
-      fail(fmt::format("include {}: no such file as {}", name, included_.back().string()));
-  }
-
-  void take_entry(const std::string& name) {
-    const std::string full = fmt::format("{} / {}", fmt::join(sections_, " / "), name);
-    const auto [found, is_new] = line_of_entry_.emplace(full, n_read_);
-    if (!is_new) fail(fmt::format("{} is set a second time, first in line {}; must be set once", full, found->second));
-  }
-
-  fs::path file_;
-  std::vector<fs::path> included_;
-  std::string text_;
-  int n_read_ = 0;
-  std::vector<std::string> sections_;
-  std::map<std::string, int> line_of_entry_;
-};
-
-/// Sections of entries: {"Indenter": {"Shape": "cone", "Slope angle": 5}}.
-void parse_json(const fs::path& file, dealii::ParameterHandler& handler) {
-  using nlohmann::json;
-  std::vector<std::set<std::string>> keys;  // by depth, to refuse a key that comes twice
-  std::string current;
-  const auto check = [&](int depth, json::parse_event_t event, json& value) {
-    if (event == json::parse_event_t::object_start) keys.emplace_back();
-    if (event == json::parse_event_t::object_end) keys.pop_back();
-    if (event != json::parse_event_t::key) return true;
-    const auto key = value.get<std::string>();
-    if (depth == 1) current = key;
-    if (!keys.back().insert(key).second)
-      throw InputError(fmt::format("{}: {}{} is there a second time; must be there once", file.string(),
-                                   depth == 1 ? "" : current + " / ", key));
-    return true;
-  };
-  json sections;
-  try {
-    sections = json::parse(read_text(file), check);
-  } catch (const json::exception& error) {
-    throw InputError(fmt::format("{}: {}", file.string(), error.what()));
-  }
-  if (!sections.is_object()) throw InputError(fmt::format("{}: must be a JSON object of sections", file.string()));
-  for (const auto& [section, entries] : sections.items()) {
-    if (!entries.is_object())
-      throw InputError(fmt::format("{}: {}: must be a JSON object of entries", file.string(), section));
-    for (const auto& [name, value] : entries.items()) {
-      if (!is_entry(section, name))
-        throw InputError(fmt::format("{}: {} / {}: no such entry. Valid entries: {}", file.string(), section, name,
-                                     valid_entries()));
-      if (!value.is_string() && !value.is_number() && !value.is_boolean())
-        throw InputError(
-            fmt::format("{}: {} / {}: must be text, a number, true or false", file.string(), section, name));
-      handler.enter_subsection(section);
-      handler.set(name, value.is_string() ? value.get<std::string>() : value.dump());
-      handler.leave_subsection();
-    }
-  }
-}
-
-/// name: of the file, for messages.
-void parse_text(const std::string& text, const fs::path& name, dealii::ParameterHandler& handler) {
+/// What deal.II does not understand; the lines after it are not read.
+void parse_entries(const std::string& text, const fs::path& file, dealii::ParameterHandler& handler,
+                   Problems& problems) {
   try {
     std::istringstream stream(text);
-    handler.parse_input(stream, name.string());
+    handler.parse_input(stream, file.string());
   } catch (const dealii::ExceptionBase& error) {
-    throw InputError(fmt::format("{}: {}. Valid entries: {}", name.string(), first_sentence(error), valid_entries()));
+    problems.add(fmt::format("{}: {}. Valid entries: {}", file.string(), first_sentence(error), valid_entries()));
+    problems.has_unread_lines = true;
   } catch (const std::exception& error) {
-    throw InputError(fmt::format("{}: {}", name.string(), error.what()));
+    problems.add(fmt::format("{}: {}", file.string(), error.what()));
+    problems.has_unread_lines = true;
   }
 }
 
 /// Reads a file after those that it includes. chain: the files that include it.
 class Parser {
  public:
-  explicit Parser(dealii::ParameterHandler& handler) : handler_(handler) {}
+  Parser(dealii::ParameterHandler& handler, Problems& problems) : handler_(handler), problems_(problems) {}
 
   void parse(const fs::path& file, std::vector<fs::path> chain) {
     const fs::path canonical = fs::weakly_canonical(file);
@@ -204,14 +90,15 @@ class Parser {
     chain.push_back(canonical);
     if (++n_files_ > most_includes)
       throw InputError(fmt::format("{}: more than {} files are included", chain.front().string(), most_includes));
-    if (file.extension() == ".json") return parse_json(file, handler_);
-    const Lines lines(file);
-    for (const auto& included : lines.included()) parse(included, chain);
-    parse_text(lines.text(), file, handler_);
+    if (file.extension() == ".json") return parse_json_entries(read_text(file), file, handler_, problems_);
+    const auto prm = read_prm(read_text(file), file, problems_);
+    for (const auto& included : prm.included) parse(included, chain);
+    parse_entries(prm.text, file, handler_, problems_);
   }
 
  private:
   dealii::ParameterHandler& handler_;
+  Problems& problems_;
   std::size_t n_files_ = 0;
 };
 
@@ -235,21 +122,6 @@ std::string case_name(const fs::path& file) {
   return name;
 }
 
-/// `a:step:b` or a list.
-std::vector<double> sweep_values(const EntryReader& entries) {
-  const std::string text = entries.text("Sweep", "Values");
-  if (text.find(':') == std::string::npos) return entries.numbers("Sweep", "Values", any_number);
-  double begin = 0, step = 0, end = 0;
-  char colon1 = 0, colon2 = 0;
-  std::istringstream stream(text);
-  if (!(stream >> begin >> colon1 >> step >> colon2 >> end) || colon1 != ':' || colon2 != ':' || !(step > 0) ||
-      end < begin || (end - begin) / step > 1e5 || !(stream >> std::ws).eof())
-    entries.fail("Sweep", "Values", "a list like 0, 45, 90 or a range like 0:5:180 (first : step : last)");
-  std::vector<double> values;
-  for (int k = 0; begin + k * step <= end + 1e-9 * step; ++k) values.push_back(begin + k * step);
-  return values;
-}
-
 struct SweptEntry {
   std::string section, name;
 };
@@ -257,25 +129,48 @@ struct SweptEntry {
 SweptEntry swept_entry(const EntryReader& entries) {
   const std::string text = entries.text("Sweep", "Entry");
   const auto slash = text.find('/');
-  if (slash == std::string::npos) entries.fail("Sweep", "Entry", "SECTION / ENTRY, for example Motion / Phase");
-  SweptEntry swept{trimmed(text.substr(0, slash)), trimmed(text.substr(slash + 1))};
+  SweptEntry swept;
+  if (slash != std::string::npos) swept = {trimmed(text.substr(0, slash)), trimmed(text.substr(slash + 1))};
   if (!is_entry(swept.section, swept.name) || swept.section == "Sweep")
     entries.fail("Sweep", "Entry", "SECTION / ENTRY of this file, for example Motion / Phase");
+  entries.throw_problems();
   return swept;
 }
 
-std::vector<Case> expand_sweep(const fs::path& file, dealii::ParameterHandler& handler, const EntryReader& entries) {
+/// `a : step : b` or a list, in the units of the swept entry.
+std::vector<double> sweep_values(const EntryReader& entries, const SweptEntry& swept) {
+  const std::string text = entries.text("Sweep", "Values");
+  const bool is_range = text.find(':') != std::string::npos;
+  const auto list = entries.numbers_for(swept.section, swept.name, text, is_range ? ':' : ',');
+  const auto valid = [&] {
+    return list.size() == 3 && list[1] > 0 && list[2] >= list[0] && (list[2] - list[0]) / list[1] <= 1e5;
+  };
+  if (list.empty() || (is_range && !valid()))
+    entries.fail("Sweep", "Values",
+                 fmt::format("a list like 0, 45, 90 or a range like 0:5:180 (first : step : last), {}",
+                             entries.units_of(swept.section, swept.name)));
+  entries.throw_problems();
+  if (!is_range) return list;
+  const double begin = list[0], step = list[1], end = list[2];
+  std::vector<double> values;
+  for (int k = 0; begin + k * step <= end + 1e-9 * step; ++k) values.push_back(begin + k * step);
+  return values;
+}
+
+std::vector<Case> expand_sweep(const fs::path& file, dealii::ParameterHandler& handler, Problems& problems,
+                               Accuracy accuracy) {
+  const EntryReader entries(handler, file.string(), problems);
   const auto swept = swept_entry(entries);
   const std::string family = case_name(file);
   std::string slug = swept.name;
   std::transform(slug.begin(), slug.end(), slug.begin(),
                  [](unsigned char c) { return c == ' ' ? '-' : static_cast<char>(std::tolower(c)); });
   std::vector<Case> cases;
-  for (const double value : sweep_values(entries)) {
+  for (const double value : sweep_values(entries, swept)) {
     handler.enter_subsection(swept.section);
     handler.set(swept.name, fmt::format("{:.15g}", value));
     handler.leave_subsection();
-    Case input = read_entries(EntryReader(handler, file.string()), Case::Fields::none);
+    Case input = read_entries(entries, {Case::Fields::none, accuracy});
     input.name = fmt::format("{}/{}-{:g}", family, slug, value);
     input.sweep = Case::Sweep{family, swept.section + " / " + swept.name, value};
     cases.push_back(std::move(input));
@@ -285,13 +180,14 @@ std::vector<Case> expand_sweep(const fs::path& file, dealii::ParameterHandler& h
 
 }  // namespace
 
-std::vector<Case> read_case_file(const fs::path& file) {
+std::vector<Case> read_case_file(const fs::path& file, Accuracy accuracy) {
   dealii::ParameterHandler handler;
   declare_entries(handler);
-  Parser(handler).parse(file, {});
-  const EntryReader entries(handler, file.string());
-  if (entries.given("Sweep", "Entry")) return expand_sweep(file, handler, entries);
-  Case input = read_entries(entries, Case::Fields::extremes);
+  Problems problems;
+  Parser(handler, problems).parse(file, {});
+  const EntryReader entries(handler, file.string(), problems);
+  if (entries.given("Sweep", "Entry")) return expand_sweep(file, handler, problems, accuracy);
+  Case input = read_entries(entries, {Case::Fields::extremes, accuracy});
   input.name = case_name(file);
   return {input};
 }
@@ -299,8 +195,9 @@ std::vector<Case> read_case_file(const fs::path& file) {
 Case read_case_text(const std::string& text, const fs::path& name) {
   dealii::ParameterHandler handler;
   declare_entries(handler);
-  parse_text(text, name, handler);
-  Case input = read_entries(EntryReader(handler, name.string()), Case::Fields::none);
+  Problems problems;
+  parse_entries(read_prm(text, name, problems).text, name, handler, problems);
+  Case input = read_entries(EntryReader(handler, name.string(), problems), {Case::Fields::none, Accuracy::needed});
   input.name = name.filename().string();
   return input;
 }

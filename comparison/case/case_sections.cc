@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "comparison/case/master_curve.h"
+#include "comparison/case/table_units.h"
 #include "mdr/rheology/time_temperature.h"
 
 namespace fretval {
@@ -30,9 +31,10 @@ void read_branches(const EntryReader& entries, Case::Elastomer& elastomer) {
   elastomer.branch_moduli = entries.numbers(section, "Branch moduli", positive_number);
   elastomer.branch_times = entries.numbers(section, "Branch times", positive_number);
   const auto n = elastomer.branch_moduli.size();
+  if (n == 0) return;
   if (elastomer.rheology != "prony" && n != 1)
     entries.fail(section, "Branch moduli", "one modulus; use Rheology = prony for several branches");
-  if (elastomer.branch_times.size() != n)
+  if (!elastomer.branch_times.empty() && elastomer.branch_times.size() != n)
     entries.fail(section, "Branch times", fmt::format("{} times, one for each of the Branch moduli", n));
 }
 
@@ -48,12 +50,13 @@ void shift_to_temperature(const EntryReader& entries, Case::Elastomer& elastomer
   const double reference = entries.number(section, "Reference temperature", any_number);
   const double c1 = entries.number(section, "WLF C1", positive_number);
   const double c2 = entries.number(section, "WLF C2", positive_number);
+  if (std::isnan(temperature + reference + c1 + c2)) return;
   try {
     const double factor = mdr::wlf_shift(c1, c2, reference, temperature);
     for (double& time : elastomer.branch_times) time *= factor;
     elastomer.viscosity *= factor;
   } catch (const std::invalid_argument& error) {
-    throw InputError(fmt::format("{}: {} / Temperature: {}", entries.file(), section, error.what()));
+    entries.add_problem(fmt::format("{}: {} / Temperature: {}", entries.file(), section, error.what()));
   }
 }
 
@@ -63,7 +66,7 @@ std::vector<Case::Harmonic> read_harmonics(const EntryReader& entries, const std
   const auto values = entries.numbers("Motion", name, any_number);
   const char* valid = "triples of amplitude in m (not negative), frequency in Hz (positive) and phase in deg";
   if (values.size() % 3 != 0) entries.fail("Motion", name, valid);
-  for (std::size_t k = 0; k < values.size(); k += 3) {
+  for (std::size_t k = 0; k + 2 < values.size(); k += 3) {
     harmonics.push_back({values[k], values[k + 1], values[k + 2]});
     if (!(harmonics.back().amplitude >= 0 && harmonics.back().frequency > 0)) entries.fail("Motion", name, valid);
   }
@@ -102,6 +105,7 @@ Case::Indenter read_indenter(const EntryReader& entries) {
   const std::string section = "Indenter";
   const auto& names = Case::shape_names;
   const std::string shape = entries.one_of(section, "Shape", {names.begin(), names.end()});
+  if (shape.empty()) return {};
   forbid_others(entries, section, "Shape", shape,
                 {{"Radius", {"parabola", "truncated sphere"}},
                  {"Slope angle", {"cone"}},
@@ -128,6 +132,11 @@ Case::Indenter read_indenter(const EntryReader& entries) {
   }
   if (shape == "table") {
     indenter.table = entries.path(section, "Table");
+    try {
+      if (!indenter.table.empty()) require_units(indenter.table, 2);
+    } catch (const InputError& error) {
+      entries.add_problem(error.what());
+    }
     if (entries.given(section, "Table noise"))
       indenter.table_noise = entries.number(section, "Table noise", not_negative_number);
   }
@@ -139,6 +148,7 @@ Case::Elastomer read_elastomer(const EntryReader& entries, std::vector<std::stri
   Case::Elastomer elastomer;
   elastomer.rheology = entries.one_of(
       section, "Rheology", {"elastic", "kelvin voigt", "standard solid", "prony", "fractional zener", "table"});
+  if (elastomer.rheology.empty()) return elastomer;
   const std::vector<std::string> with_branches{"standard solid", "prony", "fractional zener"};
   forbid_others(entries, section, "Rheology", elastomer.rheology,
                 {{"Relaxed shear modulus", {"elastic", "kelvin voigt", "standard solid", "prony", "fractional zener"}},
@@ -150,7 +160,15 @@ Case::Elastomer read_elastomer(const EntryReader& entries, std::vector<std::stri
                  {"Table modulus", {"table"}}});
   if (elastomer.rheology == "table") {
     const bool youngs = entries.one_of(section, "Table modulus", {"shear", "Young"}) == "Young";
-    fit_master_curve(entries.path(section, "Table"), youngs, elastomer, warnings);
+    const auto table = entries.path(section, "Table");
+    try {
+      if (!table.empty()) {
+        require_units(table, 3);
+        fit_master_curve(table, youngs, elastomer, warnings);
+      }
+    } catch (const InputError& error) {
+      entries.add_problem(error.what());
+    }
   } else {
     const ValidNumber relaxed{
         [](double x) { return x > 0; },

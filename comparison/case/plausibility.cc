@@ -7,6 +7,7 @@ namespace {
 
 constexpr double least_modulus = 1e3, largest_modulus = 1e9;  // Pa; gels to stiff rubbers below their glass transition
 constexpr double least_rise = 1e-3, largest_rise = 0.5;       // of the indenter at the edge of the contact
+constexpr double arc_matters = 0.01;                          // of the contact radius
 
 }  // namespace
 
@@ -29,6 +30,17 @@ std::vector<std::string> implausible_values(const Case& input, const mdr::Profil
                     "rises there with "
                     "a slope of {:.2g} (for a parabola a/R), {} to {} are usual; are all lengths in m?",
                     input.file, deepest, a, rise, least_rise, largest_rise));
+  const double radius = input.indenter.radius, arc = rise * rise / 6;
+  if (input.indenter.shape == Case::Shape::parabola && rise <= largest_rise && arc > arc_matters)
+    warnings.push_back(fmt::format(
+        "{}: at the largest indentation a/R is {:.2g}; if the parabola stands for a sphere of radius {:.3g} m, the "
+        "contact radius of the sphere is smaller by {:.1f} %; a table of its true arc is exact",
+        input.file, rise, radius, 100 * arc));
+  if (input.motion.normal_harmonics.empty() && input.motion.normal_amplitude > input.motion.indentation)
+    warnings.push_back(fmt::format(
+        "{}: the normal amplitude, {:.3g} m, is above the indentation, {:.3g} m: the indenter lifts off in every "
+        "cycle, and nothing sticks for good",
+        input.file, input.motion.normal_amplitude, input.motion.indentation));
   return warnings;
 }
 

@@ -9,12 +9,15 @@
 
 #include "comparison/accuracy/prepared_case.h"
 #include "comparison/case/case_file.h"
+#include "comparison/command_line/case_commands.h"
 #include "comparison/command_line/check_command.h"
 #include "comparison/command_line/exit_codes.h"
+#include "comparison/command_line/help_pages.h"
 #include "comparison/command_line/mdr_command.h"
 #include "comparison/command_line/run_command.h"
 #include "comparison/command_line/trade_command.h"
 #include "comparison/report/report.h"
+#include "comparison/support/log.h"
 #include "meshes/msh_file.h"
 #include "meshes/quality.h"
 
@@ -41,14 +44,38 @@ int write_mesh(const std::string& file, const std::string& output) {
 }  // namespace
 
 void add_commands(CLI::App& app, Command& command) {
+  app.add_flag_callback("-q,--quiet", log::keep_quiet, "Warnings and errors alone, and what was asked for");
   struct Options {
-    std::vector<std::string> files;
-    std::string file, output = "results", mesh;
-    Proof proof = Proof::tolerance;
+    std::string file, other, output = "results", mesh;
+    RunOptions run;
+    NewCase chosen;
+    bool entries = false;
     MdrOptions mdr;
     CheckOptions check;
   };
   const auto options = std::make_shared<Options>();
+
+  auto* make = app.add_subcommand("new", "Write a commented case file, and the tables that it needs");
+  make->add_option("case", options->file, "Name of the case file (.prm)")->required();
+  make->add_option("--shape", options->chosen.shape, fmt::format("{}", fmt::join(new_case_shapes(), ", ")))
+      ->capture_default_str();
+  make->add_option("--rheology", options->chosen.rheology, fmt::format("{}", fmt::join(new_case_rheologies(), ", ")))
+      ->capture_default_str();
+  make->callback([=, &command] { command = [=] { return write_new_case(options->file, options->chosen); }; });
+
+  auto* explain = app.add_subcommand("explain", "What a case is, before it is computed");
+  auto* case_file = explain->add_option("case", options->file, "Case file (.prm or .json)");
+  explain->add_flag("--entries", options->entries, "Every entry of a case file instead, in Markdown")
+      ->excludes(case_file);
+  explain->callback([=, &command] {
+    if (!options->entries && options->file.empty()) throw CLI::RequiredError("case or --entries");
+    command = [=] { return options->entries ? print_entries() : explain_case(options->file); };
+  });
+
+  auto* compare = app.add_subcommand("compare", "What changed between two folders of results");
+  compare->add_option("before", options->file, "Folder with results")->required();
+  compare->add_option("after", options->other, "Folder with results")->required();
+  compare->callback([=, &command] { command = [=] { return compare_results(options->file, options->other); }; });
 
   auto* mdr = app.add_subcommand("mdr", "The analytic answer alone");
   mdr->add_option("case", options->file, "Case file (.prm or .json)")->required();
@@ -60,16 +87,19 @@ void add_commands(CLI::App& app, Command& command) {
   mdr->callback([=, &command] { command = [=] { return run_mdr(options->file, options->mdr); }; });
 
   auto* run = app.add_subcommand("run", "MDR and finite elements, compared; writes the results and the report");
-  run->add_option("cases", options->files, "Case files (.prm or .json)")->required();
-  run->add_option("-o,--output", options->output, "Folder for the results")->capture_default_str();
-  run->add_option("--proof", options->proof,
+  run->add_option("cases", options->run.inputs, "Case files (.prm or .json), or folders of them")->required();
+  run->add_option("-o,--output", options->run.output, "Folder for the results")->capture_default_str();
+  run->add_option("--proof", options->run.proof,
                   "How far the finite elements are proved: none, the answer alone; bars, with error bars whatever they "
                   "are; tolerance, refined until the bars meet the tolerance")
       ->transform(CLI::CheckedTransformer(
           std::map<std::string, Proof>{{"none", Proof::none}, {"bars", Proof::bars}, {"tolerance", Proof::tolerance}}))
       ->default_str("tolerance");
-  run->callback(
-      [=, &command] { command = [=] { return run_cases(options->files, options->output, options->proof); }; });
+  run->add_flag("--json", options->run.json, "Print each result as a line of JSON when it is done");
+  run->add_option("--junit", options->run.junit, "Also write JUnit XML to this file");
+  run->add_option("--baseline", options->run.baseline,
+                  "Folder of earlier results: exit with 1 if a value moves by more than both its error bars");
+  run->callback([=, &command] { command = [=] { return run_cases(options->run); }; });
 
   auto* check = app.add_subcommand(
       "check",
@@ -91,6 +121,15 @@ void add_commands(CLI::App& app, Command& command) {
   trade->add_option("case", options->file, "Case file (.prm or .json) with a single case")->required();
   trade->add_option("-o,--output", options->output, "Folder for the results")->capture_default_str();
   trade->callback([=, &command] { command = [=] { return run_trade(options->file, options->output); }; });
+
+  auto* pages = app.add_subcommand("pages", "The manual page, or completion for a shell")->group("");
+  pages->add_option("page", options->file, "man or bash")->required()->check(CLI::IsMember({"man", "bash"}));
+  pages->callback([=, &app, &command] {
+    command = [=, &app] {
+      fmt::print("{}", options->file == "man" ? man_page(app) : bash_completion(app));
+      return exit_agree;
+    };
+  });
 
   auto* mesh = app.add_subcommand("mesh", "The mesh of a case alone");
   mesh->add_option("case", options->file, "Case file (.prm or .json)")->required();

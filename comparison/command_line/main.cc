@@ -11,6 +11,7 @@
 #include "comparison/case/case.h"
 #include "comparison/command_line/commands.h"
 #include "comparison/command_line/exit_codes.h"
+#include "comparison/command_line/interrupt.h"
 #include "comparison/support/escape.h"
 #include "comparison/support/log.h"
 #include "comparison/support/versions.h"
@@ -42,6 +43,7 @@ void keep_memory_of_bodies() {
 int run(int argc, char** argv) {
   keep_memory_of_bodies();
   fretval::log::start();
+  fretval::say_on_interrupt("interrupted: nothing is kept");
   CLI::App app{
       "fretval: do finite elements confirm what the method of dimensionality reduction predicts for fretting on an "
       "elastomer, how closely, and at what cost?"};

@@ -55,7 +55,7 @@ void print_answer(const ordered_json& json) {
 }  // namespace
 
 int run_mdr(const std::string& file, const MdrOptions& options) {
-  const auto cases = read_case_file(file);
+  const auto cases = read_case_file(file, Accuracy::optional);
   if (!options.fields.empty() && cases.size() != 1)
     throw InputError(fmt::format("{}: a sweep has many fields; --fields needs a file with a single case", file));
   auto list = ordered_json::array();

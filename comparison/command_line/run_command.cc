@@ -3,25 +3,53 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
+#include <sstream>
 
 #include "comparison/accuracy/wear_proof.h"
 #include "comparison/case/case_file.h"
+#include "comparison/case/problems.h"
 #include "comparison/command_line/exit_codes.h"
+#include "comparison/command_line/interrupt.h"
 #include "comparison/command_line/terminal.h"
 #include "comparison/report/report.h"
 #include "comparison/results/batch.h"
+#include "comparison/results/changes.h"
+#include "comparison/support/files.h"
 #include "comparison/support/folder_lock.h"
+#include "comparison/support/junit.h"
 #include "comparison/support/log.h"
+#include "comparison/support/progress.h"
 #include "comparison/support/stopwatch.h"
 #include "fem/condensation/petsc_session.h"
 
 namespace fretval {
 namespace {
 
-std::vector<Case> read_cases(const std::vector<std::string>& files) {
+namespace fs = std::filesystem;
+
+/// The case files of a folder in the order of their names; a file is itself.
+std::vector<fs::path> case_files(const fs::path& input) {
+  if (!fs::is_directory(input)) return {input};
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::directory_iterator(input))
+    if (entry.path().extension() == ".prm" || entry.path().extension() == ".json") files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  if (files.empty()) throw InputError(fmt::format("{}: the folder has no case files (.prm or .json)", input.string()));
+  return files;
+}
+
+/// Says what is wrong with any of them.
+std::vector<Case> read_cases(const std::vector<std::string>& inputs) {
   std::vector<Case> cases;
-  for (const auto& file : files)
-    for (auto& input : read_case_file(file)) cases.push_back(std::move(input));
+  Problems problems;
+  for (const auto& input : inputs)
+    for (const auto& file : case_files(input)) try {
+        for (auto& one : read_case_file(file)) cases.push_back(std::move(one));
+      } catch (const InputError& error) {
+        problems.add(error.what());
+      }
+  problems.throw_if_any();
   return cases;
 }
 
@@ -30,6 +58,43 @@ int exit_code_of(const std::vector<BatchLine>& lines) {
   if (std::any_of(lines.begin(), lines.end(), failed)) return exit_numerics_failed;
   const auto agrees = [](const BatchLine& line) { return line.pass; };
   return std::all_of(lines.begin(), lines.end(), agrees) ? exit_agree : exit_disagree;
+}
+
+std::vector<BatchLine> computed_lines(const std::vector<PreparedCase>& prepared, const RunOptions& options) {
+  const fem::PetscSession session;
+  Progress progress(prepared.size());
+  const auto told = [&](const BatchLine& line, std::size_t, std::size_t) {
+    progress.done(outcome_text(line), line.pass);
+    if (options.json && line.failure.empty()) print_line(line.json);
+  };
+  return run_batch(prepared, {options.proof, {}, options.output, told});
+}
+
+std::string junit_of(const std::vector<BatchLine>& lines) {
+  std::vector<JUnitCase> cases;
+  for (const auto& line : lines) {
+    const bool good = line.failure.empty() && line.pass;
+    const auto why = line.failure.empty() ? line.answer.substr(0, line.answer.find('\n')) : line.failure;
+    cases.push_back({line.name, good ? "" : why, line.answer, line.seconds});
+  }
+  return junit_document("fretval run", cases);
+}
+
+/// Prints what has moved; whether anything has by more than its bars.
+bool departs_from(const std::vector<StoredResult>& baseline, const std::vector<BatchLine>& lines,
+                  const fs::path& output) {
+  std::set<std::string> names;
+  for (const auto& line : lines) names.insert(line.name);
+  std::vector<StoredResult> results;
+  for (auto& result : read_results(output))
+    if (names.count(result.json.at("name")) > 0) results.push_back(std::move(result));
+  std::vector<StoredResult> earlier;
+  for (const auto& result : baseline)
+    if (names.count(result.json.at("name")) > 0) earlier.push_back(result);
+  const auto changes = changes_between(earlier, results);
+  std::istringstream text(changes_text(changes));
+  for (std::string line; std::getline(text, line);) log::info("baseline: " + line);
+  return changes.any_beyond_bars();
 }
 
 /// Says what the cases do not need, and so is not computed.
@@ -44,24 +109,26 @@ void log_left_out(const std::vector<PreparedCase>& prepared) {
 
 }  // namespace
 
-int run_cases(const std::vector<std::string>& files, const std::filesystem::path& output, Proof proof) {
+int run_cases(const RunOptions& options) {
   Stopwatch watch;
-  const auto prepared = prepare(read_cases(files));
+  const auto& output = options.output;
+  const auto prepared = prepare(read_cases(options.inputs));
+  const auto baseline = options.baseline.empty() ? std::vector<StoredResult>{} : read_results(options.baseline);
   for (const auto& one : prepared)
     for (const auto& warning : one.input.warnings) log::warn(warning);
   log_left_out(prepared);
   const FolderLock lock(output);
-  const fem::PetscSession session;
-  Progress progress;
-  const auto lines =
-      run_batch(prepared, {proof, {}, output, [&](const BatchLine& line, std::size_t n_done, std::size_t n_cases) {
-                             progress.show(line, n_done, n_cases);
-                           }});
-  lines.size() == 1 && lines[0].failure.empty() ? print_answer(lines[0]) : print_verdicts(lines);
+  say_on_interrupt(fmt::format("interrupted: the cases that are done are kept in {0}; fretval report {0} shows them",
+                               output.string()));
+  const auto lines = computed_lines(prepared, options);
+  if (!options.json) lines.size() == 1 && lines[0].failure.empty() ? print_answer(lines[0]) : print_verdicts(lines);
+  if (!options.junit.empty()) write_file(options.junit, junit_of(lines));
   if (std::any_of(lines.begin(), lines.end(), [](const BatchLine& line) { return line.failure.empty(); }))
     log::info(fmt::format("report: {}", write_report(output).string()));
-  log::info(fmt::format("{} cases in {:.1f} s", lines.size(), watch.lap()));
-  return exit_code_of(lines);
+  log::info(fmt::format("{} {} in {:.1f} s", lines.size(), lines.size() == 1 ? "case" : "cases", watch.lap()));
+  const bool has_moved = !options.baseline.empty() && departs_from(baseline, lines, output);
+  const int exit_code = exit_code_of(lines);
+  return exit_code == exit_agree && has_moved ? exit_disagree : exit_code;
 }
 
 }  // namespace fretval

@@ -8,7 +8,16 @@
 
 namespace fretval {
 
+struct RunOptions {
+  std::vector<std::string> inputs;  ///< case files, and folders of case files
+  std::filesystem::path output = "results";
+  Proof proof = Proof::tolerance;
+  bool json = false;     ///< each result.json on a line of the standard output instead of the answer
+  std::string junit;     ///< file for JUnit XML; empty: none
+  std::string baseline;  ///< folder of earlier results that none may depart from; empty: none
+};
+
 /// `fretval run`: MDR and finite elements, compared; writes the results and the report. Returns the exit code.
-int run_cases(const std::vector<std::string>& files, const std::filesystem::path& output, Proof proof);
+int run_cases(const RunOptions& options);
 
 }  // namespace fretval

@@ -1,7 +1,6 @@
 #include "comparison/command_line/terminal.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <cmath>
 #include <cstdio>
@@ -30,28 +29,19 @@ Worst worst_of(const std::vector<BatchLine>& lines) {
 
 }  // namespace
 
-Progress::Progress() : on_terminal_(isatty(STDERR_FILENO) == 1) {}
-
-void Progress::show(const BatchLine& line, std::size_t n_done, std::size_t n_cases) {
-  if (!line.failure.empty()) n_failed_ += 1;
-  if (line.failure.empty() && !line.pass) n_disagree_ += 1;
-  const auto tenth = 10 * n_done / n_cases;
-  if (!on_terminal_ && tenth == last_tenth_) return;
-  last_tenth_ = tenth;
-  const std::string counts =
-      fmt::format("{}/{} cases, {} disagree, {} failed", n_done, n_cases, n_disagree_, n_failed_);
-  if (!on_terminal_) {
-    fmt::print(stderr, "{}\n", counts);
-    return;
-  }
-  const auto filled = 30 * n_done / n_cases;
-  fmt::print(stderr, "\r[{}{}] {} {}", std::string(filled, '#'), std::string(30 - filled, '.'), counts,
-             n_done == n_cases ? "\n" : "");
+std::string outcome_text(const BatchLine& line) {
+  if (!line.failure.empty()) return fmt::format("{}: FAILED: {}", line.name, line.failure);
+  return fmt::format("{}: {} in {:.1f} s", line.name, line.pass ? "agrees" : "DISAGREES", line.seconds);
 }
 
 void print_answer(const BatchLine& line) {
   fmt::print("{}", line.answer);
   std::fflush(stdout);  // before the log goes on
+}
+
+void print_line(const std::string& line) {
+  fmt::print("{}\n", line);
+  std::fflush(stdout);
 }
 
 void print_verdicts(const std::vector<BatchLine>& lines) {

@@ -7,20 +7,14 @@
 
 namespace fretval {
 
-/// Progress on stderr: a bar that redraws itself on a terminal, a line per tenth elsewhere.
-class Progress {
- public:
-  Progress();
-  void show(const BatchLine& line, std::size_t n_done, std::size_t n_cases);
-
- private:
-  bool on_terminal_;
-  std::size_t last_tenth_ = 0;
-  int n_disagree_ = 0, n_failed_ = 0;
-};
+/// "fretting: agrees" or what else became of a case, for the log.
+std::string outcome_text(const BatchLine& line);
 
 /// The answer to a single case, see answer_text.
 void print_answer(const BatchLine& line);
+
+/// A line of the standard output, at once.
+void print_line(const std::string& line);
 
 /// A line per case file on stdout: how many of its cases agree, and which comes closest to its tolerance; every failed
 /// case.

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <mutex>
+#include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "comparison/reference/normal_responses.h"
 #include "comparison/results/answer_text.h"
 #include "comparison/results/case_result.h"
+#include "comparison/support/stopwatch.h"
 
 namespace fretval {
 namespace {
@@ -38,6 +40,7 @@ BatchLine run_case(const PreparedCase& asked, const BatchOptions& options, BodyS
   line.comparison = result.comparison;
   line.pass = passes(result);
   line.answer = answer_text(result);
+  line.json = result_json(result).dump();
   if (!options.output.empty()) write_result(result, *reference, folder);
   return line;
 }
@@ -51,7 +54,9 @@ std::vector<BatchLine> run_batch(const std::vector<PreparedCase>& cases, const B
   std::mutex mutex;
   std::size_t n_done = 0;
   for_each_in_parallel(cases.size(), [&](std::size_t i) {
+    Stopwatch watch;
     lines[i] = run_case(cases[i], options, bodies, references);
+    lines[i].seconds = watch.lap();
     const std::lock_guard<std::mutex> lock(mutex);
     options.progress(lines[i], ++n_done, cases.size());
   });

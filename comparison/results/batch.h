@@ -16,6 +16,8 @@ struct BatchLine {
   std::string failure;  ///< not empty: the numerics failed on this case, with this message
   Comparison comparison;
   std::string answer = {};  ///< for people, see answer_text
+  std::string json = {};    ///< result.json in one line
+  double seconds = 0;
 };
 
 struct BatchOptions {

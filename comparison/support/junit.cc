@@ -17,7 +17,11 @@ std::string junit_document(const std::string& name, const std::vector<JUnitCase>
     const bool pass = one.failure.empty();
     n_failed += pass ? 0 : 1;
     text += fmt::format("  <testcase classname=\"{}\" name=\"{}\"", class_name, html_escaped(one.name));
-    text += pass ? "/>\n" : fmt::format("><failure message=\"{}\"/></testcase>\n", html_escaped(one.failure));
+    if (one.seconds > 0) text += fmt::format(" time=\"{:.3f}\"", one.seconds);
+    std::string inside;
+    if (!pass) inside = fmt::format("<failure message=\"{}\"/>", html_escaped(one.failure));
+    if (!one.output.empty()) inside += fmt::format("<system-out>{}</system-out>", html_escaped(one.output));
+    text += inside.empty() ? "/>\n" : ">" + inside + "</testcase>\n";
   }
   return fmt::format(
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuite name=\"{}\" tests=\"{}\" failures=\"{}\">\n"

@@ -7,7 +7,9 @@ namespace fretval {
 
 struct JUnitCase {
   std::string name;
-  std::string failure;  ///< empty: passed
+  std::string failure;      ///< empty: passed
+  std::string output = {};  ///< what it came to, for people; empty: not told
+  double seconds = 0;       ///< 0: not told
 };
 
 /// JUnit XML of a suite, for CI systems. name: of the suite; with dots for its spaces it is the class of

@@ -12,6 +12,14 @@ void start() {
   spdlog::set_pattern(isatty(STDERR_FILENO) ? "\r\033[K%^%l%$: %v" : "%^%l%$: %v");
 }
 
+void keep_quiet() {
+  spdlog::set_level(spdlog::level::warn);
+}
+
+bool tells() {
+  return spdlog::get("fretval") != nullptr && spdlog::should_log(spdlog::level::info);
+}
+
 void info(const std::string& message) {
   spdlog::info(spdlog::string_view_t(message));
 }

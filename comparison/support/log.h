@@ -9,6 +9,12 @@ namespace fretval::log {
 /// Call once, before the first message.
 void start();
 
+/// From now on warnings and errors alone.
+void keep_quiet();
+
+/// Whether what is not asked for may be told: started, and not quiet.
+bool tells();
+
 void info(const std::string& message);
 void warn(const std::string& message);
 void error(const std::string& message);

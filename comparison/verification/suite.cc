@@ -11,6 +11,7 @@
 #include "comparison/case/case_file.h"
 #include "comparison/reference/mdr_answer.h"
 #include "comparison/support/parallel.h"
+#include "comparison/support/progress.h"
 #include "comparison/support/stopwatch.h"
 
 namespace fretval {
@@ -138,8 +139,17 @@ std::vector<SuiteRow> run_cases(const std::vector<SuiteCase>& cases, BodyStore& 
   std::vector<SuiteRow> rows(cases.size());
   const std::size_t n_threads = cases.size() < n_cores() ? n_cores() : 1;
   // All cases wait for one factorisation at a time: one more than there are cores keeps these busy.
+  Progress progress(cases.size());
   for_each_in_parallel(
-      cases.size(), [&](std::size_t i) { rows[i] = run_case(cases[i], bodies, n_threads); }, n_cores() + 1);
+      cases.size(),
+      [&](std::size_t i) {
+        rows[i] = run_case(cases[i], bodies, n_threads);
+        const auto failure = failure_of(rows[i]);
+        progress.done(
+            fmt::format("{}: {}", title_of(cases[i]), failure.empty() ? name_of(verdict_of(rows[i])) : failure),
+            failure.empty());
+      },
+      n_cores() + 1);
   return rows;
 }
 

@@ -1,7 +1,9 @@
 #include "mdr/rheology/modulus_table.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <numeric>
 #include <sstream>
@@ -69,6 +71,13 @@ void validate(const ModulusTable& table) {
   }
 }
 
+bool has_loss_factor(const CsvColumns& csv) {
+  if (csv.names.size() != 3) return false;
+  const std::string& name = csv.names[2];
+  return name.size() >= 3 && std::equal(name.begin(), name.begin() + 3, "tan",
+                                        [](unsigned char c, char expected) { return std::tolower(c) == expected; });
+}
+
 ModulusTable read_modulus_table(std::istream& stream, const std::string& source_name, double factor) {
   require_positive("factor of the moduli", factor);
   CsvColumns csv = read_csv(stream, source_name, 3);
@@ -77,7 +86,18 @@ ModulusTable read_modulus_table(std::istream& stream, const std::string& source_
   scale(csv.columns[0], unit_of_column(csv, 0, frequency_units, source_name), "frequency", csv, source_name);
   scale(csv.columns[1], unit_of_column(csv, 1, modulus_units, source_name) * factor, "storage modulus", csv,
         source_name);
-  scale(csv.columns[2], unit_of_column(csv, 2, modulus_units, source_name) * factor, "loss modulus", csv, source_name);
+  if (has_loss_factor(csv)) {
+    const Units ratio_units = {{"", 1}, {"-", 1}, {"1", 1}, {"%", 1e-2}};
+    // Brackets of a name like "tan(delta)" hold no unit.
+    const bool has_unit = !csv.units.empty() || csv.names[2].find('%') != std::string::npos;
+    scale(csv.columns[2], has_unit ? unit_of_column(csv, 2, ratio_units, source_name) : 1, "loss factor", csv,
+          source_name);
+    std::transform(csv.columns[1].begin(), csv.columns[1].end(), csv.columns[2].begin(), csv.columns[2].begin(),
+                   std::multiplies<>());
+  } else {
+    scale(csv.columns[2], unit_of_column(csv, 2, modulus_units, source_name) * factor, "loss modulus", csv,
+          source_name);
+  }
   ModulusTable table = ordered(csv.columns);
   if (table.frequency.size() < 2) {
     throw std::invalid_argument(source_name + ": has a single frequency; must have at least 2");

@@ -15,16 +15,14 @@ std::string without_brackets(const std::string& text) {
 
 }  // namespace
 
+bool names_unit(const CsvColumns& csv, std::size_t column) {
+  return !csv.units.empty() || (!csv.names.empty() && without_brackets(csv.names[column]) != csv.names[column]);
+}
+
 double unit_of_column(const CsvColumns& csv, std::size_t column, const std::map<std::string, double>& known,
                       const std::string& source_name) {
-  std::string name;
-  if (!csv.units.empty()) {
-    name = without_brackets(csv.units[column]);
-  } else if (!csv.names.empty() && without_brackets(csv.names[column]) != csv.names[column]) {
-    name = without_brackets(csv.names[column]);
-  } else {
-    return 1;
-  }
+  if (!names_unit(csv, column)) return 1;
+  const std::string name = without_brackets(csv.units.empty() ? csv.names[column] : csv.units[column]);
   const auto entry = known.find(name);
   if (entry != known.end()) return entry->second;
   std::string valid;

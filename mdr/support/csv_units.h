@@ -8,6 +8,9 @@
 
 namespace fretval::mdr {
 
+/// Whether the header names a unit of the column: in its second line, or in brackets in the column's name.
+bool names_unit(const CsvColumns& csv, std::size_t column);
+
 /// Size of a column's unit in the base unit: of the unit that the second header line names, or else of that in brackets
 /// in the column's name, "G' [MPa]"; 1 if the header names none. Throws std::invalid_argument that names the source,
 /// the column and the known units for any other.

@@ -18,7 +18,7 @@ const fretval::ScratchFolder& scratch() {
   static const bool filled = [] {
     folder.write("base.inc", fretval::valid_case);
     folder.write("profile.csv", "r,f\nmm,um\n0,0\n1,1\n2,4\n3,9\n4,16\n5,25\n6,36\n");
-    folder.write("moduli.csv", "0.1,1e6,1e5\n1,1.1e6,2e5\n10,1.5e6,4e5\n100,1.9e6,3e5\n");
+    folder.write("moduli.csv", "f,G',G''\nHz,Pa,Pa\n0.1,1e6,1e5\n1,1.1e6,2e5\n10,1.5e6,4e5\n100,1.9e6,3e5\n");
     return true;
   }();
   static_cast<void>(filled);

@@ -9,6 +9,7 @@
 
 #include "comparison/accuracy/prepared_case.h"
 #include "comparison/reference/mdr_case.h"
+#include "comparison/support/data_folder.h"
 #include "mdr/rheology/rheology.h"
 
 namespace fretval {
@@ -148,7 +149,7 @@ void add_phases_and_frequencies(Cases& cases) {
 }
 
 Entries measured(const char* file) {
-  return {{"Indenter / Shape", "table"}, {"Indenter / Table", std::string(FRETVAL_EXTREMES_CASES) + "/" + file}};
+  return {{"Indenter / Shape", "table"}, {"Indenter / Table", (data_folder() / "cases" / "extremes" / file).string()}};
 }
 
 void add_shapes(Cases& cases) {
@@ -217,7 +218,7 @@ Cases chosen(const Cases& cases, Property property) {
 
 /// The folder of the measured profiles is another one on every machine.
 void leave_out_folder(std::string& text) {
-  const std::string folder = std::string(FRETVAL_EXTREMES_CASES) + "/";
+  const std::string folder = (data_folder() / "cases" / "extremes" / "").string();
   const auto place = text.find(folder);
   if (place != std::string::npos) text.erase(place, folder.size());
 }

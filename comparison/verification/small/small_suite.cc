@@ -3,6 +3,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "comparison/support/data_folder.h"
 #include "meshes/audit.h"
 #include "meshes/msh_file.h"
 
@@ -28,7 +29,7 @@ std::string text_of(const fs::path& file) {
 }  // namespace
 
 fs::path small_meshes() {
-  return FRETVAL_SMALL_MESHES;
+  return data_folder() / "meshes" / "small";
 }
 
 std::vector<SuiteCase> small_cases(const fs::path& meshes) {
@@ -41,7 +42,7 @@ std::vector<SuiteCase> small_cases(const fs::path& meshes) {
   for (const auto& [mesh, tolerances] : all_meshes) {
     const auto bodies = bodies_on(meshes / (mesh + ".msh"));
     for (const std::string name : {"parabola-standard-solid", "cone-kelvin-voigt", "parabola-no-first-slip-zone"}) {
-      SuiteCase one{mesh + " mesh", name, text_of(fs::path(FRETVAL_CHECK_CASES) / (name + ".prm"))};
+      SuiteCase one{mesh + " mesh", name, text_of(data_folder() / "cases" / "check" / (name + ".prm"))};
       one.proof = Proof::none;
       one.change = [t = tolerances](PreparedCase& prepared) { prepared.tolerances = t; };
       one.bodies = bodies;

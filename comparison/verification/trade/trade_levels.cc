@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -12,6 +13,7 @@
 #include "comparison/simulation/compute_case.h"
 #include "comparison/simulation/resolution_json.h"
 #include "comparison/support/log.h"
+#include "comparison/support/progress.h"
 #include "comparison/support/stopwatch.h"
 #include "fem/full_model/full_history.h"
 #include "fem/history/static_contact.h"
@@ -24,6 +26,9 @@ using nlohmann::ordered_json;
 constexpr double closed_form_seconds = 0.5;
 constexpr double right_angle = 3.14159265358979323846 / 2;
 constexpr int n_full_cycles = 2;
+
+constexpr std::array spring_settings{SpringSetting{50, 45, 5, 1e-4}, SpringSetting{100, 90, 10, 1e-5},
+                                     SpringSetting{200, 180, 20, 1e-6}, SpringSetting{400, 360, 20, 1e-7}};
 
 template <class Compute>
 TradeLevel attempted(TradeLevel level, const Compute& compute) {
@@ -110,20 +115,23 @@ std::vector<TradeLevel> computed_levels(const PreparedCase& prepared, const Trad
   const auto reference = quantities_of(exact, prepared.fem.units, prepared.fem.worn_edge.has_value());
   // The first body of a process also pays for what its libraries load and allocate once and for all.
   make_body(at_resolution(prepared.fem, plan.settings.begin()->first).body);
+  const bool has_springs = !prepared.mdr.limiting && prepared.input.motion.phase;
+  Progress progress(plan.settings.size() + plan.full.size() + (has_springs ? spring_settings.size() : 0) + 1);
   std::vector<TradeLevel> levels;
+  const auto add = [&](TradeLevel&& level) {
+    progress.done(fmt::format("{} {}", level.kind, level.setting.dump()), level.failure.empty());
+    levels.push_back(std::move(level));
+  };
   for (const auto& [resolution, axes] : plan.settings)
-    levels.push_back(
-        attempted({"condensed", resolution_json(resolution), axes}, [&, &r = resolution](TradeLevel& level) {
-          const auto answer = computed_alone(prepared, r);
-          level.seconds = answer.seconds_alone();
-          level.errors = errors_of(quantities_of(answer, prepared.fem.units), reference);
-        }));
-  for (const auto& resolution : plan.full) levels.push_back(full_level(prepared, reference, resolution));
-  if (!prepared.mdr.limiting && prepared.input.motion.phase)
-    for (const auto& setting : {SpringSetting{50, 45, 5, 1e-4}, SpringSetting{100, 90, 10, 1e-5},
-                                SpringSetting{200, 180, 20, 1e-6}, SpringSetting{400, 360, 20, 1e-7}})
-      levels.push_back(spring_level(prepared, reference, setting));
-  levels.push_back(closed_form_level(prepared, reference));
+    add(attempted({"condensed", resolution_json(resolution), axes}, [&, &r = resolution](TradeLevel& level) {
+      const auto answer = computed_alone(prepared, r);
+      level.seconds = answer.seconds_alone();
+      level.errors = errors_of(quantities_of(answer, prepared.fem.units), reference);
+    }));
+  for (const auto& resolution : plan.full) add(full_level(prepared, reference, resolution));
+  if (has_springs)
+    for (const auto& setting : spring_settings) add(spring_level(prepared, reference, setting));
+  add(closed_form_level(prepared, reference));
   return levels;
 }
 

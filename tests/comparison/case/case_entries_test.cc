@@ -19,19 +19,9 @@ std::string refusal_of(const std::string& section, const std::string& entries) {
   return refusal([&] { read_case(case_with(section, entries)); });
 }
 
-TEST(CaseEntries, BelongToTheirSection) {
-  EXPECT_TRUE(is_entry("Friction", "Coefficient"));
-  EXPECT_TRUE(is_entry("Wear", "Coefficient"));
-  EXPECT_FALSE(is_entry("Friction", "Radius"));
-  EXPECT_FALSE(is_entry("Friction", "coefficient"));
-  EXPECT_FALSE(is_entry("Fiction", "Coefficient"));
-  expect_parts(valid_entries(),
-               {"Indenter: Shape, Radius, ", "; Friction: Coefficient, Law; ", "Sweep: Entry, Values"});
-}
-
-TEST(CaseEntries, HaveNoDefaults) {
+TEST(CaseEntries, HaveNoDefaultsButOfTheOnlyLaw) {
+  EXPECT_EQ(read_case(replace(valid_case, "  set Law = unidirectional\n", "")).friction_coefficient, 0.5);
   for (const auto& [line, entry] : {std::pair("  set Coefficient = 0.5\n", "Friction / Coefficient"),
-                                    {"  set Law = unidirectional\n", "Friction / Law"},
                                     {"  set Tolerance = 0.01\n", "Accuracy / Tolerance"}})
     expect_parts(refusal([&, line = line] { read_case(replace(valid_case, line, "")); }),
                  {"case.prm: " + std::string(entry) + " is missing"});

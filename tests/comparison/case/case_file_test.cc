@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "tests/comparison/scratch_folder.h"
 
 namespace fretval {
@@ -72,6 +74,9 @@ TEST(CaseFile, ExpandsASweep) {
   EXPECT_EQ(sweep("0:0.1:0.3").size(), 4U) << "0.1 + 0.1 + 0.1 > 0.3";
   EXPECT_EQ(sweep("0.123456789").at(0).motion.phase, 0.123456789) << "the name has fewer digits";
   EXPECT_EQ(sweep("-90:30:-30").size(), 3U);
+  EXPECT_NEAR(*sweep("0 : 1 : 2 rad").at(2).motion.phase, 114.59155902616465, 1e-12);
+  EXPECT_EQ(sweep("10 deg, 20 deg").at(1).motion.phase, 20);
+  EXPECT_THROW(sweep("10 mm, 20 mm"), InputError);
 }
 
 TEST(CaseFile, ReadsJsonThroughTheSameHandler) {
@@ -86,6 +91,53 @@ TEST(CaseFile, ReadsJsonThroughTheSameHandler) {
   const auto input = read_case_file(file).at(0);
   EXPECT_EQ(input.indenter.shape, Case::Shape::cone);
   EXPECT_EQ(input.indenter.slope_angle, 5);
+}
+
+TEST(CaseFile, ReadsListsOfJsonAndUnitsInThem) {
+  const ScratchFolder folder;
+  const auto text = [](const std::string& moduli) {
+    return R"({"Indenter": {"Shape": "parabola", "Radius": "10 mm"},
+    "Elastomer": {"Rheology": "prony", "Relaxed shear modulus": "1 MPa", "Branch times": [0.1, 1],
+                  "Branch moduli": )" +
+           moduli + R"(},
+    "Friction": {"Coefficient": 0.5},
+    "Motion": {"Indentation": "0.1 mm", "Normal amplitude": 0, "Normal frequency": 1, "Tangential amplitude": 1e-5,
+               "Tangential frequency": 1, "Phase": 0},
+    "Accuracy": {"Tolerance": 0.01}})";
+  };
+  for (const char* moduli : {"[1e6, 2000000]", "[\"1 MPa\", \"2 MPa\"]"})
+    EXPECT_EQ(read_case_file(folder.write("one.json", text(moduli))).at(0).elastomer.branch_moduli,
+              (std::vector<double>{1e6, 2e6}));
+}
+
+TEST(CaseFile, NeedsNoToleranceForMdrAlone) {
+  const ScratchFolder folder;
+  const auto file = folder.write("one.prm", replace(valid_case, "  set Tolerance = 0.01\n", ""));
+  EXPECT_EQ(read_case_file(file, Accuracy::optional).at(0).indenter.radius, 1e-2);
+  EXPECT_THROW(read_case_file(file), InputError);
+}
+
+TEST(CaseFile, SaysEverythingThatIsWrongAtOnceAndNothingTwice) {
+  std::string text = replace(valid_case, "Radius = 1e-2", "Radiuss = 1e-2");
+  text = replace(text, "Branch times = 0.1", "Branch times = 10 mm");
+  text = replace(text, "set Law", "set Poisson ratio = 0.4\n  set Law");
+  text = replace(text, "subsection Motion", "subsection Motoin");
+  text = replace(text, "Tolerance = 0.01", "Tolerance = 1");
+  const auto message = error_of(text);
+  for (const char* part :
+       {"line 3: Indenter / Radiuss: no such entry; did you mean Radius?", "Branch times = 10 mm",
+        "line 13: Friction / Poisson ratio: no such entry; bodies are incompressible",
+        "line 16: subsection Motoin: no such subsection; did you mean Motion?", "Tolerance = 1: expected"})
+    EXPECT_NE(message.find(part), std::string::npos) << part << "\n" << message;
+  EXPECT_EQ(std::count(message.begin(), message.end(), '\n'), 4) << message;
+}
+
+TEST(CaseFile, NamesTheEntryOfAnotherSection) {
+  EXPECT_NE(
+      error_of(replace(valid_case, "set Law", "set Radius = 1\n  set Law")).find("did you mean Indenter / Radius?"),
+      std::string::npos);
+  EXPECT_NE(error_of(replace(valid_case, "set Radius", "set Young's modulus")).find("Relaxed shear modulus = E/3"),
+            std::string::npos);
 }
 
 struct BadCase {

@@ -21,6 +21,12 @@ TEST(Plausibility, ImplausibleUnitsAreWarnedAbout) {
   expect_parts(warnings("Radius = 1e-2", "Radius = 1e-5"), {"case.prm", "a/R", "in m?"});
   expect_parts(warnings("modulus = 1e6", "modulus = 1"), {"case.prm", "1 Pa is implausible", "in Pa?"});
   expect_parts(warnings("modulus = 1e6", "modulus = 1e12"), {"1e+12 Pa is implausible"});
+  // a = sqrt(R (d0 + delta)): of a sphere it is where (a/2) ln((R+a)/(R-a)) = d, 1.3 % less at a/R = 0.283.
+  expect_parts(warnings("Indentation = 1e-4", "Indentation = 7.8e-4"),
+               {"a/R is 0.28", "sphere of radius 0.01 m", "smaller by 1.3 %"});
+  EXPECT_EQ(warnings("Indentation = 1e-4", "Indentation = 5e-4"), "");
+  expect_parts(warnings("Normal amplitude = 2e-5", "Normal amplitude = 1.01e-4"), {"lifts off in every cycle"});
+  EXPECT_EQ(warnings("Normal amplitude = 2e-5", "Normal amplitude = 1e-4"), "");
   // Of a prescribed force the indentation is not known here.
   const std::string displacement = "Indentation = 1e-4\n  set Normal amplitude = 2e-5",
                     force = "Normal force = 1e6\n  set Normal force amplitude = 0";

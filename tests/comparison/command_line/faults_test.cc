@@ -64,7 +64,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Fault{"Radius = 1e-2", "Radius = -1e-2", {"Indenter / Radius = -1e-2", "positive"}},
                     Fault{"Radius = 1e-2", "Radius = inf", {"Indenter / Radius = inf", "positive"}},
                     Fault{"Radius = 1e-2", "Radius = 1e-400", {"Indenter / Radius = 1e-400", "positive"}},
-                    Fault{"Radius = 1e-2", "Radius = 1e-2 m", {"Indenter / Radius = 1e-2 m", "positive"}},
+                    Fault{"Radius = 1e-2", "Radius = 1e-2 Hz", {"Indenter / Radius = 1e-2 Hz", "positive", "mm"}},
                     Fault{"times = 0.1", "times = -0.1", {"Branch times = -0.1", "positive"}},
                     Fault{"times = 0.1", "times = 0", {"Branch times = 0", "positive"}},
                     Fault{"moduli = 1e6", "moduli = 0", {"Branch moduli = 0", "positive"}},
@@ -203,8 +203,8 @@ TEST(CaseFaults, BadJsonIsRefusedByName) {
       {"[]", {"object of sections"}},
       {"{\"Indenter\": 1}", {"Indenter", "object of entries"}},
       {"{\"Indenter\": {\"Radios\": 1}}", {"Indenter / Radios", "no such entry", "Valid entries"}},
-      {"{\"Indentor\": {\"Radius\": 1}}", {"Indentor / Radius", "no such entry"}},
-      {"{\"Indenter\": {\"Radius\": [1]}}", {"Indenter / Radius", "text, a number, true or false"}},
+      {"{\"Indentor\": {\"Radius\": 1}}", {"Indentor", "no such subsection", "did you mean Indenter?"}},
+      {"{\"Indenter\": {\"Radius\": [[1]]}}", {"Indenter / Radius", "text, a number, true or false"}},
       {"{\"Indenter\": {\"Radius\": null}}", {"Indenter / Radius", "text, a number, true or false"}},
       {"{\"Indenter\": {\"Radius\": 1, \"Radius\": 2}}", {"Indenter / Radius", "second time"}},
       {"{\"Indenter\": {}, \"Indenter\": {}}", {"Indenter", "second time"}},
@@ -233,17 +233,19 @@ struct BadTable {
 };
 
 TEST(TableFaults, BadProfilesAreRefusedByFileAndLine) {
-  const std::string rows = "0,0\n1e-4,1e-6\n2e-4,4e-6\n3e-4,9e-6\n";
+  const std::string rows = "r,f\nm,m\n0,0\n1e-4,1e-6\n2e-4,4e-6\n3e-4,9e-6\n";
   const std::vector<BadTable> bad{{"", {"no rows"}},
-                                  {rows + "4e-4\n", {"line 5", "has 1 value; must have 2"}},
-                                  {rows + "2e-4,4e-6\n", {"line 5", "radius = 0.0002", "scan outwards"}},
-                                  {rows + "-4e-4,1\n", {"line 5", "radius = -0.0004"}},
-                                  {rows + "4e-4,nan\n", {"line 5", "finite"}},
-                                  {rows + "4e-4;1,6e-5\n", {"line 5", "decimal comma"}},
-                                  {rows + std::string("\0\1\2", 3), {"line 5", "zero byte"}},
-                                  {"r [\xb5m],f [\xb5m]\n" + rows, {"unit"}},
-                                  {"0,0\n1e-4,1e-6\n", {"at least 4"}},
-                                  {rows + std::string(1'000'000, '1'), {"line 5", "10000 characters"}}};
+                                  {rows + "4e-4\n", {"line 7", "has 1 value; must have 2"}},
+                                  {rows + "2e-4,4e-6\n", {"line 7", "radius = 0.0002", "scan outwards"}},
+                                  {rows + "-4e-4,1\n", {"line 7", "radius = -0.0004"}},
+                                  {rows + "4e-4,nan\n", {"line 7", "finite"}},
+                                  {rows + "4e-4;1,6e-5\n", {"line 7", "decimal comma"}},
+                                  {rows + std::string("\0\1\2", 3), {"line 7", "zero byte"}},
+                                  {"r [\xb5m],f [\xb5m]\n0,0\n1,1\n2,4\n3,9\n", {"unit"}},
+                                  {"r,f\nm,m\n0,0\n1e-4,1e-6\n", {"at least 4"}},
+                                  {"0,0\n1,1\n2,4\n3,9\n", {"column 1 has no unit", "mm,um"}},
+                                  {"r [mm],f\n0,0\n1,1\n2,4\n3,9\n", {"column 2 has no unit"}},
+                                  {rows + std::string(1'000'000, '1'), {"line 7", "10000 characters"}}};
   for (const auto& [text, parts] : bad) {
     const ScratchFolder folder;
     folder.write("pin.csv", text);
@@ -256,10 +258,12 @@ TEST(TableFaults, BadProfilesAreRefusedByFileAndLine) {
 }
 
 TEST(TableFaults, BadModuliAreRefusedByFileAndLine) {
-  const std::vector<BadTable> bad{{"1,1e6,1e5\n", {"single frequency", "at least 2"}},
-                                  {"1,1e6,1e5\n2,-1e6,1e5\n", {"line 2", "storage modulus", "positive"}},
-                                  {"1,1e6,1e5\n0,1e6,1e5\n", {"line 2", "frequency", "positive"}},
+  const std::string units = "f,G',G''\nHz,Pa,Pa\n";
+  const std::vector<BadTable> bad{{units + "1,1e6,1e5\n", {"single frequency", "at least 2"}},
+                                  {units + "1,1e6,1e5\n2,-1e6,1e5\n", {"line 4", "storage modulus", "positive"}},
+                                  {units + "1,1e6,1e5\n0,1e6,1e5\n", {"line 4", "frequency", "positive"}},
                                   {"1,1e6\n2,1e6\n", {"line 1", "must have 3"}},
+                                  {"1,1e6,1e5\n2,1e6,1e5\n", {"column 1 has no unit", "Hz,MPa,MPa"}},
                                   {"f,G',G''\nHz,bar,bar\n1,1,1\n2,1,1\n", {"bar", "Pa"}}};
   for (const auto& [text, parts] : bad) {
     const ScratchFolder folder;

@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <string>
 
 namespace fretval {
@@ -22,21 +21,12 @@ std::string verdicts_of(const std::vector<BatchLine>& lines) {
   return testing::internal::GetCapturedStdout();
 }
 
-// Away from a terminal, as in a log: a line per tenth.
-TEST(Progress, WritesALinePerTenthWithItsCounts) {
-  testing::internal::CaptureStderr();
-  Progress progress;
-  for (std::size_t k = 1; k <= 40; ++k) {
-    const auto name = "family/" + std::to_string(k);
-    progress.show(k == 3   ? failed(name)
-                  : k == 5 ? line_with(name, 2e-3, Verdict::fail)
-                           : line_with(name, 1e-4, Verdict::pass),
-                  k, 40);
-  }
-  const auto text = testing::internal::GetCapturedStderr();
-  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 10) << text;
-  EXPECT_NE(text.find("4/40 cases, 0 disagree, 1 failed\n"), std::string::npos) << text;
-  EXPECT_NE(text.find("40/40 cases, 1 disagree, 1 failed\n"), std::string::npos) << text;
+TEST(Outcome, IsALineOfTheLog) {
+  auto good = line_with("family/1", 1e-4, Verdict::pass);
+  good.seconds = 1.23;
+  EXPECT_EQ(outcome_text(good), "family/1: agrees in 1.2 s");
+  EXPECT_EQ(outcome_text(line_with("family/2", 2e-3, Verdict::fail)), "family/2: DISAGREES in 0.0 s");
+  EXPECT_EQ(outcome_text(failed("family/3")), "family/3: FAILED: the pump is broken");
 }
 
 TEST(Verdicts, NameTheLargestUseOfAToleranceOfEachFile) {

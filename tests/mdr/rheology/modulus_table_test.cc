@@ -43,6 +43,18 @@ TEST(ModulusTable, TakesPascalAndAppliesTheFactor) {
   EXPECT_EQ(read("f,a,b\nHz,kPa,kPa\n1,6,3\n2,9,3\n", 0.5).loss, (Column{1500, 1500}));
 }
 
+TEST(ModulusTable, TakesALossFactorForTheLossModulus) {
+  for (const std::string header : {"f,G',tan delta\nHz,MPa,-\n", "f [Hz],G' [MPa],Tan(d)\n", "f,G',tan d\nHz,MPa,\n"}) {
+    const ModulusTable table = read(header + "1,2,0.5\n2,4,0.25\n", 0.5);
+    EXPECT_EQ(table.storage, (Column{1e6, 2e6})) << header;
+    EXPECT_EQ(table.loss, (Column{0.5e6, 0.5e6})) << header;
+  }
+  EXPECT_DOUBLE_EQ(read("f,G',tan delta [%]\n1,2,50\n2,4,25\n").loss[0], 1);
+  EXPECT_DOUBLE_EQ(read("f,G',tan delta\nHz,Pa,%\n1,2,50\n2,4,25\n").loss[0], 1);
+  EXPECT_NE(error_of([] { read("f,G',tan delta\nHz,Pa,Pa\n1,2,3\n"); }).find("unit of column 3 = \"Pa\""),
+            std::string::npos);
+}
+
 TEST(ModulusTable, SortsAndAveragesDuplicates) {
   const ModulusTable table = read("3,30,1\n1,10,4\n3,36,2\n2,20,5\n3,24,6\n");
   EXPECT_EQ(table.frequency, (Column{1, 2, 3}));

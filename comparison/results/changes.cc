@@ -1,0 +1,133 @@
+#include "comparison/results/changes.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "comparison/results/answer_text.h"
+
+namespace fretval {
+namespace {
+
+constexpr double roundoff = 1e-9;  // of answers without a bar: other processors add up in other orders
+
+using nlohmann::ordered_json;
+
+std::optional<double> value_of(const StoredResult& result, const char* key) {
+  const double value = result.number("fe", key);
+  return std::isnan(value) ? std::nullopt : std::optional(value);
+}
+
+double bar_in(const StoredResult& result, const char* key) {
+  const auto& comparison = result.json.at("comparison");
+  if (!comparison.contains(key)) return 0;
+  const auto& bar = comparison[key].value("error_bar", ordered_json());
+  return bar.is_number() ? bar.get<double>() : 0;
+}
+
+/// What the differences of a quantity are divided by, in SI.
+double scale_of(const StoredResult& result, Quantity quantity, double value) {
+  return std::string(traits_of(quantity).scale) == "over a" ? result.number("scene", "contact_radius_unworn")
+                                                            : std::abs(value);
+}
+
+std::optional<Change> change_of(const StoredResult& before, const StoredResult& after, Quantity quantity) {
+  const char* key = name_of(quantity);
+  Change change{after.json.at("name").get<std::string>(), quantity, value_of(before, key), value_of(after, key)};
+  if (!change.before && !change.after) return std::nullopt;
+  change.bars = bar_in(before, key) + bar_in(after, key);
+  if (!change.before || !change.after)
+    change.difference = 1;
+  else if (*change.before != *change.after)
+    change.difference = (*change.after - *change.before) / scale_of(before, quantity, *change.before);
+  return change;
+}
+
+void add_inputs(const StoredResult& before, const StoredResult& after, std::vector<std::string>& inputs) {
+  const auto &old_scene = before.json.at("scene"), &new_scene = after.json.at("scene");
+  const auto value = [](const ordered_json& scene, const std::string& key) {
+    return scene.contains(key) ? scene[key].dump() : std::string("none");
+  };
+  std::map<std::string, bool> keys;
+  for (const auto* scene : {&old_scene, &new_scene})
+    for (const auto& [key, unused] : scene->items()) keys[key] = key != "file";
+  for (const auto& [key, counts] : keys)
+    if (counts && value(old_scene, key) != value(new_scene, key))
+      inputs.push_back(fmt::format("{}: {}: {} -> {}", after.json.at("name").get<std::string>(), key,
+                                   value(old_scene, key), value(new_scene, key)));
+}
+
+std::string value_text(const Change& change, const std::optional<double>& value) {
+  const auto& traits = traits_of(change.quantity);
+  if (!value) return "none";
+  return *traits.unit ? with_unit(*value, 0, traits.unit) : fmt::format("{:.6g}", *value);
+}
+
+std::string change_text(const Change& change) {
+  return fmt::format("  {}: {}: {} -> {}, by {:.1e}, bars {}\n", change.name, traits_of(change.quantity).title,
+                     value_text(change, change.before), value_text(change, change.after), change.difference,
+                     change.bars > 0 ? fmt::format("{:.1e}", change.bars) : "none");
+}
+
+std::string list_text(const char* title, const std::vector<std::string>& lines) {
+  std::string text = lines.empty() ? "" : std::string(title) + "\n";
+  for (const auto& line : lines) text += "  " + line + "\n";
+  return text;
+}
+
+}  // namespace
+
+bool Change::is_beyond_bars() const {
+  return !(std::abs(difference) <= std::max(bars, roundoff));
+}
+
+bool Changes::any_beyond_bars() const {
+  return std::any_of(values.begin(), values.end(), [](const Change& change) { return change.is_beyond_bars(); });
+}
+
+Changes changes_between(const std::vector<StoredResult>& before, const std::vector<StoredResult>& after) {
+  std::map<std::string, const StoredResult*> olds;
+  for (const auto& result : before) olds[result.json.at("name").get<std::string>()] = &result;
+  Changes changes;
+  for (const auto& result : after) {
+    const auto name = result.json.at("name").get<std::string>();
+    const auto old = olds.find(name);
+    if (old == olds.end()) {
+      changes.only_after.push_back(name);
+      continue;
+    }
+    add_inputs(*old->second, result, changes.inputs);
+    for (const auto quantity : quantities_by_interest)
+      if (auto change = change_of(*old->second, result, quantity)) changes.values.push_back(std::move(*change));
+    const bool passed = old->second->json.at("pass"), passes = result.json.at("pass");
+    if (passed != passes)
+      changes.verdicts.push_back(fmt::format("{}: {}", name, passes ? "passes now" : "passes no more"));
+    olds.erase(old);
+  }
+  for (const auto& [name, unused] : olds) changes.only_before.push_back(name);
+  return changes;
+}
+
+std::string changes_text(const Changes& changes) {
+  std::string beyond;
+  double largest = 0;
+  std::size_t n_beyond = 0;
+  for (const auto& change : changes.values) {
+    if (change.is_beyond_bars()) {
+      beyond += change_text(change);
+      ++n_beyond;
+    } else {
+      largest = std::max(largest, std::abs(change.difference));
+    }
+  }
+  return list_text("other inputs:", changes.inputs) + list_text("verdicts:", changes.verdicts) +
+         list_text("only in the first folder:", changes.only_before) +
+         list_text("only in the second folder:", changes.only_after) +
+         (n_beyond ? "beyond the error bars of both together:\n" + beyond : "") +
+         fmt::format("{} of {} values moved beyond their bars; the others by up to {:.1e}\n", n_beyond,
+                     changes.values.size(), largest);
+}
+
+}  // namespace fretval

@@ -1,0 +1,164 @@
+#include "comparison/results/explanation.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "comparison/accuracy/error_bars.h"
+#include "comparison/accuracy/prepared_case.h"
+#include "comparison/accuracy/refinement.h"
+#include "comparison/reference/mdr_document.h"
+#include "comparison/results/answer_text.h"
+
+namespace fretval {
+namespace {
+
+using nlohmann::ordered_json;
+
+const double two_pi = 2 * std::acos(-1.0);
+
+/// With six digits at most, and no more than needed.
+std::string short_text(double value, const std::string& unit) {
+  if (value == 0) return "0 " + unit;
+  auto text = with_unit(value, 0, unit);
+  const auto blank = text.find(' ');
+  auto number = text.substr(0, blank);
+  if (number.find('.') != std::string::npos) {
+    number.erase(number.find_last_not_of('0') + 1);
+    if (number.back() == '.') number.pop_back();
+  }
+  return number + text.substr(blank);
+}
+
+std::string row(const std::string& title, const std::string& text) {
+  return fmt::format("  {:<13}{}\n", title, text);
+}
+
+std::string indenter_text(const Case::Indenter& indenter) {
+  std::string text = Case::shape_names[static_cast<std::size_t>(indenter.shape)];
+  if (indenter.radius > 0) text += ", R = " + short_text(indenter.radius, "m");
+  if (indenter.slope_angle > 0) text += fmt::format(", slope {:g} deg", indenter.slope_angle);
+  if (indenter.exponent > 0) text += fmt::format(", f = {:g} r^{:g} in m", indenter.coefficient, indenter.exponent);
+  if (indenter.flat_radius > 0) text += ", flat up to " + short_text(indenter.flat_radius, "m");
+  if (indenter.edge_radius > 0) text += ", edge radius " + short_text(indenter.edge_radius, "m");
+  return indenter.table.empty() ? text : text + " " + indenter.table;
+}
+
+std::string body_text(const Case::Elastomer& body) {
+  auto text = fmt::format("{}, G'(0) = {}", body.rheology, short_text(body.relaxed_modulus, "Pa"));
+  constexpr std::size_t most = 4;
+  for (std::size_t k = 0; k < std::min(most, body.branch_moduli.size()); ++k)
+    text += fmt::format(", {} with {}", short_text(body.branch_moduli[k], "Pa"), short_text(body.branch_times[k], "s"));
+  if (body.branch_moduli.size() > most) text += fmt::format(" and {} branches more", body.branch_moduli.size() - most);
+  if (body.viscosity > 0) text += ", dashpot " + short_text(body.viscosity, "Pa s");
+  if (body.fractional_order > 0) text += fmt::format(", order {:g}", body.fractional_order);
+  return text + "; incompressible";
+}
+
+std::string oscillation(double amplitude, const char* unit, double frequency, const std::string& phase) {
+  return fmt::format("{} at {}{}", short_text(amplitude, unit), short_text(frequency, "Hz"), phase);
+}
+
+std::string scene_text(const Case& input) {
+  const auto& motion = input.motion;
+  const auto phase = motion.phase ? fmt::format(", phase {:g} deg", *motion.phase) : std::string(", phase free");
+  const auto more = [](const std::vector<Case::Harmonic>& harmonics) {
+    return harmonics.empty() ? std::string() : fmt::format(" and {} more", harmonics.size());
+  };
+  const auto& force = motion.normal_force;
+  std::string text = row("indenter", indenter_text(input.indenter)) + row("body", body_text(input.elastomer)) +
+                     row("friction", fmt::format("mu = {:g}", input.friction_coefficient));
+  text += row("normal", force ? short_text(force->mean, "N") + " ± " +
+                                    oscillation(force->amplitude, "N", motion.normal_frequency, "")
+                              : short_text(motion.indentation, "m") + " ± " +
+                                    oscillation(motion.normal_amplitude, "m", motion.normal_frequency, "") +
+                                    more(motion.normal_harmonics));
+  if (motion.tangential_force)
+    return text + row("tangential", oscillation(*motion.tangential_force, "N", motion.tangential_frequency, phase));
+  if (std::isnan(motion.tangential_amplitude)) return text + row("tangential", "what shakes down at the stick radius");
+  return text + row("tangential", oscillation(motion.tangential_amplitude, "m", motion.tangential_frequency, phase) +
+                                      more(motion.tangential_harmonics));
+}
+
+std::string groups_text(const Case& input, const ordered_json& mdr) {
+  std::string text =
+      row("|G|/G'(0)", fmt::format("{:.4g} (rho, at the tangential frequency)", mdr.at("modulus_ratio").get<double>()));
+  const auto& times = input.elastomer.branch_times;
+  if (!times.empty())
+    text += row(
+        "omega tau",
+        fmt::format(
+            "{:.3g}{}", two_pi * input.motion.normal_frequency * times.front(),
+            times.size() > 1 ? fmt::format(" to {:.3g}", two_pi * input.motion.normal_frequency * times.back()) : ""));
+  if (!input.motion.normal_force) {
+    text += row("amplitude", fmt::format("{:.3g} of the indentation, normal",
+                                         input.motion.normal_amplitude / input.motion.indentation));
+    if (!input.motion.tangential_force && !std::isnan(input.motion.tangential_amplitude))
+      text += row(
+          "", fmt::format("{:.3g} of mu times the indentation, tangential",
+                          input.motion.tangential_amplitude / (input.friction_coefficient * input.motion.indentation)));
+  }
+  const auto& radius = mdr.at("contact_radius_max");
+  if (radius.is_null()) return text;
+  const double a = radius.get<double>();
+  text += row("a", short_text(a, "m") + ", largest contact radius");
+  if (input.indenter.radius > 0) text += row("a/R", fmt::format("{:.3g}", a / input.indenter.radius));
+  return text;
+}
+
+std::string regime_text(const ordered_json& mdr) {
+  const auto radius = [&](const char* key) {
+    return mdr.at(key).is_null() ? std::string() : short_text(mdr.at(key).get<double>(), "m");
+  };
+  if (mdr.contains("gross_slip") && !mdr.at("gross_slip").is_null())
+    return row("regime", "gross slip: the whole contact slides");
+  const auto first = radius("stick_radius_first_slip"), last = radius("stick_radius_shakedown"),
+             worn = radius("worn_radius");
+  std::string text;
+  if (!first.empty())
+    text = row("regime", "partial slip: a zone sticks from the first cycle on");
+  else if (!last.empty())
+    text = row("regime", "all rings slip at first, then a zone shakes down to stick");
+  else
+    text = row("regime", "no zone sticks for good; wear goes on for ever");
+  text += row("first slip", first.empty() ? "none" : "c = " + first + ", never slips since rest");
+  text += row("shakedown", last.empty() ? "none" : "c = " + last + ", sticks in the periodic state");
+  if (!worn.empty()) text += row("wear ends", "at r = " + worn);
+  return text;
+}
+
+std::string cost_text(const PreparedCase& prepared) {
+  const auto& fem = prepared.fem;
+  const bool memory = fem.relaxation.has_memory();
+  const auto n = 1 + variants_of(fem.resolution, needs_of(fem)).size();
+  std::string text = row("elements", text_of(fem.resolution));
+  for (const auto& words : left_out(fem)) text += row("", words);
+  const double seconds = estimated_seconds(prepared.input.tolerance, memory, fem.motion.highest_order(), n);
+  text += row("cost", fmt::format("{} computations or more to prove a tolerance of {:g}, of the order of {:.1g} s", n,
+                                  prepared.input.tolerance, seconds));
+  if (prepared.input.wear_kinetics) text += row("", "and the wear, which takes minutes");
+  return text;
+}
+
+}  // namespace
+
+double estimated_seconds(double tolerance, bool memory, int highest_order, std::size_t n_computations) {
+  const auto resolution = resolution_for(tolerance, memory);
+  constexpr double body = 0.25, history = 0.15;  // s at 32 rings and 72 steps
+  const double rings = resolution.elements_per_radius / 32.0, steps = resolution.steps_per_cycle * highest_order / 72.0;
+  return static_cast<double>(n_computations) * (body * rings * rings + history * rings * rings * steps) / 2;
+}
+
+std::string explanation(const Case& input) {
+  const auto document = mdr_document(input, false);
+  auto text = input.name + "\n" + scene_text(input) + "\n" + groups_text(input, document.json.at("mdr")) + "\n" +
+              regime_text(document.json.at("mdr")) + "\n";
+  if (input.tolerance == 0) return text + row("elements", "none: finite elements need an Accuracy / Tolerance");
+  try {
+    return text + cost_text(prepare({input}).front());
+  } catch (const InputError& error) {
+    return text + row("elements", fmt::format("none: {}", error.what()));
+  }
+}
+
+}  // namespace fretval

@@ -1,0 +1,71 @@
+#include "comparison/command_line/case_commands.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/comparison/expect_parts.h"
+#include "tests/comparison/run_fretval.h"
+#include "tests/comparison/stored_result.h"
+
+namespace fretval::case_commands_test {
+namespace {
+
+namespace fs = std::filesystem;
+
+TEST(CaseCommands, ANewCaseIsConfirmed) {
+  const ScratchFolder folder;
+  const auto file = quoted(folder.path() / "mine.prm");
+  const auto made = fretval_run("new " + file + " --shape table --rheology table", folder);
+  ASSERT_EQ(made.exit_code, 0) << made.err;
+  expect_parts(made.out, {"mine.prm\n", "mine-profile.csv\n", "mine-moduli.csv\n"});
+  const auto run = fretval_run("run " + file + " -o " + quoted(folder.path() / "out"), folder);
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  expect_parts(run.out, {"mine: finite elements confirm MDR"});
+}
+
+TEST(CaseCommands, ANewCaseOverwritesNothing) {
+  const ScratchFolder folder;
+  const auto table = folder.write("mine-profile.csv", "old");
+  const auto run = fretval_run("new " + quoted(folder.path() / "mine.prm") + " --shape table", folder);
+  EXPECT_EQ(run.exit_code, 2);
+  expect_parts(run.err, {"mine-profile.csv: is there already"});
+  EXPECT_EQ(text_of(table), "old");
+  EXPECT_FALSE(fs::exists(folder.path() / "mine.prm"));
+  EXPECT_EQ(fretval_run("new mine.txt", folder).exit_code, 2);
+}
+
+TEST(CaseCommands, ASweepIsExplainedByItsFirstCase) {
+  const ScratchFolder folder;
+  const auto file = folder.write("s.prm", valid_case +
+                                              "subsection Sweep\n  set Entry = Motion / Phase\n  set Values = "
+                                              "30, 60, 90\nend\n");
+  const auto run = fretval_run("explain " + quoted(file), folder);
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  expect_parts(run.out, {"s/phase-30\n", "phase 30 deg", "3 cases over Motion / Phase"});
+}
+
+TEST(CaseCommands, TheListOfEntriesIsThePageOfTheDocs) {
+  const ScratchFolder folder;
+  const auto page = text_of(fs::path(FRETVAL_SOURCE_DIR) / "docs/case_file.md");
+  EXPECT_EQ(fretval_run("explain --entries", folder).out, page)
+      << "build/release/fretval explain --entries > docs/case_file.md";
+}
+
+TEST(CaseCommands, ChangedResultsExitWithOne) {
+  const ScratchFolder folder;
+  const auto write = [&](const std::string& name, const nlohmann::ordered_json& json) {
+    fs::create_directories(folder.path() / name);
+    folder.write(name + "/result.json", json.dump());
+    return quoted(folder.path() / name);
+  };
+  auto json = stored_result("phase");
+  const auto before = write("before", json);
+  EXPECT_EQ(fretval_run("compare " + before + " " + before, folder).exit_code, 0);
+  json["fe"]["contact_radius_max"] = 1.01 * json["fe"]["contact_radius_max"].get<double>();
+  const auto run = fretval_run("compare " + before + " " + write("after", json), folder);
+  EXPECT_EQ(run.exit_code, 1) << run.out;
+  expect_parts(run.out, {"largest contact radius", "by 1.0e-02"});
+  EXPECT_EQ(fretval_run("compare " + before + " nowhere", folder).exit_code, 2);
+}
+
+}  // namespace
+}  // namespace fretval::case_commands_test

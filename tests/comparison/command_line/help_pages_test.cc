@@ -1,0 +1,36 @@
+#include "comparison/command_line/help_pages.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/comparison/expect_parts.h"
+#include "tests/comparison/run_fretval.h"
+
+namespace fretval::help_pages_test {
+namespace {
+
+TEST(HelpPages, TheManualHasEveryVerbAndItsOptions) {
+  const ScratchFolder folder;
+  const auto page = fretval_run("pages man", folder).out;
+  expect_parts(page, {".TH FRETVAL 1\n", ".SS run\n", ".B \\-o,\\-\\-output \\fR\\fIVALUE\\fR\n", ".SS trade\n",
+                      ".SH EXIT STATUS\n"});
+  EXPECT_EQ(page.find(".SS pages"), std::string::npos);
+}
+
+TEST(HelpPages, BashCompletesVerbsOptionsAndFiles) {
+  const ScratchFolder folder;
+  const auto script = folder.write("completion", fretval_run("pages bash", folder).out);
+  folder.write("case.prm", "");
+  const auto completed = [&](const std::string& words, int at) {
+    return shell_run("cd " + quoted(folder.path()) + "; bash -c 'source " + script.string() + "; COMP_WORDS=(" + words +
+                         "); COMP_CWORD=" + std::to_string(at) + "; _fretval; echo \"${COMPREPLY[@]}\"'",
+                     folder)
+        .out;
+  };
+  EXPECT_EQ(completed("fretval expl", 1), "explain\n");
+  EXPECT_EQ(completed("fretval run --ju", 2), "--junit\n");
+  EXPECT_EQ(completed("fretval run cas", 2), "case.prm\n");
+  EXPECT_EQ(completed("fretval --quiet ch", 2), "check\n");
+}
+
+}  // namespace
+}  // namespace fretval::help_pages_test

@@ -1,0 +1,68 @@
+#include "comparison/results/changes.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/comparison/expect_parts.h"
+#include "tests/comparison/stored_result.h"
+
+namespace fretval::changes_test {
+namespace {
+
+/// A radius of 0.5 mm in a contact of 1 mm, with a bar of 1e-3 a.
+StoredResult result(double stick_radius = 5e-4, const std::string& name = "one") {
+  return {{{"name", name},
+           {"pass", true},
+           {"scene", {{"file", "a.prm"}, {"contact_radius_unworn", 1e-3}, {"indentation", 1e-4}}},
+           {"mdr", nlohmann::ordered_json::object()},
+           {"fe", {{"stick_radius_shakedown", stick_radius}, {"normal_force_max", 2.0}}},
+           {"comparison",
+            {{"stick_radius_shakedown", {{"error_bar", 1e-3}}}, {"normal_force_max", {{"error_bar", nullptr}}}}}},
+          "folder"};
+}
+
+const Change& of(const Changes& changes, Quantity quantity) {
+  for (const auto& change : changes.values)
+    if (change.quantity == quantity) return change;
+  throw std::logic_error("not there");
+}
+
+TEST(Changes, AreHeldToTheBarsOfBothTogether) {
+  const auto within = changes_between({result()}, {result(5.019e-4)});
+  EXPECT_NEAR(of(within, Quantity::stick_radius_shakedown).difference, 1.9e-3, 1e-15);
+  EXPECT_EQ(of(within, Quantity::stick_radius_shakedown).bars, 2e-3);
+  EXPECT_FALSE(within.any_beyond_bars());
+  const auto beyond = changes_between({result()}, {result(5.021e-4)});
+  EXPECT_TRUE(beyond.any_beyond_bars());
+  expect_parts(changes_text(beyond), {"one: ", "500.000 µm -> 502.100 µm, by 2.1e-03, bars 2.0e-03",
+                                      "1 of 2 values moved beyond their bars"});
+}
+
+TEST(Changes, WithoutABarAreHeldToRoundoff) {
+  auto other = result();
+  other.json["fe"]["normal_force_max"] = 2 * (1 + 1e-10);
+  EXPECT_FALSE(changes_between({result()}, {other}).any_beyond_bars());
+  other.json["fe"]["normal_force_max"] = 2 * (1 + 1e-8);
+  EXPECT_TRUE(changes_between({result()}, {other}).any_beyond_bars());
+}
+
+TEST(Changes, OfARadiusThatIsGoneIsBeyondAnyBar) {
+  auto other = result();
+  other.json["fe"]["stick_radius_shakedown"] = nullptr;
+  EXPECT_TRUE(changes_between({result()}, {other}).any_beyond_bars());
+  expect_parts(changes_text(changes_between({result()}, {other})), {"500.000 µm -> none"});
+}
+
+TEST(Changes, NameOtherInputsVerdictsAndCases) {
+  auto other = result();
+  other.json["scene"]["indentation"] = 2e-4;
+  other.json["scene"]["file"] = "elsewhere/a.prm";
+  other.json["pass"] = false;
+  const auto changes = changes_between({result(), result(5e-4, "gone")}, {other, result(5e-4, "new")});
+  EXPECT_EQ(changes.inputs, std::vector<std::string>{"one: indentation: 0.0001 -> 0.0002"});
+  EXPECT_EQ(changes.verdicts, std::vector<std::string>{"one: passes no more"});
+  EXPECT_EQ(changes.only_before, std::vector<std::string>{"gone"});
+  EXPECT_EQ(changes.only_after, std::vector<std::string>{"new"});
+}
+
+}  // namespace
+}  // namespace fretval::changes_test

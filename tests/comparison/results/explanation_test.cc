@@ -1,0 +1,42 @@
+#include "comparison/results/explanation.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/comparison/expect_parts.h"
+#include "tests/comparison/read_case.h"
+
+namespace fretval::explanation_test {
+namespace {
+
+// a = sqrt(R (d0 + delta)), a/R; omega tau = 2 pi 0.1; rho² = (1 + 2 x²)²+... of the standard solid, docs/theory.md.
+TEST(Explanation, NamesInputsGroupsRadiiAndWork) {
+  expect_parts(explanation(read_case()),
+               {"case\n", "parabola, R = 10 mm", "standard solid, G'(0) = 1 MPa, 1 MPa with 100 ms; incompressible",
+                "mu = 0.5", "100 µm ± 20 µm at 1 Hz", "15 µm at 1 Hz, phase 60 deg", "omega tau    0.628",
+                "0.2 of the indentation", "0.3 of mu times", "1.09545 mm, largest contact radius", "a/R          0.11",
+                "partial slip", "first slip   c = 727.284 µm", "shakedown    c = 792.773 µm", "24 rings, degree 2",
+                "to prove a tolerance of 0.01"});
+}
+
+TEST(Explanation, SaysWhichRadiiThereAreNot) {
+  const auto none =
+      explanation(read_case(replace(valid_case, "Tangential amplitude = 1.5e-5", "Tangential amplitude = 1")));
+  expect_parts(none, {"no zone sticks for good", "first slip   none", "shakedown    none"});
+}
+
+TEST(Explanation, SaysWhyFiniteElementsDoNotComputeIt) {
+  const auto far = replace(valid_case, "Tangential frequency = 1", "Tangential frequency = 5000");
+  expect_parts(explanation(read_case(far)), {"elements     none: ", "more than a factor of 1000 apart"});
+  Case without = read_case();
+  without.tolerance = 0;
+  expect_parts(explanation(without), {"need an Accuracy / Tolerance"});
+}
+
+TEST(Explanation, WorkGrowsWithWhatIsAskedFor) {
+  EXPECT_GT(estimated_seconds(1e-4, true, 1, 5), estimated_seconds(1e-3, true, 1, 5));
+  EXPECT_EQ(estimated_seconds(1e-3, true, 1, 10), 2 * estimated_seconds(1e-3, true, 1, 5));
+  EXPECT_GT(estimated_seconds(1e-3, true, 3, 5), estimated_seconds(1e-3, true, 1, 5));
+}
+
+}  // namespace
+}  // namespace fretval::explanation_test

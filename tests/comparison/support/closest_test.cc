@@ -1,0 +1,34 @@
+#include "comparison/support/closest.h"
+
+#include <gtest/gtest.h>
+
+namespace fretval {
+namespace {
+
+TEST(Closest, FindsWhatIsMistyped) {
+  const std::vector<std::string> entries{"Radius", "Slope angle", "Coefficient", "Table"};
+  EXPECT_EQ(closest("Radios", entries), "Radius");
+  EXPECT_EQ(closest("radius", entries), "Radius");
+  EXPECT_EQ(closest("Rdaius", entries), "Radius");
+  EXPECT_EQ(closest("slope_angle", entries), "Slope angle");
+  EXPECT_EQ(closest("Coeficient", entries), "Coefficient");
+  EXPECT_EQ(did_you_mean("Tabel", entries), "; did you mean Table?");
+}
+
+TEST(Closest, IsNothingForAnotherWord) {
+  EXPECT_EQ(closest("Width", {"Radius", "Table"}), "");
+  EXPECT_EQ(closest("", {"Radius"}), "");
+  EXPECT_EQ(closest(std::string(10000, 'x'), {"Radius"}), "");
+  EXPECT_EQ(did_you_mean("Width", {"Radius"}), "");
+}
+
+// Two of six letters are a third, three are more.
+TEST(Closest, EditsAThirdOfTheLetters) {
+  EXPECT_EQ(closest("abcdxy", {"abcdef"}), "abcdef");
+  EXPECT_EQ(closest("abcxyz", {"abcdef"}), "");
+  EXPECT_EQ(closest("abcdex", {"abcdxy", "abcdef"}), "abcdef");
+  EXPECT_EQ(closest("abcdex", {"abcdey", "abcdef"}), "abcdey") << "the first of equally near ones";
+}
+
+}  // namespace
+}  // namespace fretval

@@ -1,0 +1,54 @@
+#include "comparison/support/progress.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/comparison/run_fretval.h"
+
+namespace fretval::progress_test {
+namespace {
+
+// A quarter takes 10 s, so the rest takes 30.
+TEST(Progress, TellsTheTimeThatIsLeft) {
+  EXPECT_EQ(progress_text(3, 12, 0, 10, 80), "[#######.......................] 3/12, 0:30 left");
+  EXPECT_EQ(progress_text(0, 12, 0, 4, 80), "[..............................] 0/12, 0:04 so far");
+  EXPECT_EQ(progress_text(12, 12, 2, 3725, 80), "[##############################] 12/12, in 1:02:05, 2 not good");
+}
+
+TEST(Progress, FitsIntoTheLine) {
+  for (int columns = 1; columns <= 120; ++columns)
+    EXPECT_LT(progress_text(99, 522, 17, 54321, columns).size(), static_cast<std::size_t>(columns));
+}
+
+TEST(Progress, SaysNothingBeforeTheLogIsStarted) {
+  testing::internal::CaptureStderr();
+  {
+    Progress progress(1);
+    progress.done("one");
+  }
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+}
+
+TEST(Progress, IsALineForEachCaseInALogAndNothingIfQuiet) {
+  const ScratchFolder folder;
+  const auto file = folder.write("sweep.prm", replace(valid_case, "subsection Accuracy",
+                                                      "subsection Sweep\n  set Entry = Motion / Phase\n  set Values = "
+                                                      "0, 90\nend\nsubsection Accuracy"));
+  const auto arguments = quoted(file) + " --proof none -o " + quoted(folder.path() / "out");
+  const auto told = fretval_run("run " + arguments, folder);
+  EXPECT_NE(told.err.find("1/2 sweep/phase-"), std::string::npos) << told.err;
+  EXPECT_NE(told.err.find("2/2 sweep/phase-"), std::string::npos) << told.err;
+  EXPECT_EQ(fretval_run("--quiet run " + arguments, folder).err, "");
+}
+
+// A terminal of its own, made by script(1).
+TEST(Progress, RedrawsALineOnATerminal) {
+  const ScratchFolder folder;
+  const auto file = folder.write("case.prm", valid_case);
+  const auto command =
+      std::string(FRETVAL_PROGRAM) + " run " + file.string() + " --proof none -o " + (folder.path() / "out").string();
+  const auto run = shell_run("script -qec 'stty cols 60; " + command + "' /dev/null", folder);
+  EXPECT_NE(run.out.find("\r\033[K[..............................] 0/1, 0:00 so far"), std::string::npos) << run.out;
+}
+
+}  // namespace
+}  // namespace fretval::progress_test
