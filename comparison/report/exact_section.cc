@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "comparison/report/numbers.h"
 #include "comparison/report/table.h"
-#include "comparison/support/escape.h"
 
 namespace fretval {
 namespace {
@@ -44,12 +44,8 @@ std::string passed_text(const ordered_json& rows) {
 
 }  // namespace
 
-std::string convergence_section(const ordered_json& rows) {
-  return fmt::format(
-      "<h2>Verification: finite elements against exact solutions</h2>\n<p>{} Errors are relative, the largest over the "
-      "positions of the edges within their rings, on four nested resolutions. To repeat: <code>fretval check --suite "
-      "exact</code>.</p>\n{}",
-      passed_text(rows), html_of(convergence_table(rows)));
+Filling convergence_section(const ordered_json& rows) {
+  return {{"template", "exact"}, {"passed", passed_text(rows)}, {"table", filling_of(convergence_table(rows))}};
 }
 
 std::string convergence_text(const ordered_json& rows) {

@@ -1,13 +1,14 @@
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
 #include <string>
+
+#include "comparison/report/render.h"
 
 namespace fretval {
 
-/// HTML section of the suite `exact` as convergence_json writes it: a table with the errors at each resolution, the
+/// Section of the suite `exact` as convergence_json writes it: a table with the errors at each resolution, the
 /// orders and the verdicts. Throws nlohmann::json::exception for JSON of another kind.
-std::string convergence_section(const nlohmann::ordered_json& rows);
+Filling convergence_section(const nlohmann::ordered_json& rows);
 
 /// The same for a terminal.
 std::string convergence_text(const nlohmann::ordered_json& rows);

@@ -3,11 +3,10 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <functional>
 #include <map>
 #include <set>
 #include <tuple>
-
-#include "comparison/support/escape.h"
 
 namespace fretval {
 namespace {
@@ -79,7 +78,6 @@ int colour_of(const std::map<double, CurveKey>& leading, double k) {
 Figure stick_radius_figure(const Members& results, const std::string& shape, const Criterion& criterion) {
   Plot plot{fmt::format("{}: {}", shape_title(shape), criterion.name), "phase φ_0 in degrees",
             "c over the contact radius at d_0"};
-  plot.key_right = true;
   const auto grouped = curves(results);
   const auto leading = leading_curves(grouped);
   std::set<std::string> rheologies;
@@ -107,7 +105,7 @@ Figure stick_radius_figure(const Members& results, const std::string& shape, con
       "{}. Lines: MDR. Full points: finite elements, {}; open points: the other rheologies with the same modulus "
       "ratio. "
       "Rheologies shown: {}. A missing point: nothing sticks.",
-      plot.title, html_escaped(leading.begin()->second.rheology), html_escaped(list));
+      plot.title, leading.begin()->second.rheology, list);
   return {std::move(plot), std::move(caption)};
 }
 
@@ -115,7 +113,6 @@ Figure difference_figure(const Members& results, const std::string& shape) {
   Plot plot{fmt::format("{}: difference between finite elements and MDR", shape_title(shape)), "phase φ_0 in degrees",
             "|c_{FE} - c_{MDR}| / a"};
   plot.log_y = true;
-  plot.key_right = true;
   const auto grouped = curves(results);
   const auto leading = leading_curves(grouped);
   for (const auto& criterion : {first_slip, shakedown}) {
@@ -155,7 +152,6 @@ Series thinned_surface(const StoredResult& r, double outer, double length, doubl
 
 Figure limiting_profile_figure(const Members& results, const std::string& shape) {
   Plot plot{fmt::format("{}: limiting profiles", shape_title(shape)), "r / a_0", "f_∞ / d_{max}"};
-  plot.key_right = true;
   int colour = 0;
   Series ends{"", {}, {}, Series::Style::triangles, 7};
   for (const auto* r : results) {
@@ -180,19 +176,37 @@ Figure limiting_profile_figure(const Members& results, const std::string& shape)
           "Lines: the profiles that MDR predicts, which are the indenters of the finite element runs. Points: the "
           "surface of "
           "the finite elements at the largest indentation, which must lie on them without pressure outside c. "
-          "Triangles: a<sub>∞</sub>, where the wear ends."};
+          "Triangles: a∞, where the wear ends."};
 }
 
 }  // namespace
 
-std::string figures_html(const std::vector<Figure>& figures) {
-  std::vector<Plot> plots;
-  for (const auto& figure : figures) plots.push_back(figure.plot);
-  const auto drawn = svgs(plots);
-  std::string html = "<div class=\"figures\">\n";
-  for (std::size_t i = 0; i < figures.size(); ++i)
-    html += fmt::format("<figure>{}<figcaption>{}</figcaption></figure>\n", drawn[i], figures[i].caption);
-  return html + "</div>\n";
+Filling filling_of(const std::vector<Figure>& figures) {
+  Filling filling{{"template", "figures"}, {"figures", Filling::array()}};
+  for (const auto& figure : figures)
+    filling["figures"].push_back({{"plot", json_of(figure.plot)}, {"caption", figure.caption}});
+  return filling;
+}
+
+Filling place_plots(Filling& sections) {
+  std::vector<Filling*> figures;
+  const std::function<void(Filling&)> gather = [&](Filling& part) {
+    if (part.is_object() && part.contains("plot")) figures.push_back(&part);
+    if (part.is_structured())
+      for (auto& one : part) gather(one);
+  };
+  gather(sections);
+  std::vector<const Filling*> drawn;
+  for (const auto* figure : figures) drawn.push_back(&figure->at("plot"));
+  const auto still = svgs(drawn);
+  auto plots = Filling::array();
+  for (std::size_t i = 0; i < figures.size(); ++i) {
+    plots.push_back(std::move(figures[i]->at("plot")));
+    figures[i]->erase("plot");
+    (*figures[i])["number"] = i;
+    (*figures[i])["svg"] = still[i];
+  }
+  return plots;
 }
 
 std::vector<Figure> stick_radius_figures(const std::vector<StoredResult>& results) {

@@ -10,11 +10,15 @@ namespace fretval {
 
 struct Figure {
   Plot plot;
-  std::string caption;  ///< HTML
+  std::string caption;
 };
 
-/// Figures side by side.
-std::string figures_html(const std::vector<Figure>& figures);
+/// For the template `figures`, whose "plot" place_plots puts where the page wants it.
+Filling filling_of(const std::vector<Figure>& figures);
+
+/// Takes all plots of a page off its sections and leaves a number and what stands there where scripts are off. Throws
+/// std::runtime_error if gnuplot is missing or refuses.
+Filling place_plots(Filling& sections);
 
 /// Stick radius over the phase, one plot per indenter shape and criterion: MDR as lines, finite elements as points, one
 /// colour per k = 3 mu Dd / (2 u_x0), in the paper's normalisation (figure 3). Results swept over the phase only.

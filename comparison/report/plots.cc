@@ -14,6 +14,7 @@
 #include <sstream>
 #include <system_error>
 
+#include "comparison/report/zone_map.h"
 #include "comparison/support/escape.h"
 
 namespace fretval {
@@ -35,59 +36,75 @@ std::string quoted(const std::string& text) {
   return result + '"';
 }
 
-std::string style_of(const Series& series) {
-  const char* colour = palette[static_cast<std::size_t>(series.colour) % palette.size()];
-  switch (series.style) {
-    case Series::Style::line:
-      return fmt::format("with lines lw 1.6 lc rgb '{}'", colour);
-    case Series::Style::dashed:
-      return fmt::format("with lines lw 1.6 dt 2 lc rgb '{}'", colour);
-    case Series::Style::line_points:
-      return fmt::format("with linespoints lw 1.6 pt 7 ps 0.45 lc rgb '{}'", colour);
-    case Series::Style::points:
-      return fmt::format("with points pt 7 ps 0.45 lc rgb '{}'", colour);
-    case Series::Style::triangles:
-      return fmt::format("with points pt 9 ps 0.9 lc rgb '{}'", colour);
-    default:
-      return fmt::format("with points pt 6 ps 0.55 lc rgb '{}'", colour);
-  }
+struct StyleNames {
+  const char *json, *gnuplot;
+};
+/// In the order of the enumeration.
+constexpr std::array styles{StyleNames{"line", "with lines lw 1.6"},
+                            StyleNames{"dashed", "with lines lw 1.6 dt 2"},
+                            StyleNames{"line points", "with linespoints lw 1.6 pt 7 ps 0.45"},
+                            StyleNames{"points", "with points pt 7 ps 0.45"},
+                            StyleNames{"open points", "with points pt 6 ps 0.55"},
+                            StyleNames{"triangles", "with points pt 9 ps 0.9"}};
+
+std::string style_of(const Filling& series) {
+  const auto* style = std::find_if(styles.begin(), styles.end(),
+                                   [&](const StyleNames& names) { return series.at("style") == names.json; });
+  return fmt::format("{} lc rgb '{}'", style->gnuplot,
+                     palette[series.at("colour").get<std::size_t>() % palette.size()]);
 }
 
-bool is_drawn(const Plot& plot, const Series& series, std::size_t i) {
-  return std::isfinite(series.x[i]) && std::isfinite(series.y[i]) && (!plot.log_y || series.y[i] > 0) &&
-         (!plot.log_x || series.x[i] > 0);
+bool is_drawn(const Filling& plot, double x, double y) {
+  return std::isfinite(x) && std::isfinite(y) && (!plot.at("log_y") || y > 0) && (!plot.at("log_x") || x > 0);
 }
 
-std::string script_of(const Plot& plot) {
+/// At the places of a series what an axis can show; NaN where it cannot.
+std::vector<double> shown(const Filling& plot, const Filling& series) {
+  const auto x = series.at("x").get<std::vector<double>>();
+  auto y = series.at("y").get<std::vector<double>>();
+  for (std::size_t i = 0; i < y.size(); ++i)
+    if (!is_drawn(plot, x[i], y[i])) y[i] = std::nan("");
+  return y;
+}
+
+bool has_points(const Filling& plot) {
+  for (const auto& series : plot.at("series"))
+    for (const double y : shown(plot, series))
+      if (std::isfinite(y)) return true;
+  return false;
+}
+
+std::string text_in(const Filling& plot, const char* key) {
+  return quoted(plot.at(key).get<std::string>());
+}
+
+std::string script_of(const Filling& plot) {
   std::ostringstream script;
   script
       << "reset\nset terminal svg size 640,440 dynamic font 'Helvetica,15' background '#ffffff'\n"
       << "set encoding utf8\nset border 3 lc rgb '#666666'\nset tics nomirror\nset grid lc rgb '#dddddd' lt 1 lw 0.5\n"
-      << "set title " << quoted(plot.title) << "\nset xlabel " << quoted(plot.x_label) << "\nset ylabel "
-      << quoted(plot.y_label) << "\nset datafile missing 'nan'\n"
-      << (plot.key_right ? "set key outside right top\n"
-                         : "set key bmargin center vertical maxrows 3\nset bmargin 7\n");
-  if (plot.log_y) script << "set logscale y\nset format y '10^{%L}'\n";
-  if (plot.log_x) script << "set logscale x\n" << (plot.x_tics.empty() ? "set format x '10^{%L}'\n" : "");
-  if (!plot.x_tics.empty()) script << fmt::format("set xtics ({:g})\n", fmt::join(plot.x_tics, ", "));
-  if (plot.x_range) script << fmt::format("set xrange [{}:{}]\n", plot.x_range->first, plot.x_range->second);
-  if (plot.y_range) script << fmt::format("set yrange [{}:{}]\n", plot.y_range->first, plot.y_range->second);
-  for (std::size_t k = 0; k < plot.series.size(); ++k) {
-    script << "$data" << k << " << EOD\n";
-    const auto& series = plot.series[k];
-    for (std::size_t i = 0; i < series.x.size(); ++i) {
-      const bool drawn = is_drawn(plot, series, i);
-      script << fmt::format("{:.10g} {}\n", series.x[i], drawn ? fmt::format("{:.10g}", series.y[i]) : "nan");
-    }
+      << "set title " << text_in(plot, "title") << "\nset xlabel " << text_in(plot, "x_label") << "\nset ylabel "
+      << text_in(plot, "y_label") << "\nset datafile missing 'nan'\nset key bmargin center vertical maxrows 3\n"
+      << "set bmargin 7\n";
+  const bool has_tics = plot.contains("x_tics");
+  if (plot.at("log_y")) script << "set logscale y\nset format y '10^{%L}'\n";
+  if (plot.at("log_x")) script << "set logscale x\n" << (has_tics ? "" : "set format x '10^{%L}'\n");
+  if (has_tics) script << fmt::format("set xtics ({:g})\n", fmt::join(plot["x_tics"].get<std::vector<double>>(), ", "));
+  for (const char* axis : {"x", "y"})
+    if (const auto range = plot.find(axis + std::string("_range")); range != plot.end())
+      script << fmt::format("set {}range [{}:{}]\n", axis, range->at(0).get<double>(), range->at(1).get<double>());
+  std::string drawn;
+  for (const auto& series : plot.at("series")) {
+    const auto name = fmt::format("$data{}", &series - &plot["series"].front());
+    script << name << " << EOD\n";
+    const auto x = series.at("x").get<std::vector<double>>(), y = shown(plot, series);
+    for (std::size_t i = 0; i < x.size(); ++i)
+      script << fmt::format("{:.10g} {}\n", x[i], std::isfinite(y[i]) ? fmt::format("{:.10g}", y[i]) : "nan");
     script << "EOD\n";
+    drawn += fmt::format("{}{} using 1:2 {} {}", drawn.empty() ? "plot " : ", ", name, style_of(series),
+                         series.at("label") == "" ? "notitle" : "title " + text_in(series, "label"));
   }
-  script << "plot ";
-  for (std::size_t k = 0; k < plot.series.size(); ++k) {
-    const auto& series = plot.series[k];
-    script << (k ? ", " : "") << "$data" << k << " using 1:2 " << style_of(series)
-           << (series.label.empty() ? " notitle" : " title " + quoted(series.label));
-  }
-  script << "\n";
+  script << drawn << "\n";
   return script.str();
 }
 
@@ -114,14 +131,6 @@ class ScratchFile {
   fs::path path_;
 };
 
-bool has_points(const Plot& plot) {
-  return std::any_of(plot.series.begin(), plot.series.end(), [&](const Series& series) {
-    for (std::size_t i = 0; i < series.x.size(); ++i)
-      if (is_drawn(plot, series, i)) return true;
-    return false;
-  });
-}
-
 /// What gnuplot says to a script, errors included.
 std::string output_of_gnuplot(const std::string& script) {
   const ScratchFile file;
@@ -143,36 +152,72 @@ std::string output_of_gnuplot(const std::string& script) {
 }
 
 /// In place of a plot, for which gnuplot would fail.
-std::string nothing_to_draw(const Plot& plot) {
+std::string nothing_to_draw(const Filling& plot) {
   return fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 640 440\"><text x=\"320\" y=\"220\" "
       "text-anchor=\"middle\">{}: no data</text></svg>",
-      html_escaped(plot.title));
+      html_escaped(plot.at("title").get<std::string>()));
+}
+
+std::vector<double> rounded(std::vector<double> values) {
+  for (double& value : values)
+    if (std::isfinite(value)) value = std::strtod(fmt::format("{:.6g}", value).c_str(), nullptr);
+  return values;
+}
+
+bool is_for_gnuplot(const Filling& plot) {
+  return !plot.contains("kind") && has_points(plot);
+}
+
+/// The first element of a drawing, which is taken off it.
+std::string next_element(std::string& drawn, const Filling& plot) {
+  const std::string closing = "</svg>";
+  const auto begin = drawn.find("<svg"), end = drawn.find(closing, begin);
+  if (begin == std::string::npos || end == std::string::npos)
+    throw std::system_error(
+        std::make_error_code(std::errc::io_error),
+        "gnuplot could not draw '" + plot.at("title").get<std::string>() + "': " + drawn.substr(0, 400));
+  auto element = drawn.substr(begin, end + closing.size() - begin);
+  drawn.erase(0, end + closing.size());
+  return element;
 }
 
 }  // namespace
 
-std::vector<std::string> svgs(const std::vector<Plot>& plots) {
+Filling json_of(const Plot& plot) {
+  Filling json{{"title", plot.title},
+               {"x_label", plot.x_label},
+               {"y_label", plot.y_label},
+               {"log_x", plot.log_x},
+               {"log_y", plot.log_y}};
+  if (plot.x_range) json["x_range"] = {plot.x_range->first, plot.x_range->second};
+  if (plot.y_range) json["y_range"] = {plot.y_range->first, plot.y_range->second};
+  if (!plot.x_tics.empty()) json["x_tics"] = plot.x_tics;
+  for (const auto& [name, x] : plot.marks) json["marks"].push_back({{"name", name}, {"x", x}});
+  json["series"] = Filling::array();
+  for (const auto& series : plot.series) {
+    Filling one{{"label", series.label},
+                {"style", styles[static_cast<std::size_t>(series.style)].json},
+                {"colour", series.colour},
+                {"x", rounded(series.x)},
+                {"y", rounded(series.y)}};
+    if (!series.bar.empty()) one["bar"] = rounded(series.bar);
+    json["series"].push_back(std::move(one));
+  }
+  return json;
+}
+
+std::vector<std::string> svgs(const std::vector<const Filling*>& plots) {
   std::string script;
-  for (const auto& plot : plots)
-    if (has_points(plot)) script += script_of(plot);
+  for (const auto* plot : plots)
+    if (is_for_gnuplot(*plot)) script += script_of(*plot);
   std::string drawn = script.empty() ? "" : output_of_gnuplot(script);
   std::vector<std::string> elements;
-  std::size_t end = 0;
-  for (const auto& plot : plots) {
-    if (!has_points(plot)) {
-      elements.push_back(nothing_to_draw(plot));
-      continue;
-    }
-    const std::string closing = "</svg>";
-    const auto begin = drawn.find("<svg", end);
-    end = drawn.find(closing, begin);
-    if (begin == std::string::npos || end == std::string::npos)
-      throw std::system_error(std::make_error_code(std::errc::io_error),
-                              "gnuplot could not draw '" + plot.title + "': " + drawn.substr(0, 400));
-    end += closing.size();
-    elements.push_back(drawn.substr(begin, end - begin));
-  }
+  for (const auto* plot : plots)
+    if (plot->contains("kind"))
+      elements.push_back(plot->at("kind") == "map" ? zone_map_svg(*plot) : "");
+    else
+      elements.push_back(has_points(*plot) ? next_element(drawn, *plot) : nothing_to_draw(*plot));
   return elements;
 }
 

@@ -8,8 +8,8 @@
 #include <nlohmann/json.hpp>
 
 #include "comparison/report/figures.h"
+#include "comparison/report/numbers.h"
 #include "comparison/report/table.h"
-#include "comparison/support/escape.h"
 
 namespace fretval {
 namespace {
@@ -19,27 +19,14 @@ using nlohmann::ordered_json;
 // Errors below it are roundoff, or exact zeros, which a logarithmic axis does not show.
 constexpr double smallest_shown = 1e-10;
 
-std::string text(const ordered_json& value) {
-  return value.is_string() ? html_escaped(value.get<std::string>()) : "";
-}
-
 /// "4 cases: 1 agree, ..."
 std::string summary_text(const ordered_json& summary) {
   const auto n = [&](const char* key) { return summary.at(key).get<long>(); };
   return fmt::format(
-      "{} cases: {} agree, {} are refused by name as they have to be, {} are inconclusive (right within an error bar "
+      "{}: {} agree, {} are refused by name as they have to be, {} are inconclusive (right within an error bar "
       "that is wider than the tolerance), {} fail. {} of {} errors are above their bars. {} computations, {:.0f} s.",
-      n("cases"), n("agree"), n("refused"), n("inconclusive"), n("fail"), n("above_bar"), n("errors"),
-      n("computations"), summary.at("seconds").get<double>());
-}
-
-std::string verdict_html(const ordered_json& json) {
-  const bool pass = json.at("summary").at("pass").get<bool>();
-  return fmt::format(
-      "<h2>Suite {0}</h2>\n<p><span class=\"badge {1}\">{2}</span> {3} {4} To repeat: <code>fretval check --suite "
-      "{0}</code>.</p>\n",
-      text(json.at("suite")), pass ? "good" : "bad", pass ? "pass" : "fail", text(json.at("about")),
-      summary_text(json.at("summary")));
+      counted(summary.at("cases").get<std::size_t>(), "case"), n("agree"), n("refused"), n("inconclusive"), n("fail"),
+      n("above_bar"), n("errors"), n("computations"), summary.at("seconds").get<double>());
 }
 
 Table quantities_table(const ordered_json& quantities) {
@@ -109,24 +96,31 @@ Plot error_bar_plot(const ordered_json& rows) {
   return plot;
 }
 
-std::string figure_html(const ordered_json& json) {
-  if (!has_all_rows(json)) return "";
+std::vector<Figure> suite_figures(const ordered_json& json) {
+  if (!has_all_rows(json)) return {};
   auto plot = error_bar_plot(json.at("rows"));
-  if (plot.series.empty()) return "";
-  return figures_html({{std::move(plot),
-                        "A point a quantity and case; below the line the error bar does not cover the error. Smaller "
-                        "values are drawn at 10<sup>-10</sup>."}});
+  if (plot.series.empty()) return {};
+  return {{std::move(plot),
+           "A point a quantity and case; below the line the error bar does not cover the error. Smaller values are "
+           "drawn at 1e-10."}};
 }
 
 }  // namespace
 
-std::string suite_section(const ordered_json& json) {
+Filling suite_section(const ordered_json& json) {
   const auto& rows = json.at("rows");
-  return verdict_html(json) + html_of(quantities_table(json.at("quantities"))) + figure_html(json) +
-         fmt::format(
-             "<details><summary>{} cases, each with the quantity that is closest to its bar</summary>\n{}"
-             "</details>\n",
-             rows.size(), html_of(cases_table(rows)));
+  const bool pass = json.at("summary").at("pass").get<bool>();
+  const auto text_or_nothing = [&](const char* key) { return json.at(key).is_string() ? json[key] : Filling(""); };
+  return {{"template", "suite"},
+          {"suite", text_or_nothing("suite")},
+          {"about", text_or_nothing("about")},
+          {"badge", pass ? "good" : "bad"},
+          {"verdict", pass ? "pass" : "fail"},
+          {"summary", summary_text(json.at("summary"))},
+          {"quantities", filling_of(quantities_table(json.at("quantities")))},
+          {"figures", filling_of(suite_figures(json))},
+          {"cases", counted(rows.size(), "case")},
+          {"rows", filling_of(cases_table(rows))}};
 }
 
 std::string suite_text(const ordered_json& json) {

@@ -1,14 +1,15 @@
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
 #include <string>
+
+#include "comparison/report/render.h"
 
 namespace fretval {
 
-/// HTML section of a suite as suite_json writes it: verdict and counts, a line a quantity and
+/// Section of a suite as suite_json writes it: verdict and counts, a line a quantity and
 /// tolerance, all error bars over their errors as a figure where all rows are there, and the rows with their case
-/// files. Throws nlohmann::json::exception for JSON of another kind, std::runtime_error without gnuplot.
-std::string suite_section(const nlohmann::ordered_json& json);
+/// files. Throws nlohmann::json::exception for JSON of another kind.
+Filling suite_section(const nlohmann::ordered_json& json);
 
 /// The same for a terminal, without the figure and the case files.
 std::string suite_text(const nlohmann::ordered_json& json);

@@ -1,22 +1,15 @@
 #include "comparison/report/table.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <cmath>
-#include <nlohmann/json.hpp>
-
-#include "comparison/support/escape.h"
 
 namespace fretval {
 namespace {
 
-std::string html_of(const Cell& cell) {
-  const std::string text = html_escaped(cell.text);
-  const char* tag = cell.is_bad ? "<td class=\"bad-cell\">" : cell.is_words ? "<td class=\"words\">" : "<td>";
-  if (cell.details.empty()) return fmt::format("{}{}</td>", tag, text);
-  return fmt::format("{}<details><summary>{}</summary><pre>{}</pre></details></td>", tag, text,
-                     html_escaped(cell.details));
+Filling filling_of_cell(const Cell& cell) {
+  Filling filling{{"text", cell.text}};
+  if (cell.is_bad || cell.is_words) filling["class"] = cell.is_bad ? "bad-cell" : "words";
+  if (!cell.details.empty()) filling["details"] = cell.details;
+  return filling;
 }
 
 /// Characters rather than bytes of UTF-8.
@@ -39,16 +32,17 @@ Cell bad_if(bool is_bad, const std::string& text) {
   return cell;
 }
 
-std::string html_of(const Table& table) {
-  std::string html = "<div class=\"scroll\"><table><thead><tr>";
-  for (const auto& head : table.heads) html += fmt::format("<th>{}</th>", head);
-  html += "</tr></thead><tbody>\n";
+Filling filling_of(const Table& table) {
+  Filling filling{{"template", "table"},
+                  {"label", table.label.empty() ? table.heads.front() : table.label},
+                  {"heads", table.heads},
+                  {"rows", Filling::array()}};
   for (const auto& row : table.rows) {
-    html += "<tr>";
-    for (const auto& cell : row) html += html_of(cell);
-    html += "</tr>\n";
+    auto cells = Filling::array();
+    for (const auto& cell : row) cells.push_back(filling_of_cell(cell));
+    filling["rows"].push_back({{"cells", std::move(cells)}});
   }
-  return html + "</tbody></table></div>\n";
+  return filling;
 }
 
 std::string text_of(const Table& table) {
@@ -72,12 +66,6 @@ std::string text_of(const Table& table) {
     text += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
   }
   return text;
-}
-
-std::string number_text(const nlohmann::ordered_json& value, const char* format) {
-  return value.is_number() && std::isfinite(value.get<double>())
-             ? fmt::format(fmt::runtime(format), value.get<double>())
-             : "–";
 }
 
 }  // namespace fretval

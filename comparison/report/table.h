@@ -1,9 +1,10 @@
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <utility>
 #include <vector>
+
+#include "comparison/report/render.h"
 
 namespace fretval {
 
@@ -23,17 +24,15 @@ Cell bad_if(bool is_bad, const std::string& text);
 
 /// What a page and a terminal show alike.
 struct Table {
-  std::vector<std::string> heads;  ///< HTML
+  std::vector<std::string> heads;
   std::vector<std::vector<Cell>> rows = {};
+  std::string label = {};  ///< what a screen reader says of it; empty: the first head
 };
 
-/// As HTML, whose cells are escaped.
-std::string html_of(const Table& table);
+/// For the template `table`.
+Filling filling_of(const Table& table);
 
 /// In aligned columns, the first one and sentences to the left.
 std::string text_of(const Table& table);
-
-/// A dash for what is no finite number.
-std::string number_text(const nlohmann::ordered_json& value, const char* format = "{:.1e}");
 
 }  // namespace fretval

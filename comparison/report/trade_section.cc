@@ -8,9 +8,9 @@
 
 #include "comparison/accuracy/quantity.h"
 #include "comparison/report/figures.h"
+#include "comparison/report/numbers.h"
 #include "comparison/report/table.h"
 #include "comparison/results/results_folder.h"
-#include "comparison/support/escape.h"
 
 namespace fretval {
 namespace {
@@ -145,16 +145,12 @@ std::vector<Figure> figures_of(const Json& trade) {
   return figures;
 }
 
-std::string trade_html(const Json& trade) {
-  return fmt::format(
-      "<h2>Speed and accuracy: {}</h2>\n<p>{} ways to answer the case, each against the closed form:</p>\n{}<p "
-      "class=\"soft\">A tolerance holds for the stick radii over the contact radius, a tenth of it for contact radius "
-      "and normal force; the error shown is the largest of all. With all degrees of freedom as unknowns it is that of "
-      "the condensed elements, which they equal, and the seconds are extrapolated from two cycles.</p>\n{}<p>What one "
-      "axis alone gives, the others at a fine reference setting; the power is fitted to the errors above three times "
-      "the smallest one:</p>\n{}",
-      html_escaped(trade.at("name").get<std::string>()), trade.at("levels").size(), html_of(settings_table(trade)),
-      figures_html(figures_of(trade)), html_of(axes_table(trade)));
+Filling one_trade(const Json& trade) {
+  return {{"name", trade.at("name").get<std::string>()},
+          {"ways", counted(trade.at("levels").size(), "way")},
+          {"settings", filling_of(settings_table(trade))},
+          {"figures", filling_of(figures_of(trade))},
+          {"axes", filling_of(axes_table(trade))}};
 }
 
 }  // namespace
@@ -163,10 +159,11 @@ std::string trade_text(const Json& trade) {
   return text_of(settings_table(trade)) + "\n" + text_of(axes_table(trade));
 }
 
-std::string trade_section(const fs::path& folder) {
-  std::string html;
-  for (const auto& file : trades_below(folder)) html += section_of(file, trade_html);
-  return html;
+Filling trade_section(const fs::path& folder) {
+  auto trades = Filling::array();
+  for (const auto& file : trades_below(folder)) trades.push_back(section_of(file, one_trade));
+  if (trades.empty()) return nullptr;
+  return {{"template", "trade"}, {"trades", std::move(trades)}};
 }
 
 }  // namespace fretval

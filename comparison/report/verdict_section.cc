@@ -8,8 +8,8 @@
 
 #include "comparison/accuracy/proof.h"
 #include "comparison/accuracy/quantity.h"
+#include "comparison/report/numbers.h"
 #include "comparison/report/table.h"
-#include "comparison/support/escape.h"
 
 namespace fretval {
 namespace {
@@ -23,26 +23,26 @@ std::string title_with_scale(Quantity quantity) {
 
 /// How far the finite elements are proved, see Proof.
 std::string proof_text(const Results& results) {
-  std::map<std::string, int> counts;
+  std::map<std::string, std::size_t> counts;
   for (const auto& r : results) ++counts[r.json.value("proof", "")];
-  std::string html;
-  const auto add = [&](Proof proof, const char* text) {
+  std::string text;
+  const auto add = [&](Proof proof, const char* meaning) {
     const auto found = counts.find(name_of(proof));
     if (found == counts.end()) return;
-    if (counts.size() > 1) html += fmt::format("{} cases: ", found->second);
-    html += text;
+    if (counts.size() > 1) text += counted(found->second, "case") + ": ";
+    text += meaning;
   };
   add(Proof::none,
-      "The answer of the finite elements alone, computed without error bars (<code>--proof none</code>): what it is "
+      "The answer of the finite elements alone, computed without error bars (--proof none): what it is "
       "worth only the difference tells. ");
   add(Proof::bars,
       "The finite elements have error bars, each source measured by its own refinement, and are taken as they are "
-      "(<code>--proof bars</code>). ");
+      "(--proof bars). ");
   add(Proof::tolerance,
       "The finite elements have error bars, each source measured by its own refinement, and were refined while the "
       "bars "
-      "were wider than the tolerance (<code>--proof tolerance</code>). ");
-  return html + "A comparison whose bar is wider than its tolerance is inconclusive.";
+      "were wider than the tolerance (--proof tolerance). ");
+  return text + "A comparison whose bar is wider than its tolerance is inconclusive.";
 }
 
 }  // namespace
@@ -73,7 +73,7 @@ Extreme extreme_of(const Results& results, const char* key) {
   return extreme;
 }
 
-std::string verdict_section(const Results& results) {
+Filling verdict_section(const Results& results) {
   const auto n_pass = std::count_if(results.begin(), results.end(),
                                     [](const auto& r) { return r.json.at("pass").template get<bool>(); });
   const bool all = static_cast<std::size_t>(n_pass) == results.size();
@@ -88,15 +88,16 @@ std::string verdict_section(const Results& results) {
                           e.n_with_bar > 0 ? number_text(e.largest_bar) : "–", number_text(e.tolerance, "{:.0e}"),
                           e.n_with_bar > 0 ? fmt::format("{} of {}", e.n_covered, e.n_with_bar) : "–", e.name});
   }
-  return fmt::format(
-      "<p class=\"lead\"><span class=\"badge {}\">{}</span> Finite elements and MDR agree within tolerance in {} of {} "
-      "cases.</p>\n{}<p class=\"soft\">{}</p>\n",
-      all ? "good" : "bad", all ? "confirmed" : "not confirmed", n_pass, results.size(), html_of(table),
-      proof_text(results));
+  return {{"template", "verdict"},
+          {"badge", all ? "good" : "bad"},
+          {"verdict", all ? "confirmed" : "not confirmed"},
+          {"sentence", fmt::format("Finite elements and MDR agree within tolerance in {} of {}.", n_pass,
+                                   counted(results.size(), "case"))},
+          {"table", filling_of(table)},
+          {"proof", proof_text(results)}};
 }
 
-/// Which sources make up the error bars: median and largest share of each over all results.
-std::string budget_section(const Results& results) {
+Filling budget_section(const Results& results) {
   std::map<std::string, std::map<std::string, std::vector<double>>> shares;  // by source and quantity
   for (const auto& r : results) {
     const auto& fe = r.json.at("fe");
@@ -107,19 +108,23 @@ std::string budget_section(const Results& results) {
           if (share.value("estimate", ordered_json()).is_number())
             shares[source][quantity].push_back(share["estimate"].get<double>());
   }
-  if (shares.empty()) return "";
+  if (shares.empty()) return nullptr;
+  std::vector<Quantity> measured;
+  for (const auto quantity : quantities_by_interest)
+    if (std::any_of(shares.begin(), shares.end(), [&](const auto& s) { return s.second.count(name_of(quantity)) > 0; }))
+      measured.push_back(quantity);
   Table table{{"source: median, largest"}};
-  for (const auto quantity : quantities_by_interest) table.heads.push_back(title_with_scale(quantity));
+  for (const auto quantity : measured) table.heads.push_back(title_with_scale(quantity));
   for (auto& [source, by_quantity] : shares) {
     std::vector<Cell> row{source};
-    for (const auto quantity : quantities_by_interest) {
+    for (const auto quantity : measured) {
       auto& values = by_quantity[name_of(quantity)];
       std::sort(values.begin(), values.end());
       row.emplace_back(values.empty() ? "–" : fmt::format("{:.0e}, {:.0e}", values[values.size() / 2], values.back()));
     }
     table.rows.push_back(std::move(row));
   }
-  return "<h2>Error budget of the finite elements</h2>\n" + html_of(table);
+  return {{"template", "budget"}, {"table", filling_of(table)}};
 }
 
 }  // namespace fretval

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "comparison/report/render.h"
 #include "comparison/results/results_folder.h"
 
 namespace fretval {
@@ -18,10 +19,10 @@ struct Extreme {
 /// key: of a quantity in result.json.
 Extreme extreme_of(const std::vector<StoredResult>& results, const char* key);
 
-/// HTML: how many cases agree, and the largest difference and error bar of each quantity.
-std::string verdict_section(const std::vector<StoredResult>& results);
+/// How many cases agree, and the largest difference and error bar of each quantity.
+Filling verdict_section(const std::vector<StoredResult>& results);
 
-/// HTML: which sources make up the error bars, median and largest over the results. Empty if none was measured.
-std::string budget_section(const std::vector<StoredResult>& results);
+/// Which sources make up the error bars, median and largest over the results. Null if none was measured.
+Filling budget_section(const std::vector<StoredResult>& results);
 
 }  // namespace fretval

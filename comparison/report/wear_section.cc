@@ -8,9 +8,9 @@
 #include <set>
 
 #include "comparison/report/figures.h"
+#include "comparison/report/numbers.h"
 #include "comparison/report/table.h"
 #include "comparison/report/zone_map.h"
-#include "comparison/support/escape.h"
 
 namespace fretval {
 namespace {
@@ -50,17 +50,9 @@ std::string end_text(const ordered_json& wear) {
   return wear.at("end") == "cycles asked for" ? "cycles asked for" : "all that is pressed sticks";
 }
 
-std::string wear_difference_text(const StoredResult& r, const char* key) {
-  const auto& comparison = r.json.at("comparison");
-  if (!comparison.contains(key)) return "–";
-  const auto& d = comparison.at(key);
-  return fmt::format("{} ± {}", number_text(d.at("difference")), number_text(d.at("error_bar")));
-}
-
 Table table_of(const Results& results) {
-  Table table{{"case", "body", "law", "c / a<sub>0</sub>", "distance from the limit", "… of the first-slip radius",
-               "a<sub>∞</sub> / a<sub>0</sub>, MDR", "difference", "volume over that of the limit",
-               "difference from MDR", "cycles", "end", "seconds"}};
+  Table table{{"case", "body", "law", "c / a₀", "distance from the limit", "… of the first-slip radius", "a∞ / a₀, MDR",
+               "difference", "volume over that of the limit", "difference from MDR", "cycles", "end", "seconds"}};
   for (const auto& r : results) {
     const auto* wear = wear_of(r);
     if (!wear) continue;
@@ -69,9 +61,9 @@ Table table_of(const Results& results) {
         {r.json.at("name").get<std::string>(), r.text("scene", "rheology"), law_text(r),
          fmt::format("{:.4f}", r.number("fe", "stick_radius_shakedown") / length_of(r)),
          number_text(distance.at("shakedown")), number_text(distance.at("first_slip")),
-         fmt::format("{:.4f}", r.number("mdr", "worn_radius") / length_of(r)), wear_difference_text(r, "worn_radius"),
+         fmt::format("{:.4f}", r.number("mdr", "worn_radius") / length_of(r)), difference_with_bar(r, "worn_radius"),
          fmt::format("{:.5f}", wear->at("volume").back().get<double>() / wear->at("volume_of_limit").get<double>()),
-         wear_difference_text(r, "worn_volume"), fmt::format("{:.2g}", wear->at("cycles").back().get<double>()),
+         difference_with_bar(r, "worn_volume"), fmt::format("{:.2g}", wear->at("cycles").back().get<double>()),
          end_text(*wear), fmt::format("{:.1f}", wear->at("cost").at("seconds").get<double>())});
   }
   return table;
@@ -103,7 +95,6 @@ Series thinned(const Series& series, double distance) {
 /// All that has worn to its end under one shape: limits as lines, worn profiles as points, a colour a stick radius.
 Figure claim_figure(const Results& results, const std::string& shape) {
   Plot plot{fmt::format("{}: where wear ends", shape), "r / a_0", "f / d_{max}"};
-  plot.key_right = true;
   std::vector<double> radii;
   const auto colour_of = [&](double c) {
     std::size_t i = 0;
@@ -132,7 +123,6 @@ Figure claim_figure(const Results& results, const std::string& shape) {
 
 Figure sequence_figure(const StoredResult& r) {
   Plot plot{"Profile in the course of wear", "r / a_0", "f / d_{max}"};
-  plot.key_right = true;
   int colour = 0;
   for (const auto& column : column_names(r.folder / "wear.csv"))
     if (column.rfind("f after", 0) == 0)
@@ -158,7 +148,7 @@ Series over_cycles(const ordered_json& wear, const char* key, double unit, const
 
 Figure volume_figure(const StoredResult& r, const ordered_json& wear) {
   Plot plot{"Worn volume", "cycles", "over that of the limiting profile"};
-  plot.log_x = plot.key_right = true;
+  plot.log_x = true;
   const double unit = wear.at("volume_of_limit").get<double>();
   if (const auto* mdr = mdr_wear_of(r))
     plot.series.push_back(over_cycles(*mdr, "volume", unit, {"MDR", {}, {}, Series::Style::line, 0}));
@@ -168,7 +158,7 @@ Figure volume_figure(const StoredResult& r, const ordered_json& wear) {
 
 Figure distance_figure(const ordered_json& wear) {
   Plot plot{"Distance from the limiting profile", "cycles", "in r / a_0 and f / d_{max}"};
-  plot.log_x = plot.log_y = plot.key_right = true;
+  plot.log_x = plot.log_y = true;
   plot.series.push_back(over_cycles(wear, "distance_to_shakedown_limit", 1,
                                     {"of the shakedown radius", {}, {}, Series::Style::line_points, 1}));
   plot.series.push_back(over_cycles(wear, "distance_to_first_slip_limit", 1,
@@ -178,7 +168,6 @@ Figure distance_figure(const ordered_json& wear) {
 
 Figure pressure_figure(const StoredResult& r) {
   Plot plot{"Largest pressure in the cycle", "r / a_0", "p in MPa"};
-  plot.key_right = true;
   int colour = 0;
   for (const char* when : {"start", "end"}) {
     auto [radius, pressure] = read_columns(r.folder / "wear.csv", "r [m]", fmt::format("p largest at {} [Pa]", when));
@@ -195,18 +184,19 @@ Figure pressure_figure(const StoredResult& r) {
   return {std::move(plot), "At the end the pressure is singular at the edge of the stick zone, and nothing beyond."};
 }
 
-std::string course_html(const StoredResult& r, const ordered_json& wear) {
-  const auto radii = wear.at("r").get<Numbers>();
-  std::string maps;
+Filling course(const StoredResult& r, const ordered_json& wear) {
+  auto figures = filling_of(
+      std::vector<Figure>{sequence_figure(r), volume_figure(r, wear), pressure_figure(r), distance_figure(wear)});
+  const auto edges = outer_edges(wear.at("r").get<Numbers>(), length_of(r));
   for (const char* when : {"start", "end"})
-    maps += zone_map_figure(fmt::format("Stick, slip and open, {} of the wear", when), radii, length_of(r),
-                            wear.at("zones").at(when).get<std::vector<std::string>>());
-  return fmt::format("<h3>The course of {}</h3>\n", html_escaped(r.json.at("name").get<std::string>())) +
-         figures_html({sequence_figure(r), volume_figure(r, wear), pressure_figure(r), distance_figure(wear)}) +
-         "<div class=\"figures\">\n" + maps + "</div>\n";
+    figures["figures"].push_back({{"plot", zone_map(fmt::format("Stick, slip and open, {} of the wear", when), "r / a₀",
+                                                    edges, wear.at("zones").at(when).get<std::vector<std::string>>())},
+                                  {"caption", "What each ring does in a cycle."}});
+  return {{"name", r.json.at("name")}, {"figures", std::move(figures)}};
 }
 
-std::string findings_text(const Results& results) {
+/// Numbers of the template.
+Filling findings(const Results& results) {
   int n = 0, n_limit = 0;
   double farthest = 0, nearest_first_slip = std::numeric_limits<double>::infinity();
   for (const auto& r : results) {
@@ -221,43 +211,34 @@ std::string findings_text(const Results& results) {
     // Where both radii are the same, so are the limits.
     if (first_slip > 2 * shakedown) nearest_first_slip = std::min(nearest_first_slip, first_slip);
   }
-  auto text = fmt::format("{} of {} indenters have worn until nothing wears any more; ", n_limit, n);
-  if (n_limit > 0)
-    text += fmt::format(
-        "the farthest of them ends {:.1e} from the limiting profile of the shakedown radius, in the plane of "
-        "r/a<sub>0</sub> and f/d<sub>max</sub>. ",
-        farthest);
-  if (std::isfinite(nearest_first_slip))
-    text += fmt::format(
-        "From the limit of the first-slip radius, where that is another one, they stay at least {:.2g} "
-        "away. ",
-        nearest_first_slip);
-  return text;
+  Filling found{{"limits", fmt::format("{} of {} have worn until nothing wears any more.", n_limit,
+                                       counted(static_cast<std::size_t>(n), "indenter"))}};
+  if (n_limit > 0) found["farthest"] = number_text(farthest);
+  if (std::isfinite(nearest_first_slip)) found["nearest"] = number_text(nearest_first_slip, "{:.2g}");
+  return found;
 }
 
 }  // namespace
 
-std::string wear_section(const Results& results) {
+Filling wear_section(const Results& results) {
   const auto table = table_of(results);
-  if (table.rows.empty()) return "";
+  if (table.rows.empty()) return nullptr;
   std::vector<Figure> claims;
   std::set<std::string> shapes, families;
-  std::string courses;
+  auto courses = Filling::array();
   for (const auto& r : results) {
     const auto* wear = wear_of(r);
     if (!wear) continue;
     if (wear->at("ends_in_limit").get<bool>() && shapes.insert(r.text("scene", "shape")).second)
       claims.push_back(claim_figure(results, r.text("scene", "shape")));
-    if (families.insert(r.family()).second) courses += course_html(r, *wear);
+    if (families.insert(r.family()).second) courses.push_back(course(r, *wear));
   }
-  return "<h2>Wear to the end</h2>\n<p>Finite elements run the fretting, and the indenter wears where it slips under "
-         "pressure, until nothing wears any more. MDR has the shape it must end in. " +
-         findings_text(results) + "</p>\n" + figures_html(claims) + html_of(table) +
-         "<p class=\"soft\">Distances and radii over the unworn contact radius, volumes over that of the limiting "
-         "profile, with the error bar of the finite elements. Where all that is pressed sticks, wear stops before the "
-         "limit, and the volume is compared with the springs of MDR.</p>\n<details><summary>The course of wear, one "
-         "case of each family</summary>\n" +
-         courses + "</details>\n";
+  auto filling = findings(results);
+  filling["template"] = "wear";
+  filling["claims"] = filling_of(claims);
+  filling["table"] = filling_of(table);
+  filling["courses"] = std::move(courses);
+  return filling;
 }
 
 }  // namespace fretval

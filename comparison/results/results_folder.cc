@@ -164,8 +164,8 @@ std::vector<StoredResult> read_results(const fs::path& folder) {
   return results;
 }
 
-std::string section_of(const fs::path& file, std::string (*section)(const ordered_json&)) {
-  if (!fs::exists(file)) return "";
+ordered_json section_of(const fs::path& file, ordered_json (*section)(const ordered_json&)) {
+  if (!fs::exists(file)) return nullptr;
   std::ifstream stream(file);
   try {
     return section(ordered_json::parse(stream));

@@ -30,9 +30,10 @@ struct StoredResult {
 /// folder or one cannot be read.
 std::vector<StoredResult> read_results(const std::filesystem::path& folder);
 
-/// What a section of the report makes of a JSON file; empty if there is none. Throws InputError if it is no JSON, or
+/// What a section of the report makes of a JSON file; null if there is none. Throws InputError if it is no JSON, or
 /// none that the section takes.
-std::string section_of(const std::filesystem::path& file, std::string (*section)(const nlohmann::ordered_json&));
+nlohmann::ordered_json section_of(const std::filesystem::path& file,
+                                  nlohmann::ordered_json (*section)(const nlohmann::ordered_json&));
 
 /// Names of the columns of a CSV file; empty if it is not there.
 std::vector<std::string> column_names(const std::filesystem::path& file);

@@ -16,7 +16,7 @@ TEST(ConvergenceSection, HasErrorsOrdersAndVerdictsOfEachRow) {
   failing["observed_order"] = nullptr;
   failing["verdict"] = "the error is <not> finite";
   plain["note"] = "to roundoff";
-  const auto html = convergence_section({stored_convergence_row(), failing, plain});
+  const auto html = rendered(convergence_section({stored_convergence_row(), failing, plain}));
   expect_parts(html, {"2 of 3 rows pass.",
                       "<td>16 to 32 rings</td><td>1.0e-03, 2.5e-04</td><td>2.0 (2)</td><td>1.0e-03</td><td>pass</td>",
                       "<td>1.0e-03, not finite</td><td>floor (2)</td><td>1.0e-03</td>"

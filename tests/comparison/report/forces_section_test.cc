@@ -8,12 +8,12 @@
 namespace fretval {
 namespace {
 
-std::string section_of(const nlohmann::ordered_json& json) {
-  return forces_section({StoredResult{json, {}}});
+std::string forces_html(const nlohmann::ordered_json& json) {
+  return rendered(forces_section({StoredResult{json, {}}}));
 }
 
 TEST(ForcesSection, IsNotThereWithoutForces) {
-  EXPECT_EQ(section_of(stored_result()), "");
+  EXPECT_EQ(forces_html(stored_result()), "");
 }
 
 TEST(ForcesSection, ShowsWhatTheForcesLeadTo) {
@@ -24,17 +24,17 @@ TEST(ForcesSection, ShowsWhatTheForcesLeadTo) {
   json["mdr"]["stick_radius_shakedown"] = 0.75;
   json["fe"]["stick_radius_shakedown"] = 0.5;
   json["comparison"]["indentation_max"] = {{"difference", 3e-5}, {"error_bar", 4e-5}, {"tolerance", 1}, {"pass", true}};
-  expect_parts(section_of(json), {"<td>forced</td>", "<td>0.37500</td><td>0.25000</td>", "+3.0e-05 ± 4e-05"});
-  EXPECT_EQ(section_of(json).find("gross slip"), std::string::npos);
+  expect_parts(forces_html(json), {"<td>forced</td>", "<td>0.37500</td><td>0.25000</td>", "+3.0e-05 ± 4e-05"});
+  EXPECT_EQ(forces_html(json).find("gross slip"), std::string::npos);
 }
 
 TEST(ForcesSection, SaysWhoFindsGrossSlip) {
   auto json = stored_result();
   json["scene"]["tangential_force_amplitude"] = 0.5;
   json["mdr"]["gross_slip"] = 0.8333;
-  expect_parts(section_of(json), {"gross slip at – of the amplitudes, at 0.83 says MDR"});
+  expect_parts(forces_html(json), {"gross slip at – of the amplitudes, at 0.83 says MDR"});
   json["fe"]["gross_slip"] = {{"time", 1.5}, {"amplitude", 0.875}};
-  expect_parts(section_of(json), {"gross slip at 0.88 of the amplitudes, at 0.83 says MDR"});
+  expect_parts(forces_html(json), {"gross slip at 0.88 of the amplitudes, at 0.83 says MDR"});
 }
 
 }  // namespace

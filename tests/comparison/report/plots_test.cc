@@ -10,6 +10,11 @@
 namespace fretval {
 namespace {
 
+std::string still_of(const Plot& plot) {
+  const auto json = json_of(plot);
+  return svgs({&json}).front();
+}
+
 // gnuplot would run what stands between backquotes in a double-quoted string.
 TEST(Plots, TextIsText) {
   const ScratchFolder folder;
@@ -18,7 +23,7 @@ TEST(Plots, TextIsText) {
   plot.title = "`touch " + trace.string() + "` <script>";
   plot.x_label = "\"; system 'touch " + trace.string() + "'";
   plot.series.push_back({"`touch " + trace.string() + "`\n", {0, 1}, {0, 1}, Series::Style::line, 0});
-  const std::string drawn = svgs({plot}).front();
+  const std::string drawn = still_of(plot);
   EXPECT_FALSE(std::filesystem::exists(trace));
   EXPECT_EQ(drawn.find("<script"), std::string::npos);
   EXPECT_NE(drawn.find("script"), std::string::npos);
@@ -30,7 +35,7 @@ TEST(Plots, WithoutPointsSaySo) {
   plot.title = "a & b";
   const auto shows = [&](std::vector<double> x, std::vector<double> y) {
     plot.series = {{"curve", std::move(x), std::move(y)}};
-    return svgs({plot}).front().find("a &amp; b: no data") == std::string::npos;
+    return still_of(plot).find("a &amp; b: no data") == std::string::npos;
   };
   const double none = std::nan("");
   EXPECT_FALSE(shows({}, {}));
@@ -42,6 +47,17 @@ TEST(Plots, WithoutPointsSaySo) {
   plot.log_x = true;
   EXPECT_FALSE(shows({-1, 0}, {1, 1}));
   EXPECT_TRUE(shows({-1, 1, 10}, {1, 1, none}));
+}
+
+TEST(Plots, AreDataOfThePage) {
+  Plot plot{"title", "x", "y"};
+  plot.series.push_back({"curve", {1, 2}, {std::nan(""), 1.23456789}, Series::Style::open_points, 3, {0, 0.25}});
+  plot.marks = {{"c", 1.5}};
+  plot.x_range = {0, 4};
+  EXPECT_EQ(json_of(plot).dump(),
+            R"({"title":"title","x_label":"x","y_label":"y","log_x":false,"log_y":false,"x_range":[0.0,4.0],)"
+            R"("marks":[{"name":"c","x":1.5}],"series":[{"label":"curve","style":"open points","colour":3,)"
+            R"("x":[1.0,2.0],"y":[null,1.23457],"bar":[0.0,0.25]}]})");
 }
 
 }  // namespace

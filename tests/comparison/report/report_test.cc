@@ -47,14 +47,14 @@ TEST(Report, ComparesRheologiesByTheirLargestDifferences) {
 
 TEST(Report, SaysWhichStickRadiusTheSteadyStateFollows) {
   const auto as_stored = stored_result();
-  expect_parts(page_of({as_stored}), {"it follows the shakedown radius", "Over 1 cases"});
+  expect_parts(page_of({as_stored}), {"it follows the shakedown radius", "Over 1 case with"});
   auto equal = stored_result();
   for (const char* side : {"fe", "mdr"})
     equal[side]["stick_radius_first_slip"] = equal[side]["stick_radius_shakedown"] = 0.0008;
   expect_parts(page_of({equal}), {"it does not single out the shakedown radius"});
   auto never = stored_result();
   never["mdr"]["stick_radius_first_slip"] = nullptr;
-  expect_parts(page_of({never}), {"In 1 of the cases the first-slip criterion says that nothing sticks"});
+  expect_parts(page_of({never}), {"In 1 case the first-slip criterion says that nothing sticks"});
   auto nothing = stored_result();
   for (const char* side : {"fe", "mdr"}) nothing[side]["stick_radius_shakedown"] = nullptr;
   EXPECT_EQ(page_of({nothing}).find("Which stick radius do finite elements follow?"), std::string::npos);
@@ -125,7 +125,7 @@ TEST(Report, HasTheNumbersOfACaseInTheirPlaces) {
                 "<td>a/case</td><td>0.25000</td><td>0.30000</td><td>0.35000</td><td>0.45000</td><td>-6.2e-02</td>"
                 "<td>+3.1e-02</td><td>agree</td>",
                 "A case like a/case has 103 degrees of freedom and takes 12 time steps over 3 cycles in 4.50 s.",
-                "All 1 cases: 12 time steps, 4 s of friction histories on one core, peak memory 64 MB."});
+                "All in all: 12 time steps, 4 s of friction histories on one core, peak memory 64 MB."});
 }
 
 // The amplitude at which slip begins with its bar, a_inf over a0.

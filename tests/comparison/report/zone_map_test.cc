@@ -17,8 +17,10 @@ int count(const std::string& text, const std::string& part) {
 
 // Rings of equal zones are one rectangle, open ones none.
 TEST(ZoneMap, DrawsARectangleAZoneAndAStep) {
-  const std::vector<double> radii{std::sqrt(0.5), std::sqrt(2.5), std::sqrt(6.5)};  // edges at 1, 2, 3
-  const auto html = zone_map_figure("a < b", radii, 3, {"ssf", "sbo"});
+  const auto edges = outer_edges({std::sqrt(0.5), std::sqrt(2.5), std::sqrt(6.5)}, 2);
+  ASSERT_EQ(edges.size(), 3U);
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(edges[i], 0.5 * static_cast<double>(i + 1), 1e-15);
+  const auto html = zone_map_svg(zone_map("a < b", "r / a₀", edges, {"ssf", "sbo"}));
   expect_parts(html, {"<svg", "a &lt; b", "r / a"});
   EXPECT_EQ(count(html, "fill=\"#0072b2\""), 2);
   EXPECT_EQ(count(html, "fill=\"#e69f00\""), 1);

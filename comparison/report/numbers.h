@@ -1,0 +1,24 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "comparison/results/results_folder.h"
+
+namespace fretval {
+
+/// A dash for what is no finite number.
+std::string number_text(const nlohmann::ordered_json& value, const char* format = "{:.1e}");
+
+/// "1 case", "2 cases"
+std::string counted(std::size_t n, const std::string& noun);
+
+/// Of a comparison, by its key in result.json; a dash where there is none: difference, error bar, "difference ± bar".
+std::string difference_text(const StoredResult& result, const char* key);
+std::string bar_text(const StoredResult& result, const char* key);
+std::string difference_with_bar(const StoredResult& result, const char* key);
+
+/// A radius of "fe" or "mdr" over the unworn contact radius at the largest indentation.
+std::string over_contact_radius(const StoredResult& result, const char* section, const char* key);
+
+}  // namespace fretval

@@ -1,0 +1,312 @@
+// Draws the plots of the page from the data in it. A plot has its series, or a kind of its own: "map" (zones of the
+// rings over time), "bars" (shares that add up). Values and units are as the C++ writes them (json_of in plots.cc).
+"use strict";
+(() => {
+  // Okabe and Ito's palette, distinguishable with colour-blind eyes; as in plots.cc.
+  const palette = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#b87d00", "#3a9bd0", "#6a51a3", "#555555", "#a6761d"];
+  const colour = (k) => palette[k % palette.length];
+  const zones = {s: ["sticks", "#0072b2"], f: ["slips forward", "#e69f00"], b: ["slips backward", "#f0e442"], o: ["open", "#ffffff"]};
+  const isDrawn = (v) => v !== null && Number.isFinite(v);
+  const number = (v) => Math.abs(v) >= 1e5 || (v !== 0 && Math.abs(v) < 1e-3) ? d3.format(".3e")(v).replace("e+", "e") : String(+v.toPrecision(5));
+
+  /// "c_{FE}": subscripts as in gnuplot.
+  function rich(node, text) {
+    for (const [, plain, many, one] of text.matchAll(/([^_]+)|_\{([^}]*)\}|_(.)/gu)) {
+      if (plain) node.append("tspan").text(plain);
+      else {
+        node.append("tspan").attr("dy", "0.25em").attr("font-size", "80%").text(many ?? one);
+        node.append("tspan").attr("dy", "-0.2em").text("\u200b");
+      }
+    }
+  }
+  const flat = (text) => text.replace(/_\{([^}]*)\}|_(.)/gu, (_, many, one) => many ?? one);
+
+  function head(root, plot, rows) {
+    const bar = root.append("div").attr("class", "head");
+    bar.append("div").attr("class", "title").text(flat(plot.title));
+    const tools = bar.append("div").attr("class", "tools");
+    tools.append("button").attr("type", "button").attr("title", "download the data of this plot").attr("aria-label", `download the data of ${flat(plot.title)} as CSV`).text("CSV")
+      .on("click", () => download(plot, rows()));
+    return tools;
+  }
+  function download(plot, rows) {
+    const quoted = (v) => (typeof v === "string" ? `"${v.replace(/"/g, '""')}"` : v ?? "");
+    const text = rows.map((row) => row.map(quoted).join(",")).join("\n") + "\n";
+    const link = document.createElement("a");
+    link.href = URL.createObjectURL(new Blob([text], {type: "text/csv"}));
+    link.download = flat(plot.title).replace(/[^\p{L}\p{N}]+/gu, "-").toLowerCase() + ".csv";
+    link.click();
+    setTimeout(() => URL.revokeObjectURL(link.href), 1000);
+  }
+
+  function canvas(root, plot, width, height, margin) {
+    const svg = root.append("svg").attr("viewBox", `0 0 ${width} ${height}`).attr("role", "img").attr("aria-label", `${flat(plot.title)}: ${flat(plot.y_label ?? "")} over ${flat(plot.x_label ?? "")}`);
+    const label = (text, x, y, turn) => {
+      const node = svg.append("text").attr("class", "name").attr("text-anchor", "middle").attr("transform", `translate(${x},${y}) rotate(${turn})`);
+      rich(node, text);
+    };
+    if (plot.x_label) label(plot.x_label, (margin.left + width - margin.right) / 2, height - 6, 0);
+    if (plot.y_label) label(plot.y_label, 13, (margin.top + height - margin.bottom) / 2, -90);
+    return svg;
+  }
+  /// Fewer labels on a logarithmic axis: powers of ten.
+  function ticks(axis, scale, n, given) {
+    if (given) return axis.tickValues(given).tickFormat(d3.format("~g"));
+    if (!scale.base) return axis.ticks(n).tickFormat((v) => (Math.abs(v) >= 1e4 || (v !== 0 && Math.abs(v) < 1e-3) ? d3.format(".1~e")(v) : d3.format("~r")(+v.toPrecision(6))).replace("e+", "e"));
+    const [low, high] = scale.domain().map(Math.log10);
+    const step = Math.max(1, Math.ceil((high - low) / n));
+    const powers = d3.range(Math.ceil(low - 1e-9), high + 1e-9, 1).filter((k) => k % step === 0).map((k) => 10 ** k);
+    if (powers.length < 2) return axis.ticks(3).tickFormat(d3.format("~g"));
+    return axis.tickValues(powers).tickFormat((v) => (v >= 0.01 && v <= 1000 ? d3.format("~g")(v) : "1e" + Math.round(Math.log10(v))));
+  }
+  function axes(svg, x, y, width, height, margin, plot) {
+    svg.append("g").attr("transform", `translate(0,${height - margin.bottom})`).call(ticks(d3.axisBottom(x).tickSizeInner(-(height - margin.top - margin.bottom)).tickPadding(7), x, Math.max(3, width / 95), plot.x_tics));
+    svg.append("g").attr("transform", `translate(${margin.left},0)`).call(ticks(d3.axisLeft(y).tickSizeInner(-(width - margin.left - margin.right)).tickPadding(6), y, 6));
+    svg.selectAll(".tick text").attr("class", "value");
+  }
+  function symbol(node, series, x, y) {
+    const open = series.style === "open points", triangle = series.style === "triangles";
+    return node.append("path").attr("d", d3.symbol().type(triangle ? d3.symbolTriangle : d3.symbolCircle).size(triangle ? 60 : 22))
+      .attr("transform", `translate(${x},${y})`).attr("fill", open ? "#fff" : colour(series.colour)).attr("stroke", colour(series.colour)).attr("stroke-width", 1.3);
+  }
+  const hasLine = (series) => /line|dashed/.test(series.style);
+  const hasPoints = (series) => /points|triangles/.test(series.style);
+
+  function swatch(node, series) {
+    const svg = node.append("svg").attr("viewBox", "0 0 22 10").attr("aria-hidden", "true");
+    if (hasLine(series)) svg.append("line").attr("x1", 0).attr("x2", 22).attr("y1", 5).attr("y2", 5).attr("stroke", colour(series.colour)).attr("stroke-width", 2).attr("stroke-dasharray", series.style === "dashed" ? "5 3" : null);
+    if (hasPoints(series)) symbol(svg, series, 11, 5);
+  }
+
+  function tooltip(root) {
+    const tip = root.append("div").attr("class", "tip").attr("role", "status").attr("hidden", "");
+    return {
+      show(lines, x, y, width) {
+        tip.attr("hidden", null).text(null);
+        for (const line of lines) tip.append("div").text(line);
+        const scale = root.select("svg.canvas").node().getBoundingClientRect(), outer = root.node().getBoundingClientRect();
+        const factor = scale.width / width, own = tip.node().offsetWidth;
+        const left = Math.min(Math.max(0, scale.left - outer.left + x * factor + 12), Math.max(0, outer.width - own));
+        tip.style("left", `${left}px`).style("top", `${scale.top - outer.top + y * factor - 14 - tip.node().offsetHeight}px`);
+      },
+      hide: () => tip.attr("hidden", ""),
+    };
+  }
+
+  function drawSeries(element, plot) {
+    const root = d3.select(element);
+    const state = {off: new Set(), zoom: null, frame: plot.frames?.start ?? 0, picked: null};
+    const yOf = (k) => plot.frames?.y[k]?.[state.frame] ?? plot.series[k].y;
+    const tools = head(root, plot, () => [["series", flat(plot.x_label), flat(plot.y_label), "error bar"], ...plot.series.flatMap((s, k) => s.x.map((x, i) => [flat(s.label), x, yOf(k)[i], s.bar?.[i]]))]);
+    const reset = tools.insert("button", ":first-child").attr("type", "button").text("whole").attr("title", "show all of the plot again").attr("hidden", "").on("click", () => { state.zoom = null; draw(); });
+    const legend = root.append("div").attr("class", "legend");
+    plot.series.forEach((series, k) => {
+      if (!series.label) return;
+      const button = legend.append("button").attr("type", "button").attr("aria-pressed", "true").attr("title", "show or hide");
+      swatch(button, series);
+      button.append("span").style("padding", 0).text(flat(series.label));
+      button.on("click", () => {
+        state.off.has(k) ? state.off.delete(k) : state.off.add(k);
+        // Series without a name of their own belong to the one before.
+        for (let n = k + 1; n < plot.series.length && !plot.series[n].label; ++n) state.off.has(k) ? state.off.add(n) : state.off.delete(n);
+        button.attr("aria-pressed", state.off.has(k) ? "false" : "true");
+        draw();
+      });
+    });
+    const area = root.append("div");
+    const tip = tooltip(root);
+    if (plot.frames) {
+      const row = root.append("label").attr("class", "frames");
+      row.append("span").text(plot.frames.label);
+      const shown = row.append("output").text(plot.frames.names[state.frame]);
+      row.insert("input", "output").attr("type", "range").attr("min", 0).attr("max", plot.frames.names.length - 1).property("value", state.frame)
+        .on("input", function () { state.frame = +this.value; shown.text(plot.frames.names[state.frame]); draw(); });
+    }
+
+    function domain(axis, values) {
+      if (plot[axis + "_range"]) return plot[axis + "_range"];
+      const log = plot["log_" + axis];
+      const [low, high] = d3.extent(values.filter((v) => isDrawn(v) && (!log || v > 0)));
+      if (low === undefined) return log ? [1, 10] : [0, 1];
+      if (log) return low === high ? [low / 2, high * 2] : [low / (high / low) ** 0.04, high * (high / low) ** 0.04];
+      const pad = (high - low || Math.abs(high) || 1) * 0.05;
+      return [low >= 0 && low < 0.3 * high ? 0 : low - (axis === "x" ? 0 : pad), high + (axis === "x" ? 0 : pad)];
+    }
+    function draw() {
+      const width = Math.max(280, Math.round(element.clientWidth || 480)), height = Math.round(Math.min(380, Math.max(230, width * 0.62)));
+      const margin = {left: 62, right: 16, top: plot.marks ? 22 : 10, bottom: 42};
+      area.selectAll("*").remove();
+      tip.hide();
+      const svg = canvas(area, plot, width, height, margin).attr("class", "canvas").attr("tabindex", 0);
+      const all = plot.series.map((s, k) => (plot.frames?.y[k] ? plot.frames.y[k].flat() : s.y));
+      const xs = (state.zoom?.x ?? domain("x", plot.series.flatMap((s) => s.x))), ys = (state.zoom?.y ?? domain("y", all.flat()));
+      const x = (plot.log_x ? d3.scaleLog() : d3.scaleLinear()).domain(xs).range([margin.left, width - margin.right]);
+      const y = (plot.log_y ? d3.scaleLog() : d3.scaleLinear()).domain(ys).range([height - margin.bottom, margin.top]);
+      axes(svg, x, y, width, height, margin, plot);
+      const clip = `clip-${element.dataset.plot}`;
+      svg.append("clipPath").attr("id", clip).append("rect").attr("x", margin.left - 5).attr("y", margin.top - 5).attr("width", width - margin.left - margin.right + 10).attr("height", height - margin.top - margin.bottom + 10);
+      for (const mark of plot.marks ?? []) {
+        if (mark.x < xs[0] || mark.x > xs[1]) continue;
+        svg.append("line").attr("x1", x(mark.x)).attr("x2", x(mark.x)).attr("y1", margin.top).attr("y2", height - margin.bottom).attr("stroke", "#8b939d").attr("stroke-dasharray", "2 3");
+        rich(svg.append("text").attr("text-anchor", "middle").attr("x", x(mark.x)).attr("y", margin.top - 7), mark.name);
+      }
+      const marks = svg.append("g").attr("clip-path", `url(#${clip})`);
+      const points = [];
+      plot.series.forEach((series, k) => {
+        if (state.off.has(k)) return;
+        const values = yOf(k);
+        const drawn = series.x.map((v, i) => [v, values[i], i]).map((p) => (isDrawn(p[0]) && isDrawn(p[1]) && (!plot.log_x || p[0] > 0) && (!plot.log_y || p[1] > 0) ? p : null));
+        if (hasLine(series))
+          marks.append("path").attr("fill", "none").attr("stroke", colour(series.colour)).attr("stroke-width", 1.8).attr("stroke-linejoin", "round").attr("stroke-dasharray", series.style === "dashed" ? "6 4" : null)
+            .attr("d", d3.line().defined((p) => p !== null).x((p) => x(p[0])).y((p) => y(p[1]))(drawn));
+        for (const p of drawn) {
+          if (!p) continue;
+          const bar = series.bar?.[p[2]];
+          if (bar) marks.append("line").attr("x1", x(p[0])).attr("x2", x(p[0])).attr("y1", y(p[1] - bar)).attr("y2", y(p[1] + bar)).attr("stroke", colour(series.colour)).attr("stroke-width", 1.2);
+          if (hasPoints(series)) symbol(marks, series, x(p[0]), y(p[1]));
+          points.push({x: x(p[0]), y: y(p[1]), series, k, values: p, bar});
+        }
+      });
+      const visible = points.filter((p) => p.x >= margin.left - 1 && p.x <= width - margin.right + 1 && p.y >= margin.top - 1 && p.y <= height - margin.bottom + 1);
+      const ring = svg.append("circle").attr("r", 5).attr("fill", "none").attr("stroke", "#1a2230").attr("stroke-width", 1.5).attr("display", "none").attr("pointer-events", "none");
+      const name = (k) => { while (k > 0 && !plot.series[k].label) --k; return flat(plot.series[k].label); };
+      const pick = (p) => {
+        state.picked = p;
+        ring.attr("display", p ? null : "none").attr("cx", p?.x).attr("cy", p?.y);
+        if (!p) return tip.hide();
+        const own = hasPoints(p.series) && !p.series.label ? "points, " : "";
+        tip.show([own + name(p.k), `${flat(plot.x_label)}: ${number(p.values[0])}`, `${flat(plot.y_label)}: ${number(p.values[1])}${p.bar ? " ± " + d3.format(".1~e")(p.bar) : ""}`], p.x, p.y, width);
+      };
+      const brush = d3.brush().extent([[margin.left, margin.top], [width - margin.right, height - margin.bottom]])
+        .filter(() => !d3.event.button && !d3.event.ctrlKey && !/touch/.test(d3.event.type) && d3.event.pointerType !== "touch")
+        .on("end", () => {
+          const s = d3.event.selection;
+          if (!s) return;
+          if (s[1][0] - s[0][0] > 8 && s[1][1] - s[0][1] > 8) state.zoom = {x: [x.invert(s[0][0]), x.invert(s[1][0])], y: [y.invert(s[1][1]), y.invert(s[0][1])]};
+          draw();
+        });
+      const layer = svg.append("g").call(brush);
+      layer.selectAll(".selection").attr("fill", "#0b5cad").attr("stroke", "#0b5cad");
+      svg.style("touch-action", "pan-y");
+      svg.on("mousemove touchstart", () => {
+        const [mx, my] = d3.event.touches ? d3.touches(svg.node())[0] : d3.mouse(svg.node());
+        let best = null, least = 40 ** 2;
+        for (const p of visible) {
+          const distance = (p.x - mx) ** 2 + (p.y - my) ** 2;
+          if (distance < least) [best, least] = [p, distance];
+        }
+        pick(best);
+      }).on("mouseleave blur", () => pick(null)).on("dblclick", () => { state.zoom = null; draw(); });
+      svg.on("keydown", () => {
+        const step = {ArrowRight: 1, ArrowLeft: -1}[d3.event.key], other = {ArrowDown: 1, ArrowUp: -1}[d3.event.key];
+        if (d3.event.key === "Escape") return pick(null);
+        if ((!step && !other) || !visible.length) return;
+        d3.event.preventDefault();
+        const at = visible.indexOf(state.picked);
+        if (at < 0) return pick(visible[0]);
+        if (step) return pick(visible[Math.min(visible.length - 1, Math.max(0, at + step))]);
+        const shown = [...new Set(visible.map((p) => p.k))];
+        const next = shown[(shown.indexOf(state.picked.k) + other + shown.length) % shown.length];
+        pick(visible.filter((p) => p.k === next).sort((a, b) => Math.abs(a.x - state.picked.x) - Math.abs(b.x - state.picked.x))[0]);
+      });
+      reset.attr("hidden", state.zoom ? null : "");
+      if (!points.length) svg.append("text").attr("x", width / 2).attr("y", height / 2).attr("text-anchor", "middle").text("no data");
+    }
+    return draw;
+  }
+
+  function drawMap(element, plot) {
+    const root = d3.select(element), n = plot.zones.length;
+    head(root, plot, () => [["step", ...plot.edges.map((r) => `to ${number(r)}`)], ...plot.zones.map((zone, k) => [k, ...zone.split("").map((z) => zones[z][0])])]);
+    const present = [..."sfbo"].filter((z) => plot.zones.some((text) => text.includes(z)));
+    const legend = root.append("div").attr("class", "legend");
+    for (const z of present) {
+      const one = legend.append("span");
+      one.append("svg").attr("viewBox", "0 0 22 10").attr("aria-hidden", "true").append("rect").attr("width", 22).attr("height", 10).attr("fill", zones[z][1]).attr("stroke", "#9aa3ad");
+      one.append("span").style("padding", 0).text(zones[z][0]);
+    }
+    const area = root.append("div"), tip = tooltip(root);
+    return () => {
+      const width = Math.max(280, Math.round(element.clientWidth || 480)), height = Math.round(Math.min(380, Math.max(230, width * 0.62)));
+      const margin = {left: 62, right: 16, top: plot.marks ? 10 : 10, bottom: 42};
+      area.selectAll("*").remove();
+      const svg = canvas(area, plot, width, height, margin).attr("class", "canvas");
+      const x = d3.scaleLinear().domain([0, 1]).range([margin.left, width - margin.right]);
+      const y = d3.scaleLinear().domain([0, plot.edges[plot.edges.length - 1] ?? 1]).range([height - margin.bottom, margin.top]);
+      const step = (width - margin.left - margin.right) / n;
+      plot.zones.forEach((text, k) => {
+        for (let i = 0, begin = 0; i < text.length; ++i) {
+          if (text[i + 1] === text[i]) continue;
+          const inner = begin ? plot.edges[begin - 1] : 0;
+          if (text[i] !== "o") svg.append("rect").attr("x", margin.left + k * step).attr("width", step + 0.3).attr("y", y(plot.edges[i])).attr("height", y(inner) - y(plot.edges[i])).attr("fill", zones[text[i]][1]).attr("shape-rendering", "crispEdges");
+          begin = i + 1;
+        }
+      });
+      axes(svg, x, y, width, height, margin, plot);
+      svg.selectAll(".tick line").attr("stroke-opacity", 0.25);
+      for (const mark of plot.marks ?? []) {
+        svg.append("line").attr("x1", margin.left).attr("x2", width - margin.right).attr("y1", y(mark.x)).attr("y2", y(mark.x)).attr("stroke", "#1a2230").attr("stroke-dasharray", "4 3");
+        rich(svg.append("text").attr("class", "name").attr("x", width - margin.right - 4).attr("y", y(mark.x) - 5).attr("text-anchor", "end").attr("stroke", "#fff").attr("stroke-width", 3).attr("paint-order", "stroke"), mark.name);
+      }
+      svg.on("mousemove", () => {
+        const [mx, my] = d3.mouse(svg.node()), k = Math.floor(x.invert(mx) * n), r = y.invert(my), i = plot.edges.findIndex((edge) => r <= edge);
+        if (k < 0 || k >= n || r < 0 || i < 0) return tip.hide();
+        tip.show([zones[plot.zones[k][i]][0], `${flat(plot.x_label)}: ${number(k / n)}`, `${flat(plot.y_label)}: ${number(r)}`], mx, my, width);
+      }).on("mouseleave", () => tip.hide());
+    };
+  }
+
+  function drawBars(element, plot) {
+    const root = d3.select(element);
+    head(root, plot, () => [["quantity", ...plot.sources], ...plot.rows.map((row) => [row.label, ...row.shares])]);
+    const legend = root.append("div").attr("class", "legend");
+    plot.sources.forEach((source, k) => {
+      const one = legend.append("span");
+      one.append("svg").attr("viewBox", "0 0 22 10").attr("aria-hidden", "true").append("rect").attr("width", 22).attr("height", 10).attr("fill", colour(k));
+      one.append("span").style("padding", 0).text(source);
+    });
+    const area = root.append("div"), tip = tooltip(root);
+    return () => {
+      const width = Math.max(280, Math.round(element.clientWidth || 480)), narrow = width < 480, line = narrow ? 48 : 34;
+      const margin = {left: narrow ? 12 : 190, right: 20, top: 6, bottom: 42}, height = margin.top + margin.bottom + line * plot.rows.length;
+      area.selectAll("*").remove();
+      const svg = canvas(area, plot, width, height, margin).attr("class", "canvas");
+      const x = d3.scaleLinear().domain([0, Math.max(1.05, d3.max(plot.rows, (row) => d3.sum(row.shares)) * 1.05)]).range([margin.left, width - margin.right]);
+      svg.append("g").attr("transform", `translate(0,${height - margin.bottom})`).call(ticks(d3.axisBottom(x).tickSizeInner(-(height - margin.top - margin.bottom)).tickPadding(7), x, width / 110));
+      svg.append("line").attr("x1", x(1)).attr("x2", x(1)).attr("y1", margin.top).attr("y2", height - margin.bottom).attr("stroke", "#1a2230").attr("stroke-dasharray", "4 3");
+      plot.rows.forEach((row, k) => {
+        const top = margin.top + k * line + (narrow ? 22 : 8);
+        svg.append("text").attr("class", "name").attr("x", narrow ? margin.left : margin.left - 8).attr("y", narrow ? top - 6 : top + 14).attr("text-anchor", narrow ? "start" : "end").text(row.label);
+        let sum = 0;
+        row.shares.forEach((share, source) => {
+          svg.append("rect").attr("x", x(sum)).attr("width", Math.max(0, x(sum + share) - x(sum))).attr("y", top).attr("height", 18).attr("fill", colour(source))
+            .on("mousemove", () => { const [mx, my] = d3.mouse(svg.node()); tip.show([row.label, `${plot.sources[source]}: ${number(share)} of the tolerance`], mx, my, width); }).on("mouseleave", () => tip.hide());
+          sum += share;
+        });
+      });
+    };
+  }
+
+  const kinds = {map: drawMap, bars: drawBars};
+  const plots = JSON.parse(document.getElementById("data").textContent);
+  const draws = new Map();
+  const observer = new ResizeObserver((entries) => entries.forEach(({target, contentRect}) => {
+    const known = draws.get(target);
+    if (contentRect.width && Math.abs(known.width - contentRect.width) > 1 && !window.matchMedia("print").matches) {
+      known.width = contentRect.width;
+      known.draw();
+    }
+  }));
+  for (const element of document.querySelectorAll("[data-plot]")) {
+    const plot = plots[element.dataset.plot];
+    const known = {draw: (kinds[plot.kind] ?? drawSeries)(element, plot), width: element.clientWidth};
+    known.draw();
+    draws.set(element, known);
+    observer.observe(element);
+  }
+  // What is folded is printed all the same.
+  const folded = [];
+  window.addEventListener("beforeprint", () => document.querySelectorAll("details:not([open])").forEach((details) => { details.open = true; folded.push(details); }));
+  window.addEventListener("afterprint", () => { for (const details of folded.splice(0)) details.open = false; });
+  document.documentElement.dataset.plotsDrawn = document.querySelectorAll("[data-plot] svg.canvas").length;
+})();
