@@ -82,7 +82,7 @@ ErrorBudget error_budget(const Resolution& resolution, const std::map<Resolution
   return error_budget(resolution, variants_of(resolution, needs), known, edge, needs);
 }
 
-ErrorBar error_bar(Quantity quantity, const std::vector<Variant>& variants, const Change& change,
+ErrorBar error_bar(Quantity quantity, const std::vector<Variant>& variants, const ChangeOnRefinement& change,
                    const CaseNeeds& needs) {
   ErrorBar bar;
   for (std::size_t i = 0; i < variants.size(); ++i) {

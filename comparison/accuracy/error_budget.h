@@ -60,11 +60,11 @@ ErrorBudget error_budget(const Resolution& resolution, const std::map<Resolution
                          const Quantities& edge, const CaseNeeds& needs = {});
 
 /// By how much a quantity changes from the second resolution to the first; NaN where one of them does not have it.
-using Change = std::function<double(const Resolution& finer, const Resolution& coarser)>;
+using ChangeOnRefinement = std::function<double(const Resolution& finer, const Resolution& coarser)>;
 
 /// The shares of a quantity by its differences, which may also be distances between fields: then the bar is one of the
 /// distance to the true field.
-ErrorBar error_bar(Quantity quantity, const std::vector<Variant>& variants, const Change& change,
+ErrorBar error_bar(Quantity quantity, const std::vector<Variant>& variants, const ChangeOnRefinement& change,
                    const CaseNeeds& needs);
 
 /// The same with other variants: known at each of them and its reference.
