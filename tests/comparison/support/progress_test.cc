@@ -19,15 +19,6 @@ TEST(Progress, FitsIntoTheLine) {
     EXPECT_LT(progress_text(99, 522, 17, 54321, columns).size(), static_cast<std::size_t>(columns));
 }
 
-TEST(Progress, SaysNothingBeforeTheLogIsStarted) {
-  testing::internal::CaptureStderr();
-  {
-    Progress progress(1);
-    progress.done("one");
-  }
-  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
-}
-
 TEST(Progress, IsALineForEachCaseInALogAndNothingIfQuiet) {
   const ScratchFolder folder;
   const auto file = folder.write("sweep.prm", replace(valid_case, "subsection Accuracy",
