@@ -40,7 +40,7 @@ BatchLine run_case(const PreparedCase& asked, const BatchOptions& options, BodyS
   line.comparison = result.comparison;
   line.pass = passes(result);
   line.answer = answer_text(result);
-  line.json = result_json(result).dump();
+  line.json = result_json(result).dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
   if (!options.output.empty()) write_result(result, *reference, folder);
   return line;
 }

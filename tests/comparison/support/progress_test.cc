@@ -19,15 +19,6 @@ TEST(Progress, FitsIntoTheLine) {
     EXPECT_LT(progress_text(99, 522, 17, 54321, columns).size(), static_cast<std::size_t>(columns));
 }
 
-TEST(Progress, SaysNothingBeforeTheLogIsStarted) {
-  testing::internal::CaptureStderr();
-  {
-    Progress progress(1);
-    progress.done("one");
-  }
-  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
-}
-
 TEST(Progress, IsALineForEachCaseInALogAndNothingIfQuiet) {
   const ScratchFolder folder;
   const auto file = folder.write("sweep.prm", replace(valid_case, "subsection Accuracy",
@@ -38,6 +29,7 @@ TEST(Progress, IsALineForEachCaseInALogAndNothingIfQuiet) {
   EXPECT_NE(told.err.find("1/2 sweep/phase-"), std::string::npos) << told.err;
   EXPECT_NE(told.err.find("2/2 sweep/phase-"), std::string::npos) << told.err;
   EXPECT_EQ(fretval_run("--quiet run " + arguments, folder).err, "");
+  EXPECT_EQ(fretval_run("run -q " + arguments, folder).err, "");
 }
 
 // A terminal of its own, made by script(1).
