@@ -44,6 +44,7 @@ int write_mesh(const std::string& file, const std::string& output) {
 }  // namespace
 
 void add_commands(CLI::App& app, Command& command) {
+  app.fallthrough();  // also after the verb
   app.add_flag_callback("-q,--quiet", log::keep_quiet, "Warnings and errors alone, and what was asked for");
   struct Options {
     std::string file, other, output = "results", mesh;

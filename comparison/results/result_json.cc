@@ -119,13 +119,10 @@ ordered_json result_json(const CaseResult& result) {
   cost["peak_memory_bytes"] = peak_memory_bytes();
   auto mdr = to_json(result.mdr);
   if (result.wear && result.wear->kinetics) mdr["wear"] = to_json(*result.wear->kinetics);
-  return {{"name", result.input.name},
-          {"pass", passes(result)},
-          {"proof", name_of(result.proof)},
-          {"scene", case_json(result)},
-          {"mdr", std::move(mdr)},
-          {"fe", fe_json(result)},
-          {"comparison", comparison_json(result.comparison)},
+  return {{"schema", result_schema},    {"name", result.input.name},
+          {"pass", passes(result)},     {"proof", name_of(result.proof)},
+          {"scene", case_json(result)}, {"mdr", std::move(mdr)},
+          {"fe", fe_json(result)},      {"comparison", comparison_json(result.comparison)},
           {"cost", std::move(cost)}};
 }
 

@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "comparison/case/case.h"
+#include "comparison/results/case_result.h"
 
 namespace fretval {
 namespace {
@@ -37,7 +38,10 @@ struct Place {
   Kind kind;
   bool may_lack = false;
 };
-const std::vector<Place> places{{"name", text},
+/// Results without it were written before there were versions.
+const Kind known_schema{[](const ordered_json& v) { return v == result_schema; }, "1, the version that is known here"};
+const std::vector<Place> places{{"schema", known_schema, true},
+                                {"name", text},
                                 {"pass", yes_or_no},
                                 {"proof", text, true},
                                 {"scene", object},

@@ -196,6 +196,17 @@ INSTANTIATE_TEST_SUITE_P(
                 "include nowhere.prm\nsubsection Indenter",
                 {"include nowhere.prm", "no such file"}}));
 
+TEST(CaseFile, OfTheGalleryOrTheExamplesIsValid) {
+  int n_files = 0;
+  for (const char* folder : {"cases/gallery", "cases/examples"})
+    for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::path(FRETVAL_SOURCE_DIR) / folder)) {
+      if (entry.path().extension() != ".prm") continue;
+      EXPECT_NO_THROW(read_case_file(entry.path())) << entry.path();
+      ++n_files;
+    }
+  EXPECT_EQ(n_files, 20);
+}
+
 TEST(CaseFile, NamesAFileThatIsNotThere) {
   try {
     read_case_file("nowhere/case.prm");

@@ -90,7 +90,7 @@ TEST(ResultJson, HasEveryNumberUnderItsKey) {
   EXPECT_NEAR(json["scene"]["contact_radius_at_rest"], 1e-3, 1e-15);
   json["scene"].erase("contact_radius_at_rest");
   EXPECT_EQ(json, nlohmann::json::parse(R"({
-    "name": "made up", "pass": false, "proof": "bars",
+    "schema": 1, "name": "made up", "pass": false, "proof": "bars",
     "scene": {"file": "made/up.prm", "shape": "parabola", "rheology": "standard solid", "friction_coefficient": 0.5,
       "indentation": 1e-4, "normal_amplitude": 2e-5, "tangential_amplitude": 1.5e-5, "frequency": 1,
       "tangential_frequency": 1, "phase": 60,

@@ -11,6 +11,17 @@
 namespace fretval {
 namespace {
 
+TEST(ResultsFolder, OfAnotherVersionIsRefused) {
+  auto json = stored_result("phase");
+  const ScratchFolder folder;
+  json["schema"] = 1;
+  folder.write("result.json", json.dump());
+  EXPECT_EQ(read_results(folder.path()).size(), 1U);
+  json["schema"] = 2;
+  folder.write("result.json", json.dump());
+  expect_parts(refusal([&] { read_results(folder.path()); }), {"the key \"schema\" is 2, must be 1"});
+}
+
 TEST(ResultsFolder, RefusesAResultOfAnotherKindByKey) {
   const auto good = stored_result();
   const ScratchFolder folder;

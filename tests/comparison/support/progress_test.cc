@@ -29,6 +29,7 @@ TEST(Progress, IsALineForEachCaseInALogAndNothingIfQuiet) {
   EXPECT_NE(told.err.find("1/2 sweep/phase-"), std::string::npos) << told.err;
   EXPECT_NE(told.err.find("2/2 sweep/phase-"), std::string::npos) << told.err;
   EXPECT_EQ(fretval_run("--quiet run " + arguments, folder).err, "");
+  EXPECT_EQ(fretval_run("run -q " + arguments, folder).err, "");
 }
 
 // A terminal of its own, made by script(1).

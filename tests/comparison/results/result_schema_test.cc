@@ -1,0 +1,73 @@
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/comparison/read_case.h"
+#include "tests/comparison/run_fretval.h"
+
+namespace fretval::result_schema_test {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What a validator of somebody else's says of a file; empty: nothing.
+std::string said_of(const fs::path& file, const ScratchFolder& folder) {
+  const auto schema = fs::path(FRETVAL_SOURCE_DIR) / "docs/result.schema.json";
+  const auto run = shell_run("python3 -W ignore -m jsonschema -i " + quoted(file) + " " + quoted(schema), folder);
+  return run.exit_code == 0 ? "" : run.out + run.err;
+}
+
+/// Every kind of result: with bars, of a sweep, unlocked, limiting, with forces, gross slip, with harmonics, worn.
+fs::path run_of_every_kind(const ScratchFolder& folder) {
+  const auto elastic = elastic_case();
+  const auto limiting = "subsection Wear\n  set State = limiting\n  set Stick radius ratio = 0.5\nend\n";
+  const auto with_force = [&](const char* amplitude) {
+    return replace(elastic, "Tangential amplitude = 1.5e-5", std::string("Tangential force amplitude = ") + amplitude);
+  };
+  folder.write("bars.prm", replace(valid_case, "Tolerance = 0.01", "Tolerance = 0.05"));
+  folder.write("sweep.prm", elastic + "subsection Sweep\n  set Entry = Motion / Phase\n  set Values = 0, 90\nend\n");
+  folder.write("free.prm", replace(elastic, "Phase = 60", "Phase = free"));
+  folder.write("limiting.prm",
+               replace(elastic, "Tangential amplitude = 1.5e-5", "Tangential amplitude = shakedown") + limiting);
+  folder.write("force.prm", with_force("0.05 N"));
+  folder.write("gross.prm", with_force("10 N"));
+  folder.write("harmonics.prm",
+               replace(elastic, "Phase = 60", "Phase = 60\n  set Normal harmonics = 5 um, 2 Hz, 0 deg"));
+  folder.write("worn.prm", elastic + "subsection Wear\n  set Coefficient = 1e-12\n  set Cycles = 100\nend\n");
+  const auto out = folder.path() / "out";
+  const auto run = fretval_run("-q run --proof bars " + quoted(folder.path()) + " -o " + quoted(out), folder);
+  EXPECT_TRUE(run.exit_code == 0 || run.exit_code == 1) << run.err;
+  return out;
+}
+
+TEST(ResultSchema, HoldsForEveryKindOfResult) {
+  const ScratchFolder folder;
+  int n_results = 0;
+  for (const auto& entry : fs::recursive_directory_iterator(run_of_every_kind(folder))) {
+    if (entry.path().filename() != "result.json") continue;
+    EXPECT_EQ(said_of(entry.path(), folder), "") << entry.path();
+    ++n_results;
+  }
+  EXPECT_EQ(n_results, 9);
+}
+
+TEST(ResultSchema, RefusesWhatItDoesNotSay) {
+  const ScratchFolder folder;
+  const auto file = folder.write("case.prm", elastic_case());
+  ASSERT_EQ(fretval_run("run --proof none " + quoted(file) + " -o " + quoted(folder.path()), folder).exit_code, 0);
+  const auto good = nlohmann::json::parse(text_of(folder.path() / "case/result.json"));
+  const auto says = [&](const std::string& patch) {
+    auto json = good;
+    json.merge_patch(nlohmann::json::parse(patch));
+    return said_of(folder.write("changed.json", json.dump()), folder);
+  };
+  EXPECT_EQ(says("{}"), "");
+  for (const char* patch :
+       {R"({"schema": 2})", R"({"note": 1})", R"({"cost": {"dofs": "many"}})", R"({"mdr": {"modulus_ratio": null}})",
+        R"({"scene": {"wear": "much"}})", R"({"comparison": {"normal_force_max": {"tolerance": 0}}})",
+        R"({"comparison": {"weight": {"tolerance": 1}}})"})
+    EXPECT_NE(says(patch), "") << patch;
+}
+
+}  // namespace
+}  // namespace fretval::result_schema_test
