@@ -112,8 +112,8 @@ TEST(WearCourse, JumpsTellHowFarTheyAreOff) {
   EXPECT_GT(error(1e-2) / small, 8);
 }
 
-// A constant normal force F and an oscillating tangential one Q: Cattaneo and Mindlin's stick radius is that of the worn
-// contact too, which sinks in until the disc bears F = 8 (c d - c^3/3) by itself, here with d = 1.
+// A constant normal force F and an oscillating tangential one Q: Cattaneo and Mindlin's stick radius is that of the
+// worn contact too, which sinks in until the disc bears F = 8 (c d - c^3/3) by itself, here with d = 1.
 TEST(WearCourse, UnderForcesSinksIntoTheLimitingState) {
   WearingHalfSpace half_space;
   const double c = half_space.effective_stick_radius(), cubed = c * c * c, force = 8 * (c - cubed / 3),
@@ -125,6 +125,25 @@ TEST(WearCourse, UnderForcesSinksIntoTheLimitingState) {
   EXPECT_NEAR(course.last.largest_indentation, 1, 1e-3);
   EXPECT_NEAR(course.curve.back().stick_radius, WearingHalfSpace::stick_radius, 1.0 / 32);
   EXPECT_LT(half_space.distance_from_limit(course.worn.back()), 1e-3);
+}
+
+// Under a normal force and a tangential displacement more and more sticks as the indenter sinks in, and what was worn
+// off before stays so.
+TEST(WearCourse, UnderANormalForceTheStickZoneGrows) {
+  WearingHalfSpace half_space;
+  constexpr double force = 2, displacement = 0.35, ring = 1.0 / 32;
+  half_space.motion = one_frequency(force, 0, displacement, 0);
+  half_space.motion.normal_force = true;
+  const auto course = half_space.course(archard, 0.02);
+  // What sticks follows: c^2 = d - A, A = 2 u/(3 mu). Unworn F = 16/3 d^(3/2); a disc that bears it alone,
+  // F = 8 (c d - c^3/3), would have c = 0.425.
+  const double demand = 2 * displacement / (3 * WearingHalfSpace::mu), unworn = std::pow(3 * force / 16, 2.0 / 3);
+  const double before = course.curve.front().stick_radius, after = course.curve.back().stick_radius;
+  EXPECT_NEAR(before, std::sqrt(unworn - demand), ring);
+  EXPECT_GT(after, before + 1.5 * ring);
+  EXPECT_LT(after, 0.425 - 2 * ring);
+  const auto outermost_stuck = static_cast<Eigen::Index>(after / ring + 0.5) - 1;
+  EXPECT_GT(course.worn.back()[outermost_stuck], 1e-3);
 }
 
 TEST(WearCourse, EndsWhereItIsTold) {
