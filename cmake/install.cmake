@@ -18,7 +18,7 @@ if(NOT FRETVAL_MDR_ONLY)
   # The program knows its verbs best.
   foreach(page man bash)
     add_custom_command(OUTPUT ${PROJECT_BINARY_DIR}/fretval.${page}
-      COMMAND fretval pages ${page} > ${PROJECT_BINARY_DIR}/fretval.${page} DEPENDS fretval VERBATIM)
+      COMMAND ${CMAKE_COMMAND} -E env ASAN_OPTIONS=detect_leaks=0 $<TARGET_FILE:fretval> pages ${page} > ${PROJECT_BINARY_DIR}/fretval.${page} DEPENDS fretval VERBATIM)
   endforeach()
   add_custom_target(pages ALL DEPENDS ${PROJECT_BINARY_DIR}/fretval.man ${PROJECT_BINARY_DIR}/fretval.bash)
   install(TARGETS fretval RUNTIME COMPONENT program)
@@ -27,12 +27,12 @@ if(NOT FRETVAL_MDR_ONLY)
   install(FILES ${PROJECT_BINARY_DIR}/fretval.bash RENAME fretval
     DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions COMPONENT program)
   install(DIRECTORY meshes/small DESTINATION ${CMAKE_INSTALL_DATADIR}/fretval/meshes COMPONENT program)
-  install(DIRECTORY cases/check cases/extremes cases/examples cases/gallery DESTINATION ${CMAKE_INSTALL_DATADIR}/fretval/cases
+  install(DIRECTORY cases/check cases/extremes cases/examples cases/gallery cases/benchmarks DESTINATION ${CMAKE_INSTALL_DATADIR}/fretval/cases
     COMPONENT program)
   install(FILES README.md CHANGELOG.md LICENSE CITATION.cff DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/fretval
     COMPONENT program)
   install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/fretval/docs COMPONENT program
-    FILES_MATCHING PATTERN "*.md" PATTERN "*.json" PATTERN "*.svg" PATTERN "*.cc" PATTERN "*.yml" PATTERN "CMakeLists.txt")
+    FILES_MATCHING PATTERN "*.md" PATTERN "*.json" PATTERN "*.jq" PATTERN "*.svg" PATTERN "*.cc" PATTERN "*.yml" PATTERN "CMakeLists.txt")
 endif()
 
 # `cpack` in the build folder makes one package for each component.

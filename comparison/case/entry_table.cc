@@ -170,6 +170,11 @@ std::string lower_letters(const std::string& text) {
   return letters;
 }
 
+/// With the full stop that it lacks, and a blank.
+std::string as_sentence(const std::string& hint) {
+  return hint + (!hint.empty() && hint.back() == '?' ? " " : ". ");
+}
+
 /// What people write who come from other programs.
 std::string known_elsewhere(const std::string& name) {
   const auto letters = lower_letters(name);
@@ -212,8 +217,8 @@ std::string valid_entries() {
 
 std::string no_such_section(const std::string& section, Problems& problems) {
   problems.meant.insert(closest(section, section_names()));
-  return fmt::format("subsection {}: no such subsection{}. Valid entries: {}", section,
-                     did_you_mean(section, section_names()), valid_entries());
+  return fmt::format("subsection {}: no such subsection{}Valid subsections: {}", section,
+                     as_sentence(did_you_mean(section, section_names())), fmt::join(section_names(), ", "));
 }
 
 std::string no_such_entry(const std::string& section, const std::string& name, Problems& problems) {
@@ -230,8 +235,9 @@ std::string no_such_entry(const std::string& section, const std::string& name, P
   if (hint.empty()) hint = did_you_mean(name, here);
   if (hint.empty() && !elsewhere.empty()) hint = fmt::format("; did you mean {}?", fmt::join(elsewhere, " or "));
   const auto* owner = find_section(section);
-  return fmt::format("{}{}: no such entry{}. Valid entries{}: {}", section.empty() ? "" : section + " / ", name, hint,
-                     owner ? std::string(" of ") + owner->name : "", owner ? names_in(*owner) : valid_entries());
+  return fmt::format("{}{}: no such entry{}Valid entries{}: {}", section.empty() ? "" : section + " / ", name,
+                     as_sentence(hint), owner ? std::string(" of ") + owner->name : "",
+                     owner ? names_in(*owner) : valid_entries());
 }
 
 std::string entries_reference() {

@@ -157,7 +157,7 @@ INSTANTIATE_TEST_SUITE_P(
     All, BadCaseFile,
     testing::Values(
         BadCase{"set Radius = 1e-2", "set Radios = 1e-2", {"Radios", "Valid entries", "Slope angle"}},
-        BadCase{"subsection Friction", "subsection Fiction", {"Fiction", "Valid entries", "Friction"}},
+        BadCase{"subsection Friction", "subsection Fiction", {"Fiction", "Valid subsections", "Friction"}},
         BadCase{"set Radius = 1e-2", "", {"Indenter / Radius is missing", "positive"}},
         BadCase{"set Radius = 1e-2", "set Radius = nan", {"Indenter / Radius = nan", "positive"}},
         BadCase{"set Radius = 1e-2", "set Radius = 1e400", {"Indenter / Radius = 1e400", "positive"}},

@@ -149,7 +149,7 @@ INSTANTIATE_TEST_SUITE_P(
                           {"Friction / Coefficient is missing", "positive"}},
                     Fault{"subsection Accuracy",
                           "subsection Solver\n  set Threads = 4\nend\nsubsection Accuracy",
-                          {"Solver", "Valid entries"}},
+                          {"Solver", "Valid subsections"}},
                     Fault{"subsection Indenter", "include\nsubsection Indenter", {"line 1", "names no file"}},
                     Fault{"subsection Indenter", "INCLUDE bad.prm\nsubsection Indenter", {"includes itself"}},
                     Fault{"subsection Indenter", "incl\\\nude bad.prm\nsubsection Indenter", {"includes itself"}},
