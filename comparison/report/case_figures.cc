@@ -125,7 +125,9 @@ Filling map_figure(const StoredResult& r, const ordered_json& cycle) {
                       cycle.at("zones").get<std::vector<std::string>>());
   for (const auto& [name, x] : radius_marks(r, length)) map["marks"].push_back({{"name", name}, {"x", x}});
   return {{"plot", std::move(map)},
-          {"caption", "What each ring does in the last period. Below c nothing slips any more."}};
+          {"caption",
+           "What each ring does in the last period. Below c a ring may touch the limit of friction, but it slips no "
+           "more."}};
 }
 
 /// A force over a displacement: finite elements as points, MDR as a line.
