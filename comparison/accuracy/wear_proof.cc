@@ -89,10 +89,11 @@ Quantities quantities_of(const WearSimulation& wear, const Units& units, const W
       {Quantity::worn_radius, wear.worn_radius}};
 }
 
-/// A ring slips as a whole, or not at all: the stick radius is known to the width of the rings at it.
+/// A ring slips as a whole, or not at all: the stick radius, if there is one, is known to the width of the rings at it.
 double edge_ring(const WearSimulation& wear) {
-  const auto edge = std::find(wear.radii.begin() + 1, wear.radii.end() - 1, wear.course.curve.back().stick_radius);
-  return std::max(edge[0] - edge[-1], edge[1] - edge[0]);
+  const double stick_radius = wear.course.curve.back().stick_radius;
+  const auto beyond = std::upper_bound(wear.radii.begin(), wear.radii.end() - 1, stick_radius);
+  return stick_radius > 0 ? std::max(beyond[0] - beyond[-1], beyond[-1] - beyond[-2]) : 0;
 }
 
 /// The share of the worn volume that one of the stick radius makes: the volume vanishes like (a - c)^(5/2) as c reaches

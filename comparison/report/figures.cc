@@ -231,23 +231,4 @@ std::vector<Figure> limiting_profile_figures(const std::vector<StoredResult>& re
   return figures;
 }
 
-std::vector<Figure> single_case_figures(const StoredResult& result) {
-  Plot contact{"Contact over the last period", "r in m", "stress in Pa"};
-  const auto add = [&](Plot& plot, const char* file, const char* x, const char* y, const char* label, int colour,
-                       Series::Style style) {
-    auto [xs, ys] = read_columns(result.folder / file, x, y);
-    plot.series.push_back({label, std::move(xs), std::move(ys), style, colour});
-  };
-  add(contact, "contact.csv", "r outer [m]", "p largest [Pa]", "largest pressure", 0, Series::Style::line);
-  add(contact, "contact.csv", "r outer [m]", "p smallest [Pa]", "smallest pressure", 0, Series::Style::dashed);
-  add(contact, "contact.csv", "r outer [m]", "tau largest [Pa]", "largest traction", 1, Series::Style::line);
-  add(contact, "contact.csv", "r outer [m]", "tau smallest [Pa]", "smallest traction", 1, Series::Style::dashed);
-  Plot forces{"Forces over the last period", "t in s", "force in N"};
-  add(forces, "history.csv", "t [s]", "F_N MDR [N]", "normal, MDR", 0, Series::Style::line);
-  add(forces, "history.csv", "t [s]", "F_N [N]", "normal, finite elements", 0, Series::Style::points);
-  add(forces, "history.csv", "t [s]", "F_x [N]", "tangential, finite elements", 1, Series::Style::points);
-  return {{std::move(contact), "Smallest and largest pressure and traction of every ring."},
-          {std::move(forces), "Normal force of both methods, tangential force of the finite elements."}};
-}
-
 }  // namespace fretval

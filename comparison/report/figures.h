@@ -31,7 +31,4 @@ std::vector<Figure> difference_figures(const std::vector<StoredResult>& results)
 /// elements find on them. Results swept over the worn stick radius only.
 std::vector<Figure> limiting_profile_figures(const std::vector<StoredResult>& results);
 
-/// Pressure and traction over the radius and forces over a period, of a single case.
-std::vector<Figure> single_case_figures(const StoredResult& result);
-
 }  // namespace fretval

@@ -8,12 +8,14 @@
 
 #include "comparison/accuracy/quantity.h"
 #include "comparison/case/case.h"
+#include "comparison/report/case_section.h"
 #include "comparison/report/exact_section.h"
 #include "comparison/report/figures.h"
 #include "comparison/report/forces_section.h"
 #include "comparison/report/numbers.h"
 #include "comparison/report/resources.h"
 #include "comparison/report/suite_section.h"
+#include "comparison/report/sweep_section.h"
 #include "comparison/report/table.h"
 #include "comparison/report/trade_section.h"
 #include "comparison/report/verdict_section.h"
@@ -142,32 +144,15 @@ Filling motions_section(const Results& results) {
   return {{"template", "motions"}, {"table", filling_of(table)}};
 }
 
-/// "largest contact radius in m"
-std::string title_with_unit(const std::string& key) {
-  const auto quantity = quantity_of(key);
-  if (!quantity) return key;
-  const auto& traits = traits_of(*quantity);
-  return *traits.unit ? fmt::format("{} in {}", traits.title, traits.unit) : traits.title;
+constexpr std::size_t few = 3;
+
+/// A page of few results begins with them.
+Filling cases_of_few(const Results& results) {
+  return results.size() <= few ? cases_section(results) : nullptr;
 }
 
-Filling single_cases_section(const Results& results) {
-  auto cases = Filling::array();
-  for (const auto& r : results) {
-    if (r.json.at("scene").contains("sweep")) continue;
-    Table table{{"quantity", "MDR", "finite elements", "difference", "tolerance"}};
-    for (const auto& [key, d] : r.json.at("comparison").items())
-      table.rows.push_back({title_with_unit(key), number_text(r.number("mdr", key.c_str()), "{:.6g}"),
-                            number_text(r.number("fe", key.c_str()), "{:.6g}"),
-                            bad_if(!d.at("pass").get<bool>(), number_text(d.at("difference"))),
-                            number_text(d.at("tolerance"))});
-    cases.push_back({{"name", r.family()},
-                     {"about", r.text("scene", "shape") + ", " + r.text("scene", "rheology")},
-                     {"agree", r.json.at("pass").get<bool>() ? "finite elements and MDR agree" : "they do not agree"},
-                     {"table", filling_of(table)},
-                     {"figures", filling_of(single_case_figures(r))}});
-  }
-  if (cases.empty()) return nullptr;
-  return {{"template", "cases"}, {"cases", std::move(cases)}};
+Filling cases_of_many(const Results& results) {
+  return results.size() <= few ? nullptr : cases_section(results);
 }
 
 Filling cost_section(const Results& results) {
@@ -185,6 +170,8 @@ Filling cost_section(const Results& results) {
           {"steps", first.value("time_steps", 0L)},
           {"cycles", counted(first.value("cycles", std::size_t{0}), "cycle")},
           {"seconds", number_text(first.at("seconds").value("friction_history", 0.0), "{:.2f}")},
+          {"computations",
+           first.value("computations", 0) > 0 ? counted(first["computations"].get<std::size_t>(), "computation") : ""},
           {"cases", results.size() == 1 ? "All in all" : "All " + counted(results.size(), "case")},
           {"all_steps", number_text(steps, "{:.2g}")},
           {"all_seconds", number_text(friction, "{:.0f}")},
@@ -240,8 +227,9 @@ fs::path write_report(const fs::path& folder) {
     if (!section.is_null()) sections.push_back({{"section", std::move(section)}});
   };
   if (!results.empty())
-    for (const auto section : {verdict_section, radii_section, phase_section, rheology_section, motions_section,
-                               forces_section, limiting_section, wear_section, single_cases_section, budget_section})
+    for (const auto section :
+         {verdict_section, cases_of_few, radii_section, phase_section, rheology_section, sweeps_section,
+          motions_section, forces_section, limiting_section, wear_section, cases_of_many, budget_section})
       add(section(results));
   add(trade_section(folder));
   for (const char* suite : {"tolerance.json", "extremes.json", "random.json"})
@@ -256,6 +244,7 @@ fs::path write_report(const fs::path& folder) {
                     folder.string()));
   fs::path file = folder / "index.html";
   write_file(file, page_of(std::move(sections)));
+  write_sweeps(results);
   return file;
 }
 

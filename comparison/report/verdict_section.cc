@@ -10,6 +10,7 @@
 #include "comparison/accuracy/quantity.h"
 #include "comparison/report/numbers.h"
 #include "comparison/report/table.h"
+#include "comparison/results/answer_text.h"
 
 namespace fretval {
 namespace {
@@ -43,6 +44,16 @@ std::string proof_text(const Results& results) {
       "bars "
       "were wider than the tolerance (--proof tolerance). ");
   return text + "A comparison whose bar is wider than its tolerance is inconclusive.";
+}
+
+/// "Finite elements confirm MDR to 1.1e-05; shakedown radius 792.76 ± 0.07 µm."
+std::string sentence_of(const StoredResult& result) {
+  const auto answer = answer_of(result.json);
+  auto sentence = answer.verdict;
+  sentence.front() = static_cast<char>(std::toupper(sentence.front()));
+  for (const auto& row : answer.rows)
+    if (row.title == traits_of(Quantity::stick_radius_shakedown).title) sentence += "; shakedown radius " + row.fe;
+  return sentence + ".";
 }
 
 }  // namespace
@@ -88,13 +99,18 @@ Filling verdict_section(const Results& results) {
                           e.n_with_bar > 0 ? number_text(e.largest_bar) : "–", number_text(e.tolerance, "{:.0e}"),
                           e.n_with_bar > 0 ? fmt::format("{} of {}", e.n_covered, e.n_with_bar) : "–", e.name});
   }
-  return {{"template", "verdict"},
-          {"badge", all ? "good" : "bad"},
-          {"verdict", all ? "confirmed" : "not confirmed"},
-          {"sentence", fmt::format("Finite elements and MDR agree within tolerance in {} of {}.", n_pass,
-                                   counted(results.size(), "case"))},
-          {"table", filling_of(table)},
-          {"proof", proof_text(results)}};
+  Filling filling{{"template", "verdict"},
+                  {"badge", all ? "good" : "bad"},
+                  {"verdict", all ? "confirmed" : "not confirmed"},
+                  {"proof", proof_text(results)}};
+  if (results.size() == 1) {
+    filling["sentence"] = sentence_of(results.front());
+    return filling;
+  }
+  filling["sentence"] = fmt::format("Finite elements and MDR agree within tolerance in {} of {}.", n_pass,
+                                    counted(results.size(), "case"));
+  filling["table"] = filling_of(table);
+  return filling;
 }
 
 Filling budget_section(const Results& results) {

@@ -5,23 +5,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 namespace fretval {
 namespace {
 
-struct Prefix {
-  const char* name;
-  double factor;
-};
-constexpr std::array prefixes{Prefix{"n", 1e-9}, Prefix{"µ", 1e-6}, Prefix{"m", 1e-3}, Prefix{"", 1},
-                              Prefix{"k", 1e3},  Prefix{"M", 1e6},  Prefix{"G", 1e9}};
+using nlohmann::ordered_json;
 
-const Prefix& prefix_for(double value) {
-  const auto* best = &prefixes.front();
-  for (const auto& prefix : prefixes)
-    if (std::abs(value) >= prefix.factor) best = &prefix;
-  return *best;
-}
+constexpr std::array prefixes{UnitPrefix{"n", 1e-9}, UnitPrefix{"µ", 1e-6}, UnitPrefix{"m", 1e-3}, UnitPrefix{"", 1},
+                              UnitPrefix{"k", 1e3},  UnitPrefix{"M", 1e6},  UnitPrefix{"G", 1e9}};
 
 /// Decimals that show a bar with one digit, or a value with six.
 int decimals_of(double value, double bar) {
@@ -31,32 +23,7 @@ int decimals_of(double value, double bar) {
   return value == 0 ? 0 : std::clamp(six - exponent(value), 0, most);
 }
 
-struct Value {
-  std::optional<double> fe, mdr;
-};
-
-Value value_of(const CaseResult& result, Quantity quantity) {
-  const auto& fe = result.fe.fe;
-  const auto& mdr = result.mdr;
-  switch (quantity) {
-    case Quantity::stick_radius_first_slip:
-      return {fe.stick_radius_first_slip, mdr.stick_radius_first_slip};
-    case Quantity::stick_radius_shakedown:
-      return {fe.stick_radius_shakedown, mdr.stick_radius_shakedown};
-    case Quantity::contact_radius_max:
-      return {fe.contact_radius_max, mdr.contact_radius_max};
-    case Quantity::indentation_max:
-      return {fe.indentation_max, mdr.indentation_max};
-    case Quantity::tangential_amplitude:
-      return {fe.tangential_amplitude, mdr.tangential_amplitude};
-    case Quantity::worn_radius:
-      return {result.wear->fe.worn_radius * result.fem_case.units.length, mdr.worn_radius};
-    default:
-      return {fe.normal_force_max, mdr.normal_force_max};
-  }
-}
-
-std::string gross_slip_text(const std::optional<GrossSlipStart>& fe, const std::optional<double>& mdr) {
+std::string both_gross_slips(const std::optional<GrossSlipStart>& fe, const std::optional<double>& mdr) {
   const auto at = [](double share) { return fmt::format("at {:.1f} % of the amplitudes", 100 * share); };
   const std::string none = "no gross slip";
   return fmt::format(
@@ -64,17 +31,31 @@ std::string gross_slip_text(const std::optional<GrossSlipStart>& fe, const std::
       fe ? fmt::format("after {}, {}", with_unit(fe->time, 0, "s"), at(fe->amplitude)) : none, mdr ? at(*mdr) : none);
 }
 
-std::string verdict_text(const CaseResult& result) {
+std::optional<double> number_in(const ordered_json& json, const char* key) {
+  const auto found = json.find(key);
+  return found != json.end() && found->is_number() ? std::optional(found->get<double>()) : std::nullopt;
+}
+
+/// Of what only one of the methods finds, the difference is all of it.
+double difference_of(const ordered_json& result, const std::string& key, const ordered_json& compared) {
+  if (const auto difference = number_in(compared, "difference")) return std::abs(*difference);
+  double one = 0;
+  for (const char* side : {"fe", "mdr"})
+    one = std::max(one, std::abs(number_in(result.at(side), key.c_str()).value_or(0)));
+  return one / number_in(result.at("scene"), "contact_radius_unworn").value_or(1);
+}
+
+std::string verdict_text(const ordered_json& result) {
   double largest = 0;
-  for (const auto& [quantity, difference] : result.comparison)
-    largest = std::max(largest, std::abs(difference.difference.value_or(difference.only_one)));
-  const auto any = [&](Verdict verdict) {
-    return std::any_of(result.comparison.begin(), result.comparison.end(),
-                       [&](const auto& compared) { return compared.second.verdict == verdict; });
-  };
-  if (any(Verdict::fail))
-    return fmt::format("finite elements do not confirm MDR: they differ by up to {:.1e}", largest);
-  if (any(Verdict::inconclusive))
+  bool fails = false, is_open = false;
+  for (const auto& [key, compared] : result.at("comparison").items()) {
+    largest = std::max(largest, difference_of(result, key, compared));
+    const bool inconclusive = compared.value("verdict", "") == "inconclusive";
+    is_open = is_open || inconclusive;
+    fails = fails || (!compared.at("pass").get<bool>() && !inconclusive);
+  }
+  if (fails) return fmt::format("finite elements do not confirm MDR: they differ by up to {:.1e}", largest);
+  if (is_open)
     return fmt::format(
         "open: the error bars of the finite elements are wider than the tolerance; they differ from MDR by up to "
         "{:.1e}",
@@ -100,6 +81,13 @@ std::string wear_text(const ProvedWear& wear, const Units& units) {
 
 }  // namespace
 
+UnitPrefix prefix_for(double value) {
+  auto best = prefixes.front();
+  for (const auto& prefix : prefixes)
+    if (std::abs(value) >= prefix.factor) best = prefix;
+  return best;
+}
+
 std::string with_unit(double value, double bar, const std::string& unit) {
   const auto& [name, factor] = prefix_for(value);
   const int decimals = decimals_of(value / factor, bar / factor);
@@ -108,27 +96,36 @@ std::string with_unit(double value, double bar, const std::string& unit) {
   return fmt::format("{} ± {:.{}f} {}{}", number, bar / factor, decimals, name, unit);
 }
 
-std::string answer_text(const CaseResult& result) {
-  if (result.fe.fe.gross_slip || result.mdr.gross_slip)
-    return fmt::format("{}: {}\n", result.input.name, gross_slip_text(result.fe.fe.gross_slip, result.mdr.gross_slip));
-  const auto row = [](const std::string& title, const std::string& fe, const std::string& mdr) {
-    return fmt::format("  {:<28} {:<28} {}\n", title, fe, mdr);
-  };
-  std::string text =
-      fmt::format("{}: {}\n", result.input.name, verdict_text(result)) + row("", "finite elements", "MDR");
+Answer answer_of(const ordered_json& result) {
+  Answer answer{verdict_text(result), {}};
+  const double length = number_in(result.at("scene"), "contact_radius_unworn").value_or(0);
   for (const auto quantity : quantities_by_interest) {
-    const auto compared = result.comparison.find(quantity);
     const auto& traits = traits_of(quantity);
-    if (compared == result.comparison.end() || *traits.unit == '\0' || quantity == Quantity::worn_volume) continue;
-    const auto [fe, mdr] = value_of(result, quantity);
+    const auto compared = result.at("comparison").find(traits.name);
+    if (compared == result.at("comparison").end() || *traits.unit == '\0' || quantity == Quantity::worn_volume)
+      continue;
+    const auto fe = number_in(result.at("fe"), traits.name), mdr = number_in(result.at("mdr"), traits.name);
     const bool over_a = quantity == Quantity::contact_radius_max || std::string(traits.scale) == "over a";
-    const double scale = over_a ? result.fem_case.units.length : fe.value_or(0);
-    const auto& bar = compared->second.bar;
+    const double bar = number_in(*compared, "error_bar").value_or(0) * (over_a ? length : fe.value_or(0));
     const auto shown = [&](const std::optional<double>& value, double width) {
       return value ? with_unit(*value, width, traits.unit) : std::string("none");
     };
-    text += row(traits.title, shown(fe, bar ? bar->total() * scale : 0), shown(mdr, 0));
+    const auto difference = number_in(*compared, "difference");
+    answer.rows.push_back({traits.title, shown(fe, bar), shown(mdr, 0),
+                           difference ? fmt::format("{:+.1e}", *difference) : "–", compared->at("pass").get<bool>()});
   }
+  return answer;
+}
+
+std::string answer_text(const CaseResult& result) {
+  if (result.fe.fe.gross_slip || result.mdr.gross_slip)
+    return fmt::format("{}: {}\n", result.input.name, both_gross_slips(result.fe.fe.gross_slip, result.mdr.gross_slip));
+  const auto row = [](const std::string& title, const std::string& fe, const std::string& mdr) {
+    return fmt::format("  {:<28} {:<28} {}\n", title, fe, mdr);
+  };
+  const auto answer = answer_of(result_json(result));
+  auto text = fmt::format("{}: {}\n", result.input.name, answer.verdict) + row("", "finite elements", "MDR");
+  for (const auto& one : answer.rows) text += row(one.title, one.fe, one.mdr);
   if (result.wear) return text + wear_text(*result.wear, result.fem_case.units);
   if (result.mdr.worn_radius) text += row("wear ends at the radius", "", with_unit(*result.mdr.worn_radius, 0, "m"));
   return text;

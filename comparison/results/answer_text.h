@@ -1,6 +1,8 @@
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
 #include <string>
+#include <vector>
 
 #include "comparison/results/case_result.h"
 
@@ -10,8 +12,30 @@ namespace fretval {
 /// as its error bar allows, or six: "0.79312 ± 0.00004 mm". bar: absolute; 0: none is known. unit: "m", "N", ….
 std::string with_unit(double value, double bar, const std::string& unit);
 
-/// The answer to a case for the terminal: the verdict in a sentence, then each quantity by finite elements, with its
-/// error bar, and by MDR.
+/// The prefix that leaves one to three digits before the point.
+struct UnitPrefix {
+  const char* name;
+  double factor;
+};
+UnitPrefix prefix_for(double value);
+
+/// A quantity by both methods, with units, the finite elements' with its error bar; the difference as result.json has
+/// it.
+struct AnswerRow {
+  std::string title, fe, mdr, difference;
+  bool passes;
+};
+
+/// The answer to a case: what became of MDR in a sentence, then each quantity that is compared.
+struct Answer {
+  std::string verdict;
+  std::vector<AnswerRow> rows;
+};
+
+/// From a result.json.
+Answer answer_of(const nlohmann::ordered_json& result);
+
+/// The answer to a case for the terminal.
 std::string answer_text(const CaseResult& result);
 
 }  // namespace fretval

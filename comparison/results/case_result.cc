@@ -155,6 +155,7 @@ void write_fields(const CaseResult& result, const fs::path& folder) {
 void write_periodic_state(const CaseResult& result, const mdr::NormalResponse& reference, const fs::path& folder) {
   write_history(result, reference, folder / "history.csv");
   write_contact(result, folder / "contact.csv");
+  write_file(folder / "cycle.json", cycle_json(result).dump() + "\n");
   if (result.input.fields == Case::Fields::extremes) write_fields(result, folder);
 }
 

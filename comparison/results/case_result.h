@@ -37,6 +37,16 @@ constexpr int result_schema = 1;
 /// The whole of result.json, with the keys of the documentation in docs/results.md.
 nlohmann::ordered_json result_json(const CaseResult& result);
 
+/// cycle.json, what happens under the indenter in the last period, SI units:
+///   r      outer radii of the rings
+///   t      instants, at most 48, the end of the period among them; p and tau of the rings, a list an instant
+///   zones  a text a step, at most 360, a letter a ring: o open, s sticks, f and b slips forward and backward
+///   mdr    of an unworn indenter: r, and p, tau at the largest indentation; d, u_x, F_N, F_x over the period;
+///          friction_work in J per period
+/// mdr is from springs; not there if they do not become periodic, or for a point of a sweep.
+/// Five digits of each number.
+nlohmann::ordered_json cycle_json(const CaseResult& result);
+
 /// What an answer of the finite elements cost: seconds (mesh, assembly, factorisation, normal_history,
 /// friction_history), dofs, contact_nodes, time_steps, cycles.
 nlohmann::ordered_json cost_json(const FeAnswer& fe);
@@ -44,8 +54,8 @@ nlohmann::ordered_json cost_json(const FeAnswer& fe);
 /// Removes the result.json of an earlier run from a folder, if there is one: without it a folder is no result.
 void withdraw_result(const std::filesystem::path& folder);
 
-/// Writes result.json, run.json, history.csv, contact.csv, profile.csv and, if the case asks for fields, the VTU files,
-/// which need the whole body, into a folder, which is made if need be; result.json comes last.
+/// Writes result.json, run.json, history.csv, contact.csv, cycle.json, profile.csv and, if the case asks for fields,
+/// the VTU files, which need the whole body, into a folder, which is made if need be; result.json comes last.
 void write_result(const CaseResult& result, const mdr::NormalResponse& reference, const std::filesystem::path& folder);
 
 }  // namespace fretval

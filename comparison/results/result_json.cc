@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "comparison/results/case_inputs.h"
 #include "comparison/results/case_result.h"
 #include "comparison/results/wear_json.h"
 #include "comparison/simulation/resolution_json.h"
@@ -54,6 +55,7 @@ ordered_json case_json(const CaseResult& result) {
                         {"cycles", or_null(wear->n_cycles)},
                         {"until", wear->until}};
   }
+  json["inputs"] = inputs_json(input);
   if (input.sweep)
     json["sweep"] = {{"family", input.sweep->family}, {"entry", input.sweep->entry}, {"value", input.sweep->value}};
   return json;
@@ -65,6 +67,11 @@ ordered_json bar_json(const std::optional<ErrorBar>& bar) {
   for (const auto& share : bar->shares)
     shares[name_of(share.source)] = {{"estimate", share.estimate}, {"order", or_null(share.order)}};
   return {{"total", bar->total()}, {"shares", shares}};
+}
+
+/// Under a worn one pressure is singular, and that of a ring no more than the ring is wide.
+bool input_is_unworn(const CaseResult& result) {
+  return result.input.wear == Case::Wear::unworn;
 }
 
 ordered_json fe_json(const CaseResult& result) {
@@ -82,6 +89,11 @@ ordered_json fe_json(const CaseResult& result) {
     json["force_outside_stick_zone"] = fe.no_wear->force_outside;
     json["touch_indentation"] = fe.no_wear->touch_indentation;
     json["limiting_amplitude"] = or_null(fe.no_wear->limiting_amplitude);
+  }
+  if (!fe.gross_slip && fe.normal.pressure.size() > 0) {
+    const auto& units = result.fem_case.units;
+    if (input_is_unworn(result)) json["pressure_max"] = fe.normal.pressure.maxCoeff() * units.pressure();
+    json["friction_work"] = fe.friction.dissipated_energy * units.force() * units.depth;
   }
   json["error_estimate"] = ordered_json::object();
   for (const auto& [quantity, difference] : result.comparison)
@@ -116,6 +128,7 @@ double peak_memory_bytes() {
 ordered_json result_json(const CaseResult& result) {
   const auto& fe = result.fe.fe;
   auto cost = cost_json(fe);
+  cost["computations"] = result.fe.n_computations;
   cost["peak_memory_bytes"] = peak_memory_bytes();
   auto mdr = to_json(result.mdr);
   if (result.wear && result.wear->kinetics) mdr["wear"] = to_json(*result.wear->kinetics);

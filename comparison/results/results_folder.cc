@@ -40,6 +40,7 @@ struct Place {
 };
 /// Results without it were written before there were versions.
 const Kind known_schema{[](const ordered_json& v) { return v == result_schema; }, "1, the version that is known here"};
+const Kind list{[](const ordered_json& v) { return v.is_array(); }, "a list"};
 const std::vector<Place> places{{"schema", known_schema, true},
                                 {"name", text},
                                 {"pass", yes_or_no},
@@ -69,6 +70,7 @@ const std::vector<Place> places{{"schema", known_schema, true},
                                 {"cost/dofs", count},
                                 {"cost/time_steps", count, true},
                                 {"cost/cycles", count, true},
+                                {"cost/computations", count, true},
                                 {"cost/peak_memory_bytes", number, true}};
 
 std::string shown(const ordered_json& value) {

@@ -58,6 +58,7 @@ inline CaseResult made_up_result() {
   friction.traction = (Eigen::MatrixXd(2, 4) << -1, -2, 1, 3, 0.5, 0, -0.5, 0).finished();
   friction.force = Eigen::Vector4d(-1, -2, 1, 2);
   friction.indenter = 0.125 * Eigen::Vector4d(-std::sqrt(0.75), -0.5, std::sqrt(0.75), 0.5);
+  friction.dissipated_energy = 0.25;
   friction.period_slip = Eigen::Vector2d(0, 0.2);
   friction.first_slip_margin = Eigen::Vector2d(-0.1, 0.4);
   friction.shakedown_margin = Eigen::Vector2d(0.2, -0.4);

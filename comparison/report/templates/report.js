@@ -52,7 +52,7 @@
   /// Fewer labels on a logarithmic axis: powers of ten.
   function ticks(axis, scale, n, given) {
     if (given) return axis.tickValues(given).tickFormat(d3.format("~g"));
-    if (!scale.base) return axis.ticks(n).tickFormat((v) => (Math.abs(v) >= 1e4 || (v !== 0 && Math.abs(v) < 1e-3) ? d3.format(".1~e")(v) : d3.format("~r")(+v.toPrecision(6))).replace("e+", "e"));
+    if (!scale.base) return axis.ticks(n).tickFormat((v) => (Math.abs(v) >= 1e4 || (v !== 0 && Math.abs(v) < 1e-3) ? d3.format(".1~e")(v) : d3.format("~r")(+v.toPrecision(9))).replace("e+", "e"));
     const [low, high] = scale.domain().map(Math.log10);
     const step = Math.max(1, Math.ceil((high - low) / n));
     const powers = d3.range(Math.ceil(low - 1e-9), high + 1e-9, 1).filter((k) => k % step === 0).map((k) => 10 ** k);
@@ -129,16 +129,20 @@
       const [low, high] = d3.extent(values.filter((v) => isDrawn(v) && (!log || v > 0)));
       if (low === undefined) return log ? [1, 10] : [0, 1];
       if (log) return low === high ? [low / 2, high * 2] : [low / (high / low) ** 0.04, high * (high / low) ** 0.04];
-      const pad = (high - low || Math.abs(high) || 1) * 0.05;
-      return [low >= 0 && low < 0.3 * high ? 0 : low - (axis === "x" ? 0 : pad), high + (axis === "x" ? 0 : pad)];
+      if (axis === "x") return low >= 0 && low < 0.1 * high ? [0, high] : low === high ? [low - 1, high + 1] : [low, high];
+      // What is constant to a percent looks constant; whoever doubts zooms in.
+      const pad = Math.max((high - low) * 0.05, 0.005 * Math.abs(high)) || 1;
+      return [low >= 0 && low < 0.3 * high ? 0 : low - pad, high + pad];
     }
     function draw() {
       const width = Math.max(280, Math.round(element.clientWidth || 480)), height = Math.round(Math.min(380, Math.max(230, width * 0.62)));
       const margin = {left: 62, right: 16, top: plot.marks ? 22 : 10, bottom: 42};
+      const span = plot.log_y ? null : state.zoom?.y ?? plot.y_range ?? d3.extent(plot.series.flatMap((s) => s.y).filter(isDrawn));
+      if (span?.[0] !== undefined && span && span[1] - span[0] < 0.02 * Math.abs(span[1])) margin.left = 84;
       area.selectAll("*").remove();
       tip.hide();
       const svg = canvas(area, plot, width, height, margin).attr("class", "canvas").attr("tabindex", 0);
-      const all = plot.series.map((s, k) => (plot.frames?.y[k] ? plot.frames.y[k].flat() : s.y));
+      const all = plot.series.map((s, k) => (plot.frames?.y[k] ? plot.frames.y[k].flat() : s.bar ? s.y.flatMap((v, i) => isDrawn(v) ? [v - (s.bar[i] ?? 0), v + (s.bar[i] ?? 0)] : []) : s.y));
       const xs = (state.zoom?.x ?? domain("x", plot.series.flatMap((s) => s.x))), ys = (state.zoom?.y ?? domain("y", all.flat()));
       const x = (plot.log_x ? d3.scaleLog() : d3.scaleLinear()).domain(xs).range([margin.left, width - margin.right]);
       const y = (plot.log_y ? d3.scaleLog() : d3.scaleLinear()).domain(ys).range([height - margin.bottom, margin.top]);
@@ -246,7 +250,7 @@
       svg.selectAll(".tick line").attr("stroke-opacity", 0.25);
       for (const mark of plot.marks ?? []) {
         svg.append("line").attr("x1", margin.left).attr("x2", width - margin.right).attr("y1", y(mark.x)).attr("y2", y(mark.x)).attr("stroke", "#1a2230").attr("stroke-dasharray", "4 3");
-        rich(svg.append("text").attr("class", "name").attr("x", width - margin.right - 4).attr("y", y(mark.x) - 5).attr("text-anchor", "end").attr("stroke", "#fff").attr("stroke-width", 3).attr("paint-order", "stroke"), mark.name);
+        rich(svg.append("text").attr("class", "name").attr("x", width - margin.right - 4).attr("y", y(mark.x) - 5).attr("text-anchor", "end").style("stroke", "#fff").style("stroke-width", "4px").style("paint-order", "stroke").style("font-weight", 600), mark.name);
       }
       svg.on("mousemove", () => {
         const [mx, my] = d3.mouse(svg.node()), k = Math.floor(x.invert(mx) * n), r = y.invert(my), i = plot.edges.findIndex((edge) => r <= edge);

@@ -1,10 +1,16 @@
 #include "comparison/report/report.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+
+#include "comparison/verification/suite_json.h"
 #include "tests/comparison/expect_parts.h"
 #include "tests/comparison/refusal.h"
 #include "tests/comparison/stored_result.h"
+#include "tests/comparison/stored_trade.h"
+#include "tests/comparison/suite_rows.h"
 
 namespace fretval {
 namespace {
@@ -91,9 +97,9 @@ TEST(Report, MarksWhatDoesNotAgree) {
   single["pass"] = false;
   single["comparison"]["normal_force_max"]["pass"] = false;
   single["comparison"]["stick_radius_shakedown"]["difference"] = nullptr;
-  const auto page = page_of({single});
-  expect_parts(page, {"standard solid: they do not agree.", "<td class=\"bad-cell\">4.4e-05</td><td>1.0e-03</td>",
-                      "<td>–</td><td>1.0e-02</td>", "<td class=\"bad-cell\">disagree</td>"});
+  expect_parts(page_of({single}),
+               {"standard solid: they do not agree.", "<td class=\"bad-cell\">+4.4e-05</td>", "<td>–</td></tr>",
+                "<td class=\"bad-cell\">disagree</td>", "Finite elements do not confirm MDR"});
 }
 
 // Every number another one: which of the two says it, in which unit, over which length.
@@ -118,10 +124,8 @@ TEST(Report, HasTheNumbersOfACaseInTheirPlaces) {
                   {"cycles", 3},
                   {"peak_memory_bytes", 64e6}};
   expect_parts(page_of({json}),
-               {"<h2>Case a/case</h2>\n<p>parabola, standard solid",
-                "<td>largest contact radius in m</td><td>1.9</td><td>1.8</td><td>-6.2e-02</td><td>1.0e-03</td>",
-                "<td>largest normal force in N</td><td>31</td><td>32</td><td>3.1e-02</td><td>1.0e-03</td>",
-                "<td>stick radius, first slip in m</td><td>0.5</td><td>0.6</td>",
+               {"<h2>Case a/case</h2>\n<p>parabola, standard solid", "<td>1.90000 m</td><td>-6.2e-02</td>",
+                "<td>31.0000 N</td><td>+3.1e-02</td>", "<td>500.000 mm</td>", "<td>700.000 mm</td>",
                 "<td>a/case</td><td>0.25000</td><td>0.30000</td><td>0.35000</td><td>0.45000</td><td>-6.2e-02</td>"
                 "<td>+3.1e-02</td><td>agree</td>",
                 "A case like a/case has 103 degrees of freedom and takes 12 time steps over 3 cycles in 4.50 s.",
@@ -184,6 +188,50 @@ TEST(Report, RefusesADamagedFileOfASuiteByItsName) {
     }
     EXPECT_FALSE(fs::exists(folder.path() / "index.html")) << name;
   }
+}
+
+/// A folder with a case, a sweep over friction, a wearing indenter, and prescribed forces, each coarse.
+void run_all_kinds(const ScratchFolder& folder) {
+  folder.write("sweep.prm", fmt::format("include {}/cases/examples/fretting.prm\nsubsection Sweep\n"
+                                        "  set Entry = Friction / Coefficient\n  set Values = 0.4, 0.5, 0.6\nend\n",
+                                        FRETVAL_SOURCE_DIR));
+  const auto run = fretval_run(fmt::format("run {0}examples/fretting.prm {1}/sweep.prm {0}wear/wear-to-the-limit.prm "
+                                           "{0}forces/both-cone-elastic.prm --proof none -o {1}/out",
+                                           std::string(FRETVAL_SOURCE_DIR) + "/cases/", folder.path().string()),
+                               folder);
+  ASSERT_LE(run.exit_code, 1) << run.err;
+}
+
+// What a person sees: every plot is drawn, and the browser complains of nothing.
+TEST(SlowReport, IsDrawnByABrowser) {
+  if (std::system("command -v chromium >/dev/null") != 0) GTEST_SKIP() << "chromium is not installed";
+  const ScratchFolder folder;
+  run_all_kinds(folder);
+  const auto out = folder.path() / "out";
+  fs::create_directories(out / "trade");
+  folder.write("out/trade/trade.json", stored_trade().dump());
+  folder.write("out/exact.json", nlohmann::ordered_json::array({stored_convergence_row()}).dump());
+  folder.write("out/random.json", suite_json(run_of({row_of(1e-3, 2e-3, "a"), row_of(3e-3, 8e-3, "b")})).dump());
+  const auto page = write_report(out);
+  const auto dom = folder.path() / "dom.html", log = folder.path() / "log.txt";
+  ASSERT_EQ(std::system(fmt::format("chromium --headless=new --no-sandbox --disable-gpu --user-data-dir='{0}/profile' "
+                                    "--enable-logging=stderr --dump-dom 'file://{1}' >'{2}' 2>'{3}'",
+                                    folder.path().string(), page.string(), dom.string(), log.string())
+                            .c_str()),
+            0);
+  const auto drawn = text_of(dom);
+  EXPECT_EQ(text_of(log).find("CONSOLE"), std::string::npos) << text_of(log);
+  const auto count = [&](const std::string& part) {
+    int n = 0;
+    for (auto at = drawn.find(part); at != std::string::npos; at = drawn.find(part, at + 1)) ++n;
+    return n;
+  };
+  const int n_plots = count("<div class=\"plot\" data-plot=\"");
+  EXPECT_GE(n_plots, 25);
+  EXPECT_NE(drawn.find(fmt::format("data-plots-drawn=\"{}\"", n_plots)), std::string::npos);
+  EXPECT_EQ(count(">no data<"), 0);
+  expect_parts(drawn, {"Friction / Coefficient", "Wear to the end", "Prescribed forces", "Suite extremes",
+                       "Speed and accuracy", "Pressure and traction"});
 }
 
 }  // namespace

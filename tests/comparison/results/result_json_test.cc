@@ -4,6 +4,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "comparison/results/case_inputs.h"
 #include "comparison/results/case_result.h"
 #include "tests/comparison/fake_numerics.h"
 #include "tests/comparison/made_up_result.h"
@@ -89,6 +90,8 @@ TEST(ResultJson, HasEveryNumberUnderItsKey) {
   json["cost"].erase("peak_memory_bytes");
   EXPECT_NEAR(json["scene"]["contact_radius_at_rest"], 1e-3, 1e-15);
   json["scene"].erase("contact_radius_at_rest");
+  EXPECT_EQ(json["scene"]["inputs"], nlohmann::json::parse(inputs_json(result.input).dump()));
+  json["scene"].erase("inputs");
   EXPECT_EQ(json, nlohmann::json::parse(R"({
     "schema": 1, "name": "made up", "pass": false, "proof": "bars",
     "scene": {"file": "made/up.prm", "shape": "parabola", "rheology": "standard solid", "friction_coefficient": 0.5,
@@ -99,7 +102,7 @@ TEST(ResultJson, HasEveryNumberUnderItsKey) {
     "mdr": {"modulus_ratio": 1.5, "contact_radius_max": 1.1, "stick_radius_first_slip": 0.45,
       "stick_radius_shakedown": 6e-4, "worn_radius": 1.9, "normal_force_max": 40, "limiting_amplitude": 0.95},
     "fe": {"contact_radius_max": 1.25, "stick_radius_first_slip": 0.5, "stick_radius_shakedown": 0.75,
-      "worn_radius": null, "normal_force_max": 42.5,
+      "worn_radius": null, "normal_force_max": 42.5, "pressure_max": 12.5, "friction_work": 1.25,
       "slip_inside_stick_zone": 0.01, "force_outside_stick_zone": 0.02, "touch_indentation": 1.03,
       "limiting_amplitude": 1.04,
       "error_estimate": {"stick_radius_shakedown": null,
@@ -111,7 +114,7 @@ TEST(ResultJson, HasEveryNumberUnderItsKey) {
         "pass": false}},
     "cost": {"seconds": {"mesh": 1.5, "assembly": 2.5, "factorisation": 3.5, "normal_history": 4.5,
         "friction_history": 5.5},
-      "dofs": 103, "contact_nodes": 104, "time_steps": 12, "cycles": 3}})"));
+      "dofs": 103, "contact_nodes": 104, "time_steps": 12, "cycles": 3, "computations": 6}})"));
 }
 
 }  // namespace

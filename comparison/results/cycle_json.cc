@@ -1,0 +1,102 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdlib>
+
+#include "comparison/reference/mdr_document.h"
+#include "comparison/results/case_result.h"
+#include "mdr/springs/spring_fields.h"
+
+namespace fretval {
+namespace {
+
+using nlohmann::ordered_json;
+
+double five_digits(double value) {
+  return std::strtod(fmt::format("{:.5g}", value).c_str(), nullptr);
+}
+
+template <class Numbers>
+ordered_json list_of(const Numbers& numbers, double unit = 1) {
+  auto list = ordered_json::array();
+  for (const double number : numbers) list.push_back(five_digits(number * unit));
+  return list;
+}
+
+/// Every so many columns that no more than most are left.
+Eigen::Index stride_for(Eigen::Index n, Eigen::Index most) {
+  return (n + most - 1) / most;
+}
+
+/// A ring that slips bears what friction allows, to roundoff.
+char zone_of(double pressure, double traction, double friction_coefficient) {
+  constexpr double roundoff = 1e-9;
+  if (pressure <= 0) return 'o';
+  if (std::abs(traction) < friction_coefficient * pressure * (1 - roundoff)) return 's';
+  return traction > 0 ? 'f' : 'b';
+}
+
+ordered_json springs_json_of_cycle(const SpringAnswer& answer, const mdr::PronyBody& body) {
+  const auto& history = answer.history;
+  const auto fields = mdr::spring_fields(answer.bed, body, history.deepest);
+  constexpr int n_points = 120;
+  const double end = answer.bed.position[answer.bed.position.size() - 1];
+  std::vector<double> r, p, tau;
+  for (int i = 0; i < n_points; ++i) {
+    r.push_back((i + 0.5) * end / n_points);
+    p.push_back(mdr::pressure(fields, r.back()));
+    tau.push_back(mdr::traction(fields, r.back()));
+  }
+  return {{"r", list_of(r)},
+          {"p", list_of(p)},
+          {"tau", list_of(tau)},
+          {"d", list_of(history.indentation)},
+          {"u_x", list_of(history.tangential_displacement)},
+          {"F_N", list_of(history.normal_force)},
+          {"F_x", list_of(history.tangential_force)},
+          {"friction_work", history.friction_work}};
+}
+
+std::optional<ordered_json> springs_of(const CaseResult& result) {
+  const bool unworn = result.input.wear == Case::Wear::unworn && !result.input.wear_kinetics;
+  if (!unworn || result.input.sweep || result.fem_case.without_short_cycle || result.mdr.gross_slip) return {};
+  try {
+    return springs_json_of_cycle(spring_answer(result.input, {200, 120, 8, 1e-5}), result.mdr_case.body);
+  } catch (const std::runtime_error&) {
+    return {};  // they are no part of the answer
+  }
+}
+
+}  // namespace
+
+ordered_json cycle_json(const CaseResult& result) {
+  const auto& normal = result.fe.fe.normal;
+  const auto& friction = result.fe.fe.friction;
+  const auto& units = result.fem_case.units;
+  const auto& radii = result.fe.fe.body->radii;
+  const Eigen::Index n = friction.traction.cols(), n_rings = friction.traction.rows();
+  const long first = friction.n_steps + 1 - n;
+  ordered_json json{{"r", list_of(std::vector<double>(radii.begin() + 1, radii.end()), units.length)},
+                    {"t", ordered_json::array()},
+                    {"p", ordered_json::array()},
+                    {"tau", ordered_json::array()},
+                    {"zones", ordered_json::array()}};
+  const double step = 2 * std::acos(-1.0) / normal.steps_per_cycle / units.angular_frequency;
+  const auto stride = stride_for(n, 48);
+  for (Eigen::Index k = (n - 1) % stride; k < n; k += stride) {
+    json["t"].push_back(five_digits(static_cast<double>(k + 1) * step));
+    json["p"].push_back(list_of(Eigen::VectorXd(normal.pressure.col(normal.column(first + k))), units.pressure()));
+    json["tau"].push_back(list_of(Eigen::VectorXd(friction.traction.col(k)), units.pressure()));
+  }
+  for (Eigen::Index k = 0; k < n; k += stride_for(n, 360)) {
+    std::string zones;
+    for (Eigen::Index i = 0; i < n_rings; ++i)
+      zones += zone_of(normal.pressure(i, normal.column(first + k)), friction.traction(i, k),
+                       result.fem_case.friction_coefficient);
+    json["zones"].push_back(zones);
+  }
+  if (auto springs = springs_of(result)) json["mdr"] = std::move(*springs);
+  return json;
+}
+
+}  // namespace fretval
