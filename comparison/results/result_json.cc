@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "comparison/results/case_result.h"
+#include "comparison/results/results_folder.h"
 #include "comparison/results/wear_json.h"
 #include "comparison/simulation/resolution_json.h"
 #include "comparison/support/json.h"
