@@ -31,9 +31,6 @@ CaseResult result_of(const PreparedCase& prepared, const mdr::NormalResponse& re
 /// Adds the wear of the indenter to a result.
 void add_wear(ProvedWear&& wear, CaseResult& result);
 
-/// Version of result.json, see docs/result.schema.json: a new one where a key changes its meaning or goes.
-constexpr int result_schema = 1;
-
 /// The whole of result.json, with the keys of the documentation in docs/results.md.
 nlohmann::ordered_json result_json(const CaseResult& result);
 

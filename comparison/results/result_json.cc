@@ -4,6 +4,7 @@
 
 #include "comparison/results/case_inputs.h"
 #include "comparison/results/case_result.h"
+#include "comparison/results/results_folder.h"
 #include "comparison/results/wear_json.h"
 #include "comparison/simulation/resolution_json.h"
 #include "comparison/support/json.h"

@@ -9,7 +9,6 @@
 #include <sstream>
 
 #include "comparison/case/case.h"
-#include "comparison/results/case_result.h"
 
 namespace fretval {
 namespace {

@@ -9,6 +9,9 @@
 
 namespace fretval {
 
+/// Version of result.json, see docs/result.schema.json: a new one where a key changes its meaning or goes.
+constexpr int result_schema = 1;
+
 /// A result.json and where it lies.
 struct StoredResult {
   nlohmann::ordered_json json;
