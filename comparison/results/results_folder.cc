@@ -39,7 +39,7 @@ struct Place {
 };
 /// Results without it were written before there were versions.
 const Kind known_schema{[](const ordered_json& v) { return v == result_schema; }, "1, the version that is known here"};
-const Kind list{[](const ordered_json& v) { return v.is_array(); }, "a list"};
+const Kind a_list{[](const ordered_json& v) { return v.is_array(); }, "a list"};
 const std::vector<Place> places{{"schema", known_schema, true},
                                 {"name", text},
                                 {"pass", yes_or_no},
