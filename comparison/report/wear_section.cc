@@ -58,13 +58,13 @@ Table table_of(const Results& results) {
     if (!wear) continue;
     const auto& distance = wear->at("distance_to_limit");
     table.rows.push_back(
-        {r.json.at("name").get<std::string>(), r.text("scene", "rheology"), law_text(r),
+        {r.json.at("name").get<std::string>(), words_cell(r.text("scene", "rheology")), law_text(r),
          fmt::format("{:.4f}", r.number("fe", "stick_radius_shakedown") / length_of(r)),
          number_text(distance.at("shakedown")), number_text(distance.at("first_slip")),
          fmt::format("{:.4f}", r.number("mdr", "worn_radius") / length_of(r)), difference_with_bar(r, "worn_radius"),
          fmt::format("{:.5f}", wear->at("volume").back().get<double>() / wear->at("volume_of_limit").get<double>()),
          difference_with_bar(r, "worn_volume"), fmt::format("{:.2g}", wear->at("cycles").back().get<double>()),
-         end_text(*wear), fmt::format("{:.1f}", wear->at("cost").at("seconds").get<double>())});
+         words_cell(end_text(*wear)), fmt::format("{:.1f}", wear->at("cost").at("seconds").get<double>())});
   }
   return table;
 }

@@ -203,7 +203,7 @@ void run_all_kinds(const ScratchFolder& folder) {
 }
 
 // What a person sees: every plot is drawn, and the browser complains of nothing.
-TEST(SlowReport, IsDrawnByABrowser) {
+TEST(ReportSlow, IsDrawnByABrowser) {
   if (std::system("command -v chromium >/dev/null") != 0) GTEST_SKIP() << "chromium is not installed";
   const ScratchFolder folder;
   run_all_kinds(folder);
