@@ -122,7 +122,7 @@ std::vector<SectionTraits> all_sections() {
          "not negative",
          "no wear",
          "worn depth per pressure and path of slip; energy: per energy of friction and area; power: in Pa^-exponent, "
-         "without a unit)"},
+         "without a unit"},
         {"Exponent", {D::number}, "0.25 to 4", "an error with Law = power", "power: of the pressure"},
         {"Cycles", {D::number}, "not negative", "until nothing wears any more", "of the motion"},
         {"Until",

@@ -49,6 +49,7 @@ std::string value_text(const ordered_json& value, const std::string& unit) {
     for (const auto& one : value) text += (text.empty() ? "" : ", ") + value_text(one, unit);
     return text;
   }
+  if (value.is_null()) return "–";
   const double number = value.get<double>();
   if (unit.empty() || unit == "°" || unit == "Hz")
     return fmt::format("{:g}{}{}", number, unit == "Hz" ? " " : "", unit);

@@ -92,6 +92,11 @@ Series thinned(const Series& series, double distance) {
   return few;
 }
 
+/// Whether it has worn to its end, and that is the limit that MDR has for it.
+bool is_in_limit(const ordered_json& wear) {
+  return wear.at("ends_in_limit").get<bool>() && wear.value("limit_is_reached", true);
+}
+
 /// All that has worn to its end under one shape: limits as lines, worn profiles as points, a colour a stick radius.
 Figure claim_figure(const Results& results, const std::string& shape) {
   Plot plot{fmt::format("{}: where wear ends", shape), "r / a_0", "f / d_{max}"};
@@ -104,7 +109,7 @@ Figure claim_figure(const Results& results, const std::string& shape) {
   };
   for (const auto& r : results) {
     const auto* wear = wear_of(r);
-    if (!wear || r.text("scene", "shape") != shape || !wear->at("ends_in_limit").get<bool>()) continue;
+    if (!wear || r.text("scene", "shape") != shape || !is_in_limit(*wear)) continue;
     const double c = r.number("mdr", "stick_radius_shakedown") / length_of(r);
     const auto n_before = radii.size();
     const int colour = colour_of(c);
@@ -197,13 +202,14 @@ Filling course(const StoredResult& r, const ordered_json& wear) {
 
 /// Numbers of the template.
 Filling findings(const Results& results) {
-  int n = 0, n_limit = 0;
+  int n = 0, n_limit = 0, n_elsewhere = 0;
   double farthest = 0, nearest_first_slip = std::numeric_limits<double>::infinity();
   for (const auto& r : results) {
     const auto* wear = wear_of(r);
     if (!wear) continue;
     ++n;
-    if (!wear->at("ends_in_limit").get<bool>()) continue;
+    if (!wear->value("limit_is_reached", true)) ++n_elsewhere;
+    if (!is_in_limit(*wear)) continue;
     ++n_limit;
     const auto& distance = wear->at("distance_to_limit");
     const double shakedown = distance.at("shakedown"), first_slip = distance.at("first_slip");
@@ -211,8 +217,9 @@ Filling findings(const Results& results) {
     // Where both radii are the same, so are the limits.
     if (first_slip > 2 * shakedown) nearest_first_slip = std::min(nearest_first_slip, first_slip);
   }
-  Filling found{{"limits", fmt::format("{} of {} have worn until nothing wears any more.", n_limit,
-                                       counted(static_cast<std::size_t>(n), "indenter"))}};
+  Filling found{
+      {"limits", fmt::format("{} of {} have worn to it.", n_limit, counted(static_cast<std::size_t>(n), "indenter"))}};
+  if (n_elsewhere > 0) found["elsewhere"] = n_elsewhere;
   if (n_limit > 0) found["farthest"] = number_text(farthest);
   if (std::isfinite(nearest_first_slip)) found["nearest"] = number_text(nearest_first_slip, "{:.2g}");
   return found;
@@ -229,7 +236,7 @@ Filling wear_section(const Results& results) {
   for (const auto& r : results) {
     const auto* wear = wear_of(r);
     if (!wear) continue;
-    if (wear->at("ends_in_limit").get<bool>() && shapes.insert(r.text("scene", "shape")).second)
+    if (is_in_limit(*wear) && shapes.insert(r.text("scene", "shape")).second)
       claims.push_back(claim_figure(results, r.text("scene", "shape")));
     if (families.insert(r.family()).second) courses.push_back(course(r, *wear));
   }

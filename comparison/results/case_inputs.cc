@@ -48,7 +48,10 @@ void add_motion(const Case::Motion& motion, Inputs& inputs) {
     inputs.add("Motion", "Normal force", motion.normal_force->mean, "N");
     inputs.add("Motion", "Normal force amplitude", motion.normal_force->amplitude, "N");
   }
-  inputs.add("Motion", "Tangential amplitude", motion.tangential_amplitude, "m");
+  if (std::isnan(motion.tangential_amplitude))
+    inputs.add("Motion", "Tangential amplitude", "shakedown");
+  else
+    inputs.add("Motion", "Tangential amplitude", motion.tangential_amplitude, "m");
   if (motion.tangential_force) inputs.add("Motion", "Tangential force amplitude", *motion.tangential_force, "N");
   inputs.add("Motion", "Normal frequency", motion.normal_frequency, "Hz");
   inputs.add("Motion", "Tangential frequency", motion.tangential_frequency, "Hz");

@@ -9,6 +9,7 @@
 #include "fem/support/solver_error.h"
 #include "mdr/stick/stick_radius.h"
 #include "tests/comparison/fake_numerics.h"
+#include "tests/comparison/read_case.h"
 #include "tests/comparison/suite_case.h"
 
 namespace fretval {
@@ -70,6 +71,18 @@ TEST(ProofSlow, ForceOfAWornProfileIsWithinItsBar) {
 
 ProvedAnswer fake_study(const PreparedCase& prepared, const FakeNumerics& numerics, Proof proof = Proof::tolerance) {
   return prove(prepared, proof, fake_compute(prepared, numerics));
+}
+
+// Hertz: nothing moves, nothing slips, and there is no slip annulus to look for at the edge.
+TEST(Proof, LooksForNoSlipWhereNothingMoves) {
+  Case input = read_case(elastic_case());
+  input.motion.normal_amplitude = input.motion.tangential_amplitude = 0;
+  input.tolerance = 1e-3;
+  BodyStore bodies;
+  const auto result = prove(prepare({input}).front(), Proof::tolerance, bodies);
+  EXPECT_EQ(result.failure, "");
+  EXPECT_NEAR(result.fe.stick_radius_shakedown.value() / result.fe.contact_radius_max.value(), 1, 1e-4);
+  for (const auto& [quantity, bar] : result.budget) EXPECT_LT(bar.total(), 1e-3) << name_of(quantity);
 }
 
 TEST(Proof, GoesAsFarAsItIsAsked) {

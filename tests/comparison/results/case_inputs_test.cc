@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
 
@@ -22,6 +23,14 @@ TEST(CaseInputs, ListWhatTheCaseHasWithItsUnit) {
   EXPECT_EQ(found.at("Phase").at("value"), "free");
   for (const char* absent : {"Slope angle", "Table", "Viscosity", "Branch moduli", "Normal force", "Law"})
     EXPECT_EQ(found.count(absent), 0U) << absent;
+}
+
+TEST(CaseInputs, NameTheAmplitudeThatFollows) {
+  Case input{};
+  input.motion.tangential_amplitude = std::nan("");
+  std::map<std::string, nlohmann::ordered_json> found;
+  for (const auto& one : inputs_json(input)) found[one.at("name")] = one.at("value");
+  EXPECT_EQ(found.at("Tangential amplitude"), "shakedown");
 }
 
 }  // namespace
