@@ -60,7 +60,7 @@ void read_worn_radius(WearSimulation& wear) {
 Resolution resolution_for_wear(const Resolution& of_the_case) {
   constexpr unsigned rings = 64, degree = 5;
   constexpr int steps = 144;
-  constexpr double edge_ring = 2e-4;
+  constexpr double edge_ring = 1e-4;
   Resolution r = of_the_case;
   r.elements_per_radius = rings;
   r.degree = degree;
