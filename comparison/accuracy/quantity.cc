@@ -1,6 +1,7 @@
 #include "comparison/accuracy/quantity.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace fretval {
 
@@ -22,6 +23,10 @@ const QuantityTraits& traits_of(Quantity quantity) {
       {"worn_volume", "worn volume", "worn volume", "over that of the limit", "m³", 0.5, {2}, {}},
   }};
   return table[static_cast<std::size_t>(quantity)];
+}
+
+double scale_of(Quantity quantity, double contact_radius, double value) {
+  return std::string(traits_of(quantity).scale) == "over a" ? contact_radius : std::abs(value);
 }
 
 std::optional<Quantity> quantity_of(const std::string& name) {

@@ -79,6 +79,9 @@ struct QuantityTraits {
 };
 const QuantityTraits& traits_of(Quantity quantity);
 
+/// What differences and error bars of a quantity are over, in its own unit: the unworn contact radius, or the value.
+double scale_of(Quantity quantity, double contact_radius, double value);
+
 inline const char* name_of(Quantity quantity) {
   return traits_of(quantity).name;
 }

@@ -92,8 +92,8 @@ Quantities quantities_of(const WearSimulation& wear, const Units& units, const W
 /// A ring slips as a whole, or not at all: the stick radius, if there is one, is known to the width of the rings at it.
 double edge_ring(const WearSimulation& wear) {
   const double stick_radius = wear.course.curve.back().stick_radius;
-  const auto beyond = std::upper_bound(wear.radii.begin(), wear.radii.end() - 1, stick_radius);
-  return stick_radius > 0 ? std::max(beyond[0] - beyond[-1], beyond[-1] - beyond[-2]) : 0;
+  const auto rings = rings_at(wear.radii, stick_radius);
+  return stick_radius > 0 ? std::max(rings.inside, rings.outside) : 0;
 }
 
 /// The share of the worn volume that one of the stick radius makes: the volume vanishes like (a - c)^(5/2) as c reaches

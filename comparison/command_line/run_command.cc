@@ -12,6 +12,7 @@
 #include "comparison/command_line/exit_codes.h"
 #include "comparison/command_line/interrupt.h"
 #include "comparison/command_line/terminal.h"
+#include "comparison/report/numbers.h"
 #include "comparison/report/report.h"
 #include "comparison/results/batch.h"
 #include "comparison/results/changes.h"
@@ -125,7 +126,7 @@ int run_cases(const RunOptions& options) {
   if (!options.junit.empty()) write_file(options.junit, junit_of(lines));
   if (std::any_of(lines.begin(), lines.end(), [](const BatchLine& line) { return line.failure.empty(); }))
     log::info(fmt::format("report: {}", write_report(output).string()));
-  log::info(fmt::format("{} {} in {:.1f} s", lines.size(), lines.size() == 1 ? "case" : "cases", watch.lap()));
+  log::info(fmt::format("{} in {:.1f} s", counted(lines.size(), "case"), watch.lap()));
   const bool has_moved = !options.baseline.empty() && departs_from(baseline, lines, output);
   const int exit_code = exit_code_of(lines);
   return exit_code == exit_agree && has_moved ? exit_disagree : exit_code;

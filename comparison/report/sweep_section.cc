@@ -33,9 +33,8 @@ double absolute_bar(const StoredResult& r, Quantity quantity) {
   const auto& traits = traits_of(quantity);
   if (!comparison.contains(traits.name)) return std::nan("");
   const auto bar = comparison[traits.name].value("error_bar", nlohmann::ordered_json());
-  const bool over_a = std::string(traits.scale) == "over a";
-  const double scale = over_a ? r.number("scene", "contact_radius_unworn") : r.number("fe", traits.name);
-  return bar.is_number() ? bar.get<double>() * std::abs(scale) : std::nan("");
+  const double scale = scale_of(quantity, r.number("scene", "contact_radius_unworn"), r.number("fe", traits.name));
+  return bar.is_number() ? bar.get<double>() * scale : std::nan("");
 }
 
 struct Curves {

@@ -105,8 +105,7 @@ Answer answer_of(const ordered_json& result) {
     if (compared == result.at("comparison").end() || *traits.unit == '\0' || quantity == Quantity::worn_volume)
       continue;
     const auto fe = number_in(result.at("fe"), traits.name), mdr = number_in(result.at("mdr"), traits.name);
-    const bool over_a = quantity == Quantity::contact_radius_max || std::string(traits.scale) == "over a";
-    const double bar = number_in(*compared, "error_bar").value_or(0) * (over_a ? length : fe.value_or(0));
+    const double bar = number_in(*compared, "error_bar").value_or(0) * scale_of(quantity, length, fe.value_or(0));
     const auto shown = [&](const std::optional<double>& value, double width) {
       return value ? with_unit(*value, width, traits.unit) : std::string("none");
     };

@@ -27,12 +27,6 @@ double bar_in(const StoredResult& result, const char* key) {
   return bar.is_number() ? bar.get<double>() : 0;
 }
 
-/// What the differences of a quantity are divided by, in SI.
-double scale_of(const StoredResult& result, Quantity quantity, double value) {
-  return std::string(traits_of(quantity).scale) == "over a" ? result.number("scene", "contact_radius_unworn")
-                                                            : std::abs(value);
-}
-
 std::optional<Change> change_of(const StoredResult& before, const StoredResult& after, Quantity quantity) {
   const char* key = name_of(quantity);
   Change change{after.json.at("name").get<std::string>(), quantity, value_of(before, key), value_of(after, key)};
@@ -41,7 +35,8 @@ std::optional<Change> change_of(const StoredResult& before, const StoredResult& 
   if (!change.before || !change.after)
     change.difference = 1;
   else if (*change.before != *change.after)
-    change.difference = (*change.after - *change.before) / scale_of(before, quantity, *change.before);
+    change.difference = (*change.after - *change.before) /
+                        scale_of(quantity, before.number("scene", "contact_radius_unworn"), *change.before);
   return change;
 }
 

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <tuple>
 
 #include "comparison/support/stopwatch.h"
 #include "fem/history/require_room.h"
@@ -57,6 +56,11 @@ void read_worn_radius(WearSimulation& wear) {
 
 }  // namespace
 
+RingWidths rings_at(const std::vector<double>& radii, double radius) {
+  const auto outer = std::upper_bound(radii.begin(), radii.end(), radius), at = outer - 1;
+  return {at == radii.begin() ? 0 : at[0] - at[-1], outer == radii.end() ? 0 : outer[0] - at[0]};
+}
+
 Resolution resolution_for_wear(const Resolution& of_the_case) {
   constexpr unsigned rings = 64, degree = 5;
   constexpr int steps = 144;
@@ -81,12 +85,11 @@ WornEdge edge_of_wear(const FemCase& fem, const Case::WearKinetics& wear, double
     const WornEdge edge{stick_radius, widest_wear(fem, depth)};
     try {
       const auto pass_made = simulate_wear(fem, wear, edge, resolution, bodies);
-      const auto& [radii, course] = std::tie(pass_made.radii, pass_made.course);
-      const auto found = std::upper_bound(radii.begin(), radii.end(), course.curve.back().stick_radius);
-      const double ring = found == radii.end() ? 0 : *found - *(found - 1);
+      const auto& course = pass_made.course;
       depth = reserve * course.last.largest_indentation;
       const double before = std::exchange(stick_radius, course.curve.back().stick_radius);
-      if (std::abs(stick_radius - before) <= ring) return {stick_radius, widest_wear(fem, depth)};
+      if (std::abs(stick_radius - before) <= rings_at(pass_made.radii, stick_radius).outside)
+        return {stick_radius, widest_wear(fem, depth)};
     } catch (const fem::NoRoom&) {
       depth *= deeper;
     }

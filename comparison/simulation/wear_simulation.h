@@ -21,6 +21,12 @@ struct WearSimulation {
   double seconds = 0;
 };
 
+/// Width of the rings that meet at a radius of theirs; 0 where there is none.
+struct RingWidths {
+  double inside, outside;
+};
+RingWidths rings_at(const std::vector<double>& radii, double radius);
+
 /// The resolution that shows a worn profile to less than a thousandth of the largest indentation.
 ///
 /// At the stick radius pressure and traction become singular, and whether a ring there still sticks is decided by the

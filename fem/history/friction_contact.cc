@@ -47,9 +47,9 @@ double FrictionContact::increment_under_force(double time, const std::optional<N
     if (!touching_) touching_.emplace(TouchingRings{normal->touch_radii, relaxation_.viscosity == 0});
     touching_->move_to(normal->radius);
   }
-  const auto sums = sum_of_rings(problem_.compliance.radii, problem_.compliance.areas, limit);
-  const double force = tangential_motion(motion_, time).value,
-               most = normal ? friction_coefficient_ * normal->force : sums.force, spare = most - std::abs(force);
+  const auto borne = normal ? ContactForce{friction_coefficient_ * normal->force, normal->radius}
+                            : sum_of_rings(problem_.compliance.radii, problem_.compliance.areas, limit);
+  const double force = tangential_motion(motion_, time).value, most = borne.force, spare = most - std::abs(force);
   if (!(spare > 0)) {
     const double share = spare_before_ > 0 ? spare_before_ / (spare_before_ - spare) : 1,
                  start = time_before_ + share * (time - time_before_);
@@ -58,8 +58,7 @@ double FrictionContact::increment_under_force(double time, const std::optional<N
   time_before_ = time;
   spare_before_ = spare;
   const auto n_stuck = std::count(stick_.begin(), stick_.end(), BoxState::interior);
-  const double radius = std::min(problem_.compliance.radii[static_cast<std::size_t>(n_stuck)],
-                                 normal ? normal->radius : sums.radius),
+  const double radius = std::min(problem_.compliance.radii[static_cast<std::size_t>(n_stuck)], borne.radius),
                stiffness = problem_.series.force_per_radius() * radius * step_.instantaneous();
   const auto force_after = [&](double increment) {
     return force_of(attempt(steady_move(step_.fraction() * increment, step_.fraction() * dt_)), normal);

@@ -29,6 +29,17 @@ struct Wearing {
   }
 };
 
+TEST(WearSimulation, RingsMeetAtTheirRadii) {
+  const std::vector<double> radii{0, 0.5, 0.75, 1};
+  const auto widths = [&](double radius) {
+    const auto [inside, outside] = rings_at(radii, radius);
+    return std::pair(inside, outside);
+  };
+  EXPECT_EQ(widths(0), std::pair(0.0, 0.5));
+  EXPECT_EQ(widths(0.5), std::pair(0.5, 0.25));
+  EXPECT_EQ(widths(1), std::pair(0.25, 0.0));
+}
+
 // THEORY of the parabola: f_inf = f0 at a_inf/a0 = 1.2298 for c = 0.5 a0, 1.1429 for 0.7; by interpolation in c^2 and
 // the rings of 1/24 to 5e-3.
 TEST(WearSimulation, EndsWithItsWearAtTheOuterRadius) {
