@@ -8,51 +8,13 @@
 #include <stdexcept>
 #include <tuple>
 
-#include "comparison/accuracy/distance_to_limit.h"
 #include "comparison/support/log.h"
 #include "fem/support/solver_error.h"
-#include "meshes/mesh_error.h"
 
 namespace fretval {
 namespace {
 
 constexpr int most_rounds = 2;
-
-struct WearComputation {
-  WearSimulation fe;
-  std::string failure = {};
-};
-
-/// The wear of a case at all the resolutions that are asked for, each computed once.
-class WearComputations {
- public:
-  WearComputations(const PreparedCase& prepared, const WornEdge& edge, BodyStore& bodies)
-      : prepared_(prepared), edge_(edge), bodies_(bodies) {}
-
-  void compute(const std::vector<Resolution>& wanted) {
-    std::vector<Resolution> missing;
-    for (const auto& resolution : wanted)
-      if (all.try_emplace(resolution).second) missing.push_back(resolution);
-    for_each_in_parallel(missing.size(), [&](std::size_t i) { all.at(missing[i]) = attempt(missing[i]); });
-  }
-
-  std::map<Resolution, WearComputation> all;
-
- private:
-  [[nodiscard]] WearComputation attempt(const Resolution& resolution) const {
-    try {
-      return {simulate_wear(prepared_.fem, *prepared_.input.wear_kinetics, edge_, resolution, bodies_)};
-    } catch (const fem::SolverError& error) {
-      return {{}, error.what()};
-    } catch (const meshes::MeshError& error) {
-      return {{}, error.what()};
-    }
-  }
-
-  const PreparedCase& prepared_;
-  WornEdge edge_;
-  BodyStore& bodies_;
-};
 
 std::vector<Resolution> needed_for_bars(const Resolution& resolution) {
   std::vector<Resolution> needed;
@@ -61,26 +23,6 @@ std::vector<Resolution> needed_for_bars(const Resolution& resolution) {
     needed.push_back(variant.resolution);
   }
   return needed;
-}
-
-ProfileChain worn_chain(const WearSimulation& wear, const Eigen::VectorXd& worn, const Units& units, double deepest) {
-  ProfileChain chain;
-  for (Eigen::Index i = 0; i < worn.size(); ++i)
-    chain.emplace_back(wear.centre[i], units.depth * (wear.unworn[i] + worn[i]) / deepest);
-  return chain;
-}
-
-ProfileChain limit_of(const WearSimulation& wear, const Units& units, const mdr::LimitingProfile& limit) {
-  return chain_of(limit, units.length, units.length * wear.radii.back());
-}
-
-/// Of the profiles of a course from a limit.
-std::vector<double> distances(const WearSimulation& wear, const Units& units, const mdr::LimitingProfile& limit) {
-  const auto chain = limit_of(wear, units, limit);
-  std::vector<double> distances;
-  for (const auto& worn : wear.course.worn)
-    distances.push_back(distance_between(worn_chain(wear, worn, units, limit.maximum_indentation), chain));
-  return distances;
 }
 
 Quantities quantities_of(const WearSimulation& wear, const Units& units, const WearLimits& limits) {
@@ -116,7 +58,7 @@ ErrorBudget budget_of(const PreparedCase& prepared, const WearLimits& limits, co
     if (!computation.failure.empty()) continue;
     known[other] = quantities_of(computation.fe, units, limits);
     worn[other] =
-        worn_chain(computation.fe, computation.fe.course.worn.back(), units, limits.shakedown.maximum_indentation);
+        chain_of(computation.fe, computation.fe.course.worn.back(), units.depth / limits.shakedown.maximum_indentation);
   }
   auto budget = error_budget(resolution, variants, known,
                              {{Quantity::worn_radius, computed.all.at(resolution).fe.worn_radius_uncertainty}}, needs);
@@ -175,6 +117,7 @@ void take(const PreparedCase& prepared, double stick_radius, const WearComputati
 /// Refines until the bars meet their tolerances.
 ErrorBudget measure_errors(const PreparedCase& prepared, double stick_radius, Proof proof, WearComputations& computed,
                            ProvedWear& wear) {
+  if (proof != Proof::none) computed.expect(needed_for_bars(wear.resolution));
   computed.compute({wear.resolution});
   take(prepared, stick_radius, computed.all.at(wear.resolution), wear);
   for (int n = 0; proof != Proof::none && wear.failure.empty(); ++n) {
@@ -263,24 +206,24 @@ bool wears(const PreparedCase& prepared) {
 }
 
 ProvedWear prove_wear(const PreparedCase& prepared, const MdrAnswer& mdr, const ProvedAnswer& unworn, Proof proof,
-                      BodyStore& bodies) {
+                      BodyStore& bodies, const WearOversight& oversight) {
   const auto& units = prepared.fem.units;
   ProvedWear wear{{}, {}, resolution_for_wear(prepared.fem.resolution), wear_limits(prepared.mdr, mdr)};
   WornEdge edge{};
   try {
     edge = edge_of_wear(prepared.fem, *prepared.input.wear_kinetics,
-                        unworn.fe.stick_radius_shakedown.value_or(0) / units.length, bodies);
+                        unworn.fe.stick_radius_shakedown.value_or(0) / units.length, bodies, {oversight.checkpoints});
   } catch (const fem::SolverError& error) {
     wear.failure = error.what();
     return wear;
   }
-  WearComputations computed(prepared, edge, bodies);
+  WearComputations computed(prepared, edge, wear.limits, bodies, oversight);
   const auto budget = measure_errors(prepared, edge.inner, proof, computed, wear);
   wear.n_computations = static_cast<int>(computed.all.size());
   if (!wear.failure.empty()) return wear;
   if (!prepared.mdr.has_forces()) wear.kinetics = springs_of(prepared, wear.fe.course.curve.back().cycles);
-  wear.distance_shakedown = distances(wear.fe, units, wear.limits.shakedown);
-  wear.distance_first_slip = distances(wear.fe, units, wear.limits.first_slip);
+  wear.distance_shakedown = distances_of(wear.fe, units, wear.limits.shakedown);
+  wear.distance_first_slip = distances_of(wear.fe, units, wear.limits.first_slip);
   wear.springs_agree = wear.kinetics && (wear.ends_in_limit() || springs_agree(prepared, wear));
   wear.comparison = compare(prepared, wear, budget);
   return wear;

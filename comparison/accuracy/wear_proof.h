@@ -3,8 +3,7 @@
 #include <optional>
 
 #include "comparison/accuracy/proof.h"
-#include "comparison/reference/mdr_wear.h"
-#include "comparison/simulation/wear_simulation.h"
+#include "comparison/accuracy/wear_computations.h"
 
 namespace fretval {
 
@@ -36,6 +35,6 @@ bool wears(const PreparedCase& prepared);
 /// errors by refinement (variants_of_wear). With Proof::tolerance what is largest is refined until all bars are within
 /// the tolerance, up to twice.
 ProvedWear prove_wear(const PreparedCase& prepared, const MdrAnswer& mdr, const ProvedAnswer& unworn, Proof proof,
-                      BodyStore& bodies);
+                      BodyStore& bodies, const WearOversight& oversight = {});
 
 }  // namespace fretval

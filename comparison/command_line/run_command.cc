@@ -65,10 +65,13 @@ std::vector<BatchLine> computed_lines(const std::vector<PreparedCase>& prepared,
   const fem::PetscSession session;
   Progress progress(prepared.size());
   const auto told = [&](const BatchLine& line, std::size_t, std::size_t) {
-    progress.done(outcome_text(line), line.pass);
+    progress.done(outcome_text(line), line.pass, line.name);
     if (options.json && line.failure.empty()) print_line(line.json);
   };
-  return run_batch(prepared, {options.proof, {}, options.output, told});
+  const auto under_way = [&](const std::string& name, double share, const std::string& what) {
+    progress.under_way(name, share, what);
+  };
+  return run_batch(prepared, {options.proof, {}, options.output, told, under_way});
 }
 
 std::string junit_of(const std::vector<BatchLine>& lines) {
@@ -119,8 +122,10 @@ int run_cases(const RunOptions& options) {
     for (const auto& warning : one.input.warnings) log::warn(warning);
   log_left_out(prepared);
   const FolderLock lock(output);
-  say_on_interrupt(fmt::format("interrupted: the cases that are done are kept in {0}; fretval report {0} shows them",
-                               output.string()));
+  say_on_interrupt(
+      fmt::format("interrupted: the cases that are done are kept in {0}; fretval report {0} shows them; "
+                  "wear goes on from here when the case is run again",
+                  output.string()));
   const auto lines = computed_lines(prepared, options);
   if (!options.json) lines.size() == 1 && lines[0].failure.empty() ? print_answer(lines[0]) : print_verdicts(lines);
   if (!options.junit.empty()) write_file(options.junit, junit_of(lines));

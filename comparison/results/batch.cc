@@ -1,5 +1,7 @@
 #include "comparison/results/batch.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <mutex>
 #include <nlohmann/json.hpp>
@@ -32,7 +34,14 @@ BatchLine run_case(const PreparedCase& asked, const BatchOptions& options, BodyS
   if (!line.failure.empty()) return line;
   auto result = result_of(prepared, *reference, options.proof, std::move(fe));
   if (wears(prepared)) {
-    auto wear = prove_wear(prepared, result.mdr, result.fe, options.proof, bodies);
+    WearOversight oversight;
+    if (!options.output.empty()) oversight.checkpoints = folder / "checkpoints";
+    if (options.under_way)
+      oversight.progress = [&](double share, double distance) {
+        options.under_way(line.name, share, fmt::format("worn to {:.1e} from the limiting profile", distance));
+      };
+    auto wear = prove_wear(prepared, result.mdr, result.fe, options.proof, bodies, oversight);
+    std::filesystem::remove_all(oversight.checkpoints);
     line.failure = wear.failure;
     if (!line.failure.empty()) return line;
     add_wear(std::move(wear), result);

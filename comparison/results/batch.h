@@ -26,6 +26,8 @@ struct BatchOptions {
   std::filesystem::path output = {};  ///< empty: nothing is written
   /// Called after each case, one call at a time.
   std::function<void(const BatchLine&, std::size_t n_done, std::size_t n_cases)> progress = [](auto&&...) {};
+  /// Called on the way through a long case, by any thread: its name, the share that is done, and what there is to say.
+  std::function<void(const std::string& name, double share, const std::string& what)> under_way = {};
 };
 
 /// Computes all cases, on all cores, with shared bodies. Each case writes its folder under the output when it is done.

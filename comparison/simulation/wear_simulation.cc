@@ -3,10 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
+#include "comparison/simulation/wear_checkpoint.h"
 #include "comparison/support/stopwatch.h"
+#include "comparison/support/versions.h"
 #include "fem/history/require_room.h"
 #include "fem/history/static_contact.h"
 
@@ -54,6 +57,34 @@ void read_worn_radius(WearSimulation& wear) {
       outermost < 3 ? last - inner_edge : std::abs(end_of_line(wear, outermost - 3, last) - wear.worn_radius);
 }
 
+/// All that the course depends on, bit for bit.
+std::string description(const FemCase& fem, const fem::WearLaw& law, const fem::WearControl& control,
+                        const Eigen::VectorXd& unworn) {
+  std::string text = "wear";
+  for (const auto& [library, version] : versions()) text += fmt::format(" {} {}", library, version);
+  const auto add = [&text](const auto& values) {
+    text += '\n';
+    for (const double value : values) text += fmt::format(" {:a}", value);
+  };
+  const auto add_motion = [&add](const std::vector<fem::Oscillation>& oscillations) {
+    for (const auto& [amplitude, order, phase] : oscillations) add(std::array{amplitude, 1.0 * order, phase});
+  };
+  add(fem.body.contact_nodes);
+  add(std::array{fem.body.growth, fem.body.far_radius, 1.0 * fem.body.degree});
+  add(unworn);
+  add(std::array{fem.relaxation.relaxed, fem.relaxation.viscosity, fem.friction_coefficient});
+  add(fem.relaxation.moduli);
+  add(fem.relaxation.times);
+  const auto& motion = fem.motion;
+  add(std::array{motion.indentation, 1.0 * motion.normal_force, 1.0 * motion.tangential_force, 1.0 * motion.locked,
+                 1.0 * motion.n_ramp_cycles, 1.0 * motion.n_creep_cycles, 1.0 * fem.steps_per_cycle()});
+  add_motion(motion.normal);
+  add_motion(motion.tangential);
+  add(std::array{law.coefficient, law.exponent, control.most_cycles, control.rate_fallen_to, control.largest_jump,
+                 control.accuracy});
+  return text + '\n';
+}
+
 }  // namespace
 
 RingWidths rings_at(const std::vector<double>& radii, double radius) {
@@ -74,8 +105,8 @@ Resolution resolution_for_wear(const Resolution& of_the_case) {
   return r;
 }
 
-WornEdge edge_of_wear(const FemCase& fem, const Case::WearKinetics& wear, double unworn_stick_radius,
-                      BodyStore& bodies) {
+WornEdge edge_of_wear(const FemCase& fem, const Case::WearKinetics& wear, double unworn_stick_radius, BodyStore& bodies,
+                      const WearRun& run) {
   if (!fem.motion.normal_force && !fem.motion.tangential_force) return {unworn_stick_radius, widest_wear(fem, 1)};
   constexpr int most_passes = 12;
   constexpr double reserve = 1.05, deeper = 1.5;
@@ -84,7 +115,7 @@ WornEdge edge_of_wear(const FemCase& fem, const Case::WearKinetics& wear, double
   for (int pass = 0; pass < most_passes; ++pass) {
     const WornEdge edge{stick_radius, widest_wear(fem, depth)};
     try {
-      const auto pass_made = simulate_wear(fem, wear, edge, resolution, bodies);
+      const auto pass_made = simulate_wear(fem, wear, edge, resolution, bodies, {run.checkpoints});
       const auto& course = pass_made.course;
       depth = reserve * course.last.largest_indentation;
       const double before = std::exchange(stick_radius, course.curve.back().stick_radius);
@@ -98,7 +129,7 @@ WornEdge edge_of_wear(const FemCase& fem, const Case::WearKinetics& wear, double
 }
 
 WearSimulation simulate_wear(const FemCase& fem_case, const Case::WearKinetics& wear, const WornEdge& edge,
-                             const Resolution& resolution, BodyStore& bodies, const fem::WearProgress& progress) {
+                             const Resolution& resolution, BodyStore& bodies, const WearRun& run) {
   Stopwatch watch;
   FemCase fem = fem_case;
   fem.worn_edge = edge;
@@ -111,12 +142,21 @@ WearSimulation simulate_wear(const FemCase& fem_case, const Case::WearKinetics& 
   for (Eigen::Index i = 0; i < simulation.centre.size(); ++i)
     simulation.centre[i] = std::hypot(simulation.radii[i], simulation.radii[i + 1]) / std::sqrt(2);
   constexpr double nothing = 1e-6;
-  simulation.course = fem::wear_course(
-      fem::WearingContact(body->normal, *body->tangential, fem.relaxation, fem.motion, fem.steps_per_cycle(),
-                          simulation.unworn, fem.friction_coefficient,
-                          law_in(fem.units, wear, fem.friction_coefficient)),
-      {wear.n_cycles.value_or(std::numeric_limits<double>::infinity()), wear.until, resolution.wear_jump, nothing},
-      progress);
+  const auto law = law_in(fem.units, wear, fem.friction_coefficient);
+  const fem::WearControl control{wear.n_cycles.value_or(std::numeric_limits<double>::infinity()), wear.until,
+                                 resolution.wear_jump, nothing};
+  const fem::WearState start{fem::WearingContact(body->normal, *body->tangential, fem.relaxation, fem.motion,
+                                                 fem.steps_per_cycle(), simulation.unworn, fem.friction_coefficient,
+                                                 law)};
+  WearCheckpoint checkpoint(run.checkpoints, description(fem, law, control, simulation.unworn));
+  auto state = checkpoint.restored(start).value_or(start);
+  fem::wear_on(state, control, [&](const fem::WearState& now) {
+    checkpoint.keep(now);
+    if (!run.progress) return;
+    simulation.course = now.course;
+    run.progress(simulation);
+  });
+  simulation.course = std::move(state.course);
   read_worn_radius(simulation);
   simulation.seconds = watch.lap();
   return simulation;

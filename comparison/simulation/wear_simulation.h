@@ -1,7 +1,8 @@
 #pragma once
 
 #include <Eigen/Dense>
-#include <optional>
+#include <filesystem>
+#include <functional>
 #include <vector>
 
 #include "comparison/simulation/body_store.h"
@@ -36,17 +37,24 @@ RingWidths rings_at(const std::vector<double>& radii, double radius);
 /// So wear takes degree 5, and its error is measured by degree 3.
 Resolution resolution_for_wear(const Resolution& of_the_case);
 
+/// What else is done on the way through a wear.
+struct WearRun {
+  std::filesystem::path checkpoints = {};  ///< folder of WearCheckpoint; empty: none
+  /// Called after each jump, with the course so far.
+  std::function<void(const WearSimulation&)> progress = {};
+};
+
 /// Where wear ends: the stick radius, and as far out as it can get. unworn_stick_radius: that finite elements read on
 /// the unworn indenter. Under prescribed displacements the stick radius stays what it is, and the flank is worn to the
 /// plane of the largest indentation. Under prescribed forces the indenter sinks in as it wears and the stick radius may
 /// move: then wear is run on coarse rings graded around it, and again around the one that this ended with, until it
 /// moves by no more than a ring. Throws SolverError when it does not settle.
-WornEdge edge_of_wear(const FemCase& fem, const Case::WearKinetics& wear, double unworn_stick_radius,
-                      BodyStore& bodies);
+WornEdge edge_of_wear(const FemCase& fem, const Case::WearKinetics& wear, double unworn_stick_radius, BodyStore& bodies,
+                      const WearRun& run = {});
 
 /// Runs the wear of a case to its end. edge: rings are graded around its inner radius (0: equal rings), and the contact
 /// line reaches beyond the outer one.
 WearSimulation simulate_wear(const FemCase& fem, const Case::WearKinetics& wear, const WornEdge& edge,
-                             const Resolution& resolution, BodyStore& bodies, const fem::WearProgress& progress = {});
+                             const Resolution& resolution, BodyStore& bodies, const WearRun& run = {});
 
 }  // namespace fretval

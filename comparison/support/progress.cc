@@ -33,25 +33,31 @@ std::string clock_text(double seconds) {
                   : fmt::format("{}:{:02}:{:02}", s / 3600, s / 60 % 60, s % 60);
 }
 
-std::string left_text(std::size_t n_done, std::size_t n_parts, double seconds) {
-  if (n_done == 0) return clock_text(seconds) + " so far";
-  if (n_done == n_parts) return "in " + clock_text(seconds);
-  return clock_text(seconds * static_cast<double>(n_parts - n_done) / static_cast<double>(n_done)) + " left";
+std::string left_text(const Advance& advance, double seconds) {
+  const auto n_parts = static_cast<double>(advance.n_parts);
+  const double done = static_cast<double>(advance.n_done) + advance.under_way;
+  constexpr double tells = 0.01;  // of one part; less than that is how it begins
+  if (done < tells) return clock_text(seconds) + " so far";
+  if (advance.n_done == advance.n_parts) return "in " + clock_text(seconds);
+  return clock_text(seconds * (n_parts - done) / done) + " left";
 }
 
 }  // namespace
 
-std::string progress_text(std::size_t n_done, std::size_t n_parts, std::size_t n_bad, double seconds, int columns) {
-  auto text = fmt::format("{}/{}, {}", n_done, n_parts, left_text(n_done, n_parts, seconds));
-  if (n_bad > 0) text += fmt::format(", {} not good", n_bad);
+std::string progress_text(const Advance& advance, double seconds, int columns) {
+  auto text = fmt::format("{}/{}, {}", advance.n_done, advance.n_parts, left_text(advance, seconds));
+  if (advance.n_bad > 0) text += fmt::format(", {} not good", advance.n_bad);
+  if (!advance.what.empty()) text += "; " + advance.what;
   const int room = columns - 1 - static_cast<int>(text.size()) - 3;  // brackets, a blank, and none in the last column
   if (room < narrowest_bar) return text.substr(0, static_cast<std::size_t>(std::max(0, columns - 1)));
   const auto width = static_cast<std::size_t>(std::min(room, widest_bar));
-  const auto filled = width * n_done / std::max<std::size_t>(1, n_parts);
+  const auto filled =
+      static_cast<std::size_t>(static_cast<double>(width) * (static_cast<double>(advance.n_done) + advance.under_way) /
+                               static_cast<double>(std::max<std::size_t>(1, advance.n_parts)));
   return fmt::format("[{}{}] {}", std::string(filled, '#'), std::string(width - filled, '.'), text);
 }
 
-Progress::Progress(std::size_t n_parts) : n_parts_(n_parts) {
+Progress::Progress(std::size_t n_parts) : advance_{0, n_parts} {
   if (!log::tells() || !on_terminal()) return;
   ticker_ = std::thread([this] {
     std::unique_lock<std::mutex> lock(mutex_);
@@ -71,20 +77,35 @@ Progress::~Progress() {
   std::fputs("\r\033[K", stderr);
 }
 
-void Progress::done(const std::string& what, bool is_good) {
+void Progress::done(const std::string& what, bool is_good, const std::string& part) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  ++n_done_;
-  n_bad_ += is_good ? 0 : 1;
+  shares_.erase(part);
+  count_shares();
+  ++advance_.n_done;
+  advance_.n_bad += is_good ? 0 : 1;
   if (!log::tells()) return;
   if (on_terminal()) return draw();
   const double seconds = std::chrono::duration<double>(Clock::now() - start_).count();
-  fmt::print(stderr, "{}/{} {}; {}\n", n_done_, n_parts_, without_control_characters(what),
-             left_text(n_done_, n_parts_, seconds));
+  fmt::print(stderr, "{}/{} {}; {}\n", advance_.n_done, advance_.n_parts, without_control_characters(what),
+             left_text(advance_, seconds));
+}
+
+void Progress::under_way(const std::string& part, double share, const std::string& what) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  shares_[part] = share;
+  count_shares();
+  advance_.what = part + ": " + what;
+}
+
+void Progress::count_shares() {
+  advance_.under_way = 0;
+  for (const auto& [part, share] : shares_) advance_.under_way += share;
+  if (shares_.empty()) advance_.what.clear();
 }
 
 void Progress::draw() const {
   const double seconds = std::chrono::duration<double>(Clock::now() - start_).count();
-  fmt::print(stderr, "\r\033[K{}", progress_text(n_done_, n_parts_, n_bad_, seconds, terminal_columns()));
+  fmt::print(stderr, "\r\033[K{}", progress_text(advance_, seconds, terminal_columns()));
   std::fflush(stderr);
 }
 

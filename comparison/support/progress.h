@@ -3,15 +3,23 @@
 #include <chrono>
 #include <condition_variable>
 #include <cstddef>
+#include <map>
 #include <mutex>
 #include <string>
 #include <thread>
 
 namespace fretval {
 
-/// How far many parts have come, for one line of so many columns: a bar as far as there is room, the counts, and the
-/// time that is left if the rest takes as long for each part as what is done. seconds: since the start.
-std::string progress_text(std::size_t n_done, std::size_t n_parts, std::size_t n_bad, double seconds, int columns);
+/// How far many parts have come.
+struct Advance {
+  std::size_t n_done, n_parts, n_bad = 0;
+  double under_way = 0;   ///< of the parts that are not done, the shares that are
+  std::string what = {};  ///< is under way
+};
+
+/// For one line of so many columns: a bar as far as there is room, the counts, the time that is left if the rest takes
+/// as long for each part as what is done, and what is under way. seconds: since the start.
+std::string progress_text(const Advance& advance, double seconds, int columns);
 
 /// Tells on the standard error how far many parts have come: on a terminal a line that redraws itself every second,
 /// from the start on; elsewhere a line for each part. Says nothing before log::start() and after log::keep_quiet().
@@ -22,16 +30,21 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// One more part is done. what: its name and what became of it. May be called by several threads.
-  void done(const std::string& what, bool is_good = true);
+  /// One more part is done. what: its name and what became of it; part: as it was called under way, if it was. May be
+  /// called by several threads.
+  void done(const std::string& what, bool is_good = true, const std::string& part = {});
+
+  /// How far a part has come that takes long, and what there is to say of it, for the terminal alone.
+  void under_way(const std::string& part, double share, const std::string& what);
 
  private:
   void draw() const;
+  void count_shares();
 
   using Clock = std::chrono::steady_clock;
-  const std::size_t n_parts_;
   const Clock::time_point start_ = Clock::now();
-  std::size_t n_done_ = 0, n_bad_ = 0;
+  Advance advance_;
+  std::map<std::string, double> shares_;  // of the parts under way
   std::mutex mutex_;
   std::condition_variable wake_;
   bool ends_ = false;

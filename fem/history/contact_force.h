@@ -24,6 +24,11 @@ struct ContactPast {
 /// centre of too few rings to have an edge no force is told apart, only the uncertainty.
 struct ForceBeyond {
   double force = 0, uncertainty = 0;
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(force, uncertainty);
+  }
 };
 
 /// Normal force of the depths (see PunchSeries) of the contact around the centre, and where it ends.
@@ -39,6 +44,11 @@ struct ContactForce {
   double kink_uncertainty = 0;  ///< the part of it that an unseen kink makes, see read_edges_near_largest_contact
   Eigen::Index n_closed = 0;    ///< rings whose pressures are continued up to the radius; 0: no edge was found
   ForceBeyond beyond = {};
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(force, radius, uncertainty, kink_uncertainty, n_closed, beyond);
+  }
 };
 
 /// How a force is read from the pressures of rings: by depths that go on to the edge of a contact which has grown from

@@ -50,6 +50,14 @@ class FrictionContact {
   /// Fraction of a step at which forces balance.
   [[nodiscard]] double fraction() const { return step_.fraction(); }
 
+  /// What the next step depends on, of a contact that is told of no normal instants; into one that was made of the same
+  /// arguments.
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(n_steps, displacement, balance_displacement, limit, limit_depths, traction, slip, state, zones, stick_,
+            last_increment_, time_before_, spare_before_);
+  }
+
  private:
   /// What a move of the indenter up to the balance time would come to.
   struct Attempt {

@@ -42,6 +42,13 @@ class NormalContact {
   [[nodiscard]] const Motion& motion() const { return motion_; }
   [[nodiscard]] int steps_per_cycle() const { return steps_per_cycle_; }
 
+  /// What the next step depends on; into a contact that was made of the same arguments.
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(n_steps, profile, time, indentation, balance_indentation, pressure, reading, gap, balance_gap, state,
+            contact_, largest_radius_, last_increment_);
+  }
+
  private:
   /// What a move of the indenter up to the balance time would come to.
   struct Attempt {

@@ -59,6 +59,11 @@ class PronyInterval {
 struct RingState {
   Eigen::VectorXd displacement;  ///< n
   Eigen::MatrixXd memory;        ///< n x n_branches
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(displacement, memory);
+  }
 };
 
 /// `w(t) = int G(t-t') du/dt' dt'` on the rings of the contact line, stepped in time.

@@ -36,6 +36,11 @@ class SlipZones {
   /// Depths just before the present slip began, over that of the innermost ring.
   [[nodiscard]] const Eigen::VectorXd& held_depths() const { return held_depths_; }
 
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(labels_, slip_, held_labels_, depths_, held_depths_);
+  }
+
  private:
   std::vector<signed char> labels_, slip_, held_labels_;
   Eigen::VectorXd depths_, held_depths_;

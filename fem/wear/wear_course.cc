@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
-#include <utility>
 
 namespace fretval::fem {
 namespace {
@@ -33,7 +31,6 @@ WearPoint point_of(const WearingContact& contact, double cycles) {
 }
 
 struct Jump {
-  WearingContact after;
   double cycles, deepest;  ///< worn off
   double error;            ///< what both ways differ by
 };
@@ -48,57 +45,62 @@ Eigen::VectorXd extrapolated(const Eigen::VectorXd& at_once, const Eigen::Vector
 }
 
 /// Over n cycles, or fewer if those wore off too much.
-Jump jump(const WearingContact& contact, double n_cycles, double largest) {
-  const Eigen::VectorXd before = contact.worn();
+Jump jump(WearingContact& contact, double n_cycles, double largest) {
+  const Eigen::VectorXd before = contact.worn(), rate_before = contact.period().rate;
   while (true) {
     WearingContact at_once = contact;
     at_once.wear_off(n_cycles);
     const double deepest = (at_once.worn() - before).maxCoeff();
-    if (deepest <= too_much * largest) {
-      WearingContact after = contact;
-      after.wear_off(n_cycles / 2);
-      after.settle();
-      after.wear_off(n_cycles / 2);
-      const double error = (after.worn() - at_once.worn()).lpNorm<Eigen::Infinity>();
-      const auto worn = extrapolated(at_once.worn(), after.worn(), contact.period().rate, at_once.period().rate);
-      after.take_worn(worn.cwiseMax(before));
-      after.settle();
-      return {std::move(after), n_cycles, deepest, error};
+    if (deepest > too_much * largest) {
+      n_cycles *= largest / deepest;
+      continue;
     }
-    n_cycles *= largest / deepest;
+    contact.wear_off(n_cycles / 2);
+    contact.settle();
+    contact.wear_off(n_cycles / 2);
+    const double error = (contact.worn() - at_once.worn()).lpNorm<Eigen::Infinity>();
+    const auto worn = extrapolated(at_once.worn(), contact.worn(), rate_before, at_once.period().rate);
+    contact.take_worn(worn.cwiseMax(before));
+    contact.settle();
+    return {n_cycles, deepest, error};
   }
+}
+
+void add_point(WearState& state, double cycles) {
+  state.course.curve.push_back(point_of(state.contact, cycles));
+  state.course.worn.push_back(state.contact.worn());
+}
+
+void begin(WearState& state, const WearControl& control) {
+  state.contact.start();
+  state.contact.settle();
+  add_point(state, 0);
+  state.course.first = state.contact.period();
+  state.next_jump = first_jump * control.largest_jump / state.contact.period().rate.maxCoeff();
+  state.goes_on = state.course.curve.front().volume_rate > 0;
 }
 
 }  // namespace
 
-WearCourse wear_course(WearingContact start, const WearControl& control, const WearProgress& progress) {
-  std::optional<WearingContact> contact(std::move(start));
-  contact->settle();
-  WearCourse course;
-  const auto add = [&](double cycles) {
-    course.curve.push_back(point_of(*contact, cycles));
-    course.worn.push_back(contact->worn());
-    if (progress) progress(course.curve.back());
-  };
-  add(0);
-  course.first = contact->period();
+void wear_on(WearState& state, const WearControl& control, const WearObserver& after_jump) {
+  auto& [contact, course, next, goes_on] = state;
+  if (course.curve.empty()) begin(state, control);
   const double first_rate = course.curve.front().volume_rate;
-  double next = first_jump * control.largest_jump / contact->period().rate.maxCoeff();
-  for (bool goes_on = first_rate > 0; goes_on; ++course.n_jumps) {
+  while (goes_on) {
     const double done = course.curve.back().cycles, left = control.most_cycles - done;
-    auto [after, cycles, deepest, error] = jump(*contact, std::min(next, left), control.largest_jump);
-    contact.emplace(std::move(after));
-    add(cycles >= left ? control.most_cycles : done + cycles);
+    const auto [cycles, deepest, error] = jump(contact, std::min(next, left), control.largest_jump);
+    add_point(state, cycles >= left ? control.most_cycles : done + cycles);
+    ++course.n_jumps;
     course.largest_jump_error = std::max(course.largest_jump_error, error);
     next = cycles * std::min(control.largest_jump / deepest, largest_growth);
     course.end = cycles >= left                                                           ? WearEnd::cycles
                  : course.curve.back().volume_rate <= control.rate_fallen_to * first_rate ? WearEnd::rate
                                                                                           : WearEnd::nothing_left;
     goes_on = course.end == WearEnd::nothing_left && (cycles < done || deepest > control.accuracy);
+    if (after_jump) after_jump(state);
   }
-  course.last = contact->period();
-  course.n_cycles_stepped = contact->n_cycles_stepped();
-  return course;
+  course.last = contact.period();
+  course.n_cycles_stepped = contact.n_cycles_stepped();
 }
 
 }  // namespace fretval::fem

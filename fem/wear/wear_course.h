@@ -29,6 +29,11 @@ struct WearPoint {
   double deepest;         ///< worn depth
   double contact_radius;  ///< outer edge of the outermost ring that bears pressure in the cycle
   double stick_radius;    ///< outer edge of the outermost ring of those around the centre that do not slip in the cycle
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(cycles, volume, volume_rate, friction_work, deepest, contact_radius, stick_radius);
+  }
 };
 
 /// An indenter from its first shape to the last that was asked for.
@@ -40,16 +45,35 @@ struct WearCourse {
   int n_jumps = 0;
   double largest_jump_error = 0;  ///< worn depth, before a jump is extrapolated
   int n_cycles_stepped = 0;
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(curve, worn, first, last, end, n_jumps, largest_jump_error, n_cycles_stepped);
+  }
+};
+
+/// A course on its way, with all that it takes to go on.
+struct WearState {
+  WearingContact contact;
+  WearCourse course = {};
+  double next_jump = 0;  ///< cycles
+  bool goes_on = true;
+
+  /// Into a state whose contact was made of the same arguments.
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(contact, course, next_jump, goes_on);
+  }
 };
 
 /// Called after each jump.
-using WearProgress = std::function<void(const WearPoint&)>;
+using WearObserver = std::function<void(const WearState&)>;
 
-/// Wears a contact by jumps: each takes the wear of many cycles in one period, then the slip settles on the new
-/// profile. A jump is made at once and in two halves, which are extrapolated to second order in its length. The next
-/// is as long as the last one suggests, at most three times; one that wears off more than twice the largest is taken
-/// back. Errors are in the course alone: where wear ends, it ends in a state in which nothing under pressure slips,
-/// whatever the jumps.
-WearCourse wear_course(WearingContact contact, const WearControl& control, const WearProgress& progress = {});
+/// Wears a contact on until its course ends, from the start or from where it was left, by jumps: each takes the wear of
+/// many cycles in one period, then the slip settles on the new profile. A jump is made at once and in two halves, which
+/// are extrapolated to second order in its length. The next is as long as the last one suggests, at most three times;
+/// one that would wear off more than twice the largest is not made. Errors are in the course alone: where wear ends, it
+/// ends in a state in which nothing under pressure slips, whatever the jumps.
+void wear_on(WearState& state, const WearControl& control, const WearObserver& after_jump = {});
 
 }  // namespace fretval::fem

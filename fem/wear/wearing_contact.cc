@@ -16,9 +16,11 @@ WearingContact::WearingContact(const ContactProblem& normal, const ContactProble
     : normal_(normal, relaxation, std::move(profile), motion, steps_per_cycle, ForceReading::sum_of_rings),
       friction_(tangential, relaxation, friction_coefficient, motion, steps_per_cycle),
       law_(law),
-      unworn_(normal_.profile) {
-  for (int cycle = 0; cycle < motion.cycles_of_ramp(); ++cycle)
-    for (int k = 0; k < steps_per_cycle; ++k) {
+      unworn_(normal_.profile) {}
+
+void WearingContact::start() {
+  for (int cycle = 0; cycle < normal_.motion().cycles_of_ramp(); ++cycle)
+    for (int k = 0; k < normal_.steps_per_cycle(); ++k) {
       normal_.step();
       friction_.step(normal_.pressure);
     }

@@ -21,11 +21,14 @@ struct WearLaw {
 /// touches all at once, and no reading of an edge holds on it.
 class WearingContact {
  public:
-  /// At rest, on a profile of ring means. The problems, which share their rings, the relaxation and the motion must
-  /// outlive this.
+  /// At rest, on a profile of ring means, before the motion has begun. The problems, which share their rings, the
+  /// relaxation and the motion must outlive this.
   WearingContact(const ContactProblem& normal, const ContactProblem& tangential, const RelaxationModel& relaxation,
                  const Motion& motion, int steps_per_cycle, Eigen::VectorXd profile, double friction_coefficient,
                  const WearLaw& law);
+
+  /// Through the ramp of the motion, without wear.
+  void start();
 
   /// Periods without wear until the slip of each ring repeats, see slip_repeats, so that what settling takes is not
   /// taken for the wear of every cycle. Throws SolverError when it does not.
@@ -51,12 +54,23 @@ class WearingContact {
 
     /// What a ring does in a step: o open, s sticks, f slips forward, b backward.
     [[nodiscard]] char zone(Eigen::Index ring, Eigen::Index step) const;
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+      archive(slip, pressure, path, rate, largest_pressure, friction_work, largest_indentation, tangential_amplitude);
+    }
   };
   [[nodiscard]] const Period& period() const { return period_; }
   [[nodiscard]] const NormalContact& normal() const { return normal_; }
   [[nodiscard]] const FrictionContact& friction() const { return friction_; }
   [[nodiscard]] Eigen::VectorXd worn() const { return normal_.profile - unworn_; }
   [[nodiscard]] int n_cycles_stepped() const { return static_cast<int>(normal_.n_steps / normal_.steps_per_cycle()); }
+
+  /// Into a contact that was made of the same arguments.
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(normal_, friction_, period_);
+  }
 
  private:
   [[nodiscard]] bool slip_repeats(const Eigen::VectorXd& path_before) const;

@@ -29,7 +29,8 @@ TEST(EntryTable, MeasuresWhatTheEntryIsAbout) {
 
 TEST(EntryTable, WhatWasMeantIsSaidAndNotMissingAsWell) {
   Problems problems;
-  expect_parts(no_such_section("Motoin", problems), {"subsection Motoin", "did you mean Motion? Valid subsections: Indenter, "});
+  expect_parts(no_such_section("Motoin", problems),
+               {"subsection Motoin", "did you mean Motion? Valid subsections: Indenter, "});
   expect_parts(no_such_entry("Indenter", "Radios", problems), {"did you mean Radius?", "Valid entries of Indenter: "});
   EXPECT_EQ(problems.meant.count("Motion"), 1U);
   EXPECT_EQ(problems.meant.count("Indenter / Radius"), 1U);

@@ -9,14 +9,23 @@ namespace {
 
 // A quarter takes 10 s, so the rest takes 30.
 TEST(Progress, TellsTheTimeThatIsLeft) {
-  EXPECT_EQ(progress_text(3, 12, 0, 10, 80), "[#######.......................] 3/12, 0:30 left");
-  EXPECT_EQ(progress_text(0, 12, 0, 4, 80), "[..............................] 0/12, 0:04 so far");
-  EXPECT_EQ(progress_text(12, 12, 2, 3725, 80), "[##############################] 12/12, in 1:02:05, 2 not good");
+  EXPECT_EQ(progress_text({3, 12}, 10, 80), "[#######.......................] 3/12, 0:30 left");
+  EXPECT_EQ(progress_text({0, 12}, 4, 80), "[..............................] 0/12, 0:04 so far");
+  EXPECT_EQ(progress_text({12, 12, 2}, 3725, 80), "[##############################] 12/12, in 1:02:05, 2 not good");
+}
+
+// One of two is done and the other to a quarter: 40 s for 1.25 of 2, so 24 are left.
+TEST(Progress, CountsTheShareOfWhatIsUnderWay) {
+  EXPECT_EQ(progress_text({1, 2, 0, 0.25, "cone: worn"}, 40, 80),
+            "[##################............] 1/2, 0:24 left; cone: worn");
+  EXPECT_EQ(progress_text({0, 1, 0, 0.001, "cone: worn"}, 4, 80),
+            "[..............................] 0/1, 0:04 so far; cone: worn");
 }
 
 TEST(Progress, FitsIntoTheLine) {
   for (int columns = 1; columns <= 120; ++columns)
-    EXPECT_LT(progress_text(99, 522, 17, 54321, columns).size(), static_cast<std::size_t>(columns));
+    EXPECT_LT(progress_text({99, 522, 17, 0.5, "wear: 1e-3 from its limit"}, 54321, columns).size(),
+              static_cast<std::size_t>(columns));
 }
 
 TEST(Progress, IsALineForEachCaseInALogAndNothingIfQuiet) {

@@ -26,14 +26,22 @@ struct WearingHalfSpace {
     motion.n_ramp_cycles = 2;
   }
 
-  [[nodiscard]] WearingContact contact(const WearLaw& law) const {
+  [[nodiscard]] WearingContact contact_at_rest(const WearLaw& law) const {
     return {normal, tangential, body, motion, n_steps, profile, mu, law};
+  }
+  /// In motion.
+  [[nodiscard]] WearingContact contact(const WearLaw& law) const {
+    auto contact = contact_at_rest(law);
+    contact.start();
+    return contact;
   }
 
   /// Until nothing is left, unless told otherwise.
   [[nodiscard]] WearCourse course(const WearLaw& law, double jump = 0.01, double most_cycles = infinity,
                                   double rate = 0) const {
-    return wear_course(contact(law), {most_cycles, rate, jump, 1e-6});
+    WearState state{contact_at_rest(law)};
+    wear_on(state, {most_cycles, rate, jump, 1e-6});
+    return state.course;
   }
 
   /// The disc that the stuck rings stand for.

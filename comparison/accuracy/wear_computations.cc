@@ -1,0 +1,80 @@
+#include "comparison/accuracy/wear_computations.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "comparison/support/parallel.h"
+#include "fem/support/solver_error.h"
+#include "meshes/mesh_error.h"
+
+namespace fretval {
+namespace {
+
+/// Of a computation, up to a factor.
+double expected_work(const Resolution& r) {
+  return std::pow(r.elements_per_radius, 2) * r.steps_per_cycle / r.wear_jump;
+}
+
+}  // namespace
+
+ProfileChain chain_of(const WearSimulation& wear, const Eigen::VectorXd& worn, double unit) {
+  ProfileChain chain;
+  for (Eigen::Index i = 0; i < worn.size(); ++i) chain.emplace_back(wear.centre[i], unit * (wear.unworn[i] + worn[i]));
+  return chain;
+}
+
+std::vector<double> distances_of(const WearSimulation& wear, const Units& units, const mdr::LimitingProfile& limit) {
+  const auto chain = chain_of(limit, units.length, units.length * wear.radii.back());
+  std::vector<double> distances;
+  for (const auto& worn : wear.course.worn)
+    distances.push_back(distance_between(chain_of(wear, worn, units.depth / limit.maximum_indentation), chain));
+  return distances;
+}
+
+void WearComputations::expect(const std::vector<Resolution>& resolutions) {
+  for (const auto& resolution : resolutions) shares_.try_emplace(resolution, 0.0);
+}
+
+void WearComputations::compute(const std::vector<Resolution>& wanted) {
+  expect(wanted);
+  std::vector<Resolution> missing;
+  for (const auto& resolution : wanted)
+    if (all.try_emplace(resolution).second) missing.push_back(resolution);
+  for_each_in_parallel(missing.size(), [&](std::size_t i) { all.at(missing[i]) = attempt(missing[i]); });
+}
+
+WearComputation WearComputations::attempt(const Resolution& resolution) {
+  WearRun run{oversight_.checkpoints};
+  const auto& wear = *prepared_.input.wear_kinetics;
+  const auto& units = prepared_.fem.units;
+  if (oversight_.progress)
+    run.progress = [&, all_of_it = mdr::worn_volume(limits_.shakedown)](const auto& now) {
+      const auto& point = now.course.curve.back();
+      const double by_volume = point.volume * units.volume() / all_of_it,
+                   by_cycles = wear.n_cycles ? point.cycles / *wear.n_cycles : 0;
+      WearSimulation last{{}, now.radii, now.unworn, now.centre};
+      last.course.worn = {now.course.worn.back()};
+      tell(resolution, std::min(std::max(by_volume, by_cycles), 1.0),
+           distances_of(last, units, limits_.shakedown).back());
+    };
+  try {
+    return {simulate_wear(prepared_.fem, wear, edge_, resolution, bodies_, run)};
+  } catch (const fem::SolverError& error) {
+    return {{}, error.what()};
+  } catch (const meshes::MeshError& error) {
+    return {{}, error.what()};
+  }
+}
+
+void WearComputations::tell(const Resolution& resolution, double share, double distance) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  shares_.at(resolution) = share;
+  double done = 0, work = 0;
+  for (const auto& [one, its_share] : shares_) {
+    work += expected_work(one);
+    done += its_share * expected_work(one);
+  }
+  oversight_.progress(done / work, distance);
+}
+
+}  // namespace fretval
