@@ -122,10 +122,9 @@ int run_cases(const RunOptions& options) {
     for (const auto& warning : one.input.warnings) log::warn(warning);
   log_left_out(prepared);
   const FolderLock lock(output);
-  say_on_interrupt(
-      fmt::format("interrupted: the cases that are done are kept in {0}; fretval report {0} shows them; "
-                  "wear goes on from here when the case is run again",
-                  output.string()));
+  const bool any_wears = std::any_of(prepared.begin(), prepared.end(), wears);
+  say_on_interrupt(fmt::format("interrupted: the cases that are done are kept in {0}; fretval report {0} shows them{1}",
+                               output.string(), any_wears ? "; wear goes on from here when it is run again" : ""));
   const auto lines = computed_lines(prepared, options);
   if (!options.json) lines.size() == 1 && lines[0].failure.empty() ? print_answer(lines[0]) : print_verdicts(lines);
   if (!options.junit.empty()) write_file(options.junit, junit_of(lines));
