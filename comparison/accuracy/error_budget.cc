@@ -1,5 +1,7 @@
 #include "comparison/accuracy/error_budget.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -62,6 +64,15 @@ const ErrorShare* ErrorBar::largest() const {
   const auto found = std::max_element(shares.begin(), shares.end(),
                                       [](const auto& a, const auto& b) { return a.estimate < b.estimate; });
   return found == shares.end() ? nullptr : &*found;
+}
+
+std::string excess_text(Quantity quantity, const ErrorBar& bar, double tolerance) {
+  std::string shares;
+  for (const auto& share : bar.shares)
+    if (share.estimate > bar.total() / 10)
+      shares += fmt::format("{}{} {:.1e}", shares.empty() ? "" : ", ", name_of(share.source), share.estimate);
+  return fmt::format("error bar of {} is {:.1e} ({}), {:.1e} is asked for", name_of(quantity), bar.total(), shares,
+                     tolerance);
 }
 
 ErrorShare richardson(ErrorSource source, const Refinements& values, const ExpectedOrder& expected) {

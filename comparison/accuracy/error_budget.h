@@ -27,6 +27,10 @@ struct ErrorBar {
   [[nodiscard]] const ErrorShare* largest() const;
 };
 
+/// For the log: "error bar of ... is 2.0e-03 (rings 1.9e-03), 1.0e-03 is asked for", with the shares of a tenth or
+/// more.
+std::string excess_text(Quantity quantity, const ErrorBar& bar, double tolerance);
+
 using ErrorBudget = std::map<Quantity, ErrorBar>;
 
 /// Measured values of a quantity at a resolution that was coarsened by 2, and by 4 (if there is one).

@@ -19,14 +19,6 @@ constexpr double worthwhile_gain = 4;  // a ring that is less finer than that, t
 constexpr double worthwhile_gain_if_hopeless = 1.5;  // where it asks for more than can be planned
 constexpr std::array stick_radii{Quantity::stick_radius_first_slip, Quantity::stick_radius_shakedown};
 
-std::string large_shares(const ErrorBar& bar) {
-  std::string text;
-  for (const auto& share : bar.shares)
-    if (share.estimate > bar.total() / 10)
-      text += fmt::format("{}{} {:.1e}", text.empty() ? "" : ", ", name_of(share.source), share.estimate);
-  return text;
-}
-
 bool any_failed(const Tracks& tracks, const Computations& computed) {
   const auto all = tracks.all();
   return std::any_of(all.begin(), all.end(), [&](const Resolution& r) { return computed.failed(r); });
@@ -65,11 +57,9 @@ std::optional<Tracks> finer(const PreparedCase& prepared, const Computations& co
   const auto& name = prepared.input.name;
   std::map<Resolution, std::vector<BarToMeet>> bars;  // by track
   for (const auto& [quantity, bar] : error_bars(prepared, tracks, computed, Borders::left_out)) {
-    const double tolerance = tolerance_of(prepared.tolerances, quantity), total = bar.total();
+    const double tolerance = tolerance_of(prepared.tolerances, quantity);
     bars[tracks.of(quantity)].push_back({bar, tolerance});
-    if (total > tolerance)
-      log::info(fmt::format("{}: error bar of {} is {:.1e} ({}), {:.1e} is asked for", name, name_of(quantity), total,
-                            large_shares(bar), tolerance));
+    if (bar.total() > tolerance) log::info(fmt::format("{}: {}", name, excess_text(quantity, bar, tolerance)));
   }
   const FixedByCase fixed{prepared.input.rings_per_radius.has_value(), prepared.input.steps_per_cycle.has_value()};
   Tracks next = tracks;

@@ -31,24 +31,34 @@ Quantities quantities_of(const WearSimulation& wear, const Units& units, const W
       {Quantity::worn_radius, wear.worn_radius}};
 }
 
-/// A ring slips as a whole, or not at all: the stick radius, if there is one, is known to the width of the rings at it.
-double edge_ring(const WearSimulation& wear) {
-  const double stick_radius = wear.course.curve.back().stick_radius;
+double stick_radius_of(const WearSimulation& wear) {
+  return wear.course.curve.back().stick_radius;
+}
+
+/// How far the stick radius of the end may be off, if there is one. A ring slips as a whole or not at all, so it is
+/// known to the width of the rings at it; and under prescribed displacements it does not move, so what wear has eaten
+/// of that of the unworn contact is an error.
+double stick_radius_error(const PreparedCase& prepared, const WearSimulation& wear, double unworn_stick_radius) {
+  const double stick_radius = stick_radius_of(wear);
+  if (stick_radius == 0) return 0;
   const auto rings = rings_at(wear.radii, stick_radius);
-  return stick_radius > 0 ? std::max(rings.inside, rings.outside) : 0;
+  const bool moves = prepared.fem.motion.normal_force || prepared.fem.motion.tangential_force;
+  return std::max({rings.inside, rings.outside, moves ? 0 : unworn_stick_radius - stick_radius});
 }
 
-/// The share of the worn volume that one of the stick radius makes: the volume vanishes like (a - c)^(5/2) as c reaches
-/// the contact radius, and depends on smaller c less.
-double volume_per_stick_radius(const WearSimulation& wear) {
-  const auto& [first, last] = std::tie(wear.course.curve.front(), wear.course.curve.back());
-  const double outside = first.contact_radius - last.stick_radius;
-  return outside > 0 ? 2.5 / outside : 0;
+/// The worn volume of the limiting state vanishes like (a - c)^(5/2) as c reaches the contact radius, which is 1, and
+/// depends on smaller c less: up to a factor.
+double volume_beyond(double stick_radius) {
+  return stick_radius < 1 ? std::pow(1 - stick_radius, 2.5) : 1;
 }
 
-ErrorBudget budget_of(const PreparedCase& prepared, const WearLimits& limits, const Resolution& resolution,
+/// The stick radius of the end jumps by rings and takes the volume with it: refinements are compared at the stick
+/// radius of the answer, and how far that is off is a share of its own.
+ErrorBudget budget_of(const PreparedCase& prepared, const ProvedWear& wear, double unworn_stick_radius,
                       const WearComputations& computed) {
   const auto& units = prepared.fem.units;
+  const auto& [limits, resolution] = std::tie(wear.limits, wear.resolution);
+  const auto& fe = computed.all.at(resolution).fe;
   const auto variants = variants_of_wear(resolution);
   const CaseNeeds needs{prepared.fem.relaxation.has_memory()};
   std::map<Resolution, Quantities> known;
@@ -57,22 +67,24 @@ ErrorBudget budget_of(const PreparedCase& prepared, const WearLimits& limits, co
     known[other] = {};
     if (!computation.failure.empty()) continue;
     known[other] = quantities_of(computation.fe, units, limits);
+    if (wear.ends_in_limit())
+      known[other][Quantity::worn_volume] *=
+          volume_beyond(stick_radius_of(fe)) / volume_beyond(stick_radius_of(computation.fe));
     worn[other] =
         chain_of(computation.fe, computation.fe.course.worn.back(), units.depth / limits.shakedown.maximum_indentation);
   }
-  auto budget = error_budget(resolution, variants, known,
-                             {{Quantity::worn_radius, computed.all.at(resolution).fe.worn_radius_uncertainty}}, needs);
+  auto budget = error_budget(resolution, variants, known, {{Quantity::worn_radius, fe.worn_radius_uncertainty}}, needs);
   const auto between = [&worn](const Resolution& finer, const Resolution& coarser) {
     const auto a = worn.find(finer), b = worn.find(coarser);
     return a == worn.end() || b == worn.end() ? std::numeric_limits<double>::quiet_NaN()
                                               : distance_between(b->second, a->second);
   };
   budget[Quantity::distance_to_limit] = error_bar(Quantity::distance_to_limit, variants, between, needs);
-  const auto& [fe, failure] = computed.all.at(resolution);
-  const double edge = edge_ring(fe);
+  const double edge = stick_radius_error(prepared, fe, unworn_stick_radius), stick_radius = stick_radius_of(fe);
   budget[Quantity::distance_to_limit].add(ErrorSource::edge, edge);
-  budget[Quantity::worn_volume].add(
-      ErrorSource::edge, edge * volume_per_stick_radius(fe) * known.at(resolution).at(Quantity::worn_volume));
+  budget[Quantity::worn_volume].add(ErrorSource::edge,
+                                    (volume_beyond(stick_radius - edge) / volume_beyond(stick_radius) - 1) *
+                                        known.at(resolution).at(Quantity::worn_volume));
   return budget;
 }
 
@@ -82,17 +94,18 @@ std::optional<Resolution> finer(const PreparedCase& prepared, const ProvedWear& 
   const ErrorShare* largest = nullptr;
   double furthest = 1;
   for (const auto& [quantity, bar] : budget) {
-    const double times = bar.total() / tolerance_of(prepared.tolerances, quantity);
-    if (!(times > furthest) || !wear.limits.reached || (quantity != Quantity::worn_volume && !wear.ends_in_limit()))
-      continue;
+    const double tolerance = tolerance_of(prepared.tolerances, quantity), times = bar.total() / tolerance;
+    if (!(times > 1) || !wear.limits.reached || (quantity != Quantity::worn_volume && !wear.ends_in_limit())) continue;
+    log::info(fmt::format("{}: {}", prepared.input.name, excess_text(quantity, bar, tolerance)));
+    if (times <= furthest) continue;
     furthest = times;
     largest = bar.largest();
   }
   if (!largest) return std::nullopt;
-  const auto next = refined(wear.resolution, largest->source);
+  constexpr double little = 1.5;  // what lacks; a share falls at least as its rings or steps become smaller
+  const auto next = refined(wear.resolution, largest->source, furthest <= little ? little : 2);
   if (next)
-    log::info(fmt::format("{}: an error bar of the wear is {:.1f} times the tolerance; refined: {}",
-                          prepared.input.name, furthest, name_of(largest->source)));
+    log::info(fmt::format("{}: wear from {} to {}", prepared.input.name, text_of(wear.resolution), text_of(*next)));
   return next;
 }
 
@@ -122,7 +135,7 @@ ErrorBudget measure_errors(const PreparedCase& prepared, double stick_radius, Pr
   take(prepared, stick_radius, computed.all.at(wear.resolution), wear);
   for (int n = 0; proof != Proof::none && wear.failure.empty(); ++n) {
     computed.compute(needed_for_bars(wear.resolution));
-    auto budget = budget_of(prepared, wear.limits, wear.resolution, computed);
+    auto budget = budget_of(prepared, wear, stick_radius, computed);
     const bool goes_on = proof == Proof::tolerance && n < most_rounds;
     const auto next = goes_on ? finer(prepared, wear, budget) : std::nullopt;
     if (!next) return budget;

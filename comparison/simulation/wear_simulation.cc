@@ -35,15 +35,20 @@ fem::WearLaw law_in(const Units& units, const Case::WearKinetics& wear, double f
   return {coefficient * std::pow(units.pressure(), wear.exponent), wear.exponent};
 }
 
-/// Where a line through two neighbouring rings meets zero; no further than the first ring that is not worn.
-double end_of_line(const WearSimulation& wear, Eigen::Index inner, double last) {
+/// Where the parabola through the worn depths of three neighbouring rings meets zero first, going outward from the
+/// outermost of them; no further than `last`.
+double end_of_parabola(const WearSimulation& wear, Eigen::Index inner, double last) {
   const Eigen::VectorXd& worn = wear.course.worn.back();
-  const double fall = (worn[inner] - worn[inner + 1]) / (wear.centre[inner + 1] - wear.centre[inner]);
-  return fall > 0 ? std::min(wear.centre[inner + 1] + worn[inner + 1] / fall, last) : last;
+  const double start = wear.centre[inner + 2], first = wear.centre[inner + 1] - start,
+               second = wear.centre[inner] - start, depth = worn[inner + 2];
+  const double slope_first = (worn[inner + 1] - depth) / first, slope_second = (worn[inner] - depth) / second;
+  const double bend = (slope_second - slope_first) / (second - first), slope = slope_first - bend * first;
+  const double under_root = slope * slope - 4 * bend * depth;
+  return slope < 0 && under_root >= 0 ? std::min(start + 2 * depth / (std::sqrt(under_root) - slope), last) : last;
 }
 
-/// Wear ends like a straight line: drawn through the two outermost rings but one, which may be worn in part. How far
-/// that is off, the line through the two before tells.
+/// The worn depth ends at an angle: the parabola through the three outermost rings but one, which may be worn in part,
+/// is drawn on to zero. How far that is off, the parabola from one ring further in tells.
 void read_worn_radius(WearSimulation& wear) {
   constexpr double nothing = 1e-7;
   const Eigen::VectorXd& worn = wear.course.worn.back();
@@ -52,9 +57,10 @@ void read_worn_radius(WearSimulation& wear) {
   if (outermost < 0) return;
   const auto ring = static_cast<std::size_t>(outermost);
   const double inner_edge = wear.radii[ring], last = wear.radii[std::min(ring + 2, wear.radii.size() - 1)];
-  wear.worn_radius = outermost < 3 ? wear.radii[ring + 1] : end_of_line(wear, outermost - 2, last);
+  const bool is_wide = outermost >= 4;
+  wear.worn_radius = is_wide ? end_of_parabola(wear, outermost - 3, last) : wear.radii[ring + 1];
   wear.worn_radius_uncertainty =
-      outermost < 3 ? last - inner_edge : std::abs(end_of_line(wear, outermost - 3, last) - wear.worn_radius);
+      is_wide ? std::abs(end_of_parabola(wear, outermost - 4, last) - wear.worn_radius) : last - inner_edge;
 }
 
 /// All that the course depends on, bit for bit.
