@@ -207,6 +207,21 @@ Comparison compare(const PreparedCase& prepared, const ProvedWear& wear, const E
   return comparison;
 }
 
+/// Whether an indenter that has worn before can still end in a limiting profile: nowhere is it worn off deeper, within
+/// the tolerance of the distance either way.
+bool may_still_reach(const PreparedCase& prepared, const mdr::LimitingProfile& limit) {
+  const auto& fem = prepared.fem;
+  if (!fem.worn_before) return true;
+  const double tolerance = tolerance_of(prepared.tolerances, Quantity::distance_to_limit), step = tolerance / 2,
+               unit = fem.units.depth / limit.maximum_indentation;
+  for (double r = 0; r < 2 * limit.outer_radius / fem.units.length; r += step) {
+    const double height = unit * (fem.profile(r) + fem.worn_before(r)),
+                 allowed = mdr::shape(limit, (r + tolerance) * fem.units.length) / limit.maximum_indentation;
+    if (height > allowed + tolerance) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 bool ProvedWear::ends_in_limit() const {
@@ -222,6 +237,7 @@ ProvedWear prove_wear(const PreparedCase& prepared, const MdrAnswer& mdr, const 
                       BodyStore& bodies, const WearOversight& oversight) {
   const auto& units = prepared.fem.units;
   ProvedWear wear{{}, {}, resolution_for_wear(prepared.fem.resolution), wear_limits(prepared.mdr, mdr)};
+  wear.limits.reached = wear.limits.reached && may_still_reach(prepared, wear.limits.shakedown);
   WornEdge edge{};
   try {
     edge = edge_of_wear(prepared.fem, *prepared.input.wear_kinetics,

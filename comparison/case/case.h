@@ -81,6 +81,7 @@ struct Case {
     double exponent = 1;             ///< of the pressure; power
     std::optional<double> n_cycles;  ///< of the motion; empty: until nothing is left that would wear
     double until = 0;                ///< ends before, when the volume worn off in a cycle has fallen to this share
+    std::string profile = {};        ///< table of the heights that the indenter has worn to before; empty: unworn
   };
 
   /// A sweep's place in its family of cases, for the report's plots.

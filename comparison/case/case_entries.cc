@@ -19,7 +19,7 @@ bool is_whole(double x, double least, double most) {
 const ValidNumber ring_count{[](double x) { return is_whole(x, 16, 640); }, "a whole number from 16 to 640"};
 const ValidNumber step_count{[](double x) { return is_whole(x, 16, 10000); }, "a whole number from 16 to 10000"};
 
-constexpr std::array wear_kinetics_names{"Law", "Coefficient", "Exponent", "Cycles", "Until"};
+constexpr std::array wear_kinetics_names{"Law", "Coefficient", "Exponent", "Cycles", "Until", "Profile"};
 
 std::optional<Case::WearKinetics> read_wear_kinetics(const EntryReader& entries) {
   const auto& names = wear_kinetics_names;
@@ -41,6 +41,7 @@ std::optional<Case::WearKinetics> read_wear_kinetics(const EntryReader& entries)
   if (entries.given("Wear", "Until"))
     wear.until = entries.number(
         "Wear", "Until", {[](double x) { return x >= 1e-12 && x < 1; }, "a share of the first wear rate, 1e-12 to 1"});
+  if (entries.given("Wear", "Profile")) wear.profile = read_table_path(entries, "Wear", "Profile");
   return wear;
 }
 

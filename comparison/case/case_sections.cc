@@ -101,6 +101,16 @@ void read_tangential_motion(const EntryReader& entries, Case::Motion& motion) {
 
 }  // namespace
 
+std::string read_table_path(const EntryReader& entries, const std::string& section, const std::string& name) {
+  auto file = entries.path(section, name);
+  try {
+    if (!file.empty()) require_units(file, 2);
+  } catch (const InputError& error) {
+    entries.add_problem(error.what());
+  }
+  return file;
+}
+
 Case::Indenter read_indenter(const EntryReader& entries) {
   const std::string section = "Indenter";
   const auto& names = Case::shape_names;
@@ -131,12 +141,7 @@ Case::Indenter read_indenter(const EntryReader& entries) {
                                        {[](double x) { return x >= 0.5 && x <= 20; }, "a number between 0.5 and 20"});
   }
   if (shape == "table") {
-    indenter.table = entries.path(section, "Table");
-    try {
-      if (!indenter.table.empty()) require_units(indenter.table, 2);
-    } catch (const InputError& error) {
-      entries.add_problem(error.what());
-    }
+    indenter.table = read_table_path(entries, section, "Table");
     if (entries.given(section, "Table noise"))
       indenter.table_noise = entries.number(section, "Table noise", not_negative_number);
   }

@@ -9,6 +9,9 @@ namespace fretval {
 Case::Indenter read_indenter(const EntryReader& entries);
 Case::Motion read_motion(const EntryReader& entries);
 
+/// Path of a table of radii and heights, with units; empty where there is a problem, which is noted.
+std::string read_table_path(const EntryReader& entries, const std::string& section, const std::string& name);
+
 /// warnings: about measured moduli that fit badly or contradict themselves.
 Case::Elastomer read_elastomer(const EntryReader& entries, std::vector<std::string>& warnings);
 

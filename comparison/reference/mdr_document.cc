@@ -149,11 +149,12 @@ ordered_json springs_json(const Case& input, const ordered_json& closed_form) {
 ordered_json wear_json(const Case& input) {
   const auto kinetics = wear_kinetics_of(input, mdr_case(input), *input.wear_kinetics->n_cycles);
   if (!kinetics)
-    throw InputError(fmt::format(
-        "{}: Wear / Cycles = {:g}: springs have the course of wear under one oscillation in each direction, "
-        "of the same frequency and locked, by the laws archard and energy; leave it out, or let finite "
-        "elements run it (fretval run)",
-        input.file, *input.wear_kinetics->n_cycles));
+    throw InputError(
+        fmt::format("{}: Wear / Cycles = {:g}: springs have the course of wear of an unworn indenter under one "
+                    "oscillation in each direction, "
+                    "of the same frequency and locked, by the laws archard and energy; leave it out, or let finite "
+                    "elements run it (fretval run)",
+                    input.file, *input.wear_kinetics->n_cycles));
   return to_json(*kinetics);
 }
 

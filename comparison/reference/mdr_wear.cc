@@ -26,7 +26,7 @@ std::optional<mdr::WearKinetics> wear_kinetics_of(const Case& input, const MdrCa
                                                   int steps_per_cycle) {
   const auto& wear = input.wear_kinetics.value();
   const auto motion = mdr::one_harmonic_each(mdr.motion);
-  if (wear.law == Case::WearLaw::power || mdr.has_forces() || !motion || !motion->phase ||
+  if (!wear.profile.empty() || wear.law == Case::WearLaw::power || mdr.has_forces() || !motion || !motion->phase ||
       motion->normal_frequency != motion->tangential_frequency)
     return std::nullopt;
   const double coefficient =

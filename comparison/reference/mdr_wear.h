@@ -18,14 +18,15 @@ struct WearLimits {
   mdr::LimitingProfile shakedown, first_slip;
   /// Whether wear leads to that of shakedown. Not where the stick zone grows on the way, as it does under a normal
   /// force and a prescribed tangential displacement: the deeper the indenter has sunk in, the more of it sticks, and
-  /// what has been worn off before stays so. Then the end depends on the course, and so on the law of wear.
+  /// what has been worn off before stays so. Then the end depends on the course, and so on the law of wear. Nor where
+  /// an indenter begins that is worn deeper somewhere.
   bool reached = true;
 };
 WearLimits wear_limits(const MdrCase& mdr, const MdrAnswer& answer);
 
-/// The course of the wear of a case by springs. Empty: the law is not linear in the pressure, or the motion has several
-/// harmonics, other frequencies, no locked phase or prescribed forces, which they do not have. Throws
-/// std::runtime_error where the springs do not become periodic.
+/// The course of the wear of a case by springs. Empty: the indenter has worn before, the law is not linear in the
+/// pressure, or the motion has several harmonics, other frequencies, no locked phase or prescribed forces, which they
+/// do not have. Throws std::runtime_error where the springs do not become periodic.
 std::optional<mdr::WearKinetics> wear_kinetics_of(const Case& input, const MdrCase& mdr, double n_cycles,
                                                   int steps_per_cycle = mdr::WearControl{}.steps_per_cycle);
 

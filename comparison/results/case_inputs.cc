@@ -72,6 +72,7 @@ ordered_json inputs_json(const Case& input) {
   if (const auto& wear = input.wear_kinetics) {
     inputs.add("Wear", "Law", Case::wear_law_names[static_cast<std::size_t>(wear->law)]);
     inputs.add("Wear", "Coefficient", wear->coefficient);
+    inputs.add("Wear", "Profile", wear->profile);
   }
   inputs.add("Accuracy", "Tolerance", input.tolerance);
   return inputs.list();

@@ -198,7 +198,7 @@ void write_result(const CaseResult& result, const mdr::NormalResponse& reference
   fs::create_directories(folder);
   write_profile(result, folder / "profile.csv");
   if (!result.fe.fe.gross_slip) write_periodic_state(result, reference, folder);
-  if (result.wear) write_wear(*result.wear, result.fem_case.units, folder);
+  if (result.wear) write_wear(*result.wear, result.input, result.fem_case.units, folder);
   write_file(folder / "run.json", as_text(run_json(result)));
   write_file(folder / "result.json", as_text(result_json(result)));
 }

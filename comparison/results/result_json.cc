@@ -55,6 +55,7 @@ ordered_json case_json(const CaseResult& result) {
                         {"exponent", wear->exponent},
                         {"cycles", or_null(wear->n_cycles)},
                         {"until", wear->until}};
+    if (!wear->profile.empty()) json["wear_law"]["profile"] = wear->profile;
   }
   json["inputs"] = inputs_json(input);
   if (input.sweep)

@@ -92,7 +92,7 @@ ordered_json to_json(const ProvedWear& wear, const Units& units) {
   return json;
 }
 
-void write_wear(const ProvedWear& wear, const Units& units, const std::filesystem::path& folder) {
+void write_wear(const ProvedWear& wear, const Case& input, const Units& units, const std::filesystem::path& folder) {
   const auto& course = wear.fe.course;
   const Eigen::Index n = wear.fe.centre.size();
   const auto height = [&](const Eigen::VectorXd& worn) { return units.depth * (wear.fe.unworn + worn); };
@@ -111,6 +111,12 @@ void write_wear(const ProvedWear& wear, const Units& units, const std::filesyste
   for (const auto k : snapshots_of(course))
     columns.push_back({fmt::format("f after {:.6g} cycles [m]", course.curve[k].cycles), height(course.worn[k])});
   write_csv(folder / "wear.csv", columns);
+  const auto file = std::filesystem::absolute(input.file);
+  if (!input.sweep && file.extension() == ".prm")
+    write_file(folder / (input.name + "-worn.prm"),
+               fmt::format("# {} as far as it has worn; fretval run goes on from there.\n"
+                           "include {}\nsubsection Wear\n  set Profile = worn_profile.csv\nend\n",
+                           input.name, file.string()));
 }
 
 }  // namespace fretval

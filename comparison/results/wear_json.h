@@ -12,9 +12,9 @@ namespace fretval {
 /// `distance_to_limit`, `pressed_outside`, `zones`, what it cost. SI units.
 nlohmann::ordered_json to_json(const ProvedWear& wear, const Units& units);
 
-/// worn_profile.csv: radius and height of the worn indenter, from the centre on, as a table of Shape = table (whose
-/// reader refuses what is as steep as a limiting profile). wear.csv:
-/// by ring the heights at some states of the course, and the largest pressures at its start and end.
-void write_wear(const ProvedWear& wear, const Units& units, const std::filesystem::path& folder);
+/// worn_profile.csv: radius and height of the worn indenter, from the centre on, as Wear / Profile takes it. wear.csv:
+/// by ring the heights at some states of the course, and the largest pressures at its start and end. NAME-worn.prm: the
+/// case that goes on from there, not for a point of a sweep.
+void write_wear(const ProvedWear& wear, const Case& input, const Units& units, const std::filesystem::path& folder);
 
 }  // namespace fretval

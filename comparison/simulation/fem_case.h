@@ -53,6 +53,7 @@ struct FemCase {
   std::function<double(double)> profile;  ///< f(r)
   Resolution resolution;
   std::optional<WornEdge> worn_edge;
+  std::function<double(double)> worn_before = {};  ///< depth that is worn off as wear begins; empty: none
   bool keeps_body = false;                ///< an answer at this resolution goes with the whole body, for fields
   std::optional<double> sharp_edge = {};  ///< radius at which the slope of the unworn indenter jumps
   /// The motion, if its frequencies have no common period, or a long one: finite elements take a near cycle then, see

@@ -65,7 +65,7 @@ void read_worn_radius(WearSimulation& wear) {
 
 /// All that the course depends on, bit for bit.
 std::string description(const FemCase& fem, const fem::WearLaw& law, const fem::WearControl& control,
-                        const Eigen::VectorXd& unworn) {
+                        const fem::WornProfile& profile) {
   std::string text = "wear";
   for (const auto& [library, version] : versions()) text += fmt::format(" {} {}", library, version);
   const auto add = [&text](const auto& values) {
@@ -77,7 +77,8 @@ std::string description(const FemCase& fem, const fem::WearLaw& law, const fem::
   };
   add(fem.body.contact_nodes);
   add(std::array{fem.body.growth, fem.body.far_radius, 1.0 * fem.body.degree});
-  add(unworn);
+  add(profile.unworn);
+  add(profile.worn);
   add(std::array{fem.relaxation.relaxed, fem.relaxation.viscosity, fem.friction_coefficient});
   add(fem.relaxation.moduli);
   add(fem.relaxation.times);
@@ -151,10 +152,12 @@ WearSimulation simulate_wear(const FemCase& fem_case, const Case::WearKinetics& 
   const auto law = law_in(fem.units, wear, fem.friction_coefficient);
   const fem::WearControl control{wear.n_cycles.value_or(std::numeric_limits<double>::infinity()), wear.until,
                                  resolution.wear_jump, nothing};
+  Eigen::VectorXd before = Eigen::VectorXd::Zero(simulation.unworn.size());
+  if (fem.worn_before) before = fem::ring_means(body->normal.compliance, fem.worn_before);
   const fem::WearState start{fem::WearingContact(body->normal, *body->tangential, fem.relaxation, fem.motion,
-                                                 fem.steps_per_cycle(), simulation.unworn, fem.friction_coefficient,
-                                                 law)};
-  WearCheckpoint checkpoint(run.checkpoints, description(fem, law, control, simulation.unworn));
+                                                 fem.steps_per_cycle(), {simulation.unworn, before},
+                                                 fem.friction_coefficient, law)};
+  WearCheckpoint checkpoint(run.checkpoints, description(fem, law, control, {simulation.unworn, before}));
   auto state = checkpoint.restored(start).value_or(start);
   fem::wear_on(state, control, [&](const fem::WearState& now) {
     checkpoint.keep(now);

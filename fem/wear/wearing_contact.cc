@@ -12,11 +12,11 @@ namespace fretval::fem {
 
 WearingContact::WearingContact(const ContactProblem& normal, const ContactProblem& tangential,
                                const RelaxationModel& relaxation, const Motion& motion, int steps_per_cycle,
-                               Eigen::VectorXd profile, double friction_coefficient, const WearLaw& law)
-    : normal_(normal, relaxation, std::move(profile), motion, steps_per_cycle, ForceReading::sum_of_rings),
+                               const WornProfile& profile, double friction_coefficient, const WearLaw& law)
+    : normal_(normal, relaxation, profile.unworn + profile.worn, motion, steps_per_cycle, ForceReading::sum_of_rings),
       friction_(tangential, relaxation, friction_coefficient, motion, steps_per_cycle),
       law_(law),
-      unworn_(normal_.profile) {}
+      unworn_(profile.unworn) {}
 
 void WearingContact::start() {
   for (int cycle = 0; cycle < normal_.motion().cycles_of_ramp(); ++cycle)

@@ -15,16 +15,21 @@ struct WearLaw {
   double exponent = 1;
 };
 
+/// Ring means: the height of an indenter before wear, and the depth that is worn off.
+struct WornProfile {
+  Eigen::VectorXd unworn, worn;
+};
+
 /// A contact that goes on and on while its indenter loses its shape: both steppers, and what the last period of the
 /// motion has shown of the slip. Time goes on without wear (settle) until the slip repeats, or with it (wear_off) for
 /// as many cycles at once as are asked for. Prescribed forces are balanced by the sums over the rings: a worn flank
 /// touches all at once, and no reading of an edge holds on it.
 class WearingContact {
  public:
-  /// At rest, on a profile of ring means, before the motion has begun. The problems, which share their rings, the
+  /// At rest, before the motion has begun. The problems, which share their rings, the
   /// relaxation and the motion must outlive this.
   WearingContact(const ContactProblem& normal, const ContactProblem& tangential, const RelaxationModel& relaxation,
-                 const Motion& motion, int steps_per_cycle, Eigen::VectorXd profile, double friction_coefficient,
+                 const Motion& motion, int steps_per_cycle, const WornProfile& profile, double friction_coefficient,
                  const WearLaw& law);
 
   /// Through the ramp of the motion, without wear.

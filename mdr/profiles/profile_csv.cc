@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <map>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include "mdr/support/checks.h"
@@ -30,7 +31,7 @@ void require_scan(const CsvColumns& csv, const std::string& source_name, double 
 
 }  // namespace
 
-Profile read_profile_table(std::istream& stream, const std::string& source_name, double noise) {
+ProfileRows read_profile_rows(std::istream& stream, const std::string& source_name, double noise) {
   require_non_negative("noise of the profile table in m", noise);
   CsvColumns csv = read_csv(stream, source_name, 2);
   require_scan(csv, source_name, noise);
@@ -38,8 +39,13 @@ Profile read_profile_table(std::istream& stream, const std::string& source_name,
     const double size = unit_of_column(csv, column, length_units, source_name);
     for (double& length : csv.columns[column]) length *= size;
   }
+  return {std::move(csv.columns[0]), std::move(csv.columns[1])};
+}
+
+Profile read_profile_table(std::istream& stream, const std::string& source_name, double noise) {
+  const auto [r, f] = read_profile_rows(stream, source_name, noise);
   try {
-    return tabulated(csv.columns[0], csv.columns[1], noise);
+    return tabulated(r, f, noise);
   } catch (const std::invalid_argument& error) {
     throw std::invalid_argument(source_name + ": " + error.what());
   }

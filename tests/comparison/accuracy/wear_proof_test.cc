@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/comparison/run_fretval.h"
 #include "tests/comparison/wearing_case.h"
 
 namespace fretval {
@@ -35,6 +36,19 @@ TEST(WearProof, EndsInTheLimit) {
     EXPECT_TRUE(wear.comparison.at(quantity).passes()) << name_of(quantity);
     EXPECT_FALSE(wear.comparison.at(quantity).bar);
   }
+}
+
+// An indenter that is worn too deep already cannot end there.
+TEST(WearProof, WhereTheIndenterIsWornDeeperThanTheLimitNothingIsCompared) {
+  const ScratchFolder folder;
+  const auto end_of = [&](const std::string& rows) {
+    const auto table = folder.write("worn.csv", "r [mm],f [mm]\n" + rows);
+    return proved(
+        wearing_case("  set Coefficient = 1e-12\n  set Cycles = 1e4\n  set Profile = " + table.string() + "\n"),
+        Proof::none);
+  };
+  EXPECT_TRUE(end_of("0,0\n0.6,0.018\n0.7,0.0255\n0.8,0.032\n2,0.2\n").limits.reached);
+  EXPECT_FALSE(end_of("0,0\n0.3,0.006\n0.4,0.008\n2,0.2\n").limits.reached) << "inside the stick zone";
 }
 
 // After few cycles there is no limit yet, and the springs' volume is what it is compared with.

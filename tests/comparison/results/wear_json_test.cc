@@ -70,7 +70,10 @@ TEST(WearJson, ZonesAreATextAStep) {
 
 TEST(WearJson, WritesTheWornProfileAsATable) {
   const ScratchFolder folder;
-  write_wear(made_up_wear(), units, folder.path());
+  Case input;
+  input.name = "ball";
+  input.file = "cases/ball.prm";
+  write_wear(made_up_wear(), input, units, folder.path());
   std::ifstream profile(folder.path() / "worn_profile.csv");
   std::string header, centre, inner, outer;
   std::getline(profile, header);
@@ -85,6 +88,23 @@ TEST(WearJson, WritesTheWornProfileAsATable) {
   std::getline(course, header);
   EXPECT_EQ(header,
             "r [m],p largest at start [Pa],p largest at end [Pa],f after 0 cycles [m],f after 1e+06 cycles [m]");
+  std::ifstream goes_on(folder.path() / "ball-worn.prm");
+  std::string comment, include;
+  std::getline(goes_on, comment);
+  std::getline(goes_on, include);
+  EXPECT_EQ(include, "include " + std::filesystem::absolute("cases/ball.prm").string());
+}
+
+// The file of a point of a sweep is that of the whole sweep, and cannot be gone on with.
+TEST(WearJson, WritesNoCaseToGoOnForAPointOfASweep) {
+  const ScratchFolder folder;
+  Case input;
+  input.name = "ball";
+  input.file = "cases/ball.prm";
+  input.sweep = Case::Sweep{"ball", "Motion / Phase", 0};
+  write_wear(made_up_wear(), input, units, folder.path());
+  EXPECT_TRUE(std::filesystem::exists(folder.path() / "worn_profile.csv"));
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "ball-worn.prm"));
 }
 
 }  // namespace

@@ -1,9 +1,12 @@
 #include "comparison/simulation/wear_simulation.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
 
+#include "tests/comparison/run_fretval.h"
 #include "tests/comparison/wearing_case.h"
 
 namespace fretval {
@@ -50,6 +53,27 @@ TEST(WearSimulation, EndsWithItsWearAtTheOuterRadius) {
   EXPECT_LT(wear.worn_radius_uncertainty, 1e-3);
   EXPECT_NEAR(wear.unworn[20], std::pow(wear.centre[20], 2) / 2, 1e-12);
   EXPECT_NEAR(wear.centre[0], wear.radii[1] / std::sqrt(2), 1e-12);
+}
+
+// Half of the way, written as a table, and the rest from there: the volumes of half as many cycles twice and of all at
+// once. Friction begins anew, without traction; by the second half it has settled.
+TEST(WearSimulation, GoesOnFromATableOfTheWornProfile) {
+  Wearing wearing;
+  const auto whole = wearing.run(archard + "  set Cycles = 2e7\n"),
+             half = wearing.run(archard + "  set Cycles = 1e7\n");
+  const double half_volume = half.course.curve.back().volume, volume = whole.course.curve.back().volume;
+  ASSERT_GT(volume, 1.3 * half_volume);
+  const ScratchFolder folder;
+  std::string rows = "r [m],f [m]\n0,0\n";
+  for (Eigen::Index i = 0; i < half.centre.size(); ++i)
+    rows +=
+        fmt::format("{:.10g},{:.10g}\n", 1e-3 * half.centre[i], 1e-4 * (half.unworn[i] + half.course.worn.back()[i]));
+  const auto table = folder.write("worn.csv", rows);
+  const auto rest = wearing.run(archard + "  set Cycles = 1e7\n  set Profile = " + table.string() + "\n");
+  EXPECT_NEAR(rest.course.curve.front().volume, half_volume, 1e-3 * half_volume);  // linear between rings of 1/24
+  EXPECT_NEAR(rest.course.curve.back().volume, volume, 2e-3 * volume);
+  EXPECT_LT((rest.course.worn.back() - whole.course.worn.back()).cwiseAbs().maxCoeff(), 2e-3);
+  EXPECT_EQ(rest.course.curve.back().stick_radius, whole.course.curve.back().stick_radius);
 }
 
 // What slips bears mu p: k of the energy of friction is mu times that of Archard's law.

@@ -27,7 +27,7 @@ struct WearingHalfSpace {
   }
 
   [[nodiscard]] WearingContact contact_at_rest(const WearLaw& law) const {
-    return {normal, tangential, body, motion, n_steps, profile, mu, law};
+    return {normal, tangential, body, motion, n_steps, {profile, Eigen::VectorXd::Zero(profile.size())}, mu, law};
   }
   /// In motion.
   [[nodiscard]] WearingContact contact(const WearLaw& law) const {
