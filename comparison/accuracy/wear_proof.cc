@@ -36,6 +36,12 @@ class WearComputations {
     for_each_in_parallel(missing.size(), [&](std::size_t i) { all.at(missing[i]) = attempt(missing[i]); });
   }
 
+  [[nodiscard]] BodyCount bodies() const {
+    std::vector<std::shared_ptr<const BodySummary>> bodies;
+    for (const auto& [resolution, computation] : all) bodies.push_back(computation.fe.body);
+    return count_of(bodies);
+  }
+
   std::map<Resolution, WearComputation> all;
 
  private:
@@ -277,6 +283,7 @@ ProvedWear prove_wear(const PreparedCase& prepared, const MdrAnswer& mdr, const 
   WearComputations computed(prepared, edge, bodies);
   const auto budget = measure_errors(prepared, edge.inner, proof, computed, wear);
   wear.n_computations = static_cast<int>(computed.all.size());
+  wear.bodies = computed.bodies();
   if (!wear.failure.empty()) return wear;
   if (!prepared.mdr.has_forces()) wear.kinetics = springs_of(prepared, wear.fe.course.curve.back().cycles);
   wear.distance_shakedown = distances(wear.fe, units, wear.limits.shakedown);

@@ -68,7 +68,12 @@ std::vector<BatchLine> computed_lines(const std::vector<PreparedCase>& prepared,
     progress.done(outcome_text(line), line.pass);
     if (options.json && line.failure.empty()) print_line(line.json);
   };
-  return run_batch(prepared, {options.proof, {}, options.output, told});
+  BodyStore bodies(store_of(options.store));
+  auto lines = run_batch(prepared, {options.proof, options.output, told}, bodies);
+  if (bodies.operators)
+    log::info(fmt::format("{} bodies made, {} from the store {}", bodies.n_made, bodies.n_kept,
+                          bodies.operators->folder().string()));
+  return lines;
 }
 
 std::string junit_of(const std::vector<BatchLine>& lines) {

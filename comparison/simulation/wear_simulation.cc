@@ -105,6 +105,7 @@ WearSimulation simulate_wear(const FemCase& fem_case, const Case::WearKinetics& 
   fem = at_resolution(std::move(fem), resolution);
   const auto body = find_or_make_body(fem.body, bodies);
   WearSimulation simulation;
+  simulation.body = body->summary;
   simulation.radii = body->summary->radii;
   simulation.unworn = fem::ring_means(body->normal.compliance, fem.profile);
   simulation.centre.resize(simulation.unworn.size());
