@@ -181,8 +181,8 @@ std::uint64_t checksum(const char* bytes, std::size_t n) {
 }
 
 std::string operator_file(const StoredOperator& stored) {
-  if (stored.compliance.matrix != stored.compliance.matrix.transpose())
-    throw SolverError("the compliance of the contact line is not symmetric");
+  const Eigen::MatrixXd& matrix = *stored.compliance.matrix;
+  if (matrix != matrix.transpose()) throw SolverError("the compliance of the contact line is not symmetric");
   const auto image = hdf5_image(stored);
   return block_of(image.data(), image.size()) + image;
 }

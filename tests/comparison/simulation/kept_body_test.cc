@@ -26,8 +26,8 @@ class KeptBody : public testing::Test {
 void expect_equal(const fem::ContactProblem& a, const fem::ContactProblem& b) {
   EXPECT_EQ(a.compliance.radii, b.compliance.radii);
   EXPECT_EQ(a.compliance.areas, b.compliance.areas);
-  EXPECT_EQ(a.compliance.matrix, b.compliance.matrix);
-  EXPECT_EQ(a.solver.factor(), b.solver.factor());
+  EXPECT_EQ(*a.compliance.matrix, *b.compliance.matrix);
+  EXPECT_EQ(*a.solver.factor(), *b.solver.factor());
 }
 
 TEST_F(KeptBody, IsTheOneThatWasMadeBitForBit) {

@@ -46,7 +46,7 @@ TEST_F(OperatorStoreTest, FindsWhatWasKeptAndNothingElse) {
   keep("a");
   const auto found = store_.find("a");
   ASSERT_TRUE(found);
-  EXPECT_EQ(found->compliance.matrix, made_up_operator("a").compliance.matrix);
+  EXPECT_EQ(*found->compliance.matrix, *made_up_operator("a").compliance.matrix);
   EXPECT_FALSE(store_.find("b"));
   EXPECT_TRUE(OperatorStore(folder_).find("a")) << "in another process";
 }
@@ -126,7 +126,7 @@ TEST_F(OperatorStoreTest, ProcessesAtOnceKeepWholeFiles) {
         OperatorStore own(folder_);
         own.keep(made_up_operator("shared"));
         const auto found = own.find("shared");
-        good = good && found && found->compliance.matrix == made_up_operator("shared").compliance.matrix;
+        good = good && found && *found->compliance.matrix == *made_up_operator("shared").compliance.matrix;
       }
       _exit(good ? 0 : 1);
     }
