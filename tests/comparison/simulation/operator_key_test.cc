@@ -7,6 +7,7 @@
 
 #include "comparison/support/versions.h"
 #include "tests/comparison/expect_parts.h"
+#include "tests/comparison/run_fretval.h"
 #include "tests/comparison/small_body.h"
 
 namespace fretval::operator_key_test {
@@ -25,6 +26,25 @@ TEST(OperatorKey, IsAnotherOneForEverythingThatAnOperatorDependsOn) {
   for (const auto& body : bodies)
     for (const auto harmonic : {Harmonic::normal, Harmonic::tangential}) keys.insert(operator_key(body, harmonic));
   EXPECT_EQ(keys.size(), 2 * bodies.size());
+}
+
+/// What the build makes of a source and flags.
+std::string hash_of(const std::string& source, const std::string& flags) {
+  const ScratchFolder folder;
+  folder.write("a.cc", source);
+  const auto run =
+      shell_run("cmake -DOUTPUT=" + quoted(folder.path() / "hash.h") + " -DROOT=" + quoted(folder.path()) +
+                    " -DSOURCES=a.cc -DBUILD=" + quoted(flags) + " -P " FRETVAL_SOURCE_DIR "/cmake/sources_hash.cmake",
+                folder);
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  return text_of(folder.path() / "hash.h");
+}
+
+TEST(OperatorKey, ItsHashIsAnotherOneForOtherSourcesAndFlags) {
+  const auto hash = hash_of("int i = 1;", "GNU -O3");
+  EXPECT_EQ(hash_of("int i = 1;", "GNU -O3"), hash);
+  EXPECT_NE(hash_of("int i = 2;", "GNU -O3"), hash);
+  EXPECT_NE(hash_of("int i = 1;", "GNU -O2"), hash);
 }
 
 // A harmonic does not know whether there is another one.
