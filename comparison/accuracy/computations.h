@@ -36,6 +36,7 @@ class Computations {
   /// What is compared, by resolution; none where the numerics failed.
   [[nodiscard]] const std::map<Resolution, Quantities>& quantities() const { return quantities_; }
   [[nodiscard]] int size() const { return static_cast<int>(all_.size()); }
+  [[nodiscard]] BodyCount bodies() const;
 
  private:
   Units units_;

@@ -137,6 +137,7 @@ ProvedAnswer prove(const PreparedCase& prepared, Proof proof, const Compute& com
 
   answer.resolution = tracks.base;
   answer.n_computations = computed.size();
+  answer.bodies = computed.bodies();
   const auto& base = computed.at(tracks.base).fe;
   if (base.gross_slip) {
     answer.fe = base;

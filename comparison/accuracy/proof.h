@@ -25,6 +25,7 @@ struct ProvedAnswer {
   std::map<Quantity, Focus> focus;  ///< stick radii that are read from a graded mesh
   ErrorBudget budget;               ///< empty with Proof::none
   int n_refinements = 0, n_computations = 0;
+  BodyCount bodies;    ///< of all computations
   double seconds = 0;  ///< of the chosen resolutions if they were computed alone, without a proof
 };
 

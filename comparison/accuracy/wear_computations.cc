@@ -43,6 +43,12 @@ void WearComputations::compute(const std::vector<Resolution>& wanted) {
   for_each_in_parallel(missing.size(), [&](std::size_t i) { all.at(missing[i]) = attempt(missing[i]); });
 }
 
+BodyCount WearComputations::bodies() const {
+  std::vector<std::shared_ptr<const BodySummary>> bodies;
+  for (const auto& [resolution, computation] : all) bodies.push_back(computation.fe.body);
+  return count_of(bodies);
+}
+
 WearComputation WearComputations::attempt(const Resolution& resolution) {
   WearRun run{oversight_.checkpoints};
   const auto& wear = *prepared_.input.wear_kinetics;
@@ -52,7 +58,7 @@ WearComputation WearComputations::attempt(const Resolution& resolution) {
       const auto& point = now.course.curve.back();
       const double by_volume = point.volume * units.volume() / all_of_it,
                    by_cycles = wear.n_cycles ? point.cycles / *wear.n_cycles : 0;
-      WearSimulation last{{}, now.radii, now.unworn, now.centre};
+      WearSimulation last = now;
       last.course.worn = {now.course.worn.back()};
       tell(resolution, std::min(std::max(by_volume, by_cycles), 1.0),
            distances_of(last, units, limits_.shakedown).back());

@@ -46,6 +46,8 @@ class WearComputations {
   /// Those that are not there yet.
   void compute(const std::vector<Resolution>& wanted);
 
+  [[nodiscard]] BodyCount bodies() const;
+
   std::map<Resolution, WearComputation> all;
 
  private:

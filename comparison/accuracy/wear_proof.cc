@@ -249,6 +249,7 @@ ProvedWear prove_wear(const PreparedCase& prepared, const MdrAnswer& mdr, const 
   WearComputations computed(prepared, edge, wear.limits, bodies, oversight);
   const auto budget = measure_errors(prepared, edge.inner, proof, computed, wear);
   wear.n_computations = static_cast<int>(computed.all.size());
+  wear.bodies = computed.bodies();
   if (!wear.failure.empty()) return wear;
   if (!prepared.mdr.has_forces()) wear.kinetics = springs_of(prepared, wear.fe.course.curve.back().cycles);
   wear.distance_shakedown = distances_of(wear.fe, units, wear.limits.shakedown);

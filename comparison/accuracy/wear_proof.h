@@ -23,6 +23,7 @@ struct ProvedWear {
   double pressed_outside = 0;
   Comparison comparison = {};
   int n_computations = 0;
+  BodyCount bodies = {};  ///< of these computations
 
   /// Whether wear has ended because nothing is pressed any more where it slips.
   [[nodiscard]] bool ends_in_limit() const;

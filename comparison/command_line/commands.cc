@@ -15,6 +15,7 @@
 #include "comparison/command_line/help_pages.h"
 #include "comparison/command_line/mdr_command.h"
 #include "comparison/command_line/run_command.h"
+#include "comparison/command_line/store_command.h"
 #include "comparison/command_line/trade_command.h"
 #include "comparison/report/report.h"
 #include "comparison/support/log.h"
@@ -53,6 +54,7 @@ void add_commands(CLI::App& app, Command& command) {
     bool entries = false;
     MdrOptions mdr;
     CheckOptions check;
+    StoreOptions store;
   };
   const auto options = std::make_shared<Options>();
 
@@ -100,6 +102,8 @@ void add_commands(CLI::App& app, Command& command) {
   run->add_option("--junit", options->run.junit, "Also write JUnit XML to this file");
   run->add_option("--baseline", options->run.baseline,
                   "Folder of earlier results: exit with 1 if a value moves by more than both its error bars");
+  add_store_options(*run, options->run.store);
+  run->add_flag("--no-store", options->run.store.none, "Make all operators, and keep none");
   run->callback([=, &command] { command = [=] { return run_cases(options->run); }; });
 
   auto* check = app.add_subcommand(
@@ -122,6 +126,13 @@ void add_commands(CLI::App& app, Command& command) {
   trade->add_option("case", options->file, "Case file (.prm or .json) with a single case")->required();
   trade->add_option("-o,--output", options->output, "Folder for the results")->capture_default_str();
   trade->callback([=, &command] { command = [=] { return run_trade(options->file, options->output); }; });
+
+  auto* store = app.add_subcommand("store", "The store of operators that runs have kept");
+  store->add_option("action", options->file, "list, verify (read all of it, exit with 1 if any is damaged) or clear")
+      ->default_str("list")
+      ->check(CLI::IsMember({"list", "verify", "clear"}));
+  add_store_options(*store, options->store);
+  store->callback([=, &command] { command = [=] { return run_store(options->file, options->store); }; });
 
   auto* pages = app.add_subcommand("pages", "The manual page, or completion for a shell")->group("");
   pages->add_option("page", options->file, "man or bash")->required()->check(CLI::IsMember({"man", "bash"}));

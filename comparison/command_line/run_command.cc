@@ -71,7 +71,12 @@ std::vector<BatchLine> computed_lines(const std::vector<PreparedCase>& prepared,
   const auto under_way = [&](const std::string& name, double share, const std::string& what) {
     progress.under_way(name, share, what);
   };
-  return run_batch(prepared, {options.proof, {}, options.output, told, under_way});
+  BodyStore bodies(store_of(options.store));
+  auto lines = run_batch(prepared, {options.proof, options.output, told, under_way}, bodies);
+  if (bodies.operators)
+    log::info(fmt::format("{} bodies made, {} from the store {}", bodies.n_made, bodies.n_kept,
+                          bodies.operators->folder().string()));
+  return lines;
 }
 
 std::string junit_of(const std::vector<BatchLine>& lines) {

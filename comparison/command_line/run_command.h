@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "comparison/accuracy/proof.h"
+#include "comparison/command_line/store_command.h"
 
 namespace fretval {
 
@@ -15,6 +16,7 @@ struct RunOptions {
   bool json = false;     ///< each result.json on a line of the standard output instead of the answer
   std::string junit;     ///< file for JUnit XML; empty: none
   std::string baseline;  ///< folder of earlier results that none may depart from; empty: none
+  StoreOptions store;
 };
 
 /// `fretval run`: MDR and finite elements, compared; writes the results and the report. Returns the exit code.

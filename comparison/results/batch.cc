@@ -56,9 +56,9 @@ BatchLine run_case(const PreparedCase& asked, const BatchOptions& options, BodyS
 
 }  // namespace
 
-std::vector<BatchLine> run_batch(const std::vector<PreparedCase>& cases, const BatchOptions& options) {
+std::vector<BatchLine> run_batch(const std::vector<PreparedCase>& cases, const BatchOptions& options,
+                                 BodyStore& bodies) {
   std::vector<BatchLine> lines(cases.size());
-  BodyStore bodies(options.meshes);
   NormalResponses references;
   std::mutex mutex;
   std::size_t n_done = 0;

@@ -22,7 +22,6 @@ struct BatchLine {
 
 struct BatchOptions {
   Proof proof = Proof::tolerance;
-  MeshSource meshes = {};
   std::filesystem::path output = {};  ///< empty: nothing is written
   /// Called after each case, one call at a time.
   std::function<void(const BatchLine&, std::size_t n_done, std::size_t n_cases)> progress = [](auto&&...) {};
@@ -30,9 +29,10 @@ struct BatchOptions {
   std::function<void(const std::string& name, double share, const std::string& what)> under_way = {};
 };
 
-/// Computes all cases, on all cores, with shared bodies. Each case writes its folder under the output when it is done.
-/// What a folder holds from an earlier run no longer counts as a result from then on, also if the numerics of the case
-/// fail now. The lines come in the order of the cases.
-std::vector<BatchLine> run_batch(const std::vector<PreparedCase>& cases, const BatchOptions& options);
+/// Computes all cases, on all cores, with shared bodies. bodies: made already, or to be made. Each case writes its
+/// folder under the output when it is done. What a folder holds from an earlier run no longer counts as a result from
+/// then on, also if the numerics of the case fail now. The lines come in the order of the cases.
+std::vector<BatchLine> run_batch(const std::vector<PreparedCase>& cases, const BatchOptions& options,
+                                 BodyStore& bodies);
 
 }  // namespace fretval

@@ -131,6 +131,8 @@ ordered_json result_json(const CaseResult& result) {
   const auto& fe = result.fe.fe;
   auto cost = cost_json(fe);
   cost["computations"] = result.fe.n_computations;
+  cost["bodies"] = result.fe.bodies.all;
+  cost["bodies_from_store"] = result.fe.bodies.from_store;
   cost["peak_memory_bytes"] = peak_memory_bytes();
   auto mdr = to_json(result.mdr);
   if (result.wear && result.wear->kinetics) mdr["wear"] = to_json(*result.wear->kinetics);
@@ -147,6 +149,7 @@ ordered_json cost_json(const FeAnswer& fe) {
            {{"mesh", body.cost.mesh},
             {"assembly", body.cost.assembly},
             {"factorisation", body.cost.factorisation},
+            {"reading", body.cost.reading},
             {"normal_history", fe.seconds.normal},
             {"friction_history", fe.seconds.friction}}},
           {"dofs", body.n_dofs},

@@ -1,5 +1,7 @@
 #include "comparison/simulation/body.h"
 
+#include <set>
+
 #include "comparison/support/parallel.h"
 #include "comparison/support/stopwatch.h"
 #include "fem/operators/stiffness.h"
@@ -69,10 +71,20 @@ Body make_body(const BodySpecification& specification) {
   return body;
 }
 
+BodyCount count_of(const std::vector<std::shared_ptr<const BodySummary>>& bodies) {
+  BodyCount count;
+  for (const auto& body : std::set(bodies.begin(), bodies.end())) {
+    if (!body) continue;  // of a computation that failed
+    ++count.all;
+    count.from_store += body->from_store ? 1 : 0;
+  }
+  return count;
+}
+
 ContactBody contact_body(const Body& body) {
   const auto summary = std::make_shared<const BodySummary>(BodySummary{body.mesh_quality, body.cost, body.n_dofs(),
                                                                        body.normal.space.contact_line().dofs.size(),
-                                                                       body.normal.contact.compliance.radii});
+                                                                       body.normal.contact.compliance.radii, false});
   std::optional<fem::ContactProblem> tangential;
   if (body.tangential) tangential.emplace(body.tangential->contact);
   return {body.normal.contact, std::move(tangential), summary};

@@ -18,8 +18,9 @@ namespace fretval {
 /// Seconds spent on a body.
 struct BodyCost {
   double mesh = 0, assembly = 0, factorisation = 0;
+  double reading = 0;  ///< from a store of operators, instead of the three
 
-  [[nodiscard]] double total() const { return mesh + assembly + factorisation; }
+  [[nodiscard]] double total() const { return mesh + assembly + factorisation + reading; }
 };
 
 /// The mesh that a specification asks for.
@@ -78,7 +79,14 @@ struct BodySummary {
   unsigned n_dofs;
   std::size_t n_contact_nodes;
   std::vector<double> radii;  ///< of the rings
+  bool from_store = false;    ///< not made, but taken from a store of operators
 };
+
+/// Different bodies, and those of them that came from a store of operators.
+struct BodyCount {
+  int all = 0, from_store = 0;
+};
+BodyCount count_of(const std::vector<std::shared_ptr<const BodySummary>>& bodies);
 
 /// What histories need of a body: a thousandth of its memory.
 struct ContactBody {

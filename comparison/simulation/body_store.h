@@ -1,11 +1,13 @@
 #pragma once
 
+#include <atomic>
 #include <functional>
 #include <memory>
 #include <string>
 
 #include "comparison/simulation/body.h"
 #include "comparison/simulation/normal_store.h"
+#include "comparison/simulation/operator_store.h"
 #include "comparison/support/made_once.h"
 
 namespace fretval {
@@ -20,12 +22,16 @@ struct MeshSource {
 class BodyStore : public MadeOnce<BodySpecification, ContactBody> {
  public:
   explicit BodyStore(MeshSource source = {}) : meshes(std::move(source)) {}
+  /// Bodies on generated meshes, whose operators other runs have kept or will find. Null: neither.
+  explicit BodyStore(std::shared_ptr<OperatorStore> kept) : operators(std::move(kept)) {}
   const MeshSource meshes;
+  const std::shared_ptr<OperatorStore> operators;  ///< null: none; a mesh of somebody else is no part of their keys
   NormalStore normals;
+  std::atomic<int> n_made{0}, n_kept{0};  ///< bodies that were made, and that came from the store of operators
 };
 
-/// Mesh, operators and condensation of a specification, unless the store has them. whole: set to the whole body if it
-/// had to be made.
+/// Mesh, operators and condensation of a specification, unless the store, or that of its operators, has them. whole:
+/// set to the whole body if it had to be made.
 std::shared_ptr<const ContactBody> find_or_make_body(const BodySpecification& specification, BodyStore& bodies,
                                                      std::shared_ptr<const Body>* whole = nullptr);
 

@@ -12,8 +12,8 @@ class ProblemsAtSlack {
  public:
   ProblemsAtSlack(const ContactBody& body, double slack) : body_(body) {
     if (slack == Resolution{}.active_set_slack) return;
-    normal_.emplace(body.normal.compliance, slack);
-    if (body.tangential) tangential_.emplace(body.tangential->compliance, slack);
+    normal_.emplace(body.normal, slack);
+    if (body.tangential) tangential_.emplace(*body.tangential, slack);
   }
 
   [[nodiscard]] ContactProblems problems() const {

@@ -7,11 +7,12 @@
 #include <cmath>
 #include <limits>
 
+#include "comparison/simulation/operator_key.h"
 #include "comparison/simulation/wear_checkpoint.h"
 #include "comparison/support/stopwatch.h"
-#include "comparison/support/versions.h"
 #include "fem/history/require_room.h"
 #include "fem/history/static_contact.h"
+#include "histories_hash.h"
 
 namespace fretval {
 namespace {
@@ -66,8 +67,7 @@ void read_worn_radius(WearSimulation& wear) {
 /// All that the course depends on, bit for bit.
 std::string description(const FemCase& fem, const fem::WearLaw& law, const fem::WearControl& control,
                         const fem::WornProfile& profile) {
-  std::string text = "wear";
-  for (const auto& [library, version] : versions()) text += fmt::format(" {} {}", library, version);
+  auto text = "wear " FRETVAL_HISTORIES_HASH "\n" + operator_key(fem.body, fem::Harmonic::tangential);
   const auto add = [&text](const auto& values) {
     text += '\n';
     for (const double value : values) text += fmt::format(" {:a}", value);
@@ -75,8 +75,6 @@ std::string description(const FemCase& fem, const fem::WearLaw& law, const fem::
   const auto add_motion = [&add](const std::vector<fem::Oscillation>& oscillations) {
     for (const auto& [amplitude, order, phase] : oscillations) add(std::array{amplitude, 1.0 * order, phase});
   };
-  add(fem.body.contact_nodes);
-  add(std::array{fem.body.growth, fem.body.far_radius, 1.0 * fem.body.degree});
   add(profile.unworn);
   add(profile.worn);
   add(std::array{fem.relaxation.relaxed, fem.relaxation.viscosity, fem.friction_coefficient});
@@ -143,6 +141,7 @@ WearSimulation simulate_wear(const FemCase& fem_case, const Case::WearKinetics& 
   fem = at_resolution(std::move(fem), resolution);
   const auto body = find_or_make_body(fem.body, bodies);
   WearSimulation simulation;
+  simulation.body = body->summary;
   simulation.radii = body->summary->radii;
   simulation.unworn = fem::ring_means(body->normal.compliance, fem.profile);
   simulation.centre.resize(simulation.unworn.size());

@@ -14,7 +14,8 @@ namespace fretval {
 /// What finite elements say about an indenter that wears: dimensionless, in the units of its case.
 struct WearSimulation {
   fem::WearCourse course;
-  std::vector<double> radii;           ///< of the rings
+  std::vector<double> radii;  ///< of the rings
+  std::shared_ptr<const BodySummary> body;
   Eigen::VectorXd unworn;              ///< ring means of the height
   Eigen::VectorXd centre;              ///< of each ring: the radius of half of its area
   double worn_radius = 0;              ///< where the worn profile meets the unworn one

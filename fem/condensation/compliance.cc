@@ -10,7 +10,7 @@ Compliance contact_compliance(const ContactLine& line, const Condensation& conde
   if (!factor)
     throw SolverError("the condensed stiffness of the contact line is not positive definite: the body is not held");
   Compliance compliance{line.radii, line.areas, gram(solve_lower(*factor, line.loads))};
-  if (!compliance.matrix.allFinite()) throw SolverError("the compliance of the contact line is not finite");
+  if (!compliance.matrix->allFinite()) throw SolverError("the compliance of the contact line is not finite");
   return compliance;
 }
 

@@ -4,6 +4,7 @@
 
 #include "fem/condensation/condensation.h"
 #include "fem/operators/harmonic_space.h"
+#include "fem/support/shared_matrix.h"
 
 namespace fretval::fem {
 
@@ -15,7 +16,7 @@ namespace fretval::fem {
 struct Compliance {
   std::vector<double> radii;  ///< n + 1 ring radii
   Eigen::VectorXd areas;      ///< n ring areas
-  Eigen::MatrixXd matrix;     ///< n x n
+  SharedMatrix matrix;        ///< n x n
 };
 
 /// Throws SolverError if S is not positive definite.

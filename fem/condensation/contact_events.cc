@@ -22,7 +22,9 @@ Eigen::MatrixXd sums_of_pairs(const Eigen::MatrixXd& rows) {
 
 /// Of rings of twice the width under uniform pressure, on the same mesh.
 Compliance with_wider_rings(const Compliance& compliance) {
-  Compliance wide{{}, sums_of_pairs(compliance.areas), sums_of_pairs(sums_of_pairs(compliance.matrix).transpose())};
+  Compliance wide{{},
+                  sums_of_pairs(compliance.areas),
+                  Eigen::MatrixXd(sums_of_pairs(sums_of_pairs(compliance.matrix).transpose()))};
   for (Eigen::Index i = 0; i <= wide.areas.size(); ++i)
     wide.radii.push_back(compliance.radii[static_cast<std::size_t>(2 * i)]);
   return wide;

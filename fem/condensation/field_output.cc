@@ -62,7 +62,7 @@ class ScaledDataOut : public dealii::DataOut<2> {
 
 Eigen::VectorXd extend_into_body(const HarmonicSpace& space, const Condensation& condensation,
                                  const Compliance& compliance, const Eigen::VectorXd& ring_displacements) {
-  const Eigen::LLT<Eigen::MatrixXd> factor(compliance.matrix);
+  const Eigen::LLT<Eigen::MatrixXd> factor(*compliance.matrix);
   if (factor.info() != Eigen::Success) throw SolverError("the contact compliance is not positive definite");
   const Eigen::VectorXd tractions = factor.solve(compliance.areas.cwiseProduct(ring_displacements));
   const auto& line = space.contact_line();

@@ -33,10 +33,10 @@ std::vector<Zone> zones_of(const std::vector<signed char>& labels) {
 
 }  // namespace
 
-PunchSeries::PunchSeries(const Compliance& compliance, const Eigen::MatrixXd& factor)
-    : factor_(factor),
+PunchSeries::PunchSeries(const Compliance& compliance, SharedMatrix factor)
+    : factor_(std::move(factor)),
       areas_(compliance.areas),
-      by_load_(factor.triangularView<Eigen::Lower>().solve(areas_)),
+      by_load_(factor_->triangularView<Eigen::Lower>().solve(areas_)),
       edges_(effective_radii(compliance).radius),
       radii_((edges_.head(areas_.size()) + edges_.tail(areas_.size())) / 2),
       force_per_radius_(by_load_.squaredNorm() / edges_[areas_.size()]) {}

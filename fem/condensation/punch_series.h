@@ -21,7 +21,7 @@ namespace fretval::fem {
 class PunchSeries {
  public:
   /// factor: lower Cholesky factor of the compliance.
-  PunchSeries(const Compliance& compliance, const Eigen::MatrixXd& factor);
+  PunchSeries(const Compliance& compliance, SharedMatrix factor);
 
   /// D_j of ring tractions, one column each.
   ///
@@ -62,7 +62,7 @@ class PunchSeries {
   [[nodiscard]] const Eigen::VectorXd& edges() const { return edges_; }
 
  private:
-  Eigen::MatrixXd factor_;
+  SharedMatrix factor_;
   Eigen::VectorXd areas_;
   Eigen::VectorXd by_load_;  // b
   Eigen::VectorXd edges_;    // n + 1 effective radii

@@ -56,10 +56,10 @@ void place_unknowns(const Eigen::VectorXd& lower, const Eigen::VectorXd& upper, 
 
 }  // namespace
 
-BoxSolver::BoxSolver(const Eigen::MatrixXd& matrix, double slack)
-    : matrix_(matrix), factor_(cholesky_factor(matrix)), probe_(matrix.rows()), slack_(slack) {
+BoxSolver::BoxSolver(SharedMatrix matrix, double slack)
+    : matrix_(std::move(matrix)), factor_(cholesky_factor(matrix_)), probe_(matrix_->rows()), slack_(slack) {
   for (Eigen::Index i = 0; i < probe_.size(); ++i) probe_[i] = std::cos(1.0 + 0.7 * static_cast<double>(i));
-  image_ = matrix_ * probe_;
+  image_ = *matrix_ * probe_;
 }
 
 /// The residuals of the interior are set to zero, not computed. One product with a fixed vector tells whether they are:
@@ -76,7 +76,7 @@ void BoxSolver::check(const Eigen::VectorXd& q, const Solution& solution) const 
 // Interior = leading block {0..k-1} plus a few extra indices, eliminated by their own Schur complement. x: the
 // right-hand side on entry, where it is interior.
 void BoxSolver::solve_interior(const std::vector<Eigen::Index>& interior, Eigen::Index k, Eigen::VectorXd& x) const {
-  const auto block = factor_.topLeftCorner(k, k).triangularView<Eigen::Lower>();
+  const auto block = factor_->topLeftCorner(k, k).triangularView<Eigen::Lower>();
   const Eigen::Index n_extra = static_cast<Eigen::Index>(interior.size()) - k;
   auto head = x.head(k);
   solve_leading(factor_, head);
@@ -84,9 +84,9 @@ void BoxSolver::solve_interior(const std::vector<Eigen::Index>& interior, Eigen:
     Eigen::MatrixXd coupling(k, n_extra), extra(n_extra, n_extra);
     Eigen::VectorXd tail(n_extra);
     for (Eigen::Index j = 0; j < n_extra; ++j) {
-      coupling.col(j) = matrix_.col(interior[k + j]).head(k);
+      coupling.col(j) = matrix_->col(interior[k + j]).head(k);
       tail[j] = x[interior[k + j]];
-      for (Eigen::Index i = 0; i < n_extra; ++i) extra(i, j) = matrix_(interior[k + i], interior[k + j]);
+      for (Eigen::Index i = 0; i < n_extra; ++i) extra(i, j) = (*matrix_)(interior[k + i], interior[k + j]);
     }
     block.solveInPlace(coupling);
     extra.noalias() -= coupling.transpose() * coupling;
@@ -121,7 +121,7 @@ BoxSolver::Solution BoxSolver::solve(const Eigen::VectorXd& q, const Eigen::Vect
     solve_interior(interior, k, x);
     subtract_product(matrix_, k, 0, x.head(k), residual.tail(n - k));
     for (Eigen::Index j = k; j < n_interior; ++j)
-      residual.tail(n - k).noalias() -= x[interior[j]] * matrix_.col(interior[j]).tail(n - k);
+      residual.tail(n - k).noalias() -= x[interior[j]] * matrix_->col(interior[j]).tail(n - k);
     for (const auto i : interior) residual[i] = 0;
 
     const double slack = slack_ * x.lpNorm<Eigen::Infinity>();

@@ -3,6 +3,8 @@
 #include <Eigen/Dense>
 #include <vector>
 
+#include "fem/support/shared_matrix.h"
+
 namespace fretval::fem {
 
 /// Where an unknown of a box-constrained problem sits.
@@ -23,7 +25,10 @@ class BoxSolver {
   /// slack: by how much a bound may be crossed, over the largest unknown (or residual), before the unknown changes its
   /// state: it keeps roundoff from moving one that sits exactly at its limit back and forth.
   /// Throws SolverError if C is not positive definite.
-  explicit BoxSolver(const Eigen::MatrixXd& matrix, double slack = 1e-13);
+  explicit BoxSolver(SharedMatrix matrix, double slack = 1e-13);
+
+  /// The same with another slack.
+  BoxSolver(const BoxSolver& other, double slack) : BoxSolver(other) { slack_ = slack; }
 
   struct Solution {
     Eigen::VectorXd x;
@@ -38,17 +43,17 @@ class BoxSolver {
   Solution solve(const Eigen::VectorXd& q, const Eigen::VectorXd& lower, const Eigen::VectorXd& upper,
                  std::vector<BoxState>& state) const;
 
-  [[nodiscard]] Eigen::Index size() const { return matrix_.rows(); }
+  [[nodiscard]] Eigen::Index size() const { return matrix_->rows(); }
   /// Lower Cholesky factor of C.
-  [[nodiscard]] const Eigen::MatrixXd& factor() const { return factor_; }
+  [[nodiscard]] const SharedMatrix& factor() const { return factor_; }
 
  private:
   void solve_interior(const std::vector<Eigen::Index>& interior, Eigen::Index k, Eigen::VectorXd& x) const;
 
   void check(const Eigen::VectorXd& q, const Solution& solution) const;
 
-  Eigen::MatrixXd matrix_;
-  Eigen::MatrixXd factor_;         // lower Cholesky factor
+  SharedMatrix matrix_;
+  SharedMatrix factor_;            // lower Cholesky factor
   Eigen::VectorXd probe_, image_;  // any vector, and its product with the matrix
   double slack_;
 };

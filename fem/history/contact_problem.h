@@ -8,7 +8,8 @@
 
 namespace fretval::fem {
 
-/// A contact line with its compliance factored for contact (or friction) steps.
+/// A contact line with its compliance factored for contact (or friction) steps. There is one copy of the compliance
+/// and one of its factor, whoever needs them.
 struct ContactProblem {
   Compliance compliance;
   BoxSolver solver;
@@ -17,6 +18,9 @@ struct ContactProblem {
   /// slack: see BoxSolver.
   explicit ContactProblem(Compliance c, double slack = 1e-13)
       : compliance(std::move(c)), solver(compliance.matrix, slack), series(compliance, solver.factor()) {}
+  /// The same with another slack.
+  ContactProblem(const ContactProblem& other, double slack)
+      : compliance(other.compliance), solver(other.solver, slack), series(other.series) {}
   [[nodiscard]] Eigen::Index n_rings() const { return compliance.areas.size(); }
 };
 

@@ -41,7 +41,7 @@ StaticContact solve(const BoxSolver& solver, const Eigen::VectorXd& areas, const
 StaticContact solve_softened(const ContactProblem& problem, const Eigen::VectorXd& target,
                              const Eigen::VectorXd& softness, std::vector<BoxState>& states) {
   const auto& areas = problem.compliance.areas;
-  Eigen::MatrixXd matrix = problem.compliance.matrix;
+  Eigen::MatrixXd matrix = *problem.compliance.matrix;
   matrix.diagonal() += areas.cwiseProduct(softness);
   // To a unit diagonal: a very soft ring bears next to nothing, and that has its sign all the same.
   const Eigen::VectorXd scale = matrix.diagonal().cwiseSqrt().cwiseInverse();

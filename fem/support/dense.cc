@@ -5,6 +5,10 @@
 
 namespace fretval::fem {
 
+std::string dense_kernels() {
+  return std::string(openblas_get_config()) + " on " + openblas_get_corename();
+}
+
 std::optional<Eigen::MatrixXd> cholesky(Eigen::MatrixXd matrix) {
   char lower = 'L';
   blasint n = static_cast<blasint>(matrix.rows()), info = 0;

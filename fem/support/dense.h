@@ -2,11 +2,15 @@
 
 #include <Eigen/Dense>
 #include <optional>
+#include <string>
 
 namespace fretval::fem {
 
 // Dense operators of a thousand rows through BLAS and LAPACK, whose kernels are chosen for the processor at run time;
 // Eigen's own are compiled for all of them, and take four times as long.
+
+/// Name, version and kernels of the BLAS: with other ones, results differ by roundoff.
+std::string dense_kernels();
 
 /// Lower factor L of a symmetric positive definite matrix L L^T, zero above the diagonal; empty: it is none.
 std::optional<Eigen::MatrixXd> cholesky(Eigen::MatrixXd matrix);

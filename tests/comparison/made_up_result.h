@@ -20,7 +20,7 @@ inline CaseResult made_up_result() {
   body.mesh_quality.n_nodes = 102;
   body.mesh_quality.min_scaled_jacobian = 0.625;
   body.mesh_quality.max_aspect_ratio = 4.5;
-  body.cost = {1.5, 2.5, 3.5};
+  body.cost = {1.5, 2.5, 3.5, 6.5};
   body.n_dofs = 103;
   body.n_contact_nodes = 104;
   body.radii = {0, 0.5, 1.5};
@@ -28,6 +28,7 @@ inline CaseResult made_up_result() {
   ProvedAnswer answer;
   answer.n_refinements = 5;
   answer.n_computations = 6;
+  answer.bodies = {4, 2};
   auto& fe = answer.fe;
   fe.contact_radius_max = 1.25;
   fe.stick_radius_first_slip = 0.5;

@@ -27,7 +27,7 @@ inline StaticContact hertz_contact(const ContactProblem& problem, double indenta
 inline Eigen::VectorXd punch_traction(const ContactProblem& problem, Eigen::Index n) {
   const auto& [radii, areas, matrix] = problem.compliance;
   Eigen::VectorXd traction = Eigen::VectorXd::Zero(problem.n_rings());
-  traction.head(n) = matrix.topLeftCorner(n, n).llt().solve(areas.head(n));
+  traction.head(n) = matrix->topLeftCorner(n, n).llt().solve(areas.head(n));
   return traction;
 }
 

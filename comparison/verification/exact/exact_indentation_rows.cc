@@ -46,7 +46,7 @@ Rows indenter_rows(const Meshes& meshes, const Indenter& indenter, const ExactSc
 double force_of_stuck_rings(const fem::ContactProblem& problem, Eigen::Index n) {
   const auto& compliance = problem.compliance;
   const Eigen::VectorXd areas = compliance.areas.head(n);
-  return areas.dot(compliance.matrix.topLeftCorner(n, n).llt().solve(areas));
+  return areas.dot(compliance.matrix->topLeftCorner(n, n).llt().solve(areas));
 }
 
 /// Force of the rings inside r = 1 at a unit displacement, for their nominal and for their effective radius

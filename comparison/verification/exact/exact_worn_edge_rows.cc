@@ -13,7 +13,7 @@ namespace {
 /// x the stress. Stresses themselves alternate from ring to ring next to a singular edge.
 Eigen::VectorXd edge_intensities(const fem::Compliance& compliance, const Eigen::VectorXd& stress, Eigen::Index n,
                                  Eigen::Index n_edges) {
-  const Eigen::MatrixXd factor = compliance.matrix.topLeftCorner(n, n).llt().matrixL();
+  const Eigen::MatrixXd factor = compliance.matrix->topLeftCorner(n, n).llt().matrixL();
   const Eigen::VectorXd radii = fem::effective_radii(compliance).radius.segment(n - n_edges, n_edges + 1);
   const Eigen::VectorXd widths = radii.tail(n_edges) - radii.head(n_edges);
   const Eigen::VectorXd roots = factor.transpose() * stress.head(n);
@@ -45,7 +45,7 @@ double worn_edge_error(const ConvergenceMesh& mesh, const ExactScene& exact, dou
   const double displacement =
       1.5 * friction_coefficient * (indentation - mdr::transform(exact_unworn, effective.stick_radius));
   const Eigen::VectorXd traction =
-      compliance.matrix.topLeftCorner(n, n).llt().solve(displacement * compliance.areas.head(n));
+      compliance.matrix->topLeftCorner(n, n).llt().solve(displacement * compliance.areas.head(n));
   const double exact_ratio = mdr::limiting_traction(effective, 1, displacement, 0).intensity /
                              mdr::limiting_pressure(effective, 1, indentation, 0).intensity;
   return ratio_of_intensities(mesh, traction, pressure, n) / exact_ratio - 1;

@@ -25,16 +25,17 @@ TEST(Batch, ACaseIsDoneWhileOthersGoOn) {
   std::promise<void> quick_is_done;
   const auto done = quick_is_done.get_future().share();
   BatchOptions options;
-  options.meshes.mesh_of = [&](const BodySpecification& specification) {
-    if (specification.far_radius > farthest_of_quick) {
-      EXPECT_EQ(done.wait_for(std::chrono::minutes(1)), std::future_status::ready) << "quick waits for slow";
-    }
-    return mesh_of(specification);
-  };
+  BodyStore bodies{{"watched mesh", [&](const BodySpecification& specification) {
+                      if (specification.far_radius > farthest_of_quick) {
+                        EXPECT_EQ(done.wait_for(std::chrono::minutes(1)), std::future_status::ready)
+                            << "quick waits for slow";
+                      }
+                      return mesh_of(specification);
+                    }}};
   options.progress = [&](const BatchLine& line, auto...) {
     if (line.name == "quick") quick_is_done.set_value();
   };
-  const auto lines = run_batch(prepare(cases), options);
+  const auto lines = run_batch(prepare(cases), options, bodies);
   EXPECT_TRUE(lines[0].pass && lines[1].pass);
 }
 
@@ -46,10 +47,9 @@ TEST(Batch, AFailedCaseLeavesNoOldResult) {
   std::ofstream(out / "case" / "result.json") << "{}";
   BatchOptions options;
   options.output = out;
-  options.meshes.mesh_of = [](const BodySpecification&) -> meshes::Mesh {
-    throw fem::SolverError("the pump is broken");
-  };
-  const auto lines = run_batch(prepare(read_case_file(folder.write("case.prm", elastic_case()))), options);
+  BodyStore bodies{
+      {"broken mesh", [](const BodySpecification&) -> meshes::Mesh { throw fem::SolverError("the pump is broken"); }}};
+  const auto lines = run_batch(prepare(read_case_file(folder.write("case.prm", elastic_case()))), options, bodies);
   EXPECT_EQ(lines.at(0).failure, "the pump is broken");
   EXPECT_TRUE(fs::is_empty(out / "case"));
 }
@@ -61,13 +61,13 @@ TEST(Batch, HasItsLinesInTheOrderOfItsCasesAndCountsThemAsTheyAreDone) {
     cases.back().name = name;
   }
   BatchOptions options;
-  options.meshes.mesh_of = [](const BodySpecification&) -> meshes::Mesh { throw fem::SolverError("no mesh"); };
+  BodyStore bodies{{"no mesh", [](const BodySpecification&) -> meshes::Mesh { throw fem::SolverError("no mesh"); }}};
   std::vector<std::size_t> counts;
   options.progress = [&](const BatchLine&, std::size_t n_done, std::size_t n_cases) {
     counts.push_back(n_done);
     EXPECT_EQ(n_cases, 5U);
   };
-  const auto lines = run_batch(prepare(cases), options);
+  const auto lines = run_batch(prepare(cases), options, bodies);
   ASSERT_EQ(lines.size(), 5U);
   for (std::size_t i = 0; i < lines.size(); ++i) {
     EXPECT_EQ(lines[i].name, cases[i].name);

@@ -20,7 +20,7 @@ ProvedWear made_up_wear() {
       {},
       {},
       {mdr::limiting_profile(mdr::parabola(1e-2), 5e-4, 1e-4), mdr::limiting_profile(mdr::parabola(1e-2), 4e-4, 1e-4)}};
-  auto& [course, radii, unworn, centre, worn_radius, uncertainty, seconds] = wear.fe;
+  auto& [course, radii, body, unworn, centre, worn_radius, uncertainty, seconds] = wear.fe;
   radii = {0, 0.5, 1};
   centre = Eigen::Vector2d(0.25, 0.75);
   unworn = Eigen::Vector2d(0.1, 0.5);

@@ -15,7 +15,7 @@ constexpr double pi = 3.14159265358979323846;
 
 /// Mean displacement of the whole contact line under a uniform load.
 double mean_displacement(const fem::Compliance& compliance) {
-  return compliance.matrix.sum() / compliance.areas.sum();
+  return compliance.matrix->sum() / compliance.areas.sum();
 }
 
 // Johnson, Contact Mechanics, 3.4: under a uniform pressure p on a circle of radius a of an incompressible half-space
@@ -31,7 +31,17 @@ TEST(Body, HasATangentialHarmonicOnlyForTangentialMotion) {
   EXPECT_FALSE(normal.tangential);
   EXPECT_EQ(normal.n_dofs(), normal.normal.space.n_dofs());
   EXPECT_GT(both.n_dofs(), 2 * normal.n_dofs());
-  EXPECT_EQ(normal.normal.contact.compliance.matrix, both.normal.contact.compliance.matrix);
+  EXPECT_EQ(*normal.normal.contact.compliance.matrix, *both.normal.contact.compliance.matrix);
+}
+
+TEST(Body, HasOneCopyOfEachMatrix) {
+  const auto whole = make_body(small_body());
+  const auto body = contact_body(whole);
+  const fem::ContactProblem at_slack(body.normal, 1e-6);
+  for (const auto* problem : {&body.normal, &at_slack}) {
+    EXPECT_EQ(&*problem->compliance.matrix, &*whole.normal.contact.compliance.matrix);
+    EXPECT_EQ(&*problem->solver.factor(), &*whole.normal.contact.solver.factor());
+  }
 }
 
 TEST(Body, NamesTheMeshThatItCannotTrust) {

@@ -39,7 +39,7 @@ TEST(EffectiveRadii, AreProportionalToThePunchForce) {
   std::vector<double> per_radius;
   for (const Index m : {1, 9, 20, 36}) {
     const Eigen::VectorXd areas = compliance.areas.head(m);
-    per_radius.push_back(areas.dot(compliance.matrix.topLeftCorner(m, m).llt().solve(areas)) / radii[m]);
+    per_radius.push_back(areas.dot(compliance.matrix->topLeftCorner(m, m).llt().solve(areas)) / radii[m]);
   }
   for (const double value : per_radius) EXPECT_NEAR(value, per_radius[0], 1e-10);
   EXPECT_NEAR(per_radius[0], 8, 2e-3);

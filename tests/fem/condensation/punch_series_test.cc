@@ -29,7 +29,7 @@ TEST_F(PunchSeriesTest, DepthsAndDisplacementsAreConjugate) {
   const Eigen::VectorXd traction = Eigen::VectorXd::LinSpaced(n, 1, -0.3).array().cos();
   const Eigen::VectorXd displacement = Eigen::VectorXd::LinSpaced(n, 0.2, 2).array().sin();
   const Eigen::VectorXd b =
-      problem_.solver.factor().triangularView<Eigen::Lower>().solve(problem_.compliance.areas).array().square();
+      problem_.solver.factor()->triangularView<Eigen::Lower>().solve(problem_.compliance.areas).array().square();
   const double work = problem_.compliance.areas.dot(traction.cwiseProduct(displacement));
   const Eigen::VectorXd depths = series_.depths(traction);
   EXPECT_NEAR(b.dot(depths.cwiseProduct(series_.displacements(displacement))), work, 1e-12 * std::abs(work));

@@ -191,7 +191,7 @@ TEST(BoxSolver, EndsWhereBlockChangesCycle) {
 }
 
 TEST(BoxSolver, RefusesLoadsThatAreNotFinite) {
-  const BoxSolver solver(MatrixXd::Identity(3, 3));
+  const BoxSolver solver(MatrixXd::Identity(3, 3).eval());
   const VectorXd lower = VectorXd::Zero(3), upper = VectorXd::Ones(3);
   for (const double bad : {std::nan(""), infinity}) {
     VectorXd q = VectorXd::Zero(3);
@@ -202,7 +202,7 @@ TEST(BoxSolver, RefusesLoadsThatAreNotFinite) {
 }
 
 TEST(BoxSolver, RefusesBoundsThatAreNoNumbers) {
-  const BoxSolver solver(MatrixXd::Identity(3, 3));
+  const BoxSolver solver(MatrixXd::Identity(3, 3).eval());
   const VectorXd zero = VectorXd::Zero(3), ones = VectorXd::Ones(3);
   VectorXd bad = ones;
   bad[2] = std::nan("");
@@ -231,7 +231,7 @@ TEST(BoxSolver, IgnoresAWarmStartAtAnInfiniteBound) {
   const VectorXd q = VectorXd::Constant(2, 3), none = VectorXd::Constant(2, infinity);
   for (const BoxState start : {BoxState::lower, BoxState::upper}) {
     std::vector<BoxState> states(2, start);
-    const auto solution = BoxSolver(MatrixXd::Identity(2, 2)).solve(q, -none, none, states);
+    const auto solution = BoxSolver(MatrixXd::Identity(2, 2).eval()).solve(q, -none, none, states);
     EXPECT_EQ(solution.x, q);
   }
 }

@@ -331,7 +331,7 @@ TEST(FrictionHistory, OfAFlatPunchThatSticksFollowsTheComplexModulus) {
   const auto& areas = tangential.compliance.areas;
   const Index n = 24;
   const double unit_force =
-      areas.head(n).dot(tangential.compliance.matrix.topLeftCorner(n, n).llt().solve(areas.head(n)));
+      areas.head(n).dot(tangential.compliance.matrix->topLeftCorner(n, n).llt().solve(areas.head(n)));
   Motion motion = fretting_motion();
   motion.tangential[0].phase = 0.7;
   motion.tangential[0].amplitude = 0.05;

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "comparison/simulation/operator_store.h"
+
+namespace CLI {
+class App;
+}
+
+namespace fretval {
+
+/// Which store of operators.
+struct StoreOptions {
+  std::string folder;  ///< empty: none
+  std::uint64_t limit = OperatorStore::usual_limit;
+  bool none = false;
+};
+
+/// Adds --store (or $FRETVAL_STORE; otherwise the cache folder of the user) and --store-limit (or
+/// $FRETVAL_STORE_LIMIT) to a verb; parsing fills them. The options have to outlive that.
+void add_store_options(CLI::App& verb, StoreOptions& options);
+
+/// Null: there is to be none, or there is no place for it.
+std::shared_ptr<OperatorStore> store_of(const StoreOptions& options);
+
+/// `fretval store`: prints what is in a store (list), reads it and prints what is damaged (verify: exit_disagree if
+/// anything is), or removes everything (clear). Returns the exit code. Throws std::filesystem::filesystem_error, and
+/// InputError where there is no store.
+int run_store(const std::string& action, const StoreOptions& options);
+
+}  // namespace fretval
