@@ -70,7 +70,8 @@ Quantities errors_of(const Quantities& values, const Quantities& reference) {
   Quantities errors;
   for (const auto& [quantity, value] : values) {
     const auto found = reference.find(quantity);
-    if (found != reference.end()) errors[quantity] = std::abs(value - found->second);
+    if (found != reference.end() && !traits_of(quantity).comes_along)
+      errors[quantity] = std::abs(value - found->second);
   }
   return errors;
 }
