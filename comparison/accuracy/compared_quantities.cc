@@ -21,12 +21,24 @@ void add_response(const Answer& answer, double normal_force_max, const Units& un
     values[Quantity::tangential_amplitude] = std::log(*answer.tangential_amplitude / units.depth);
 }
 
+/// Of either answer. Without memory friction takes all that is lost.
+template <class Cycle>
+void add_cycle(const std::optional<Cycle>& cycle, const Units& units, Quantities& values) {
+  if (!cycle) return;
+  values[Quantity::tangential_force_max] = std::log(cycle->tangential_force_max / units.force());
+  values[Quantity::tangential_force_mean] = cycle->tangential_force_mean / cycle->sliding_force;
+  values[Quantity::friction_work] = cycle->friction_work / cycle->sliding_work;
+  if (cycle->bulk_work > 0)
+    values[Quantity::cycle_work] = std::log((cycle->friction_work + cycle->bulk_work) / (units.force() * units.depth));
+}
+
 }  // namespace
 
 Quantities quantities_of(const FeAnswer& fe, const Units& units) {
   Quantities values;
   if (fe.contact_radius_max) values[Quantity::contact_radius_max] = *fe.contact_radius_max / units.length;
   add_response(fe, fe.normal_force_max, units, values);
+  add_cycle(fe.cycle, units, values);
   values[Quantity::stick_radius_first_slip] = fe.stick_radius_first_slip.value_or(0) / units.length;
   values[Quantity::stick_radius_shakedown] = fe.stick_radius_shakedown.value_or(0) / units.length;
   if (fe.no_wear) {
@@ -42,6 +54,7 @@ Quantities quantities_of(const MdrAnswer& mdr, const Units& units, bool worn) {
   Quantities values;
   values[Quantity::contact_radius_max] = mdr.contact_radius_max.value() / units.length;
   add_response(mdr, mdr.normal_force_max.value(), units, values);
+  add_cycle(mdr.cycle, units, values);
   values[Quantity::stick_radius_first_slip] = mdr.stick_radius_first_slip.value_or(0) / units.length;
   values[Quantity::stick_radius_shakedown] = mdr.stick_radius_shakedown.value_or(0) / units.length;
   if (worn) {
@@ -57,7 +70,8 @@ Quantities errors_of(const Quantities& values, const Quantities& reference) {
   Quantities errors;
   for (const auto& [quantity, value] : values) {
     const auto found = reference.find(quantity);
-    if (found != reference.end()) errors[quantity] = std::abs(value - found->second);
+    if (found != reference.end() && !traits_of(quantity).comes_along)
+      errors[quantity] = std::abs(value - found->second);
   }
   return errors;
 }

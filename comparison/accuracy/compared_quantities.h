@@ -15,7 +15,8 @@ Quantities quantities_of(const FeAnswer& fe, const Units& units);
 /// outside, the flank touches at the largest indentation, slip begins inside beyond the amplitude it is limiting for.
 Quantities quantities_of(const MdrAnswer& mdr, const Units& units, bool worn);
 
-/// Absolute differences of what both have: over the contact radius for radii, relative for forces.
+/// Absolute differences of what both have, but for what comes along: over the contact radius for radii, relative for
+/// forces.
 Quantities errors_of(const Quantities& values, const Quantities& reference);
 
 /// The largest one; NaN for none.

@@ -57,6 +57,7 @@ std::optional<Tracks> finer(const PreparedCase& prepared, const Computations& co
   const auto& name = prepared.input.name;
   std::map<Resolution, std::vector<BarToMeet>> bars;  // by track
   for (const auto& [quantity, bar] : error_bars(prepared, tracks, computed, Borders::left_out)) {
+    if (traits_of(quantity).comes_along) continue;
     const double tolerance = tolerance_of(prepared.tolerances, quantity);
     bars[tracks.of(quantity)].push_back({bar, tolerance});
     if (bar.total() > tolerance) log::info(fmt::format("{}: {}", name, excess_text(quantity, bar, tolerance)));

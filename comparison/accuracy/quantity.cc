@@ -9,8 +9,10 @@ const QuantityTraits& traits_of(Quantity quantity) {
   // In the order of the enumeration.
   static constexpr std::array<QuantityTraits, all_quantities.size()> table{{
       {"contact_radius_max", "largest contact radius", "contact radius", "relative", "m", 10, {3}, {}},
+      {"cycle_work", "energy lost altogether", "loss", "relative", "J", 1, {2}, {}, true},
       {"distance_to_limit", "distance from the limiting profile", "distance", "over a and d max", "", 0.5, {2}, {}},
       {"force_outside_stick_zone", "force outside c", "force outside", "over the force", "", 1, {1}, {}},
+      {"friction_work", "energy lost to friction", "friction", "over sliding", "J", 10, {2}, {}, true},
       {"indentation_max", "largest indentation", "largest depth", "relative", "m", 10, {3}, ExpectedOrder{2, 6}},
       {"limiting_amplitude", "amplitude at which slip begins inside c", "amplitude", "relative", "", 1, {1}, {}},
       {"maximum_indentation", "indentation at which the flank touches", "indentation", "relative", "", 1, {1}, {}},
@@ -19,14 +21,18 @@ const QuantityTraits& traits_of(Quantity quantity) {
       {"stick_radius_first_slip", "stick radius, first slip", "first slip", "over a", "m", 1, {3}, {}},
       {"stick_radius_shakedown", "stick radius, shakedown", "shakedown", "over a", "m", 1, {3}, {}},
       {"tangential_amplitude", "tangential amplitude", "u_x", "relative", "m", 1, {2}, {}},
+      {"tangential_force_max", "largest tangential force", "tangential force", "relative", "N", 1, {2}, {}, true},
+      {"tangential_force_mean", "mean tangential force", "mean force", "over sliding", "N", 1, {2}, {}, true},
       {"worn_radius", "outer radius of the wear", "worn radius", "over a", "m", 0.2, {2}, {}},
       {"worn_volume", "worn volume", "worn volume", "over that of the limit", "m³", 0.5, {2}, {}},
   }};
   return table[static_cast<std::size_t>(quantity)];
 }
 
-double scale_of(Quantity quantity, double contact_radius, double value) {
-  return std::string(traits_of(quantity).scale) == "over a" ? contact_radius : std::abs(value);
+double scale_of(Quantity quantity, const Scales& scales, double value) {
+  const std::string scale = traits_of(quantity).scale;
+  if (scale == "over sliding") return quantity == Quantity::friction_work ? scales.sliding_work : scales.sliding_force;
+  return scale == "over a" ? scales.contact_radius : std::abs(value);
 }
 
 std::optional<Quantity> quantity_of(const std::string& name) {

@@ -12,11 +12,14 @@ namespace fretval {
 /// force is prescribed the largest indentation stands for the largest force, and a tangential force comes with the
 /// amplitude of the displacement. Three are of an indenter that has worn: the volume over that of the limiting profile,
 /// the outer radius of the wear, and the largest distance of the worn profile from the limiting one (see
-/// distance_to_limit).
+/// distance_to_limit). Four are of a cycle of a locked motion: the largest tangential force, its mean, which slip has
+/// locked in, the energy lost to friction, and the energy lost altogether.
 enum class Quantity {
   contact_radius_max,
+  cycle_work,
   distance_to_limit,
   force_outside_stick_zone,
+  friction_work,
   indentation_max,
   limiting_amplitude,
   maximum_indentation,
@@ -25,13 +28,17 @@ enum class Quantity {
   stick_radius_first_slip,
   stick_radius_shakedown,
   tangential_amplitude,
+  tangential_force_max,
+  tangential_force_mean,
   worn_radius,
   worn_volume
 };
 
 inline constexpr std::array all_quantities{Quantity::contact_radius_max,
+                                           Quantity::cycle_work,
                                            Quantity::distance_to_limit,
                                            Quantity::force_outside_stick_zone,
+                                           Quantity::friction_work,
                                            Quantity::indentation_max,
                                            Quantity::limiting_amplitude,
                                            Quantity::maximum_indentation,
@@ -40,6 +47,8 @@ inline constexpr std::array all_quantities{Quantity::contact_radius_max,
                                            Quantity::stick_radius_first_slip,
                                            Quantity::stick_radius_shakedown,
                                            Quantity::tangential_amplitude,
+                                           Quantity::tangential_force_max,
+                                           Quantity::tangential_force_mean,
                                            Quantity::worn_radius,
                                            Quantity::worn_volume};
 
@@ -50,6 +59,10 @@ inline constexpr std::array quantities_by_interest{Quantity::stick_radius_first_
                                                    Quantity::normal_force_max,
                                                    Quantity::indentation_max,
                                                    Quantity::tangential_amplitude,
+                                                   Quantity::tangential_force_max,
+                                                   Quantity::tangential_force_mean,
+                                                   Quantity::friction_work,
+                                                   Quantity::cycle_work,
                                                    Quantity::distance_to_limit,
                                                    Quantity::worn_radius,
                                                    Quantity::worn_volume,
@@ -76,11 +89,20 @@ struct QuantityTraits {
   /// In a body with memory the pressure next to the edge depends on when its ring touched, and coarser rings do not
   /// show all of that. Empty: as without memory.
   std::optional<ExpectedOrder> rings_with_memory;
+  /// Nothing is refined for it: it comes along with its bar and is held to that where it is wider than its tolerance,
+  /// and to the error of the springs that it is compared with on top.
+  bool comes_along = false;
 };
 const QuantityTraits& traits_of(Quantity quantity);
 
-/// What differences and error bars of a quantity are over, in its own unit: the unworn contact radius, or the value.
-double scale_of(Quantity quantity, double contact_radius, double value);
+/// What differences and error bars of a quantity may be over besides its value.
+struct Scales {
+  double contact_radius;               ///< m, unworn
+  double sliding_force, sliding_work;  ///< N, J; see fem::CycleResponse
+};
+
+/// What differences and error bars of a quantity are over, in its own unit.
+double scale_of(Quantity quantity, const Scales& scales, double value);
 
 inline const char* name_of(Quantity quantity) {
   return traits_of(quantity).name;

@@ -59,6 +59,21 @@ void compare_responses(const MdrAnswer& mdr, const FeAnswer& fe, const Tolerance
         judge_relative(fe.tangential_amplitude, mdr.tangential_amplitude, tolerances.stick_radius);
 }
 
+void compare_cycles(const MdrCycle& mdr, const fem::CycleResponse& fe, const Tolerances& tolerances,
+                    Comparison& comparison) {
+  const auto add = [&](Quantity quantity, double fe_value, double mdr_value, double scale, double mdr_error) {
+    comparison[quantity] =
+        judge((fe_value - mdr_value) / scale, tolerance_of(tolerances, quantity) + mdr_error / scale);
+  };
+  add(Quantity::tangential_force_max, fe.tangential_force_max, mdr.tangential_force_max, mdr.tangential_force_max,
+      mdr.force_error);
+  add(Quantity::tangential_force_mean, fe.tangential_force_mean, mdr.tangential_force_mean, mdr.sliding_force,
+      mdr.force_error);
+  add(Quantity::friction_work, fe.friction_work, mdr.friction_work, mdr.sliding_work, mdr.work_error);
+  const double fe_loss = fe.friction_work + fe.bulk_work, mdr_loss = mdr.friction_work + mdr.bulk_work;
+  if (fe.bulk_work > 0 && mdr.bulk_work > 0) add(Quantity::cycle_work, fe_loss, mdr_loss, mdr_loss, mdr.work_error);
+}
+
 }  // namespace
 
 Comparison compare(const MdrAnswer& mdr, const FeAnswer& fe, double unworn_radius, const Tolerances& tolerances,
@@ -69,6 +84,7 @@ Comparison compare(const MdrAnswer& mdr, const FeAnswer& fe, double unworn_radiu
     comparison[Quantity::contact_radius_max] =
         judge(*fe.contact_radius_max / mdr.contact_radius_max.value() - 1, tolerances.contact_radius);
   compare_responses(mdr, fe, tolerances, comparison);
+  if (fe.cycle && mdr.cycle) compare_cycles(*mdr.cycle, *fe.cycle, tolerances, comparison);
   const double tolerance = tolerances.stick_radius;
   comparison[Quantity::stick_radius_first_slip] =
       judge_stick(fe.stick_radius_first_slip, mdr.stick_radius_first_slip, unworn_radius, tolerance);
@@ -86,6 +102,14 @@ Comparison compare(const MdrAnswer& mdr, const FeAnswer& fe, double unworn_radiu
     const auto found = comparison.find(quantity);
     if (found == comparison.end()) continue;
     auto& difference = found->second;
+    if (traits_of(quantity).comes_along) {
+      if (!std::isfinite(bar.total())) {
+        comparison.erase(found);  // not even its size is known
+        continue;
+      }
+      const double of_reference = difference.tolerance - tolerance_of(tolerances, quantity);
+      difference.tolerance = std::max(difference.tolerance, bar.total() + of_reference);
+    }
     difference.bar = bar;
     difference.verdict =
         verdict_on(difference.difference.value_or(difference.only_one), difference.tolerance, bar.total());

@@ -21,20 +21,62 @@ std::optional<double> radius_at(const MdrCase& mdr, double depth) {
   return depth > 0 ? std::optional(mdr::inverse_transform(mdr.profile, depth)) : std::nullopt;
 }
 
+/// Oscillations in a cycle, of a motion that has one; empty: none, or one too long to be stepped through.
+std::optional<mdr::CommonCycle> short_cycle(const mdr::HarmonicMotion& motion) {
+  constexpr int longest = 200;
+  const auto cycle = motion.phase_locked ? mdr::common_cycle(motion) : std::nullopt;
+  return cycle && cycle->highest_order() <= longest ? cycle : std::nullopt;
+}
+
+std::optional<MdrCycle> cycle_of(const MdrCase& mdr, const mdr::SteppedForcedResponse& stepped,
+                                 double normal_force_max) {
+  const auto cycle = short_cycle(mdr.motion);
+  double sum = 0, path = 0;
+  for (std::size_t k = 0; cycle && k < mdr.motion.tangential.size(); ++k) {
+    sum += mdr.motion.tangential[k].amplitude;
+    path += 4 * mdr.motion.tangential[k].amplitude * cycle->tangential_orders[k];
+  }
+  if (sum == 0 || mdr.body.viscosity > 0) return std::nullopt;
+  const auto& [response, error] = stepped;
+  if (mdr.tangential_force) path *= response.tangential_amplitude / sum;
+  const double sliding_force = mdr.friction_coefficient * normal_force_max;
+  return MdrCycle{response.tangential_force_max,
+                  response.tangential_force_mean,
+                  response.friction_work,
+                  response.bulk_work,
+                  sliding_force,
+                  sliding_force * path,
+                  std::max(error.tangential_force_max, error.tangential_force_mean),
+                  error.friction_work + error.bulk_work};
+}
+
+/// Springs that are as fine as forces and energies need; the radii have closed forms.
+std::optional<MdrCycle> cycle_under_displacements(const MdrCase& mdr, double normal_force_max) {
+  constexpr mdr::SpringFineness fineness{100, 90, 5, 1e-5};
+  if (!short_cycle(mdr.motion) || mdr.body.viscosity > 0) return std::nullopt;
+  try {
+    const auto stepped =
+        mdr::forced_response(mdr.profile, mdr.body, mdr.friction_coefficient, mdr.prescribed(), fineness);
+    return cycle_of(mdr, stepped, normal_force_max);
+  } catch (const std::runtime_error&) {
+    return std::nullopt;  // not periodic
+  }
+}
+
 /// Of an unworn indenter, by the springs. Under both forces the shakedown radius has a closed form.
 MdrAnswer forced_answer(const MdrCase& mdr, const mdr::NormalResponse& normal) {
   MdrAnswer answer{};
   answer.contact_radius_max = normal.contact_radius_max;
   answer.normal_force_max = normal.normal_force_max;
-  mdr::ForcedResponse response, error;
+  mdr::SteppedForcedResponse stepped;
   try {
-    const auto stepped = mdr::forced_response(mdr.profile, mdr.body, mdr.friction_coefficient, mdr.prescribed());
-    response = stepped.response;
-    error = stepped.error;
+    stepped = mdr::forced_response(mdr.profile, mdr.body, mdr.friction_coefficient, mdr.prescribed());
   } catch (const mdr::GrossSlip& slip) {
     answer.gross_slip = slip.amplitude;
     return answer;
   }
+  const auto& [response, error] = stepped;
+  answer.cycle = cycle_of(mdr, stepped, answer.normal_force_max.value());
   answer.stick_radius_first_slip = radius_at(mdr, response.depths.first_slip);
   answer.stick_radius_shakedown = mdr.normal_force && mdr.tangential_force && mdr.limiting_state
                                       ? mdr.limiting_state->stick_radius
@@ -73,6 +115,7 @@ MdrAnswer displaced_answer(const MdrCase& mdr, const mdr::HarmonicMotion& motion
                                                 mdr::transform(mdr.profile, mdr.limiting->stick_radius))
             .value_or(0) /
         one_each->tangential_amplitude;
+  if (!mdr.limiting) answer.cycle = cycle_under_displacements(mdr, normal.normal_force_max);
   if (mdr.normal_force) answer.indentation_max = mdr::maximum_indentation(motion);
   if (mdr.tangential_force) answer.tangential_amplitude = motion.tangential.front().amplitude;
   return answer;
@@ -119,6 +162,14 @@ nlohmann::ordered_json to_json(const MdrAnswer& answer) {
                               {"limiting_amplitude", or_null(answer.limiting_amplitude)}};
   if (answer.indentation_max) json["indentation_max"] = *answer.indentation_max;
   if (answer.tangential_amplitude) json["tangential_amplitude"] = *answer.tangential_amplitude;
+  if (answer.cycle) {
+    json["tangential_force_max"] = answer.cycle->tangential_force_max;
+    json["tangential_force_mean"] = answer.cycle->tangential_force_mean;
+    json["friction_work"] = answer.cycle->friction_work;
+    json["bulk_work"] = answer.cycle->bulk_work;
+    json["cycle_work"] = answer.cycle->friction_work + answer.cycle->bulk_work;
+    json["cycle_error"] = {{"force", answer.cycle->force_error}, {"work", answer.cycle->work_error}};
+  }
   if (answer.stepping_error > 0) json["stepping_error"] = answer.stepping_error;
   if (answer.gross_slip) json["gross_slip"] = *answer.gross_slip;
   return json;

@@ -8,6 +8,19 @@
 
 namespace fretval {
 
+/// What a locked motion asks of whoever drives it, in a cycle of the periodic state, from the transient springs; SI
+/// units. Extrapolated from two finenesses.
+struct MdrCycle {
+  double tangential_force_max;   ///< of |F_x|
+  double tangential_force_mean;  ///< what slip has locked in
+  double friction_work;          ///< lost to friction
+  double bulk_work;              ///< lost inside the body
+  double sliding_force;          ///< mu times the largest normal force
+  double sliding_work;           ///< what sliding under that force would cost, 4 times the tangential amplitudes
+  double force_error;            ///< of either force
+  double work_error;             ///< of either loss
+};
+
 /// What MDR says about a case; SI units. Empty radii: nothing sticks. A comparable case has both maxima.
 struct MdrAnswer {
   double modulus_ratio;
@@ -21,6 +34,9 @@ struct MdrAnswer {
   std::optional<double> limiting_amplitude = {};
   std::optional<double> indentation_max = {};       ///< in the periodic state; empty: prescribed, or as above
   std::optional<double> tangential_amplitude = {};  ///< half of what lies between the extremes of u_x; likewise
+  /// Empty: worn, at rest tangentially, without a cycle of a few hundred oscillations, or not periodic in the end; and
+  /// with a dashpot, where the mean of F_x goes on settling for hundreds of periods in the springs.
+  std::optional<MdrCycle> cycle = {};
   /// Of springs that were stepped in time, the largest relative error of what is above; 0: closed forms.
   double stepping_error = 0;
   /// Of all amplitudes, the share at which the whole contact begins to slide under a prescribed tangential force while

@@ -33,7 +33,7 @@ double absolute_bar(const StoredResult& r, Quantity quantity) {
   const auto& traits = traits_of(quantity);
   if (!comparison.contains(traits.name)) return std::nan("");
   const auto bar = comparison[traits.name].value("error_bar", nlohmann::ordered_json());
-  const double scale = scale_of(quantity, r.number("scene", "contact_radius_unworn"), r.number("fe", traits.name));
+  const double scale = scale_of(quantity, scales_of(r.json), r.number("fe", traits.name));
   return bar.is_number() ? bar.get<double>() * scale : std::nan("");
 }
 
@@ -93,7 +93,7 @@ Filling family_filling(const std::string& name, const Family& family) {
   if (is_any(family, first_slip) || is_any(family, shakedown))
     figures.push_back(sweep_figure(family, {first_slip, shakedown}, "Stick radii"));
   for (const auto quantity : {Quantity::contact_radius_max, Quantity::normal_force_max, Quantity::indentation_max,
-                              Quantity::tangential_amplitude})
+                              Quantity::tangential_amplitude, Quantity::tangential_force_max, Quantity::friction_work})
     if (depends_on_entry(family, quantity)) {
       std::string title = traits_of(quantity).title;
       title.front() = static_cast<char>(std::toupper(title.front()));

@@ -96,16 +96,22 @@ std::string with_unit(double value, double bar, const std::string& unit) {
   return fmt::format("{} ± {:.{}f} {}{}", number, bar / factor, decimals, name, unit);
 }
 
+Scales scales_of(const ordered_json& result) {
+  const auto& fe = result.at("fe");
+  return {number_in(result.at("scene"), "contact_radius_unworn").value_or(0),
+          number_in(fe, "sliding_force").value_or(0), number_in(fe, "sliding_work").value_or(0)};
+}
+
 Answer answer_of(const ordered_json& result) {
   Answer answer{verdict_text(result), {}};
-  const double length = number_in(result.at("scene"), "contact_radius_unworn").value_or(0);
+  const auto scales = scales_of(result);
   for (const auto quantity : quantities_by_interest) {
     const auto& traits = traits_of(quantity);
     const auto compared = result.at("comparison").find(traits.name);
     if (compared == result.at("comparison").end() || *traits.unit == '\0' || quantity == Quantity::worn_volume)
       continue;
     const auto fe = number_in(result.at("fe"), traits.name), mdr = number_in(result.at("mdr"), traits.name);
-    const double bar = number_in(*compared, "error_bar").value_or(0) * scale_of(quantity, length, fe.value_or(0));
+    const double bar = number_in(*compared, "error_bar").value_or(0) * scale_of(quantity, scales, fe.value_or(0));
     const auto shown = [&](const std::optional<double>& value, double width) {
       return value ? with_unit(*value, width, traits.unit) : std::string("none");
     };

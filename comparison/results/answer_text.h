@@ -35,6 +35,9 @@ struct Answer {
 /// From a result.json.
 Answer answer_of(const nlohmann::ordered_json& result);
 
+/// What its differences and error bars are over; 0 where it does not have that.
+Scales scales_of(const nlohmann::ordered_json& result);
+
 /// The answer to a case for the terminal.
 std::string answer_text(const CaseResult& result);
 

@@ -35,8 +35,7 @@ std::optional<Change> change_of(const StoredResult& before, const StoredResult& 
   if (!change.before || !change.after)
     change.difference = 1;
   else if (*change.before != *change.after)
-    change.difference = (*change.after - *change.before) /
-                        scale_of(quantity, before.number("scene", "contact_radius_unworn"), *change.before);
+    change.difference = (*change.after - *change.before) / scale_of(quantity, scales_of(before.json), *change.before);
   return change;
 }
 

@@ -95,7 +95,16 @@ ordered_json fe_json(const CaseResult& result) {
   if (!fe.gross_slip && fe.normal.pressure.size() > 0) {
     const auto& units = result.fem_case.units;
     if (input_is_unworn(result)) json["pressure_max"] = fe.normal.pressure.maxCoeff() * units.pressure();
-    json["friction_work"] = fe.friction.dissipated_energy * units.force() * units.depth;
+    json["friction_work"] =
+        fe.cycle ? fe.cycle->friction_work : fe.friction.dissipated_energy * units.force() * units.depth;
+  }
+  if (fe.cycle) {
+    json["tangential_force_max"] = fe.cycle->tangential_force_max;
+    json["tangential_force_mean"] = fe.cycle->tangential_force_mean;
+    json["bulk_work"] = fe.cycle->bulk_work;
+    json["cycle_work"] = fe.cycle->friction_work + fe.cycle->bulk_work;
+    json["sliding_force"] = fe.cycle->sliding_force;
+    json["sliding_work"] = fe.cycle->sliding_work;
   }
   json["error_estimate"] = ordered_json::object();
   for (const auto& [quantity, difference] : result.comparison)

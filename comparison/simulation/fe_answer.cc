@@ -77,6 +77,19 @@ Eigen::Index largest_contact_rings(const fem::NormalHistory& history) {
   return n;
 }
 
+std::optional<fem::CycleResponse> cycle_of(const FemCase& fem, double normal_force_max,
+                                           const fem::NormalHistory& normal, const fem::FrictionHistory& friction) {
+  if (fem.worn_edge || fem.without_short_cycle || !fem.motion.locked || fem.motion.tangential_amplitude() == 0)
+    return std::nullopt;
+  auto cycle =
+      fem::cycle_response(fem.relaxation, fem.friction_coefficient, fem.motion, normal_force_max, normal, friction);
+  const double force = fem.units.force(), work = force * fem.units.depth;
+  for (double* value : {&cycle.tangential_force_max, &cycle.tangential_force_mean, &cycle.sliding_force})
+    *value *= force;
+  for (double* value : {&cycle.friction_work, &cycle.bulk_work, &cycle.sliding_work}) *value *= work;
+  return cycle;
+}
+
 void add_stick_depths(const fem::PunchSeries& series, const FemCase& fem, FeAnswer& answer) {
   const auto& friction = answer.friction;
   const Eigen::Index n_contact = answer.rings.contact;
@@ -167,6 +180,7 @@ FeAnswer read_answer(const ContactProblems& problems, const FemCase& fem, const 
     answer.indentation_uncertainty = uncertainty * fem.units.depth;
   }
   if (fem.motion.tangential_force) answer.tangential_amplitude = friction.amplitude * fem.units.depth;
+  answer.cycle = cycle_of(fem, force.value, normal, friction);
   answer.n_cycles = friction.n_cycles;
   answer.n_steps = friction.n_steps;
   answer.normal = std::move(normal);

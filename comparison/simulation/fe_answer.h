@@ -7,6 +7,7 @@
 #include "comparison/simulation/fem_case.h"
 #include "fem/history/friction_history.h"
 #include "fem/history/normal_history.h"
+#include "fem/stick_zone/cycle_response.h"
 #include "fem/stick_zone/edge_radius.h"
 #include "fem/stick_zone/stick_depths.h"
 #include "fem/stick_zone/stick_zones.h"
@@ -48,11 +49,13 @@ struct FeAnswer {
   double normal_force_max = 0;
   std::optional<double> indentation_max;       ///< empty: prescribed
   std::optional<double> tangential_amplitude;  ///< half of what lies between the extremes of u_x; empty: prescribed
-  std::optional<GrossSlipStart> gross_slip;    ///< then there is nothing else but the body and the cost
-  double contact_radius_uncertainty = 0;       ///< of the time steps, see read_contact_radius
-  double normal_force_uncertainty = 0;         ///< of reading the edge, see fem::ContactForce
-  double indentation_uncertainty = 0;          ///< see fem::LargestIndentation
-  double first_slip_uncertainty = 0;           ///< of reading the edge, see fem::EdgeRadius
+  /// SI units. Empty: worn, at rest tangentially, an unlocked phase, or a cycle that stands for none.
+  std::optional<fem::CycleResponse> cycle;
+  std::optional<GrossSlipStart> gross_slip;  ///< then there is nothing else but the body and the cost
+  double contact_radius_uncertainty = 0;     ///< of the time steps, see read_contact_radius
+  double normal_force_uncertainty = 0;       ///< of reading the edge, see fem::ContactForce
+  double indentation_uncertainty = 0;        ///< see fem::LargestIndentation
+  double first_slip_uncertainty = 0;         ///< of reading the edge, see fem::EdgeRadius
   double shakedown_uncertainty = 0;
   fem::StickDepths first_slip_depths, shakedown_depths;  ///< empty for a limiting profile
   std::optional<NoWearEvidence> no_wear;                 ///< for a limiting profile

@@ -56,6 +56,13 @@ Eigen::VectorXd PunchSeries::displacements(const Eigen::VectorXd& rings) const {
   return displacements.cwiseQuotient(by_load_);
 }
 
+Eigen::VectorXd PunchSeries::rings(const Eigen::VectorXd& displacements, Index first) const {
+  const Index n = displacements.size();
+  const Eigen::VectorXd by_load = by_load_.segment(first, n).cwiseProduct(displacements);
+  return (factor_->block(first, first, n, n).triangularView<Eigen::Lower>() * by_load)
+      .cwiseQuotient(areas_.segment(first, n));
+}
+
 double PunchSeries::integral(const Eigen::VectorXd& depths, const std::vector<signed char>& labels,
                              std::optional<double> end_of_depths) const {
   const auto zones = zones_of(labels);

@@ -36,6 +36,9 @@ class PunchSeries {
   /// `sum_j A_j t_j s_j = sum_j b_j^2 D_j s_j`.
   [[nodiscard]] Eigen::VectorXd displacements(const Eigen::VectorXd& rings) const;
 
+  /// The other way round: ring displacements from such ones, for a range of rings inside which they vanish.
+  [[nodiscard]] Eigen::VectorXd rings(const Eigen::VectorXd& displacements, Eigen::Index first) const;
+
   /// `k int D dr` for depths, or products of depths and displacements, of the innermost rings. zones: a label per ring,
   /// of these rings; D may have a kink or a jump where neighbouring labels differ. Next to zones of a single ring, and
   /// where the two sides do not meet between their rings (as with a dashpot, whose pressure jumps at the edge), it is

@@ -28,8 +28,10 @@ FrictionContact::FrictionContact(const ContactProblem& problem, const Relaxation
       stick_(static_cast<std::size_t>(limit.size()), BoxState::interior) {}
 
 FrictionContact::Attempt FrictionContact::attempt(const IndenterMove& to_balance) const {
-  Attempt attempt{stick_, {}};
-  const Eigen::VectorXd held = step_.response_without_slip(state, to_balance);
+  Attempt attempt{stick_, {}, {}};
+  Eigen::VectorXd held = step_.response_without_slip(state, to_balance);
+  attempt.slip_to_touch = slip_before_touch(held);
+  held -= step_.stiffness_before_balance() * attempt.slip_to_touch;
   attempt.solution = problem_.solver.solve(problem_.compliance.areas.cwiseProduct(held), -limit, limit, attempt.stick);
   return attempt;
 }
@@ -66,9 +68,35 @@ double FrictionContact::increment_under_force(double time, const std::optional<N
   return displacement_for_force(force_after, force, {last_increment_, stiffness, most});
 }
 
+void FrictionContact::find_touching(const Eigen::VectorXd& pressure, const std::optional<NormalInstant>& normal) {
+  until_touch_.resize(0);
+  if (!normal || relaxation_.viscosity > 0) return;
+  const double before = std::exchange(radius_before_, normal->radius), growth = normal->radius - before;
+  if (n_steps == 0 || !(growth > 0)) return;
+  first_touching_ = 0;
+  while (first_touching_ < limit.size() && limit[first_touching_] > 0) ++first_touching_;
+  Eigen::Index end = first_touching_;
+  while (end < limit.size() && pressure[end] > 0) ++end;
+  const auto radii = normal->touch_radii.segment(first_touching_, end - first_touching_).array();
+  until_touch_ = ((radii - before) / growth).max(0).min(1);
+}
+
+/// While the contact grows, the indenter takes along the rings that touch already. So each punch of PunchSeries moves
+/// from the instant on at which its outermost ring touches.
+Eigen::VectorXd FrictionContact::slip_before_touch(const Eigen::VectorXd& held) const {
+  Eigen::VectorXd slip = Eigen::VectorXd::Zero(held.size());
+  const auto n = until_touch_.size();
+  if (n == 0) return slip;
+  const Eigen::VectorXd missing =
+      until_touch_.cwiseProduct(problem_.series.displacements(held).segment(first_touching_, n));
+  slip.segment(first_touching_, n) = problem_.series.rings(missing, first_touching_) / step_.stiffness_before_balance();
+  return slip;
+}
+
 void FrictionContact::step(const Eigen::VectorXd& pressure, const std::optional<NormalInstant>& normal) {
   const auto position = [this](double t) { return tangential_motion(motion_, t); };
   const double begin = dt_ * static_cast<double>(n_steps), weight = step_.fraction(), time = begin + weight * dt_;
+  find_touching(pressure, normal);
   limit = friction_coefficient_ * pressure;
   limit_depths = friction_coefficient_ * problem_.series.depths(pressure);
   auto to_balance = indenter_move(position, begin, time), whole = indenter_move(position, begin, begin + dt_);
@@ -77,13 +105,14 @@ void FrictionContact::step(const Eigen::VectorXd& pressure, const std::optional<
     to_balance = steady_move(weight * last_increment_, weight * dt_);
     whole = steady_move(last_increment_, dt_);
   }
-  auto [stick, solution] = attempt(to_balance);
+  auto [stick, solution, slip_to_touch] = attempt(to_balance);
   zones.update(limit, stick, problem_.series.depths(solution.x));
   stick_ = std::move(stick);
   for (std::size_t i = 0; i < stick_.size(); ++i)
     if (limit[static_cast<Eigen::Index>(i)] == 0)
       stick_[i] = BoxState::interior;  // the guess for when it touches again
-  slip = (solution.residual.array() / problem_.compliance.areas.array()).matrix() / step_.instantaneous();
+  slip =
+      slip_to_touch + (solution.residual.array() / problem_.compliance.areas.array()).matrix() / step_.instantaneous();
   step_.advance(state, whole, slip);
   balance_displacement = displacement + to_balance.increment;
   displacement += whole.increment;

@@ -63,8 +63,11 @@ class FrictionContact {
   struct Attempt {
     std::vector<BoxState> stick;
     BoxSolver::Solution solution;
+    Eigen::VectorXd slip_to_touch;  // of rings that touch in the step, before they do
   };
   [[nodiscard]] Attempt attempt(const IndenterMove& to_balance) const;
+  void find_touching(const Eigen::VectorXd& pressure, const std::optional<NormalInstant>& normal);
+  [[nodiscard]] Eigen::VectorXd slip_before_touch(const Eigen::VectorXd& held) const;
   [[nodiscard]] double force_of(const Attempt& made, const std::optional<NormalInstant>& normal) const;
   [[nodiscard]] double increment_under_force(double time, const std::optional<NormalInstant>& normal);
 
@@ -76,6 +79,9 @@ class FrictionContact {
   double dt_;
   RelaxationStep step_;
   std::vector<BoxState> stick_;  // interior: sticks
+  double radius_before_ = 0;     // of the contact
+  Eigen::Index first_touching_ = 0;
+  Eigen::VectorXd until_touch_;  // of the rings that touch in the step, the share of it before they do
   // Under a prescribed force.
   std::optional<TouchingRings> touching_;
   double last_increment_ = 0;                  // of the displacement

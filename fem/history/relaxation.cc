@@ -77,8 +77,10 @@ RelaxationStep::RelaxationStep(const RelaxationModel& model, double dt)
       fraction_(balance_fraction(model, dt)),
       to_balance_(model, fraction_ * dt),
       whole_(model, dt),
-      instantaneous_(fraction_ * model.relaxed + model.viscosity / dt) {
-  for (std::size_t i = 0; i < whole_.n_branches(); ++i) instantaneous_ += fraction_ * to_balance_.gain(i);
+      instantaneous_(model.viscosity / dt),
+      stiffness_before_balance_(model.relaxed) {
+  for (std::size_t i = 0; i < whole_.n_branches(); ++i) stiffness_before_balance_ += to_balance_.gain(i);
+  instantaneous_ += fraction_ * stiffness_before_balance_;
 }
 
 Eigen::VectorXd RelaxationStep::response_without_slip(const RingState& state, const IndenterMove& move) const {

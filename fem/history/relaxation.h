@@ -87,6 +87,9 @@ class RelaxationStep {
   /// Change of w at the balance time per unit of (minus) slip made in the whole step.
   [[nodiscard]] double instantaneous() const { return instantaneous_; }
 
+  /// The same per unit of slip that was made before the balance time.
+  [[nodiscard]] double stiffness_before_balance() const { return stiffness_before_balance_; }
+
   /// w at the balance time of rings that do not slip; move: of the indenter up to the balance time.
   [[nodiscard]] Eigen::VectorXd response_without_slip(const RingState& state, const IndenterMove& move) const;
 
@@ -104,7 +107,7 @@ class RelaxationStep {
   RelaxationModel model_;
   double fraction_;
   PronyInterval to_balance_, whole_;
-  double instantaneous_;
+  double instantaneous_, stiffness_before_balance_;
 };
 
 }  // namespace fretval::fem

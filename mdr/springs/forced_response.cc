@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "mdr/motion/force_control.h"
 #include "mdr/springs/sampled_peak.h"
@@ -13,13 +14,12 @@ namespace {
 using Bed = std::function<SpringBed(Eigen::Index n)>;
 
 SpringHistory history_with(const Bed& bed, const PronyBody& body, double mu, const Prescribed& prescribed,
-                           int fineness) {
-  constexpr Eigen::Index n_springs = 200;
-  constexpr int steps_per_oscillation = 180, fewest_ramp_periods = 20, most_periods = 2000;
+                           const SpringFineness& coarse, int fineness) {
+  constexpr int most_periods = 2000;
   constexpr double many_creep_times = 10;
   // With a dashpot the load of a spring jumps when it touches, and which is the last one may change from period to
   // period; the ramp is slow enough that nothing else does.
-  const double periodicity = body.viscosity > 0 ? 1e-2 : 1e-8;
+  const double periodicity = body.viscosity > 0 ? 1e-2 : coarse.periodicity;
   const double period = common_period(prescribed.motion);
   double creep = body.viscosity;
   for (std::size_t i = 0; i < body.branch_times.size(); ++i) creep += body.branch_moduli[i] * body.branch_times[i];
@@ -27,10 +27,10 @@ SpringHistory history_with(const Bed& bed, const PronyBody& body, double mu, con
   double fastest = 0;
   for (const auto* harmonics : {&prescribed.motion.normal, &prescribed.motion.tangential})
     for (const auto& harmonic : *harmonics) fastest = std::max(fastest, harmonic.frequency);
-  const int n_steps = fineness * static_cast<int>(std::lround(steps_per_oscillation * fastest * period)),
-            n_ramp = fineness * std::max(fewest_ramp_periods, n_creep);
+  const int n_steps = fineness * static_cast<int>(std::lround(coarse.steps_per_oscillation * fastest * period)),
+            n_ramp = fineness * std::max(coarse.n_ramp_periods, n_creep);
   try {
-    return spring_history(bed(fineness * n_springs), body, mu, loading_of(prescribed, n_ramp * period),
+    return spring_history(bed(fineness * coarse.n_springs), body, mu, loading_of(prescribed, n_ramp * period),
                           {period, n_steps, n_ramp, most_periods, periodicity});
   } catch (GrossSlip& slip) {
     slip.amplitude = amplitude_share(slip.time, n_ramp * period);
@@ -47,18 +47,23 @@ ForcedResponse response_of(const std::function<double(double)>& radius_at, const
                         history.indentation,
                         history.normal_force};
   for (const double time : history.time) normal.time.push_back(time - history.time.front());
-  const auto& shift = history.tangential_displacement;
+  const auto &shift = history.tangential_displacement, &pull = history.tangential_force;
   return {std::move(normal),
           {history.depths.first_slip, history.settling_depth},
           deepest,
-          (sampled_peak(shift, 1) - sampled_peak(shift, -1)) / 2};
+          (sampled_peak(shift, 1) - sampled_peak(shift, -1)) / 2,
+          std::max(sampled_peak(pull, 1), -sampled_peak(pull, -1)),
+          std::accumulate(pull.begin() + 1, pull.end(), 0.0) / static_cast<double>(pull.size() - 1),
+          history.friction_work,
+          history.bulk_work};
 }
 
 /// radius_at: of the contact, of the indentation.
 SteppedForcedResponse extrapolated(const Bed& bed, const std::function<double(double)>& radius_at,
-                                   const PronyBody& body, double mu, const Prescribed& prescribed) {
-  const auto coarse = response_of(radius_at, history_with(bed, body, mu, prescribed, 1));
-  SteppedForcedResponse stepped{response_of(radius_at, history_with(bed, body, mu, prescribed, 2)), {}};
+                                   const PronyBody& body, double mu, const Prescribed& prescribed,
+                                   const SpringFineness& fineness = {}) {
+  const auto coarse = response_of(radius_at, history_with(bed, body, mu, prescribed, fineness, 1));
+  SteppedForcedResponse stepped{response_of(radius_at, history_with(bed, body, mu, prescribed, fineness, 2)), {}};
   const auto extrapolate = [&](auto&& part) {
     const double correction = (part(stepped.response) - part(coarse)) / 3;
     part(stepped.response) += correction;
@@ -71,6 +76,10 @@ SteppedForcedResponse extrapolated(const Bed& bed, const std::function<double(do
   extrapolate([](auto& r) -> auto& { return r.depths.shakedown; });
   extrapolate([](auto& r) -> auto& { return r.largest_indentation; });
   extrapolate([](auto& r) -> auto& { return r.tangential_amplitude; });
+  extrapolate([](auto& r) -> auto& { return r.tangential_force_max; });
+  extrapolate([](auto& r) -> auto& { return r.tangential_force_mean; });
+  extrapolate([](auto& r) -> auto& { return r.friction_work; });
+  extrapolate([](auto& r) -> auto& { return r.bulk_work; });
   return stepped;
 }
 
@@ -90,12 +99,12 @@ Loading loading_of(const Prescribed& prescribed, double ramp_duration) {
 }
 
 SteppedForcedResponse forced_response(const Profile& profile, const PronyBody& body, double mu,
-                                      const Prescribed& prescribed) {
+                                      const Prescribed& prescribed, const SpringFineness& fineness) {
   constexpr double room = 1.001;
   const double outer =
       std::min(room * inverse_transform(profile, deepest_indentation(profile, body, prescribed)), end_radius(profile));
   return extrapolated([&](Eigen::Index n) { return spring_bed(profile, outer, n); },
-                      [&](double depth) { return inverse_transform(profile, depth); }, body, mu, prescribed);
+                      [&](double depth) { return inverse_transform(profile, depth); }, body, mu, prescribed, fineness);
 }
 
 SteppedForcedResponse forced_response(const LimitingProfile& worn, const PronyBody& body, double mu,

@@ -23,12 +23,23 @@ double deepest_indentation(const Profile& profile, const PronyBody& body, const 
 /// What springs are stepped under: the mean of each direction, its oscillations rising over ramp_duration in s.
 Loading loading_of(const Prescribed& prescribed, double ramp_duration);
 
-/// Periodic response of the spring foundation where a force is prescribed, over the common period.
+/// Periodic response of the spring foundation to what is prescribed, over the common period.
 struct ForcedResponse {
   NormalResponse normal;
-  StickDepths depths;           ///< as in SpringHistory; settled, see SpringHistory::settling_depth
-  double largest_indentation;   ///< m
-  double tangential_amplitude;  ///< m, half of what lies between the extremes of u_x
+  StickDepths depths;            ///< as in SpringHistory; settled, see SpringHistory::settling_depth
+  double largest_indentation;    ///< m
+  double tangential_amplitude;   ///< m, half of what lies between the extremes of u_x
+  double tangential_force_max;   ///< N, of |F_x|
+  double tangential_force_mean;  ///< N, what slip has locked in
+  double friction_work;          ///< J per period
+  double bulk_work;              ///< J per period
+};
+
+/// Of the coarser one of two histories.
+struct SpringFineness {
+  Eigen::Index n_springs = 200;
+  int steps_per_oscillation = 180, n_ramp_periods = 20;
+  double periodicity = 1e-8;  ///< of a body without a dashpot
 };
 
 /// The transient springs (mdr/springs/spring_history.h), stepped until they repeat. Extrapolated from n and 2 n
@@ -40,7 +51,7 @@ struct SteppedForcedResponse {
   ForcedResponse response, error;
 };
 SteppedForcedResponse forced_response(const Profile& profile, const PronyBody& body, double mu,
-                                      const Prescribed& prescribed);
+                                      const Prescribed& prescribed, const SpringFineness& fineness = {});
 
 /// The same of a worn indenter, whose springs end at its stick radius.
 SteppedForcedResponse forced_response(const LimitingProfile& worn, const PronyBody& body, double mu,

@@ -34,7 +34,7 @@ double step_stiffness(const PronyBody& body, double dt) {
 
 double friction_heat(const SpringBed& bed, const PronyBody& body, double mu, double dt, const SpringState& before,
                      const SpringState& after) {
-  const Eigen::ArrayXd path = slip(before, after);
+  const Eigen::ArrayXd& path = after.slip;
   const Eigen::ArrayXd limit = 1.5 * mu * before.normal_load, limit_after = 1.5 * mu * after.normal_load;
   // Traction in the direction of slip; the stuck spring would have gone beyond the limit by its stiffness times slip.
   const Eigen::ArrayXd room = (limit - path.sign() * before.tangential_load).max(0);

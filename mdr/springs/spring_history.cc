@@ -135,13 +135,15 @@ class History {
         slip.time = time;
         throw;
       }
-      const Eigen::ArrayXd slipped = slip(before, state_).abs();
+      const Eigen::ArrayXd slipped = state_.slip.abs();
       margins.slip_path += (slipped > roundoff_of_step * largest_shift_).select(slipped, 0);
       margins.traction_sum += state_.tangential_load;
       first_slip_.add(state_, mu_);
-      const Dissipation heat = dissipation(bed_, body_, mu_, dt_, before, state_);
-      result.friction_work += heat.friction;
-      result.bulk_work += heat.bulk;
+      if (period >= control_.n_ramp_periods) {
+        const Dissipation heat = dissipation(bed_, body_, mu_, dt_, before, state_);
+        result.friction_work += heat.friction;
+        result.bulk_work += heat.bulk;
+      }
       record(result, time, margins);
       result.indenter_work += work_of_last_step(result, before);
     }

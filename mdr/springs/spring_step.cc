@@ -20,6 +20,12 @@ double fitted_theta(double z) {
   return z < 1e-3 ? 0.5 + z / 12 : -1 / std::expm1(-z) - 1 / z;
 }
 
+// Of a step, how much of it a spring spends in contact that touches in it: from the height of the indenter above its
+// free tip at the start, and the depth of the indenter below it at the end.
+double share_in_contact(double load_before, double above, double below) {
+  return load_before > 0 || below <= 0 ? 1 : below / (below + above);
+}
+
 }  // namespace
 
 double branch_gain(const PronyBody& body, std::size_t i, double dt) {
@@ -35,7 +41,7 @@ SpringState relaxed_state(const SpringBed& bed, const PronyBody& body, double in
   const Eigen::ArrayXd none = Eigen::ArrayXd::Zero(n);
   const Eigen::ArrayXXd memory = Eigen::ArrayXXd::Zero(n, n_branches);
   const IndenterState rest{indentation, 0, 0, 0};
-  return {rest, contact, none, contact, none, memory, memory, rest};
+  return {rest, contact, none, contact, none, none, memory, memory, rest};
 }
 
 SpringStep::SpringStep(const PronyBody& body, double mu, double dt) : limit_(1.5 * mu), dt_(dt), gain_sum_(0) {
@@ -74,11 +80,12 @@ void SpringStep::advance_elastomer(SpringState& state, const SpringBed& bed, con
   const std::size_t n_memory = n_branches < 0 ? decay_.size() : n_branches;
   const Eigen::Index n = bed.depth.size();
   const double gain = gain_sum_, compliance = 1 / (1 + gain_sum_), limit = limit_;
-  const double d = to.indentation, shift = to.tangential - state.indenter.tangential;
+  const double d = to.indentation, d_before = state.indenter.indentation,
+               shift = to.tangential - state.indenter.tangential;
   const double* g = bed.depth.data();
   double *u = state.normal_depth.data(), *v = state.tangential_shift.data();
   double *p = state.normal_load.data(), *t = state.tangential_load.data();
-  double *h = state.normal_memory.data(), *k = state.tangential_memory.data();
+  double *h = state.normal_memory.data(), *k = state.tangential_memory.data(), *slip = state.slip.data();
   std::array<double, n_fixed> decay{}, branch_gain{};
   if constexpr (n_branches > 0) {
     std::copy_n(decay_.begin(), n_fixed, decay.begin());
@@ -97,10 +104,12 @@ void SpringStep::advance_elastomer(SpringState& state, const SpringBed& bed, con
     const double free = (gain * u[j] - left) * compliance;
     const double depth = std::max(free, d - g[j]);
     const double load = (1 + gain) * (depth - free);
-    const double trial = v[j] + left_tangential + (1 + gain) * shift;
+    const double held = share_in_contact(p[j], u[j] - (d_before - g[j]), d - g[j] - free);
+    const double trial = held * (v[j] + left_tangential + (1 + gain) * shift);
     const double most = limit * load;
     const double traction = std::min(std::max(trial, -most), most);
     const double tip = (traction - left_tangential + gain * v[j]) * compliance;
+    slip[j] = p[j] > 0 || load > 0 ? (trial - traction) * compliance : 0;
     const double move = depth - u[j], tangential_move = tip - v[j];
     for (std::size_t i = 0; i < n_memory; ++i) {
       const Eigen::Index at = static_cast<Eigen::Index>(i) * n + j;
@@ -138,12 +147,17 @@ void SpringStep::advance_with_dashpot(SpringState& state, const SpringBed& bed, 
     const bool contact = state.normal_load[j] > 0 ? pressed > 0 : touching > free;
     const double load = contact ? std::max(0.0, pressed) : 0;
     const double depth = contact ? touching : std::max(free, touching);
-    const double stuck = v + left_tangential + (1 + gain_sum_) * shift + viscosity_ * to.tangential_rate;
+    // Where the tip goes if it sticks from the instant of touch on, until when it recovers.
+    const double held = share_in_contact(state.normal_load[j], u - (state.indenter.indentation - bed.depth[j]),
+                                         touching - free),
+                 moved = held * shift + (1 - held) * (tip_under(0, v, left_tangential, now_tangential) - v);
+    const double stuck = v + left_tangential + (1 + gain_sum_) * moved + viscosity_ * to.tangential_rate;
     const double most = limit_ * load;
     const double traction = std::min(std::max(stuck, -most), most);
     const double mean_load = contact ? theta_ * traction + (1 - theta_) * state.tangential_load[j] : 0;
     const double tip =
-        contact && traction == stuck ? v + shift : tip_under(mean_load, v, left_tangential, now_tangential);
+        contact && traction == stuck ? v + moved : tip_under(mean_load, v, left_tangential, now_tangential);
+    state.slip[j] = contact || state.normal_load[j] > 0 ? v + moved - tip : 0;
     for (Eigen::Index i = 0; i < n_memory; ++i) {
       const double a = decay_[static_cast<std::size_t>(i)], b = gain_[static_cast<std::size_t>(i)];
       state.normal_memory(j, i) = a * state.normal_memory(j, i) + b * (depth - u);
@@ -206,12 +220,6 @@ double SpringStep::tangential_for_load(const SpringState& state, const SpringBed
   const auto bracket = boost::math::tools::toms748_solve(excess, lower, upper,
                                                          boost::math::tools::eps_tolerance<double>(50), iterations);
   return (bracket.first + bracket.second) / 2;
-}
-
-Eigen::ArrayXd slip(const SpringState& before, const SpringState& after) {
-  const double shift = after.indenter.tangential - before.indenter.tangential;
-  return (before.normal_load > 0 || after.normal_load > 0)
-      .select(shift - (after.tangential_shift - before.tangential_shift), 0.0);
 }
 
 }  // namespace fretval::mdr

@@ -22,10 +22,12 @@ struct IndenterState {
 ///   q_z = 4 G0 normal_load,   q_x = (8/3) G0 tangential_load      (forces per length, in N/m)
 struct SpringState {
   IndenterState indenter;
-  Eigen::ArrayXd normal_depth;        ///< u_z of the tips in m
-  Eigen::ArrayXd tangential_shift;    ///< u_x of the tips in m
-  Eigen::ArrayXd normal_load;         ///< m, not negative
-  Eigen::ArrayXd tangential_load;     ///< m, at most (3 mu/2) normal_load in magnitude
+  Eigen::ArrayXd normal_depth;      ///< u_z of the tips in m
+  Eigen::ArrayXd tangential_shift;  ///< u_x of the tips in m
+  Eigen::ArrayXd normal_load;       ///< m, not negative
+  Eigen::ArrayXd tangential_load;   ///< m, at most (3 mu/2) normal_load in magnitude
+  /// Slip of each spring against the indenter in the last step, in m; none while it does not touch.
+  Eigen::ArrayXd slip;
   Eigen::ArrayXXd normal_memory;      ///< springs x branches: branch forces over 4 G0, in m
   Eigen::ArrayXXd tangential_memory;  ///< over (8/3) G0
   IndenterState indenter_before;      ///< a step earlier; at the start as indenter
@@ -51,8 +53,9 @@ struct GrossSlip : std::runtime_error {
 ///   q_x = (8/3) int G(t-t') u_x' dt',   |q_x| <= mu q_z, slip where it is equal
 ///
 /// Source: paper, equations (1), (5), (6), (8). The tips move linearly over the step, for which the Prony update is
-/// exact; second order in dt. In a body with a dashpot a tip in contact has the indenter's own velocity, and a free or
-/// slipping one is integrated by the exponentially fitted theta rule, also of second order and damped for every dt.
+/// exact; second order in dt. A spring that touches in the step is free until then. In a body with a dashpot a tip in
+/// contact has the indenter's own velocity, and a free or slipping one is integrated by the exponentially fitted theta
+/// rule, also of second order and damped for every dt.
 class SpringStep {
  public:
   /// mu and dt positive. Throws std::invalid_argument.
@@ -88,8 +91,5 @@ class SpringStep {
   double viscosity_;  // eta/G0 in s
   double theta_;
 };
-
-/// Slip of each spring against the indenter in a step, in m; 0 for springs out of contact before and after.
-Eigen::ArrayXd slip(const SpringState& before, const SpringState& after);
 
 }  // namespace fretval::mdr

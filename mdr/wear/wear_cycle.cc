@@ -68,7 +68,8 @@ WearCycle WearingSprings::settled_cycle(const AbelMatrices& matrices) {
     const SpringState before = state_;
     step(static_cast<int>(instant) + 1);
     const double shift = state_.indenter.tangential - before.indenter.tangential;
-    slip.col(instant) = (shift - (state_.tangential_shift - before.tangential_shift)).matrix();
+    const Eigen::ArrayXd moved = shift - (state_.tangential_shift - before.tangential_shift);
+    slip.col(instant) = (state_.normal_load > 0).select(state_.slip, moved).matrix();
     const Eigen::ArrayXd gap = state_.normal_depth - (state_.indenter.indentation - bed_.depth);
     cycle.load.col(instant) = (state_.normal_load > 0).select(state_.normal_load, -gap.max(0)).matrix();
     cycle.friction_work += dissipation(bed_, body_, mu_, dt_, before, state_).friction / period;

@@ -33,6 +33,14 @@ TEST(Quantity, HasTraitsOfItsOwn) {
   EXPECT_STREQ(name_of(Quantity::stick_radius_shakedown), "stick_radius_shakedown");
 }
 
+TEST(Quantity, HasAScaleInItsOwnUnit) {
+  const Scales scales{2, 3, 5};
+  EXPECT_EQ(scale_of(Quantity::stick_radius_shakedown, scales, -7), 2);
+  EXPECT_EQ(scale_of(Quantity::tangential_force_mean, scales, -7), 3);
+  EXPECT_EQ(scale_of(Quantity::friction_work, scales, -7), 5);
+  EXPECT_EQ(scale_of(Quantity::tangential_force_max, scales, -7), 7);
+}
+
 TEST(Quantity, IsListedOnceInEitherOrder) {
   const auto by_name = [](Quantity a, Quantity b) { return std::string(name_of(a)) < name_of(b); };
   EXPECT_TRUE(std::is_sorted(all_quantities.begin(), all_quantities.end(), by_name));

@@ -141,5 +141,34 @@ TEST(Comparison, AnInconclusiveComparisonDoesNotPass) {
   EXPECT_EQ(verdict.at(Quantity::normal_force_max).bar->total(), 1e-3);
 }
 
+TEST(Comparison, OfACycleIsOverWhatSlidingWouldCost) {
+  auto mdr = mdr_with(0.5 * a);
+  auto fe = fe_with(0.5 * a);
+  mdr.cycle = MdrCycle{0.4, 0.1, 2e-6, 1e-6, 1, 1e-4, 0, 0};
+  fe.cycle = fem::CycleResponse{0.4002, 0.1005, 2.05e-6, 0.951e-6, 1, 1e-4};
+  const auto comparison = compare(mdr, fe, a, tolerances_of(1e-3));
+  EXPECT_NEAR(*comparison.at(Quantity::tangential_force_max).difference, 5e-4, 1e-12);
+  EXPECT_NEAR(*comparison.at(Quantity::tangential_force_mean).difference, 5e-4, 1e-12);
+  EXPECT_NEAR(*comparison.at(Quantity::friction_work).difference, 5e-4, 1e-12);
+  EXPECT_NEAR(*comparison.at(Quantity::cycle_work).difference, 1e-3 / 3, 1e-12);
+  EXPECT_FALSE(comparison.at(Quantity::friction_work).passes());  // a tenth of what a radius is asked for
+}
+
+// What comes along is held to its bar where that is wider than its tolerance, and left out where there is none.
+TEST(Comparison, HoldsWhatComesAlongToItsBar) {
+  auto mdr = mdr_with(0.5 * a);
+  auto fe = fe_with(0.5 * a);
+  mdr.cycle = MdrCycle{0.4, 0, 2e-6, 0, 1, 1e-4, 0, 0};
+  fe.cycle = fem::CycleResponse{0.402, 0, 2e-6, 0, 1, 1e-4};
+  const auto with_bar = [&](double width) {
+    const ErrorBudget budget{{Quantity::tangential_force_max, {{{ErrorSource::rings, width, std::nullopt}}}}};
+    return compare(mdr, fe, a, tolerances_of(1e-3), budget);
+  };
+  EXPECT_TRUE(passes(with_bar(6e-3)));
+  EXPECT_FALSE(passes(with_bar(4e-3)));
+  EXPECT_EQ(with_bar(6e-3).at(Quantity::tangential_force_max).tolerance, 6e-3);
+  EXPECT_EQ(with_bar(std::numeric_limits<double>::infinity()).count(Quantity::tangential_force_max), 0U);
+}
+
 }  // namespace
 }  // namespace fretval

@@ -48,5 +48,30 @@ TEST(WornProfile, IsTheIndenterThatIsWornAlready) {
   EXPECT_FALSE(worn_profile(unworn, std::nullopt));
 }
 
+// Mindlin and Deresiewicz: what a loop between +-u_x0 at constant normal force costs, and the force at its ends.
+TEST(MdrAnswer, OfACycleIsMindlinAndDeresiewiczs) {
+  auto scene = read_case(elastic_case());
+  scene.motion.normal_amplitude = 0;
+  const double R = scene.indenter.radius, d = scene.motion.indentation, mu = scene.friction_coefficient,
+               sliding = 1.5 * mu * d, force = 16e6 / 3 * std::sqrt(R * d * d * d),
+               x = scene.motion.tangential_amplitude / sliding;
+  ASSERT_LT(x, 1);
+  const auto cycle = exact_answer(scene).cycle.value();
+  const double work =
+      mu * force * sliding * (8 * (x - 0.4 * (1 - std::pow(1 - x, 2.5))) - 4 * x * (1 - std::pow(1 - x, 1.5)));
+  EXPECT_NEAR(cycle.tangential_force_max / (mu * force * (1 - std::pow(1 - x, 1.5))), 1, 1e-4);
+  EXPECT_NEAR(cycle.friction_work / work, 1, 2e-3);
+  EXPECT_LE(std::abs(cycle.friction_work - work), cycle.work_error);
+  EXPECT_EQ(cycle.bulk_work, 0);
+  EXPECT_NEAR(cycle.tangential_force_mean, 0, 1e-9 * mu * force);
+  EXPECT_NEAR(cycle.sliding_work, 4 * mu * force * x * sliding, 1e-6 * mu * force * sliding);
+}
+
+TEST(MdrAnswer, HasNoCycleWithoutALockedMotion) {
+  auto scene = read_case(elastic_case());
+  scene.motion.phase.reset();
+  EXPECT_FALSE(exact_answer(scene).cycle);
+}
+
 }  // namespace
 }  // namespace fretval

@@ -36,6 +36,15 @@ TEST_F(PunchSeriesTest, DepthsAndDisplacementsAreConjugate) {
   EXPECT_NEAR(b.dot(depths), traction.dot(problem_.compliance.areas), 1e-12);
 }
 
+TEST_F(PunchSeriesTest, RingsFollowFromTheirDisplacements) {
+  const Index n = problem_.n_rings(), first = 20, n_moved = 7;
+  Eigen::VectorXd displacements = Eigen::VectorXd::Zero(n);
+  displacements.segment(first, n_moved).setLinSpaced(0.3, 1);
+  Eigen::VectorXd rings = Eigen::VectorXd::Zero(n);
+  rings.segment(first, n_moved) = series_.rings(displacements.segment(first, n_moved), first);
+  EXPECT_LT((series_.displacements(rings) - displacements).head(first + n_moved).cwiseAbs().maxCoeff(), 1e-12);
+}
+
 TEST_F(PunchSeriesTest, AFlatPunchIsEquallyDeepEverywhere) {
   const Index n = 20;
   const Eigen::VectorXd depths = series_.depths(punch_traction(problem_, n));

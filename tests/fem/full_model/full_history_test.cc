@@ -63,15 +63,29 @@ NormalRecord condensed_normal(const RelaxationModel& model) {
   return normal_history(body(Harmonic::normal).condensed, model, profile(), wide_motion(), few_cycles());
 }
 
-FrictionHistory condensed_friction(const RelaxationModel& model, const NormalRecord& normal) {
-  return friction_history(body(Harmonic::tangential).condensed, model, mu, wide_motion(), normal, few_cycles());
-}
-
 /// Pressures of the condensed history at the instants of n_cycles cycles.
 Eigen::MatrixXd pressures_over(const NormalRecord& normal, int n_cycles) {
   Eigen::MatrixXd pressure(n_rings, 1 + n_cycles * n_steps);
   for (Index k = 0; k < pressure.cols(); ++k) pressure.col(k) = normal.pressure.col(normal.column(k));
   return pressure;
+}
+
+struct CondensedFriction {
+  int n_cycles;
+  Eigen::MatrixXd pressure, traction;  ///< from the start; of the last cycle
+  Eigen::VectorXd first_slip_margin;
+};
+
+/// Of pressures alone: then a ring is held from the start of the step in which it touches, as in the full model.
+CondensedFriction condensed_friction(const RelaxationModel& model, const NormalRecord& normal) {
+  const int n_cycles = normal.n_cycles + 2;
+  const Motion motion = wide_motion();
+  const Eigen::MatrixXd pressure = pressures_over(normal, n_cycles);
+  WatchedFriction friction(body(Harmonic::tangential).condensed, model, mu, motion, n_steps);
+  for (Index k = 1; k < pressure.cols(); ++k) friction.step(pressure.col(k));
+  FrictionHistory history;
+  friction.first_slip.report(history);
+  return {n_cycles, pressure, friction.period.traction(), history.first_slip_margin};
 }
 
 double largest_difference(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
@@ -115,7 +129,7 @@ TEST_P(FullHistoryOf, PressureIsThatOfTheCondensedBody) {
 TEST_P(FullHistoryOf, TractionIsThatOfTheCondensedBody) {
   const auto normal = condensed_normal(GetParam());
   const auto condensed = condensed_friction(GetParam(), normal);
-  const Eigen::MatrixXd pressure = pressures_over(normal, condensed.n_cycles);
+  const auto& pressure = condensed.pressure;
   const auto full = full_friction(GetParam(), pressure, condensed.n_cycles);
   EXPECT_LT(largest_difference(full.traction.rightCols(n_steps), condensed.traction), roundoff);
   const Eigen::ArrayXXd limit = mu * pressure.array(), margin = limit - full.traction.array().abs();
@@ -133,12 +147,11 @@ TEST(FullHistory, DependsOnEveryRelaxationTime) {
   const auto model = damped_branches();
   const auto normal = condensed_normal(model);
   const auto condensed = condensed_friction(model, normal);
-  const Eigen::MatrixXd pressure = pressures_over(normal, condensed.n_cycles);
   for (const std::size_t branch : {0, 1}) {
     auto other = model;
     other.times[branch] *= 1.001;
     EXPECT_GT(largest_difference(full_normal(other, normal.n_cycles).pressure, normal.pressure), 1e-5);
-    const auto friction = full_friction(other, pressure, condensed.n_cycles);
+    const auto friction = full_friction(other, condensed.pressure, condensed.n_cycles);
     EXPECT_GT(largest_difference(friction.traction.rightCols(n_steps), condensed.traction), 1e-5);
   }
 }

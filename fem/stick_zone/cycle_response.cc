@@ -1,0 +1,59 @@
+#include "fem/stick_zone/cycle_response.h"
+
+#include <algorithm>
+
+#include "fem/history/running_minimum.h"
+#include "fem/support/constants.h"
+
+namespace fretval::fem {
+namespace {
+
+using Prescribed = ValueAndRate (*)(const Motion&, double);
+
+/// `oint y dx` where x is prescribed, at the instants begin, begin + dt, ... of a period.
+double loop(const Motion& motion, Prescribed prescribed, double begin, const Eigen::VectorXd& y) {
+  const double dt = 2 * pi * motion.cycles_per_period() / static_cast<double>(y.size());
+  double area = 0;
+  for (Eigen::Index k = 0; k < y.size(); ++k)
+    area += y[k] * prescribed(motion, begin + static_cast<double>(k) * dt).rate * dt;
+  return area;
+}
+
+/// Of samples of a period. Those at its ends have their neighbours in the next one.
+double largest_magnitude(const Eigen::VectorXd& samples) {
+  RunningMinimum least(2, -infinity);
+  for (int period = 0; period < 2; ++period)
+    for (const double sample : samples) least.add(Eigen::Vector2d(sample, -sample));
+  return -least.value().minCoeff();
+}
+
+/// Four times the amplitudes of all oscillations, as often as they come in a cycle.
+double path_to_and_fro(const Motion& motion, double amplitude) {
+  double path = 0;
+  for (const auto& oscillation : motion.tangential) path += 4 * oscillation.amplitude * oscillation.order;
+  return path / motion.tangential_amplitude() * amplitude;
+}
+
+}  // namespace
+
+CycleResponse cycle_response(const RelaxationModel& relaxation, double friction_coefficient, const Motion& motion,
+                             double normal_force_max, const NormalHistory& normal, const FrictionHistory& friction) {
+  const auto n = friction.force.size();
+  const double dt = 2 * pi / normal.steps_per_cycle,
+               begin = normal.first_balance + static_cast<double>(friction.n_steps - n) * dt;
+  const double tangential = motion.tangential_force ? -loop(motion, tangential_motion, begin, friction.indenter)
+                                                    : loop(motion, tangential_motion, begin, friction.force),
+               pressing = motion.normal_force
+                              ? -loop(motion, normal_motion, normal.time[0], normal.indentation)
+                              : loop(motion, normal_motion, normal.time[0], normal.force + normal.force_beyond);
+  CycleResponse response{};
+  response.tangential_force_max = largest_magnitude(friction.force);
+  response.tangential_force_mean = friction.force.mean();
+  response.friction_work = relaxation.has_memory() ? friction.dissipated_energy : tangential;
+  response.bulk_work = relaxation.has_memory() ? tangential + pressing - response.friction_work : 0;
+  response.sliding_force = friction_coefficient * normal_force_max;
+  response.sliding_work = response.sliding_force * path_to_and_fro(motion, friction.amplitude);
+  return response;
+}
+
+}  // namespace fretval::fem
