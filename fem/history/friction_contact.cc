@@ -70,7 +70,8 @@ double FrictionContact::increment_under_force(double time, const std::optional<N
 
 void FrictionContact::find_touching(const Eigen::VectorXd& pressure, const std::optional<NormalInstant>& normal) {
   until_touch_.resize(0);
-  if (!normal || relaxation_.viscosity > 0) return;
+  // Under a tangential force the move follows from what is held: corrected, stick radii scatter seven times as much.
+  if (!normal || relaxation_.viscosity > 0 || motion_.tangential_force) return;
   const double before = std::exchange(radius_before_, normal->radius), growth = normal->radius - before;
   if (n_steps == 0 || !(growth > 0)) return;
   first_touching_ = 0;
