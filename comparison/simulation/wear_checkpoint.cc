@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <boost/crc.hpp>
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
@@ -10,6 +9,7 @@
 
 #include "comparison/support/files.h"
 #include "comparison/support/log.h"
+#include "fem/condensation/operator_file.h"
 #include "fem/wear/wear_archive.h"
 
 namespace fretval {
@@ -18,9 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 
 std::string checksum(const std::string& bytes) {
-  boost::crc_32_type crc;
-  crc.process_bytes(bytes.data(), bytes.size());
-  return fmt::format("{:08x}", crc.checksum());
+  return fmt::format("{:016x}", fem::checksum(bytes.data(), bytes.size()));
 }
 
 }  // namespace

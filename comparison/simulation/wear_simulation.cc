@@ -143,20 +143,22 @@ WearSimulation simulate_wear(const FemCase& fem_case, const Case::WearKinetics& 
   WearSimulation simulation;
   simulation.body = body->summary;
   simulation.radii = body->summary->radii;
-  simulation.unworn = fem::ring_means(body->normal.compliance, fem.profile);
-  simulation.centre.resize(simulation.unworn.size());
-  for (Eigen::Index i = 0; i < simulation.centre.size(); ++i)
+  const auto n_rings = body->normal.n_rings();
+  simulation.unworn.resize(n_rings);
+  simulation.centre.resize(n_rings);
+  for (Eigen::Index i = 0; i < n_rings; ++i) {
     simulation.centre[i] = std::hypot(simulation.radii[i], simulation.radii[i + 1]) / std::sqrt(2);
+    simulation.unworn[i] = fem.profile(simulation.centre[i]);
+  }
   constexpr double nothing = 1e-6;
   const auto law = law_in(fem.units, wear, fem.friction_coefficient);
   const fem::WearControl control{wear.n_cycles.value_or(std::numeric_limits<double>::infinity()), wear.until,
                                  resolution.wear_jump, nothing};
-  Eigen::VectorXd before = Eigen::VectorXd::Zero(simulation.unworn.size());
-  if (fem.worn_before) before = fem::ring_means(body->normal.compliance, fem.worn_before);
+  fem::WornProfile profile{fem::ring_means(body->normal.compliance, fem.profile), Eigen::VectorXd::Zero(n_rings)};
+  if (fem.worn_before) profile.worn = fem::ring_means(body->normal.compliance, fem.worn_before);
   const fem::WearState start{fem::WearingContact(body->normal, *body->tangential, fem.relaxation, fem.motion,
-                                                 fem.steps_per_cycle(), {simulation.unworn, before},
-                                                 fem.friction_coefficient, law)};
-  WearCheckpoint checkpoint(run.checkpoints, description(fem, law, control, {simulation.unworn, before}));
+                                                 fem.steps_per_cycle(), profile, fem.friction_coefficient, law)};
+  WearCheckpoint checkpoint(run.checkpoints, description(fem, law, control, profile));
   auto state = checkpoint.restored(start).value_or(start);
   fem::wear_on(state, control, [&](const fem::WearState& now) {
     checkpoint.keep(now);

@@ -16,7 +16,7 @@ struct WearSimulation {
   fem::WearCourse course;
   std::vector<double> radii;  ///< of the rings
   std::shared_ptr<const BodySummary> body;
-  Eigen::VectorXd unworn;              ///< ring means of the height
+  Eigen::VectorXd unworn;              ///< height at the centres of the rings
   Eigen::VectorXd centre;              ///< of each ring: the radius of half of its area
   double worn_radius = 0;              ///< where the worn profile meets the unworn one
   double worn_radius_uncertainty = 0;  ///< of reading it
