@@ -29,7 +29,7 @@ WearingSprings::WearingSprings(const SpringBed& bed, const PronyBody& body, doub
       dt_(1 / motion.normal_frequency / steps_per_cycle),
       path_(ramped_path(harmonic_motion(motion), n_ramp_cycles / motion.normal_frequency)),
       bed_(bed),
-      step_(body, mu, dt_),
+      step_(body, mu, dt_, SpringStep::Held::from_start_of_step),
       state_(relaxed_state(bed, body, motion.indentation)) {
   for (; n_cycles_ < n_ramp_cycles; ++n_cycles_)
     for (int k = 1; k <= steps_per_cycle_; ++k) step(k);
@@ -68,8 +68,7 @@ WearCycle WearingSprings::settled_cycle(const AbelMatrices& matrices) {
     const SpringState before = state_;
     step(static_cast<int>(instant) + 1);
     const double shift = state_.indenter.tangential - before.indenter.tangential;
-    const Eigen::ArrayXd moved = shift - (state_.tangential_shift - before.tangential_shift);
-    slip.col(instant) = (state_.normal_load > 0).select(state_.slip, moved).matrix();
+    slip.col(instant) = (shift - (state_.tangential_shift - before.tangential_shift)).matrix();
     const Eigen::ArrayXd gap = state_.normal_depth - (state_.indenter.indentation - bed_.depth);
     cycle.load.col(instant) = (state_.normal_load > 0).select(state_.normal_load, -gap.max(0)).matrix();
     cycle.friction_work += dissipation(bed_, body_, mu_, dt_, before, state_).friction / period;
