@@ -38,10 +38,4 @@ void Computations::compute(const std::vector<Resolution>& resolutions) {
   }
 }
 
-BodyCount Computations::bodies() const {
-  std::vector<std::shared_ptr<const BodySummary>> bodies;
-  for (const auto& [resolution, computation] : all_) bodies.push_back(computation.fe.body);
-  return count_of(bodies);
-}
-
 }  // namespace fretval

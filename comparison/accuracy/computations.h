@@ -36,7 +36,7 @@ class Computations {
   /// What is compared, by resolution; none where the numerics failed.
   [[nodiscard]] const std::map<Resolution, Quantities>& quantities() const { return quantities_; }
   [[nodiscard]] int size() const { return static_cast<int>(all_.size()); }
-  [[nodiscard]] BodyCount bodies() const;
+  [[nodiscard]] BodyCount bodies() const { return count_bodies_of(all_); }
 
  private:
   Units units_;

@@ -15,6 +15,11 @@ double expected_work(const Resolution& r) {
   return std::pow(r.elements_per_radius, 2) * r.steps_per_cycle / r.wear_jump;
 }
 
+/// A limit as far out as the rings reach.
+ProfileChain limit_of(const WearSimulation& wear, const Units& units, const mdr::LimitingProfile& limit) {
+  return chain_of(limit, units.length, units.length * wear.radii.back());
+}
+
 }  // namespace
 
 ProfileChain chain_of(const WearSimulation& wear, const Eigen::VectorXd& worn, double unit) {
@@ -24,7 +29,7 @@ ProfileChain chain_of(const WearSimulation& wear, const Eigen::VectorXd& worn, d
 }
 
 std::vector<double> distances_of(const WearSimulation& wear, const Units& units, const mdr::LimitingProfile& limit) {
-  const auto chain = chain_of(limit, units.length, units.length * wear.radii.back());
+  const auto chain = limit_of(wear, units, limit);
   std::vector<double> distances;
   for (const auto& worn : wear.course.worn)
     distances.push_back(distance_between(chain_of(wear, worn, units.depth / limit.maximum_indentation), chain));
@@ -43,25 +48,20 @@ void WearComputations::compute(const std::vector<Resolution>& wanted) {
   for_each_in_parallel(missing.size(), [&](std::size_t i) { all.at(missing[i]) = attempt(missing[i]); });
 }
 
-BodyCount WearComputations::bodies() const {
-  std::vector<std::shared_ptr<const BodySummary>> bodies;
-  for (const auto& [resolution, computation] : all) bodies.push_back(computation.fe.body);
-  return count_of(bodies);
-}
-
 WearComputation WearComputations::attempt(const Resolution& resolution) {
   WearRun run{oversight_.checkpoints};
   const auto& wear = *prepared_.input.wear_kinetics;
   const auto& units = prepared_.fem.units;
+  const auto& limit = limits_.shakedown;
   if (oversight_.progress)
-    run.progress = [&, all_of_it = mdr::worn_volume(limits_.shakedown)](const auto& now) {
-      const auto& point = now.course.curve.back();
+    run.progress = [&, chain = ProfileChain(), all_of_it = mdr::worn_volume(limit)](
+                       const WearSimulation& rings, const fem::WearCourse& course) mutable {
+      if (chain.empty()) chain = limit_of(rings, units, limit);
+      const auto& point = course.curve.back();
       const double by_volume = point.volume * units.volume() / all_of_it,
                    by_cycles = wear.n_cycles ? point.cycles / *wear.n_cycles : 0;
-      WearSimulation last = now;
-      last.course.worn = {now.course.worn.back()};
-      tell(resolution, std::min(std::max(by_volume, by_cycles), 1.0),
-           distances_of(last, units, limits_.shakedown).back());
+      const auto worn = chain_of(rings, course.worn.back(), units.depth / limit.maximum_indentation);
+      tell(resolution, std::min(std::max(by_volume, by_cycles), 1.0), distance_between(worn, chain));
     };
   try {
     return {simulate_wear(prepared_.fem, wear, edge_, resolution, bodies_, run)};

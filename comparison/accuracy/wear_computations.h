@@ -46,7 +46,7 @@ class WearComputations {
   /// Those that are not there yet.
   void compute(const std::vector<Resolution>& wanted);
 
-  [[nodiscard]] BodyCount bodies() const;
+  [[nodiscard]] BodyCount bodies() const { return count_bodies_of(all); }
 
   std::map<Resolution, WearComputation> all;
 

@@ -42,8 +42,8 @@ double stick_radius_error(const PreparedCase& prepared, const WearSimulation& we
   const double stick_radius = stick_radius_of(wear);
   if (stick_radius == 0) return 0;
   const auto rings = rings_at(wear.radii, stick_radius);
-  const bool moves = prepared.fem.motion.normal_force || prepared.fem.motion.tangential_force;
-  return std::max({rings.inside, rings.outside, moves ? 0 : unworn_stick_radius - stick_radius});
+  return std::max(
+      {rings.inside, rings.outside, prepared.fem.motion.has_forces() ? 0 : unworn_stick_radius - stick_radius});
 }
 
 /// The worn volume of the limiting state vanishes like (a - c)^(5/2) as c reaches the contact radius, which is 1, and

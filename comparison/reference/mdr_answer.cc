@@ -21,46 +21,33 @@ std::optional<double> radius_at(const MdrCase& mdr, double depth) {
   return depth > 0 ? std::optional(mdr::inverse_transform(mdr.profile, depth)) : std::nullopt;
 }
 
-/// Oscillations in a cycle, of a motion that has one; empty: none, or one too long to be stepped through.
-std::optional<mdr::CommonCycle> short_cycle(const mdr::HarmonicMotion& motion) {
-  constexpr int longest = 200;
-  const auto cycle = motion.phase_locked ? mdr::common_cycle(motion) : std::nullopt;
-  return cycle && cycle->highest_order() <= longest ? cycle : std::nullopt;
+/// The cycle that springs are asked about; empty: none, see MdrAnswer::cycle.
+std::optional<mdr::CommonCycle> cycle_to_step(const MdrCase& mdr) {
+  const auto& harmonics = mdr.motion.tangential;
+  const bool moves = std::any_of(harmonics.begin(), harmonics.end(), [](const auto& h) { return h.amplitude > 0; });
+  if (mdr.limiting || mdr.body.viscosity > 0 || !mdr.motion.phase_locked || !moves) return std::nullopt;
+  const auto cycle = mdr::common_cycle(mdr.motion);
+  return cycle && cycle->highest_order() <= longest_cycle ? cycle : std::nullopt;
 }
 
-std::optional<MdrCycle> cycle_of(const MdrCase& mdr, const mdr::SteppedForcedResponse& stepped,
-                                 double normal_force_max) {
-  const auto cycle = short_cycle(mdr.motion);
+MdrCycle cycle_of(const MdrCase& mdr, const mdr::CommonCycle& cycle, const mdr::SteppedForcedResponse& stepped,
+                  double normal_force_max) {
   double sum = 0, path = 0;
-  for (std::size_t k = 0; cycle && k < mdr.motion.tangential.size(); ++k) {
+  for (std::size_t k = 0; k < mdr.motion.tangential.size(); ++k) {
     sum += mdr.motion.tangential[k].amplitude;
-    path += 4 * mdr.motion.tangential[k].amplitude * cycle->tangential_orders[k];
+    path += 4 * mdr.motion.tangential[k].amplitude * cycle.tangential_orders[k];
   }
-  if (sum == 0 || mdr.body.viscosity > 0) return std::nullopt;
   const auto& [response, error] = stepped;
   if (mdr.tangential_force) path *= response.tangential_amplitude / sum;
   const double sliding_force = mdr.friction_coefficient * normal_force_max;
-  return MdrCycle{response.tangential_force_max,
-                  response.tangential_force_mean,
-                  response.friction_work,
-                  response.bulk_work,
-                  sliding_force,
-                  sliding_force * path,
-                  std::max(error.tangential_force_max, error.tangential_force_mean),
-                  error.friction_work + error.bulk_work};
-}
-
-/// Springs that are as fine as forces and energies need; the radii have closed forms.
-std::optional<MdrCycle> cycle_under_displacements(const MdrCase& mdr, double normal_force_max) {
-  constexpr mdr::SpringFineness fineness{100, 90, 5, 1e-5};
-  if (!short_cycle(mdr.motion) || mdr.body.viscosity > 0) return std::nullopt;
-  try {
-    const auto stepped =
-        mdr::forced_response(mdr.profile, mdr.body, mdr.friction_coefficient, mdr.prescribed(), fineness);
-    return cycle_of(mdr, stepped, normal_force_max);
-  } catch (const std::runtime_error&) {
-    return std::nullopt;  // not periodic
-  }
+  return {response.tangential_force_max,
+          response.tangential_force_mean,
+          response.friction_work,
+          response.bulk_work,
+          sliding_force,
+          sliding_force * path,
+          std::max(error.tangential_force_max, error.tangential_force_mean),
+          error.friction_work + error.bulk_work};
 }
 
 /// Of an unworn indenter, by the springs. Under both forces the shakedown radius has a closed form.
@@ -76,7 +63,8 @@ MdrAnswer forced_answer(const MdrCase& mdr, const mdr::NormalResponse& normal) {
     return answer;
   }
   const auto& [response, error] = stepped;
-  answer.cycle = cycle_of(mdr, stepped, answer.normal_force_max.value());
+  if (const auto cycle = cycle_to_step(mdr))
+    answer.cycle = cycle_of(mdr, *cycle, stepped, answer.normal_force_max.value());
   answer.stick_radius_first_slip = radius_at(mdr, response.depths.first_slip);
   answer.stick_radius_shakedown = mdr.normal_force && mdr.tangential_force && mdr.limiting_state
                                       ? mdr.limiting_state->stick_radius
@@ -115,7 +103,6 @@ MdrAnswer displaced_answer(const MdrCase& mdr, const mdr::HarmonicMotion& motion
                                                 mdr::transform(mdr.profile, mdr.limiting->stick_radius))
             .value_or(0) /
         one_each->tangential_amplitude;
-  if (!mdr.limiting) answer.cycle = cycle_under_displacements(mdr, normal.normal_force_max);
   if (mdr.normal_force) answer.indentation_max = mdr::maximum_indentation(motion);
   if (mdr.tangential_force) answer.tangential_amplitude = motion.tangential.front().amplitude;
   return answer;
@@ -185,6 +172,22 @@ MdrAnswer mdr_answer(const MdrCase& mdr, const mdr::NormalResponse& normal) {
                                                   : displaced_answer(mdr, displacements_of(mdr), normal);
   answer.modulus_ratio = mdr::modulus_ratio(mdr.body, mdr::angular_frequency(mdr.motion.normal.front().frequency));
   if (const auto worn = worn_profile(mdr, answer.stick_radius_shakedown)) answer.worn_radius = worn->outer_radius;
+  return answer;
+}
+
+MdrAnswer mdr_answer_with_cycle(const MdrCase& mdr, const mdr::NormalResponse& normal) {
+  // As fine as forces and energies need; the radii have closed forms.
+  constexpr mdr::SpringFineness fineness{100, 90, 5, 1e-5};
+  auto answer = mdr_answer(mdr, normal);
+  const auto cycle = mdr.has_forces() ? std::nullopt : cycle_to_step(mdr);
+  if (!cycle) return answer;
+  try {
+    const auto stepped =
+        mdr::forced_response(mdr.profile, mdr.body, mdr.friction_coefficient, mdr.prescribed(), fineness);
+    answer.cycle = cycle_of(mdr, *cycle, stepped, normal.normal_force_max);
+  } catch (const std::runtime_error&) {
+    return answer;  // not periodic
+  }
   return answer;
 }
 

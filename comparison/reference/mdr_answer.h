@@ -34,8 +34,9 @@ struct MdrAnswer {
   std::optional<double> limiting_amplitude = {};
   std::optional<double> indentation_max = {};       ///< in the periodic state; empty: prescribed, or as above
   std::optional<double> tangential_amplitude = {};  ///< half of what lies between the extremes of u_x; likewise
-  /// Empty: worn, at rest tangentially, without a cycle of a few hundred oscillations, or not periodic in the end; and
-  /// with a dashpot, where the mean of F_x goes on settling for hundreds of periods in the springs.
+  /// Under prescribed displacements see mdr_answer_with_cycle. Empty: worn, at rest tangentially, without a cycle of a
+  /// few hundred oscillations, or not periodic in the end; and with a dashpot, where the mean of F_x goes on settling
+  /// for hundreds of periods in the springs.
   std::optional<MdrCycle> cycle = {};
   /// Of springs that were stepped in time, the largest relative error of what is above; 0: closed forms.
   double stepping_error = 0;
@@ -59,5 +60,9 @@ std::optional<mdr::LimitingProfile> worn_profile(const MdrCase& mdr, const std::
 nlohmann::ordered_json to_json(const MdrAnswer& answer);
 
 MdrAnswer mdr_answer(const MdrCase& mdr, const mdr::NormalResponse& normal);
+
+/// The same with the cycle also under prescribed displacements, for which springs are stepped: some ten milliseconds
+/// for what is a closed form otherwise.
+MdrAnswer mdr_answer_with_cycle(const MdrCase& mdr, const mdr::NormalResponse& normal);
 
 }  // namespace fretval

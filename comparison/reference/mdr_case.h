@@ -32,6 +32,9 @@ struct MdrCase {
   [[nodiscard]] mdr::Prescribed prescribed() const { return {motion, normal_force, tangential_force}; }
 };
 
+/// Oscillations in the longest cycle that either method steps through as it is.
+constexpr int longest_cycle = 200;
+
 /// Largest indentation that is reached or, under a normal force, an upper bound of it (mdr::deepest_indentation), which
 /// the body of the finite elements is made for. In a limiting state that forces lead to, that of the state.
 double deepest_indentation(const MdrCase& mdr);

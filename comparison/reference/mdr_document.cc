@@ -81,7 +81,7 @@ MdrDocument answer_forces(const Case& input) {
 
 MdrDocument answer_comparable(const Case& input) {
   const auto mdr = mdr_case(input);
-  const auto answer = mdr_answer(mdr, mdr_normal_response(mdr));
+  const auto answer = mdr_answer_with_cycle(mdr, mdr_normal_response(mdr));
   MdrDocument document;
   document.worn = worn_profile(mdr, answer.stick_radius_shakedown);
   document.json["mdr"] = to_json(answer);

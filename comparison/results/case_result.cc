@@ -176,7 +176,7 @@ CaseResult result_of(const PreparedCase& prepared, const mdr::NormalResponse& re
   CaseResult result{prepared.input,
                     prepared.mdr,
                     at_resolution(prepared.fem, fe.resolution),
-                    mdr_answer(prepared.mdr, reference),
+                    mdr_answer_with_cycle(prepared.mdr, reference),
                     proof,
                     std::move(fe),
                     {}};

@@ -88,6 +88,14 @@ struct BodyCount {
 };
 BodyCount count_of(const std::vector<std::shared_ptr<const BodySummary>>& bodies);
 
+/// The same of computations by resolution; a failed one has no body.
+template <class Computations>
+BodyCount count_bodies_of(const Computations& all) {
+  std::vector<std::shared_ptr<const BodySummary>> bodies;
+  for (const auto& [resolution, computation] : all) bodies.push_back(computation.fe.body);
+  return count_of(bodies);
+}
+
 /// What histories need of a body: a thousandth of its memory.
 struct ContactBody {
   fem::ContactProblem normal;

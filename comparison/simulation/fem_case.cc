@@ -152,7 +152,6 @@ FemCase fem_case(const Case& input, const MdrCase& mdr) {
   fem.relaxation.times = mdr.body.branch_times;
   fem.motion.normal_force = mdr.normal_force;
   fem.motion.tangential_force = mdr.tangential_force;
-  constexpr int longest_cycle = 200;  // oscillations
   const auto cycle = mdr::common_cycle(mdr.motion);
   if (cycle && (mdr.has_forces() || cycle->highest_order() <= longest_cycle))
     take_cycle(mdr.motion, *cycle, fem);

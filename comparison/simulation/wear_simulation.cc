@@ -112,7 +112,7 @@ Resolution resolution_for_wear(const Resolution& of_the_case) {
 
 WornEdge edge_of_wear(const FemCase& fem, const Case::WearKinetics& wear, double unworn_stick_radius, BodyStore& bodies,
                       const WearRun& run) {
-  if (!fem.motion.normal_force && !fem.motion.tangential_force) return {unworn_stick_radius, widest_wear(fem, 1)};
+  if (!fem.motion.has_forces()) return {unworn_stick_radius, widest_wear(fem, 1)};
   constexpr int most_passes = 12;
   constexpr double reserve = 1.05, deeper = 1.5;
   auto resolution = with_steps(with_rings(resolution_for_wear(fem.resolution), 0.5), 0.5);
@@ -162,9 +162,7 @@ WearSimulation simulate_wear(const FemCase& fem_case, const Case::WearKinetics& 
   auto state = checkpoint.restored(start).value_or(start);
   fem::wear_on(state, control, [&](const fem::WearState& now) {
     checkpoint.keep(now);
-    if (!run.progress) return;
-    simulation.course = now.course;
-    run.progress(simulation);
+    if (run.progress) run.progress(simulation, now.course);
   });
   simulation.course = std::move(state.course);
   read_worn_radius(simulation);

@@ -41,8 +41,8 @@ Resolution resolution_for_wear(const Resolution& of_the_case);
 /// What else is done on the way through a wear.
 struct WearRun {
   std::filesystem::path checkpoints = {};  ///< folder of WearCheckpoint; empty: none
-  /// Called after each jump, with the course so far.
-  std::function<void(const WearSimulation&)> progress = {};
+  /// Called after each jump with the rings, and the course so far.
+  std::function<void(const WearSimulation& rings, const fem::WearCourse& course)> progress = {};
 };
 
 /// Where wear ends: the stick radius, and as far out as it can get. unworn_stick_radius: that finite elements read on

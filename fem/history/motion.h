@@ -38,6 +38,7 @@ struct Motion {
   int n_creep_cycles = 48;
   bool normal_force = false, tangential_force = false;  ///< what is prescribed; false: a displacement
 
+  [[nodiscard]] bool has_forces() const { return normal_force || tangential_force; }
   [[nodiscard]] int cycles_per_period() const;
   /// Oscillations per cycle of the fastest of all, and of the fastest normal one; 1 at least.
   [[nodiscard]] int highest_order() const;

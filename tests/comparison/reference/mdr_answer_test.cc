@@ -48,6 +48,11 @@ TEST(WornProfile, IsTheIndenterThatIsWornAlready) {
   EXPECT_FALSE(worn_profile(unworn, std::nullopt));
 }
 
+MdrAnswer answer_with_cycle(const Case& scene) {
+  const auto mdr = mdr_case(scene);
+  return mdr_answer_with_cycle(mdr, mdr_normal_response(mdr));
+}
+
 // Mindlin and Deresiewicz: what a loop between +-u_x0 at constant normal force costs, and the force at its ends.
 TEST(MdrAnswer, OfACycleIsMindlinAndDeresiewiczs) {
   auto scene = read_case(elastic_case());
@@ -56,7 +61,8 @@ TEST(MdrAnswer, OfACycleIsMindlinAndDeresiewiczs) {
                sliding = 1.5 * mu * d, force = 16e6 / 3 * std::sqrt(R * d * d * d),
                x = scene.motion.tangential_amplitude / sliding;
   ASSERT_LT(x, 1);
-  const auto cycle = exact_answer(scene).cycle.value();
+  EXPECT_FALSE(exact_answer(scene).cycle) << "closed forms alone";
+  const auto cycle = answer_with_cycle(scene).cycle.value();
   const double work =
       mu * force * sliding * (8 * (x - 0.4 * (1 - std::pow(1 - x, 2.5))) - 4 * x * (1 - std::pow(1 - x, 1.5)));
   EXPECT_NEAR(cycle.tangential_force_max / (mu * force * (1 - std::pow(1 - x, 1.5))), 1, 1e-4);
@@ -70,7 +76,7 @@ TEST(MdrAnswer, OfACycleIsMindlinAndDeresiewiczs) {
 TEST(MdrAnswer, HasNoCycleWithoutALockedMotion) {
   auto scene = read_case(elastic_case());
   scene.motion.phase.reset();
-  EXPECT_FALSE(exact_answer(scene).cycle);
+  EXPECT_FALSE(answer_with_cycle(scene).cycle);
 }
 
 }  // namespace

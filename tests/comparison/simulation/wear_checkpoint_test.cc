@@ -33,8 +33,8 @@ WearSimulation simulated(const WearRun& run, const Resolution& resolution = coar
 
 /// Runs until it has made so many jumps.
 void killed_after(int n_jumps, const fs::path& folder) {
-  const auto kill = [&](const WearSimulation& now) {
-    if (now.course.n_jumps == n_jumps) throw Killed();
+  const auto kill = [&](const WearSimulation&, const fem::WearCourse& course) {
+    if (course.n_jumps == n_jumps) throw Killed();
   };
   EXPECT_THROW(simulated({folder, kill}), Killed);
 }
@@ -47,7 +47,7 @@ fs::path only_file(const fs::path& folder) {
 
 int jumps_made(const fs::path& folder) {
   int n = 0;
-  simulated({folder, [&](const auto&) { ++n; }});
+  simulated({folder, [&](const auto&...) { ++n; }});
   return n;
 }
 
@@ -57,7 +57,7 @@ TEST(WearCheckpoint, WearGoesOnFromItBitForBit) {
   const int n_killed = whole.course.n_jumps / 2;
   killed_after(n_killed, folder.path());
   int n_after = 0;
-  const auto rest = simulated({folder.path(), [&](const auto&) { ++n_after; }});
+  const auto rest = simulated({folder.path(), [&](const auto&...) { ++n_after; }});
   EXPECT_EQ(n_after, whole.course.n_jumps - n_killed);
   EXPECT_EQ(rest.course.worn, whole.course.worn);
   EXPECT_EQ(rest.worn_radius, whole.worn_radius);
@@ -91,12 +91,12 @@ TEST(WearCheckpoint, OneOfAnotherWearCountsAsNone) {
   killed_after(3, folder.path());
   const auto of_first = only_file(folder.path());
   int n = 0;
-  simulated({folder.path(), [&](const auto&) { ++n; }}, other);
+  simulated({folder.path(), [&](const auto&...) { ++n; }}, other);
   EXPECT_EQ(n, all);
   for (const auto& entry : fs::directory_iterator(folder.path()))
     if (entry.path() != of_first) fs::copy_file(of_first, entry.path(), fs::copy_options::overwrite_existing);
   n = 0;
-  simulated({folder.path(), [&](const auto&) { ++n; }}, other);
+  simulated({folder.path(), [&](const auto&...) { ++n; }}, other);
   EXPECT_EQ(n, all);
 }
 
