@@ -6,6 +6,15 @@
 namespace fretval {
 namespace {
 
+/// In the units of the comparison.
+void add_uncertainties(const fem::CycleResponse& cycle, Quantities& uncertainties) {
+  const auto& [force_max, force_mean, friction, loss] = cycle.uncertainty;
+  uncertainties[Quantity::tangential_force_max] = force_max / cycle.tangential_force_max;
+  uncertainties[Quantity::tangential_force_mean] = force_mean / cycle.sliding_force;
+  uncertainties[Quantity::friction_work] = friction / cycle.sliding_work;
+  if (cycle.bulk_work > 0) uncertainties[Quantity::cycle_work] = loss / (cycle.friction_work + cycle.bulk_work);
+}
+
 /// What reading the edges leaves open, in the units of the comparison.
 Quantities uncertainties_of_edges(const Computation& computation, const FemCase& fem) {
   if (!computation.failure.empty()) return {};
@@ -17,6 +26,7 @@ Quantities uncertainties_of_edges(const Computation& computation, const FemCase&
   if (!fem.worn_edge) uncertainties[Quantity::contact_radius_max] = fe.contact_radius_uncertainty / fem.units.length;
   uncertainties[Quantity::stick_radius_first_slip] = fe.first_slip_uncertainty / fem.units.length;
   uncertainties[Quantity::stick_radius_shakedown] = fe.shakedown_uncertainty / fem.units.length;
+  if (fe.cycle) add_uncertainties(*fe.cycle, uncertainties);
   return uncertainties;
 }
 

@@ -21,9 +21,7 @@ const QuantityTraits& traits_of(Quantity quantity) {
       {"stick_radius_first_slip", "stick radius, first slip", "first slip", "over a", "m", 1, {3}, {}},
       {"stick_radius_shakedown", "stick radius, shakedown", "shakedown", "over a", "m", 1, {3}, {}},
       {"tangential_amplitude", "tangential amplitude", "u_x", "relative", "m", 1, {2}, {}},
-      // At a single instant, when the edge of the stick zone may lie anywhere in its ring; what is of a whole cycle
-      // sees it everywhere.
-      {"tangential_force_max", "largest tangential force", "tangential force", "relative", "N", 1, {1}, {}, true},
+      {"tangential_force_max", "largest tangential force", "tangential force", "relative", "N", 1, {2}, {}, true},
       {"tangential_force_mean", "mean tangential force", "mean force", "over sliding", "N", 1, {2}, {}, true},
       {"worn_radius", "outer radius of the wear", "worn radius", "over a", "m", 0.2, {2}, {}},
       {"worn_volume", "worn volume", "worn volume", "over that of the limit", "m³", 0.5, {2}, {}},

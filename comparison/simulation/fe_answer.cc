@@ -84,9 +84,13 @@ std::optional<fem::CycleResponse> cycle_of(const FemCase& fem, double normal_for
   auto cycle =
       fem::cycle_response(fem.relaxation, fem.friction_coefficient, fem.motion, normal_force_max, normal, friction);
   const double force = fem.units.force(), work = force * fem.units.depth;
-  for (double* value : {&cycle.tangential_force_max, &cycle.tangential_force_mean, &cycle.sliding_force})
+  auto& uncertain = cycle.uncertainty;
+  for (double* value : {&cycle.tangential_force_max, &cycle.tangential_force_mean, &cycle.sliding_force,
+                        &uncertain.tangential_force_max, &uncertain.tangential_force_mean})
     *value *= force;
-  for (double* value : {&cycle.friction_work, &cycle.bulk_work, &cycle.sliding_work}) *value *= work;
+  for (double* value :
+       {&cycle.friction_work, &cycle.bulk_work, &cycle.sliding_work, &uncertain.friction_work, &uncertain.cycle_work})
+    *value *= work;
   return cycle;
 }
 

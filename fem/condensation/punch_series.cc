@@ -31,6 +31,19 @@ std::vector<Zone> zones_of(const std::vector<signed char>& labels) {
   return zones;
 }
 
+bool is_smooth(const std::vector<Zone>& zones, std::size_t z) {
+  return zones[z].size() >= n_smallest || z + 1 == zones.size();
+}
+
+/// Where the depths of a zone and of the next one meet; empty where that cannot be told. node: the first of the zone.
+std::optional<double> border_after(const std::vector<Zone>& zones, std::size_t z, Index node,
+                                   const Eigen::VectorXd& radii, const Eigen::VectorXd& depths) {
+  if (!is_smooth(zones, z) || !is_smooth(zones, z + 1)) return std::nullopt;
+  const Index last = zones[z].last, n = std::min<Index>(n_stencil, last - node + 1);
+  return meeting_point({radii, depths, last - n + 1, n},
+                       {radii, depths, last + 1, std::min(n_stencil, zones[z + 1].size())});
+}
+
 }  // namespace
 
 PunchSeries::PunchSeries(const Compliance& compliance, SharedMatrix factor)
@@ -66,7 +79,6 @@ Eigen::VectorXd PunchSeries::rings(const Eigen::VectorXd& displacements, Index f
 double PunchSeries::integral(const Eigen::VectorXd& depths, const std::vector<signed char>& labels,
                              std::optional<double> end_of_depths) const {
   const auto zones = zones_of(labels);
-  const auto is_smooth = [&](std::size_t z) { return zones[z].size() >= n_smallest || z + 1 == zones.size(); };
   // The innermost depth is off by the shape of the tip (its ring stands for 4/(3 pi) of its radius under a cone, for
   // 1/2 under a parabola): where the next ones continue smoothly to it, they are continued to the centre instead.
   const bool blunt =
@@ -80,21 +92,34 @@ double PunchSeries::integral(const Eigen::VectorXd& depths, const std::vector<si
     double end = edges_[last + 1];
     if (z + 1 == zones.size())
       end = end_of_depths.value_or(end);
-    else if (is_smooth(z) && is_smooth(z + 1))
-      end = meeting_point({radii_, depths, last - n + 1, n},
-                          {radii_, depths, last + 1, std::min(n_stencil, zones[z + 1].size())})
-                .value_or(end);
+    else
+      end = border_after(zones, z, node, radii_, depths).value_or(end);
     for (Index i = first; i <= last; ++i) {
       const double from = i == first ? begin : edges_[i], to = i == last ? end : std::min(edges_[i + 1], end);
       if (to <= from) continue;
       const bool singular_tip = !blunt && i < n_stencil;
-      sum += is_smooth(z) && !singular_tip
+      sum += is_smooth(zones, z) && !singular_tip
                  ? Stencil{radii_, depths, std::clamp(i - 1, node, last - n + 1), n}.integral(from, to)
                  : (to - from) * depths[i];
     }
     begin = end;
   }
   return force_per_radius_ * sum;
+}
+
+double PunchSeries::unseen_kinks(const Eigen::VectorXd& depths, const std::vector<signed char>& labels) const {
+  constexpr double share = 0.125;
+  const auto zones = zones_of(labels);
+  const auto kink = [&](Index i) {
+    if (i == 0 || i + 1 >= depths.size()) return 0.0;
+    return (edges_[i + 1] - edges_[i]) * std::abs(depths[i - 1] - 2 * depths[i] + depths[i + 1]);
+  };
+  double sum = 0;
+  for (std::size_t z = 0; z + 1 < zones.size(); ++z) {
+    const auto [first, last] = zones[z];
+    if (!border_after(zones, z, first, radii_, depths)) sum += std::max(kink(last), kink(last + 1));
+  }
+  return share * force_per_radius_ * sum;
 }
 
 std::optional<double> PunchSeries::edge_of_gap(const Eigen::VectorXd& gap, Index n_closed, Index n_pressed,

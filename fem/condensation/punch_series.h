@@ -46,6 +46,10 @@ class PunchSeries {
   [[nodiscard]] double integral(const Eigen::VectorXd& depths, const std::vector<signed char>& zones,
                                 std::optional<double> end = std::nullopt) const;
 
+  /// What that leaves open where it is the plain sum at the end of a zone: a kink inside a ring puts the midpoint rule
+  /// off by an eighth of the second difference of D times the width of the ring at most.
+  [[nodiscard]] double unseen_kinks(const Eigen::VectorXd& depths, const std::vector<signed char>& zones) const;
+
   /// Radius at which the gap outside n_pressed rings vanishes: its displacements in the sense above are to the gap what
   /// the depths are to the pressure, smooth up to the edge, whatever pressure there is, but for a kink at the edge of
   /// the largest contact so far in a body with memory. Looked for outside the last of n_closed rings; empty where

@@ -40,7 +40,7 @@ double FrictionContact::force_of(const Attempt& made, const std::optional<Normal
   if (!normal) return problem_.compliance.areas.dot(made.solution.x);
   SlipZones after = zones;
   after.update(limit, made.stick, problem_.series.depths(made.solution.x));
-  return friction_force(problem_.series, after, *touching_, limit_depths, friction_coefficient_ * normal->force);
+  return friction_force(problem_.series, after, *touching_, limit_depths, friction_coefficient_ * normal->force).value;
 }
 
 /// Of the displacement in the whole step, in which the indenter moves steadily.

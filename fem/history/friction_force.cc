@@ -76,8 +76,9 @@ Eigen::VectorXd at_own_radii(const PunchSeries& series, const TouchingRings& tou
 
 /// The force if less than three rings have touched since the contact turned and all of them stick; empty otherwise:
 /// where slip begins outside the last ring, more of them show it better.
-std::optional<double> force_of_growing_contact(const PunchSeries& series, const SlipZones& zones,
-                                               const TouchingRings& touching, const Eigen::VectorXd& limit_depths) {
+std::optional<FrictionForce> force_of_growing_contact(const PunchSeries& series, const SlipZones& zones,
+                                                      const TouchingRings& touching,
+                                                      const Eigen::VectorXd& limit_depths) {
   const double turning = touching.turning_radius, edge = touching.contact_radius;
   const Eigen::VectorXd& radii = touching.radii;
   const auto rings_within = [&](double r) {
@@ -91,12 +92,13 @@ std::optional<double> force_of_growing_contact(const PunchSeries& series, const 
   if (n_grown - n_before >= n_to_continue) return std::nullopt;
   const auto& depths = zones.depths();
   const auto& labels = zones.labels();
-  for (Index i = n_before; i < n_grown; ++i)
+  for (Index i = n_before; i < radii.size() && labels[static_cast<std::size_t>(i)] != SlipZones::free; ++i)
     if (zones.slip()[static_cast<std::size_t>(i)] != 0 ||
         labels[static_cast<std::size_t>(i)] != SlipZones::touched_again)
       return std::nullopt;
   const std::vector<signed char> before(labels.begin(), labels.begin() + n_before);
   const Index n = std::min(size_of_last_zone(before), n_stencil), size = std::max<Index>(n_grown - first, 0) + 2;
+  if (n < n_to_continue) return std::nullopt;
   Eigen::VectorXd x(size), y(size);
   x[0] = turning;
   y[0] = Stencil{series.radii(), depths, n_before - n, n}(turning);
@@ -112,23 +114,30 @@ std::optional<double> force_of_growing_contact(const PunchSeries& series, const 
     const double middle = (x[k] + x[k + 1]) / 2;
     if (std::abs(growth(middle)) > limit(middle)) return std::nullopt;
   }
-  return series.integral(depths.head(n_before), before, turning) +
-         series.force_per_radius() * growth.integral(turning, edge);
+  const Eigen::VectorXd depths_before = depths.head(n_before);
+  return FrictionForce{
+      series.integral(depths_before, before, turning) + series.force_per_radius() * growth.integral(turning, edge),
+      series.unseen_kinks(depths_before, before)};
+}
+
+FrictionForce sum_of_zones(const PunchSeries& series, const Eigen::VectorXd& depths,
+                           const std::vector<signed char>& labels) {
+  return {series.integral(depths, labels), series.unseen_kinks(depths, labels)};
 }
 
 }  // namespace
 
-double friction_force(const PunchSeries& series, const SlipZones& zones, const TouchingRings& touching,
-                      const Eigen::VectorXd& limit_depths, double limit_force) {
+FrictionForce friction_force(const PunchSeries& series, const SlipZones& zones, const TouchingRings& touching,
+                             const Eigen::VectorXd& limit_depths, double limit_force) {
   if (const auto force = force_of_growing_contact(series, zones, touching, limit_depths)) return *force;
   const auto& labels = zones.labels();
   const Index n_pressed = std::find(labels.begin(), labels.end(), SlipZones::free) - labels.begin();
   const auto slip = zones.slip().begin();
-  if (n_pressed == 0 || n_pressed == series.radii().size()) return series.integral(zones.depths(), labels);
+  if (n_pressed == 0 || n_pressed == series.radii().size()) return sum_of_zones(series, zones.depths(), labels);
   const signed char outermost = slip[n_pressed - 1];
   Index n_stuck = n_pressed;
   while (n_stuck > 0 && outermost != 0 && slip[n_stuck - 1] == outermost) --n_stuck;
-  if (n_stuck == 0) return outermost * limit_force;
+  if (n_stuck == 0) return {outermost * limit_force};
   const Eigen::VectorXd depths = at_own_radii(series, touching, labels, zones.depths());
   const Eigen::VectorXd held =
       at_own_radii(series, touching, zones.held_labels(), zones.held_depths()).array() + zones.depths()[0];
@@ -137,17 +146,20 @@ double friction_force(const PunchSeries& series, const SlipZones& zones, const T
                         limit_depths - direction * held, n_stuck);
   };
   const auto force = [&](int direction, const HeldReserve& reserve, double end) {
-    return direction * (limit_force - series.integral(reserve.reserve, reserve.zones, end));
+    return FrictionForce{direction * (limit_force - series.integral(reserve.reserve, reserve.zones, end)),
+                         series.unseen_kinks(reserve.reserve, reserve.zones)};
   };
   if (outermost != 0) {
     const auto reserve = against(outermost);
-    return force(outermost, reserve, reserve.end.value_or(series.edges()[n_stuck]));
+    return reserve.end ? force(outermost, reserve, *reserve.end) : sum_of_zones(series, depths, labels);
   }
-  // Slip has begun outside the middle of the last ring, in one direction.
+  // Slip has begun outside the middle of the last ring, in one direction; beyond the edge of the contact there is none.
   const auto forward = against(1), backward = against(-1);
-  if (forward.end && !(backward.end && *backward.end < *forward.end)) return force(1, forward, *forward.end);
-  if (backward.end) return force(-1, backward, *backward.end);
-  return series.integral(depths, labels);
+  const bool is_forward = forward.end && !(backward.end && *backward.end < *forward.end);
+  const auto& slipping = is_forward ? forward : backward;
+  if (slipping.end && *slipping.end < touching.contact_radius)
+    return force(is_forward ? 1 : -1, slipping, *slipping.end);
+  return sum_of_zones(series, depths, labels);
 }
 
 }  // namespace fretval::fem

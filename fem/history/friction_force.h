@@ -22,7 +22,12 @@ struct TouchingRings {
   }
 };
 
-/// Tangential force. While the outermost rings slip it is what the slip reserve leaves of mu times the normal force:
+/// A tangential force, and how far kinks of the traction in single rings may have put it off.
+struct FrictionForce {
+  double value, uncertainty = 0;
+};
+
+/// While the outermost rings slip it is what the slip reserve leaves of mu times the normal force:
 /// the reserve vanishes in the slip zone, however narrow it is, so the edge of the contact plays no part. Where it
 /// begins to vanish is found from the reserve of the stuck rings, and of the next ones as they were held when their
 /// slip began: that of the last zone that sticks may have one ring or none left.
@@ -30,7 +35,7 @@ struct TouchingRings {
 /// discs of n rings are 0.0025 rings larger tangentially than normally. While less than three rings have touched since
 /// the contact turned, what they carry is found from the radii at which the contact turned and where it ends.
 /// limit_depths: of mu p, limit_force: mu times the normal force.
-double friction_force(const PunchSeries& series, const SlipZones& zones, const TouchingRings& touching,
-                      const Eigen::VectorXd& limit_depths, double limit_force);
+FrictionForce friction_force(const PunchSeries& series, const SlipZones& zones, const TouchingRings& touching,
+                             const Eigen::VectorXd& limit_depths, double limit_force);
 
 }  // namespace fretval::fem

@@ -31,14 +31,16 @@ class ForcesOfPeriod {
         Sample{contact.zones, touching, contact.limit_depths, contact.friction_coefficient() * normal_force};
   }
 
-  [[nodiscard]] Eigen::VectorXd values(const FrictionContact& contact) const {
-    Eigen::VectorXd forces(static_cast<Eigen::Index>(samples_.size()));
-    for (std::size_t k = 0; k < samples_.size(); ++k) {
-      const auto& [zones, touching, limit_depths, limit_force] = samples_[k].value();
-      forces[static_cast<Eigen::Index>(k)] =
-          friction_force(contact.problem().series, zones, touching, limit_depths, limit_force);
+  void report(const FrictionContact& contact, FrictionHistory& history) const {
+    const auto n = static_cast<Eigen::Index>(samples_.size());
+    history.force.resize(n);
+    history.force_uncertainty.resize(n);
+    for (Eigen::Index k = 0; k < n; ++k) {
+      const auto& [zones, touching, limit_depths, limit_force] = samples_[static_cast<std::size_t>(k)].value();
+      const auto force = friction_force(contact.problem().series, zones, touching, limit_depths, limit_force);
+      history.force[k] = force.value;
+      history.force_uncertainty[k] = force.uncertainty;
     }
-    return forces;
   }
 
  private:
@@ -142,6 +144,7 @@ void FrictionPeriod::report(const ContactProblem& problem, FrictionHistory& hist
     series_work += in_the_middle(depths_, depths_before_, k).cwiseProduct(problem.series.displacements(slip));
   }
   history.dissipated_energy = problem.series.integral(series_work, zones_);
+  history.dissipated_uncertainty = problem.series.unseen_kinks(series_work, zones_);
   history.friction_work = work.cwiseProduct(problem.compliance.areas);
   history.traction = traction_;
   history.indenter = indenter_;
@@ -236,7 +239,7 @@ FrictionHistory friction_history(WatchedFriction friction, const NormalHistory& 
   history.n_steps = contact.n_steps;
   friction.first_slip.report(history);
   friction.period.report(contact.problem(), history);
-  history.force = forces.values(contact);
+  forces.report(contact, history);
   history.displacement = contact.state.displacement;
   history.amplitude = friction.period.amplitude(contact.motion());
   return history;
@@ -269,7 +272,7 @@ FrictionHistory friction_at_rest(const ContactProblem& problem, double friction_
   history.first_slip_reserve = since_start.value();
   history.shakedown_reserve = last_cycle.value();
   history.slip_path = history.period_slip = history.friction_work = history.displacement = Eigen::VectorXd::Zero(n);
-  history.force = history.indenter = Eigen::VectorXd::Zero(n_steps);
+  history.force = history.force_uncertainty = history.indenter = Eigen::VectorXd::Zero(n_steps);
   history.traction = Eigen::MatrixXd::Zero(n, n_steps);
   return history;
 }

@@ -22,10 +22,12 @@ struct FrictionHistory {
   Eigen::VectorXd slip_path;           ///< per ring: length of slip from the start on
   Eigen::VectorXd period_slip;         ///< per ring: length of slip in the last period
   Eigen::VectorXd force;               ///< per step of the last period; see PunchSeries
+  Eigen::VectorXd force_uncertainty;   ///< likewise, see FrictionForce
   Eigen::VectorXd displacement;        ///< of the rings, at the end of the last period
   Eigen::VectorXd indenter;            ///< its displacement, per step of the last period
   double amplitude = 0;                ///< of the indenter; under a force half of what lies between its extremes
   double dissipated_energy = 0;        ///< by friction in the last period, see PunchSeries
+  double dissipated_uncertainty = 0;   ///< of that, see PunchSeries::unseen_kinks
   Eigen::VectorXd friction_work;       ///< per ring: by friction in the last period
   Eigen::MatrixXd traction;            ///< n_rings x steps per period: the last period
 };

@@ -19,12 +19,40 @@ double loop(const Motion& motion, Prescribed prescribed, double begin, const Eig
   return area;
 }
 
+/// Of such an area where y is uncertain by so much, all one way.
+double loop_of_uncertainty(const Motion& motion, Prescribed prescribed, double begin,
+                           const Eigen::VectorXd& uncertainty) {
+  const double dt = 2 * pi * motion.cycles_per_period() / static_cast<double>(uncertainty.size());
+  double area = 0;
+  for (Eigen::Index k = 0; k < uncertainty.size(); ++k)
+    area += uncertainty[k] * std::abs(prescribed(motion, begin + static_cast<double>(k) * dt).rate) * dt;
+  return area;
+}
+
 /// Of samples of a period. Those at its ends have their neighbours in the next one.
 double largest_magnitude(const Eigen::VectorXd& samples) {
   RunningMinimum least(2, -infinity);
   for (int period = 0; period < 2; ++period)
     for (const double sample : samples) least.add(Eigen::Vector2d(sample, -sample));
   return -least.value().minCoeff();
+}
+
+/// Where forces are prescribed they are known, and of what they make the indenter do this knows nothing.
+CycleUncertainty uncertainty_of(const RelaxationModel& relaxation, const Motion& motion, double begin,
+                                const NormalHistory& normal, const FrictionHistory& friction) {
+  CycleUncertainty uncertainty{};
+  Eigen::Index largest = 0;
+  friction.force.cwiseAbs().maxCoeff(&largest);
+  if (!motion.tangential_force) {
+    uncertainty.tangential_force_max = friction.force_uncertainty[largest];
+    uncertainty.tangential_force_mean = friction.force_uncertainty.mean();
+    uncertainty.cycle_work = loop_of_uncertainty(motion, tangential_motion, begin, friction.force_uncertainty);
+  }
+  uncertainty.friction_work = relaxation.has_memory() ? friction.dissipated_uncertainty : uncertainty.cycle_work;
+  if (!motion.normal_force)
+    uncertainty.cycle_work += loop_of_uncertainty(motion, normal_motion, normal.time[0],
+                                                  normal.force_uncertainty + normal.force_beyond_uncertainty);
+  return uncertainty;
 }
 
 /// Four times the amplitudes of all oscillations, as often as they come in a cycle.
@@ -53,6 +81,7 @@ CycleResponse cycle_response(const RelaxationModel& relaxation, double friction_
   response.bulk_work = relaxation.has_memory() ? tangential + pressing - response.friction_work : 0;
   response.sliding_force = friction_coefficient * normal_force_max;
   response.sliding_work = response.sliding_force * path_to_and_fro(motion, friction.amplitude);
+  response.uncertainty = uncertainty_of(relaxation, motion, begin, normal, friction);
   return response;
 }
 

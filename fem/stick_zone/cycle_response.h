@@ -6,6 +6,12 @@
 
 namespace fretval::fem {
 
+/// How far reading the rings may have put it off.
+struct CycleUncertainty {
+  double tangential_force_max, tangential_force_mean, friction_work;
+  double cycle_work;  ///< of all that is lost
+};
+
 /// What a locked motion asks of whoever drives it, in a cycle of the periodic state.
 struct CycleResponse {
   double tangential_force_max;   ///< of |F_x|
@@ -14,6 +20,7 @@ struct CycleResponse {
   double bulk_work;              ///< lost inside the body, 0 without memory
   double sliding_force;          ///< mu times the largest normal force
   double sliding_work;           ///< what sliding under that force would cost, 4 times the tangential amplitudes
+  CycleUncertainty uncertainty = {};
 };
 
 /// What is lost altogether is the area of both loops, `oint F_N dd + oint F_x du_x`. They are sums over the steps, of

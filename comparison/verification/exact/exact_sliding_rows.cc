@@ -55,7 +55,8 @@ class ElasticSliding {
   }
 
   [[nodiscard]] double force() const {
-    return fem::friction_force(problem_.series, zones_, touching_, problem_.series.depths(limit_.rings), limit_.force);
+    return fem::friction_force(problem_.series, zones_, touching_, problem_.series.depths(limit_.rings), limit_.force)
+        .value;
   }
 
   /// Of the last step, under forward slip.

@@ -80,6 +80,30 @@ TEST_F(PunchSeriesTest, FollowsBothSidesOfAKink) {
   EXPECT_GT(std::abs(without - with) / exact, 1e-5);
 }
 
+// A zone of a single ring hides where its kinks are. Wherever in their rings, the sum is off by less than it says, and
+// where both sides are known nothing is left open.
+TEST_F(PunchSeriesTest, SaysWhatKinksInSingleRingsLeaveOpen) {
+  const auto& edges = series_.edges();
+  const Index n = problem_.n_rings();
+  double largest_share = 0;
+  for (int place = 0; place < 20; ++place) {
+    const double kink = edges[16] + place / 19.0 * (edges[17] - edges[16]), a = edges[n];
+    Eigen::VectorXd depths(n);
+    std::vector<signed char> zones(static_cast<std::size_t>(n), 1);
+    for (Index i = 0; i < n; ++i) depths[i] = std::max(kink - series_.radii()[i], 0.0);
+    zones[16] = 2;
+    std::fill(zones.begin(), zones.begin() + 16, 0);
+    const double exact = series_.force_per_radius() * kink * kink / 2,
+                 error = std::abs(series_.integral(depths, zones, a) - exact),
+                 left_open = series_.unseen_kinks(depths, zones);
+    EXPECT_LT(error, left_open + 1e-6 * exact) << place;
+    largest_share = std::max(largest_share, error / left_open);
+    zones[16] = kink > series_.radii()[16] ? 0 : 1;
+    EXPECT_EQ(series_.unseen_kinks(depths, zones), 0);
+  }
+  EXPECT_GT(largest_share, 0.4);
+}
+
 TEST_F(PunchSeriesTest, ShortZonesFallBackToTheSum) {
   const Eigen::VectorXd pressure = Eigen::VectorXd::Ones(problem_.n_rings());
   std::vector<signed char> zones(static_cast<std::size_t>(problem_.n_rings()));

@@ -32,7 +32,7 @@ class Sliding {
     const auto solution = problem_.solver.solve(areas.array() * (displacement - slip_.array()), -limit, limit, states_);
     slip_ += solution.residual.cwiseQuotient(areas);
     zones_.update(limit, states_, problem_.series.depths(solution.x));
-    return {friction_force(problem_.series, zones_, touching_, problem_.series.depths(limit), mu * normal.force),
+    return {friction_force(problem_.series, zones_, touching_, problem_.series.depths(limit), mu * normal.force).value,
             solution.x.dot(areas)};
   }
 

@@ -23,7 +23,10 @@ Sampled sampled(int n_steps) {
   s.normal.first_balance = dt;
   for (auto* series : {&s.normal.time, &s.normal.force, &s.normal.indentation, &s.friction.force, &s.friction.indenter})
     series->resize(n_steps);
-  s.normal.force_beyond = Eigen::VectorXd::Zero(n_steps);
+  s.normal.force_beyond = s.normal.force_beyond_uncertainty = Eigen::VectorXd::Zero(n_steps);
+  s.normal.force_uncertainty = Eigen::VectorXd::Constant(n_steps, 0.003);
+  s.friction.force_uncertainty = Eigen::VectorXd::Constant(n_steps, 0.002);
+  s.friction.dissipated_uncertainty = 1e-4;
   s.friction.n_steps = 21L * n_steps;
   s.friction.amplitude = 0.1;
   s.friction.dissipated_energy = 0.01;
@@ -58,6 +61,21 @@ TEST(CycleResponse, LoopsOfEllipsesAreExact) {
     EXPECT_EQ(response.friction_work, 0.01);
     EXPECT_NEAR(response.sliding_work, 0.5 * 2.6 * 4 * 0.1, 1e-14) << forces;
   }
+}
+
+// A force that is uncertain by as much all the way, one way: four times that and the amplitude.
+TEST(CycleResponse, CarriesWhatReadingTheForcesLeavesOpen) {
+  auto s = sampled(360);
+  const auto with_memory = cycle_response({1, {1}, {0.5}, 0}, 0.5, s.motion, 2.6, s.normal, s.friction).uncertainty;
+  EXPECT_EQ(with_memory.tangential_force_max, 0.002);
+  EXPECT_NEAR(with_memory.tangential_force_mean, 0.002, 1e-15);
+  EXPECT_EQ(with_memory.friction_work, 1e-4);
+  EXPECT_NEAR(with_memory.cycle_work, 4 * (0.002 * 0.1 + 0.003 * 0.2), 1e-7);
+  const auto elastic = cycle_response({1, {}, {}, 0}, 0.5, s.motion, 2.6, s.normal, s.friction).uncertainty;
+  EXPECT_NEAR(elastic.friction_work, 4 * 0.002 * 0.1, 1e-7);
+  s.motion.tangential_force = true;
+  const auto prescribed = cycle_response({1, {}, {}, 0}, 0.5, s.motion, 2.6, s.normal, s.friction).uncertainty;
+  EXPECT_EQ(prescribed.tangential_force_max, 0);
 }
 
 TEST(CycleResponse, FindsTheExtremeBetweenTheSteps) {
