@@ -80,6 +80,7 @@ FrictionPeriod::FrictionPeriod(Eigen::Index n_rings, int n_steps)
       backward_reserve_(n_rings, -infinity),
       slip_(n_rings),
       traction_(Eigen::MatrixXd::Zero(n_rings, n_steps)),
+      displacement_(traction_),
       slips_(traction_),
       depths_(traction_),
       indenter_(n_steps),
@@ -113,6 +114,7 @@ void FrictionPeriod::see(const FrictionContact& contact) {
   backward_reserve_.add(contact.limit_depths + depths);
   slip_ += slip.cwiseAbs();
   traction_.col(k_) = traction;
+  displacement_.col(k_) = contact.balance_displacements();
   slips_.col(k_) = slip;
   least_.add(Eigen::VectorXd::Constant(1, contact.displacement));
   most_.add(Eigen::VectorXd::Constant(1, -contact.displacement));
@@ -144,6 +146,7 @@ void FrictionPeriod::report(const ContactProblem& problem, FrictionHistory& hist
   history.dissipated_energy = problem.series.integral(series_work, zones_);
   history.friction_work = work.cwiseProduct(problem.compliance.areas);
   history.traction = traction_;
+  history.displacement = displacement_;
   history.indenter = indenter_;
 }
 
@@ -237,7 +240,6 @@ FrictionHistory friction_history(WatchedFriction friction, const NormalHistory& 
   friction.first_slip.report(history);
   friction.period.report(contact.problem(), history);
   history.force = forces.values(contact);
-  history.displacement = contact.state.displacement;
   history.amplitude = friction.period.amplitude(contact.motion());
   return history;
 }
@@ -268,9 +270,9 @@ FrictionHistory friction_at_rest(const ContactProblem& problem, double friction_
   history.shakedown_margin = friction_coefficient * normal.pressure.rowwise().minCoeff();
   history.first_slip_reserve = since_start.value();
   history.shakedown_reserve = last_cycle.value();
-  history.slip_path = history.period_slip = history.friction_work = history.displacement = Eigen::VectorXd::Zero(n);
+  history.slip_path = history.period_slip = history.friction_work = Eigen::VectorXd::Zero(n);
   history.force = history.indenter = Eigen::VectorXd::Zero(n_steps);
-  history.traction = Eigen::MatrixXd::Zero(n, n_steps);
+  history.traction = history.displacement = Eigen::MatrixXd::Zero(n, n_steps);
   return history;
 }
 
