@@ -118,7 +118,7 @@ def arrows_of(surface, length):
 
 
 def legend_of(field, colours, left):
-    bar = made(vtkScalarBarActor, LookupTable=colours, Title=field, NumberOfLabels=3, UnconstrainedFontSize=True)
+    bar = made(vtkScalarBarActor, LookupTable=colours, Title=field, NumberOfLabels=2, UnconstrainedFontSize=True)
     bar.SetLabelFormat("%.2g")
     bar.SetOrientationToHorizontal()
     bar.SetPosition(left, 0.02)
