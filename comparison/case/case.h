@@ -14,7 +14,7 @@ struct Case {
   /// In the order of the enumeration, as in the file.
   static constexpr std::array shape_names{"parabola", "cone", "power", "rounded flat", "truncated sphere", "table"};
   enum class Wear { unworn, limiting };
-  enum class Fields { none, extremes };
+  enum class Fields { none, extremes, cycle };
 
   struct Indenter {
     Shape shape = Shape::parabola;

@@ -66,6 +66,11 @@ void read_wear(const EntryReader& entries, Case& input) {
   input.wear_kinetics = read_wear_kinetics(entries);
 }
 
+Case::Fields fields_of(const std::string& word) {
+  if (word == "none") return Case::Fields::none;
+  return word == "cycle" ? Case::Fields::cycle : Case::Fields::extremes;
+}
+
 }  // namespace
 
 void declare_entries(dealii::ParameterHandler& handler) {
@@ -94,8 +99,7 @@ Case read_entries(const EntryReader& entries, const Reading& reading) {
     input.steps_per_cycle = static_cast<int>(entries.whole("Accuracy", "Steps per cycle", step_count));
   input.fields = reading.fields;
   if (entries.given("Output", "Fields"))
-    input.fields = entries.one_of("Output", "Fields", {"none", "extremes"}) == "none" ? Case::Fields::none
-                                                                                      : Case::Fields::extremes;
+    input.fields = fields_of(entries.one_of("Output", "Fields", {"none", "extremes", "cycle"}));
   entries.throw_problems();
   return input;
 }

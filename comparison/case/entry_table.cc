@@ -144,7 +144,13 @@ std::vector<SectionTraits> all_sections() {
          "relative to the contact radius, on the stick radii; a tenth of it on contact radius and force"},
         {"Rings per radius", {D::number}, "a whole number, 16 to 640", "what the tolerance asks for", "of the mesh"},
         {"Steps per cycle", {D::number}, "a whole number, 16 to 10000", "what the tolerance asks for", "in time"}}},
-      {"Output", {{"Fields", {}, "none, extremes", "extremes; in a sweep none", "files for ParaView"}}},
+      {"Output",
+       {{"Fields",
+         {},
+         "none, extremes, cycle",
+         "extremes; in a sweep none",
+         "instants of the last period to show in ParaView: none, those of the smallest and largest indentation, or "
+         "24"}}},
       {"Sweep",
        {{"Entry", {}, "SECTION / ENTRY", "a single case", "one case for each value of this entry"},
         {"Values", {}, "a list, or first : step : last", "an error with an Entry", "in the units of the entry"}}}};

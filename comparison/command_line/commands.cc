@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -18,6 +19,7 @@
 #include "comparison/command_line/store_command.h"
 #include "comparison/command_line/trade_command.h"
 #include "comparison/report/report.h"
+#include "comparison/support/closest.h"
 #include "comparison/support/log.h"
 #include "meshes/msh_file.h"
 #include "meshes/quality.h"
@@ -28,6 +30,8 @@ namespace {
 namespace fs = std::filesystem;
 
 int write_mesh(const std::string& file, const std::string& output) {
+  if (fs::path(output).extension() != ".msh")
+    throw InputError(fmt::format("--output {}: expected a name that ends in .msh, the format that is written", output));
   const auto cases = read_case_file(file);
   if (cases.size() != 1)
     throw InputError(fmt::format("{}: a sweep has many meshes; expected a file with a single case", file));
@@ -147,6 +151,18 @@ void add_commands(CLI::App& app, Command& command) {
   mesh->add_option("case", options->file, "Case file (.prm or .json)")->required();
   mesh->add_option("-o,--output", options->mesh, "Mesh file (.msh)")->required();
   mesh->callback([=, &command] { command = [=] { return write_mesh(options->file, options->mesh); }; });
+}
+
+std::string unknown_verb(const CLI::App& app, const std::vector<std::string>& arguments) {
+  const auto verb = std::find_if(arguments.begin(), arguments.end(),
+                                 [](const std::string& argument) { return argument.rfind('-', 0) != 0; });
+  if (verb == arguments.end()) return "";
+  std::vector<std::string> verbs;
+  for (const auto* known : app.get_subcommands([](const CLI::App*) { return true; })) {
+    if (known->get_name() == *verb) return "";
+    if (!known->get_group().empty()) verbs.push_back(known->get_name());
+  }
+  return fmt::format("{}: no such verb{}; valid verbs: {}", *verb, did_you_mean(*verb, verbs), fmt::join(verbs, ", "));
 }
 
 }  // namespace fretval

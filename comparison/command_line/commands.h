@@ -1,6 +1,8 @@
 #pragma once
 
 #include <functional>
+#include <string>
+#include <vector>
 
 namespace CLI {
 class App;
@@ -14,5 +16,8 @@ using Command = std::function<int()>;
 /// Adds the verbs new, explain, mdr, run, compare, check, report, trade, mesh and store to the command line; parsing
 /// sets `command`, which must outlive it.
 void add_commands(CLI::App& app, Command& command);
+
+/// What is wrong with the verb of a command line, with the verbs that there are; empty: nothing, or there is none.
+std::string unknown_verb(const CLI::App& app, const std::vector<std::string>& arguments);
 
 }  // namespace fretval

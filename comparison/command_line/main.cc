@@ -54,7 +54,11 @@ int run(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? fretval::exit_agree : fretval::exit_bad_input;
+    const auto unknown = fretval::unknown_verb(app, {argv + 1, argv + argc});
+    if (error.get_exit_code() == 0 || unknown.empty())
+      return app.exit(error) == 0 ? fretval::exit_agree : fretval::exit_bad_input;
+    say(fretval::InputError(unknown));
+    return fretval::exit_bad_input;
   }
   try {
     const int exit_code = command();

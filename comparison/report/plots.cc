@@ -23,8 +23,8 @@ namespace {
 namespace fs = std::filesystem;
 
 // Okabe and Ito's palette, distinguishable with colour-blind eyes.
-constexpr std::array<const char*, 9> palette{"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00",
-                                             "#56b4e9", "#6a51a3", "#555555", "#a6761d"};
+constexpr std::array<const char*, 9> palette{"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#b87d00",
+                                             "#3a9bd0", "#6a51a3", "#555555", "#a6761d"};
 
 /// A string of a gnuplot script. In double quotes gnuplot would run what stands between backquotes as a shell command.
 std::string quoted(const std::string& text) {

@@ -14,11 +14,11 @@ constexpr double width = 480, height = 300, left = 52, bottom = 40, top = 8, rig
 const char* colour_of(char zone) {
   switch (zone) {
     case 's':
-      return "#0072b2";
+      return "#14284f";
     case 'f':
-      return "#e69f00";
+      return "#c26a00";
     case 'b':
-      return "#f0e442";
+      return "#3a9bd0";
     default:
       return "#ffffff";
   }

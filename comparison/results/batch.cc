@@ -20,7 +20,7 @@ BatchLine run_case(const PreparedCase& asked, const BatchOptions& options, BodyS
   BatchLine line;
   line.name = asked.input.name;
   PreparedCase prepared = asked;
-  prepared.fem.keeps_body = !options.output.empty() && asked.input.fields == Case::Fields::extremes;
+  prepared.fem.keeps_body = !options.output.empty() && asked.input.fields != Case::Fields::none;
   auto fe = prove(prepared, options.proof, bodies);
   std::shared_ptr<const mdr::NormalResponse> reference;
   try {

@@ -4,18 +4,17 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "comparison/results/field_files.h"
+#include "comparison/results/period_steps.h"
 #include "comparison/results/wear_json.h"
 #include "comparison/simulation/resolution_json.h"
 #include "comparison/support/files.h"
-#include "comparison/support/parallel.h"
 #include "comparison/support/versions.h"
-#include "fem/condensation/field_output.h"
 
 namespace fretval {
 namespace {
 
 namespace fs = std::filesystem;
-constexpr double pi = 3.14159265358979323846;
 
 nlohmann::ordered_json focus_by_quantity(const std::map<Quantity, Focus>& focus) {
   auto json = nlohmann::ordered_json::object();
@@ -65,13 +64,12 @@ void write_history(const CaseResult& result, const mdr::NormalResponse& referenc
   const auto& history = result.fe.fe.normal;
   const auto& friction = result.fe.fe.friction;
   const Eigen::Index n = friction.traction.cols();
-  const long first = friction.n_steps + 1 - n;
-  const double dt = 2 * pi / history.steps_per_cycle;
   Eigen::VectorXd time(n), indentation(n), displacement(n), normal_force(n), mdr_force(n), tangential_force(n);
   for (Eigen::Index k = 0; k < n; ++k) {
-    const double t = history.first_balance + static_cast<double>(first + k - 1) * dt;
+    const PeriodStep step{result.fe.fe, k};
+    const double t = step.time();
     time[k] = t / fem.units.angular_frequency;
-    const auto column = history.column(first + k);
+    const auto column = step.normal_column();
     indentation[k] = history.indentation[column] * fem.units.depth;
     displacement[k] = friction.indenter[k] * fem.units.depth;
     normal_force[k] = (history.force[column] + history.force_beyond[column]) * fem.units.force();
@@ -123,40 +121,11 @@ void write_profile(const CaseResult& result, const fs::path& file) {
   write_csv(file, columns);
 }
 
-void write_field(const HarmonicBody& body, const Eigen::VectorXd& rings, const Units& units, const fs::path& file) {
-  const auto field = fem::extend_into_body(body.space, body.condensation, body.contact.compliance, rings);
-  std::ostringstream text;
-  fem::write_vtu(body.space, field, units.length, units.depth, text);
-  write_file(file, text.str());
-}
-
-void write_fields(const CaseResult& result, const fs::path& folder) {
-  const auto& kept = result.fe.fe.whole_body;
-  std::optional<Body> made;
-  if (!kept) made.emplace(make_body(result.fem_case.body));
-  const Body& body = made ? *made : *kept;
-  const auto& normal = result.fe.fe.normal;
-  struct Field {
-    const HarmonicBody& body;
-    const Eigen::VectorXd& rings;
-    const char* file;
-  };
-  std::vector<Field> fields{{body.normal, normal.deepest_displacement, "normal_deepest.vtu"},
-                            {body.normal, normal.highest_displacement, "normal_highest.vtu"}};
-  if (body.tangential)
-    fields.push_back({*body.tangential, result.fe.fe.friction.displacement, "tangential_period_end.vtu"});
-  for_each_in_parallel(fields.size(), [&](std::size_t i) {
-    const auto& [harmonic, rings, file] = fields[i];
-    write_field(harmonic, rings, result.fem_case.units, folder / file);
-  });
-}
-
 /// What there is of a contact that does not slide as a whole.
 void write_periodic_state(const CaseResult& result, const mdr::NormalResponse& reference, const fs::path& folder) {
   write_history(result, reference, folder / "history.csv");
   write_contact(result, folder / "contact.csv");
   write_file(folder / "cycle.json", cycle_json(result).dump() + "\n");
-  if (result.input.fields == Case::Fields::extremes) write_fields(result, folder);
 }
 
 /// Names of files may have bytes that are not UTF-8.
@@ -198,6 +167,7 @@ void write_result(const CaseResult& result, const mdr::NormalResponse& reference
   fs::create_directories(folder);
   write_profile(result, folder / "profile.csv");
   if (!result.fe.fe.gross_slip) write_periodic_state(result, reference, folder);
+  write_field_files(result.fe.fe, result.fem_case, result.input.fields, folder);
   if (result.wear) write_wear(*result.wear, result.input, result.fem_case.units, folder);
   write_file(folder / "run.json", as_text(run_json(result)));
   write_file(folder / "result.json", as_text(result_json(result)));

@@ -52,7 +52,7 @@ nlohmann::ordered_json cost_json(const FeAnswer& fe);
 void withdraw_result(const std::filesystem::path& folder);
 
 /// Writes result.json, run.json, history.csv, contact.csv, cycle.json, profile.csv and, if the case asks for fields,
-/// the VTU files, which need the whole body, into a folder, which is made if need be; result.json comes last.
+/// those (field_files.h), which need the whole body, into a folder, which is made if need be; result.json comes last.
 void write_result(const CaseResult& result, const mdr::NormalResponse& reference, const std::filesystem::path& folder);
 
 }  // namespace fretval

@@ -5,6 +5,7 @@
 
 #include "comparison/reference/mdr_document.h"
 #include "comparison/results/case_result.h"
+#include "comparison/results/ring_zone.h"
 #include "mdr/springs/spring_fields.h"
 
 namespace fretval {
@@ -28,12 +29,8 @@ Eigen::Index stride_for(Eigen::Index n, Eigen::Index most) {
   return (n + most - 1) / most;
 }
 
-/// A ring that slips bears what friction allows, to roundoff.
-char zone_of(double pressure, double traction, double friction_coefficient) {
-  constexpr double roundoff = 1e-9;
-  if (pressure <= 0) return 'o';
-  if (std::abs(traction) < friction_coefficient * pressure * (1 - roundoff)) return 's';
-  return traction > 0 ? 'f' : 'b';
+char letter_of(fem::RingZone zone) {
+  return "osfb"[static_cast<std::size_t>(zone)];
 }
 
 ordered_json springs_json_of_cycle(const SpringAnswer& answer, const mdr::PronyBody& body) {
@@ -92,8 +89,8 @@ ordered_json cycle_json(const CaseResult& result) {
   for (Eigen::Index k = 0; k < n; k += stride_for(n, 360)) {
     std::string zones;
     for (Eigen::Index i = 0; i < n_rings; ++i)
-      zones += zone_of(normal.pressure(i, normal.column(first + k)), friction.traction(i, k),
-                       result.fem_case.friction_coefficient);
+      zones += letter_of(zone_of(normal.pressure(i, normal.column(first + k)), friction.traction(i, k),
+                                 result.fem_case.friction_coefficient));
     json["zones"].push_back(zones);
   }
   if (auto springs = springs_of(result)) json["mdr"] = std::move(*springs);

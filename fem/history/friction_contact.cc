@@ -121,4 +121,9 @@ void FrictionContact::step(const Eigen::VectorXd& pressure, const std::optional<
   ++n_steps;
 }
 
+Eigen::VectorXd FrictionContact::balance_displacements() const {
+  const double after = displacement - balance_displacement;
+  return ((state.displacement + (1 - fraction()) * slip).array() - after).matrix();
+}
+
 }  // namespace fretval::fem

@@ -47,6 +47,8 @@ class FrictionContact {
   [[nodiscard]] const Motion& motion() const { return motion_; }
   [[nodiscard]] double friction_coefficient() const { return friction_coefficient_; }
   [[nodiscard]] int steps_per_cycle() const { return steps_per_cycle_; }
+  /// Of the rings at the balance time: what they do in a step after it is undone.
+  [[nodiscard]] Eigen::VectorXd balance_displacements() const;
   /// Fraction of a step at which forces balance.
   [[nodiscard]] double fraction() const { return step_.fraction(); }
 

@@ -82,6 +82,7 @@ FrictionPeriod::FrictionPeriod(Eigen::Index n_rings, int n_steps)
       backward_reserve_(n_rings, -infinity),
       slip_(n_rings),
       traction_(Eigen::MatrixXd::Zero(n_rings, n_steps)),
+      displacement_(traction_),
       slips_(traction_),
       depths_(traction_),
       indenter_(n_steps),
@@ -115,6 +116,7 @@ void FrictionPeriod::see(const FrictionContact& contact) {
   backward_reserve_.add(contact.limit_depths + depths);
   slip_ += slip.cwiseAbs();
   traction_.col(k_) = traction;
+  displacement_.col(k_) = contact.balance_displacements();
   slips_.col(k_) = slip;
   least_.add(Eigen::VectorXd::Constant(1, contact.displacement));
   most_.add(Eigen::VectorXd::Constant(1, -contact.displacement));
@@ -147,6 +149,7 @@ void FrictionPeriod::report(const ContactProblem& problem, FrictionHistory& hist
   history.dissipated_uncertainty = problem.series.unseen_kinks(series_work, zones_);
   history.friction_work = work.cwiseProduct(problem.compliance.areas);
   history.traction = traction_;
+  history.displacement = displacement_;
   history.indenter = indenter_;
 }
 
@@ -240,7 +243,6 @@ FrictionHistory friction_history(WatchedFriction friction, const NormalHistory& 
   friction.first_slip.report(history);
   friction.period.report(contact.problem(), history);
   forces.report(contact, history);
-  history.displacement = contact.state.displacement;
   history.amplitude = friction.period.amplitude(contact.motion());
   return history;
 }
@@ -271,9 +273,9 @@ FrictionHistory friction_at_rest(const ContactProblem& problem, double friction_
   history.shakedown_margin = friction_coefficient * normal.pressure.rowwise().minCoeff();
   history.first_slip_reserve = since_start.value();
   history.shakedown_reserve = last_cycle.value();
-  history.slip_path = history.period_slip = history.friction_work = history.displacement = Eigen::VectorXd::Zero(n);
+  history.slip_path = history.period_slip = history.friction_work = Eigen::VectorXd::Zero(n);
   history.force = history.force_uncertainty = history.indenter = Eigen::VectorXd::Zero(n_steps);
-  history.traction = Eigen::MatrixXd::Zero(n, n_steps);
+  history.traction = history.displacement = Eigen::MatrixXd::Zero(n, n_steps);
   return history;
 }
 

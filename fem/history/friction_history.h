@@ -23,7 +23,7 @@ struct FrictionHistory {
   Eigen::VectorXd period_slip;         ///< per ring: length of slip in the last period
   Eigen::VectorXd force;               ///< per step of the last period; see PunchSeries
   Eigen::VectorXd force_uncertainty;   ///< likewise, see FrictionForce
-  Eigen::VectorXd displacement;        ///< of the rings, at the end of the last period
+  Eigen::MatrixXd displacement;        ///< of the rings, per step of the last period, at the balance times
   Eigen::VectorXd indenter;            ///< its displacement, per step of the last period
   double amplitude = 0;                ///< of the indenter; under a force half of what lies between its extremes
   double dissipated_energy = 0;        ///< by friction in the last period, see PunchSeries
@@ -67,7 +67,7 @@ class FrictionPeriod {
   Eigen::VectorXd forward_, backward_;
   RunningMinimum forward_reserve_, backward_reserve_;  // slip reserves of the same
   Eigen::VectorXd slip_;
-  Eigen::MatrixXd traction_, slips_, depths_;  // a column a step
+  Eigen::MatrixXd traction_, displacement_, slips_, depths_;  // a column a step
   Eigen::VectorXd indenter_;
   RunningMinimum least_, most_;                      // of the indenter, the other way round
   std::vector<signed char> zones_;                   // what happened to each ring, as bits

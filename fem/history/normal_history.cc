@@ -19,7 +19,7 @@ class CycleRecord {
       : history_(history), gap_at_balance_(contact.pressure.size(), 0), height_(1, -infinity) {
     const Eigen::Index n = contact.steps_per_cycle();
     history.smallest_pressure = contact.pressure;
-    history.pressure = Eigen::MatrixXd::Zero(contact.pressure.size(), n);
+    history.pressure = history.displacement = Eigen::MatrixXd::Zero(contact.pressure.size(), n);
     for (auto* series :
          {&history.time, &history.indentation, &history.force, &history.force_uncertainty, &history.kink_uncertainty,
           &history.force_beyond, &history.force_beyond_uncertainty, &history.contact_radius})
@@ -32,13 +32,14 @@ class CycleRecord {
     gap_at_balance_.restart();
     height_.restart();
     deepest_ = -infinity;
-    highest_ = infinity;
   }
 
   void add(Eigen::Index k, const NormalContact& contact) {
     history_.time[k] = contact.time;
     history_.indentation[k] = contact.balance_indentation;
     history_.pressure.col(k) = contact.pressure;
+    history_.displacement.col(k) =
+        ((contact.balance_gap - contact.profile).array() + contact.balance_indentation).matrix();
     history_.smallest_pressure = history_.smallest_pressure.cwiseMin(contact.pressure);
     history_.force[k] = contact.reading.force;
     history_.force_uncertainty[k] = contact.reading.uncertainty;
@@ -50,11 +51,8 @@ class CycleRecord {
     history_.smallest_gap = history_.smallest_gap.cwiseMin(contact.gap);
     gap_at_balance_.add(contact.balance_gap);
     height_.add(Eigen::VectorXd::Constant(1, -contact.indentation));
-    const double indentation = contact.indentation;
-    if (indentation > deepest_) history_.deepest_displacement = contact.state.displacement;
-    if (indentation < highest_) history_.highest_displacement = contact.state.displacement;
-    deepest_ = std::max(deepest_, indentation);
-    highest_ = std::min(highest_, indentation);
+    if (contact.indentation > deepest_) history_.deepest_displacement = contact.state.displacement;
+    deepest_ = std::max(deepest_, contact.indentation);
   }
 
   void end() {
@@ -66,7 +64,7 @@ class CycleRecord {
  private:
   NormalHistory& history_;
   RunningMinimum gap_at_balance_, height_;
-  double deepest_ = -infinity, highest_ = infinity;
+  double deepest_ = -infinity;
 };
 
 double change_per_cycle(const Eigen::MatrixXd& now, const Eigen::MatrixXd& before) {

@@ -37,7 +37,7 @@ struct NormalHistory {
   /// The same from the gaps at the balance times, between which it is a RunningMinimum; both agree to second order.
   Eigen::VectorXd smallest_gap_at_balance;
   Eigen::VectorXd deepest_displacement;  ///< of the rings, at the largest indentation
-  Eigen::VectorXd highest_displacement;  ///< of the rings, at the smallest indentation
+  Eigen::MatrixXd displacement;          ///< of the rings, per step of the cycle, at the balance times
 
   /// Column of a step in the cycle, counted from 1 for the first step of the history; from the last computed cycle on.
   [[nodiscard]] Eigen::Index column(long step) const { return (step - 1) % steps_per_cycle; }

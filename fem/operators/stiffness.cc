@@ -113,14 +113,14 @@ SparseMatrix assemble_skeleton_stiffness(const HarmonicSpace& space) {
   return sum_of(cells, space.n_skeleton_dofs());
 }
 
-Eigen::VectorXd extend_into_cells(const HarmonicSpace& space, const Eigen::VectorXd& skeleton) {
-  Eigen::VectorXd field(space.n_dofs());
-  field.head(skeleton.size()) = skeleton;
+Eigen::MatrixXd extend_into_cells(const HarmonicSpace& space, const Eigen::MatrixXd& skeleton) {
+  Eigen::MatrixXd field(space.n_dofs(), skeleton.cols());
+  field.topRows(skeleton.rows()) = skeleton;
   for_each_cell(space, [&](const CellStiffness& cell) {
     const auto n = n_skeleton_of(cell, space.n_skeleton_dofs());
     const std::vector<int> outer(cell.dofs.begin(), cell.dofs.begin() + n);
     const std::vector<int> inner(cell.dofs.begin() + n, cell.dofs.end());
-    field(inner) = extension_of(cell, n) * field(outer);
+    field(inner, Eigen::all) = extension_of(cell, n) * field(outer, Eigen::all);
   });
   return field;
 }

@@ -25,7 +25,7 @@ SparseMatrix assemble_stiffness(const HarmonicSpace& space);
 /// For Q3/Q2: 13 of 22 (n = 0) and 18 of 31 (n = 1) dofs of a cell remain.
 SparseMatrix assemble_skeleton_stiffness(const HarmonicSpace& space);
 
-/// All dofs of a body from those of its skeleton: `x_i = -K_ii^{-1} K_is x_s` inside the cells.
-Eigen::VectorXd extend_into_cells(const HarmonicSpace& space, const Eigen::VectorXd& skeleton);
+/// All dofs of a body from those of its skeleton, a column each: `x_i = -K_ii^{-1} K_is x_s` inside the cells.
+Eigen::MatrixXd extend_into_cells(const HarmonicSpace& space, const Eigen::MatrixXd& skeleton);
 
 }  // namespace fretval::fem

@@ -32,12 +32,12 @@ inline std::string from_base64(const std::string& text) {
 /// The numbers of a data array of a VTU file, compressed as deal.II writes it; name: of a field, or empty for the
 /// points, which have three coordinates each.
 inline std::vector<float> vtu_data(const std::string& file, const std::string& name) {
-  const std::string start =
-      name.empty() ? "NumberOfComponents=\"3\" format=\"binary\">\n" : "Name=\"" + name + "\" format=\"binary\">\n";
-  const auto at = file.find(start);
-  EXPECT_NE(at, std::string::npos) << name;
+  const std::string head = name.empty() ? "<Points>" : "Name=\"" + name + "\"";
+  const auto at = file.find("format=\"binary\">\n", file.find(head));
+  EXPECT_NE(file.find(head), std::string::npos) << name;
   if (at == std::string::npos) return {};
-  const std::string text = file.substr(at + start.size(), file.find('<', at + start.size()) - at - start.size());
+  const auto start = file.find('\n', at) + 1;
+  const std::string text = file.substr(start, file.find('<', start) - start);
   constexpr std::size_t header_size = 24;  // four numbers in base64
   std::array<std::uint32_t, 4> header{};   // blocks, their size, that of the last one, that of what follows
   std::memcpy(header.data(), from_base64(text.substr(0, header_size)).data(), sizeof(header));

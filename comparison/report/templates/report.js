@@ -5,7 +5,7 @@
   // Okabe and Ito's palette, distinguishable with colour-blind eyes; as in plots.cc.
   const palette = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#b87d00", "#3a9bd0", "#6a51a3", "#555555", "#a6761d"];
   const colour = (k) => palette[k % palette.length];
-  const zones = {s: ["sticks", "#0072b2"], f: ["slips forward", "#e69f00"], b: ["slips backward", "#f0e442"], o: ["open", "#ffffff"]};
+  const zones = {s: ["sticks", "#14284f"], f: ["slips forward", "#c26a00"], b: ["slips backward", "#3a9bd0"], o: ["open", "#ffffff"]};
   const isDrawn = (v) => v !== null && Number.isFinite(v);
   const number = (v) => Math.abs(v) >= 1e5 || (v !== 0 && Math.abs(v) < 1e-3) ? d3.format(".3e")(v).replace("e+", "e") : String(+v.toPrecision(5));
 
@@ -226,7 +226,7 @@
     const legend = root.append("div").attr("class", "legend");
     for (const z of present) {
       const one = legend.append("span");
-      one.append("svg").attr("viewBox", "0 0 22 10").attr("aria-hidden", "true").append("rect").attr("width", 22).attr("height", 10).attr("fill", zones[z][1]).attr("stroke", "#9aa3ad");
+      one.append("svg").attr("viewBox", "0 0 22 10").attr("aria-hidden", "true").append("rect").attr("width", 22).attr("height", 10).attr("fill", zones[z][1]).attr("stroke", "#858d97");
       one.append("span").style("padding", 0).text(zones[z][0]);
     }
     const area = root.append("div"), tip = tooltip(root);

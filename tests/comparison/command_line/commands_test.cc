@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "tests/comparison/expect_parts.h"
 #include "tests/comparison/run_fretval.h"
 
 namespace fretval {
@@ -20,6 +21,21 @@ TEST(Commands, RefusesAMissingFile) {
   EXPECT_NE(run.err.find("expected small, exact, tolerance, extremes or random"), std::string::npos) << run.err;
   EXPECT_EQ(fretval_run("check --suite extremes --family nothing", folder).exit_code, 2);
   EXPECT_EQ(fretval_run("dance", folder).exit_code, 2);
+}
+
+TEST(Commands, SaysWhichVerbWasMeant) {
+  const ScratchFolder folder;
+  const auto said = [&](const std::string& arguments) {
+    const auto run = fretval_run(arguments, folder);
+    EXPECT_EQ(run.exit_code, 2) << arguments;
+    return run.err;
+  };
+  expect_parts(said("rnu case.prm -o there"), {"rnu: no such verb; did you mean run?", "valid verbs: new, explain, "});
+  expect_parts(said("--quiet compaer a b"), {"compaer: no such verb; did you mean compare?"});
+  const auto far_off = said("dance");
+  expect_parts(far_off, {"dance: no such verb; valid verbs: "});
+  EXPECT_EQ(far_off.find("pages"), std::string::npos) << "it is for those who install";
+  EXPECT_EQ(said("run --no-such-option case.prm").find("no such verb"), std::string::npos);
 }
 
 TEST(Commands, SaysWhenGnuplotCannotDraw) {
@@ -44,6 +60,17 @@ TEST(Commands, WritesAMeshInMetres) {
   EXPECT_EQ(run.exit_code, 2);
   EXPECT_NE(run.err.find("a sweep has many meshes"), std::string::npos) << run.err;
   EXPECT_FALSE(fs::exists(folder.path() / "no.msh"));
+}
+
+TEST(Commands, WritesNoMeshUnderTheNameOfAnotherFormat) {
+  const ScratchFolder folder;
+  const auto file = folder.write("case.prm", valid_case);
+  for (const char* name : {"mesh.vtu", "mesh", "mesh.msh.gz"}) {
+    const auto run = fretval_run("mesh " + file.string() + " -o " + (folder.path() / name).string(), folder);
+    EXPECT_EQ(run.exit_code, 2) << name;
+    expect_parts(run.err, {name, "expected a name that ends in .msh"});
+    EXPECT_FALSE(fs::exists(folder.path() / name));
+  }
 }
 
 }  // namespace

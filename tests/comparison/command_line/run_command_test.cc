@@ -49,8 +49,8 @@ TEST(RunCommand, WritesEveryResultAndTheReport) {
   const auto run = fretval_run("run " + file.string() + " -o " + (folder.path() / "out").string(), folder);
   ASSERT_EQ(run.exit_code, 0) << run.err;
   const fs::path out = folder.path() / "out";
-  for (const char* name : {"result.json", "run.json", "history.csv", "contact.csv", "profile.csv", "normal_deepest.vtu",
-                           "normal_highest.vtu", "tangential_period_end.vtu"})
+  for (const char* name : {"result.json", "run.json", "history.csv", "contact.csv", "profile.csv", "fields.pvd",
+                           "surface.pvd", "fields/section-01.vtu", "fields/surface-01.vtu"})
     EXPECT_GT(fs::file_size(out / "case" / name), 100U) << name;
   const auto json = nlohmann::json::parse(text_of(out / "case" / "result.json"));
   for (const char* key : {"name", "pass", "mdr", "fe", "comparison", "cost"}) EXPECT_TRUE(json.contains(key)) << key;

@@ -202,36 +202,77 @@ void run_all_kinds(const ScratchFolder& folder) {
   ASSERT_LE(run.exit_code, 1) << run.err;
 }
 
-// What a person sees: every plot is drawn, and the browser complains of nothing.
-TEST(ReportSlow, IsDrawnByABrowser) {
-  if (std::system("command -v chromium >/dev/null") != 0) GTEST_SKIP() << "chromium is not installed";
-  const ScratchFolder folder;
-  run_all_kinds(folder);
-  const auto out = folder.path() / "out";
-  fs::create_directories(out / "trade");
-  folder.write("out/trade/trade.json", stored_trade().dump());
-  folder.write("out/exact.json", nlohmann::ordered_json::array({stored_convergence_row()}).dump());
-  folder.write("out/random.json", suite_json(run_of({row_of(1e-3, 2e-3, "a"), row_of(3e-3, 8e-3, "b")})).dump());
-  const auto page = write_report(out);
-  const auto dom = folder.path() / "dom.html", log = folder.path() / "log.txt";
-  ASSERT_EQ(std::system(fmt::format("chromium --headless=new --no-sandbox --disable-gpu --user-data-dir='{0}/profile' "
-                                    "--enable-logging=stderr --dump-dom 'file://{1}' >'{2}' 2>'{3}'",
-                                    folder.path().string(), page.string(), dom.string(), log.string())
-                            .c_str()),
-            0);
-  const auto drawn = text_of(dom);
-  EXPECT_EQ(text_of(log).find("CONSOLE"), std::string::npos) << text_of(log);
+/// A report of every kind of section, in a folder, as a browser draws it.
+class ReportSlow : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (std::system("command -v chromium >/dev/null") != 0) GTEST_SKIP() << "chromium is not installed";
+    run_all_kinds(folder_);
+    const auto out = folder_.path() / "out";
+    fs::create_directories(out / "trade");
+    folder_.write("out/trade/trade.json", stored_trade().dump());
+    folder_.write("out/exact.json", nlohmann::ordered_json::array({stored_convergence_row()}).dump());
+    folder_.write("out/random.json", suite_json(run_of({row_of(1e-3, 2e-3, "a"), row_of(3e-3, 8e-3, "b")})).dump());
+    page_ = write_report(out);
+  }
+
+  /// The document after its scripts have run; the browser complains of nothing.
+  [[nodiscard]] std::string drawn(const fs::path& page) const {
+    const auto run = shell_run(
+        "chromium --headless=new --no-sandbox --disable-gpu --user-data-dir=" + quoted(folder_.path() / "profile") +
+            " --virtual-time-budget=20000 --enable-logging=stderr --dump-dom file://" + quoted(page),
+        folder_);
+    EXPECT_EQ(run.exit_code, 0);
+    EXPECT_EQ(run.err.find("CONSOLE"), std::string::npos) << run.err;
+    return run.out;
+  }
+
+  /// What tests/comparison/report/contrast.js says of the page with one text in the place of another.
+  [[nodiscard]] nlohmann::json contrast_with(const std::string& part, const std::string& other) const {
+    const auto examiner = text_of(fs::path(FRETVAL_SOURCE_DIR) / "tests/comparison/report/contrast.js");
+    const auto page =
+        folder_.write("examined.html", replace(text_of(page_), part, other) + "<script>" + examiner + "</script>");
+    auto text = drawn(page);
+    const std::string start = "data-contrast=\"";
+    const auto at = text.find(start);
+    EXPECT_NE(at, std::string::npos);
+    if (at == std::string::npos) return {};
+    text = text.substr(at + start.size());
+    text = text.substr(0, text.find('"'));
+    for (auto quote = text.find("&quot;"); quote != std::string::npos; quote = text.find("&quot;"))
+      text.replace(quote, 6, "\"");
+    return nlohmann::json::parse(text);
+  }
+
+  ScratchFolder folder_;
+  fs::path page_;
+};
+
+// What a person sees: every plot is drawn.
+TEST_F(ReportSlow, IsDrawnByABrowser) {
+  const auto text = drawn(page_);
   const auto count = [&](const std::string& part) {
     int n = 0;
-    for (auto at = drawn.find(part); at != std::string::npos; at = drawn.find(part, at + 1)) ++n;
+    for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++n;
     return n;
   };
   const int n_plots = count("<div class=\"plot\" data-plot=\"");
   EXPECT_GE(n_plots, 25);
-  EXPECT_NE(drawn.find(fmt::format("data-plots-drawn=\"{}\"", n_plots)), std::string::npos);
+  EXPECT_NE(text.find(fmt::format("data-plots-drawn=\"{}\"", n_plots)), std::string::npos);
   EXPECT_EQ(count(">no data<"), 0);
-  expect_parts(drawn, {"Friction / Coefficient", "Wear to the end", "Prescribed forces", "Suite extremes",
-                       "Speed and accuracy", "Pressure and traction"});
+  expect_parts(text, {"Friction / Coefficient", "Wear to the end", "Prescribed forces", "Suite extremes",
+                      "Speed and accuracy", "Pressure and traction"});
+}
+
+TEST_F(ReportSlow, HasTheContrastThatTheGuidelinesAskFor) {
+  const auto found = contrast_with("</body>", "</body>");
+  EXPECT_EQ(found.at("failures"), nlohmann::json::array());
+  EXPECT_GT(found.at("texts"), 500);
+  EXPECT_GT(found.at("marks"), 500);
+  // What the examiner is there for.
+  expect_parts(contrast_with("--soft: #566070", "--soft: #8a94a4").at("failures").dump(),
+               {"texts FIGCAPTION. rgb(138, 148, 164) on 255,255,255: 3.0"});
+  expect_parts(contrast_with("stroke: #858d97", "stroke: #b0b7c0").at("failures").dump(), {"marks path.domain"});
 }
 
 }  // namespace

@@ -22,11 +22,11 @@ TEST(ZoneMap, DrawsARectangleAZoneAndAStep) {
   for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(edges[i], 0.5 * static_cast<double>(i + 1), 1e-15);
   const auto html = zone_map_svg(zone_map("a < b", "r / a₀", edges, {"ssf", "sbo"}));
   expect_parts(html, {"<svg", "a &lt; b", "r / a"});
-  EXPECT_EQ(count(html, "fill=\"#0072b2\""), 2);
-  EXPECT_EQ(count(html, "fill=\"#e69f00\""), 1);
-  EXPECT_EQ(count(html, "fill=\"#f0e442\""), 1);
+  EXPECT_EQ(count(html, "fill=\"#14284f\""), 2);
+  EXPECT_EQ(count(html, "fill=\"#c26a00\""), 1);
+  EXPECT_EQ(count(html, "fill=\"#3a9bd0\""), 1);
   // Of the axis of 252 pixels, 84 a ring; the first zone of the first step is two rings high.
-  expect_parts(html, {"height=\"168.00\" fill=\"#0072b2\"", "height=\"84.00\" fill=\"#e69f00\""});
+  expect_parts(html, {"height=\"168.00\" fill=\"#14284f\"", "height=\"84.00\" fill=\"#c26a00\""});
 }
 
 }  // namespace

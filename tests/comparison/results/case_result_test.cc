@@ -9,8 +9,6 @@
 #include "comparison/results/results_folder.h"
 #include "tests/comparison/made_up_result.h"
 #include "tests/comparison/run_fretval.h"
-#include "tests/comparison/small_body.h"
-#include "tests/fem/vtu_data.h"
 
 namespace fretval {
 namespace {
@@ -46,7 +44,7 @@ TEST(CaseResult, IsReadBackAsItIsWritten) {
   EXPECT_EQ(largest(pressure), pressure.front());
   const auto [r, worn] = read_columns(place / "profile.csv", "r [m]", "f limiting [m]");
   EXPECT_GT(r.back(), result.mdr.worn_radius.value());
-  EXPECT_FALSE(fs::exists(place / "normal_deepest.vtu"));
+  EXPECT_FALSE(fs::exists(place / "fields.pvd"));
 }
 
 /// What of a result is written to one of its files.
@@ -111,42 +109,6 @@ TEST(CaseResult, SaysHowItWasComputed) {
     "reached": {"periodicity_normal": 1e-6, "periodicity_tangential": 2e-6, "cycles_normal": 2},
     "mesh": {"cells": 101, "nodes": 102, "min_scaled_jacobian": 0.625, "max_aspect_ratio": 4.5},
     "units": {"length": 2, "depth": 0.5, "modulus": 10, "angular_frequency": 1.5707963267948966}})"));
-}
-
-/// A field of a VTU file at a point, in m.
-double at_point(const std::string& file, const std::string& field, double x, double y) {
-  const auto points = vtu_data(file, ""), values = vtu_data(file, field);
-  for (std::size_t k = 0; k < values.size(); ++k)
-    if (std::hypot(points[3 * k] - x, points[3 * k + 1] - y) < 1e-6) return values[k];
-  ADD_FAILURE() << "no point at " << x << ", " << y;
-  return 0;
-}
-
-// Of rings that all move by one depth the middle does so too, but for what four rings miss: the indenter goes down, and
-// along x, where u_r = u cos(theta) and u_theta = -u sin(theta). Lengths are of 2 m, depths of 0.5 m.
-TEST(CaseResult, HasItsFieldsInMetres) {
-  auto result = made_up_result();
-  result.input.fields = Case::Fields::extremes;
-  auto& fe = result.fe.fe;
-  fe.whole_body = std::make_shared<const Body>(make_body(small_body()));
-  auto summary = *fe.body;
-  summary.radii = small_body().contact_nodes;
-  fe.body = std::make_shared<const BodySummary>(summary);
-  const Eigen::VectorXd ones = Eigen::VectorXd::Ones(4);
-  fe.normal.pressure = fe.friction.traction = Eigen::MatrixXd::Zero(4, 4);
-  for (auto* rings : {&fe.friction.period_slip, &fe.friction.first_slip_margin, &fe.friction.shakedown_margin})
-    *rings = ones;
-  fe.normal.deepest_displacement = ones;
-  fe.normal.highest_displacement = 0.5 * ones;
-  fe.friction.displacement = 0.25 * ones;
-  const ScratchFolder folder;
-  write_result(result, made_up_reference(), folder.path());
-  const auto file = [&](const char* name) { return text_of(folder.path() / name); };
-  constexpr double x = 1;  // the middle of the line
-  EXPECT_NEAR(at_point(file("normal_deepest.vtu"), "u_z", x, 0), -0.5, 0.02);
-  EXPECT_NEAR(at_point(file("normal_highest.vtu"), "u_z", x, 0), -0.25, 0.01);
-  EXPECT_NEAR(at_point(file("tangential_period_end.vtu"), "u_r_cos", x, 0), 0.125, 0.01);
-  EXPECT_NEAR(at_point(file("tangential_period_end.vtu"), "u_theta_sin", x, 0), -0.125, 0.01);
 }
 
 TEST(CaseResult, IsWithdrawnWithoutWhatLiesBesideIt) {

@@ -68,6 +68,40 @@ TEST_F(FrictionContactTest, HasNoPreferredSide) {
   }
 }
 
+// The centre, which sticks, moves with the indenter: at the balance time too, which a dashpot puts inside the step.
+TEST_F(FrictionContactTest, MovesWhatSticksWithTheIndenterAtTheBalanceTime) {
+  const auto body = kelvin_voigt();
+  FrictionContact contact(problem_, body, 2 * mu, motion_, 36);
+  EXPECT_LT(contact.fraction(), 0.9);
+  for (int k = 0; k < 12; ++k) {
+    contact.step(pressure_);
+    ASSERT_EQ(contact.slip[0], 0);
+    EXPECT_NEAR(contact.balance_displacements()[0], contact.balance_displacement, 1e-14) << k;
+  }
+}
+
+// Also where it slips: of an elastic body displacements are those of its tractions; of one with a dashpot the rings go
+// on slipping after the balance time, at the rate of the step.
+TEST_F(FrictionContactTest, HasTheDisplacementsOfTheBalanceTime) {
+  FrictionContact elastic(problem_, elastic_, mu, motion_, 36);
+  for (int k = 0; k < 12; ++k) elastic.step(pressure_);
+  const Eigen::VectorXd expected =
+      (*problem_.compliance.matrix * elastic.traction).cwiseQuotient(problem_.compliance.areas);
+  EXPECT_LT((elastic.balance_displacements() - expected).cwiseAbs().maxCoeff(), 1e-10);
+
+  const auto body = kelvin_voigt();
+  FrictionContact contact(problem_, body, mu, motion_, 36);
+  for (int k = 0; k < 12; ++k) {
+    const Eigen::VectorXd before = contact.state.displacement;
+    const double indenter_before = contact.displacement;
+    contact.step(pressure_);
+    const Eigen::VectorXd slip_so_far = contact.fraction() * contact.slip;
+    const Eigen::VectorXd moved = contact.balance_displacements() - before + slip_so_far;
+    EXPECT_LT((moved.array() - (contact.balance_displacement - indenter_before)).abs().maxCoeff(), 1e-14) << k;
+  }
+  EXPECT_GT(contact.slip.cwiseAbs().maxCoeff(), 1e-3);
+}
+
 // A surface that nothing presses stays where it is, and is stuck at once when it is pressed.
 TEST_F(FrictionContactTest, WithoutPressureHoldsNothing) {
   FrictionContact contact(problem_, elastic_, mu, motion_, 36);

@@ -150,13 +150,27 @@ TEST(NormalHistory, LargestContactRadiusIsTheElasticOne) {
   }
 }
 
-// Rings that touch at the deepest point lie on the indenter.
-TEST(NormalHistory, DeepestDisplacementIsTheIndenter) {
+// Rings that touch lie on the indenter: at the deepest point, and at every balance time, which a dashpot puts between
+// two steps.
+TEST(NormalHistory, RingsThatTouchLieOnTheIndenter) {
   const auto& problem = normal_half_space(32);
   const Eigen::VectorXd profile = parabola_means(problem);
   const auto history = normal_history(problem, standard_solid(), profile, fretting_motion(), {});
   EXPECT_NEAR(history.deepest_displacement[3], 1 - profile[3], 1e-12);
-  EXPECT_NEAR(history.highest_displacement[3], 0.6 - profile[3], 1e-12);
+  for (const auto& model : {standard_solid(), kelvin_voigt()}) {
+    const auto course = normal_history(problem, model, profile, fretting_motion(), {}).cycle;
+    for (Eigen::Index k = 0; k < course.indentation.size(); ++k)
+      EXPECT_NEAR(course.displacement(3, k), course.indentation[k] - profile[3], 1e-12) << k;
+  }
+}
+
+// Also where it is free: of an elastic body displacements are those of its pressures. Roundoff of the active set.
+TEST(NormalHistory, DisplacementsOfAnElasticBodyFollowFromItsPressures) {
+  const auto& problem = normal_half_space(32);
+  const auto history = normal_history(problem, elastic_body(), parabola_means(problem), fretting_motion(), {}).cycle;
+  const Eigen::MatrixXd expected =
+      problem.compliance.areas.cwiseInverse().asDiagonal() * (*problem.compliance.matrix * history.pressure);
+  EXPECT_LT((history.displacement - expected).cwiseAbs().maxCoeff(), 1e-10);
 }
 
 /// Plain sum over the rings: what steps are taken, without how the edge is read.
