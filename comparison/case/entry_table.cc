@@ -17,8 +17,16 @@ const char* const needed = "an error";
 SectionTraits indenter_entries() {
   return {
       "Indenter",
-      {{"Shape", {}, "parabola, cone, power, rounded flat, truncated sphere, table", needed, "the profile f(r)"},
-       {"Radius", {D::length}, "positive", needed, "of curvature; parabola f = r²/(2R), and truncated sphere"},
+      {{"Shape",
+        {},
+        "parabola, sphere, cone, power, rounded flat, truncated sphere, table",
+        needed,
+        "the profile f(r)"},
+       {"Radius",
+        {D::length},
+        "positive",
+        needed,
+        "of curvature; parabola f = r²/(2R), sphere f = R - √(R² - r²), truncated sphere"},
        {"Slope angle", {D::angle}, "0 to 90 deg", needed, "cone: between generatrix and surface, f = r tan(angle)"},
        {"Coefficient", {D::varying}, "positive", needed, "power: b of f = b rⁿ, in m^(1-n)"},
        {"Exponent", {D::number}, "0.5 to 20", needed, "power: n of f = b rⁿ"},

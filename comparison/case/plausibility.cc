@@ -34,7 +34,7 @@ std::vector<std::string> implausible_values(const Case& input, const mdr::Profil
   if (input.indenter.shape == Case::Shape::parabola && rise <= largest_rise && arc > arc_matters)
     warnings.push_back(fmt::format(
         "{}: at the largest indentation a/R is {:.2g}; if the parabola stands for a sphere of radius {:.3g} m, the "
-        "contact radius of the sphere is smaller by {:.1f} %; a table of its true arc is exact",
+        "contact radius of the sphere is smaller by {:.1f} %; Indenter / Shape = sphere has the true arc",
         input.file, rise, radius, 100 * arc));
   if (input.motion.normal_harmonics.empty() && input.motion.normal_amplitude > input.motion.indentation)
     warnings.push_back(fmt::format(

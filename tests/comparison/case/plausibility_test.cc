@@ -23,7 +23,8 @@ TEST(Plausibility, ImplausibleUnitsAreWarnedAbout) {
   expect_parts(warnings("modulus = 1e6", "modulus = 1e12"), {"1e+12 Pa is implausible"});
   // a = sqrt(R (d0 + delta)): of a sphere it is where (a/2) ln((R+a)/(R-a)) = d, 1.3 % less at a/R = 0.283.
   expect_parts(warnings("Indentation = 1e-4", "Indentation = 7.8e-4"),
-               {"a/R is 0.28", "sphere of radius 0.01 m", "smaller by 1.3 %"});
+               {"a/R is 0.28", "sphere of radius 0.01 m", "smaller by 1.3 %", "Indenter / Shape = sphere"});
+  EXPECT_EQ(warnings("Shape = parabola\n  set Radius = 1e-2", "Shape = sphere\n  set Radius = 1.6e-3"), "");
   EXPECT_EQ(warnings("Indentation = 1e-4", "Indentation = 5e-4"), "");
   expect_parts(warnings("Normal amplitude = 2e-5", "Normal amplitude = 1.01e-4"), {"lifts off in every cycle"});
   EXPECT_EQ(warnings("Normal amplitude = 2e-5", "Normal amplitude = 1e-4"), "");
