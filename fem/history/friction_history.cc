@@ -166,6 +166,7 @@ void WatchedFriction::step(const Eigen::VectorXd& pressure, const std::optional<
   contact.step(pressure, normal);
   first_slip.see(contact);
   period.see(contact);
+  if (contact.n_steps % period_steps() == 0) slip_of_periods.push_back(period.slip());
 }
 
 void WatchedFriction::step_beside(const NormalContact& normal) {
@@ -239,6 +240,7 @@ FrictionHistory friction_history(WatchedFriction friction, const NormalHistory& 
   history.force = forces.values(contact);
   history.displacement = contact.state.displacement;
   history.amplitude = friction.period.amplitude(contact.motion());
+  history.slip_of_periods = std::move(friction.slip_of_periods);
   return history;
 }
 
