@@ -18,7 +18,7 @@ def exact_row:
    (.tolerance | number), .verdict];
 
 def quantity_row:
-  [.quantity, (.tolerance | number), .errors, .above_bar, .wide, (.error | spread), (.bar | spread), (.effectivity.median | number)] | map(tostring);
+  [(.quantity | gsub("_"; " ")), (.tolerance | number), .errors, .above_bar, .wide, (.error | spread), (.bar | spread), (.effectivity.median | number)] | map(tostring);
 
 # Families in the order in which they come.
 def families: reduce .[] as $row ({}; .[$row.family] += [$row]) | to_entries[]

@@ -71,8 +71,8 @@ std::string excess_text(Quantity quantity, const ErrorBar& bar, double tolerance
   for (const auto& share : bar.shares)
     if (share.estimate > bar.total() / 10)
       shares += fmt::format("{}{} {:.1e}", shares.empty() ? "" : ", ", name_of(share.source), share.estimate);
-  return fmt::format("error bar of {} is {:.1e} ({}), {:.1e} is asked for", name_of(quantity), bar.total(), shares,
-                     tolerance);
+  return fmt::format("error bar of {} is {:.1e} ({}), {:.1e} is asked for", traits_of(quantity).title, bar.total(),
+                     shares, tolerance);
 }
 
 ErrorShare richardson(ErrorSource source, const Refinements& values, const ExpectedOrder& expected) {

@@ -35,6 +35,15 @@ double scale_of(Quantity quantity, const Scales& scales, double value) {
   return scale == "over a" ? scales.contact_radius : std::abs(value);
 }
 
+std::string column_of(Quantity quantity, const std::string& who) {
+  const auto& traits = traits_of(quantity);
+  std::string title = traits.title;
+  // A comma would end the column.
+  if (const auto comma = title.find(", "); comma != std::string::npos)
+    title = title.substr(0, comma) + " (" + title.substr(comma + 2) + ")";
+  return title + who + (*traits.unit ? " [" + std::string(traits.unit) + "]" : " [1]");
+}
+
 std::optional<Quantity> quantity_of(const std::string& name) {
   const auto found =
       std::find_if(all_quantities.begin(), all_quantities.end(), [&](Quantity q) { return name == name_of(q); });

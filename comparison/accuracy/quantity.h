@@ -108,6 +108,9 @@ inline const char* name_of(Quantity quantity) {
   return traits_of(quantity).name;
 }
 
+/// What heads its column in a CSV file: "stick radius (shakedown) [m]"; who: "", or whose value it is, " by MDR".
+std::string column_of(Quantity quantity, const std::string& who = "");
+
 /// By its name in result.json; empty: there is none of that name.
 std::optional<Quantity> quantity_of(const std::string& name);
 

@@ -10,15 +10,16 @@ namespace fretval {
 
 /// One case, as a case file describes it. SI units; angles in degrees and frequencies in Hz, as in the file.
 struct Case {
-  enum class Shape { parabola, cone, power, rounded_flat, truncated_sphere, table };
+  enum class Shape { parabola, sphere, cone, power, rounded_flat, truncated_sphere, table };
   /// In the order of the enumeration, as in the file.
-  static constexpr std::array shape_names{"parabola", "cone", "power", "rounded flat", "truncated sphere", "table"};
+  static constexpr std::array shape_names{"parabola",     "sphere",           "cone", "power",
+                                          "rounded flat", "truncated sphere", "table"};
   enum class Wear { unworn, limiting };
   enum class Fields { none, extremes, cycle };
 
   struct Indenter {
     Shape shape = Shape::parabola;
-    double radius = 0;       ///< m; parabola, truncated sphere
+    double radius = 0;       ///< m; parabola, sphere, truncated sphere
     double slope_angle = 0;  ///< deg; cone, between generatrix and surface
     double coefficient = 0;  ///< m^(1-n); power, f = b r^n
     double exponent = 0;     ///< n; power

@@ -157,16 +157,14 @@ std::vector<double> sweep_values(const EntryReader& entries, const SweptEntry& s
   return values;
 }
 
-std::vector<Case> expand_sweep(const fs::path& file, dealii::ParameterHandler& handler, Problems& problems,
-                               Accuracy accuracy) {
-  const EntryReader entries(handler, file.string(), problems);
-  const auto swept = swept_entry(entries);
-  const std::string family = case_name(file);
+/// The case with each of the values in the place of the swept entry.
+std::vector<Case> cases_at(const std::vector<double>& values, const SweptEntry& swept, const std::string& family,
+                           dealii::ParameterHandler& handler, const EntryReader& entries, Accuracy accuracy) {
   std::string slug = swept.name;
   std::transform(slug.begin(), slug.end(), slug.begin(),
                  [](unsigned char c) { return c == ' ' ? '-' : static_cast<char>(std::tolower(c)); });
   std::vector<Case> cases;
-  for (const double value : sweep_values(entries, swept)) {
+  for (const double value : values) {
     handler.enter_subsection(swept.section);
     handler.set(swept.name, fmt::format("{:.15g}", value));
     handler.leave_subsection();
@@ -178,6 +176,17 @@ std::vector<Case> expand_sweep(const fs::path& file, dealii::ParameterHandler& h
   return cases;
 }
 
+std::vector<double> in_equal_parts(std::vector<double> values, std::size_t n) {
+  std::sort(values.begin(), values.end());
+  std::vector<double> fine;
+  const std::size_t parts = values.size() < 2 ? 0 : 1 + (n - 1) / (values.size() - 1);
+  for (std::size_t k = 0; k + 1 < values.size(); ++k)
+    for (std::size_t part = 0; part < parts; ++part)
+      fine.push_back(values[k] + (values[k + 1] - values[k]) * static_cast<double>(part) / static_cast<double>(parts));
+  if (parts > 0) fine.push_back(values.back());
+  return fine;
+}
+
 }  // namespace
 
 std::vector<Case> read_case_file(const fs::path& file, Accuracy accuracy) {
@@ -186,10 +195,30 @@ std::vector<Case> read_case_file(const fs::path& file, Accuracy accuracy) {
   Problems problems;
   Parser(handler, problems).parse(file, {});
   const EntryReader entries(handler, file.string(), problems);
-  if (entries.given("Sweep", "Entry")) return expand_sweep(file, handler, problems, accuracy);
+  if (entries.given("Sweep", "Entry")) {
+    const auto swept = swept_entry(entries);
+    const auto family = case_name(file);
+    return cases_at(sweep_values(entries, swept), swept, family, handler, entries, accuracy);
+  }
   Case input = read_entries(entries, {Case::Fields::extremes, accuracy});
   input.name = case_name(file);
   return {input};
+}
+
+std::vector<Case> cases_between(const fs::path& file, std::size_t n) {
+  dealii::ParameterHandler handler;
+  declare_entries(handler);
+  Problems problems;
+  Parser(handler, problems).parse(file, {});
+  const EntryReader entries(handler, file.string(), problems);
+  if (!entries.given("Sweep", "Entry")) return {};
+  const auto swept = swept_entry(entries);
+  const auto values = in_equal_parts(sweep_values(entries, swept), n);
+  try {
+    return cases_at(values, swept, case_name(file), handler, entries, Accuracy::optional);
+  } catch (const InputError&) {
+    return {};
+  }
 }
 
 Case read_case_text(const std::string& text, const fs::path& name) {

@@ -117,7 +117,7 @@ Case::Indenter read_indenter(const EntryReader& entries) {
   const std::string shape = entries.one_of(section, "Shape", {names.begin(), names.end()});
   if (shape.empty()) return {};
   forbid_others(entries, section, "Shape", shape,
-                {{"Radius", {"parabola", "truncated sphere"}},
+                {{"Radius", {"parabola", "sphere", "truncated sphere"}},
                  {"Slope angle", {"cone"}},
                  {"Coefficient", {"power"}},
                  {"Exponent", {"power"}},
@@ -127,7 +127,7 @@ Case::Indenter read_indenter(const EntryReader& entries) {
                  {"Table noise", {"table"}}});
   Case::Indenter indenter;
   indenter.shape = static_cast<Case::Shape>(std::find(names.begin(), names.end(), shape) - names.begin());
-  if (shape == "parabola" || shape == "truncated sphere")
+  if (shape == "parabola" || shape == "sphere" || shape == "truncated sphere")
     indenter.radius = entries.number(section, "Radius", positive_number);
   if (shape == "rounded flat" || shape == "truncated sphere")
     indenter.flat_radius = entries.number(section, "Flat radius", positive_number);

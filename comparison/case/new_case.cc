@@ -19,7 +19,7 @@ struct Entry {
 using Entries = std::vector<Entry>;
 
 Entries shape_entries(const std::string& shape, const std::string& stem) {
-  if (shape == "parabola") return {{"Radius", "10 mm"}};
+  if (shape == "parabola" || shape == "sphere") return {{"Radius", "10 mm"}};
   if (shape == "cone") return {{"Slope angle", "5 deg"}};
   if (shape == "power") return {{"Coefficient", "4e4"}, {"Exponent", "3"}};
   if (shape == "rounded flat") return {{"Flat radius", "0.5 mm"}, {"Edge radius", "10 mm"}};

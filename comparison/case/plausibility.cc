@@ -2,12 +2,30 @@
 
 #include <fmt/format.h>
 
+#include <fstream>
+
+#include "mdr/profiles/profile_csv.h"
+
 namespace fretval {
 namespace {
 
 constexpr double least_modulus = 1e3, largest_modulus = 1e9;  // Pa; gels to stiff rubbers below their glass transition
 constexpr double least_rise = 1e-3, largest_rise = 0.5;       // of the indenter at the edge of the contact
 constexpr double arc_matters = 0.01;                          // of the contact radius
+constexpr double difference_matters = 1e-6;                   // of two halves of a scan, over their heights; roundoff
+
+/// What the halves of a two-sided scan differ by; the case has been read from it before.
+void add_difference_of_halves(const std::string& table, double noise, std::vector<std::string>& warnings) {
+  if (table.empty()) return;
+  std::ifstream stream(table);
+  const auto halves = mdr::read_profile_rows(stream, table, noise).halves;
+  if (!halves || !(halves->largest_difference > difference_matters * halves->range())) return;
+  warnings.push_back(fmt::format(
+      "{}: the halves of the scan differ by up to {:.2g} m, {:.1f} % of the range of heights, at r = {:.3g} m; their "
+      "mean is taken",
+      table, halves->largest_difference, 100 * halves->largest_difference / halves->range(),
+      halves->radius_of_difference));
+}
 
 }  // namespace
 
@@ -19,6 +37,8 @@ std::vector<std::string> implausible_values(const Case& input, const mdr::Profil
         fmt::format("{}: a relaxed shear modulus of {:.3g} Pa is implausible for an elastomer, {:.0e} to "
                     "{:.0e} Pa are usual; is it in Pa?",
                     input.file, modulus, least_modulus, largest_modulus));
+  add_difference_of_halves(input.indenter.table, input.indenter.table_noise, warnings);
+  if (input.wear_kinetics) add_difference_of_halves(input.wear_kinetics->profile, 0, warnings);
   if (input.motion.normal_force) return warnings;
   double deepest = input.motion.indentation + input.motion.normal_amplitude;
   for (const auto& harmonic : input.motion.normal_harmonics) deepest += harmonic.amplitude;
@@ -34,7 +54,7 @@ std::vector<std::string> implausible_values(const Case& input, const mdr::Profil
   if (input.indenter.shape == Case::Shape::parabola && rise <= largest_rise && arc > arc_matters)
     warnings.push_back(fmt::format(
         "{}: at the largest indentation a/R is {:.2g}; if the parabola stands for a sphere of radius {:.3g} m, the "
-        "contact radius of the sphere is smaller by {:.1f} %; a table of its true arc is exact",
+        "contact radius of the sphere is smaller by {:.1f} %; Indenter / Shape = sphere has the true arc",
         input.file, rise, radius, 100 * arc));
   if (input.motion.normal_harmonics.empty() && input.motion.normal_amplitude > input.motion.indentation)
     warnings.push_back(fmt::format(

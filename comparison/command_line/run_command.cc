@@ -16,6 +16,7 @@
 #include "comparison/report/report.h"
 #include "comparison/results/batch.h"
 #include "comparison/results/changes.h"
+#include "comparison/results/sweep_line.h"
 #include "comparison/support/files.h"
 #include "comparison/support/folder_lock.h"
 #include "comparison/support/junit.h"
@@ -121,7 +122,8 @@ void log_left_out(const std::vector<PreparedCase>& prepared) {
 int run_cases(const RunOptions& options) {
   Stopwatch watch;
   const auto& output = options.output;
-  const auto prepared = prepare(read_cases(options.inputs));
+  const auto cases = read_cases(options.inputs);
+  const auto prepared = prepare(cases);
   const auto baseline = options.baseline.empty() ? std::vector<StoredResult>{} : read_results(options.baseline);
   for (const auto& one : prepared)
     for (const auto& warning : one.input.warnings) log::warn(warning);
@@ -133,6 +135,7 @@ int run_cases(const RunOptions& options) {
   const auto lines = computed_lines(prepared, options);
   if (!options.json) lines.size() == 1 && lines[0].failure.empty() ? print_answer(lines[0]) : print_verdicts(lines);
   if (!options.junit.empty()) write_file(options.junit, junit_of(lines));
+  write_sweep_lines(cases, output);
   if (std::any_of(lines.begin(), lines.end(), [](const BatchLine& line) { return line.failure.empty(); }))
     log::info(fmt::format("report: {}", write_report(output).string()));
   log::info(fmt::format("{} in {:.1f} s", counted(lines.size(), "case"), watch.lap()));

@@ -21,8 +21,8 @@ Worst worst_of(const std::vector<BatchLine>& lines) {
     for (const auto& [quantity, d] : line.comparison) {
       const double difference = d.difference.value_or(d.only_one), use = std::abs(difference) / d.tolerance;
       if (use <= worst.use) continue;
-      worst = {use, fmt::format("{} in {}: {:.1e} of {:.1e}{}", name_of(quantity), line.name, difference, d.tolerance,
-                                d.only_one != 0 ? ", only one of the two sticks" : "")};
+      worst = {use, fmt::format("{} in {}: {:.1e} of {:.1e}{}", traits_of(quantity).title, line.name, difference,
+                                d.tolerance, d.only_one != 0 ? ", only one of the two sticks" : "")};
     }
   return worst;
 }

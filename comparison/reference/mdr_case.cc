@@ -128,6 +128,8 @@ mdr::Profile profile_of(const Case::Indenter& indenter) {
   switch (indenter.shape) {
     case Case::Shape::parabola:
       return mdr::parabola(indenter.radius);
+    case Case::Shape::sphere:
+      return mdr::sphere(indenter.radius);
     case Case::Shape::cone:
       return mdr::cone(indenter.slope_angle * degree);
     case Case::Shape::power:

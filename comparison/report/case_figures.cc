@@ -8,9 +8,9 @@
 
 #include "comparison/accuracy/quantity.h"
 #include "comparison/case/case.h"
+#include "comparison/report/axis.h"
 #include "comparison/report/figures.h"
 #include "comparison/report/zone_map.h"
-#include "comparison/results/answer_text.h"
 
 namespace fretval {
 namespace {
@@ -19,25 +19,6 @@ using nlohmann::ordered_json;
 using Numbers = std::vector<double>;
 
 constexpr std::size_t most_points = 720;  // of a history; more are not seen
-
-/// A unit with the prefix that suits the largest of some values.
-struct Axis {
-  std::string unit;
-  double factor = 1;
-  [[nodiscard]] Numbers of(Numbers values) const {
-    for (double& value : values) value /= factor;
-    return values;
-  }
-};
-
-Axis axis_for(std::initializer_list<const Numbers*> all, const std::string& unit) {
-  double largest = 0;
-  for (const auto* values : all)
-    for (const double value : *values)
-      if (std::isfinite(value)) largest = std::max(largest, std::abs(value));
-  const auto [prefix, factor] = prefix_for(largest > 0 ? largest : 1);
-  return {prefix + unit, factor};
-}
 
 Numbers thinned_to_most(const Numbers& values) {
   const auto stride = (values.size() + most_points - 1) / most_points;
@@ -49,15 +30,6 @@ Numbers thinned_to_most(const Numbers& values) {
 
 Numbers column_of(const StoredResult& r, const char* file, const char* x, const char* y) {
   return read_columns(r.folder / file, x, y).second;
-}
-
-/// Radii that a plot over r marks.
-std::vector<std::pair<std::string, double>> radius_marks(const StoredResult& r, const Axis& axis) {
-  std::vector<std::pair<std::string, double>> marks;
-  const double c = r.number("fe", "stick_radius_shakedown"), a = r.number("scene", "contact_radius_unworn");
-  if (c > 0) marks.emplace_back("c", c / axis.factor);
-  if (a > 0) marks.emplace_back("a", a / axis.factor);
-  return marks;
 }
 
 Numbers numbers_of(const ordered_json& list) {
@@ -169,6 +141,23 @@ Figure slip_figure(const StoredResult& r) {
   return {std::move(plot), "Length of slip of each ring in the last period; none inside c."};
 }
 
+/// How slip dies out where nothing slips in the end; none where nothing ever does.
+std::vector<Figure> decay_figures(const ordered_json& cycle) {
+  const auto decay = cycle.find("slip_decay");
+  if (decay == cycle.end()) return {};
+  Series series{"finite elements", {}, numbers_of(*decay), Series::Style::line_points, 1};
+  if (std::none_of(series.y.begin(), series.y.end(), [](double slip) { return slip > 0; })) return {};
+  for (std::size_t i = 0; i < series.y.size(); ++i) series.x.push_back(static_cast<double>(i + 1));
+  Plot plot{"Slip inside c dies out",
+            "period, from rest on",
+            "largest slip over the amplitude u_{x0}",
+            {std::move(series)},
+            true};
+  return {{std::move(plot),
+           "Longest path of slip in a period of a ring inside c, the shakedown radius. The amplitudes rise during the "
+           "first periods; a period without any slip has no point."}};
+}
+
 Figure profile_figure(const StoredResult& r) {
   const auto [radius, unworn] = read_columns(r.folder / "profile.csv", "r [m]", "f unworn [m]");
   const auto limiting = column_of(r, "profile.csv", "r [m]", "f limiting [m]");
@@ -179,6 +168,8 @@ Figure profile_figure(const StoredResult& r) {
     plot.series.push_back({"limiting, MDR", length.of(radius), height.of(limiting), Series::Style::line, 0});
   const double c = r.number("mdr", "stick_radius_shakedown"), end = r.number("mdr", "worn_radius");
   if (c > 0) plot.marks.emplace_back("c", c / length.factor);
+  if (const double a = r.number("scene", "contact_radius_unworn"); a > 0)
+    plot.marks.emplace_back("a", a / length.factor);
   if (end > 0) plot.marks.emplace_back("a_∞", end / length.factor);
   return {std::move(plot),
           "The limiting profile is where wear ends: it leaves the unworn one at c and meets it at a∞."};
@@ -243,6 +234,7 @@ Filling case_figures(const StoredResult& result, const ordered_json& cycle) {
     if (!column_names(result.folder / "history.csv").empty())
       add({motion_figure(result), loop_figure(result, cycle, true), loop_figure(result, cycle, false)});
     if (!column_names(result.folder / "contact.csv").empty()) add({slip_figure(result)});
+    add(decay_figures(cycle));
     if (!column_names(result.folder / "profile.csv").empty()) add({profile_figure(result)});
   } catch (const nlohmann::json::exception& error) {
     throw InputError(fmt::format("{}: {}", (result.folder / "cycle.json").string(), error.what()));

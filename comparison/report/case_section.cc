@@ -98,7 +98,7 @@ void add_groups(const StoredResult& r, Filling& filling) {
   filling["omega_tau"] = branches_text(scene, 2 * std::acos(-1.0) * r.number("scene", "frequency"));
   const double radius = input_number(scene, "Radius");
   add("a_over_r", a / radius, "{:.3g}");
-  add("arc", 100 * std::pow(a / radius, 2) / 4, "{:.2g}");
+  if (r.text("scene", "shape") == "parabola") add("arc", 100 * std::pow(a / radius, 2) / 4, "{:.2g}");
   add("first_slip", r.number("fe", "stick_radius_first_slip") / a, "{:.4f}");
   add("shakedown", r.number("fe", "stick_radius_shakedown") / a, "{:.4f}");
   add("lift_off", r.number("scene", "normal_amplitude") / r.number("scene", "indentation"), "{:.3g}");

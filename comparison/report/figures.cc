@@ -2,11 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <map>
 #include <set>
 #include <tuple>
+
+#include "comparison/results/sweep_line.h"
 
 namespace fretval {
 namespace {
@@ -75,6 +78,20 @@ int colour_of(const std::map<double, CurveKey>& leading, double k) {
   return static_cast<int>(std::distance(leading.begin(), leading.find(k)));
 }
 
+/// MDR also between the points, where those are of one sweep that has them.
+Series with_values_between(const Series& line, const Members& members, const Criterion& criterion) {
+  const auto of_the_first = [&](const StoredResult* r) { return r->family() == members.front()->family(); };
+  if (!std::all_of(members.begin(), members.end(), of_the_first)) return line;
+  auto [phase, radius] =
+      read_sweep_line(members.front()->folder.parent_path(), phase_entry, *quantity_of(criterion.key));
+  if (phase.empty()) return line;
+  for (double& r : radius) r /= members.front()->number("scene", "contact_radius_at_rest");
+  Series fine = line;
+  fine.x = std::move(phase);
+  fine.y = std::move(radius);
+  return fine;
+}
+
 Figure stick_radius_figure(const Members& results, const std::string& shape, const Criterion& criterion) {
   Plot plot{fmt::format("{}: {}", shape_title(shape), criterion.name), "phase φ_0 in degrees",
             "c over the contact radius at d_0"};
@@ -93,7 +110,7 @@ Figure stick_radius_figure(const Members& results, const std::string& shape, con
       points.x.push_back(r->sweep_value());
       points.y.push_back(r->number("fe", criterion.key) / unit);
     }
-    if (leads) plot.series.push_back(line);
+    if (leads) plot.series.push_back(with_values_between(line, members, criterion));
     plot.series.push_back(points);
     rheologies.insert(key.rheology);
   }

@@ -24,15 +24,15 @@ std::string gross_slip_text(const StoredResult& r) {
 }  // namespace
 
 Filling forces_section(const std::vector<StoredResult>& results) {
-  Table table{{"case", "c first slip, MDR", "finite elements", "c shakedown, MDR", "finite elements",
+  Table table{{"case", "a", "c first slip, MDR", "finite elements", "c shakedown, MDR", "finite elements",
                "largest depth or force", "tangential amplitude", ""}};
   for (const auto& r : results) {
     if (!r.has_forces()) continue;
     const bool prescribed = r.json.at("scene").contains("normal_force_mean");
-    const auto radius = [&](const char* side, const char* key) { return over_contact_radius(r, side, key); };
-    table.rows.push_back({r.json.at("name").get<std::string>(), radius("mdr", "stick_radius_first_slip"),
-                          radius("fe", "stick_radius_first_slip"), radius("mdr", "stick_radius_shakedown"),
-                          radius("fe", "stick_radius_shakedown"),
+    const auto radius = [&](const char* side, const char* key) { return length_text(r, side, key); };
+    table.rows.push_back({r.json.at("name").get<std::string>(), radius("scene", "contact_radius_unworn"),
+                          radius("mdr", "stick_radius_first_slip"), radius("fe", "stick_radius_first_slip"),
+                          radius("mdr", "stick_radius_shakedown"), radius("fe", "stick_radius_shakedown"),
                           difference_with_bar(r, prescribed ? "indentation_max" : "normal_force_max"),
                           difference_with_bar(r, "tangential_amplitude"), words_cell(gross_slip_text(r))});
   }

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "comparison/results/answer_text.h"
+
 namespace fretval {
 namespace {
 
@@ -38,8 +40,9 @@ std::string difference_with_bar(const StoredResult& result, const char* key) {
   return difference_text(result, key) + " ± " + bar_text(result, key);
 }
 
-std::string over_contact_radius(const StoredResult& result, const char* section, const char* key) {
-  return number_text(result.number(section, key) / result.number("scene", "contact_radius_unworn"), "{:.5f}");
+std::string length_text(const StoredResult& result, const char* section, const char* key) {
+  const double length = result.number(section, key);
+  return std::isfinite(length) ? with_unit(length, 0, "m") : "–";
 }
 
 }  // namespace fretval

@@ -18,7 +18,7 @@ std::string difference_text(const StoredResult& result, const char* key);
 std::string bar_text(const StoredResult& result, const char* key);
 std::string difference_with_bar(const StoredResult& result, const char* key);
 
-/// A radius of "fe" or "mdr" over the unworn contact radius at the largest indentation.
-std::string over_contact_radius(const StoredResult& result, const char* section, const char* key);
+/// A length of "fe", "mdr" or "scene" with its unit; a dash where there is none.
+std::string length_text(const StoredResult& result, const char* section, const char* key);
 
 }  // namespace fretval

@@ -104,16 +104,15 @@ Filling limiting_section(const Results& results) {
   const auto figures = limiting_profile_figures(results);
   if (figures.empty()) return nullptr;
   Table table{{"case", "amplitude at which slip begins", "± bar", "slip inside c", "force outside c", "normal force",
-               "flank touches at", "a∞ / a₀"}};
+               "flank touches at", "a", "a∞"}};
   for (const auto& r : results) {
     if (!r.swept_over("Wear / Stick radius ratio")) continue;
     const auto fe = [&](const char* key) { return r.number("fe", key); };
-    table.rows.push_back(
-        {r.json.at("name").get<std::string>(), fmt::format("{:.6f}", fe("limiting_amplitude")),
-         bar_text(r, "limiting_amplitude"), number_text(fe("slip_inside_stick_zone")),
-         number_text(fe("force_outside_stick_zone")), difference_text(r, "normal_force_max"),
-         fmt::format("{:.6f} d_max", fe("touch_indentation")),
-         fmt::format("{:.4f}", r.number("mdr", "worn_radius") / r.number("scene", "contact_radius_unworn"))});
+    table.rows.push_back({r.json.at("name").get<std::string>(), fmt::format("{:.6f}", fe("limiting_amplitude")),
+                          bar_text(r, "limiting_amplitude"), number_text(fe("slip_inside_stick_zone")),
+                          number_text(fe("force_outside_stick_zone")), difference_text(r, "normal_force_max"),
+                          fmt::format("{:.6f} d max", fe("touch_indentation")),
+                          length_text(r, "scene", "contact_radius_unworn"), length_text(r, "mdr", "worn_radius")});
   }
   return {{"template", "limiting"}, {"figures", filling_of(figures)}, {"table", filling_of(table)}};
 }
@@ -130,14 +129,15 @@ std::string frequencies_text(const StoredResult& r, const char* harmonics, const
 
 /// Motions that are not the paper's.
 Filling motions_section(const Results& results) {
-  Table table{{"case", "normal", "tangential", "c first slip, MDR", "finite elements", "± bar", "c shakedown, MDR",
-               "finite elements", "± bar"}};
+  Table table{{"case", "normal", "tangential", "a", "c first slip, MDR", "finite elements", "± bar over a",
+               "c shakedown, MDR", "finite elements", "± bar over a"}};
   for (const auto& r : results) {
     if (r.has_one_frequency()) continue;
     table.rows.push_back({r.json.at("name").get<std::string>(), frequencies_text(r, "normal_harmonics", "frequency"),
-                          frequencies_text(r, "tangential_harmonics", "tangential_frequency")});
+                          frequencies_text(r, "tangential_harmonics", "tangential_frequency"),
+                          length_text(r, "scene", "contact_radius_unworn")});
     for (const char* key : {"stick_radius_first_slip", "stick_radius_shakedown"})
-      for (const auto& cell : {over_contact_radius(r, "mdr", key), over_contact_radius(r, "fe", key), bar_text(r, key)})
+      for (const auto& cell : {length_text(r, "mdr", key), length_text(r, "fe", key), bar_text(r, key)})
         table.rows.back().push_back(cell);
   }
   if (table.rows.empty()) return nullptr;
@@ -157,36 +157,46 @@ Filling cases_of_many(const Results& results) {
 
 Filling cost_section(const Results& results) {
   double friction = 0, steps = 0, memory = 0;
+  int bodies = 0, from_store = 0;
   for (const auto& r : results) {
     const auto& cost = r.json.at("cost");
     friction += cost.at("seconds").value("friction_history", 0.0);
     steps += cost.value("time_steps", 0.0);
     memory = std::max(memory, cost.value("peak_memory_bytes", 0.0));
+    bodies += cost.value("bodies", 0);
+    from_store += cost.value("bodies_from_store", 0);
   }
   const auto& first = results.front().json.at("cost");
-  return {{"template", "cost"},
-          {"case", "A case like " + results.front().json.at("name").get<std::string>()},
-          {"dofs", first.value("dofs", 0)},
-          {"steps", first.value("time_steps", 0L)},
-          {"cycles", counted(first.value("cycles", std::size_t{0}), "cycle")},
-          {"seconds", number_text(first.at("seconds").value("friction_history", 0.0), "{:.2f}")},
-          {"computations",
-           first.value("computations", 0) > 0 ? counted(first["computations"].get<std::size_t>(), "computation") : ""},
-          {"cases", results.size() == 1 ? "All in all" : "All " + counted(results.size(), "case")},
-          {"all_steps", number_text(steps, "{:.2g}")},
-          {"all_seconds", number_text(friction, "{:.0f}")},
-          {"megabytes", number_text(memory / 1e6, "{:.0f}")}};
+  Filling filling{
+      {"template", "cost"},
+      {"case", "A case like " + results.front().json.at("name").get<std::string>()},
+      {"dofs", first.value("dofs", 0)},
+      {"steps", first.value("time_steps", 0L)},
+      {"cycles", counted(first.value("cycles", std::size_t{0}), "cycle")},
+      {"seconds", number_text(first.at("seconds").value("friction_history", 0.0), "{:.2f}")},
+      {"computations",
+       first.value("computations", 0) > 0 ? counted(first["computations"].get<std::size_t>(), "computation") : ""},
+      {"cases", results.size() == 1 ? "All in all" : "All " + counted(results.size(), "case")},
+      {"all_steps", number_text(steps, "{:.2g}")},
+      {"all_seconds", number_text(friction, "{:.0f}")},
+      {"megabytes", number_text(memory / 1e6, "{:.0f}")}};
+  if (bodies > 0)
+    filling["bodies"] = {{"counted", results.size() == 1 ? "" : ", counted in each case that uses it"},
+                         {"made", bodies - from_store},
+                         {"kept", from_store}};
+  return filling;
 }
 
 Filling all_cases_section(const Results& results) {
-  Table table{{"case", "c first slip, MDR", "FE", "c shakedown, MDR", "FE", "contact radius", "normal force", ""}};
+  Table table{{"case", "a", "c first slip, MDR", "FE", "c shakedown, MDR", "FE", "contact radius", "normal force", ""}};
   for (const auto& r : results) {
     const bool pass = r.json.at("pass").get<bool>();
-    const auto length = [&](const char* side, const char* key) { return over_contact_radius(r, side, key); };
-    table.rows.push_back({r.json.at("name").get<std::string>(), length("mdr", "stick_radius_first_slip"),
-                          length("fe", "stick_radius_first_slip"), length("mdr", "stick_radius_shakedown"),
-                          length("fe", "stick_radius_shakedown"), difference_text(r, "contact_radius_max"),
-                          difference_text(r, "normal_force_max"), bad_if(!pass, pass ? "agree" : "disagree")});
+    const auto length = [&](const char* side, const char* key) { return length_text(r, side, key); };
+    table.rows.push_back({r.json.at("name").get<std::string>(), length("scene", "contact_radius_unworn"),
+                          length("mdr", "stick_radius_first_slip"), length("fe", "stick_radius_first_slip"),
+                          length("mdr", "stick_radius_shakedown"), length("fe", "stick_radius_shakedown"),
+                          difference_text(r, "contact_radius_max"), difference_text(r, "normal_force_max"),
+                          bad_if(!pass, pass ? "agree" : "disagree")});
   }
   return {{"template", "all_cases"}, {"table", filling_of(table)}};
 }

@@ -10,7 +10,10 @@
 namespace fretval {
 namespace {
 
-constexpr double drawing_width = 960, middle = drawing_width / 2, margin_above = 64, margin_below = 96;
+constexpr double drawing_width = 960, middle = drawing_width / 2, margin_above = 150, margin_below = 110;
+
+// Of the motions over time, above either side of the indenter.
+constexpr double motion_width = 250, motion_height = 62, motion_top = 40, motion_edge = 20;
 
 /// From the scale of a drawing to its pixels; depth counts downwards from the surface at rest.
 struct Paper {
@@ -43,6 +46,32 @@ std::string with_three_digits(double value, const char* unit) {
   return fmt::format("{:.3g} {}{}", value / factor, prefix, unit);
 }
 
+/// "80 to 120 µm"
+std::string range_text(double least, double most) {
+  const auto [prefix, factor] = prefix_for(std::max(std::abs(least), std::abs(most)));
+  return fmt::format("{:.3g} to {:.3g} {}m", least / factor, most / factor, prefix);
+}
+
+/// A displacement over the last period in a box of its own; null for one that does not change.
+Filling motion_of(const StoredResult& r, const char* name, const char* column, double left) {
+  const auto [time, value] = read_columns(r.folder / "history.csv", "t [s]", column);
+  if (value.size() < 2) return nullptr;
+  const auto [least, most] = std::minmax_element(value.begin(), value.end());
+  if (!(*most > *least)) return nullptr;
+  std::string points;
+  const auto stride = 1 + value.size() / 120;
+  for (std::size_t i = 0; i < value.size(); i += stride)
+    points +=
+        fmt::format("{:.1f},{:.1f} ", left + motion_width * (time[i] - time.front()) / (time.back() - time.front()),
+                    motion_top + motion_height * (*most - value[i]) / (*most - *least));
+  return {{"points", points},
+          {"left", left},
+          {"right", left + motion_width},
+          {"bottom", motion_top + motion_height + 8},
+          {"title_at", motion_top - 14},
+          {"title", fmt::format("{} = {}", name, range_text(*least, *most))}};
+}
+
 }  // namespace
 
 Filling sketch_of(const StoredResult& result) {
@@ -67,15 +96,19 @@ Filling sketch_of(const StoredResult& result) {
                   {"level", fmt::format("{:.1f}", paper.surface)},
                   {"bottom", fmt::format("{:.1f}", bottom)},
                   {"middle", middle},
-                  {"a_line", fmt::format("{:.1f}", bottom + 62)},
-                  {"a_text", fmt::format("{:.1f}", bottom + 80)},
+                  {"a_line", fmt::format("{:.1f}", bottom + 70)},
+                  {"a_text", fmt::format("{:.1f}", bottom + 96)},
                   {"c_line", fmt::format("{:.1f}", bottom + 24)},
-                  {"c_text", fmt::format("{:.1f}", bottom + 42)},
+                  {"c_text", fmt::format("{:.1f}", bottom + 50)},
                   {"a_left", x(-a)},
                   {"a_right", x(a)},
                   {"a", with_three_digits(a, "m")},
                   {"d", with_three_digits(tip, "m")}};
   if (c > 0) filling["stick"] = {{"left", x(-c)}, {"right", x(c)}, {"c", with_three_digits(c, "m")}};
+  filling["motions"] = Filling::array();
+  for (auto motion : {motion_of(result, "d(t)", "d [m]", motion_edge),
+                      motion_of(result, "uₓ(t)", "u_x [m]", drawing_width - motion_edge - motion_width)})
+    if (!motion.is_null()) filling["motions"].push_back(std::move(motion));
   if (u > 0)
     filling["slide"] = {{"left", fmt::format("{:.1f}", middle - std::max(u * scale, 14.0))},
                         {"right", fmt::format("{:.1f}", middle + std::max(u * scale, 14.0))},

@@ -7,6 +7,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "comparison/accuracy/quantity.h"
 #include "comparison/report/figures.h"
 #include "comparison/report/numbers.h"
 #include "comparison/report/table.h"
@@ -18,6 +19,12 @@ using nlohmann::ordered_json;
 
 // Errors below it are roundoff, or exact zeros, which a logarithmic axis does not show.
 constexpr double smallest_shown = 1e-10;
+
+/// For people, of its name in the JSON.
+std::string title_of_quantity(const std::string& name) {
+  const auto quantity = quantity_of(name);
+  return quantity ? traits_of(*quantity).title : name;
+}
 
 /// "4 cases: 1 agree, ..."
 std::string summary_text(const ordered_json& summary) {
@@ -33,7 +40,7 @@ Table quantities_table(const ordered_json& quantities) {
   Table table{{"quantity", "tolerance", "errors", "above bar", "bars above tolerance", "error, median", "90 % below",
                "bar, median", "90 % below", "bar over error, median", "90 % below"}};
   for (const auto& q : quantities) {
-    std::vector<Cell> row{q.at("quantity").get<std::string>(), number_text(q.at("tolerance"))};
+    std::vector<Cell> row{title_of_quantity(q.at("quantity").get<std::string>()), number_text(q.at("tolerance"))};
     for (const char* key : {"errors", "above_bar", "wide"})
       row.push_back(bad_if(std::string(key) == "above_bar" && q.at(key) != 0, number_text(q.at(key), "{:.0f}")));
     for (const char* key : {"error", "bar", "effectivity"})
@@ -57,7 +64,7 @@ Table cases_table(const ordered_json& rows) {
     Cell name((family.empty() ? "" : family + ": ") + row.at("name").get<std::string>());
     name.details = row.at("case_file").get<std::string>();
     const auto& remark = row.at("remark");
-    table.rows.push_back({name, bad_if(verdict == "FAIL", verdict), worst, number("mdr", "{:.6f}"),
+    table.rows.push_back({name, bad_if(verdict == "FAIL", verdict), title_of_quantity(worst), number("mdr", "{:.6f}"),
                           number("fe", "{:.6f}"), number("error"), number("bar"), number("tolerance"),
                           number_text(row.at("seconds"), "{:.2f}"),
                           words_cell(remark.is_string() ? remark.get<std::string>() : "")});

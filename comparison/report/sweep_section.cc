@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <tuple>
 
 #include "comparison/accuracy/quantity.h"
 #include "comparison/report/figures.h"
 #include "comparison/results/answer_text.h"
+#include "comparison/results/sweep_line.h"
 #include "comparison/support/files.h"
 
 namespace fretval {
@@ -39,6 +41,8 @@ double absolute_bar(const StoredResult& r, Quantity quantity) {
 
 struct Curves {
   std::vector<double> value, mdr, fe, bar;
+  std::vector<double> line_value, line;  ///< of MDR, also between the points
+  bool has_values_between = false;
   double largest = 0;
 };
 
@@ -52,11 +56,16 @@ Curves curves_of(const Family& family, Quantity quantity) {
     for (const double value : {curves.mdr.back(), curves.fe.back()})
       if (std::isfinite(value)) curves.largest = std::max(curves.largest, std::abs(value));
   }
+  std::tie(curves.line_value, curves.line) =
+      read_sweep_line(family.front()->folder.parent_path(), entry_of(family), quantity);
+  curves.has_values_between = !curves.line.empty();
+  if (!curves.has_values_between) std::tie(curves.line_value, curves.line) = std::tie(curves.value, curves.mdr);
   return curves;
 }
 
 Figure sweep_figure(const Family& family, const std::vector<Quantity>& quantities, const std::string& title) {
-  Plot plot{title, entry_of(family), ""};
+  const auto entry = entry_of(family), unit = unit_of_entry(entry);
+  Plot plot{title, unit.empty() ? entry : entry + " in " + unit, ""};
   double largest = 0;
   for (const auto quantity : quantities) largest = std::max(largest, curves_of(family, quantity).largest);
   const auto [prefix, factor] = prefix_for(largest);
@@ -65,15 +74,18 @@ Figure sweep_figure(const Family& family, const std::vector<Quantity>& quantitie
   int colour = 0;
   for (const auto quantity : quantities) {
     auto curves = curves_of(family, quantity);
-    for (auto* values : {&curves.mdr, &curves.fe, &curves.bar})
+    for (auto* values : {&curves.line, &curves.fe, &curves.bar})
       for (double& value : *values) value /= factor;
-    plot.series.push_back(
-        {fmt::format("{}, MDR", traits_of(quantity).title), curves.value, curves.mdr, Series::Style::line, colour});
+    plot.series.push_back({fmt::format("{}, MDR", traits_of(quantity).title), curves.line_value, curves.line,
+                           curves.has_values_between ? Series::Style::line : Series::Style::dashed, colour});
     plot.series.push_back({fmt::format("{}, finite elements", traits_of(quantity).title), curves.value, curves.fe,
                            Series::Style::points, colour++, curves.bar});
   }
   if (quantities.size() > 1) plot.y_label = fmt::format("stick radius in {}m", prefix);
-  return {std::move(plot), "Line: MDR. Points: finite elements with their error bars."};
+  return {
+      std::move(plot),
+      "Line: MDR; dashed where it is known at the points alone, straight between. Points: finite elements with their "
+      "error bars."};
 }
 
 bool is_any(const Family& family, Quantity quantity) {
@@ -122,15 +134,12 @@ Filling sweeps_section(const std::vector<StoredResult>& results) {
 
 void write_sweeps(const std::vector<StoredResult>& results) {
   for (const auto& [name, family] : families_of(results)) {
-    std::string text = "name," + entry_of(family);
+    std::string text = "case," + column_of_entry(entry_of(family));
     std::vector<Quantity> quantities;
     for (const auto quantity : quantities_by_interest)
       if (is_any(family, quantity)) quantities.push_back(quantity);
-    for (const auto quantity : quantities) {
-      const auto* unit = traits_of(quantity).unit;
-      for (const char* column : {"MDR", "FE", "bar"})
-        text += fmt::format(",{} {} [{}]", name_of(quantity), column, *unit ? unit : "1");
-    }
+    for (const auto quantity : quantities)
+      for (const char* who : {" by MDR", " by finite elements", " error bar"}) text += "," + column_of(quantity, who);
     const auto cell = [](double value) { return std::isfinite(value) ? fmt::format("{:.10g}", value) : ""; };
     for (const auto* r : family) {
       text += fmt::format("\n{},{:.10g}", r->json.at("name").get<std::string>(), r->sweep_value());

@@ -6,7 +6,9 @@
 #include <cmath>
 #include <limits>
 #include <set>
+#include <utility>
 
+#include "comparison/report/axis.h"
 #include "comparison/report/figures.h"
 #include "comparison/report/numbers.h"
 #include "comparison/report/table.h"
@@ -51,7 +53,7 @@ std::string end_text(const ordered_json& wear) {
 }
 
 Table table_of(const Results& results) {
-  Table table{{"case", "body", "law", "c / a₀", "distance from the limit", "… of the first-slip radius", "a∞ / a₀, MDR",
+  Table table{{"case", "body", "law", "c", "distance from the limit", "… of the first-slip radius", "a∞, MDR",
                "difference", "volume over that of the limit", "difference from MDR", "cycles", "end", "seconds"}};
   for (const auto& r : results) {
     const auto* wear = wear_of(r);
@@ -59,9 +61,9 @@ Table table_of(const Results& results) {
     const auto& distance = wear->at("distance_to_limit");
     table.rows.push_back(
         {r.json.at("name").get<std::string>(), words_cell(r.text("scene", "rheology")), law_text(r),
-         fmt::format("{:.4f}", r.number("fe", "stick_radius_shakedown") / length_of(r)),
-         number_text(distance.at("shakedown")), number_text(distance.at("first_slip")),
-         fmt::format("{:.4f}", r.number("mdr", "worn_radius") / length_of(r)), difference_with_bar(r, "worn_radius"),
+         length_text(r, "fe", "stick_radius_shakedown"), number_text(distance.at("shakedown")),
+         number_text(distance.at("first_slip")), length_text(r, "mdr", "worn_radius"),
+         difference_with_bar(r, "worn_radius"),
          fmt::format("{:.5f}", wear->at("volume").back().get<double>() / wear->at("volume_of_limit").get<double>()),
          difference_with_bar(r, "worn_volume"), fmt::format("{:.2g}", wear->at("cycles").back().get<double>()),
          words_cell(end_text(*wear)), fmt::format("{:.1f}", wear->at("cost").at("seconds").get<double>())});
@@ -69,13 +71,13 @@ Table table_of(const Results& results) {
   return table;
 }
 
-Series curve_from(const StoredResult& r, const char* file, const std::string& column, const Series& look) {
+/// length, depth: the units of the plot.
+Series curve_from(const StoredResult& r, const char* file, const std::string& column, double length, double depth,
+                  const Series& look) {
   auto [radius, height] = read_columns(r.folder / file, "r [m]", column);
   Series series = look;
-  for (std::size_t i = 0; i < radius.size(); ++i) {
-    series.x.push_back(radius[i] / length_of(r));
-    series.y.push_back(height[i] / depth_of(r));
-  }
+  series.x = Axis{"", length}.of(radius);
+  series.y = Axis{"", depth}.of(height);
   return series;
 }
 
@@ -114,29 +116,40 @@ Figure claim_figure(const Results& results, const std::string& shape) {
     const auto n_before = radii.size();
     const int colour = colour_of(c);
     if (radii.size() > n_before)
-      plot.series.push_back(curve_from(r, "profile.csv", "f limiting [m]",
+      plot.series.push_back(curve_from(r, "profile.csv", "f limiting [m]", length_of(r), depth_of(r),
                                        {fmt::format("c = {:.2f} a_0", c), {}, {}, Series::Style::line, colour}));
-    plot.series.push_back(
-        thinned(curve_from(r, "worn_profile.csv", "f [m]", {"", {}, {}, Series::Style::points, colour}), 0.05));
+    plot.series.push_back(thinned(curve_from(r, "worn_profile.csv", "f [m]", length_of(r), depth_of(r),
+                                             {"", {}, {}, Series::Style::points, colour}),
+                                  0.05));
   }
   plot.x_range = {0, 1.5};
   plot.y_range = {0, 1.2};
   return {std::move(plot),
           "Lines: the limiting profiles of MDR's shakedown radii. Points: the indenters that finite elements have worn "
-          "until nothing wears any more, whatever the law of wear, its coefficient and the rheology."};
+          "until nothing wears any more, whatever the law of wear, its coefficient and the rheology. In units of the "
+          "unworn "
+          "contact radius and the largest indentation, as in the paper."};
+}
+
+/// Those of the plots of a case: of radii and of heights.
+std::pair<Axis, Axis> axes_of(const StoredResult& r) {
+  const Numbers length{length_of(r)}, depth{depth_of(r)};
+  return {axis_for({&length}, "m"), axis_for({&depth}, "m")};
 }
 
 Figure sequence_figure(const StoredResult& r) {
-  Plot plot{"Profile in the course of wear", "r / a_0", "f / d_{max}"};
+  const auto [length, depth] = axes_of(r);
+  Plot plot{"Profile in the course of wear", "r in " + length.unit, "f in " + depth.unit};
+  plot.marks = radius_marks(r, length);
   int colour = 0;
   for (const auto& column : column_names(r.folder / "wear.csv"))
     if (column.rfind("f after", 0) == 0)
-      plot.series.push_back(curve_from(r, "wear.csv", column,
+      plot.series.push_back(curve_from(r, "wear.csv", column, length.factor, depth.factor,
                                        {column.substr(2, column.size() - 6), {}, {}, Series::Style::line, colour++}));
-  plot.series.push_back(
-      curve_from(r, "profile.csv", "f limiting [m]", {"limit, MDR", {}, {}, Series::Style::dashed, 7}));
-  plot.x_range = {0, 1.5};
-  plot.y_range = {0, 1.2};
+  plot.series.push_back(curve_from(r, "profile.csv", "f limiting [m]", length.factor, depth.factor,
+                                   {"limit, MDR", {}, {}, Series::Style::dashed, 7}));
+  plot.x_range = {0, 1.5 * length_of(r) / length.factor};
+  plot.y_range = {0, 1.2 * depth_of(r) / depth.factor};
   return {std::move(plot), "Lines: finite elements. Dashed: the limiting profile."};
 }
 
@@ -172,18 +185,20 @@ Figure distance_figure(const ordered_json& wear) {
 }
 
 Figure pressure_figure(const StoredResult& r) {
-  Plot plot{"Largest pressure in the cycle", "r / a_0", "p in MPa"};
+  const auto length = axes_of(r).first;
+  const auto at_start = read_columns(r.folder / "wear.csv", "r [m]", "p largest at start [Pa]").second;
+  const auto stress = axis_for({&at_start}, "Pa");
+  Plot plot{"Largest pressure in the cycle", "r in " + length.unit, "p in " + stress.unit};
+  plot.marks = radius_marks(r, length);
   int colour = 0;
   for (const char* when : {"start", "end"}) {
     auto [radius, pressure] = read_columns(r.folder / "wear.csv", "r [m]", fmt::format("p largest at {} [Pa]", when));
     Series series{when, {}, {}, Series::Style::line, colour++};
-    for (std::size_t i = 0; i < radius.size(); ++i) {
-      series.x.push_back(radius[i] / length_of(r));
-      series.y.push_back(pressure[i] / 1e6);
-    }
+    series.x = length.of(radius);
+    series.y = stress.of(pressure);
     plot.series.push_back(std::move(series));
   }
-  plot.x_range = {0, 1.5};
+  plot.x_range = {0, 1.5 * length_of(r) / length.factor};
   const auto& start = plot.series.front().y;
   plot.y_range = {0, start.empty() ? 1 : 3 * *std::max_element(start.begin(), start.end())};
   return {std::move(plot), "At the end the pressure is singular at the edge of the stick zone, and nothing beyond."};
@@ -192,11 +207,13 @@ Figure pressure_figure(const StoredResult& r) {
 Filling course(const StoredResult& r, const ordered_json& wear) {
   auto figures = filling_of(
       std::vector<Figure>{sequence_figure(r), volume_figure(r, wear), pressure_figure(r), distance_figure(wear)});
-  const auto edges = outer_edges(wear.at("r").get<Numbers>(), length_of(r));
+  const auto length = axes_of(r).first;
+  const auto edges = outer_edges(wear.at("r").get<Numbers>(), length.factor);
   for (const char* when : {"start", "end"})
-    figures["figures"].push_back({{"plot", zone_map(fmt::format("Stick, slip and open, {} of the wear", when), "r / a₀",
-                                                    edges, wear.at("zones").at(when).get<std::vector<std::string>>())},
-                                  {"caption", "What each ring does in a cycle."}});
+    figures["figures"].push_back(
+        {{"plot", zone_map(fmt::format("Stick, slip and open, {} of the wear", when), "r in " + length.unit, edges,
+                           wear.at("zones").at(when).get<std::vector<std::string>>())},
+         {"caption", "What each ring does in a cycle."}});
   return {{"name", r.json.at("name")}, {"figures", std::move(figures)}};
 }
 

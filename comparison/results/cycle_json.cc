@@ -6,6 +6,7 @@
 #include "comparison/reference/mdr_document.h"
 #include "comparison/results/case_result.h"
 #include "comparison/results/ring_zone.h"
+#include "fem/stick_zone/slip_decay.h"
 #include "mdr/springs/spring_fields.h"
 
 namespace fretval {
@@ -93,6 +94,8 @@ ordered_json cycle_json(const CaseResult& result) {
                                  result.fem_case.friction_coefficient));
     json["zones"].push_back(zones);
   }
+  if (const auto decay = fem::slip_decay(friction, result.fe.fe.rings.stuck.shakedown); !decay.empty())
+    json["slip_decay"] = list_of(decay);
   if (auto springs = springs_of(result)) json["mdr"] = std::move(*springs);
   return json;
 }

@@ -28,6 +28,9 @@ constexpr double finest_ring = 5e-8;
 /// Of equal width. Fewer than three that do not touch do not tell where the contact ends.
 constexpr double rings_beyond = 4;
 
+/// How far the contact line of the coarsest rings reaches, over the contact radius.
+constexpr double farthest_ring = 1.5;
+
 std::vector<double> contact_nodes(const FemCase& fem) {
   const auto& resolution = fem.resolution;
   const double ring = 1.0 / resolution.elements_per_radius;
@@ -49,6 +52,18 @@ std::vector<double> contact_nodes(const FemCase& fem) {
   return meshes::uniform_nodes(n * ring, n);
 }
 
+/// Rings lie on the sphere, with those beyond the contact.
+void require_room_on_sphere(const Case& input, const FemCase& fem) {
+  const double a = fem.units.length, reach = std::max(farthest_ring, fem.body.contact_nodes.back()) * a;
+  if (input.indenter.shape != Case::Shape::sphere || reach <= input.indenter.radius) return;
+  throw InputError(fmt::format(
+      "{}: Indenter / Radius = {:g}: at the largest indentation, {:.3g} m, the contact radius is {:.3g} m, and with "
+      "the "
+      "rings that finite elements need beyond it the surface would reach the radius of the sphere; expected a smaller "
+      "indentation, or a radius of at least {:.3g} m; `fretval mdr` answers this case",
+      input.file, input.indenter.radius, fem.units.depth, a, reach));
+}
+
 std::function<double(double)> profile_in(const Units& units, const Case& input, const MdrCase& mdr) {
   const double length = units.length, depth = units.depth;
   if (mdr.limiting)
@@ -58,6 +73,11 @@ std::function<double(double)> profile_in(const Units& units, const Case& input, 
   switch (indenter.shape) {
     case Case::Shape::parabola:
       return [factor = length * length / (2 * indenter.radius * depth)](double r) { return factor * r * r; };
+    case Case::Shape::sphere:
+      return [share = length / indenter.radius, radius = indenter.radius / depth](double r) {
+        const double sine = share * r;
+        return radius * sine * sine / (1 + std::sqrt((1 - sine) * (1 + sine)));
+      };
     case Case::Shape::cone:
       return [factor = std::tan(indenter.slope_angle * degree) * length / depth](double r) { return factor * r; };
     case Case::Shape::power:
@@ -165,7 +185,9 @@ FemCase fem_case(const Case& input, const MdrCase& mdr) {
   else if (mdr.limiting && resolution.elements_per_radius < enough_rings_of_a_worn_profile)
     resolution = with_rings(resolution, enough_rings_of_a_worn_profile / resolution.elements_per_radius);
   if (input.steps_per_cycle) resolution.steps_per_cycle = *input.steps_per_cycle;
-  return at_resolution(std::move(fem), resolution);
+  fem = at_resolution(std::move(fem), resolution);
+  require_room_on_sphere(input, fem);
+  return fem;
 }
 
 FemCase at_resolution(FemCase fem, const Resolution& resolution) {

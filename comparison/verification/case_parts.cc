@@ -17,6 +17,10 @@ Entries parabola(double radius) {
   return section("Indenter / Shape", "parabola", {{"Indenter / Radius", radius}});
 }
 
+Entries sphere(double radius) {
+  return section("Indenter / Shape", "sphere", {{"Indenter / Radius", radius}});
+}
+
 Entries cone(double degrees) {
   return section("Indenter / Shape", "cone", {{"Indenter / Slope angle", degrees}});
 }

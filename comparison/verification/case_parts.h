@@ -8,6 +8,7 @@ namespace fretval {
 
 /// Sections of case files, as several suites need them; SI units, angles in degrees.
 Entries parabola(double radius);
+Entries sphere(double radius);
 Entries cone(double degrees);
 Entries power(double exponent, double coefficient);
 Entries rounded_flat(double flat_radius, double edge_radius);

@@ -80,13 +80,14 @@ std::string refusal_failure_of(const SuiteRow& row) {
 std::string failure_of(const SuiteCase& asked, Quantity quantity, const ComparedQuantity& q) {
   const bool lacks_bar = q.bar && std::isinf(*q.bar) && asked.proof == Proof::tolerance;
   if (std::isinf(q.share()) || lacks_bar)
-    return fmt::format("{}: MDR says {}, the finite elements {}, their bar is {}", name_of(quantity), q.mdr, q.fe,
-                       q.bar.value_or(0));
+    return fmt::format("{}: MDR says {}, the finite elements {}, their bar is {}", traits_of(quantity).title, q.mdr,
+                       q.fe, q.bar.value_or(0));
   if (q.share() > 1)
-    return fmt::format("{}: the error {:.1e} is above its {} {:.1e}", name_of(quantity), q.error(),
+    return fmt::format("{}: the error {:.1e} is above its {} {:.1e}", traits_of(quantity).title, q.error(),
                        q.bar ? "bar" : "tolerance", q.bar.value_or(q.tolerance));
   if (asked.must_be_conclusive && q.has_wide_bar())
-    return fmt::format("{}: the bar {:.1e} is wider than the tolerance {:.0e}", name_of(quantity), *q.bar, q.tolerance);
+    return fmt::format("{}: the bar {:.1e} is wider than the tolerance {:.0e}", traits_of(quantity).title, *q.bar,
+                       q.tolerance);
   return "";
 }
 

@@ -73,7 +73,7 @@ std::string remark_of(const SuiteRow& row) {
   for (const auto& [quantity, q] : row.compared)
     if (q.has_wide_bar())
       remark += fmt::format("{}{}: bar {:.1e}, mostly {}, tolerance {:.0e}", remark.empty() ? "" : "; ",
-                            name_of(quantity), *q.bar, q.source, q.tolerance);
+                            traits_of(quantity).title, *q.bar, q.source, q.tolerance);
   return remark;
 }
 

@@ -172,6 +172,7 @@ void WatchedFriction::step(const Eigen::VectorXd& pressure, const std::optional<
   contact.step(pressure, normal);
   first_slip.see(contact);
   period.see(contact);
+  if (contact.n_steps % period_steps() == 0) slip_of_periods.push_back(period.slip());
 }
 
 void WatchedFriction::step_beside(const NormalContact& normal) {
@@ -244,6 +245,7 @@ FrictionHistory friction_history(WatchedFriction friction, const NormalHistory& 
   friction.period.report(contact.problem(), history);
   forces.report(contact, history);
   history.amplitude = friction.period.amplitude(contact.motion());
+  history.slip_of_periods = std::move(friction.slip_of_periods);
   return history;
 }
 

@@ -30,6 +30,7 @@ struct FrictionHistory {
   double dissipated_uncertainty = 0;   ///< of that, see PunchSeries::unseen_kinks
   Eigen::VectorXd friction_work;       ///< per ring: by friction in the last period
   Eigen::MatrixXd traction;            ///< n_rings x steps per period: the last period
+  std::vector<Eigen::VectorXd> slip_of_periods;  ///< per ring: length of slip in every period that was computed
 };
 
 /// Length of slip in a period up to which a ring counts as stuck: one that has shaken down still creeps a little while
@@ -90,8 +91,9 @@ class WatchedFriction {
   FrictionContact contact;
   FirstSlip first_slip;
   FrictionPeriod period;
-  Eigen::MatrixXd traction_before;  ///< of the period before
-  Eigen::VectorXd slip_before;      ///< likewise
+  Eigen::MatrixXd traction_before;               ///< of the period before
+  Eigen::VectorXd slip_before;                   ///< likewise
+  std::vector<Eigen::VectorXd> slip_of_periods;  ///< see FrictionHistory
 
   [[nodiscard]] int period_steps() const { return contact.steps_per_cycle() * contact.motion().cycles_per_period(); }
 };

@@ -16,8 +16,7 @@ constexpr double roundoff = 1e-12;
 
 void require_on_profile(const Profile& profile, const char* quantity, double r) {
   require_non_negative(quantity, r);
-  if (const auto* table = std::get_if<ProfileTable>(&profile))
-    require_within(quantity, r, 0, end_radius(*table) * (1 + roundoff));
+  if (const double end = end_radius(profile); std::isfinite(end)) require_within(quantity, r, 0, end * (1 + roundoff));
 }
 
 }  // namespace
@@ -25,6 +24,11 @@ void require_on_profile(const Profile& profile, const char* quantity, double r) 
 Profile parabola(double radius) {
   require_positive("radius of the parabola", radius);
   return PowerLaw{1 / (2 * radius), 2, 1 / radius};
+}
+
+Profile sphere(double radius) {
+  require_positive("radius of the sphere", radius);
+  return Sphere{radius};
 }
 
 Profile cone(double slope_angle) {
@@ -59,8 +63,9 @@ Profile tabulated(const std::vector<double>& r, const std::vector<double>& f, do
 }
 
 double end_radius(const Profile& profile) {
-  const auto* table = std::get_if<ProfileTable>(&profile);
-  return table ? end_radius(*table) : std::numeric_limits<double>::infinity();
+  if (const auto* table = std::get_if<ProfileTable>(&profile)) return end_radius(*table);
+  if (const auto* sphere = std::get_if<Sphere>(&profile)) return sphere->radius;
+  return std::numeric_limits<double>::infinity();
 }
 
 double shape(const Profile& profile, double r) {
@@ -102,6 +107,10 @@ double inverse_transform(const Profile& profile, double depth) {
              "the contact would reach beyond the last row of the profile table, whose depth is " +
                  std::to_string(deepest));
   }
+  if (const auto* sphere = std::get_if<Sphere>(&profile); sphere && depth > largest_depth(*sphere))
+    reject("depth of the one-dimensional profile", depth,
+           "the contact would reach the radius of the sphere, " + std::to_string(sphere->radius) +
+               "; must be at most " + std::to_string(largest_depth(*sphere)));
   return std::visit([depth](const auto& p) { return inverse_transform(p, depth); }, profile);
 }
 

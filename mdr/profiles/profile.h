@@ -6,6 +6,7 @@
 #include "mdr/profiles/flat_faced.h"
 #include "mdr/profiles/power_law.h"
 #include "mdr/profiles/profile_table.h"
+#include "mdr/profiles/sphere.h"
 
 namespace fretval::mdr {
 
@@ -15,12 +16,15 @@ namespace fretval::mdr {
 ///   f(r) = (2/pi) int_0^r g(x)/sqrt(r^2-x^2) dx      paper equation (4)
 ///
 /// Made by the factories below, which check their arguments. Every kind has its transforms in closed form.
-/// All functions throw std::invalid_argument for a coordinate that is negative, not finite, or beyond the last row of a
-/// table.
-using Profile = std::variant<PowerLaw, FlatFaced, ProfileTable>;
+/// All functions throw std::invalid_argument for a coordinate that is negative, not finite, or beyond the end of the
+/// profile: the last row of a table, the radius of a sphere.
+using Profile = std::variant<PowerLaw, FlatFaced, ProfileTable, Sphere>;
 
 /// f = r^2/(2 R). Radius of curvature R in m, positive.
 Profile parabola(double radius);
+
+/// f = R - sqrt(R^2 - r^2) for r <= R. Radius R in m, positive.
+Profile sphere(double radius);
 
 /// f = r tan(theta). Angle theta between generatrix and surface in rad, 0 < theta < pi/2.
 Profile cone(double slope_angle);
@@ -38,7 +42,7 @@ Profile truncated_sphere(double radius, double flat_radius);
 /// m, the convex profile that fits them; see mdr/profile_table.h for what is asked of them.
 Profile tabulated(const std::vector<double>& r, const std::vector<double>& f, double noise = 0);
 
-/// Where the profile ends, in m: the last row of a table, infinity for all others.
+/// Where the profile ends, in m: the last row of a table, the radius of a sphere, infinity for all others.
 double end_radius(const Profile& profile);
 
 /// Height f(r) in m at r >= 0 in m.
@@ -60,7 +64,8 @@ std::vector<double> transform_kinks(const Profile& profile);
 double transform_integral(const Profile& profile, double x);
 
 /// The x >= 0 with g(x) = depth, which is the contact radius of an elastic body at this indentation; the flat radius
-/// for depth 0 and a flat face. depth >= 0 in m, for a table not above g of the last row.
+/// for depth 0 and a flat face. depth >= 0 in m, for a table not above g of the last row, for a sphere not above its
+/// largest_depth().
 double inverse_transform(const Profile& profile, double depth);
 
 /// int_r^a g'(x)/sqrt(x^2-r^2) dx for 0 <= r <= a, the Abel integral behind every pressure. +infinity at r = 0 for a
@@ -68,7 +73,7 @@ double inverse_transform(const Profile& profile, double depth);
 double abel_slope_integral(const Profile& profile, double r, double a);
 
 /// int g(x)/sqrt(r^2-x^2) dx in m from lower to upper, 0 <= lower <= upper <= r, the Abel integral behind surface
-/// displacements and worn depths. Only upper has to lie on the profile of a table.
+/// displacements and worn depths. Only upper has to lie on a profile that ends.
 double abel_depth_integral(const Profile& profile, double lower, double upper, double r);
 
 }  // namespace fretval::mdr

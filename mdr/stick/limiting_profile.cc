@@ -28,6 +28,7 @@ double bracket_outer_radius(const Profile& unworn, double c, double maximum_inde
     r = std::min(1.25 * r, end);
     if (depth_below_unworn(unworn, c, maximum_indentation, r) < 0) return r;
   }
+  if (std::holds_alternative<Sphere>(unworn)) reject("radius of the sphere", end, "the worn zone would reach it");
   reject("last radius of the profile table", end,
          "the worn zone reaches beyond it; continue the table to at least 1.6 times the contact radius");
 }

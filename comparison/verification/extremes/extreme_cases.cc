@@ -164,6 +164,9 @@ void add_shapes(Cases& cases) {
   vary(cases, "flat with a rounded edge", "b = {:g} mm", {0.01, 0.5, 0.9, 0.99}, [&](double share) {
     return under(rounded_flat(share * radius, (1 - share) * radius * radius / (2 * indentation)));
   });
+  const auto arc = [&](double share) { return under(sphere(1.1 * indentation / (share * std::atanh(share)))); };
+  vary(cases, "sphere", "a/R = {:g}", {1e-3, 0.1, 0.3, 0.6}, arc);
+  vary(cases, "sphere", "a/R = {:g}", {0.7}, arc, "Indenter / Radius");
   vary(cases, "sphere with a flat", "b = {:g} mm", {0.01, 0.3, 0.55},
        [&](double share) { return under(truncated_sphere(1e-2, share * radius)); });
   add(cases, "measured profile", "flat face", under(measured("flat-face.csv")));

@@ -37,6 +37,9 @@ TEST(CaseSections, EveryShapeHasItsOwnNumbers) {
   EXPECT_EQ(power.shape, Case::Shape::power);
   EXPECT_EQ(power.coefficient, 3);
   EXPECT_EQ(power.exponent, 2.5);
+  const auto arc = indenter("set Shape = sphere\nset Radius = 3e-3");
+  EXPECT_EQ(arc.shape, Case::Shape::sphere);
+  EXPECT_EQ(arc.radius, 3e-3);
   const auto flat = indenter("set Shape = rounded flat\nset Flat radius = 1e-3\nset Edge radius = 2e-3");
   EXPECT_EQ(flat.shape, Case::Shape::rounded_flat);
   EXPECT_EQ(flat.flat_radius, 1e-3);
@@ -68,7 +71,7 @@ TEST(CaseSections, BoundsAreTakenOrRefusedAsTheMessageSays) {
 
 TEST(CaseSections, NumbersOfAnotherShapeOrBodyAreRefused) {
   expect_parts(refusal([] { indenter("set Shape = cone\nset Slope angle = 5\nset Radius = 1"); }),
-               {"Indenter / Radius = 1", "it belongs to Shape = parabola or truncated sphere, not to cone"});
+               {"Indenter / Radius = 1", "it belongs to Shape = parabola or sphere or truncated sphere, not to cone"});
   expect_parts(refusal([] { elastomer("set Rheology = elastic\nset Relaxed shear modulus = 1\nset Viscosity = 1"); }),
                {"Elastomer / Viscosity = 1", "kelvin voigt or prony, not to elastic"});
   expect_parts(refusal([] { indenter("set Shape = cone\nset Slope angle = 90"); }), {"between 0 and 90 degrees"});

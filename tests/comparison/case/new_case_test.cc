@@ -36,6 +36,8 @@ TEST(NewCase, EveryRheologyIsAValidCaseWithoutAWarning) {
 // The largest contact of the parabola: a² = R (d0 + delta).
 TEST(NewCase, MeansWhatItSays) {
   EXPECT_NEAR(prepared_new({}).fem.units.length, std::sqrt(1e-2 * 1.2e-4), 1e-12);
+  // a = R tanh(u) with u tanh(u) = d/R = 0.012: a/a_parabola = 1 - (a/R)²/6 + ...
+  EXPECT_NEAR(prepared_new({"sphere", "elastic"}).fem.units.length / std::sqrt(1e-2 * 1.2e-4), 1 - 0.012 / 6, 1e-5);
   EXPECT_NEAR(prepared_new({"table", "elastic"}).fem.units.length, std::sqrt(1e-2 * 1.2e-4), 1e-7);
 }
 

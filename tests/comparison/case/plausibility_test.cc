@@ -2,9 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include "comparison/case/case_file.h"
 #include "comparison/reference/mdr_case.h"
 #include "tests/comparison/expect_parts.h"
 #include "tests/comparison/read_case.h"
+#include "tests/comparison/scratch_folder.h"
 
 namespace fretval {
 namespace {
@@ -23,7 +25,8 @@ TEST(Plausibility, ImplausibleUnitsAreWarnedAbout) {
   expect_parts(warnings("modulus = 1e6", "modulus = 1e12"), {"1e+12 Pa is implausible"});
   // a = sqrt(R (d0 + delta)): of a sphere it is where (a/2) ln((R+a)/(R-a)) = d, 1.3 % less at a/R = 0.283.
   expect_parts(warnings("Indentation = 1e-4", "Indentation = 7.8e-4"),
-               {"a/R is 0.28", "sphere of radius 0.01 m", "smaller by 1.3 %"});
+               {"a/R is 0.28", "sphere of radius 0.01 m", "smaller by 1.3 %", "Indenter / Shape = sphere"});
+  EXPECT_EQ(warnings("Shape = parabola\n  set Radius = 1e-2", "Shape = sphere\n  set Radius = 1.6e-3"), "");
   EXPECT_EQ(warnings("Indentation = 1e-4", "Indentation = 5e-4"), "");
   expect_parts(warnings("Normal amplitude = 2e-5", "Normal amplitude = 1.01e-4"), {"lifts off in every cycle"});
   EXPECT_EQ(warnings("Normal amplitude = 2e-5", "Normal amplitude = 1e-4"), "");
@@ -31,6 +34,21 @@ TEST(Plausibility, ImplausibleUnitsAreWarnedAbout) {
   const std::string displacement = "Indentation = 1e-4\n  set Normal amplitude = 2e-5",
                     force = "Normal force = 1e6\n  set Normal force amplitude = 0";
   EXPECT_EQ(warnings(displacement, force), "");
+}
+
+// A parabola of 10 mm, one half of which is 3 % higher than the mean.
+TEST(Plausibility, HalvesOfAScanThatDifferAreWarnedAbout) {
+  const ScratchFolder folder;
+  const auto warnings = [&](const char* rows) {
+    folder.write("scan.csv", std::string("r,f\nmm,um\n") + rows);
+    folder.write("case.prm", replace(valid_case, "parabola\n  set Radius = 1e-2", "table\n  set Table = scan.csv"));
+    const auto scene = read_case_file(folder.path() / "case.prm").at(0);
+    return implausible_values(scene, profile_of(scene.indenter));
+  };
+  const auto found = warnings("-2,204\n-1,51\n-0.5,12.75\n0,0\n0.5,12.25\n1,49\n2,196\n");
+  ASSERT_EQ(found.size(), 1U);
+  expect_parts(found[0], {"scan.csv: the halves of the scan differ by up to 8e-06 m, 4.0 %", "at r = 0.002 m", "mean"});
+  EXPECT_TRUE(warnings("-2,200\n-1,50\n-0.5,12.5\n0,0\n0.5,12.5\n1,50\n2,200\n").empty());
 }
 
 }  // namespace

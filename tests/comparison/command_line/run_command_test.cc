@@ -123,7 +123,8 @@ TEST(RunCommand, HoldsALimitingProfileToNoWear) {
 
 // Every shape in the same scene, with finite elements as coarse as they get.
 TEST(RunCommand, ComparesEveryShape) {
-  const std::map<std::string, std::string> shapes{{"cone", "Slope angle = 4"},
+  const std::map<std::string, std::string> shapes{{"sphere", "Radius = 3e-3"},
+                                                  {"cone", "Slope angle = 4"},
                                                   {"power", "Coefficient = 1e5\n  set Exponent = 3"},
                                                   {"rounded flat", "Flat radius = 3e-4\n  set Edge radius = 5e-3"},
                                                   {"truncated sphere", "Flat radius = 3e-4\n  set Radius = 1e-2"},

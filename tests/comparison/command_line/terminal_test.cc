@@ -33,10 +33,10 @@ TEST(Verdicts, NameTheLargestUseOfAToleranceOfEachFile) {
   const auto text = verdicts_of({line_with("one/a", 2e-4, Verdict::pass), line_with("one/b", -5e-4, Verdict::pass),
                                  line_with("two/a", 1e-5, Verdict::pass)});
   EXPECT_NE(
-      text.find("2 of   2 agree; largest use of a tolerance: stick_radius_shakedown in one/b: -5.0e-04 of 1.0e-03"),
+      text.find("2 of   2 agree; largest use of a tolerance: stick radius, shakedown in one/b: -5.0e-04 of 1.0e-03"),
       std::string::npos)
       << text;
-  EXPECT_NE(text.find("stick_radius_shakedown in two/a: 1.0e-05"), std::string::npos) << text;
+  EXPECT_NE(text.find("stick radius, shakedown in two/a: 1.0e-05"), std::string::npos) << text;
   EXPECT_EQ(text.find("DISAGREE"), std::string::npos) << text;
 }
 
@@ -48,7 +48,7 @@ TEST(Verdicts, TellWhereOnlyOneOfTheTwoSticks) {
   const auto text = verdicts_of({neither, one, line_with("one/c", 5e-3, Verdict::fail)});
   EXPECT_NE(text.find("DISAGREE one"), std::string::npos) << text;
   EXPECT_NE(text.find("0 of   3 agree"), std::string::npos) << text;
-  EXPECT_NE(text.find("stick_radius_shakedown in one/a: -3.0e-01 of 1.0e-03, only one of the two sticks"),
+  EXPECT_NE(text.find("stick radius, shakedown in one/a: -3.0e-01 of 1.0e-03, only one of the two sticks"),
             std::string::npos)
       << text;
 }

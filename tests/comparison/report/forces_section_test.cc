@@ -24,7 +24,8 @@ TEST(ForcesSection, ShowsWhatTheForcesLeadTo) {
   json["mdr"]["stick_radius_shakedown"] = 0.75;
   json["fe"]["stick_radius_shakedown"] = 0.5;
   json["comparison"]["indentation_max"] = {{"difference", 3e-5}, {"error_bar", 4e-5}, {"tolerance", 1}, {"pass", true}};
-  expect_parts(forces_html(json), {"<td>forced</td>", "<td>0.37500</td><td>0.25000</td>", "+3.0e-05 ± 4e-05"});
+  expect_parts(forces_html(json),
+               {"<td>forced</td>", "<td>2.00000 m</td>", "<td>750.000 mm</td><td>500.000 mm</td>", "+3.0e-05 ± 4e-05"});
   EXPECT_EQ(forces_html(json).find("gross slip"), std::string::npos);
 }
 

@@ -30,13 +30,12 @@ TEST(Differences, AreDashesWhereNothingIsCompared) {
   EXPECT_EQ(difference_with_bar(result, "indentation_max"), "–");
 }
 
-TEST(OverContactRadius, IsTheRatioOfTheSideThatIsAskedFor) {
+TEST(LengthText, IsTheLengthOfTheSideThatIsAskedFor) {
   StoredResult result{stored_result(), {}};
-  result.json["scene"]["contact_radius_unworn"] = 2;
-  result.json["mdr"]["stick_radius_shakedown"] = 0.75;
+  result.json["mdr"]["stick_radius_shakedown"] = 7.5e-4;
   result.json["fe"]["stick_radius_shakedown"] = nullptr;
-  EXPECT_EQ(over_contact_radius(result, "mdr", "stick_radius_shakedown"), "0.37500");
-  EXPECT_EQ(over_contact_radius(result, "fe", "stick_radius_shakedown"), "–");
+  EXPECT_EQ(length_text(result, "mdr", "stick_radius_shakedown"), "750.000 µm");
+  EXPECT_EQ(length_text(result, "fe", "stick_radius_shakedown"), "–");
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ TEST(SuiteSection, ShowsVerdictQuantitiesAndRows) {
       html,
       {"<h2>Suite extremes</h2>", "<span class=\"badge bad\">fail</span> About &lt;it&gt;.",
        "4 cases: 1 agree, 1 are refused", "2 fail.", "2 of 3 errors are above their bars",
-       "<td>stick_radius_shakedown</td><td>1.0e-02</td><td>3</td><td class=\"bad-cell\">2</td>",
+       "<td>stick radius, shakedown</td><td>1.0e-02</td><td>3</td><td class=\"bad-cell\">2</td>",
        "<summary>family: &lt;bad&gt;</summary><pre>text of &lt;bad&gt;</pre></details></td><td class=\"bad-cell\">FAIL",
        "<td>refused</td><td>refused</td>", "a &lt;b&gt;",
        "<td>0.600000</td><td>0.601000</td><td>1.0e-03</td><td>2.0e-03</td><td>1.0e-02</td>"});
@@ -47,9 +47,9 @@ TEST(SuiteSection, HasNoFigureOfSomeRows) {
 
 TEST(SuiteText, HasALineARowAndAQuantity) {
   expect_parts(suite_text(suite_json(mixed_run())),
-               {"family: good         agrees  stick_radius_shakedown  0.600000  0.601000  1.0e-03  2.0e-03    1.0e-02",
+               {"family: good         agrees  stick radius, shakedown  0.600000  0.601000  1.0e-03  2.0e-03    1.0e-02",
                 "bar 2.0e-02, mostly rings, tolerance 1e-02\n", "is above its bar 2.0e-03\n", "a b\n",
-                "stick_radius_shakedown    1.0e-02       3", "FAIL: 4 cases: 1 agree, ", "1 of 3 errors are above"});
+                "stick radius, shakedown    1.0e-02       3", "FAIL: 4 cases: 1 agree, ", "1 of 3 errors are above"});
   expect_parts(suite_text(suite_json(run_of({row_of(1e-3, 2e-3)}))), {"pass: 1 case: 1 agree"});
 }
 

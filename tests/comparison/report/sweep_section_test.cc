@@ -25,9 +25,19 @@ TEST(SweepSection, DrawsAnyEntryWithTheBarsInUnits) {
   const auto& sweep = filling.at("sweeps")[0];
   EXPECT_EQ(sweep.at("entry"), "Friction / Coefficient");
   const auto html = filling.dump();
-  expect_parts(html,
-               {"Stick radii", "Friction / Coefficient", "\"y\":[0.25,0.5]", "\"y\":[0.5,1.0]", "\"bar\":[0.25,0.25]"});
+  expect_parts(html, {"Stick radii", "Friction / Coefficient", "dashed", "\"y\":[0.25,0.5]", "\"y\":[0.5,1.0]",
+                      "\"bar\":[0.25,0.25]"});
   EXPECT_TRUE(sweeps_section({point(1, {})}).is_null()) << "a point is no curve";
+}
+
+// A line through points of its own, where a run has left one.
+TEST(SweepSection, DrawsMdrBetweenThePoints) {
+  const ScratchFolder folder;
+  folder.write("mdr.csv",
+               "Friction / Coefficient [1],stick radius (shakedown) [m]\n1,0.25\n1.25,0.375\n1.5,nan\n2,0.5\n");
+  const auto html =
+      sweeps_section({point(1, folder.path() / "1"), point(2, folder.path() / "2")}).at("sweeps")[0].dump();
+  expect_parts(html, {"\"x\":[1.0,1.25,1.5,2.0],\"y\":[0.25,0.375,null,0.5]", "\"x\":[1.0,2.0],\"y\":[0.5,1.0]"});
 }
 
 TEST(SweepSection, LeavesThePhaseToTheFiguresOfThePaper) {
@@ -38,9 +48,9 @@ TEST(SweepSection, WritesItsNumbers) {
   const ScratchFolder folder;
   write_sweeps({point(1, folder.path() / "1"), point(2, folder.path() / "2")});
   const auto text = text_of(folder.path() / "sweep.csv");
-  expect_parts(text, {"name,Friction / Coefficient,",
-                      "stick_radius_shakedown MDR [m],stick_radius_shakedown FE [m],"
-                      "stick_radius_shakedown bar [m]",
+  expect_parts(text, {"case,Friction / Coefficient [1],",
+                      "stick radius (shakedown) by MDR [m],stick radius (shakedown) by finite elements [m],"
+                      "stick radius (shakedown) error bar [m]",
                       "\nfamily/1,1,", ",0.25,0.5,0.25", ",0.5,1,0.25"});
 }
 

@@ -19,6 +19,11 @@ TEST(CycleJson, SaysWhereRingsStickSlipAndAreOpen) {
   EXPECT_EQ(json.at("tau")[3], nlohmann::ordered_json({7.5, 0.0}));
   EXPECT_EQ(json.at("t"), nlohmann::ordered_json({1.0, 2.0, 3.0, 4.0}));
   EXPECT_FALSE(json.contains("mdr"));
+  EXPECT_FALSE(json.contains("slip_decay"));
+  result.fe.fe.rings.stuck.shakedown = 1;
+  result.fe.fe.friction.amplitude = 0.5;
+  result.fe.fe.friction.slip_of_periods = {Eigen::Vector2d(0.25, 2), Eigen::Vector2d(0.125, 2)};
+  EXPECT_EQ(cycle_json(result).at("slip_decay"), nlohmann::ordered_json({0.5, 0.25}));
 }
 
 }  // namespace

@@ -2,8 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
+#include "comparison/accuracy/prepared_case.h"
 #include "tests/comparison/computed_case.h"
+#include "tests/comparison/expect_parts.h"
 #include "tests/comparison/read_case.h"
+#include "tests/comparison/refusal.h"
 #include "tests/comparison/run_fretval.h"
 #include "tests/comparison/wearing_case.h"
 
@@ -61,6 +66,27 @@ TEST(FemCase, SeveralHarmonicsFollowTheReference) {
 TEST(FemCase, RingsBeyondTheContactTellWhereItEnds) {
   const auto input = fixed_case("parabola-voigt-90", 16, 48);
   EXPECT_NEAR(simulate_case(input).normal_force_max / exact_answer(input).normal_force_max.value(), 1, 1e-4);
+}
+
+// f = R - sqrt(R² - r²) in units of the depth, and of the contact radius a with (a/2) ln((R+a)/(R-a)) = d.
+TEST(FemCase, SphereHasItsTrueArc) {
+  const auto prepared_sphere = [](double radius) {
+    Case input = read_case(replace(valid_case, "Shape = parabola", "Shape = sphere"));
+    input.indenter.radius = radius;
+    return prepare({input}).front();
+  };
+  const double R = 1e-3;
+  const auto fem = prepared_sphere(R).fem;
+  const double a = fem.units.length, d = fem.units.depth;
+  EXPECT_NEAR(d, 1.2e-4, 1e-18);
+  EXPECT_NEAR(a / 2 * std::log((R + a) / (R - a)) / d, 1, 1e-12);
+  for (const double r : {0.2, 0.7, 1.1})
+    EXPECT_NEAR(fem.profile(r) * d, R - std::sqrt(R * R - r * r * a * a), 1e-15);
+  // a/R = 0.64 and 0.69.
+  EXPECT_NO_THROW(prepared_sphere(1.2e-4 / (0.64 * std::atanh(0.64))));
+  expect_parts(refusal([&] { prepared_sphere(1.2e-4 / (0.69 * std::atanh(0.69))); }),
+               {"case.prm", "Indenter / Radius = 0.000205", "contact radius is 0.000142 m", "at least 0.000212 m",
+                "`fretval mdr` answers"});
 }
 
 // Parabola of 10 mm, 0.1 mm deep: a = 1 mm. Worn by 0.01 of the depth at 0.7 mm, from halfway on from the row inside.

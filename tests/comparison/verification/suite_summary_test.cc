@@ -59,7 +59,7 @@ TEST(Remark, SaysWhyARowFailsIsRefusedOrIsInconclusive) {
   EXPECT_EQ(remark_of(row_of(1e-3, 2e-3)), "");
   EXPECT_EQ(remark_of(refused_row("a", "a b")), "a b");
   EXPECT_EQ(remark_of(refused_row("", "a b")), "refused: a b");
-  EXPECT_EQ(remark_of(row_of(1e-3, 2e-2)), "stick_radius_shakedown: bar 2.0e-02, mostly rings, tolerance 1e-02");
+  EXPECT_EQ(remark_of(row_of(1e-3, 2e-2)), "stick radius, shakedown: bar 2.0e-02, mostly rings, tolerance 1e-02");
 }
 
 }  // namespace

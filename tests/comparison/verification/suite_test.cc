@@ -29,7 +29,7 @@ TEST(SuiteRow, FailsWithAWideBarWhereItHasToBeConclusive) {
   auto wide = row_of(1e-3, 2e-2), narrow = row_of(1e-3, 1e-2);
   wide.asked.must_be_conclusive = narrow.asked.must_be_conclusive = true;
   EXPECT_EQ(verdict_of(wide), RowVerdict::fails);
-  EXPECT_EQ(failure_of(wide), "stick_radius_shakedown: the bar 2.0e-02 is wider than the tolerance 1e-02");
+  EXPECT_EQ(failure_of(wide), "stick radius, shakedown: the bar 2.0e-02 is wider than the tolerance 1e-02");
   EXPECT_EQ(verdict_of(narrow), RowVerdict::agrees);
 }
 
@@ -37,7 +37,7 @@ TEST(SuiteRow, FailsWithAnErrorAboveItsBar) {
   EXPECT_EQ(verdict_of(row_of(1e-3, 5e-4)), RowVerdict::fails);
   EXPECT_EQ(verdict_of(row_of(3e-2, 2e-2)), RowVerdict::fails);
   EXPECT_EQ(verdict_of(with_proof(row_of(3e-2, 2e-2), Proof::bars)), RowVerdict::fails);
-  EXPECT_EQ(failure_of(row_of(3e-2, 2e-2)), "stick_radius_shakedown: the error 3.0e-02 is above its bar 2.0e-02");
+  EXPECT_EQ(failure_of(row_of(3e-2, 2e-2)), "stick radius, shakedown: the error 3.0e-02 is above its bar 2.0e-02");
   EXPECT_EQ(verdict_of(row_of(1e-13, 0)), RowVerdict::agrees) << "roundoff";
   EXPECT_EQ(verdict_of(row_of(1e-11, 0)), RowVerdict::fails);
 }
@@ -45,7 +45,7 @@ TEST(SuiteRow, FailsWithAnErrorAboveItsBar) {
 TEST(SuiteRow, WithoutABarIsHeldToItsTolerance) {
   EXPECT_EQ(verdict_of(with_proof(row_of(9e-3, {}), Proof::none)), RowVerdict::agrees);
   const auto off = with_proof(row_of(-1.1e-2, {}), Proof::none);
-  EXPECT_EQ(failure_of(off), "stick_radius_shakedown: the error -1.1e-02 is above its tolerance 1.0e-02");
+  EXPECT_EQ(failure_of(off), "stick radius, shakedown: the error -1.1e-02 is above its tolerance 1.0e-02");
 }
 
 TEST(SuiteRow, FailsWithoutFiniteNumbers) {

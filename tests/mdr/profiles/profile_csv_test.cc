@@ -55,6 +55,23 @@ TEST(ProfileCsv, FitsANoisyScan) {
   EXPECT_NE(error_of(text.str(), 1e-8).find("scan.csv: profile table at r in m"), std::string::npos);
 }
 
+// A profilometer's line over a parabola of which one half is 2 % higher, in units of its own.
+TEST(ProfileCsv, TakesTheMeanOfATwoSidedScan) {
+  std::ostringstream text;
+  text << "r,f\nmm,um\n";
+  for (int k = -20; k <= 24; ++k) text << 0.1 * k << "," << 7 + (k < 0 ? 51 : 49) * 0.01 * k * k << "\n";
+  const Profile profile = read(text.str());
+  EXPECT_NEAR(end_radius(profile), 2e-3, 1e-15);
+  EXPECT_NEAR(shape(profile, 1e-3), 5e-5, 1e-16);
+  std::istringstream stream(text.str());
+  const auto rows = read_profile_rows(stream, "scan.csv");
+  EXPECT_EQ(rows.r.size(), 21U);
+  EXPECT_NEAR(rows.halves.value().largest_difference, 8e-6, 1e-15);
+  EXPECT_NEAR(rows.halves->radius_of_difference, 2e-3, 1e-15);
+  std::istringstream outwards("0,0\n1,1\n2,4\n3,9\n");
+  EXPECT_FALSE(read_profile_rows(outwards, "scan.csv").halves);
+}
+
 // Found by fuzzing: slopes between such heights overflow.
 TEST(ProfileCsv, RefusesHeightsBeyondTheRangeOfSlopes) {
   std::istringstream stream("r,f\nmm,um\n0,5\n1,1\n2;1e308\n8,46\n");
@@ -73,7 +90,10 @@ TEST(ProfileCsv, ErrorsNameSourceAndPlace) {
   } tables[] = {
       {"r,f\n0,0\n1,1\n# gap\n0.5,2\n3,9\n", "scan.csv, line 5: radius = 0.5: must be greater"},
       {"0,0\n1,1\n1,1\n3,9\n", "scan.csv, line 3: radius = 1: must not be that of the row before"},
-      {"-1,0\n1,1\n2,4\n3,9\n", "scan.csv, line 1: radius = -1"},
+      {"-1,0\n1,1\n2,4\n3,9\n", "scan.csv, line 2: radius = 1: must be 0, the axis"},
+      {"-2,4\n-1,1\n", "scan.csv: rows of a two-sided scan with r >= 0 = 0: must be at least 2"},
+      {"r,f\nmm,mm\n-2,4\n-1,1\n0,0\n1,1.3\n2,4\n",
+       "scan.csv: the halves of the scan differ by 0.0003 m at r = 0.001 m"},
       {"0.1,0\n1,1\n2,4\n3,9\n", "scan.csv, line 1: radius = 0.1: must be 0, the axis"},
       {"0,0\n1,x\n", "scan.csv, line 2"},
       {"0,0,1\n", "scan.csv, line 1"},

@@ -1,0 +1,69 @@
+#include "comparison/results/sweep_line.h"
+
+#include <gtest/gtest.h>
+
+#include "comparison/case/case_file.h"
+#include "comparison/reference/mdr_answer.h"
+#include "tests/comparison/read_case.h"
+#include "tests/comparison/run_fretval.h"
+
+namespace fretval {
+namespace {
+
+std::filesystem::path swept(const ScratchFolder& folder, const std::string& entry, const std::string& values,
+                            const std::string& text = valid_case) {
+  return folder.write("swept.prm",
+                      text + "subsection Sweep\n  set Entry = " + entry + "\n  set Values = " + values + "\nend\n");
+}
+
+TEST(SweepLine, NamesTheUnitOfTheEntry) {
+  EXPECT_EQ(unit_of_entry("Motion / Phase"), "deg");
+  EXPECT_EQ(unit_of_entry("Friction / Coefficient"), "");
+  EXPECT_EQ(column_of_entry("Motion / Phase"), "Motion / Phase [deg]");
+  EXPECT_EQ(column_of_entry("Friction / Coefficient"), "Friction / Coefficient [1]");
+  EXPECT_EQ(column_of_entry("Elastomer / Relaxed shear modulus"), "Elastomer / Relaxed shear modulus [Pa]");
+}
+
+// Against the answer to a case of its own, and a = sqrt(R (d0 + delta)) of the parabola.
+TEST(SweepLine, IsTheAnswerAtValuesBetween) {
+  const ScratchFolder folder;
+  const auto file = swept(folder, "Indenter / Radius", "5, 10, 20 mm");
+  write_sweep_lines(read_case_file(file), folder.path());
+  const auto [value, radius] =
+      read_sweep_line(folder.path() / "swept", "Indenter / Radius", Quantity::contact_radius_max);
+  ASSERT_EQ(value.size(), 101U);
+  EXPECT_NEAR(value[25], 7.5e-3, 1e-12);
+  EXPECT_NEAR(value[75], 15e-3, 1e-12);
+  for (std::size_t i = 0; i < value.size(); ++i) EXPECT_NEAR(radius[i] / std::sqrt(value[i] * 1.2e-4), 1, 1e-9);
+  const auto [same, stick] =
+      read_sweep_line(folder.path() / "swept", "Indenter / Radius", Quantity::stick_radius_shakedown);
+  const auto between = mdr_case(read_case(replace(valid_case, "1e-2", "15 mm")));
+  EXPECT_NEAR(stick[75] / mdr_answer(between, mdr_normal_response(between)).stick_radius_shakedown.value(), 1, 1e-9);
+}
+
+TEST(SweepLine, IsNotThereWhereItWouldTakeLongOrMeanNothing) {
+  const ScratchFolder folder;
+  const auto is_written = [&](const std::filesystem::path& file) {
+    write_sweep_lines(read_case_file(file), folder.path());
+    return std::filesystem::exists(folder.path() / "swept" / "mdr.csv");
+  };
+  EXPECT_TRUE(is_written(swept(folder, "Friction / Coefficient", "0.3, 0.5")));
+  EXPECT_FALSE(is_written(swept(folder, "Friction / Coefficient", "0.3"))) << "that of before is gone";
+  EXPECT_FALSE(is_written(swept(folder, "Accuracy / Rings per radius", "32, 48")));
+  const auto force = replace(valid_case, "Indentation = 1e-4\n  set Normal amplitude = 2e-5",
+                             "Normal force = 0.5\n  set Normal force amplitude = 0.1");
+  EXPECT_FALSE(is_written(swept(folder, "Friction / Coefficient", "0.3, 0.5", force)));
+}
+
+// Without a first-slip zone from a small friction on.
+TEST(SweepLine, HasNoNumberWhereNothingSticks) {
+  const ScratchFolder folder;
+  write_sweep_lines(read_case_file(swept(folder, "Friction / Coefficient", "1e-3, 0.5")), folder.path());
+  const auto stick =
+      read_sweep_line(folder.path() / "swept", "Friction / Coefficient", Quantity::stick_radius_first_slip).second;
+  EXPECT_TRUE(std::isnan(stick.front()));
+  EXPECT_GT(stick.back(), 0);
+}
+
+}  // namespace
+}  // namespace fretval

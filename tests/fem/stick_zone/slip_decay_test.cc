@@ -1,0 +1,45 @@
+#include "fem/stick_zone/slip_decay.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "fem/stick_zone/stick_zones.h"
+#include "tests/fem/fretting.h"
+#include "tests/fem/half_space.h"
+
+namespace fretval::fem::slip_decay_test {
+namespace {
+
+TEST(SlipDecay, IsTheLargestSlipInsideOverTheAmplitude) {
+  FrictionHistory history;
+  history.amplitude = 2;
+  history.slip_of_periods = {Eigen::Vector3d(1, 3, 8), Eigen::Vector3d(0.5, 0, 8)};
+  EXPECT_EQ(slip_decay(history, 2), (std::vector<double>{1.5, 0.25}));
+  EXPECT_EQ(slip_decay(history, 3), (std::vector<double>{4, 4}));
+  EXPECT_TRUE(slip_decay(history, 0).empty());
+  history.amplitude = 0;
+  EXPECT_TRUE(slip_decay(history, 2).empty());
+}
+
+// A standard solid in fretting: one entry a period, the last of them that of the periodic state, and inside the
+// shakedown radius slip falls from a good share of the amplitude to that of a stuck ring.
+TEST(SlipDecay, EndsInShakedown) {
+  HistoryControl control;
+  control.steps_per_cycle = 48;
+  const auto& problem = normal_half_space(32);
+  const double mu = 0.5;
+  const Motion motion = one_frequency(0.8, 0.2, 1.5 * mu * 0.2, 1.0);
+  const auto history =
+      contact_history(NormalContact(problem, standard_solid(), parabola_means(problem), motion, 48),
+                      WatchedFriction(tangential_half_space(32), standard_solid(), mu, motion, 48), control)
+          .friction;
+  ASSERT_EQ(history.slip_of_periods.size(), static_cast<std::size_t>(history.n_cycles));
+  EXPECT_EQ(history.slip_of_periods.back(), history.period_slip);
+  const auto decay = slip_decay(history, stuck_rings(history, motion).shakedown);
+  EXPECT_GT(*std::max_element(decay.begin(), decay.end()), 0.01);
+  EXPECT_LE(decay.back() * history.amplitude, slip_of_stuck_ring(motion, history.amplitude));
+}
+
+}  // namespace
+}  // namespace fretval::fem::slip_decay_test
