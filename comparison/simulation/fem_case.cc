@@ -57,10 +57,9 @@ void require_room_on_sphere(const Case& input, const FemCase& fem) {
   const double a = fem.units.length, reach = std::max(farthest_ring, fem.body.contact_nodes.back()) * a;
   if (input.indenter.shape != Case::Shape::sphere || reach <= input.indenter.radius) return;
   throw InputError(fmt::format(
-      "{}: Indenter / Radius = {:g}: at the largest indentation, {:.3g} m, the contact radius is {:.3g} m, and with "
-      "the "
-      "rings that finite elements need beyond it the surface would reach the radius of the sphere; expected a smaller "
-      "indentation, or a radius of at least {:.3g} m; `fretval mdr` answers this case",
+      "{}: Indenter / Radius = {:g}: at the largest indentation, {:.3g} m, the contact radius is {:.3g} m, and rings "
+      "that finite elements need beyond it would reach the radius of the sphere; expected a smaller indentation, or a "
+      "radius of at least {:.3g} m; `fretval mdr` answers this case",
       input.file, input.indenter.radius, fem.units.depth, a, reach));
 }
 

@@ -52,7 +52,7 @@ Resolution resolution_for(double tolerance, bool memory) {
   // What the rings at a worn edge let through is about a tenth of sqrt(2 ring/c) of the force.
   const double worn_edge_ring = std::max(5 * tolerance * tolerance, finest_edge_ring);
   const auto ramp = [memory](int n_cycles) { return memory ? n_cycles : 1; };
-  if (tolerance >= 1e-2) return {24, 2, 0.3, 10, 32, ramp(4), 1e-4, 24, worn_edge_ring};
+  if (tolerance >= 1e-2) return {24, 3, 0.5, 12, 32, ramp(4), 1e-4, 24, worn_edge_ring};
   if (tolerance >= 1e-3) return {32, 3, 0.5, 12, 72, ramp(8), 1e-5, 48, worn_edge_ring};
   return {48, 3, 0.3, 20, 72, ramp(12), 1e-6, 96, worn_edge_ring};
 }
