@@ -90,6 +90,21 @@ void carry_drift(const Track& track, ErrorBudget& budget) {
   widen(budget.at(first_slip), track.value(shakedown) + budget.at(shakedown).total());
 }
 
+/// Under an unlocked phase both stick radii are the same: what the creep of either shows, goes for both.
+void carry_creep(const Track& track, ErrorBudget& budget) {
+  if (!needs_of(track.prepared.fem).creep) return;
+  const auto creep_of = [&](Quantity quantity) {
+    const auto& shares = budget.at(quantity).shares;
+    const auto found = std::find_if(shares.begin(), shares.end(),
+                                    [](const ErrorShare& share) { return share.source == ErrorSource::creep; });
+    return found == shares.end() ? 0 : found->estimate;
+  };
+  const double first_slip = creep_of(Quantity::stick_radius_first_slip),
+               shakedown = creep_of(Quantity::stick_radius_shakedown);
+  budget.at(Quantity::stick_radius_first_slip).add(ErrorSource::creep, std::max(shakedown - first_slip, 0.0));
+  budget.at(Quantity::stick_radius_shakedown).add(ErrorSource::creep, std::max(first_slip - shakedown, 0.0));
+}
+
 /// A cycle near a motion without one asks elements for a little less or more depth.
 void carry_near_cycle(const Track& track, ErrorBudget& budget) {
   const auto& [prepared, computed, resolution] = track;
@@ -115,7 +130,8 @@ void carry_slip_inside(const Track& track, ErrorBudget& budget) {
 }  // namespace
 
 CaseNeeds needs_of(const FemCase& fem) {
-  return {fem.relaxation.has_memory(), !fem.motion.locked, fem.worn_edge.has_value()};
+  return {fem.relaxation.has_memory(), !fem.motion.locked, fem.worn_edge.has_value(),
+          fem.relaxation.viscosity > 0 || fem.motion.tangential_force};
 }
 
 std::vector<Resolution> needed_for_bars(const Tracks& tracks, const CaseNeeds& needs) {
@@ -136,6 +152,7 @@ ErrorBudget error_bars(const PreparedCase& prepared, const Tracks& tracks, const
     auto bars = error_budget(resolution, computed.quantities(),
                              uncertainties_of_edges(computed.at(resolution), prepared.fem), needs_of(prepared.fem));
     if (borders == Borders::carried) carry_depths(track, bars);
+    if (!computed.failed(resolution)) carry_creep(track, bars);
     carry_near_cycle(track, bars);
     if (prepared.fem.worn_edge) carry_slip_inside(track, bars);
     for (const auto quantity : {Quantity::stick_radius_first_slip, Quantity::stick_radius_shakedown})

@@ -9,7 +9,23 @@
 namespace fretval {
 namespace {
 
+bool is_of_friction(Quantity quantity) {
+  switch (quantity) {
+    case Quantity::stick_radius_first_slip:
+    case Quantity::stick_radius_shakedown:
+    case Quantity::tangential_amplitude:
+    case Quantity::tangential_force_max:
+    case Quantity::tangential_force_mean:
+    case Quantity::friction_work:
+    case Quantity::cycle_work:
+      return true;
+    default:
+      return false;
+  }
+}
+
 ExpectedOrder expected_order(ErrorSource source, Quantity quantity, const CaseNeeds& needs) {
+  if (source == ErrorSource::time_step && needs.held_from_start && is_of_friction(quantity)) return {1, 4};
   if (source == ErrorSource::time_step || source == ErrorSource::start || source == ErrorSource::wear_jump) return {2};
   if (source == ErrorSource::creep) return {1};
   if (source == ErrorSource::far_field) return {4};
@@ -32,7 +48,8 @@ double element_error(double difference, unsigned degree, unsigned other) {
 }
 
 /// A quantity that only some of the computations have, may be off by anything.
-ErrorShare share_of(const Variant& variant, const Refinements& values, const ExpectedOrder& expected) {
+ErrorShare share_of(const Variant& variant, const Refinements& values, Quantity quantity, const CaseNeeds& needs) {
+  const auto expected = expected_order(variant.source, quantity, needs);
   const auto source = variant.source;
   const double difference = std::abs(values.fine - values.medium);
   if (std::isnan(difference) || std::isnan(values.coarse.value_or(0)))
@@ -103,7 +120,7 @@ ErrorBar error_bar(Quantity quantity, const std::vector<Variant>& variants, cons
     Refinements found{0, medium, std::nullopt};
     if (i + 1 < variants.size() && variants[i + 1].source == source)
       found.coarse = medium - change(varied, variants[i + 1].resolution);
-    bar.shares.push_back(share_of(variants[i], found, expected_order(source, quantity, needs)));
+    bar.shares.push_back(share_of(variants[i], found, quantity, needs));
   }
   return bar;
 }

@@ -48,12 +48,12 @@ double width_of_ring_at(const Compliance& compliance, double radius) {
   return *outer - *(outer - 1);
 }
 
-/// Where the edge of the contact of a body with branches travels by hardly a ring in a cycle, the rings do not show the
+/// Where the edge of the contact of a body with memory travels by hardly a ring in a cycle, the rings do not show the
 /// pressures between its ends. Up to 2 % of the amplitude of the force were missed (cone, |G| of 15 G0, at 0.2 rings).
 double unseen_travel(const ContactProblem& problem, const ForceContext& context, const NormalHistory& history) {
   constexpr double few_rings = 2, share = 0.05;
   constexpr int order = 6;
-  if (context.relaxation.moduli.empty() || context.worn) return 0;
+  if (!context.relaxation.has_memory() || context.worn) return 0;
   const auto radius = history.contact_radius.tail(history.steps_per_cycle);
   const auto force = history.force.tail(history.steps_per_cycle);
   const double n_rings =

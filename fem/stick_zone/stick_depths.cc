@@ -33,6 +33,11 @@ double reach_of_edge(const StickDepths& depths, double c, double uncertainty) {
 }
 
 double width_of_edge(const StickDepths& depths, double uncertainty) {
+  const auto& [depth, radius] = depths;
+  Eigen::Index n = 0;
+  while (n < depth.size() && depth[n] > 0) ++n;
+  const double slope = n < 2 ? 0 : (depth[n - 2] - depth[n - 1]) / (radius[n - 1] - radius[n - 2]);
+  if (slope > 0) return 2 * uncertainty / slope;
   return crossing(depths, -uncertainty) - crossing(depths, uncertainty);
 }
 

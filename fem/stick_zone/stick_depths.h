@@ -30,7 +30,8 @@ StickDepths stick_depths(const StickRings& rings, const Eigen::VectorXd& radii, 
 double reach_of_edge(const StickDepths& depths, double c, double uncertainty);
 
 /// How far apart the depths fall to `uncertainty` and to minus it: twice what the edge moves if all of them are off by
-/// that. Unlike reach_of_edge it does not count that the edge is read more finely than the depths are spaced.
+/// that. Unlike reach_of_edge it does not count that the edge is read more finely than the depths are spaced: they fall
+/// as between the last two rings that stick, for a slip that has added up for long falls more steeply.
 double width_of_edge(const StickDepths& depths, double uncertainty);
 
 }  // namespace fretval::fem

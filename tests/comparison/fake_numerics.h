@@ -16,6 +16,7 @@ struct FakeNumerics {
   double shakedown = first_slip;
   double centre_depth = 1;        ///< of either stick zone
   double centre_depth_error = 0;  ///< at 1 ring per radius, of third order
+  double creep_error = 0;         ///< of the shakedown radius alone, in 1 creep cycle, of first order
 
   [[nodiscard]] double error(const Resolution& r) const {
     const double rings = r.elements_per_radius, steps = r.steps_per_cycle;
@@ -24,13 +25,13 @@ struct FakeNumerics {
 
   FeAnswer operator()(const FemCase& fem, const Resolution& r) const {
     const double length = fem.units.length, rings = r.elements_per_radius;
-    const auto radius = [&](double exact) {
-      return exact > 0 ? std::optional((exact + error(r)) * length) : std::nullopt;
+    const auto radius = [&](double exact, double creep = 0) {
+      return exact > 0 ? std::optional((exact + error(r) + creep / r.n_creep_cycles) * length) : std::nullopt;
     };
     FeAnswer answer;
     answer.contact_radius_max = length;
     answer.stick_radius_first_slip = radius(first_slip);
-    answer.stick_radius_shakedown = radius(shakedown);
+    answer.stick_radius_shakedown = radius(shakedown, creep_error);
     answer.normal_force_max = fem.units.force();
     const double depth = centre_depth + centre_depth_error / (rings * rings * rings);
     answer.first_slip_depths = answer.shakedown_depths = {Eigen::Vector2d(depth, -1), Eigen::Vector2d(0, 1)};

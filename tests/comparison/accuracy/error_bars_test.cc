@@ -62,6 +62,18 @@ TEST(ErrorBars, CarryADepthThatMayBeNone) {
   EXPECT_LT(bars_of(prepared, clear, Borders::carried).at(shakedown_radius).total(), 0.1);
 }
 
+// They are the same number, whose error either may hide.
+TEST(ErrorBars, OfAnUnlockedPhaseTakeTheCreepOfEitherRadiusForBoth) {
+  FakeNumerics creeping{0, 0};
+  creeping.creep_error = 0.1;
+  const auto bars = [&](const char* name) { return bars_of(prepared_of(name), creeping); };
+  const auto free = bars("parabola-elastic-free"), locked = bars("parabola-elastic-90");
+  const double error = 0.1 / prepared_of("parabola-elastic-free").fem.resolution.n_creep_cycles;
+  for (const auto quantity : {first_slip_radius, shakedown_radius})
+    EXPECT_NEAR(free.at(quantity).total(), 1.5 * error, 1e-12);
+  EXPECT_EQ(locked.at(first_slip_radius).total(), 0);
+}
+
 // While an unlocked phase drifts, rings slip on the way that would not.
 TEST(ErrorBars, OfNoFirstSlipZoneReachToTheShakedownRadiusWhereThePhaseDrifts) {
   const FakeNumerics no_first_slip{0, 0, 0, 0.3};

@@ -31,5 +31,11 @@ TEST(StickDepths, ComeFromReservesAndSlip) {
   EXPECT_EQ(depths.radius.size(), 3);
 }
 
+// By 0.4 between the last two rings that stick; slip has added up to 4 in the next one.
+TEST(StickDepths, FallBeyondTheEdgeAsInside) {
+  const StickDepths depths{Eigen::Vector4d(1, 0.6, 0.2, -4), Eigen::Vector4d(0, 1, 2, 3)};
+  EXPECT_NEAR(width_of_edge(depths, 0.1), 2 * 0.1 / 0.4, 1e-15);
+}
+
 }  // namespace
 }  // namespace fretval::fem::stick_depths_test
