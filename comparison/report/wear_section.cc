@@ -127,8 +127,7 @@ Figure claim_figure(const Results& results, const std::string& shape) {
   return {std::move(plot),
           "Lines: the limiting profiles of MDR's shakedown radii. Points: the indenters that finite elements have worn "
           "until nothing wears any more, whatever the law of wear, its coefficient and the rheology. In units of the "
-          "unworn "
-          "contact radius and the largest indentation, as in the paper."};
+          "unworn contact radius and the largest indentation, as in the paper."};
 }
 
 /// Those of the plots of a case: of radii and of heights.
