@@ -27,7 +27,7 @@ struct FrictionForce {
   double value, uncertainty = 0;
 };
 
-/// While the outermost rings slip it is what the slip reserve leaves of mu times the normal force:
+/// While the outermost rings slip the force is what the slip reserve leaves of mu times the normal force:
 /// the reserve vanishes in the slip zone, however narrow it is, so the edge of the contact plays no part. Where it
 /// begins to vanish is found from the reserve of the stuck rings, and of the next ones as they were held when their
 /// slip began: that of the last zone that sticks may have one ring or none left.

@@ -10,23 +10,13 @@ namespace {
 
 using Prescribed = ValueAndRate (*)(const Motion&, double);
 
-/// `oint y dx` where x is prescribed, at the instants begin, begin + dt, ... of a period.
-double loop(const Motion& motion, Prescribed prescribed, double begin, const Eigen::VectorXd& y) {
-  const double dt = 2 * pi * motion.cycles_per_period() / static_cast<double>(y.size());
-  double area = 0;
-  for (Eigen::Index k = 0; k < y.size(); ++k)
-    area += y[k] * prescribed(motion, begin + static_cast<double>(k) * dt).rate * dt;
-  return area;
-}
-
-/// Of such an area where y is uncertain by so much, all one way.
-double loop_of_uncertainty(const Motion& motion, Prescribed prescribed, double begin,
-                           const Eigen::VectorXd& uncertainty) {
-  const double dt = 2 * pi * motion.cycles_per_period() / static_cast<double>(uncertainty.size());
-  double area = 0;
-  for (Eigen::Index k = 0; k < uncertainty.size(); ++k)
-    area += uncertainty[k] * std::abs(prescribed(motion, begin + static_cast<double>(k) * dt).rate) * dt;
-  return area;
+/// What is prescribed moves by so much around each of n instants of a period, begin, begin + dt, ...: y.dot(moves) is
+/// `oint y dx`.
+Eigen::VectorXd moves(const Motion& motion, Prescribed prescribed, double begin, Eigen::Index n) {
+  const double dt = 2 * pi * motion.cycles_per_period() / static_cast<double>(n);
+  Eigen::VectorXd moves(n);
+  for (Eigen::Index k = 0; k < n; ++k) moves[k] = prescribed(motion, begin + static_cast<double>(k) * dt).rate * dt;
+  return moves;
 }
 
 /// Of samples of a period. Those at its ends have their neighbours in the next one.
@@ -38,20 +28,20 @@ double largest_magnitude(const Eigen::VectorXd& samples) {
 }
 
 /// Where forces are prescribed they are known, and of what they make the indenter do this knows nothing.
-CycleUncertainty uncertainty_of(const RelaxationModel& relaxation, const Motion& motion, double begin,
-                                const NormalHistory& normal, const FrictionHistory& friction) {
+CycleUncertainty uncertainty_of(const RelaxationModel& relaxation, const Motion& motion, const Eigen::VectorXd& along,
+                                const Eigen::VectorXd& down, const NormalHistory& normal,
+                                const FrictionHistory& friction) {
   CycleUncertainty uncertainty{};
   Eigen::Index largest = 0;
   friction.force.cwiseAbs().maxCoeff(&largest);
   if (!motion.tangential_force) {
     uncertainty.tangential_force_max = friction.force_uncertainty[largest];
     uncertainty.tangential_force_mean = friction.force_uncertainty.mean();
-    uncertainty.cycle_work = loop_of_uncertainty(motion, tangential_motion, begin, friction.force_uncertainty);
+    uncertainty.cycle_work = friction.force_uncertainty.dot(along.cwiseAbs());
   }
   uncertainty.friction_work = relaxation.has_memory() ? friction.dissipated_uncertainty : uncertainty.cycle_work;
   if (!motion.normal_force)
-    uncertainty.cycle_work += loop_of_uncertainty(motion, normal_motion, normal.time[0],
-                                                  normal.force_uncertainty + normal.force_beyond_uncertainty);
+    uncertainty.cycle_work += (normal.force_uncertainty + normal.force_beyond_uncertainty).dot(down.cwiseAbs());
   return uncertainty;
 }
 
@@ -69,11 +59,11 @@ CycleResponse cycle_response(const RelaxationModel& relaxation, double friction_
   const auto n = friction.force.size();
   const double dt = 2 * pi / normal.steps_per_cycle,
                begin = normal.first_balance + static_cast<double>(friction.n_steps - n) * dt;
-  const double tangential = motion.tangential_force ? -loop(motion, tangential_motion, begin, friction.indenter)
-                                                    : loop(motion, tangential_motion, begin, friction.force),
-               pressing = motion.normal_force
-                              ? -loop(motion, normal_motion, normal.time[0], normal.indentation)
-                              : loop(motion, normal_motion, normal.time[0], normal.force + normal.force_beyond);
+  const auto along = moves(motion, tangential_motion, begin, n),
+             down = moves(motion, normal_motion, normal.time[0], normal.force.size());
+  const double tangential = motion.tangential_force ? -friction.indenter.dot(along) : friction.force.dot(along),
+               pressing =
+                   motion.normal_force ? -normal.indentation.dot(down) : (normal.force + normal.force_beyond).dot(down);
   CycleResponse response{};
   response.tangential_force_max = largest_magnitude(friction.force);
   response.tangential_force_mean = friction.force.mean();
@@ -81,7 +71,7 @@ CycleResponse cycle_response(const RelaxationModel& relaxation, double friction_
   response.bulk_work = relaxation.has_memory() ? tangential + pressing - response.friction_work : 0;
   response.sliding_force = friction_coefficient * normal_force_max;
   response.sliding_work = response.sliding_force * path_to_and_fro(motion, friction.amplitude);
-  response.uncertainty = uncertainty_of(relaxation, motion, begin, normal, friction);
+  response.uncertainty = uncertainty_of(relaxation, motion, along, down, normal, friction);
   return response;
 }
 
