@@ -36,6 +36,7 @@ void add_cycle(const std::optional<Cycle>& cycle, const Units& units, Quantities
 
 Quantities quantities_of(const FeAnswer& fe, const Units& units) {
   Quantities values;
+  if (fe.axis_pressure_max) values[Quantity::axis_pressure_max] = std::log(*fe.axis_pressure_max / units.pressure());
   if (fe.contact_radius_max) values[Quantity::contact_radius_max] = *fe.contact_radius_max / units.length;
   add_response(fe, fe.normal_force_max, units, values);
   add_cycle(fe.cycle, units, values);
@@ -52,6 +53,7 @@ Quantities quantities_of(const FeAnswer& fe, const Units& units) {
 
 Quantities quantities_of(const MdrAnswer& mdr, const Units& units, bool worn) {
   Quantities values;
+  if (mdr.axis_pressure) values[Quantity::axis_pressure_max] = std::log(mdr.axis_pressure->largest / units.pressure());
   values[Quantity::contact_radius_max] = mdr.contact_radius_max.value() / units.length;
   add_response(mdr, mdr.normal_force_max.value(), units, values);
   add_cycle(mdr.cycle, units, values);

@@ -8,6 +8,7 @@ namespace fretval {
 const QuantityTraits& traits_of(Quantity quantity) {
   // In the order of the enumeration.
   static constexpr std::array<QuantityTraits, all_quantities.size()> table{{
+      {"axis_pressure_max", "largest pressure on the axis", "pressure", "relative", "Pa", 1, {1}, {}, true},
       {"contact_radius_max", "largest contact radius", "contact radius", "relative", "m", 10, {3}, {}},
       {"cycle_work", "energy lost altogether", "loss", "relative", "J", 1, {2}, {}, true},
       {"distance_to_limit", "distance from the limiting profile", "distance", "over a and d max", "", 0.5, {2}, {}},

@@ -12,9 +12,11 @@ namespace fretval {
 /// force is prescribed the largest indentation stands for the largest force, and a tangential force comes with the
 /// amplitude of the displacement. Three are of an indenter that has worn: the volume over that of the limiting profile,
 /// the outer radius of the wear, and the largest distance of the worn profile from the limiting one (see
-/// distance_to_limit). Four are of a cycle of a locked motion: the largest tangential force, its mean, which slip has
-/// locked in, the energy lost to friction, and the energy lost altogether.
+/// distance_to_limit). The pressure on the axis, under a tip that is not sharp, has its largest value in a period. Four
+/// are of a cycle of a locked motion: the largest tangential force, its mean, which slip has locked in, the energy lost
+/// to friction, and the energy lost altogether.
 enum class Quantity {
+  axis_pressure_max,
   contact_radius_max,
   cycle_work,
   distance_to_limit,
@@ -34,7 +36,8 @@ enum class Quantity {
   worn_volume
 };
 
-inline constexpr std::array all_quantities{Quantity::contact_radius_max,
+inline constexpr std::array all_quantities{Quantity::axis_pressure_max,
+                                           Quantity::contact_radius_max,
                                            Quantity::cycle_work,
                                            Quantity::distance_to_limit,
                                            Quantity::force_outside_stick_zone,
@@ -57,6 +60,7 @@ inline constexpr std::array quantities_by_interest{Quantity::stick_radius_first_
                                                    Quantity::stick_radius_shakedown,
                                                    Quantity::contact_radius_max,
                                                    Quantity::normal_force_max,
+                                                   Quantity::axis_pressure_max,
                                                    Quantity::indentation_max,
                                                    Quantity::tangential_amplitude,
                                                    Quantity::tangential_force_max,

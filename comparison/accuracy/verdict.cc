@@ -54,6 +54,11 @@ void compare_responses(const MdrAnswer& mdr, const FeAnswer& fe, const Tolerance
   else
     comparison[Quantity::normal_force_max] =
         judge_relative(fe.normal_force_max, mdr.normal_force_max, tolerances.normal_force);
+  if (fe.axis_pressure_max && mdr.axis_pressure) {
+    const auto [largest, error] = *mdr.axis_pressure;
+    const double tolerance = tolerance_of(tolerances, Quantity::axis_pressure_max) + error / largest;
+    comparison[Quantity::axis_pressure_max] = judge_relative(fe.axis_pressure_max, largest, tolerance);
+  }
   if (fe.tangential_amplitude)
     comparison[Quantity::tangential_amplitude] =
         judge_relative(fe.tangential_amplitude, mdr.tangential_amplitude, tolerances.stick_radius);

@@ -29,14 +29,15 @@ void print_answer(const ordered_json& json) {
   fmt::print("{}\n", json["name"].get<std::string>());
   const auto print = [](const ordered_json& from, const std::vector<Line>& lines) {
     for (const auto& [key, label, unit, none] : lines)
-      fmt::print("  {:<28}{}\n", label, value_text(from[key], unit, none));
+      if (from.contains(key)) fmt::print("  {:<30}{}\n", label, value_text(from[key], unit, none));
   };
   print(json["mdr"], {{"modulus_ratio", "modulus ratio", "", "none"},
                       {"contact_radius_max", "largest contact radius", "m", "none"},
                       {"stick_radius_first_slip", "stick radius, first slip", "m", "none (nothing sticks)"},
                       {"stick_radius_shakedown", "stick radius, shakedown", "m", "none (nothing sticks)"},
                       {"worn_radius", "outer radius of the wear", "m", "none (wear goes on)"},
-                      {"normal_force_max", "largest normal force", "N", "not computed; see --springs"}});
+                      {"normal_force_max", "largest normal force", "N", "not computed; see --springs"},
+                      {"axis_pressure_max", "largest pressure on the axis", "Pa", ""}});
   if (json.contains("springs"))
     print(json["springs"], {{"stick_radius_first_slip", "springs: first slip", "m", "none (nothing sticks)"},
                             {"stick_radius_shakedown", "springs: shakedown", "m", "none (nothing sticks)"},
@@ -45,7 +46,7 @@ void print_answer(const ordered_json& json) {
                             {"bulk_work", "springs: bulk per cycle", "J", ""}});
   if (json.contains("wear")) {
     const auto& wear = json["wear"];
-    fmt::print("  {:<28}{:.6g} m^3 after {:.6g} cycles\n", "worn volume", wear["volume"].back().get<double>(),
+    fmt::print("  {:<30}{:.6g} m^3 after {:.6g} cycles\n", "worn volume", wear["volume"].back().get<double>(),
                wear["cycles"].back().get<double>());
   }
   if (json.contains("elastomer"))

@@ -55,6 +55,7 @@ MdrAnswer forced_answer(const MdrCase& mdr, const mdr::NormalResponse& normal) {
   MdrAnswer answer{};
   answer.contact_radius_max = normal.contact_radius_max;
   answer.normal_force_max = normal.normal_force_max;
+  answer.axis_pressure = normal.axis_pressure;
   mdr::SteppedForcedResponse stepped;
   try {
     stepped = mdr::forced_response(mdr.profile, mdr.body, mdr.friction_coefficient, mdr.prescribed());
@@ -84,6 +85,7 @@ MdrAnswer displaced_answer(const MdrCase& mdr, const mdr::HarmonicMotion& motion
   MdrAnswer answer{};
   answer.contact_radius_max = normal.contact_radius_max;
   answer.normal_force_max = normal.normal_force_max;
+  answer.axis_pressure = normal.axis_pressure;
   const auto one_each = mdr::one_harmonic_each(motion);
   const auto radii_on = [&](const auto& profile) {
     return one_each ? mdr::stick_radii(profile, mdr.body, mdr.friction_coefficient, *one_each)
@@ -147,6 +149,7 @@ nlohmann::ordered_json to_json(const MdrAnswer& answer) {
                               {"worn_radius", or_null(answer.worn_radius)},
                               {"normal_force_max", or_null(answer.normal_force_max)},
                               {"limiting_amplitude", or_null(answer.limiting_amplitude)}};
+  if (answer.axis_pressure) json["axis_pressure_max"] = answer.axis_pressure->largest;
   if (answer.indentation_max) json["indentation_max"] = *answer.indentation_max;
   if (answer.tangential_amplitude) json["tangential_amplitude"] = *answer.tangential_amplitude;
   if (answer.cycle) {

@@ -31,8 +31,6 @@ Table answer_table(const StoredResult& r, const Answer& answer) {
   table.label = "the answer";
   for (const auto& [title, fe, mdr, difference, passes] : answer.rows)
     table.rows.push_back({title, fe, mdr, bad_if(!passes, difference)});
-  // That of the springs is at the largest indentation, where a body with memory has had its largest pressure already.
-  add_row(table, "largest pressure", r.number("fe", "pressure_max"), std::nan(""), "Pa");
   if (!r.json.at("comparison").contains(name_of(Quantity::friction_work)))
     add_row(table, "energy lost to friction per period", r.number("fe", "friction_work"), std::nan(""), "J");
   if (std::isnan(r.number("fe", "worn_radius")) && r.number("mdr", "worn_radius") > 0)

@@ -71,11 +71,6 @@ ordered_json bar_json(const std::optional<ErrorBar>& bar) {
   return {{"total", bar->total()}, {"shares", shares}};
 }
 
-/// Under a worn one pressure is singular, and that of a ring no more than the ring is wide.
-bool input_is_unworn(const CaseResult& result) {
-  return result.input.wear == Case::Wear::unworn;
-}
-
 ordered_json fe_json(const CaseResult& result) {
   const auto& fe = result.fe.fe;
   ordered_json json{{"contact_radius_max", or_null(fe.contact_radius_max)},
@@ -83,6 +78,7 @@ ordered_json fe_json(const CaseResult& result) {
                     {"stick_radius_shakedown", or_null(fe.stick_radius_shakedown)},
                     {"worn_radius", nullptr},
                     {"normal_force_max", fe.gross_slip ? ordered_json(nullptr) : ordered_json(fe.normal_force_max)}};
+  if (fe.axis_pressure_max) json["axis_pressure_max"] = *fe.axis_pressure_max;
   if (fe.indentation_max) json["indentation_max"] = *fe.indentation_max;
   if (fe.tangential_amplitude) json["tangential_amplitude"] = *fe.tangential_amplitude;
   if (fe.gross_slip) json["gross_slip"] = {{"time", fe.gross_slip->time}, {"amplitude", fe.gross_slip->amplitude}};
@@ -94,7 +90,6 @@ ordered_json fe_json(const CaseResult& result) {
   }
   if (!fe.gross_slip && fe.normal.pressure.size() > 0) {
     const auto& units = result.fem_case.units;
-    if (input_is_unworn(result)) json["pressure_max"] = fe.normal.pressure.maxCoeff() * units.pressure();
     json["friction_work"] =
         fe.cycle ? fe.cycle->friction_work : fe.friction.dissipated_energy * units.force() * units.depth;
   }

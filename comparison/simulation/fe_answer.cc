@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "fem/stick_zone/axis_pressure.h"
 #include "fem/stick_zone/contact_radius.h"
 #include "fem/stick_zone/edge_near_largest_contact.h"
 #include "fem/stick_zone/largest_force.h"
@@ -113,11 +114,24 @@ bool relaxes_within_a_step(const FemCase& fem) {
   return (viscosity > 0 && is_short(viscosity / relaxed)) || std::any_of(times.begin(), times.end(), is_short);
 }
 
-/// n of f ~ r^n in the outer half of the contact; at most that of the bluntest indenters. A flat face counts as such.
-double exponent_at_edge(const FemCase& fem) {
+/// n of f ~ r^n from half of the radius to it; at most that of the bluntest indenters. A flat face counts as such.
+double exponent_at(double radius, const FemCase& fem) {
   constexpr double bluntest = 8;
-  const double edge = fem.profile(1), half_way = fem.profile(0.5);
-  return half_way > 0 ? std::min(std::log2(edge / half_way), bluntest) : bluntest;
+  const double outside = fem.profile(radius), half_way = fem.profile(radius / 2);
+  return half_way > 0 ? std::min(std::log2(outside / half_way), bluntest) : bluntest;
+}
+
+double exponent_at_edge(const FemCase& fem) {
+  return exponent_at(1, fem);
+}
+
+std::optional<double> axis_pressure_of(const FemCase& fem, const fem::PunchSeries& series,
+                                       const fem::NormalHistory& normal) {
+  constexpr double near_axis = 1e-4, sharp = 1 + 1e-3;
+  const double exponent = exponent_at(near_axis, fem);
+  if (exponent < sharp) return std::nullopt;
+  const auto pressure = fem::axis_pressure_max(series, normal.pressure, normal.contact_radius, exponent);
+  return pressure ? std::optional(*pressure * fem.units.pressure()) : std::nullopt;
 }
 
 /// Next to a sharp edge of the indenter the pressure is singular, and rings that are not graded there miss the stick
@@ -177,6 +191,7 @@ FeAnswer read_answer(const ContactProblems& problems, const FemCase& fem, const 
       problems.normal, {fem.relaxation, fem.sharp_edge, fem.worn_edge.has_value(), fem.motion.highest_normal_order()},
       normal);
   answer.normal_force_max = force.value * fem.units.force();
+  answer.axis_pressure_max = axis_pressure_of(fem, problems.normal.series, normal);
   answer.normal_force_uncertainty = force.uncertainty * fem.units.force();
   if (fem.motion.normal_force) {
     const auto [depth, uncertainty] = fem::largest_indentation(problems.normal, fem.relaxation, normal);

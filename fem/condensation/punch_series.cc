@@ -76,24 +76,28 @@ Eigen::VectorXd PunchSeries::rings(const Eigen::VectorXd& displacements, Index f
       .cwiseQuotient(areas_.segment(first, n));
 }
 
-double PunchSeries::integral(const Eigen::VectorXd& depths, const std::vector<signed char>& labels,
-                             std::optional<double> end_of_depths) const {
+PunchSeries::Integral PunchSeries::integral(const Eigen::VectorXd& depths, const std::vector<signed char>& labels,
+                                            std::optional<double> end_of_depths) const {
   const auto zones = zones_of(labels);
   // The innermost depth is off by the shape of the tip (its ring stands for 4/(3 pi) of its radius under a cone, for
   // 1/2 under a parabola): where the next ones continue smoothly to it, they are continued to the centre instead.
   const bool blunt =
       zones[0].size() > n_stencil && std::abs(Stencil{radii_, depths, 1, n_stencil}(radii_[0]) - depths[0]) <=
                                          0.1 * std::abs(depths[1] - depths[0]) + 1e-6 * std::abs(depths[0]);
-  double sum = 0, begin = 0;
+  const auto kink = [&](Index i) {
+    if (i == 0 || i + 1 >= depths.size()) return 0.0;
+    return (edges_[i + 1] - edges_[i]) * std::abs(depths[i - 1] - 2 * depths[i] + depths[i + 1]);
+  };
+  constexpr double share_of_kink = 0.125;
+  double sum = 0, begin = 0, unseen = 0;
   for (std::size_t z = 0; z < zones.size(); ++z) {
     const auto [first, last] = zones[z];
     const Index node = std::max<Index>(first, blunt ? 1 : 0);
     const Index n = std::min<Index>(n_stencil, last - node + 1);
-    double end = edges_[last + 1];
-    if (z + 1 == zones.size())
-      end = end_of_depths.value_or(end);
-    else
-      end = border_after(zones, z, node, radii_, depths).value_or(end);
+    const bool is_outermost = z + 1 == zones.size();
+    const auto border = is_outermost ? end_of_depths : border_after(zones, z, node, radii_, depths);
+    const double end = border.value_or(edges_[last + 1]);
+    if (!is_outermost && !border) unseen += share_of_kink * std::max(kink(last), kink(last + 1));
     for (Index i = first; i <= last; ++i) {
       const double from = i == first ? begin : edges_[i], to = i == last ? end : std::min(edges_[i + 1], end);
       if (to <= from) continue;
@@ -104,22 +108,7 @@ double PunchSeries::integral(const Eigen::VectorXd& depths, const std::vector<si
     }
     begin = end;
   }
-  return force_per_radius_ * sum;
-}
-
-double PunchSeries::unseen_kinks(const Eigen::VectorXd& depths, const std::vector<signed char>& labels) const {
-  constexpr double share = 0.125;
-  const auto zones = zones_of(labels);
-  const auto kink = [&](Index i) {
-    if (i == 0 || i + 1 >= depths.size()) return 0.0;
-    return (edges_[i + 1] - edges_[i]) * std::abs(depths[i - 1] - 2 * depths[i] + depths[i + 1]);
-  };
-  double sum = 0;
-  for (std::size_t z = 0; z + 1 < zones.size(); ++z) {
-    const auto [first, last] = zones[z];
-    if (!border_after(zones, z, first, radii_, depths)) sum += std::max(kink(last), kink(last + 1));
-  }
-  return share * force_per_radius_ * sum;
+  return {force_per_radius_ * sum, force_per_radius_ * unseen};
 }
 
 std::optional<double> PunchSeries::edge_of_gap(const Eigen::VectorXd& gap, Index n_closed, Index n_pressed,

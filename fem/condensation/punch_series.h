@@ -39,16 +39,19 @@ class PunchSeries {
   /// The other way round: ring displacements from such ones, for a range of rings inside which they vanish.
   [[nodiscard]] Eigen::VectorXd rings(const Eigen::VectorXd& displacements, Eigen::Index first) const;
 
+  /// An integral over the punches, and what it leaves open where it is the plain sum at the end of a zone: a kink
+  /// inside a ring puts the midpoint rule off by an eighth of the second difference of D times the width of the ring at
+  /// most.
+  struct Integral {
+    double value, unseen_kinks;
+  };
+
   /// `k int D dr` for depths, or products of depths and displacements, of the innermost rings. zones: a label per ring,
   /// of these rings; D may have a kink or a jump where neighbouring labels differ. Next to zones of a single ring, and
   /// where the two sides do not meet between their rings (as with a dashpot, whose pressure jumps at the edge), it is
   /// the plain sum. end: where D ends, if not with the last ring; beyond the last ring D is continued up to there.
-  [[nodiscard]] double integral(const Eigen::VectorXd& depths, const std::vector<signed char>& zones,
-                                std::optional<double> end = std::nullopt) const;
-
-  /// What that leaves open where it is the plain sum at the end of a zone: a kink inside a ring puts the midpoint rule
-  /// off by an eighth of the second difference of D times the width of the ring at most.
-  [[nodiscard]] double unseen_kinks(const Eigen::VectorXd& depths, const std::vector<signed char>& zones) const;
+  [[nodiscard]] Integral integral(const Eigen::VectorXd& depths, const std::vector<signed char>& zones,
+                                  std::optional<double> end = std::nullopt) const;
 
   /// Radius at which the gap outside n_pressed rings vanishes: its displacements in the sense above are to the gap what
   /// the depths are to the pressure, smooth up to the edge, whatever pressure there is, but for a kink at the edge of

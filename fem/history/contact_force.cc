@@ -35,7 +35,7 @@ double force_beyond(const PunchSeries& series, const Eigen::VectorXd& depths, In
 ContactForce force_of_all(const PunchSeries& series, const Eigen::VectorXd& depths, Index n_pressed) {
   std::vector<signed char> zones(static_cast<std::size_t>(depths.size()), 0);
   std::fill(zones.begin() + n_pressed, zones.end(), 1);
-  return {series.integral(depths, zones), series.edges()[n_pressed]};
+  return {series.integral(depths, zones).value, series.edges()[n_pressed]};
 }
 
 /// Of the n_pressed rings around the centre.
@@ -51,12 +51,13 @@ ContactForce central_force(const PunchSeries& series, const Eigen::VectorXd& dep
   if (!edge) edge = series.edge_of_gap(gap, n_inner, n_pressed, past.largest_radius);
   const double radius = edge.value_or(series.edges()[n_pressed]);
   const std::vector<signed char> one_zone(static_cast<std::size_t>(n_inner), 0);
-  const double force = series.integral(depths, one_zone, radius);
+  const double force = series.integral(depths, one_zone, radius).value;
   double kink = 0, uncertainty = 0, too_much = 0;
   if (past.edge != PressureAtEdge::vanishes) {
     constexpr double share_of_kink = 0.25;
     const bool unseen_kink = past.largest_radius > radius && past.largest_radius <= radii[n_pressed];
-    if (unseen_kink) kink = share_of_kink * std::abs(series.integral(depths, one_zone, past.largest_radius) - force);
+    if (unseen_kink)
+      kink = share_of_kink * std::abs(series.integral(depths, one_zone, past.largest_radius).value - force);
   }
   // Not at a sharp edge of the indenter.
   if (edge && past.edge != PressureAtEdge::jumps) {

@@ -74,6 +74,10 @@ Eigen::VectorXd at_own_radii(const PunchSeries& series, const TouchingRings& tou
   return moved;
 }
 
+FrictionForce force_of(const PunchSeries::Integral& integral) {
+  return {integral.value, integral.unseen_kinks};
+}
+
 /// The force if less than three rings have touched since the contact turned and all of them stick; empty otherwise:
 /// where slip begins outside the last ring, more of them show it better.
 std::optional<FrictionForce> force_of_growing_contact(const PunchSeries& series, const SlipZones& zones,
@@ -115,14 +119,9 @@ std::optional<FrictionForce> force_of_growing_contact(const PunchSeries& series,
     if (std::abs(growth(middle)) > limit(middle)) return std::nullopt;
   }
   const Eigen::VectorXd depths_before = depths.head(n_before);
-  return FrictionForce{
-      series.integral(depths_before, before, turning) + series.force_per_radius() * growth.integral(turning, edge),
-      series.unseen_kinks(depths_before, before)};
-}
-
-FrictionForce sum_of_zones(const PunchSeries& series, const Eigen::VectorXd& depths,
-                           const std::vector<signed char>& labels) {
-  return {series.integral(depths, labels), series.unseen_kinks(depths, labels)};
+  auto force = force_of(series.integral(depths_before, before, turning));
+  force.value += series.force_per_radius() * growth.integral(turning, edge);
+  return force;
 }
 
 }  // namespace
@@ -133,7 +132,7 @@ FrictionForce friction_force(const PunchSeries& series, const SlipZones& zones, 
   const auto& labels = zones.labels();
   const Index n_pressed = std::find(labels.begin(), labels.end(), SlipZones::free) - labels.begin();
   const auto slip = zones.slip().begin();
-  if (n_pressed == 0 || n_pressed == series.radii().size()) return sum_of_zones(series, zones.depths(), labels);
+  if (n_pressed == 0 || n_pressed == series.radii().size()) return force_of(series.integral(zones.depths(), labels));
   const signed char outermost = slip[n_pressed - 1];
   Index n_stuck = n_pressed;
   while (n_stuck > 0 && outermost != 0 && slip[n_stuck - 1] == outermost) --n_stuck;
@@ -146,12 +145,12 @@ FrictionForce friction_force(const PunchSeries& series, const SlipZones& zones, 
                         limit_depths - direction * held, n_stuck);
   };
   const auto force = [&](int direction, const HeldReserve& reserve, double end) {
-    return FrictionForce{direction * (limit_force - series.integral(reserve.reserve, reserve.zones, end)),
-                         series.unseen_kinks(reserve.reserve, reserve.zones)};
+    const auto left = force_of(series.integral(reserve.reserve, reserve.zones, end));
+    return FrictionForce{direction * (limit_force - left.value), left.uncertainty};
   };
   if (outermost != 0) {
     const auto reserve = against(outermost);
-    return reserve.end ? force(outermost, reserve, *reserve.end) : sum_of_zones(series, depths, labels);
+    return reserve.end ? force(outermost, reserve, *reserve.end) : force_of(series.integral(depths, labels));
   }
   // Slip has begun outside the middle of the last ring, in one direction; beyond the edge of the contact there is none.
   const auto forward = against(1), backward = against(-1);
@@ -159,7 +158,7 @@ FrictionForce friction_force(const PunchSeries& series, const SlipZones& zones, 
   const auto& slipping = is_forward ? forward : backward;
   if (slipping.end && *slipping.end < touching.contact_radius)
     return force(is_forward ? 1 : -1, slipping, *slipping.end);
-  return sum_of_zones(series, depths, labels);
+  return force_of(series.integral(depths, labels));
 }
 
 }  // namespace fretval::fem

@@ -145,8 +145,9 @@ void FrictionPeriod::report(const ContactProblem& problem, FrictionHistory& hist
     work += in_the_middle(traction_, traction_before_, k).cwiseProduct(slip);
     series_work += in_the_middle(depths_, depths_before_, k).cwiseProduct(problem.series.displacements(slip));
   }
-  history.dissipated_energy = problem.series.integral(series_work, zones_);
-  history.dissipated_uncertainty = problem.series.unseen_kinks(series_work, zones_);
+  const auto dissipated = problem.series.integral(series_work, zones_);
+  history.dissipated_energy = dissipated.value;
+  history.dissipated_uncertainty = dissipated.unseen_kinks;
   history.friction_work = work.cwiseProduct(problem.compliance.areas);
   history.traction = traction_;
   history.displacement = displacement_;

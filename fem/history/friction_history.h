@@ -27,7 +27,7 @@ struct FrictionHistory {
   Eigen::VectorXd indenter;            ///< its displacement, per step of the last period
   double amplitude = 0;                ///< of the indenter; under a force half of what lies between its extremes
   double dissipated_energy = 0;        ///< by friction in the last period, see PunchSeries
-  double dissipated_uncertainty = 0;   ///< of that, see PunchSeries::unseen_kinks
+  double dissipated_uncertainty = 0;   ///< of that, see PunchSeries::Integral
   Eigen::VectorXd friction_work;       ///< per ring: by friction in the last period
   Eigen::MatrixXd traction;            ///< n_rings x steps per period: the last period
   std::vector<Eigen::VectorXd> slip_of_periods;  ///< per ring: length of slip in every period that was computed

@@ -55,4 +55,11 @@ void RunningMinimum::restart() {
   minimum_.setConstant(std::numeric_limits<double>::infinity());
 }
 
+double largest_of_period(const Eigen::VectorXd& samples) {
+  RunningMinimum least(1, -std::numeric_limits<double>::infinity());
+  for (int period = 0; period < 2; ++period)
+    for (const double sample : samples) least.add(Eigen::VectorXd::Constant(1, -sample));
+  return -least.value()[0];
+}
+
 }  // namespace fretval::fem

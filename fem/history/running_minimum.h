@@ -24,4 +24,8 @@ class RunningMinimum {
   int n_samples_ = 0;
 };
 
+/// Largest value of a periodic signal from the samples of a period, as above. Those at its ends have their neighbours
+/// in the next period.
+double largest_of_period(const Eigen::VectorXd& samples);
+
 }  // namespace fretval::fem

@@ -19,14 +19,6 @@ Eigen::VectorXd moves(const Motion& motion, Prescribed prescribed, double begin,
   return moves;
 }
 
-/// Of samples of a period. Those at its ends have their neighbours in the next one.
-double largest_magnitude(const Eigen::VectorXd& samples) {
-  RunningMinimum least(2, -infinity);
-  for (int period = 0; period < 2; ++period)
-    for (const double sample : samples) least.add(Eigen::Vector2d(sample, -sample));
-  return -least.value().minCoeff();
-}
-
 /// Where forces are prescribed they are known, and of what they make the indenter do this knows nothing.
 CycleUncertainty uncertainty_of(const RelaxationModel& relaxation, const Motion& motion, const Eigen::VectorXd& along,
                                 const Eigen::VectorXd& down, const NormalHistory& normal,
@@ -65,7 +57,7 @@ CycleResponse cycle_response(const RelaxationModel& relaxation, double friction_
                pressing =
                    motion.normal_force ? -normal.indentation.dot(down) : (normal.force + normal.force_beyond).dot(down);
   CycleResponse response{};
-  response.tangential_force_max = largest_magnitude(friction.force);
+  response.tangential_force_max = std::max(largest_of_period(friction.force), largest_of_period(-friction.force));
   response.tangential_force_mean = friction.force.mean();
   response.friction_work = relaxation.has_memory() ? friction.dissipated_energy : tangential;
   response.bulk_work = relaxation.has_memory() ? tangential + pressing - response.friction_work : 0;

@@ -65,7 +65,7 @@ void read_instant(const PunchSeries& series, const std::optional<EdgeOverTime>& 
   const Eigen::VectorXd depths = series.depths(history.pressure.col(column));
   const Index n_closed = history.n_closed[column];
   const std::vector<signed char> one_zone(static_cast<std::size_t>(n_closed), 0);
-  const auto force = [&](double end) { return series.integral(depths, one_zone, end); };
+  const auto force = [&](double end) { return series.integral(depths, one_zone, end).value; };
   double &radius = history.contact_radius[column], &kink = history.kink_uncertainty[column], uncertainty = 0;
   if (!edge) {
     uncertainty = std::abs(force(radius) - force(series.radii()[n_closed - 1]));

@@ -44,6 +44,7 @@ ForcedResponse response_of(const std::function<double(double)>& radius_at, const
                         std::max(sampled_peak(history.normal_force, -1), 0.0),
                         radius_at(deepest),
                         {},
+                        {},
                         history.indentation,
                         history.normal_force};
   for (const double time : history.time) normal.time.push_back(time - history.time.front());
@@ -51,6 +52,7 @@ ForcedResponse response_of(const std::function<double(double)>& radius_at, const
   return {std::move(normal),
           {history.depths.first_slip, history.settling_depth},
           deepest,
+          sampled_peak(history.axis_pressure, 1),
           (sampled_peak(shift, 1) - sampled_peak(shift, -1)) / 2,
           std::max(sampled_peak(pull, 1), -sampled_peak(pull, -1)),
           std::accumulate(pull.begin() + 1, pull.end(), 0.0) / static_cast<double>(pull.size() - 1),
@@ -59,7 +61,7 @@ ForcedResponse response_of(const std::function<double(double)>& radius_at, const
 }
 
 /// radius_at: of the contact, of the indentation.
-SteppedForcedResponse extrapolated(const Bed& bed, const std::function<double(double)>& radius_at,
+SteppedForcedResponse extrapolated(const Bed& bed, const std::function<double(double)>& radius_at, bool sharp_tip,
                                    const PronyBody& body, double mu, const Prescribed& prescribed,
                                    const SpringFineness& fineness = {}) {
   const auto coarse = response_of(radius_at, history_with(bed, body, mu, prescribed, fineness, 1));
@@ -75,11 +77,14 @@ SteppedForcedResponse extrapolated(const Bed& bed, const std::function<double(do
   extrapolate([](auto& r) -> auto& { return r.depths.first_slip; });
   extrapolate([](auto& r) -> auto& { return r.depths.shakedown; });
   extrapolate([](auto& r) -> auto& { return r.largest_indentation; });
+  extrapolate([](auto& r) -> auto& { return r.axis_pressure_max; });
   extrapolate([](auto& r) -> auto& { return r.tangential_amplitude; });
   extrapolate([](auto& r) -> auto& { return r.tangential_force_max; });
   extrapolate([](auto& r) -> auto& { return r.tangential_force_mean; });
   extrapolate([](auto& r) -> auto& { return r.friction_work; });
   extrapolate([](auto& r) -> auto& { return r.bulk_work; });
+  if (!sharp_tip)
+    stepped.response.normal.axis_pressure = {stepped.response.axis_pressure_max, stepped.error.axis_pressure_max};
   return stepped;
 }
 
@@ -103,15 +108,18 @@ SteppedForcedResponse forced_response(const Profile& profile, const PronyBody& b
   constexpr double room = 1.001;
   const double outer =
       std::min(room * inverse_transform(profile, deepest_indentation(profile, body, prescribed)), end_radius(profile));
+  const bool sharp_tip = has_sharp_tip([&](double x) { return transform(profile, x); }, outer);
   return extrapolated([&](Eigen::Index n) { return spring_bed(profile, outer, n); },
-                      [&](double depth) { return inverse_transform(profile, depth); }, body, mu, prescribed, fineness);
+                      [&](double depth) { return inverse_transform(profile, depth); }, sharp_tip, body, mu, prescribed,
+                      fineness);
 }
 
 SteppedForcedResponse forced_response(const LimitingProfile& worn, const PronyBody& body, double mu,
                                       const Prescribed& prescribed) {
   const auto g = [&worn](double x) { return transform(worn, x); };
   return extrapolated([&](Eigen::Index n) { return spring_bed(g, worn.stick_radius, n); },
-                      [&](double /*depth*/) { return worn.stick_radius; }, body, mu, prescribed);
+                      [&](double /*depth*/) { return worn.stick_radius; }, has_sharp_tip(g, worn.stick_radius), body,
+                      mu, prescribed);
 }
 
 }  // namespace fretval::mdr

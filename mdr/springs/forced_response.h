@@ -28,6 +28,7 @@ struct ForcedResponse {
   NormalResponse normal;
   StickDepths depths;            ///< as in SpringHistory; settled, see SpringHistory::settling_depth
   double largest_indentation;    ///< m
+  double axis_pressure_max;      ///< Pa; of springs, also under a sharp tip
   double tangential_amplitude;   ///< m, half of what lies between the extremes of u_x
   double tangential_force_max;   ///< N, of |F_x|
   double tangential_force_mean;  ///< N, what slip has locked in

@@ -33,6 +33,13 @@ struct Foundation {
   double permanent_radius;
   double contact_radius;
   double permanent_volume;  // int (d0 - g)/Delta d over [0, permanent_radius]
+  // g/x + int g/x^2 dx at the same radius, over Delta d; empty under a sharp tip.
+  std::optional<double> permanent_bend;
+};
+
+// At an instant, the force over 8 G0 Delta d and pi times the pressure on the axis over 4 G0 Delta d.
+struct Load {
+  double force, pressure;
 };
 
 // Where a function falls below zero on [lower, upper]; an end of the interval if it has one sign throughout.
@@ -72,6 +79,16 @@ double rest_depth_integral(const Depth& g, const std::vector<double>& kinks, dou
   });
 }
 
+double bend_integral(const Depth& g, const std::vector<double>& kinks, double radius) {
+  if (radius == 0) return 0;
+  const double tip = g(0);
+  const auto integral = [&](double from, double to) {
+    boost::math::quadrature::tanh_sinh<double> quadrature;
+    return quadrature.integrate([&](double x) { return (g(x) - tip) / x / x; }, from, to, 1e-10);
+  };
+  return (g(radius) - tip) / radius + sum_between_kinks(kinks, 0, radius, integral);
+}
+
 Foundation make_foundation(const Depth& g, const std::vector<double>& kinks, double outer_radius, const PronyBody& body,
                            const Motion& motion) {
   SpringModel model = spring_model(body, angular_frequency(motion.normal_frequency));
@@ -85,7 +102,9 @@ Foundation make_foundation(const Depth& g, const std::vector<double>& kinks, dou
           8 * body.relaxed_modulus * motion.normal_amplitude,
           permanent,
           radius_at_depth(g, maximum_indentation(motion), outer_radius),
-          rest_depth_integral(g, kinks, motion.indentation, permanent) / motion.normal_amplitude};
+          rest_depth_integral(g, kinks, motion.indentation, permanent) / motion.normal_amplitude,
+          has_sharp_tip(g, outer_radius) ? std::nullopt
+                                         : std::optional(bend_integral(g, kinks, permanent) / motion.normal_amplitude)};
 }
 
 // y of the spring at x, see mdr/periodic_spring.h; the indenter never touches it unless y > -1.
@@ -102,40 +121,51 @@ double contact_edge(const Foundation& foundation, double theta) {
   return edge(margin, foundation.permanent_radius, foundation.contact_radius, 36);
 }
 
-// The share of the springs that lose contact now and then, divided by 8 G0 Delta d. The substitution
-// x = from + width sin^2(pi s/2) smooths the half-integer powers of the distance to either end.
-double intermittent_force(const Foundation& foundation, double theta) {
-  const double lower = foundation.permanent_radius, upper = contact_edge(foundation, theta);
-  if (upper <= lower) return 0;
-  return sum_between_kinks(foundation.kinks, lower, upper, [&](double from, double to) {
-    const double width = to - from;
-    const auto integrand = [&](double s) {
-      const double sine = std::sin(pi * s / 2);
-      const double y = relative_depth(foundation, from + width * sine * sine);
-      if (y <= -1) return 0.0;
-      const double force = spring_force(foundation.model, periodic_spring(foundation.model, y), theta);
-      return force * width * pi / 2 * std::sin(pi * s);
-    };
-    return boost::math::quadrature::gauss<double, 30>::integrate(integrand, 0.0, 1.0);
+// What the springs add that lose contact now and then: int s dx and int (inner - s)/x^2 dx of their loads s, up to
+// where contact ends. The substitution x = from + width sin^2(pi s/2) smooths the half-integer powers of the distance
+// to either end.
+Load intermittent_load(const Foundation& foundation, double theta, double inner, double upper) {
+  using Gauss = boost::math::quadrature::gauss<double, 30>;
+  Load load{0, 0};
+  const auto add = [&](double from, double to, double s, double weight) {
+    const double sine = std::sin(pi * s / 2), width = to - from, x = from + width * sine * sine;
+    const double dx = weight / 2 * width * pi / 2 * std::sin(pi * s), y = relative_depth(foundation, x);
+    const double force = y > -1 ? spring_force(foundation.model, periodic_spring(foundation.model, y), theta) : 0;
+    load.force += force * dx;
+    load.pressure += (inner - force) / (x * x) * dx;
+  };
+  sum_between_kinks(foundation.kinks, foundation.permanent_radius, upper, [&](double from, double to) {
+    for (std::size_t k = 0; k < Gauss::abscissa().size(); ++k)
+      for (const double sign : {-1, 1}) add(from, to, (1 + sign * Gauss::abscissa()[k]) / 2, Gauss::weights()[k]);
+    return 0;
   });
+  return load;
 }
 
-double normal_force(const Foundation& foundation, double angle) {
-  const double theta = angle - 2 * pi * std::floor(angle / (2 * pi));
-  const double permanent =
-      foundation.permanent_volume + foundation.permanent_radius * harmonic_force(foundation.model, 0, theta);
-  return foundation.force_scale * (permanent + intermittent_force(foundation, theta));
+Load load_at(const Foundation& foundation, double angle) {
+  const double theta = angle - 2 * pi * std::floor(angle / (2 * pi)), c = foundation.permanent_radius;
+  const double edge = std::max(contact_edge(foundation, theta), c), y = relative_depth(foundation, c);
+  const double oscillating = harmonic_force(foundation.model, 0, theta);
+  const double inner =
+      c > 0 ? y + oscillating : spring_force(foundation.model, periodic_spring(foundation.model, y), theta);
+  if (edge == 0) return {0, 0};
+  Load load = edge > c ? intermittent_load(foundation, theta, inner, edge) : Load{0, 0};
+  load.force += foundation.permanent_volume + c * oscillating;
+  load.pressure += foundation.permanent_bend.value_or(0) + inner / edge;
+  return load;
 }
 
-// Largest value of sign F near the sample that is largest.
-double refined_extremum(const Foundation& foundation, const std::vector<double>& samples, double sign) {
-  const auto best = std::max_element(samples.begin(), samples.end(),
-                                     [&](double left, double right) { return sign * left < sign * right; });
+// Largest value of sign times a part of the load, near the sample in which it is largest.
+double refined_extremum(const Foundation& foundation, const std::vector<Load>& samples, double Load::*part,
+                        double sign) {
+  const auto best = std::max_element(samples.begin(), samples.end(), [&](const Load& left, const Load& right) {
+    return sign * left.*part < sign * right.*part;
+  });
   const double step = 2 * pi / n_time_steps;
   const double angle = step * static_cast<double>(best - samples.begin());
-  const auto negative = [&](double theta) { return -sign * normal_force(foundation, theta); };
+  const auto negative = [&](double theta) { return -sign * (load_at(foundation, theta).*part); };
   const double refined = boost::math::tools::brent_find_minima(negative, angle - step, angle + step, 18).second;
-  return sign * std::max(sign * *best, -refined);
+  return sign * std::max(sign * (*best).*part, -refined);
 }
 
 // Without normal oscillation there is no amplitude to scale with, and nothing to wait for.
@@ -143,19 +173,27 @@ NormalResponse static_response(const Depth& g, const std::vector<double>& kinks,
                                const PronyBody& body, const Motion& motion) {
   const double radius = radius_at_depth(g, motion.indentation, outer_radius);
   const double force = 8 * body.relaxed_modulus * rest_depth_integral(g, kinks, motion.indentation, radius);
-  return {force, force, radius, {}, {}, {}};
+  const double inner = (motion.indentation - g(radius)) / radius;
+  std::optional<AxisPressure> pressure;
+  if (!has_sharp_tip(g, outer_radius))
+    pressure = {4 / pi * body.relaxed_modulus * (bend_integral(g, kinks, radius) + inner), 0};
+  return {force, force, radius, pressure, {}, {}, {}};
 }
 
 NormalResponse oscillating_response(const Depth& g, const std::vector<double>& kinks, double outer_radius,
                                     const PronyBody& body, const Motion& motion) {
   const Foundation foundation = make_foundation(g, kinks, outer_radius, body, motion);
+  std::vector<Load> loads;
+  for (int k = 0; k < n_time_steps; ++k) loads.push_back(load_at(foundation, 2 * pi * k / n_time_steps));
+  loads.push_back(loads.front());
   std::vector<double> force;
-  force.reserve(n_time_steps + 1);
-  for (int k = 0; k < n_time_steps; ++k) force.push_back(normal_force(foundation, 2 * pi * k / n_time_steps));
-  force.push_back(force.front());
-  const double maximum = refined_extremum(foundation, force, 1);
-  const double minimum = refined_extremum(foundation, force, -1);
-  return {maximum, minimum, foundation.contact_radius, {}, {}, std::move(force)};
+  for (const auto& load : loads) force.push_back(foundation.force_scale * load.force);
+  const double maximum = foundation.force_scale * refined_extremum(foundation, loads, &Load::force, 1);
+  const double minimum = foundation.force_scale * refined_extremum(foundation, loads, &Load::force, -1);
+  std::optional<AxisPressure> pressure;
+  if (foundation.permanent_bend)
+    pressure = {foundation.force_scale / (2 * pi) * refined_extremum(foundation, loads, &Load::pressure, 1), 0};
+  return {maximum, minimum, foundation.contact_radius, pressure, {}, {}, std::move(force)};
 }
 
 void check_arguments(const Depth& g, double outer_radius, const PronyBody& body, const Motion& motion) {
@@ -172,6 +210,12 @@ void check_arguments(const Depth& g, double outer_radius, const PronyBody& body,
 }
 
 }  // namespace
+
+bool has_sharp_tip(const Depth& g, double outer_radius) {
+  constexpr double least_exponent = 1 + 1e-3;
+  const double tip = g(0), x = 1e-4 * outer_radius, height = g(2 * x) - tip;
+  return height > 0 && std::log2(height / (g(x) - tip)) < least_exponent;
+}
 
 NormalResponse periodic_normal_response(const std::function<double(double)>& g, double outer_radius,
                                         const PronyBody& body, const Motion& motion, const std::vector<double>& kinks) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "mdr/motion/motion.h"
@@ -8,16 +9,26 @@
 
 namespace fretval::mdr {
 
+/// The largest p(0, t), in Pa.
+struct AxisPressure {
+  double largest;
+  double error;  ///< of springs that were stepped in time; 0: closed form
+};
+
 /// Normal response in the periodic state.
 struct NormalResponse {
-  double normal_force_max;    ///< N
-  double normal_force_min;    ///< N
-  double contact_radius_max;  ///< m
+  double normal_force_max;                    ///< N
+  double normal_force_min;                    ///< N
+  double contact_radius_max;                  ///< m
+  std::optional<AxisPressure> axis_pressure;  ///< empty: infinite under a sharp tip
   /// One cycle in equal steps, both ends included; time 0 is the deepest position, d = d0 + Delta d cos(omega t).
   std::vector<double> time;          ///< s
   std::vector<double> indentation;   ///< m
   std::vector<double> normal_force;  ///< N
 };
+
+/// Whether g ~ x^n with n <= 1 at the axis, under which the pressure there is infinite: a cone, a cusp.
+bool has_sharp_tip(const std::function<double(double)>& g, double outer_radius);
 
 /// Normal force of the viscoelastic spring foundation under the oscillating indenter:
 ///
@@ -29,6 +40,14 @@ struct NormalResponse {
 /// The result is the periodic state, which does not depend on the start; it is computed as such (mdr/periodic_spring.h)
 /// rather than by marching through transients. Relative accuracy 1e-10 of
 /// normal_force_max for any omega tau and a profile that is smooth or a cone, 1e-9 for a cusp.
+///
+/// The pressure on the axis, p(0) = -(1/pi) int q'(x)/x dx, by parts over the springs up to c, which keep contact, and
+/// those beyond, up to the edge e of the contact:
+///
+///   pi p(0) = 4 G0 (g(c)/c + int_0^c g/x^2 dx) + q(c)/e + int_c^e (q(c) - q)/x^2 dx
+///
+/// which knows no slope of q and holds where the load jumps at the edge. Infinite where g ~ x at the axis: a cone.
+/// Relative accuracy 1e-8.
 ///
 /// g: one-dimensional profile in m, continuous and not decreasing on [0, outer_radius], 0 <= g(0) < d0 + Delta d.
 /// outer_radius in m, positive: where the springs end. Unworn profile: the contact radius at d0 + Delta d; limiting

@@ -176,6 +176,7 @@ class History {
     result.tangential_displacement.push_back(state_.indenter.tangential);
     result.normal_force.push_back(normal_force(bed_, body_, state_));
     result.tangential_force.push_back(tangential_force(bed_, body_, state_));
+    result.axis_pressure.push_back(axis_pressure(bed_, body_, state_));
   }
 
   [[nodiscard]] double work_of_last_step(const SpringHistory& result, const SpringState& before) const {

@@ -62,6 +62,7 @@ struct SpringHistory {
   std::vector<double> tangential_displacement;  ///< of the indenter, m
   std::vector<double> normal_force;             ///< N
   std::vector<double> tangential_force;         ///< N
+  std::vector<double> axis_pressure;            ///< Pa
   Eigen::ArrayXd slip_amplitude;                ///< per spring: path of slip in the last period, m
   Eigen::ArrayXd mean_traction;  ///< per spring: mean tangential_load over the last period, the locked-in offset, m
 

@@ -31,21 +31,28 @@ SteppedResponse stepped_normal_response(const std::function<double(double)>& g, 
   const HarmonicMotion normal{motion.indentation, motion.normal, {}};
   const auto coarse = history_with(g, outer_radius, body, normal, 1),
              fine = history_with(g, outer_radius, body, normal, 2);
-  const auto correction = [&](double sign) {
-    return (sampled_peak(fine.normal_force, sign) - sampled_peak(coarse.normal_force, sign)) / 3;
+  const auto extrapolated = [&](std::vector<double> SpringHistory::*part, double sign) {
+    const double peak = sampled_peak(fine.*part, sign);
+    return peak + (peak - sampled_peak(coarse.*part, sign)) / 3;
   };
-  NormalResponse response{sampled_peak(fine.normal_force, 1) + correction(1),
-                          std::max(sampled_peak(fine.normal_force, -1) + correction(-1), 0.0),
+  NormalResponse response{extrapolated(&SpringHistory::normal_force, 1),
+                          std::max(extrapolated(&SpringHistory::normal_force, -1), 0.0),
                           outer_radius,
                           {},
                           {},
+                          {},
                           fine.normal_force};
+  if (!has_sharp_tip(g, outer_radius)) {
+    const double pressure = extrapolated(&SpringHistory::axis_pressure, 1);
+    response.axis_pressure = {pressure, 3 * std::abs(pressure - sampled_peak(fine.axis_pressure, 1))};
+  }
   const auto path = ramped_path(normal, 1e-9 * common_period(normal));
   for (const double time : fine.time) {
     response.time.push_back(time - fine.time.front());
     response.indentation.push_back(path(time).indentation);
   }
-  return {std::move(response), std::abs(correction(1))};
+  const double error = std::abs(response.normal_force_max - sampled_peak(fine.normal_force, 1));
+  return {std::move(response), error};
 }
 
 }  // namespace fretval::mdr

@@ -34,6 +34,7 @@ inline CaseResult made_up_result() {
   fe.stick_radius_first_slip = 0.5;
   fe.stick_radius_shakedown = 0.75;
   fe.normal_force_max = 42.5;
+  fe.axis_pressure_max = 12.5;
   fe.no_wear = NoWearEvidence{0.01, 0.02, 1.03, 1.04};
   fe.n_cycles = 3;
   fe.n_steps = 12;
@@ -64,7 +65,8 @@ inline CaseResult made_up_result() {
   friction.first_slip_margin = Eigen::Vector2d(-0.1, 0.4);
   friction.shakedown_margin = Eigen::Vector2d(0.2, -0.4);
 
-  const MdrAnswer mdr{1.5, 1.1, 0.45, 6e-4, 1.9, 40, 0.95};
+  MdrAnswer mdr{1.5, 1.1, 0.45, 6e-4, 1.9, 40, 0.95};
+  mdr.axis_pressure = mdr::AxisPressure{12, 0.1};
   const Comparison comparison{
       {Quantity::normal_force_max, {0.0625, 0.1, Verdict::pass, ErrorBar{{{ErrorSource::rings, 0.03125, 2.5}}}}},
       {Quantity::stick_radius_shakedown, {0.15, 0.125, Verdict::fail, std::nullopt}}};

@@ -154,6 +154,20 @@ TEST(Comparison, OfACycleIsOverWhatSlidingWouldCost) {
   EXPECT_FALSE(comparison.at(Quantity::friction_work).passes());  // a tenth of what a radius is asked for
 }
 
+// The springs' own error is allowed on top; without a value of either there is nothing to compare.
+TEST(Comparison, OfThePressureOnTheAxisIsRelative) {
+  auto mdr = mdr_with(0.5 * a);
+  auto fe = fe_with(0.5 * a);
+  fe.axis_pressure_max = 1.0025e5;
+  EXPECT_EQ(compare(mdr, fe, a, tolerances_of(1e-3)).count(Quantity::axis_pressure_max), 0U);
+  mdr.axis_pressure = mdr::AxisPressure{1e5, 0};
+  const auto compared = compare(mdr, fe, a, tolerances_of(1e-3)).at(Quantity::axis_pressure_max);
+  EXPECT_NEAR(*compared.difference, 2.5e-3, 1e-12);
+  EXPECT_FALSE(compared.passes());
+  mdr.axis_pressure->error = 200;
+  EXPECT_TRUE(compare(mdr, fe, a, tolerances_of(1e-3)).at(Quantity::axis_pressure_max).passes());
+}
+
 // What comes along is held to its bar where that is wider than its tolerance, and left out where there is none.
 TEST(Comparison, HoldsWhatComesAlongToItsBar) {
   auto mdr = mdr_with(0.5 * a);

@@ -40,6 +40,16 @@ TEST(RunningMinimum, IsOfFifthOrder) {
   EXPECT_LT(errors[2], 1e-7);
 }
 
+// cos(x - 0.3) from 20 samples, in both orders.
+TEST(RunningMinimum, GivesTheLargestOfAPeriod) {
+  const auto samples = [](double begin) {
+    return Eigen::VectorXd(Eigen::VectorXd::LinSpaced(20, begin, begin + 2 * pi * 0.95).array().cos());
+  };
+  EXPECT_NEAR(largest_of_period(samples(-0.3)), 1, 1e-5);
+  EXPECT_NEAR(largest_of_period(samples(2.9)), 1, 1e-5);
+  EXPECT_LT(samples(-0.3).maxCoeff(), 1 - 1e-5);
+}
+
 TEST(RunningMinimum, IsThatOfAParabolaWhereSamplesAreNotSmooth) {
   // |t - 4.25| around its kink: 1.25, 0.25, 0.75.
   RunningMinimum minimum(1, no_floor);

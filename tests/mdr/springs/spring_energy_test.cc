@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <vector>
 
 #include "mdr/support/constants.h"
 
@@ -24,6 +25,21 @@ TEST(SpringEnergy, OfAnElasticFlatPunchIsHalfForceTimesDisplacement) {
   EXPECT_NEAR(normal_force(bed, body, state), 8 * 3 * 0.1, 1e-14);
   EXPECT_NEAR(tangential_force(bed, body, state), -16 * 0.02, 1e-14);
   EXPECT_NEAR(stored_energy(bed, body, state), 8 * 3 * 0.1 * 0.1 / 2 + 16 * 0.02 * 0.02 / 2, 1e-14);
+}
+
+// Of a flat punch F/(2 pi a^2) = 4 G d/(pi a); Hertz: 8 G a/(pi R), of second order.
+TEST(SpringEnergy, PressureOnTheAxisIsThatOfTheElasticBody) {
+  const PronyBody body = elastic(3);
+  const SpringBed flat = flat_bed(4);
+  EXPECT_NEAR(axis_pressure(flat, body, relaxed_state(flat, body, 0.1)), 4 * 3 * 0.1 / pi, 1e-14);
+  const double a = 0.7, exact = 8 * 3 * a / (pi * 2);
+  std::vector<double> errors;
+  for (const Eigen::Index n : {50, 100}) {
+    const SpringBed bed = spring_bed(parabola(2), a, n);
+    errors.push_back(std::abs(axis_pressure(bed, body, relaxed_state(bed, body, a * a / 2)) / exact - 1));
+  }
+  EXPECT_LT(errors[1], 1e-4);
+  EXPECT_NEAR(std::log2(errors[0] / errors[1]), 2, 0.2);
 }
 
 // After a jump by d, the branch holds G1 d^2/2 per unit of the scale, and e^(-2 dt/tau) of it a step later; the rest

@@ -104,6 +104,49 @@ TEST(SpringFoundation, DashpotWithContactLossAgreesWithMarching) {
   }
 }
 
+// f = b r^n on an elastic body, or a flat punch of radius c: p(0) = (4 G/pi) int g'/x dx + 4 G (d - g(c))/(pi c).
+TEST(SpringFoundation, PressureOnTheAxisOfAnElasticBodyHasAClosedForm) {
+  for (const double n : {1.5, 2.0, 3.7})
+    for (const double amplitude : {0.0, 0.1, 0.5}) {
+      const Profile profile = power_law(0.3, n);
+      const double a = contact_radius(profile, 0.2 + amplitude), g = 0.2 + amplitude;
+      const double exact = 4 * 3 / pi * n / (n - 1) * g / a;
+      const auto pressure = unworn_response(profile, elastic(3), oscillation(0.2, amplitude)).axis_pressure;
+      EXPECT_NEAR(pressure.value().largest / exact, 1, 1e-8) << n << " " << amplitude;
+      EXPECT_EQ(pressure->error, 0);
+    }
+  const double b = 0.3, edge = 2, a = contact_radius(rounded_flat(b, edge), 0.3);
+  // Second method: int_b^a g'/x dx by the midpoint rule over g.
+  const Profile flat = rounded_flat(b, edge);
+  double sum = 0;
+  const int n = 20000;
+  for (int k = 0; k < n; ++k) {
+    const double inner = b + (a - b) * k / n, outer = b + (a - b) * (k + 1) / n;
+    sum += (transform(flat, outer) - transform(flat, inner)) * 2 / (inner + outer);
+  }
+  EXPECT_NEAR(unworn_response(flat, elastic(3), oscillation(0.2, 0.1)).axis_pressure.value().largest, 4 * 3 / pi * sum,
+              1e-7 * sum);
+}
+
+// Inside c all springs keep contact and carry one load more, that of a flat punch, in step with the indenter.
+TEST(SpringFoundation, PressureOnTheAxisOfAWornIndenterIsHarmonic) {
+  const Profile unworn = parabola(5);
+  const PronyBody body = standard_solid(3, 6, 0.7);
+  const Motion motion = oscillation(0.2, 0.03);
+  const double c = inverse_transform(unworn, 0.1);
+  const LimitingProfile worn = limiting_profile(unworn, c, maximum_indentation(motion));
+  const auto pressure =
+      periodic_normal_response([&](double x) { return transform(worn, x); }, c, body, motion).axis_pressure;
+  const double swing = 0.03 * modulus_ratio(body, 1);
+  EXPECT_NEAR(pressure.value().largest, 4 * 3 / pi * (2 * c / 5 + (0.2 - 0.1 + swing) / c), 1e-9);
+}
+
+TEST(SpringFoundation, PressureUnderASharpTipHasNoBound) {
+  EXPECT_FALSE(unworn_response(cone(0.3), elastic(3), oscillation(0.2, 0.1)).axis_pressure);
+  EXPECT_FALSE(unworn_response(power_law(0.2, 0.5), elastic(3), oscillation(0.2, 0)).axis_pressure);
+  EXPECT_TRUE(unworn_response(power_law(0.2, 1.1), elastic(3), oscillation(0.2, 0.1)).axis_pressure);
+}
+
 // Guard: without the rheology, and with the springs allowed to pull, the answer would be another.
 TEST(SpringFoundation, RheologyAndUnilateralContactMatter) {
   const Motion motion = oscillation(0.2, 0.15);

@@ -35,6 +35,9 @@ TEST(SteppedResponse, IsTheExactOneForOneHarmonic) {
       EXPECT_NEAR(response.normal_force_min / exact.normal_force_max, exact.normal_force_min / exact.normal_force_max,
                   10 * accuracy);
       EXPECT_NEAR(response.contact_radius_max, exact.contact_radius_max, 1e-12);
+      const auto [pressure, pressure_error] = response.axis_pressure.value();
+      EXPECT_NEAR(pressure / exact.axis_pressure.value().largest, 1, body.viscosity > 0 ? 1e-3 : 5e-5);
+      EXPECT_LT(std::abs(pressure - exact.axis_pressure->largest), 2 * pressure_error + 1e-6 * pressure);
     }
 }
 
@@ -43,6 +46,7 @@ TEST(SteppedResponse, ElasticBodyFollowsTheIndentation) {
   const HarmonicMotion motion{0.2, {{0.05, 2, 0.3}, {0.02, 3, 1.1}}, {{1, 5, 0}}};
   const auto profile = cone(0.3);
   const auto [response, error] = stepped(profile, elastic(3), motion);
+  EXPECT_FALSE(response.axis_pressure);  // a cone
   EXPECT_NEAR(response.normal_force_max / normal_force(profile, 3, maximum_indentation(motion)), 1, accuracy);
   EXPECT_NEAR(response.normal_force_min / normal_force(profile, 3, minimum_indentation(motion)), 1, accuracy);
   EXPECT_DOUBLE_EQ(response.time.back(), 1);
