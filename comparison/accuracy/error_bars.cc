@@ -54,8 +54,9 @@ struct Track {
 
 /// How deep the innermost ring sticks in either zone.
 Quantities centre_depths(const FeAnswer& fe) {
-  return {{Quantity::stick_radius_first_slip, fe.first_slip_depths.depth[0]},
-          {Quantity::stick_radius_shakedown, fe.shakedown_depths.depth[0]}};
+  Quantities depths{{Quantity::stick_radius_first_slip, fe.first_slip_depths.depth[0]}};
+  if (!fe.single_pass) depths[Quantity::stick_radius_shakedown] = fe.shakedown_depths.depth[0];
+  return depths;
 }
 
 /// Where the error of the depth at the centre leaves open whether anything sticks, adds to the bar what that means for

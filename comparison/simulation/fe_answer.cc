@@ -143,7 +143,8 @@ std::optional<ContactRadius> read_contact_radius(const fem::ContactProblem& prob
     return ContactRadius{radius, radius * uncertainty / (depth * exponent_at_edge(fem))};
   }
   const double radius = fem::largest_contact_radius(history.smallest_gap, events).radius;
-  fem::read_edges_near_largest_contact(problem.series, radius, history);
+  // Along a path it lies anywhere, next to a kink.
+  if (!fem.motion.path) fem::read_edges_near_largest_contact(problem.series, radius, history);
   if (!relaxes_within_a_step(fem)) return ContactRadius{radius};
   const auto other = fem::largest_contact_radius(history.smallest_gap_at_balance, events);
   return ContactRadius{radius, 2 * std::abs(other.radius - radius)};
@@ -170,7 +171,8 @@ FeAnswer read_answer(const ContactProblems& problems, const FemCase& fem, const 
   if (contact_radius && contact_radius->radius > 0) answer.contact_radius_max = contact_radius->radius * length;
   if (contact_radius) answer.contact_radius_uncertainty = contact_radius->uncertainty * length;
   answer.stick_radius_first_slip = dimensional(first, length);
-  answer.stick_radius_shakedown = dimensional(shakedown, length);
+  answer.single_pass = fem.motion.is_single_pass();
+  if (!answer.single_pass) answer.stick_radius_shakedown = dimensional(shakedown, length);
   answer.first_slip_uncertainty = first.uncertainty * length;
   answer.shakedown_uncertainty = shakedown.uncertainty * length;
   const auto force = fem::largest_force(

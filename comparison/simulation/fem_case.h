@@ -61,8 +61,12 @@ struct FemCase {
   std::optional<mdr::HarmonicMotion> without_short_cycle = {};
   double error_of_demand = 0;
 
-  /// The resolution's steps belong to the fastest oscillation.
-  [[nodiscard]] int steps_per_cycle() const { return resolution.steps_per_cycle * motion.highest_order(); }
+  /// The resolution's steps belong to the fastest oscillation, or to the whole of a path, which has more if it has many
+  /// rows (fem::steps_along).
+  [[nodiscard]] int steps_per_cycle() const {
+    return motion.path ? fem::steps_along(*motion.path, resolution.steps_per_cycle)
+                       : resolution.steps_per_cycle * motion.highest_order();
+  }
 };
 
 /// At the resolution that the tolerance of the case asks for.

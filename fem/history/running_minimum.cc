@@ -37,10 +37,20 @@ RunningMinimum::RunningMinimum(Eigen::Index n, double floor)
   samples_.fill(Eigen::VectorXd(n));
 }
 
-void RunningMinimum::add(const Eigen::VectorXd& values) {
+/// To the ends of a piece, from samples at the same fraction of equal steps.
+void RunningMinimum::extend_to_ends(const StepInPiece& step) {
+  const auto &before = samples_[samples_.size() - 2], &last = samples_.back();
+  const auto see = [this](const Eigen::VectorXd& end) { minimum_ = minimum_.cwiseMin(end.cwiseMax(floor_)); };
+  if (!step.first && second_of_piece_) see(before - step.fraction * (last - before));
+  if (!step.first && step.last) see(last + (1 - step.fraction) * (last - before));
+  second_of_piece_ = step.first;
+}
+
+void RunningMinimum::add(const Eigen::VectorXd& values, const std::optional<StepInPiece>& step) {
   std::rotate(samples_.begin(), samples_.begin() + 1, samples_.end());
   samples_.back() = values;
   minimum_ = minimum_.cwiseMin(values);
+  if (step) return extend_to_ends(*step);
   if (++n_samples_ < static_cast<int>(samples_.size())) return;
   const auto& [a, b, middle, d, e] = samples_;
   for (Eigen::Index i = 0; i < values.size(); ++i) {
