@@ -56,7 +56,8 @@ Quantities quantities_of(const MdrAnswer& mdr, const Units& units, bool worn) {
   add_response(mdr, mdr.normal_force_max.value(), units, values);
   add_cycle(mdr.cycle, units, values);
   values[Quantity::stick_radius_first_slip] = mdr.stick_radius_first_slip.value_or(0) / units.length;
-  if (!mdr.single_pass) values[Quantity::stick_radius_shakedown] = mdr.stick_radius_shakedown.value_or(0) / units.length;
+  if (!mdr.single_pass)
+    values[Quantity::stick_radius_shakedown] = mdr.stick_radius_shakedown.value_or(0) / units.length;
   if (worn) {
     if (mdr.wears_no_more()) values[Quantity::slip_inside_stick_zone] = 0;
     values[Quantity::force_outside_stick_zone] = 0;

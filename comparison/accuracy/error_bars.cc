@@ -132,7 +132,7 @@ void carry_slip_inside(const Track& track, ErrorBudget& budget) {
 
 CaseNeeds needs_of(const FemCase& fem) {
   return {fem.relaxation.has_memory(), !fem.motion.locked, fem.worn_edge.has_value(),
-          fem.relaxation.viscosity > 0 || fem.motion.tangential_force};
+          fem.relaxation.viscosity > 0 || fem.motion.tangential_force, fem.motion.is_single_pass()};
 }
 
 std::vector<Resolution> needed_for_bars(const Tracks& tracks, const CaseNeeds& needs) {

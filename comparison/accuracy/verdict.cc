@@ -90,7 +90,7 @@ Comparison compare(const MdrAnswer& mdr, const FeAnswer& fe, double unworn_radiu
       judge_stick(fe.stick_radius_first_slip, mdr.stick_radius_first_slip, unworn_radius, tolerance);
   if (!fe.single_pass)
     comparison[Quantity::stick_radius_shakedown] =
-      judge_stick(fe.stick_radius_shakedown, mdr.stick_radius_shakedown, unworn_radius, tolerance);
+        judge_stick(fe.stick_radius_shakedown, mdr.stick_radius_shakedown, unworn_radius, tolerance);
   if (fe.no_wear) {
     if (mdr.wears_no_more()) comparison[Quantity::slip_inside_stick_zone] = judge(fe.no_wear->slip_inside, tolerance);
     comparison[Quantity::force_outside_stick_zone] = judge(fe.no_wear->force_outside, tolerance);

@@ -68,8 +68,8 @@ struct Case {
     [[nodiscard]] double duration() const { return time.back() - time.front(); }
   };
 
-  /// Of a path the numbers say how large it is: its mean indentation and half of what lies between its extremes, each of
-  /// one over its duration.
+  /// Of a path the numbers say how large it is: its mean indentation and half of what lies between its extremes, each
+  /// of one over its duration.
   struct Motion {
     double indentation = 0;           ///< m, mean
     double normal_amplitude = 0;      ///< m

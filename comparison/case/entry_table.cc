@@ -116,7 +116,8 @@ SectionTraits motion_entries() {
         {},
         "once, forever",
         "an error with a Path",
-        "once: one pass, from rest without tangential force at the first row; forever: the last row is the first again"}}};
+        "once: one pass, from rest without tangential force at the first row; forever: the last row is the first "
+        "again"}}};
 }
 
 std::vector<SectionTraits> all_sections() {

@@ -30,9 +30,9 @@ void require_columns(const std::string& file, const mdr::CsvColumns& csv) {
   constexpr std::array names{"t", "d", "u_x"};
   for (std::size_t column = 0; column < names.size(); ++column) {
     if (!mdr::names_unit(csv, column))
-      throw InputError(fmt::format(
-          "{}: column {} has no unit; must begin with a line of names and one of units, for example {}", file,
-          column + 1, example));
+      throw InputError(
+          fmt::format("{}: column {} has no unit; must begin with a line of names and one of units, for example {}",
+                      file, column + 1, example));
     const auto name = name_of_column(csv, column);
     if (name == "F_N" || name == "F_x")
       throw InputError(
@@ -71,10 +71,10 @@ void close(const std::string& file, Case::Path& path) {
   const auto close_one = [&](const char* name, std::vector<double>& values) {
     const double jump = values.front() - values.back();
     if (std::abs(jump) > roundoff * largest_of(values))
-      throw InputError(
-          fmt::format("{}: {} jumps by {:.4g} m, from {:g} m in the last row to {:g} m in the first, where the path begins "
-                      "again; must end where it begins, or have Motion / Path repeats = once",
-                      file, name, jump, values.back(), values.front()));
+      throw InputError(fmt::format(
+          "{}: {} jumps by {:.4g} m, from {:g} m in the last row to {:g} m in the first, where the path begins "
+          "again; must end where it begins, or have Motion / Path repeats = once",
+          file, name, jump, values.back(), values.front()));
     values.back() = values.front();
   };
   close_one("d", path.indentation);
@@ -85,12 +85,14 @@ void require_contact_at_rest(const std::string& file, const Case::Path& path) {
   const double rest = rest_of(path).indentation;
   if (rest > 0) return;
   if (path.repeats)
-    throw InputError(fmt::format("{}: the mean of d over time is {:g} m, must be positive: the body rests there before "
-                                 "the motion begins to rise",
-                                 file, rest));
-  throw InputError(fmt::format("{}: d = {:g} m in the first row, must be positive: the body rests there, in contact and "
-                               "without a tangential force, before the pass; begin with the first row in contact",
-                               file, rest));
+    throw InputError(
+        fmt::format("{}: the mean of d over time is {:g} m, must be positive: the body rests there before "
+                    "the motion begins to rise",
+                    file, rest));
+  throw InputError(
+      fmt::format("{}: d = {:g} m in the first row, must be positive: the body rests there, in contact and "
+                  "without a tangential force, before the pass; begin with the first row in contact",
+                  file, rest));
 }
 
 double half_range(const std::vector<double>& values) {

@@ -6,9 +6,9 @@
 
 namespace fretval {
 
-/// Reads a path: CSV with the columns t, d, u_x in this order and a unit of each, in its second line or in brackets. Two
-/// rows at least, three of a path that repeats, at instants that rise. A single pass begins in contact, d > 0; a path
-/// that repeats has a positive mean d over time, and ends where it began, to 1e-6 of its largest |d| and |u_x|.
+/// Reads a path: CSV with the columns t, d, u_x in this order and a unit of each, in its second line or in brackets.
+/// Two rows at least, three of a path that repeats, at instants that rise. A single pass begins in contact, d > 0; a
+/// path that repeats has a positive mean d over time, and ends where it began, to 1e-6 of its largest |d| and |u_x|.
 /// Throws InputError with file, line and value.
 Case::Path read_path_table(const std::string& file, bool repeats);
 

@@ -194,15 +194,15 @@ std::optional<mdr::LimitingProfile> worn_profile(const MdrCase& mdr, const std::
 }
 
 nlohmann::ordered_json to_json(const MdrAnswer& answer) {
-  nlohmann::ordered_json json{{"modulus_ratio", std::isnan(answer.modulus_ratio)
-                                                    ? nlohmann::ordered_json(nullptr)
-                                                    : nlohmann::ordered_json(answer.modulus_ratio)},
-                              {"contact_radius_max", or_null(answer.contact_radius_max)},
-                              {"stick_radius_first_slip", or_null(answer.stick_radius_first_slip)},
-                              {"stick_radius_shakedown", or_null(answer.stick_radius_shakedown)},
-                              {"worn_radius", or_null(answer.worn_radius)},
-                              {"normal_force_max", or_null(answer.normal_force_max)},
-                              {"limiting_amplitude", or_null(answer.limiting_amplitude)}};
+  nlohmann::ordered_json json{
+      {"modulus_ratio", std::isnan(answer.modulus_ratio) ? nlohmann::ordered_json(nullptr)
+                                                         : nlohmann::ordered_json(answer.modulus_ratio)},
+      {"contact_radius_max", or_null(answer.contact_radius_max)},
+      {"stick_radius_first_slip", or_null(answer.stick_radius_first_slip)},
+      {"stick_radius_shakedown", or_null(answer.stick_radius_shakedown)},
+      {"worn_radius", or_null(answer.worn_radius)},
+      {"normal_force_max", or_null(answer.normal_force_max)},
+      {"limiting_amplitude", or_null(answer.limiting_amplitude)}};
   if (answer.indentation_max) json["indentation_max"] = *answer.indentation_max;
   if (answer.tangential_amplitude) json["tangential_amplitude"] = *answer.tangential_amplitude;
   if (answer.cycle) {

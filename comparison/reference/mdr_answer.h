@@ -23,7 +23,7 @@ struct MdrCycle {
 
 /// What MDR says about a case; SI units. Empty radii: nothing sticks. A comparable case has both maxima.
 struct MdrAnswer {
-  double modulus_ratio;  ///< at the normal frequency; NaN of a path, which has none
+  double modulus_ratio;                      ///< at the normal frequency; NaN of a path, which has none
   std::optional<double> contact_radius_max;  ///< empty: a prescribed force that no contact carries without slip
   std::optional<double> stick_radius_first_slip;
   std::optional<double> stick_radius_shakedown;

@@ -67,7 +67,7 @@ void write_history(const CaseResult& result, const mdr::NormalResponse& referenc
   const auto& friction = result.fe.fe.friction;
   const Eigen::Index n = friction.traction.cols();
   const auto& path = result.input.motion.path;
-  const double first_row = path ? path->time.front() : 0, rest = path ? rest_of(*path).tangential : 0;
+  const double rest = path ? rest_of(*path).tangential : 0;
   Eigen::VectorXd time(n), indentation(n), displacement(n), normal_force(n), mdr_force(n), tangential_force(n);
   for (Eigen::Index k = 0; k < n; ++k) {
     const PeriodStep step{result.fe.fe, k};
@@ -80,7 +80,7 @@ void write_history(const CaseResult& result, const mdr::NormalResponse& referenc
     mdr_force[k] = fem.motion.normal_force ? fem::normal_motion(fem.motion, t).value * fem.units.force()
                                            : force_at(reference, time[k]);
     tangential_force[k] = friction.force[k] * fem.units.force();
-    time[k] += first_row;
+    time[k] += fem.first_row;
   }
   write_csv(file, {{"t [s]", time},
                    {"d [m]", indentation},

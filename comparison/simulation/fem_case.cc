@@ -154,6 +154,7 @@ void take_cycle(const mdr::HarmonicMotion& motion, const mdr::CommonCycle& cycle
 void take_path(const Case::Path& path, FemCase& fem) {
   const double frequency = mdr::angular_frequency(1 / path.duration());
   fem.units.angular_frequency = frequency;
+  fem.first_row = path.time.front();
   fem.relaxation.viscosity *= frequency;
   for (double& time : fem.relaxation.times) time *= frequency;
   const auto over = [](std::vector<double> values, double unit) {
@@ -166,18 +167,20 @@ void take_path(const Case::Path& path, FemCase& fem) {
   const auto rest = rest_of(path);
   const double depth = fem.units.depth;
   fem.motion.indentation = rest.indentation / depth;
-  fem.motion.path = fem::SampledPath{std::move(time),          over(path.indentation, depth), over(path.tangential, depth),
-                                     rest.indentation / depth, rest.tangential / depth,       path.repeats};
+  fem.motion.path =
+      fem::SampledPath{std::move(time),          over(path.indentation, depth), over(path.tangential, depth),
+                       rest.indentation / depth, rest.tangential / depth,       path.repeats};
 }
 
 /// A step at least for each row, and eight at a usual tolerance.
 void require_few_rows(const Case& input) {
   constexpr std::size_t most_rows = 2000;
   if (input.motion.path && input.motion.path->time.size() > most_rows)
-    throw InputError(fmt::format(
-        "{}: Motion / Path = {}: has {} rows; finite elements step through {} at most, of which fewer describe a motion "
-        "as well if they lie closer where it turns; `fretval mdr` answers this case",
-        input.file, input.motion.path->file, input.motion.path->time.size(), most_rows));
+    throw InputError(
+        fmt::format("{}: Motion / Path = {}: has {} rows; finite elements step through {} at most, of which fewer "
+                    "describe a motion "
+                    "as well if they lie closer where it turns; `fretval mdr` answers this case",
+                    input.file, input.motion.path->file, input.motion.path->time.size(), most_rows));
 }
 
 }  // namespace

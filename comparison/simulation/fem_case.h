@@ -60,6 +60,7 @@ struct FemCase {
   /// comparison/simulation/near_cycle.h, with this error of the depth that an element asks for to stick, dimensionless.
   std::optional<mdr::HarmonicMotion> without_short_cycle = {};
   double error_of_demand = 0;
+  double first_row = 0;  ///< s, of a path: when it begins
 
   /// The resolution's steps belong to the fastest oscillation, or to the whole of a path, which has more if it has many
   /// rows (fem::steps_along).

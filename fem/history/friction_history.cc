@@ -141,7 +141,8 @@ void FrictionPeriod::report(const ContactProblem& problem, FrictionHistory& hist
   // Of friction, per area, and as a product of depths and displacements. The mean slip rate of a step belongs to its
   // middle, between two balance times.
   const auto in_the_middle = [this](const Eigen::MatrixXd& columns, const Eigen::VectorXd& before, int k) {
-    return (weights_[k] * columns.col(k) + (1 - weights_[k]) * (k == 0 ? before : Eigen::VectorXd(columns.col(k - 1)))).eval();
+    return (weights_[k] * columns.col(k) + (1 - weights_[k]) * (k == 0 ? before : Eigen::VectorXd(columns.col(k - 1))))
+        .eval();
   };
   Eigen::VectorXd work = Eigen::VectorXd::Zero(slip_.size()), series_work = work;
   for (int k = 0; k < k_; ++k) {

@@ -48,8 +48,8 @@ struct NormalHistory {
 /// Whatever else goes along with the normal contact, step by step: friction, a record.
 using Beside = std::function<void(const NormalContact&)>;
 
-/// Steps a contact from its start until its response is periodic, or over the cycle of a single pass; beside is called after each step. Throws SolverError
-/// when it is not after max_cycles (message with the measure reached).
+/// Steps a contact from its start until its response is periodic, or over the cycle of a single pass; beside is called
+/// after each step. Throws SolverError when it is not after max_cycles (message with the measure reached).
 NormalHistory normal_history(NormalContact contact, const HistoryControl& control, const Beside& beside = {});
 
 }  // namespace fretval::fem

@@ -26,9 +26,9 @@ int steps_along(const SampledPath& path, int wanted);
 /// Where a step lies in its piece of a path: signals are smooth inside a piece and have kinks, or with a dashpot jumps,
 /// at its ends.
 struct StepInPiece {
-  double begin, end;   ///< of the step, in the cycle
-  bool first, last;    ///< of its piece
-  double fraction = 1; ///< of the step, at which a signal is sampled
+  double begin, end;    ///< of the step, in the cycle
+  bool first, last;     ///< of its piece
+  double fraction = 1;  ///< of the step, at which a signal is sampled
   [[nodiscard]] double duration() const { return end - begin; }
 };
 

@@ -95,8 +95,7 @@ CycleResponse response_along(const RelaxationModel& relaxation, double friction_
   for (Eigen::Index k = 0; k <= last; ++k)
     response.tangential_force_mean += pull[k] * pieces[static_cast<std::size_t>(k)].duration() / (2 * pi);
   const double loops = pull.dot(along) + in_the_middle(pressing, pressing[last], pieces).dot(down);
-  response.friction_work =
-      once || relaxation.has_memory() ? friction.dissipated_energy : pull.dot(along);
+  response.friction_work = once || relaxation.has_memory() ? friction.dissipated_energy : pull.dot(along);
   response.bulk_work = !once && relaxation.has_memory() ? loops - response.friction_work : 0;
   response.sliding_force = friction_coefficient * normal_force_max;
   response.sliding_work = response.sliding_force * tangential_path(motion);
@@ -109,8 +108,7 @@ CycleResponse response_along(const RelaxationModel& relaxation, double friction_
 
 CycleResponse cycle_response(const RelaxationModel& relaxation, double friction_coefficient, const Motion& motion,
                              double normal_force_max, const NormalHistory& normal, const FrictionHistory& friction) {
-  if (motion.path)
-    return response_along(relaxation, friction_coefficient, motion, normal_force_max, normal, friction);
+  if (motion.path) return response_along(relaxation, friction_coefficient, motion, normal_force_max, normal, friction);
   const auto n = friction.force.size();
   const double dt = 2 * pi / normal.steps_per_cycle,
                begin = normal.first_balance + static_cast<double>(friction.n_steps - n) * dt;

@@ -18,8 +18,8 @@ struct SampledPath {
   [[nodiscard]] std::size_t n_pieces() const { return time.size() - 1; }
 };
 
-/// Throws std::invalid_argument unless the path is as described above, in contact where it rests, and its last row equal
-/// to the first if it repeats.
+/// Throws std::invalid_argument unless the path is as described above, in contact where it rests, and its last row
+/// equal to the first if it repeats.
 void validate(const SampledPath& path);
 
 /// Where the body rests before, m.

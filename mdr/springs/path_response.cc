@@ -31,8 +31,7 @@ struct RisingPath {
     }
     IndenterState state{rest.indentation, 0, 0, 0};
     const auto add = [&](const std::vector<double>& values, double mean, double& position, double& rate) {
-      const double slope = (values[piece + 1] - values[piece]) / duration,
-                   departure = values[piece] + slope * s - mean;
+      const double slope = (values[piece + 1] - values[piece]) / duration, departure = values[piece] + slope * s - mean;
       position += share * departure;
       rate = share * slope + share_rate * departure;
     };
@@ -102,14 +101,15 @@ class Course {
         const double duration = path_.time[piece + 1] - path_.time[piece], s = duration * j / n_steps_[piece],
                      time = path_.time[piece] + s;
         const SpringState before = state_;
-        steps_[piece].advance(
-            state_, bed_, rising_.at(piece, s, period * path_.duration() + time - path_.time.front()));
+        steps_[piece].advance(state_, bed_,
+                              rising_.at(piece, s, period * path_.duration() + time - path_.time.front()));
         see_step(result, before, duration / n_steps_[piece], margins);
         record(result, time, margins);
         result.indenter_work += work_of_last_step(result);
       }
     first_slip_.slip_path += margins.slip_path;
     finish(result, margins);
+    result.last = state_;
     return result;
   }
 
@@ -213,9 +213,9 @@ SteppedPathForces path_forces(const Profile& profile, const PronyBody& body, dou
     stepped.forces.*part += difference / 3;
     stepped.error.*part = std::abs(difference);
   };
-  for (const auto part : {&PathForces::normal_force_max, &PathForces::normal_force_min,
-                          &PathForces::tangential_force_max, &PathForces::tangential_force_mean,
-                          &PathForces::friction_work, &PathForces::bulk_work})
+  for (const auto part :
+       {&PathForces::normal_force_max, &PathForces::normal_force_min, &PathForces::tangential_force_max,
+        &PathForces::tangential_force_mean, &PathForces::friction_work, &PathForces::bulk_work})
     extrapolate(part);
   return stepped;
 }

@@ -9,8 +9,8 @@
 namespace fretval::mdr {
 
 /// What the transient spring foundation says about a path: over its pass, or over the last period once it repeats.
-/// Times and tangential displacements are those of the path. A pass is one period, and has no shakedown: those depths are
-/// 0.
+/// Times and tangential displacements are those of the path. A pass is one period, and has no shakedown: those depths
+/// are 0.
 struct PathCourse {
   SpringBed bed;
   SpringHistory history;
@@ -21,8 +21,8 @@ struct PathFineness {
   Eigen::Index n_springs = 200;
   int steps_per_duration = 180;  ///< at least; each piece has a whole number of equal steps
   int n_ramp_periods = 10;       ///< of a path that repeats
-  double periodicity = 1e-8;  ///< of a body without a dashpot; with one loads jump at the edge, and 1e-2 has to do
-  int subdivisions = 1;       ///< of each of these steps
+  double periodicity = 1e-8;     ///< of a body without a dashpot; with one loads jump at the edge, and 1e-2 has to do
+  int subdivisions = 1;          ///< of each of these steps
 };
 
 /// Steps the springs along a path, of which every row is the end of a step. A single pass begins relaxed at its first

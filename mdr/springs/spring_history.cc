@@ -135,6 +135,7 @@ class History {
     }
     first_slip_.slip_path += margins.slip_path;
     finish(result, margins);
+    result.last = state_;
     return result;
   }
 
