@@ -107,7 +107,9 @@ void FrictionContact::step(const Eigen::VectorXd& pressure, const std::optional<
     dt_ = piece->duration();
     step_ = RelaxationStep(relaxation_, dt_);
   }
-  const auto position = [this, inside = begin + dt_ / 2](double t) { return tangential_motion(motion_, t, inside); };
+  const auto position = [this, inside = begin + dt_ / 2](double t) {
+    return tangential_motion_inside(motion_, t, inside);
+  };
   const double weight = step_.fraction(), time = begin + weight * dt_;
   find_touching(pressure, normal);
   limit = friction_coefficient_ * pressure;

@@ -116,14 +116,14 @@ double amplitude_share(const Motion& motion, double t) {
 }
 
 ValueAndRate normal_motion(const Motion& motion, double t) {
-  return normal_motion(motion, t, t);
+  return normal_motion_inside(motion, t, t);
 }
 
 ValueAndRate tangential_motion(const Motion& motion, double t) {
-  return tangential_motion(motion, t, t);
+  return tangential_motion_inside(motion, t, t);
 }
 
-ValueAndRate normal_motion(const Motion& motion, double t, double inside_step) {
+ValueAndRate normal_motion_inside(const Motion& motion, double t, double inside_step) {
   if (motion.path) {
     const auto& path = *motion.path;
     auto d = product(envelope(motion, t), departure(path, path.normal, path.rest_normal, t, inside_step));
@@ -135,7 +135,7 @@ ValueAndRate normal_motion(const Motion& motion, double t, double inside_step) {
   return d;
 }
 
-ValueAndRate tangential_motion(const Motion& motion, double t, double inside_step) {
+ValueAndRate tangential_motion_inside(const Motion& motion, double t, double inside_step) {
   if (motion.path) {
     const auto& path = *motion.path;
     return product(envelope(motion, t), departure(path, path.tangential, path.rest_tangential, t, inside_step));

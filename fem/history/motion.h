@@ -72,8 +72,8 @@ ValueAndRate normal_motion(const Motion& motion, double t);
 ValueAndRate tangential_motion(const Motion& motion, double t);
 
 /// The same at an end of a step, or inside it, where a path has two rates at its rows: that of the step.
-ValueAndRate normal_motion(const Motion& motion, double t, double inside_step);
-ValueAndRate tangential_motion(const Motion& motion, double t, double inside_step);
+ValueAndRate normal_motion_inside(const Motion& motion, double t, double inside_step);
+ValueAndRate tangential_motion_inside(const Motion& motion, double t, double inside_step);
 
 /// Tangential path in a cycle, to and fro: of cosines 4 amplitudes for each oscillation.
 double tangential_path(const Motion& motion);

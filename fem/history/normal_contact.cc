@@ -115,7 +115,7 @@ void NormalContact::step(const PressureWear& wear) {
   time = begin + weight * dt_;
   gap = state.displacement + profile;
   gap.array() -= indentation;
-  const auto position = [this, inside = begin + dt_ / 2](double t) { return normal_motion(motion_, t, inside); };
+  const auto position = [this, inside = begin + dt_ / 2](double t) { return normal_motion_inside(motion_, t, inside); };
   auto to_balance = indenter_move(position, begin, time), whole = indenter_move(position, begin, end);
   if (motion_.normal_force) {
     last_increment_ = increment_under_force(wear);

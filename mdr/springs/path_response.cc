@@ -191,11 +191,11 @@ PathForces forces_of(const SpringHistory& history) {
 
 PathCourse path_course(const Profile& profile, const PronyBody& body, double mu, const SampledPath& path,
                        const PathFineness& fineness) {
-  constexpr double room = 1.001;
   validate(path);
   require_within("steps along a path", fineness.steps_per_duration, 1, 1e6);
   require_within("ramp periods", fineness.n_ramp_periods, 1, most_periods_of_path - 1);
-  const double outer = std::min(room * inverse_transform(profile, maximum_indentation(path)), end_radius(profile));
+  // No spring beyond: with a dashpot one that touches halfway would carry its jump of load over its whole width.
+  const double outer = inverse_transform(profile, maximum_indentation(path));
   return Course(spring_bed(profile, outer, fineness.n_springs), body, mu, path, fineness).run();
 }
 
