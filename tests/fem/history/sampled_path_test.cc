@@ -106,7 +106,7 @@ TEST(SampledPath, IsCattaneosAndMindlinsPullInOnePass) {
   const SampledPath pull{{0, 2 * pi}, {0.9, 0.9}, {0, 0.3}, 0.9, 0, false};
   const auto [normal, friction, zones] = pass(elastic_body(), along_path(pull), 36);
   const double c = std::sqrt(0.9 - 0.3 / (1.5 * mu));
-  EXPECT_NEAR(zones[0].radius, c, 5e-5);  // as friction_history_test.cc measures of oscillations
+  EXPECT_NEAR(zones.first_slip.radius, c, 5e-5);  // as friction_history_test.cc measures of oscillations
   EXPECT_NEAR(friction.force.tail(1)[0] / (mu * 16 / 3 * (std::pow(0.9, 1.5) - c * c * c)), 1, 2e-4);
   EXPECT_EQ(friction.n_cycles, 1);
   EXPECT_EQ(friction.n_steps, normal.n_steps());
@@ -118,7 +118,7 @@ TEST(SampledPath, KnowsTheForceAtItsRowsExactly) {
   const SampledPath pull{{0, 1, 2 * pi}, {0.9, 0.9, 0.9}, {0, 0.2, 0.2}, 0.9, 0, false};
   const double force = 0.2 + 0.4 * 0.2 * (1 - std::exp(-1 / 0.4));
   for (const int wanted : {18, 72}) {
-    const auto c = pass(body, along_path(pull), wanted).zones[0].radius;
+    const auto c = pass(body, along_path(pull), wanted).zones.first_slip.radius;
     EXPECT_NEAR(c, std::sqrt(0.9 - force / (1.5 * mu)), 5e-5) << wanted;
   }
 }
@@ -128,7 +128,7 @@ TEST(SampledPath, ExtendsForcesOfADashpotToItsRows) {
   const RelaxationModel body{1, {}, {}, 0.3};
   const SampledPath pull{{0, 1, 2 * pi}, {0.9, 0.9, 0.9}, {0, 0.2, 0.2}, 0.9, 0, false};
   const double force = 0.2 + 0.3 * 0.2;
-  const auto c = pass(body, along_path(pull), 36).zones[0].radius;
+  const auto c = pass(body, along_path(pull), 36).zones.first_slip.radius;
   EXPECT_NEAR(c, std::sqrt(0.9 - force / (1.5 * mu)), 1e-4);
 }
 
