@@ -43,19 +43,25 @@ TEST(PathDepths, OfARampAreThoseOfItsRelaxingForce) {
   EXPECT_NEAR(path_stick_depths(body, mu, pull).first_slip, 1 - force / (1.5 * mu), 1e-11);
 }
 
-// Rows on cosines: order 2 in their distance; a dashpot feels the rate, which is constant between rows: order 1.
+// Rows on cosines: order 2 in their distance; a dashpot feels the rate, which is constant between rows: order 1. The
+// worst of some phases, as it depends on where the extremes lie between rows.
 TEST(PathDepths, OfSampledCosinesTendToThoseOfTheOscillation) {
-  const HarmonicMotion motion{1, {{0.2, 1, 0}}, {{0.15, 1, 0.8}}};
   for (const double viscosity : {0.0, 0.01}) {
     const PronyBody body{1, {1, 0.5}, {0.1, 0.02}, viscosity};
-    const auto exact = stick_depths(body, mu, motion);
-    const auto error = [&](int n) {
-      const auto depths = path_stick_depths(body, mu, cosines(n, 0.8));
-      return std::max(std::abs(depths.first_slip - exact.first_slip), std::abs(*depths.shakedown - exact.shakedown));
+    const auto worst = [&](int n) {
+      double error = 0;
+      for (int k = 0; k < 40; ++k) {
+        const double phase = 0.8 + 0.01 * k;
+        const auto exact = stick_depths(body, mu, HarmonicMotion{1, {{0.2, 1, 0}}, {{0.15, 1, phase}}});
+        const auto depths = path_stick_depths(body, mu, cosines(n, phase));
+        error = std::max(
+            {error, std::abs(depths.first_slip - exact.first_slip), std::abs(*depths.shakedown - exact.shakedown)});
+      }
+      return error;
     };
-    const double order = viscosity > 0 ? 1 : 2;
-    EXPECT_NEAR(std::log2(error(64) / error(256)) / 2, order, 0.15);
-    EXPECT_LT(error(256), viscosity > 0 ? 3e-4 : 1e-4);
+    const double coarse = worst(64), fine = worst(256);
+    EXPECT_NEAR(std::log2(coarse / fine) / 2, viscosity > 0 ? 1 : 2, 0.25);
+    EXPECT_LT(fine, viscosity > 0 ? 3e-4 : 1e-4);
   }
 }
 
