@@ -41,7 +41,7 @@ Quantities quantities_of(const FeAnswer& fe, const Units& units) {
   add_response(fe, fe.normal_force_max, units, values);
   add_cycle(fe.cycle, units, values);
   values[Quantity::stick_radius_first_slip] = fe.stick_radius_first_slip.value_or(0) / units.length;
-  values[Quantity::stick_radius_shakedown] = fe.stick_radius_shakedown.value_or(0) / units.length;
+  if (!fe.single_pass) values[Quantity::stick_radius_shakedown] = fe.stick_radius_shakedown.value_or(0) / units.length;
   if (fe.no_wear) {
     values[Quantity::slip_inside_stick_zone] = fe.no_wear->slip_inside;
     values[Quantity::force_outside_stick_zone] = fe.no_wear->force_outside;
@@ -58,7 +58,8 @@ Quantities quantities_of(const MdrAnswer& mdr, const Units& units, bool worn) {
   add_response(mdr, mdr.normal_force_max.value(), units, values);
   add_cycle(mdr.cycle, units, values);
   values[Quantity::stick_radius_first_slip] = mdr.stick_radius_first_slip.value_or(0) / units.length;
-  values[Quantity::stick_radius_shakedown] = mdr.stick_radius_shakedown.value_or(0) / units.length;
+  if (!mdr.single_pass)
+    values[Quantity::stick_radius_shakedown] = mdr.stick_radius_shakedown.value_or(0) / units.length;
   if (worn) {
     if (mdr.wears_no_more()) values[Quantity::slip_inside_stick_zone] = 0;
     values[Quantity::force_outside_stick_zone] = 0;

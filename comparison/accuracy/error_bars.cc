@@ -54,8 +54,9 @@ struct Track {
 
 /// How deep the innermost ring sticks in either zone.
 Quantities centre_depths(const FeAnswer& fe) {
-  return {{Quantity::stick_radius_first_slip, fe.first_slip_depths.depth[0]},
-          {Quantity::stick_radius_shakedown, fe.shakedown_depths.depth[0]}};
+  Quantities depths{{Quantity::stick_radius_first_slip, fe.first_slip_depths.depth[0]}};
+  if (!fe.single_pass) depths[Quantity::stick_radius_shakedown] = fe.shakedown_depths.depth[0];
+  return depths;
 }
 
 /// Where the error of the depth at the centre leaves open whether anything sticks, adds to the bar what that means for
@@ -131,7 +132,7 @@ void carry_slip_inside(const Track& track, ErrorBudget& budget) {
 
 CaseNeeds needs_of(const FemCase& fem) {
   return {fem.relaxation.has_memory(), !fem.motion.locked, fem.worn_edge.has_value(),
-          fem.relaxation.viscosity > 0 || fem.motion.tangential_force};
+          fem.relaxation.viscosity > 0 || fem.motion.tangential_force, fem.motion.is_single_pass()};
 }
 
 std::vector<Resolution> needed_for_bars(const Tracks& tracks, const CaseNeeds& needs) {

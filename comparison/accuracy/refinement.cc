@@ -82,11 +82,11 @@ std::vector<Variant> variants_of(const Resolution& resolution, const CaseNeeds& 
   for (const double factor : {0.5, 0.25})
     if (coarse.steps_per_cycle * factor >= fewest_steps)
       variants.push_back({ErrorSource::time_step, with_steps(coarse, factor), coarse});
-  if (needs.memory) add(ErrorSource::start, both, [](Resolution& r) { r.n_ramp_cycles /= 2; });
+  if (needs.memory && !needs.single_pass) add(ErrorSource::start, both, [](Resolution& r) { r.n_ramp_cycles /= 2; });
   if (needs.creep)
     for (const int divisor : {2, 4})
       add(ErrorSource::creep, coarse, [&](Resolution& r) { r.n_creep_cycles /= divisor; });
-  add(ErrorSource::cycles, coarse, [](Resolution& r) { r.periodicity *= 10; });
+  if (!needs.single_pass) add(ErrorSource::cycles, coarse, [](Resolution& r) { r.periodicity *= 10; });
   add(ErrorSource::active_set, both, [](Resolution& r) { r.active_set_slack *= 10; });
   return variants;
 }

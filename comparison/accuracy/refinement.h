@@ -34,11 +34,11 @@ struct FixedByCase {
   bool rings, steps;
 };
 
-/// What the errors of a case depend on: an elastic body has no memory of its start, a locked phase does not creep, the
-/// rings of a worn profile are graded, and rings that touch are held from the start of their step on with a dashpot or
-/// under a tangential force (see fem::FrictionContact).
+/// What the errors of a case depend on: an elastic body has no memory of its start, a single pass starts as it does, a
+/// locked phase does not creep, the rings of a worn profile are graded, and rings that touch are held from the start of
+/// their step on with a dashpot or under a tangential force (see fem::FrictionContact).
 struct CaseNeeds {
-  bool memory = true, creep = false, worn = false, held_from_start = false;
+  bool memory = true, creep = false, worn = false, held_from_start = false, single_pass = false;
 };
 
 /// What has to be computed besides a resolution to measure its errors, each source by its own refinement. The rings are

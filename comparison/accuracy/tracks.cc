@@ -61,8 +61,9 @@ std::optional<Focus> closer_look(Quantity quantity, const Tracks& tracks, const 
 bool focus_on(Quantity quantity, double least_gain, const PreparedCase& prepared, const Computations& computed,
               Tracks& tracks) {
   const auto& motion = prepared.fem.motion;
-  const bool nothing_moves = motion.normal.empty() && motion.tangential.empty();  // and nothing slips
-  if (prepared.input.rings_per_radius || prepared.fem.worn_edge || nothing_moves) return false;
+  const bool nothing_moves = motion.normal.empty() && motion.tangential.empty() && !motion.path,  // and nothing slips
+      is_asked_for = computed.quantities().at(tracks.of(quantity)).count(quantity) > 0;
+  if (prepared.input.rings_per_radius || prepared.fem.worn_edge || nothing_moves || !is_asked_for) return false;
   const auto focus = closer_look(quantity, tracks, computed, prepared.tolerances);
   if (!focus || focus->ring > ring_of(tracks.of(quantity)) / least_gain) return false;
   Resolution closer = tracks.base;

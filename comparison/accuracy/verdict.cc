@@ -93,8 +93,9 @@ Comparison compare(const MdrAnswer& mdr, const FeAnswer& fe, double unworn_radiu
   const double tolerance = tolerances.stick_radius;
   comparison[Quantity::stick_radius_first_slip] =
       judge_stick(fe.stick_radius_first_slip, mdr.stick_radius_first_slip, unworn_radius, tolerance);
-  comparison[Quantity::stick_radius_shakedown] =
-      judge_stick(fe.stick_radius_shakedown, mdr.stick_radius_shakedown, unworn_radius, tolerance);
+  if (!fe.single_pass)
+    comparison[Quantity::stick_radius_shakedown] =
+        judge_stick(fe.stick_radius_shakedown, mdr.stick_radius_shakedown, unworn_radius, tolerance);
   if (fe.no_wear) {
     if (mdr.wears_no_more()) comparison[Quantity::slip_inside_stick_zone] = judge(fe.no_wear->slip_inside, tolerance);
     comparison[Quantity::force_outside_stick_zone] = judge(fe.no_wear->force_outside, tolerance);

@@ -57,6 +57,19 @@ struct Case {
     double mean = 0, amplitude = 0;  ///< N
   };
 
+  /// A motion that is given by its rows, linear between them.
+  struct Path {
+    std::string file;
+    std::vector<double> time;         ///< s, rising, as in the file
+    std::vector<double> indentation;  ///< m
+    std::vector<double> tangential;   ///< m
+    bool repeats = false;             ///< for ever, with the period from its first row to its last; false: one pass
+
+    [[nodiscard]] double duration() const { return time.back() - time.front(); }
+  };
+
+  /// Of a path the numbers say how large it is: its mean indentation and half of what lies between its extremes, each
+  /// of one over its duration.
   struct Motion {
     double indentation = 0;           ///< m, mean
     double normal_amplitude = 0;      ///< m
@@ -67,6 +80,7 @@ struct Case {
     std::vector<Harmonic> normal_harmonics, tangential_harmonics;
     std::optional<NormalForce> normal_force;  ///< prescribed instead of the indentation
     std::optional<double> tangential_force;   ///< N, amplitude; instead of the tangential amplitude
+    std::optional<Path> path;                 ///< instead of all oscillations
   };
 
   enum class WearLaw { archard, energy, power };

@@ -46,6 +46,13 @@ std::optional<Case::WearKinetics> read_wear_kinetics(const EntryReader& entries)
 }
 
 void read_wear(const EntryReader& entries, Case& input) {
+  if (input.motion.path) {
+    for (const char* name : {"State", "Stick radius ratio"})
+      entries.forbid("Wear", name, "wear is computed of oscillations, not along a Motion / Path");
+    for (const char* name : wear_kinetics_names)
+      entries.forbid("Wear", name, "wear is computed of oscillations, not along a Motion / Path");
+    return;
+  }
   if (entries.given("Wear", "State") && entries.one_of("Wear", "State", {"unworn", "limiting"}) == "limiting") {
     input.wear = Case::Wear::limiting;
     if (input.motion.normal_force || input.motion.tangential_force)

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "comparison/case/master_curve.h"
+#include "comparison/case/path_table.h"
 #include "comparison/case/table_units.h"
 #include "mdr/rheology/time_temperature.h"
 
@@ -97,6 +98,24 @@ void read_tangential_motion(const EntryReader& entries, Case::Motion& motion) {
   motion.tangential_amplitude = entries.text(section, "Tangential amplitude") == "shakedown"
                                     ? std::nan("")
                                     : entries.number(section, "Tangential amplitude", not_negative_number);
+}
+
+/// Instead of all other entries of the section.
+Case::Motion read_path_motion(const EntryReader& entries) {
+  const std::string section = "Motion";
+  for (const char* name : {"Indentation", "Normal amplitude", "Normal force", "Normal force amplitude",
+                           "Normal frequency", "Normal harmonics", "Tangential amplitude", "Tangential force amplitude",
+                           "Tangential frequency", "Tangential harmonics", "Phase"})
+    entries.forbid(section, name, "the Path is the motion");
+  const bool repeats = entries.one_of(section, "Path repeats", {"once", "forever"}) == "forever";
+  const auto file = entries.path(section, "Path");
+  if (file.empty()) return {};
+  try {
+    return motion_along(read_path_table(file, repeats));
+  } catch (const InputError& error) {
+    entries.add_problem(error.what());
+    return {};
+  }
 }
 
 }  // namespace
@@ -194,6 +213,8 @@ Case::Elastomer read_elastomer(const EntryReader& entries, std::vector<std::stri
 Case::Motion read_motion(const EntryReader& entries) {
   const std::string section = "Motion";
   Case::Motion motion;
+  if (entries.given(section, "Path")) return read_path_motion(entries);
+  entries.forbid(section, "Path repeats", "it belongs to a Path");
   read_normal_motion(entries, motion);
   read_tangential_motion(entries, motion);
   motion.normal_frequency = entries.number(section, "Normal frequency", positive_number);

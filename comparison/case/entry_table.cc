@@ -106,7 +106,18 @@ SectionTraits motion_entries() {
         {D::angle},
         "any, or the word free",
         needed,
-        "φ0 of the tangential motion; free: the two are not synchronised"}}};
+        "φ0 of the tangential motion; free: the two are not synchronised"},
+       {"Path",
+        {},
+        "a file, relative to the case file",
+        "oscillations",
+        "any motion instead of oscillations: CSV of t, d and u_x, units in its second line; linear between its rows"},
+       {"Path repeats",
+        {},
+        "once, forever",
+        "an error with a Path",
+        "once: one pass, from rest without tangential force at the first row; forever: the last row is the first "
+        "again"}}};
 }
 
 std::vector<SectionTraits> all_sections() {

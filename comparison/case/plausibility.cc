@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <fstream>
 
 #include "mdr/profiles/profile_csv.h"
@@ -42,6 +43,8 @@ std::vector<std::string> implausible_values(const Case& input, const mdr::Profil
   if (input.motion.normal_force) return warnings;
   double deepest = input.motion.indentation + input.motion.normal_amplitude;
   for (const auto& harmonic : input.motion.normal_harmonics) deepest += harmonic.amplitude;
+  if (const auto& path = input.motion.path)
+    deepest = *std::max_element(path->indentation.begin(), path->indentation.end());
   const double a = mdr::inverse_transform(profile, deepest);
   const double rise = mdr::shape_slope(profile, a);
   if (!(rise >= least_rise && rise <= largest_rise))
@@ -56,7 +59,16 @@ std::vector<std::string> implausible_values(const Case& input, const mdr::Profil
         "{}: at the largest indentation a/R is {:.2g}; if the parabola stands for a sphere of radius {:.3g} m, the "
         "contact radius of the sphere is smaller by {:.1f} %; Indenter / Shape = sphere has the true arc",
         input.file, rise, radius, 100 * arc));
-  if (input.motion.normal_harmonics.empty() && input.motion.normal_amplitude > input.motion.indentation)
+  if (const auto& path = input.motion.path; path && path->repeats) {
+    const double least = *std::min_element(path->indentation.begin(), path->indentation.end());
+    if (least < 0)
+      warnings.push_back(
+          fmt::format("{}: the indenter lifts off in every period of {}, to {:.3g} m above the surface, and "
+                      "nothing sticks for good",
+                      input.file, path->file, -least));
+  }
+  if (!input.motion.path && input.motion.normal_harmonics.empty() &&
+      input.motion.normal_amplitude > input.motion.indentation)
     warnings.push_back(fmt::format(
         "{}: the normal amplitude, {:.3g} m, is above the indentation, {:.3g} m: the indenter lifts off in every "
         "cycle, and nothing sticks for good",

@@ -22,7 +22,7 @@ std::string value_text(const ordered_json& value, const char* unit, const char* 
   return fmt::format("{:.6g}{}{}", value.get<double>(), *unit ? " " : "", unit);
 }
 
-void print_answer(const ordered_json& json) {
+void print_answer(const ordered_json& json, bool single_pass) {
   struct Line {
     const char *key, *label, *unit, *none;
   };
@@ -34,8 +34,9 @@ void print_answer(const ordered_json& json) {
   print(json["mdr"], {{"modulus_ratio", "modulus ratio", "", "none"},
                       {"contact_radius_max", "largest contact radius", "m", "none"},
                       {"stick_radius_first_slip", "stick radius, first slip", "m", "none (nothing sticks)"},
-                      {"stick_radius_shakedown", "stick radius, shakedown", "m", "none (nothing sticks)"},
-                      {"worn_radius", "outer radius of the wear", "m", "none (wear goes on)"},
+                      {"stick_radius_shakedown", "stick radius, shakedown", "m",
+                       single_pass ? "none (a single pass has no periodic state)" : "none (nothing sticks)"},
+                      {"worn_radius", "outer radius of the wear", "m", single_pass ? "none" : "none (wear goes on)"},
                       {"normal_force_max", "largest normal force", "N", "not computed; see --springs"},
                       {"axis_pressure_max", "largest pressure on the axis", "Pa", ""}});
   if (json.contains("springs"))
@@ -71,7 +72,7 @@ int run_mdr(const std::string& file, const MdrOptions& options) {
     if (options.json) {
       list.push_back(document.json);
     } else {
-      print_answer(document.json);
+      print_answer(document.json, input.motion.path && !input.motion.path->repeats);
     }
   }
   if (options.json) fmt::print("{}\n", (list.size() == 1 ? list[0] : list).dump(2));

@@ -27,6 +27,8 @@ int run_trade(const std::string& file, const fs::path& output) {
   if (prepared.mdr.has_forces())
     throw InputError(
         fmt::format("{}: Motion: a force is prescribed; the levels of a trade need prescribed displacements", file));
+  if (prepared.mdr.path)
+    throw InputError(fmt::format("{}: Motion / Path: the levels of a trade need oscillations", file));
   for (const auto& warning : prepared.input.warnings) log::warn(warning);
   const fs::path folder = output / prepared.input.name;
   fs::create_directories(folder);

@@ -1,10 +1,13 @@
 #include "comparison/reference/mdr_answer.h"
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "comparison/support/json.h"
+#include "mdr/springs/path_response.h"
 #include "mdr/springs/stepped_response.h"
+#include "mdr/stick/path_depths.h"
 #include "mdr/stick/shakedown_amplitude.h"
 #include "mdr/stick/stick_radius.h"
 
@@ -110,9 +113,61 @@ MdrAnswer displaced_answer(const MdrCase& mdr, const mdr::HarmonicMotion& motion
   return answer;
 }
 
+/// Stick radii by closed forms.
+MdrAnswer path_answer(const MdrCase& mdr, const mdr::NormalResponse& normal) {
+  MdrAnswer answer{};
+  const auto radii = mdr::stick_radii(mdr.profile, mdr.body, mdr.friction_coefficient, *mdr.path);
+  answer.modulus_ratio = std::nan("");
+  answer.contact_radius_max = normal.contact_radius_max;
+  answer.normal_force_max = normal.normal_force_max;
+  answer.axis_pressure = normal.axis_pressure;
+  answer.stick_radius_first_slip = radii.first_slip;
+  answer.stick_radius_shakedown = radii.shakedown;
+  answer.single_pass = mdr.is_single_pass();
+  return answer;
+}
+
+/// Over the pass or the period. What goes into the body in a pass is not told from what is lost there.
+std::optional<MdrCycle> cycle_along(const MdrCase& mdr, double normal_force_max) {
+  const auto& u = mdr.path->tangential;
+  double way = 0;
+  for (std::size_t k = 1; k < u.size(); ++k) way += std::abs(u[k] - u[k - 1]);
+  const bool settles_for_long = mdr.body.viscosity > 0 && mdr.path->repeats;
+  if (way == 0 || settles_for_long) return std::nullopt;
+  const auto [forces, error, course] =
+      mdr::path_forces(mdr.profile, mdr.body, mdr.friction_coefficient, *mdr.path, {100, 90, 10, 1e-7});
+  const double sliding_force = mdr.friction_coefficient * normal_force_max;
+  const bool once = mdr.is_single_pass();
+  return MdrCycle{forces.tangential_force_max,
+                  forces.tangential_force_mean,
+                  forces.friction_work,
+                  once ? 0 : forces.bulk_work,
+                  sliding_force,
+                  sliding_force * way,
+                  std::max(error.tangential_force_max, error.tangential_force_mean),
+                  error.friction_work + (once ? 0 : error.bulk_work)};
+}
+
+/// By springs, which the tangential motion does not matter to.
+mdr::NormalResponse normal_response_along(const MdrCase& mdr) {
+  auto path = *mdr.path;
+  std::fill(path.tangential.begin(), path.tangential.end(), 0.0);
+  auto [forces, error, course] = mdr::path_forces(mdr.profile, mdr.body, 1, path);
+  auto& history = course.history;
+  const double start = history.time.front();
+  for (double& time : history.time) time -= start;
+  const double radius = mdr::inverse_transform(mdr.profile, mdr::maximum_indentation(path));
+  std::optional<mdr::AxisPressure> pressure;
+  if (!mdr::has_sharp_tip([&](double x) { return mdr::transform(mdr.profile, x); }, radius))
+    pressure = {forces.axis_pressure_max, error.axis_pressure_max};
+  return {forces.normal_force_max,        forces.normal_force_min,        radius, pressure, std::move(history.time),
+          std::move(history.indentation), std::move(history.normal_force)};
+}
+
 }  // namespace
 
 mdr::NormalResponse mdr_normal_response(const MdrCase& mdr) {
+  if (mdr.path) return normal_response_along(mdr);
   if (mdr.normal_force && !mdr.limiting) {
     auto normal = mdr.prescribed();
     for (auto& harmonic : normal.motion.tangential) harmonic.amplitude = 0;
@@ -142,13 +197,15 @@ std::optional<mdr::LimitingProfile> worn_profile(const MdrCase& mdr, const std::
 }
 
 nlohmann::ordered_json to_json(const MdrAnswer& answer) {
-  nlohmann::ordered_json json{{"modulus_ratio", answer.modulus_ratio},
-                              {"contact_radius_max", or_null(answer.contact_radius_max)},
-                              {"stick_radius_first_slip", or_null(answer.stick_radius_first_slip)},
-                              {"stick_radius_shakedown", or_null(answer.stick_radius_shakedown)},
-                              {"worn_radius", or_null(answer.worn_radius)},
-                              {"normal_force_max", or_null(answer.normal_force_max)},
-                              {"limiting_amplitude", or_null(answer.limiting_amplitude)}};
+  nlohmann::ordered_json json{
+      {"modulus_ratio", std::isnan(answer.modulus_ratio) ? nlohmann::ordered_json(nullptr)
+                                                         : nlohmann::ordered_json(answer.modulus_ratio)},
+      {"contact_radius_max", or_null(answer.contact_radius_max)},
+      {"stick_radius_first_slip", or_null(answer.stick_radius_first_slip)},
+      {"stick_radius_shakedown", or_null(answer.stick_radius_shakedown)},
+      {"worn_radius", or_null(answer.worn_radius)},
+      {"normal_force_max", or_null(answer.normal_force_max)},
+      {"limiting_amplitude", or_null(answer.limiting_amplitude)}};
   if (answer.axis_pressure) json["axis_pressure_max"] = answer.axis_pressure->largest;
   if (answer.indentation_max) json["indentation_max"] = *answer.indentation_max;
   if (answer.tangential_amplitude) json["tangential_amplitude"] = *answer.tangential_amplitude;
@@ -156,8 +213,10 @@ nlohmann::ordered_json to_json(const MdrAnswer& answer) {
     json["tangential_force_max"] = answer.cycle->tangential_force_max;
     json["tangential_force_mean"] = answer.cycle->tangential_force_mean;
     json["friction_work"] = answer.cycle->friction_work;
-    json["bulk_work"] = answer.cycle->bulk_work;
-    json["cycle_work"] = answer.cycle->friction_work + answer.cycle->bulk_work;
+    if (!answer.single_pass) {
+      json["bulk_work"] = answer.cycle->bulk_work;
+      json["cycle_work"] = answer.cycle->friction_work + answer.cycle->bulk_work;
+    }
     json["cycle_error"] = {{"force", answer.cycle->force_error}, {"work", answer.cycle->work_error}};
   }
   if (answer.stepping_error > 0) json["stepping_error"] = answer.stepping_error;
@@ -171,6 +230,11 @@ bool MdrAnswer::wears_no_more() const {
 }
 
 MdrAnswer mdr_answer(const MdrCase& mdr, const mdr::NormalResponse& normal) {
+  if (mdr.path) {
+    auto answer = path_answer(mdr, normal);
+    if (const auto worn = worn_profile(mdr, answer.stick_radius_shakedown)) answer.worn_radius = worn->outer_radius;
+    return answer;
+  }
   auto answer = mdr.has_forces() && !mdr.limiting ? forced_answer(mdr, normal)
                                                   : displaced_answer(mdr, displacements_of(mdr), normal);
   answer.modulus_ratio = mdr::modulus_ratio(mdr.body, mdr::angular_frequency(mdr.motion.normal.front().frequency));
@@ -182,6 +246,10 @@ MdrAnswer mdr_answer_with_cycle(const MdrCase& mdr, const mdr::NormalResponse& n
   // As fine as forces and energies need; the radii have closed forms.
   constexpr mdr::SpringFineness fineness{100, 90, 5, 1e-5};
   auto answer = mdr_answer(mdr, normal);
+  if (mdr.path) {
+    answer.cycle = cycle_along(mdr, normal.normal_force_max);
+    return answer;
+  }
   const auto cycle = mdr.has_forces() ? std::nullopt : cycle_to_step(mdr);
   if (!cycle) return answer;
   try {

@@ -23,7 +23,7 @@ struct MdrCycle {
 
 /// What MDR says about a case; SI units. Empty radii: nothing sticks. A comparable case has both maxima.
 struct MdrAnswer {
-  double modulus_ratio;
+  double modulus_ratio;                      ///< at the normal frequency; NaN of a path, which has none
   std::optional<double> contact_radius_max;  ///< empty: a prescribed force that no contact carries without slip
   std::optional<double> stick_radius_first_slip;
   std::optional<double> stick_radius_shakedown;
@@ -44,6 +44,7 @@ struct MdrAnswer {
   /// Of all amplitudes, the share at which the whole contact begins to slide under a prescribed tangential force while
   /// they rise slowly; then all else but the normal response is empty. Empty: it never does.
   std::optional<double> gross_slip = {};
+  bool single_pass = false;  ///< then there is no periodic state, no shakedown radius and no limiting profile
 
   /// Whether all of the largest contact sticks in the end, as it does under a profile that is limiting for the motion.
   [[nodiscard]] bool wears_no_more() const;

@@ -190,6 +190,7 @@ mdr::FrettingControl control_of(const Case::Motion& motion) {
 }
 
 double deepest_indentation(const MdrCase& mdr) {
+  if (mdr.path) return mdr::maximum_indentation(*mdr.path);
   return mdr.limiting && mdr.has_forces() ? mdr::maximum_indentation(mdr.limiting_state->motion)
                                           : mdr::deepest_indentation(mdr.profile, mdr.body, mdr.prescribed());
 }
@@ -213,6 +214,9 @@ MdrCase mdr_case(const Case& input) {
               {},
               motion.normal_force.has_value(),
               motion.tangential_force.has_value()};
+  if (motion.path)
+    mdr.path =
+        mdr::SampledPath{motion.path->time, motion.path->indentation, motion.path->tangential, motion.path->repeats};
   if (mdr.has_forces() && motion.normal_frequency == motion.tangential_frequency)
     mdr.limiting_state = mdr::limiting_state(mdr.profile, rheology_of(input.elastomer), mdr.friction_coefficient,
                                              control_of(motion), mdr::StickCriterion::shakedown);

@@ -5,6 +5,7 @@
 #include "comparison/case/case.h"
 #include "mdr/motion/harmonic_motion.h"
 #include "mdr/motion/motion.h"
+#include "mdr/motion/sampled_path.h"
 #include "mdr/profiles/profile.h"
 #include "mdr/rheology/rheology.h"
 #include "mdr/springs/forced_response.h"
@@ -28,6 +29,10 @@ struct MdrCase {
   /// its.
   std::optional<mdr::LimitingState> limiting_state = {};
 
+  /// Instead of the motion, which tells then how large the path is (see Case::Motion).
+  std::optional<mdr::SampledPath> path = {};
+
+  [[nodiscard]] bool is_single_pass() const { return path && !path->repeats; }
   [[nodiscard]] bool has_forces() const { return normal_force || tangential_force; }
   [[nodiscard]] mdr::Prescribed prescribed() const { return {motion, normal_force, tangential_force}; }
 };

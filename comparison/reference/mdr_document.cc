@@ -10,6 +10,7 @@
 #include "comparison/reference/mdr_wear.h"
 #include "comparison/reference/spring_agreement.h"
 #include "comparison/support/json.h"
+#include "mdr/springs/path_response.h"
 #include "mdr/stick/stick_radius.h"
 
 namespace fretval {
@@ -158,6 +159,15 @@ ordered_json wear_json(const Case& input) {
   return to_json(*kinetics);
 }
 
+SpringAnswer springs_along_path(const Case& input, const SpringSetting& setting) {
+  const auto mdr = mdr_case(input);
+  auto [bed, history] =
+      mdr::path_course(mdr.profile, mdr.body, mdr.friction_coefficient, mdr.path.value(),
+                       {setting.n_springs, setting.steps_per_cycle, setting.n_ramp_periods, setting.periodicity});
+  const auto n_steps = static_cast<int>(history.time.size()) - 1;
+  return {std::move(bed), std::move(history), n_steps};
+}
+
 }  // namespace
 
 MdrDocument mdr_document(const Case& input, bool with_springs) {
@@ -165,9 +175,10 @@ MdrDocument mdr_document(const Case& input, bool with_springs) {
     const bool forces = input.motion.normal_force || input.motion.tangential_force;
     // The stick radii of a fractional body need no approximation of it.
     const bool exact = input.elastomer.fractional_order > 0 && input.wear == Case::Wear::unworn;
-    auto document = forces                           ? answer_forces(input)
-                    : is_comparable(input) && !exact ? answer_comparable(input)
-                                                     : answer_displacements(input);
+    const bool with_forces = input.motion.path || (is_comparable(input) && !exact);
+    auto document = forces        ? answer_forces(input)
+                    : with_forces ? answer_comparable(input)
+                                  : answer_displacements(input);
     ordered_json json{{"name", input.name}};
     json.update(document.json);
     json["limiting_profile"] = profile_json(document.worn);
@@ -184,6 +195,7 @@ MdrDocument mdr_document(const Case& input, bool with_springs) {
 SpringAnswer spring_answer(const Case& input, const SpringSetting& setting) {
   if (input.wear == Case::Wear::limiting)
     throw InputError(input.file + ": Wear / State = limiting: springs are stepped for an unworn indenter");
+  if (input.motion.path) return springs_along_path(input, setting);
   const auto body = body_in_time(input);
   const auto profile = profile_of(input.indenter);
   const mdr::Prescribed prescribed{harmonic_motion_of(input.motion), input.motion.normal_force.has_value(),

@@ -5,6 +5,7 @@
 namespace fretval {
 
 std::shared_ptr<const mdr::NormalResponse> NormalResponses::of(const Case& input, const MdrCase& mdr) {
+  if (mdr.path) return std::make_shared<const mdr::NormalResponse>(mdr_normal_response(mdr));
   const auto& shape = input.indenter;
   const Indenter indenter{shape.shape,       shape.radius,      shape.slope_angle, shape.coefficient, shape.exponent,
                           shape.flat_radius, shape.edge_radius, shape.table,       shape.table_noise};

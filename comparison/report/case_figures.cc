@@ -43,7 +43,16 @@ Numbers ring_middles(const Numbers& outer) {
   return middles;
 }
 
-/// Pressure and traction at every instant; at first at the end of the period, the largest indentation, where MDR's are.
+bool has_path(const StoredResult& r) {
+  return r.json.at("scene").contains("path");
+}
+
+bool is_single_pass(const StoredResult& r) {
+  return has_path(r) && r.json["scene"]["path"].at("repeats") == "once";
+}
+
+/// Pressure and traction at every instant; at first at the end of the period, where MDR's are: the largest indentation
+/// of an oscillation.
 Filling stress_figure(const StoredResult& r, const ordered_json& cycle) {
   const auto middles = ring_middles(numbers_of(cycle.at("r")));
   const double mu = r.number("scene", "friction_coefficient");
@@ -73,12 +82,14 @@ Filling stress_figure(const StoredResult& r, const ordered_json& cycle) {
     frames[1].push_back(tau);
     frames[2].push_back(limit);
     frames[3].push_back(opposite);
-    names.push_back(fmt::format("{:.2f} of the period", cycle["t"][k].get<double>() / period));
+    names.push_back(
+        fmt::format("{:.2f} of the {}", cycle["t"][k].get<double>() / period, is_single_pass(r) ? "pass" : "period"));
   }
   for (std::size_t s = 0; s < 4; ++s) plot.series[s].y = numbers_of(frames[s][start]);
   if (const auto mdr = cycle.find("mdr"); mdr != cycle.end())
     for (const auto& [key, label, colour] :
-         {std::tuple{"p", "p of MDR at the largest depth", 5}, std::tuple{"tau", "τ of MDR", 4}})
+         {std::tuple{"p", has_path(r) ? "p of MDR at the end" : "p of MDR at the largest depth", 5},
+          std::tuple{"tau", "τ of MDR", 4}})
       plot.series.push_back({label, length.of(numbers_of(mdr->at("r"))), stress.of(numbers_of(mdr->at(key))),
                              Series::Style::line, colour});
   auto json = json_of(plot);
@@ -86,8 +97,11 @@ Filling stress_figure(const StoredResult& r, const ordered_json& cycle) {
   return {{"plot", json},
           {"wide", true},
           {"caption",
-           "Mean values of the rings of the finite elements at any instant of the last period; where τ runs "
-           "along ± μ p the ring slips. Between c and a rings slip in every cycle."}};
+           is_single_pass(r)
+               ? "Mean values of the rings of the finite elements at any instant of the pass; where τ runs along ± μ p "
+                 "the ring slips. Inside c rings never slip."
+               : "Mean values of the rings of the finite elements at any instant of the last period; where τ runs "
+                 "along ± μ p the ring slips. Between c and a rings slip in every cycle."}};
 }
 
 Filling map_figure(const StoredResult& r, const ordered_json& cycle) {
@@ -97,9 +111,10 @@ Filling map_figure(const StoredResult& r, const ordered_json& cycle) {
                       cycle.at("zones").get<std::vector<std::string>>());
   for (const auto& [name, x] : radius_marks(r, length)) map["marks"].push_back({{"name", name}, {"x", x}});
   return {{"plot", std::move(map)},
-          {"caption",
-           "What each ring does in the last period. Below c a ring may touch the limit of friction, but it slips no "
-           "more."}};
+          {"caption", is_single_pass(r)
+                          ? "What each ring does in the pass. Below c it never slips."
+                          : "What each ring does in the last period. Below c a ring may touch the limit of friction, "
+                            "but it slips no more."}};
 }
 
 /// A force over a displacement: finite elements as points, MDR as a line.
@@ -116,7 +131,9 @@ Figure loop_figure(const StoredResult& r, const ordered_json& cycle, bool tangen
         {"MDR", length.of(numbers_of(mdr->at(x_name))), force.of(numbers_of(mdr->at(y_name))), Series::Style::line, 0});
   plot.series.push_back(
       {"finite elements", length.of(thinned_to_most(x)), force.of(thinned_to_most(y)), Series::Style::points, 1});
-  return {std::move(plot), "One period. The area of the loop is the energy lost in it."};
+  return {std::move(plot), is_single_pass(r)
+                               ? "The pass, from rest. The area below the line is the work of the indenter."
+                               : "One period. The area of the loop is the energy lost in it."};
 }
 
 Figure motion_figure(const StoredResult& r) {
@@ -128,17 +145,20 @@ Figure motion_figure(const StoredResult& r) {
   Plot plot{"Motion of the indenter", "t in " + time.unit, "displacement in " + length.unit};
   plot.series.push_back({"indentation d", time.of(elapsed), length.of(thinned_to_most(d)), Series::Style::line, 0});
   plot.series.push_back({"tangential u_x", time.of(elapsed), length.of(thinned_to_most(u)), Series::Style::line, 1});
-  return {std::move(plot), "The last period, which repeats from then on."};
+  return {std::move(plot),
+          is_single_pass(r) ? "The pass, from rest at its first row." : "The last period, which repeats from then on."};
 }
 
 Figure slip_figure(const StoredResult& r) {
   const auto [radius, slip] = read_columns(r.folder / "contact.csv", "r outer [m]", "slip per period [m]");
   const auto length = axis_for({&radius}, "m"), path = axis_for({&slip}, "m");
-  Plot plot{"Slip per period", "r in " + length.unit, "path in " + path.unit};
+  const bool once = is_single_pass(r);
+  Plot plot{once ? "Slip in the pass" : "Slip per period", "r in " + length.unit, "path in " + path.unit};
   plot.marks = radius_marks(r, length);
   plot.series.push_back(
       {"finite elements", length.of(ring_middles(radius)), path.of(slip), Series::Style::line_points, 1});
-  return {std::move(plot), "Length of slip of each ring in the last period; none inside c."};
+  return {std::move(plot), once ? "Length of slip of each ring in the pass; none inside c."
+                                : "Length of slip of each ring in the last period; none inside c."};
 }
 
 /// How slip dies out where nothing slips in the end; none where nothing ever does.

@@ -88,18 +88,21 @@ void add_groups(const StoredResult& r, Filling& filling) {
   const auto add = [&](const char* key, double value, const char* format) {
     if (std::isfinite(value)) filling[key] = number_text(value, format);
   };
-  add("k",
-      1.5 * r.number("scene", "friction_coefficient") * r.number("scene", "normal_amplitude") /
-          r.number("scene", "tangential_amplitude"),
-      "{:.4g}");
-  add("rho", r.number("mdr", "modulus_ratio"), "{:.5g}");
-  filling["omega_tau"] = branches_text(scene, 2 * std::acos(-1.0) * r.number("scene", "frequency"));
+  const bool oscillates = !scene.contains("path");
+  if (oscillates) {
+    add("k",
+        1.5 * r.number("scene", "friction_coefficient") * r.number("scene", "normal_amplitude") /
+            r.number("scene", "tangential_amplitude"),
+        "{:.4g}");
+    add("rho", r.number("mdr", "modulus_ratio"), "{:.5g}");
+    filling["omega_tau"] = branches_text(scene, 2 * std::acos(-1.0) * r.number("scene", "frequency"));
+  }
   const double radius = input_number(scene, "Radius");
   add("a_over_r", a / radius, "{:.3g}");
   if (r.text("scene", "shape") == "parabola") add("arc", 100 * std::pow(a / radius, 2) / 4, "{:.2g}");
   add("first_slip", r.number("fe", "stick_radius_first_slip") / a, "{:.4f}");
   add("shakedown", r.number("fe", "stick_radius_shakedown") / a, "{:.4f}");
-  add("lift_off", r.number("scene", "normal_amplitude") / r.number("scene", "indentation"), "{:.3g}");
+  if (oscillates) add("lift_off", r.number("scene", "normal_amplitude") / r.number("scene", "indentation"), "{:.3g}");
   const auto [x, f] = read_columns(r.folder / "profile.csv", "r [m]", "f unworn [m]");
   const auto at = std::lower_bound(x.begin(), x.end(), a) - x.begin();
   if (at > 0 && at < static_cast<std::ptrdiff_t>(x.size())) {
@@ -118,6 +121,8 @@ Filling one_case(const StoredResult& r) {
                   {"table", filling_of(answer_table(r, answer))},
                   {"inputs", inputs_of(r.json.at("scene"))},
                   {"figures", case_figures(r, cycle)}};
+  if (const auto& scene = r.json.at("scene"); scene.contains("path") && scene["path"].contains("why_no_shakedown"))
+    filling["why_no_shakedown"] = scene["path"]["why_no_shakedown"];
   if (auto sketch = sketch_of(r); !sketch.is_null()) filling["sketch"] = std::move(sketch);
   add_groups(r, filling);
   return filling;

@@ -131,6 +131,7 @@ std::string answer_text(const CaseResult& result) {
   const auto answer = answer_of(result_json(result));
   auto text = fmt::format("{}: {}\n", result.input.name, answer.verdict) + row("", "finite elements", "MDR");
   for (const auto& one : answer.rows) text += row(one.title, one.fe, one.mdr);
+  if (result.mdr.single_pass) text += row("stick radius, shakedown", "none", no_shakedown_in_a_pass);
   if (result.wear) return text + wear_text(*result.wear, result.fem_case.units);
   if (result.mdr.worn_radius) text += row("wear ends at the radius", "", with_unit(*result.mdr.worn_radius, 0, "m"));
   return text;

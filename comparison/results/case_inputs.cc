@@ -42,6 +42,11 @@ void add_elastomer(const Case::Elastomer& elastomer, Inputs& inputs) {
 }
 
 void add_motion(const Case::Motion& motion, Inputs& inputs) {
+  if (motion.path) {
+    inputs.add("Motion", "Path", motion.path->file);
+    inputs.add("Motion", "Path repeats", motion.path->repeats ? "forever" : "once");
+    return;
+  }
   inputs.add("Motion", "Indentation", motion.indentation, "m");
   inputs.add("Motion", "Normal amplitude", motion.normal_amplitude, "m");
   if (motion.normal_force) {

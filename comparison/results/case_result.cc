@@ -1,9 +1,11 @@
 #include "comparison/results/case_result.h"
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "comparison/case/path_table.h"
 #include "comparison/results/field_files.h"
 #include "comparison/results/period_steps.h"
 #include "comparison/results/wear_json.h"
@@ -49,14 +51,14 @@ nlohmann::ordered_json run_json(const CaseResult& result) {
             {"angular_frequency", result.fem_case.units.angular_frequency}}}};
 }
 
-/// Normal force of a periodic response at any time in s.
+/// Normal force of a periodic response, or over a pass, at any time in s.
 double force_at(const mdr::NormalResponse& response, double time) {
-  const auto& values = response.normal_force;
-  const double cycles = time / response.time.back();
-  const double position = (cycles - std::floor(cycles)) * static_cast<double>(values.size() - 1);
-  const auto k = std::min(static_cast<std::size_t>(position), values.size() - 2);
-  const double weight = position - static_cast<double>(k);
-  return (1 - weight) * values[k] + weight * values[k + 1];
+  const auto& times = response.time;
+  const double t = time - times.back() * std::floor(time / times.back());
+  const auto next = std::upper_bound(times.begin() + 1, times.end() - 1, t);
+  const auto k = static_cast<std::size_t>(next - times.begin());
+  const double weight = (t - times[k - 1]) / (times[k] - times[k - 1]);
+  return (1 - weight) * response.normal_force[k - 1] + weight * response.normal_force[k];
 }
 
 void write_history(const CaseResult& result, const mdr::NormalResponse& reference, const fs::path& file) {
@@ -64,6 +66,8 @@ void write_history(const CaseResult& result, const mdr::NormalResponse& referenc
   const auto& history = result.fe.fe.normal;
   const auto& friction = result.fe.fe.friction;
   const Eigen::Index n = friction.traction.cols();
+  const auto& path = result.input.motion.path;
+  const double rest = path ? rest_of(*path).tangential : 0;
   Eigen::VectorXd time(n), indentation(n), displacement(n), normal_force(n), mdr_force(n), tangential_force(n);
   for (Eigen::Index k = 0; k < n; ++k) {
     const PeriodStep step{result.fe.fe, k};
@@ -71,11 +75,12 @@ void write_history(const CaseResult& result, const mdr::NormalResponse& referenc
     time[k] = t / fem.units.angular_frequency;
     const auto column = step.normal_column();
     indentation[k] = history.indentation[column] * fem.units.depth;
-    displacement[k] = friction.indenter[k] * fem.units.depth;
+    displacement[k] = rest + friction.indenter[k] * fem.units.depth;
     normal_force[k] = (history.force[column] + history.force_beyond[column]) * fem.units.force();
     mdr_force[k] = fem.motion.normal_force ? fem::normal_motion(fem.motion, t).value * fem.units.force()
                                            : force_at(reference, time[k]);
     tangential_force[k] = friction.force[k] * fem.units.force();
+    time[k] += fem.first_row;
   }
   write_csv(file, {{"t [s]", time},
                    {"d [m]", indentation},

@@ -5,6 +5,7 @@
 
 #include "comparison/reference/mdr_document.h"
 #include "comparison/results/case_result.h"
+#include "comparison/results/period_steps.h"
 #include "comparison/results/ring_zone.h"
 #include "fem/stick_zone/slip_decay.h"
 #include "mdr/springs/spring_fields.h"
@@ -25,18 +26,48 @@ ordered_json list_of(const Numbers& numbers, double unit = 1) {
   return list;
 }
 
-/// Every so many columns that no more than most are left.
+/// Every so many of equal steps that no more than most are left, from the one that is given on.
+std::vector<Eigen::Index> every_so_many(Eigen::Index n, Eigen::Index stride, Eigen::Index first) {
+  std::vector<Eigen::Index> columns;
+  for (Eigen::Index k = first; k < n; k += stride) columns.push_back(k);
+  return columns;
+}
+
 Eigen::Index stride_for(Eigen::Index n, Eigen::Index most) {
   return (n + most - 1) / most;
+}
+
+/// The last one at the end of the period.
+std::vector<Eigen::Index> frames_of(const FeAnswer& fe, Eigen::Index most) {
+  if (!fe.normal.pieces.empty()) return columns_at_equal_times(fe, most);
+  const auto n = fe.friction.traction.cols(), stride = stride_for(n, most);
+  return every_so_many(n, stride, (n - 1) % stride);
+}
+
+/// Of equal parts of the period, also where steps are not equal.
+std::vector<Eigen::Index> zones_shown(const FeAnswer& fe, Eigen::Index most) {
+  if (!fe.normal.pieces.empty()) return columns_at_equal_times(fe, most);
+  const auto n = fe.friction.traction.cols();
+  return every_so_many(n, stride_for(n, most), 0);
+}
+
+/// In the period, s.
+double end_of_step(const CaseResult& result, Eigen::Index k) {
+  const auto& normal = result.fe.fe.normal;
+  const double step = 2 * std::acos(-1.0) / normal.steps_per_cycle,
+               end = normal.pieces.empty() ? static_cast<double>(k + 1) * step
+                                           : normal.pieces[static_cast<std::size_t>(k)].end;
+  return end / result.fem_case.units.angular_frequency;
 }
 
 char letter_of(fem::RingZone zone) {
   return "osfb"[static_cast<std::size_t>(zone)];
 }
 
-ordered_json springs_json_of_cycle(const SpringAnswer& answer, const mdr::PronyBody& body) {
+/// at_end: pressure and traction at the end of the period, otherwise at the largest indentation.
+ordered_json springs_json_of_cycle(const SpringAnswer& answer, const mdr::PronyBody& body, bool at_end) {
   const auto& history = answer.history;
-  const auto fields = mdr::spring_fields(answer.bed, body, history.deepest);
+  const auto fields = mdr::spring_fields(answer.bed, body, at_end ? history.last : history.deepest);
   constexpr int n_points = 120;
   const double end = answer.bed.position[answer.bed.position.size() - 1];
   std::vector<double> r, p, tau;
@@ -60,7 +91,8 @@ std::optional<ordered_json> springs_of(const CaseResult& result) {
   const bool repeats = result.fem_case.motion.locked && !result.fem_case.without_short_cycle;
   if (!unworn || !repeats || result.input.sweep || result.mdr.gross_slip) return {};
   try {
-    return springs_json_of_cycle(spring_answer(result.input, {200, 120, 8, 1e-5}), result.mdr_case.body);
+    return springs_json_of_cycle(spring_answer(result.input, {200, 120, 8, 1e-5}), result.mdr_case.body,
+                                 result.mdr_case.path.has_value());
   } catch (const std::runtime_error&) {
     return {};  // they are no part of the answer
   }
@@ -80,21 +112,20 @@ ordered_json cycle_json(const CaseResult& result) {
                     {"p", ordered_json::array()},
                     {"tau", ordered_json::array()},
                     {"zones", ordered_json::array()}};
-  const double step = 2 * std::acos(-1.0) / normal.steps_per_cycle / units.angular_frequency;
-  const auto stride = stride_for(n, 48);
-  for (Eigen::Index k = (n - 1) % stride; k < n; k += stride) {
-    json["t"].push_back(five_digits(static_cast<double>(k + 1) * step));
+  for (const auto k : frames_of(result.fe.fe, 48)) {
+    json["t"].push_back(five_digits(end_of_step(result, k)));
     json["p"].push_back(list_of(Eigen::VectorXd(normal.pressure.col(normal.column(first + k))), units.pressure()));
     json["tau"].push_back(list_of(Eigen::VectorXd(friction.traction.col(k)), units.pressure()));
   }
-  for (Eigen::Index k = 0; k < n; k += stride_for(n, 360)) {
+  for (const auto k : zones_shown(result.fe.fe, 360)) {
     std::string zones;
     for (Eigen::Index i = 0; i < n_rings; ++i)
       zones += letter_of(zone_of(normal.pressure(i, normal.column(first + k)), friction.traction(i, k),
                                  result.fem_case.friction_coefficient));
     json["zones"].push_back(zones);
   }
-  if (const auto decay = fem::slip_decay(friction, result.fe.fe.rings.stuck.shakedown); !decay.empty())
+  if (const auto decay = fem::slip_decay(friction, result.fe.fe.rings.stuck.shakedown);
+      !decay.empty() && !result.fe.fe.single_pass)
     json["slip_decay"] = list_of(decay);
   if (auto springs = springs_of(result)) json["mdr"] = std::move(*springs);
   return json;

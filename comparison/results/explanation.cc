@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "comparison/accuracy/error_bars.h"
@@ -59,6 +60,16 @@ std::string oscillation(double amplitude, const char* unit, double frequency, co
   return fmt::format("{} at {}{}", short_text(amplitude, unit), short_text(frequency, "Hz"), phase);
 }
 
+std::string path_text(const Case::Path& path) {
+  const auto range = [](const std::vector<double>& values) {
+    const auto [least, most] = std::minmax_element(values.begin(), values.end());
+    return short_text(*least, "m") + " to " + short_text(*most, "m");
+  };
+  return row("path", fmt::format("{}: {} rows in {}, {}", path.file, path.time.size(), short_text(path.duration(), "s"),
+                                 path.repeats ? "repeated for ever" : "passed once, from rest at the first row")) +
+         row("normal", range(path.indentation)) + row("tangential", range(path.tangential));
+}
+
 std::string scene_text(const Case& input) {
   const auto& motion = input.motion;
   const auto phase = motion.phase ? fmt::format(", phase {:g} deg", *motion.phase) : std::string(", phase free");
@@ -68,6 +79,7 @@ std::string scene_text(const Case& input) {
   const auto& force = motion.normal_force;
   std::string text = row("indenter", indenter_text(input.indenter)) + row("body", body_text(input.elastomer)) +
                      row("friction", fmt::format("mu = {:g}", input.friction_coefficient));
+  if (motion.path) return text + path_text(*motion.path);
   text += row("normal", force ? short_text(force->mean, "N") + " ± " +
                                     oscillation(force->amplitude, "N", motion.normal_frequency, "")
                               : short_text(motion.indentation, "m") + " ± " +
@@ -81,16 +93,19 @@ std::string scene_text(const Case& input) {
 }
 
 std::string groups_text(const Case& input, const ordered_json& mdr) {
-  std::string text =
-      row("|G|/G'(0)", fmt::format("{:.4g} (rho, at the tangential frequency)", mdr.at("modulus_ratio").get<double>()));
+  std::string text;
+  const auto& path = input.motion.path;
+  if (!path)
+    text = row("|G|/G'(0)",
+               fmt::format("{:.4g} (rho, at the tangential frequency)", mdr.at("modulus_ratio").get<double>()));
   const auto& times = input.elastomer.branch_times;
-  if (!times.empty())
+  if (!times.empty() && !path)
     text += row(
         "omega tau",
         fmt::format(
             "{:.3g}{}", two_pi * input.motion.normal_frequency * times.front(),
             times.size() > 1 ? fmt::format(" to {:.3g}", two_pi * input.motion.normal_frequency * times.back()) : ""));
-  if (!input.motion.normal_force) {
+  if (!input.motion.normal_force && !path) {
     text += row("amplitude", fmt::format("{:.3g} of the indentation, normal",
                                          input.motion.normal_amplitude / input.motion.indentation));
     if (!input.motion.tangential_force && !std::isnan(input.motion.tangential_amplitude))
@@ -106,7 +121,8 @@ std::string groups_text(const Case& input, const ordered_json& mdr) {
   return text;
 }
 
-std::string regime_text(const ordered_json& mdr) {
+/// single_pass: of a path.
+std::string regime_text(const ordered_json& mdr, bool single_pass) {
   const auto radius = [&](const char* key) {
     return mdr.at(key).is_null() ? std::string() : short_text(mdr.at(key).get<double>(), "m");
   };
@@ -115,6 +131,11 @@ std::string regime_text(const ordered_json& mdr) {
   const auto first = radius("stick_radius_first_slip"), last = radius("stick_radius_shakedown"),
              worn = radius("worn_radius");
   std::string text;
+  if (single_pass) {
+    text = row("regime", first.empty() ? "all of the contact slips in the pass" : "partial slip: a zone never slips");
+    text += row("first slip", first.empty() ? "none" : "c = " + first + ", never slips since rest");
+    return text + row("shakedown", fmt::format("none: {}", no_shakedown_in_a_pass));
+  }
   if (!first.empty())
     text = row("regime", "partial slip: a zone sticks from the first cycle on");
   else if (!last.empty())
@@ -152,7 +173,7 @@ double estimated_seconds(double tolerance, bool memory, int highest_order, std::
 std::string explanation(const Case& input) {
   const auto document = mdr_document(input, false);
   auto text = input.name + "\n" + scene_text(input) + "\n" + groups_text(input, document.json.at("mdr")) + "\n" +
-              regime_text(document.json.at("mdr")) + "\n";
+              regime_text(document.json.at("mdr"), input.motion.path && !input.motion.path->repeats) + "\n";
   if (input.tolerance == 0) return text + row("elements", "none: finite elements need an Accuracy / Tolerance");
   try {
     return text + cost_text(prepare({input}).front());

@@ -37,8 +37,7 @@ std::vector<PeriodStep> instants_of(const FeAnswer& fe, Case::Fields fields) {
   const Eigen::Index n = fe.friction.traction.cols();
   std::vector<PeriodStep> instants;
   if (fields == Case::Fields::cycle) {
-    const auto n_instants = std::min<Eigen::Index>(n, n_instants_of_cycle);
-    for (Eigen::Index i = 1; i <= n_instants; ++i) instants.push_back({fe, i * n / n_instants - 1});
+    for (const auto column : columns_at_equal_times(fe, n_instants_of_cycle)) instants.push_back({fe, column});
     return instants;
   }
   const auto depth = [&](Eigen::Index k) { return fe.normal.indentation[PeriodStep{fe, k}.normal_column()]; };
@@ -106,11 +105,11 @@ std::string file_name(const char* what, std::size_t instant) {
   return fmt::format("fields/{}-{:02}.vtu", what, instant);
 }
 
-void write_series(const char* what, const std::vector<PeriodStep>& instants, double angular_frequency,
+void write_series(const char* what, const std::vector<PeriodStep>& instants, const FemCase& fem_case,
                   const fs::path& file) {
   std::vector<fem::SeriesStep> steps;
   for (std::size_t i = 0; i < instants.size(); ++i)
-    steps.emplace_back(instants[i].time() / angular_frequency, file_name(what, i));
+    steps.emplace_back(fem_case.first_row + instants[i].time() / fem_case.units.angular_frequency, file_name(what, i));
   write_text(file, [&](std::ostream& stream) { fem::write_pvd(steps, stream); });
 }
 
@@ -136,8 +135,8 @@ void write_field_files(const FeAnswer& fe, const FemCase& fem_case, Case::Fields
       fem::write_revolved_surface(state, rings, field_units, n_sectors, stream);
     });
   });
-  write_series("section", instants, units.angular_frequency, folder / section_series);
-  write_series("surface", instants, units.angular_frequency, folder / surface_series);
+  write_series("section", instants, fem_case, folder / section_series);
+  write_series("surface", instants, fem_case, folder / surface_series);
 }
 
 }  // namespace fretval

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cmath>
+#include <vector>
+
 #include "comparison/simulation/fe_answer.h"
 
 namespace fretval {
@@ -11,10 +14,34 @@ struct PeriodStep {
 
   [[nodiscard]] long step() const { return fe.friction.n_steps + 1 - fe.friction.traction.cols() + column; }
   [[nodiscard]] Eigen::Index normal_column() const { return fe.normal.column(step()); }
-  /// From the start of the history on, at which forces balance; over the angular frequency.
+  /// From the start of the history on, at which forces balance; over the angular frequency. Along a path: from its
+  /// first row on.
   [[nodiscard]] double time() const {
+    if (!fe.normal.pieces.empty()) {
+      const auto& step = fe.normal.pieces[static_cast<std::size_t>(normal_column())];
+      return step.begin + step.fraction * step.duration();
+    }
     return fe.normal.first_balance + static_cast<double>(step() - 1) * 2 * std::acos(-1.0) / fe.normal.steps_per_cycle;
   }
 };
+
+/// Columns of the last period at the ends of n equal parts of it, up to its end: each once of equal steps, of which
+/// there may be fewer; those of the steps that hold these instants along a path.
+inline std::vector<Eigen::Index> columns_at_equal_times(const FeAnswer& fe, Eigen::Index n) {
+  const Eigen::Index n_all = fe.friction.traction.cols();
+  std::vector<Eigen::Index> columns;
+  if (fe.normal.pieces.empty()) {
+    for (Eigen::Index i = 1; i <= std::min(n, n_all); ++i) columns.push_back(i * n_all / std::min(n, n_all) - 1);
+    return columns;
+  }
+  constexpr double roundoff = 1e-9;
+  Eigen::Index column = 0;
+  for (Eigen::Index i = 1; i <= n; ++i) {
+    const double end = 2 * std::acos(-1.0) * static_cast<double>(i) / static_cast<double>(n);
+    while (column + 1 < n_all && fe.normal.pieces[static_cast<std::size_t>(column)].end < end - roundoff) ++column;
+    columns.push_back(column);
+  }
+  return columns;
+}
 
 }  // namespace fretval

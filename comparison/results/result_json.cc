@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "comparison/results/answer_text.h"
 #include "comparison/results/case_inputs.h"
 #include "comparison/results/case_result.h"
 #include "comparison/results/results_folder.h"
@@ -24,29 +25,41 @@ ordered_json harmonics_json(const std::vector<mdr::Harmonic>& harmonics) {
   return json;
 }
 
+ordered_json path_json(const Case::Path& path) {
+  ordered_json json{{"file", path.file},
+                    {"rows", path.time.size()},
+                    {"duration", path.duration()},
+                    {"repeats", path.repeats ? "forever" : "once"}};
+  if (!path.repeats) json["why_no_shakedown"] = no_shakedown_in_a_pass;
+  return json;
+}
+
 ordered_json case_json(const CaseResult& result) {
   const auto& input = result.input;
   const auto& motion = result.mdr_case.motion;
   const bool normal_force = result.mdr_case.normal_force, tangential_force = result.mdr_case.tangential_force;
+  const bool once = result.mdr_case.is_single_pass();
   const double at_rest = normal_force ? mdr::indentation_for_force(result.mdr_case.profile,
                                                                    input.elastomer.relaxed_modulus, motion.indentation)
                                       : motion.indentation;
-  ordered_json json{{"file", input.file},
-                    {"shape", Case::shape_names[static_cast<std::size_t>(input.indenter.shape)]},
-                    {"rheology", input.elastomer.rheology},
-                    {"friction_coefficient", input.friction_coefficient},
-                    {"frequency", motion.normal.front().frequency},
-                    {"tangential_frequency", motion.tangential.front().frequency},
-                    {"phase", or_null(input.motion.phase)},
-                    {"wear", input.wear == Case::Wear::limiting ? "limiting" : "unworn"},
-                    {"contact_radius_at_rest", mdr::inverse_transform(result.mdr_case.profile, at_rest)},
-                    {"contact_radius_unworn", result.fem_case.units.length},
-                    {"tolerance", input.tolerance}};
+  ordered_json json{
+      {"file", input.file},
+      {"shape", Case::shape_names[static_cast<std::size_t>(input.indenter.shape)]},
+      {"rheology", input.elastomer.rheology},
+      {"friction_coefficient", input.friction_coefficient},
+      {"frequency", once ? ordered_json(nullptr) : ordered_json(motion.normal.front().frequency)},
+      {"tangential_frequency", once ? ordered_json(nullptr) : ordered_json(motion.tangential.front().frequency)},
+      {"phase", input.motion.path ? ordered_json(nullptr) : or_null(input.motion.phase)},
+      {"wear", input.wear == Case::Wear::limiting ? "limiting" : "unworn"},
+      {"contact_radius_at_rest", mdr::inverse_transform(result.mdr_case.profile, at_rest)},
+      {"contact_radius_unworn", result.fem_case.units.length},
+      {"tolerance", input.tolerance}};
   json[normal_force ? "normal_force_mean" : "indentation"] = motion.indentation;
   json[normal_force ? "normal_force_amplitude" : "normal_amplitude"] = motion.normal.front().amplitude;
   json[tangential_force ? "tangential_force_amplitude" : "tangential_amplitude"] = motion.tangential.front().amplitude;
   if (motion.normal.size() > 1) json["normal_harmonics"] = harmonics_json(motion.normal);
   if (motion.tangential.size() > 1) json["tangential_harmonics"] = harmonics_json(motion.tangential);
+  if (input.motion.path) json["path"] = path_json(*input.motion.path);
   if (result.mdr_case.limiting) json["stick_radius_of_profile"] = result.mdr_case.limiting->stick_radius;
   if (const auto& wear = input.wear_kinetics) {
     json["indentation_max"] = result.fem_case.units.depth;
@@ -96,8 +109,10 @@ ordered_json fe_json(const CaseResult& result) {
   if (fe.cycle) {
     json["tangential_force_max"] = fe.cycle->tangential_force_max;
     json["tangential_force_mean"] = fe.cycle->tangential_force_mean;
-    json["bulk_work"] = fe.cycle->bulk_work;
-    json["cycle_work"] = fe.cycle->friction_work + fe.cycle->bulk_work;
+    if (!fe.single_pass) {
+      json["bulk_work"] = fe.cycle->bulk_work;
+      json["cycle_work"] = fe.cycle->friction_work + fe.cycle->bulk_work;
+    }
     json["sliding_force"] = fe.cycle->sliding_force;
     json["sliding_work"] = fe.cycle->sliding_work;
   }

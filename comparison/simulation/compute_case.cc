@@ -35,7 +35,8 @@ fem::FrictionHistory friction_beside(const NormalRecord& record, const fem::Norm
     return fem::friction_at_rest(problems.normal, fem.friction_coefficient, record.pressures, normal);
   fem::WatchedFriction friction(*problems.tangential, fem.relaxation, fem.friction_coefficient, fem.motion,
                                 control.steps_per_cycle);
-  for (std::size_t k = 1; k < record.pressures.size(); ++k)
+  const std::size_t n_beside = fem.motion.is_single_pass() ? 0 : record.pressures.size();
+  for (std::size_t k = 1; k < n_beside; ++k)
     friction.step(record.pressures[k],
                   fem::NormalInstant{problems.normal.series.radii(), record.radii[k], record.forces[k]});
   return fem::friction_history(std::move(friction), normal, control);

@@ -130,7 +130,7 @@ std::optional<double> axis_pressure_of(const FemCase& fem, const fem::PunchSerie
   constexpr double near_axis = 1e-4, sharp = 1 + 1e-3;
   const double exponent = exponent_at(near_axis, fem);
   if (exponent < sharp) return std::nullopt;
-  const auto pressure = fem::axis_pressure_max(series, normal.pressure, normal.contact_radius, exponent);
+  const auto pressure = fem::axis_pressure_max(series, normal, exponent);
   return pressure ? std::optional(*pressure * fem.units.pressure()) : std::nullopt;
 }
 
@@ -157,7 +157,8 @@ std::optional<ContactRadius> read_contact_radius(const fem::ContactProblem& prob
     return ContactRadius{radius, radius * uncertainty / (depth * exponent_at_edge(fem))};
   }
   const double radius = fem::largest_contact_radius(history.smallest_gap, events).radius;
-  fem::read_edges_near_largest_contact(problem.series, radius, history);
+  // Along a path it lies anywhere, next to a kink.
+  if (!fem.motion.path) fem::read_edges_near_largest_contact(problem.series, radius, history);
   if (!relaxes_within_a_step(fem)) return ContactRadius{radius};
   const auto other = fem::largest_contact_radius(history.smallest_gap_at_balance, events);
   return ContactRadius{radius, 2 * std::abs(other.radius - radius)};
@@ -184,7 +185,8 @@ FeAnswer read_answer(const ContactProblems& problems, const FemCase& fem, const 
   if (contact_radius && contact_radius->radius > 0) answer.contact_radius_max = contact_radius->radius * length;
   if (contact_radius) answer.contact_radius_uncertainty = contact_radius->uncertainty * length;
   answer.stick_radius_first_slip = dimensional(first, length);
-  answer.stick_radius_shakedown = dimensional(shakedown, length);
+  answer.single_pass = fem.motion.is_single_pass();
+  if (!answer.single_pass) answer.stick_radius_shakedown = dimensional(shakedown, length);
   answer.first_slip_uncertainty = first.uncertainty * length;
   answer.shakedown_uncertainty = shakedown.uncertainty * length;
   const auto force = fem::largest_force(

@@ -53,6 +53,7 @@ struct FeAnswer {
   /// SI units. Empty: worn, at rest tangentially, an unlocked phase, or a cycle that stands for none.
   std::optional<fem::CycleResponse> cycle;
   std::optional<GrossSlipStart> gross_slip;  ///< then there is nothing else but the body and the cost
+  bool single_pass = false;                  ///< of a path: no periodic state, and no shakedown radius
   double contact_radius_uncertainty = 0;     ///< of the time steps, see read_contact_radius
   double normal_force_uncertainty = 0;       ///< of reading the edge, see fem::ContactForce
   double indentation_uncertainty = 0;        ///< see fem::LargestIndentation

@@ -9,6 +9,7 @@
 #include <tuple>
 #include <utility>
 
+#include "comparison/case/path_table.h"
 #include "comparison/simulation/near_cycle.h"
 #include "mdr/profiles/profile_csv.h"
 #include "meshes/grading.h"
@@ -149,6 +150,39 @@ void take_cycle(const mdr::HarmonicMotion& motion, const mdr::CommonCycle& cycle
   fem.motion.locked = motion.phase_locked;
 }
 
+/// A path in the place of the cosines, dimensionless with its duration as the cycle.
+void take_path(const Case::Path& path, FemCase& fem) {
+  const double frequency = mdr::angular_frequency(1 / path.duration());
+  fem.units.angular_frequency = frequency;
+  fem.first_row = path.time.front();
+  fem.relaxation.viscosity *= frequency;
+  for (double& time : fem.relaxation.times) time *= frequency;
+  const auto over = [](std::vector<double> values, double unit) {
+    for (double& value : values) value /= unit;
+    return values;
+  };
+  auto time = path.time;
+  for (double& t : time) t = (t - path.time.front()) * frequency;
+  time.back() = mdr::angular_frequency(1);
+  const auto rest = rest_of(path);
+  const double depth = fem.units.depth;
+  fem.motion.indentation = rest.indentation / depth;
+  fem.motion.path =
+      fem::SampledPath{std::move(time),          over(path.indentation, depth), over(path.tangential, depth),
+                       rest.indentation / depth, rest.tangential / depth,       path.repeats};
+}
+
+/// A step at least for each row, and eight at a usual tolerance.
+void require_few_rows(const Case& input) {
+  constexpr std::size_t most_rows = 2000;
+  if (input.motion.path && input.motion.path->time.size() > most_rows)
+    throw InputError(
+        fmt::format("{}: Motion / Path = {}: has {} rows; finite elements step through {} at most, of which fewer "
+                    "describe a motion "
+                    "as well if they lie closer where it turns; `fretval mdr` answers this case",
+                    input.file, input.motion.path->file, input.motion.path->time.size(), most_rows));
+}
+
 }  // namespace
 
 bool BodySpecification::operator<(const BodySpecification& other) const {
@@ -172,7 +206,10 @@ FemCase fem_case(const Case& input, const MdrCase& mdr) {
   fem.motion.normal_force = mdr.normal_force;
   fem.motion.tangential_force = mdr.tangential_force;
   const auto cycle = mdr::common_cycle(mdr.motion);
-  if (cycle && (mdr.has_forces() || cycle->highest_order() <= longest_cycle))
+  require_few_rows(input);
+  if (input.motion.path)
+    take_path(*input.motion.path, fem);
+  else if (cycle && (mdr.has_forces() || cycle->highest_order() <= longest_cycle))
     take_cycle(mdr.motion, *cycle, fem);
   else
     fem.without_short_cycle = mdr.motion;
@@ -212,7 +249,10 @@ FemCase at_resolution(FemCase fem, const Resolution& resolution) {
 std::vector<std::string> left_out(const FemCase& fem) {
   std::vector<std::string> words;
   if (!fem.body.tangential) words.emplace_back("no tangential motion: no tangential harmonic, no friction history");
-  if (!fem.relaxation.has_memory()) words.emplace_back("elastic body: no memory, one cycle of ramp");
+  if (fem.motion.is_single_pass())
+    words.emplace_back("a single pass: no ramp, no periodic state");
+  else if (!fem.relaxation.has_memory())
+    words.emplace_back("elastic body: no memory, one cycle of ramp");
   return words;
 }
 

@@ -60,9 +60,14 @@ struct FemCase {
   /// comparison/simulation/near_cycle.h, with this error of the depth that an element asks for to stick, dimensionless.
   std::optional<mdr::HarmonicMotion> without_short_cycle = {};
   double error_of_demand = 0;
+  double first_row = 0;  ///< s, of a path: when it begins
 
-  /// The resolution's steps belong to the fastest oscillation.
-  [[nodiscard]] int steps_per_cycle() const { return resolution.steps_per_cycle * motion.highest_order(); }
+  /// The resolution's steps belong to the fastest oscillation, or to the whole of a path, which has more if it has many
+  /// rows (fem::steps_along).
+  [[nodiscard]] int steps_per_cycle() const {
+    return motion.path ? fem::steps_along(*motion.path, resolution.steps_per_cycle)
+                       : resolution.steps_per_cycle * motion.highest_order();
+  }
 };
 
 /// At the resolution that the tolerance of the case asks for.

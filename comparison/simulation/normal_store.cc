@@ -14,6 +14,11 @@ std::vector<std::vector<double>> parameters_of(const FemCase& fem, const Eigen::
   for (const auto& [amplitude, order, phase] : fem.motion.normal)
     normal.insert(normal.end(), {amplitude, static_cast<double>(order), phase});
   for (const auto& oscillation : fem.motion.tangential) orders.push_back(oscillation.order);
+  if (const auto& path = fem.motion.path) {
+    orders.insert(orders.end(), path->time.begin(), path->time.end());
+    normal.insert(normal.end(), path->normal.begin(), path->normal.end());
+    normal.push_back(path->repeats ? 1 : 0);
+  }
   return {{profile.begin(), profile.end()},
           {relaxed, viscosity},
           moduli,

@@ -23,7 +23,8 @@ FrictionContact::FrictionContact(const ContactProblem& problem, const Relaxation
       friction_coefficient_(friction_coefficient),
       motion_(motion),
       steps_per_cycle_(steps_per_cycle),
-      dt_(2 * pi / steps_per_cycle),
+      times_(motion, steps_per_cycle),
+      dt_(times_.begin(1)),
       step_(relaxation, dt_),
       stick_(static_cast<std::size_t>(limit.size()), BoxState::interior) {}
 
@@ -94,9 +95,22 @@ Eigen::VectorXd FrictionContact::slip_before_touch(const Eigen::VectorXd& held) 
   return slip;
 }
 
+std::optional<StepInPiece> FrictionContact::in_piece() const {
+  auto step = times_.in_piece(n_steps - 1);
+  if (step) step->fraction = step_.fraction();
+  return step;
+}
+
 void FrictionContact::step(const Eigen::VectorXd& pressure, const std::optional<NormalInstant>& normal) {
-  const auto position = [this](double t) { return tangential_motion(motion_, t); };
-  const double begin = dt_ * static_cast<double>(n_steps), weight = step_.fraction(), time = begin + weight * dt_;
+  const double begin = times_.begin(n_steps);
+  if (const auto piece = times_.in_piece(n_steps); piece && piece->duration() != dt_) {
+    dt_ = piece->duration();
+    step_ = RelaxationStep(relaxation_, dt_);
+  }
+  const auto position = [this, inside = begin + dt_ / 2](double t) {
+    return tangential_motion_inside(motion_, t, inside);
+  };
+  const double weight = step_.fraction(), time = begin + weight * dt_;
   find_touching(pressure, normal);
   limit = friction_coefficient_ * pressure;
   limit_depths = friction_coefficient_ * problem_.series.depths(pressure);

@@ -51,6 +51,8 @@ class FrictionContact {
   [[nodiscard]] Eigen::VectorXd balance_displacements() const;
   /// Fraction of a step at which forces balance.
   [[nodiscard]] double fraction() const { return step_.fraction(); }
+  /// Where the last step lies in its piece of a path, sampled at the balance time; empty: of cosines.
+  [[nodiscard]] std::optional<StepInPiece> in_piece() const;
 
   /// What the next step depends on, of a contact that is told of no normal instants; into one that was made of the same
   /// arguments.
@@ -78,7 +80,8 @@ class FrictionContact {
   double friction_coefficient_;
   const Motion& motion_;
   int steps_per_cycle_;
-  double dt_;
+  StepTimes times_;
+  double dt_;  // of the step that step_ is made for
   RelaxationStep step_;
   std::vector<BoxState> stick_;  // interior: sticks
   double radius_before_ = 0;     // of the contact

@@ -64,8 +64,8 @@ FirstSlip::FirstSlip(Eigen::Index n_rings)
 void FirstSlip::see(const FrictionContact& contact) {
   const auto& depths = contact.zones.depths();
   margin_ = margin_.cwiseMin(contact.limit - contact.traction.cwiseAbs());
-  forward_.add(contact.limit_depths - depths);
-  backward_.add(contact.limit_depths + depths);
+  forward_.add(contact.limit_depths - depths, contact.in_piece());
+  backward_.add(contact.limit_depths + depths, contact.in_piece());
   slip_path_ += contact.slip.cwiseAbs();
 }
 
@@ -89,6 +89,7 @@ FrictionPeriod::FrictionPeriod(Eigen::Index n_rings, int n_steps)
       least_(1, -infinity),
       most_(1, -infinity),
       zones_(static_cast<std::size_t>(n_rings)),
+      weights_(n_steps),
       traction_before_(Eigen::VectorXd::Zero(n_rings)),
       depths_before_(traction_before_) {
   begin();
@@ -112,14 +113,17 @@ void FrictionPeriod::see(const FrictionContact& contact) {
   const auto &limit = contact.limit, &slip = contact.slip, &traction = contact.traction;
   forward_ = forward_.cwiseMin(limit - traction);
   backward_ = backward_.cwiseMin(limit + traction);
-  forward_reserve_.add(contact.limit_depths - depths);
-  backward_reserve_.add(contact.limit_depths + depths);
+  const auto step = contact.in_piece();
+  forward_reserve_.add(contact.limit_depths - depths, step);
+  backward_reserve_.add(contact.limit_depths + depths, step);
   slip_ += slip.cwiseAbs();
   traction_.col(k_) = traction;
   displacement_.col(k_) = contact.balance_displacements();
   slips_.col(k_) = slip;
-  least_.add(Eigen::VectorXd::Constant(1, contact.displacement));
-  most_.add(Eigen::VectorXd::Constant(1, -contact.displacement));
+  auto whole_step = step;  // the indenter is known at its end
+  if (whole_step) whole_step->fraction = 1;
+  least_.add(Eigen::VectorXd::Constant(1, contact.displacement), whole_step);
+  most_.add(Eigen::VectorXd::Constant(1, -contact.displacement), whole_step);
   indenter_[k_] = contact.balance_displacement;
   depths_.col(k_++) = depths;
   for (std::size_t i = 0; i < zones_.size(); ++i) {
@@ -127,7 +131,7 @@ void FrictionPeriod::see(const FrictionContact& contact) {
     if (slip[ring] != 0) zones_[i] |= 1;
     zones_[i] |= limit[ring] > 0 ? 2 : 4;
   }
-  weight_ = 1.5 - contact.fraction();
+  weights_[k_ - 1] = 1.5 - contact.fraction();
 }
 
 void FrictionPeriod::report(const ContactProblem& problem, FrictionHistory& history) const {
@@ -137,7 +141,8 @@ void FrictionPeriod::report(const ContactProblem& problem, FrictionHistory& hist
   // Of friction, per area, and as a product of depths and displacements. The mean slip rate of a step belongs to its
   // middle, between two balance times.
   const auto in_the_middle = [this](const Eigen::MatrixXd& columns, const Eigen::VectorXd& before, int k) {
-    return (weight_ * columns.col(k) + (1 - weight_) * (k == 0 ? before : Eigen::VectorXd(columns.col(k - 1)))).eval();
+    return (weights_[k] * columns.col(k) + (1 - weights_[k]) * (k == 0 ? before : Eigen::VectorXd(columns.col(k - 1))))
+        .eval();
   };
   Eigen::VectorXd work = Eigen::VectorXd::Zero(slip_.size()), series_work = work;
   for (int k = 0; k < k_; ++k) {
@@ -195,8 +200,7 @@ bool is_about_to_stick(const Eigen::VectorXd& before, const Eigen::VectorXd& sli
 double slip_of_stuck_ring(const Motion& motion, double amplitude) {
   constexpr double per_amplitude_and_oscillation = 1e-4;
   if (amplitude == 0) return 0;
-  double path = 0;
-  for (const auto& oscillation : motion.tangential) path += oscillation.amplitude * oscillation.order;
+  const double path = tangential_path(motion) / 4;
   return per_amplitude_and_oscillation * path / motion.tangential_amplitude() * amplitude * motion.cycles_per_period();
 }
 
@@ -229,6 +233,10 @@ FrictionHistory friction_history(WatchedFriction friction, const NormalHistory& 
       if (see) see(contact);
     } while (contact.n_steps % period_steps != 0);
     history.n_cycles = static_cast<int>(contact.n_steps / contact.steps_per_cycle());
+    if (contact.motion().is_single_pass()) {
+      history.periodicity = 0;
+      break;
+    }
     const bool after_jump = std::exchange(jumped, false);
     if (history.n_cycles <= std::max(contact.motion().cycles_of_ramp(), normal.n_cycles) + cycles_per_period) continue;
     if (!after_jump) {
@@ -264,13 +272,18 @@ FrictionHistory friction_at_rest(const ContactProblem& problem, double friction_
   FrictionHistory history;
   history.first_slip_margin = Eigen::VectorXd::Constant(n, infinity);
   RunningMinimum since_start(n, -infinity), last_cycle(n, -infinity);
+  const auto in_piece = [&normal](Eigen::Index k) {
+    return normal.pieces.empty() ? std::nullopt : std::optional(normal.pieces[static_cast<std::size_t>(k)]);
+  };
+  long step = -1;
   for (const auto& pressure : pressures) {
     const Eigen::VectorXd limit = friction_coefficient * pressure;
     history.first_slip_margin = history.first_slip_margin.cwiseMin(limit);
-    since_start.add(problem.series.depths(limit));
+    since_start.add(problem.series.depths(limit), in_piece(step < 0 ? 0 : step % n_steps));
+    ++step;
   }
   for (Eigen::Index k = 0; k < n_steps; ++k)
-    last_cycle.add(problem.series.depths(friction_coefficient * normal.pressure.col(k)));
+    last_cycle.add(problem.series.depths(friction_coefficient * normal.pressure.col(k)), in_piece(k));
   history.n_cycles = normal.n_cycles;
   history.n_steps = normal.n_steps();
   history.shakedown_margin = friction_coefficient * normal.pressure.rowwise().minCoeff();

@@ -72,8 +72,8 @@ class FrictionPeriod {
   Eigen::VectorXd indenter_;
   RunningMinimum least_, most_;                      // of the indenter, the other way round
   std::vector<signed char> zones_;                   // what happened to each ring, as bits
+  Eigen::VectorXd weights_;                          // of a step's balance in its middle
   Eigen::VectorXd traction_before_, depths_before_;  // at the end of the period before
-  double weight_ = 1;                                // of a step's end in its middle
   int k_ = 0;
 };
 
@@ -98,6 +98,7 @@ class WatchedFriction {
   [[nodiscard]] int period_steps() const { return contact.steps_per_cycle() * contact.motion().cycles_per_period(); }
 };
 
+/// A single pass is stepped beside its normal history, from rest. Otherwise:
 /// Goes on under the repeating cycle of the normal contact until the tractions are periodic, and the innermost ring
 /// that slips is not about to stick: its slip, dying out as from the last period but one to the last, would be that of
 /// a stuck ring within as many periods again as there have been. Throws SolverError when they are not after

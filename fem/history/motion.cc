@@ -32,7 +32,7 @@ double ramp_duration(const Motion& motion) {
 // Quintic smooth step: value, slope and curvature are continuous at both ends.
 ValueAndRate envelope(const Motion& motion, double t) {
   const double duration = ramp_duration(motion);
-  if (t >= duration) return {1, 0};
+  if (t >= duration || motion.is_single_pass()) return {1, 0};
   const double x = t / duration;
   return {x * x * x * (10 + x * (-15 + 6 * x)), 30 * x * x * (1 - x) * (1 - x) / duration};
 }
@@ -65,6 +65,15 @@ ValueAndRate product(const ValueAndRate& e, const ValueAndRate& f) {
   return {e.value * f.value, e.rate * f.value + e.value * f.rate};
 }
 
+/// From rest, of a path at any time of a history.
+ValueAndRate departure(const SampledPath& path, const std::vector<double>& values, double rest, double t,
+                       double inside) {
+  const double cycle = path.repeats ? 2 * pi * std::floor(inside / (2 * pi)) : 0;
+  auto value = along(path, values, t - cycle, inside - cycle);
+  value.value -= rest;
+  return value;
+}
+
 }  // namespace
 
 int Motion::cycles_per_period() const {
@@ -80,12 +89,14 @@ int Motion::highest_normal_order() const {
 }
 
 int Motion::cycles_of_ramp() const {
-  return static_cast<int>(std::ceil(ramp_duration(*this) / (2 * pi)));
+  return is_single_pass() ? 0 : static_cast<int>(std::ceil(ramp_duration(*this) / (2 * pi)));
 }
 
 double Motion::tangential_amplitude() const {
   double sum = 0;
   for (const auto& oscillation : tangential) sum += oscillation.amplitude;
+  if (path)
+    for (const double u : path->tangential) sum = std::max(sum, std::abs(u - path->rest_tangential));
   return sum;
 }
 
@@ -105,14 +116,56 @@ double amplitude_share(const Motion& motion, double t) {
 }
 
 ValueAndRate normal_motion(const Motion& motion, double t) {
+  return normal_motion_inside(motion, t, t);
+}
+
+ValueAndRate tangential_motion(const Motion& motion, double t) {
+  return tangential_motion_inside(motion, t, t);
+}
+
+ValueAndRate normal_motion_inside(const Motion& motion, double t, double inside_step) {
+  if (motion.path) {
+    const auto& path = *motion.path;
+    auto d = product(envelope(motion, t), departure(path, path.normal, path.rest_normal, t, inside_step));
+    d.value += path.rest_normal;
+    return d;
+  }
   auto d = product(envelope(motion, t), sum_of(motion.normal, {t, 1}));
   d.value += motion.indentation;
   return d;
 }
 
-ValueAndRate tangential_motion(const Motion& motion, double t) {
+ValueAndRate tangential_motion_inside(const Motion& motion, double t, double inside_step) {
+  if (motion.path) {
+    const auto& path = *motion.path;
+    return product(envelope(motion, t), departure(path, path.tangential, path.rest_tangential, t, inside_step));
+  }
   const auto s = lag(motion, t);
   return product(envelope(motion, t), sum_of(motion.tangential, {t + s.value, 1 + s.rate}));
+}
+
+double tangential_path(const Motion& motion) {
+  double path = 0;
+  for (const auto& oscillation : motion.tangential) path += 4 * oscillation.amplitude * oscillation.order;
+  if (motion.path)
+    for (std::size_t k = 1; k < motion.path->tangential.size(); ++k)
+      path += std::abs(motion.path->tangential[k] - motion.path->tangential[k - 1]);
+  return path;
+}
+
+StepTimes::StepTimes(const Motion& motion, int steps_per_cycle) : dt_(2 * pi / steps_per_cycle) {
+  if (motion.path) steps_ = steps_of(*motion.path, steps_per_cycle);
+}
+
+double StepTimes::begin(long step) const {
+  if (steps_.empty()) return dt_ * static_cast<double>(step);
+  const auto n = static_cast<long>(steps_.size());
+  return 2 * pi * static_cast<double>(step / n) + steps_[static_cast<std::size_t>(step % n)].begin;
+}
+
+std::optional<StepInPiece> StepTimes::in_piece(long step) const {
+  if (steps_.empty()) return {};
+  return steps_[static_cast<std::size_t>(step % static_cast<long>(steps_.size()))];
 }
 
 }  // namespace fretval::fem

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "fem/history/relaxation.h"
+#include "fem/history/sampled_path.h"
 
 namespace fretval::fem {
 
@@ -30,6 +31,10 @@ struct Oscillation {
 ///
 /// Where a force is prescribed it takes the place of the displacement: F_N(t) that of d, F_x(t) that of u_x. Then a
 /// cycle begins at the largest normal force, and the displacements follow from the contact.
+///
+/// A path takes the place of the cosines, d = d_rest + e(t) (d_path - d_rest) and u_x likewise from 0 on, with a cycle
+/// for its period; it begins anywhere. A single pass has e = 1 from the start on, at its first row, and ends after one
+/// cycle.
 struct Motion {
   double indentation;
   std::vector<Oscillation> normal, tangential;
@@ -38,6 +43,9 @@ struct Motion {
   int n_creep_cycles = 48;
   bool normal_force = false, tangential_force = false;  ///< what is prescribed; false: a displacement
 
+  std::optional<SampledPath> path = {};
+
+  [[nodiscard]] bool is_single_pass() const { return path && !path->repeats; }
   [[nodiscard]] bool has_forces() const { return normal_force || tangential_force; }
   [[nodiscard]] int cycles_per_period() const;
   /// Oscillations per cycle of the fastest of all, and of the fastest normal one; 1 at least.
@@ -62,5 +70,26 @@ double amplitude_share(const Motion& motion, double t);
 
 ValueAndRate normal_motion(const Motion& motion, double t);
 ValueAndRate tangential_motion(const Motion& motion, double t);
+
+/// The same at an end of a step, or inside it, where a path has two rates at its rows: that of the step.
+ValueAndRate normal_motion_inside(const Motion& motion, double t, double inside_step);
+ValueAndRate tangential_motion_inside(const Motion& motion, double t, double inside_step);
+
+/// Tangential path in a cycle, to and fro: of cosines 4 amplitudes for each oscillation.
+double tangential_path(const Motion& motion);
+
+/// When the steps of a history begin: of cosines they are equal, of a path every row is the end of one.
+class StepTimes {
+ public:
+  StepTimes(const Motion& motion, int steps_per_cycle);
+  /// Beginning of a step, counted from 0 for the first one of the history.
+  [[nodiscard]] double begin(long step) const;
+  /// Of a path; empty: of cosines.
+  [[nodiscard]] std::optional<StepInPiece> in_piece(long step) const;
+
+ private:
+  double dt_;
+  std::vector<StepInPiece> steps_;
+};
 
 }  // namespace fretval::fem

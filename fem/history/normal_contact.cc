@@ -31,7 +31,8 @@ NormalContact::NormalContact(const ContactProblem& problem, const RelaxationMode
       motion_(motion),
       steps_per_cycle_(steps_per_cycle),
       how_(how),
-      dt_(2 * pi / steps_per_cycle),
+      times_(motion, steps_per_cycle),
+      dt_(times_.begin(1)),
       step_(relaxation, dt_),
       edge_(pressure_at_edge(relaxation)),
       contact_(static_cast<std::size_t>(profile.size()), BoxState::lower) {
@@ -98,13 +99,24 @@ double NormalContact::increment_under_force(const PressureWear& wear) const {
   return displacement_for_force(force_after, force, {last_increment_, stiffness, force});
 }
 
+std::optional<StepInPiece> NormalContact::in_piece() const {
+  auto step = times_.in_piece(n_steps - 1);
+  if (step) step->fraction = step_.fraction();
+  return step;
+}
+
 void NormalContact::step(const PressureWear& wear) {
-  const double begin = dt_ * static_cast<double>(n_steps), weight = step_.fraction();
+  const double begin = times_.begin(n_steps);
+  if (const auto piece = times_.in_piece(n_steps); piece && piece->duration() != dt_) {
+    dt_ = piece->duration();
+    step_ = RelaxationStep(relaxation_, dt_);
+  }
+  const double weight = step_.fraction(), end = begin + dt_;
   time = begin + weight * dt_;
   gap = state.displacement + profile;
   gap.array() -= indentation;
-  const auto position = [this](double t) { return normal_motion(motion_, t); };
-  auto to_balance = indenter_move(position, begin, time), whole = indenter_move(position, begin, begin + dt_);
+  const auto position = [this, inside = begin + dt_ / 2](double t) { return normal_motion_inside(motion_, t, inside); };
+  auto to_balance = indenter_move(position, begin, time), whole = indenter_move(position, begin, end);
   if (motion_.normal_force) {
     last_increment_ = increment_under_force(wear);
     to_balance = steady_move(weight * last_increment_, weight * dt_);
@@ -114,8 +126,7 @@ void NormalContact::step(const PressureWear& wear) {
   step_.advance(state, whole, gap - made.gap + made.worn);
   profile += made.worn;
   balance_indentation = motion_.normal_force ? indentation + to_balance.increment : position(time).value;
-  const double end = dt_ * static_cast<double>(n_steps + 1);
-  indentation = motion_.normal_force ? indentation + whole.increment : position(end).value;
+  indentation = motion_.normal_force ? indentation + whole.increment : position(times_.begin(n_steps + 1)).value;
   gap = std::move(made.gap);
   balance_gap = std::move(made.balance_gap);
   pressure = std::move(made.pressure);

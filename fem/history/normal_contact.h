@@ -41,6 +41,8 @@ class NormalContact {
   [[nodiscard]] const RelaxationModel& relaxation() const { return relaxation_; }
   [[nodiscard]] const Motion& motion() const { return motion_; }
   [[nodiscard]] int steps_per_cycle() const { return steps_per_cycle_; }
+  /// Where the last step lies in its piece of a path, sampled at the balance time; empty: of cosines.
+  [[nodiscard]] std::optional<StepInPiece> in_piece() const;
 
   /// What the next step depends on; into a contact that was made of the same arguments.
   template <class Archive>
@@ -68,7 +70,8 @@ class NormalContact {
   const Motion& motion_;
   int steps_per_cycle_;
   ForceReading how_;
-  double dt_;
+  StepTimes times_;
+  double dt_;  // of the step that step_ is made for
   RelaxationStep step_;
   PressureAtEdge edge_;
   std::vector<BoxState> contact_;

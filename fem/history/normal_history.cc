@@ -31,6 +31,7 @@ class CycleRecord {
     history_.smallest_gap = Eigen::VectorXd::Constant(history_.pressure.rows(), infinity);
     gap_at_balance_.restart();
     height_.restart();
+    history_.pieces.clear();
     deepest_ = -infinity;
   }
 
@@ -49,8 +50,11 @@ class CycleRecord {
     history_.n_closed[k] = contact.reading.n_closed;
     history_.contact_radius[k] = contact.reading.radius;
     history_.smallest_gap = history_.smallest_gap.cwiseMin(contact.gap);
-    gap_at_balance_.add(contact.balance_gap);
-    height_.add(Eigen::VectorXd::Constant(1, -contact.indentation));
+    auto step = contact.in_piece();
+    if (step) history_.pieces.push_back(*step);
+    gap_at_balance_.add(contact.balance_gap, step);
+    if (step) step->fraction = 1;  // the indenter is known at the end
+    height_.add(Eigen::VectorXd::Constant(1, -contact.indentation), step);
     if (contact.indentation > deepest_) history_.deepest_displacement = contact.state.displacement;
     deepest_ = std::max(deepest_, contact.indentation);
   }
@@ -101,6 +105,10 @@ NormalHistory normal_history(NormalContact contact, const HistoryControl& contro
     }
     record.end();
     ++history.n_cycles;
+    if (contact.motion().is_single_pass()) {
+      history.periodicity = 0;
+      break;
+    }
     const bool after_jump = std::exchange(jumped, false);
     if (history.n_cycles <= std::max(contact.motion().cycles_of_ramp(), 1)) continue;
     if (!after_jump) history.periodicity = change_to_come(change_per_cycle(history.pressure, before), creep);

@@ -38,6 +38,7 @@ struct NormalHistory {
   Eigen::VectorXd smallest_gap_at_balance;
   Eigen::VectorXd deepest_displacement;  ///< of the rings, at the largest indentation
   Eigen::MatrixXd displacement;          ///< of the rings, per step of the cycle, at the balance times
+  std::vector<StepInPiece> pieces;       ///< of a path, per step of the cycle; empty: of cosines
 
   /// Column of a step in the cycle, counted from 1 for the first step of the history; from the last computed cycle on.
   [[nodiscard]] Eigen::Index column(long step) const { return (step - 1) % steps_per_cycle; }
@@ -47,8 +48,8 @@ struct NormalHistory {
 /// Whatever else goes along with the normal contact, step by step: friction, a record.
 using Beside = std::function<void(const NormalContact&)>;
 
-/// Steps a contact from its start until its response is periodic; beside is called after each step. Throws SolverError
-/// when it is not after max_cycles (message with the measure reached).
+/// Steps a contact from its start until its response is periodic, or over the cycle of a single pass; beside is called
+/// after each step. Throws SolverError when it is not after max_cycles (message with the measure reached).
 NormalHistory normal_history(NormalContact contact, const HistoryControl& control, const Beside& beside = {});
 
 }  // namespace fretval::fem

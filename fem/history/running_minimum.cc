@@ -37,10 +37,20 @@ RunningMinimum::RunningMinimum(Eigen::Index n, double floor)
   samples_.fill(Eigen::VectorXd(n));
 }
 
-void RunningMinimum::add(const Eigen::VectorXd& values) {
+/// To the ends of a piece, from samples at the same fraction of equal steps.
+void RunningMinimum::extend_to_ends(const StepInPiece& step) {
+  const auto &before = samples_[samples_.size() - 2], &last = samples_.back();
+  const auto see = [this](const Eigen::VectorXd& end) { minimum_ = minimum_.cwiseMin(end.cwiseMax(floor_)); };
+  if (!step.first && second_of_piece_) see(before - step.fraction * (last - before));
+  if (!step.first && step.last) see(last + (1 - step.fraction) * (last - before));
+  second_of_piece_ = step.first;
+}
+
+void RunningMinimum::add(const Eigen::VectorXd& values, const std::optional<StepInPiece>& step) {
   std::rotate(samples_.begin(), samples_.begin() + 1, samples_.end());
   samples_.back() = values;
   minimum_ = minimum_.cwiseMin(values);
+  if (step) return extend_to_ends(*step);
   if (++n_samples_ < static_cast<int>(samples_.size())) return;
   const auto& [a, b, middle, d, e] = samples_;
   for (Eigen::Index i = 0; i < values.size(); ++i) {
@@ -55,10 +65,15 @@ void RunningMinimum::restart() {
   minimum_.setConstant(std::numeric_limits<double>::infinity());
 }
 
-double largest_of_period(const Eigen::VectorXd& samples) {
+double largest_of_period(const Eigen::VectorXd& samples, const std::vector<StepInPiece>& pieces) {
   RunningMinimum least(1, -std::numeric_limits<double>::infinity());
-  for (int period = 0; period < 2; ++period)
-    for (const double sample : samples) least.add(Eigen::VectorXd::Constant(1, -sample));
+  const auto add = [&](Eigen::Index k, const std::optional<StepInPiece>& step) {
+    least.add(Eigen::VectorXd::Constant(1, -samples[k]), step);
+  };
+  if (pieces.empty())
+    for (Eigen::Index k = 0; k < 2 * samples.size(); ++k) add(k % samples.size(), std::nullopt);
+  else
+    for (Eigen::Index k = 0; k < samples.size(); ++k) add(k, pieces[static_cast<std::size_t>(k)]);
   return -least.value()[0];
 }
 

@@ -29,15 +29,15 @@ double axis_pressure(const PunchSeries& series, const Eigen::VectorXd& depths, d
 
 }  // namespace
 
-std::optional<double> axis_pressure_max(const PunchSeries& series, const Eigen::MatrixXd& pressure,
-                                        const Eigen::VectorXd& contact_radius, double n) {
-  const Eigen::MatrixXd depths = series.depths(pressure);
-  Eigen::VectorXd samples = Eigen::VectorXd::Zero(pressure.cols());
+std::optional<double> axis_pressure_max(const PunchSeries& series, const NormalHistory& normal, double n) {
+  const auto& contact_radius = normal.contact_radius;
+  const Eigen::MatrixXd depths = series.depths(normal.pressure);
+  Eigen::VectorXd samples = Eigen::VectorXd::Zero(contact_radius.size());
   for (Index k = 0; k < samples.size(); ++k)
     if (contact_radius[k] > series.radii()[outer])
       samples[k] = axis_pressure(series, depths.col(k), contact_radius[k], n);
   if (samples.maxCoeff() == 0) return std::nullopt;
-  return largest_of_period(samples);
+  return largest_of_period(samples, normal.pieces);
 }
 
 }  // namespace fretval::fem

@@ -19,6 +19,33 @@ Eigen::VectorXd moves(const Motion& motion, Prescribed prescribed, double begin,
   return moves;
 }
 
+/// Moves in the steps of a path, of what is prescribed.
+Eigen::VectorXd moves_along(const std::vector<double>& values, const SampledPath& path,
+                            const std::vector<StepInPiece>& pieces) {
+  Eigen::VectorXd moves(static_cast<Eigen::Index>(pieces.size()));
+  for (std::size_t k = 0; k < pieces.size(); ++k) {
+    const auto& step = pieces[k];
+    const double inside = (step.begin + step.end) / 2;
+    moves[static_cast<Eigen::Index>(k)] =
+        along(path, values, step.end, inside).value - along(path, values, step.begin, inside).value;
+  }
+  return moves;
+}
+
+/// Of samples at the balance times, those in the middle of the steps. before: the sample before the first one.
+Eigen::VectorXd in_the_middle(const Eigen::VectorXd& samples, double before, const std::vector<StepInPiece>& pieces) {
+  Eigen::VectorXd middle(samples.size());
+  for (Eigen::Index k = 0; k < samples.size(); ++k) {
+    const double weight = 1.5 - pieces[static_cast<std::size_t>(k)].fraction;
+    middle[k] = weight * samples[k] + (1 - weight) * (k == 0 ? before : samples[k - 1]);
+  }
+  return middle;
+}
+
+double largest_magnitude(const Eigen::VectorXd& samples, const std::vector<StepInPiece>& pieces) {
+  return std::max(largest_of_period(samples, pieces), largest_of_period(-samples, pieces));
+}
+
 /// Where forces are prescribed they are known, and of what they make the indenter do this knows nothing.
 CycleUncertainty uncertainty_of(const RelaxationModel& relaxation, const Motion& motion, const Eigen::VectorXd& along,
                                 const Eigen::VectorXd& down, const NormalHistory& normal,
@@ -37,17 +64,40 @@ CycleUncertainty uncertainty_of(const RelaxationModel& relaxation, const Motion&
   return uncertainty;
 }
 
-/// Four times the amplitudes of all oscillations, as often as they come in a cycle.
 double path_to_and_fro(const Motion& motion, double amplitude) {
-  double path = 0;
-  for (const auto& oscillation : motion.tangential) path += 4 * oscillation.amplitude * oscillation.order;
-  return path / motion.tangential_amplitude() * amplitude;
+  return tangential_path(motion) / motion.tangential_amplitude() * amplitude;
+}
+
+/// Of a path, whose forces have kinks at its rows: sums of second order over the steps. A single pass begins without
+/// tangential force; what goes into the body in it is not told from what is lost there.
+CycleResponse response_along(const RelaxationModel& relaxation, double friction_coefficient, const Motion& motion,
+                             double normal_force_max, const NormalHistory& normal, const FrictionHistory& friction) {
+  const auto& pieces = normal.pieces;
+  const auto& path = *motion.path;
+  const auto along = moves_along(path.tangential, path, pieces), down = moves_along(path.normal, path, pieces);
+  const bool once = motion.is_single_pass();
+  const auto last = friction.force.size() - 1;
+  const Eigen::VectorXd pressing = normal.force + normal.force_beyond,
+                        pull = in_the_middle(friction.force, once ? 0 : friction.force[last], pieces);
+  CycleResponse response{};
+  response.tangential_force_max = largest_magnitude(friction.force, pieces);
+  for (Eigen::Index k = 0; k <= last; ++k)
+    response.tangential_force_mean += pull[k] * pieces[static_cast<std::size_t>(k)].duration() / (2 * pi);
+  const double loops = pull.dot(along) + in_the_middle(pressing, pressing[last], pieces).dot(down);
+  response.friction_work = once || relaxation.has_memory() ? friction.dissipated_energy : pull.dot(along);
+  response.bulk_work = !once && relaxation.has_memory() ? loops - response.friction_work : 0;
+  response.sliding_force = friction_coefficient * normal_force_max;
+  response.sliding_work = response.sliding_force * tangential_path(motion);
+  response.uncertainty = uncertainty_of(relaxation, motion, along, down, normal, friction);
+  if (once) response.uncertainty.friction_work = friction.dissipated_uncertainty;
+  return response;
 }
 
 }  // namespace
 
 CycleResponse cycle_response(const RelaxationModel& relaxation, double friction_coefficient, const Motion& motion,
                              double normal_force_max, const NormalHistory& normal, const FrictionHistory& friction) {
+  if (motion.path) return response_along(relaxation, friction_coefficient, motion, normal_force_max, normal, friction);
   const auto n = friction.force.size();
   const double dt = 2 * pi / normal.steps_per_cycle,
                begin = normal.first_balance + static_cast<double>(friction.n_steps - n) * dt;
@@ -57,7 +107,7 @@ CycleResponse cycle_response(const RelaxationModel& relaxation, double friction_
                pressing =
                    motion.normal_force ? -normal.indentation.dot(down) : (normal.force + normal.force_beyond).dot(down);
   CycleResponse response{};
-  response.tangential_force_max = std::max(largest_of_period(friction.force), largest_of_period(-friction.force));
+  response.tangential_force_max = largest_magnitude(friction.force, normal.pieces);
   response.tangential_force_mean = friction.force.mean();
   response.friction_work = relaxation.has_memory() ? friction.dissipated_energy : tangential;
   response.bulk_work = relaxation.has_memory() ? tangential + pressing - response.friction_work : 0;

@@ -17,9 +17,9 @@ struct CycleResponse {
   double tangential_force_max;   ///< of |F_x|
   double tangential_force_mean;  ///< what slip has locked in
   double friction_work;          ///< lost to friction
-  double bulk_work;              ///< lost inside the body, 0 without memory
+  double bulk_work;              ///< lost inside the body; 0 without memory, and of a single pass, which does not tell
   double sliding_force;          ///< mu times the largest normal force
-  double sliding_work;           ///< what sliding under that force would cost, 4 times the tangential amplitudes
+  double sliding_work;           ///< what sliding under that force along the whole tangential path would cost
   CycleUncertainty uncertainty = {};
 };
 

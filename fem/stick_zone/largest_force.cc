@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "fem/history/running_minimum.h"
+
 namespace fretval::fem {
 namespace {
 
@@ -40,6 +42,17 @@ LargestForce periodic_peak(const Eigen::VectorXd& samples, const Eigen::VectorXd
   auto peak = peak_of_quartic(samples, uncertainties, half);
   peak.uncertainty += safety * std::abs(peak_of_quartic(samples, uncertainties, half + 1).value - peak.value);
   return peak;
+}
+
+/// Along a path the largest force lies at the end of a piece, or at a sample to second order.
+LargestForce peak_of_path(const Eigen::VectorXd& samples, const Eigen::VectorXd& uncertainties,
+                          const std::vector<StepInPiece>& pieces) {
+  RunningMinimum least(1, -std::numeric_limits<double>::infinity());
+  for (Eigen::Index k = 0; k < samples.size(); ++k)
+    least.add(Eigen::VectorXd::Constant(1, -samples[k]), pieces[static_cast<std::size_t>(k)]);
+  Eigen::Index largest = 0;
+  samples.maxCoeff(&largest);
+  return {-least.value()[0], uncertainties[largest]};
 }
 
 double width_of_ring_at(const Compliance& compliance, double radius) {
@@ -96,7 +109,8 @@ LargestForce largest_force(const ContactProblem& problem, const ForceContext& co
     force += history.force_beyond.tail(n_steps);
     uncertainty += history.force_beyond_uncertainty.tail(n_steps);
   }
-  auto largest = periodic_peak(force, uncertainty, context.oscillations);
+  auto largest = history.pieces.empty() ? periodic_peak(force, uncertainty, context.oscillations)
+                                        : peak_of_path(force, uncertainty, history.pieces);
   largest.uncertainty += unseen_travel(problem, context, history) + unseen_growth(problem, context, history) +
                          force_at_sharp_edge(problem.compliance, context, history);
   return largest;

@@ -6,17 +6,12 @@
 #include <stdexcept>
 
 #include "mdr/springs/spring_energy.h"
+#include "mdr/springs/spring_stick.h"
 #include "mdr/support/checks.h"
 
 namespace fretval::mdr {
 
 namespace {
-
-// Shares of the largest tangential displacement: of a step, roundoff, which 1e5 steps would add up to slip; of a path,
-// what counts as none, and the last creep of a spring that has shaken down.
-constexpr double roundoff_of_step = 1e-14;
-constexpr double never_slipped = 1e-11;
-constexpr double shaken_down = 1e-6;
 
 // Running minimum of a sampled signal per spring, at the vertex of the parabola through three samples.
 class SampledMinimum {
@@ -56,15 +51,6 @@ struct Margins {
     backward.add(limit + state.tangential_load);
   }
 };
-
-// g(c) from the outermost of the springs that stick, counted from the axis.
-double stick_depth(const SpringBed& bed, double mu, const Eigen::ArrayXd& margin, const Eigen::ArrayXd& slip_path,
-                   double allowed) {
-  Eigen::Index n = 0;
-  while (n < margin.size() && slip_path[n] <= allowed && margin[n] > 0) ++n;
-  if (n == 0) return bed.depth[0] + std::min(0.0, margin[0] / (1.5 * mu));
-  return bed.depth[n - 1] + margin[n - 1] / (1.5 * mu);
-}
 
 void check(const HistoryControl& control) {
   require_positive("period", control.period);
@@ -149,6 +135,7 @@ class History {
     }
     first_slip_.slip_path += margins.slip_path;
     finish(result, margins);
+    result.last = state_;
     return result;
   }
 

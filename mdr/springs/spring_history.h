@@ -67,6 +67,7 @@ struct SpringHistory {
   Eigen::ArrayXd mean_traction;  ///< per spring: mean tangential_load over the last period, the locked-in offset, m
 
   SpringState deepest, highest;  ///< at the largest and the smallest indentation of the last period
+  SpringState last;              ///< at its end
 
   double friction_work;  ///< J per period
   double bulk_work;      ///< J per period

@@ -17,7 +17,8 @@ std::string said_of(const fs::path& file, const ScratchFolder& folder) {
   return run.exit_code == 0 ? "" : run.out + run.err;
 }
 
-/// Every kind of result: with bars, of a sweep, unlocked, limiting, with forces, gross slip, with harmonics, worn.
+/// Every kind of result: with bars, of a sweep, unlocked, limiting, with forces, gross slip, with harmonics, worn,
+/// along a path.
 fs::path run_of_every_kind(const ScratchFolder& folder) {
   const auto elastic = elastic_case();
   const auto limiting = "subsection Wear\n  set State = limiting\n  set Stick radius ratio = 0.5\nend\n";
@@ -34,6 +35,12 @@ fs::path run_of_every_kind(const ScratchFolder& folder) {
   folder.write("harmonics.prm",
                replace(elastic, "Phase = 60", "Phase = 60\n  set Normal harmonics = 5 um, 2 Hz, 0 deg"));
   folder.write("worn.prm", elastic + "subsection Wear\n  set Coefficient = 1e-12\n  set Cycles = 100\nend\n");
+  const auto begin = elastic.find("subsection Motion"), end = elastic.find("subsection Accuracy");
+  folder.write("path.csv", "t,d,u_x\ns,um,um\n0,100,0\n1,120,8\n2,100,0\n");
+  for (const std::string repeats : {"once", "forever"})
+    folder.write(repeats + ".prm", elastic.substr(0, begin) +
+                                       "subsection Motion\n  set Path = path.csv\n  set Path repeats = " + repeats +
+                                       "\nend\n" + elastic.substr(end));
   const auto out = folder.path() / "out";
   const auto run = fretval_run("-q run --proof bars " + quoted(folder.path()) + " -o " + quoted(out), folder);
   EXPECT_TRUE(run.exit_code == 0 || run.exit_code == 1) << run.err;
@@ -48,7 +55,7 @@ TEST(ResultSchema, HoldsForEveryKindOfResult) {
     EXPECT_EQ(said_of(entry.path(), folder), "") << entry.path();
     ++n_results;
   }
-  EXPECT_EQ(n_results, 9);
+  EXPECT_EQ(n_results, 11);
 }
 
 TEST(ResultSchema, RefusesWhatItDoesNotSay) {

@@ -45,8 +45,8 @@ TEST(RunningMinimum, GivesTheLargestOfAPeriod) {
   const auto samples = [](double begin) {
     return Eigen::VectorXd(Eigen::VectorXd::LinSpaced(20, begin, begin + 2 * pi * 0.95).array().cos());
   };
-  EXPECT_NEAR(largest_of_period(samples(-0.3)), 1, 1e-5);
-  EXPECT_NEAR(largest_of_period(samples(2.9)), 1, 1e-5);
+  EXPECT_NEAR(largest_of_period(samples(-0.3), {}), 1, 1e-5);
+  EXPECT_NEAR(largest_of_period(samples(2.9), {}), 1, 1e-5);
   EXPECT_LT(samples(-0.3).maxCoeff(), 1 - 1e-5);
 }
 

@@ -13,13 +13,19 @@
 namespace fretval::fem::axis_pressure_test {
 namespace {
 
+NormalHistory history_of(const Eigen::MatrixXd& pressure, const Eigen::VectorXd& contact_radius) {
+  NormalHistory history;
+  history.pressure = pressure;
+  history.contact_radius = contact_radius;
+  return history;
+}
+
 /// Of f = r^n on an elastic body, over the exact p(0) = (4/pi) kappa n/(n - 1) a^(n - 1).
 double relative_pressure(const ContactProblem& problem, double n, double a) {
   const double kappa = std::sqrt(pi) / 2 * n * std::tgamma(n / 2) / std::tgamma((n + 1) / 2);
   const auto profile = ring_means(problem.compliance, [n](double r) { return std::pow(r, n); });
   const auto contact = static_contact(problem, profile, kappa * std::pow(a, n));
-  const Eigen::VectorXd radius = Eigen::VectorXd::Constant(1, a);
-  return axis_pressure_max(problem.series, contact.pressure, radius, n).value() /
+  return axis_pressure_max(problem.series, history_of(contact.pressure, Eigen::VectorXd::Constant(1, a)), n).value() /
          (4 / pi * kappa * n / (n - 1) * std::pow(a, n - 1));
 }
 
@@ -45,9 +51,9 @@ TEST(AxisPressure, IsTheLargestOfThePeriod) {
   Eigen::MatrixXd pressure(problem.n_rings(), 4);
   pressure << small.pressure, large.pressure, small.pressure, Eigen::VectorXd::Zero(problem.n_rings());
   const Eigen::Vector4d radius(0.07, 0.9, 0.07, 0);
-  const auto alone = axis_pressure_max(problem.series, large.pressure, Eigen::VectorXd::Constant(1, 0.9), 2);
-  EXPECT_DOUBLE_EQ(axis_pressure_max(problem.series, pressure, radius, 2).value(), alone.value());
-  EXPECT_FALSE(axis_pressure_max(problem.series, small.pressure, radius.head(1), 2));
+  const auto alone = axis_pressure_max(problem.series, history_of(large.pressure, radius.segment(1, 1)), 2);
+  EXPECT_DOUBLE_EQ(axis_pressure_max(problem.series, history_of(pressure, radius), 2).value(), alone.value());
+  EXPECT_FALSE(axis_pressure_max(problem.series, history_of(small.pressure, radius.head(1)), 2));
 }
 
 }  // namespace
