@@ -15,7 +15,7 @@ std::vector<std::vector<double>> parameters_of(const FemCase& fem, const Eigen::
     normal.insert(normal.end(), {amplitude, static_cast<double>(order), phase});
   for (const auto& oscillation : fem.motion.tangential) orders.push_back(oscillation.order);
   return {{profile.begin(), profile.end()},
-          {relaxed, viscosity},
+          {relaxed, viscosity, fem.any_order ? 1.0 : 0.0},
           moduli,
           times,
           {fem.motion.indentation, static_cast<double>(fem.motion.n_ramp_cycles), fem.motion.normal_force ? 1.0 : 0.0},
@@ -28,7 +28,8 @@ std::vector<std::vector<double>> parameters_of(const FemCase& fem, const Eigen::
 NormalRecord make_record(const FemCase& fem, const fem::ContactProblem& problem, const Eigen::VectorXd& profile,
                          const fem::HistoryControl& control) {
   Stopwatch watch;
-  fem::NormalContact start(problem, fem.relaxation, profile, fem.motion, control.steps_per_cycle);
+  fem::NormalContact start(problem, fem.relaxation, profile, fem.motion, control.steps_per_cycle,
+                           fem.any_order ? fem::ForceReading::sum_of_rings : fem::ForceReading::up_to_the_edge);
   NormalRecord record;
   const auto add = [&record](const fem::NormalContact& contact) {
     record.pressures.push_back(contact.pressure);

@@ -41,6 +41,8 @@ class NormalContact {
   [[nodiscard]] const RelaxationModel& relaxation() const { return relaxation_; }
   [[nodiscard]] const Motion& motion() const { return motion_; }
   [[nodiscard]] int steps_per_cycle() const { return steps_per_cycle_; }
+  /// Whether rings are supposed to touch one after the other, from the centre outwards.
+  [[nodiscard]] bool touches_in_order() const { return how_ == ForceReading::up_to_the_edge; }
 
   /// What the next step depends on; into a contact that was made of the same arguments.
   template <class Archive>
