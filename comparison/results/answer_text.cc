@@ -7,6 +7,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "comparison/results/zones_json.h"
+
 namespace fretval {
 namespace {
 
@@ -79,6 +81,35 @@ std::string wear_text(const ProvedWear& wear, const Units& units) {
   return text + "; what still bears pressure sticks throughout, and wears no more\n";
 }
 
+double bar_of(const ordered_json& fe, const char* key) {
+  const auto& bars = fe.at("error_estimate");
+  const auto found = bars.find(key);
+  return found != bars.end() && found->is_object() ? number_in(*found, "total").value_or(0) : 0;
+}
+
+/// Of finite elements alone, for a profile that MDR does not hold for.
+Answer answer_beyond_mdr(const ordered_json& result) {
+  const auto& fe = result.at("fe");
+  Answer answer{"not compared: MDR does not hold for this profile: " + beyond_text(result.at("not_compared")), {}};
+  const auto scales = scales_of(result);
+  const auto add = [&](const std::string& title, const std::string& text) {
+    answer.rows.push_back({title, text, "–", "–", true});
+  };
+  for (const auto quantity : quantities_by_interest) {
+    const auto& traits = traits_of(quantity);
+    const auto value = number_in(fe, traits.name);
+    if (!value || !fe.at("error_estimate").contains(traits.name)) continue;
+    add(traits.title, with_unit(*value, bar_of(fe, traits.name) * scale_of(quantity, scales, *value), traits.unit));
+  }
+  const auto& zones = fe.at("zones");
+  if (const auto pressure = number_in(fe, "pressure_max"))
+    add("largest pressure", with_unit(*pressure, number_in(zones, "pressure_max_bar").value_or(0), "Pa"));
+  add("contact, r", annuli_text(zones.at("contact")));
+  add("stick, first slip, r", annuli_text(zones.at("first_slip")));
+  add("stick, shakedown, r", annuli_text(zones.at("shakedown")));
+  return answer;
+}
+
 }  // namespace
 
 UnitPrefix prefix_for(double value) {
@@ -103,6 +134,7 @@ Scales scales_of(const ordered_json& result) {
 }
 
 Answer answer_of(const ordered_json& result) {
+  if (result.contains("not_compared")) return answer_beyond_mdr(result);
   Answer answer{verdict_text(result), {}};
   const auto scales = scales_of(result);
   for (const auto quantity : quantities_by_interest) {
@@ -129,6 +161,11 @@ std::string answer_text(const CaseResult& result) {
     return fmt::format("  {:<28} {:<28} {}\n", title, fe, mdr);
   };
   const auto answer = answer_of(result_json(result));
+  if (result.beyond_mdr) {
+    auto text = fmt::format("{}: {}\n", result.input.name, answer.verdict);
+    for (const auto& one : answer.rows) text += fmt::format("  {:<28} {}\n", one.title, one.fe);
+    return text;
+  }
   auto text = fmt::format("{}: {}\n", result.input.name, answer.verdict) + row("", "finite elements", "MDR");
   for (const auto& one : answer.rows) text += row(one.title, one.fe, one.mdr);
   if (result.wear) return text + wear_text(*result.wear, result.fem_case.units);

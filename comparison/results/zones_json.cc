@@ -1,0 +1,94 @@
+#include "comparison/results/zones_json.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "comparison/results/answer_text.h"
+
+namespace fretval {
+namespace {
+
+using nlohmann::ordered_json;
+
+ordered_json total_of(const std::optional<ErrorBar>& bar) {
+  return bar && std::isfinite(bar->total()) ? ordered_json(bar->total()) : ordered_json(nullptr);
+}
+
+ordered_json annuli_json(const std::vector<fem::Annulus>& annuli, const std::vector<AnnulusBar>& bars) {
+  auto list = ordered_json::array();
+  for (std::size_t k = 0; k < annuli.size(); ++k) {
+    const auto bar = k < bars.size() ? bars[k] : AnnulusBar{};
+    list.push_back({{"inner", annuli[k].inner},
+                    {"outer", annuli[k].outer},
+                    {"inner_bar", total_of(bar.inner)},
+                    {"outer_bar", total_of(bar.outer)}});
+  }
+  return list;
+}
+
+/// Null: the zone is one disc, and has a radius.
+ordered_json why_no_radius(const std::vector<fem::Annulus>& zone) {
+  if (zone.empty()) return "nothing sticks";
+  if (zone.size() > 1) return fmt::format("{} annuli stick", zone.size());
+  return zone.front().inner > 0 ? ordered_json("an annulus sticks, and no disc") : ordered_json(nullptr);
+}
+
+std::string percent(double share) {
+  return fmt::format("{:+.2g} %", 100 * share);
+}
+
+}  // namespace
+
+ordered_json zones_json(const ZoneAnswer& zones, const std::optional<ZoneBudget>& bars) {
+  const auto known = bars.value_or(ZoneBudget{});
+  return {{"contact", annuli_json(zones.contact, known.contact)},
+          {"first_slip", annuli_json(zones.first_slip, known.first_slip)},
+          {"shakedown", annuli_json(zones.shakedown, known.shakedown)},
+          {"why_no_radius", {{"first_slip", why_no_radius(zones.first_slip)}, {"shakedown", why_no_radius(zones.shakedown)}}},
+          {"contact_uncertainty", zones.contact_uncertainty},
+          {"pressure_max_bar", bars ? total_of(known.pressure_max) : ordered_json(nullptr)}};
+}
+
+ordered_json to_json(const BeyondMdr& beyond, double depth) {
+  auto falls = ordered_json::array();
+  for (const auto& [from, to] : beyond.falls) falls.push_back({{"from", from}, {"to", to}});
+  return {{"reason", "MDR does not hold for this profile"},
+          {"image_falls", falls},
+          {"at_rest",
+           {{"indentation", depth},
+            {"normal_force", beyond.force},
+            {"contact_radius", beyond.contact_radius},
+            {"normal_force_of_springs", beyond.force_of_springs},
+            {"contact_radius_of_springs", beyond.springs.radius},
+            {"normal_force_difference", beyond.force_difference()},
+            {"contact_radius_difference", beyond.radius_difference()}}}};
+}
+
+std::string beyond_text(const ordered_json& not_compared) {
+  std::string text;
+  for (const auto& fall : not_compared.at("image_falls"))
+    text += fmt::format("{}{} to {}", text.empty() ? "its one-dimensional image g(x) falls for x = " : ", ",
+                        with_unit(fall.at("from").get<double>(), 0, "m"), with_unit(fall.at("to").get<double>(), 0, "m"));
+  const auto& at_rest = not_compared.at("at_rest");
+  return text + fmt::format(". At rest at the largest indentation its springs would be off by {} of the normal force and "
+                            "{} of the contact radius",
+                            percent(at_rest.at("normal_force_difference").get<double>()),
+                            percent(at_rest.at("contact_radius_difference").get<double>()));
+}
+
+std::string annuli_text(const ordered_json& annuli) {
+  std::string text;
+  const auto end = [](const ordered_json& annulus, const char* key, const char* bar) {
+    const double width = annulus.at(bar).is_number() ? annulus.at(bar).get<double>() : 0;
+    return with_unit(annulus.at(key).get<double>(), width, "m");
+  };
+  for (const auto& annulus : annuli)
+    text += (text.empty() ? "" : "; ") +
+            (annulus.at("inner") == 0.0 ? "0" : end(annulus, "inner", "inner_bar")) + " to " +
+            end(annulus, "outer", "outer_bar");
+  return text.empty() ? "none" : text;
+}
+
+}  // namespace fretval
