@@ -23,8 +23,8 @@ struct ProvedAnswer {
   FeAnswer fe;            ///< at the chosen resolution, with the stick radii of the focused ones; or gross slip
   std::string failure;    ///< of the numerics; not empty: there is no answer
   Resolution resolution;  ///< chosen
-  std::map<Quantity, Focus> focus;  ///< stick radii that are read from a graded mesh
-  ErrorBudget budget;               ///< empty with Proof::none
+  std::map<Quantity, Focus> focus;           ///< stick radii that are read from a graded mesh
+  ErrorBudget budget;                        ///< empty with Proof::none
   std::optional<ZoneBudget> zone_bars = {};  ///< where rings touch in any order, and with a proof
   int n_refinements = 0, n_computations = 0;
   BodyCount bodies;    ///< of all computations

@@ -62,7 +62,8 @@ bool focus_on(Quantity quantity, double least_gain, const PreparedCase& prepared
               Tracks& tracks) {
   const auto& motion = prepared.fem.motion;
   const bool nothing_moves = motion.normal.empty() && motion.tangential.empty();  // and nothing slips
-  if (prepared.input.rings_per_radius || prepared.fem.worn_edge || prepared.fem.any_order || nothing_moves) return false;
+  if (prepared.input.rings_per_radius || prepared.fem.worn_edge || prepared.fem.any_order || nothing_moves)
+    return false;
   const auto focus = closer_look(quantity, tracks, computed, prepared.tolerances);
   if (!focus || focus->ring > ring_of(tracks.of(quantity)) / least_gain) return false;
   Resolution closer = tracks.base;

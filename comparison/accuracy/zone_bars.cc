@@ -36,12 +36,13 @@ struct Measured {
 std::optional<ErrorBar> end_bar(const Measured& measured, Zone zone, std::size_t k, End end, double uncertainty) {
   const auto n = (measured.at(measured.resolution)->*zone).size();
   const auto quantity = zone == &ZoneAnswer::contact ? Quantity::contact_radius_max : Quantity::stick_radius_shakedown;
+  const double length = measured.computed.units().length;
   auto bar = measured.bar_of(quantity, [=](const ZoneAnswer& zones) {
     const auto& annuli = zones.*zone;
-    return annuli.size() == n ? annuli[k].*end : unknown;
+    return annuli.size() == n ? annuli[k].*end / length : unknown;
   });
   if (!std::isfinite(bar.total())) return std::nullopt;
-  bar.add(ErrorSource::edge, uncertainty);
+  bar.add(ErrorSource::edge, uncertainty / length);
   return bar;
 }
 
@@ -66,9 +67,10 @@ ZoneBudget zone_budget(const Resolution& resolution, const Computations& compute
   const Measured measured{resolution, computed, needs};
   const auto& zones = *measured.at(resolution);
   const double half = half_a_ring(computed.at(resolution), computed.units().length);
-  return {bars_of(measured, &ZoneAnswer::contact, zones.contact_uncertainty),
-          bars_of(measured, &ZoneAnswer::first_slip, half), bars_of(measured, &ZoneAnswer::shakedown, half),
-          measured.bar_of(Quantity::normal_force_max, [](const ZoneAnswer& one) { return one.pressure_max; })};
+  return {
+      bars_of(measured, &ZoneAnswer::contact, zones.contact_uncertainty),
+      bars_of(measured, &ZoneAnswer::first_slip, half), bars_of(measured, &ZoneAnswer::shakedown, half),
+      measured.bar_of(Quantity::normal_force_max, [](const ZoneAnswer& one) { return std::log(one.pressure_max); })};
 }
 
 }  // namespace fretval

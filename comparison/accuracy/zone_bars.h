@@ -8,13 +8,13 @@
 
 namespace fretval {
 
-/// How far the ends of an annulus may be off, in m. Empty: refinements have other zones, so that nothing is known; or
-/// the inner end of a disc.
+/// How far the ends of an annulus may be off, over the unit of length. Empty: refinements have other zones, so that
+/// nothing is known; or the inner end of a disc.
 struct AnnulusBar {
   std::optional<ErrorBar> inner, outer;
 };
 
-/// The bars of a ZoneAnswer, annulus by annulus, and that of the largest pressure in Pa.
+/// The bars of a ZoneAnswer, annulus by annulus, and that of the largest pressure, relative.
 struct ZoneBudget {
   std::vector<AnnulusBar> contact, first_slip, shakedown;
   ErrorBar pressure_max;

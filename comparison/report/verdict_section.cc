@@ -107,8 +107,12 @@ Filling verdict_section(const Results& results) {
                           e.n_with_bar > 0 ? fmt::format("{} of {}", e.n_covered, e.n_with_bar) : "–", e.name});
   }
   Filling filling{{"template", "verdict"},
-                  {"badge", !all ? "bad" : n_compared > 0 ? "good" : "maybe"},
-                  {"verdict", !all ? "not confirmed" : n_compared > 0 ? "confirmed" : "not compared"},
+                  {"badge", !all             ? "bad"
+                            : n_compared > 0 ? "good"
+                                             : "maybe"},
+                  {"verdict", !all             ? "not confirmed"
+                              : n_compared > 0 ? "confirmed"
+                                               : "not compared"},
                   {"proof", proof_text(results)}};
   if (results.size() == 1) {
     filling["sentence"] = sentence_of(results.front());

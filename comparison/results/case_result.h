@@ -15,8 +15,8 @@ namespace fretval {
 struct BeyondMdr {
   std::vector<mdr::FallOfImage> falls;
   mdr::NaiveContact springs;
-  double force_of_springs;                       ///< N
-  double force, contact_radius;                  ///< of finite elements
+  double force_of_springs;       ///< N
+  double force, contact_radius;  ///< of finite elements
   [[nodiscard]] double force_difference() const { return force_of_springs / force - 1; }
   [[nodiscard]] double radius_difference() const { return springs.radius / contact_radius - 1; }
 };

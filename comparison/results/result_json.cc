@@ -33,17 +33,19 @@ ordered_json case_json(const CaseResult& result) {
   const double at_rest = normal_force ? mdr::indentation_for_force(result.mdr_case.profile,
                                                                    input.elastomer.relaxed_modulus, motion.indentation)
                                       : motion.indentation;
-  ordered_json json{{"file", input.file},
-                    {"shape", Case::shape_names[static_cast<std::size_t>(input.indenter.shape)]},
-                    {"rheology", input.elastomer.rheology},
-                    {"friction_coefficient", input.friction_coefficient},
-                    {"frequency", motion.normal.front().frequency},
-                    {"tangential_frequency", motion.tangential.front().frequency},
-                    {"phase", or_null(input.motion.phase)},
-                    {"wear", input.wear == Case::Wear::limiting ? "limiting" : "unworn"},
-                    {"contact_radius_at_rest", beyond ? ordered_json(nullptr) : ordered_json(mdr::inverse_transform(result.mdr_case.profile, at_rest))},
-                    {"contact_radius_unworn", beyond ? result.fe.fe.contact_radius_max.value() : result.fem_case.units.length},
-                    {"tolerance", input.tolerance}};
+  ordered_json json{
+      {"file", input.file},
+      {"shape", Case::shape_names[static_cast<std::size_t>(input.indenter.shape)]},
+      {"rheology", input.elastomer.rheology},
+      {"friction_coefficient", input.friction_coefficient},
+      {"frequency", motion.normal.front().frequency},
+      {"tangential_frequency", motion.tangential.front().frequency},
+      {"phase", or_null(input.motion.phase)},
+      {"wear", input.wear == Case::Wear::limiting ? "limiting" : "unworn"},
+      {"contact_radius_at_rest",
+       beyond ? ordered_json(nullptr) : ordered_json(mdr::inverse_transform(result.mdr_case.profile, at_rest))},
+      {"contact_radius_unworn", beyond ? result.fe.fe.contact_radius_max.value() : result.fem_case.units.length},
+      {"tolerance", input.tolerance}};
   json[normal_force ? "normal_force_mean" : "indentation"] = motion.indentation;
   json[normal_force ? "normal_force_amplitude" : "normal_amplitude"] = motion.normal.front().amplitude;
   json[tangential_force ? "tangential_force_amplitude" : "tangential_amplitude"] = motion.tangential.front().amplitude;
@@ -113,7 +115,7 @@ ordered_json fe_json(const CaseResult& result) {
     json["error_estimate"][name_of(quantity)] = bar_json(difference.bar);
   if (result.beyond_mdr)
     for (const auto& [quantity, bar] : result.fe.budget) json["error_estimate"][name_of(quantity)] = bar_json(bar);
-  if (fe.zones) json["zones"] = zones_json(*fe.zones, result.fe.zone_bars);
+  if (fe.zones) json["zones"] = zones_json(*fe.zones, result.fe.zone_bars, result.fem_case.units.length);
   if (result.wear) {
     json["worn_radius"] = result.wear->fe.worn_radius * result.fem_case.units.length;
     json["wear"] = to_json(*result.wear, result.fem_case.units);

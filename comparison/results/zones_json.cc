@@ -12,18 +12,18 @@ namespace {
 
 using nlohmann::ordered_json;
 
-ordered_json total_of(const std::optional<ErrorBar>& bar) {
-  return bar && std::isfinite(bar->total()) ? ordered_json(bar->total()) : ordered_json(nullptr);
+ordered_json total_of(const std::optional<ErrorBar>& bar, double unit) {
+  return bar && std::isfinite(bar->total()) ? ordered_json(bar->total() * unit) : ordered_json(nullptr);
 }
 
-ordered_json annuli_json(const std::vector<fem::Annulus>& annuli, const std::vector<AnnulusBar>& bars) {
+ordered_json annuli_json(const std::vector<fem::Annulus>& annuli, const std::vector<AnnulusBar>& bars, double length) {
   auto list = ordered_json::array();
   for (std::size_t k = 0; k < annuli.size(); ++k) {
     const auto bar = k < bars.size() ? bars[k] : AnnulusBar{};
     list.push_back({{"inner", annuli[k].inner},
                     {"outer", annuli[k].outer},
-                    {"inner_bar", total_of(bar.inner)},
-                    {"outer_bar", total_of(bar.outer)}});
+                    {"inner_bar", total_of(bar.inner, length)},
+                    {"outer_bar", total_of(bar.outer, length)}});
   }
   return list;
 }
@@ -41,14 +41,15 @@ std::string percent(double share) {
 
 }  // namespace
 
-ordered_json zones_json(const ZoneAnswer& zones, const std::optional<ZoneBudget>& bars) {
+ordered_json zones_json(const ZoneAnswer& zones, const std::optional<ZoneBudget>& bars, double length) {
   const auto known = bars.value_or(ZoneBudget{});
-  return {{"contact", annuli_json(zones.contact, known.contact)},
-          {"first_slip", annuli_json(zones.first_slip, known.first_slip)},
-          {"shakedown", annuli_json(zones.shakedown, known.shakedown)},
-          {"why_no_radius", {{"first_slip", why_no_radius(zones.first_slip)}, {"shakedown", why_no_radius(zones.shakedown)}}},
+  return {{"contact", annuli_json(zones.contact, known.contact, length)},
+          {"first_slip", annuli_json(zones.first_slip, known.first_slip, length)},
+          {"shakedown", annuli_json(zones.shakedown, known.shakedown, length)},
+          {"why_no_radius",
+           {{"first_slip", why_no_radius(zones.first_slip)}, {"shakedown", why_no_radius(zones.shakedown)}}},
           {"contact_uncertainty", zones.contact_uncertainty},
-          {"pressure_max_bar", bars ? total_of(known.pressure_max) : ordered_json(nullptr)}};
+          {"pressure_max_bar", bars ? total_of(known.pressure_max, zones.pressure_max) : ordered_json(nullptr)}};
 }
 
 ordered_json to_json(const BeyondMdr& beyond, double depth) {
@@ -68,14 +69,19 @@ ordered_json to_json(const BeyondMdr& beyond, double depth) {
 
 std::string beyond_text(const ordered_json& not_compared) {
   std::string text;
+  const auto length = [](const ordered_json& value) {
+    const auto [prefix, factor] = prefix_for(value.get<double>());
+    return value == 0.0 ? "0" : fmt::format("{:.4g} {}m", value.get<double>() / factor, prefix);
+  };
   for (const auto& fall : not_compared.at("image_falls"))
     text += fmt::format("{}{} to {}", text.empty() ? "its one-dimensional image g(x) falls for x = " : ", ",
-                        with_unit(fall.at("from").get<double>(), 0, "m"), with_unit(fall.at("to").get<double>(), 0, "m"));
+                        length(fall.at("from")), length(fall.at("to")));
   const auto& at_rest = not_compared.at("at_rest");
-  return text + fmt::format(". At rest at the largest indentation its springs would be off by {} of the normal force and "
-                            "{} of the contact radius",
-                            percent(at_rest.at("normal_force_difference").get<double>()),
-                            percent(at_rest.at("contact_radius_difference").get<double>()));
+  return text + fmt::format(
+                    ". At rest at the largest indentation its springs would be off by {} of the normal force and "
+                    "{} of the contact radius",
+                    percent(at_rest.at("normal_force_difference").get<double>()),
+                    percent(at_rest.at("contact_radius_difference").get<double>()));
 }
 
 std::string annuli_text(const ordered_json& annuli) {
@@ -85,9 +91,8 @@ std::string annuli_text(const ordered_json& annuli) {
     return with_unit(annulus.at(key).get<double>(), width, "m");
   };
   for (const auto& annulus : annuli)
-    text += (text.empty() ? "" : "; ") +
-            (annulus.at("inner") == 0.0 ? "0" : end(annulus, "inner", "inner_bar")) + " to " +
-            end(annulus, "outer", "outer_bar");
+    text += (text.empty() ? "" : "; ") + (annulus.at("inner") == 0.0 ? "0" : end(annulus, "inner", "inner_bar")) +
+            " to " + end(annulus, "outer", "outer_bar");
   return text.empty() ? "none" : text;
 }
 

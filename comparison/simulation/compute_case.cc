@@ -56,12 +56,12 @@ FeAnswer answer_of_histories(const ContactProblems& problems, const FemCase& fem
   const auto record = normals.find_or_make(fem, problems.normal, profile, control);
   auto normal = record->history;
   Stopwatch watch;
-  const auto contact_radius =
-      fem.any_order ? std::nullopt : read_contact_radius(problems.normal, fem, profile, normal);
+  const auto contact_radius = fem.any_order ? std::nullopt : read_contact_radius(problems.normal, fem, profile, normal);
   auto friction = friction_beside(*record, normal, problems, fem, control);
 
-  auto answer =
-      fem.any_order ? read_zones(problems, fem, profile, std::move(normal), std::move(friction)) : read_answer(problems, fem, profile, contact_radius, std::move(normal), std::move(friction));
+  auto answer = fem.any_order
+                    ? read_zones(problems, fem, profile, std::move(normal), std::move(friction))
+                    : read_answer(problems, fem, profile, contact_radius, std::move(normal), std::move(friction));
   answer.seconds = {record->seconds, watch.lap()};
   return answer;
 }

@@ -99,7 +99,8 @@ std::function<double(double)> profile_in(const Units& units, const Case& input, 
   };
 }
 
-/// Surfaces that are pressed sink everywhere, so an indenter touches no further out than it is as deep as it is pressed.
+/// Surfaces that are pressed sink everywhere, so an indenter touches no further out than it is as deep as it is
+/// pressed.
 double farthest_depth(const Case& input, const mdr::Profile& profile, double depth) {
   constexpr int n_parts = 20000;
   const double end = mdr::end_radius(profile);

@@ -65,8 +65,8 @@ void add_stick(const fem::ContactProblem& problem, const FemCase& fem, const fem
   const auto never = rings_that(n, [&](auto i) {
     return friction.slip_path[i] <= never_slipped * friction.amplitude && friction.first_slip_margin[i] > 0;
   });
-  const auto no_more = rings_that(
-      n, [&](auto i) { return friction.period_slip[i] <= allowed && friction.shakedown_margin[i] > 0; });
+  const auto no_more =
+      rings_that(n, [&](auto i) { return friction.period_slip[i] <= allowed && friction.shakedown_margin[i] > 0; });
   zones.first_slip = in_metres(fem::stick_annuli(problem, friction.first_slip_margin, never), fem.units.length);
   zones.shakedown = in_metres(fem::stick_annuli(problem, friction.shakedown_margin, no_more), fem.units.length);
 }

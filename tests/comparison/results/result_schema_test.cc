@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "tests/comparison/damaged_case.h"
 #include "tests/comparison/read_case.h"
 #include "tests/comparison/run_fretval.h"
 
@@ -17,7 +18,8 @@ std::string said_of(const fs::path& file, const ScratchFolder& folder) {
   return run.exit_code == 0 ? "" : run.out + run.err;
 }
 
-/// Every kind of result: with bars, of a sweep, unlocked, limiting, with forces, gross slip, with harmonics, worn.
+/// Every kind of result: with bars, beyond MDR, of a sweep, unlocked, limiting, with forces, gross slip, with
+/// harmonics, worn.
 fs::path run_of_every_kind(const ScratchFolder& folder) {
   const auto elastic = elastic_case();
   const auto limiting = "subsection Wear\n  set State = limiting\n  set Stick radius ratio = 0.5\nend\n";
@@ -34,6 +36,7 @@ fs::path run_of_every_kind(const ScratchFolder& folder) {
   folder.write("harmonics.prm",
                replace(elastic, "Phase = 60", "Phase = 60\n  set Normal harmonics = 5 um, 2 Hz, 0 deg"));
   folder.write("worn.prm", elastic + "subsection Wear\n  set Coefficient = 1e-12\n  set Cycles = 100\nend\n");
+  write_damaged_case(folder, groove(0.5, 0.7, 0.04));
   const auto out = folder.path() / "out";
   const auto run = fretval_run("-q run --proof bars " + quoted(folder.path()) + " -o " + quoted(out), folder);
   EXPECT_TRUE(run.exit_code == 0 || run.exit_code == 1) << run.err;
@@ -48,7 +51,7 @@ TEST(ResultSchema, HoldsForEveryKindOfResult) {
     EXPECT_EQ(said_of(entry.path(), folder), "") << entry.path();
     ++n_results;
   }
-  EXPECT_EQ(n_results, 9);
+  EXPECT_EQ(n_results, 10);
 }
 
 TEST(ResultSchema, RefusesWhatItDoesNotSay) {
