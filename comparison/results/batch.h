@@ -13,12 +13,12 @@ namespace fretval {
 struct BatchLine {
   std::string name;
   bool pass = false;
-  bool compared = true;  ///< false: MDR does not hold for the profile, and nothing can disagree
-  std::string failure;   ///< not empty: the numerics failed on this case, with this message
+  std::string failure;  ///< not empty: the numerics failed on this case, with this message
   Comparison comparison;
   std::string answer = {};  ///< for people, see answer_text
   std::string json = {};    ///< result.json in one line
   double seconds = 0;
+  bool compared = true;  ///< false: MDR does not hold for the profile, and nothing can disagree
 };
 
 struct BatchOptions {

@@ -27,7 +27,7 @@ struct RingBoundaryElements {
   /// The least pressures that leave no gap negative, by projected Gauss-Seidel.
   [[nodiscard]] Eigen::VectorXd pressures(const Eigen::VectorXd& target) const {
     Eigen::VectorXd p = Eigen::VectorXd::Zero(target.size());
-    for (int sweep = 0; sweep < 4000; ++sweep) {
+    for (int sweep = 0; sweep < 20000; ++sweep) {
       double change = 0;
       for (Eigen::Index i = 0; i < p.size(); ++i) {
         const double next = std::max(0.0, p[i] + (target[i] - matrix.row(i).dot(p)) / matrix(i, i));
@@ -40,8 +40,15 @@ struct RingBoundaryElements {
   }
 
  private:
+  /// K(k) = pi / (2 agm(1, k')), k' = |r - s|/(r + s), which does not round to a singularity next to r.
   static double kernel(double r, double s) {
-    return s / (r + s) * std::comp_ellint_1(2 * std::sqrt(r * s) / (r + s)) / std::acos(-1.0);
+    double a = 1, b = std::abs(r - s) / (r + s);
+    while (a - b > 1e-15 * a) {
+      const double mean = (a + b) / 2;
+      b = std::sqrt(a * b);
+      a = mean;
+    }
+    return s / (r + s) / (2 * a);
   }
 
   /// Next to its logarithmic singularity in halves, towards it.

@@ -160,7 +160,7 @@ TEST_P(FullHistoryOf, OfAGroovedIndenterIsThatOfTheCondensedBody) {
   const auto touching = (pressure.array() > 0).colwise().count();
   EXPECT_TRUE((pressure.middleRows(2, 2).array() == 0).all());
   EXPECT_GT((pressure.bottomRows(4).array() > 0).count(), 3);  // the outer ring comes,
-  EXPECT_GT((pressure.row(4).array() == 0).count(), 3);        // and goes
+  EXPECT_GT((pressure.row(4).array() == 0).count(), 0);        // and goes
   EXPECT_GT(touching.maxCoeff(), 3);
 
   WatchedFriction friction(body(Harmonic::tangential).condensed, GetParam(), mu, motion, n_steps);
