@@ -7,8 +7,6 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "comparison/results/zones_json.h"
-
 namespace fretval {
 namespace {
 
@@ -79,6 +77,10 @@ std::string wear_text(const ProvedWear& wear, const Units& units) {
   if (wear.fe.course.end == fem::WearEnd::cycles)
     return text + fmt::format("; still {:.2g} from the limiting profile\n", wear.distance_shakedown.back());
   return text + "; what still bears pressure sticks throughout, and wears no more\n";
+}
+
+std::string percent(double share) {
+  return fmt::format("{:+.2g} %", 100 * share);
 }
 
 double bar_of(const ordered_json& fe, const char* key) {
@@ -152,6 +154,35 @@ Answer answer_of(const ordered_json& result) {
                            difference ? fmt::format("{:+.1e}", *difference) : "–", compared->at("pass").get<bool>()});
   }
   return answer;
+}
+
+std::string beyond_text(const ordered_json& not_compared) {
+  std::string text;
+  const auto length = [](const ordered_json& value) {
+    const auto [prefix, factor] = prefix_for(value.get<double>());
+    return value == 0.0 ? "0" : fmt::format("{:.4g} {}m", value.get<double>() / factor, prefix);
+  };
+  for (const auto& fall : not_compared.at("image_falls"))
+    text += fmt::format("{}{} to {}", text.empty() ? "its one-dimensional image g(x) falls for x = " : ", ",
+                        length(fall.at("from")), length(fall.at("to")));
+  const auto& at_rest = not_compared.at("at_rest");
+  return text + fmt::format(
+                    ". At rest at the largest indentation its springs would be off by {} of the normal force and "
+                    "{} of the contact radius",
+                    percent(at_rest.at("normal_force_difference").get<double>()),
+                    percent(at_rest.at("contact_radius_difference").get<double>()));
+}
+
+std::string annuli_text(const ordered_json& annuli) {
+  std::string text;
+  const auto end = [](const ordered_json& annulus, const char* key, const char* bar) {
+    const double width = annulus.at(bar).is_number() ? annulus.at(bar).get<double>() : 0;
+    return with_unit(annulus.at(key).get<double>(), width, "m");
+  };
+  for (const auto& annulus : annuli)
+    text += (text.empty() ? "" : "; ") + (annulus.at("inner") == 0.0 ? "0" : end(annulus, "inner", "inner_bar")) +
+            " to " + end(annulus, "outer", "outer_bar");
+  return text.empty() ? "none" : text;
 }
 
 std::string answer_text(const CaseResult& result) {

@@ -5,8 +5,6 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "comparison/results/answer_text.h"
-
 namespace fretval {
 namespace {
 
@@ -35,10 +33,6 @@ ordered_json why_no_radius(const std::vector<fem::Annulus>& zone) {
   return zone.front().inner > 0 ? ordered_json("an annulus sticks, and no disc") : ordered_json(nullptr);
 }
 
-std::string percent(double share) {
-  return fmt::format("{:+.2g} %", 100 * share);
-}
-
 }  // namespace
 
 ordered_json zones_json(const ZoneAnswer& zones, const std::optional<ZoneBudget>& bars, double length) {
@@ -65,35 +59,6 @@ ordered_json to_json(const BeyondMdr& beyond, double depth) {
             {"contact_radius_of_springs", beyond.springs.radius},
             {"normal_force_difference", beyond.force_difference()},
             {"contact_radius_difference", beyond.radius_difference()}}}};
-}
-
-std::string beyond_text(const ordered_json& not_compared) {
-  std::string text;
-  const auto length = [](const ordered_json& value) {
-    const auto [prefix, factor] = prefix_for(value.get<double>());
-    return value == 0.0 ? "0" : fmt::format("{:.4g} {}m", value.get<double>() / factor, prefix);
-  };
-  for (const auto& fall : not_compared.at("image_falls"))
-    text += fmt::format("{}{} to {}", text.empty() ? "its one-dimensional image g(x) falls for x = " : ", ",
-                        length(fall.at("from")), length(fall.at("to")));
-  const auto& at_rest = not_compared.at("at_rest");
-  return text + fmt::format(
-                    ". At rest at the largest indentation its springs would be off by {} of the normal force and "
-                    "{} of the contact radius",
-                    percent(at_rest.at("normal_force_difference").get<double>()),
-                    percent(at_rest.at("contact_radius_difference").get<double>()));
-}
-
-std::string annuli_text(const ordered_json& annuli) {
-  std::string text;
-  const auto end = [](const ordered_json& annulus, const char* key, const char* bar) {
-    const double width = annulus.at(bar).is_number() ? annulus.at(bar).get<double>() : 0;
-    return with_unit(annulus.at(key).get<double>(), width, "m");
-  };
-  for (const auto& annulus : annuli)
-    text += (text.empty() ? "" : "; ") + (annulus.at("inner") == 0.0 ? "0" : end(annulus, "inner", "inner_bar")) +
-            " to " + end(annulus, "outer", "outer_bar");
-  return text.empty() ? "none" : text;
 }
 
 }  // namespace fretval

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "comparison/results/answer_text.h"
 #include "tests/comparison/damaged_case.h"
 #include "tests/comparison/expect_parts.h"
 #include "tests/comparison/run_fretval.h"
