@@ -51,7 +51,7 @@ TEST(ZoneAnswer, AGrooveBeyondTheContactChangesNothing) {
 
 // As long as all inside the edge touches, the problem is linear and springs are exact, whether the image falls or not.
 TEST(ZoneAnswer, AGrooveThatIsClosedBearsWhatItsSpringsDo) {
-  const auto prepared = prepared_damaged(groove(0.5, 0.8, 0.002));
+  const auto prepared = prepared_damaged(groove(0.5, 0.7, 0.004));
   ASSERT_FALSE(prepared.mdr.falls().empty());
   const auto fe = computed(prepared.fem, with_rings(coarse, 2));
   ASSERT_EQ(fe.zones->contact.size(), 1U);
