@@ -38,7 +38,7 @@ TEST(Annuli, RangesAreRingsSideBySide) {
   EXPECT_EQ(annuli[0].outer, 1.5);
 }
 
-// Hertz: a = sqrt(d), wherever that lies in its ring. Second order in the ring; 1e-4 at 32 rings.
+// Hertz: a = sqrt(d), wherever that lies in its ring. Second order in the ring.
 TEST(Annuli, OfAParabolaAreItsDisc) {
   const auto parabola = [](double r) { return r * r / 2; };
   double before = 0;
