@@ -36,10 +36,14 @@ void add_cycle(const std::optional<Cycle>& cycle, const Units& units, Quantities
 
 Quantities quantities_of(const FeAnswer& fe, const Units& units) {
   Quantities values;
-  if (fe.axis_pressure_max) values[Quantity::axis_pressure_max] = std::log(*fe.axis_pressure_max / units.pressure());
-  if (fe.contact_radius_max) values[Quantity::contact_radius_max] = *fe.contact_radius_max / units.length;
   add_response(fe, fe.normal_force_max, units, values);
   add_cycle(fe.cycle, units, values);
+  if (fe.zones) {  // whose unit of length is no contact radius, and whose stick radii are ends of zones
+    values[Quantity::contact_radius_max] = std::log(fe.contact_radius_max.value() / units.length);
+    return values;
+  }
+  if (fe.axis_pressure_max) values[Quantity::axis_pressure_max] = std::log(*fe.axis_pressure_max / units.pressure());
+  if (fe.contact_radius_max) values[Quantity::contact_radius_max] = *fe.contact_radius_max / units.length;
   values[Quantity::stick_radius_first_slip] = fe.stick_radius_first_slip.value_or(0) / units.length;
   if (!fe.single_pass) values[Quantity::stick_radius_shakedown] = fe.stick_radius_shakedown.value_or(0) / units.length;
   if (fe.no_wear) {

@@ -35,6 +35,7 @@ class Computations {
   [[nodiscard]] bool failed(const Resolution& resolution) const { return !at(resolution).failure.empty(); }
   /// What is compared, by resolution; none where the numerics failed.
   [[nodiscard]] const std::map<Resolution, Quantities>& quantities() const { return quantities_; }
+  [[nodiscard]] const Units& units() const { return units_; }
   [[nodiscard]] int size() const { return static_cast<int>(all_.size()); }
   [[nodiscard]] BodyCount bodies() const { return count_bodies_of(all_); }
 

@@ -23,10 +23,14 @@ Quantities uncertainties_of_edges(const Computation& computation, const FemCase&
   if (fe.indentation_max) uncertainties[Quantity::indentation_max] = fe.indentation_uncertainty / *fe.indentation_max;
   if (fe.normal_force_max > 0)
     uncertainties[Quantity::normal_force_max] = fe.normal_force_uncertainty / fe.normal_force_max;
+  if (fe.cycle) add_uncertainties(*fe.cycle, uncertainties);
+  if (fe.zones) {
+    uncertainties[Quantity::contact_radius_max] = fe.contact_radius_uncertainty / fe.contact_radius_max.value();
+    return uncertainties;
+  }
   if (!fem.worn_edge) uncertainties[Quantity::contact_radius_max] = fe.contact_radius_uncertainty / fem.units.length;
   uncertainties[Quantity::stick_radius_first_slip] = fe.first_slip_uncertainty / fem.units.length;
   uncertainties[Quantity::stick_radius_shakedown] = fe.shakedown_uncertainty / fem.units.length;
-  if (fe.cycle) add_uncertainties(*fe.cycle, uncertainties);
   return uncertainties;
 }
 
@@ -128,11 +132,23 @@ void carry_slip_inside(const Track& track, ErrorBudget& budget) {
   if (missing > 0) budget.at(shakedown).add(ErrorSource::edge, missing);
 }
 
+/// What is known of stick radii besides their differences.
+void carry_to_stick_radii(const Track& track, Borders borders, ErrorBudget& bars) {
+  if (borders == Borders::carried) carry_depths(track, bars);
+  if (!track.computed.failed(track.resolution)) carry_creep(track, bars);
+  carry_near_cycle(track, bars);
+  if (track.prepared.fem.worn_edge) carry_slip_inside(track, bars);
+  for (const auto quantity : {Quantity::stick_radius_first_slip, Quantity::stick_radius_shakedown})
+    if (bars.count(quantity) > 0) widen_to_none(track.value(quantity), bars.at(quantity));
+  if (borders == Borders::carried) carry_drift(track, bars);
+}
+
 }  // namespace
 
 CaseNeeds needs_of(const FemCase& fem) {
-  return {fem.relaxation.has_memory(), !fem.motion.locked, fem.worn_edge.has_value(),
-          fem.relaxation.viscosity > 0 || fem.motion.tangential_force, fem.motion.is_single_pass()};
+  return {fem.relaxation.has_memory(), !fem.motion.locked,
+          fem.worn_edge.has_value(),   fem.relaxation.viscosity > 0 || fem.motion.tangential_force || fem.any_order,
+          fem.motion.is_single_pass(), fem.any_order};
 }
 
 std::vector<Resolution> needed_for_bars(const Tracks& tracks, const CaseNeeds& needs) {
@@ -152,13 +168,7 @@ ErrorBudget error_bars(const PreparedCase& prepared, const Tracks& tracks, const
     const Track track{prepared, computed, resolution};
     auto bars = error_budget(resolution, computed.quantities(),
                              uncertainties_of_edges(computed.at(resolution), prepared.fem), needs_of(prepared.fem));
-    if (borders == Borders::carried) carry_depths(track, bars);
-    if (!computed.failed(resolution)) carry_creep(track, bars);
-    carry_near_cycle(track, bars);
-    if (prepared.fem.worn_edge) carry_slip_inside(track, bars);
-    for (const auto quantity : {Quantity::stick_radius_first_slip, Quantity::stick_radius_shakedown})
-      if (bars.count(quantity) > 0) widen_to_none(track.value(quantity), bars.at(quantity));
-    if (borders == Borders::carried) carry_drift(track, bars);
+    if (!prepared.fem.any_order) carry_to_stick_radii(track, borders, bars);
     for (const auto& [quantity, bar] : bars)
       if (tracks.of(quantity) == resolution) all[quantity] = bar;
   }

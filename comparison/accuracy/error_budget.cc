@@ -30,6 +30,7 @@ ExpectedOrder expected_order(ErrorSource source, Quantity quantity, const CaseNe
   if (source == ErrorSource::creep) return {1};
   if (source == ErrorSource::far_field) return {4};
   if (source != ErrorSource::rings) return {3};
+  if (needs.any_order) return {1, 4};
   const auto& traits = traits_of(quantity);
   if (needs.memory && traits.rings_with_memory) return *traits.rings_with_memory;
   constexpr double at_a_worn_edge = 2;

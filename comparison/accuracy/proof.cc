@@ -58,7 +58,9 @@ std::optional<Tracks> finer(const PreparedCase& prepared, const Computations& co
   std::map<Resolution, std::vector<BarToMeet>> bars;  // by track
   for (const auto& [quantity, bar] : error_bars(prepared, tracks, computed, Borders::left_out)) {
     if (traits_of(quantity).comes_along) continue;
-    const double tolerance = tolerance_of(prepared.tolerances, quantity);
+    // Where nothing is compared, no quantity has to be known better than the case asks for.
+    const double tolerance =
+        prepared.fem.any_order ? prepared.input.tolerance : tolerance_of(prepared.tolerances, quantity);
     bars[tracks.of(quantity)].push_back({bar, tolerance});
     if (bar.total() > tolerance) log::info(fmt::format("{}: {}", name, excess_text(quantity, bar, tolerance)));
   }
@@ -153,6 +155,8 @@ ProvedAnswer prove(const PreparedCase& prepared, Proof proof, const Compute& com
   for (const auto& [quantity, resolution] : tracks.focused) answer.focus[quantity] = *resolution.focus;
   const auto borders = proof == Proof::bars ? Borders::carried : Borders::left_out;
   if (proof != Proof::none) answer.budget = error_bars(prepared, tracks, computed, borders);
+  if (proof != Proof::none && prepared.fem.any_order)
+    answer.zone_bars = zone_budget(tracks.base, computed, needs_of(prepared.fem));
   return answer;
 }
 

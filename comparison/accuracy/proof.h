@@ -7,6 +7,7 @@
 #include "comparison/accuracy/computations.h"
 #include "comparison/accuracy/error_budget.h"
 #include "comparison/accuracy/prepared_case.h"
+#include "comparison/accuracy/zone_bars.h"
 #include "comparison/simulation/body_store.h"
 #include "comparison/simulation/fe_answer.h"
 #include "comparison/support/parallel.h"
@@ -22,8 +23,9 @@ struct ProvedAnswer {
   FeAnswer fe;            ///< at the chosen resolution, with the stick radii of the focused ones; or gross slip
   std::string failure;    ///< of the numerics; not empty: there is no answer
   Resolution resolution;  ///< chosen
-  std::map<Quantity, Focus> focus;  ///< stick radii that are read from a graded mesh
-  ErrorBudget budget;               ///< empty with Proof::none
+  std::map<Quantity, Focus> focus;           ///< stick radii that are read from a graded mesh
+  ErrorBudget budget;                        ///< empty with Proof::none
+  std::optional<ZoneBudget> zone_bars = {};  ///< where rings touch in any order, and with a proof
   int n_refinements = 0, n_computations = 0;
   BodyCount bodies;    ///< of all computations
   double seconds = 0;  ///< of the chosen resolutions if they were computed alone, without a proof

@@ -36,9 +36,10 @@ struct FixedByCase {
 
 /// What the errors of a case depend on: an elastic body has no memory of its start, a single pass starts as it does, a
 /// locked phase does not creep, the rings of a worn profile are graded, and rings that touch are held from the start of
-/// their step on with a dashpot or under a tangential force (see fem::FrictionContact).
+/// their step on with a dashpot or under a tangential force (see fem::FrictionContact), or where rings touch in any
+/// order; there zones end with rings, and what is read of them is of first order.
 struct CaseNeeds {
-  bool memory = true, creep = false, worn = false, held_from_start = false, single_pass = false;
+  bool memory = true, creep = false, worn = false, held_from_start = false, single_pass = false, any_order = false;
 };
 
 /// What has to be computed besides a resolution to measure its errors, each source by its own refinement. The rings are

@@ -15,33 +15,35 @@ using D = Dimension;
 const char* const needed = "an error";
 
 SectionTraits indenter_entries() {
-  return {"Indenter",
-          {{"Shape",
-            {},
-            "parabola, sphere, cone, power, rounded flat, truncated sphere, table",
-            needed,
-            "the profile f(r)"},
-           {"Radius",
-            {D::length},
-            "positive",
-            needed,
-            "of curvature; parabola f = r²/(2R), sphere f = R - √(R² - r²), truncated sphere"},
-           {"Slope angle", {D::angle}, "0 to 90 deg", needed, "cone: between generatrix and surface, f = r tan(angle)"},
-           {"Coefficient", {D::varying}, "positive", needed, "power: b of f = b rⁿ, in m^(1-n)"},
-           {"Exponent", {D::number}, "0.5 to 20", needed, "power: n of f = b rⁿ"},
-           {"Flat radius", {D::length}, "positive", needed, "rounded flat, truncated sphere: of the flat face"},
-           {"Edge radius", {D::length}, "positive", needed, "rounded flat: of its edge"},
-           {"Table",
-            {},
-            "a file, relative to the case file",
-            needed,
-            "table: CSV of r and f, units in its second line; r from 0 outwards, or from negative to positive through "
-            "the apex at 0, whose halves are averaged"},
-           {"Table noise",
-            {D::length},
-            "not negative",
-            "0",
-            "table: standard deviation of its heights; above 0 a convex profile is fitted instead of interpolated"}}};
+  return {
+      "Indenter",
+      {{"Shape",
+        {},
+        "parabola, sphere, cone, power, rounded flat, truncated sphere, table",
+        needed,
+        "the profile f(r)"},
+       {"Radius",
+        {D::length},
+        "positive",
+        needed,
+        "of curvature; parabola f = r²/(2R), sphere f = R - √(R² - r²), truncated sphere"},
+       {"Slope angle", {D::angle}, "0 to 90 deg", needed, "cone: between generatrix and surface, f = r tan(angle)"},
+       {"Coefficient", {D::varying}, "positive", needed, "power: b of f = b rⁿ, in m^(1-n)"},
+       {"Exponent", {D::number}, "0.5 to 20", needed, "power: n of f = b rⁿ"},
+       {"Flat radius", {D::length}, "positive", needed, "rounded flat, truncated sphere: of the flat face"},
+       {"Edge radius", {D::length}, "positive", needed, "rounded flat: of its edge"},
+       {"Table",
+        {},
+        "a file, relative to the case file",
+        needed,
+        "table: CSV of r and f, units in its second line; r from 0 outwards, or from negative to positive through "
+        "the apex at 0, whose halves are averaged; any profile, heights counted from the lowest row: where MDR does "
+        "not hold, finite elements answer alone"},
+       {"Table noise",
+        {D::length},
+        "not negative",
+        "0",
+        "table: standard deviation of its heights; above 0 a convex profile is fitted instead of interpolated"}}};
 }
 
 SectionTraits elastomer_entries() {

@@ -40,7 +40,7 @@ std::vector<std::string> implausible_values(const Case& input, const mdr::Profil
                     input.file, modulus, least_modulus, largest_modulus));
   add_difference_of_halves(input.indenter.table, input.indenter.table_noise, warnings);
   if (input.wear_kinetics) add_difference_of_halves(input.wear_kinetics->profile, 0, warnings);
-  if (input.motion.normal_force) return warnings;
+  if (input.motion.normal_force || !mdr::falls_of_image(profile).empty()) return warnings;
   double deepest = input.motion.indentation + input.motion.normal_amplitude;
   for (const auto& harmonic : input.motion.normal_harmonics) deepest += harmonic.amplitude;
   if (const auto& path = input.motion.path)

@@ -17,14 +17,30 @@ namespace {
 
 constexpr double degree = 3.14159265358979323846 / 180;
 
+/// Heights that scatter are those of a convex profile.
 mdr::Profile profile_from_table(const Case::Indenter& indenter) {
   std::ifstream stream(indenter.table);
   try {
-    return mdr::read_profile_table(stream, indenter.table, indenter.table_noise);
+    if (indenter.table_noise != 0) return mdr::read_profile_table(stream, indenter.table, indenter.table_noise);
+    const auto rows = mdr::read_profile_rows(stream, indenter.table);
+    return mdr::tabulated_as_it_is(rows.r, rows.f);
   } catch (const std::invalid_argument& error) {
     const std::string message = error.what();
     throw InputError(message.find(indenter.table) == std::string::npos ? indenter.table + ": " + message : message);
   }
+}
+
+void require_displacements_and_no_wear(const Case& input) {
+  const auto refuse = [&](const std::string& entry, const char* valid) {
+    throw InputError(fmt::format("{}: {}: the indenter is a table for which MDR does not hold ({}); expected {}",
+                                 input.file, entry, falls_text(any_profile_of(input.indenter)), valid));
+  };
+  if (input.motion.normal_force) refuse("Motion / Normal force", "an Indentation and a Normal amplitude");
+  if (input.motion.tangential_force) refuse("Motion / Tangential force amplitude", "a Tangential amplitude");
+  if (std::isnan(input.motion.tangential_amplitude))
+    refuse("Motion / Tangential amplitude = shakedown", "a number in m");
+  if (input.wear == Case::Wear::limiting) refuse("Wear / State = limiting", "unworn");
+  if (input.wear_kinetics) refuse("Wear / Coefficient", "no wear");
 }
 
 std::optional<double> phase_of(const Case::Motion& motion) {
@@ -124,7 +140,29 @@ void require_comparable(const Case& input) {
     throw InputError(fmt::format("{}: {} by the finite elements; `fretval mdr` answers this case", input.file, reason));
 }
 
+std::string falls_text(const mdr::Profile& profile) {
+  std::string text;
+  const auto falls = mdr::falls_of_image(profile);
+  constexpr std::size_t most = 3;
+  for (std::size_t k = 0; k < std::min(falls.size(), most); ++k)
+    text += fmt::format("{}{:.4g} to {:.4g} m", k == 0 ? "its one-dimensional image g(x) falls for x = " : ", ",
+                        falls[k].from, falls[k].to);
+  if (falls.size() > most) text += fmt::format(" and in {} places more", falls.size() - most);
+  return text;
+}
+
 mdr::Profile profile_of(const Case::Indenter& indenter) {
+  auto profile = any_profile_of(indenter);
+  if (!mdr::falls_of_image(profile).empty())
+    throw InputError(
+        fmt::format("{}: MDR does not hold for this profile: {}, so that the contact is not one full circle at every "
+                    "indentation; expected a profile whose image rises, as that of any convex one; `fretval run` "
+                    "answers this case by finite elements",
+                    indenter.table, falls_text(profile)));
+  return profile;
+}
+
+mdr::Profile any_profile_of(const Case::Indenter& indenter) {
   switch (indenter.shape) {
     case Case::Shape::parabola:
       return mdr::parabola(indenter.radius);
@@ -207,7 +245,9 @@ MdrCase mdr_case(const Case& input) {
                     input.file));
   auto path = harmonic_motion_of(motion);
   if (amplitude_follows) path.tangential.front().amplitude = 0;
-  MdrCase mdr{profile_of(input.indenter),
+  const auto profile = any_profile_of(input.indenter);
+  if (!mdr::falls_of_image(profile).empty()) require_displacements_and_no_wear(input);
+  MdrCase mdr{profile,
               body_in_time(input),
               input.friction_coefficient,
               mdr::shifted(mdr::without_still_harmonics(path), mdr::time_of_maximum_indentation(path)),

@@ -33,6 +33,8 @@ struct MdrCase {
   std::optional<mdr::SampledPath> path = {};
 
   [[nodiscard]] bool is_single_pass() const { return path && !path->repeats; }
+  /// Where the image of the profile falls (mdr::falls_of_image); not empty: MDR does not hold, and is not asked.
+  [[nodiscard]] std::vector<mdr::FallOfImage> falls() const { return mdr::falls_of_image(profile); }
   [[nodiscard]] bool has_forces() const { return normal_force || tangential_force; }
   [[nodiscard]] mdr::Prescribed prescribed() const { return {motion, normal_force, tangential_force}; }
 };
@@ -44,7 +46,8 @@ constexpr int longest_cycle = 200;
 /// the body of the finite elements is made for. In a limiting state that forces lead to, that of the state.
 double deepest_indentation(const MdrCase& mdr);
 
-/// Throws InputError for a case that is not comparable (see require_comparable) or a limiting state that no tangential
+/// Throws InputError for a case that is not comparable (see require_comparable), for what has no meaning where MDR does
+/// not hold for the profile (prescribed forces, limiting profiles, wear), or for a limiting state that no tangential
 /// amplitude leads to, std::invalid_argument for values that the reference refuses.
 MdrCase mdr_case(const Case& input);
 
@@ -58,6 +61,10 @@ bool is_comparable(const Case& input);
 
 /// The parts of a case, whether comparable or not. Tables are read here: InputError with file and line.
 mdr::Profile profile_of(const Case::Indenter& indenter);
+/// "its one-dimensional image g(x) falls for x = 1e-4 to 2e-4 m"; empty: it rises.
+std::string falls_text(const mdr::Profile& profile);
+/// The same of a table whose image falls, which profile_of refuses because MDR does not hold for it.
+mdr::Profile any_profile_of(const Case::Indenter& indenter);
 mdr::Rheology rheology_of(const Case::Elastomer& elastomer);
 /// The body in time: a fractional one is approximated from a tenth of its lowest frequency of motion to a thousand
 /// times it.

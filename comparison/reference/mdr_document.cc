@@ -172,6 +172,7 @@ SpringAnswer springs_along_path(const Case& input, const SpringSetting& setting)
 
 MdrDocument mdr_document(const Case& input, bool with_springs) {
   try {
+    (void)profile_of(input.indenter);  // refuses one that MDR does not hold for, before anything is asked of it
     const bool forces = input.motion.normal_force || input.motion.tangential_force;
     // The stick radii of a fractional body need no approximation of it.
     const bool exact = input.elastomer.fractional_order > 0 && input.wear == Case::Wear::unworn;

@@ -56,6 +56,10 @@ std::string sentence_of(const StoredResult& result) {
   return sentence + ".";
 }
 
+std::string were(std::size_t n) {
+  return counted(n, "case") + (n == 1 ? " is" : " are");
+}
+
 }  // namespace
 
 Extreme extreme_of(const Results& results, const char* key) {
@@ -88,6 +92,9 @@ Filling verdict_section(const Results& results) {
   const auto n_pass = std::count_if(results.begin(), results.end(),
                                     [](const auto& r) { return r.json.at("pass").template get<bool>(); });
   const bool all = static_cast<std::size_t>(n_pass) == results.size();
+  const auto n_beyond = static_cast<std::size_t>(
+      std::count_if(results.begin(), results.end(), [](const auto& r) { return r.is_beyond_mdr(); }));
+  const auto n_compared = results.size() - n_beyond;
   Table table{{"quantity", "cases", "agree", "inconclusive", "largest difference", "largest error bar", "tolerance",
                "difference within the bar", "largest difference in"}};
   for (const auto quantity : quantities_by_interest) {
@@ -100,15 +107,25 @@ Filling verdict_section(const Results& results) {
                           e.n_with_bar > 0 ? fmt::format("{} of {}", e.n_covered, e.n_with_bar) : "–", e.name});
   }
   Filling filling{{"template", "verdict"},
-                  {"badge", all ? "good" : "bad"},
-                  {"verdict", all ? "confirmed" : "not confirmed"},
+                  {"badge", !all             ? "bad"
+                            : n_compared > 0 ? "good"
+                                             : "maybe"},
+                  {"verdict", !all             ? "not confirmed"
+                              : n_compared > 0 ? "confirmed"
+                                               : "not compared"},
                   {"proof", proof_text(results)}};
   if (results.size() == 1) {
     filling["sentence"] = sentence_of(results.front());
     return filling;
   }
-  filling["sentence"] = fmt::format("Finite elements and MDR agree within tolerance in {} of {}.", n_pass,
-                                    counted(results.size(), "case"));
+  filling["sentence"] = n_compared == 0
+                            ? ""
+                            : fmt::format("Finite elements and MDR agree within tolerance in {} of {}.",
+                                          static_cast<std::size_t>(n_pass) - n_beyond, counted(n_compared, "case"));
+  if (n_beyond > 0)
+    filling["sentence"] =
+        fmt::format("{}{} not compared, because MDR does not hold for the profile.",
+                    n_compared == 0 ? "" : filling["sentence"].get<std::string>() + " ", were(n_beyond));
   filling["table"] = filling_of(table);
   return filling;
 }

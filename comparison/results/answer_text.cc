@@ -79,6 +79,39 @@ std::string wear_text(const ProvedWear& wear, const Units& units) {
   return text + "; what still bears pressure sticks throughout, and wears no more\n";
 }
 
+std::string percent(double share) {
+  return fmt::format("{:+.2g} %", 100 * share);
+}
+
+double bar_of(const ordered_json& fe, const char* key) {
+  const auto& bars = fe.at("error_estimate");
+  const auto found = bars.find(key);
+  return found != bars.end() && found->is_object() ? number_in(*found, "total").value_or(0) : 0;
+}
+
+/// Of finite elements alone, for a profile that MDR does not hold for.
+Answer answer_beyond_mdr(const ordered_json& result) {
+  const auto& fe = result.at("fe");
+  Answer answer{"not compared: MDR does not hold for this profile: " + beyond_text(result.at("not_compared")), {}};
+  const auto scales = scales_of(result);
+  const auto add = [&](const std::string& title, const std::string& text) {
+    answer.rows.push_back({title, text, "–", "–", true});
+  };
+  for (const auto quantity : quantities_by_interest) {
+    const auto& traits = traits_of(quantity);
+    const auto value = number_in(fe, traits.name);
+    if (!value || !fe.at("error_estimate").contains(traits.name)) continue;
+    add(traits.title, with_unit(*value, bar_of(fe, traits.name) * scale_of(quantity, scales, *value), traits.unit));
+  }
+  const auto& zones = fe.at("zones");
+  if (const auto pressure = number_in(zones, "pressure_max"))
+    add("largest pressure", with_unit(*pressure, number_in(zones, "pressure_max_bar").value_or(0), "Pa"));
+  add("contact, r", annuli_text(zones.at("contact")));
+  add("stick, first slip, r", annuli_text(zones.at("first_slip")));
+  add("stick, shakedown, r", annuli_text(zones.at("shakedown")));
+  return answer;
+}
+
 }  // namespace
 
 UnitPrefix prefix_for(double value) {
@@ -103,6 +136,7 @@ Scales scales_of(const ordered_json& result) {
 }
 
 Answer answer_of(const ordered_json& result) {
+  if (result.contains("not_compared")) return answer_beyond_mdr(result);
   Answer answer{verdict_text(result), {}};
   const auto scales = scales_of(result);
   for (const auto quantity : quantities_by_interest) {
@@ -122,6 +156,35 @@ Answer answer_of(const ordered_json& result) {
   return answer;
 }
 
+std::string beyond_text(const ordered_json& not_compared) {
+  std::string text;
+  const auto length = [](const ordered_json& value) {
+    const auto [prefix, factor] = prefix_for(value.get<double>());
+    return value == 0.0 ? "0" : fmt::format("{:.4g} {}m", value.get<double>() / factor, prefix);
+  };
+  for (const auto& fall : not_compared.at("image_falls"))
+    text += fmt::format("{}{} to {}", text.empty() ? "its one-dimensional image g(x) falls for x = " : ", ",
+                        length(fall.at("from")), length(fall.at("to")));
+  const auto& at_rest = not_compared.at("at_rest");
+  return text + fmt::format(
+                    ". At rest at the largest indentation its springs would be off by {} of the normal force and "
+                    "{} of the contact radius",
+                    percent(at_rest.at("normal_force_difference").get<double>()),
+                    percent(at_rest.at("contact_radius_difference").get<double>()));
+}
+
+std::string annuli_text(const ordered_json& annuli) {
+  std::string text;
+  const auto end = [](const ordered_json& annulus, const char* key, const char* bar) {
+    const double width = annulus.at(bar).is_number() ? annulus.at(bar).get<double>() : 0;
+    return with_unit(annulus.at(key).get<double>(), width, "m");
+  };
+  for (const auto& annulus : annuli)
+    text += (text.empty() ? "" : "; ") + (annulus.at("inner") == 0.0 ? "0" : end(annulus, "inner", "inner_bar")) +
+            " to " + end(annulus, "outer", "outer_bar");
+  return text.empty() ? "none" : text;
+}
+
 std::string answer_text(const CaseResult& result) {
   if (result.fe.fe.gross_slip || result.mdr.gross_slip)
     return fmt::format("{}: {}\n", result.input.name, both_gross_slips(result.fe.fe.gross_slip, result.mdr.gross_slip));
@@ -129,6 +192,11 @@ std::string answer_text(const CaseResult& result) {
     return fmt::format("  {:<28} {:<28} {}\n", title, fe, mdr);
   };
   const auto answer = answer_of(result_json(result));
+  if (result.beyond_mdr) {
+    auto text = fmt::format("{}: {}\n", result.input.name, answer.verdict);
+    for (const auto& one : answer.rows) text += fmt::format("  {:<28} {}\n", one.title, one.fe);
+    return text;
+  }
   auto text = fmt::format("{}: {}\n", result.input.name, answer.verdict) + row("", "finite elements", "MDR");
   for (const auto& one : answer.rows) text += row(one.title, one.fe, one.mdr);
   if (result.mdr.single_pass) text += row("stick radius, shakedown", "none", no_shakedown_in_a_pass);

@@ -42,6 +42,13 @@ Answer answer_of(const nlohmann::ordered_json& result);
 /// What its differences and error bars are over; 0 where it does not have that.
 Scales scales_of(const nlohmann::ordered_json& result);
 
+/// "its image g(x) falls for x = 502 to 600 µm. MDR's springs would bear +3.1 % and reach -0.2 % further, at rest at
+/// the largest indentation": of the key "not_compared".
+std::string beyond_text(const nlohmann::ordered_json& not_compared);
+
+/// "0 to 502.1 ± 0.4 µm, 610 ± 1 to 702 ± 1 µm", of a list of annuli in such a JSON; "none" without any.
+std::string annuli_text(const nlohmann::ordered_json& annuli);
+
 /// The answer to a case for the terminal.
 std::string answer_text(const CaseResult& result);
 

@@ -15,6 +15,17 @@
 namespace fretval {
 namespace {
 
+/// What there is to tell and to keep of a result.
+void finish(const CaseResult& result, const mdr::NormalResponse& reference, const BatchOptions& options,
+            BatchLine& line) {
+  line.comparison = result.comparison;
+  line.pass = passes(result);
+  line.compared = !result.beyond_mdr;
+  line.answer = answer_text(result);
+  line.json = result_json(result).dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+  if (!options.output.empty()) write_result(result, reference, options.output / line.name);
+}
+
 BatchLine run_case(const PreparedCase& asked, const BatchOptions& options, BodyStore& bodies,
                    NormalResponses& references) {
   BatchLine line;
@@ -22,9 +33,10 @@ BatchLine run_case(const PreparedCase& asked, const BatchOptions& options, BodyS
   PreparedCase prepared = asked;
   prepared.fem.keeps_body = !options.output.empty() && asked.input.fields != Case::Fields::none;
   auto fe = prove(prepared, options.proof, bodies);
+  const bool compares = prepared.mdr.falls().empty();
   std::shared_ptr<const mdr::NormalResponse> reference;
   try {
-    reference = references.of(prepared.input, prepared.mdr);
+    if (compares) reference = references.of(prepared.input, prepared.mdr);
   } catch (const std::runtime_error& error) {
     line.failure = error.what();
   }
@@ -32,6 +44,10 @@ BatchLine run_case(const PreparedCase& asked, const BatchOptions& options, BodyS
   const auto folder = options.output / line.name;
   if (!options.output.empty()) withdraw_result(folder);
   if (!line.failure.empty()) return line;
+  if (!compares) {
+    finish(result_beyond_mdr(prepared, options.proof, std::move(fe)), {}, options, line);
+    return line;
+  }
   auto result = result_of(prepared, *reference, options.proof, std::move(fe));
   if (wears(prepared)) {
     WearOversight oversight;
@@ -46,11 +62,7 @@ BatchLine run_case(const PreparedCase& asked, const BatchOptions& options, BodyS
     if (!line.failure.empty()) return line;
     add_wear(std::move(wear), result);
   }
-  line.comparison = result.comparison;
-  line.pass = passes(result);
-  line.answer = answer_text(result);
-  line.json = result_json(result).dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
-  if (!options.output.empty()) write_result(result, *reference, folder);
+  finish(result, *reference, options, line);
   return line;
 }
 

@@ -18,6 +18,7 @@ struct BatchLine {
   std::string answer = {};  ///< for people, see answer_text
   std::string json = {};    ///< result.json in one line
   double seconds = 0;
+  bool compared = true;  ///< false: MDR does not hold for the profile, and nothing can disagree
 };
 
 struct BatchOptions {

@@ -77,17 +77,17 @@ void write_history(const CaseResult& result, const mdr::NormalResponse& referenc
     indentation[k] = history.indentation[column] * fem.units.depth;
     displacement[k] = rest + friction.indenter[k] * fem.units.depth;
     normal_force[k] = (history.force[column] + history.force_beyond[column]) * fem.units.force();
-    mdr_force[k] = fem.motion.normal_force ? fem::normal_motion(fem.motion, t).value * fem.units.force()
-                                           : force_at(reference, time[k]);
+    if (!result.beyond_mdr)
+      mdr_force[k] = fem.motion.normal_force ? fem::normal_motion(fem.motion, t).value * fem.units.force()
+                                             : force_at(reference, time[k]);
     tangential_force[k] = friction.force[k] * fem.units.force();
     time[k] += fem.first_row;
   }
-  write_csv(file, {{"t [s]", time},
-                   {"d [m]", indentation},
-                   {"u_x [m]", displacement},
-                   {"F_N [N]", normal_force},
-                   {"F_N MDR [N]", mdr_force},
-                   {"F_x [N]", tangential_force}});
+  std::vector<Column> columns{
+      {"t [s]", time}, {"d [m]", indentation}, {"u_x [m]", displacement}, {"F_N [N]", normal_force}};
+  if (!result.beyond_mdr) columns.push_back({"F_N MDR [N]", mdr_force});
+  columns.push_back({"F_x [N]", tangential_force});
+  write_csv(file, columns);
 }
 
 void write_contact(const CaseResult& result, const fs::path& file) {
@@ -114,7 +114,8 @@ void write_profile(const CaseResult& result, const fs::path& file) {
   constexpr Eigen::Index n = 400;
   const auto& mdr = result.mdr_case;
   const auto worn = worn_profile(mdr, result.mdr.stick_radius_shakedown);
-  const double end = 1.1 * (worn ? worn->outer_radius : result.fem_case.units.length);
+  const double wanted = 1.1 * (worn ? worn->outer_radius : result.fem_case.units.length),
+               end = result.beyond_mdr ? std::min(wanted, mdr::end_radius(mdr.profile)) : wanted;
   const Eigen::VectorXd r = Eigen::VectorXd::LinSpaced(n, 0, end);
   Eigen::VectorXd unworn(n), limiting(n);
   for (Eigen::Index i = 0; i < n; ++i) {
@@ -157,6 +158,18 @@ CaseResult result_of(const PreparedCase& prepared, const mdr::NormalResponse& re
   result.comparison =
       compare(result.mdr, result.fe.fe, prepared.fem.units.length, prepared.tolerances, result.fe.budget);
   return result;
+}
+
+CaseResult result_beyond_mdr(const PreparedCase& prepared, Proof proof, ProvedAnswer&& fe) {
+  const auto& mdr = prepared.mdr;
+  MdrAnswer ratio_alone{};
+  ratio_alone.modulus_ratio = mdr::modulus_ratio(mdr.body, mdr::angular_frequency(mdr.motion.normal.front().frequency));
+  const auto springs = mdr::naive_contact(mdr.profile, prepared.fem.units.depth);
+  const auto& zones = fe.fe.zones.value();
+  const BeyondMdr beyond{mdr.falls(), springs, springs.force_over_modulus * mdr.body.relaxed_modulus,
+                         zones.force_at_rest, zones.radius_at_rest};
+  return {prepared.input, mdr, at_resolution(prepared.fem, fe.resolution), ratio_alone, proof, std::move(fe), {}, {},
+          beyond};
 }
 
 void add_wear(ProvedWear&& wear, CaseResult& result) {

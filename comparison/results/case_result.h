@@ -6,8 +6,20 @@
 #include "comparison/accuracy/proof.h"
 #include "comparison/accuracy/wear_proof.h"
 #include "comparison/reference/mdr_answer.h"
+#include "mdr/profiles/naive_contact.h"
 
 namespace fretval {
+
+/// Why a case is not compared: MDR does not hold for its profile; and by how much its springs would be off, if nobody
+/// asked (mdr::naive_contact), of the relaxed body that rests at the largest indentation. SI units.
+struct BeyondMdr {
+  std::vector<mdr::FallOfImage> falls;
+  mdr::NaiveContact springs;
+  double force_of_springs;       ///< N
+  double force, contact_radius;  ///< of finite elements
+  [[nodiscard]] double force_difference() const { return force_of_springs / force - 1; }
+  [[nodiscard]] double radius_difference() const { return springs.radius / contact_radius - 1; }
+};
 
 /// A case computed both ways.
 struct CaseResult {
@@ -19,6 +31,7 @@ struct CaseResult {
   ProvedAnswer fe;
   Comparison comparison;  ///< of everything
   std::optional<ProvedWear> wear = {};
+  std::optional<BeyondMdr> beyond_mdr = {};  ///< then nothing is compared, and mdr has the modulus ratio alone
 };
 
 /// Whether all that is compared passes; gross slip, if either of both finds it, is what both have to find.
@@ -27,6 +40,9 @@ bool passes(const CaseResult& result);
 /// Both answers to a case, compared.
 CaseResult result_of(const PreparedCase& prepared, const mdr::NormalResponse& reference, Proof proof,
                      ProvedAnswer&& fe);
+
+/// The answer of finite elements alone to a case whose profile MDR does not hold for (MdrCase::falls).
+CaseResult result_beyond_mdr(const PreparedCase& prepared, Proof proof, ProvedAnswer&& fe);
 
 /// Adds the wear of the indenter to a result.
 void add_wear(ProvedWear&& wear, CaseResult& result);
@@ -51,6 +67,8 @@ nlohmann::ordered_json cost_json(const FeAnswer& fe);
 /// Removes the result.json of an earlier run from a folder, if there is one: without it a folder is no result.
 void withdraw_result(const std::filesystem::path& folder);
 
+/// reference: of a case that is compared.
+///
 /// Writes result.json, run.json, history.csv, contact.csv, cycle.json, profile.csv and, if the case asks for fields,
 /// those (field_files.h), which need the whole body, into a folder, which is made if need be; result.json comes last.
 void write_result(const CaseResult& result, const mdr::NormalResponse& reference, const std::filesystem::path& folder);

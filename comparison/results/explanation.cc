@@ -161,6 +161,16 @@ std::string cost_text(const PreparedCase& prepared) {
   return text;
 }
 
+/// Of a case whose profile MDR does not hold for.
+std::string explanation_beyond_mdr(const Case& input, const mdr::Profile& profile) {
+  auto text = input.name + "\n" + scene_text(input) + "\n" +
+              row("MDR", "does not hold for this profile: " + falls_text(profile) + ",") +
+              row("", "so that the contact is not one full circle at every indentation; nothing is compared") +
+              row("", "finite elements take the rings in whatever order they touch");
+  if (input.tolerance == 0) return text + row("elements", "none: finite elements need an Accuracy / Tolerance");
+  return text + "\n" + cost_text(prepare({input}).front());
+}
+
 }  // namespace
 
 double estimated_seconds(double tolerance, bool memory, int highest_order, std::size_t n_computations) {
@@ -171,6 +181,8 @@ double estimated_seconds(double tolerance, bool memory, int highest_order, std::
 }
 
 std::string explanation(const Case& input) {
+  if (const auto profile = any_profile_of(input.indenter); !mdr::falls_of_image(profile).empty())
+    return explanation_beyond_mdr(input, profile);
   const auto document = mdr_document(input, false);
   auto text = input.name + "\n" + scene_text(input) + "\n" + groups_text(input, document.json.at("mdr")) + "\n" +
               regime_text(document.json.at("mdr"), input.motion.path && !input.motion.path->repeats) + "\n";

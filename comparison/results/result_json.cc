@@ -7,6 +7,7 @@
 #include "comparison/results/case_result.h"
 #include "comparison/results/results_folder.h"
 #include "comparison/results/wear_json.h"
+#include "comparison/results/zones_json.h"
 #include "comparison/simulation/resolution_json.h"
 #include "comparison/support/json.h"
 #include "mdr/motion/force_control.h"
@@ -37,6 +38,7 @@ ordered_json path_json(const Case::Path& path) {
 ordered_json case_json(const CaseResult& result) {
   const auto& input = result.input;
   const auto& motion = result.mdr_case.motion;
+  const bool beyond = result.beyond_mdr.has_value();
   const bool normal_force = result.mdr_case.normal_force, tangential_force = result.mdr_case.tangential_force;
   const bool once = result.mdr_case.is_single_pass();
   const double at_rest = normal_force ? mdr::indentation_for_force(result.mdr_case.profile,
@@ -51,8 +53,9 @@ ordered_json case_json(const CaseResult& result) {
       {"tangential_frequency", once ? ordered_json(nullptr) : ordered_json(motion.tangential.front().frequency)},
       {"phase", input.motion.path ? ordered_json(nullptr) : or_null(input.motion.phase)},
       {"wear", input.wear == Case::Wear::limiting ? "limiting" : "unworn"},
-      {"contact_radius_at_rest", mdr::inverse_transform(result.mdr_case.profile, at_rest)},
-      {"contact_radius_unworn", result.fem_case.units.length},
+      {"contact_radius_at_rest",
+       beyond ? ordered_json(nullptr) : ordered_json(mdr::inverse_transform(result.mdr_case.profile, at_rest))},
+      {"contact_radius_unworn", beyond ? result.fe.fe.contact_radius_max.value() : result.fem_case.units.length},
       {"tolerance", input.tolerance}};
   json[normal_force ? "normal_force_mean" : "indentation"] = motion.indentation;
   json[normal_force ? "normal_force_amplitude" : "normal_amplitude"] = motion.normal.front().amplitude;
@@ -119,6 +122,9 @@ ordered_json fe_json(const CaseResult& result) {
   json["error_estimate"] = ordered_json::object();
   for (const auto& [quantity, difference] : result.comparison)
     json["error_estimate"][name_of(quantity)] = bar_json(difference.bar);
+  if (result.beyond_mdr)
+    for (const auto& [quantity, bar] : result.fe.budget) json["error_estimate"][name_of(quantity)] = bar_json(bar);
+  if (fe.zones) json["zones"] = zones_json(*fe.zones, result.fe.zone_bars, result.fem_case.units.length);
   if (result.wear) {
     json["worn_radius"] = result.wear->fe.worn_radius * result.fem_case.units.length;
     json["wear"] = to_json(*result.wear, result.fem_case.units);
@@ -155,11 +161,13 @@ ordered_json result_json(const CaseResult& result) {
   cost["peak_memory_bytes"] = peak_memory_bytes();
   auto mdr = to_json(result.mdr);
   if (result.wear && result.wear->kinetics) mdr["wear"] = to_json(*result.wear->kinetics);
-  return {{"schema", result_schema},    {"name", result.input.name},
-          {"pass", passes(result)},     {"proof", name_of(result.proof)},
-          {"scene", case_json(result)}, {"mdr", std::move(mdr)},
-          {"fe", fe_json(result)},      {"comparison", comparison_json(result.comparison)},
-          {"cost", std::move(cost)}};
+  ordered_json json{{"schema", result_schema},    {"name", result.input.name},
+                    {"pass", passes(result)},     {"proof", name_of(result.proof)},
+                    {"scene", case_json(result)}, {"mdr", std::move(mdr)},
+                    {"fe", fe_json(result)},      {"comparison", comparison_json(result.comparison)}};
+  if (result.beyond_mdr) json["not_compared"] = to_json(*result.beyond_mdr, result.fem_case.units.depth);
+  json["cost"] = std::move(cost);
+  return json;
 }
 
 ordered_json cost_json(const FeAnswer& fe) {

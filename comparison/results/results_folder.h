@@ -21,6 +21,8 @@ struct StoredResult {
   [[nodiscard]] double number(const char* section, const char* key) const;
   [[nodiscard]] std::string text(const char* section, const char* key) const;
   [[nodiscard]] bool swept_over(const char* entry) const;
+  /// MDR does not hold for its profile, and nothing is compared.
+  [[nodiscard]] bool is_beyond_mdr() const { return json.contains("not_compared"); }
   [[nodiscard]] double sweep_value() const;
   /// Whether both directions move with one harmonic of the same frequency, as in the paper.
   [[nodiscard]] bool has_one_frequency() const;

@@ -1,5 +1,6 @@
 #include "comparison/simulation/compute_case.h"
 
+#include "comparison/simulation/zone_answer.h"
 #include "comparison/support/stopwatch.h"
 #include "fem/history/gross_slip.h"
 #include "fem/history/static_contact.h"
@@ -37,8 +38,11 @@ fem::FrictionHistory friction_beside(const NormalRecord& record, const fem::Norm
                                 control.steps_per_cycle);
   const std::size_t n_beside = fem.motion.is_single_pass() ? 0 : record.pressures.size();
   for (std::size_t k = 1; k < n_beside; ++k)
-    friction.step(record.pressures[k],
-                  fem::NormalInstant{problems.normal.series.radii(), record.radii[k], record.forces[k]});
+    if (fem.any_order)
+      friction.step(record.pressures[k]);
+    else
+      friction.step(record.pressures[k],
+                    fem::NormalInstant{problems.normal.series.radii(), record.radii[k], record.forces[k]});
   return fem::friction_history(std::move(friction), normal, control);
 }
 
@@ -53,10 +57,12 @@ FeAnswer answer_of_histories(const ContactProblems& problems, const FemCase& fem
   const auto record = normals.find_or_make(fem, problems.normal, profile, control);
   auto normal = record->history;
   Stopwatch watch;
-  const auto contact_radius = read_contact_radius(problems.normal, fem, profile, normal);
+  const auto contact_radius = fem.any_order ? std::nullopt : read_contact_radius(problems.normal, fem, profile, normal);
   auto friction = friction_beside(*record, normal, problems, fem, control);
 
-  auto answer = read_answer(problems, fem, profile, contact_radius, std::move(normal), std::move(friction));
+  auto answer = fem.any_order
+                    ? read_zones(problems, fem, profile, std::move(normal), std::move(friction))
+                    : read_answer(problems, fem, profile, contact_radius, std::move(normal), std::move(friction));
   answer.seconds = {record->seconds, watch.lap()};
   return answer;
 }

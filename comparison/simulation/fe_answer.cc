@@ -78,23 +78,6 @@ Eigen::Index largest_contact_rings(const fem::NormalHistory& history) {
   return n;
 }
 
-std::optional<fem::CycleResponse> cycle_of(const FemCase& fem, double normal_force_max,
-                                           const fem::NormalHistory& normal, const fem::FrictionHistory& friction) {
-  if (fem.worn_edge || fem.without_short_cycle || !fem.motion.locked || fem.motion.tangential_amplitude() == 0)
-    return std::nullopt;
-  auto cycle =
-      fem::cycle_response(fem.relaxation, fem.friction_coefficient, fem.motion, normal_force_max, normal, friction);
-  const double force = fem.units.force(), work = force * fem.units.depth;
-  auto& uncertain = cycle.uncertainty;
-  for (double* value : {&cycle.tangential_force_max, &cycle.tangential_force_mean, &cycle.sliding_force,
-                        &uncertain.tangential_force_max, &uncertain.tangential_force_mean})
-    *value *= force;
-  for (double* value :
-       {&cycle.friction_work, &cycle.bulk_work, &cycle.sliding_work, &uncertain.friction_work, &uncertain.cycle_work})
-    *value *= work;
-  return cycle;
-}
-
 void add_stick_depths(const fem::PunchSeries& series, const FemCase& fem, FeAnswer& answer) {
   const auto& friction = answer.friction;
   const Eigen::Index n_contact = answer.rings.contact;
@@ -145,6 +128,23 @@ void widen_next_to_sharp_edge(const FemCase& fem, const fem::Compliance& complia
 }
 
 }  // namespace
+
+std::optional<fem::CycleResponse> cycle_of(const FemCase& fem, double normal_force_max,
+                                           const fem::NormalHistory& normal, const fem::FrictionHistory& friction) {
+  if (fem.worn_edge || fem.without_short_cycle || !fem.motion.locked || fem.motion.tangential_amplitude() == 0)
+    return std::nullopt;
+  auto cycle =
+      fem::cycle_response(fem.relaxation, fem.friction_coefficient, fem.motion, normal_force_max, normal, friction);
+  const double force = fem.units.force(), work = force * fem.units.depth;
+  auto& uncertain = cycle.uncertainty;
+  for (double* value : {&cycle.tangential_force_max, &cycle.tangential_force_mean, &cycle.sliding_force,
+                        &uncertain.tangential_force_max, &uncertain.tangential_force_mean})
+    *value *= force;
+  for (double* value :
+       {&cycle.friction_work, &cycle.bulk_work, &cycle.sliding_work, &uncertain.friction_work, &uncertain.cycle_work})
+    *value *= work;
+  return cycle;
+}
 
 std::optional<ContactRadius> read_contact_radius(const fem::ContactProblem& problem, const FemCase& fem,
                                                  const Eigen::VectorXd& profile, fem::NormalHistory& history) {

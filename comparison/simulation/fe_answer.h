@@ -7,6 +7,7 @@
 #include "comparison/simulation/fem_case.h"
 #include "fem/history/friction_history.h"
 #include "fem/history/normal_history.h"
+#include "fem/stick_zone/annuli.h"
 #include "fem/stick_zone/cycle_response.h"
 #include "fem/stick_zone/edge_radius.h"
 #include "fem/stick_zone/stick_depths.h"
@@ -41,6 +42,16 @@ struct HistoryCost {
   double normal = 0, friction = 0;
 };
 
+/// The zones of a contact whose rings touch in any order; SI units.
+struct ZoneAnswer {
+  /// The largest contact of the cycle; rings that have never slipped; rings that do not slip any more.
+  std::vector<fem::Annulus> contact, first_slip, shakedown;
+  double contact_uncertainty = 0;  ///< of each end of the contact; 0: it is that of the body at rest, see below
+  double pressure_max = 0;         ///< mean of a ring
+  double force_at_rest = 0;        ///< of the relaxed body, at the largest indentation
+  double radius_at_rest = 0;       ///< its outermost contact
+};
+
 /// What finite elements say about a case; SI units. Empty: nothing sticks.
 struct FeAnswer {
   std::optional<double> contact_radius_max;  ///< empty for a worn profile, whose flank touches without pressure
@@ -61,6 +72,7 @@ struct FeAnswer {
   double shakedown_uncertainty = 0;
   fem::StickDepths first_slip_depths, shakedown_depths;  ///< empty for a limiting profile
   std::optional<NoWearEvidence> no_wear;                 ///< for a limiting profile
+  std::optional<ZoneAnswer> zones = {};                  ///< where rings touch in any order (FemCase::any_order)
 
   ZoneRings rings;
   int n_cycles = 0;
@@ -94,6 +106,10 @@ struct ContactRadius {
 /// FeAnswer.
 std::optional<ContactRadius> read_contact_radius(const fem::ContactProblem& problem, const FemCase& fem,
                                                  const Eigen::VectorXd& profile, fem::NormalHistory& history);
+
+/// Of a motion that has a cycle worth the name, see FeAnswer; normal_force_max is dimensionless.
+std::optional<fem::CycleResponse> cycle_of(const FemCase& fem, double normal_force_max,
+                                           const fem::NormalHistory& normal, const fem::FrictionHistory& friction);
 
 /// Reads everything but the contact radius from the histories, which it keeps. profile: ring means.
 FeAnswer read_answer(const ContactProblems& problems, const FemCase& fem, const Eigen::VectorXd& profile,

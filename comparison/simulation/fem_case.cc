@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <limits>
 #include <stdexcept>
 #include <tuple>
 #include <utility>
@@ -92,8 +93,27 @@ std::function<double(double)> profile_in(const Units& units, const Case& input, 
     case Case::Shape::table:
       break;
   }
-  // The heights between measured points are data; what MDR adds is their transform.
-  return [profile = mdr.profile, length, depth](double r) { return mdr::shape(profile, r * length) / depth; };
+  // The heights between measured points are data; what MDR adds is their transform. Beyond the rows nothing touches.
+  const double end = mdr.falls().empty() ? std::numeric_limits<double>::infinity() : mdr::end_radius(mdr.profile);
+  return [profile = mdr.profile, length, depth, end](double r) {
+    return mdr::shape(profile, std::min(r * length, end)) / depth;
+  };
+}
+
+/// Surfaces that are pressed sink everywhere, so an indenter touches no further out than it is as deep as it is
+/// pressed.
+double farthest_depth(const Case& input, const mdr::Profile& profile, double depth) {
+  constexpr int n_parts = 20000;
+  const double end = mdr::end_radius(profile);
+  const auto is_deep = [&](int i) { return mdr::shape(profile, end * i / n_parts) <= depth; };
+  if (is_deep(n_parts))
+    throw InputError(fmt::format(
+        "{}: Indenter / Table = {}: its last row, at r = {:g} m, is {:g} m above the lowest one, and the largest "
+        "indentation is {:g} m; expected rows up to a radius at which the indenter is higher than that",
+        input.file, input.indenter.table, end, mdr::shape(profile, end), depth));
+  int last = n_parts - 1;
+  while (last > 0 && !is_deep(last)) --last;
+  return end * (last + 1) / n_parts;
 }
 
 /// Between the rows of a table, linear in the depth that is worn off, which keeps an indenter unworn where two of them
@@ -192,8 +212,12 @@ bool BodySpecification::operator<(const BodySpecification& other) const {
 
 FemCase fem_case(const Case& input, const MdrCase& mdr) {
   const double deepest = deepest_indentation(mdr);
-  const Units units{mdr::inverse_transform(mdr.profile, deepest), deepest, input.elastomer.relaxed_modulus, 1};
+  const bool any_order = !mdr.falls().empty();
+  const double length =
+      any_order ? farthest_depth(input, mdr.profile, deepest) : mdr::inverse_transform(mdr.profile, deepest);
+  const Units units{length, deepest, input.elastomer.relaxed_modulus, 1};
   FemCase fem{units, {}, {}, {}, input.friction_coefficient, profile_in(units, input, mdr), {}, {}};
+  fem.any_order = any_order;
   if (mdr.limiting)
     fem.worn_edge = {mdr.limiting->stick_radius / units.length, mdr.limiting->outer_radius / units.length};
   else if (input.indenter.shape == Case::Shape::truncated_sphere)
@@ -216,10 +240,14 @@ FemCase fem_case(const Case& input, const MdrCase& mdr) {
   auto resolution = resolution_for(input.tolerance, fem.relaxation.has_memory());
   // The force of a worn profile is of second order from 12 rings on, and the error bar goes down to a quarter of them.
   constexpr double enough_rings_of_a_worn_profile = 48;
+  // A quarter of them still show annuli of a tenth of the contact.
+  constexpr double enough_rings_of_any_profile = 128;
   if (input.rings_per_radius)
     resolution.elements_per_radius = *input.rings_per_radius;
   else if (mdr.limiting && resolution.elements_per_radius < enough_rings_of_a_worn_profile)
     resolution = with_rings(resolution, enough_rings_of_a_worn_profile / resolution.elements_per_radius);
+  else if (any_order && resolution.elements_per_radius < enough_rings_of_any_profile)
+    resolution = with_rings(resolution, enough_rings_of_any_profile / resolution.elements_per_radius);
   if (input.steps_per_cycle) resolution.steps_per_cycle = *input.steps_per_cycle;
   fem = at_resolution(std::move(fem), resolution);
   require_room_on_sphere(input, fem);

@@ -17,7 +17,9 @@ namespace fretval {
 /// The problem is linear in the depths, so they have a unit of their own and the same case in nm and in m agrees to
 /// roundoff.
 struct Units {
-  double length;             ///< m, the unworn contact radius at the largest indentation
+  /// m, the unworn contact radius at the largest indentation; of a profile whose rings touch in any order, the radius
+  /// beyond which the indenter is higher than that, which bounds the contact.
+  double length;
   double depth;              ///< m, the largest indentation, see deepest_indentation
   double modulus;            ///< Pa, relaxed
   double angular_frequency;  ///< rad/s, of the cycle with which the motion repeats
@@ -61,6 +63,9 @@ struct FemCase {
   std::optional<mdr::HarmonicMotion> without_short_cycle = {};
   double error_of_demand = 0;
   double first_row = 0;  ///< s, of a path: when it begins
+  /// Rings may touch in any order, as MDR does not hold for the profile: forces are sums over the rings, zones lists of
+  /// annuli (ZoneAnswer).
+  bool any_order = false;
 
   /// The resolution's steps belong to the fastest oscillation, or to the whole of a path, which has more if it has many
   /// rows (fem::steps_along).

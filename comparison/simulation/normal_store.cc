@@ -20,7 +20,7 @@ std::vector<std::vector<double>> parameters_of(const FemCase& fem, const Eigen::
     normal.push_back(path->repeats ? 1 : 0);
   }
   return {{profile.begin(), profile.end()},
-          {relaxed, viscosity},
+          {relaxed, viscosity, fem.any_order ? 1.0 : 0.0},
           moduli,
           times,
           {fem.motion.indentation, static_cast<double>(fem.motion.n_ramp_cycles), fem.motion.normal_force ? 1.0 : 0.0},
@@ -33,7 +33,8 @@ std::vector<std::vector<double>> parameters_of(const FemCase& fem, const Eigen::
 NormalRecord make_record(const FemCase& fem, const fem::ContactProblem& problem, const Eigen::VectorXd& profile,
                          const fem::HistoryControl& control) {
   Stopwatch watch;
-  fem::NormalContact start(problem, fem.relaxation, profile, fem.motion, control.steps_per_cycle);
+  fem::NormalContact start(problem, fem.relaxation, profile, fem.motion, control.steps_per_cycle,
+                           fem.any_order ? fem::ForceReading::sum_of_rings : fem::ForceReading::up_to_the_edge);
   NormalRecord record;
   const auto add = [&record](const fem::NormalContact& contact) {
     record.pressures.push_back(contact.pressure);

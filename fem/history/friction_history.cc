@@ -195,6 +195,24 @@ bool is_about_to_stick(const Eigen::VectorXd& before, const Eigen::VectorXd& sli
   return std::log(slip[n] / allowed) < n_periods * std::log(before[n] / slip[n]);
 }
 
+/// The same of any ring, where the zones that stick need not lie around the centre.
+bool any_is_about_to_stick(const Eigen::VectorXd& before, const Eigen::VectorXd& slip, double allowed,
+                           double n_periods) {
+  for (Eigen::Index i = 0; i < slip.size(); ++i) {
+    const bool falls = slip[i] > allowed && slip[i] < before[i];
+    if (falls && std::log(slip[i] / allowed) < n_periods * std::log(before[i] / slip[i])) return true;
+  }
+  return false;
+}
+
+/// Of rings that touch in any order no depths can be continued to an edge.
+void report_sums(const Eigen::VectorXd& areas, FrictionHistory& history) {
+  history.force = history.traction.transpose() * areas;
+  history.force_uncertainty = Eigen::VectorXd::Zero(history.force.size());
+  history.dissipated_energy = history.friction_work.sum();
+  history.dissipated_uncertainty = 0;
+}
+
 }  // namespace
 
 double slip_of_stuck_ring(const Motion& motion, double amplitude) {
@@ -214,6 +232,7 @@ FrictionHistory friction_history(WatchedFriction friction, const NormalHistory& 
   TouchingRings touching{normal.touch_radii, contact.relaxation().viscosity == 0};
   const double creep = longest_creep_time(contact.relaxation()) / (2 * pi * cycles_per_period);  // periods
   CycleJump jump(creep);
+  const bool in_order = normal.touches_in_order();
   bool jumped = false, settling = false;
   while (jumped || settling || !(history.periodicity <= control.periodicity)) {
     const bool at_end = history.n_cycles >= control.max_cycles * cycles_per_period;
@@ -226,10 +245,14 @@ FrictionHistory friction_history(WatchedFriction friction, const NormalHistory& 
           history.n_cycles, history.periodicity, control.periodicity, creep * cycles_per_period));
     do {
       const Eigen::Index column = normal.column(contact.n_steps + 1);
-      friction.step(normal.pressure.col(column),
-                    NormalInstant{normal.touch_radii, normal.contact_radius[column], normal.force[column]});
-      touching.move_to(normal.contact_radius[column]);
-      forces.see(contact, touching, normal.force[column]);
+      if (in_order) {
+        friction.step(normal.pressure.col(column),
+                      NormalInstant{normal.touch_radii, normal.contact_radius[column], normal.force[column]});
+        touching.move_to(normal.contact_radius[column]);
+        forces.see(contact, touching, normal.force[column]);
+      } else {
+        friction.step(normal.pressure.col(column));
+      }
       if (see) see(contact);
     } while (contact.n_steps % period_steps != 0);
     history.n_cycles = static_cast<int>(contact.n_steps / contact.steps_per_cycle());
@@ -243,8 +266,9 @@ FrictionHistory friction_history(WatchedFriction friction, const NormalHistory& 
       history.periodicity =
           change_to_come(change_per_period(friction.period.traction(), friction.traction_before), creep);
       const double allowed = slip_of_stuck_ring(contact.motion(), friction.period.amplitude(contact.motion()));
-      settling = is_about_to_stick(friction.slip_before, friction.period.slip(), allowed,
-                                   static_cast<double>(history.n_cycles) / cycles_per_period);
+      const auto is_about = in_order ? is_about_to_stick : any_is_about_to_stick;
+      settling = is_about(friction.slip_before, friction.period.slip(), allowed,
+                          static_cast<double>(history.n_cycles) / cycles_per_period);
     }
     if (settling || history.periodicity > control.periodicity)
       jumped = jump.advance(contact.state, contact.displacement);
@@ -252,7 +276,10 @@ FrictionHistory friction_history(WatchedFriction friction, const NormalHistory& 
   history.n_steps = contact.n_steps;
   friction.first_slip.report(history);
   friction.period.report(contact.problem(), history);
-  forces.report(contact, history);
+  if (in_order)
+    forces.report(contact, history);
+  else
+    report_sums(contact.problem().compliance.areas, history);
   history.amplitude = friction.period.amplitude(contact.motion());
   history.slip_of_periods = std::move(friction.slip_of_periods);
   return history;

@@ -98,6 +98,9 @@ class WatchedFriction {
   [[nodiscard]] int period_steps() const { return contact.steps_per_cycle() * contact.motion().cycles_per_period(); }
 };
 
+/// Where rings touch in any order (NormalHistory::touches_in_order), force and energy are sums over the rings, and
+/// rings that touch are held from the start of their step on.
+///
 /// A single pass is stepped beside its normal history, from rest. Otherwise:
 /// Goes on under the repeating cycle of the normal contact until the tractions are periodic, and the innermost ring
 /// that slips is not about to stick: its slip, dying out as from the last period but one to the last, would be that of

@@ -43,6 +43,8 @@ class NormalContact {
   [[nodiscard]] int steps_per_cycle() const { return steps_per_cycle_; }
   /// Where the last step lies in its piece of a path, sampled at the balance time; empty: of cosines.
   [[nodiscard]] std::optional<StepInPiece> in_piece() const;
+  /// Whether rings are supposed to touch one after the other, from the centre outwards.
+  [[nodiscard]] bool touches_in_order() const { return how_ == ForceReading::up_to_the_edge; }
 
   /// What the next step depends on; into a contact that was made of the same arguments.
   template <class Archive>

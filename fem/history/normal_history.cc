@@ -83,7 +83,7 @@ NormalHistory normal_history(NormalContact contact, const HistoryControl& contro
   NormalHistory history;
   history.steps_per_cycle = n_steps;
   history.periodicity = infinity;
-  history.touch_radii = contact.problem().series.radii();
+  if (contact.touches_in_order()) history.touch_radii = contact.problem().series.radii();
   CycleRecord record(contact, history);
   const double creep = longest_creep_time(contact.relaxation()) / (2 * pi);
   CycleJump jump(creep);

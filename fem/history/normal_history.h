@@ -32,7 +32,9 @@ struct NormalHistory {
   Eigen::VectorXd force_beyond, force_beyond_uncertainty;  ///< of rings that press beyond a free one
   Eigen::VectorX<Eigen::Index> n_closed;                   ///< see ContactForce
   Eigen::VectorXd contact_radius;
-  Eigen::VectorXd touch_radii;   ///< of the contact when a ring touches, see PunchSeries::radii
+  /// Of the contact when a ring touches, see PunchSeries::radii. Empty: rings touch in any order, and forces are sums
+  /// over them (ForceReading::sum_of_rings).
+  Eigen::VectorXd touch_radii;
   Eigen::VectorXd smallest_gap;  ///< per ring over the cycle; 0 for rings that touch
   /// The same from the gaps at the balance times, between which it is a RunningMinimum; both agree to second order.
   Eigen::VectorXd smallest_gap_at_balance;
@@ -42,6 +44,7 @@ struct NormalHistory {
 
   /// Column of a step in the cycle, counted from 1 for the first step of the history; from the last computed cycle on.
   [[nodiscard]] Eigen::Index column(long step) const { return (step - 1) % steps_per_cycle; }
+  [[nodiscard]] bool touches_in_order() const { return touch_radii.size() > 0; }
   [[nodiscard]] long n_steps() const { return static_cast<long>(n_cycles) * steps_per_cycle; }
 };
 

@@ -19,6 +19,14 @@ void require_on_profile(const Profile& profile, const char* quantity, double r) 
   if (const double end = end_radius(profile); std::isfinite(end)) require_within(quantity, r, 0, end * (1 + roundoff));
 }
 
+/// What supposes a contact that is one full circle, in terms of what it supposes.
+void require_rising_image(const Profile& profile) {
+  const auto* table = std::get_if<ProfileTable>(&profile);
+  if (table && !table->falls.empty())
+    reject("profile table at r in m", table->falls.front().from,
+           "the one-dimensional image g falls here, and the method of dimensionality reduction does not hold");
+}
+
 }  // namespace
 
 Profile parabola(double radius) {
@@ -62,6 +70,15 @@ Profile tabulated(const std::vector<double>& r, const std::vector<double>& f, do
   return profile_table(r, f, noise);
 }
 
+Profile tabulated_as_it_is(const std::vector<double>& r, const std::vector<double>& f) {
+  return profile_table_as_it_is(r, f);
+}
+
+std::vector<FallOfImage> falls_of_image(const Profile& profile) {
+  const auto* table = std::get_if<ProfileTable>(&profile);
+  return table ? table->falls : std::vector<FallOfImage>{};
+}
+
 double end_radius(const Profile& profile) {
   if (const auto* table = std::get_if<ProfileTable>(&profile)) return end_radius(*table);
   if (const auto* sphere = std::get_if<Sphere>(&profile)) return sphere->radius;
@@ -84,6 +101,7 @@ double transform(const Profile& profile, double x) {
 }
 
 double transform_slope(const Profile& profile, double x) {
+  require_rising_image(profile);
   require_on_profile(profile, "coordinate x", x);
   return std::visit([x](const auto& p) { return transform_slope(p, x); }, profile);
 }
@@ -94,11 +112,13 @@ std::vector<double> transform_kinks(const Profile& profile) {
 }
 
 double transform_integral(const Profile& profile, double x) {
+  require_rising_image(profile);
   require_on_profile(profile, "coordinate x", x);
   return std::visit([x](const auto& p) { return transform_integral(p, x); }, profile);
 }
 
 double inverse_transform(const Profile& profile, double depth) {
+  require_rising_image(profile);
   require_non_negative("depth of the one-dimensional profile", depth);
   if (const auto* table = std::get_if<ProfileTable>(&profile)) {
     const double deepest = transform(*table, end_radius(*table));
@@ -115,12 +135,14 @@ double inverse_transform(const Profile& profile, double depth) {
 }
 
 double abel_slope_integral(const Profile& profile, double r, double a) {
+  require_rising_image(profile);
   require_on_profile(profile, "outer radius a", a);
   require_within("radial coordinate r", r, 0, a);
   return std::visit([r, a](const auto& p) { return abel_slope_integral(p, r, a); }, profile);
 }
 
 double abel_depth_integral(const Profile& profile, double lower, double upper, double r) {
+  require_rising_image(profile);
   require_on_profile(profile, "upper limit", upper);
   require_within("lower limit", lower, 0, upper);
   require_within("radial coordinate r", r, upper, std::numeric_limits<double>::max());

@@ -42,6 +42,13 @@ Profile truncated_sphere(double radius, double flat_radius);
 /// m, the convex profile that fits them; see mdr/profile_table.h for what is asked of them.
 Profile tabulated(const std::vector<double>& r, const std::vector<double>& f, double noise = 0);
 
+/// Any profile through such points, see profile_table_as_it_is: where its image falls, MDR does not hold. Of such a
+/// profile only the height, its slope and the image itself may be asked for; all else throws std::invalid_argument.
+Profile tabulated_as_it_is(const std::vector<double>& r, const std::vector<double>& f);
+
+/// Where the image falls, from the axis outwards; empty: MDR holds.
+std::vector<FallOfImage> falls_of_image(const Profile& profile);
+
 /// Where the profile ends, in m: the last row of a table, the radius of a sphere, infinity for all others.
 double end_radius(const Profile& profile);
 

@@ -54,9 +54,9 @@ void add_parabolas(PiecewiseCubic& height, double h, double secant, double left,
   height.coefficients.push_back({f + first * (left + middle) / 2, middle, (right - middle) / (2 * second), 0});
 }
 
-PiecewiseCubic height_through(const std::vector<double>& r, const std::vector<double>& f) {
+PiecewiseCubic height_through(const std::vector<double>& r, const std::vector<double>& f, double lowest) {
   std::vector<double> rows = f;
-  for (double& h : rows) h -= f[0];
+  for (double& h : rows) h -= lowest;
   std::vector<double> slopes = monotone_slopes(r, rows);
   const double steepest = *std::max_element(slopes.begin(), slopes.end());
   require_rise(steepest);
@@ -99,27 +99,33 @@ std::vector<double> refined(const std::vector<double>& nodes) {
   return fine;
 }
 
-void check_rising(const std::vector<double>& x, const std::vector<double>& g, const std::vector<double>& slopes) {
+std::vector<FallOfImage> falls_of(const std::vector<double>& x, const std::vector<double>& g,
+                                  const std::vector<double>& slopes) {
   const double tolerance = slope_roundoff * *std::max_element(slopes.begin(), slopes.end());
+  std::vector<FallOfImage> falls;
+  bool fell = false;
   for (std::size_t k = 0; k < x.size(); ++k) {
-    const bool falls = slopes[k] < -tolerance || (k > 0 && g[k] < g[k - 1] - tolerance * (x[k] - x[k - 1]));
-    if (falls)
-      reject("profile table at r in m", x[k],
-             "the one-dimensional image g falls here, so the contact would not be a full circle, which MDR assumes; "
-             "use a convex profile or remove the bump or dip");
+    const bool falls_to = k > 0 && g[k] < g[k - 1] - tolerance * (x[k] - x[k - 1]);
+    const bool fall = slopes[k] < -tolerance || falls_to;
+    if (fall && !fell) falls.push_back({falls_to ? x[k - 1] : x[k], x[k]});
+    if (fall || (fell && g[k] < g[k - 1])) falls.back().to = x[k];
+    fell = fall;
   }
+  return falls;
 }
 
-PiecewiseCubic image_of(const PiecewiseCubic& height_slope) {
+void take_image(ProfileTable& table) {
+  const PiecewiseCubic& height_slope = table.height_slope;
   const PiecewiseCubic radial = radial_slope(height_slope);
   const std::vector<double> x = refined(height_slope.nodes);
-  std::vector<double> g{0}, slopes{pi / 2 * height_slope.coefficients[0][0]};
+  const double on_axis = table.height.coefficients[0][0];  // of a hollow indenter; the image of a constant is itself
+  std::vector<double> g{on_axis}, slopes{pi / 2 * height_slope.coefficients[0][0]};
   for (std::size_t k = 1; k < x.size(); ++k) {
-    g.push_back(x[k] * abel_integral_below(height_slope, 0, x[k], x[k]));
+    g.push_back(on_axis + x[k] * abel_integral_below(height_slope, 0, x[k], x[k]));
     slopes.push_back(abel_integral_below(radial, 0, x[k], x[k]));
   }
-  check_rising(x, g, slopes);
-  return hermite_cubic(x, g, slopes);
+  table.falls = falls_of(x, g, slopes);
+  table.image = hermite_cubic(x, g, slopes);
 }
 
 void require_finite_pieces(const PiecewiseCubic& cubic) {
@@ -135,10 +141,23 @@ ProfileTable table_of(const PiecewiseCubic& height) {
   ProfileTable table;
   table.height = height;
   table.height_slope = derivative(table.height);
-  table.image = image_of(table.height_slope);
+  take_image(table);
   require_finite_pieces(table.image);
   table.image_slope = derivative(table.image);
   return table;
+}
+
+ProfileTable rising(ProfileTable table) {
+  if (!table.falls.empty())
+    reject("profile table at r in m", table.falls.front().from,
+           "the one-dimensional image g falls here, so the contact would not be a full circle, which MDR assumes; "
+           "use a convex profile or remove the bump or dip");
+  return table;
+}
+
+void require_table(const std::vector<double>& r, const std::vector<double>& f) {
+  require_profile_rows(r, f, n_least_rows);
+  if (r[0] != 0) reject("first radius of the profile table", r[0], "must be 0, the axis");
 }
 
 }  // namespace
@@ -148,11 +167,15 @@ ProfileTable profile_table(const std::vector<double>& r, const std::vector<doubl
   if (noise > 0) {
     const ConvexFit fit = convex_fit(r, f, noise);
     require_rise(value(derivative(fit.height), fit.height.nodes.back()));
-    return table_of(fit.height);
+    return rising(table_of(fit.height));
   }
-  require_profile_rows(r, f, n_least_rows);
-  if (r[0] != 0) reject("first radius of the profile table", r[0], "must be 0, the axis");
-  return table_of(height_through(r, f));
+  require_table(r, f);
+  return rising(table_of(height_through(r, f, f[0])));
+}
+
+ProfileTable profile_table_as_it_is(const std::vector<double>& r, const std::vector<double>& f) {
+  require_table(r, f);
+  return table_of(height_through(r, f, *std::min_element(f.begin(), f.end())));
 }
 
 double end_radius(const ProfileTable& profile) {

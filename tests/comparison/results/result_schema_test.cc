@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "tests/comparison/damaged_case.h"
 #include "tests/comparison/read_case.h"
 #include "tests/comparison/run_fretval.h"
 
@@ -17,8 +18,8 @@ std::string said_of(const fs::path& file, const ScratchFolder& folder) {
   return run.exit_code == 0 ? "" : run.out + run.err;
 }
 
-/// Every kind of result: with bars, of a sweep, unlocked, limiting, with forces, gross slip, with harmonics, worn,
-/// along a path.
+/// Every kind of result: with bars, beyond MDR, of a sweep, unlocked, limiting, with forces, gross slip, with
+/// harmonics, worn, along a path.
 fs::path run_of_every_kind(const ScratchFolder& folder) {
   const auto elastic = elastic_case();
   const auto limiting = "subsection Wear\n  set State = limiting\n  set Stick radius ratio = 0.5\nend\n";
@@ -41,6 +42,7 @@ fs::path run_of_every_kind(const ScratchFolder& folder) {
     folder.write(repeats + ".prm", elastic.substr(0, begin) +
                                        "subsection Motion\n  set Path = path.csv\n  set Path repeats = " + repeats +
                                        "\nend\n" + elastic.substr(end));
+  write_damaged_case(folder, groove(0.5, 0.7, 0.04));
   const auto out = folder.path() / "out";
   const auto run = fretval_run("-q run --proof bars " + quoted(folder.path()) + " -o " + quoted(out), folder);
   EXPECT_TRUE(run.exit_code == 0 || run.exit_code == 1) << run.err;
@@ -55,7 +57,7 @@ TEST(ResultSchema, HoldsForEveryKindOfResult) {
     EXPECT_EQ(said_of(entry.path(), folder), "") << entry.path();
     ++n_results;
   }
-  EXPECT_EQ(n_results, 11);
+  EXPECT_EQ(n_results, 12);
 }
 
 TEST(ResultSchema, RefusesWhatItDoesNotSay) {

@@ -142,6 +142,40 @@ TEST_P(FullHistoryOf, TractionIsThatOfTheCondensedBody) {
   expect_plausible(full.count, Harmonic::tangential, full.traction.cols() - 1);
 }
 
+// A groove that stays open: a disc and a ring touch, and the full model supposes nothing of their order.
+TEST_P(FullHistoryOf, OfAGroovedIndenterIsThatOfTheCondensedBody) {
+  Eigen::VectorXd grooved = profile();
+  grooved.segment(2, 2).array() += 0.4;
+  const Motion motion = wide_motion();
+  const auto& problem = body(Harmonic::normal).condensed;
+  NormalContact contact(problem, GetParam(), grooved, motion, n_steps, ForceReading::sum_of_rings);
+  std::vector<Eigen::VectorXd> pressures{contact.pressure};
+  const auto normal = normal_history(std::move(contact), few_cycles(),
+                                     [&](const NormalContact& now) { pressures.push_back(now.pressure); });
+  Eigen::MatrixXd pressure(n_rings, static_cast<Index>(pressures.size()));
+  for (Index k = 0; k < pressure.cols(); ++k) pressure.col(k) = pressures[static_cast<std::size_t>(k)];
+  const auto full =
+      full_normal_history(body(Harmonic::normal).space, GetParam(), grooved, motion, n_steps, normal.n_cycles);
+  EXPECT_LT(largest_difference(full.pressure, pressure), roundoff);
+  const auto touching = (pressure.array() > 0).colwise().count();
+  EXPECT_TRUE((pressure.middleRows(2, 2).array() == 0).all());
+  EXPECT_GT((pressure.bottomRows(4).array() > 0).count(), 3);  // the outer ring comes,
+  EXPECT_GT((pressure.row(4).array() == 0).count(), 0);        // and goes
+  EXPECT_GT(touching.maxCoeff(), 3);
+
+  WatchedFriction friction(body(Harmonic::tangential).condensed, GetParam(), mu, motion, n_steps);
+  for (Index k = 1; k < pressure.cols(); ++k) friction.step(pressure.col(k));
+  const auto history = friction_history(std::move(friction), normal, few_cycles());
+  const auto n_cycles = static_cast<int>(history.n_steps / n_steps);
+  Eigen::MatrixXd all(n_rings, 1 + n_cycles * n_steps);
+  for (Index k = 0; k < all.cols(); ++k)
+    all.col(k) =
+        k < pressure.cols() ? Eigen::VectorXd(pressure.col(k)) : Eigen::VectorXd(normal.pressure.col(normal.column(k)));
+  const auto slipping = full_friction(GetParam(), all, n_cycles);
+  EXPECT_LT(largest_difference(slipping.traction.rightCols(n_steps), history.traction), roundoff);
+  EXPECT_NEAR(history.force[0], history.traction.col(0).dot(problem.compliance.areas), 1e-14);
+}
+
 // The comparison above must notice a history that is a little wrong.
 TEST(FullHistory, DependsOnEveryRelaxationTime) {
   const auto model = damped_branches();

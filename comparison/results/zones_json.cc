@@ -1,0 +1,65 @@
+#include "comparison/results/zones_json.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace fretval {
+namespace {
+
+using nlohmann::ordered_json;
+
+ordered_json total_of(const std::optional<ErrorBar>& bar, double unit) {
+  return bar && std::isfinite(bar->total()) ? ordered_json(bar->total() * unit) : ordered_json(nullptr);
+}
+
+ordered_json annuli_json(const std::vector<fem::Annulus>& annuli, const std::vector<AnnulusBar>& bars, double length) {
+  auto list = ordered_json::array();
+  for (std::size_t k = 0; k < annuli.size(); ++k) {
+    const auto bar = k < bars.size() ? bars[k] : AnnulusBar{};
+    list.push_back({{"inner", annuli[k].inner},
+                    {"outer", annuli[k].outer},
+                    {"inner_bar", total_of(bar.inner, length)},
+                    {"outer_bar", total_of(bar.outer, length)}});
+  }
+  return list;
+}
+
+/// Null: the zone is one disc, and has a radius.
+ordered_json why_no_radius(const std::vector<fem::Annulus>& zone) {
+  if (zone.empty()) return "nothing sticks";
+  if (zone.size() > 1) return fmt::format("{} annuli stick", zone.size());
+  return zone.front().inner > 0 ? ordered_json("an annulus sticks, and no disc") : ordered_json(nullptr);
+}
+
+}  // namespace
+
+ordered_json zones_json(const ZoneAnswer& zones, const std::optional<ZoneBudget>& bars, double length) {
+  const auto known = bars.value_or(ZoneBudget{});
+  return {{"contact", annuli_json(zones.contact, known.contact, length)},
+          {"first_slip", annuli_json(zones.first_slip, known.first_slip, length)},
+          {"shakedown", annuli_json(zones.shakedown, known.shakedown, length)},
+          {"why_no_radius",
+           {{"first_slip", why_no_radius(zones.first_slip)}, {"shakedown", why_no_radius(zones.shakedown)}}},
+          {"contact_uncertainty", zones.contact_uncertainty},
+          {"pressure_max", zones.pressure_max},
+          {"pressure_max_bar", bars ? total_of(known.pressure_max, zones.pressure_max) : ordered_json(nullptr)}};
+}
+
+ordered_json to_json(const BeyondMdr& beyond, double depth) {
+  auto falls = ordered_json::array();
+  for (const auto& [from, to] : beyond.falls) falls.push_back({{"from", from}, {"to", to}});
+  return {{"reason", "MDR does not hold for this profile"},
+          {"image_falls", falls},
+          {"at_rest",
+           {{"indentation", depth},
+            {"normal_force", beyond.force},
+            {"contact_radius", beyond.contact_radius},
+            {"normal_force_of_springs", beyond.force_of_springs},
+            {"contact_radius_of_springs", beyond.springs.radius},
+            {"normal_force_difference", beyond.force_difference()},
+            {"contact_radius_difference", beyond.radius_difference()}}}};
+}
+
+}  // namespace fretval

@@ -1,0 +1,78 @@
+#include "comparison/accuracy/zone_bars.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "comparison/accuracy/proof.h"
+#include "comparison/reference/mdr_answer.h"
+#include "tests/comparison/damaged_case.h"
+#include "tests/comparison/suite_case.h"
+
+namespace fretval::zone_bars_test {
+namespace {
+
+ProvedAnswer with_bars(const PreparedCase& prepared) {
+  BodyStore bodies;
+  return prove(prepared, Proof::bars, bodies);
+}
+
+// A whole indenter, read as if its rings touched in any order: MDR is exact, and within the bars.
+TEST(ZoneBars, CoverTheExactAnswerOfAWholeIndenter) {
+  for (const char* name : {"parabola-elastic-90", "cone-elastic-0"}) {
+    auto prepared = prepare({suite_case(name, 1e-2)}).front();
+    const auto& mdr = prepared.mdr;
+    const auto exact = mdr_answer_with_cycle(mdr, mdr_normal_response(mdr));
+    prepared.fem.any_order = true;
+    const auto answer = with_bars(prepared);
+    ASSERT_EQ(answer.failure, "");
+    const auto& fe = answer.fe;
+    const auto bar = [&](Quantity quantity) { return answer.budget.at(quantity).total(); };
+    const double force = std::abs(std::log(fe.normal_force_max / exact.normal_force_max.value())),
+                 radius = std::abs(std::log(fe.contact_radius_max.value() / exact.contact_radius_max.value())),
+                 tangential = std::abs(std::log(fe.cycle->tangential_force_max / exact.cycle->tangential_force_max)),
+                 work = std::abs(fe.cycle->friction_work - exact.cycle->friction_work) / fe.cycle->sliding_work;
+    EXPECT_LE(force, bar(Quantity::normal_force_max)) << name;
+    EXPECT_LE(radius, bar(Quantity::contact_radius_max)) << name;
+    EXPECT_LE(tangential, bar(Quantity::tangential_force_max)) << name;
+    // The springs have an error of their own, and nothing slips under the cone.
+    EXPECT_LE(work, bar(Quantity::friction_work) + exact.cycle->work_error / fe.cycle->sliding_work) << name;
+    EXPECT_LT(bar(Quantity::normal_force_max), 0.05) << name << ": a bar that says something";
+    const auto& zones = answer.zone_bars.value();
+    ASSERT_EQ(zones.shakedown.size(), 1U);
+    EXPECT_FALSE(zones.shakedown[0].inner);
+    const double length = prepared.fem.units.length;
+    EXPECT_LE(std::abs(fe.zones->shakedown[0].outer - exact.stick_radius_shakedown.value()),
+              zones.shakedown[0].outer.value().total() * length)
+        << name;
+    EXPECT_LE(std::abs(fe.zones->contact[0].outer - exact.contact_radius_max.value()),
+              zones.contact[0].outer.value().total() * length)
+        << name;
+    EXPECT_EQ(answer.budget.count(Quantity::stick_radius_shakedown), 0U) << "ends of zones stand for it";
+  }
+}
+
+// The same on twice the rings: half of the bar or less, and both answers within both bars.
+TEST(ZoneBars, OfAGrooveShrinkWithTheRings) {
+  auto prepared = prepared_damaged(groove(0.5, 0.7, 0.04));
+  const auto coarse = with_bars(prepared);
+  prepared.fem.resolution = with_rings(prepared.fem.resolution, 2);
+  prepared.fem = at_resolution(prepared.fem, prepared.fem.resolution);
+  const auto fine = with_bars(prepared);
+  const double length = prepared.fem.units.length;
+  ASSERT_EQ(coarse.fe.zones->contact.size(), 2U);
+  ASSERT_EQ(fine.fe.zones->contact.size(), 2U);
+  for (const std::size_t k : {0U, 1U}) {
+    const double difference = std::abs(coarse.fe.zones->contact[k].outer - fine.fe.zones->contact[k].outer) / length;
+    const double wide = coarse.zone_bars->contact[k].outer.value().total(),
+                 narrow = fine.zone_bars->contact[k].outer.value().total();
+    EXPECT_LE(difference, wide + narrow);
+    EXPECT_LT(narrow, wide);
+  }
+  const double difference = std::abs(std::log(coarse.fe.normal_force_max / fine.fe.normal_force_max));
+  EXPECT_LE(difference, coarse.budget.at(Quantity::normal_force_max).total());
+  EXPECT_GT(coarse.zone_bars->pressure_max.total(), 0);
+}
+
+}  // namespace
+}  // namespace fretval::zone_bars_test

@@ -1,0 +1,84 @@
+#include "comparison/results/zones_json.h"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "comparison/results/answer_text.h"
+#include "tests/comparison/damaged_case.h"
+#include "tests/comparison/expect_parts.h"
+#include "tests/comparison/run_fretval.h"
+
+namespace fretval::zones_json_test {
+namespace {
+
+ErrorBar bar(double total) {
+  return {{{ErrorSource::rings, total, std::nullopt}}};
+}
+
+TEST(ZonesJson, HasEndsWithBarsInMetres) {
+  ZoneAnswer zones;
+  zones.contact = {{0, 5e-4}, {7e-4, 1e-3}};
+  zones.shakedown = {{7e-4, 8e-4}};
+  zones.pressure_max = 2e5;
+  const ZoneBudget bars{{{std::nullopt, bar(2e-3)}, {bar(4e-3), std::nullopt}}, {}, {}, bar(0.01)};
+  const auto json = zones_json(zones, bars, 1e-3);
+  EXPECT_EQ(json.at("contact").size(), 2U);
+  EXPECT_EQ(json.at("contact")[1].at("inner"), 7e-4);
+  EXPECT_TRUE(json.at("contact")[0].at("inner_bar").is_null());
+  EXPECT_NEAR(json.at("contact")[0].at("outer_bar").get<double>(), 2e-6, 1e-18);
+  EXPECT_NEAR(json.at("contact")[1].at("inner_bar").get<double>(), 4e-6, 1e-18);
+  EXPECT_NEAR(json.at("pressure_max_bar").get<double>(), 2e3, 1e-9);
+  EXPECT_EQ(json.at("why_no_radius").at("first_slip"), "nothing sticks");
+  EXPECT_EQ(json.at("why_no_radius").at("shakedown"), "an annulus sticks, and no disc");
+  EXPECT_EQ(annuli_text(json.at("contact")), "0 to 500 ± 2 µm; 700 ± 4 µm to 1.00000 mm");
+  EXPECT_EQ(annuli_text(json.at("first_slip")), "none");
+}
+
+// Exit code 0: nothing disagrees. The verdict has a name in everything that somebody may read.
+TEST(ZonesJson, ARunBeyondMdrSaysSo) {
+  const ScratchFolder folder;
+  const auto file = write_damaged_case(folder, groove(0.5, 0.7, 0.04));
+  const auto out = folder.path() / "out", junit = folder.path() / "junit.xml";
+  const auto run = fretval_run(
+      "run --proof none --no-store " + quoted(file) + " -o " + quoted(out) + " --junit " + quoted(junit), folder);
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  expect_parts(run.out, {"not compared: MDR does not hold for this profile", "falls for x = ", " of the normal force",
+                         "contact, r", "stick, shakedown, r"});
+  const auto json = nlohmann::json::parse(text_of(out / "damaged/result.json"));
+  EXPECT_TRUE(json.at("pass").get<bool>());
+  EXPECT_TRUE(json.at("comparison").empty());
+  EXPECT_TRUE(json.at("mdr").at("normal_force_max").is_null());
+  const auto& at_rest = json.at("not_compared").at("at_rest");
+  EXPECT_NEAR(at_rest.at("normal_force_difference").get<double>(),
+              at_rest.at("normal_force_of_springs").get<double>() / at_rest.at("normal_force").get<double>() - 1,
+              1e-12);
+  EXPECT_EQ(json.at("not_compared").at("reason"), "MDR does not hold for this profile");
+  EXPECT_EQ(json.at("fe").at("zones").at("contact").size(), 2U);
+  expect_parts(text_of(out / "index.html"), {"not compared", "MDR does not hold for this profile"});
+  expect_parts(text_of(junit), {"failures=\"0\"", "MDR does not hold for this profile"});
+  EXPECT_EQ(text_of(out / "damaged/history.csv").find("MDR"), std::string::npos);
+  // Letters of the rings beyond the groove, which is open.
+  const auto cycle = nlohmann::json::parse(text_of(out / "damaged/cycle.json"));
+  const auto zones = cycle.at("zones").back().get<std::string>();
+  EXPECT_NE(zones.find_last_not_of('o'), std::string::npos);
+  EXPECT_LT(zones.find('o'), zones.find_last_not_of('o'));
+}
+
+TEST(ZonesJson, MdrAloneRefusesAndExplainSaysWhy) {
+  const ScratchFolder folder;
+  const auto file = write_damaged_case(folder, groove(0.5, 0.7, 0.04));
+  const auto mdr = fretval_run("mdr " + quoted(file), folder);
+  EXPECT_EQ(mdr.exit_code, 2);
+  expect_parts(mdr.err, {"damaged.csv", "MDR does not hold", "falls for x = ", "fretval run"});
+  const auto explained = fretval_run("explain " + quoted(file), folder);
+  EXPECT_EQ(explained.exit_code, 0) << explained.err;
+  expect_parts(explained.out, {"does not hold for this profile", "falls for x = ", "whatever order"});
+  folder.write("wears.prm", text_of(file) + "subsection Wear\n  set Coefficient = 1e-12\nend\n");
+  const auto wears = fretval_run("run " + quoted(folder.path() / "wears.prm"), folder);
+  EXPECT_EQ(wears.exit_code, 2);
+  expect_parts(wears.err, {"wears.prm: Wear / Coefficient", "MDR does not hold", "no wear"});
+}
+
+}  // namespace
+}  // namespace fretval::zones_json_test
