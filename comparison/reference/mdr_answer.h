@@ -40,7 +40,7 @@ struct MdrAnswer {
   std::optional<MdrCycle> cycle = {};
   /// Of springs that were stepped in time, the largest relative error of what is above; 0: closed forms.
   double stepping_error = 0;
-  std::optional<mdr::AxisPressure> axis_pressure = {};  ///< empty: infinite under a sharp tip
+  std::optional<mdr::AxisPressure> axis_pressure = {};  ///< empty: infinite
   /// Of all amplitudes, the share at which the whole contact begins to slide under a prescribed tangential force while
   /// they rise slowly; then all else but the normal response is empty. Empty: it never does.
   std::optional<double> gross_slip = {};

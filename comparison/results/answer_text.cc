@@ -108,7 +108,9 @@ Answer answer_beyond_mdr(const ordered_json& result) {
     add("largest pressure", with_unit(*pressure, number_in(zones, "pressure_max_bar").value_or(0), "Pa"));
   add("contact, r", annuli_text(zones.at("contact")));
   add("stick, first slip, r", annuli_text(zones.at("first_slip")));
-  add("stick, shakedown, r", annuli_text(zones.at("shakedown")));
+  const auto path = result.at("scene").find("path");
+  if (path == result.at("scene").end() || !path->contains("why_no_shakedown"))
+    add("stick, shakedown, r", annuli_text(zones.at("shakedown")));
   return answer;
 }
 
@@ -123,6 +125,8 @@ UnitPrefix prefix_for(double value) {
 
 std::string with_unit(double value, double bar, const std::string& unit) {
   const auto& [name, factor] = prefix_for(value);
+  const double least = 1e-9 * factor;
+  if (value != 0 && std::abs(value) < least && bar < least) return fmt::format("0 {}{}", name, unit);  // roundoff
   const int decimals = decimals_of(value / factor, bar / factor);
   const auto number = fmt::format("{:.{}f}", value / factor, decimals);
   if (bar <= 0 || !std::isfinite(bar)) return fmt::format("{} {}{}", number, name, unit);

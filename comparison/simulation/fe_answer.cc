@@ -108,13 +108,22 @@ double exponent_at_edge(const FemCase& fem) {
   return exponent_at(1, fem);
 }
 
-std::optional<double> axis_pressure_of(const FemCase& fem, const fem::PunchSeries& series,
+/// Infinite under a sharp tip, and where a body with a dashpot is touched anew. Beyond a worn edge little is pressed,
+/// in the limit nothing.
+std::optional<double> axis_pressure_of(const FemCase& fem, const ContactProblems& problems,
                                        const fem::NormalHistory& normal) {
   constexpr double near_axis = 1e-4, sharp = 1 + 1e-3;
   const double exponent = exponent_at(near_axis, fem);
-  if (exponent < sharp) return std::nullopt;
-  const auto pressure = fem::axis_pressure_max(series, normal, exponent);
-  return pressure ? std::optional(*pressure * fem.units.pressure()) : std::nullopt;
+  const bool touches_anew = fem.relaxation.viscosity > 0 && normal.force.minCoeff() <= 0;
+  if (exponent < sharp || touches_anew) return std::nullopt;
+  Eigen::MatrixXd pressure = normal.pressure;
+  Eigen::VectorXd radius = normal.contact_radius;
+  if (fem.worn_edge) {
+    pressure.bottomRows(pressure.rows() - rings_within(problems.normal.compliance, fem.worn_edge->inner)).setZero();
+    radius = radius.cwiseMin(fem.worn_edge->inner);
+  }
+  const auto largest = fem::axis_pressure_max(problems.normal.series, pressure, radius, exponent, normal.pieces);
+  return largest ? std::optional(*largest * fem.units.pressure()) : std::nullopt;
 }
 
 /// Next to a sharp edge of the indenter the pressure is singular, and rings that are not graded there miss the stick
@@ -193,7 +202,7 @@ FeAnswer read_answer(const ContactProblems& problems, const FemCase& fem, const 
       problems.normal, {fem.relaxation, fem.sharp_edge, fem.worn_edge.has_value(), fem.motion.highest_normal_order()},
       normal);
   answer.normal_force_max = force.value * fem.units.force();
-  answer.axis_pressure_max = axis_pressure_of(fem, problems.normal.series, normal);
+  answer.axis_pressure_max = axis_pressure_of(fem, problems, normal);
   answer.normal_force_uncertainty = force.uncertainty * fem.units.force();
   if (fem.motion.normal_force) {
     const auto [depth, uncertainty] = fem::largest_indentation(problems.normal, fem.relaxation, normal);

@@ -60,7 +60,7 @@ struct FeAnswer {
   double normal_force_max = 0;
   std::optional<double> indentation_max;       ///< empty: prescribed
   std::optional<double> tangential_amplitude;  ///< half of what lies between the extremes of u_x; empty: prescribed
-  std::optional<double> axis_pressure_max;     ///< Pa; empty: infinite under a sharp tip
+  std::optional<double> axis_pressure_max;     ///< Pa; empty: infinite
   /// SI units. Empty: worn, at rest tangentially, an unlocked phase, or a cycle that stands for none.
   std::optional<fem::CycleResponse> cycle;
   std::optional<GrossSlipStart> gross_slip;  ///< then there is nothing else but the body and the cost

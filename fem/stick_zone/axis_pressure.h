@@ -1,9 +1,11 @@
 #pragma once
 
+#include <Eigen/Dense>
 #include <optional>
+#include <vector>
 
 #include "fem/condensation/punch_series.h"
-#include "fem/history/normal_history.h"
+#include "fem/history/sampled_path.h"
 
 namespace fretval::fem {
 
@@ -14,7 +16,11 @@ namespace fretval::fem {
 /// D the depths and k the force per radius of a PunchSeries, a where the contact ends: smooth while an edge crosses its
 /// ring, which the pressure of the innermost ring is not (5e-6 and 2e-4 of Hertz's at 32 rings). The innermost depths
 /// are off by the shape of the tip, so D(0) - D(x) ~ x^n of an indenter f ~ r^n, n > 1, is continued to the axis from
-/// two rings beyond them. A contact too small for that does not count; empty: it always is.
-std::optional<double> axis_pressure_max(const PunchSeries& series, const NormalHistory& normal, double n);
+/// two rings beyond them, and what is left of it integrated up to the edge. pressure: rings x instants of a period;
+/// contact_radius: of those instants; pieces: of their steps along a path, empty of cosines. A contact too small for
+/// all that does not count; empty: it always is.
+std::optional<double> axis_pressure_max(const PunchSeries& series, const Eigen::MatrixXd& pressure,
+                                        const Eigen::VectorXd& contact_radius, double n,
+                                        const std::vector<StepInPiece>& pieces = {});
 
 }  // namespace fretval::fem

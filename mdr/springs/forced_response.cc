@@ -83,7 +83,7 @@ SteppedForcedResponse extrapolated(const Bed& bed, const std::function<double(do
   extrapolate([](auto& r) -> auto& { return r.tangential_force_mean; });
   extrapolate([](auto& r) -> auto& { return r.friction_work; });
   extrapolate([](auto& r) -> auto& { return r.bulk_work; });
-  if (!sharp_tip)
+  if (!sharp_tip && !(body.viscosity > 0 && stepped.response.normal.normal_force_min == 0))
     stepped.response.normal.axis_pressure = {stepped.response.axis_pressure_max, stepped.error.axis_pressure_max};
   return stepped;
 }

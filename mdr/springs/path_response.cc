@@ -58,6 +58,7 @@ class Course {
  public:
   Course(SpringBed bed, const PronyBody& body, double mu, const SampledPath& path, const PathFineness& fineness)
       : bed_(std::move(bed)),
+        axis_weights_(axis_weights(bed_)),
         body_(body),
         mu_(mu),
         path_(path),
@@ -133,7 +134,7 @@ class Course {
     result.tangential_displacement.push_back(rising_.rest.tangential + state_.indenter.tangential);
     result.normal_force.push_back(normal_force(bed_, body_, state_));
     result.tangential_force.push_back(tangential_force(bed_, body_, state_));
-    result.axis_pressure.push_back(axis_pressure(bed_, body_, state_));
+    result.axis_pressure.push_back(axis_pressure(axis_weights_, body_, state_));
   }
 
   static double work_of_last_step(const SpringHistory& result) {
@@ -161,6 +162,7 @@ class Course {
   }
 
   SpringBed bed_;
+  Eigen::ArrayXd axis_weights_;
   const PronyBody& body_;
   double mu_;
   const SampledPath& path_;

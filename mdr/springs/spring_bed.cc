@@ -1,5 +1,7 @@
 #include "mdr/springs/spring_bed.h"
 
+#include <cmath>
+
 #include "mdr/support/checks.h"
 
 namespace fretval::mdr {
@@ -32,6 +34,15 @@ SpringBed spring_bed(const std::function<double(double)>& g, double outer_radius
   SpringBed bed = equal_intervals(outer_radius, n_springs);
   bed.depth = bed.position.unaryExpr(g);
   return bed;
+}
+
+Eigen::ArrayXd axis_weights(const SpringBed& bed) {
+  const Eigen::Index n = bed.position.size();
+  Eigen::ArrayXd between = (bed.position + bed.width / 2).inverse();
+  between[0] *= 1.5;  // the first half spring has the slope of the springs next to it
+  Eigen::ArrayXd weights = between;
+  weights.tail(n - 1) -= between.head(n - 1);
+  return weights / std::acos(-1.0);
 }
 
 }  // namespace fretval::mdr

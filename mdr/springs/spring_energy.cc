@@ -71,13 +71,8 @@ double tangential_force(const SpringBed& bed, const PronyBody& body, const Sprin
   return tangential_scale(body) * (bed.width * state.tangential_load).sum();
 }
 
-double axis_pressure(const SpringBed& bed, const PronyBody& body, const SpringState& state) {
-  const Eigen::Index n = bed.position.size();
-  const Eigen::ArrayXd &load = state.normal_load, between = bed.position + bed.width / 2;
-  Eigen::ArrayXd slope = load / between;
-  slope.head(n - 1) -= load.tail(n - 1) / between.head(n - 1);
-  // The first half spring has the slope of the springs next to it.
-  return normal_scale(body) / (2 * std::acos(-1.0)) * (slope.sum() + slope[0] / 2);
+double axis_pressure(const Eigen::ArrayXd& weights, const PronyBody& body, const SpringState& state) {
+  return 4 * body.relaxed_modulus * (weights * state.normal_load).sum();
 }
 
 double stored_energy(const SpringBed& bed, const PronyBody& body, const SpringState& state) {

@@ -16,9 +16,8 @@ double tangential_scale(const PronyBody& body);
 double normal_force(const SpringBed& bed, const PronyBody& body, const SpringState& state);
 double tangential_force(const SpringBed& bed, const PronyBody& body, const SpringState& state);
 
-/// Pressure on the axis in Pa, p(0) = -(1/pi) int q'(x)/x dx, of springs of equal width: of second order where
-/// g ~ x^n, n >= 2, of order n - 1 below, without bound for a cone.
-double axis_pressure(const SpringBed& bed, const PronyBody& body, const SpringState& state);
+/// Pressure on the axis in Pa. weights: axis_weights of the bed.
+double axis_pressure(const Eigen::ArrayXd& weights, const PronyBody& body, const SpringState& state);
 
 /// Energy in J stored in the springs: relaxed ones and those of the branches.
 double stored_energy(const SpringBed& bed, const PronyBody& body, const SpringState& state);

@@ -103,8 +103,9 @@ Foundation make_foundation(const Depth& g, const std::vector<double>& kinks, dou
           permanent,
           radius_at_depth(g, maximum_indentation(motion), outer_radius),
           rest_depth_integral(g, kinks, motion.indentation, permanent) / motion.normal_amplitude,
-          has_sharp_tip(g, outer_radius) ? std::nullopt
-                                         : std::optional(bend_integral(g, kinks, permanent) / motion.normal_amplitude)};
+          has_sharp_tip(g, outer_radius) || (body.viscosity > 0 && permanent == 0)
+              ? std::nullopt
+              : std::optional(bend_integral(g, kinks, permanent) / motion.normal_amplitude)};
 }
 
 // y of the spring at x, see mdr/periodic_spring.h; the indenter never touches it unless y > -1.

@@ -83,6 +83,7 @@ class History {
         control_(control),
         dt_(control.period / control.steps_per_period),
         step_(body, mu, dt_),
+        axis_weights_(axis_weights(bed)),
         state_(relaxed_state(bed, body, start_indentation(bed, body, loading))),
         first_slip_(bed.depth.size()) {}
 
@@ -163,7 +164,7 @@ class History {
     result.tangential_displacement.push_back(state_.indenter.tangential);
     result.normal_force.push_back(normal_force(bed_, body_, state_));
     result.tangential_force.push_back(tangential_force(bed_, body_, state_));
-    result.axis_pressure.push_back(axis_pressure(bed_, body_, state_));
+    result.axis_pressure.push_back(axis_pressure(axis_weights_, body_, state_));
   }
 
   [[nodiscard]] double work_of_last_step(const SpringHistory& result, const SpringState& before) const {
@@ -192,6 +193,7 @@ class History {
   const HistoryControl& control_;
   double dt_;
   SpringStep step_;
+  Eigen::ArrayXd axis_weights_;
   SpringState state_;
   Margins first_slip_;
   double largest_shift_ = 0;

@@ -170,7 +170,6 @@ void add_shapes(Cases& cases) {
   vary(cases, "sphere with a flat", "b = {:g} mm", {0.01, 0.3, 0.55},
        [&](double share) { return under(truncated_sphere(1e-2, share * radius)); });
   add(cases, "measured profile", "flat face", under(measured("flat-face.csv")));
-  add(cases, "measured profile", "terrace", with_section(extremes_base(), measured("terrace.csv")), "convex");
   vary(cases, "limiting profile", "c/a = {:g}", {0.1, 0.5, 0.99}, [](double ratio) {
     return with(base_with({{"Wear / Stick radius ratio", ratio}, {"Motion / Normal amplitude", 1e-7}}),
                 {{"Wear / State", "limiting"}, {"Motion / Tangential amplitude", "shakedown"}});

@@ -35,7 +35,7 @@ TEST(MdrCommand, PrintsTheAnalyticAnswerAsText) {
   EXPECT_EQ(run.out.rfind("case\n  modulus ratio ", 0), 0U) << run.out;
   const auto json = mdr_document(read_case_file(file).at(0), true).json;
   const auto expect_line = [&](const char* words, const char* section, const char* key, const char* unit) {
-    expect_parts(run.out, {fmt::format("\n  {:<28}{:.6g}{}\n", words, json.at(section).at(key).get<double>(), unit)});
+    expect_parts(run.out, {fmt::format("\n  {:<30}{:.6g}{}\n", words, json.at(section).at(key).get<double>(), unit)});
   };
   expect_line("modulus ratio", "mdr", "modulus_ratio", "");
   expect_line("largest contact radius", "mdr", "contact_radius_max", " m");
@@ -43,6 +43,7 @@ TEST(MdrCommand, PrintsTheAnalyticAnswerAsText) {
   expect_line("stick radius, shakedown", "mdr", "stick_radius_shakedown", " m");
   expect_line("outer radius of the wear", "mdr", "worn_radius", " m");
   expect_line("largest normal force", "mdr", "normal_force_max", " N");
+  expect_line("largest pressure on the axis", "mdr", "axis_pressure_max", " Pa");
   expect_line("springs: first slip", "springs", "stick_radius_first_slip", " m");
   expect_line("springs: shakedown", "springs", "stick_radius_shakedown", " m");
   expect_line("springs: largest force", "springs", "normal_force_max", " N");
@@ -50,7 +51,7 @@ TEST(MdrCommand, PrintsTheAnalyticAnswerAsText) {
   expect_line("springs: bulk per cycle", "springs", "bulk_work", " J");
   const double volume = json.at("wear").at("volume").back();
   EXPECT_GT(volume, 0);
-  expect_parts(run.out, {fmt::format("\n  {:<28}{:.6g} m^3 after 1000 cycles\n", "worn volume", volume)});
+  expect_parts(run.out, {fmt::format("\n  {:<30}{:.6g} m^3 after 1000 cycles\n", "worn volume", volume)});
 }
 
 TEST(MdrCommand, WarnsWhereSpringsStillSettle) {
@@ -68,7 +69,7 @@ TEST(MdrCommand, PrintsWhereNothingSticks) {
   const auto file = folder.write("case.prm", replace(valid_case, "amplitude = 1.5e-5", "amplitude = 5e-4"));
   const auto run = fretval_run("mdr " + file.string(), folder);
   ASSERT_EQ(run.exit_code, 0) << run.err;
-  EXPECT_NE(run.out.find("stick radius, shakedown     none (nothing sticks)\n"), std::string::npos) << run.out;
+  EXPECT_NE(run.out.find("stick radius, shakedown       none (nothing sticks)\n"), std::string::npos) << run.out;
 }
 
 TEST(MdrCommand, WritesTheFieldsOnTheSurface) {

@@ -18,7 +18,7 @@ TEST(DataFolder, LiesBesideAnInstalledProgramOrIsTheSourceTree) {
 }
 
 TEST(DataFolder, HoldsTheMeshesAndCasesOfTheChecks) {
-  for (const char* file : {"meshes/small/coarse.msh", "meshes/small/fine.msh", "cases/extremes/terrace.csv",
+  for (const char* file : {"meshes/small/coarse.msh", "meshes/small/fine.msh", "cases/extremes/flat-face.csv",
                            "cases/check/parabola-standard-solid.prm"})
     EXPECT_TRUE(fs::exists(data_folder() / file)) << file;
 }

@@ -31,12 +31,12 @@ TEST(SpringEnergy, OfAnElasticFlatPunchIsHalfForceTimesDisplacement) {
 TEST(SpringEnergy, PressureOnTheAxisIsThatOfTheElasticBody) {
   const PronyBody body = elastic(3);
   const SpringBed flat = flat_bed(4);
-  EXPECT_NEAR(axis_pressure(flat, body, relaxed_state(flat, body, 0.1)), 4 * 3 * 0.1 / pi, 1e-14);
+  EXPECT_NEAR(axis_pressure(axis_weights(flat), body, relaxed_state(flat, body, 0.1)), 4 * 3 * 0.1 / pi, 1e-14);
   const double a = 0.7, exact = 8 * 3 * a / (pi * 2);
   std::vector<double> errors;
   for (const Eigen::Index n : {50, 100}) {
     const SpringBed bed = spring_bed(parabola(2), a, n);
-    errors.push_back(std::abs(axis_pressure(bed, body, relaxed_state(bed, body, a * a / 2)) / exact - 1));
+    errors.push_back(std::abs(axis_pressure(axis_weights(bed), body, relaxed_state(bed, body, a * a / 2)) / exact - 1));
   }
   EXPECT_LT(errors[1], 1e-4);
   EXPECT_NEAR(std::log2(errors[0] / errors[1]), 2, 0.2);

@@ -141,6 +141,12 @@ TEST(SpringFoundation, PressureOnTheAxisOfAWornIndenterIsHarmonic) {
   EXPECT_NEAR(pressure.value().largest, 4 * 3 / pi * (2 * c / 5 + (0.2 - 0.1 + swing) / c), 1e-9);
 }
 
+TEST(SpringFoundation, PressureOfADashpotThatIsTouchedAnewHasNoBound) {
+  EXPECT_TRUE(unworn_response(parabola(5), kelvin_voigt(1, 0.7), oscillation(0.2, 0.1)).axis_pressure);
+  EXPECT_FALSE(unworn_response(parabola(5), kelvin_voigt(1, 0.7), oscillation(0.2, 0.4)).axis_pressure);
+  EXPECT_TRUE(unworn_response(parabola(5), standard_solid(1, 2, 0.8), oscillation(0.2, 0.4)).axis_pressure);
+}
+
 TEST(SpringFoundation, PressureUnderASharpTipHasNoBound) {
   EXPECT_FALSE(unworn_response(cone(0.3), elastic(3), oscillation(0.2, 0.1)).axis_pressure);
   EXPECT_FALSE(unworn_response(power_law(0.2, 0.5), elastic(3), oscillation(0.2, 0)).axis_pressure);

@@ -35,9 +35,10 @@ TEST(SteppedResponse, IsTheExactOneForOneHarmonic) {
       EXPECT_NEAR(response.normal_force_min / exact.normal_force_max, exact.normal_force_min / exact.normal_force_max,
                   10 * accuracy);
       EXPECT_NEAR(response.contact_radius_max, exact.contact_radius_max, 1e-12);
-      const auto [pressure, pressure_error] = response.axis_pressure.value();
-      EXPECT_NEAR(pressure / exact.axis_pressure.value().largest, 1, body.viscosity > 0 ? 1e-3 : 5e-5);
-      EXPECT_LT(std::abs(pressure - exact.axis_pressure->largest), 2 * pressure_error + 1e-6 * pressure);
+      ASSERT_EQ(response.axis_pressure.has_value(), exact.axis_pressure.has_value());
+      if (exact.axis_pressure) {  // largest between samples, where springs touch
+        EXPECT_NEAR(response.axis_pressure->largest / exact.axis_pressure->largest, 1, 2e-4);
+      }
     }
 }
 
