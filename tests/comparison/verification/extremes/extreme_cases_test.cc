@@ -29,7 +29,6 @@ TEST(ExtremeCases, CoverWhatTheyShould) {
                                                  {"softening, contact opens", 1},
                                                  {"frequency ratio", 1},
                                                  {"sphere", 1},
-                                                 {"measured profile", 1},
                                                  {"steps per cycle", 2},
                                                  {"rings per radius", 2},
                                                  {"refused input", 6}}));
