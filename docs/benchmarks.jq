@@ -5,7 +5,7 @@
 def digits($n): if . == null or . == 0 then . else
   (fabs | log10 | floor) as $e | if $n - 1 - $e >= 0 then . * pow(10; $n - 1 - $e) | round / pow(10; $n - 1 - $e)
     else . / pow(10; $e - $n + 1) | round * pow(10; $e - $n + 1) end end;
-def quantities: ["contact_radius_max", "stick_radius_first_slip", "stick_radius_shakedown", "normal_force_max", "indentation_max",
+def quantities: ["contact_radius_max", "stick_radius_first_slip", "stick_radius_shakedown", "normal_force_max", "axis_pressure_max", "indentation_max",
   "tangential_amplitude", "tangential_force_max", "cycle_work", "worn_radius"];
 # In SI: radii are compared over the contact radius, all else relatively.
 def bar($case; $q): $case.comparison[$q].error_bar as $bar | if $bar == null then null else
@@ -30,7 +30,7 @@ def answer($case): reduce quantities[] as $q ({}; if $case.mdr[$q] == null and $
   "Two stick radii: what has *never* slipped since rest, and what does not slip any more in the periodic state ([theory.md](theory.md#two-stick-radii)). A code that steps through time from rest and looks at a late cycle finds the second; where the two differ, the first is not what it",
   "should be held to. The paper has the first alone, and its equation (23) has μ in the wrong place, (29) a modulus that tends to 0 instead of G1 + G2 ([theory.md](theory.md#misprints-of-the-paper)); the numbers here are of the right ones.",
   "",
-  "Lengths in mm, forces in mN; ±: error bar of the finite elements. In the JSON file besides: the outer radius of wear; of locked motions without a dashpot the largest tangential force and, in a body with memory, the energy lost in a cycle (MDR's by springs); under prescribed forces (20) indentation and tangential amplitude.",
+  "Lengths in mm, forces in mN; ±: error bar of the finite elements. In the JSON file besides: the largest pressure on the axis (Pa; not under a cone); the outer radius of wear; of locked motions without a dashpot the largest tangential force and, in a body with memory, the energy lost in a cycle (MDR's by springs); under prescribed forces (20) indentation and tangential amplitude.",
   "",
   "| case | largest contact radius: MDR | FE | ± | first slip: MDR | FE | ± | shakedown: MDR | FE | ± | largest force: MDR | FE | ± |",
   "| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |",

@@ -1,7 +1,6 @@
 #include "comparison/simulation/zone_answer.h"
 
 #include <algorithm>
-#include <limits>
 
 #include "fem/history/running_minimum.h"
 #include "fem/history/static_contact.h"
@@ -11,14 +10,6 @@ namespace {
 
 using Rings = std::vector<bool>;
 using Annuli = std::vector<fem::Annulus>;
-
-/// Between the samples of a cycle, which repeats.
-double largest_of(const Eigen::VectorXd& samples) {
-  fem::RunningMinimum least(1, -std::numeric_limits<double>::infinity());
-  for (int cycle = 0; cycle < 2; ++cycle)
-    for (const double sample : samples) least.add(Eigen::VectorXd::Constant(1, -sample));
-  return -least.value()[0];
-}
 
 template <class Condition>
 Rings rings_that(Eigen::Index n, const Condition& condition) {
@@ -84,7 +75,7 @@ FeAnswer read_zones(const ContactProblems& problems, const FemCase& fem, const E
   ZoneAnswer zones;
   add_contact(problems.normal, fem, profile, normal, zones);
   add_stick(problems.tangential ? *problems.tangential : problems.normal, fem, friction, zones);
-  const double largest_force = largest_of(normal.force);
+  const double largest_force = fem::largest_of_period(normal.force, normal.pieces);
   answer.normal_force_max = largest_force * fem.units.force();
   if (!zones.contact.empty()) answer.contact_radius_max = zones.contact.back().outer;
   answer.contact_radius_uncertainty = zones.contact_uncertainty;
