@@ -62,7 +62,10 @@ ordered_json case_json(const CaseResult& result) {
   json[tangential_force ? "tangential_force_amplitude" : "tangential_amplitude"] = motion.tangential.front().amplitude;
   if (motion.normal.size() > 1) json["normal_harmonics"] = harmonics_json(motion.normal);
   if (motion.tangential.size() > 1) json["tangential_harmonics"] = harmonics_json(motion.tangential);
-  if (input.motion.path) json["path"] = path_json(*input.motion.path);
+  if (result.mdr_case.path) {
+    json["path"] = path_json(*input.motion.path);
+    json["indentation_max"] = mdr::maximum_indentation(*result.mdr_case.path);
+  }
   if (result.mdr_case.limiting) json["stick_radius_of_profile"] = result.mdr_case.limiting->stick_radius;
   if (const auto& wear = input.wear_kinetics) {
     json["indentation_max"] = result.fem_case.units.depth;

@@ -69,6 +69,23 @@ TEST(ResultJson, HasBarsBySourceAndNullForAnUnboundedOne) {
   EXPECT_TRUE(json["fe"]["error_estimate"]["normal_force_max"].is_null());
 }
 
+// A pass from rest at its first row, whose largest indentation is not that of rest and half of the range.
+TEST(ResultJson, OfAPassHasItsLargestIndentationAndNoFrequency) {
+  auto result = made_up_result();
+  Case::Path path;
+  path.time = {0, 1, 2};
+  path.indentation = {1e-4, 1.2e-4, 1e-4};
+  path.tangential = {0, 8e-6, 0};
+  path.repeats = false;
+  result.input.motion.path = path;
+  result.mdr_case.path = mdr::SampledPath{path.time, path.indentation, path.tangential, path.repeats};
+  const auto scene = written(result)["scene"];
+  EXPECT_EQ(scene["indentation_max"], 1.2e-4);
+  EXPECT_EQ(scene["path"]["rows"], 3);
+  EXPECT_EQ(scene["path"]["repeats"], "once");
+  EXPECT_TRUE(scene["frequency"].is_null());
+}
+
 /// Of this process so far. getrusage counts in units of 1024 bytes.
 long most_kilobytes() {
   rusage usage{};
