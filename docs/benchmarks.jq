@@ -10,8 +10,11 @@ def quantities: ["contact_radius_max", "stick_radius_first_slip", "stick_radius_
 # In SI: radii are compared over the contact radius, all else relatively.
 def bar($case; $q): $case.comparison[$q].error_bar as $bar | if $bar == null then null else
   ($bar * (if $q | startswith("stick_radius") or . == "worn_radius" then $case.scene.contact_radius_unworn else $case.fe[$q] // 0 end) | digits(2)) end;
+# Springs stepped through a cycle have an error of their own; what has a closed form has none.
+def mdr_error($case; $q): {tangential_force_max: $case.mdr.cycle_error.force, cycle_work: $case.mdr.cycle_error.work}[$q] | digits(2);
 def answer($case): reduce quantities[] as $q ({}; if $case.mdr[$q] == null and $case.fe[$q] == null then . else
-  .[$q] = {mdr: ($case.mdr[$q] | digits(6)), fe: ($case.fe[$q] | digits(6)), error_bar: bar($case; $q)} end);
+  .[$q] = {mdr: ($case.mdr[$q] | digits(6)), fe: ($case.fe[$q] | digits(6)), error_bar: bar($case; $q)}
+  + (mdr_error($case; $q) | if . == null then {} else {mdr_error: .} end) end);
 
 [inputs | {file: input_filename, value: .}] as $all
 | [$all[] | select(.value.Indenter) | (.file | split("/")[-1] | rtrimstr(".json")) as $name
@@ -30,7 +33,7 @@ def answer($case): reduce quantities[] as $q ({}; if $case.mdr[$q] == null and $
   "Two stick radii: what has *never* slipped since rest, and what does not slip any more in the periodic state ([theory.md](theory.md#two-stick-radii)). A code that steps through time from rest and looks at a late cycle finds the second; where the two differ, the first is not what it",
   "should be held to. The paper has the first alone, and its equation (23) has μ in the wrong place, (29) a modulus that tends to 0 instead of G1 + G2 ([theory.md](theory.md#misprints-of-the-paper)); the numbers here are of the right ones.",
   "",
-  "Lengths in mm, forces in mN; ±: error bar of the finite elements. In the JSON file besides: the largest pressure on the axis (Pa; not under a cone); the outer radius of wear; of locked motions without a dashpot the largest tangential force and, in a body with memory, the energy lost in a cycle (MDR's by springs); under prescribed forces (20) indentation and tangential amplitude.",
+  "Lengths in mm, forces in mN; ±: error bar of the finite elements. In the JSON file besides: the largest pressure on the axis (Pa; not under a cone); the outer radius of wear; of locked motions without a dashpot the largest tangential force and, in a body with memory, the energy lost in a cycle (MDR's by springs, with their error `mdr_error`); under prescribed forces (20) indentation and tangential amplitude.",
   "",
   "| case | largest contact radius: MDR | FE | ± | first slip: MDR | FE | ± | shakedown: MDR | FE | ± | largest force: MDR | FE | ± |",
   "| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |",

@@ -159,8 +159,9 @@ mdr::NormalResponse normal_response_along(const MdrCase& mdr) {
   const double radius = mdr::inverse_transform(mdr.profile, mdr::maximum_indentation(path));
   std::optional<mdr::AxisPressure> pressure;
   const auto& force = history.normal_force;
-  const bool touches_anew = mdr.body.viscosity > 0 && *std::min_element(force.begin(), force.end()) <= 0;
-  if (!mdr::has_sharp_tip([&](double x) { return mdr::transform(mdr.profile, x); }, radius) && !touches_anew)
+  const bool loses_contact = *std::min_element(force.begin(), force.end()) <= 0;
+  const auto g = [&](double x) { return mdr::transform(mdr.profile, x); };
+  if (mdr::has_bounded_axis_pressure(g, radius, mdr.body, loses_contact))
     pressure = {forces.axis_pressure_max, error.axis_pressure_max};
   return {forces.normal_force_max,        forces.normal_force_min,        radius, pressure, std::move(history.time),
           std::move(history.indentation), std::move(history.normal_force)};

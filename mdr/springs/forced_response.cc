@@ -60,10 +60,10 @@ ForcedResponse response_of(const std::function<double(double)>& radius_at, const
           history.bulk_work};
 }
 
-/// radius_at: of the contact, of the indentation.
-SteppedForcedResponse extrapolated(const Bed& bed, const std::function<double(double)>& radius_at, bool sharp_tip,
-                                   const PronyBody& body, double mu, const Prescribed& prescribed,
-                                   const SpringFineness& fineness = {}) {
+/// radius_at: of the contact, of the indentation; g: of the springs, up to outer_radius.
+SteppedForcedResponse extrapolated(const Bed& bed, const std::function<double(double)>& radius_at,
+                                   const std::function<double(double)>& g, double outer_radius, const PronyBody& body,
+                                   double mu, const Prescribed& prescribed, const SpringFineness& fineness = {}) {
   const auto coarse = response_of(radius_at, history_with(bed, body, mu, prescribed, fineness, 1));
   SteppedForcedResponse stepped{response_of(radius_at, history_with(bed, body, mu, prescribed, fineness, 2)), {}};
   const auto extrapolate = [&](auto&& part) {
@@ -83,7 +83,7 @@ SteppedForcedResponse extrapolated(const Bed& bed, const std::function<double(do
   extrapolate([](auto& r) -> auto& { return r.tangential_force_mean; });
   extrapolate([](auto& r) -> auto& { return r.friction_work; });
   extrapolate([](auto& r) -> auto& { return r.bulk_work; });
-  if (!sharp_tip && !(body.viscosity > 0 && stepped.response.normal.normal_force_min == 0))
+  if (has_bounded_axis_pressure(g, outer_radius, body, stepped.response.normal.normal_force_min == 0))
     stepped.response.normal.axis_pressure = {stepped.response.axis_pressure_max, stepped.error.axis_pressure_max};
   return stepped;
 }
@@ -108,18 +108,16 @@ SteppedForcedResponse forced_response(const Profile& profile, const PronyBody& b
   constexpr double room = 1.001;
   const double outer =
       std::min(room * inverse_transform(profile, deepest_indentation(profile, body, prescribed)), end_radius(profile));
-  const bool sharp_tip = has_sharp_tip([&](double x) { return transform(profile, x); }, outer);
   return extrapolated([&](Eigen::Index n) { return spring_bed(profile, outer, n); },
-                      [&](double depth) { return inverse_transform(profile, depth); }, sharp_tip, body, mu, prescribed,
-                      fineness);
+                      [&](double depth) { return inverse_transform(profile, depth); },
+                      [&](double x) { return transform(profile, x); }, outer, body, mu, prescribed, fineness);
 }
 
 SteppedForcedResponse forced_response(const LimitingProfile& worn, const PronyBody& body, double mu,
                                       const Prescribed& prescribed) {
   const auto g = [&worn](double x) { return transform(worn, x); };
   return extrapolated([&](Eigen::Index n) { return spring_bed(g, worn.stick_radius, n); },
-                      [&](double /*depth*/) { return worn.stick_radius; }, has_sharp_tip(g, worn.stick_radius), body,
-                      mu, prescribed);
+                      [&](double /*depth*/) { return worn.stick_radius; }, g, worn.stick_radius, body, mu, prescribed);
 }
 
 }  // namespace fretval::mdr

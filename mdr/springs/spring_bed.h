@@ -14,8 +14,8 @@ struct SpringBed {
   Eigen::ArrayXd depth;     ///< mean of g over the interval in m
 };
 
-/// Weights w of the loads per length q in the pressure on the axis, p(0) = -(1/pi) int q'(x)/x dx = sum(w q), for springs
-/// of equal width: of second order where g ~ x^n, n >= 2, of order n - 1 below, without bound for a cone.
+/// Weights w of the loads per length q in the pressure on the axis, p(0) = -(1/pi) int q'(x)/x dx = sum(w q), for
+/// springs of equal width: of second order where g ~ x^n, n >= 2, of order n - 1 below, without bound for a cone.
 Eigen::ArrayXd axis_weights(const SpringBed& bed);
 
 /// n equal intervals on [0, outer_radius]. With the mean of g the load of all springs in contact is exact.

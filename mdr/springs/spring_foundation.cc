@@ -33,7 +33,7 @@ struct Foundation {
   double permanent_radius;
   double contact_radius;
   double permanent_volume;  // int (d0 - g)/Delta d over [0, permanent_radius]
-  // g/x + int g/x^2 dx at the same radius, over Delta d; empty under a sharp tip.
+  // g/x + int g/x^2 dx at the same radius, over Delta d; empty: the pressure has no bound.
   std::optional<double> permanent_bend;
 };
 
@@ -103,9 +103,9 @@ Foundation make_foundation(const Depth& g, const std::vector<double>& kinks, dou
           permanent,
           radius_at_depth(g, maximum_indentation(motion), outer_radius),
           rest_depth_integral(g, kinks, motion.indentation, permanent) / motion.normal_amplitude,
-          has_sharp_tip(g, outer_radius) || (body.viscosity > 0 && permanent == 0)
-              ? std::nullopt
-              : std::optional(bend_integral(g, kinks, permanent) / motion.normal_amplitude)};
+          has_bounded_axis_pressure(g, outer_radius, body, permanent == 0)
+              ? std::optional(bend_integral(g, kinks, permanent) / motion.normal_amplitude)
+              : std::nullopt};
 }
 
 // y of the spring at x, see mdr/periodic_spring.h; the indenter never touches it unless y > -1.
@@ -176,7 +176,7 @@ NormalResponse static_response(const Depth& g, const std::vector<double>& kinks,
   const double force = 8 * body.relaxed_modulus * rest_depth_integral(g, kinks, motion.indentation, radius);
   const double inner = (motion.indentation - g(radius)) / radius;
   std::optional<AxisPressure> pressure;
-  if (!has_sharp_tip(g, outer_radius))
+  if (has_bounded_axis_pressure(g, outer_radius, body, false))
     pressure = {4 / pi * body.relaxed_modulus * (bend_integral(g, kinks, radius) + inner), 0};
   return {force, force, radius, pressure, {}, {}, {}};
 }
@@ -212,10 +212,11 @@ void check_arguments(const Depth& g, double outer_radius, const PronyBody& body,
 
 }  // namespace
 
-bool has_sharp_tip(const Depth& g, double outer_radius) {
+bool has_bounded_axis_pressure(const Depth& g, double outer_radius, const PronyBody& body, bool loses_contact) {
   constexpr double least_exponent = 1 + 1e-3;
   const double tip = g(0), x = 1e-4 * outer_radius, height = g(2 * x) - tip;
-  return height > 0 && std::log2(height / (g(x) - tip)) < least_exponent;
+  const bool has_sharp_tip = height > 0 && std::log2(height / (g(x) - tip)) < least_exponent;
+  return !has_sharp_tip && !(body.viscosity > 0 && loses_contact);
 }
 
 NormalResponse periodic_normal_response(const std::function<double(double)>& g, double outer_radius,

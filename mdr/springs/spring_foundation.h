@@ -20,15 +20,17 @@ struct NormalResponse {
   double normal_force_max;                    ///< N
   double normal_force_min;                    ///< N
   double contact_radius_max;                  ///< m
-  std::optional<AxisPressure> axis_pressure;  ///< empty: infinite, see periodic_normal_response
+  std::optional<AxisPressure> axis_pressure;  ///< empty: infinite
   /// One cycle in equal steps, both ends included; time 0 is the deepest position, d = d0 + Delta d cos(omega t).
   std::vector<double> time;          ///< s
   std::vector<double> indentation;   ///< m
   std::vector<double> normal_force;  ///< N
 };
 
-/// Whether g ~ x^n with n <= 1 at the axis, under which the pressure there is infinite: a cone, a cusp.
-bool has_sharp_tip(const std::function<double(double)>& g, double outer_radius);
+/// Whether the pressure on the axis has a bound: not under a sharp tip, g ~ x^n with n <= 1 (a cone, a cusp), and not
+/// where contact is lost and a body with a dashpot is touched anew: its first load stands on a point.
+bool has_bounded_axis_pressure(const std::function<double(double)>& g, double outer_radius, const PronyBody& body,
+                               bool loses_contact);
 
 /// Normal force of the viscoelastic spring foundation under the oscillating indenter:
 ///
@@ -46,8 +48,8 @@ bool has_sharp_tip(const std::function<double(double)>& g, double outer_radius);
 ///
 ///   pi p(0) = 4 G0 (g(c)/c + int_0^c g/x^2 dx) + q(c)/e + int_c^e (q(c) - q)/x^2 dx
 ///
-/// which knows no slope of q and holds where the load jumps at the edge. Infinite where g ~ x at the axis, under a
-/// cone, and where a body with a dashpot is touched anew: its first load stands on a point. Relative accuracy 1e-8.
+/// which knows no slope of q and holds where the load jumps at the edge. Infinite unless
+/// has_bounded_axis_pressure. Relative accuracy 1e-8.
 ///
 /// g: one-dimensional profile in m, continuous and not decreasing on [0, outer_radius], 0 <= g(0) < d0 + Delta d.
 /// outer_radius in m, positive: where the springs end. Unworn profile: the contact radius at d0 + Delta d; limiting

@@ -42,7 +42,7 @@ SteppedResponse stepped_normal_response(const std::function<double(double)>& g, 
                           {},
                           {},
                           fine.normal_force};
-  if (!has_sharp_tip(g, outer_radius) && !(body.viscosity > 0 && response.normal_force_min == 0)) {
+  if (has_bounded_axis_pressure(g, outer_radius, body, response.normal_force_min == 0)) {
     const double pressure = extrapolated(&SpringHistory::axis_pressure, 1);
     response.axis_pressure = {pressure, 3 * std::abs(pressure - sampled_peak(fine.axis_pressure, 1))};
   }
