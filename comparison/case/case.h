@@ -29,13 +29,18 @@ struct Case {
     double table_noise = 0;  ///< m, standard deviation of the heights; table
   };
 
+  /// Whether measured moduli contradict each other, most at which frequency in Hz, and by how much.
+  struct KramersKronigCheck {
+    bool consistent = true;
+    double worst = 0, worst_frequency = 0;
+  };
+
   /// How well a Prony body stands for measured moduli; see mdr/prony_fit.h and mdr/kramers_kronig.h.
   struct MasterCurve {
     std::string table;
     std::size_t n_frequencies = 0;
     double residual = 0, held_out = 0, worst = 0, worst_frequency = 0;
-    bool kramers_kronig_consistent = true;
-    double kramers_kronig_worst = 0, kramers_kronig_frequency = 0;
+    std::optional<KramersKronigCheck> kramers_kronig;  ///< empty: too few frequencies
   };
 
   struct Elastomer {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <optional>
 
 #include "mdr/rheology/kramers_kronig.h"
 #include "mdr/rheology/modulus_table.h"
@@ -17,12 +18,15 @@ constexpr double bad_residual = 0.1;
 constexpr double far_below_measured = 0.7;
 
 void warn(const std::string& file, const mdr::ModulusTable& table, const mdr::PronyFit& fit,
-          const mdr::KramersKronig& relation, std::vector<std::string>& warnings) {
-  if (!relation.consistent)
+          const std::optional<Case::KramersKronigCheck>& relation, std::vector<std::string>& warnings) {
+  if (!relation)
+    warnings.push_back(fmt::format("{}: G' and G'' are not held to each other (Kramers and Kronig): {}", file,
+                                   mdr::too_sparse_for_kramers_kronig(table)));
+  if (relation && !relation->consistent)
     warnings.push_back(
         fmt::format("{}: G' and G'' contradict each other (Kramers and Kronig), most at {:.3g} Hz by {:.0f} %; no "
                     "linear viscoelastic body has these moduli",
-                    file, relation.frequency_at_worst, 100 * relation.worst));
+                    file, relation->worst_frequency, 100 * relation->worst));
   if (fit.residual > bad_residual)
     warnings.push_back(
         fmt::format("{}: the Prony body misses the moduli by {:.0f} % (root mean square), most at "
@@ -36,6 +40,12 @@ void warn(const std::string& file, const mdr::ModulusTable& table, const mdr::Pr
                     file, fit.body.relaxed_modulus, lowest));
 }
 
+std::optional<Case::KramersKronigCheck> check_of(const mdr::ModulusTable& table) {
+  if (!mdr::too_sparse_for_kramers_kronig(table).empty()) return std::nullopt;
+  const auto relation = mdr::kramers_kronig(table);
+  return Case::KramersKronigCheck{relation.consistent, relation.worst, relation.frequency_at_worst};
+}
+
 }  // namespace
 
 void fit_master_curve(const std::string& file, bool youngs, Case::Elastomer& elastomer,
@@ -44,20 +54,13 @@ void fit_master_curve(const std::string& file, bool youngs, Case::Elastomer& ela
     std::ifstream stream(file);
     const auto table = mdr::read_modulus_table(stream, file, youngs ? 1.0 / 3 : 1);
     const auto fit = mdr::fit_prony(table);
-    const auto relation = mdr::kramers_kronig(table);
+    const auto relation = check_of(table);
     elastomer.relaxed_modulus = fit.body.relaxed_modulus;
     elastomer.branch_moduli = fit.body.branch_moduli;
     elastomer.branch_times = fit.body.branch_times;
     elastomer.viscosity = fit.body.viscosity;
-    elastomer.master_curve = Case::MasterCurve{file,
-                                               table.frequency.size(),
-                                               fit.residual,
-                                               fit.held_out,
-                                               fit.worst,
-                                               fit.worst_frequency,
-                                               relation.consistent,
-                                               relation.worst,
-                                               relation.frequency_at_worst};
+    elastomer.master_curve = Case::MasterCurve{file,      table.frequency.size(), fit.residual, fit.held_out,
+                                               fit.worst, fit.worst_frequency,    relation};
     warn(file, table, fit, relation, warnings);
   } catch (const std::invalid_argument& error) {
     const std::string message = error.what();

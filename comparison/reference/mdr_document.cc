@@ -102,6 +102,11 @@ ordered_json profile_json(const std::optional<mdr::LimitingProfile>& worn) {
 
 ordered_json elastomer_json(const Case::Elastomer& elastomer) {
   const auto& curve = *elastomer.master_curve;
+  ordered_json check;
+  if (curve.kramers_kronig)
+    check = {{"consistent", curve.kramers_kronig->consistent},
+             {"worst", curve.kramers_kronig->worst},
+             {"worst_frequency", curve.kramers_kronig->worst_frequency}};
   return {{"table", curve.table},
           {"frequencies", curve.n_frequencies},
           {"relaxed_modulus", elastomer.relaxed_modulus},
@@ -111,10 +116,7 @@ ordered_json elastomer_json(const Case::Elastomer& elastomer) {
           {"held_out", curve.held_out},
           {"worst", curve.worst},
           {"worst_frequency", curve.worst_frequency},
-          {"kramers_kronig",
-           {{"consistent", curve.kramers_kronig_consistent},
-            {"worst", curve.kramers_kronig_worst},
-            {"worst_frequency", curve.kramers_kronig_frequency}}}};
+          {"kramers_kronig", check}};
 }
 
 /// closed_form: the stick radii as they stand in the document.

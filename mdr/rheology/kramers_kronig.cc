@@ -27,20 +27,6 @@ struct Means {
   VectorXd log_frequency, storage, loss, n_values;
 };
 
-void require_judgeable(const ModulusTable& table) {
-  validate(table);
-  const std::vector<double>& f = table.frequency;
-  const double n = static_cast<double>(f.size()), decades = std::log10(f.back() / f.front());
-  if (n < 8) reject("number of frequencies for a Kramers-Kronig check", n, "must be at least 8");
-  if (decades < 1 - 1e-9) reject("decades of frequency for a Kramers-Kronig check", decades, "must be at least 1");
-  for (std::size_t i = 1; i < f.size(); ++i) {
-    if (f[i] <= f[i - 1] * 10 * (1 + 1e-9)) continue;
-    std::ostringstream valid;
-    valid << "is over a decade above the one before, " << f[i - 1] << "; must be closer for a Kramers-Kronig check";
-    reject("frequency in Hz", f[i], valid.str());
-  }
-}
-
 Means means_of(const ModulusTable& table) {
   const double first = std::log(table.frequency.front());
   std::vector<VectorXd> sums;
@@ -147,8 +133,29 @@ VectorXd allowance(const ModulusTable& table, const Means& means, const MatrixXd
 
 }  // namespace
 
+std::string too_sparse_for_kramers_kronig(const ModulusTable& table) {
+  validate(table);
+  constexpr std::size_t fewest = 8;
+  constexpr double decade_and_roundoff = 10 * (1 + 1e-9);
+  const std::vector<double>& f = table.frequency;
+  std::ostringstream reason;
+  if (f.size() < fewest) {
+    reason << f.size() << " frequencies, must be at least " << fewest;
+  } else if (f.back() * (1 + 1e-9) < 10 * f.front()) {
+    reason << "frequencies from " << f.front() << " to " << f.back() << " Hz, must be at least a decade";
+  } else {
+    for (std::size_t i = 1; i < f.size(); ++i)
+      if (f[i] > f[i - 1] * decade_and_roundoff) {
+        reason << "none between " << f[i - 1] << " and " << f[i] << " Hz, must be no more than a decade apart";
+        break;
+      }
+  }
+  return reason.str();
+}
+
 KramersKronig kramers_kronig(const ModulusTable& table) {
-  require_judgeable(table);
+  if (const auto reason = too_sparse_for_kramers_kronig(table); !reason.empty())
+    throw std::invalid_argument("too sparse for a Kramers-Kronig check: " + reason);
   const Means means = means_of(table);
   const MatrixXd weights = loss_from_storage(means.log_frequency);
   const VectorXd allowed = allowance(table, means, weights);

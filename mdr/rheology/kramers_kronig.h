@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "mdr/rheology/modulus_table.h"
@@ -18,6 +19,10 @@ struct KramersKronig {
   bool consistent;                ///< no deviation is above what is allowed
 };
 
+/// Why a table is too sparse for the check: fewer than 8 frequencies, less than a decade, or a gap of over a decade,
+/// which it names; empty: it can be judged. Throws std::invalid_argument for an invalid table.
+std::string too_sparse_for_kramers_kronig(const ModulusTable& table);
+
 /// Kramers-Kronig relation in the form whose kernel decays as |omega'/omega|^(-1) to either side:
 ///
 ///   G''(omega) = (1/pi) int (dG'/dy) ln coth|y/2| dy,    y = ln(omega'/omega)
@@ -31,8 +36,7 @@ struct KramersKronig {
 /// the noise, whose size is taken from the scatter of the table about smooth curves. Where G'' is small beside G' it is
 /// judged less sharply: noise of G' enters multiplied by about G'/(2 G'').
 ///
-/// Throws std::invalid_argument for an invalid table, one of fewer than 8 frequencies or less than a decade, or one
-/// with a gap of over a decade, which it names.
+/// Throws std::invalid_argument for an invalid table, and for one that is too sparse.
 KramersKronig kramers_kronig(const ModulusTable& table);
 
 }  // namespace fretval::mdr

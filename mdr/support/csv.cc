@@ -93,6 +93,13 @@ bool any_number(const std::vector<std::string_view>& fields) {
   return std::any_of(fields.begin(), fields.end(), begins_like_number);
 }
 
+// "Hz, MPa, 1": the unit of a ratio is written as a number.
+bool are_units(const std::vector<std::string_view>& fields) {
+  const auto n_ratios = std::count(fields.begin(), fields.end(), "1");
+  return n_ratios < static_cast<std::ptrdiff_t>(fields.size()) &&
+         n_ratios == std::count_if(fields.begin(), fields.end(), begins_like_number);
+}
+
 // A comma next to a blank, or without any blank in the line, separates; "1,5 2,5" holds decimal commas.
 std::vector<std::string_view> split(std::string_view text) {
   if (text.find(';') != std::string_view::npos) return split_at(text, ';');
@@ -161,11 +168,9 @@ CsvColumns read_csv(std::istream& stream, const std::string& source_name, std::s
     text = trimmed(text.substr(0, text.find('#')));
     if (text.empty()) continue;
     const std::vector<std::string_view> fields = split(text);
-    if (any_number(fields)) {
-      add_row(table, line, fields, n_columns);
-    } else {
-      add_header(table, line, fields, n_columns);
-    }
+    const bool after_names = !table.names.empty() && table.units.empty() && table.line_of_row.empty();
+    const bool is_header = after_names ? are_units(fields) : !any_number(fields);
+    is_header ? add_header(table, line, fields, n_columns) : add_row(table, line, fields, n_columns);
   }
   if (table.line_of_row.empty()) {
     throw std::invalid_argument(source_name + ": has no rows; must have rows of " + std::to_string(n_columns) +

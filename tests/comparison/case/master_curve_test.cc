@@ -45,6 +45,15 @@ TEST(MasterCurve, WarnsAboutModuliThatContradictEachOther) {
   expect_parts(fit_of(standard_solid_table(4)).warnings, {"Kramers and Kronig", "the Prony body misses the moduli by"});
 }
 
+TEST(MasterCurve, OfFewFrequenciesIsFittedButNotHeldToItself) {
+  const auto [elastomer, warnings] = fit_of(
+      "f, G', tan delta\nHz, MPa, 1\n0.01, 0.62, 0.05\n0.1, 0.68, 0.07\n1, 0.77, 0.11\n10, 0.93, 0.17\n100, 1.25, "
+      "0.28\n");
+  expect_parts(warnings, {"Kramers and Kronig", "5 frequencies, must be at least 8"});
+  EXPECT_FALSE(elastomer.master_curve->kramers_kronig);
+  EXPECT_LT(elastomer.master_curve->residual, 0.1);
+}
+
 TEST(MasterCurve, RefusesATableByItsName) {
   expect_parts(refusal([] { fit_of("1,1e6,1e5\n2,1e6,1e5\n"); }), {"dma.csv: "});
 }

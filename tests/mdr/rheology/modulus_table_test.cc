@@ -44,7 +44,8 @@ TEST(ModulusTable, TakesPascalAndAppliesTheFactor) {
 }
 
 TEST(ModulusTable, TakesALossFactorForTheLossModulus) {
-  for (const std::string header : {"f,G',tan delta\nHz,MPa,-\n", "f [Hz],G' [MPa],Tan(d)\n", "f,G',tan d\nHz,MPa,\n"}) {
+  for (const std::string header : {"f,G',tan delta\nHz,MPa,-\n", "f, G', tan delta\nHz, MPa, 1\n",
+                                   "f [Hz],G' [MPa],Tan(d)\n", "f,G',tan d\nHz,MPa,\n"}) {
     const ModulusTable table = read(header + "1,2,0.5\n2,4,0.25\n", 0.5);
     EXPECT_EQ(table.storage, (Column{1e6, 2e6})) << header;
     EXPECT_EQ(table.loss, (Column{0.5e6, 0.5e6})) << header;

@@ -57,6 +57,14 @@ TEST(Csv, KeepsNamesAndUnits) {
   EXPECT_EQ(read("storage modulus, loss modulus\n1 2\n").names, (Names{"storage modulus", "loss modulus"}));
 }
 
+TEST(Csv, TakesOneForTheUnitOfARatio) {
+  const CsvColumns table = read("f, G', tan delta\nHz, MPa, 1\n1, 2, 3\n", 3);
+  EXPECT_EQ(table.units, (Names{"Hz", "MPa", "1"}));
+  EXPECT_EQ(table.columns, (std::vector<Column>{{1}, {2}, {3}}));
+  EXPECT_EQ(read("a,b\n1,1\n").columns, (std::vector<Column>{{1}, {1}}));
+  EXPECT_EQ(read("a,b\nm,1\n1,1\n").columns, (std::vector<Column>{{1}, {1}}));
+}
+
 TEST(Csv, KeepsEveryDigit) {
   EXPECT_EQ(read("0.1 88.79651575665739").columns, (std::vector<Column>{{0.1}, {88.79651575665739}}));
 }
