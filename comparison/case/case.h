@@ -38,7 +38,8 @@ struct Case {
   /// How well a Prony body stands for measured moduli; see mdr/prony_fit.h and mdr/kramers_kronig.h.
   struct MasterCurve {
     std::string table;
-    std::size_t n_frequencies = 0;
+    /// What was measured: shear moduli in Pa over the frequency in Hz, at the temperature of the case.
+    std::vector<double> frequency, storage, loss;
     double residual = 0, held_out = 0, worst = 0, worst_frequency = 0;
     std::optional<KramersKronigCheck> kramers_kronig;  ///< empty: too few frequencies
   };

@@ -56,6 +56,8 @@ void shift_to_temperature(const EntryReader& entries, Case::Elastomer& elastomer
     const double factor = mdr::wlf_shift(c1, c2, reference, temperature);
     for (double& time : elastomer.branch_times) time *= factor;
     elastomer.viscosity *= factor;
+    if (elastomer.master_curve)
+      for (double& frequency : elastomer.master_curve->frequency) frequency /= factor;
   } catch (const std::invalid_argument& error) {
     entries.add_problem(fmt::format("{}: {} / Temperature: {}", entries.file(), section, error.what()));
   }

@@ -59,8 +59,9 @@ void fit_master_curve(const std::string& file, bool youngs, Case::Elastomer& ela
     elastomer.branch_moduli = fit.body.branch_moduli;
     elastomer.branch_times = fit.body.branch_times;
     elastomer.viscosity = fit.body.viscosity;
-    elastomer.master_curve = Case::MasterCurve{file,      table.frequency.size(), fit.residual, fit.held_out,
-                                               fit.worst, fit.worst_frequency,    relation};
+    elastomer.master_curve =
+        Case::MasterCurve{file,         table.frequency, table.storage,       table.loss, fit.residual,
+                          fit.held_out, fit.worst,       fit.worst_frequency, relation};
     warn(file, table, fit, relation, warnings);
   } catch (const std::invalid_argument& error) {
     const std::string message = error.what();

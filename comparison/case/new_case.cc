@@ -115,6 +115,8 @@ std::map<std::string, std::string> new_case_files(const std::string& stem, const
                                   {"Tangential frequency", "1 Hz"},
                                   {"Phase", "60 deg"}});
   text += section_text("Accuracy", {{"Tolerance", "1e-3"}});
+  text += "# A motion that was measured, instead of the one above: a table of t, d and u_x with a line of units.\n" +
+          section_text("Motion", {{"Path", stem + "-path.csv"}, {"Path repeats", "forever"}}, true);
   text += "# How the indenter wears.\n" + section_text("Wear", {{"Coefficient", "1e-13"}, {"Cycles", "1e6"}}, true);
   text += "# One case for each value of an entry.\n" +
           section_text("Sweep", {{"Entry", "Motion / Phase"}, {"Values", "0 : 15 : 180 deg"}}, true);

@@ -9,6 +9,7 @@
 #include <random>
 
 #include "comparison/command_line/exit_codes.h"
+#include "comparison/command_line/run_command.h"
 #include "comparison/report/exact_section.h"
 #include "comparison/report/suite_section.h"
 #include "comparison/support/files.h"
@@ -90,10 +91,14 @@ Outcome check(const CheckOptions& options) {
 void add_check_options(CLI::App& verb, CheckOptions& options) {
   options.meshes = small_meshes().string();
   options.tolerances = {1e-2, 1e-3, 1e-4};
-  verb.add_option("--suite", options.suite, "Which suite: small, exact, tolerance, extremes, random")
-      ->capture_default_str();
+  auto* suite = verb.add_option("--suite", options.suite, "Which suite: small, exact, tolerance, extremes, random")
+                    ->capture_default_str();
   verb.add_option("--junit", options.junit, "Also write JUnit XML to this file");
-  verb.add_option("--json", options.json, "Also write everything that was measured to this file");
+  auto* json = verb.add_option("--json", options.json, "Also write everything that was measured to this file");
+  verb.add_option("--cases", options.inputs,
+                  "Instead of a suite case files, or folders of them, as `run` holds them to MDR; keeps no results")
+      ->excludes(suite)
+      ->excludes(json);
   const auto belongs = [&](CLI::Option* option, const char* suite) { options.of[option] = suite; };
   belongs(verb.add_option("--meshes", options.meshes, "Suite small: folder with coarse.msh and fine.msh")
               ->capture_default_str(),
@@ -108,7 +113,7 @@ void add_check_options(CLI::App& verb, CheckOptions& options) {
   belongs(verb.add_flag("--short", options.only_short, "Suite extremes: the first of each family"), "extremes");
   belongs(verb.add_option("--family", options.family, "Suite extremes: only the families whose name contains this"),
           "extremes");
-  belongs(verb.add_option("--cases", options.n_cases, "Suite random: how many cases")
+  belongs(verb.add_option("--count", options.n_cases, "Suite random: how many cases")
               ->capture_default_str()
               ->check(CLI::Range(1, 1000000)),
           "random");
@@ -120,11 +125,19 @@ void add_check_options(CLI::App& verb, CheckOptions& options) {
 
 int run_check(const CheckOptions& options) {
   for (const auto& [option, suite] : options.of)
-    if (option->count() > 0 && suite != options.suite)
+    if (option->count() > 0 && (suite != options.suite || !options.inputs.empty()))
       throw InputError(fmt::format("{}: it belongs to the suite {}", option->get_name(), suite));
   // Before minutes of computing, not after.
   for (const fs::path file : {options.junit, options.json})
     if (file.has_parent_path()) fs::create_directories(file.parent_path());
+  if (!options.inputs.empty()) {
+    RunOptions run;
+    run.inputs = options.inputs;
+    run.output.clear();
+    run.junit = options.junit;
+    run.store.none = true;
+    return run_cases(run);
+  }
   Stopwatch watch;
   const fem::PetscSession session;
   const auto outcome = check(options);

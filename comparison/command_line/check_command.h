@@ -19,6 +19,7 @@ namespace fretval {
 /// What the verb `check` is asked for.
 struct CheckOptions {
   std::string suite = "small", junit, json;
+  std::vector<std::string> inputs;               ///< the user's cases instead of a suite
   std::string meshes;                            ///< suite small
   std::vector<double> tolerances;                ///< suite tolerance
   std::string cases_folder;                      ///< suite tolerance; empty: case files are not written

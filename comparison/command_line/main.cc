@@ -51,6 +51,10 @@ int run(int argc, char** argv) {
   app.require_subcommand(1);
   fretval::Command command;
   fretval::add_commands(app, command);
+  if (argc == 1) {
+    fmt::print(stderr, "{}", app.help());
+    return fretval::exit_bad_input;
+  }
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

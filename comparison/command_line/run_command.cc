@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <memory>
 #include <set>
 #include <sstream>
 
@@ -128,15 +129,19 @@ int run_cases(const RunOptions& options) {
   for (const auto& one : prepared)
     for (const auto& warning : one.input.warnings) log::warn(warning);
   log_left_out(prepared);
-  const FolderLock lock(output);
+  const bool keeps_results = !output.empty();
+  const auto lock = keeps_results ? std::make_unique<FolderLock>(output) : nullptr;
   const bool any_wears = std::any_of(prepared.begin(), prepared.end(), wears);
-  say_on_interrupt(fmt::format("interrupted: the cases that are done are kept in {0}; fretval report {0} shows them{1}",
-                               output.string(), any_wears ? "; wear goes on from here when it is run again" : ""));
+  if (keeps_results)
+    say_on_interrupt(
+        fmt::format("interrupted: the cases that are done are kept in {0}; fretval report {0} shows them{1}",
+                    output.string(), any_wears ? "; wear goes on from here when it is run again" : ""));
   const auto lines = computed_lines(prepared, options);
   if (!options.json) lines.size() == 1 && lines[0].failure.empty() ? print_answer(lines[0]) : print_verdicts(lines);
   if (!options.junit.empty()) write_file(options.junit, junit_of(lines));
-  write_sweep_lines(cases, output);
-  if (std::any_of(lines.begin(), lines.end(), [](const BatchLine& line) { return line.failure.empty(); }))
+  if (keeps_results) write_sweep_lines(cases, output);
+  if (keeps_results &&
+      std::any_of(lines.begin(), lines.end(), [](const BatchLine& line) { return line.failure.empty(); }))
     log::info(fmt::format("report: {}", write_report(output).string()));
   log::info(fmt::format("{} in {:.1f} s", counted(lines.size(), "case"), watch.lap()));
   const bool has_moved = !options.baseline.empty() && departs_from(baseline, lines, output);

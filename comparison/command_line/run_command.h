@@ -10,8 +10,8 @@
 namespace fretval {
 
 struct RunOptions {
-  std::vector<std::string> inputs;  ///< case files, and folders of case files
-  std::filesystem::path output = "results";
+  std::vector<std::string> inputs;           ///< case files, and folders of case files
+  std::filesystem::path output = "results";  ///< empty: nothing is kept, and there is no report
   Proof proof = Proof::tolerance;
   bool json = false;     ///< each result.json on a line of the standard output instead of the answer
   std::string junit;     ///< file for JUnit XML; empty: none
@@ -19,7 +19,8 @@ struct RunOptions {
   StoreOptions store;
 };
 
-/// `fretval run`: MDR and finite elements, compared; writes the results and the report. Returns the exit code.
+/// `fretval run`: MDR and finite elements, compared; writes the results and the report. `fretval check --cases`: the
+/// same without an output. Returns the exit code.
 int run_cases(const RunOptions& options);
 
 }  // namespace fretval

@@ -100,25 +100,6 @@ ordered_json profile_json(const std::optional<mdr::LimitingProfile>& worn) {
   return {{"criterion", "shakedown"}, {"r", r}, {"f", f}};
 }
 
-ordered_json elastomer_json(const Case::Elastomer& elastomer) {
-  const auto& curve = *elastomer.master_curve;
-  ordered_json check;
-  if (curve.kramers_kronig)
-    check = {{"consistent", curve.kramers_kronig->consistent},
-             {"worst", curve.kramers_kronig->worst},
-             {"worst_frequency", curve.kramers_kronig->worst_frequency}};
-  return {{"table", curve.table},
-          {"frequencies", curve.n_frequencies},
-          {"relaxed_modulus", elastomer.relaxed_modulus},
-          {"branch_moduli", elastomer.branch_moduli},
-          {"branch_times", elastomer.branch_times},
-          {"residual", curve.residual},
-          {"held_out", curve.held_out},
-          {"worst", curve.worst},
-          {"worst_frequency", curve.worst_frequency},
-          {"kramers_kronig", check}};
-}
-
 /// closed_form: the stick radii as they stand in the document.
 ordered_json springs_json(const Case& input, const ordered_json& closed_form) {
   const auto answer = spring_answer(input);
@@ -172,6 +153,25 @@ SpringAnswer springs_along_path(const Case& input, const SpringSetting& setting)
 
 }  // namespace
 
+ordered_json fit_json(const Case::Elastomer& elastomer) {
+  const auto& curve = *elastomer.master_curve;
+  ordered_json check;
+  if (curve.kramers_kronig)
+    check = {{"consistent", curve.kramers_kronig->consistent},
+             {"worst", curve.kramers_kronig->worst},
+             {"worst_frequency", curve.kramers_kronig->worst_frequency}};
+  return {{"table", curve.table},
+          {"frequencies", curve.frequency.size()},
+          {"relaxed_modulus", elastomer.relaxed_modulus},
+          {"branch_moduli", elastomer.branch_moduli},
+          {"branch_times", elastomer.branch_times},
+          {"residual", curve.residual},
+          {"held_out", curve.held_out},
+          {"worst", curve.worst},
+          {"worst_frequency", curve.worst_frequency},
+          {"kramers_kronig", check}};
+}
+
 MdrDocument mdr_document(const Case& input, bool with_springs) {
   try {
     (void)profile_of(input.indenter);  // refuses one that MDR does not hold for, before anything is asked of it
@@ -185,7 +185,7 @@ MdrDocument mdr_document(const Case& input, bool with_springs) {
     ordered_json json{{"name", input.name}};
     json.update(document.json);
     json["limiting_profile"] = profile_json(document.worn);
-    if (input.elastomer.master_curve) json["elastomer"] = elastomer_json(input.elastomer);
+    if (input.elastomer.master_curve) json["elastomer"] = fit_json(input.elastomer);
     if (with_springs) json["springs"] = springs_json(input, document.json["mdr"]);
     if (input.wear_kinetics && input.wear_kinetics->n_cycles) json["wear"] = wear_json(input);
     document.json = std::move(json);

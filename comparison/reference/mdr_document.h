@@ -22,6 +22,9 @@ struct MdrDocument {  // NOLINT(bugprone-exception-escape): moving JSON checks a
 /// file.
 MdrDocument mdr_document(const Case& input, bool with_springs);
 
+/// The body that stands for measured moduli, and how well.
+nlohmann::ordered_json fit_json(const Case::Elastomer& elastomer);
+
 /// How finely the springs are stepped, see mdr::HistoryControl.
 struct SpringSetting {
   Eigen::Index n_springs = 400;

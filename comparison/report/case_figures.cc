@@ -10,6 +10,7 @@
 #include "comparison/case/case.h"
 #include "comparison/report/axis.h"
 #include "comparison/report/figures.h"
+#include "comparison/report/moduli_figure.h"
 #include "comparison/report/zone_map.h"
 
 namespace fretval {
@@ -256,6 +257,7 @@ Filling case_figures(const StoredResult& result, const ordered_json& cycle) {
     if (!column_names(result.folder / "contact.csv").empty()) add({slip_figure(result)});
     add(decay_figures(cycle));
     if (!column_names(result.folder / "profile.csv").empty()) add({profile_figure(result)});
+    if (!column_names(result.folder / "moduli.csv").empty()) add({moduli_figure(result)});
   } catch (const nlohmann::json::exception& error) {
     throw InputError(fmt::format("{}: {}", (result.folder / "cycle.json").string(), error.what()));
   }

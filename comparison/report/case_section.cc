@@ -111,6 +111,8 @@ void add_groups(const StoredResult& r, Filling& filling) {
   if (r.text("scene", "shape") == "parabola") add("arc", 100 * std::pow(a / radius, 2) / 4, "{:.2g}");
   add("first_slip", r.number("fe", "stick_radius_first_slip") / a, "{:.4f}");
   add("shakedown", r.number("fe", "stick_radius_shakedown") / a, "{:.4f}");
+  for (const char* group : {"k", "rho", "a_over_r", "first_slip", "shakedown"})
+    if (filling.contains(group)) filling["has_groups"] = true;
   if (oscillates) add("lift_off", r.number("scene", "normal_amplitude") / r.number("scene", "indentation"), "{:.3g}");
   const auto [x, f] = read_columns(r.folder / "profile.csv", "r [m]", "f unworn [m]");
   const auto at = std::lower_bound(x.begin(), x.end(), a) - x.begin();

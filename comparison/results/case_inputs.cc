@@ -34,6 +34,7 @@ void add_indenter(const Case::Indenter& indenter, Inputs& inputs) {
 
 void add_elastomer(const Case::Elastomer& elastomer, Inputs& inputs) {
   inputs.add("Elastomer", "Rheology", elastomer.rheology);
+  if (elastomer.master_curve) inputs.add("Elastomer", "Table", elastomer.master_curve->table);
   inputs.add("Elastomer", "Relaxed shear modulus", elastomer.relaxed_modulus, "Pa");
   inputs.add("Elastomer", "Branch moduli", elastomer.branch_moduli, "Pa");
   inputs.add("Elastomer", "Branch times", elastomer.branch_times, "s");

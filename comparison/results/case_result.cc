@@ -7,6 +7,7 @@
 
 #include "comparison/case/path_table.h"
 #include "comparison/results/field_files.h"
+#include "comparison/results/moduli_files.h"
 #include "comparison/results/period_steps.h"
 #include "comparison/results/wear_json.h"
 #include "comparison/simulation/resolution_json.h"
@@ -184,6 +185,7 @@ void withdraw_result(const fs::path& folder) {
 void write_result(const CaseResult& result, const mdr::NormalResponse& reference, const fs::path& folder) {
   fs::create_directories(folder);
   write_profile(result, folder / "profile.csv");
+  write_moduli(result.input, result.mdr_case.body, folder);
   if (!result.fe.fe.gross_slip) write_periodic_state(result, reference, folder);
   write_field_files(result.fe.fe, result.fem_case, result.input.fields, folder);
   if (result.wear) write_wear(*result.wear, result.input, result.fem_case.units, folder);

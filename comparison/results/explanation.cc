@@ -53,6 +53,8 @@ std::string body_text(const Case::Elastomer& body) {
   if (body.branch_moduli.size() > most) text += fmt::format(" and {} branches more", body.branch_moduli.size() - most);
   if (body.viscosity > 0) text += ", dashpot " + short_text(body.viscosity, "Pa s");
   if (body.fractional_order > 0) text += fmt::format(", order {:g}", body.fractional_order);
+  if (const auto& fit = body.master_curve)
+    text += fmt::format("; misses {} by {:.2g} % (root mean square)", fit->table, 100 * fit->residual);
   return text + "; incompressible";
 }
 

@@ -77,6 +77,7 @@ ordered_json case_json(const CaseResult& result) {
     if (!wear->profile.empty()) json["wear_law"]["profile"] = wear->profile;
   }
   json["inputs"] = inputs_json(input);
+  if (input.elastomer.master_curve) json["fit_of_moduli"] = fit_json(input.elastomer);
   if (input.sweep)
     json["sweep"] = {{"family", input.sweep->family}, {"entry", input.sweep->entry}, {"value", input.sweep->value}};
   return json;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "tests/comparison/expect_parts.h"
+#include "tests/comparison/modulus_table.h"
 #include "tests/comparison/read_case.h"
 #include "tests/comparison/refusal.h"
 
@@ -90,6 +91,17 @@ TEST(CaseSections, EveryRheologyHasItsOwnNumbers) {
   EXPECT_EQ(prony.viscosity, 0);
   expect_parts(refusal([&] { elastomer("set Rheology = standard solid\n" + branches); }),
                {"Branch moduli = 2e6, 3e6", "Rheology = prony"});
+}
+
+// Measured at T_r, asked for where times are ten times as long: the curve moves to a tenth of its frequencies.
+TEST(CaseSections, TemperatureShiftsWhatWasMeasured) {
+  const ScratchFolder folder;
+  const auto table = folder.write("dma.csv", standard_solid_table()).string();
+  const auto cold =
+      elastomer("set Rheology = table\nset Table modulus = shear\nset Table = " + table +
+                "\nset Temperature = -5\nset Reference temperature = 20\nset WLF C1 = 1\nset WLF C2 = 50");
+  EXPECT_NEAR(cold.master_curve->frequency.front() / 1e-5, 1, 1e-9);
+  EXPECT_NEAR(cold.master_curve->frequency.back() / 1e3, 1, 1e-9);
 }
 
 // Half the way to the pole at T_r - c2: log10 a_T = c1, so times and viscosity are ten times as long; moduli stay.

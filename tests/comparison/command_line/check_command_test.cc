@@ -6,6 +6,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "tests/comparison/read_case.h"
 #include "tests/comparison/run_fretval.h"
 #include "tests/comparison/suite_rows.h"
 
@@ -69,7 +70,7 @@ TEST(CheckCommand, ChecksRandomCasesAndWritesTheWorst) {
   const ScratchFolder folder;
   const auto junit = folder.path() / "junit.xml", json = folder.path() / "new" / "random.json",
              worst = folder.path() / "worst";
-  const auto run = fretval_run("check --suite random --cases 2 --seed 1 --junit " + junit.string() + " --json " +
+  const auto run = fretval_run("check --suite random --count 2 --seed 1 --junit " + junit.string() + " --json " +
                                    json.string() + " --write-worst " + worst.string(),
                                folder);
   EXPECT_EQ(run.exit_code, 0) << run.out << run.err;
@@ -85,7 +86,7 @@ TEST(CheckCommand, ChecksRandomCasesAndWritesTheWorst) {
 TEST(CheckCommand, DrawsNewRandomCasesAndSaysHowToRepeatThem) {
   const ScratchFolder folder;
   const auto seed_of = [&] {
-    const auto run = fretval_run("check --suite random --cases 1", folder);
+    const auto run = fretval_run("check --suite random --count 1", folder);
     const auto at = run.err.find("--seed ");
     EXPECT_NE(at, std::string::npos) << run.err;
     return run.err.substr(at + 7, run.err.find(' ', at + 7) - at - 7);
@@ -94,6 +95,24 @@ TEST(CheckCommand, DrawsNewRandomCasesAndSaysHowToRepeatThem) {
   const auto run = fretval_run("check --suite random --only 3", folder);
   EXPECT_EQ(run.exit_code, 2);
   EXPECT_NE(run.err.find("--only: of which cases? Expected their --seed"), std::string::npos) << run.err;
+}
+
+// As `run` would, without its results.
+TEST(CheckCommand, ChecksAFolderOfCasesAndKeepsNothing) {
+  const ScratchFolder folder;
+  fs::create_directory(folder.path() / "own");
+  folder.write("own/one.prm", elastic_case());
+  folder.write("own/two.prm", replace(elastic_case(), "set Coefficient = 0.5", "set Coefficient = 0.6"));
+  const auto junit = folder.path() / "junit.xml";
+  const auto own = (folder.path() / "own").string();
+  const auto run = fretval_run("check --cases " + own + " --junit " + junit.string(), folder);
+  EXPECT_EQ(run.exit_code, 0) << run.out << run.err;
+  for (const char* name : {"agree    one", "agree    two"}) EXPECT_NE(run.out.find(name), std::string::npos) << run.out;
+  EXPECT_NE(text_of(junit).find("tests=\"2\" failures=\"0\""), std::string::npos) << text_of(junit);
+  EXPECT_FALSE(fs::exists(folder.path() / "results"));
+  EXPECT_EQ(n_files(folder.path() / "own"), 2U);
+  for (const std::string option : {"--suite small", "--count 3", "--json there"})
+    EXPECT_EQ(fretval_run("check --cases " + own + " " + option, folder).exit_code, 2) << option;
 }
 
 TEST(CheckCommand, RefusesOptionsOfAnotherSuite) {
