@@ -41,6 +41,41 @@ TEST(FemCase, UnlockedPhaseFollowsTheWorstPhase) {
   EXPECT_NEAR(*fe.stick_radius_first_slip, *answer.stick_radius_first_slip, 5e-3 * answer.contact_radius_max.value());
 }
 
+/// The motion of a case as a table of so many rows a period.
+Case sampled(Case input, int n_rows) {
+  auto& motion = input.motion;
+  auto& path = motion.path.emplace();
+  path.file = "sampled.csv";
+  path.repeats = true;
+  const double pi = std::acos(-1.0), phase = *motion.phase * pi / 180;
+  for (int k = 0; k <= n_rows; ++k) {
+    const double angle = 2 * pi * k / n_rows;
+    path.time.push_back(static_cast<double>(k) / n_rows / motion.normal_frequency);
+    path.indentation.push_back(motion.indentation + motion.normal_amplitude * std::cos(angle));
+    path.tangential.push_back(motion.tangential_amplitude * std::cos(angle + phase));
+  }
+  return input;
+}
+
+// Chords of a cosine: of second order in the rows.
+TEST(FemCase, ASampledMotionTendsToTheMotion) {
+  Case input = read_case(elastic_case());
+  input.tolerance = 1e-3;
+  input.motion.phase = 40;  // what limits the stick zone is largest between two rows, at a third of their distance
+  const auto answer = exact_answer(input);
+  const auto error = [&](int n_rows) {
+    return *simulate_case(sampled(input, n_rows)).stick_radius_shakedown / *answer.stick_radius_shakedown - 1;
+  };
+  const double coarse = error(12), fine = error(24);
+  EXPECT_GT(std::abs(coarse), 1e-3);
+  EXPECT_NEAR(coarse / fine, 4, 0.4);
+}
+
+TEST(FemCase, RefusesAPathOfTooManyRows) {
+  const Case input = sampled(read_case(elastic_case()), 2000);
+  expect_parts(refusal([&] { prepare({input}); }), {"sampled.csv: has 2001 rows", "2000 at most", "fretval mdr"});
+}
+
 // Two frequencies, and a second harmonic of either, whose cycle does not begin with the first one's: both closed
 // formulas of the reference, and the largest force of its springs.
 TEST(FemCase, SeveralHarmonicsFollowTheReference) {
@@ -80,8 +115,7 @@ TEST(FemCase, SphereHasItsTrueArc) {
   const double a = fem.units.length, d = fem.units.depth;
   EXPECT_NEAR(d, 1.2e-4, 1e-18);
   EXPECT_NEAR(a / 2 * std::log((R + a) / (R - a)) / d, 1, 1e-12);
-  for (const double r : {0.2, 0.7, 1.1})
-    EXPECT_NEAR(fem.profile(r) * d, R - std::sqrt(R * R - r * r * a * a), 1e-15);
+  for (const double r : {0.2, 0.7, 1.1}) EXPECT_NEAR(fem.profile(r) * d, R - std::sqrt(R * R - r * r * a * a), 1e-15);
   // a/R = 0.64 and 0.69.
   EXPECT_NO_THROW(prepared_sphere(1.2e-4 / (0.64 * std::atanh(0.64))));
   expect_parts(refusal([&] { prepared_sphere(1.2e-4 / (0.69 * std::atanh(0.69))); }),
