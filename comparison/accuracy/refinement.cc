@@ -93,15 +93,15 @@ std::vector<Variant> variants_of(const Resolution& resolution, const CaseNeeds& 
 
 /// Next to a singular edge, elements of even and of odd degree come from either side: see resolution_for_wear.
 std::vector<Variant> variants_of_wear(const Resolution& resolution) {
-  const Resolution coarse = with_rings(resolution, 0.5);
+  const Resolution coarse = with_rings(resolution, 0.5), quick = with_steps(coarse, 0.5);
   return {{ErrorSource::rings, coarse, resolution},
           {ErrorSource::rings, with_rings(resolution, 0.25), resolution},
-          variant(ErrorSource::element_order, coarse, [](Resolution& r) { r.degree -= 2; }),
-          variant(ErrorSource::far_field, coarse, [](Resolution& r) { r.far_radius /= 2; }),
-          {ErrorSource::time_step, with_steps(coarse, 0.5), coarse},
+          variant(ErrorSource::element_order, quick, [](Resolution& r) { r.degree -= 2; }),
+          variant(ErrorSource::far_field, quick, [](Resolution& r) { r.far_radius /= 2; }),
+          {ErrorSource::time_step, quick, coarse},
           {ErrorSource::time_step, with_steps(coarse, 0.25), coarse},
-          variant(ErrorSource::wear_jump, coarse, [](Resolution& r) { r.wear_jump *= 2; }),
-          variant(ErrorSource::wear_jump, coarse, [](Resolution& r) { r.wear_jump *= 4; })};
+          variant(ErrorSource::wear_jump, quick, [](Resolution& r) { r.wear_jump *= 2; }),
+          variant(ErrorSource::wear_jump, quick, [](Resolution& r) { r.wear_jump *= 4; })};
 }
 
 std::optional<Resolution> refined(const Resolution& resolution, ErrorSource source, double factor) {

@@ -49,7 +49,7 @@ struct CaseNeeds {
 std::vector<Variant> variants_of(const Resolution& resolution, const CaseNeeds& needs);
 
 /// The same for the course of wear, which ends shaken down and reads no edges: rings, element order, far field, time
-/// step, and the jumps over many cycles; all but the rings on half of them.
+/// step, and the jumps over many cycles; all but the rings on half of them, and all but those two with half the steps.
 std::vector<Variant> variants_of_wear(const Resolution& resolution);
 
 /// A resolution that is finer in one respect, rings and steps by a factor of 1.5 or 2; empty: it cannot be refined

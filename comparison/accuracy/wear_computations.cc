@@ -36,15 +36,11 @@ std::vector<double> distances_of(const WearSimulation& wear, const Units& units,
   return distances;
 }
 
-void WearComputations::expect(const std::vector<Resolution>& resolutions) {
-  for (const auto& resolution : resolutions) shares_.try_emplace(resolution, 0.0);
-}
-
 void WearComputations::compute(const std::vector<Resolution>& wanted) {
-  expect(wanted);
   std::vector<Resolution> missing;
   for (const auto& resolution : wanted)
     if (all.try_emplace(resolution).second) missing.push_back(resolution);
+  for (const auto& resolution : missing) shares_.try_emplace(resolution, 0.0);
   for_each_in_parallel(missing.size(), [&](std::size_t i) { all.at(missing[i]) = attempt(missing[i]); });
 }
 

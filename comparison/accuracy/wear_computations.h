@@ -40,9 +40,6 @@ class WearComputations {
                    WearOversight oversight)
       : prepared_(prepared), edge_(edge), limits_(limits), bodies_(bodies), oversight_(std::move(oversight)) {}
 
-  /// More work that is to come, as far as it is known.
-  void expect(const std::vector<Resolution>& resolutions);
-
   /// Those that are not there yet.
   void compute(const std::vector<Resolution>& wanted);
 

@@ -52,6 +52,20 @@ double volume_beyond(double stick_radius) {
   return stick_radius < 1 ? std::pow(1 - stick_radius, 2.5) : 1;
 }
 
+/// What as many cycles again would still wear off as fast as the last jump has, which is more than they do as wear dies
+/// out: where it was left, it is not all over.
+void add_stop(const ProvedWear& wear, const Units& units, ErrorBudget& budget) {
+  const auto& [curve, worn] = std::tie(wear.fe.course.curve, wear.fe.course.worn);
+  if (curve.size() < 2) return;
+  const auto& [before, last] = std::tie(*(curve.end() - 2), curve.back());
+  const auto& limit = wear.limits.shakedown;
+  const double jumps = last.cycles / (last.cycles - before.cycles),
+               depth = jumps * (worn.back() - *(worn.end() - 2)).maxCoeff(),
+               volume = jumps * (last.volume - before.volume);
+  budget[Quantity::distance_to_limit].add(ErrorSource::cycles, depth * units.depth / limit.maximum_indentation);
+  budget[Quantity::worn_volume].add(ErrorSource::cycles, volume * units.volume() / mdr::worn_volume(limit));
+}
+
 /// The stick radius of the end jumps by rings and takes the volume with it: refinements are compared at the stick
 /// radius of the answer, and how far that is off is a share of its own.
 ErrorBudget budget_of(const PreparedCase& prepared, const ProvedWear& wear, double unworn_stick_radius,
@@ -85,6 +99,7 @@ ErrorBudget budget_of(const PreparedCase& prepared, const ProvedWear& wear, doub
   budget[Quantity::worn_volume].add(ErrorSource::edge,
                                     (volume_beyond(stick_radius - edge) / volume_beyond(stick_radius) - 1) *
                                         known.at(resolution).at(Quantity::worn_volume));
+  if (wear.ends_in_limit()) add_stop(wear, units, budget);
   return budget;
 }
 
@@ -101,7 +116,7 @@ std::optional<Resolution> finer(const PreparedCase& prepared, const ProvedWear& 
     furthest = times;
     largest = bar.largest();
   }
-  if (!largest) return std::nullopt;
+  if (!largest || largest->source == ErrorSource::cycles) return std::nullopt;  // the case says when to stop
   constexpr double little = 1.5;  // what lacks; a share falls at least as its rings or steps become smaller
   const auto next = refined(wear.resolution, largest->source, furthest <= little ? little : 2);
   if (next)
@@ -130,8 +145,7 @@ void take(const PreparedCase& prepared, double stick_radius, const WearComputati
 /// Refines until the bars meet their tolerances.
 ErrorBudget measure_errors(const PreparedCase& prepared, double stick_radius, Proof proof, WearComputations& computed,
                            ProvedWear& wear) {
-  if (proof != Proof::none) computed.expect(needed_for_bars(wear.resolution));
-  computed.compute({wear.resolution});
+  computed.compute(proof == Proof::none ? std::vector<Resolution>{wear.resolution} : needed_for_bars(wear.resolution));
   take(prepared, stick_radius, computed.all.at(wear.resolution), wear);
   for (int n = 0; proof != Proof::none && wear.failure.empty(); ++n) {
     computed.compute(needed_for_bars(wear.resolution));
@@ -139,7 +153,7 @@ ErrorBudget measure_errors(const PreparedCase& prepared, double stick_radius, Pr
     const bool goes_on = proof == Proof::tolerance && n < most_rounds;
     const auto next = goes_on ? finer(prepared, wear, budget) : std::nullopt;
     if (!next) return budget;
-    computed.compute({*next});
+    computed.compute(needed_for_bars(*next));
     if (!computed.all.at(*next).failure.empty()) return budget;
     wear.resolution = *next;
     take(prepared, stick_radius, computed.all.at(*next), wear);

@@ -190,8 +190,8 @@ Figure pressure_figure(const StoredResult& r) {
   Plot plot{"Largest pressure in the cycle", "r in " + length.unit, "p in " + stress.unit};
   plot.marks = radius_marks(r, length);
   int colour = 0;
-  for (const char* when : {"start", "end"}) {
-    auto [radius, pressure] = read_columns(r.folder / "wear.csv", "r [m]", fmt::format("p largest at {} [Pa]", when));
+  for (const char* when : {"at start", "in the middle", "at end"}) {
+    auto [radius, pressure] = read_columns(r.folder / "wear.csv", "r [m]", fmt::format("p largest {} [Pa]", when));
     Series series{when, {}, {}, Series::Style::line, colour++};
     series.x = length.of(radius);
     series.y = stress.of(pressure);
@@ -200,7 +200,9 @@ Figure pressure_figure(const StoredResult& r) {
   plot.x_range = {0, 1.5 * length_of(r) / length.factor};
   const auto& start = plot.series.front().y;
   plot.y_range = {0, start.empty() ? 1 : 3 * *std::max_element(start.begin(), start.end())};
-  return {std::move(plot), "At the end the pressure is singular at the edge of the stick zone, and nothing beyond."};
+  return {std::move(plot),
+          "In the middle half of the volume is worn off. At the end the pressure is singular at the edge of the stick "
+          "zone, and nothing beyond."};
 }
 
 Filling course(const StoredResult& r, const ordered_json& wear) {

@@ -40,18 +40,23 @@ ordered_json zones_json(const fem::WearingContact::Period& period) {
   return steps;
 }
 
+/// The first point at which so much of the volume is worn off.
+std::size_t point_with(const fem::WearCourse& course, double share) {
+  const auto& curve = course.curve;
+  const double volume = share * curve.back().volume;
+  const auto found = std::find_if(curve.begin(), curve.end(), [&](const auto& p) { return p.volume >= volume; });
+  return static_cast<std::size_t>(std::min(found, curve.end() - 1) - curve.begin());
+}
+
 /// Some states of the course, evenly spread over the worn volume.
 std::vector<std::size_t> snapshots_of(const fem::WearCourse& course) {
   constexpr int n = 8;
   std::vector<std::size_t> chosen;
-  const auto& curve = course.curve;
   for (int i = 0; i <= n; ++i) {
-    const double volume = curve.back().volume * i / n;
-    const auto found = std::find_if(curve.begin(), curve.end(), [&](const auto& p) { return p.volume >= volume; });
-    const auto k = static_cast<std::size_t>(std::min(found, curve.end() - 1) - curve.begin());
+    const auto k = point_with(course, static_cast<double>(i) / n);
     if (chosen.empty() || chosen.back() != k) chosen.push_back(k);
   }
-  if (chosen.back() + 1 != curve.size()) chosen.push_back(curve.size() - 1);
+  if (chosen.back() + 1 != course.curve.size()) chosen.push_back(course.curve.size() - 1);
   return chosen;
 }
 
@@ -107,9 +112,11 @@ void write_wear(const ProvedWear& wear, const Case& input, const Units& units, c
   const Eigen::VectorXd& worn = course.worn.back();
   write_csv(folder / "worn_profile.csv", {{"r [m]", from_axis(0, units.length * wear.fe.centre)},
                                           {"f [m]", from_axis(units.depth * worn[0], height(worn))}});
-  std::vector<Column> columns{{"r [m]", units.length * wear.fe.centre},
-                              {"p largest at start [Pa]", units.pressure() * course.first.largest_pressure},
-                              {"p largest at end [Pa]", units.pressure() * course.last.largest_pressure}};
+  std::vector<Column> columns{
+      {"r [m]", units.length * wear.fe.centre},
+      {"p largest at start [Pa]", units.pressure() * course.largest_pressure.front()},
+      {"p largest in the middle [Pa]", units.pressure() * course.largest_pressure[point_with(course, 0.5)]},
+      {"p largest at end [Pa]", units.pressure() * course.largest_pressure.back()}};
   for (const auto k : snapshots_of(course))
     columns.push_back({fmt::format("f after {:.6g} cycles [m]", course.curve[k].cycles), height(course.worn[k])});
   write_csv(folder / "wear.csv", columns);

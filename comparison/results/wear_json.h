@@ -13,7 +13,8 @@ namespace fretval {
 nlohmann::ordered_json to_json(const ProvedWear& wear, const Units& units);
 
 /// worn_profile.csv: radius and height of the worn indenter, from the centre on, as Wear / Profile takes it. wear.csv:
-/// by ring the heights at some states of the course, and the largest pressures at its start and end. NAME-worn.prm: the
+/// by ring the heights at some states of the course, and the largest pressures at its start, when half of the volume
+/// is worn off, and at its end. NAME-worn.prm: the
 /// case that goes on from there, not for a point of a sweep.
 void write_wear(const ProvedWear& wear, const Case& input, const Units& units, const std::filesystem::path& folder);
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -22,8 +23,8 @@ struct Violations {
 };
 
 Violations find_violations(const Eigen::VectorXd& x, const Eigen::VectorXd& residual, const Eigen::VectorXd& lower,
-                           const Eigen::VectorXd& upper, const std::vector<BoxState>& state, double slack,
-                           double residual_slack) {
+                           const Eigen::VectorXd& upper, const std::vector<BoxState>& state,
+                           const Eigen::VectorXd& slacks, const Eigen::VectorXd& residual_slacks) {
   Violations violations;
   const auto change = [&](Eigen::Index i, BoxState to) {
     violations.indices.push_back(i);
@@ -31,6 +32,7 @@ Violations find_violations(const Eigen::VectorXd& x, const Eigen::VectorXd& resi
   };
   for (Eigen::Index i = 0; i < x.size(); ++i) {
     if (lower[i] == upper[i]) continue;
+    const double slack = slacks[i], residual_slack = residual_slacks[i];
     if (state[i] == BoxState::interior) {
       if (x[i] > upper[i] + slack) change(i, BoxState::upper);
       if (x[i] < lower[i] - slack) change(i, BoxState::lower);
@@ -57,9 +59,34 @@ void place_unknowns(const Eigen::VectorXd& lower, const Eigen::VectorXd& upper, 
 }  // namespace
 
 BoxSolver::BoxSolver(SharedMatrix matrix, double slack)
-    : matrix_(std::move(matrix)), factor_(cholesky_factor(matrix_)), probe_(matrix_->rows()), slack_(slack) {
+    : matrix_(std::move(matrix)),
+      factor_(cholesky_factor(matrix_)),
+      probe_(matrix_->rows()),
+      scale_(Eigen::VectorXd::Ones(matrix_->rows())),
+      slack_(slack) {
   for (Eigen::Index i = 0; i < probe_.size(); ++i) probe_[i] = std::cos(1.0 + 0.7 * static_cast<double>(i));
   image_ = *matrix_ * probe_;
+}
+
+BoxSolver::BoxSolver(const BoxSolver& other, const Eigen::VectorXd& added, Eigen::Index most_likely)
+    : matrix_(other.matrix_),
+      probe_(other.probe_),
+      image_(other.image_ + added.cwiseProduct(other.probe_)),
+      added_(added),
+      scale_((matrix_->diagonal() + added).cwiseSqrt().cwiseInverse()),
+      slack_(other.slack_) {
+  const Eigen::Index n_likely = std::clamp<Eigen::Index>(most_likely, 1, size());
+  Eigen::Index same = 0;
+  while (same < n_likely && added[same] == 0) ++same;
+  const Eigen::Index n = n_likely - same;
+  Eigen::MatrixXd factor = other.factor_->topLeftCorner(n_likely, n_likely);
+  if (n > 0) {
+    Eigen::MatrixXd rest = matrix_->block(same, same, n, n);
+    if (same > 0) rest -= gram(factor.bottomLeftCorner(n, same).transpose());
+    rest.diagonal() += added.segment(same, n);
+    factor.bottomRightCorner(n, n) = cholesky_factor(rest);
+  }
+  factor_ = std::move(factor);
 }
 
 /// The residuals of the interior are set to zero, not computed. One product with a fixed vector tells whether they are:
@@ -87,6 +114,7 @@ void BoxSolver::solve_interior(const std::vector<Eigen::Index>& interior, Eigen:
       coupling.col(j) = matrix_->col(interior[k + j]).head(k);
       tail[j] = x[interior[k + j]];
       for (Eigen::Index i = 0; i < n_extra; ++i) extra(i, j) = (*matrix_)(interior[k + i], interior[k + j]);
+      if (added_.size() > 0) extra(j, j) += added_[interior[k + j]];
     }
     block.solveInPlace(coupling);
     extra.noalias() -= coupling.transpose() * coupling;
@@ -113,9 +141,9 @@ BoxSolver::Solution BoxSolver::solve(const Eigen::VectorXd& q, const Eigen::Vect
     place_unknowns(lower, upper, state, x, interior);
     const auto n_interior = static_cast<Eigen::Index>(interior.size());
     Eigen::Index k = 0;
-    while (k < n_interior && interior[k] == k) ++k;
+    while (k < n_interior && k < factor_->rows() && interior[k] == k) ++k;
     // What the bounded unknowns leave, then what the interior ones leave of that.
-    residual = q;
+    residual = added_.size() > 0 ? q - added_.cwiseProduct(x) : q;
     if (!x.tail(n - k).isZero(0)) subtract_product(matrix_, 0, k, x.tail(n - k), residual);
     for (const auto i : interior) x[i] = residual[i];
     solve_interior(interior, k, x);
@@ -124,8 +152,8 @@ BoxSolver::Solution BoxSolver::solve(const Eigen::VectorXd& q, const Eigen::Vect
       residual.tail(n - k).noalias() -= x[interior[j]] * matrix_->col(interior[j]).tail(n - k);
     for (const auto i : interior) residual[i] = 0;
 
-    const double slack = slack_ * x.lpNorm<Eigen::Infinity>();
-    const double residual_slack = slack_ * q.lpNorm<Eigen::Infinity>();
+    const Eigen::VectorXd slack = slack_ * x.cwiseQuotient(scale_).lpNorm<Eigen::Infinity>() * scale_,
+                          residual_slack = slack_ * q.cwiseProduct(scale_).lpNorm<Eigen::Infinity>() / scale_.array();
     const auto violations = find_violations(x, residual, lower, upper, state, slack, residual_slack);
     if (violations.indices.empty()) {
       check(q, solution);

@@ -30,6 +30,12 @@ class BoxSolver {
   /// The same with another slack.
   BoxSolver(const BoxSolver& other, double slack) : BoxSolver(other) { slack_ = slack; }
 
+  /// The same with a diagonal added to C, not negative. What comes before its first entry that is not 0 leaves the
+  /// factor as it is, and of what lies beyond n_likely unknowns, which are supposed to be at their bounds, none is
+  /// made. Slacks are those of the problem scaled to a unit diagonal: an unknown on a large entry is next to nothing,
+  /// and that has its sign all the same.
+  BoxSolver(const BoxSolver& other, const Eigen::VectorXd& added, Eigen::Index n_likely);
+
   struct Solution {
     Eigen::VectorXd x;
     Eigen::VectorXd residual;  ///< q - C x; exactly 0 in the interior
@@ -44,7 +50,7 @@ class BoxSolver {
                  std::vector<BoxState>& state) const;
 
   [[nodiscard]] Eigen::Index size() const { return matrix_->rows(); }
-  /// Lower Cholesky factor of C.
+  /// Lower Cholesky factor of C, or of its leading block that is likely to be needed.
   [[nodiscard]] const SharedMatrix& factor() const { return factor_; }
 
  private:
@@ -55,6 +61,8 @@ class BoxSolver {
   SharedMatrix matrix_;
   SharedMatrix factor_;            // lower Cholesky factor
   Eigen::VectorXd probe_, image_;  // any vector, and its product with the matrix
+  Eigen::VectorXd added_;          // to the diagonal of the matrix; empty: nothing
+  Eigen::VectorXd scale_;          // of the unknowns
   double slack_;
 };
 

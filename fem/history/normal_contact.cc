@@ -75,13 +75,11 @@ std::optional<Eigen::Index> NormalContact::n_closed() const {
   return (gap.array() <= roundoff * gap.maxCoeff()).count();
 }
 
-NormalContact::Attempt NormalContact::attempt(const IndenterMove& to_balance, const PressureWear& wear) const {
+NormalContact::Attempt NormalContact::attempt(const IndenterMove& to_balance, const WearingSolver& solver) const {
   // A ring in contact closes its gap: it slips by what is left of it.
   const Eigen::VectorXd held = step_.response_without_slip(state, to_balance);
-  Attempt attempt{contact_, {}, {}, {}, {}, {}};
-  auto contact = solve_wearing_contact(problem_, held - step_.instantaneous() * gap,
-                                       {step_.instantaneous() * wear.coefficient, wear.exponent}, attempt.contact);
-  attempt.worn = worn_by(wear, contact.pressure);
+  Attempt attempt{contact_, {}, {}, {}, {}};
+  auto contact = solver.solve(held - step_.instantaneous() * gap, attempt.contact);
   attempt.gap = contact.gap / step_.instantaneous();
   attempt.balance_gap = step_.fraction() * attempt.gap + (1 - step_.fraction()) * gap;
   attempt.pressure = std::move(contact.pressure);
@@ -90,11 +88,11 @@ NormalContact::Attempt NormalContact::attempt(const IndenterMove& to_balance, co
 }
 
 /// Of the indentation in the whole step, in which it moves steadily.
-double NormalContact::increment_under_force(const PressureWear& wear) const {
+double NormalContact::increment_under_force(const WearingSolver& solver) const {
   const double force = normal_motion(motion_, time).value,
                stiffness = problem_.series.force_per_radius() * reading.radius * step_.instantaneous();
-  const auto force_after = [this, &wear](double increment) {
-    return total_force(attempt(steady_move(step_.fraction() * increment, step_.fraction() * dt_), wear).reading);
+  const auto force_after = [this, &solver](double increment) {
+    return total_force(attempt(steady_move(step_.fraction() * increment, step_.fraction() * dt_), solver).reading);
   };
   return displacement_for_force(force_after, force, {last_increment_, stiffness, force});
 }
@@ -117,14 +115,16 @@ void NormalContact::step(const PressureWear& wear) {
   gap.array() -= indentation;
   const auto position = [this, inside = begin + dt_ / 2](double t) { return normal_motion_inside(motion_, t, inside); };
   auto to_balance = indenter_move(position, begin, time), whole = indenter_move(position, begin, end);
+  const WearingSolver solver(problem_, {step_.instantaneous() * wear.coefficient, wear.exponent}, contact_);
   if (motion_.normal_force) {
-    last_increment_ = increment_under_force(wear);
+    last_increment_ = increment_under_force(solver);
     to_balance = steady_move(weight * last_increment_, weight * dt_);
     whole = steady_move(last_increment_, dt_);
   }
-  auto made = attempt(to_balance, wear);
-  step_.advance(state, whole, gap - made.gap + made.worn);
-  profile += made.worn;
+  auto made = attempt(to_balance, solver);
+  const Eigen::VectorXd worn = worn_by(wear, made.pressure);
+  step_.advance(state, whole, gap - made.gap + worn);
+  profile += worn;
   balance_indentation = motion_.normal_force ? indentation + to_balance.increment : position(time).value;
   indentation = motion_.normal_force ? indentation + whole.increment : position(times_.begin(n_steps + 1)).value;
   gap = std::move(made.gap);

@@ -57,14 +57,14 @@ class NormalContact {
   /// What a move of the indenter up to the balance time would come to.
   struct Attempt {
     std::vector<BoxState> contact;
-    Eigen::VectorXd pressure, worn, gap, balance_gap;
+    Eigen::VectorXd pressure, gap, balance_gap;
     ContactForce reading;
   };
   [[nodiscard]] ContactForce read(const Eigen::VectorXd& pressure, const Eigen::VectorXd& gap,
                                   const ContactPast& past) const;
-  [[nodiscard]] Attempt attempt(const IndenterMove& to_balance, const PressureWear& wear) const;
+  [[nodiscard]] Attempt attempt(const IndenterMove& to_balance, const WearingSolver& solver) const;
   [[nodiscard]] double start_indentation() const;
-  [[nodiscard]] double increment_under_force(const PressureWear& wear) const;
+  [[nodiscard]] double increment_under_force(const WearingSolver& solver) const;
   [[nodiscard]] std::optional<Eigen::Index> n_closed() const;
 
   const ContactProblem& problem_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <utility>
 
 #include "fem/support/solver_error.h"
 
@@ -29,50 +30,51 @@ Eigen::VectorXd ring_means(const Compliance& compliance, const std::function<dou
 
 namespace {
 
-StaticContact solve(const BoxSolver& solver, const Eigen::VectorXd& areas, const Eigen::VectorXd& target,
-                    std::vector<BoxState>& states) {
+StaticContact solve_with(const BoxSolver& solver, const Eigen::VectorXd& areas, const Eigen::VectorXd& target,
+                         std::vector<BoxState>& states) {
   const Eigen::Index n = areas.size();
   const auto solution = solver.solve(areas.cwiseProduct(target), Eigen::VectorXd::Zero(n),
                                      Eigen::VectorXd::Constant(n, std::numeric_limits<double>::infinity()), states);
   return {solution.x, (-solution.residual.array() / areas.array()).matrix()};
 }
 
-/// As solve_contact, of rings that wear by softness times their pressure.
-StaticContact solve_softened(const ContactProblem& problem, const Eigen::VectorXd& target,
-                             const Eigen::VectorXd& softness, std::vector<BoxState>& states) {
-  const auto& areas = problem.compliance.areas;
-  Eigen::MatrixXd matrix = *problem.compliance.matrix;
-  matrix.diagonal() += areas.cwiseProduct(softness);
-  // To a unit diagonal: a very soft ring bears next to nothing, and that has its sign all the same.
-  const Eigen::VectorXd scale = matrix.diagonal().cwiseSqrt().cwiseInverse();
-  matrix = scale.asDiagonal() * matrix * scale.asDiagonal();
-  auto contact = solve(BoxSolver(matrix), areas.cwiseProduct(scale), target, states);
-  contact.pressure.array() *= scale.array();
-  return contact;
+/// Of rings that wear by softness times their pressure.
+BoxSolver softened(const ContactProblem& problem, const Eigen::VectorXd& softness,
+                   const std::vector<BoxState>& likely) {
+  const auto outermost = std::find(likely.rbegin(), likely.rend(), BoxState::interior);
+  return {problem.solver, problem.compliance.areas.cwiseProduct(softness), likely.rend() - outermost};
 }
 
 }  // namespace
 
 StaticContact solve_contact(const ContactProblem& problem, const Eigen::VectorXd& target,
                             std::vector<BoxState>& states) {
-  return solve(problem.solver, problem.compliance.areas, target, states);
+  return solve_with(problem.solver, problem.compliance.areas, target, states);
 }
 
 Eigen::VectorXd worn_by(const PressureWear& wear, const Eigen::VectorXd& pressure) {
   if (wear.coefficient.size() == 0) return Eigen::VectorXd::Zero(pressure.size());
+  if (wear.exponent == 1) return wear.coefficient.cwiseProduct(pressure.cwiseMax(0));
   return wear.coefficient.cwiseProduct(pressure.array().max(0).pow(wear.exponent).matrix());
 }
 
-StaticContact solve_wearing_contact(const ContactProblem& problem, const Eigen::VectorXd& target,
-                                    const PressureWear& wear, std::vector<BoxState>& states) {
-  if (wear.coefficient.isZero(0)) return solve_contact(problem, target, states);
-  if (wear.exponent == 1) return solve_softened(problem, target, wear.coefficient, states);
+WearingSolver::WearingSolver(const ContactProblem& problem, PressureWear wear, const std::vector<BoxState>& likely)
+    : problem_(problem), wear_(std::move(wear)) {
+  if (wear_.exponent == 1 && !wear_.coefficient.isZero(0)) softened_ = softened(problem, wear_.coefficient, likely);
+}
+
+StaticContact WearingSolver::solve(const Eigen::VectorXd& target, std::vector<BoxState>& states) const {
+  if (softened_) return solve_with(*softened_, problem_.compliance.areas, target, states);
+  return wear_.coefficient.isZero(0) ? solve_contact(problem_, target, states) : by_newton(target, states);
+}
+
+StaticContact WearingSolver::by_newton(const Eigen::VectorXd& target, std::vector<BoxState>& states) const {
   constexpr int most_iterations = 200;
   constexpr double converged = 1e-7, least_share = 0.1;  // of the iterate before
   constexpr double no_pressure = 1e-16, roundoff = 1e-14;
-  const double m = wear.exponent;
-  const auto& coefficient = wear.coefficient.array();
-  auto contact = solve_contact(problem, target, states);
+  const double m = wear_.exponent;
+  const auto& coefficient = wear_.coefficient.array();
+  auto contact = solve_contact(problem_, target, states);
   // Of p^m its tangent, or with m < 1, where tangents overshoot, its secant from 0, which gains a factor 1 - m a time.
   // At p = 0 it has neither, and a ring of hardly any pressure hardly wears.
   const double slope = std::max(m, 1.0);
@@ -81,7 +83,8 @@ StaticContact solve_wearing_contact(const ContactProblem& problem, const Eigen::
   Eigen::ArrayXd at = contact.pressure.array().max(floor);
   for (int iteration = 0; iteration < most_iterations; ++iteration) {
     const Eigen::ArrayXd worn = coefficient * at.pow(m);
-    contact = solve_softened(problem, target - (1 - slope) * worn.matrix(), (slope * worn / at).matrix(), states);
+    contact = solve_with(softened(problem_, (slope * worn / at).matrix(), states), problem_.compliance.areas,
+                         target - (1 - slope) * worn.matrix(), states);
     at = contact.pressure.array().max(least_share * at).max(floor);
     if ((coefficient * at.pow(m) - worn).abs().maxCoeff() <= std::max(converged * worn.maxCoeff(), nothing))
       return contact;

@@ -2,6 +2,7 @@
 
 #include <Eigen/Dense>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "fem/history/contact_problem.h"
@@ -32,9 +33,22 @@ Eigen::VectorXd worn_by(const PressureWear& wear, const Eigen::VectorXd& pressur
 
 /// solve_contact while the rings of the indenter wear off under the pressure that is found, which lets them sink in
 /// less: `target_i = (C p)_i/A_i + coefficient_i p_i^exponent - gap_i`. With exponent 1 the wear is a diagonal added to
-/// the compliance, otherwise Newton's iterations of such problems. Throws SolverError where they do not converge.
-StaticContact solve_wearing_contact(const ContactProblem& problem, const Eigen::VectorXd& target,
-                                    const PressureWear& wear, std::vector<BoxState>& states);
+/// the compliance, the same for all targets, otherwise Newton's iterations of such problems.
+class WearingSolver {
+ public:
+  /// likely: who touches. The problem must outlive this.
+  WearingSolver(const ContactProblem& problem, PressureWear wear, const std::vector<BoxState>& likely);
+
+  /// Throws SolverError where the iterations do not converge.
+  StaticContact solve(const Eigen::VectorXd& target, std::vector<BoxState>& states) const;
+
+ private:
+  [[nodiscard]] StaticContact by_newton(const Eigen::VectorXd& target, std::vector<BoxState>& states) const;
+
+  const ContactProblem& problem_;
+  PressureWear wear_;
+  std::optional<BoxSolver> softened_;  // of exponent 1
+};
 
 /// Without wear at a fixed indentation; profile: ring means.
 StaticContact static_contact(const ContactProblem& problem, const Eigen::VectorXd& profile, double indentation);

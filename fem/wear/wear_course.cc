@@ -69,6 +69,7 @@ Jump jump(WearingContact& contact, double n_cycles, double largest) {
 void add_point(WearState& state, double cycles) {
   state.course.curve.push_back(point_of(state.contact, cycles));
   state.course.worn.push_back(state.contact.worn());
+  state.course.largest_pressure.push_back(state.contact.period().largest_pressure);
 }
 
 void begin(WearState& state, const WearControl& control) {

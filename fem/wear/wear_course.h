@@ -38,8 +38,9 @@ struct WearPoint {
 
 /// An indenter from its first shape to the last that was asked for.
 struct WearCourse {
-  std::vector<WearPoint> curve;       ///< from cycle 0 on
-  std::vector<Eigen::VectorXd> worn;  ///< depth of the rings, likewise
+  std::vector<WearPoint> curve;                   ///< from cycle 0 on
+  std::vector<Eigen::VectorXd> worn;              ///< depth of the rings, likewise
+  std::vector<Eigen::VectorXd> largest_pressure;  ///< of the rings in a cycle, likewise
   WearingContact::Period first, last;
   WearEnd end = WearEnd::nothing_left;
   int n_jumps = 0;
@@ -48,7 +49,7 @@ struct WearCourse {
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(curve, worn, first, last, end, n_jumps, largest_jump_error, n_cycles_stepped);
+    archive(curve, worn, largest_pressure, first, last, end, n_jumps, largest_jump_error, n_cycles_stepped);
   }
 };
 

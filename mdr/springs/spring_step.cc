@@ -2,11 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
-#include <cstdint>
 #include <stdexcept>
-#include <string>
 #include <utility>
 
 #include "mdr/support/checks.h"
@@ -57,6 +54,22 @@ SpringStep::SpringStep(const PronyBody& body, double mu, double dt, Held held)
   }
   viscosity_ = body.viscosity / body.relaxed_modulus;
   theta_ = viscosity_ > 0 ? fitted_theta(dt * (1 + gain_sum_) / viscosity_) : 1;
+  weight_ = viscosity_ / dt + theta_ * (1 + gain_sum_);
+}
+
+// Position of a tip at the end of a step whose load, averaged with theta, is given.
+template <class T>
+T SpringStep::tip_under(double load, const T& position, const T& left, const T& force_now) const {
+  return (load + viscosity_ / dt_ * position - theta_ * (left - gain_sum_ * position) - (1 - theta_) * force_now) /
+         weight_;
+}
+
+Eigen::ArrayXd SpringStep::left_of(const Eigen::ArrayXXd& memory) const {
+  return (memory.matrix() * Eigen::Map<const Eigen::VectorXd>(decay_.data(), memory.cols())).array();
+}
+
+Eigen::ArrayXd SpringStep::free_tips(const Eigen::ArrayXd& position, const Eigen::ArrayXXd& memory) const {
+  return tip_under<Eigen::ArrayXd>(0, position, left_of(memory), position + memory.rowwise().sum());
 }
 
 void SpringStep::advance(SpringState& state, const SpringBed& bed, const IndenterState& to) const {
@@ -127,7 +140,6 @@ void SpringStep::advance_elastomer(SpringState& state, const SpringBed& bed, con
 }
 
 void SpringStep::advance_with_dashpot(SpringState& state, const SpringBed& bed, const IndenterState& to) const {
-  const double drag = viscosity_ / dt_, weight = drag + theta_ * (1 + gain_sum_);
   const double shift = to.tangential - state.indenter.tangential;
   const auto n_memory = static_cast<Eigen::Index>(decay_.size());
   for (Eigen::Index j = 0; j < bed.depth.size(); ++j) {
@@ -139,12 +151,8 @@ void SpringStep::advance_with_dashpot(SpringState& state, const SpringBed& bed, 
       now += state.normal_memory(j, i);
       now_tangential += state.tangential_memory(j, i);
     }
-    // Position of a tip at the end of a step whose load, averaged with theta, is given.
-    const auto tip_under = [&](double load, double position, double remaining, double force_now) {
-      return (load + drag * position - theta_ * (remaining - gain_sum_ * position) - (1 - theta_) * force_now) / weight;
-    };
     const double u = state.normal_depth[j], v = state.tangential_shift[j], touching = to.indentation - bed.depth[j];
-    const double free = tip_under(0, u, left, now);
+    const double free = tip_under(0.0, u, left, now);
     const double pressed = touching + left + gain_sum_ * (touching - u) + viscosity_ * to.indentation_rate;
     const bool contact = state.normal_load[j] > 0 ? pressed > 0 : touching > free;
     const double load = contact ? std::max(0.0, pressed) : 0;
@@ -152,7 +160,7 @@ void SpringStep::advance_with_dashpot(SpringState& state, const SpringBed& bed, 
     // Where the tip goes if it sticks from the instant of touch on, until when it recovers.
     const double held = share_in_contact(held_, state.normal_load[j], u - (state.indenter.indentation - bed.depth[j]),
                                          touching - free),
-                 moved = held * shift + (1 - held) * (tip_under(0, v, left_tangential, now_tangential) - v);
+                 moved = held * shift + (1 - held) * (tip_under(0.0, v, left_tangential, now_tangential) - v);
     const double stuck = v + left_tangential + (1 + gain_sum_) * moved + viscosity_ * to.tangential_rate;
     const double most = limit_ * load;
     const double traction = std::min(std::max(stuck, -most), most);
@@ -182,46 +190,30 @@ IndenterState SpringStep::arrived(const SpringState& state, double indentation, 
           rate(tangential, last.tangential, before.tangential)};
 }
 
-double SpringStep::indentation_for_load(const SpringState& state, const SpringBed& bed, double load) const {
-  require_positive("normal load", load);
-  const auto excess = [&](double d) {
-    SpringState trial = state;
-    advance(trial, bed, arrived(state, d, state.indenter.tangential));
-    return (bed.width * trial.normal_load).sum() - load;
-  };
-  // Widened until it brackets; the load is monotone in d.
-  double width = std::max(bed.depth.abs().maxCoeff(), std::abs(state.indenter.indentation));
-  double lower = state.indenter.indentation - width, upper = state.indenter.indentation + width;
-  while (excess(upper) < 0) upper += width *= 2;
-  std::uintmax_t iterations = 200;
-  const auto bracket = boost::math::tools::toms748_solve(excess, lower, upper,
-                                                         boost::math::tools::eps_tolerance<double>(50), iterations);
-  return (bracket.first + bracket.second) / 2;
+NormalLines SpringStep::normal_lines(const SpringState& state, const SpringBed& bed) const {
+  const double stiffness = 1 + gain_sum_, rate = 1.5 * viscosity_ / dt_, slope = stiffness + rate;
+  const double coasting = arrived(state, 0, 0).indentation_rate;
+  const Eigen::ArrayXd zero =
+      (stiffness * bed.depth + gain_sum_ * state.normal_depth - left_of(state.normal_memory) - viscosity_ * coasting) /
+      slope;
+  const Eigen::ArrayXd touch = bed.depth + free_tips(state.normal_depth, state.normal_memory);
+  return {zero, (state.normal_load > 0).select(zero, zero.max(touch)), slope};
 }
 
-double SpringStep::tangential_for_load(const SpringState& state, const SpringBed& bed, double indentation,
-                                       double load) const {
-  require_finite("tangential load", load);
-  double normal_load = 0;
-  const auto excess = [&](double u_x) {
-    SpringState trial = state;
-    advance(trial, bed, arrived(state, indentation, u_x));
-    normal_load = (bed.width * trial.normal_load).sum();
-    return (bed.width * trial.tangential_load).sum() - load;
-  };
-  double width = std::max(std::abs(load) / bed.width.sum(), 1e-300);
-  const double start = state.indenter.tangential;
-  excess(start);
-  if (std::abs(load) >= limit_ * normal_load)
-    throw GrossSlip("tangential force of " + std::to_string(std::abs(load) / (limit_ * normal_load)) +
-                    " times mu times the normal force: the contact slides, there is no displacement for it");
-  double lower = start - width, upper = start + width;
-  while (excess(lower) > 0) lower -= width *= 2;
-  while (excess(upper) < 0) upper += width *= 2;
-  std::uintmax_t iterations = 200;
-  const auto bracket = boost::math::tools::toms748_solve(excess, lower, upper,
-                                                         boost::math::tools::eps_tolerance<double>(50), iterations);
-  return (bracket.first + bracket.second) / 2;
+TangentialLines SpringStep::tangential_lines(const SpringState& state, const SpringBed& bed, double indentation) const {
+  const double stiffness = 1 + gain_sum_, rate = 1.5 * viscosity_ / dt_;
+  const NormalLines normal = normal_lines(state, bed);
+  const Eigen::ArrayXd load = (indentation > normal.touch).select(normal.slope * (indentation - normal.zero), 0);
+  const Eigen::ArrayXd below = indentation - bed.depth - free_tips(state.normal_depth, state.normal_memory);
+  Eigen::ArrayXd held(load.size());
+  for (Eigen::Index j = 0; j < held.size(); ++j)
+    held[j] = share_in_contact(held_, state.normal_load[j],
+                               state.normal_depth[j] - (state.indenter.indentation - bed.depth[j]), below[j]);
+  const double coasting = arrived(state, 0, state.indenter.tangential).tangential_rate;
+  const Eigen::ArrayXd& v = state.tangential_shift;
+  return {v + left_of(state.tangential_memory) + stiffness * (1 - held) * (free_tips(v, state.tangential_memory) - v) +
+              viscosity_ * coasting,
+          stiffness * held + rate, limit_ * load};
 }
 
 }  // namespace fretval::mdr

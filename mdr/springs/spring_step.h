@@ -47,6 +47,19 @@ struct GrossSlip : std::runtime_error {
   double amplitude = 1;  ///< of all oscillations then, over that after the ramp (forced_response)
 };
 
+/// Load of each spring at the end of a step, in which the indenter arrives at the indentation d: slope (d - zero)
+/// where d > touch, else none. touch >= zero; with a dashpot the load jumps where a spring touches.
+struct NormalLines {
+  Eigen::ArrayXd zero, touch;  ///< m
+  double slope;
+};
+
+/// Tangential load of each spring likewise, by how far the indenter moves: value + slope * shift, at most `most` in
+/// magnitude.
+struct TangentialLines {
+  Eigen::ArrayXd value, slope, most;  ///< m, 1, m
+};
+
 /// One time step of the transient spring foundation: unilateral contact and Coulomb friction per spring,
 ///
 ///   q_z = 4 int G(t-t') u_z' dt' >= 0,  u_z >= d - g,  q_z (u_z - d + g) = 0
@@ -73,19 +86,20 @@ class SpringStep {
   /// dashpot the force depends on them.
   [[nodiscard]] IndenterState arrived(const SpringState& state, double indentation, double tangential) const;
 
-  /// The indentation at the end of the step at which the normal load sum(width * normal_load) of all springs is the
-  /// given one, positive, in m^2; its rate is that of arrived().
-  [[nodiscard]] double indentation_for_load(const SpringState& state, const SpringBed& bed, double load) const;
-
-  /// The tangential displacement of the indenter at which sum(width * tangential_load) is the given one, for an
-  /// indentation already found. Throws GrossSlip when friction cannot carry the load.
-  [[nodiscard]] double tangential_for_load(const SpringState& state, const SpringBed& bed, double indentation,
-                                           double load) const;
+  /// What the springs bear at the end of a step that brings the indenter to arrived(d, u_x); for any of them at once,
+  /// which is what a force asks for (mdr/springs/force_balance.h).
+  [[nodiscard]] NormalLines normal_lines(const SpringState& state, const SpringBed& bed) const;
+  [[nodiscard]] TangentialLines tangential_lines(const SpringState& state, const SpringBed& bed,
+                                                 double indentation) const;
 
  private:
   template <int n_branches>
   void advance_elastomer(SpringState& state, const SpringBed& bed, const IndenterState& to) const;
   void advance_with_dashpot(SpringState& state, const SpringBed& bed, const IndenterState& to) const;
+  template <class T>
+  [[nodiscard]] T tip_under(double load, const T& position, const T& left, const T& force_now) const;
+  [[nodiscard]] Eigen::ArrayXd left_of(const Eigen::ArrayXXd& memory) const;
+  [[nodiscard]] Eigen::ArrayXd free_tips(const Eigen::ArrayXd& position, const Eigen::ArrayXXd& memory) const;
 
   Held held_;
   double limit_;               // (3/2) mu
@@ -94,7 +108,8 @@ class SpringStep {
   std::vector<double> gain_;   // (G_i/G0) (tau_i/dt) (1 - decay_i)
   double gain_sum_;
   double viscosity_;  // eta/G0 in s
-  double theta_;
+  double theta_;      // of the free tip
+  double weight_;     // eta/(G0 dt) + theta (1 + gain_sum)
 };
 
 }  // namespace fretval::mdr

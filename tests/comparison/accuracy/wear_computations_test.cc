@@ -17,8 +17,7 @@ Resolution coarse() {
   return r;
 }
 
-// The share of all that is expected never falls while nothing is added to that, and ends at all of it; the distance
-// falls to what the rings leave.
+// The share of all that is asked for never falls, and ends at all of it; the distance falls to what the rings leave.
 TEST(WearComputations, TellTheShareThatIsDoneAndTheDistanceToTheLimit) {
   const auto prepared = wearing_case("  set Coefficient = 1e-12\n");
   const auto limits = wear_limits(prepared.mdr, mdr_answer(prepared.mdr, mdr_normal_response(prepared.mdr)));
@@ -30,16 +29,15 @@ TEST(WearComputations, TellTheShareThatIsDoneAndTheDistanceToTheLimit) {
                                                                    distances.push_back(distance);
                                                                  }});
   const auto first = coarse(), second = with_steps(first, 2);
-  computed.expect({first, second});
-  computed.compute({first});
-  const auto n_first = shares.size();
-  EXPECT_GT(n_first, 5u);
-  EXPECT_NEAR(shares.back(), 1.0 / 3, 0.02);  // half the steps of the second
+  computed.compute({first, second});
+  EXPECT_GT(shares.size(), 10u);
+  EXPECT_LT(shares.front(), 0.2);
   EXPECT_GT(distances.front(), 0.1);
   EXPECT_LT(distances.back(), 0.5 / 16);
-  EXPECT_EQ(distances.back(), distances_of(computed.all.at(first).fe, prepared.fem.units, limits.shakedown).back());
-  computed.compute({first, second});
-  EXPECT_GT(shares.size(), n_first);
+  const auto of_either = [&](const Resolution& r) {
+    return distances_of(computed.all.at(r).fe, prepared.fem.units, limits.shakedown).back();
+  };
+  EXPECT_TRUE(distances.back() == of_either(first) || distances.back() == of_either(second));
   EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
   EXPECT_NEAR(shares.back(), 1, 0.02);
   EXPECT_EQ(computed.all.size(), 2u);

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "tests/comparison/run_fretval.h"
 #include "tests/comparison/wearing_case.h"
 
@@ -36,6 +39,20 @@ TEST(WearProof, EndsInTheLimit) {
     EXPECT_TRUE(wear.comparison.at(quantity).passes()) << name_of(quantity);
     EXPECT_FALSE(wear.comparison.at(quantity).bar);
   }
+}
+
+// Wear that is left while it still goes on has a bar for what is left: without it, what lacks would be no error.
+TEST(WearProofSlow, StoppingIsPartOfTheBar) {
+  const auto wear = proved(wearing_case("  set Coefficient = 1e-12\n  set Until = 1e-4\n"), Proof::bars);
+  ASSERT_EQ(wear.failure, "");
+  ASSERT_EQ(wear.fe.course.end, fem::WearEnd::rate);
+  ASSERT_TRUE(wear.ends_in_limit());
+  const auto& volume = wear.comparison.at(Quantity::worn_volume);
+  const auto share = std::find_if(volume.bar->shares.begin(), volume.bar->shares.end(),
+                                  [](const ErrorShare& s) { return s.source == ErrorSource::cycles; });
+  ASSERT_NE(share, volume.bar->shares.end());
+  EXPECT_GT(share->estimate, 1e-5);
+  EXPECT_LT(std::abs(volume.difference.value()), volume.bar->total());
 }
 
 // An indenter that is worn too deep already cannot end there.

@@ -26,6 +26,7 @@ ProvedWear made_up_wear() {
   unworn = Eigen::Vector2d(0.1, 0.5);
   course.curve = {{0, 0, 2, 3, 0, 1, 0.5}, {1e6, 0.25, 0.5, 1, 0.2, 1, 0.5}};
   course.worn = {Eigen::Vector2d::Zero(), Eigen::Vector2d(0, 0.2)};
+  course.largest_pressure = {Eigen::Vector2d(2, 3), Eigen::Vector2d(5, 0.5)};
   course.end = fem::WearEnd::rate;
   course.n_jumps = 1;
   course.n_cycles_stepped = 7;
@@ -87,7 +88,11 @@ TEST(WearJson, WritesTheWornProfileAsATable) {
   std::ifstream course(folder.path() / "wear.csv");
   std::getline(course, header);
   EXPECT_EQ(header,
-            "r [m],p largest at start [Pa],p largest at end [Pa],f after 0 cycles [m],f after 1e+06 cycles [m]");
+            "r [m],p largest at start [Pa],p largest in the middle [Pa],p largest at end [Pa],f after 0 cycles [m],"
+            "f after 1e+06 cycles [m]");
+  std::string first_ring;
+  std::getline(course, first_ring);
+  EXPECT_EQ(first_ring.substr(0, 28), "0.00025,200000,500000,500000") << "half of it is worn at the end";
   std::ifstream goes_on(folder.path() / "ball-worn.prm");
   std::string comment, include;
   std::getline(goes_on, comment);

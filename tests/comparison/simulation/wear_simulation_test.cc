@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string>
 
+#include "comparison/simulation/compute_case.h"
 #include "tests/comparison/run_fretval.h"
 #include "tests/comparison/wearing_case.h"
 
@@ -55,6 +56,15 @@ TEST(WearSimulation, EndsWithItsWearAtTheOuterRadius) {
   EXPECT_NEAR(wear.centre[0], wear.radii[1] / std::sqrt(2), 1e-12);
 }
 
+// As worn_profile.csv has them.
+std::string rows_of(const WearSimulation& wear) {
+  std::string rows = "r [m],f [m]\n0,0\n";
+  for (Eigen::Index i = 0; i < wear.centre.size(); ++i)
+    rows +=
+        fmt::format("{:.10g},{:.10g}\n", 1e-3 * wear.centre[i], 1e-4 * (wear.unworn[i] + wear.course.worn.back()[i]));
+  return rows;
+}
+
 // Half of the way, written as a table, and the rest from there: the volumes of half as many cycles twice and of all at
 // once. Friction begins anew, without traction; by the second half it has settled.
 TEST(WearSimulation, GoesOnFromATableOfTheWornProfile) {
@@ -64,16 +74,37 @@ TEST(WearSimulation, GoesOnFromATableOfTheWornProfile) {
   const double half_volume = half.course.curve.back().volume, volume = whole.course.curve.back().volume;
   ASSERT_GT(volume, 1.3 * half_volume);
   const ScratchFolder folder;
-  std::string rows = "r [m],f [m]\n0,0\n";
-  for (Eigen::Index i = 0; i < half.centre.size(); ++i)
-    rows +=
-        fmt::format("{:.10g},{:.10g}\n", 1e-3 * half.centre[i], 1e-4 * (half.unworn[i] + half.course.worn.back()[i]));
-  const auto table = folder.write("worn.csv", rows);
+  const auto table = folder.write("worn.csv", rows_of(half));
   const auto rest = wearing.run(archard + "  set Cycles = 1e7\n  set Profile = " + table.string() + "\n");
   EXPECT_NEAR(rest.course.curve.front().volume, half_volume, 1e-3 * half_volume);  // linear between rings of 1/24
   EXPECT_NEAR(rest.course.curve.back().volume, volume, 2e-3 * volume);
   EXPECT_LT((rest.course.worn.back() - whole.course.worn.back()).cwiseAbs().maxCoeff(), 2e-3);
   EXPECT_EQ(rest.course.curve.back().stick_radius, whole.course.curve.back().stick_radius);
+}
+
+// The same table as an indenter of its own, which does not wear and of which MDR does not hold: it bears what it
+// bears in the first cycle of wear on it. Sums over rings of 1/24 a, and profiles linear between them.
+TEST(WearSimulation, TheWornProfileIsAnIndenterOfItsOwn) {
+  Wearing wearing;
+  const ScratchFolder folder;
+  const auto worn = wearing.run(archard + "  set Cycles = 2e7\n");
+  const auto table = folder.write("worn.csv", rows_of(worn)).string();
+  const auto on_it = wearing.run(archard + "  set Cycles = 1\n  set Profile = " + table + "\n").course;
+  const auto text = replace(wearing_text(""), "parabola\n  set Radius = 1e-2", "table\n  set Table = " + table);
+  const auto prepared = prepare({read_case(text)}).front();
+  ASSERT_FALSE(prepared.mdr.falls().empty());
+  const auto alone = compute_case(prepared.fem, with_rings(prepared.fem.resolution, 0.5), wearing.bodies);
+  Eigen::VectorXd areas(worn.centre.size());
+  for (Eigen::Index i = 0; i < areas.size(); ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    areas[i] = 3.14159265358979 * (worn.radii[k + 1] - worn.radii[k]) * (worn.radii[k + 1] + worn.radii[k]);
+  }
+  constexpr double force_unit = 1e6 * 1e-4 * 1e-3;  // Pa m m
+  const Eigen::RowVectorXd forces = force_unit * areas.transpose() * on_it.first.pressure;
+  EXPECT_NEAR(alone.normal_force_max / forces.maxCoeff(), 1, 3e-3);
+  // It bears more where it is unworn.
+  const auto unworn = wearing.run(archard + "  set Cycles = 1\n").course;
+  EXPECT_GT((force_unit * areas.transpose() * unworn.first.pressure).maxCoeff(), 1.01 * forces.maxCoeff());
 }
 
 // What slips bears mu p: k of the energy of friction is mu times that of Archard's law.

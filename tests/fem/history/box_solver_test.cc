@@ -147,6 +147,27 @@ TEST(BoxSolver, FulfilsTheConditionsOfLargeProblems) {
   }
 }
 
+// A diagonal that is added is one of the matrix, wherever it begins and however few unknowns are factored.
+TEST(BoxSolver, AddsADiagonal) {
+  Random random(4);
+  for (int trial = 0; trial < 60; ++trial) {
+    const BoxProblem problem = random_problem(random, 2 + random.below(40));
+    const Index n = problem.q.size(), first = random.below(static_cast<int>(n)),
+                n_likely = random.below(static_cast<int>(n) + 1);
+    VectorXd added = VectorXd::Zero(n);
+    for (Index i = first; i < n; ++i) added[i] = random.below(3) == 0 ? 0 : std::pow(10, random.between(-3, 3));
+    BoxProblem whole = problem;
+    whole.matrix.diagonal() += added;
+    auto states = random_states(random, n), same_states = states;
+    const auto solution =
+        BoxSolver(BoxSolver(problem.matrix), added, n_likely).solve(problem.q, problem.lower, problem.upper, states);
+    const auto expected = BoxSolver(whole.matrix).solve(problem.q, problem.lower, problem.upper, same_states);
+    EXPECT_LT(violation(whole, solution.x), 1e-10) << trial;
+    EXPECT_LT((solution.x - expected.x).cwiseAbs().maxCoeff(), 1e-10) << trial;
+    EXPECT_LT((solution.residual - expected.residual).cwiseAbs().maxCoeff(), 1e-9) << trial;
+  }
+}
+
 // Every second unknown interior: what a leading block of the factor cannot solve alone.
 TEST(BoxSolver, SolvesInteriorSetsWithGaps) {
   Random random(3);

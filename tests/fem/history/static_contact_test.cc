@@ -134,8 +134,9 @@ TEST(StaticContact, WearsByThePressureThatIsFound) {
   Eigen::VectorXd coefficient = Eigen::VectorXd::Zero(n);
   coefficient.segment(8, 24).setConstant(0.05);
   for (const double exponent : {0.25, 0.5, 1.0, 2.0, 4.0}) {
-    std::vector<BoxState> states(static_cast<std::size_t>(n), BoxState::interior);
-    const auto [pressure, gap] = solve_wearing_contact(problem, target, {coefficient, exponent}, states);
+    std::vector<BoxState> states(static_cast<std::size_t>(n), BoxState::lower);
+    std::fill_n(states.begin(), 20, BoxState::interior);  // fewer than will touch
+    const auto [pressure, gap] = WearingSolver(problem, {coefficient, exponent}, states).solve(target, states);
     const Eigen::VectorXd worn = coefficient.cwiseProduct(pressure.array().max(0).pow(exponent).matrix());
     const Eigen::VectorXd left = target - (*matrix * pressure).cwiseQuotient(areas) + gap - worn;
     EXPECT_LT(left.cwiseAbs().maxCoeff(), 1e-6 * worn.maxCoeff()) << exponent;

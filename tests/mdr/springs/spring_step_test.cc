@@ -124,36 +124,6 @@ TEST(SpringStep, OscillatingFlatPunchHasTheComplexModulus) {
   }
 }
 
-TEST(SpringStep, ForceControlFindsTheMotionOfTheIndenter) {
-  const Profile sphere = parabola(1);
-  const SpringBed bed = spring_bed(sphere, 0.5, 300);
-  for (const PronyBody& body : {elastic(2), standard_solid(1, 2, 0.2), kelvin_voigt(1, 0.3)}) {
-    const SpringStep step(body, mu, 0.05);
-    SpringState state = relaxed_state(bed, body, 0.05);
-    for (int k = 1; k <= 40; ++k) {
-      const double load = 0.012 * (1 + 0.3 * std::sin(0.4 * k)), traction = 0.3 * 1.5 * mu * load * std::sin(0.7 * k);
-      const double d = step.indentation_for_load(state, bed, load);
-      const double u_x = step.tangential_for_load(state, bed, d, traction);
-      step.advance(state, bed, step.arrived(state, d, u_x));
-      EXPECT_NEAR((bed.width * state.normal_load).sum() / load, 1, 1e-12);
-      EXPECT_NEAR((bed.width * state.tangential_load).sum(), traction, 1e-12 * load);
-    }
-    EXPECT_THROW(static_cast<void>(step.tangential_for_load(state, bed, state.indenter.indentation, 1)),
-                 std::runtime_error);
-    EXPECT_THROW(static_cast<void>(step.indentation_for_load(state, bed, -1)), std::invalid_argument);
-  }
-}
-
-// Elastic force control is quasi-static: the forces give back Hertz' indentation.
-TEST(SpringStep, ForceControlledElasticContactIsHertz) {
-  const Profile sphere = parabola(1);
-  const SpringBed bed = spring_bed(sphere, 0.5, 2000);
-  const SpringStep step(elastic(2), mu, 1);
-  const double d =
-      step.indentation_for_load(relaxed_state(bed, elastic(2), 0.01), bed, normal_force(sphere, 2, 0.1) / (8 * 2));
-  EXPECT_NEAR(d / 0.1, 1, 1e-6);
-}
-
 // A branch split into several with its relaxation time is the same body, whether the number of branches is known to the
 // compiler (up to three) or not: oblique, with slip and loss of contact.
 TEST(SpringStep, ASplitBranchIsTheSameBody) {

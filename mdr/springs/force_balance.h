@@ -1,0 +1,21 @@
+#pragma once
+
+#include "mdr/springs/spring_bed.h"
+#include "mdr/springs/spring_step.h"
+
+namespace fretval::mdr {
+
+/// Where an indenter that follows a force is at the end of a step, with the rates of SpringStep::arrived. In it the
+/// load of all springs is made of lines (SpringStep::normal_lines, tangential_lines), and Newton's method is exact once
+/// it is on the right one: 2 to 4 passes over the springs. Where springs with a dashpot touch, their load jumps, and
+/// the force may be one that no position gives: the indenter is at the jump then.
+
+/// The indentation in m at which sum(width * normal_load) is `load`, positive, in m^2. Throws std::invalid_argument.
+double indentation_for_load(const SpringStep& step, const SpringState& state, const SpringBed& bed, double load);
+
+/// The tangential displacement in m at which sum(width * tangential_load) is `load` in m^2, for an indentation already
+/// found. Throws GrossSlip when friction cannot carry it.
+double tangential_for_load(const SpringStep& step, const SpringState& state, const SpringBed& bed, double indentation,
+                           double load);
+
+}  // namespace fretval::mdr
