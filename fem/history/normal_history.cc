@@ -125,7 +125,7 @@ NormalHistory normal_history(NormalContact contact, const HistoryControl& contro
       history.periodicity = std::min(change_to_come(change, creep), std::max(change, to_come));
     }
     if (history.periodicity <= control.periodicity) continue;
-    if (may_search && after_jump) continue;
+    if (after_jump && to_come < infinity) continue;  // a search is followed by two plain cycles
     if (std::exchange(may_search, false)) {
       auto found = search(contact, control.periodicity);
       contact.state = std::move(found.state);

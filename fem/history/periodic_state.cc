@@ -92,11 +92,6 @@ Eigen::VectorXd relaxed_response(const RelaxationModel& relaxation, const RingSt
   return relaxation.relaxed * state.displacement + state.memory.rowwise().sum();
 }
 
-/// A ring that is held right after it has moved responds with its instantaneous stiffness.
-double largest_response(const RelaxationModel& relaxation, double instantaneous, const RingState& change) {
-  return (relaxed_response(relaxation, change).cwiseAbs() + instantaneous * change.displacement.cwiseAbs()).maxCoeff();
-}
-
 RingState sum(const RingState& a, const RingState& b, double sign = 1) {
   return {a.displacement + sign * b.displacement, a.memory + sign * b.memory};
 }
@@ -128,23 +123,27 @@ PeriodicState find_periodic_state(const Compliance& compliance, const Relaxation
                                   RingState start, double tolerance,
                                   const std::function<FrozenPeriod(const RingState&)>& period) {
   constexpr int most_periods = 15;
-  constexpr double most_at_roundoff = 100;
   PeriodicState found{start, infinity, 0};
   RingState begin = std::move(start);
+  double stiff_to_come = infinity, smallest = infinity;
   while (found.n_periods < most_periods) {
     const auto [end, steps] = period(begin);
     ++found.n_periods;
     const auto correction = correction_to_periodic(compliance, steps, hold, sum(end, begin, -1));
-    const double to_come = largest_response(relaxation, steps.front().relaxation.instantaneous(), correction) /
-                           relaxed_response(relaxation, end).cwiseAbs().maxCoeff();
-    const bool at_roundoff = to_come < most_at_roundoff * tolerance && to_come > found.to_come / 2;
-    if (!std::isfinite(to_come)) break;
+    if (!correction.displacement.allFinite() || !correction.memory.allFinite()) break;
     begin = sum(begin, correction);
-    if (to_come < found.to_come) {
-      found.to_come = to_come;
+    const Eigen::VectorXd response = relaxed_response(relaxation, correction).cwiseAbs();
+    const double largest = relaxed_response(relaxation, end).cwiseAbs().maxCoeff(),
+                 stiffness = steps.front().relaxation.instantaneous(), before = stiff_to_come;
+    // A ring that is held right after it has moved responds with the instantaneous stiffness.
+    stiff_to_come = (response + stiffness * correction.displacement.cwiseAbs()).maxCoeff() / largest;
+    if (stiff_to_come < smallest) {
+      smallest = stiff_to_come;
       found.state = begin;
+      found.to_come = response.maxCoeff() / largest;
     }
-    if (to_come < tolerance || at_roundoff) break;
+    const bool at_roundoff = found.to_come < tolerance && stiff_to_come > before / 2;
+    if (stiff_to_come < tolerance || at_roundoff) break;
   }
   return found;
 }

@@ -41,16 +41,16 @@ RingState correction_to_periodic(const Compliance& compliance, const std::vector
 
 struct PeriodicState {
   RingState state;
-  /// What the response of a ring is still away from that of the periodic state, also if it is held at once, over the
-  /// largest of all: by the last correction. Infinite: none was found.
+  /// What the response of a ring, relaxed displacement plus memories, is still away from that of the periodic state,
+  /// over the largest of all: by the last correction. Infinite: none was found.
   double to_come;
   int n_periods;  ///< computed on the way
 };
 
 /// Newton's method for the state x = F(x) that a period leads back to: F is piecewise affine, and its pieces are the
-/// rings that are held in each step. Ends where a correction is below the tolerance, or below a hundred times
-/// that and roundoff keeps it from falling, or after some periods with the best state so far. period: computed from a
-/// state on.
+/// rings that are held in each step. Ends where the response to a correction is below the tolerance, also that of rings
+/// that are held at once or, where roundoff keeps that from falling, of all others; or after some periods with the best
+/// state so far. period: computed from a state on.
 PeriodicState find_periodic_state(const Compliance& compliance, const RelaxationModel& relaxation, Hold hold,
                                   RingState start, double tolerance,
                                   const std::function<FrozenPeriod(const RingState&)>& period);
