@@ -207,7 +207,6 @@ bool any_is_about_to_stick(const Eigen::VectorXd& before, const Eigen::VectorXd&
 }
 
 constexpr int most_searches = 4;
-constexpr int most_plain_periods = 10;  // periods after which slip that still dies out is carried to its end
 
 /// Returns what is still to come, see PeriodicState.
 double go_to_periodic_state(WatchedFriction& friction, const NormalHistory& normal, double periodicity,
@@ -248,11 +247,11 @@ FrictionHistory friction_history(WatchedFriction friction, const NormalHistory& 
   CycleJump jump(creep);
   const bool in_order = normal.touches_in_order();
   bool jumped = false, settling = false;
-  const bool can_search =
-      contact.motion().locked && !contact.motion().tangential_force && !contact.motion().is_single_pass();
+  const bool can_search = creep >= slow_creep && contact.motion().locked && !contact.motion().tangential_force &&
+                          !contact.motion().is_single_pass();
   int n_searches = can_search ? most_searches : 0;
   double to_come = infinity;  // as a search found
-  if (n_searches > 0 && creep >= slow_creep && contact.n_steps >= normal.n_steps()) {
+  if (can_search && contact.n_steps >= normal.n_steps()) {
     to_come = go_to_periodic_state(friction, normal, control.periodicity, history);
     jumped = true;
   }
@@ -293,8 +292,7 @@ FrictionHistory friction_history(WatchedFriction friction, const NormalHistory& 
                           static_cast<double>(history.n_cycles) / cycles_per_period);
     }
     if (!settling && history.periodicity <= control.periodicity) continue;
-    const bool goes_on = history.n_cycles - normal.n_cycles > most_plain_periods || creep >= slow_creep;
-    if (n_searches > 0 && goes_on) {
+    if (n_searches > 0) {
       if (after_jump) continue;
       --n_searches;
       to_come = go_to_periodic_state(friction, normal, control.periodicity, history);

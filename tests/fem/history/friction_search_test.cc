@@ -24,7 +24,7 @@ RelaxationModel creeping() {
 
 Motion oblique(const RelaxationModel& model) {
   const double rho = stiffening_at(model, 1);
-  Motion motion = one_frequency(0.8, 0.1 / rho, 1.5 * mu * 0.15 / rho, pi / 3);
+  Motion motion = one_frequency(0.8, 0.3 / rho, 1.5 * mu * 0.4 / rho, pi / 3);
   motion.n_ramp_cycles = 4;
   return motion;
 }
@@ -69,7 +69,7 @@ TEST(FrictionSearch, EndsWherePlainPeriodsLeadTo) {
   EXPECT_EQ(n_direct.first_slip, n_plain.first_slip);
   EXPECT_EQ(n_direct.shakedown, n_plain.shakedown);
   EXPECT_NEAR(radius_of(direct.friction.first_slip_reserve, n_direct.first_slip),
-              radius_of(plain.first_slip_reserve, n_plain.first_slip), 1e-6);
+              radius_of(plain.first_slip_reserve, n_plain.first_slip), 2e-5);  // of the way to the periodic state
   EXPECT_NEAR(radius_of(direct.friction.shakedown_reserve, n_direct.shakedown),
               radius_of(plain.shakedown_reserve, n_plain.shakedown), 1e-6);
   EXPECT_NEAR(direct.friction.dissipated_energy, plain.dissipated_energy, 1e-4 * plain.dissipated_energy);
