@@ -95,7 +95,8 @@ NormalHistory normal_history(NormalContact contact, const HistoryControl& contro
   CycleRecord record(contact, history);
   const double creep = longest_creep_time(contact.relaxation()) / (2 * pi);
   CycleJump jump(creep);
-  bool jumped = false, may_search = creep >= slow_creep && !contact.motion().normal_force;
+  bool jumped = false, may_search = creep >= slow_creep && !contact.motion().normal_force &&
+                                    change_to_come(0, creep) <= control.periodicity;
   double to_come = infinity;  // as a search found
   while (jumped || !(history.periodicity <= control.periodicity)) {
     if (history.n_cycles >= control.max_cycles)
