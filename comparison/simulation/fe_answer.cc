@@ -211,7 +211,7 @@ FeAnswer read_answer(const ContactProblems& problems, const FemCase& fem, const 
   }
   if (fem.motion.tangential_force) answer.tangential_amplitude = friction.amplitude * fem.units.depth;
   answer.cycle = cycle_of(fem, force.value, normal, friction);
-  answer.n_cycles = friction.n_cycles;
+  answer.n_cycles = friction.n_cycles + friction.n_cycles_of_search + normal.n_cycles_of_search;
   answer.n_steps = friction.n_steps;
   answer.normal = std::move(normal);
   answer.friction = std::move(friction);

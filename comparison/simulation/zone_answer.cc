@@ -85,7 +85,7 @@ FeAnswer read_zones(const ContactProblems& problems, const FemCase& fem, const E
   answer.rings.contact = (normal.smallest_gap.array() <= 0).count();
   answer.rings.stuck = fem::stuck_rings(friction, fem.motion);
   answer.cycle = cycle_of(fem, largest_force, normal, friction);
-  answer.n_cycles = friction.n_cycles;
+  answer.n_cycles = friction.n_cycles + friction.n_cycles_of_search + normal.n_cycles_of_search;
   answer.n_steps = friction.n_steps;
   answer.zones = std::move(zones);
   answer.normal = std::move(normal);

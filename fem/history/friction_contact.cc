@@ -135,6 +135,13 @@ void FrictionContact::step(const Eigen::VectorXd& pressure, const std::optional<
   ++n_steps;
 }
 
+FrozenStep FrictionContact::frozen() const {
+  FrozenStep frozen{step_, std::vector<bool>(stick_.size())};
+  for (std::size_t i = 0; i < stick_.size(); ++i)
+    frozen.held[i] = stick_[i] == BoxState::interior && limit[static_cast<Eigen::Index>(i)] > 0;
+  return frozen;
+}
+
 Eigen::VectorXd FrictionContact::balance_displacements() const {
   const double after = displacement - balance_displacement;
   return ((state.displacement + (1 - fraction()) * slip).array() - after).matrix();

@@ -7,6 +7,7 @@
 #include "fem/history/contact_problem.h"
 #include "fem/history/friction_force.h"
 #include "fem/history/motion.h"
+#include "fem/history/periodic_state.h"
 #include "fem/history/relaxation.h"
 #include "fem/history/slip_zones.h"
 
@@ -51,6 +52,8 @@ class FrictionContact {
   [[nodiscard]] Eigen::VectorXd balance_displacements() const;
   /// Fraction of a step at which forces balance.
   [[nodiscard]] double fraction() const { return step_.fraction(); }
+  /// The last step, in which rings that stick are held.
+  [[nodiscard]] FrozenStep frozen() const;
   /// Where the last step lies in its piece of a path, sampled at the balance time; empty: of cosines.
   [[nodiscard]] std::optional<StepInPiece> in_piece() const;
 

@@ -9,6 +9,7 @@
 
 #include "fem/history/cycle_jump.h"
 #include "fem/history/friction_force.h"
+#include "fem/history/friction_search.h"
 #include "fem/support/constants.h"
 #include "fem/support/solver_error.h"
 
@@ -205,6 +206,18 @@ bool any_is_about_to_stick(const Eigen::VectorXd& before, const Eigen::VectorXd&
   return false;
 }
 
+constexpr int most_searches = 4;
+
+/// Returns what is still to come, see PeriodicState.
+double go_to_periodic_state(WatchedFriction& friction, const NormalHistory& normal, double periodicity,
+                            FrictionHistory& history) {
+  auto found =
+      find_periodic_friction(friction.contact, normal, friction.first_slip.slip_path(), share_of_search * periodicity);
+  history.n_cycles_of_search += found.n_periods * friction.contact.motion().cycles_per_period();
+  friction.contact.state = std::move(found.state);
+  return found.to_come;
+}
+
 /// Of rings that touch in any order no depths can be continued to an edge.
 void report_sums(const Eigen::VectorXd& areas, FrictionHistory& history) {
   history.force = history.traction.transpose() * areas;
@@ -234,6 +247,14 @@ FrictionHistory friction_history(WatchedFriction friction, const NormalHistory& 
   CycleJump jump(creep);
   const bool in_order = normal.touches_in_order();
   bool jumped = false, settling = false;
+  const bool can_search = creep >= slow_creep && contact.motion().locked && !contact.motion().tangential_force &&
+                          !contact.motion().is_single_pass();
+  int n_searches = can_search ? most_searches : 0;
+  double to_come = infinity;  // as a search found
+  if (can_search && contact.n_steps >= normal.n_steps()) {
+    to_come = go_to_periodic_state(friction, normal, control.periodicity, history);
+    jumped = true;
+  }
   while (jumped || settling || !(history.periodicity <= control.periodicity)) {
     const bool at_end = history.n_cycles >= control.max_cycles * cycles_per_period;
     if (at_end && history.periodicity <= control.periodicity) break;
@@ -263,15 +284,23 @@ FrictionHistory friction_history(WatchedFriction friction, const NormalHistory& 
     const bool after_jump = std::exchange(jumped, false);
     if (history.n_cycles <= std::max(contact.motion().cycles_of_ramp(), normal.n_cycles) + cycles_per_period) continue;
     if (!after_jump) {
-      history.periodicity =
-          change_to_come(change_per_period(friction.period.traction(), friction.traction_before), creep);
+      const double change = change_per_period(friction.period.traction(), friction.traction_before);
+      history.periodicity = std::min(change_to_come(change, creep), std::max(change, to_come));
       const double allowed = slip_of_stuck_ring(contact.motion(), friction.period.amplitude(contact.motion()));
       const auto is_about = in_order ? is_about_to_stick : any_is_about_to_stick;
       settling = is_about(friction.slip_before, friction.period.slip(), allowed,
                           static_cast<double>(history.n_cycles) / cycles_per_period);
     }
-    if (settling || history.periodicity > control.periodicity)
+    if (!settling && history.periodicity <= control.periodicity) continue;
+    if (n_searches > 0) {
+      if (after_jump) continue;
+      --n_searches;
+      to_come = go_to_periodic_state(friction, normal, control.periodicity, history);
+      jumped = true;
+    } else {
+      to_come = infinity;
       jumped = jump.advance(contact.state, contact.displacement);
+    }
   }
   history.n_steps = contact.n_steps;
   friction.first_slip.report(history);

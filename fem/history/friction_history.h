@@ -14,6 +14,7 @@ namespace fretval::fem {
 struct FrictionHistory {
   int n_cycles = 0;                    ///< computed
   long n_steps = 0;                    ///< computed
+  int n_cycles_of_search = 0;          ///< beside them, to find the periodic state
   double periodicity = 0;              ///< reached, see HistoryControl
   Eigen::VectorXd first_slip_margin;   ///< per ring: smallest sample of `mu p - |tau|` from the start on
   Eigen::VectorXd shakedown_margin;    ///< per ring: `[min(mu p - tau) + min(mu p + tau)] / 2`, of the last period
@@ -43,6 +44,7 @@ class FirstSlip {
   explicit FirstSlip(Eigen::Index n_rings);
   void see(const FrictionContact& contact);
   void report(FrictionHistory& history) const;
+  [[nodiscard]] const Eigen::VectorXd& slip_path() const { return slip_path_; }
 
  private:
   Eigen::VectorXd margin_, slip_path_;

@@ -97,6 +97,13 @@ double NormalContact::increment_under_force(const WearingSolver& solver) const {
   return displacement_for_force(force_after, force, {last_increment_, stiffness, force});
 }
 
+FrozenStep NormalContact::frozen() const {
+  FrozenStep frozen{step_, std::vector<bool>(contact_.size())};
+  std::transform(contact_.begin(), contact_.end(), frozen.held.begin(),
+                 [](BoxState state) { return state == BoxState::interior; });
+  return frozen;
+}
+
 std::optional<StepInPiece> NormalContact::in_piece() const {
   auto step = times_.in_piece(n_steps - 1);
   if (step) step->fraction = step_.fraction();

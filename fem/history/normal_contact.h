@@ -7,6 +7,7 @@
 #include "fem/history/contact_force.h"
 #include "fem/history/contact_problem.h"
 #include "fem/history/motion.h"
+#include "fem/history/periodic_state.h"
 #include "fem/history/relaxation.h"
 #include "fem/history/static_contact.h"
 
@@ -41,6 +42,8 @@ class NormalContact {
   [[nodiscard]] const RelaxationModel& relaxation() const { return relaxation_; }
   [[nodiscard]] const Motion& motion() const { return motion_; }
   [[nodiscard]] int steps_per_cycle() const { return steps_per_cycle_; }
+  /// The last step, in which rings that touch are held.
+  [[nodiscard]] FrozenStep frozen() const;
   /// Where the last step lies in its piece of a path, sampled at the balance time; empty: of cosines.
   [[nodiscard]] std::optional<StepInPiece> in_piece() const;
   /// Whether rings are supposed to touch one after the other, from the centre outwards.

@@ -76,6 +76,14 @@ double change_per_cycle(const Eigen::MatrixXd& now, const Eigen::MatrixXd& befor
   return change > 0 ? change / now.maxCoeff() : 0;
 }
 
+PeriodicState search(const NormalContact& contact, double periodicity) {
+  return find_periodic_state(contact.problem().compliance, contact.relaxation(), Hold::closes, contact.state,
+                             share_of_search * periodicity, [&contact](const RingState& begin) {
+                               return period_from(begin, contact, contact.steps_per_cycle(),
+                                                  [](NormalContact& trial) { trial.step(); });
+                             });
+}
+
 }  // namespace
 
 NormalHistory normal_history(NormalContact contact, const HistoryControl& control, const Beside& beside) {
@@ -87,7 +95,9 @@ NormalHistory normal_history(NormalContact contact, const HistoryControl& contro
   CycleRecord record(contact, history);
   const double creep = longest_creep_time(contact.relaxation()) / (2 * pi);
   CycleJump jump(creep);
-  bool jumped = false;
+  bool jumped = false, may_search = creep >= slow_creep && !contact.motion().normal_force &&
+                                    change_to_come(0, creep) <= control.periodicity;
+  double to_come = infinity;  // as a search found
   while (jumped || !(history.periodicity <= control.periodicity)) {
     if (history.n_cycles >= control.max_cycles)
       throw SolverError(fmt::format(
@@ -111,8 +121,22 @@ NormalHistory normal_history(NormalContact contact, const HistoryControl& contro
     }
     const bool after_jump = std::exchange(jumped, false);
     if (history.n_cycles <= std::max(contact.motion().cycles_of_ramp(), 1)) continue;
-    if (!after_jump) history.periodicity = change_to_come(change_per_cycle(history.pressure, before), creep);
-    if (history.periodicity > control.periodicity) jumped = jump.advance(contact.state, contact.indentation);
+    if (!after_jump) {
+      const double change = change_per_cycle(history.pressure, before);
+      history.periodicity = std::min(change_to_come(change, creep), std::max(change, to_come));
+    }
+    if (history.periodicity <= control.periodicity) continue;
+    if (after_jump && to_come < infinity) continue;  // a search is followed by two plain cycles
+    if (std::exchange(may_search, false)) {
+      auto found = search(contact, control.periodicity);
+      contact.state = std::move(found.state);
+      to_come = found.to_come;
+      history.n_cycles_of_search = found.n_periods;
+      jumped = true;
+    } else {
+      to_come = infinity;
+      jumped = jump.advance(contact.state, contact.indentation);
+    }
   }
   return history;
 }

@@ -15,10 +15,16 @@ struct HistoryControl {
   double periodicity = 1e-7;
 };
 
+/// Creep in periods from which on the periodic state is found directly (find_periodic_state).
+constexpr double slow_creep = 3;
+/// Of the periodicity that is asked for, to which it is found.
+constexpr double share_of_search = 0.01;
+
 /// The periodic state of the normal contact: the last cycle, which repeats, and how the history came to it.
 struct NormalHistory {
   int steps_per_cycle = 0;
   int n_cycles = 0;                   ///< computed; from the last one on, the response repeats
+  int n_cycles_of_search = 0;         ///< beside them, to find the periodic state
   double periodicity = 0;             ///< reached, see HistoryControl
   double first_balance = 0;           ///< time at which forces balanced in the first step of all
   Eigen::VectorXd smallest_pressure;  ///< per ring, from the start on
@@ -52,7 +58,9 @@ struct NormalHistory {
 using Beside = std::function<void(const NormalContact&)>;
 
 /// Steps a contact from its start until its response is periodic, or over the cycle of a single pass; beside is called
-/// after each step. Throws SolverError when it is not after max_cycles (message with the measure reached).
+/// after each step. Where the body creeps slowly, the state that repeats is found after the ramp, unless a force is
+/// prescribed, and the contact goes on from there: nothing beside it sees the cycles of the search. Throws SolverError
+/// when it is not after max_cycles (message with the measure reached).
 NormalHistory normal_history(NormalContact contact, const HistoryControl& control, const Beside& beside = {});
 
 }  // namespace fretval::fem

@@ -2,6 +2,7 @@
 
 #include <Eigen/Dense>
 #include <array>
+#include <cmath>
 #include <functional>
 #include <vector>
 
@@ -81,6 +82,8 @@ class RelaxationStep {
   /// dt > 0.
   RelaxationStep(const RelaxationModel& model, double dt);
 
+  /// Of a branch in the step: its duration over the relaxation time.
+  [[nodiscard]] double rate_of_decay(std::size_t branch) const { return -std::log(whole_.decay(branch)); }
   /// Fraction of the step at which forces are balanced.
   [[nodiscard]] double fraction() const { return fraction_; }
 
