@@ -99,10 +99,19 @@ bool depends_on_entry(const Family& family, Quantity quantity) {
   return std::isfinite(*least) && *most - *least > 1e-3 * curves.largest;
 }
 
+/// Of the paper, which show its radii.
+bool is_in_the_figures(const Family& family) {
+  const auto shape = family.front()->text("scene", "shape");
+  const bool of_the_paper = shape == "parabola" || shape == "cone" || shape == "power";
+  return (entry_of(family) == "Motion / Phase" && of_the_paper && family.front()->has_one_frequency() &&
+          !family.front()->has_forces()) ||
+         entry_of(family) == "Wear / Stick radius ratio";
+}
+
 Filling family_filling(const std::string& name, const Family& family) {
   std::vector<Figure> figures;
   const auto first_slip = Quantity::stick_radius_first_slip, shakedown = Quantity::stick_radius_shakedown;
-  if (is_any(family, first_slip) || is_any(family, shakedown))
+  if (!is_in_the_figures(family) && (is_any(family, first_slip) || is_any(family, shakedown)))
     figures.push_back(sweep_figure(family, {first_slip, shakedown}, "Stick radii"));
   for (const auto quantity : {Quantity::contact_radius_max, Quantity::normal_force_max, Quantity::indentation_max,
                               Quantity::tangential_amplitude, Quantity::tangential_force_max, Quantity::friction_work})
@@ -114,20 +123,16 @@ Filling family_filling(const std::string& name, const Family& family) {
   return {{"family", name}, {"entry", entry_of(family)}, {"figures", filling_of(figures)}};
 }
 
-bool has_a_section(const Family& family) {
-  const auto shape = family.front()->text("scene", "shape");
-  const bool of_the_paper = shape == "parabola" || shape == "cone" || shape == "power";
-  return (entry_of(family) == "Motion / Phase" && of_the_paper && family.front()->has_one_frequency() &&
-          !family.front()->has_forces()) ||
-         entry_of(family) == "Wear / Stick radius ratio";
-}
-
 }  // namespace
 
 Filling sweeps_section(const std::vector<StoredResult>& results) {
   auto sweeps = Filling::array();
-  for (const auto& [name, family] : families_of(results))
-    if (family.size() > 1 && !has_a_section(family)) sweeps.push_back(family_filling(name, family));
+  const auto families = families_of(results);
+  for (const auto& [name, family] : families) {
+    if (family.size() == 1 || (families.size() > 1 && is_in_the_figures(family))) continue;
+    if (auto filling = family_filling(name, family); !filling.at("figures").at("figures").empty())
+      sweeps.push_back(std::move(filling));
+  }
   if (sweeps.empty()) return nullptr;
   return {{"template", "sweeps"}, {"sweeps", std::move(sweeps)}};
 }

@@ -2,28 +2,33 @@
 
 #include <fmt/format.h>
 
-#include <array>
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <set>
 
 #include "comparison/case/case_file.h"
 #include "comparison/case/entry_table.h"
 #include "comparison/reference/mdr_answer.h"
+#include "comparison/reference/normal_responses.h"
 #include "comparison/results/results_folder.h"
 #include "comparison/support/files.h"
+#include "comparison/support/parallel.h"
 
 namespace fretval {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t n_values = 100;
+constexpr std::size_t n_closed_values = 100, n_stepped_values = 24;
+constexpr const char *closed_file = "mdr.csv", *stepped_file = "mdr_springs.csv";
 
-constexpr std::array closed_forms{Quantity::stick_radius_first_slip, Quantity::stick_radius_shakedown,
-                                  Quantity::contact_radius_max, Quantity::worn_radius};
+using QuantityList = std::vector<Quantity>;
+const QuantityList closed_forms{Quantity::stick_radius_first_slip, Quantity::stick_radius_shakedown,
+                                Quantity::contact_radius_max, Quantity::worn_radius};
 
-bool is_quick(const Case& input) {
+bool has_closed_forms(const Case& input) {
   const auto& motion = input.motion;
   return !motion.normal_force && !motion.tangential_force && motion.normal_harmonics.empty() &&
          !input.elastomer.master_curve;
@@ -31,35 +36,71 @@ bool is_quick(const Case& input) {
 
 /// The answer without the forces, which springs are stepped for. The contact radius is that of g(a) = d, a worn profile
 /// has none.
-MdrAnswer closed_answer(const MdrCase& mdr) {
+MdrAnswer closed_answer(const Case& input) {
+  const auto mdr = mdr_case(input);
   mdr::NormalResponse radius_alone{};
   radius_alone.contact_radius_max =
       mdr.limiting ? std::nan("") : mdr::inverse_transform(mdr.profile, deepest_indentation(mdr));
   return mdr_answer(mdr, radius_alone);
 }
 
-/// A value in a line; "nan" for what MDR refuses between the points of the sweep.
-std::string row_of(const Case& input) {
-  nlohmann::ordered_json answer;
-  try {
-    answer = to_json(closed_answer(mdr_case(input)));
-  } catch (const std::runtime_error&) {
-  } catch (const std::invalid_argument&) {
-  }
-  std::string row = fmt::format("{:.10g}", input.sweep->value);
-  for (const auto quantity : closed_forms) {
-    const auto value = answer.find(name_of(quantity));
-    row += value != answer.end() && value->is_number() && std::isfinite(value->get<double>())
-               ? fmt::format(",{:.10g}", value->get<double>())
-               : ",nan";
-  }
-  return row + "\n";
+using Answer = std::function<MdrAnswer(const Case&)>;
+
+/// Null for what MDR refuses between the points of the sweep.
+std::vector<nlohmann::ordered_json> answers_to(const std::vector<Case>& cases, const Answer& answer) {
+  std::vector<nlohmann::ordered_json> answers(cases.size());
+  for_each_in_parallel(cases.size(), [&](std::size_t i) {
+    try {
+      answers[i] = to_json(answer(cases[i]));
+    } catch (const std::runtime_error&) {
+    } catch (const std::invalid_argument&) {
+    }
+  });
+  return answers;
 }
 
-std::string header_of(const std::string& entry) {
-  std::string header = column_of_entry(entry);
-  for (const auto quantity : closed_forms) header += "," + column_of(quantity);
-  return header + "\n";
+bool has_number(const nlohmann::ordered_json& answer, Quantity quantity) {
+  const auto value = answer.find(name_of(quantity));
+  return value != answer.end() && value->is_number() && std::isfinite(value->get<double>());
+}
+
+/// Columns that no answer has a number for are left out.
+std::string table_of(const std::vector<Case>& cases, const std::vector<nlohmann::ordered_json>& answers,
+                     QuantityList quantities) {
+  const auto has_none = [&](Quantity quantity) {
+    return std::none_of(answers.begin(), answers.end(), [&](const auto& one) { return has_number(one, quantity); });
+  };
+  quantities.erase(std::remove_if(quantities.begin(), quantities.end(), has_none), quantities.end());
+  std::string text = column_of_entry(cases.front().sweep->entry);
+  for (const auto quantity : quantities) text += "," + column_of(quantity);
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    text += fmt::format("\n{:.10g}", cases[i].sweep->value);
+    for (const auto quantity : quantities)
+      text += has_number(answers[i], quantity) ? fmt::format(",{:.10g}", answers[i].at(name_of(quantity)).get<double>())
+                                               : ",nan";
+  }
+  return text + "\n";
+}
+
+void write_line(const fs::path& file, const Case& input, std::size_t n_values, const Answer& answer,
+                const QuantityList& quantities) {
+  const auto between = cases_between(input.file, n_values);
+  if (between.empty()) return;
+  fs::create_directories(file.parent_path());
+  write_file(file, table_of(between, answers_to(between, answer), quantities));
+}
+
+bool is_of_the_figures(const std::string& entry) {
+  return entry == "Motion / Phase" || entry == "Wear / Stick radius ratio";
+}
+
+/// Of each sweep its first case.
+std::vector<const Case*> sweeps_among(const std::vector<Case>& cases) {
+  std::set<std::string> families;
+  std::vector<const Case*> first;
+  for (const auto& input : cases)
+    if (input.sweep && families.insert(input.sweep->family).second) first.push_back(&input);
+  return first;
 }
 
 }  // namespace
@@ -77,23 +118,29 @@ std::string column_of_entry(const std::string& entry) {
 }
 
 void write_sweep_lines(const std::vector<Case>& cases, const fs::path& output) {
-  std::set<std::string> families;
-  for (const auto& input : cases) {
-    if (!input.sweep || !families.insert(input.sweep->family).second) continue;
-    const auto file = output / input.sweep->family / "mdr.csv";
-    fs::remove(file);
-    const auto between = is_quick(input) ? cases_between(input.file, n_values) : std::vector<Case>{};
-    if (between.empty()) continue;
-    std::string text = header_of(input.sweep->entry);
-    for (const auto& one : between) text += row_of(one);
-    fs::create_directories(file.parent_path());
-    write_file(file, text);
+  const auto sweeps = sweeps_among(cases);
+  NormalResponses normal_responses;
+  const auto stepped_answer = [&](const Case& input) {
+    const auto mdr = mdr_case(input);
+    return mdr_answer_with_cycle(mdr, *normal_responses.of(input, mdr));
+  };
+  const QuantityList all(quantities_by_interest.begin(), quantities_by_interest.end());
+  for (const auto* input : sweeps) {
+    const auto folder = output / input->sweep->family;
+    for (const char* name : {closed_file, stepped_file}) fs::remove(folder / name);
+    if (!has_closed_forms(*input)) continue;
+    write_line(folder / closed_file, *input, n_closed_values, closed_answer, closed_forms);
+    if (sweeps.size() == 1 || !is_of_the_figures(input->sweep->entry))
+      write_line(folder / stepped_file, *input, n_stepped_values, stepped_answer, all);
   }
 }
 
 std::pair<std::vector<double>, std::vector<double>> read_sweep_line(const fs::path& family, const std::string& entry,
                                                                     Quantity quantity) {
-  return read_columns(family / "mdr.csv", column_of_entry(entry), column_of(quantity));
+  for (const char* name : {closed_file, stepped_file})
+    if (auto line = read_columns(family / name, column_of_entry(entry), column_of(quantity)); !line.second.empty())
+      return line;
+  return {};
 }
 
 }  // namespace fretval

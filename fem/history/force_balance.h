@@ -1,6 +1,8 @@
 #pragma once
 
 #include <functional>
+#include <optional>
+#include <utility>
 
 namespace fretval::fem {
 
@@ -16,5 +18,19 @@ struct BalanceGuess {
 /// may jump by a little where a ring changes its state; a value inside the jump is balanced at its place. force: of a
 /// displacement. Throws SolverError if the force stays on one side of the value.
 double displacement_for_force(const std::function<double(double)>& force, double value, const BalanceGuess& guess);
+
+/// The same with what the indenter does there. make: of a displacement; force_of: what it makes.
+template <class Make, class ForceOf>
+auto attempt_for_force(const Make& make, const ForceOf& force_of, double value, const BalanceGuess& guess) {
+  std::optional<decltype(make(0.0))> last;
+  double at = 0;
+  const auto force = [&](double displacement) {
+    at = displacement;
+    return force_of(last.emplace(make(displacement)));
+  };
+  const double displacement = displacement_for_force(force, value, guess);
+  if (displacement != at) last.emplace(make(displacement));
+  return std::pair{displacement, std::move(*last)};
+}
 
 }  // namespace fretval::fem

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 #include <utility>
 
 #include "fem/history/contact_force.h"
@@ -28,8 +29,8 @@ FrictionContact::FrictionContact(const ContactProblem& problem, const Relaxation
       step_(relaxation, dt_),
       stick_(static_cast<std::size_t>(limit.size()), BoxState::interior) {}
 
-FrictionContact::Attempt FrictionContact::attempt(const IndenterMove& to_balance) const {
-  Attempt attempt{stick_, {}, {}};
+FrictionContact::Attempt FrictionContact::attempt(const IndenterMove& to_balance, std::vector<BoxState> likely) const {
+  Attempt attempt{std::move(likely), {}, {}};
   Eigen::VectorXd held = step_.response_without_slip(state, to_balance);
   attempt.slip_to_touch = slip_before_touch(held);
   held -= step_.stiffness_before_balance() * attempt.slip_to_touch;
@@ -44,8 +45,9 @@ double FrictionContact::force_of(const Attempt& made, const std::optional<Normal
   return friction_force(problem_.series, after, *touching_, limit_depths, friction_coefficient_ * normal->force).value;
 }
 
-/// Of the displacement in the whole step, in which the indenter moves steadily.
-double FrictionContact::increment_under_force(double time, const std::optional<NormalInstant>& normal) {
+/// First the increment of the displacement in the whole step, in which the indenter moves steadily.
+std::pair<double, FrictionContact::Attempt> FrictionContact::attempt_under_force(
+    double time, const std::optional<NormalInstant>& normal) {
   if (normal) {
     if (!touching_) touching_.emplace(TouchingRings{normal->touch_radii, relaxation_.viscosity == 0});
     touching_->move_to(normal->radius);
@@ -63,10 +65,14 @@ double FrictionContact::increment_under_force(double time, const std::optional<N
   const auto n_stuck = std::count(stick_.begin(), stick_.end(), BoxState::interior);
   const double radius = std::min(problem_.compliance.radii[static_cast<std::size_t>(n_stuck)], borne.radius),
                stiffness = problem_.series.force_per_radius() * radius * step_.instantaneous();
-  const auto force_after = [&](double increment) {
-    return force_of(attempt(steady_move(step_.fraction() * increment, step_.fraction() * dt_)), normal);
+  auto likely = stick_;
+  const auto make = [&](double increment) {
+    auto made = attempt(steady_move(step_.fraction() * increment, step_.fraction() * dt_), likely);
+    likely = made.stick;
+    return made;
   };
-  return displacement_for_force(force_after, force, {last_increment_, stiffness, most});
+  const auto force_made = [&](const Attempt& made) { return force_of(made, normal); };
+  return attempt_for_force(make, force_made, force, {last_increment_, stiffness, most});
 }
 
 void FrictionContact::find_touching(const Eigen::VectorXd& pressure, const std::optional<NormalInstant>& normal) {
@@ -115,12 +121,15 @@ void FrictionContact::step(const Eigen::VectorXd& pressure, const std::optional<
   limit = friction_coefficient_ * pressure;
   limit_depths = friction_coefficient_ * problem_.series.depths(pressure);
   auto to_balance = indenter_move(position, begin, time), whole = indenter_move(position, begin, begin + dt_);
+  Attempt made;
   if (motion_.tangential_force) {
-    last_increment_ = increment_under_force(time, normal);
+    std::tie(last_increment_, made) = attempt_under_force(time, normal);
     to_balance = steady_move(weight * last_increment_, weight * dt_);
     whole = steady_move(last_increment_, dt_);
+  } else {
+    made = attempt(to_balance, stick_);
   }
-  auto [stick, solution, slip_to_touch] = attempt(to_balance);
+  auto& [stick, solution, slip_to_touch] = made;
   zones.update(limit, stick, problem_.series.depths(solution.x));
   stick_ = std::move(stick);
   for (std::size_t i = 0; i < stick_.size(); ++i)

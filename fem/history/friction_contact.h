@@ -2,6 +2,7 @@
 
 #include <Eigen/Dense>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "fem/history/contact_problem.h"
@@ -72,11 +73,12 @@ class FrictionContact {
     BoxSolver::Solution solution;
     Eigen::VectorXd slip_to_touch;  // of rings that touch in the step, before they do
   };
-  [[nodiscard]] Attempt attempt(const IndenterMove& to_balance) const;
+  /// likely: rings that stick.
+  [[nodiscard]] Attempt attempt(const IndenterMove& to_balance, std::vector<BoxState> likely) const;
   void find_touching(const Eigen::VectorXd& pressure, const std::optional<NormalInstant>& normal);
   [[nodiscard]] Eigen::VectorXd slip_before_touch(const Eigen::VectorXd& held) const;
   [[nodiscard]] double force_of(const Attempt& made, const std::optional<NormalInstant>& normal) const;
-  [[nodiscard]] double increment_under_force(double time, const std::optional<NormalInstant>& normal);
+  [[nodiscard]] std::pair<double, Attempt> attempt_under_force(double time, const std::optional<NormalInstant>& normal);
 
   const ContactProblem& problem_;
   const RelaxationModel& relaxation_;

@@ -129,7 +129,6 @@ void FrictionPeriod::see(const FrictionContact& contact) {
   depths_.col(k_++) = depths;
   for (std::size_t i = 0; i < zones_.size(); ++i) {
     const auto ring = static_cast<Eigen::Index>(i);
-    if (slip[ring] != 0) zones_[i] |= 1;
     zones_[i] |= limit[ring] > 0 ? 2 : 4;
   }
   weights_[k_ - 1] = 1.5 - contact.fraction();
@@ -151,7 +150,12 @@ void FrictionPeriod::report(const ContactProblem& problem, FrictionHistory& hist
     work += in_the_middle(traction_, traction_before_, k).cwiseProduct(slip);
     series_work += in_the_middle(depths_, depths_before_, k).cwiseProduct(problem.series.displacements(slip));
   }
-  const auto dissipated = problem.series.integral(series_work, zones_);
+  constexpr double roundoff = 1e-12;  // a ring that is held at its friction limit slips by that
+  const double no_slip = roundoff * displacement_.cwiseAbs().maxCoeff();
+  auto zones = zones_;
+  for (std::size_t i = 0; i < zones.size(); ++i)
+    if (slip_[static_cast<Eigen::Index>(i)] > no_slip) zones[i] |= 1;
+  const auto dissipated = problem.series.integral(series_work, zones);
   history.dissipated_energy = dissipated.value;
   history.dissipated_uncertainty = dissipated.unseen_kinks;
   history.friction_work = work.cwiseProduct(problem.compliance.areas);

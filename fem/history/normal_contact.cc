@@ -1,6 +1,7 @@
 #include "fem/history/normal_contact.h"
 
 #include <algorithm>
+#include <tuple>
 #include <utility>
 
 #include "fem/history/force_balance.h"
@@ -75,10 +76,11 @@ std::optional<Eigen::Index> NormalContact::n_closed() const {
   return (gap.array() <= roundoff * gap.maxCoeff()).count();
 }
 
-NormalContact::Attempt NormalContact::attempt(const IndenterMove& to_balance, const WearingSolver& solver) const {
+NormalContact::Attempt NormalContact::attempt(const IndenterMove& to_balance, const WearingSolver& solver,
+                                              std::vector<BoxState> likely) const {
   // A ring in contact closes its gap: it slips by what is left of it.
   const Eigen::VectorXd held = step_.response_without_slip(state, to_balance);
-  Attempt attempt{contact_, {}, {}, {}, {}};
+  Attempt attempt{std::move(likely), {}, {}, {}, {}};
   auto contact = solver.solve(held - step_.instantaneous() * gap, attempt.contact);
   attempt.gap = contact.gap / step_.instantaneous();
   attempt.balance_gap = step_.fraction() * attempt.gap + (1 - step_.fraction()) * gap;
@@ -87,14 +89,18 @@ NormalContact::Attempt NormalContact::attempt(const IndenterMove& to_balance, co
   return attempt;
 }
 
-/// Of the indentation in the whole step, in which it moves steadily.
-double NormalContact::increment_under_force(const WearingSolver& solver) const {
+/// First the increment of the indentation in the whole step, in which it moves steadily.
+std::pair<double, NormalContact::Attempt> NormalContact::attempt_under_force(const WearingSolver& solver) const {
   const double force = normal_motion(motion_, time).value,
                stiffness = problem_.series.force_per_radius() * reading.radius * step_.instantaneous();
-  const auto force_after = [this, &solver](double increment) {
-    return total_force(attempt(steady_move(step_.fraction() * increment, step_.fraction() * dt_), solver).reading);
+  auto likely = contact_;
+  const auto make = [&](double increment) {
+    auto made = attempt(steady_move(step_.fraction() * increment, step_.fraction() * dt_), solver, likely);
+    likely = made.contact;
+    return made;
   };
-  return displacement_for_force(force_after, force, {last_increment_, stiffness, force});
+  const auto force_of = [](const Attempt& made) { return total_force(made.reading); };
+  return attempt_for_force(make, force_of, force, {last_increment_, stiffness, force});
 }
 
 FrozenStep NormalContact::frozen() const {
@@ -123,12 +129,14 @@ void NormalContact::step(const PressureWear& wear) {
   const auto position = [this, inside = begin + dt_ / 2](double t) { return normal_motion_inside(motion_, t, inside); };
   auto to_balance = indenter_move(position, begin, time), whole = indenter_move(position, begin, end);
   const WearingSolver solver(problem_, {step_.instantaneous() * wear.coefficient, wear.exponent}, contact_);
+  Attempt made;
   if (motion_.normal_force) {
-    last_increment_ = increment_under_force(solver);
+    std::tie(last_increment_, made) = attempt_under_force(solver);
     to_balance = steady_move(weight * last_increment_, weight * dt_);
     whole = steady_move(last_increment_, dt_);
+  } else {
+    made = attempt(to_balance, solver, contact_);
   }
-  auto made = attempt(to_balance, solver);
   const Eigen::VectorXd worn = worn_by(wear, made.pressure);
   step_.advance(state, whole, gap - made.gap + worn);
   profile += worn;

@@ -2,6 +2,7 @@
 
 #include <Eigen/Dense>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "fem/history/contact_force.h"
@@ -65,9 +66,11 @@ class NormalContact {
   };
   [[nodiscard]] ContactForce read(const Eigen::VectorXd& pressure, const Eigen::VectorXd& gap,
                                   const ContactPast& past) const;
-  [[nodiscard]] Attempt attempt(const IndenterMove& to_balance, const WearingSolver& solver) const;
+  /// likely: rings in contact.
+  [[nodiscard]] Attempt attempt(const IndenterMove& to_balance, const WearingSolver& solver,
+                                std::vector<BoxState> likely) const;
   [[nodiscard]] double start_indentation() const;
-  [[nodiscard]] double increment_under_force(const WearingSolver& solver) const;
+  [[nodiscard]] std::pair<double, Attempt> attempt_under_force(const WearingSolver& solver) const;
   [[nodiscard]] std::optional<Eigen::Index> n_closed() const;
 
   const ContactProblem& problem_;

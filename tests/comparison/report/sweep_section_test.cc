@@ -44,6 +44,20 @@ TEST(SweepSection, LeavesThePhaseToTheFiguresOfThePaper) {
   EXPECT_TRUE(sweeps_section({StoredResult{stored_result(), {}}, StoredResult{stored_result(), {}}}).is_null());
 }
 
+// Whose figures show radii alone.
+TEST(SweepSection, DrawsTheForcesOfTheOnlyPhaseSweep) {
+  const auto at = [](double phase, double force, const std::string& family) {
+    auto json = stored_result();
+    json["scene"]["sweep"] = {{"family", family}, {"entry", "Motion / Phase"}, {"value", phase}};
+    json["mdr"]["tangential_force_max"] = force;
+    return StoredResult{json, {}};
+  };
+  const auto html = sweeps_section({at(0, 1, "one"), at(90, 2, "one")}).dump();
+  expect_parts(html, {"Largest tangential force", "\"y\":[1.0,2.0]"});
+  EXPECT_EQ(html.find("Stick radii"), std::string::npos);
+  EXPECT_TRUE(sweeps_section({at(0, 1, "one"), at(90, 2, "one"), at(0, 1, "two"), at(90, 2, "two")}).is_null());
+}
+
 TEST(SweepSection, WritesItsNumbers) {
   const ScratchFolder folder;
   write_sweeps({point(1, folder.path() / "1"), point(2, folder.path() / "2")});

@@ -41,6 +41,41 @@ TEST(SweepLine, IsTheAnswerAtValuesBetween) {
   EXPECT_NEAR(stick[75] / mdr_answer(between, mdr_normal_response(between)).stick_radius_shakedown.value(), 1, 1e-9);
 }
 
+// In fewer points; against the answer to a case of its own.
+TEST(SweepLine, HasWhatSpringsAreSteppedFor) {
+  const ScratchFolder folder;
+  write_sweep_lines(read_case_file(swept(folder, "Motion / Tangential amplitude", "4, 6 um")), folder.path());
+  const auto line = [&](Quantity quantity) {
+    return read_sweep_line(folder.path() / "swept", "Motion / Tangential amplitude", quantity);
+  };
+  const auto [amplitude, force] = line(Quantity::tangential_force_max);
+  ASSERT_EQ(amplitude.size(), 25U);
+  const auto between =
+      mdr_case(read_case(replace(valid_case, "Tangential amplitude = 1.5e-5", "Tangential amplitude = 5e-6")));
+  const auto answer = mdr_answer_with_cycle(between, mdr_normal_response(between));
+  EXPECT_NEAR(amplitude[12], 5e-6, 1e-15);
+  EXPECT_NEAR(force[12] / answer.cycle->tangential_force_max, 1, 1e-9);
+  EXPECT_NEAR(line(Quantity::friction_work).second[12] / answer.cycle->friction_work, 1, 1e-9);
+  EXPECT_NEAR(line(Quantity::normal_force_max).second[12] / answer.normal_force_max.value(), 1, 1e-9);
+  EXPECT_EQ(line(Quantity::contact_radius_max).second.size(), 101U) << "has a closed form";
+  EXPECT_TRUE(line(Quantity::worn_volume).second.empty()) << "nothing wears";
+}
+
+// The figures of the paper are dozens of families.
+TEST(SweepLine, OfAPhaseIsSteppedOnlyAlone) {
+  const ScratchFolder folder;
+  const auto springs = folder.path() / "swept" / "mdr_springs.csv";
+  auto cases = read_case_file(swept(folder, "Motion / Phase", "0, 90"));
+  write_sweep_lines(cases, folder.path());
+  EXPECT_TRUE(std::filesystem::exists(springs));
+  auto other = cases;
+  for (auto& one : other) one.sweep->family = "other";
+  cases.insert(cases.end(), other.begin(), other.end());
+  write_sweep_lines(cases, folder.path());
+  EXPECT_FALSE(std::filesystem::exists(springs));
+  EXPECT_TRUE(std::filesystem::exists(folder.path() / "swept" / "mdr.csv"));
+}
+
 TEST(SweepLine, IsNotThereWhereItWouldTakeLongOrMeanNothing) {
   const ScratchFolder folder;
   const auto is_written = [&](const std::filesystem::path& file) {
@@ -53,6 +88,7 @@ TEST(SweepLine, IsNotThereWhereItWouldTakeLongOrMeanNothing) {
   const auto force = replace(valid_case, "Indentation = 1e-4\n  set Normal amplitude = 2e-5",
                              "Normal force = 0.5\n  set Normal force amplitude = 0.1");
   EXPECT_FALSE(is_written(swept(folder, "Friction / Coefficient", "0.3, 0.5", force)));
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "swept" / "mdr_springs.csv"));
 }
 
 // Without a first-slip zone from a small friction on.
