@@ -184,7 +184,10 @@ FeAnswer read_answer(const ContactProblems& problems, const FemCase& fem, const 
   if (fem.worn_edge) {
     const Eigen::Index n_inside = rings_within(problem.compliance, fem.worn_edge->inner);
     hold_to_count(problem.compliance, stuck.shakedown, shakedown);
+    const double by_reserve = first.radius;
     read_on_worn_profile(problem.compliance, n_inside, stuck.first_slip, friction.slip_path, first);
+    // Rings that slip between two steps alone, or by as little as one that settles, are counted as stuck.
+    first.uncertainty = std::max(first.uncertainty, first.radius - by_reserve);
     read_on_worn_profile(problem.compliance, n_inside, stuck.shakedown, friction.period_slip, shakedown);
     answer.no_wear = no_wear_evidence(problems, fem, profile, normal, friction, n_inside);
   }

@@ -117,6 +117,30 @@ TEST(FeAnswer, OfALimitingProfileTurnsToSlipAtTheAmplitudeItIsLimitingFor) {
   EXPECT_NEAR(above.no_wear->limiting_amplitude.value(), 1 / 1.01, 1e-9);
 }
 
+// On the way to the steady state the outermost rings inside c slip a little, by less than a ring that settles does.
+TEST(FeAnswer, OfALimitingProfileFirstSlipIsUncertainByWhatSlipsHardlyAtAll) {
+  auto scene = limiting_case(0.25);
+  scene.indenter = {};
+  scene.indenter.shape = Case::Shape::cone;
+  scene.indenter.slope_angle = 7.3;
+  scene.elastomer.relaxed_modulus = 0.124;
+  scene.elastomer.branch_moduli = {0.0992};
+  scene.elastomer.branch_times = {0.036};
+  scene.friction_coefficient = 0.17;
+  scene.motion.indentation = 7.19e-7;
+  scene.motion.normal_amplitude = 8.52e-10;
+  scene.motion.normal_frequency = scene.motion.tangential_frequency = 5.435;
+  scene.motion.phase = -75.5;
+  scene.rings_per_radius = 32;
+  scene.steps_per_cycle = 32;
+  const auto fe = simulate_case(scene);
+  const double c = *fe.stick_radius_shakedown, exact = *exact_answer(scene).stick_radius_first_slip;
+  EXPECT_EQ(*fe.stick_radius_first_slip, c);
+  EXPECT_LT(exact, (1 - 1e-3) * c);
+  EXPECT_LE(c - exact, 2 * fe.first_slip_uncertainty);
+  EXPECT_LT(fe.first_slip_uncertainty, 1e-2 * c);
+}
+
 // A smaller motion than the one that the profile is limiting for leaves all of the contact sticking, a larger one does
 // not.
 TEST(FeAnswer, OfAWornProfileFollowsMdrUnderAnotherMotion) {
