@@ -63,9 +63,20 @@ Curves curves_of(const Family& family, Quantity quantity) {
   return curves;
 }
 
+bool takes_prefix(const std::string& unit) {
+  return !unit.empty() && unit != "deg" && unit != "SI" && unit.find('/') == std::string::npos;
+}
+
+double largest_value(const Family& family) {
+  double largest = 0;
+  for (const auto* r : family) largest = std::max(largest, std::abs(r->sweep_value()));
+  return largest;
+}
+
 Figure sweep_figure(const Family& family, const std::vector<Quantity>& quantities, const std::string& title) {
   const auto entry = entry_of(family), unit = unit_of_entry(entry);
-  Plot plot{title, unit.empty() ? entry : entry + " in " + unit, ""};
+  const auto [entry_prefix, entry_factor] = takes_prefix(unit) ? prefix_for(largest_value(family)) : UnitPrefix{"", 1};
+  Plot plot{title, unit.empty() ? entry : fmt::format("{} in {}{}", entry, entry_prefix, unit), ""};
   double largest = 0;
   for (const auto quantity : quantities) largest = std::max(largest, curves_of(family, quantity).largest);
   const auto [prefix, factor] = prefix_for(largest);
@@ -76,6 +87,8 @@ Figure sweep_figure(const Family& family, const std::vector<Quantity>& quantitie
     auto curves = curves_of(family, quantity);
     for (auto* values : {&curves.line, &curves.fe, &curves.bar})
       for (double& value : *values) value /= factor;
+    for (auto* values : {&curves.value, &curves.line_value})
+      for (double& value : *values) value /= entry_factor;
     plot.series.push_back({fmt::format("{}, MDR", traits_of(quantity).title), curves.line_value, curves.line,
                            curves.has_values_between ? Series::Style::line : Series::Style::dashed, colour});
     plot.series.push_back({fmt::format("{}, finite elements", traits_of(quantity).title), curves.value, curves.fe,

@@ -40,6 +40,16 @@ TEST(SweepSection, DrawsMdrBetweenThePoints) {
   expect_parts(html, {"\"x\":[1.0,1.25,1.5,2.0],\"y\":[0.25,0.375,null,0.5]", "\"x\":[1.0,2.0],\"y\":[0.5,1.0]"});
 }
 
+TEST(SweepSection, SaysTheEntryInAUnitThatPeopleUse) {
+  const auto at = [](double radius) {
+    auto result = point(1, {});
+    result.json["scene"]["sweep"] = {{"family", "family"}, {"entry", "Indenter / Radius"}, {"value", radius}};
+    return result;
+  };
+  const auto html = sweeps_section({at(2e-3), at(4e-3)}).dump();
+  expect_parts(html, {"Indenter / Radius in mm", "\"x\":[2.0,4.0]"});
+}
+
 TEST(SweepSection, LeavesThePhaseToTheFiguresOfThePaper) {
   EXPECT_TRUE(sweeps_section({StoredResult{stored_result(), {}}, StoredResult{stored_result(), {}}}).is_null());
 }

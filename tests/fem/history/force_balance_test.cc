@@ -32,6 +32,18 @@ TEST(ForceBalance, NeedsFewForces) {
   EXPECT_LE(n, 5);
 }
 
+// The attempt is that of the displacement, also where the balance is between two trials, and is seldom made twice.
+TEST(ForceBalance, GivesTheAttemptThatBalances) {
+  int n = 0;
+  const auto make = [&n](double u) { return ++n, u; };
+  const auto smooth = attempt_for_force(make, [](double u) { return hertz(u); }, 1, {0.98, 1.5, 1});
+  EXPECT_EQ(smooth.first, smooth.second);
+  EXPECT_LE(n, 5);
+  const auto jumping = [](double u) { return u < 0.3 ? u : u + 0.1; };
+  const auto between = attempt_for_force(make, jumping, 0.35, {0, 1, 1});
+  EXPECT_EQ(between.first, between.second);
+}
+
 // A reading that jumps over the value: there is its balance.
 TEST(ForceBalance, IsWhereTheForceJumps) {
   const auto jumping = [](double u) { return u < 0.3 ? u : u + 0.1; };
