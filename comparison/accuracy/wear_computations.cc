@@ -40,6 +40,9 @@ void WearComputations::compute(const std::vector<Resolution>& wanted) {
   std::vector<Resolution> missing;
   for (const auto& resolution : wanted)
     if (all.try_emplace(resolution).second) missing.push_back(resolution);
+  // The longest first, beside which the others go on.
+  std::sort(missing.begin(), missing.end(),
+            [](const auto& a, const auto& b) { return expected_work(a) > expected_work(b); });
   for (const auto& resolution : missing) shares_.try_emplace(resolution, 0.0);
   for_each_in_parallel(missing.size(), [&](std::size_t i) { all.at(missing[i]) = attempt(missing[i]); });
 }
