@@ -113,50 +113,86 @@ MdrAnswer displaced_answer(const MdrCase& mdr, const mdr::HarmonicMotion& motion
   return answer;
 }
 
+/// Over the pass or the period. What goes into the body in a pass is not told from what is lost there.
+MdrCycle cycle_along(const MdrCase& mdr, const mdr::SteppedPathForces& stepped, double normal_force_max) {
+  const auto& forces = stepped.forces;
+  const auto& error = stepped.error;
+  const double sliding_force = mdr.friction_coefficient * normal_force_max;
+  const bool once = mdr.is_single_pass();
+  return {forces.tangential_force_max,
+          forces.tangential_force_mean,
+          forces.friction_work,
+          once ? 0 : forces.bulk_work,
+          sliding_force,
+          sliding_force * forces.tangential_way,
+          std::max(error.tangential_force_max, error.tangential_force_mean),
+          error.friction_work + (once ? 0 : error.bulk_work)};
+}
+
+/// Whether springs are asked about forces and energies along a path: not where their forces settle for hundreds of
+/// periods.
+bool has_cycle_along(const MdrCase& mdr) {
+  const auto& values = mdr.path->tangential;
+  const bool moves = std::any_of(values.begin(), values.end(), [&](double value) { return value != values.front(); });
+  return moves && !(mdr.body.viscosity > 0 && mdr.path->repeats);
+}
+
 /// Stick radii by closed forms.
+void answer_displaced_path(const MdrCase& mdr, MdrAnswer& answer) {
+  const auto radii = mdr::stick_radii(mdr.profile, mdr.body, mdr.friction_coefficient, *mdr.path);
+  answer.stick_radius_first_slip = radii.first_slip;
+  answer.stick_radius_shakedown = radii.shakedown;
+}
+
+/// By the springs.
+void answer_forced_path(const MdrCase& mdr, MdrAnswer& answer) {
+  std::optional<mdr::SteppedPathForces> stepped;
+  try {
+    stepped = mdr::path_forces(mdr.profile, mdr.body, mdr.friction_coefficient, *mdr.path);
+  } catch (const mdr::GrossSlip& slip) {
+    answer.gross_slip = slip.amplitude;
+    if (answer.single_pass) answer.gross_slip_time = slip.time;
+    return;
+  }
+  const auto& [forces, error, course] = *stepped;
+  answer.stick_radius_first_slip = radius_at(mdr, forces.first_slip);
+  if (!answer.single_pass) answer.stick_radius_shakedown = radius_at(mdr, forces.shakedown);
+  answer.stepping_error =
+      std::max({error.first_slip, answer.single_pass ? 0 : error.shakedown, error.largest_indentation}) /
+      forces.largest_indentation;
+  if (mdr.normal_force) answer.indentation_max = forces.largest_indentation;
+  if (mdr.tangential_force) {
+    answer.tangential_amplitude = forces.tangential_amplitude;
+    answer.stepping_error = std::max(answer.stepping_error, error.tangential_amplitude / forces.tangential_amplitude);
+  }
+  if (has_cycle_along(mdr)) answer.cycle = cycle_along(mdr, *stepped, answer.normal_force_max.value());
+}
+
 MdrAnswer path_answer(const MdrCase& mdr, const mdr::NormalResponse& normal) {
   MdrAnswer answer{};
-  const auto radii = mdr::stick_radii(mdr.profile, mdr.body, mdr.friction_coefficient, *mdr.path);
   answer.modulus_ratio = std::nan("");
   answer.contact_radius_max = normal.contact_radius_max;
   answer.normal_force_max = normal.normal_force_max;
   answer.axis_pressure = normal.axis_pressure;
-  answer.stick_radius_first_slip = radii.first_slip;
-  answer.stick_radius_shakedown = radii.shakedown;
   answer.single_pass = mdr.is_single_pass();
+  if (mdr.path->has_forces())
+    answer_forced_path(mdr, answer);
+  else
+    answer_displaced_path(mdr, answer);
   return answer;
-}
-
-/// Over the pass or the period. What goes into the body in a pass is not told from what is lost there.
-std::optional<MdrCycle> cycle_along(const MdrCase& mdr, double normal_force_max) {
-  const auto& u = mdr.path->tangential;
-  double way = 0;
-  for (std::size_t k = 1; k < u.size(); ++k) way += std::abs(u[k] - u[k - 1]);
-  const bool settles_for_long = mdr.body.viscosity > 0 && mdr.path->repeats;
-  if (way == 0 || settles_for_long) return std::nullopt;
-  const auto [forces, error, course] =
-      mdr::path_forces(mdr.profile, mdr.body, mdr.friction_coefficient, *mdr.path, {100, 90, 10, 1e-7});
-  const double sliding_force = mdr.friction_coefficient * normal_force_max;
-  const bool once = mdr.is_single_pass();
-  return MdrCycle{forces.tangential_force_max,
-                  forces.tangential_force_mean,
-                  forces.friction_work,
-                  once ? 0 : forces.bulk_work,
-                  sliding_force,
-                  sliding_force * way,
-                  std::max(error.tangential_force_max, error.tangential_force_mean),
-                  error.friction_work + (once ? 0 : error.bulk_work)};
 }
 
 /// By springs, which the tangential motion does not matter to.
 mdr::NormalResponse normal_response_along(const MdrCase& mdr) {
   auto path = *mdr.path;
+  path.tangential_force = false;
   std::fill(path.tangential.begin(), path.tangential.end(), 0.0);
   auto [forces, error, course] = mdr::path_forces(mdr.profile, mdr.body, 1, path);
   auto& history = course.history;
   const double start = history.time.front();
   for (double& time : history.time) time -= start;
-  const double radius = mdr::inverse_transform(mdr.profile, mdr::maximum_indentation(path));
+  const double radius =
+      mdr::inverse_transform(mdr.profile, path.normal_force ? forces.largest_indentation : mdr::maximum_normal(path));
   std::optional<mdr::AxisPressure> pressure;
   const auto& force = history.normal_force;
   const bool loses_contact = *std::min_element(force.begin(), force.end()) <= 0;
@@ -224,6 +260,7 @@ nlohmann::ordered_json to_json(const MdrAnswer& answer) {
   }
   if (answer.stepping_error > 0) json["stepping_error"] = answer.stepping_error;
   if (answer.gross_slip) json["gross_slip"] = *answer.gross_slip;
+  if (answer.gross_slip_time) json["gross_slip_time"] = *answer.gross_slip_time;
   return json;
 }
 
@@ -250,7 +287,11 @@ MdrAnswer mdr_answer_with_cycle(const MdrCase& mdr, const mdr::NormalResponse& n
   constexpr mdr::SpringFineness fineness{100, 90, 5, 1e-5};
   auto answer = mdr_answer(mdr, normal);
   if (mdr.path) {
-    answer.cycle = cycle_along(mdr, normal.normal_force_max);
+    if (!mdr.has_forces() && has_cycle_along(mdr)) {
+      const auto stepped =
+          mdr::path_forces(mdr.profile, mdr.body, mdr.friction_coefficient, *mdr.path, {100, 90, 10, 1e-7});
+      answer.cycle = cycle_along(mdr, stepped, normal.normal_force_max);
+    }
     return answer;
   }
   const auto cycle = mdr.has_forces() ? std::nullopt : cycle_to_step(mdr);

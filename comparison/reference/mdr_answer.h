@@ -16,7 +16,7 @@ struct MdrCycle {
   double friction_work;          ///< lost to friction
   double bulk_work;              ///< lost inside the body
   double sliding_force;          ///< mu times the largest normal force
-  double sliding_work;           ///< what sliding under that force would cost, 4 times the tangential amplitudes
+  double sliding_work;           ///< what sliding under that force along the whole tangential path would cost
   double force_error;            ///< of either force
   double work_error;             ///< of either loss
 };
@@ -44,6 +44,7 @@ struct MdrAnswer {
   /// Of all amplitudes, the share at which the whole contact begins to slide under a prescribed tangential force while
   /// they rise slowly; then all else but the normal response is empty. Empty: it never does.
   std::optional<double> gross_slip = {};
+  std::optional<double> gross_slip_time = {};  ///< s, of a single pass, in the time of its rows
   bool single_pass = false;  ///< then there is no periodic state, no shakedown radius and no limiting profile
 
   /// Whether all of the largest contact sticks in the end, as it does under a profile that is limiting for the motion.

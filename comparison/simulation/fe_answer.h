@@ -27,7 +27,7 @@ struct NoWearEvidence {
 
 /// When the whole contact begins to slide under a prescribed tangential force, while the amplitudes rise or after.
 struct GrossSlipStart {
-  double time;       ///< s, from the start of the history on
+  double time;       ///< s, from the start of the history on, which of a path is the time of its first row
   double amplitude;  ///< of all oscillations then, over that of the case
 };
 

@@ -68,12 +68,8 @@ void check(const HistoryControl& control) {
   require_positive("periodicity", control.periodicity);
 }
 
-// Where springs that have relaxed for ever carry the first force.
 double start_indentation(const SpringBed& bed, const PronyBody& body, const Loading& loading) {
-  if (!loading.normal_force) return loading.path(0).indentation;
-  const PronyBody relaxed = elastic(body.relaxed_modulus);
-  return indentation_for_load(SpringStep(relaxed, 1, 1), relaxed_state(bed, relaxed, 0), bed,
-                              loading.normal_force(0) / normal_scale(body));
+  return loading.normal_force ? relaxed_indentation(bed, body, loading.normal_force(0)) : loading.path(0).indentation;
 }
 
 void check(const Loading& loading) {
@@ -150,17 +146,11 @@ class History {
   }
 
   [[nodiscard]] IndenterState indenter(double time) const {
-    IndenterState to = loading_.path ? loading_.path(time) : state_.indenter;
-    if (loading_.normal_force) {
-      to.indentation = indentation_for_load(step_, state_, bed_, loading_.normal_force(time) / normal_scale(body_));
-      to.indentation_rate = step_.arrived(state_, to.indentation, to.tangential).indentation_rate;
-    }
-    if (loading_.tangential_force) {
-      const double load = loading_.tangential_force(time) / tangential_scale(body_);
-      to.tangential = tangential_for_load(step_, state_, bed_, to.indentation, load);
-      to.tangential_rate = step_.arrived(state_, to.indentation, to.tangential).tangential_rate;
-    }
-    return to;
+    PrescribedInStep prescribed{loading_.path ? loading_.path(time) : state_.indenter, {}, {}};
+    if (loading_.normal_force) prescribed.normal_load = loading_.normal_force(time) / normal_scale(body_);
+    if (loading_.tangential_force)
+      prescribed.tangential_load = loading_.tangential_force(time) / tangential_scale(body_);
+    return balanced(step_, state_, bed_, prescribed);
   }
 
   void record(SpringHistory& result, double time, Margins& margins) {
@@ -241,6 +231,13 @@ double common_period(const HarmonicMotion& motion) {
   const auto cycle = common_cycle(motion);
   if (!cycle) throw std::invalid_argument("frequencies are not commensurate: the motion has no period");
   return 1 / cycle->frequency;
+}
+
+int periods_of_creep(const PronyBody& body, double period) {
+  constexpr double many_creep_times = 10;
+  double creep = body.viscosity;
+  for (std::size_t i = 0; i < body.branch_times.size(); ++i) creep += body.branch_moduli[i] * body.branch_times[i];
+  return static_cast<int>(std::ceil(many_creep_times * creep / body.relaxed_modulus / period));
 }
 
 ForcePath ramped_force(double mean, double amplitude, double frequency, double phase, double ramp_duration) {

@@ -25,6 +25,9 @@ IndenterPath ramped_path(const HarmonicMotion& motion, double ramp_duration);
 /// unlocked, or frequencies that are not commensurate (see mdr/commensurability.h).
 double common_period(const HarmonicMotion& motion);
 
+/// Periods after which creep is over, of which a ramp under forces has as many: ten creep times.
+int periods_of_creep(const PronyBody& body, double period);
+
 /// Prescribed force in N over time.
 using ForcePath = std::function<double(double time)>;
 
