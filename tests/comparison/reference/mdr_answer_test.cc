@@ -5,6 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "comparison/case/path_table.h"
 #include "tests/comparison/computed_case.h"
 #include "tests/comparison/read_case.h"
 
@@ -71,6 +72,38 @@ TEST(MdrAnswer, OfACycleIsMindlinAndDeresiewiczs) {
   EXPECT_EQ(cycle.bulk_work, 0);
   EXPECT_NEAR(cycle.tangential_force_mean, 0, 1e-9 * mu * force);
   EXPECT_NEAR(cycle.sliding_work, 4 * mu * force * x * sliding, 1e-6 * mu * force * sliding);
+}
+
+/// The elastic case along a path of forces.
+Case along_forces(std::vector<double> normal, std::vector<double> tangential) {
+  auto scene = read_case(elastic_case());
+  Case::Path path{"rows.csv", {}, std::move(normal), std::move(tangential), false, true, true};
+  for (std::size_t k = 0; k < path.normal.size(); ++k) path.time.push_back(5 + static_cast<double>(k));
+  scene.motion = motion_along(path);
+  return scene;
+}
+
+// Hertz; Cattaneo and Mindlin: F(c) = F_N - F_x/mu, u_x = (3 mu/2)(d(F_N) - d(F(c))).
+TEST(MdrAnswer, OfAPassOfForcesIsCattaneosAndMindlins) {
+  const auto scene = along_forces({0.5, 0.5}, {0, 0.1});
+  const auto answer = answer_with_cycle(scene);
+  const double R = scene.indenter.radius, mu = scene.friction_coefficient;
+  const auto depth = [&](double force) { return std::pow(3 * force / (16e6 * std::sqrt(R)), 2.0 / 3); };
+  const double d = depth(0.5), stuck = depth(0.5 - 0.1 / mu);
+  EXPECT_TRUE(answer.single_pass);
+  EXPECT_FALSE(answer.stick_radius_shakedown || answer.worn_radius);
+  EXPECT_NEAR(answer.indentation_max.value() / d, 1, 1e-5);
+  EXPECT_NEAR(answer.contact_radius_max.value() / std::sqrt(R * d), 1, 1e-5);
+  EXPECT_NEAR(answer.stick_radius_first_slip.value() / std::sqrt(R * stuck), 1, 1e-5);
+  EXPECT_NEAR(answer.tangential_amplitude.value() / (0.75 * mu * (d - stuck)), 1, 1e-4);
+  EXPECT_NEAR(answer.cycle.value().sliding_work / (mu * 0.5 * 1.5 * mu * (d - stuck)), 1, 1e-4);
+  EXPECT_LT(answer.stepping_error, 1e-4);
+}
+
+TEST(MdrAnswer, OfAPassSaysWhenItSlides) {
+  const auto answer = answer_with_cycle(along_forces({0.5, 0.3}, {0, 0.2}));
+  EXPECT_NEAR(answer.gross_slip_time.value(), 5 + 5.0 / 6, 1e-9);
+  EXPECT_FALSE(answer.stick_radius_first_slip);
 }
 
 TEST(MdrAnswer, HasNoCycleWithoutALockedMotion) {
