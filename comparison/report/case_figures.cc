@@ -174,7 +174,7 @@ Figure slip_figure(const StoredResult& r) {
 }
 
 /// How slip dies out where nothing slips in the end; none where nothing ever does.
-std::vector<Figure> decay_figures(const ordered_json& cycle) {
+std::vector<Figure> decay_figures(const StoredResult& r, const ordered_json& cycle) {
   const auto decay = cycle.find("slip_decay");
   if (decay == cycle.end()) return {};
   Series series{"finite elements", {}, numbers_of(*decay), Series::Style::line_points, 1};
@@ -185,9 +185,13 @@ std::vector<Figure> decay_figures(const ordered_json& cycle) {
             "largest slip over the amplitude u_{x0}",
             {std::move(series)},
             true};
-  return {{std::move(plot),
-           "Longest path of slip in a period of a ring inside c, the shakedown radius. The amplitudes rise during the "
-           "first periods; a period without any slip has no point."}};
+  const double factor = r.number("fe", "slip_decay"), mdr = r.number("mdr", "slip_decay");
+  std::string caption =
+      "Longest path of slip in a period of a ring inside c, the shakedown radius. The amplitudes rise during the "
+      "first periods; a period without any slip has no point.";
+  if (!std::isnan(factor)) caption += fmt::format(" In the end it falls by the factor {:.4g} a period", factor);
+  if (!std::isnan(factor)) caption += std::isnan(mdr) ? "." : fmt::format("; by MDR {:.4g}.", mdr);
+  return {{std::move(plot), caption}};
 }
 
 Figure profile_figure(const StoredResult& r) {
@@ -267,7 +271,7 @@ Filling case_figures(const StoredResult& result, const ordered_json& cycle) {
       add({motion_figure(result), loop_figure(result, cycle, true), loop_figure(result, cycle, false)});
     if (result.has_forces() && !column_names(result.folder / "history.csv").empty()) add({forces_figure(result)});
     if (!column_names(result.folder / "contact.csv").empty()) add({slip_figure(result)});
-    add(decay_figures(cycle));
+    add(decay_figures(result, cycle));
     if (!column_names(result.folder / "profile.csv").empty()) add({profile_figure(result)});
     if (!column_names(result.folder / "moduli.csv").empty()) add({moduli_figure(result)});
   } catch (const nlohmann::json::exception& error) {

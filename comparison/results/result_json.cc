@@ -120,10 +120,12 @@ ordered_json fe_json(const CaseResult& result) {
     if (!fe.single_pass) {
       json["bulk_work"] = fe.cycle->bulk_work;
       json["cycle_work"] = fe.cycle->friction_work + fe.cycle->bulk_work;
+      json["tangential_work"] = fe.cycle->tangential_work;
     }
     json["sliding_force"] = fe.cycle->sliding_force;
     json["sliding_work"] = fe.cycle->sliding_work;
   }
+  if (fe.slip_decay) json["slip_decay"] = fe.slip_decay->factor;
   json["error_estimate"] = ordered_json::object();
   for (const auto& [quantity, difference] : result.comparison)
     json["error_estimate"][name_of(quantity)] = bar_json(difference.bar);

@@ -149,8 +149,8 @@ std::optional<fem::CycleResponse> cycle_of(const FemCase& fem, double normal_for
   for (double* value : {&cycle.tangential_force_max, &cycle.tangential_force_mean, &cycle.sliding_force,
                         &uncertain.tangential_force_max, &uncertain.tangential_force_mean})
     *value *= force;
-  for (double* value :
-       {&cycle.friction_work, &cycle.bulk_work, &cycle.sliding_work, &uncertain.friction_work, &uncertain.cycle_work})
+  for (double* value : {&cycle.friction_work, &cycle.bulk_work, &cycle.tangential_work, &cycle.sliding_work,
+                        &uncertain.friction_work, &uncertain.cycle_work, &uncertain.tangential_work})
     *value *= work;
   return cycle;
 }
@@ -211,6 +211,8 @@ FeAnswer read_answer(const ContactProblems& problems, const FemCase& fem, const 
   }
   if (fem.motion.tangential_force) answer.tangential_amplitude = friction.amplitude * fem.units.depth;
   answer.cycle = cycle_of(fem, force.value, normal, friction);
+  if (answer.cycle && !answer.single_pass && !normal.n_cycles_of_search)
+    answer.slip_decay = fem::decay_factor(friction, stuck.shakedown, fem.motion.cycles_of_ramp());
   answer.n_cycles = friction.n_cycles + friction.n_cycles_of_search + normal.n_cycles_of_search;
   answer.n_steps = friction.n_steps;
   answer.normal = std::move(normal);

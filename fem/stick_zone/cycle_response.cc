@@ -57,7 +57,7 @@ CycleUncertainty uncertainty_of(const RelaxationModel& relaxation, const Motion&
   if (!motion.tangential_force) {
     uncertainty.tangential_force_max = friction.force_uncertainty[largest];
     uncertainty.tangential_force_mean = friction.force_uncertainty.mean();
-    uncertainty.cycle_work = friction.force_uncertainty.dot(along.cwiseAbs());
+    uncertainty.cycle_work = uncertainty.tangential_work = friction.force_uncertainty.dot(along.cwiseAbs());
   }
   uncertainty.friction_work = relaxation.has_memory() ? friction.dissipated_uncertainty : uncertainty.cycle_work;
   if (!motion.normal_force)
@@ -100,6 +100,7 @@ CycleResponse response_along(const RelaxationModel& relaxation, double friction_
     response.tangential_force_mean += pull[k] * pieces[static_cast<std::size_t>(k)].duration() / (2 * pi);
   response.friction_work = once || relaxation.has_memory() ? friction.dissipated_energy : tangential;
   response.bulk_work = !once && relaxation.has_memory() ? tangential + pressed - response.friction_work : 0;
+  response.tangential_work = once ? 0 : tangential;
   response.sliding_force = friction_coefficient * normal_force_max;
   response.sliding_work = response.sliding_force * way_along(motion, friction);
   response.uncertainty = uncertainty_of(relaxation, motion, along, down, normal, friction);
@@ -125,6 +126,7 @@ CycleResponse cycle_response(const RelaxationModel& relaxation, double friction_
   response.tangential_force_mean = friction.force.mean();
   response.friction_work = relaxation.has_memory() ? friction.dissipated_energy : tangential;
   response.bulk_work = relaxation.has_memory() ? tangential + pressing - response.friction_work : 0;
+  response.tangential_work = tangential;
   response.sliding_force = friction_coefficient * normal_force_max;
   response.sliding_work = response.sliding_force * path_to_and_fro(motion, friction.amplitude);
   response.uncertainty = uncertainty_of(relaxation, motion, along, down, normal, friction);

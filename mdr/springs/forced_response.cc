@@ -53,7 +53,8 @@ ForcedResponse response_of(const std::function<double(double)>& radius_at, const
           std::max(sampled_peak(pull, 1), -sampled_peak(pull, -1)),
           std::accumulate(pull.begin() + 1, pull.end(), 0.0) / static_cast<double>(pull.size() - 1),
           history.friction_work,
-          history.bulk_work};
+          history.bulk_work,
+          history.tangential_work};
 }
 
 /// radius_at: of the contact, of the indentation; g: of the springs, up to outer_radius.
@@ -79,6 +80,7 @@ SteppedForcedResponse extrapolated(const Bed& bed, const std::function<double(do
   extrapolate([](auto& r) -> auto& { return r.tangential_force_mean; });
   extrapolate([](auto& r) -> auto& { return r.friction_work; });
   extrapolate([](auto& r) -> auto& { return r.bulk_work; });
+  extrapolate([](auto& r) -> auto& { return r.tangential_work; });
   if (has_bounded_axis_pressure(g, outer_radius, body, stepped.response.normal.normal_force_min == 0))
     stepped.response.normal.axis_pressure = {stepped.response.axis_pressure_max, stepped.error.axis_pressure_max};
   return stepped;

@@ -111,7 +111,7 @@ class Course {
              period * path_.duration() + time);
         see_step(result, before, dt, margins);
         record(result, time, margins);
-        result.indenter_work += work_of_last_step(result);
+        add_work_of_last_step(result);
       }
     first_slip_.slip_path += margins.slip_path;
     finish(result, margins);
@@ -177,13 +177,14 @@ class Course {
     result.axis_pressure.push_back(axis_pressure(axis_weights_, body_, state_));
   }
 
-  static double work_of_last_step(const SpringHistory& result) {
+  static void add_work_of_last_step(SpringHistory& result) {
     const std::size_t k = result.time.size() - 1;
     const auto trapezium = [k](const std::vector<double>& force, const std::vector<double>& way) {
       return (force[k - 1] + force[k]) / 2 * (way[k] - way[k - 1]);
     };
-    return trapezium(result.normal_force, result.indentation) +
-           trapezium(result.tangential_force, result.tangential_displacement);
+    const double tangential = trapezium(result.tangential_force, result.tangential_displacement);
+    result.indenter_work += trapezium(result.normal_force, result.indentation) + tangential;
+    result.tangential_work += tangential;
   }
 
   void finish(SpringHistory& result, const LeastMargins& margins) const {
@@ -234,6 +235,7 @@ PathForces forces_of(const SpringHistory& history) {
           mean / (time.back() - time.front()),
           history.friction_work,
           history.bulk_work,
+          history.tangential_work,
           *std::max_element(depth.begin(), depth.end()),
           (*most - *least) / 2,
           way,
@@ -275,11 +277,11 @@ SteppedPathForces path_forces(const Profile& profile, const PronyBody& body, dou
     stepped.forces.*part += difference / 3;
     stepped.error.*part = std::abs(difference);
   };
-  for (const auto part :
-       {&PathForces::normal_force_max, &PathForces::normal_force_min, &PathForces::axis_pressure_max,
-        &PathForces::tangential_force_max, &PathForces::tangential_force_mean, &PathForces::friction_work,
-        &PathForces::bulk_work, &PathForces::largest_indentation, &PathForces::tangential_amplitude,
-        &PathForces::tangential_way, &PathForces::first_slip, &PathForces::shakedown})
+  for (const auto part : {&PathForces::normal_force_max, &PathForces::normal_force_min, &PathForces::axis_pressure_max,
+                          &PathForces::tangential_force_max, &PathForces::tangential_force_mean,
+                          &PathForces::friction_work, &PathForces::bulk_work, &PathForces::tangential_work,
+                          &PathForces::largest_indentation, &PathForces::tangential_amplitude,
+                          &PathForces::tangential_way, &PathForces::first_slip, &PathForces::shakedown})
     extrapolate(part);
   return stepped;
 }

@@ -43,6 +43,7 @@ struct PathForces {
   double tangential_force_max;                ///< N, of |F_x|
   double tangential_force_mean;               ///< N, over time
   double friction_work, bulk_work;            ///< J
+  double tangential_work;                     ///< J, int F_x du_x
   double largest_indentation;                 ///< m
   double tangential_amplitude;                ///< m, half of what lies between the extremes of u_x
   double tangential_way;                      ///< m, length of the tangential path of the indenter

@@ -137,7 +137,7 @@ class History {
       result.friction_work += heat.friction;
       result.bulk_work += heat.bulk;
       record(result, time, margins);
-      result.indenter_work += work_of_last_step(result, before);
+      add_work_of_last_step(result, before);
     }
     first_slip_.slip_path += margins.slip_path;
     if (measured) finish(result, margins);
@@ -165,12 +165,13 @@ class History {
     result.axis_pressure.push_back(axis_pressure(axis_weights_, body_, state_));
   }
 
-  [[nodiscard]] double work_of_last_step(const SpringHistory& result, const SpringState& before) const {
+  void add_work_of_last_step(SpringHistory& result, const SpringState& before) const {
     const std::size_t k = result.time.size() - 1;
     const double fall = state_.indenter.indentation - before.indenter.indentation;
     const double shift = state_.indenter.tangential - before.indenter.tangential;
-    return (result.normal_force[k - 1] + result.normal_force[k]) / 2 * fall +
-           (result.tangential_force[k - 1] + result.tangential_force[k]) / 2 * shift;
+    const double tangential = (result.tangential_force[k - 1] + result.tangential_force[k]) / 2 * shift;
+    result.indenter_work += (result.normal_force[k - 1] + result.normal_force[k]) / 2 * fall + tangential;
+    result.tangential_work += tangential;
   }
 
   void finish(SpringHistory& result, const Margins& margins) const {

@@ -72,9 +72,10 @@ struct SpringHistory {
   SpringState deepest, highest;  ///< at the largest and the smallest indentation of the last period
   SpringState last;              ///< at its end
 
-  double friction_work;  ///< J per period
-  double bulk_work;      ///< J per period
-  double indenter_work;  ///< J per period: int F_z dd + F_x du_x; the sum of the other two, up to the time step
+  double friction_work;    ///< J per period
+  double bulk_work;        ///< J per period
+  double indenter_work;    ///< J per period: int F_z dd + F_x du_x; the sum of the other two, up to the time step
+  double tangential_work;  ///< J per period: int F_x du_x, a part of that
 };
 
 constexpr double settling_slip = 1e-4;

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <vector>
 
+#include "mdr/springs/spring_step.h"
+#include "mdr/support/constants.h"
 #include "tests/mdr/error_of.h"
 
 namespace fretval::mdr::slip_decay_test {
@@ -33,6 +35,42 @@ TEST(SlipDecay, IsThatOfSlipsWhichHoldTheLimit) {
     slips.push_back(left / modulus(0));
   }
   EXPECT_NEAR(slip_decay(body, 1).value(), slips[199] / slips[198], 1e-9);
+}
+
+/// Slip of one spring in each period of 1 s, between first slip and shakedown, from rest on.
+std::vector<double> slips_of_a_spring(const PronyBody& body, int n_periods) {
+  constexpr double mu = 0.5;
+  constexpr int n_steps = 2000;
+  const Eigen::ArrayXd one = Eigen::ArrayXd::Ones(1);
+  const SpringBed bed{one, one, 0.7 * one};
+  const SpringStep step(body, mu, 1.0 / n_steps);
+  SpringState state = relaxed_state(bed, body, 1);
+  std::vector<double> slips;
+  for (int period = 0; period < n_periods; ++period) {
+    slips.push_back(0);
+    for (int k = 1; k <= n_steps; ++k) {
+      const double t = 2 * pi * k / n_steps, rate = 2 * pi, rise = period == 0 ? 1.0 * k / n_steps : 1,
+                   growth = period == 0 ? 1 : 0, pull = 0.15 * 1.5 * mu;
+      const double e = rise * std::cos(t), e_rate = growth * std::cos(t) - rise * rate * std::sin(t);
+      step.advance(state, bed, {1 + 0.2 * e, 0.2 * e_rate, pull * e, pull * e_rate});
+      slips.back() += std::abs(state.slip[0]);
+    }
+  }
+  return slips;
+}
+
+// First order in the step.
+TEST(SlipDecay, IsThatOfASteppedSpring) {
+  const auto body = prony(1, {0.3, 0.2}, {0.2, 1.5});
+  const auto slips = slips_of_a_spring(body, 24);
+  EXPECT_GT(slips[1], 1e-4);
+  EXPECT_NEAR(slips[23] / slips[22], slip_decay(body, 1).value(), 2e-3);
+}
+
+// A dashpot: like n^(-3).
+TEST(SlipDecay, WithADashpotHasNoFactor) {
+  const auto slips = slips_of_a_spring(kelvin_voigt(1, 0.03), 129);
+  EXPECT_NEAR(std::log2(slips[64] / slips[128]), 3, 0.3);
 }
 
 TEST(SlipDecay, NeedsBranchesAndNoDashpot) {
