@@ -25,13 +25,20 @@ std::optional<double> radius_at(const MdrCase& mdr, double depth) {
   return depth > 0 ? std::optional(mdr::inverse_transform(mdr.profile, depth)) : std::nullopt;
 }
 
+/// Springs with a dashpot are slow to step, and to settle.
+bool settles_for_long(const mdr::PronyBody& body, double period) {
+  constexpr int many_periods = 100;  // ten creep times
+  return body.viscosity > 0 && mdr::periods_of_creep(body, period) > many_periods;
+}
+
 /// The cycle that springs are asked about; empty: none, see MdrAnswer::cycle.
 std::optional<mdr::CommonCycle> cycle_to_step(const MdrCase& mdr) {
   const auto& harmonics = mdr.motion.tangential;
   const bool moves = std::any_of(harmonics.begin(), harmonics.end(), [](const auto& h) { return h.amplitude > 0; });
   if (mdr.limiting || !mdr.motion.phase_locked || !moves) return std::nullopt;
   const auto cycle = mdr::common_cycle(mdr.motion);
-  return cycle && cycle->highest_order() <= longest_cycle ? cycle : std::nullopt;
+  if (!cycle || cycle->highest_order() > longest_cycle) return std::nullopt;
+  return settles_for_long(mdr.body, 1 / cycle->frequency) ? std::nullopt : cycle;
 }
 
 /// response: of springs, to oscillations or along a path. What a single pass has locked in is known with a dashpot too.
@@ -139,8 +146,9 @@ MdrCycle cycle_along(const MdrCase& mdr, const mdr::SteppedPathForces& stepped, 
 }
 
 /// Whether springs are asked about forces and energies along a path.
-bool moves_along(const MdrCase& mdr) {
+bool has_cycle_along(const MdrCase& mdr) {
   const auto& values = mdr.path->tangential;
+  if (mdr.path->repeats && settles_for_long(mdr.body, mdr.path->duration())) return false;
   return std::any_of(values.begin(), values.end(), [&](double value) { return value != values.front(); });
 }
 
@@ -172,7 +180,7 @@ void answer_forced_path(const MdrCase& mdr, MdrAnswer& answer) {
     answer.tangential_amplitude = forces.tangential_amplitude;
     answer.stepping_error = std::max(answer.stepping_error, error.tangential_amplitude / forces.tangential_amplitude);
   }
-  if (moves_along(mdr)) answer.cycle = cycle_along(mdr, *stepped, answer.normal_force_max.value());
+  if (has_cycle_along(mdr)) answer.cycle = cycle_along(mdr, *stepped, answer.normal_force_max.value());
 }
 
 MdrAnswer path_answer(const MdrCase& mdr, const mdr::NormalResponse& normal) {
@@ -303,7 +311,7 @@ void add_cycle(const MdrCase& mdr, const mdr::NormalResponse& normal, MdrAnswer&
   // As fine as forces and energies need; the radii have closed forms.
   constexpr mdr::SpringFineness fineness{100, 90, 5, 1e-5};
   if (mdr.path) {
-    if (!mdr.has_forces() && moves_along(mdr)) {
+    if (!mdr.has_forces() && has_cycle_along(mdr)) {
       const auto stepped =
           mdr::path_forces(mdr.profile, mdr.body, mdr.friction_coefficient, *mdr.path, {100, 90, 10, 1e-7});
       answer.cycle = cycle_along(mdr, stepped, normal.normal_force_max);
