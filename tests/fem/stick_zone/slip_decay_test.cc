@@ -65,8 +65,9 @@ TEST(SlipDecay, EndsInShakedown) {
   const double time = body.times[0], dt = 2 * pi / 48, share = body.moduli[0] * time / dt * -std::expm1(-dt / time),
                expected = (std::exp(-2 * pi / time) + share) / (1 + share);
   const auto factor = decay_factor(history, stuck_rings(history, motion).shakedown, motion.cycles_of_ramp()).value();
-  EXPECT_NEAR(factor.factor, expected, 2 * factor.uncertainty + 1e-6);
-  EXPECT_LT(factor.uncertainty, 0.02);
+  const double balance_inside_step = 2 * std::exp(-time / dt);  // of what the branch bears, see RelaxationStep
+  EXPECT_NEAR(factor.factor, expected, 2 * balance_inside_step);
+  EXPECT_LT(factor.uncertainty, 1e-4);
 }
 
 }  // namespace
