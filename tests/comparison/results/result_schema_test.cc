@@ -46,9 +46,8 @@ fs::path run_of_every_kind(const ScratchFolder& folder) {
                                        "\nend\n" + elastic.substr(end));
   for (const std::string pull : {"0.05", "0.4"}) {
     folder.write("pull-" + pull + ".csv", "t,F_N,F_x\ns,N,N\n0,0.5,0\n1,0.6," + pull + "\n");
-    folder.write("pull-" + pull + ".prm",
-                 elastic.substr(0, begin) + "subsection Motion\n  set Path = pull-" + pull +
-                     ".csv\n  set Path repeats = once\nend\n" + elastic.substr(end));
+    folder.write("pull-" + pull + ".prm", elastic.substr(0, begin) + "subsection Motion\n  set Path = pull-" + pull +
+                                              ".csv\n  set Path repeats = once\nend\n" + elastic.substr(end));
   }
   write_damaged_case(folder, groove(0.5, 0.7, 0.04));
   const auto out = folder.path() / "out";

@@ -194,7 +194,8 @@ TEST(SampledPath, OfTangentialForcesLeadsToTheMotionThatTheyCameFrom) {
 // F = 16/3 d^1.5, F_x = mu (F - 16/3 c^3), in steps of two lengths.
 TEST(SampledPath, OfBothForcesIsHertzsAndCattaneosAndMindlins) {
   constexpr double full = 16.0 / 3;
-  const SampledPath pull{{0, 0.7, 2 * pi}, {0.7 * full, 0.8 * full, 0.8 * full}, {0, 0, 0.15 * full}, 0.7 * full, 0, false};
+  const SampledPath pull{
+      {0, 0.7, 2 * pi}, {0.7 * full, 0.8 * full, 0.8 * full}, {0, 0, 0.15 * full}, 0.7 * full, 0, false};
   auto motion = along_path(pull);
   motion.normal_force = motion.tangential_force = true;
   const auto [normal, friction, zones] = pass(elastic_body(), motion, 18);
