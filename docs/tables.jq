@@ -32,7 +32,7 @@ def beside($case; $q): if $case.mdr[$q] == null then ["none", "none", ""] else
   [($case.mdr[$q] | share($case)), ($case.comparison[$q].difference | number), ($case.comparison[$q].error_bar | number)] end;
 def motion_row: . as $case
   | [.name] + beside($case; "stick_radius_first_slip") + beside($case; "stick_radius_shakedown")
-    + [($case.comparison.normal_force_max.difference | number), ($case.comparison.normal_force_max.error_bar | number)];
+    + (($case.comparison.normal_force_max // $case.comparison.indentation_max) | [(.difference | number), (.error_bar | number)]);
 
 def wear_row: . as $case | .fe.wear as $wear | def compared($q): if .comparison[$q] == null then ["–", ""] else
     [(.comparison[$q].difference | number), (.comparison[$q].error_bar | number)] end;
@@ -46,7 +46,7 @@ if type == "array" and (.[0] | .fe | has("wear")) then
 elif type == "array" and (.[0] | has("scene")) then
   (map(.comparison | to_entries[]) | "\(length) values, \(map(select(.value.pass)) | length) agree, \(map(select((.value.difference | fabs) <= .value.error_bar)) | length) lie within their bars."),
   "",
-  (map(motion_row) | table(["motion", "c/a, first slip: MDR", "FE - MDR", "bar", "c/a, shakedown: MDR", "FE - MDR", "bar", "force: FE - MDR", "bar"]))
+  (map(motion_row) | table(["motion", "c/a, first slip: MDR", "FE - MDR", "bar", "c/a, shakedown: MDR", "FE - MDR", "bar", "force, or depth under a force: FE - MDR", "bar"]))
 elif type == "array" then
   map(exact_row) | table(["solution: quantity", "refined", "errors", "order (expected)", "tolerance", "verdict"])
 else

@@ -8,11 +8,14 @@ namespace {
 
 /// In the units of the comparison.
 void add_uncertainties(const fem::CycleResponse& cycle, Quantities& uncertainties) {
-  const auto& [force_max, force_mean, friction, loss] = cycle.uncertainty;
+  const auto& [force_max, force_mean, friction, loss, tangential] = cycle.uncertainty;
   uncertainties[Quantity::tangential_force_max] = force_max / cycle.tangential_force_max;
   uncertainties[Quantity::tangential_force_mean] = force_mean / cycle.sliding_force;
   uncertainties[Quantity::friction_work] = friction / cycle.sliding_work;
-  if (cycle.bulk_work > 0) uncertainties[Quantity::cycle_work] = loss / (cycle.friction_work + cycle.bulk_work);
+  if (!(cycle.bulk_work > 0)) return;
+  uncertainties[Quantity::cycle_work] = loss / (cycle.friction_work + cycle.bulk_work);
+  uncertainties[Quantity::bulk_work] = (loss + friction) / cycle.bulk_work;
+  uncertainties[Quantity::tangential_work] = tangential / cycle.tangential_work;
 }
 
 /// What reading the edges leaves open, in the units of the comparison.
@@ -24,6 +27,7 @@ Quantities uncertainties_of_edges(const Computation& computation, const FemCase&
   if (fe.normal_force_max > 0)
     uncertainties[Quantity::normal_force_max] = fe.normal_force_uncertainty / fe.normal_force_max;
   if (fe.cycle) add_uncertainties(*fe.cycle, uncertainties);
+  if (fe.slip_decay) uncertainties[Quantity::slip_decay] = fe.slip_decay->uncertainty / fe.slip_decay->factor;
   if (fe.zones) {
     uncertainties[Quantity::contact_radius_max] = fe.contact_radius_uncertainty / fe.contact_radius_max.value();
     return uncertainties;

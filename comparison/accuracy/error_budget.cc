@@ -17,6 +17,8 @@ bool is_of_friction(Quantity quantity) {
     case Quantity::tangential_force_max:
     case Quantity::tangential_force_mean:
     case Quantity::friction_work:
+    case Quantity::tangential_work:
+    case Quantity::bulk_work:
     case Quantity::cycle_work:
       return true;
     default:
@@ -25,6 +27,7 @@ bool is_of_friction(Quantity quantity) {
 }
 
 ExpectedOrder expected_order(ErrorSource source, Quantity quantity, const CaseNeeds& needs) {
+  if (source == ErrorSource::time_step && quantity == Quantity::slip_decay) return {1};
   if (source == ErrorSource::time_step && needs.held_from_start && is_of_friction(quantity)) return {1, 4};
   if (source == ErrorSource::time_step || source == ErrorSource::start || source == ErrorSource::wear_jump) return {2};
   if (source == ErrorSource::creep) return {1};

@@ -9,6 +9,7 @@ const QuantityTraits& traits_of(Quantity quantity) {
   // In the order of the enumeration.
   static constexpr std::array<QuantityTraits, all_quantities.size()> table{{
       {"axis_pressure_max", "largest pressure on the axis", "pressure", "relative", "Pa", 1, {1}, {}, true},
+      {"bulk_work", "energy lost in the body", "bulk loss", "relative", "J", 1, {2}, {}, true},
       {"contact_radius_max", "largest contact radius", "contact radius", "relative", "m", 10, {3}, {}},
       {"cycle_work", "energy lost altogether", "loss", "relative", "J", 1, {2}, {}, true},
       {"distance_to_limit", "distance from the limiting profile", "distance", "over a and d max", "", 0.5, {2}, {}},
@@ -18,12 +19,14 @@ const QuantityTraits& traits_of(Quantity quantity) {
       {"limiting_amplitude", "amplitude at which slip begins inside c", "amplitude", "relative", "", 1, {1}, {}},
       {"maximum_indentation", "indentation at which the flank touches", "indentation", "relative", "", 1, {1}, {}},
       {"normal_force_max", "largest normal force", "normal force", "relative", "N", 10, {3}, ExpectedOrder{2, 6}},
+      {"slip_decay", "decay of slip in a cycle", "slip decay", "relative", "", 1, {2}, {}, true},
       {"slip_inside_stick_zone", "slip inside c", "slip inside", "over the amplitude", "", 1, {1}, {}},
       {"stick_radius_first_slip", "stick radius, first slip", "first slip", "over a", "m", 1, {3}, {}},
       {"stick_radius_shakedown", "stick radius, shakedown", "shakedown", "over a", "m", 1, {3}, {}},
       {"tangential_amplitude", "tangential amplitude", "u_x", "relative", "m", 1, {2}, {}},
       {"tangential_force_max", "largest tangential force", "tangential force", "relative", "N", 1, {2}, {}, true},
       {"tangential_force_mean", "mean tangential force", "mean force", "over sliding", "N", 1, {2}, {}, true},
+      {"tangential_work", "area of the tangential loop", "loop", "relative", "J", 1, {2}, {}, true},
       {"worn_radius", "outer radius of the wear", "worn radius", "over a", "m", 0.2, {2}, {}},
       {"worn_volume", "worn volume", "worn volume", "over that of the limit", "m³", 0.5, {2}, {}},
   }};

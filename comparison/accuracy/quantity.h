@@ -12,11 +12,13 @@ namespace fretval {
 /// force is prescribed the largest indentation stands for the largest force, and a tangential force comes with the
 /// amplitude of the displacement. Three are of an indenter that has worn: the volume over that of the limiting profile,
 /// the outer radius of the wear, and the largest distance of the worn profile from the limiting one (see
-/// distance_to_limit). The pressure on the axis, under a tip that is not sharp, has its largest value in a period. Four
+/// distance_to_limit). The pressure on the axis, under a tip that is not sharp, has its largest value in a period. Six
 /// are of a cycle of a locked motion: the largest tangential force, its mean, which slip has locked in, the energy lost
-/// to friction, and the energy lost altogether.
+/// to friction and, with memory, inside the body, altogether, and in the tangential loop. The decay of slip is the
+/// factor per cycle by which it dies out where nothing slips in the end.
 enum class Quantity {
   axis_pressure_max,
+  bulk_work,
   contact_radius_max,
   cycle_work,
   distance_to_limit,
@@ -26,17 +28,20 @@ enum class Quantity {
   limiting_amplitude,
   maximum_indentation,
   normal_force_max,
+  slip_decay,
   slip_inside_stick_zone,
   stick_radius_first_slip,
   stick_radius_shakedown,
   tangential_amplitude,
   tangential_force_max,
   tangential_force_mean,
+  tangential_work,
   worn_radius,
   worn_volume
 };
 
 inline constexpr std::array all_quantities{Quantity::axis_pressure_max,
+                                           Quantity::bulk_work,
                                            Quantity::contact_radius_max,
                                            Quantity::cycle_work,
                                            Quantity::distance_to_limit,
@@ -46,12 +51,14 @@ inline constexpr std::array all_quantities{Quantity::axis_pressure_max,
                                            Quantity::limiting_amplitude,
                                            Quantity::maximum_indentation,
                                            Quantity::normal_force_max,
+                                           Quantity::slip_decay,
                                            Quantity::slip_inside_stick_zone,
                                            Quantity::stick_radius_first_slip,
                                            Quantity::stick_radius_shakedown,
                                            Quantity::tangential_amplitude,
                                            Quantity::tangential_force_max,
                                            Quantity::tangential_force_mean,
+                                           Quantity::tangential_work,
                                            Quantity::worn_radius,
                                            Quantity::worn_volume};
 
@@ -65,8 +72,11 @@ inline constexpr std::array quantities_by_interest{Quantity::stick_radius_first_
                                                    Quantity::tangential_amplitude,
                                                    Quantity::tangential_force_max,
                                                    Quantity::tangential_force_mean,
+                                                   Quantity::tangential_work,
                                                    Quantity::friction_work,
+                                                   Quantity::bulk_work,
                                                    Quantity::cycle_work,
+                                                   Quantity::slip_decay,
                                                    Quantity::distance_to_limit,
                                                    Quantity::worn_radius,
                                                    Quantity::worn_volume,

@@ -70,13 +70,16 @@ void compare_cycles(const MdrCycle& mdr, const fem::CycleResponse& fe, const Tol
     comparison[quantity] =
         judge((fe_value - mdr_value) / scale, tolerance_of(tolerances, quantity) + mdr_error / scale);
   };
-  add(Quantity::tangential_force_max, fe.tangential_force_max, mdr.tangential_force_max, mdr.tangential_force_max,
-      mdr.force_error);
-  add(Quantity::tangential_force_mean, fe.tangential_force_mean, mdr.tangential_force_mean, mdr.sliding_force,
-      mdr.force_error);
+  if (const auto& forces = mdr.forces) {
+    add(Quantity::tangential_force_max, fe.tangential_force_max, forces->largest, forces->largest, forces->error);
+    add(Quantity::tangential_force_mean, fe.tangential_force_mean, forces->mean, mdr.sliding_force, forces->error);
+  }
   add(Quantity::friction_work, fe.friction_work, mdr.friction_work, mdr.sliding_work, mdr.work_error);
   const double fe_loss = fe.friction_work + fe.bulk_work, mdr_loss = mdr.friction_work + mdr.bulk_work;
-  if (fe.bulk_work > 0 && mdr.bulk_work > 0) add(Quantity::cycle_work, fe_loss, mdr_loss, mdr_loss, mdr.work_error);
+  if (!(fe.bulk_work > 0 && mdr.bulk_work > 0)) return;
+  add(Quantity::cycle_work, fe_loss, mdr_loss, mdr_loss, mdr.work_error);
+  add(Quantity::bulk_work, fe.bulk_work, mdr.bulk_work, mdr.bulk_work, mdr.work_error);
+  add(Quantity::tangential_work, fe.tangential_work, mdr.tangential_work, mdr.tangential_work, mdr.loop_error);
 }
 
 }  // namespace
@@ -91,6 +94,8 @@ Comparison compare(const MdrAnswer& mdr, const FeAnswer& fe, double unworn_radiu
   compare_responses(mdr, fe, tolerances, comparison);
   if (fe.cycle && mdr.cycle) compare_cycles(*mdr.cycle, *fe.cycle, tolerances, comparison);
   const double tolerance = tolerances.stick_radius;
+  if (fe.slip_decay && mdr.slip_decay)
+    comparison[Quantity::slip_decay] = judge(fe.slip_decay->factor / *mdr.slip_decay - 1, tolerance);
   comparison[Quantity::stick_radius_first_slip] =
       judge_stick(fe.stick_radius_first_slip, mdr.stick_radius_first_slip, unworn_radius, tolerance);
   if (!fe.single_pass)

@@ -63,19 +63,20 @@ struct Case {
     double mean = 0, amplitude = 0;  ///< N
   };
 
-  /// A motion that is given by its rows, linear between them.
+  /// What is prescribed by its rows, linear between them.
   struct Path {
     std::string file;
-    std::vector<double> time;         ///< s, rising, as in the file
-    std::vector<double> indentation;  ///< m
-    std::vector<double> tangential;   ///< m
-    bool repeats = false;             ///< for ever, with the period from its first row to its last; false: one pass
+    std::vector<double> time;        ///< s, rising, as in the file
+    std::vector<double> normal;      ///< d in m, or F_N in N
+    std::vector<double> tangential;  ///< u_x in m, or F_x in N
+    bool repeats = false;            ///< for ever, with the period from its first row to its last; false: one pass
+    bool normal_force = false, tangential_force = false;  ///< what the columns are; false: displacements
 
     [[nodiscard]] double duration() const { return time.back() - time.front(); }
   };
 
-  /// Of a path the numbers say how large it is: its mean indentation and half of what lies between its extremes, each
-  /// of one over its duration.
+  /// Of a path the numbers say how large it is: its mean indentation or normal force and half of what lies between its
+  /// extremes, each of one over its duration.
   struct Motion {
     double indentation = 0;           ///< m, mean
     double normal_amplitude = 0;      ///< m

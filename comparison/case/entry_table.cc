@@ -113,7 +113,9 @@ SectionTraits motion_entries() {
         {},
         "a file, relative to the case file",
         "oscillations",
-        "any motion instead of oscillations: CSV of t, d and u_x, units in its second line; linear between its rows"},
+        "any motion instead of oscillations: CSV of t, d or the force F_N, u_x or the force F_x, units in its second "
+        "line; "
+        "linear between its rows"},
        {"Path repeats",
         {},
         "once, forever",

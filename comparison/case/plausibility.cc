@@ -43,8 +43,7 @@ std::vector<std::string> implausible_values(const Case& input, const mdr::Profil
   if (input.motion.normal_force || !mdr::falls_of_image(profile).empty()) return warnings;
   double deepest = input.motion.indentation + input.motion.normal_amplitude;
   for (const auto& harmonic : input.motion.normal_harmonics) deepest += harmonic.amplitude;
-  if (const auto& path = input.motion.path)
-    deepest = *std::max_element(path->indentation.begin(), path->indentation.end());
+  if (const auto& path = input.motion.path) deepest = *std::max_element(path->normal.begin(), path->normal.end());
   const double a = mdr::inverse_transform(profile, deepest);
   const double rise = mdr::shape_slope(profile, a);
   if (!(rise >= least_rise && rise <= largest_rise))
@@ -60,7 +59,7 @@ std::vector<std::string> implausible_values(const Case& input, const mdr::Profil
         "contact radius of the sphere is smaller by {:.1f} %; Indenter / Shape = sphere has the true arc",
         input.file, rise, radius, 100 * arc));
   if (const auto& path = input.motion.path; path && path->repeats) {
-    const double least = *std::min_element(path->indentation.begin(), path->indentation.end());
+    const double least = *std::min_element(path->normal.begin(), path->normal.end());
     if (least < 0)
       warnings.push_back(
           fmt::format("{}: the indenter lifts off in every period of {}, to {:.3g} m above the surface, and "

@@ -9,6 +9,7 @@
 #include "mdr/springs/stepped_response.h"
 #include "mdr/stick/path_depths.h"
 #include "mdr/stick/shakedown_amplitude.h"
+#include "mdr/stick/slip_decay.h"
 #include "mdr/stick/stick_radius.h"
 
 namespace fretval {
@@ -24,13 +25,28 @@ std::optional<double> radius_at(const MdrCase& mdr, double depth) {
   return depth > 0 ? std::optional(mdr::inverse_transform(mdr.profile, depth)) : std::nullopt;
 }
 
+/// Springs with a dashpot are slow to step, and to settle.
+bool settles_for_long(const mdr::PronyBody& body, double period) {
+  constexpr int many_periods = 100;  // ten creep times
+  return body.viscosity > 0 && mdr::periods_of_creep(body, period) > many_periods;
+}
+
 /// The cycle that springs are asked about; empty: none, see MdrAnswer::cycle.
 std::optional<mdr::CommonCycle> cycle_to_step(const MdrCase& mdr) {
   const auto& harmonics = mdr.motion.tangential;
   const bool moves = std::any_of(harmonics.begin(), harmonics.end(), [](const auto& h) { return h.amplitude > 0; });
-  if (mdr.limiting || mdr.body.viscosity > 0 || !mdr.motion.phase_locked || !moves) return std::nullopt;
+  if (mdr.limiting || !mdr.motion.phase_locked || !moves) return std::nullopt;
   const auto cycle = mdr::common_cycle(mdr.motion);
-  return cycle && cycle->highest_order() <= longest_cycle ? cycle : std::nullopt;
+  if (!cycle || cycle->highest_order() > longest_cycle) return std::nullopt;
+  return settles_for_long(mdr.body, 1 / cycle->frequency) ? std::nullopt : cycle;
+}
+
+/// response: of springs, to oscillations or along a path. What a single pass has locked in is known with a dashpot too.
+template <class Response>
+std::optional<MdrCycle::Forces> forces_of(const MdrCase& mdr, const Response& response, const Response& error) {
+  if (mdr.body.viscosity > 0 && !mdr.is_single_pass()) return std::nullopt;
+  return MdrCycle::Forces{response.tangential_force_max, response.tangential_force_mean,
+                          std::max(error.tangential_force_max, error.tangential_force_mean)};
 }
 
 MdrCycle cycle_of(const MdrCase& mdr, const mdr::CommonCycle& cycle, const mdr::SteppedForcedResponse& stepped,
@@ -43,14 +59,14 @@ MdrCycle cycle_of(const MdrCase& mdr, const mdr::CommonCycle& cycle, const mdr::
   const auto& [response, error] = stepped;
   if (mdr.tangential_force) path *= response.tangential_amplitude / sum;
   const double sliding_force = mdr.friction_coefficient * normal_force_max;
-  return {response.tangential_force_max,
-          response.tangential_force_mean,
+  return {forces_of(mdr, response, error),
           response.friction_work,
           response.bulk_work,
+          response.tangential_work,
           sliding_force,
           sliding_force * path,
-          std::max(error.tangential_force_max, error.tangential_force_mean),
-          error.friction_work + error.bulk_work};
+          error.friction_work + error.bulk_work,
+          error.tangential_work};
 }
 
 /// Of an unworn indenter, by the springs. Under both forces the shakedown radius has a closed form.
@@ -113,50 +129,85 @@ MdrAnswer displaced_answer(const MdrCase& mdr, const mdr::HarmonicMotion& motion
   return answer;
 }
 
+/// Over the pass or the period. What goes into the body in a pass is not told from what is lost there.
+MdrCycle cycle_along(const MdrCase& mdr, const mdr::SteppedPathForces& stepped, double normal_force_max) {
+  const auto& forces = stepped.forces;
+  const auto& error = stepped.error;
+  const double sliding_force = mdr.friction_coefficient * normal_force_max;
+  const bool once = mdr.is_single_pass();
+  return {forces_of(mdr, forces, error),
+          forces.friction_work,
+          once ? 0 : forces.bulk_work,
+          once ? 0 : forces.tangential_work,
+          sliding_force,
+          sliding_force * forces.tangential_way,
+          error.friction_work + (once ? 0 : error.bulk_work),
+          error.tangential_work};
+}
+
+/// Whether springs are asked about forces and energies along a path.
+bool has_cycle_along(const MdrCase& mdr) {
+  const auto& values = mdr.path->tangential;
+  if (mdr.path->repeats && settles_for_long(mdr.body, mdr.path->duration())) return false;
+  return std::any_of(values.begin(), values.end(), [&](double value) { return value != values.front(); });
+}
+
 /// Stick radii by closed forms.
+void answer_displaced_path(const MdrCase& mdr, MdrAnswer& answer) {
+  const auto radii = mdr::stick_radii(mdr.profile, mdr.body, mdr.friction_coefficient, *mdr.path);
+  answer.stick_radius_first_slip = radii.first_slip;
+  answer.stick_radius_shakedown = radii.shakedown;
+}
+
+/// By the springs.
+void answer_forced_path(const MdrCase& mdr, MdrAnswer& answer) {
+  std::optional<mdr::SteppedPathForces> stepped;
+  try {
+    stepped = mdr::path_forces(mdr.profile, mdr.body, mdr.friction_coefficient, *mdr.path);
+  } catch (const mdr::GrossSlip& slip) {
+    answer.gross_slip = slip.amplitude;
+    if (answer.single_pass) answer.gross_slip_time = slip.time;
+    return;
+  }
+  const auto& [forces, error, course] = *stepped;
+  answer.stick_radius_first_slip = radius_at(mdr, forces.first_slip);
+  if (!answer.single_pass) answer.stick_radius_shakedown = radius_at(mdr, forces.shakedown);
+  answer.stepping_error =
+      std::max({error.first_slip, answer.single_pass ? 0 : error.shakedown, error.largest_indentation}) /
+      forces.largest_indentation;
+  if (mdr.normal_force) answer.indentation_max = forces.largest_indentation;
+  if (mdr.tangential_force) {
+    answer.tangential_amplitude = forces.tangential_amplitude;
+    answer.stepping_error = std::max(answer.stepping_error, error.tangential_amplitude / forces.tangential_amplitude);
+  }
+  if (has_cycle_along(mdr)) answer.cycle = cycle_along(mdr, *stepped, answer.normal_force_max.value());
+}
+
 MdrAnswer path_answer(const MdrCase& mdr, const mdr::NormalResponse& normal) {
   MdrAnswer answer{};
-  const auto radii = mdr::stick_radii(mdr.profile, mdr.body, mdr.friction_coefficient, *mdr.path);
   answer.modulus_ratio = std::nan("");
   answer.contact_radius_max = normal.contact_radius_max;
   answer.normal_force_max = normal.normal_force_max;
   answer.axis_pressure = normal.axis_pressure;
-  answer.stick_radius_first_slip = radii.first_slip;
-  answer.stick_radius_shakedown = radii.shakedown;
   answer.single_pass = mdr.is_single_pass();
+  if (mdr.path->has_forces())
+    answer_forced_path(mdr, answer);
+  else
+    answer_displaced_path(mdr, answer);
   return answer;
-}
-
-/// Over the pass or the period. What goes into the body in a pass is not told from what is lost there.
-std::optional<MdrCycle> cycle_along(const MdrCase& mdr, double normal_force_max) {
-  const auto& u = mdr.path->tangential;
-  double way = 0;
-  for (std::size_t k = 1; k < u.size(); ++k) way += std::abs(u[k] - u[k - 1]);
-  const bool settles_for_long = mdr.body.viscosity > 0 && mdr.path->repeats;
-  if (way == 0 || settles_for_long) return std::nullopt;
-  const auto [forces, error, course] =
-      mdr::path_forces(mdr.profile, mdr.body, mdr.friction_coefficient, *mdr.path, {100, 90, 10, 1e-7});
-  const double sliding_force = mdr.friction_coefficient * normal_force_max;
-  const bool once = mdr.is_single_pass();
-  return MdrCycle{forces.tangential_force_max,
-                  forces.tangential_force_mean,
-                  forces.friction_work,
-                  once ? 0 : forces.bulk_work,
-                  sliding_force,
-                  sliding_force * way,
-                  std::max(error.tangential_force_max, error.tangential_force_mean),
-                  error.friction_work + (once ? 0 : error.bulk_work)};
 }
 
 /// By springs, which the tangential motion does not matter to.
 mdr::NormalResponse normal_response_along(const MdrCase& mdr) {
   auto path = *mdr.path;
+  path.tangential_force = false;
   std::fill(path.tangential.begin(), path.tangential.end(), 0.0);
   auto [forces, error, course] = mdr::path_forces(mdr.profile, mdr.body, 1, path);
   auto& history = course.history;
   const double start = history.time.front();
   for (double& time : history.time) time -= start;
-  const double radius = mdr::inverse_transform(mdr.profile, mdr::maximum_indentation(path));
+  const double radius =
+      mdr::inverse_transform(mdr.profile, path.normal_force ? forces.largest_indentation : mdr::maximum_normal(path));
   std::optional<mdr::AxisPressure> pressure;
   const auto& force = history.normal_force;
   const bool loses_contact = *std::min_element(force.begin(), force.end()) <= 0;
@@ -213,17 +264,25 @@ nlohmann::ordered_json to_json(const MdrAnswer& answer) {
   if (answer.indentation_max) json["indentation_max"] = *answer.indentation_max;
   if (answer.tangential_amplitude) json["tangential_amplitude"] = *answer.tangential_amplitude;
   if (answer.cycle) {
-    json["tangential_force_max"] = answer.cycle->tangential_force_max;
-    json["tangential_force_mean"] = answer.cycle->tangential_force_mean;
+    const auto& forces = answer.cycle->forces;
+    if (forces) {
+      json["tangential_force_max"] = forces->largest;
+      json["tangential_force_mean"] = forces->mean;
+    }
     json["friction_work"] = answer.cycle->friction_work;
     if (!answer.single_pass) {
       json["bulk_work"] = answer.cycle->bulk_work;
       json["cycle_work"] = answer.cycle->friction_work + answer.cycle->bulk_work;
+      json["tangential_work"] = answer.cycle->tangential_work;
     }
-    json["cycle_error"] = {{"force", answer.cycle->force_error}, {"work", answer.cycle->work_error}};
+    json["cycle_error"] = {{"force", forces ? nlohmann::ordered_json(forces->error) : nullptr},
+                           {"work", answer.cycle->work_error},
+                           {"loop", answer.cycle->loop_error}};
   }
+  if (answer.slip_decay) json["slip_decay"] = *answer.slip_decay;
   if (answer.stepping_error > 0) json["stepping_error"] = answer.stepping_error;
   if (answer.gross_slip) json["gross_slip"] = *answer.gross_slip;
+  if (answer.gross_slip_time) json["gross_slip_time"] = *answer.gross_slip_time;
   return json;
 }
 
@@ -245,23 +304,39 @@ MdrAnswer mdr_answer(const MdrCase& mdr, const mdr::NormalResponse& normal) {
   return answer;
 }
 
-MdrAnswer mdr_answer_with_cycle(const MdrCase& mdr, const mdr::NormalResponse& normal) {
+namespace {
+
+/// The cycle, if not yet there.
+void add_cycle(const MdrCase& mdr, const mdr::NormalResponse& normal, MdrAnswer& answer) {
   // As fine as forces and energies need; the radii have closed forms.
   constexpr mdr::SpringFineness fineness{100, 90, 5, 1e-5};
-  auto answer = mdr_answer(mdr, normal);
   if (mdr.path) {
-    answer.cycle = cycle_along(mdr, normal.normal_force_max);
-    return answer;
+    if (!mdr.has_forces() && has_cycle_along(mdr)) {
+      const auto stepped =
+          mdr::path_forces(mdr.profile, mdr.body, mdr.friction_coefficient, *mdr.path, {100, 90, 10, 1e-7});
+      answer.cycle = cycle_along(mdr, stepped, normal.normal_force_max);
+    }
+    return;
   }
   const auto cycle = mdr.has_forces() ? std::nullopt : cycle_to_step(mdr);
-  if (!cycle) return answer;
+  if (!cycle) return;
   try {
     const auto stepped =
         mdr::forced_response(mdr.profile, mdr.body, mdr.friction_coefficient, mdr.prescribed(), fineness);
     answer.cycle = cycle_of(mdr, *cycle, stepped, normal.normal_force_max);
   } catch (const std::runtime_error&) {
-    return answer;  // not periodic
+    return;  // not periodic
   }
+}
+
+}  // namespace
+
+MdrAnswer mdr_answer_with_cycle(const MdrCase& mdr, const mdr::NormalResponse& normal) {
+  auto answer = mdr_answer(mdr, normal);
+  add_cycle(mdr, normal, answer);
+  if (answer.cycle && !answer.single_pass)
+    answer.slip_decay =
+        mdr::slip_decay(mdr.body, mdr.path ? mdr.path->duration() : 1 / mdr::common_cycle(mdr.motion)->frequency);
   return answer;
 }
 

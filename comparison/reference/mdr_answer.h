@@ -11,14 +11,19 @@ namespace fretval {
 /// What a locked motion asks of whoever drives it, in a cycle of the periodic state, from the transient springs; SI
 /// units. Extrapolated from two finenesses.
 struct MdrCycle {
-  double tangential_force_max;   ///< of |F_x|
-  double tangential_force_mean;  ///< what slip has locked in
-  double friction_work;          ///< lost to friction
-  double bulk_work;              ///< lost inside the body
-  double sliding_force;          ///< mu times the largest normal force
-  double sliding_work;           ///< what sliding under that force would cost, 4 times the tangential amplitudes
-  double force_error;            ///< of either force
-  double work_error;             ///< of either loss
+  /// Of F_x, whose mean slip has locked in. Empty: of a body with a dashpot, in which that goes on settling for
+  /// hundreds of periods (mdr/stick/slip_decay.h), unlike what is lost.
+  struct Forces {
+    double largest, mean, error;
+  };
+  std::optional<Forces> forces;
+  double friction_work;    ///< lost to friction
+  double bulk_work;        ///< lost inside the body
+  double tangential_work;  ///< area of the tangential loop
+  double sliding_force;    ///< mu times the largest normal force
+  double sliding_work;     ///< what sliding under that force along the whole tangential path would cost
+  double work_error;       ///< of either loss
+  double loop_error;       ///< of the area
 };
 
 /// What MDR says about a case; SI units. Empty radii: nothing sticks. A comparable case has both maxima.
@@ -35,15 +40,17 @@ struct MdrAnswer {
   std::optional<double> indentation_max = {};       ///< in the periodic state; empty: prescribed, or as above
   std::optional<double> tangential_amplitude = {};  ///< half of what lies between the extremes of u_x; likewise
   /// Under prescribed displacements see mdr_answer_with_cycle. Empty: worn, at rest tangentially, without a cycle of a
-  /// few hundred oscillations, or not periodic in the end; and with a dashpot, where the mean of F_x goes on settling
-  /// for hundreds of periods in the springs.
+  /// few hundred oscillations, or not periodic in the end.
   std::optional<MdrCycle> cycle = {};
+  /// Factor per cycle by which slip dies out where nothing slips in the end (mdr/stick/slip_decay.h); with the cycle.
+  std::optional<double> slip_decay = {};
   /// Of springs that were stepped in time, the largest relative error of what is above; 0: closed forms.
   double stepping_error = 0;
   std::optional<mdr::AxisPressure> axis_pressure = {};  ///< empty: infinite
   /// Of all amplitudes, the share at which the whole contact begins to slide under a prescribed tangential force while
   /// they rise slowly; then all else but the normal response is empty. Empty: it never does.
   std::optional<double> gross_slip = {};
+  std::optional<double> gross_slip_time = {};  ///< s, of a single pass, in the time of its rows
   bool single_pass = false;  ///< then there is no periodic state, no shakedown radius and no limiting profile
 
   /// Whether all of the largest contact sticks in the end, as it does under a profile that is limiting for the motion.

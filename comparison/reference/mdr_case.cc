@@ -10,6 +10,7 @@
 
 #include "mdr/profiles/profile_csv.h"
 #include "mdr/rheology/prony_approximation.h"
+#include "mdr/springs/path_response.h"
 #include "mdr/stick/shakedown_amplitude.h"
 
 namespace fretval {
@@ -35,6 +36,8 @@ void require_displacements_and_no_wear(const Case& input) {
     throw InputError(fmt::format("{}: {}: the indenter is a table for which MDR does not hold ({}); expected {}",
                                  input.file, entry, falls_text(any_profile_of(input.indenter)), valid));
   };
+  if (const auto& path = input.motion.path; path && (path->normal_force || path->tangential_force))
+    refuse("Motion / Path = " + path->file, "a path of displacements, the columns t, d, u_x");
   if (input.motion.normal_force) refuse("Motion / Normal force", "an Indentation and a Normal amplitude");
   if (input.motion.tangential_force) refuse("Motion / Tangential force amplitude", "a Tangential amplitude");
   if (std::isnan(input.motion.tangential_amplitude))
@@ -104,6 +107,7 @@ std::string why_not_comparable(const Case& input) {
   const char* force = motion.normal_force       ? "Motion / Normal force"
                       : motion.tangential_force ? "Motion / Tangential force amplitude"
                                                 : nullptr;
+  if (motion.path) return "";
   if (motion.normal_force && motion.normal_force->amplitude >= motion.normal_force->mean)
     return fmt::format(
         "Motion / Normal force amplitude = {:g}: a normal force that is not positive all the time, as one "
@@ -228,7 +232,7 @@ mdr::FrettingControl control_of(const Case::Motion& motion) {
 }
 
 double deepest_indentation(const MdrCase& mdr) {
-  if (mdr.path) return mdr::maximum_indentation(*mdr.path);
+  if (mdr.path) return mdr::deepest_indentation(mdr.profile, mdr.body, *mdr.path);
   return mdr.limiting && mdr.has_forces() ? mdr::maximum_indentation(mdr.limiting_state->motion)
                                           : mdr::deepest_indentation(mdr.profile, mdr.body, mdr.prescribed());
 }
@@ -255,9 +259,9 @@ MdrCase mdr_case(const Case& input) {
               motion.normal_force.has_value(),
               motion.tangential_force.has_value()};
   if (motion.path)
-    mdr.path =
-        mdr::SampledPath{motion.path->time, motion.path->indentation, motion.path->tangential, motion.path->repeats};
-  if (mdr.has_forces() && motion.normal_frequency == motion.tangential_frequency)
+    mdr.path = mdr::SampledPath{motion.path->time,    motion.path->normal,       motion.path->tangential,
+                                motion.path->repeats, motion.path->normal_force, motion.path->tangential_force};
+  if (mdr.has_forces() && !mdr.path && motion.normal_frequency == motion.tangential_frequency)
     mdr.limiting_state = mdr::limiting_state(mdr.profile, rheology_of(input.elastomer), mdr.friction_coefficient,
                                              control_of(motion), mdr::StickCriterion::shakedown);
   if (mdr.has_forces() && input.wear_kinetics)

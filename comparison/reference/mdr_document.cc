@@ -20,6 +20,11 @@ using nlohmann::ordered_json;
 
 constexpr int n_profile_points = 200;
 
+bool oscillates_under_forces(const Case& input) {
+  const auto& motion = input.motion;
+  return !motion.path && (motion.normal_force || motion.tangential_force);
+}
+
 double modulus_ratio_of(const Case& input, const mdr::Rheology& body) {
   return mdr::modulus_ratio(body, mdr::angular_frequency(input.motion.normal_frequency));
 }
@@ -112,7 +117,7 @@ ordered_json springs_json(const Case& input, const ordered_json& closed_form) {
     return closed_form[key].is_null() ? std::nullopt : std::optional(closed_form[key].get<double>());
   };
   // Under a force the closed form has the first-slip radius of the worn contact, the springs that of the unworn one.
-  const bool forces = input.motion.normal_force || input.motion.tangential_force;
+  const bool forces = oscillates_under_forces(input);
   const auto agreement = spring_agreement(answer.bed, history, profile,
                                           {known("stick_radius_first_slip"), known("stick_radius_shakedown"), !forces});
   return {{"springs", answer.bed.position.size()},
@@ -175,7 +180,7 @@ ordered_json fit_json(const Case::Elastomer& elastomer) {
 MdrDocument mdr_document(const Case& input, bool with_springs) {
   try {
     (void)profile_of(input.indenter);  // refuses one that MDR does not hold for, before anything is asked of it
-    const bool forces = input.motion.normal_force || input.motion.tangential_force;
+    const bool forces = oscillates_under_forces(input);
     // The stick radii of a fractional body need no approximation of it.
     const bool exact = input.elastomer.fractional_order > 0 && input.wear == Case::Wear::unworn;
     const bool with_forces = input.motion.path || (is_comparable(input) && !exact);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fstream>
 
@@ -48,10 +49,6 @@ bool has_path(const StoredResult& r) {
   return r.json.at("scene").contains("path");
 }
 
-bool is_single_pass(const StoredResult& r) {
-  return has_path(r) && r.json["scene"]["path"].at("repeats") == "once";
-}
-
 /// Pressure and traction at every instant; at first at the end of the period, where MDR's are: the largest indentation
 /// of an oscillation.
 Filling stress_figure(const StoredResult& r, const ordered_json& cycle) {
@@ -84,7 +81,7 @@ Filling stress_figure(const StoredResult& r, const ordered_json& cycle) {
     frames[2].push_back(limit);
     frames[3].push_back(opposite);
     names.push_back(
-        fmt::format("{:.2f} of the {}", cycle["t"][k].get<double>() / period, is_single_pass(r) ? "pass" : "period"));
+        fmt::format("{:.2f} of the {}", cycle["t"][k].get<double>() / period, r.is_single_pass() ? "pass" : "period"));
   }
   for (std::size_t s = 0; s < 4; ++s) plot.series[s].y = numbers_of(frames[s][start]);
   if (const auto mdr = cycle.find("mdr"); mdr != cycle.end())
@@ -98,7 +95,7 @@ Filling stress_figure(const StoredResult& r, const ordered_json& cycle) {
   return {{"plot", json},
           {"wide", true},
           {"caption",
-           is_single_pass(r)
+           r.is_single_pass()
                ? "Mean values of the rings of the finite elements at any instant of the pass; where τ runs along ± μ p "
                  "the ring slips. Inside c rings never slip."
                : "Mean values of the rings of the finite elements at any instant of the last period; where τ runs "
@@ -112,7 +109,7 @@ Filling map_figure(const StoredResult& r, const ordered_json& cycle) {
                       cycle.at("zones").get<std::vector<std::string>>());
   for (const auto& [name, x] : radius_marks(r, length)) map["marks"].push_back({{"name", name}, {"x", x}});
   return {{"plot", std::move(map)},
-          {"caption", is_single_pass(r)
+          {"caption", r.is_single_pass()
                           ? "What each ring does in the pass. Below c it never slips."
                           : "What each ring does in the last period. Below c a ring may touch the limit of friction, "
                             "but it slips no more."}};
@@ -132,28 +129,42 @@ Figure loop_figure(const StoredResult& r, const ordered_json& cycle, bool tangen
         {"MDR", length.of(numbers_of(mdr->at(x_name))), force.of(numbers_of(mdr->at(y_name))), Series::Style::line, 0});
   plot.series.push_back(
       {"finite elements", length.of(thinned_to_most(x)), force.of(thinned_to_most(y)), Series::Style::points, 1});
-  return {std::move(plot), is_single_pass(r)
+  return {std::move(plot), r.is_single_pass()
                                ? "The pass, from rest. The area below the line is the work of the indenter."
                                : "One period. The area of the loop is the energy lost in it."};
 }
 
+/// Both directions over time: a column of history.csv and its name each.
+Figure course_figure(const StoredResult& r, const char* title, const std::string& what, const std::string& unit,
+                     const std::array<std::pair<const char*, const char*>, 2>& columns) {
+  auto t = thinned_to_most(column_of(r, "history.csv", "t [s]", "t [s]"));
+  const double start = t.front();
+  for (double& time : t) time -= start;
+  const auto column = [&](std::size_t k) {
+    return column_of(r, "history.csv", "t [s]", fmt::format("{} [{}]", columns[k].first, unit).c_str());
+  };
+  const auto normal = column(0), tangential = column(1);
+  const auto size = axis_for({&normal, &tangential}, unit), time = axis_for({&t}, "s");
+  Plot plot{title, "t in " + time.unit, what + " in " + size.unit};
+  plot.series.push_back({columns[0].second, time.of(t), size.of(thinned_to_most(normal)), Series::Style::line, 0});
+  plot.series.push_back({columns[1].second, time.of(t), size.of(thinned_to_most(tangential)), Series::Style::line, 1});
+  return {std::move(plot), r.is_single_pass() ? "The pass, from rest at its first row."
+                                              : "The last period, which repeats from then on."};
+}
+
 Figure motion_figure(const StoredResult& r) {
-  const auto t = column_of(r, "history.csv", "t [s]", "t [s]"), d = column_of(r, "history.csv", "t [s]", "d [m]"),
-             u = column_of(r, "history.csv", "t [s]", "u_x [m]");
-  Numbers elapsed = thinned_to_most(t);
-  for (double& time : elapsed) time -= t.front();
-  const auto length = axis_for({&d, &u}, "m"), time = axis_for({&elapsed}, "s");
-  Plot plot{"Motion of the indenter", "t in " + time.unit, "displacement in " + length.unit};
-  plot.series.push_back({"indentation d", time.of(elapsed), length.of(thinned_to_most(d)), Series::Style::line, 0});
-  plot.series.push_back({"tangential u_x", time.of(elapsed), length.of(thinned_to_most(u)), Series::Style::line, 1});
-  return {std::move(plot),
-          is_single_pass(r) ? "The pass, from rest at its first row." : "The last period, which repeats from then on."};
+  return course_figure(r, "Motion of the indenter", "displacement", "m",
+                       {{{"d", "indentation d"}, {"u_x", "tangential u_x"}}});
+}
+
+Figure forces_figure(const StoredResult& r) {
+  return course_figure(r, "Forces on the indenter", "force", "N", {{{"F_N", "normal F_N"}, {"F_x", "tangential F_x"}}});
 }
 
 Figure slip_figure(const StoredResult& r) {
   const auto [radius, slip] = read_columns(r.folder / "contact.csv", "r outer [m]", "slip per period [m]");
   const auto length = axis_for({&radius}, "m"), path = axis_for({&slip}, "m");
-  const bool once = is_single_pass(r);
+  const bool once = r.is_single_pass();
   Plot plot{once ? "Slip in the pass" : "Slip per period", "r in " + length.unit, "path in " + path.unit};
   plot.marks = radius_marks(r, length);
   plot.series.push_back(
@@ -163,7 +174,7 @@ Figure slip_figure(const StoredResult& r) {
 }
 
 /// How slip dies out where nothing slips in the end; none where nothing ever does.
-std::vector<Figure> decay_figures(const ordered_json& cycle) {
+std::vector<Figure> decay_figures(const StoredResult& r, const ordered_json& cycle) {
   const auto decay = cycle.find("slip_decay");
   if (decay == cycle.end()) return {};
   Series series{"finite elements", {}, numbers_of(*decay), Series::Style::line_points, 1};
@@ -174,9 +185,13 @@ std::vector<Figure> decay_figures(const ordered_json& cycle) {
             "largest slip over the amplitude u_{x0}",
             {std::move(series)},
             true};
-  return {{std::move(plot),
-           "Longest path of slip in a period of a ring inside c, the shakedown radius. The amplitudes rise during the "
-           "first periods; a period without any slip has no point."}};
+  const double factor = r.number("fe", "slip_decay"), mdr = r.number("mdr", "slip_decay");
+  std::string caption =
+      "Longest path of slip in a period of a ring inside c, the shakedown radius. The amplitudes rise during the "
+      "first periods; a period without any slip has no point.";
+  if (!std::isnan(factor)) caption += fmt::format(" In the end it falls by the factor {:.4g} a period", factor);
+  if (!std::isnan(factor)) caption += std::isnan(mdr) ? "." : fmt::format("; by MDR {:.4g}.", mdr);
+  return {{std::move(plot), caption}};
 }
 
 Figure profile_figure(const StoredResult& r) {
@@ -254,8 +269,9 @@ Filling case_figures(const StoredResult& result, const ordered_json& cycle) {
     if (!cycle.empty()) list.push_back(map_figure(result, cycle));
     if (!column_names(result.folder / "history.csv").empty())
       add({motion_figure(result), loop_figure(result, cycle, true), loop_figure(result, cycle, false)});
+    if (result.has_forces() && !column_names(result.folder / "history.csv").empty()) add({forces_figure(result)});
     if (!column_names(result.folder / "contact.csv").empty()) add({slip_figure(result)});
-    add(decay_figures(cycle));
+    add(decay_figures(result, cycle));
     if (!column_names(result.folder / "profile.csv").empty()) add({profile_figure(result)});
     if (!column_names(result.folder / "moduli.csv").empty()) add({moduli_figure(result)});
   } catch (const nlohmann::json::exception& error) {

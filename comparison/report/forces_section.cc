@@ -10,13 +10,16 @@
 namespace fretval {
 namespace {
 
-/// "gross slip at 0.89 of the amplitudes, at 0.84 says MDR"
+/// "gross slip at 0.89 of the amplitudes, at 0.84 says MDR"; of a single pass "gross slip at t = 0.7 s, ..."
 std::string gross_slip_text(const StoredResult& r) {
-  const auto& fe = r.json.at("fe");
-  const auto share = fe.contains("gross_slip") ? fe["gross_slip"].value("amplitude", nlohmann::ordered_json())
-                                               : nlohmann::ordered_json();
+  const auto slip = r.json.at("fe").value("gross_slip", nlohmann::ordered_json::object());
+  const auto time = number_text(r.number("mdr", "gross_slip_time"), "{:.4g}");
+  const auto share = slip.value("amplitude", nlohmann::ordered_json());
   const double mdr = r.number("mdr", "gross_slip");
   if (share.is_null() && std::isnan(mdr)) return "";
+  if (r.is_single_pass())
+    return fmt::format("gross slip at t = {} s, at {} s says MDR",
+                       number_text(slip.value("time", nlohmann::ordered_json()), "{:.4g}"), time);
   return fmt::format("gross slip at {} of the amplitudes, at {} says MDR", number_text(share, "{:.2f}"),
                      number_text(mdr, "{:.2f}"));
 }

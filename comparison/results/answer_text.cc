@@ -23,12 +23,19 @@ int decimals_of(double value, double bar) {
   return value == 0 ? 0 : std::clamp(six - exponent(value), 0, most);
 }
 
-std::string both_gross_slips(const std::optional<GrossSlipStart>& fe, const std::optional<double>& mdr) {
-  const auto at = [](double share) { return fmt::format("at {:.1f} % of the amplitudes", 100 * share); };
+/// Of a pass when, of what rises first how far it has come.
+std::string both_gross_slips(const std::optional<GrossSlipStart>& fe, const MdrAnswer& mdr) {
+  const auto share_text = [](double share) { return fmt::format("at {:.1f} % of the amplitudes", 100 * share); };
+  const auto time_text = [](double time) { return "at t = " + with_unit(time, 0, "s"); };
   const std::string none = "no gross slip";
+  std::string by_fe = none, by_mdr = none;
+  if (fe)
+    by_fe = mdr.single_pass ? time_text(fe->time)
+                            : fmt::format("after {}, {}", with_unit(fe->time, 0, "s"), share_text(fe->amplitude));
+  if (mdr.gross_slip) by_mdr = mdr.gross_slip_time ? time_text(*mdr.gross_slip_time) : share_text(*mdr.gross_slip);
   return fmt::format(
-      "gross slip: the tangential force comes to mu times the normal force. Finite elements: {}; MDR: {}",
-      fe ? fmt::format("after {}, {}", with_unit(fe->time, 0, "s"), at(fe->amplitude)) : none, mdr ? at(*mdr) : none);
+      "gross slip: the tangential force comes to mu times the normal force. Finite elements: {}; MDR: {}", by_fe,
+      by_mdr);
 }
 
 std::optional<double> number_in(const ordered_json& json, const char* key) {
@@ -191,7 +198,7 @@ std::string annuli_text(const ordered_json& annuli) {
 
 std::string answer_text(const CaseResult& result) {
   if (result.fe.fe.gross_slip || result.mdr.gross_slip)
-    return fmt::format("{}: {}\n", result.input.name, both_gross_slips(result.fe.fe.gross_slip, result.mdr.gross_slip));
+    return fmt::format("{}: {}\n", result.input.name, both_gross_slips(result.fe.fe.gross_slip, result.mdr));
   const auto row = [](const std::string& title, const std::string& fe, const std::string& mdr) {
     return fmt::format("  {:<28} {:<28} {}\n", title, fe, mdr);
   };

@@ -63,13 +63,15 @@ std::string oscillation(double amplitude, const char* unit, double frequency, co
 }
 
 std::string path_text(const Case::Path& path) {
-  const auto range = [](const std::vector<double>& values) {
+  const auto range = [](const std::vector<double>& values, bool force) {
     const auto [least, most] = std::minmax_element(values.begin(), values.end());
-    return short_text(*least, "m") + " to " + short_text(*most, "m");
+    const char* unit = force ? "N" : "m";
+    return short_text(*least, unit) + " to " + short_text(*most, unit);
   };
   return row("path", fmt::format("{}: {} rows in {}, {}", path.file, path.time.size(), short_text(path.duration(), "s"),
                                  path.repeats ? "repeated for ever" : "passed once, from rest at the first row")) +
-         row("normal", range(path.indentation)) + row("tangential", range(path.tangential));
+         row("normal", range(path.normal, path.normal_force)) +
+         row("tangential", range(path.tangential, path.tangential_force));
 }
 
 std::string scene_text(const Case& input) {
@@ -129,7 +131,10 @@ std::string regime_text(const ordered_json& mdr, bool single_pass) {
     return mdr.at(key).is_null() ? std::string() : short_text(mdr.at(key).get<double>(), "m");
   };
   if (mdr.contains("gross_slip") && !mdr.at("gross_slip").is_null())
-    return row("regime", "gross slip: the whole contact slides");
+    return row("regime", mdr.contains("gross_slip_time")
+                             ? fmt::format("gross slip: the whole contact slides from t = {} on",
+                                           short_text(mdr.at("gross_slip_time").get<double>(), "s"))
+                             : "gross slip: the whole contact slides");
   const auto first = radius("stick_radius_first_slip"), last = radius("stick_radius_shakedown"),
              worn = radius("worn_radius");
   std::string text;

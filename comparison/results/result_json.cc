@@ -28,6 +28,7 @@ ordered_json harmonics_json(const std::vector<mdr::Harmonic>& harmonics) {
 
 ordered_json path_json(const Case::Path& path) {
   ordered_json json{{"file", path.file},
+                    {"columns", {"t", path.normal_force ? "F_N" : "d", path.tangential_force ? "F_x" : "u_x"}},
                     {"rows", path.time.size()},
                     {"duration", path.duration()},
                     {"repeats", path.repeats ? "forever" : "once"}};
@@ -64,7 +65,7 @@ ordered_json case_json(const CaseResult& result) {
   if (motion.tangential.size() > 1) json["tangential_harmonics"] = harmonics_json(motion.tangential);
   if (result.mdr_case.path) {
     json["path"] = path_json(*input.motion.path);
-    json["indentation_max"] = mdr::maximum_indentation(*result.mdr_case.path);
+    if (!normal_force) json["indentation_max"] = mdr::maximum_normal(*result.mdr_case.path);
   }
   if (result.mdr_case.limiting) json["stick_radius_of_profile"] = result.mdr_case.limiting->stick_radius;
   if (const auto& wear = input.wear_kinetics) {
@@ -119,10 +120,12 @@ ordered_json fe_json(const CaseResult& result) {
     if (!fe.single_pass) {
       json["bulk_work"] = fe.cycle->bulk_work;
       json["cycle_work"] = fe.cycle->friction_work + fe.cycle->bulk_work;
+      json["tangential_work"] = fe.cycle->tangential_work;
     }
     json["sliding_force"] = fe.cycle->sliding_force;
     json["sliding_work"] = fe.cycle->sliding_work;
   }
+  if (fe.slip_decay) json["slip_decay"] = fe.slip_decay->factor;
   json["error_estimate"] = ordered_json::object();
   for (const auto& [quantity, difference] : result.comparison)
     json["error_estimate"][name_of(quantity)] = bar_json(difference.bar);

@@ -154,6 +154,11 @@ bool StoredResult::has_forces() const {
   return scene.contains("normal_force_mean") || scene.contains("tangential_force_amplitude");
 }
 
+bool StoredResult::is_single_pass() const {
+  const auto path = json.at("scene").find("path");
+  return path != json["scene"].end() && path->at("repeats") == "once";
+}
+
 double StoredResult::sweep_value() const {
   const auto& scene = json.at("scene");
   return scene.contains("sweep") ? scene["sweep"].value("value", 0.0) : 0;

@@ -28,6 +28,8 @@ struct StoredResult {
   [[nodiscard]] bool has_one_frequency() const;
   /// Whether a force is prescribed.
   [[nodiscard]] bool has_forces() const;
+  /// Of a path.
+  [[nodiscard]] bool is_single_pass() const;
   [[nodiscard]] std::string family() const;  ///< name of the sweep, or the name of the case
 };
 

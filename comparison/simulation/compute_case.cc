@@ -69,7 +69,7 @@ FeAnswer answer_of_histories(const ContactProblems& problems, const FemCase& fem
 
 FeAnswer answer_of(const fem::GrossSlip& slip, const FemCase& fem) {
   FeAnswer answer;
-  answer.gross_slip = GrossSlipStart{slip.time / fem.units.angular_frequency, slip.amplitude};
+  answer.gross_slip = GrossSlipStart{fem.first_row + slip.time / fem.units.angular_frequency, slip.amplitude};
   return answer;
 }
 

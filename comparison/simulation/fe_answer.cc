@@ -97,6 +97,13 @@ bool relaxes_within_a_step(const FemCase& fem) {
   return (viscosity > 0 && is_short(viscosity / relaxed)) || std::any_of(times.begin(), times.end(), is_short);
 }
 
+/// Slip that dies out takes place in one step. Of a branch that has relaxed by its end the factor knows nothing.
+bool relaxes_in_a_step(const FemCase& fem) {
+  const double step = 2 * pi / fem.steps_per_cycle();
+  const auto& times = fem.relaxation.times;
+  return std::any_of(times.begin(), times.end(), [step](double time) { return time < step; });
+}
+
 /// n of f ~ r^n from half of the radius to it; at most that of the bluntest indenters. A flat face counts as such.
 double exponent_at(double radius, const FemCase& fem) {
   constexpr double bluntest = 8;
@@ -149,8 +156,8 @@ std::optional<fem::CycleResponse> cycle_of(const FemCase& fem, double normal_for
   for (double* value : {&cycle.tangential_force_max, &cycle.tangential_force_mean, &cycle.sliding_force,
                         &uncertain.tangential_force_max, &uncertain.tangential_force_mean})
     *value *= force;
-  for (double* value :
-       {&cycle.friction_work, &cycle.bulk_work, &cycle.sliding_work, &uncertain.friction_work, &uncertain.cycle_work})
+  for (double* value : {&cycle.friction_work, &cycle.bulk_work, &cycle.tangential_work, &cycle.sliding_work,
+                        &uncertain.friction_work, &uncertain.cycle_work, &uncertain.tangential_work})
     *value *= work;
   return cycle;
 }
@@ -214,6 +221,8 @@ FeAnswer read_answer(const ContactProblems& problems, const FemCase& fem, const 
   }
   if (fem.motion.tangential_force) answer.tangential_amplitude = friction.amplitude * fem.units.depth;
   answer.cycle = cycle_of(fem, force.value, normal, friction);
+  if (answer.cycle && !answer.single_pass && !normal.n_cycles_of_search && !relaxes_in_a_step(fem))
+    answer.slip_decay = fem::decay_factor(friction, stuck.shakedown, fem.motion.cycles_of_ramp());
   answer.n_cycles = friction.n_cycles + friction.n_cycles_of_search + normal.n_cycles_of_search;
   answer.n_steps = friction.n_steps;
   answer.normal = std::move(normal);

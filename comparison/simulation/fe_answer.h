@@ -10,6 +10,7 @@
 #include "fem/stick_zone/annuli.h"
 #include "fem/stick_zone/cycle_response.h"
 #include "fem/stick_zone/edge_radius.h"
+#include "fem/stick_zone/slip_decay.h"
 #include "fem/stick_zone/stick_depths.h"
 #include "fem/stick_zone/stick_zones.h"
 
@@ -27,7 +28,7 @@ struct NoWearEvidence {
 
 /// When the whole contact begins to slide under a prescribed tangential force, while the amplitudes rise or after.
 struct GrossSlipStart {
-  double time;       ///< s, from the start of the history on
+  double time;       ///< s, from the start of the history on, which of a path is the time of its first row
   double amplitude;  ///< of all oscillations then, over that of the case
 };
 
@@ -63,12 +64,13 @@ struct FeAnswer {
   std::optional<double> axis_pressure_max;     ///< Pa; empty: infinite
   /// SI units. Empty: worn, at rest tangentially, an unlocked phase, or a cycle that stands for none.
   std::optional<fem::CycleResponse> cycle;
-  std::optional<GrossSlipStart> gross_slip;  ///< then there is nothing else but the body and the cost
-  bool single_pass = false;                  ///< of a path: no periodic state, and no shakedown radius
-  double contact_radius_uncertainty = 0;     ///< of the time steps, see read_contact_radius
-  double normal_force_uncertainty = 0;       ///< of reading the edge, see fem::ContactForce
-  double indentation_uncertainty = 0;        ///< see fem::LargestIndentation
-  double first_slip_uncertainty = 0;         ///< of reading the edge, see fem::EdgeRadius
+  std::optional<fem::DecayFactor> slip_decay;  ///< of a locked motion, per cycle; empty: see fem::decay_factor
+  std::optional<GrossSlipStart> gross_slip;    ///< then there is nothing else but the body and the cost
+  bool single_pass = false;                    ///< of a path: no periodic state, and no shakedown radius
+  double contact_radius_uncertainty = 0;       ///< of the time steps, see read_contact_radius
+  double normal_force_uncertainty = 0;         ///< of reading the edge, see fem::ContactForce
+  double indentation_uncertainty = 0;          ///< see fem::LargestIndentation
+  double first_slip_uncertainty = 0;           ///< of reading the edge, see fem::EdgeRadius
   double shakedown_uncertainty = 0;
   fem::StickDepths first_slip_depths, shakedown_depths;  ///< empty for a limiting profile
   std::optional<NoWearEvidence> no_wear;                 ///< for a limiting profile

@@ -156,21 +156,25 @@ std::vector<fem::Oscillation> oscillations(const std::vector<mdr::Harmonic>& har
   return moving;
 }
 
+double unit_of(bool force, const Units& units) {
+  return force ? units.force() : units.depth;
+}
+
 /// Makes time dimensionless with a cycle, and what is prescribed too; of a relaxation that is still in s.
 void take_cycle(const mdr::HarmonicMotion& motion, const mdr::CommonCycle& cycle, FemCase& fem) {
   const double frequency = mdr::angular_frequency(cycle.frequency),
                scale = frequency / std::exchange(fem.units.angular_frequency, frequency);
   fem.relaxation.viscosity *= scale;
   for (double& time : fem.relaxation.times) time *= scale;
-  const auto unit = [&fem](bool force) { return force ? fem.units.force() : fem.units.depth; };
-  const double normal = unit(fem.motion.normal_force), tangential = unit(fem.motion.tangential_force);
+  const double normal = unit_of(fem.motion.normal_force, fem.units),
+               tangential = unit_of(fem.motion.tangential_force, fem.units);
   fem.motion.indentation = motion.indentation / normal;
   fem.motion.normal = oscillations(motion.normal, cycle.normal_orders, normal);
   fem.motion.tangential = oscillations(motion.tangential, cycle.tangential_orders, tangential);
   fem.motion.locked = motion.phase_locked;
 }
 
-/// A path in the place of the cosines, dimensionless with its duration as the cycle.
+/// A path in the place of the cosines, dimensionless with its duration as the cycle; a force in that of a displacement.
 void take_path(const Case::Path& path, FemCase& fem) {
   const double frequency = mdr::angular_frequency(1 / path.duration());
   fem.units.angular_frequency = frequency;
@@ -185,11 +189,11 @@ void take_path(const Case::Path& path, FemCase& fem) {
   for (double& t : time) t = (t - path.time.front()) * frequency;
   time.back() = mdr::angular_frequency(1);
   const auto rest = rest_of(path);
-  const double depth = fem.units.depth;
-  fem.motion.indentation = rest.indentation / depth;
+  const double normal = unit_of(path.normal_force, fem.units), tangential = unit_of(path.tangential_force, fem.units);
+  fem.motion.indentation = rest.normal / normal;
   fem.motion.path =
-      fem::SampledPath{std::move(time),          over(path.indentation, depth), over(path.tangential, depth),
-                       rest.indentation / depth, rest.tangential / depth,       path.repeats};
+      fem::SampledPath{std::move(time),      over(path.normal, normal),    over(path.tangential, tangential),
+                       rest.normal / normal, rest.tangential / tangential, path.repeats};
 }
 
 /// A step at least for each row, and eight at a usual tolerance.

@@ -110,6 +110,7 @@ std::optional<StepInPiece> FrictionContact::in_piece() const {
 void FrictionContact::step(const Eigen::VectorXd& pressure, const std::optional<NormalInstant>& normal) {
   const double begin = times_.begin(n_steps);
   if (const auto piece = times_.in_piece(n_steps); piece && piece->duration() != dt_) {
+    last_increment_ *= piece->duration() / dt_;
     dt_ = piece->duration();
     step_ = RelaxationStep(relaxation_, dt_);
   }

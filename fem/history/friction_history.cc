@@ -285,6 +285,7 @@ FrictionHistory friction_history(WatchedFriction friction, const NormalHistory& 
       history.periodicity = 0;
       break;
     }
+    history.jumped |= jumped;
     const bool after_jump = std::exchange(jumped, false);
     if (history.n_cycles <= std::max(contact.motion().cycles_of_ramp(), normal.n_cycles) + cycles_per_period) continue;
     if (!after_jump) {

@@ -15,6 +15,7 @@ struct FrictionHistory {
   int n_cycles = 0;                    ///< computed
   long n_steps = 0;                    ///< computed
   int n_cycles_of_search = 0;          ///< beside them, to find the periodic state
+  bool jumped = false;                 ///< to its periodic state, by a search or along its drift
   double periodicity = 0;              ///< reached, see HistoryControl
   Eigen::VectorXd first_slip_margin;   ///< per ring: smallest sample of `mu p - |tau|` from the start on
   Eigen::VectorXd shakedown_margin;    ///< per ring: `[min(mu p - tau) + min(mu p + tau)] / 2`, of the last period

@@ -32,9 +32,9 @@ struct Oscillation {
 /// Where a force is prescribed it takes the place of the displacement: F_N(t) that of d, F_x(t) that of u_x. Then a
 /// cycle begins at the largest normal force, and the displacements follow from the contact.
 ///
-/// A path takes the place of the cosines, d = d_rest + e(t) (d_path - d_rest) and u_x likewise from 0 on, with a cycle
-/// for its period; it begins anywhere. A single pass has e = 1 from the start on, at its first row, and ends after one
-/// cycle.
+/// A path takes the place of the cosines, d = d_rest + e(t) (d_path - d_rest) and u_x likewise from 0 on, or the
+/// forces, with a cycle for its period; it begins anywhere. A single pass has e = 1 from the start on, at its first
+/// row, and ends after one cycle.
 struct Motion {
   double indentation;
   std::vector<Oscillation> normal, tangential;

@@ -119,6 +119,7 @@ std::optional<StepInPiece> NormalContact::in_piece() const {
 void NormalContact::step(const PressureWear& wear) {
   const double begin = times_.begin(n_steps);
   if (const auto piece = times_.in_piece(n_steps); piece && piece->duration() != dt_) {
+    last_increment_ *= piece->duration() / dt_;
     dt_ = piece->duration();
     step_ = RelaxationStep(relaxation_, dt_);
   }

@@ -35,6 +35,15 @@ class CycleRecord {
     deepest_ = -infinity;
   }
 
+  /// Of a single pass, whose largest contact may be the first one.
+  void add_start(const NormalContact& contact) {
+    history_.smallest_gap = contact.gap;
+    gap_at_balance_.add(contact.balance_gap);
+    height_.add(Eigen::VectorXd::Constant(1, -contact.indentation));
+    history_.deepest_displacement = contact.state.displacement;
+    deepest_ = contact.indentation;
+  }
+
   void add(Eigen::Index k, const NormalContact& contact) {
     history_.time[k] = contact.time;
     history_.indentation[k] = contact.balance_indentation;
@@ -107,6 +116,7 @@ NormalHistory normal_history(NormalContact contact, const HistoryControl& contro
           history.n_cycles, history.periodicity, control.periodicity, creep));
     const Eigen::MatrixXd before = history.pressure;
     record.begin();
+    if (contact.motion().is_single_pass()) record.add_start(contact);
     for (int k = 0; k < n_steps; ++k) {
       contact.step();
       if (contact.n_steps == 1) history.first_balance = contact.time;

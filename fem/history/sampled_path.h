@@ -6,10 +6,10 @@
 
 namespace fretval::fem {
 
-/// Motion of the indenter that is given by its rows and linear between them, in dimensionless time from 0 to 2 pi.
+/// What is prescribed to the indenter by its rows and linear between them, in dimensionless time from 0 to 2 pi.
 struct SampledPath {
   std::vector<double> time;                ///< rising, from 0 to 2 pi; two rows at least
-  std::vector<double> normal, tangential;  ///< of each row
+  std::vector<double> normal, tangential;  ///< of each row, displacements or forces as Motion says
   double rest_normal, rest_tangential;     ///< where the body rests before, without tangential force
   bool repeats;                            ///< with a period of 2 pi; false: a single pass
 

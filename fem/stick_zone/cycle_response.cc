@@ -1,6 +1,7 @@
 #include "fem/stick_zone/cycle_response.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "fem/history/running_minimum.h"
 #include "fem/support/constants.h"
@@ -56,7 +57,7 @@ CycleUncertainty uncertainty_of(const RelaxationModel& relaxation, const Motion&
   if (!motion.tangential_force) {
     uncertainty.tangential_force_max = friction.force_uncertainty[largest];
     uncertainty.tangential_force_mean = friction.force_uncertainty.mean();
-    uncertainty.cycle_work = friction.force_uncertainty.dot(along.cwiseAbs());
+    uncertainty.cycle_work = uncertainty.tangential_work = friction.force_uncertainty.dot(along.cwiseAbs());
   }
   uncertainty.friction_work = relaxation.has_memory() ? friction.dissipated_uncertainty : uncertainty.cycle_work;
   if (!motion.normal_force)
@@ -68,8 +69,18 @@ double path_to_and_fro(const Motion& motion, double amplitude) {
   return tangential_path(motion) / motion.tangential_amplitude() * amplitude;
 }
 
-/// Of a path, whose forces have kinks at its rows: sums of second order over the steps. A single pass begins without
-/// tangential force; what goes into the body in it is not told from what is lost there.
+/// Length of the tangential path of the indenter along a path, from samples where a force is prescribed.
+double way_along(const Motion& motion, const FrictionHistory& friction) {
+  if (!motion.tangential_force) return tangential_path(motion);
+  const auto& u = friction.indenter;
+  double way = std::abs(u[0] - (motion.is_single_pass() ? 0 : u[u.size() - 1]));
+  for (Eigen::Index k = 1; k < u.size(); ++k) way += std::abs(u[k] - u[k - 1]);
+  return way;
+}
+
+/// Of a path, whose forces have kinks at its rows: sums of second order over the steps, of what is prescribed the exact
+/// moves, `oint F du = -oint u dF`. A single pass begins without tangential force; what goes into the body in it is not
+/// told from what is lost there.
 CycleResponse response_along(const RelaxationModel& relaxation, double friction_coefficient, const Motion& motion,
                              double normal_force_max, const NormalHistory& normal, const FrictionHistory& friction) {
   const auto& pieces = normal.pieces;
@@ -77,17 +88,21 @@ CycleResponse response_along(const RelaxationModel& relaxation, double friction_
   const auto along = moves_along(path.tangential, path, pieces), down = moves_along(path.normal, path, pieces);
   const bool once = motion.is_single_pass();
   const auto last = friction.force.size() - 1;
-  const Eigen::VectorXd pressing = normal.force + normal.force_beyond,
-                        pull = in_the_middle(friction.force, once ? 0 : friction.force[last], pieces);
+  const auto middle_of = [&](const Eigen::VectorXd& samples) {
+    return in_the_middle(samples, once ? 0 : samples[last], pieces);
+  };
+  const Eigen::VectorXd pressing = normal.force + normal.force_beyond, pull = middle_of(friction.force);
+  const double tangential = motion.tangential_force ? -middle_of(friction.indenter).dot(along) : pull.dot(along),
+               pressed = motion.normal_force ? -middle_of(normal.indentation).dot(down) : middle_of(pressing).dot(down);
   CycleResponse response{};
   response.tangential_force_max = largest_magnitude(friction.force, pieces);
   for (Eigen::Index k = 0; k <= last; ++k)
     response.tangential_force_mean += pull[k] * pieces[static_cast<std::size_t>(k)].duration() / (2 * pi);
-  const double loops = pull.dot(along) + in_the_middle(pressing, pressing[last], pieces).dot(down);
-  response.friction_work = once || relaxation.has_memory() ? friction.dissipated_energy : pull.dot(along);
-  response.bulk_work = !once && relaxation.has_memory() ? loops - response.friction_work : 0;
+  response.friction_work = once || relaxation.has_memory() ? friction.dissipated_energy : tangential;
+  response.bulk_work = !once && relaxation.has_memory() ? tangential + pressed - response.friction_work : 0;
+  response.tangential_work = once ? 0 : tangential;
   response.sliding_force = friction_coefficient * normal_force_max;
-  response.sliding_work = response.sliding_force * tangential_path(motion);
+  response.sliding_work = response.sliding_force * way_along(motion, friction);
   response.uncertainty = uncertainty_of(relaxation, motion, along, down, normal, friction);
   if (once) response.uncertainty.friction_work = friction.dissipated_uncertainty;
   return response;
@@ -111,6 +126,7 @@ CycleResponse cycle_response(const RelaxationModel& relaxation, double friction_
   response.tangential_force_mean = friction.force.mean();
   response.friction_work = relaxation.has_memory() ? friction.dissipated_energy : tangential;
   response.bulk_work = relaxation.has_memory() ? tangential + pressing - response.friction_work : 0;
+  response.tangential_work = tangential;
   response.sliding_force = friction_coefficient * normal_force_max;
   response.sliding_work = response.sliding_force * path_to_and_fro(motion, friction.amplitude);
   response.uncertainty = uncertainty_of(relaxation, motion, along, down, normal, friction);

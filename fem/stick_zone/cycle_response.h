@@ -10,6 +10,7 @@ namespace fretval::fem {
 struct CycleUncertainty {
   double tangential_force_max, tangential_force_mean, friction_work;
   double cycle_work;  ///< of all that is lost
+  double tangential_work;
 };
 
 /// What a locked motion asks of whoever drives it, in a cycle of the periodic state.
@@ -18,6 +19,7 @@ struct CycleResponse {
   double tangential_force_mean;  ///< what slip has locked in
   double friction_work;          ///< lost to friction
   double bulk_work;              ///< lost inside the body; 0 without memory, and of a single pass, which does not tell
+  double tangential_work;        ///< area of the tangential loop, `oint F_x du_x`; 0 of a single pass
   double sliding_force;          ///< mu times the largest normal force
   double sliding_work;           ///< what sliding under that force along the whole tangential path would cost
   CycleUncertainty uncertainty = {};

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "fem/history/friction_history.h"
@@ -9,5 +10,17 @@ namespace fretval::fem {
 /// Largest slip of the innermost n_inside rings in each period that was computed, over the amplitude: how slip dies out
 /// in a zone that shakes down. Empty: no such ring, or no tangential motion.
 std::vector<double> slip_decay(const FrictionHistory& history, Eigen::Index n_inside);
+
+/// A factor per period, and how far the last ones still differ.
+struct DecayFactor {
+  double factor, uncertainty;
+};
+
+/// The factor by which that falls from one period to the next in the end, from the last two pairs of plain periods in
+/// which it fell and is no roundoff. As long as slip takes a while, the factor is off by the root of its size, so what
+/// is still to come is the last change over 1/sqrt(factor) - 1, which is the uncertainty. n_ramp: first periods, in
+/// which the amplitudes rise. Empty: fewer periods, slip that does not die out so, or a history that jumped to its
+/// periodic state.
+std::optional<DecayFactor> decay_factor(const FrictionHistory& history, Eigen::Index n_inside, int n_ramp);
 
 }  // namespace fretval::fem

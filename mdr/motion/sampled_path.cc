@@ -18,25 +18,31 @@ double mean_over_time(const std::vector<double>& time, const std::vector<double>
 
 void validate(const SampledPath& path) {
   const auto n = path.time.size();
-  if (n < 2 || path.indentation.size() != n || path.tangential.size() != n)
-    throw std::invalid_argument("path: needs two rows at least, of as many times, indentations and displacements");
-  for (const auto* column : {&path.time, &path.indentation, &path.tangential})
+  if (n < 2 || path.normal.size() != n || path.tangential.size() != n)
+    throw std::invalid_argument("path: needs two rows at least, of as many times as values in either direction");
+  for (const auto* column : {&path.time, &path.normal, &path.tangential})
     for (const double value : *column) require_finite("path", value);
   for (std::size_t i = 1; i < n; ++i)
     if (!(path.time[i] > path.time[i - 1])) throw std::invalid_argument("path: times must rise from row to row");
-  const bool closed =
-      path.indentation.front() == path.indentation.back() && path.tangential.front() == path.tangential.back();
+  const bool closed = path.normal.front() == path.normal.back() && path.tangential.front() == path.tangential.back();
   if (path.repeats && !closed) throw std::invalid_argument("path: repeats, but does not end where it begins");
-  require_positive("indentation at rest before the path", rest_position(path).indentation);
+  if (path.normal_force)
+    for (const double force : path.normal) require_positive("normal force along the path", force);
+  else
+    require_positive("indentation at rest before the path", rest_of(path).normal);
+  if (path.tangential_force && !path.repeats && path.tangential.front() != 0)
+    throw std::invalid_argument("path: a pass begins without tangential force, must be 0 in the first row");
 }
 
-RestPosition rest_position(const SampledPath& path) {
-  if (!path.repeats) return {path.indentation.front(), path.tangential.front()};
-  return {mean_over_time(path.time, path.indentation), mean_over_time(path.time, path.tangential)};
+PathRest rest_of(const SampledPath& path) {
+  const auto at_rest = [&path](const std::vector<double>& values) {
+    return path.repeats ? mean_over_time(path.time, values) : values.front();
+  };
+  return {at_rest(path.normal), path.tangential_force ? 0 : at_rest(path.tangential)};
 }
 
-double maximum_indentation(const SampledPath& path) {
-  return *std::max_element(path.indentation.begin(), path.indentation.end());
+double maximum_normal(const SampledPath& path) {
+  return *std::max_element(path.normal.begin(), path.normal.end());
 }
 
 }  // namespace fretval::mdr

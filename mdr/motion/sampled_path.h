@@ -5,30 +5,33 @@
 
 namespace fretval::mdr {
 
-/// Motion of the indenter that is given by its rows and linear between them. The body has rested for ever before: a
-/// single pass begins at the first row, without tangential force there; a path that repeats is the departure from its
-/// mean over time, where the body rests without tangential force.
+/// What is prescribed to the indenter by its rows and linear between them, a displacement or a force in each direction.
+/// The body has rested for ever before: a single pass begins at the first row, without tangential force there; a path
+/// that repeats is the departure from rest, at the mean over time of what is prescribed normally and tangentially of
+/// the displacement, without tangential force.
 struct SampledPath {
-  std::vector<double> time;         ///< s, rising; two rows at least
-  std::vector<double> indentation;  ///< m
-  std::vector<double> tangential;   ///< m
-  bool repeats = false;             ///< with the period from the first row to the last, which is the first again
+  std::vector<double> time;        ///< s, rising; two rows at least
+  std::vector<double> normal;      ///< indentation in m, or force in N
+  std::vector<double> tangential;  ///< displacement in m, or force in N
+  bool repeats = false;            ///< with the period from the first row to the last, which is the first again
+  bool normal_force = false, tangential_force = false;  ///< what the columns are; false: displacements
 
   [[nodiscard]] double duration() const { return time.back() - time.front(); }
   [[nodiscard]] std::size_t n_pieces() const { return time.size() - 1; }
+  [[nodiscard]] bool has_forces() const { return normal_force || tangential_force; }
 };
 
-/// Throws std::invalid_argument unless the path is as described above, in contact where it rests, and its last row
-/// equal to the first if it repeats.
+/// Throws std::invalid_argument unless the path is as described above, in contact where it rests, a normal force
+/// positive in every row, and its last row equal to the first if it repeats.
 void validate(const SampledPath& path);
 
-/// Where the body rests before, m.
-struct RestPosition {
-  double indentation, tangential;
+/// Where the body rests before, or under which forces; in m or N. A tangential force is none.
+struct PathRest {
+  double normal, tangential;
 };
-RestPosition rest_position(const SampledPath& path);
+PathRest rest_of(const SampledPath& path);
 
-/// Largest of the indentations, which are those of rows, m.
-double maximum_indentation(const SampledPath& path);
+/// Largest of the indentations or normal forces, which are those of rows.
+double maximum_normal(const SampledPath& path);
 
 }  // namespace fretval::mdr

@@ -5,6 +5,7 @@
 #include <limits>
 #include <string>
 
+#include "mdr/springs/spring_energy.h"
 #include "mdr/support/checks.h"
 
 namespace fretval::mdr {
@@ -56,9 +57,12 @@ double tangential_for_load(const SpringStep& step, const SpringState& state, con
   require_finite("tangential load", load);
   const TangentialLines lines = step.tangential_lines(state, bed, indentation);
   const double most = (bed.width * lines.most).sum();
-  if (std::abs(load) >= most)
-    throw GrossSlip("tangential force of " + std::to_string(std::abs(load) / most) +
-                    " times mu times the normal force: the contact slides, there is no displacement for it");
+  if (std::abs(load) >= most) {
+    GrossSlip slip("tangential force of " + std::to_string(std::abs(load) / most) +
+                   " times mu times the normal force: the contact slides, there is no displacement for it");
+    slip.excess = std::abs(load) - most;
+    throw slip;
+  }
   const auto excess = [&](double shift) -> Line {
     const Eigen::ArrayXd stuck = lines.value + shift * lines.slope;
     const auto sticks = (stuck.abs() < lines.most).cast<double>() * bed.width;
@@ -66,6 +70,26 @@ double tangential_for_load(const SpringStep& step, const SpringState& state, con
   };
   const double last = state.indenter.tangential;
   return last + root_of_lines(excess, moving_on(last, state.indenter_before.tangential) - last, most / bed.width.sum());
+}
+
+IndenterState balanced(const SpringStep& step, const SpringState& state, const SpringBed& bed,
+                       const PrescribedInStep& prescribed) {
+  IndenterState to = prescribed.indenter;
+  if (prescribed.normal_load) {
+    to.indentation = indentation_for_load(step, state, bed, *prescribed.normal_load);
+    to.indentation_rate = step.arrived(state, to.indentation, to.tangential).indentation_rate;
+  }
+  if (prescribed.tangential_load) {
+    to.tangential = tangential_for_load(step, state, bed, to.indentation, *prescribed.tangential_load);
+    to.tangential_rate = step.arrived(state, to.indentation, to.tangential).tangential_rate;
+  }
+  return to;
+}
+
+double relaxed_indentation(const SpringBed& bed, const PronyBody& body, double force) {
+  const PronyBody relaxed = elastic(body.relaxed_modulus);
+  return indentation_for_load(SpringStep(relaxed, 1, 1), relaxed_state(bed, relaxed, 0), bed,
+                              force / normal_scale(body));
 }
 
 }  // namespace fretval::mdr

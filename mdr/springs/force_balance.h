@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "mdr/springs/spring_bed.h"
 #include "mdr/springs/spring_step.h"
 
@@ -17,5 +19,18 @@ double indentation_for_load(const SpringStep& step, const SpringState& state, co
 /// found. Throws GrossSlip when friction cannot carry it.
 double tangential_for_load(const SpringStep& step, const SpringState& state, const SpringBed& bed, double indentation,
                            double load);
+
+/// What a rig prescribes at the end of a step: where the indenter is or, instead of either direction, a load as above.
+struct PrescribedInStep {
+  IndenterState indenter;
+  std::optional<double> normal_load, tangential_load;
+};
+
+/// Where that brings the indenter. Throws as both functions above do.
+IndenterState balanced(const SpringStep& step, const SpringState& state, const SpringBed& bed,
+                       const PrescribedInStep& prescribed);
+
+/// The indentation in m at which springs that have relaxed for ever bear a force in N, positive.
+double relaxed_indentation(const SpringBed& bed, const PronyBody& body, double force);
 
 }  // namespace fretval::mdr

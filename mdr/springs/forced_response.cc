@@ -16,19 +16,15 @@ using Bed = std::function<SpringBed(Eigen::Index n)>;
 SpringHistory history_with(const Bed& bed, const PronyBody& body, double mu, const Prescribed& prescribed,
                            const SpringFineness& coarse, int fineness) {
   constexpr int most_periods = 2000;
-  constexpr double many_creep_times = 10;
   // With a dashpot the load of a spring jumps when it touches, and which is the last one may change from period to
   // period; the ramp is slow enough that nothing else does.
   const double periodicity = body.viscosity > 0 ? 1e-2 : coarse.periodicity;
   const double period = common_period(prescribed.motion);
-  double creep = body.viscosity;
-  for (std::size_t i = 0; i < body.branch_times.size(); ++i) creep += body.branch_moduli[i] * body.branch_times[i];
-  const int n_creep = static_cast<int>(std::ceil(many_creep_times * creep / body.relaxed_modulus / period));
   double fastest = 0;
   for (const auto* harmonics : {&prescribed.motion.normal, &prescribed.motion.tangential})
     for (const auto& harmonic : *harmonics) fastest = std::max(fastest, harmonic.frequency);
   const int n_steps = fineness * static_cast<int>(std::lround(coarse.steps_per_oscillation * fastest * period)),
-            n_ramp = fineness * std::max(coarse.n_ramp_periods, n_creep);
+            n_ramp = fineness * std::max(coarse.n_ramp_periods, periods_of_creep(body, period));
   try {
     return spring_history(bed(fineness * coarse.n_springs), body, mu, loading_of(prescribed, n_ramp * period),
                           {period, n_steps, n_ramp, most_periods, periodicity});
@@ -57,7 +53,8 @@ ForcedResponse response_of(const std::function<double(double)>& radius_at, const
           std::max(sampled_peak(pull, 1), -sampled_peak(pull, -1)),
           std::accumulate(pull.begin() + 1, pull.end(), 0.0) / static_cast<double>(pull.size() - 1),
           history.friction_work,
-          history.bulk_work};
+          history.bulk_work,
+          history.tangential_work};
 }
 
 /// radius_at: of the contact, of the indentation; g: of the springs, up to outer_radius.
@@ -83,6 +80,7 @@ SteppedForcedResponse extrapolated(const Bed& bed, const std::function<double(do
   extrapolate([](auto& r) -> auto& { return r.tangential_force_mean; });
   extrapolate([](auto& r) -> auto& { return r.friction_work; });
   extrapolate([](auto& r) -> auto& { return r.bulk_work; });
+  extrapolate([](auto& r) -> auto& { return r.tangential_work; });
   if (has_bounded_axis_pressure(g, outer_radius, body, stepped.response.normal.normal_force_min == 0))
     stepped.response.normal.axis_pressure = {stepped.response.axis_pressure_max, stepped.error.axis_pressure_max};
   return stepped;

@@ -34,6 +34,7 @@ struct ForcedResponse {
   double tangential_force_mean;  ///< N, what slip has locked in
   double friction_work;          ///< J per period
   double bulk_work;              ///< J per period
+  double tangential_work;        ///< J per period, area of the tangential loop
 };
 
 /// Of the coarser one of two histories.

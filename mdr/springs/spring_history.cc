@@ -68,12 +68,8 @@ void check(const HistoryControl& control) {
   require_positive("periodicity", control.periodicity);
 }
 
-// Where springs that have relaxed for ever carry the first force.
 double start_indentation(const SpringBed& bed, const PronyBody& body, const Loading& loading) {
-  if (!loading.normal_force) return loading.path(0).indentation;
-  const PronyBody relaxed = elastic(body.relaxed_modulus);
-  return indentation_for_load(SpringStep(relaxed, 1, 1), relaxed_state(bed, relaxed, 0), bed,
-                              loading.normal_force(0) / normal_scale(body));
+  return loading.normal_force ? relaxed_indentation(bed, body, loading.normal_force(0)) : loading.path(0).indentation;
 }
 
 void check(const Loading& loading) {
@@ -141,7 +137,7 @@ class History {
       result.friction_work += heat.friction;
       result.bulk_work += heat.bulk;
       record(result, time, margins);
-      result.indenter_work += work_of_last_step(result, before);
+      add_work_of_last_step(result, before);
     }
     first_slip_.slip_path += margins.slip_path;
     if (measured) finish(result, margins);
@@ -150,17 +146,11 @@ class History {
   }
 
   [[nodiscard]] IndenterState indenter(double time) const {
-    IndenterState to = loading_.path ? loading_.path(time) : state_.indenter;
-    if (loading_.normal_force) {
-      to.indentation = indentation_for_load(step_, state_, bed_, loading_.normal_force(time) / normal_scale(body_));
-      to.indentation_rate = step_.arrived(state_, to.indentation, to.tangential).indentation_rate;
-    }
-    if (loading_.tangential_force) {
-      const double load = loading_.tangential_force(time) / tangential_scale(body_);
-      to.tangential = tangential_for_load(step_, state_, bed_, to.indentation, load);
-      to.tangential_rate = step_.arrived(state_, to.indentation, to.tangential).tangential_rate;
-    }
-    return to;
+    PrescribedInStep prescribed{loading_.path ? loading_.path(time) : state_.indenter, {}, {}};
+    if (loading_.normal_force) prescribed.normal_load = loading_.normal_force(time) / normal_scale(body_);
+    if (loading_.tangential_force)
+      prescribed.tangential_load = loading_.tangential_force(time) / tangential_scale(body_);
+    return balanced(step_, state_, bed_, prescribed);
   }
 
   void record(SpringHistory& result, double time, Margins& margins) {
@@ -175,12 +165,13 @@ class History {
     result.axis_pressure.push_back(axis_pressure(axis_weights_, body_, state_));
   }
 
-  [[nodiscard]] double work_of_last_step(const SpringHistory& result, const SpringState& before) const {
+  void add_work_of_last_step(SpringHistory& result, const SpringState& before) const {
     const std::size_t k = result.time.size() - 1;
     const double fall = state_.indenter.indentation - before.indenter.indentation;
     const double shift = state_.indenter.tangential - before.indenter.tangential;
-    return (result.normal_force[k - 1] + result.normal_force[k]) / 2 * fall +
-           (result.tangential_force[k - 1] + result.tangential_force[k]) / 2 * shift;
+    const double tangential = (result.tangential_force[k - 1] + result.tangential_force[k]) / 2 * shift;
+    result.indenter_work += (result.normal_force[k - 1] + result.normal_force[k]) / 2 * fall + tangential;
+    result.tangential_work += tangential;
   }
 
   void finish(SpringHistory& result, const Margins& margins) const {
@@ -241,6 +232,13 @@ double common_period(const HarmonicMotion& motion) {
   const auto cycle = common_cycle(motion);
   if (!cycle) throw std::invalid_argument("frequencies are not commensurate: the motion has no period");
   return 1 / cycle->frequency;
+}
+
+int periods_of_creep(const PronyBody& body, double period) {
+  constexpr double many_creep_times = 10;
+  double creep = body.viscosity;
+  for (std::size_t i = 0; i < body.branch_times.size(); ++i) creep += body.branch_moduli[i] * body.branch_times[i];
+  return static_cast<int>(std::ceil(many_creep_times * creep / body.relaxed_modulus / period));
 }
 
 ForcePath ramped_force(double mean, double amplitude, double frequency, double phase, double ramp_duration) {

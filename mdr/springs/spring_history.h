@@ -25,6 +25,9 @@ IndenterPath ramped_path(const HarmonicMotion& motion, double ramp_duration);
 /// unlocked, or frequencies that are not commensurate (see mdr/commensurability.h).
 double common_period(const HarmonicMotion& motion);
 
+/// Periods after which creep is over, of which a ramp under forces has as many: ten creep times.
+int periods_of_creep(const PronyBody& body, double period);
+
 /// Prescribed force in N over time.
 using ForcePath = std::function<double(double time)>;
 
@@ -69,9 +72,10 @@ struct SpringHistory {
   SpringState deepest, highest;  ///< at the largest and the smallest indentation of the last period
   SpringState last;              ///< at its end
 
-  double friction_work;  ///< J per period
-  double bulk_work;      ///< J per period
-  double indenter_work;  ///< J per period: int F_z dd + F_x du_x; the sum of the other two, up to the time step
+  double friction_work;    ///< J per period
+  double bulk_work;        ///< J per period
+  double indenter_work;    ///< J per period: int F_z dd + F_x du_x; the sum of the other two, up to the time step
+  double tangential_work;  ///< J per period: int F_x du_x, a part of that
 };
 
 constexpr double settling_slip = 1e-4;

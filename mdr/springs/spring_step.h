@@ -45,6 +45,7 @@ struct GrossSlip : std::runtime_error {
   using std::runtime_error::runtime_error;
   double time = 0;       ///< s, of a history; at the end of the step in which it slides
   double amplitude = 1;  ///< of all oscillations then, over that after the ramp (forced_response)
+  double excess = 0;     ///< sum(width * load) that is asked for beyond what friction holds, m^2
 };
 
 /// Load of each spring at the end of a step, in which the indenter arrives at the indentation d: slope (d - zero)

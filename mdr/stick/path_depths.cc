@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 
 #include "mdr/support/checks.h"
 
@@ -15,8 +16,8 @@ struct Piece {
 
 std::vector<Piece> pieces_of(const SampledPath& path, PathDirection direction) {
   const bool normal = direction == PathDirection::normal;
-  const auto& values = normal ? path.indentation : path.tangential;
-  const double rest = normal ? 0 : rest_position(path).tangential;
+  const auto& values = normal ? path.normal : path.tangential;
+  const double rest = normal ? 0 : rest_of(path).tangential;
   std::vector<Piece> pieces;
   for (std::size_t k = 0; k < path.n_pieces(); ++k) {
     const double duration = path.time[k + 1] - path.time[k];
@@ -79,10 +80,11 @@ std::vector<ExponentialSum> path_response(const PronyBody& body, const SampledPa
 PathDepths path_stick_depths(const PronyBody& body, double mu, const SampledPath& path) {
   constexpr double accuracy = 1e-12;
   validate(path);
+  if (path.has_forces()) throw std::invalid_argument("stick depths along a path: it prescribes a force");
   require_positive("coefficient of friction", mu);
   const auto normal = path_response(body, path, PathDirection::normal),
              tangential = path_response(body, path, PathDirection::tangential);
-  const double error = accuracy * largest_magnitude(path.indentation), pull = 2 / (3 * mu);
+  const double error = accuracy * largest_magnitude(path.normal), pull = 2 / (3 * mu);
   constexpr double infinity = std::numeric_limits<double>::infinity();
   double forward = -infinity, backward = -infinity;
   for (std::size_t k = 0; k < normal.size(); ++k) {

@@ -31,7 +31,7 @@ struct PathDepths {
 ///
 /// Both imply contact at every instant: an element that touches later than at the first row of a pass has not stuck
 /// since rest. First slip of a path that repeats supposes that the departure from rest grows slowly from zero.
-/// mu positive. Throws std::invalid_argument for bad arguments.
+/// mu positive. Throws std::invalid_argument for bad arguments and for a path that prescribes a force.
 PathDepths path_stick_depths(const PronyBody& body, double mu, const SampledPath& path);
 
 /// The stick radii of these depths; empty: nothing sticks, or no shakedown.

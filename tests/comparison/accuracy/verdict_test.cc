@@ -144,14 +144,23 @@ TEST(Comparison, AnInconclusiveComparisonDoesNotPass) {
 TEST(Comparison, OfACycleIsOverWhatSlidingWouldCost) {
   auto mdr = mdr_with(0.5 * a);
   auto fe = fe_with(0.5 * a);
-  mdr.cycle = MdrCycle{0.4, 0.1, 2e-6, 1e-6, 1, 1e-4, 0, 0};
-  fe.cycle = fem::CycleResponse{0.4002, 0.1005, 2.05e-6, 0.951e-6, 1, 1e-4};
+  mdr.cycle = MdrCycle{MdrCycle::Forces{0.4, 0.1, 0}, 2e-6, 1e-6, 2e-6, 1, 1e-4, 0, 0};
+  fe.cycle = fem::CycleResponse{0.4002, 0.1005, 2.05e-6, 0.951e-6, 2.002e-6, 1, 1e-4};
+  mdr.slip_decay = 0.5;
+  fe.slip_decay = fem::DecayFactor{0.501, 0};
   const auto comparison = compare(mdr, fe, a, tolerances_of(1e-3));
   EXPECT_NEAR(*comparison.at(Quantity::tangential_force_max).difference, 5e-4, 1e-12);
   EXPECT_NEAR(*comparison.at(Quantity::tangential_force_mean).difference, 5e-4, 1e-12);
   EXPECT_NEAR(*comparison.at(Quantity::friction_work).difference, 5e-4, 1e-12);
   EXPECT_NEAR(*comparison.at(Quantity::cycle_work).difference, 1e-3 / 3, 1e-12);
   EXPECT_FALSE(comparison.at(Quantity::friction_work).passes());  // a tenth of what a radius is asked for
+  EXPECT_NEAR(*comparison.at(Quantity::bulk_work).difference, -0.049, 1e-12);
+  EXPECT_NEAR(*comparison.at(Quantity::tangential_work).difference, 1e-3, 1e-12);
+  EXPECT_NEAR(*comparison.at(Quantity::slip_decay).difference, 2e-3, 1e-12);
+  mdr.cycle->forces.reset();
+  const auto energies = compare(mdr, fe, a, tolerances_of(1e-3));
+  EXPECT_EQ(energies.count(Quantity::tangential_force_max) + energies.count(Quantity::tangential_force_mean), 0U);
+  EXPECT_EQ(energies.count(Quantity::friction_work), 1U);
 }
 
 // The springs' own error is allowed on top; without a value of either there is nothing to compare.
@@ -172,8 +181,8 @@ TEST(Comparison, OfThePressureOnTheAxisIsRelative) {
 TEST(Comparison, HoldsWhatComesAlongToItsBar) {
   auto mdr = mdr_with(0.5 * a);
   auto fe = fe_with(0.5 * a);
-  mdr.cycle = MdrCycle{0.4, 0, 2e-6, 0, 1, 1e-4, 0, 0};
-  fe.cycle = fem::CycleResponse{0.402, 0, 2e-6, 0, 1, 1e-4};
+  mdr.cycle = MdrCycle{MdrCycle::Forces{0.4, 0, 0}, 2e-6, 0, 2e-6, 1, 1e-4, 0, 0};
+  fe.cycle = fem::CycleResponse{0.402, 0, 2e-6, 0, 2e-6, 1, 1e-4};
   const auto with_bar = [&](double width) {
     const ErrorBudget budget{{Quantity::tangential_force_max, {{{ErrorSource::rings, width, std::nullopt}}}}};
     return compare(mdr, fe, a, tolerances_of(1e-3), budget);

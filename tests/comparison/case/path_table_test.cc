@@ -26,22 +26,41 @@ std::string refused(const std::string& text, bool repeats) {
 TEST(PathTable, IsReadWithItsUnits) {
   const auto path = read(saw, true);
   EXPECT_EQ(path.time, (std::vector<double>{0, 0.5, 1}));
-  EXPECT_NEAR(path.indentation[1], 1.2e-4, 1e-18);
+  EXPECT_NEAR(path.normal[1], 1.2e-4, 1e-18);
   EXPECT_NEAR(path.tangential[0], -1e-5, 1e-19);
   EXPECT_TRUE(path.repeats);
   EXPECT_EQ(path.duration(), 1);
-  EXPECT_NEAR(rest_of(path).indentation, 1.1e-4, 1e-18);
+  EXPECT_NEAR(rest_of(path).normal, 1.1e-4, 1e-18);
   EXPECT_NEAR(rest_of(path).tangential, 0, 1e-18);
-  EXPECT_NEAR(rest_of(read(saw, false)).indentation, 1e-4, 1e-18);
+  EXPECT_NEAR(rest_of(read(saw, false)).normal, 1e-4, 1e-18);
   EXPECT_NEAR(rest_of(read(saw, false)).tangential, -1e-5, 1e-19);
   EXPECT_EQ(read("t [min];d [mm];u_x [nm]\n1;1;1\n2;1;1\n", false).time.front(), 60);
+}
+
+TEST(PathTable, TakesForcesInEitherDirection) {
+  const auto forces = read("t,F_N,F_x\ns,mN,kN\n0,500,1e-12\n2,300,1e-3\n", false);
+  EXPECT_TRUE(forces.normal_force && forces.tangential_force);
+  EXPECT_NEAR(forces.normal[1], 0.3, 1e-15);
+  EXPECT_NEAR(forces.tangential[1], 1, 1e-15);
+  EXPECT_EQ(forces.tangential[0], 0);
+  const auto mixed = read("t [s],F_N [N],u_x [um]\n0,1,3\n1,2,5\n2,1,3\n", true);
+  EXPECT_TRUE(mixed.normal_force);
+  EXPECT_FALSE(mixed.tangential_force);
+  EXPECT_NEAR(rest_of(mixed).tangential, 4e-6, 1e-18);
+  const auto pulled = read("t,d,F_x\ns,um,N\n0,100,3\n1,90,5\n2,100,3\n", true);
+  EXPECT_FALSE(pulled.normal_force);
+  EXPECT_EQ(rest_of(pulled).tangential, 0);
+  expect_parts(refused("t,F_N,F_x\ns,N,N\n0,1,0\n1,2,0\n2,1.5,0\n", true), {"F_N jumps by -0.5 N"});
 }
 
 TEST(PathTable, IsRefusedByName) {
   for (const auto& [text, part] : {std::pair("t,d,u_x\n0,1,0\n1,1,1\n", "column 1 has no unit"),
                                    {"0,1,0\n1,1,1\n", "no unit"},
                                    {"t,u_x,d\ns,m,m\n0,1,0\n1,1,1\n", "must be \"d\""},
-                                   {"t,F_N,u_x\ns,N,m\n0,1,0\n1,1,1\n", "forces along a path are not computed"},
+                                   {"t,F_x,u_x\ns,N,m\n0,1,0\n1,1,1\n", "must be \"d\" or \"F_N\""},
+                                   {"t,F_N,u_x\ns,m,m\n0,1,0\n1,1,1\n", "mN"},
+                                   {"t,F_N,u_x\ns,N,m\n0,1,0\n1,-2,1\n", "line 4: F_N = -2 N: must be positive"},
+                                   {"t,F_N,F_x\ns,N,N\n0,1,0.1\n1,1,1\n", "F_x = 0.1 N in the first row"},
                                    {"t,d,u_x\ns,m,furlong\n0,1,0\n1,1,1\n", "furlong"},
                                    {"t,d,u_x\ns,m,m\n0,1,0\n", "1 row"},
                                    {"t,d,u_x\ns,m,m\n0,1,0\n2,1,1\n1,1,1\n", "line 5: t = 1: must be greater"},
@@ -58,7 +77,7 @@ TEST(PathTable, ThatRepeatsEndsWhereItBegins) {
   expect_parts(refused("t,d,u_x\ns,um,um\n0,100,0\n1,100,0\n", true), {"2 rows", "repeats needs at least 3"});
   expect_parts(refused("t,d,u_x\ns,um,um\n0,1,0\n1,-9,0\n2,1,0\n", true), {"the mean of d over time is -4e-06 m"});
   const auto closed = read("t,d,u_x\ns,um,um\n0,100,5\n1,110,0\n2,100.00001,5\n", true);
-  EXPECT_EQ(closed.indentation.back(), closed.indentation.front());
+  EXPECT_EQ(closed.normal.back(), closed.normal.front());
 }
 
 std::string case_with_path(const std::string& more = "") {
@@ -67,9 +86,9 @@ std::string case_with_path(const std::string& more = "") {
          valid_case.substr(end);
 }
 
-Case read_with_path(const std::string& text) {
+Case read_with_path(const std::string& text, const std::string& rows = saw) {
   const ScratchFolder folder;
-  folder.write("path.csv", saw);
+  folder.write("path.csv", rows);
   return read_case_file(folder.write("case.prm", text)).at(0);
 }
 
@@ -80,6 +99,15 @@ TEST(PathTable, StandsInTheCaseInsteadOfOscillations) {
   EXPECT_NEAR(input.motion.normal_amplitude, 1e-5, 1e-18);
   EXPECT_NEAR(input.motion.tangential_amplitude, 1e-5, 1e-18);
   EXPECT_EQ(input.motion.normal_frequency, 1);
+}
+
+TEST(PathTable, OfForcesStandsInTheCaseInsteadOfThoseThatOscillate) {
+  const auto input = read_with_path(case_with_path("  set Path repeats = forever\n"),
+                                    "t,F_N,F_x\ns,N,N\n0,1,-0.1\n1,3,0.3\n2,1,-0.1\n");
+  ASSERT_TRUE(input.motion.normal_force && input.motion.tangential_force);
+  EXPECT_EQ(input.motion.normal_force->mean, 2);
+  EXPECT_EQ(input.motion.normal_force->amplitude, 1);
+  EXPECT_NEAR(*input.motion.tangential_force, 0.2, 1e-15);
 }
 
 TEST(PathTable, AndOscillationsExcludeEachOther) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "comparison/case/path_table.h"
 #include "tests/comparison/computed_case.h"
 #include "tests/comparison/read_case.h"
 
@@ -65,12 +66,69 @@ TEST(MdrAnswer, OfACycleIsMindlinAndDeresiewiczs) {
   const auto cycle = answer_with_cycle(scene).cycle.value();
   const double work =
       mu * force * sliding * (8 * (x - 0.4 * (1 - std::pow(1 - x, 2.5))) - 4 * x * (1 - std::pow(1 - x, 1.5)));
-  EXPECT_NEAR(cycle.tangential_force_max / (mu * force * (1 - std::pow(1 - x, 1.5))), 1, 1e-4);
+  EXPECT_NEAR(cycle.forces.value().largest / (mu * force * (1 - std::pow(1 - x, 1.5))), 1, 1e-4);
   EXPECT_NEAR(cycle.friction_work / work, 1, 2e-3);
   EXPECT_LE(std::abs(cycle.friction_work - work), cycle.work_error);
   EXPECT_EQ(cycle.bulk_work, 0);
-  EXPECT_NEAR(cycle.tangential_force_mean, 0, 1e-9 * mu * force);
+  EXPECT_NEAR(cycle.tangential_work / cycle.friction_work, 1, 1e-3);
+  EXPECT_NEAR(cycle.forces->mean, 0, 1e-9 * mu * force);
   EXPECT_NEAR(cycle.sliding_work, 4 * mu * force * x * sliding, 1e-6 * mu * force * sliding);
+}
+
+/// The elastic case along a path of forces.
+Case along_forces(std::vector<double> normal, std::vector<double> tangential) {
+  auto scene = read_case(elastic_case());
+  Case::Path path{"rows.csv", {}, std::move(normal), std::move(tangential), false, true, true};
+  for (std::size_t k = 0; k < path.normal.size(); ++k) path.time.push_back(5 + static_cast<double>(k));
+  scene.motion = motion_along(path);
+  return scene;
+}
+
+// Hertz; Cattaneo and Mindlin: F(c) = F_N - F_x/mu, u_x = (3 mu/2)(d(F_N) - d(F(c))).
+TEST(MdrAnswer, OfAPassOfForcesIsCattaneosAndMindlins) {
+  const auto scene = along_forces({0.5, 0.5}, {0, 0.1});
+  const auto answer = answer_with_cycle(scene);
+  const double R = scene.indenter.radius, mu = scene.friction_coefficient;
+  const auto depth = [&](double force) { return std::pow(3 * force / (16e6 * std::sqrt(R)), 2.0 / 3); };
+  const double d = depth(0.5), stuck = depth(0.5 - 0.1 / mu);
+  EXPECT_TRUE(answer.single_pass);
+  EXPECT_FALSE(answer.stick_radius_shakedown || answer.worn_radius);
+  EXPECT_NEAR(answer.indentation_max.value() / d, 1, 1e-5);
+  EXPECT_NEAR(answer.contact_radius_max.value() / std::sqrt(R * d), 1, 1e-5);
+  EXPECT_NEAR(answer.stick_radius_first_slip.value() / std::sqrt(R * stuck), 1, 1e-5);
+  EXPECT_NEAR(answer.tangential_amplitude.value() / (0.75 * mu * (d - stuck)), 1, 1e-4);
+  EXPECT_NEAR(answer.cycle.value().sliding_work / (mu * 0.5 * 1.5 * mu * (d - stuck)), 1, 1e-4);
+  EXPECT_LT(answer.stepping_error, 1e-4);
+}
+
+TEST(MdrAnswer, OfAPassSaysWhenItSlides) {
+  const auto answer = answer_with_cycle(along_forces({0.5, 0.3}, {0, 0.2}));
+  EXPECT_NEAR(answer.gross_slip_time.value(), 5 + 5.0 / 6, 1e-9);
+  EXPECT_FALSE(answer.stick_radius_first_slip);
+}
+
+// The springs lose what the indenter puts in; their forces go on settling, and are not given.
+TEST(MdrAnswer, OfABodyWithADashpotHasWhatIsLost) {
+  auto scene = read_case(elastic_case());
+  scene.elastomer.rheology = "kelvin voigt";
+  scene.elastomer.viscosity = 5e4;
+  const auto answer = answer_with_cycle(scene);
+  ASSERT_TRUE(answer.cycle);
+  EXPECT_FALSE(answer.cycle->forces || answer.slip_decay);
+  // Of the indenter that only presses, 4 pi omega eta a Delta d^2 with a between both extremes of it.
+  const double rate = 2 * std::acos(-1.0) * scene.motion.normal_frequency, depth = scene.motion.indentation,
+               amplitude = scene.motion.normal_amplitude, radius = std::sqrt(scene.indenter.radius * depth),
+               pressed = 8 * std::acos(-1.0) * rate * 5e4 * radius * amplitude * amplitude;
+  EXPECT_GT(answer.cycle->bulk_work, 0.8 * pressed);
+  EXPECT_LT(answer.cycle->bulk_work, 1.5 * pressed);
+  EXPECT_GT(answer.cycle->tangential_work, answer.cycle->friction_work);
+  EXPECT_LT(answer.cycle->work_error, 0.02 * answer.cycle->bulk_work);
+}
+
+TEST(MdrAnswer, OfAStandardSolidSaysHowSlipDiesOut) {
+  const auto scene = read_case();
+  const double q = std::exp(-1 / (0.1 * scene.motion.normal_frequency));
+  EXPECT_NEAR(answer_with_cycle(scene).slip_decay.value(), (1 + q) / 2, 1e-12);
 }
 
 TEST(MdrAnswer, HasNoCycleWithoutALockedMotion) {

@@ -38,5 +38,15 @@ TEST(ForcesSection, SaysWhoFindsGrossSlip) {
   expect_parts(forces_html(json), {"gross slip at 0.88 of the amplitudes, at 0.83 says MDR"});
 }
 
+TEST(ForcesSection, SaysWhenAPassSlides) {
+  auto json = stored_result();
+  json["scene"]["tangential_force_amplitude"] = 0.5;
+  json["scene"]["path"] = {{"repeats", "once"}};
+  json["mdr"]["gross_slip"] = 1;
+  json["mdr"]["gross_slip_time"] = 0.83333;
+  json["fe"]["gross_slip"] = {{"time", 0.83332}, {"amplitude", 1}};
+  expect_parts(forces_html(json), {"gross slip at t = 0.8333 s, at 0.8333 s says MDR"});
+}
+
 }  // namespace
 }  // namespace fretval

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "comparison/case/path_table.h"
 #include "tests/comparison/expect_parts.h"
 #include "tests/comparison/read_case.h"
 
@@ -22,6 +23,13 @@ TEST(Explanation, SaysWhichRadiiThereAreNot) {
   const auto none =
       explanation(read_case(replace(valid_case, "Tangential amplitude = 1.5e-5", "Tangential amplitude = 1")));
   expect_parts(none, {"no zone sticks for good", "first slip   none", "shakedown    none"});
+}
+
+TEST(Explanation, OfAPassOfForcesSaysWhenItSlides) {
+  auto input = read_case(elastic_case());
+  input.motion = motion_along({"rows.csv", {0, 1}, {0.5, 0.3}, {0, 0.2}, false, true, true});
+  expect_parts(explanation(input), {"rows.csv: 2 rows in 1 s, passed once", "normal       300 mN to 500 mN",
+                                    "tangential   0 N to 200 mN", "gross slip: the whole contact slides from t = 833"});
 }
 
 TEST(Explanation, SaysWhyFiniteElementsDoNotComputeIt) {

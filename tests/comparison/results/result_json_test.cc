@@ -74,11 +74,11 @@ TEST(ResultJson, OfAPassHasItsLargestIndentationAndNoFrequency) {
   auto result = made_up_result();
   Case::Path path;
   path.time = {0, 1, 2};
-  path.indentation = {1e-4, 1.2e-4, 1e-4};
+  path.normal = {1e-4, 1.2e-4, 1e-4};
   path.tangential = {0, 8e-6, 0};
   path.repeats = false;
   result.input.motion.path = path;
-  result.mdr_case.path = mdr::SampledPath{path.time, path.indentation, path.tangential, path.repeats};
+  result.mdr_case.path = mdr::SampledPath{path.time, path.normal, path.tangential, path.repeats};
   const auto scene = written(result)["scene"];
   EXPECT_EQ(scene["indentation_max"], 1.2e-4);
   EXPECT_EQ(scene["path"]["rows"], 3);

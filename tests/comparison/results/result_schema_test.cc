@@ -21,7 +21,7 @@ std::string said_of(const std::vector<fs::path>& files, const ScratchFolder& fol
 }
 
 /// Every kind of result: with bars, beyond MDR, of a sweep, unlocked, limiting, with forces, gross slip, with
-/// harmonics, worn, along a path.
+/// harmonics, worn, along a path, also of forces.
 fs::path run_of_every_kind(const ScratchFolder& folder) {
   const auto elastic = elastic_case();
   const auto limiting = "subsection Wear\n  set State = limiting\n  set Stick radius ratio = 0.5\nend\n";
@@ -44,6 +44,11 @@ fs::path run_of_every_kind(const ScratchFolder& folder) {
     folder.write(repeats + ".prm", elastic.substr(0, begin) +
                                        "subsection Motion\n  set Path = path.csv\n  set Path repeats = " + repeats +
                                        "\nend\n" + elastic.substr(end));
+  for (const std::string pull : {"0.05", "0.4"}) {
+    folder.write("pull-" + pull + ".csv", "t,F_N,F_x\ns,N,N\n0,0.5,0\n1,0.6," + pull + "\n");
+    folder.write("pull-" + pull + ".prm", elastic.substr(0, begin) + "subsection Motion\n  set Path = pull-" + pull +
+                                              ".csv\n  set Path repeats = once\nend\n" + elastic.substr(end));
+  }
   write_damaged_case(folder, groove(0.5, 0.7, 0.04));
   const auto out = folder.path() / "out";
   const auto run = fretval_run("-q run --proof bars " + quoted(folder.path()) + " -o " + quoted(out), folder);
@@ -56,7 +61,7 @@ TEST(ResultSchema, HoldsForEveryKindOfResult) {
   std::vector<fs::path> results;
   for (const auto& entry : fs::recursive_directory_iterator(run_of_every_kind(folder)))
     if (entry.path().filename() == "result.json") results.push_back(entry.path());
-  EXPECT_EQ(results.size(), 12U);
+  EXPECT_EQ(results.size(), 14U);
   EXPECT_EQ(said_of(results, folder), "");
 }
 

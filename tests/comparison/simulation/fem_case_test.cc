@@ -51,7 +51,7 @@ Case sampled(Case input, int n_rows) {
   for (int k = 0; k <= n_rows; ++k) {
     const double angle = 2 * pi * k / n_rows;
     path.time.push_back(static_cast<double>(k) / n_rows / motion.normal_frequency);
-    path.indentation.push_back(motion.indentation + motion.normal_amplitude * std::cos(angle));
+    path.normal.push_back(motion.indentation + motion.normal_amplitude * std::cos(angle));
     path.tangential.push_back(motion.tangential_amplitude * std::cos(angle + phase));
   }
   return input;

@@ -4,7 +4,9 @@
 
 #include <cmath>
 
+#include "fem/history/gross_slip.h"
 #include "fem/history/motion.h"
+#include "fem/stick_zone/contact_radius.h"
 #include "fem/stick_zone/stick_zones.h"
 #include "fem/support/constants.h"
 #include "tests/fem/fretting.h"
@@ -130,6 +132,104 @@ TEST(SampledPath, ExtendsForcesOfADashpotToItsRows) {
   const double force = 0.2 + 0.3 * 0.2;
   const auto c = pass(body, along_path(pull), 36).zones.first_slip.radius;
   EXPECT_NEAR(c, std::sqrt(0.9 - force / (1.5 * mu)), 1e-4);
+}
+
+// At the fewest steps each row is one.
+constexpr int a_step_a_row = 9;
+
+/// Rows of a motion whose pieces are no longer than a step.
+SampledPath sampled(int n, double (*normal)(double), double (*tangential)(double)) {
+  SampledPath path{{}, {}, {}, normal(0), tangential(0), false};
+  for (int k = 0; k <= n; ++k) {
+    path.time.push_back(2 * pi * k / n);
+    path.normal.push_back(normal(path.time.back()));
+    path.tangential.push_back(tangential(path.time.back()));
+  }
+  return path;
+}
+
+// Forces of a motion, prescribed in turn, lead to the motion, if a row is a step: up to where the reading of a force
+// jumps as a ring changes its state, next to which two displacements have the same reading.
+TEST(SampledPath, OfNormalForcesLeadsToTheMotionThatTheyCameFrom) {
+  const RelaxationModel body{1, {1}, {2}, 0};
+  constexpr int n = 40;
+  auto path = sampled(
+      n, [](double t) { return 0.8 + 0.15 * std::sin(t); }, [](double /*t*/) { return 0.0; });
+  const auto& problem = normal_half_space(48);
+  const auto profile = parabola_means(problem);
+  const auto history_of = [&](const Motion& motion) {
+    const HistoryControl control{steps_along(*motion.path, a_step_a_row)};
+    return normal_history(NormalContact(problem, body, profile, motion, control.steps_per_cycle), control);
+  };
+  const auto there = history_of(along_path(path));
+  ASSERT_EQ(there.force.size(), n);
+  auto forces = path;
+  const Motion rest = along_path(path);
+  forces.rest_normal = forces.normal[0] =
+      NormalContact(problem, body, profile, rest, steps_along(path, a_step_a_row)).reading.force;
+  for (int k = 0; k < n; ++k) forces.normal[static_cast<std::size_t>(k) + 1] = there.force[k];
+  auto motion = along_path(forces);
+  motion.normal_force = true;
+  const auto back = history_of(motion);
+  EXPECT_LT((back.indentation - there.indentation).cwiseAbs().maxCoeff(), 2e-6);
+  EXPECT_LT((back.pressure - there.pressure).cwiseAbs().maxCoeff(), 5e-5);
+}
+
+TEST(SampledPath, OfTangentialForcesLeadsToTheMotionThatTheyCameFrom) {
+  const RelaxationModel body{1, {1}, {2}, 0};
+  constexpr int n = 40;
+  auto path = sampled(
+      n, [](double /*t*/) { return 0.9; }, [](double t) { return 0.25 * std::sin(t) + 0.05 * t; });
+  const auto there = pass(body, along_path(path), a_step_a_row);
+  auto forces = path;
+  for (int k = 0; k < n; ++k) forces.tangential[static_cast<std::size_t>(k) + 1] = there.friction.force[k];
+  auto motion = along_path(forces);
+  motion.tangential_force = true;
+  const auto back = pass(body, motion, a_step_a_row);
+  EXPECT_LT((back.friction.indenter - there.friction.indenter).cwiseAbs().maxCoeff(), 5e-6);
+  EXPECT_NEAR(back.zones.first_slip.radius, there.zones.first_slip.radius, 1e-6);
+  EXPECT_LT((back.friction.traction - there.friction.traction).cwiseAbs().maxCoeff(), 1e-4);
+}
+
+// F = 16/3 d^1.5, F_x = mu (F - 16/3 c^3), in steps of two lengths.
+TEST(SampledPath, OfBothForcesIsHertzsAndCattaneosAndMindlins) {
+  constexpr double full = 16.0 / 3;
+  const SampledPath pull{
+      {0, 0.7, 2 * pi}, {0.7 * full, 0.8 * full, 0.8 * full}, {0, 0, 0.15 * full}, 0.7 * full, 0, false};
+  auto motion = along_path(pull);
+  motion.normal_force = motion.tangential_force = true;
+  const auto [normal, friction, zones] = pass(elastic_body(), motion, 18);
+  const double c = std::cbrt(0.8 - 0.15 / mu);
+  EXPECT_NEAR(normal.largest_indentation, std::pow(0.8, 2.0 / 3), 3e-6);
+  EXPECT_NEAR(zones.first_slip.radius, c, 5e-5);
+  EXPECT_NEAR(friction.indenter.tail(1)[0], 1.5 * mu * (std::pow(0.8, 2.0 / 3) - c * c), 3e-5);
+}
+
+// |F_x| = mu F_N at t = 5/6 of the way, between the steps.
+TEST(SampledPath, SaysWhenTheWholeContactSlides) {
+  const SampledPath pull{{0, 2 * pi}, {5, 3}, {0, 2}, 5, 0, false};
+  auto motion = along_path(pull);
+  motion.normal_force = motion.tangential_force = true;
+  try {
+    pass(elastic_body(), motion, 18);
+    FAIL() << "accepted";
+  } catch (const GrossSlip& slip) {
+    EXPECT_NEAR(slip.time, 2 * pi * 5 / 6, 1e-9);
+    EXPECT_EQ(slip.amplitude, 1);
+  }
+}
+
+// A pass that lifts from its first row on is in largest contact there.
+TEST(SampledPath, KnowsTheContactThatItBeginsWith) {
+  const SampledPath lift{{0, 2 * pi}, {0.9, 0.4}, {0, 0}, 0.9, 0, false};
+  const auto& problem = normal_half_space(64);
+  const auto motion = along_path(lift);
+  const HistoryControl control{steps_along(lift, 18)};
+  const auto history = normal_history(
+      NormalContact(problem, elastic_body(), parabola_means(problem), motion, control.steps_per_cycle), control);
+  const auto events = contact_events(problem.compliance, parabola_means(problem));
+  EXPECT_NEAR(largest_contact_radius(history.smallest_gap, events).radius, std::sqrt(0.9), 1e-5);
+  EXPECT_NEAR(history.largest_indentation, 0.9, 1e-12);
 }
 
 }  // namespace

@@ -59,6 +59,7 @@ TEST(CycleResponse, LoopsOfEllipsesAreExact) {
     const auto response = cycle_response(body, 0.5, s.motion, 2.6, s.normal, s.friction);
     EXPECT_NEAR(response.friction_work + response.bulk_work, loops, 1e-12) << forces;
     EXPECT_EQ(response.friction_work, 0.01);
+    EXPECT_NEAR(response.tangential_work, pi * 0.1 * 0.4 * std::sin(0.5), 1e-12) << forces;
     EXPECT_NEAR(response.sliding_work, 0.5 * 2.6 * 4 * 0.1, 1e-14) << forces;
   }
 }
@@ -70,6 +71,7 @@ TEST(CycleResponse, CarriesWhatReadingTheForcesLeavesOpen) {
   EXPECT_EQ(with_memory.tangential_force_max, 0.002);
   EXPECT_NEAR(with_memory.tangential_force_mean, 0.002, 1e-15);
   EXPECT_EQ(with_memory.friction_work, 1e-4);
+  EXPECT_NEAR(with_memory.tangential_work, 4 * 0.002 * 0.1, 1e-7);
   EXPECT_NEAR(with_memory.cycle_work, 4 * (0.002 * 0.1 + 0.003 * 0.2), 1e-7);
   const auto elastic = cycle_response({1, {}, {}, 0}, 0.5, s.motion, 2.6, s.normal, s.friction).uncertainty;
   EXPECT_NEAR(elastic.friction_work, 4 * 0.002 * 0.1, 1e-7);

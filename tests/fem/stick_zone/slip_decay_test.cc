@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "fem/stick_zone/stick_zones.h"
+#include "fem/support/constants.h"
 #include "tests/fem/fretting.h"
 #include "tests/fem/half_space.h"
 
@@ -20,6 +22,25 @@ TEST(SlipDecay, IsTheLargestSlipInsideOverTheAmplitude) {
   EXPECT_TRUE(slip_decay(history, 0).empty());
   history.amplitude = 0;
   EXPECT_TRUE(slip_decay(history, 2).empty());
+}
+
+FrictionHistory slipping(const std::vector<double>& slips) {
+  FrictionHistory history;
+  history.amplitude = 1;
+  for (const double slip : slips) history.slip_of_periods.emplace_back(Eigen::VectorXd::Constant(1, slip));
+  return history;
+}
+
+TEST(SlipDecay, HasAFactorInTheEnd) {
+  const auto factor = decay_factor(slipping({9, 9, 8, 4.4, 2.2, 1, 0.25, 0}), 1, 2).value();
+  EXPECT_EQ(factor.factor, 0.25);
+  EXPECT_NEAR(factor.uncertainty, std::abs(0.25 - 1 / 2.2) * 1, 1e-15);  // root 1/2 over 1 - 1/2
+  EXPECT_FALSE(decay_factor(slipping({9, 9, 8, 4, 2}), 1, 2)) << "too few";
+  EXPECT_FALSE(decay_factor(slipping({1, 1, 1, 1, 1, 2, 3}), 1, 2)) << "grows";
+  EXPECT_FALSE(decay_factor(slipping({9, 9, 0, 0, 0, 0, 0}), 1, 2)) << "ends at once";
+  auto jumped = slipping({9, 9, 8, 4.4, 2.2, 1, 0.25});
+  jumped.jumped = true;
+  EXPECT_FALSE(decay_factor(jumped, 1, 2));
 }
 
 // A standard solid in fretting: one entry a period, the last of them that of the periodic state, and inside the
@@ -39,6 +60,14 @@ TEST(SlipDecay, EndsInShakedown) {
   const auto decay = slip_decay(history, stuck_rings(history, motion).shakedown);
   EXPECT_GT(*std::max_element(decay.begin(), decay.end()), 0.01);
   EXPECT_LE(decay.back() * history.amplitude, slip_of_stuck_ring(motion, history.amplitude));
+  // One slip a period, in one step: G (lambda - q) + G1 g (lambda - 1) = 0 with the share g of a branch in a step.
+  const auto body = standard_solid();
+  const double time = body.times[0], dt = 2 * pi / 48, share = body.moduli[0] * time / dt * -std::expm1(-dt / time),
+               expected = (std::exp(-2 * pi / time) + share) / (1 + share);
+  const auto factor = decay_factor(history, stuck_rings(history, motion).shakedown, motion.cycles_of_ramp()).value();
+  const double balance_inside_step = 2 * std::exp(-time / dt);  // of what the branch bears, see RelaxationStep
+  EXPECT_NEAR(factor.factor, expected, 2 * balance_inside_step);
+  EXPECT_LT(factor.uncertainty, 1e-4);
 }
 
 }  // namespace

@@ -14,12 +14,24 @@ SampledPath triangle(bool repeats) {
 }
 
 TEST(SampledPath, RestsAtItsMeanOverTimeOrAtItsFirstRow) {
-  EXPECT_EQ(rest_position(triangle(true)).indentation, 2);
-  EXPECT_EQ(rest_position(triangle(true)).tangential, 2);
-  EXPECT_EQ(rest_position(triangle(false)).indentation, 3);
-  EXPECT_EQ(rest_position(triangle(false)).tangential, 0);
+  EXPECT_EQ(rest_of(triangle(true)).normal, 2);
+  EXPECT_EQ(rest_of(triangle(true)).tangential, 2);
+  EXPECT_EQ(rest_of(triangle(false)).normal, 3);
+  EXPECT_EQ(rest_of(triangle(false)).tangential, 0);
   EXPECT_EQ(triangle(true).duration(), 4);
-  EXPECT_EQ(maximum_indentation(triangle(true)), 3);
+  EXPECT_EQ(maximum_normal(triangle(true)), 3);
+}
+
+TEST(SampledPath, OfForcesRisesFromNoTangentialForce) {
+  auto forces = triangle(true);
+  forces.normal_force = forces.tangential_force = true;
+  EXPECT_EQ(rest_of(forces).normal, 2);
+  EXPECT_EQ(rest_of(forces).tangential, 0);
+  EXPECT_EQ(error_of([&] { validate(forces); }), "accepted");
+  forces.normal[1] = 0;
+  EXPECT_NE(error_of([&] { validate(forces); }).find("normal force"), std::string::npos);
+  forces = {{0, 1}, {1, 1}, {0.1, 1}, false, true, true};
+  EXPECT_NE(error_of([&] { validate(forces); }).find("without tangential force"), std::string::npos);
 }
 
 TEST(SampledPath, IsRefusedWhereItIsNone) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
 
 #include "mdr/motion/harmonic_motion.h"
 #include "mdr/springs/forced_response.h"
@@ -39,7 +40,7 @@ TEST(PathResponse, OfSampledCosinesIsThatOfTheOscillation) {
   for (int k = 0; k <= n; ++k) {
     const double t = 2 * pi * (k % n) / n;
     path.time.push_back(static_cast<double>(k) / n);
-    path.indentation.push_back(1 + 0.2 * std::cos(t));
+    path.normal.push_back(1 + 0.2 * std::cos(t));
     path.tangential.push_back(0.15 * std::cos(t + 0.8));
   }
   const PronyBody body{1, {1}, {0.1}, 0};
@@ -61,6 +62,96 @@ TEST(PathResponse, LosesWhatTheIndenterPutsIn) {
   EXPECT_EQ(history.time.front(), 2);
   EXPECT_EQ(history.time.back(), 3.4);
   EXPECT_NEAR(history.tangential_displacement.back(), -0.1, 1e-15);
+}
+
+/// The depth at which Hertz's force, 16/3 G sqrt(R) d^1.5, is so much, of G = 1 and R = 1.
+double hertz_depth(double force) {
+  return std::pow(3 * force / 16, 2.0 / 3);
+}
+
+SampledPath under_forces(SampledPath path, bool normal = true, bool tangential = true) {
+  path.normal_force = normal;
+  path.tangential_force = tangential;
+  return path;
+}
+
+// In an elastic body the ring at c has just not slipped where F_N - |F_x|/mu is least, whose Hertzian depth is g(c):
+// the tangents of slope mu to the path of the loads (Barber, Davies, Hills 2011); with a periodic state both tangents.
+TEST(PathResponse, OfForcesSticksInsideTheTangentsToTheLoads) {
+  const auto once = under_forces({{0, 1, 2, 3}, {3, 6, 5, 4}, {0, 0.5, 1.2, -0.4}, false});
+  const auto [pass, pass_error, pass_course] = path_forces(parabola(1), elastic(1), mu, once);
+  EXPECT_NEAR(pass.first_slip, hertz_depth(5 - 1.2 / mu), 1e-6);
+  EXPECT_NEAR(pass.largest_indentation, hertz_depth(6), 1e-6);
+  EXPECT_NEAR(pass.tangential_force_max, 1.2, 1e-9);
+  const auto forever = under_forces({{0, 1, 2.5}, {4, 6, 4}, {-0.3, 1.2, -0.3}, true});
+  const auto [period, error, course] = path_forces(parabola(1), elastic(1), mu, forever);
+  EXPECT_NEAR(period.first_slip, hertz_depth(4 - 0.3 / mu), 1e-5);
+  EXPECT_NEAR(period.shakedown, hertz_depth((6 - 1.2 / mu + 4 - 0.3 / mu) / 2), 1e-6);
+}
+
+// As of oscillating forces, the shakedown radius does not depend on the rheology (docs/theory.md).
+TEST(PathResponse, OfForcesShakesDownAlikeInEveryBody) {
+  const auto saw = under_forces({{0, 1, 2.5}, {4, 6, 4}, {-0.3, 1.2, -0.3}, true});
+  const auto forces = path_forces(parabola(1), standard_solid(1, 1, 0.4), mu, saw).forces;
+  EXPECT_NEAR(forces.shakedown, hertz_depth((6 - 1.2 / mu + 4 - 0.3 / mu) / 2), 2e-5);
+}
+
+// Forces of a motion, prescribed in turn, lead to the motion: exactly if a row is a step, up to the springs, of which
+// there is a bed for each.
+TEST(PathResponse, OfTheForcesOfAMotionIsTheMotion) {
+  constexpr int n = 120;
+  const PronyBody body{1, {1}, {0.1}, 0};
+  SampledPath motion{{}, {}, {}, false};
+  for (int k = 0; k <= n; ++k) {
+    const double t = static_cast<double>(k) / n;
+    motion.time.push_back(t);
+    motion.normal.push_back(1 + 0.2 * std::sin(7 * t));
+    motion.tangential.push_back(0.2 * std::sin(9 * t));
+  }
+  const PathFineness a_step_a_row{2000, n};
+  const auto there = path_course(parabola(1), body, mu, motion, a_step_a_row).history;
+  for (const auto& [normal, tangential] : {std::pair(true, true), {true, false}, {false, true}}) {
+    auto back = motion;
+    if (normal) back.normal = there.normal_force;
+    if (tangential) back.tangential = there.tangential_force;
+    const auto found = path_course(parabola(1), body, mu, under_forces(back, normal, tangential), a_step_a_row).history;
+    for (std::size_t k = 0; k <= n; ++k) {
+      ASSERT_NEAR(found.indentation[k], motion.normal[k], 1e-6) << k;
+      ASSERT_NEAR(found.tangential_displacement[k], motion.tangential[k], 1e-6) << k;
+    }
+  }
+}
+
+// Rows on a straight line change nothing but the lengths of the steps, over which a dashpot's rates are taken.
+TEST(PathResponse, UnderForcesKnowsNoRowsOnAStraightLine) {
+  const auto body = kelvin_voigt(1, 0.2);
+  for (const auto& [normal, tangential] : {std::pair(true, true), {true, false}, {false, true}}) {
+    const double to = normal ? 6 : 1.1, from = normal ? 3 : 0.7, pull = tangential ? 1 : 0.2;
+    const auto few = under_forces({{0, 1}, {from, to}, {0, pull}, false}, normal, tangential),
+               more = under_forces({{0, 0.001, 0.9, 1},
+                                    {from, from + 0.001 * (to - from), from + 0.9 * (to - from), to},
+                                    {0, 0.001 * pull, 0.9 * pull, pull},
+                                    false},
+                                   normal, tangential);
+    const auto one = path_forces(parabola(1), body, mu, few).forces,
+               other = path_forces(parabola(1), body, mu, more).forces;
+    EXPECT_NEAR(one.largest_indentation, other.largest_indentation, 2e-4 * to);
+    EXPECT_NEAR(one.normal_force_max, other.normal_force_max, 2e-4 * one.normal_force_max);
+    EXPECT_NEAR(one.tangential_amplitude, other.tangential_amplitude, 2e-4);
+    EXPECT_NEAR(one.first_slip, other.first_slip, 2e-4 * to);
+  }
+}
+
+// |F_x| = mu F_N at t = 5/6, between the steps.
+TEST(PathResponse, SaysWhenTheWholeContactSlides) {
+  const auto pull = under_forces({{2, 3}, {5, 3}, {0, 2}, false});
+  try {
+    path_forces(parabola(1), elastic(1), mu, pull);
+    FAIL() << "accepted";
+  } catch (const GrossSlip& slip) {
+    EXPECT_NEAR(slip.time, 2 + 5.0 / 6, 1e-12);
+    EXPECT_EQ(slip.amplitude, 1);
+  }
 }
 
 TEST(PathResponse, RefusesBadArguments) {

@@ -20,7 +20,7 @@ SampledPath cosines(int n, double phase) {
   for (int k = 0; k <= n; ++k) {
     const double t = 2 * pi * (k % n) / n;
     path.time.push_back(static_cast<double>(k) / n);
-    path.indentation.push_back(1 + 0.2 * std::cos(t));
+    path.normal.push_back(1 + 0.2 * std::cos(t));
     path.tangential.push_back(0.15 * std::cos(t + phase));
   }
   return path;
