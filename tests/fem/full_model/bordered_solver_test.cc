@@ -23,7 +23,7 @@ class BorderedSolverOf : public testing::TestWithParam<Harmonic> {
   HarmonicSpace space_{quarter_disc_grid(1, n_rings, 6, 0.35), GetParam(), 2};
   SparseMatrix stiffness_ = assemble_stiffness(space_);
   Condensation condensation_{stiffness_, space_.contact_line().dofs, "body"};
-  Compliance compliance_ = contact_compliance(space_.contact_line(), condensation_);
+  Compliance compliance_ = contact_compliance(space_.contact_line(), condensation_.schur_complement());
   BorderedSolver bordered_{space_, "body"};
   std::vector<BoxState> state_ = std::vector<BoxState>(n_rings, BoxState::interior);
 };
