@@ -35,7 +35,7 @@ void keep_memory_of_bodies() {
 int run(int argc, char** argv) {
   keep_memory_of_bodies();
   fretval::log::start();
-  fretval::say_on_interrupt("interrupted: nothing is kept");
+  if (fretval::is_first_rank()) fretval::say_on_interrupt("interrupted: nothing is kept");
   CLI::App app{
       "fretval: do finite elements confirm what the method of dimensionality reduction predicts for fretting on an "
       "elastomer, how closely, and at what cost?"};

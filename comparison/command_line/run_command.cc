@@ -134,7 +134,6 @@ int run_cases(const RunOptions& options) {
   const auto cases = read_cases(options.inputs);
   const auto prepared = prepare(cases);
   if (!ranks.is_first()) {
-    say_on_interrupt("");
     computed_lines(prepared, options, ranks);
     return exit_agree;
   }

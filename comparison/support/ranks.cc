@@ -96,7 +96,7 @@ std::string host_name() {
 }  // namespace
 
 void rest() {
-  std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  std::this_thread::sleep_for(std::chrono::microseconds(500));
 }
 
 Ranks::Ranks() {
@@ -158,13 +158,17 @@ bool are_several_ranks() {
   return fem::this_process().count > 1;
 }
 
+bool is_first_rank() {
+  return fem::this_process().number == 0;
+}
+
 std::string rank_text() {
   const auto process = fem::this_process();
   return process.count > 1 ? fmt::format("rank {} of {} on {}: ", process.number, process.count, host_name()) : "";
 }
 
 void let_first_rank_speak() {
-  if (fem::this_process().number > 0) std::this_thread::sleep_for(std::chrono::seconds(1));
+  if (!is_first_rank()) std::this_thread::sleep_for(std::chrono::seconds(1));
 }
 
 void end_all_ranks(int exit_code) {

@@ -7,15 +7,15 @@
 
 namespace fretval {
 
-/// What a thread does between two looks for messages: sleeps for a millisecond.
+/// Between two looks for messages: half a millisecond of sleep.
 void rest();
 
 /// The processes that mpirun has started for one run, and how they talk. With petsc_session.cc and
 /// distributed_condensation.cc the only place that knows of MPI.
 ///
 /// The first rank answers questions and gives orders. Any thread of any rank asks (the first rank's too); one thread of
-/// the first answers, and one of each other looks for orders. Who waits sleeps a millisecond between looks, so that a
-/// waiting rank takes no core from one that computes.
+/// the first answers, and one of each other looks for orders. Who waits sleeps between looks, so that a waiting rank
+/// takes no core from one that computes.
 class Ranks {
  public:
   /// Starts MPI where this process was started with others; alone it is the first and only rank, and there is no MPI.
@@ -55,9 +55,10 @@ class Ranks {
   int number_ = 0, count_ = 1;
 };
 
-/// Whether several ranks were started; "rank 1 of 4 on node7: ", for messages, and nothing for a process alone. By the
-/// environment: also before there are Ranks.
+/// Whether several ranks were started, and this is the first (or only) one; "rank 1 of 4 on node7: ", for messages, and
+/// nothing for a process alone. By the environment: also before there are Ranks.
 bool are_several_ranks();
+bool is_first_rank();
 std::string rank_text();
 
 /// Where several ranks meet the same error, the first one says it: the others give it a second, in which it ends them.
