@@ -23,10 +23,6 @@ std::string bytes_of(const json& message) {
   return bytes;
 }
 
-std::string message_of(const BodySpecification& body) {
-  return bytes_of({body.contact_nodes, body.growth, body.far_radius, body.degree, body.tangential});
-}
-
 BodySpecification specification_in(const std::string& message) {
   const auto body = json::from_cbor(message);
   return {body.at(0).get<std::vector<double>>(), body.at(1), body.at(2), body.at(3), body.at(4)};
@@ -53,6 +49,10 @@ Condensed condensed_together(const BodySpecification& body, const meshes::Mesh& 
 
 }  // namespace
 
+std::string text_of(const BodySpecification& body) {
+  return bytes_of({body.contact_nodes, body.growth, body.far_radius, body.degree, body.tangential});
+}
+
 std::string operators_made_together(const std::string& specification, const fem::Share& share) {
   const auto body = specification_in(specification);
   const auto mesh = mesh_of(body);
@@ -78,7 +78,7 @@ ContactBody distributed_body(const BodySpecification& specification, const Distr
   if (kept)
     if (auto body = kept_body(specification, *kept, distribution.n_processes)) return *std::move(body);
   Stopwatch watch;
-  const auto answer = json::from_cbor(distribution.make_together(message_of(specification)));
+  const auto answer = json::from_cbor(distribution.make_together(text_of(specification)));
   if (const std::string failure = answer.at("failure"); !failure.empty()) throw fem::SolverError(failure);
   std::vector<fem::StoredOperator> harmonics;
   for (const auto& bytes : answer.at("operators")) {

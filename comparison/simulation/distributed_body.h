@@ -22,6 +22,9 @@ struct Distribution {
 ContactBody distributed_body(const BodySpecification& specification, const Distribution& distribution,
                              OperatorStore* kept);
 
+/// A specification as bytes, with all digits.
+std::string text_of(const BodySpecification& body);
+
 /// For all processes at the same time, one thread each: meshes the body, assembles and factorises its harmonics
 /// together, one after the other. Returns on the first process the operators as bytes for distributed_body, or why the
 /// numerics failed; elsewhere nothing.
