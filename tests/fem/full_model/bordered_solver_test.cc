@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "fem/condensation/compliance.h"
+#include "fem/condensation/condensation.h"
 #include "fem/operators/stiffness.h"
 #include "tests/fem/expect_solver_error.h"
 #include "tests/fem/half_space.h"
