@@ -40,7 +40,9 @@ class DistributedFactor {
     analyse_and_factorise(spare.first);
     if (needs_more_work_space(mumps_.infog[0])) analyse_and_factorise(spare.second);
     check("the factorisation");
-    fill_symmetric(schur_);
+    // The lower triangle by rows, as the manual has it: several processes leave other numbers in the upper one, larger
+    // ones if there are many rings, so that fill_symmetric would take those.
+    schur_.triangularView<Eigen::StrictlyLower>() = schur_.transpose();
   }
 
   /// Empty but on the first process.
@@ -91,9 +93,8 @@ class DistributedFactor {
   }
 
   void choose_interface(const std::vector<unsigned>& dofs) {
-    constexpr int on_first_process = 1, metis = 5;
+    constexpr int on_first_process = 1;
     icntl(19) = on_first_process;
-    icntl(7) = metis;
     for (const unsigned dof : dofs) interface_.push_back(static_cast<int>(dof) + 1);
     mumps_.size_schur = static_cast<int>(interface_.size());
     mumps_.listvar_schur = interface_.data();
