@@ -108,6 +108,9 @@ void add_commands(CLI::App& app, Command& command) {
                   "Folder of earlier results: exit with 1 if a value moves by more than both its error bars");
   add_store_options(*run, options->run.store);
   run->add_flag("--no-store", options->run.store.none, "Make all operators, and keep none");
+  run->add_option("--distribute-from", options->run.distribute_from,
+                  "Under mpirun: bodies of so many degrees of freedom or more are made by all ranks together")
+      ->capture_default_str();
   run->callback([=, &command] { command = [=] { return run_cases(options->run); }; });
 
   auto* check = app.add_subcommand(

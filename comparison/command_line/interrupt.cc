@@ -28,7 +28,7 @@ void say_on_interrupt(const std::string& message) {
   const auto n = std::min(line.size(), text.size());
   std::copy_n(line.begin(), n, text.begin());
   n_characters = static_cast<std::sig_atomic_t>(n);
-  std::signal(SIGINT, say_and_end);
+  for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, say_and_end);
 }
 
 }  // namespace fretval

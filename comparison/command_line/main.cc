@@ -4,19 +4,16 @@
 #include <CLI/CLI.hpp>
 #include <cerrno>
 #include <cstdio>
-#include <filesystem>
-#include <new>
 #include <system_error>
 
 #include "comparison/case/case.h"
 #include "comparison/command_line/commands.h"
 #include "comparison/command_line/exit_codes.h"
+#include "comparison/command_line/failure.h"
 #include "comparison/command_line/interrupt.h"
-#include "comparison/support/escape.h"
 #include "comparison/support/log.h"
+#include "comparison/support/ranks.h"
 #include "comparison/support/versions.h"
-#include "fem/support/solver_error.h"
-#include "meshes/mesh_error.h"
 
 namespace {
 
@@ -25,11 +22,6 @@ std::string version_text() {
   for (const auto& [name, version] : fretval::versions()) text += fmt::format("{} {}\n", name, version);
   text.pop_back();
   return text;
-}
-
-/// Parts of a message may come from a file.
-void say(const std::exception& error) {
-  fretval::log::error(fretval::without_control_characters(error.what()));
 }
 
 /// Every body takes hundreds of megabytes and gives them back. Where they go back to the kernel and come anew, clearing
@@ -43,7 +35,7 @@ void keep_memory_of_bodies() {
 int run(int argc, char** argv) {
   keep_memory_of_bodies();
   fretval::log::start();
-  fretval::say_on_interrupt("interrupted: nothing is kept");
+  if (fretval::is_first_rank()) fretval::say_on_interrupt("interrupted: nothing is kept");
   CLI::App app{
       "fretval: do finite elements confirm what the method of dimensionality reduction predicts for fretting on an "
       "elastomer, how closely, and at what cost?"};
@@ -61,39 +53,18 @@ int run(int argc, char** argv) {
     const auto unknown = fretval::unknown_verb(app, {argv + 1, argv + argc});
     if (error.get_exit_code() == 0 || unknown.empty())
       return app.exit(error) == 0 ? fretval::exit_agree : fretval::exit_bad_input;
-    say(fretval::InputError(unknown));
-    return fretval::exit_bad_input;
+    return fretval::say_failure(std::make_exception_ptr(fretval::InputError(unknown)));
   }
   try {
+    if (fretval::are_several_ranks() && !app.got_subcommand("run"))
+      throw fretval::InputError(fmt::format("{}: works in one process; mpirun is for fretval run alone", argv[1]));
     const int exit_code = command();
     errno = 0;
     if (std::fflush(stdout) != 0 || std::ferror(stdout))
       throw std::system_error(errno ? errno : EIO, std::generic_category(), "cannot write to the standard output");
     return exit_code;
-  } catch (const fretval::InputError& error) {
-    say(error);
-    return fretval::exit_bad_input;
-  } catch (const fretval::meshes::MeshError& error) {
-    say(error);
-    return fretval::exit_bad_input;
-  } catch (const fretval::fem::SolverError& error) {
-    say(error);
-    return fretval::exit_numerics_failed;
-  } catch (const std::filesystem::filesystem_error& error) {
-    say(error);
-    return fretval::exit_system_failed;
-  } catch (const std::system_error& error) {
-    say(error);
-    return fretval::exit_system_failed;
-  } catch (const std::runtime_error& error) {
-    say(error);
-    return fretval::exit_numerics_failed;
-  } catch (const std::bad_alloc&) {
-    fretval::log::error("out of memory: use a larger Accuracy / Tolerance");
-    return fretval::exit_system_failed;
-  } catch (const std::exception& error) {
-    say(error);
-    return fretval::exit_system_failed;
+  } catch (...) {
+    return fretval::end_with_failure(std::current_exception());
   }
 }
 

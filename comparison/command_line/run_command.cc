@@ -11,18 +11,21 @@
 #include "comparison/case/case_file.h"
 #include "comparison/case/problems.h"
 #include "comparison/command_line/exit_codes.h"
+#include "comparison/command_line/failure.h"
 #include "comparison/command_line/interrupt.h"
 #include "comparison/command_line/terminal.h"
 #include "comparison/report/numbers.h"
 #include "comparison/report/report.h"
 #include "comparison/results/batch.h"
 #include "comparison/results/changes.h"
+#include "comparison/results/ranked_batch.h"
 #include "comparison/results/sweep_line.h"
 #include "comparison/support/files.h"
 #include "comparison/support/folder_lock.h"
 #include "comparison/support/junit.h"
 #include "comparison/support/log.h"
 #include "comparison/support/progress.h"
+#include "comparison/support/ranks.h"
 #include "comparison/support/stopwatch.h"
 #include "fem/condensation/petsc_session.h"
 
@@ -63,7 +66,8 @@ int exit_code_of(const std::vector<BatchLine>& lines) {
   return std::all_of(lines.begin(), lines.end(), agrees) ? exit_agree : exit_disagree;
 }
 
-std::vector<BatchLine> computed_lines(const std::vector<PreparedCase>& prepared, const RunOptions& options) {
+std::vector<BatchLine> computed_lines(const std::vector<PreparedCase>& prepared, const RunOptions& options,
+                                      const Ranks& ranks) {
   const fem::PetscSession session;
   Progress progress(prepared.size());
   const auto told = [&](const BatchLine& line, std::size_t, std::size_t) {
@@ -74,10 +78,13 @@ std::vector<BatchLine> computed_lines(const std::vector<PreparedCase>& prepared,
     progress.under_way(name, share, what);
   };
   BodyStore bodies(store_of(options.store));
-  auto lines = run_batch(prepared, {options.proof, options.output, told, under_way}, bodies);
-  if (bodies.operators)
-    log::info(fmt::format("{} bodies made, {} from the store {}", bodies.n_made, bodies.n_kept,
-                          bodies.operators->folder().string()));
+  const BatchOptions batch{options.proof, options.output, told, under_way};
+  auto lines = ranks.are_several()
+                   ? run_ranked_batch(prepared, batch, bodies, ranks, options.distribute_from, end_with_failure)
+                   : run_batch(prepared, batch, bodies);
+  const auto n = ranks.sum({bodies.n_made, bodies.n_kept});
+  if (bodies.operators && ranks.is_first())
+    log::info(fmt::format("{} bodies made, {} from the store {}", n[0], n[1], bodies.operators->folder().string()));
   return lines;
 }
 
@@ -122,9 +129,14 @@ void log_left_out(const std::vector<PreparedCase>& prepared) {
 
 int run_cases(const RunOptions& options) {
   Stopwatch watch;
+  const Ranks ranks;
   const auto& output = options.output;
   const auto cases = read_cases(options.inputs);
   const auto prepared = prepare(cases);
+  if (!ranks.is_first()) {
+    computed_lines(prepared, options, ranks);
+    return exit_agree;
+  }
   const auto baseline = options.baseline.empty() ? std::vector<StoredResult>{} : read_results(options.baseline);
   for (const auto& one : prepared)
     for (const auto& warning : one.input.warnings) log::warn(warning);
@@ -136,7 +148,7 @@ int run_cases(const RunOptions& options) {
     say_on_interrupt(
         fmt::format("interrupted: the cases that are done are kept in {0}; fretval report {0} shows them{1}",
                     output.string(), any_wears ? "; wear goes on from here when it is run again" : ""));
-  const auto lines = computed_lines(prepared, options);
+  const auto lines = computed_lines(prepared, options, ranks);
   if (!options.json) lines.size() == 1 && lines[0].failure.empty() ? print_answer(lines[0]) : print_verdicts(lines);
   if (!options.junit.empty()) write_file(options.junit, junit_of(lines));
   if (keeps_results) write_sweep_lines(cases, output);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -17,10 +18,12 @@ struct RunOptions {
   std::string junit;     ///< file for JUnit XML; empty: none
   std::string baseline;  ///< folder of earlier results that none may depart from; empty: none
   StoreOptions store;
+  std::size_t distribute_from = 1000000;  ///< bodies of so many dofs or more are made by all ranks together, if several
 };
 
 /// `fretval run`: MDR and finite elements, compared; writes the results and the report. `fretval check --cases`: the
-/// same without an output. Returns the exit code.
+/// same without an output. Ranks that mpirun has started share the cases, and the first one says and writes what comes
+/// of them. Returns the exit code.
 int run_cases(const RunOptions& options);
 
 }  // namespace fretval

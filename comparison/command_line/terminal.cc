@@ -2,29 +2,19 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
+#include <algorithm>
 #include <cstdio>
 #include <map>
 
 namespace fretval {
 namespace {
 
-/// The largest use of a tolerance among the lines of one case file.
-struct Worst {
-  double use = -1;
-  std::string text;
-};
-
-Worst worst_of(const std::vector<BatchLine>& lines) {
-  Worst worst;
-  for (const auto& line : lines)
-    for (const auto& [quantity, d] : line.comparison) {
-      const double difference = d.difference.value_or(d.only_one), use = std::abs(difference) / d.tolerance;
-      if (use <= worst.use) continue;
-      worst = {use, fmt::format("{} in {}: {:.1e} of {:.1e}{}", traits_of(quantity).title, line.name, difference,
-                                d.tolerance, d.only_one != 0 ? ", only one of the two sticks" : "")};
-    }
-  return worst;
+/// Among the lines of one case file.
+ToleranceUse largest_use_of(const std::vector<BatchLine>& lines) {
+  const auto worst = std::max_element(lines.begin(), lines.end(), [](const BatchLine& a, const BatchLine& b) {
+    return a.largest_use.share < b.largest_use.share;
+  });
+  return worst->largest_use;
 }
 
 }  // namespace
@@ -60,7 +50,7 @@ void print_verdicts(const std::vector<BatchLine>& lines) {
     if (n_beyond == members.size()) continue;
     fmt::print("{} {:<34} {:>3} of {:>3} agree; largest use of a tolerance: {}\n",
                n_pass == members.size() ? "agree   " : "DISAGREE", family, n_pass, members.size(),
-               worst_of(members).text);
+               largest_use_of(members).text);
   }
   std::fflush(stdout);  // before the log goes on
 }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <mutex>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
@@ -10,6 +11,8 @@
 #include "comparison/reference/normal_responses.h"
 #include "comparison/results/answer_text.h"
 #include "comparison/results/case_result.h"
+#include "comparison/support/log.h"
+#include "comparison/support/parallel.h"
 #include "comparison/support/stopwatch.h"
 
 namespace fretval {
@@ -18,7 +21,7 @@ namespace {
 /// What there is to tell and to keep of a result.
 void finish(const CaseResult& result, const mdr::NormalResponse& reference, const BatchOptions& options,
             BatchLine& line) {
-  line.comparison = result.comparison;
+  line.largest_use = largest_use(result.comparison, line.name);
   line.pass = passes(result);
   line.compared = !result.beyond_mdr;
   line.answer = answer_text(result);
@@ -41,6 +44,11 @@ BatchLine run_case(const PreparedCase& asked, const BatchOptions& options, BodyS
     line.failure = error.what();
   }
   if (!fe.failure.empty()) line.failure = fe.failure;
+  if (prepared.fem.keeps_body && fe.fe.body && is_too_large(fe.fe.body->n_dofs, bodies)) {
+    log::warn(
+        fmt::format("{}: no fields are written: no process has a body of {} dofs", line.name, fe.fe.body->n_dofs));
+    prepared.input.fields = Case::Fields::none;
+  }
   const auto folder = options.output / line.name;
   if (!options.output.empty()) withdraw_result(folder);
   if (!line.failure.empty()) return line;
@@ -68,6 +76,25 @@ BatchLine run_case(const PreparedCase& asked, const BatchOptions& options, BodyS
 
 }  // namespace
 
+ToleranceUse largest_use(const Comparison& comparison, const std::string& name) {
+  ToleranceUse largest;
+  for (const auto& [quantity, d] : comparison) {
+    const double difference = d.difference.value_or(d.only_one), share = std::abs(difference) / d.tolerance;
+    if (share <= largest.share) continue;
+    largest = {share, fmt::format("{} in {}: {:.1e} of {:.1e}{}", traits_of(quantity).title, name, difference,
+                                  d.tolerance, d.only_one != 0 ? ", only one of the two sticks" : "")};
+  }
+  return largest;
+}
+
+BatchLine computed_line(const PreparedCase& prepared, const BatchOptions& options, BodyStore& bodies,
+                        NormalResponses& references) {
+  Stopwatch watch;
+  auto line = run_case(prepared, options, bodies, references);
+  line.seconds = watch.lap();
+  return line;
+}
+
 std::vector<BatchLine> run_batch(const std::vector<PreparedCase>& cases, const BatchOptions& options,
                                  BodyStore& bodies) {
   std::vector<BatchLine> lines(cases.size());
@@ -75,9 +102,7 @@ std::vector<BatchLine> run_batch(const std::vector<PreparedCase>& cases, const B
   std::mutex mutex;
   std::size_t n_done = 0;
   for_each_in_parallel(cases.size(), [&](std::size_t i) {
-    Stopwatch watch;
-    lines[i] = run_case(cases[i], options, bodies, references);
-    lines[i].seconds = watch.lap();
+    lines[i] = computed_line(cases[i], options, bodies, references);
     const std::lock_guard<std::mutex> lock(mutex);
     options.progress(lines[i], ++n_done, cases.size());
   });

@@ -6,15 +6,25 @@
 #include <vector>
 
 #include "comparison/accuracy/proof.h"
+#include "comparison/reference/normal_responses.h"
 
 namespace fretval {
+
+/// How much of a tolerance a difference uses.
+struct ToleranceUse {
+  double share = -1;      ///< of the tolerance; negative: nothing was compared
+  std::string text = {};  ///< the quantity, the case, the difference and the tolerance
+};
+
+/// The largest one of a case.
+ToleranceUse largest_use(const Comparison& comparison, const std::string& name);
 
 /// One line of what a batch comes to.
 struct BatchLine {
   std::string name;
   bool pass = false;
   std::string failure;  ///< not empty: the numerics failed on this case, with this message
-  Comparison comparison;
+  ToleranceUse largest_use = {};
   std::string answer = {};  ///< for people, see answer_text
   std::string json = {};    ///< result.json in one line
   double seconds = 0;
@@ -29,6 +39,10 @@ struct BatchOptions {
   /// Called on the way through a long case, by any thread: its name, the share that is done, and what there is to say.
   std::function<void(const std::string& name, double share, const std::string& what)> under_way = {};
 };
+
+/// Computes one case and writes its folder.
+BatchLine computed_line(const PreparedCase& prepared, const BatchOptions& options, BodyStore& bodies,
+                        NormalResponses& references);
 
 /// Computes all cases, on all cores, with shared bodies. bodies: made already, or to be made. Each case writes its
 /// folder under the output when it is done. What a folder holds from an earlier run no longer counts as a result from

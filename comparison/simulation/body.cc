@@ -19,7 +19,7 @@ HarmonicOperators assemble_harmonic(const fem::GridData& grid, fem::Harmonic har
 
 HarmonicBody condense_harmonic(HarmonicOperators&& operators, const std::string& name) {
   fem::Condensation condensation(operators.stiffness, operators.space.contact_line().dofs, name);
-  fem::ContactProblem contact(fem::contact_compliance(operators.space.contact_line(), condensation));
+  fem::ContactProblem contact(fem::contact_compliance(operators.space.contact_line(), condensation.schur_complement()));
   return {std::move(operators.space), std::move(condensation), std::move(contact)};
 }
 
@@ -27,6 +27,14 @@ HarmonicBody condense_harmonic(HarmonicOperators&& operators, const std::string&
 
 meshes::Mesh mesh_of(const BodySpecification& specification) {
   return meshes::quarter_disc({specification.contact_nodes, specification.far_radius, specification.growth});
+}
+
+std::size_t n_dofs_on(const meshes::Mesh& mesh, unsigned degree, bool tangential) {
+  const std::size_t n_corners = mesh.nodes.size(), n_cells = mesh.cells.size();
+  const std::size_t n_edges = n_corners + n_cells - 1;  // Euler
+  const auto n_nodes = [&](std::size_t k) { return n_corners + (k - 1) * n_edges + (k - 1) * (k - 1) * n_cells; };
+  const std::size_t n_displacements = tangential ? 2 + 3 : 2, n_pressures = tangential ? 2 : 1;
+  return n_displacements * n_nodes(degree) + n_pressures * n_nodes(degree - 1);
 }
 
 fem::GridData grid_of(const meshes::Mesh& mesh) {

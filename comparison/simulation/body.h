@@ -26,6 +26,9 @@ struct BodyCost {
 /// The mesh that a specification asks for.
 meshes::Mesh mesh_of(const BodySpecification& specification);
 
+/// Degrees of freedom of a body on a mesh without holes, before it is made: of both harmonics if it has two.
+std::size_t n_dofs_on(const meshes::Mesh& mesh, unsigned degree, bool tangential);
+
 /// The mesh as the finite elements take it.
 fem::GridData grid_of(const meshes::Mesh& mesh);
 

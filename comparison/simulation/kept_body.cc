@@ -3,27 +3,12 @@
 #include <utility>
 
 #include "comparison/simulation/operator_key.h"
-#include "comparison/support/stopwatch.h"
 
 namespace fretval {
 namespace {
 
 using fem::Harmonic;
 using Figures = std::map<std::string, double>;
-
-Figures figures_of(const Body& body, const HarmonicBody& harmonic) {
-  const auto& q = body.mesh_quality;
-  return {{"dofs", harmonic.space.n_dofs()},
-          {"contact nodes", static_cast<double>(harmonic.space.contact_line().dofs.size())},
-          {"cells", static_cast<double>(q.n_cells)},
-          {"nodes", static_cast<double>(q.n_nodes)},
-          {"smallest scaled Jacobian", q.min_scaled_jacobian},
-          {"mean scaled Jacobian", q.mean_scaled_jacobian},
-          {"largest aspect ratio", q.max_aspect_ratio},
-          {"area", q.area},
-          {"smallest edge", q.smallest_edge},
-          {"largest edge", q.largest_edge}};
-}
 
 meshes::MeshQuality quality_in(const Figures& figures) {
   return {static_cast<std::size_t>(figures.at("cells")),
@@ -38,32 +23,53 @@ meshes::MeshQuality quality_in(const Figures& figures) {
 
 }  // namespace
 
-std::optional<ContactBody> kept_body(const BodySpecification& specification, const OperatorStore& operators) {
-  Stopwatch watch;
-  auto normal = operators.find(operator_key(specification, Harmonic::normal));
-  if (!normal) return std::nullopt;
-  BodySummary summary{quality_in(normal->figures),
-                      {},
-                      static_cast<unsigned>(normal->figures.at("dofs")),
-                      static_cast<std::size_t>(normal->figures.at("contact nodes")),
-                      normal->compliance.radii,
-                      true};
+Figures figures_of(const meshes::MeshQuality& q, const fem::HarmonicSpace& space) {
+  return {{"dofs", space.n_dofs()},
+          {"contact nodes", static_cast<double>(space.contact_line().dofs.size())},
+          {"cells", static_cast<double>(q.n_cells)},
+          {"nodes", static_cast<double>(q.n_nodes)},
+          {"smallest scaled Jacobian", q.min_scaled_jacobian},
+          {"mean scaled Jacobian", q.mean_scaled_jacobian},
+          {"largest aspect ratio", q.max_aspect_ratio},
+          {"area", q.area},
+          {"smallest edge", q.smallest_edge},
+          {"largest edge", q.largest_edge}};
+}
+
+std::vector<Harmonic> harmonics_of(const BodySpecification& specification) {
+  if (specification.tangential) return {Harmonic::normal, Harmonic::tangential};
+  return {Harmonic::normal};
+}
+
+ContactBody body_of(std::vector<fem::StoredOperator> harmonics, bool from_store, Stopwatch& watch) {
+  const auto& figures = harmonics[0].figures;
+  BodySummary summary{
+      quality_in(figures),           {},        0, static_cast<std::size_t>(figures.at("contact nodes")),
+      harmonics[0].compliance.radii, from_store};
+  for (const auto& harmonic : harmonics) summary.n_dofs += static_cast<unsigned>(harmonic.figures.at("dofs"));
+  fem::ContactProblem normal(std::move(harmonics[0].compliance));
   std::optional<fem::ContactProblem> tangential;
-  if (specification.tangential) {
-    auto found = operators.find(operator_key(specification, Harmonic::tangential));
+  if (harmonics.size() > 1) tangential.emplace(std::move(harmonics[1].compliance));
+  (from_store ? summary.cost.reading : summary.cost.factorisation) = watch.lap();
+  return {std::move(normal), std::move(tangential), std::make_shared<const BodySummary>(std::move(summary))};
+}
+
+std::optional<ContactBody> kept_body(const BodySpecification& specification, const OperatorStore& operators,
+                                     int n_processes) {
+  Stopwatch watch;
+  std::vector<fem::StoredOperator> harmonics;
+  for (const auto harmonic : harmonics_of(specification)) {
+    auto found = operators.find(operator_key(specification, harmonic, n_processes));
     if (!found) return std::nullopt;
-    summary.n_dofs += static_cast<unsigned>(found->figures.at("dofs"));
-    tangential.emplace(std::move(found->compliance));
+    harmonics.push_back(*std::move(found));
   }
-  fem::ContactProblem problem(std::move(normal->compliance));
-  summary.cost.reading = watch.lap();
-  return ContactBody{std::move(problem), std::move(tangential),
-                     std::make_shared<const BodySummary>(std::move(summary))};
+  return body_of(std::move(harmonics), true, watch);
 }
 
 void keep_body(const BodySpecification& specification, const Body& body, OperatorStore& operators) {
   const auto keep = [&](Harmonic harmonic, const HarmonicBody& part) {
-    operators.keep({operator_key(specification, harmonic), part.contact.compliance, figures_of(body, part)});
+    operators.keep(
+        {operator_key(specification, harmonic), part.contact.compliance, figures_of(body.mesh_quality, part.space)});
   };
   keep(Harmonic::normal, body.normal);
   if (body.tangential) keep(Harmonic::tangential, *body.tangential);

@@ -1,5 +1,7 @@
 #include "comparison/support/parallel.h"
 
+#include <sched.h>
+
 #include <algorithm>
 #include <exception>
 #include <mutex>
@@ -10,7 +12,10 @@
 namespace fretval {
 
 std::size_t n_cores() {
-  return std::max(1U, std::thread::hardware_concurrency());
+  cpu_set_t cores;
+  CPU_ZERO(&cores);
+  if (sched_getaffinity(0, sizeof cores, &cores) != 0) return std::max(1U, std::thread::hardware_concurrency());
+  return static_cast<std::size_t>(std::max(1, CPU_COUNT(&cores)));
 }
 
 void for_each_in_parallel(std::size_t n, const std::function<void(std::size_t)>& work, std::size_t n_threads) {

@@ -5,7 +5,7 @@
 
 namespace fretval {
 
-/// Cores of the machine, at least one.
+/// Cores that this process may run on, at least one: those of the machine, or what a launcher or taskset leaves it.
 std::size_t n_cores();
 
 /// Calls work(0..n-1) on so many threads, each index once. They work from both ends towards the middle: neighbours

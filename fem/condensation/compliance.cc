@@ -5,8 +5,8 @@
 
 namespace fretval::fem {
 
-Compliance contact_compliance(const ContactLine& line, const Condensation& condensation) {
-  const auto factor = cholesky(condensation.schur_complement());
+Compliance contact_compliance(const ContactLine& line, const Eigen::MatrixXd& schur) {
+  const auto factor = cholesky(schur);
   if (!factor)
     throw SolverError("the condensed stiffness of the contact line is not positive definite: the body is not held");
   Compliance compliance{line.radii, line.areas, gram(solve_lower(*factor, line.loads))};

@@ -2,7 +2,6 @@
 
 #include <Eigen/Dense>
 
-#include "fem/condensation/condensation.h"
 #include "fem/operators/harmonic_space.h"
 #include "fem/support/shared_matrix.h"
 
@@ -19,8 +18,8 @@ struct Compliance {
   SharedMatrix matrix;        ///< n x n
 };
 
-/// Throws SolverError if S is not positive definite.
-Compliance contact_compliance(const ContactLine& line, const Condensation& condensation);
+/// schur: S, in the order of the dofs of the line. Throws SolverError if it is not positive definite.
+Compliance contact_compliance(const ContactLine& line, const Eigen::MatrixXd& schur);
 
 /// Lower Cholesky factor of the matrix of a compliance. Throws SolverError if it is not positive definite.
 Eigen::MatrixXd cholesky_factor(const Eigen::MatrixXd& compliance);

@@ -4,15 +4,13 @@
 #include <petscsys.h>
 
 #include <cstdlib>
+#include <exception>
 
+#include "fem/support/processes.h"
 #include "fem/support/solver_error.h"
 
 namespace fretval::fem {
 namespace {
-
-bool is_started_by_mpirun() {
-  return std::getenv("OMPI_COMM_WORLD_SIZE") != nullptr || std::getenv("PMIX_RANK") != nullptr;
-}
 
 /// Open MPI's daemon, for programs that spawn others, and its search for networks: 0.2 s each.
 void leave_out_what_one_process_does_not_need() {
@@ -34,6 +32,8 @@ PetscSession::PetscSession() {
 }
 
 PetscSession::~PetscSession() {
+  // The others do not know of the error, and would be waited for.
+  if (this_process().count > 1 && std::uncaught_exceptions() > 0) return;
   PetscPopErrorHandler();
   PetscFinalize();
 }

@@ -1,25 +1,15 @@
 #include "fem/condensation/sparse_factor.h"
 
-#include <fmt/format.h>
 #include <petscmat.h>
 
 #include <cmath>
 #include <mutex>
 
+#include "fem/condensation/mumps.h"
 #include "fem/support/solver_error.h"
 
 namespace fretval::fem {
 namespace {
-
-// Healthy matrices give 1e-13 on even meshes and 4e-10 where cells span six decades in size, half of it after a
-// refinement; a singular one gives 1e-2 or more.
-constexpr double probe_tolerance = 1e-8;
-
-/// Neither PETSc nor MUMPS may be in two threads at once.
-std::mutex& petsc_mutex() {
-  static std::mutex mutex;
-  return mutex;
-}
 
 void check(PetscErrorCode code, const std::string& name, const char* step) {
   if (code == 0) return;
@@ -50,28 +40,7 @@ bool has_full_diagonal(const SparseMatrix& matrix) {
   return true;
 }
 
-bool needs_more_work_space(int infog1) {
-  return infog1 == -8 || infog1 == -9;
-}
-
 }  // namespace
-
-std::string explain_mumps(int infog1, int infog2) {
-  std::string codes = "MUMPS INFOG(1) = " + std::to_string(infog1) + ", INFOG(2) = " + std::to_string(infog2);
-  switch (infog1) {
-    case -6:
-    case -10:
-      return "the matrix is singular (" + codes + "); check the boundary conditions of the body";
-    case -8:
-    case -9:
-      return "MUMPS' work space was too small, also after it was made larger (" + codes + "); use a coarser mesh";
-    case -13:
-    case -19:
-      return "out of memory (" + codes + "); use a coarser mesh";
-    default:
-      return codes;
-  }
-}
 
 class SparseFactor::Factored {
  public:
@@ -89,7 +58,7 @@ class SparseFactor::Factored {
   }
 
   [[nodiscard]] Eigen::MatrixXd schur_complement() const {
-    const std::lock_guard<std::mutex> lock(petsc_mutex());
+    const std::lock_guard<std::mutex> lock(mumps_mutex());
     OwnedMat owned;
     Mat& schur = owned.mat;
     check(MatFactorCreateSchurComplement(factor_.mat, &schur, nullptr), name_, "reading the Schur complement");
@@ -99,11 +68,7 @@ class SparseFactor::Factored {
     MatDenseGetArrayRead(schur, &entries);
     Eigen::MatrixXd dense = Eigen::Map<const Eigen::MatrixXd>(entries, n, n);
     MatDenseRestoreArrayRead(schur, &entries);
-    // For a symmetric factor MUMPS fills one triangle; which one depends on the storage order PETSc passes on.
-    const double upper = dense.triangularView<Eigen::StrictlyUpper>().toDenseMatrix().norm();
-    const double lower = dense.triangularView<Eigen::StrictlyLower>().toDenseMatrix().norm();
-    if (upper > lower) dense.transposeInPlace();
-    dense.triangularView<Eigen::StrictlyUpper>() = dense.transpose();
+    fill_symmetric(dense);
     if (!dense.allFinite()) throw SolverError(name_ + ": the Schur complement is not finite");
     return dense;
   }
@@ -117,8 +82,7 @@ class SparseFactor::Factored {
   }
 
   void probe() const {
-    Eigen::VectorXd rhs(rows_.n);
-    for (int i = 0; i < rows_.n; ++i) rhs[i] = std::sin(1.0 + 0.7 * i);
+    const Eigen::VectorXd rhs = probe_load(rows_.n);
     check_solution(back_substitute(rhs), rhs);
   }
 
@@ -135,15 +99,11 @@ class SparseFactor::Factored {
   void check_solution(const Eigen::VectorXd& solution, const Eigen::VectorXd& rhs) const {
     if (!solution.allFinite()) throw SolverError(name_ + ": the solution is not finite");
     const double residual = (multiply(rows_, solution) - rhs).norm() / rhs.norm();
-    if (!(residual <= probe_tolerance))
-      throw SolverError(
-          fmt::format("{}: the matrix is singular or badly conditioned: relative residual {:.1e} after a direct "
-                      "solve, at most {:.0e} expected",
-                      name_, residual, probe_tolerance));
+    if (!(residual <= probe_tolerance)) throw SolverError(name_ + ": " + explain_residual(residual));
   }
 
   [[nodiscard]] Eigen::VectorXd back_substitute(const Eigen::VectorXd& rhs) const {
-    const std::lock_guard<std::mutex> lock(petsc_mutex());
+    const std::lock_guard<std::mutex> lock(mumps_mutex());
     Vec b = nullptr, x = nullptr;
     Eigen::VectorXd solution(rhs.size());
     VecCreateSeqWithArray(PETSC_COMM_SELF, 1, rows_.n, rhs.data(), &b);
@@ -197,7 +157,7 @@ class SparseFactor::Factored {
 };
 
 void SparseFactor::Release::operator()(Factored* factored) const {
-  const std::lock_guard<std::mutex> lock(petsc_mutex());
+  const std::lock_guard<std::mutex> lock(mumps_mutex());
   delete factored;
 }
 
@@ -206,7 +166,7 @@ SparseFactor::SparseFactor(SparseMatrix matrix, std::string name)
 
 SparseFactor::SparseFactor(SparseMatrix matrix, const std::vector<unsigned>& interface_dofs, std::string name,
                            const SpareMemory& spare) {
-  const std::lock_guard<std::mutex> lock(petsc_mutex());
+  const std::lock_guard<std::mutex> lock(mumps_mutex());
   factored_.reset(new Factored(std::move(matrix), interface_dofs, std::move(name), spare));
 }
 

@@ -5,19 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "fem/condensation/mumps.h"
 #include "fem/operators/sparse_matrix.h"
 
 namespace fretval::fem {
-
-/// Why MUMPS failed, in words, from its codes INFOG(1) < 0 and INFOG(2).
-std::string explain_mumps(int infog1, int infog2);
-
-/// Work space of a factorisation beyond MUMPS' own estimate, in percent: how much at first, and how much when that was
-/// too little.
-struct SpareMemory {
-  int first = 60;  ///< pivoting of the saddle point needs more than the default of 30
-  int second = 400;
-};
 
 /// One MUMPS factorisation (through PETSc) of a symmetric indefinite matrix K, on request with its Schur complement
 /// `S = K_cc - K_ci K_ii^{-1} K_ic` on interface dofs c.

@@ -1,6 +1,7 @@
 #include "fem/operators/stiffness.h"
 
 #include <algorithm>
+#include <cstdint>
 
 #include "fem/operators/strain_operator.h"
 #include "fem/support/dense.h"
@@ -21,13 +22,18 @@ Eigen::MatrixXd stiffness_of(const CellOperators& operators) {
   return matrix;
 }
 
-/// Calls `use` with the stiffness of each cell over its free dofs.
+bool has(const Share& share, unsigned cell, unsigned n_cells) {
+  return std::uint64_t{cell} * share.count / n_cells == share.number;
+}
+
+/// Calls `use` with the stiffness of each cell of a share over its free dofs.
 template <class Use>
-void for_each_cell(const HarmonicSpace& space, Use&& use) {
+void for_each_cell(const HarmonicSpace& space, const Share& share, Use&& use) {
   const auto& parts = space.parts();
   CellOperators operators(space);
   std::vector<dealii::types::global_dof_index> dofs(parts.element.n_dofs_per_cell());
   for (const auto& cell : parts.dofs.active_cell_iterators()) {
+    if (!has(share, cell->active_cell_index(), parts.triangulation.n_active_cells())) continue;
     operators.evaluate(cell);
     cell->get_dof_indices(dofs);
     std::vector<Eigen::Index> order;
@@ -40,16 +46,17 @@ void for_each_cell(const HarmonicSpace& space, Use&& use) {
   }
 }
 
-/// A row to which no cell contributes holds a 1 on its diagonal.
-SparseMatrix sum_of(const std::vector<CellStiffness>& cells, unsigned n) {
-  struct Share {
+/// diagonal: of a row to which none of the cells contributes.
+template <class Diagonal>
+SparseMatrix sum_of(const std::vector<CellStiffness>& cells, unsigned n, const Diagonal& diagonal) {
+  struct CellRow {
     const CellStiffness* cell;
     Eigen::Index row;
   };
-  std::vector<std::vector<Share>> shares(n);
+  std::vector<std::vector<CellRow>> rows(n);
   for (const auto& cell : cells)
     for (std::size_t i = 0; i < cell.dofs.size(); ++i)
-      shares[cell.dofs[i]].push_back({&cell, static_cast<Eigen::Index>(i)});
+      rows[cell.dofs[i]].push_back({&cell, static_cast<Eigen::Index>(i)});
 
   SparseMatrix sum;
   sum.n = static_cast<int>(n);
@@ -59,7 +66,7 @@ SparseMatrix sum_of(const std::vector<CellStiffness>& cells, unsigned n) {
   std::vector<int> last_row(n, -1);
   for (int row = 0; row < sum.n; ++row) {
     columns.clear();
-    for (const auto& [cell, i] : shares[row])
+    for (const auto& [cell, i] : rows[row])
       for (auto j = i; j < cell->matrix.rows(); ++j) {
         const int column = cell->dofs[j];
         if (last_row[column] != row) {
@@ -71,7 +78,7 @@ SparseMatrix sum_of(const std::vector<CellStiffness>& cells, unsigned n) {
       }
     if (columns.empty()) {
       columns.push_back(row);
-      values[row] = 1;
+      values[row] = diagonal(row);
     }
     std::sort(columns.begin(), columns.end());
     for (const int column : columns) {
@@ -98,25 +105,27 @@ Eigen::Index n_skeleton_of(const CellStiffness& cell, unsigned n_skeleton_dofs) 
 
 SparseMatrix assemble_stiffness(const HarmonicSpace& space) {
   std::vector<CellStiffness> cells;
-  for_each_cell(space, [&](CellStiffness&& cell) { cells.push_back(std::move(cell)); });
-  return sum_of(cells, space.n_dofs());
+  for_each_cell(space, {}, [&](CellStiffness&& cell) { cells.push_back(std::move(cell)); });
+  return sum_of(cells, space.n_dofs(), [](int) { return 1; });
 }
 
-SparseMatrix assemble_skeleton_stiffness(const HarmonicSpace& space) {
+SparseMatrix assemble_skeleton_stiffness(const HarmonicSpace& space, const Share& share) {
   std::vector<CellStiffness> cells;
-  for_each_cell(space, [&](CellStiffness&& cell) {
+  for_each_cell(space, share, [&](CellStiffness&& cell) {
     const auto n = n_skeleton_of(cell, space.n_skeleton_dofs()), n_inside = cell.matrix.rows() - n;
     const Eigen::MatrixXd yielding = cell.matrix.topRightCorner(n, n_inside) * extension_of(cell, n);
     cell.dofs.resize(n);
     cells.push_back({std::move(cell.dofs), cell.matrix.topLeftCorner(n, n) + yielding});
   });
-  return sum_of(cells, space.n_skeleton_dofs());
+  const auto& constraints = space.parts().constraints;
+  return sum_of(cells, space.n_skeleton_dofs(),
+                [&](int row) { return share.number == 0 && constraints.is_constrained(row) ? 1 : 0; });
 }
 
 Eigen::MatrixXd extend_into_cells(const HarmonicSpace& space, const Eigen::MatrixXd& skeleton) {
   Eigen::MatrixXd field(space.n_dofs(), skeleton.cols());
   field.topRows(skeleton.rows()) = skeleton;
-  for_each_cell(space, [&](const CellStiffness& cell) {
+  for_each_cell(space, {}, [&](const CellStiffness& cell) {
     const auto n = n_skeleton_of(cell, space.n_skeleton_dofs());
     const std::vector<int> outer(cell.dofs.begin(), cell.dofs.begin() + n);
     const std::vector<int> inner(cell.dofs.begin() + n, cell.dofs.end());

@@ -30,7 +30,7 @@ const ContactProblem& condensed(const Line& line, Harmonic harmonic, unsigned de
   if (found == problems.end()) {
     const HarmonicSpace space(half_space_grid(line), harmonic, degree);
     const Condensation condensation(assemble_skeleton_stiffness(space), space.contact_line().dofs, "half-space");
-    found = problems.emplace(key, contact_compliance(space.contact_line(), condensation)).first;
+    found = problems.emplace(key, contact_compliance(space.contact_line(), condensation.schur_complement())).first;
   }
   return found->second;
 }

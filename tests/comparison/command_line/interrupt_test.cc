@@ -20,6 +20,17 @@ TEST(InterruptDeathTest, SaysTheLastMessageAndEndsByTheSignal) {
       testing::KilledBySignal(SIGINT), "\nall is kept in out\n");
 }
 
+// mpirun and batch systems end a program so.
+TEST(InterruptDeathTest, SaysItWhenItIsTerminatedToo) {
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  EXPECT_EXIT(
+      {
+        say_on_interrupt("all is kept");
+        std::raise(SIGTERM);
+      },
+      testing::KilledBySignal(SIGTERM), "\nall is kept\n");
+}
+
 // 500 cases take longer than a second.
 TEST(Interrupt, OfARunSaysWhatIsKept) {
   const ScratchFolder folder;

@@ -54,6 +54,23 @@ TEST(Batch, AFailedCaseLeavesNoOldResult) {
   EXPECT_TRUE(fs::is_empty(out / "case"));
 }
 
+// A zone that only one of the two finds counts with all of its radius; one that neither finds, under a bar that leaves
+// that open, is no difference.
+TEST(Batch, NamesTheLargestUseOfATolerance) {
+  Comparison comparison{{Quantity::contact_radius_max, {-5e-4, 1e-3, Verdict::pass}},
+                        {Quantity::normal_force_max, {2e-4, 1e-3, Verdict::pass}}};
+  EXPECT_EQ(largest_use(comparison, "a").share, 0.5);
+  EXPECT_NE(largest_use(comparison, "a").text.find("largest contact radius in a: -5.0e-04 of 1.0e-03"),
+            std::string::npos)
+      << largest_use(comparison, "a").text;
+  comparison[Quantity::stick_radius_shakedown] = {{}, 1e-3, Verdict::inconclusive};
+  EXPECT_EQ(largest_use(comparison, "a").share, 0.5);
+  comparison[Quantity::stick_radius_shakedown].only_one = -0.3;
+  EXPECT_EQ(largest_use(comparison, "a").text,
+            "stick radius, shakedown in a: -3.0e-01 of 1.0e-03, only one of the two sticks");
+  EXPECT_LT(largest_use({}, "a").share, 0);
+}
+
 TEST(Batch, HasItsLinesInTheOrderOfItsCasesAndCountsThemAsTheyAreDone) {
   std::vector<Case> cases;
   for (const char* name : {"a", "b", "c", "d", "e"}) {

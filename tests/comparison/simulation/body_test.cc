@@ -34,6 +34,15 @@ TEST(Body, HasATangentialHarmonicOnlyForTangentialMotion) {
   EXPECT_EQ(*normal.normal.contact.compliance.matrix, *both.normal.contact.compliance.matrix);
 }
 
+TEST(Body, HasSoManyDofsBeforeItIsMade) {
+  for (const bool tangential : {false, true})
+    for (const unsigned degree : {2U, 3U, 4U}) {
+      auto specification = small_body(tangential);
+      specification.degree = degree;
+      EXPECT_EQ(n_dofs_on(mesh_of(specification), degree, tangential), make_body(specification).n_dofs());
+    }
+}
+
 TEST(Body, HasOneCopyOfEachMatrix) {
   const auto whole = make_body(small_body());
   const auto body = contact_body(whole);

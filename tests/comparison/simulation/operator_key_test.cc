@@ -25,7 +25,8 @@ TEST(OperatorKey, IsAnotherOneForEverythingThatAnOperatorDependsOn) {
   std::set<std::string> keys;
   for (const auto& body : bodies)
     for (const auto harmonic : {Harmonic::normal, Harmonic::tangential}) keys.insert(operator_key(body, harmonic));
-  EXPECT_EQ(keys.size(), 2 * bodies.size());
+  for (const int n_processes : {2, 3}) keys.insert(operator_key(small_body(), Harmonic::normal, n_processes));
+  EXPECT_EQ(keys.size(), 2 * bodies.size() + 2);
 }
 
 /// What the build makes of a source and flags.

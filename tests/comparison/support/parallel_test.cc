@@ -1,6 +1,7 @@
 #include "comparison/support/parallel.h"
 
 #include <gtest/gtest.h>
+#include <sched.h>
 
 #include <atomic>
 #include <chrono>
@@ -10,6 +11,19 @@
 
 namespace fretval {
 namespace {
+
+// taskset, a launcher of ranks or a batch system may leave less than the machine has.
+TEST(Cores, AreThoseThatTheProcessMayRunOn) {
+  cpu_set_t all, one;
+  ASSERT_EQ(sched_getaffinity(0, sizeof all, &all), 0);
+  EXPECT_EQ(n_cores(), static_cast<std::size_t>(CPU_COUNT(&all)));
+  CPU_ZERO(&one);
+  for (int core = 0; core < CPU_SETSIZE && CPU_COUNT(&one) == 0; ++core)
+    if (CPU_ISSET(core, &all)) CPU_SET(core, &one);
+  ASSERT_EQ(sched_setaffinity(0, sizeof one, &one), 0);
+  EXPECT_EQ(n_cores(), 1U);
+  sched_setaffinity(0, sizeof all, &all);
+}
 
 TEST(ForEachInParallel, CallsEachIndexOnce) {
   for (const std::size_t n : {0, 1, 2, 1000}) {

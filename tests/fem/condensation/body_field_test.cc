@@ -24,7 +24,7 @@ struct Body {
   explicit Body(Harmonic harmonic)
       : space(quarter_disc_grid(1, 16, 20, 0.25), harmonic, 3),
         condensation(assemble_skeleton_stiffness(space), space.contact_line().dofs, "body"),
-        compliance(contact_compliance(space.contact_line(), condensation)) {}
+        compliance(contact_compliance(space.contact_line(), condensation.schur_complement())) {}
 
   [[nodiscard]] Eigen::VectorXd extend(const Eigen::VectorXd& rings) const {
     return body_under(space, condensation, tractions_for(compliance, rings));

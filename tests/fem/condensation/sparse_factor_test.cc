@@ -58,14 +58,5 @@ TEST(SparseFactor, GivesMumpsMoreMemoryOnce) {
       {"the pump", "work space was too small", "INFOG(1) = -9", "coarser mesh"});
 }
 
-TEST(SparseFactor, SaysWhatMumpsMeans) {
-  EXPECT_NE(explain_mumps(-10, 3).find("singular (MUMPS INFOG(1) = -10, INFOG(2) = 3); check"), std::string::npos);
-  for (const int code : {-13, -19}) {
-    EXPECT_NE(explain_mumps(code, 0).find("out of memory"), std::string::npos);
-    EXPECT_NE(explain_mumps(code, 0).find("coarser mesh"), std::string::npos);
-  }
-  EXPECT_EQ(explain_mumps(-3, 7), "MUMPS INFOG(1) = -3, INFOG(2) = 7");
-}
-
 }  // namespace
 }  // namespace fretval::fem::sparse_factor_test

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "fem/condensation/compliance.h"
+#include "fem/condensation/condensation.h"
 #include "fem/operators/stiffness.h"
 #include "tests/fem/expect_solver_error.h"
 #include "tests/fem/half_space.h"
@@ -23,7 +24,7 @@ class BorderedSolverOf : public testing::TestWithParam<Harmonic> {
   HarmonicSpace space_{quarter_disc_grid(1, n_rings, 6, 0.35), GetParam(), 2};
   SparseMatrix stiffness_ = assemble_stiffness(space_);
   Condensation condensation_{stiffness_, space_.contact_line().dofs, "body"};
-  Compliance compliance_ = contact_compliance(space_.contact_line(), condensation_);
+  Compliance compliance_ = contact_compliance(space_.contact_line(), condensation_.schur_complement());
   BorderedSolver bordered_{space_, "body"};
   std::vector<BoxState> state_ = std::vector<BoxState>(n_rings, BoxState::interior);
 };

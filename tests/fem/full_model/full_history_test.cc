@@ -29,8 +29,9 @@ struct Body {
 
   explicit Body(Harmonic harmonic)
       : space(quarter_disc_grid(1.125, n_rings, 6, 0.3), harmonic, 2),
-        condensed(contact_compliance(space.contact_line(),
-                                     Condensation(assemble_stiffness(space), space.contact_line().dofs, "body"))) {}
+        condensed(contact_compliance(
+            space.contact_line(),
+            Condensation(assemble_stiffness(space), space.contact_line().dofs, "body").schur_complement())) {}
 };
 
 const Body& body(Harmonic harmonic) {

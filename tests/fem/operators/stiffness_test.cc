@@ -261,6 +261,20 @@ TEST_P(SkeletonOf, ExtendsIntoTheCellsWithoutForcesThere) {
   EXPECT_LT((multiply(whole_, field) - expected).cwiseAbs().maxCoeff(), 1e-12 * expected.cwiseAbs().maxCoeff());
 }
 
+// Roundoff of another order of the sums; each share by itself lacks most of the cells.
+TEST_P(SkeletonOf, IsTheSumOfItsShares) {
+  const Eigen::VectorXd moved = random_vector(skeleton_.n, 1), expected = multiply(skeleton_, moved);
+  for (const unsigned count : {2U, 5U}) {
+    Eigen::VectorXd sum = Eigen::VectorXd::Zero(skeleton_.n);
+    for (unsigned number = 0; number < count; ++number) {
+      const auto share = assemble_skeleton_stiffness(space_, {number, count});
+      EXPECT_LT(share.values.size(), skeleton_.values.size());
+      sum += multiply(share, moved);
+    }
+    EXPECT_LT((sum - expected).cwiseAbs().maxCoeff(), 1e-13 * expected.cwiseAbs().maxCoeff());
+  }
+}
+
 TEST_P(SkeletonOf, HasANegativeDiagonalAtThePressures) {
   const auto dofs = dofs_of(space_);
   for (int i = 0; i < skeleton_.n; ++i) {

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <exception>
+
+namespace fretval {
+
+/// Says on the standard error why the program ends, and of several ranks which one. Returns the exit code: of bad
+/// input, of numerics that failed, or of the system.
+int say_failure(const std::exception_ptr& why);
+
+/// The same, once for all ranks, and ends them all. Returns the exit code in a process that was started alone.
+int end_with_failure(const std::exception_ptr& why);
+
+}  // namespace fretval

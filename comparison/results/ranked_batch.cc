@@ -1,0 +1,177 @@
+#include "comparison/results/ranked_batch.h"
+
+#include <fmt/format.h>
+
+#include <map>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <thread>
+
+#include "comparison/reference/normal_responses.h"
+#include "comparison/simulation/distributed_body.h"
+#include "comparison/support/parallel.h"
+#include "comparison/support/shares.h"
+
+namespace fretval {
+namespace {
+
+using nlohmann::json;
+
+// What the first rank is asked or told begins with one of these.
+constexpr char next_case = 'c', body = 'b', no_more_threads = 'n';
+// What it orders: a body, to be made together; or nothing, the end.
+const std::string end;
+
+/// In CBOR: a message may contain what is no UTF-8.
+std::string packed(std::size_t number, const BatchLine& line) {
+  std::string bytes;
+  json::to_cbor({number, line.name, line.pass, line.failure, line.largest_use.share, line.largest_use.text, line.answer,
+                 line.json, line.seconds, line.compared},
+                bytes);
+  return bytes;
+}
+
+struct DoneCase {
+  std::size_t number;
+  BatchLine line;
+};
+
+DoneCase unpacked(const std::string& bytes) {
+  const auto message = json::from_cbor(bytes);
+  return {message.at(0),
+          {message.at(1),
+           message.at(2),
+           message.at(3),
+           {message.at(4), message.at(5)},
+           message.at(6),
+           message.at(7),
+           message.at(8),
+           message.at(9)}};
+}
+
+/// The first rank's side: who computes what, and what has come of it.
+class Desk {
+ public:
+  Desk(const std::vector<PreparedCase>& cases, const BatchOptions& options, const Ranks& ranks)
+      : cases_(cases),
+        options_(options),
+        ranks_(ranks),
+        shares_(cases.size(), static_cast<std::size_t>(ranks.count())),
+        lines_(cases.size()) {}
+
+  /// Answers a question. Returns whether there was one.
+  bool serve() {
+    const auto question = ranks_.next_question();
+    if (!question) return false;
+    const auto text = question->text.substr(1);
+    switch (question->text.front()) {
+      case next_case:
+        take(text.substr(1));
+        ranks_.answer(*question, next_for(question->rank, text.front()));
+        break;
+      case body:
+        ranks_.answer(*question, body_for(text));
+        break;
+      default:
+        ++n_done_ranks_;
+    }
+    return true;
+  }
+
+  [[nodiscard]] bool all_ranks_are_done() const { return n_done_ranks_ == ranks_.count(); }
+  std::vector<BatchLine> take_lines() { return std::move(lines_); }
+
+ private:
+  void take(const std::string& bytes) {
+    if (bytes.empty()) return;  // a thread that begins
+    auto [number, line] = unpacked(bytes);
+    if (line.name != cases_.at(number).input.name)
+      throw std::logic_error(
+          fmt::format("the ranks do not read the same cases: {} is not {}", line.name, cases_[number].input.name));
+    lines_[number] = std::move(line);
+    options_.progress(lines_[number], ++n_done_, cases_.size());
+  }
+
+  /// Its number, or nothing.
+  std::string next_for(int rank, char end_of_stretch) {
+    const auto number = shares_.next(static_cast<std::size_t>(rank), end_of_stretch == '0');
+    return number ? std::to_string(*number) : "";
+  }
+
+  const std::string& body_for(const std::string& specification) {
+    const auto [made, is_new] = bodies_.try_emplace(specification);
+    if (is_new) {
+      ranks_.order(specification);
+      made->second = operators_made_together(specification, {0, static_cast<unsigned>(ranks_.count())});
+    }
+    return made->second;
+  }
+
+  const std::vector<PreparedCase>& cases_;
+  const BatchOptions& options_;
+  const Ranks& ranks_;
+  Shares shares_;
+  std::vector<BatchLine> lines_;
+  std::map<std::string, std::string> bodies_;
+  std::size_t n_done_ = 0;
+  int n_done_ranks_ = 0;
+};
+
+/// Obeys one of the first rank's orders, if there is any. Returns false at the end.
+bool obey(const Ranks& ranks, bool& did_something) {
+  const auto order = ranks.next_order();
+  did_something = order.has_value();
+  if (!order) return true;
+  if (*order == end) return false;
+  operators_made_together(*order, {static_cast<unsigned>(ranks.number()), static_cast<unsigned>(ranks.count())});
+  return true;
+}
+
+}  // namespace
+
+std::vector<BatchLine> run_ranked_batch(const std::vector<PreparedCase>& cases, const BatchOptions& options,
+                                        BodyStore& bodies, const Ranks& ranks, std::size_t from_dofs,
+                                        const std::function<void(const std::exception_ptr&)>& give_up) {
+  bodies.distribution =
+      Distribution{from_dofs, ranks.count(), [&](const std::string& wanted) { return ranks.ask(body + wanted); }};
+  NormalResponses references;
+  const auto compute = [&](std::size_t thread) {
+    std::string done;
+    while (true) {
+      const auto number = ranks.ask(fmt::format("{}{}{}", next_case, thread % 2, done));
+      if (number.empty()) return;
+      const std::size_t i = std::stoul(number);
+      done = packed(i, computed_line(cases.at(i), options, bodies, references));
+    }
+  };
+  // This thread talks, answers and makes what is made together; the others compute.
+  std::thread crew([&] {
+    for_each_in_parallel(n_cores(), [&](std::size_t thread) {
+      try {
+        compute(thread);
+      } catch (...) {
+        give_up(std::current_exception());
+      }
+    });
+    ranks.tell(std::string(1, no_more_threads));
+  });
+  std::vector<BatchLine> lines;
+  try {
+    if (ranks.is_first()) {
+      Desk desk(cases, options, ranks);
+      while (!desk.all_ranks_are_done())
+        if (!desk.serve()) rest();
+      ranks.order(end);
+      lines = desk.take_lines();
+    } else {
+      for (bool did_something = true; obey(ranks, did_something);)
+        if (!did_something) rest();
+    }
+  } catch (...) {
+    give_up(std::current_exception());
+  }
+  crew.join();
+  return lines;
+}
+
+}  // namespace fretval

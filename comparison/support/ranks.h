@@ -1,0 +1,73 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace fretval {
+
+/// Between two looks for messages: half a millisecond of sleep.
+void rest();
+
+/// The processes that mpirun has started for one run, and how they talk. With petsc_session.cc and
+/// distributed_condensation.cc the only place that knows of MPI.
+///
+/// The first rank answers questions and gives orders. Any thread of any rank asks (the first rank's too); one thread of
+/// the first answers, and one of each other looks for orders. Who waits sleeps between looks, so that a waiting rank
+/// takes no core from one that computes.
+class Ranks {
+ public:
+  /// Starts MPI where this process was started with others; alone it is the first and only rank, and there is no MPI.
+  /// Ranks that may run on the same cores of a node share them out, before they have any threads. Throws
+  /// std::runtime_error if this MPI does not let threads talk.
+  Ranks();
+  /// Waits for the other ranks; does not if an exception is on its way, of which they do not know.
+  ~Ranks();
+  Ranks(const Ranks&) = delete;
+  Ranks& operator=(const Ranks&) = delete;
+
+  [[nodiscard]] int number() const { return number_; }
+  [[nodiscard]] int count() const { return count_; }
+  [[nodiscard]] bool is_first() const { return number_ == 0; }
+  [[nodiscard]] bool are_several() const { return count_ > 1; }
+
+  /// Sums over all ranks, on all of them; all call it at the same time.
+  [[nodiscard]] std::vector<long> sum(std::vector<long> values) const;
+
+  /// Sends a message to the first rank; asks it and waits for the answer.
+  void tell(const std::string& message) const;
+  [[nodiscard]] std::string ask(const std::string& question) const;
+
+  struct Question {
+    int rank;
+    int answer_tag;  ///< 0: told, no answer is waited for
+    std::string text;
+  };
+  /// For the first rank: what another (or it) has asked or told, if anything; the answer to it; an order to all others.
+  [[nodiscard]] std::optional<Question> next_question() const;
+  void answer(const Question& question, const std::string& text) const;
+  void order(const std::string& text) const;
+  /// For the others.
+  [[nodiscard]] std::optional<std::string> next_order() const;
+
+ private:
+  int number_ = 0, count_ = 1;
+};
+
+/// Whether several ranks were started, and this is the first (or only) one; "rank 1 of 4 on node7: ", for messages, and
+/// nothing for a process alone. By the environment: also before there are Ranks.
+bool are_several_ranks();
+bool is_first_rank();
+std::string rank_text();
+
+/// Where several ranks meet the same error, the first one says it: the others give it a second, in which it ends them.
+void let_first_rank_speak();
+/// Ends all ranks at once, with this exit code; does nothing where MPI does not run.
+void end_all_ranks(int exit_code);
+
+/// Which of its cores a rank takes so that all ranks of a node have as many, and none two if there are enough.
+/// cores: of each rank, ascending, those that it may run on.
+std::vector<int> share_of_cores(const std::vector<std::vector<int>>& cores, std::size_t rank);
+
+}  // namespace fretval
