@@ -4,7 +4,7 @@
 
 #include "comparison/accuracy/verdict.h"
 #include "comparison/reference/mdr_case.h"
-#include "comparison/simulation/fem_case.h"
+#include "comparison/simulation/fem_case/fem_case.h"
 
 namespace fretval {
 

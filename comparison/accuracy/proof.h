@@ -8,7 +8,7 @@
 #include "comparison/accuracy/error_budget.h"
 #include "comparison/accuracy/prepared_case.h"
 #include "comparison/accuracy/zone_bars.h"
-#include "comparison/simulation/body_store.h"
+#include "comparison/simulation/bodies/body_store.h"
 #include "comparison/simulation/fe_answer.h"
 #include "comparison/support/parallel.h"
 

@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "comparison/simulation/resolution.h"
+#include "comparison/simulation/fem_case/resolution.h"
 
 namespace fretval {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "comparison/accuracy/error_budget.h"
-#include "comparison/simulation/resolution.h"
+#include "comparison/simulation/fem_case/resolution.h"
 
 namespace fretval {
 

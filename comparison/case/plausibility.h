@@ -12,8 +12,8 @@ namespace fretval {
 /// has, and an indenter whose surface rises far more, or far less, at the edge of the contact than where contacts are
 /// measured. The rise is f'(a), which for a parabola is a/R. Also about motions in which the contact opens, and about a
 /// parabola at an a/R where a sphere of that radius would have another contact radius: d = a²/R against
-/// d = (a/2) ln((R+a)/(R-a)), which at one indentation differ by about (a/R)²/6; and about a scan through the apex whose
-/// halves differ.
+/// d = (a/2) ln((R+a)/(R-a)), which at one indentation differ by about (a/R)²/6; and about a scan through the apex
+/// whose halves differ.
 std::vector<std::string> implausible_values(const Case& input, const mdr::Profile& profile);
 
 }  // namespace fretval

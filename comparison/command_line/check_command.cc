@@ -10,8 +10,8 @@
 
 #include "comparison/command_line/exit_codes.h"
 #include "comparison/command_line/run_command.h"
-#include "comparison/report/exact_section.h"
-#include "comparison/report/suite_section.h"
+#include "comparison/report/sections/exact_section.h"
+#include "comparison/report/sections/suite_section.h"
 #include "comparison/support/files.h"
 #include "comparison/support/log.h"
 #include "comparison/support/stopwatch.h"

@@ -8,7 +8,7 @@
 
 #include "comparison/case/case.h"
 #include "comparison/command_line/exit_codes.h"
-#include "comparison/simulation/operator_key.h"
+#include "comparison/simulation/bodies/operator_key.h"
 #include "comparison/support/cache_folder.h"
 
 namespace fretval {

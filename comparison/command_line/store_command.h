@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-#include "comparison/simulation/operator_store.h"
+#include "comparison/simulation/bodies/operator_store.h"
 
 namespace CLI {
 class App;

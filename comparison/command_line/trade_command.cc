@@ -7,7 +7,7 @@
 #include "comparison/accuracy/prepared_case.h"
 #include "comparison/case/case_file.h"
 #include "comparison/command_line/exit_codes.h"
-#include "comparison/report/trade_section.h"
+#include "comparison/report/sections/trade_section.h"
 #include "comparison/support/files.h"
 #include "comparison/support/log.h"
 #include "comparison/support/stopwatch.h"

@@ -40,7 +40,7 @@ for (const [name, text] of Object.entries(resources))
   if (name.endsWith(".js") && /<\/script|<!--/i.test(text)) throw new Error(`${name}: would end the script of a page`);
 
 const lines = Object.entries(resources).map(([name, text]) => `      {${JSON.stringify(name)}, ${JSON.stringify(text)}},`);
-fs.writeFileSync(out, `#include "comparison/report/resources.h"
+fs.writeFileSync(out, `#include "comparison/report/text/resources.h"
 
 namespace fretval {
 

@@ -10,7 +10,7 @@
 #include "comparison/results/moduli_files.h"
 #include "comparison/results/period_steps.h"
 #include "comparison/results/wear_json.h"
-#include "comparison/simulation/resolution_json.h"
+#include "comparison/simulation/fem_case/resolution_json.h"
 #include "comparison/support/files.h"
 #include "comparison/support/versions.h"
 

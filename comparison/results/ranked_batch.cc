@@ -8,7 +8,7 @@
 #include <thread>
 
 #include "comparison/reference/normal_responses.h"
-#include "comparison/simulation/distributed_body.h"
+#include "comparison/simulation/bodies/distributed_body.h"
 #include "comparison/support/parallel.h"
 #include "comparison/support/shares.h"
 

@@ -8,7 +8,7 @@
 #include "comparison/results/results_folder.h"
 #include "comparison/results/wear_json.h"
 #include "comparison/results/zones_json.h"
-#include "comparison/simulation/resolution_json.h"
+#include "comparison/simulation/fem_case/resolution_json.h"
 #include "comparison/support/json.h"
 #include "mdr/motion/force_control.h"
 #include "mdr/profiles/profile.h"

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "comparison/simulation/resolution_json.h"
+#include "comparison/simulation/fem_case/resolution_json.h"
 #include "comparison/support/files.h"
 
 namespace fretval {

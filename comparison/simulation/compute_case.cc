@@ -2,8 +2,8 @@
 
 #include "comparison/simulation/zone_answer.h"
 #include "comparison/support/stopwatch.h"
-#include "fem/history/gross_slip.h"
-#include "fem/history/static_contact.h"
+#include "fem/contact/gross_slip.h"
+#include "fem/contact/static_contact.h"
 
 namespace fretval {
 namespace {

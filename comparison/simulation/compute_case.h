@@ -1,6 +1,6 @@
 #pragma once
 
-#include "comparison/simulation/body_store.h"
+#include "comparison/simulation/bodies/body_store.h"
 #include "comparison/simulation/fe_answer.h"
 
 namespace fretval {

@@ -3,8 +3,8 @@
 #include <memory>
 #include <optional>
 
-#include "comparison/simulation/body.h"
-#include "comparison/simulation/fem_case.h"
+#include "comparison/simulation/bodies/body.h"
+#include "comparison/simulation/fem_case/fem_case.h"
 #include "fem/history/friction_history.h"
 #include "fem/history/normal_history.h"
 #include "fem/stick_zone/annuli.h"

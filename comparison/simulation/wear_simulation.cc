@@ -7,11 +7,11 @@
 #include <cmath>
 #include <limits>
 
-#include "comparison/simulation/operator_key.h"
+#include "comparison/simulation/bodies/operator_key.h"
 #include "comparison/simulation/wear_checkpoint.h"
 #include "comparison/support/stopwatch.h"
-#include "fem/history/require_room.h"
-#include "fem/history/static_contact.h"
+#include "fem/contact/require_room.h"
+#include "fem/contact/static_contact.h"
 #include "histories_hash.h"
 
 namespace fretval {

@@ -5,8 +5,8 @@
 #include <functional>
 #include <vector>
 
-#include "comparison/simulation/body_store.h"
-#include "comparison/simulation/fem_case.h"
+#include "comparison/simulation/bodies/body_store.h"
+#include "comparison/simulation/fem_case/fem_case.h"
 #include "fem/wear/wear_course.h"
 
 namespace fretval {

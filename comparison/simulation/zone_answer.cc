@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "fem/history/running_minimum.h"
-#include "fem/history/static_contact.h"
+#include "fem/contact/static_contact.h"
+#include "fem/motion/running_minimum.h"
 
 namespace fretval {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "comparison/accuracy/proof.h"
 #include "comparison/accuracy/quantity.h"
-#include "comparison/simulation/body_store.h"
+#include "comparison/simulation/bodies/body_store.h"
 
 namespace fretval {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "fem/condensation/sparse_factor.h"
-#include "fem/history/box_solver.h"
+#include "fem/contact/box_solver.h"
 #include "fem/operators/harmonic_space.h"
 
 namespace fretval::fem {

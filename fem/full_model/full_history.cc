@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "fem/contact/require_room.h"
 #include "fem/full_model/strain_field.h"
-#include "fem/history/require_room.h"
 #include "fem/support/constants.h"
 #include "fem/support/solver_error.h"
 

@@ -3,8 +3,8 @@
 #include <Eigen/Dense>
 
 #include "fem/full_model/bordered_solver.h"
-#include "fem/history/motion.h"
-#include "fem/history/relaxation.h"
+#include "fem/motion/motion.h"
+#include "fem/motion/relaxation.h"
 #include "fem/operators/harmonic_space.h"
 
 namespace fretval::fem {

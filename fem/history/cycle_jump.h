@@ -2,7 +2,7 @@
 
 #include <Eigen/Dense>
 
-#include "fem/history/relaxation.h"
+#include "fem/motion/relaxation.h"
 
 namespace fretval::fem {
 

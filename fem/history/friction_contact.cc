@@ -5,9 +5,9 @@
 #include <tuple>
 #include <utility>
 
-#include "fem/history/contact_force.h"
-#include "fem/history/force_balance.h"
-#include "fem/history/gross_slip.h"
+#include "fem/contact/contact_force.h"
+#include "fem/contact/force_balance.h"
+#include "fem/contact/gross_slip.h"
 #include "fem/support/constants.h"
 
 namespace fretval::fem {

@@ -5,12 +5,12 @@
 #include <utility>
 #include <vector>
 
-#include "fem/history/contact_problem.h"
-#include "fem/history/friction_force.h"
-#include "fem/history/motion.h"
+#include "fem/contact/contact_problem.h"
+#include "fem/contact/friction_force.h"
+#include "fem/contact/slip_zones.h"
 #include "fem/history/periodic_state.h"
-#include "fem/history/relaxation.h"
-#include "fem/history/slip_zones.h"
+#include "fem/motion/motion.h"
+#include "fem/motion/relaxation.h"
 
 namespace fretval::fem {
 

@@ -6,7 +6,7 @@
 
 #include "fem/history/friction_contact.h"
 #include "fem/history/normal_history.h"
-#include "fem/history/running_minimum.h"
+#include "fem/motion/running_minimum.h"
 
 namespace fretval::fem {
 

@@ -4,8 +4,8 @@
 #include <tuple>
 #include <utility>
 
-#include "fem/history/force_balance.h"
-#include "fem/history/require_room.h"
+#include "fem/contact/force_balance.h"
+#include "fem/contact/require_room.h"
 #include "fem/support/constants.h"
 #include "fem/support/solver_error.h"
 

@@ -5,12 +5,12 @@
 #include <utility>
 #include <vector>
 
-#include "fem/history/contact_force.h"
-#include "fem/history/contact_problem.h"
-#include "fem/history/motion.h"
+#include "fem/contact/contact_force.h"
+#include "fem/contact/contact_problem.h"
+#include "fem/contact/static_contact.h"
 #include "fem/history/periodic_state.h"
-#include "fem/history/relaxation.h"
-#include "fem/history/static_contact.h"
+#include "fem/motion/motion.h"
+#include "fem/motion/relaxation.h"
 
 namespace fretval::fem {
 

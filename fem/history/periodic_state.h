@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "fem/condensation/compliance.h"
-#include "fem/history/relaxation.h"
+#include "fem/motion/relaxation.h"
 
 namespace fretval::fem {
 

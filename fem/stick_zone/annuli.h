@@ -3,7 +3,7 @@
 #include <Eigen/Dense>
 #include <vector>
 
-#include "fem/history/contact_problem.h"
+#include "fem/contact/contact_problem.h"
 
 namespace fretval::fem {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "fem/condensation/punch_series.h"
-#include "fem/history/sampled_path.h"
+#include "fem/motion/sampled_path.h"
 
 namespace fretval::fem {
 

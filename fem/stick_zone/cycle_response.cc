@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fem/history/running_minimum.h"
+#include "fem/motion/running_minimum.h"
 #include "fem/support/constants.h"
 
 namespace fretval::fem {

@@ -2,7 +2,7 @@
 
 #include "fem/history/friction_history.h"
 #include "fem/history/normal_history.h"
-#include "fem/history/relaxation.h"
+#include "fem/motion/relaxation.h"
 
 namespace fretval::fem {
 

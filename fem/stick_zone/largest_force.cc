@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "fem/history/running_minimum.h"
+#include "fem/motion/running_minimum.h"
 
 namespace fretval::fem {
 namespace {

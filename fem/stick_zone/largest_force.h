@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "fem/history/contact_problem.h"
+#include "fem/contact/contact_problem.h"
 #include "fem/history/normal_history.h"
 
 namespace fretval::fem {

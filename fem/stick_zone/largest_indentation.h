@@ -1,6 +1,6 @@
 #pragma once
 
-#include "fem/history/contact_problem.h"
+#include "fem/contact/contact_problem.h"
 #include "fem/history/normal_history.h"
 
 namespace fretval::fem {

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "fem/history/running_minimum.h"
+#include "fem/motion/running_minimum.h"
 #include "fem/support/constants.h"
 
 namespace fretval::fem {

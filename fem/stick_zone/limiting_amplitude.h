@@ -2,10 +2,10 @@
 
 #include <Eigen/Dense>
 
-#include "fem/history/contact_problem.h"
-#include "fem/history/motion.h"
+#include "fem/contact/contact_problem.h"
 #include "fem/history/normal_history.h"
-#include "fem/history/relaxation.h"
+#include "fem/motion/motion.h"
+#include "fem/motion/relaxation.h"
 
 namespace fretval::fem {
 

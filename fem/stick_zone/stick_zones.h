@@ -3,8 +3,8 @@
 #include <Eigen/Dense>
 
 #include "fem/history/friction_history.h"
-#include "fem/history/motion.h"
 #include "fem/history/normal_history.h"
+#include "fem/motion/motion.h"
 #include "fem/stick_zone/edge_radius.h"
 
 namespace fretval::fem {

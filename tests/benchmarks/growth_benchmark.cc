@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <optional>
 
-#include "comparison/simulation/distributed_body.h"
+#include "comparison/simulation/bodies/distributed_body.h"
 #include "comparison/support/ranks.h"
 #include "comparison/support/stopwatch.h"
 #include "fem/condensation/petsc_session.h"

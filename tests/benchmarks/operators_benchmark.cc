@@ -5,8 +5,8 @@
 
 #include "comparison/accuracy/prepared_case.h"
 #include "comparison/case/case_file.h"
+#include "comparison/simulation/bodies/kept_body.h"
 #include "comparison/simulation/compute_case.h"
-#include "comparison/simulation/kept_body.h"
 #include "comparison/support/data_folder.h"
 #include "fem/condensation/petsc_session.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "comparison/simulation/body.h"
+#include "comparison/simulation/bodies/body.h"
 
 namespace fretval {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "fem/history/contact_problem.h"
+#include "fem/contact/contact_problem.h"
 #include "fem/operators/grid_data.h"
 #include "fem/operators/harmonic_space.h"
 

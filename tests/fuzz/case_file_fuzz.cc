@@ -2,7 +2,7 @@
 #include <cstdint>
 
 #include "comparison/case/case_file.h"
-#include "comparison/simulation/fem_case.h"
+#include "comparison/simulation/fem_case/fem_case.h"
 #include "tests/comparison/scratch_folder.h"
 
 /// No stack traces in the exceptions of deal.II: they take a hundred times longer than reading the case.

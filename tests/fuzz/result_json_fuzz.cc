@@ -4,7 +4,7 @@
 #include <sstream>
 
 #include "comparison/case/case.h"
-#include "comparison/report/plots.h"
+#include "comparison/report/drawing/plots.h"
 #include "comparison/report/report.h"
 #include "comparison/support/versions.h"
 #include "tests/comparison/scratch_folder.h"

@@ -1,4 +1,4 @@
-#include "comparison/simulation/body.h"
+#include "comparison/simulation/bodies/body.h"
 #include "comparison/verification/exact/exact_rows.h"
 #include "fem/full_model/manufactured_solution.h"
 #include "fem/operators/grid_refinement.h"

@@ -1,7 +1,7 @@
 #include "comparison/verification/exact/exact_rows.h"
 #include "fem/condensation/contact_events.h"
 #include "fem/condensation/effective_radii.h"
-#include "fem/history/contact_force.h"
+#include "fem/contact/contact_force.h"
 #include "fem/stick_zone/contact_radius.h"
 #include "mdr/profiles/indentation.h"
 #include "mdr/springs/spring_energy.h"

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "comparison/simulation/body.h"
+#include "comparison/simulation/bodies/body.h"
 #include "meshes/grading.h"
 
 namespace fretval {

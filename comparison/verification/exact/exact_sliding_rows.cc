@@ -4,9 +4,9 @@
 
 #include "comparison/verification/exact/exact_rows.h"
 #include "fem/condensation/contact_events.h"
-#include "fem/history/box_solver.h"
-#include "fem/history/contact_force.h"
-#include "fem/history/friction_force.h"
+#include "fem/contact/box_solver.h"
+#include "fem/contact/contact_force.h"
+#include "fem/contact/friction_force.h"
 #include "fem/history/friction_history.h"
 #include "fem/stick_zone/stick_radius.h"
 #include "mdr/profiles/indentation.h"

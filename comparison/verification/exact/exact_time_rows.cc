@@ -6,8 +6,8 @@
 
 #include "comparison/verification/exact/exact_rows.h"
 #include "fem/condensation/contact_events.h"
-#include "fem/history/box_solver.h"
-#include "fem/history/contact_force.h"
+#include "fem/contact/box_solver.h"
+#include "fem/contact/contact_force.h"
 #include "fem/history/normal_history.h"
 #include "fem/support/solver_error.h"
 #include "mdr/profiles/indentation.h"

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "comparison/simulation/fem_case.h"
+#include "comparison/simulation/fem_case/fem_case.h"
 
 namespace fretval {
 

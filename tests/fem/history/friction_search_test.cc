@@ -75,7 +75,8 @@ TEST(FrictionSearch, EndsWherePlainPeriodsLeadTo) {
   EXPECT_LT((direct.friction.traction - plain.traction).cwiseAbs().maxCoeff(), 1e-9);
   const double work = plain.friction_work.sum();
   EXPECT_NEAR(direct.friction.friction_work.sum(), work, 1e-9 * work);
-  // By the punches: a ring that is held at its friction limit slips by roundoff, and does not belong to those that slip.
+  // By the punches: a ring that is held at its friction limit slips by roundoff, and does not belong to those that
+  // slip.
   EXPECT_NEAR(direct.friction.dissipated_energy, plain.dissipated_energy, 1e-9 * work);
 }
 

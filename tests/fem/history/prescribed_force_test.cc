@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "fem/history/gross_slip.h"
+#include "fem/contact/gross_slip.h"
 #include "fem/stick_zone/stick_zones.h"
 #include "fem/support/constants.h"
 #include "tests/fem/convergence.h"

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "fem/history/static_contact.h"
+#include "fem/contact/static_contact.h"
 #include "fem/support/constants.h"
 #include "tests/fem/half_space.h"
 #include "tests/fem/ring_boundary_elements.h"

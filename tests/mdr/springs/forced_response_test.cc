@@ -49,8 +49,8 @@ TEST(ForcedResponse, SlidesLikeCattaneoAndMindlin) {
 }
 
 // The closed form of the worn contact is that of the unworn one, whatever the body: g(c) with
-// N(g(c)) = F0 - (|F_x/mu e^(i phase) - F1| + |F_x/mu e^(i phase) + F1|)/2. With a dashpot 4e-4 of c at worst, the others
-// 1e-6; the error says so.
+// N(g(c)) = F0 - (|F_x/mu e^(i phase) - F1| + |F_x/mu e^(i phase) + F1|)/2. With a dashpot 4e-4 of c at worst, the
+// others 1e-6; the error says so.
 TEST(ForcedResponse, ShakesDownToTheRadiusOfTheLimitingState) {
   for (const auto& profile : profiles)
     for (const double phase : {0.0, pi / 4})

@@ -1,0 +1,284 @@
+#include "comparison/report/drawing/case_figures.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fstream>
+
+#include "comparison/accuracy/quantity.h"
+#include "comparison/case/case.h"
+#include "comparison/report/drawing/axis.h"
+#include "comparison/report/drawing/figures.h"
+#include "comparison/report/drawing/moduli_figure.h"
+#include "comparison/report/drawing/zone_map.h"
+
+namespace fretval {
+namespace {
+
+using nlohmann::ordered_json;
+using Numbers = std::vector<double>;
+
+constexpr std::size_t most_points = 720;  // of a history; more are not seen
+
+Numbers thinned_to_most(const Numbers& values) {
+  const auto stride = (values.size() + most_points - 1) / most_points;
+  if (stride < 2) return values;
+  Numbers few;
+  for (std::size_t i = 0; i < values.size(); i += stride) few.push_back(values[i]);
+  return few;
+}
+
+Numbers column_of(const StoredResult& r, const char* file, const char* x, const char* y) {
+  return read_columns(r.folder / file, x, y).second;
+}
+
+Numbers numbers_of(const ordered_json& list) {
+  return list.get<Numbers>();
+}
+
+/// Middles of rings, for their mean pressures.
+Numbers ring_middles(const Numbers& outer) {
+  Numbers middles;
+  for (std::size_t i = 0; i < outer.size(); ++i) middles.push_back(0.5 * (outer[i] + (i == 0 ? 0 : outer[i - 1])));
+  return middles;
+}
+
+bool has_path(const StoredResult& r) {
+  return r.json.at("scene").contains("path");
+}
+
+/// Pressure and traction at every instant; at first at the end of the period, where MDR's are: the largest indentation
+/// of an oscillation.
+Filling stress_figure(const StoredResult& r, const ordered_json& cycle) {
+  const auto middles = ring_middles(numbers_of(cycle.at("r")));
+  const double mu = r.number("scene", "friction_coefficient");
+  const std::size_t start = cycle.at("t").size() - 1;
+  Numbers all;
+  for (const auto& p : cycle.at("p")) all.push_back(numbers_of(p).front());
+  const auto length = axis_for({&middles}, "m"), stress = axis_for({&all}, "Pa");
+  Plot plot{"Pressure and traction", "r in " + length.unit, "stress in " + stress.unit};
+  plot.marks = radius_marks(r, length);
+  const auto x = length.of(middles);
+  for (const auto& [label, style, colour] :
+       {std::tuple{"p", Series::Style::line_points, 0}, std::tuple{"τ", Series::Style::line_points, 1},
+        std::tuple{"± μ p", Series::Style::dashed, 7}, std::tuple{"", Series::Style::dashed, 7}})
+    plot.series.push_back({label, x, x, style, colour});
+  auto frames =
+      ordered_json::array({ordered_json::array(), ordered_json::array(), ordered_json::array(), ordered_json::array()});
+  auto names = ordered_json::array();
+  const double period = cycle.at("t").back().get<double>();
+  for (std::size_t k = 0; k < cycle.at("t").size(); ++k) {
+    const auto p = stress.of(numbers_of(cycle["p"][k])), tau = stress.of(numbers_of(cycle["tau"][k]));
+    Numbers limit, opposite;
+    for (const double value : p) {
+      limit.push_back(mu * value);
+      opposite.push_back(-mu * value);
+    }
+    frames[0].push_back(p);
+    frames[1].push_back(tau);
+    frames[2].push_back(limit);
+    frames[3].push_back(opposite);
+    names.push_back(
+        fmt::format("{:.2f} of the {}", cycle["t"][k].get<double>() / period, r.is_single_pass() ? "pass" : "period"));
+  }
+  for (std::size_t s = 0; s < 4; ++s) plot.series[s].y = numbers_of(frames[s][start]);
+  if (const auto mdr = cycle.find("mdr"); mdr != cycle.end())
+    for (const auto& [key, label, colour] :
+         {std::tuple{"p", has_path(r) ? "p of MDR at the end" : "p of MDR at the largest depth", 5},
+          std::tuple{"tau", "τ of MDR", 4}})
+      plot.series.push_back({label, length.of(numbers_of(mdr->at("r"))), stress.of(numbers_of(mdr->at(key))),
+                             Series::Style::line, colour});
+  auto json = json_of(plot);
+  json["frames"] = {{"label", "instant"}, {"names", names}, {"start", start}, {"y", frames}};
+  return {{"plot", json},
+          {"wide", true},
+          {"caption",
+           r.is_single_pass()
+               ? "Mean values of the rings of the finite elements at any instant of the pass; where τ runs along ± μ p "
+                 "the ring slips. Inside c rings never slip."
+               : "Mean values of the rings of the finite elements at any instant of the last period; where τ runs "
+                 "along ± μ p the ring slips. Between c and a rings slip in every cycle."}};
+}
+
+Filling map_figure(const StoredResult& r, const ordered_json& cycle) {
+  const auto edges = numbers_of(cycle.at("r"));
+  const auto length = axis_for({&edges}, "m");
+  auto map = zone_map("Stick, slip and open", "r in " + length.unit, length.of(edges),
+                      cycle.at("zones").get<std::vector<std::string>>());
+  for (const auto& [name, x] : radius_marks(r, length)) map["marks"].push_back({{"name", name}, {"x", x}});
+  return {{"plot", std::move(map)},
+          {"caption", r.is_single_pass()
+                          ? "What each ring does in the pass. Below c it never slips."
+                          : "What each ring does in the last period. Below c a ring may touch the limit of friction, "
+                            "but it slips no more."}};
+}
+
+/// A force over a displacement: finite elements as points, MDR as a line.
+Figure loop_figure(const StoredResult& r, const ordered_json& cycle, bool tangential) {
+  const char* x_name = tangential ? "u_x" : "d";
+  const char* y_name = tangential ? "F_x" : "F_N";
+  auto [x, y] = read_columns(r.folder / "history.csv", fmt::format("{} [m]", x_name), fmt::format("{} [N]", y_name));
+  const auto length = axis_for({&x}, "m"), force = axis_for({&y}, "N");
+  Plot plot{fmt::format("{} over {}", tangential ? "Tangential force" : "Normal force",
+                        tangential ? "displacement" : "indentation"),
+            fmt::format("{} in {}", x_name, length.unit), fmt::format("{} in {}", y_name, force.unit)};
+  if (const auto mdr = cycle.find("mdr"); mdr != cycle.end())
+    plot.series.push_back(
+        {"MDR", length.of(numbers_of(mdr->at(x_name))), force.of(numbers_of(mdr->at(y_name))), Series::Style::line, 0});
+  plot.series.push_back(
+      {"finite elements", length.of(thinned_to_most(x)), force.of(thinned_to_most(y)), Series::Style::points, 1});
+  return {std::move(plot), r.is_single_pass()
+                               ? "The pass, from rest. The area below the line is the work of the indenter."
+                               : "One period. The area of the loop is the energy lost in it."};
+}
+
+/// Both directions over time: a column of history.csv and its name each.
+Figure course_figure(const StoredResult& r, const char* title, const std::string& what, const std::string& unit,
+                     const std::array<std::pair<const char*, const char*>, 2>& columns) {
+  auto t = thinned_to_most(column_of(r, "history.csv", "t [s]", "t [s]"));
+  const double start = t.front();
+  for (double& time : t) time -= start;
+  const auto column = [&](std::size_t k) {
+    return column_of(r, "history.csv", "t [s]", fmt::format("{} [{}]", columns[k].first, unit).c_str());
+  };
+  const auto normal = column(0), tangential = column(1);
+  const auto size = axis_for({&normal, &tangential}, unit), time = axis_for({&t}, "s");
+  Plot plot{title, "t in " + time.unit, what + " in " + size.unit};
+  plot.series.push_back({columns[0].second, time.of(t), size.of(thinned_to_most(normal)), Series::Style::line, 0});
+  plot.series.push_back({columns[1].second, time.of(t), size.of(thinned_to_most(tangential)), Series::Style::line, 1});
+  return {std::move(plot), r.is_single_pass() ? "The pass, from rest at its first row."
+                                              : "The last period, which repeats from then on."};
+}
+
+Figure motion_figure(const StoredResult& r) {
+  return course_figure(r, "Motion of the indenter", "displacement", "m",
+                       {{{"d", "indentation d"}, {"u_x", "tangential u_x"}}});
+}
+
+Figure forces_figure(const StoredResult& r) {
+  return course_figure(r, "Forces on the indenter", "force", "N", {{{"F_N", "normal F_N"}, {"F_x", "tangential F_x"}}});
+}
+
+Figure slip_figure(const StoredResult& r) {
+  const auto [radius, slip] = read_columns(r.folder / "contact.csv", "r outer [m]", "slip per period [m]");
+  const auto length = axis_for({&radius}, "m"), path = axis_for({&slip}, "m");
+  const bool once = r.is_single_pass();
+  Plot plot{once ? "Slip in the pass" : "Slip per period", "r in " + length.unit, "path in " + path.unit};
+  plot.marks = radius_marks(r, length);
+  plot.series.push_back(
+      {"finite elements", length.of(ring_middles(radius)), path.of(slip), Series::Style::line_points, 1});
+  return {std::move(plot), once ? "Length of slip of each ring in the pass; none inside c."
+                                : "Length of slip of each ring in the last period; none inside c."};
+}
+
+/// How slip dies out where nothing slips in the end; none where nothing ever does.
+std::vector<Figure> decay_figures(const StoredResult& r, const ordered_json& cycle) {
+  const auto decay = cycle.find("slip_decay");
+  if (decay == cycle.end()) return {};
+  Series series{"finite elements", {}, numbers_of(*decay), Series::Style::line_points, 1};
+  if (std::none_of(series.y.begin(), series.y.end(), [](double slip) { return slip > 0; })) return {};
+  for (std::size_t i = 0; i < series.y.size(); ++i) series.x.push_back(static_cast<double>(i + 1));
+  Plot plot{"Slip inside c dies out",
+            "period, from rest on",
+            "largest slip over the amplitude u_{x0}",
+            {std::move(series)},
+            true};
+  const double factor = r.number("fe", "slip_decay"), mdr = r.number("mdr", "slip_decay");
+  std::string caption =
+      "Longest path of slip in a period of a ring inside c, the shakedown radius. The amplitudes rise during the "
+      "first periods; a period without any slip has no point.";
+  if (!std::isnan(factor)) caption += fmt::format(" In the end it falls by the factor {:.4g} a period", factor);
+  if (!std::isnan(factor)) caption += std::isnan(mdr) ? "." : fmt::format("; by MDR {:.4g}.", mdr);
+  return {{std::move(plot), caption}};
+}
+
+Figure profile_figure(const StoredResult& r) {
+  const auto [radius, unworn] = read_columns(r.folder / "profile.csv", "r [m]", "f unworn [m]");
+  const auto limiting = column_of(r, "profile.csv", "r [m]", "f limiting [m]");
+  const auto length = axis_for({&radius}, "m"), height = axis_for({&unworn}, "m");
+  Plot plot{"Profile of the indenter", "r in " + length.unit, "f in " + height.unit};
+  plot.series.push_back({"unworn", length.of(radius), height.of(unworn), Series::Style::dashed, 7});
+  if (!limiting.empty())
+    plot.series.push_back({"limiting, MDR", length.of(radius), height.of(limiting), Series::Style::line, 0});
+  const double c = r.number("mdr", "stick_radius_shakedown"), end = r.number("mdr", "worn_radius");
+  if (c > 0) plot.marks.emplace_back("c", c / length.factor);
+  if (const double a = r.number("scene", "contact_radius_unworn"); a > 0)
+    plot.marks.emplace_back("a", a / length.factor);
+  if (end > 0) plot.marks.emplace_back("a_∞", end / length.factor);
+  return {std::move(plot),
+          "The limiting profile is where wear ends: it leaves the unworn one at c and meets it at a∞."};
+}
+
+/// Shares of the error bars over the tolerance of each quantity; null if none was measured.
+Filling budget_figure(const StoredResult& r) {
+  std::vector<std::string> sources;
+  auto rows = ordered_json::array();
+  const auto bars = r.json.at("fe").value("error_estimate", ordered_json::object());
+  for (const auto& [key, bar] : bars.items())
+    if (bar.is_object() && bar.contains("shares"))
+      for (const auto& [source, share] : bar["shares"].items())
+        if (std::find(sources.begin(), sources.end(), source) == sources.end()) sources.push_back(source);
+  for (const auto quantity : quantities_by_interest) {
+    const auto bar = bars.find(name_of(quantity));
+    const auto& comparison = r.json.at("comparison");
+    if (bar == bars.end() || !bar->is_object() || !bar->contains("shares") || !comparison.contains(name_of(quantity)))
+      continue;
+    const double tolerance = comparison[name_of(quantity)].at("tolerance").get<double>();
+    auto shares = ordered_json::array();
+    for (const auto& source : sources) {
+      const auto estimate =
+          bar->at("shares").value(source, ordered_json::object()).value("estimate", ordered_json(0.0));
+      shares.push_back(estimate.is_number() ? estimate.get<double>() / tolerance : 0.0);
+    }
+    rows.push_back({{"label", traits_of(quantity).title}, {"shares", shares}});
+  }
+  if (rows.empty()) return nullptr;
+  return {{"plot",
+           {{"kind", "bars"},
+            {"title", "Error budget"},
+            {"x_label", "error bar over the tolerance (dashed: 1)"},
+            {"sources", sources},
+            {"rows", rows}}},
+          {"caption", "What makes up the error bar of each quantity: each source measured by its own refinement."}};
+}
+
+}  // namespace
+
+ordered_json read_cycle(const StoredResult& result) {
+  const auto file = result.folder / "cycle.json";
+  std::ifstream stream(file);
+  if (!stream) return ordered_json::object();
+  try {
+    return ordered_json::parse(stream);
+  } catch (const nlohmann::json::exception& error) {
+    throw InputError(fmt::format("{}: {}", file.string(), error.what()));
+  }
+}
+
+Filling case_figures(const StoredResult& result, const ordered_json& cycle) {
+  Filling figures{{"template", "figures"}, {"figures", Filling::array()}};
+  auto& list = figures["figures"];
+  const auto add = [&](const std::vector<Figure>& more) {
+    const auto filling = filling_of(more);
+    for (const auto& figure : filling.at("figures")) list.push_back(figure);
+  };
+  try {
+    if (!cycle.empty()) list.push_back(stress_figure(result, cycle));
+    if (!cycle.empty()) list.push_back(map_figure(result, cycle));
+    if (!column_names(result.folder / "history.csv").empty())
+      add({motion_figure(result), loop_figure(result, cycle, true), loop_figure(result, cycle, false)});
+    if (result.has_forces() && !column_names(result.folder / "history.csv").empty()) add({forces_figure(result)});
+    if (!column_names(result.folder / "contact.csv").empty()) add({slip_figure(result)});
+    add(decay_figures(result, cycle));
+    if (!column_names(result.folder / "profile.csv").empty()) add({profile_figure(result)});
+    if (!column_names(result.folder / "moduli.csv").empty()) add({moduli_figure(result)});
+  } catch (const nlohmann::json::exception& error) {
+    throw InputError(fmt::format("{}: {}", (result.folder / "cycle.json").string(), error.what()));
+  }
+  if (auto budget = budget_figure(result); !budget.is_null()) list.push_back(std::move(budget));
+  return figures;
+}
+
+}  // namespace fretval

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "comparison/report/drawing/plots.h"
+#include "comparison/results/results_folder.h"
+
+namespace fretval {
+
+struct Figure {
+  Plot plot;
+  std::string caption;
+};
+
+/// For the template `figures`, whose "plot" place_plots puts where the page wants it.
+Filling filling_of(const std::vector<Figure>& figures);
+
+/// Takes all plots of a page off its sections and leaves a number and what stands there where scripts are off. Throws
+/// std::runtime_error if gnuplot is missing or refuses.
+Filling place_plots(Filling& sections);
+
+/// Stick radius over the phase, one plot per indenter shape and criterion: MDR as lines, finite elements as points, one
+/// colour per k = 3 mu Dd / (2 u_x0), in the paper's normalisation (figure 3). Results swept over the phase only.
+std::vector<Figure> stick_radius_figures(const std::vector<StoredResult>& results);
+
+/// (c_FE - c_MDR)/a over the phase, with the tolerance, for the same results.
+std::vector<Figure> difference_figures(const std::vector<StoredResult>& results);
+
+/// Limiting profiles over the radius, one plot per indenter shape, with a_inf marked (figure 4), and what the finite
+/// elements find on them. Results swept over the worn stick radius only.
+std::vector<Figure> limiting_profile_figures(const std::vector<StoredResult>& results);
+
+}  // namespace fretval

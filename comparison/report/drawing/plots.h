@@ -1,0 +1,39 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "comparison/report/text/render.h"
+
+namespace fretval {
+
+/// One curve or set of points; NaN values leave a gap.
+struct Series {
+  enum class Style { line, dashed, line_points, points, open_points, triangles };
+  std::string label;  ///< empty: not in the key
+  std::vector<double> x, y;
+  Style style = Style::line;
+  int colour = 0;                ///< index into the palette
+  std::vector<double> bar = {};  ///< half lengths of the error bars; empty: none
+};
+
+struct Plot {
+  std::string title, x_label, y_label;
+  std::vector<Series> series = {};
+  bool log_y = false;
+  std::optional<std::pair<double, double>> x_range = {}, y_range = {};
+  bool log_x = false;
+  std::vector<double> x_tics = {};                         ///< empty: where they fit
+  std::vector<std::pair<std::string, double>> marks = {};  ///< vertical lines with a name
+};
+
+/// As data of the page, which report.js draws; six digits of every number.
+Filling json_of(const Plot& plot);
+
+/// What stands in place of plots where scripts are off: drawn by gnuplot as SVG elements, empty for kinds of plots that
+/// a table beside them tells. Throws std::runtime_error if gnuplot is missing or refuses.
+std::vector<std::string> svgs(const std::vector<const Filling*>& plots);
+
+}  // namespace fretval

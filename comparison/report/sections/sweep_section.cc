@@ -1,0 +1,172 @@
+#include "comparison/report/sections/sweep_section.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <tuple>
+
+#include "comparison/accuracy/quantity.h"
+#include "comparison/report/drawing/figures.h"
+#include "comparison/results/answer_text.h"
+#include "comparison/results/sweep_line.h"
+#include "comparison/support/files.h"
+
+namespace fretval {
+namespace {
+
+using Family = std::vector<const StoredResult*>;
+
+std::map<std::string, Family> families_of(const std::vector<StoredResult>& results) {
+  std::map<std::string, Family> families;
+  for (const auto& r : results)
+    if (r.json.at("scene").contains("sweep")) families[r.family()].push_back(&r);
+  return families;
+}
+
+std::string entry_of(const Family& family) {
+  return family.front()->json.at("scene").at("sweep").at("entry").get<std::string>();
+}
+
+/// The error bar of a quantity in its own unit; NaN if none was measured.
+double absolute_bar(const StoredResult& r, Quantity quantity) {
+  const auto& comparison = r.json.at("comparison");
+  const auto& traits = traits_of(quantity);
+  if (!comparison.contains(traits.name)) return std::nan("");
+  const auto bar = comparison[traits.name].value("error_bar", nlohmann::ordered_json());
+  const double scale = scale_of(quantity, scales_of(r.json), r.number("fe", traits.name));
+  return bar.is_number() ? bar.get<double>() * scale : std::nan("");
+}
+
+struct Curves {
+  std::vector<double> value, mdr, fe, bar;
+  std::vector<double> line_value, line;  ///< of MDR, also between the points
+  bool has_values_between = false;
+  double largest = 0;
+};
+
+Curves curves_of(const Family& family, Quantity quantity) {
+  Curves curves;
+  for (const auto* r : family) {
+    curves.value.push_back(r->sweep_value());
+    curves.mdr.push_back(r->number("mdr", name_of(quantity)));
+    curves.fe.push_back(r->number("fe", name_of(quantity)));
+    curves.bar.push_back(absolute_bar(*r, quantity));
+    for (const double value : {curves.mdr.back(), curves.fe.back()})
+      if (std::isfinite(value)) curves.largest = std::max(curves.largest, std::abs(value));
+  }
+  std::tie(curves.line_value, curves.line) =
+      read_sweep_line(family.front()->folder.parent_path(), entry_of(family), quantity);
+  curves.has_values_between = !curves.line.empty();
+  if (!curves.has_values_between) std::tie(curves.line_value, curves.line) = std::tie(curves.value, curves.mdr);
+  return curves;
+}
+
+bool takes_prefix(const std::string& unit) {
+  return !unit.empty() && unit != "deg" && unit != "SI" && unit.find('/') == std::string::npos;
+}
+
+double largest_value(const Family& family) {
+  double largest = 0;
+  for (const auto* r : family) largest = std::max(largest, std::abs(r->sweep_value()));
+  return largest;
+}
+
+Figure sweep_figure(const Family& family, const std::vector<Quantity>& quantities, const std::string& title) {
+  const auto entry = entry_of(family), unit = unit_of_entry(entry);
+  const auto [entry_prefix, entry_factor] = takes_prefix(unit) ? prefix_for(largest_value(family)) : UnitPrefix{"", 1};
+  Plot plot{title, unit.empty() ? entry : fmt::format("{} in {}{}", entry, entry_prefix, unit), ""};
+  double largest = 0;
+  for (const auto quantity : quantities) largest = std::max(largest, curves_of(family, quantity).largest);
+  const auto [prefix, factor] = prefix_for(largest);
+  plot.y_label =
+      fmt::format("{} in {}{}", traits_of(quantities.front()).label, prefix, traits_of(quantities.front()).unit);
+  int colour = 0;
+  for (const auto quantity : quantities) {
+    auto curves = curves_of(family, quantity);
+    for (auto* values : {&curves.line, &curves.fe, &curves.bar})
+      for (double& value : *values) value /= factor;
+    for (auto* values : {&curves.value, &curves.line_value})
+      for (double& value : *values) value /= entry_factor;
+    plot.series.push_back({fmt::format("{}, MDR", traits_of(quantity).title), curves.line_value, curves.line,
+                           curves.has_values_between ? Series::Style::line : Series::Style::dashed, colour});
+    plot.series.push_back({fmt::format("{}, finite elements", traits_of(quantity).title), curves.value, curves.fe,
+                           Series::Style::points, colour++, curves.bar});
+  }
+  if (quantities.size() > 1) plot.y_label = fmt::format("stick radius in {}m", prefix);
+  return {
+      std::move(plot),
+      "Line: MDR; dashed where it is known at the points alone, straight between. Points: finite elements with their "
+      "error bars."};
+}
+
+bool is_any(const Family& family, Quantity quantity) {
+  return curves_of(family, quantity).largest > 0;
+}
+
+/// By more than a thousandth: what does not change needs no plot.
+bool depends_on_entry(const Family& family, Quantity quantity) {
+  const auto curves = curves_of(family, quantity);
+  const auto [least, most] = std::minmax_element(curves.mdr.begin(), curves.mdr.end());
+  return std::isfinite(*least) && *most - *least > 1e-3 * curves.largest;
+}
+
+/// Of the paper, which show its radii.
+bool is_in_the_figures(const Family& family) {
+  const auto shape = family.front()->text("scene", "shape");
+  const bool of_the_paper = shape == "parabola" || shape == "cone" || shape == "power";
+  return (entry_of(family) == "Motion / Phase" && of_the_paper && family.front()->has_one_frequency() &&
+          !family.front()->has_forces()) ||
+         entry_of(family) == "Wear / Stick radius ratio";
+}
+
+Filling family_filling(const std::string& name, const Family& family) {
+  std::vector<Figure> figures;
+  const auto first_slip = Quantity::stick_radius_first_slip, shakedown = Quantity::stick_radius_shakedown;
+  if (!is_in_the_figures(family) && (is_any(family, first_slip) || is_any(family, shakedown)))
+    figures.push_back(sweep_figure(family, {first_slip, shakedown}, "Stick radii"));
+  for (const auto quantity : {Quantity::contact_radius_max, Quantity::normal_force_max, Quantity::indentation_max,
+                              Quantity::tangential_amplitude, Quantity::tangential_force_max, Quantity::friction_work})
+    if (depends_on_entry(family, quantity)) {
+      std::string title = traits_of(quantity).title;
+      title.front() = static_cast<char>(std::toupper(title.front()));
+      figures.push_back(sweep_figure(family, {quantity}, title));
+    }
+  return {{"family", name}, {"entry", entry_of(family)}, {"figures", filling_of(figures)}};
+}
+
+}  // namespace
+
+Filling sweeps_section(const std::vector<StoredResult>& results) {
+  auto sweeps = Filling::array();
+  const auto families = families_of(results);
+  for (const auto& [name, family] : families) {
+    if (family.size() == 1 || (families.size() > 1 && is_in_the_figures(family))) continue;
+    if (auto filling = family_filling(name, family); !filling.at("figures").at("figures").empty())
+      sweeps.push_back(std::move(filling));
+  }
+  if (sweeps.empty()) return nullptr;
+  return {{"template", "sweeps"}, {"sweeps", std::move(sweeps)}};
+}
+
+void write_sweeps(const std::vector<StoredResult>& results) {
+  for (const auto& [name, family] : families_of(results)) {
+    std::string text = "case," + column_of_entry(entry_of(family));
+    std::vector<Quantity> quantities;
+    for (const auto quantity : quantities_by_interest)
+      if (is_any(family, quantity)) quantities.push_back(quantity);
+    for (const auto quantity : quantities)
+      for (const char* who : {" by MDR", " by finite elements", " error bar"}) text += "," + column_of(quantity, who);
+    const auto cell = [](double value) { return std::isfinite(value) ? fmt::format("{:.10g}", value) : ""; };
+    for (const auto* r : family) {
+      text += fmt::format("\n{},{:.10g}", r->json.at("name").get<std::string>(), r->sweep_value());
+      for (const auto quantity : quantities)
+        text += fmt::format(",{},{},{}", cell(r->number("mdr", name_of(quantity))),
+                            cell(r->number("fe", name_of(quantity))), cell(absolute_bar(*r, quantity)));
+    }
+    write_file(family.front()->folder.parent_path() / "sweep.csv", text + "\n");
+  }
+}
+
+}  // namespace fretval

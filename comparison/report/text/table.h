@@ -1,0 +1,38 @@
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "comparison/report/text/render.h"
+
+namespace fretval {
+
+/// A cell of a table.
+struct Cell {
+  std::string text;
+  bool is_bad = false;       ///< in red
+  bool is_words = false;     ///< a sentence rather than a number or a name
+  std::string details = {};  ///< what a page shows on request
+
+  Cell(std::string words) : text(std::move(words)) {}
+  Cell(const char* words) : text(words) {}
+};
+
+Cell words_cell(const std::string& text);
+Cell bad_if(bool is_bad, const std::string& text);
+
+/// What a page and a terminal show alike.
+struct Table {
+  std::vector<std::string> heads;
+  std::vector<std::vector<Cell>> rows = {};
+  std::string label = {};  ///< what a screen reader says of it; empty: the first head
+};
+
+/// For the template `table`.
+Filling filling_of(const Table& table);
+
+/// In aligned columns, the first one and sentences to the left.
+std::string text_of(const Table& table);
+
+}  // namespace fretval

@@ -1,0 +1,101 @@
+#include "comparison/simulation/bodies/body.h"
+
+#include <set>
+
+#include "comparison/support/parallel.h"
+#include "comparison/support/stopwatch.h"
+#include "fem/operators/stiffness.h"
+#include "meshes/audit.h"
+#include "meshes/quarter_disc.h"
+
+namespace fretval {
+namespace {
+
+HarmonicOperators assemble_harmonic(const fem::GridData& grid, fem::Harmonic harmonic, unsigned degree) {
+  fem::HarmonicSpace space(grid, harmonic, degree);
+  auto stiffness = fem::assemble_skeleton_stiffness(space);
+  return {std::move(space), std::move(stiffness)};
+}
+
+HarmonicBody condense_harmonic(HarmonicOperators&& operators, const std::string& name) {
+  fem::Condensation condensation(operators.stiffness, operators.space.contact_line().dofs, name);
+  fem::ContactProblem contact(fem::contact_compliance(operators.space.contact_line(), condensation.schur_complement()));
+  return {std::move(operators.space), std::move(condensation), std::move(contact)};
+}
+
+}  // namespace
+
+meshes::Mesh mesh_of(const BodySpecification& specification) {
+  return meshes::quarter_disc({specification.contact_nodes, specification.far_radius, specification.growth});
+}
+
+std::size_t n_dofs_on(const meshes::Mesh& mesh, unsigned degree, bool tangential) {
+  const std::size_t n_corners = mesh.nodes.size(), n_cells = mesh.cells.size();
+  const std::size_t n_edges = n_corners + n_cells - 1;  // Euler
+  const auto n_nodes = [&](std::size_t k) { return n_corners + (k - 1) * n_edges + (k - 1) * (k - 1) * n_cells; };
+  const std::size_t n_displacements = tangential ? 2 + 3 : 2, n_pressures = tangential ? 2 : 1;
+  return n_displacements * n_nodes(degree) + n_pressures * n_nodes(degree - 1);
+}
+
+fem::GridData grid_of(const meshes::Mesh& mesh) {
+  fem::GridData grid{mesh.nodes, mesh.cells, {}};
+  for (const auto& edge : mesh.edges)
+    grid.boundary.push_back({edge.nodes, static_cast<fem::BoundaryPart>(edge.boundary)});
+  return grid;
+}
+
+Operators assemble_operators(const meshes::Mesh& mesh, const std::string& name, unsigned degree, bool tangential) {
+  meshes::audit(mesh, name);
+  Stopwatch watch;
+  const auto grid = grid_of(mesh);
+  std::optional<HarmonicOperators> harmonics[2];
+  for_each_in_parallel(tangential ? 2 : 1, [&](std::size_t n) {
+    harmonics[n].emplace(assemble_harmonic(grid, n == 0 ? fem::Harmonic::normal : fem::Harmonic::tangential, degree));
+  });
+  Operators operators{std::move(*harmonics[0]), std::move(harmonics[1]), meshes::quality(mesh), {}};
+  operators.cost.assembly = watch.lap();
+  return operators;
+}
+
+Body condense(Operators&& operators) {
+  Stopwatch watch;
+  std::optional<HarmonicBody> harmonics[2];
+  for_each_in_parallel(operators.tangential ? 2 : 1, [&](std::size_t n) {
+    harmonics[n].emplace(
+        n == 0 ? condense_harmonic(std::move(operators.normal), "stiffness of the normal harmonic")
+               : condense_harmonic(std::move(*operators.tangential), "stiffness of the tangential harmonic"));
+  });
+  Body body{std::move(*harmonics[0]), std::move(harmonics[1]), operators.mesh_quality, operators.cost};
+  body.cost.factorisation = watch.lap();
+  return body;
+}
+
+Body make_body(const BodySpecification& specification) {
+  Stopwatch watch;
+  const auto mesh = mesh_of(specification);
+  const double seconds = watch.lap();
+  Body body = condense(assemble_operators(mesh, "generated mesh", specification.degree, specification.tangential));
+  body.cost.mesh = seconds;
+  return body;
+}
+
+BodyCount count_of(const std::vector<std::shared_ptr<const BodySummary>>& bodies) {
+  BodyCount count;
+  for (const auto& body : std::set(bodies.begin(), bodies.end())) {
+    if (!body) continue;  // of a computation that failed
+    ++count.all;
+    count.from_store += body->from_store ? 1 : 0;
+  }
+  return count;
+}
+
+ContactBody contact_body(const Body& body) {
+  const auto summary = std::make_shared<const BodySummary>(BodySummary{body.mesh_quality, body.cost, body.n_dofs(),
+                                                                       body.normal.space.contact_line().dofs.size(),
+                                                                       body.normal.contact.compliance.radii, false});
+  std::optional<fem::ContactProblem> tangential;
+  if (body.tangential) tangential.emplace(body.tangential->contact);
+  return {body.normal.contact, std::move(tangential), summary};
+}
+
+}  // namespace fretval

@@ -1,0 +1,39 @@
+#include "comparison/simulation/bodies/body_store.h"
+
+#include <utility>
+
+#include "comparison/simulation/bodies/kept_body.h"
+#include "comparison/support/stopwatch.h"
+
+namespace fretval {
+bool is_too_large(std::size_t n_dofs, const BodyStore& bodies) {
+  return bodies.distribution && n_dofs >= bodies.distribution->from_dofs;
+}
+
+std::shared_ptr<const ContactBody> find_or_make_body(const BodySpecification& specification, BodyStore& bodies,
+                                                     std::shared_ptr<const Body>* whole) {
+  return bodies.find_or_make(specification, [&] {
+    if (bodies.operators)
+      if (auto kept = kept_body(specification, *bodies.operators)) {
+        ++bodies.n_kept;
+        return *std::move(kept);
+      }
+    Stopwatch watch;
+    const auto mesh = bodies.meshes.mesh_of(specification);
+    const double mesh_seconds = watch.lap();
+    if (is_too_large(n_dofs_on(mesh, specification.degree, specification.tangential), bodies)) {
+      auto body = distributed_body(specification, *bodies.distribution, bodies.operators.get());
+      ++(body.summary->from_store ? bodies.n_kept : bodies.n_made);
+      return body;
+    }
+    ++bodies.n_made;
+    auto operators = assemble_operators(mesh, bodies.meshes.name, specification.degree, specification.tangential);
+    operators.cost.mesh = mesh_seconds;
+    const auto made = std::make_shared<const Body>(condense(std::move(operators)));
+    if (whole) *whole = made;
+    if (bodies.operators) keep_body(specification, *made, *bodies.operators);
+    return contact_body(*made);
+  });
+}
+
+}  // namespace fretval

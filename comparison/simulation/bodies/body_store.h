@@ -1,0 +1,44 @@
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "comparison/simulation/bodies/body.h"
+#include "comparison/simulation/bodies/distributed_body.h"
+#include "comparison/simulation/bodies/normal_store.h"
+#include "comparison/simulation/bodies/operator_store.h"
+#include "comparison/support/made_once.h"
+
+namespace fretval {
+
+/// Where meshes come from: made for each specification unless somebody has others, as the small committed ones.
+struct MeshSource {
+  std::string name = "generated mesh";  ///< for messages
+  std::function<meshes::Mesh(const BodySpecification&)> mesh_of = fretval::mesh_of;
+};
+
+/// The bodies that cases and their refinements share, with the normal histories on them.
+class BodyStore : public MadeOnce<BodySpecification, ContactBody> {
+ public:
+  explicit BodyStore(MeshSource source = {}) : meshes(std::move(source)) {}
+  /// Bodies on generated meshes, whose operators other runs have kept or will find. Null: neither.
+  explicit BodyStore(std::shared_ptr<OperatorStore> kept) : operators(std::move(kept)) {}
+  const MeshSource meshes;
+  const std::shared_ptr<OperatorStore> operators;  ///< null: none; a mesh of somebody else is no part of their keys
+  std::optional<Distribution> distribution;        ///< set before the first body is asked for; empty: none is too large
+  NormalStore normals;
+  std::atomic<int> n_made{0}, n_kept{0};  ///< bodies that were made, and that came from the store of operators
+};
+
+/// Whether all processes make bodies of so many dofs together.
+bool is_too_large(std::size_t n_dofs, const BodyStore& bodies);
+
+/// Mesh, operators and condensation of a specification, unless the store, or that of its operators, has them. whole:
+/// set to the whole body if it had to be made, in this process alone.
+std::shared_ptr<const ContactBody> find_or_make_body(const BodySpecification& specification, BodyStore& bodies,
+                                                     std::shared_ptr<const Body>* whole = nullptr);
+
+}  // namespace fretval

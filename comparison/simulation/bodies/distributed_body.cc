@@ -1,0 +1,92 @@
+#include "comparison/simulation/bodies/distributed_body.h"
+
+#include <nlohmann/json.hpp>
+#include <utility>
+#include <vector>
+
+#include "comparison/simulation/bodies/kept_body.h"
+#include "comparison/simulation/bodies/operator_key.h"
+#include "comparison/support/stopwatch.h"
+#include "fem/condensation/distributed_condensation.h"
+#include "fem/operators/stiffness.h"
+#include "fem/support/solver_error.h"
+
+namespace fretval {
+namespace {
+
+using nlohmann::json;
+
+/// In CBOR, which keeps every bit of a number.
+std::string bytes_of(const json& message) {
+  std::string bytes;
+  json::to_cbor(message, bytes);
+  return bytes;
+}
+
+BodySpecification specification_in(const std::string& message) {
+  const auto body = json::from_cbor(message);
+  return {body.at(0).get<std::vector<double>>(), body.at(1), body.at(2), body.at(3), body.at(4)};
+}
+
+/// A harmonic on the contact line.
+struct Condensed {
+  std::string key;
+  fem::ContactLine line;
+  Eigen::MatrixXd schur;  ///< on the first process; elsewhere empty
+  std::map<std::string, double> figures;
+};
+
+Condensed condensed_together(const BodySpecification& body, const meshes::Mesh& mesh, fem::Harmonic harmonic,
+                             const fem::Share& share) {
+  const fem::HarmonicSpace space(grid_of(mesh), harmonic, body.degree);
+  const auto name = std::string("stiffness of the ") + (harmonic == fem::Harmonic::normal ? "normal" : "tangential") +
+                    " harmonic, distributed";
+  return {operator_key(body, harmonic, static_cast<int>(share.count)), space.contact_line(),
+          fem::distributed_schur_complement(fem::assemble_skeleton_stiffness(space, share), space.contact_line().dofs,
+                                            name),
+          figures_of(meshes::quality(mesh), space)};
+}
+
+}  // namespace
+
+std::string text_of(const BodySpecification& body) {
+  return bytes_of({body.contact_nodes, body.growth, body.far_radius, body.degree, body.tangential});
+}
+
+std::string operators_made_together(const std::string& specification, const fem::Share& share) {
+  const auto body = specification_in(specification);
+  const auto mesh = mesh_of(body);
+  const bool is_first = share.number == 0;
+  json answer{{"failure", ""}, {"operators", json::array()}};
+  try {
+    // All of what is done together comes first: where one process alone gives up, the others must not wait for it.
+    std::vector<Condensed> harmonics;
+    for (const auto harmonic : harmonics_of(body)) harmonics.push_back(condensed_together(body, mesh, harmonic, share));
+    for (const auto& [key, line, schur, figures] : harmonics) {
+      if (!is_first) break;
+      const auto bytes = fem::operator_file({key, fem::contact_compliance(line, schur), figures});
+      answer["operators"].push_back(json::binary({bytes.begin(), bytes.end()}));
+    }
+  } catch (const fem::SolverError& error) {
+    answer["failure"] = error.what();
+  }
+  return is_first ? bytes_of(answer) : "";
+}
+
+ContactBody distributed_body(const BodySpecification& specification, const Distribution& distribution,
+                             OperatorStore* kept) {
+  if (kept)
+    if (auto body = kept_body(specification, *kept, distribution.n_processes)) return *std::move(body);
+  Stopwatch watch;
+  const auto answer = json::from_cbor(distribution.make_together(text_of(specification)));
+  if (const std::string failure = answer.at("failure"); !failure.empty()) throw fem::SolverError(failure);
+  std::vector<fem::StoredOperator> harmonics;
+  for (const auto& bytes : answer.at("operators")) {
+    const auto& file = bytes.get_binary();
+    harmonics.push_back(fem::operator_in({file.begin(), file.end()}));
+    if (kept) kept->keep(harmonics.back());
+  }
+  return body_of(std::move(harmonics), false, watch);
+}
+
+}  // namespace fretval

@@ -1,0 +1,72 @@
+#include "comparison/simulation/bodies/normal_store.h"
+
+#include "comparison/support/stopwatch.h"
+
+namespace fretval {
+namespace {
+
+/// What a normal history depends on beside its body. Of the tangential motion that is the frequencies alone: the
+/// slowest oscillation of either direction sets the ramp.
+std::vector<std::vector<double>> parameters_of(const FemCase& fem, const Eigen::VectorXd& profile,
+                                               const fem::HistoryControl& control) {
+  const auto& [relaxed, moduli, times, viscosity] = fem.relaxation;
+  std::vector<double> normal, orders;
+  for (const auto& [amplitude, order, phase] : fem.motion.normal)
+    normal.insert(normal.end(), {amplitude, static_cast<double>(order), phase});
+  for (const auto& oscillation : fem.motion.tangential) orders.push_back(oscillation.order);
+  if (const auto& path = fem.motion.path) {
+    orders.insert(orders.end(), path->time.begin(), path->time.end());
+    normal.insert(normal.end(), path->normal.begin(), path->normal.end());
+    normal.push_back(path->repeats ? 1 : 0);
+  }
+  return {{profile.begin(), profile.end()},
+          {relaxed, viscosity, fem.any_order ? 1.0 : 0.0},
+          moduli,
+          times,
+          {fem.motion.indentation, static_cast<double>(fem.motion.n_ramp_cycles), fem.motion.normal_force ? 1.0 : 0.0},
+          normal,
+          orders,
+          {static_cast<double>(control.steps_per_cycle), static_cast<double>(control.max_cycles), control.periodicity,
+           fem.resolution.active_set_slack}};
+}
+
+NormalRecord make_record(const FemCase& fem, const fem::ContactProblem& problem, const Eigen::VectorXd& profile,
+                         const fem::HistoryControl& control) {
+  Stopwatch watch;
+  fem::NormalContact start(problem, fem.relaxation, profile, fem.motion, control.steps_per_cycle,
+                           fem.any_order ? fem::ForceReading::sum_of_rings : fem::ForceReading::up_to_the_edge);
+  NormalRecord record;
+  const auto add = [&record](const fem::NormalContact& contact) {
+    record.pressures.push_back(contact.pressure);
+    record.radii.push_back(contact.reading.radius);
+    record.forces.push_back(contact.reading.force);
+  };
+  add(start);
+  record.history = fem::normal_history(std::move(start), control, add);
+  record.seconds = watch.lap();
+  return record;
+}
+
+}  // namespace
+
+std::shared_ptr<const NormalRecord> NormalStore::find_or_make(const FemCase& fem, const fem::ContactProblem& problem,
+                                                              const Eigen::VectorXd& profile,
+                                                              const fem::HistoryControl& control) {
+  const Key key{fem.body, parameters_of(fem, profile, control)};
+  return records_.find_or_make(key, [&] {
+    auto record = make_record(fem, problem, profile, control);
+    make_room_for(key, record.pressures.size() * static_cast<std::size_t>(profile.size()));
+    return record;
+  });
+}
+
+void NormalStore::make_room_for(const Key& key, std::size_t n_numbers) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  for (n_numbers_ += n_numbers; n_numbers_ > room_ && !kept_.empty(); kept_.pop_front()) {
+    n_numbers_ -= kept_.front().second;
+    records_.forget(kept_.front().first);
+  }
+  kept_.emplace_back(key, n_numbers);
+}
+
+}  // namespace fretval

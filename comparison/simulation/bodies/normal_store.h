@@ -1,0 +1,49 @@
+#pragma once
+
+#include <Eigen/Dense>
+#include <deque>
+#include <memory>
+#include <mutex>
+#include <utility>
+#include <vector>
+
+#include "comparison/simulation/fem_case/fem_case.h"
+#include "comparison/support/made_once.h"
+#include "fem/history/normal_history.h"
+
+namespace fretval {
+
+/// A normal history with what drives the friction beside it.
+struct NormalRecord {
+  fem::NormalHistory history;
+  std::vector<Eigen::VectorXd> pressures;  ///< at the start, then after each step until the response repeats
+  std::vector<double> radii, forces;       ///< of the contact, likewise, see fem::ContactForce
+  double seconds = 0;                      ///< that it took
+};
+
+/// The normal histories that cases share which differ in their friction and tangential motion alone, as those of a
+/// sweep of the phase: at nu = 1/2 pressures do not depend on either. It keeps the latest ones, as many as there is
+/// room for; what it has let go is made again when asked for.
+class NormalStore {
+ public:
+  /// room: for pressures, in numbers; 256 MB.
+  explicit NormalStore(std::size_t room = std::size_t{256} << 17) : room_(room) {}
+
+  /// The history of the case on its body. problem: of the body, at the slack of the resolution; profile: ring means.
+  /// Throws fem::SolverError, see fem::normal_history.
+  std::shared_ptr<const NormalRecord> find_or_make(const FemCase& fem, const fem::ContactProblem& problem,
+                                                   const Eigen::VectorXd& profile, const fem::HistoryControl& control);
+
+ private:
+  using Key = std::pair<BodySpecification, std::vector<std::vector<double>>>;
+
+  void make_room_for(const Key& key, std::size_t n_numbers);
+
+  std::size_t room_;
+  MadeOnce<Key, NormalRecord> records_;
+  std::deque<std::pair<Key, std::size_t>> kept_;  // the oldest first, with its numbers
+  std::size_t n_numbers_ = 0;                     // of all of them
+  std::mutex mutex_;
+};
+
+}  // namespace fretval

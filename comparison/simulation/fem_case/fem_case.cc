@@ -1,0 +1,291 @@
+#include "comparison/simulation/fem_case/fem_case.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <limits>
+#include <stdexcept>
+#include <tuple>
+#include <utility>
+
+#include "comparison/case/path_table.h"
+#include "comparison/simulation/fem_case/near_cycle.h"
+#include "mdr/profiles/profile_csv.h"
+#include "meshes/grading.h"
+
+namespace fretval {
+namespace {
+
+constexpr double degree = 3.14159265358979323846 / 180;
+
+// The contact line reaches a little beyond the largest contact, so that the first ring that never touches is on it.
+constexpr double contact_line_reserve = 1.12;
+
+// Over the contact radius. Seven decades below the far cells a probe solve of the factor leaves 2e-10, ten decades
+// 7e-8.
+constexpr double finest_ring = 5e-8;
+
+/// Of equal width. Fewer than three that do not touch do not tell where the contact ends.
+constexpr double rings_beyond = 4;
+
+/// How far the contact line of the coarsest rings reaches, over the contact radius.
+constexpr double farthest_ring = 1.5;
+
+std::vector<double> contact_nodes(const FemCase& fem) {
+  const auto& resolution = fem.resolution;
+  const double ring = 1.0 / resolution.elements_per_radius;
+  // A worn profile ends its zone at a known radius, where stresses are singular. Rounded up to quarters of the contact
+  // radius, so that profiles with the same c share their body.
+  if (fem.worn_edge) {
+    const double edge = fem.worn_edge->inner, end = std::ceil(4 * contact_line_reserve * fem.worn_edge->outer) / 4;
+    if (edge == 0) return meshes::uniform_nodes(end, static_cast<unsigned>(std::ceil(end / ring)));
+    return meshes::graded_nodes({edge, edge, resolution.worn_edge_ring * edge}, end, ring, resolution.surface_growth);
+  }
+  const double end = std::max(contact_line_reserve, 1 + rings_beyond * ring);
+  if (resolution.focus) {
+    const auto [inner, outer, wanted] = *resolution.focus;
+    const double fine = std::max(wanted, finest_ring);
+    return meshes::graded_nodes({inner, outer, std::min(fine, ring)}, std::max(end, outer + rings_beyond * fine), ring,
+                                resolution.surface_growth);
+  }
+  const auto n = static_cast<unsigned>(std::ceil(end * resolution.elements_per_radius / 2)) * 2;
+  return meshes::uniform_nodes(n * ring, n);
+}
+
+/// Rings lie on the sphere, with those beyond the contact.
+void require_room_on_sphere(const Case& input, const FemCase& fem) {
+  const double a = fem.units.length, reach = std::max(farthest_ring, fem.body.contact_nodes.back()) * a;
+  if (input.indenter.shape != Case::Shape::sphere || reach <= input.indenter.radius) return;
+  throw InputError(fmt::format(
+      "{}: Indenter / Radius = {:g}: at the largest indentation, {:.3g} m, the contact radius is {:.3g} m, and rings "
+      "that finite elements need beyond it would reach the radius of the sphere; expected a smaller indentation, or a "
+      "radius of at least {:.3g} m; `fretval mdr` answers this case",
+      input.file, input.indenter.radius, fem.units.depth, a, reach));
+}
+
+std::function<double(double)> profile_in(const Units& units, const Case& input, const MdrCase& mdr) {
+  const double length = units.length, depth = units.depth;
+  if (mdr.limiting)
+    return [worn = *mdr.limiting, length, depth](double r) { return mdr::shape(worn, r * length) / depth; };
+  // Written out rather than taken from mdr/, so that an error there cannot cancel in the comparison.
+  const auto& indenter = input.indenter;
+  switch (indenter.shape) {
+    case Case::Shape::parabola:
+      return [factor = length * length / (2 * indenter.radius * depth)](double r) { return factor * r * r; };
+    case Case::Shape::sphere:
+      return [share = length / indenter.radius, radius = indenter.radius / depth](double r) {
+        const double sine = share * r;
+        return radius * sine * sine / (1 + std::sqrt((1 - sine) * (1 + sine)));
+      };
+    case Case::Shape::cone:
+      return [factor = std::tan(indenter.slope_angle * degree) * length / depth](double r) { return factor * r; };
+    case Case::Shape::power:
+      return [factor = indenter.coefficient * std::pow(length, indenter.exponent) / depth,
+              n = indenter.exponent](double r) { return factor * std::pow(r, n); };
+    case Case::Shape::rounded_flat:
+      return [factor = length * length / (2 * indenter.edge_radius * depth), flat = indenter.flat_radius / length](
+                 double r) { return r > flat ? factor * (r - flat) * (r - flat) : 0; };
+    case Case::Shape::truncated_sphere:
+      return [factor = length * length / (2 * indenter.radius * depth), flat = indenter.flat_radius / length](
+                 double r) { return r > flat ? factor * (r - flat) * (r + flat) : 0; };
+    case Case::Shape::table:
+      break;
+  }
+  // The heights between measured points are data; what MDR adds is their transform. Beyond the rows nothing touches.
+  const double end = mdr.falls().empty() ? std::numeric_limits<double>::infinity() : mdr::end_radius(mdr.profile);
+  return [profile = mdr.profile, length, depth, end](double r) {
+    return mdr::shape(profile, std::min(r * length, end)) / depth;
+  };
+}
+
+/// Surfaces that are pressed sink everywhere, so an indenter touches no further out than it is as deep as it is
+/// pressed.
+double farthest_depth(const Case& input, const mdr::Profile& profile, double depth) {
+  constexpr int n_parts = 20000;
+  const double end = mdr::end_radius(profile);
+  const auto is_deep = [&](int i) { return mdr::shape(profile, end * i / n_parts) <= depth; };
+  if (is_deep(n_parts))
+    throw InputError(fmt::format(
+        "{}: Indenter / Table = {}: its last row, at r = {:g} m, is {:g} m above the lowest one, and the largest "
+        "indentation is {:g} m; expected rows up to a radius at which the indenter is higher than that",
+        input.file, input.indenter.table, end, mdr::shape(profile, end), depth));
+  int last = n_parts - 1;
+  while (last > 0 && !is_deep(last)) --last;
+  return end * (last + 1) / n_parts;
+}
+
+/// Between the rows of a table, linear in the depth that is worn off, which keeps an indenter unworn where two of them
+/// are; halfway from an unworn row to a worn one it begins, as a worn profile is vertical at the stick radius. Beyond
+/// the rows it is unworn. Throws InputError for a height below the unworn indenter by more than the tolerance.
+std::function<double(double)> worn_before(const std::string& table, const FemCase& fem, double tolerance) {
+  constexpr double nothing = 1e-6;  // of the largest indentation, as in the course of wear
+  std::ifstream stream(table);
+  std::vector<double> radii, depths;
+  try {
+    const auto rows = mdr::read_profile_rows(stream, table);
+    for (std::size_t i = 0; i < rows.r.size(); ++i) {
+      const double r = rows.r[i] / fem.units.length, depth = rows.f[i] / fem.units.depth - fem.profile(r);
+      if (depth < -tolerance)
+        throw InputError(
+            fmt::format("{}: the height {:g} m at r = {:g} m is {:.2g} m below that of the indenter; "
+                        "must be that of the same indenter, worn",
+                        table, rows.f[i], rows.r[i], -depth * fem.units.depth));
+      radii.push_back(r);
+      depths.push_back(depth > nothing ? depth : 0);
+    }
+  } catch (const std::invalid_argument& error) {
+    throw InputError(error.what());
+  }
+  return [radii, depths](double r) {
+    const auto outer = std::upper_bound(radii.begin(), radii.end(), r) - radii.begin();
+    if (outer == static_cast<std::ptrdiff_t>(radii.size())) return 0.0;
+    const auto k = static_cast<std::size_t>(outer);
+    if (depths[k - 1] == 0) return r < (radii[k - 1] + radii[k]) / 2 ? 0 : depths[k];
+    return depths[k - 1] + (depths[k] - depths[k - 1]) * (r - radii[k - 1]) / (radii[k] - radii[k - 1]);
+  };
+}
+
+/// Those that move.
+std::vector<fem::Oscillation> oscillations(const std::vector<mdr::Harmonic>& harmonics, const std::vector<int>& orders,
+                                           double unit) {
+  std::vector<fem::Oscillation> moving;
+  for (std::size_t i = 0; i < harmonics.size(); ++i)
+    if (orders[i] > 0) moving.push_back({harmonics[i].amplitude / unit, orders[i], harmonics[i].phase});
+  return moving;
+}
+
+double unit_of(bool force, const Units& units) {
+  return force ? units.force() : units.depth;
+}
+
+/// Makes time dimensionless with a cycle, and what is prescribed too; of a relaxation that is still in s.
+void take_cycle(const mdr::HarmonicMotion& motion, const mdr::CommonCycle& cycle, FemCase& fem) {
+  const double frequency = mdr::angular_frequency(cycle.frequency),
+               scale = frequency / std::exchange(fem.units.angular_frequency, frequency);
+  fem.relaxation.viscosity *= scale;
+  for (double& time : fem.relaxation.times) time *= scale;
+  const double normal = unit_of(fem.motion.normal_force, fem.units),
+               tangential = unit_of(fem.motion.tangential_force, fem.units);
+  fem.motion.indentation = motion.indentation / normal;
+  fem.motion.normal = oscillations(motion.normal, cycle.normal_orders, normal);
+  fem.motion.tangential = oscillations(motion.tangential, cycle.tangential_orders, tangential);
+  fem.motion.locked = motion.phase_locked;
+}
+
+/// A path in the place of the cosines, dimensionless with its duration as the cycle; a force in that of a displacement.
+void take_path(const Case::Path& path, FemCase& fem) {
+  const double frequency = mdr::angular_frequency(1 / path.duration());
+  fem.units.angular_frequency = frequency;
+  fem.first_row = path.time.front();
+  fem.relaxation.viscosity *= frequency;
+  for (double& time : fem.relaxation.times) time *= frequency;
+  const auto over = [](std::vector<double> values, double unit) {
+    for (double& value : values) value /= unit;
+    return values;
+  };
+  auto time = path.time;
+  for (double& t : time) t = (t - path.time.front()) * frequency;
+  time.back() = mdr::angular_frequency(1);
+  const auto rest = rest_of(path);
+  const double normal = unit_of(path.normal_force, fem.units), tangential = unit_of(path.tangential_force, fem.units);
+  fem.motion.indentation = rest.normal / normal;
+  fem.motion.path =
+      fem::SampledPath{std::move(time),      over(path.normal, normal),    over(path.tangential, tangential),
+                       rest.normal / normal, rest.tangential / tangential, path.repeats};
+}
+
+/// A step at least for each row, and eight at a usual tolerance.
+void require_few_rows(const Case& input) {
+  constexpr std::size_t most_rows = 2000;
+  if (input.motion.path && input.motion.path->time.size() > most_rows)
+    throw InputError(
+        fmt::format("{}: Motion / Path = {}: has {} rows; finite elements step through {} at most, of which fewer "
+                    "describe a motion "
+                    "as well if they lie closer where it turns; `fretval mdr` answers this case",
+                    input.file, input.motion.path->file, input.motion.path->time.size(), most_rows));
+}
+
+}  // namespace
+
+bool BodySpecification::operator<(const BodySpecification& other) const {
+  return std::tie(contact_nodes, growth, far_radius, degree, tangential) <
+         std::tie(other.contact_nodes, other.growth, other.far_radius, other.degree, other.tangential);
+}
+
+FemCase fem_case(const Case& input, const MdrCase& mdr) {
+  const double deepest = deepest_indentation(mdr);
+  const bool any_order = !mdr.falls().empty();
+  const double length =
+      any_order ? farthest_depth(input, mdr.profile, deepest) : mdr::inverse_transform(mdr.profile, deepest);
+  const Units units{length, deepest, input.elastomer.relaxed_modulus, 1};
+  FemCase fem{units, {}, {}, {}, input.friction_coefficient, profile_in(units, input, mdr), {}, {}};
+  fem.any_order = any_order;
+  if (mdr.limiting)
+    fem.worn_edge = {mdr.limiting->stick_radius / units.length, mdr.limiting->outer_radius / units.length};
+  else if (input.indenter.shape == Case::Shape::truncated_sphere)
+    fem.sharp_edge = input.indenter.flat_radius / units.length;
+  if (input.wear_kinetics && !input.wear_kinetics->profile.empty())
+    fem.worn_before = worn_before(input.wear_kinetics->profile, fem, input.tolerance);
+  fem.relaxation.viscosity = mdr.body.viscosity / units.modulus;
+  for (const double modulus : mdr.body.branch_moduli) fem.relaxation.moduli.push_back(modulus / units.modulus);
+  fem.relaxation.times = mdr.body.branch_times;
+  fem.motion.normal_force = mdr.normal_force;
+  fem.motion.tangential_force = mdr.tangential_force;
+  const auto cycle = mdr::common_cycle(mdr.motion);
+  require_few_rows(input);
+  if (input.motion.path)
+    take_path(*input.motion.path, fem);
+  else if (cycle && (mdr.has_forces() || cycle->highest_order() <= longest_cycle))
+    take_cycle(mdr.motion, *cycle, fem);
+  else
+    fem.without_short_cycle = mdr.motion;
+  auto resolution = resolution_for(input.tolerance, fem.relaxation.has_memory());
+  // The force of a worn profile is of second order from 12 rings on, and the error bar goes down to a quarter of them.
+  constexpr double enough_rings_of_a_worn_profile = 48;
+  // A quarter of them still show annuli of a tenth of the contact.
+  constexpr double enough_rings_of_any_profile = 128;
+  if (input.rings_per_radius)
+    resolution.elements_per_radius = *input.rings_per_radius;
+  else if (mdr.limiting && resolution.elements_per_radius < enough_rings_of_a_worn_profile)
+    resolution = with_rings(resolution, enough_rings_of_a_worn_profile / resolution.elements_per_radius);
+  else if (any_order && resolution.elements_per_radius < enough_rings_of_any_profile)
+    resolution = with_rings(resolution, enough_rings_of_any_profile / resolution.elements_per_radius);
+  if (input.steps_per_cycle) resolution.steps_per_cycle = *input.steps_per_cycle;
+  fem = at_resolution(std::move(fem), resolution);
+  require_room_on_sphere(input, fem);
+  return fem;
+}
+
+FemCase at_resolution(FemCase fem, const Resolution& resolution) {
+  fem.resolution = resolution;
+  if (fem.without_short_cycle) {
+    const auto stiffening = [&fem](double frequency) {
+      return fem::stiffening_at(fem.relaxation, mdr::angular_frequency(frequency) / fem.units.angular_frequency);
+    };
+    const auto near =
+        near_cycle(*fem.without_short_cycle, stiffening, fem.friction_coefficient, resolution.n_creep_cycles);
+    take_cycle(*fem.without_short_cycle, near.cycle, fem);
+    fem.error_of_demand = near.error_of_demand / fem.units.depth;
+    fem.motion.locked = !near.creeps;
+    if (near.creeps && fem.motion.tangential.size() == 1) fem.motion.tangential.front().phase = 0;
+  }
+  fem.body = {contact_nodes(fem), resolution.growth, resolution.far_radius, resolution.degree,
+              fem.motion.tangential_amplitude() > 0};
+  fem.motion.n_ramp_cycles = resolution.n_ramp_cycles;
+  fem.motion.n_creep_cycles = resolution.n_creep_cycles;
+  return fem;
+}
+
+std::vector<std::string> left_out(const FemCase& fem) {
+  std::vector<std::string> words;
+  if (!fem.body.tangential) words.emplace_back("no tangential motion: no tangential harmonic, no friction history");
+  if (fem.motion.is_single_pass())
+    words.emplace_back("a single pass: no ramp, no periodic state");
+  else if (!fem.relaxation.has_memory())
+    words.emplace_back("elastic body: no memory, one cycle of ramp");
+  return words;
+}
+
+}  // namespace fretval

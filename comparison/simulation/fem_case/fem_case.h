@@ -1,0 +1,88 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "comparison/case/case.h"
+#include "comparison/reference/mdr_case.h"
+#include "comparison/simulation/fem_case/resolution.h"
+#include "fem/motion/motion.h"
+#include "fem/motion/relaxation.h"
+
+namespace fretval {
+
+/// Units that make a case dimensionless: lengths along the surface, depths, shear modulus, angular frequency.
+/// The problem is linear in the depths, so they have a unit of their own and the same case in nm and in m agrees to
+/// roundoff.
+struct Units {
+  /// m, the unworn contact radius at the largest indentation; of a profile whose rings touch in any order, the radius
+  /// beyond which the indenter is higher than that, which bounds the contact.
+  double length;
+  double depth;              ///< m, the largest indentation, see deepest_indentation
+  double modulus;            ///< Pa, relaxed
+  double angular_frequency;  ///< rad/s, of the cycle with which the motion repeats
+
+  [[nodiscard]] double pressure() const { return modulus * depth / length; }
+  [[nodiscard]] double force() const { return modulus * depth * length; }
+  [[nodiscard]] double volume() const { return length * length * depth; }
+};
+
+/// What determines the mesh and the operators; equal specifications share them.
+struct BodySpecification {
+  std::vector<double> contact_nodes;  ///< ring radii over the contact radius
+  double growth, far_radius;
+  unsigned degree;
+  bool tangential = true;  ///< whether the tangential harmonic is needed
+
+  bool operator<(const BodySpecification& other) const;
+};
+
+/// Where a worn profile departs from the unworn one, over the unit of length: the stick radius (0: nothing sticks) and
+/// a_inf.
+struct WornEdge {
+  double inner, outer;
+};
+
+/// A case in the terms of the finite elements: dimensionless in `units`.
+struct FemCase {
+  Units units;
+  BodySpecification body;
+  fem::RelaxationModel relaxation;
+  fem::Motion motion;
+  double friction_coefficient;
+  std::function<double(double)> profile;  ///< f(r)
+  Resolution resolution;
+  std::optional<WornEdge> worn_edge;
+  std::function<double(double)> worn_before = {};  ///< depth that is worn off as wear begins; empty: none
+  bool keeps_body = false;                ///< an answer at this resolution goes with the whole body, for fields
+  std::optional<double> sharp_edge = {};  ///< radius at which the slope of the unworn indenter jumps
+  /// The motion, if its frequencies have no common period, or a long one: finite elements take a near cycle then, see
+  /// comparison/simulation/fem_case/near_cycle.h, with this error of the depth that an element asks for to stick,
+  /// dimensionless.
+  std::optional<mdr::HarmonicMotion> without_short_cycle = {};
+  double error_of_demand = 0;
+  double first_row = 0;  ///< s, of a path: when it begins
+  /// Rings may touch in any order, as MDR does not hold for the profile: forces are sums over the rings, zones lists of
+  /// annuli (ZoneAnswer).
+  bool any_order = false;
+
+  /// The resolution's steps belong to the fastest oscillation, or to the whole of a path, which has more if it has many
+  /// rows (fem::steps_along).
+  [[nodiscard]] int steps_per_cycle() const {
+    return motion.path ? fem::steps_along(*motion.path, resolution.steps_per_cycle)
+                       : resolution.steps_per_cycle * motion.highest_order();
+  }
+};
+
+/// At the resolution that the tolerance of the case asks for.
+FemCase fem_case(const Case& input, const MdrCase& mdr);
+
+/// The same case at another resolution.
+FemCase at_resolution(FemCase fem, const Resolution& resolution);
+
+/// What the model of a case does without because the case does not need it, in words for the log.
+std::vector<std::string> left_out(const FemCase& fem);
+
+}  // namespace fretval

@@ -1,0 +1,60 @@
+#include "comparison/simulation/fem_case/resolution.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <tuple>
+
+namespace fretval {
+namespace {
+
+constexpr double finest_edge_ring = 2e-6;  // gmsh tells nodes apart down to some 1e-7 of the contact line
+
+auto key(const Resolution& r) {
+  return std::make_tuple(r.elements_per_radius, r.degree, r.growth, r.far_radius, r.steps_per_cycle, r.n_ramp_cycles,
+                         r.periodicity, r.n_creep_cycles, r.worn_edge_ring, r.surface_growth, r.active_set_slack,
+                         r.wear_jump, r.focus.has_value(), r.focus ? r.focus->inner : 0, r.focus ? r.focus->outer : 0,
+                         r.focus ? r.focus->ring : 0);
+}
+
+}  // namespace
+
+Resolution with_rings(Resolution r, double factor) {
+  r.elements_per_radius = static_cast<unsigned>(r.elements_per_radius * factor);
+  r.worn_edge_ring = std::max(r.worn_edge_ring / (factor * factor), finest_edge_ring);
+  r.surface_growth /= factor;
+  if (r.focus) r.focus->ring /= factor;
+  return r;
+}
+
+Resolution with_steps(Resolution r, double factor) {
+  r.steps_per_cycle = static_cast<int>(r.steps_per_cycle * factor);
+  return r;
+}
+
+bool Resolution::operator<(const Resolution& other) const {
+  return key(*this) < key(other);
+}
+
+bool Resolution::operator==(const Resolution& other) const {
+  return key(*this) == key(other);
+}
+
+std::string text_of(const Resolution& r) {
+  auto text = fmt::format("{} rings, degree {}, growth {:g}, far {:g}, {} steps, {} ramp cycles", r.elements_per_radius,
+                          r.degree, r.growth, r.far_radius, r.steps_per_cycle, r.n_ramp_cycles);
+  if (r.focus)
+    text += fmt::format(", rings of {:.2g} from {:.6g} to {:.6g}", r.focus->ring, r.focus->inner, r.focus->outer);
+  return text;
+}
+
+Resolution resolution_for(double tolerance, bool memory) {
+  // What the rings at a worn edge let through is about a tenth of sqrt(2 ring/c) of the force.
+  const double worn_edge_ring = std::max(5 * tolerance * tolerance, finest_edge_ring);
+  const auto ramp = [memory](int n_cycles) { return memory ? n_cycles : 1; };
+  if (tolerance >= 1e-2) return {24, 3, 0.5, 12, 32, ramp(4), 1e-4, 24, worn_edge_ring};
+  if (tolerance >= 1e-3) return {32, 3, 0.5, 12, 72, ramp(8), 1e-5, 48, worn_edge_ring};
+  return {48, 3, 0.3, 20, 72, ramp(12), 1e-6, 96, worn_edge_ring};
+}
+
+}  // namespace fretval

@@ -1,0 +1,95 @@
+#include "fem/contact/contact_force.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "fem/condensation/stencil.h"
+
+namespace fretval::fem {
+
+using Eigen::Index;
+
+namespace {
+
+/// What the edges of the zones beyond the first free ring leave open: half of what the last ring of each bears.
+double uncertainty_beyond(const PunchSeries& series, const Eigen::VectorXd& pressure, Index n_pressed) {
+  const Eigen::VectorXd forces = pressure.cwiseProduct(series.areas());
+  double uncertainty = 0;
+  for (Index i = n_pressed + 1; i < forces.size(); ++i) {
+    const bool ends_inside = forces[i - 1] <= 0, ends_outside = i + 1 == forces.size() || forces[i + 1] <= 0;
+    uncertainty += (ends_inside + ends_outside) * forces[i] / 2;
+  }
+  return uncertainty;
+}
+
+/// Of the depths beyond the edge of the contact around the centre, a plain sum.
+double force_beyond(const PunchSeries& series, const Eigen::VectorXd& depths, Index n_pressed, double radius) {
+  const Index n = depths.size() - n_pressed;
+  const auto& edges = series.edges();
+  return series.force_per_radius() * (depths.tail(n).dot(edges.tail(n) - edges.segment(n_pressed, n)) +
+                                      depths[n_pressed] * (edges[n_pressed] - radius));
+}
+
+/// Too few rings around the centre to tell where they end, or no free ring: of all rings.
+ContactForce force_of_all(const PunchSeries& series, const Eigen::VectorXd& depths, Index n_pressed) {
+  std::vector<signed char> zones(static_cast<std::size_t>(depths.size()), 0);
+  std::fill(zones.begin() + n_pressed, zones.end(), 1);
+  return {series.integral(depths, zones).value, series.edges()[n_pressed]};
+}
+
+/// Of the n_pressed rings around the centre.
+ContactForce central_force(const PunchSeries& series, const Eigen::VectorXd& depths, const Eigen::VectorXd& gap,
+                           Index n_pressed, const ContactPast& past) {
+  const Index n_inner = std::clamp(past.n_closed.value_or(n_pressed), n_stencil, n_pressed);
+  // Next to the largest contact so far, pressures that do not jump know the edge better.
+  const auto& radii = series.radii();
+  const bool smooth_pressure = !past.n_closed && past.largest_radius > radii[n_pressed] &&
+                               past.largest_radius < radii[std::min(n_pressed + n_to_continue, radii.size()) - 1];
+  std::optional<double> edge;
+  if (smooth_pressure) edge = series.edge_of_pressure(depths, n_pressed);
+  if (!edge) edge = series.edge_of_gap(gap, n_inner, n_pressed, past.largest_radius);
+  const double radius = edge.value_or(series.edges()[n_pressed]);
+  const std::vector<signed char> one_zone(static_cast<std::size_t>(n_inner), 0);
+  const double force = series.integral(depths, one_zone, radius).value;
+  double kink = 0, uncertainty = 0, too_much = 0;
+  if (past.edge != PressureAtEdge::vanishes) {
+    constexpr double share_of_kink = 0.25;
+    const bool unseen_kink = past.largest_radius > radius && past.largest_radius <= radii[n_pressed];
+    if (unseen_kink)
+      kink = share_of_kink * std::abs(series.integral(depths, one_zone, past.largest_radius).value - force);
+  }
+  // Not at a sharp edge of the indenter.
+  if (edge && past.edge != PressureAtEdge::jumps) {
+    const double at_edge = Stencil{radii, depths, n_inner - n_stencil, n_stencil}(radius);
+    too_much = series.force_per_radius() * at_edge * (radius - radii[n_pressed - 1]) / 2;
+    uncertainty += std::abs(too_much);
+  }
+  if (past.edge != PressureAtEdge::vanishes) return {force, radius, uncertainty + kink, kink, n_inner};
+  return {force - too_much / 2, radius, uncertainty / 2};
+}
+
+}  // namespace
+
+ContactForce contact_force(const PunchSeries& series, const Eigen::VectorXd& pressure, const Eigen::VectorXd& gap,
+                           const ContactPast& past) {
+  Index n_pressed = 0;
+  while (n_pressed < pressure.size() && pressure[n_pressed] > 0) ++n_pressed;
+  const Eigen::VectorXd depths = series.depths(pressure);
+  const bool has_edge = n_pressed > n_stencil && n_pressed + 2 < pressure.size();
+  auto contact =
+      has_edge ? central_force(series, depths, gap, n_pressed, past) : force_of_all(series, depths, n_pressed);
+  contact.beyond.uncertainty = uncertainty_beyond(series, pressure, n_pressed);
+  if (has_edge && contact.beyond.uncertainty > 0)
+    contact.beyond.force = force_beyond(series, depths, n_pressed, contact.radius);
+  return contact;
+}
+
+ContactForce sum_of_rings(const std::vector<double>& radii, const Eigen::VectorXd& areas,
+                          const Eigen::VectorXd& pressure) {
+  std::size_t n_pressed = static_cast<std::size_t>(pressure.size());
+  while (n_pressed > 0 && !(pressure[static_cast<Eigen::Index>(n_pressed - 1)] > 0)) --n_pressed;
+  return {areas.dot(pressure), radii[n_pressed]};
+}
+
+}  // namespace fretval::fem

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <utility>
+
+#include "fem/condensation/compliance.h"
+#include "fem/condensation/punch_series.h"
+#include "fem/contact/box_solver.h"
+
+namespace fretval::fem {
+
+/// A contact line with its compliance factored for contact (or friction) steps. There is one copy of the compliance
+/// and one of its factor, whoever needs them.
+struct ContactProblem {
+  Compliance compliance;
+  BoxSolver solver;
+  PunchSeries series;
+
+  /// slack: see BoxSolver.
+  explicit ContactProblem(Compliance c, double slack = 1e-13)
+      : compliance(std::move(c)), solver(compliance.matrix, slack), series(compliance, solver.factor()) {}
+  /// The same with another slack.
+  ContactProblem(const ContactProblem& other, double slack)
+      : compliance(other.compliance), solver(other.solver, slack), series(other.series) {}
+  [[nodiscard]] Eigen::Index n_rings() const { return compliance.areas.size(); }
+};
+
+}  // namespace fretval::fem

@@ -1,0 +1,59 @@
+#include "fem/contact/force_balance.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <optional>
+
+#include "fem/support/solver_error.h"
+
+namespace fretval::fem {
+namespace {
+
+constexpr double roundoff_of_force = 1e-13;
+constexpr int most_trials = 200;
+constexpr int enough_secants = 8;  // smooth forces need three to five
+
+struct Point {
+  double displacement, excess;
+};
+
+/// The nearest points on either side of the balance.
+struct Bracket {
+  std::optional<Point> below, above;
+
+  void add(const Point& point) { (point.excess < 0 ? below : above) = point; }
+  [[nodiscard]] bool closed() const { return below && above; }
+  [[nodiscard]] double middle() const { return (below->displacement + above->displacement) / 2; }
+  [[nodiscard]] bool contains(double displacement) const {
+    return (!below || displacement > below->displacement) && (!above || displacement < above->displacement);
+  }
+  [[nodiscard]] double width() const { return above->displacement - below->displacement; }
+};
+
+}  // namespace
+
+double displacement_for_force(const std::function<double(double)>& force, double value, const BalanceGuess& guess) {
+  const auto at = [&](double displacement) { return Point{displacement, force(displacement) - value}; };
+  const double small_force = roundoff_of_force * guess.scale, small_displacement = small_force / guess.stiffness;
+  Bracket bracket;
+  Point last = at(guess.displacement);
+  double stiffness = guess.stiffness;
+  for (int k = 0; k < most_trials; ++k) {
+    if (std::abs(last.excess) <= small_force) return last.displacement;
+    bracket.add(last);
+    if (bracket.closed() && bracket.width() <= small_displacement) return bracket.middle();
+    double next = last.displacement - last.excess / stiffness;
+    if (bracket.closed() && (k > enough_secants || !bracket.contains(next))) next = bracket.middle();
+    const Point point = at(next);
+    const double secant = (point.excess - last.excess) / (point.displacement - last.displacement);
+    // Flat where nothing resists; then twice as far every time.
+    stiffness = secant > 0 ? secant : stiffness / 2;
+    last = point;
+  }
+  throw SolverError(
+      fmt::format("no displacement of the indenter was found for a force of {:g}: {:g} is left of it at {:g}", value,
+                  last.excess, last.displacement));
+}
+
+}  // namespace fretval::fem

@@ -1,0 +1,102 @@
+#include "fem/contact/static_contact.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <utility>
+
+#include "fem/support/solver_error.h"
+
+namespace fretval::fem {
+
+Eigen::VectorXd ring_means(const Compliance& compliance, const std::function<double(double)>& f) {
+  // 5-point Gauss: exact for polynomials of degree 8 times r; profiles are smooth inside a ring.
+  constexpr std::array<double, 5> points{-0.9061798459386640, -0.5384693101056831, 0, 0.5384693101056831,
+                                         0.9061798459386640};
+  constexpr std::array<double, 5> weights{0.2369268850561891, 0.4786286704993665, 0.5688888888888889,
+                                          0.4786286704993665, 0.2369268850561891};
+  Eigen::VectorXd means(compliance.areas.size());
+  for (Eigen::Index i = 0; i < means.size(); ++i) {
+    const double inner = compliance.radii[i], outer = compliance.radii[i + 1];
+    double sum = 0;
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      const double r = (inner + outer) / 2 + points[k] * (outer - inner) / 2;
+      sum += weights[k] * r * f(r);
+    }
+    means[i] = sum / (inner + outer);
+  }
+  return means;
+}
+
+namespace {
+
+StaticContact solve_with(const BoxSolver& solver, const Eigen::VectorXd& areas, const Eigen::VectorXd& target,
+                         std::vector<BoxState>& states) {
+  const Eigen::Index n = areas.size();
+  const auto solution = solver.solve(areas.cwiseProduct(target), Eigen::VectorXd::Zero(n),
+                                     Eigen::VectorXd::Constant(n, std::numeric_limits<double>::infinity()), states);
+  return {solution.x, (-solution.residual.array() / areas.array()).matrix()};
+}
+
+/// Of rings that wear by softness times their pressure.
+BoxSolver softened(const ContactProblem& problem, const Eigen::VectorXd& softness,
+                   const std::vector<BoxState>& likely) {
+  const auto outermost = std::find(likely.rbegin(), likely.rend(), BoxState::interior);
+  return {problem.solver, problem.compliance.areas.cwiseProduct(softness), likely.rend() - outermost};
+}
+
+}  // namespace
+
+StaticContact solve_contact(const ContactProblem& problem, const Eigen::VectorXd& target,
+                            std::vector<BoxState>& states) {
+  return solve_with(problem.solver, problem.compliance.areas, target, states);
+}
+
+Eigen::VectorXd worn_by(const PressureWear& wear, const Eigen::VectorXd& pressure) {
+  if (wear.coefficient.size() == 0) return Eigen::VectorXd::Zero(pressure.size());
+  if (wear.exponent == 1) return wear.coefficient.cwiseProduct(pressure.cwiseMax(0));
+  return wear.coefficient.cwiseProduct(pressure.array().max(0).pow(wear.exponent).matrix());
+}
+
+WearingSolver::WearingSolver(const ContactProblem& problem, PressureWear wear, const std::vector<BoxState>& likely)
+    : problem_(problem), wear_(std::move(wear)) {
+  if (wear_.exponent == 1 && !wear_.coefficient.isZero(0)) softened_ = softened(problem, wear_.coefficient, likely);
+}
+
+StaticContact WearingSolver::solve(const Eigen::VectorXd& target, std::vector<BoxState>& states) const {
+  if (softened_) return solve_with(*softened_, problem_.compliance.areas, target, states);
+  return wear_.coefficient.isZero(0) ? solve_contact(problem_, target, states) : by_newton(target, states);
+}
+
+StaticContact WearingSolver::by_newton(const Eigen::VectorXd& target, std::vector<BoxState>& states) const {
+  constexpr int most_iterations = 200;
+  constexpr double converged = 1e-7, least_share = 0.1;  // of the iterate before
+  constexpr double no_pressure = 1e-16, roundoff = 1e-14;
+  const double m = wear_.exponent;
+  const auto& coefficient = wear_.coefficient.array();
+  auto contact = solve_contact(problem_, target, states);
+  // Of p^m its tangent, or with m < 1, where tangents overshoot, its secant from 0, which gains a factor 1 - m a time.
+  // At p = 0 it has neither, and a ring of hardly any pressure hardly wears.
+  const double slope = std::max(m, 1.0);
+  const double floor = no_pressure * contact.pressure.maxCoeff();
+  const double nothing = roundoff * target.lpNorm<Eigen::Infinity>();
+  Eigen::ArrayXd at = contact.pressure.array().max(floor);
+  for (int iteration = 0; iteration < most_iterations; ++iteration) {
+    const Eigen::ArrayXd worn = coefficient * at.pow(m);
+    contact = solve_with(softened(problem_, (slope * worn / at).matrix(), states), problem_.compliance.areas,
+                         target - (1 - slope) * worn.matrix(), states);
+    at = contact.pressure.array().max(least_share * at).max(floor);
+    if ((coefficient * at.pow(m) - worn).abs().maxCoeff() <= std::max(converged * worn.maxCoeff(), nothing))
+      return contact;
+  }
+  throw SolverError("the pressure under which an indenter wears does not converge");
+}
+
+StaticContact static_contact(const ContactProblem& problem, const Eigen::VectorXd& profile, double indentation) {
+  std::vector<BoxState> contact(static_cast<std::size_t>(problem.n_rings()), BoxState::lower);
+  for (Eigen::Index i = 0; i < profile.size(); ++i)
+    if (profile[i] < indentation) contact[i] = BoxState::interior;
+  return solve_contact(problem, (indentation - profile.array()).matrix(), contact);
+}
+
+}  // namespace fretval::fem

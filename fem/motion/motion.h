@@ -1,0 +1,95 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "fem/motion/relaxation.h"
+#include "fem/motion/sampled_path.h"
+
+namespace fretval::fem {
+
+/// One cosine of a motion, `amplitude cos(order t + phase)`.
+struct Oscillation {
+  double amplitude;  ///< not negative
+  int order = 1;     ///< oscillations per cycle, positive
+  double phase = 0;
+};
+
+/// Motion of the indenter in dimensionless time t, in which a cycle lasts 2 pi: the common period of all oscillations.
+///
+///   d = d0 + e(t) sum_j a_j cos(n_j t + phi_j),     u_x = e(t) sum_k b_k cos(m_k (t + s(t)) + psi_k)
+///
+/// The cycle has to begin and end at its largest indentation, where readings of the contact look for it. The envelope e
+/// rises smoothly from 0 to 1 over n_ramp_cycles of the slowest oscillation, so that the history starts relaxed at d0
+/// and raises all amplitudes together.
+///
+/// A locked motion has s = 0, and its period is one cycle. In an unlocked one the tangential motion creeps ahead of the
+/// normal one and back, `s = (L/2)(1 - cos(t / n))`, through all lags that differ: L = 2 pi over the least common
+/// multiple of how often either direction repeats in a cycle; half of that, pi, for one oscillation each of the same
+/// frequency, where a lag by half a cycle turns the tangential motion round. There it rests for an instant at the lags
+/// at which the extremes of the load lie. The period in cycles is n = creep_period(n_creep_cycles, highest order).
+///
+/// Where a force is prescribed it takes the place of the displacement: F_N(t) that of d, F_x(t) that of u_x. Then a
+/// cycle begins at the largest normal force, and the displacements follow from the contact.
+///
+/// A path takes the place of the cosines, d = d_rest + e(t) (d_path - d_rest) and u_x likewise from 0 on, or the
+/// forces, with a cycle for its period; it begins anywhere. A single pass has e = 1 from the start on, at its first
+/// row, and ends after one cycle.
+struct Motion {
+  double indentation;
+  std::vector<Oscillation> normal, tangential;
+  bool locked = true;
+  int n_ramp_cycles = 10;
+  int n_creep_cycles = 48;
+  bool normal_force = false, tangential_force = false;  ///< what is prescribed; false: a displacement
+
+  std::optional<SampledPath> path = {};
+
+  [[nodiscard]] bool is_single_pass() const { return path && !path->repeats; }
+  [[nodiscard]] bool has_forces() const { return normal_force || tangential_force; }
+  [[nodiscard]] int cycles_per_period() const;
+  /// Oscillations per cycle of the fastest of all, and of the fastest normal one; 1 at least.
+  [[nodiscard]] int highest_order() const;
+  [[nodiscard]] int highest_normal_order() const;
+  /// Whole cycles until the ramp is over.
+  [[nodiscard]] int cycles_of_ramp() const;
+  /// Sum of the tangential amplitudes: u_x, or F_x, is never larger.
+  [[nodiscard]] double tangential_amplitude() const;
+};
+
+/// Cycles in which an unlocked motion creeps there and back: n_creep_cycles, or half as many where one of them has more
+/// than one oscillation. Half as many creep twice as fast, which tells the error of creeping.
+int creep_period(int n_creep_cycles, int highest_order);
+
+/// One cosine in each direction, of the same frequency. phase: of the tangential one, ahead; empty: unlocked.
+Motion one_frequency(double indentation, double normal_amplitude, double tangential_amplitude,
+                     std::optional<double> phase);
+
+/// The envelope: how much of the amplitudes there is at a time, 1 after the ramp.
+double amplitude_share(const Motion& motion, double t);
+
+ValueAndRate normal_motion(const Motion& motion, double t);
+ValueAndRate tangential_motion(const Motion& motion, double t);
+
+/// The same at an end of a step, or inside it, where a path has two rates at its rows: that of the step.
+ValueAndRate normal_motion_inside(const Motion& motion, double t, double inside_step);
+ValueAndRate tangential_motion_inside(const Motion& motion, double t, double inside_step);
+
+/// Tangential path in a cycle, to and fro: of cosines 4 amplitudes for each oscillation.
+double tangential_path(const Motion& motion);
+
+/// When the steps of a history begin: of cosines they are equal, of a path every row is the end of one.
+class StepTimes {
+ public:
+  StepTimes(const Motion& motion, int steps_per_cycle);
+  /// Beginning of a step, counted from 0 for the first one of the history.
+  [[nodiscard]] double begin(long step) const;
+  /// Of a path; empty: of cosines.
+  [[nodiscard]] std::optional<StepInPiece> in_piece(long step) const;
+
+ private:
+  double dt_;
+  std::vector<StepInPiece> steps_;
+};
+
+}  // namespace fretval::fem

@@ -1,0 +1,113 @@
+#include "fem/motion/relaxation.h"
+
+#include <cmath>
+#include <complex>
+
+namespace fretval::fem {
+
+double stiffening_at(const RelaxationModel& relaxation, double omega) {
+  std::complex<double> modulus(relaxation.relaxed, relaxation.viscosity * omega);
+  for (std::size_t i = 0; i < relaxation.times.size(); ++i) {
+    const std::complex<double> z(0, omega * relaxation.times[i]);
+    modulus += relaxation.moduli[i] * z / (1.0 + z);
+  }
+  return std::abs(modulus) / relaxation.relaxed;
+}
+namespace {
+
+/// `m_k = int_0^1 exp(-z (1-x)) x^k dx`, k = 0, 1, 2, by the recurrence `m_k = (1 - k m_{k-1}) / z`; for small z it
+/// cancels, and the series `m_k = sum_j (-z)^j k! / (k+j+1)!` takes over.
+std::array<double, 3> exponential_moments(double z) {
+  if (z > 0.5) {
+    const double m0 = -std::expm1(-z) / z, m1 = (1 - m0) / z;
+    return {m0, m1, (1 - 2 * m1) / z};
+  }
+  std::array<double, 3> moments{};
+  for (int k = 0; k < 3; ++k) {
+    double term = 1.0 / (k + 1), sum = term;
+    for (int j = 1; j < 20; ++j) sum += term *= -z / (k + j + 1);
+    moments[static_cast<std::size_t>(k)] = sum;
+  }
+  return moments;
+}
+
+// A branch much faster than the step acts as a dashpot, one slower as a spring.
+double balance_fraction(const RelaxationModel& model, double dt) {
+  double stiffness = model.relaxed, viscosity = model.viscosity;
+  for (std::size_t i = 0; i < model.moduli.size(); ++i) {
+    const double viscous_share = std::exp(-model.times[i] / dt);
+    stiffness += (1 - viscous_share) * model.moduli[i];
+    viscosity += viscous_share * model.moduli[i] * model.times[i];
+  }
+  if (viscosity == 0) return 1;
+  const double z = dt * stiffness / viscosity;
+  return z < 1e-3 ? 0.5 + z / 12 : -1 / std::expm1(-z) - 1 / z;
+}
+
+}  // namespace
+
+IndenterMove indenter_move(const std::function<ValueAndRate(double)>& motion, double begin, double end) {
+  const auto first = motion(begin), last = motion(end);
+  return {last.value - first.value, {first.rate, motion((begin + end) / 2).rate, last.rate}};
+}
+
+IndenterMove steady_move(double increment, double duration) {
+  const double rate = increment / duration;
+  return {increment, {rate, rate, rate}};
+}
+
+PronyInterval::PronyInterval(const RelaxationModel& model, double duration) {
+  for (std::size_t i = 0; i < model.moduli.size(); ++i) {
+    const double z = duration / model.times[i];
+    const auto [m0, m1, m2] = exponential_moments(z);
+    decay_.push_back(std::exp(-z));
+    gain_.push_back(model.moduli[i] * m0);
+    const double scale = model.moduli[i] * duration;
+    weights_.push_back({scale * (m0 - 3 * m1 + 2 * m2), scale * (4 * m1 - 4 * m2), scale * (2 * m2 - m1)});
+  }
+}
+
+double PronyInterval::memory_of(std::size_t branch, const IndenterMove& move) const {
+  const auto& w = weights_[branch];
+  return w[0] * move.rates[0] + w[1] * move.rates[1] + w[2] * move.rates[2];
+}
+
+RelaxationStep::RelaxationStep(const RelaxationModel& model, double dt)
+    : model_(model),
+      fraction_(balance_fraction(model, dt)),
+      to_balance_(model, fraction_ * dt),
+      whole_(model, dt),
+      instantaneous_(model.viscosity / dt),
+      stiffness_before_balance_(model.relaxed) {
+  for (std::size_t i = 0; i < whole_.n_branches(); ++i) stiffness_before_balance_ += to_balance_.gain(i);
+  instantaneous_ += fraction_ * stiffness_before_balance_;
+}
+
+Eigen::VectorXd RelaxationStep::response_without_slip(const RingState& state, const IndenterMove& move) const {
+  return response_without_slip(state, move, Eigen::VectorXd::Ones(state.displacement.size()));
+}
+
+Eigen::VectorXd RelaxationStep::response_without_slip(const RingState& state, const IndenterMove& move,
+                                                      const Eigen::VectorXd& driven) const {
+  double common = model_.relaxed * move.increment + model_.viscosity * move.rates[2];
+  for (std::size_t i = 0; i < to_balance_.n_branches(); ++i) common += to_balance_.memory_of(i, move);
+  Eigen::VectorXd response = model_.relaxed * state.displacement + common * driven;
+  for (std::size_t i = 0; i < to_balance_.n_branches(); ++i)
+    response += to_balance_.decay(i) * state.memory.col(static_cast<Eigen::Index>(i));
+  return response;
+}
+
+void RelaxationStep::advance(RingState& state, const IndenterMove& move, const Eigen::VectorXd& slip) const {
+  advance(state, move, slip, Eigen::VectorXd::Ones(slip.size()));
+}
+
+void RelaxationStep::advance(RingState& state, const IndenterMove& move, const Eigen::VectorXd& slip,
+                             const Eigen::VectorXd& driven) const {
+  state.displacement += move.increment * driven - slip;
+  for (std::size_t i = 0; i < whole_.n_branches(); ++i) {
+    auto h = state.memory.col(static_cast<Eigen::Index>(i));
+    h = whole_.decay(i) * h - whole_.gain(i) * slip + whole_.memory_of(i, move) * driven;
+  }
+}
+
+}  // namespace fretval::fem

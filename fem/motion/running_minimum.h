@@ -1,0 +1,42 @@
+#pragma once
+
+#include <Eigen/Dense>
+#include <array>
+#include <optional>
+
+#include "fem/motion/sampled_path.h"
+
+namespace fretval::fem {
+
+/// Smallest value over time of several sampled signals. A minimum between samples is that of the quartic through five
+/// samples around it (fifth order) or, where they are not smooth, the vertex of the parabola through three of them;
+/// but not below the floor, which no signal crosses. It counts once two more samples have come: of a periodic signal,
+/// in the next period.
+///
+/// Along a path signals have kinks at the ends of pieces, at which a sample is taken, or to which a signal that is
+/// sampled inside the steps is extended from the last two samples of the piece; nothing is put between the samples of a
+/// path, of which the smallest is of second order.
+class RunningMinimum {
+ public:
+  RunningMinimum(Eigen::Index n, double floor);
+  /// step: in a piece of a path; empty: of smooth signals.
+  void add(const Eigen::VectorXd& values, const std::optional<StepInPiece>& step = {});
+  /// Forgets the minimum but not the last samples: a minimum among them still counts.
+  void restart();
+  [[nodiscard]] const Eigen::VectorXd& value() const { return minimum_; }
+
+ private:
+  Eigen::VectorXd minimum_;
+  std::array<Eigen::VectorXd, 5> samples_;  // the last ones, oldest first
+  double floor_;
+  int n_samples_ = 0;
+  bool second_of_piece_ = false;  // the sample to come
+
+  void extend_to_ends(const StepInPiece& step);
+};
+
+/// Largest value of a signal from the samples of a period, as above. Those at its ends have their neighbours in the
+/// next period. pieces: of the steps along a path; empty: of cosines.
+double largest_of_period(const Eigen::VectorXd& samples, const std::vector<StepInPiece>& pieces);
+
+}  // namespace fretval::fem

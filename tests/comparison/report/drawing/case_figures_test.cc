@@ -1,0 +1,49 @@
+#include "comparison/report/drawing/case_figures.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "comparison/case/case.h"
+#include "tests/comparison/refusal.h"
+#include "tests/comparison/stored_result.h"
+
+namespace fretval {
+namespace {
+
+std::set<std::string> titles_of(const Filling& figures) {
+  std::set<std::string> titles;
+  const auto html = figures.dump();
+  for (const char* title :
+       {"Pressure and traction", "Stick, slip and open", "Motion of the indenter", "Tangential force over",
+        "Normal force over", "Slip per period", "dies out", "Profile of the indenter", "The elastomer", "Error budget"})
+    if (html.find(title) != std::string::npos) titles.insert(title);
+  return titles;
+}
+
+TEST(CaseFigures, ShowWhatThereIs) {
+  const ScratchFolder folder;
+  const StoredResult result{stored_result("single"), folder.path()};
+  EXPECT_EQ(titles_of(case_figures(result, read_cycle(result))), std::set<std::string>{"Error budget"});
+  folder.write("history.csv", "t [s],d [m],u_x [m],F_N [N],F_N MDR [N],F_x [N]\n0,1,0,1,1,0\n1,2,1,2,2,1\n");
+  folder.write("contact.csv", "r outer [m],slip per period [m]\n1,0\n2,0.5\n");
+  folder.write("profile.csv", "r [m],f unworn [m],f limiting [m]\n0,0,0\n2,1,1\n");
+  folder.write("moduli.csv", "f [Hz],G' [Pa],G'' [Pa]\n1,1,1\n10,2,1\n");
+  folder.write("cycle.json", R"({"r": [1, 2], "t": [1, 2], "p": [[4, 2], [2, 0]], "tau": [[1, 1], [-1, 0]],
+                                 "zones": ["sf", "bo"], "slip_decay": [0.5, 0.25, 0]})");
+  EXPECT_EQ(titles_of(case_figures(result, read_cycle(result))).size(), 10U);
+  EXPECT_NE(case_figures(result, read_cycle(result)).dump().find("\"x\":[1.0,2.0,3.0],\"y\":[0.5,0.25,0.0]"),
+            std::string::npos);
+}
+
+TEST(CaseFigures, RefuseADamagedCycleByItsName) {
+  const ScratchFolder folder;
+  const StoredResult result{stored_result("single"), folder.path()};
+  for (const char* damaged : {"[{", R"({"r": 1})"}) {
+    folder.write("cycle.json", damaged);
+    EXPECT_NE(refusal([&] { case_figures(result, read_cycle(result)); }).find("cycle.json"), std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace fretval

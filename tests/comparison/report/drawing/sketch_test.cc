@@ -1,0 +1,49 @@
+#include "comparison/report/drawing/sketch.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+#include "tests/comparison/stored_result.h"
+
+namespace fretval {
+namespace {
+
+TEST(Sketch, IsToScale) {
+  const ScratchFolder folder;
+  StoredResult result{stored_result("single"), folder.path()};
+  EXPECT_TRUE(sketch_of(result).is_null()) << "without the files of the case";
+  folder.write("profile.csv", "r [m],f unworn [m]\n0,0\n1,0.5\n2,2\n");
+  folder.write("contact.csv", "r outer [m],surface height at d max [m]\n1,0.5\n2,1\n");
+  result.json["scene"]["contact_radius_unworn"] = 1;
+  result.json["scene"]["indentation"] = 0.375;
+  result.json["scene"]["normal_amplitude"] = 0.125;
+  result.json["fe"]["stick_radius_shakedown"] = 0.5;
+  const auto sketch = sketch_of(result);
+  const auto at = [](const Filling& text) { return std::strtod(text.get<std::string>().c_str(), nullptr); };
+  const double a = at(sketch["a_right"]) - at(sketch["a_left"]);
+  EXPECT_NEAR((at(sketch["stick"]["right"]) - at(sketch["stick"]["left"])) / a, 0.5, 1e-3) << "c / a";
+  EXPECT_NEAR((at(sketch["bottom"]) - at(sketch["level"])) / a, 0.25, 1e-3) << "d / 2a";
+  EXPECT_TRUE(sketch["motions"].empty());
+}
+
+// Over a width of 250 from 20 on and from 690 on, 62 high from 40 on.
+TEST(Sketch, ShowsBothMotionsOverTime) {
+  const ScratchFolder folder;
+  StoredResult result{stored_result("single"), folder.path()};
+  folder.write("profile.csv", "r [m],f unworn [m]\n0,0\n1,0.5\n2,2\n");
+  folder.write("contact.csv", "r outer [m],surface height at d max [m]\n1,0.5\n2,1\n");
+  folder.write("history.csv", "t [s],d [m],u_x [m]\n3,8e-5,0\n4,1.2e-4,0\n5,1e-4,0\n");
+  auto motions = sketch_of(result)["motions"];
+  ASSERT_EQ(motions.size(), 1U) << "what does not move has no line";
+  EXPECT_EQ(motions[0]["points"], "20.0,102.0 145.0,40.0 270.0,71.0 ");
+  EXPECT_EQ(motions[0]["title"], "d(t) = 80 to 120 µm");
+  folder.write("history.csv", "t [s],d [m],u_x [m]\n3,8e-5,-1e-6\n4,1.2e-4,1e-6\n");
+  motions = sketch_of(result)["motions"];
+  ASSERT_EQ(motions.size(), 2U);
+  EXPECT_EQ(motions[1]["points"], "690.0,102.0 940.0,40.0 ");
+  EXPECT_EQ(motions[1]["title"], "uₓ(t) = -1 to 1 µm");
+}
+
+}  // namespace
+}  // namespace fretval

@@ -1,0 +1,33 @@
+#include "comparison/report/sections/case_section.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/comparison/expect_parts.h"
+#include "tests/comparison/stored_result.h"
+
+namespace fretval {
+namespace {
+
+// a / R = 0.2, a parabola is a²/(4R²) = 1 % lower than the arc; k = 1.5 · 0.5 · 2 / 3.
+TEST(CaseSection, HasTheSceneWithItsGroups) {
+  auto json = stored_result("single");
+  json["scene"].erase("sweep");
+  json["scene"]["inputs"] = {{{"section", "Indenter"}, {"name", "Radius"}, {"value", 0.01}, {"unit", "m"}},
+                             {{"section", "Elastomer"}, {"name", "Branch times"}, {"value", {0.1}}, {"unit", "s"}}};
+  json["scene"]["contact_radius_unworn"] = 0.002;
+  json["scene"]["friction_coefficient"] = 0.5;
+  json["scene"]["normal_amplitude"] = 2;
+  json["scene"]["tangential_amplitude"] = 3;
+  json["scene"]["frequency"] = 1;
+  json["fe"]["stick_radius_shakedown"] = 0.001;
+  const auto html = rendered(cases_section({StoredResult{json, {}}}));
+  expect_parts(html, {"<dd>10 mm</dd>", "<dd>100 ms</dd>", "<dd>0.2</dd>", "<dd>0.5</dd>", "<dd>0.628</dd>",
+                      "<dd>0.5000</dd>", "it is 1 % lower"});
+}
+
+TEST(CaseSection, IsOfSingleCasesAlone) {
+  EXPECT_TRUE(cases_section({StoredResult{stored_result(), {}}}).is_null());
+}
+
+}  // namespace
+}  // namespace fretval

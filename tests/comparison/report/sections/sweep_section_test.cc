@@ -1,0 +1,82 @@
+#include "comparison/report/sections/sweep_section.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/comparison/expect_parts.h"
+#include "tests/comparison/stored_result.h"
+
+namespace fretval {
+namespace {
+
+StoredResult point(double value, const std::filesystem::path& folder) {
+  auto json = stored_result();
+  json["name"] = "family/" + std::to_string(static_cast<int>(value));
+  json["scene"]["sweep"] = {{"family", "family"}, {"entry", "Friction / Coefficient"}, {"value", value}};
+  json["scene"]["contact_radius_unworn"] = 2;
+  json["mdr"]["stick_radius_shakedown"] = 0.25 * value;
+  json["fe"]["stick_radius_shakedown"] = 0.5 * value;
+  json["comparison"]["stick_radius_shakedown"]["error_bar"] = 0.125;
+  return {json, folder};
+}
+
+TEST(SweepSection, DrawsAnyEntryWithTheBarsInUnits) {
+  const auto filling = sweeps_section({point(1, {}), point(2, {})});
+  ASSERT_FALSE(filling.is_null());
+  const auto& sweep = filling.at("sweeps")[0];
+  EXPECT_EQ(sweep.at("entry"), "Friction / Coefficient");
+  const auto html = filling.dump();
+  expect_parts(html, {"Stick radii", "Friction / Coefficient", "dashed", "\"y\":[0.25,0.5]", "\"y\":[0.5,1.0]",
+                      "\"bar\":[0.25,0.25]"});
+  EXPECT_TRUE(sweeps_section({point(1, {})}).is_null()) << "a point is no curve";
+}
+
+// A line through points of its own, where a run has left one.
+TEST(SweepSection, DrawsMdrBetweenThePoints) {
+  const ScratchFolder folder;
+  folder.write("mdr.csv",
+               "Friction / Coefficient [1],stick radius (shakedown) [m]\n1,0.25\n1.25,0.375\n1.5,nan\n2,0.5\n");
+  const auto html =
+      sweeps_section({point(1, folder.path() / "1"), point(2, folder.path() / "2")}).at("sweeps")[0].dump();
+  expect_parts(html, {"\"x\":[1.0,1.25,1.5,2.0],\"y\":[0.25,0.375,null,0.5]", "\"x\":[1.0,2.0],\"y\":[0.5,1.0]"});
+}
+
+TEST(SweepSection, SaysTheEntryInAUnitThatPeopleUse) {
+  const auto at = [](double radius) {
+    auto result = point(1, {});
+    result.json["scene"]["sweep"] = {{"family", "family"}, {"entry", "Indenter / Radius"}, {"value", radius}};
+    return result;
+  };
+  const auto html = sweeps_section({at(2e-3), at(4e-3)}).dump();
+  expect_parts(html, {"Indenter / Radius in mm", "\"x\":[2.0,4.0]"});
+}
+
+TEST(SweepSection, LeavesThePhaseToTheFiguresOfThePaper) {
+  EXPECT_TRUE(sweeps_section({StoredResult{stored_result(), {}}, StoredResult{stored_result(), {}}}).is_null());
+}
+
+// Whose figures show radii alone.
+TEST(SweepSection, DrawsTheForcesOfTheOnlyPhaseSweep) {
+  const auto at = [](double phase, double force, const std::string& family) {
+    auto json = stored_result();
+    json["scene"]["sweep"] = {{"family", family}, {"entry", "Motion / Phase"}, {"value", phase}};
+    json["mdr"]["tangential_force_max"] = force;
+    return StoredResult{json, {}};
+  };
+  const auto html = sweeps_section({at(0, 1, "one"), at(90, 2, "one")}).dump();
+  expect_parts(html, {"Largest tangential force", "\"y\":[1.0,2.0]"});
+  EXPECT_EQ(html.find("Stick radii"), std::string::npos);
+  EXPECT_TRUE(sweeps_section({at(0, 1, "one"), at(90, 2, "one"), at(0, 1, "two"), at(90, 2, "two")}).is_null());
+}
+
+TEST(SweepSection, WritesItsNumbers) {
+  const ScratchFolder folder;
+  write_sweeps({point(1, folder.path() / "1"), point(2, folder.path() / "2")});
+  const auto text = text_of(folder.path() / "sweep.csv");
+  expect_parts(text, {"case,Friction / Coefficient [1],",
+                      "stick radius (shakedown) by MDR [m],stick radius (shakedown) by finite elements [m],"
+                      "stick radius (shakedown) error bar [m]",
+                      "\nfamily/1,1,", ",0.25,0.5,0.25", ",0.5,1,0.25"});
+}
+
+}  // namespace
+}  // namespace fretval

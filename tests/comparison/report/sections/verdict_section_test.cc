@@ -1,0 +1,94 @@
+#include "comparison/report/sections/verdict_section.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/comparison/expect_parts.h"
+#include "tests/comparison/stored_result.h"
+
+namespace fretval {
+namespace {
+
+StoredResult proved(const char* proof) {
+  StoredResult result{stored_result(), {}};
+  result.json["proof"] = proof;
+  return result;
+}
+
+StoredResult with_difference(const char* name, const nlohmann::ordered_json& difference,
+                             const nlohmann::ordered_json& bar, const char* verdict) {
+  StoredResult result{stored_result(), {}};
+  result.json["name"] = name;
+  auto& compared = result.json["comparison"]["stick_radius_shakedown"];
+  compared["difference"] = difference;
+  compared["error_bar"] = bar;
+  compared["verdict"] = verdict;
+  compared["pass"] = verdict == std::string("pass");
+  return result;
+}
+
+TEST(VerdictSection, SaysWhichProofItWas) {
+  const std::vector<const char*> proofs{"none", "bars", "tolerance"};
+  for (const auto* proof : proofs) {
+    const auto html = rendered(verdict_section({proved(proof), proved(proof)}));
+    for (const auto* other : proofs)
+      EXPECT_EQ(html.find(std::string("--proof ") + other) != std::string::npos, other == proof) << html;
+    EXPECT_EQ(html.find("2 cases: "), std::string::npos) << "it goes without saying";
+  }
+  expect_parts(rendered(verdict_section({proved("none"), proved("bars"), proved("bars")})),
+               {"1 case: The answer of the finite elements alone", "2 cases: The finite elements have error bars"});
+}
+
+TEST(VerdictSection, CountsCasesThatAgree) {
+  auto failed = proved("bars");
+  failed.json["pass"] = false;
+  expect_parts(rendered(verdict_section({proved("bars")})), {"badge good", "Finite elements confirm MDR to"});
+  expect_parts(rendered(verdict_section({failed, proved("bars")})), {"badge bad", "not confirmed", "in 1 of 2 cases"});
+}
+
+TEST(Extreme, IsTheLargestDifferenceWhateverItsSign) {
+  const auto extreme = extreme_of(
+      {with_difference("small", 1e-4, 2e-4, "pass"), with_difference("large", -3e-4, 1e-4, "pass"),
+       with_difference("wide", 2e-4, 5e-2, "inconclusive"), with_difference("one-sided", nullptr, nullptr, "fail")},
+      "stick_radius_shakedown");
+  EXPECT_EQ(extreme.difference, -3e-4);
+  EXPECT_EQ(extreme.name, "large");
+  EXPECT_EQ(extreme.largest_bar, 5e-2);
+  EXPECT_EQ(extreme.n_compared, 4U);
+  EXPECT_EQ(extreme.n_pass, 2U);
+  EXPECT_EQ(extreme.n_inconclusive, 1U);
+  EXPECT_EQ(extreme.n_with_bar, 3U);
+  EXPECT_EQ(extreme.n_covered, 2U);
+  EXPECT_EQ(extreme_of({proved("bars")}, "slip_inside_stick_zone").n_compared, 0U);
+}
+
+TEST(VerdictSection, HasARowOfNumbersForEachQuantity) {
+  const auto html = rendered(
+      verdict_section({with_difference("small", 1e-4, 2e-4, "pass"), with_difference("large", -3e-4, 1e-4, "pass"),
+                       with_difference("wide", 2e-4, 5e-2, "inconclusive")}));
+  expect_parts(html, {"<td>stick radius, shakedown (over a)</td><td>3</td><td class=\"bad-cell\">2</td><td>1</td>"
+                      "<td>-3.0e-04</td><td>5.0e-02</td><td>1e-02</td><td>2 of 3</td><td>large</td>"});
+}
+
+// Of three shares, whatever their order.
+TEST(BudgetSection, HasMedianAndLargestOfEachShare) {
+  std::vector<StoredResult> results;
+  for (const double estimate : {3e-4, 9e-4, 1e-4}) {
+    results.push_back(proved("bars"));
+    auto& bars = results.back().json["fe"]["error_estimate"];
+    bars = {{"stick_radius_shakedown", {{"total", 1}, {"shares", {{"rings", {{"estimate", estimate}}}}}}}};
+  }
+  const auto html = rendered(budget_section(results));
+  expect_parts(html, {"<td>rings</td>", "<td>3e-04, 9e-04</td>"});
+}
+
+TEST(BudgetSection, HasASourceALineAndNothingWithoutBars) {
+  auto other = proved("bars"), without = proved("none");
+  for (auto& [quantity, bar] : other.json["fe"]["error_estimate"].items()) bar["shares"]["rings"]["estimate"] = 7e-2;
+  for (auto& [quantity, bar] : without.json["fe"]["error_estimate"].items()) bar = nullptr;
+  expect_parts(rendered(budget_section({proved("bars"), other, without})),
+               {"<td>rings</td>", "7e-02</td>", "<td>time step</td>"});
+  EXPECT_TRUE(budget_section({without}).is_null());
+}
+
+}  // namespace
+}  // namespace fretval

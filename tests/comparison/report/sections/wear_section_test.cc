@@ -1,0 +1,52 @@
+#include "comparison/report/sections/wear_section.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/comparison/expect_parts.h"
+#include "tests/comparison/stored_result.h"
+
+namespace fretval {
+namespace {
+
+StoredResult wearing(bool ends_in_limit) {
+  auto json = stored_result();
+  json["scene"]["wear_law"] = {
+      {"law", "power"}, {"coefficient", 1e-12}, {"exponent", 0.5}, {"cycles", nullptr}, {"until", 0}};
+  json["scene"]["indentation_max"] = 1e-4;
+  json["fe"]["wear"] = {{"cycles", {0, 1e6}},
+                        {"volume", {0, 1.5e-11}},
+                        {"r", {2.5e-4, 7.5e-4}},
+                        {"end", "nothing left"},
+                        {"ends_in_limit", ends_in_limit},
+                        {"volume_of_limit", 3e-11},
+                        {"distance_to_limit", {{"shakedown", 2.5e-4}, {"first_slip", 0.125}}},
+                        {"distance_to_shakedown_limit", {0.2, 2.5e-4}},
+                        {"distance_to_first_slip_limit", {0.3, 0.125}},
+                        {"zones", {{"start", {"sf"}}, {"end", {"so"}}}},
+                        {"cost", {{"seconds", 1.25}}}};
+  json["comparison"]["worn_volume"] = {{"difference", 1e-5}, {"error_bar", 2e-4}, {"tolerance", 2e-3}, {"pass", true}};
+  return {json, "nowhere"};
+}
+
+TEST(WearSection, IsEmptyWithoutWear) {
+  EXPECT_TRUE(wear_section({{stored_result(), "nowhere"}}).is_null());
+}
+
+TEST(WearSection, SaysWhereItEnds) {
+  const auto section = wear_section({wearing(true), wearing(false)});
+  expect_parts(section.dump(), {"Worn volume", "start of the wear", "end of the wear"});
+  expect_parts(rendered(section), {"1 of 2 indenters have worn to it", "2.5e-04 from the limiting profile",
+                                   "at least 0.12 away", "<td>p^0.5</td>", "<td>0.50000</td>", "+1.0e-05 ± 2e-04",
+                                   "nothing wears any more</td>", "all that is pressed sticks</td>"});
+}
+
+TEST(WearSection, SaysWhereMdrHasNoLimit) {
+  auto elsewhere = wearing(true);
+  elsewhere.json["fe"]["wear"]["limit_is_reached"] = false;
+  const auto text = rendered(wear_section({elsewhere}));
+  expect_parts(text, {"0 of 1 indenter have worn to it", "1 under a normal force with a tangential displacement"});
+  EXPECT_EQ(text.find("from the limiting profile of the shakedown"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace fretval

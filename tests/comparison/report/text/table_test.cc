@@ -1,0 +1,34 @@
+#include "comparison/report/text/table.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/comparison/expect_parts.h"
+
+namespace fretval {
+namespace {
+
+Table small_table() {
+  Cell first("a & b");
+  first.details = "<file>\nof two lines";
+  return {{"name", "n", "remark"}, {{first, bad_if(true, "–"), words_cell("x")}, {"c", bad_if(false, "20")}}};
+}
+
+TEST(Table, IsEscapedOnAPage) {
+  expect_parts(
+      rendered(filling_of(small_table())),
+      {"aria-label=\"table: name\"",
+       "<thead><tr><th scope=\"col\">name</th><th scope=\"col\">n</th><th scope=\"col\">remark</th></tr></thead>",
+       "<tr><td><details><summary>a &amp; b</summary><pre>&lt;file&gt;\nof two lines</pre></details></td>"
+       "<td class=\"bad-cell\">–</td><td class=\"words\">x</td></tr>",
+       "<tr><td>c</td><td>20</td></tr>"});
+}
+
+TEST(Table, IsAlignedOnATerminal) {
+  EXPECT_EQ(text_of(small_table()),
+            "name    n  remark\n"
+            "a & b   –  x\n"
+            "c      20\n");
+}
+
+}  // namespace
+}  // namespace fretval

@@ -1,0 +1,79 @@
+#include "comparison/simulation/fem_case/near_cycle.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace fretval {
+namespace {
+
+constexpr double friction = 0.5, normal_amplitude = 2e-5, tangential_amplitude = 1.5e-5;
+const double golden = (1 + std::sqrt(5)) / 2;
+
+/// Normal frequency 2 Hz.
+mdr::HarmonicMotion with_ratio(double ratio) {
+  return {1e-4, {{normal_amplitude, 2, 0}}, {{tangential_amplitude, 2 * ratio, 0}, {0, 1, 0}}};
+}
+
+double elastic(double /*frequency*/) {
+  return 1;
+}
+
+/// Of a Kelvin-Voigt body.
+double stiffening(double frequency) {
+  return std::hypot(1, 0.1 * frequency);
+}
+
+int order_of(const NearCycle& near) {
+  return near.cycle.tangential_orders.front();
+}
+
+// Convergents of the golden ratio are ... 55/34, 89/55, 144/89 ... For p/q the lags are off by
+// (pi^2/2) A D/(A p^2 + D q^2), A = 2 u_x0/(3 mu), see mdr/motion/commensurability.h, and |G| by its rounding.
+TEST(NearCycle, IsAConvergentOfTheGoldenRatio) {
+  const auto near = near_cycle(with_ratio(golden), stiffening, friction, 48);
+  EXPECT_EQ(near.cycle.tangential_orders, (std::vector<int>{89, 0}));
+  EXPECT_EQ(near.cycle.normal_orders.front(), 55);
+  EXPECT_DOUBLE_EQ(near.cycle.frequency, 2.0 / 55);
+  EXPECT_FALSE(near.creeps);
+  const double pi = std::acos(-1.0), rounded = 2.0 * 89 / 55, A = tangential_amplitude / 0.75 * stiffening(rounded),
+               D = normal_amplitude * stiffening(2);
+  const double lags = pi * pi / 2 * A * D / (A * 89 * 89 + D * 55 * 55),
+               rounding = std::abs(A - tangential_amplitude / 0.75 * stiffening(2 * golden));
+  EXPECT_NEAR(near.error_of_demand, lags + rounding, 1e-9 * normal_amplitude);
+}
+
+// The frequency does not matter to an elastic body: the longest cycle in lowest terms has the finest lags.
+TEST(NearCycle, HasTheFinestLagsWhereTheBodyIsElastic) {
+  const auto near = near_cycle(with_ratio(golden), elastic, friction, 48);
+  EXPECT_EQ(order_of(near), 95);
+  EXPECT_EQ(near.cycle.normal_orders.front(), 59);
+}
+
+// Second harmonics are locked to the first ones, and stay so: lags are those of the first ones alone.
+TEST(NearCycle, KeepsHarmonicsOfOneDirectionTogether) {
+  auto motion = with_ratio(golden);
+  motion.tangential.push_back({1e-6, 6 * golden, 1});
+  motion.normal.push_back({1e-6, 4, 1});
+  const auto near = near_cycle(motion, stiffening, friction, 48);
+  EXPECT_EQ(near.cycle.tangential_orders[2], 3 * near.cycle.tangential_orders[0]);
+  EXPECT_EQ(near.cycle.normal_orders[1], 2 * near.cycle.normal_orders[0]);
+  EXPECT_LE(near.cycle.highest_order(), 96);
+}
+
+// Two generators that drift apart slowly go through all lags of a single cycle.
+TEST(NearCycle, CreepsWhereTheFrequenciesAreNearlyEqual) {
+  const auto near = near_cycle(with_ratio(1.00001), stiffening, friction, 48);
+  EXPECT_EQ(order_of(near), 1);
+  EXPECT_TRUE(near.creeps);
+}
+
+TEST(NearCycle, IsTheShortestWhereThatIsTooLong) {
+  const auto near = near_cycle(with_ratio(300.4), stiffening, friction, 48);
+  EXPECT_EQ(order_of(near), 300);
+  EXPECT_EQ(near.cycle.normal_orders.front(), 1);
+  EXPECT_FALSE(near.creeps);
+}
+
+}  // namespace
+}  // namespace fretval

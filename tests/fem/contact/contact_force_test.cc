@@ -1,0 +1,127 @@
+#include "fem/contact/contact_force.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "tests/fem/fretting.h"
+#include "tests/fem/half_space.h"
+#include "tests/worse.h"
+
+namespace fretval::fem::contact_force_test {
+namespace {
+
+using Eigen::Index;
+
+class ContactForceTest : public testing::Test {
+ protected:
+  const ContactProblem& problem_ = normal_half_space(32);
+  const PunchSeries& series_ = problem_.series;
+  static constexpr double ring_ = 1.0 / 32;
+};
+
+// Hertz: F = (16/3) G sqrt(R) d^1.5, R = 1, at eleven positions of the edge within its ring. The plain sum is of second
+// order (3e-4), the integral of third (7e-7); without the zone of the free rings it would not find the edge.
+TEST_F(ContactForceTest, IsHertzWhereverTheEdgeIs) {
+  double worst = 0, worst_sum = 0, worst_without_zones = 0;
+  for (int k = 0; k <= 10; ++k) {
+    const double radius = 0.9 + ring_ * k / 10, exact = 16.0 / 3 * radius * radius * radius;
+    const auto [pressure, gap] = hertz_contact(problem_, radius * radius);
+    const auto contact = contact_force(series_, pressure, gap);
+    worst = worse(worst, std::abs(contact.force / exact - 1));
+    EXPECT_NEAR(contact.radius, radius, 1e-5);  // third order
+    EXPECT_LT(contact.uncertainty, 1e-6 * exact);
+    worst_sum = worse(worst_sum, std::abs(pressure.dot(problem_.compliance.areas) / exact - 1));
+    const std::vector<signed char> one_zone(static_cast<std::size_t>(pressure.size()), 0);
+    const double unaware = series_.integral(series_.depths(pressure), one_zone).value;
+    worst_without_zones = worse(worst_without_zones, std::abs(unaware / exact - 1));
+  }
+  EXPECT_LT(worst, 2e-6);
+  EXPECT_GT(worst_sum, 1e-4);
+  EXPECT_GT(worst_without_zones, 1e-5);
+}
+
+// F = 8 G a d, a short of the face by the tenth of a ring by which its rings act like a smaller disc (EffectiveRadii).
+TEST_F(ContactForceTest, OfAFlatPunchEndsAtItsFace) {
+  const auto profile = ring_means(problem_.compliance, [](double r) { return r < 0.75 ? 0.0 : 10.0; });
+  const auto [pressure, gap] = static_contact(problem_, profile, 0.5);
+  const auto contact = contact_force(series_, pressure, gap);
+  EXPECT_NEAR(contact.force / (8 * contact.radius * 0.5), 1, 2e-6);  // the force per radius, see EffectiveRadii
+  EXPECT_NEAR(contact.radius, 0.75 - 0.1 * ring_, 0.02 * ring_);
+}
+
+// A sphere with a groove presses inside it and around it.
+TEST_F(ContactForceTest, CountsRingsThatPressBeyondAFreeOne) {
+  const auto profile =
+      ring_means(problem_.compliance, [](double r) { return 0.5 < r && r < 0.6 ? r * r / 2 + 1 : r * r / 2; });
+  const auto [pressure, gap] = static_contact(problem_, profile, 0.9);
+  const auto contact = contact_force(series_, pressure, gap);
+  const Eigen::VectorXd forces = pressure.cwiseProduct(problem_.compliance.areas);
+  constexpr Index n_inside = 16;
+  EXPECT_EQ(pressure[n_inside], 0);
+  EXPECT_GT(forces.tail(forces.size() - n_inside).sum(), 0.2 * forces.sum());
+  EXPECT_NEAR(contact.force + contact.beyond.force, forces.sum(), contact.uncertainty + contact.beyond.uncertainty);
+  EXPECT_LT(contact.force, 0.9 * forces.sum());
+  EXPECT_LT(contact.uncertainty + contact.beyond.uncertainty, 0.1 * forces.sum());
+  EXPECT_NEAR(contact.radius, 0.5, ring_ / 2);
+}
+
+// Nothing presses at the centre, or on a few rings alone: all the rest is beyond a free ring.
+TEST_F(ContactForceTest, CountsEachRingOnceWhereTheCentreIsFree) {
+  for (const double pin : {0.0, 0.1}) {
+    const auto profile =
+        ring_means(problem_.compliance, [pin](double r) { return r < pin || (0.3 < r && r < 0.75) ? 0.0 : 10.0; });
+    const auto [pressure, gap] = static_contact(problem_, profile, 0.5);
+    const auto contact = contact_force(series_, pressure, gap);
+    const double sum = pressure.dot(problem_.compliance.areas);
+    EXPECT_NEAR(contact.force + contact.beyond.force, sum, contact.uncertainty + contact.beyond.uncertainty) << pin;
+    EXPECT_LT(contact.uncertainty + contact.beyond.uncertainty, 0.5 * sum) << pin;
+  }
+}
+
+/// A dashpot under a growing parabola: the Hertz pressure and, up to the same edge, that of a flat punch of the speed
+/// of the indentation, of which the ring that touched in the step has borne half, on average.
+struct Growing {
+  static constexpr double speed = 0.3;
+  StaticContact hertz;
+  Index n_pressed;
+  Eigen::VectorXd pressure;
+
+  Growing(const ContactProblem& problem, double radius)
+      : hertz(hertz_contact(problem, radius * radius)),
+        n_pressed((hertz.pressure.array() > 0).count()),
+        pressure(hertz.pressure +
+                 speed / 2 * (punch_traction(problem, n_pressed) + punch_traction(problem, n_pressed - 1))) {}
+
+  [[nodiscard]] ContactForce read(const PunchSeries& series, double largest_radius = 0) const {
+    return contact_force(series, pressure, hertz.gap, {largest_radius, n_pressed - 1, PressureAtEdge::jumps});
+  }
+};
+
+// F = (16/3) a^3 + 8 v a. The jump ends anywhere in its ring, where the plain sum is off by half a ring of it.
+TEST_F(ContactForceTest, GoesOnToAnEdgeWhereThePressureJumps) {
+  double worst = 0, worst_sum = 0;
+  for (int k = 0; k <= 10; ++k) {
+    const double radius = 0.9 + ring_ * k / 10;
+    const double exact = 16.0 / 3 * std::pow(radius, 3) + 8 * Growing::speed * radius;
+    const Growing growing(problem_, radius);
+    worst = worse(worst, std::abs(growing.read(series_).force / exact - 1));
+    worst_sum = worse(worst_sum, std::abs(growing.pressure.dot(problem_.compliance.areas) / exact - 1));
+  }
+  EXPECT_LT(worst, 5e-6);
+  EXPECT_GT(worst_sum, 1e-3);
+}
+
+// int_a^b (v + a^2 - r^2) dr over the quarter ring up to a kink that no ring shows; one three rings away is seen.
+TEST_F(ContactForceTest, IsUncertainByAQuarterOfWhatGoesOnToAnUnseenKink) {
+  const double a = series_.radii()[28] + 0.3 * ring_, b = a + 0.25 * ring_;
+  const double unseen = 8 * ((Growing::speed + a * a) * (b - a) - (b * b * b - a * a * a) / 3);
+  const Growing growing(problem_, a);
+  EXPECT_NEAR(growing.read(series_, b).kink_uncertainty / (unseen / 4), 1, 1e-3);  // where a is read, 1e-5 of 8e-3
+  EXPECT_EQ(growing.read(series_, a + 3 * ring_).kink_uncertainty, 0);
+}
+
+}  // namespace
+}  // namespace fretval::fem::contact_force_test

@@ -1,0 +1,62 @@
+#include "fem/contact/force_balance.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/fem/expect_solver_error.h"
+
+namespace fretval::fem::force_balance_test {
+namespace {
+
+/// Of a parabola, unit everything: 0 off the surface.
+double hertz(double d) {
+  return d > 0 ? std::pow(d, 1.5) : 0;
+}
+
+// From both sides, from off the surface, and with a stiffness that is a hundred times too large or too small.
+TEST(ForceBalance, FindsTheDisplacement) {
+  for (const double guess : {-0.5, 0.01, 0.9, 1.0, 5.0})
+    for (const double stiffness : {0.015, 1.5, 150.0})
+      EXPECT_NEAR(displacement_for_force(hertz, 1, {guess, stiffness, 1}), 1, 1e-11) << guess << " " << stiffness;
+}
+
+TEST(ForceBalance, FindsNoForceToo) {
+  EXPECT_NEAR(displacement_for_force([](double u) { return std::sinh(u - 2); }, 0, {0, 1, 1}), 2, 1e-12);
+}
+
+TEST(ForceBalance, NeedsFewForces) {
+  int n = 0;
+  const auto counted = [&n](double d) { return ++n, hertz(d); };
+  displacement_for_force(counted, 1, {0.98, 1.5, 1});
+  EXPECT_LE(n, 5);
+}
+
+// The attempt is that of the displacement, also where the balance is between two trials, and is seldom made twice.
+TEST(ForceBalance, GivesTheAttemptThatBalances) {
+  int n = 0;
+  const auto make = [&n](double u) { return ++n, u; };
+  const auto smooth = attempt_for_force(make, [](double u) { return hertz(u); }, 1, {0.98, 1.5, 1});
+  EXPECT_EQ(smooth.first, smooth.second);
+  EXPECT_LE(n, 5);
+  const auto jumping = [](double u) { return u < 0.3 ? u : u + 0.1; };
+  const auto between = attempt_for_force(make, jumping, 0.35, {0, 1, 1});
+  EXPECT_EQ(between.first, between.second);
+}
+
+// A reading that jumps over the value: there is its balance.
+TEST(ForceBalance, IsWhereTheForceJumps) {
+  const auto jumping = [](double u) { return u < 0.3 ? u : u + 0.1; };
+  EXPECT_NEAR(displacement_for_force(jumping, 0.35, {0, 1, 1}), 0.3, 1e-12);
+}
+
+TEST(ForceBalance, SaysWhenThereIsNone) {
+  expect_solver_error(
+      [] {
+        displacement_for_force([](double u) { return std::tanh(u); }, 1.5, {0, 1, 1});
+      },
+      {"no displacement", "1.5"});
+}
+
+}  // namespace
+}  // namespace fretval::fem::force_balance_test
