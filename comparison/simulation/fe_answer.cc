@@ -19,13 +19,6 @@ namespace {
 
 constexpr double pi = 3.14159265358979323846;
 
-Eigen::Index rings_within(const fem::Compliance& compliance, double radius) {
-  Eigen::Index n = 0;
-  // Half a ring of slack: the node at the edge is there to roundoff.
-  while (n < compliance.areas.size() && (compliance.radii[n] + compliance.radii[n + 1]) / 2 < radius) ++n;
-  return n;
-}
-
 double largest_share_outside(const fem::NormalHistory& history, const Eigen::VectorXd& areas, Eigen::Index n_inside) {
   double share = 0;
   for (Eigen::Index k = 0; k < history.force.size(); ++k) {
@@ -40,7 +33,10 @@ NoWearEvidence no_wear_evidence(const ContactProblems& problems, const FemCase& 
                                 const fem::NormalHistory& normal, const fem::FrictionHistory& friction,
                                 Eigen::Index n_inside) {
   const auto& compliance = problems.normal.compliance;
-  const Eigen::Index n_worn = rings_within(compliance, fem.worn_edge->outer) - n_inside;
+  // Without the ring in which the unworn indenter begins.
+  const auto& radii = compliance.radii;
+  const auto outer = std::upper_bound(radii.begin(), radii.end(), fem.worn_edge->outer) - radii.begin() - 1;
+  const auto n_worn = std::max<Eigen::Index>(outer - n_inside, 1);
   NoWearEvidence evidence{0, largest_share_outside(normal, compliance.areas, n_inside),
                           fem::touch_indentation(compliance, profile, n_inside, n_worn), std::nullopt};
   if (!problems.tangential) return evidence;
@@ -126,7 +122,7 @@ std::optional<double> axis_pressure_of(const FemCase& fem, const ContactProblems
   Eigen::MatrixXd pressure = normal.pressure;
   Eigen::VectorXd radius = normal.contact_radius;
   if (fem.worn_edge) {
-    pressure.bottomRows(pressure.rows() - rings_within(problems.normal.compliance, fem.worn_edge->inner)).setZero();
+    pressure.bottomRows(pressure.rows() - fem::rings_within(problems.normal.compliance, fem.worn_edge->inner)).setZero();
     radius = radius.cwiseMin(fem.worn_edge->inner);
   }
   const auto largest = fem::axis_pressure_max(problems.normal.series, pressure, radius, exponent, normal.pieces);
@@ -189,7 +185,7 @@ FeAnswer read_answer(const ContactProblems& problems, const FemCase& fem, const 
   answer.rings = {largest_contact_rings(normal), stuck};
   auto [first, shakedown] = fem::stick_zones(problem.compliance, normal, friction, stuck, exponent_at_edge(fem));
   if (fem.worn_edge) {
-    const Eigen::Index n_inside = rings_within(problem.compliance, fem.worn_edge->inner);
+    const Eigen::Index n_inside = fem::rings_within(problem.compliance, fem.worn_edge->inner);
     hold_to_count(problem.compliance, stuck.shakedown, shakedown);
     const double by_reserve = first.radius;
     read_on_worn_profile(problem.compliance, n_inside, stuck.first_slip, friction.slip_path, first);

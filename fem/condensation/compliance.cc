@@ -14,6 +14,13 @@ Compliance contact_compliance(const ContactLine& line, const Eigen::MatrixXd& sc
   return compliance;
 }
 
+Eigen::Index rings_within(const Compliance& compliance, double radius) {
+  const auto& radii = compliance.radii;
+  std::size_t n = 0;
+  while (n + 1 < radii.size() && (radii[n] + radii[n + 1]) / 2 < radius) ++n;
+  return static_cast<Eigen::Index>(n);
+}
+
 Eigen::MatrixXd cholesky_factor(const Eigen::MatrixXd& compliance) {
   auto factor = cholesky(compliance);
   if (!factor) throw SolverError("the contact compliance is not positive definite");

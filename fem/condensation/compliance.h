@@ -21,6 +21,9 @@ struct Compliance {
 /// schur: S, in the order of the dofs of the line. Throws SolverError if it is not positive definite.
 Compliance contact_compliance(const ContactLine& line, const Eigen::MatrixXd& schur);
 
+/// Number of rings whose middle lies within a radius; at a radius that is a node to roundoff, those up to that node.
+Eigen::Index rings_within(const Compliance& compliance, double radius);
+
 /// Lower Cholesky factor of the matrix of a compliance. Throws SolverError if it is not positive definite.
 Eigen::MatrixXd cholesky_factor(const Eigen::MatrixXd& compliance);
 

@@ -92,4 +92,14 @@ ContactForce sum_of_rings(const std::vector<double>& radii, const Eigen::VectorX
   return {areas.dot(pressure), radii[n_pressed]};
 }
 
+ContactForce sum_inside_flank(const Compliance& compliance, const Eigen::VectorXd& pressure,
+                              Eigen::Index n_inside_flank) {
+  Index n_pressed = n_inside_flank;
+  while (n_pressed < pressure.size() && pressure[n_pressed] > 0) ++n_pressed;
+  const Eigen::VectorXd forces = pressure.cwiseProduct(compliance.areas);
+  ContactForce contact{forces.head(n_pressed).sum(), compliance.radii[static_cast<std::size_t>(n_inside_flank)]};
+  contact.beyond.force = forces.tail(forces.size() - n_pressed).sum();
+  return contact;
+}
+
 }  // namespace fretval::fem

@@ -24,7 +24,8 @@ double total_force(const ContactForce& reading) {
 }  // namespace
 
 NormalContact::NormalContact(const ContactProblem& problem, const RelaxationModel& relaxation, Eigen::VectorXd shape,
-                             const Motion& motion, int steps_per_cycle, ForceReading how)
+                             const Motion& motion, int steps_per_cycle, ForceReading how,
+                             std::optional<Eigen::Index> n_inside_flank)
     : profile(std::move(shape)),
       state{{}, Eigen::MatrixXd::Zero(profile.size(), static_cast<Eigen::Index>(relaxation.moduli.size()))},
       problem_(problem),
@@ -32,6 +33,7 @@ NormalContact::NormalContact(const ContactProblem& problem, const RelaxationMode
       motion_(motion),
       steps_per_cycle_(steps_per_cycle),
       how_(how),
+      n_inside_flank_(n_inside_flank),
       times_(motion, steps_per_cycle),
       dt_(times_.begin(1)),
       step_(relaxation, dt_),
@@ -54,6 +56,8 @@ ContactForce NormalContact::read(const Eigen::VectorXd& on_rings, const Eigen::V
                                  const ContactPast& past) const {
   if (how_ == ForceReading::sum_of_rings)
     return sum_of_rings(problem_.compliance.radii, problem_.compliance.areas, on_rings);
+  if (n_inside_flank_ && on_rings.head(*n_inside_flank_).minCoeff() > 0)
+    return sum_inside_flank(problem_.compliance, on_rings, *n_inside_flank_);
   return contact_force(problem_.series, on_rings, gaps, past);
 }
 

@@ -20,9 +20,11 @@ namespace fretval::fem {
 /// = 1/2).
 class NormalContact {
  public:
-  /// profile: ring means. The other arguments must outlive this.
+  /// profile: ring means. n_inside_flank: rings inside the flank of a worn profile. The other arguments must outlive
+  /// this.
   NormalContact(const ContactProblem& problem, const RelaxationModel& relaxation, Eigen::VectorXd profile,
-                const Motion& motion, int steps_per_cycle, ForceReading how = ForceReading::up_to_the_edge);
+                const Motion& motion, int steps_per_cycle, ForceReading how = ForceReading::up_to_the_edge,
+                std::optional<Eigen::Index> n_inside_flank = {});
 
   /// Goes on by a step, in which the indenter wears. Throws SolverError when the contact reaches the last ring of the
   /// line.
@@ -78,6 +80,7 @@ class NormalContact {
   const Motion& motion_;
   int steps_per_cycle_;
   ForceReading how_;
+  std::optional<Eigen::Index> n_inside_flank_;
   StepTimes times_;
   double dt_;  // of the step that step_ is made for
   RelaxationStep step_;

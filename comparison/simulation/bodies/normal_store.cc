@@ -33,8 +33,12 @@ std::vector<std::vector<double>> parameters_of(const FemCase& fem, const Eigen::
 NormalRecord make_record(const FemCase& fem, const fem::ContactProblem& problem, const Eigen::VectorXd& profile,
                          const fem::HistoryControl& control) {
   Stopwatch watch;
+  std::optional<Eigen::Index> n_inside_flank;
+  if (fem.worn_edge && fem.worn_edge->inner > 0)
+    n_inside_flank = fem::rings_within(problem.compliance, fem.worn_edge->inner);
   fem::NormalContact start(problem, fem.relaxation, profile, fem.motion, control.steps_per_cycle,
-                           fem.any_order ? fem::ForceReading::sum_of_rings : fem::ForceReading::up_to_the_edge);
+                           fem.any_order ? fem::ForceReading::sum_of_rings : fem::ForceReading::up_to_the_edge,
+                           n_inside_flank);
   NormalRecord record;
   const auto add = [&record](const fem::NormalContact& contact) {
     record.pressures.push_back(contact.pressure);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
 
 #include "tests/comparison/computed_case.h"
 #include "tests/comparison/read_case.h"
@@ -115,6 +116,21 @@ TEST(FeAnswer, OfALimitingProfileTurnsToSlipAtTheAmplitudeItIsLimitingFor) {
   EXPECT_GT(above.no_wear->slip_inside, 1e-3);
   EXPECT_NEAR(below.no_wear->limiting_amplitude.value(), 1 / 0.99, 1e-9);
   EXPECT_NEAR(above.no_wear->limiting_amplitude.value(), 1 / 1.01, 1e-9);
+}
+
+// The contact ends at c, the node of the singular pressure. With coarse steps the flank presses too; that is a quantity
+// of its own.
+TEST(FeAnswer, OfALimitingProfileForceEndsAtItsStickRadius) {
+  for (const auto& [ratio, steps] : {std::pair{0.5, 72}, {0.1, 18}}) {
+    auto scene = limiting_case(ratio);
+    scene.indenter = {};
+    scene.indenter.shape = Case::Shape::cone;
+    scene.indenter.slope_angle = 5;
+    scene.rings_per_radius = 24;
+    scene.steps_per_cycle = steps;
+    const auto fe = simulate_case(scene);
+    EXPECT_NEAR(fe.normal_force_max / exact_answer(scene).normal_force_max.value(), 1, 1e-5) << ratio;
+  }
 }
 
 // On the way to the steady state the outermost rings inside c slip a little, by less than a ring that settles does.
