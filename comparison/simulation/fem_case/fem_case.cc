@@ -242,14 +242,10 @@ FemCase fem_case(const Case& input, const MdrCase& mdr) {
   else
     fem.without_short_cycle = mdr.motion;
   auto resolution = resolution_for(input.tolerance, fem.relaxation.has_memory());
-  // The force of a worn profile is of second order from 12 rings on, and the error bar goes down to a quarter of them.
-  constexpr double enough_rings_of_a_worn_profile = 48;
   // A quarter of them still show annuli of a tenth of the contact.
   constexpr double enough_rings_of_any_profile = 128;
   if (input.rings_per_radius)
     resolution.elements_per_radius = *input.rings_per_radius;
-  else if (mdr.limiting && resolution.elements_per_radius < enough_rings_of_a_worn_profile)
-    resolution = with_rings(resolution, enough_rings_of_a_worn_profile / resolution.elements_per_radius);
   else if (any_order && resolution.elements_per_radius < enough_rings_of_any_profile)
     resolution = with_rings(resolution, enough_rings_of_any_profile / resolution.elements_per_radius);
   if (input.steps_per_cycle) resolution.steps_per_cycle = *input.steps_per_cycle;
