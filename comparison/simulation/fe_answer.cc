@@ -122,7 +122,8 @@ std::optional<double> axis_pressure_of(const FemCase& fem, const ContactProblems
   Eigen::MatrixXd pressure = normal.pressure;
   Eigen::VectorXd radius = normal.contact_radius;
   if (fem.worn_edge) {
-    pressure.bottomRows(pressure.rows() - fem::rings_within(problems.normal.compliance, fem.worn_edge->inner)).setZero();
+    pressure.bottomRows(pressure.rows() - fem::rings_within(problems.normal.compliance, fem.worn_edge->inner))
+        .setZero();
     radius = radius.cwiseMin(fem.worn_edge->inner);
   }
   const auto largest = fem::axis_pressure_max(problems.normal.series, pressure, radius, exponent, normal.pieces);

@@ -54,13 +54,15 @@ PunchSeries::PunchSeries(const Compliance& compliance, SharedMatrix factor)
       radii_((edges_.head(areas_.size()) + edges_.tail(areas_.size())) / 2),
       force_per_radius_(by_load_.squaredNorm() / edges_[areas_.size()]) {}
 
-Eigen::MatrixXd PunchSeries::depths(const Eigen::MatrixXd& tractions) const {
-  Eigen::MatrixXd depths = tractions;
-  for (auto column : depths.colwise()) {
-    multiply_transposed(factor_, column);
-    column.array() /= by_load_.array();
-  }
-  return depths;
+Eigen::VectorXd PunchSeries::depths(Eigen::VectorXd traction) const {
+  multiply_transposed(factor_, traction);
+  traction.array() /= by_load_.array();
+  return traction;
+}
+
+Eigen::MatrixXd PunchSeries::depths_of_instants(Eigen::MatrixXd tractions) const {
+  for (auto column : tractions.colwise()) column = depths(column);
+  return tractions;
 }
 
 Eigen::VectorXd PunchSeries::displacements(const Eigen::VectorXd& rings) const {

@@ -30,7 +30,8 @@ class PunchSeries {
   /// traction of a unit punch per displacement, ring after ring from the outside. A reserve is to the margin what a
   /// spring of MDR is to the pressure: it varies smoothly in time also next to the edge, where the margin falls and
   /// rises like |t - t*|, so it is the reserve whose minimum over time can be read from samples.
-  [[nodiscard]] Eigen::MatrixXd depths(const Eigen::MatrixXd& tractions) const;
+  [[nodiscard]] Eigen::VectorXd depths(Eigen::VectorXd traction) const;
+  [[nodiscard]] Eigen::MatrixXd depths_of_instants(Eigen::MatrixXd tractions) const;  ///< a column each
 
   /// `s_j = (L^{-1} (A s))_j / b_j` of ring displacements s: work-conjugate to the depths,
   /// `sum_j A_j t_j s_j = sum_j b_j^2 D_j s_j`.

@@ -22,17 +22,24 @@ struct Violations {
   std::vector<BoxState> wanted;
 };
 
-Violations find_violations(const Eigen::VectorXd& x, const Eigen::VectorXd& residual, const Eigen::VectorXd& lower,
-                           const Eigen::VectorXd& upper, const std::vector<BoxState>& state,
-                           const Eigen::VectorXd& slacks, const Eigen::VectorXd& residual_slacks) {
-  Violations violations;
+/// What x and the residual may miss, of unknowns whose scale is 1.
+struct Slack {
+  double x, residual;
+};
+
+void find_violations(const BoxSolver::Solution& solution, const Eigen::VectorXd& lower, const Eigen::VectorXd& upper,
+                     const std::vector<BoxState>& state, const Eigen::VectorXd& scale, const Slack& of_unit_scale,
+                     Violations& violations) {
+  const auto &x = solution.x, &residual = solution.residual;
+  violations.indices.clear();
+  violations.wanted.clear();
   const auto change = [&](Eigen::Index i, BoxState to) {
     violations.indices.push_back(i);
     violations.wanted.push_back(to);
   };
   for (Eigen::Index i = 0; i < x.size(); ++i) {
     if (lower[i] == upper[i]) continue;
-    const double slack = slacks[i], residual_slack = residual_slacks[i];
+    const double slack = of_unit_scale.x * scale[i], residual_slack = of_unit_scale.residual / scale[i];
     if (state[i] == BoxState::interior) {
       if (x[i] > upper[i] + slack) change(i, BoxState::upper);
       if (x[i] < lower[i] - slack) change(i, BoxState::lower);
@@ -40,7 +47,6 @@ Violations find_violations(const Eigen::VectorXd& x, const Eigen::VectorXd& resi
       change(i, BoxState::interior);
     }
   }
-  return violations;
 }
 
 // Puts the bounded unknowns at their bounds, zero elsewhere, and lists the interior ones.
@@ -135,6 +141,8 @@ BoxSolver::Solution BoxSolver::solve(const Eigen::VectorXd& q, const Eigen::Vect
   Solution solution{Eigen::VectorXd(n), Eigen::VectorXd(n), 0};
   auto &x = solution.x, &residual = solution.residual;
   std::vector<Eigen::Index> interior;
+  interior.reserve(static_cast<std::size_t>(n));
+  Violations violations;
   std::size_t fewest = std::numeric_limits<std::size_t>::max();
   int stalled = 0;
   for (; solution.iterations < limit; ++solution.iterations) {
@@ -143,7 +151,8 @@ BoxSolver::Solution BoxSolver::solve(const Eigen::VectorXd& q, const Eigen::Vect
     Eigen::Index k = 0;
     while (k < n_interior && k < factor_->rows() && interior[k] == k) ++k;
     // What the bounded unknowns leave, then what the interior ones leave of that.
-    residual = added_.size() > 0 ? q - added_.cwiseProduct(x) : q;
+    residual = q;
+    if (added_.size() > 0) residual -= added_.cwiseProduct(x);
     if (!x.tail(n - k).isZero(0)) subtract_product(matrix_, 0, k, x.tail(n - k), residual);
     for (const auto i : interior) x[i] = residual[i];
     solve_interior(interior, k, x);
@@ -152,9 +161,9 @@ BoxSolver::Solution BoxSolver::solve(const Eigen::VectorXd& q, const Eigen::Vect
       residual.tail(n - k).noalias() -= x[interior[j]] * matrix_->col(interior[j]).tail(n - k);
     for (const auto i : interior) residual[i] = 0;
 
-    const Eigen::VectorXd slack = slack_ * x.cwiseQuotient(scale_).lpNorm<Eigen::Infinity>() * scale_,
-                          residual_slack = slack_ * q.cwiseProduct(scale_).lpNorm<Eigen::Infinity>() / scale_.array();
-    const auto violations = find_violations(x, residual, lower, upper, state, slack, residual_slack);
+    const Slack slack{slack_ * x.cwiseQuotient(scale_).lpNorm<Eigen::Infinity>(),
+                      slack_ * q.cwiseProduct(scale_).lpNorm<Eigen::Infinity>()};
+    find_violations(solution, lower, upper, state, scale_, slack, violations);
     if (violations.indices.empty()) {
       check(q, solution);
       return solution;

@@ -60,9 +60,9 @@ enum class ForceReading { up_to_the_edge, sum_of_rings };
 ContactForce sum_of_rings(const std::vector<double>& radii, const Eigen::VectorXd& areas,
                           const Eigen::VectorXd& pressure);
 
-/// Where all rings inside a flank are pressed, which touches all at once, the contact ends with the last of them: a sum,
-/// up to the first free ring, as the singular pressure at its edge reaches the next one. What rings beyond bear stands
-/// apart. Read from gaps, which have no edge there, the force was off by 1e-4 (48 rings).
+/// Where all rings inside a flank are pressed, which touches all at once, the contact ends with the last of them: a
+/// sum, up to the first free ring, as the singular pressure at its edge reaches the next one. What rings beyond bear
+/// stands apart. Read from gaps, which have no edge there, the force was off by 1e-4 (48 rings).
 ContactForce sum_inside_flank(const Compliance& compliance, const Eigen::VectorXd& pressure,
                               Eigen::Index n_inside_flank);
 

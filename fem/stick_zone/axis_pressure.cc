@@ -33,7 +33,7 @@ double axis_pressure(const PunchSeries& series, const Eigen::VectorXd& depths, d
 std::optional<double> axis_pressure_max(const PunchSeries& series, const Eigen::MatrixXd& pressure,
                                         const Eigen::VectorXd& contact_radius, double n,
                                         const std::vector<StepInPiece>& pieces) {
-  const Eigen::MatrixXd depths = series.depths(pressure);
+  const Eigen::MatrixXd depths = series.depths_of_instants(pressure);
   Eigen::VectorXd samples = Eigen::VectorXd::Zero(contact_radius.size());
   for (Index k = 0; k < samples.size(); ++k)
     if (contact_radius[k] > series.radii()[outer])

@@ -77,7 +77,8 @@ double limiting_amplitude(const ContactProblem& normal_problem, const ContactPro
   const auto response = motion.tangential_force ? response_to_force(sheared, motion, normal, n_inside)
                                                 : periodic_response(relaxation, motion, normal.steps_per_cycle);
   const double tangential_per_depth = friction_coefficient * pressed.force_per_radius() / sheared.force_per_radius();
-  const Eigen::ArrayXXd grip = tangential_per_depth * pressed.depths(normal.pressure).topRows(n_inside).array();
+  const Eigen::ArrayXXd grip =
+      tangential_per_depth * pressed.depths_of_instants(normal.pressure).topRows(n_inside).array();
   const auto grip_at = [&](std::size_t step) { return grip.col(static_cast<Index>(step) % grip.cols()); };
   if (!(grip.minCoeff() > 0)) return 0;
 

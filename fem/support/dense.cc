@@ -26,13 +26,11 @@ Eigen::MatrixXd solve_lower(const Eigen::MatrixXd& lower, Eigen::MatrixXd rhs) {
 }
 
 void solve_leading(const Eigen::MatrixXd& lower, Eigen::Ref<Eigen::VectorXd> x) {
-  cblas_dtrsv(CblasColMajor, CblasLower, CblasNoTrans, CblasNonUnit, static_cast<blasint>(x.size()), lower.data(),
-              static_cast<blasint>(lower.rows()), x.data(), 1);
+  lower.topLeftCorner(x.size(), x.size()).triangularView<Eigen::Lower>().solveInPlace(x);
 }
 
 void multiply_transposed(const Eigen::MatrixXd& lower, Eigen::Ref<Eigen::VectorXd> x) {
-  cblas_dtrmv(CblasColMajor, CblasLower, CblasTrans, CblasNonUnit, static_cast<blasint>(x.size()), lower.data(),
-              static_cast<blasint>(lower.rows()), x.data(), 1);
+  for (Eigen::Index j = 0, n = x.size(); j < n; ++j) x[j] = lower.col(j).segment(j, n - j).dot(x.tail(n - j));
 }
 
 void subtract_product(const Eigen::MatrixXd& matrix, Eigen::Index row, Eigen::Index column,

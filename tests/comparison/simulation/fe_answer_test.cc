@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <utility>
 
 #include "tests/comparison/computed_case.h"
 #include "tests/comparison/read_case.h"
@@ -118,19 +117,23 @@ TEST(FeAnswer, OfALimitingProfileTurnsToSlipAtTheAmplitudeItIsLimitingFor) {
   EXPECT_NEAR(above.no_wear->limiting_amplitude.value(), 1 / 1.01, 1e-9);
 }
 
-// The contact ends at c, the node of the singular pressure. With coarse steps the flank presses too; that is a quantity
-// of its own.
+// The contact ends at c, the node of the singular pressure. With coarse steps the flank bears a share of it in passing;
+// that is a quantity of its own, and the force is off by what 18 steps are, at any number of rings.
 TEST(FeAnswer, OfALimitingProfileForceEndsAtItsStickRadius) {
-  for (const auto& [ratio, steps] : {std::pair{0.5, 72}, {0.1, 18}}) {
+  const auto error_at = [](double ratio, int steps, double least_outside) {
     auto scene = limiting_case(ratio);
     scene.indenter = {};
     scene.indenter.shape = Case::Shape::cone;
     scene.indenter.slope_angle = 5;
+    scene.tolerance = 1e-3;
     scene.rings_per_radius = 24;
     scene.steps_per_cycle = steps;
     const auto fe = simulate_case(scene);
-    EXPECT_NEAR(fe.normal_force_max / exact_answer(scene).normal_force_max.value(), 1, 1e-5) << ratio;
-  }
+    EXPECT_GT(fe.no_wear.value().force_outside, least_outside);
+    return fe.normal_force_max / exact_answer(scene).normal_force_max.value() - 1;
+  };
+  EXPECT_LT(std::abs(error_at(0.5, 72, 1e-4)), 5e-6);
+  EXPECT_LT(std::abs(error_at(0.1, 18, 2e-2)), 3e-4);
 }
 
 // On the way to the steady state the outermost rings inside c slip a little, by less than a ring that settles does.
