@@ -195,11 +195,41 @@ bool springs_agree(const PreparedCase& prepared, const ProvedWear& wear) {
          });
 }
 
+double largest_difference(const ProvedWear& wear, const Units& units) {
+  double largest = 0;
+  for (const auto& point : wear.fe.course.curve)
+    largest = std::max(largest, std::abs(point.volume * units.volume() - volume_after(*wear.kinetics, point.cycles)));
+  return largest / mdr::worn_volume(wear.limits.shakedown);
+}
+
+/// Refinements end after other numbers of cycles; progressive wear hardly changes its rate any more.
+ErrorBar bar_of_rate(const PreparedCase& prepared, const ProvedWear& wear, const WearComputations& computed) {
+  const auto rate_of = [&computed](const Resolution& resolution) {
+    const auto found = computed.all.find(resolution);
+    return found == computed.all.end() || !found->second.failure.empty()
+               ? std::numeric_limits<double>::quiet_NaN()
+               : found->second.fe.course.curve.back().volume_rate;
+  };
+  const double rate = rate_of(wear.resolution);
+  return error_bar(
+      Quantity::worn_volume, variants_of_wear(wear.resolution),
+      [&](const Resolution& finer, const Resolution& coarser) { return (rate_of(finer) - rate_of(coarser)) / rate; },
+      {prepared.fem.relaxation.has_memory()});
+}
+
+/// Whether friction takes more energy than its error bar, as far as there is one.
+bool slip_is_proved(const ProvedAnswer& unworn) {
+  const auto bar = unworn.budget.find(Quantity::friction_work);
+  if (bar == unworn.budget.end() || !unworn.fe.cycle) return true;
+  return unworn.fe.cycle->friction_work > bar->second.total() * unworn.fe.cycle->sliding_work;
+}
+
 Comparison compare(const PreparedCase& prepared, const ProvedWear& wear, const ErrorBudget& budget) {
   const auto& units = prepared.fem.units;
   auto values = quantities_of(wear.fe, units, wear.limits);
   values[Quantity::distance_to_limit] = wear.distance_shakedown.back();
   Comparison comparison;
+  if (!wear.slip_is_proved) return comparison;
   const auto judge = [&](Quantity quantity, double expected) {
     const double difference = values.at(quantity) - expected, tolerance = tolerance_of(prepared.tolerances, quantity);
     const auto bar = budget.find(quantity);
@@ -229,7 +259,7 @@ bool may_still_reach(const PreparedCase& prepared, const mdr::LimitingProfile& l
   const double tolerance = tolerance_of(prepared.tolerances, Quantity::distance_to_limit), step = tolerance / 2,
                unit = fem.units.depth / limit.maximum_indentation;
   for (double r = 0; r < 2 * limit.outer_radius / fem.units.length; r += step) {
-    const double height = unit * (fem.profile(r) + fem.worn_before(r)),
+    const double height = unit * (fem.profile(r) + fem.worn_before->depth(r)),
                  allowed = mdr::shape(limit, (r + tolerance) * fem.units.length) / limit.maximum_indentation;
     if (height > allowed + tolerance) return false;
   }
@@ -240,7 +270,8 @@ bool may_still_reach(const PreparedCase& prepared, const mdr::LimitingProfile& l
 
 bool ProvedWear::ends_in_limit() const {
   constexpr double nothing = 1e-2;  // a contact that sticks throughout bears tens of percent there
-  return fe.course.end != fem::WearEnd::cycles && pressed_outside < nothing;
+  return fe.course.end != fem::WearEnd::cycles && fe.course.end != fem::WearEnd::progressive &&
+         pressed_outside < nothing;
 }
 
 bool wears(const PreparedCase& prepared) {
@@ -261,13 +292,17 @@ ProvedWear prove_wear(const PreparedCase& prepared, const MdrAnswer& mdr, const 
     return wear;
   }
   WearComputations computed(prepared, edge, wear.limits, bodies, oversight);
-  const auto budget = measure_errors(prepared, edge.inner, proof, computed, wear);
+  wear.slip_is_proved = slip_is_proved(unworn);
+  const auto budget = measure_errors(prepared, edge.inner, wear.slip_is_proved ? proof : Proof::none, computed, wear);
   wear.n_computations = static_cast<int>(computed.all.size());
   wear.bodies = computed.bodies();
   if (!wear.failure.empty()) return wear;
   if (!prepared.mdr.has_forces()) wear.kinetics = springs_of(prepared, wear.fe.course.curve.back().cycles);
   wear.distance_shakedown = distances_of(wear.fe, units, wear.limits.shakedown);
   wear.distance_first_slip = distances_of(wear.fe, units, wear.limits.first_slip);
+  if (wear.kinetics) wear.largest_springs_difference = largest_difference(wear, units);
+  if (wear.fe.course.end == fem::WearEnd::progressive && proof != Proof::none)
+    wear.rate_error = bar_of_rate(prepared, wear, computed).total();
   wear.springs_agree = wear.kinetics && (wear.ends_in_limit() || springs_agree(prepared, wear));
   wear.comparison = compare(prepared, wear, budget);
   return wear;

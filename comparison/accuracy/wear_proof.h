@@ -17,6 +17,13 @@ struct ProvedWear {
   bool springs_agree = false;                      ///< with springs of finer steps, where their volume is compared
   /// Of the profile from either limit, see distance_between, at each point of the course.
   std::vector<double> distance_shakedown = {}, distance_first_slip = {};
+  /// Whether friction takes more energy from a cycle of the unworn contact than the error bar of that. If not, no slip
+  /// is proved, and what wears is the error of the slip in many cycles: nothing is compared.
+  bool slip_is_proved = true;
+  /// Largest difference from the volume of the springs along the course, over that of the limit.
+  std::optional<double> largest_springs_difference = {};
+  /// Error bar of the last volume rate, over it; of progressive wear.
+  std::optional<double> rate_error = {};
   /// Force that the largest pressures in a cycle bear outside the stick radius (and the tolerance of the distance) at
   /// the end, over that of the whole contact at the start. Where wear has ended and this is not nothing, what is
   /// pressed there sticks.
@@ -34,7 +41,8 @@ bool wears(const PreparedCase& prepared);
 
 /// Runs the wear of a case, with the rings graded around the stick radius that edge_of_wear finds, and measures its
 /// errors by refinement (variants_of_wear). With Proof::tolerance what is largest is refined until all bars are within
-/// the tolerance, up to twice.
+/// the tolerance, up to twice. Progressive wear has an error bar of its rate. Where no slip is proved, wear is run
+/// once.
 ProvedWear prove_wear(const PreparedCase& prepared, const MdrAnswer& mdr, const ProvedAnswer& unworn, Proof proof,
                       BodyStore& bodies, const WearOversight& oversight = {});
 

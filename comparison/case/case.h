@@ -104,6 +104,9 @@ struct Case {
     std::optional<double> n_cycles;  ///< of the motion; empty: until nothing is left that would wear
     double until = 0;                ///< ends before, when the volume worn off in a cycle has fallen to this share
     std::string profile = {};        ///< table of the heights that the indenter has worn to before; empty: unworn
+    std::string rings = {};          ///< or of the depths that rings have lost, as a run has written them
+
+    [[nodiscard]] bool has_worn_before() const { return !profile.empty() || !rings.empty(); }
   };
 
   /// A sweep's place in its family of cases, for the report's plots.

@@ -19,7 +19,7 @@ bool is_whole(double x, double least, double most) {
 const ValidNumber ring_count{[](double x) { return is_whole(x, 16, 640); }, "a whole number from 16 to 640"};
 const ValidNumber step_count{[](double x) { return is_whole(x, 16, 10000); }, "a whole number from 16 to 10000"};
 
-constexpr std::array wear_kinetics_names{"Law", "Coefficient", "Exponent", "Cycles", "Until", "Profile"};
+constexpr std::array wear_kinetics_names{"Law", "Coefficient", "Exponent", "Cycles", "Until", "Profile", "Worn rings"};
 
 std::optional<Case::WearKinetics> read_wear_kinetics(const EntryReader& entries) {
   const auto& names = wear_kinetics_names;
@@ -41,16 +41,24 @@ std::optional<Case::WearKinetics> read_wear_kinetics(const EntryReader& entries)
   if (entries.given("Wear", "Until"))
     wear.until = entries.number(
         "Wear", "Until", {[](double x) { return x >= 1e-12 && x < 1; }, "a share of the first wear rate, 1e-12 to 1"});
-  if (entries.given("Wear", "Profile")) wear.profile = read_table_path(entries, "Wear", "Profile");
+  if (entries.given("Wear", "Worn rings")) {
+    wear.rings = read_table_path(entries, "Wear", "Worn rings");
+    entries.forbid("Wear", "Profile", "Worn rings say what the indenter has lost before");
+  } else if (entries.given("Wear", "Profile")) {
+    wear.profile = read_table_path(entries, "Wear", "Profile");
+  }
   return wear;
 }
 
 void read_wear(const EntryReader& entries, Case& input) {
-  if (input.motion.path) {
+  if (const auto& path = input.motion.path) {
     for (const char* name : {"State", "Stick radius ratio"})
-      entries.forbid("Wear", name, "wear is computed of oscillations, not along a Motion / Path");
+      entries.forbid("Wear", name, "the profile that a Motion / Path is limiting for is found by wear");
+    const bool wears_by_it = path->repeats && !path->normal_force && !path->tangential_force;
     for (const char* name : wear_kinetics_names)
-      entries.forbid("Wear", name, "wear is computed of oscillations, not along a Motion / Path");
+      if (!wears_by_it)
+        entries.forbid("Wear", name, "wear needs a Motion / Path of displacements that repeats forever");
+    if (wears_by_it) input.wear_kinetics = read_wear_kinetics(entries);
     return;
   }
   if (entries.given("Wear", "State") && entries.one_of("Wear", "State", {"unworn", "limiting"}) == "limiting") {

@@ -161,8 +161,14 @@ std::vector<SectionTraits> all_sections() {
          {},
          "a CSV file with columns r, f and their units",
          "unworn",
-         "heights that the indenter has worn to before, as fretval run writes them (`worn_profile.csv`); wear goes on "
-         "from there"}}},
+         "heights that the indenter has worn to before, as fretval run writes them (`worn_profile.csv`) or somebody "
+         "has "
+         "measured; wear goes on from there"},
+        {"Worn rings",
+         {},
+         "a CSV file with columns r outer, worn depth and their units",
+         "unworn",
+         "instead of Profile: what the rings of an earlier run have lost (`worn_rings.csv`), to the last digit"}}},
       {"Accuracy",
        {{"Tolerance",
          {D::number},

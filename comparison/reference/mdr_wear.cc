@@ -9,8 +9,9 @@ namespace fretval {
 
 WearLimits wear_limits(const MdrCase& mdr, const MdrAnswer& answer) {
   constexpr double almost_none = 1e-6;
-  const double deepest =
-      mdr::maximum_indentation(mdr.has_forces() ? mdr::harmonic_motion(mdr.limiting_state->motion) : mdr.motion);
+  const double deepest = mdr.has_forces() ? mdr::maximum_indentation(mdr.limiting_state->motion)
+                         : mdr.path       ? deepest_indentation(mdr)
+                                          : mdr::maximum_indentation(mdr.motion);
   const double least = almost_none * mdr::inverse_transform(mdr.profile, deepest);
   const auto limit = [&](const std::optional<double>& stick_radius) {
     return mdr::limiting_profile(mdr.profile, stick_radius.value_or(least), deepest);
@@ -26,8 +27,8 @@ std::optional<mdr::WearKinetics> wear_kinetics_of(const Case& input, const MdrCa
                                                   int steps_per_cycle) {
   const auto& wear = input.wear_kinetics.value();
   const auto motion = mdr::one_harmonic_each(mdr.motion);
-  if (!wear.profile.empty() || wear.law == Case::WearLaw::power || mdr.has_forces() || !motion || !motion->phase ||
-      motion->normal_frequency != motion->tangential_frequency)
+  if (wear.has_worn_before() || mdr.path || wear.law == Case::WearLaw::power || mdr.has_forces() || !motion ||
+      !motion->phase || motion->normal_frequency != motion->tangential_frequency)
     return std::nullopt;
   const double coefficient =
       wear.law == Case::WearLaw::energy ? mdr.friction_coefficient * wear.coefficient : wear.coefficient;

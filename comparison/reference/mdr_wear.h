@@ -25,8 +25,8 @@ struct WearLimits {
 WearLimits wear_limits(const MdrCase& mdr, const MdrAnswer& answer);
 
 /// The course of the wear of a case by springs. Empty: the indenter has worn before, the law is not linear in the
-/// pressure, or the motion has several harmonics, other frequencies, no locked phase or prescribed forces, which they
-/// do not have. Throws std::runtime_error where the springs do not become periodic.
+/// pressure, or the motion has several harmonics, other frequencies, no locked phase, a path or prescribed forces,
+/// which they do not have. Throws std::runtime_error where the springs do not become periodic.
 std::optional<mdr::WearKinetics> wear_kinetics_of(const Case& input, const MdrCase& mdr, double n_cycles,
                                                   int steps_per_cycle = mdr::WearControl{}.steps_per_cycle);
 

@@ -81,7 +81,13 @@ std::string wear_text(const ProvedWear& wear, const Units& units) {
     return text +
            fmt::format("; nothing wears any more\n  worn profile: {:.1e} from the limiting one (in r/a and f/d max)\n",
                        wear.distance_shakedown.back());
-  if (wear.fe.course.end == fem::WearEnd::cycles)
+  if (!wear.slip_is_proved)
+    return text + "; no slip is proved: friction takes less energy from a cycle than its error bar\n";
+  if (wear.fe.course.end == fem::WearEnd::progressive)
+    return text + fmt::format("; it goes on for ever, by {:.6g} mm³ a cycle{}\n",
+                              last.volume_rate * units.volume() * cubic_millimetres,
+                              wear.rate_error ? fmt::format(" (± {:.1g} of that)", *wear.rate_error) : "");
+  if (wear.fe.course.end != fem::WearEnd::nothing_left)
     return text + fmt::format("; still {:.2g} from the limiting profile\n", wear.distance_shakedown.back());
   return text + "; what still bears pressure sticks throughout, and wears no more\n";
 }

@@ -75,7 +75,7 @@ ordered_json case_json(const CaseResult& result) {
                         {"exponent", wear->exponent},
                         {"cycles", or_null(wear->n_cycles)},
                         {"until", wear->until}};
-    if (!wear->profile.empty()) json["wear_law"]["profile"] = wear->profile;
+    if (wear->has_worn_before()) json["wear_law"]["profile"] = wear->rings.empty() ? wear->profile : wear->rings;
   }
   json["inputs"] = inputs_json(input);
   if (input.elastomer.master_curve) json["fit_of_moduli"] = fit_json(input.elastomer);

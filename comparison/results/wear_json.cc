@@ -7,6 +7,7 @@
 
 #include "comparison/simulation/fem_case/resolution_json.h"
 #include "comparison/support/files.h"
+#include "comparison/support/json.h"
 
 namespace fretval {
 namespace {
@@ -19,6 +20,8 @@ const char* name_of(fem::WearEnd end) {
       return "cycles asked for";
     case fem::WearEnd::rate:
       return "rate fallen";
+    case fem::WearEnd::progressive:
+      return "progressive";
     case fem::WearEnd::nothing_left:
       break;
   }
@@ -85,6 +88,9 @@ ordered_json to_json(const ProvedWear& wear, const Units& units) {
                                {"first_slip", wear.distance_first_slip.back()}};
   json["volume_of_limit"] = mdr::worn_volume(wear.limits.shakedown);
   json["springs_agree"] = wear.springs_agree;
+  json["springs_difference"] = or_null(wear.largest_springs_difference);
+  json["slip_is_proved"] = wear.slip_is_proved;
+  json["rate_error"] = or_null(wear.rate_error);
   json["pressed_outside"] = wear.pressed_outside;
   json["zones"] = {{"start", zones_json(course.first)}, {"end", zones_json(course.last)}};
   json["resolution"] = resolution_json(wear.resolution);
@@ -110,8 +116,13 @@ void write_wear(const ProvedWear& wear, const Case& input, const Units& units, c
     return all;
   };
   const Eigen::VectorXd& worn = course.worn.back();
+  constexpr int every_digit = 17;
   write_csv(folder / "worn_profile.csv", {{"r [m]", from_axis(0, units.length * wear.fe.centre)},
                                           {"f [m]", from_axis(units.depth * worn[0], height(worn))}});
+  write_csv(folder / "worn_rings.csv",
+            {{"r outer [m]", units.length * Eigen::Map<const Eigen::VectorXd>(wear.fe.radii.data() + 1, n)},
+             {"worn depth [m]", units.depth * worn}},
+            every_digit);
   std::vector<Column> columns{
       {"r [m]", units.length * wear.fe.centre},
       {"p largest at start [Pa]", units.pressure() * course.largest_pressure.front()},
@@ -124,7 +135,7 @@ void write_wear(const ProvedWear& wear, const Case& input, const Units& units, c
   if (!input.sweep && file.extension() == ".prm")
     write_file(folder / (input.name + "-worn.prm"),
                fmt::format("# {} as far as it has worn; fretval run goes on from there.\n"
-                           "include {}\nsubsection Wear\n  set Profile = worn_profile.csv\nend\n",
+                           "include {}\nsubsection Wear\n  set Worn rings = worn_rings.csv\nend\n",
                            input.name, file.string()));
 }
 

@@ -12,7 +12,8 @@ namespace fretval {
 /// `distance_to_limit`, `pressed_outside`, `zones`, what it cost. SI units.
 nlohmann::ordered_json to_json(const ProvedWear& wear, const Units& units);
 
-/// worn_profile.csv: radius and height of the worn indenter, from the centre on, as Wear / Profile takes it. wear.csv:
+/// worn_profile.csv: radius and height of the worn indenter, from the centre on, as Wear / Profile and a table of an
+/// indenter take it. worn_rings.csv: what each ring has lost, as Wear / Worn rings takes it. wear.csv:
 /// by ring the heights at some states of the course, and the largest pressures at its start, when half of the volume
 /// is worn off, and at its end. NAME-worn.prm: the
 /// case that goes on from there, not for a point of a sweep.

@@ -85,6 +85,10 @@ std::string description(const FemCase& fem, const fem::WearLaw& law, const fem::
                  1.0 * motion.n_ramp_cycles, 1.0 * motion.n_creep_cycles, 1.0 * fem.steps_per_cycle()});
   add_motion(motion.normal);
   add_motion(motion.tangential);
+  if (const auto& path = motion.path) {
+    for (const auto* rows : {&path->time, &path->normal, &path->tangential}) add(*rows);
+    add(std::array{path->rest_normal, path->rest_tangential});
+  }
   add(std::array{law.coefficient, law.exponent, control.most_cycles, control.rate_fallen_to, control.largest_jump,
                  control.accuracy});
   return text + '\n';
@@ -122,6 +126,7 @@ WornEdge edge_of_wear(const FemCase& fem, const Case::WearKinetics& wear, double
     try {
       const auto pass_made = simulate_wear(fem, wear, edge, resolution, bodies, {run.checkpoints});
       const auto& course = pass_made.course;
+      if (course.end == fem::WearEnd::progressive) return {0, edge.outer};
       depth = reserve * course.last.largest_indentation;
       const double before = std::exchange(stick_radius, course.curve.back().stick_radius);
       if (std::abs(stick_radius - before) <= rings_at(pass_made.radii, stick_radius).outside)
@@ -155,7 +160,8 @@ WearSimulation simulate_wear(const FemCase& fem_case, const Case::WearKinetics& 
   const fem::WearControl control{wear.n_cycles.value_or(std::numeric_limits<double>::infinity()), wear.until,
                                  resolution.wear_jump, nothing};
   fem::WornProfile profile{fem::ring_means(body->normal.compliance, fem.profile), Eigen::VectorXd::Zero(n_rings)};
-  if (fem.worn_before) profile.worn = fem::ring_means(body->normal.compliance, fem.worn_before);
+  if (const auto& before = fem.worn_before)
+    profile.worn = fem::ring_means(body->normal.compliance, before->depth, before->kinks);
   const fem::WearState start{fem::WearingContact(body->normal, *body->tangential, fem.relaxation, fem.motion,
                                                  fem.steps_per_cycle(), profile, fem.friction_coefficient, law)};
   WearCheckpoint checkpoint(run.checkpoints, description(fem, law, control, profile));

@@ -26,13 +26,14 @@ void write_file(const fs::path& file, const std::string& content) {
   fs::rename(partial, file);
 }
 
-void write_csv(const fs::path& file, const std::vector<Column>& columns) {
+void write_csv(const fs::path& file, const std::vector<Column>& columns, int n_digits) {
   fmt::memory_buffer text;
   for (std::size_t k = 0; k < columns.size(); ++k)
     fmt::format_to(std::back_inserter(text), "{}{}", columns[k].name, k + 1 < columns.size() ? ',' : '\n');
   for (Eigen::Index i = 0; i < columns.front().values.size(); ++i)
     for (std::size_t k = 0; k < columns.size(); ++k)
-      fmt::format_to(std::back_inserter(text), "{:.10g}{}", columns[k].values[i], k + 1 < columns.size() ? ',' : '\n');
+      fmt::format_to(std::back_inserter(text), "{:.{}g}{}", columns[k].values[i], n_digits,
+                     k + 1 < columns.size() ? ',' : '\n');
   write_file(file, fmt::to_string(text));
 }
 

@@ -17,7 +17,7 @@ struct Column {
   Eigen::VectorXd values;
 };
 
-/// Columns of equal length, 10 significant digits.
-void write_csv(const std::filesystem::path& file, const std::vector<Column>& columns);
+/// Columns of equal length; 17 digits give the same numbers again.
+void write_csv(const std::filesystem::path& file, const std::vector<Column>& columns, int n_digits = 10);
 
 }  // namespace fretval

@@ -9,19 +9,35 @@
 
 namespace fretval::fem {
 
-Eigen::VectorXd ring_means(const Compliance& compliance, const std::function<double(double)>& f) {
-  // 5-point Gauss: exact for polynomials of degree 8 times r; profiles are smooth inside a ring.
+namespace {
+
+/// Gauss's sum of r f(r), whose weights add up to 2: exact for polynomials of degree 8 times r.
+double gauss_sum(const std::function<double(double)>& f, double inner, double outer) {
   constexpr std::array<double, 5> points{-0.9061798459386640, -0.5384693101056831, 0, 0.5384693101056831,
                                          0.9061798459386640};
   constexpr std::array<double, 5> weights{0.2369268850561891, 0.4786286704993665, 0.5688888888888889,
                                           0.4786286704993665, 0.2369268850561891};
+  double sum = 0;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const double r = (inner + outer) / 2 + points[k] * (outer - inner) / 2;
+    sum += weights[k] * r * f(r);
+  }
+  return sum;
+}
+
+}  // namespace
+
+Eigen::VectorXd ring_means(const Compliance& compliance, const std::function<double(double)>& f,
+                           const std::vector<double>& kinks) {
   Eigen::VectorXd means(compliance.areas.size());
   for (Eigen::Index i = 0; i < means.size(); ++i) {
     const double inner = compliance.radii[i], outer = compliance.radii[i + 1];
-    double sum = 0;
-    for (std::size_t k = 0; k < points.size(); ++k) {
-      const double r = (inner + outer) / 2 + points[k] * (outer - inner) / 2;
-      sum += weights[k] * r * f(r);
+    double sum = 0, from = inner;
+    for (auto kink = std::upper_bound(kinks.begin(), kinks.end(), inner); from < outer; ++kink) {
+      const double to = kink == kinks.end() ? outer : std::min(*kink, outer);
+      sum += gauss_sum(f, from, to) * ((to - from) / (outer - inner));
+      from = to;
+      if (kink == kinks.end()) break;
     }
     means[i] = sum / (inner + outer);
   }

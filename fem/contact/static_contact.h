@@ -9,8 +9,10 @@
 
 namespace fretval::fem {
 
-/// Mean over each ring of a profile f(r).
-Eigen::VectorXd ring_means(const Compliance& compliance, const std::function<double(double)>& f);
+/// Mean over each ring of a profile f(r), which is smooth between its kinks: rising radii at which it bends or jumps.
+/// Of what is a polynomial there up to degree 8 the volume over the rings, `sum_j A_j mean_j`, is kept to roundoff.
+Eigen::VectorXd ring_means(const Compliance& compliance, const std::function<double(double)>& f,
+                           const std::vector<double>& kinks = {});
 
 /// Ring pressures of a contact and the remaining gaps.
 struct StaticContact {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace fretval::fem {
 namespace {
@@ -66,6 +67,20 @@ Jump jump(WearingContact& contact, double n_cycles, double largest) {
   }
 }
 
+double volume_after(const std::vector<WearPoint>& curve, double cycles) {
+  const auto after = std::find_if(curve.begin() + 1, curve.end() - 1,
+                                  [cycles](const WearPoint& point) { return point.cycles >= cycles; });
+  const auto& [from, to] = std::tie(*(after - 1), *after);
+  return from.volume + (to.volume - from.volume) * (cycles - from.cycles) / (to.cycles - from.cycles);
+}
+
+bool is_progressive(const WearCourse& course) {
+  const auto& last = course.curve.back();
+  if (last.stick_radius > 0 || !(last.deepest > course.first.largest_indentation)) return false;
+  const double half = volume_after(course.curve, last.cycles / 2);
+  return last.volume - half >= half - volume_after(course.curve, last.cycles / 4);
+}
+
 void add_point(WearState& state, double cycles) {
   state.course.curve.push_back(point_of(state.contact, cycles));
   state.course.worn.push_back(state.contact.worn());
@@ -96,6 +111,7 @@ void wear_on(WearState& state, const WearControl& control, const WearObserver& a
     next = cycles * std::min(control.largest_jump / deepest, largest_growth);
     course.end = cycles >= left                                                           ? WearEnd::cycles
                  : course.curve.back().volume_rate <= control.rate_fallen_to * first_rate ? WearEnd::rate
+                 : is_progressive(course)                                                 ? WearEnd::progressive
                                                                                           : WearEnd::nothing_left;
     goes_on = course.end == WearEnd::nothing_left && (cycles < done || deepest > control.accuracy);
     if (after_jump) after_jump(state);

@@ -16,9 +16,9 @@ struct WearControl {
   double accuracy;        ///< of worn depths: less than that is nothing
 };
 
-/// Why the wear was followed no further: as many cycles as asked for; the rate has fallen as far as asked for; or as
-/// many cycles again as there have been wear off nothing.
-enum class WearEnd { cycles, rate, nothing_left };
+/// Why the wear was followed no further: as many cycles as asked for; the rate has fallen as far as asked for; as many
+/// cycles again as there have been wear off nothing; or it goes on for ever, see wear_on.
+enum class WearEnd { cycles, rate, nothing_left, progressive };
 
 /// One state of the course.
 struct WearPoint {
@@ -75,6 +75,11 @@ using WearObserver = std::function<void(const WearState&)>;
 /// are extrapolated to second order in its length. The next is as long as the last one suggests, at most three times;
 /// one that would wear off more than twice the largest is not made. Errors are in the course alone: where wear ends, it
 /// ends in a state in which nothing under pressure slips, whatever the jumps.
+///
+/// Wear that has a limit takes off less and less in each doubling of its cycles. Where nothing sticks, more is worn off
+/// than the indenter was pressed in at first, so that nothing is left of its first shape, and the last doubling has
+/// taken off no less than the one before, there is none: wear is progressive, as under a normal force that lets the
+/// indenter sink in after it.
 void wear_on(WearState& state, const WearControl& control, const WearObserver& after_jump = {});
 
 }  // namespace fretval::fem

@@ -48,8 +48,12 @@ std::string law_text(const StoredResult& r) {
 }
 
 std::string end_text(const ordered_json& wear) {
+  if (!wear.value("slip_is_proved", true)) return "no slip is proved";
   if (wear.at("ends_in_limit").get<bool>()) return "nothing wears any more";
-  return wear.at("end") == "cycles asked for" ? "cycles asked for" : "all that is pressed sticks";
+  const auto end = wear.at("end").get<std::string>();
+  if (end == "rate fallen") return "the rate has fallen";
+  if (end == "progressive") return "it goes on for ever";
+  return end == "nothing left" ? "all that is pressed sticks" : end;
 }
 
 Table table_of(const Results& results) {
@@ -96,7 +100,8 @@ Series thinned(const Series& series, double distance) {
 
 /// Whether it has worn to its end, and that is the limit that MDR has for it.
 bool is_in_limit(const ordered_json& wear) {
-  return wear.at("ends_in_limit").get<bool>() && wear.value("limit_is_reached", true);
+  return wear.at("ends_in_limit").get<bool>() && wear.value("limit_is_reached", true) &&
+         wear.value("slip_is_proved", true);
 }
 
 /// All that has worn to its end under one shape: limits as lines, worn profiles as points, a colour a stick radius.
@@ -136,20 +141,38 @@ std::pair<Axis, Axis> axes_of(const StoredResult& r) {
   return {axis_for({&length}, "m"), axis_for({&depth}, "m")};
 }
 
-Figure sequence_figure(const StoredResult& r) {
+/// With a slider over the states of the course; at first the last one.
+Filling sequence_figure(const StoredResult& r) {
   const auto [length, depth] = axes_of(r);
+  const auto height = [&, length = length.factor, depth = depth.factor](const char* file, const std::string& column,
+                                                                        const Series& look) {
+    return curve_from(r, file, column, length, depth, look);
+  };
   Plot plot{"Profile in the course of wear", "r in " + length.unit, "f in " + depth.unit};
   plot.marks = radius_marks(r, length);
-  int colour = 0;
-  for (const auto& column : column_names(r.folder / "wear.csv"))
-    if (column.rfind("f after", 0) == 0)
-      plot.series.push_back(curve_from(r, "wear.csv", column, length.factor, depth.factor,
-                                       {column.substr(2, column.size() - 6), {}, {}, Series::Style::line, colour++}));
-  plot.series.push_back(curve_from(r, "profile.csv", "f limiting [m]", length.factor, depth.factor,
-                                   {"limit, MDR", {}, {}, Series::Style::dashed, 7}));
   plot.x_range = {0, 1.5 * length_of(r) / length.factor};
   plot.y_range = {0, 1.2 * depth_of(r) / depth.factor};
-  return {std::move(plot), "Lines: finite elements. Dashed: the limiting profile."};
+  auto frames = Filling::array(), names = Filling::array();
+  for (const auto& column : column_names(r.folder / "wear.csv")) {
+    if (column.rfind("f after", 0) != 0) continue;
+    if (plot.series.empty()) {
+      plot.series.push_back(height("wear.csv", column, {"finite elements", {}, {}, Series::Style::line, 1}));
+      plot.series.push_back(height("wear.csv", column, {"unworn", {}, {}, Series::Style::line, 0}));
+    } else {
+      plot.series.front().y = height("wear.csv", column, {}).y;
+    }
+    frames.push_back(plot.series.front().y);
+    names.push_back(column.substr(2, column.size() - 6));
+  }
+  plot.series.push_back(height("profile.csv", "f limiting [m]", {"limit, MDR", {}, {}, Series::Style::dashed, 7}));
+  auto json = json_of(plot);
+  if (!names.empty())
+    json["frames"] = {
+        {"label", "state"}, {"start", names.size() - 1}, {"y", Filling::array({frames})}, {"names", names}};
+  return {{"plot", std::move(json)},
+          {"caption",
+           "What finite elements have worn, at any of some states of the course. Dashed: the limiting "
+           "profile."}};
 }
 
 /// From the second point on, for a logarithm of the cycles.
@@ -170,7 +193,11 @@ Figure volume_figure(const StoredResult& r, const ordered_json& wear) {
   if (const auto* mdr = mdr_wear_of(r))
     plot.series.push_back(over_cycles(*mdr, "volume", unit, {"MDR", {}, {}, Series::Style::line, 0}));
   plot.series.push_back(over_cycles(wear, "volume", unit, {"finite elements", {}, {}, Series::Style::points, 1}));
-  return {std::move(plot), "Points: the jumps of the finite elements over many cycles."};
+  std::string caption = "Points: the jumps of the finite elements over many cycles.";
+  if (const auto found = wear.find("springs_difference"); found != wear.end() && found->is_number())
+    caption += fmt::format(" From the springs of MDR they differ by up to {} of the limit's volume.",
+                           number_text(found->get<double>()));
+  return {std::move(plot), std::move(caption)};
 }
 
 Figure distance_figure(const ordered_json& wear) {
@@ -206,8 +233,8 @@ Figure pressure_figure(const StoredResult& r) {
 }
 
 Filling course(const StoredResult& r, const ordered_json& wear) {
-  auto figures = filling_of(
-      std::vector<Figure>{sequence_figure(r), volume_figure(r, wear), pressure_figure(r), distance_figure(wear)});
+  auto figures = filling_of(std::vector<Figure>{volume_figure(r, wear), pressure_figure(r), distance_figure(wear)});
+  figures["figures"].insert(figures["figures"].begin(), sequence_figure(r));
   const auto length = axes_of(r).first;
   const auto edges = outer_edges(wear.at("r").get<Numbers>(), length.factor);
   for (const char* when : {"start", "end"})
@@ -220,13 +247,15 @@ Filling course(const StoredResult& r, const ordered_json& wear) {
 
 /// Numbers of the template.
 Filling findings(const Results& results) {
-  int n = 0, n_limit = 0, n_elsewhere = 0;
+  int n = 0, n_limit = 0, n_elsewhere = 0, n_stuck = 0, n_progressive = 0;
   double farthest = 0, nearest_first_slip = std::numeric_limits<double>::infinity();
   for (const auto& r : results) {
     const auto* wear = wear_of(r);
     if (!wear) continue;
     ++n;
-    if (!wear->value("limit_is_reached", true)) ++n_elsewhere;
+    if (!wear->value("slip_is_proved", true)) ++n_stuck;
+    if (wear->value("end", "") == "progressive") ++n_progressive;
+    if (!wear->value("limit_is_reached", true) && wear->value("end", "") != "progressive") ++n_elsewhere;
     if (!is_in_limit(*wear)) continue;
     ++n_limit;
     const auto& distance = wear->at("distance_to_limit");
@@ -238,6 +267,8 @@ Filling findings(const Results& results) {
   Filling found{
       {"limits", fmt::format("{} of {} have worn to it.", n_limit, counted(static_cast<std::size_t>(n), "indenter"))}};
   if (n_elsewhere > 0) found["elsewhere"] = n_elsewhere;
+  if (n_stuck > 0) found["stuck"] = n_stuck;
+  if (n_progressive > 0) found["progressive"] = n_progressive;
   if (n_limit > 0) found["farthest"] = number_text(farthest);
   if (std::isfinite(nearest_first_slip)) found["nearest"] = number_text(nearest_first_slip, "{:.2g}");
   return found;

@@ -4,15 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <limits>
-#include <stdexcept>
 #include <tuple>
 #include <utility>
 
 #include "comparison/case/path_table.h"
 #include "comparison/simulation/fem_case/near_cycle.h"
-#include "mdr/profiles/profile_csv.h"
 #include "meshes/grading.h"
 
 namespace fretval {
@@ -116,37 +113,6 @@ double farthest_depth(const Case& input, const mdr::Profile& profile, double dep
   return end * (last + 1) / n_parts;
 }
 
-/// Between the rows of a table, linear in the depth that is worn off, which keeps an indenter unworn where two of them
-/// are; halfway from an unworn row to a worn one it begins, as a worn profile is vertical at the stick radius. Beyond
-/// the rows it is unworn. Throws InputError for a height below the unworn indenter by more than the tolerance.
-std::function<double(double)> worn_before(const std::string& table, const FemCase& fem, double tolerance) {
-  constexpr double nothing = 1e-6;  // of the largest indentation, as in the course of wear
-  std::ifstream stream(table);
-  std::vector<double> radii, depths;
-  try {
-    const auto rows = mdr::read_profile_rows(stream, table);
-    for (std::size_t i = 0; i < rows.r.size(); ++i) {
-      const double r = rows.r[i] / fem.units.length, depth = rows.f[i] / fem.units.depth - fem.profile(r);
-      if (depth < -tolerance)
-        throw InputError(
-            fmt::format("{}: the height {:g} m at r = {:g} m is {:.2g} m below that of the indenter; "
-                        "must be that of the same indenter, worn",
-                        table, rows.f[i], rows.r[i], -depth * fem.units.depth));
-      radii.push_back(r);
-      depths.push_back(depth > nothing ? depth : 0);
-    }
-  } catch (const std::invalid_argument& error) {
-    throw InputError(error.what());
-  }
-  return [radii, depths](double r) {
-    const auto outer = std::upper_bound(radii.begin(), radii.end(), r) - radii.begin();
-    if (outer == static_cast<std::ptrdiff_t>(radii.size())) return 0.0;
-    const auto k = static_cast<std::size_t>(outer);
-    if (depths[k - 1] == 0) return r < (radii[k - 1] + radii[k]) / 2 ? 0 : depths[k];
-    return depths[k - 1] + (depths[k] - depths[k - 1]) * (r - radii[k - 1]) / (radii[k] - radii[k - 1]);
-  };
-}
-
 /// Those that move.
 std::vector<fem::Oscillation> oscillations(const std::vector<mdr::Harmonic>& harmonics, const std::vector<int>& orders,
                                            double unit) {
@@ -227,7 +193,9 @@ FemCase fem_case(const Case& input, const MdrCase& mdr) {
   else if (input.indenter.shape == Case::Shape::truncated_sphere)
     fem.sharp_edge = input.indenter.flat_radius / units.length;
   if (input.wear_kinetics && !input.wear_kinetics->profile.empty())
-    fem.worn_before = worn_before(input.wear_kinetics->profile, fem, input.tolerance);
+    fem.worn_before = worn_by_heights(input.wear_kinetics->profile, units, fem.profile, input.tolerance);
+  else if (input.wear_kinetics && !input.wear_kinetics->rings.empty())
+    fem.worn_before = worn_by_rings(input.wear_kinetics->rings, units);
   fem.relaxation.viscosity = mdr.body.viscosity / units.modulus;
   for (const double modulus : mdr.body.branch_moduli) fem.relaxation.moduli.push_back(modulus / units.modulus);
   fem.relaxation.times = mdr.body.branch_times;

@@ -8,26 +8,12 @@
 #include "comparison/case/case.h"
 #include "comparison/reference/mdr_case.h"
 #include "comparison/simulation/fem_case/resolution.h"
+#include "comparison/simulation/fem_case/units.h"
+#include "comparison/simulation/fem_case/worn_before.h"
 #include "fem/motion/motion.h"
 #include "fem/motion/relaxation.h"
 
 namespace fretval {
-
-/// Units that make a case dimensionless: lengths along the surface, depths, shear modulus, angular frequency.
-/// The problem is linear in the depths, so they have a unit of their own and the same case in nm and in m agrees to
-/// roundoff.
-struct Units {
-  /// m, the unworn contact radius at the largest indentation; of a profile whose rings touch in any order, the radius
-  /// beyond which the indenter is higher than that, which bounds the contact.
-  double length;
-  double depth;              ///< m, the largest indentation, see deepest_indentation
-  double modulus;            ///< Pa, relaxed
-  double angular_frequency;  ///< rad/s, of the cycle with which the motion repeats
-
-  [[nodiscard]] double pressure() const { return modulus * depth / length; }
-  [[nodiscard]] double force() const { return modulus * depth * length; }
-  [[nodiscard]] double volume() const { return length * length * depth; }
-};
 
 /// What determines the mesh and the operators; equal specifications share them.
 struct BodySpecification {
@@ -55,9 +41,9 @@ struct FemCase {
   std::function<double(double)> profile;  ///< f(r)
   Resolution resolution;
   std::optional<WornEdge> worn_edge;
-  std::function<double(double)> worn_before = {};  ///< depth that is worn off as wear begins; empty: none
-  bool keeps_body = false;                ///< an answer at this resolution goes with the whole body, for fields
-  std::optional<double> sharp_edge = {};  ///< radius at which the slope of the unworn indenter jumps
+  std::optional<WornBefore> worn_before = {};  ///< what the indenter has lost as wear begins
+  bool keeps_body = false;                     ///< an answer at this resolution goes with the whole body, for fields
+  std::optional<double> sharp_edge = {};       ///< radius at which the slope of the unworn indenter jumps
   /// The motion, if its frequencies have no common period, or a long one: finite elements take a near cycle then, see
   /// comparison/simulation/fem_case/near_cycle.h, with this error of the depth that an element asks for to stick,
   /// dimensionless.

@@ -68,6 +68,26 @@ TEST(WearProof, WhereTheIndenterIsWornDeeperThanTheLimitNothingIsCompared) {
   EXPECT_FALSE(end_of("0,0\n0.3,0.006\n0.4,0.008\n2,0.2\n").limits.reached) << "inside the stick zone";
 }
 
+// In phase, with k = 3 mu Dd/(2 u_x0) = 1: what touches sticks, and the work of friction is less than its error.
+// Nothing of what its cycles would wear is compared.
+TEST(WearProof, WhereNoSlipIsProvedNothingIsCompared) {
+  auto prepared = wearing_case("  set Coefficient = 1e-12\n  set Cycles = 1\n", "set Phase = 0");
+  const auto proved_with = [&prepared](double friction_bar) {
+    BodyStore bodies;
+    const auto mdr = mdr_answer(prepared.mdr, mdr_normal_response(prepared.mdr));
+    ProvedAnswer unworn;
+    unworn.fe = compute_case(prepared.fem, prepared.fem.resolution, bodies);
+    const double work = unworn.fe.cycle.value().friction_work / unworn.fe.cycle->sliding_work;
+    unworn.budget[Quantity::friction_work].add(ErrorSource::rings, friction_bar * work);
+    return prove_wear(prepared, mdr, unworn, Proof::none, bodies);
+  };
+  const auto slips = proved_with(0.9), sticks = proved_with(1.1);
+  EXPECT_TRUE(slips.slip_is_proved);
+  EXPECT_EQ(slips.comparison.count(Quantity::worn_volume), 1u);
+  EXPECT_FALSE(sticks.slip_is_proved);
+  EXPECT_TRUE(sticks.comparison.empty());
+}
+
 // After few cycles there is no limit yet, and the springs' volume is what it is compared with.
 TEST(WearProof, OnItsWayIsComparedWithTheSprings) {
   const auto wear = proved(wearing_case("  set Coefficient = 1e-12\n  set Cycles = 1e5\n"), Proof::none);

@@ -127,7 +127,7 @@ TEST(PathTable, AndOscillationsExcludeEachOther) {
                  read_with_path(case_with_path("  set Path repeats = once\n") +
                                 "subsection Wear\n  set Coefficient = 1e-13\nend\n");
                }),
-               {"Wear / Coefficient = 1e-13", "not along a Motion / Path"});
+               {"Wear / Coefficient = 1e-13", "that repeats forever"});
 }
 
 }  // namespace

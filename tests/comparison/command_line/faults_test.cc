@@ -1,15 +1,10 @@
-#include <fcntl.h>
 #include <gtest/gtest.h>
-#include <signal.h>
 #include <sys/file.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <chrono>
 #include <functional>
-#include <map>
 #include <nlohmann/json.hpp>
-#include <thread>
 
 #include "comparison/case/case_file.h"
 #include "comparison/report/report.h"
@@ -406,63 +401,6 @@ TEST(SystemFaults, HostileNamesAreText) {
   const std::string page = text_of(folder.path() / "out" / "index.html");
   EXPECT_EQ(page.find("<img"), std::string::npos);
   EXPECT_NE(page.find("&lt;img src=x"), std::string::npos);
-}
-
-/// The program, started without waiting for it.
-pid_t start(const std::vector<std::string>& arguments, const fs::path& log) {
-  const pid_t child = fork();
-  if (child != 0) return child;
-  const int descriptor = open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
-  dup2(descriptor, STDOUT_FILENO);
-  dup2(descriptor, STDERR_FILENO);
-  std::vector<char*> words{const_cast<char*>(FRETVAL_PROGRAM)};
-  for (const auto& word : arguments) words.push_back(const_cast<char*>(word.c_str()));
-  words.push_back(nullptr);
-  execv(FRETVAL_PROGRAM, words.data());
-  _exit(127);
-}
-
-/// Everything of the results but what the computation cost.
-std::map<std::string, nlohmann::json> results_below(const fs::path& folder) {
-  std::map<std::string, nlohmann::json> results;
-  for (const auto& file : files_below(folder)) {
-    if (fs::path(file).filename() != "result.json") continue;
-    results[file] = nlohmann::json::parse(text_of(folder / file));
-    results[file].erase("cost");
-  }
-  return results;
-}
-
-// Nineteen cases of one body: they are computed together, each is written when it is done.
-TEST(SystemFaults, AKilledRunKeepsItsResultsAndCanBeRepeated) {
-  const ScratchFolder folder;
-  const auto file = folder.write("family.prm", elastic_case() +
-                                                   "subsection Sweep\n  set Entry = Motion / Phase\n"
-                                                   "  set Values = 0:5:90\nend\n");
-  const auto killed = folder.path() / "killed", whole = folder.path() / "whole";
-  const pid_t child = start({"run", file, "-o", killed}, folder.path() / "log.txt");
-  const auto n_written = [&] { return fs::exists(killed) ? results_below(killed).size() : 0; };
-  int status = 0;
-  bool ended = false;
-  while (n_written() == 0 && !ended) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    ended = waitpid(child, &status, WNOHANG) != 0;
-  }
-  if (!ended) {
-    kill(child, SIGKILL);
-    waitpid(child, &status, 0);
-  }
-  ASSERT_TRUE(WIFSIGNALED(status)) << text_of(folder.path() / "log.txt");
-  const auto kept = results_below(killed);
-  EXPECT_GE(kept.size(), 1U);
-  EXPECT_LT(kept.size(), 19U) << "the run was over before it was killed";
-  ASSERT_EQ(fretval_run("run " + quoted(file) + " -o " + quoted(killed), folder).exit_code, 0);
-  ASSERT_EQ(fretval_run("run " + quoted(file) + " -o " + quoted(whole), folder).exit_code, 0);
-  const auto repeated = results_below(killed), uninterrupted = results_below(whole);
-  EXPECT_EQ(uninterrupted.size(), 19U);
-  EXPECT_EQ(repeated, uninterrupted);
-  for (const auto& [name, result] : kept) EXPECT_EQ(result, uninterrupted.at(name)) << name;
-  for (const auto& name : files_below(killed)) EXPECT_NE(fs::path(name).extension(), ".partial") << name;
 }
 
 }  // namespace

@@ -40,7 +40,7 @@ TEST(Interrupt, OfARunSaysWhatIsKept) {
   const auto out = folder.path() / "out";
   const auto run = shell_run(std::string(FRETVAL_PROGRAM) + " run " + quoted(file) + " -o " + quoted(out) + " & " +
                                  "while kill -0 $! && ! ls " + quoted(out) +
-                                 "/*/result.json; do sleep 0.05; done 2>/dev/null; " + "kill -INT $!; wait $!",
+                                 "/*/*/result.json; do sleep 0.05; done 2>/dev/null; " + "kill -INT $!; wait $!",
                              folder);
   EXPECT_NE(run.exit_code, 0);
   EXPECT_NE(run.err.find("interrupted: the cases that are done are kept in " + out.string()), std::string::npos)

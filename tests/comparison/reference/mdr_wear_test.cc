@@ -40,6 +40,22 @@ TEST(MdrWear, LimitsBelongToEitherStickRadius) {
   EXPECT_NEAR(limits.first_slip.outer_radius, std::sqrt(2) * 1e-3, 1e-7) << "f0 = d_max";
 }
 
+// Triangles between 60 and 100 um: the course along a path is not that of one oscillation, and the limit is that of the
+// deepest row.
+TEST(MdrWear, OfAPathHasALimitAndNoKinetics) {
+  const ScratchFolder folder;
+  folder.write("path.csv", "t,d,u_x\ns,um,um\n0,60,0\n0.5,100,30\n1,60,0\n");
+  auto text = wearing_text("  set Coefficient = 1e-12\n");
+  const auto begin = text.find("  set Indentation"), end = text.find("end", begin);
+  text.replace(begin, end - begin, "  set Path = path.csv\n  set Path repeats = forever\n");
+  const auto prepared = prepare(read_case_file(folder.write("case.prm", text))).front();
+  EXPECT_FALSE(wear_kinetics_of(prepared.input, prepared.mdr, 1e4));
+  const auto answer = mdr_answer(prepared.mdr, mdr_normal_response(prepared.mdr));
+  const auto limits = wear_limits(prepared.mdr, answer);
+  EXPECT_NEAR(limits.shakedown.maximum_indentation, 1e-4, 1e-16);
+  EXPECT_EQ(limits.shakedown.stick_radius, answer.stick_radius_shakedown.value());
+}
+
 // Under a constant normal force F and a tangential force Q: c^3 = a^3 (1 - Q/(mu F)), a^3 = 3 F R/(16 G), and the disc
 // bears the force alone in the end, F = 8 G (c d - c^3/(3 R)).
 TEST(MdrWear, LimitUnderForcesIsWhatTheyPressTheWornIndenterTo) {

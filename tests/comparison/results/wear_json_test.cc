@@ -40,6 +40,8 @@ ProvedWear made_up_wear() {
   wear.distance_first_slip = {0.4, 0.2};
   wear.pressed_outside = 0.125;
   wear.n_computations = 9;
+  wear.slip_is_proved = false;
+  wear.largest_springs_difference = 0.25;
   return wear;
 }
 
@@ -59,6 +61,9 @@ TEST(WearJson, IsInSiUnits) {
   EXPECT_EQ(json["distance_to_shakedown_limit"][0], 0.3);
   EXPECT_EQ(json["end"], "rate fallen");
   EXPECT_EQ(json["ends_in_limit"], false) << "an eighth of the force is pressed outside";
+  EXPECT_EQ(json["slip_is_proved"], false);
+  EXPECT_EQ(json["springs_difference"], 0.25);
+  EXPECT_TRUE(json["rate_error"].is_null());
   EXPECT_EQ(json["cost"]["computations"], 9);
   EXPECT_EQ(json["cost"]["cycles_stepped"], 7);
 }
@@ -85,6 +90,13 @@ TEST(WearJson, WritesTheWornProfileAsATable) {
   EXPECT_EQ(centre, "0,0");
   EXPECT_EQ(inner, "0.00025,1e-05");
   EXPECT_EQ(outer, "0.00075,7e-05");
+  std::ifstream rings(folder.path() / "worn_rings.csv");
+  std::getline(rings, header);
+  std::getline(rings, inner);
+  std::getline(rings, outer);
+  EXPECT_EQ(header, "r outer [m],worn depth [m]");
+  EXPECT_EQ(inner, "0.00050000000000000001,0");
+  EXPECT_EQ(outer, "0.001,2.0000000000000002e-05");
   std::ifstream course(folder.path() / "wear.csv");
   std::getline(course, header);
   EXPECT_EQ(header,

@@ -44,8 +44,8 @@ TEST(WearSimulation, RingsMeetAtTheirRadii) {
   EXPECT_EQ(widths(1), std::pair(0.25, 0.0));
 }
 
-// THEORY of the parabola: f_inf = f0 at a_inf/a0 = 1.2298 for c = 0.5 a0, 1.1429 for 0.7; by interpolation in c^2
-// 1.1898. Read to third order in the rings of 1/24.
+// The limiting profile of the parabola (docs/theory.md): f_inf = f0 at a_inf/a0 = 1.2298 for c = 0.5 a0, 1.1429 for
+// 0.7; by interpolation in c^2 1.1898. Read to third order in the rings of 1/24.
 TEST(WearSimulation, EndsWithItsWearAtTheOuterRadius) {
   Wearing wearing;
   const auto wear = wearing.run(archard);
@@ -80,6 +80,24 @@ TEST(WearSimulation, GoesOnFromATableOfTheWornProfile) {
   EXPECT_NEAR(rest.course.curve.back().volume, volume, 2e-3 * volume);
   EXPECT_LT((rest.course.worn.back() - whole.course.worn.back()).cwiseAbs().maxCoeff(), 2e-3);
   EXPECT_EQ(rest.course.curve.back().stick_radius, whole.course.curve.back().stick_radius);
+}
+
+// By its rings, to roundoff, onto the same rings and onto others.
+TEST(WearSimulation, GoesOnFromItsRingsWithTheSameVolume) {
+  Wearing wearing;
+  const auto half = wearing.run(archard + "  set Cycles = 1e7\n");
+  std::string rows = "r outer [m],worn depth [m]\n";
+  for (Eigen::Index i = 0; i < half.centre.size(); ++i)
+    rows += fmt::format("{:.17g},{:.17g}\n", 1e-3 * half.radii[static_cast<std::size_t>(i) + 1],
+                        1e-4 * half.course.worn.back()[i]);
+  const ScratchFolder folder;
+  const auto table = folder.write("rings.csv", rows);
+  const auto from_them = archard + "  set Cycles = 1\n  set Worn rings = " + table.string() + "\n";
+  const double volume = half.course.curve.back().volume;
+  for (const double stick_radius : {0.594, 0.55}) {
+    const auto rest = wearing.run(from_them, stick_radius);
+    EXPECT_NEAR(rest.course.curve.front().volume / volume, 1, 1e-12) << stick_radius;
+  }
 }
 
 // The same table as an indenter of its own, which does not wear and of which MDR does not hold: it bears what it

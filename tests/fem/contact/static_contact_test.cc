@@ -1,3 +1,5 @@
+#include "fem/contact/static_contact.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -14,6 +16,17 @@
 
 namespace fretval::fem::static_contact_test {
 namespace {
+
+// A step and a bend inside the rings: r from 0.3 to 0.55, 0.1 from there to 0.8, so the integral of 2 pi r f is known.
+TEST(RingMeans, KeepTheVolumeOfWhatBendsAndJumps) {
+  const auto f = [](double r) { return r < 0.3 || r > 0.8 ? 0 : r < 0.55 ? r : 0.1; };
+  const double volume = 2 * pi * ((std::pow(0.55, 3) - std::pow(0.3, 3)) / 3 + 0.1 * (0.64 - 0.3025) / 2);
+  for (const unsigned n : {16u, 64u}) {
+    const auto& compliance = half_space(Harmonic::normal, n).compliance;
+    EXPECT_NEAR(compliance.areas.dot(ring_means(compliance, f, {0.3, 0.55, 0.8})) / volume, 1, 1e-13);
+    EXPECT_GT(std::abs(compliance.areas.dot(ring_means(compliance, f)) / volume - 1), 1e-6) << "blind to them";
+  }
+}
 
 const std::vector<unsigned> meshes{16, 32, 64, 128};
 

@@ -146,6 +146,37 @@ TEST(WearCourse, UnderANormalForceTheStickZoneGrows) {
   EXPECT_GT(course.worn.back()[outermost_stuck], 1e-3);
 }
 
+// Sliding all the way under a constant force: a cycle wears off k F times its path, less what the body gives way at
+// each turn, 2 mu F/(8 a^3 ...) of the path, which falls as the contact grows. So the rate rises towards k F 4 u.
+TEST(WearCourse, GoesOnForEverWhereNothingSticksUnderAForce) {
+  WearingHalfSpace half_space;
+  constexpr double force = 0.5, displacement = 10;
+  half_space.motion = one_frequency(force, 0, displacement, 0);
+  half_space.motion.normal_force = true;
+  const auto course = half_space.course(archard, 0.02);
+  EXPECT_EQ(course.end, WearEnd::progressive);
+  EXPECT_EQ(course.curve.back().stick_radius, 0);
+  EXPECT_GT(course.curve.back().deepest, course.first.largest_indentation);
+  const double most = archard.coefficient * force * 4 * displacement;
+  EXPECT_LT(course.curve.back().volume_rate, most);
+  EXPECT_GT(course.curve.back().volume_rate, 0.95 * most);
+  EXPECT_GE(course.curve.back().volume_rate, course.curve[1].volume_rate);
+}
+
+// At the same number of cycles; of second order in the time step.
+TEST(WearCourse, IsOfSecondOrderInTheTimeStep) {
+  const auto volume = [](int n_steps) {
+    WearingHalfSpace half_space;
+    half_space.n_steps = n_steps;
+    half_space.body = {1, {0.5}, {1}, 0};
+    half_space.motion.n_ramp_cycles = 8;
+    return half_space.course(archard, 5e-3, 500).curve.back().volume;
+  };
+  const double coarse = volume(36), middle = volume(72), fine = volume(144);
+  EXPECT_GT(std::abs(coarse - middle), 3 * std::abs(middle - fine));
+  EXPECT_LT(std::abs(middle - fine), 2e-3 * fine);
+}
+
 TEST(WearCourse, EndsWhereItIsTold) {
   const WearingHalfSpace half_space;
   const auto by_cycles = half_space.course(archard, 0.01, 700);

@@ -40,6 +40,20 @@ TEST(WearSection, SaysWhereItEnds) {
                                    "nothing wears any more</td>", "all that is pressed sticks</td>"});
 }
 
+TEST(WearSection, SaysWhyItEnds) {
+  auto fallen = wearing(false), stuck = wearing(true), progressive = wearing(false);
+  fallen.json["fe"]["wear"]["end"] = "rate fallen";
+  stuck.json["fe"]["wear"]["slip_is_proved"] = false;
+  stuck.json["fe"]["wear"]["springs_difference"] = 0.0125;
+  progressive.json["fe"]["wear"]["end"] = "progressive";
+  progressive.json["fe"]["wear"]["limit_is_reached"] = false;
+  const auto section = wear_section({fallen, stuck, progressive});
+  expect_parts(rendered(section),
+               {"0 of 3 indenters have worn to it", "<td>the rate has fallen</td>", "<td>no slip is proved</td>",
+                "<td>it goes on for ever</td>", "In 1 no slip is proved", "1 under a normal force wear for ever"});
+  EXPECT_EQ(rendered(section).find("with a tangential displacement"), std::string::npos);
+}
+
 TEST(WearSection, SaysWhereMdrHasNoLimit) {
   auto elsewhere = wearing(true);
   elsewhere.json["fe"]["wear"]["limit_is_reached"] = false;
