@@ -20,6 +20,7 @@ bool is_of_friction(Quantity quantity) {
     case Quantity::tangential_work:
     case Quantity::bulk_work:
     case Quantity::cycle_work:
+    case Quantity::worn_volume:
       return true;
     default:
       return false;

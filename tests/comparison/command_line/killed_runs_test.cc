@@ -8,7 +8,7 @@
 #include "tests/comparison/run_fretval.h"
 #include "tests/comparison/wearing_case.h"
 
-namespace fretval {
+namespace fretval::killed_runs_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -79,4 +79,4 @@ TEST(KilledRunSlow, GoesOnWearingToTheSameProfile) {
 }
 
 }  // namespace
-}  // namespace fretval
+}  // namespace fretval::killed_runs_test

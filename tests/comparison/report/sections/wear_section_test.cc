@@ -49,8 +49,8 @@ TEST(WearSection, SaysWhyItEnds) {
   progressive.json["fe"]["wear"]["limit_is_reached"] = false;
   const auto section = wear_section({fallen, stuck, progressive});
   expect_parts(rendered(section),
-               {"0 of 3 indenters have worn to it", "<td>the rate has fallen</td>", "<td>no slip is proved</td>",
-                "<td>it goes on for ever</td>", "In 1 no slip is proved", "1 under a normal force wear for ever"});
+               {"0 of 3 indenters have worn to it", "the rate has fallen</td>", "no slip is proved</td>",
+                "it goes on for ever</td>", "In 1 no slip is proved", "1 under a normal force wear for ever"});
   EXPECT_EQ(rendered(section).find("with a tangential displacement"), std::string::npos);
 }
 

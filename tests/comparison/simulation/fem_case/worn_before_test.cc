@@ -8,7 +8,7 @@
 #include "tests/comparison/refusal.h"
 #include "tests/comparison/scratch_folder.h"
 
-namespace fretval {
+namespace fretval::worn_before_test {
 namespace {
 
 const Units units{1e-3, 1e-4, 1e6, 6.0};  // m, m, Pa, rad/s
@@ -62,4 +62,4 @@ TEST(WornBefore, OfRingsTheyFollowEachOther) {
 }
 
 }  // namespace
-}  // namespace fretval
+}  // namespace fretval::worn_before_test
