@@ -18,7 +18,7 @@ namespace {
 
 /// The displacements of a case; of a limiting profile under forces those of its state.
 mdr::HarmonicMotion displacements_of(const MdrCase& mdr) {
-  return mdr.limiting && mdr.has_forces() ? mdr::harmonic_motion(mdr.limiting_state->motion) : mdr.motion;
+  return mdr.limiting && mdr.has_forces() ? mdr.limiting_state->motion : mdr.motion;
 }
 
 std::optional<double> radius_at(const MdrCase& mdr, double depth) {

@@ -62,7 +62,7 @@ mdr::NormalResponse mdr_normal_response(const MdrCase& mdr);
 
 /// The profile in which the case wears no more: the indenter itself if it is worn already, or else the limiting
 /// profile of the shakedown radius; under forces that of their limiting state. Empty: nothing sticks, and wear goes on
-/// for ever; or the state of two frequencies is not known.
+/// for ever; or a path.
 std::optional<mdr::LimitingProfile> worn_profile(const MdrCase& mdr, const std::optional<double>& shakedown_radius);
 
 /// The "mdr" object of result.json. SI units; null where nothing sticks.

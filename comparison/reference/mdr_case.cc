@@ -60,10 +60,10 @@ std::vector<mdr::Harmonic> with_first(const mdr::Harmonic& first, const std::vec
 /// What forces lead to, which is what wear ends in.
 void require_limiting_state(const Case& input, const MdrCase& mdr, const std::string& entry) {
   if (!mdr.limiting_state)
-    throw InputError(fmt::format(
-        "{}: {}: there is no limiting state, because no contact carries the prescribed motion without slip, or has two "
-        "frequencies; expected smaller amplitudes, and one frequency",
-        input.file, entry));
+    throw InputError(
+        fmt::format("{}: {}: there is no limiting state, because no contact carries the prescribed motion "
+                    "without slip; expected smaller amplitudes",
+                    input.file, entry));
 }
 
 mdr::LimitingProfile limiting_under_forces(const MdrCase& mdr) {
@@ -73,6 +73,9 @@ mdr::LimitingProfile limiting_under_forces(const MdrCase& mdr) {
 
 mdr::LimitingProfile limiting_of(const Case& input, const MdrCase& mdr) {
   if (mdr.has_forces()) {
+    if (input.motion.normal_frequency != input.motion.tangential_frequency)
+      throw InputError(input.file +
+                       ": Wear / State = limiting: under forces it is computed of one frequency; expected equal ones");
     require_limiting_state(input, mdr, "Wear / State = limiting");
     return limiting_under_forces(mdr);
   }
@@ -221,16 +224,6 @@ mdr::Motion one_harmonic_each_of(const Case& input, const MdrCase& mdr, const st
   return *motion;
 }
 
-mdr::FrettingControl control_of(const Case::Motion& motion) {
-  mdr::FrettingControl control{mdr::IndentationControl{motion.indentation, motion.normal_amplitude},
-                               mdr::TangentialDisplacementControl{motion.tangential_amplitude}, motion.normal_frequency,
-                               motion.tangential_frequency, phase_of(motion)};
-  if (motion.normal_force)
-    control.normal = mdr::NormalForceControl{motion.normal_force->mean, motion.normal_force->amplitude};
-  if (motion.tangential_force) control.tangential = mdr::TangentialForceControl{*motion.tangential_force};
-  return control;
-}
-
 double deepest_indentation(const MdrCase& mdr) {
   if (mdr.path) return mdr::deepest_indentation(mdr.profile, mdr.body, *mdr.path);
   return mdr.limiting && mdr.has_forces() ? mdr::maximum_indentation(mdr.limiting_state->motion)
@@ -261,9 +254,9 @@ MdrCase mdr_case(const Case& input) {
   if (motion.path)
     mdr.path = mdr::SampledPath{motion.path->time,    motion.path->normal,       motion.path->tangential,
                                 motion.path->repeats, motion.path->normal_force, motion.path->tangential_force};
-  if (mdr.has_forces() && !mdr.path && motion.normal_frequency == motion.tangential_frequency)
-    mdr.limiting_state = mdr::limiting_state(mdr.profile, rheology_of(input.elastomer), mdr.friction_coefficient,
-                                             control_of(motion), mdr::StickCriterion::shakedown);
+  if (mdr.has_forces() && !mdr.path)
+    mdr.limiting_state = mdr::limiting_motion(mdr.profile, rheology_of(input.elastomer), mdr.friction_coefficient,
+                                              mdr.motion, mdr.normal_force, mdr.tangential_force);
   if (mdr.has_forces() && input.wear_kinetics)
     require_limiting_state(input, mdr, fmt::format("Wear / Coefficient = {:g}", input.wear_kinetics->coefficient));
   if (input.wear == Case::Wear::limiting) mdr.limiting = limiting_of(input, mdr);

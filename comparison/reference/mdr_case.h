@@ -9,8 +9,8 @@
 #include "mdr/profiles/profile.h"
 #include "mdr/rheology/rheology.h"
 #include "mdr/springs/forced_response.h"
+#include "mdr/stick/limiting_motion.h"
 #include "mdr/stick/limiting_profile.h"
-#include "mdr/stick/limiting_state.h"
 
 namespace fretval {
 
@@ -25,9 +25,8 @@ struct MdrCase {
   mdr::HarmonicMotion motion;
   std::optional<mdr::LimitingProfile> limiting;         ///< Wear / State = limiting: the indenter itself
   bool normal_force = false, tangential_force = false;  ///< what is prescribed; false: displacements
-  /// What forces lead to; empty: no forces, a path, two frequencies, or no limiting state. A limiting profile under
-  /// forces is its.
-  std::optional<mdr::LimitingState> limiting_state = {};
+  /// What forces lead to; empty: no forces, a path, or no limiting state. A limiting profile under forces is its.
+  std::optional<mdr::LimitingMotion> limiting_state = {};
 
   /// Instead of the motion, which tells then how large the path is (see Case::Motion).
   std::optional<mdr::SampledPath> path = {};
@@ -73,8 +72,5 @@ mdr::HarmonicMotion harmonic_motion_of(const Case::Motion& motion);
 
 /// The motion of a case that has one harmonic in each direction. Throws InputError, naming what needs it, for others.
 mdr::Motion one_harmonic_each_of(const Case& input, const MdrCase& mdr, const std::string& what);
-
-/// Of a case with a prescribed force.
-mdr::FrettingControl control_of(const Case::Motion& motion);
 
 }  // namespace fretval

@@ -11,6 +11,7 @@
 #include "comparison/reference/spring_agreement.h"
 #include "comparison/support/json.h"
 #include "mdr/springs/path_response.h"
+#include "mdr/stick/limiting_state.h"
 #include "mdr/stick/stick_radius.h"
 
 namespace fretval {
@@ -58,6 +59,19 @@ ordered_json state_json(const std::optional<mdr::LimitingState>& state) {
           {"normal_force_mean", state->mean_normal_force},
           {"normal_force_amplitude", state->normal_force_amplitude},
           {"tangential_force_amplitude", state->tangential_force_amplitude}};
+}
+
+mdr::FrettingControl control_of(const Case::Motion& motion) {
+  mdr::FrettingControl control{mdr::IndentationControl{motion.indentation, motion.normal_amplitude},
+                               mdr::TangentialDisplacementControl{motion.tangential_amplitude},
+                               motion.normal_frequency,
+                               motion.tangential_frequency,
+                               {}};
+  if (motion.phase) control.phase = harmonic_motion_of(motion).tangential.front().phase;
+  if (motion.normal_force)
+    control.normal = mdr::NormalForceControl{motion.normal_force->mean, motion.normal_force->amplitude};
+  if (motion.tangential_force) control.tangential = mdr::TangentialForceControl{*motion.tangential_force};
+  return control;
 }
 
 /// A prescribed force: the fully worn contact, in which forces and displacements are linear in each other.

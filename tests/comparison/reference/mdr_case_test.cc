@@ -91,6 +91,18 @@ TEST(MdrCase, LimitingProfileOfForcesIsThatOfTheirState) {
   expect_parts(refusal([&] { mdr_case(input); }), {"Wear / Coefficient = 1e-12", "no limiting state"});
 }
 
+// Wear knows what forces of two frequencies lead to; a limiting profile is asked for by one.
+TEST(MdrCase, ForcesOfTwoFrequenciesHaveALimitingStateForWear) {
+  Case input = forced_case(0.1, 0.05);
+  input.motion.tangential_frequency = 2 * input.motion.normal_frequency;
+  const auto mdr = mdr_case(input);
+  ASSERT_TRUE(mdr.limiting_state);
+  EXPECT_GT(mdr.limiting_state->stick_radius, 0);
+  EXPECT_LT(mdr.limiting_state->stick_radius, mdr_case(forced_case(0, 0)).limiting_state->stick_radius);
+  input.wear = Case::Wear::limiting;
+  expect_parts(refusal([&] { mdr_case(input); }), {"Wear / State = limiting", "equal ones"});
+}
+
 TEST(MdrCase, ShakedownAmplitudeNeedsAnIndentation) {
   Case input = forced_case(0.1, 0);
   input.motion.tangential_force.reset();
