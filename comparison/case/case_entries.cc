@@ -70,7 +70,8 @@ void read_wear(const EntryReader& entries, Case& input) {
           "Wear", "Stick radius ratio",
           {[](double x) { return x >= 0.01 && x <= 0.99; }, "a ratio of stick to unworn contact radius, 0.01 to 0.99"});
     for (const char* name : wear_kinetics_names) entries.forbid("Wear", name, "the limiting profile wears no more");
-    for (const char* name : {"Normal harmonics", "Tangential harmonics"})
+    for (const char* name :
+         {"Normal harmonics", "Tangential harmonics", "Normal force harmonics", "Tangential force harmonics"})
       entries.forbid("Motion", name, "Wear / State = limiting prescribes the stick radius of one oscillation");
     return;
   }

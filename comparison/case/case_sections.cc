@@ -67,7 +67,9 @@ std::vector<Case::Harmonic> read_harmonics(const EntryReader& entries, const std
   std::vector<Case::Harmonic> harmonics;
   if (!entries.given("Motion", name)) return harmonics;
   const auto values = entries.numbers("Motion", name, any_number);
-  const char* valid = "triples of amplitude in m (not negative), frequency in Hz (positive) and phase in deg";
+  const auto valid =
+      fmt::format("triples of amplitude in {} (not negative), frequency in Hz (positive) and phase in deg",
+                  name.find("force") == std::string::npos ? "m" : "N");
   if (values.size() % 3 != 0) entries.fail("Motion", name, valid);
   for (std::size_t k = 0; k + 2 < values.size(); k += 3) {
     harmonics.push_back({values[k], values[k + 1], values[k + 2]});
@@ -79,13 +81,16 @@ std::vector<Case::Harmonic> read_harmonics(const EntryReader& entries, const std
 void read_normal_motion(const EntryReader& entries, Case::Motion& motion) {
   const std::string section = "Motion";
   if (entries.given(section, "Normal force")) {
-    for (const char* name : {"Indentation", "Normal amplitude"})
+    for (const char* name : {"Indentation", "Normal amplitude", "Normal harmonics"})
       entries.forbid(section, name, "the Normal force is prescribed");
     motion.normal_force = Case::NormalForce{entries.number(section, "Normal force", positive_number),
                                             entries.number(section, "Normal force amplitude", not_negative_number)};
+    motion.normal_harmonics = read_harmonics(entries, "Normal force harmonics");
     return;
   }
-  entries.forbid(section, "Normal force amplitude", "it belongs to a Normal force");
+  for (const char* name : {"Normal force amplitude", "Normal force harmonics"})
+    entries.forbid(section, name, "it belongs to a Normal force");
+  motion.normal_harmonics = read_harmonics(entries, "Normal harmonics");
   motion.indentation = entries.number(section, "Indentation", positive_number);
   motion.normal_amplitude = entries.number(section, "Normal amplitude", not_negative_number);
 }
@@ -93,10 +98,14 @@ void read_normal_motion(const EntryReader& entries, Case::Motion& motion) {
 void read_tangential_motion(const EntryReader& entries, Case::Motion& motion) {
   const std::string section = "Motion";
   if (entries.given(section, "Tangential force amplitude")) {
-    entries.forbid(section, "Tangential amplitude", "the Tangential force amplitude is prescribed");
+    for (const char* name : {"Tangential amplitude", "Tangential harmonics"})
+      entries.forbid(section, name, "the Tangential force amplitude is prescribed");
     motion.tangential_force = entries.number(section, "Tangential force amplitude", not_negative_number);
+    motion.tangential_harmonics = read_harmonics(entries, "Tangential force harmonics");
     return;
   }
+  entries.forbid(section, "Tangential force harmonics", "it belongs to a Tangential force amplitude");
+  motion.tangential_harmonics = read_harmonics(entries, "Tangential harmonics");
   motion.tangential_amplitude = entries.text(section, "Tangential amplitude") == "shakedown"
                                     ? std::nan("")
                                     : entries.number(section, "Tangential amplitude", not_negative_number);
@@ -105,9 +114,10 @@ void read_tangential_motion(const EntryReader& entries, Case::Motion& motion) {
 /// Instead of all other entries of the section.
 Case::Motion read_path_motion(const EntryReader& entries) {
   const std::string section = "Motion";
-  for (const char* name : {"Indentation", "Normal amplitude", "Normal force", "Normal force amplitude",
-                           "Normal frequency", "Normal harmonics", "Tangential amplitude", "Tangential force amplitude",
-                           "Tangential frequency", "Tangential harmonics", "Phase"})
+  for (const char* name :
+       {"Indentation", "Normal amplitude", "Normal force", "Normal force amplitude", "Normal frequency",
+        "Normal harmonics", "Normal force harmonics", "Tangential amplitude", "Tangential force amplitude",
+        "Tangential frequency", "Tangential harmonics", "Tangential force harmonics", "Phase"})
     entries.forbid(section, name, "the Path is the motion");
   const bool repeats = entries.one_of(section, "Path repeats", {"once", "forever"}) == "forever";
   const auto file = entries.path(section, "Path");
@@ -222,11 +232,6 @@ Case::Motion read_motion(const EntryReader& entries) {
   motion.normal_frequency = entries.number(section, "Normal frequency", positive_number);
   motion.tangential_frequency = entries.number(section, "Tangential frequency", positive_number);
   if (entries.text(section, "Phase") != "free") motion.phase = entries.number(section, "Phase", any_number);
-  motion.normal_harmonics = read_harmonics(entries, "Normal harmonics");
-  motion.tangential_harmonics = read_harmonics(entries, "Tangential harmonics");
-  if (motion.normal_force || motion.tangential_force)
-    for (const char* name : {"Normal harmonics", "Tangential harmonics"})
-      entries.forbid(section, name, "a force is prescribed, with one frequency in each direction");
   return motion;
 }
 

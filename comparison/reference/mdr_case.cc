@@ -111,10 +111,10 @@ std::string why_not_comparable(const Case& input) {
                       : motion.tangential_force ? "Motion / Tangential force amplitude"
                                                 : nullptr;
   if (motion.path) return "";
-  if (motion.normal_force && motion.normal_force->amplitude >= motion.normal_force->mean)
+  if (motion.normal_force && !(mdr::minimum_indentation(path) > 0))
     return fmt::format(
-        "Motion / Normal force amplitude = {:g}: a normal force that is not positive all the time, as one "
-        "below its mean of {:g} N would be, is not balanced",
+        "Motion / Normal force amplitude = {:g}: a normal force that is not positive all the time, as smaller "
+        "oscillations about its mean of {:g} N would be, is not balanced",
         motion.normal_force->amplitude, motion.normal_force->mean);
   if (force && !(path.phase_locked && mdr::common_cycle(path)))
     return fmt::format("{}: forces with an unlocked phase or frequencies without a common period are not prescribed",
@@ -255,8 +255,9 @@ MdrCase mdr_case(const Case& input) {
     mdr.path = mdr::SampledPath{motion.path->time,    motion.path->normal,       motion.path->tangential,
                                 motion.path->repeats, motion.path->normal_force, motion.path->tangential_force};
   if (mdr.has_forces() && !mdr.path)
-    mdr.limiting_state = mdr::limiting_motion(mdr.profile, rheology_of(input.elastomer), mdr.friction_coefficient,
-                                              mdr.motion, mdr.normal_force, mdr.tangential_force);
+    mdr.limiting_state =
+        mdr::limiting_motion(mdr.profile, rheology_of(input.elastomer), mdr.friction_coefficient, mdr.motion,
+                             mdr.normal_force, mdr.tangential_force, mdr::StickCriterion::shakedown);
   if (mdr.has_forces() && input.wear_kinetics)
     require_limiting_state(input, mdr, fmt::format("Wear / Coefficient = {:g}", input.wear_kinetics->coefficient));
   if (input.wear == Case::Wear::limiting) mdr.limiting = limiting_of(input, mdr);

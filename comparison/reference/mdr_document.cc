@@ -11,6 +11,7 @@
 #include "comparison/reference/spring_agreement.h"
 #include "comparison/support/json.h"
 #include "mdr/springs/path_response.h"
+#include "mdr/stick/limiting_motion.h"
 #include "mdr/stick/limiting_state.h"
 #include "mdr/stick/stick_radius.h"
 
@@ -96,6 +97,42 @@ MdrDocument answer_forces(const Case& input) {
   }
   document.json["mdr"] = to_json(answer);
   document.json["limiting_state"] = {{"first_slip", state_json(first_slip)}, {"shakedown", state_json(shakedown)}};
+  return document;
+}
+
+/// Whether the limiting state is known in closed form.
+bool has_one_frequency(const Case::Motion& motion) {
+  return (motion.normal_frequency == motion.tangential_frequency || !motion.phase) && motion.normal_harmonics.empty() &&
+         motion.tangential_harmonics.empty();
+}
+
+/// The same of forces with several harmonics or frequencies.
+MdrDocument answer_harmonics_of_forces(const Case& input) {
+  const auto profile = profile_of(input.indenter);
+  const auto body = rheology_of(input.elastomer);
+  const auto motion = harmonic_motion_of(input.motion);
+  const bool normal = input.motion.normal_force.has_value(), tangential = input.motion.tangential_force.has_value();
+  const auto state = [&](mdr::StickCriterion criterion) {
+    return mdr::limiting_motion(profile, body, input.friction_coefficient, motion, normal, tangential, criterion);
+  };
+  const auto json_of = [](const std::optional<mdr::LimitingMotion>& found) -> ordered_json {
+    if (!found) return nullptr;
+    return {{"stick_radius", found->stick_radius}, {"indentation", found->motion.indentation}};
+  };
+  const auto first_slip = state(mdr::StickCriterion::first_slip), shakedown = state(mdr::StickCriterion::shakedown);
+  MdrDocument document;
+  MdrAnswer answer{};
+  answer.modulus_ratio = modulus_ratio_of(input, body);
+  if (first_slip) answer.stick_radius_first_slip = first_slip->stick_radius;
+  if (shakedown) {
+    document.worn =
+        mdr::limiting_profile(profile, shakedown->stick_radius, mdr::maximum_indentation(shakedown->motion));
+    answer.contact_radius_max = answer.stick_radius_shakedown = shakedown->stick_radius;
+    answer.worn_radius = document.worn->outer_radius;
+  }
+  if (normal) answer.normal_force_max = mdr::maximum_indentation(motion);
+  document.json["mdr"] = to_json(answer);
+  document.json["limiting_state"] = {{"first_slip", json_of(first_slip)}, {"shakedown", json_of(shakedown)}};
   return document;
 }
 
@@ -198,7 +235,7 @@ MdrDocument mdr_document(const Case& input, bool with_springs) {
     // The stick radii of a fractional body need no approximation of it.
     const bool exact = input.elastomer.fractional_order > 0 && input.wear == Case::Wear::unworn;
     const bool with_forces = input.motion.path || (is_comparable(input) && !exact);
-    auto document = forces        ? answer_forces(input)
+    auto document = forces ? has_one_frequency(input.motion) ? answer_forces(input) : answer_harmonics_of_forces(input)
                     : with_forces ? answer_comparable(input)
                                   : answer_displacements(input);
     ordered_json json{{"name", input.name}};

@@ -53,7 +53,7 @@ std::optional<double> descend(const Profile& profile, const std::function<double
 
 std::optional<LimitingMotion> limiting_motion(const Profile& profile, const Rheology& body, double mu,
                                               const HarmonicMotion& prescribed, bool with_normal_force,
-                                              bool with_tangential_force) {
+                                              bool with_tangential_force, StickCriterion criterion) {
   validate(prescribed);
   const double load = prescribed.indentation / (8 * relaxed_modulus(body));
   const auto unworn_load = [&profile](double c) { return normal_force(profile, 1, transform(profile, c)) / 8; };
@@ -66,7 +66,10 @@ std::optional<LimitingMotion> limiting_motion(const Profile& profile, const Rheo
     if (with_tangential_force) motion.tangential = displacements_of(motion.tangential, body, 16.0 / 3 * c);
     return motion;
   };
-  const auto sticking_depth = [&](double c) { return stick_depths(body, mu, motion_at(c)).shakedown; };
+  const auto sticking_depth = [&](double c) {
+    const auto depths = stick_depths(body, mu, motion_at(c));
+    return criterion == StickCriterion::shakedown ? depths.shakedown : depths.first_slip;
+  };
 
   std::optional<double> stick_radius;
   if (with_normal_force) {

@@ -147,6 +147,24 @@ TEST(CaseSections, ForcesStandInsteadOfDisplacements) {
       {"Normal force amplitude = 1", "it belongs to a Normal force"});
 }
 
+TEST(CaseSections, HarmonicsBelongToWhatIsPrescribed) {
+  const std::string rest = "set Normal frequency = 1\n  set Tangential frequency = 1\n  set Phase = 0\n";
+  const std::string pressed = "set Normal force = 1\n  set Normal force amplitude = 0.1\n",
+                    shifted = "set Tangential amplitude = 1e-6\n";
+  const auto read = motion(rest + pressed + "set Normal force harmonics = 20 mN, 2, 30\n" +
+                           "set Tangential force amplitude = 0.1\nset Tangential force harmonics = 0.01, 3, 0");
+  ASSERT_EQ(read.normal_harmonics.size(), 1U);
+  EXPECT_NEAR(read.normal_harmonics[0].amplitude, 0.02, 1e-15);
+  ASSERT_EQ(read.tangential_harmonics.size(), 1U);
+  EXPECT_EQ(read.tangential_harmonics[0].frequency, 3);
+  expect_parts(refusal([&] { motion(rest + pressed + shifted + "set Normal harmonics = 1e-6, 2, 0"); }),
+               {"Motion / Normal harmonics", "the Normal force is prescribed"});
+  expect_parts(refusal([&] { motion(rest + pressed + shifted + "set Tangential force harmonics = 0.1, 2, 0"); }),
+               {"Motion / Tangential force harmonics", "it belongs to a Tangential force amplitude"});
+  expect_parts(refusal([&] { motion(rest + pressed + shifted + "set Normal force harmonics = 0.1, 2"); }),
+               {"Motion / Normal force harmonics", "amplitude in N"});
+}
+
 TEST(CaseSections, HarmonicsAreTriples) {
   const std::string still = frequencies + displacements + "set Tangential amplitude = 0\n";
   const auto read = motion(still + "set Normal harmonics = 1e-6, 3, 45, 2e-6, 5, -90");

@@ -95,6 +95,28 @@ TEST(MdrDocument, SpringsConfirmTheStickRadiusUnderForces) {
 
 const std::string forces = "set Normal force = 0.5\n  set Normal force amplitude = 0.1";
 
+// Under two forces of any frequencies c bears F0 - (M+ + M-)/2 (tests/mdr/stick/limiting_motion_test.cc); elastic, with
+// 2 Hz against 1 Hz in phase: M+- = max(+-Q cos 2t - dF cos t).
+TEST(MdrDocument, OfForcesOfTwoFrequenciesHasTheStateOfShakedown) {
+  auto text = replace(replace(elastic_case(), displacements, forces), "Tangential amplitude = 1.5e-5",
+                      "Tangential force amplitude = 0.05");
+  text = replace(replace(text, "Phase = 60", "Phase = 0"), "Tangential frequency = 1", "Tangential frequency = 2");
+  const auto json = document_of(text);
+  double forward = 0, backward = 0;
+  for (int i = 0; i < 100000; ++i) {
+    const double t = 2 * std::acos(-1.0) * i / 100000, q = 0.05 / 0.5 * std::cos(2 * t), f = 0.1 * std::cos(t);
+    forward = std::max(forward, q - f);
+    backward = std::max(backward, -q - f);
+  }
+  const double G = 1e6, R = 1e-2, c = std::cbrt(3 * (0.5 - (forward + backward) / 2) * R / (16 * G));
+  EXPECT_NEAR(json.at("limiting_state").at("shakedown").at("stick_radius").get<double>() / c, 1, 1e-8);
+  const double first = json.at("limiting_state").at("first_slip").at("stick_radius"),
+               most = 0.5 - std::max(forward, backward);
+  EXPECT_NEAR(first / std::cbrt(3 * most * R / (16 * G)), 1, 1e-8);
+  EXPECT_NEAR(json.at("mdr").at("normal_force_max"), 0.6, 1e-12);
+  EXPECT_NEAR(json.at("mdr").at("stick_radius_shakedown").get<double>() / c, 1, 1e-8);
+}
+
 // The worn contact is a flat one of radius c: F = 8 G (c d - c^3/(3 R)), dF = 8 G c dd, T = (16/3) G c u. The phase
 // between the displacements is that of the forces.
 TEST(MdrDocument, LimitingStateHasTheForcesOfAFlatContact) {

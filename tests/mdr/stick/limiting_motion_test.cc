@@ -27,13 +27,15 @@ TEST(LimitingMotion, OfOneFrequencyIsTheLimitingState) {
                                   0.7};
           if (normal) control.normal = NormalForceControl{mean, oscillation};
           if (tangential) control.tangential = TangentialForceControl{pull};
-          const auto closed = limiting_state(profile, body, mu, control, StickCriterion::shakedown);
-          const auto found =
-              limiting_motion(profile, body, mu, {mean, {{oscillation, 2, 0}}, {{pull, 2, 0.7}}}, normal, tangential);
-          ASSERT_TRUE(closed && found);
-          EXPECT_NEAR(found->stick_radius / closed->stick_radius, 1, 1e-9);
-          EXPECT_NEAR(maximum_indentation(found->motion) / maximum_indentation(closed->motion), 1, 1e-9);
-          EXPECT_NEAR(found->motion.tangential.front().amplitude / closed->motion.tangential_amplitude, 1, 1e-9);
+          for (const auto criterion : {StickCriterion::first_slip, StickCriterion::shakedown}) {
+            const auto closed = limiting_state(profile, body, mu, control, criterion);
+            const auto found = limiting_motion(profile, body, mu, {mean, {{oscillation, 2, 0}}, {{pull, 2, 0.7}}},
+                                               normal, tangential, criterion);
+            ASSERT_TRUE(closed && found);
+            EXPECT_NEAR(found->stick_radius / closed->stick_radius, 1, 1e-9);
+            EXPECT_NEAR(maximum_indentation(found->motion) / maximum_indentation(closed->motion), 1, 1e-9);
+            EXPECT_NEAR(found->motion.tangential.front().amplitude / closed->motion.tangential_amplitude, 1, 1e-9);
+          }
         }
 }
 
@@ -51,7 +53,7 @@ TEST(LimitingMotion, UnderTwoForcesOfAnyFrequenciesDoesNotDependOnTheBody) {
   const HarmonicMotion forces{mean, {{oscillation, 2, 0}}, {{pull, 3, phase}}};
   double deepest = 0;
   for (const Rheology& body : {Rheology(elastic(1)), Rheology(standard_solid(1, 0.5, 0.2))}) {
-    const auto found = limiting_motion(parabola(2), body, mu, forces, true, true);
+    const auto found = limiting_motion(parabola(2), body, mu, forces, true, true, StickCriterion::shakedown);
     ASSERT_TRUE(found);
     const double depth = transform(parabola(2), found->stick_radius);
     EXPECT_NEAR(normal_force(parabola(2), 1, depth), mean - (forward + backward) / 2, 1e-7);
@@ -60,8 +62,10 @@ TEST(LimitingMotion, UnderTwoForcesOfAnyFrequenciesDoesNotDependOnTheBody) {
 }
 
 TEST(LimitingMotion, IsNoneWhereNothingCarriesTheOscillation) {
-  EXPECT_FALSE(limiting_motion(parabola(2), elastic(1), mu, {1, {{0.1, 1, 0}}, {{0.6, 2, 0}}}, true, true));
-  EXPECT_FALSE(limiting_motion(parabola(2), elastic(1), mu, {0.1, {{0.01, 1, 0}}, {{5, 2, 0}}}, false, true));
+  EXPECT_FALSE(limiting_motion(parabola(2), elastic(1), mu, {1, {{0.1, 1, 0}}, {{0.6, 2, 0}}}, true, true,
+                               StickCriterion::shakedown));
+  EXPECT_FALSE(limiting_motion(parabola(2), elastic(1), mu, {0.1, {{0.01, 1, 0}}, {{5, 2, 0}}}, false, true,
+                               StickCriterion::shakedown));
 }
 
 }  // namespace
