@@ -58,7 +58,7 @@ SuiteRow run_case(const SuiteCase& asked, BodyStore& bodies, std::size_t n_threa
     row.refusal = answer.failure;
     row.seconds = answer.seconds;
     row.n_refinements = answer.n_refinements;
-    row.n_computations = answer.n_computations;
+    row.n_computations = answer.cost.computations;
     if (row.refusal.empty()) row.compared = compared_quantities(prepared, asked.proof, answer);
   } catch (const InputError& error) {
     row.refusal = error.what();

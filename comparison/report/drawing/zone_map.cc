@@ -38,6 +38,20 @@ std::string axes(double end, const std::string& label) {
   return svg + "</g>";
 }
 
+/// Radii with their names, c and a.
+std::string marks(const Filling& map, double scale) {
+  std::string svg;
+  for (const auto& mark : map.value("marks", Filling::array())) {
+    const double y = height - bottom - scale * mark.at("x").get<double>();
+    svg += fmt::format(
+        "<line x1=\"{}\" x2=\"{}\" y1=\"{:.1f}\" y2=\"{:.1f}\" stroke=\"#1a2230\" stroke-dasharray=\"4 3\"/>"
+        "<text x=\"{}\" y=\"{:.1f}\" font-size=\"12\" text-anchor=\"end\" stroke=\"#ffffff\" stroke-width=\"4\" "
+        "paint-order=\"stroke\" fill=\"#1a2230\">{}</text>",
+        left, width - right, y, y, width - right - 4, y - 5, html_escaped(mark.at("name").get<std::string>()));
+  }
+  return svg;
+}
+
 }  // namespace
 
 std::vector<double> outer_edges(const std::vector<double>& radii, double unit) {
@@ -73,7 +87,7 @@ std::string zone_map_svg(const Filling& map) {
   return svg +
          fmt::format("<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"none\" stroke=\"#5b6573\"/>", left, top,
                      width - left - right, height - bottom - top) +
-         axes(end, map.at("y_label").get<std::string>()) + "</svg>";
+         marks(map, scale) + axes(end, map.at("y_label").get<std::string>()) + "</svg>";
 }
 
 }  // namespace fretval

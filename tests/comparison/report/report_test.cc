@@ -124,6 +124,13 @@ TEST(Report, HasTheNumbersOfACaseInTheirPlaces) {
                   {"cycles", 3},
                   {"bodies", 7},
                   {"bodies_from_store", 2},
+                  {"all",
+                   {{"seconds", 12.25},
+                    {"time_steps", 340},
+                    {"cycles", 45},
+                    {"computations", 6},
+                    {"bodies", 9},
+                    {"bodies_from_store", 4}}},
                   {"peak_memory_bytes", 64e6}};
   expect_parts(page_of({json}),
                {"<h2>Case a/case</h2>\n<p>parabola, standard solid", "<td>1.90000 m</td><td>-6.2e-02</td>",
@@ -131,9 +138,9 @@ TEST(Report, HasTheNumbersOfACaseInTheirPlaces) {
                 "<td>a/case</td><td>2.00000 m</td><td>500.000 mm</td><td>600.000 mm</td><td>700.000 mm</td>"
                 "<td>900.000 mm</td><td>-6.2e-02</td>"
                 "<td>+3.1e-02</td><td>agree</td>",
-                "A case like a/case has 103 degrees of freedom and takes 12 time steps over 3 cycles in 4.50 s.",
-                "All in all: 12 time steps, 4 s of friction histories on one core, peak memory 64 MB. A body is a "
-                "mesh with its operators: 5 made, 2 from the store."});
+                "A case like a/case has 103 degrees of freedom and takes 12 time steps over 3 cycles in 4.50 s. Its proof "
+                "took 6 computations, wear and refinements among them: 340 time steps, 45 cycles, 12.2 s of one "
+                "processor. Peak memory 64 MB. A body is a mesh with its operators: 5 made, 4 from the store."});
 }
 
 // The amplitude at which slip begins with its bar, a_inf over a0.
