@@ -11,11 +11,12 @@
 namespace fretval {
 namespace {
 
-constexpr double body = 0.25, history = 0.15;      // s at 32 rings and 72 steps
-constexpr double of_a_variant = 0.5;               // coarser than the resolution that it belongs to
-constexpr double until_the_tolerance_is_met = 1.5; // some bars are wider at first
-constexpr double wear = 3.5;                       // s at 32 rings and 72 steps, to the end of the wear
+constexpr double of_a_body = 0.25, of_a_history = 0.15;  // s at 32 rings and 72 steps
+constexpr double of_a_variant = 0.5;                     // coarser than the resolution that it belongs to
+constexpr double until_the_tolerance_is_met = 1.5;       // some bars are wider at first
+constexpr double of_a_wear = 0.45;                       // s at 32 rings and 72 steps, to the end of the wear
 constexpr double of_a_wear_variant = 0.3;
+constexpr double proved_by_the_first_rings = 1e-3;  // a tolerance; finer ones refine the wear twice
 
 double relative_rings(const Resolution& r) {
   return r.elements_per_radius / 32.0;
@@ -28,15 +29,18 @@ double relative_steps(const Resolution& r, int highest_order) {
 double seconds_of_wear(const PreparedCase& prepared, Proof proof) {
   const auto resolution = resolution_for_wear(prepared.fem.resolution);
   const auto n_variants = proof == Proof::none ? 0.0 : static_cast<double>(variants_of_wear(resolution).size());
-  const double highest_order = prepared.fem.motion.highest_order();
-  return wear * (1 + of_a_wear_variant * n_variants) * std::pow(relative_rings(resolution), 2) *
-         relative_steps(resolution, static_cast<int>(highest_order));
+  const double refined = proof == Proof::tolerance
+                             ? std::pow(std::max(1.0, proved_by_the_first_rings / prepared.input.tolerance), 1.5)
+                             : 1;
+  return of_a_wear * refined * (1 + of_a_wear_variant * n_variants) * std::pow(relative_rings(resolution), 2) *
+         relative_steps(resolution, prepared.fem.motion.highest_order());
 }
 
 }  // namespace
 
 double seconds_of_one(const Resolution& resolution, int highest_order) {
-  return std::pow(relative_rings(resolution), 2) * (body + history * relative_steps(resolution, highest_order));
+  return std::pow(relative_rings(resolution), 2) *
+         (of_a_body + of_a_history * relative_steps(resolution, highest_order));
 }
 
 double estimated_seconds(double tolerance, bool memory, int highest_order, std::size_t n_computations) {

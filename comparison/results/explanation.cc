@@ -164,9 +164,11 @@ std::string regime_text(const ordered_json& mdr, bool single_pass) {
 /// "40 s", "3 min", "2 h": of an estimate.
 std::string duration_text(double seconds) {
   constexpr double minute = 60, hour = 3600, many = 2;
-  if (seconds < many * minute) return fmt::format("{:.1g} s", seconds);
-  return seconds < many * hour ? fmt::format("{:.0f} min", seconds / minute)
-                               : fmt::format("{:.0f} h", seconds / hour);
+  if (seconds < many * minute) {
+    const double digit = std::pow(10, std::floor(std::log10(seconds)));
+    return fmt::format("{:g} s", digit * std::round(seconds / digit));
+  }
+  return seconds < many * hour ? fmt::format("{:.0f} min", seconds / minute) : fmt::format("{:.0f} h", seconds / hour);
 }
 
 /// n_cases: of the sweep that the case is a point of.

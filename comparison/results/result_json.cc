@@ -152,12 +152,9 @@ ordered_json comparison_json(const Comparison& comparison) {
 }
 
 ordered_json to_json(const ProofCost& cost) {
-  return {{"seconds", cost.seconds},
-          {"time_steps", cost.time_steps},
-          {"cycles", cost.cycles},
-          {"computations", cost.computations},
-          {"bodies", cost.bodies.all},
-          {"bodies_from_store", cost.bodies.from_store}};
+  return {{"seconds", cost.seconds},   {"time_steps", cost.time_steps},
+          {"cycles", cost.cycles},     {"computations", cost.computations},
+          {"bodies", cost.bodies.all}, {"bodies_from_store", cost.bodies.from_store}};
 }
 
 double peak_memory_bytes() {

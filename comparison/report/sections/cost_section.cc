@@ -47,11 +47,12 @@ Filling cost_section(const std::vector<StoredResult>& results) {
                   {"seconds", number_text(first.at("seconds").value("friction_history", 0.0), "{:.2f}")},
                   {"megabytes", number_text(totals.memory / 1e6, "{:.0f}")}};
   if (totals.complete)
-    filling["all"] = {{"cases", results.size() == 1 ? "Its proof" : "The proofs of all " + counted(results.size(), "case")},
-                      {"computations", counted(totals.computations, "computation")},
-                      {"steps", number_text(totals.time_steps, "{:.3g}")},
-                      {"cycles", number_text(totals.cycles, "{:.3g}")},
-                      {"seconds", number_text(totals.seconds, "{:.3g}")}};
+    filling["all"] = {
+        {"cases", results.size() == 1 ? "Its proof" : "The proofs of all " + counted(results.size(), "case")},
+        {"computations", counted(totals.computations, "computation")},
+        {"steps", number_text(totals.time_steps, "{:.3g}")},
+        {"cycles", number_text(totals.cycles, "{:.3g}")},
+        {"seconds", number_text(totals.seconds, "{:.3g}")}};
   if (totals.bodies > 0)
     filling["bodies"] = {{"counted", results.size() == 1 ? "" : ", counted in each case that uses it"},
                          {"made", totals.bodies - totals.from_store},

@@ -7,7 +7,8 @@
 
 namespace fretval {
 
-/// For the template `scene`: the sketch of a case, all that its file prescribes, with units, and the dimensionless groups.
+/// For the template `scene`: the sketch of a case, all that its file prescribes, with units, and the dimensionless
+/// groups.
 Filling scene_of(const StoredResult& result);
 
 /// The scene of the first case of each sweep. Null without a sweep.
