@@ -9,7 +9,7 @@
 namespace fretval {
 namespace {
 
-constexpr double width = 480, height = 300, left = 52, bottom = 40, top = 8, right = 10;
+constexpr double width = 480, height = 300, left = 52, bottom = 40, top = 8, right = 14;
 
 const char* colour_of(char zone) {
   switch (zone) {
@@ -44,10 +44,10 @@ std::string marks(const Filling& map, double scale) {
   for (const auto& mark : map.value("marks", Filling::array())) {
     const double y = height - bottom - scale * mark.at("x").get<double>();
     svg += fmt::format(
-        "<line x1=\"{}\" x2=\"{}\" y1=\"{:.1f}\" y2=\"{:.1f}\" stroke=\"#1a2230\" stroke-dasharray=\"4 3\"/>"
-        "<text x=\"{}\" y=\"{:.1f}\" font-size=\"12\" text-anchor=\"end\" stroke=\"#ffffff\" stroke-width=\"4\" "
-        "paint-order=\"stroke\" fill=\"#1a2230\">{}</text>",
-        left, width - right, y, y, width - right - 4, y - 5, html_escaped(mark.at("name").get<std::string>()));
+        "<line x1=\"{0}\" x2=\"{1}\" y1=\"{2:.1f}\" y2=\"{2:.1f}\" stroke=\"#ffffff\" stroke-width=\"1.5\"/>"
+        "<line x1=\"{0}\" x2=\"{1}\" y1=\"{2:.1f}\" y2=\"{2:.1f}\" stroke=\"#1a2230\" stroke-width=\"1.5\" "
+        "stroke-dasharray=\"4 4\"/><text x=\"{3}\" y=\"{4:.1f}\" font-size=\"12\" fill=\"#1a2230\">{5}</text>",
+        left, width - right, y, width - right + 3, y + 4, html_escaped(mark.at("name").get<std::string>()));
   }
   return svg;
 }

@@ -254,7 +254,7 @@
     const area = root.append("div"), tip = tooltip(root);
     return () => {
       const width = Math.max(280, Math.round(element.clientWidth || 480)), height = Math.round(Math.min(380, Math.max(230, width * 0.62)));
-      const margin = {left: 62, right: 16, top: plot.marks ? 10 : 10, bottom: 42};
+      const margin = {left: 62, right: plot.marks ? 26 : 16, top: 10, bottom: 42};
       area.selectAll("*").remove();
       const svg = canvas(area, plot, width, height, margin).attr("class", "canvas");
       const x = d3.scaleLinear().domain([0, 1]).range([margin.left, width - margin.right]);
@@ -271,8 +271,10 @@
       axes(svg, x, y, width, height, margin, plot);
       svg.selectAll(".tick line").attr("stroke-opacity", 0.25);
       for (const mark of plot.marks ?? []) {
-        svg.append("line").attr("x1", margin.left).attr("x2", width - margin.right).attr("y1", y(mark.x)).attr("y2", y(mark.x)).attr("stroke", "#1a2230").attr("stroke-dasharray", "4 3");
-        rich(svg.append("text").attr("class", "name").attr("x", width - margin.right - 4).attr("y", y(mark.x) - 5).attr("text-anchor", "end").style("stroke", "#fff").style("stroke-width", "4px").style("paint-order", "stroke").style("font-weight", 600), mark.name);
+        // Seen on dark zones and on light ones.
+        for (const [stroke, dashes] of [["#ffffff", null], ["#1a2230", "4 4"]])
+          svg.append("line").attr("x1", margin.left).attr("x2", width - margin.right).attr("y1", y(mark.x)).attr("y2", y(mark.x)).attr("stroke", stroke).attr("stroke-width", 1.5).attr("stroke-dasharray", dashes);
+        rich(svg.append("text").attr("class", "name").attr("x", width - margin.right + 6).attr("y", y(mark.x) + 4).style("font-weight", 600), mark.name);
       }
       const frame = outline(svg), m = plot.edges.length, middle = (i) => (plot.edges[i] + (i ? plot.edges[i - 1] : 0)) / 2;
       const within = (v, end) => Math.min(end - 1, Math.max(0, v));

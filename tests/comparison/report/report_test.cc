@@ -229,7 +229,7 @@ class ReportSlow : public testing::Test {
   }
 
   /// What the browser says to a page; it complains of nothing.
-  [[nodiscard]] std::string browsed(const fs::path& page, const std::string& options) const {
+  std::string browsed(const fs::path& page, const std::string& options) const {
     const auto run = shell_run(
         "chromium --headless=new --no-sandbox --disable-gpu --user-data-dir=" + quoted(folder_.path() / "profile") +
             " --virtual-time-budget=20000 --enable-logging=stderr " + options + " file://" + quoted(page),
