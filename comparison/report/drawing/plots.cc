@@ -106,20 +106,39 @@ std::string marks_of(const Filling& plot) {
   return script;
 }
 
-/// The lines of a series with its error bars; its half lengths stand in the third column.
+/// The error bars of a series, whose half lengths stand in the third column; below its points.
 std::string bars_of(const std::string& name, const Filling& series) {
   if (!series.contains("bar")) return "";
-  return fmt::format(", {} using 1:2:3 with yerrorbars pt 0 lw 1.2 lc rgb '{}' notitle", name, colour_of(series));
+  return fmt::format("{} using 1:($2-$3):(0):(2*$3) with vectors nohead lw 1.2 lc rgb '{}' notitle, ", name,
+                     colour_of(series));
+}
+
+constexpr int key_line = 20;  // pixels
+
+/// Of the key: long names stand in one column, short ones in two.
+int key_rows_of(const Filling& plot) {
+  constexpr std::size_t longest_of_two = 24;
+  int n = 0;
+  bool is_long = false;
+  for (const auto& series : plot.at("series")) {
+    const auto label = series.at("label").get<std::string>();
+    n += label.empty() ? 0 : 1;
+    is_long = is_long || label.size() > longest_of_two;
+  }
+  return std::max(1, is_long ? n : (n + 1) / 2);
 }
 
 std::string script_of(const Filling& plot) {
   std::ostringstream script;
+  const int key_rows = key_rows_of(plot);
   script
-      << "reset\nset terminal svg size 640,440 dynamic font 'Helvetica,15' background '#ffffff'\n"
+      << fmt::format("reset\nset terminal svg size 640,{} dynamic font 'Helvetica,15' background '#ffffff'\n",
+                     350 + key_line * key_rows)
       << "set encoding utf8\nset border 3 lc rgb '#666666'\nset tics nomirror\nset grid lc rgb '#dddddd' lt 1 lw 0.5\n"
       << "set title " << text_in(plot, "title") << "\nset xlabel " << text_in(plot, "x_label") << "\nset ylabel "
-      << text_in(plot, "y_label") << "\nset datafile missing 'nan'\nset key bmargin center vertical maxrows 3\n"
-      << "set bmargin 7\n";
+      << text_in(plot, "y_label") << "\nset datafile missing 'nan'\n"
+      << fmt::format("set key bmargin center vertical maxrows {} Left reverse\nset bmargin {}\n", key_rows,
+                     4 + key_rows);
   const bool has_tics = plot.contains("x_tics");
   if (plot.at("log_y")) script << "set logscale y\nset format y '10^{%L}'\n";
   if (plot.at("log_x")) script << "set logscale x\n" << (has_tics ? "" : "set format x '10^{%L}'\n");
@@ -136,9 +155,8 @@ std::string script_of(const Filling& plot) {
     for (std::size_t i = 0; i < x.size(); ++i)
       script << fmt::format("{:.10g} {} {}\n", x[i], number_or_nan(y[i]), bar_at(series, i));
     script << "EOD\n";
-    drawn += fmt::format("{}{} using 1:2 {} {}", drawn.empty() ? "plot " : ", ", name, style_of(series),
-                         series.at("label") == "" ? "notitle" : "title " + text_in(series, "label"));
-    drawn += bars_of(name, series);
+    drawn += fmt::format("{}{}{} using 1:2 {} {}", drawn.empty() ? "plot " : ", ", bars_of(name, series), name,
+                         style_of(series), series.at("label") == "" ? "notitle" : "title " + text_in(series, "label"));
   }
   script << drawn << "\n";
   return script.str();

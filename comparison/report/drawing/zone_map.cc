@@ -33,7 +33,7 @@ std::string axes(double end, const std::string& label) {
     svg += fmt::format("<text x=\"{:.1f}\" y=\"{:.0f}\" text-anchor=\"middle\">{:g}</text>",
                        left + t * (width - left - right), height - bottom + 16, t);
   for (double r = 0; r <= end; r += end / 4)
-    svg += fmt::format("<text x=\"{:.0f}\" y=\"{:.1f}\" text-anchor=\"end\">{:g}</text>", left - 6,
+    svg += fmt::format("<text x=\"{:.0f}\" y=\"{:.1f}\" text-anchor=\"end\">{:.2g}</text>", left - 6,
                        height - bottom - r / end * (height - bottom - top) + 4, r);
   return svg + "</g>";
 }
@@ -79,9 +79,11 @@ std::string zone_map_svg(const Filling& map) {
       if (i + 1 < zones[k].size() && zones[k][i + 1] == zones[k][i]) continue;
       const double inner = begin == 0 ? 0 : edges[begin - 1], outer = edges[i];
       if (zones[k][i] != 'o')
-        svg += fmt::format("<rect x=\"{:.2f}\" y=\"{:.2f}\" width=\"{:.2f}\" height=\"{:.2f}\" fill=\"{}\"/>",
-                           left + step * static_cast<double>(k), height - bottom - scale * outer, step + 0.2,
-                           scale * (outer - inner), colour_of(zones[k][i]));
+        svg += fmt::format(
+            "<rect x=\"{:.2f}\" y=\"{:.2f}\" width=\"{:.2f}\" height=\"{:.2f}\" fill=\"{}\" "
+            "shape-rendering=\"crispEdges\"/>",
+            left + step * static_cast<double>(k), height - bottom - scale * outer, step + 0.2, scale * (outer - inner),
+            colour_of(zones[k][i]));
       begin = i + 1;
     }
   return svg +

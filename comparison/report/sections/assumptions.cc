@@ -23,7 +23,7 @@ constexpr double share_of_the_base = 0.01;
 
 std::string length_of(double value) {
   const auto [prefix, factor] = prefix_for(value);
-  return fmt::format("{:.2g} {}m", value / factor, prefix);
+  return fmt::format("{:.3g} {}m", value / factor, prefix);
 }
 
 /// Where the finite elements end, over the largest contact radius; NaN if the folder does not say.
