@@ -50,7 +50,8 @@ std::string body_text(const Case::Elastomer& body) {
   constexpr std::size_t most = 4;
   for (std::size_t k = 0; k < std::min(most, body.branch_moduli.size()); ++k)
     text += fmt::format(", {} with {}", short_text(body.branch_moduli[k], "Pa"), short_text(body.branch_times[k], "s"));
-  if (body.branch_moduli.size() > most) text += fmt::format(" and {} branches more", body.branch_moduli.size() - most);
+  if (const auto n = body.branch_moduli.size(); n > most)
+    text += fmt::format(" and {} more {}", n - most, n - most == 1 ? "branch" : "branches");
   if (body.viscosity > 0) text += ", dashpot " + short_text(body.viscosity, "Pa s");
   if (body.fractional_order > 0) text += fmt::format(", order {:g}", body.fractional_order);
   if (const auto& fit = body.master_curve)

@@ -113,7 +113,7 @@ std::string bars_of(const std::string& name, const Filling& series) {
                      colour_of(series));
 }
 
-constexpr int key_line = 20;  // pixels
+constexpr int pixels_of_a_name = 20;  // in the key
 
 /// Of the key: long names stand in one column, short ones in two.
 int key_rows_of(const Filling& plot) {
@@ -133,7 +133,7 @@ std::string script_of(const Filling& plot) {
   const int key_rows = key_rows_of(plot);
   script
       << fmt::format("reset\nset terminal svg size 640,{} dynamic font 'Helvetica,15' background '#ffffff'\n",
-                     350 + key_line * key_rows)
+                     390 + pixels_of_a_name * key_rows)
       << "set encoding utf8\nset border 3 lc rgb '#666666'\nset tics nomirror\nset grid lc rgb '#dddddd' lt 1 lw 0.5\n"
       << "set title " << text_in(plot, "title") << "\nset xlabel " << text_in(plot, "x_label") << "\nset ylabel "
       << text_in(plot, "y_label") << "\nset datafile missing 'nan'\n"

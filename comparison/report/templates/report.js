@@ -272,8 +272,7 @@
       svg.selectAll(".tick line").attr("stroke-opacity", 0.25);
       for (const mark of plot.marks ?? []) {
         // Seen on dark zones and on light ones.
-        for (const [stroke, dashes] of [["#ffffff", null], ["#1a2230", "4 4"]])
-          svg.append("line").attr("x1", margin.left).attr("x2", width - margin.right).attr("y1", y(mark.x)).attr("y2", y(mark.x)).attr("stroke", stroke).attr("stroke-width", 1.5).attr("stroke-dasharray", dashes);
+        svg.append("line").attr("x1", margin.left).attr("x2", width - margin.right).attr("y1", y(mark.x)).attr("y2", y(mark.x)).attr("stroke", "#858d97").attr("stroke-width", 1.5).attr("stroke-dasharray", "6 4");
         rich(svg.append("text").attr("class", "name").attr("x", width - margin.right + 6).attr("y", y(mark.x) + 4).style("font-weight", 600), mark.name);
       }
       const frame = outline(svg), m = plot.edges.length, middle = (i) => (plot.edges[i] + (i ? plot.edges[i - 1] : 0)) / 2;

@@ -19,7 +19,7 @@ TEST(Progress, BeginsWithAnEstimate) {
   EXPECT_EQ(progress_text({0, 1, 0, 0, {}, 90}, 0, 80), "[..............................] 0/1, about 1:30 left");
   EXPECT_EQ(progress_text({0, 1, 0, 0, {}, 90}, 60, 80), "[..............................] 0/1, about 0:30 left");
   EXPECT_EQ(progress_text({0, 1, 0, 0, {}, 90}, 100, 80), "[..............................] 0/1, 1:40 so far");
-  EXPECT_EQ(progress_text({0, 1, 0, 0.5, "a: 1 of 2", 90}, 20, 40), "[##...] 0/1, 0:20 left; a: 1 of 2");
+  EXPECT_EQ(progress_text({0, 1, 0, 0.5, "a: 1 of 2", 90}, 20, 40), "[#####......] 0/1, 0:20 left; a: 1 of 2");
 }
 
 // One of two is done and the other to a quarter: 40 s for 1.25 of 2, so 24 are left.

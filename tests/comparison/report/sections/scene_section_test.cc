@@ -13,7 +13,7 @@ nlohmann::ordered_json input(const char* section, const char* name, const nlohma
   return {{"section", section}, {"name", name}, {"value", value}, {"unit", unit}};
 }
 
-StoredResult with_inputs(const nlohmann::ordered_json& inputs) {
+StoredResult with_inputs(const std::vector<nlohmann::ordered_json>& inputs) {
   StoredResult result{stored_result(), {}};
   result.json["scene"]["inputs"] = inputs;
   return result;
@@ -40,7 +40,7 @@ TEST(ScenesSection, ShowsTheFirstOfEachSweep) {
   auto first = with_inputs({input("Friction", "Coefficient", 0.25, "")}), second = first, single = first;
   first.json["scene"]["sweep"] = {{"family", "mine"}, {"entry", "Friction / Coefficient"}, {"value", 0.25}};
   second.json["scene"]["sweep"] = {{"family", "mine"}, {"entry", "Friction / Coefficient"}, {"value", 0.5}};
-  second.json["scene"]["inputs"] = {input("Friction", "Coefficient", 0.5, "")};
+  second.json["scene"]["inputs"] = nlohmann::ordered_json::array({input("Friction", "Coefficient", 0.5, "")});
   single.json["scene"].erase("sweep");
   const auto html = rendered(scenes_section({first, second, single}));
   expect_parts(html, {"mine: the first of 2 cases over Friction / Coefficient", "<dd>0.25</dd>", "What is assumed"});
