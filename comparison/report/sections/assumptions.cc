@@ -7,7 +7,6 @@
 #include <fstream>
 
 #include "comparison/accuracy/quantity.h"
-#include "comparison/report/sections/scene_section.h"
 #include "comparison/report/text/numbers.h"
 #include "comparison/results/answer_text.h"
 
@@ -69,7 +68,7 @@ Filling assumptions_of(const StoredResult& r) {
     if (std::isfinite(value)) filling[key] = number_text(value, format);
   };
   if (r.text("scene", "shape") == "parabola")
-    add("arc", 100 * std::pow(a / input_number(scene, "Radius"), 2) / 4, "{:.2g}");
+    add("arc", 100 * std::pow(a / input_number(r, "Radius"), 2) / 4, "{:.2g}");
   if (!scene.contains("path"))
     add("lift_off", r.number("scene", "normal_amplitude") / r.number("scene", "indentation"), "{:.3g}");
   const auto [x, f] = read_columns(r.folder / "profile.csv", "r [m]", "f unworn [m]");

@@ -78,7 +78,7 @@ void add_groups(const StoredResult& r, Filling& filling) {
     add("rho", r.number("mdr", "modulus_ratio"), "{:.5g}");
     filling["omega_tau"] = branches_text(scene, 2 * std::acos(-1.0) * r.number("scene", "frequency"));
   }
-  const double radius = input_number(scene, "Radius");
+  const double radius = input_number(r, "Radius");
   add("a_over_r", a / radius, "{:.3g}");
   add("first_slip", r.number("fe", "stick_radius_first_slip") / a, "{:.4f}");
   add("shakedown", r.number("fe", "stick_radius_shakedown") / a, "{:.4f}");
@@ -87,12 +87,6 @@ void add_groups(const StoredResult& r, Filling& filling) {
 }
 
 }  // namespace
-
-double input_number(const ordered_json& scene, const char* name) {
-  for (const auto& input : scene.value("inputs", ordered_json::array()))
-    if (input.at("name") == name && input.at("value").is_number()) return input["value"].get<double>();
-  return std::nan("");
-}
 
 Filling scene_of(const StoredResult& r) {
   Filling filling{{"template", "scene"}, {"inputs", inputs_of(r.json.at("scene"))}};

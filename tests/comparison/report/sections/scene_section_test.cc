@@ -48,12 +48,5 @@ TEST(ScenesSection, ShowsTheFirstOfEachSweep) {
   EXPECT_TRUE(scenes_section({single}).is_null());
 }
 
-TEST(Scene, HasNumbersAmongTheInputsOnly) {
-  const auto result = with_inputs({input("Motion", "Phase", "free", ""), input("Indenter", "Radius", 0.01, "m")});
-  EXPECT_EQ(input_number(result.json.at("scene"), "Radius"), 0.01);
-  EXPECT_TRUE(std::isnan(input_number(result.json.at("scene"), "Phase")));
-  EXPECT_TRUE(std::isnan(input_number(result.json.at("scene"), "Exponent")));
-}
-
 }  // namespace
 }  // namespace fretval
