@@ -11,10 +11,11 @@
 namespace fretval {
 namespace {
 
-constexpr double of_a_body = 0.25, of_a_history = 0.15;  // s at 32 rings and 72 steps
-constexpr double of_a_variant = 0.5;                     // coarser than the resolution that it belongs to
-constexpr double until_the_tolerance_is_met = 1.5;       // some bars are wider at first
-constexpr double of_a_wear = 0.45;                       // s at 32 rings and 72 steps, to the end of the wear
+constexpr double of_a_body = 0.2, of_a_history = 0.05;  // s at 32 rings and 72 steps
+constexpr double of_more_rings = 1.7;  // power of the rings that a history goes with; a body with the first
+constexpr double of_a_variant = 0.5;   // coarser than the resolution that it belongs to
+constexpr double until_the_tolerance_is_met = 1.5;  // some bars are wider at first
+constexpr double of_a_wear = 0.45;                  // s at 32 rings and 72 steps, to the end of the wear
 constexpr double of_a_wear_variant = 0.3;
 constexpr double proved_by_the_first_rings = 1e-3;  // a tolerance; finer ones refine the wear twice
 
@@ -39,8 +40,8 @@ double seconds_of_wear(const PreparedCase& prepared, Proof proof) {
 }  // namespace
 
 double seconds_of_one(const Resolution& resolution, int highest_order) {
-  return std::pow(relative_rings(resolution), 2) *
-         (of_a_body + of_a_history * relative_steps(resolution, highest_order));
+  const double rings = relative_rings(resolution);
+  return of_a_body * rings + of_a_history * std::pow(rings, of_more_rings) * relative_steps(resolution, highest_order);
 }
 
 double estimated_seconds(double tolerance, bool memory, int highest_order, std::size_t n_computations) {
