@@ -32,7 +32,7 @@ if(NOT FRETVAL_MDR_ONLY)
   install(FILES README.md CHANGELOG.md LICENSE CITATION.cff DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/fretval
     COMPONENT program)
   install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/fretval/docs COMPONENT program
-    FILES_MATCHING PATTERN "*.md" PATTERN "*.json" PATTERN "*.jq" PATTERN "*.svg" PATTERN "*.cc" PATTERN "*.yml" PATTERN "CMakeLists.txt")
+    FILES_MATCHING PATTERN "*.md" PATTERN "*.json" PATTERN "*.jq" PATTERN "*.svg" PATTERN "*.png" PATTERN "*.py" PATTERN "*.cc" PATTERN "*.yml" PATTERN "CMakeLists.txt")
 endif()
 
 # `cpack` in the build folder makes one package for each component.

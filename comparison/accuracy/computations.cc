@@ -1,9 +1,11 @@
 #include "comparison/accuracy/computations.h"
 
 #include <algorithm>
+#include <mutex>
 
 #include "comparison/accuracy/compared_quantities.h"
 #include "comparison/support/parallel.h"
+#include "comparison/support/stopwatch.h"
 #include "fem/support/solver_error.h"
 #include "meshes/mesh_error.h"
 
@@ -24,14 +26,44 @@ Computation attempt(const Compute& compute, const Resolution& resolution) {
 
 }  // namespace
 
+ProofCost operator+(const ProofCost& a, const ProofCost& b) {
+  return {a.computations + b.computations,
+          a.time_steps + b.time_steps,
+          a.cycles + b.cycles,
+          a.seconds + b.seconds,
+          {a.bodies.all + b.bodies.all, a.bodies.from_store + b.bodies.from_store}};
+}
+
+ProofCost Computations::cost() const {
+  ProofCost cost{size(), 0, 0, 0, count_bodies_of(all_)};
+  for (const auto& [resolution, computation] : all_) {
+    cost.time_steps += computation.fe.n_steps;
+    cost.cycles += computation.fe.n_cycles;
+    cost.seconds += computation.seconds;
+  }
+  return cost;
+}
+
 void Computations::compute(const std::vector<Resolution>& resolutions) {
   std::vector<Resolution> missing;
   for (const auto& resolution : resolutions)
     if (all_.count(resolution) == 0 && std::find(missing.begin(), missing.end(), resolution) == missing.end())
       missing.push_back(resolution);
   std::vector<Computation> computed(missing.size());
+  std::mutex mutex;
+  int n_done = size();
+  const int n_known = n_done + static_cast<int>(missing.size());
   for_each_in_parallel(
-      missing.size(), [&](std::size_t i) { computed[i] = attempt(compute_, missing[i]); }, n_threads_);
+      missing.size(),
+      [&](std::size_t i) {
+        const double start = processor_seconds();
+        computed[i] = attempt(compute_, missing[i]);
+        computed[i].seconds = processor_seconds() - start;
+        if (!told_) return;
+        const std::lock_guard<std::mutex> lock(mutex);
+        told_(++n_done, n_known);
+      },
+      n_threads_);
   for (std::size_t i = 0; i < missing.size(); ++i) {
     quantities_[missing[i]] = computed[i].failure.empty() ? quantities_of(computed[i].fe, units_) : Quantities{};
     all_[missing[i]] = std::move(computed[i]);

@@ -16,7 +16,20 @@ namespace fretval {
 struct Computation {
   FeAnswer fe;
   std::string failure = {};
+  double seconds = 0;  ///< of the processor
 };
+
+/// What all computations of a proof took together.
+struct ProofCost {
+  int computations = 0;
+  long time_steps = 0, cycles = 0;
+  double seconds = 0;  ///< of the processor: also of bodies, where they were made for these
+  BodyCount bodies = {};
+};
+ProofCost operator+(const ProofCost& a, const ProofCost& b);
+
+/// How far computations have come: those that are done and those that are known to be needed.
+using ComputationsDone = std::function<void(int n_done, int n_known)>;
 
 /// Computes a case at a resolution, as compute_case does.
 using Compute = std::function<FeAnswer(const Resolution&)>;
@@ -25,8 +38,9 @@ using Compute = std::function<FeAnswer(const Resolution&)>;
 class Computations {
  public:
   /// n_threads: how many may be computed at once.
-  Computations(const Units& units, Compute compute, std::size_t n_threads)
-      : units_(units), compute_(std::move(compute)), n_threads_(n_threads) {}
+  /// told: after each of them, one call at a time.
+  Computations(const Units& units, Compute compute, std::size_t n_threads, ComputationsDone told = {})
+      : units_(units), compute_(std::move(compute)), n_threads_(n_threads), told_(std::move(told)) {}
 
   /// Those that are not there yet. Failures of the numerics are part of the answer; anything else is thrown.
   void compute(const std::vector<Resolution>& resolutions);
@@ -37,12 +51,13 @@ class Computations {
   [[nodiscard]] const std::map<Resolution, Quantities>& quantities() const { return quantities_; }
   [[nodiscard]] const Units& units() const { return units_; }
   [[nodiscard]] int size() const { return static_cast<int>(all_.size()); }
-  [[nodiscard]] BodyCount bodies() const { return count_bodies_of(all_); }
+  [[nodiscard]] ProofCost cost() const;
 
  private:
   Units units_;
   Compute compute_;
   std::size_t n_threads_;
+  ComputationsDone told_;
   std::map<Resolution, Computation> all_;
   std::map<Resolution, Quantities> quantities_;
 };

@@ -124,14 +124,16 @@ const char* name_of(Proof proof) {
   return proof == Proof::bars ? "bars" : "tolerance";
 }
 
-ProvedAnswer prove(const PreparedCase& prepared, Proof proof, BodyStore& bodies, std::size_t n_threads) {
+ProvedAnswer prove(const PreparedCase& prepared, Proof proof, BodyStore& bodies, std::size_t n_threads,
+                   const ComputationsDone& told) {
   return prove(
       prepared, proof, [&](const Resolution& resolution) { return compute_case(prepared.fem, resolution, bodies); },
-      n_threads);
+      n_threads, told);
 }
 
-ProvedAnswer prove(const PreparedCase& prepared, Proof proof, const Compute& compute, std::size_t n_threads) {
-  Computations computed(prepared.fem.units, compute, n_threads);
+ProvedAnswer prove(const PreparedCase& prepared, Proof proof, const Compute& compute, std::size_t n_threads,
+                   const ComputationsDone& told) {
+  Computations computed(prepared.fem.units, compute, n_threads, told);
   Tracks tracks{prepared.fem.resolution, {}};
   ProvedAnswer answer;
   if (proof == Proof::none) computed.compute(tracks.all());
@@ -139,8 +141,7 @@ ProvedAnswer prove(const PreparedCase& prepared, Proof proof, const Compute& com
   if (proof == Proof::tolerance) answer.n_refinements = refine_until_proved(prepared, computed, tracks);
 
   answer.resolution = tracks.base;
-  answer.n_computations = computed.size();
-  answer.bodies = computed.bodies();
+  answer.cost = computed.cost();
   const auto& base = computed.at(tracks.base).fe;
   if (base.gross_slip) {
     answer.fe = base;

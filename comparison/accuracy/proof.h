@@ -26,8 +26,8 @@ struct ProvedAnswer {
   std::map<Quantity, Focus> focus;           ///< stick radii that are read from a graded mesh
   ErrorBudget budget;                        ///< empty with Proof::none
   std::optional<ZoneBudget> zone_bars = {};  ///< where rings touch in any order, and with a proof
-  int n_refinements = 0, n_computations = 0;
-  BodyCount bodies;    ///< of all computations
+  int n_refinements = 0;
+  ProofCost cost;      ///< of all computations
   double seconds = 0;  ///< of the chosen resolutions if they were computed alone, without a proof
 };
 
@@ -42,10 +42,12 @@ struct ProvedAnswer {
 ///    refined (planned_refinement). A refinement whose numerics fail is taken back.
 ///
 /// Rings and steps that the case file fixes stay as they are. n_threads: for the computations of one step.
-/// Safe to call from several threads with one store of bodies.
-ProvedAnswer prove(const PreparedCase& prepared, Proof proof, BodyStore& bodies, std::size_t n_threads = n_cores());
+/// Safe to call from several threads with one store of bodies. told: see Computations.
+ProvedAnswer prove(const PreparedCase& prepared, Proof proof, BodyStore& bodies, std::size_t n_threads = n_cores(),
+                   const ComputationsDone& told = {});
 
 /// The same with another way to compute the case.
-ProvedAnswer prove(const PreparedCase& prepared, Proof proof, const Compute& compute, std::size_t n_threads = 1);
+ProvedAnswer prove(const PreparedCase& prepared, Proof proof, const Compute& compute, std::size_t n_threads = 1,
+                   const ComputationsDone& told = {});
 
 }  // namespace fretval

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "comparison/support/parallel.h"
+#include "comparison/support/stopwatch.h"
 #include "fem/support/solver_error.h"
 #include "meshes/mesh_error.h"
 
@@ -44,7 +45,22 @@ void WearComputations::compute(const std::vector<Resolution>& wanted) {
   std::sort(missing.begin(), missing.end(),
             [](const auto& a, const auto& b) { return expected_work(a) > expected_work(b); });
   for (const auto& resolution : missing) shares_.try_emplace(resolution, 0.0);
-  for_each_in_parallel(missing.size(), [&](std::size_t i) { all.at(missing[i]) = attempt(missing[i]); });
+  for_each_in_parallel(missing.size(), [&](std::size_t i) {
+    const double start = processor_seconds();
+    all.at(missing[i]) = attempt(missing[i]);
+    all.at(missing[i]).seconds = processor_seconds() - start;
+  });
+}
+
+ProofCost WearComputations::cost() const {
+  ProofCost cost{static_cast<int>(all.size()), 0, 0, 0, count_bodies_of(all)};
+  for (const auto& [resolution, computation] : all) {
+    const long n_cycles = computation.fe.course.n_cycles_stepped;
+    cost.cycles += n_cycles;
+    cost.time_steps += n_cycles * at_resolution(prepared_.fem, resolution).steps_per_cycle();
+    cost.seconds += computation.seconds;
+  }
+  return cost;
 }
 
 WearComputation WearComputations::attempt(const Resolution& resolution) {

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "comparison/accuracy/computations.h"
 #include "comparison/accuracy/distance_to_limit.h"
 #include "comparison/accuracy/prepared_case.h"
 #include "comparison/reference/mdr_wear.h"
@@ -17,6 +18,7 @@ namespace fretval {
 struct WearComputation {
   WearSimulation fe;
   std::string failure = {};
+  double seconds = 0;  ///< of the processor
 };
 
 /// What is kept of wear on its way, and told.
@@ -43,7 +45,7 @@ class WearComputations {
   /// Those that are not there yet.
   void compute(const std::vector<Resolution>& wanted);
 
-  [[nodiscard]] BodyCount bodies() const { return count_bodies_of(all); }
+  [[nodiscard]] ProofCost cost() const;
 
   std::map<Resolution, WearComputation> all;
 

@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "comparison/support/log.h"
+#include "comparison/support/stopwatch.h"
 #include "fem/support/solver_error.h"
 
 namespace fretval {
@@ -291,6 +292,7 @@ ProvedWear prove_wear(const PreparedCase& prepared, const MdrAnswer& mdr, const 
   ProvedWear wear{{}, {}, resolution_for_wear(prepared.fem.resolution), wear_limits(prepared.mdr, mdr)};
   wear.limits.reached = wear.limits.reached && may_still_reach(prepared, wear.limits.shakedown);
   WornEdge edge{};
+  const double start = processor_seconds();
   try {
     edge = edge_of_wear(prepared.fem, *prepared.input.wear_kinetics,
                         unworn.fe.stick_radius_shakedown.value_or(0) / units.length, bodies, {oversight.checkpoints});
@@ -298,11 +300,12 @@ ProvedWear prove_wear(const PreparedCase& prepared, const MdrAnswer& mdr, const 
     wear.failure = error.what();
     return wear;
   }
+  const double edge_seconds = processor_seconds() - start;
   WearComputations computed(prepared, edge, wear.limits, bodies, oversight);
   wear.slip_is_proved = slip_is_proved(unworn);
   const auto budget = measure_errors(prepared, edge.inner, wear.slip_is_proved ? proof : Proof::none, computed, wear);
-  wear.n_computations = static_cast<int>(computed.all.size());
-  wear.bodies = computed.bodies();
+  wear.cost = computed.cost();
+  wear.cost.seconds += edge_seconds;
   if (!wear.failure.empty()) return wear;
   if (!prepared.mdr.has_forces()) wear.kinetics = springs_of(prepared, wear.fe.course.curve.back().cycles);
   wear.distance_shakedown = distances_of(wear.fe, units, wear.limits.shakedown);

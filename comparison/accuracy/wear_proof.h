@@ -29,8 +29,7 @@ struct ProvedWear {
   /// pressed there sticks.
   double pressed_outside = 0;
   Comparison comparison = {};
-  int n_computations = 0;
-  BodyCount bodies = {};  ///< of these computations
+  ProofCost cost = {};  ///< of all computations
 
   /// Whether wear has ended because nothing is pressed any more where it slips.
   [[nodiscard]] bool ends_in_limit() const;

@@ -42,6 +42,13 @@ struct Case {
     std::vector<double> frequency, storage, loss;
     double residual = 0, held_out = 0, worst = 0, worst_frequency = 0;
     std::optional<KramersKronigCheck> kramers_kronig;  ///< empty: too few frequencies
+    bool youngs = false;                               ///< the table has Young's moduli
+  };
+
+  /// From the temperature of the data to that of the case (Williams, Landel, Ferry).
+  struct TemperatureShift {
+    double temperature, reference;  ///< degC
+    double c1, c2;                  ///< c2 in K
   };
 
   struct Elastomer {
@@ -52,6 +59,7 @@ struct Case {
     double viscosity = 0;               ///< Pa s
     double fractional_order = 0;        ///< fractional zener
     std::optional<MasterCurve> master_curve;
+    std::optional<TemperatureShift> shift;  ///< is in the times and frequencies above already
   };
 
   /// One cosine of a motion beyond its first: phase in degrees, amplitude in m, frequency in Hz.

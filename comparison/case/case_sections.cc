@@ -56,6 +56,7 @@ void shift_to_temperature(const EntryReader& entries, Case::Elastomer& elastomer
     const double factor = mdr::wlf_shift(c1, c2, reference, temperature);
     for (double& time : elastomer.branch_times) time *= factor;
     elastomer.viscosity *= factor;
+    elastomer.shift = Case::TemperatureShift{temperature, reference, c1, c2};
     if (elastomer.master_curve)
       for (double& frequency : elastomer.master_curve->frequency) frequency /= factor;
   } catch (const std::invalid_argument& error) {

@@ -61,7 +61,7 @@ void fit_master_curve(const std::string& file, bool youngs, Case::Elastomer& ela
     elastomer.viscosity = fit.body.viscosity;
     elastomer.master_curve =
         Case::MasterCurve{file,         table.frequency, table.storage,       table.loss, fit.residual,
-                          fit.held_out, fit.worst,       fit.worst_frequency, relation};
+                          fit.held_out, fit.worst,       fit.worst_frequency, relation,   youngs};
     warn(file, table, fit, relation, warnings);
   } catch (const std::invalid_argument& error) {
     const std::string message = error.what();

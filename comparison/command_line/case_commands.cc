@@ -33,7 +33,7 @@ int write_new_case(const fs::path& file, const NewCase& choice) {
 int explain_case(const std::string& file) {
   const auto cases = read_case_file(file, Accuracy::optional);
   for (const auto& warning : cases.front().warnings) log::warn(warning);
-  fmt::print("{}", explanation(cases.front()));
+  fmt::print("{}", explanation(cases.front(), cases.size()));
   if (cases.front().sweep)
     fmt::print("  {:<13}{} cases over {}; this is the first of them\n", "sweep", cases.size(),
                cases.front().sweep->entry);

@@ -18,12 +18,14 @@
 #include "comparison/report/text/numbers.h"
 #include "comparison/results/batch.h"
 #include "comparison/results/changes.h"
+#include "comparison/results/estimate.h"
 #include "comparison/results/ranked_batch.h"
 #include "comparison/results/sweep_line.h"
 #include "comparison/support/files.h"
 #include "comparison/support/folder_lock.h"
 #include "comparison/support/junit.h"
 #include "comparison/support/log.h"
+#include "comparison/support/parallel.h"
 #include "comparison/support/progress.h"
 #include "comparison/support/ranks.h"
 #include "comparison/support/stopwatch.h"
@@ -69,7 +71,8 @@ int exit_code_of(const std::vector<BatchLine>& lines) {
 std::vector<BatchLine> computed_lines(const std::vector<PreparedCase>& prepared, const RunOptions& options,
                                       const Ranks& ranks) {
   const fem::PetscSession session;
-  Progress progress(prepared.size());
+  Progress progress(prepared.size(),
+                    estimated_seconds(prepared, options.proof, n_cores() * static_cast<std::size_t>(ranks.count())));
   const auto told = [&](const BatchLine& line, std::size_t, std::size_t) {
     progress.done(outcome_text(line), line.pass, line.name);
     if (options.json && line.failure.empty()) print_line(line.json);

@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <cstdio>
 #include <map>
+#include <nlohmann/json.hpp>
+
+#include "comparison/report/sections/values_table.h"
 
 namespace fretval {
 namespace {
@@ -15,6 +18,15 @@ ToleranceUse largest_use_of(const std::vector<BatchLine>& lines) {
     return a.largest_use.share < b.largest_use.share;
   });
   return worst->largest_use;
+}
+
+/// The answers, before how they agree.
+void print_values(const std::vector<BatchLine>& lines) {
+  std::vector<StoredResult> results;
+  for (const auto& line : lines)
+    if (line.failure.empty() && line.compared && !line.json.empty())
+      results.push_back({nlohmann::ordered_json::parse(line.json), {}});
+  if (!results.empty()) fmt::print("{}", text_of(values_table(results, main_quantities())));
 }
 
 }  // namespace
@@ -36,6 +48,7 @@ void print_line(const std::string& line) {
 }
 
 void print_verdicts(const std::vector<BatchLine>& lines) {
+  print_values(lines);
   std::map<std::string, std::vector<BatchLine>> families;
   for (const auto& line : lines) families[line.name.substr(0, line.name.find('/'))].push_back(line);
   for (const auto& [family, members] : families) {

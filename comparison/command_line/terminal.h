@@ -16,8 +16,8 @@ void print_answer(const BatchLine& line);
 /// A line of the standard output, at once.
 void print_line(const std::string& line);
 
-/// A line per case file on stdout: how many of its cases agree, and which comes closest to its tolerance; every failed
-/// case.
+/// On stdout the values of both methods, a table; then a line per case file: how many of its cases agree, and which
+/// comes closest to its tolerance; every failed case.
 void print_verdicts(const std::vector<BatchLine>& lines);
 
 }  // namespace fretval

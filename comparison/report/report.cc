@@ -10,8 +10,10 @@
 #include "comparison/case/case.h"
 #include "comparison/report/drawing/figures.h"
 #include "comparison/report/sections/case_section.h"
+#include "comparison/report/sections/cost_section.h"
 #include "comparison/report/sections/exact_section.h"
 #include "comparison/report/sections/forces_section.h"
+#include "comparison/report/sections/scene_section.h"
 #include "comparison/report/sections/suite_section.h"
 #include "comparison/report/sections/sweep_section.h"
 #include "comparison/report/sections/trade_section.h"
@@ -155,38 +157,6 @@ Filling cases_of_many(const Results& results) {
   return results.size() <= few ? nullptr : cases_section(results);
 }
 
-Filling cost_section(const Results& results) {
-  double friction = 0, steps = 0, memory = 0;
-  int bodies = 0, from_store = 0;
-  for (const auto& r : results) {
-    const auto& cost = r.json.at("cost");
-    friction += cost.at("seconds").value("friction_history", 0.0);
-    steps += cost.value("time_steps", 0.0);
-    memory = std::max(memory, cost.value("peak_memory_bytes", 0.0));
-    bodies += cost.value("bodies", 0);
-    from_store += cost.value("bodies_from_store", 0);
-  }
-  const auto& first = results.front().json.at("cost");
-  Filling filling{
-      {"template", "cost"},
-      {"case", "A case like " + results.front().json.at("name").get<std::string>()},
-      {"dofs", first.value("dofs", 0)},
-      {"steps", first.value("time_steps", 0L)},
-      {"cycles", counted(first.value("cycles", std::size_t{0}), "cycle")},
-      {"seconds", number_text(first.at("seconds").value("friction_history", 0.0), "{:.2f}")},
-      {"computations",
-       first.value("computations", 0) > 0 ? counted(first["computations"].get<std::size_t>(), "computation") : ""},
-      {"cases", results.size() == 1 ? "All in all" : "All " + counted(results.size(), "case")},
-      {"all_steps", number_text(steps, "{:.2g}")},
-      {"all_seconds", number_text(friction, "{:.0f}")},
-      {"megabytes", number_text(memory / 1e6, "{:.0f}")}};
-  if (bodies > 0)
-    filling["bodies"] = {{"counted", results.size() == 1 ? "" : ", counted in each case that uses it"},
-                         {"made", bodies - from_store},
-                         {"kept", from_store}};
-  return filling;
-}
-
 Filling all_cases_section(const Results& results) {
   Table table{{"case", "a", "c first slip, MDR", "FE", "c shakedown, MDR", "FE", "contact radius", "normal force", ""}};
   for (const auto& r : results) {
@@ -240,7 +210,7 @@ fs::path write_report(const fs::path& folder) {
   };
   if (!results.empty())
     for (const auto section :
-         {verdict_section, cases_of_few, radii_section, phase_section, rheology_section, sweeps_section,
+         {verdict_section, cases_of_few, scenes_section, radii_section, phase_section, rheology_section, sweeps_section,
           motions_section, forces_section, limiting_section, wear_section, cases_of_many, budget_section})
       add(section(results));
   add(trade_section(folder));

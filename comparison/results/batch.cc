@@ -18,6 +18,8 @@
 namespace fretval {
 namespace {
 
+constexpr double unworn_beside_wear = 0.05;  // of the time that both take
+
 /// What there is to tell and to keep of a result.
 void finish(const CaseResult& result, const mdr::NormalResponse& reference, const BatchOptions& options,
             BatchLine& line) {
@@ -35,7 +37,14 @@ BatchLine run_case(const PreparedCase& asked, const BatchOptions& options, BodyS
   line.name = asked.input.name;
   PreparedCase prepared = asked;
   prepared.fem.keeps_body = !options.output.empty() && asked.input.fields != Case::Fields::none;
-  auto fe = prove(prepared, options.proof, bodies);
+  const double share_of_unworn = wears(prepared) ? unworn_beside_wear : 1;
+  ComputationsDone told;
+  if (options.under_way)
+    told = [&](int n_done, int n_known) {
+      options.under_way(line.name, share_of_unworn * n_done / n_known,
+                        fmt::format("{} of {} computations, more if the bars ask for them", n_done, n_known));
+    };
+  auto fe = prove(prepared, options.proof, bodies, n_cores(), told);
   const bool compares = prepared.mdr.falls().empty();
   std::shared_ptr<const mdr::NormalResponse> reference;
   try {
@@ -62,7 +71,8 @@ BatchLine run_case(const PreparedCase& asked, const BatchOptions& options, BodyS
     if (!options.output.empty()) oversight.checkpoints = folder / "checkpoints";
     if (options.under_way)
       oversight.progress = [&](double share, double distance) {
-        options.under_way(line.name, share, fmt::format("worn to {:.1e} from the limiting profile", distance));
+        options.under_way(line.name, unworn_beside_wear + (1 - unworn_beside_wear) * share,
+                          fmt::format("worn to {:.1e} from the limiting profile", distance));
       };
     auto wear = prove_wear(prepared, result.mdr, result.fe, options.proof, bodies, oversight);
     std::filesystem::remove_all(oversight.checkpoints);

@@ -1,19 +1,27 @@
 #include "comparison/results/case_inputs.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <nlohmann/json.hpp>
+
+#include "comparison/results/answer_text.h"
 
 namespace fretval {
 namespace {
 
 using nlohmann::ordered_json;
 
-/// A list that leaves out what a case does not have: zeros, empty lists and words.
 class Inputs {
  public:
-  void add(const char* section, const char* name, const ordered_json& value, const char* unit = "") {
-    if (value.empty() || value == "" || (value.is_number() && !(value.get<double>() != 0))) return;
+  void add(const char* section, const std::string& name, const ordered_json& value, const std::string& unit = "") {
     list_.push_back({{"section", section}, {"name", name}, {"value", value}, {"unit", unit}});
+  }
+  /// What belongs to another choice of the section is zero, or empty.
+  void add_if_any(const char* section, const std::string& name, const ordered_json& value,
+                  const std::string& unit = "") {
+    if (value.empty() || value == "" || (value.is_number() && value.get<double>() == 0)) return;
+    add(section, name, value, unit);
   }
   [[nodiscard]] const ordered_json& list() const { return list_; }
 
@@ -23,23 +31,46 @@ class Inputs {
 
 void add_indenter(const Case::Indenter& indenter, Inputs& inputs) {
   inputs.add("Indenter", "Shape", Case::shape_names[static_cast<std::size_t>(indenter.shape)]);
-  inputs.add("Indenter", "Radius", indenter.radius, "m");
-  inputs.add("Indenter", "Slope angle", indenter.slope_angle, "°");
-  inputs.add("Indenter", "Coefficient", indenter.coefficient);
-  inputs.add("Indenter", "Exponent", indenter.exponent);
-  inputs.add("Indenter", "Flat radius", indenter.flat_radius, "m");
-  inputs.add("Indenter", "Edge radius", indenter.edge_radius, "m");
-  inputs.add("Indenter", "Table", indenter.table);
+  inputs.add_if_any("Indenter", "Radius", indenter.radius, "m");
+  inputs.add_if_any("Indenter", "Slope angle", indenter.slope_angle, "°");
+  inputs.add_if_any("Indenter", "Coefficient", indenter.coefficient, fmt::format("m^{:g}", 1 - indenter.exponent));
+  inputs.add_if_any("Indenter", "Exponent", indenter.exponent);
+  inputs.add_if_any("Indenter", "Flat radius", indenter.flat_radius, "m");
+  inputs.add_if_any("Indenter", "Edge radius", indenter.edge_radius, "m");
+  inputs.add_if_any("Indenter", "Table", indenter.table);
+  inputs.add_if_any("Indenter", "Table noise", indenter.table_noise, "m");
 }
 
 void add_elastomer(const Case::Elastomer& elastomer, Inputs& inputs) {
   inputs.add("Elastomer", "Rheology", elastomer.rheology);
-  if (elastomer.master_curve) inputs.add("Elastomer", "Table", elastomer.master_curve->table);
-  inputs.add("Elastomer", "Relaxed shear modulus", elastomer.relaxed_modulus, "Pa");
-  inputs.add("Elastomer", "Branch moduli", elastomer.branch_moduli, "Pa");
-  inputs.add("Elastomer", "Branch times", elastomer.branch_times, "s");
-  inputs.add("Elastomer", "Viscosity", elastomer.viscosity, "Pa s");
-  inputs.add("Elastomer", "Fractional order", elastomer.fractional_order);
+  const auto& curve = elastomer.master_curve;
+  const auto& shift = elastomer.shift;
+  if (curve) {
+    inputs.add("Elastomer", "Table", curve->table);
+    inputs.add("Elastomer", "Table modulus", curve->youngs ? "Young" : "shear");
+  }
+  const std::string fitted = curve ? ", fitted" : "", shifted = shift ? " at the Temperature" : "";
+  inputs.add("Elastomer", "Relaxed shear modulus" + fitted, elastomer.relaxed_modulus, "Pa");
+  inputs.add_if_any("Elastomer", "Branch moduli" + fitted, elastomer.branch_moduli, "Pa");
+  inputs.add_if_any("Elastomer", "Branch times" + fitted + shifted, elastomer.branch_times, "s");
+  inputs.add_if_any("Elastomer", "Viscosity" + fitted + shifted, elastomer.viscosity, "Pa s");
+  inputs.add_if_any("Elastomer", "Fractional order", elastomer.fractional_order);
+  if (!shift) return;
+  inputs.add("Elastomer", "Temperature", shift->temperature, "degC");
+  inputs.add("Elastomer", "Reference temperature", shift->reference, "degC");
+  inputs.add("Elastomer", "WLF C1", shift->c1);
+  inputs.add("Elastomer", "WLF C2", shift->c2, "K");
+}
+
+/// "5 µm at 2 Hz, phase 30°" of each.
+std::vector<std::string> texts_of(const std::vector<Case::Harmonic>& harmonics, const char* unit) {
+  std::vector<std::string> texts;
+  for (const auto& [amplitude, frequency, phase] : harmonics) {
+    const auto [prefix, factor] = prefix_for(amplitude);
+    texts.push_back(
+        fmt::format("{:.6g} {}{} at {:g} Hz, phase {:g}°", amplitude / factor, prefix, unit, frequency, phase));
+  }
+  return texts;
 }
 
 void add_motion(const Case::Motion& motion, Inputs& inputs) {
@@ -48,23 +79,53 @@ void add_motion(const Case::Motion& motion, Inputs& inputs) {
     inputs.add("Motion", "Path repeats", motion.path->repeats ? "forever" : "once");
     return;
   }
-  inputs.add("Motion", "Indentation", motion.indentation, "m");
-  inputs.add("Motion", "Normal amplitude", motion.normal_amplitude, "m");
   if (motion.normal_force) {
     inputs.add("Motion", "Normal force", motion.normal_force->mean, "N");
     inputs.add("Motion", "Normal force amplitude", motion.normal_force->amplitude, "N");
+  } else {
+    inputs.add("Motion", "Indentation", motion.indentation, "m");
+    inputs.add("Motion", "Normal amplitude", motion.normal_amplitude, "m");
   }
-  if (std::isnan(motion.tangential_amplitude))
+  inputs.add("Motion", "Normal frequency", motion.normal_frequency, "Hz");
+  if (motion.normal_force)
+    inputs.add_if_any("Motion", "Normal force harmonics", texts_of(motion.normal_harmonics, "N"));
+  else
+    inputs.add_if_any("Motion", "Normal harmonics", texts_of(motion.normal_harmonics, "m"));
+  if (motion.tangential_force)
+    inputs.add("Motion", "Tangential force amplitude", *motion.tangential_force, "N");
+  else if (std::isnan(motion.tangential_amplitude))
     inputs.add("Motion", "Tangential amplitude", "shakedown");
   else
     inputs.add("Motion", "Tangential amplitude", motion.tangential_amplitude, "m");
-  if (motion.tangential_force) inputs.add("Motion", "Tangential force amplitude", *motion.tangential_force, "N");
-  inputs.add("Motion", "Normal frequency", motion.normal_frequency, "Hz");
   inputs.add("Motion", "Tangential frequency", motion.tangential_frequency, "Hz");
+  if (motion.tangential_force)
+    inputs.add_if_any("Motion", "Tangential force harmonics", texts_of(motion.tangential_harmonics, "N"));
+  else
+    inputs.add_if_any("Motion", "Tangential harmonics", texts_of(motion.tangential_harmonics, "m"));
   if (motion.phase)
     inputs.add("Motion", "Phase", *motion.phase, "°");
   else
     inputs.add("Motion", "Phase", "free");
+}
+
+void add_wear(const Case& input, Inputs& inputs) {
+  if (input.wear == Case::Wear::limiting) {
+    inputs.add("Wear", "State", "limiting");
+    inputs.add("Wear", "Stick radius ratio", input.worn_stick_ratio);
+  }
+  const auto& wear = input.wear_kinetics;
+  if (!wear) return;
+  const bool power = wear->law == Case::WearLaw::power;
+  inputs.add("Wear", "Law", Case::wear_law_names[static_cast<std::size_t>(wear->law)]);
+  inputs.add("Wear", "Coefficient", wear->coefficient, power ? fmt::format("Pa^{:g}", -wear->exponent) : "1/Pa");
+  if (power) inputs.add("Wear", "Exponent", wear->exponent);
+  if (wear->n_cycles)
+    inputs.add("Wear", "Cycles", *wear->n_cycles);
+  else
+    inputs.add("Wear", "Cycles", "until nothing wears any more");
+  inputs.add_if_any("Wear", "Until", wear->until);
+  inputs.add_if_any("Wear", "Profile", wear->profile);
+  inputs.add_if_any("Wear", "Worn rings", wear->rings);
 }
 
 }  // namespace
@@ -75,12 +136,10 @@ ordered_json inputs_json(const Case& input) {
   add_elastomer(input.elastomer, inputs);
   inputs.add("Friction", "Coefficient", input.friction_coefficient);
   add_motion(input.motion, inputs);
-  if (const auto& wear = input.wear_kinetics) {
-    inputs.add("Wear", "Law", Case::wear_law_names[static_cast<std::size_t>(wear->law)]);
-    inputs.add("Wear", "Coefficient", wear->coefficient);
-    inputs.add("Wear", "Profile", wear->profile);
-  }
+  add_wear(input, inputs);
   inputs.add("Accuracy", "Tolerance", input.tolerance);
+  if (input.rings_per_radius) inputs.add("Accuracy", "Rings per radius", *input.rings_per_radius);
+  if (input.steps_per_cycle) inputs.add("Accuracy", "Steps per cycle", *input.steps_per_cycle);
   return inputs.list();
 }
 

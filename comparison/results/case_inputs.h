@@ -7,7 +7,8 @@
 namespace fretval {
 
 /// What a case file prescribes, for people: a list of {section, name, value, unit}, named as in the file, in SI units;
-/// value a number, a list or words, unit empty where there is none.
+/// value a number, a list or words, unit empty where there is none. Zeros that somebody has set are there. What
+/// measured moduli were fitted to, and times that a temperature has shifted, say so in their names.
 nlohmann::ordered_json inputs_json(const Case& input);
 
 }  // namespace fretval

@@ -33,7 +33,7 @@ nlohmann::ordered_json run_json(const CaseResult& result) {
   auto resolution = resolution_json(result.fem_case.resolution);
   resolution["focus"] = focus_by_quantity(result.fe.focus);
   resolution["refinements"] = result.fe.n_refinements;
-  resolution["computations"] = result.fe.n_computations;
+  resolution["computations"] = result.fe.cost.computations;
   return {{"versions", libraries},
           {"resolution", resolution},
           {"reached",

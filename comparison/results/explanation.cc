@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "comparison/accuracy/error_bars.h"
 #include "comparison/accuracy/prepared_case.h"
-#include "comparison/accuracy/refinement.h"
+#include "comparison/accuracy/wear_proof.h"
 #include "comparison/reference/mdr_document.h"
 #include "comparison/results/answer_text.h"
+#include "comparison/results/estimate.h"
 
 namespace fretval {
 namespace {
@@ -50,7 +50,8 @@ std::string body_text(const Case::Elastomer& body) {
   constexpr std::size_t most = 4;
   for (std::size_t k = 0; k < std::min(most, body.branch_moduli.size()); ++k)
     text += fmt::format(", {} with {}", short_text(body.branch_moduli[k], "Pa"), short_text(body.branch_times[k], "s"));
-  if (body.branch_moduli.size() > most) text += fmt::format(" and {} branches more", body.branch_moduli.size() - most);
+  if (const auto n = body.branch_moduli.size(); n > most)
+    text += fmt::format(" and {} more {}", n - most, n - most == 1 ? "branch" : "branches");
   if (body.viscosity > 0) text += ", dashpot " + short_text(body.viscosity, "Pa s");
   if (body.fractional_order > 0) text += fmt::format(", order {:g}", body.fractional_order);
   if (const auto& fit = body.master_curve)
@@ -102,6 +103,12 @@ std::string groups_text(const Case& input, const ordered_json& mdr) {
   if (!path)
     text = row("|G|/G'(0)",
                fmt::format("{:.4g} (rho, at the tangential frequency)", mdr.at("modulus_ratio").get<double>()));
+  const bool has_amplitudes =
+      !path && !input.motion.normal_force && !input.motion.tangential_force && input.motion.tangential_amplitude > 0;
+  if (has_amplitudes)
+    text += row("k", fmt::format("{:.4g} (3/2 mu times the normal over the tangential amplitude)",
+                                 1.5 * input.friction_coefficient * input.motion.normal_amplitude /
+                                     input.motion.tangential_amplitude));
   const auto& times = input.elastomer.branch_times;
   if (!times.empty() && !path)
     text += row(
@@ -155,47 +162,53 @@ std::string regime_text(const ordered_json& mdr, bool single_pass) {
   return text;
 }
 
-std::string cost_text(const PreparedCase& prepared) {
+/// "40 s", "3 min", "2 h": of an estimate.
+std::string duration_text(double seconds) {
+  constexpr double minute = 60, hour = 3600, many = 2;
+  if (seconds < many * minute) {
+    const double digit = std::pow(10, std::floor(std::log10(seconds)));
+    return fmt::format("{:g} s", digit * std::round(seconds / digit));
+  }
+  return seconds < many * hour ? fmt::format("{:.0f} min", seconds / minute) : fmt::format("{:.0f} h", seconds / hour);
+}
+
+/// n_cases: of the sweep that the case is a point of.
+std::string cost_text(const PreparedCase& prepared, std::size_t n_cases) {
   const auto& fem = prepared.fem;
-  const bool memory = fem.relaxation.has_memory();
-  const auto n = 1 + variants_of(fem.resolution, needs_of(fem)).size();
+  const auto n = computations_for_bars(fem);
   std::string text = row("elements", text_of(fem.resolution));
   for (const auto& words : left_out(fem)) text += row("", words);
-  const double seconds = estimated_seconds(prepared.input.tolerance, memory, fem.motion.highest_order(), n);
-  text += row("cost", fmt::format("{} computations or more to prove a tolerance of {:g}, of the order of {:.1g} s", n,
-                                  prepared.input.tolerance, seconds));
-  if (prepared.input.wear_kinetics) text += row("", "and the wear, which takes minutes");
+  const double seconds = estimated_seconds(prepared, Proof::tolerance);
+  text += row("cost", fmt::format("{} computations or more to prove a tolerance of {:g}, of the order of {} on a core",
+                                  n, prepared.input.tolerance, duration_text(seconds)));
+  if (wears(prepared)) text += row("", "most of it for the wear");
+  if (n_cases > 1)
+    text += row("", fmt::format("all {} cases of the sweep: of the order of {}", n_cases,
+                                duration_text(static_cast<double>(n_cases) * seconds)));
   return text;
 }
 
 /// Of a case whose profile MDR does not hold for.
-std::string explanation_beyond_mdr(const Case& input, const mdr::Profile& profile) {
+std::string explanation_beyond_mdr(const Case& input, const mdr::Profile& profile, std::size_t n_cases) {
   auto text = input.name + "\n" + scene_text(input) + "\n" +
               row("MDR", "does not hold for this profile: " + falls_text(profile) + ",") +
               row("", "so that the contact is not one full circle at every indentation; nothing is compared") +
               row("", "finite elements take the rings in whatever order they touch");
   if (input.tolerance == 0) return text + row("elements", "none: finite elements need an Accuracy / Tolerance");
-  return text + "\n" + cost_text(prepare({input}).front());
+  return text + "\n" + cost_text(prepare({input}).front(), n_cases);
 }
 
 }  // namespace
 
-double estimated_seconds(double tolerance, bool memory, int highest_order, std::size_t n_computations) {
-  const auto resolution = resolution_for(tolerance, memory);
-  constexpr double body = 0.25, history = 0.15;  // s at 32 rings and 72 steps
-  const double rings = resolution.elements_per_radius / 32.0, steps = resolution.steps_per_cycle * highest_order / 72.0;
-  return static_cast<double>(n_computations) * (body * rings * rings + history * rings * rings * steps) / 2;
-}
-
-std::string explanation(const Case& input) {
+std::string explanation(const Case& input, std::size_t n_cases) {
   if (const auto profile = any_profile_of(input.indenter); !mdr::falls_of_image(profile).empty())
-    return explanation_beyond_mdr(input, profile);
+    return explanation_beyond_mdr(input, profile, n_cases);
   const auto document = mdr_document(input, false);
   auto text = input.name + "\n" + scene_text(input) + "\n" + groups_text(input, document.json.at("mdr")) + "\n" +
               regime_text(document.json.at("mdr"), input.motion.path && !input.motion.path->repeats) + "\n";
   if (input.tolerance == 0) return text + row("elements", "none: finite elements need an Accuracy / Tolerance");
   try {
-    return text + cost_text(prepare({input}).front());
+    return text + cost_text(prepare({input}).front(), n_cases);
   } catch (const InputError& error) {
     return text + row("elements", fmt::format("none: {}", error.what()));
   }

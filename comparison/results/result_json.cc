@@ -151,6 +151,12 @@ ordered_json comparison_json(const Comparison& comparison) {
   return json;
 }
 
+ordered_json to_json(const ProofCost& cost) {
+  return {{"seconds", cost.seconds},   {"time_steps", cost.time_steps},
+          {"cycles", cost.cycles},     {"computations", cost.computations},
+          {"bodies", cost.bodies.all}, {"bodies_from_store", cost.bodies.from_store}};
+}
+
 double peak_memory_bytes() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
@@ -162,9 +168,10 @@ double peak_memory_bytes() {
 ordered_json result_json(const CaseResult& result) {
   const auto& fe = result.fe.fe;
   auto cost = cost_json(fe);
-  cost["computations"] = result.fe.n_computations;
-  cost["bodies"] = result.fe.bodies.all;
-  cost["bodies_from_store"] = result.fe.bodies.from_store;
+  cost["computations"] = result.fe.cost.computations;
+  cost["bodies"] = result.fe.cost.bodies.all;
+  cost["bodies_from_store"] = result.fe.cost.bodies.from_store;
+  cost["all"] = to_json(result.wear ? result.fe.cost + result.wear->cost : result.fe.cost);
   cost["peak_memory_bytes"] = peak_memory_bytes();
   auto mdr = to_json(result.mdr);
   if (result.wear && result.wear->kinetics) mdr["wear"] = to_json(*result.wear->kinetics);

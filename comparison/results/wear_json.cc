@@ -99,9 +99,9 @@ ordered_json to_json(const ProvedWear& wear, const Units& units) {
                   {"jumps", course.n_jumps},
                   {"largest_jump_error", course.largest_jump_error * units.depth},
                   {"cycles_stepped", course.n_cycles_stepped},
-                  {"computations", wear.n_computations},
-                  {"bodies", wear.bodies.all},
-                  {"bodies_from_store", wear.bodies.from_store}};
+                  {"computations", wear.cost.computations},
+                  {"bodies", wear.cost.bodies.all},
+                  {"bodies_from_store", wear.cost.bodies.from_store}};
   return json;
 }
 

@@ -37,7 +37,9 @@ std::string left_text(const Advance& advance, double seconds) {
   const auto n_parts = static_cast<double>(advance.n_parts);
   const double done = static_cast<double>(advance.n_done) + advance.under_way;
   constexpr double tells = 0.01;  // of one part; less than that is how it begins
-  if (done < tells) return clock_text(seconds) + " so far";
+  if (done < tells)
+    return advance.expected > seconds ? "about " + clock_text(advance.expected - seconds) + " left"
+                                      : clock_text(seconds) + " so far";
   if (advance.n_done == advance.n_parts) return "in " + clock_text(seconds);
   return clock_text(seconds * (n_parts - done) / done) + " left";
 }
@@ -57,7 +59,7 @@ std::string progress_text(const Advance& advance, double seconds, int columns) {
   return fmt::format("[{}{}] {}", std::string(filled, '#'), std::string(width - filled, '.'), text);
 }
 
-Progress::Progress(std::size_t n_parts) : advance_{0, n_parts} {
+Progress::Progress(std::size_t n_parts, double expected) : advance_{0, n_parts, 0, 0, {}, expected} {
   if (!log::tells() || !on_terminal()) return;
   ticker_ = std::thread([this] {
     std::unique_lock<std::mutex> lock(mutex_);

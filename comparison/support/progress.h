@@ -15,17 +15,20 @@ struct Advance {
   std::size_t n_done, n_parts, n_bad = 0;
   double under_way = 0;   ///< of the parts that are not done, the shares that are
   std::string what = {};  ///< is under way
+  double expected = 0;    ///< s that all will take, of an estimate beforehand; 0: there is none
 };
 
 /// For one line of so many columns: a bar as far as there is room, the counts, the time that is left if the rest takes
-/// as long for each part as what is done, and what is under way. seconds: since the start.
+/// as long for each part as what is done (before there is anything done, what an estimate leaves), and what is under
+/// way. seconds: since the start.
 std::string progress_text(const Advance& advance, double seconds, int columns);
 
 /// Tells on the standard error how far many parts have come: on a terminal a line that redraws itself every second,
 /// from the start on; elsewhere a line for each part. Says nothing before log::start() and after log::keep_quiet().
 class Progress {
  public:
-  explicit Progress(std::size_t n_parts);
+  /// expected: see Advance.
+  explicit Progress(std::size_t n_parts, double expected = 0);
   ~Progress();
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;

@@ -1,8 +1,16 @@
 #pragma once
 
 #include <chrono>
+#include <ctime>
 
 namespace fretval {
+
+/// That this thread has computed for so far; what it waits for, another one pays.
+inline double processor_seconds() {
+  timespec time{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
 
 class Stopwatch {
  public:

@@ -49,16 +49,16 @@ ComparedQuantities compared_quantities(const PreparedCase& prepared, Proof proof
   return all;
 }
 
-SuiteRow run_case(const SuiteCase& asked, BodyStore& bodies, std::size_t n_threads) {
+SuiteRow run_case(const SuiteCase& asked, BodyStore& bodies, std::size_t n_threads, const ComputationsDone& told) {
   SuiteRow row{asked};
   try {
     auto prepared = prepare({case_of(asked)}).front();
     if (asked.change) asked.change(prepared);
-    const auto answer = prove(prepared, asked.proof, asked.bodies ? *asked.bodies : bodies, n_threads);
+    const auto answer = prove(prepared, asked.proof, asked.bodies ? *asked.bodies : bodies, n_threads, told);
     row.refusal = answer.failure;
     row.seconds = answer.seconds;
     row.n_refinements = answer.n_refinements;
-    row.n_computations = answer.n_computations;
+    row.n_computations = answer.cost.computations;
     if (row.refusal.empty()) row.compared = compared_quantities(prepared, asked.proof, answer);
   } catch (const InputError& error) {
     row.refusal = error.what();
@@ -145,11 +145,14 @@ std::vector<SuiteRow> run_cases(const std::vector<SuiteCase>& cases, BodyStore& 
   for_each_in_parallel(
       cases.size(),
       [&](std::size_t i) {
-        rows[i] = run_case(cases[i], bodies, n_threads);
+        const auto title = title_of(cases[i]);
+        rows[i] = run_case(cases[i], bodies, n_threads, [&](int n_done, int n_known) {
+          progress.under_way(title, static_cast<double>(n_done) / n_known,
+                             fmt::format("{} of {} computations", n_done, n_known));
+        });
         const auto failure = failure_of(rows[i]);
-        progress.done(
-            fmt::format("{}: {}", title_of(cases[i]), failure.empty() ? name_of(verdict_of(rows[i])) : failure),
-            failure.empty());
+        progress.done(fmt::format("{}: {}", title, failure.empty() ? name_of(verdict_of(rows[i])) : failure),
+                      failure.empty(), title);
       },
       n_cores() + 1);
   return rows;

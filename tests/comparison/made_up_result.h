@@ -27,8 +27,7 @@ inline CaseResult made_up_result() {
 
   ProvedAnswer answer;
   answer.n_refinements = 5;
-  answer.n_computations = 6;
-  answer.bodies = {4, 2};
+  answer.cost = {6, 720, 60, 7.5, {4, 2}};
   auto& fe = answer.fe;
   fe.contact_radius_max = 1.25;
   fe.stick_radius_first_slip = 0.5;

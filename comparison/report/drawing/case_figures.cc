@@ -12,6 +12,7 @@
 #include "comparison/report/drawing/axis.h"
 #include "comparison/report/drawing/figures.h"
 #include "comparison/report/drawing/moduli_figure.h"
+#include "comparison/report/drawing/share_bars.h"
 #include "comparison/report/drawing/zone_map.h"
 
 namespace fretval {
@@ -214,7 +215,7 @@ Figure profile_figure(const StoredResult& r) {
 /// Shares of the error bars over the tolerance of each quantity; null if none was measured.
 Filling budget_figure(const StoredResult& r) {
   std::vector<std::string> sources;
-  auto rows = ordered_json::array();
+  std::vector<ShareRow> rows;
   const auto bars = r.json.at("fe").value("error_estimate", ordered_json::object());
   for (const auto& [key, bar] : bars.items())
     if (bar.is_object() && bar.contains("shares"))
@@ -226,21 +227,16 @@ Filling budget_figure(const StoredResult& r) {
     if (bar == bars.end() || !bar->is_object() || !bar->contains("shares") || !comparison.contains(name_of(quantity)))
       continue;
     const double tolerance = comparison[name_of(quantity)].at("tolerance").get<double>();
-    auto shares = ordered_json::array();
+    Numbers shares;
     for (const auto& source : sources) {
       const auto estimate =
           bar->at("shares").value(source, ordered_json::object()).value("estimate", ordered_json(0.0));
       shares.push_back(estimate.is_number() ? estimate.get<double>() / tolerance : 0.0);
     }
-    rows.push_back({{"label", traits_of(quantity).title}, {"shares", shares}});
+    rows.push_back({traits_of(quantity).title, shares});
   }
   if (rows.empty()) return nullptr;
-  return {{"plot",
-           {{"kind", "bars"},
-            {"title", "Error budget"},
-            {"x_label", "error bar over the tolerance (dashed: 1)"},
-            {"sources", sources},
-            {"rows", rows}}},
+  return {{"plot", share_bars("Error budget", "error bar over the tolerance (dashed: 1)", sources, rows)},
           {"caption", "What makes up the error bar of each quantity: each source measured by its own refinement."}};
 }
 

@@ -14,6 +14,8 @@
 #include <sstream>
 #include <system_error>
 
+#include "comparison/report/drawing/palette.h"
+#include "comparison/report/drawing/share_bars.h"
 #include "comparison/report/drawing/zone_map.h"
 #include "comparison/support/escape.h"
 
@@ -21,10 +23,6 @@ namespace fretval {
 namespace {
 
 namespace fs = std::filesystem;
-
-// Okabe and Ito's palette, distinguishable with colour-blind eyes.
-constexpr std::array<const char*, 9> palette{"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#b87d00",
-                                             "#3a9bd0", "#6a51a3", "#555555", "#a6761d"};
 
 /// A string of a gnuplot script. In double quotes gnuplot would run what stands between backquotes as a shell command.
 std::string quoted(const std::string& text) {
@@ -47,11 +45,14 @@ constexpr std::array styles{StyleNames{"line", "with lines lw 1.6"},
                             StyleNames{"open points", "with points pt 6 ps 0.55"},
                             StyleNames{"triangles", "with points pt 9 ps 0.9"}};
 
+const char* colour_of(const Filling& series) {
+  return palette_colour(series.at("colour").get<std::size_t>());
+}
+
 std::string style_of(const Filling& series) {
   const auto* style = std::find_if(styles.begin(), styles.end(),
                                    [&](const StyleNames& names) { return series.at("style") == names.json; });
-  return fmt::format("{} lc rgb '{}'", style->gnuplot,
-                     palette[series.at("colour").get<std::size_t>() % palette.size()]);
+  return fmt::format("{} lc rgb '{}'", style->gnuplot, colour_of(series));
 }
 
 bool is_drawn(const Filling& plot, double x, double y) {
@@ -78,14 +79,66 @@ std::string text_in(const Filling& plot, const char* key) {
   return quoted(plot.at(key).get<std::string>());
 }
 
+std::string number_or_nan(double value) {
+  return std::isfinite(value) ? fmt::format("{:.10g}", value) : "nan";
+}
+
+/// nan: no bar there.
+std::string bar_at(const Filling& series, std::size_t i) {
+  if (!series.contains("bar") || !series["bar"].at(i).is_number()) return "nan";
+  const double bar = series["bar"][i].get<double>();
+  return bar > 0 ? number_or_nan(bar) : "nan";
+}
+
+/// Vertical lines with their names above, where the axis has them.
+std::string marks_of(const Filling& plot) {
+  if (!plot.contains("marks")) return "";
+  std::string script = "set title offset 0,0.9\n";
+  for (const auto& mark : plot["marks"]) {
+    const double x = mark.at("x").get<double>();
+    if (const auto range = plot.find("x_range"); range != plot.end())
+      if (x < range->at(0).get<double>() || x > range->at(1).get<double>()) continue;
+    script += fmt::format(
+        "set arrow from first {0:.10g}, graph 0 to first {0:.10g}, graph 1 nohead lw 1 dt 3 lc rgb '#666666'\n"
+        "set label {1} at first {0:.10g}, graph 1.04 center tc rgb '#444444'\n",
+        x, text_in(mark, "name"));
+  }
+  return script;
+}
+
+/// The error bars of a series, whose half lengths stand in the third column; below its points.
+std::string bars_of(const std::string& name, const Filling& series) {
+  if (!series.contains("bar")) return "";
+  return fmt::format("{} using 1:($2-$3):(0):(2*$3) with vectors nohead lw 1.2 lc rgb '{}' notitle, ", name,
+                     colour_of(series));
+}
+
+constexpr int pixels_of_a_name = 20;  // in the key
+
+/// Of the key: long names stand in one column, short ones in two.
+int key_rows_of(const Filling& plot) {
+  constexpr std::size_t longest_of_two = 24;
+  int n = 0;
+  bool is_long = false;
+  for (const auto& series : plot.at("series")) {
+    const auto label = series.at("label").get<std::string>();
+    n += label.empty() ? 0 : 1;
+    is_long = is_long || label.size() > longest_of_two;
+  }
+  return std::max(1, is_long ? n : (n + 1) / 2);
+}
+
 std::string script_of(const Filling& plot) {
   std::ostringstream script;
+  const int key_rows = key_rows_of(plot);
   script
-      << "reset\nset terminal svg size 640,440 dynamic font 'Helvetica,15' background '#ffffff'\n"
+      << fmt::format("reset\nset terminal svg size 640,{} dynamic font 'Helvetica,15' background '#ffffff'\n",
+                     390 + pixels_of_a_name * key_rows)
       << "set encoding utf8\nset border 3 lc rgb '#666666'\nset tics nomirror\nset grid lc rgb '#dddddd' lt 1 lw 0.5\n"
       << "set title " << text_in(plot, "title") << "\nset xlabel " << text_in(plot, "x_label") << "\nset ylabel "
-      << text_in(plot, "y_label") << "\nset datafile missing 'nan'\nset key bmargin center vertical maxrows 3\n"
-      << "set bmargin 7\n";
+      << text_in(plot, "y_label") << "\nset datafile missing 'nan'\n"
+      << fmt::format("set key bmargin center vertical maxrows {} Left reverse\nset bmargin {}\n", key_rows,
+                     4 + key_rows);
   const bool has_tics = plot.contains("x_tics");
   if (plot.at("log_y")) script << "set logscale y\nset format y '10^{%L}'\n";
   if (plot.at("log_x")) script << "set logscale x\n" << (has_tics ? "" : "set format x '10^{%L}'\n");
@@ -93,16 +146,17 @@ std::string script_of(const Filling& plot) {
   for (const char* axis : {"x", "y"})
     if (const auto range = plot.find(axis + std::string("_range")); range != plot.end())
       script << fmt::format("set {}range [{}:{}]\n", axis, range->at(0).get<double>(), range->at(1).get<double>());
+  script << marks_of(plot);
   std::string drawn;
   for (const auto& series : plot.at("series")) {
     const auto name = fmt::format("$data{}", &series - &plot["series"].front());
     script << name << " << EOD\n";
     const auto x = series.at("x").get<std::vector<double>>(), y = shown(plot, series);
     for (std::size_t i = 0; i < x.size(); ++i)
-      script << fmt::format("{:.10g} {}\n", x[i], std::isfinite(y[i]) ? fmt::format("{:.10g}", y[i]) : "nan");
+      script << fmt::format("{:.10g} {} {}\n", x[i], number_or_nan(y[i]), bar_at(series, i));
     script << "EOD\n";
-    drawn += fmt::format("{}{} using 1:2 {} {}", drawn.empty() ? "plot " : ", ", name, style_of(series),
-                         series.at("label") == "" ? "notitle" : "title " + text_in(series, "label"));
+    drawn += fmt::format("{}{}{} using 1:2 {} {}", drawn.empty() ? "plot " : ", ", bars_of(name, series), name,
+                         style_of(series), series.at("label") == "" ? "notitle" : "title " + text_in(series, "label"));
   }
   script << drawn << "\n";
   return script.str();
@@ -215,7 +269,7 @@ std::vector<std::string> svgs(const std::vector<const Filling*>& plots) {
   std::vector<std::string> elements;
   for (const auto* plot : plots)
     if (plot->contains("kind"))
-      elements.push_back(plot->at("kind") == "map" ? zone_map_svg(*plot) : "");
+      elements.push_back(plot->at("kind") == "map" ? zone_map_svg(*plot) : share_bars_svg(*plot));
     else
       elements.push_back(has_points(*plot) ? next_element(drawn, *plot) : nothing_to_draw(*plot));
   return elements;

@@ -9,7 +9,7 @@
 namespace fretval {
 namespace {
 
-constexpr double width = 480, height = 300, left = 52, bottom = 40, top = 8, right = 10;
+constexpr double width = 480, height = 320, left = 52, bottom = 40, top = 28, right = 14;
 
 const char* colour_of(char zone) {
   switch (zone) {
@@ -33,9 +33,37 @@ std::string axes(double end, const std::string& label) {
     svg += fmt::format("<text x=\"{:.1f}\" y=\"{:.0f}\" text-anchor=\"middle\">{:g}</text>",
                        left + t * (width - left - right), height - bottom + 16, t);
   for (double r = 0; r <= end; r += end / 4)
-    svg += fmt::format("<text x=\"{:.0f}\" y=\"{:.1f}\" text-anchor=\"end\">{:g}</text>", left - 6,
+    svg += fmt::format("<text x=\"{:.0f}\" y=\"{:.1f}\" text-anchor=\"end\">{:.2g}</text>", left - 6,
                        height - bottom - r / end * (height - bottom - top) + 4, r);
   return svg + "</g>";
+}
+
+/// What the colours are.
+std::string key() {
+  std::string svg;
+  double x = left;
+  for (const auto& [zone, name] : {std::pair{'s', "sticks"}, std::pair{'f', "slips forward"},
+                                   std::pair{'b', "slips backward"}, std::pair{'o', "open"}}) {
+    svg += fmt::format(
+        "<rect x=\"{:.0f}\" y=\"6\" width=\"16\" height=\"10\" stroke=\"#858d97\" style=\"fill:{}\"/>"
+        "<text x=\"{:.0f}\" y=\"15\" font-size=\"12\" fill=\"#1a2230\">{}</text>",
+        x, colour_of(zone), x + 21, name);
+    x += 108;
+  }
+  return svg;
+}
+
+/// Radii with their names, c and a.
+std::string marks(const Filling& map, double scale) {
+  std::string svg;
+  for (const auto& mark : map.value("marks", Filling::array())) {
+    const double y = height - bottom - scale * mark.at("x").get<double>();
+    svg += fmt::format(
+        "<line x1=\"{0}\" x2=\"{1}\" y1=\"{2:.1f}\" y2=\"{2:.1f}\" stroke=\"#858d97\" stroke-width=\"1.5\" "
+        "stroke-dasharray=\"6 4\"/><text x=\"{3}\" y=\"{4:.1f}\" font-size=\"12\" fill=\"#1a2230\">{5}</text>",
+        left, width - right, y, width - right + 3, y + 4, html_escaped(mark.at("name").get<std::string>()));
+  }
+  return svg;
 }
 
 }  // namespace
@@ -65,15 +93,17 @@ std::string zone_map_svg(const Filling& map) {
       if (i + 1 < zones[k].size() && zones[k][i + 1] == zones[k][i]) continue;
       const double inner = begin == 0 ? 0 : edges[begin - 1], outer = edges[i];
       if (zones[k][i] != 'o')
-        svg += fmt::format("<rect x=\"{:.2f}\" y=\"{:.2f}\" width=\"{:.2f}\" height=\"{:.2f}\" fill=\"{}\"/>",
-                           left + step * static_cast<double>(k), height - bottom - scale * outer, step + 0.2,
-                           scale * (outer - inner), colour_of(zones[k][i]));
+        svg += fmt::format(
+            "<rect x=\"{:.2f}\" y=\"{:.2f}\" width=\"{:.2f}\" height=\"{:.2f}\" fill=\"{}\" "
+            "shape-rendering=\"crispEdges\"/>",
+            left + step * static_cast<double>(k), height - bottom - scale * outer, step + 0.2, scale * (outer - inner),
+            colour_of(zones[k][i]));
       begin = i + 1;
     }
   return svg +
          fmt::format("<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"none\" stroke=\"#5b6573\"/>", left, top,
                      width - left - right, height - bottom - top) +
-         axes(end, map.at("y_label").get<std::string>()) + "</svg>";
+         key() + marks(map, scale) + axes(end, map.at("y_label").get<std::string>()) + "</svg>";
 }
 
 }  // namespace fretval

@@ -8,6 +8,7 @@
 
 #include "comparison/accuracy/proof.h"
 #include "comparison/accuracy/quantity.h"
+#include "comparison/report/sections/values_table.h"
 #include "comparison/report/text/numbers.h"
 #include "comparison/report/text/table.h"
 #include "comparison/results/answer_text.h"
@@ -126,6 +127,8 @@ Filling verdict_section(const Results& results) {
     filling["sentence"] =
         fmt::format("{}{} not compared, because MDR does not hold for the profile.",
                     n_compared == 0 ? "" : filling["sentence"].get<std::string>() + " ", were(n_beyond));
+  filling["has_values"] = true;
+  filling["values"] = filling_of(values_table(results, quantities_with_units()));
   filling["table"] = filling_of(table);
   return filling;
 }

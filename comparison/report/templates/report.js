@@ -2,7 +2,7 @@
 // rings over time), "bars" (shares that add up). Values and units are as the C++ writes them (json_of in plots.cc).
 "use strict";
 (() => {
-  // Okabe and Ito's palette, distinguishable with colour-blind eyes; as in plots.cc.
+  // Okabe and Ito's palette, distinguishable with colour-blind eyes; as in palette.h.
   const palette = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#b87d00", "#3a9bd0", "#6a51a3", "#555555", "#a6761d"];
   const colour = (k) => palette[k % palette.length];
   const zones = {s: ["sticks", "#14284f"], f: ["slips forward", "#c26a00"], b: ["slips backward", "#3a9bd0"], o: ["open", "#ffffff"]};
@@ -219,6 +219,28 @@
     return draw;
   }
 
+  /// A drawing of pieces that the pointer, a finger and the arrow keys pick. at: the piece under a point, or null;
+  /// next: the piece that a key (dx, dy) goes to from one, which is null at first; show: says what is picked, null: nothing.
+  function picks(svg, at, next, show) {
+    let picked = null;
+    const pick = (piece) => { picked = piece; show(piece); };
+    svg.attr("tabindex", 0).style("touch-action", "pan-y");
+    svg.on("mousemove touchstart", () => pick(at(...(d3.event.touches ? d3.touches(svg.node())[0] : d3.mouse(svg.node())))))
+      .on("mouseleave blur", () => pick(null))
+      .on("keydown", () => {
+        const dx = {ArrowRight: 1, ArrowLeft: -1}[d3.event.key] ?? 0, dy = {ArrowUp: 1, ArrowDown: -1}[d3.event.key] ?? 0;
+        if (d3.event.key === "Escape") return pick(null);
+        if (!dx && !dy) return;
+        d3.event.preventDefault();
+        pick(next(picked, dx, dy));
+      });
+  }
+  /// Around what is picked.
+  function outline(svg) {
+    const box = svg.append("rect").attr("class", "picked").attr("fill", "none").attr("stroke", "#1a2230").attr("stroke-width", 2).attr("display", "none").attr("pointer-events", "none");
+    return (rect) => box.attr("display", rect ? null : "none").attr("x", rect?.x).attr("y", rect?.y).attr("width", rect?.width).attr("height", rect?.height);
+  }
+
   function drawMap(element, plot) {
     const root = d3.select(element), n = plot.zones.length;
     head(root, plot, () => [["step", ...plot.edges.map((r) => `to ${number(r)}`)], ...plot.zones.map((zone, k) => [k, ...zone.split("").map((z) => zones[z][0])])]);
@@ -232,7 +254,7 @@
     const area = root.append("div"), tip = tooltip(root);
     return () => {
       const width = Math.max(280, Math.round(element.clientWidth || 480)), height = Math.round(Math.min(380, Math.max(230, width * 0.62)));
-      const margin = {left: 62, right: 16, top: plot.marks ? 10 : 10, bottom: 42};
+      const margin = {left: 62, right: plot.marks ? 26 : 16, top: 10, bottom: 42};
       area.selectAll("*").remove();
       const svg = canvas(area, plot, width, height, margin).attr("class", "canvas");
       const x = d3.scaleLinear().domain([0, 1]).range([margin.left, width - margin.right]);
@@ -249,14 +271,22 @@
       axes(svg, x, y, width, height, margin, plot);
       svg.selectAll(".tick line").attr("stroke-opacity", 0.25);
       for (const mark of plot.marks ?? []) {
-        svg.append("line").attr("x1", margin.left).attr("x2", width - margin.right).attr("y1", y(mark.x)).attr("y2", y(mark.x)).attr("stroke", "#1a2230").attr("stroke-dasharray", "4 3");
-        rich(svg.append("text").attr("class", "name").attr("x", width - margin.right - 4).attr("y", y(mark.x) - 5).attr("text-anchor", "end").style("stroke", "#fff").style("stroke-width", "4px").style("paint-order", "stroke").style("font-weight", 600), mark.name);
+        // Seen on dark zones and on light ones.
+        svg.append("line").attr("x1", margin.left).attr("x2", width - margin.right).attr("y1", y(mark.x)).attr("y2", y(mark.x)).attr("stroke", "#858d97").attr("stroke-width", 1.5).attr("stroke-dasharray", "6 4");
+        rich(svg.append("text").attr("class", "name").attr("x", width - margin.right + 6).attr("y", y(mark.x) + 4).style("font-weight", 600), mark.name);
       }
-      svg.on("mousemove", () => {
-        const [mx, my] = d3.mouse(svg.node()), k = Math.floor(x.invert(mx) * n), r = y.invert(my), i = plot.edges.findIndex((edge) => r <= edge);
-        if (k < 0 || k >= n || r < 0 || i < 0) return tip.hide();
-        tip.show([zones[plot.zones[k][i]][0], `${flat(plot.x_label)}: ${number(k / n)}`, `${flat(plot.y_label)}: ${number(r)}`], mx, my, width);
-      }).on("mouseleave", () => tip.hide());
+      const frame = outline(svg), m = plot.edges.length, middle = (i) => (plot.edges[i] + (i ? plot.edges[i - 1] : 0)) / 2;
+      const within = (v, end) => Math.min(end - 1, Math.max(0, v));
+      const stride = [Math.max(1, Math.round(n / 48)), Math.max(1, Math.round(m / 32))];
+      picks(svg, (px, py) => {
+        const k = Math.floor(x.invert(px) * n), r = y.invert(py), i = plot.edges.findIndex((edge) => r <= edge);
+        return k < 0 || k >= n || r < 0 || i < 0 ? null : {k, i};
+      }, (p, dx, dy) => (p ? {k: within(p.k + dx * stride[0], n), i: within(p.i + dy * stride[1], m)} : {k: 0, i: 0}), (p) => {
+        if (!p) { frame(null); return tip.hide(); }
+        const top = y(plot.edges[p.i]), bottom = y(p.i ? plot.edges[p.i - 1] : 0);
+        frame({x: margin.left + p.k * step, y: top, width: Math.max(2, step), height: Math.max(2, bottom - top)});
+        tip.show([zones[plot.zones[p.k][p.i]][0], `${flat(plot.x_label)}: ${number(p.k / n)}`, `${flat(plot.y_label)}: ${number(middle(p.i))}`], margin.left + p.k * step, top, width);
+      });
     };
   }
 
@@ -278,15 +308,27 @@
       const x = d3.scaleLinear().domain([0, Math.max(1.05, d3.max(plot.rows, (row) => d3.sum(row.shares)) * 1.05)]).range([margin.left, width - margin.right]);
       svg.append("g").attr("transform", `translate(0,${height - margin.bottom})`).call(ticks(d3.axisBottom(x).tickSizeInner(-(height - margin.top - margin.bottom)).tickPadding(7), x, width / 110));
       svg.append("line").attr("x1", x(1)).attr("x2", x(1)).attr("y1", margin.top).attr("y2", height - margin.bottom).attr("stroke", "#1a2230").attr("stroke-dasharray", "4 3");
+      const pieces = [];
       plot.rows.forEach((row, k) => {
         const top = margin.top + k * line + (narrow ? 22 : 8);
         svg.append("text").attr("class", "name").attr("x", narrow ? margin.left : margin.left - 8).attr("y", narrow ? top - 6 : top + 14).attr("text-anchor", narrow ? "start" : "end").text(row.label);
         let sum = 0;
         row.shares.forEach((share, source) => {
-          svg.append("rect").attr("x", x(sum)).attr("width", Math.max(0, x(sum + share) - x(sum))).attr("y", top).attr("height", 18).attr("fill", colour(source))
-            .on("mousemove", () => { const [mx, my] = d3.mouse(svg.node()); tip.show([row.label, `${plot.sources[source]}: ${number(share)} of the tolerance`], mx, my, width); }).on("mouseleave", () => tip.hide());
+          const piece = {k, row, source, share, x: x(sum), y: top, width: Math.max(0, x(sum + share) - x(sum)), height: 18};
+          svg.append("rect").attr("x", piece.x).attr("width", piece.width).attr("y", top).attr("height", piece.height).attr("fill", colour(source));
+          if (share > 0) pieces.push(piece);
           sum += share;
         });
+      });
+      const frame = outline(svg);
+      picks(svg, (px, py) => pieces.find((p) => px >= p.x && px <= p.x + p.width && py >= p.y && py <= p.y + p.height) ?? null, (p, dx, dy) => {
+        if (!p) return pieces[0] ?? null;
+        if (dx) return pieces[Math.min(pieces.length - 1, Math.max(0, pieces.indexOf(p) + dx))];
+        return pieces.find((q) => q.k === p.k - dy) ?? p;
+      }, (p) => {
+        frame(p);
+        if (!p) return tip.hide();
+        tip.show([p.row.label, `${plot.sources[p.source]}: ${number(p.share)} of the tolerance`], p.x + p.width / 2, p.y, width);
       });
     };
   }

@@ -40,6 +40,12 @@ std::string difference_with_bar(const StoredResult& result, const char* key) {
   return difference_text(result, key) + " ± " + bar_text(result, key);
 }
 
+double input_number(const StoredResult& result, const char* name) {
+  for (const auto& input : result.json.at("scene").value("inputs", nlohmann::ordered_json::array()))
+    if (input.at("name") == name && input.at("value").is_number()) return input["value"].get<double>();
+  return std::nan("");
+}
+
 std::string length_text(const StoredResult& result, const char* section, const char* key) {
   const double length = result.number(section, key);
   return std::isfinite(length) ? with_unit(length, 0, "m") : "–";

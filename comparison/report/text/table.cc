@@ -7,7 +7,8 @@ namespace {
 
 Filling filling_of_cell(const Cell& cell) {
   Filling filling{{"text", cell.text}};
-  if (cell.is_bad || cell.is_words) filling["class"] = cell.is_bad ? "bad-cell" : "words";
+  if (cell.is_bad || cell.is_words || cell.is_head)
+    filling["class"] = cell.is_bad ? "bad-cell" : cell.is_words ? "words" : "head";
   if (!cell.details.empty()) filling["details"] = cell.details;
   return filling;
 }
@@ -23,6 +24,12 @@ std::size_t width_of(const std::string& text) {
 Cell words_cell(const std::string& text) {
   Cell cell(text);
   cell.is_words = true;
+  return cell;
+}
+
+Cell head_cell(const std::string& text) {
+  Cell cell(text);
+  cell.is_head = true;
   return cell;
 }
 

@@ -13,6 +13,7 @@ struct Cell {
   std::string text;
   bool is_bad = false;       ///< in red
   bool is_words = false;     ///< a sentence rather than a number or a name
+  bool is_head = false;      ///< of the rows below it
   std::string details = {};  ///< what a page shows on request
 
   Cell(std::string words) : text(std::move(words)) {}
@@ -20,6 +21,7 @@ struct Cell {
 };
 
 Cell words_cell(const std::string& text);
+Cell head_cell(const std::string& text);
 Cell bad_if(bool is_bad, const std::string& text);
 
 /// What a page and a terminal show alike.

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "comparison/reference/mdr_document.h"
+#include "comparison/results/estimate.h"
 #include "comparison/simulation/bodies/body.h"
 #include "comparison/simulation/compute_case.h"
 #include "comparison/simulation/fem_case/resolution_json.h"
@@ -108,15 +109,24 @@ TradeLevel closed_form_level(const PreparedCase& prepared, const Quantities& ref
   return level;
 }
 
+/// Of all levels but the full ones: before the first is done. Each pays for its body and its histories.
+double expected_seconds(const PreparedCase& prepared, const TradePlan& plan) {
+  double seconds = closed_form_seconds;
+  for (const auto& [resolution, axes] : plan.settings)
+    seconds += seconds_of_one(resolution, prepared.fem.motion.highest_order());
+  return seconds;
+}
+
 }  // namespace
 
 std::vector<TradeLevel> computed_levels(const PreparedCase& prepared, const TradePlan& plan) {
   const auto exact = mdr_answer(prepared.mdr, mdr_normal_response(prepared.mdr));
   const auto reference = quantities_of(exact, prepared.fem.units, prepared.fem.worn_edge.has_value());
+  const bool has_springs = !prepared.mdr.limiting && prepared.input.motion.phase;
+  Progress progress(plan.settings.size() + plan.full.size() + (has_springs ? spring_settings.size() : 0) + 1,
+                    expected_seconds(prepared, plan));
   // The first body of a process also pays for what its libraries load and allocate once and for all.
   make_body(at_resolution(prepared.fem, plan.settings.begin()->first).body);
-  const bool has_springs = !prepared.mdr.limiting && prepared.input.motion.phase;
-  Progress progress(plan.settings.size() + plan.full.size() + (has_springs ? spring_settings.size() : 0) + 1);
   std::vector<TradeLevel> levels;
   const auto add = [&](TradeLevel&& level) {
     progress.done(fmt::format("{} {}", level.kind, level.setting.dump()), level.failure.empty());

@@ -5,6 +5,7 @@
 #include <atomic>
 #include <stdexcept>
 
+#include "comparison/support/stopwatch.h"
 #include "fem/support/solver_error.h"
 #include "meshes/mesh_error.h"
 #include "tests/comparison/fake_numerics.h"
@@ -31,6 +32,35 @@ TEST(Computations, AreMadeOnceForAResolution) {
   EXPECT_EQ(computed.quantities().at(fine).at(Quantity::contact_radius_max), 1);
   EXPECT_GT(computed.quantities().at(coarse).at(Quantity::stick_radius_shakedown),
             computed.quantities().at(finer).at(Quantity::stick_radius_shakedown));
+}
+
+// 10 cycles of steps each, see FakeNumerics; every one has a body of its own there.
+TEST(Computations, AddUpWhatAllOfThemCost) {
+  const auto prepared = prepare({suite_case("parabola-elastic-90", 1e-3)}).front();
+  const auto coarse = with_steps(resolution_for(1e-3), 1), fine = with_steps(coarse, 2);
+  std::vector<std::pair<int, int>> told;
+  Computations computed(
+      prepared.fem.units,
+      [&](const Resolution& r) {
+        const double start = processor_seconds();
+        while (processor_seconds() < start + 0.01) {
+        }
+        auto answer = FakeNumerics{100, 0}(prepared.fem, r);
+        answer.n_cycles = 7;
+        return answer;
+      },
+      1, [&](int n_done, int n_known) { told.emplace_back(n_done, n_known); });
+  computed.compute({coarse});
+  computed.compute({coarse, fine, with_rings(fine, 2)});
+  const auto cost = computed.cost() + ProofCost{1, 10, 2, 0.5, {2, 1}};
+  EXPECT_EQ(cost.computations, 4);
+  EXPECT_EQ(cost.time_steps, 10L * (coarse.steps_per_cycle + 2L * fine.steps_per_cycle) + 10);
+  EXPECT_EQ(cost.cycles, 23);
+  EXPECT_GE(cost.seconds, 0.53);
+  EXPECT_LT(cost.seconds, 5);
+  EXPECT_EQ(cost.bodies.all, 5);
+  EXPECT_EQ(cost.bodies.from_store, 1);
+  EXPECT_EQ(told, (std::vector<std::pair<int, int>>{{1, 1}, {2, 3}, {3, 3}}));
 }
 
 TEST(Computations, KeepFailuresOfTheNumericsAndThrowAnythingElse) {

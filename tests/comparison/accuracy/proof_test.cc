@@ -89,7 +89,7 @@ TEST(Proof, GoesAsFarAsItIsAsked) {
   const auto prepared = prepare({suite_case("parabola-solid-90", 1e-3)}).front();
   const FakeNumerics coarse{100, 0};
   const auto answer = fake_study(prepared, coarse, Proof::none);
-  EXPECT_EQ(answer.n_computations, 1);
+  EXPECT_EQ(answer.cost.computations, 1);
   EXPECT_TRUE(answer.budget.empty());
   EXPECT_GT(fake_study(prepared, coarse).n_refinements, 0);
 }

@@ -31,7 +31,7 @@ TEST(WearProof, EndsInTheLimit) {
   ASSERT_EQ(wear.failure, "");
   EXPECT_TRUE(wear.ends_in_limit());
   EXPECT_LT(wear.pressed_outside, 1e-5);
-  EXPECT_EQ(wear.n_computations, 1);
+  EXPECT_EQ(wear.cost.computations, 1);
   EXPECT_GT(wear.distance_shakedown.front(), 0.1);
   EXPECT_LT(wear.distance_shakedown.back(), 1e-3);
   for (const auto quantity : {Quantity::worn_volume, Quantity::worn_radius, Quantity::distance_to_limit}) {

@@ -1,11 +1,15 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cmath>
 #include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <set>
+#include <sstream>
 
+#include "tests/comparison/expect_parts.h"
 #include "tests/comparison/read_case.h"
 #include "tests/comparison/run_fretval.h"
 
@@ -77,6 +81,64 @@ TEST(RunCommand, ExitsWith1WhereTheTwoDisagree) {
   EXPECT_EQ(run.out.rfind("case: finite elements do not confirm MDR", 0), 0U) << run.out;
   EXPECT_EQ(nlohmann::json::parse(text_of(out / "case" / "result.json")).at("pass"), false);
   EXPECT_NE(text_of(out / "index.html").find("not confirmed"), std::string::npos);
+}
+
+// Once more it is the same; a value of the baseline that is off by ten bars is not.
+TEST(RunCommand, ExitsWith1WhereAResultHasMovedFromTheBaseline) {
+  const ScratchFolder folder;
+  const auto file = quoted(folder.write("case.prm", elastic_case()));
+  const auto old = folder.path() / "old", out = folder.path() / "out";
+  ASSERT_EQ(fretval_run("run " + file + " --proof bars -o " + quoted(old), folder).exit_code, 0);
+  const auto against = "run " + file + " --proof bars -o " + quoted(out) + " --baseline " + quoted(old);
+  const auto same = fretval_run(against, folder);
+  EXPECT_EQ(same.exit_code, 0) << same.err;
+  auto json = nlohmann::json::parse(text_of(old / "case/result.json"));
+  const double bar = json["fe"]["error_estimate"]["normal_force_max"]["total"];
+  json["fe"]["normal_force_max"] = json["fe"]["normal_force_max"].get<double>() * (1 + 10 * bar);
+  folder.write("old/case/result.json", json.dump());
+  const auto moved = fretval_run(against, folder);
+  EXPECT_EQ(moved.exit_code, 1) << moved.err;
+  expect_parts(moved.err, {"baseline: ", "largest normal force"});
+  const auto missing =
+      fretval_run("run " + file + " -o " + quoted(out) + " --baseline " + quoted(folder.path() / "none"), folder);
+  EXPECT_EQ(missing.exit_code, 2);
+}
+
+TEST(RunCommand, PrintsALineOfJsonForEachCase) {
+  const ScratchFolder folder;
+  const auto file = folder.write(
+      "sweep.prm", elastic_case() + "subsection Sweep\n  set Entry = Motion / Phase\n  set Values = 0, 90\nend\n");
+  const auto out = folder.path() / "out";
+  const auto run = fretval_run("run " + quoted(file) + " --json --proof none -o " + quoted(out), folder);
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  std::istringstream lines(run.out);
+  std::set<std::string> names;
+  for (std::string line; std::getline(lines, line);) {
+    const auto json = nlohmann::json::parse(line);
+    const auto name = json.at("name").get<std::string>();
+    names.insert(name);
+    EXPECT_EQ(json.at("fe"), nlohmann::json::parse(text_of(out / name / "result.json")).at("fe"));
+  }
+  EXPECT_EQ(names, (std::set<std::string>{"sweep/phase-0", "sweep/phase-90"}));
+}
+
+TEST(RunCommand, WritesTheTimeOfEachCaseAsJUnit) {
+  const ScratchFolder folder;
+  const auto file = folder.write("case.prm", elastic_case()), junit = folder.path() / "junit.xml";
+  const auto start = std::chrono::steady_clock::now();
+  const auto run = fretval_run(
+      "run " + quoted(file) + " --proof none --junit " + quoted(junit) + " -o " + quoted(folder.path() / "out"),
+      folder);
+  const double all = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const auto text = text_of(junit);
+  const std::string before = "name=\"case\" time=\"";
+  const auto at = text.find(before);
+  ASSERT_NE(at, std::string::npos) << text;
+  const double seconds = std::stod(text.substr(at + before.size()));
+  EXPECT_GT(seconds, 0);
+  EXPECT_LT(seconds, all);
+  expect_parts(text, {"failures=\"0\"", "stick radius, shakedown"});
 }
 
 // A branch of 1e12 cycles creeps on for ever. The case beside it has its result and the report all the same.

@@ -4,6 +4,8 @@
 
 #include <string>
 
+#include "tests/comparison/stored_result.h"
+
 namespace fretval {
 namespace {
 
@@ -39,6 +41,16 @@ TEST(Verdicts, NameTheLargestUseOfAToleranceOfEachFile) {
       << text;
   EXPECT_NE(text.find("stick radius, shakedown in two/a: 1.0e-05"), std::string::npos) << text;
   EXPECT_EQ(text.find("DISAGREE"), std::string::npos) << text;
+}
+
+TEST(Verdicts, ComeAfterTheValues) {
+  auto line = line_with("family/1", 1e-4, Verdict::pass);
+  line.json = stored_result().dump();
+  const auto text = verdicts_of({line, failed("family/2")});
+  const auto values = text.find("stick radius, shakedown"), verdict = text.find("1 of   2 agree");
+  EXPECT_LT(values, verdict) << text;
+  EXPECT_NE(verdict, std::string::npos) << text;
+  EXPECT_NE(text.find("finite elements"), std::string::npos) << text;
 }
 
 TEST(Verdicts, NameEveryCaseWhoseNumericsFailed) {

@@ -124,16 +124,24 @@ TEST(Report, HasTheNumbersOfACaseInTheirPlaces) {
                   {"cycles", 3},
                   {"bodies", 7},
                   {"bodies_from_store", 2},
+                  {"all",
+                   {{"seconds", 12.25},
+                    {"time_steps", 340},
+                    {"cycles", 45},
+                    {"computations", 6},
+                    {"bodies", 9},
+                    {"bodies_from_store", 4}}},
                   {"peak_memory_bytes", 64e6}};
-  expect_parts(page_of({json}),
-               {"<h2>Case a/case</h2>\n<p>parabola, standard solid", "<td>1.90000 m</td><td>-6.2e-02</td>",
-                "<td>31.0000 N</td><td>+3.1e-02</td>", "<td>500.000 mm</td>", "<td>700.000 mm</td>",
-                "<td>a/case</td><td>2.00000 m</td><td>500.000 mm</td><td>600.000 mm</td><td>700.000 mm</td>"
-                "<td>900.000 mm</td><td>-6.2e-02</td>"
-                "<td>+3.1e-02</td><td>agree</td>",
-                "A case like a/case has 103 degrees of freedom and takes 12 time steps over 3 cycles in 4.50 s.",
-                "All in all: 12 time steps, 4 s of friction histories on one core, peak memory 64 MB. A body is a "
-                "mesh with its operators: 5 made, 2 from the store."});
+  expect_parts(
+      page_of({json}),
+      {"<h2>Case a/case</h2>\n<p>parabola, standard solid", "<td>1.90000 m</td><td>-6.2e-02</td>",
+       "<td>31.0000 N</td><td>+3.1e-02</td>", "<td>500.000 mm</td>", "<td>700.000 mm</td>",
+       "<td>a/case</td><td>2.00000 m</td><td>500.000 mm</td><td>600.000 mm</td><td>700.000 mm</td>"
+       "<td>900.000 mm</td><td>-6.2e-02</td>"
+       "<td>+3.1e-02</td><td>agree</td>",
+       "A case like a/case has 103 degrees of freedom and takes 12 time steps over 3 cycles in 4.50 s. Its proof "
+       "took 6 computations, wear and refinements among them: 340 time steps, 45 cycles, 12.2 s of one "
+       "processor. Peak memory 64 MB. A body is a mesh with its operators: 5 made, 4 from the store."});
 }
 
 // The amplitude at which slip begins with its bar, a_inf over a0.
@@ -220,15 +228,46 @@ class ReportSlow : public testing::Test {
     page_ = write_report(out);
   }
 
-  /// The document after its scripts have run; the browser complains of nothing.
-  [[nodiscard]] std::string drawn(const fs::path& page) const {
+  /// What the browser says to a page; it complains of nothing.
+  std::string browsed(const fs::path& page, const std::string& options) const {
     const auto run = shell_run(
         "chromium --headless=new --no-sandbox --disable-gpu --user-data-dir=" + quoted(folder_.path() / "profile") +
-            " --virtual-time-budget=20000 --enable-logging=stderr --dump-dom file://" + quoted(page),
+            " --virtual-time-budget=20000 --enable-logging=stderr " + options + " file://" + quoted(page),
         folder_);
     EXPECT_EQ(run.exit_code, 0);
     EXPECT_EQ(run.err.find("CONSOLE"), std::string::npos) << run.err;
     return run.out;
+  }
+
+  /// The document after its scripts have run.
+  [[nodiscard]] std::string drawn(const fs::path& page) const { return browsed(page, "--dump-dom"); }
+
+  /// Attributes that a page has after a script of ours has run in it.
+  [[nodiscard]] std::string examined(const std::string& page, const std::string& script) const {
+    return drawn(folder_.write("examined.html", page + "<script>" + script + "</script>"));
+  }
+
+  /// Pixels that a page of so many takes across; a frame, as no window of the browser is narrower than 500.
+  [[nodiscard]] int width_in_frame(const std::string& page, int width) const {
+    folder_.write("framed.html", page);
+    const auto outer = folder_.write(
+        "frame.html", fmt::format("<html><body><iframe id=\"f\" src=\"framed.html\" width=\"{}\" height=\"3000\" "
+                                  "style=\"border:0\" onload=\"document.documentElement.dataset.width = "
+                                  "document.getElementById('f').contentDocument.documentElement.scrollWidth\"></iframe>"
+                                  "</body></html>",
+                                  width));
+    const auto text = browsed(outer, "--hide-scrollbars --allow-file-access-from-files --dump-dom");
+    const std::string before = "data-width=\"";
+    const auto at = text.find(before);
+    EXPECT_NE(at, std::string::npos);
+    return at == std::string::npos ? 0 : std::stoi(text.substr(at + before.size()));
+  }
+
+  /// Words on paper, each with the box that it takes on a page of some width, as XHTML.
+  [[nodiscard]] std::string printed(const fs::path& page) const {
+    const auto file = folder_.path() / "printed.pdf";
+    browsed(page, "--no-pdf-header-footer --print-to-pdf=" + quoted(file));
+    return shell_run("pdftotext -bbox " + quoted(file) + " -", folder_).out;
   }
 
   /// What tests/comparison/report/contrast.js says of the page with one text in the place of another.
@@ -266,6 +305,65 @@ TEST_F(ReportSlow, IsDrawnByABrowser) {
   EXPECT_EQ(count(">no data<"), 0);
   expect_parts(text, {"Friction / Coefficient", "Wear to the end", "Prescribed forces", "Suite extremes",
                       "Speed and accuracy", "Pressure and traction"});
+}
+
+// On a telephone the page does not scroll sideways; tables do, in boxes of their own.
+TEST_F(ReportSlow, IsAsWideAsATelephone) {
+  const auto page = text_of(page_);
+  EXPECT_EQ(width_in_frame(page, 390), 390);
+  // What the measure is there for.
+  EXPECT_EQ(width_in_frame(replace(page, "</main>", "<div style=\"width:600px\">wide</div></main>"), 390), 616);
+}
+
+// The table of all cases is folded on the screen. Every word lies within the paper and its margin of 14 mm, which are
+// 52 whole pixels or 39 points.
+TEST_F(ReportSlow, IsPrintedWithWhatIsFoldedAndNothingCutOff) {
+  if (std::system("command -v pdftotext >/dev/null") != 0) GTEST_SKIP() << "poppler-utils is not installed";
+  const auto text = printed(page_);
+  const auto unfolded = text.find(">Stick</word>");  // the summary of the table
+  EXPECT_NE(unfolded, std::string::npos);
+  EXPECT_NE(text.find(">sweep/coefficient-0.6</word>", unfolded), std::string::npos);
+  const auto number_after = [&](std::size_t from, const char* key) {
+    const auto at = text.find(key, from) + std::string(key).size();
+    return std::stod(text.substr(at));
+  };
+  constexpr double margin = 39, roundoff = 0.1;
+  double width = 0;
+  int n_words = 0;
+  for (auto at = text.find('<'); at != std::string::npos; at = text.find('<', at + 1)) {
+    if (text.compare(at, 5, "<page") == 0) width = number_after(at, "width=\"");
+    if (text.compare(at, 5, "<word") != 0) continue;
+    ++n_words;
+    EXPECT_GE(number_after(at, "xMin=\""), margin - roundoff) << text.substr(at, 120);
+    EXPECT_LE(number_after(at, "xMax=\""), width - margin + roundoff) << text.substr(at, 120);
+  }
+  EXPECT_GT(n_words, 1000);
+}
+
+// Every drawing is reached by the tabulator, and the arrow keys walk through its pieces.
+TEST_F(ReportSlow, IsUsedWithoutAMouse) {
+  const auto text = examined(text_of(page_), R"(
+    let silent = [], n = 0;
+    for (const svg of document.querySelectorAll("[data-plot] svg.canvas")) {
+      const tip = svg.closest("[data-plot]").querySelector(".tip"), press = (key) => svg.dispatchEvent(new KeyboardEvent("keydown", {key}));
+      const name = svg.getAttribute("aria-label");
+      ++n;
+      if (svg.tabIndex !== 0) silent.push("not reached: " + name);
+      press("ArrowRight");
+      const first = tip.textContent;
+      if (tip.hidden || !first) silent.push("says nothing: " + name);
+      press("ArrowRight"); press("ArrowUp"); press("ArrowRight");
+      if (tip.hidden) silent.push("falls silent: " + name);
+      press("Escape");
+      if (!tip.hidden) silent.push("goes on: " + name);
+    }
+    document.documentElement.dataset.silent = JSON.stringify(silent);
+    document.documentElement.dataset.reached = n;)");
+  EXPECT_NE(text.find("data-silent=\"[]\""), std::string::npos)
+      << text.substr(std::min(text.find("data-silent"), text.size()), 1500);
+  const auto at = text.find("data-reached=\"");
+  ASSERT_NE(at, std::string::npos);
+  EXPECT_GE(std::stoi(text.substr(at + 14)), 25);
 }
 
 TEST_F(ReportSlow, HasTheContrastThatTheGuidelinesAskFor) {

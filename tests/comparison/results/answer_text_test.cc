@@ -4,6 +4,7 @@
 
 #include "tests/comparison/expect_parts.h"
 #include "tests/comparison/made_up_result.h"
+#include "tests/comparison/stored_result.h"
 
 namespace fretval {
 namespace {
@@ -33,6 +34,15 @@ TEST(AnswerText, SaysWhatTheVerdictIs) {
   expect_parts(answer_text(result), {"case: finite elements confirm MDR to 6.2e-02"});
   result.comparison.at(Quantity::normal_force_max).verdict = Verdict::inconclusive;
   expect_parts(answer_text(result), {"case: open", "wider than the tolerance"});
+}
+
+// Of a rate that differs by a fifth the verdict is a pass; it says nothing of the radii.
+TEST(AnswerText, LeavesTheDecayOfSlipOutOfTheSentence) {
+  auto json = stored_result();
+  json["comparison"]["slip_decay"] = {
+      {"difference", 0.2}, {"tolerance", 0.5}, {"error_bar", 0.3}, {"verdict", "pass"}, {"pass", true}};
+  EXPECT_EQ(answer_of(json).verdict, answer_of(stored_result()).verdict);
+  EXPECT_EQ(answer_of(json).verdict.find("e-01"), std::string::npos);
 }
 
 }  // namespace

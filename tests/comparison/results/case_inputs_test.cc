@@ -25,11 +25,92 @@ TEST(CaseInputs, ListWhatTheCaseHasWithItsUnit) {
     EXPECT_EQ(found.count(absent), 0U) << absent;
 }
 
+std::map<std::string, nlohmann::ordered_json> values_of(const Case& input) {
+  std::map<std::string, nlohmann::ordered_json> found;
+  for (const auto& one : inputs_json(input)) found[one.at("name")] = one.at("value");
+  return found;
+}
+
+std::string unit_of(const Case& input, const char* section, const char* name) {
+  for (const auto& one : inputs_json(input))
+    if (one.at("section") == section && one.at("name") == name) return one.at("unit");
+  return "not there";
+}
+
+// What somebody has set to nothing is an input, too.
+TEST(CaseInputs, HaveTheZerosOfAMotion) {
+  Case input{};
+  input.motion.phase = 0;
+  const auto found = values_of(input);
+  for (const char* name : {"Phase", "Normal amplitude", "Tangential amplitude"}) EXPECT_EQ(found.at(name), 0.0) << name;
+}
+
+TEST(CaseInputs, HaveHarmonicsInWords) {
+  Case input{};
+  input.motion.normal_harmonics = {{5e-6, 2, 0}, {1.5e-3, 3, -90}};
+  const auto found = values_of(input);
+  EXPECT_EQ(found.at("Normal harmonics"),
+            nlohmann::ordered_json({"5 µm at 2 Hz, phase 0°", "1.5 mm at 3 Hz, phase -90°"}));
+  EXPECT_EQ(found.count("Tangential harmonics"), 0U);
+}
+
+TEST(CaseInputs, SayWhatWasMeasuredAtWhichTemperature) {
+  Case input{};
+  input.indenter.table_noise = 1e-7;
+  input.elastomer.rheology = "table";
+  input.elastomer.master_curve.emplace();
+  input.elastomer.master_curve->table = "dma.csv";
+  input.elastomer.master_curve->youngs = true;
+  input.elastomer.branch_times = {0.5};
+  input.elastomer.shift = Case::TemperatureShift{40, 20, 17.4, 51.6};
+  const auto found = values_of(input);
+  EXPECT_EQ(found.at("Table noise"), 1e-7);
+  EXPECT_EQ(found.at("Table"), "dma.csv");
+  EXPECT_EQ(found.at("Table modulus"), "Young");
+  EXPECT_EQ(found.at("Branch times, fitted at the Temperature"), nlohmann::ordered_json({0.5}));
+  EXPECT_EQ(found.at("Temperature"), 40.0);
+  EXPECT_EQ(found.at("Reference temperature"), 20.0);
+  EXPECT_EQ(found.at("WLF C1"), 17.4);
+  EXPECT_EQ(found.at("WLF C2"), 51.6);
+  EXPECT_EQ(unit_of(input, "Elastomer", "Temperature"), "degC");
+  EXPECT_EQ(unit_of(input, "Elastomer", "WLF C2"), "K");
+}
+
+TEST(CaseInputs, HaveTheWearWithTheUnitOfItsLaw) {
+  Case input{};
+  input.wear = Case::Wear::limiting;
+  input.worn_stick_ratio = 0.5;
+  input.wear_kinetics = Case::WearKinetics{Case::WearLaw::power, 1e-12, 1.5, std::nullopt, 0.25, "worn.csv"};
+  auto found = values_of(input);
+  EXPECT_EQ(found.at("State"), "limiting");
+  EXPECT_EQ(found.at("Stick radius ratio"), 0.5);
+  EXPECT_EQ(found.at("Law"), "power");
+  EXPECT_EQ(unit_of(input, "Wear", "Exponent"), "");
+  EXPECT_EQ(found.at("Cycles"), "until nothing wears any more");
+  EXPECT_EQ(found.at("Until"), 0.25);
+  EXPECT_EQ(found.at("Profile"), "worn.csv");
+  EXPECT_EQ(unit_of(input, "Wear", "Coefficient"), "Pa^-1.5");
+  input.wear_kinetics = Case::WearKinetics{Case::WearLaw::archard, 0, 1, 100, 0};
+  found = values_of(input);
+  EXPECT_EQ(found.at("Cycles"), 100.0);
+  EXPECT_EQ(found.count("Until"), 0U);
+  EXPECT_EQ(unit_of(input, "Wear", "Coefficient"), "1/Pa");
+}
+
+TEST(CaseInputs, HaveRingsAndStepsThatAreFixed) {
+  Case input{};
+  input.rings_per_radius = 48;
+  input.steps_per_cycle = 96;
+  const auto found = values_of(input);
+  EXPECT_EQ(found.at("Rings per radius"), 48);
+  EXPECT_EQ(found.at("Steps per cycle"), 96);
+  EXPECT_EQ(values_of(Case{}).count("Rings per radius"), 0U);
+}
+
 TEST(CaseInputs, NameTheAmplitudeThatFollows) {
   Case input{};
   input.motion.tangential_amplitude = std::nan("");
-  std::map<std::string, nlohmann::ordered_json> found;
-  for (const auto& one : inputs_json(input)) found[one.at("name")] = one.at("value");
+  const auto found = values_of(input);
   EXPECT_EQ(found.at("Tangential amplitude"), "shakedown");
 }
 

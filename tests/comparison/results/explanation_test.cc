@@ -40,10 +40,20 @@ TEST(Explanation, SaysWhyFiniteElementsDoNotComputeIt) {
   expect_parts(explanation(without), {"need an Accuracy / Tolerance"});
 }
 
-TEST(Explanation, WorkGrowsWithWhatIsAskedFor) {
-  EXPECT_GT(estimated_seconds(1e-4, true, 1, 5), estimated_seconds(1e-3, true, 1, 5));
-  EXPECT_EQ(estimated_seconds(1e-3, true, 1, 10), 2 * estimated_seconds(1e-3, true, 1, 5));
-  EXPECT_GT(estimated_seconds(1e-3, true, 3, 5), estimated_seconds(1e-3, true, 1, 5));
+// k = 1.5 mu Dd / u_x0 = 1.5 * 0.5 * 20 / 15.
+TEST(Explanation, HasTheGroupOfThePaper) {
+  expect_parts(explanation(read_case()), {"k            1 (3/2 mu"});
+  expect_parts(explanation(read_case(replace(valid_case, "Normal amplitude = 2e-5", "Normal amplitude = 1e-5"))),
+               {"k            0.5 (3/2 mu"});
+}
+
+TEST(Explanation, OfASweepAndOfWearSaysWhatAllOfItCosts) {
+  const auto one = explanation(read_case()), ten = explanation(read_case(), 10);
+  EXPECT_EQ(one.find("of the sweep"), std::string::npos);
+  expect_parts(ten, {"all 10 cases of the sweep: of the order of "});
+  const auto worn = explanation(read_case(elastic_case() + "subsection Wear\n  set Coefficient = 1e-12\nend\n"));
+  expect_parts(worn, {"most of it for the wear"});
+  EXPECT_EQ(one.find("wear,"), std::string::npos);
 }
 
 }  // namespace

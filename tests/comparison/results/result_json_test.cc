@@ -132,7 +132,9 @@ TEST(ResultJson, HasEveryNumberUnderItsKey) {
         "pass": false}},
     "cost": {"seconds": {"mesh": 1.5, "assembly": 2.5, "factorisation": 3.5, "reading": 6.5, "normal_history": 4.5,
         "friction_history": 5.5},
-      "dofs": 103, "contact_nodes": 104, "time_steps": 12, "cycles": 3, "computations": 6, "bodies": 4, "bodies_from_store": 2}})"));
+      "dofs": 103, "contact_nodes": 104, "time_steps": 12, "cycles": 3, "computations": 6, "bodies": 4, "bodies_from_store": 2,
+      "all": {"seconds": 7.5, "time_steps": 720, "cycles": 60, "computations": 6, "bodies": 4,
+        "bodies_from_store": 2}}})"));
 }
 
 }  // namespace

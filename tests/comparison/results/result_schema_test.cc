@@ -71,10 +71,11 @@ TEST(ResultSchema, RefusesWhatItDoesNotSay) {
   ASSERT_EQ(fretval_run("run --proof none " + quoted(file) + " -o " + quoted(folder.path()), folder).exit_code, 0);
   const auto good = nlohmann::json::parse(text_of(folder.path() / "case/result.json"));
   std::vector<fs::path> files;
-  for (const char* patch : {R"({})", R"({"schema": 2})", R"({"note": 1})", R"({"cost": {"dofs": "many"}})",
-                            R"({"mdr": {"modulus_ratio": null}})", R"({"scene": {"wear": "much"}})",
-                            R"({"comparison": {"normal_force_max": {"tolerance": 0}}})",
-                            R"({"comparison": {"weight": {"tolerance": 1}}})"}) {
+  for (const char* patch :
+       {R"({})", R"({"schema": 2})", R"({"note": 1})", R"({"cost": {"dofs": "many"}})",
+        R"({"cost": {"all": {"time_steps": -1}}})", R"({"mdr": {"modulus_ratio": null}})",
+        R"({"scene": {"wear": "much"}})", R"({"comparison": {"normal_force_max": {"tolerance": 0}}})",
+        R"({"comparison": {"weight": {"tolerance": 1}}})"}) {
     auto json = good;
     json.merge_patch(nlohmann::json::parse(patch));
     files.push_back(folder.write("changed-" + std::to_string(files.size()) + ".json", json.dump()));

@@ -39,7 +39,7 @@ ProvedWear made_up_wear() {
   wear.distance_shakedown = {0.3, 0.01};
   wear.distance_first_slip = {0.4, 0.2};
   wear.pressed_outside = 0.125;
-  wear.n_computations = 9;
+  wear.cost.computations = 9;
   wear.slip_is_proved = false;
   wear.largest_springs_difference = 0.25;
   return wear;

@@ -14,6 +14,14 @@ TEST(Progress, TellsTheTimeThatIsLeft) {
   EXPECT_EQ(progress_text({12, 12, 2}, 3725, 80), "[##############################] 12/12, in 1:02:05, 2 not good");
 }
 
+// An estimate stands in until something is done, as long as it is not over.
+TEST(Progress, BeginsWithAnEstimate) {
+  EXPECT_EQ(progress_text({0, 1, 0, 0, {}, 90}, 0, 80), "[..............................] 0/1, about 1:30 left");
+  EXPECT_EQ(progress_text({0, 1, 0, 0, {}, 90}, 60, 80), "[..............................] 0/1, about 0:30 left");
+  EXPECT_EQ(progress_text({0, 1, 0, 0, {}, 90}, 100, 80), "[..............................] 0/1, 1:40 so far");
+  EXPECT_EQ(progress_text({0, 1, 0, 0.5, "a: 1 of 2", 90}, 20, 40), "[#####......] 0/1, 0:20 left; a: 1 of 2");
+}
+
 // One of two is done and the other to a quarter: 40 s for 1.25 of 2, so 24 are left.
 TEST(Progress, CountsTheShareOfWhatIsUnderWay) {
   EXPECT_EQ(progress_text({1, 2, 0, 0.25, "cone: worn"}, 40, 80),
@@ -48,7 +56,7 @@ TEST(Progress, RedrawsALineOnATerminal) {
   const auto command =
       std::string(FRETVAL_PROGRAM) + " run " + file.string() + " --proof none -o " + (folder.path() / "out").string();
   const auto run = shell_run("script -qec 'stty cols 60; " + command + "' /dev/null", folder);
-  EXPECT_NE(run.out.find("\r\033[K[..............................] 0/1, 0:00 so far"), std::string::npos) << run.out;
+  EXPECT_NE(run.out.find("\r\033[K[..............................] 0/1, about 0:0"), std::string::npos) << run.out;
 }
 
 }  // namespace

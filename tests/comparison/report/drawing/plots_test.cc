@@ -49,6 +49,27 @@ TEST(Plots, WithoutPointsSaySo) {
   EXPECT_TRUE(shows({-1, 1, 10}, {1, 1, none}));
 }
 
+// Also where scripts are off: one point with a bar, one without, a mark inside the axis and one outside.
+TEST(Plots, HaveTheirBarsAndMarksWithoutScripts) {
+  Plot plot{"title", "x", "y"};
+  plot.series.push_back({"curve", {1, 2}, {1, 2}, Series::Style::points, 1});
+  const auto count = [&](const char* part) {
+    const auto svg = still_of(plot);
+    int n = 0;
+    for (auto at = svg.find(part); at != std::string::npos; at = svg.find(part, at + 1)) ++n;
+    return n;
+  };
+  const int paths = count("<path");
+  plot.series[0].bar = {0.25, std::nan("")};
+  const int with_a_bar = count("<path");
+  EXPECT_GT(with_a_bar, paths);
+  plot.x_range = {0, 4};
+  plot.marks = {{"c_{FE}", 1.5}, {"outside", 5}};
+  EXPECT_GT(count("stroke-dasharray"), 0);
+  EXPECT_GT(count(">c<"), 0);
+  EXPECT_EQ(count("outside"), 0);
+}
+
 TEST(Plots, AreDataOfThePage) {
   Plot plot{"title", "x", "y"};
   plot.series.push_back({"curve", {1, 2}, {std::nan(""), 1.23456789}, Series::Style::open_points, 3, {0, 0.25}});

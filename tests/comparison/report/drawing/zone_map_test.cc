@@ -25,6 +25,10 @@ TEST(ZoneMap, DrawsARectangleAZoneAndAStep) {
   EXPECT_EQ(count(html, "fill=\"#14284f\""), 2);
   EXPECT_EQ(count(html, "fill=\"#c26a00\""), 1);
   EXPECT_EQ(count(html, "fill=\"#3a9bd0\""), 1);
+  // A mark in the middle of the axis.
+  auto map = zone_map("a < b", "r / a₀", edges, {"ssf", "sbo"});
+  map["marks"] = {{{"name", "c"}, {"x", 0.75}}};
+  expect_parts(zone_map_svg(map), {"y1=\"154.0\" y2=\"154.0\"", ">c</text>", ">slips backward</text>"});
   // Of the axis of 252 pixels, 84 a ring; the first zone of the first step is two rings high.
   expect_parts(html, {"height=\"168.00\" fill=\"#14284f\"", "height=\"84.00\" fill=\"#c26a00\""});
 }

@@ -45,6 +45,16 @@ TEST(VerdictSection, CountsCasesThatAgree) {
   expect_parts(rendered(verdict_section({failed, proved("bars")})), {"badge bad", "not confirmed", "in 1 of 2 cases"});
 }
 
+TEST(VerdictSection, OfManyBeginsWithTheValuesOfBoth) {
+  auto second = proved("bars");
+  second.json["name"] = "family/phase-60";
+  const auto html = rendered(verdict_section({proved("bars"), second}));
+  const auto values = html.find("table: the values of both methods"), differences = html.find("<h2>Differences</h2>");
+  EXPECT_LT(values, differences);
+  EXPECT_NE(differences, std::string::npos);
+  EXPECT_EQ(rendered(verdict_section({proved("bars")})).find("Differences"), std::string::npos);
+}
+
 TEST(Extreme, IsTheLargestDifferenceWhateverItsSign) {
   const auto extreme = extreme_of(
       {with_difference("small", 1e-4, 2e-4, "pass"), with_difference("large", -3e-4, 1e-4, "pass"),

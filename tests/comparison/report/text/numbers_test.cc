@@ -38,5 +38,13 @@ TEST(LengthText, IsTheLengthOfTheSideThatIsAskedFor) {
   EXPECT_EQ(length_text(result, "fe", "stick_radius_shakedown"), "–");
 }
 
+TEST(InputNumber, IsAnEntryThatHasANumber) {
+  StoredResult result{stored_result(), {}};
+  result.json["scene"]["inputs"] = {{{"name", "Phase"}, {"value", "free"}}, {{"name", "Radius"}, {"value", 0.01}}};
+  EXPECT_EQ(input_number(result, "Radius"), 0.01);
+  EXPECT_TRUE(std::isnan(input_number(result, "Phase")));
+  EXPECT_TRUE(std::isnan(input_number(result, "Exponent")));
+}
+
 }  // namespace
 }  // namespace fretval

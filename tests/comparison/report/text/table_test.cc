@@ -23,6 +23,10 @@ TEST(Table, IsEscapedOnAPage) {
        "<tr><td>c</td><td>20</td></tr>"});
 }
 
+TEST(Table, HasHeadsOfSomeRows) {
+  expect_parts(rendered(filling_of(Table{{"name"}, {{head_cell("family")}}})), {"<td class=\"head\">family</td>"});
+}
+
 TEST(Table, IsAlignedOnATerminal) {
   EXPECT_EQ(text_of(small_table()),
             "name    n  remark\n"

@@ -1,0 +1,88 @@
+#include "comparison/report/sections/assumptions.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+
+#include "comparison/accuracy/quantity.h"
+#include "comparison/report/text/numbers.h"
+#include "comparison/results/answer_text.h"
+
+namespace fretval {
+namespace {
+
+using nlohmann::ordered_json;
+
+/// Of a sphere on an incompressible layer that is bonded to a rigid base: the first term of the force beyond that on a
+/// half-space, over a/h (Dimitriadis, Horkay, Maresca, Kachar, Chadwick, Biophysical Journal 82 (2002) 2798).
+constexpr double bonded_layer = 1.133;
+constexpr double share_of_the_base = 0.01;
+
+std::string length_of(double value) {
+  const auto [prefix, factor] = prefix_for(value);
+  return fmt::format("{:.3g} {}m", value / factor, prefix);
+}
+
+/// Where the finite elements end, over the largest contact radius; NaN if the folder does not say.
+double far_radius_of(const StoredResult& r) {
+  std::ifstream stream(r.folder / "run.json");
+  if (!stream) return std::nan("");
+  const auto run = ordered_json::parse(stream, nullptr, false);
+  const auto resolution = run.is_object() ? run.value("resolution", ordered_json()) : ordered_json();
+  const auto radius = resolution.is_object() ? resolution.value("far_radius", ordered_json()) : ordered_json();
+  return radius.is_number() ? radius.get<double>() : std::nan("");
+}
+
+/// What the far boundary adds to the error bars, of the quantity where that is most of its tolerance.
+void add_far_boundary(const StoredResult& r, Filling& filling) {
+  double most = -1;
+  std::string where;
+  const auto bars = r.json.at("fe").value("error_estimate", ordered_json::object());
+  for (const auto& [key, bar] : bars.items()) {
+    const auto quantity = quantity_of(key);
+    const auto compared = r.json.at("comparison").find(key);
+    if (!quantity || !bar.is_object() || compared == r.json.at("comparison").end()) continue;
+    const auto share = bar.value("shares", ordered_json::object()).value("far field", ordered_json::object());
+    if (!share.value("estimate", ordered_json()).is_number()) continue;
+    const double of_tolerance = share["estimate"].get<double>() / compared->at("tolerance").get<double>();
+    if (of_tolerance <= most) continue;
+    most = of_tolerance;
+    where = traits_of(*quantity).title;
+  }
+  if (most < 0) return;
+  filling["far_share"] = fmt::format("{:.2g}", 100 * most);
+  filling["far_quantity"] = where;
+  if (const double radius = far_radius_of(r); std::isfinite(radius))
+    filling["far_radius"] = fmt::format("{:g}", radius);
+}
+
+}  // namespace
+
+Filling assumptions_of(const StoredResult& r) {
+  Filling filling{{"template", "assumptions"}};
+  const auto& scene = r.json.at("scene");
+  const double a = r.number("scene", "contact_radius_unworn");
+  const auto add = [&](const char* key, double value, const char* format) {
+    if (std::isfinite(value)) filling[key] = number_text(value, format);
+  };
+  if (r.text("scene", "shape") == "parabola")
+    add("arc", 100 * std::pow(a / input_number(r, "Radius"), 2) / 4, "{:.2g}");
+  if (!scene.contains("path"))
+    add("lift_off", r.number("scene", "normal_amplitude") / r.number("scene", "indentation"), "{:.3g}");
+  const auto [x, f] = read_columns(r.folder / "profile.csv", "r [m]", "f unworn [m]");
+  const auto at = std::lower_bound(x.begin(), x.end(), a) - x.begin();
+  if (at > 0 && at < static_cast<std::ptrdiff_t>(x.size())) {
+    const auto i = static_cast<std::size_t>(at);
+    add("slope", std::atan((f[i] - f[i - 1]) / (x[i] - x[i - 1])) * 180 / std::acos(-1.0), "{:.2g}");
+  }
+  if (a > 0) {
+    filling["depth"] = length_of(bonded_layer / share_of_the_base * a);
+    filling["depth_over_a"] = fmt::format("{:.0f}", bonded_layer / share_of_the_base);
+  }
+  add_far_boundary(r, filling);
+  return filling;
+}
+
+}  // namespace fretval

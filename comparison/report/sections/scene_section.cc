@@ -1,0 +1,123 @@
+#include "comparison/report/sections/scene_section.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <map>
+
+#include "comparison/report/drawing/sketch.h"
+#include "comparison/report/sections/assumptions.h"
+#include "comparison/report/text/numbers.h"
+#include "comparison/results/answer_text.h"
+
+namespace fretval {
+namespace {
+
+using nlohmann::ordered_json;
+
+constexpr std::size_t few_scenes = 2;
+
+/// Whether prefixes may stand before it.
+bool takes_prefixes(const std::string& unit) {
+  for (const char* plain : {"m", "N", "Pa", "Pa s", "s"})
+    if (unit == plain) return true;
+  return false;
+}
+
+std::string value_text(const ordered_json& value, const std::string& unit) {
+  if (value.is_string()) return value.get<std::string>();
+  if (value.is_array()) {
+    std::string text;
+    for (const auto& one : value) text += (text.empty() ? "" : ", ") + value_text(one, unit);
+    return text;
+  }
+  if (value.is_null()) return "–";
+  const double number = value.get<double>();
+  if (unit.empty() || unit == "°") return fmt::format("{:g}{}", number, unit);
+  if (unit == "degC") return fmt::format("{:g} °C", number);
+  if (!takes_prefixes(unit) || number == 0) return fmt::format("{:g} {}", number, unit);
+  const auto [prefix, factor] = prefix_for(number);
+  return fmt::format("{:.6g} {}{}", number / factor, prefix, unit);
+}
+
+/// The entries of the case file by their sections.
+ordered_json inputs_of(const ordered_json& scene) {
+  auto sections = ordered_json::array();
+  for (const auto& input : scene.value("inputs", ordered_json::array())) {
+    if (sections.empty() || sections.back().at("section") != input.at("section"))
+      sections.push_back({{"section", input.at("section")}, {"entries", ordered_json::array()}});
+    sections.back()["entries"].push_back(
+        {{"name", input.at("name")}, {"value", value_text(input.at("value"), input.at("unit").get<std::string>())}});
+  }
+  return sections;
+}
+
+/// omega tau of each branch.
+std::string branches_text(const ordered_json& scene, double angular_frequency) {
+  std::string text;
+  for (const auto& input : scene.value("inputs", ordered_json::array()))
+    if (input.at("name").get<std::string>().rfind("Branch times", 0) == 0)
+      for (const auto& time : input.at("value"))
+        text += (text.empty() ? "" : ", ") + number_text(angular_frequency * time.get<double>(), "{:.3g}");
+  return text;
+}
+
+/// Numbers of the template `scene`; a group that the case does not have is not shown.
+void add_groups(const StoredResult& r, Filling& filling) {
+  const auto& scene = r.json.at("scene");
+  const double a = r.number("scene", "contact_radius_unworn");
+  const auto add = [&](const char* key, double value, const char* format) {
+    if (std::isfinite(value)) filling[key] = number_text(value, format);
+  };
+  const bool oscillates = !scene.contains("path");
+  if (oscillates) {
+    add("k",
+        1.5 * r.number("scene", "friction_coefficient") * r.number("scene", "normal_amplitude") /
+            r.number("scene", "tangential_amplitude"),
+        "{:.4g}");
+    add("rho", r.number("mdr", "modulus_ratio"), "{:.5g}");
+    filling["omega_tau"] = branches_text(scene, 2 * std::acos(-1.0) * r.number("scene", "frequency"));
+  }
+  const double radius = input_number(r, "Radius");
+  add("a_over_r", a / radius, "{:.3g}");
+  add("first_slip", r.number("fe", "stick_radius_first_slip") / a, "{:.4f}");
+  add("shakedown", r.number("fe", "stick_radius_shakedown") / a, "{:.4f}");
+  for (const char* group : {"k", "rho", "a_over_r", "first_slip", "shakedown"})
+    if (filling.contains(group)) filling["has_groups"] = true;
+}
+
+}  // namespace
+
+Filling scene_of(const StoredResult& r) {
+  Filling filling{{"template", "scene"}, {"inputs", inputs_of(r.json.at("scene"))}};
+  if (auto sketch = sketch_of(r); !sketch.is_null()) filling["sketch"] = std::move(sketch);
+  add_groups(r, filling);
+  return filling;
+}
+
+Filling scenes_section(const std::vector<StoredResult>& results) {
+  std::map<std::string, std::pair<const StoredResult*, std::size_t>> firsts;  // with how many there are of its family
+  for (const auto& r : results)
+    if (r.json.at("scene").contains("sweep")) {
+      auto& [first, n] = firsts[r.family()];
+      if (!first) first = &r;
+      ++n;
+    }
+  if (firsts.empty()) return nullptr;
+  auto scenes = Filling::array();
+  for (const auto& [family, counted_first] : firsts) {
+    const auto& [first, n] = counted_first;
+    scenes.push_back({{"family", family},
+                      {"cases", counted(n, "case")},
+                      {"entry", first->json.at("scene").at("sweep").at("entry")},
+                      {"open", firsts.size() <= few_scenes},
+                      {"scene", scene_of(*first)},
+                      {"assumptions", assumptions_of(*first)}});
+  }
+  return {{"template", "scenes"},
+          {"one", firsts.size() == 1},
+          {"several", firsts.size() > 1},
+          {"scenes", std::move(scenes)}};
+}
+
+}  // namespace fretval

@@ -1,0 +1,140 @@
+#include "comparison/report/sections/values_table.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+
+#include "comparison/results/answer_text.h"
+
+namespace fretval {
+namespace {
+
+using nlohmann::ordered_json;
+using Families = std::map<std::string, std::vector<const StoredResult*>>;
+
+constexpr std::size_t few_families = 8;
+constexpr double the_same = 1e-6;  // relative: six digits are shown
+
+Families families_of_all(const std::vector<StoredResult>& results) {
+  Families families;
+  for (const auto& r : results) families[r.family()].push_back(&r);
+  return families;
+}
+
+/// A value, and half of what it may be off; none: a radius where nothing sticks.
+struct Value {
+  std::optional<double> value;
+  double bar = 0;
+};
+
+std::optional<double> finite(double value) {
+  return std::isfinite(value) ? std::optional(value) : std::nullopt;
+}
+
+/// Empty: the quantity is not compared, and not told by finite elements alone.
+std::optional<Value> value_of(const StoredResult& r, const char* side, Quantity quantity) {
+  const char* key = name_of(quantity);
+  const auto& comparison = r.json.at("comparison");
+  const auto bars = r.json.at("fe").value("error_estimate", ordered_json::object());
+  const bool is_compared = comparison.contains(key);
+  const bool is_fe = side == std::string("fe");
+  if (!is_compared && !(is_fe && r.is_beyond_mdr() && bars.contains(key))) return std::nullopt;
+  Value found{finite(r.number(side, key))};
+  if (!is_fe || !found.value) return found;
+  const auto bar = is_compared ? comparison[key].value("error_bar", ordered_json())
+                               : (bars[key].is_object() ? bars[key].value("total", ordered_json()) : ordered_json());
+  if (bar.is_number()) found.bar = bar.get<double>() * scale_of(quantity, scales_of(r.json), *found.value);
+  return found;
+}
+
+/// "690.2 ± 0.1 to 790.1 ± 0.1 µm"; both ends with their own unit where that is another one.
+std::string range_text(const std::string& least, const std::string& most) {
+  if (least == most) return least;
+  const auto unit = [](const std::string& text) { return text.substr(std::min(text.rfind(' '), text.size())); };
+  const auto start = unit(least) == unit(most) ? least.substr(0, least.rfind(' ')) : least;
+  return start + " to " + most;
+}
+
+/// Of all members of a family.
+std::string values_text(const std::vector<const StoredResult*>& family, const char* side, Quantity quantity) {
+  std::vector<Value> values;
+  for (const auto* r : family)
+    if (const auto value = value_of(*r, side, quantity)) values.push_back(*value);
+  if (values.empty()) return "–";
+  const auto shown = [&](const Value& one) {
+    return one.value ? with_unit(*one.value, one.bar, traits_of(quantity).unit) : std::string("none");
+  };
+  const auto below = [](const Value& a, const Value& b) { return a.value < b.value; };
+  const auto [least, most] = std::minmax_element(values.begin(), values.end(), below);
+  const bool same = least->value && most->value &&
+                    *most->value - *least->value <= std::max(the_same * std::abs(*most->value), most->bar);
+  return same ? shown(*most) : range_text(shown(*least), shown(*most));
+}
+
+bool has(const std::vector<const StoredResult*>& family, Quantity quantity) {
+  return std::any_of(family.begin(), family.end(),
+                     [&](const auto* r) { return value_of(*r, "fe", quantity).has_value(); });
+}
+
+/// Of a family with nothing to compare.
+std::string slides(const std::vector<const StoredResult*>& family, const char* side) {
+  const auto& says = family.front()->json.at(side);
+  return says.contains("gross_slip") && !says["gross_slip"].is_null() ? "all of the contact slides" : "–";
+}
+
+Table of_few(const Families& families, const std::vector<Quantity>& quantities) {
+  Table table{{"", "finite elements", "MDR"}};
+  for (const auto& [name, family] : families) {
+    table.rows.push_back(
+        {head_cell(family.size() == 1 ? name : fmt::format("{}, {} cases", name, family.size())), "", ""});
+    const auto before = table.rows.size();
+    for (const auto quantity : quantities)
+      if (has(family, quantity))
+        table.rows.push_back({fmt::format("  {}", traits_of(quantity).title), values_text(family, "fe", quantity),
+                              values_text(family, "mdr", quantity)});
+    if (table.rows.size() == before)
+      table.rows.back() = {table.rows.back().front(), slides(family, "fe"), slides(family, "mdr")};
+  }
+  return table;
+}
+
+Table of_many(const Families& families) {
+  constexpr auto radius = Quantity::stick_radius_shakedown;
+  Table table{{"stick radius, shakedown", "finite elements", "MDR"}};
+  for (const auto& [name, family] : families)
+    table.rows.push_back(has(family, radius) ? std::vector<Cell>{name, values_text(family, "fe", radius),
+                                                                 values_text(family, "mdr", radius)}
+                                             : std::vector<Cell>{name, slides(family, "fe"), slides(family, "mdr")});
+  return table;
+}
+
+}  // namespace
+
+Table values_table(const std::vector<StoredResult>& results, const std::vector<Quantity>& quantities) {
+  const auto families = families_of_all(results);
+  auto table = families.size() <= few_families ? of_few(families, quantities) : of_many(families);
+  table.label = "the values of both methods";
+  return table;
+}
+
+const std::vector<Quantity>& main_quantities() {
+  static const std::vector<Quantity> quantities{Quantity::stick_radius_first_slip, Quantity::stick_radius_shakedown,
+                                                Quantity::contact_radius_max, Quantity::normal_force_max,
+                                                Quantity::friction_work};
+  return quantities;
+}
+
+const std::vector<Quantity>& quantities_with_units() {
+  static const std::vector<Quantity> quantities = [] {
+    std::vector<Quantity> all;
+    for (const auto quantity : quantities_by_interest)
+      if (*traits_of(quantity).unit != '\0' && quantity != Quantity::worn_volume) all.push_back(quantity);
+    return all;
+  }();
+  return quantities;
+}
+
+}  // namespace fretval

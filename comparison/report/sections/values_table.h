@@ -1,0 +1,22 @@
+#pragma once
+
+#include <vector>
+
+#include "comparison/accuracy/quantity.h"
+#include "comparison/report/text/table.h"
+#include "comparison/results/results_folder.h"
+
+namespace fretval {
+
+/// What both methods say, before how they differ: the values of each case, or from the least to the largest of a sweep,
+/// with units, those of the finite elements with their bars. Of few families a row a quantity, of many a row a family
+/// with stick radii alone.
+Table values_table(const std::vector<StoredResult>& results, const std::vector<Quantity>& quantities);
+
+/// What a terminal has room for.
+const std::vector<Quantity>& main_quantities();
+
+/// All that have a unit.
+const std::vector<Quantity>& quantities_with_units();
+
+}  // namespace fretval

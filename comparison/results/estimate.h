@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "comparison/accuracy/prepared_case.h"
+#include "comparison/accuracy/proof.h"
+
+namespace fretval {
+
+/// About how long finite elements need, in s on one core like that of docs/verification.md; right to a factor of three,
+/// of wear to a factor of five.
+
+/// Of one computation with a body of its own.
+double seconds_of_one(const Resolution& resolution, int highest_order);
+
+/// Of so many computations of an unworn case, of which one is the resolution that a tolerance asks for and the others
+/// are variants of it.
+double estimated_seconds(double tolerance, bool memory, int highest_order, std::size_t n_computations);
+
+/// Of a case with its proof; wear and all.
+double estimated_seconds(const PreparedCase& prepared, Proof proof);
+
+/// Of what is run together on so many cores.
+double estimated_seconds(const std::vector<PreparedCase>& cases, Proof proof, std::size_t n_cores);
+
+/// How many computations the error bars of an unworn case take, the case itself among them.
+std::size_t computations_for_bars(const FemCase& fem);
+
+}  // namespace fretval

@@ -1,0 +1,40 @@
+#include "comparison/report/sections/assumptions.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/comparison/expect_parts.h"
+#include "tests/comparison/stored_result.h"
+
+namespace fretval {
+namespace {
+
+// a / R = 0.2: a²/(4R²) = 1 %; a layer of 1.133 a / 0.01 = 113 a = 227 mm adds 1 % to the force.
+TEST(Assumptions, HaveTheNumbersOfTheCase) {
+  const ScratchFolder folder;
+  folder.write("run.json", R"({"resolution": {"far_radius": 12}})");
+  folder.write("profile.csv", "r [m],f unworn [m]\n0,0\n0.001,0\n0.003,0.002\n");
+  auto json = stored_result();
+  json["scene"]["inputs"] = {{{"section", "Indenter"}, {"name", "Radius"}, {"value", 0.01}, {"unit", "m"}}};
+  json["scene"]["contact_radius_unworn"] = 0.002;
+  json["scene"]["indentation"] = 4;
+  json["scene"]["normal_amplitude"] = 1;
+  json["fe"]["error_estimate"] = {
+      {"stick_radius_shakedown", {{"total", 1}, {"shares", {{"far field", {{"estimate", 2e-5}, {"order", nullptr}}}}}}},
+      {"normal_force_max", {{"total", 1}, {"shares", {{"far field", {{"estimate", 1e-5}, {"order", nullptr}}}}}}}};
+  json["comparison"]["stick_radius_shakedown"]["tolerance"] = 1e-3;
+  json["comparison"]["normal_force_max"]["tolerance"] = 1e-4;
+  expect_parts(rendered(assumptions_of({json, folder.path()})),
+               {"it is 1 % lower", "the normal amplitude is 0.25 of", "rises at 45°", "has to be 227 mm deep, 113 a",
+                "The finite elements end at 12 a on", "makes up 10 % of a tolerance at most (largest normal force)"});
+}
+
+TEST(Assumptions, SayNothingOfWhatIsNotKnown) {
+  auto json = stored_result();
+  json["fe"]["error_estimate"] = nlohmann::ordered_json::object();
+  const auto html = rendered(assumptions_of({json, {}}));
+  for (const char* absent : {"The finite elements end", "Small slopes"})
+    EXPECT_EQ(html.find(absent), std::string::npos) << absent;
+}
+
+}  // namespace
+}  // namespace fretval

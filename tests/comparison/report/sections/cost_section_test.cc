@@ -1,0 +1,34 @@
+#include "comparison/report/sections/cost_section.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/comparison/expect_parts.h"
+#include "tests/comparison/stored_result.h"
+
+namespace fretval {
+namespace {
+
+StoredResult with_cost(double seconds, int computations) {
+  auto json = stored_result();
+  json["cost"]["all"] = {{"seconds", seconds},           {"time_steps", 100}, {"cycles", 10},
+                         {"computations", computations}, {"bodies", 3},       {"bodies_from_store", 1}};
+  return {json, {}};
+}
+
+TEST(CostSection, AddsUpWhatAllProofsTook) {
+  expect_parts(rendered(cost_section({with_cost(1.5, 11), with_cost(2.25, 12)})),
+               {"The proofs of all 2 cases took 23 computations", "200 time steps, 20 cycles, 3.75 s of one processor",
+                "counted in each case that uses it: 4 made, 2 from the store"});
+}
+
+// A result of an earlier version has the chosen resolution alone: no sum is better than a wrong one.
+TEST(CostSection, DoesWithoutASumWhereAResultHasNone) {
+  StoredResult old{stored_result(), {}};
+  old.json["cost"].erase("all");
+  const auto html = rendered(cost_section({with_cost(1.5, 11), old}));
+  EXPECT_EQ(html.find("of one processor"), std::string::npos);
+  expect_parts(html, {"Peak memory"});
+}
+
+}  // namespace
+}  // namespace fretval

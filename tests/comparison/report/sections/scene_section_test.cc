@@ -1,0 +1,52 @@
+#include "comparison/report/sections/scene_section.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/comparison/expect_parts.h"
+#include "tests/comparison/stored_result.h"
+
+namespace fretval {
+namespace {
+
+nlohmann::ordered_json input(const char* section, const char* name, const nlohmann::ordered_json& value,
+                             const char* unit) {
+  return {{"section", section}, {"name", name}, {"value", value}, {"unit", unit}};
+}
+
+StoredResult with_inputs(const std::vector<nlohmann::ordered_json>& inputs) {
+  StoredResult result{stored_result(), {}};
+  result.json["scene"]["inputs"] = inputs;
+  return result;
+}
+
+TEST(Scene, HasInputsInUnitsThatPeopleUse) {
+  const auto html = rendered(scene_of(
+      with_inputs({input("Motion", "Phase", 0, "°"), input("Motion", "Normal amplitude", 0, "m"),
+                   input("Motion", "Indentation", 2e-5, "m"), input("Motion", "Normal harmonics", {"a", "b"}, ""),
+                   input("Elastomer", "Temperature", 40, "degC"), input("Elastomer", "Branch moduli", {1e6, 5e5}, "Pa"),
+                   input("Wear", "Coefficient", 1e-13, "1/Pa")})));
+  expect_parts(html, {"<dd>0°</dd>", "<dd>0 m</dd>", "<dd>20 µm</dd>", "<dd>a, b</dd>", "<dd>40 °C</dd>",
+                      "<dd>1 MPa, 500 kPa</dd>", "<dd>1e-13 1/Pa</dd>"});
+}
+
+// Of times that were fitted or shifted, too.
+TEST(Scene, TakesTheBranchTimesByWhateverName) {
+  auto result = with_inputs({input("Elastomer", "Branch times, fitted", {0.5}, "s")});
+  result.json["scene"]["frequency"] = 1;
+  expect_parts(rendered(scene_of(result)), {"<dd>3.14</dd>"});
+}
+
+TEST(ScenesSection, ShowsTheFirstOfEachSweep) {
+  auto first = with_inputs({input("Friction", "Coefficient", 0.25, "")}), second = first, single = first;
+  first.json["scene"]["sweep"] = {{"family", "mine"}, {"entry", "Friction / Coefficient"}, {"value", 0.25}};
+  second.json["scene"]["sweep"] = {{"family", "mine"}, {"entry", "Friction / Coefficient"}, {"value", 0.5}};
+  second.json["scene"]["inputs"] = nlohmann::ordered_json::array({input("Friction", "Coefficient", 0.5, "")});
+  single.json["scene"].erase("sweep");
+  const auto html = rendered(scenes_section({first, second, single}));
+  expect_parts(html, {"mine: the first of 2 cases over Friction / Coefficient", "<dd>0.25</dd>", "What is assumed"});
+  EXPECT_EQ(html.find("<dd>0.5</dd>"), std::string::npos);
+  EXPECT_TRUE(scenes_section({single}).is_null());
+}
+
+}  // namespace
+}  // namespace fretval
