@@ -52,6 +52,9 @@ TEST(CaseInputs, HaveHarmonicsInWords) {
   EXPECT_EQ(found.at("Normal harmonics"),
             nlohmann::ordered_json({"5 µm at 2 Hz, phase 0°", "1.5 mm at 3 Hz, phase -90°"}));
   EXPECT_EQ(found.count("Tangential harmonics"), 0U);
+  input.motion.normal_force = Case::NormalForce{0.5, 0.1};
+  input.motion.normal_harmonics = {{0.02, 2, 30}};
+  EXPECT_EQ(values_of(input).at("Normal force harmonics"), nlohmann::ordered_json({"20 mN at 2 Hz, phase 30°"}));
 }
 
 TEST(CaseInputs, SayWhatWasMeasuredAtWhichTemperature) {
