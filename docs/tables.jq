@@ -39,10 +39,10 @@ def wear_row: . as $case | .fe.wear as $wear | def compared($q): if .comparison[
   [.name, (if .scene.wear_law.law == "power" then "p^\(.scene.wear_law.exponent)" else .scene.wear_law.law end),
    (.fe.stick_radius_shakedown // 0 | share($case)), ($wear.distance_to_limit.shakedown | number), compared("distance_to_limit")[1], ($wear.distance_to_limit.first_slip | number),
    ($wear.volume[-1] / $wear.volume_of_limit * 1e5 | round / 1e5 | tostring)] + compared("worn_volume") + compared("worn_radius")
-   + [($wear.springs_difference | number), ($wear.cycles[-1] | number), ($wear.cost.seconds * 10 | round / 10 | tostring)];
+   + [($wear.springs_difference | number), ($wear.cycles[-1] | number), (.cost.all.seconds * 10 | round / 10 | tostring)];
 
 if type == "array" and (.[0] | .fe | has("wear")) then
-  map(wear_row) | table(["case", "law", "c/a", "distance from the limit", "bar", "from that of first slip", "volume over that of the limit", "FE - MDR", "bar", "a_∞/a: FE - MDR", "bar", "springs, along the course", "cycles", "seconds"])
+  map(wear_row) | table(["case", "law", "c/a", "distance from the limit", "bar", "from that of first slip", "volume over that of the limit", "FE - MDR", "bar", "a_∞/a: FE - MDR", "bar", "springs, along the course", "cycles", "processor seconds"])
 elif type == "array" and (.[0] | has("scene")) then
   (map(.comparison | to_entries[]) | "\(length) values, \(map(select(.value.pass)) | length) agree, \(map(select((.value.difference | fabs) <= .value.error_bar)) | length) lie within their bars."),
   "",

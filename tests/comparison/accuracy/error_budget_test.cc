@@ -108,18 +108,21 @@ TEST(ErrorBudget, MeasuresWhatIsThere) {
 TEST(ErrorBudget, TakesFrictionForFirstOrderInTimeWhereRingsAreHeld) {
   const auto resolution = resolution_for(1e-3);
   const auto steps = [&](double share) { return static_cast<int>(share * resolution.steps_per_cycle); };
-  const auto estimate = [&](bool held) {
+  const auto estimate = [&](bool held, Quantity quantity) {
     const CaseNeeds needs{true, false, false, held};
-    const auto known = all_known(resolution, needs, [&](const Resolution& r) {
+    auto known = all_known(resolution, needs, [&](const Resolution& r) {
       return r.steps_per_cycle == steps(0.5) ? 0.501 : r.steps_per_cycle == steps(0.25) ? 0.5005 : 0.5;
     });
+    for (auto& [r, quantities] : known) quantities[quantity] = quantities.at(Quantity::stick_radius_shakedown);
     const auto budget = error_budget(resolution, known, {}, needs);
-    for (const auto& share : budget.at(Quantity::stick_radius_shakedown).shares)
+    for (const auto& share : budget.at(quantity).shares)
       if (share.source == ErrorSource::time_step) return share.estimate;
     return 0.0;
   };
-  EXPECT_NEAR(estimate(true), 3 * 0.001, 1e-12);
-  EXPECT_NEAR(estimate(false), 3 * 0.001 / 3, 1e-12);
+  for (const auto quantity : {Quantity::stick_radius_shakedown, Quantity::worn_volume}) {
+    EXPECT_NEAR(estimate(true, quantity), 3 * 0.001, 1e-12);
+    EXPECT_NEAR(estimate(false, quantity), 3 * 0.001 / 3, 1e-12);
+  }
 }
 
 // One order less changes the value by d. Errors go with h to the order: that of degree p is d^(p/(p-1)), three times
