@@ -75,15 +75,29 @@ mdr::FrettingControl control_of(const Case::Motion& motion) {
   return control;
 }
 
-/// A prescribed force: the fully worn contact, in which forces and displacements are linear in each other.
-MdrDocument answer_forces(const Case& input) {
+double normal_force_max_of(const Case&, const mdr::LimitingState& state) {
+  return state.mean_normal_force + state.normal_force_amplitude;
+}
+
+/// Prescribed; where the indentation is, springs have it.
+std::optional<double> normal_force_max_of(const Case& input, const mdr::LimitingMotion&) {
+  if (!input.motion.normal_force) return std::nullopt;
+  return mdr::maximum_indentation(harmonic_motion_of(input.motion));
+}
+
+ordered_json state_json(const std::optional<mdr::LimitingMotion>& state) {
+  if (!state) return nullptr;
+  return {{"stick_radius", state->stick_radius}, {"indentation", state->motion.indentation}};
+}
+
+/// A prescribed force: the fully worn contact, in which forces and displacements are linear in each other. state_of: by
+/// a criterion.
+template <class StateOf>
+MdrDocument answer_by_limiting_state(const Case& input, const StateOf& state_of) {
   const auto profile = profile_of(input.indenter);
   const auto body = rheology_of(input.elastomer);
-  const auto control = control_of(input.motion);
-  const auto state = [&](mdr::StickCriterion criterion) {
-    return mdr::limiting_state(profile, body, input.friction_coefficient, control, criterion);
-  };
-  const auto first_slip = state(mdr::StickCriterion::first_slip), shakedown = state(mdr::StickCriterion::shakedown);
+  const auto first_slip = state_of(profile, body, mdr::StickCriterion::first_slip);
+  const auto shakedown = state_of(profile, body, mdr::StickCriterion::shakedown);
   MdrDocument document;
   MdrAnswer answer{};
   answer.modulus_ratio = modulus_ratio_of(input, body);
@@ -93,11 +107,18 @@ MdrDocument answer_forces(const Case& input) {
         mdr::limiting_profile(profile, shakedown->stick_radius, mdr::maximum_indentation(shakedown->motion));
     answer.contact_radius_max = answer.stick_radius_shakedown = shakedown->stick_radius;
     answer.worn_radius = document.worn->outer_radius;
-    answer.normal_force_max = shakedown->mean_normal_force + shakedown->normal_force_amplitude;
+    answer.normal_force_max = normal_force_max_of(input, *shakedown);
   }
   document.json["mdr"] = to_json(answer);
   document.json["limiting_state"] = {{"first_slip", state_json(first_slip)}, {"shakedown", state_json(shakedown)}};
   return document;
+}
+
+MdrDocument answer_forces(const Case& input) {
+  const auto control = control_of(input.motion);
+  return answer_by_limiting_state(input, [&](const auto& profile, const auto& body, mdr::StickCriterion criterion) {
+    return mdr::limiting_state(profile, body, input.friction_coefficient, control, criterion);
+  });
 }
 
 /// Whether the limiting state is known in closed form.
@@ -108,32 +129,11 @@ bool has_one_frequency(const Case::Motion& motion) {
 
 /// The same of forces with several harmonics or frequencies.
 MdrDocument answer_harmonics_of_forces(const Case& input) {
-  const auto profile = profile_of(input.indenter);
-  const auto body = rheology_of(input.elastomer);
   const auto motion = harmonic_motion_of(input.motion);
   const bool normal = input.motion.normal_force.has_value(), tangential = input.motion.tangential_force.has_value();
-  const auto state = [&](mdr::StickCriterion criterion) {
+  return answer_by_limiting_state(input, [&](const auto& profile, const auto& body, mdr::StickCriterion criterion) {
     return mdr::limiting_motion(profile, body, input.friction_coefficient, motion, normal, tangential, criterion);
-  };
-  const auto json_of = [](const std::optional<mdr::LimitingMotion>& found) -> ordered_json {
-    if (!found) return nullptr;
-    return {{"stick_radius", found->stick_radius}, {"indentation", found->motion.indentation}};
-  };
-  const auto first_slip = state(mdr::StickCriterion::first_slip), shakedown = state(mdr::StickCriterion::shakedown);
-  MdrDocument document;
-  MdrAnswer answer{};
-  answer.modulus_ratio = modulus_ratio_of(input, body);
-  if (first_slip) answer.stick_radius_first_slip = first_slip->stick_radius;
-  if (shakedown) {
-    document.worn =
-        mdr::limiting_profile(profile, shakedown->stick_radius, mdr::maximum_indentation(shakedown->motion));
-    answer.contact_radius_max = answer.stick_radius_shakedown = shakedown->stick_radius;
-    answer.worn_radius = document.worn->outer_radius;
-  }
-  if (normal) answer.normal_force_max = mdr::maximum_indentation(motion);
-  document.json["mdr"] = to_json(answer);
-  document.json["limiting_state"] = {{"first_slip", json_of(first_slip)}, {"shakedown", json_of(shakedown)}};
-  return document;
+  });
 }
 
 MdrDocument answer_comparable(const Case& input) {
