@@ -77,6 +77,23 @@ TEST(ForcedResponse, GoesNoDeeperThanTheRelaxedBody) {
   }
 }
 
+// A cone on a body with a dashpot, whose load jumps at the edge: the area of the tangential loop, with half the
+// springs, steps and cycles of the ramp again and again, changes by more than an error of second order lets expect.
+TEST(ForcedResponse, KnowsTheErrorOfABodyWithADashpot) {
+  const Prescribed displacements{{8e-5, {{2e-5, 1, 0}}, {{3e-5, 1, pi / 4}}, true}};
+  const auto response_with = [&](int times) {
+    return forced_response(cone(3.643 * pi / 180), kelvin_voigt(1e6, 8e4), mu, displacements,
+                           {100 * times, 90 * times, 5 * times, 1e-5});
+  };
+  const auto coarse = response_with(1), fine = response_with(4);
+  const auto covers = [&](double ForcedResponse::*part) {
+    const double off = std::abs(coarse.response.*part - fine.response.*part), error = coarse.error.*part;
+    return off <= error && error <= 20 * off;
+  };
+  EXPECT_TRUE(covers(&ForcedResponse::tangential_work));
+  EXPECT_TRUE(covers(&ForcedResponse::friction_work));
+}
+
 TEST(ForcedResponse, SaysThatTheContactSlides) {
   auto prescribed = both_forces(0);
   prescribed.motion.tangential[0].amplitude = 0.4;
