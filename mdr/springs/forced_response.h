@@ -46,9 +46,9 @@ struct SpringFineness {
 
 /// The transient springs (mdr/springs/spring_history.h), stepped until they repeat. Extrapolated from n and 2 n
 /// springs, steps and cycles of the ramp, each of second order; with a dashpot, where the load jumps at the edge,
-/// springs are of first order. error: three times what a difference of that order leaves, the whole difference, or
-/// three times that with a dashpot. Throws std::invalid_argument for bad arguments, std::runtime_error when the springs
-/// do not become periodic and for a tangential force that no friction holds (gross slip).
+/// springs are of first order. error: the whole difference, three times what a second order leaves; of energies with a
+/// dashpot three times the whole. Throws std::invalid_argument for bad arguments, std::runtime_error when the springs do
+/// not become periodic and for a tangential force that no friction holds (gross slip).
 struct SteppedForcedResponse {
   ForcedResponse response, error;
 };
