@@ -30,9 +30,14 @@ def families: reduce .[] as $row ({}; .[$row.family] += [$row]) | to_entries[]
 def share($case): (. / $case.scene.contact_radius_unworn * 1e4 | round / 1e4 | tostring);
 def beside($case; $q): if $case.mdr[$q] == null then ["none", "none", ""] else
   [($case.mdr[$q] | share($case)), ($case.comparison[$q].difference | number), ($case.comparison[$q].error_bar | number)] end;
+# Energy of the tangential loop in µJ, of an elastic body all lost to friction, and the difference over sliding or the loop.
+def loop($case): ($case.comparison | if has("tangential_work") then "tangential_work" elif has("friction_work") then "friction_work" else null end) as $q
+  | if $q == null then ["–", "–", ""] else
+    [($case.mdr[$q] * 1e6 | number), ($case.comparison[$q].difference | number), ($case.comparison[$q].error_bar | number)] end;
 def motion_row: . as $case
   | [.name] + beside($case; "stick_radius_first_slip") + beside($case; "stick_radius_shakedown")
-    + (($case.comparison.normal_force_max // $case.comparison.indentation_max) | [(.difference | number), (.error_bar | number)]);
+    + (($case.comparison.normal_force_max // $case.comparison.indentation_max) | [(.difference | number), (.error_bar | number)])
+    + loop($case);
 
 def wear_row: . as $case | .fe.wear as $wear | def compared($q): if .comparison[$q] == null then ["–", ""] else
     [(.comparison[$q].difference | number), (.comparison[$q].error_bar | number)] end;
@@ -46,7 +51,7 @@ if type == "array" and (.[0] | .fe | has("wear")) then
 elif type == "array" and (.[0] | has("scene")) then
   (map(.comparison | to_entries[]) | "\(length) values, \(map(select(.value.pass)) | length) agree, \(map(select((.value.difference | fabs) <= .value.error_bar)) | length) lie within their bars."),
   "",
-  (map(motion_row) | table(["motion", "c/a, first slip: MDR", "FE - MDR", "bar", "c/a, shakedown: MDR", "FE - MDR", "bar", "force, or depth under a force: FE - MDR", "bar"]))
+  (map(motion_row) | table(["motion", "c/a, first slip: MDR", "FE - MDR", "bar", "c/a, shakedown: MDR", "FE - MDR", "bar", "force, or depth under a force: FE - MDR", "bar", "loop, µJ: MDR", "FE - MDR", "bar"]))
 elif type == "array" then
   map(exact_row) | table(["solution: quantity", "refined", "errors", "order (expected)", "tolerance", "verdict"])
 else
