@@ -111,7 +111,7 @@ std::string why_not_comparable(const Case& input) {
                       : motion.tangential_force ? "Motion / Tangential force amplitude"
                                                 : nullptr;
   if (motion.path) return "";
-  if (motion.normal_force && !(mdr::minimum_indentation(path) > 0))
+  if (motion.normal_force && !(mdr::minimum_indentation({path.indentation, path.normal, {}}) > 0))
     return fmt::format(
         "Motion / Normal force amplitude = {:g}: a normal force that is not positive all the time, as smaller "
         "oscillations about its mean of {:g} N would be, is not balanced",

@@ -151,7 +151,7 @@ TEST(CaseSections, HarmonicsBelongToWhatIsPrescribed) {
   const std::string rest = "set Normal frequency = 1\n  set Tangential frequency = 1\n  set Phase = 0\n";
   const std::string pressed = "set Normal force = 1\n  set Normal force amplitude = 0.1\n",
                     shifted = "set Tangential amplitude = 1e-6\n";
-  const auto read = motion(rest + pressed + "set Normal force harmonics = 20 mN, 2, 30\n" +
+  const auto read = motion(rest + pressed + "set Normal force harmonics = 20 mN, 2 Hz, 30 deg\n" +
                            "set Tangential force amplitude = 0.1\nset Tangential force harmonics = 0.01, 3, 0");
   ASSERT_EQ(read.normal_harmonics.size(), 1U);
   EXPECT_NEAR(read.normal_harmonics[0].amplitude, 0.02, 1e-15);

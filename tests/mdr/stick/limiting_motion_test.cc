@@ -22,7 +22,7 @@ TEST(LimitingMotion, OfOneFrequencyIsTheLimitingState) {
     for (const Profile& profile : {parabola(2), cone(0.3)})
       for (const bool normal : {false, true})
         for (const bool tangential : {false, true}) {
-          const double mean = normal ? 3 : 0.4, oscillation = 0.1 * mean, pull = tangential ? 0.3 : 0.03;
+          const double mean = normal ? 3 : 0.4, oscillation = 0.1 * mean, pull = tangential ? 0.1 : 0.03;
           FrettingControl control{IndentationControl{mean, oscillation}, TangentialDisplacementControl{pull}, 2, 2,
                                   0.7};
           if (normal) control.normal = NormalForceControl{mean, oscillation};
