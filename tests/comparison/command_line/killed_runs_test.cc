@@ -71,8 +71,10 @@ TEST(KilledRunSlow, GoesOnWearingToTheSameProfile) {
   ASSERT_EQ(killed_run(arguments(killed), quoted(killed) + "/*/checkpoints/*", folder).exit_code, of_sigkill);
   EXPECT_FALSE(fs::exists(killed / "wear" / "result.json"));
   EXPECT_TRUE(fs::exists(killed / "wear" / "checkpoints"));
-  ASSERT_EQ(fretval_run(arguments(killed), folder).exit_code, 0);
-  ASSERT_EQ(fretval_run(arguments(whole), folder).exit_code, 0);
+  const int resumed = fretval_run(arguments(killed), folder).exit_code,
+            uninterrupted = fretval_run(arguments(whole), folder).exit_code;
+  EXPECT_LE(uninterrupted, 1) << "0 or 1: on its way, the volume may be further from that of the springs";
+  EXPECT_EQ(resumed, uninterrupted);
   for (const char* name : {"worn_rings.csv", "worn_profile.csv", "wear.csv"})
     EXPECT_EQ(text_of(killed / "wear" / name), text_of(whole / "wear" / name)) << name;
   EXPECT_EQ(results_below(killed), results_below(whole));
