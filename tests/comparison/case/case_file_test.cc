@@ -204,7 +204,7 @@ TEST(CaseFile, OfTheGalleryOrTheExamplesIsValid) {
       EXPECT_NO_THROW(read_case_file(entry.path())) << entry.path();
       ++n_files;
     }
-  EXPECT_EQ(n_files, 20);
+  EXPECT_EQ(n_files, 21);
 }
 
 TEST(CaseFile, NamesAFileThatIsNotThere) {
