@@ -16,7 +16,6 @@ namespace {
 
 using UnitSizes = std::map<std::string, double>;
 const UnitSizes time_units{{"s", 1}, {"ms", 1e-3}, {"us", 1e-6}, {"µs", 1e-6}, {"min", 60}, {"h", 3600}};
-const UnitSizes length_units{{"m", 1}, {"mm", 1e-3}, {"um", 1e-6}, {"µm", 1e-6}, {"μm", 1e-6}, {"nm", 1e-9}};
 const UnitSizes force_units{{"N", 1},     {"kN", 1e3},  {"MN", 1e6},  {"mN", 1e-3},
                             {"uN", 1e-6}, {"µN", 1e-6}, {"μN", 1e-6}, {"nN", 1e-9}};
 
@@ -150,7 +149,7 @@ Case::Path read_path_table(const std::string& file, bool repeats) {
                                    repeats ? "repeats" : "is passed once", least));
     require_rising(file, csv);
     for (std::size_t column = 0; column < columns.size(); ++column) {
-      const auto& units = column == 0 ? time_units : forces[column] ? force_units : length_units;
+      const auto& units = column == 0 ? time_units : forces[column] ? force_units : mdr::length_units();
       const double size = mdr::unit_of_column(csv, column, units, file);
       for (double& value : csv.columns[column]) value *= size;
     }

@@ -73,6 +73,11 @@ std::vector<std::string> texts_of(const std::vector<Case::Harmonic>& harmonics, 
   return texts;
 }
 
+void add_harmonics(const char* direction, bool of_force, const std::vector<Case::Harmonic>& harmonics, Inputs& inputs) {
+  inputs.add_if_any("Motion", fmt::format("{} {}harmonics", direction, of_force ? "force " : ""),
+                    texts_of(harmonics, of_force ? "N" : "m"));
+}
+
 void add_motion(const Case::Motion& motion, Inputs& inputs) {
   if (motion.path) {
     inputs.add("Motion", "Path", motion.path->file);
@@ -87,10 +92,7 @@ void add_motion(const Case::Motion& motion, Inputs& inputs) {
     inputs.add("Motion", "Normal amplitude", motion.normal_amplitude, "m");
   }
   inputs.add("Motion", "Normal frequency", motion.normal_frequency, "Hz");
-  if (motion.normal_force)
-    inputs.add_if_any("Motion", "Normal force harmonics", texts_of(motion.normal_harmonics, "N"));
-  else
-    inputs.add_if_any("Motion", "Normal harmonics", texts_of(motion.normal_harmonics, "m"));
+  add_harmonics("Normal", motion.normal_force.has_value(), motion.normal_harmonics, inputs);
   if (motion.tangential_force)
     inputs.add("Motion", "Tangential force amplitude", *motion.tangential_force, "N");
   else if (std::isnan(motion.tangential_amplitude))
@@ -98,10 +100,7 @@ void add_motion(const Case::Motion& motion, Inputs& inputs) {
   else
     inputs.add("Motion", "Tangential amplitude", motion.tangential_amplitude, "m");
   inputs.add("Motion", "Tangential frequency", motion.tangential_frequency, "Hz");
-  if (motion.tangential_force)
-    inputs.add_if_any("Motion", "Tangential force harmonics", texts_of(motion.tangential_harmonics, "N"));
-  else
-    inputs.add_if_any("Motion", "Tangential harmonics", texts_of(motion.tangential_harmonics, "m"));
+  add_harmonics("Tangential", motion.tangential_force.has_value(), motion.tangential_harmonics, inputs);
   if (motion.phase)
     inputs.add("Motion", "Phase", *motion.phase, "°");
   else

@@ -132,11 +132,12 @@ void write_wear(const ProvedWear& wear, const Case& input, const Units& units, c
     columns.push_back({fmt::format("f after {:.6g} cycles [m]", course.curve[k].cycles), height(course.worn[k])});
   write_csv(folder / "wear.csv", columns);
   const auto file = std::filesystem::absolute(input.file);
+  const bool began_on_heights = input.wear_kinetics && !input.wear_kinetics->profile.empty();
   if (!input.sweep && file.extension() == ".prm")
     write_file(folder / (input.name + "-worn.prm"),
                fmt::format("# {} as far as it has worn; fretval run goes on from there.\n"
-                           "include {}\nsubsection Wear\n  set Worn rings = worn_rings.csv\nend\n",
-                           input.name, file.string()));
+                           "include {}\nsubsection Wear\n{}  set Worn rings = worn_rings.csv\nend\n",
+                           input.name, file.string(), began_on_heights ? "  set Profile =\n" : ""));
 }
 
 }  // namespace fretval

@@ -1,7 +1,6 @@
 #include "mdr/profiles/profile_csv.h"
 
 #include <cstddef>
-#include <map>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -13,10 +12,6 @@
 namespace fretval::mdr {
 
 namespace {
-
-// Micro as the sign of its own and as the Greek letter.
-const std::map<std::string, double> length_units = {{"m", 1},     {"mm", 1e-3},      {"um", 1e-6},
-                                                    {"nm", 1e-9}, {"\u00b5m", 1e-6}, {"\u03bcm", 1e-6}};
 
 void require_scan(const CsvColumns& csv, const std::string& source_name, double noise) {
   const std::vector<double>& r = csv.columns[0];
@@ -47,7 +42,7 @@ ProfileRows read_profile_rows(std::istream& stream, const std::string& source_na
   CsvColumns csv = read_csv(stream, source_name, 2);
   require_scan(csv, source_name, noise);
   for (std::size_t column = 0; column < 2; ++column) {
-    const double size = unit_of_column(csv, column, length_units, source_name);
+    const double size = unit_of_column(csv, column, length_units(), source_name);
     for (double& length : csv.columns[column]) length *= size;
   }
   ProfileRows rows{std::move(csv.columns[0]), std::move(csv.columns[1])};

@@ -15,6 +15,13 @@ std::string without_brackets(const std::string& text) {
 
 }  // namespace
 
+const std::map<std::string, double>& length_units() {
+  // Micro as the sign of its own and as the Greek letter.
+  static const std::map<std::string, double> sizes{{"m", 1},     {"mm", 1e-3},      {"um", 1e-6},
+                                                   {"nm", 1e-9}, {"\u00b5m", 1e-6}, {"\u03bcm", 1e-6}};
+  return sizes;
+}
+
 bool names_unit(const CsvColumns& csv, std::size_t column) {
   return !csv.units.empty() || (!csv.names.empty() && without_brackets(csv.names[column]) != csv.names[column]);
 }

@@ -8,6 +8,9 @@
 
 namespace fretval::mdr {
 
+/// Sizes of m, mm, um (also with either sign of micro) and nm in m.
+const std::map<std::string, double>& length_units();
+
 /// Whether the header names a unit of the column: in its second line, or in brackets in the column's name.
 bool names_unit(const CsvColumns& csv, std::size_t column);
 

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <fstream>
-#include <map>
 #include <stdexcept>
 #include <utility>
 
@@ -66,16 +65,17 @@ WornBefore worn_by_heights(const std::string& table, const Units& units, const s
 }
 
 WornBefore worn_by_rings(const std::string& table, const Units& units) {
-  const std::map<std::string, double> meters{{"m", 1}, {"mm", 1e-3}, {"um", 1e-6}, {"µm", 1e-6}, {"nm", 1e-9}};
   std::ifstream stream(table);
   std::vector<double> radii, depths;
   try {
     const auto csv = mdr::read_csv(stream, table, 2);
     require_rings(table, csv);
-    for (const double r : csv.columns[0])
-      radii.push_back(r * mdr::unit_of_column(csv, 0, meters, table) / units.length);
-    for (const double depth : csv.columns[1])
-      depths.push_back(depth * mdr::unit_of_column(csv, 1, meters, table) / units.depth);
+    const auto in_metres = [&](std::size_t column) {
+      return mdr::unit_of_column(csv, column, mdr::length_units(), table);
+    };
+    const double radius_unit = in_metres(0), depth_unit = in_metres(1);
+    for (const double r : csv.columns[0]) radii.push_back(r * radius_unit / units.length);
+    for (const double depth : csv.columns[1]) depths.push_back(depth * depth_unit / units.depth);
   } catch (const std::invalid_argument& error) {
     throw InputError(error.what());
   }

@@ -7,6 +7,7 @@
 
 #include "mdr/profiles/profile.h"
 #include "tests/comparison/scratch_folder.h"
+#include "tests/comparison/wearing_case.h"
 
 namespace fretval {
 namespace {
@@ -110,6 +111,19 @@ TEST(WearJson, WritesTheWornProfileAsATable) {
   std::getline(goes_on, comment);
   std::getline(goes_on, include);
   EXPECT_EQ(include, "include " + std::filesystem::absolute("cases/ball.prm").string());
+}
+
+// The rings take the place of the heights that the case began on.
+TEST(WearJson, GoesOnFromTheRingsOfACaseThatBeganOnHeights) {
+  const ScratchFolder folder;
+  folder.write("worn.csv", "r [m],f [m]\n0,0\n1e-3,6e-5\n2e-3,2e-4\n");
+  const auto file = folder.write("ball.prm", wearing_text("  set Coefficient = 1e-12\n  set Profile = worn.csv\n"));
+  const auto input = read_case_file(file).front();
+  ASSERT_FALSE(input.wear_kinetics->profile.empty());
+  write_wear(made_up_wear(), input, units, folder.path());
+  const auto goes_on = read_case_file(folder.path() / "ball-worn.prm").front();
+  EXPECT_TRUE(goes_on.wear_kinetics->profile.empty());
+  EXPECT_NE(goes_on.wear_kinetics->rings.find("worn_rings.csv"), std::string::npos);
 }
 
 // The file of a point of a sweep is that of the whole sweep, and cannot be gone on with.
