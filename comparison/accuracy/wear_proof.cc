@@ -67,13 +67,6 @@ void add_stop(const ProvedWear& wear, const Units& units, ErrorBudget& budget) {
   budget[Quantity::worn_volume].add(ErrorSource::cycles, volume * units.volume() / mdr::worn_volume(limit));
 }
 
-/// A ring that touches in a step is held from its start, so the course is of first order in the step; not its end.
-CaseNeeds needs_of(const PreparedCase& prepared, const ProvedWear& wear) {
-  CaseNeeds needs{prepared.fem.relaxation.has_memory()};
-  needs.held_from_start = !wear.ends_in_limit();
-  return needs;
-}
-
 /// The stick radius of the end jumps by rings and takes the volume with it: refinements are compared at the stick
 /// radius of the answer, and how far that is off is a share of its own.
 ErrorBudget budget_of(const PreparedCase& prepared, const ProvedWear& wear, double unworn_stick_radius,
@@ -82,7 +75,7 @@ ErrorBudget budget_of(const PreparedCase& prepared, const ProvedWear& wear, doub
   const auto& [limits, resolution] = std::tie(wear.limits, wear.resolution);
   const auto& fe = computed.all.at(resolution).fe;
   const auto variants = variants_of_wear(resolution);
-  const auto needs = needs_of(prepared, wear);
+  const CaseNeeds needs{prepared.fem.relaxation.has_memory()};
   std::map<Resolution, Quantities> known;
   std::map<Resolution, ProfileChain> worn;
   for (const auto& [other, computation] : computed.all) {
@@ -222,7 +215,7 @@ ErrorBar bar_of_rate(const PreparedCase& prepared, const ProvedWear& wear, const
   return error_bar(
       Quantity::worn_volume, variants_of_wear(wear.resolution),
       [&](const Resolution& finer, const Resolution& coarser) { return (rate_of(finer) - rate_of(coarser)) / rate; },
-      needs_of(prepared, wear));
+      {prepared.fem.relaxation.has_memory()});
 }
 
 /// Whether friction takes more energy than its error bar, as far as there is one.

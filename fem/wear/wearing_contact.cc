@@ -16,14 +16,12 @@ WearingContact::WearingContact(const ContactProblem& normal, const ContactProble
     : normal_(normal, relaxation, profile.unworn + profile.worn, motion, steps_per_cycle, ForceReading::sum_of_rings),
       friction_(tangential, relaxation, friction_coefficient, motion, steps_per_cycle),
       law_(law),
-      unworn_(profile.unworn) {}
+      unworn_(profile.unworn),
+      before_{normal_.gap, normal_.pressure, normal_.indentation, friction_.slip_touching} {}
 
 void WearingContact::start() {
   for (int cycle = 0; cycle < normal_.motion().cycles_of_ramp(); ++cycle)
-    for (int k = 0; k < normal_.steps_per_cycle(); ++k) {
-      normal_.step();
-      friction_.step(normal_.pressure);
-    }
+    for (int k = 0; k < normal_.steps_per_cycle(); ++k) step({});
   run_period(0);
 }
 
@@ -33,33 +31,73 @@ char WearingContact::Period::zone(Eigen::Index ring, Eigen::Index step) const {
   return way == 0 ? 's' : way > 0 ? 'f' : 'b';
 }
 
+/// Share of the step that has been made, from a gap at its beginning, before each ring touches: gaps go on closing with
+/// the indentation as in the step before, which puts that instant off by the second order of the step. Empty: rings are
+/// held from the beginning.
+Eigen::VectorXd WearingContact::until_touch(const StepBefore& begin) const {
+  const double risen = begin.indentation - before_.indentation;
+  if (!(risen > 0) || normal_.relaxation().viscosity > 0) return {};
+  const Eigen::VectorXd closing =
+      (before_.gap - begin.gap) * std::max((normal_.indentation - begin.indentation) / risen, 0.0);
+  Eigen::VectorXd share = Eigen::VectorXd::Zero(closing.size());
+  for (Eigen::Index i = 0; i < share.size(); ++i)
+    if (begin.pressure[i] == 0 && normal_.pressure[i] > 0 && closing[i] > 0)
+      share[i] = std::clamp(begin.gap[i] / closing[i], 0.0, 1.0);
+  return share;
+}
+
+/// Returns the slip of the rings while they touch. One that sticks at the beginning of the step in which it leaves is
+/// taken to stick until then: of the second order of the step, as pressure and traction die out in it.
+Eigen::VectorXd WearingContact::step(const PressureWear& wear) {
+  StepBefore begin{normal_.gap, normal_.pressure, normal_.indentation, friction_.slip_touching};
+  normal_.step(wear);
+  friction_.step(normal_.pressure, {}, until_touch(begin));
+  const auto leaves = begin.pressure.array() > 0 && normal_.pressure.array() == 0;
+  Eigen::VectorXd slip = (leaves && begin.slip.array() == 0).select(0, friction_.slip_touching);
+  before_ = std::move(begin);
+  return slip;
+}
+
+/// Length of slip that belongs to the pressure of each step: slip is that of whole steps, whose middle lies between two
+/// balance times.
+Eigen::MatrixXd WearingContact::slip_at_balances() const {
+  const double later = friction_.fraction() - 0.5;
+  const auto n_steps = period_.slip.cols();
+  Eigen::MatrixXd slip = period_.slip.cwiseAbs();
+  const Eigen::VectorXd first = slip.col(0);
+  for (Eigen::Index k = 0; k < n_steps; ++k)
+    slip.col(k) = (1 - later) * slip.col(k) + later * (k + 1 < n_steps ? slip.col(k + 1) : first);
+  return slip;
+}
+
 void WearingContact::run_period(double n_cycles) {
   const Eigen::Index n = normal_.profile.size(), n_steps = period_steps();
-  const double per_cycle = 1.0 / normal_.motion().cycles_per_period();
+  const double per_cycle = 1.0 / normal_.motion().cycles_per_period(), later = friction_.fraction() - 0.5;
+  const Eigen::MatrixXd wearing = n_cycles > 0 ? slip_at_balances() : Eigen::MatrixXd();
   Period now;
   now.slip.resize(n, n_steps);
   now.pressure.resize(n, n_steps);
-  now.rate = Eigen::VectorXd::Zero(n);
   double least = friction_.displacement, most = least;
   for (Eigen::Index k = 0; k < n_steps; ++k) {
-    if (n_cycles > 0)
-      normal_.step({(n_cycles * per_cycle * law_.coefficient) * period_.slip.col(k).cwiseAbs(), law_.exponent});
-    else
-      normal_.step();
-    friction_.step(normal_.pressure);
+    const Eigen::VectorXd traction_before = friction_.traction;
+    now.slip.col(k) =
+        n_cycles > 0 ? step({(n_cycles * per_cycle * law_.coefficient) * wearing.col(k), law_.exponent}) : step({});
     now.largest_indentation = std::max(now.largest_indentation, normal_.indentation);
     least = std::min(least, friction_.displacement);
     most = std::max(most, friction_.displacement);
-    now.slip.col(k) = friction_.slip;
     now.pressure.col(k) = normal_.pressure;
-    now.rate += per_cycle * worn_by({law_.coefficient * friction_.slip.cwiseAbs(), law_.exponent}, normal_.pressure);
-    now.friction_work +=
-        per_cycle * friction_.traction.cwiseProduct(friction_.slip).dot(normal_.problem().compliance.areas);
+    now.friction_work += per_cycle * ((1 - later) * friction_.traction + later * traction_before)
+                                         .cwiseProduct(now.slip.col(k))
+                                         .dot(normal_.problem().compliance.areas);
   }
   now.tangential_amplitude = (most - least) / 2;
   now.largest_pressure = now.pressure.rowwise().maxCoeff();
   now.path = now.slip.cwiseAbs().rowwise().sum();
   period_ = std::move(now);
+  const Eigen::MatrixXd slip = slip_at_balances();
+  period_.rate = Eigen::VectorXd::Zero(n);
+  for (Eigen::Index k = 0; k < n_steps; ++k)
+    period_.rate += per_cycle * worn_by({law_.coefficient * slip.col(k), law_.exponent}, period_.pressure.col(k));
 }
 
 bool WearingContact::slip_repeats(const Eigen::VectorXd& path_before) const {

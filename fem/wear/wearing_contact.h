@@ -74,13 +74,22 @@ class WearingContact {
   /// Into a contact that was made of the same arguments.
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(normal_, friction_, period_);
+    archive(normal_, friction_, period_, before_.gap, before_.pressure, before_.indentation, before_.slip);
   }
 
  private:
   [[nodiscard]] bool slip_repeats(const Eigen::VectorXd& path_before) const;
   [[nodiscard]] int period_steps() const { return normal_.steps_per_cycle() * normal_.motion().cycles_per_period(); }
   void run_period(double n_cycles);
+  Eigen::VectorXd step(const PressureWear& wear);
+  /// What the contact was like at the beginning of a step.
+  struct StepBefore {
+    Eigen::VectorXd gap, pressure;
+    double indentation;
+    Eigen::VectorXd slip;  // in the step before
+  };
+  [[nodiscard]] Eigen::VectorXd until_touch(const StepBefore& begin) const;
+  [[nodiscard]] Eigen::MatrixXd slip_at_balances() const;
   void take_dying_slip_for_stick(const Eigen::VectorXd& path_before);
 
   NormalContact normal_;
@@ -88,6 +97,7 @@ class WearingContact {
   WearLaw law_;
   Eigen::VectorXd unworn_;
   Period period_;
+  StepBefore before_;
 };
 
 }  // namespace fretval::fem

@@ -19,9 +19,8 @@ double fitted_theta(double z) {
 
 // Of a step, how much of it a spring spends in contact that touches in it: from the height of the indenter above its
 // free tip at the start, and the depth of the indenter below it at the end.
-double share_in_contact(SpringStep::Held held, double load_before, double above, double below) {
-  const bool throughout = held == SpringStep::Held::from_start_of_step || load_before > 0 || below <= 0;
-  return throughout ? 1 : below / (below + above);
+double share_in_contact(double load_before, double above, double below) {
+  return load_before > 0 || below <= 0 ? 1 : below / (below + above);
 }
 
 }  // namespace
@@ -42,8 +41,7 @@ SpringState relaxed_state(const SpringBed& bed, const PronyBody& body, double in
   return {rest, contact, none, contact, none, none, memory, memory, rest};
 }
 
-SpringStep::SpringStep(const PronyBody& body, double mu, double dt, Held held)
-    : held_(held), limit_(1.5 * mu), dt_(dt), gain_sum_(0) {
+SpringStep::SpringStep(const PronyBody& body, double mu, double dt) : limit_(1.5 * mu), dt_(dt), gain_sum_(0) {
   validate(body);
   require_positive("coefficient of friction", mu);
   require_positive("time step", dt);
@@ -119,7 +117,7 @@ void SpringStep::advance_elastomer(SpringState& state, const SpringBed& bed, con
     const double free = (gain * u[j] - left) * compliance;
     const double depth = std::max(free, d - g[j]);
     const double load = (1 + gain) * (depth - free);
-    const double held = share_in_contact(held_, p[j], u[j] - (d_before - g[j]), d - g[j] - free);
+    const double held = share_in_contact(p[j], u[j] - (d_before - g[j]), d - g[j] - free);
     const double trial = held * (v[j] + left_tangential + (1 + gain) * shift);
     const double most = limit * load;
     const double traction = std::min(std::max(trial, -most), most);
@@ -158,7 +156,7 @@ void SpringStep::advance_with_dashpot(SpringState& state, const SpringBed& bed, 
     const double load = contact ? std::max(0.0, pressed) : 0;
     const double depth = contact ? touching : std::max(free, touching);
     // Where the tip goes if it sticks from the instant of touch on, until when it recovers.
-    const double held = share_in_contact(held_, state.normal_load[j], u - (state.indenter.indentation - bed.depth[j]),
+    const double held = share_in_contact(state.normal_load[j], u - (state.indenter.indentation - bed.depth[j]),
                                          touching - free),
                  moved = held * shift + (1 - held) * (tip_under(0.0, v, left_tangential, now_tangential) - v);
     const double stuck = v + left_tangential + (1 + gain_sum_) * moved + viscosity_ * to.tangential_rate;
@@ -207,7 +205,7 @@ TangentialLines SpringStep::tangential_lines(const SpringState& state, const Spr
   const Eigen::ArrayXd below = indentation - bed.depth - free_tips(state.normal_depth, state.normal_memory);
   Eigen::ArrayXd held(load.size());
   for (Eigen::Index j = 0; j < held.size(); ++j)
-    held[j] = share_in_contact(held_, state.normal_load[j],
+    held[j] = share_in_contact(state.normal_load[j],
                                state.normal_depth[j] - (state.indenter.indentation - bed.depth[j]), below[j]);
   const double coasting = arrived(state, 0, state.indenter.tangential).tangential_rate;
   const Eigen::ArrayXd& v = state.tangential_shift;

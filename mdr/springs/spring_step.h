@@ -72,12 +72,8 @@ struct TangentialLines {
 /// rule, also of second order and damped for every dt.
 class SpringStep {
  public:
-  /// From when on springs that touch in a step are held: from the instant of that, of second order; or from the start
-  /// of the step, of first order, by which the surface beside them does not slip where they stick at once.
-  enum class Held { from_touch, from_start_of_step };
-
   /// mu and dt positive. Throws std::invalid_argument.
-  SpringStep(const PronyBody& body, double mu, double dt, Held held = Held::from_touch);
+  SpringStep(const PronyBody& body, double mu, double dt);
 
   /// Moves the springs to the end of the step, where the indenter is at `to`.
   void advance(SpringState& state, const SpringBed& bed, const IndenterState& to) const;
@@ -102,7 +98,6 @@ class SpringStep {
   [[nodiscard]] Eigen::ArrayXd left_of(const Eigen::ArrayXXd& memory) const;
   [[nodiscard]] Eigen::ArrayXd free_tips(const Eigen::ArrayXd& position, const Eigen::ArrayXXd& memory) const;
 
-  Held held_;
   double limit_;               // (3/2) mu
   double dt_;                  // s
   std::vector<double> decay_;  // exp(-dt/tau_i)

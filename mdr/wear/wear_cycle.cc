@@ -29,7 +29,7 @@ WearingSprings::WearingSprings(const SpringBed& bed, const PronyBody& body, doub
       dt_(1 / motion.normal_frequency / steps_per_cycle),
       path_(ramped_path(harmonic_motion(motion), n_ramp_cycles / motion.normal_frequency)),
       bed_(bed),
-      step_(body, mu, dt_, SpringStep::Held::from_start_of_step),
+      step_(body, mu, dt_),
       state_(relaxed_state(bed, body, motion.indentation)) {
   for (; n_cycles_ < n_ramp_cycles; ++n_cycles_)
     for (int k = 1; k <= steps_per_cycle_; ++k) step(k);
@@ -67,8 +67,7 @@ WearCycle WearingSprings::settled_cycle(const AbelMatrices& matrices) {
   for (Eigen::Index instant = 0; instant < n_instants; ++instant) {
     const SpringState before = state_;
     step(static_cast<int>(instant) + 1);
-    const double shift = state_.indenter.tangential - before.indenter.tangential;
-    slip.col(instant) = (shift - (state_.tangential_shift - before.tangential_shift)).matrix();
+    slip.col(instant) = slip_in_contact(before).matrix();
     const Eigen::ArrayXd gap = state_.normal_depth - (state_.indenter.indentation - bed_.depth);
     cycle.load.col(instant) = (state_.normal_load > 0).select(state_.normal_load, -gap.max(0)).matrix();
     cycle.friction_work += dissipation(bed_, body_, mu_, dt_, before, state_).friction / period;
@@ -83,6 +82,17 @@ WearCycle WearingSprings::settled_cycle(const AbelMatrices& matrices) {
   cycle.path.col(n_instants - 1) += path.col(0);
   find_radii(cycle, slip);
   return cycle;
+}
+
+// Of the last step. Of a spring that touches in it, what it slips from then on. One that sticks at the beginning of the
+// step in which it leaves is taken to stick until then, as load and traction die out in it. Springs that stay open take
+// no part in the contact, but the surface outside them moves along.
+Eigen::ArrayXd WearingSprings::slip_in_contact(const SpringState& before) const {
+  const double shift = state_.indenter.tangential - before.indenter.tangential;
+  const Eigen::ArrayXd open = shift - (state_.tangential_shift - before.tangential_shift);
+  const auto leaves = before.normal_load > 0 && state_.normal_load == 0;
+  const Eigen::ArrayXd slip = (leaves && before.slip == 0).select(0, state_.slip);
+  return (before.normal_load.max(state_.normal_load) > 0).select(slip, open);
 }
 
 void WearingSprings::find_radii(WearCycle& cycle, const Eigen::MatrixXd& slip) const {

@@ -41,6 +41,7 @@ class WearingSprings {
  private:
   int settle();  // returns the number of cycles after which the tractions repeat
   void step(int k);
+  [[nodiscard]] Eigen::ArrayXd slip_in_contact(const SpringState& before) const;
   void find_radii(WearCycle& cycle, const Eigen::MatrixXd& slip) const;
 
   PronyBody body_;

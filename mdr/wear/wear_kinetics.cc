@@ -46,6 +46,14 @@ SpringBed aligned_bed(const Profile& profile, const PronyBody& body, double mu, 
   return spring_bed(profile, n_springs * c / inside, static_cast<Eigen::Index>(n_springs));
 }
 
+// Of second order, from depths that are of first order in the jump. Pressure that dies out as exp(-n) falls to 1/(1 +
+// n) at once, and by the extrapolation more would be worn off than there is where n > 2 + 2 sqrt(2): rings of which the
+// second half of the jump wears off a share of less than 1/(2 + sqrt(2)) of what the first has keep the halves.
+Eigen::ArrayXd extrapolated(const Eigen::ArrayXd& at_once, const Eigen::ArrayXd& first, const Eigen::ArrayXd& second) {
+  const double least = 1 / (2 + std::sqrt(2));
+  return (second > least * first).select(2 * (first + second) - at_once, first + second).max(0);
+}
+
 class WearingContact {
  public:
   WearingContact(const Profile& profile, const PronyBody& body, double mu, const Motion& motion,
@@ -72,20 +80,23 @@ class WearingContact {
     double share;  // of the largest jump, that was worn off
   };
 
-  // Wears for n cycles, or fewer if that were more than the largest jump.
+  // Wears for n cycles, or fewer if that were more than the largest jump: at once and in two halves, both of first
+  // order in n, and extrapolated to second.
   Jump jump(double n) {
-    const Eigen::ArrayXd room = maximum_indentation_ - springs_.bed().depth;
     for (int trial = 0; trial < most_trials; ++trial) {
-      const std::optional<Eigen::ArrayXd> more =
-          wear_jump(matrices_, cycle_, room, stiffness_ * n, roundoff * maximum_indentation_);
-      const double most = more ? more->maxCoeff() : 2 * largest_;
-      if (most <= largest_) {
-        worn_ += *more;
-        springs_.set_depth(unworn_depth_ + (matrices_.image * worn_.matrix()).array());
-        cycle_ = springs_.settled_cycle(matrices_);
-        return {n, most / largest_};
+      const auto at_once = more_worn(n);
+      const double most = at_once ? at_once->maxCoeff() : 2 * largest_;
+      if (most > largest_) {
+        n *= 0.9 * largest_ / most;
+        continue;
       }
-      n *= 0.9 * largest_ / most;
+      const Eigen::ArrayXd before = worn_;
+      const auto first = more_worn(n / 2);
+      if (first) take_worn(before + *first);
+      const auto second = first ? more_worn(n / 2) : std::nullopt;
+      take_worn(second ? before + extrapolated(*at_once, *first, *second) : before);
+      if (second) return {n, most / largest_};
+      n /= 2;
     }
     throw std::runtime_error("no jump over cycles of wear is small enough for its equations to be solved");
   }
@@ -103,6 +114,18 @@ class WearingContact {
   [[nodiscard]] const Eigen::ArrayXd& worn() const { return worn_; }
 
  private:
+  // Depth that wears off in n cycles more.
+  [[nodiscard]] std::optional<Eigen::ArrayXd> more_worn(double n) const {
+    return wear_jump(matrices_, cycle_, maximum_indentation_ - springs_.bed().depth, stiffness_ * n,
+                     roundoff * maximum_indentation_);
+  }
+
+  void take_worn(const Eigen::ArrayXd& worn) {
+    worn_ = worn;
+    springs_.set_depth(unworn_depth_ + (matrices_.image * worn_.matrix()).array());
+    cycle_ = springs_.settled_cycle(matrices_);
+  }
+
   static constexpr int most_trials = 60;
   static constexpr double roundoff = 1e-13;
 

@@ -15,7 +15,7 @@ struct WearControl {
   double n_cycles;               ///< to compute; jumps over many of them are taken at once
   Eigen::Index n_springs = 150;  ///< to start from; the stick radius becomes an edge of their intervals
   int steps_per_cycle = 90;
-  double largest_jump = 0.01;          ///< in worn depth, over d_max
+  double largest_jump = 0.005;         ///< in worn depth, over d_max
   std::vector<double> snapshots = {};  ///< numbers of cycles, rising, at which to keep the worn depth
 };
 
@@ -54,10 +54,12 @@ struct WearKinetics {
 ///                    springs on the unworn profile finds the stick radius first, and the bed is laid with an edge
 ///                    on it; it does not move, as wear leaves the springs inside alone. A stick radius below half
 ///                    a spacing is taken for 0.
-///   largest_jump     first order, in the course only. A jump is implicit in the pressure and explicit in the slip, so
-///                    that any number of cycles is stable and none wears beyond the loss of pressure.
-///   steps_per_cycle  second order where springs keep contact, first where they come into contact in mid-step. The
-///                    sampled tractions miss their extremes by (pi/steps)^2/2, and the stick depth g(c) by that
+///   largest_jump     second order, in the course only; less where rings begin to wear inside a jump. A jump is
+///   implicit
+///                    in the pressure and explicit in the slip, so that any number of cycles is stable and none wears
+///                    beyond the loss of pressure, and is made at once and in two halves.
+///   steps_per_cycle  second order. The sampled tractions miss their extremes by (pi/steps)^2/2, and the stick depth
+///   g(c) by that
 ///                    share of d_0 - g(c): little but for small stick radii.
 ///   One-dimensional friction and pressure of the sign of the springs', as the method of dimensionality reduction has
 ///   them.
@@ -66,7 +68,7 @@ struct WearKinetics {
 /// given motion wear always ends. At phase 0 or pi and 2 u_x0 <= 3 mu Delta d everything that touches an elastic body
 /// sticks, and nothing wears. Friction work per cycle may rise first, as the slip zone wears in, before it dies out.
 ///
-/// Cost: 50 to 300 jumps, each of two cycles of the springs, more in a body that relaxes slowly, and some solutions
+/// Cost: 100 to 600 jumps, each of four cycles of the springs, more in a body that relaxes slowly, and some solutions
 /// with a dense matrix of the slipping rings. Source: Dimaki, Dmitriev, Chai and Popov, International Journal of Solids
 /// and Structures 51 (2014) 4215, extended to normal oscillation, viscoelastic springs and implicit jumps. Throws
 /// std::invalid_argument for bad arguments and when a profile table ends too early; std::runtime_error when the springs

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "tests/fem/wear/wearing_half_space.h"
 
 namespace fretval::fem::wearing_contact_test {
@@ -18,18 +20,46 @@ TEST(WearingContact, WearsOffTheRateTimesTheCycles) {
   EXPECT_LT((contact.worn() - 1e-3 * rate).cwiseAbs().maxCoeff(), 1e-5 * 1e-3 * rate.maxCoeff());
 }
 
-// The rate itself: k p |ds| of each step.
+// The rate itself: k p^m |ds| of each step, by trapezoids.
 TEST(WearingContact, RateIsTheLawAtSlipAndPressure) {
   const WearingHalfSpace half_space;
   for (const double exponent : {1.0, 2.0}) {
     auto contact = half_space.contact({0.3, exponent});
     contact.settle();
     const auto& [slip, pressure, path, rate, largest, work, indentation, amplitude] = contact.period();
-    const Eigen::ArrayXXd depth = 0.3 * pressure.array().pow(exponent) * slip.array().abs();
-    EXPECT_LT((depth.rowwise().sum() - rate.array()).abs().maxCoeff(), 1e-12 * rate.maxCoeff());
-    EXPECT_NEAR(path.maxCoeff(), slip.cwiseAbs().rowwise().sum().maxCoeff(), 1e-15);
-    if (exponent != 1) continue;
-    EXPECT_NEAR(work * 0.3 / WearingHalfSpace::mu, rate.dot(half_space.normal.compliance.areas), 1e-10 * work);
+    const Eigen::Index n_steps = slip.cols();
+    const Eigen::ArrayXXd law = pressure.array().pow(exponent);
+    Eigen::ArrayXd depth = Eigen::ArrayXd::Zero(rate.size());
+    for (Eigen::Index k = 0; k < n_steps; ++k)
+      depth += 0.3 * slip.col(k).array().abs() * (law.col((k + n_steps - 1) % n_steps) + law.col(k)) / 2;
+    EXPECT_LT((depth - rate.array()).abs().maxCoeff(), 1e-12 * rate.maxCoeff());
+  }
+}
+
+// What slips bears mu p: but for the steps in which slip begins, whose tractions were less before.
+TEST(WearingContact, RateIsTheWorkOfFrictionToSecondOrder) {
+  WearingHalfSpace half_space;
+  const auto error = [&half_space](int n_steps) {
+    half_space.n_steps = n_steps;
+    auto contact = half_space.contact({0.3});
+    contact.settle();
+    const auto& period = contact.period();
+    return period.friction_work * 0.3 / WearingHalfSpace::mu / period.rate.dot(half_space.normal.compliance.areas) - 1;
+  };
+  const double coarse = error(72);
+  EXPECT_LT(std::abs(coarse), 2e-3);
+  EXPECT_LT(std::abs(error(288)), std::abs(coarse) / 10);
+}
+
+// In phase and below 2 u_x0 = 3 mu Dd = 0.3 what touches sticks at once and until it leaves.
+TEST(WearingContact, WearsNothingInPhase) {
+  for (const double amplitude : {0.05, 0.14}) {
+    WearingHalfSpace half_space;
+    half_space.motion = one_frequency(0.8, 0.2, amplitude, 0);
+    half_space.motion.n_ramp_cycles = 2;
+    auto contact = half_space.contact({0.3});
+    contact.settle();
+    EXPECT_EQ(contact.period().rate.maxCoeff(), 0) << amplitude;
   }
 }
 

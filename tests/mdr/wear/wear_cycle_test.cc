@@ -26,7 +26,7 @@ TEST(WearCycle, WornVolumeIsFrictionWork) {
   for (const PronyBody& body : {elastic(2), standard_solid(2, 2, 0.1)}) {
     EXPECT_NEAR(reye_error(body, tangential, 100, 45), 0, 1e-12);  // roundoff
     const double coarse = reye_error(body, both, 100, 45), fine = reye_error(body, both, 100, 360);
-    EXPECT_LT(std::abs(coarse), 0.002);
+    EXPECT_LT(std::abs(coarse), 0.003);
     EXPECT_LT(std::abs(fine), std::abs(coarse) / 30);  // 64 but for the few steps in which slip turns round
   }
 }

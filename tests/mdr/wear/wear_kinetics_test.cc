@@ -71,8 +71,9 @@ TEST(WearKinetics, TendsToTheShakedownProfile) {
     const double error = distance_from_limit(coarse, limit.profile, limit.body, limit.motion);
     EXPECT_LT(error, limit.error) << limit.name;
     EXPECT_LT(distance_from_limit(fine, limit.profile, limit.body, limit.motion), error / 2) << limit.name;
-    EXPECT_LT(fine.curve.back().friction_work, 1e-9 * fine.curve.front().friction_work) << limit.name;
-    EXPECT_LT(fine.curve.size(), 250U) << limit.name;
+    // As of 1000 times the cycles, in a contact that lasts ever shorter: their number to the power -2.
+    EXPECT_LT(fine.curve.back().friction_work, 1e-5 * fine.curve.front().friction_work) << limit.name;
+    EXPECT_LT(fine.curve.size(), 500U) << limit.name;
   }
 }
 
@@ -86,8 +87,9 @@ TEST(WearKinetics, FollowsSpringsThatRepeatInSeveralCycles) {
 TEST(WearKinetics, StaysInTheLimit) {
   for (const Motion& motion : {tangential, both}) {
     const WearKinetics wear = wear_kinetics(sphere, elastic(1), mu, motion, {k, 1e15, 80, 60, 0.02, {1e6}});
-    // Wear of the last cycles falls like their number to the power -2 at least, where contact is ever shorter.
-    EXPECT_LT((wear.worn_depth - wear.snapshots[0]).abs().maxCoeff(), 1e-7);
+    // Wear of the last cycles falls like their number to the power -2 at least, where contact is ever shorter; what
+    // is left like the number itself.
+    EXPECT_LT((wear.worn_depth - wear.snapshots[0]).abs().maxCoeff(), 1e-5);
     EXPECT_LT(wear.curve.size(), 250U);
   }
 }
@@ -139,14 +141,26 @@ TEST(WearKinetics, IsWearCycleByCycle) {
   EXPECT_LT((wear.worn_depth - worn).abs().maxCoeff(), 0.02 * worn.maxCoeff());
 }
 
-TEST(WearKinetics, JumpsAreOfFirstOrder) {
+// Of second order but for rings that begin to wear inside a jump.
+TEST(WearKinetics, SmallerJumpsAreCloser) {
   const auto volume = [](double largest_jump) {
     return wear_kinetics(sphere, elastic(1), mu, both, {k, 100, 40, 30, largest_jump}).curve.back().volume;
   };
   const double coarse = volume(0.008), middle = volume(0.004), fine = volume(0.002);
-  EXPECT_LT(std::abs(middle - fine), 0.02 * fine);
-  // A factor of 2 in the limit of small jumps.
-  EXPECT_NEAR((coarse - middle) / (middle - fine), 2, 0.4);
+  EXPECT_LT(std::abs(middle - fine), 2e-3 * fine);
+  EXPECT_GT((coarse - middle) / (middle - fine), 2.5);
+}
+
+// Springs that touch inside a step are held from then on.
+TEST(WearKinetics, IsOfSecondOrderInTheTimeStep) {
+  for (const PronyBody& body : {elastic(1), solid}) {
+    const auto volume = [&body](int steps) {
+      return wear_kinetics(sphere, body, mu, both_small, {k, 300, 100, steps, 0.005}).curve.back().volume;
+    };
+    const double coarse = volume(45), middle = volume(90), fine = volume(180);
+    EXPECT_LT(std::abs(middle - fine), 3e-3 * fine);
+    EXPECT_GT((coarse - middle) / (middle - fine), 3.5);
+  }
 }
 
 TEST(WearKinetics, OnlyWearCoefficientTimesCyclesMatters) {
@@ -182,7 +196,7 @@ TEST(WearKinetics, CurvesAreMonotone) {
       EXPECT_LT(wear.curve[i].friction_work, 1.2 * most);
     }
     EXPECT_EQ(wear.curve.back().cycles, 1e5);
-    EXPECT_LT(wear.curve.back().friction_work, 1e-6 * most);
+    EXPECT_LT(wear.curve.back().friction_work, 1e-5 * most);
   }
 }
 
@@ -222,13 +236,11 @@ TEST(WearKinetics, NothingWearsWithoutSlip) {
   EXPECT_EQ(wear_kinetics(sphere, elastic(1), mu, both, {k, 0, 40}).curve.size(), 1U);
 }
 
-// Phase 0, 2 u_x0 < 3 mu Delta d: what touches sticks, but for the step in which it comes into contact.
-TEST(WearKinetics, InPhaseHardlyWears) {
+// Phase 0, 2 u_x0 < 3 mu Delta d: what touches sticks at once and until it leaves.
+TEST(WearKinetics, InPhaseNothingWears) {
   const Motion motion{1, 0.3, 0.2, 1, 1, 0.};
-  const double coarse = wear_kinetics(sphere, elastic(1), mu, motion, {k, 1e6, 60, 90}).worn_depth.maxCoeff();
-  const double fine = wear_kinetics(sphere, elastic(1), mu, motion, {k, 1e6, 60, 360}).worn_depth.maxCoeff();
-  EXPECT_LT(coarse, 0.01 * 0.3);
-  EXPECT_LT(fine, coarse / 2);
+  for (const PronyBody& body : {elastic(1), solid, kelvin_voigt(1, 0.05)})
+    EXPECT_EQ(wear_kinetics(sphere, body, mu, motion, {k, 1e6, 60}).worn_depth.maxCoeff(), 0);
 }
 
 void expect_rejected(const Motion& motion, const WearControl& control, const std::string& name) {
