@@ -14,14 +14,16 @@ struct ProvedWear {
   Resolution resolution;
   WearLimits limits;
   std::optional<mdr::WearKinetics> kinetics = {};  ///< to the last cycle of the finite elements; see wear_kinetics_of
-  bool springs_agree = false;                      ///< with springs of finer steps, where their volume is compared
   /// Of the profile from either limit, see distance_between, at each point of the course.
   std::vector<double> distance_shakedown = {}, distance_first_slip = {};
   /// Whether friction takes more energy from a cycle of the unworn contact than the error bar of that. If not, no slip
-  /// is proved, and what wears is the error of the slip in many cycles: nothing is compared.
-  bool slip_is_proved = true;
+  /// is proved, and what wears is the error of the slip in many cycles: nothing is compared, unless the springs do not
+  /// slip at all.
+  bool slip_is_proved = true, sticks_throughout = false;
   /// Largest difference from the volume of the springs along the course, over that of the limit.
   std::optional<double> largest_springs_difference = {};
+  /// By which that of the springs is off, likewise; where it is what is compared, on the way or in full stick.
+  std::optional<double> springs_error = {};
   /// Error bar of the last volume rate, over it; of progressive wear.
   std::optional<double> rate_error = {};
   /// Force that the largest pressures in a cycle bear outside the stick radius (and the tolerance of the distance) at
@@ -40,8 +42,8 @@ bool wears(const PreparedCase& prepared);
 
 /// Runs the wear of a case, with the rings graded around the stick radius that edge_of_wear finds, and measures its
 /// errors by refinement (variants_of_wear). With Proof::tolerance what is largest is refined until all bars are within
-/// the tolerance, up to twice. Progressive wear has an error bar of its rate. Where no slip is proved, wear is run
-/// once.
+/// the tolerance, up to twice. Progressive wear has an error bar of its rate. Where it is open whether anything
+/// slips, wear is run once.
 ProvedWear prove_wear(const PreparedCase& prepared, const MdrAnswer& mdr, const ProvedAnswer& unworn, Proof proof,
                       BodyStore& bodies, const WearOversight& oversight = {});
 

@@ -24,7 +24,7 @@ WearLimits wear_limits(const MdrCase& mdr, const MdrAnswer& answer) {
 }
 
 std::optional<mdr::WearKinetics> wear_kinetics_of(const Case& input, const MdrCase& mdr, double n_cycles,
-                                                  int steps_per_cycle) {
+                                                  int fineness) {
   const auto& wear = input.wear_kinetics.value();
   const auto motion = mdr::one_harmonic_each(mdr.motion);
   if (wear.has_worn_before() || mdr.path || wear.law == Case::WearLaw::power || mdr.has_forces() || !motion ||
@@ -33,7 +33,9 @@ std::optional<mdr::WearKinetics> wear_kinetics_of(const Case& input, const MdrCa
   const double coefficient =
       wear.law == Case::WearLaw::energy ? mdr.friction_coefficient * wear.coefficient : wear.coefficient;
   mdr::WearControl control{coefficient, n_cycles};
-  control.steps_per_cycle = steps_per_cycle;
+  control.n_springs *= fineness;
+  control.steps_per_cycle *= fineness;
+  control.largest_jump /= fineness;
   return mdr::wear_kinetics(mdr.profile, mdr.body, mdr.friction_coefficient, *motion, control);
 }
 

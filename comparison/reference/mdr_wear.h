@@ -26,9 +26,10 @@ WearLimits wear_limits(const MdrCase& mdr, const MdrAnswer& answer);
 
 /// The course of the wear of a case by springs. Empty: the indenter has worn before, the law is not linear in the
 /// pressure, or the motion has several harmonics, other frequencies, no locked phase, a path or prescribed forces,
-/// which they do not have. Throws std::runtime_error where the springs do not become periodic.
+/// which they do not have. fineness: by which there are more springs and steps, and smaller jumps, than mdr::WearControl
+/// has. Throws std::runtime_error where the springs do not become periodic.
 std::optional<mdr::WearKinetics> wear_kinetics_of(const Case& input, const MdrCase& mdr, double n_cycles,
-                                                  int steps_per_cycle = mdr::WearControl{}.steps_per_cycle);
+                                                  int fineness = 1);
 
 /// The "wear" object of `fretval mdr --json` and result.json; SI units.
 nlohmann::ordered_json to_json(const mdr::WearKinetics& kinetics);

@@ -82,6 +82,7 @@ std::string wear_text(const ProvedWear& wear, const Units& units) {
     return text +
            fmt::format("; nothing wears any more\n  worn profile: {:.1e} from the limiting one (in r/a and f/d max)\n",
                        wear.distance_shakedown.back());
+  if (wear.sticks_throughout) return text + "; all that touches sticks: nothing wears\n";
   if (!wear.slip_is_proved)
     return text + "; no slip is proved: friction takes less energy from a cycle than its error bar\n";
   if (wear.fe.course.end == fem::WearEnd::progressive)

@@ -87,9 +87,10 @@ ordered_json to_json(const ProvedWear& wear, const Units& units) {
   json["distance_to_limit"] = {{"shakedown", wear.distance_shakedown.back()},
                                {"first_slip", wear.distance_first_slip.back()}};
   json["volume_of_limit"] = mdr::worn_volume(wear.limits.shakedown);
-  json["springs_agree"] = wear.springs_agree;
   json["springs_difference"] = or_null(wear.largest_springs_difference);
+  json["springs_error"] = or_null(wear.springs_error);
   json["slip_is_proved"] = wear.slip_is_proved;
+  json["sticks_throughout"] = wear.sticks_throughout;
   json["rate_error"] = or_null(wear.rate_error);
   json["pressed_outside"] = wear.pressed_outside;
   json["zones"] = {{"start", zones_json(course.first)}, {"end", zones_json(course.last)}};

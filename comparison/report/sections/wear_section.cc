@@ -48,6 +48,7 @@ std::string law_text(const StoredResult& r) {
 }
 
 std::string end_text(const ordered_json& wear) {
+  if (wear.value("sticks_throughout", false)) return "all that touches sticks";
   if (!wear.value("slip_is_proved", true)) return "no slip is proved";
   if (wear.at("ends_in_limit").get<bool>()) return "nothing wears any more";
   const auto end = wear.at("end").get<std::string>();
@@ -247,13 +248,16 @@ Filling course(const StoredResult& r, const ordered_json& wear) {
 
 /// Numbers of the template.
 Filling findings(const Results& results) {
-  int n = 0, n_limit = 0, n_elsewhere = 0, n_stuck = 0, n_progressive = 0;
+  int n = 0, n_limit = 0, n_elsewhere = 0, n_stuck = 0, n_unproved = 0, n_progressive = 0;
   double farthest = 0, nearest_first_slip = std::numeric_limits<double>::infinity();
   for (const auto& r : results) {
     const auto* wear = wear_of(r);
     if (!wear) continue;
     ++n;
-    if (!wear->value("slip_is_proved", true)) ++n_stuck;
+    if (wear->value("sticks_throughout", false))
+      ++n_stuck;
+    else if (!wear->value("slip_is_proved", true))
+      ++n_unproved;
     if (wear->value("end", "") == "progressive") ++n_progressive;
     if (!wear->value("limit_is_reached", true) && wear->value("end", "") != "progressive") ++n_elsewhere;
     if (!is_in_limit(*wear)) continue;
@@ -268,6 +272,7 @@ Filling findings(const Results& results) {
       {"limits", fmt::format("{} of {} have worn to it.", n_limit, counted(static_cast<std::size_t>(n), "indenter"))}};
   if (n_elsewhere > 0) found["elsewhere"] = n_elsewhere;
   if (n_stuck > 0) found["stuck"] = n_stuck;
+  if (n_unproved > 0) found["unproved"] = n_unproved;
   if (n_progressive > 0) found["progressive"] = n_progressive;
   if (n_limit > 0) found["farthest"] = number_text(farthest);
   if (std::isfinite(nearest_first_slip)) found["nearest"] = number_text(nearest_first_slip, "{:.2g}");

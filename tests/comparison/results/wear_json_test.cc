@@ -43,6 +43,7 @@ ProvedWear made_up_wear() {
   wear.cost.computations = 9;
   wear.slip_is_proved = false;
   wear.largest_springs_difference = 0.25;
+  wear.springs_error = 0.125;
   return wear;
 }
 
@@ -64,6 +65,8 @@ TEST(WearJson, IsInSiUnits) {
   EXPECT_EQ(json["ends_in_limit"], false) << "an eighth of the force is pressed outside";
   EXPECT_EQ(json["slip_is_proved"], false);
   EXPECT_EQ(json["springs_difference"], 0.25);
+  EXPECT_EQ(json["springs_error"], 0.125);
+  EXPECT_EQ(json["sticks_throughout"], false);
   EXPECT_TRUE(json["rate_error"].is_null());
   EXPECT_EQ(json["cost"]["computations"], 9);
   EXPECT_EQ(json["cost"]["cycles_stepped"], 7);

@@ -41,16 +41,19 @@ TEST(WearSection, SaysWhereItEnds) {
 }
 
 TEST(WearSection, SaysWhyItEnds) {
-  auto fallen = wearing(false), stuck = wearing(true), progressive = wearing(false);
+  auto fallen = wearing(false), stuck = wearing(true), unproved = stuck, progressive = wearing(false);
   fallen.json["fe"]["wear"]["end"] = "rate fallen";
   stuck.json["fe"]["wear"]["slip_is_proved"] = false;
+  stuck.json["fe"]["wear"]["sticks_throughout"] = true;
+  unproved.json["fe"]["wear"]["slip_is_proved"] = false;
   stuck.json["fe"]["wear"]["springs_difference"] = 0.0125;
   progressive.json["fe"]["wear"]["end"] = "progressive";
   progressive.json["fe"]["wear"]["limit_is_reached"] = false;
-  const auto section = wear_section({fallen, stuck, progressive});
+  const auto section = wear_section({fallen, stuck, unproved, progressive});
   expect_parts(rendered(section),
-               {"0 of 3 indenters have worn to it", "the rate has fallen</td>", "no slip is proved</td>",
-                "it goes on for ever</td>", "In 1 no slip is proved", "1 under a normal force wear for ever"});
+               {"0 of 4 indenters have worn to it", "the rate has fallen</td>", "all that touches sticks</td>",
+                "no slip is proved</td>", "it goes on for ever</td>", "In 1 nothing wears", "In 1 no slip is proved",
+                "1 under a normal force wear for ever"});
   EXPECT_EQ(rendered(section).find("with a tangential displacement"), std::string::npos);
 }
 
