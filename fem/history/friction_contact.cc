@@ -17,7 +17,6 @@ FrictionContact::FrictionContact(const ContactProblem& problem, const Relaxation
       limit_depths(limit),
       traction(limit),
       slip(limit),
-      slip_touching(limit),
       state{limit, Eigen::MatrixXd::Zero(limit.size(), static_cast<Eigen::Index>(relaxation.moduli.size()))},
       zones(limit.size()),
       problem_(problem),
@@ -76,21 +75,16 @@ std::pair<double, FrictionContact::Attempt> FrictionContact::attempt_under_force
   return attempt_for_force(make, force_made, force, {last_increment_, stiffness, most});
 }
 
-void FrictionContact::find_touching(const Eigen::VectorXd& pressure, const std::optional<NormalInstant>& normal,
-                                    const Eigen::VectorXd& until_touch) {
+void FrictionContact::find_touching(const Eigen::VectorXd& pressure, const std::optional<NormalInstant>& normal) {
   until_touch_.resize(0);
-  first_touching_ = 0;
-  while (first_touching_ < limit.size() && limit[first_touching_] > 0) ++first_touching_;
-  Eigen::Index end = first_touching_;
-  while (end < limit.size() && pressure[end] > 0) ++end;
-  if (until_touch.size() > 0) {
-    until_touch_ = until_touch.segment(first_touching_, end - first_touching_);
-    return;
-  }
   // Under a tangential force the move follows from what is held: corrected, stick radii scatter seven times as much.
   if (!normal || relaxation_.viscosity > 0 || motion_.tangential_force) return;
   const double before = std::exchange(radius_before_, normal->radius), growth = normal->radius - before;
   if (n_steps == 0 || !(growth > 0)) return;
+  first_touching_ = 0;
+  while (first_touching_ < limit.size() && limit[first_touching_] > 0) ++first_touching_;
+  Eigen::Index end = first_touching_;
+  while (end < limit.size() && pressure[end] > 0) ++end;
   const auto radii = normal->touch_radii.segment(first_touching_, end - first_touching_).array();
   until_touch_ = ((radii - before) / growth).max(0).min(1);
 }
@@ -113,8 +107,7 @@ std::optional<StepInPiece> FrictionContact::in_piece() const {
   return step;
 }
 
-void FrictionContact::step(const Eigen::VectorXd& pressure, const std::optional<NormalInstant>& normal,
-                           const Eigen::VectorXd& until_touch) {
+void FrictionContact::step(const Eigen::VectorXd& pressure, const std::optional<NormalInstant>& normal) {
   const double begin = times_.begin(n_steps);
   if (const auto piece = times_.in_piece(n_steps); piece && piece->duration() != dt_) {
     last_increment_ *= piece->duration() / dt_;
@@ -125,7 +118,7 @@ void FrictionContact::step(const Eigen::VectorXd& pressure, const std::optional<
     return tangential_motion_inside(motion_, t, inside);
   };
   const double weight = step_.fraction(), time = begin + weight * dt_;
-  find_touching(pressure, normal, until_touch);
+  find_touching(pressure, normal);
   limit = friction_coefficient_ * pressure;
   limit_depths = friction_coefficient_ * problem_.series.depths(pressure);
   auto to_balance = indenter_move(position, begin, time), whole = indenter_move(position, begin, begin + dt_);
@@ -143,8 +136,8 @@ void FrictionContact::step(const Eigen::VectorXd& pressure, const std::optional<
   for (std::size_t i = 0; i < stick_.size(); ++i)
     if (limit[static_cast<Eigen::Index>(i)] == 0)
       stick_[i] = BoxState::interior;  // the guess for when it touches again
-  slip_touching = (solution.residual.array() / problem_.compliance.areas.array()).matrix() / step_.instantaneous();
-  slip = slip_to_touch + slip_touching;
+  slip =
+      slip_to_touch + (solution.residual.array() / problem_.compliance.areas.array()).matrix() / step_.instantaneous();
   step_.advance(state, whole, slip);
   balance_displacement = displacement + to_balance.increment;
   displacement += whole.increment;

@@ -31,10 +31,8 @@ class FrictionContact {
                   const Motion& motion, int steps_per_cycle);
 
   /// Goes on by a step under ring pressures at its balance time. normal: what friction_force needs under a prescribed
-  /// force. until_touch: share of the step before each ring touches; empty: as the radius of the normal contact says,
-  /// if it is told. Throws GrossSlip where such a force reaches mu F_N.
-  void step(const Eigen::VectorXd& pressure, const std::optional<NormalInstant>& normal = {},
-            const Eigen::VectorXd& until_touch = {});
+  /// force. Throws GrossSlip where such a force reaches mu F_N.
+  void step(const Eigen::VectorXd& pressure, const std::optional<NormalInstant>& normal = {});
 
   long n_steps = 0;                 ///< made
   double displacement = 0;          ///< of the indenter at the end of the step
@@ -43,7 +41,6 @@ class FrictionContact {
   Eigen::VectorXd limit_depths;     ///< the same as depths of PunchSeries
   Eigen::VectorXd traction;         ///< at the balance time
   Eigen::VectorXd slip;             ///< in the whole step
-  Eigen::VectorXd slip_touching;    ///< without the way of rings that touch in the step before they do
   RingState state;                  ///< at the end of the step
   SlipZones zones;                  ///< the traction has kinks where these differ; with its depths
 
@@ -65,8 +62,8 @@ class FrictionContact {
   /// arguments.
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(n_steps, displacement, balance_displacement, limit, limit_depths, traction, slip, slip_touching, state,
-            zones, stick_, last_increment_, time_before_, spare_before_);
+    archive(n_steps, displacement, balance_displacement, limit, limit_depths, traction, slip, state, zones, stick_,
+            last_increment_, time_before_, spare_before_);
   }
 
  private:
@@ -78,8 +75,7 @@ class FrictionContact {
   };
   /// likely: rings that stick.
   [[nodiscard]] Attempt attempt(const IndenterMove& to_balance, std::vector<BoxState> likely) const;
-  void find_touching(const Eigen::VectorXd& pressure, const std::optional<NormalInstant>& normal,
-                     const Eigen::VectorXd& until_touch);
+  void find_touching(const Eigen::VectorXd& pressure, const std::optional<NormalInstant>& normal);
   [[nodiscard]] Eigen::VectorXd slip_before_touch(const Eigen::VectorXd& held) const;
   [[nodiscard]] double force_of(const Attempt& made, const std::optional<NormalInstant>& normal) const;
   [[nodiscard]] std::pair<double, Attempt> attempt_under_force(double time, const std::optional<NormalInstant>& normal);

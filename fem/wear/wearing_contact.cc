@@ -16,8 +16,7 @@ WearingContact::WearingContact(const ContactProblem& normal, const ContactProble
     : normal_(normal, relaxation, profile.unworn + profile.worn, motion, steps_per_cycle, ForceReading::sum_of_rings),
       friction_(tangential, relaxation, friction_coefficient, motion, steps_per_cycle),
       law_(law),
-      unworn_(profile.unworn),
-      before_{normal_.gap, normal_.pressure, normal_.indentation, friction_.slip_touching} {}
+      unworn_(profile.unworn) {}
 
 void WearingContact::start() {
   for (int cycle = 0; cycle < normal_.motion().cycles_of_ramp(); ++cycle)
@@ -31,31 +30,14 @@ char WearingContact::Period::zone(Eigen::Index ring, Eigen::Index step) const {
   return way == 0 ? 's' : way > 0 ? 'f' : 'b';
 }
 
-/// Share of the step that has been made, from a gap at its beginning, before each ring touches: gaps go on closing with
-/// the indentation as in the step before, which puts that instant off by the second order of the step. Empty: rings are
-/// held from the beginning.
-Eigen::VectorXd WearingContact::until_touch(const StepBefore& begin) const {
-  const double risen = begin.indentation - before_.indentation;
-  if (!(risen > 0) || normal_.relaxation().viscosity > 0) return {};
-  const Eigen::VectorXd closing =
-      (before_.gap - begin.gap) * std::max((normal_.indentation - begin.indentation) / risen, 0.0);
-  Eigen::VectorXd share = Eigen::VectorXd::Zero(closing.size());
-  for (Eigen::Index i = 0; i < share.size(); ++i)
-    if (begin.pressure[i] == 0 && normal_.pressure[i] > 0 && closing[i] > 0)
-      share[i] = std::clamp(begin.gap[i] / closing[i], 0.0, 1.0);
-  return share;
-}
-
 /// Returns the slip of the rings while they touch. One that sticks at the beginning of the step in which it leaves is
 /// taken to stick until then: of the second order of the step, as pressure and traction die out in it.
 Eigen::VectorXd WearingContact::step(const PressureWear& wear) {
-  StepBefore begin{normal_.gap, normal_.pressure, normal_.indentation, friction_.slip_touching};
+  const Eigen::VectorXd slip_before = friction_.slip, pressure_before = normal_.pressure;
   normal_.step(wear);
-  friction_.step(normal_.pressure, {}, until_touch(begin));
-  const auto leaves = begin.pressure.array() > 0 && normal_.pressure.array() == 0;
-  Eigen::VectorXd slip = (leaves && begin.slip.array() == 0).select(0, friction_.slip_touching);
-  before_ = std::move(begin);
-  return slip;
+  friction_.step(normal_.pressure);
+  const auto leaves = pressure_before.array() > 0 && normal_.pressure.array() == 0;
+  return (leaves && slip_before.array() == 0).select(0, friction_.slip);
 }
 
 /// Length of slip that belongs to the pressure of each step: slip is that of whole steps, whose middle lies between two

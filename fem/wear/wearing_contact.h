@@ -74,7 +74,7 @@ class WearingContact {
   /// Into a contact that was made of the same arguments.
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(normal_, friction_, period_, before_.gap, before_.pressure, before_.indentation, before_.slip);
+    archive(normal_, friction_, period_);
   }
 
  private:
@@ -82,13 +82,6 @@ class WearingContact {
   [[nodiscard]] int period_steps() const { return normal_.steps_per_cycle() * normal_.motion().cycles_per_period(); }
   void run_period(double n_cycles);
   Eigen::VectorXd step(const PressureWear& wear);
-  /// What the contact was like at the beginning of a step.
-  struct StepBefore {
-    Eigen::VectorXd gap, pressure;
-    double indentation;
-    Eigen::VectorXd slip;  // in the step before
-  };
-  [[nodiscard]] Eigen::VectorXd until_touch(const StepBefore& begin) const;
   [[nodiscard]] Eigen::MatrixXd slip_at_balances() const;
   void take_dying_slip_for_stick(const Eigen::VectorXd& path_before);
 
@@ -97,7 +90,6 @@ class WearingContact {
   WearLaw law_;
   Eigen::VectorXd unworn_;
   Period period_;
-  StepBefore before_;
 };
 
 }  // namespace fretval::fem
