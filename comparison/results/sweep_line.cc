@@ -14,6 +14,7 @@
 #include "comparison/reference/normal_responses.h"
 #include "comparison/results/results_folder.h"
 #include "comparison/support/files.h"
+#include "comparison/support/log.h"
 #include "comparison/support/parallel.h"
 
 namespace fretval {
@@ -21,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t n_closed_values = 100, n_stepped_values = 24;
+constexpr std::size_t n_values = 100, n_values_where_costly = 24;
 constexpr const char *closed_file = "mdr.csv", *stepped_file = "mdr_springs.csv";
 
 using QuantityList = std::vector<Quantity>;
@@ -90,10 +91,6 @@ void write_line(const fs::path& file, const Case& input, std::size_t n_values, c
   write_file(file, table_of(between, answers_to(between, answer), quantities));
 }
 
-bool is_of_the_figures(const std::string& entry) {
-  return entry == "Motion / Phase" || entry == "Wear / Stick radius ratio";
-}
-
 /// Of each sweep its first case.
 std::vector<const Case*> sweeps_among(const std::vector<Case>& cases) {
   std::set<std::string> families;
@@ -124,14 +121,17 @@ void write_sweep_lines(const std::vector<Case>& cases, const fs::path& output) {
     const auto mdr = mdr_case(input);
     return mdr_answer_with_cycle(mdr, *normal_responses.of(input, mdr));
   };
+  const auto n_of_one_sweep = std::max(n_values_where_costly, n_values / std::max<std::size_t>(1, sweeps.size()));
   const QuantityList all(quantities_by_interest.begin(), quantities_by_interest.end());
   for (const auto* input : sweeps) {
     const auto folder = output / input->sweep->family;
     for (const char* name : {closed_file, stepped_file}) fs::remove(folder / name);
-    if (!has_closed_forms(*input)) continue;
-    write_line(folder / closed_file, *input, n_closed_values, closed_answer, closed_forms);
-    if (sweeps.size() == 1 || !is_of_the_figures(input->sweep->entry))
-      write_line(folder / stepped_file, *input, n_stepped_values, stepped_answer, all);
+    const bool costly = !has_closed_forms(*input);
+    if (costly)
+      log::info(fmt::format("{}: MDR is stepped in time between the points", input->sweep->family));
+    else
+      write_line(folder / closed_file, *input, n_values, closed_answer, closed_forms);
+    write_line(folder / stepped_file, *input, costly ? n_values_where_costly : n_of_one_sweep, stepped_answer, all);
   }
 }
 

@@ -17,12 +17,12 @@ std::string unit_of_entry(const std::string& entry);
 std::string column_of_entry(const std::string& entry);
 
 /// MDR's answer between the points of each sweep among the cases, in two files in the folder of the family. `mdr.csv`:
-/// what has a closed form (both stick radii, contact radius, outer radius of the wear), at some hundred values.
-/// `mdr_springs.csv`: also what springs are stepped in time for, at some 24 values; not of a phase or a stick radius
-/// ratio, of which the paper's figures have dozens of families, unless it is the only sweep. Columns: the entry, then
-/// the quantities, "nan" where there is none. Nothing is written for prescribed forces and several normal harmonics,
-/// whose radii need springs too, and for measured moduli, which would be fitted for each value; nor where the entry
-/// does not take values between.
+/// what has a closed form (both stick radii, contact radius, outer radius of the wear), at a hundred values.
+/// `mdr_springs.csv`: also what springs are stepped in time for, some 20 ms of a core for a value: a hundred, of many
+/// sweeps fewer, at least 24 each. At 24 values, and in this file alone, is all of a case under prescribed forces (half
+/// a second for a value, with harmonics 2), with several normal harmonics, or with measured moduli, which are fitted
+/// for each value. Columns: the entry, then the quantities, "nan" where MDR has none. Nothing is written where the
+/// entry does not take values between.
 void write_sweep_lines(const std::vector<Case>& cases, const std::filesystem::path& output);
 
 /// A quantity of it over the entry; empty where there is none. family: its folder.

@@ -126,8 +126,9 @@ Filling family_filling(const std::string& name, const Family& family) {
   const auto first_slip = Quantity::stick_radius_first_slip, shakedown = Quantity::stick_radius_shakedown;
   if (!is_in_the_figures(family) && (is_any(family, first_slip) || is_any(family, shakedown)))
     figures.push_back(sweep_figure(family, {first_slip, shakedown}, "Stick radii"));
-  for (const auto quantity : {Quantity::contact_radius_max, Quantity::normal_force_max, Quantity::indentation_max,
-                              Quantity::tangential_amplitude, Quantity::tangential_force_max, Quantity::friction_work})
+  for (const auto quantity : {Quantity::contact_radius_max, Quantity::normal_force_max, Quantity::axis_pressure_max,
+                              Quantity::indentation_max, Quantity::tangential_amplitude, Quantity::tangential_force_max,
+                              Quantity::friction_work, Quantity::bulk_work})
     if (depends_on_entry(family, quantity)) {
       std::string title = traits_of(quantity).title;
       title.front() = static_cast<char>(std::toupper(title.front()));

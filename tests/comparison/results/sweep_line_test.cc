@@ -41,7 +41,7 @@ TEST(SweepLine, IsTheAnswerAtValuesBetween) {
   EXPECT_NEAR(stick[75] / mdr_answer(between, mdr_normal_response(between)).stick_radius_shakedown.value(), 1, 1e-9);
 }
 
-// In fewer points; against the answer to a case of its own.
+// Against the answer to a case of its own.
 TEST(SweepLine, HasWhatSpringsAreSteppedFor) {
   const ScratchFolder folder;
   write_sweep_lines(read_case_file(swept(folder, "Motion / Tangential amplitude", "4, 6 um")), folder.path());
@@ -49,34 +49,68 @@ TEST(SweepLine, HasWhatSpringsAreSteppedFor) {
     return read_sweep_line(folder.path() / "swept", "Motion / Tangential amplitude", quantity);
   };
   const auto [amplitude, force] = line(Quantity::tangential_force_max);
-  ASSERT_EQ(amplitude.size(), 25U);
+  ASSERT_EQ(amplitude.size(), 101U);
   const auto between =
       mdr_case(read_case(replace(valid_case, "Tangential amplitude = 1.5e-5", "Tangential amplitude = 5e-6")));
   const auto answer = mdr_answer_with_cycle(between, mdr_normal_response(between));
-  EXPECT_NEAR(amplitude[12], 5e-6, 1e-15);
-  EXPECT_NEAR(force[12] / answer.cycle->forces->largest, 1, 1e-9);
-  EXPECT_NEAR(line(Quantity::friction_work).second[12] / answer.cycle->friction_work, 1, 1e-9);
-  EXPECT_NEAR(line(Quantity::normal_force_max).second[12] / answer.normal_force_max.value(), 1, 1e-9);
+  EXPECT_NEAR(amplitude[50], 5e-6, 1e-15);
+  EXPECT_NEAR(force[50] / answer.cycle->forces->largest, 1, 1e-9);
+  EXPECT_NEAR(line(Quantity::friction_work).second[50] / answer.cycle->friction_work, 1, 1e-9);
+  EXPECT_NEAR(line(Quantity::normal_force_max).second[50] / answer.normal_force_max.value(), 1, 1e-9);
   EXPECT_EQ(line(Quantity::contact_radius_max).second.size(), 101U) << "has a closed form";
   EXPECT_TRUE(line(Quantity::worn_volume).second.empty()) << "nothing wears";
 }
 
-// The figures of the paper are dozens of families.
-TEST(SweepLine, OfAPhaseIsSteppedOnlyAlone) {
+// Of every kind of case whose radii springs are stepped for too: all of a line is that of one answer.
+TEST(SweepLine, IsSteppedWhereNothingHasAClosedForm) {
+  const auto force = replace(valid_case, "Indentation = 1e-4\n  set Normal amplitude = 2e-5",
+                             "Normal force = 0.5\n  set Normal force amplitude = 0.1");
+  const auto harmonics = replace(valid_case, "Phase = 60", "Phase = 60\n  set Normal harmonics = 5e-6, 2, 30");
+  for (const auto& text : {force, harmonics}) {
+    const ScratchFolder folder;
+    write_sweep_lines(read_case_file(swept(folder, "Friction / Coefficient", "0.3, 0.5", text)), folder.path());
+    const auto line = [&](Quantity quantity) {
+      return read_sweep_line(folder.path() / "swept", "Friction / Coefficient", quantity);
+    };
+    const auto between = mdr_case(read_case(replace(text, "Coefficient = 0.5", "Coefficient = 0.4")));
+    const auto answer = mdr_answer_with_cycle(between, mdr_normal_response(between));
+    const auto [friction, radius] = line(Quantity::stick_radius_shakedown);
+    ASSERT_EQ(friction.size(), 25U);
+    EXPECT_NEAR(friction[12], 0.4, 1e-12);
+    EXPECT_NEAR(radius[12] / answer.stick_radius_shakedown.value(), 1, 1e-9);
+    EXPECT_NEAR(line(Quantity::tangential_force_max).second[12] / answer.cycle->forces->largest, 1, 1e-9);
+    EXPECT_EQ(line(Quantity::indentation_max).second.empty(), !answer.indentation_max);
+    EXPECT_FALSE(std::filesystem::exists(folder.path() / "swept" / "mdr.csv"));
+  }
+}
+
+// The table is that of the example, whose fit takes most of the time.
+TEST(SweepLine, IsThatOfMeasuredModuliToo) {
   const ScratchFolder folder;
-  const auto springs = folder.path() / "swept" / "mdr_springs.csv";
+  const auto examples = std::filesystem::path(FRETVAL_SOURCE_DIR) / "cases/examples";
+  std::filesystem::copy(examples / "rubber-dma.csv", folder.path());
+  const auto text = "include " + (examples / "measured-rubber.prm").string() + "\n";
+  write_sweep_lines(read_case_file(swept(folder, "Friction / Coefficient", "0.3, 0.5", text)), folder.path());
+  const auto [friction, radius] =
+      read_sweep_line(folder.path() / "swept", "Friction / Coefficient", Quantity::stick_radius_shakedown);
+  ASSERT_EQ(radius.size(), 25U);
+  for (std::size_t i = 1; i < radius.size(); ++i) EXPECT_GT(radius[i], radius[i - 1]);
+}
+
+// The figures of the paper are dozens of families, which share the values of one.
+TEST(SweepLine, IsThereForEachOfSeveralSweeps) {
+  const ScratchFolder folder;
   auto cases = read_case_file(swept(folder, "Motion / Phase", "0, 90"));
-  write_sweep_lines(cases, folder.path());
-  EXPECT_TRUE(std::filesystem::exists(springs));
   auto other = cases;
   for (auto& one : other) one.sweep->family = "other";
   cases.insert(cases.end(), other.begin(), other.end());
   write_sweep_lines(cases, folder.path());
-  EXPECT_FALSE(std::filesystem::exists(springs));
-  EXPECT_TRUE(std::filesystem::exists(folder.path() / "swept" / "mdr.csv"));
+  for (const char* family : {"swept", "other"})
+    EXPECT_EQ(read_sweep_line(folder.path() / family, "Motion / Phase", Quantity::tangential_force_max).second.size(),
+              51U);
 }
 
-TEST(SweepLine, IsNotThereWhereItWouldTakeLongOrMeanNothing) {
+TEST(SweepLine, IsNotThereWhereItWouldMeanNothing) {
   const ScratchFolder folder;
   const auto is_written = [&](const std::filesystem::path& file) {
     write_sweep_lines(read_case_file(file), folder.path());
@@ -85,10 +119,6 @@ TEST(SweepLine, IsNotThereWhereItWouldTakeLongOrMeanNothing) {
   EXPECT_TRUE(is_written(swept(folder, "Friction / Coefficient", "0.3, 0.5")));
   EXPECT_FALSE(is_written(swept(folder, "Friction / Coefficient", "0.3"))) << "that of before is gone";
   EXPECT_FALSE(is_written(swept(folder, "Accuracy / Rings per radius", "32, 48")));
-  const auto force = replace(valid_case, "Indentation = 1e-4\n  set Normal amplitude = 2e-5",
-                             "Normal force = 0.5\n  set Normal force amplitude = 0.1");
-  EXPECT_FALSE(is_written(swept(folder, "Friction / Coefficient", "0.3, 0.5", force)));
-  EXPECT_FALSE(std::filesystem::exists(folder.path() / "swept" / "mdr_springs.csv"));
 }
 
 // Without a first-slip zone from a small friction on.
