@@ -44,23 +44,22 @@ double seconds_of_one(const Resolution& resolution, int highest_order) {
   return of_a_body * rings + of_a_history * std::pow(rings, of_more_rings) * relative_steps(resolution, highest_order);
 }
 
-double estimated_seconds(double tolerance, bool memory, int highest_order, std::size_t n_computations) {
-  return of_a_variant * static_cast<double>(n_computations) *
-         seconds_of_one(resolution_for(tolerance, memory), highest_order);
+double estimated_seconds(const Resolution& resolution, int highest_order, std::size_t n_computations) {
+  return of_a_variant * static_cast<double>(n_computations) * seconds_of_one(resolution, highest_order);
 }
 
 double estimated_seconds(const PreparedCase& prepared, Proof proof) {
   const auto n = proof == Proof::none ? 2 : computations_for_bars(prepared.fem);  // 2: the whole of one
-  const double seconds = estimated_seconds(prepared.input.tolerance, prepared.fem.relaxation.has_memory(),
-                                           prepared.fem.motion.highest_order(), n) *
+  const double seconds = estimated_seconds(prepared.fem.resolution, prepared.fem.motion.highest_order(), n) *
                          (proof == Proof::tolerance ? until_the_tolerance_is_met : 1);
   return wears(prepared) ? seconds + seconds_of_wear(prepared, proof) : seconds;
 }
 
-double estimated_seconds(const std::vector<PreparedCase>& cases, Proof proof, std::size_t n_cores) {
-  double seconds = 0;
-  for (const auto& one : cases) seconds += estimated_seconds(one, proof);
-  return seconds / static_cast<double>(std::max<std::size_t>(1, n_cores));
+std::map<std::string, double> estimated_seconds(const std::vector<PreparedCase>& cases, Proof proof,
+                                                std::size_t n_cores) {
+  std::map<std::string, double> seconds;
+  for (const auto& one : cases) seconds[one.input.name] = estimated_seconds(one, proof) / static_cast<double>(n_cores);
+  return seconds;
 }
 
 std::size_t computations_for_bars(const FemCase& fem) {

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
+#include <string>
 #include <vector>
 
 #include "comparison/accuracy/prepared_case.h"
@@ -14,15 +16,15 @@ namespace fretval {
 /// Of one computation with a body of its own.
 double seconds_of_one(const Resolution& resolution, int highest_order);
 
-/// Of so many computations of an unworn case, of which one is the resolution that a tolerance asks for and the others
-/// are variants of it.
-double estimated_seconds(double tolerance, bool memory, int highest_order, std::size_t n_computations);
+/// Of so many computations of an unworn case, of which one has this resolution and the others are variants of it.
+double estimated_seconds(const Resolution& resolution, int highest_order, std::size_t n_computations);
 
 /// Of a case with its proof; wear and all.
 double estimated_seconds(const PreparedCase& prepared, Proof proof);
 
-/// Of what is run together on so many cores.
-double estimated_seconds(const std::vector<PreparedCase>& cases, Proof proof, std::size_t n_cores);
+/// Of each of the cases, by its name, where so many cores share them.
+std::map<std::string, double> estimated_seconds(const std::vector<PreparedCase>& cases, Proof proof,
+                                                std::size_t n_cores);
 
 /// How many computations the error bars of an unworn case take, the case itself among them.
 std::size_t computations_for_bars(const FemCase& fem);

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
 #include "comparison/support/escape.h"
 #include "comparison/support/log.h"
@@ -34,14 +35,22 @@ std::string clock_text(double seconds) {
 }
 
 std::string left_text(const Advance& advance, double seconds) {
-  const auto n_parts = static_cast<double>(advance.n_parts);
-  const double done = static_cast<double>(advance.n_done) + advance.under_way;
-  constexpr double tells = 0.01;  // of one part; less than that is how it begins
-  if (done < tells)
-    return advance.expected > seconds ? "about " + clock_text(advance.expected - seconds) + " left"
-                                      : clock_text(seconds) + " so far";
   if (advance.n_done == advance.n_parts) return "in " + clock_text(seconds);
-  return clock_text(seconds * (n_parts - done) / done) + " left";
+  constexpr double begins = 0.01;  // of one part; less than that is how it begins
+  constexpr double tells = 0.1;    // of the whole
+  const bool has_begun = advance.share * static_cast<double>(advance.n_parts) >= begins;
+  const double rest = has_begun ? seconds * (1 - advance.share) / advance.share : 0;
+  if (advance.share < tells && advance.expected > seconds) {
+    const double belief = has_begun ? std::pow(advance.share / tells, 2) : 0;
+    return "about " + clock_text((1 - belief) * (advance.expected - seconds) + belief * rest) + " left";
+  }
+  return has_begun ? clock_text(rest) + " left" : clock_text(seconds) + " so far";
+}
+
+double sum_of(const std::map<std::string, double>& expected) {
+  double sum = 0;
+  for (const auto& [part, seconds] : expected) sum += seconds;
+  return sum;
 }
 
 }  // namespace
@@ -54,13 +63,21 @@ std::string progress_text(const Advance& advance, double seconds, int columns) {
   if (room < narrowest_bar) return text.substr(0, static_cast<std::size_t>(std::max(0, columns - 1)));
   const auto width = static_cast<std::size_t>(std::min(room, widest_bar));
   const auto filled =
-      static_cast<std::size_t>(static_cast<double>(width) * (static_cast<double>(advance.n_done) + advance.under_way) /
-                               static_cast<double>(std::max<std::size_t>(1, advance.n_parts)));
+      static_cast<std::size_t>(static_cast<double>(width) * (advance.n_done == advance.n_parts ? 1 : advance.share));
   return fmt::format("[{}{}] {}", std::string(filled, '#'), std::string(width - filled, '.'), text);
 }
 
-Progress::Progress(std::size_t n_parts, double expected) : advance_{0, n_parts, 0, 0, {}, expected} {
-  if (!log::tells() || !on_terminal()) return;
+Progress::Progress(std::size_t n_parts, std::map<std::string, double> expected)
+    : expected_(std::move(expected)),
+      weight_of_others_(expected_.empty() ? 1 : sum_of(expected_) / static_cast<double>(expected_.size())),
+      advance_{0, n_parts} {
+  if (!expected_.empty()) advance_.expected = static_cast<double>(n_parts) * weight_of_others_;
+  if (!log::tells()) return;
+  constexpr double long_enough = 10;
+  if (!on_terminal()) {
+    if (advance_.expected >= long_enough) fmt::print(stderr, "0/{}; {}\n", n_parts, left_text(advance_, 0));
+    return;
+  }
   ticker_ = std::thread([this] {
     std::unique_lock<std::mutex> lock(mutex_);
     do draw();
@@ -82,14 +99,14 @@ Progress::~Progress() {
 void Progress::done(const std::string& what, bool is_good, const std::string& part) {
   const std::lock_guard<std::mutex> lock(mutex_);
   shares_.erase(part);
-  count_shares();
+  done_ += weight_of(part);
   ++advance_.n_done;
+  count_shares();
   advance_.n_bad += is_good ? 0 : 1;
   if (!log::tells()) return;
   if (on_terminal()) return draw();
-  const double seconds = std::chrono::duration<double>(Clock::now() - start_).count();
   fmt::print(stderr, "{}/{} {}; {}\n", advance_.n_done, advance_.n_parts, without_control_characters(what),
-             left_text(advance_, seconds));
+             left_text(advance_, seconds()));
 }
 
 void Progress::under_way(const std::string& part, double share, const std::string& what) {
@@ -100,14 +117,24 @@ void Progress::under_way(const std::string& part, double share, const std::strin
 }
 
 void Progress::count_shares() {
-  advance_.under_way = 0;
-  for (const auto& [part, share] : shares_) advance_.under_way += share;
+  double done = done_;
+  for (const auto& [part, share] : shares_) done += share * weight_of(part);
+  const double all = static_cast<double>(advance_.n_parts) * weight_of_others_;
+  advance_.share = all > 0 ? std::min(1.0, done / all) : 0;
   if (shares_.empty()) advance_.what.clear();
 }
 
+double Progress::weight_of(const std::string& part) const {
+  const auto found = expected_.find(part);
+  return found == expected_.end() ? weight_of_others_ : found->second;
+}
+
+double Progress::seconds() const {
+  return std::chrono::duration<double>(Clock::now() - start_).count();
+}
+
 void Progress::draw() const {
-  const double seconds = std::chrono::duration<double>(Clock::now() - start_).count();
-  fmt::print(stderr, "\r\033[K{}", progress_text(advance_, seconds, terminal_columns()));
+  fmt::print(stderr, "\r\033[K{}", progress_text(advance_, seconds(), terminal_columns()));
   std::fflush(stderr);
 }
 

@@ -10,6 +10,7 @@
 #include "comparison/accuracy/prepared_case.h"
 #include "comparison/case/case_file.h"
 #include "comparison/reference/mdr_answer.h"
+#include "comparison/results/estimate.h"
 #include "comparison/support/parallel.h"
 #include "comparison/support/progress.h"
 #include "comparison/support/stopwatch.h"
@@ -66,6 +67,26 @@ SuiteRow run_case(const SuiteCase& asked, BodyStore& bodies, std::size_t n_threa
     row.failure = error.what();
   }
   return row;
+}
+
+/// By the title of a case, where as many are computed at once as there are cores; what is refused takes no time. Of
+/// more than a thousand cases those that stand for the others.
+std::map<std::string, double> expected_seconds(const std::vector<SuiteCase>& cases) {
+  constexpr std::size_t enough = 1000;
+  const std::size_t stride = 1 + (cases.size() - 1) / enough;
+  std::vector<double> seconds((cases.size() + stride - 1) / stride);
+  for_each_in_parallel(seconds.size(), [&](std::size_t i) {
+    const auto& asked = cases[i * stride];
+    try {
+      auto prepared = prepare({case_of(asked)}).front();
+      if (asked.change) asked.change(prepared);
+      seconds[i] = estimated_seconds(prepared, asked.proof) / static_cast<double>(n_cores());
+    } catch (const std::exception&) {
+    }
+  });
+  std::map<std::string, double> expected;
+  for (std::size_t i = 0; i < seconds.size(); ++i) expected[title_of(cases[i * stride])] = seconds[i];
+  return expected;
 }
 
 std::string refusal_failure_of(const SuiteRow& row) {
@@ -141,7 +162,7 @@ std::vector<SuiteRow> run_cases(const std::vector<SuiteCase>& cases, BodyStore& 
   std::vector<SuiteRow> rows(cases.size());
   const std::size_t n_threads = cases.size() < n_cores() ? n_cores() : 1;
   // All cases wait for one factorisation at a time: one more than there are cores keeps these busy.
-  Progress progress(cases.size());
+  Progress progress(cases.size(), expected_seconds(cases));
   for_each_in_parallel(
       cases.size(),
       [&](std::size_t i) {

@@ -1,21 +1,41 @@
 #include "comparison/verification/exact/exact_rows.h"
 
+#include <map>
+#include <string>
+
 #include "comparison/support/progress.h"
 
 namespace fretval {
+namespace {
+
+/// Rows that belong together, and about how long they take.
+struct Theme {
+  const char* name;
+  Rows (*rows)(const Meshes&, const ExactScene&);
+  double seconds;
+};
+constexpr Theme themes[] = {{"indentation", indentation_rows, 0.3}, {"sliding", sliding_rows, 7},
+                            {"oblique loading", oblique_rows, 0.3}, {"worn edge", worn_edge_rows, 0.3},
+                            {"relaxation", relaxation_rows, 1},     {"pressing", pressing_rows, 1},
+                            {"periodic states", periodic_rows, 26}};
+constexpr double seconds_of_meshes = 5, seconds_of_bulk = 6;
+
+}  // namespace
 
 Rows exact_rows() {
-  const auto meshes = half_space_meshes({16, 32, 64, 128});
+  std::map<std::string, double> expected{{"meshes", seconds_of_meshes}, {"bulk", seconds_of_bulk}};
+  for (const auto& theme : themes) expected[theme.name] = theme.seconds;
+  Progress progress(expected.size(), expected);
+  const auto done = [&](const std::string& part) { progress.done(part, true, part); };
   Rows rows;
-  const auto themes = {indentation_rows, sliding_rows,  oblique_rows, worn_edge_rows,
-                       relaxation_rows,  pressing_rows, periodic_rows};
-  Progress progress(themes.size() + 1);
-  const auto add = [&](const Rows& more) {
-    append(rows, more);
-    progress.done(more.front().solution);
-  };
-  for (const auto theme : themes) add(theme(meshes, {}));
-  add(bulk_rows(bulk_meshes(4), 1));
+  const auto meshes = half_space_meshes({16, 32, 64, 128});
+  done("meshes");
+  for (const auto& theme : themes) {
+    append(rows, theme.rows(meshes, {}));
+    done(theme.name);
+  }
+  append(rows, bulk_rows(bulk_meshes(4), 1));
+  done("bulk");
   return rows;
 }
 

@@ -2,18 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <iterator>
-
 #include "comparison/accuracy/prepared_case.h"
-#include "comparison/support/log.h"
 #include "comparison/support/parallel.h"
 #include "comparison/support/stopwatch.h"
 
 namespace fretval {
 namespace {
 
-constexpr std::size_t batch = 1000;  // cases between two lines of the log
 constexpr int most_attempts = 100;
 
 std::string family_of(const Entries& entries) {
@@ -48,15 +43,11 @@ SuiteRun run_random_suite(const RandomSuiteOptions& options) {
   SuiteRun run{"random", fmt::format("Random cases of seed {} on one coarse mesh, with their error bars but without "
                                      "any refinement.",
                                      options.seed)};
-  const std::size_t first = options.only.value_or(0), end = options.only ? first + 1 : options.n_cases;
+  const std::size_t first = options.only.value_or(0);
+  std::vector<SuiteCase> cases(options.only ? 1 : options.n_cases);
+  for_each_in_parallel(cases.size(), [&](std::size_t i) { cases[i] = drawn_case(options.seed, first + i); });
   BodyStore bodies;
-  for (std::size_t begin = first; begin < end; begin += batch) {
-    std::vector<SuiteCase> cases(std::min(batch, end - begin));
-    for_each_in_parallel(cases.size(), [&](std::size_t i) { cases[i] = drawn_case(options.seed, begin + i); });
-    auto rows = run_cases(cases, bodies);
-    std::move(rows.begin(), rows.end(), std::back_inserter(run.rows));
-    if (end - first > batch) log::info(fmt::format("{} of {} cases", run.rows.size(), end - first));
-  }
+  run.rows = run_cases(cases, bodies);
   run.seconds = watch.lap();
   return run;
 }

@@ -6,6 +6,8 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <string>
 #include <utility>
 
 #include "comparison/reference/mdr_document.h"
@@ -109,11 +111,16 @@ TradeLevel closed_form_level(const PreparedCase& prepared, const Quantities& ref
   return level;
 }
 
-/// Of all levels but the full ones: before the first is done. Each pays for its body and its histories.
-double expected_seconds(const PreparedCase& prepared, const TradePlan& plan) {
-  double seconds = closed_form_seconds;
+std::string title_of(const std::string& kind, const ordered_json& setting) {
+  return fmt::format("{} {}", kind, setting.dump());
+}
+
+/// Of the condensed levels, which are nearly all, by their titles. Each pays for its body and its histories.
+std::map<std::string, double> expected_seconds(const PreparedCase& prepared, const TradePlan& plan) {
+  std::map<std::string, double> seconds;
   for (const auto& [resolution, axes] : plan.settings)
-    seconds += seconds_of_one(resolution, prepared.fem.motion.highest_order());
+    seconds[title_of("condensed", resolution_json(resolution))] =
+        seconds_of_one(resolution, prepared.fem.motion.highest_order());
   return seconds;
 }
 
@@ -129,7 +136,8 @@ std::vector<TradeLevel> computed_levels(const PreparedCase& prepared, const Trad
   make_body(at_resolution(prepared.fem, plan.settings.begin()->first).body);
   std::vector<TradeLevel> levels;
   const auto add = [&](TradeLevel&& level) {
-    progress.done(fmt::format("{} {}", level.kind, level.setting.dump()), level.failure.empty());
+    const auto title = title_of(level.kind, level.setting);
+    progress.done(title, level.failure.empty(), title);
     levels.push_back(std::move(level));
   };
   for (const auto& [resolution, axes] : plan.settings)

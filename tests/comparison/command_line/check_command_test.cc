@@ -40,6 +40,18 @@ TEST(CheckCommand, ChecksTheSmallSuite) {
   EXPECT_NE(text_of(junit).find("tests=\"6\" failures=\"0\""), std::string::npos) << text_of(junit);
 }
 
+// On a terminal, by the first line that is drawn; the suite is not waited for.
+TEST(CheckCommandSlow, BeginsWithAnEstimateOfTheTimeLeft) {
+  const ScratchFolder folder;
+  for (const char* suite : {"exact", "tolerance", "extremes", "random --count 200"}) {
+    const auto command = std::string("timeout 10 ") + FRETVAL_PROGRAM + " check --suite " + suite;
+    const auto run = shell_run("script -qec 'stty cols 60; " + command + "' /dev/null", folder);
+    const auto first = run.out.find(" 0/");
+    ASSERT_NE(first, std::string::npos) << run.out;
+    EXPECT_NE(run.out.substr(first, 20).find(", about "), std::string::npos) << run.out;
+  }
+}
+
 // Every case once.
 TEST(CheckCommandSlow, ChecksATolerance) {
   const ScratchFolder folder;

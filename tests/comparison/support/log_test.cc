@@ -8,7 +8,7 @@ namespace {
 // A message may hold what a format or a file has in it.
 TEST(Log, WritesMessagesAsTheyAreToTheStandardError) {
   testing::internal::CaptureStderr();
-  log::start();
+  if (!log::tells()) log::start();
   log::info("{} of {}");
   log::warn("careful");
   log::error("it failed: 5 %");

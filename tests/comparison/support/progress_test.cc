@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "comparison/support/log.h"
 #include "tests/comparison/run_fretval.h"
 
 namespace fretval::progress_test {
@@ -9,9 +10,9 @@ namespace {
 
 // A quarter takes 10 s, so the rest takes 30.
 TEST(Progress, TellsTheTimeThatIsLeft) {
-  EXPECT_EQ(progress_text({3, 12}, 10, 80), "[#######.......................] 3/12, 0:30 left");
+  EXPECT_EQ(progress_text({3, 12, 0, 0.25}, 10, 80), "[#######.......................] 3/12, 0:30 left");
   EXPECT_EQ(progress_text({0, 12}, 4, 80), "[..............................] 0/12, 0:04 so far");
-  EXPECT_EQ(progress_text({12, 12, 2}, 3725, 80), "[##############################] 12/12, in 1:02:05, 2 not good");
+  EXPECT_EQ(progress_text({12, 12, 2, 1}, 3725, 80), "[##############################] 12/12, in 1:02:05, 2 not good");
 }
 
 // An estimate stands in until something is done, as long as it is not over.
@@ -22,12 +23,36 @@ TEST(Progress, BeginsWithAnEstimate) {
   EXPECT_EQ(progress_text({0, 1, 0, 0.5, "a: 1 of 2", 90}, 20, 40), "[#####......] 0/1, 0:20 left; a: 1 of 2");
 }
 
-// One of two is done and the other to a quarter: 40 s for 1.25 of 2, so 24 are left.
+// A twentieth in 20 s, so 380 are left; 180 of the estimate. Half of a tenth: a quarter of the way from here to there.
+TEST(Progress, GoesFromTheEstimateToWhatIsDone) {
+  EXPECT_EQ(progress_text({1, 20, 0, 0.05, {}, 200}, 20, 80), "[#.............................] 1/20, about 3:50 left");
+  EXPECT_EQ(progress_text({2, 20, 0, 0.1, {}, 200}, 40, 80), "[###...........................] 2/20, 6:00 left");
+}
+
+// Of two parts one is done and the other to a quarter: 40 s for 5/8, so 24 are left.
 TEST(Progress, CountsTheShareOfWhatIsUnderWay) {
-  EXPECT_EQ(progress_text({1, 2, 0, 0.25, "cone: worn"}, 40, 80),
+  EXPECT_EQ(progress_text({1, 2, 0, 0.625, "cone: worn"}, 40, 80),
             "[##################............] 1/2, 0:24 left; cone: worn");
   EXPECT_EQ(progress_text({0, 1, 0, 0.001, "cone: worn"}, 4, 80),
             "[..............................] 0/1, 0:04 so far; cone: worn");
+}
+
+// The first two parts are less than a hundredth of the whole, an hour, which what is done has hardly a say in; the last
+// is as long as the mean of the others.
+TEST(Progress, WeighsItsPartsInALog) {
+  if (!log::tells()) log::start();
+  testing::internal::CaptureStderr();
+  {
+    Progress progress(4, {{"short", 18}, {"shorter", 9}, {"long", 2673}});
+    progress.done("short is done", true, "short");
+    progress.done("shorter is done", true, "shorter");
+    progress.done("long is done", true, "long");
+    progress.done("unnamed is done");
+  }
+  const auto told = testing::internal::GetCapturedStderr();
+  EXPECT_EQ(told,
+            "0/4; about 1:00:00 left\n1/4 short is done; about 59:51 left\n2/4 shorter is done; about 59:40 left\n"
+            "3/4 long is done; 0:00 left\n4/4 unnamed is done; in 0:00\n");
 }
 
 TEST(Progress, FitsIntoTheLine) {
