@@ -154,7 +154,7 @@
         svg.append("line").attr("x1", x(mark.x)).attr("x2", x(mark.x)).attr("y1", margin.top).attr("y2", height - margin.bottom).attr("stroke", "#8b939d").attr("stroke-dasharray", "2 3");
         rich(svg.append("text").attr("text-anchor", "middle").attr("x", x(mark.x)).attr("y", margin.top - 7), mark.name);
       }
-      const marks = svg.append("g").attr("clip-path", `url(#${clip})`);
+      const marks = svg.append("g").attr("clip-path", `url(#${clip})`).append("g");
       const points = [];
       plot.series.forEach((series, k) => {
         if (state.off.has(k)) return;
@@ -181,16 +181,20 @@
         const own = hasPoints(p.series) && !p.series.label ? "points, " : "";
         tip.show([own + name(p.k), `${flat(plot.x_label)}: ${number(p.values[0])}`, `${flat(plot.y_label)}: ${number(p.values[1])}${p.bar ? " ± " + d3.format(".1~e")(p.bar) : ""}`], p.x, p.y, width);
       };
-      const brush = d3.brush().extent([[margin.left, margin.top], [width - margin.right, height - margin.bottom]])
-        .filter(() => !d3.event.button && !d3.event.ctrlKey && !/touch/.test(d3.event.type) && d3.event.pointerType !== "touch")
+      const brush = d3.brush().extent([[margin.left, margin.top], [width - margin.right, height - margin.bottom]]).touchable(false)
         .on("end", () => {
           const s = d3.event.selection;
           if (!s) return;
           if (s[1][0] - s[0][0] > 8 && s[1][1] - s[0][1] > 8) state.zoom = {x: [x.invert(s[0][0]), x.invert(s[1][0])], y: [y.invert(s[1][1]), y.invert(s[0][1])]};
           draw();
         });
-      const layer = svg.append("g").call(brush);
+      const layer = svg.append("g").call(brush).style("touch-action", null);
       layer.selectAll(".selection").attr("fill", "#0b5cad").attr("stroke", "#0b5cad");
+      pinches(svg, marks, ({k, from, to}) => {
+        const window = (scale, ends, axis) => ends.map((end) => scale.invert(from[axis] + (end - to[axis]) / k));
+        state.zoom = k > 1 || state.zoom ? {x: window(x, x.range(), 0), y: window(y, y.range(), 1)} : null;
+        draw();
+      });
       svg.style("touch-action", "pan-y");
       svg.on("mousemove touchstart", () => {
         const [mx, my] = d3.event.touches ? d3.touches(svg.node())[0] : d3.mouse(svg.node());
@@ -217,6 +221,27 @@
       if (!points.length) svg.append("text").attr("x", width / 2).attr("y", height / 2).attr("text-anchor", "middle").text("no data");
     }
     return draw;
+  }
+
+  /// Two fingers stretch and move the marks; what was under them stays there. done: told the factor k and the middle of
+  /// the fingers before and after. One finger is left to the page, which scrolls.
+  function pinches(svg, marks, done) {
+    let start = null, pinch = null;
+    const grip = () => {
+      const [a, b] = d3.touches(svg.node());
+      return {middle: [(a[0] + b[0]) / 2, (a[1] + b[1]) / 2], size: Math.hypot(a[0] - b[0], a[1] - b[1])};
+    };
+    svg.on("touchstart.pinch touchmove.pinch", () => {
+      if (d3.event.touches.length !== 2) return;
+      d3.event.preventDefault();
+      const now = grip();
+      start = start ?? now;
+      pinch = {k: now.size / start.size, from: start.middle, to: now.middle};
+      marks.attr("transform", `translate(${pinch.to}) scale(${pinch.k}) translate(${pinch.from.map((v) => -v)})`);
+    }).on("touchend.pinch touchcancel.pinch", () => {
+      if (pinch) done(pinch);
+      start = pinch = null;
+    });
   }
 
   /// A drawing of pieces that the pointer, a finger and the arrow keys pick. at: the piece under a point, or null;
