@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 #include "comparison/accuracy/proof.h"
 #include "comparison/accuracy/quantity.h"
@@ -134,27 +135,28 @@ Filling verdict_section(const Results& results) {
 }
 
 Filling budget_section(const Results& results) {
-  std::map<std::string, std::map<std::string, std::vector<double>>> shares;  // by source and quantity
+  std::map<std::string, std::map<std::string, std::vector<double>>> shares;  // by quantity and source
+  std::set<std::string> sources;
   for (const auto& r : results) {
     const auto& fe = r.json.at("fe");
     if (!fe.contains("error_estimate")) continue;
     for (const auto& [quantity, bar] : fe["error_estimate"].items())
       if (bar.is_object() && bar.contains("shares"))
         for (const auto& [source, share] : bar["shares"].items())
-          if (share.value("estimate", ordered_json()).is_number())
-            shares[source][quantity].push_back(share["estimate"].get<double>());
+          if (share.value("estimate", ordered_json()).is_number()) {
+            shares[quantity][source].push_back(share["estimate"].get<double>());
+            sources.insert(source);
+          }
   }
   if (shares.empty()) return nullptr;
-  std::vector<Quantity> measured;
-  for (const auto quantity : quantities_by_interest)
-    if (std::any_of(shares.begin(), shares.end(), [&](const auto& s) { return s.second.count(name_of(quantity)) > 0; }))
-      measured.push_back(quantity);
-  Table table{{"source: median, largest"}};
-  for (const auto quantity : measured) table.heads.push_back(title_with_scale(quantity));
-  for (auto& [source, by_quantity] : shares) {
-    std::vector<Cell> row{source};
-    for (const auto quantity : measured) {
-      auto& values = by_quantity[name_of(quantity)];
+  Table table{{"median, largest"}};
+  table.heads.insert(table.heads.end(), sources.begin(), sources.end());
+  for (const auto quantity : quantities_by_interest) {
+    const auto found = shares.find(name_of(quantity));
+    if (found == shares.end()) continue;
+    std::vector<Cell> row{title_with_scale(quantity)};
+    for (const auto& source : sources) {
+      auto& values = found->second[source];
       std::sort(values.begin(), values.end());
       row.emplace_back(values.empty() ? "–" : fmt::format("{:.0e}, {:.0e}", values[values.size() / 2], values.back()));
     }

@@ -58,20 +58,20 @@ std::string end_text(const ordered_json& wear) {
 }
 
 Table table_of(const Results& results) {
-  Table table{{"case", "body", "law", "c", "distance from the limit", "… of the first-slip radius", "a∞, MDR",
-               "difference", "volume over that of the limit", "difference from MDR", "cycles", "end", "seconds"}};
+  Table table{{"case", "body, law", "c", "distance from the limit", "… of the first-slip radius", "a∞, MDR",
+               "difference", "volume over that of the limit", "difference from MDR", "cycles", "end"}};
   for (const auto& r : results) {
     const auto* wear = wear_of(r);
     if (!wear) continue;
     const auto& distance = wear->at("distance_to_limit");
     table.rows.push_back(
-        {r.json.at("name").get<std::string>(), words_cell(r.text("scene", "rheology")), law_text(r),
+        {r.json.at("name").get<std::string>(), words_cell(r.text("scene", "rheology") + ", " + law_text(r)),
          length_text(r, "fe", "stick_radius_shakedown"), number_text(distance.at("shakedown")),
          number_text(distance.at("first_slip")), length_text(r, "mdr", "worn_radius"),
          difference_with_bar(r, "worn_radius"),
          fmt::format("{:.5f}", wear->at("volume").back().get<double>() / wear->at("volume_of_limit").get<double>()),
          difference_with_bar(r, "worn_volume"), fmt::format("{:.2g}", wear->at("cycles").back().get<double>()),
-         words_cell(end_text(*wear)), fmt::format("{:.1f}", wear->at("cost").at("seconds").get<double>())});
+         words_cell(end_text(*wear))});
   }
   return table;
 }

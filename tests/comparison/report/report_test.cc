@@ -208,7 +208,7 @@ void run_all_kinds(const ScratchFolder& folder) {
                                         "  set Entry = Friction / Coefficient\n  set Values = 0.4, 0.5, 0.6\nend\n",
                                         FRETVAL_SOURCE_DIR));
   const auto run = fretval_run(fmt::format("run {0}examples/fretting.prm {1}/sweep.prm {0}wear/wear-to-the-limit.prm "
-                                           "{0}forces/both-cone-elastic.prm --proof none -o {1}/out",
+                                           "{0}forces/both-cone-elastic.prm --proof bars -o {1}/out",
                                            std::string(FRETVAL_SOURCE_DIR) + "/cases/", folder.path().string()),
                                folder);
   ASSERT_LE(run.exit_code, 1) << run.err;
@@ -247,20 +247,34 @@ class ReportSlow : public testing::Test {
     return drawn(folder_.write("examined.html", page + "<script>" + script + "</script>"));
   }
 
-  /// Pixels that a page of so many takes across; a frame, as no window of the browser is narrower than 500.
-  [[nodiscard]] int width_in_frame(const std::string& page, int width) const {
+  /// A number that a script finds of the document in a window of so many pixels; a frame, as no window of the browser
+  /// is narrower than 500.
+  [[nodiscard]] int found_in_frame(const std::string& page, int width, const std::string& number) const {
     folder_.write("framed.html", page);
     const auto outer = folder_.write(
         "frame.html", fmt::format("<html><body><iframe id=\"f\" src=\"framed.html\" width=\"{}\" height=\"3000\" "
-                                  "style=\"border:0\" onload=\"document.documentElement.dataset.width = "
-                                  "document.getElementById('f').contentDocument.documentElement.scrollWidth\"></iframe>"
+                                  "style=\"border:0\" onload=\"const page = document.getElementById('f')"
+                                  ".contentDocument; document.documentElement.dataset.found = {}\"></iframe>"
                                   "</body></html>",
-                                  width));
+                                  width, number));
     const auto text = browsed(outer, "--hide-scrollbars --allow-file-access-from-files --dump-dom");
-    const std::string before = "data-width=\"";
+    const std::string before = "data-found=\"";
     const auto at = text.find(before);
     EXPECT_NE(at, std::string::npos);
     return at == std::string::npos ? 0 : std::stoi(text.substr(at + before.size()));
+  }
+
+  /// Pixels that a page of so many takes across.
+  [[nodiscard]] int width_in_frame(const std::string& page, int width) const {
+    return found_in_frame(page, width, "page.documentElement.scrollWidth");
+  }
+
+  /// How many tables scroll sideways, folded ones among them.
+  [[nodiscard]] int scrolling_tables(const std::string& page, int width) const {
+    return found_in_frame(page, width,
+                          "(page.querySelectorAll('details').forEach((one) => one.open = true), "
+                          "[...page.querySelectorAll('.scroll')].filter((box) => box.scrollWidth > box.clientWidth)"
+                          ".length)");
   }
 
   /// Words on paper, each with the box that it takes on a page of some width, as XHTML.
@@ -285,6 +299,16 @@ class ReportSlow : public testing::Test {
     for (auto quote = text.find("&quot;"); quote != std::string::npos; quote = text.find("&quot;"))
       text.replace(quote, 6, "\"");
     return nlohmann::json::parse(text);
+  }
+
+  /// What tests/comparison/report/touch.js says of a page, or of its first plots.
+  [[nodiscard]] nlohmann::json touched(const fs::path& page, const std::string& n_plots = "") const {
+    const auto examiner = fs::path(FRETVAL_SOURCE_DIR) / "tests/comparison/report/touch.js";
+    const auto run = shell_run(
+        "node " + quoted(examiner) + " " + quoted(page) + " " + quoted(folder_.path() / "profile") + " " + n_plots,
+        folder_);
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    return nlohmann::json::parse(run.out);
   }
 
   ScratchFolder folder_;
@@ -313,6 +337,14 @@ TEST_F(ReportSlow, IsAsWideAsATelephone) {
   EXPECT_EQ(width_in_frame(page, 390), 390);
   // What the measure is there for.
   EXPECT_EQ(width_in_frame(replace(page, "</main>", "<div style=\"width:600px\">wide</div></main>"), 390), 616);
+}
+
+// 15 pixels of the window are its scroll bar.
+TEST_F(ReportSlow, ScrollsNoTableOnAScreen) {
+  const auto page = text_of(page_);
+  EXPECT_EQ(scrolling_tables(page, 1265), 0);
+  EXPECT_EQ(width_in_frame(page, 1265), 1265);
+  EXPECT_GE(scrolling_tables(page, 390), 3) << "what the measure is there for";
 }
 
 // The table of all cases is folded on the screen. Every word lies within the paper and its margin of 14 mm, which are
@@ -364,6 +396,23 @@ TEST_F(ReportSlow, IsUsedWithoutAMouse) {
   const auto at = text.find("data-reached=\"");
   ASSERT_NE(at, std::string::npos);
   EXPECT_GE(std::stoi(text.substr(at + 14)), 25);
+}
+
+// On a telephone: a tap says what the pointer says, two fingers magnify, the slider follows, and the page scrolls.
+TEST_F(ReportSlow, IsUsedByFingers) {
+  const auto found = touched(page_);
+  EXPECT_EQ(found.at("problems"), nlohmann::json::array());
+  EXPECT_GE(found.at("magnified"), 20);
+  EXPECT_GE(found.at("slid"), 3);
+  // What the examiner is there for.
+  const auto without = [&](const std::string& part, const std::string& other) {
+    return touched(folder_.write("examined.html", replace(text_of(page_), part, other)), "1").at("problems").dump();
+  };
+  expect_parts(without("mousemove touchstart", "touchnothing"), {"the pointer finds nothing"});
+  expect_parts(without("svg.on(\"touchstart.pinch touchmove.pinch\"", "svg.on(\"click.pinch\""),
+               {"two fingers do not magnify it"});
+  expect_parts(without("svg.style(\"touch-action\", \"pan-y\")", "svg.style(\"touch-action\", \"none\")"),
+               {"the page does not scroll under a finger"});
 }
 
 TEST_F(ReportSlow, HasTheContrastThatTheGuidelinesAskFor) {

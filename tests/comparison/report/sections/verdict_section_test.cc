@@ -88,15 +88,15 @@ TEST(BudgetSection, HasMedianAndLargestOfEachShare) {
     bars = {{"stick_radius_shakedown", {{"total", 1}, {"shares", {{"rings", {{"estimate", estimate}}}}}}}};
   }
   const auto html = rendered(budget_section(results));
-  expect_parts(html, {"<td>rings</td>", "<td>3e-04, 9e-04</td>"});
+  expect_parts(html, {"<th scope=\"col\">rings</th>", "<td>3e-04, 9e-04</td>"});
 }
 
-TEST(BudgetSection, HasASourceALineAndNothingWithoutBars) {
+TEST(BudgetSection, HasASourceAColumnAndNothingWithoutBars) {
   auto other = proved("bars"), without = proved("none");
   for (auto& [quantity, bar] : other.json["fe"]["error_estimate"].items()) bar["shares"]["rings"]["estimate"] = 7e-2;
   for (auto& [quantity, bar] : without.json["fe"]["error_estimate"].items()) bar = nullptr;
   expect_parts(rendered(budget_section({proved("bars"), other, without})),
-               {"<td>rings</td>", "7e-02</td>", "<td>time step</td>"});
+               {"<th scope=\"col\">rings</th>", "7e-02</td>", "<th scope=\"col\">time step</th>"});
   EXPECT_TRUE(budget_section({without}).is_null());
 }
 
