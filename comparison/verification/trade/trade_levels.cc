@@ -111,8 +111,14 @@ TradeLevel closed_form_level(const PreparedCase& prepared, const Quantities& ref
   return level;
 }
 
-std::string title_of(const std::string& kind, const ordered_json& setting) {
-  return fmt::format("{} {}", kind, setting.dump());
+/// "condensed, elements per radius 64, degree 3, …"
+std::string title_of(std::string title, const ordered_json& setting) {
+  for (const auto& [key, value] : setting.items()) {
+    auto words = key;
+    std::replace(words.begin(), words.end(), '_', ' ');
+    title += fmt::format(", {} {}", words, value.dump());
+  }
+  return title;
 }
 
 /// Of the condensed levels, which are nearly all, by their titles. Each pays for its body and its histories.
