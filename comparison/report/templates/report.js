@@ -345,8 +345,15 @@
           sum += share;
         });
       });
+      // A finger is wider than most shares.
+      const apart = (v, low, size) => Math.max(low - v, 0, v - low - size), reach = 16;
+      const nearest = (px, py) => {
+        const far = (p) => Math.hypot(apart(px, p.x, p.width), apart(py, p.y, p.height));
+        const best = pieces[d3.scan(pieces, (a, b) => far(a) - far(b))];
+        return best && far(best) <= reach ? best : null;
+      };
       const frame = outline(svg);
-      picks(svg, (px, py) => pieces.find((p) => px >= p.x && px <= p.x + p.width && py >= p.y && py <= p.y + p.height) ?? null, (p, dx, dy) => {
+      picks(svg, nearest, (p, dx, dy) => {
         if (!p) return pieces[0] ?? null;
         if (dx) return pieces[Math.min(pieces.length - 1, Math.max(0, pieces.indexOf(p) + dx))];
         return pieces.find((q) => q.k === p.k - dy) ?? p;
@@ -375,6 +382,10 @@
     draws.set(element, known);
     observer.observe(element);
   }
+  // A finger does not leave a plot as a pointer does: it touches elsewhere.
+  document.addEventListener("touchstart", ({target}) => {
+    for (const svg of document.querySelectorAll("[data-plot] svg.canvas")) if (!svg.contains(target)) svg.dispatchEvent(new MouseEvent("mouseleave"));
+  }, {passive: true});
   // What is folded is printed all the same.
   const folded = [];
   window.addEventListener("beforeprint", () => document.querySelectorAll("details:not([open])").forEach((details) => { details.open = true; folded.push(details); }));

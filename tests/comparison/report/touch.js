@@ -41,15 +41,24 @@ async function drag(paths, n = 12) {
     await touch("touchMove", ...at(k / n));
     await pause(16);
   }
+  await pause(150);  // held still, or the page would roll on
+  await touch("touchMove", ...at(1));
   await touch("touchEnd");
   await pause(150);
 }
 const canvas = (k) => `const svg = document.querySelectorAll("[data-plot] svg.canvas")[${k}], plot = svg.closest("[data-plot]"), tip = plot.querySelector(".tip");`;
 const told = (k) => look(`${canvas(k)} const box = tip.getBoundingClientRect(); return {text: tip.hidden ? "" : tip.innerText, left: box.left, right: box.right};`);
 const ticks = (k) => look(`${canvas(k)} return [...svg.querySelectorAll(".tick text")].map((tick) => tick.textContent).join(" ");`);
-/// What it says under a pointer, which then leaves.
-const hovered = (k, x, y) => look(`${canvas(k)} svg.dispatchEvent(new MouseEvent("mousemove", {clientX: ${x}, clientY: ${y}})); const text = tip.hidden ? "" : tip.innerText;
-  svg.dispatchEvent(new MouseEvent("mouseleave")); return text;`);
+/// A place where a pointer finds something, and what that is; the pointer then leaves.
+const found = (k) => look(`${canvas(k)} const {left, top, width, height} = svg.getBoundingClientRect();
+  for (const u of [0.3, 0.5, 0.7, 0.15, 0.85]) for (let v = 0.1; v < 0.9; v += 0.05) {
+    const x = Math.round(left + u * width), y = Math.round(top + v * height);
+    svg.dispatchEvent(new MouseEvent("mousemove", {clientX: x, clientY: y}));
+    const text = tip.hidden ? "" : tip.innerText;
+    svg.dispatchEvent(new MouseEvent("mouseleave"));
+    if (text) return {place: [x, y], text};
+  }
+  return null;`);
 /// In the middle of the screen.
 async function box(k, part = "svg") {
   await look(`${canvas(k)} ${part}.scrollIntoView({block: "center", behavior: "instant"});`);
@@ -59,19 +68,15 @@ async function box(k, part = "svg") {
 
 /// A tap says what the pointer says there, within the screen, and a tap elsewhere ends that.
 async function tapWherePointerFinds(k, name) {
-  const {left, top, width, height} = await box(k);
-  for (const [u, v] of [0.3, 0.5, 0.7, 0.4, 0.85].flatMap((u) => [0.35, 0.6, 0.15, 0.75].map((v) => [u, v]))) {
-    const place = [Math.round(left + u * width), Math.round(top + v * height)], text = await hovered(k, ...place);
-    if (!text) continue;
-    await tap(place);
-    const tapped = await told(k);
-    if (tapped.text !== text) complain(`${name}: a tap says "${tapped.text}", the pointer "${text}"`);
-    if (tapped.left < 0 || tapped.right > screen.width) complain(`${name}: what a tap says goes from ${tapped.left} to ${tapped.right}`);
-    await tap([4, 4]);
-    if ((await told(k)).text) complain(`${name}: goes on after a tap elsewhere`);
-    return;
-  }
-  complain(`${name}: the pointer finds nothing`);
+  await box(k);
+  const hovered = await found(k);
+  if (!hovered) return complain(`${name}: the pointer finds nothing`);
+  await tap(hovered.place);
+  const tapped = await told(k);
+  if (tapped.text !== hovered.text) complain(`${name}: a tap says "${tapped.text}", the pointer "${hovered.text}"`);
+  if (tapped.left < 0 || tapped.right > screen.width) complain(`${name}: what a tap says goes from ${tapped.left} to ${tapped.right}`);
+  await tap([4, 4]);
+  if ((await told(k)).text) complain(`${name}: goes on after a tap elsewhere`);
 }
 
 async function scrollOver(k, name) {
