@@ -39,6 +39,11 @@ double scale_of(Quantity quantity, const Scales& scales, double value) {
   return scale == "over a" ? scales.contact_radius : std::abs(value);
 }
 
+double without_roundoff(Quantity quantity, const Scales& scales, double value) {
+  constexpr double roundoff = 1e-12;
+  return std::abs(value) < roundoff * scale_of(quantity, scales, value) ? 0 : value;
+}
+
 std::string column_of(Quantity quantity, const std::string& who) {
   const auto& traits = traits_of(quantity);
   std::string title = traits.title;

@@ -118,6 +118,9 @@ struct Scales {
 /// What differences and error bars of a quantity are over, in its own unit.
 double scale_of(Quantity quantity, const Scales& scales, double value);
 
+/// The value as people see it: 0 where it is roundoff of that.
+double without_roundoff(Quantity quantity, const Scales& scales, double value);
+
 inline const char* name_of(Quantity quantity) {
   return traits_of(quantity).name;
 }

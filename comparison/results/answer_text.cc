@@ -143,7 +143,8 @@ std::string with_unit(double value, double bar, const std::string& unit) {
   const double least = 1e-9 * factor;
   if (value != 0 && std::abs(value) < least && bar < least) return fmt::format("0 {}{}", name, unit);  // roundoff
   const int decimals = decimals_of(value / factor, bar / factor);
-  const auto number = fmt::format("{:.{}f}", value / factor, decimals);
+  auto number = fmt::format("{:.{}f}", value / factor, decimals);
+  if (number.find_first_of("123456789") == std::string::npos && number.front() == '-') number.erase(0, 1);
   if (bar <= 0 || !std::isfinite(bar)) return fmt::format("{} {}{}", number, name, unit);
   return fmt::format("{} ± {:.{}f} {}{}", number, bar / factor, decimals, name, unit);
 }
@@ -166,7 +167,7 @@ Answer answer_of(const ordered_json& result) {
     const auto fe = number_in(result.at("fe"), traits.name), mdr = number_in(result.at("mdr"), traits.name);
     const double bar = number_in(*compared, "error_bar").value_or(0) * scale_of(quantity, scales, fe.value_or(0));
     const auto shown = [&](const std::optional<double>& value, double width) {
-      return value ? with_unit(*value, width, traits.unit) : std::string("none");
+      return value ? with_unit(without_roundoff(quantity, scales, *value), width, traits.unit) : std::string("none");
     };
     const auto difference = number_in(*compared, "difference");
     answer.rows.push_back({traits.title, shown(fe, bar), shown(mdr, 0),

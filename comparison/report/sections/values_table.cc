@@ -43,6 +43,7 @@ std::optional<Value> value_of(const StoredResult& r, const char* side, Quantity 
   const bool is_fe = side == std::string("fe");
   if (!is_compared && !(is_fe && r.is_beyond_mdr() && bars.contains(key))) return std::nullopt;
   Value found{finite(r.number(side, key))};
+  if (found.value) found.value = without_roundoff(quantity, scales_of(r.json), *found.value);
   if (!is_fe || !found.value) return found;
   const auto bar = is_compared ? comparison[key].value("error_bar", ordered_json())
                                : (bars[key].is_object() ? bars[key].value("total", ordered_json()) : ordered_json());

@@ -41,6 +41,14 @@ TEST(Quantity, HasAScaleInItsOwnUnit) {
   EXPECT_EQ(scale_of(Quantity::tangential_force_max, scales, -7), 7);
 }
 
+// Against the sliding force; of what is compared relatively nothing is roundoff.
+TEST(Quantity, IsShownWithoutRoundoff) {
+  const Scales scales{2, 3, 5};
+  EXPECT_EQ(without_roundoff(Quantity::tangential_force_mean, scales, -2e-12), 0);
+  EXPECT_EQ(without_roundoff(Quantity::tangential_force_mean, scales, -4e-12), -4e-12);
+  EXPECT_EQ(without_roundoff(Quantity::tangential_force_max, scales, 1e-30), 1e-30);
+}
+
 TEST(Quantity, IsListedOnceInEitherOrder) {
   const auto by_name = [](Quantity a, Quantity b) { return std::string(name_of(a)) < name_of(b); };
   EXPECT_TRUE(std::is_sorted(all_quantities.begin(), all_quantities.end(), by_name));

@@ -43,6 +43,12 @@ TEST(ValuesTable, HasOneValueWhereASweepChangesNothing) {
   expect_parts(text, {"  500 ± 1 mm  500.000 mm"});
 }
 
+TEST(ValuesTable, HasNothingForRoundoff) {
+  const auto text = text_of(values_table(
+      {with_radius("mine", 1, 1e-14, -1e-17, 1e-3), with_radius("mine", 2, -1e-14, 3e-17, 1e-3)}, radius_alone));
+  expect_parts(text, {"  0 nm", "  0 ± 1000000 nm"});
+}
+
 TEST(ValuesTable, OfManyFamiliesHasARowEach) {
   std::vector<StoredResult> results;
   for (int k = 0; k < 9; ++k) results.push_back(with_radius(fmt::format("family {}", k), 1, 0.25, 0.25, 1e-3));
