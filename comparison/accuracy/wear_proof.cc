@@ -184,10 +184,10 @@ double volume_after(const mdr::WearKinetics& kinetics, double cycles) {
 }
 
 /// By which the springs' volume is off anywhere in the course, over that of the limit: what they differ by from twice
-/// as many of them in twice as many steps and jumps. Infinite where those do not become periodic.
-double error_of_springs(const PreparedCase& prepared, const ProvedWear& wear) {
+/// as many of them in twice as many steps and jumps. Empty where those do not become periodic.
+std::optional<double> error_of_springs(const PreparedCase& prepared, const ProvedWear& wear) {
   const auto finer = springs_of(prepared, wear.kinetics->curve.back().cycles, 2);
-  if (!finer) return std::numeric_limits<double>::infinity();
+  if (!finer) return std::nullopt;
   double largest = 0;
   for (const auto& point : wear.kinetics->curve)
     largest = std::max(largest, std::abs(volume_after(*finer, point.cycles) - point.volume));
