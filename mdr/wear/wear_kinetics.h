@@ -54,13 +54,11 @@ struct WearKinetics {
 ///                    springs on the unworn profile finds the stick radius first, and the bed is laid with an edge
 ///                    on it; it does not move, as wear leaves the springs inside alone. A stick radius below half
 ///                    a spacing is taken for 0.
-///   largest_jump     second order, in the course only; less where rings begin to wear inside a jump. A jump is
-///   implicit
-///                    in the pressure and explicit in the slip, so that any number of cycles is stable and none wears
-///                    beyond the loss of pressure, and is made at once and in two halves.
+///   largest_jump     second order, in the course only; less where rings begin to wear inside a jump. A jump is made
+///                    at once and in two halves, implicit in the pressure and explicit in the slip, so that any number
+///                    of cycles is stable and none wears beyond the loss of pressure.
 ///   steps_per_cycle  second order. The sampled tractions miss their extremes by (pi/steps)^2/2, and the stick depth
-///   g(c) by that
-///                    share of d_0 - g(c): little but for small stick radii.
+///                    g(c) by that share of d_0 - g(c): little but for small stick radii.
 ///   One-dimensional friction and pressure of the sign of the springs', as the method of dimensionality reduction has
 ///   them.
 ///
