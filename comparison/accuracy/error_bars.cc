@@ -117,13 +117,25 @@ void carry_creep(const Track& track, ErrorBudget& budget) {
 /// A cycle near a motion without one asks elements for a little less or more depth.
 void carry_near_cycle(const Track& track, ErrorBudget& budget) {
   const auto& [prepared, computed, resolution] = track;
-  const double error = at_resolution(prepared.fem, resolution).error_of_demand;
-  if (error == 0 || prepared.fem.worn_edge || computed.failed(resolution)) return;
+  const auto fem = at_resolution(prepared.fem, resolution);
+  if (fem.error_of_demand == 0 || computed.failed(resolution)) return;
   const auto& fe = computed.at(resolution).fe;
-  for (const auto quantity : {Quantity::stick_radius_first_slip, Quantity::stick_radius_shakedown}) {
-    const auto& depths = quantity == Quantity::stick_radius_first_slip ? fe.first_slip_depths : fe.shakedown_depths;
-    budget.at(quantity).add(ErrorSource::creep, fem::width_of_edge(depths, error));
+  const auto add = [&budget](Quantity quantity, double error) {
+    const auto found = budget.find(quantity);
+    if (found != budget.end()) found->second.add(ErrorSource::creep, error);
+  };
+  // A force of a contact of f ~ r^n, n at least 1, is n/(n + 1) of that of a flat punch of the same depth.
+  const double relative = 2 * fem.error_of_normal;
+  add(Quantity::axis_pressure_max, relative);
+  if (fem.motion.normal_force) {
+    add(Quantity::indentation_max, relative);
+    add(Quantity::contact_radius_max, relative);
+  } else {
+    add(Quantity::normal_force_max, relative);
   }
+  if (fem.worn_edge) return;
+  add(Quantity::stick_radius_first_slip, fem::width_of_edge(fe.first_slip_depths, fem.error_of_demand));
+  add(Quantity::stick_radius_shakedown, fem::width_of_edge(fe.shakedown_depths, fem.error_of_demand));
 }
 
 /// The rings of a worn profile that stick are counted. Where the slip inside its stick radius is no more than its own
@@ -140,7 +152,6 @@ void carry_slip_inside(const Track& track, ErrorBudget& budget) {
 void carry_to_stick_radii(const Track& track, Borders borders, ErrorBudget& bars) {
   if (borders == Borders::carried) carry_depths(track, bars);
   if (!track.computed.failed(track.resolution)) carry_creep(track, bars);
-  carry_near_cycle(track, bars);
   if (track.prepared.fem.worn_edge) carry_slip_inside(track, bars);
   for (const auto quantity : {Quantity::stick_radius_first_slip, Quantity::stick_radius_shakedown})
     if (bars.count(quantity) > 0) widen_to_none(track.value(quantity), bars.at(quantity));
@@ -172,7 +183,10 @@ ErrorBudget error_bars(const PreparedCase& prepared, const Tracks& tracks, const
     const Track track{prepared, computed, resolution};
     auto bars = error_budget(resolution, computed.quantities(),
                              uncertainties_of_edges(computed.at(resolution), prepared.fem), needs_of(prepared.fem));
-    if (!prepared.fem.any_order) carry_to_stick_radii(track, borders, bars);
+    if (!prepared.fem.any_order) {
+      carry_near_cycle(track, bars);
+      carry_to_stick_radii(track, borders, bars);
+    }
     for (const auto& [quantity, bar] : bars)
       if (tracks.of(quantity) == resolution) all[quantity] = bar;
   }

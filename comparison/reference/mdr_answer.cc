@@ -69,6 +69,9 @@ MdrCycle cycle_of(const MdrCase& mdr, const mdr::CommonCycle& cycle, const mdr::
           error.tangential_work};
 }
 
+/// Springs of a motion without period go through half a hundred oscillations in the place of one.
+constexpr mdr::SpringFineness of_many_oscillations{100, 90, 10, 1e-7};
+
 /// Of an unworn indenter, by the springs. Under both forces the shakedown radius has a closed form.
 MdrAnswer forced_answer(const MdrCase& mdr, const mdr::NormalResponse& normal) {
   MdrAnswer answer{};
@@ -77,7 +80,8 @@ MdrAnswer forced_answer(const MdrCase& mdr, const mdr::NormalResponse& normal) {
   answer.axis_pressure = normal.axis_pressure;
   mdr::SteppedForcedResponse stepped;
   try {
-    stepped = mdr::forced_response(mdr.profile, mdr.body, mdr.friction_coefficient, mdr.prescribed());
+    stepped = mdr::forced_response(mdr.profile, mdr.body, mdr.friction_coefficient, mdr.prescribed(),
+                                   mdr.has_period() ? mdr::SpringFineness{} : of_many_oscillations);
   } catch (const mdr::GrossSlip& slip) {
     answer.gross_slip = slip.amplitude;
     return answer;
@@ -93,7 +97,7 @@ MdrAnswer forced_answer(const MdrCase& mdr, const mdr::NormalResponse& normal) {
   answer.stepping_error =
       std::max({error.depths.first_slip, error.depths.shakedown, error.largest_indentation}) / deepest;
   if (mdr.normal_force) answer.indentation_max = deepest;
-  if (mdr.tangential_force) {
+  if (mdr.tangential_force && mdr.has_period()) {
     answer.tangential_amplitude = response.tangential_amplitude;
     answer.stepping_error = std::max(answer.stepping_error, error.tangential_amplitude / response.tangential_amplitude);
   }
@@ -224,7 +228,8 @@ mdr::NormalResponse mdr_normal_response(const MdrCase& mdr) {
   if (mdr.path) return normal_response_along(mdr);
   if (mdr.normal_force && !mdr.limiting) {
     auto normal = mdr.prescribed();
-    for (auto& harmonic : normal.motion.tangential) harmonic.amplitude = 0;
+    normal.motion.tangential.clear();
+    normal.motion.phase_locked = true;
     return mdr::forced_response(mdr.profile, mdr.body, 1, normal).response.normal;
   }
   const auto motion = displacements_of(mdr);

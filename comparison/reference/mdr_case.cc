@@ -73,9 +73,6 @@ mdr::LimitingProfile limiting_under_forces(const MdrCase& mdr) {
 
 mdr::LimitingProfile limiting_of(const Case& input, const MdrCase& mdr) {
   if (mdr.has_forces()) {
-    if (input.motion.normal_frequency != input.motion.tangential_frequency)
-      throw InputError(input.file +
-                       ": Wear / State = limiting: under forces it is computed of one frequency; expected equal ones");
     require_limiting_state(input, mdr, "Wear / State = limiting");
     return limiting_under_forces(mdr);
   }
@@ -107,20 +104,15 @@ double amplitude_for_shakedown(const Case& input, const MdrCase& mdr) {
 std::string why_not_comparable(const Case& input) {
   const auto& motion = input.motion;
   const auto path = harmonic_motion_of(motion);
-  const char* force = motion.normal_force       ? "Motion / Normal force"
-                      : motion.tangential_force ? "Motion / Tangential force amplitude"
-                                                : nullptr;
   if (motion.path) return "";
   if (motion.normal_force && !(mdr::minimum_indentation({path.indentation, path.normal, {}}) > 0))
     return fmt::format(
         "Motion / Normal force amplitude = {:g}: a normal force that is not positive all the time, as smaller "
         "oscillations about its mean of {:g} N would be, is not balanced",
         motion.normal_force->amplitude, motion.normal_force->mean);
-  if (force && !(path.phase_locked && mdr::common_cycle(path)))
-    return fmt::format("{}: forces with an unlocked phase or frequencies without a common period are not prescribed",
-                       force);
-  if (!mdr::common_cycle({path.indentation, path.normal, {}}))
-    return "Motion / Normal harmonics: normal frequencies without a common period are not computed";
+  if (mdr::independent_frequencies(path) > 2)
+    return "Motion: three frequencies of which no two have a common period, in whatever relation of their phases, have "
+           "a bound as their reference, and are not computed";
   constexpr double largest_ratio = 1000;
   double slowest = std::numeric_limits<double>::infinity(), fastest = 0;
   for (const auto* harmonics : {&path.normal, &path.tangential})
@@ -247,7 +239,7 @@ MdrCase mdr_case(const Case& input) {
   MdrCase mdr{profile,
               body_in_time(input),
               input.friction_coefficient,
-              mdr::shifted(mdr::without_still_harmonics(path), mdr::time_of_maximum_indentation(path)),
+              mdr::from_largest_indentation(mdr::without_still_harmonics(path)),
               {},
               motion.normal_force.has_value(),
               motion.tangential_force.has_value()};

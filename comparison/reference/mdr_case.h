@@ -32,6 +32,8 @@ struct MdrCase {
   std::optional<mdr::SampledPath> path = {};
 
   [[nodiscard]] bool is_single_pass() const { return path && !path->repeats; }
+  /// Not under an unlocked phase or of frequencies without a common period.
+  [[nodiscard]] bool has_period() const { return path || (motion.phase_locked && mdr::common_cycle(motion)); }
   /// Where the image of the profile falls (mdr::falls_of_image); not empty: MDR does not hold, and is not asked.
   [[nodiscard]] std::vector<mdr::FallOfImage> falls() const { return mdr::falls_of_image(profile); }
   [[nodiscard]] bool has_forces() const { return normal_force || tangential_force; }
@@ -50,9 +52,9 @@ double deepest_indentation(const MdrCase& mdr);
 /// amplitude leads to, std::invalid_argument for values that the reference refuses.
 MdrCase mdr_case(const Case& input);
 
-/// Throws InputError, naming the entry, for a case that only the reference covers: normal frequencies without a common
-/// period, frequencies more than a factor of 1000 apart; under prescribed forces an unlocked phase, frequencies without
-/// a common period and a normal force that is not always positive.
+/// Throws InputError, naming the entry, for a case that only the reference covers: three frequencies or more of which
+/// no two have a common period, frequencies more than a factor of 1000 apart, a prescribed normal force that is not
+/// always positive.
 void require_comparable(const Case& input);
 
 /// The same as a question.

@@ -259,17 +259,16 @@ SpringAnswer spring_answer(const Case& input, const SpringSetting& setting) {
   const auto profile = profile_of(input.indenter);
   const mdr::Prescribed prescribed{harmonic_motion_of(input.motion), input.motion.normal_force.has_value(),
                                    input.motion.tangential_force.has_value()};
-  const auto& motion = prescribed.motion;
-  const double period = mdr::common_period(motion);
-  double fastest = 0;
-  for (const auto* harmonics : {&motion.normal, &motion.tangential})
-    for (const auto& harmonic : *harmonics) fastest = std::max(fastest, harmonic.frequency);
-  const int steps = setting.steps_per_cycle * static_cast<int>(std::lround(fastest * period));
+  const auto repeating = mdr::repeating_motion(prescribed.motion, setting.n_oscillations);
+  const double period = repeating.period();
+  const int n_ramp = repeating.periods_with(setting.n_ramp_periods),
+            steps = setting.steps_per_cycle *
+                    static_cast<int>(std::lround(mdr::highest_frequency(repeating.motion) * period));
   const double outer = 1.001 * mdr::inverse_transform(profile, mdr::deepest_indentation(profile, body, prescribed));
   auto bed = mdr::spring_bed(profile, std::min(outer, mdr::end_radius(profile)), setting.n_springs);
   auto history = mdr::spring_history(bed, body, input.friction_coefficient,
-                                     mdr::loading_of(prescribed, setting.n_ramp_periods * period),
-                                     {period, steps, setting.n_ramp_periods, 2000, setting.periodicity});
+                                     mdr::loading_of(prescribed, repeating, n_ramp * period),
+                                     {period, steps, n_ramp, 2000, setting.periodicity});
   return {std::move(bed), std::move(history), steps};
 }
 

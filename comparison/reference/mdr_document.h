@@ -31,6 +31,7 @@ struct SpringSetting {
   int steps_per_cycle = 360;  ///< of the fastest harmonic
   int n_ramp_periods = 20;
   double periodicity = 1e-7;
+  int n_oscillations = 96;  ///< in the place of a motion without period, see mdr::repeating_motion
 };
 
 /// Transient spring foundation of a case, unworn also where forces are prescribed.

@@ -88,7 +88,7 @@ ordered_json springs_json_of_cycle(const SpringAnswer& answer, const mdr::PronyB
 
 std::optional<ordered_json> springs_of(const CaseResult& result) {
   const bool unworn = result.input.wear == Case::Wear::unworn && !result.input.wear_kinetics;
-  const bool repeats = result.fem_case.motion.locked && !result.fem_case.without_short_cycle;
+  const bool repeats = result.fem_case.has_period();
   if (result.beyond_mdr || !unworn || !repeats || result.input.sweep || result.mdr.gross_slip) return {};
   try {
     return springs_json_of_cycle(spring_answer(result.input, {200, 120, 8, 1e-5}), result.mdr_case.body,

@@ -127,6 +127,12 @@ void write_sweep_lines(const std::vector<Case>& cases, const fs::path& output) {
     const auto folder = output / input->sweep->family;
     for (const char* name : {closed_file, stepped_file}) fs::remove(folder / name);
     const bool costly = !has_closed_forms(*input);
+    if (costly && !mdr_case(*input).has_period()) {
+      log::info(
+          fmt::format("{}: springs of a motion without period take seconds for a value: no line between the points",
+                      input->sweep->family));
+      continue;
+    }
     if (costly)
       log::info(fmt::format("{}: MDR is stepped in time between the points", input->sweep->family));
     else

@@ -144,8 +144,7 @@ void widen_next_to_sharp_edge(const FemCase& fem, const fem::Compliance& complia
 
 std::optional<fem::CycleResponse> cycle_of(const FemCase& fem, double normal_force_max,
                                            const fem::NormalHistory& normal, const fem::FrictionHistory& friction) {
-  if (fem.worn_edge || fem.without_short_cycle || !fem.motion.locked || fem.motion.tangential_amplitude() == 0)
-    return std::nullopt;
+  if (fem.worn_edge || !fem.has_period() || fem.motion.tangential_amplitude() == 0) return std::nullopt;
   auto cycle =
       fem::cycle_response(fem.relaxation, fem.friction_coefficient, fem.motion, normal_force_max, normal, friction);
   const double force = fem.units.force(), work = force * fem.units.depth;
@@ -216,7 +215,8 @@ FeAnswer read_answer(const ContactProblems& problems, const FemCase& fem, const 
     answer.indentation_max = depth * fem.units.depth;
     answer.indentation_uncertainty = uncertainty * fem.units.depth;
   }
-  if (fem.motion.tangential_force) answer.tangential_amplitude = friction.amplitude * fem.units.depth;
+  if (fem.motion.tangential_force && fem.has_period())
+    answer.tangential_amplitude = friction.amplitude * fem.units.depth;
   answer.cycle = cycle_of(fem, force.value, normal, friction);
   if (answer.cycle && !answer.single_pass && !normal.n_cycles_of_search && !relaxes_in_a_step(fem))
     answer.slip_decay = fem::decay_factor(friction, stuck.shakedown, fem.motion.cycles_of_ramp());

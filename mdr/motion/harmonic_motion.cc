@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <numeric>
 #include <stdexcept>
 #include <string>
 
@@ -60,6 +61,13 @@ HarmonicMotion without_still_harmonics(const HarmonicMotion& motion) {
   return {motion.indentation, moving(motion.normal), moving(motion.tangential), motion.phase_locked};
 }
 
+double highest_frequency(const HarmonicMotion& motion) {
+  double highest = 0;
+  for (const auto* harmonics : {&motion.normal, &motion.tangential})
+    for (const Harmonic& harmonic : *harmonics) highest = std::max(highest, harmonic.frequency);
+  return highest;
+}
+
 int CommonCycle::highest_order() const {
   int highest = 1;
   for (const auto* orders : {&normal_orders, &tangential_orders})
@@ -89,25 +97,40 @@ std::optional<CommonCycle> common_cycle(const HarmonicMotion& motion) {
   return cycle;
 }
 
-HarmonicMotion shifted(HarmonicMotion motion, double time) {
-  for (auto* harmonics : {&motion.normal, &motion.tangential})
-    for (Harmonic& harmonic : *harmonics) harmonic.phase += angular_frequency(harmonic.frequency) * time;
-  return motion;
+std::size_t independent_frequencies(const HarmonicMotion& motion) {
+  std::vector<double> frequencies;
+  for (const auto* harmonics : {&motion.normal, &motion.tangential})
+    for (const Harmonic& harmonic : *harmonics)
+      if (harmonic.amplitude > 0) frequencies.push_back(harmonic.frequency);
+  return commensurate_groups(frequencies).size();
 }
 
-double time_of_maximum_indentation(const HarmonicMotion& motion) {
+HarmonicMotion from_largest_indentation(HarmonicMotion motion) {
   validate(motion);
-  const auto harmonics = moving(motion.normal);
-  if (harmonics.empty() || (harmonics.size() == 1 && harmonics[0].phase == 0)) return 0;
-  const auto cycle = common_cycle({motion.indentation, harmonics, {}});
-  if (!cycle)
-    throw std::invalid_argument(
-        "frequencies of the normal motion are not commensurate: its largest indentation may "
-        "never be reached");
-  std::vector<TrigonometricTerm> terms;
-  for (std::size_t i = 0; i < harmonics.size(); ++i)
-    terms.push_back({harmonics[i].amplitude, cycle->normal_orders[i], harmonics[i].phase});
-  return trigonometric_maximum(terms).angle / angular_frequency(cycle->frequency);
+  std::vector<Harmonic*> harmonics;
+  std::vector<double> frequencies;
+  const auto n_normal = motion.normal.size();
+  for (auto* direction : {&motion.normal, &motion.tangential})
+    for (Harmonic& harmonic : *direction) {
+      harmonics.push_back(&harmonic);
+      frequencies.push_back(harmonic.frequency);
+    }
+  for (const auto& group : commensurate_groups(frequencies)) {
+    std::vector<TrigonometricTerm> terms;
+    int repeats = 0;
+    for (std::size_t i = 0; i < group.members.size(); ++i) {
+      const Harmonic& harmonic = *harmonics[group.members[i]];
+      if (group.members[i] >= n_normal || harmonic.amplitude == 0) continue;
+      terms.push_back({harmonic.amplitude, group.orders[i], harmonic.phase});
+      repeats = std::gcd(repeats, group.orders[i]);
+    }
+    if (terms.empty() || (terms.size() == 1 && terms[0].phase == 0)) continue;
+    for (auto& term : terms) term.order /= repeats;
+    const double time = trigonometric_maximum(terms).angle / angular_frequency(repeats * group.base_frequency);
+    for (const std::size_t member : group.members)
+      harmonics[member]->phase += angular_frequency(harmonics[member]->frequency) * time;
+  }
+  return motion;
 }
 
 double maximum_indentation(const HarmonicMotion& motion) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -35,8 +36,8 @@ std::optional<Motion> one_harmonic_each(const HarmonicMotion& motion);
 /// The motion with its harmonics that do not move left out, but for the first of a direction in which none does.
 HarmonicMotion without_still_harmonics(const HarmonicMotion& motion);
 
-/// The same motion from a time in s on, which becomes its time 0.
-HarmonicMotion shifted(HarmonicMotion motion, double time);
+/// In Hz, of all harmonics; 0 for none.
+double highest_frequency(const HarmonicMotion& motion);
 
 /// The cycle with which a motion repeats, and how often each harmonic oscillates in it; 0 for one that does not move.
 struct CommonCycle {
@@ -50,9 +51,14 @@ struct CommonCycle {
 /// matter. Where nothing moves, the cycle is that of the first normal harmonic.
 std::optional<CommonCycle> common_cycle(const HarmonicMotion& motion);
 
-/// Time in s at which the indentation is largest, the smallest that is not negative; 0 for one harmonic of phase 0.
-/// Throws std::invalid_argument where the normal frequencies are not commensurate: it may never be reached.
-double time_of_maximum_indentation(const HarmonicMotion& motion);
+/// Groups of harmonics that move, each of commensurate ones: 1 where there is a common cycle, 0 where nothing moves.
+std::size_t independent_frequencies(const HarmonicMotion& motion);
+
+/// The same motion from an instant of largest indentation on. Where normal frequencies are not commensurate, there may
+/// be none: the motion comes as close as one likes to the one that is returned, in which every group of commensurate
+/// harmonics begins where its normal ones are largest together (see mdr/motion/commensurability.h). Of several such
+/// instants the first that is not before time 0; one harmonic of phase 0 stays as it is.
+HarmonicMotion from_largest_indentation(HarmonicMotion motion);
 
 /// Least upper bound of d(t) in m, see supremum() in mdr/harmonic.h: d_max of the limiting profile.
 double maximum_indentation(const HarmonicMotion& motion);

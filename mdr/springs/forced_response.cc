@@ -19,14 +19,15 @@ SpringHistory history_with(const Bed& bed, const PronyBody& body, double mu, con
   // With a dashpot the load of a spring jumps when it touches, and which is the last one may change from period to
   // period; the ramp is slow enough that nothing else does.
   const double periodicity = body.viscosity > 0 ? 1e-2 : coarse.periodicity;
-  const double period = common_period(prescribed.motion);
-  double fastest = 0;
-  for (const auto* harmonics : {&prescribed.motion.normal, &prescribed.motion.tangential})
-    for (const auto& harmonic : *harmonics) fastest = std::max(fastest, harmonic.frequency);
-  const int n_steps = fineness * static_cast<int>(std::lround(coarse.steps_per_oscillation * fastest * period)),
-            n_ramp = fineness * std::max(coarse.n_ramp_periods, periods_of_creep(body, period));
+  const auto repeating = repeating_motion(prescribed.motion, fineness * coarse.n_oscillations);
+  const double period = repeating.period();
+  const int n_steps = fineness * static_cast<int>(std::lround(coarse.steps_per_oscillation *
+                                                              highest_frequency(repeating.motion) * period)),
+            n_ramp = std::max(repeating.periods_with(fineness * coarse.n_ramp_periods),
+                              fineness * periods_of_creep(body, period));
   try {
-    return spring_history(bed(fineness * coarse.n_springs), body, mu, loading_of(prescribed, n_ramp * period),
+    return spring_history(bed(fineness * coarse.n_springs), body, mu,
+                          loading_of(prescribed, repeating, n_ramp * period),
                           {period, n_steps, n_ramp, most_periods, periodicity});
   } catch (GrossSlip& slip) {
     slip.amplitude = amplitude_share(slip.time, n_ramp * period);
@@ -96,8 +97,8 @@ double deepest_indentation(const Profile& profile, const PronyBody& body, const 
   return prescribed.normal_force ? indentation_for_force(profile, body.relaxed_modulus, most) : most;
 }
 
-Loading loading_of(const Prescribed& prescribed, double ramp_duration) {
-  const auto path = ramped_path(prescribed.motion, ramp_duration);
+Loading loading_of(const Prescribed& prescribed, const RepeatingMotion& repeating, double ramp_duration) {
+  const auto path = ramped_path(repeating, ramp_duration);
   Loading loading{path, {}, {}};
   if (prescribed.normal_force) loading.normal_force = [path](double time) { return path(time).indentation; };
   if (prescribed.tangential_force) loading.tangential_force = [path](double time) { return path(time).tangential; };

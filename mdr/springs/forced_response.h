@@ -12,7 +12,7 @@ namespace fretval::mdr {
 /// What a rig prescribes over time, each direction a displacement or a force. A force stands in the motion in the place
 /// of the displacement, in N.
 struct Prescribed {
-  HarmonicMotion motion;  ///< commensurate, phase locked; time 0: the largest indentation or normal force
+  HarmonicMotion motion;  ///< time 0: the largest indentation or normal force
   bool normal_force = false, tangential_force = false;
 };
 
@@ -20,10 +20,12 @@ struct Prescribed {
 /// largest value (a creep compliance that rises to that of the relaxed body never makes more of it).
 double deepest_indentation(const Profile& profile, const PronyBody& body, const Prescribed& prescribed);
 
-/// What springs are stepped under: the mean of each direction, its oscillations rising over ramp_duration in s.
-Loading loading_of(const Prescribed& prescribed, double ramp_duration);
+/// What springs are stepped under: the mean of each direction, its oscillations rising over ramp_duration in s. The
+/// motion is that of the repeating one.
+Loading loading_of(const Prescribed& prescribed, const RepeatingMotion& repeating, double ramp_duration);
 
-/// Periodic response of the spring foundation to what is prescribed, over the common period.
+/// Periodic response of the spring foundation to what is prescribed, over the common period or, of an unlocked phase
+/// and of frequencies without one, that of a motion in the place of it (see RepeatingMotion).
 struct ForcedResponse {
   NormalResponse normal;
   StickDepths depths;            ///< as in SpringHistory; settled, see SpringHistory::settling_depth
@@ -42,13 +44,15 @@ struct SpringFineness {
   Eigen::Index n_springs = 200;
   int steps_per_oscillation = 180, n_ramp_periods = 20;
   double periodicity = 1e-8;  ///< of a body without a dashpot
+  int n_oscillations = 48;    ///< in a period of a motion that does not repeat itself
 };
 
 /// The transient springs (mdr/springs/spring_history.h), stepped until they repeat. Extrapolated from n and 2 n
-/// springs, steps and cycles of the ramp, each of second order; with a dashpot, where the load jumps at the edge,
-/// springs are of first order. error: the whole difference, three times what a second order leaves; of energies with a
-/// dashpot three times the whole. Throws std::invalid_argument for bad arguments, std::runtime_error when the springs do
-/// not become periodic and for a tangential force that no friction holds (gross slip).
+/// springs, steps, cycles of the ramp and oscillations in the place of a motion without period, each of second order;
+/// with a dashpot, where the load jumps at the edge, springs are of first order. error: the whole difference, three
+/// times what a second order leaves; of energies with a dashpot three times the whole. Throws std::invalid_argument for
+/// bad arguments, std::runtime_error when the springs do not become periodic and for a tangential force that no
+/// friction holds (gross slip).
 struct SteppedForcedResponse {
   ForcedResponse response, error;
 };

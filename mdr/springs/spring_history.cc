@@ -207,31 +207,30 @@ double amplitude_share(double time, double ramp_duration) {
 }
 
 IndenterPath ramped_path(const HarmonicMotion& motion, double ramp_duration) {
-  validate(motion);
-  require_positive("ramp duration", ramp_duration);
-  return [motion, ramp_duration](double time) -> IndenterState {
-    const double s = std::clamp(time / ramp_duration, 0.0, 1.0);
-    const double envelope = amplitude_share(time, ramp_duration), envelope_rate = 6 * s * (1 - s) / ramp_duration;
-    const auto add = [&](const std::vector<Harmonic>& harmonics, double& position, double& rate) {
-      for (const Harmonic& harmonic : harmonics) {
-        const double omega = angular_frequency(harmonic.frequency), angle = omega * time + harmonic.phase;
-        position += harmonic.amplitude * envelope * std::cos(angle);
-        rate += harmonic.amplitude * (envelope_rate * std::cos(angle) - envelope * omega * std::sin(angle));
-      }
-    };
-    IndenterState state{motion.indentation, 0, 0, 0};
-    add(motion.normal, state.indentation, state.indentation_rate);
-    add(motion.tangential, state.tangential, state.tangential_rate);
-    return state;
-  };
+  return ramped_path(RepeatingMotion{motion, 0}, ramp_duration);
 }
 
-double common_period(const HarmonicMotion& motion) {
-  validate(motion);
-  if (!motion.phase_locked) throw std::invalid_argument("phase is unlocked: the motion has no period");
-  const auto cycle = common_cycle(motion);
-  if (!cycle) throw std::invalid_argument("frequencies are not commensurate: the motion has no period");
-  return 1 / cycle->frequency;
+IndenterPath ramped_path(const RepeatingMotion& repeating, double ramp_duration) {
+  validate(repeating.motion);
+  require_positive("ramp duration", ramp_duration);
+  return [repeating, ramp_duration](double time) -> IndenterState {
+    const double s = std::clamp(time / ramp_duration, 0.0, 1.0);
+    const double envelope = amplitude_share(time, ramp_duration), envelope_rate = 6 * s * (1 - s) / ramp_duration;
+    const auto add = [&](const std::vector<Harmonic>& harmonics, double at, double rate_of_time, double& position,
+                         double& rate) {
+      for (const Harmonic& harmonic : harmonics) {
+        const double omega = angular_frequency(harmonic.frequency), angle = omega * at + harmonic.phase;
+        position += harmonic.amplitude * envelope * std::cos(angle);
+        rate +=
+            harmonic.amplitude * (envelope_rate * std::cos(angle) - envelope * omega * rate_of_time * std::sin(angle));
+      }
+    };
+    IndenterState state{repeating.motion.indentation, 0, 0, 0};
+    add(repeating.motion.normal, time, 1, state.indentation, state.indentation_rate);
+    add(repeating.motion.tangential, time + repeating.lag_at(time), 1 + repeating.lag_rate_at(time), state.tangential,
+        state.tangential_rate);
+    return state;
+  };
 }
 
 int periods_of_creep(const PronyBody& body, double period) {

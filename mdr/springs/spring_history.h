@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "mdr/motion/harmonic_motion.h"
+#include "mdr/motion/repeating_motion.h"
 #include "mdr/rheology/prony_body.h"
 #include "mdr/springs/spring_bed.h"
 #include "mdr/springs/spring_step.h"
@@ -18,12 +19,9 @@ using IndenterPath = std::function<IndenterState(double time)>;
 double amplitude_share(double time, double ramp_duration);
 
 /// Oscillation that starts from rest at d0: all amplitudes rise together and smoothly over ramp_duration in s. The
-/// phase is taken as locked.
+/// phase of a motion is taken as locked, that of a repeating one creeps as it says.
 IndenterPath ramped_path(const HarmonicMotion& motion, double ramp_duration);
-
-/// Period in s of a motion whose frequencies are commensurate. Throws std::invalid_argument if it never repeats: phase
-/// unlocked, or frequencies that are not commensurate (see mdr/commensurability.h).
-double common_period(const HarmonicMotion& motion);
+IndenterPath ramped_path(const RepeatingMotion& repeating, double ramp_duration);
 
 /// Periods after which creep is over, of which a ramp under forces has as many: ten creep times.
 int periods_of_creep(const PronyBody& body, double period);

@@ -10,27 +10,28 @@ namespace fretval::mdr {
 namespace {
 
 constexpr Eigen::Index n_springs = 200;
-constexpr int steps_per_oscillation = 180, n_ramp_periods = 8, most_periods = 2000;
+constexpr int steps_per_oscillation = 180, n_ramp_periods = 8, most_periods = 2000, n_oscillations = 96;
 constexpr double periodicity = 1e-9;
 
 SpringHistory history_with(const std::function<double(double)>& g, double outer_radius, const PronyBody& body,
-                           const HarmonicMotion& motion, double fineness) {
-  const double period = common_period(motion);
-  double fastest = 0;
-  for (const auto& harmonic : motion.normal) fastest = std::max(fastest, harmonic.frequency);
-  const auto count = [fineness](double n) { return static_cast<int>(std::lround(fineness * n)); };
-  return spring_history(
-      spring_bed(g, outer_radius, count(n_springs)), body, 1, {ramped_path(motion, n_ramp_periods * period), {}, {}},
-      {period, count(steps_per_oscillation * fastest * period), n_ramp_periods, most_periods, periodicity});
+                           const RepeatingMotion& repeating, int fineness) {
+  const double period = repeating.period();
+  const int n_steps =
+                static_cast<int>(std::lround(steps_per_oscillation * highest_frequency(repeating.motion) * period)),
+            n_ramp = repeating.periods_with(n_ramp_periods);
+  return spring_history(spring_bed(g, outer_radius, fineness * n_springs), body, 1,
+                        {ramped_path(repeating, n_ramp * period), {}, {}},
+                        {period, fineness * n_steps, n_ramp, most_periods, periodicity});
 }
 
 }  // namespace
 
 SteppedResponse stepped_normal_response(const std::function<double(double)>& g, double outer_radius,
                                         const PronyBody& body, const HarmonicMotion& motion) {
-  const HarmonicMotion normal{motion.indentation, motion.normal, {}};
-  const auto coarse = history_with(g, outer_radius, body, normal, 1),
-             fine = history_with(g, outer_radius, body, normal, 2);
+  const auto repeating_with = [&motion](int n) { return repeating_motion({motion.indentation, motion.normal, {}}, n); };
+  const auto repeating = repeating_with(2 * n_oscillations);
+  const auto coarse = history_with(g, outer_radius, body, repeating_with(n_oscillations), 1),
+             fine = history_with(g, outer_radius, body, repeating, 2);
   const auto extrapolated = [&](std::vector<double> SpringHistory::*part, double sign) {
     const double peak = sampled_peak(fine.*part, sign);
     return peak + (peak - sampled_peak(coarse.*part, sign)) / 3;
@@ -46,7 +47,7 @@ SteppedResponse stepped_normal_response(const std::function<double(double)>& g, 
     const double pressure = extrapolated(&SpringHistory::axis_pressure, 1);
     response.axis_pressure = {pressure, 3 * std::abs(pressure - sampled_peak(fine.axis_pressure, 1))};
   }
-  const auto path = ramped_path(normal, 1e-9 * common_period(normal));
+  const auto path = ramped_path(repeating, 1e-9 * repeating.period());
   for (const double time : fine.time) {
     response.time.push_back(time - fine.time.front());
     response.indentation.push_back(path(time).indentation);

@@ -86,8 +86,7 @@ std::optional<LimitingMotion> limiting_motion(const Profile& profile, const Rheo
     stick_radius = descend(profile, sticking_depth, contact_radius(profile, prescribed.indentation));
   }
   if (!stick_radius) return std::nullopt;
-  const auto motion = motion_at(*stick_radius);
-  return LimitingMotion{*stick_radius, shifted(motion, time_of_maximum_indentation(motion))};
+  return LimitingMotion{*stick_radius, from_largest_indentation(motion_at(*stick_radius))};
 }
 
 }  // namespace fretval::mdr

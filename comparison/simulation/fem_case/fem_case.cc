@@ -140,6 +140,28 @@ void take_cycle(const mdr::HarmonicMotion& motion, const mdr::CommonCycle& cycle
   fem.motion.locked = motion.phase_locked;
 }
 
+Stiffening stiffening_of(const FemCase& fem) {
+  return [relaxation = fem.relaxation, unit = fem.units.angular_frequency](double frequency) {
+    return fem::stiffening_at(relaxation, mdr::angular_frequency(frequency) / unit);
+  };
+}
+
+/// Of a displacement, per_depth of which an element takes for each of its own, or of a force F in its place, which is
+/// G(0) times stiffness times the radius that carries it times the displacement, whatever |G| is. Over the largest
+/// indentation.
+Demand demand_of(const FemCase& fem, bool force, double stiffness, double per_depth) {
+  const double unit = force ? stiffness * fem.carrying_radius * fem.units.force() : fem.units.depth;
+  return [=, stiffening = stiffening_of(fem)](double amplitude, double frequency) {
+    return amplitude / unit / per_depth * (force ? 1 : stiffening(frequency));
+  };
+}
+
+NearCycle near_cycle_of(const FemCase& fem, int n_creep_cycles) {
+  return near_cycle(*fem.without_short_cycle, stiffening_of(fem), demand_of(fem, fem.motion.normal_force, 8, 1),
+                    demand_of(fem, fem.motion.tangential_force, 16.0 / 3, 1.5 * fem.friction_coefficient),
+                    n_creep_cycles);
+}
+
 /// A path in the place of the cosines, dimensionless with its duration as the cycle; a force in that of a displacement.
 void take_path(const Case::Path& path, FemCase& fem) {
   const double frequency = mdr::angular_frequency(1 / path.duration());
@@ -188,6 +210,7 @@ FemCase fem_case(const Case& input, const MdrCase& mdr) {
   const Units units{length, deepest, input.elastomer.relaxed_modulus, 1};
   FemCase fem{units, {}, {}, {}, input.friction_coefficient, profile_in(units, input, mdr), {}, {}};
   fem.any_order = any_order;
+  if (mdr.limiting_state) fem.carrying_radius = mdr.limiting_state->stick_radius / units.length;
   if (mdr.limiting)
     fem.worn_edge = {mdr.limiting->stick_radius / units.length, mdr.limiting->outer_radius / units.length};
   else if (input.indenter.shape == Case::Shape::truncated_sphere)
@@ -225,13 +248,10 @@ FemCase fem_case(const Case& input, const MdrCase& mdr) {
 FemCase at_resolution(FemCase fem, const Resolution& resolution) {
   fem.resolution = resolution;
   if (fem.without_short_cycle) {
-    const auto stiffening = [&fem](double frequency) {
-      return fem::stiffening_at(fem.relaxation, mdr::angular_frequency(frequency) / fem.units.angular_frequency);
-    };
-    const auto near =
-        near_cycle(*fem.without_short_cycle, stiffening, fem.friction_coefficient, resolution.n_creep_cycles);
+    const auto near = near_cycle_of(fem, resolution.n_creep_cycles);
     take_cycle(*fem.without_short_cycle, near.cycle, fem);
-    fem.error_of_demand = near.error_of_demand / fem.units.depth;
+    fem.error_of_demand = near.error_of_demand;
+    fem.error_of_normal = near.error_of_normal;
     fem.motion.locked = !near.creeps;
     if (near.creeps && fem.motion.tangential.size() == 1) fem.motion.tangential.front().phase = 0;
   }

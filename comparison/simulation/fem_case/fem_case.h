@@ -44,16 +44,20 @@ struct FemCase {
   std::optional<WornBefore> worn_before = {};  ///< what the indenter has lost as wear begins
   bool keeps_body = false;                     ///< an answer at this resolution goes with the whole body, for fields
   std::optional<double> sharp_edge = {};       ///< radius at which the slope of the unworn indenter jumps
-  /// The motion, if its frequencies have no common period, or a long one: finite elements take a near cycle then, see
-  /// comparison/simulation/fem_case/near_cycle.h, with this error of the depth that an element asks for to stick,
-  /// dimensionless.
+  /// What is prescribed, if its frequencies have no common period, or a long one: finite elements take a near cycle
+  /// then, see comparison/simulation/fem_case/near_cycle.h, with these errors of the depth that an element asks for to
+  /// stick, dimensionless.
   std::optional<mdr::HarmonicMotion> without_short_cycle = {};
-  double error_of_demand = 0;
+  /// Radius that carries prescribed forces alone in the limiting state, of which no larger contact asks for more depth.
+  double carrying_radius = 1;
+  double error_of_demand = 0, error_of_normal = 0;
   double first_row = 0;  ///< s, of a path: when it begins
   /// Rings may touch in any order, as MDR does not hold for the profile: forces are sums over the rings, zones lists of
   /// annuli (ZoneAnswer).
   bool any_order = false;
 
+  /// Not under an unlocked phase or of frequencies without a common period, whatever cycle is stepped in their place.
+  [[nodiscard]] bool has_period() const { return motion.locked && !without_short_cycle; }
   /// The resolution's steps belong to the fastest oscillation, or to the whole of a path, which has more if it has many
   /// rows (fem::steps_along).
   [[nodiscard]] int steps_per_cycle() const {

@@ -4,78 +4,120 @@
 #include <cmath>
 #include <numeric>
 #include <optional>
+#include <stdexcept>
+#include <vector>
 
 #include "fem/motion/motion.h"
 #include "fem/support/constants.h"
+#include "mdr/motion/commensurability.h"
 
 namespace fretval {
 namespace {
 
-/// One direction of the motion, as depths of an element.
-class Demand {
- public:
-  Demand(const Stiffening& stiffening, double per_depth) : stiffening_(stiffening), per_depth_(per_depth) {}
-
-  /// Of the harmonic with this order in a cycle of this frequency in Hz.
-  void add(const mdr::Harmonic& harmonic, int order, double cycle) {
-    if (harmonic.amplitude == 0) return;
-    const double depth = harmonic.amplitude / per_depth_, rounded = depth * stiffening_(order * cycle);
-    curvature_ += rounded * order * order;
-    rounding_ += std::abs(rounded - depth * stiffening_(harmonic.frequency));
-    repeats_ = std::gcd(repeats_, order);
-  }
-
-  [[nodiscard]] double curvature() const { return curvature_; }
-  [[nodiscard]] double rounding() const { return rounding_; }
-  /// How often it repeats in a cycle.
-  [[nodiscard]] int repeats() const { return std::max(repeats_, 1); }
-
- private:
-  const Stiffening& stiffening_;
-  double per_depth_;
-  double curvature_ = 0, rounding_ = 0;
-  int repeats_ = 0;
+/// A harmonic that moves, and where it stands in the cycle.
+struct Member {
+  mdr::Harmonic harmonic;
+  const Demand* demand;
+  bool normal;
+  std::size_t place;
+  int order_in_group = 1;
 };
 
-/// Orders of the harmonics in a cycle of q cycles of the normal motion. Tangential ones that are multiples of one
-/// frequency stay so.
-mdr::CommonCycle cycle_of(const mdr::HarmonicMotion& motion, const mdr::CommonCycle& of_normal, int q) {
-  mdr::CommonCycle cycle{of_normal.frequency / q, of_normal.normal_orders, {}};
-  for (int& order : cycle.normal_orders) order *= q;
-  const auto order = [&cycle](double frequency) {
-    return static_cast<int>(std::max(std::round(frequency / cycle.frequency), 1.0));
-  };
-  if (const auto tangential = mdr::common_cycle({motion.indentation, {}, motion.tangential})) {
-    cycle.tangential_orders = tangential->tangential_orders;
-    for (int& own : cycle.tangential_orders) own *= order(tangential->frequency);
-  } else {
-    for (const auto& [amplitude, frequency, phase] : motion.tangential)
-      cycle.tangential_orders.push_back(amplitude == 0 ? 0 : order(frequency));
-  }
-  return cycle;
+struct Group {
+  double base_frequency;
+  std::vector<Member> members;
+};
+
+std::vector<Member> moving(const std::vector<mdr::Harmonic>& harmonics, bool normal, const Demand& demand) {
+  std::vector<Member> members;
+  for (std::size_t i = 0; i < harmonics.size(); ++i)
+    if (harmonics[i].amplitude > 0) members.push_back({harmonics[i], &demand, normal, i});
+  return members;
 }
+
+std::vector<Group> grouped(const std::vector<Member>& members) {
+  std::vector<double> frequencies;
+  for (const auto& member : members) frequencies.push_back(member.harmonic.frequency);
+  std::vector<Group> groups;
+  for (const auto& [base_frequency, places, orders] : mdr::commensurate_groups(frequencies)) {
+    groups.push_back({base_frequency, {}});
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      groups.back().members.push_back(members[places[i]]);
+      groups.back().members.back().order_in_group = orders[i];
+    }
+  }
+  return groups;
+}
+
+/// The directions of a motion that has a long cycle are groups of their own.
+std::vector<Group> groups_of(const mdr::HarmonicMotion& motion, const Demand& normal, const Demand& tangential) {
+  const auto falling = moving(motion.normal, true, normal), sliding = moving(motion.tangential, false, tangential);
+  auto all = falling;
+  all.insert(all.end(), sliding.begin(), sliding.end());
+  auto groups = grouped(all);
+  if (groups.size() != 1 || falling.empty() || sliding.empty()) return groups;
+  groups = grouped(falling);
+  const auto others = grouped(sliding);
+  groups.insert(groups.end(), others.begin(), others.end());
+  return groups;
+}
+
+bool is_one_direction(const Group& group) {
+  return std::all_of(group.members.begin(), group.members.end(),
+                     [&](const Member& member) { return member.normal == group.members.front().normal; });
+}
+
+/// Demand of a group that repeats so often in a cycle of this frequency in Hz.
+struct GroupDemand {
+  double curvature = 0, rounding = 0, rounding_of_normal = 0;
+
+  GroupDemand(const Group& group, const Stiffening& stiffening, int repeats, double cycle) {
+    for (const auto& member : group.members) {
+      const int order = repeats * member.order_in_group;
+      const auto& [amplitude, frequency, phase] = member.harmonic;
+      const double rounded = (*member.demand)(amplitude, order * cycle),
+                   off = rounded * std::abs(stiffening(frequency) / stiffening(order * cycle) - 1);
+      curvature += rounded * order * order;
+      rounding += off;
+      if (member.normal) rounding_of_normal += off;
+    }
+  }
+};
 
 }  // namespace
 
-NearCycle near_cycle(const mdr::HarmonicMotion& motion, const Stiffening& stiffening, double friction_coefficient,
-                     int n_creep_cycles) {
+NearCycle near_cycle(const mdr::HarmonicMotion& motion, const Stiffening& stiffening, const Demand& normal,
+                     const Demand& tangential, int n_creep_cycles) {
   const int n_oscillations = 2 * n_creep_cycles, slow_enough_to_creep = n_oscillations / 12;
-  const auto of_normal = mdr::common_cycle({motion.indentation, motion.normal, {}}).value();
+  const auto groups = groups_of(motion, normal, tangential);
+  if (groups.size() > 2) throw std::invalid_argument("near cycle of more than two independent frequencies");
+  const bool may_creep = std::all_of(groups.begin(), groups.end(), is_one_direction);
   std::optional<NearCycle> nearest;
   for (int q = 1;; ++q) {
-    const auto cycle = cycle_of(motion, of_normal, q);
+    mdr::CommonCycle cycle{groups[0].base_frequency / q, std::vector<int>(motion.normal.size()),
+                           std::vector<int>(motion.tangential.size())};
+    int common = 1;
+    std::vector<GroupDemand> demands;
+    for (const auto& group : groups) {
+      const int repeats = std::max(static_cast<int>(std::round(group.base_frequency / cycle.frequency)), 1);
+      common = std::lcm(common, repeats);
+      demands.emplace_back(group, stiffening, repeats, cycle.frequency);
+      for (const auto& [harmonic, demand, is_normal, place, order] : group.members)
+        (is_normal ? cycle.normal_orders : cycle.tangential_orders)[place] = repeats * order;
+    }
     if (nearest && cycle.highest_order() > n_oscillations) return *nearest;
-    Demand normal(stiffening, 1), tangential(stiffening, 1.5 * friction_coefficient);
-    for (std::size_t j = 0; j < motion.normal.size(); ++j)
-      normal.add(motion.normal[j], cycle.normal_orders[j], cycle.frequency);
-    for (std::size_t k = 0; k < motion.tangential.size(); ++k)
-      tangential.add(motion.tangential[k], cycle.tangential_orders[k], cycle.frequency);
-    const double a = normal.curvature(), b = tangential.curvature();
-    double lag = fem::pi / std::lcm(normal.repeats(), tangential.repeats());
-    const bool creeps = cycle.highest_order() <= slow_enough_to_creep;
+    double lag = fem::pi / common, error = 0, error_of_normal = 0;
+    const bool creeps = may_creep && cycle.highest_order() <= slow_enough_to_creep;
     if (creeps) lag *= fem::pi / fem::creep_period(n_creep_cycles, cycle.highest_order());
-    const double error = tangential.rounding() + (a + b > 0 ? a * b / (a + b) * lag * lag / 2 : 0);
-    if (!nearest || error < nearest->error_of_demand) nearest = NearCycle{cycle, creeps, error};
+    for (const auto& demand : demands) {
+      error += demand.rounding;
+      error_of_normal += demand.rounding_of_normal;
+    }
+    if (demands.size() == 2) {
+      const double a = demands[0].curvature, b = demands[1].curvature;
+      error += a * b / (a + b) * lag * lag / 2;
+    }
+    if (!nearest || error < nearest->error_of_demand) nearest = NearCycle{cycle, creeps, error, error_of_normal};
   }
 }
 

@@ -47,14 +47,20 @@ TEST(MdrCase, NamesTheEntryThatOnlyTheReferenceCovers) {
   };
   // The indenter would leave the surface.
   expect_refused("Normal force amplitude = 1", [](auto& motion) { motion.normal_force = {1, 1}; });
-  expect_refused("Normal force", [](auto& motion) {
-    motion.normal_force = {1, 0.1};
-    motion.phase.reset();
-  });
-  expect_refused("Tangential force amplitude", [](auto& motion) {
-    motion.tangential_force = 0.1;
+  expect_refused("three frequencies", [](auto& motion) {
     motion.tangential_frequency = std::sqrt(2.0);
+    motion.tangential_harmonics = {{1e-6, std::sqrt(3.0), 0}};
   });
+}
+
+TEST(MdrCase, KnowsWhatHasAPeriod) {
+  Case input = read_case();
+  EXPECT_TRUE(mdr_case(input).has_period());
+  input.motion.tangential_frequency = std::sqrt(2.0);
+  EXPECT_FALSE(mdr_case(input).has_period());
+  input.motion.tangential_frequency = input.motion.normal_frequency;
+  input.motion.phase.reset();
+  EXPECT_FALSE(mdr_case(input).has_period());
 }
 
 /// A parabola of 1 cm, G0 = 1 MPa, under F0 = 0.5 N, with a tangential force.

@@ -65,16 +65,26 @@ TEST(HarmonicMotion, CommonCycle) {
 }
 
 // cos(3 w t) + cos(6 w t + pi) is largest where cos(3 w t) = 1/4.
-TEST(HarmonicMotion, TimeOfTheLargestIndentation) {
-  const HarmonicMotion motion{2, {{1, 3, 0}, {1, 6, pi}}, {{0.5, 1, 0.2}}};
-  const double time = time_of_maximum_indentation(motion);
-  EXPECT_NEAR(std::cos(2 * pi * 3 * time), 0.25, 1e-9);
-  const auto later = shifted(motion, time);
-  EXPECT_NEAR(std::cos(later.normal[0].phase) + std::cos(later.normal[1].phase), 1.125, tolerance);
-  EXPECT_NEAR(later.tangential[0].phase, 0.2 + 2 * pi * time, 1e-15);
-  EXPECT_EQ(time_of_maximum_indentation({2, {{1, 3, 0}}, {}}), 0);
-  EXPECT_NEAR(time_of_maximum_indentation({2, {{1, 0.5, -pi / 2}}, {}}), 0.5, 1e-12);
-  EXPECT_THROW(time_of_maximum_indentation({2, {{1, 1, 0}, {1, pi, 0}}, {}}), std::invalid_argument);
+TEST(HarmonicMotion, BeginsAtTheLargestIndentation) {
+  const auto later = from_largest_indentation({2, {{1, 3, 0}, {1, 6, pi}}, {{0.5, 1, 0.2}}});
+  const double angle = later.normal[0].phase;
+  EXPECT_NEAR(std::cos(angle), 0.25, 1e-9);
+  EXPECT_NEAR(std::cos(angle) + std::cos(later.normal[1].phase), 1.125, tolerance);
+  EXPECT_NEAR(later.tangential[0].phase, 0.2 + angle / 3, tolerance) << "at the first of three such instants";
+  EXPECT_EQ(from_largest_indentation({2, {{1, 3, 0}}, {{1, 2, 0.3}}}).tangential[0].phase, 0.3);
+  EXPECT_NEAR(from_largest_indentation({2, {{1, 0.5, -pi / 2}}, {}}).normal[0].phase, 0, 1e-12);
+}
+
+// Two normal harmonics that never are largest together begin as if they were, each with the tangential ones that are
+// tied to it.
+TEST(HarmonicMotion, WithoutACommonPeriodBeginsAtTheSupremum) {
+  const auto motion = from_largest_indentation(
+      {2, {{1, 1, -pi / 2}, {1, std::sqrt(2), -pi / 3}}, {{1, 2, 0}, {1, 2 * std::sqrt(2), 0}, {1, pi, 0.7}}});
+  EXPECT_NEAR(motion.normal[0].phase, 0, 1e-12);
+  EXPECT_NEAR(motion.normal[1].phase, 0, 1e-12);
+  EXPECT_NEAR(motion.tangential[0].phase, pi, 1e-12);
+  EXPECT_NEAR(motion.tangential[1].phase, 2 * pi / 3, 1e-12);
+  EXPECT_EQ(motion.tangential[2].phase, 0.7);
 }
 
 TEST(HarmonicMotion, RejectsBadMotions) {

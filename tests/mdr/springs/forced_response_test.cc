@@ -66,6 +66,22 @@ TEST(ForcedResponse, ShakesDownToTheRadiusOfTheLimitingState) {
       }
 }
 
+// Two forces, unlocked or of the golden ratio of frequencies: whatever is prescribed comes by in every relation of the
+// phases, and the stick radius is where N(g(c)) = F0 - F1 - F_x/mu, whatever the body.
+TEST(ForcedResponse, WithoutAPeriodShakesDownWhereTheLargestForcesMeet) {
+  const double golden = (1 + std::sqrt(5)) / 2;
+  auto unlocked = both_forces(0), incommensurate = both_forces(0.3);
+  unlocked.motion.phase_locked = false;
+  incommensurate.motion.tangential[0].frequency = golden;
+  const double exact = indentation_for_force(profiles[0], 1e6, mean - amplitude - tangential / mu);
+  for (const auto& body : {elastic(1e6), standard_solid(1e6, 1e6, 0.1)})
+    for (const auto& prescribed : {unlocked, incommensurate}) {
+      const auto [response, error] = forced_response(profiles[0], body, mu, prescribed, {100, 60, 10, 1e-8});
+      EXPECT_LE(std::abs(response.depths.shakedown - exact), error.depths.shakedown) << prescribed.motion.phase_locked;
+      EXPECT_LT(error.depths.shakedown, 5e-3 * exact);
+    }
+}
+
 // A creep compliance that rises: no body goes deeper than the relaxed one, and one that is stiff in motion less deep.
 TEST(ForcedResponse, GoesNoDeeperThanTheRelaxedBody) {
   const auto prescribed = both_forces(pi / 2);

@@ -185,14 +185,6 @@ TEST(SpringHistory, SaysWhenTheContactSlidesUnderAForce) {
                std::invalid_argument);
 }
 
-TEST(CommonPeriod, IsTheSmallestThatAllHarmonicsRepeatIn) {
-  EXPECT_DOUBLE_EQ(common_period({1, {{0.1, 2, 0}}, {{0.1, 2, 0.3}}}), 0.5);
-  EXPECT_DOUBLE_EQ(common_period({1, {{0.1, 2, 0}}, {{0.1, 3, 0}}}), 1);
-  EXPECT_DOUBLE_EQ(common_period({1, {{0.1, 0.4, 0}, {0.1, 1, 0}}, {{0.1, 0.6, 0}}}), 5);
-  EXPECT_THROW(common_period({1, {{0.1, 1, 0}}, {{0.1, std::sqrt(2), 0}}}), std::invalid_argument);
-  EXPECT_THROW(common_period({1, {{0.1, 2, 0}}, {{0.1, 2, 0}}, false}), std::invalid_argument);
-}
-
 TEST(SpringHistory, RejectsBadArgumentsAndSaysWhenItIsNotPeriodic) {
   const Motion motion{1, 0.15, 0.1, 1, 1, 0.4};
   const Loading path{ramped_path(harmonic_motion(motion), 1), {}, {}};
