@@ -139,7 +139,8 @@ UnitPrefix prefix_for(double value) {
 }
 
 std::string with_unit(double value, double bar, const std::string& unit) {
-  const auto& [name, factor] = prefix_for(value);
+  // A bar of hundreds would have three digits.
+  const auto& [name, factor] = prefix_for(std::isfinite(bar) ? std::max(std::abs(value), 10 * bar) : value);
   const double least = 1e-9 * factor;
   if (value != 0 && std::abs(value) < least && bar < least) return fmt::format("0 {}{}", name, unit);  // roundoff
   const int decimals = decimals_of(value / factor, bar / factor);
