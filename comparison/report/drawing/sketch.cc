@@ -63,7 +63,7 @@ std::size_t n_of_first_swings(const std::vector<double>& value) {
   std::size_t n_shown = value.size();
   for (std::size_t i = 0; i < value.size(); ++i) {
     const int now = value[i] > *most - quarter ? 1 : value[i] < *least + quarter ? -1 : side;
-    if (now != side && ++n == n_swings) n_shown = i;
+    if (now != side && side != 0 && ++n == n_swings) n_shown = i;
     side = now;
   }
   return n < 2 * n_swings ? value.size() : n_shown;

@@ -161,7 +161,7 @@ Filling budget_section(const Results& results) {
       std::sort(values.begin(), values.end());
       const auto share = [](double value) { return value == 0 ? std::string("0") : fmt::format("{:.0e}", value); };
       row.emplace_back(values.empty() ? "–"
-                       : several      ? share(values[values.size() / 2]) + ",\n" + share(values.back())
+                       : several      ? share(values[values.size() / 2]) + ", " + share(values.back())
                                       : share(values.back()));
     }
     table.rows.push_back(std::move(row));

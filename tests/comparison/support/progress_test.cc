@@ -34,7 +34,7 @@ TEST(Progress, BelievesAHundredParts) {
   EXPECT_EQ(progress_text({100, 10000, 0, 0.01, {}, 90000}, 40, 80),
             "[..............................] 100/10000, 1:06:00 left");
   EXPECT_EQ(progress_text({50, 10000, 0, 0.005, {}, 8020}, 20, 80),
-            "[.............................] 50/10000, about 1:56:35 left");
+            "[..............................] 50/10000, about 1:56:35 left");
 }
 
 // Of two parts one is done and the other to a quarter: 40 s for 5/8, so 24 are left.
