@@ -15,12 +15,14 @@ install(FILES ${PROJECT_BINARY_DIR}/fretvalConfig.cmake ${PROJECT_BINARY_DIR}/fr
   DESTINATION ${config_folder} COMPONENT development)
 
 if(NOT FRETVAL_MDR_ONLY)
-  # The program knows its verbs best.
-  foreach(page man bash)
-    add_custom_command(OUTPUT ${PROJECT_BINARY_DIR}/fretval.${page}
-      COMMAND ${CMAKE_COMMAND} -E env ASAN_OPTIONS=detect_leaks=0 $<TARGET_FILE:fretval> pages ${page} > ${PROJECT_BINARY_DIR}/fretval.${page} DEPENDS fretval VERBATIM)
-  endforeach()
-  add_custom_target(pages ALL DEPENDS ${PROJECT_BINARY_DIR}/fretval.man ${PROJECT_BINARY_DIR}/fretval.bash)
+  # The program knows its verbs best. Written when it is installed, so that whoever has built the program alone can.
+  install(CODE "foreach(page man bash)
+    execute_process(COMMAND ${CMAKE_COMMAND} -E env ASAN_OPTIONS=detect_leaks=0 $<TARGET_FILE:fretval> pages \${page}
+      OUTPUT_FILE ${PROJECT_BINARY_DIR}/fretval.\${page} RESULT_VARIABLE failure)
+    if(failure)
+      message(FATAL_ERROR \"$<TARGET_FILE:fretval> pages \${page}: \${failure}\")
+    endif()
+  endforeach()" COMPONENT program)
   install(TARGETS fretval RUNTIME COMPONENT program)
   install(FILES ${PROJECT_BINARY_DIR}/fretval.man DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 RENAME fretval.1
     COMPONENT program)

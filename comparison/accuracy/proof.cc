@@ -73,7 +73,7 @@ std::optional<Tracks> finer(const PreparedCase& prepared, const Computations& co
                         static_cast<double>(fe.n_steps)};
     const auto planned = planned_refinement(track, bars[track], effort, fixed);
     if (!planned) return;
-    log::info(fmt::format("{}: from {} to {}", name, text_of(track), text_of(*planned)));
+    log::info(fmt::format("{}: {}", name, change_text(track, *planned)));
     track = *planned;
     any = true;
   };

@@ -120,8 +120,7 @@ std::optional<Resolution> finer(const PreparedCase& prepared, const ProvedWear& 
   if (!largest || largest->source == ErrorSource::cycles) return std::nullopt;  // the case says when to stop
   constexpr double little = 1.5;  // what lacks; a share falls at least as its rings or steps become smaller
   const auto next = refined(wear.resolution, largest->source, furthest <= little ? little : 2);
-  if (next)
-    log::info(fmt::format("{}: wear from {} to {}", prepared.input.name, text_of(wear.resolution), text_of(*next)));
+  if (next) log::info(fmt::format("{}: wear {}", prepared.input.name, change_text(wear.resolution, *next)));
   return next;
 }
 

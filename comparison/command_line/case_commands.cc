@@ -48,7 +48,8 @@ int print_entries() {
 int compare_results(const fs::path& before, const fs::path& after) {
   const auto changes = changes_between(read_results(before), read_results(after));
   if (changes.values.empty())
-    throw InputError(fmt::format("{}, {}: have no case in common", before.string(), after.string()));
+    throw InputError(fmt::format("{}, {}: have no case in common; a case has the name of its file", before.string(),
+                                 after.string()));
   fmt::print("{}", changes_text(changes));
   return changes.any_beyond_bars() ? exit_disagree : exit_agree;
 }

@@ -46,6 +46,16 @@ int write_mesh(const std::string& file, const std::string& output) {
   return exit_agree;
 }
 
+Proof proof_of(const std::string& word) {
+  const std::map<std::string, Proof> proofs{
+      {"none", Proof::none}, {"bars", Proof::bars}, {"tolerance", Proof::tolerance}};
+  const auto found = proofs.find(word);
+  if (found != proofs.end()) return found->second;
+  throw CLI::ValidationError(
+      fmt::format("--proof {}", word),
+      fmt::format("expected none, bars or tolerance{}", did_you_mean(word, {"none", "bars", "tolerance"})));
+}
+
 }  // namespace
 
 void add_commands(CLI::App& app, Command& command) {
@@ -96,11 +106,10 @@ void add_commands(CLI::App& app, Command& command) {
   auto* run = app.add_subcommand("run", "MDR and finite elements, compared; writes the results and the report");
   run->add_option("cases", options->run.inputs, "Case files (.prm or .json), or folders of them")->required();
   run->add_option("-o,--output", options->run.output, "Folder for the results")->capture_default_str();
-  run->add_option("--proof", options->run.proof,
-                  "How far the finite elements are proved: none, the answer alone; bars, with error bars whatever they "
-                  "are; tolerance, refined until the bars meet the tolerance")
-      ->transform(CLI::CheckedTransformer(
-          std::map<std::string, Proof>{{"none", Proof::none}, {"bars", Proof::bars}, {"tolerance", Proof::tolerance}}))
+  run->add_option_function<std::string>(
+         "--proof", [=](const std::string& word) { options->run.proof = proof_of(word); },
+         "How far the finite elements are proved: none, the answer alone; bars, with error bars whatever they "
+         "are; tolerance, refined until the bars meet the tolerance")
       ->default_str("tolerance");
   run->add_flag("--json", options->run.json, "Print each result as a line of JSON when it is done");
   run->add_option("--junit", options->run.junit, "Also write JUnit XML to this file");
@@ -166,6 +175,22 @@ std::string unknown_verb(const CLI::App& app, const std::vector<std::string>& ar
     if (!known->get_group().empty()) verbs.push_back(known->get_name());
   }
   return fmt::format("{}: no such verb{}; valid verbs: {}", *verb, did_you_mean(*verb, verbs), fmt::join(verbs, ", "));
+}
+
+std::string unknown_option(const CLI::App& app, const std::vector<std::string>& arguments) {
+  const auto verbs = app.get_subcommands();  // those that were parsed
+  if (verbs.empty()) return "";
+  std::vector<std::string> options;
+  for (const auto* known : {&app, static_cast<const CLI::App*>(verbs.front())})
+    for (const auto* option : known->get_options())
+      for (const auto& name : option->get_lnames()) options.push_back("--" + name);
+  for (const auto& argument : arguments) {
+    const auto name = argument.substr(0, argument.find('='));
+    if (name.rfind("--", 0) != 0 || name == "--" || std::count(options.begin(), options.end(), name) > 0) continue;
+    return fmt::format("{}: no such option of fretval {}{}; fretval {} --help lists them", name,
+                       verbs.front()->get_name(), did_you_mean(name, options), verbs.front()->get_name());
+  }
+  return "";
 }
 
 }  // namespace fretval

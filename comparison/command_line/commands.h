@@ -20,4 +20,7 @@ void add_commands(CLI::App& app, Command& command);
 /// What is wrong with the verb of a command line, with the verbs that there are; empty: nothing, or there is none.
 std::string unknown_verb(const CLI::App& app, const std::vector<std::string>& arguments);
 
+/// What is wrong with the first option that the parsed verb does not have; empty: it has them all.
+std::string unknown_option(const CLI::App& app, const std::vector<std::string>& arguments);
+
 }  // namespace fretval

@@ -4,7 +4,9 @@
 #include <CLI/CLI.hpp>
 #include <cerrno>
 #include <cstdio>
+#include <string>
 #include <system_error>
+#include <vector>
 
 #include "comparison/case/case.h"
 #include "comparison/command_line/commands.h"
@@ -22,6 +24,16 @@ std::string version_text() {
   for (const auto& [name, version] : fretval::versions()) text += fmt::format("{} {}\n", name, version);
   text.pop_back();
   return text;
+}
+
+/// In the words of the library where nothing was mistyped.
+std::string what_is_wrong(const CLI::App& app, const std::vector<std::string>& arguments, const std::string& said) {
+  auto text = fretval::unknown_verb(app, arguments);
+  if (text.empty()) text = fretval::unknown_option(app, arguments);
+  if (!text.empty()) return text;
+  const auto verbs = app.get_subcommands();
+  const auto command = "fretval" + (verbs.empty() ? "" : " " + verbs.front()->get_name());
+  return fmt::format("{0}: {1}; {0} --help says more", command, said);
 }
 
 /// Every body takes hundreds of megabytes and gives them back. Where they go back to the kernel and come anew, clearing
@@ -50,10 +62,9 @@ int run(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    const auto unknown = fretval::unknown_verb(app, {argv + 1, argv + argc});
-    if (error.get_exit_code() == 0 || unknown.empty())
-      return app.exit(error) == 0 ? fretval::exit_agree : fretval::exit_bad_input;
-    return fretval::say_failure(std::make_exception_ptr(fretval::InputError(unknown)));
+    if (error.get_exit_code() == 0) return app.exit(error);
+    return fretval::say_failure(
+        std::make_exception_ptr(fretval::InputError(what_is_wrong(app, {argv + 1, argv + argc}, error.what()))));
   }
   try {
     if (fretval::are_several_ranks() && !app.got_subcommand("run"))

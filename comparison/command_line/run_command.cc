@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
 #include <set>
 #include <sstream>
 
@@ -91,31 +93,45 @@ std::vector<BatchLine> computed_lines(const std::vector<PreparedCase>& prepared,
   return lines;
 }
 
-std::string junit_of(const std::vector<BatchLine>& lines) {
+/// changes: from a baseline; null: there is none.
+std::string junit_of(const std::vector<BatchLine>& lines, const Changes* changes) {
   std::vector<JUnitCase> cases;
   for (const auto& line : lines) {
     const bool good = line.failure.empty() && line.pass;
-    const auto why = line.failure.empty() ? line.answer.substr(0, line.answer.find('\n')) : line.failure;
-    cases.push_back({line.name, good ? "" : why, line.answer, line.seconds});
+    auto why = good                   ? std::string()
+               : line.failure.empty() ? line.answer.substr(0, line.answer.find('\n'))
+                                      : line.failure;
+    const auto moved = changes ? changes->moved(line.name) : std::string();
+    if (!moved.empty()) why += (why.empty() ? "" : "\n") + ("beyond the bars of the baseline:\n" + moved);
+    cases.push_back({line.name, why, line.answer, line.seconds});
   }
   return junit_document("fretval run", cases);
 }
 
-/// Prints what has moved; whether anything has by more than its bars.
-bool departs_from(const std::vector<StoredResult>& baseline, const std::vector<BatchLine>& lines,
-                  const fs::path& output) {
+/// Of a baseline the results of these cases. One that has none of them is no baseline: nothing could depart from it.
+std::vector<StoredResult> baseline_of(const fs::path& folder, const std::vector<PreparedCase>& prepared) {
   std::set<std::string> names;
-  for (const auto& line : lines) names.insert(line.name);
+  for (const auto& one : prepared) names.insert(one.input.name);
+  std::vector<StoredResult> baseline;
+  for (auto& result : read_results(folder))
+    if (names.erase(result.json.at("name")) > 0) baseline.push_back(std::move(result));
+  if (baseline.empty())
+    throw InputError(fmt::format("--baseline {}: has none of the cases; expected results of the same names, as {}",
+                                 folder.string(), prepared.front().input.name));
+  for (const auto& name : names) log::warn(fmt::format("--baseline {}: has no {}", folder.string(), name));
+  return baseline;
+}
+
+/// Says what has moved; as a warning, if anything has by more than its bars.
+Changes changes_from(const std::vector<StoredResult>& baseline, const std::vector<BatchLine>& lines) {
   std::vector<StoredResult> results;
-  for (auto& result : read_results(output))
-    if (names.count(result.json.at("name")) > 0) results.push_back(std::move(result));
-  std::vector<StoredResult> earlier;
-  for (const auto& result : baseline)
-    if (names.count(result.json.at("name")) > 0) earlier.push_back(result);
-  const auto changes = changes_between(earlier, results);
+  for (const auto& line : lines)
+    if (line.failure.empty()) results.push_back({nlohmann::ordered_json::parse(line.json), {}});
+  auto changes = changes_between(baseline, results);
   std::istringstream text(changes_text(changes));
-  for (std::string line; std::getline(text, line);) log::info("baseline: " + line);
-  return changes.any_beyond_bars();
+  for (std::string line; std::getline(text, line);)
+    changes.any_beyond_bars() ? log::warn("baseline: " + line) : log::info("baseline: " + line);
+  return changes;
 }
 
 /// Says what the cases do not need, and so is not computed.
@@ -140,7 +156,10 @@ int run_cases(const RunOptions& options) {
     computed_lines(prepared, options, ranks);
     return exit_agree;
   }
-  const auto baseline = options.baseline.empty() ? std::vector<StoredResult>{} : read_results(options.baseline);
+  const auto baseline =
+      options.baseline.empty() ? std::vector<StoredResult>{} : baseline_of(options.baseline, prepared);
+  // Before minutes of computing, not after.
+  if (const fs::path file = options.junit; file.has_parent_path()) fs::create_directories(file.parent_path());
   for (const auto& one : prepared)
     for (const auto& warning : one.input.warnings) log::warn(warning);
   log_left_out(prepared);
@@ -153,15 +172,15 @@ int run_cases(const RunOptions& options) {
                     output.string(), any_wears ? "; wear goes on from here when it is run again" : ""));
   const auto lines = computed_lines(prepared, options, ranks);
   if (!options.json) lines.size() == 1 && lines[0].failure.empty() ? print_answer(lines[0]) : print_verdicts(lines);
-  if (!options.junit.empty()) write_file(options.junit, junit_of(lines));
   if (keeps_results) write_sweep_lines(cases, output);
   if (keeps_results &&
       std::any_of(lines.begin(), lines.end(), [](const BatchLine& line) { return line.failure.empty(); }))
     log::info(fmt::format("report: {}", write_report(output).string()));
   log::info(fmt::format("{} in {:.1f} s", counted(lines.size(), "case"), watch.lap()));
-  const bool has_moved = !options.baseline.empty() && departs_from(baseline, lines, output);
+  const auto changes = baseline.empty() ? std::nullopt : std::optional(changes_from(baseline, lines));
+  if (!options.junit.empty()) write_file(options.junit, junit_of(lines, changes ? &*changes : nullptr));
   const int exit_code = exit_code_of(lines);
-  return exit_code == exit_agree && has_moved ? exit_disagree : exit_code;
+  return exit_code == exit_agree && changes && changes->any_beyond_bars() ? exit_disagree : exit_code;
 }
 
 }  // namespace fretval

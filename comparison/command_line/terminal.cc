@@ -33,7 +33,10 @@ void print_values(const std::vector<BatchLine>& lines) {
 
 std::string outcome_text(const BatchLine& line) {
   if (!line.failure.empty()) return fmt::format("{}: FAILED: {}", line.name, line.failure);
-  const char* verdict = !line.compared ? "not compared, as MDR does not hold," : line.pass ? "agrees" : "DISAGREES";
+  const char* verdict = !line.compared ? "not compared, as MDR does not hold,"
+                        : line.pass    ? "agrees"
+                        : line.open    ? "open, its error bars are wider than the tolerance,"
+                                       : "DISAGREES";
   return fmt::format("{}: {} in {:.1f} s", line.name, verdict, line.seconds);
 }
 
@@ -54,16 +57,20 @@ void print_verdicts(const std::vector<BatchLine>& lines) {
   for (const auto& [family, members] : families) {
     std::size_t n_pass = 0;
     std::size_t n_beyond = 0;
+    std::size_t n_open = 0;
     for (const auto& line : members) {
       n_pass += line.pass ? 1 : 0;
       n_beyond += line.compared ? 0 : 1;
+      n_open += line.open ? 1 : 0;
       if (!line.failure.empty()) fmt::print("FAILED   {}: {}\n", line.name, line.failure);
       if (!line.compared) fmt::print("no MDR   {}", line.answer);
     }
     if (n_beyond == members.size()) continue;
-    fmt::print("{} {:<34} {:>3} of {:>3} agree; largest use of a tolerance: {}\n",
-               n_pass == members.size() ? "agree   " : "DISAGREE", family, n_pass, members.size(),
-               largest_use_of(members).text);
+    const char* verdict = n_pass == members.size()            ? "agree   "
+                          : n_pass + n_open == members.size() ? "open    "
+                                                              : "DISAGREE";
+    fmt::print("{} {:<34} {:>3} of {:>3} agree; largest use of a tolerance: {}\n", verdict, family, n_pass,
+               members.size(), largest_use_of(members).text);
   }
   std::fflush(stdout);  // before the log goes on
 }

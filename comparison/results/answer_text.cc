@@ -19,7 +19,8 @@ constexpr std::array prefixes{UnitPrefix{"n", 1e-9}, UnitPrefix{"µ", 1e-6}, Uni
 int decimals_of(double value, double bar) {
   constexpr int six = 5, most = 9;
   const auto exponent = [](double x) { return static_cast<int>(std::floor(std::log10(std::abs(x)))); };
-  if (bar > 0 && std::isfinite(bar)) return std::clamp(-exponent(bar), 0, most);
+  constexpr double rounded_up = 0.95;  // 0.0097 becomes 0.01, one digit of which is a place to the left
+  if (bar > 0 && std::isfinite(bar)) return std::clamp(-exponent(bar / rounded_up), 0, most);
   return value == 0 ? 0 : std::clamp(six - exponent(value), 0, most);
 }
 
@@ -139,7 +140,8 @@ UnitPrefix prefix_for(double value) {
 }
 
 std::string with_unit(double value, double bar, const std::string& unit) {
-  const auto& [name, factor] = prefix_for(value);
+  // A bar of hundreds would have three digits.
+  const auto& [name, factor] = prefix_for(std::isfinite(bar) ? std::max(std::abs(value), 10 * bar) : value);
   const double least = 1e-9 * factor;
   if (value != 0 && std::abs(value) < least && bar < least) return fmt::format("0 {}{}", name, unit);  // roundoff
   const int decimals = decimals_of(value / factor, bar / factor);

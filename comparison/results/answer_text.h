@@ -12,8 +12,9 @@ namespace fretval {
 constexpr const char* no_shakedown_in_a_pass =
     "a single pass has no periodic state: never slipped is the only stick radius";
 
-/// A value in SI units for people: with the prefix that leaves one to three digits before the point, and as many digits
-/// as its error bar allows, or six: "0.79312 ± 0.00004 mm". bar: absolute; 0: none is known. unit: "m", "N", ….
+/// A value in SI units for people: with the prefix that leaves one to three digits before the point, of its bar at most
+/// two, and as many digits as the bar allows, or six: "0.79312 ± 0.00004 mm". bar: absolute; 0: none is known. unit:
+/// "m", "N", ….
 std::string with_unit(double value, double bar, const std::string& unit);
 
 /// The prefix that leaves one to three digits before the point.

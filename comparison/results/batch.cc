@@ -20,12 +20,22 @@ namespace {
 
 constexpr double unworn_beside_wear = 0.05;  // of the time that both take
 
+/// Something is inconclusive, and nothing fails.
+bool is_open(const Comparison& comparison) {
+  const auto any = [&](Verdict verdict) {
+    return std::any_of(comparison.begin(), comparison.end(),
+                       [&](const auto& entry) { return entry.second.verdict == verdict; });
+  };
+  return any(Verdict::inconclusive) && !any(Verdict::fail);
+}
+
 /// What there is to tell and to keep of a result.
 void finish(const CaseResult& result, const mdr::NormalResponse& reference, const BatchOptions& options,
             BatchLine& line) {
   line.largest_use = largest_use(result.comparison, line.name);
   line.pass = passes(result);
   line.compared = !result.beyond_mdr;
+  line.open = !line.pass && is_open(result.comparison);
   line.answer = answer_text(result);
   line.json = result_json(result).dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
   if (!options.output.empty()) write_result(result, reference, options.output / line.name);

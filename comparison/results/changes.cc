@@ -39,18 +39,41 @@ std::optional<Change> change_of(const StoredResult& before, const StoredResult& 
   return change;
 }
 
+/// "100 µm", "2 MPa, 500 kPa", "parabola"
+std::string input_text(const ordered_json& value, const std::string& unit) {
+  if (value.is_array()) {
+    std::string text;
+    for (const auto& one : value) text += (text.empty() ? "" : ", ") + input_text(one, unit);
+    return text;
+  }
+  if (value.is_string()) return value.get<std::string>() + (unit.empty() ? "" : " " + unit);
+  if (!value.is_number() || unit.empty()) return value.dump();
+  if (unit == "°" || unit == "degC") return fmt::format("{:.10g} {}", value.get<double>(), unit);
+  const auto [prefix, factor] = prefix_for(value.get<double>());
+  return fmt::format("{:.10g} {}{}", value.get<double>() / factor, prefix, unit);
+}
+
+/// What is prescribed, by the names of a case file.
+std::map<std::string, std::string> input_texts(const ordered_json& scene) {
+  std::map<std::string, std::string> texts;
+  for (const auto& input : scene.value("inputs", ordered_json::array()))
+    texts[fmt::format("{} / {}", input.at("section").get<std::string>(), input.at("name").get<std::string>())] =
+        input_text(input.at("value"), input.at("unit").get<std::string>());
+  return texts;
+}
+
 void add_inputs(const StoredResult& before, const StoredResult& after, std::vector<std::string>& inputs) {
-  const auto &old_scene = before.json.at("scene"), &new_scene = after.json.at("scene");
-  const auto value = [](const ordered_json& scene, const std::string& key) {
-    return scene.contains(key) ? scene[key].dump() : std::string("none");
+  const auto olds = input_texts(before.json.at("scene")), news = input_texts(after.json.at("scene"));
+  auto entries = olds;
+  entries.insert(news.begin(), news.end());
+  const auto text_in = [](const std::map<std::string, std::string>& texts, const std::string& entry) {
+    const auto found = texts.find(entry);
+    return found == texts.end() ? std::string("none") : found->second;
   };
-  std::map<std::string, bool> keys;
-  for (const auto* scene : {&old_scene, &new_scene})
-    for (const auto& [key, unused] : scene->items()) keys[key] = key != "file";
-  for (const auto& [key, counts] : keys)
-    if (counts && value(old_scene, key) != value(new_scene, key))
-      inputs.push_back(fmt::format("{}: {}: {} -> {}", after.json.at("name").get<std::string>(), key,
-                                   value(old_scene, key), value(new_scene, key)));
+  for (const auto& [entry, unused] : entries)
+    if (text_in(olds, entry) != text_in(news, entry))
+      inputs.push_back(fmt::format("{}: {}: {} -> {}", after.json.at("name").get<std::string>(), entry,
+                                   text_in(olds, entry), text_in(news, entry)));
 }
 
 std::string value_text(const Change& change, const std::optional<double>& value) {
@@ -79,6 +102,13 @@ bool Change::is_beyond_bars() const {
 
 bool Changes::any_beyond_bars() const {
   return std::any_of(values.begin(), values.end(), [](const Change& change) { return change.is_beyond_bars(); });
+}
+
+std::string Changes::moved(const std::string& name) const {
+  std::string text;
+  for (const auto& change : values)
+    if (change.name == name && change.is_beyond_bars()) text += change_text(change);
+  return text;
 }
 
 Changes changes_between(const std::vector<StoredResult>& before, const std::vector<StoredResult>& after) {
@@ -120,8 +150,10 @@ std::string changes_text(const Changes& changes) {
          list_text("only in the first folder:", changes.only_before) +
          list_text("only in the second folder:", changes.only_after) +
          (n_beyond ? "beyond the error bars of both together:\n" + beyond : "") +
-         fmt::format("{} of {} values moved beyond their bars; the others by up to {:.1e}\n", n_beyond,
-                     changes.values.size(), largest);
+         (n_beyond == 0 && largest == 0
+              ? fmt::format("none of {} values has moved\n", changes.values.size())
+              : fmt::format("{} of {} values moved beyond their bars; the others by up to {:.1e}\n", n_beyond,
+                            changes.values.size(), largest));
 }
 
 }  // namespace fretval

@@ -24,10 +24,12 @@ struct Change {
 struct Changes {
   std::vector<Change> values;
   std::vector<std::string> only_before, only_after;  ///< names of cases
-  std::vector<std::string> inputs;                   ///< "CASE: ENTRY: BEFORE -> AFTER" of what the scenes differ in
+  std::vector<std::string> inputs;                   ///< "CASE: SECTION / ENTRY: BEFORE -> AFTER" of what differs
   std::vector<std::string> verdicts;                 ///< cases that passed before and do not now, or the reverse
 
   [[nodiscard]] bool any_beyond_bars() const;
+  /// What of a case has moved beyond its bars, a line each; empty: nothing has.
+  [[nodiscard]] std::string moved(const std::string& name) const;
 };
 
 Changes changes_between(const std::vector<StoredResult>& before, const std::vector<StoredResult>& after);

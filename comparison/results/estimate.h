@@ -19,10 +19,10 @@ double seconds_of_one(const Resolution& resolution, int highest_order);
 /// Of so many computations of an unworn case, of which one has this resolution and the others are variants of it.
 double estimated_seconds(const Resolution& resolution, int highest_order, std::size_t n_computations);
 
-/// Of a case with its proof; wear and all.
-double estimated_seconds(const PreparedCase& prepared, Proof proof);
+/// Of a case with its proof; wear and all. n_sharing: cases that its bodies are made once for, this one among them.
+double estimated_seconds(const PreparedCase& prepared, Proof proof, std::size_t n_sharing = 1);
 
-/// Of each of the cases, by its name, where so many cores share them.
+/// Of each of the cases, by its name, where so many cores share them, and they share their bodies.
 std::map<std::string, double> estimated_seconds(const std::vector<PreparedCase>& cases, Proof proof,
                                                 std::size_t n_cores);
 

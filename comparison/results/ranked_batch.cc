@@ -26,7 +26,7 @@ const std::string end;
 std::string packed(std::size_t number, const BatchLine& line) {
   std::string bytes;
   json::to_cbor({number, line.name, line.pass, line.failure, line.largest_use.share, line.largest_use.text, line.answer,
-                 line.json, line.seconds, line.compared},
+                 line.json, line.seconds, line.compared, line.open},
                 bytes);
   return bytes;
 }
@@ -46,7 +46,8 @@ DoneCase unpacked(const std::string& bytes) {
            message.at(6),
            message.at(7),
            message.at(8),
-           message.at(9)}};
+           message.at(9),
+           message.at(10)}};
 }
 
 /// The first rank's side: who computes what, and what has come of it.

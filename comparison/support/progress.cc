@@ -37,7 +37,9 @@ std::string clock_text(double seconds) {
 std::string left_text(const Advance& advance, double seconds) {
   if (advance.n_done == advance.n_parts) return "in " + clock_text(seconds);
   constexpr double begins = 0.01;  // of one part; less than that is how it begins
-  constexpr double tells = 0.1;    // of the whole
+  // Of the whole: a tenth, or a hundred parts, which chance moves by a tenth even where they differ as much as their
+  // mean.
+  const double tells = std::min(0.1, 100.0 / static_cast<double>(advance.n_parts));
   const bool has_begun = advance.share * static_cast<double>(advance.n_parts) >= begins;
   const double rest = has_begun ? seconds * (1 - advance.share) / advance.share : 0;
   if (advance.share < tells && advance.expected > seconds) {

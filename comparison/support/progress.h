@@ -20,7 +20,7 @@ struct Advance {
 
 /// For one line of so many columns: a bar as far as there is room, the counts, the time that is left, and what is under
 /// way. What is left goes from what an estimate leaves ("about") to what the done share says by the time that a tenth
-/// is done. seconds: since the start.
+/// is done, or a hundred parts. seconds: since the start.
 std::string progress_text(const Advance& advance, double seconds, int columns);
 
 /// Tells on the standard error how far many parts have come: on a terminal a line that redraws itself every second,

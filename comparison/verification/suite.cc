@@ -69,23 +69,32 @@ SuiteRow run_case(const SuiteCase& asked, BodyStore& bodies, std::size_t n_threa
   return row;
 }
 
-/// By the title of a case, where as many are computed at once as there are cores; what is refused takes no time. Of
-/// more than a thousand cases those that stand for the others.
+/// By the title of a case, where as many are computed at once as there are cores and share their bodies; what is
+/// refused takes no time. Of more than a thousand cases those that stand for the others.
 std::map<std::string, double> expected_seconds(const std::vector<SuiteCase>& cases) {
   constexpr std::size_t enough = 1000;
   const std::size_t stride = 1 + (cases.size() - 1) / enough;
-  std::vector<double> seconds((cases.size() + stride - 1) / stride);
-  for_each_in_parallel(seconds.size(), [&](std::size_t i) {
+  std::vector<std::optional<PreparedCase>> sample((cases.size() + stride - 1) / stride);
+  for_each_in_parallel(sample.size(), [&](std::size_t i) {
     const auto& asked = cases[i * stride];
     try {
-      auto prepared = prepare({case_of(asked)}).front();
-      if (asked.change) asked.change(prepared);
-      seconds[i] = estimated_seconds(prepared, asked.proof) / static_cast<double>(n_cores());
+      sample[i] = prepare({case_of(asked)}).front();
+      if (asked.change) asked.change(*sample[i]);
     } catch (const std::exception&) {
+      sample[i].reset();
     }
   });
+  std::map<BodySpecification, std::size_t> n_sharing;
+  for (const auto& one : sample)
+    if (one) n_sharing[one->fem.body] += stride;
   std::map<std::string, double> expected;
-  for (std::size_t i = 0; i < seconds.size(); ++i) expected[title_of(cases[i * stride])] = seconds[i];
+  for (std::size_t i = 0; i < sample.size(); ++i) {
+    const auto& asked = cases[i * stride];
+    expected[title_of(asked)] = sample[i]
+                                    ? estimated_seconds(*sample[i], asked.proof, n_sharing.at(sample[i]->fem.body)) /
+                                          static_cast<double>(n_cores())
+                                    : 0;
+  }
   return expected;
 }
 

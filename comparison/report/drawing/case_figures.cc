@@ -181,15 +181,11 @@ std::vector<Figure> decay_figures(const StoredResult& r, const ordered_json& cyc
   Series series{"finite elements", {}, numbers_of(*decay), Series::Style::line_points, 1};
   if (std::none_of(series.y.begin(), series.y.end(), [](double slip) { return slip > 0; })) return {};
   for (std::size_t i = 0; i < series.y.size(); ++i) series.x.push_back(static_cast<double>(i + 1));
-  Plot plot{"Slip inside c dies out",
-            "period, from rest on",
-            "largest slip over the amplitude u_{x0}",
-            {std::move(series)},
-            true};
+  Plot plot{"Slip inside c dies out", "period, from rest on", "largest slip / u_{x0}", {std::move(series)}, true};
   const double factor = r.number("fe", "slip_decay"), mdr = r.number("mdr", "slip_decay");
   std::string caption =
-      "Longest path of slip in a period of a ring inside c, the shakedown radius. The amplitudes rise during the "
-      "first periods; a period without any slip has no point.";
+      "Longest path of slip in a period of a ring inside c, the shakedown radius, over the tangential amplitude. The "
+      "amplitudes rise during the first periods; a period without any slip has no point.";
   if (!std::isnan(factor)) caption += fmt::format(" In the end it falls by the factor {:.4g} a period", factor);
   if (!std::isnan(factor)) caption += std::isnan(mdr) ? "." : fmt::format("; by MDR {:.4g}.", mdr);
   return {{std::move(plot), caption}};

@@ -52,24 +52,47 @@ std::string range_text(double least, double most) {
   return fmt::format("{:.3g} to {:.3g} {}m", least / factor, most / factor, prefix);
 }
 
-/// A displacement over the last period in a box of its own; null for one that does not change.
-Filling motion_of(const StoredResult& r, const char* name, const char* column, double left) {
-  const auto [time, value] = read_columns(r.folder / "history.csv", "t [s]", column);
-  if (value.size() < 2) return nullptr;
+/// Values up to the one at which so many swings are over, from the lower quarter of the range to the upper one or back;
+/// all, if there are not twice as many: of an unlocked phase the last period has dozens, too many to be drawn so small.
+std::size_t n_of_first_swings(const std::vector<double>& value) {
+  constexpr int n_swings = 12;
+  if (value.empty()) return 0;
   const auto [least, most] = std::minmax_element(value.begin(), value.end());
-  if (!(*most > *least)) return nullptr;
+  const double quarter = (*most - *least) / 4;
+  int n = 0, side = 0;
+  std::size_t n_shown = value.size();
+  for (std::size_t i = 0; i < value.size(); ++i) {
+    const int now = value[i] > *most - quarter ? 1 : value[i] < *least + quarter ? -1 : side;
+    if (now != side && side != 0 && ++n == n_swings) n_shown = i;
+    side = now;
+  }
+  return n < 2 * n_swings ? value.size() : n_shown;
+}
+
+/// A displacement over the first rows of the last period, in a box of its own; null for one that does not change.
+Filling motion_of(const StoredResult& r, const char* name, const char* column, std::size_t n_shown, double left) {
+  auto [time, value] = read_columns(r.folder / "history.csv", "t [s]", column);
+  if (value.size() < 2) return nullptr;
+  const auto [first, last] = std::minmax_element(value.begin(), value.end());
+  const double least = *first, most = *last;
+  if (!(most > least)) return nullptr;
+  const bool all = n_shown >= value.size();
+  if (!all) {
+    time.resize(n_shown);
+    value.resize(n_shown);
+  }
   std::string points;
   const auto stride = 1 + value.size() / 120;
   for (std::size_t i = 0; i < value.size(); i += stride)
     points +=
         fmt::format("{:.1f},{:.1f} ", left + motion_width * (time[i] - time.front()) / (time.back() - time.front()),
-                    motion_top + motion_height * (*most - value[i]) / (*most - *least));
+                    motion_top + motion_height * (most - value[i]) / (most - least));
   return {{"points", points},
           {"left", left},
           {"right", left + motion_width},
           {"bottom", motion_top + motion_height + 8},
           {"title_at", motion_top - 14},
-          {"title", fmt::format("{} = {}", name, range_text(*least, *most))}};
+          {"title", fmt::format("{} = {}{}", name, range_text(least, most), all ? "" : ", first cycles")}};
 }
 
 }  // namespace
@@ -106,8 +129,11 @@ Filling sketch_of(const StoredResult& result) {
                   {"d", with_three_digits(tip, "m")}};
   if (c > 0) filling["stick"] = {{"left", x(-c)}, {"right", x(c)}, {"c", with_three_digits(c, "m")}};
   filling["motions"] = Filling::array();
-  for (auto motion : {motion_of(result, "d(t)", "d [m]", motion_edge),
-                      motion_of(result, "uₓ(t)", "u_x [m]", drawing_width - motion_edge - motion_width)})
+  const auto history = result.folder / "history.csv";
+  const auto n_shown = std::min(n_of_first_swings(read_columns(history, "t [s]", "d [m]").second),
+                                n_of_first_swings(read_columns(history, "t [s]", "u_x [m]").second));
+  for (auto motion : {motion_of(result, "d(t)", "d [m]", n_shown, motion_edge),
+                      motion_of(result, "uₓ(t)", "u_x [m]", n_shown, drawing_width - motion_edge - motion_width)})
     if (!motion.is_null()) filling["motions"].push_back(std::move(motion));
   if (u > 0)
     filling["slide"] = {{"left", fmt::format("{:.1f}", middle - std::max(u * scale, 14.0))},

@@ -149,7 +149,8 @@ Filling budget_section(const Results& results) {
           }
   }
   if (shares.empty()) return nullptr;
-  Table table{{"median, largest"}};
+  const bool several = results.size() > 1;
+  Table table{{several ? "median, largest" : "share of the bar"}};
   table.heads.insert(table.heads.end(), sources.begin(), sources.end());
   for (const auto quantity : quantities_by_interest) {
     const auto found = shares.find(name_of(quantity));
@@ -158,11 +159,14 @@ Filling budget_section(const Results& results) {
     for (const auto& source : sources) {
       auto& values = found->second[source];
       std::sort(values.begin(), values.end());
-      row.emplace_back(values.empty() ? "–" : fmt::format("{:.0e}, {:.0e}", values[values.size() / 2], values.back()));
+      const auto share = [](double value) { return value == 0 ? std::string("0") : fmt::format("{:.0e}", value); };
+      row.emplace_back(values.empty() ? "–"
+                       : several      ? share(values[values.size() / 2]) + ", " + share(values.back())
+                                      : share(values.back()));
     }
     table.rows.push_back(std::move(row));
   }
-  return {{"template", "budget"}, {"table", filling_of(table)}};
+  return {{"template", "budget"}, {"several", several}, {"table", filling_of(table)}};
 }
 
 }  // namespace fretval

@@ -268,8 +268,8 @@ Filling findings(const Results& results) {
     // Where both radii are the same, so are the limits.
     if (first_slip > 2 * shakedown) nearest_first_slip = std::min(nearest_first_slip, first_slip);
   }
-  Filling found{
-      {"limits", fmt::format("{} of {} have worn to it.", n_limit, counted(static_cast<std::size_t>(n), "indenter"))}};
+  Filling found{{"limits", fmt::format("{} of {} {} worn to it.", n_limit,
+                                       counted(static_cast<std::size_t>(n), "indenter"), n == 1 ? "has" : "have")}};
   if (n_elsewhere > 0) found["elsewhere"] = n_elsewhere;
   if (n_stuck > 0) found["stuck"] = n_stuck;
   if (n_unproved > 0) found["unproved"] = n_unproved;

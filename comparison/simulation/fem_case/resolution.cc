@@ -48,6 +48,15 @@ std::string text_of(const Resolution& r) {
   return text;
 }
 
+std::string change_text(const Resolution& before, const Resolution& after) {
+  const auto side = [&](const Resolution& r) {
+    return before.n_creep_cycles == after.n_creep_cycles
+               ? text_of(r)
+               : fmt::format("{}, {} creep cycles", text_of(r), r.n_creep_cycles);
+  };
+  return fmt::format("from {} to {}", side(before), side(after));
+}
+
 Resolution resolution_for(double tolerance, bool memory) {
   // What the rings at a worn edge let through is about a tenth of sqrt(2 ring/c) of the force.
   const double worn_edge_ring = std::max(5 * tolerance * tolerance, finest_edge_ring);

@@ -37,6 +37,9 @@ Resolution with_steps(Resolution resolution, double factor);
 /// "24 rings, degree 3, growth 0.5, far 12, 36 steps, 8 ramp cycles", and the focus if there is one.
 std::string text_of(const Resolution& resolution);
 
+/// "from 24 rings, ... to 32 rings, ...", with the creep cycles of an unlocked phase where they are what changes.
+std::string change_text(const Resolution& before, const Resolution& after);
+
 /// The coarsest settings that usually meet a relative tolerance on the stick radius (and a tenth of it on contact
 /// radius and force), as docs/verification.md shows. What they miss in a case, its error budget shows.
 /// memory: of the body, see fem::RelaxationModel; without it the start leaves nothing behind and one ramp cycle does.

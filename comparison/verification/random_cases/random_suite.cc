@@ -2,8 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <atomic>
+
 #include "comparison/accuracy/prepared_case.h"
+#include "comparison/support/log.h"
 #include "comparison/support/parallel.h"
+#include "comparison/support/progress.h"
 #include "comparison/support/stopwatch.h"
 
 namespace fretval {
@@ -36,6 +40,23 @@ SuiteCase drawn_case(std::uint64_t seed, std::size_t number) {
   return one;
 }
 
+/// Tells how far it is, on a terminal from the first second on: the tool reads every case that it draws.
+std::vector<SuiteCase> drawn_cases(const RandomSuiteOptions& options) {
+  const std::size_t first = options.only.value_or(0);
+  std::vector<SuiteCase> cases(options.only ? 1 : options.n_cases);
+  constexpr std::size_t many = 1000;
+  if (cases.size() >= many) log::info(fmt::format("drawing {} cases", cases.size()));
+  Progress progress(1);
+  std::atomic<std::size_t> n_drawn{0};
+  for_each_in_parallel(cases.size(), [&](std::size_t i) {
+    cases[i] = drawn_case(options.seed, first + i);
+    const auto n = ++n_drawn;
+    progress.under_way("cases", static_cast<double>(n) / static_cast<double>(cases.size()),
+                       fmt::format("{} of {} drawn", n, cases.size()));
+  });
+  return cases;
+}
+
 }  // namespace
 
 SuiteRun run_random_suite(const RandomSuiteOptions& options) {
@@ -43,9 +64,7 @@ SuiteRun run_random_suite(const RandomSuiteOptions& options) {
   SuiteRun run{"random", fmt::format("Random cases of seed {} on one coarse mesh, with their error bars but without "
                                      "any refinement.",
                                      options.seed)};
-  const std::size_t first = options.only.value_or(0);
-  std::vector<SuiteCase> cases(options.only ? 1 : options.n_cases);
-  for_each_in_parallel(cases.size(), [&](std::size_t i) { cases[i] = drawn_case(options.seed, first + i); });
+  const auto cases = drawn_cases(options);
   BodyStore bodies;
   run.rows = run_cases(cases, bodies);
   run.seconds = watch.lap();

@@ -38,6 +38,21 @@ TEST(Commands, SaysWhichVerbWasMeant) {
   EXPECT_EQ(said("run --no-such-option case.prm").find("no such verb"), std::string::npos);
 }
 
+TEST(Commands, SaysWhichOptionWasMeant) {
+  const ScratchFolder folder;
+  const auto said = [&](const std::string& arguments) {
+    const auto run = fretval_run(arguments, folder);
+    EXPECT_EQ(run.exit_code, 2) << arguments;
+    return run.err;
+  };
+  expect_parts(said("run --poof bars case.prm"),
+               {"error: --poof: no such option of fretval run; did you mean --proof?"});
+  expect_parts(said("check --sute=exact"), {"error: --sute: no such option", "did you mean --suite?", "check --help"});
+  expect_parts(said("run --quite case.prm"), {"did you mean --quiet?"});
+  expect_parts(said("run --proof bar case.prm"), {"--proof bar: expected none, bars or tolerance; did you mean bars?"});
+  expect_parts(said("run"), {"error: fretval run: cases is required; fretval run --help says more"});
+}
+
 TEST(Commands, SaysWhenGnuplotCannotDraw) {
   const ScratchFolder folder;
   fs::copy(fs::path(FRETVAL_SOURCE_DIR) / "tests/fuzz/seeds/result_json/phase.json", folder.path() / "result.json");

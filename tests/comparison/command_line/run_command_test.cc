@@ -96,9 +96,16 @@ TEST(RunCommand, ExitsWith1WhereAResultHasMovedFromTheBaseline) {
   const double bar = json["fe"]["error_estimate"]["normal_force_max"]["total"];
   json["fe"]["normal_force_max"] = json["fe"]["normal_force_max"].get<double>() * (1 + 10 * bar);
   folder.write("old/case/result.json", json.dump());
-  const auto moved = fretval_run(against, folder);
+  const auto junit = folder.path() / "made/for/it/junit.xml";
+  const auto moved = fretval_run(against + " --quiet --junit " + quoted(junit), folder);
   EXPECT_EQ(moved.exit_code, 1) << moved.err;
   expect_parts(moved.err, {"baseline: ", "largest normal force"});
+  expect_parts(text_of(junit), {"failures=\"1\"", "beyond the bars of the baseline", "largest normal force"});
+  const auto renamed = quoted(folder.write("renamed.prm", elastic_case()));
+  const auto without = "run " + renamed + " --proof none -o " + quoted(out) + " --baseline " + quoted(old);
+  const auto none = fretval_run(without, folder);
+  EXPECT_EQ(none.exit_code, 2) << "a baseline of other cases holds nothing";
+  expect_parts(none.err, {"has none of the cases", "renamed"});
   const auto missing =
       fretval_run("run " + file + " -o " + quoted(out) + " --baseline " + quoted(folder.path() / "none"), folder);
   EXPECT_EQ(missing.exit_code, 2);

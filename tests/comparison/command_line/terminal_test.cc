@@ -29,6 +29,9 @@ TEST(Outcome, IsALineOfTheLog) {
   good.seconds = 1.23;
   EXPECT_EQ(outcome_text(good), "family/1: agrees in 1.2 s");
   EXPECT_EQ(outcome_text(line_with("family/2", 2e-3, Verdict::fail)), "family/2: DISAGREES in 0.0 s");
+  auto open = line_with("family/2", 2e-3, Verdict::inconclusive);
+  open.open = true;
+  EXPECT_EQ(outcome_text(open), "family/2: open, its error bars are wider than the tolerance, in 0.0 s");
   EXPECT_EQ(outcome_text(failed("family/3")), "family/3: FAILED: the pump is broken");
 }
 
@@ -41,6 +44,15 @@ TEST(Verdicts, NameTheLargestUseOfAToleranceOfEachFile) {
       << text;
   EXPECT_NE(text.find("stick radius, shakedown in two/a: 1.0e-05"), std::string::npos) << text;
   EXPECT_EQ(text.find("DISAGREE"), std::string::npos) << text;
+}
+
+// With wide bars nobody can say that they disagree.
+TEST(Verdicts, OfWideBarsAreOpen) {
+  auto open = line_with("one/a", 2e-4, Verdict::inconclusive);
+  open.open = true;
+  const auto good = line_with("one/b", 2e-4, Verdict::pass), bad = line_with("one/c", 2e-3, Verdict::fail);
+  EXPECT_NE(verdicts_of({open, good}).find("open     one "), std::string::npos) << verdicts_of({open, good});
+  EXPECT_NE(verdicts_of({open, bad}).find("DISAGREE one "), std::string::npos) << verdicts_of({open, bad});
 }
 
 TEST(Verdicts, ComeAfterTheValues) {

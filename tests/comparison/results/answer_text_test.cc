@@ -17,7 +17,11 @@ TEST(AnswerText, ShowsAsManyDigitsAsTheBarAllows) {
   EXPECT_EQ(with_unit(2.5e4, 0, "N"), "25.0000 kN");
   EXPECT_EQ(with_unit(0, 0, "N"), "0 nN");
   EXPECT_EQ(with_unit(0, 2e-10, "m"), "0.0 ± 0.2 nm");
-  EXPECT_EQ(with_unit(-3e-10, 7.84e-7, "N"), "0 ± 784 nN");
+  EXPECT_EQ(with_unit(5.43573e-4, 9.7e-9, "m"), "543.57 ± 0.01 µm");
+  EXPECT_EQ(with_unit(5.43573e-4, 9.4e-9, "m"), "543.573 ± 0.009 µm");
+  EXPECT_EQ(with_unit(-9.06e-5, 4.17e-4, "N"), "-0.1 ± 0.4 mN");
+  EXPECT_EQ(with_unit(-9.06e-5, 1.17e-3, "N"), "0 ± 1 mN");
+  EXPECT_EQ(with_unit(-3e-10, 7.84e-7, "N"), "0.0 ± 0.8 µN");
 }
 
 // The numbers of the made-up result: a bar of 0.03125 of the force of 42.5 N; the shakedown radius has none and fails.

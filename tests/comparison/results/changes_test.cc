@@ -37,6 +37,13 @@ TEST(Changes, AreHeldToTheBarsOfBothTogether) {
                                       "1 of 2 values moved beyond their bars"});
 }
 
+TEST(Changes, OfACaseAreToldByItsName) {
+  const auto changes = changes_between({result(), result(5e-4, "two")}, {result(), result(5.021e-4, "two")});
+  EXPECT_EQ(changes.moved("one"), "");
+  expect_parts(changes.moved("two"), {"two: stick radius, shakedown: 500.000 µm -> 502.100 µm"});
+  EXPECT_EQ(changes_text(changes_between({result()}, {result()})), "none of 2 values has moved\n");
+}
+
 TEST(Changes, WithoutABarAreHeldToRoundoff) {
   auto other = result();
   other.json["fe"]["normal_force_max"] = 2 * (1 + 1e-10);
@@ -54,11 +61,25 @@ TEST(Changes, OfARadiusThatIsGoneIsBeyondAnyBar) {
 
 TEST(Changes, NameOtherInputsVerdictsAndCases) {
   auto other = result();
+  const auto entry = [](const char* section, const char* name, const nlohmann::ordered_json& value, const char* unit) {
+    return nlohmann::ordered_json{{"section", section}, {"name", name}, {"value", value}, {"unit", unit}};
+  };
+  auto before = result();
+  before.json["scene"]["inputs"] = {entry("Indenter", "Shape", "cone", ""), entry("Motion", "Indentation", 1e-4, "m"),
+                                    entry("Motion", "Phase", 60.0, "°"),
+                                    entry("Elastomer", "Branch moduli", {1e6, 5e5}, "Pa")};
+  other.json["scene"]["inputs"] = {entry("Indenter", "Shape", "cone", ""), entry("Motion", "Indentation", 2e-4, "m"),
+                                   entry("Motion", "Phase", "free", ""),
+                                   entry("Elastomer", "Branch moduli", {1e6, 2e6}, "Pa"),
+                                   entry("Friction", "Coefficient", 0.5, "")};
   other.json["scene"]["indentation"] = 2e-4;
   other.json["scene"]["file"] = "elsewhere/a.prm";
   other.json["pass"] = false;
-  const auto changes = changes_between({result(), result(5e-4, "gone")}, {other, result(5e-4, "new")});
-  EXPECT_EQ(changes.inputs, std::vector<std::string>{"one: indentation: 0.0001 -> 0.0002"});
+  const auto changes = changes_between({before, result(5e-4, "gone")}, {other, result(5e-4, "new")});
+  EXPECT_EQ(changes.inputs, (std::vector<std::string>{"one: Elastomer / Branch moduli: 1 MPa, 500 kPa -> 1 MPa, 2 MPa",
+                                                      "one: Friction / Coefficient: none -> 0.5",
+                                                      "one: Motion / Indentation: 100 µm -> 200 µm",
+                                                      "one: Motion / Phase: 60 ° -> free"}));
   EXPECT_EQ(changes.verdicts, std::vector<std::string>{"one: passes no more"});
   EXPECT_EQ(changes.only_before, std::vector<std::string>{"gone"});
   EXPECT_EQ(changes.only_after, std::vector<std::string>{"new"});

@@ -36,12 +36,26 @@ TEST(Estimate, OfACaseGrowsWithItsProofAndItsWear) {
 TEST(Estimate, OfManyIsSharedByTheCores) {
   std::vector<PreparedCase> cases{prepared_case(),
                                   prepared_case(valid_case + "subsection Wear\n  set Coefficient = 1e-12\nend\n")};
+  cases[1].fem.body.far_radius *= 2;  // another body
   cases[0].input.name = "unworn";
   cases[1].input.name = "worn";
   const auto seconds = estimated_seconds(cases, Proof::bars, 2);
   ASSERT_EQ(seconds.size(), 2U);
   EXPECT_DOUBLE_EQ(seconds.at("unworn"), estimated_seconds(cases[0], Proof::bars) / 2);
   EXPECT_DOUBLE_EQ(seconds.at("worn"), estimated_seconds(cases[1], Proof::bars) / 2);
+}
+
+// A body is made once for all of them; their histories are their own.
+TEST(Estimate, OfManyCountsASharedBodyOnce) {
+  std::vector<PreparedCase> cases(4, prepared_case());
+  for (std::size_t i = 0; i < cases.size(); ++i) cases[i].input.name = std::to_string(i);
+  double sum = 0;
+  for (const auto& [name, seconds] : estimated_seconds(cases, Proof::bars, 1)) sum += seconds;
+  const double alone = estimated_seconds(cases[0], Proof::bars), shared = estimated_seconds(cases[0], Proof::bars, 4);
+  EXPECT_LT(shared, alone);
+  EXPECT_NEAR(sum, 4 * shared, 1e-9);
+  const double histories = estimated_seconds(cases[0], Proof::bars, 1000000000);
+  EXPECT_NEAR(sum, 4 * histories + (alone - histories), 1e-6 * sum);
 }
 
 }  // namespace

@@ -29,6 +29,14 @@ TEST(Progress, GoesFromTheEstimateToWhatIsDone) {
   EXPECT_EQ(progress_text({2, 20, 0, 0.1, {}, 200}, 40, 80), "[###...........................] 2/20, 6:00 left");
 }
 
+// Of ten thousand a hundred are a hundredth, and tell: 40 s, so 3960 are left. Half of them: a quarter of the way.
+TEST(Progress, BelievesAHundredParts) {
+  EXPECT_EQ(progress_text({100, 10000, 0, 0.01, {}, 90000}, 40, 80),
+            "[..............................] 100/10000, 1:06:00 left");
+  EXPECT_EQ(progress_text({50, 10000, 0, 0.005, {}, 8020}, 20, 80),
+            "[..............................] 50/10000, about 1:56:35 left");
+}
+
 // Of two parts one is done and the other to a quarter: 40 s for 5/8, so 24 are left.
 TEST(Progress, CountsTheShareOfWhatIsUnderWay) {
   EXPECT_EQ(progress_text({1, 2, 0, 0.625, "cone: worn"}, 40, 80),

@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdlib>
+#include <string>
 
 #include "tests/comparison/stored_result.h"
 
@@ -43,6 +46,27 @@ TEST(Sketch, ShowsBothMotionsOverTime) {
   ASSERT_EQ(motions.size(), 2U);
   EXPECT_EQ(motions[1]["points"], "690.0,102.0 940.0,40.0 ");
   EXPECT_EQ(motions[1]["title"], "uₓ(t) = -1 to 1 µm");
+}
+
+// Forty cycles of eight rows: twelve swings are six of them.
+TEST(Sketch, ShowsTheFirstOfManyCycles) {
+  const ScratchFolder folder;
+  StoredResult result{stored_result("single"), folder.path()};
+  folder.write("profile.csv", "r [m],f unworn [m]\n0,0\n1,0.5\n2,2\n");
+  folder.write("contact.csv", "r outer [m],surface height at d max [m]\n1,0.5\n2,1\n");
+  const auto n_points = [&](int n_cycles) {
+    std::string rows = "t [s],d [m],u_x [m]\n";
+    for (int i = 0; i < 8 * n_cycles; ++i)
+      rows += std::to_string(i) + "," + std::to_string(2 + std::cos(i * std::acos(-1) / 4)) + ",0\n";
+    folder.write("history.csv", rows);
+    const auto motion = sketch_of(result)["motions"].at(0);
+    const auto points = motion["points"].get<std::string>(), title = motion["title"].get<std::string>();
+    EXPECT_EQ(title.find("first cycles") != std::string::npos, n_cycles == 40) << title;
+    EXPECT_NE(title.find("1 to 3 m"), std::string::npos) << title;
+    return std::count(points.begin(), points.end(), ',');
+  };
+  EXPECT_EQ(n_points(10), 80);
+  EXPECT_NEAR(static_cast<double>(n_points(40)), 6 * 8, 4);
 }
 
 }  // namespace

@@ -35,9 +35,10 @@ TEST(WearSection, IsEmptyWithoutWear) {
 TEST(WearSection, SaysWhereItEnds) {
   const auto section = wear_section({wearing(true), wearing(false)});
   expect_parts(section.dump(), {"Worn volume", "start of the wear", "end of the wear"});
-  expect_parts(rendered(section), {"1 of 2 indenters have worn to it", "2.5e-04 from the limiting profile",
-                                   "at least 0.12 away", "standard solid, p^0.5</td>", "<td>0.50000</td>", "+1.0e-05 ± 2e-04",
-                                   "nothing wears any more</td>", "all that is pressed sticks</td>"});
+  expect_parts(rendered(section),
+               {"1 of 2 indenters have worn to it", "2.5e-04 from the limiting profile", "at least 0.12 away",
+                "standard solid, p^0.5</td>", "<td>0.50000</td>", "+1.0e-05 ± 2e-04", "nothing wears any more</td>",
+                "all that is pressed sticks</td>"});
 }
 
 TEST(WearSection, SaysWhyItEnds) {
@@ -61,7 +62,7 @@ TEST(WearSection, SaysWhereMdrHasNoLimit) {
   auto elsewhere = wearing(true);
   elsewhere.json["fe"]["wear"]["limit_is_reached"] = false;
   const auto text = rendered(wear_section({elsewhere}));
-  expect_parts(text, {"0 of 1 indenter have worn to it", "1 under a normal force with a tangential displacement"});
+  expect_parts(text, {"0 of 1 indenter has worn to it", "1 under a normal force with a tangential displacement"});
   EXPECT_EQ(text.find("from the limiting profile of the shakedown"), std::string::npos);
 }
 

@@ -59,6 +59,16 @@ TEST(Resolution, IsTold) {
   expect_parts(text_of(all[14]), {text_of(all[0]), "rings of 0.01 from 0 to 0.5"});
 }
 
+TEST(Resolution, TellsWhatARefinementChanges) {
+  const auto coarse = resolution_for(1e-2);
+  auto finer = with_steps(coarse, 2);
+  EXPECT_EQ(change_text(coarse, finer), "from " + text_of(coarse) + " to " + text_of(finer));
+  finer = coarse;
+  finer.n_creep_cycles *= 2;
+  EXPECT_EQ(change_text(coarse, finer),
+            "from " + text_of(coarse) + ", 24 creep cycles to " + text_of(coarse) + ", 48 creep cycles");
+}
+
 TEST(Resolution, IsFinerForASmallerTolerance) {
   const auto coarse = resolution_for(1e-2), usual = resolution_for(1e-3), fine = resolution_for(1e-4);
   EXPECT_LE(coarse.elements_per_radius, usual.elements_per_radius);
