@@ -65,6 +65,16 @@ ErrorShare share_of(const Variant& variant, const Refinements& values, Quantity 
   return richardson(source, values, expected);
 }
 
+/// Without the coarser ones of two that could not be computed, of which nothing is known: the other one is there.
+std::vector<Variant> computed_ones(const std::vector<Variant>& variants, const std::map<Resolution, Quantities>& known) {
+  std::vector<Variant> computed;
+  for (const auto& variant : variants) {
+    const bool is_coarser = !computed.empty() && computed.back().source == variant.source;
+    if (!is_coarser || !known.at(variant.resolution).empty()) computed.push_back(variant);
+  }
+  return computed;
+}
+
 }  // namespace
 
 void ErrorBar::add(ErrorSource source, double estimate) {
@@ -134,11 +144,12 @@ ErrorBudget error_budget(const Resolution& resolution, const std::vector<Variant
                          const std::map<Resolution, Quantities>& known, const Quantities& edge,
                          const CaseNeeds& needs) {
   ErrorBudget budget;
+  const auto computed = computed_ones(variants, known);
   for (const auto& [quantity, value] : known.at(resolution)) {
     const auto change = [&known, quantity = quantity](const Resolution& finer, const Resolution& coarser) {
       return value_of(known.at(finer), quantity) - value_of(known.at(coarser), quantity);
     };
-    auto& bar = budget[quantity] = error_bar(quantity, variants, change, needs);
+    auto& bar = budget[quantity] = error_bar(quantity, computed, change, needs);
     const auto reading = edge.find(quantity);
     if (reading == edge.end()) continue;
     bar.add(quantity == Quantity::contact_radius_max ? ErrorSource::time_step : ErrorSource::edge, reading->second);

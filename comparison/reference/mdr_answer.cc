@@ -70,7 +70,7 @@ MdrCycle cycle_of(const MdrCase& mdr, const mdr::CommonCycle& cycle, const mdr::
 }
 
 /// Springs of a motion without period go through half a hundred oscillations in the place of one.
-constexpr mdr::SpringFineness of_many_oscillations{100, 90, 10, 1e-7};
+constexpr mdr::SpringFineness of_many_oscillations{100, 90, 10, 1e-7, 96};
 
 /// Of an unworn indenter, by the springs. Under both forces the shakedown radius has a closed form.
 MdrAnswer forced_answer(const MdrCase& mdr, const mdr::NormalResponse& normal) {

@@ -47,7 +47,8 @@ fem::FrictionHistory friction_beside(const NormalRecord& record, const fem::Norm
 }
 
 fem::HistoryControl control_of(const FemCase& fem) {
-  constexpr int most_after_ramp = 800;
+  // Cycles, of which a near cycle has dozens of oscillations.
+  const int most_after_ramp = fem.without_short_cycle && fem.motion.locked ? 50 : 800;
   return {fem.steps_per_cycle(), fem.motion.cycles_of_ramp() + most_after_ramp, fem.resolution.periodicity};
 }
 

@@ -243,6 +243,9 @@ FrictionHistory friction_history(WatchedFriction friction, const NormalHistory& 
                                  const std::function<void(const FrictionContact&)>& see) {
   auto& contact = friction.contact;
   const int cycles_per_period = contact.motion().cycles_per_period(), period_steps = friction.period_steps();
+  constexpr int most_creep_periods = 50;  // each of many cycles
+  const int most_cycles =
+      contact.motion().locked ? control.max_cycles : std::max(control.max_cycles, most_creep_periods * cycles_per_period);
   FrictionHistory history;
   history.periodicity = infinity;
   ForcesOfPeriod forces(period_steps);
@@ -260,7 +263,7 @@ FrictionHistory friction_history(WatchedFriction friction, const NormalHistory& 
     jumped = true;
   }
   while (jumped || settling || !(history.periodicity <= control.periodicity)) {
-    const bool at_end = history.n_cycles >= control.max_cycles * cycles_per_period;
+    const bool at_end = history.n_cycles >= most_cycles;
     if (at_end && history.periodicity <= control.periodicity) break;
     if (at_end)
       throw SolverError(fmt::format(

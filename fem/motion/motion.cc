@@ -40,8 +40,9 @@ ValueAndRate envelope(const Motion& motion, double t) {
 /// Lags of the tangential motion that differ.
 double span_of_lags(const Motion& motion) {
   const int normal = common_divisor(motion.normal), tangential = common_divisor(motion.tangential);
-  const bool one_frequency = motion.normal.size() == 1 && motion.tangential.size() == 1 && normal == tangential;
-  return (one_frequency ? pi : 2 * pi) / std::lcm(std::max(normal, 1), std::max(tangential, 1));
+  const bool turns_round =
+      motion.normal.size() == 1 && motion.tangential.size() == 1 && normal == tangential && !motion.has_forces();
+  return (turns_round ? pi : 2 * pi) / std::lcm(std::max(normal, 1), std::max(tangential, 1));
 }
 
 ValueAndRate lag(const Motion& motion, double t) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <set>
 
 namespace fretval {
 namespace {
@@ -162,17 +163,38 @@ TEST(ErrorBudget, TakesGradedRingsForSecondOrder) {
   EXPECT_LT(bar(false), bar(true));
 }
 
-TEST(ErrorBudget, IsInfiniteWhereAQuantityIsMissing) {
+/// Resolutions that are the coarser one of two of their source.
+std::set<Resolution> coarsest_ones(const Resolution& resolution) {
+  std::set<Resolution> coarsest;
+  const auto variants = variants_of(resolution, {});
+  for (std::size_t i = 1; i < variants.size(); ++i)
+    if (variants[i].source == variants[i - 1].source) coarsest.insert(variants[i].resolution);
+  return coarsest;
+}
+
+// What could not be computed leaves everything open, unless a finer one tells the error as well.
+TEST(ErrorBudget, IsInfiniteWhereAComputationFailedButForTheCoarsest) {
   const auto resolution = some_resolution();
+  const auto coarsest = coarsest_ones(resolution);
   const auto complete = all_known(resolution, {}, [](auto&&) { return 0.5; });
+  ASSERT_GE(coarsest.size(), 2U);
   EXPECT_EQ(error_budget(resolution, complete, {}).at(Quantity::stick_radius_shakedown).total(), 0);
   for (const auto& [missing, quantities] : complete) {
     if (missing == resolution) continue;
     auto known = complete;
     known[missing] = {};  // its numerics failed
     EXPECT_EQ(error_budget(resolution, known, {}).at(Quantity::stick_radius_shakedown).total(),
-              std::numeric_limits<double>::infinity());
+              coarsest.count(missing) > 0 ? 0 : std::numeric_limits<double>::infinity());
   }
+}
+
+// A quantity that the coarsest computation has no value of, where it has others, may be off by anything.
+TEST(ErrorBudget, IsInfiniteWhereTheCoarsestHasNoValue) {
+  const auto resolution = some_resolution();
+  auto known = all_known(resolution, {}, [](auto&&) { return 0.5; });
+  known[*coarsest_ones(resolution).begin()] = {{Quantity::normal_force_max, 1}};
+  EXPECT_EQ(error_budget(resolution, known, {}).at(Quantity::stick_radius_shakedown).total(),
+            std::numeric_limits<double>::infinity());
 }
 
 }  // namespace
