@@ -106,7 +106,7 @@ TEST(MdrCase, ForcesOfTwoFrequenciesHaveALimitingStateForWear) {
   EXPECT_GT(mdr.limiting_state->stick_radius, 0);
   EXPECT_LT(mdr.limiting_state->stick_radius, mdr_case(forced_case(0, 0)).limiting_state->stick_radius);
   input.wear = Case::Wear::limiting;
-  expect_parts(refusal([&] { mdr_case(input); }), {"Wear / State = limiting", "equal ones"});
+  EXPECT_EQ(mdr_case(input).limiting.value().stick_radius, mdr.limiting_state->stick_radius);
 }
 
 TEST(MdrCase, ShakedownAmplitudeNeedsAnIndentation) {

@@ -158,11 +158,14 @@ TEST(MdrDocument, HasTheFitOfMeasuredModuli) {
     "kramers_kronig": {"consistent": true, "worst": 0.05, "worst_frequency": 6.0}})"));
 }
 
-TEST(MdrDocument, SpringsNeedAPeriod) {
-  EXPECT_THROW(
-      document_of(replace(valid_case, "Tangential frequency = 1", "Tangential frequency = 1.4142135623"), true),
-      InputError);
-  EXPECT_THROW(document_of(replace(valid_case, "Phase = 60", "Phase = free"), true), InputError);
+// Every relation of the phases comes by, in the springs as in the closed form.
+TEST(MdrDocument, SpringsDoWithoutAPeriod) {
+  for (const auto& text : {replace(valid_case, "Tangential frequency = 1", "Tangential frequency = 1.4142135623"),
+                           replace(valid_case, "Phase = 60", "Phase = free")}) {
+    const auto json = document_of(text, true);
+    for (const char* key : {"stick_radius_first_slip", "stick_radius_shakedown"})
+      EXPECT_NEAR(number(json, "springs", key) / number(json, "mdr", key), 1, 5e-3) << key;
+  }
 }
 
 TEST(MdrDocument, SpringsNeedAnUnwornIndenter) {

@@ -112,6 +112,10 @@ TEST(Motion, UnlockedOscillationsPassThroughAllLags) {
   motion.normal[1].order = 4;
   motion.tangential.resize(1);
   expect_ahead(2 * pi / 6);
+  motion = unlocked();
+  expect_ahead(pi);
+  motion.normal_force = true;
+  expect_ahead(2 * pi);
 }
 
 TEST(Motion, PeriodIsOneCycleOrTheCreep) {
