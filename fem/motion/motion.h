@@ -27,8 +27,8 @@ struct Oscillation {
 /// normal one and back, `s = (L/2)(1 - cos(t / n))`, through all lags that differ: L = 2 pi over the least common
 /// multiple of how often either direction repeats in a cycle; half of that, pi, for one displacement each of the same
 /// frequency, where a lag by half a cycle turns the tangential motion round and the load is largest at either end, as
-/// the body turns both directions by the same angle. There it rests for an instant at the lags
-/// at which the extremes of the load lie. The period in cycles is n = creep_period(n_creep_cycles, highest order).
+/// the body turns both directions by the same angle. There it rests for an instant. The period in cycles is
+/// n = creep_period(n_creep_cycles, highest order).
 ///
 /// Where a force is prescribed it takes the place of the displacement: F_N(t) that of d, F_x(t) that of u_x. Then a
 /// cycle begins at the largest normal force, and the displacements follow from the contact.

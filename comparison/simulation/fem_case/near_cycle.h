@@ -27,11 +27,10 @@ using Demand = std::function<double(double amplitude, double frequency)>;
 /// 2 n_creep_cycles oscillations of the fastest harmonic the one with the smallest error, the shortest if even that has
 /// more:
 ///
-///   lags      (A B/(A + B)) (pi/l)^2/2,   A and B = sum of demand order^2 in either group,  l = least common multiple
-///   of
-///             how often they repeat in a cycle: lags are the same that differ by 2 pi/l, and where the extremes of
-///             both miss each other by half of that, each takes its share. Creeping in N cycles: pi/l (pi/N) in place
-///             of pi/l
+///   lags      (A B/(A + B)) (pi/l)^2/2,   A and B = sum of demand order^2 in either group,
+///             l = least common multiple of how often they repeat in a cycle: lags are the same that differ by 2 pi/l,
+///             and where the extremes of both miss each other by half of that, each takes its share.
+///             Creeping in N cycles: pi/l (pi/N) in place of pi/l
 ///   rounding  sum of demand | |G(w)|/|G(rounded w)| - 1|, of a displacement in force, of a force in displacement
 ///
 /// A cycle creeps if there is time for 12 of it, in N = fem::creep_period cycles, and each group is a direction. Throws
