@@ -69,7 +69,7 @@ MdrCycle cycle_of(const MdrCase& mdr, const mdr::CommonCycle& cycle, const mdr::
           error.tangential_work};
 }
 
-/// Springs of a motion without period go through half a hundred oscillations in the place of one.
+/// Springs of a motion without period go through 96 oscillations, and twice as many, in the place of one.
 constexpr mdr::SpringFineness of_many_oscillations{100, 90, 10, 1e-7, 96};
 
 /// Of an unworn indenter, by the springs. Under both forces the shakedown radius has a closed form.

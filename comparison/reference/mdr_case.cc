@@ -110,10 +110,9 @@ std::string why_not_comparable(const Case& input) {
         "Motion / Normal force amplitude = {:g}: a normal force that is not positive all the time, as smaller "
         "oscillations about its mean of {:g} N would be, is not balanced",
         motion.normal_force->amplitude, motion.normal_force->mean);
-  if (mdr::independent_frequencies(path) > 2)
+  if (mdr::harmonic_groups(path).size() > 2)
     return "Motion / Normal harmonics, Tangential harmonics: three frequencies of which no two have a common period, "
-           "for "
-           "which MDR has a bound alone, are not computed";
+           "for which MDR has a bound alone, are not computed";
   constexpr double largest_ratio = 1000;
   double slowest = std::numeric_limits<double>::infinity(), fastest = 0;
   for (const auto* harmonics : {&path.normal, &path.tangential})

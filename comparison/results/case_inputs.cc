@@ -127,6 +127,13 @@ void add_wear(const Case& input, Inputs& inputs) {
   inputs.add_if_any("Wear", "Worn rings", wear->rings);
 }
 
+/// Whether prefixes may stand before it.
+bool takes_prefixes(const std::string& unit) {
+  for (const char* plain : {"m", "N", "Pa", "Pa s", "s"})
+    if (unit == plain) return true;
+  return false;
+}
+
 }  // namespace
 
 ordered_json inputs_json(const Case& input) {
@@ -140,6 +147,22 @@ ordered_json inputs_json(const Case& input) {
   if (input.rings_per_radius) inputs.add("Accuracy", "Rings per radius", *input.rings_per_radius);
   if (input.steps_per_cycle) inputs.add("Accuracy", "Steps per cycle", *input.steps_per_cycle);
   return inputs.list();
+}
+
+std::string input_text(const ordered_json& value, const std::string& unit, int digits) {
+  if (value.is_string()) return value.get<std::string>();
+  if (value.is_array()) {
+    std::string text;
+    for (const auto& one : value) text += (text.empty() ? "" : ", ") + input_text(one, unit, digits);
+    return text;
+  }
+  if (value.is_null()) return "–";
+  const double number = value.get<double>();
+  if (unit.empty() || unit == "°") return fmt::format("{:.{}g}{}", number, digits, unit);
+  if (unit == "degC") return fmt::format("{:.{}g} °C", number, digits);
+  if (!takes_prefixes(unit) || number == 0) return fmt::format("{:.{}g} {}", number, digits, unit);
+  const auto [prefix, factor] = prefix_for(number);
+  return fmt::format("{:.{}g} {}{}", number / factor, digits, prefix, unit);
 }
 
 }  // namespace fretval

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
+#include <string>
 
 #include "comparison/case/case.h"
 
@@ -10,5 +11,9 @@ namespace fretval {
 /// value a number, a list or words, unit empty where there is none. Zeros that somebody has set are there. What
 /// measured moduli were fitted to, and times that a temperature has shifted, say so in their names.
 nlohmann::ordered_json inputs_json(const Case& input);
+
+/// A value and its unit as they stand there, with the prefix that leaves one to three digits before the point where the
+/// unit takes one: "100 µm", "2 MPa, 500 kPa", "parabola", "60°".
+std::string input_text(const nlohmann::ordered_json& value, const std::string& unit, int digits);
 
 }  // namespace fretval

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "comparison/results/answer_text.h"
+#include "comparison/results/case_inputs.h"
 
 namespace fretval {
 namespace {
@@ -39,26 +40,13 @@ std::optional<Change> change_of(const StoredResult& before, const StoredResult& 
   return change;
 }
 
-/// "100 µm", "2 MPa, 500 kPa", "parabola"
-std::string input_text(const ordered_json& value, const std::string& unit) {
-  if (value.is_array()) {
-    std::string text;
-    for (const auto& one : value) text += (text.empty() ? "" : ", ") + input_text(one, unit);
-    return text;
-  }
-  if (value.is_string()) return value.get<std::string>() + (unit.empty() ? "" : " " + unit);
-  if (!value.is_number() || unit.empty()) return value.dump();
-  if (unit == "°" || unit == "degC") return fmt::format("{:.10g} {}", value.get<double>(), unit);
-  const auto [prefix, factor] = prefix_for(value.get<double>());
-  return fmt::format("{:.10g} {}{}", value.get<double>() / factor, prefix, unit);
-}
-
 /// What is prescribed, by the names of a case file.
 std::map<std::string, std::string> input_texts(const ordered_json& scene) {
+  constexpr int tells_apart = 10;  // digits
   std::map<std::string, std::string> texts;
   for (const auto& input : scene.value("inputs", ordered_json::array()))
     texts[fmt::format("{} / {}", input.at("section").get<std::string>(), input.at("name").get<std::string>())] =
-        input_text(input.at("value"), input.at("unit").get<std::string>());
+        input_text(input.at("value"), input.at("unit").get<std::string>(), tells_apart);
   return texts;
 }
 

@@ -37,29 +37,23 @@ double seconds_of_wear(const PreparedCase& prepared, Proof proof) {
          relative_steps(resolution, prepared.fem.motion.highest_order());
 }
 
-/// n_sharing: computations that the body is made once for.
-double seconds_of_one(const Resolution& resolution, int highest_order, double n_sharing) {
+}  // namespace
+
+double seconds_of_one(const Resolution& resolution, int highest_order, std::size_t n_sharing) {
   const double rings = relative_rings(resolution);
-  return of_a_body * rings / n_sharing +
+  return of_a_body * rings / static_cast<double>(n_sharing) +
          of_a_history * std::pow(rings, of_more_rings) * relative_steps(resolution, highest_order);
 }
 
-}  // namespace
-
-double seconds_of_one(const Resolution& resolution, int highest_order) {
-  return seconds_of_one(resolution, highest_order, 1);
-}
-
-double estimated_seconds(const Resolution& resolution, int highest_order, std::size_t n_computations) {
-  return of_a_variant * static_cast<double>(n_computations) * seconds_of_one(resolution, highest_order);
+double estimated_seconds(const Resolution& resolution, int highest_order, std::size_t n_computations,
+                         std::size_t n_sharing) {
+  return of_a_variant * static_cast<double>(n_computations) * seconds_of_one(resolution, highest_order, n_sharing);
 }
 
 double estimated_seconds(const PreparedCase& prepared, Proof proof, std::size_t n_sharing) {
   const auto n = proof == Proof::none ? 2 : computations_for_bars(prepared.fem);  // 2: the whole of one
-  const double seconds =
-      of_a_variant * static_cast<double>(n) *
-      seconds_of_one(prepared.fem.resolution, prepared.fem.motion.highest_order(), static_cast<double>(n_sharing)) *
-      (proof == Proof::tolerance ? until_the_tolerance_is_met : 1);
+  const double seconds = estimated_seconds(prepared.fem.resolution, prepared.fem.motion.highest_order(), n, n_sharing) *
+                         (proof == Proof::tolerance ? until_the_tolerance_is_met : 1);
   return wears(prepared) ? seconds + seconds_of_wear(prepared, proof) : seconds;
 }
 

@@ -13,13 +13,16 @@ namespace fretval {
 /// About how long finite elements need, in s on one core like that of docs/verification.md; right to a factor of three,
 /// of wear to a factor of five.
 
-/// Of one computation with a body of its own.
-double seconds_of_one(const Resolution& resolution, int highest_order);
+/// n_sharing: cases that a body is made once for.
+
+/// Of one computation.
+double seconds_of_one(const Resolution& resolution, int highest_order, std::size_t n_sharing = 1);
 
 /// Of so many computations of an unworn case, of which one has this resolution and the others are variants of it.
-double estimated_seconds(const Resolution& resolution, int highest_order, std::size_t n_computations);
+double estimated_seconds(const Resolution& resolution, int highest_order, std::size_t n_computations,
+                         std::size_t n_sharing = 1);
 
-/// Of a case with its proof; wear and all. n_sharing: cases that its bodies are made once for, this one among them.
+/// Of a case with its proof; wear and all.
 double estimated_seconds(const PreparedCase& prepared, Proof proof, std::size_t n_sharing = 1);
 
 /// Of each of the cases, by its name, where so many cores share them, and they share their bodies.

@@ -127,16 +127,16 @@ void write_sweep_lines(const std::vector<Case>& cases, const fs::path& output) {
     const auto folder = output / input->sweep->family;
     for (const char* name : {closed_file, stepped_file}) fs::remove(folder / name);
     const bool costly = !has_closed_forms(*input);
-    if (costly && !mdr_case(*input).has_period()) {
+    if (!costly) {
+      write_line(folder / closed_file, *input, n_values, closed_answer, closed_forms);
+    } else if (mdr_case(*input).has_period()) {
+      log::info(fmt::format("{}: MDR is stepped in time between the points", input->sweep->family));
+    } else {
       log::info(
           fmt::format("{}: springs of a motion without period take seconds for a value: no line between the points",
                       input->sweep->family));
       continue;
     }
-    if (costly)
-      log::info(fmt::format("{}: MDR is stepped in time between the points", input->sweep->family));
-    else
-      write_line(folder / closed_file, *input, n_values, closed_answer, closed_forms);
     write_line(folder / stepped_file, *input, costly ? n_values_where_costly : n_of_one_sweep, stepped_answer, all);
   }
 }

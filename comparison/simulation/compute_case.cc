@@ -47,8 +47,8 @@ fem::FrictionHistory friction_beside(const NormalRecord& record, const fem::Norm
 }
 
 fem::HistoryControl control_of(const FemCase& fem) {
-  // Cycles, of which a near cycle has dozens of oscillations.
-  const int most_after_ramp = fem.without_short_cycle && fem.motion.locked ? 50 : 800;
+  constexpr int most_cycles = 800;
+  const int most_after_ramp = fem.without_short_cycle && fem.motion.locked ? fem::most_long_periods : most_cycles;
   return {fem.steps_per_cycle(), fem.motion.cycles_of_ramp() + most_after_ramp, fem.resolution.periodicity};
 }
 

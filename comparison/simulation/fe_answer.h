@@ -59,10 +59,10 @@ struct FeAnswer {
   std::optional<double> stick_radius_first_slip;
   std::optional<double> stick_radius_shakedown;
   double normal_force_max = 0;
-  std::optional<double> indentation_max;       ///< empty: prescribed
+  std::optional<double> indentation_max;  ///< empty: prescribed
   /// Half of what lies between the extremes of u_x; empty: prescribed, or a motion without period.
   std::optional<double> tangential_amplitude;
-  std::optional<double> axis_pressure_max;     ///< Pa; empty: infinite
+  std::optional<double> axis_pressure_max;  ///< Pa; empty: infinite
   /// SI units. Empty: worn, at rest tangentially, an unlocked phase, or a cycle that stands for none.
   std::optional<fem::CycleResponse> cycle;
   std::optional<fem::DecayFactor> slip_decay;  ///< of a locked motion, per cycle; empty: see fem::decay_factor

@@ -243,9 +243,8 @@ FrictionHistory friction_history(WatchedFriction friction, const NormalHistory& 
                                  const std::function<void(const FrictionContact&)>& see) {
   auto& contact = friction.contact;
   const int cycles_per_period = contact.motion().cycles_per_period(), period_steps = friction.period_steps();
-  constexpr int most_creep_periods = 50;  // each of many cycles
-  const int most_cycles =
-      contact.motion().locked ? control.max_cycles : std::max(control.max_cycles, most_creep_periods * cycles_per_period);
+  const int most_cycles = contact.motion().locked ? control.max_cycles
+                                                  : std::max(control.max_cycles, most_long_periods * cycles_per_period);
   FrictionHistory history;
   history.periodicity = infinity;
   ForcesOfPeriod forces(period_steps);

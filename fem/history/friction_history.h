@@ -101,6 +101,10 @@ class WatchedFriction {
   [[nodiscard]] int period_steps() const { return contact.steps_per_cycle() * contact.motion().cycles_per_period(); }
 };
 
+/// Periods of dozens of oscillations after which a history is given up. One of a body that creeps for longer has the
+/// thousands of oscillations in them to settle.
+constexpr int most_long_periods = 50;
+
 /// Where rings touch in any order (NormalHistory::touches_in_order), force and energy are sums over the rings, and
 /// rings that touch are held from the start of their step on.
 ///
@@ -108,7 +112,7 @@ class WatchedFriction {
 /// Goes on under the repeating cycle of the normal contact until the tractions are periodic, and the innermost ring
 /// that slips is not about to stick: its slip, dying out as from the last period but one to the last, would be that of
 /// a stuck ring within as many periods again as there have been. Throws SolverError when they are not after
-/// control.max_cycles. see: called after each step.
+/// control.max_cycles or, under an unlocked phase, most_long_periods, which may be more. see: called after each step.
 FrictionHistory friction_history(WatchedFriction friction, const NormalHistory& normal, const HistoryControl& control,
                                  const std::function<void(const FrictionContact&)>& see = {});
 

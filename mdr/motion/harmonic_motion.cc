@@ -78,57 +78,67 @@ int CommonCycle::highest_order() const {
 std::optional<CommonCycle> common_cycle(const HarmonicMotion& motion) {
   CommonCycle cycle{motion.normal.empty() ? 0 : motion.normal.front().frequency, std::vector<int>(motion.normal.size()),
                     std::vector<int>(motion.tangential.size())};
-  std::vector<double> frequencies;
-  std::vector<int*> orders;
-  const auto add_moving = [&](const std::vector<Harmonic>& harmonics, std::vector<int>& their_orders) {
-    for (std::size_t i = 0; i < harmonics.size(); ++i) {
-      if (harmonics[i].amplitude == 0) continue;
-      frequencies.push_back(harmonics[i].frequency);
-      orders.push_back(&their_orders[i]);
-    }
-  };
-  add_moving(motion.normal, cycle.normal_orders);
-  add_moving(motion.tangential, cycle.tangential_orders);
-  if (frequencies.empty()) return cycle;
-  const auto groups = commensurate_groups(frequencies);
+  const auto groups = harmonic_groups(motion);
+  if (groups.empty()) return cycle;
   if (groups.size() != 1) return std::nullopt;
   cycle.frequency = groups[0].base_frequency;
-  for (std::size_t i = 0; i < orders.size(); ++i) *orders[groups[0].members[i]] = groups[0].orders[i];
+  for (const auto& [normal, place, order] : groups[0].members)
+    (normal ? cycle.normal_orders : cycle.tangential_orders)[place] = order;
   return cycle;
 }
 
-std::size_t independent_frequencies(const HarmonicMotion& motion) {
+int HarmonicGroup::highest_order() const {
+  int highest = 1;
+  for (const auto& member : members) highest = std::max(highest, member.order);
+  return highest;
+}
+
+std::vector<HarmonicGroup> harmonic_groups(const HarmonicMotion& motion) {
+  std::vector<HarmonicGroup::Member> moving;
   std::vector<double> frequencies;
   for (const auto* harmonics : {&motion.normal, &motion.tangential})
-    for (const Harmonic& harmonic : *harmonics)
-      if (harmonic.amplitude > 0) frequencies.push_back(harmonic.frequency);
-  return commensurate_groups(frequencies).size();
+    for (std::size_t place = 0; place < harmonics->size(); ++place) {
+      const Harmonic& harmonic = (*harmonics)[place];
+      if (harmonic.amplitude == 0) continue;
+      moving.push_back({harmonics == &motion.normal, place, 1});
+      frequencies.push_back(harmonic.frequency);
+    }
+  std::vector<HarmonicGroup> groups;
+  for (const auto& [base_frequency, members, orders] : commensurate_groups(frequencies)) {
+    groups.push_back({base_frequency, {}});
+    for (std::size_t i = 0; i < members.size(); ++i) {
+      groups.back().members.push_back(moving[members[i]]);
+      groups.back().members.back().order = orders[i];
+    }
+  }
+  return groups;
+}
+
+bool are_the_directions(const std::vector<HarmonicGroup>& groups) {
+  const auto all = [](const HarmonicGroup& group, bool normal) {
+    return std::all_of(group.members.begin(), group.members.end(),
+                       [normal](const auto& member) { return member.normal == normal; });
+  };
+  return groups.size() == 2 && all(groups[0], true) && all(groups[1], false);
 }
 
 HarmonicMotion from_largest_indentation(HarmonicMotion motion) {
   validate(motion);
-  std::vector<Harmonic*> harmonics;
-  std::vector<double> frequencies;
-  const auto n_normal = motion.normal.size();
-  for (auto* direction : {&motion.normal, &motion.tangential})
-    for (Harmonic& harmonic : *direction) {
-      harmonics.push_back(&harmonic);
-      frequencies.push_back(harmonic.frequency);
-    }
-  for (const auto& group : commensurate_groups(frequencies)) {
+  for (const auto& group : harmonic_groups(motion)) {
     std::vector<TrigonometricTerm> terms;
     int repeats = 0;
-    for (std::size_t i = 0; i < group.members.size(); ++i) {
-      const Harmonic& harmonic = *harmonics[group.members[i]];
-      if (group.members[i] >= n_normal || harmonic.amplitude == 0) continue;
-      terms.push_back({harmonic.amplitude, group.orders[i], harmonic.phase});
-      repeats = std::gcd(repeats, group.orders[i]);
+    for (const auto& [normal, place, order] : group.members) {
+      if (!normal) continue;
+      terms.push_back({motion.normal[place].amplitude, order, motion.normal[place].phase});
+      repeats = std::gcd(repeats, order);
     }
     if (terms.empty() || (terms.size() == 1 && terms[0].phase == 0)) continue;
     for (auto& term : terms) term.order /= repeats;
     const double time = trigonometric_maximum(terms).angle / angular_frequency(repeats * group.base_frequency);
-    for (const std::size_t member : group.members)
-      harmonics[member]->phase += angular_frequency(harmonics[member]->frequency) * time;
+    for (const auto& [normal, place, order] : group.members) {
+      Harmonic& harmonic = (normal ? motion.normal : motion.tangential)[place];
+      harmonic.phase += angular_frequency(harmonic.frequency) * time;
+    }
   }
   return motion;
 }

@@ -51,8 +51,25 @@ struct CommonCycle {
 /// matter. Where nothing moves, the cycle is that of the first normal harmonic.
 std::optional<CommonCycle> common_cycle(const HarmonicMotion& motion);
 
-/// Groups of harmonics that move, each of commensurate ones: 1 where there is a common cycle, 0 where nothing moves.
-std::size_t independent_frequencies(const HarmonicMotion& motion);
+/// Harmonics that are multiples of one frequency, see mdr/motion/commensurability.h.
+struct HarmonicGroup {
+  struct Member {
+    bool normal;        ///< false: tangential
+    std::size_t place;  ///< in its direction
+    int order;          ///< oscillations per period of the group; orders have no common divisor
+  };
+
+  double base_frequency;  ///< Hz
+  std::vector<Member> members;
+
+  [[nodiscard]] int highest_order() const;
+};
+
+/// Of the harmonics that move, normal ones first: one where there is a common cycle, none where nothing moves.
+std::vector<HarmonicGroup> harmonic_groups(const HarmonicMotion& motion);
+
+/// Whether there are two, one a direction and the other one the other.
+bool are_the_directions(const std::vector<HarmonicGroup>& groups);
 
 /// The same motion from an instant of largest indentation on. Where normal frequencies are not commensurate, there may
 /// be none: the motion comes as close as one likes to the one that is returned, in which every group of commensurate

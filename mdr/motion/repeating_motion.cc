@@ -5,7 +5,6 @@
 #include <numeric>
 #include <vector>
 
-#include "mdr/motion/commensurability.h"
 #include "mdr/support/checks.h"
 #include "mdr/support/constants.h"
 
@@ -41,7 +40,7 @@ struct Rounding {
   bool creeps;
 };
 
-double distance(const std::vector<CommensurateGroup>& groups, const Rounding& rounding, int n_oscillations) {
+double distance(const std::vector<HarmonicGroup>& groups, const Rounding& rounding, int n_oscillations) {
   double off = 0, softness = 0;
   long common = 1;
   for (std::size_t g = 0; g < groups.size(); ++g) {
@@ -56,39 +55,25 @@ double distance(const std::vector<CommensurateGroup>& groups, const Rounding& ro
 }
 
 /// To q periods of the first group.
-Rounding rounding_to(int q, const std::vector<CommensurateGroup>& groups, bool may_creep, int n_oscillations) {
+Rounding rounding_to(int q, const std::vector<HarmonicGroup>& groups, int n_oscillations) {
   constexpr int cycles_to_creep = 12;
   Rounding rounding{groups[0].base_frequency / q, {}, 0, false};
   for (const auto& group : groups) {
     const auto repeats = std::max(static_cast<int>(std::lround(group.base_frequency / rounding.cycle_frequency)), 1);
     rounding.repeats.push_back(repeats);
-    rounding.highest_order =
-        std::max(rounding.highest_order, repeats * *std::max_element(group.orders.begin(), group.orders.end()));
+    rounding.highest_order = std::max(rounding.highest_order, repeats * group.highest_order());
   }
-  rounding.creeps = may_creep && rounding.highest_order * cycles_to_creep <= n_oscillations;
+  rounding.creeps = are_the_directions(groups) && rounding.highest_order * cycles_to_creep <= n_oscillations;
   return rounding;
 }
 
 RepeatingMotion rounded(HarmonicMotion motion, int n_oscillations) {
   motion = without_still_harmonics(motion);
-  std::vector<Harmonic*> harmonics;
-  std::vector<double> frequencies;
-  std::size_t n_normal = 0;
-  for (auto* direction : {&motion.normal, &motion.tangential})
-    for (Harmonic& harmonic : *direction) {
-      if (harmonic.amplitude == 0) continue;
-      harmonics.push_back(&harmonic);
-      frequencies.push_back(harmonic.frequency);
-      if (direction == &motion.normal) ++n_normal;
-    }
-  const auto groups = commensurate_groups(frequencies);
-  const bool may_creep =
-      groups.size() == 2 && groups[0].members.size() == n_normal && groups[0].members.back() + 1 == n_normal;
-
-  auto best = rounding_to(1, groups, may_creep, n_oscillations);
+  const auto groups = harmonic_groups(motion);
+  auto best = rounding_to(1, groups, n_oscillations);
   double least = distance(groups, best, n_oscillations);
   for (int q = 2;; ++q) {
-    const auto other = rounding_to(q, groups, may_creep, n_oscillations);
+    const auto other = rounding_to(q, groups, n_oscillations);
     if (other.highest_order > n_oscillations) break;
     const double its_distance = distance(groups, other, n_oscillations);
     if (its_distance >= least) continue;
@@ -96,8 +81,8 @@ RepeatingMotion rounded(HarmonicMotion motion, int n_oscillations) {
     least = its_distance;
   }
   for (std::size_t g = 0; g < groups.size(); ++g)
-    for (std::size_t i = 0; i < groups[g].members.size(); ++i)
-      harmonics[groups[g].members[i]]->frequency = best.repeats[g] * groups[g].orders[i] * best.cycle_frequency;
+    for (const auto& [normal, place, order] : groups[g].members)
+      (normal ? motion.normal : motion.tangential)[place].frequency = best.repeats[g] * order * best.cycle_frequency;
   const auto cycle = common_cycle(motion).value();
   if (best.creeps) return creeping(motion, cycle, n_oscillations);
   motion.phase_locked = true;

@@ -8,7 +8,7 @@
 #include "comparison/report/drawing/sketch.h"
 #include "comparison/report/sections/assumptions.h"
 #include "comparison/report/text/numbers.h"
-#include "comparison/results/answer_text.h"
+#include "comparison/results/case_inputs.h"
 
 namespace fretval {
 namespace {
@@ -17,29 +17,6 @@ using nlohmann::ordered_json;
 
 constexpr std::size_t few_scenes = 2;
 
-/// Whether prefixes may stand before it.
-bool takes_prefixes(const std::string& unit) {
-  for (const char* plain : {"m", "N", "Pa", "Pa s", "s"})
-    if (unit == plain) return true;
-  return false;
-}
-
-std::string value_text(const ordered_json& value, const std::string& unit) {
-  if (value.is_string()) return value.get<std::string>();
-  if (value.is_array()) {
-    std::string text;
-    for (const auto& one : value) text += (text.empty() ? "" : ", ") + value_text(one, unit);
-    return text;
-  }
-  if (value.is_null()) return "–";
-  const double number = value.get<double>();
-  if (unit.empty() || unit == "°") return fmt::format("{:g}{}", number, unit);
-  if (unit == "degC") return fmt::format("{:g} °C", number);
-  if (!takes_prefixes(unit) || number == 0) return fmt::format("{:g} {}", number, unit);
-  const auto [prefix, factor] = prefix_for(number);
-  return fmt::format("{:.6g} {}{}", number / factor, prefix, unit);
-}
-
 /// The entries of the case file by their sections.
 ordered_json inputs_of(const ordered_json& scene) {
   auto sections = ordered_json::array();
@@ -47,7 +24,7 @@ ordered_json inputs_of(const ordered_json& scene) {
     if (sections.empty() || sections.back().at("section") != input.at("section"))
       sections.push_back({{"section", input.at("section")}, {"entries", ordered_json::array()}});
     sections.back()["entries"].push_back(
-        {{"name", input.at("name")}, {"value", value_text(input.at("value"), input.at("unit").get<std::string>())}});
+        {{"name", input.at("name")}, {"value", input_text(input.at("value"), input.at("unit").get<std::string>(), 6)}});
   }
   return sections;
 }

@@ -3,121 +3,75 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <optional>
 #include <stdexcept>
 #include <vector>
 
 #include "fem/motion/motion.h"
 #include "fem/support/constants.h"
-#include "mdr/motion/commensurability.h"
 
 namespace fretval {
 namespace {
 
-/// A harmonic that moves, and where it stands in the cycle.
-struct Member {
-  mdr::Harmonic harmonic;
-  const Demand* demand;
-  bool normal;
-  std::size_t place;
-  int order_in_group = 1;
-};
-
-struct Group {
-  double base_frequency;
-  std::vector<Member> members;
-};
-
-std::vector<Member> moving(const std::vector<mdr::Harmonic>& harmonics, bool normal, const Demand& demand) {
-  std::vector<Member> members;
-  for (std::size_t i = 0; i < harmonics.size(); ++i)
-    if (harmonics[i].amplitude > 0) members.push_back({harmonics[i], &demand, normal, i});
-  return members;
-}
-
-std::vector<Group> grouped(const std::vector<Member>& members) {
-  std::vector<double> frequencies;
-  for (const auto& member : members) frequencies.push_back(member.harmonic.frequency);
-  std::vector<Group> groups;
-  for (const auto& [base_frequency, places, orders] : mdr::commensurate_groups(frequencies)) {
-    groups.push_back({base_frequency, {}});
-    for (std::size_t i = 0; i < places.size(); ++i) {
-      groups.back().members.push_back(members[places[i]]);
-      groups.back().members.back().order_in_group = orders[i];
-    }
-  }
-  return groups;
-}
+constexpr int cycles_to_creep = 12;
 
 /// The directions of a motion that has a long cycle are groups of their own.
-std::vector<Group> groups_of(const mdr::HarmonicMotion& motion, const Demand& normal, const Demand& tangential) {
-  const auto falling = moving(motion.normal, true, normal), sliding = moving(motion.tangential, false, tangential);
-  auto all = falling;
-  all.insert(all.end(), sliding.begin(), sliding.end());
-  auto groups = grouped(all);
-  if (groups.size() != 1 || falling.empty() || sliding.empty()) return groups;
-  groups = grouped(falling);
-  const auto others = grouped(sliding);
+std::vector<mdr::HarmonicGroup> groups_to_round(const mdr::HarmonicMotion& motion) {
+  auto groups = mdr::harmonic_groups(motion);
+  if (groups.size() > 1) return groups;
+  groups = mdr::harmonic_groups({motion.indentation, motion.normal, {}});
+  const auto others = mdr::harmonic_groups({motion.indentation, {}, motion.tangential});
   groups.insert(groups.end(), others.begin(), others.end());
   return groups;
 }
 
-bool is_one_direction(const Group& group) {
-  return std::all_of(group.members.begin(), group.members.end(),
-                     [&](const Member& member) { return member.normal == group.members.front().normal; });
-}
-
-/// Demand of a group that repeats so often in a cycle of this frequency in Hz.
-struct GroupDemand {
-  double curvature = 0, rounding = 0, rounding_of_normal = 0;
-
-  GroupDemand(const Group& group, const Stiffening& stiffening, int repeats, double cycle) {
-    for (const auto& member : group.members) {
-      const int order = repeats * member.order_in_group;
-      const auto& [amplitude, frequency, phase] = member.harmonic;
-      const double rounded = (*member.demand)(amplitude, order * cycle),
-                   off = rounded * std::abs(stiffening(frequency) / stiffening(order * cycle) - 1);
-      curvature += rounded * order * order;
-      rounding += off;
-      if (member.normal) rounding_of_normal += off;
+/// To q periods of the first group.
+NearCycle rounded_to(int q, const std::vector<mdr::HarmonicGroup>& groups, const mdr::HarmonicMotion& motion,
+                     const Stiffening& stiffening, const Demand& normal, const Demand& tangential, int n_creep_cycles) {
+  NearCycle near{{groups[0].base_frequency / q, std::vector<int>(motion.normal.size()),
+                  std::vector<int>(motion.tangential.size())},
+                 false,
+                 0,
+                 0};
+  int common = 1;
+  double softness = 0;
+  for (const auto& group : groups) {
+    const int repeats = std::max(static_cast<int>(std::round(group.base_frequency / near.cycle.frequency)), 1);
+    common = std::lcm(common, repeats);
+    double curvature = 0;
+    for (const auto& [is_normal, place, order_in_group] : group.members) {
+      const int order = repeats * order_in_group;
+      (is_normal ? near.cycle.normal_orders : near.cycle.tangential_orders)[place] = order;
+      const auto& [amplitude, frequency, phase] = (is_normal ? motion.normal : motion.tangential)[place];
+      const double demand = (is_normal ? normal : tangential)(amplitude, order * near.cycle.frequency),
+                   off = demand * std::abs(stiffening(frequency) / stiffening(order * near.cycle.frequency) - 1);
+      curvature += demand * order * order;
+      near.error_of_demand += off;
+      if (is_normal) near.error_of_normal += off;
     }
+    softness += 1 / curvature;
   }
-};
+  if (groups.size() == 1) return near;
+  const int highest = near.cycle.highest_order(), n_oscillations = 2 * n_creep_cycles;
+  near.creeps = mdr::are_the_directions(groups) && highest <= n_oscillations / cycles_to_creep;
+  const double lag = fem::pi / common * (near.creeps ? fem::pi / fem::creep_period(n_creep_cycles, highest) : 1);
+  near.error_of_demand += lag * lag / 2 / softness;
+  return near;
+}
 
 }  // namespace
 
 NearCycle near_cycle(const mdr::HarmonicMotion& motion, const Stiffening& stiffening, const Demand& normal,
                      const Demand& tangential, int n_creep_cycles) {
-  const int n_oscillations = 2 * n_creep_cycles, slow_enough_to_creep = n_oscillations / 12;
-  const auto groups = groups_of(motion, normal, tangential);
+  const auto groups = groups_to_round(motion);
   if (groups.size() > 2) throw std::invalid_argument("near cycle of more than two independent frequencies");
-  const bool may_creep = std::all_of(groups.begin(), groups.end(), is_one_direction);
-  std::optional<NearCycle> nearest;
-  for (int q = 1;; ++q) {
-    mdr::CommonCycle cycle{groups[0].base_frequency / q, std::vector<int>(motion.normal.size()),
-                           std::vector<int>(motion.tangential.size())};
-    int common = 1;
-    std::vector<GroupDemand> demands;
-    for (const auto& group : groups) {
-      const int repeats = std::max(static_cast<int>(std::round(group.base_frequency / cycle.frequency)), 1);
-      common = std::lcm(common, repeats);
-      demands.emplace_back(group, stiffening, repeats, cycle.frequency);
-      for (const auto& [harmonic, demand, is_normal, place, order] : group.members)
-        (is_normal ? cycle.normal_orders : cycle.tangential_orders)[place] = repeats * order;
-    }
-    if (nearest && cycle.highest_order() > n_oscillations) return *nearest;
-    double lag = fem::pi / common, error = 0, error_of_normal = 0;
-    const bool creeps = may_creep && cycle.highest_order() <= slow_enough_to_creep;
-    if (creeps) lag *= fem::pi / fem::creep_period(n_creep_cycles, cycle.highest_order());
-    for (const auto& demand : demands) {
-      error += demand.rounding;
-      error_of_normal += demand.rounding_of_normal;
-    }
-    if (demands.size() == 2) {
-      const double a = demands[0].curvature, b = demands[1].curvature;
-      error += a * b / (a + b) * lag * lag / 2;
-    }
-    if (!nearest || error < nearest->error_of_demand) nearest = NearCycle{cycle, creeps, error, error_of_normal};
+  const auto candidate = [&](int q) {
+    return rounded_to(q, groups, motion, stiffening, normal, tangential, n_creep_cycles);
+  };
+  auto nearest = candidate(1);
+  for (int q = 2;; ++q) {
+    const auto other = candidate(q);
+    if (other.cycle.highest_order() > 2 * n_creep_cycles) return nearest;
+    if (other.error_of_demand < nearest.error_of_demand) nearest = other;
   }
 }
 

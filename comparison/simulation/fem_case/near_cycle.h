@@ -34,7 +34,7 @@ using Demand = std::function<double(double amplitude, double frequency)>;
 ///   rounding  sum of demand | |G(w)|/|G(rounded w)| - 1|, of a displacement in force, of a force in displacement
 ///
 /// A cycle creeps if there is time for 12 of it, in N = fem::creep_period cycles, and each group is a direction. Throws
-/// std::invalid_argument for more than two groups (see mdr::independent_frequencies).
+/// std::invalid_argument for more than two groups (see mdr::harmonic_groups).
 NearCycle near_cycle(const mdr::HarmonicMotion& motion, const Stiffening& stiffening, const Demand& normal,
                      const Demand& tangential, int n_creep_cycles);
 

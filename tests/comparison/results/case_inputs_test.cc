@@ -25,6 +25,16 @@ TEST(CaseInputs, ListWhatTheCaseHasWithItsUnit) {
     EXPECT_EQ(found.count(absent), 0U) << absent;
 }
 
+TEST(CaseInputs, AreWrittenForPeople) {
+  EXPECT_EQ(input_text(1e-4, "m", 6), "100 µm");
+  EXPECT_EQ(input_text({2e6, 5e5}, "Pa", 6), "2 MPa, 500 kPa");
+  EXPECT_EQ(input_text(2000, "m^-1", 6), "2000 m^-1") << "of a power: a prefix would count with it";
+  EXPECT_EQ(input_text(60, "°", 6), "60°");
+  EXPECT_EQ(input_text("parabola", "", 6), "parabola");
+  EXPECT_EQ(input_text(0.123456789, "", 6), "0.123457");
+  EXPECT_EQ(input_text(0.123456789, "", 10), "0.123456789");
+}
+
 std::map<std::string, nlohmann::ordered_json> values_of(const Case& input) {
   std::map<std::string, nlohmann::ordered_json> found;
   for (const auto& one : inputs_json(input)) found[one.at("name")] = one.at("value");

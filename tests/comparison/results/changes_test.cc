@@ -79,7 +79,7 @@ TEST(Changes, NameOtherInputsVerdictsAndCases) {
   EXPECT_EQ(changes.inputs, (std::vector<std::string>{"one: Elastomer / Branch moduli: 1 MPa, 500 kPa -> 1 MPa, 2 MPa",
                                                       "one: Friction / Coefficient: none -> 0.5",
                                                       "one: Motion / Indentation: 100 µm -> 200 µm",
-                                                      "one: Motion / Phase: 60 ° -> free"}));
+                                                      "one: Motion / Phase: 60° -> free"}));
   EXPECT_EQ(changes.verdicts, std::vector<std::string>{"one: passes no more"});
   EXPECT_EQ(changes.only_before, std::vector<std::string>{"gone"});
   EXPECT_EQ(changes.only_after, std::vector<std::string>{"new"});

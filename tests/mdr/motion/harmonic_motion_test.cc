@@ -64,6 +64,23 @@ TEST(HarmonicMotion, CommonCycle) {
   EXPECT_EQ(common_cycle({1, {{0, 7, 0}}, {{0, 3, 0}}})->frequency, 7) << "nothing moves";
 }
 
+TEST(HarmonicMotion, HasGroupsOfCommensurateHarmonics) {
+  const double root = std::sqrt(2);
+  const auto mixed = harmonic_groups({1, {{0.1, 2, 0}, {0.1, root, 0}}, {{0, 7, 0}, {0.1, 3, 0}, {0.1, 2 * root, 0}}});
+  ASSERT_EQ(mixed.size(), 2U);
+  EXPECT_DOUBLE_EQ(mixed[0].base_frequency, 1);
+  ASSERT_EQ(mixed[0].members.size(), 2U);
+  EXPECT_TRUE(mixed[0].members[0].normal);
+  EXPECT_FALSE(mixed[0].members[1].normal);
+  EXPECT_EQ(mixed[0].members[1].place, 1U) << "the first one does not move";
+  EXPECT_EQ(mixed[0].members[1].order, 3);
+  EXPECT_EQ(mixed[0].highest_order(), 3);
+  EXPECT_FALSE(are_the_directions(mixed));
+  EXPECT_TRUE(are_the_directions(harmonic_groups({1, {{0.1, 1, 0}, {0.1, 2, 0}}, {{0.1, root, 0}}})));
+  EXPECT_FALSE(are_the_directions(harmonic_groups({1, {{0, 1, 0}}, {{0.1, 1, 0}, {0.1, root, 0}}})));
+  EXPECT_TRUE(harmonic_groups({1, {{0, 1, 0}}, {{0, 1, 0}}}).empty());
+}
+
 // cos(3 w t) + cos(6 w t + pi) is largest where cos(3 w t) = 1/4.
 TEST(HarmonicMotion, BeginsAtTheLargestIndentation) {
   const auto later = from_largest_indentation({2, {{1, 3, 0}, {1, 6, pi}}, {{0.5, 1, 0.2}}});

@@ -104,6 +104,13 @@ TEST(NearCycle, KeepsWhatIsTiedAcrossTheDirections) {
                std::invalid_argument);
 }
 
+// Both are tangential, and would creep together: what one period of them leaves open is in the error.
+TEST(NearCycle, DoesNotCreepInOneDirection) {
+  const auto near = cycle_near({1e-4, {{0, 1, 0}}, {{1.5e-5, 1, 0}, {1.5e-5, 1.00001, 3}}}, elastic);
+  EXPECT_FALSE(near.creeps);
+  EXPECT_GT(near.error_of_demand, 1.5e-5 / (1.5 * friction));
+}
+
 TEST(NearCycle, IsTheShortestWhereThatIsTooLong) {
   const auto near = cycle_near(with_ratio(300.4), stiffening);
   EXPECT_EQ(order_of(near), 300);
