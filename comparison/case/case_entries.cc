@@ -1,6 +1,5 @@
 #include "comparison/case/case_entries.h"
 
-#include <deal.II/base/parameter_handler.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -88,14 +87,6 @@ Case::Fields fields_of(const std::string& word) {
 }
 
 }  // namespace
-
-void declare_entries(dealii::ParameterHandler& handler) {
-  for (const auto& section : case_sections()) {
-    handler.enter_subsection(section.name);
-    for (const auto& entry : section.entries) handler.declare_entry(entry.name, "");
-    handler.leave_subsection();
-  }
-}
 
 Case read_entries(const EntryReader& entries, const Reading& reading) {
   Case input;

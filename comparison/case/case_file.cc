@@ -1,6 +1,5 @@
 #include "comparison/case/case_file.h"
 
-#include <deal.II/base/parameter_handler.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,7 +11,7 @@
 #include "comparison/case/case_entries.h"
 #include "comparison/case/entry_table.h"
 #include "comparison/case/json_entries.h"
-#include "comparison/case/prm_text.h"
+#include "comparison/case/prm_entries.h"
 #include "comparison/case/trimmed.h"
 
 namespace fretval {
@@ -41,65 +40,31 @@ std::string read_text(const fs::path& file) {
   return text;
 }
 
-std::string first_sentence(const dealii::ExceptionBase& error) {
-  std::istringstream text(error.what());
-  std::string line, message;
-  bool inside = false;
-  while (std::getline(text, line)) {
-    if (line.find("Additional information:") != std::string::npos) {
-      inside = true;
-      continue;
-    }
-    if (!inside) continue;
-    if (line.find("------") != std::string::npos || line.find("Stacktrace") != std::string::npos) break;
-    const auto begin = line.find_first_not_of(' ');
-    if (begin != std::string::npos) message += (message.empty() ? "" : " ") + line.substr(begin);
-  }
-  while (!message.empty() && message.back() == '.') message.pop_back();
-  // deal.II begins with "Line <6> of file <case.prm>: ", and sometimes forgets the last bracket.
-  const auto number_end = message.find("> of file <"), place_end = message.find(": ");
-  if (message.rfind("Line <", 0) != 0 || number_end == std::string::npos || place_end == std::string::npos)
-    return message;
-  return "line " + message.substr(6, number_end - 6) + message.substr(place_end);
-}
+/// A file, and those that it includes, whose entries its own override.
+struct ParsedFile {
+  explicit ParsedFile(fs::path file_) : file(std::move(file_)) { parse(file, {}); }
+  [[nodiscard]] EntryReader reader() { return {entries, file.string(), problems}; }
 
-/// What deal.II does not understand; the lines after it are not read.
-void parse_entries(const std::string& text, const fs::path& file, dealii::ParameterHandler& handler,
-                   Problems& problems) {
-  try {
-    std::istringstream stream(text);
-    handler.parse_input(stream, file.string());
-  } catch (const dealii::ExceptionBase& error) {
-    problems.add(fmt::format("{}: {}. Valid entries: {}", file.string(), first_sentence(error), valid_entries()));
-    problems.has_unread_lines = true;
-  } catch (const std::exception& error) {
-    problems.add(fmt::format("{}: {}", file.string(), error.what()));
-    problems.has_unread_lines = true;
-  }
-}
-
-/// Reads a file after those that it includes. chain: the files that include it.
-class Parser {
- public:
-  Parser(dealii::ParameterHandler& handler, Problems& problems) : handler_(handler), problems_(problems) {}
-
-  void parse(const fs::path& file, std::vector<fs::path> chain) {
-    const fs::path canonical = fs::weakly_canonical(file);
-    if (std::find(chain.begin(), chain.end(), canonical) != chain.end())
-      throw InputError(fmt::format("{}: the file includes itself", file.string()));
-    chain.push_back(canonical);
-    if (++n_files_ > most_includes)
-      throw InputError(fmt::format("{}: more than {} files are included", chain.front().string(), most_includes));
-    if (file.extension() == ".json") return parse_json_entries(read_text(file), file, handler_, problems_);
-    const auto prm = read_prm(read_text(file), file, problems_);
-    for (const auto& included : prm.included) parse(included, chain);
-    parse_entries(prm.text, file, handler_, problems_);
-  }
+  fs::path file;
+  Entries entries;
+  Problems problems;
 
  private:
-  dealii::ParameterHandler& handler_;
-  Problems& problems_;
-  std::size_t n_files_ = 0;
+  /// chain: the files that include this one.
+  void parse(const fs::path& part, std::vector<fs::path> chain) {
+    const fs::path canonical = fs::weakly_canonical(part);
+    if (std::find(chain.begin(), chain.end(), canonical) != chain.end())
+      throw InputError(fmt::format("{}: the file includes itself", part.string()));
+    chain.push_back(canonical);
+    if (++n_parts_ > most_includes)
+      throw InputError(fmt::format("{}: more than {} files are included", chain.front().string(), most_includes));
+    if (part.extension() == ".json") return parse_json_entries(read_text(part), part, entries, problems);
+    const auto prm = read_prm(read_text(part), part, problems);
+    for (const auto& included : prm.included) parse(included, chain);
+    entries.override_by(prm.entries);
+  }
+
+  std::size_t n_parts_ = 0;
 };
 
 /// The name of a case is that of its folder of results, and stands in JSON and HTML.
@@ -158,17 +123,16 @@ std::vector<double> sweep_values(const EntryReader& entries, const SweptEntry& s
 }
 
 /// The case with each of the values in the place of the swept entry.
-std::vector<Case> cases_at(const std::vector<double>& values, const SweptEntry& swept, const std::string& family,
-                           dealii::ParameterHandler& handler, const EntryReader& entries, Accuracy accuracy) {
+std::vector<Case> cases_at(const std::vector<double>& values, const SweptEntry& swept, ParsedFile parsed,
+                           Accuracy accuracy) {
+  const auto family = case_name(parsed.file);
   std::string slug = swept.name;
   std::transform(slug.begin(), slug.end(), slug.begin(),
                  [](unsigned char c) { return c == ' ' ? '-' : static_cast<char>(std::tolower(c)); });
   std::vector<Case> cases;
   for (const double value : values) {
-    handler.enter_subsection(swept.section);
-    handler.set(swept.name, fmt::format("{:.15g}", value));
-    handler.leave_subsection();
-    Case input = read_entries(entries, {Case::Fields::none, accuracy});
+    parsed.entries.set(swept.section, swept.name, fmt::format("{:.15g}", value));
+    Case input = read_entries(parsed.reader(), {Case::Fields::none, accuracy});
     input.name = fmt::format("{}/{}-{:g}", family, slug, value);
     input.sweep = Case::Sweep{family, swept.section + " / " + swept.name, value};
     cases.push_back(std::move(input));
@@ -190,15 +154,11 @@ std::vector<double> in_equal_parts(std::vector<double> values, std::size_t n) {
 }  // namespace
 
 std::vector<Case> read_case_file(const fs::path& file, Accuracy accuracy) {
-  dealii::ParameterHandler handler;
-  declare_entries(handler);
-  Problems problems;
-  Parser(handler, problems).parse(file, {});
-  const EntryReader entries(handler, file.string(), problems);
+  ParsedFile parsed(file);
+  const auto entries = parsed.reader();
   if (entries.given("Sweep", "Entry")) {
     const auto swept = swept_entry(entries);
-    const auto family = case_name(file);
-    return cases_at(sweep_values(entries, swept), swept, family, handler, entries, accuracy);
+    return cases_at(sweep_values(entries, swept), swept, parsed, accuracy);
   }
   Case input = read_entries(entries, {Case::Fields::extremes, accuracy});
   input.name = case_name(file);
@@ -206,27 +166,22 @@ std::vector<Case> read_case_file(const fs::path& file, Accuracy accuracy) {
 }
 
 std::vector<Case> cases_between(const fs::path& file, std::size_t n) {
-  dealii::ParameterHandler handler;
-  declare_entries(handler);
-  Problems problems;
-  Parser(handler, problems).parse(file, {});
-  const EntryReader entries(handler, file.string(), problems);
+  ParsedFile parsed(file);
+  const auto entries = parsed.reader();
   if (!entries.given("Sweep", "Entry")) return {};
   const auto swept = swept_entry(entries);
   const auto values = in_equal_parts(sweep_values(entries, swept), n);
   try {
-    return cases_at(values, swept, case_name(file), handler, entries, Accuracy::optional);
+    return cases_at(values, swept, parsed, Accuracy::optional);
   } catch (const InputError&) {
     return {};
   }
 }
 
 Case read_case_text(const std::string& text, const fs::path& name) {
-  dealii::ParameterHandler handler;
-  declare_entries(handler);
   Problems problems;
-  parse_entries(read_prm(text, name, problems).text, name, handler, problems);
-  Case input = read_entries(EntryReader(handler, name.string(), problems), {Case::Fields::none, Accuracy::needed});
+  const auto prm = read_prm(text, name, problems);
+  Case input = read_entries({prm.entries, name.string(), problems}, {Case::Fields::none, Accuracy::needed});
   input.name = name.filename().string();
   return input;
 }

@@ -1,6 +1,5 @@
 #include "comparison/case/entry_reader.h"
 
-#include <deal.II/base/parameter_handler.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -77,10 +76,7 @@ const ValidNumber positive_number{[](double x) { return x > 0; }, "a positive nu
 const ValidNumber not_negative_number{[](double x) { return x >= 0; }, "a number that is not negative"};
 
 std::string EntryReader::text(const std::string& section, const std::string& name) const {
-  handler_.enter_subsection(section);
-  std::string value = handler_.get(name);
-  handler_.leave_subsection();
-  return value;
+  return entries_.text(section, name);
 }
 
 bool EntryReader::given(const std::string& section, const std::string& name) const {

@@ -4,11 +4,8 @@
 #include <vector>
 
 #include "comparison/case/case.h"
+#include "comparison/case/entries.h"
 #include "comparison/case/problems.h"
-
-namespace dealii {
-class ParameterHandler;
-}
 
 namespace fretval {
 
@@ -27,8 +24,8 @@ extern const ValidNumber not_negative_number;
 /// have a unit of what the entry measures (see entry_table.h).
 class EntryReader {
  public:
-  EntryReader(dealii::ParameterHandler& handler, std::string file, Problems& problems)
-      : handler_(handler), file_(std::move(file)), problems_(problems) {}
+  EntryReader(const Entries& entries, std::string file, Problems& problems)
+      : entries_(entries), file_(std::move(file)), problems_(problems) {}
 
   [[nodiscard]] bool given(const std::string& section, const std::string& name) const;
   [[nodiscard]] std::string text(const std::string& section, const std::string& name) const;
@@ -59,7 +56,7 @@ class EntryReader {
   [[nodiscard]] const std::string& file() const { return file_; }
 
  private:
-  dealii::ParameterHandler& handler_;
+  const Entries& entries_;
   std::string file_;
   Problems& problems_;
 };

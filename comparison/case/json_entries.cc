@@ -1,6 +1,5 @@
 #include "comparison/case/json_entries.h"
 
-#include <deal.II/base/parameter_handler.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -58,18 +57,18 @@ std::optional<std::string> text_of_entry(const json& value) {
 
 }  // namespace
 
-void parse_json_entries(const std::string& text, const std::filesystem::path& file, dealii::ParameterHandler& handler,
+void parse_json_entries(const std::string& text, const std::filesystem::path& file, Entries& entries,
                         Problems& problems) {
   const auto sections = parse_unique_keys(text, file);
   if (!sections.is_object()) throw InputError(fmt::format("{}: must be a JSON object of sections", file.string()));
-  for (const auto& [section, entries] : sections.items()) {
-    if (!entries.is_object())
+  for (const auto& [section, members] : sections.items()) {
+    if (!members.is_object())
       throw InputError(fmt::format("{}: {}: must be a JSON object of entries", file.string(), section));
     if (!is_section(section)) {
       problems.add(fmt::format("{}: {}", file.string(), no_such_section(section, problems)));
       continue;
     }
-    for (const auto& [name, value] : entries.items()) {
+    for (const auto& [name, value] : members.items()) {
       const auto entry = text_of_entry(value);
       if (!is_entry(section, name)) {
         problems.add(fmt::format("{}: {}", file.string(), no_such_entry(section, name, problems)));
@@ -78,9 +77,7 @@ void parse_json_entries(const std::string& text, const std::filesystem::path& fi
                                  file.string(), section, name));
         problems.meant.insert(section + " / " + name);
       } else {
-        handler.enter_subsection(section);
-        handler.set(name, *entry);
-        handler.leave_subsection();
+        entries.set(section, name, *entry);
       }
     }
   }

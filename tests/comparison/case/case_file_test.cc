@@ -190,7 +190,7 @@ INSTANTIATE_TEST_SUITE_P(
                 {"Wear / Coefficient is missing"}},
         BadCase{"Phase = 60", "Phase = often", {"Motion / Phase = often", "finite number"}},
         BadCase{"Tolerance = 0.01", "Tolerance = 1", {"Accuracy / Tolerance = 1", "1e-5"}},
-        BadCase{"end\nsubsection Friction", "subsection Friction", {}},
+        BadCase{"end\nsubsection Friction", "subsection Friction", {"subsection Friction stands within subsection"}},
         BadCase{"subsection Indenter", "include bad.prm\nsubsection Indenter", {"includes itself"}},
         BadCase{"subsection Indenter",
                 "include nowhere.prm\nsubsection Indenter",

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <utility>
+
+namespace fretval {
+
+/// Texts of entries as case files set them, by section and name.
+class Entries {
+ public:
+  void set(const std::string& section, const std::string& name, std::string text) {
+    texts_[{section, name}] = std::move(text);
+  }
+  /// Those of another file go before the ones that are there.
+  void override_by(const Entries& other) {
+    for (const auto& [key, text] : other.texts_) texts_[key] = text;
+  }
+  /// Empty where it is not set.
+  [[nodiscard]] std::string text(const std::string& section, const std::string& name) const {
+    const auto found = texts_.find({section, name});
+    return found == texts_.end() ? "" : found->second;
+  }
+
+ private:
+  std::map<std::pair<std::string, std::string>, std::string> texts_;
+};
+
+}  // namespace fretval
