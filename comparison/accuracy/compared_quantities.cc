@@ -49,6 +49,7 @@ Quantities quantities_of(const FeAnswer& fe, const Units& units) {
   if (const auto& cycle = fe.cycle)
     add_forces(cycle->tangential_force_max, cycle->tangential_force_mean, cycle->sliding_force, units, values);
   if (fe.slip_decay) values[Quantity::slip_decay] = std::log(fe.slip_decay->factor);
+  if (fe.cycles_to_shakedown) values[Quantity::cycles_to_shakedown] = std::log(*fe.cycles_to_shakedown);
   if (fe.zones) {  // whose unit of length is no contact radius, and whose stick radii are ends of zones
     values[Quantity::contact_radius_max] = std::log(fe.contact_radius_max.value() / units.length);
     return values;
@@ -75,6 +76,7 @@ Quantities quantities_of(const MdrAnswer& mdr, const Units& units, bool worn) {
   if (mdr.cycle && mdr.cycle->forces)
     add_forces(mdr.cycle->forces->largest, mdr.cycle->forces->mean, mdr.cycle->sliding_force, units, values);
   if (mdr.slip_decay) values[Quantity::slip_decay] = std::log(*mdr.slip_decay);
+  if (mdr.cycles_to_shakedown) values[Quantity::cycles_to_shakedown] = std::log(mdr.cycles_to_shakedown->cycles);
   values[Quantity::stick_radius_first_slip] = mdr.stick_radius_first_slip.value_or(0) / units.length;
   if (!mdr.single_pass)
     values[Quantity::stick_radius_shakedown] = mdr.stick_radius_shakedown.value_or(0) / units.length;

@@ -28,7 +28,7 @@ bool is_of_friction(Quantity quantity) {
 }
 
 ExpectedOrder expected_order(ErrorSource source, Quantity quantity, const CaseNeeds& needs) {
-  if (source == ErrorSource::time_step && quantity == Quantity::slip_decay) return {1};
+  if (source == ErrorSource::time_step && traits_of(quantity).of_settling) return {1};
   if (source == ErrorSource::time_step && needs.held_from_start && is_of_friction(quantity)) return {1, 4};
   if (source == ErrorSource::time_step || source == ErrorSource::start || source == ErrorSource::wear_jump) return {2};
   if (source == ErrorSource::creep) return {1};
@@ -66,13 +66,22 @@ ErrorShare share_of(const Variant& variant, const Refinements& values, Quantity 
 }
 
 /// Without the coarser ones of two that could not be computed, of which nothing is known: the other one is there.
-std::vector<Variant> computed_ones(const std::vector<Variant>& variants, const std::map<Resolution, Quantities>& known) {
+std::vector<Variant> computed_ones(const std::vector<Variant>& variants,
+                                   const std::map<Resolution, Quantities>& known) {
   std::vector<Variant> computed;
   for (const auto& variant : variants) {
     const bool is_coarser = !computed.empty() && computed.back().source == variant.source;
     if (!is_coarser || !known.at(variant.resolution).empty()) computed.push_back(variant);
   }
   return computed;
+}
+
+/// The cycles to shakedown begin with the start that is chosen: another one is another question.
+std::vector<Variant> of_quantity(Quantity quantity, std::vector<Variant> variants) {
+  const auto is_other_start = [](const Variant& variant) { return variant.source == ErrorSource::start; };
+  if (quantity == Quantity::cycles_to_shakedown)
+    variants.erase(std::remove_if(variants.begin(), variants.end(), is_other_start), variants.end());
+  return variants;
 }
 
 }  // namespace
@@ -149,7 +158,7 @@ ErrorBudget error_budget(const Resolution& resolution, const std::vector<Variant
     const auto change = [&known, quantity = quantity](const Resolution& finer, const Resolution& coarser) {
       return value_of(known.at(finer), quantity) - value_of(known.at(coarser), quantity);
     };
-    auto& bar = budget[quantity] = error_bar(quantity, computed, change, needs);
+    auto& bar = budget[quantity] = error_bar(quantity, of_quantity(quantity, computed), change, needs);
     const auto reading = edge.find(quantity);
     if (reading == edge.end()) continue;
     bar.add(quantity == Quantity::contact_radius_max ? ErrorSource::time_step : ErrorSource::edge, reading->second);

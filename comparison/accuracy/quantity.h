@@ -15,12 +15,14 @@ namespace fretval {
 /// distance_to_limit). The pressure on the axis, under a tip that is not sharp, has its largest value in a period. Six
 /// are of a cycle of a locked motion: the largest tangential force, its mean, which slip has locked in, the energy lost
 /// to friction and, with memory, inside the body, altogether, and in the tangential loop. The decay of slip is the
-/// factor per cycle by which it dies out where nothing slips in the end.
+/// factor per cycle by which it dies out where nothing slips in the end, and the cycles to shakedown are those until it
+/// has (see cycles_until), while amplitudes rise as they do for finite elements.
 enum class Quantity {
   axis_pressure_max,
   bulk_work,
   contact_radius_max,
   cycle_work,
+  cycles_to_shakedown,
   distance_to_limit,
   force_outside_stick_zone,
   friction_work,
@@ -44,6 +46,7 @@ inline constexpr std::array all_quantities{Quantity::axis_pressure_max,
                                            Quantity::bulk_work,
                                            Quantity::contact_radius_max,
                                            Quantity::cycle_work,
+                                           Quantity::cycles_to_shakedown,
                                            Quantity::distance_to_limit,
                                            Quantity::force_outside_stick_zone,
                                            Quantity::friction_work,
@@ -76,6 +79,7 @@ inline constexpr std::array quantities_by_interest{Quantity::stick_radius_first_
                                                    Quantity::friction_work,
                                                    Quantity::bulk_work,
                                                    Quantity::cycle_work,
+                                                   Quantity::cycles_to_shakedown,
                                                    Quantity::slip_decay,
                                                    Quantity::distance_to_limit,
                                                    Quantity::worn_radius,
@@ -106,6 +110,8 @@ struct QuantityTraits {
   /// Nothing is refined for it: it comes along with its bar and is held to that where it is wider than its tolerance,
   /// and to the error of the springs that it is compared with on top.
   bool comes_along = false;
+  /// It tells how a motion settles, of which neither method knows as much as of what it settles to.
+  bool of_settling = false;
 };
 const QuantityTraits& traits_of(Quantity quantity);
 

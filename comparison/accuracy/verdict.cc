@@ -97,6 +97,11 @@ Comparison compare(const MdrAnswer& mdr, const FeAnswer& fe, double unworn_radiu
   // Of first order in the step, so that without a bar nothing is known of how closely it should agree.
   if (fe.slip_decay && mdr.slip_decay && budget.count(Quantity::slip_decay) > 0)
     comparison[Quantity::slip_decay] = judge(fe.slip_decay->factor / *mdr.slip_decay - 1, tolerance);
+  if (fe.cycles_to_shakedown && mdr.cycles_to_shakedown && budget.count(Quantity::cycles_to_shakedown) > 0) {
+    const auto [cycles, error] = *mdr.cycles_to_shakedown;
+    comparison[Quantity::cycles_to_shakedown] =
+        judge_relative(fe.cycles_to_shakedown, cycles, tolerance + error / cycles);
+  }
   comparison[Quantity::stick_radius_first_slip] =
       judge_stick(fe.stick_radius_first_slip, mdr.stick_radius_first_slip, unworn_radius, tolerance);
   if (!fe.single_pass)

@@ -46,7 +46,7 @@ struct ParsedFile {
   [[nodiscard]] EntryReader reader() { return {entries, file.string(), problems}; }
 
   fs::path file;
-  Entries entries;
+  EntryTexts entries;
   Problems problems;
 
  private:

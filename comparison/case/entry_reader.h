@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "comparison/case/case.h"
-#include "comparison/case/entries.h"
+#include "comparison/case/entry_texts.h"
 #include "comparison/case/problems.h"
 
 namespace fretval {
@@ -24,7 +24,7 @@ extern const ValidNumber not_negative_number;
 /// have a unit of what the entry measures (see entry_table.h).
 class EntryReader {
  public:
-  EntryReader(const Entries& entries, std::string file, Problems& problems)
+  EntryReader(const EntryTexts& entries, std::string file, Problems& problems)
       : entries_(entries), file_(std::move(file)), problems_(problems) {}
 
   [[nodiscard]] bool given(const std::string& section, const std::string& name) const;
@@ -56,7 +56,7 @@ class EntryReader {
   [[nodiscard]] const std::string& file() const { return file_; }
 
  private:
-  const Entries& entries_;
+  const EntryTexts& entries_;
   std::string file_;
   Problems& problems_;
 };

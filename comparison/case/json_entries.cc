@@ -57,7 +57,7 @@ std::optional<std::string> text_of_entry(const json& value) {
 
 }  // namespace
 
-void parse_json_entries(const std::string& text, const std::filesystem::path& file, Entries& entries,
+void parse_json_entries(const std::string& text, const std::filesystem::path& file, EntryTexts& entries,
                         Problems& problems) {
   const auto sections = parse_unique_keys(text, file);
   if (!sections.is_object()) throw InputError(fmt::format("{}: must be a JSON object of sections", file.string()));

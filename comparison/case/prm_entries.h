@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "comparison/case/entries.h"
+#include "comparison/case/entry_texts.h"
 #include "comparison/case/problems.h"
 
 namespace fretval {
@@ -12,7 +12,7 @@ namespace fretval {
 /// What a .prm file says by itself.
 struct PrmFile {
   std::vector<std::filesystem::path> included;  ///< files whose entries its own override
-  Entries entries;
+  EntryTexts entries;
 };
 
 /// Reads the format of deal.II's ParameterHandler: `subsection NAME`, `set ENTRY = VALUE`, `end`, `include FILE` before

@@ -4,8 +4,10 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "comparison/support/cycles_until.h"
 #include "comparison/support/json.h"
 #include "mdr/springs/path_response.h"
+#include "mdr/springs/slip_of_periods.h"
 #include "mdr/springs/stepped_response.h"
 #include "mdr/stick/path_depths.h"
 #include "mdr/stick/shakedown_amplitude.h"
@@ -285,6 +287,10 @@ nlohmann::ordered_json to_json(const MdrAnswer& answer) {
                            {"loop", answer.cycle->loop_error}};
   }
   if (answer.slip_decay) json["slip_decay"] = *answer.slip_decay;
+  if (const auto& settling = answer.cycles_to_shakedown) {
+    json["cycles_to_shakedown"] = settling->cycles;
+    json["cycles_to_shakedown_error"] = settling->error;
+  }
   if (answer.stepping_error > 0) json["stepping_error"] = answer.stepping_error;
   if (answer.gross_slip) json["gross_slip"] = *answer.gross_slip;
   if (answer.gross_slip_time) json["gross_slip_time"] = *answer.gross_slip_time;
@@ -335,6 +341,27 @@ void add_cycle(const MdrCase& mdr, const mdr::NormalResponse& normal, MdrAnswer&
 }
 
 }  // namespace
+
+std::optional<SettlingCycles> settling_cycles(const MdrCase& mdr, const MdrAnswer& answer, int n_ramp) {
+  const bool remembers = mdr.body.viscosity > 0 || !mdr.body.branch_moduli.empty();
+  if (mdr.limiting || mdr.path || !mdr.has_period() || !remembers || !answer.stick_radius_shakedown) return {};
+  double amplitude = answer.tangential_amplitude.value_or(0);
+  if (!mdr.tangential_force)
+    for (const auto& harmonic : mdr.motion.tangential) amplitude += harmonic.amplitude;
+  const auto cycles_with = [&](mdr::SpringFineness fineness) {
+    auto slips = mdr::slip_of_periods(mdr.profile, mdr.body, mdr.friction_coefficient, mdr.prescribed(),
+                                      *answer.stick_radius_shakedown, n_ramp, fineness);
+    for (auto& slip : slips) slip /= amplitude;
+    return cycles_until(slips, slip_that_counts_as_none);
+  };
+  try {
+    const auto coarse = cycles_with({100, 90, 0, 1e-5}), fine = cycles_with({200, 180, 0, 1e-5});
+    if (!coarse || !fine) return {};
+    return SettlingCycles{*fine, 3 * std::abs(*fine - *coarse)};
+  } catch (const std::runtime_error&) {
+    return {};  // not periodic
+  }
+}
 
 MdrAnswer mdr_answer_with_cycle(const MdrCase& mdr, const mdr::NormalResponse& normal) {
   auto answer = mdr_answer(mdr, normal);

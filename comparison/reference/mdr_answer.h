@@ -26,6 +26,11 @@ struct MdrCycle {
   double loop_error;       ///< of the area
 };
 
+/// Cycles to shakedown, as springs of two finenesses find them; error: of these.
+struct SettlingCycles {
+  double cycles, error;
+};
+
 /// What MDR says about a case; SI units. Empty radii: nothing sticks. A comparable case has both maxima.
 struct MdrAnswer {
   double modulus_ratio;                      ///< at the normal frequency; NaN of a path, which has none
@@ -44,6 +49,7 @@ struct MdrAnswer {
   std::optional<MdrCycle> cycle = {};
   /// Factor per cycle by which slip dies out where nothing slips in the end (mdr/stick/slip_decay.h); with the cycle.
   std::optional<double> slip_decay = {};
+  std::optional<SettlingCycles> cycles_to_shakedown = {};  ///< see settling_cycles
   /// Of springs that were stepped in time, the largest relative error of what is above; 0: closed forms.
   double stepping_error = 0;
   std::optional<mdr::AxisPressure> axis_pressure = {};  ///< empty: infinite
@@ -69,6 +75,12 @@ std::optional<mdr::LimitingProfile> worn_profile(const MdrCase& mdr, const std::
 nlohmann::ordered_json to_json(const MdrAnswer& answer);
 
 MdrAnswer mdr_answer(const MdrCase& mdr, const mdr::NormalResponse& normal);
+
+/// After how many cycles from rest nothing slips any more inside the shakedown radius (see cycles_until), of transient
+/// springs: some ten milliseconds. n_ramp: oscillations over which amplitudes rise. Empty: a worn indenter, a path, a
+/// motion without a period, an elastic body, which shakes down at once, springs that do not become periodic, or nothing
+/// that slips first and not in the end.
+std::optional<SettlingCycles> settling_cycles(const MdrCase& mdr, const MdrAnswer& answer, int n_ramp);
 
 /// The same with the cycle also under prescribed displacements, for which springs are stepped: some ten milliseconds
 /// for what is a closed form otherwise.

@@ -57,8 +57,10 @@ std::string verdict_text(const ordered_json& result) {
   double largest = 0;
   bool fails = false, is_open = false;
   for (const auto& [key, compared] : result.at("comparison").items()) {
-    // Of a rate, whose relative difference is of another kind than those of the values, the verdict counts alone.
-    if (key != name_of(Quantity::slip_decay)) largest = std::max(largest, difference_of(result, key, compared));
+    // Of how the motion settles, whose relative difference is of another kind than those of the values, the verdict
+    // counts alone.
+    if (!traits_of(quantity_of(key).value()).of_settling)
+      largest = std::max(largest, difference_of(result, key, compared));
     const bool inconclusive = compared.value("verdict", "") == "inconclusive";
     is_open = is_open || inconclusive;
     fails = fails || (!compared.at("pass").get<bool>() && !inconclusive);

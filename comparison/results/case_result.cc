@@ -156,6 +156,8 @@ CaseResult result_of(const PreparedCase& prepared, const mdr::NormalResponse& re
                     proof,
                     std::move(fe),
                     {}};
+  if (result.fe.fe.cycles_to_shakedown && proof != Proof::none)
+    result.mdr.cycles_to_shakedown = settling_cycles(result.mdr_case, result.mdr, result.fe.resolution.n_ramp_cycles);
   result.comparison =
       compare(result.mdr, result.fe.fe, prepared.fem.units.length, prepared.tolerances, result.fe.budget);
   return result;

@@ -125,6 +125,7 @@ ordered_json fe_json(const CaseResult& result) {
     json["sliding_force"] = fe.cycle->sliding_force;
     json["sliding_work"] = fe.cycle->sliding_work;
   }
+  if (fe.cycles_to_shakedown) json["cycles_to_shakedown"] = *fe.cycles_to_shakedown;
   if (fe.slip_decay) json["slip_decay"] = fe.slip_decay->factor;
   json["error_estimate"] = ordered_json::object();
   for (const auto& [quantity, difference] : result.comparison)

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "comparison/support/cycles_until.h"
 #include "fem/stick_zone/axis_pressure.h"
 #include "fem/stick_zone/contact_radius.h"
 #include "fem/stick_zone/edge_near_largest_contact.h"
@@ -218,8 +219,13 @@ FeAnswer read_answer(const ContactProblems& problems, const FemCase& fem, const 
   if (fem.motion.tangential_force && fem.has_period())
     answer.tangential_amplitude = friction.amplitude * fem.units.depth;
   answer.cycle = cycle_of(fem, force.value, normal, friction);
-  if (answer.cycle && !answer.single_pass && !normal.n_cycles_of_search && !relaxes_in_a_step(fem))
+  const bool steps_settling = answer.cycle && !answer.single_pass && !normal.n_cycles_of_search && !friction.jumped;
+  if (steps_settling && !relaxes_in_a_step(fem))
     answer.slip_decay = fem::decay_factor(friction, stuck.shakedown, fem.motion.cycles_of_ramp());
+  if (steps_settling && fem.relaxation.has_memory())
+    answer.cycles_to_shakedown =
+        cycles_until(fem::mean_slip_of_periods(friction, problem.compliance.areas, stuck.shakedown, shakedown.radius),
+                     slip_that_counts_as_none);
   answer.n_cycles = friction.n_cycles + friction.n_cycles_of_search + normal.n_cycles_of_search;
   answer.n_steps = friction.n_steps;
   answer.normal = std::move(normal);

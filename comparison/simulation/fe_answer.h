@@ -65,6 +65,10 @@ struct FeAnswer {
   std::optional<double> axis_pressure_max;  ///< Pa; empty: infinite
   /// SI units. Empty: worn, at rest tangentially, an unlocked phase, or a cycle that stands for none.
   std::optional<fem::CycleResponse> cycle;
+  /// After how many cycles from rest nothing slips inside the shakedown radius (see cycles_until), and the factor per
+  /// cycle by which slip dies out then (see fem::decay_factor), both of a locked motion. Empty: it does at once, or the
+  /// cycles that were computed do not tell.
+  std::optional<double> cycles_to_shakedown;
   std::optional<fem::DecayFactor> slip_decay;  ///< of a locked motion, per cycle; empty: see fem::decay_factor
   std::optional<GrossSlipStart> gross_slip;    ///< then there is nothing else but the body and the cost
   bool single_pass = false;                    ///< of a path: no periodic state, and no shakedown radius

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "fem/history/cycle_jump.h"
+#include "fem/motion/running_minimum.h"
 #include "fem/support/constants.h"
 #include "fem/support/solver_error.h"
 

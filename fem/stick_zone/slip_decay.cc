@@ -2,13 +2,33 @@
 
 #include <cmath>
 
+#include "fem/support/constants.h"
+
 namespace fretval::fem {
 
+namespace {
+
+/// of: the slips of the innermost rings in a period.
+template <class Measure>
+std::vector<double> over_amplitude(const FrictionHistory& history, Eigen::Index n_inside, const Measure& of) {
+  std::vector<double> measures;
+  if (n_inside == 0 || !(history.amplitude > 0)) return measures;
+  for (const auto& slip : history.slip_of_periods) measures.push_back(of(slip.head(n_inside)) / history.amplitude);
+  return measures;
+}
+
+}  // namespace
+
 std::vector<double> slip_decay(const FrictionHistory& history, Eigen::Index n_inside) {
-  std::vector<double> decay;
-  if (n_inside == 0 || !(history.amplitude > 0)) return decay;
-  for (const auto& slip : history.slip_of_periods) decay.push_back(slip.head(n_inside).maxCoeff() / history.amplitude);
-  return decay;
+  return over_amplitude(history, n_inside, [](const auto& slip) { return slip.maxCoeff(); });
+}
+
+std::vector<double> mean_slip_of_periods(const FrictionHistory& history, const Eigen::VectorXd& areas,
+                                         Eigen::Index n_inside, double stick_radius) {
+  const auto rings = areas.head(n_inside);
+  const double area = pi * stick_radius * stick_radius, beyond = area - rings.sum();
+  return over_amplitude(history, n_inside,
+                        [&](const auto& slip) { return (rings.dot(slip) + beyond * slip.tail(1)[0]) / area; });
 }
 
 std::optional<DecayFactor> decay_factor(const FrictionHistory& history, Eigen::Index n_inside, int n_ramp) {

@@ -11,6 +11,11 @@ namespace fretval::fem {
 /// in a zone that shakes down. Empty: no such ring, or no tangential motion.
 std::vector<double> slip_decay(const FrictionHistory& history, Eigen::Index n_inside);
 
+/// The same of the mean slip inside a stick radius c in or beyond the last of these rings, over its area: what lies
+/// beyond them slips like the last one.
+std::vector<double> mean_slip_of_periods(const FrictionHistory& history, const Eigen::VectorXd& areas,
+                                         Eigen::Index n_inside, double stick_radius);
+
 /// A factor per period, and how far the last ones still differ.
 struct DecayFactor {
   double factor, uncertainty;

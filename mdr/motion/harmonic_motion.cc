@@ -68,6 +68,13 @@ double highest_frequency(const HarmonicMotion& motion) {
   return highest;
 }
 
+double lowest_frequency(const HarmonicMotion& motion) {
+  double lowest = highest_frequency(motion);
+  for (const auto* harmonics : {&motion.normal, &motion.tangential})
+    for (const Harmonic& harmonic : *harmonics) lowest = std::min(lowest, harmonic.frequency);
+  return lowest;
+}
+
 int CommonCycle::highest_order() const {
   int highest = 1;
   for (const auto* orders : {&normal_orders, &tangential_orders})

@@ -38,6 +38,7 @@ HarmonicMotion without_still_harmonics(const HarmonicMotion& motion);
 
 /// In Hz, of all harmonics; 0 for none.
 double highest_frequency(const HarmonicMotion& motion);
+double lowest_frequency(const HarmonicMotion& motion);
 
 /// The cycle with which a motion repeats, and how often each harmonic oscillates in it; 0 for one that does not move.
 struct CommonCycle {

@@ -97,6 +97,12 @@ double deepest_indentation(const Profile& profile, const PronyBody& body, const 
   return prescribed.normal_force ? indentation_for_force(profile, body.relaxed_modulus, most) : most;
 }
 
+double largest_radius(const Profile& profile, const PronyBody& body, const Prescribed& prescribed) {
+  constexpr double room = 1.001;
+  return std::min(room * inverse_transform(profile, deepest_indentation(profile, body, prescribed)),
+                  end_radius(profile));
+}
+
 Loading loading_of(const Prescribed& prescribed, const RepeatingMotion& repeating, double ramp_duration) {
   const auto path = ramped_path(repeating, ramp_duration);
   Loading loading{path, {}, {}};
@@ -107,9 +113,7 @@ Loading loading_of(const Prescribed& prescribed, const RepeatingMotion& repeatin
 
 SteppedForcedResponse forced_response(const Profile& profile, const PronyBody& body, double mu,
                                       const Prescribed& prescribed, const SpringFineness& fineness) {
-  constexpr double room = 1.001;
-  const double outer =
-      std::min(room * inverse_transform(profile, deepest_indentation(profile, body, prescribed)), end_radius(profile));
+  const double outer = largest_radius(profile, body, prescribed);
   return extrapolated([&](Eigen::Index n) { return spring_bed(profile, outer, n); },
                       [&](double depth) { return inverse_transform(profile, depth); },
                       [&](double x) { return transform(profile, x); }, outer, body, mu, prescribed, fineness);

@@ -20,6 +20,9 @@ struct Prescribed {
 /// largest value (a creep compliance that rises to that of the relaxed body never makes more of it).
 double deepest_indentation(const Profile& profile, const PronyBody& body, const Prescribed& prescribed);
 
+/// The largest contact that is possible, with a little room, m.
+double largest_radius(const Profile& profile, const PronyBody& body, const Prescribed& prescribed);
+
 /// What springs are stepped under: the mean of each direction, its oscillations rising over ramp_duration in s. The
 /// motion is that of the repeating one.
 Loading loading_of(const Prescribed& prescribed, const RepeatingMotion& repeating, double ramp_duration);

@@ -27,9 +27,8 @@ struct RisingPath {
     const double duration = path.time[piece + 1] - path.time[piece];
     double share = 1, share_rate = 0;
     if (since_start < ramp_duration) {
-      const double x = since_start / ramp_duration;
       share = amplitude_share(since_start, ramp_duration);
-      share_rate = 6 * x * (1 - x) / ramp_duration;
+      share_rate = amplitude_share_rate(since_start, ramp_duration);
     }
     IndenterState state{rest.normal, 0, 0, 0};
     const auto add = [&](const std::vector<double>& values, double mean, double& position, double& rate) {

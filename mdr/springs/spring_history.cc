@@ -99,7 +99,10 @@ class History {
       const double scale = std::max(start.tangential_load.abs().maxCoeff(), mu_ * start.normal_load.maxCoeff());
       change_ = std::max((state_.tangential_load - start.tangential_load).abs().maxCoeff(),
                          mu_ * (state_.normal_load - start.normal_load).abs().maxCoeff());
-      if (change_ <= control_.periodicity * scale) return last;
+      if (change_ <= control_.periodicity * scale) {
+        last.slip_of_periods = std::move(slip_of_periods_);
+        return last;
+      }
     }
     std::ostringstream message;
     const auto& times = body_.branch_times;
@@ -140,6 +143,7 @@ class History {
       add_work_of_last_step(result, before);
     }
     first_slip_.slip_path += margins.slip_path;
+    slip_of_periods_.push_back(margins.slip_path);
     if (measured) finish(result, margins);
     result.last = state_;
     return result;
@@ -195,6 +199,7 @@ class History {
   Eigen::ArrayXd axis_weights_;
   SpringState state_;
   Margins first_slip_;
+  std::vector<Eigen::ArrayXd> slip_of_periods_;
   double largest_shift_ = 0;
   double change_ = 0;
 };
@@ -202,8 +207,13 @@ class History {
 }  // namespace
 
 double amplitude_share(double time, double ramp_duration) {
-  const double s = std::clamp(time / ramp_duration, 0.0, 1.0);
-  return s * s * (3 - 2 * s);
+  const double x = std::clamp(time / ramp_duration, 0.0, 1.0);
+  return x * x * x * (10 + x * (-15 + 6 * x));
+}
+
+double amplitude_share_rate(double time, double ramp_duration) {
+  const double x = std::clamp(time / ramp_duration, 0.0, 1.0);
+  return 30 * x * x * (1 - x) * (1 - x) / ramp_duration;
 }
 
 IndenterPath ramped_path(const HarmonicMotion& motion, double ramp_duration) {
@@ -214,8 +224,8 @@ IndenterPath ramped_path(const RepeatingMotion& repeating, double ramp_duration)
   validate(repeating.motion);
   require_positive("ramp duration", ramp_duration);
   return [repeating, ramp_duration](double time) -> IndenterState {
-    const double s = std::clamp(time / ramp_duration, 0.0, 1.0);
-    const double envelope = amplitude_share(time, ramp_duration), envelope_rate = 6 * s * (1 - s) / ramp_duration;
+    const double envelope = amplitude_share(time, ramp_duration),
+                 envelope_rate = amplitude_share_rate(time, ramp_duration);
     const auto add = [&](const std::vector<Harmonic>& harmonics, double at, double rate_of_time, double& position,
                          double& rate) {
       for (const Harmonic& harmonic : harmonics) {

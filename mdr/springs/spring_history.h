@@ -15,8 +15,10 @@ namespace fretval::mdr {
 /// Motion of the indenter in time.
 using IndenterPath = std::function<IndenterState(double time)>;
 
-/// How much of the amplitudes there is at a time in s, while they rise smoothly from rest over ramp_duration in s.
+/// How much of the amplitudes there is at a time in s, while they rise from rest over ramp_duration in s, and what that
+/// changes by per second: x^3 (10 - 15 x + 6 x^2), whose slope and curvature are 0 at both ends.
 double amplitude_share(double time, double ramp_duration);
+double amplitude_share_rate(double time, double ramp_duration);
 
 /// Oscillation that starts from rest at d0: all amplitudes rise together and smoothly over ramp_duration in s. The
 /// phase of a motion is taken as locked, that of a repeating one creeps as it says.
@@ -65,6 +67,7 @@ struct SpringHistory {
   std::vector<double> tangential_force;         ///< N
   std::vector<double> axis_pressure;            ///< Pa
   Eigen::ArrayXd slip_amplitude;                ///< per spring: path of slip in the last period, m
+  std::vector<Eigen::ArrayXd> slip_of_periods;  ///< the same in each period from rest on
   Eigen::ArrayXd mean_traction;  ///< per spring: mean tangential_load over the last period, the locked-in offset, m
 
   SpringState deepest, highest;  ///< at the largest and the smallest indentation of the last period

@@ -14,6 +14,7 @@
 #include "comparison/report/drawing/moduli_figure.h"
 #include "comparison/report/drawing/share_bars.h"
 #include "comparison/report/drawing/zone_map.h"
+#include "comparison/support/cycles_until.h"
 
 namespace fretval {
 namespace {
@@ -188,6 +189,8 @@ std::vector<Figure> decay_figures(const StoredResult& r, const ordered_json& cyc
       "amplitudes rise during the first periods; a period without any slip has no point.";
   if (!std::isnan(factor)) caption += fmt::format(" In the end it falls by the factor {:.4g} a period", factor);
   if (!std::isnan(factor)) caption += std::isnan(mdr) ? "." : fmt::format("; by MDR {:.4g}.", mdr);
+  if (const double cycles = r.number("fe", "cycles_to_shakedown"); !std::isnan(cycles))
+    caption += fmt::format(" After {:.3g} cycles its mean inside c is below {:g}.", cycles, slip_that_counts_as_none);
   return {{std::move(plot), caption}};
 }
 

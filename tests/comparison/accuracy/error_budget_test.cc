@@ -88,6 +88,16 @@ TEST(ErrorBudget, HasAShareForEverySourceAndTheEdge) {
   }
 }
 
+TEST(ErrorBudget, OfTheCyclesToShakedownTakesTheStartAsItIs) {
+  const auto resolution = resolution_for(1e-3);
+  auto known = all_known(resolution, {true}, [](const Resolution& r) { return 0.1 * r.n_ramp_cycles; });
+  for (auto& [r, quantities] : known)
+    quantities[Quantity::cycles_to_shakedown] = quantities.at(Quantity::stick_radius_shakedown);
+  const auto budget = error_budget(resolution, known, {}, {true});
+  EXPECT_GT(budget.at(Quantity::stick_radius_shakedown).total(), 0);
+  EXPECT_EQ(budget.at(Quantity::cycles_to_shakedown).total(), 0);
+}
+
 TEST(ErrorBudget, MeasuresWhatIsThere) {
   // Errors of third order in the rings and of second in the steps, seen through coarser rings where those are many.
   const auto resolution = resolution_for(1e-4);

@@ -174,6 +174,22 @@ TEST(Comparison, OfTheDecayOfSlipNeedsABar) {
   EXPECT_TRUE(compared.passes());
 }
 
+// The springs' own error is allowed on top of the bar.
+TEST(Comparison, OfTheCyclesToShakedownIsRelativeAndNeedsABar) {
+  auto mdr = mdr_with(0.5 * a);
+  auto fe = fe_with(0.5 * a);
+  mdr.cycles_to_shakedown = SettlingCycles{10, 0.02};
+  fe.cycles_to_shakedown = 10.06;
+  EXPECT_EQ(compare(mdr, fe, a, tolerances_of(1e-3)).count(Quantity::cycles_to_shakedown), 0U);
+  for (const double bar : {5e-3, 3e-3}) {
+    const ErrorBudget budget{{Quantity::cycles_to_shakedown, {{{ErrorSource::rings, bar, std::nullopt}}}}};
+    const auto compared = compare(mdr, fe, a, tolerances_of(1e-3), budget).at(Quantity::cycles_to_shakedown);
+    EXPECT_NEAR(*compared.difference, 6e-3, 1e-12);
+    EXPECT_NEAR(compared.tolerance, bar + 2e-3, 1e-12);
+    EXPECT_EQ(compared.passes(), bar == 5e-3);
+  }
+}
+
 // The springs' own error is allowed on top; without a value of either there is nothing to compare.
 TEST(Comparison, OfThePressureOnTheAxisIsRelative) {
   auto mdr = mdr_with(0.5 * a);

@@ -131,6 +131,20 @@ TEST(MdrAnswer, OfAStandardSolidSaysHowSlipDiesOut) {
   EXPECT_NEAR(answer_with_cycle(scene).slip_decay.value(), (1 + q) / 2, 1e-12);
 }
 
+TEST(MdrAnswer, SaysAfterHowManyCyclesSlipHasEnded) {
+  const auto cycles = [](const Case& scene, int n_ramp) {
+    const auto mdr = mdr_case(scene);
+    return settling_cycles(mdr, answer_with_cycle(scene), n_ramp);
+  };
+  const auto scene = read_case();
+  const auto four = cycles(scene, 4), eight = cycles(scene, 8);
+  ASSERT_TRUE(four && eight);
+  EXPECT_LT(four->error, 0.2);
+  EXPECT_GT(four->cycles, 2);
+  EXPECT_GT(eight->cycles, four->cycles);
+  EXPECT_FALSE(cycles(read_case(elastic_case()), 4));
+}
+
 TEST(MdrAnswer, HasNoCycleWithoutALockedMotion) {
   auto scene = read_case(elastic_case());
   scene.motion.phase.reset();

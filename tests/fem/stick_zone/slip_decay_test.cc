@@ -24,6 +24,17 @@ TEST(SlipDecay, IsTheLargestSlipInsideOverTheAmplitude) {
   EXPECT_TRUE(slip_decay(history, 2).empty());
 }
 
+// Two rings of areas 1 and 3, and c where another 1 is within it.
+TEST(SlipDecay, OfTheMeanIsOverTheAreaInsideC) {
+  FrictionHistory history;
+  history.amplitude = 2;
+  history.slip_of_periods = {Eigen::Vector3d(1, 3, 8), Eigen::Vector3d(0.5, 0, 8)};
+  const auto means = mean_slip_of_periods(history, Eigen::Vector3d(1, 3, 5), 2, std::sqrt(5 / pi));
+  ASSERT_EQ(means.size(), 2U);
+  EXPECT_NEAR(means[0], (1 + 9 + 3) / 10.0, 1e-15);
+  EXPECT_NEAR(means[1], 0.05, 1e-15);
+}
+
 FrictionHistory slipping(const std::vector<double>& slips) {
   FrictionHistory history;
   history.amplitude = 1;

@@ -7,13 +7,13 @@
 namespace fretval {
 
 /// Texts of entries as case files set them, by section and name.
-class Entries {
+class EntryTexts {
  public:
   void set(const std::string& section, const std::string& name, std::string text) {
     texts_[{section, name}] = std::move(text);
   }
   /// Those of another file go before the ones that are there.
-  void override_by(const Entries& other) {
+  void override_by(const EntryTexts& other) {
     for (const auto& [key, text] : other.texts_) texts_[key] = text;
   }
   /// Empty where it is not set.

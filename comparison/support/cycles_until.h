@@ -1,0 +1,16 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+namespace fretval {
+
+/// Mean slip in a cycle, over the tangential amplitude, of a zone that is said to have shaken down.
+constexpr double slip_that_counts_as_none = 1e-4;
+
+/// After how many cycles slip has died out: the time, in cycles from the beginning of the first one, at which straight
+/// lines between the slips of cycles n = 1, 2, ... cross `least` for the last time. Empty: it is never above it, or
+/// still.
+std::optional<double> cycles_until(const std::vector<double>& slips, double least);
+
+}  // namespace fretval
