@@ -12,7 +12,7 @@ const QuantityTraits& traits_of(Quantity quantity) {
       {"bulk_work", "energy lost in the body", "bulk loss", "relative", "J", 1, {2}, {}, true},
       {"contact_radius_max", "largest contact radius", "contact radius", "relative", "m", 10, {3}, {}},
       {"cycle_work", "energy lost altogether", "loss", "relative", "J", 1, {2}, {}, true},
-      {"cycles_to_shakedown", "cycles to shakedown", "cycles", "relative", "", 1, {1}, {}, true, true},
+      {"cycles_to_shakedown", "cycles to shakedown", "cycles", "relative", "cycles", 1, {1}, {}, true, true},
       {"distance_to_limit", "distance from the limiting profile", "distance", "over a and d max", "", 0.5, {2}, {}},
       {"force_outside_stick_zone", "force outside c", "force outside", "over the force", "", 1, {1}, {}},
       {"friction_work", "energy lost to friction", "friction", "over sliding", "J", 10, {2}, {}, true},

@@ -59,7 +59,8 @@ std::string verdict_text(const ordered_json& result) {
   for (const auto& [key, compared] : result.at("comparison").items()) {
     // Of how the motion settles, whose relative difference is of another kind than those of the values, the verdict
     // counts alone.
-    if (!traits_of(quantity_of(key).value()).of_settling)
+    const auto quantity = quantity_of(key);
+    if (!quantity || !traits_of(*quantity).of_settling)
       largest = std::max(largest, difference_of(result, key, compared));
     const bool inconclusive = compared.value("verdict", "") == "inconclusive";
     is_open = is_open || inconclusive;

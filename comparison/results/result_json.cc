@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "comparison/reference/mdr_document.h"
 #include "comparison/results/answer_text.h"
 #include "comparison/results/case_inputs.h"
 #include "comparison/results/case_result.h"

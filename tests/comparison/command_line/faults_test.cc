@@ -152,7 +152,7 @@ INSTANTIATE_TEST_SUITE_P(
                           "include bad.prm\nsubsection Friction",
                           {"line 11", "before the first subsection"}},
                     Fault{"Law = unidirectional", "Law = \xff\xfe", {"Friction / Law", "unidirectional"}},
-                    Fault{"set Law", "s\xe9t Law", {"line 13", "Valid entries"}}));
+                    Fault{"set Law", "s\xe9t Law", {"line 13", "expected set ENTRY = VALUE"}}));
 
 TEST(CaseFaults, IncludesThatLoopThroughOthersAreRefused) {
   const ScratchFolder folder;

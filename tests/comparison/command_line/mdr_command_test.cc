@@ -57,7 +57,7 @@ TEST(MdrCommand, PrintsTheAnalyticAnswerAsText) {
 TEST(MdrCommand, WarnsWhereSpringsStillSettle) {
   const ScratchFolder folder;
   auto text = replace(valid_case, "Branch moduli = 1e6\n  set Branch times = 0.1",
-                      "Branch moduli = 7e6\n  set Branch times = 0.2");
+                      "Branch moduli = 7e6\n  set Branch times = 0.5");
   text = replace(replace(text, "Normal amplitude = 2e-5", "Normal amplitude = 1.2e-5"), "1.5e-5", "8.823529e-6");
   const auto file = folder.write("case.prm", replace(text, "Phase = 60", "Phase = 0"));
   expect_parts(fretval_run("mdr " + file.string() + " --springs", folder).err, {"case: shakedown radius 0.001"});

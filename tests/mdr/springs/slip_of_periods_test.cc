@@ -39,7 +39,7 @@ TEST(SlipOfPeriods, OfAnElasticBodyEndsWithTheFirstFullPeriod) {
   const auto body = elastic(1e6);
   const auto of = slips(body, shakedown_radius(body), 2);
   ASSERT_GT(of.size(), 3U);
-  EXPECT_GT(of[1], 1e-7);
+  EXPECT_GT(of[1], 1e-9);
   for (std::size_t n = 3; n < of.size(); ++n) EXPECT_LT(of[n], 1e-4 * of[1]);
 }
 
@@ -49,10 +49,11 @@ TEST(SlipOfPeriods, IsNoneWhereNothingEverSlips) {
   for (const double slip : slips(body, 0.95 * never, 4)) EXPECT_EQ(slip, 0);
 }
 
-// With hardly any friction all of the surface slips there and back.
+// With hardly any friction all of the surface slips there and back. The root at c costs the sum over springs its 1.5th
+// order.
 TEST(SlipOfPeriods, IsTheMeanOverTheArea) {
-  const auto of = slip_of_periods(profile, elastic(1e6), 1e-4, prescribed, 5e-4, 2, {400, 90});
-  EXPECT_NEAR(of.back() / (4 * 1.5e-5), 1, 1e-3);
+  const auto of = slip_of_periods(profile, elastic(1e6), 1e-6, prescribed, 5e-4, 2, {400, 90});
+  EXPECT_NEAR(of.back() / (4 * 1.5e-5), 1, 5e-4);
 }
 
 TEST(SlipOfPeriods, NeedsAPeriod) {
