@@ -1,18 +1,18 @@
 #include "fem/motion/relaxation.h"
 
 #include <cmath>
-#include <complex>
 
 namespace fretval::fem {
 
-double stiffening_at(const RelaxationModel& relaxation, double omega) {
+std::complex<double> stiffening_at(const RelaxationModel& relaxation, double omega) {
   std::complex<double> modulus(relaxation.relaxed, relaxation.viscosity * omega);
   for (std::size_t i = 0; i < relaxation.times.size(); ++i) {
     const std::complex<double> z(0, omega * relaxation.times[i]);
     modulus += relaxation.moduli[i] * z / (1.0 + z);
   }
-  return std::abs(modulus) / relaxation.relaxed;
+  return modulus / relaxation.relaxed;
 }
+
 namespace {
 
 /// `m_k = int_0^1 exp(-z (1-x)) x^k dx`, k = 0, 1, 2, by the recurrence `m_k = (1 - k m_{k-1}) / z`; for small z it

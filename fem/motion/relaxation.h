@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 #include <array>
 #include <cmath>
+#include <complex>
 #include <functional>
 #include <vector>
 
@@ -20,8 +21,8 @@ struct RelaxationModel {
   [[nodiscard]] bool has_memory() const { return !moduli.empty() || viscosity > 0; }
 };
 
-/// `|G(omega)|` over the relaxed modulus.
-double stiffening_at(const RelaxationModel& relaxation, double omega);
+/// `G(omega)` over the relaxed modulus, by which a displacement that oscillates leads to a force that does.
+std::complex<double> stiffening_at(const RelaxationModel& relaxation, double omega);
 
 struct ValueAndRate {
   double value, rate;

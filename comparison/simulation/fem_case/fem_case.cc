@@ -142,7 +142,7 @@ void take_cycle(const mdr::HarmonicMotion& motion, const mdr::CommonCycle& cycle
 
 Stiffening stiffening_of(const FemCase& fem) {
   return [relaxation = fem.relaxation, unit = fem.units.angular_frequency](double frequency) {
-    return fem::stiffening_at(relaxation, mdr::angular_frequency(frequency) / unit);
+    return std::abs(fem::stiffening_at(relaxation, mdr::angular_frequency(frequency) / unit));
   };
 }
 
@@ -157,9 +157,26 @@ Demand demand_of(const FemCase& fem, bool force, double stiffness, double per_de
 }
 
 NearCycle near_cycle_of(const FemCase& fem, int n_creep_cycles) {
-  return near_cycle(*fem.without_short_cycle, stiffening_of(fem), demand_of(fem, fem.motion.normal_force, 8, 1),
-                    demand_of(fem, fem.motion.tangential_force, 16.0 / 3, 1.5 * fem.friction_coefficient),
+  return near_cycle(*fem.without_short_cycle, stiffening_of(fem),
+                    {demand_of(fem, fem.motion.normal_force, 8, 1),
+                     demand_of(fem, fem.motion.tangential_force, 16.0 / 3, 1.5 * fem.friction_coefficient),
+                     !fem.motion.tangential_force},
                     n_creep_cycles);
+}
+
+/// Scales tangential displacements of a near cycle, so that they lead to the forces of the motion that it stands for:
+/// of its amplitudes, and of its phases within the direction.
+void take_forces_of(const mdr::HarmonicMotion& motion, FemCase& fem) {
+  auto oscillation = fem.motion.tangential.begin();
+  for (const auto& harmonic : motion.tangential) {
+    if (harmonic.amplitude == 0) continue;
+    const double frequency = mdr::angular_frequency(harmonic.frequency) / fem.units.angular_frequency;
+    const auto change =
+        fem::stiffening_at(fem.relaxation, frequency) / fem::stiffening_at(fem.relaxation, oscillation->order);
+    oscillation->amplitude *= std::abs(change);
+    oscillation->phase += std::arg(change);
+    ++oscillation;
+  }
 }
 
 /// A path in the place of the cosines, dimensionless with its duration as the cycle; a force in that of a displacement.
@@ -250,6 +267,7 @@ FemCase at_resolution(FemCase fem, const Resolution& resolution) {
   if (fem.without_short_cycle) {
     const auto near = near_cycle_of(fem, resolution.n_creep_cycles);
     take_cycle(*fem.without_short_cycle, near.cycle, fem);
+    if (!fem.motion.tangential_force) take_forces_of(*fem.without_short_cycle, fem);
     fem.error_of_demand = near.error_of_demand;
     fem.error_of_normal = near.error_of_normal;
     fem.motion.locked = !near.creeps;

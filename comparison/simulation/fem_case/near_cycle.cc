@@ -26,7 +26,7 @@ std::vector<mdr::HarmonicGroup> groups_to_round(const mdr::HarmonicMotion& motio
 
 /// To q periods of the first group.
 NearCycle rounded_to(int q, const std::vector<mdr::HarmonicGroup>& groups, const mdr::HarmonicMotion& motion,
-                     const Stiffening& stiffening, const Demand& normal, const Demand& tangential, int n_creep_cycles) {
+                     const Stiffening& stiffening, const Demands& demands, int n_creep_cycles) {
   NearCycle near{{groups[0].base_frequency / q, std::vector<int>(motion.normal.size()),
                   std::vector<int>(motion.tangential.size())},
                  false,
@@ -42,8 +42,9 @@ NearCycle rounded_to(int q, const std::vector<mdr::HarmonicGroup>& groups, const
       const int order = repeats * order_in_group;
       (is_normal ? near.cycle.normal_orders : near.cycle.tangential_orders)[place] = order;
       const auto& [amplitude, frequency, phase] = (is_normal ? motion.normal : motion.tangential)[place];
-      const double demand = (is_normal ? normal : tangential)(amplitude, order * near.cycle.frequency),
-                   off = demand * std::abs(stiffening(frequency) / stiffening(order * near.cycle.frequency) - 1);
+      const double rounded = demands.scaled && !is_normal ? frequency : order * near.cycle.frequency,
+                   demand = (is_normal ? demands.normal : demands.tangential)(amplitude, rounded),
+                   off = demand * std::abs(stiffening(frequency) / stiffening(rounded) - 1);
       curvature += demand * order * order;
       near.error_of_demand += off;
       if (is_normal) near.error_of_normal += off;
@@ -58,15 +59,23 @@ NearCycle rounded_to(int q, const std::vector<mdr::HarmonicGroup>& groups, const
   return near;
 }
 
+/// Two directions, the normal one first.
+void bring_together(std::vector<mdr::HarmonicGroup>& groups) {
+  constexpr double widest = 8, golden = 1.618033988749895;
+  const double normal = groups[0].base_frequency;
+  double& tangential = groups[1].base_frequency;
+  if (tangential > widest * normal) tangential = golden * normal;
+  if (tangential < normal / widest) tangential = normal / golden;
+}
+
 }  // namespace
 
-NearCycle near_cycle(const mdr::HarmonicMotion& motion, const Stiffening& stiffening, const Demand& normal,
-                     const Demand& tangential, int n_creep_cycles) {
-  const auto groups = groups_to_round(motion);
+NearCycle near_cycle(const mdr::HarmonicMotion& motion, const Stiffening& stiffening, const Demands& demands,
+                     int n_creep_cycles) {
+  auto groups = groups_to_round(motion);
   if (groups.size() > 2) throw std::invalid_argument("near cycle of more than two independent frequencies");
-  const auto candidate = [&](int q) {
-    return rounded_to(q, groups, motion, stiffening, normal, tangential, n_creep_cycles);
-  };
+  if (demands.scaled && mdr::are_the_directions(groups)) bring_together(groups);
+  const auto candidate = [&](int q) { return rounded_to(q, groups, motion, stiffening, demands, n_creep_cycles); };
   auto nearest = candidate(1);
   for (int q = 2;; ++q) {
     const auto other = candidate(q);

@@ -22,6 +22,13 @@ using Stiffening = std::function<double(double frequency)>;
 /// times |G|/G(0) there.
 using Demand = std::function<double(double amplitude, double frequency)>;
 
+/// What an element asks for, of either direction.
+struct Demands {
+  Demand normal, tangential;
+  /// Tangential displacements of another frequency are scaled by |G| there, so that they ask for the same.
+  bool scaled;
+};
+
 /// Harmonics that are multiples of one frequency stay so; of two such groups, or of the two directions of a motion that
 /// is one, the first keeps its frequencies and the other one is rounded to whole orders. Of the cycles of at most
 /// 2 n_creep_cycles oscillations of the fastest harmonic the one with the smallest error, the shortest if even that has
@@ -31,11 +38,16 @@ using Demand = std::function<double(double amplitude, double frequency)>;
 ///             l = least common multiple of how often they repeat in a cycle: lags are the same that differ by 2 pi/l,
 ///             and where the extremes of both miss each other by half of that, each takes its share.
 ///             Creeping in N cycles: pi/l (pi/N) in place of pi/l
-///   rounding  sum of demand | |G(w)|/|G(rounded w)| - 1|, of a displacement in force, of a force in displacement
+///   rounding  sum of demand | |G(w)|/|G(rounded w)| - 1|, of a displacement in force, of a force in displacement;
+///             none of what is scaled
+///
+/// Where it is scaled, a tangential motion that is a group of its own and more than 8 times faster or slower than the
+/// other one is brought to the golden ratio: what an element asks for depends on the relations of the phases, all of
+/// which come by in any case, and on amplitudes of forces.
 ///
 /// A cycle creeps if there is time for 12 of it, in N = fem::creep_period cycles, and each group is a direction. Throws
 /// std::invalid_argument for more than two groups (see mdr::harmonic_groups).
-NearCycle near_cycle(const mdr::HarmonicMotion& motion, const Stiffening& stiffening, const Demand& normal,
-                     const Demand& tangential, int n_creep_cycles);
+NearCycle near_cycle(const mdr::HarmonicMotion& motion, const Stiffening& stiffening, const Demands& demands,
+                     int n_creep_cycles);
 
 }  // namespace fretval

@@ -23,7 +23,7 @@ RelaxationModel creeping() {
 }
 
 Motion oblique(const RelaxationModel& model) {
-  const double rho = stiffening_at(model, 1);
+  const double rho = std::abs(stiffening_at(model, 1));
   Motion motion = one_frequency(0.8, 0.3 / rho, 1.5 * mu * 0.4 / rho, pi / 3);
   motion.n_ramp_cycles = 4;
   return motion;
@@ -82,7 +82,7 @@ TEST(FrictionSearch, EndsWherePlainPeriodsLeadTo) {
 
 /// g(c) = c^2 = d0 - (M+ + M-)/2, docs/theory.md.
 double shakedown_radius(const Case& one) {
-  const double rho = stiffening_at(one.model, 1), a = one.motion.tangential[0].amplitude / (1.5 * mu),
+  const double rho = std::abs(stiffening_at(one.model, 1)), a = one.motion.tangential[0].amplitude / (1.5 * mu),
                normal = one.motion.normal[0].amplitude, phase = one.motion.tangential[0].phase;
   const double forward = std::hypot(a * std::cos(phase) - normal, a * std::sin(phase)),
                backward = std::hypot(a * std::cos(phase) + normal, a * std::sin(phase));

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
+#include <vector>
 
 namespace fretval {
 namespace {
@@ -25,11 +27,11 @@ double stiffening(double frequency) {
 }
 
 /// Displacements.
-NearCycle cycle_near(const mdr::HarmonicMotion& motion, double (*stiffening_at)(double)) {
+NearCycle cycle_near(const mdr::HarmonicMotion& motion, double (*stiffening_at)(double), bool scaled = false) {
   const auto demand = [stiffening_at](double per_amplitude) {
     return [=](double amplitude, double frequency) { return per_amplitude * amplitude * stiffening_at(frequency); };
   };
-  return near_cycle(motion, stiffening_at, demand(1), demand(1 / (1.5 * friction)), 48);
+  return near_cycle(motion, stiffening_at, {demand(1), demand(1 / (1.5 * friction)), scaled}, 48);
 }
 
 int order_of(const NearCycle& near) {
@@ -109,6 +111,25 @@ TEST(NearCycle, DoesNotCreepInOneDirection) {
   const auto near = cycle_near({1e-4, {{0, 1, 0}}, {{1.5e-5, 1, 0}, {1.5e-5, 1.00001, 3}}}, elastic);
   EXPECT_FALSE(near.creeps);
   EXPECT_GT(near.error_of_demand, 1.5e-5 / (1.5 * friction));
+}
+
+// Their forces are as large at any frequency: lags alone are left.
+TEST(NearCycle, OfScaledDisplacementsLosesNothingByRounding) {
+  const auto near = cycle_near(with_ratio(golden), stiffening, true);
+  EXPECT_EQ(order_of(near), 95);
+  const double pi = std::acos(-1.0), A = tangential_amplitude / 0.75 * stiffening(2 * golden),
+               D = normal_amplitude * stiffening(2);
+  EXPECT_NEAR(near.error_of_demand, pi * pi / 2 * A * D / (A * 95 * 95 + D * 59 * 59), 1e-9 * normal_amplitude);
+}
+
+TEST(NearCycle, BringsScaledDisplacementsThatAreFarFromTheNormalOnesToTheGoldenRatio) {
+  for (const auto& [ratio, near_ratio] : std::vector<std::pair<double, double>>{
+           {300.4, golden}, {8.1, golden}, {7.9, 7.9}, {1 / 7.9, 1 / 7.9}, {1 / 8.1, 1 / golden}, {1e-3, 1 / golden}}) {
+    const auto near = cycle_near(with_ratio(ratio), stiffening, true);
+    EXPECT_NEAR(1.0 * order_of(near) / near.cycle.normal_orders.front(), near_ratio, 0.02 * near_ratio) << ratio;
+    EXPECT_LE(near.cycle.highest_order(), 96) << ratio;
+    EXPECT_LT(near.error_of_demand, 2e-3 * normal_amplitude) << ratio;
+  }
 }
 
 TEST(NearCycle, IsTheShortestWhereThatIsTooLong) {
