@@ -20,4 +20,8 @@ enum class Borders { left_out, carried };
 ErrorBudget error_bars(const PreparedCase& prepared, const Tracks& tracks, const Computations& computed,
                        Borders borders);
 
+/// The same of what the normal motion decides alone, from compute_normal_response.
+ErrorBudget error_bars_of_normal_response(const PreparedCase& prepared, const Resolution& resolution,
+                                          const Computations& computed);
+
 }  // namespace fretval

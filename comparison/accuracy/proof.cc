@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <limits>
 #include <optional>
+#include <tuple>
+#include <utility>
 
 #include "comparison/accuracy/error_bars.h"
 #include "comparison/accuracy/refinement_plan.h"
@@ -52,28 +54,66 @@ bool measure_errors(const PreparedCase& prepared, Computations& computed, Tracks
   }
 }
 
+/// Says so if it is too wide.
+BarToMeet to_meet(const PreparedCase& prepared, Quantity quantity, const ErrorBar& bar) {
+  // Where nothing is compared, no quantity has to be known better than the case asks for.
+  const double tolerance =
+      prepared.fem.any_order ? prepared.input.tolerance : tolerance_of(prepared.tolerances, quantity);
+  if (bar.total() > tolerance)
+    log::info(fmt::format("{}: {}", prepared.input.name, excess_text(quantity, bar, tolerance)));
+  return {bar, tolerance};
+}
+
+FixedByCase fixed_by(const PreparedCase& prepared) {
+  return {prepared.input.rings_per_radius.has_value(), prepared.input.steps_per_cycle.has_value()};
+}
+
+/// Empty: all bars meet their tolerances, or nothing can be refined that would help. Says what is refined, and why.
+std::optional<Resolution> finer(const PreparedCase& prepared, const FeAnswer& fe, const Resolution& resolution,
+                                const std::vector<BarToMeet>& bars) {
+  const Effort effort{static_cast<double>(fe.body->n_dofs), static_cast<double>(fe.body->radii.size() - 1),
+                      static_cast<double>(fe.n_steps)};
+  const auto planned = planned_refinement(resolution, bars, effort, fixed_by(prepared));
+  if (planned) log::info(fmt::format("{}: {}", prepared.input.name, change_text(resolution, *planned)));
+  return planned;
+}
+
+/// Whether the response to the normal motion is that of all cases which differ in nothing else, as those of a sweep of
+/// the phase.
+bool has_normal_response(const FemCase& fem) {
+  return !fem.any_order && !fem.worn_edge && !fem.without_short_cycle && !fem.motion.path &&
+         fem.motion.tangential_amplitude() > 0;
+}
+
+/// Refines until the response to the normal motion is proved, which takes no friction. Returns the resolution, and how
+/// often.
+std::pair<Resolution, int> prove_normal_response(const PreparedCase& prepared, Computations& computed) {
+  auto resolution = prepared.fem.resolution;
+  for (int n = 0;; ++n) {
+    computed.compute(needed_for_bars({resolution, {}}, needs_of(prepared.fem)));
+    if (computed.failed(resolution)) return {prepared.fem.resolution, 0};
+    std::vector<BarToMeet> bars;
+    for (const auto& [quantity, bar] : error_bars_of_normal_response(prepared, resolution, computed))
+      bars.push_back(to_meet(prepared, quantity, bar));
+    const auto next =
+        n < most_refinements ? finer(prepared, computed.at(resolution).fe, resolution, bars) : std::nullopt;
+    if (!next) return {resolution, n};
+    resolution = *next;
+  }
+}
+
 /// Empty: all bars meet their tolerances, or nothing can be refined that would help.
 std::optional<Tracks> finer(const PreparedCase& prepared, const Computations& computed, const Tracks& tracks) {
-  const auto& name = prepared.input.name;
   std::map<Resolution, std::vector<BarToMeet>> bars;  // by track
   for (const auto& [quantity, bar] : error_bars(prepared, tracks, computed, Borders::left_out)) {
     if (traits_of(quantity).comes_along) continue;
-    // Where nothing is compared, no quantity has to be known better than the case asks for.
-    const double tolerance =
-        prepared.fem.any_order ? prepared.input.tolerance : tolerance_of(prepared.tolerances, quantity);
-    bars[tracks.of(quantity)].push_back({bar, tolerance});
-    if (bar.total() > tolerance) log::info(fmt::format("{}: {}", name, excess_text(quantity, bar, tolerance)));
+    bars[tracks.of(quantity)].push_back(to_meet(prepared, quantity, bar));
   }
-  const FixedByCase fixed{prepared.input.rings_per_radius.has_value(), prepared.input.steps_per_cycle.has_value()};
   Tracks next = tracks;
   bool any = false;
   const auto refine = [&](Resolution& track) {
-    const auto& fe = computed.at(track).fe;
-    const Effort effort{static_cast<double>(fe.body->n_dofs), static_cast<double>(fe.body->radii.size() - 1),
-                        static_cast<double>(fe.n_steps)};
-    const auto planned = planned_refinement(track, bars[track], effort, fixed);
+    const auto planned = finer(prepared, computed.at(track).fe, track, bars[track]);
     if (!planned) return;
-    log::info(fmt::format("{}: {}", name, change_text(track, *planned)));
     track = *planned;
     any = true;
   };
@@ -87,7 +127,11 @@ int refine_until_proved(const PreparedCase& prepared, Computations& computed, Tr
   std::optional<Tracks> before;
   for (int n = 0;; ++n) {
     if (!measure_errors(prepared, computed, tracks)) {
-      if (!before) return n;
+      if (!before && tracks.base == prepared.fem.resolution) return n;
+      if (!before) {
+        tracks = {prepared.fem.resolution, {}};
+        continue;
+      }
       for (const auto& track : tracks.all())
         if (computed.failed(track))
           log::info(fmt::format("{}: taken back: {}", prepared.input.name, computed.at(track).failure));
@@ -126,22 +170,26 @@ const char* name_of(Proof proof) {
 
 ProvedAnswer prove(const PreparedCase& prepared, Proof proof, BodyStore& bodies, std::size_t n_threads,
                    const ComputationsDone& told) {
-  return prove(
-      prepared, proof, [&](const Resolution& resolution) { return compute_case(prepared.fem, resolution, bodies); },
-      n_threads, told);
+  const auto& fem = prepared.fem;
+  const Compute whole = [&](const Resolution&resolution) { return compute_case(fem, resolution, bodies); },
+                normal = [&](const Resolution&resolution) { return compute_normal_response(fem, resolution, bodies); };
+  return prove(prepared, proof, {whole, has_normal_response(fem) ? normal : Compute{}}, n_threads, told);
 }
 
-ProvedAnswer prove(const PreparedCase& prepared, Proof proof, const Compute& compute, std::size_t n_threads,
+ProvedAnswer prove(const PreparedCase& prepared, Proof proof, const Numerics& numerics, std::size_t n_threads,
                    const ComputationsDone& told) {
-  Computations computed(prepared.fem.units, compute, n_threads, told);
+  Computations computed(prepared.fem.units, numerics.whole, n_threads, told),
+      normal(prepared.fem.units, numerics.normal_response, n_threads);
   Tracks tracks{prepared.fem.resolution, {}};
   ProvedAnswer answer;
+  if (proof == Proof::tolerance && numerics.normal_response)
+    std::tie(tracks.base, answer.n_refinements) = prove_normal_response(prepared, normal);
   if (proof == Proof::none) computed.compute(tracks.all());
   if (proof == Proof::bars) computed.compute(needed_for_bars(tracks, needs_of(prepared.fem)));
-  if (proof == Proof::tolerance) answer.n_refinements = refine_until_proved(prepared, computed, tracks);
+  if (proof == Proof::tolerance) answer.n_refinements += refine_until_proved(prepared, computed, tracks);
 
   answer.resolution = tracks.base;
-  answer.cost = computed.cost();
+  answer.cost = computed.cost() + normal.cost();
   const auto& base = computed.at(tracks.base).fe;
   if (base.gross_slip) {
     answer.fe = base;

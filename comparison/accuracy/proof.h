@@ -33,7 +33,8 @@ struct ProvedAnswer {
 
 /// Computes a case and proves the answer, without a look at what MDR says:
 ///
-/// 1. the coarsest resolution that usually does (resolution_for);
+/// 1. the coarsest resolution that usually does (resolution_for), refined as in step 4 until the response to the normal
+///    motion is proved, which needs no friction and which all cases share that differ in nothing else;
 /// 2. a stick zone or a slip annulus of too few rings is focused on (closer_look); where the rings of the focus were
 ///    less than four times finer, step 4 gets there at a lower cost, unless the bar turns out to be more than 15
 ///    tolerances;
@@ -46,8 +47,14 @@ struct ProvedAnswer {
 ProvedAnswer prove(const PreparedCase& prepared, Proof proof, BodyStore& bodies, std::size_t n_threads = n_cores(),
                    const ComputationsDone& told = {});
 
-/// The same with another way to compute the case.
-ProvedAnswer prove(const PreparedCase& prepared, Proof proof, const Compute& compute, std::size_t n_threads = 1,
+/// How a case is computed.
+struct Numerics {
+  Compute whole;
+  Compute normal_response = {};  ///< empty: not worth while by itself
+};
+
+/// The same with other numerics.
+ProvedAnswer prove(const PreparedCase& prepared, Proof proof, const Numerics& numerics, std::size_t n_threads = 1,
                    const ComputationsDone& told = {});
 
 }  // namespace fretval

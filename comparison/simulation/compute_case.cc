@@ -52,19 +52,31 @@ fem::HistoryControl control_of(const FemCase& fem) {
   return {fem.steps_per_cycle(), fem.motion.cycles_of_ramp() + most_after_ramp, fem.resolution.periodicity};
 }
 
-FeAnswer answer_of_histories(const ContactProblems& problems, const FemCase& fem, NormalStore& normals) {
-  const auto profile = fem::ring_means(problems.normal.compliance, fem.profile);
-  const auto control = control_of(fem);
-  const auto record = normals.find_or_make(fem, problems.normal, profile, control);
-  auto normal = record->history;
-  Stopwatch watch;
-  const auto contact_radius = fem.any_order ? std::nullopt : read_contact_radius(problems.normal, fem, profile, normal);
-  auto friction = friction_beside(*record, normal, problems, fem, control);
+/// What a case is computed from: its normal history, and the largest contact radius, whose edges are read again.
+struct NormalPart {
+  std::shared_ptr<const NormalRecord> record;
+  Eigen::VectorXd profile;  ///< ring means
+  fem::NormalHistory history;
+  std::optional<ContactRadius> contact_radius;
+};
 
+NormalPart normal_part(const fem::ContactProblem& problem, const FemCase& fem, NormalStore& normals) {
+  auto profile = fem::ring_means(problem.compliance, fem.profile);
+  auto record = normals.find_or_make(fem, problem, profile, control_of(fem));
+  auto history = record->history;
+  auto contact_radius = fem.any_order ? std::nullopt : read_contact_radius(problem, fem, profile, history);
+  return {std::move(record), std::move(profile), std::move(history), contact_radius};
+}
+
+FeAnswer answer_of_histories(const ContactProblems& problems, const FemCase& fem, NormalStore& normals) {
+  auto normal = normal_part(problems.normal, fem, normals);
+  Stopwatch watch;
+  auto friction = friction_beside(*normal.record, normal.history, problems, fem, control_of(fem));
   auto answer = fem.any_order
-                    ? read_zones(problems, fem, profile, std::move(normal), std::move(friction))
-                    : read_answer(problems, fem, profile, contact_radius, std::move(normal), std::move(friction));
-  answer.seconds = {record->seconds, watch.lap()};
+                    ? read_zones(problems, fem, normal.profile, std::move(normal.history), std::move(friction))
+                    : read_answer(problems, fem, normal.profile, normal.contact_radius, std::move(normal.history),
+                                  std::move(friction));
+  answer.seconds = {normal.record->seconds, watch.lap()};
   return answer;
 }
 
@@ -91,6 +103,20 @@ FeAnswer compute_case(const FemCase& fem_case, const Resolution& resolution, Bod
   }
   answer.body = body->summary;
   answer.whole_body = whole;
+  return answer;
+}
+
+FeAnswer compute_normal_response(const FemCase& fem_case, const Resolution& resolution, BodyStore& bodies) {
+  const FemCase fem = at_resolution(fem_case, resolution);
+  const auto body = find_or_make_body(fem.body, bodies, nullptr);
+  const ProblemsAtSlack at_slack(*body, resolution.active_set_slack);
+  const auto normal = normal_part(at_slack.problems().normal, fem, bodies.normals);
+  FeAnswer answer;
+  read_normal_response(at_slack.problems(), fem, normal.contact_radius, normal.history, answer);
+  answer.n_cycles = normal.history.n_cycles + normal.history.n_cycles_of_search;
+  answer.n_steps = normal.history.n_steps();
+  answer.seconds.normal = normal.record->seconds;
+  answer.body = body->summary;
   return answer;
 }
 

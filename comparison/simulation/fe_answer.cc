@@ -177,6 +177,24 @@ std::optional<ContactRadius> read_contact_radius(const fem::ContactProblem& prob
   return ContactRadius{radius, 2 * std::abs(other.radius - radius)};
 }
 
+void read_normal_response(const ContactProblems& problems, const FemCase& fem,
+                          const std::optional<ContactRadius>& contact_radius, const fem::NormalHistory& normal,
+                          FeAnswer& answer) {
+  const double length = fem.units.length;
+  if (contact_radius && contact_radius->radius > 0) answer.contact_radius_max = contact_radius->radius * length;
+  if (contact_radius) answer.contact_radius_uncertainty = contact_radius->uncertainty * length;
+  const auto force = fem::largest_force(
+      problems.normal, {fem.relaxation, fem.sharp_edge, fem.worn_edge.has_value(), fem.motion.highest_normal_order()},
+      normal);
+  answer.normal_force_max = force.value * fem.units.force();
+  answer.axis_pressure_max = axis_pressure_of(fem, problems, normal);
+  answer.normal_force_uncertainty = force.uncertainty * fem.units.force();
+  if (!fem.motion.normal_force) return;
+  const auto [depth, uncertainty] = fem::largest_indentation(problems.normal, fem.relaxation, normal);
+  answer.indentation_max = depth * fem.units.depth;
+  answer.indentation_uncertainty = uncertainty * fem.units.depth;
+}
+
 FeAnswer read_answer(const ContactProblems& problems, const FemCase& fem, const Eigen::VectorXd& profile,
                      const std::optional<ContactRadius>& contact_radius, fem::NormalHistory&& normal,
                      fem::FrictionHistory&& friction) {
@@ -197,28 +215,16 @@ FeAnswer read_answer(const ContactProblems& problems, const FemCase& fem, const 
   }
   for (auto* zone : {&first, &shakedown}) widen_next_to_sharp_edge(fem, problem.compliance, *zone);
 
+  read_normal_response(problems, fem, contact_radius, normal, answer);
   const double length = fem.units.length;
-  if (contact_radius && contact_radius->radius > 0) answer.contact_radius_max = contact_radius->radius * length;
-  if (contact_radius) answer.contact_radius_uncertainty = contact_radius->uncertainty * length;
   answer.stick_radius_first_slip = dimensional(first, length);
   answer.single_pass = fem.motion.is_single_pass();
   if (!answer.single_pass) answer.stick_radius_shakedown = dimensional(shakedown, length);
   answer.first_slip_uncertainty = first.uncertainty * length;
   answer.shakedown_uncertainty = shakedown.uncertainty * length;
-  const auto force = fem::largest_force(
-      problems.normal, {fem.relaxation, fem.sharp_edge, fem.worn_edge.has_value(), fem.motion.highest_normal_order()},
-      normal);
-  answer.normal_force_max = force.value * fem.units.force();
-  answer.axis_pressure_max = axis_pressure_of(fem, problems, normal);
-  answer.normal_force_uncertainty = force.uncertainty * fem.units.force();
-  if (fem.motion.normal_force) {
-    const auto [depth, uncertainty] = fem::largest_indentation(problems.normal, fem.relaxation, normal);
-    answer.indentation_max = depth * fem.units.depth;
-    answer.indentation_uncertainty = uncertainty * fem.units.depth;
-  }
   if (fem.motion.tangential_force && fem.has_period())
     answer.tangential_amplitude = friction.amplitude * fem.units.depth;
-  answer.cycle = cycle_of(fem, force.value, normal, friction);
+  answer.cycle = cycle_of(fem, answer.normal_force_max / fem.units.force(), normal, friction);
   const bool steps_settling = answer.cycle && !answer.single_pass && !normal.n_cycles_of_search && !friction.jumped;
   if (steps_settling && !relaxes_in_a_step(fem))
     answer.slip_decay = fem::decay_factor(friction, stuck.shakedown, fem.motion.cycles_of_ramp());

@@ -118,6 +118,11 @@ std::optional<ContactRadius> read_contact_radius(const fem::ContactProblem& prob
 std::optional<fem::CycleResponse> cycle_of(const FemCase& fem, double normal_force_max,
                                            const fem::NormalHistory& normal, const fem::FrictionHistory& friction);
 
+/// Takes over the contact radius, and reads the largest force, pressure and indentation.
+void read_normal_response(const ContactProblems& problems, const FemCase& fem,
+                          const std::optional<ContactRadius>& contact_radius, const fem::NormalHistory& normal,
+                          FeAnswer& answer);
+
 /// Reads everything but the contact radius from the histories, which it keeps. profile: ring means.
 FeAnswer read_answer(const ContactProblems& problems, const FemCase& fem, const Eigen::VectorXd& profile,
                      const std::optional<ContactRadius>& contact_radius, fem::NormalHistory&& normal,

@@ -70,7 +70,7 @@ TEST(ProofSlow, ForceOfAWornProfileIsWithinItsBar) {
 }
 
 ProvedAnswer fake_study(const PreparedCase& prepared, const FakeNumerics& numerics, Proof proof = Proof::tolerance) {
-  return prove(prepared, proof, fake_compute(prepared, numerics));
+  return prove(prepared, proof, {fake_compute(prepared, numerics)});
 }
 
 // Hertz: nothing moves, nothing slips, and there is no slip annulus to look for at the edge.
@@ -99,20 +99,49 @@ TEST(Proof, TakesARefinementBackThatFails) {
   const auto prepared = prepare({suite_case("parabola-solid-90", 1e-3)}).front();
   const FakeNumerics coarse{100, 0};
   const unsigned start = prepared.fem.resolution.elements_per_radius;
-  const auto answer = prove(prepared, Proof::tolerance, [&](const Resolution& r) {
-    if (r.elements_per_radius > start) throw fem::SolverError("out of rings");
-    return coarse(prepared.fem, r);
-  });
+  const auto answer = prove(prepared, Proof::tolerance, {[&](const Resolution& r) {
+                              if (r.elements_per_radius > start) throw fem::SolverError("out of rings");
+                              return coarse(prepared.fem, r);
+                            }});
   EXPECT_EQ(answer.failure, "");
   EXPECT_EQ(answer.resolution.elements_per_radius, start);
   EXPECT_GT(answer.budget.at(Quantity::stick_radius_shakedown).total(), 1e-3);
+}
+
+// What the normal response needs is found without friction, which is computed at that alone, or where it fails there,
+// at what the case begins with.
+TEST(Proof, RefinesForTheNormalResponseWithoutFriction) {
+  const auto prepared = prepare({suite_case("parabola-solid-90", 1e-3)}).front();
+  const auto& start = prepared.fem.resolution;
+  const auto fine = with_steps(start, 1.5);
+  const FakeNumerics good{0.1, 0.01};
+  const Compute normal = [&](const Resolution& r) {
+    auto fe = good(prepared.fem, r);
+    const double steps = static_cast<double>(r.steps_per_cycle) / start.steps_per_cycle;
+    fe.normal_force_max *= 1 + 1.2e-4 / steps / steps;
+    return fe;
+  };
+  for (const bool fails : {false, true}) {
+    std::vector<Resolution> whole;
+    const auto answer = prove(prepared, Proof::tolerance,
+                              {[&](const Resolution& r) {
+                                 whole.push_back(r);
+                                 if (fails && r == fine) throw fem::SolverError("too many steps");
+                                 return good(prepared.fem, r);
+                               },
+                               normal});
+    EXPECT_EQ(answer.failure, "");
+    EXPECT_EQ(whole.front().steps_per_cycle, fine.steps_per_cycle);
+    EXPECT_EQ(answer.resolution.steps_per_cycle, (fails ? start : fine).steps_per_cycle);
+    EXPECT_EQ(std::count(whole.begin(), whole.end(), start), fails ? 1 : 0);
+  }
 }
 
 TEST(Proof, NamesAFailureOfTheNumerics) {
   const auto prepared = prepare({suite_case("parabola-solid-90", 1e-3)}).front();
   for (const auto proof : {Proof::none, Proof::bars, Proof::tolerance}) {
     const auto answer =
-        prove(prepared, proof, [](const Resolution&) -> FeAnswer { throw fem::SolverError("singular"); });
+        prove(prepared, proof, {[](const Resolution&) -> FeAnswer { throw fem::SolverError("singular"); }});
     EXPECT_EQ(answer.failure, "singular") << name_of(proof);
   }
 }
