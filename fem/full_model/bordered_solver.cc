@@ -71,8 +71,8 @@ bool change_violated(const BorderedSolver::Solution& solution, const Eigen::Vect
 
 }  // namespace
 
-BorderedSolver::BorderedSolver(const HarmonicSpace& space, std::string name)
-    : line_(space.contact_line()), stiffness_(assemble_stiffness(space)), name_(std::move(name)) {
+BorderedSolver::BorderedSolver(const HarmonicSpace& space, std::string name, SparseFactors factors)
+    : line_(space.contact_line()), stiffness_(assemble_stiffness(space)), name_(std::move(name)), factors_(factors) {
   count_.n_dofs = space.n_dofs();
 }
 
@@ -81,7 +81,7 @@ Eigen::VectorXd BorderedSolver::ring_means(const Eigen::VectorXd& field) const {
 }
 
 void BorderedSolver::factorise(const std::vector<bool>& interior) {
-  if (factor_ && interior == factored_) return;
+  if (factors_ == SparseFactors::kept && factor_ && interior == factored_) return;
   factor_.reset();  // two factors at once would double the memory
   factor_.emplace(bordered(stiffness_, line_, interior), name_);
   factored_ = interior;

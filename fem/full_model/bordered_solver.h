@@ -11,6 +11,10 @@
 
 namespace fretval::fem {
 
+/// Whether a sparse factor serves as long as the interior stays, or one iteration, as in a code that knows nothing of
+/// that.
+enum class SparseFactors { kept, made_anew };
+
 /// What a history of sparse solves costs.
 struct SolveCount {
   unsigned n_dofs = 0;  ///< of the body; the sparse systems have n_rings unknowns more
@@ -27,11 +31,11 @@ struct SolveCount {
 /// Rings in the interior are held at their targets by their tractions as multipliers: `[K, -B; -B^T, 0]`; the tractions
 /// of the others are at their bounds, with 1 on the diagonal of an otherwise empty row, so that all active sets share
 /// one sparsity structure. Method: primal-dual active set (all violated rings change at once), warm-started; one
-/// sparse factorisation whenever the interior differs from the last one factored.
+/// sparse factorisation whenever the interior differs from the last one factored, or in every iteration.
 class BorderedSolver {
  public:
   /// name: of the problem, for error messages.
-  BorderedSolver(const HarmonicSpace& space, std::string name);
+  BorderedSolver(const HarmonicSpace& space, std::string name, SparseFactors factors = SparseFactors::kept);
 
   struct Solution {
     Eigen::VectorXd field;     ///< x, n_dofs; shear modulus times length, its pressures are those of the body
@@ -57,6 +61,7 @@ class BorderedSolver {
   ContactLine line_;
   SparseMatrix stiffness_;
   std::string name_;
+  SparseFactors factors_;
   std::vector<bool> factored_;  // the interior that was factored last
   std::optional<SparseFactor> factor_;
   SolveCount count_;

@@ -81,14 +81,14 @@ void require(bool condition, const char* message) {
 
 FullNormalHistory full_normal_history(const HarmonicSpace& space, const RelaxationModel& relaxation,
                                       const Eigen::VectorXd& profile, const Motion& motion, int steps_per_cycle,
-                                      int n_cycles) {
+                                      int n_cycles, SparseFactors factors) {
   const Eigen::Index n = space.contact_line().n_elements();
   require(space.harmonic() == Harmonic::normal, "the normal history takes a space of the normal harmonic");
   require(profile.size() == n, "the profile of the indenter does not fit the rings of the contact line");
   const auto position = [&motion](double t) { return normal_motion(motion, t); };
   const int n_steps = n_cycles * steps_per_cycle;
   const Eigen::VectorXd lower = Eigen::VectorXd::Zero(n), upper = Eigen::VectorXd::Constant(n, infinity);
-  BorderedSolver solver(space, "the full normal problem");
+  BorderedSolver solver(space, "the full normal problem", factors);
   Eigen::VectorXd driven = driven_field(solver);
 
   const Eigen::VectorXd depth = position(0).value - profile.array();
@@ -113,13 +113,14 @@ FullNormalHistory full_normal_history(const HarmonicSpace& space, const Relaxati
 
 FullFrictionHistory full_friction_history(const HarmonicSpace& space, const RelaxationModel& relaxation,
                                           double friction_coefficient, const Motion& motion,
-                                          const Eigen::MatrixXd& pressure, int steps_per_cycle, int n_cycles) {
+                                          const Eigen::MatrixXd& pressure, int steps_per_cycle, int n_cycles,
+                                          SparseFactors factors) {
   const Eigen::Index n = space.contact_line().n_elements();
   const int n_steps = n_cycles * steps_per_cycle;
   require(space.harmonic() == Harmonic::tangential, "the friction history takes a space of the tangential harmonic");
   require(pressure.rows() == n && pressure.cols() >= 1 + n_steps,
           "the pressures do not fit the rings of the contact line and the steps of the friction history");
-  BorderedSolver solver(space, "the full friction problem");
+  BorderedSolver solver(space, "the full friction problem", factors);
   Start start{Eigen::VectorXd::Zero(space.n_dofs()), driven_field(solver)};
   Stepper stepper(
       space, solver, relaxation, [&motion](double t) { return tangential_motion(motion, t); }, steps_per_cycle,

@@ -32,12 +32,13 @@ struct FullFrictionHistory {
 /// and std::invalid_argument for a wrong harmonic or profile size.
 FullNormalHistory full_normal_history(const HarmonicSpace& space, const RelaxationModel& relaxation,
                                       const Eigen::VectorXd& profile, const Motion& motion, int steps_per_cycle,
-                                      int n_cycles);
+                                      int n_cycles, SparseFactors factors = SparseFactors::kept);
 
 /// The verifier of friction_history, from rest; see full_normal_history. space: of the tangential harmonic; pressure:
 /// of the rings, one column per instant, the first of them unused.
 FullFrictionHistory full_friction_history(const HarmonicSpace& space, const RelaxationModel& relaxation,
                                           double friction_coefficient, const Motion& motion,
-                                          const Eigen::MatrixXd& pressure, int steps_per_cycle, int n_cycles);
+                                          const Eigen::MatrixXd& pressure, int steps_per_cycle, int n_cycles,
+                                          SparseFactors factors = SparseFactors::kept);
 
 }  // namespace fretval::fem

@@ -78,6 +78,13 @@ TEST(MeridianSection, FillsBothSidesBelowTheSurfaceInMetres) {
   EXPECT_FLOAT_EQ(static_cast<float>(bottom), 6 * length);
 }
 
+// u_z = b r^2, both down and z downwards: sigma_xz = 2 b x.
+TEST(MeridianSection, HasTheShearOfASurfaceThatSinksUnevenly) {
+  constexpr double b = 0.05;
+  for (const auto& at : section_of([](unsigned c, double r, double) { return c == 1 ? b * r * r : 0; }, nothing))
+    EXPECT_NEAR(at.xz / pressure_unit, 2 * b * at.x / length, precision);
+}
+
 // u_x = e x, u_y = e y, u_z = -2 e z under a pressure p, e = 0.5, p = 0.25: stress 2 eps - p.
 TEST(MeridianSection, HasTheStressesOfAUniformExpansion) {
   constexpr double e = 0.5, p = 0.25;

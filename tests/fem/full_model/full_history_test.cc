@@ -104,6 +104,16 @@ FullFrictionHistory full_friction(const RelaxationModel& model, const Eigen::Mat
   return full_friction_history(body(Harmonic::tangential).space, model, mu, wide_motion(), pressure, n_steps, n_cycles);
 }
 
+// The same answer for a factorisation in every iteration.
+TEST(FullHistory, FactorsAnewAsOftenAsItSolves) {
+  const auto kept = full_normal(damped_branches(), 1);
+  const auto anew = full_normal_history(body(Harmonic::normal).space, damped_branches(), profile(), wide_motion(),
+                                        n_steps, 1, SparseFactors::made_anew);
+  EXPECT_EQ(anew.count.n_factorisations, anew.count.n_solves);
+  EXPECT_LT(kept.count.n_factorisations, kept.count.n_solves);
+  EXPECT_LT(largest_difference(anew.pressure, kept.pressure), roundoff);
+}
+
 void expect_plausible(const SolveCount& count, Harmonic harmonic, Index n_instants) {
   EXPECT_EQ(count.n_dofs, body(harmonic).space.n_dofs());
   EXPECT_GE(count.n_solves, n_instants);
