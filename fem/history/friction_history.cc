@@ -109,6 +109,12 @@ void FrictionPeriod::begin() {
   k_ = 0;
 }
 
+void FrictionPeriod::pass(const FrictionContact& contact) {
+  slip_ += contact.slip.cwiseAbs();
+  traction_.col(k_) = contact.traction;
+  depths_.col(k_++) = contact.zones.depths();
+}
+
 void FrictionPeriod::see(const FrictionContact& contact) {
   const auto& depths = contact.zones.depths();
   const auto &limit = contact.limit, &slip = contact.slip, &traction = contact.traction;
@@ -117,8 +123,6 @@ void FrictionPeriod::see(const FrictionContact& contact) {
   const auto step = contact.in_piece();
   forward_reserve_.add(contact.limit_depths - depths, step);
   backward_reserve_.add(contact.limit_depths + depths, step);
-  slip_ += slip.cwiseAbs();
-  traction_.col(k_) = traction;
   displacement_.col(k_) = contact.balance_displacements();
   slips_.col(k_) = slip;
   auto whole_step = step;  // the indenter is known at its end
@@ -126,12 +130,12 @@ void FrictionPeriod::see(const FrictionContact& contact) {
   least_.add(Eigen::VectorXd::Constant(1, contact.displacement), whole_step);
   most_.add(Eigen::VectorXd::Constant(1, -contact.displacement), whole_step);
   indenter_[k_] = contact.balance_displacement;
-  depths_.col(k_++) = depths;
+  weights_[k_] = 1.5 - contact.fraction();
+  pass(contact);
   for (std::size_t i = 0; i < zones_.size(); ++i) {
     const auto ring = static_cast<Eigen::Index>(i);
     zones_[i] |= limit[ring] > 0 ? 2 : 4;
   }
-  weights_[k_ - 1] = 1.5 - contact.fraction();
 }
 
 void FrictionPeriod::report(const ContactProblem& problem, FrictionHistory& history) const {
@@ -172,7 +176,8 @@ WatchedFriction::WatchedFriction(const ContactProblem& problem, const Relaxation
                                  double friction_coefficient, const Motion& motion, int steps_per_cycle)
     : contact(problem, relaxation, friction_coefficient, motion, steps_per_cycle),
       first_slip(problem.n_rings()),
-      period(problem.n_rings(), period_steps()) {}
+      period(problem.n_rings(), period_steps()),
+      n_steps_to_pass_(static_cast<long>(motion.cycles_of_ramp()) * steps_per_cycle - period_steps()) {}
 
 void WatchedFriction::step(const Eigen::VectorXd& pressure, const std::optional<NormalInstant>& normal) {
   if (contact.n_steps % period_steps() == 0) {
@@ -182,7 +187,10 @@ void WatchedFriction::step(const Eigen::VectorXd& pressure, const std::optional<
   }
   contact.step(pressure, normal);
   first_slip.see(contact);
-  period.see(contact);
+  if (contact.n_steps <= n_steps_to_pass_)
+    period.pass(contact);
+  else
+    period.see(contact);
   if (contact.n_steps % period_steps() == 0) slip_of_periods.push_back(period.slip());
 }
 

@@ -60,6 +60,8 @@ class FrictionPeriod {
   /// Forgets the period before, but for its last samples.
   void begin();
   void see(const FrictionContact& contact);
+  /// Of a step of a period that nothing is reported of, nor of the next one: slips and tractions alone.
+  void pass(const FrictionContact& contact);
   void report(const ContactProblem& problem, FrictionHistory& history) const;
   /// Of the indenter in this period, see FrictionHistory.
   [[nodiscard]] double amplitude(const Motion& motion) const;
@@ -99,6 +101,9 @@ class WatchedFriction {
   std::vector<Eigen::VectorXd> slip_of_periods;  ///< see FrictionHistory
 
   [[nodiscard]] int period_steps() const { return contact.steps_per_cycle() * contact.motion().cycles_per_period(); }
+
+ private:
+  long n_steps_to_pass_;  // before the last period of the ramp
 };
 
 /// Periods of dozens of oscillations after which a history is given up. One of a body that creeps for longer has the
