@@ -22,6 +22,7 @@ TEST(AnswerText, ShowsAsManyDigitsAsTheBarAllows) {
   EXPECT_EQ(with_unit(-9.06e-5, 4.17e-4, "N"), "-0.1 ± 0.4 mN");
   EXPECT_EQ(with_unit(-9.06e-5, 1.17e-3, "N"), "0 ± 1 mN");
   EXPECT_EQ(with_unit(-3e-10, 7.84e-7, "N"), "0.0 ± 0.8 µN");
+  EXPECT_EQ(with_unit(0.11109, 1e-17, "N"), "111.090 mN");
 }
 
 // The numbers of the made-up result: a bar of 0.03125 of the force of 42.5 N; the shakedown radius has none and fails.
