@@ -25,6 +25,20 @@ TEST(CaseSection, HasTheSceneWithItsGroups) {
                       "<dd>0.5000</dd>", "it is 1 % lower"});
 }
 
+// The near cycle that stands for a motion without one is as long as its accuracy asks for, and what it loses says
+// nothing of the motion.
+TEST(CaseSection, HasTheFrictionOfAPeriodAlone) {
+  auto json = stored_result("single");
+  json["fe"]["friction_work"] = 1e-6;
+  json["comparison"].erase("friction_work");
+  const auto html = [&] { return rendered(cases_section({StoredResult{json, {}}})); };
+  expect_parts(html(), {"energy lost to friction per period", "1 µJ"});
+  json["scene"]["has_period"] = false;
+  EXPECT_EQ(html().find("energy lost"), std::string::npos);
+  json["scene"]["path"] = {{"repeats", "once"}};
+  expect_parts(html(), {"<td>energy lost to friction</td>"});
+}
+
 TEST(CaseSection, IsOfSingleCasesAlone) {
   EXPECT_TRUE(cases_section({StoredResult{stored_result(), {}}}).is_null());
 }
