@@ -107,26 +107,6 @@ double bar_of(const ordered_json& fe, const char* key) {
   return found != bars.end() && found->is_object() ? number_in(*found, "total").value_or(0) : 0;
 }
 
-/// What the springs of the cycle may be off by; 0 of a closed form.
-double mdr_bar(const ordered_json& mdr, Quantity quantity) {
-  const auto errors = mdr.find("cycle_error");
-  if (errors == mdr.end()) return 0;
-  const auto error = [&](const char* key) { return number_in(*errors, key).value_or(0); };
-  switch (quantity) {
-    case Quantity::tangential_force_max:
-    case Quantity::tangential_force_mean:
-      return error("force");
-    case Quantity::friction_work:
-    case Quantity::bulk_work:
-    case Quantity::cycle_work:
-      return error("work");
-    case Quantity::tangential_work:
-      return error("loop");
-    default:
-      return 0;
-  }
-}
-
 /// Of finite elements alone, for a profile that MDR does not hold for.
 Answer answer_beyond_mdr(const ordered_json& result) {
   const auto& fe = result.at("fe");
@@ -225,6 +205,25 @@ std::string annuli_text(const ordered_json& annuli) {
     text += (text.empty() ? "" : "; ") + (annulus.at("inner") == 0.0 ? "0" : end(annulus, "inner", "inner_bar")) +
             " to " + end(annulus, "outer", "outer_bar");
   return text.empty() ? "none" : text;
+}
+
+double mdr_bar(const ordered_json& mdr, Quantity quantity) {
+  const auto errors = mdr.find("cycle_error");
+  if (errors == mdr.end()) return 0;
+  const auto error = [&](const char* key) { return number_in(*errors, key).value_or(0); };
+  switch (quantity) {
+    case Quantity::tangential_force_max:
+    case Quantity::tangential_force_mean:
+      return error("force");
+    case Quantity::friction_work:
+    case Quantity::bulk_work:
+    case Quantity::cycle_work:
+      return error("work");
+    case Quantity::tangential_work:
+      return error("loop");
+    default:
+      return 0;
+  }
 }
 
 std::string mdr_text(const ordered_json& mdr, Quantity quantity, const Scales& scales) {
