@@ -101,8 +101,9 @@ std::string junit_of(const std::vector<BatchLine>& lines, const Changes* changes
     auto why = good                   ? std::string()
                : line.failure.empty() ? line.answer.substr(0, line.answer.find('\n'))
                                       : line.failure;
-    const auto moved = changes ? changes->moved(line.name) : std::string();
-    if (!moved.empty()) why += (why.empty() ? "" : "\n") + ("beyond the bars of the baseline:\n" + moved);
+    const auto changed = changes ? changes->of_case(line.name) : std::string();
+    if (!changed.empty())
+      why += (why.empty() ? "" : "\n") + ("other than the baseline, beyond the bars of both:\n" + changed);
     cases.push_back({line.name, why, line.answer, line.seconds});
   }
   return junit_document("fretval run", cases);
@@ -122,7 +123,7 @@ std::vector<StoredResult> baseline_of(const fs::path& folder, const std::vector<
   return baseline;
 }
 
-/// Says what has moved; as a warning, if anything has by more than its bars.
+/// Says what has changed; as a warning, if anything has but for values within their bars.
 Changes changes_from(const std::vector<StoredResult>& baseline, const std::vector<BatchLine>& lines) {
   std::vector<StoredResult> results;
   for (const auto& line : lines)
@@ -130,7 +131,7 @@ Changes changes_from(const std::vector<StoredResult>& baseline, const std::vecto
   auto changes = changes_between(baseline, results);
   std::istringstream text(changes_text(changes));
   for (std::string line; std::getline(text, line);)
-    changes.any_beyond_bars() ? log::warn("baseline: " + line) : log::info("baseline: " + line);
+    changes.any() ? log::warn("baseline: " + line) : log::info("baseline: " + line);
   return changes;
 }
 
@@ -180,7 +181,7 @@ int run_cases(const RunOptions& options) {
   const auto changes = baseline.empty() ? std::nullopt : std::optional(changes_from(baseline, lines));
   if (!options.junit.empty()) write_file(options.junit, junit_of(lines, changes ? &*changes : nullptr));
   const int exit_code = exit_code_of(lines);
-  return exit_code == exit_agree && changes && changes->any_beyond_bars() ? exit_disagree : exit_code;
+  return exit_code == exit_agree && changes && changes->any() ? exit_disagree : exit_code;
 }
 
 }  // namespace fretval

@@ -99,7 +99,8 @@ TEST(RunCommand, ExitsWith1WhereAResultHasMovedFromTheBaseline) {
   const auto moved = fretval_run(against + " --quiet --junit " + quoted(junit), folder);
   EXPECT_EQ(moved.exit_code, 1) << moved.err;
   expect_parts(moved.err, {"baseline: ", "largest normal force"});
-  expect_parts(text_of(junit), {"failures=\"1\"", "beyond the bars of the baseline", "largest normal force"});
+  expect_parts(text_of(junit),
+               {"failures=\"1\"", "other than the baseline, beyond the bars of both", "largest normal force"});
   const auto renamed = quoted(folder.write("renamed.prm", elastic_case()));
   const auto without = "run " + renamed + " --proof none -o " + quoted(out) + " --baseline " + quoted(old);
   const auto none = fretval_run(without, folder);
