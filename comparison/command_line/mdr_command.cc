@@ -50,8 +50,7 @@ void print_answer(const ordered_json& json, bool single_pass) {
       return from[traits.name].is_null() ? none_text(quantity, single_pass) : mdr_text(from, quantity);
     };
     const auto by_mdr = shown(mdr), by_springs = shown(springs);
-    if (*traits.unit && !(by_mdr + by_springs).empty())
-      fmt::print("{}", answer_line(traits.title, by_mdr, by_springs));
+    if (*traits.unit && !(by_mdr + by_springs).empty()) fmt::print("{}", answer_line(traits.title, by_mdr, by_springs));
   }
   if (json.contains("wear")) {
     const auto& wear = json["wear"];
@@ -73,9 +72,9 @@ int run_mdr(const std::string& file, const MdrOptions& options) {
     throw InputError(fmt::format("{}: a sweep has many fields; --fields needs a file with a single case", file));
   auto list = ordered_json::array();
   for (const auto& input : cases) {
-    for (const auto& warning : input.warnings) log::warn(warning);
+    for (const auto& warning : input.warnings) log::warn_once(warning);
     const auto document = mdr_document(input, options.springs);
-    for (const auto& warning : implausible_values(input, profile_of(input.indenter))) log::warn(warning);
+    for (const auto& warning : implausible_values(input, profile_of(input.indenter))) log::warn_once(warning);
     if (options.springs)
       for (const auto& warning : document.json["springs"]["warnings"])
         log::warn(fmt::format("{}: {}", input.name, warning.get<std::string>()));

@@ -70,12 +70,24 @@ int exit_code_of(const std::vector<BatchLine>& lines) {
   return std::all_of(lines.begin(), lines.end(), agrees) ? exit_agree : exit_disagree;
 }
 
+/// What is said if the run is interrupted after so many results.
+std::string interrupted_text(const std::vector<PreparedCase>& prepared, const fs::path& output, std::size_t n_kept) {
+  const auto wear =
+      std::any_of(prepared.begin(), prepared.end(), wears) ? "; wear goes on from here when it is run again" : "";
+  if (n_kept == 0) return fmt::format("interrupted: no case is done{}", wear);
+  return fmt::format("interrupted: {0} of {1} kept in {2}; fretval report {2} shows what is there{3}", n_kept,
+                     counted(prepared.size(), "case"), output.string(), wear);
+}
+
 std::vector<BatchLine> computed_lines(const std::vector<PreparedCase>& prepared, const RunOptions& options,
                                       const Ranks& ranks) {
   const fem::PetscSession session;
   Progress progress(prepared.size(),
                     estimated_seconds(prepared, options.proof, n_cores() * static_cast<std::size_t>(ranks.count())));
+  std::size_t n_kept = 0;
   const auto told = [&](const BatchLine& line, std::size_t, std::size_t) {
+    if (line.failure.empty()) ++n_kept;
+    if (!options.output.empty()) say_on_interrupt(interrupted_text(prepared, options.output, n_kept));
     progress.done(outcome_text(line), line.pass, line.name);
     if (options.json && line.failure.empty()) print_line(line.json);
   };
@@ -145,6 +157,19 @@ void log_left_out(const std::vector<PreparedCase>& prepared) {
   for (const auto& [words, n] : counts) log::info(fmt::format("{} of {} cases: {}", n, prepared.size(), words));
 }
 
+/// Says that an output has results of other cases, as of a sweep that had other values, which the report shows as well.
+void log_others(const fs::path& output, const std::vector<Case>& cases) {
+  std::set<std::string> names, others;
+  for (const auto& one : cases) names.insert(one.name);
+  for (const auto& entry : fs::recursive_directory_iterator(output)) {
+    const auto name = entry.path().parent_path().lexically_relative(output).generic_string();
+    if (entry.path().filename() == "result.json" && names.count(name) == 0) others.insert(name);
+  }
+  if (!others.empty())
+    log::info(fmt::format("{}: has {} of earlier runs as well, which the report shows, too: {}{}", output.string(),
+                          counted(others.size(), "result"), *others.begin(), others.size() > 1 ? ", …" : ""));
+}
+
 }  // namespace
 
 int run_cases(const RunOptions& options) {
@@ -162,15 +187,12 @@ int run_cases(const RunOptions& options) {
   // Before minutes of computing, not after.
   if (const fs::path file = options.junit; file.has_parent_path()) fs::create_directories(file.parent_path());
   for (const auto& one : prepared)
-    for (const auto& warning : one.input.warnings) log::warn(warning);
+    for (const auto& warning : one.input.warnings) log::warn_once(warning);
   log_left_out(prepared);
   const bool keeps_results = !output.empty();
+  if (keeps_results) say_on_interrupt(interrupted_text(prepared, output, 0));
   const auto lock = keeps_results ? std::make_unique<FolderLock>(output) : nullptr;
-  const bool any_wears = std::any_of(prepared.begin(), prepared.end(), wears);
-  if (keeps_results)
-    say_on_interrupt(
-        fmt::format("interrupted: the cases that are done are kept in {0}; fretval report {0} shows them{1}",
-                    output.string(), any_wears ? "; wear goes on from here when it is run again" : ""));
+  if (keeps_results) log_others(output, cases);
   const auto lines = computed_lines(prepared, options, ranks);
   if (!options.json) lines.size() == 1 && lines[0].failure.empty() ? print_answer(lines[0]) : print_verdicts(lines);
   if (keeps_results) write_sweep_lines(cases, output);

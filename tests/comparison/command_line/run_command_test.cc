@@ -127,6 +127,21 @@ TEST(RunCommand, PrintsALineOfJsonForEachCase) {
     EXPECT_EQ(json.at("fe"), nlohmann::json::parse(text_of(out / name / "result.json")).at("fe"));
   }
   EXPECT_EQ(names, (std::set<std::string>{"sweep/phase-0", "sweep/phase-90"}));
+  EXPECT_EQ(run.err.find("earlier runs"), std::string::npos) << run.err;
+}
+
+// The report takes whatever lies in its folder.
+TEST(RunCommand, SaysWhatElseTheReportShows) {
+  const ScratchFolder folder;
+  const auto out = folder.path() / "out/";
+  const auto run = [&](const char* values) {
+    const auto file = folder.write("sweep.prm", elastic_case() + "subsection Sweep\n  set Entry = Motion / Phase\n" +
+                                                    "  set Values = " + values + "\nend\n");
+    return fretval_run("run " + quoted(file) + " --proof none -o " + quoted(out), folder).err;
+  };
+  run("0, 90");
+  EXPECT_EQ(run("0, 90, 180").find("earlier runs"), std::string::npos);
+  expect_parts(run("0, 45"), {"has 2 results of earlier runs as well", ": sweep/phase-180, …"});
 }
 
 TEST(RunCommand, WritesTheTimeOfEachCaseAsJUnit) {
