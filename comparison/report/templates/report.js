@@ -19,6 +19,13 @@
       }
     }
   }
+  /// The same outside of a drawing.
+  function richWords(node, text) {
+    for (const [, plain, many, one] of text.matchAll(/([^_]+)|_\{([^}]*)\}|_(.)/gu)) {
+      if (plain) node.node().append(plain);
+      else node.append("sub").text(many ?? one);
+    }
+  }
   const flat = (text) => text.replace(/_\{([^}]*)\}|_(.)/gu, (_, many, one) => many ?? one);
 
   function head(root, plot, rows) {
@@ -111,7 +118,7 @@
       if (!series.label) return;
       const button = legend.append("button").attr("type", "button").attr("aria-pressed", "true").attr("title", "show or hide");
       swatch(button, series);
-      button.append("span").style("padding", 0).text(flat(series.label));
+      richWords(button.append("span").style("padding", 0).style("display", "block"), series.label);
       button.on("click", () => {
         state.off.has(k) ? state.off.delete(k) : state.off.add(k);
         // Series without a name of their own belong to the one before.
