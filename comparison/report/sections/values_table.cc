@@ -46,7 +46,7 @@ std::optional<Value> value_of(const StoredResult& r, const char* side, Quantity 
   if (found.value) found.value = without_roundoff(quantity, scales_of(r.json), *found.value);
   if (!found.value) return found;
   if (!is_fe) {
-    found.bar = mdr_bar(r.json.at("mdr"), quantity);
+    found.bar = mdr_bar(r.json.at("mdr"), quantity, scales_of(r.json));
     return found;
   }
   const auto bar = is_compared ? comparison[key].value("error_bar", ordered_json())

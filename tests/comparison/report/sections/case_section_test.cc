@@ -21,7 +21,7 @@ TEST(CaseSection, HasTheSceneWithItsGroups) {
   json["scene"]["frequency"] = 1;
   json["fe"]["stick_radius_shakedown"] = 0.001;
   const auto html = rendered(cases_section({StoredResult{json, {}}}));
-  expect_parts(html, {"<dd>10 mm</dd>", "<dd>100 ms</dd>", "<dd>0.2</dd>", "<dd>0.5</dd>", "<dd>0.628</dd>",
+  expect_parts(html, {"<dd>10\u00a0mm</dd>", "<dd>100\u00a0ms</dd>", "<dd>0.2</dd>", "<dd>0.5</dd>", "<dd>0.628</dd>",
                       "<dd>0.5000</dd>", "it is 1 % lower"});
 }
 
