@@ -43,11 +43,12 @@ void print_answer(const ordered_json& json, bool single_pass) {
   if (!springs.empty()) fmt::print("{}", answer_line("", "MDR", "springs"));
   const auto& ratio = mdr["modulus_ratio"];
   fmt::print("{}", answer_line("modulus ratio", ratio.is_null() ? "none" : fmt::format("{:.6g}", ratio.get<double>())));
+  const Scales scales{0, mdr.value("tangential_force_max", 0.0), 0};
   for (const auto quantity : quantities_by_interest) {
     const auto& traits = traits_of(quantity);
     const auto shown = [&](const ordered_json& from) {
       if (!from.contains(traits.name)) return std::string();
-      return from[traits.name].is_null() ? none_text(quantity, single_pass) : mdr_text(from, quantity);
+      return from[traits.name].is_null() ? none_text(quantity, single_pass) : mdr_text(from, quantity, scales);
     };
     const auto by_mdr = shown(mdr), by_springs = shown(springs);
     if (*traits.unit && !(by_mdr + by_springs).empty()) fmt::print("{}", answer_line(traits.title, by_mdr, by_springs));

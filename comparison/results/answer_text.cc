@@ -207,10 +207,12 @@ std::string annuli_text(const ordered_json& annuli) {
   return text.empty() ? "none" : text;
 }
 
-double mdr_bar(const ordered_json& mdr, Quantity quantity) {
+double mdr_bar(const ordered_json& mdr, Quantity quantity, const Scales& scales) {
   const auto errors = mdr.find("cycle_error");
   if (errors == mdr.end()) return 0;
-  const auto error = [&](const char* key) { return number_in(*errors, key).value_or(0); };
+  const auto error = [&](const char* key) {
+    return without_roundoff(quantity, scales, number_in(*errors, key).value_or(0));
+  };
   switch (quantity) {
     case Quantity::tangential_force_max:
     case Quantity::tangential_force_mean:
@@ -227,7 +229,7 @@ double mdr_bar(const ordered_json& mdr, Quantity quantity) {
 }
 
 std::string mdr_text(const ordered_json& mdr, Quantity quantity, const Scales& scales) {
-  return shown(quantity, scales, number_in(mdr, name_of(quantity)), mdr_bar(mdr, quantity));
+  return shown(quantity, scales, number_in(mdr, name_of(quantity)), mdr_bar(mdr, quantity, scales));
 }
 
 std::string answer_line(const std::string& title, const std::string& first, const std::string& second) {

@@ -50,12 +50,13 @@ std::string beyond_text(const nlohmann::ordered_json& not_compared);
 /// "0 to 502.1 ± 0.4 µm, 610 ± 1 to 702 ± 1 µm", of a list of annuli in such a JSON; "none" without any.
 std::string annuli_text(const nlohmann::ordered_json& annuli);
 
-/// What the springs that were stepped for a quantity may be off by, of the "mdr" of a document; 0 of a closed form.
-double mdr_bar(const nlohmann::ordered_json& mdr, Quantity quantity);
+/// What the springs that were stepped for a quantity may be off by, of the "mdr" of a document; 0 of a closed form, and
+/// where it is roundoff of a scale.
+double mdr_bar(const nlohmann::ordered_json& mdr, Quantity quantity, const Scales& scales);
 
 /// A value of MDR, of the "mdr" of a result.json or of `fretval mdr --json`, null for none: with its unit, and where
 /// springs were stepped for it with what they may be off by; "none".
-std::string mdr_text(const nlohmann::ordered_json& mdr, Quantity quantity, const Scales& scales = {});
+std::string mdr_text(const nlohmann::ordered_json& mdr, Quantity quantity, const Scales& scales);
 
 /// A line of a table for the terminal.
 std::string answer_line(const std::string& title, const std::string& first, const std::string& second = {});

@@ -42,6 +42,15 @@ TEST(AnswerText, SaysWhatTheVerdictIs) {
   expect_parts(answer_text(result), {"case: open", "wider than the tolerance"});
 }
 
+// Of a prescribed force both have the largest exactly, and a mean of 0 but for roundoff.
+TEST(AnswerText, ShowsNoRoundoffOfSprings) {
+  const nlohmann::ordered_json mdr{
+      {"tangential_force_max", 0.05}, {"tangential_force_mean", 1.7e-17}, {"cycle_error", {{"force", 2e-17}}}};
+  const Scales scales{1e-3, 0.3, 1e-6};
+  EXPECT_EQ(mdr_text(mdr, Quantity::tangential_force_mean, scales), "0 nN");
+  EXPECT_EQ(mdr_text(mdr, Quantity::tangential_force_max, scales), "50.0000 mN");
+}
+
 // Of a rate that differs by a fifth the verdict is a pass; it says nothing of the radii.
 TEST(AnswerText, LeavesTheDecayOfSlipOutOfTheSentence) {
   auto json = stored_result();
