@@ -40,11 +40,18 @@ endif()
 # `cpack` in the build folder makes one package for each component.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_CONTACT "the fretval authors")
-set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "Finite elements and dimensionality reduction compared for fretting on elastomers")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PROGRAM_DESCRIPTION
+    "finite elements against dimensionality reduction for fretting on elastomers
+The program fretval computes the fretting of a rigid indenter on a viscoelastic half-space by finite elements and by
+the method of dimensionality reduction (MDR), compares stick zones, forces, energies and wear, and writes a report.")
+set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION
+    "method of dimensionality reduction for fretting on elastomers, C++ library
+Headers, static library and CMake files of fretval::mdr, the analytic reference of the program fretval: stick radii,
+limiting profiles, surface fields and wear of a rigid indenter on a viscoelastic half-space, for programs of your own.")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME fretval)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)

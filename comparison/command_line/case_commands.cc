@@ -51,7 +51,7 @@ int compare_results(const fs::path& before, const fs::path& after) {
     throw InputError(fmt::format("{}, {}: have no case in common; a case has the name of its file", before.string(),
                                  after.string()));
   fmt::print("{}", changes_text(changes));
-  return changes.any_beyond_bars() ? exit_disagree : exit_agree;
+  return changes.any() ? exit_disagree : exit_agree;
 }
 
 }  // namespace fretval

@@ -89,7 +89,9 @@ void add_commands(CLI::App& app, Command& command) {
     command = [=] { return options->entries ? print_entries() : explain_case(options->file); };
   });
 
-  auto* compare = app.add_subcommand("compare", "What changed between two folders of results");
+  auto* compare = app.add_subcommand("compare",
+                                     "What changed between two folders of results; exits with 1 if a value moved "
+                                     "beyond its bars, or a verdict changed");
   compare->add_option("before", options->file, "Folder with results")->required();
   compare->add_option("after", options->other, "Folder with results")->required();
   compare->callback([=, &command] { command = [=] { return compare_results(options->file, options->other); }; });
@@ -114,7 +116,8 @@ void add_commands(CLI::App& app, Command& command) {
   run->add_flag("--json", options->run.json, "Print each result as a line of JSON when it is done");
   run->add_option("--junit", options->run.junit, "Also write JUnit XML to this file");
   run->add_option("--baseline", options->run.baseline,
-                  "Folder of earlier results: exit with 1 if a value moves by more than both its error bars");
+                  "Folder of earlier results: exit with 1 if a value moves by more than both its error bars, or a "
+                  "verdict changes");
   add_store_options(*run, options->run.store);
   run->add_flag("--no-store", options->run.store.none, "Make all operators, and keep none");
   run->add_option("--distribute-from", options->run.distribute_from,

@@ -2,13 +2,14 @@
 
 #include <fmt/format.h>
 
-#include <vector>
+#include <utility>
 
 #include "comparison/case/case_file.h"
 #include "comparison/case/plausibility.h"
 #include "comparison/command_line/exit_codes.h"
 #include "comparison/reference/mdr_case.h"
 #include "comparison/reference/mdr_document.h"
+#include "comparison/results/answer_text.h"
 #include "comparison/support/files.h"
 #include "comparison/support/log.h"
 
@@ -17,41 +18,51 @@ namespace {
 
 using nlohmann::ordered_json;
 
-std::string value_text(const ordered_json& value, const char* unit, const char* none) {
-  if (value.is_null()) return none;
-  return fmt::format("{:.6g}{}{}", value.get<double>(), *unit ? " " : "", unit);
+/// Why there is none.
+std::string none_text(Quantity quantity, bool single_pass) {
+  switch (quantity) {
+    case Quantity::stick_radius_first_slip:
+      return "none (nothing sticks)";
+    case Quantity::stick_radius_shakedown:
+      return single_pass ? "none (a single pass has no periodic state)" : "none (nothing sticks)";
+    case Quantity::worn_radius:
+      return single_pass ? "none" : "none (wear goes on)";
+    case Quantity::normal_force_max:
+      return "not computed; see --springs";
+    default:
+      return "none";
+  }
 }
 
 void print_answer(const ordered_json& json, bool single_pass) {
-  struct Line {
-    const char *key, *label, *unit, *none;
-  };
-  fmt::print("{}\n", json["name"].get<std::string>());
-  const auto print = [](const ordered_json& from, const std::vector<Line>& lines) {
-    for (const auto& [key, label, unit, none] : lines)
-      if (from.contains(key)) fmt::print("  {:<30}{}\n", label, value_text(from[key], unit, none));
-  };
-  print(json["mdr"], {{"modulus_ratio", "modulus ratio", "", "none"},
-                      {"contact_radius_max", "largest contact radius", "m", "none"},
-                      {"stick_radius_first_slip", "stick radius, first slip", "m", "none (nothing sticks)"},
-                      {"stick_radius_shakedown", "stick radius, shakedown", "m",
-                       single_pass ? "none (a single pass has no periodic state)" : "none (nothing sticks)"},
-                      {"worn_radius", "outer radius of the wear", "m", single_pass ? "none" : "none (wear goes on)"},
-                      {"normal_force_max", "largest normal force", "N", "not computed; see --springs"},
-                      {"axis_pressure_max", "largest pressure on the axis", "Pa", ""}});
-  if (json.contains("springs"))
-    print(json["springs"], {{"stick_radius_first_slip", "springs: first slip", "m", "none (nothing sticks)"},
-                            {"stick_radius_shakedown", "springs: shakedown", "m", "none (nothing sticks)"},
-                            {"normal_force_max", "springs: largest force", "N", ""},
-                            {"friction_work", "springs: friction per cycle", "J", ""},
-                            {"bulk_work", "springs: bulk per cycle", "J", ""}});
+  const auto& mdr = json["mdr"];
+  const auto springs = json.value("springs", ordered_json::object());
+  fmt::print(
+      "{}{}\n", json["name"].get<std::string>(),
+      json.contains("limiting_state") ? ": under prescribed forces, of the contact that has worn to its end" : "");
+  if (!springs.empty()) fmt::print("{}", answer_line("", "MDR", "springs"));
+  const auto& ratio = mdr["modulus_ratio"];
+  fmt::print("{}", answer_line("modulus ratio", ratio.is_null() ? "none" : fmt::format("{:.6g}", ratio.get<double>())));
+  const Scales scales{0, mdr.value("tangential_force_max", 0.0), 0};
+  for (const auto quantity : quantities_by_interest) {
+    const auto& traits = traits_of(quantity);
+    const auto shown = [&](const ordered_json& from) {
+      if (!from.contains(traits.name)) return std::string();
+      return from[traits.name].is_null() ? none_text(quantity, single_pass) : mdr_text(from, quantity, scales);
+    };
+    const auto by_mdr = shown(mdr), by_springs = shown(springs);
+    if (*traits.unit && !(by_mdr + by_springs).empty()) fmt::print("{}", answer_line(traits.title, by_mdr, by_springs));
+  }
   if (json.contains("wear")) {
     const auto& wear = json["wear"];
-    fmt::print("  {:<30}{:.6g} m^3 after {:.6g} cycles\n", "worn volume", wear["volume"].back().get<double>(),
-               wear["cycles"].back().get<double>());
+    fmt::print("{}", answer_line("worn volume",
+                                 fmt::format("{} after {:.6g} cycles", volume_text(wear["volume"].back().get<double>()),
+                                             wear["cycles"].back().get<double>())));
   }
-  if (json.contains("elastomer"))
-    print(json["elastomer"], {{"residual", "Prony fit: misfit", "", ""}, {"held_out", "Prony fit: held out", "", ""}});
+  if (!json.contains("elastomer")) return;
+  for (const auto& [key, title] :
+       {std::pair{"residual", "Prony fit: misfit"}, std::pair{"held_out", "Prony fit: held out"}})
+    fmt::print("{}", answer_line(title, fmt::format("{:.2g} %", 100 * json["elastomer"][key].get<double>())));
 }
 
 }  // namespace
@@ -62,9 +73,9 @@ int run_mdr(const std::string& file, const MdrOptions& options) {
     throw InputError(fmt::format("{}: a sweep has many fields; --fields needs a file with a single case", file));
   auto list = ordered_json::array();
   for (const auto& input : cases) {
-    for (const auto& warning : input.warnings) log::warn(warning);
+    for (const auto& warning : input.warnings) log::warn_once(warning);
     const auto document = mdr_document(input, options.springs);
-    for (const auto& warning : implausible_values(input, profile_of(input.indenter))) log::warn(warning);
+    for (const auto& warning : implausible_values(input, profile_of(input.indenter))) log::warn_once(warning);
     if (options.springs)
       for (const auto& warning : document.json["springs"]["warnings"])
         log::warn(fmt::format("{}: {}", input.name, warning.get<std::string>()));

@@ -70,12 +70,24 @@ int exit_code_of(const std::vector<BatchLine>& lines) {
   return std::all_of(lines.begin(), lines.end(), agrees) ? exit_agree : exit_disagree;
 }
 
+/// What is said if the run is interrupted after so many results.
+std::string interrupted_text(const std::vector<PreparedCase>& prepared, const fs::path& output, std::size_t n_kept) {
+  const auto wear =
+      std::any_of(prepared.begin(), prepared.end(), wears) ? "; wear goes on from here when it is run again" : "";
+  if (n_kept == 0) return fmt::format("interrupted: no case is done{}", wear);
+  return fmt::format("interrupted: {0} of {1} kept in {2}; fretval report {2} shows what is there{3}", n_kept,
+                     counted(prepared.size(), "case"), output.string(), wear);
+}
+
 std::vector<BatchLine> computed_lines(const std::vector<PreparedCase>& prepared, const RunOptions& options,
                                       const Ranks& ranks) {
   const fem::PetscSession session;
   Progress progress(prepared.size(),
                     estimated_seconds(prepared, options.proof, n_cores() * static_cast<std::size_t>(ranks.count())));
+  std::size_t n_kept = 0;
   const auto told = [&](const BatchLine& line, std::size_t, std::size_t) {
+    if (line.failure.empty()) ++n_kept;
+    if (!options.output.empty()) say_on_interrupt(interrupted_text(prepared, options.output, n_kept));
     progress.done(outcome_text(line), line.pass, line.name);
     if (options.json && line.failure.empty()) print_line(line.json);
   };
@@ -101,8 +113,9 @@ std::string junit_of(const std::vector<BatchLine>& lines, const Changes* changes
     auto why = good                   ? std::string()
                : line.failure.empty() ? line.answer.substr(0, line.answer.find('\n'))
                                       : line.failure;
-    const auto moved = changes ? changes->moved(line.name) : std::string();
-    if (!moved.empty()) why += (why.empty() ? "" : "\n") + ("beyond the bars of the baseline:\n" + moved);
+    const auto changed = changes ? changes->of_case(line.name) : std::string();
+    if (!changed.empty())
+      why += (why.empty() ? "" : "\n") + ("other than the baseline, beyond the bars of both:\n" + changed);
     cases.push_back({line.name, why, line.answer, line.seconds});
   }
   return junit_document("fretval run", cases);
@@ -122,7 +135,7 @@ std::vector<StoredResult> baseline_of(const fs::path& folder, const std::vector<
   return baseline;
 }
 
-/// Says what has moved; as a warning, if anything has by more than its bars.
+/// Says what has changed; as a warning, if anything has but for values within their bars.
 Changes changes_from(const std::vector<StoredResult>& baseline, const std::vector<BatchLine>& lines) {
   std::vector<StoredResult> results;
   for (const auto& line : lines)
@@ -130,7 +143,7 @@ Changes changes_from(const std::vector<StoredResult>& baseline, const std::vecto
   auto changes = changes_between(baseline, results);
   std::istringstream text(changes_text(changes));
   for (std::string line; std::getline(text, line);)
-    changes.any_beyond_bars() ? log::warn("baseline: " + line) : log::info("baseline: " + line);
+    changes.any() ? log::warn("baseline: " + line) : log::info("baseline: " + line);
   return changes;
 }
 
@@ -142,6 +155,19 @@ void log_left_out(const std::vector<PreparedCase>& prepared) {
     if (one.input.wear_kinetics && !wears(one)) ++counts["no tangential motion: nothing slips, nothing wears"];
   }
   for (const auto& [words, n] : counts) log::info(fmt::format("{} of {} cases: {}", n, prepared.size(), words));
+}
+
+/// Says that an output has results of other cases, as of a sweep that had other values, which the report shows as well.
+void log_others(const fs::path& output, const std::vector<Case>& cases) {
+  std::set<std::string> names, others;
+  for (const auto& one : cases) names.insert(one.name);
+  for (const auto& entry : fs::recursive_directory_iterator(output)) {
+    const auto name = entry.path().parent_path().lexically_relative(output).generic_string();
+    if (entry.path().filename() == "result.json" && names.count(name) == 0) others.insert(name);
+  }
+  if (!others.empty())
+    log::info(fmt::format("{}: has {} of earlier runs as well, which the report shows, too: {}{}", output.string(),
+                          counted(others.size(), "result"), *others.begin(), others.size() > 1 ? ", …" : ""));
 }
 
 }  // namespace
@@ -161,15 +187,12 @@ int run_cases(const RunOptions& options) {
   // Before minutes of computing, not after.
   if (const fs::path file = options.junit; file.has_parent_path()) fs::create_directories(file.parent_path());
   for (const auto& one : prepared)
-    for (const auto& warning : one.input.warnings) log::warn(warning);
+    for (const auto& warning : one.input.warnings) log::warn_once(warning);
   log_left_out(prepared);
   const bool keeps_results = !output.empty();
+  if (keeps_results) say_on_interrupt(interrupted_text(prepared, output, 0));
   const auto lock = keeps_results ? std::make_unique<FolderLock>(output) : nullptr;
-  const bool any_wears = std::any_of(prepared.begin(), prepared.end(), wears);
-  if (keeps_results)
-    say_on_interrupt(
-        fmt::format("interrupted: the cases that are done are kept in {0}; fretval report {0} shows them{1}",
-                    output.string(), any_wears ? "; wear goes on from here when it is run again" : ""));
+  if (keeps_results) log_others(output, cases);
   const auto lines = computed_lines(prepared, options, ranks);
   if (!options.json) lines.size() == 1 && lines[0].failure.empty() ? print_answer(lines[0]) : print_verdicts(lines);
   if (keeps_results) write_sweep_lines(cases, output);
@@ -180,7 +203,7 @@ int run_cases(const RunOptions& options) {
   const auto changes = baseline.empty() ? std::nullopt : std::optional(changes_from(baseline, lines));
   if (!options.junit.empty()) write_file(options.junit, junit_of(lines, changes ? &*changes : nullptr));
   const int exit_code = exit_code_of(lines);
-  return exit_code == exit_agree && changes && changes->any_beyond_bars() ? exit_disagree : exit_code;
+  return exit_code == exit_agree && changes && changes->any() ? exit_disagree : exit_code;
 }
 
 }  // namespace fretval

@@ -29,7 +29,7 @@ int run_trade(const std::string& file, const fs::path& output) {
         fmt::format("{}: Motion: a force is prescribed; the levels of a trade need prescribed displacements", file));
   if (prepared.mdr.path)
     throw InputError(fmt::format("{}: Motion / Path: the levels of a trade need oscillations", file));
-  for (const auto& warning : prepared.input.warnings) log::warn(warning);
+  for (const auto& warning : prepared.input.warnings) log::warn_once(warning);
   const fs::path folder = output / prepared.input.name;
   fs::create_directories(folder);
   const fem::PetscSession session;

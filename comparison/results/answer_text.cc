@@ -78,10 +78,8 @@ std::string verdict_text(const ordered_json& result) {
 /// What has become of the indenter.
 std::string wear_text(const ProvedWear& wear, const Units& units) {
   const auto& last = wear.fe.course.curve.back();
-  const double cubic_millimetres = 1e9;
-  auto text = fmt::format("  worn off: {:.6g} mm³ in {:.3g} cycles", last.volume * units.volume() * cubic_millimetres,
-                          last.cycles);
-  if (wear.kinetics) text += fmt::format(" (MDR {:.6g} mm³)", wear.kinetics->curve.back().volume * cubic_millimetres);
+  auto text = fmt::format("  worn off: {} in {:.3g} cycles", volume_text(last.volume * units.volume()), last.cycles);
+  if (wear.kinetics) text += fmt::format(" (MDR {})", volume_text(wear.kinetics->curve.back().volume));
   if (wear.ends_in_limit())
     return text +
            fmt::format("; nothing wears any more\n  worn profile: {:.1e} from the limiting one (in r/a and f/d max)\n",
@@ -90,8 +88,8 @@ std::string wear_text(const ProvedWear& wear, const Units& units) {
   if (!wear.slip_is_proved)
     return text + "; no slip is proved: friction takes less energy from a cycle than its error bar\n";
   if (wear.fe.course.end == fem::WearEnd::progressive)
-    return text + fmt::format("; it goes on for ever, by {:.6g} mm³ a cycle{}\n",
-                              last.volume_rate * units.volume() * cubic_millimetres,
+    return text + fmt::format("; it goes on for ever, by {} a cycle{}\n",
+                              volume_text(last.volume_rate * units.volume()),
                               wear.rate_error ? fmt::format(" (± {:.1g} of that)", *wear.rate_error) : "");
   if (wear.fe.course.end != fem::WearEnd::nothing_left)
     return text + fmt::format("; still {:.2g} from the limiting profile\n", wear.distance_shakedown.back());
@@ -100,6 +98,10 @@ std::string wear_text(const ProvedWear& wear, const Units& units) {
 
 std::string percent(double share) {
   return fmt::format("{:+.2g} %", 100 * share);
+}
+
+std::string shown(Quantity quantity, const Scales& scales, const std::optional<double>& value, double bar) {
+  return value ? with_unit(without_roundoff(quantity, scales, *value), bar, traits_of(quantity).unit) : "none";
 }
 
 double bar_of(const ordered_json& fe, const char* key) {
@@ -146,6 +148,7 @@ std::string with_unit(double value, double bar, const std::string& unit) {
   // A bar of hundreds would have three digits.
   const auto& [name, factor] = prefix_for(std::isfinite(bar) ? std::max(std::abs(value), 10 * bar) : value);
   const double least = 1e-9 * factor;
+  if (bar < least) bar = 0;
   if (value != 0 && std::abs(value) < least && bar < least) return fmt::format("0 {}{}", name, unit);  // roundoff
   const int decimals = decimals_of(value / factor, bar / factor);
   auto number = fmt::format("{:.{}f}", value / factor, decimals);
@@ -169,13 +172,10 @@ Answer answer_of(const ordered_json& result) {
     const auto compared = result.at("comparison").find(traits.name);
     if (compared == result.at("comparison").end() || *traits.unit == '\0' || quantity == Quantity::worn_volume)
       continue;
-    const auto fe = number_in(result.at("fe"), traits.name), mdr = number_in(result.at("mdr"), traits.name);
+    const auto fe = number_in(result.at("fe"), traits.name);
     const double bar = number_in(*compared, "error_bar").value_or(0) * scale_of(quantity, scales, fe.value_or(0));
-    const auto shown = [&](const std::optional<double>& value, double width) {
-      return value ? with_unit(without_roundoff(quantity, scales, *value), width, traits.unit) : std::string("none");
-    };
     const auto difference = number_in(*compared, "difference");
-    answer.rows.push_back({traits.title, shown(fe, bar), shown(mdr, 0),
+    answer.rows.push_back({traits.title, shown(quantity, scales, fe, bar), mdr_text(result.at("mdr"), quantity, scales),
                            difference ? fmt::format("{:+.1e}", *difference) : "–", compared->at("pass").get<bool>()});
   }
   return answer;
@@ -210,23 +210,56 @@ std::string annuli_text(const ordered_json& annuli) {
   return text.empty() ? "none" : text;
 }
 
+double mdr_bar(const ordered_json& mdr, Quantity quantity, const Scales& scales) {
+  const auto errors = mdr.find("cycle_error");
+  if (errors == mdr.end()) return 0;
+  const auto error = [&](const char* key) {
+    return without_roundoff(quantity, scales, number_in(*errors, key).value_or(0));
+  };
+  switch (quantity) {
+    case Quantity::tangential_force_max:
+    case Quantity::tangential_force_mean:
+      return error("force");
+    case Quantity::friction_work:
+    case Quantity::bulk_work:
+    case Quantity::cycle_work:
+      return error("work");
+    case Quantity::tangential_work:
+      return error("loop");
+    default:
+      return 0;
+  }
+}
+
+std::string mdr_text(const ordered_json& mdr, Quantity quantity, const Scales& scales) {
+  return shown(quantity, scales, number_in(mdr, name_of(quantity)), mdr_bar(mdr, quantity, scales));
+}
+
+std::string answer_line(const std::string& title, const std::string& first, const std::string& second) {
+  auto line = fmt::format("  {:<28} {:<28} {}", title, first, second);
+  line.erase(line.find_last_not_of(' ') + 1);
+  return line + "\n";
+}
+
+std::string volume_text(double cubic_metres) {
+  return fmt::format("{:.6g} mm³", cubic_metres * 1e9);
+}
+
 std::string answer_text(const CaseResult& result) {
   if (result.fe.fe.gross_slip || result.mdr.gross_slip)
     return fmt::format("{}: {}\n", result.input.name, both_gross_slips(result.fe.fe.gross_slip, result.mdr));
-  const auto row = [](const std::string& title, const std::string& fe, const std::string& mdr) {
-    return fmt::format("  {:<28} {:<28} {}\n", title, fe, mdr);
-  };
   const auto answer = answer_of(result_json(result));
   if (result.beyond_mdr) {
     auto text = fmt::format("{}: {}\n", result.input.name, answer.verdict);
-    for (const auto& one : answer.rows) text += fmt::format("  {:<28} {}\n", one.title, one.fe);
+    for (const auto& one : answer.rows) text += answer_line(one.title, one.fe);
     return text;
   }
-  auto text = fmt::format("{}: {}\n", result.input.name, answer.verdict) + row("", "finite elements", "MDR");
-  for (const auto& one : answer.rows) text += row(one.title, one.fe, one.mdr);
-  if (result.mdr.single_pass) text += row("stick radius, shakedown", "none", no_shakedown_in_a_pass);
+  auto text = fmt::format("{}: {}\n", result.input.name, answer.verdict) + answer_line("", "finite elements", "MDR");
+  for (const auto& one : answer.rows) text += answer_line(one.title, one.fe, one.mdr);
+  if (result.mdr.single_pass) text += answer_line("stick radius, shakedown", "none", no_shakedown_in_a_pass);
   if (result.wear) return text + wear_text(*result.wear, result.fem_case.units);
-  if (result.mdr.worn_radius) text += row("wear ends at the radius", "", with_unit(*result.mdr.worn_radius, 0, "m"));
+  if (result.mdr.worn_radius)
+    text += answer_line("wear ends at the radius", "", with_unit(*result.mdr.worn_radius, 0, "m"));
   return text;
 }
 

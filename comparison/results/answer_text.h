@@ -13,8 +13,8 @@ constexpr const char* no_shakedown_in_a_pass =
     "a single pass has no periodic state: never slipped is the only stick radius";
 
 /// A value in SI units for people: with the prefix that leaves one to three digits before the point, of its bar at most
-/// two, and as many digits as the bar allows, or six: "0.79312 ± 0.00004 mm". bar: absolute; 0: none is known. unit:
-/// "m", "N", ….
+/// two, and as many digits as the bar allows, or six: "0.79312 ± 0.00004 mm". bar: absolute; 0, or less than nine
+/// decimals show: none is known. unit: "m", "N", ….
 std::string with_unit(double value, double bar, const std::string& unit);
 
 /// The prefix that leaves one to three digits before the point.
@@ -49,6 +49,20 @@ std::string beyond_text(const nlohmann::ordered_json& not_compared);
 
 /// "0 to 502.1 ± 0.4 µm, 610 ± 1 to 702 ± 1 µm", of a list of annuli in such a JSON; "none" without any.
 std::string annuli_text(const nlohmann::ordered_json& annuli);
+
+/// What the springs that were stepped for a quantity may be off by, of the "mdr" of a document; 0 of a closed form, and
+/// where it is roundoff of a scale.
+double mdr_bar(const nlohmann::ordered_json& mdr, Quantity quantity, const Scales& scales);
+
+/// A value of MDR, of the "mdr" of a result.json or of `fretval mdr --json`, null for none: with its unit, and where
+/// springs were stepped for it with what they may be off by; "none".
+std::string mdr_text(const nlohmann::ordered_json& mdr, Quantity quantity, const Scales& scales);
+
+/// A line of a table for the terminal.
+std::string answer_line(const std::string& title, const std::string& first, const std::string& second = {});
+
+/// "1.5 mm³"
+std::string volume_text(double cubic_metres);
 
 /// The answer to a case for the terminal.
 std::string answer_text(const CaseResult& result);

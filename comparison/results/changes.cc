@@ -76,6 +76,10 @@ std::string change_text(const Change& change) {
                      change.bars > 0 ? fmt::format("{:.1e}", change.bars) : "none");
 }
 
+std::string verdict_text(const std::pair<std::string, bool>& verdict) {
+  return fmt::format("{}: passes {}", verdict.first, verdict.second ? "now" : "no more");
+}
+
 std::string list_text(const char* title, const std::vector<std::string>& lines) {
   std::string text = lines.empty() ? "" : std::string(title) + "\n";
   for (const auto& line : lines) text += "  " + line + "\n";
@@ -88,12 +92,15 @@ bool Change::is_beyond_bars() const {
   return !(std::abs(difference) <= std::max(bars, roundoff));
 }
 
-bool Changes::any_beyond_bars() const {
-  return std::any_of(values.begin(), values.end(), [](const Change& change) { return change.is_beyond_bars(); });
+bool Changes::any() const {
+  return !verdicts.empty() ||
+         std::any_of(values.begin(), values.end(), [](const Change& change) { return change.is_beyond_bars(); });
 }
 
-std::string Changes::moved(const std::string& name) const {
+std::string Changes::of_case(const std::string& name) const {
   std::string text;
+  for (const auto& verdict : verdicts)
+    if (verdict.first == name) text += "  " + verdict_text(verdict) + "\n";
   for (const auto& change : values)
     if (change.name == name && change.is_beyond_bars()) text += change_text(change);
   return text;
@@ -114,8 +121,7 @@ Changes changes_between(const std::vector<StoredResult>& before, const std::vect
     for (const auto quantity : quantities_by_interest)
       if (auto change = change_of(*old->second, result, quantity)) changes.values.push_back(std::move(*change));
     const bool passed = old->second->json.at("pass"), passes = result.json.at("pass");
-    if (passed != passes)
-      changes.verdicts.push_back(fmt::format("{}: {}", name, passes ? "passes now" : "passes no more"));
+    if (passed != passes) changes.verdicts.emplace_back(name, passes);
     olds.erase(old);
   }
   for (const auto& [name, unused] : olds) changes.only_before.push_back(name);
@@ -134,7 +140,9 @@ std::string changes_text(const Changes& changes) {
       largest = std::max(largest, std::abs(change.difference));
     }
   }
-  return list_text("other inputs:", changes.inputs) + list_text("verdicts:", changes.verdicts) +
+  std::vector<std::string> verdicts;
+  for (const auto& verdict : changes.verdicts) verdicts.push_back(verdict_text(verdict));
+  return list_text("other inputs:", changes.inputs) + list_text("verdicts:", verdicts) +
          list_text("only in the first folder:", changes.only_before) +
          list_text("only in the second folder:", changes.only_after) +
          (n_beyond ? "beyond the error bars of both together:\n" + beyond : "") +

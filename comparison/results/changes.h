@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "comparison/accuracy/quantity.h"
@@ -23,13 +24,14 @@ struct Change {
 /// What two folders of results have in common, and what not.
 struct Changes {
   std::vector<Change> values;
-  std::vector<std::string> only_before, only_after;  ///< names of cases
-  std::vector<std::string> inputs;                   ///< "CASE: SECTION / ENTRY: BEFORE -> AFTER" of what differs
-  std::vector<std::string> verdicts;                 ///< cases that passed before and do not now, or the reverse
+  std::vector<std::string> only_before, only_after;    ///< names of cases
+  std::vector<std::string> inputs;                     ///< "CASE: SECTION / ENTRY: BEFORE -> AFTER" of what differs
+  std::vector<std::pair<std::string, bool>> verdicts;  ///< cases that pass now and did not before, or the reverse
 
-  [[nodiscard]] bool any_beyond_bars() const;
-  /// What of a case has moved beyond its bars, a line each; empty: nothing has.
-  [[nodiscard]] std::string moved(const std::string& name) const;
+  /// Whether a value has moved beyond its bars, or a verdict has changed.
+  [[nodiscard]] bool any() const;
+  /// What of a case has, a line each; empty: nothing has.
+  [[nodiscard]] std::string of_case(const std::string& name) const;
 };
 
 Changes changes_between(const std::vector<StoredResult>& before, const std::vector<StoredResult>& after);

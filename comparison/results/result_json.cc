@@ -53,6 +53,7 @@ ordered_json case_json(const CaseResult& result) {
       {"friction_coefficient", input.friction_coefficient},
       {"frequency", once ? ordered_json(nullptr) : ordered_json(motion.normal.front().frequency)},
       {"tangential_frequency", once ? ordered_json(nullptr) : ordered_json(motion.tangential.front().frequency)},
+      {"has_period", !once && result.fem_case.has_period()},
       {"phase", input.motion.path ? ordered_json(nullptr) : or_null(input.motion.phase)},
       {"wear", input.wear == Case::Wear::limiting ? "limiting" : "unworn"},
       {"contact_radius_at_rest",

@@ -159,6 +159,15 @@ bool StoredResult::is_single_pass() const {
   return path != json["scene"].end() && path->at("repeats") == "once";
 }
 
+bool StoredResult::has_period() const {
+  return json.at("scene").value("has_period", true);  // which older results do not have
+}
+
+const char* StoredResult::cycle_name() const {
+  if (is_single_pass()) return "pass";
+  return has_period() ? "period" : "near cycle";
+}
+
 double StoredResult::sweep_value() const {
   const auto& scene = json.at("scene");
   return scene.contains("sweep") ? scene["sweep"].value("value", 0.0) : 0;

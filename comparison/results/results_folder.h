@@ -30,6 +30,10 @@ struct StoredResult {
   [[nodiscard]] bool has_forces() const;
   /// Of a path.
   [[nodiscard]] bool is_single_pass() const;
+  /// Whether its motion repeats, or finite elements step a near cycle in its place.
+  [[nodiscard]] bool has_period() const;
+  /// What finite elements step to the end: "period", which repeats, "near cycle" or "pass".
+  [[nodiscard]] const char* cycle_name() const;
   [[nodiscard]] std::string family() const;  ///< name of the sweep, or the name of the case
 };
 

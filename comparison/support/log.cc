@@ -4,6 +4,9 @@
 #include <spdlog/spdlog.h>
 #include <unistd.h>
 
+#include <mutex>
+#include <set>
+
 namespace fretval::log {
 
 void start() {
@@ -26,6 +29,13 @@ void info(const std::string& message) {
 
 void warn(const std::string& message) {
   spdlog::warn(spdlog::string_view_t(message));
+}
+
+void warn_once(const std::string& message) {
+  static std::mutex mutex;
+  static std::set<std::string> said;
+  const std::lock_guard<std::mutex> lock(mutex);
+  if (said.insert(message).second) warn(message);
 }
 
 void error(const std::string& message) {

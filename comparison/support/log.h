@@ -17,6 +17,8 @@ bool tells();
 
 void info(const std::string& message);
 void warn(const std::string& message);
+/// The first time alone: of a table that all cases of a sweep have.
+void warn_once(const std::string& message);
 void error(const std::string& message);
 
 }  // namespace fretval::log

@@ -82,8 +82,7 @@ Filling stress_figure(const StoredResult& r, const ordered_json& cycle) {
     frames[1].push_back(tau);
     frames[2].push_back(limit);
     frames[3].push_back(opposite);
-    names.push_back(
-        fmt::format("{:.2f} of the {}", cycle["t"][k].get<double>() / period, r.is_single_pass() ? "pass" : "period"));
+    names.push_back(fmt::format("{:.2f} of the {}", cycle["t"][k].get<double>() / period, r.cycle_name()));
   }
   for (std::size_t s = 0; s < 4; ++s) plot.series[s].y = numbers_of(frames[s][start]);
   if (const auto mdr = cycle.find("mdr"); mdr != cycle.end())
@@ -100,8 +99,9 @@ Filling stress_figure(const StoredResult& r, const ordered_json& cycle) {
            r.is_single_pass()
                ? "Mean values of the rings of the finite elements at any instant of the pass; where τ runs along ± μ p "
                  "the ring slips. Inside c rings never slip."
-               : "Mean values of the rings of the finite elements at any instant of the last period; where τ runs "
-                 "along ± μ p the ring slips. Between c and a rings slip in every cycle."}};
+               : fmt::format("Mean values of the rings of the finite elements at any instant of the last {0}; where τ "
+                             "runs along ± μ p the ring slips. Between c and a rings slip in every {0}.",
+                             r.cycle_name())}};
 }
 
 Filling map_figure(const StoredResult& r, const ordered_json& cycle) {
@@ -109,12 +109,14 @@ Filling map_figure(const StoredResult& r, const ordered_json& cycle) {
   const auto length = axis_for({&edges}, "m");
   auto map = zone_map("Stick, slip and open", "r in " + length.unit, length.of(edges),
                       cycle.at("zones").get<std::vector<std::string>>());
+  map["x_label"] = fmt::format("time over the {}", r.cycle_name());
   for (const auto& [name, x] : radius_marks(r, length)) map["marks"].push_back({{"name", name}, {"x", x}});
   return {{"plot", std::move(map)},
           {"caption", r.is_single_pass()
                           ? "What each ring does in the pass. Below c it never slips."
-                          : "What each ring does in the last period. Below c a ring may touch the limit of friction, "
-                            "but it slips no more."}};
+                          : fmt::format("What each ring does in the last {}. Below c a ring may touch the limit of "
+                                        "friction, but it slips no more.",
+                                        r.cycle_name())}};
 }
 
 /// A force over a displacement: finite elements as points, MDR as a line.
@@ -133,7 +135,7 @@ Figure loop_figure(const StoredResult& r, const ordered_json& cycle, bool tangen
       {"finite elements", length.of(thinned_to_most(x)), force.of(thinned_to_most(y)), Series::Style::points, 1});
   return {std::move(plot), r.is_single_pass()
                                ? "The pass, from rest. The area below the line is the work of the indenter."
-                               : "One period. The area of the loop is the energy lost in it."};
+                               : fmt::format("One {}. The area of the loop is the energy lost in it.", r.cycle_name())};
 }
 
 /// Both directions over time: a column of history.csv and its name each.
@@ -151,7 +153,10 @@ Figure course_figure(const StoredResult& r, const char* title, const std::string
   plot.series.push_back({columns[0].second, time.of(t), size.of(thinned_to_most(normal)), Series::Style::line, 0});
   plot.series.push_back({columns[1].second, time.of(t), size.of(thinned_to_most(tangential)), Series::Style::line, 1});
   return {std::move(plot), r.is_single_pass() ? "The pass, from rest at its first row."
-                                              : "The last period, which repeats from then on."};
+                           : r.has_period()
+                               ? "The last period, which repeats from then on."
+                               : "The last near cycle. The motion itself never repeats; every relation between its "
+                                 "phases that comes by in the end comes by closely in this cycle, which repeats."};
 }
 
 Figure motion_figure(const StoredResult& r) {
@@ -167,12 +172,14 @@ Figure slip_figure(const StoredResult& r) {
   const auto [radius, slip] = read_columns(r.folder / "contact.csv", "r outer [m]", "slip per period [m]");
   const auto length = axis_for({&radius}, "m"), path = axis_for({&slip}, "m");
   const bool once = r.is_single_pass();
-  Plot plot{once ? "Slip in the pass" : "Slip per period", "r in " + length.unit, "path in " + path.unit};
+  Plot plot{fmt::format("Slip {} {}", once ? "in the" : "per", r.cycle_name()), "r in " + length.unit,
+            "path in " + path.unit};
   plot.marks = radius_marks(r, length);
   plot.series.push_back(
       {"finite elements", length.of(ring_middles(radius)), path.of(slip), Series::Style::line_points, 1});
-  return {std::move(plot), once ? "Length of slip of each ring in the pass; none inside c."
-                                : "Length of slip of each ring in the last period; none inside c."};
+  return {std::move(plot),
+          once ? "Length of slip of each ring in the pass; none inside c."
+               : fmt::format("Length of slip of each ring in the last {}; none inside c.", r.cycle_name())};
 }
 
 /// How slip dies out where nothing slips in the end; none where nothing ever does.
@@ -182,11 +189,16 @@ std::vector<Figure> decay_figures(const StoredResult& r, const ordered_json& cyc
   Series series{"finite elements", {}, numbers_of(*decay), Series::Style::line_points, 1};
   if (std::none_of(series.y.begin(), series.y.end(), [](double slip) { return slip > 0; })) return {};
   for (std::size_t i = 0; i < series.y.size(); ++i) series.x.push_back(static_cast<double>(i + 1));
-  Plot plot{"Slip inside c dies out", "period, from rest on", "largest slip / u_{x0}", {std::move(series)}, true};
+  Plot plot{"Slip inside c dies out",
+            fmt::format("{}, from rest on", r.cycle_name()),
+            "largest slip / u_{x0}",
+            {std::move(series)},
+            true};
   const double factor = r.number("fe", "slip_decay"), mdr = r.number("mdr", "slip_decay");
-  std::string caption =
-      "Longest path of slip in a period of a ring inside c, the shakedown radius, over the tangential amplitude. The "
-      "amplitudes rise during the first periods; a period without any slip has no point.";
+  auto caption = fmt::format(
+      "Longest path of slip in a {0} of a ring inside c, the shakedown radius, over the tangential amplitude. The "
+      "amplitudes rise during the first {0}s; a {0} without any slip has no point.",
+      r.cycle_name());
   if (!std::isnan(factor)) caption += fmt::format(" In the end it falls by the factor {:.4g} a period", factor);
   if (!std::isnan(factor)) caption += std::isnan(mdr) ? "." : fmt::format("; by MDR {:.4g}.", mdr);
   if (const double cycles = r.number("fe", "cycles_to_shakedown"); !std::isnan(cycles))

@@ -24,11 +24,11 @@ const char* colour_of(char zone) {
   }
 }
 
-std::string axes(double end, const std::string& label) {
+std::string axes(double end, const std::string& x_label, const std::string& label) {
   std::string svg = fmt::format(
-      "<g font-size=\"12\" fill=\"#5b6573\"><text x=\"{:.0f}\" y=\"{:.0f}\" text-anchor=\"middle\">time over the "
-      "period</text><text transform=\"translate(14 {:.0f}) rotate(-90)\" text-anchor=\"middle\">{}</text>",
-      (left + width - right) / 2, height - 6, (top + height - bottom) / 2, html_escaped(label));
+      "<g font-size=\"12\" fill=\"#5b6573\"><text x=\"{:.0f}\" y=\"{:.0f}\" text-anchor=\"middle\">{}</text>"
+      "<text transform=\"translate(14 {:.0f}) rotate(-90)\" text-anchor=\"middle\">{}</text>",
+      (left + width - right) / 2, height - 6, html_escaped(x_label), (top + height - bottom) / 2, html_escaped(label));
   for (const double t : {0.0, 0.25, 0.5, 0.75, 1.0})
     svg += fmt::format("<text x=\"{:.1f}\" y=\"{:.0f}\" text-anchor=\"middle\">{:g}</text>",
                        left + t * (width - left - right), height - bottom + 16, t);
@@ -103,7 +103,8 @@ std::string zone_map_svg(const Filling& map) {
   return svg +
          fmt::format("<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"none\" stroke=\"#5b6573\"/>", left, top,
                      width - left - right, height - bottom - top) +
-         key() + marks(map, scale) + axes(end, map.at("y_label").get<std::string>()) + "</svg>";
+         key() + marks(map, scale) +
+         axes(end, map.at("x_label").get<std::string>(), map.at("y_label").get<std::string>()) + "</svg>";
 }
 
 }  // namespace fretval

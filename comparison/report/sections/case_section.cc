@@ -38,8 +38,10 @@ Table answer_table(const StoredResult& r, const Answer& answer) {
   table.label = "the answer";
   for (const auto& [title, fe, mdr, difference, passes] : answer.rows)
     table.rows.push_back({title, fe, mdr, bad_if(!passes, difference)});
-  if (!r.json.at("comparison").contains(name_of(Quantity::friction_work)))
-    add_row(table, "energy lost to friction per period", r.number("fe", "friction_work"), std::nan(""), "J");
+  // That of a near cycle is nothing of the motion.
+  if ((r.has_period() || r.is_single_pass()) && !r.json.at("comparison").contains(name_of(Quantity::friction_work)))
+    add_row(table, r.is_single_pass() ? "energy lost to friction" : "energy lost to friction per period",
+            r.number("fe", "friction_work"), std::nan(""), "J");
   if (std::isnan(r.number("fe", "worn_radius")) && r.number("mdr", "worn_radius") > 0)
     table.rows.push_back({"wear ends at the radius a∞", "", with_unit(r.number("mdr", "worn_radius"), 0, "m"), ""});
   return table;

@@ -17,6 +17,17 @@ using nlohmann::ordered_json;
 
 constexpr std::size_t few_scenes = 2;
 
+/// Numbers stay on a line with their units.
+std::string unbroken(const std::string& text) {
+  std::string kept;
+  for (const char letter : text)
+    if (letter == ' ' && !kept.empty() && kept.back() >= '0' && kept.back() <= '9')
+      kept += "\u00a0";
+    else
+      kept += letter;
+  return kept;
+}
+
 /// The entries of the case file by their sections.
 ordered_json inputs_of(const ordered_json& scene) {
   auto sections = ordered_json::array();
@@ -24,7 +35,8 @@ ordered_json inputs_of(const ordered_json& scene) {
     if (sections.empty() || sections.back().at("section") != input.at("section"))
       sections.push_back({{"section", input.at("section")}, {"entries", ordered_json::array()}});
     sections.back()["entries"].push_back(
-        {{"name", input.at("name")}, {"value", input_text(input.at("value"), input.at("unit").get<std::string>(), 6)}});
+        {{"name", input.at("name")},
+         {"value", unbroken(input_text(input.at("value"), input.at("unit").get<std::string>(), 6))}});
   }
   return sections;
 }

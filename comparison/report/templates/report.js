@@ -19,6 +19,13 @@
       }
     }
   }
+  /// The same outside of a drawing.
+  function richWords(node, text) {
+    for (const [, plain, many, one] of text.matchAll(/([^_]+)|_\{([^}]*)\}|_(.)/gu)) {
+      if (plain) node.node().append(plain);
+      else node.append("sub").text(many ?? one);
+    }
+  }
   const flat = (text) => text.replace(/_\{([^}]*)\}|_(.)/gu, (_, many, one) => many ?? one);
 
   function head(root, plot, rows) {
@@ -37,6 +44,13 @@
     link.download = flat(plot.title).replace(/[^\p{L}\p{N}]+/gu, "-").toLowerCase() + ".csv";
     link.click();
     setTimeout(() => URL.revokeObjectURL(link.href), 1000);
+  }
+
+  // On paper, half or all of its breadth, whatever the screen was: 12 pixels are 9 points there.
+  let prints = false;
+  function sizeOf(element) {
+    const width = prints ? (element.closest("figure").matches(".wide") ? 680 : 330) : Math.max(280, Math.round(element.clientWidth || 480));
+    return {width, height: Math.round(Math.min(380, Math.max(prints ? 200 : 230, width * (prints ? 0.5 : 0.62))))};
   }
 
   function canvas(root, plot, width, height, margin) {
@@ -104,7 +118,7 @@
       if (!series.label) return;
       const button = legend.append("button").attr("type", "button").attr("aria-pressed", "true").attr("title", "show or hide");
       swatch(button, series);
-      button.append("span").style("padding", 0).text(flat(series.label));
+      richWords(button.append("span").style("padding", 0).style("display", "block"), series.label);
       button.on("click", () => {
         state.off.has(k) ? state.off.delete(k) : state.off.add(k);
         // Series without a name of their own belong to the one before.
@@ -135,7 +149,7 @@
       return [low >= 0 && low < 0.3 * high ? 0 : low - pad, high + pad];
     }
     function draw() {
-      const width = Math.max(280, Math.round(element.clientWidth || 480)), height = Math.round(Math.min(380, Math.max(230, width * 0.62)));
+      const {width, height} = sizeOf(element);
       const margin = {left: 62, right: 16, top: plot.marks ? 22 : 10, bottom: 42};
       const span = plot.log_y ? null : state.zoom?.y ?? plot.y_range ?? d3.extent(plot.series.flatMap((s) => s.y).filter(isDrawn));
       if (span?.[0] !== undefined && span && span[1] - span[0] < 0.02 * Math.abs(span[1])) margin.left = 84;
@@ -278,7 +292,7 @@
     }
     const area = root.append("div"), tip = tooltip(root);
     return () => {
-      const width = Math.max(280, Math.round(element.clientWidth || 480)), height = Math.round(Math.min(380, Math.max(230, width * 0.62)));
+      const {width, height} = sizeOf(element);
       const margin = {left: 62, right: plot.marks ? 26 : 16, top: 10, bottom: 42};
       area.selectAll("*").remove();
       const svg = canvas(area, plot, width, height, margin).attr("class", "canvas");
@@ -326,7 +340,7 @@
     });
     const area = root.append("div"), tip = tooltip(root);
     return () => {
-      const width = Math.max(280, Math.round(element.clientWidth || 480)), narrow = width < 480, line = narrow ? 48 : 34;
+      const {width} = sizeOf(element), narrow = width < 480, line = narrow ? 48 : 34;
       const margin = {left: narrow ? 12 : 190, right: 20, top: 6, bottom: 42}, height = margin.top + margin.bottom + line * plot.rows.length;
       area.selectAll("*").remove();
       const svg = canvas(area, plot, width, height, margin).attr("class", "canvas");
@@ -388,7 +402,17 @@
   }, {passive: true});
   // What is folded is printed all the same.
   const folded = [];
-  window.addEventListener("beforeprint", () => document.querySelectorAll("details:not([open])").forEach((details) => { details.open = true; folded.push(details); }));
-  window.addEventListener("afterprint", () => { for (const details of folded.splice(0)) details.open = false; });
+  function drawAll(onPaper) {
+    prints = onPaper;
+    draws.forEach(({draw}) => draw());
+  }
+  window.addEventListener("beforeprint", () => {
+    document.querySelectorAll("details:not([open])").forEach((details) => { details.open = true; folded.push(details); });
+    drawAll(true);
+  });
+  window.addEventListener("afterprint", () => {
+    for (const details of folded.splice(0)) details.open = false;
+    drawAll(false);
+  });
   document.documentElement.dataset.plotsDrawn = document.querySelectorAll("[data-plot] svg.canvas").length;
 })();

@@ -4,6 +4,8 @@
 
 #include <csignal>
 
+#include "tests/comparison/expect_parts.h"
+#include "tests/comparison/read_case.h"
 #include "tests/comparison/run_fretval.h"
 
 namespace fretval {
@@ -43,8 +45,20 @@ TEST(Interrupt, OfARunSaysWhatIsKept) {
                                  "/*/*/result.json; do sleep 0.05; done 2>/dev/null; " + "kill -INT $!; wait $!",
                              folder);
   EXPECT_NE(run.exit_code, 0);
-  EXPECT_NE(run.err.find("interrupted: the cases that are done are kept in " + out.string()), std::string::npos)
-      << run.err;
+  expect_parts(run.err, {"\ninterrupted: ", " of 501 cases kept in " + out.string()});
+}
+
+// There is nothing that a report could show.
+TEST(Interrupt, OfARunThatHasNothingYetSaysSo) {
+  const ScratchFolder folder;
+  const auto file = folder.write("case.prm", replace(valid_case, "Tolerance = 0.01", "Tolerance = 1e-4"));
+  const auto out = folder.path() / "out";
+  const auto run = shell_run(std::string(FRETVAL_PROGRAM) + " run " + quoted(file) + " --no-store -o " + quoted(out) +
+                                 " & while kill -0 $! && ! ls " + quoted(out) +
+                                 "; do sleep 0.01; done 2>/dev/null; kill -INT $!; wait $!",
+                             folder);
+  EXPECT_NE(run.exit_code, 0);
+  expect_parts(run.err, {"\ninterrupted: no case is done\n"});
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "comparison/reference/mdr_document.h"
+#include "comparison/results/answer_text.h"
 #include "tests/comparison/expect_parts.h"
 #include "tests/comparison/read_case.h"
 #include "tests/comparison/run_fretval.h"
@@ -25,33 +26,67 @@ TEST(MdrCommand, PrintsTheAnalyticAnswerAsJson) {
   EXPECT_EQ(json.at("limiting_profile").at("r").size(), json.at("limiting_profile").at("f").size());
 }
 
-// The document of the case has the same numbers under keys; here each has its words and its unit.
+// The document of the case has the same numbers under keys; here each has its words, and its unit as a run shows it.
 TEST(MdrCommand, PrintsTheAnalyticAnswerAsText) {
   const ScratchFolder folder;
   const auto file =
       folder.write("case.prm", valid_case + "subsection Wear\n  set Coefficient = 1e-15\n  set Cycles = 1000\nend\n");
   const auto run = fretval_run("mdr " + file.string() + " --springs", folder);
   ASSERT_EQ(run.exit_code, 0) << run.err;
-  EXPECT_EQ(run.out.rfind("case\n  modulus ratio ", 0), 0U) << run.out;
+  EXPECT_EQ(run.out.rfind("case\n                               MDR                          springs\n", 0), 0U)
+      << run.out;
   const auto json = mdr_document(read_case_file(file).at(0), true).json;
-  const auto expect_line = [&](const char* words, const char* section, const char* key, const char* unit) {
-    expect_parts(run.out, {fmt::format("\n  {:<30}{:.6g}{}\n", words, json.at(section).at(key).get<double>(), unit)});
+  const auto expect_line = [&](const char* words, const char* key, const char* unit, double factor, int decimals,
+                               const char* of_springs = "") {
+    const auto& springs = json.at("springs");
+    const auto value = fmt::format("{:.{}f} {}", json.at("mdr").at(key).get<double>() / factor, decimals, unit);
+    auto line = fmt::format("\n  {:<28} {}", words, value);
+    if (springs.contains(key))
+      line += fmt::format("{:{}} {:.{}f}", "", 28 - value.size() + (value.find("µ") != std::string::npos ? 1 : 0),
+                          springs.at(key).get<double>() / factor, decimals);
+    expect_parts(run.out, {line + of_springs});
   };
-  expect_line("modulus ratio", "mdr", "modulus_ratio", "");
-  expect_line("largest contact radius", "mdr", "contact_radius_max", " m");
-  expect_line("stick radius, first slip", "mdr", "stick_radius_first_slip", " m");
-  expect_line("stick radius, shakedown", "mdr", "stick_radius_shakedown", " m");
-  expect_line("outer radius of the wear", "mdr", "worn_radius", " m");
-  expect_line("largest normal force", "mdr", "normal_force_max", " N");
-  expect_line("largest pressure on the axis", "mdr", "axis_pressure_max", " Pa");
-  expect_line("springs: first slip", "springs", "stick_radius_first_slip", " m");
-  expect_line("springs: shakedown", "springs", "stick_radius_shakedown", " m");
-  expect_line("springs: largest force", "springs", "normal_force_max", " N");
-  expect_line("springs: friction per cycle", "springs", "friction_work", " J");
-  expect_line("springs: bulk per cycle", "springs", "bulk_work", " J");
-  const double volume = json.at("wear").at("volume").back();
-  EXPECT_GT(volume, 0);
-  expect_parts(run.out, {fmt::format("\n  {:<30}{:.6g} m^3 after 1000 cycles\n", "worn volume", volume)});
+  expect_line("largest contact radius", "contact_radius_max", "mm", 1e-3, 5, "\n");
+  expect_line("stick radius, first slip", "stick_radius_first_slip", "µm", 1e-6, 3, " µm\n");
+  expect_line("stick radius, shakedown", "stick_radius_shakedown", "µm", 1e-6, 3, " µm\n");
+  expect_line("outer radius of the wear", "worn_radius", "mm", 1e-3, 5, "\n");
+  expect_line("largest normal force", "normal_force_max", "mN", 1e-3, 3, " mN\n");
+  expect_line("largest pressure on the axis", "axis_pressure_max", "kPa", 1e3, 3, "\n");
+  expect_parts(run.out,
+               {fmt::format("\n  {:<28} {:.6g}\n", "modulus ratio", json.at("mdr").at("modulus_ratio").get<double>())});
+  const auto& volume = json.at("wear").at("volume");
+  EXPECT_GT(volume.back(), volume.front());
+  expect_parts(run.out, {fmt::format("\n  {:<28} {:.6g} mm³ after 1000 cycles\n", "worn volume",
+                                     1e9 * volume.back().get<double>())});
+}
+
+// What springs are stepped for has digits as far as they are right.
+TEST(MdrCommand, PrintsTheErrorOfSprings) {
+  const ScratchFolder folder;
+  const auto file = folder.write("case.prm", valid_case);
+  const auto run = fretval_run("mdr " + file.string(), folder);
+  const auto mdr = mdr_document(read_case_file(file).at(0), false).json.at("mdr");
+  const auto expect_line = [&](const char* words, const char* key, const char* error, const char* unit) {
+    expect_parts(run.out, {fmt::format("\n  {:<28} {}\n", words,
+                                       with_unit(mdr.at(key), mdr.at("cycle_error").at(error), unit))});
+    EXPECT_GT(mdr.at("cycle_error").at(error), 0);
+  };
+  expect_line("largest tangential force", "tangential_force_max", "force", "N");
+  expect_line("mean tangential force", "tangential_force_mean", "force", "N");
+  expect_line("energy lost to friction", "friction_work", "work", "J");
+  expect_line("energy lost in the body", "bulk_work", "work", "J");
+  expect_line("energy lost altogether", "cycle_work", "work", "J");
+  expect_line("area of the tangential loop", "tangential_work", "loop", "J");
+}
+
+// What a run compares of forces is the unworn contact.
+TEST(MdrCommand, SaysThatForcesAreAnsweredForTheWornContact) {
+  const ScratchFolder folder;
+  const auto text = replace(replace(valid_case, "Indentation = 1e-4", "Normal force = 0.5"), "Normal amplitude = 2e-5",
+                            "Normal force amplitude = 0.1");
+  const auto run = fretval_run("mdr " + folder.write("case.prm", text).string(), folder);
+  EXPECT_EQ(run.out.rfind("case: under prescribed forces, of the contact that has worn to its end\n", 0), 0U)
+      << run.out << run.err;
 }
 
 TEST(MdrCommand, WarnsWhereSpringsStillSettle) {
@@ -69,7 +104,7 @@ TEST(MdrCommand, PrintsWhereNothingSticks) {
   const auto file = folder.write("case.prm", replace(valid_case, "amplitude = 1.5e-5", "amplitude = 5e-4"));
   const auto run = fretval_run("mdr " + file.string(), folder);
   ASSERT_EQ(run.exit_code, 0) << run.err;
-  EXPECT_NE(run.out.find("stick radius, shakedown       none (nothing sticks)\n"), std::string::npos) << run.out;
+  EXPECT_NE(run.out.find("stick radius, shakedown      none (nothing sticks)\n"), std::string::npos) << run.out;
 }
 
 TEST(MdrCommand, WritesTheFieldsOnTheSurface) {

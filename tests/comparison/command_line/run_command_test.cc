@@ -99,7 +99,8 @@ TEST(RunCommand, ExitsWith1WhereAResultHasMovedFromTheBaseline) {
   const auto moved = fretval_run(against + " --quiet --junit " + quoted(junit), folder);
   EXPECT_EQ(moved.exit_code, 1) << moved.err;
   expect_parts(moved.err, {"baseline: ", "largest normal force"});
-  expect_parts(text_of(junit), {"failures=\"1\"", "beyond the bars of the baseline", "largest normal force"});
+  expect_parts(text_of(junit),
+               {"failures=\"1\"", "other than the baseline, beyond the bars of both", "largest normal force"});
   const auto renamed = quoted(folder.write("renamed.prm", elastic_case()));
   const auto without = "run " + renamed + " --proof none -o " + quoted(out) + " --baseline " + quoted(old);
   const auto none = fretval_run(without, folder);
@@ -126,6 +127,21 @@ TEST(RunCommand, PrintsALineOfJsonForEachCase) {
     EXPECT_EQ(json.at("fe"), nlohmann::json::parse(text_of(out / name / "result.json")).at("fe"));
   }
   EXPECT_EQ(names, (std::set<std::string>{"sweep/phase-0", "sweep/phase-90"}));
+  EXPECT_EQ(run.err.find("earlier runs"), std::string::npos) << run.err;
+}
+
+// The report takes whatever lies in its folder.
+TEST(RunCommand, SaysWhatElseTheReportShows) {
+  const ScratchFolder folder;
+  const auto out = folder.path() / "out/";
+  const auto run = [&](const char* values) {
+    const auto file = folder.write("sweep.prm", elastic_case() + "subsection Sweep\n  set Entry = Motion / Phase\n" +
+                                                    "  set Values = " + values + "\nend\n");
+    return fretval_run("run " + quoted(file) + " --proof none -o " + quoted(out), folder).err;
+  };
+  run("0, 90");
+  EXPECT_EQ(run("0, 90, 180").find("earlier runs"), std::string::npos);
+  expect_parts(run("0, 45"), {"has 2 results of earlier runs as well", ": sweep/phase-180, …"});
 }
 
 TEST(RunCommand, WritesTheTimeOfEachCaseAsJUnit) {

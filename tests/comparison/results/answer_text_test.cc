@@ -22,6 +22,7 @@ TEST(AnswerText, ShowsAsManyDigitsAsTheBarAllows) {
   EXPECT_EQ(with_unit(-9.06e-5, 4.17e-4, "N"), "-0.1 ± 0.4 mN");
   EXPECT_EQ(with_unit(-9.06e-5, 1.17e-3, "N"), "0 ± 1 mN");
   EXPECT_EQ(with_unit(-3e-10, 7.84e-7, "N"), "0.0 ± 0.8 µN");
+  EXPECT_EQ(with_unit(0.11109, 1e-17, "N"), "111.090 mN");
 }
 
 // The numbers of the made-up result: a bar of 0.03125 of the force of 42.5 N; the shakedown radius has none and fails.
@@ -39,6 +40,15 @@ TEST(AnswerText, SaysWhatTheVerdictIs) {
   expect_parts(answer_text(result), {"case: finite elements confirm MDR to 6.2e-02"});
   result.comparison.at(Quantity::normal_force_max).verdict = Verdict::inconclusive;
   expect_parts(answer_text(result), {"case: open", "wider than the tolerance"});
+}
+
+// Of a prescribed force both have the largest exactly, and a mean of 0 but for roundoff.
+TEST(AnswerText, ShowsNoRoundoffOfSprings) {
+  const nlohmann::ordered_json mdr{
+      {"tangential_force_max", 0.05}, {"tangential_force_mean", 1.7e-17}, {"cycle_error", {{"force", 2e-17}}}};
+  const Scales scales{1e-3, 0.3, 1e-6};
+  EXPECT_EQ(mdr_text(mdr, Quantity::tangential_force_mean, scales), "0 nN");
+  EXPECT_EQ(mdr_text(mdr, Quantity::tangential_force_max, scales), "50.0000 mN");
 }
 
 // Of a rate that differs by a fifth the verdict is a pass; it says nothing of the radii.

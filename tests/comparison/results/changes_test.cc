@@ -30,32 +30,44 @@ TEST(Changes, AreHeldToTheBarsOfBothTogether) {
   const auto within = changes_between({result()}, {result(5.019e-4)});
   EXPECT_NEAR(of(within, Quantity::stick_radius_shakedown).difference, 1.9e-3, 1e-15);
   EXPECT_EQ(of(within, Quantity::stick_radius_shakedown).bars, 2e-3);
-  EXPECT_FALSE(within.any_beyond_bars());
+  EXPECT_FALSE(within.any());
   const auto beyond = changes_between({result()}, {result(5.021e-4)});
-  EXPECT_TRUE(beyond.any_beyond_bars());
+  EXPECT_TRUE(beyond.any());
   expect_parts(changes_text(beyond), {"one: ", "500.000 µm -> 502.100 µm, by 2.1e-03, bars 2.0e-03",
                                       "1 of 2 values moved beyond their bars"});
 }
 
 TEST(Changes, OfACaseAreToldByItsName) {
   const auto changes = changes_between({result(), result(5e-4, "two")}, {result(), result(5.021e-4, "two")});
-  EXPECT_EQ(changes.moved("one"), "");
-  expect_parts(changes.moved("two"), {"two: stick radius, shakedown: 500.000 µm -> 502.100 µm"});
+  EXPECT_EQ(changes.of_case("one"), "");
+  expect_parts(changes.of_case("two"), {"two: stick radius, shakedown: 500.000 µm -> 502.100 µm"});
   EXPECT_EQ(changes_text(changes_between({result()}, {result()})), "none of 2 values has moved\n");
+}
+
+// A tolerance that was loosened, or an error in the judgement: no value moves.
+TEST(Changes, OfAVerdictAloneCount) {
+  auto other = result();
+  other.json["pass"] = false;
+  const auto lost = changes_between({result()}, {other}), won = changes_between({other}, {result()});
+  EXPECT_TRUE(lost.any());
+  EXPECT_TRUE(won.any());
+  EXPECT_EQ(lost.of_case("one"), "  one: passes no more\n");
+  EXPECT_EQ(lost.of_case("two"), "");
+  expect_parts(changes_text(won), {"verdicts:\n  one: passes now\n", "none of 2 values has moved"});
 }
 
 TEST(Changes, WithoutABarAreHeldToRoundoff) {
   auto other = result();
   other.json["fe"]["normal_force_max"] = 2 * (1 + 1e-10);
-  EXPECT_FALSE(changes_between({result()}, {other}).any_beyond_bars());
+  EXPECT_FALSE(changes_between({result()}, {other}).any());
   other.json["fe"]["normal_force_max"] = 2 * (1 + 1e-8);
-  EXPECT_TRUE(changes_between({result()}, {other}).any_beyond_bars());
+  EXPECT_TRUE(changes_between({result()}, {other}).any());
 }
 
 TEST(Changes, OfARadiusThatIsGoneIsBeyondAnyBar) {
   auto other = result();
   other.json["fe"]["stick_radius_shakedown"] = nullptr;
-  EXPECT_TRUE(changes_between({result()}, {other}).any_beyond_bars());
+  EXPECT_TRUE(changes_between({result()}, {other}).any());
   expect_parts(changes_text(changes_between({result()}, {other})), {"500.000 µm -> none"});
 }
 
@@ -80,7 +92,7 @@ TEST(Changes, NameOtherInputsVerdictsAndCases) {
                                                       "one: Friction / Coefficient: none -> 0.5",
                                                       "one: Motion / Indentation: 100 µm -> 200 µm",
                                                       "one: Motion / Phase: 60° -> free"}));
-  EXPECT_EQ(changes.verdicts, std::vector<std::string>{"one: passes no more"});
+  EXPECT_EQ(changes.verdicts, (std::vector<std::pair<std::string, bool>>{{"one", false}}));
   EXPECT_EQ(changes.only_before, std::vector<std::string>{"gone"});
   EXPECT_EQ(changes.only_after, std::vector<std::string>{"new"});
 }

@@ -41,6 +41,13 @@ TEST(ResultJson, IsNullForWhatIsAbsent) {
   EXPECT_EQ(json["pass"], false);
 }
 
+TEST(ResultJson, SaysWhetherTheMotionRepeats) {
+  auto result = result_with({0, 0});
+  EXPECT_EQ(written(result)["scene"]["has_period"], true);
+  result.fem_case.motion.locked = false;
+  EXPECT_EQ(written(result)["scene"]["has_period"], false);
+}
+
 TEST(ResultJson, HasTheLawOfWear) {
   auto result = result_with({0, 0});
   EXPECT_FALSE(written(result)["scene"].contains("wear_law"));
@@ -113,7 +120,7 @@ TEST(ResultJson, HasEveryNumberUnderItsKey) {
     "schema": 1, "name": "made up", "pass": false, "proof": "bars",
     "scene": {"file": "made/up.prm", "shape": "parabola", "rheology": "standard solid", "friction_coefficient": 0.5,
       "indentation": 1e-4, "normal_amplitude": 2e-5, "tangential_amplitude": 1.5e-5, "frequency": 1,
-      "tangential_frequency": 1, "phase": 60,
+      "tangential_frequency": 1, "has_period": true, "phase": 60,
       "wear": "unworn", "contact_radius_unworn": 2, "tolerance": 0.01,
       "sweep": {"family": "family", "entry": "Motion / Phase", "value": 60}},
     "mdr": {"modulus_ratio": 1.5, "contact_radius_max": 1.1, "stick_radius_first_slip": 0.45,

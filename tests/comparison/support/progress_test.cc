@@ -23,18 +23,19 @@ TEST(Progress, BeginsWithAnEstimate) {
   EXPECT_EQ(progress_text({0, 1, 0, 0.5, "a: 1 of 2", 90}, 20, 40), "[#####......] 0/1, 0:20 left; a: 1 of 2");
 }
 
-// A twentieth in 20 s, so 380 are left; 180 of the estimate. Half of a tenth: a quarter of the way from here to there.
+// A twentieth in 20 s, so 380 are left; 180 of the estimate, which weighs as much as a hundredth: a sixth.
 TEST(Progress, GoesFromTheEstimateToWhatIsDone) {
-  EXPECT_EQ(progress_text({1, 20, 0, 0.05, {}, 200}, 20, 80), "[#.............................] 1/20, about 3:50 left");
+  EXPECT_EQ(progress_text({1, 20, 0, 0.05, {}, 200}, 20, 80), "[#.............................] 1/20, about 5:47 left");
   EXPECT_EQ(progress_text({2, 20, 0, 0.1, {}, 200}, 40, 80), "[###...........................] 2/20, 6:00 left");
 }
 
-// Of ten thousand a hundred are a hundredth, and tell: 40 s, so 3960 are left. Half of them: a quarter of the way.
+// Of ten thousand a hundred are a hundredth, and tell: 40 s, so 3960 are left. Of half of them 3980 are, and of the
+// estimate, which weighs as much as ten, 8000.
 TEST(Progress, BelievesAHundredParts) {
   EXPECT_EQ(progress_text({100, 10000, 0, 0.01, {}, 90000}, 40, 80),
             "[..............................] 100/10000, 1:06:00 left");
   EXPECT_EQ(progress_text({50, 10000, 0, 0.005, {}, 8020}, 20, 80),
-            "[..............................] 50/10000, about 1:56:35 left");
+            "[..............................] 50/10000, about 1:17:30 left");
 }
 
 // Of two parts one is done and the other to a quarter: 40 s for 5/8, so 24 are left.
@@ -45,8 +46,8 @@ TEST(Progress, CountsTheShareOfWhatIsUnderWay) {
             "[..............................] 0/1, 0:04 so far; cone: worn");
 }
 
-// The first two parts are less than a hundredth of the whole, an hour, which what is done has hardly a say in; the last
-// is as long as the mean of the others.
+// The first part is a two hundredth of the whole, an hour, and weighs half as much as the estimate, the second one half
+// of that; the last is as long as the mean of the others.
 TEST(Progress, WeighsItsPartsInALog) {
   if (!log::tells()) log::start();
   testing::internal::CaptureStderr();
@@ -59,7 +60,7 @@ TEST(Progress, WeighsItsPartsInALog) {
   }
   const auto told = testing::internal::GetCapturedStderr();
   EXPECT_EQ(told,
-            "0/4; about 1:00:00 left\n1/4 short is done; about 59:51 left\n2/4 shorter is done; about 59:40 left\n"
+            "0/4; about 1:00:00 left\n1/4 short is done; about 40:00 left\n2/4 shorter is done; about 34:17 left\n"
             "3/4 long is done; 0:00 left\n4/4 unnamed is done; in 0:00\n");
 }
 

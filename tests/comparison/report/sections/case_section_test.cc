@@ -21,8 +21,22 @@ TEST(CaseSection, HasTheSceneWithItsGroups) {
   json["scene"]["frequency"] = 1;
   json["fe"]["stick_radius_shakedown"] = 0.001;
   const auto html = rendered(cases_section({StoredResult{json, {}}}));
-  expect_parts(html, {"<dd>10 mm</dd>", "<dd>100 ms</dd>", "<dd>0.2</dd>", "<dd>0.5</dd>", "<dd>0.628</dd>",
+  expect_parts(html, {"<dd>10\u00a0mm</dd>", "<dd>100\u00a0ms</dd>", "<dd>0.2</dd>", "<dd>0.5</dd>", "<dd>0.628</dd>",
                       "<dd>0.5000</dd>", "it is 1 % lower"});
+}
+
+// The near cycle that stands for a motion without one is as long as its accuracy asks for, and what it loses says
+// nothing of the motion.
+TEST(CaseSection, HasTheFrictionOfAPeriodAlone) {
+  auto json = stored_result("single");
+  json["fe"]["friction_work"] = 1e-6;
+  json["comparison"].erase("friction_work");
+  const auto html = [&] { return rendered(cases_section({StoredResult{json, {}}})); };
+  expect_parts(html(), {"energy lost to friction per period", "1 µJ"});
+  json["scene"]["has_period"] = false;
+  EXPECT_EQ(html().find("energy lost"), std::string::npos);
+  json["scene"]["path"] = {{"repeats", "once"}};
+  expect_parts(html(), {"<td>energy lost to friction</td>"});
 }
 
 TEST(CaseSection, IsOfSingleCasesAlone) {

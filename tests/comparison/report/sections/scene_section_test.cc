@@ -25,8 +25,8 @@ TEST(Scene, HasInputsInUnitsThatPeopleUse) {
                    input("Motion", "Indentation", 2e-5, "m"), input("Motion", "Normal harmonics", {"a", "b"}, ""),
                    input("Elastomer", "Temperature", 40, "degC"), input("Elastomer", "Branch moduli", {1e6, 5e5}, "Pa"),
                    input("Wear", "Coefficient", 1e-13, "1/Pa")})));
-  expect_parts(html, {"<dd>0°</dd>", "<dd>0 m</dd>", "<dd>20 µm</dd>", "<dd>a, b</dd>", "<dd>40 °C</dd>",
-                      "<dd>1 MPa, 500 kPa</dd>", "<dd>1e-13 1/Pa</dd>"});
+  expect_parts(html, {"<dd>0°</dd>", "<dd>0\u00a0m</dd>", "<dd>20\u00a0µm</dd>", "<dd>a, b</dd>", "<dd>40\u00a0°C</dd>",
+                      "<dd>1\u00a0MPa, 500\u00a0kPa</dd>", "<dd>1e-13\u00a01/Pa</dd>"});
 }
 
 // Of times that were fitted or shifted, too.

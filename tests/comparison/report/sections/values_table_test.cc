@@ -31,6 +31,16 @@ TEST(ValuesTable, HasTheEndsOfASweepWithTheirBars) {
   expect_parts(text, {"mine, 3 cases\n", "  stick radius, shakedown  250 ± 1 to 500 ± 2 mm  250.000 to 500.000 mm"});
 }
 
+// Springs that were stepped for an energy are off by something, too.
+TEST(ValuesTable, HasTheErrorsOfSprings) {
+  auto json = stored_result("single");
+  json["fe"]["friction_work"] = json["mdr"]["friction_work"] = 2e-7;
+  json["mdr"]["cycle_error"] = {{"work", 1e-9}};
+  json["comparison"]["friction_work"] = {
+      {"difference", 0.0}, {"tolerance", 1e-3}, {"error_bar", nullptr}, {"verdict", "pass"}, {"pass", true}};
+  expect_parts(text_of(values_table({StoredResult{json, {}}}, {Quantity::friction_work})), {"200.000 nJ  200 ± 1 nJ"});
+}
+
 TEST(ValuesTable, SaysWhereNothingSticks) {
   const auto text = text_of(values_table(
       {with_radius("mine", 1, nullptr, 0.25, 1e-3), with_radius("mine", 2, 0.5, 0.5, 2e-3)}, radius_alone));
