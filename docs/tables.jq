@@ -39,6 +39,12 @@ def motion_row: . as $case
     + (($case.comparison.normal_force_max // $case.comparison.indentation_max) | [(.difference | number), (.error_bar | number)])
     + loop($case);
 
+def settling_row: . as $case | def compared($q): if .comparison[$q] == null then ["–", ""] else
+    [(.comparison[$q].difference | number), (.comparison[$q].error_bar | number)] end;
+  def cycles: . * 1e2 | round / 1e2 | tostring;
+  [.name, (.mdr.cycles_to_shakedown | cycles), (.mdr.cycles_to_shakedown_error | cycles), (.fe.cycles_to_shakedown | cycles)]
+  + compared("cycles_to_shakedown") + [(.mdr.slip_decay | if . == null then "–" else . * 1e4 | round / 1e4 | tostring end)] + compared("slip_decay");
+
 def wear_row: . as $case | .fe.wear as $wear | def compared($q): if .comparison[$q] == null then ["–", ""] else
     [(.comparison[$q].difference | number), (.comparison[$q].error_bar | number)] end;
   [.name, (if .scene.wear_law.law == "power" then "p^\(.scene.wear_law.exponent)" else .scene.wear_law.law end),
@@ -52,6 +58,8 @@ elif type == "array" and (.[0] | has("scene")) then
   (map(.comparison | to_entries[]) | "\(length) values, \(map(select(.value.pass)) | length) agree, \(map(select((.value.difference | fabs) <= .value.error_bar)) | length) lie within their bars."),
   "",
   (map(motion_row) | table(["motion", "c/a, first slip: MDR", "FE - MDR", "bar", "c/a, shakedown: MDR", "FE - MDR", "bar", "force, or depth under a force: FE - MDR", "bar", "loop, µJ: MDR", "FE - MDR", "bar"]))
+  , (map(select(.comparison.cycles_to_shakedown) | settling_row) | if length == 0 then empty else
+      "", table(["motion", "cycles to shakedown: springs", "their error", "finite elements", "FE over springs - 1", "bar", "decay of slip in a cycle: MDR", "FE over MDR - 1", "bar"]) end)
 elif type == "array" then
   map(exact_row) | table(["solution: quantity", "refined", "errors", "order (expected)", "tolerance", "verdict"])
 else
