@@ -34,13 +34,18 @@ ProofCost operator+(const ProofCost& a, const ProofCost& b) {
           {a.bodies.all + b.bodies.all, a.bodies.from_store + b.bodies.from_store}};
 }
 
-ProofCost Computations::cost() const {
-  ProofCost cost{size(), 0, 0, 0, count_bodies_of(all_)};
-  for (const auto& [resolution, computation] : all_) {
-    cost.time_steps += computation.fe.n_steps;
-    cost.cycles += computation.fe.n_cycles;
-    cost.seconds += computation.seconds;
-  }
+ProofCost Computations::cost_of(std::initializer_list<const Computations*> sets) {
+  ProofCost cost;
+  std::vector<std::shared_ptr<const BodySummary>> bodies;
+  for (const auto* set : sets)
+    for (const auto& [resolution, computation] : set->all_) {
+      ++cost.computations;
+      cost.time_steps += computation.fe.n_steps;
+      cost.cycles += computation.fe.n_cycles;
+      cost.seconds += computation.seconds;
+      bodies.push_back(computation.fe.body);
+    }
+  cost.bodies = count_of(bodies);
   return cost;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <initializer_list>
 #include <map>
 #include <string>
 #include <utility>
@@ -51,7 +52,8 @@ class Computations {
   [[nodiscard]] const std::map<Resolution, Quantities>& quantities() const { return quantities_; }
   [[nodiscard]] const Units& units() const { return units_; }
   [[nodiscard]] int size() const { return static_cast<int>(all_.size()); }
-  [[nodiscard]] ProofCost cost() const;
+  /// Of sets that may share bodies.
+  static ProofCost cost_of(std::initializer_list<const Computations*> sets);
 
  private:
   Units units_;

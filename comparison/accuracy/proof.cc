@@ -189,7 +189,7 @@ ProvedAnswer prove(const PreparedCase& prepared, Proof proof, const Numerics& nu
   if (proof == Proof::tolerance) answer.n_refinements += refine_until_proved(prepared, computed, tracks);
 
   answer.resolution = tracks.base;
-  answer.cost = computed.cost() + normal.cost();
+  answer.cost = Computations::cost_of({&computed, &normal});
   const auto& base = computed.at(tracks.base).fe;
   if (base.gross_slip) {
     answer.fe = base;

@@ -5,8 +5,10 @@
 
 namespace fretval::fem {
 
-std::string dense_kernels() {
-  return std::string(openblas_get_config()) + " on " + openblas_get_corename();
+const std::string& dense_kernels() {
+  // OpenBLAS writes its text into the same place in every call: two threads at once would read what is half written.
+  static const std::string kernels = std::string(openblas_get_config()) + " on " + openblas_get_corename();
+  return kernels;
 }
 
 std::optional<Eigen::MatrixXd> cholesky(Eigen::MatrixXd matrix) {

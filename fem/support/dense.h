@@ -11,7 +11,7 @@ namespace fretval::fem {
 // takes a buffer for each, under a lock that threads share, and twice as long at 36 rings, as long at 256.
 
 /// Name, version and kernels of the BLAS: with other ones, results differ by roundoff.
-std::string dense_kernels();
+const std::string& dense_kernels();
 
 /// Lower factor L of a symmetric positive definite matrix L L^T, zero above the diagonal; empty: it is none.
 std::optional<Eigen::MatrixXd> cholesky(Eigen::MatrixXd matrix);
