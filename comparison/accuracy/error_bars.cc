@@ -27,6 +27,8 @@ Quantities uncertainties_of_edges(const Computation& computation, const FemCase&
   if (fe.normal_force_max > 0)
     uncertainties[Quantity::normal_force_max] = fe.normal_force_uncertainty / fe.normal_force_max;
   if (fe.cycle) add_uncertainties(*fe.cycle, uncertainties);
+  if (fe.cycles_to_shakedown)
+    uncertainties[Quantity::cycles_to_shakedown] = fe.cycles_to_shakedown_uncertainty / *fe.cycles_to_shakedown;
   if (fe.slip_decay) uncertainties[Quantity::slip_decay] = fe.slip_decay->uncertainty / fe.slip_decay->factor;
   if (fe.zones) {
     uncertainties[Quantity::contact_radius_max] = fe.contact_radius_uncertainty / fe.contact_radius_max.value();

@@ -349,13 +349,14 @@ std::optional<SettlingCycles> settling_cycles(const MdrCase& mdr, const MdrAnswe
   if (!mdr.tangential_force)
     for (const auto& harmonic : mdr.motion.tangential) amplitude += harmonic.amplitude;
   const auto cycles_with = [&](mdr::SpringFineness fineness) {
-    auto slips = mdr::slip_of_periods(mdr.profile, mdr.body, mdr.friction_coefficient, mdr.prescribed(),
-                                      *answer.stick_radius_shakedown, n_ramp, fineness);
+    auto slips =
+        mdr::slip_of_periods(mdr.profile, mdr.body, mdr.friction_coefficient, mdr.prescribed(),
+                             *answer.stick_radius_shakedown, n_ramp, slip_that_counts_as_none * amplitude, fineness);
     for (auto& slip : slips) slip /= amplitude;
     return cycles_until(slips, slip_that_counts_as_none);
   };
   try {
-    const auto coarse = cycles_with({100, 90, 0, 1e-5}), fine = cycles_with({200, 180, 0, 1e-5});
+    const auto coarse = cycles_with({50, 45, 0, 1e-5}), fine = cycles_with({100, 90, 0, 1e-5});
     if (!coarse || !fine) return {};
     return SettlingCycles{*fine, 3 * std::abs(*fine - *coarse)};
   } catch (const std::runtime_error&) {

@@ -77,7 +77,7 @@ nlohmann::ordered_json to_json(const MdrAnswer& answer);
 MdrAnswer mdr_answer(const MdrCase& mdr, const mdr::NormalResponse& normal);
 
 /// After how many cycles from rest nothing slips any more inside the shakedown radius (see cycles_until), of transient
-/// springs: some ten milliseconds. n_ramp: oscillations over which amplitudes rise. Empty: a worn indenter, a path, a
+/// springs: some milliseconds. n_ramp: oscillations over which amplitudes rise. Empty: a worn indenter, a path, a
 /// motion without a period, an elastic body, which shakes down at once, springs that do not become periodic, or nothing
 /// that slips first and not in the end.
 std::optional<SettlingCycles> settling_cycles(const MdrCase& mdr, const MdrAnswer& answer, int n_ramp);

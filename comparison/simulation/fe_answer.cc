@@ -228,10 +228,17 @@ FeAnswer read_answer(const ContactProblems& problems, const FemCase& fem, const 
   const bool steps_settling = answer.cycle && !answer.single_pass && !normal.n_cycles_of_search && !friction.jumped;
   if (steps_settling && !relaxes_in_a_step(fem))
     answer.slip_decay = fem::decay_factor(friction, stuck.shakedown, fem.motion.cycles_of_ramp());
-  if (steps_settling && fem.relaxation.has_memory())
-    answer.cycles_to_shakedown =
-        cycles_until(fem::mean_slip_of_periods(friction, problem.compliance.areas, stuck.shakedown, shakedown.radius),
-                     slip_that_counts_as_none);
+  if (steps_settling && fem.relaxation.has_memory()) {
+    const auto cycles = [&](fem::SlipBeyond beyond) {
+      return cycles_until(
+          fem::mean_slip_of_periods(friction, problem.compliance.areas, stuck.shakedown, shakedown.radius, beyond),
+          slip_that_counts_as_none);
+    };
+    answer.cycles_to_shakedown = cycles(fem::SlipBeyond::linear);
+    const auto other = cycles(fem::SlipBeyond::constant);
+    if (answer.cycles_to_shakedown && other)
+      answer.cycles_to_shakedown_uncertainty = std::abs(*answer.cycles_to_shakedown - *other);
+  }
   answer.n_cycles = friction.n_cycles + friction.n_cycles_of_search + normal.n_cycles_of_search;
   answer.n_steps = friction.n_steps;
   answer.normal = std::move(normal);

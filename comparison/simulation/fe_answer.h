@@ -69,6 +69,7 @@ struct FeAnswer {
   /// cycle by which slip dies out then (see fem::decay_factor), both of a locked motion. Empty: it does at once, or the
   /// cycles that were computed do not tell.
   std::optional<double> cycles_to_shakedown;
+  double cycles_to_shakedown_uncertainty = 0;  ///< of the part of a ring inside c, see fem::SlipBeyond
   std::optional<fem::DecayFactor> slip_decay;  ///< of a locked motion, per cycle; empty: see fem::decay_factor
   std::optional<GrossSlipStart> gross_slip;    ///< then there is nothing else but the body and the cost
   bool single_pass = false;                    ///< of a path: no periodic state, and no shakedown radius

@@ -24,11 +24,18 @@ std::vector<double> slip_decay(const FrictionHistory& history, Eigen::Index n_in
 }
 
 std::vector<double> mean_slip_of_periods(const FrictionHistory& history, const Eigen::VectorXd& areas,
-                                         Eigen::Index n_inside, double stick_radius) {
+                                         Eigen::Index n_inside, double stick_radius, SlipBeyond beyond) {
   const auto rings = areas.head(n_inside);
-  const double area = pi * stick_radius * stick_radius, beyond = area - rings.sum();
-  return over_amplitude(history, n_inside,
-                        [&](const auto& slip) { return (rings.dot(slip) + beyond * slip.tail(1)[0]) / area; });
+  const double inside = rings.sum(), area = pi * stick_radius * stick_radius;
+  double steps = 0;  // from the middle of the last ring to that of what lies beyond, in rings
+  if (beyond == SlipBeyond::linear && n_inside > 1) {
+    const double end = std::sqrt(inside / pi), ring = end - std::sqrt((inside - rings[n_inside - 1]) / pi);
+    steps = (ring + stick_radius - end) / (2 * ring);
+  }
+  return over_amplitude(history, n_inside, [&](const auto& slip) {
+    const double outermost = slip[n_inside - 1], growth = steps == 0 ? 0 : outermost - slip[n_inside - 2];
+    return (rings.dot(slip) + (area - inside) * (outermost + steps * growth)) / area;
+  });
 }
 
 std::optional<DecayFactor> decay_factor(const FrictionHistory& history, Eigen::Index n_inside, int n_ramp) {

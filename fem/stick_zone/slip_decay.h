@@ -11,10 +11,13 @@ namespace fretval::fem {
 /// in a zone that shakes down. Empty: no such ring, or no tangential motion.
 std::vector<double> slip_decay(const FrictionHistory& history, Eigen::Index n_inside);
 
-/// The same of the mean slip inside a stick radius c in or beyond the last of these rings, over its area: what lies
-/// beyond them slips like the last one.
+/// How the surface slips between the last ring of a stick zone and its radius: like that ring, or growing on as from
+/// the one before to it.
+enum class SlipBeyond { constant, linear };
+
+/// The same of the mean slip inside a stick radius c in or beyond the last of these rings, over its area.
 std::vector<double> mean_slip_of_periods(const FrictionHistory& history, const Eigen::VectorXd& areas,
-                                         Eigen::Index n_inside, double stick_radius);
+                                         Eigen::Index n_inside, double stick_radius, SlipBeyond beyond);
 
 /// A factor per period, and how far the last ones still differ.
 struct DecayFactor {

@@ -11,7 +11,7 @@
 namespace fretval::mdr {
 
 std::vector<double> slip_of_periods(const Profile& profile, const PronyBody& body, double mu,
-                                    const Prescribed& prescribed, double stick_radius, int n_ramp,
+                                    const Prescribed& prescribed, double stick_radius, int n_ramp, double least,
                                     const SpringFineness& fineness) {
   constexpr int most_periods = 2000;
   if (!prescribed.motion.phase_locked || !common_cycle(prescribed.motion))
@@ -22,13 +22,15 @@ std::vector<double> slip_of_periods(const Profile& profile, const PronyBody& bod
   const int n_steps =
       static_cast<int>(std::lround(fineness.steps_per_oscillation * highest_frequency(repeating.motion) * period));
   const auto bed = spring_bed(profile, largest_radius(profile, body, prescribed), fineness.n_springs);
-  const auto history =
-      spring_history(bed, body, mu, loading_of(prescribed, repeating, ramp),
-                     {period, n_steps, static_cast<int>(std::ceil(ramp / period)), most_periods, fineness.periodicity});
   const double c = stick_radius;
   const Eigen::ArrayXd weights = 4 / (pi * c * c) * bed.width * (c * c - bed.position.square()).max(0).sqrt();
+  const auto mean_of = [&weights](const Eigen::ArrayXd& slip) { return (weights * slip).sum(); };
+  const auto history =
+      spring_history(bed, body, mu, loading_of(prescribed, repeating, ramp),
+                     {period, n_steps, static_cast<int>(std::ceil(ramp / period)), most_periods, fineness.periodicity,
+                      [&](const Eigen::ArrayXd& slip) { return mean_of(slip) <= least; }});
   std::vector<double> means;
-  for (const auto& slip : history.slip_of_periods) means.push_back((weights * slip).sum());
+  for (const auto& slip : history.slip_of_periods) means.push_back(mean_of(slip));
   return means;
 }
 

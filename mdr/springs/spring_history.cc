@@ -99,7 +99,8 @@ class History {
       const double scale = std::max(start.tangential_load.abs().maxCoeff(), mu_ * start.normal_load.maxCoeff());
       change_ = std::max((state_.tangential_load - start.tangential_load).abs().maxCoeff(),
                          mu_ * (state_.normal_load - start.normal_load).abs().maxCoeff());
-      if (change_ <= control_.periodicity * scale) {
+      const bool slips_little = control_.slips_little && control_.slips_little(slip_of_periods_.back());
+      if (slips_little || change_ <= control_.periodicity * scale) {
         last.slip_of_periods = std::move(slip_of_periods_);
         return last;
       }

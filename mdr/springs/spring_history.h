@@ -49,6 +49,9 @@ struct HistoryControl {
   int n_ramp_periods = 10;  ///< the path is taken as periodic from here on
   int max_periods = 400;
   double periodicity = 1e-9;  ///< largest change of a traction from one period to the next over the largest traction
+  /// Ends a history as well, after the ramp: whether the slip of the springs in a period, m, is little enough. Empty:
+  /// none is.
+  std::function<bool(const Eigen::ArrayXd& slip)> slips_little = {};
 };
 
 /// What the transient spring foundation says about a periodic motion: the second, independent way to both stick radii,

@@ -29,10 +29,15 @@ TEST(SlipDecay, OfTheMeanIsOverTheAreaInsideC) {
   FrictionHistory history;
   history.amplitude = 2;
   history.slip_of_periods = {Eigen::Vector3d(1, 3, 8), Eigen::Vector3d(0.5, 0, 8)};
-  const auto means = mean_slip_of_periods(history, Eigen::Vector3d(1, 3, 5), 2, std::sqrt(5 / pi));
-  ASSERT_EQ(means.size(), 2U);
-  EXPECT_NEAR(means[0], (1 + 9 + 3) / 10.0, 1e-15);
-  EXPECT_NEAR(means[1], 0.05, 1e-15);
+  const auto means = [&](SlipBeyond beyond) {
+    return mean_slip_of_periods(history, Eigen::Vector3d(1, 3, 5), 2, std::sqrt(5 / pi), beyond);
+  };
+  const auto constant = means(SlipBeyond::constant), linear = means(SlipBeyond::linear);
+  ASSERT_EQ(constant.size(), 2U);
+  EXPECT_NEAR(constant[0], (1 + 9 + 3) / 10.0, 1e-15);
+  EXPECT_NEAR(constant[1], 0.05, 1e-15);
+  // Over the root of pi rings end at 1 and 2, c is root 5; its part is (root 5 - 1)/2 rings beyond the second one.
+  EXPECT_NEAR(linear[0], (1 + 9 + 3 + 2 * (std::sqrt(5.0) - 1) / 2) / 10, 1e-15);
 }
 
 FrictionHistory slipping(const std::vector<double>& slips) {

@@ -16,9 +16,8 @@ const auto profile = parabola(1e-2);
 // Shakes down between the radii of first slip and of shakedown.
 const Prescribed prescribed{{1e-4, {{2e-5, 10, 0}}, {{1.5e-5, 10, 1}}, true}, false, false};
 
-std::vector<double> slips(const PronyBody& body, double radius, int n_ramp,
-                          const SpringFineness& fineness = {100, 90}) {
-  return slip_of_periods(profile, body, mu, prescribed, radius, n_ramp, fineness);
+std::vector<double> slips(const PronyBody& body, double radius, int n_ramp, double least = -1) {
+  return slip_of_periods(profile, body, mu, prescribed, radius, n_ramp, least, {100, 90});
 }
 
 double shakedown_radius(const PronyBody& body) {
@@ -52,14 +51,26 @@ TEST(SlipOfPeriods, IsNoneWhereNothingEverSlips) {
 // With hardly any friction all of the surface slips there and back. The root at c costs the sum over springs its 1.5th
 // order.
 TEST(SlipOfPeriods, IsTheMeanOverTheArea) {
-  const auto of = slip_of_periods(profile, elastic(1e6), 1e-6, prescribed, 5e-4, 2, {400, 90});
+  const auto of = slip_of_periods(profile, elastic(1e6), 1e-6, prescribed, 5e-4, 2, -1, {400, 90});
   EXPECT_NEAR(of.back() / (4 * 1.5e-5), 1, 5e-4);
+}
+
+TEST(SlipOfPeriods, EndsWithTheFirstPeriodOfLittleSlip) {
+  const auto body = prony(1e6, {1e6}, {0.1});
+  const auto all = slips(body, shakedown_radius(body), 4), some = slips(body, shakedown_radius(body), 4, 1e-9);
+  ASSERT_LT(some.size(), all.size());
+  EXPECT_LE(some.back(), 1e-9);
+  EXPECT_GT(some[some.size() - 2], 1e-9);
+  for (std::size_t n = 0; n < some.size(); ++n) EXPECT_EQ(some[n], all[n]);
 }
 
 TEST(SlipOfPeriods, NeedsAPeriod) {
   auto unlocked = prescribed;
   unlocked.motion.phase_locked = false;
-  EXPECT_NE(error_of([&] { slip_of_periods(profile, elastic(1e6), mu, unlocked, 1e-3, 4, {100, 90}); }), "accepted");
+  EXPECT_NE(error_of([&] {
+              slip_of_periods(profile, elastic(1e6), mu, unlocked, 1e-3, 4, -1, {100, 90});
+            }),
+            "accepted");
 }
 
 }  // namespace
