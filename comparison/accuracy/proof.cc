@@ -171,9 +171,9 @@ const char* name_of(Proof proof) {
 ProvedAnswer prove(const PreparedCase& prepared, Proof proof, BodyStore& bodies, std::size_t n_threads,
                    const ComputationsDone& told) {
   const auto& fem = prepared.fem;
-  const Compute whole = [&](const Resolution&resolution) { return compute_case(fem, resolution, bodies); },
-                normal = [&](const Resolution&resolution) { return compute_normal_response(fem, resolution, bodies); };
-  return prove(prepared, proof, {whole, has_normal_response(fem) ? normal : Compute{}}, n_threads, told);
+  const auto whole = [&](const Resolution& resolution) { return compute_case(fem, resolution, bodies); };
+  const auto normal = [&](const Resolution& resolution) { return compute_normal_response(fem, resolution, bodies); };
+  return prove(prepared, proof, {whole, has_normal_response(fem) ? Compute(normal) : Compute()}, n_threads, told);
 }
 
 ProvedAnswer prove(const PreparedCase& prepared, Proof proof, const Numerics& numerics, std::size_t n_threads,

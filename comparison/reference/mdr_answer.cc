@@ -356,7 +356,7 @@ std::optional<SettlingCycles> settling_cycles(const MdrCase& mdr, const MdrAnswe
     return cycles_until(slips, slip_that_counts_as_none);
   };
   try {
-    const auto coarse = cycles_with({50, 45, 0, 1e-5}), fine = cycles_with({100, 90, 0, 1e-5});
+    const auto coarse = cycles_with({80, 72, 0, 1e-5}), fine = cycles_with({160, 144, 0, 1e-5});
     if (!coarse || !fine) return {};
     return SettlingCycles{*fine, 3 * std::abs(*fine - *coarse)};
   } catch (const std::runtime_error&) {

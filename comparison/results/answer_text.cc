@@ -211,6 +211,7 @@ std::string annuli_text(const ordered_json& annuli) {
 }
 
 double mdr_bar(const ordered_json& mdr, Quantity quantity, const Scales& scales) {
+  if (quantity == Quantity::cycles_to_shakedown) return number_in(mdr, "cycles_to_shakedown_error").value_or(0);
   const auto errors = mdr.find("cycle_error");
   if (errors == mdr.end()) return 0;
   const auto error = [&](const char* key) {

@@ -42,13 +42,16 @@ TEST(AnswerText, SaysWhatTheVerdictIs) {
   expect_parts(answer_text(result), {"case: open", "wider than the tolerance"});
 }
 
-// Of a prescribed force both have the largest exactly, and a mean of 0 but for roundoff.
-TEST(AnswerText, ShowsNoRoundoffOfSprings) {
+// Of a prescribed force both have the largest exactly, and a mean of 0 but for roundoff. Springs say what they are off
+// by.
+TEST(AnswerText, ShowsTheErrorOfSpringsAndNoRoundoff) {
   const nlohmann::ordered_json mdr{
       {"tangential_force_max", 0.05}, {"tangential_force_mean", 1.7e-17}, {"cycle_error", {{"force", 2e-17}}}};
   const Scales scales{1e-3, 0.3, 1e-6};
   EXPECT_EQ(mdr_text(mdr, Quantity::tangential_force_mean, scales), "0 nN");
   EXPECT_EQ(mdr_text(mdr, Quantity::tangential_force_max, scales), "50.0000 mN");
+  const nlohmann::ordered_json settling{{"cycles_to_shakedown", 11.885}, {"cycles_to_shakedown_error", 0.08}};
+  EXPECT_EQ(mdr_text(settling, Quantity::cycles_to_shakedown, scales), "11.88 ± 0.08 cycles");
 }
 
 // Of a rate that differs by a fifth the verdict is a pass; it says nothing of the radii.
