@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <map>
 #include <nlohmann/json.hpp>
-#include <set>
 
 #include "comparison/case/case_file.h"
 #include "comparison/case/entry_table.h"
@@ -47,6 +47,11 @@ MdrAnswer closed_answer(const Case& input) {
 
 using Answer = std::function<MdrAnswer(const Case&)>;
 
+struct Sweep {
+  const Case* first;
+  std::size_t n_cases;
+};
+
 /// Null for what MDR refuses between the points of the sweep.
 std::vector<nlohmann::ordered_json> answers_to(const std::vector<Case>& cases, const Answer& answer) {
   std::vector<nlohmann::ordered_json> answers(cases.size());
@@ -83,21 +88,26 @@ std::string table_of(const std::vector<Case>& cases, const std::vector<nlohmann:
   return text + "\n";
 }
 
-void write_line(const fs::path& file, const Case& input, std::size_t n_values, const Answer& answer,
+/// Of a sweep whose results already have as many values, nothing.
+void write_line(const fs::path& file, const Sweep& sweep, std::size_t n_values, const Answer& answer,
                 const QuantityList& quantities) {
-  const auto between = cases_between(input.file, n_values);
-  if (between.empty()) return;
+  const auto between = cases_between(sweep.first->file, n_values);
+  if (between.size() <= sweep.n_cases) return;
   fs::create_directories(file.parent_path());
   write_file(file, table_of(between, answers_to(between, answer), quantities));
 }
 
-/// Of each sweep its first case.
-std::vector<const Case*> sweeps_among(const std::vector<Case>& cases) {
-  std::set<std::string> families;
-  std::vector<const Case*> first;
-  for (const auto& input : cases)
-    if (input.sweep && families.insert(input.sweep->family).second) first.push_back(&input);
-  return first;
+/// In the order in which they come.
+std::vector<Sweep> sweeps_among(const std::vector<Case>& cases) {
+  std::vector<Sweep> sweeps;
+  std::map<std::string, std::size_t> place;
+  for (const auto& input : cases) {
+    if (!input.sweep) continue;
+    const auto [found, is_new] = place.emplace(input.sweep->family, sweeps.size());
+    if (is_new) sweeps.push_back({&input, 0});
+    ++sweeps[found->second].n_cases;
+  }
+  return sweeps;
 }
 
 }  // namespace
@@ -123,12 +133,13 @@ void write_sweep_lines(const std::vector<Case>& cases, const fs::path& output) {
   };
   const auto n_of_one_sweep = std::max(n_values_where_costly, n_values / std::max<std::size_t>(1, sweeps.size()));
   const QuantityList all(quantities_by_interest.begin(), quantities_by_interest.end());
-  for (const auto* input : sweeps) {
+  for (const auto& sweep : sweeps) {
+    const auto* input = sweep.first;
     const auto folder = output / input->sweep->family;
     for (const char* name : {closed_file, stepped_file}) fs::remove(folder / name);
     const bool costly = !has_closed_forms(*input);
     if (!costly) {
-      write_line(folder / closed_file, *input, n_values, closed_answer, closed_forms);
+      write_line(folder / closed_file, sweep, n_values, closed_answer, closed_forms);
     } else if (mdr_case(*input).has_period()) {
       log::info(fmt::format("{}: MDR is stepped in time between the points", input->sweep->family));
     } else {
@@ -137,7 +148,7 @@ void write_sweep_lines(const std::vector<Case>& cases, const fs::path& output) {
                       input->sweep->family));
       continue;
     }
-    write_line(folder / stepped_file, *input, costly ? n_values_where_costly : n_of_one_sweep, stepped_answer, all);
+    write_line(folder / stepped_file, sweep, costly ? n_values_where_costly : n_of_one_sweep, stepped_answer, all);
   }
 }
 

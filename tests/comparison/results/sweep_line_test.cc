@@ -41,6 +41,20 @@ TEST(SweepLine, IsTheAnswerAtValuesBetween) {
   EXPECT_NEAR(stick[75] / mdr_answer(between, mdr_normal_response(between)).stick_radius_shakedown.value(), 1, 1e-9);
 }
 
+// Beside other sweeps springs are stepped at 24 values: of a sweep that has 25, no more.
+TEST(SweepLine, IsNotSteppedWhereResultsHaveAsManyValues) {
+  const ScratchFolder folder;
+  auto cases = read_case_file(swept(folder, "Motion / Tangential amplitude", "4:0.1:6.4 um"));
+  ASSERT_EQ(cases.size(), 25U);
+  for (const char* name : {"b", "c", "d", "e"}) {
+    cases.push_back(cases.front());
+    cases.back().sweep->family = name;
+  }
+  write_sweep_lines(cases, folder.path());
+  EXPECT_TRUE(std::filesystem::exists(folder.path() / "swept/mdr.csv"));
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "swept/mdr_springs.csv"));
+}
+
 // Against the answer to a case of its own.
 TEST(SweepLine, HasWhatSpringsAreSteppedFor) {
   const ScratchFolder folder;
