@@ -157,11 +157,11 @@ Demand demand_of(const FemCase& fem, bool force, double stiffness, double per_de
 }
 
 NearCycle near_cycle_of(const FemCase& fem, int n_creep_cycles) {
-  return near_cycle(*fem.without_short_cycle, stiffening_of(fem),
-                    {demand_of(fem, fem.motion.normal_force, 8, 1),
-                     demand_of(fem, fem.motion.tangential_force, 16.0 / 3, 1.5 * fem.friction_coefficient),
-                     !fem.motion.tangential_force},
-                    n_creep_cycles);
+  return near_cycle(
+      *fem.without_short_cycle, stiffening_of(fem),
+      {demand_of(fem, fem.motion.normal_force, 8, 1),
+       demand_of(fem, fem.motion.tangential_force, 16.0 / 3, 1.5 * fem.friction_coefficient), fem.scales_tangential},
+      n_creep_cycles);
 }
 
 /// Scales tangential displacements of a near cycle, so that they lead to the forces of the motion that it stands for:
@@ -241,6 +241,7 @@ FemCase fem_case(const Case& input, const MdrCase& mdr) {
   fem.relaxation.times = mdr.body.branch_times;
   fem.motion.normal_force = mdr.normal_force;
   fem.motion.tangential_force = mdr.tangential_force;
+  fem.scales_tangential = !mdr.tangential_force && !input.wear_kinetics;
   const auto cycle = mdr::common_cycle(mdr.motion);
   require_few_rows(input);
   if (input.motion.path)
@@ -267,7 +268,7 @@ FemCase at_resolution(FemCase fem, const Resolution& resolution) {
   if (fem.without_short_cycle) {
     const auto near = near_cycle_of(fem, resolution.n_creep_cycles);
     take_cycle(*fem.without_short_cycle, near.cycle, fem);
-    if (!fem.motion.tangential_force) take_forces_of(*fem.without_short_cycle, fem);
+    if (fem.scales_tangential) take_forces_of(*fem.without_short_cycle, fem);
     fem.error_of_demand = near.error_of_demand;
     fem.error_of_normal = near.error_of_normal;
     fem.motion.locked = !near.creeps;

@@ -48,6 +48,9 @@ struct FemCase {
   /// then, see comparison/simulation/fem_case/near_cycle.h, with these errors of the depth that an element asks for to
   /// stick, dimensionless.
   std::optional<mdr::HarmonicMotion> without_short_cycle = {};
+  /// Whether a near cycle may have other tangential frequencies, with displacements scaled to the same forces: not of a
+  /// prescribed force, and not where the indenter wears, by the displacements themselves.
+  bool scales_tangential = true;
   /// Radius that carries prescribed forces alone in the limiting state, of which no larger contact asks for more depth.
   double carrying_radius = 1;
   double error_of_demand = 0, error_of_normal = 0;

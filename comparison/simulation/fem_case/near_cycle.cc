@@ -61,6 +61,7 @@ NearCycle rounded_to(int q, const std::vector<mdr::HarmonicGroup>& groups, const
 
 /// Two directions, the normal one first.
 void bring_together(std::vector<mdr::HarmonicGroup>& groups) {
+  // Any ratio would do: those that are near are kept, to be stepped as they are.
   constexpr double widest = 8, golden = 1.618033988749895;
   const double normal = groups[0].base_frequency;
   double& tangential = groups[1].base_frequency;

@@ -98,6 +98,22 @@ TEST(FemCase, SeveralHarmonicsFollowTheReference) {
 
 // The pressure of a body with a dashpot jumps at the edge of the contact, so the gaps beyond it have to tell where it
 // ends. On a contact line with fewer than three rings beyond, the force was 3e-3 off at 8, 12 and 16 rings alike.
+// A tangential motion that is far faster than the normal one is brought close to it, with the forces of its own
+// displacement; what wears, wears by that displacement, as often as it comes.
+TEST(FemCase, WearsByTheDisplacementsOfTheMotionItself) {
+  Case input = read_case();
+  input.motion.tangential_frequency = 300.4 * input.motion.normal_frequency;
+  const auto oscillation_of = [](const Case& one) { return prepare({one}).front().fem.motion.tangential.at(0); };
+  const auto scaled = oscillation_of(input);
+  EXPECT_LT(scaled.order, 96);
+  input.wear_kinetics = Case::WearKinetics{};
+  const auto kept = oscillation_of(input);
+  EXPECT_EQ(kept.order, 300);
+  EXPECT_NEAR(kept.amplitude,
+              input.motion.tangential_amplitude / (input.motion.indentation + input.motion.normal_amplitude), 1e-12);
+  EXPECT_GT(scaled.amplitude, 1.01 * kept.amplitude);
+}
+
 TEST(FemCase, RingsBeyondTheContactTellWhereItEnds) {
   const auto input = fixed_case("parabola-voigt-90", 16, 48);
   EXPECT_NEAR(simulate_case(input).normal_force_max / exact_answer(input).normal_force_max.value(), 1, 1e-4);
