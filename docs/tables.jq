@@ -39,14 +39,15 @@ def motion_row: . as $case
     + (($case.comparison.normal_force_max // $case.comparison.indentation_max) | [(.difference | number), (.error_bar | number)])
     + loop($case);
 
-def settling_row: . as $case | def compared($q): if .comparison[$q] == null then ["–", ""] else
+def compared($q): if .comparison[$q] == null then ["–", ""] else
     [(.comparison[$q].difference | number), (.comparison[$q].error_bar | number)] end;
+
+def settling_row:
   def cycles: . * 1e2 | round / 1e2 | tostring;
   [.name, (.mdr.cycles_to_shakedown | cycles), (.mdr.cycles_to_shakedown_error | cycles), (.fe.cycles_to_shakedown | cycles)]
   + compared("cycles_to_shakedown") + [(.mdr.slip_decay | if . == null then "–" else . * 1e4 | round / 1e4 | tostring end)] + compared("slip_decay");
 
-def wear_row: . as $case | .fe.wear as $wear | def compared($q): if .comparison[$q] == null then ["–", ""] else
-    [(.comparison[$q].difference | number), (.comparison[$q].error_bar | number)] end;
+def wear_row: . as $case | .fe.wear as $wear |
   [.name, (if .scene.wear_law.law == "power" then "p^\(.scene.wear_law.exponent)" else .scene.wear_law.law end),
    (.fe.stick_radius_shakedown // 0 | share($case)), ($wear.distance_to_limit.shakedown | number), compared("distance_to_limit")[1], ($wear.distance_to_limit.first_slip | number),
    ($wear.volume[-1] / $wear.volume_of_limit * 1e5 | round / 1e5 | tostring)] + compared("worn_volume") + compared("worn_radius")

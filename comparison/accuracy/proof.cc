@@ -127,8 +127,8 @@ int refine_until_proved(const PreparedCase& prepared, Computations& computed, Tr
   std::optional<Tracks> before;
   for (int n = 0;; ++n) {
     if (!measure_errors(prepared, computed, tracks)) {
-      if (!before && tracks.base == prepared.fem.resolution) return n;
       if (!before) {
+        if (tracks.base == prepared.fem.resolution) return n;
         tracks = {prepared.fem.resolution, {}};
         continue;
       }

@@ -5,7 +5,8 @@
 
 namespace fretval {
 
-/// Mean slip in a cycle, over the tangential amplitude, of a zone that is said to have shaken down.
+/// Mean slip in a cycle, over the tangential amplitude, of a zone that is said to have shaken down: as that of a ring
+/// which is said to stick (fem::slip_of_stuck_ring).
 constexpr double slip_that_counts_as_none = 1e-4;
 
 /// After how many cycles slip has died out: the time, in cycles from the beginning of the first one, at which straight

@@ -91,6 +91,10 @@ RepeatingMotion rounded(HarmonicMotion motion, int n_oscillations) {
 
 }  // namespace
 
+int RepeatingMotion::steps_with(int steps_per_oscillation) const {
+  return static_cast<int>(std::lround(steps_per_oscillation * highest_frequency(motion) * period()));
+}
+
 double RepeatingMotion::lag_at(double time) const {
   if (lag == 0) return 0;
   return lag / 2 * (1 - std::cos(2 * pi * time / period()));

@@ -16,6 +16,8 @@ struct RepeatingMotion {
   [[nodiscard]] double period() const { return n_cycles * cycle; }
   /// Periods that have so many oscillations of the slowest harmonic; of a motion that repeats itself as many.
   [[nodiscard]] int periods_with(int n_oscillations) const { return (n_oscillations + n_slow - 1) / n_slow; }
+  /// Steps of a period that has so many of them in an oscillation of the fastest harmonic.
+  [[nodiscard]] int steps_with(int steps_per_oscillation) const;
   /// How far the tangential motion is ahead, and what that changes by per second: `(lag/2) (1 - cos(2 pi t/period))`.
   [[nodiscard]] double lag_at(double time) const;
   [[nodiscard]] double lag_rate_at(double time) const;

@@ -21,8 +21,7 @@ SpringHistory history_with(const Bed& bed, const PronyBody& body, double mu, con
   const double periodicity = body.viscosity > 0 ? 1e-2 : coarse.periodicity;
   const auto repeating = repeating_motion(prescribed.motion, fineness * coarse.n_oscillations);
   const double period = repeating.period();
-  const int n_steps = fineness * static_cast<int>(std::lround(coarse.steps_per_oscillation *
-                                                              highest_frequency(repeating.motion) * period)),
+  const int n_steps = fineness * repeating.steps_with(coarse.steps_per_oscillation),
             n_ramp = std::max(repeating.periods_with(fineness * coarse.n_ramp_periods),
                               fineness * periods_of_creep(body, period));
   try {

@@ -1,6 +1,5 @@
 #include "mdr/springs/slip_of_periods.h"
 
-#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -19,16 +18,14 @@ std::vector<double> slip_of_periods(const Profile& profile, const PronyBody& bod
   require_positive("stick radius", stick_radius);
   const auto repeating = repeating_motion(prescribed.motion, fineness.n_oscillations);
   const double period = repeating.period(), ramp = n_ramp / lowest_frequency(repeating.motion);
-  const int n_steps =
-      static_cast<int>(std::lround(fineness.steps_per_oscillation * highest_frequency(repeating.motion) * period));
   const auto bed = spring_bed(profile, largest_radius(profile, body, prescribed), fineness.n_springs);
   const double c = stick_radius;
   const Eigen::ArrayXd weights = 4 / (pi * c * c) * bed.width * (c * c - bed.position.square()).max(0).sqrt();
   const auto mean_of = [&weights](const Eigen::ArrayXd& slip) { return (weights * slip).sum(); };
-  const auto history =
-      spring_history(bed, body, mu, loading_of(prescribed, repeating, ramp),
-                     {period, n_steps, static_cast<int>(std::ceil(ramp / period)), most_periods, fineness.periodicity,
-                      [&](const Eigen::ArrayXd& slip) { return mean_of(slip) <= least; }});
+  const auto history = spring_history(
+      bed, body, mu, loading_of(prescribed, repeating, ramp),
+      {period, repeating.steps_with(fineness.steps_per_oscillation), static_cast<int>(std::ceil(ramp / period)),
+       most_periods, fineness.periodicity, [&](const Eigen::ArrayXd& slip) { return mean_of(slip) <= least; }});
   std::vector<double> means;
   for (const auto& slip : history.slip_of_periods) means.push_back(mean_of(slip));
   return means;

@@ -16,9 +16,7 @@ constexpr double periodicity = 1e-9;
 SpringHistory history_with(const std::function<double(double)>& g, double outer_radius, const PronyBody& body,
                            const RepeatingMotion& repeating, int fineness) {
   const double period = repeating.period();
-  const int n_steps =
-                static_cast<int>(std::lround(steps_per_oscillation * highest_frequency(repeating.motion) * period)),
-            n_ramp = repeating.periods_with(n_ramp_periods);
+  const int n_steps = repeating.steps_with(steps_per_oscillation), n_ramp = repeating.periods_with(n_ramp_periods);
   return spring_history(spring_bed(g, outer_radius, fineness * n_springs), body, 1,
                         {ramped_path(repeating, n_ramp * period), {}, {}},
                         {period, fineness * n_steps, n_ramp, most_periods, periodicity});
