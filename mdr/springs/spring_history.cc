@@ -20,19 +20,19 @@ class SampledMinimum {
   explicit SampledMinimum(Eigen::Index n)
       : least_(Eigen::ArrayXd::Constant(n, infinity)), before_(least_), last_(least_), n_samples_(0) {}
 
-  // One pass without a branch in it, so that the compiler vectorises it.
-  void add(const Eigen::ArrayXd& sample) {
+  // sample(j): of spring j. One pass without a branch in it, so that the compiler vectorises it.
+  template <class Sample>
+  void add(const Sample& sample) {
     const bool has_parabola = n_samples_++ >= 2;
     double *least = least_.data(), *before = before_.data(), *last = last_.data();
-    const double* now = sample.data();
 #pragma GCC ivdep
-    for (Eigen::Index j = 0; j < sample.size(); ++j) {
-      const double bend = before[j] - 2 * last[j] + now[j], slope = (now[j] - before[j]) / 2;
-      const double vertex = last[j] - slope * slope / (2 * bend), lower = std::min(least[j], now[j]);
-      const bool turns = has_parabola && last[j] < before[j] && last[j] <= now[j];
+    for (Eigen::Index j = 0, n = least_.size(); j < n; ++j) {
+      const double now = sample(j), bend = before[j] - 2 * last[j] + now, slope = (now - before[j]) / 2;
+      const double vertex = last[j] - slope * slope / (2 * bend), lower = std::min(least[j], now);
+      const bool turns = has_parabola && last[j] < before[j] && last[j] <= now;
       least[j] = turns ? std::min(lower, vertex) : lower;
       before[j] = last[j];
-      last[j] = now[j];
+      last[j] = now;
     }
   }
 
@@ -48,15 +48,13 @@ class SampledMinimum {
 
 struct Margins {
   SampledMinimum forward, backward;
-  Eigen::ArrayXd slip_path, traction_sum;
 
-  explicit Margins(Eigen::Index n)
-      : forward(n), backward(n), slip_path(Eigen::ArrayXd::Zero(n)), traction_sum(Eigen::ArrayXd::Zero(n)) {}
+  explicit Margins(Eigen::Index n) : forward(n), backward(n) {}
 
   void add(const SpringState& state, double mu) {
-    const Eigen::ArrayXd limit = 1.5 * mu * state.normal_load;
-    forward.add(limit - state.tangential_load);
-    backward.add(limit + state.tangential_load);
+    const double limit = 1.5 * mu, *normal = state.normal_load.data(), *tangential = state.tangential_load.data();
+    forward.add([=](Eigen::Index j) { return limit * normal[j] - tangential[j]; });
+    backward.add([=](Eigen::Index j) { return limit * normal[j] + tangential[j]; });
   }
 };
 
@@ -89,21 +87,19 @@ class History {
         step_(body, mu, dt_),
         axis_weights_(axis_weights(bed)),
         state_(relaxed_state(bed, body, start_indentation(bed, body, loading))),
-        first_slip_(bed.depth.size()) {}
+        first_slip_(bed.depth.size()),
+        slip_path_(Eigen::ArrayXd::Zero(bed.depth.size())) {}
 
   SpringHistory run() {
     for (int period = 0; period < control_.max_periods; ++period) {
-      const SpringState start = state_;
-      SpringHistory last = one_period(period);
+      start_ = state_;
+      step_through(period);
       if (period < control_.n_ramp_periods) continue;
-      const double scale = std::max(start.tangential_load.abs().maxCoeff(), mu_ * start.normal_load.maxCoeff());
-      change_ = std::max((state_.tangential_load - start.tangential_load).abs().maxCoeff(),
-                         mu_ * (state_.normal_load - start.normal_load).abs().maxCoeff());
+      const double scale = std::max(start_.tangential_load.abs().maxCoeff(), mu_ * start_.normal_load.maxCoeff());
+      change_ = std::max((state_.tangential_load - start_.tangential_load).abs().maxCoeff(),
+                         mu_ * (state_.normal_load - start_.normal_load).abs().maxCoeff());
       const bool slips_little = control_.slips_little && control_.slips_little(slip_of_periods_.back());
-      if (slips_little || change_ <= control_.periodicity * scale) {
-        last.slip_of_periods = std::move(slip_of_periods_);
-        return last;
-      }
+      if (slips_little || change_ <= control_.periodicity * scale) return measured_again(period);
     }
     std::ostringstream message;
     const auto& times = body_.branch_times;
@@ -115,38 +111,53 @@ class History {
   }
 
  private:
-  SpringHistory one_period(int period) {
+  [[nodiscard]] double time_of(int period, int step) const {
+    return (period + static_cast<double>(step) / control_.steps_per_period) * control_.period;
+  }
+
+  void step_to(double time) {
+    try {
+      step_.advance(state_, bed_, indenter(time));
+    } catch (GrossSlip& slip) {
+      slip.time = time;
+      throw;
+    }
+  }
+
+  void step_through(int period) {
+    Eigen::ArrayXd slip_path = Eigen::ArrayXd::Zero(bed_.depth.size());
+    for (int k = 1; k <= control_.steps_per_period; ++k) {
+      step_to(time_of(period, k));
+      slip_path += (state_.slip.abs() > roundoff_of_step * largest_shift_).select(state_.slip.abs(), 0);
+      largest_shift_ = std::max(largest_shift_, std::abs(state_.indenter.tangential));
+      first_slip_.add(state_, mu_);
+    }
+    slip_path_ += slip_path;
+    slip_of_periods_.push_back(std::move(slip_path));
+  }
+
+  // The last period once more, from its start: measuring takes longer than stepping, and which is the last one, its end
+  // tells.
+  SpringHistory measured_again(int period) {
+    std::swap(state_, start_);
     SpringHistory result{};
     result.n_periods = period + 1;
     result.deepest = result.highest = state_;
+    result.mean_traction = Eigen::ArrayXd::Zero(bed_.depth.size());
     Margins margins(bed_.depth.size());
-    const bool measured = period >= control_.n_ramp_periods;
-    if (measured) record(result, period * control_.period, margins);
+    record(result, time_of(period, 0), margins);
     for (int k = 1; k <= control_.steps_per_period; ++k) {
-      const double time = (period + static_cast<double>(k) / control_.steps_per_period) * control_.period;
-      const SpringState before = measured ? state_ : SpringState{};
-      try {
-        step_.advance(state_, bed_, indenter(time));
-      } catch (GrossSlip& slip) {
-        slip.time = time;
-        throw;
-      }
-      const Eigen::ArrayXd slipped = state_.slip.abs();
-      margins.slip_path += (slipped > roundoff_of_step * largest_shift_).select(slipped, 0);
-      largest_shift_ = std::max(largest_shift_, std::abs(state_.indenter.tangential));
-      first_slip_.add(state_, mu_);
-      if (!measured) continue;
-      margins.traction_sum += state_.tangential_load;
-      const Dissipation heat = dissipation(bed_, body_, mu_, dt_, before, state_);
+      const double time = time_of(period, k);
+      before_ = state_;
+      step_to(time);
+      result.mean_traction += state_.tangential_load;
+      const Dissipation heat = dissipation(bed_, body_, mu_, dt_, before_, state_);
       result.friction_work += heat.friction;
       result.bulk_work += heat.bulk;
       record(result, time, margins);
-      add_work_of_last_step(result, before);
+      add_work_of_last_step(result);
     }
-    first_slip_.slip_path += margins.slip_path;
-    slip_of_periods_.push_back(margins.slip_path);
-    if (measured) finish(result, margins);
-    result.last = state_;
+    finish(result, margins);
     return result;
   }
 
@@ -170,24 +181,26 @@ class History {
     result.axis_pressure.push_back(axis_pressure(axis_weights_, body_, state_));
   }
 
-  void add_work_of_last_step(SpringHistory& result, const SpringState& before) const {
+  void add_work_of_last_step(SpringHistory& result) const {
     const std::size_t k = result.time.size() - 1;
-    const double fall = state_.indenter.indentation - before.indenter.indentation;
-    const double shift = state_.indenter.tangential - before.indenter.tangential;
+    const double fall = state_.indenter.indentation - before_.indenter.indentation;
+    const double shift = state_.indenter.tangential - before_.indenter.tangential;
     const double tangential = (result.tangential_force[k - 1] + result.tangential_force[k]) / 2 * shift;
     result.indenter_work += (result.normal_force[k - 1] + result.normal_force[k]) / 2 * fall + tangential;
     result.tangential_work += tangential;
   }
 
-  void finish(SpringHistory& result, const Margins& margins) const {
+  void finish(SpringHistory& result, const Margins& margins) {
+    result.slip_amplitude = slip_of_periods_.back();
+    result.slip_of_periods = std::move(slip_of_periods_);
+    result.mean_traction /= control_.steps_per_period;
     const Eigen::ArrayXd first = first_slip_.forward.value().min(first_slip_.backward.value());
     const Eigen::ArrayXd shakedown = (margins.forward.value() + margins.backward.value()) / 2;
-    result.depths.first_slip = stick_depth(bed_, mu_, first, first_slip_.slip_path, never_slipped * largest_shift_);
-    result.depths.shakedown = stick_depth(bed_, mu_, shakedown, margins.slip_path, shaken_down * largest_shift_);
-    result.settling_depth = stick_depth(bed_, mu_, shakedown, margins.slip_path, settling_slip * largest_shift_);
+    result.depths.first_slip = stick_depth(bed_, mu_, first, slip_path_, never_slipped * largest_shift_);
+    result.depths.shakedown = stick_depth(bed_, mu_, shakedown, result.slip_amplitude, shaken_down * largest_shift_);
+    result.settling_depth = stick_depth(bed_, mu_, shakedown, result.slip_amplitude, settling_slip * largest_shift_);
     result.largest_shift = largest_shift_;
-    result.slip_amplitude = margins.slip_path;
-    result.mean_traction = margins.traction_sum / control_.steps_per_period;
+    result.last = state_;
   }
 
   const SpringBed& bed_;
@@ -198,8 +211,9 @@ class History {
   double dt_;
   SpringStep step_;
   Eigen::ArrayXd axis_weights_;
-  SpringState state_;
+  SpringState state_, start_, before_;  // now, at the start of the period, a step ago
   Margins first_slip_;
+  Eigen::ArrayXd slip_path_;  // from rest on
   std::vector<Eigen::ArrayXd> slip_of_periods_;
   double largest_shift_ = 0;
   double change_ = 0;
