@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "mdr/motion/force_control.h"
+#include "mdr/springs/repetition.h"
 #include "mdr/springs/sampled_peak.h"
 
 namespace fretval::mdr {
@@ -16,9 +17,6 @@ using Bed = std::function<SpringBed(Eigen::Index n)>;
 SpringHistory history_with(const Bed& bed, const PronyBody& body, double mu, const Prescribed& prescribed,
                            const SpringFineness& coarse, int fineness) {
   constexpr int most_periods = 2000;
-  // With a dashpot the load of a spring jumps when it touches, and which is the last one may change from period to
-  // period; the ramp is slow enough that nothing else does.
-  const double periodicity = body.viscosity > 0 ? 1e-2 : coarse.periodicity;
   const auto repeating = repeating_motion(prescribed.motion, fineness * coarse.n_oscillations);
   const double period = repeating.period();
   const int n_steps = fineness * repeating.steps_with(coarse.steps_per_oscillation),
@@ -27,7 +25,7 @@ SpringHistory history_with(const Bed& bed, const PronyBody& body, double mu, con
   try {
     return spring_history(bed(fineness * coarse.n_springs), body, mu,
                           loading_of(prescribed, repeating, n_ramp * period),
-                          {period, n_steps, n_ramp, most_periods, periodicity});
+                          {period, n_steps, n_ramp, most_periods, periodicity_of(body, coarse.periodicity, fineness)});
   } catch (GrossSlip& slip) {
     slip.amplitude = amplitude_share(slip.time, n_ramp * period);
     throw;
@@ -81,9 +79,6 @@ SteppedForcedResponse extrapolated(const Bed& bed, const std::function<double(do
   extrapolate([](auto& r) -> auto& { return r.friction_work; });
   extrapolate([](auto& r) -> auto& { return r.bulk_work; });
   extrapolate([](auto& r) -> auto& { return r.tangential_work; });
-  if (body.viscosity > 0)  // each jump of the load loses its share: three times what a first order leaves
-    for (double* work : {&stepped.error.friction_work, &stepped.error.bulk_work, &stepped.error.tangential_work})
-      *work *= 3;
   if (has_bounded_axis_pressure(g, outer_radius, body, stepped.response.normal.normal_force_min == 0))
     stepped.response.normal.axis_pressure = {stepped.response.axis_pressure_max, stepped.error.axis_pressure_max};
   return stepped;

@@ -46,14 +46,14 @@ struct ForcedResponse {
 struct SpringFineness {
   Eigen::Index n_springs = 200;
   int steps_per_oscillation = 180, n_ramp_periods = 20;
-  double periodicity = 1e-8;  ///< of a body without a dashpot
+  double periodicity = 1e-8;  ///< see periodicity_of
   int n_oscillations = 48;    ///< in a period of a motion that does not repeat itself
 };
 
 /// The transient springs (mdr/springs/spring_history.h), stepped until they repeat. Extrapolated from n and 2 n
-/// springs, steps, cycles of the ramp and oscillations in the place of a motion without period, each of second order;
-/// with a dashpot, where the load jumps at the edge, springs are of first order. error: the whole difference, three
-/// times what a second order leaves; of energies with a dashpot three times the whole. Throws std::invalid_argument for
+/// springs, steps, cycles of the ramp and oscillations in the place of a motion without period, each of second order.
+/// error: the whole difference, three times what a second order leaves, and more than a first one, to which a dashpot
+/// can bring them, whose load jumps at the edge. Throws std::invalid_argument for
 /// bad arguments, std::runtime_error when the springs do not become periodic and for a tangential force that no
 /// friction holds (gross slip).
 struct SteppedForcedResponse {

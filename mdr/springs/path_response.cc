@@ -6,6 +6,7 @@
 
 #include "mdr/motion/force_control.h"
 #include "mdr/springs/force_balance.h"
+#include "mdr/springs/repetition.h"
 #include "mdr/springs/spring_energy.h"
 #include "mdr/springs/spring_history.h"
 #include "mdr/springs/spring_stick.h"
@@ -15,7 +16,7 @@ namespace fretval::mdr {
 namespace {
 
 constexpr int most_periods_of_path = 2000;
-constexpr double roundoff_of_count = 1e-12, periodicity_with_dashpot = 1e-2;
+constexpr double roundoff_of_count = 1e-12;
 
 /// The path, its departure from rest rising over the ramp. A force stands in the place of the displacement.
 struct RisingPath {
@@ -79,15 +80,12 @@ class Course {
 
   PathCourse run() {
     if (!path_.repeats) return {bed_, one_period(0)};
+    Repetition repetition(body_, periodicity_of(body_, fineness_.periodicity, fineness_.subdivisions));
     for (int period = 0; period < most_periods_of_path; ++period) {
       const SpringState start = state_;
       SpringHistory last = one_period(period);
       if (period < fineness_.n_ramp_periods) continue;
-      const double scale = std::max(start.tangential_load.abs().maxCoeff(), mu_ * start.normal_load.maxCoeff());
-      const double change = std::max((state_.tangential_load - start.tangential_load).abs().maxCoeff(),
-                                     mu_ * (state_.normal_load - start.normal_load).abs().maxCoeff());
-      const double allowed = body_.viscosity > 0 ? periodicity_with_dashpot : fineness_.periodicity;
-      if (change <= allowed * scale) return {bed_, std::move(last)};
+      if (repetition.reached(change_of_tractions(start, state_, mu_))) return {bed_, std::move(last)};
     }
     throw std::runtime_error("loads of the springs along the path do not repeat after 2000 periods");
   }

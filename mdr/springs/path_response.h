@@ -21,7 +21,7 @@ struct PathFineness {
   Eigen::Index n_springs = 200;
   int steps_per_duration = 180;  ///< at least; each piece has a whole number of equal steps
   int n_ramp_periods = 10;       ///< of a path that repeats
-  double periodicity = 1e-8;     ///< of a body without a dashpot; with one loads jump at the edge, and 1e-2 has to do
+  double periodicity = 1e-8;     ///< see periodicity_of
   int subdivisions = 1;          ///< of each of these steps
 };
 

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "mdr/springs/force_balance.h"
+#include "mdr/springs/repetition.h"
 #include "mdr/springs/spring_energy.h"
 #include "mdr/springs/spring_stick.h"
 #include "mdr/support/checks.h"
@@ -91,21 +92,22 @@ class History {
         slip_path_(Eigen::ArrayXd::Zero(bed.depth.size())) {}
 
   SpringHistory run() {
+    Repetition repetition(body_, control_.periodicity);
+    double change = 0;
     for (int period = 0; period < control_.max_periods; ++period) {
       start_ = state_;
       step_through(period);
       if (period < control_.n_ramp_periods) continue;
-      const double scale = std::max(start_.tangential_load.abs().maxCoeff(), mu_ * start_.normal_load.maxCoeff());
-      change_ = std::max((state_.tangential_load - start_.tangential_load).abs().maxCoeff(),
-                         mu_ * (state_.normal_load - start_.normal_load).abs().maxCoeff());
-      const bool slips_little = control_.slips_little && control_.slips_little(slip_of_periods_.back());
-      if (slips_little || change_ <= control_.periodicity * scale) return measured_again(period);
+      change = change_of_tractions(start_, state_, mu_);
+      const bool repeats = repetition.reached(change);
+      if (repeats || (control_.slips_little && control_.slips_little(slip_of_periods_.back())))
+        return measured_again(period);
     }
     std::ostringstream message;
     const auto& times = body_.branch_times;
     const double longest = times.empty() ? 0 : *std::max_element(times.begin(), times.end());
-    message << "loads of the springs still change by " << change_ << " m per period after " << control_.max_periods
-            << " periods; the longest relaxation time lasts " << longest / control_.period
+    message << "loads of the springs still change by " << change << " of the largest per period after "
+            << control_.max_periods << " periods; the longest relaxation time lasts " << longest / control_.period
             << " periods: allow more periods, or leave out branches that are slow beyond interest";
     throw std::runtime_error(message.str());
   }
@@ -216,7 +218,6 @@ class History {
   Eigen::ArrayXd slip_path_;  // from rest on
   std::vector<Eigen::ArrayXd> slip_of_periods_;
   double largest_shift_ = 0;
-  double change_ = 0;
 };
 
 }  // namespace
