@@ -21,15 +21,12 @@ void add_response(const Answer& answer, double normal_force_max, const Units& un
     values[Quantity::tangential_amplitude] = std::log(*answer.tangential_amplitude / units.depth);
 }
 
-void add_forces(double largest, double mean, double sliding, const Units& units, Quantities& values) {
-  values[Quantity::tangential_force_max] = std::log(largest / units.force());
-  values[Quantity::tangential_force_mean] = mean / sliding;
-}
-
 /// Of either answer. Without memory friction takes all that is lost.
 template <class Cycle>
 void add_cycle(const std::optional<Cycle>& cycle, const Units& units, Quantities& values) {
   if (!cycle) return;
+  values[Quantity::tangential_force_max] = std::log(cycle->tangential_force_max / units.force());
+  values[Quantity::tangential_force_mean] = cycle->tangential_force_mean / cycle->sliding_force;
   values[Quantity::friction_work] = cycle->friction_work / cycle->sliding_work;
   if (!(cycle->bulk_work > 0)) return;
   const auto add = [&](Quantity quantity, double work) {
@@ -46,8 +43,6 @@ Quantities quantities_of(const FeAnswer& fe, const Units& units) {
   Quantities values;
   add_response(fe, fe.normal_force_max, units, values);
   add_cycle(fe.cycle, units, values);
-  if (const auto& cycle = fe.cycle)
-    add_forces(cycle->tangential_force_max, cycle->tangential_force_mean, cycle->sliding_force, units, values);
   if (fe.slip_decay) values[Quantity::slip_decay] = std::log(fe.slip_decay->factor);
   if (fe.cycles_to_shakedown) values[Quantity::cycles_to_shakedown] = std::log(*fe.cycles_to_shakedown);
   if (fe.zones) {  // whose unit of length is no contact radius, and whose stick radii are ends of zones
@@ -73,8 +68,6 @@ Quantities quantities_of(const MdrAnswer& mdr, const Units& units, bool worn) {
   values[Quantity::contact_radius_max] = mdr.contact_radius_max.value() / units.length;
   add_response(mdr, mdr.normal_force_max.value(), units, values);
   add_cycle(mdr.cycle, units, values);
-  if (mdr.cycle && mdr.cycle->forces)
-    add_forces(mdr.cycle->forces->largest, mdr.cycle->forces->mean, mdr.cycle->sliding_force, units, values);
   if (mdr.slip_decay) values[Quantity::slip_decay] = std::log(*mdr.slip_decay);
   if (mdr.cycles_to_shakedown) values[Quantity::cycles_to_shakedown] = std::log(mdr.cycles_to_shakedown->cycles);
   values[Quantity::stick_radius_first_slip] = mdr.stick_radius_first_slip.value_or(0) / units.length;
@@ -93,7 +86,7 @@ Quantities errors_of(const Quantities& values, const Quantities& reference) {
   Quantities errors;
   for (const auto& [quantity, value] : values) {
     const auto found = reference.find(quantity);
-    if (found != reference.end() && !traits_of(quantity).comes_along)
+    if (found != reference.end() && traits_of(quantity).refined_for == RefinedFor::any_case)
       errors[quantity] = std::abs(value - found->second);
   }
   return errors;

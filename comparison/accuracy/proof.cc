@@ -106,7 +106,7 @@ std::pair<Resolution, int> prove_normal_response(const PreparedCase& prepared, C
 std::optional<Tracks> finer(const PreparedCase& prepared, const Computations& computed, const Tracks& tracks) {
   std::map<Resolution, std::vector<BarToMeet>> bars;  // by track
   for (const auto& [quantity, bar] : error_bars(prepared, tracks, computed, Borders::left_out)) {
-    if (traits_of(quantity).comes_along) continue;
+    if (!is_refined_for(quantity, prepared.tolerances)) continue;
     bars[tracks.of(quantity)].push_back(to_meet(prepared, quantity, bar));
   }
   Tracks next = tracks;

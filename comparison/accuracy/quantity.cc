@@ -6,28 +6,29 @@
 namespace fretval {
 
 const QuantityTraits& traits_of(Quantity quantity) {
+  constexpr auto none = RefinedFor::none, cycles = RefinedFor::cycles;
   // In the order of the enumeration.
   static constexpr std::array<QuantityTraits, all_quantities.size()> table{{
-      {"axis_pressure_max", "largest pressure on the axis", "pressure", "relative", "Pa", 1, {1}, {}, true},
-      {"bulk_work", "energy lost in the body", "bulk loss", "relative", "J", 1, {2}, {}, true},
+      {"axis_pressure_max", "largest pressure on the axis", "pressure", "relative", "Pa", 1, {1}, {}, none},
+      {"bulk_work", "energy lost in the body", "bulk loss", "relative", "J", 1, {2}, {}, cycles},
       {"contact_radius_max", "largest contact radius", "contact radius", "relative", "m", 10, {3}, {}},
-      {"cycle_work", "energy lost altogether", "loss", "relative", "J", 1, {2}, {}, true},
-      {"cycles_to_shakedown", "cycles to shakedown", "cycles", "relative", "cycles", 1, {1}, {}, true, true},
+      {"cycle_work", "energy lost altogether", "loss", "relative", "J", 1, {2}, {}, cycles},
+      {"cycles_to_shakedown", "cycles to shakedown", "cycles", "relative", "cycles", 1, {1}, {}, none, true},
       {"distance_to_limit", "distance from the limiting profile", "distance", "over a and d max", "", 0.5, {2}, {}},
       {"force_outside_stick_zone", "force outside c", "force outside", "over the force", "", 1, {1}, {}},
-      {"friction_work", "energy lost to friction", "friction", "over sliding", "J", 10, {2}, {}, true},
+      {"friction_work", "energy lost to friction", "friction", "over sliding", "J", 10, {2}, {}, cycles},
       {"indentation_max", "largest indentation", "largest depth", "relative", "m", 10, {3}, ExpectedOrder{2, 6}},
       {"limiting_amplitude", "amplitude at which slip begins inside c", "amplitude", "relative", "", 1, {1}, {}},
       {"maximum_indentation", "indentation at which the flank touches", "indentation", "relative", "", 1, {1}, {}},
       {"normal_force_max", "largest normal force", "normal force", "relative", "N", 10, {3}, ExpectedOrder{2, 6}},
-      {"slip_decay", "decay of slip in a cycle", "slip decay", "relative", "", 1, {2}, {}, true, true},
+      {"slip_decay", "decay of slip in a cycle", "slip decay", "relative", "", 1, {2}, {}, none, true},
       {"slip_inside_stick_zone", "slip inside c", "slip inside", "over the amplitude", "", 1, {1}, {}},
       {"stick_radius_first_slip", "stick radius, first slip", "first slip", "over a", "m", 1, {3}, {}},
       {"stick_radius_shakedown", "stick radius, shakedown", "shakedown", "over a", "m", 1, {3}, {}},
       {"tangential_amplitude", "tangential amplitude", "u_x", "relative", "m", 1, {2}, {}},
-      {"tangential_force_max", "largest tangential force", "tangential force", "relative", "N", 1, {2}, {}, true},
-      {"tangential_force_mean", "mean tangential force", "mean force", "over sliding", "N", 1, {2}, {}, true},
-      {"tangential_work", "area of the tangential loop", "loop", "relative", "J", 1, {2}, {}, true},
+      {"tangential_force_max", "largest tangential force", "tangential force", "relative", "N", 1, {2}, {}, cycles},
+      {"tangential_force_mean", "mean tangential force", "mean force", "over sliding", "N", 1, {2}, {}, cycles},
+      {"tangential_work", "area of the tangential loop", "loop", "relative", "J", 1, {2}, {}, cycles},
       {"worn_radius", "outer radius of the wear", "worn radius", "over a", "m", 0.2, {2}, {}},
       {"worn_volume", "worn volume", "worn volume", "over that of the limit", "m³", 0.5, {2}, {}},
   }};

@@ -95,6 +95,14 @@ struct ExpectedOrder {
   double highest = 2 * order;
 };
 
+/// Which cases finite elements are refined in for a quantity. In the others it comes along with its bar and is held to
+/// that where it is wider than its tolerance.
+enum class RefinedFor {
+  any_case,
+  cycles,  ///< those with a tolerance on forces and energies of a cycle
+  none
+};
+
 /// What is to be known of a quantity, whatever the case.
 struct QuantityTraits {
   const char* name;   ///< in result.json
@@ -107,9 +115,7 @@ struct QuantityTraits {
   /// In a body with memory the pressure next to the edge depends on when its ring touched, and coarser rings do not
   /// show all of that. Empty: as without memory.
   std::optional<ExpectedOrder> rings_with_memory;
-  /// Nothing is refined for it: it comes along with its bar and is held to that where it is wider than its tolerance,
-  /// and to the error of the springs that it is compared with on top.
-  bool comes_along = false;
+  RefinedFor refined_for = RefinedFor::any_case;
   /// It tells how a motion settles, of which neither method knows as much as of what it settles to.
   bool of_settling = false;
 };

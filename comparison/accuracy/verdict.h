@@ -30,16 +30,20 @@ struct Difference {
 
 /// How far finite elements and MDR may lie apart.
 struct Tolerances {
-  double stick_radius;    ///< over the unworn contact radius at the largest indentation
-  double contact_radius;  ///< relative
-  double normal_force;    ///< relative, also on the indentation where the force is prescribed
+  double stick_radius;               ///< over the unworn contact radius at the largest indentation
+  double contact_radius;             ///< relative
+  double normal_force;               ///< relative, also on the indentation where the force is prescribed
+  std::optional<double> cycle = {};  ///< before its strictness, on forces and energies of a cycle; empty: none
 };
 
 /// What a case asks for: T = Accuracy / Tolerance over the strictness of each quantity.
-Tolerances tolerances_of(double accuracy);
+Tolerances tolerances_of(double accuracy, std::optional<double> of_cycle = {});
 
 /// The tolerance of a quantity: that on the stick radius unless it has one of its own.
 double tolerance_of(const Tolerances& tolerances, Quantity quantity);
+
+/// Whether the bar of a quantity has to meet its tolerance.
+bool is_refined_for(Quantity quantity, const Tolerances& tolerances);
 
 /// Stick radii: (c_FE - c_MDR)/a, a the unworn contact radius at the largest indentation. Where one of the two says
 /// that nothing sticks, the other must say so too or find a stick zone smaller than the tolerance. For a limiting

@@ -135,6 +135,7 @@ struct Case {
       0;  ///< limiting wear: stick radius over the unworn contact radius at the largest indentation
   std::optional<WearKinetics> wear_kinetics;
   double tolerance = 0;                      ///< relative, on the stick radius
+  std::optional<double> cycle_tolerance;     ///< on forces and energies of a cycle; empty: they come along
   std::optional<unsigned> rings_per_radius;  ///< instead of what the tolerance asks for
   std::optional<int> steps_per_cycle;        ///< instead of what the tolerance asks for
   Fields fields = Fields::none;

@@ -17,6 +17,7 @@ bool is_whole(double x, double least, double most) {
 // The error budget halves them, and fewer than 8 tell nothing.
 const ValidNumber ring_count{[](double x) { return is_whole(x, 16, 640); }, "a whole number from 16 to 640"};
 const ValidNumber step_count{[](double x) { return is_whole(x, 16, 10000); }, "a whole number from 16 to 10000"};
+const ValidNumber relative_tolerance{[](double x) { return x >= 1e-5 && x <= 0.1; }, "a number between 1e-5 and 0.1"};
 
 constexpr std::array wear_kinetics_names{"Law", "Coefficient", "Exponent", "Cycles", "Until", "Profile", "Worn rings"};
 
@@ -98,8 +99,9 @@ Case read_entries(const EntryReader& entries, const Reading& reading) {
   input.motion = read_motion(entries);
   read_wear(entries, input);
   if (reading.accuracy == Accuracy::needed || entries.given("Accuracy", "Tolerance"))
-    input.tolerance = entries.number("Accuracy", "Tolerance",
-                                     {[](double x) { return x >= 1e-5 && x <= 0.1; }, "a number between 1e-5 and 0.1"});
+    input.tolerance = entries.number("Accuracy", "Tolerance", relative_tolerance);
+  if (entries.given("Accuracy", "Cycle tolerance"))
+    input.cycle_tolerance = entries.number("Accuracy", "Cycle tolerance", relative_tolerance);
   if (entries.given("Accuracy", "Rings per radius"))
     input.rings_per_radius = entries.whole("Accuracy", "Rings per radius", ring_count);
   if (entries.given("Accuracy", "Steps per cycle"))

@@ -43,12 +43,20 @@ std::optional<mdr::CommonCycle> cycle_to_step(const MdrCase& mdr) {
   return settles_for_long(mdr.body, 1 / cycle->frequency) ? std::nullopt : cycle;
 }
 
-/// response: of springs, to oscillations or along a path. What a single pass has locked in is known with a dashpot too.
+/// Of springs, under oscillations or along a path; of a single pass only
+/// forces and friction mean anything.
 template <class Response>
-std::optional<MdrCycle::Forces> forces_of(const MdrCase& mdr, const Response& response, const Response& error) {
-  if (mdr.body.viscosity > 0 && !mdr.is_single_pass()) return std::nullopt;
-  return MdrCycle::Forces{response.tangential_force_max, response.tangential_force_mean,
-                          std::max(error.tangential_force_max, error.tangential_force_mean)};
+MdrCycle cycle_of(const Response& response, const Response& error, double sliding_force, double tangential_way) {
+  return {response.tangential_force_max,
+          response.tangential_force_mean,
+          response.friction_work,
+          response.bulk_work,
+          response.tangential_work,
+          sliding_force,
+          sliding_force * tangential_way,
+          std::max(error.tangential_force_max, error.tangential_force_mean),
+          error.friction_work + error.bulk_work,
+          error.tangential_work};
 }
 
 MdrCycle cycle_of(const MdrCase& mdr, const mdr::CommonCycle& cycle, const mdr::SteppedForcedResponse& stepped,
@@ -60,22 +68,47 @@ MdrCycle cycle_of(const MdrCase& mdr, const mdr::CommonCycle& cycle, const mdr::
   }
   const auto& [response, error] = stepped;
   if (mdr.tangential_force) path *= response.tangential_amplitude / sum;
-  const double sliding_force = mdr.friction_coefficient * normal_force_max;
-  return {forces_of(mdr, response, error),
-          response.friction_work,
-          response.bulk_work,
-          response.tangential_work,
-          sliding_force,
-          sliding_force * path,
-          error.friction_work + error.bulk_work,
-          error.tangential_work};
+  return cycle_of(response, error, mdr.friction_coefficient * normal_force_max, path);
+}
+
+/// Whether springs know the cycle of an answer as well as the case asks for.
+bool knows_cycle(const MdrCase& mdr, const MdrAnswer& answer) {
+  if (!mdr.cycle_tolerance || !answer.cycle) return true;
+  constexpr double share_of_springs = 0.25, of_friction_over_sliding = 0.1;
+  const auto& cycle = *answer.cycle;
+  const auto known_over = [tolerance = share_of_springs * *mdr.cycle_tolerance](double error, double scale) {
+    return scale <= 0 || error <= tolerance * scale;
+  };
+  return known_over(cycle.force_error, cycle.tangential_force_max) &&
+         known_over(cycle.work_error, of_friction_over_sliding * cycle.sliding_work) &&
+         known_over(cycle.work_error, cycle.bulk_work) &&
+         known_over(cycle.loop_error, answer.single_pass ? 0 : cycle.tangential_work);
+}
+
+/// answer_with: as many times the usual springs and steps.
+MdrAnswer with_known_cycle(const MdrCase& mdr, const std::function<MdrAnswer(int times)>& answer_with) {
+  constexpr int most_times = 8;
+  for (int times = 1;; times *= 2)
+    if (auto answer = answer_with(times); times == most_times || knows_cycle(mdr, answer)) return answer;
+}
+
+mdr::SpringFineness finer(mdr::SpringFineness fineness, int times) {
+  fineness.n_springs *= times;
+  fineness.steps_per_oscillation *= times;
+  return fineness;
+}
+
+mdr::PathFineness finer(mdr::PathFineness fineness, int times) {
+  fineness.n_springs *= times;
+  fineness.subdivisions *= times;
+  return fineness;
 }
 
 /// Springs of a motion without period go through 96 oscillations, and twice as many, in the place of one.
 constexpr mdr::SpringFineness of_many_oscillations{100, 90, 10, 1e-7, 96};
 
 /// Of an unworn indenter, by the springs. Under both forces the shakedown radius has a closed form.
-MdrAnswer forced_answer(const MdrCase& mdr, const mdr::NormalResponse& normal) {
+MdrAnswer forced_answer(const MdrCase& mdr, const mdr::NormalResponse& normal, int times) {
   MdrAnswer answer{};
   answer.contact_radius_max = normal.contact_radius_max;
   answer.normal_force_max = normal.normal_force_max;
@@ -83,7 +116,7 @@ MdrAnswer forced_answer(const MdrCase& mdr, const mdr::NormalResponse& normal) {
   mdr::SteppedForcedResponse stepped;
   try {
     stepped = mdr::forced_response(mdr.profile, mdr.body, mdr.friction_coefficient, mdr.prescribed(),
-                                   mdr.has_period() ? mdr::SpringFineness{} : of_many_oscillations);
+                                   finer(mdr.has_period() ? mdr::SpringFineness{} : of_many_oscillations, times));
   } catch (const mdr::GrossSlip& slip) {
     answer.gross_slip = slip.amplitude;
     return answer;
@@ -137,18 +170,9 @@ MdrAnswer displaced_answer(const MdrCase& mdr, const mdr::HarmonicMotion& motion
 
 /// Over the pass or the period. What goes into the body in a pass is not told from what is lost there.
 MdrCycle cycle_along(const MdrCase& mdr, const mdr::SteppedPathForces& stepped, double normal_force_max) {
-  const auto& forces = stepped.forces;
-  const auto& error = stepped.error;
-  const double sliding_force = mdr.friction_coefficient * normal_force_max;
-  const bool once = mdr.is_single_pass();
-  return {forces_of(mdr, forces, error),
-          forces.friction_work,
-          once ? 0 : forces.bulk_work,
-          once ? 0 : forces.tangential_work,
-          sliding_force,
-          sliding_force * forces.tangential_way,
-          error.friction_work + (once ? 0 : error.bulk_work),
-          error.tangential_work};
+  auto forces = stepped.forces, error = stepped.error;
+  if (mdr.is_single_pass()) forces.bulk_work = error.bulk_work = forces.tangential_work = 0;
+  return cycle_of(forces, error, mdr.friction_coefficient * normal_force_max, forces.tangential_way);
 }
 
 /// Whether springs are asked about forces and energies along a path.
@@ -166,10 +190,11 @@ void answer_displaced_path(const MdrCase& mdr, MdrAnswer& answer) {
 }
 
 /// By the springs.
-void answer_forced_path(const MdrCase& mdr, MdrAnswer& answer) {
+void answer_forced_path(const MdrCase& mdr, int times, MdrAnswer& answer) {
   std::optional<mdr::SteppedPathForces> stepped;
   try {
-    stepped = mdr::path_forces(mdr.profile, mdr.body, mdr.friction_coefficient, *mdr.path);
+    stepped =
+        mdr::path_forces(mdr.profile, mdr.body, mdr.friction_coefficient, *mdr.path, finer(mdr::PathFineness{}, times));
   } catch (const mdr::GrossSlip& slip) {
     answer.gross_slip = slip.amplitude;
     if (answer.single_pass) answer.gross_slip_time = slip.time;
@@ -189,7 +214,7 @@ void answer_forced_path(const MdrCase& mdr, MdrAnswer& answer) {
   if (has_cycle_along(mdr)) answer.cycle = cycle_along(mdr, *stepped, answer.normal_force_max.value());
 }
 
-MdrAnswer path_answer(const MdrCase& mdr, const mdr::NormalResponse& normal) {
+MdrAnswer path_answer(const MdrCase& mdr, const mdr::NormalResponse& normal, int times) {
   MdrAnswer answer{};
   answer.modulus_ratio = std::nan("");
   answer.contact_radius_max = normal.contact_radius_max;
@@ -197,7 +222,7 @@ MdrAnswer path_answer(const MdrCase& mdr, const mdr::NormalResponse& normal) {
   answer.axis_pressure = normal.axis_pressure;
   answer.single_pass = mdr.is_single_pass();
   if (mdr.path->has_forces())
-    answer_forced_path(mdr, answer);
+    answer_forced_path(mdr, times, answer);
   else
     answer_displaced_path(mdr, answer);
   return answer;
@@ -271,20 +296,16 @@ nlohmann::ordered_json to_json(const MdrAnswer& answer) {
   if (answer.indentation_max) json["indentation_max"] = *answer.indentation_max;
   if (answer.tangential_amplitude) json["tangential_amplitude"] = *answer.tangential_amplitude;
   if (answer.cycle) {
-    const auto& forces = answer.cycle->forces;
-    if (forces) {
-      json["tangential_force_max"] = forces->largest;
-      json["tangential_force_mean"] = forces->mean;
-    }
+    json["tangential_force_max"] = answer.cycle->tangential_force_max;
+    json["tangential_force_mean"] = answer.cycle->tangential_force_mean;
     json["friction_work"] = answer.cycle->friction_work;
     if (!answer.single_pass) {
       json["bulk_work"] = answer.cycle->bulk_work;
       json["cycle_work"] = answer.cycle->friction_work + answer.cycle->bulk_work;
       json["tangential_work"] = answer.cycle->tangential_work;
     }
-    json["cycle_error"] = {{"force", forces ? nlohmann::ordered_json(forces->error) : nullptr},
-                           {"work", answer.cycle->work_error},
-                           {"loop", answer.cycle->loop_error}};
+    json["cycle_error"] = {
+        {"force", answer.cycle->force_error}, {"work", answer.cycle->work_error}, {"loop", answer.cycle->loop_error}};
   }
   if (answer.slip_decay) json["slip_decay"] = *answer.slip_decay;
   if (const auto& settling = answer.cycles_to_shakedown) {
@@ -304,12 +325,13 @@ bool MdrAnswer::wears_no_more() const {
 
 MdrAnswer mdr_answer(const MdrCase& mdr, const mdr::NormalResponse& normal) {
   if (mdr.path) {
-    auto answer = path_answer(mdr, normal);
+    auto answer = with_known_cycle(mdr, [&](int times) { return path_answer(mdr, normal, times); });
     if (const auto worn = worn_profile(mdr, answer.stick_radius_shakedown)) answer.worn_radius = worn->outer_radius;
     return answer;
   }
-  auto answer = mdr.has_forces() && !mdr.limiting ? forced_answer(mdr, normal)
-                                                  : displaced_answer(mdr, displacements_of(mdr), normal);
+  auto answer = mdr.has_forces() && !mdr.limiting
+                    ? with_known_cycle(mdr, [&](int times) { return forced_answer(mdr, normal, times); })
+                    : displaced_answer(mdr, displacements_of(mdr), normal);
   answer.modulus_ratio = mdr::modulus_ratio(mdr.body, mdr::angular_frequency(mdr.motion.normal.front().frequency));
   if (const auto worn = worn_profile(mdr, answer.stick_radius_shakedown)) answer.worn_radius = worn->outer_radius;
   return answer;
@@ -317,26 +339,24 @@ MdrAnswer mdr_answer(const MdrCase& mdr, const mdr::NormalResponse& normal) {
 
 namespace {
 
-/// The cycle, if not yet there.
-void add_cycle(const MdrCase& mdr, const mdr::NormalResponse& normal, MdrAnswer& answer) {
-  // As fine as forces and energies need; the radii have closed forms.
-  constexpr mdr::SpringFineness fineness{100, 90, 5, 1e-5};
+/// Of prescribed displacements, under which radii have closed forms: springs as fine as forces and energies need.
+std::optional<MdrCycle> displaced_cycle(const MdrCase& mdr, const mdr::NormalResponse& normal, int times) {
   if (mdr.path) {
-    if (!mdr.has_forces() && has_cycle_along(mdr)) {
-      const auto stepped =
-          mdr::path_forces(mdr.profile, mdr.body, mdr.friction_coefficient, *mdr.path, {100, 90, 10, 1e-7});
-      answer.cycle = cycle_along(mdr, stepped, normal.normal_force_max);
-    }
-    return;
+    constexpr mdr::PathFineness usual{100, 90, 10, 1e-7};
+    if (!has_cycle_along(mdr)) return std::nullopt;
+    const auto stepped =
+        mdr::path_forces(mdr.profile, mdr.body, mdr.friction_coefficient, *mdr.path, finer(usual, times));
+    return cycle_along(mdr, stepped, normal.normal_force_max);
   }
-  const auto cycle = mdr.has_forces() ? std::nullopt : cycle_to_step(mdr);
-  if (!cycle) return;
+  constexpr mdr::SpringFineness usual{100, 90, 5, 1e-5};
+  const auto cycle = cycle_to_step(mdr);
+  if (!cycle) return std::nullopt;
   try {
     const auto stepped =
-        mdr::forced_response(mdr.profile, mdr.body, mdr.friction_coefficient, mdr.prescribed(), fineness);
-    answer.cycle = cycle_of(mdr, *cycle, stepped, normal.normal_force_max);
+        mdr::forced_response(mdr.profile, mdr.body, mdr.friction_coefficient, mdr.prescribed(), finer(usual, times));
+    return cycle_of(mdr, *cycle, stepped, normal.normal_force_max);
   } catch (const std::runtime_error&) {
-    return;  // not periodic
+    return std::nullopt;  // not periodic
   }
 }
 
@@ -366,7 +386,12 @@ std::optional<SettlingCycles> settling_cycles(const MdrCase& mdr, const MdrAnswe
 
 MdrAnswer mdr_answer_with_cycle(const MdrCase& mdr, const mdr::NormalResponse& normal) {
   auto answer = mdr_answer(mdr, normal);
-  add_cycle(mdr, normal, answer);
+  if (!mdr.has_forces())
+    answer = with_known_cycle(mdr, [&](int times) {
+      auto with_cycle = answer;
+      with_cycle.cycle = displaced_cycle(mdr, normal, times);
+      return with_cycle;
+    });
   if (answer.cycle && !answer.single_pass)
     answer.slip_decay =
         mdr::slip_decay(mdr.body, mdr.path ? mdr.path->duration() : 1 / mdr::common_cycle(mdr.motion)->frequency);

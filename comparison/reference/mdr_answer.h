@@ -11,19 +11,16 @@ namespace fretval {
 /// What a locked motion asks of whoever drives it, in a cycle of the periodic state, from the transient springs; SI
 /// units. Extrapolated from two finenesses.
 struct MdrCycle {
-  /// Of F_x, whose mean slip has locked in. Empty: of a body with a dashpot, in which that goes on settling for
-  /// hundreds of periods (mdr/stick/slip_decay.h), unlike what is lost.
-  struct Forces {
-    double largest, mean, error;
-  };
-  std::optional<Forces> forces;
-  double friction_work;    ///< lost to friction
-  double bulk_work;        ///< lost inside the body
-  double tangential_work;  ///< area of the tangential loop
-  double sliding_force;    ///< mu times the largest normal force
-  double sliding_work;     ///< what sliding under that force along the whole tangential path would cost
-  double work_error;       ///< of either loss
-  double loop_error;       ///< of the area
+  double tangential_force_max;   ///< of |F_x|
+  double tangential_force_mean;  ///< what slip has locked in
+  double friction_work;          ///< lost to friction
+  double bulk_work;              ///< lost inside the body
+  double tangential_work;        ///< area of the tangential loop
+  double sliding_force;          ///< mu times the largest normal force
+  double sliding_work;           ///< what sliding under that force along the whole tangential path would cost
+  double force_error;            ///< of either force
+  double work_error;             ///< of either loss
+  double loop_error;             ///< of the area
 };
 
 /// Cycles to shakedown, as springs of two finenesses find them; error: of these.
@@ -83,7 +80,8 @@ MdrAnswer mdr_answer(const MdrCase& mdr, const mdr::NormalResponse& normal);
 std::optional<SettlingCycles> settling_cycles(const MdrCase& mdr, const MdrAnswer& answer, int n_ramp);
 
 /// The same with the cycle also under prescribed displacements, for which springs are stepped: some ten milliseconds
-/// for what is a closed form otherwise.
+/// for what is a closed form otherwise. With a tolerance of a cycle, of up to eight times the springs and steps, until
+/// their error is a quarter of it.
 MdrAnswer mdr_answer_with_cycle(const MdrCase& mdr, const mdr::NormalResponse& normal);
 
 }  // namespace fretval

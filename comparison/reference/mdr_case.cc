@@ -243,6 +243,7 @@ MdrCase mdr_case(const Case& input) {
               {},
               motion.normal_force.has_value(),
               motion.tangential_force.has_value()};
+  mdr.cycle_tolerance = input.cycle_tolerance;
   if (motion.path)
     mdr.path = mdr::SampledPath{motion.path->time,    motion.path->normal,       motion.path->tangential,
                                 motion.path->repeats, motion.path->normal_force, motion.path->tangential_force};

@@ -31,6 +31,9 @@ struct MdrCase {
   /// Instead of the motion, which tells then how large the path is (see Case::Motion).
   std::optional<mdr::SampledPath> path = {};
 
+  /// On forces and energies of a cycle, which springs are refined to a quarter of (see mdr_answer_with_cycle).
+  std::optional<double> cycle_tolerance = {};
+
   [[nodiscard]] bool is_single_pass() const { return path && !path->repeats; }
   /// Not under an unlocked phase or of frequencies without a common period.
   [[nodiscard]] bool has_period() const { return path || (motion.phase_locked && mdr::common_cycle(motion)); }

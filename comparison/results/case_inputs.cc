@@ -144,6 +144,7 @@ ordered_json inputs_json(const Case& input) {
   add_motion(input.motion, inputs);
   add_wear(input, inputs);
   inputs.add("Accuracy", "Tolerance", input.tolerance);
+  if (input.cycle_tolerance) inputs.add("Accuracy", "Cycle tolerance", *input.cycle_tolerance);
   if (input.rings_per_radius) inputs.add("Accuracy", "Rings per radius", *input.rings_per_radius);
   if (input.steps_per_cycle) inputs.add("Accuracy", "Steps per cycle", *input.steps_per_cycle);
   return inputs.list();

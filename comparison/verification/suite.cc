@@ -38,7 +38,7 @@ ComparedQuantities compared_quantities(const PreparedCase& prepared, Proof proof
   const auto fe = quantities_of(answer.fe, units);
   ComparedQuantities all;
   for (const auto& [quantity, exact] : mdr) {
-    if (traits_of(quantity).comes_along) continue;  // nothing is refined for them
+    if (traits_of(quantity).refined_for != RefinedFor::any_case) continue;
     const auto found = fe.find(quantity);
     const bool may_lack = proof == Proof::bars || (worn && quantity == Quantity::contact_radius_max);
     if (found == fe.end() && may_lack) continue;

@@ -85,6 +85,28 @@ TEST(Proof, LooksForNoSlipWhereNothingMoves) {
   for (const auto& [quantity, bar] : result.budget) EXPECT_LT(bar.total(), 1e-3) << name_of(quantity);
 }
 
+// Mindlin and Deresiewicz: the energy of a loop between +-u_x0 under a constant normal force.
+TEST(Proof, RefinesForACycleWithATolerance) {
+  Case input = read_case(elastic_case());
+  input.motion.normal_amplitude = 0;
+  input.tolerance = 1e-2;
+  const auto proved_to = [&](std::optional<double> cycle_tolerance) {
+    input.cycle_tolerance = cycle_tolerance;
+    BodyStore bodies;
+    return prove(prepare({input}).front(), Proof::tolerance, bodies);
+  };
+  const double d = input.motion.indentation, mu = input.friction_coefficient,
+               x = input.motion.tangential_amplitude / (1.5 * mu * d),
+               over_sliding = 2 / x * (x - 0.4 * (1 - std::pow(1 - x, 2.5))) - (1 - std::pow(1 - x, 1.5));
+  const auto bar_of = [&](const ProvedAnswer& answer) {
+    const double bar = answer.budget.at(Quantity::friction_work).total();
+    EXPECT_NEAR(answer.fe.cycle->friction_work / answer.fe.cycle->sliding_work, over_sliding, bar);
+    return bar;
+  };
+  EXPECT_GT(bar_of(proved_to({})), 1e-4);
+  EXPECT_LE(bar_of(proved_to(1e-3)), 1e-4);
+}
+
 TEST(Proof, GoesAsFarAsItIsAsked) {
   const auto prepared = prepare({suite_case("parabola-solid-90", 1e-3)}).front();
   const FakeNumerics coarse{100, 0};

@@ -99,5 +99,15 @@ TEST(CaseEntries, OfTheToleranceIncludeTheirBounds) {
     expect_parts(refusal([&] { tolerance(text); }), {"Accuracy / Tolerance = ", "between 1e-5 and 0.1"});
 }
 
+TEST(CaseEntries, HaveAToleranceOfACycleWhereItIsSet) {
+  const auto with = [](const std::string& text) {
+    return read_case(
+        replace(valid_case, "set Tolerance = 0.01", "set Tolerance = 0.01\n  set Cycle tolerance = " + text));
+  };
+  EXPECT_FALSE(read_case(valid_case).cycle_tolerance);
+  EXPECT_EQ(with("1e-3").cycle_tolerance, 1e-3);
+  expect_parts(refusal([&] { with("0.2"); }), {"Accuracy / Cycle tolerance = ", "between 1e-5 and 0.1"});
+}
+
 }  // namespace
 }  // namespace fretval::case_entries_test

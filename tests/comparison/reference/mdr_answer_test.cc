@@ -66,13 +66,26 @@ TEST(MdrAnswer, OfACycleIsMindlinAndDeresiewiczs) {
   const auto cycle = answer_with_cycle(scene).cycle.value();
   const double work =
       mu * force * sliding * (8 * (x - 0.4 * (1 - std::pow(1 - x, 2.5))) - 4 * x * (1 - std::pow(1 - x, 1.5)));
-  EXPECT_NEAR(cycle.forces.value().largest / (mu * force * (1 - std::pow(1 - x, 1.5))), 1, 1e-4);
+  EXPECT_NEAR(cycle.tangential_force_max / (mu * force * (1 - std::pow(1 - x, 1.5))), 1, 1e-4);
   EXPECT_NEAR(cycle.friction_work / work, 1, 2e-3);
   EXPECT_LE(std::abs(cycle.friction_work - work), cycle.work_error);
   EXPECT_EQ(cycle.bulk_work, 0);
   EXPECT_NEAR(cycle.tangential_work / cycle.friction_work, 1, 1e-3);
-  EXPECT_NEAR(cycle.forces->mean, 0, 1e-9 * mu * force);
+  EXPECT_NEAR(cycle.tangential_force_mean, 0, 1e-9 * mu * force);
   EXPECT_NEAR(cycle.sliding_work, 4 * mu * force * x * sliding, 1e-6 * mu * force * sliding);
+}
+
+TEST(MdrAnswer, HasSpringsForTheToleranceOfACycle) {
+  auto scene = read_case(elastic_case());
+  scene.elastomer.rheology = "kelvin voigt";
+  scene.elastomer.viscosity = 5e4;
+  const auto usual = answer_with_cycle(scene).cycle.value();
+  scene.cycle_tolerance = usual.loop_error / usual.tangential_work;
+  const auto fine = answer_with_cycle(scene).cycle.value();
+  EXPECT_LE(fine.loop_error / fine.tangential_work, *scene.cycle_tolerance / 4);
+  EXPECT_LE(fine.work_error / fine.bulk_work, *scene.cycle_tolerance / 4);
+  EXPECT_LE(fine.force_error / fine.tangential_force_max, *scene.cycle_tolerance / 4);
+  EXPECT_LE(std::abs(fine.tangential_work - usual.tangential_work), usual.loop_error);
 }
 
 /// The elastic case along a path of forces.
@@ -107,14 +120,14 @@ TEST(MdrAnswer, OfAPassSaysWhenItSlides) {
   EXPECT_FALSE(answer.stick_radius_first_slip);
 }
 
-// The springs lose what the indenter puts in; their forces go on settling, and are not given.
+// The springs lose what the indenter puts in.
 TEST(MdrAnswer, OfABodyWithADashpotHasWhatIsLost) {
   auto scene = read_case(elastic_case());
   scene.elastomer.rheology = "kelvin voigt";
   scene.elastomer.viscosity = 5e4;
   const auto answer = answer_with_cycle(scene);
   ASSERT_TRUE(answer.cycle);
-  EXPECT_FALSE(answer.cycle->forces || answer.slip_decay);
+  EXPECT_FALSE(answer.slip_decay);
   // Of the indenter that only presses, 4 pi omega eta a Delta d^2 with a between both extremes of it.
   const double rate = 2 * std::acos(-1.0) * scene.motion.normal_frequency, depth = scene.motion.indentation,
                amplitude = scene.motion.normal_amplitude, radius = std::sqrt(scene.indenter.radius * depth),
