@@ -7,14 +7,14 @@
 #include "comparison/accuracy/proof.h"
 #include "comparison/reference/mdr_answer.h"
 #include "tests/comparison/damaged_case.h"
+#include "tests/comparison/shared_bodies.h"
 #include "tests/comparison/suite_case.h"
 
 namespace fretval::zone_bars_test {
 namespace {
 
 ProvedAnswer with_bars(const PreparedCase& prepared) {
-  BodyStore bodies;
-  return prove(prepared, Proof::bars, bodies);
+  return prove(prepared, Proof::bars, shared_bodies());
 }
 
 // A whole indenter, read as if its rings touched in any order: MDR is exact, and within the bars.
