@@ -4,6 +4,7 @@
 
 #include <cerrno>
 #include <fstream>
+#include <iterator>
 #include <system_error>
 
 namespace fretval {
@@ -24,6 +25,11 @@ void write_file(const fs::path& file, const std::string& content) {
     throw fs::filesystem_error("cannot write", file, code);
   }
   fs::rename(partial, file);
+}
+
+std::string content_of(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
 }
 
 void write_csv(const fs::path& file, const std::vector<Column>& columns, int n_digits) {
