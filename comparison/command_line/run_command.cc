@@ -85,7 +85,7 @@ std::vector<BatchLine> computed_lines(const std::vector<PreparedCase>& prepared,
   Progress progress(prepared.size(),
                     estimated_seconds(prepared, options.proof, n_cores() * static_cast<std::size_t>(ranks.count())));
   std::size_t n_kept = 0;
-  const auto told = [&](const BatchLine& line, std::size_t, std::size_t) {
+  const auto told = [&](const BatchLine& line) {
     if (line.failure.empty()) ++n_kept;
     if (!options.output.empty()) say_on_interrupt(interrupted_text(prepared, options.output, n_kept));
     progress.done(outcome_text(line), line.pass, line.name);

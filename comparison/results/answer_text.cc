@@ -104,17 +104,10 @@ std::string shown(Quantity quantity, const Scales& scales, const std::optional<d
   return value ? with_unit(without_roundoff(quantity, scales, *value), bar, traits_of(quantity).unit) : "none";
 }
 
-double bar_of(const ordered_json& fe, const char* key) {
-  const auto& bars = fe.at("error_estimate");
-  const auto found = bars.find(key);
-  return found != bars.end() && found->is_object() ? number_in(*found, "total").value_or(0) : 0;
-}
-
 /// Of finite elements alone, for a profile that MDR does not hold for.
 Answer answer_beyond_mdr(const ordered_json& result) {
   const auto& fe = result.at("fe");
   Answer answer{"not compared: MDR does not hold for this profile: " + beyond_text(result.at("not_compared")), {}};
-  const auto scales = scales_of(result);
   const auto add = [&](const std::string& title, const std::string& text) {
     answer.rows.push_back({title, text, "–", "–", true});
   };
@@ -122,7 +115,7 @@ Answer answer_beyond_mdr(const ordered_json& result) {
     const auto& traits = traits_of(quantity);
     const auto value = number_in(fe, traits.name);
     if (!value || !fe.at("error_estimate").contains(traits.name)) continue;
-    add(traits.title, with_unit(*value, bar_of(fe, traits.name) * scale_of(quantity, scales, *value), traits.unit));
+    add(traits.title, with_unit(*value, bar_of(result, quantity).value_or(0), traits.unit));
   }
   const auto& zones = fe.at("zones");
   if (const auto pressure = number_in(zones, "pressure_max"))
@@ -163,6 +156,16 @@ Scales scales_of(const ordered_json& result) {
           number_in(fe, "sliding_force").value_or(0), number_in(fe, "sliding_work").value_or(0)};
 }
 
+std::optional<double> bar_of(const ordered_json& result, Quantity quantity) {
+  const auto &fe = result.at("fe"), &comparison = result.at("comparison");
+  const char* key = name_of(quantity);
+  auto bar = comparison.contains(key) ? number_in(comparison[key], "error_bar") : std::nullopt;
+  if (const auto bars = fe.value("error_estimate", ordered_json::object()); !comparison.contains(key))
+    if (const auto found = bars.find(key); found != bars.end() && found->is_object()) bar = number_in(*found, "total");
+  if (bar) *bar *= scale_of(quantity, scales_of(result), number_in(fe, key).value_or(std::nan("")));
+  return bar;
+}
+
 Answer answer_of(const ordered_json& result) {
   if (result.contains("not_compared")) return answer_beyond_mdr(result);
   Answer answer{verdict_text(result), {}};
@@ -173,9 +176,9 @@ Answer answer_of(const ordered_json& result) {
     if (compared == result.at("comparison").end() || *traits.unit == '\0' || quantity == Quantity::worn_volume)
       continue;
     const auto fe = number_in(result.at("fe"), traits.name);
-    const double bar = number_in(*compared, "error_bar").value_or(0) * scale_of(quantity, scales, fe.value_or(0));
     const auto difference = number_in(*compared, "difference");
-    answer.rows.push_back({traits.title, shown(quantity, scales, fe, bar), mdr_text(result.at("mdr"), quantity, scales),
+    answer.rows.push_back({traits.title, shown(quantity, scales, fe, bar_of(result, quantity).value_or(0)),
+                           mdr_text(result.at("mdr"), quantity, scales),
                            difference ? fmt::format("{:+.1e}", *difference) : "–", compared->at("pass").get<bool>()});
   }
   return answer;

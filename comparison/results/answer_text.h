@@ -1,6 +1,7 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -42,6 +43,9 @@ Answer answer_of(const nlohmann::ordered_json& result);
 
 /// What its differences and error bars are over; 0 where it does not have that.
 Scales scales_of(const nlohmann::ordered_json& result);
+
+/// The error bar of the finite elements' value of a quantity, in its unit; empty: none was measured.
+std::optional<double> bar_of(const nlohmann::ordered_json& result, Quantity quantity);
 
 /// "its image g(x) falls for x = 502 to 600 µm. MDR's springs would bear +3.1 % and reach -0.2 % further, at rest at
 /// the largest indentation": of the key "not_compared".

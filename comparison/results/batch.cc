@@ -120,11 +120,10 @@ std::vector<BatchLine> run_batch(const std::vector<PreparedCase>& cases, const B
   std::vector<BatchLine> lines(cases.size());
   NormalResponses references;
   std::mutex mutex;
-  std::size_t n_done = 0;
   for_each_in_parallel(cases.size(), [&](std::size_t i) {
     lines[i] = computed_line(cases[i], options, bodies, references);
     const std::lock_guard<std::mutex> lock(mutex);
-    options.progress(lines[i], ++n_done, cases.size());
+    options.progress(lines[i]);
   });
   return lines;
 }

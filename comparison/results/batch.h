@@ -36,7 +36,7 @@ struct BatchOptions {
   Proof proof = Proof::tolerance;
   std::filesystem::path output = {};  ///< empty: nothing is written
   /// Called after each case, one call at a time.
-  std::function<void(const BatchLine&, std::size_t n_done, std::size_t n_cases)> progress = [](auto&&...) {};
+  std::function<void(const BatchLine&)> progress = [](const BatchLine&) {};
   /// Called on the way through a long case, by any thread: its name, the share that is done, and what there is to say.
   std::function<void(const std::string& name, double share, const std::string& what)> under_way = {};
 };

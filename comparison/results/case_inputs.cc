@@ -127,14 +127,13 @@ void add_wear(const Case& input, Inputs& inputs) {
   inputs.add_if_any("Wear", "Worn rings", wear->rings);
 }
 
-/// Whether prefixes may stand before it.
+}  // namespace
+
 bool takes_prefixes(const std::string& unit) {
   for (const char* plain : {"m", "N", "Pa", "Pa s", "s"})
     if (unit == plain) return true;
   return false;
 }
-
-}  // namespace
 
 ordered_json inputs_json(const Case& input) {
   Inputs inputs;

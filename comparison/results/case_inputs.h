@@ -16,4 +16,7 @@ nlohmann::ordered_json inputs_json(const Case& input);
 /// unit takes one: "100 µm", "2 MPa, 500 kPa", "parabola", "60°".
 std::string input_text(const nlohmann::ordered_json& value, const std::string& unit, int digits);
 
+/// Whether a unit takes prefixes.
+bool takes_prefixes(const std::string& unit);
+
 }  // namespace fretval

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <thread>
+#include <utility>
 
 #include "comparison/reference/normal_responses.h"
 #include "comparison/simulation/bodies/distributed_body.h"
@@ -13,41 +14,24 @@
 #include "comparison/support/shares.h"
 
 namespace fretval {
-namespace {
 
-using nlohmann::json;
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ToleranceUse, share, text)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(BatchLine, name, pass, failure, largest_use, answer, json, seconds, compared, open)
+
+namespace {
 
 // What the first rank is asked or told begins with one of these.
 constexpr char next_case = 'c', body = 'b', no_more_threads = 'n';
 // What it orders: a body, to be made together; or nothing, the end.
 const std::string end;
 
+using DoneCase = std::pair<std::size_t, BatchLine>;  // with its number
+
 /// In CBOR: a message may contain what is no UTF-8.
-std::string packed(std::size_t number, const BatchLine& line) {
+std::string packed(const DoneCase& done) {
   std::string bytes;
-  json::to_cbor({number, line.name, line.pass, line.failure, line.largest_use.share, line.largest_use.text, line.answer,
-                 line.json, line.seconds, line.compared, line.open},
-                bytes);
+  nlohmann::json::to_cbor(done, bytes);
   return bytes;
-}
-
-struct DoneCase {
-  std::size_t number;
-  BatchLine line;
-};
-
-DoneCase unpacked(const std::string& bytes) {
-  const auto message = json::from_cbor(bytes);
-  return {message.at(0),
-          {message.at(1),
-           message.at(2),
-           message.at(3),
-           {message.at(4), message.at(5)},
-           message.at(6),
-           message.at(7),
-           message.at(8),
-           message.at(9),
-           message.at(10)}};
 }
 
 /// The first rank's side: who computes what, and what has come of it.
@@ -85,12 +69,12 @@ class Desk {
  private:
   void take(const std::string& bytes) {
     if (bytes.empty()) return;  // a thread that begins
-    auto [number, line] = unpacked(bytes);
+    auto [number, line] = nlohmann::json::from_cbor(bytes).get<DoneCase>();
     if (line.name != cases_.at(number).input.name)
       throw std::logic_error(
           fmt::format("the ranks do not read the same cases: {} is not {}", line.name, cases_[number].input.name));
     lines_[number] = std::move(line);
-    options_.progress(lines_[number], ++n_done_, cases_.size());
+    options_.progress(lines_[number]);
   }
 
   /// Its number, or nothing.
@@ -114,7 +98,6 @@ class Desk {
   Shares shares_;
   std::vector<BatchLine> lines_;
   std::map<std::string, std::string> bodies_;
-  std::size_t n_done_ = 0;
   int n_done_ranks_ = 0;
 };
 
@@ -142,7 +125,7 @@ std::vector<BatchLine> run_ranked_batch(const std::vector<PreparedCase>& cases, 
       const auto number = ranks.ask(fmt::format("{}{}{}", next_case, thread % 2, done));
       if (number.empty()) return;
       const std::size_t i = std::stoul(number);
-      done = packed(i, computed_line(cases.at(i), options, bodies, references));
+      done = packed({i, computed_line(cases.at(i), options, bodies, references)});
     }
   };
   // This thread talks, answers and makes what is made together; the others compute.

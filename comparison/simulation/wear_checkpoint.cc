@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
-#include <iterator>
 #include <stdexcept>
 #include <utility>
 
@@ -29,9 +27,8 @@ WearCheckpoint::WearCheckpoint(const fs::path& folder, std::string what) : what_
 
 std::optional<fem::WearState> WearCheckpoint::restored(fem::WearState state) const {
   if (file_.empty() || !fs::exists(file_)) return std::nullopt;
-  std::ifstream stream(file_, std::ios::binary);
-  const std::string all{std::istreambuf_iterator<char>(stream), {}},
-      sum = checksum({}), content = all.size() > sum.size() ? all.substr(sum.size()) : std::string();
+  const std::string all = content_of(file_), sum = checksum({}),
+                    content = all.size() > sum.size() ? all.substr(sum.size()) : std::string();
   const bool whole = all.compare(0, sum.size(), checksum(content)) == 0;
   if (!whole || content.compare(0, what_.size(), what_) != 0) {
     log::warn(fmt::format("{}: {}; the wear begins anew", file_.string(), whole ? "is of another wear" : "is damaged"));

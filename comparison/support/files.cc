@@ -4,6 +4,7 @@
 
 #include <cerrno>
 #include <fstream>
+#include <sstream>
 #include <system_error>
 
 namespace fretval {
@@ -24,6 +25,13 @@ void write_file(const fs::path& file, const std::string& content) {
     throw fs::filesystem_error("cannot write", file, code);
   }
   fs::rename(partial, file);
+}
+
+std::string content_of(const fs::path& file) {
+  const std::ifstream stream(file, std::ios::binary);
+  std::ostringstream content;
+  content << stream.rdbuf();
+  return content.str();
 }
 
 void write_csv(const fs::path& file, const std::vector<Column>& columns, int n_digits) {

@@ -1,5 +1,6 @@
 #include "comparison/support/log_slope.h"
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -14,17 +15,10 @@ std::optional<LogSlope> log_slope(const std::vector<double>& x, const std::vecto
     v.push_back(std::log(y[i]));
   }
   if (u.empty() || *std::min_element(u.begin(), u.end()) == *std::max_element(u.begin(), u.end())) return std::nullopt;
-  const auto n = static_cast<double>(u.size());
-  double mean_u = 0, mean_v = 0, product = 0, square = 0;
-  for (std::size_t i = 0; i < u.size(); ++i) {
-    mean_u += u[i] / n;
-    mean_v += v[i] / n;
-  }
-  for (std::size_t i = 0; i < u.size(); ++i) {
-    product += (u[i] - mean_u) * (v[i] - mean_v);
-    square += (u[i] - mean_u) * (u[i] - mean_u);
-  }
-  return LogSlope{product / square, static_cast<int>(u.size())};
+  const auto n = static_cast<Eigen::Index>(u.size());
+  const Eigen::Map<const Eigen::ArrayXd> abscissae(u.data(), n), ordinates(v.data(), n);
+  const Eigen::ArrayXd off = abscissae - abscissae.mean();
+  return LogSlope{(off * (ordinates - ordinates.mean())).sum() / off.square().sum(), static_cast<int>(n)};
 }
 
 }  // namespace fretval

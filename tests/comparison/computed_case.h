@@ -2,6 +2,7 @@
 
 #include "comparison/reference/mdr_answer.h"
 #include "comparison/simulation/compute_case.h"
+#include "tests/comparison/shared_bodies.h"
 #include "tests/comparison/suite_case.h"
 
 namespace fretval {
@@ -10,8 +11,7 @@ namespace fretval {
 inline FeAnswer simulate_case(const Case& input) {
   const auto mdr = mdr_case(input);
   const auto fem = fem_case(input, mdr);
-  BodyStore bodies;
-  return compute_case(fem, fem.resolution, bodies);
+  return compute_case(fem, fem.resolution, shared_bodies());
 }
 
 /// A case of the tolerance suite with rings and steps of its own.

@@ -10,6 +10,7 @@
 #include "comparison/accuracy/quantity.h"
 #include "comparison/report/drawing/figures.h"
 #include "comparison/results/answer_text.h"
+#include "comparison/results/case_inputs.h"
 #include "comparison/results/sweep_line.h"
 #include "comparison/support/files.h"
 
@@ -29,14 +30,10 @@ std::string entry_of(const Family& family) {
   return family.front()->json.at("scene").at("sweep").at("entry").get<std::string>();
 }
 
-/// The error bar of a quantity in its own unit; NaN if none was measured.
+/// Of a quantity that is compared; NaN if none was measured.
 double absolute_bar(const StoredResult& r, Quantity quantity) {
-  const auto& comparison = r.json.at("comparison");
-  const auto& traits = traits_of(quantity);
-  if (!comparison.contains(traits.name)) return std::nan("");
-  const auto bar = comparison[traits.name].value("error_bar", nlohmann::ordered_json());
-  const double scale = scale_of(quantity, scales_of(r.json), r.number("fe", traits.name));
-  return bar.is_number() ? bar.get<double>() * scale : std::nan("");
+  const bool is_compared = r.json.at("comparison").contains(name_of(quantity));
+  return is_compared ? bar_of(r.json, quantity).value_or(std::nan("")) : std::nan("");
 }
 
 struct Curves {
@@ -63,10 +60,6 @@ Curves curves_of(const Family& family, Quantity quantity) {
   return curves;
 }
 
-bool takes_prefix(const std::string& unit) {
-  return !unit.empty() && unit != "deg" && unit != "SI" && unit.find('/') == std::string::npos;
-}
-
 double largest_value(const Family& family) {
   double largest = 0;
   for (const auto* r : family) largest = std::max(largest, std::abs(r->sweep_value()));
@@ -75,7 +68,8 @@ double largest_value(const Family& family) {
 
 Figure sweep_figure(const Family& family, const std::vector<Quantity>& quantities, const std::string& title) {
   const auto entry = entry_of(family), unit = unit_of_entry(entry);
-  const auto [entry_prefix, entry_factor] = takes_prefix(unit) ? prefix_for(largest_value(family)) : UnitPrefix{"", 1};
+  const auto [entry_prefix, entry_factor] =
+      takes_prefixes(unit) ? prefix_for(largest_value(family)) : UnitPrefix{"", 1};
   Plot plot{title, unit.empty() ? entry : fmt::format("{} in {}{}", entry, entry_prefix, unit), ""};
   double largest = 0;
   for (const auto quantity : quantities) largest = std::max(largest, curves_of(family, quantity).largest);

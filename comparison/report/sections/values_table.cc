@@ -45,13 +45,7 @@ std::optional<Value> value_of(const StoredResult& r, const char* side, Quantity 
   Value found{finite(r.number(side, key))};
   if (found.value) found.value = without_roundoff(quantity, scales_of(r.json), *found.value);
   if (!found.value) return found;
-  if (!is_fe) {
-    found.bar = mdr_bar(r.json.at("mdr"), quantity, scales_of(r.json));
-    return found;
-  }
-  const auto bar = is_compared ? comparison[key].value("error_bar", ordered_json())
-                               : (bars[key].is_object() ? bars[key].value("total", ordered_json()) : ordered_json());
-  if (bar.is_number()) found.bar = bar.get<double>() * scale_of(quantity, scales_of(r.json), *found.value);
+  found.bar = is_fe ? bar_of(r.json, quantity).value_or(0) : mdr_bar(r.json.at("mdr"), quantity, scales_of(r.json));
   return found;
 }
 

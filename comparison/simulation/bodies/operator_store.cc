@@ -5,9 +5,7 @@
 
 #include <algorithm>
 #include <chrono>
-#include <fstream>
 #include <regex>
-#include <sstream>
 
 #include "comparison/support/files.h"
 #include "comparison/support/log.h"
@@ -129,11 +127,9 @@ std::vector<StoreEntry> entries_of(const fs::path& folder) {
 }
 
 std::string bytes_of(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  std::ostringstream bytes;
-  bytes << stream.rdbuf();
-  if (!stream || bytes.str().empty()) throw fem::OperatorFileError("it cannot be read");
-  return bytes.str();
+  auto bytes = content_of(file);
+  if (bytes.empty()) throw fem::OperatorFileError("it cannot be read");
+  return bytes;
 }
 
 std::size_t clear_store(const fs::path& folder) {

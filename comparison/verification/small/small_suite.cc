@@ -1,9 +1,7 @@
 #include "comparison/verification/small/small_suite.h"
 
-#include <fstream>
-#include <sstream>
-
 #include "comparison/support/data_folder.h"
+#include "comparison/support/files.h"
 #include "meshes/audit.h"
 #include "meshes/msh_file.h"
 
@@ -17,13 +15,6 @@ std::shared_ptr<BodyStore> bodies_on(const fs::path& file) {
   const auto mesh = meshes::read_msh(file);
   meshes::audit(mesh, file.string());
   return std::make_shared<BodyStore>(MeshSource{file.string(), [=](const BodySpecification&) { return mesh; }});
-}
-
-std::string text_of(const fs::path& file) {
-  std::ifstream stream(file);
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return text.str();
 }
 
 }  // namespace
@@ -42,7 +33,7 @@ std::vector<SuiteCase> small_cases(const fs::path& meshes) {
   for (const auto& [mesh, tolerances] : all_meshes) {
     const auto bodies = bodies_on(meshes / (mesh + ".msh"));
     for (const std::string name : {"parabola-standard-solid", "cone-kelvin-voigt", "parabola-no-first-slip-zone"}) {
-      SuiteCase one{mesh + " mesh", name, text_of(data_folder() / "cases" / "check" / (name + ".prm"))};
+      SuiteCase one{mesh + " mesh", name, content_of(data_folder() / "cases" / "check" / (name + ".prm"))};
       one.proof = Proof::none;
       one.change = [t = tolerances](PreparedCase& prepared) { prepared.tolerances = t; };
       one.bodies = bodies;

@@ -5,18 +5,17 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tests/comparison/run_fretval.h"
+#include "tests/comparison/shared_bodies.h"
 #include "tests/comparison/wearing_case.h"
 
 namespace fretval {
 namespace {
 
 ProvedWear proved(const PreparedCase& prepared, Proof proof) {
-  BodyStore bodies;
   const auto mdr = mdr_answer(prepared.mdr, mdr_normal_response(prepared.mdr));
   ProvedAnswer unworn;
-  unworn.fe = compute_case(prepared.fem, prepared.fem.resolution, bodies);
-  return prove_wear(prepared, mdr, unworn, proof, bodies);
+  unworn.fe = compute_case(prepared.fem, prepared.fem.resolution, shared_bodies());
+  return prove_wear(prepared, mdr, unworn, proof, shared_bodies());
 }
 
 TEST(WearProof, WearsWhereTheCaseAsksForItAndSomethingSlips) {
@@ -73,13 +72,12 @@ TEST(WearProof, WhereTheIndenterIsWornDeeperThanTheLimitNothingIsCompared) {
 TEST(WearProof, WhereNoSlipIsProvedNothingIsCompared) {
   auto prepared = wearing_case("  set Coefficient = 1e-12\n  set Cycles = 1\n", "set Phase = 0");
   const auto proved_with = [&prepared](double friction_bar) {
-    BodyStore bodies;
     const auto mdr = mdr_answer(prepared.mdr, mdr_normal_response(prepared.mdr));
     ProvedAnswer unworn;
-    unworn.fe = compute_case(prepared.fem, prepared.fem.resolution, bodies);
+    unworn.fe = compute_case(prepared.fem, prepared.fem.resolution, shared_bodies());
     const double work = unworn.fe.cycle.value().friction_work / unworn.fe.cycle->sliding_work;
     unworn.budget[Quantity::friction_work].add(ErrorSource::rings, friction_bar * work);
-    return prove_wear(prepared, mdr, unworn, Proof::none, bodies);
+    return prove_wear(prepared, mdr, unworn, Proof::none, shared_bodies());
   };
   const auto slips = proved_with(0.9), sticks = proved_with(1.1);
   EXPECT_TRUE(slips.slip_is_proved);
@@ -90,16 +88,15 @@ TEST(WearProof, WhereNoSlipIsProvedNothingIsCompared) {
 
 // In phase with k = 2: nothing slips, in either method, and that is compared.
 TEST(WearProof, WhereAllThatTouchesSticksNothingWears) {
+  auto text = replace(wearing_text("  set Coefficient = 1e-12\n"), "Phase = 90", "Phase = 0");
+  text = replace(text, "Tangential amplitude = 3e-5", "Tangential amplitude = 7.5e-6");
   const auto prepared =
-      prepare({read_case(replace(replace(wearing_text("  set Coefficient = 1e-12\n"), "Phase = 90", "Phase = 0"),
-                                 "Tangential amplitude = 3e-5", "Tangential amplitude = 7.5e-6"))})
-          .front();
-  BodyStore bodies;
+      prepared_case(replace(text, "Tolerance = 1e-3", "Tolerance = 1e-3\n  set Rings per radius = 16"));
   const auto mdr = mdr_answer(prepared.mdr, mdr_normal_response(prepared.mdr));
   ProvedAnswer unworn;
-  unworn.fe = compute_case(prepared.fem, prepared.fem.resolution, bodies);
+  unworn.fe = compute_case(prepared.fem, prepared.fem.resolution, shared_bodies());
   unworn.budget[Quantity::friction_work].add(ErrorSource::rings, 1);
-  const auto wear = prove_wear(prepared, mdr, unworn, Proof::bars, bodies);
+  const auto wear = prove_wear(prepared, mdr, unworn, Proof::bars, shared_bodies());
   ASSERT_EQ(wear.failure, "");
   EXPECT_FALSE(wear.slip_is_proved);
   EXPECT_TRUE(wear.sticks_throughout);

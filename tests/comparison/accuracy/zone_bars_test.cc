@@ -7,14 +7,14 @@
 #include "comparison/accuracy/proof.h"
 #include "comparison/reference/mdr_answer.h"
 #include "tests/comparison/damaged_case.h"
+#include "tests/comparison/shared_bodies.h"
 #include "tests/comparison/suite_case.h"
 
 namespace fretval::zone_bars_test {
 namespace {
 
 ProvedAnswer with_bars(const PreparedCase& prepared) {
-  BodyStore bodies;
-  return prove(prepared, Proof::bars, bodies);
+  return prove(prepared, Proof::bars, shared_bodies());
 }
 
 // A whole indenter, read as if its rings touched in any order: MDR is exact, and within the bars.
@@ -52,13 +52,13 @@ TEST(ZoneBars, CoverTheExactAnswerOfAWholeIndenter) {
   }
 }
 
-// The same on twice the rings: half of the bar or less, and both answers within both bars.
+// The same on half the rings: twice the bar or more, and both answers within both bars.
 TEST(ZoneBars, OfAGrooveShrinkWithTheRings) {
   auto prepared = prepared_damaged(groove(0.5, 0.7, 0.04));
-  const auto coarse = with_bars(prepared);
-  prepared.fem.resolution = with_rings(prepared.fem.resolution, 2);
-  prepared.fem = at_resolution(prepared.fem, prepared.fem.resolution);
   const auto fine = with_bars(prepared);
+  prepared.fem.resolution = with_rings(prepared.fem.resolution, 0.5);
+  prepared.fem = at_resolution(prepared.fem, prepared.fem.resolution);
+  const auto coarse = with_bars(prepared);
   const double length = prepared.fem.units.length;
   ASSERT_EQ(coarse.fe.zones->contact.size(), 2U);
   ASSERT_EQ(fine.fe.zones->contact.size(), 2U);

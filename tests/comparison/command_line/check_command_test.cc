@@ -9,6 +9,7 @@
 #include "tests/comparison/read_case.h"
 #include "tests/comparison/run_fretval.h"
 #include "tests/comparison/suite_rows.h"
+#include "tests/comparison/variable.h"
 
 namespace fretval {
 namespace {
@@ -30,14 +31,18 @@ std::size_t n_files(const fs::path& folder) {
   return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
 }
 
+// Without a store of operators: what proves the finite elements makes them.
 TEST(CheckCommand, ChecksTheSmallSuite) {
   const ScratchFolder folder;
+  const auto operators = folder.path() / "operators";
+  const Variable store("FRETVAL_STORE", operators.string());
   const auto junit = folder.path() / "junit.xml", json = folder.path() / "small.json";
   const auto run = fretval_run("check --junit " + junit.string() + " --json " + json.string(), folder);
   EXPECT_EQ(run.exit_code, 0) << run.out << run.err;
   EXPECT_NE(run.out.find("pass: 6 cases: 6 agree"), std::string::npos) << run.out;
   EXPECT_EQ(nlohmann::json::parse(text_of(json)).at("rows").size(), 6U);
   EXPECT_NE(text_of(junit).find("tests=\"6\" failures=\"0\""), std::string::npos) << text_of(junit);
+  EXPECT_FALSE(fs::exists(operators));
 }
 
 // On a terminal, by the first line that is drawn; the suite is not waited for.

@@ -107,12 +107,5 @@ TEST_F(StoreCommand, AFileInPlaceOfTheFolderIsNoStore) {
   EXPECT_EQ(store("list").exit_code, 4);
 }
 
-// What proves the finite elements makes them.
-TEST_F(StoreCommand, ChecksDoNotTouchAStore) {
-  const auto run = shell_run("FRETVAL_STORE=" + quoted(folder_) + " " FRETVAL_PROGRAM " check", scratch_);
-  EXPECT_EQ(run.exit_code, 0) << run.err;
-  EXPECT_FALSE(fs::exists(folder_));
-}
-
 }  // namespace
 }  // namespace fretval::store_command_test

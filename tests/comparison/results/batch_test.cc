@@ -5,6 +5,7 @@
 #include <chrono>
 #include <fstream>
 #include <future>
+#include <set>
 
 #include "fem/support/solver_error.h"
 #include "tests/comparison/read_case.h"
@@ -32,7 +33,7 @@ TEST(Batch, ACaseIsDoneWhileOthersGoOn) {
                       }
                       return mesh_of(specification);
                     }}};
-  options.progress = [&](const BatchLine& line, auto...) {
+  options.progress = [&](const BatchLine& line) {
     if (line.name == "quick") quick_is_done.set_value();
   };
   const auto lines = run_batch(prepare(cases), options, bodies);
@@ -79,18 +80,15 @@ TEST(Batch, HasItsLinesInTheOrderOfItsCasesAndCountsThemAsTheyAreDone) {
   }
   BatchOptions options;
   BodyStore bodies{{"no mesh", [](const BodySpecification&) -> meshes::Mesh { throw fem::SolverError("no mesh"); }}};
-  std::vector<std::size_t> counts;
-  options.progress = [&](const BatchLine&, std::size_t n_done, std::size_t n_cases) {
-    counts.push_back(n_done);
-    EXPECT_EQ(n_cases, 5U);
-  };
+  std::set<std::string> told;
+  options.progress = [&](const BatchLine& line) { EXPECT_TRUE(told.insert(line.name).second) << line.name; };
   const auto lines = run_batch(prepare(cases), options, bodies);
   ASSERT_EQ(lines.size(), 5U);
   for (std::size_t i = 0; i < lines.size(); ++i) {
     EXPECT_EQ(lines[i].name, cases[i].name);
     EXPECT_FALSE(lines[i].pass);
   }
-  EXPECT_EQ(counts, (std::vector<std::size_t>{1, 2, 3, 4, 5}));
+  EXPECT_EQ(told.size(), 5U);
 }
 
 }  // namespace

@@ -29,7 +29,8 @@ fs::path run_of_every_kind(const ScratchFolder& folder) {
     return replace(elastic, "Tangential amplitude = 1.5e-5", std::string("Tangential force amplitude = ") + amplitude);
   };
   folder.write("bars.prm", replace(valid_case, "Tolerance = 0.01", "Tolerance = 0.05"));
-  folder.write("sweep.prm", elastic + "subsection Sweep\n  set Entry = Motion / Phase\n  set Values = 0, 90\nend\n");
+  folder.write("sweep.prm",
+               elastic + "subsection Sweep\n  set Entry = Accuracy / Rings per radius\n  set Values = 16, 24\nend\n");
   folder.write("free.prm", replace(elastic, "Phase = 60", "Phase = free"));
   folder.write("limiting.prm",
                replace(elastic, "Tangential amplitude = 1.5e-5", "Tangential amplitude = shakedown") + limiting);

@@ -11,7 +11,7 @@ namespace fretval {
 namespace {
 
 std::filesystem::path swept(const ScratchFolder& folder, const std::string& entry, const std::string& values,
-                            const std::string& text = valid_case) {
+                            const std::string& text = elastic_case()) {
   return folder.write("swept.prm",
                       text + "subsection Sweep\n  set Entry = " + entry + "\n  set Values = " + values + "\nend\n");
 }
@@ -37,7 +37,7 @@ TEST(SweepLine, IsTheAnswerAtValuesBetween) {
   for (std::size_t i = 0; i < value.size(); ++i) EXPECT_NEAR(radius[i] / std::sqrt(value[i] * 1.2e-4), 1, 1e-9);
   const auto [same, stick] =
       read_sweep_line(folder.path() / "swept", "Indenter / Radius", Quantity::stick_radius_shakedown);
-  const auto between = mdr_case(read_case(replace(valid_case, "1e-2", "15 mm")));
+  const auto between = mdr_case(read_case(replace(elastic_case(), "1e-2", "15 mm")));
   EXPECT_NEAR(stick[75] / mdr_answer(between, mdr_normal_response(between)).stick_radius_shakedown.value(), 1, 1e-9);
 }
 
@@ -65,7 +65,7 @@ TEST(SweepLine, HasWhatSpringsAreSteppedFor) {
   const auto [amplitude, force] = line(Quantity::tangential_force_max);
   ASSERT_EQ(amplitude.size(), 101U);
   const auto between =
-      mdr_case(read_case(replace(valid_case, "Tangential amplitude = 1.5e-5", "Tangential amplitude = 5e-6")));
+      mdr_case(read_case(replace(elastic_case(), "Tangential amplitude = 1.5e-5", "Tangential amplitude = 5e-6")));
   const auto answer = mdr_answer_with_cycle(between, mdr_normal_response(between));
   EXPECT_NEAR(amplitude[50], 5e-6, 1e-15);
   EXPECT_NEAR(force[50] / answer.cycle->tangential_force_max, 1, 1e-9);
@@ -77,9 +77,9 @@ TEST(SweepLine, HasWhatSpringsAreSteppedFor) {
 
 // Of every kind of case whose radii springs are stepped for too: all of a line is that of one answer.
 TEST(SweepLine, IsSteppedWhereNothingHasAClosedForm) {
-  const auto force = replace(valid_case, "Indentation = 1e-4\n  set Normal amplitude = 2e-5",
+  const auto force = replace(elastic_case(), "Indentation = 1e-4\n  set Normal amplitude = 2e-5",
                              "Normal force = 0.5\n  set Normal force amplitude = 0.1");
-  const auto harmonics = replace(valid_case, "Phase = 60", "Phase = 60\n  set Normal harmonics = 5e-6, 2, 30");
+  const auto harmonics = replace(elastic_case(), "Phase = 60", "Phase = 60\n  set Normal harmonics = 5e-6, 2, 30");
   for (const auto& text : {force, harmonics}) {
     const ScratchFolder folder;
     write_sweep_lines(read_case_file(swept(folder, "Friction / Coefficient", "0.3, 0.5", text)), folder.path());

@@ -5,7 +5,8 @@
 #include <fstream>
 #include <iterator>
 
-#include "tests/comparison/run_fretval.h"
+#include "tests/comparison/scratch_folder.h"
+#include "tests/comparison/shared_bodies.h"
 #include "tests/comparison/wearing_case.h"
 
 namespace fretval::wear_checkpoint_test {
@@ -26,9 +27,8 @@ Resolution coarse() {
 }
 
 WearSimulation simulated(const WearRun& run, const Resolution& resolution = coarse()) {
-  BodyStore bodies;
   const auto prepared = wearing_case("  set Coefficient = 1e-12\n");
-  return simulate_wear(prepared.fem, *prepared.input.wear_kinetics, {0.6, 1.5}, resolution, bodies, run);
+  return simulate_wear(prepared.fem, *prepared.input.wear_kinetics, {0.6, 1.5}, resolution, shared_bodies(), run);
 }
 
 /// Runs until it has made so many jumps.

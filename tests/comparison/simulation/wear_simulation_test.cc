@@ -7,7 +7,8 @@
 #include <string>
 
 #include "comparison/simulation/compute_case.h"
-#include "tests/comparison/run_fretval.h"
+#include "tests/comparison/scratch_folder.h"
+#include "tests/comparison/shared_bodies.h"
 #include "tests/comparison/wearing_case.h"
 
 namespace fretval {
@@ -24,14 +25,10 @@ Resolution coarse() {
   return r;
 }
 
-struct Wearing {
-  BodyStore bodies;
-
-  WearSimulation run(const std::string& wear, double stick_radius = 0.594, const std::string& motion = "") {
-    const auto prepared = wearing_case(wear, motion);
-    return simulate_wear(prepared.fem, *prepared.input.wear_kinetics, {stick_radius, 1.5}, coarse(), bodies);
-  }
-};
+WearSimulation worn_by(const std::string& wear, double stick_radius = 0.594, const std::string& motion = "") {
+  const auto prepared = wearing_case(wear, motion);
+  return simulate_wear(prepared.fem, *prepared.input.wear_kinetics, {stick_radius, 1.5}, coarse(), shared_bodies());
+}
 
 TEST(WearSimulation, RingsMeetAtTheirRadii) {
   const std::vector<double> radii{0, 0.5, 0.75, 1};
@@ -47,8 +44,7 @@ TEST(WearSimulation, RingsMeetAtTheirRadii) {
 // The limiting profile of the parabola (docs/theory.md): f_inf = f0 at a_inf/a0 = 1.2298 for c = 0.5 a0, 1.1429 for
 // 0.7; by interpolation in c^2 1.1898. Read to third order in the rings of 1/24.
 TEST(WearSimulation, EndsWithItsWearAtTheOuterRadius) {
-  Wearing wearing;
-  const auto wear = wearing.run(archard);
+  const auto wear = worn_by(archard);
   EXPECT_EQ(wear.course.end, fem::WearEnd::nothing_left);
   EXPECT_NEAR(wear.worn_radius, 1.1898, 2e-4);
   EXPECT_LT(wear.worn_radius_uncertainty, 1e-3);
@@ -68,14 +64,12 @@ std::string rows_of(const WearSimulation& wear) {
 // Half of the way, written as a table, and the rest from there: the volumes of half as many cycles twice and of all at
 // once. Friction begins anew, without traction; by the second half it has settled.
 TEST(WearSimulation, GoesOnFromATableOfTheWornProfile) {
-  Wearing wearing;
-  const auto whole = wearing.run(archard + "  set Cycles = 2e7\n"),
-             half = wearing.run(archard + "  set Cycles = 1e7\n");
+  const auto whole = worn_by(archard + "  set Cycles = 2e7\n"), half = worn_by(archard + "  set Cycles = 1e7\n");
   const double half_volume = half.course.curve.back().volume, volume = whole.course.curve.back().volume;
   ASSERT_GT(volume, 1.3 * half_volume);
   const ScratchFolder folder;
   const auto table = folder.write("worn.csv", rows_of(half));
-  const auto rest = wearing.run(archard + "  set Cycles = 1e7\n  set Profile = " + table.string() + "\n");
+  const auto rest = worn_by(archard + "  set Cycles = 1e7\n  set Profile = " + table.string() + "\n");
   EXPECT_NEAR(rest.course.curve.front().volume, half_volume, 1e-3 * half_volume);  // linear between rings of 1/24
   EXPECT_NEAR(rest.course.curve.back().volume, volume, 2e-3 * volume);
   EXPECT_LT((rest.course.worn.back() - whole.course.worn.back()).cwiseAbs().maxCoeff(), 2e-3);
@@ -84,8 +78,7 @@ TEST(WearSimulation, GoesOnFromATableOfTheWornProfile) {
 
 // By its rings, to roundoff, onto the same rings and onto others.
 TEST(WearSimulation, GoesOnFromItsRingsWithTheSameVolume) {
-  Wearing wearing;
-  const auto half = wearing.run(archard + "  set Cycles = 1e7\n");
+  const auto half = worn_by(archard + "  set Cycles = 1e7\n");
   std::string rows = "r outer [m],worn depth [m]\n";
   for (Eigen::Index i = 0; i < half.centre.size(); ++i)
     rows += fmt::format("{:.17g},{:.17g}\n", 1e-3 * half.radii[static_cast<std::size_t>(i) + 1],
@@ -95,7 +88,7 @@ TEST(WearSimulation, GoesOnFromItsRingsWithTheSameVolume) {
   const auto from_them = archard + "  set Cycles = 1\n  set Worn rings = " + table.string() + "\n";
   const double volume = half.course.curve.back().volume;
   for (const double stick_radius : {0.594, 0.55}) {
-    const auto rest = wearing.run(from_them, stick_radius);
+    const auto rest = worn_by(from_them, stick_radius);
     EXPECT_NEAR(rest.course.curve.front().volume / volume, 1, 1e-12) << stick_radius;
   }
 }
@@ -103,15 +96,14 @@ TEST(WearSimulation, GoesOnFromItsRingsWithTheSameVolume) {
 // The same table as an indenter of its own, which does not wear and of which MDR does not hold: it bears what it
 // bears in the first cycle of wear on it. Sums over rings of 1/24 a, and profiles linear between them.
 TEST(WearSimulation, TheWornProfileIsAnIndenterOfItsOwn) {
-  Wearing wearing;
   const ScratchFolder folder;
-  const auto worn = wearing.run(archard + "  set Cycles = 2e7\n");
+  const auto worn = worn_by(archard + "  set Cycles = 2e7\n");
   const auto table = folder.write("worn.csv", rows_of(worn)).string();
-  const auto on_it = wearing.run(archard + "  set Cycles = 1\n  set Profile = " + table + "\n").course;
+  const auto on_it = worn_by(archard + "  set Cycles = 1\n  set Profile = " + table + "\n").course;
   const auto text = replace(wearing_text(""), "parabola\n  set Radius = 1e-2", "table\n  set Table = " + table);
   const auto prepared = prepare({read_case(text)}).front();
   ASSERT_FALSE(prepared.mdr.falls().empty());
-  const auto alone = compute_case(prepared.fem, with_rings(prepared.fem.resolution, 0.5), wearing.bodies);
+  const auto alone = compute_case(prepared.fem, with_rings(prepared.fem.resolution, 0.5), shared_bodies());
   Eigen::VectorXd areas(worn.centre.size());
   for (Eigen::Index i = 0; i < areas.size(); ++i) {
     const auto k = static_cast<std::size_t>(i);
@@ -121,15 +113,14 @@ TEST(WearSimulation, TheWornProfileIsAnIndenterOfItsOwn) {
   const Eigen::RowVectorXd forces = force_unit * areas.transpose() * on_it.first.pressure;
   EXPECT_NEAR(alone.normal_force_max / forces.maxCoeff(), 1, 3e-3);
   // It bears more where it is unworn.
-  const auto unworn = wearing.run(archard + "  set Cycles = 1\n").course;
+  const auto unworn = worn_by(archard + "  set Cycles = 1\n").course;
   EXPECT_GT((force_unit * areas.transpose() * unworn.first.pressure).maxCoeff(), 1.01 * forces.maxCoeff());
 }
 
 // What slips bears mu p: k of the energy of friction is mu times that of Archard's law.
 TEST(WearSimulation, ByTheEnergyOfFrictionIsArchardsWithTheCoefficientOfFriction) {
-  Wearing wearing;
-  const auto by_pressure = wearing.run(archard + "  set Cycles = 1e6\n");
-  const auto by_energy = wearing.run("  set Law = energy\n  set Coefficient = 2e-12\n  set Cycles = 1e6\n");
+  const auto by_pressure = worn_by(archard + "  set Cycles = 1e6\n");
+  const auto by_energy = worn_by("  set Law = energy\n  set Coefficient = 2e-12\n  set Cycles = 1e6\n");
   EXPECT_EQ(by_pressure.course.end, fem::WearEnd::cycles);
   EXPECT_GT(by_pressure.course.curve.back().volume, 0);
   EXPECT_NEAR(by_energy.course.curve.back().volume / by_pressure.course.curve.back().volume, 1, 1e-12);
@@ -137,9 +128,8 @@ TEST(WearSimulation, ByTheEnergyOfFrictionIsArchardsWithTheCoefficientOfFriction
 
 // k p^m of the pressure in Pa: with the exponent 1 it is Archard's, with another one the rate is of another size.
 TEST(WearSimulation, ByAPowerTakesThePressureInPascal) {
-  Wearing wearing;
   const auto rate = [&](const std::string& law) {
-    return wearing.run(law + "  set Cycles = 1\n").course.curve.front().volume_rate;
+    return worn_by(law + "  set Cycles = 1\n").course.curve.front().volume_rate;
   };
   const double archards = rate(archard);
   EXPECT_NEAR(rate("  set Law = power\n  set Exponent = 1\n  set Coefficient = 1e-12\n") / archards, 1, 1e-12);
@@ -151,10 +141,9 @@ TEST(WearSimulation, ByAPowerTakesThePressureInPascal) {
 
 // Under both forces the stick radius of the unworn contact is that of the worn one; the indenter sinks in on the way.
 TEST(WearSimulation, EndsUnderForcesWithTheStickRadiusOfTheUnworn) {
-  BodyStore bodies;
   const auto prepared = wearing_under_force("set Tangential force amplitude = 0.06");
   const double unworn = std::cbrt(1 - 0.06 / (0.5 * 0.3));
-  const auto edge = edge_of_wear(prepared.fem, *prepared.input.wear_kinetics, unworn, bodies);
+  const auto edge = edge_of_wear(prepared.fem, *prepared.input.wear_kinetics, unworn, shared_bodies());
   EXPECT_NEAR(edge.inner, unworn, 1e-3);
   // F = 16/3 = 8 (c d - c^3/3) in units of the unworn contact; beyond it r^2/2 = d.
   const double depth = 2 / (3 * unworn) + unworn * unworn / 3;
@@ -164,8 +153,7 @@ TEST(WearSimulation, EndsUnderForcesWithTheStickRadiusOfTheUnworn) {
 
 // Nothing sticks: all that the largest indentation reaches is worn, to the plane of the apex.
 TEST(WearSimulation, WearsAllOfItWhereNothingSticks) {
-  Wearing wearing;
-  const auto wear = wearing.run(archard, 0, "set Tangential amplitude = 1e-4");
+  const auto wear = worn_by(archard, 0, "set Tangential amplitude = 1e-4");
   EXPECT_EQ(wear.course.end, fem::WearEnd::nothing_left);
   for (Eigen::Index i = 0; i < 20; ++i) EXPECT_NEAR(wear.unworn[i] + wear.course.worn.back()[i], 1, 2e-3) << i;
   EXPECT_EQ(wear.course.curve.back().stick_radius, 0);

@@ -32,6 +32,15 @@ TEST(WriteFile, NamesAFileThatCannotBeWrittenAndKeepsTheOldOne) {
   EXPECT_EQ(text_of(old), "old");
 }
 
+TEST(ContentOf, IsEveryByteOrNothing) {
+  const ScratchFolder folder;
+  const std::string bytes("\r\n\0\xff", 4);
+  write_file(folder.path() / "a.bin", bytes);
+  EXPECT_EQ(content_of(folder.path() / "a.bin"), bytes);
+  EXPECT_EQ(content_of(folder.path() / "nowhere"), "");
+  EXPECT_EQ(content_of(folder.path()), "");
+}
+
 TEST(WriteCsv, HasANamedColumnEachAndTenDigits) {
   const ScratchFolder folder;
   const auto file = folder.path() / "a.csv";

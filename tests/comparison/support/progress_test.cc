@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "comparison/support/log.h"
+#include "tests/comparison/read_case.h"
 #include "tests/comparison/run_fretval.h"
 
 namespace fretval::progress_test {
@@ -72,13 +73,13 @@ TEST(Progress, FitsIntoTheLine) {
 
 TEST(Progress, IsALineForEachCaseInALogAndNothingIfQuiet) {
   const ScratchFolder folder;
-  const auto file = folder.write("sweep.prm", replace(valid_case, "subsection Accuracy",
-                                                      "subsection Sweep\n  set Entry = Motion / Phase\n  set Values = "
-                                                      "0, 90\nend\nsubsection Accuracy"));
+  const auto file = folder.write(
+      "sweep.prm",
+      elastic_case() + "subsection Sweep\n  set Entry = Accuracy / Rings per radius\n  set Values = 16, 24\nend\n");
   const auto arguments = quoted(file) + " --proof none -o " + quoted(folder.path() / "out");
   const auto told = fretval_run("run " + arguments, folder);
-  EXPECT_NE(told.err.find("1/2 sweep/phase-"), std::string::npos) << told.err;
-  EXPECT_NE(told.err.find("2/2 sweep/phase-"), std::string::npos) << told.err;
+  EXPECT_NE(told.err.find("1/2 sweep/rings-per-radius-"), std::string::npos) << told.err;
+  EXPECT_NE(told.err.find("2/2 sweep/rings-per-radius-"), std::string::npos) << told.err;
   EXPECT_EQ(fretval_run("--quiet run " + arguments, folder).err, "");
   EXPECT_EQ(fretval_run("run -q " + arguments, folder).err, "");
 }
@@ -86,7 +87,7 @@ TEST(Progress, IsALineForEachCaseInALogAndNothingIfQuiet) {
 // A terminal of its own, made by script(1).
 TEST(Progress, RedrawsALineOnATerminal) {
   const ScratchFolder folder;
-  const auto file = folder.write("case.prm", valid_case);
+  const auto file = folder.write("case.prm", elastic_case());
   const auto command =
       std::string(FRETVAL_PROGRAM) + " run " + file.string() + " --proof none -o " + (folder.path() / "out").string();
   const auto run = shell_run("script -qec 'stty cols 60; " + command + "' /dev/null", folder);

@@ -24,7 +24,7 @@ TEST(Compliance, IsSymmetricPositiveDefinite) {
 
 // Second method: the whole system loaded by one ring, no Schur complement.
 TEST(Compliance, IsTheResponseOfTheWholeBody) {
-  const GridData grid = quarter_disc_grid(1, 16, 20, 0.25);
+  const GridData grid = quarter_disc_grid(1, 8, 20, 0.25);
   for (const Harmonic harmonic : {Harmonic::normal, Harmonic::tangential}) {
     const HarmonicSpace space(grid, harmonic, 3);
     const auto& line = space.contact_line();
@@ -36,9 +36,9 @@ TEST(Compliance, IsTheResponseOfTheWholeBody) {
       for (std::size_t i = 0; i < line.dofs.size(); ++i) load[line.dofs[i]] = line.loads(i, ring);
       return load;
     };
-    for (const Eigen::Index j : {0, 5, 15}) {
+    for (const Eigen::Index j : {0, 3, 7}) {
       const Eigen::VectorXd u = solve_uncondensed(stiffness, on_body(j), "body");
-      for (Eigen::Index i = 0; i < 16; ++i)
+      for (Eigen::Index i = 0; i < 8; ++i)
         EXPECT_NEAR((*compliance.matrix)(i, j), on_body(i).dot(u), 1e-12 * compliance.matrix->maxCoeff());
     }
   }
@@ -63,7 +63,7 @@ TEST(Compliance, OfAUniformTractionIsExact) {
 // Both are the same body; they differ by the error of degree 2: 9.8e-5 at 16 rings, 2.4e-5 at 64.
 TEST(Compliance, HardlyDependsOnTheDegree) {
   for (const Harmonic harmonic : {Harmonic::normal, Harmonic::tangential})
-    for (const unsigned n : {16U, 64U}) {
+    for (const unsigned n : {16U, 32U}) {
       const double cubic = mean_displacement(half_space(harmonic, n), n);
       const double quadratic = mean_displacement(half_space(harmonic, n, 2), n);
       EXPECT_NEAR(quadratic / cubic, 1, 2e-3 / n);
@@ -71,19 +71,19 @@ TEST(Compliance, HardlyDependsOnTheDegree) {
     }
 }
 
-// What the point load at the far field misses decays like R^-3: 1.4e-4 at R = 5. From 10 on the mesh shows, 3e-6.
+// What the point load at the far field misses decays like R^-3: 1.4e-4 at R = 5. From 20 on the mesh shows, 3e-6.
 TEST(Compliance, HardlyDependsOnTheFarRadius) {
   for (const Harmonic harmonic : {Harmonic::normal, Harmonic::tangential}) {
     std::vector<double> displacement;
-    for (const double far_radius : {5.0, 10.0, 20.0, 40.0}) {
+    for (const double far_radius : {5.0, 20.0, 40.0}) {
       const HarmonicSpace space(quarter_disc_grid(1, 16, far_radius, 0.15), harmonic, 3);
       const auto compliance = contact_compliance(
           space.contact_line(),
           Condensation(assemble_stiffness(space), space.contact_line().dofs, "body").schur_complement());
       displacement.push_back(compliance.matrix->sum() / pi);
     }
-    EXPECT_NEAR(displacement[0] / displacement[3], 1, 1e-3);
-    EXPECT_NEAR(displacement[2] / displacement[3], 1, 1e-5);
+    EXPECT_NEAR(displacement[0] / displacement[2], 1, 1e-3);
+    EXPECT_NEAR(displacement[1] / displacement[2], 1, 1e-5);
   }
 }
 

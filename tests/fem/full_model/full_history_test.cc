@@ -28,7 +28,7 @@ struct Body {
   ContactProblem condensed;
 
   explicit Body(Harmonic harmonic)
-      : space(quarter_disc_grid(1.125, n_rings, 6, 0.3), harmonic, 2),
+      : space(quarter_disc_grid(1.125, n_rings, 4, 0.5), harmonic, 2),
         condensed(contact_compliance(
             space.contact_line(),
             Condensation(assemble_stiffness(space), space.contact_line().dofs, "body").schur_complement())) {}

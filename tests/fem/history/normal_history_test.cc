@@ -191,7 +191,7 @@ TEST(NormalHistory, IsOfSecondOrderInTime) {
     std::vector<double> errors(4, 0);
     for (int k = 0; k < 10; ++k) {
       const double amplitude = 0.1 + 0.01 * k;
-      const double reference = mean_force(model, amplitude, 1440);
+      const double reference = mean_force(model, amplitude, 640);
       for (std::size_t i = 0; i < errors.size(); ++i)
         errors[i] += std::abs(mean_force(model, amplitude, 20 << i) / reference - 1) / 10;
     }

@@ -48,7 +48,7 @@ TEST(WearCourse, EndsThereWhateverTheRheology) {
 // Reye: volume = k/mu times the work of friction, summed over the cycles by trapezoids. Second order in the jumps.
 TEST(WearCourse, VolumeIsTheWorkOfFrictionTimesItsCoefficient) {
   WearingHalfSpace half_space;
-  half_space.n_steps = 288;
+  half_space.n_steps = 192;
   const auto error = [&](double jump) {
     const auto course = half_space.course(archard, jump, 2e3);
     double work = 0;

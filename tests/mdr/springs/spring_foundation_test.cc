@@ -89,7 +89,7 @@ TEST(SpringFoundation, ViscoelasticWithContactLossAgreesWithMarching) {
   for (const double amplitude : {0.1, 0.4}) {
     const Motion motion = oscillation(0.2, amplitude);
     for (const PronyBody& body : {standard_solid(1, 2, 0.8), prony(1, {2, 1}, {0.1, 2})}) {
-      const double marched = marched_maximum(parabola(5), body, motion, 400, 2000);
+      const double marched = marched_maximum(parabola(5), body, motion, 400, 1000);
       EXPECT_NEAR(unworn_response(parabola(5), body, motion).normal_force_max / marched, 1, 5e-6);
     }
   }
@@ -100,8 +100,8 @@ TEST(SpringFoundation, DashpotWithContactLossAgreesWithMarching) {
   for (const double amplitude : {0.1, 0.4}) {
     const Motion motion = oscillation(0.2, amplitude);
     for (const PronyBody& body : {kelvin_voigt(1, 0.7), prony(1, {2}, {1}, 0.3)}) {
-      const double coarse = marched_maximum(parabola(5), body, motion, 1000, 1000);
-      const double fine = marched_maximum(parabola(5), body, motion, 2000, 2000);
+      const double coarse = marched_maximum(parabola(5), body, motion, 500, 500);
+      const double fine = marched_maximum(parabola(5), body, motion, 1000, 1000);
       EXPECT_NEAR(unworn_response(parabola(5), body, motion).normal_force_max / (2 * fine - coarse), 1, 5e-5);
     }
   }
@@ -211,7 +211,7 @@ TEST(SpringFoundation, AnyRelaxationTimeHasAPeriodicState) {
   };
   const double relaxed = largest(elastic(1)), frozen = largest(standard_solid(1, 2, 1e12));
   EXPECT_NEAR(largest(standard_solid(1, 2, 1e-12)) / relaxed, 1, 1e-9);
-  for (int decade = -12; decade <= 12; ++decade) {
+  for (int decade = -12; decade <= 12; decade += 2) {
     const double force = largest(standard_solid(1, 2, std::pow(10, decade)));
     EXPECT_GE(force, relaxed * (1 - 1e-7)) << decade;
     EXPECT_LE(force, 3 * relaxed) << decade;

@@ -80,13 +80,13 @@ TEST(RandomSuiteSlow, KeepsWhatItFoundWithinTheBars) {
 }
 
 TEST(RandomSuite, RepeatsASingleCase) {
-  const auto all = run_random_suite({1, 3});
-  const auto one = only(2);
+  const auto all = run_random_suite({1, 2});
+  const auto one = only(1);
   ASSERT_EQ(one.rows.size(), 1U);
-  EXPECT_EQ(one.rows[0].asked.name, "random-1-2");
-  EXPECT_EQ(one.rows[0].asked.text, all.rows[2].asked.text);
+  EXPECT_EQ(one.rows[0].asked.name, "random-1-1");
+  EXPECT_EQ(one.rows[0].asked.text, all.rows[1].asked.text);
   const auto &mine = one.rows[0].compared.at(Quantity::stick_radius_shakedown),
-             &other = all.rows[2].compared.at(Quantity::stick_radius_shakedown);
+             &other = all.rows[1].compared.at(Quantity::stick_radius_shakedown);
   EXPECT_EQ(mine.fe, other.fe);
   EXPECT_EQ(mine.bar, other.bar);
 }
