@@ -106,6 +106,15 @@ void BoxSolver::check(const Eigen::VectorXd& q, const Solution& solution) const 
         fmt::format("a contact step does not fulfil its equations: {:.1e} of {:.1e} is left", left, size));
 }
 
+void BoxSolver::solve_leading_interior(const Target& target, Eigen::Index k, Solution& solution) const {
+  const Eigen::Index n_tail = size() - k;
+  auto& [x, residual, loads, iterations] = solution;
+  loads.head(k) = target.held.head(k);
+  solve_transposed(factor_, k, x, loads);
+  residual.head(k).setZero();
+  multiply_trailing(factor_, (target.held - loads).tail(n_tail), residual.tail(n_tail));
+}
+
 // Interior = leading block {0..k-1} plus a few extra indices, eliminated by their own Schur complement. x: the
 // right-hand side on entry, where it is interior.
 void BoxSolver::solve_interior(const std::vector<Eigen::Index>& interior, Eigen::Index k, Eigen::VectorXd& x) const {
@@ -132,41 +141,70 @@ void BoxSolver::solve_interior(const std::vector<Eigen::Index>& interior, Eigen:
   block.transpose().solveInPlace(head);  // BLAS takes half as long again at 36 rings
 }
 
+// What the bounded unknowns leave, then what the interior ones leave of that.
+void BoxSolver::solve_any_interior(const Eigen::VectorXd& q, const std::vector<Eigen::Index>& interior, Eigen::Index k,
+                                   Solution& solution) const {
+  const Eigen::Index n = size(), n_interior = static_cast<Eigen::Index>(interior.size());
+  auto& [x, residual, loads, iterations] = solution;
+  residual = q;
+  if (added_.size() > 0) residual -= added_.cwiseProduct(x);
+  if (!x.tail(n - k).isZero(0)) subtract_product(matrix_, 0, k, x.tail(n - k), residual);
+  for (const auto i : interior) x[i] = residual[i];
+  solve_interior(interior, k, x);
+  subtract_product(matrix_, k, 0, x.head(k), residual.tail(n - k));
+  for (Eigen::Index j = k; j < n_interior; ++j)
+    residual.tail(n - k).noalias() -= x[interior[j]] * matrix_->col(interior[j]).tail(n - k);
+  for (const auto i : interior) residual[i] = 0;
+  if (!has_whole_factor()) return;
+  loads = x;
+  multiply_transposed(factor_, loads);
+}
+
+void BoxSolver::hold(Target& target) const {
+  if (!target.q.allFinite()) throw std::invalid_argument("the right-hand side of the contact problem is not finite");
+  if (!has_whole_factor()) return;
+  target.held = target.q;
+  solve_leading(factor_, target.held);
+}
+
 BoxSolver::Solution BoxSolver::solve(const Eigen::VectorXd& q, const Eigen::VectorXd& lower,
                                      const Eigen::VectorXd& upper, std::vector<BoxState>& state) const {
-  if (!q.allFinite()) throw std::invalid_argument("the right-hand side of the contact problem is not finite");
+  Target target{q, {}};
+  hold(target);
+  Solution solution;
+  solve(target, lower, upper, state, solution);
+  return solution;
+}
+
+void BoxSolver::solve(const Target& target, const Eigen::VectorXd& lower, const Eigen::VectorXd& upper,
+                      std::vector<BoxState>& state, Solution& solution) const {
   if (lower.hasNaN() || upper.hasNaN()) throw std::invalid_argument("a bound of the contact problem is not a number");
   const Eigen::Index n = size();
   const int limit = 50 + 10 * static_cast<int>(n);
-  Solution solution{Eigen::VectorXd(n), Eigen::VectorXd(n), 0};
+  const auto& q = target.q;
   auto &x = solution.x, &residual = solution.residual;
+  for (auto* vector : {&x, &residual, &solution.loads}) vector->resize(n);
   std::vector<Eigen::Index> interior;
   interior.reserve(static_cast<std::size_t>(n));
   Violations violations;
   std::size_t fewest = std::numeric_limits<std::size_t>::max();
   int stalled = 0;
-  for (; solution.iterations < limit; ++solution.iterations) {
+  for (solution.iterations = 0; solution.iterations < limit; ++solution.iterations) {
     place_unknowns(lower, upper, state, x, interior);
     const auto n_interior = static_cast<Eigen::Index>(interior.size());
     Eigen::Index k = 0;
     while (k < n_interior && k < factor_->rows() && interior[k] == k) ++k;
-    // What the bounded unknowns leave, then what the interior ones leave of that.
-    residual = q;
-    if (added_.size() > 0) residual -= added_.cwiseProduct(x);
-    if (!x.tail(n - k).isZero(0)) subtract_product(matrix_, 0, k, x.tail(n - k), residual);
-    for (const auto i : interior) x[i] = residual[i];
-    solve_interior(interior, k, x);
-    subtract_product(matrix_, k, 0, x.head(k), residual.tail(n - k));
-    for (Eigen::Index j = k; j < n_interior; ++j)
-      residual.tail(n - k).noalias() -= x[interior[j]] * matrix_->col(interior[j]).tail(n - k);
-    for (const auto i : interior) residual[i] = 0;
+    if (k == n_interior && has_whole_factor())
+      solve_leading_interior(target, k, solution);
+    else
+      solve_any_interior(q, interior, k, solution);
 
     const Slack slack{slack_ * x.cwiseQuotient(scale_).lpNorm<Eigen::Infinity>(),
                       slack_ * q.cwiseProduct(scale_).lpNorm<Eigen::Infinity>()};
     find_violations(solution, lower, upper, state, scale_, slack, violations);
     if (violations.indices.empty()) {
       check(q, solution);
-      return solution;
+      return;
     }
     stalled = violations.indices.size() < fewest ? 0 : stalled + 1;
     fewest = std::min(fewest, violations.indices.size());

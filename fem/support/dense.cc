@@ -35,6 +35,23 @@ void multiply_transposed(const Eigen::MatrixXd& lower, Eigen::Ref<Eigen::VectorX
   for (Eigen::Index j = 0, n = x.size(); j < n; ++j) x[j] = lower.col(j).segment(j, n - j).dot(x.tail(n - j));
 }
 
+void solve_transposed(const Eigen::MatrixXd& lower, Eigen::Index k, Eigen::VectorXd& x, Eigen::VectorXd& y) {
+  for (Eigen::Index n = x.size(), j = n - 1; j >= 0; --j) {
+    const double below = lower.col(j).tail(n - 1 - j).dot(x.tail(n - 1 - j));
+    if (j < k)
+      x[j] = (y[j] - below) / lower(j, j);
+    else
+      y[j] = below + lower(j, j) * x[j];
+  }
+}
+
+void multiply_trailing(const Eigen::MatrixXd& lower, const Eigen::Ref<const Eigen::VectorXd>& x,
+                       Eigen::Ref<Eigen::VectorXd> y) {
+  y.setZero();
+  for (Eigen::Index n = x.size(), j = 0; j < n; ++j)
+    y.tail(n - j) += x[j] * lower.col(lower.cols() - n + j).tail(n - j);
+}
+
 void subtract_product(const Eigen::MatrixXd& matrix, Eigen::Index row, Eigen::Index column,
                       const Eigen::Ref<const Eigen::VectorXd>& x, Eigen::Ref<Eigen::VectorXd> y) {
   const auto n_rows = static_cast<blasint>(y.size()), n_columns = static_cast<blasint>(x.size());

@@ -23,6 +23,13 @@ Eigen::MatrixXd solve_lower(const Eigen::MatrixXd& lower, Eigen::MatrixXd rhs);
 void solve_leading(const Eigen::MatrixXd& lower, Eigen::Ref<Eigen::VectorXd> x);
 void multiply_transposed(const Eigen::MatrixXd& lower, Eigen::Ref<Eigen::VectorXd> x);
 
+/// `L^T x = y` of a lower triangle, where the first k entries of y and the others of x are known; finds the rest.
+void solve_transposed(const Eigen::MatrixXd& lower, Eigen::Index k, Eigen::VectorXd& x, Eigen::VectorXd& y);
+
+/// y <- L_t x, L_t the trailing rows and columns of a lower triangle.
+void multiply_trailing(const Eigen::MatrixXd& lower, const Eigen::Ref<const Eigen::VectorXd>& x,
+                       Eigen::Ref<Eigen::VectorXd> y);
+
 /// y <- y - A x of the block of a matrix that begins at a row and a column.
 void subtract_product(const Eigen::MatrixXd& matrix, Eigen::Index row, Eigen::Index column,
                       const Eigen::Ref<const Eigen::VectorXd>& x, Eigen::Ref<Eigen::VectorXd> y);
