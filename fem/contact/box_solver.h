@@ -15,9 +15,10 @@ enum class BoxState : signed char { lower = -1, interior = 0, upper = 1 };
 ///
 /// With lower = 0, upper = infinity it is the normal contact problem (x = pressure); with -mu p, +mu p the Coulomb
 /// friction problem of one step. Unknowns are ordered from the centre of the contact outwards, so the interior set is
-/// mostly a leading block {0..k-1}. Then C = L L^T needs no other factor, and no other forward substitution than
-/// `held = L^-1 q`: the loads `y = L^T x` of the interior are those, the others follow from the bounds, and `q - C x =
-/// L (held - y)`.
+/// mostly a leading block {0..k-1}. Then C = L L^T needs no other factor: the loads `y = L^T x` of the interior are
+/// those of `held = L^-1 q`, the others follow from the bounds, and `q - C x = L (held - y)`. As any leading block of
+/// L^-1 is the inverse of that of L, all of this is products with triangles, which unlike substitutions need not wait
+/// for one unknown after the other.
 ///
 /// Method: primal-dual active set (all violated unknowns change at once), warm-started; if the number of violations
 /// does not decrease for several iterations, single changes by least index (Murty), which end after finitely many
@@ -42,13 +43,13 @@ class BoxSolver {
   struct Target {
     Eigen::VectorXd q, held;
   };
-  /// Completes it from its q. Throws std::invalid_argument where that is not finite.
+  /// Completes it from its q, unless a diagonal was added. Throws std::invalid_argument where q is not finite.
   void hold(Target& target) const;
 
   struct Solution {
     Eigen::VectorXd x;
     Eigen::VectorXd residual;  ///< q - C x; exactly 0 in the interior
-    Eigen::VectorXd loads;     ///< L^T x; of a factor of the whole matrix
+    Eigen::VectorXd loads;     ///< L^T x, unless a diagonal was added
     int iterations = 0;
   };
 
@@ -67,7 +68,6 @@ class BoxSolver {
   [[nodiscard]] const SharedMatrix& factor() const { return factor_; }
 
  private:
-  [[nodiscard]] bool has_whole_factor() const { return factor_->rows() == size(); }
   void solve_leading_interior(const Target& target, Eigen::Index k, Solution& solution) const;
   void solve_any_interior(const Eigen::VectorXd& q, const std::vector<Eigen::Index>& interior, Eigen::Index k,
                           Solution& solution) const;
@@ -76,10 +76,11 @@ class BoxSolver {
   void check(const Eigen::VectorXd& q, const Solution& solution) const;
 
   SharedMatrix matrix_;
-  SharedMatrix factor_;            // lower Cholesky factor
-  Eigen::VectorXd probe_, image_;  // any vector, and its product with the matrix
-  Eigen::VectorXd added_;          // to the diagonal of the matrix; empty: nothing
-  Eigen::VectorXd scale_;          // of the unknowns
+  SharedMatrix factor_;                // lower Cholesky factor
+  SharedMatrix inverse_;               // of the factor; empty: of a diagonal that was added, which is soon another one
+  Eigen::VectorXd probe_, image_;      // any vector, and its product with the matrix
+  Eigen::VectorXd added_;              // to the diagonal of the matrix; empty: nothing
+  Eigen::VectorXd scale_, per_scale_;  // of the unknowns, and its inverse
   double slack_;
 };
 

@@ -3,6 +3,8 @@
 #include <cblas.h>
 #include <f77blas.h>
 
+#include <algorithm>
+
 namespace fretval::fem {
 
 const std::string& dense_kernels() {
@@ -31,17 +33,10 @@ void solve_leading(const Eigen::MatrixXd& lower, Eigen::Ref<Eigen::VectorXd> x) 
   lower.topLeftCorner(x.size(), x.size()).triangularView<Eigen::Lower>().solveInPlace(x);
 }
 
-void multiply_transposed(const Eigen::MatrixXd& lower, Eigen::Ref<Eigen::VectorXd> x) {
-  for (Eigen::Index j = 0, n = x.size(); j < n; ++j) x[j] = lower.col(j).segment(j, n - j).dot(x.tail(n - j));
-}
-
-void solve_transposed(const Eigen::MatrixXd& lower, Eigen::Index k, Eigen::VectorXd& x, Eigen::VectorXd& y) {
-  for (Eigen::Index n = x.size(), j = n - 1; j >= 0; --j) {
-    const double below = lower.col(j).tail(n - 1 - j).dot(x.tail(n - 1 - j));
-    if (j < k)
-      x[j] = (y[j] - below) / lower(j, j);
-    else
-      y[j] = below + lower(j, j) * x[j];
+void multiply_transposed(const Eigen::MatrixXd& lower, Eigen::Ref<Eigen::VectorXd> x, Eigen::Index first) {
+  for (Eigen::Index j = 0, n = x.size(); j < n; ++j) {
+    const Eigen::Index length = n - std::max(j, first);
+    x[j] = lower.col(j).segment(n - length, length).dot(x.tail(length));
   }
 }
 
