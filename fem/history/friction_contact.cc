@@ -39,17 +39,21 @@ void FrictionContact::attempt(const IndenterMove& to_balance, Attempt& made) con
   depths = problem_.series.depths_of_loads(solution.loads);
 }
 
-/// A ring slips if it would be borne deeper than its limit if all rings stuck. That is so for the rings at the edge of
-/// a stick zone around the centre outside which all slip one way, and close to it otherwise: BoxSolver has the last
-/// word.
+/// Where the rings around the centre stick and all others slip one way, those slip whose depths would go beyond their
+/// limit if all rings stuck: at the edge of the stick zone traction and slip have the signs of what is left of the
+/// limit. In other states that is only about right, and rings at their very limit are what they were in the last step.
 void FrictionContact::foresee_slip(Attempt& made) const {
+  constexpr double roundoff = 1e-10;
   const Eigen::VectorXd depths = problem_.series.depths_of_loads(made.target.held);
-  const double slack = problem_.solver.slack() * depths.lpNorm<Eigen::Infinity>();
-  for (std::size_t i = 0; i < made.stick.size(); ++i) {
-    const double depth = depths[static_cast<Eigen::Index>(i)], most = limit_depths[static_cast<Eigen::Index>(i)];
-    if (std::abs(depth) > most + slack) made.stick[i] = depth > 0 ? BoxState::upper : BoxState::lower;
-    if (std::abs(depth) < most - slack) made.stick[i] = BoxState::interior;
-  }
+  const double close = roundoff * depths.lpNorm<Eigen::Infinity>();
+  Eigen::Index n_touching = limit.size(), n_stuck = 0;
+  while (n_touching > 0 && limit[n_touching - 1] == 0) --n_touching;
+  while (n_stuck < n_touching && std::abs(depths[n_stuck]) < limit_depths[n_stuck] - close) ++n_stuck;
+  const double way = n_stuck < n_touching && depths[n_stuck] < 0 ? -1 : 1;
+  for (Eigen::Index i = n_stuck; i < n_touching; ++i)
+    if (!(way * depths[i] > limit_depths[i] + close)) return;
+  std::fill(made.stick.begin(), made.stick.begin() + n_stuck, BoxState::interior);
+  std::fill(made.stick.begin() + n_stuck, made.stick.begin() + n_touching, way > 0 ? BoxState::upper : BoxState::lower);
 }
 
 double FrictionContact::force_of(const Attempt& made, const std::optional<NormalInstant>& normal) const {
