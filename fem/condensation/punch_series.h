@@ -33,6 +33,9 @@ class PunchSeries {
   [[nodiscard]] Eigen::VectorXd depths(Eigen::VectorXd traction) const;
   [[nodiscard]] Eigen::MatrixXd depths_of_instants(Eigen::MatrixXd tractions) const;  ///< a column each
 
+  /// The same from L^T t, which whoever has solved for t has already.
+  [[nodiscard]] auto depths_of_loads(const Eigen::VectorXd& loads) const { return loads.cwiseQuotient(by_load_); }
+
   /// `s_j = (L^{-1} (A s))_j / b_j` of ring displacements s: work-conjugate to the depths,
   /// `sum_j A_j t_j s_j = sum_j b_j^2 D_j s_j`.
   [[nodiscard]] Eigen::VectorXd displacements(const Eigen::VectorXd& rings) const;

@@ -28,8 +28,8 @@ struct Slack {
 };
 
 void find_violations(const BoxSolver::Solution& solution, const Eigen::VectorXd& lower, const Eigen::VectorXd& upper,
-                     const std::vector<BoxState>& state, const Eigen::VectorXd& scale, const Slack& of_unit_scale,
-                     Violations& violations) {
+                     const std::vector<BoxState>& state, const Eigen::VectorXd& scale, const Eigen::VectorXd& per_scale,
+                     const Slack& of_unit_scale, Violations& violations) {
   const auto &x = solution.x, &residual = solution.residual;
   violations.indices.clear();
   violations.wanted.clear();
@@ -39,7 +39,7 @@ void find_violations(const BoxSolver::Solution& solution, const Eigen::VectorXd&
   };
   for (Eigen::Index i = 0; i < x.size(); ++i) {
     if (lower[i] == upper[i]) continue;
-    const double slack = of_unit_scale.x * scale[i], residual_slack = of_unit_scale.residual / scale[i];
+    const double slack = of_unit_scale.x * scale[i], residual_slack = of_unit_scale.residual * per_scale[i];
     if (state[i] == BoxState::interior) {
       if (x[i] > upper[i] + slack) change(i, BoxState::upper);
       if (x[i] < lower[i] - slack) change(i, BoxState::lower);
@@ -67,8 +67,10 @@ void place_unknowns(const Eigen::VectorXd& lower, const Eigen::VectorXd& upper, 
 BoxSolver::BoxSolver(SharedMatrix matrix, double slack)
     : matrix_(std::move(matrix)),
       factor_(cholesky_factor(matrix_)),
+      inverse_(solve_lower(factor_, Eigen::MatrixXd::Identity(matrix_->rows(), matrix_->rows()))),
       probe_(matrix_->rows()),
       scale_(Eigen::VectorXd::Ones(matrix_->rows())),
+      per_scale_(scale_),
       slack_(slack) {
   for (Eigen::Index i = 0; i < probe_.size(); ++i) probe_[i] = std::cos(1.0 + 0.7 * static_cast<double>(i));
   image_ = *matrix_ * probe_;
@@ -80,6 +82,7 @@ BoxSolver::BoxSolver(const BoxSolver& other, const Eigen::VectorXd& added, Eigen
       image_(other.image_ + added.cwiseProduct(other.probe_)),
       added_(added),
       scale_((matrix_->diagonal() + added).cwiseSqrt().cwiseInverse()),
+      per_scale_(scale_.cwiseInverse()),
       slack_(other.slack_) {
   const Eigen::Index n_likely = std::clamp<Eigen::Index>(most_likely, 1, size());
   Eigen::Index same = 0;
@@ -104,6 +107,18 @@ void BoxSolver::check(const Eigen::VectorXd& q, const Solution& solution) const 
   if (!(std::abs(left) <= most * size))
     throw SolverError(
         fmt::format("a contact step does not fulfil its equations: {:.1e} of {:.1e} is left", left, size));
+}
+
+void BoxSolver::solve_leading_interior(const Target& target, Eigen::Index k, Solution& solution) const {
+  const Eigen::Index n = size(), n_tail = n - k;
+  auto& [x, residual, loads, iterations] = solution;
+  loads = x;
+  multiply_transposed(factor_, loads, k);
+  x.head(k) = target.held.head(k) - loads.head(k);
+  multiply_transposed(inverse_, x.head(k));
+  loads.head(k) = target.held.head(k);
+  residual.head(k).setZero();
+  multiply_trailing(factor_, (target.held - loads).tail(n_tail), residual.tail(n_tail));
 }
 
 // Interior = leading block {0..k-1} plus a few extra indices, eliminated by their own Schur complement. x: the
@@ -132,41 +147,70 @@ void BoxSolver::solve_interior(const std::vector<Eigen::Index>& interior, Eigen:
   block.transpose().solveInPlace(head);  // BLAS takes half as long again at 36 rings
 }
 
+// What the bounded unknowns leave, then what the interior ones leave of that.
+void BoxSolver::solve_any_interior(const Eigen::VectorXd& q, const std::vector<Eigen::Index>& interior, Eigen::Index k,
+                                   Solution& solution) const {
+  const Eigen::Index n = size(), n_interior = static_cast<Eigen::Index>(interior.size());
+  auto& [x, residual, loads, iterations] = solution;
+  residual = q;
+  if (added_.size() > 0) residual -= added_.cwiseProduct(x);
+  if (!x.tail(n - k).isZero(0)) subtract_product(matrix_, 0, k, x.tail(n - k), residual);
+  for (const auto i : interior) x[i] = residual[i];
+  solve_interior(interior, k, x);
+  subtract_product(matrix_, k, 0, x.head(k), residual.tail(n - k));
+  for (Eigen::Index j = k; j < n_interior; ++j)
+    residual.tail(n - k).noalias() -= x[interior[j]] * matrix_->col(interior[j]).tail(n - k);
+  for (const auto i : interior) residual[i] = 0;
+  if (added_.size() > 0) return;
+  loads = x;
+  multiply_transposed(factor_, loads);
+}
+
+void BoxSolver::hold(Target& target) const {
+  if (!target.q.allFinite()) throw std::invalid_argument("the right-hand side of the contact problem is not finite");
+  if (added_.size() > 0) return;
+  target.held.resize(size());
+  multiply_trailing(inverse_, target.q, target.held);
+}
+
 BoxSolver::Solution BoxSolver::solve(const Eigen::VectorXd& q, const Eigen::VectorXd& lower,
                                      const Eigen::VectorXd& upper, std::vector<BoxState>& state) const {
-  if (!q.allFinite()) throw std::invalid_argument("the right-hand side of the contact problem is not finite");
+  Target target{q, {}};
+  hold(target);
+  Solution solution;
+  solve(target, lower, upper, state, solution);
+  return solution;
+}
+
+void BoxSolver::solve(const Target& target, const Eigen::VectorXd& lower, const Eigen::VectorXd& upper,
+                      std::vector<BoxState>& state, Solution& solution) const {
   if (lower.hasNaN() || upper.hasNaN()) throw std::invalid_argument("a bound of the contact problem is not a number");
   const Eigen::Index n = size();
   const int limit = 50 + 10 * static_cast<int>(n);
-  Solution solution{Eigen::VectorXd(n), Eigen::VectorXd(n), 0};
+  const auto& q = target.q;
   auto &x = solution.x, &residual = solution.residual;
+  for (auto* vector : {&x, &residual, &solution.loads}) vector->resize(n);
   std::vector<Eigen::Index> interior;
   interior.reserve(static_cast<std::size_t>(n));
   Violations violations;
   std::size_t fewest = std::numeric_limits<std::size_t>::max();
   int stalled = 0;
-  for (; solution.iterations < limit; ++solution.iterations) {
+  for (solution.iterations = 0; solution.iterations < limit; ++solution.iterations) {
     place_unknowns(lower, upper, state, x, interior);
     const auto n_interior = static_cast<Eigen::Index>(interior.size());
     Eigen::Index k = 0;
     while (k < n_interior && k < factor_->rows() && interior[k] == k) ++k;
-    // What the bounded unknowns leave, then what the interior ones leave of that.
-    residual = q;
-    if (added_.size() > 0) residual -= added_.cwiseProduct(x);
-    if (!x.tail(n - k).isZero(0)) subtract_product(matrix_, 0, k, x.tail(n - k), residual);
-    for (const auto i : interior) x[i] = residual[i];
-    solve_interior(interior, k, x);
-    subtract_product(matrix_, k, 0, x.head(k), residual.tail(n - k));
-    for (Eigen::Index j = k; j < n_interior; ++j)
-      residual.tail(n - k).noalias() -= x[interior[j]] * matrix_->col(interior[j]).tail(n - k);
-    for (const auto i : interior) residual[i] = 0;
+    if (k == n_interior && added_.size() == 0)
+      solve_leading_interior(target, k, solution);
+    else
+      solve_any_interior(q, interior, k, solution);
 
-    const Slack slack{slack_ * x.cwiseQuotient(scale_).lpNorm<Eigen::Infinity>(),
+    const Slack slack{slack_ * x.cwiseProduct(per_scale_).lpNorm<Eigen::Infinity>(),
                       slack_ * q.cwiseProduct(scale_).lpNorm<Eigen::Infinity>()};
-    find_violations(solution, lower, upper, state, scale_, slack, violations);
+    find_violations(solution, lower, upper, state, scale_, per_scale_, slack, violations);
     if (violations.indices.empty()) {
       check(q, solution);
-      return solution;
+      return;
     }
     stalled = violations.indices.size() < fewest ? 0 : stalled + 1;
     fewest = std::min(fewest, violations.indices.size());

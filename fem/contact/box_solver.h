@@ -15,7 +15,10 @@ enum class BoxState : signed char { lower = -1, interior = 0, upper = 1 };
 ///
 /// With lower = 0, upper = infinity it is the normal contact problem (x = pressure); with -mu p, +mu p the Coulomb
 /// friction problem of one step. Unknowns are ordered from the centre of the contact outwards, so the interior set is
-/// mostly a leading block {0..k-1}, whose Cholesky factor is a leading block of the factor of C, computed once.
+/// mostly a leading block {0..k-1}. Then C = L L^T needs no other factor: the loads `y = L^T x` of the interior are
+/// those of `held = L^-1 q`, the others follow from the bounds, and `q - C x = L (held - y)`. As any leading block of
+/// L^-1 is the inverse of that of L, all of this is products with triangles, which unlike substitutions need not wait
+/// for one unknown after the other.
 ///
 /// Method: primal-dual active set (all violated unknowns change at once), warm-started; if the number of violations
 /// does not decrease for several iterations, single changes by least index (Murty), which end after finitely many
@@ -36,33 +39,48 @@ class BoxSolver {
   /// and that has its sign all the same.
   BoxSolver(const BoxSolver& other, const Eigen::VectorXd& added, Eigen::Index n_likely);
 
+  /// A right-hand side; held: the loads L^T x if nothing were at its bounds, L the factor below.
+  struct Target {
+    Eigen::VectorXd q, held;
+  };
+  /// Completes it from its q, unless a diagonal was added. Throws std::invalid_argument where q is not finite.
+  void hold(Target& target) const;
+
   struct Solution {
     Eigen::VectorXd x;
     Eigen::VectorXd residual;  ///< q - C x; exactly 0 in the interior
+    Eigen::VectorXd loads;     ///< L^T x, unless a diagonal was added
     int iterations = 0;
   };
 
-  /// state: warm start on entry, the state of the solution on exit. Unknowns with lower = upper are fixed.
+  /// state: warm start on entry, the state of the solution on exit. Unknowns with lower = upper are fixed. solution:
+  /// what comes out, in the room that it has.
   /// Throws SolverError if the iteration limit is reached or the solution does not fulfil its equations, and
-  /// std::invalid_argument for non-finite q and bounds that are no
-  /// numbers.
+  /// std::invalid_argument for bounds that are no numbers.
+  void solve(const Target& target, const Eigen::VectorXd& lower, const Eigen::VectorXd& upper,
+             std::vector<BoxState>& state, Solution& solution) const;
   Solution solve(const Eigen::VectorXd& q, const Eigen::VectorXd& lower, const Eigen::VectorXd& upper,
                  std::vector<BoxState>& state) const;
 
   [[nodiscard]] Eigen::Index size() const { return matrix_->rows(); }
+  [[nodiscard]] double slack() const { return slack_; }
   /// Lower Cholesky factor of C, or of its leading block that is likely to be needed.
   [[nodiscard]] const SharedMatrix& factor() const { return factor_; }
 
  private:
+  void solve_leading_interior(const Target& target, Eigen::Index k, Solution& solution) const;
+  void solve_any_interior(const Eigen::VectorXd& q, const std::vector<Eigen::Index>& interior, Eigen::Index k,
+                          Solution& solution) const;
   void solve_interior(const std::vector<Eigen::Index>& interior, Eigen::Index k, Eigen::VectorXd& x) const;
 
   void check(const Eigen::VectorXd& q, const Solution& solution) const;
 
   SharedMatrix matrix_;
-  SharedMatrix factor_;            // lower Cholesky factor
-  Eigen::VectorXd probe_, image_;  // any vector, and its product with the matrix
-  Eigen::VectorXd added_;          // to the diagonal of the matrix; empty: nothing
-  Eigen::VectorXd scale_;          // of the unknowns
+  SharedMatrix factor_;                // lower Cholesky factor
+  SharedMatrix inverse_;               // of the factor; empty: of a diagonal that was added, which is soon another one
+  Eigen::VectorXd probe_, image_;      // any vector, and its product with the matrix
+  Eigen::VectorXd added_;              // to the diagonal of the matrix; empty: nothing
+  Eigen::VectorXd scale_, per_scale_;  // of the unknowns, and its inverse
   double slack_;
 };
 

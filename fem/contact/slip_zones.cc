@@ -17,7 +17,8 @@ SlipZones::SlipZones(Eigen::Index n_rings)
       depths_(Eigen::VectorXd::Zero(n_rings)),
       held_depths_(depths_) {}
 
-void SlipZones::update(const Eigen::VectorXd& limit, const std::vector<BoxState>& states, Eigen::VectorXd depths) {
+void SlipZones::update(const Eigen::VectorXd& limit, const std::vector<BoxState>& states,
+                       const Eigen::VectorXd& depths) {
   // At the very instant at which a ring touches, roundoff decides whether it slips.
   const double touches = 1e-10 * limit.maxCoeff();
   for (std::size_t i = 0; i < labels_.size(); ++i) {
@@ -36,7 +37,7 @@ void SlipZones::update(const Eigen::VectorXd& limit, const std::vector<BoxState>
     else if (labels_[i] == free)
       labels_[i] = touched_again;
   }
-  depths_ = std::move(depths);
+  depths_ = depths;
 }
 
 }  // namespace fretval::fem

@@ -24,7 +24,7 @@ class SlipZones {
   explicit SlipZones(Eigen::Index n_rings);
 
   /// After a step; limit: mu p, states: of the friction problem, depths: of the traction (PunchSeries::depths).
-  void update(const Eigen::VectorXd& limit, const std::vector<BoxState>& states, Eigen::VectorXd depths);
+  void update(const Eigen::VectorXd& limit, const std::vector<BoxState>& states, const Eigen::VectorXd& depths);
 
   [[nodiscard]] const std::vector<signed char>& labels() const { return labels_; }
   /// 1 or -1: slips, forward or backward; 0: sticks or does not touch.

@@ -27,21 +27,39 @@ FrictionContact::FrictionContact(const ContactProblem& problem, const Relaxation
       times_(motion, steps_per_cycle),
       dt_(times_.begin(1)),
       step_(relaxation, dt_),
-      stick_(static_cast<std::size_t>(limit.size()), BoxState::interior) {}
+      made_{std::vector<BoxState>(static_cast<std::size_t>(limit.size()), BoxState::interior), {}, {}, {}, {}} {}
 
-FrictionContact::Attempt FrictionContact::attempt(const IndenterMove& to_balance, std::vector<BoxState> likely) const {
-  Attempt attempt{std::move(likely), {}, {}};
-  Eigen::VectorXd held = step_.response_without_slip(state, to_balance);
-  attempt.slip_to_touch = slip_before_touch(held);
-  held -= step_.stiffness_before_balance() * attempt.slip_to_touch;
-  attempt.solution = problem_.solver.solve(problem_.compliance.areas.cwiseProduct(held), -limit, limit, attempt.stick);
-  return attempt;
+void FrictionContact::attempt(const IndenterMove& to_balance, Attempt& made) const {
+  auto& [stick, target, solution, slip_to_touch, depths] = made;
+  target.q = problem_.compliance.areas.cwiseProduct(step_.response_without_slip(state, to_balance));
+  problem_.solver.hold(target);
+  slip_before_touch(made);
+  foresee_slip(made);
+  problem_.solver.solve(target, -limit, limit, stick, solution);
+  depths = problem_.series.depths_of_loads(solution.loads);
+}
+
+/// Where the rings around the centre stick and all others slip one way, those slip whose depths would go beyond their
+/// limit if all rings stuck: at the edge of the stick zone traction and slip have the signs of what is left of the
+/// limit. In other states that is only about right, and rings at their very limit are what they were in the last step.
+void FrictionContact::foresee_slip(Attempt& made) const {
+  constexpr double roundoff = 1e-10;
+  const Eigen::VectorXd depths = problem_.series.depths_of_loads(made.target.held);
+  const double close = roundoff * depths.lpNorm<Eigen::Infinity>();
+  Eigen::Index n_touching = limit.size(), n_stuck = 0;
+  while (n_touching > 0 && limit[n_touching - 1] == 0) --n_touching;
+  while (n_stuck < n_touching && std::abs(depths[n_stuck]) < limit_depths[n_stuck] - close) ++n_stuck;
+  const double way = n_stuck < n_touching && depths[n_stuck] < 0 ? -1 : 1;
+  for (Eigen::Index i = n_stuck; i < n_touching; ++i)
+    if (!(way * depths[i] > limit_depths[i] + close)) return;
+  std::fill(made.stick.begin(), made.stick.begin() + n_stuck, BoxState::interior);
+  std::fill(made.stick.begin() + n_stuck, made.stick.begin() + n_touching, way > 0 ? BoxState::upper : BoxState::lower);
 }
 
 double FrictionContact::force_of(const Attempt& made, const std::optional<NormalInstant>& normal) const {
   if (!normal) return problem_.compliance.areas.dot(made.solution.x);
   SlipZones after = zones;
-  after.update(limit, made.stick, problem_.series.depths(made.solution.x));
+  after.update(limit, made.stick, made.depths);
   return friction_force(problem_.series, after, *touching_, limit_depths, friction_coefficient_ * normal->force).value;
 }
 
@@ -62,20 +80,20 @@ std::pair<double, FrictionContact::Attempt> FrictionContact::attempt_under_force
   }
   time_before_ = time;
   spare_before_ = spare;
-  const auto n_stuck = std::count(stick_.begin(), stick_.end(), BoxState::interior);
+  const auto n_stuck = std::count(made_.stick.begin(), made_.stick.end(), BoxState::interior);
   const double radius = std::min(problem_.compliance.radii[static_cast<std::size_t>(n_stuck)], borne.radius),
                stiffness = problem_.series.force_per_radius() * radius * step_.instantaneous();
-  auto likely = stick_;
+  auto last = made_;
   const auto make = [&](double increment) {
-    auto made = attempt(steady_move(step_.fraction() * increment, step_.fraction() * dt_), likely);
-    likely = made.stick;
-    return made;
+    attempt(steady_move(step_.fraction() * increment, step_.fraction() * dt_), last);
+    return last;
   };
   const auto force_made = [&](const Attempt& made) { return force_of(made, normal); };
   return attempt_for_force(make, force_made, force, {last_increment_, stiffness, most});
 }
 
-void FrictionContact::find_touching(const Eigen::VectorXd& pressure, const std::optional<NormalInstant>& normal) {
+void FrictionContact::find_touching(const Eigen::Ref<const Eigen::VectorXd>& pressure,
+                                    const std::optional<NormalInstant>& normal) {
   until_touch_.resize(0);
   // Under a tangential force the move follows from what is held: corrected, stick radii scatter seven times as much.
   if (!normal || relaxation_.viscosity > 0 || motion_.tangential_force) return;
@@ -91,14 +109,18 @@ void FrictionContact::find_touching(const Eigen::VectorXd& pressure, const std::
 
 /// While the contact grows, the indenter takes along the rings that touch already. So each punch of PunchSeries moves
 /// from the instant on at which its outermost ring touches.
-Eigen::VectorXd FrictionContact::slip_before_touch(const Eigen::VectorXd& held) const {
-  Eigen::VectorXd slip = Eigen::VectorXd::Zero(held.size());
+void FrictionContact::slip_before_touch(Attempt& made) const {
+  auto& [stick, target, solution, slip, depths] = made;
+  slip.resize(0);
   const auto n = until_touch_.size();
-  if (n == 0) return slip;
+  if (n == 0) return;
   const Eigen::VectorXd missing =
-      until_touch_.cwiseProduct(problem_.series.displacements(held).segment(first_touching_, n));
-  slip.segment(first_touching_, n) = problem_.series.rings(missing, first_touching_) / step_.stiffness_before_balance();
-  return slip;
+      until_touch_.cwiseProduct(problem_.series.depths_of_loads(target.held).segment(first_touching_, n));
+  const Eigen::VectorXd response = problem_.series.rings(missing, first_touching_);
+  slip = Eigen::VectorXd::Zero(limit.size());
+  slip.segment(first_touching_, n) = response / step_.stiffness_before_balance();
+  target.q.segment(first_touching_, n) -= problem_.compliance.areas.segment(first_touching_, n).cwiseProduct(response);
+  problem_.solver.hold(target);
 }
 
 std::optional<StepInPiece> FrictionContact::in_piece() const {
@@ -107,7 +129,8 @@ std::optional<StepInPiece> FrictionContact::in_piece() const {
   return step;
 }
 
-void FrictionContact::step(const Eigen::VectorXd& pressure, const std::optional<NormalInstant>& normal) {
+void FrictionContact::step(const Eigen::Ref<const Eigen::VectorXd>& pressure,
+                           const std::optional<NormalInstant>& normal) {
   const double begin = times_.begin(n_steps);
   if (const auto piece = times_.in_piece(n_steps); piece && piece->duration() != dt_) {
     last_increment_ *= piece->duration() / dt_;
@@ -120,35 +143,33 @@ void FrictionContact::step(const Eigen::VectorXd& pressure, const std::optional<
   const double weight = step_.fraction(), time = begin + weight * dt_;
   find_touching(pressure, normal);
   limit = friction_coefficient_ * pressure;
-  limit_depths = friction_coefficient_ * problem_.series.depths(pressure);
-  auto to_balance = indenter_move(position, begin, time), whole = indenter_move(position, begin, begin + dt_);
-  Attempt made;
+  limit_depths = problem_.series.depths(limit);
+  auto to_balance = indenter_move(position, begin, time),
+       whole = weight == 1 ? to_balance : indenter_move(position, begin, begin + dt_);
   if (motion_.tangential_force) {
-    std::tie(last_increment_, made) = attempt_under_force(time, normal);
+    std::tie(last_increment_, made_) = attempt_under_force(time, normal);
     to_balance = steady_move(weight * last_increment_, weight * dt_);
     whole = steady_move(last_increment_, dt_);
   } else {
-    made = attempt(to_balance, stick_);
+    attempt(to_balance, made_);
   }
-  auto& [stick, solution, slip_to_touch] = made;
-  zones.update(limit, stick, problem_.series.depths(solution.x));
-  stick_ = std::move(stick);
-  for (std::size_t i = 0; i < stick_.size(); ++i)
-    if (limit[static_cast<Eigen::Index>(i)] == 0)
-      stick_[i] = BoxState::interior;  // the guess for when it touches again
-  slip =
-      slip_to_touch + (solution.residual.array() / problem_.compliance.areas.array()).matrix() / step_.instantaneous();
+  auto& [stick, target, solution, slip_to_touch, depths] = made_;
+  zones.update(limit, stick, depths);
+  for (std::size_t i = 0; i < stick.size(); ++i)
+    if (limit[static_cast<Eigen::Index>(i)] == 0) stick[i] = BoxState::interior;  // the guess for when it touches again
+  slip = solution.residual.cwiseQuotient(problem_.compliance.areas) / step_.instantaneous();
+  if (slip_to_touch.size() > 0) slip += slip_to_touch;
   step_.advance(state, whole, slip);
   balance_displacement = displacement + to_balance.increment;
   displacement += whole.increment;
-  traction = std::move(solution.x);
+  traction.swap(solution.x);
   ++n_steps;
 }
 
 FrozenStep FrictionContact::frozen() const {
-  FrozenStep frozen{step_, std::vector<bool>(stick_.size())};
-  for (std::size_t i = 0; i < stick_.size(); ++i)
-    frozen.held[i] = stick_[i] == BoxState::interior && limit[static_cast<Eigen::Index>(i)] > 0;
+  FrozenStep frozen{step_, std::vector<bool>(made_.stick.size())};
+  for (std::size_t i = 0; i < made_.stick.size(); ++i)
+    frozen.held[i] = made_.stick[i] == BoxState::interior && limit[static_cast<Eigen::Index>(i)] > 0;
   return frozen;
 }
 

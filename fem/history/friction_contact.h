@@ -32,7 +32,7 @@ class FrictionContact {
 
   /// Goes on by a step under ring pressures at its balance time. normal: what friction_force needs under a prescribed
   /// force. Throws GrossSlip where such a force reaches mu F_N.
-  void step(const Eigen::VectorXd& pressure, const std::optional<NormalInstant>& normal = {});
+  void step(const Eigen::Ref<const Eigen::VectorXd>& pressure, const std::optional<NormalInstant>& normal = {});
 
   long n_steps = 0;                 ///< made
   double displacement = 0;          ///< of the indenter at the end of the step
@@ -62,21 +62,24 @@ class FrictionContact {
   /// arguments.
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(n_steps, displacement, balance_displacement, limit, limit_depths, traction, slip, state, zones, stick_,
+    archive(n_steps, displacement, balance_displacement, limit, limit_depths, traction, slip, state, zones, made_.stick,
             last_increment_, time_before_, spare_before_);
   }
 
  private:
   /// What a move of the indenter up to the balance time would come to.
   struct Attempt {
-    std::vector<BoxState> stick;
+    std::vector<BoxState> stick;  // interior: sticks
+    BoxSolver::Target target;
     BoxSolver::Solution solution;
-    Eigen::VectorXd slip_to_touch;  // of rings that touch in the step, before they do
+    Eigen::VectorXd slip_to_touch;  // of rings that touch in the step, before they do; empty: none
+    Eigen::VectorXd depths;         // of the traction
   };
-  /// likely: rings that stick.
-  [[nodiscard]] Attempt attempt(const IndenterMove& to_balance, std::vector<BoxState> likely) const;
-  void find_touching(const Eigen::VectorXd& pressure, const std::optional<NormalInstant>& normal);
-  [[nodiscard]] Eigen::VectorXd slip_before_touch(const Eigen::VectorXd& held) const;
+  /// The stick of what is made: as likely on entry.
+  void attempt(const IndenterMove& to_balance, Attempt& made) const;
+  void find_touching(const Eigen::Ref<const Eigen::VectorXd>& pressure, const std::optional<NormalInstant>& normal);
+  void slip_before_touch(Attempt& made) const;
+  void foresee_slip(Attempt& made) const;
   [[nodiscard]] double force_of(const Attempt& made, const std::optional<NormalInstant>& normal) const;
   [[nodiscard]] std::pair<double, Attempt> attempt_under_force(double time, const std::optional<NormalInstant>& normal);
 
@@ -88,8 +91,8 @@ class FrictionContact {
   StepTimes times_;
   double dt_;  // of the step that step_ is made for
   RelaxationStep step_;
-  std::vector<BoxState> stick_;  // interior: sticks
-  double radius_before_ = 0;     // of the contact
+  Attempt made_;              // in the last step
+  double radius_before_ = 0;  // of the contact
   Eigen::Index first_touching_ = 0;
   Eigen::VectorXd until_touch_;  // of the rings that touch in the step, the share of it before they do
   // Under a prescribed force.

@@ -83,22 +83,34 @@ RelaxationStep::RelaxationStep(const RelaxationModel& model, double dt)
   instantaneous_ += fraction_ * stiffness_before_balance_;
 }
 
+/// Of what moves along with the indenter, at the balance time.
+double RelaxationStep::response_to(const IndenterMove& move) const {
+  double response = model_.relaxed * move.increment + model_.viscosity * move.rates[2];
+  for (std::size_t i = 0; i < to_balance_.n_branches(); ++i) response += to_balance_.memory_of(i, move);
+  return response;
+}
+
 Eigen::VectorXd RelaxationStep::response_without_slip(const RingState& state, const IndenterMove& move) const {
-  return response_without_slip(state, move, Eigen::VectorXd::Ones(state.displacement.size()));
+  Eigen::VectorXd response = (model_.relaxed * state.displacement).array() + response_to(move);
+  for (std::size_t i = 0; i < to_balance_.n_branches(); ++i)
+    response += to_balance_.decay(i) * state.memory.col(static_cast<Eigen::Index>(i));
+  return response;
 }
 
 Eigen::VectorXd RelaxationStep::response_without_slip(const RingState& state, const IndenterMove& move,
                                                       const Eigen::VectorXd& driven) const {
-  double common = model_.relaxed * move.increment + model_.viscosity * move.rates[2];
-  for (std::size_t i = 0; i < to_balance_.n_branches(); ++i) common += to_balance_.memory_of(i, move);
-  Eigen::VectorXd response = model_.relaxed * state.displacement + common * driven;
+  Eigen::VectorXd response = model_.relaxed * state.displacement + response_to(move) * driven;
   for (std::size_t i = 0; i < to_balance_.n_branches(); ++i)
     response += to_balance_.decay(i) * state.memory.col(static_cast<Eigen::Index>(i));
   return response;
 }
 
 void RelaxationStep::advance(RingState& state, const IndenterMove& move, const Eigen::VectorXd& slip) const {
-  advance(state, move, slip, Eigen::VectorXd::Ones(slip.size()));
+  state.displacement.array() += move.increment - slip.array();
+  for (std::size_t i = 0; i < whole_.n_branches(); ++i) {
+    auto h = state.memory.col(static_cast<Eigen::Index>(i)).array();
+    h = whole_.decay(i) * h - whole_.gain(i) * slip.array() + whole_.memory_of(i, move);
+  }
 }
 
 void RelaxationStep::advance(RingState& state, const IndenterMove& move, const Eigen::VectorXd& slip,

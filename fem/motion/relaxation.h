@@ -112,6 +112,8 @@ class RelaxationStep {
   double fraction_;
   PronyInterval to_balance_, whole_;
   double instantaneous_, stiffness_before_balance_;
+
+  [[nodiscard]] double response_to(const IndenterMove& move) const;
 };
 
 }  // namespace fretval::fem

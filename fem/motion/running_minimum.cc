@@ -46,15 +46,16 @@ void RunningMinimum::extend_to_ends(const StepInPiece& step) {
   second_of_piece_ = step.first;
 }
 
-void RunningMinimum::add(const Eigen::VectorXd& values, const std::optional<StepInPiece>& step) {
-  std::rotate(samples_.begin(), samples_.begin() + 1, samples_.end());
-  samples_.back() = values;
-  minimum_ = minimum_.cwiseMin(values);
+void RunningMinimum::see_last(const std::optional<StepInPiece>& step) {
+  minimum_ = minimum_.cwiseMin(samples_.back());
   if (step) return extend_to_ends(*step);
   if (++n_samples_ < static_cast<int>(samples_.size())) return;
   const auto& [a, b, middle, d, e] = samples_;
-  for (Eigen::Index i = 0; i < values.size(); ++i) {
-    if (!(middle[i] <= b[i] && middle[i] <= d[i])) continue;
+  for (Eigen::Index i = 0; i < middle.size(); ++i) {
+    // Smooth samples have no minimum lower than a fifth of their second difference below the middle one, and a parabola
+    // none lower than an eighth.
+    const double lowest = middle[i] - (d[i] - 2 * middle[i] + b[i]) / 5;
+    if (lowest >= minimum_[i] || middle[i] > std::min(b[i], d[i])) continue;
     const Differences differences(a[i], b[i], middle[i], d[i], e[i]);
     const double smallest = differences.smooth() ? differences.minimum_of_quartic() : differences.vertex_of_parabola();
     minimum_[i] = std::min(minimum_[i], std::max(smallest, floor_));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <array>
 #include <optional>
 
@@ -20,7 +21,12 @@ class RunningMinimum {
  public:
   RunningMinimum(Eigen::Index n, double floor);
   /// step: in a piece of a path; empty: of smooth signals.
-  void add(const Eigen::VectorXd& values, const std::optional<StepInPiece>& step = {});
+  template <class Values>
+  void add(const Eigen::DenseBase<Values>& values, const std::optional<StepInPiece>& step = {}) {
+    std::rotate(samples_.begin(), samples_.begin() + 1, samples_.end());
+    samples_.back() = values.derived();
+    see_last(step);
+  }
   /// Forgets the minimum but not the last samples: a minimum among them still counts.
   void restart();
   [[nodiscard]] const Eigen::VectorXd& value() const { return minimum_; }
@@ -32,6 +38,7 @@ class RunningMinimum {
   int n_samples_ = 0;
   bool second_of_piece_ = false;  // the sample to come
 
+  void see_last(const std::optional<StepInPiece>& step);
   void extend_to_ends(const StepInPiece& step);
 };
 

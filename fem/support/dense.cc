@@ -3,6 +3,8 @@
 #include <cblas.h>
 #include <f77blas.h>
 
+#include <algorithm>
+
 namespace fretval::fem {
 
 const std::string& dense_kernels() {
@@ -31,8 +33,18 @@ void solve_leading(const Eigen::MatrixXd& lower, Eigen::Ref<Eigen::VectorXd> x) 
   lower.topLeftCorner(x.size(), x.size()).triangularView<Eigen::Lower>().solveInPlace(x);
 }
 
-void multiply_transposed(const Eigen::MatrixXd& lower, Eigen::Ref<Eigen::VectorXd> x) {
-  for (Eigen::Index j = 0, n = x.size(); j < n; ++j) x[j] = lower.col(j).segment(j, n - j).dot(x.tail(n - j));
+void multiply_transposed(const Eigen::MatrixXd& lower, Eigen::Ref<Eigen::VectorXd> x, Eigen::Index first) {
+  for (Eigen::Index j = 0, n = x.size(); j < n; ++j) {
+    const Eigen::Index length = n - std::max(j, first);
+    x[j] = lower.col(j).segment(n - length, length).dot(x.tail(length));
+  }
+}
+
+void multiply_trailing(const Eigen::MatrixXd& lower, const Eigen::Ref<const Eigen::VectorXd>& x,
+                       Eigen::Ref<Eigen::VectorXd> y) {
+  y.setZero();
+  for (Eigen::Index n = x.size(), j = 0; j < n; ++j)
+    y.tail(n - j) += x[j] * lower.col(lower.cols() - n + j).tail(n - j);
 }
 
 void subtract_product(const Eigen::MatrixXd& matrix, Eigen::Index row, Eigen::Index column,

@@ -19,9 +19,14 @@ std::optional<Eigen::MatrixXd> cholesky(Eigen::MatrixXd matrix);
 /// L^-1 rhs of a lower triangle.
 Eigen::MatrixXd solve_lower(const Eigen::MatrixXd& lower, Eigen::MatrixXd rhs);
 
-/// x <- L_n^-1 x and x <- L^T x, L_n the leading n rows and columns of a lower triangle, n = x.size().
+/// x <- L_n^-1 x and x <- L_n^T x, L_n the leading n rows and columns of a lower triangle, n = x.size(). The entries of
+/// x before the first are zero.
 void solve_leading(const Eigen::MatrixXd& lower, Eigen::Ref<Eigen::VectorXd> x);
-void multiply_transposed(const Eigen::MatrixXd& lower, Eigen::Ref<Eigen::VectorXd> x);
+void multiply_transposed(const Eigen::MatrixXd& lower, Eigen::Ref<Eigen::VectorXd> x, Eigen::Index first = 0);
+
+/// y <- L_n x, L_n the trailing n rows and columns of a lower triangle, n = x.size().
+void multiply_trailing(const Eigen::MatrixXd& lower, const Eigen::Ref<const Eigen::VectorXd>& x,
+                       Eigen::Ref<Eigen::VectorXd> y);
 
 /// y <- y - A x of the block of a matrix that begins at a row and a column.
 void subtract_product(const Eigen::MatrixXd& matrix, Eigen::Index row, Eigen::Index column,

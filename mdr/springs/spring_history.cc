@@ -10,6 +10,7 @@
 #include "mdr/springs/spring_energy.h"
 #include "mdr/springs/spring_stick.h"
 #include "mdr/support/checks.h"
+#include "mdr/support/wide_registers.h"
 
 namespace fretval::mdr {
 
@@ -126,13 +127,17 @@ class History {
     }
   }
 
+  void see_step(Eigen::ArrayXd& slip_path) {
+    slip_path += (state_.slip.abs() > roundoff_of_step * largest_shift_).select(state_.slip.abs(), 0);
+    largest_shift_ = std::max(largest_shift_, std::abs(state_.indenter.tangential));
+    first_slip_.add(state_, mu_);
+  }
+
   void step_through(int period) {
     Eigen::ArrayXd slip_path = Eigen::ArrayXd::Zero(bed_.depth.size());
     for (int k = 1; k <= control_.steps_per_period; ++k) {
       step_to(time_of(period, k));
-      slip_path += (state_.slip.abs() > roundoff_of_step * largest_shift_).select(state_.slip.abs(), 0);
-      largest_shift_ = std::max(largest_shift_, std::abs(state_.indenter.tangential));
-      first_slip_.add(state_, mu_);
+      in_wide_registers([&] { see_step(slip_path); });
     }
     slip_path_ += slip_path;
     slip_of_periods_.push_back(std::move(slip_path));

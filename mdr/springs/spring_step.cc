@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "mdr/support/checks.h"
+#include "mdr/support/wide_registers.h"
 
 namespace fretval::mdr {
 
@@ -72,18 +73,20 @@ Eigen::ArrayXd SpringStep::free_tips(const Eigen::ArrayXd& position, const Eigen
 
 void SpringStep::advance(SpringState& state, const SpringBed& bed, const IndenterState& to) const {
   if (viscosity_ > 0) return advance_with_dashpot(state, bed, to);
-  switch (decay_.size()) {
-    case 0:
-      return advance_elastomer<0>(state, bed, to);
-    case 1:
-      return advance_elastomer<1>(state, bed, to);
-    case 2:
-      return advance_elastomer<2>(state, bed, to);
-    case 3:
-      return advance_elastomer<3>(state, bed, to);
-    default:
-      return advance_elastomer<-1>(state, bed, to);
-  }
+  in_wide_registers([&] {
+    switch (decay_.size()) {
+      case 0:
+        return advance_elastomer<0>(state, bed, to);
+      case 1:
+        return advance_elastomer<1>(state, bed, to);
+      case 2:
+        return advance_elastomer<2>(state, bed, to);
+      case 3:
+        return advance_elastomer<3>(state, bed, to);
+      default:
+        return advance_elastomer<-1>(state, bed, to);
+    }
+  });
 }
 
 // One pass over the springs without a branch in it, so that the compiler vectorises it; n_branches = -1: any number.

@@ -138,12 +138,38 @@ TEST(BoxSolver, FulfilsTheConditionsOfLargeProblems) {
     const auto solution = BoxSolver(problem.matrix).solve(problem.q, problem.lower, problem.upper, states);
     EXPECT_LT(violation(problem, solution.x), 1e-11) << "trial " << trial;
     EXPECT_LT((problem.q - problem.matrix * solution.x - solution.residual).cwiseAbs().maxCoeff(), 1e-11);
+    const MatrixXd factor = problem.matrix.llt().matrixL();
+    EXPECT_LT((factor.transpose() * solution.x - solution.loads).cwiseAbs().maxCoeff(), 1e-11);
     for (Index i = 0; i < solution.x.size(); ++i) {
       const bool interior = states[static_cast<std::size_t>(i)] == BoxState::interior;
       if (interior) {
         EXPECT_EQ(solution.residual[i], 0);
       }
     }
+  }
+}
+
+// The interior as a leading block, of any size from none to all, beside bounds that are not zero. Roundoff.
+TEST(BoxSolver, SolvesLeadingInteriorSets) {
+  Random random(7);
+  constexpr Index n = 30;
+  BoxProblem problem = random_problem(random, n);
+  const MatrixXd factor = problem.matrix.llt().matrixL();
+  for (Index k = 0; k <= n; ++k) {
+    problem.lower.head(k).setConstant(-infinity);
+    problem.upper.head(k).setConstant(infinity);
+    problem.lower.tail(n - k) = problem.upper.tail(n - k) = VectorXd::LinSpaced(n - k, -1, 2);
+    std::vector<BoxState> states(n, BoxState::interior);
+    const BoxSolver solver(problem.matrix);
+    BoxSolver::Target target{problem.q, {}};
+    solver.hold(target);
+    BoxSolver::Solution solution;
+    solver.solve(target, problem.lower, problem.upper, states, solution);
+    EXPECT_EQ(solution.iterations, 0);
+    EXPECT_LT(violation(problem, solution.x), 1e-11) << k;
+    EXPECT_LT((problem.q - problem.matrix * solution.x - solution.residual).cwiseAbs().maxCoeff(), 1e-11) << k;
+    EXPECT_LT((factor.transpose() * solution.x - solution.loads).cwiseAbs().maxCoeff(), 1e-11) << k;
+    EXPECT_LT((factor * target.held - problem.q).cwiseAbs().maxCoeff(), 1e-11);
   }
 }
 

@@ -49,6 +49,23 @@ TEST(Dense, SolvesALowerTriangle) {
   EXPECT_LT((solve_lower(lower, rhs) - expected).norm(), roundoff * expected.norm());
 }
 
+// Of any leading or trailing rows and columns, in place.
+TEST(Dense, MultipliesVectorsByTriangles) {
+  const MatrixXd lower = *cholesky(positive_definite(70));
+  for (const Eigen::Index n : {1, 36, 70})
+    for (const Eigen::Index first : {Eigen::Index{0}, n / 3}) {
+      Eigen::VectorXd x = random_vector(n, 4);
+      x.head(first).setZero();
+      const Eigen::VectorXd expected = MatrixXd(lower.topLeftCorner(n, n)).transpose() * x,
+                            trailing = MatrixXd(lower.bottomRightCorner(n, n)) * x;
+      Eigen::VectorXd product(n);
+      multiply_trailing(lower, x, product);
+      multiply_transposed(lower, x, first);
+      EXPECT_LT((x - expected).norm(), roundoff * expected.norm()) << n;
+      EXPECT_LT((product - trailing).norm(), roundoff * trailing.norm()) << n;
+    }
+}
+
 TEST(Dense, GramIsBothTrianglesOfTheProduct) {
   for (const auto& [rows, columns] : {std::pair{1, 5}, {70, 3}, {3, 70}}) {
     const MatrixXd half = random_matrix(rows, columns, 3), expected = half.transpose() * half, product = gram(half);
