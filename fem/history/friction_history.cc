@@ -10,6 +10,7 @@
 #include "fem/contact/friction_force.h"
 #include "fem/history/cycle_jump.h"
 #include "fem/history/friction_search.h"
+#include "fem/history/scatter.h"
 #include "fem/support/constants.h"
 #include "fem/support/solver_error.h"
 
@@ -265,13 +266,15 @@ FrictionHistory friction_history(WatchedFriction friction, const NormalHistory& 
                           !contact.motion().is_single_pass();
   int n_searches = can_search ? most_searches : 0;
   double to_come = infinity;  // as a search found
+  Scatter scatter;
+  bool repeats = false;
   if (can_search && contact.n_steps >= normal.n_steps()) {
     to_come = go_to_periodic_state(friction, normal, control.periodicity, history);
     jumped = true;
   }
-  while (jumped || settling || !(history.periodicity <= control.periodicity)) {
+  while (jumped || settling || !repeats) {
     const bool at_end = history.n_cycles >= most_cycles;
-    if (at_end && history.periodicity <= control.periodicity) break;
+    if (at_end && repeats) break;
     if (at_end)
       throw SolverError(fmt::format(
           "the tangential response is not periodic after {} cycles: it will still change by {:.1e} of its largest "
@@ -301,12 +304,14 @@ FrictionHistory friction_history(WatchedFriction friction, const NormalHistory& 
     if (!after_jump) {
       const double change = change_per_period(friction.period.traction(), friction.traction_before);
       history.periodicity = std::min(change_to_come(change, creep), std::max(change, to_come));
+      repeats = history.periodicity <= control.periodicity ||
+                (contact.motion().tangential_force && scatter.is_all(change));
       const double allowed = slip_of_stuck_ring(contact.motion(), friction.period.amplitude(contact.motion()));
       const auto is_about = in_order ? is_about_to_stick : any_is_about_to_stick;
       settling = is_about(friction.slip_before, friction.period.slip(), allowed,
                           static_cast<double>(history.n_cycles) / cycles_per_period);
     }
-    if (!settling && history.periodicity <= control.periodicity) continue;
+    if (!settling && repeats) continue;
     if (n_searches > 0) {
       if (after_jump) continue;
       --n_searches;
