@@ -138,7 +138,7 @@ struct Case {
   std::optional<double> cycle_tolerance;     ///< on forces and energies of a cycle; empty: they come along
   std::optional<unsigned> rings_per_radius;  ///< instead of what the tolerance asks for
   std::optional<int> steps_per_cycle;        ///< instead of what the tolerance asks for
-  Fields fields = Fields::none;
+  std::optional<Fields> fields;              ///< empty: the file does not say
   std::optional<Sweep> sweep;
   std::vector<std::string> warnings;  ///< about the input, to be told to the user
 };

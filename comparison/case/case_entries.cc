@@ -89,7 +89,7 @@ Case::Fields fields_of(const std::string& word) {
 
 }  // namespace
 
-Case read_entries(const EntryReader& entries, const Reading& reading) {
+Case read_entries(const EntryReader& entries, Accuracy accuracy) {
   Case input;
   input.file = entries.file();
   input.indenter = read_indenter(entries);
@@ -98,7 +98,7 @@ Case read_entries(const EntryReader& entries, const Reading& reading) {
   if (entries.given("Friction", "Law")) static_cast<void>(entries.one_of("Friction", "Law", {"unidirectional"}));
   input.motion = read_motion(entries);
   read_wear(entries, input);
-  if (reading.accuracy == Accuracy::needed || entries.given("Accuracy", "Tolerance"))
+  if (accuracy == Accuracy::needed || entries.given("Accuracy", "Tolerance"))
     input.tolerance = entries.number("Accuracy", "Tolerance", relative_tolerance);
   if (entries.given("Accuracy", "Cycle tolerance"))
     input.cycle_tolerance = entries.number("Accuracy", "Cycle tolerance", relative_tolerance);
@@ -106,7 +106,6 @@ Case read_entries(const EntryReader& entries, const Reading& reading) {
     input.rings_per_radius = entries.whole("Accuracy", "Rings per radius", ring_count);
   if (entries.given("Accuracy", "Steps per cycle"))
     input.steps_per_cycle = static_cast<int>(entries.whole("Accuracy", "Steps per cycle", step_count));
-  input.fields = reading.fields;
   if (entries.given("Output", "Fields"))
     input.fields = fields_of(entries.one_of("Output", "Fields", {"none", "extremes", "cycle"}));
   entries.throw_problems();

@@ -5,12 +5,7 @@
 
 namespace fretval {
 
-struct Reading {
-  Case::Fields fields;  ///< what to write when the file does not say
-  Accuracy accuracy;
-};
-
 /// Everything but the name. Throws InputError with everything that is wrong.
-Case read_entries(const EntryReader& entries, const Reading& reading);
+Case read_entries(const EntryReader& entries, Accuracy accuracy);
 
 }  // namespace fretval

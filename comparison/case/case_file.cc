@@ -132,7 +132,7 @@ std::vector<Case> cases_at(const std::vector<double>& values, const SweptEntry& 
   std::vector<Case> cases;
   for (const double value : values) {
     parsed.entries.set(swept.section, swept.name, fmt::format("{:.15g}", value));
-    Case input = read_entries(parsed.reader(), {Case::Fields::none, accuracy});
+    Case input = read_entries(parsed.reader(), accuracy);
     input.name = fmt::format("{}/{}-{:g}", family, slug, value);
     input.sweep = Case::Sweep{family, swept.section + " / " + swept.name, value};
     cases.push_back(std::move(input));
@@ -160,7 +160,7 @@ std::vector<Case> read_case_file(const fs::path& file, Accuracy accuracy) {
     const auto swept = swept_entry(entries);
     return cases_at(sweep_values(entries, swept), swept, parsed, accuracy);
   }
-  Case input = read_entries(entries, {Case::Fields::extremes, accuracy});
+  Case input = read_entries(entries, accuracy);
   input.name = case_name(file);
   return {input};
 }
@@ -181,7 +181,7 @@ std::vector<Case> cases_between(const fs::path& file, std::size_t n) {
 Case read_case_text(const std::string& text, const fs::path& name) {
   Problems problems;
   const auto prm = read_prm(text, name, problems);
-  Case input = read_entries({prm.entries, name.string(), problems}, {Case::Fields::none, Accuracy::needed});
+  Case input = read_entries({prm.entries, name.string(), problems}, Accuracy::needed);
   input.name = name.filename().string();
   return input;
 }

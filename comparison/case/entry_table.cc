@@ -194,7 +194,7 @@ std::vector<SectionTraits> all_sections() {
        {{"Fields",
          {},
          "none, extremes, cycle",
-         "extremes; in a sweep none",
+         "extremes; in a sweep, and without a proof, none",
          "instants of the last period to show in ParaView: none, those of the smallest and largest indentation, or "
          "24"}}},
       {"Sweep",

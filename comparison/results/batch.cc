@@ -41,12 +41,20 @@ void finish(const CaseResult& result, const mdr::NormalResponse& reference, cons
   if (!options.output.empty()) write_result(result, reference, options.output / line.name);
 }
 
+/// Where the case file does not say: of a single case that is proved.
+Case::Fields fields_to_write(const Case& input, const BatchOptions& options) {
+  if (options.output.empty()) return Case::Fields::none;
+  const bool writes = !input.sweep && options.proof != Proof::none;
+  return input.fields.value_or(writes ? Case::Fields::extremes : Case::Fields::none);
+}
+
 BatchLine run_case(const PreparedCase& asked, const BatchOptions& options, BodyStore& bodies,
                    NormalResponses& references) {
   BatchLine line;
   line.name = asked.input.name;
   PreparedCase prepared = asked;
-  prepared.fem.keeps_body = !options.output.empty() && asked.input.fields != Case::Fields::none;
+  prepared.input.fields = fields_to_write(asked.input, options);
+  prepared.fem.keeps_body = prepared.input.fields != Case::Fields::none;
   const double share_of_unworn = wears(prepared) ? unworn_beside_wear : 1;
   ComputationsDone told;
   if (options.under_way)

@@ -189,7 +189,7 @@ void write_result(const CaseResult& result, const mdr::NormalResponse& reference
   write_profile(result, folder / "profile.csv");
   write_moduli(result.input, result.mdr_case.body, folder);
   if (!result.fe.fe.gross_slip) write_periodic_state(result, reference, folder);
-  write_field_files(result.fe.fe, result.fem_case, result.input.fields, folder);
+  write_field_files(result.fe.fe, result.fem_case, result.input.fields.value_or(Case::Fields::none), folder);
   if (result.wear) write_wear(*result.wear, result.input, result.fem_case.units, folder);
   write_file(folder / "run.json", as_text(run_json(result)));
   write_file(folder / "result.json", as_text(result_json(result)));

@@ -63,7 +63,6 @@ class BoxSolver {
                  std::vector<BoxState>& state) const;
 
   [[nodiscard]] Eigen::Index size() const { return matrix_->rows(); }
-  [[nodiscard]] double slack() const { return slack_; }
   /// Lower Cholesky factor of C, or of its leading block that is likely to be needed.
   [[nodiscard]] const SharedMatrix& factor() const { return factor_; }
 
