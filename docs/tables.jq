@@ -47,6 +47,10 @@ def settling_row:
   [.name, (.mdr.cycles_to_shakedown | cycles), (.mdr.cycles_to_shakedown_error | cycles), (.fe.cycles_to_shakedown | cycles)]
   + compared("cycles_to_shakedown") + [(.mdr.slip_decay | if . == null then "–" else . * 1e4 | round / 1e4 | tostring end)] + compared("slip_decay");
 
+def cycle_row:
+  [.name, (.mdr.tangential_force_max * 1e3 | number)] + (["tangential_force_max", "tangential_force_mean", "friction_work", "bulk_work", "cycle_work"] as $all
+    | . as $case | [$all[] as $q | $case | compared($q)] | add);
+
 def wear_row: . as $case | .fe.wear as $wear |
   [.name, (if .scene.wear_law.law == "power" then "p^\(.scene.wear_law.exponent)" else .scene.wear_law.law end),
    (.fe.stick_radius_shakedown // 0 | share($case)), ($wear.distance_to_limit.shakedown | number), compared("distance_to_limit")[1], ($wear.distance_to_limit.first_slip | number),
@@ -59,6 +63,8 @@ elif type == "array" and (.[0] | has("scene")) then
   (map(.comparison | to_entries[]) | "\(length) values, \(map(select(.value.pass)) | length) agree, \(map(select((.value.difference | fabs) <= .value.error_bar)) | length) lie within their bars."),
   "",
   (map(motion_row) | table(["motion", "c/a, first slip: MDR", "FE - MDR", "bar", "c/a, shakedown: MDR", "FE - MDR", "bar", "force, or depth under a force: FE - MDR", "bar", "loop, µJ: MDR", "FE - MDR", "bar"]))
+  , (map(select(.comparison.tangential_force_max) | cycle_row) | if length == 0 then empty else
+      "", table(["motion", "largest F_x, mN: springs", "FE - springs", "bar", "mean F_x", "bar", "lost to friction", "bar", "in the body", "bar", "altogether", "bar"]) end)
   , (map(select(.comparison.cycles_to_shakedown) | settling_row) | if length == 0 then empty else
       "", table(["motion", "cycles to shakedown: springs", "their error", "finite elements", "FE over springs - 1", "bar", "decay of slip in a cycle: MDR", "FE over MDR - 1", "bar"]) end)
 elif type == "array" then

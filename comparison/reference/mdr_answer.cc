@@ -46,7 +46,9 @@ std::optional<mdr::CommonCycle> cycle_to_step(const MdrCase& mdr) {
 /// Of springs, under oscillations or along a path; of a single pass only
 /// forces and friction mean anything.
 template <class Response>
-MdrCycle cycle_of(const Response& response, const Response& error, double sliding_force, double tangential_way) {
+MdrCycle cycle_of(const MdrCase& mdr, const Response& response, const Response& error, double normal_force_max,
+                  double tangential_way) {
+  const double sliding_force = mdr.friction_coefficient * normal_force_max;
   return {response.tangential_force_max,
           response.tangential_force_mean,
           response.friction_work,
@@ -56,7 +58,8 @@ MdrCycle cycle_of(const Response& response, const Response& error, double slidin
           sliding_force * tangential_way,
           std::max(error.tangential_force_max, error.tangential_force_mean),
           error.friction_work + error.bulk_work,
-          error.tangential_work};
+          error.tangential_work,
+          mdr.body.viscosity > 0 && !mdr.is_single_pass()};
 }
 
 MdrCycle cycle_of(const MdrCase& mdr, const mdr::CommonCycle& cycle, const mdr::SteppedForcedResponse& stepped,
@@ -68,7 +71,7 @@ MdrCycle cycle_of(const MdrCase& mdr, const mdr::CommonCycle& cycle, const mdr::
   }
   const auto& [response, error] = stepped;
   if (mdr.tangential_force) path *= response.tangential_amplitude / sum;
-  return cycle_of(response, error, mdr.friction_coefficient * normal_force_max, path);
+  return cycle_of(mdr, response, error, normal_force_max, path);
 }
 
 /// Whether springs know the cycle of an answer as well as the case asks for.
@@ -172,7 +175,7 @@ MdrAnswer displaced_answer(const MdrCase& mdr, const mdr::HarmonicMotion& motion
 MdrCycle cycle_along(const MdrCase& mdr, const mdr::SteppedPathForces& stepped, double normal_force_max) {
   auto forces = stepped.forces, error = stepped.error;
   if (mdr.is_single_pass()) forces.bulk_work = error.bulk_work = forces.tangential_work = 0;
-  return cycle_of(forces, error, mdr.friction_coefficient * normal_force_max, forces.tangential_way);
+  return cycle_of(mdr, forces, error, normal_force_max, forces.tangential_way);
 }
 
 /// Whether springs are asked about forces and energies along a path.

@@ -21,6 +21,7 @@ struct MdrCycle {
   double force_error;            ///< of either force
   double work_error;             ///< of either loss
   double loop_error;             ///< of the area
+  bool loads_jump = false;       ///< where springs touch, with a dashpot, in every period
 };
 
 /// Cycles to shakedown, as springs of two finenesses find them; error: of these.
