@@ -11,7 +11,8 @@ def quantities: ["contact_radius_max", "stick_radius_first_slip", "stick_radius_
 def bar($case; $q): $case.comparison[$q].error_bar as $bar | if $bar == null then null else
   ($bar * (if $q | startswith("stick_radius") or . == "worn_radius" then $case.scene.contact_radius_unworn else $case.fe[$q] // 0 end) | digits(2)) end;
 # Springs stepped through a cycle have an error of their own; what has a closed form has none.
-def mdr_error($case; $q): {tangential_force_max: $case.mdr.cycle_error.force, cycle_work: $case.mdr.cycle_error.work}[$q] | digits(2);
+def mdr_error($case; $q): if $case.mdr[$q] == null then null else
+  {tangential_force_max: $case.mdr.cycle_error.force, cycle_work: $case.mdr.cycle_error.work}[$q] | digits(2) end;
 def answer($case): reduce quantities[] as $q ({}; if $case.mdr[$q] == null and $case.fe[$q] == null then . else
   .[$q] = {mdr: ($case.mdr[$q] | digits(6)), fe: ($case.fe[$q] | digits(6)), error_bar: bar($case; $q)}
   + (mdr_error($case; $q) | if . == null then {} else {mdr_error: .} end) end);

@@ -78,8 +78,7 @@ void compare_cycles(const MdrCycle& mdr, const fem::CycleResponse& fe, const Tol
     comparison[quantity] =
         judge((fe_value - mdr_value) / scale, tolerance_of(tolerances, quantity) + mdr_error / scale);
   };
-  // Where loads jump, rings and steps that are not refined for it do not show the largest force of an instant.
-  if (!mdr.loads_jump || is_refined_for(Quantity::tangential_force_max, tolerances))
+  if (mdr.knows_largest_force)
     add(Quantity::tangential_force_max, fe.tangential_force_max, mdr.tangential_force_max, mdr.tangential_force_max,
         mdr.force_error);
   add(Quantity::tangential_force_mean, fe.tangential_force_mean, mdr.tangential_force_mean, mdr.sliding_force,

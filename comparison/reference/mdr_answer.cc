@@ -59,7 +59,7 @@ MdrCycle cycle_of(const MdrCase& mdr, const Response& response, const Response& 
           std::max(error.tangential_force_max, error.tangential_force_mean),
           error.friction_work + error.bulk_work,
           error.tangential_work,
-          mdr.body.viscosity > 0 && !mdr.is_single_pass()};
+          mdr.body.viscosity == 0 || mdr.is_single_pass() || mdr.cycle_tolerance};
 }
 
 MdrCycle cycle_of(const MdrCase& mdr, const mdr::CommonCycle& cycle, const mdr::SteppedForcedResponse& stepped,
@@ -299,7 +299,7 @@ nlohmann::ordered_json to_json(const MdrAnswer& answer) {
   if (answer.indentation_max) json["indentation_max"] = *answer.indentation_max;
   if (answer.tangential_amplitude) json["tangential_amplitude"] = *answer.tangential_amplitude;
   if (answer.cycle) {
-    json["tangential_force_max"] = answer.cycle->tangential_force_max;
+    if (answer.cycle->knows_largest_force) json["tangential_force_max"] = answer.cycle->tangential_force_max;
     json["tangential_force_mean"] = answer.cycle->tangential_force_mean;
     json["friction_work"] = answer.cycle->friction_work;
     if (!answer.single_pass) {

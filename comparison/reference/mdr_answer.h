@@ -21,7 +21,9 @@ struct MdrCycle {
   double force_error;            ///< of either force
   double work_error;             ///< of either loss
   double loop_error;             ///< of the area
-  bool loads_jump = false;       ///< where springs touch, with a dashpot, in every period
+  /// The largest force. With a dashpot loads jump where springs touch, which few springs and steps do not show in an
+  /// instant: there only with a tolerance of a cycle.
+  bool knows_largest_force = true;
 };
 
 /// Cycles to shakedown, as springs of two finenesses find them; error: of these.

@@ -80,8 +80,10 @@ TEST(MdrAnswer, HasSpringsForTheToleranceOfACycle) {
   scene.elastomer.rheology = "kelvin voigt";
   scene.elastomer.viscosity = 5e4;
   const auto usual = answer_with_cycle(scene).cycle.value();
+  EXPECT_FALSE(usual.knows_largest_force);
   scene.cycle_tolerance = usual.loop_error / usual.tangential_work;
   const auto fine = answer_with_cycle(scene).cycle.value();
+  EXPECT_TRUE(fine.knows_largest_force);
   EXPECT_LE(fine.loop_error / fine.tangential_work, *scene.cycle_tolerance / 4);
   EXPECT_LE(fine.work_error / fine.bulk_work, *scene.cycle_tolerance / 4);
   EXPECT_LE(fine.force_error / fine.tangential_force_max, *scene.cycle_tolerance / 4);
