@@ -48,7 +48,7 @@ def settling_row:
   + compared("cycles_to_shakedown") + [(.mdr.slip_decay | if . == null then "–" else . * 1e4 | round / 1e4 | tostring end)] + compared("slip_decay");
 
 def cycle_row:
-  [.name, (.mdr.tangential_force_max * 1e3 | number)] + (["tangential_force_max", "tangential_force_mean", "friction_work", "bulk_work", "cycle_work"] as $all
+  [.name, (.mdr.tangential_force_max | if . == null then "–" else . * 1e3 | number end)] + (["tangential_force_max", "tangential_force_mean", "friction_work", "bulk_work", "cycle_work"] as $all
     | . as $case | [$all[] as $q | $case | compared($q)] | add);
 
 def wear_row: . as $case | .fe.wear as $wear |
@@ -63,7 +63,7 @@ elif type == "array" and (.[0] | has("scene")) then
   (map(.comparison | to_entries[]) | "\(length) values, \(map(select(.value.pass)) | length) agree, \(map(select((.value.difference | fabs) <= .value.error_bar)) | length) lie within their bars."),
   "",
   (map(motion_row) | table(["motion", "c/a, first slip: MDR", "FE - MDR", "bar", "c/a, shakedown: MDR", "FE - MDR", "bar", "force, or depth under a force: FE - MDR", "bar", "loop, µJ: MDR", "FE - MDR", "bar"]))
-  , (map(select(.comparison.tangential_force_max) | cycle_row) | if length == 0 then empty else
+  , (map(select(.comparison.tangential_force_mean) | cycle_row) | if length == 0 then empty else
       "", table(["motion", "largest F_x, mN: springs", "FE - springs", "bar", "mean F_x", "bar", "lost to friction", "bar", "in the body", "bar", "altogether", "bar"]) end)
   , (map(select(.comparison.cycles_to_shakedown) | settling_row) | if length == 0 then empty else
       "", table(["motion", "cycles to shakedown: springs", "their error", "finite elements", "FE over springs - 1", "bar", "decay of slip in a cycle: MDR", "FE over MDR - 1", "bar"]) end)
