@@ -186,8 +186,7 @@ std::vector<SectionTraits> all_sections() {
          "1e-5 to 0.1",
          "they come along, with their bars",
          "relative, on forces and energies of a cycle of a locked motion; over what sliding would cost on the mean "
-         "force "
-         "and, a tenth of it, on what friction takes"},
+         "force and, a tenth of it, on what friction takes"},
         {"Rings per radius", {D::number}, "a whole number, 16 to 640", "what the tolerance asks for", "of the mesh"},
         {"Steps per cycle", {D::number}, "a whole number, 16 to 10000", "what the tolerance asks for", "in time"}}},
       {"Output",

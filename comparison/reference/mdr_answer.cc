@@ -43,8 +43,7 @@ std::optional<mdr::CommonCycle> cycle_to_step(const MdrCase& mdr) {
   return settles_for_long(mdr.body, 1 / cycle->frequency) ? std::nullopt : cycle;
 }
 
-/// Of springs, under oscillations or along a path; of a single pass only
-/// forces and friction mean anything.
+/// Of springs, under oscillations or along a path; of a single pass only forces and friction mean anything.
 template <class Response>
 MdrCycle cycle_of(const MdrCase& mdr, const Response& response, const Response& error, double normal_force_max,
                   double tangential_way) {
