@@ -90,36 +90,47 @@ double RelaxationStep::response_to(const IndenterMove& move) const {
   return response;
 }
 
-Eigen::VectorXd RelaxationStep::response_without_slip(const RingState& state, const IndenterMove& move) const {
-  Eigen::VectorXd response = (model_.relaxed * state.displacement).array() + response_to(move);
-  for (std::size_t i = 0; i < to_balance_.n_branches(); ++i)
-    response += to_balance_.decay(i) * state.memory.col(static_cast<Eigen::Index>(i));
+namespace {
+
+/// common: the response of what is driven by 1. driven: a vector, or an expression of ones that nothing is stored for.
+template <class Driven>
+Eigen::VectorXd response_of(const RingState& state, double relaxed, const PronyInterval& to_balance, double common,
+                            const Driven& driven) {
+  Eigen::VectorXd response = relaxed * state.displacement + common * driven;
+  for (std::size_t i = 0; i < to_balance.n_branches(); ++i)
+    response += to_balance.decay(i) * state.memory.col(static_cast<Eigen::Index>(i));
   return response;
+}
+
+template <class Driven>
+void advance_by(const PronyInterval& whole, const IndenterMove& move, const Eigen::VectorXd& slip, const Driven& driven,
+                RingState& state) {
+  state.displacement += move.increment * driven - slip;
+  for (std::size_t i = 0; i < whole.n_branches(); ++i) {
+    auto h = state.memory.col(static_cast<Eigen::Index>(i));
+    h = whole.decay(i) * h - whole.gain(i) * slip + whole.memory_of(i, move) * driven;
+  }
+}
+
+}  // namespace
+
+Eigen::VectorXd RelaxationStep::response_without_slip(const RingState& state, const IndenterMove& move) const {
+  return response_of(state, model_.relaxed, to_balance_, response_to(move),
+                     Eigen::VectorXd::Ones(state.displacement.size()));
 }
 
 Eigen::VectorXd RelaxationStep::response_without_slip(const RingState& state, const IndenterMove& move,
                                                       const Eigen::VectorXd& driven) const {
-  Eigen::VectorXd response = model_.relaxed * state.displacement + response_to(move) * driven;
-  for (std::size_t i = 0; i < to_balance_.n_branches(); ++i)
-    response += to_balance_.decay(i) * state.memory.col(static_cast<Eigen::Index>(i));
-  return response;
+  return response_of(state, model_.relaxed, to_balance_, response_to(move), driven);
 }
 
 void RelaxationStep::advance(RingState& state, const IndenterMove& move, const Eigen::VectorXd& slip) const {
-  state.displacement.array() += move.increment - slip.array();
-  for (std::size_t i = 0; i < whole_.n_branches(); ++i) {
-    auto h = state.memory.col(static_cast<Eigen::Index>(i)).array();
-    h = whole_.decay(i) * h - whole_.gain(i) * slip.array() + whole_.memory_of(i, move);
-  }
+  advance_by(whole_, move, slip, Eigen::VectorXd::Ones(slip.size()), state);
 }
 
 void RelaxationStep::advance(RingState& state, const IndenterMove& move, const Eigen::VectorXd& slip,
                              const Eigen::VectorXd& driven) const {
-  state.displacement += move.increment * driven - slip;
-  for (std::size_t i = 0; i < whole_.n_branches(); ++i) {
-    auto h = state.memory.col(static_cast<Eigen::Index>(i));
-    h = whole_.decay(i) * h - whole_.gain(i) * slip + whole_.memory_of(i, move) * driven;
-  }
+  advance_by(whole_, move, slip, driven, state);
 }
 
 }  // namespace fretval::fem
