@@ -152,9 +152,8 @@ class Course {
   }
 
   void see_step(SpringHistory& result, const SpringState& before, double dt, LeastMargins& margins) {
-    const Eigen::ArrayXd slipped = state_.slip.abs();
     largest_shift_ = std::max(largest_shift_, std::abs(state_.indenter.tangential));
-    margins.slip_path += (slipped > roundoff_of_step * largest_shift_).select(slipped, 0);
+    margins.slip_path += state_.slip.abs();
     result.mean_traction += state_.tangential_load * (dt / path_.duration());
     const auto heat = dissipation(bed_, body_, mu_, dt, before, state_);
     result.friction_work += heat.friction;

@@ -128,7 +128,7 @@ class History {
   }
 
   void see_step(Eigen::ArrayXd& slip_path) {
-    slip_path += (state_.slip.abs() > roundoff_of_step * largest_shift_).select(state_.slip.abs(), 0);
+    slip_path += state_.slip.abs();
     largest_shift_ = std::max(largest_shift_, std::abs(state_.indenter.tangential));
     first_slip_.add(state_, mu_);
   }

@@ -26,7 +26,8 @@ struct SpringState {
   Eigen::ArrayXd tangential_shift;  ///< u_x of the tips in m
   Eigen::ArrayXd normal_load;       ///< m, not negative
   Eigen::ArrayXd tangential_load;   ///< m, at most (3 mu/2) normal_load in magnitude
-  /// Slip of each spring against the indenter in the last step, in m; none while it does not touch.
+  /// Slip of each spring against the indenter in the last step, in m; none while it does not touch, and exactly none
+  /// while it sticks.
   Eigen::ArrayXd slip;
   Eigen::ArrayXXd normal_memory;      ///< springs x branches: branch forces over 4 G0, in m
   Eigen::ArrayXXd tangential_memory;  ///< over (8/3) G0

@@ -6,9 +6,9 @@
 
 namespace fretval::mdr {
 
-/// Shares of the largest tangential displacement: of a step, roundoff, which 1e5 steps would add up to slip; of a path,
-/// what counts as none, and the last creep of a spring that has shaken down.
-constexpr double roundoff_of_step = 1e-14, never_slipped = 1e-11, shaken_down = 1e-6;
+/// Shares of the largest tangential displacement: of a path of slip what counts as none, and the last creep of a spring
+/// that has shaken down.
+constexpr double never_slipped = 1e-11, shaken_down = 1e-6;
 
 /// g(c) in m from the outermost of the springs that stick, counted from the axis: its depth and its least friction
 /// margin over its stiffness, `g + margin/(3 mu/2)`. margin: least `(3 mu/2) normal_load -+ tangential_load` in m,

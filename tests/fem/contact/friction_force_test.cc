@@ -128,5 +128,28 @@ TEST_F(FrictionForceTest, OfFullStickAndOfFullSliding) {
     EXPECT_EQ(Sliding().step(1.01 * side * all_slides_, contact_.pressure, normal_).read, side * mu * normal_.force);
 }
 
+// A pressure that jumps at the edge, as with a dashpot, holds all of the disc: F = (16/3) G a u. The reserve against
+// slip, continued, vanishes beyond the edge, where nothing is left to slip.
+TEST_F(FrictionForceTest, NothingSlipsBeyondTheEdge) {
+  const auto& series = tangential_half_space(32).series;
+  const Eigen::Index n = 24;
+  const double edge = series.edges()[n], u = 0.1, vanishes = edge + 0.3 / 32;
+  const auto reserve_end = [vanishes](double r) { return vanishes * vanishes - r * r; };
+  Eigen::VectorXd limit_depths = Eigen::VectorXd::Zero(problem_.n_rings()), depths = limit_depths;
+  for (Eigen::Index i = 0; i < n; ++i) limit_depths[i] = u + 1.5 * mu * reserve_end(series.radii()[i]);
+  depths.head(n).setConstant(u);
+  const double limit_force =
+      series.force_per_radius() * (u * edge + 1.5 * mu * (vanishes * vanishes * edge - edge * edge * edge / 3));
+  for (const double side : {-1.0, 1.0}) {
+    SlipZones zones(problem_.n_rings());
+    zones.update(punch_traction(problem_, n), {static_cast<std::size_t>(problem_.n_rings()), BoxState::interior},
+                 side * depths);
+    TouchingRings touching{normal_half_space(32).series.radii(), false};
+    touching.move_to(edge);
+    EXPECT_NEAR(friction_force(series, zones, touching, limit_depths, limit_force).value, side * 16.0 / 3 * edge * u,
+                1e-5 * edge);
+  }
+}
+
 }  // namespace
 }  // namespace fretval::fem::friction_force_test

@@ -173,6 +173,20 @@ TEST(NormalHistory, DisplacementsOfAnElasticBodyFollowFromItsPressures) {
   EXPECT_LT((history.displacement - expected).cwiseAbs().maxCoeff(), 1e-10);
 }
 
+// Below a flat punch nothing but the indentation changes, so a ring that never touches moves in proportion to it,
+// whatever the rheology, at every balance time. A ring moves linearly in a step, off by dt^2/8 of its curvature.
+TEST(NormalHistory, FreeRingsFollowAFlatPunchInProportion) {
+  const auto& problem = normal_half_space(16);
+  const Eigen::VectorXd profile = ring_means(problem.compliance, [](double r) { return r < 0.75 ? 0.0 : 10.0; });
+  const double share = static_contact(problem, profile, 1).gap[13] + 1 - profile[13];
+  const double off = 0.2 * std::pow(2 * pi / 180, 2) / 8;
+  for (const auto& model : {standard_solid(), kelvin_voigt()}) {
+    const auto course = normal_history(problem, model, profile, fretting_motion(), {}).cycle;
+    for (Index k = 0; k < course.indentation.size(); ++k)
+      EXPECT_NEAR(course.displacement(13, k), share * course.indentation[k], off) << k;
+  }
+}
+
 /// Plain sum over the rings: what steps are taken, without how the edge is read.
 double mean_force(const RelaxationModel& model, double amplitude, int n_steps) {
   HistoryControl control;

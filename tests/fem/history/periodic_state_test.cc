@@ -47,6 +47,37 @@ TEST(CorrectionToPeriodic, LetsTheMemoryOfAHeldRingDecayToTheEnd) {
   EXPECT_NEAR(correction.memory(1, 0), -0.3, 1e-10);
 }
 
+/// A small change of the rings that move, taken through the steps beside one that is held throughout.
+Eigen::VectorXd marched(const Compliance& compliance, const std::vector<FrozenStep>& steps, const Eigen::VectorXd& x) {
+  RingState state{x, Eigen::MatrixXd(x.size(), 0)};
+  const auto rest = steady_move(0, 1);
+  for (const auto& [relaxation, is_held] : steps) {
+    std::vector<Eigen::Index> held;
+    for (Eigen::Index i = 0; i < x.size(); ++i)
+      if (is_held[static_cast<std::size_t>(i)]) held.push_back(i);
+    const Eigen::VectorXd w = relaxation.response_without_slip(state, rest), loads = compliance.areas.cwiseProduct(w);
+    Eigen::VectorXd pressure = Eigen::VectorXd::Zero(x.size());
+    pressure(held) = Eigen::MatrixXd((*compliance.matrix)(held, held)).inverse() * loads(held);
+    Eigen::VectorXd slip = (loads - *compliance.matrix * pressure).cwiseQuotient(compliance.areas);
+    slip(held).setZero();
+    relaxation.advance(state, rest, slip / relaxation.instantaneous());
+  }
+  return state.displacement;
+}
+
+// Two rings that are held in turns push each other, and less so beside a third one that is held all the time.
+TEST(CorrectionToPeriodic, UndoesASmallChangeBesideAHeldRing) {
+  Eigen::MatrixXd matrix(3, 3);
+  matrix << 2, 0.5, 0.7, 0.5, 3, 1, 0.7, 1, 4;
+  const Compliance compliance{{0, 1, 2, 3}, Eigen::Vector3d(1, 3, 5), matrix};
+  auto steps = equal_steps({1, {}, {}, 2}, 12, {true, true, false});
+  for (std::size_t k = 0; k < 6; ++k) steps[k].held = {true, false, true};
+  const Eigen::Vector3d x(0, 0.3, -0.2);
+  const RingState change{marched(compliance, steps, x) - x, Eigen::MatrixXd(3, 0)};
+  const auto correction = correction_to_periodic(compliance, steps, Hold::sticks, change);
+  EXPECT_LT((correction.displacement + x).cwiseAbs().maxCoeff(), 1e-13);
+}
+
 double largest_difference(const RingState& a, const RingState& b) {
   return std::max((a.displacement - b.displacement).cwiseAbs().maxCoeff(), (a.memory - b.memory).cwiseAbs().maxCoeff());
 }

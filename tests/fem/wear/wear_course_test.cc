@@ -194,5 +194,20 @@ TEST(WearCourse, EndsWhereItIsTold) {
   EXPECT_EQ(never.curve.size(), 1u);
 }
 
+// As many cycles again as there have been have to wear off nothing before nothing is left.
+TEST(WearCourse, GoesOnAfterAShortJumpThatWearsOffNothing) {
+  const WearingHalfSpace half_space;
+  WearState state{half_space.contact_at_rest(archard)};
+  wear_on(state, {10, 0, 0.01, 1e-6});
+  ASSERT_EQ(state.course.end, WearEnd::cycles);
+  state.goes_on = true;
+  state.next_jump = 1e-3;
+  const WearPoint before = state.course.curve.back();
+  wear_on(state, {20, 0, 0.01, 1e-6});
+  EXPECT_EQ(state.course.end, WearEnd::cycles);
+  EXPECT_EQ(state.course.curve.back().cycles, 20);
+  EXPECT_NEAR((state.course.curve.back().volume - before.volume) / (10 * before.volume_rate), 1, 0.1);
+}
+
 }  // namespace
 }  // namespace fretval::fem::wear_course_test

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
 
 #include "tests/fem/wear/wearing_half_space.h"
 
@@ -10,20 +11,27 @@ namespace fretval::fem::wearing_contact_test {
 namespace {
 
 // A few cycles at once wear off what as many would at the rate of the last one; roundoff but for the fall of pressure.
+// Also where a period of the motion has several of them.
 TEST(WearingContact, WearsOffTheRateTimesTheCycles) {
-  const WearingHalfSpace half_space;
-  auto contact = half_space.contact({1e-3});
-  contact.settle();
-  const Eigen::VectorXd rate = contact.period().rate;
-  ASSERT_GT(rate.maxCoeff(), 0);
-  contact.wear_off(1e-3);
-  EXPECT_LT((contact.worn() - 1e-3 * rate).cwiseAbs().maxCoeff(), 1e-5 * 1e-3 * rate.maxCoeff());
+  WearingHalfSpace half_space;
+  for (const bool locked : {true, false}) {
+    half_space.motion.locked = locked;
+    half_space.motion.n_creep_cycles = 3;
+    auto contact = half_space.contact({1e-3});
+    contact.settle();
+    const Eigen::VectorXd rate = contact.period().rate;
+    ASSERT_GT(rate.maxCoeff(), 0);
+    contact.wear_off(1e-3);
+    EXPECT_LT((contact.worn() - 1e-3 * rate).cwiseAbs().maxCoeff(), 1e-5 * 1e-3 * rate.maxCoeff()) << locked;
+  }
 }
 
-// The rate itself: k p^m |ds| of each step, by trapezoids.
+// The rate itself: k p^m |ds| of each step, by trapezoids, over the cycles of the period.
 TEST(WearingContact, RateIsTheLawAtSlipAndPressure) {
-  const WearingHalfSpace half_space;
-  for (const double exponent : {1.0, 2.0}) {
+  WearingHalfSpace half_space;
+  half_space.motion.n_creep_cycles = 3;
+  for (const auto& [exponent, n_cycles] : {std::pair(1.0, 1), {2.0, 1}, {1.0, 3}}) {
+    half_space.motion.locked = n_cycles == 1;
     auto contact = half_space.contact({0.3, exponent});
     contact.settle();
     const auto& [slip, pressure, path, rate, largest, work, indentation, amplitude] = contact.period();
@@ -31,7 +39,7 @@ TEST(WearingContact, RateIsTheLawAtSlipAndPressure) {
     const Eigen::ArrayXXd law = pressure.array().pow(exponent);
     Eigen::ArrayXd depth = Eigen::ArrayXd::Zero(rate.size());
     for (Eigen::Index k = 0; k < n_steps; ++k)
-      depth += 0.3 * slip.col(k).array().abs() * (law.col((k + n_steps - 1) % n_steps) + law.col(k)) / 2;
+      depth += 0.3 / n_cycles * slip.col(k).array().abs() * (law.col((k + n_steps - 1) % n_steps) + law.col(k)) / 2;
     EXPECT_LT((depth - rate.array()).abs().maxCoeff(), 1e-12 * rate.maxCoeff());
   }
 }

@@ -142,14 +142,23 @@ TEST(PathResponse, UnderForcesKnowsNoRowsOnAStraightLine) {
   }
 }
 
-// |F_x| = mu F_N at t = 5/6, between the steps.
+// A body that forgets within a few steps, pulled at a constant rate of the force, F_x = 16/3 G a (u + tau u'): the
+// indenter follows at a constant rate, whose path parabolas are, also from one long step to a short one.
+TEST(PathResponse, UnderAForceKeepsItsRateFromStepsOfOneLengthToAnother) {
+  constexpr double sticks = 1e3, tau = 0.02;
+  const auto pull = under_forces({{0, 0.9, 0.901}, {1, 1, 1}, {0, 0.9, 0.901}, false}, false, true);
+  const auto history = path_course(parabola(1), kelvin_voigt(1, tau), sticks, pull).history;
+  EXPECT_NEAR(history.tangential_displacement.back(), 3.0 / 16 * (0.901 - tau), 1e-12);
+}
+
+// |F_x| = mu F_N at t = 25/29, in the middle of a step.
 TEST(PathResponse, SaysWhenTheWholeContactSlides) {
-  const auto pull = under_forces({{2, 3}, {5, 3}, {0, 2}, false});
+  const auto pull = under_forces({{2, 3}, {5, 3}, {0, 1.9}, false});
   try {
     path_forces(parabola(1), elastic(1), mu, pull);
     FAIL() << "accepted";
   } catch (const GrossSlip& slip) {
-    EXPECT_NEAR(slip.time, 2 + 5.0 / 6, 1e-12);
+    EXPECT_NEAR(slip.time, 2 + 25.0 / 29, 1e-12);
     EXPECT_EQ(slip.amplitude, 1);
   }
 }

@@ -150,6 +150,20 @@ TEST(SpringStep, ASplitBranchIsTheSameBody) {
   }
 }
 
+// Roundoff of each of very many steps would add up to slip.
+TEST(SpringStep, SpringsThatStickSlipByNothingAtAll) {
+  const SpringBed bed = flat_bed(7);
+  for (const PronyBody& body : {elastic(1), prony(1, {2, 0.5}, {0.3, 4}), kelvin_voigt(1, 0.2)}) {
+    SpringState state = relaxed_state(bed, body, 1);
+    const SpringStep step(body, mu, 0.1);
+    for (int k = 1; k <= 50; ++k) {
+      step.advance(state, bed, {1, 0, 0.01 * std::sin(0.3 * k), 0.03 * std::cos(0.3 * k)});
+      EXPECT_TRUE((state.slip == 0).all()) << k;
+    }
+    EXPECT_GT(state.tangential_load.abs().minCoeff(), 0);
+  }
+}
+
 TEST(SpringStep, RejectsBadArguments) {
   EXPECT_THROW(SpringStep(elastic(1), 0, 1), std::invalid_argument);
   EXPECT_THROW(SpringStep(elastic(1), 1, 0), std::invalid_argument);
