@@ -70,7 +70,7 @@ Quantities centre_depths(const FeAnswer& fe) {
 }
 
 /// Where the error of the depth at the centre leaves open whether anything sticks, adds to the bar what that means for
-/// the stick radius: under a flat face, all of the face or nothing.
+/// the stick radius: under a flat face, all of the face or nothing, also where rings inside it seem to stick.
 void carry_depths(const Track& track, ErrorBudget& budget) {
   const auto& [prepared, computed, resolution] = track;
   if (prepared.fem.worn_edge || computed.failed(resolution)) return;
@@ -88,7 +88,7 @@ void carry_depths(const Track& track, ErrorBudget& budget) {
     if (std::abs(centre.at(resolution).at(quantity)) > uncertainty) continue;
     const auto& depths = quantity == Quantity::stick_radius_first_slip ? fe.first_slip_depths : fe.shakedown_depths;
     const double reach = fem::reach_of_edge(depths, c, uncertainty);
-    widen(budget.at(quantity), c > 0 ? reach : std::max(reach, around_face));
+    widen(budget.at(quantity), std::max(reach, around_face - c));
   }
 }
 

@@ -62,6 +62,19 @@ TEST(ErrorBars, CarryADepthThatMayBeNone) {
   EXPECT_LT(bars_of(prepared, clear, Borders::carried).at(shakedown_radius).total(), 0.1);
 }
 
+// Where a few rings inside a flat face stick by no more than the error of their depth, all of the face may.
+TEST(ErrorBars, OfAZoneInsideAFlatFaceReachToItsEdge) {
+  const auto prepared = prepared_of("rounded-flat-elastic-90");
+  const double rings = prepared.fem.resolution.elements_per_radius, to_error = rings * rings * rings,
+               face = prepared.input.indenter.flat_radius / prepared.fem.units.length;
+  ASSERT_GT(face, 0.3);
+  const FakeNumerics open{0, 0, 0.03, 0.03, 1e-3, 2e-3 * to_error}, clear{0, 0, 0.03, 0.03, 1e-1, 2e-3 * to_error};
+  for (const auto quantity : {first_slip_radius, shakedown_radius}) {
+    EXPECT_GE(bars_of(prepared, open, Borders::carried).at(quantity).total(), face - 0.03);
+    EXPECT_LT(bars_of(prepared, clear, Borders::carried).at(quantity).total(), 0.1);
+  }
+}
+
 // They are the same number, whose error either may hide.
 TEST(ErrorBars, OfAnUnlockedPhaseTakeTheCreepOfEitherRadiusForBoth) {
   FakeNumerics creeping{0, 0};
