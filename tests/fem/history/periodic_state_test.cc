@@ -52,14 +52,20 @@ Eigen::VectorXd marched(const Compliance& compliance, const std::vector<FrozenSt
   RingState state{x, Eigen::MatrixXd(x.size(), 0)};
   const auto rest = steady_move(0, 1);
   for (const auto& [relaxation, is_held] : steps) {
-    std::vector<Eigen::Index> held;
-    for (Eigen::Index i = 0; i < x.size(); ++i)
-      if (is_held[static_cast<std::size_t>(i)]) held.push_back(i);
     const Eigen::VectorXd w = relaxation.response_without_slip(state, rest), loads = compliance.areas.cwiseProduct(w);
-    Eigen::VectorXd pressure = Eigen::VectorXd::Zero(x.size());
-    pressure(held) = Eigen::MatrixXd((*compliance.matrix)(held, held)).inverse() * loads(held);
+    Eigen::MatrixXd matrix = *compliance.matrix;
+    Eigen::VectorXd held_loads = loads;
+    for (Eigen::Index i = 0; i < x.size(); ++i) {
+      if (is_held[static_cast<std::size_t>(i)]) continue;
+      matrix.row(i).setZero();
+      matrix.col(i).setZero();
+      matrix(i, i) = 1;
+      held_loads[i] = 0;
+    }
+    const Eigen::VectorXd pressure = matrix.inverse() * held_loads;
     Eigen::VectorXd slip = (loads - *compliance.matrix * pressure).cwiseQuotient(compliance.areas);
-    slip(held).setZero();
+    for (Eigen::Index i = 0; i < x.size(); ++i)
+      if (is_held[static_cast<std::size_t>(i)]) slip[i] = 0;
     relaxation.advance(state, rest, slip / relaxation.instantaneous());
   }
   return state.displacement;
