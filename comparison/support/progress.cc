@@ -82,10 +82,10 @@ Progress::Progress(std::size_t n_parts, std::map<std::string, double> expected)
     if (advance_.expected >= long_enough) fmt::print(stderr, "0/{}; {}\n", n_parts, left_text(advance_, 0));
     return;
   }
+  draw();  // before any part can have begun
   ticker_ = std::thread([this] {
     std::unique_lock<std::mutex> lock(mutex_);
-    do draw();
-    while (!wake_.wait_for(lock, std::chrono::seconds(1), [this] { return ends_; }));
+    while (!wake_.wait_for(lock, std::chrono::seconds(1), [this] { return ends_; })) draw();
   });
 }
 
