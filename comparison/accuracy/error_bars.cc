@@ -62,6 +62,24 @@ struct Track {
   [[nodiscard]] double value(Quantity quantity) const { return computed.quantities().at(resolution).at(quantity); }
 };
 
+/// Of the rings around the centre that stick, whether they end with the smallest contact of a cycle, or hardly inside.
+bool ends_with_contact(const Eigen::VectorXd& smallest_pressure, Eigen::Index n_stuck) {
+  constexpr Eigen::Index hardly = 2;
+  const Eigen::Index n_next = std::min(hardly, smallest_pressure.size() - n_stuck);
+  return n_stuck > 0 && n_next > 0 && smallest_pressure.segment(n_stuck, n_next).minCoeff() <= 0;
+}
+
+/// With what the answer itself shows.
+CaseNeeds needs_of(const FemCase& fem, const Computation& computation) {
+  auto needs = needs_of(fem);
+  if (!computation.failure.empty() || fem.any_order || fem.worn_edge) return needs;
+  const auto& fe = computation.fe;
+  const Eigen::VectorXd smallest = fe.normal.pressure.rowwise().minCoeff();
+  needs.first_slip_ends_with_contact = ends_with_contact(smallest, fe.rings.stuck.first_slip);
+  needs.shakedown_ends_with_contact = ends_with_contact(smallest, fe.rings.stuck.shakedown);
+  return needs;
+}
+
 /// How deep the innermost ring sticks in either zone.
 Quantities centre_depths(const FeAnswer& fe) {
   Quantities depths{{Quantity::stick_radius_first_slip, fe.first_slip_depths.depth[0]}};
@@ -193,8 +211,9 @@ ErrorBudget error_bars(const PreparedCase& prepared, const Tracks& tracks, const
   ErrorBudget all;
   for (const auto& resolution : tracks.all()) {
     const Track track{prepared, computed, resolution};
-    auto bars = error_budget(resolution, computed.quantities(),
-                             uncertainties_of_edges(computed.at(resolution), prepared.fem), needs_of(prepared.fem));
+    auto bars =
+        error_budget(resolution, computed.quantities(), uncertainties_of_edges(computed.at(resolution), prepared.fem),
+                     needs_of(prepared.fem, computed.at(resolution)));
     if (!prepared.fem.any_order) {
       carry_near_cycle(track, bars);
       carry_to_stick_radii(track, borders, bars);

@@ -27,6 +27,11 @@ bool is_of_friction(Quantity quantity) {
   }
 }
 
+bool ends_with_contact(const CaseNeeds& needs, Quantity quantity) {
+  if (quantity == Quantity::stick_radius_first_slip) return needs.first_slip_ends_with_contact;
+  return quantity == Quantity::stick_radius_shakedown && needs.shakedown_ends_with_contact;
+}
+
 ExpectedOrder expected_order(ErrorSource source, Quantity quantity, const CaseNeeds& needs) {
   if (source == ErrorSource::time_step && traits_of(quantity).of_settling) return {1};
   if (source == ErrorSource::time_step && needs.held_from_start && is_of_friction(quantity)) return {1, 4};
@@ -34,7 +39,7 @@ ExpectedOrder expected_order(ErrorSource source, Quantity quantity, const CaseNe
   if (source == ErrorSource::creep) return {1};
   if (source == ErrorSource::far_field) return {4};
   if (source != ErrorSource::rings) return {3};
-  if (needs.any_order) return {1, 4};
+  if (needs.any_order || ends_with_contact(needs, quantity)) return {1, 4};
   const auto& traits = traits_of(quantity);
   if (needs.memory && traits.rings_with_memory) return *traits.rings_with_memory;
   constexpr double at_a_worn_edge = 2;
@@ -52,6 +57,13 @@ double element_error(double difference, unsigned degree, unsigned other) {
   return 3 * std::pow(difference, static_cast<double>(degree) / other);
 }
 
+constexpr double safety = 1.5;  // of a difference that is one of its kind
+
+/// Errors C h + D h³, both terms, from q(h) - q(2h) and q(2h) - q(4h).
+double of_first_and_third_order(double fine, double coarse) {
+  return std::abs(coarse - 8 * fine) / 6 + std::abs(coarse - 2 * fine) / 42;
+}
+
 /// A quantity that only some of the computations have, may be off by anything.
 ErrorShare share_of(const Variant& variant, const Refinements& values, Quantity quantity, const CaseNeeds& needs) {
   const auto expected = expected_order(variant.source, quantity, needs);
@@ -61,7 +73,13 @@ ErrorShare share_of(const Variant& variant, const Refinements& values, Quantity 
     return {source, std::numeric_limits<double>::infinity(), std::nullopt};
   if (source == ErrorSource::element_order)
     return {source, element_error(difference, variant.reference.degree, variant.resolution.degree), std::nullopt};
-  if (source == ErrorSource::cycles || source == ErrorSource::active_set) return {source, difference, std::nullopt};
+  if (source == ErrorSource::cycles) return {source, difference, std::nullopt};
+  if (source == ErrorSource::rings && values.coarse && ends_with_contact(needs, quantity))
+    return {source, safety * of_first_and_third_order(values.fine - values.medium, values.medium - *values.coarse),
+            std::nullopt};
+  if (source == ErrorSource::edge)
+    return {source, safety * std::max(difference, std::abs(values.fine - values.coarse.value_or(values.fine))),
+            std::nullopt};
   return richardson(source, values, expected);
 }
 
@@ -122,7 +140,7 @@ ErrorShare richardson(ErrorSource source, const Refinements& values, const Expec
   const double coarse = values.medium - *values.coarse;
   const double order = std::log2(coarse / fine);
   if (fine * coarse > 0 && order >= expected.order / 2 && order <= expected.highest)
-    return {source, 1.5 * std::abs(fine) / (std::exp2(std::min(order, expected.order)) - 1), order};
+    return {source, safety * std::abs(fine) / (std::exp2(std::min(order, expected.order)) - 1), order};
   return {
       source,
       3 * std::max(std::abs(fine) / gain, std::abs(*values.coarse - values.fine) / (std::exp2(2 * expected.order) - 1)),

@@ -1,6 +1,7 @@
 #include "comparison/accuracy/refinement.h"
 
 #include <algorithm>
+#include <array>
 
 namespace fretval {
 namespace {
@@ -14,6 +15,9 @@ constexpr double finest_growth = 0.075, coarsest_growth = 1, finest_periodicity 
 /// The coarsest resolutions on which an error of another source is measured.
 constexpr unsigned enough_rings = 24;
 constexpr int enough_steps = 24;
+
+/// The contact radius farthest from where it was in its ring, then an edge at half of it.
+constexpr std::array elsewhere_in_ring{0.5, 1.0};
 
 Resolution with_fewer_rings(const Resolution& r) {
   return r.elements_per_radius / 2 >= enough_rings ? with_rings(r, 0.5) : r;
@@ -56,8 +60,6 @@ const char* name_of(ErrorSource source) {
       return "creep";
     case ErrorSource::cycles:
       return "cycles";
-    case ErrorSource::active_set:
-      return "active set";
     case ErrorSource::wear_jump:
       return "wear jump";
     case ErrorSource::edge:
@@ -76,6 +78,9 @@ std::vector<Variant> variants_of(const Resolution& resolution, const CaseNeeds& 
       variants.push_back({ErrorSource::rings, with_rings(resolution, factor), resolution});
   const Resolution quick = with_fewer_steps(resolution), coarse = with_fewer_rings(resolution),
                    both = with_fewer_steps(coarse);
+  if (!needs.worn && !needs.any_order)
+    for (const double rings : elsewhere_in_ring)
+      add(ErrorSource::edge, quick, [rings](Resolution& r) { r.edge_before_node += rings; });
   add(ErrorSource::element_order, quick, other_degree);
   add(ErrorSource::grading, quick, [](Resolution& r) { r.growth = std::min(2 * r.growth, coarsest_growth); });
   add(ErrorSource::far_field, both, [](Resolution& r) { r.far_radius /= 2; });
@@ -86,8 +91,7 @@ std::vector<Variant> variants_of(const Resolution& resolution, const CaseNeeds& 
   if (needs.creep)
     for (const int divisor : {2, 4})
       add(ErrorSource::creep, coarse, [&](Resolution& r) { r.n_creep_cycles /= divisor; });
-  if (!needs.single_pass) add(ErrorSource::cycles, coarse, [](Resolution& r) { r.periodicity *= 10; });
-  add(ErrorSource::active_set, both, [](Resolution& r) { r.active_set_slack *= 10; });
+  if (!needs.single_pass) add(ErrorSource::cycles, both, [](Resolution& r) { r.periodicity *= 10; });
   return variants;
 }
 
@@ -135,8 +139,6 @@ std::optional<Resolution> refined(const Resolution& resolution, ErrorSource sour
     case ErrorSource::wear_jump:
       if ((r.wear_jump /= 2) < finest_wear_jump) return std::nullopt;
       return r;
-    case ErrorSource::active_set:
-      break;
   }
   return std::nullopt;
 }

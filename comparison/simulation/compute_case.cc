@@ -8,24 +8,9 @@
 namespace fretval {
 namespace {
 
-/// The contact problems of a body at the slack of its active sets that is asked for.
-class ProblemsAtSlack {
- public:
-  ProblemsAtSlack(const ContactBody& body, double slack) : body_(body) {
-    if (slack == Resolution{}.active_set_slack) return;
-    normal_.emplace(body.normal, slack);
-    if (body.tangential) tangential_.emplace(*body.tangential, slack);
-  }
-
-  [[nodiscard]] ContactProblems problems() const {
-    if (normal_) return {*normal_, tangential_ ? &*tangential_ : nullptr};
-    return {body_.normal, body_.tangential ? &*body_.tangential : nullptr};
-  }
-
- private:
-  const ContactBody& body_;
-  std::optional<fem::ContactProblem> normal_, tangential_;
-};
+ContactProblems problems_of(const ContactBody& body) {
+  return {body.normal, body.tangential ? &*body.tangential : nullptr};
+}
 
 /// The friction beside the normal contact, or none where the indenter does not move tangentially. normal: with its
 /// edges read.
@@ -93,11 +78,10 @@ FeAnswer compute_case(const FemCase& fem_case, const Resolution& resolution, Bod
   std::shared_ptr<const Body> whole;
   const bool keeps = fem_case.keeps_body && resolution == fem_case.resolution;
   const auto body = find_or_make_body(fem.body, bodies, keeps ? &whole : nullptr);
-  const ProblemsAtSlack at_slack(*body, resolution.active_set_slack);
 
   FeAnswer answer;
   try {
-    answer = answer_of_histories(at_slack.problems(), fem, bodies.normals);
+    answer = answer_of_histories(problems_of(*body), fem, bodies.normals);
   } catch (const fem::GrossSlip& slip) {
     answer = answer_of(slip, fem);
   }
@@ -109,10 +93,9 @@ FeAnswer compute_case(const FemCase& fem_case, const Resolution& resolution, Bod
 FeAnswer compute_normal_response(const FemCase& fem_case, const Resolution& resolution, BodyStore& bodies) {
   const FemCase fem = at_resolution(fem_case, resolution);
   const auto body = find_or_make_body(fem.body, bodies, nullptr);
-  const ProblemsAtSlack at_slack(*body, resolution.active_set_slack);
-  const auto normal = normal_part(at_slack.problems().normal, fem, bodies.normals);
+  const auto normal = normal_part(body->normal, fem, bodies.normals);
   FeAnswer answer;
-  read_normal_response(at_slack.problems(), fem, normal.contact_radius, normal.history, answer);
+  read_normal_response(problems_of(*body), fem, normal.contact_radius, normal.history, answer);
   answer.n_cycles = normal.history.n_cycles + normal.history.n_cycles_of_search;
   answer.n_steps = normal.history.n_steps();
   answer.seconds.normal = normal.record->seconds;

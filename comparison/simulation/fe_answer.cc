@@ -131,16 +131,6 @@ std::optional<double> axis_pressure_of(const FemCase& fem, const ContactProblems
   return largest ? std::optional(*largest * fem.units.pressure()) : std::nullopt;
 }
 
-/// Next to a sharp edge of the indenter the pressure is singular, and rings that are not graded there miss the stick
-/// radius by half a ring (within four rings, at 32 and 128 rings).
-void widen_next_to_sharp_edge(const FemCase& fem, const fem::Compliance& compliance, fem::EdgeRadius& zone) {
-  if (!fem.sharp_edge || zone.radius <= 0) return;
-  const auto& radii = compliance.radii;
-  const auto next = std::upper_bound(radii.begin(), radii.end() - 1, zone.radius);
-  const double ring = *next - *(next - 1);
-  if (std::abs(zone.radius - *fem.sharp_edge) < 4 * ring) zone.uncertainty += ring;
-}
-
 }  // namespace
 
 std::optional<fem::CycleResponse> cycle_of(const FemCase& fem, double normal_force_max,
@@ -183,9 +173,8 @@ void read_normal_response(const ContactProblems& problems, const FemCase& fem,
   const double length = fem.units.length;
   if (contact_radius && contact_radius->radius > 0) answer.contact_radius_max = contact_radius->radius * length;
   if (contact_radius) answer.contact_radius_uncertainty = contact_radius->uncertainty * length;
-  const auto force = fem::largest_force(
-      problems.normal, {fem.relaxation, fem.sharp_edge, fem.worn_edge.has_value(), fem.motion.highest_normal_order()},
-      normal);
+  const auto force = fem::largest_force(normal, fem.motion.highest_normal_order(),
+                                        fem.worn_edge ? fem::Flank::around_contact : fem::Flank::none);
   answer.normal_force_max = force.value * fem.units.force();
   answer.axis_pressure_max = axis_pressure_of(fem, problems, normal);
   answer.normal_force_uncertainty = force.uncertainty * fem.units.force();
@@ -202,7 +191,7 @@ FeAnswer read_answer(const ContactProblems& problems, const FemCase& fem, const 
   FeAnswer answer;
   const auto stuck = fem::stuck_rings(friction, fem.motion);
   answer.rings = {largest_contact_rings(normal), stuck};
-  auto [first, shakedown] = fem::stick_zones(problem.compliance, normal, friction, stuck, exponent_at_edge(fem));
+  auto [first, shakedown] = fem::stick_zones(problem.compliance, friction, stuck);
   if (fem.worn_edge) {
     const Eigen::Index n_inside = fem::rings_within(problem.compliance, fem.worn_edge->inner);
     hold_to_count(problem.compliance, stuck.shakedown, shakedown);
@@ -213,7 +202,6 @@ FeAnswer read_answer(const ContactProblems& problems, const FemCase& fem, const 
     read_on_worn_profile(problem.compliance, n_inside, stuck.shakedown, friction.period_slip, shakedown);
     answer.no_wear = no_wear_evidence(problems, fem, profile, normal, friction, n_inside);
   }
-  for (auto* zone : {&first, &shakedown}) widen_next_to_sharp_edge(fem, problem.compliance, *zone);
 
   read_normal_response(problems, fem, contact_radius, normal, answer);
   const double length = fem.units.length;

@@ -30,9 +30,6 @@ class BoxSolver {
   /// Throws SolverError if C is not positive definite.
   explicit BoxSolver(SharedMatrix matrix, double slack = 1e-13);
 
-  /// The same with another slack.
-  BoxSolver(const BoxSolver& other, double slack) : BoxSolver(other) { slack_ = slack; }
-
   /// The same with a diagonal added to C, not negative. What comes before its first entry that is not 0 leaves the
   /// factor as it is, and of what lies beyond n_likely unknowns, which are supposed to be at their bounds, none is
   /// made. Slacks are those of the problem scaled to a unit diagonal: an unknown on a large entry is next to nothing,

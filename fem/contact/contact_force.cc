@@ -52,21 +52,16 @@ ContactForce central_force(const PunchSeries& series, const Eigen::VectorXd& dep
   const double radius = edge.value_or(series.edges()[n_pressed]);
   const std::vector<signed char> one_zone(static_cast<std::size_t>(n_inner), 0);
   const double force = series.integral(depths, one_zone, radius).value;
-  double kink = 0, uncertainty = 0, too_much = 0;
-  if (past.edge != PressureAtEdge::vanishes) {
-    constexpr double share_of_kink = 0.25;
-    const bool unseen_kink = past.largest_radius > radius && past.largest_radius <= radii[n_pressed];
-    if (unseen_kink)
-      kink = share_of_kink * std::abs(series.integral(depths, one_zone, past.largest_radius).value - force);
-  }
+  double too_much = 0;
   // Not at a sharp edge of the indenter.
   if (edge && past.edge != PressureAtEdge::jumps) {
     const double at_edge = Stencil{radii, depths, n_inner - n_stencil, n_stencil}(radius);
     too_much = series.force_per_radius() * at_edge * (radius - radii[n_pressed - 1]) / 2;
-    uncertainty += std::abs(too_much);
   }
-  if (past.edge != PressureAtEdge::vanishes) return {force, radius, uncertainty + kink, kink, n_inner};
-  return {force - too_much / 2, radius, uncertainty / 2};
+  const double uncertainty = std::abs(too_much);
+  if (past.edge == PressureAtEdge::vanishes) return {force - too_much / 2, radius, uncertainty / 2};
+  const bool hidden_kink = past.largest_radius > radius && past.largest_radius <= radii[n_pressed];
+  return {force, radius, uncertainty, hidden_kink, n_inner};
 }
 
 }  // namespace

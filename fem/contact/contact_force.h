@@ -37,18 +37,17 @@ struct ContactForce {
   double force, radius;
   /// Of the force. Without a dashpot pressures vanish at the edge, in a body with memory maybe within less than a ring:
   /// half of the difference between depths that go on smoothly to the edge and those that fall to zero from the last
-  /// ring on. (The force is the mean of both.) With a dashpot: a quarter of what the pressures would bear up to the
-  /// largest contact so far, where the gap has a kink, if no ring lies between that and the last one pressed, so that
-  /// nothing tells how the gap goes on inside the kink (read_edges_near_largest_contact tells more). With both a
-  /// dashpot and branches, both, and the whole difference for the half.
+  /// ring on. (The force is the mean of both.) With both a dashpot and branches, the whole difference.
   double uncertainty = 0;
-  double kink_uncertainty = 0;  ///< the part of it that an unseen kink makes, see read_edges_near_largest_contact
-  Eigen::Index n_closed = 0;    ///< rings whose pressures are continued up to the radius; 0: no edge was found
+  /// With a dashpot the gap has a kink at the largest contact so far. If no ring lies between that and the last one
+  /// pressed, nothing tells how the gap goes on inside the kink; read_edges_near_largest_contact tells more.
+  bool hidden_kink = false;
+  Eigen::Index n_closed = 0;  ///< rings whose pressures are continued up to the radius; 0: no edge was found
   ForceBeyond beyond = {};
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(force, radius, uncertainty, kink_uncertainty, n_closed, beyond);
+    archive(force, radius, uncertainty, hidden_kink, n_closed, beyond);
   }
 };
 

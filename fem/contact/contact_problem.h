@@ -18,9 +18,6 @@ struct ContactProblem {
   /// slack: see BoxSolver.
   explicit ContactProblem(Compliance c, double slack = 1e-13)
       : compliance(std::move(c)), solver(compliance.matrix, slack), series(compliance, solver.factor()) {}
-  /// The same with another slack.
-  ContactProblem(const ContactProblem& other, double slack)
-      : compliance(other.compliance), solver(other.solver, slack), series(other.series) {}
   [[nodiscard]] Eigen::Index n_rings() const { return compliance.areas.size(); }
 };
 

@@ -19,12 +19,11 @@ class CycleRecord {
   CycleRecord(const NormalContact& contact, NormalHistory& history)
       : history_(history), gap_at_balance_(contact.pressure.size(), 0), height_(1, -infinity) {
     const Eigen::Index n = contact.steps_per_cycle();
-    history.smallest_pressure = contact.pressure;
     history.pressure = history.displacement = Eigen::MatrixXd::Zero(contact.pressure.size(), n);
-    for (auto* series :
-         {&history.time, &history.indentation, &history.force, &history.force_uncertainty, &history.kink_uncertainty,
-          &history.force_beyond, &history.force_beyond_uncertainty, &history.contact_radius})
+    for (auto* series : {&history.time, &history.indentation, &history.force, &history.force_uncertainty,
+                         &history.force_beyond, &history.force_beyond_uncertainty, &history.contact_radius})
       series->resize(n);
+    history.hidden_kink.resize(n);
     history.n_closed.resize(n);
   }
 
@@ -51,10 +50,9 @@ class CycleRecord {
     history_.pressure.col(k) = contact.pressure;
     history_.displacement.col(k) =
         ((contact.balance_gap - contact.profile).array() + contact.balance_indentation).matrix();
-    history_.smallest_pressure = history_.smallest_pressure.cwiseMin(contact.pressure);
     history_.force[k] = contact.reading.force;
     history_.force_uncertainty[k] = contact.reading.uncertainty;
-    history_.kink_uncertainty[k] = contact.reading.kink_uncertainty;
+    history_.hidden_kink[k] = contact.reading.hidden_kink;
     history_.force_beyond[k] = contact.reading.beyond.force;
     history_.force_beyond_uncertainty[k] = contact.reading.beyond.uncertainty;
     history_.n_closed[k] = contact.reading.n_closed;

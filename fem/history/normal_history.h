@@ -27,14 +27,13 @@ struct NormalHistory {
   int n_cycles_of_search = 0;         ///< beside them, to find the periodic state
   double periodicity = 0;             ///< reached, see HistoryControl
   double first_balance = 0;           ///< time at which forces balanced in the first step of all
-  Eigen::VectorXd smallest_pressure;  ///< per ring, from the start on
   Eigen::VectorXd time;               ///< per step of the cycle: its balance time; so all that follow
   Eigen::MatrixXd pressure;           ///< n_rings x steps_per_cycle
   Eigen::VectorXd indentation;        ///< at the balance times
   double largest_indentation = 0;     ///< of the cycle, at the ends of the steps and between them
   Eigen::VectorXd force;              ///< of the contact around the centre, see contact_force
   Eigen::VectorXd force_uncertainty;  ///< see ContactForce
-  Eigen::VectorXd kink_uncertainty;   ///< see ContactForce
+  Eigen::VectorX<bool> hidden_kink;   ///< see ContactForce
   Eigen::VectorXd force_beyond, force_beyond_uncertainty;  ///< of rings that press beyond a free one
   Eigen::VectorX<Eigen::Index> n_closed;                   ///< see ContactForce
   Eigen::VectorXd contact_radius;

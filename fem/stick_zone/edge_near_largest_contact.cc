@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "fem/condensation/stencil.h"
@@ -29,17 +30,15 @@ struct HalfCycle {
 /// Instants, from the largest contact on, behind which the kinks are seen. At the largest contact itself there is none.
 Index count_hidden(const NormalHistory& history, const HalfCycle& half) {
   Index n = 1;
-  while (n < half.size && history.kink_uncertainty[half.column(n)] > 0) ++n;
+  while (n < half.size && history.hidden_kink[half.column(n)]) ++n;
   return n;
 }
 
-/// Where the edge is at instants that see no kink, from those that do: on a cubic through the largest contact and three
-/// of them, and on a parabola without the last one.
+/// Where the edge is at instants that see no kink, from the largest contact and three that do.
 struct EdgeOverTime {
   Eigen::VectorXd time, radius;
 
-  [[nodiscard]] double cubic(double t) const { return Stencil{time, radius, 0, n_seen + 1}(t); }
-  [[nodiscard]] double parabola(double t) const { return Stencil{time, radius, 0, n_seen}(t); }
+  [[nodiscard]] double at(double t) const { return Stencil{time, radius, 0, n_seen + 1}(t); }
 };
 
 std::optional<EdgeOverTime> edge_over_time(const NormalHistory& history, const HalfCycle& half, Index n_hidden,
@@ -52,7 +51,7 @@ std::optional<EdgeOverTime> edge_over_time(const NormalHistory& history, const H
   edge.radius[0] = largest_radius;
   for (Index i = 0; i < n_seen; ++i) {
     const Index column = half.column(n_hidden + i * apart);
-    if (history.kink_uncertainty[column] > 0 || history.n_closed[column] == 0) return std::nullopt;
+    if (history.hidden_kink[column] || history.n_closed[column] == 0) return std::nullopt;
     edge.time[i + 1] = history.time[column];
     edge.radius[i + 1] = history.contact_radius[column];
   }
@@ -61,32 +60,24 @@ std::optional<EdgeOverTime> edge_over_time(const NormalHistory& history, const H
 
 void read_instant(const PunchSeries& series, const std::optional<EdgeOverTime>& edge, Index column,
                   NormalHistory& history) {
-  constexpr double safety = 2, biased = 0.1;
   const Eigen::VectorXd depths = series.depths(history.pressure.col(column));
   const Index n_closed = history.n_closed[column];
   const std::vector<signed char> one_zone(static_cast<std::size_t>(n_closed), 0);
   const auto force = [&](double end) { return series.integral(depths, one_zone, end).value; };
-  double &radius = history.contact_radius[column], &kink = history.kink_uncertainty[column], uncertainty = 0;
+  double& radius = history.contact_radius[column];
   if (!edge) {
-    uncertainty = std::abs(force(radius) - force(series.radii()[n_closed - 1]));
-  } else {
-    const double t = history.time[column], second = force(edge->cubic(t)), difference = second - force(radius);
-    uncertainty = safety * std::abs(difference);
-    if (std::abs(difference) > kink) {
-      uncertainty = safety * std::abs(second - force(edge->parabola(t))) + biased * std::abs(difference);
-      history.force[column] += difference;
-      radius = edge->cubic(t);
-    }
+    history.force_uncertainty[column] += std::abs(force(radius) - force(series.radii()[n_closed - 1]));
+    return;
   }
-  history.force_uncertainty[column] += uncertainty - kink;
-  kink = uncertainty;
+  const double by_gap = std::exchange(radius, edge->at(history.time[column]));
+  history.force[column] += force(radius) - force(by_gap);
 }
 
 void read_half(const PunchSeries& series, double largest_radius, const HalfCycle& half, NormalHistory& history) {
   const Index n_hidden = count_hidden(history, half);
   const auto edge = edge_over_time(history, half, n_hidden, largest_radius);
   for (Index i = 0; i < n_hidden; ++i)
-    if (history.kink_uncertainty[half.column(i)] > 0) read_instant(series, edge, half.column(i), history);
+    if (history.hidden_kink[half.column(i)]) read_instant(series, edge, half.column(i), history);
 }
 
 }  // namespace

@@ -55,65 +55,17 @@ LargestForce peak_of_path(const Eigen::VectorXd& samples, const Eigen::VectorXd&
   return {-least.value()[0], uncertainties[largest]};
 }
 
-double width_of_ring_at(const Compliance& compliance, double radius) {
-  const auto& radii = compliance.radii;
-  const auto outer = std::lower_bound(radii.begin() + 1, radii.end() - 1, radius);
-  return *outer - *(outer - 1);
-}
-
-/// Where the edge of the contact of a body with memory travels by hardly a ring in a cycle, the rings do not show the
-/// pressures between its ends. Up to 2 % of the amplitude of the force were missed (cone, |G| of 15 G0, at 0.2 rings).
-double unseen_travel(const ContactProblem& problem, const ForceContext& context, const NormalHistory& history) {
-  constexpr double few_rings = 2, share = 0.05;
-  constexpr int order = 6;
-  if (!context.relaxation.has_memory() || context.worn) return 0;
-  const auto radius = history.contact_radius.tail(history.steps_per_cycle);
-  const auto force = history.force.tail(history.steps_per_cycle);
-  const double n_rings =
-      (radius.maxCoeff() - radius.minCoeff()) / width_of_ring_at(problem.compliance, radius.maxCoeff());
-  const double unseen = share * std::pow(few_rings / std::max(n_rings, few_rings), order);
-  return unseen * (force.maxCoeff() - force.minCoeff()) / 2;
-}
-
-/// Where the contact grows by more than a ring in a step at its largest force, each of these rings has the pressure of
-/// the whole step. Of the share that a ring has in the force, 13 % were missed (a branch of 1.5 steps, contact lost in
-/// every cycle), by chance nothing with other steps.
-double unseen_growth(const ContactProblem& problem, const ForceContext& context, const NormalHistory& history) {
-  constexpr double share = 0.2;
-  if (!context.relaxation.has_memory() || context.worn) return 0;
-  const auto radius = history.contact_radius.tail(history.steps_per_cycle);
-  const auto force = history.force.tail(history.steps_per_cycle);
-  Eigen::Index peak = 0;
-  const double largest = force.maxCoeff(&peak);
-  const Eigen::Index before = (peak + history.steps_per_cycle - 1) % history.steps_per_cycle;
-  const double ring = width_of_ring_at(problem.compliance, radius[peak]);
-  return radius[peak] - radius[before] > ring ? share * 2 * ring / radius[peak] * largest : 0;
-}
-
-/// A contact that ends hardly beyond the sharp edge of its indenter is a flat punch to its last rings, whose force is
-/// that of a disc up to half a ring larger or smaller (0.17 rings measured, at 0.2 rings beyond the edge).
-double force_at_sharp_edge(const Compliance& compliance, const ForceContext& context, const NormalHistory& history) {
-  constexpr double few_rings = 2, share_of_ring = 0.5;
-  const double radius = history.contact_radius.tail(history.steps_per_cycle).maxCoeff();
-  const double ring = width_of_ring_at(compliance, radius);
-  if (!context.sharp_edge || radius - *context.sharp_edge > few_rings * ring) return 0;
-  return share_of_ring * ring / radius * history.force.tail(history.steps_per_cycle).maxCoeff();
-}
-
 }  // namespace
 
-LargestForce largest_force(const ContactProblem& problem, const ForceContext& context, const NormalHistory& history) {
+LargestForce largest_force(const NormalHistory& history, int oscillations, Flank flank) {
   const int n_steps = history.steps_per_cycle;
   Eigen::VectorXd force = history.force.tail(n_steps), uncertainty = history.force_uncertainty.tail(n_steps);
-  if (!context.worn) {
+  if (flank == Flank::none) {
     force += history.force_beyond.tail(n_steps);
     uncertainty += history.force_beyond_uncertainty.tail(n_steps);
   }
-  auto largest = history.pieces.empty() ? periodic_peak(force, uncertainty, context.oscillations)
-                                        : peak_of_path(force, uncertainty, history.pieces);
-  largest.uncertainty += unseen_travel(problem, context, history) + unseen_growth(problem, context, history) +
-                         force_at_sharp_edge(problem.compliance, context, history);
-  return largest;
+  return history.pieces.empty() ? periodic_peak(force, uncertainty, oscillations)
+                                : peak_of_path(force, uncertainty, history.pieces);
 }
 
 }  // namespace fretval::fem

@@ -26,8 +26,7 @@ std::vector<std::vector<double>> parameters_of(const FemCase& fem, const Eigen::
           {fem.motion.indentation, static_cast<double>(fem.motion.n_ramp_cycles), fem.motion.normal_force ? 1.0 : 0.0},
           normal,
           orders,
-          {static_cast<double>(control.steps_per_cycle), static_cast<double>(control.max_cycles), control.periodicity,
-           fem.resolution.active_set_slack}};
+          {static_cast<double>(control.steps_per_cycle), static_cast<double>(control.max_cycles), control.periodicity}};
 }
 
 NormalRecord make_record(const FemCase& fem, const fem::ContactProblem& problem, const Eigen::VectorXd& profile,

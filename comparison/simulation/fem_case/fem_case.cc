@@ -30,6 +30,12 @@ constexpr double rings_beyond = 4;
 /// How far the contact line of the coarsest rings reaches, over the contact radius.
 constexpr double farthest_ring = 1.5;
 
+/// Wider ones of another number to the same radius.
+std::vector<double> with_edge_before_node(std::vector<double> nodes, double radius, double ring, double rings_before) {
+  for (double& node : nodes) node *= radius / (radius - rings_before * ring);
+  return nodes;
+}
+
 std::vector<double> contact_nodes(const FemCase& fem) {
   const auto& resolution = fem.resolution;
   const double ring = 1.0 / resolution.elements_per_radius;
@@ -44,11 +50,13 @@ std::vector<double> contact_nodes(const FemCase& fem) {
   if (resolution.focus) {
     const auto [inner, outer, wanted] = *resolution.focus;
     const double fine = std::max(wanted, finest_ring);
-    return meshes::graded_nodes({inner, outer, std::min(fine, ring)}, std::max(end, outer + rings_beyond * fine), ring,
-                                resolution.surface_growth);
+    const double width = std::min(fine, ring);
+    return with_edge_before_node(meshes::graded_nodes({inner, outer, width}, std::max(end, outer + rings_beyond * fine),
+                                                      ring, resolution.surface_growth),
+                                 outer, width, resolution.edge_before_node);
   }
   const auto n = static_cast<unsigned>(std::ceil(end * resolution.elements_per_radius / 2)) * 2;
-  return meshes::uniform_nodes(n * ring, n);
+  return with_edge_before_node(meshes::uniform_nodes(n * ring, n), 1, ring, resolution.edge_before_node);
 }
 
 /// Rings lie on the sphere, with those beyond the contact.
@@ -230,8 +238,6 @@ FemCase fem_case(const Case& input, const MdrCase& mdr) {
   if (mdr.limiting_state) fem.carrying_radius = mdr.limiting_state->stick_radius / units.length;
   if (mdr.limiting)
     fem.worn_edge = {mdr.limiting->stick_radius / units.length, mdr.limiting->outer_radius / units.length};
-  else if (input.indenter.shape == Case::Shape::truncated_sphere)
-    fem.sharp_edge = input.indenter.flat_radius / units.length;
   if (input.wear_kinetics && !input.wear_kinetics->profile.empty())
     fem.worn_before = worn_by_heights(input.wear_kinetics->profile, units, fem.profile, input.tolerance);
   else if (input.wear_kinetics && !input.wear_kinetics->rings.empty())

@@ -43,7 +43,6 @@ struct FemCase {
   std::optional<WornEdge> worn_edge;
   std::optional<WornBefore> worn_before = {};  ///< what the indenter has lost as wear begins
   bool keeps_body = false;                     ///< an answer at this resolution goes with the whole body, for fields
-  std::optional<double> sharp_edge = {};       ///< radius at which the slope of the unworn indenter jumps
   /// What is prescribed, if its frequencies have no common period, or a long one: finite elements take a near cycle
   /// then, see comparison/simulation/fem_case/near_cycle.h, with these errors of the depth that an element asks for to
   /// stick, dimensionless.

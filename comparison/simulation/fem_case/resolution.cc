@@ -12,9 +12,9 @@ constexpr double finest_edge_ring = 2e-6;  // gmsh tells nodes apart down to som
 
 auto key(const Resolution& r) {
   return std::make_tuple(r.elements_per_radius, r.degree, r.growth, r.far_radius, r.steps_per_cycle, r.n_ramp_cycles,
-                         r.periodicity, r.n_creep_cycles, r.worn_edge_ring, r.surface_growth, r.active_set_slack,
-                         r.wear_jump, r.focus.has_value(), r.focus ? r.focus->inner : 0, r.focus ? r.focus->outer : 0,
-                         r.focus ? r.focus->ring : 0);
+                         r.periodicity, r.n_creep_cycles, r.worn_edge_ring, r.surface_growth, r.wear_jump,
+                         r.edge_before_node, r.focus.has_value(), r.focus ? r.focus->inner : 0,
+                         r.focus ? r.focus->outer : 0, r.focus ? r.focus->ring : 0);
 }
 
 }  // namespace

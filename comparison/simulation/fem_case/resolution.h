@@ -22,8 +22,8 @@ struct Resolution {
   int n_creep_cycles = 48;          ///< of an unlocked phase, see fem::Motion
   double worn_edge_ring = 5e-6;     ///< limiting profile: rings at its edge over its stick radius
   double surface_growth = 0.15;     ///< of rings that are graded along the surface, per ring
-  double active_set_slack = 1e-13;  ///< see fem::BoxSolver
   double wear_jump = 0.01;          ///< worn depth of a jump over the largest indentation, see fem::WearControl
+  double edge_before_node = 0;      ///< how far before a node the contact radius lies, or a focus ends, in rings
   std::optional<Focus> focus = {};  ///< empty: equal rings
 
   bool operator<(const Resolution& other) const;

@@ -39,8 +39,7 @@ std::vector<double> zone_errors(const ConvergenceMesh& mesh, const PeriodicCase&
     const auto [normal, friction] =
         fem::contact_history({mesh.normal, model, profile, motion, control.steps_per_cycle},
                              {mesh.tangential, model, friction_coefficient, motion, control.steps_per_cycle}, control);
-    const auto zones =
-        fem::stick_zones(mesh.tangential.compliance, normal, friction, fem::stuck_rings(friction, motion));
+    const auto zones = fem::stick_zones(mesh.tangential.compliance, friction, fem::stuck_rings(friction, motion));
     const auto expected =
         mdr::stick_radii(mdr::parabola(1 / exact.steepness), periodic.body, exact.friction_coefficient,
                          {motion.indentation, periodic.normal_amplitude, amplitude, 1 / (2 * pi), 1 / (2 * pi), phase});

@@ -78,7 +78,7 @@ TEST(PlannedRefinement, CostsNoMoreThanItMay) {
 TEST(PlannedRefinement, LeavesAloneWhatTheCaseFixesAndWhatDoesNotHelp) {
   EXPECT_FALSE(plan({bar({share(ErrorSource::rings, 4)})}, {true, false}));
   EXPECT_FALSE(plan({bar({share(ErrorSource::time_step, 4)})}, {false, true}));
-  EXPECT_FALSE(plan({bar({share(ErrorSource::active_set, 4)})}));
+  EXPECT_FALSE(plan({bar({share(ErrorSource::wear_jump, 4)})}));
 }
 
 }  // namespace

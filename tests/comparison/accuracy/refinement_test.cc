@@ -26,8 +26,8 @@ double entry_of(ErrorSource source, const Resolution& r) {
       return r.n_creep_cycles;
     case ErrorSource::cycles:
       return r.periodicity;
-    case ErrorSource::active_set:
-      return r.active_set_slack;
+    case ErrorSource::edge:
+      return r.edge_before_node;
     default:
       return r.elements_per_radius;
   }
@@ -58,8 +58,8 @@ bool differ_only_in(ErrorSource source, Resolution a, const Resolution& b) {
     case ErrorSource::cycles:
       a.periodicity = b.periodicity;
       break;
-    case ErrorSource::active_set:
-      a.active_set_slack = b.active_set_slack;
+    case ErrorSource::edge:
+      a.edge_before_node = b.edge_before_node;
       break;
     default:
       a.elements_per_radius = b.elements_per_radius;
@@ -89,11 +89,13 @@ TEST(Variants, OfTwoOfASourceTheSecondIsTwiceAsCoarse) {
     ++n[source];
     if (n[source] == 1) continue;
     EXPECT_EQ(variants[i - 1].source, source) << "they follow each other";
+    if (source == ErrorSource::edge) continue;
     EXPECT_EQ(4 * entry_of(source, varied), entry_of(source, reference)) << name_of(source);
     EXPECT_EQ(2 * entry_of(source, varied), entry_of(source, variants[i - 1].resolution)) << name_of(source);
   }
-  for (const auto source : {ErrorSource::rings, ErrorSource::time_step, ErrorSource::creep}) EXPECT_EQ(n[source], 2);
-  EXPECT_EQ(n.size(), 9U) << "all but the reading of edges";
+  for (const auto source : {ErrorSource::rings, ErrorSource::edge, ErrorSource::time_step, ErrorSource::creep})
+    EXPECT_EQ(n[source], 2);
+  EXPECT_EQ(n.size(), 9U) << "all but the jumps of wear";
 }
 
 TEST(Variants, AreOfWhatTheCaseNeeds) {
@@ -109,12 +111,16 @@ TEST(Variants, AreOfWhatTheCaseNeeds) {
   EXPECT_EQ(with_memory.count(ErrorSource::start), 1U);
   EXPECT_EQ(unlocked.size(), elastic.size() + 1);
   EXPECT_EQ(unlocked.count(ErrorSource::creep), 1U);
+  // Rings of a worn profile end at its edge, and edges of any order are those of rings.
+  EXPECT_EQ(elastic.count(ErrorSource::edge), 1U);
+  EXPECT_EQ(sources({false, false, true}).count(ErrorSource::edge), 0U);
+  EXPECT_EQ(sources({false, false, false, false, false, true}).count(ErrorSource::edge), 0U);
 }
 
 TEST(Refined, GoesTheOtherWayThanVariantsUntilItsLimit) {
   const auto start = resolution_for(1e-3);
   for (const auto& [source, varied, reference] : variants_of(start, {true, true, false})) {
-    if (source == ErrorSource::active_set) continue;
+    if (source == ErrorSource::edge) continue;
     const double coarser = entry_of(source, varied) - entry_of(source, reference);
     int n = 0;
     auto now = start;
@@ -126,7 +132,6 @@ TEST(Refined, GoesTheOtherWayThanVariantsUntilItsLimit) {
     }
     EXPECT_GT(n, 0) << name_of(source);
   }
-  EXPECT_FALSE(refined(start, ErrorSource::active_set));
   EXPECT_TRUE(refined(start, ErrorSource::edge) == refined(start, ErrorSource::rings));
 }
 

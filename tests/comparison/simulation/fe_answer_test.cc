@@ -10,15 +10,14 @@
 namespace fretval {
 namespace {
 
-// Where the largest force comes less than a ring before the largest contact, all coarse rings miss it by the same.
-TEST(FeAnswer, ForceIsAsUncertainAsTheRingsAtTheEdgeLeaveIt) {
+// Where the largest force comes less than a ring before the largest contact, no ring shows how the gap goes on: 5e-4
+// off at 24 rings with the edge read from the gap.
+TEST(FeAnswer, ForceIsReadFromTheEdgeOverTimeWhereNoRingShowsIt) {
   const auto dashpot = fixed_case("parabola-voigt-0", 24, 48);
-  const auto fe = simulate_case(dashpot);
-  const double error = fe.normal_force_max - exact_answer(dashpot).normal_force_max.value();
-  EXPECT_GT(std::abs(error), 3e-4 * fe.normal_force_max);  // 5e-4: much more than any other source makes
-  EXPECT_LE(std::abs(error), fe.normal_force_uncertainty);
-  const auto finer = simulate_case(fixed_case("parabola-voigt-0", 48, 48));
-  EXPECT_LT(finer.normal_force_uncertainty, 1e-4 * finer.normal_force_max);
+  EXPECT_NEAR(simulate_case(dashpot).normal_force_max / exact_answer(dashpot).normal_force_max.value(), 1, 2e-4);
+}
+
+TEST(FeAnswer, ForceIsAsUncertainAsPressuresThatFallWithinTheLastRingLeaveIt) {
   const auto branch = fixed_case("parabola-solid-60", 24, 96);
   const auto relaxing = simulate_case(branch);
   EXPECT_NEAR(relaxing.normal_force_max, exact_answer(branch).normal_force_max.value(),
@@ -46,31 +45,6 @@ TEST(FeAnswer, ContactRadiusIsUncertainWhereABranchRelaxesWithinAStep) {
   EXPECT_GT(std::abs(fe.contact_radius_max.value() / exact - 1), 2e-3);
   EXPECT_NEAR(fe.contact_radius_max.value(), exact, fe.contact_radius_uncertainty);
   EXPECT_LT(fe.contact_radius_uncertainty, 1e-2 * exact);
-}
-
-// The pressure is singular at the sharp edge of a truncated sphere, and the rings are not graded there.
-TEST(FeAnswer, StickRadiusIsUncertainNextToASharpEdge) {
-  auto scene = read_case();
-  scene.indenter = {};
-  scene.indenter.shape = Case::Shape::truncated_sphere;
-  scene.indenter.radius = 1.41159e-2;
-  scene.indenter.flat_radius = 2.49986e-3;
-  scene.elastomer = {};
-  scene.elastomer.rheology = "elastic";
-  scene.elastomer.relaxed_modulus = 1e6;
-  scene.friction_coefficient = 2.12535;
-  scene.motion.indentation = 3.44812e-4;
-  scene.motion.normal_amplitude = 9.1224e-5;
-  scene.motion.tangential_amplitude = 5.196e-8;
-  scene.motion.phase = 231.656;
-  scene.rings_per_radius = 32;
-  scene.steps_per_cycle = 32;
-  const auto fe = simulate_case(scene);
-  const double exact = exact_answer(scene).stick_radius_shakedown.value(),
-               ring = fem_case(scene, mdr_case(scene)).units.length / 32;
-  EXPECT_LT(std::abs(exact - scene.indenter.flat_radius), 4 * ring);
-  EXPECT_GT(std::abs(*fe.stick_radius_shakedown - exact), ring / 4);
-  EXPECT_NEAR(*fe.stick_radius_shakedown, exact, fe.shakedown_uncertainty);
 }
 
 // No radius is read where the flank touches without pressure; that nothing wears there is what is read instead.

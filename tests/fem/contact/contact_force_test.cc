@@ -114,13 +114,13 @@ TEST_F(ContactForceTest, GoesOnToAnEdgeWhereThePressureJumps) {
   EXPECT_GT(worst_sum, 1e-3);
 }
 
-// int_a^b (v + a^2 - r^2) dr over the quarter ring up to a kink that no ring shows; one three rings away is seen.
-TEST_F(ContactForceTest, IsUncertainByAQuarterOfWhatGoesOnToAnUnseenKink) {
-  const double a = series_.radii()[28] + 0.3 * ring_, b = a + 0.25 * ring_;
-  const double unseen = 8 * ((Growing::speed + a * a) * (b - a) - (b * b * b - a * a * a) / 3);
-  const Growing growing(problem_, a);
-  EXPECT_NEAR(growing.read(series_, b).kink_uncertainty / (unseen / 4), 1, 1e-3);  // where a is read, 1e-5 of 8e-3
-  EXPECT_EQ(growing.read(series_, a + 3 * ring_).kink_uncertainty, 0);
+// A quarter of a ring from the edge no ring shows it, three rings away some do.
+TEST_F(ContactForceTest, TellsWhetherTheKinkOfTheGapIsHidden) {
+  const double edge = series_.radii()[28] + 0.3 * ring_;
+  const Growing growing(problem_, edge);
+  EXPECT_TRUE(growing.read(series_, edge + 0.25 * ring_).hidden_kink);
+  EXPECT_FALSE(growing.read(series_, edge + 3 * ring_).hidden_kink);
+  EXPECT_FALSE(growing.read(series_, edge - 0.25 * ring_).hidden_kink) << "it is growing";
 }
 
 }  // namespace

@@ -238,12 +238,10 @@ TEST(NormalHistory, RepeatsItsLastCycle) {
     for (const long cycles : {0, 1, 2, 50}) EXPECT_EQ(history.column(step + 4 * cycles), step - 9);
 }
 
-// What the readings take from the whole history, not from the cycle alone.
-TEST(NormalHistory, KnowsTheSmallestPressureSinceTheStart) {
+TEST(NormalHistory, KeepsTheLastCycle) {
   const auto& problem = normal_half_space(16);
   for (const auto& model : {elastic_body(), standard_solid()}) {
     const auto record = normal_history(problem, model, parabola_means(problem), fretting_motion(), {});
-    EXPECT_EQ(record.smallest_pressure, Eigen::VectorXd(record.pressure.rowwise().minCoeff()));
     EXPECT_EQ(record.cycle.pressure, Eigen::MatrixXd(record.pressure.rightCols(180)));
   }
 }

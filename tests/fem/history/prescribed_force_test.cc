@@ -172,7 +172,7 @@ TEST(BothForces, ShakeDownToARadiusWithoutTheRheology) {
       const auto history = contact_history(NormalContact(pressed, body, profile, motion, 48),
                                            WatchedFriction(sheared, body, mu, motion, 48), control);
       const auto stuck = stuck_rings(history.friction, motion);
-      const auto zones = stick_zones(sheared.compliance, history.normal, history.friction, stuck);
+      const auto zones = stick_zones(sheared.compliance, history.friction, stuck);
       EXPECT_NEAR(zones.shakedown.radius, exact, 1e-4) << phase << " " << body.viscosity << " " << body.times.size();
     }
   }

@@ -99,7 +99,7 @@ Pass pass(const RelaxationModel& body, const Motion& motion, int wanted) {
       normal_history(NormalContact(normal, body, parabola_means(normal), motion, control.steps_per_cycle), control);
   auto friction =
       friction_history(WatchedFriction(tangential, body, mu, motion, control.steps_per_cycle), history, control);
-  const auto zones = stick_zones(tangential.compliance, history, friction, stuck_rings(friction, motion), 2);
+  const auto zones = stick_zones(tangential.compliance, friction, stuck_rings(friction, motion));
   return {std::move(history), std::move(friction), zones};
 }
 

@@ -23,7 +23,7 @@ std::vector<Resolution> unlike_resolutions() {
   all[8].n_creep_cycles = 96;
   all[9].worn_edge_ring = 1e-5;
   all[10].surface_growth = 0.1;
-  all[11].active_set_slack = 1e-12;
+  all[11].edge_before_node = 0.5;
   all[12].focus = Focus{0, 0, 0};
   all[13].focus = Focus{0, 0.5, 0};
   all[14].focus = Focus{0, 0.5, 0.01};
