@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "fem/support/wide_registers.h"
+
 namespace fretval::fem {
 namespace {
 
@@ -30,35 +32,55 @@ struct Differences {
   }
 };
 
+/// Whether the middle one of three samples may have a minimum beside it that is lower than what is known: smooth
+/// samples have none lower than a fifth of their second difference below the middle one, and a parabola none lower than
+/// an eighth. Without a branch.
+bool may_be_lower(double b, double middle, double d, double least) {
+  return (middle <= b) & (middle <= d) & (middle - (d - 2 * middle + b) / 5 < least);
+}
+
 }  // namespace
 
 RunningMinimum::RunningMinimum(Eigen::Index n, double floor)
-    : minimum_(Eigen::VectorXd::Constant(n, std::numeric_limits<double>::infinity())), floor_(floor) {
-  samples_.fill(Eigen::VectorXd(n));
-}
+    : minimum_(Eigen::VectorXd::Constant(n, std::numeric_limits<double>::infinity())),
+      samples_(n, n_kept),
+      floor_(floor) {}
 
 /// To the ends of a piece, from samples at the same fraction of equal steps.
 void RunningMinimum::extend_to_ends(const StepInPiece& step) {
-  const auto &before = samples_[samples_.size() - 2], &last = samples_.back();
-  const auto see = [this](const Eigen::VectorXd& end) { minimum_ = minimum_.cwiseMin(end.cwiseMax(floor_)); };
+  const auto before = sample(1), last = sample(0);
+  const auto see = [this](const auto& end) { minimum_ = minimum_.cwiseMin(end.cwiseMax(floor_)); };
   if (!step.first && second_of_piece_) see(before - step.fraction * (last - before));
   if (!step.first && step.last) see(last + (1 - step.fraction) * (last - before));
   second_of_piece_ = step.first;
 }
 
 void RunningMinimum::see_last(const std::optional<StepInPiece>& step) {
-  minimum_ = minimum_.cwiseMin(samples_.back());
-  if (step) return extend_to_ends(*step);
-  if (++n_samples_ < static_cast<int>(samples_.size())) return;
-  const auto& [a, b, middle, d, e] = samples_;
-  for (Eigen::Index i = 0; i < middle.size(); ++i) {
-    // Smooth samples have no minimum lower than a fifth of their second difference below the middle one, and a parabola
-    // none lower than an eighth.
-    const double lowest = middle[i] - (d[i] - 2 * middle[i] + b[i]) / 5;
-    if (lowest >= minimum_[i] || middle[i] > std::min(b[i], d[i])) continue;
+  if (step || ++n_samples_ < n_kept) {
+    minimum_ = minimum_.cwiseMin(sample(0));
+    if (step) extend_to_ends(*step);
+    return;
+  }
+  const double *a = sample(4).data(), *b = sample(3).data(), *middle = sample(2).data(), *d = sample(1).data(),
+               *e = sample(0).data();
+  double* least = minimum_.data();
+  const Eigen::Index n = minimum_.size();
+  Eigen::Index n_minima = 0;
+  in_wide_registers([&](auto) {
+    Eigen::Index n_found = 0;
+#pragma GCC ivdep
+    for (Eigen::Index i = 0; i < n; ++i) {
+      least[i] = std::min(least[i], e[i]);
+      n_found += may_be_lower(b[i], middle[i], d[i], least[i]);
+    }
+    n_minima = n_found;
+  });
+  for (Eigen::Index i = 0; n_minima > 0; ++i) {
+    if (!may_be_lower(b[i], middle[i], d[i], least[i])) continue;
+    --n_minima;
     const Differences differences(a[i], b[i], middle[i], d[i], e[i]);
     const double smallest = differences.smooth() ? differences.minimum_of_quartic() : differences.vertex_of_parabola();
-    minimum_[i] = std::min(minimum_[i], std::max(smallest, floor_));
+    least[i] = std::min(least[i], std::max(smallest, floor_));
   }
 }
 

@@ -1,8 +1,6 @@
 #pragma once
 
 #include <Eigen/Dense>
-#include <algorithm>
-#include <array>
 #include <optional>
 
 #include "fem/motion/sampled_path.h"
@@ -23,8 +21,8 @@ class RunningMinimum {
   /// step: in a piece of a path; empty: of smooth signals.
   template <class Values>
   void add(const Eigen::DenseBase<Values>& values, const std::optional<StepInPiece>& step = {}) {
-    std::rotate(samples_.begin(), samples_.begin() + 1, samples_.end());
-    samples_.back() = values.derived();
+    newest_ = (newest_ + 1) % n_kept;
+    samples_.col(newest_) = values.derived();
     see_last(step);
   }
   /// Forgets the minimum but not the last samples: a minimum among them still counts.
@@ -32,12 +30,15 @@ class RunningMinimum {
   [[nodiscard]] const Eigen::VectorXd& value() const { return minimum_; }
 
  private:
+  static constexpr int n_kept = 5;
   Eigen::VectorXd minimum_;
-  std::array<Eigen::VectorXd, 5> samples_;  // the last ones, oldest first
+  Eigen::MatrixXd samples_;  // the last ones, a column each; the newest takes the place of the oldest
+  int newest_ = 0;
   double floor_;
   int n_samples_ = 0;
   bool second_of_piece_ = false;  // the sample to come
 
+  [[nodiscard]] auto sample(int n_ago) const { return samples_.col((newest_ + n_kept - n_ago) % n_kept); }
   void see_last(const std::optional<StepInPiece>& step);
   void extend_to_ends(const StepInPiece& step);
 };

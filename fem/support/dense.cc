@@ -4,8 +4,59 @@
 #include <f77blas.h>
 
 #include <algorithm>
+#include <cstring>
+
+#include "fem/support/wide_registers.h"
 
 namespace fretval::fem {
+namespace {
+
+using Eigen::Index;
+
+constexpr Index at_once = 4;  // rows, and columns: of every four, a number of x is loaded once
+
+/// products_k <- column_k . x, of rows by fours. Whatever the width of the registers, sums are the same to the last
+/// bit.
+template <Index width, Index n_columns>
+void dot_columns(const double* columns, Index stride, const double* x, Index n_rows, double* products) {
+  using Register [[gnu::vector_size(width * sizeof(double))]] = double;
+  constexpr Index n_parts = at_once / width;
+  Register sums[n_columns][n_parts]{}, column, part_of_x;
+  for (Index i = 0; i < n_rows; i += at_once)
+    for (Index part = 0; part < n_parts; ++part) {
+      const Index row = i + part * width;
+      std::memcpy(&part_of_x, x + row, sizeof(Register));
+      for (Index k = 0; k < n_columns; ++k) {
+        std::memcpy(&column, columns + k * stride + row, sizeof(Register));
+        sums[k][part] += column * part_of_x;
+      }
+    }
+  for (Index k = 0; k < n_columns; ++k) {
+    double of_four[at_once];
+    std::memcpy(of_four, sums[k], sizeof(of_four));
+    products[k] = (of_four[0] + of_four[2]) + (of_four[1] + of_four[3]);
+  }
+}
+
+/// y <- y + sum_k x_k column_k, likewise.
+template <Index width, Index n_columns>
+void add_columns(const double* columns, Index stride, const double* x, Index n_rows, double* y) {
+  using Register [[gnu::vector_size(width * sizeof(double))]] = double;
+  double factors[n_columns];
+  std::copy_n(x, n_columns, factors);
+  for (Index i = 0; i < n_rows; i += width) {
+    Register sum{}, read;
+    for (Index k = 0; k < n_columns; ++k) {
+      std::memcpy(&read, columns + k * stride + i, sizeof(Register));
+      sum += factors[k] * read;
+    }
+    std::memcpy(&read, y + i, sizeof(Register));
+    sum += read;
+    std::memcpy(y + i, &sum, sizeof(Register));
+  }
+}
+
+}  // namespace
 
 const std::string& dense_kernels() {
   // OpenBLAS writes its text into the same place in every call: two threads at once would read what is half written.
@@ -33,18 +84,41 @@ void solve_leading(const Eigen::MatrixXd& lower, Eigen::Ref<Eigen::VectorXd> x) 
   lower.topLeftCorner(x.size(), x.size()).triangularView<Eigen::Lower>().solveInPlace(x);
 }
 
-void multiply_transposed(const Eigen::MatrixXd& lower, Eigen::Ref<Eigen::VectorXd> x, Eigen::Index first) {
-  for (Eigen::Index j = 0, n = x.size(); j < n; ++j) {
-    const Eigen::Index length = n - std::max(j, first);
-    x[j] = lower.col(j).segment(n - length, length).dot(x.tail(length));
-  }
+// What does not divide by four is a corner of up to three rows and columns at the upper left. As all is zero above the
+// diagonal, the four columns of a block begin in the same row.
+void multiply_transposed(const Eigen::MatrixXd& lower, Eigen::Ref<Eigen::VectorXd> vector, Index first) {
+  double* x = vector.data();
+  Index n = vector.size();
+  while (n > 0 && x[n - 1] == 0) --n;
+  const Index stride = lower.rows(), corner = n % at_once,
+              begin = first > corner ? first - (first - corner) % at_once : corner;
+  in_wide_registers([=, columns = lower.data()](auto width) {
+    for (Index j = 0; j < corner; ++j) {
+      double product = 0;
+      dot_columns<width, 1>(columns + j * stride + begin, stride, x + begin, n - begin, &product);
+      for (Index i = j; i < corner; ++i) product += columns[j * stride + i] * x[i];
+      x[j] = product;
+    }
+    for (Index j = corner; j < n; j += at_once) {
+      const Index from = std::max(j, begin);
+      dot_columns<width, at_once>(columns + j * stride + from, stride, x + from, n - from, x + j);
+    }
+  });
 }
 
-void multiply_trailing(const Eigen::MatrixXd& lower, const Eigen::Ref<const Eigen::VectorXd>& x,
-                       Eigen::Ref<Eigen::VectorXd> y) {
-  y.setZero();
-  for (Eigen::Index n = x.size(), j = 0; j < n; ++j)
-    y.tail(n - j) += x[j] * lower.col(lower.cols() - n + j).tail(n - j);
+void multiply_trailing(const Eigen::MatrixXd& lower, const Eigen::Ref<const Eigen::VectorXd>& vector,
+                       Eigen::Ref<Eigen::VectorXd> product) {
+  const Index n = vector.size(), stride = lower.rows(), corner = n % at_once, before = lower.cols() - n;
+  product.setZero();
+  in_wide_registers(
+      [=, columns = lower.data() + before * (stride + 1), x = vector.data(), y = product.data()](auto width) {
+        for (Index j = 0; j < corner; ++j) {
+          for (Index i = j; i < corner; ++i) y[i] += columns[j * stride + i] * x[j];
+          add_columns<width, 1>(columns + j * stride + corner, stride, x + j, n - corner, y + corner);
+        }
+        for (Index j = corner; j < n; j += at_once)
+          add_columns<width, at_once>(columns + j * (stride + 1), stride, x + j, n - j, y + j);
+      });
 }
 
 void subtract_product(const Eigen::MatrixXd& matrix, Eigen::Index row, Eigen::Index column,

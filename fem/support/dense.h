@@ -8,7 +8,8 @@ namespace fretval::fem {
 
 // Dense operators of a thousand rows through BLAS and LAPACK, whose kernels are chosen for the processor at run time;
 // Eigen's own are compiled for all of them, and take four times as long. Not so for single vectors and triangles: BLAS
-// takes a buffer for each, under a lock that threads share, and twice as long at 36 rings, as long at 256.
+// takes a buffer for each, under a lock that threads share, and of a product four times as long at 36 rings, 1.6 times
+// at 256.
 
 /// Name, version and kernels of the BLAS: with other ones, results differ by roundoff.
 const std::string& dense_kernels();
@@ -19,12 +20,12 @@ std::optional<Eigen::MatrixXd> cholesky(Eigen::MatrixXd matrix);
 /// L^-1 rhs of a lower triangle.
 Eigen::MatrixXd solve_lower(const Eigen::MatrixXd& lower, Eigen::MatrixXd rhs);
 
-/// x <- L_n^-1 x and x <- L_n^T x, L_n the leading n rows and columns of a lower triangle, n = x.size(). The entries of
-/// x before the first are zero.
+/// x <- L_n^-1 x, L_n the leading n rows and columns of a lower triangle, n = x.size().
 void solve_leading(const Eigen::MatrixXd& lower, Eigen::Ref<Eigen::VectorXd> x);
-void multiply_transposed(const Eigen::MatrixXd& lower, Eigen::Ref<Eigen::VectorXd> x, Eigen::Index first = 0);
 
-/// y <- L_n x, L_n the trailing n rows and columns of a lower triangle, n = x.size().
+/// x <- L_n^T x of the leading, y <- L_n x of the trailing n rows and columns of a lower triangle that is zero above
+/// the diagonal. The entries of x before the first are zero; zeros at its end take no time.
+void multiply_transposed(const Eigen::MatrixXd& lower, Eigen::Ref<Eigen::VectorXd> x, Eigen::Index first = 0);
 void multiply_trailing(const Eigen::MatrixXd& lower, const Eigen::Ref<const Eigen::VectorXd>& x,
                        Eigen::Ref<Eigen::VectorXd> y);
 

@@ -52,15 +52,8 @@ SpringStep::SpringStep(const PronyBody& body, double mu, double dt) : limit_(1.5
     gain_sum_ += gain_.back();
   }
   viscosity_ = body.viscosity / body.relaxed_modulus;
-  theta_ = viscosity_ > 0 ? fitted_theta(dt * (1 + gain_sum_) / viscosity_) : 1;
-  weight_ = viscosity_ / dt + theta_ * (1 + gain_sum_);
-}
-
-// Position of a tip at the end of a step whose load, averaged with theta, is given.
-template <class T>
-T SpringStep::tip_under(double load, const T& position, const T& left, const T& force_now) const {
-  return (load + viscosity_ / dt_ * position - theta_ * (left - gain_sum_ * position) - (1 - theta_) * force_now) /
-         weight_;
+  const double theta = viscosity_ > 0 ? fitted_theta(dt * (1 + gain_sum_) / viscosity_) : 1;
+  tip_under_ = {viscosity_ / dt, theta, gain_sum_, viscosity_ / dt + theta * (1 + gain_sum_)};
 }
 
 Eigen::ArrayXd SpringStep::left_of(const Eigen::ArrayXXd& memory) const {
@@ -68,36 +61,46 @@ Eigen::ArrayXd SpringStep::left_of(const Eigen::ArrayXXd& memory) const {
 }
 
 Eigen::ArrayXd SpringStep::free_tips(const Eigen::ArrayXd& position, const Eigen::ArrayXXd& memory) const {
-  return tip_under<Eigen::ArrayXd>(0, position, left_of(memory), position + memory.rowwise().sum());
+  return tip_under_.operator()<Eigen::ArrayXd>(0, position, left_of(memory), position + memory.rowwise().sum());
 }
 
 void SpringStep::advance(SpringState& state, const SpringBed& bed, const IndenterState& to) const {
-  if (viscosity_ > 0) return advance_with_dashpot(state, bed, to);
+  if (viscosity_ > 0)
+    advance_in_wide_registers<true>(state, bed, to);
+  else
+    advance_in_wide_registers<false>(state, bed, to);
+  state.indenter_before = std::exchange(state.indenter, to);
+}
+
+template <bool has_dashpot>
+void SpringStep::advance_in_wide_registers(SpringState& state, const SpringBed& bed, const IndenterState& to) const {
   in_wide_registers([&] {
     switch (decay_.size()) {
       case 0:
-        return advance_elastomer<0>(state, bed, to);
+        return advance_springs<has_dashpot, 0>(state, bed, to);
       case 1:
-        return advance_elastomer<1>(state, bed, to);
+        return advance_springs<has_dashpot, 1>(state, bed, to);
       case 2:
-        return advance_elastomer<2>(state, bed, to);
+        return advance_springs<has_dashpot, 2>(state, bed, to);
       case 3:
-        return advance_elastomer<3>(state, bed, to);
+        return advance_springs<has_dashpot, 3>(state, bed, to);
       default:
-        return advance_elastomer<-1>(state, bed, to);
+        return advance_springs<has_dashpot, -1>(state, bed, to);
     }
   });
 }
 
 // One pass over the springs without a branch in it, so that the compiler vectorises it; n_branches = -1: any number.
-template <int n_branches>
-void SpringStep::advance_elastomer(SpringState& state, const SpringBed& bed, const IndenterState& to) const {
+template <bool has_dashpot, int n_branches>
+void SpringStep::advance_springs(SpringState& state, const SpringBed& bed, const IndenterState& to) const {
   constexpr auto n_fixed = static_cast<std::size_t>(std::max(n_branches, 1));
   const std::size_t n_memory = n_branches < 0 ? decay_.size() : n_branches;
   const Eigen::Index n = bed.depth.size();
   const double gain = gain_sum_, compliance = 1 / (1 + gain_sum_), limit = limit_;
+  const TipRule tip_under = tip_under_;
   const double d = to.indentation, d_before = state.indenter.indentation,
-               shift = to.tangential - state.indenter.tangential;
+               shift = to.tangential - state.indenter.tangential, drag = viscosity_ * to.indentation_rate,
+               tangential_drag = viscosity_ * to.tangential_rate;
   const double* g = bed.depth.data();
   double *u = state.normal_depth.data(), *v = state.tangential_shift.data();
   double *p = state.normal_load.data(), *t = state.tangential_load.data();
@@ -111,21 +114,45 @@ void SpringStep::advance_elastomer(SpringState& state, const SpringBed& bed, con
   const double* b = n_branches < 0 ? gain_.data() : branch_gain.data();
 #pragma GCC ivdep
   for (Eigen::Index j = 0; j < n; ++j) {
-    double left = 0, left_tangential = 0;  // of the memory, at the end of the step
+    // Of the memory, at the end of the step; and the forces at its start.
+    double left = 0, left_tangential = 0, now = u[j], now_tangential = v[j];
     for (std::size_t i = 0; i < n_memory; ++i) {
       const Eigen::Index at = static_cast<Eigen::Index>(i) * n + j;
       left += a[i] * h[at];
       left_tangential += a[i] * k[at];
+      now += h[at];
+      now_tangential += k[at];
     }
-    const double free = (gain * u[j] - left) * compliance;
-    const double depth = std::max(free, d - g[j]);
-    const double load = (1 + gain) * (depth - free);
-    const double held = share_in_contact(p[j], u[j] - (d_before - g[j]), d - g[j] - free);
-    const double trial = held * (v[j] + left_tangential + (1 + gain) * shift);
-    const double most = limit * load;
-    const double traction = std::min(std::max(trial, -most), most);
-    const double tip = (traction - left_tangential + gain * v[j]) * compliance;
-    slip[j] = p[j] > 0 || load > 0 ? (trial - traction) * compliance : 0;
+    const double touching = d - g[j], above = u[j] - (d_before - g[j]);
+    double depth, load, traction, tip, slipped;
+    if constexpr (has_dashpot) {
+      const double free = tip_under(0.0, u[j], left, now);
+      const double pressed = touching + left + gain * (touching - u[j]) + drag;
+      const double in_contact = p[j] > 0 ? pressed : touching - free;  // where positive
+      load = in_contact > 0 ? std::max(0.0, pressed) : 0;
+      depth = in_contact > 0 ? touching : std::max(free, touching);
+      // Where the tip goes if it sticks from the instant of touch on, until when it recovers.
+      const double held = share_in_contact(p[j], above, touching - free),
+                   moved = held * shift + (1 - held) * (tip_under(0.0, v[j], left_tangential, now_tangential) - v[j]);
+      const double stuck = v[j] + left_tangential + (1 + gain) * moved + tangential_drag;
+      const double most = limit * load;
+      traction = std::min(std::max(stuck, -most), most);
+      const double mean_load = in_contact > 0 ? tip_under.theta * traction + (1 - tip_under.theta) * t[j] : 0;
+      const double slipping = tip_under(mean_load, v[j], left_tangential, now_tangential);
+      tip = in_contact > 0 && traction == stuck ? v[j] + moved : slipping;
+      slipped = in_contact > 0 || p[j] > 0 ? v[j] + moved - tip : 0;
+    } else {
+      const double free = (gain * u[j] - left) * compliance;
+      depth = std::max(free, touching);
+      load = (1 + gain) * (depth - free);
+      const double held = share_in_contact(p[j], above, touching - free);
+      const double stuck = held * (v[j] + left_tangential + (1 + gain) * shift);
+      const double most = limit * load;
+      traction = std::min(std::max(stuck, -most), most);
+      tip = (traction - left_tangential + gain * v[j]) * compliance;
+      slipped = p[j] > 0 || load > 0 ? (stuck - traction) * compliance : 0;
+    }
+    slip[j] = slipped;
     const double move = depth - u[j], tangential_move = tip - v[j];
     for (std::size_t i = 0; i < n_memory; ++i) {
       const Eigen::Index at = static_cast<Eigen::Index>(i) * n + j;
@@ -137,49 +164,6 @@ void SpringStep::advance_elastomer(SpringState& state, const SpringBed& bed, con
     p[j] = load;
     t[j] = traction;
   }
-  state.indenter_before = std::exchange(state.indenter, to);
-}
-
-void SpringStep::advance_with_dashpot(SpringState& state, const SpringBed& bed, const IndenterState& to) const {
-  const double shift = to.tangential - state.indenter.tangential;
-  const auto n_memory = static_cast<Eigen::Index>(decay_.size());
-  for (Eigen::Index j = 0; j < bed.depth.size(); ++j) {
-    double left = 0, left_tangential = 0, now = state.normal_depth[j], now_tangential = state.tangential_shift[j];
-    for (Eigen::Index i = 0; i < n_memory; ++i) {
-      const double a = decay_[static_cast<std::size_t>(i)];
-      left += a * state.normal_memory(j, i);
-      left_tangential += a * state.tangential_memory(j, i);
-      now += state.normal_memory(j, i);
-      now_tangential += state.tangential_memory(j, i);
-    }
-    const double u = state.normal_depth[j], v = state.tangential_shift[j], touching = to.indentation - bed.depth[j];
-    const double free = tip_under(0.0, u, left, now);
-    const double pressed = touching + left + gain_sum_ * (touching - u) + viscosity_ * to.indentation_rate;
-    const bool contact = state.normal_load[j] > 0 ? pressed > 0 : touching > free;
-    const double load = contact ? std::max(0.0, pressed) : 0;
-    const double depth = contact ? touching : std::max(free, touching);
-    // Where the tip goes if it sticks from the instant of touch on, until when it recovers.
-    const double held = share_in_contact(state.normal_load[j], u - (state.indenter.indentation - bed.depth[j]),
-                                         touching - free),
-                 moved = held * shift + (1 - held) * (tip_under(0.0, v, left_tangential, now_tangential) - v);
-    const double stuck = v + left_tangential + (1 + gain_sum_) * moved + viscosity_ * to.tangential_rate;
-    const double most = limit_ * load;
-    const double traction = std::min(std::max(stuck, -most), most);
-    const double mean_load = contact ? theta_ * traction + (1 - theta_) * state.tangential_load[j] : 0;
-    const double tip =
-        contact && traction == stuck ? v + moved : tip_under(mean_load, v, left_tangential, now_tangential);
-    state.slip[j] = contact || state.normal_load[j] > 0 ? v + moved - tip : 0;
-    for (Eigen::Index i = 0; i < n_memory; ++i) {
-      const double a = decay_[static_cast<std::size_t>(i)], b = gain_[static_cast<std::size_t>(i)];
-      state.normal_memory(j, i) = a * state.normal_memory(j, i) + b * (depth - u);
-      state.tangential_memory(j, i) = a * state.tangential_memory(j, i) + b * (tip - v);
-    }
-    state.normal_depth[j] = depth;
-    state.tangential_shift[j] = tip;
-    state.normal_load[j] = load;
-    state.tangential_load[j] = traction;
-  }
-  state.indenter_before = std::exchange(state.indenter, to);
 }
 
 IndenterState SpringStep::arrived(const SpringState& state, double indentation, double tangential) const {

@@ -91,11 +91,20 @@ class SpringStep {
                                                  double indentation) const;
 
  private:
-  template <int n_branches>
-  void advance_elastomer(SpringState& state, const SpringBed& bed, const IndenterState& to) const;
-  void advance_with_dashpot(SpringState& state, const SpringBed& bed, const IndenterState& to) const;
-  template <class T>
-  [[nodiscard]] T tip_under(double load, const T& position, const T& left, const T& force_now) const;
+  /// Position of a tip at the end of a step whose load, averaged with theta, is given. left: of the force of the
+  /// branches; force_now: at the start, with that of the relaxed body.
+  struct TipRule {
+    double viscous, theta, gain_sum, weight;  // eta/(G0 dt), -, -, viscous + theta (1 + gain_sum)
+    template <class T>
+    [[nodiscard]] T operator()(double load, const T& position, const T& left, const T& force_now) const {
+      return (load + viscous * position - theta * (left - gain_sum * position) - (1 - theta) * force_now) / weight;
+    }
+  };
+
+  template <bool has_dashpot, int n_branches>
+  void advance_springs(SpringState& state, const SpringBed& bed, const IndenterState& to) const;
+  template <bool has_dashpot>
+  void advance_in_wide_registers(SpringState& state, const SpringBed& bed, const IndenterState& to) const;
   [[nodiscard]] Eigen::ArrayXd left_of(const Eigen::ArrayXXd& memory) const;
   [[nodiscard]] Eigen::ArrayXd free_tips(const Eigen::ArrayXd& position, const Eigen::ArrayXXd& memory) const;
 
@@ -105,8 +114,7 @@ class SpringStep {
   std::vector<double> gain_;   // (G_i/G0) (tau_i/dt) (1 - decay_i)
   double gain_sum_;
   double viscosity_;  // eta/G0 in s
-  double theta_;      // of the free tip
-  double weight_;     // eta/(G0 dt) + theta (1 + gain_sum)
+  TipRule tip_under_;
 };
 
 }  // namespace fretval::mdr

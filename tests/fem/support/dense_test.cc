@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "tests/fem/random_vector.h"
@@ -49,21 +50,23 @@ TEST(Dense, SolvesALowerTriangle) {
   EXPECT_LT((solve_lower(lower, rhs) - expected).norm(), roundoff * expected.norm());
 }
 
-// Of any leading or trailing rows and columns, in place.
+// Of any leading or trailing rows and columns, in place, whether they divide by four or not.
 TEST(Dense, MultipliesVectorsByTriangles) {
   const MatrixXd lower = *cholesky(positive_definite(70));
-  for (const Eigen::Index n : {1, 36, 70})
-    for (const Eigen::Index first : {Eigen::Index{0}, n / 3}) {
-      Eigen::VectorXd x = random_vector(n, 4);
-      x.head(first).setZero();
-      const Eigen::VectorXd expected = MatrixXd(lower.topLeftCorner(n, n)).transpose() * x,
-                            trailing = MatrixXd(lower.bottomRightCorner(n, n)) * x;
-      Eigen::VectorXd product(n);
-      multiply_trailing(lower, x, product);
-      multiply_transposed(lower, x, first);
-      EXPECT_LT((x - expected).norm(), roundoff * expected.norm()) << n;
-      EXPECT_LT((product - trailing).norm(), roundoff * trailing.norm()) << n;
-    }
+  for (const Eigen::Index n : {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 36, 69, 70}) {
+    const MatrixXd leading = lower.topLeftCorner(n, n), trailing = lower.bottomRightCorner(n, n);
+    for (Eigen::Index first = 0; first <= n; first += std::max<Eigen::Index>(n / 9, 1))
+      for (const Eigen::Index n_zeros_at_end : {Eigen::Index{0}, n / 5, n - first}) {
+        Eigen::VectorXd x = random_vector(n, 4), product(n);
+        x.head(first).setZero();
+        x.tail(n_zeros_at_end).setZero();
+        const Eigen::VectorXd expected = leading.transpose() * x, expected_of_trailing = trailing * x;
+        multiply_trailing(lower, x, product);
+        multiply_transposed(lower, x, first);
+        EXPECT_LE((x - expected).norm(), roundoff * expected.norm()) << n << ' ' << first << ' ' << n_zeros_at_end;
+        EXPECT_LE((product - expected_of_trailing).norm(), roundoff * expected_of_trailing.norm()) << n << ' ' << first;
+      }
+  }
 }
 
 TEST(Dense, GramIsBothTrianglesOfTheProduct) {
