@@ -50,13 +50,18 @@ PunchSeries::PunchSeries(const Compliance& compliance, SharedMatrix factor)
     : factor_(std::move(factor)),
       areas_(compliance.areas),
       by_load_(factor_->triangularView<Eigen::Lower>().solve(areas_)),
+      per_load_(by_load_.cwiseInverse()),
       edges_(effective_radii(compliance).radius),
       radii_((edges_.head(areas_.size()) + edges_.tail(areas_.size())) / 2),
       force_per_radius_(by_load_.squaredNorm() / edges_[areas_.size()]) {}
 
-Eigen::VectorXd PunchSeries::depths(Eigen::VectorXd traction) const {
+void PunchSeries::to_depths(Eigen::VectorXd& traction) const {
   multiply_transposed(factor_, traction);
-  traction.array() /= by_load_.array();
+  traction.array() *= per_load_.array();
+}
+
+Eigen::VectorXd PunchSeries::depths(Eigen::VectorXd traction) const {
+  to_depths(traction);
   return traction;
 }
 
@@ -68,7 +73,7 @@ Eigen::MatrixXd PunchSeries::depths_of_instants(Eigen::MatrixXd tractions) const
 Eigen::VectorXd PunchSeries::displacements(const Eigen::VectorXd& rings) const {
   Eigen::VectorXd displacements = areas_.cwiseProduct(rings);
   solve_leading(factor_, displacements);
-  return displacements.cwiseQuotient(by_load_);
+  return displacements.cwiseProduct(per_load_);
 }
 
 Eigen::VectorXd PunchSeries::rings(const Eigen::VectorXd& displacements, Index first) const {

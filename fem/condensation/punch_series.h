@@ -31,10 +31,11 @@ class PunchSeries {
   /// spring of MDR is to the pressure: it varies smoothly in time also next to the edge, where the margin falls and
   /// rises like |t - t*|, so it is the reserve whose minimum over time can be read from samples.
   [[nodiscard]] Eigen::VectorXd depths(Eigen::VectorXd traction) const;
+  void to_depths(Eigen::VectorXd& traction) const;                                    ///< in its place
   [[nodiscard]] Eigen::MatrixXd depths_of_instants(Eigen::MatrixXd tractions) const;  ///< a column each
 
   /// The same from L^T t, which whoever has solved for t has already.
-  [[nodiscard]] auto depths_of_loads(const Eigen::VectorXd& loads) const { return loads.cwiseQuotient(by_load_); }
+  [[nodiscard]] auto depths_of_loads(const Eigen::VectorXd& loads) const { return loads.cwiseProduct(per_load_); }
 
   /// `s_j = (L^{-1} (A s))_j / b_j` of ring displacements s: work-conjugate to the depths,
   /// `sum_j A_j t_j s_j = sum_j b_j^2 D_j s_j`.
@@ -78,9 +79,9 @@ class PunchSeries {
  private:
   SharedMatrix factor_;
   Eigen::VectorXd areas_;
-  Eigen::VectorXd by_load_;  // b
-  Eigen::VectorXd edges_;    // n + 1 effective radii
-  Eigen::VectorXd radii_;    // of the depths
+  Eigen::VectorXd by_load_, per_load_;  // b, 1/b
+  Eigen::VectorXd edges_;               // n + 1 effective radii
+  Eigen::VectorXd radii_;               // of the depths
   double force_per_radius_;
 };
 

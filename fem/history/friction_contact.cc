@@ -35,7 +35,7 @@ void FrictionContact::attempt(const IndenterMove& to_balance, Attempt& made) con
   problem_.solver.hold(target);
   slip_before_touch(made);
   foresee_slip(made);
-  problem_.solver.solve(target, -limit, limit, stick, solution);
+  problem_.solver.solve(target, least_, limit, stick, solution);
   depths = problem_.series.depths_of_loads(solution.loads);
 }
 
@@ -44,7 +44,8 @@ void FrictionContact::attempt(const IndenterMove& to_balance, Attempt& made) con
 /// limit. In other states that is only about right, and rings at their very limit are what they were in the last step.
 void FrictionContact::foresee_slip(Attempt& made) const {
   constexpr double roundoff = 1e-10;
-  const Eigen::VectorXd depths = problem_.series.depths_of_loads(made.target.held);
+  auto& depths = made.depths;
+  depths = problem_.series.depths_of_loads(made.target.held);
   const double close = roundoff * depths.lpNorm<Eigen::Infinity>();
   Eigen::Index n_touching = limit.size(), n_stuck = 0;
   while (n_touching > 0 && limit[n_touching - 1] == 0) --n_touching;
@@ -143,7 +144,9 @@ void FrictionContact::step(const Eigen::Ref<const Eigen::VectorXd>& pressure,
   const double weight = step_.fraction(), time = begin + weight * dt_;
   find_touching(pressure, normal);
   limit = friction_coefficient_ * pressure;
-  limit_depths = problem_.series.depths(limit);
+  least_ = -limit;
+  limit_depths = limit;
+  problem_.series.to_depths(limit_depths);
   auto to_balance = indenter_move(position, begin, time),
        whole = weight == 1 ? to_balance : indenter_move(position, begin, begin + dt_);
   if (motion_.tangential_force) {
@@ -157,7 +160,7 @@ void FrictionContact::step(const Eigen::Ref<const Eigen::VectorXd>& pressure,
   zones.update(limit, stick, depths);
   for (std::size_t i = 0; i < stick.size(); ++i)
     if (limit[static_cast<Eigen::Index>(i)] == 0) stick[i] = BoxState::interior;  // the guess for when it touches again
-  slip = solution.residual.cwiseQuotient(problem_.compliance.areas) / step_.instantaneous();
+  slip = solution.residual.cwiseQuotient(step_.instantaneous() * problem_.compliance.areas);
   if (slip_to_touch.size() > 0) slip += slip_to_touch;
   step_.advance(state, whole, slip);
   balance_displacement = displacement + to_balance.increment;

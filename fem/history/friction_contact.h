@@ -91,6 +91,7 @@ class FrictionContact {
   StepTimes times_;
   double dt_;  // of the step that step_ is made for
   RelaxationStep step_;
+  Eigen::VectorXd least_;     // -limit
   Attempt made_;              // in the last step
   double radius_before_ = 0;  // of the contact
   Eigen::Index first_touching_ = 0;

@@ -57,26 +57,6 @@ class ForcesOfPeriod {
 
 }  // namespace
 
-FirstSlip::FirstSlip(Eigen::Index n_rings)
-    : margin_(Eigen::VectorXd::Constant(n_rings, infinity)),
-      slip_path_(Eigen::VectorXd::Zero(n_rings)),
-      forward_(n_rings, -infinity),
-      backward_(n_rings, -infinity) {}
-
-void FirstSlip::see(const FrictionContact& contact) {
-  const auto& depths = contact.zones.depths();
-  margin_ = margin_.cwiseMin(contact.limit - contact.traction.cwiseAbs());
-  forward_.add(contact.limit_depths - depths, contact.in_piece());
-  backward_.add(contact.limit_depths + depths, contact.in_piece());
-  slip_path_ += contact.slip.cwiseAbs();
-}
-
-void FirstSlip::report(FrictionHistory& history) const {
-  history.first_slip_margin = margin_;
-  history.first_slip_reserve = forward_.value().cwiseMin(backward_.value());
-  history.slip_path = slip_path_;
-}
-
 FrictionPeriod::FrictionPeriod(Eigen::Index n_rings, int n_steps)
     : forward_(n_rings),
       backward_(n_rings),
@@ -111,32 +91,28 @@ void FrictionPeriod::begin() {
 }
 
 void FrictionPeriod::pass(const FrictionContact& contact) {
-  slip_ += contact.slip.cwiseAbs();
-  traction_.col(k_) = contact.traction;
-  depths_.col(k_++) = contact.zones.depths();
-}
-
-void FrictionPeriod::see(const FrictionContact& contact) {
-  const auto& depths = contact.zones.depths();
-  const auto &limit = contact.limit, &slip = contact.slip, &traction = contact.traction;
+  const auto &limit = contact.limit, &traction = contact.traction, &depths = contact.zones.depths();
   forward_ = forward_.cwiseMin(limit - traction);
   backward_ = backward_.cwiseMin(limit + traction);
   const auto step = contact.in_piece();
   forward_reserve_.add(contact.limit_depths - depths, step);
   backward_reserve_.add(contact.limit_depths + depths, step);
+  slip_ += contact.slip.cwiseAbs();
+  traction_.col(k_) = traction;
+  depths_.col(k_++) = depths;
+}
+
+void FrictionPeriod::see(const FrictionContact& contact) {
   displacement_.col(k_) = contact.balance_displacements();
-  slips_.col(k_) = slip;
-  auto whole_step = step;  // the indenter is known at its end
+  slips_.col(k_) = contact.slip;
+  auto whole_step = contact.in_piece();  // the indenter is known at its end
   if (whole_step) whole_step->fraction = 1;
   least_.add(Eigen::VectorXd::Constant(1, contact.displacement), whole_step);
   most_.add(Eigen::VectorXd::Constant(1, -contact.displacement), whole_step);
   indenter_[k_] = contact.balance_displacement;
   weights_[k_] = 1.5 - contact.fraction();
+  for (std::size_t i = 0; i < zones_.size(); ++i) zones_[i] |= contact.limit[static_cast<Eigen::Index>(i)] > 0 ? 2 : 4;
   pass(contact);
-  for (std::size_t i = 0; i < zones_.size(); ++i) {
-    const auto ring = static_cast<Eigen::Index>(i);
-    zones_[i] |= limit[ring] > 0 ? 2 : 4;
-  }
 }
 
 void FrictionPeriod::report(const ContactProblem& problem, FrictionHistory& history) const {
@@ -173,6 +149,23 @@ double FrictionPeriod::amplitude(const Motion& motion) const {
   return motion.tangential_force ? -(least_.value()[0] + most_.value()[0]) / 2 : motion.tangential_amplitude();
 }
 
+FirstSlip::FirstSlip(Eigen::Index n_rings)
+    : margin_(Eigen::VectorXd::Constant(n_rings, infinity)),
+      reserve_(margin_),
+      slip_path_(Eigen::VectorXd::Zero(n_rings)) {}
+
+void FirstSlip::see(const FrictionPeriod& period) {
+  margin_ = margin_.cwiseMin(period.margin());
+  reserve_ = reserve_.cwiseMin(period.reserve());
+  slip_path_ += period.slip();
+}
+
+void FirstSlip::report(FrictionHistory& history) const {
+  history.first_slip_margin = margin_;
+  history.first_slip_reserve = reserve_;
+  history.slip_path = slip_path_;
+}
+
 WatchedFriction::WatchedFriction(const ContactProblem& problem, const RelaxationModel& relaxation,
                                  double friction_coefficient, const Motion& motion, int steps_per_cycle)
     : contact(problem, relaxation, friction_coefficient, motion, steps_per_cycle),
@@ -187,12 +180,14 @@ void WatchedFriction::step(const Eigen::VectorXd& pressure, const std::optional<
     period.begin();
   }
   contact.step(pressure, normal);
-  first_slip.see(contact);
   if (contact.n_steps <= n_steps_to_pass_)
     period.pass(contact);
   else
     period.see(contact);
-  if (contact.n_steps % period_steps() == 0) slip_of_periods.push_back(period.slip());
+  if (contact.n_steps % period_steps() == 0) {
+    first_slip.see(period);
+    slip_of_periods.push_back(period.slip());
+  }
 }
 
 void WatchedFriction::step_beside(const NormalContact& normal) {
@@ -304,8 +299,8 @@ FrictionHistory friction_history(WatchedFriction friction, const NormalHistory& 
     if (!after_jump) {
       const double change = change_per_period(friction.period.traction(), friction.traction_before);
       history.periodicity = std::min(change_to_come(change, creep), std::max(change, to_come));
-      repeats = history.periodicity <= control.periodicity ||
-                (contact.motion().tangential_force && scatter.is_all(change));
+      repeats =
+          history.periodicity <= control.periodicity || (contact.motion().tangential_force && scatter.is_all(change));
       const double allowed = slip_of_stuck_ring(contact.motion(), friction.period.amplitude(contact.motion()));
       const auto is_about = in_order ? is_about_to_stick : any_is_about_to_stick;
       settling = is_about(friction.slip_before, friction.period.slip(), allowed,

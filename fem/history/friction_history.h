@@ -39,20 +39,6 @@ struct FrictionHistory {
 /// its offset settles. amplitude: of the indenter, see FrictionHistory.
 double slip_of_stuck_ring(const Motion& motion, double amplitude);
 
-/// Watches for the rings that have never slipped.
-class FirstSlip {
- public:
-  explicit FirstSlip(Eigen::Index n_rings);
-  void see(const FrictionContact& contact);
-  void report(FrictionHistory& history) const;
-  [[nodiscard]] const Eigen::VectorXd& slip_path() const { return slip_path_; }
-
- private:
-  Eigen::VectorXd margin_, slip_path_;
-  // No floor under a reserve: below zero between two samples it tells what a finer step would have let slip.
-  RunningMinimum forward_, backward_;
-};
-
 /// Watches one period: what still slips in it, its tractions, its energy.
 class FrictionPeriod {
  public:
@@ -60,18 +46,23 @@ class FrictionPeriod {
   /// Forgets the period before, but for its last samples.
   void begin();
   void see(const FrictionContact& contact);
-  /// Of a step of a period that nothing is reported of, nor of the next one: slips and tractions alone.
+  /// Of a step of a period that nothing is reported of, nor of the next one: slips, tractions and reserves alone.
   void pass(const FrictionContact& contact);
   void report(const ContactProblem& problem, FrictionHistory& history) const;
   /// Of the indenter in this period, see FrictionHistory.
   [[nodiscard]] double amplitude(const Motion& motion) const;
   [[nodiscard]] const Eigen::MatrixXd& traction() const { return traction_; }
   [[nodiscard]] const Eigen::VectorXd& slip() const { return slip_; }
+  /// Smallest sample of `mu p - |tau|`, and smallest slip reserve of `mu p -+ tau`.
+  [[nodiscard]] Eigen::VectorXd margin() const { return forward_.cwiseMin(backward_); }
+  [[nodiscard]] Eigen::VectorXd reserve() const { return forward_reserve_.value().cwiseMin(backward_reserve_.value()); }
 
  private:
   // Smallest mu p - tau and mu p + tau. Of the samples: between them a parabola would dip to zero at a kink.
   Eigen::VectorXd forward_, backward_;
-  RunningMinimum forward_reserve_, backward_reserve_;  // slip reserves of the same
+  // Slip reserves of the same. No floor under them: below zero between two samples they tell what a finer step would
+  // have let slip.
+  RunningMinimum forward_reserve_, backward_reserve_;
   Eigen::VectorXd slip_;
   Eigen::MatrixXd traction_, displacement_, slips_, depths_;  // a column a step
   Eigen::VectorXd indenter_;
@@ -80,6 +71,19 @@ class FrictionPeriod {
   Eigen::VectorXd weights_;                          // of a step's balance in its middle
   Eigen::VectorXd traction_before_, depths_before_;  // at the end of the period before
   int k_ = 0;
+};
+
+/// Watches for the rings that have never slipped.
+class FirstSlip {
+ public:
+  explicit FirstSlip(Eigen::Index n_rings);
+  /// A period to its end.
+  void see(const FrictionPeriod& period);
+  void report(FrictionHistory& history) const;
+  [[nodiscard]] const Eigen::VectorXd& slip_path() const { return slip_path_; }
+
+ private:
+  Eigen::VectorXd margin_, reserve_, slip_path_;
 };
 
 /// Friction beside a normal contact, with everything that is watched. As long as the normal contact is on its way to

@@ -36,7 +36,7 @@ struct Differences {
 /// samples have none lower than a fifth of their second difference below the middle one, and a parabola none lower than
 /// an eighth. Without a branch.
 bool may_be_lower(double b, double middle, double d, double least) {
-  return (middle <= b) & (middle <= d) & (middle - (d - 2 * middle + b) / 5 < least);
+  return (middle <= b) & (middle <= d) & (middle - 0.2 * (d - 2 * middle + b) < least);
 }
 
 }  // namespace

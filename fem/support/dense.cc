@@ -38,12 +38,10 @@ void dot_columns(const double* columns, Index stride, const double* x, Index n_r
   }
 }
 
-/// y <- y + sum_k x_k column_k, likewise.
+/// y <- y + sum_k factor_k column_k, likewise.
 template <Index width, Index n_columns>
-void add_columns(const double* columns, Index stride, const double* x, Index n_rows, double* y) {
+void add_columns(const double* columns, Index stride, const double (&factors)[n_columns], Index n_rows, double* y) {
   using Register [[gnu::vector_size(width * sizeof(double))]] = double;
-  double factors[n_columns];
-  std::copy_n(x, n_columns, factors);
   for (Index i = 0; i < n_rows; i += width) {
     Register sum{}, read;
     for (Index k = 0; k < n_columns; ++k) {
@@ -106,19 +104,23 @@ void multiply_transposed(const Eigen::MatrixXd& lower, Eigen::Ref<Eigen::VectorX
   });
 }
 
-void multiply_trailing(const Eigen::MatrixXd& lower, const Eigen::Ref<const Eigen::VectorXd>& vector,
-                       Eigen::Ref<Eigen::VectorXd> product) {
+void multiply_trailing(const Eigen::MatrixXd& lower, Eigen::Ref<Eigen::VectorXd> vector) {
   const Index n = vector.size(), stride = lower.rows(), corner = n % at_once, before = lower.cols() - n;
-  product.setZero();
-  in_wide_registers(
-      [=, columns = lower.data() + before * (stride + 1), x = vector.data(), y = product.data()](auto width) {
-        for (Index j = 0; j < corner; ++j) {
-          for (Index i = j; i < corner; ++i) y[i] += columns[j * stride + i] * x[j];
-          add_columns<width, 1>(columns + j * stride + corner, stride, x + j, n - corner, y + corner);
-        }
-        for (Index j = corner; j < n; j += at_once)
-          add_columns<width, at_once>(columns + j * (stride + 1), stride, x + j, n - j, y + j);
-      });
+  in_wide_registers([=, columns = lower.data() + before * (stride + 1), x = vector.data()](auto width) {
+    for (Index j = n - at_once; j >= corner; j -= at_once) {
+      double factors[at_once];
+      std::copy_n(x + j, at_once, factors);
+      std::fill_n(x + j, at_once, 0.0);
+      add_columns<width>(columns + j * (stride + 1), stride, factors, n - j, x + j);
+    }
+    for (Index j = corner - 1; j >= 0; --j) {
+      const double* column = columns + j * stride;
+      const double factor[] = {x[j]};
+      x[j] = 0;
+      for (Index i = j; i < corner; ++i) x[i] += column[i] * factor[0];
+      add_columns<width>(column + corner, stride, factor, n - corner, x + corner);
+    }
+  });
 }
 
 void subtract_product(const Eigen::MatrixXd& matrix, Eigen::Index row, Eigen::Index column,

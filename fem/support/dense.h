@@ -23,11 +23,10 @@ Eigen::MatrixXd solve_lower(const Eigen::MatrixXd& lower, Eigen::MatrixXd rhs);
 /// x <- L_n^-1 x, L_n the leading n rows and columns of a lower triangle, n = x.size().
 void solve_leading(const Eigen::MatrixXd& lower, Eigen::Ref<Eigen::VectorXd> x);
 
-/// x <- L_n^T x of the leading, y <- L_n x of the trailing n rows and columns of a lower triangle that is zero above
+/// x <- L_n^T x of the leading, x <- L_n x of the trailing n rows and columns of a lower triangle that is zero above
 /// the diagonal. The entries of x before the first are zero; zeros at its end take no time.
 void multiply_transposed(const Eigen::MatrixXd& lower, Eigen::Ref<Eigen::VectorXd> x, Eigen::Index first = 0);
-void multiply_trailing(const Eigen::MatrixXd& lower, const Eigen::Ref<const Eigen::VectorXd>& x,
-                       Eigen::Ref<Eigen::VectorXd> y);
+void multiply_trailing(const Eigen::MatrixXd& lower, Eigen::Ref<Eigen::VectorXd> x);
 
 /// y <- y - A x of the block of a matrix that begins at a row and a column.
 void subtract_product(const Eigen::MatrixXd& matrix, Eigen::Index row, Eigen::Index column,

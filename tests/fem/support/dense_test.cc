@@ -57,11 +57,12 @@ TEST(Dense, MultipliesVectorsByTriangles) {
     const MatrixXd leading = lower.topLeftCorner(n, n), trailing = lower.bottomRightCorner(n, n);
     for (Eigen::Index first = 0; first <= n; first += std::max<Eigen::Index>(n / 9, 1))
       for (const Eigen::Index n_zeros_at_end : {Eigen::Index{0}, n / 5, n - first}) {
-        Eigen::VectorXd x = random_vector(n, 4), product(n);
+        Eigen::VectorXd x = random_vector(n, 4);
         x.head(first).setZero();
         x.tail(n_zeros_at_end).setZero();
         const Eigen::VectorXd expected = leading.transpose() * x, expected_of_trailing = trailing * x;
-        multiply_trailing(lower, x, product);
+        Eigen::VectorXd product = x;
+        multiply_trailing(lower, product);
         multiply_transposed(lower, x, first);
         EXPECT_LE((x - expected).norm(), roundoff * expected.norm()) << n << ' ' << first << ' ' << n_zeros_at_end;
         EXPECT_LE((product - expected_of_trailing).norm(), roundoff * expected_of_trailing.norm()) << n << ' ' << first;
