@@ -53,7 +53,13 @@ PunchSeries::PunchSeries(const Compliance& compliance, SharedMatrix factor)
       per_load_(by_load_.cwiseInverse()),
       edges_(effective_radii(compliance).radius),
       radii_((edges_.head(areas_.size()) + edges_.tail(areas_.size())) / 2),
-      force_per_radius_(by_load_.squaredNorm() / edges_[areas_.size()]) {}
+      whole_rings_(Eigen::Matrix4Xd::Zero(n_stencil, areas_.size())),
+      force_per_radius_(by_load_.squaredNorm() / edges_[areas_.size()]) {
+  for (Index i = 1; i + 2 < areas_.size(); ++i)
+    for (Index k = 0; k < n_stencil; ++k)
+      whole_rings_(k, i) = Stencil{radii_.segment(i - 1, n_stencil), Eigen::Vector4d::Unit(k), 0, n_stencil}.integral(
+          edges_[i], edges_[i + 1]);
+}
 
 void PunchSeries::to_depths(Eigen::VectorXd& traction) const {
   multiply_transposed(factor_, traction);
@@ -72,7 +78,11 @@ Eigen::MatrixXd PunchSeries::depths_of_instants(Eigen::MatrixXd tractions) const
 
 Eigen::VectorXd PunchSeries::displacements(const Eigen::VectorXd& rings) const {
   Eigen::VectorXd displacements = areas_.cwiseProduct(rings);
-  solve_leading(factor_, displacements);
+  Index n_still = 0;
+  while (n_still < rings.size() && rings[n_still] == 0) ++n_still;
+  const Index n = rings.size() - n_still;
+  auto moved = displacements.tail(n);
+  factor_->bottomRightCorner(n, n).triangularView<Eigen::Lower>().solveInPlace(moved);
   return displacements.cwiseProduct(per_load_);
 }
 
@@ -109,9 +119,13 @@ PunchSeries::Integral PunchSeries::integral(const Eigen::VectorXd& depths, const
       const double from = i == first ? begin : edges_[i], to = i == last ? end : std::min(edges_[i + 1], end);
       if (to <= from) continue;
       const bool singular_tip = !blunt && i < n_stencil;
-      sum += is_smooth(zones, z) && !singular_tip
-                 ? Stencil{radii_, depths, std::clamp(i - 1, node, last - n + 1), n}.integral(from, to)
-                 : (to - from) * depths[i];
+      const bool is_inside = i > node && i + 1 < last && edges_[i + 1] <= end;
+      if (!is_smooth(zones, z) || singular_tip)
+        sum += (to - from) * depths[i];
+      else if (is_inside)
+        sum += whole_rings_.col(i).dot(depths.segment<n_stencil>(i - 1));
+      else
+        sum += Stencil{radii_, depths, std::clamp(i - 1, node, last - n + 1), n}.integral(from, to);
     }
     begin = end;
   }

@@ -82,6 +82,7 @@ class PunchSeries {
   Eigen::VectorXd by_load_, per_load_;  // b, 1/b
   Eigen::VectorXd edges_;               // n + 1 effective radii
   Eigen::VectorXd radii_;               // of the depths
+  Eigen::Matrix4Xd whole_rings_;        // integral over ring i of the cubic through i - 1 to i + 2, per depth
   double force_per_radius_;
 };
 

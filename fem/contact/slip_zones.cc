@@ -3,9 +3,9 @@
 namespace fretval::fem {
 namespace {
 
+/// 1 or -1: as states count.
 signed char slip_of(BoxState state) {
-  if (state == BoxState::interior) return 0;
-  return state == BoxState::upper ? 1 : -1;
+  return static_cast<signed char>(state);
 }
 
 }  // namespace

@@ -26,11 +26,15 @@ double change_per_period(const Eigen::MatrixXd& now, const Eigen::MatrixXd& befo
 /// long as a step.
 class ForcesOfPeriod {
  public:
-  explicit ForcesOfPeriod(int n_steps) : samples_(static_cast<std::size_t>(n_steps)) {}
+  ForcesOfPeriod(const FrictionContact& contact, const TouchingRings& touching, int n_steps)
+      : samples_(static_cast<std::size_t>(n_steps), Sample{contact.zones, touching, contact.limit_depths, 0}) {}
 
   void see(const FrictionContact& contact, const TouchingRings& touching, double normal_force) {
-    samples_[static_cast<std::size_t>(contact.n_steps - 1) % samples_.size()] =
-        Sample{contact.zones, touching, contact.limit_depths, contact.friction_coefficient() * normal_force};
+    auto& sample = samples_[static_cast<std::size_t>(contact.n_steps - 1) % samples_.size()];
+    sample.zones = contact.zones;
+    sample.touching = touching;
+    sample.limit_depths = contact.limit_depths;
+    sample.limit_force = contact.friction_coefficient() * normal_force;
   }
 
   void report(const FrictionContact& contact, FrictionHistory& history) const {
@@ -38,7 +42,7 @@ class ForcesOfPeriod {
     history.force.resize(n);
     history.force_uncertainty.resize(n);
     for (Eigen::Index k = 0; k < n; ++k) {
-      const auto& [zones, touching, limit_depths, limit_force] = samples_[static_cast<std::size_t>(k)].value();
+      const auto& [zones, touching, limit_depths, limit_force] = samples_[static_cast<std::size_t>(k)];
       const auto force = friction_force(contact.problem().series, zones, touching, limit_depths, limit_force);
       history.force[k] = force.value;
       history.force_uncertainty[k] = force.uncertainty;
@@ -52,7 +56,7 @@ class ForcesOfPeriod {
     Eigen::VectorXd limit_depths;
     double limit_force;
   };
-  std::vector<std::optional<Sample>> samples_;  // by step of the period
+  std::vector<Sample> samples_;  // by step of the period
 };
 
 }  // namespace
@@ -251,8 +255,8 @@ FrictionHistory friction_history(WatchedFriction friction, const NormalHistory& 
                                                   : std::max(control.max_cycles, most_long_periods * cycles_per_period);
   FrictionHistory history;
   history.periodicity = infinity;
-  ForcesOfPeriod forces(period_steps);
   TouchingRings touching{normal.touch_radii, contact.relaxation().viscosity == 0};
+  ForcesOfPeriod forces(contact, touching, period_steps);
   const double creep = longest_creep_time(contact.relaxation()) / (2 * pi * cycles_per_period);  // periods
   CycleJump jump(creep);
   const bool in_order = normal.touches_in_order();

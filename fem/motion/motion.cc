@@ -31,8 +31,9 @@ double ramp_duration(const Motion& motion) {
 
 // Quintic smooth step: value, slope and curvature are continuous at both ends.
 ValueAndRate envelope(const Motion& motion, double t) {
+  if (t >= 2 * pi * motion.n_ramp_cycles || motion.is_single_pass()) return {1, 0};
   const double duration = ramp_duration(motion);
-  if (t >= duration || motion.is_single_pass()) return {1, 0};
+  if (t >= duration) return {1, 0};
   const double x = t / duration;
   return {x * x * x * (10 + x * (-15 + 6 * x)), 30 * x * x * (1 - x) * (1 - x) / duration};
 }

@@ -24,13 +24,14 @@ LargestForce peak_of_quartic(const Eigen::VectorXd& samples, const Eigen::Vector
     uncertainty[k] = uncertainties[instant];
   }
   const Eigen::MatrixXd fit = powers.completeOrthogonalDecomposition().pseudoInverse();
-  LargestForce peak{-std::numeric_limits<double>::infinity(), 0};
-  for (int i = -500; i <= 500; ++i) {
-    const Eigen::RowVectorXd weights = powers_of(i / 500.0) * fit;
-    const double value = weights * fitted;
-    if (value > peak.value) peak = {value, weights.cwiseAbs() * uncertainty};
-  }
-  return peak;
+  const Eigen::Vector<double, 5> coefficients = fit * fitted;
+  double value = -std::numeric_limits<double>::infinity(), at = 0;
+  for (int i = -500; i <= 500; ++i)
+    if (const double x = i / 500.0, there = powers_of(x) * coefficients; there > value) {
+      value = there;
+      at = x;
+    }
+  return {value, (powers_of(at) * fit).cwiseAbs() * uncertainty};
 }
 
 /// It lies between samples: the peak of a quartic fitted to those within a twentieth of an oscillation of the largest
