@@ -80,7 +80,7 @@ std::vector<Variant> variants_of(const Resolution& resolution, const CaseNeeds& 
                    both = with_fewer_steps(coarse);
   if (!needs.worn && !needs.any_order)
     for (const double rings : elsewhere_in_ring)
-      add(ErrorSource::edge, quick, [rings](Resolution& r) { r.edge_before_node += rings; });
+      add(ErrorSource::edge, resolution, [rings](Resolution& r) { r.edge_before_node += rings; });
   add(ErrorSource::element_order, quick, other_degree);
   add(ErrorSource::grading, quick, [](Resolution& r) { r.growth = std::min(2 * r.growth, coarsest_growth); });
   add(ErrorSource::far_field, both, [](Resolution& r) { r.far_radius /= 2; });

@@ -34,9 +34,9 @@ struct CaseNeeds {
 };
 
 /// What has to be computed besides a resolution to measure its errors, each source by its own refinement, and what
-/// reading the edges costs by the same rings with the edges elsewhere in them. The rings are compared with the
+/// reading the edges costs by the same rings with the edges elsewhere in them. Rings and edges are compared with the
 /// resolution itself. Where that is fine, the other sources are measured on something coarser that they do not get
-/// smaller by: edges, element order and grading with fewer steps, time step and creep with half the rings, far field,
+/// smaller by: element order and grading with fewer steps, time step and creep with half the rings, far field,
 /// start and cycles with both. Two of one source follow each other, the coarser one last.
 std::vector<Variant> variants_of(const Resolution& resolution, const CaseNeeds& needs);
 

@@ -12,8 +12,7 @@ ContactProblems problems_of(const ContactBody& body) {
   return {body.normal, body.tangential ? &*body.tangential : nullptr};
 }
 
-/// The friction beside the normal contact, or none where the indenter does not move tangentially. normal: with its
-/// edges read.
+/// The friction beside the normal contact, or none where the indenter does not move tangentially.
 fem::FrictionHistory friction_beside(const NormalRecord& record, const fem::NormalHistory& normal,
                                      const ContactProblems& problems, const FemCase& fem,
                                      const fem::HistoryControl& control) {
@@ -37,30 +36,28 @@ fem::HistoryControl control_of(const FemCase& fem) {
   return {fem.steps_per_cycle(), fem.motion.cycles_of_ramp() + most_after_ramp, fem.resolution.periodicity};
 }
 
-/// What a case is computed from: its normal history, and the largest contact radius, whose edges are read again.
+/// What a case is computed from: its normal history, and the largest contact radius.
 struct NormalPart {
   std::shared_ptr<const NormalRecord> record;
   Eigen::VectorXd profile;  ///< ring means
-  fem::NormalHistory history;
   std::optional<ContactRadius> contact_radius;
 };
 
 NormalPart normal_part(const fem::ContactProblem& problem, const FemCase& fem, NormalStore& normals) {
   auto profile = fem::ring_means(problem.compliance, fem.profile);
   auto record = normals.find_or_make(fem, problem, profile, control_of(fem));
-  auto history = record->history;
-  auto contact_radius = fem.any_order ? std::nullopt : read_contact_radius(problem, fem, profile, history);
-  return {std::move(record), std::move(profile), std::move(history), contact_radius};
+  auto contact_radius = fem.any_order ? std::nullopt : read_contact_radius(problem, fem, profile, record->history);
+  return {std::move(record), std::move(profile), contact_radius};
 }
 
 FeAnswer answer_of_histories(const ContactProblems& problems, const FemCase& fem, NormalStore& normals) {
   auto normal = normal_part(problems.normal, fem, normals);
+  const auto& history = normal.record->history;
   Stopwatch watch;
-  auto friction = friction_beside(*normal.record, normal.history, problems, fem, control_of(fem));
+  auto friction = friction_beside(*normal.record, history, problems, fem, control_of(fem));
   auto answer = fem.any_order
-                    ? read_zones(problems, fem, normal.profile, std::move(normal.history), std::move(friction))
-                    : read_answer(problems, fem, normal.profile, normal.contact_radius, std::move(normal.history),
-                                  std::move(friction));
+                    ? read_zones(problems, fem, normal.profile, history, std::move(friction))
+                    : read_answer(problems, fem, normal.profile, normal.contact_radius, history, std::move(friction));
   answer.seconds = {normal.record->seconds, watch.lap()};
   return answer;
 }
@@ -95,9 +92,10 @@ FeAnswer compute_normal_response(const FemCase& fem_case, const Resolution& reso
   const auto body = find_or_make_body(fem.body, bodies, nullptr);
   const auto normal = normal_part(body->normal, fem, bodies.normals);
   FeAnswer answer;
-  read_normal_response(problems_of(*body), fem, normal.contact_radius, normal.history, answer);
-  answer.n_cycles = normal.history.n_cycles + normal.history.n_cycles_of_search;
-  answer.n_steps = normal.history.n_steps();
+  const auto& history = normal.record->history;
+  read_normal_response(problems_of(*body), fem, normal.contact_radius, history, answer);
+  answer.n_cycles = history.n_cycles + history.n_cycles_of_search;
+  answer.n_steps = history.n_steps();
   answer.seconds.normal = normal.record->seconds;
   answer.body = body->summary;
   return answer;

@@ -7,7 +7,6 @@
 #include "comparison/support/cycles_until.h"
 #include "fem/stick_zone/axis_pressure.h"
 #include "fem/stick_zone/contact_radius.h"
-#include "fem/stick_zone/edge_near_largest_contact.h"
 #include "fem/stick_zone/largest_force.h"
 #include "fem/stick_zone/largest_indentation.h"
 #include "fem/stick_zone/limiting_amplitude.h"
@@ -86,14 +85,6 @@ void add_stick_depths(const fem::PunchSeries& series, const FemCase& fem, FeAnsw
   answer.shakedown_depths = depths(friction.shakedown_reserve, friction.period_slip / 4, answer.rings.stuck.shakedown);
 }
 
-/// Whether a branch or, after a release, the dashpot relaxes within two steps.
-bool relaxes_within_a_step(const FemCase& fem) {
-  const double step = 2 * pi / fem.steps_per_cycle();
-  const auto is_short = [step](double time) { return time < 2 * step; };
-  const auto& [relaxed, moduli, times, viscosity] = fem.relaxation;
-  return (viscosity > 0 && is_short(viscosity / relaxed)) || std::any_of(times.begin(), times.end(), is_short);
-}
-
 /// Slip that dies out takes place in one step. Of a branch that has relaxed by its end the factor knows nothing.
 bool relaxes_in_a_step(const FemCase& fem) {
   const double step = 2 * pi / fem.steps_per_cycle();
@@ -150,7 +141,7 @@ std::optional<fem::CycleResponse> cycle_of(const FemCase& fem, double normal_for
 }
 
 std::optional<ContactRadius> read_contact_radius(const fem::ContactProblem& problem, const FemCase& fem,
-                                                 const Eigen::VectorXd& profile, fem::NormalHistory& history) {
+                                                 const Eigen::VectorXd& profile, const fem::NormalHistory& history) {
   if (fem.worn_edge) return std::nullopt;
   const auto events = fem::contact_events(problem.compliance, profile);
   if (fem.motion.normal_force) {
@@ -159,12 +150,7 @@ std::optional<ContactRadius> read_contact_radius(const fem::ContactProblem& prob
     const auto [depth, uncertainty] = fem::largest_indentation(problem, fem.relaxation, history);
     return ContactRadius{radius, radius * uncertainty / (depth * exponent_at_edge(fem))};
   }
-  const double radius = fem::largest_contact_radius(history.smallest_gap, events).radius;
-  // Along a path it lies anywhere, next to a kink.
-  if (!fem.motion.path) fem::read_edges_near_largest_contact(problem.series, radius, history);
-  if (!relaxes_within_a_step(fem)) return ContactRadius{radius};
-  const auto other = fem::largest_contact_radius(history.smallest_gap_at_balance, events);
-  return ContactRadius{radius, 2 * std::abs(other.radius - radius)};
+  return ContactRadius{fem::largest_contact_radius(history.smallest_gap, events).radius};
 }
 
 void read_normal_response(const ContactProblems& problems, const FemCase& fem,
@@ -185,7 +171,7 @@ void read_normal_response(const ContactProblems& problems, const FemCase& fem,
 }
 
 FeAnswer read_answer(const ContactProblems& problems, const FemCase& fem, const Eigen::VectorXd& profile,
-                     const std::optional<ContactRadius>& contact_radius, fem::NormalHistory&& normal,
+                     const std::optional<ContactRadius>& contact_radius, fem::NormalHistory normal,
                      fem::FrictionHistory&& friction) {
   const auto& problem = problems.tangential ? *problems.tangential : problems.normal;
   FeAnswer answer;

@@ -106,14 +106,12 @@ struct ContactRadius {
   double radius = 0, uncertainty = 0;
 };
 
-/// The largest contact radius is read at the ends of the steps; a second reading, at the balance times, differs from it
-/// to second order. Where a branch relaxes within a step, coarser steps do not show the error, and twice that
-/// difference is the uncertainty. Reads the edges next to the largest contact again
-/// (fem::read_edges_near_largest_contact). Under a prescribed force, whose largest contact lies between the steps, that
-/// second reading is the one, and the uncertainty is what that of the force leaves open. Empty for a worn profile, see
+/// The largest contact radius is read at the ends of the steps, of which one is the deepest. Under a prescribed force,
+/// whose largest contact lies between the steps, it is read at the balance times, and the uncertainty is what that of
+/// the force leaves open. Empty for a worn profile, see
 /// FeAnswer.
 std::optional<ContactRadius> read_contact_radius(const fem::ContactProblem& problem, const FemCase& fem,
-                                                 const Eigen::VectorXd& profile, fem::NormalHistory& history);
+                                                 const Eigen::VectorXd& profile, const fem::NormalHistory& history);
 
 /// Of a motion that has a cycle worth the name, see FeAnswer; normal_force_max is dimensionless.
 std::optional<fem::CycleResponse> cycle_of(const FemCase& fem, double normal_force_max,
@@ -126,7 +124,7 @@ void read_normal_response(const ContactProblems& problems, const FemCase& fem,
 
 /// Reads everything but the contact radius from the histories, which it keeps. profile: ring means.
 FeAnswer read_answer(const ContactProblems& problems, const FemCase& fem, const Eigen::VectorXd& profile,
-                     const std::optional<ContactRadius>& contact_radius, fem::NormalHistory&& normal,
+                     const std::optional<ContactRadius>& contact_radius, fem::NormalHistory normal,
                      fem::FrictionHistory&& friction);
 
 }  // namespace fretval

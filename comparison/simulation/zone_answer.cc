@@ -70,7 +70,7 @@ std::optional<double> radius_of_disc(const Annuli& zone) {
 }  // namespace
 
 FeAnswer read_zones(const ContactProblems& problems, const FemCase& fem, const Eigen::VectorXd& profile,
-                    fem::NormalHistory&& normal, fem::FrictionHistory&& friction) {
+                    fem::NormalHistory normal, fem::FrictionHistory&& friction) {
   FeAnswer answer;
   ZoneAnswer zones;
   add_contact(problems.normal, fem, profile, normal, zones);

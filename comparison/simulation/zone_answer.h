@@ -12,6 +12,6 @@ namespace fretval {
 /// Otherwise they are the edges of rings, uncertain by a ring. The contact radius is the outermost one; a stick radius
 /// is that of a zone that is one disc, and empty where there are others or none.
 FeAnswer read_zones(const ContactProblems& problems, const FemCase& fem, const Eigen::VectorXd& profile,
-                    fem::NormalHistory&& normal, fem::FrictionHistory&& friction);
+                    fem::NormalHistory normal, fem::FrictionHistory&& friction);
 
 }  // namespace fretval

@@ -132,27 +132,6 @@ PunchSeries::Integral PunchSeries::integral(const Eigen::VectorXd& depths, const
   return {force_per_radius_ * sum, force_per_radius_ * unseen};
 }
 
-std::optional<double> PunchSeries::edge_of_gap(const Eigen::VectorXd& gap, Index n_closed, Index n_pressed,
-                                               double kink) const {
-  const Eigen::VectorXd opening = displacements(gap);
-  // Nodes inside the kink, and the kink itself if it is away from them, where what is outside of it ends.
-  Index n_inside = 0;
-  while (n_inside < n_stencil && n_pressed + n_inside < gap.size() && radii_[n_pressed + n_inside] < kink) ++n_inside;
-  const Index first_outside = n_pressed + n_inside;
-  const Stencil outside{radii_, opening, first_outside, std::min(n_stencil, gap.size() - first_outside)};
-  const auto vanishing = [&](const Stencil& stencil) {
-    return crossing(stencil, radii_[n_closed - 1], radii_[n_pressed]);
-  };
-  if (n_inside == 0) return vanishing(outside);
-  Eigen::VectorXd x(n_inside + 1), y(n_inside + 1);
-  x << radii_.segment(n_pressed, n_inside), kink;
-  y << opening.segment(n_pressed, n_inside), outside(kink);
-  constexpr double far_enough = 0.25;
-  const bool has_kink = n_inside < n_to_continue && outside.n_nodes() == n_stencil &&
-                        kink - x[n_inside - 1] > far_enough * (radii_[n_pressed] - radii_[n_pressed - 1]);
-  return vanishing({x, y, 0, has_kink ? n_inside + 1 : n_inside});
-}
-
 std::optional<double> PunchSeries::edge_of_pressure(const Eigen::VectorXd& depths, Index n_pressed) const {
   const Index n = std::min(n_stencil, n_pressed);
   return crossing(Stencil{radii_, depths, n_pressed - n, n}, radii_[n_pressed - 1], radii_[n_pressed]);

@@ -38,7 +38,8 @@ class PunchSeries {
   [[nodiscard]] auto depths_of_loads(const Eigen::VectorXd& loads) const { return loads.cwiseProduct(per_load_); }
 
   /// `s_j = (L^{-1} (A s))_j / b_j` of ring displacements s: work-conjugate to the depths,
-  /// `sum_j A_j t_j s_j = sum_j b_j^2 D_j s_j`.
+  /// `sum_j A_j t_j s_j = sum_j b_j^2 D_j s_j`. Those of an elastic body are its depths. Of a gap they are smooth up to
+  /// the edge of the contact, whatever pressure there is.
   [[nodiscard]] Eigen::VectorXd displacements(const Eigen::VectorXd& rings) const;
 
   /// The other way round: ring displacements from such ones, for a range of rings inside which they vanish.
@@ -57,13 +58,6 @@ class PunchSeries {
   /// the plain sum. end: where D ends, if not with the last ring; beyond the last ring D is continued up to there.
   [[nodiscard]] Integral integral(const Eigen::VectorXd& depths, const std::vector<signed char>& zones,
                                   std::optional<double> end = std::nullopt) const;
-
-  /// Radius at which the gap outside n_pressed rings vanishes: its displacements in the sense above are to the gap what
-  /// the depths are to the pressure, smooth up to the edge, whatever pressure there is, but for a kink at the edge of
-  /// the largest contact so far in a body with memory. Looked for outside the last of n_closed rings; empty where
-  /// the gap jumps (a flat punch).
-  [[nodiscard]] std::optional<double> edge_of_gap(const Eigen::VectorXd& gap, Eigen::Index n_closed,
-                                                  Eigen::Index n_pressed, double kink) const;
 
   /// Radius at which the pressure of n_pressed rings vanishes; empty if their contact does not end there.
   [[nodiscard]] std::optional<double> edge_of_pressure(const Eigen::VectorXd& depths, Eigen::Index n_pressed) const;

@@ -38,17 +38,35 @@ ContactForce force_of_all(const PunchSeries& series, const Eigen::VectorXd& dept
   return {series.integral(depths, zones).value, series.edges()[n_pressed]};
 }
 
+/// Of a body without memory, whose rings in contact tell nothing of the gap.
+Opening opening_outside(Index n_rings, Index n_pressed) {
+  Opening opening{Eigen::VectorXd::Zero(n_rings), Eigen::VectorXi::Constant(n_rings, FreeSurface::never_touched),
+                  Eigen::VectorXd::Zero(n_rings)};
+  opening.retreat.head(n_pressed).setConstant(FreeSurface::never_lifted);
+  return opening;
+}
+
+/// Between the last of n_closed rings and the first one beyond n_pressed; empty where the gap jumps (a flat punch).
+std::optional<double> edge_of_contact(const PunchSeries& series, const Eigen::VectorXd& depths,
+                                      const Eigen::VectorXd& gap, Index n_closed, Index n_pressed,
+                                      const ContactPast& past) {
+  auto opening = past.opening ? *past.opening : opening_outside(gap.size(), n_pressed);
+  const Index n_free = gap.size() - n_pressed;
+  opening.value.tail(n_free) = series.displacements(gap).tail(n_free);
+  const auto by_gap = edge_of(opening, series.radii(), n_closed, n_pressed);
+  // A contact that goes back ends where its pressure vanishes, before its gap would.
+  const bool averages = n_closed < n_pressed;
+  if (!past.opening || averages) return by_gap;
+  const auto by_pressure = series.edge_of_pressure(depths, n_pressed);
+  return by_gap && by_pressure ? std::min(*by_gap, *by_pressure) : by_gap ? by_gap : by_pressure;
+}
+
 /// Of the n_pressed rings around the centre.
 ContactForce central_force(const PunchSeries& series, const Eigen::VectorXd& depths, const Eigen::VectorXd& gap,
                            Index n_pressed, const ContactPast& past) {
   const Index n_inner = std::clamp(past.n_closed.value_or(n_pressed), n_stencil, n_pressed);
-  // Next to the largest contact so far, pressures that do not jump know the edge better.
   const auto& radii = series.radii();
-  const bool smooth_pressure = !past.n_closed && past.largest_radius > radii[n_pressed] &&
-                               past.largest_radius < radii[std::min(n_pressed + n_to_continue, radii.size()) - 1];
-  std::optional<double> edge;
-  if (smooth_pressure) edge = series.edge_of_pressure(depths, n_pressed);
-  if (!edge) edge = series.edge_of_gap(gap, n_inner, n_pressed, past.largest_radius);
+  const auto edge = edge_of_contact(series, depths, gap, n_inner, n_pressed, past);
   const double radius = edge.value_or(series.edges()[n_pressed]);
   const std::vector<signed char> one_zone(static_cast<std::size_t>(n_inner), 0);
   const double force = series.integral(depths, one_zone, radius).value;
@@ -60,8 +78,7 @@ ContactForce central_force(const PunchSeries& series, const Eigen::VectorXd& dep
   }
   const double uncertainty = std::abs(too_much);
   if (past.edge == PressureAtEdge::vanishes) return {force - too_much / 2, radius, uncertainty / 2};
-  const bool hidden_kink = past.largest_radius > radius && past.largest_radius <= radii[n_pressed];
-  return {force, radius, uncertainty, hidden_kink, n_inner};
+  return {force, radius, uncertainty};
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include "fem/condensation/compliance.h"
 #include "fem/condensation/punch_series.h"
+#include "fem/contact/free_surface.h"
 
 namespace fretval::fem {
 
@@ -15,10 +16,11 @@ enum class PressureAtEdge { vanishes, jumps, falls_and_jumps };
 
 /// What pressures and gaps of an instant do not tell of a contact.
 struct ContactPast {
-  double largest_radius = 0;  ///< of the contact so far
   /// With a dashpot, or a branch that relaxes within a step: rings that have been in contact for the whole step.
   std::optional<Eigen::Index> n_closed = std::nullopt;
   PressureAtEdge edge = PressureAtEdge::vanishes;
+  /// Of a body with memory, for rings in contact.
+  std::optional<Opening> opening = std::nullopt;
 };
 
 /// What the depths bear beyond the contact around the centre, where rings press beyond the first free one. Around a
@@ -39,15 +41,11 @@ struct ContactForce {
   /// half of the difference between depths that go on smoothly to the edge and those that fall to zero from the last
   /// ring on. (The force is the mean of both.) With both a dashpot and branches, the whole difference.
   double uncertainty = 0;
-  /// With a dashpot the gap has a kink at the largest contact so far. If no ring lies between that and the last one
-  /// pressed, nothing tells how the gap goes on inside the kink; read_edges_near_largest_contact tells more.
-  bool hidden_kink = false;
-  Eigen::Index n_closed = 0;  ///< rings whose pressures are continued up to the radius; 0: no edge was found
   ForceBeyond beyond = {};
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(force, radius, uncertainty, hidden_kink, n_closed, beyond);
+    archive(force, radius, uncertainty, beyond);
   }
 };
 
@@ -66,8 +64,9 @@ ContactForce sum_inside_flank(const Compliance& compliance, const Eigen::VectorX
                               Eigen::Index n_inside_flank);
 
 /// From ring pressures and the gaps of the free rings. The edge is found from the gaps: with a dashpot, or a branch
-/// that relaxes while the edge crosses a ring, the pressure jumps there. With a dashpot the pressures of the rings that
-/// touched in the step are averages, so the inner ones are continued in their place.
+/// that relaxes while the edge crosses a ring, the pressure jumps there, but for a retreat, where it vanishes. With a
+/// dashpot the pressures of the rings that touched in the step are averages, so the inner ones are continued in their
+/// place.
 ContactForce contact_force(const PunchSeries& series, const Eigen::VectorXd& pressure, const Eigen::VectorXd& gap,
                            const ContactPast& past = {});
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -66,6 +67,14 @@ BoxSolver softened(const ContactProblem& problem, const Eigen::VectorXd& softnes
 StaticContact solve_contact(const ContactProblem& problem, const Eigen::VectorXd& target,
                             std::vector<BoxState>& states) {
   return solve_with(problem.solver, problem.compliance.areas, target, states);
+}
+
+Eigen::VectorXd driven_by_indenter(const PunchSeries& series, const Eigen::VectorXd& pressure, double change) {
+  constexpr double roundoff = 1e-14;
+  const Eigen::VectorXd depths = series.depths(pressure);
+  const double whole = std::max(std::abs(change), roundoff * depths.cwiseAbs().maxCoeff());
+  if (whole == 0) return Eigen::VectorXd::Zero(pressure.size());
+  return series.rings((depths.array() / whole).max(0).min(1), 0);
 }
 
 Eigen::VectorXd worn_by(const PressureWear& wear, const Eigen::VectorXd& pressure) {

@@ -24,6 +24,12 @@ struct StaticContact {
 StaticContact solve_contact(const ContactProblem& problem, const Eigen::VectorXd& target,
                             std::vector<BoxState>& states);
 
+/// How far the rings follow a displacement of the indenter inside a step, beside what they move by themselves. Those
+/// that bear more than the step could change, all the way; those that bear nothing, as far as the others drive them;
+/// and in between, so that nothing jumps when a ring touches or lifts, by their depth over that change. depths: of the
+/// pressure at the beginning of the step; change: of a depth, in the step.
+Eigen::VectorXd driven_by_indenter(const PunchSeries& series, const Eigen::VectorXd& pressure, double change);
+
 /// What rings lose in height under a pressure: `coefficient p^exponent`. Empty: nothing.
 struct PressureWear {
   Eigen::VectorXd coefficient;  ///< per ring, not negative

@@ -1,11 +1,13 @@
 #include "fem/full_model/full_history.h"
 
+#include <algorithm>
 #include <functional>
 #include <stdexcept>
 #include <utility>
 #include <vector>
 
 #include "fem/contact/require_room.h"
+#include "fem/contact/static_contact.h"
 #include "fem/full_model/strain_field.h"
 #include "fem/support/constants.h"
 #include "fem/support/solver_error.h"
@@ -13,36 +15,38 @@
 namespace fretval::fem {
 namespace {
 
-/// Relaxed fields of a body at the start of its history.
-struct Start {
-  Eigen::VectorXd displacement;  // n_dofs
-  Eigen::VectorXd driven;        // n_dofs, of a body whose rings all move by 1
-};
-
-Eigen::VectorXd driven_field(BorderedSolver& solver) {
+/// Of a body whose rings move by given displacements, and are free beyond the last one that moves.
+Eigen::VectorXd driven_field(BorderedSolver& solver, const Eigen::VectorXd& rings, Eigen::Index n_moved) {
   const Eigen::Index n = solver.n_rings();
-  std::vector<BoxState> all_held(static_cast<std::size_t>(n), BoxState::interior);
-  return solver
-      .solve(Eigen::VectorXd::Zero(solver.count().n_dofs), Eigen::VectorXd::Ones(n),
-             Eigen::VectorXd::Constant(n, -infinity), Eigen::VectorXd::Constant(n, infinity), all_held)
-      .field;
+  Eigen::VectorXd most = Eigen::VectorXd::Zero(n);
+  most.head(n_moved).setConstant(infinity);
+  std::vector<BoxState> held(static_cast<std::size_t>(n), BoxState::lower);
+  std::fill_n(held.begin(), n_moved, BoxState::interior);
+  return solver.solve(Eigen::VectorXd::Zero(solver.count().n_dofs), rings, -most, most, held).field;
 }
 
 /// Carries the body from step to step.
 class Stepper {
  public:
+  /// displacement: the relaxed field at the start. At first all rings move with the indenter.
   Stepper(const HarmonicSpace& space, BorderedSolver& solver, const RelaxationModel& relaxation,
-          std::function<ValueAndRate(double)> motion, int steps_per_cycle, Start start)
+          std::function<ValueAndRate(double)> motion, int steps_per_cycle, Eigen::VectorXd displacement)
       : solver_(solver),
         strain_(space),
         motion_(std::move(motion)),
         dt_(2 * pi / steps_per_cycle),
         step_(relaxation, dt_),
-        driven_strain_(strain_.of(start.driven)),
-        state_{strain_.of(start.displacement),
+        driven_(driven_field(solver, Eigen::VectorXd::Ones(solver.n_rings()), solver.n_rings())),
+        driven_strain_(strain_.of(driven_)),
+        state_{strain_.of(displacement),
                Eigen::MatrixXd::Zero(driven_strain_.size(), static_cast<Eigen::Index>(relaxation.moduli.size()))},
-        driven_(std::move(start.driven)),
-        displacement_(std::move(start.displacement)) {}
+        displacement_(std::move(displacement)) {}
+
+  /// How far rings follow the indenter from now on, of which n_moved do not by themselves.
+  void drive(const Eigen::VectorXd& rings, Eigen::Index n_moved) {
+    driven_ = driven_field(solver_, rings, n_moved);
+    driven_strain_ = strain_.of(driven_);
+  }
 
   /// Ring tractions at the balance time of a step. Interior rings slip by the given amount, the others have tractions
   /// at the bounds.
@@ -60,6 +64,10 @@ class Stepper {
   }
 
   [[nodiscard]] double time(int index) const { return dt_ * index; }
+  [[nodiscard]] double instantaneous() const { return step_.instantaneous(); }
+  [[nodiscard]] double increment(int index) const {
+    return motion_(time(index + 1)).value - motion_(time(index)).value;
+  }
   [[nodiscard]] Eigen::VectorXd ring_displacement() const { return solver_.ring_means(displacement_); }
 
  private:
@@ -68,9 +76,10 @@ class Stepper {
   std::function<ValueAndRate(double)> motion_;
   double dt_;
   RelaxationStep step_;
+  Eigen::VectorXd driven_;  // a field, as displacement_; what they hold at the dofs of the pressure has no meaning
   Eigen::VectorXd driven_strain_;
-  RingState state_;                        // strains
-  Eigen::VectorXd driven_, displacement_;  // fields; what they hold at the dofs of the pressure has no meaning
+  RingState state_;  // strains
+  Eigen::VectorXd displacement_;
 };
 
 void require(bool condition, const char* message) {
@@ -79,9 +88,9 @@ void require(bool condition, const char* message) {
 
 }  // namespace
 
-FullNormalHistory full_normal_history(const HarmonicSpace& space, const RelaxationModel& relaxation,
-                                      const Eigen::VectorXd& profile, const Motion& motion, int steps_per_cycle,
-                                      int n_cycles, SparseFactors factors) {
+FullNormalHistory full_normal_history(const HarmonicSpace& space, const PunchSeries& series,
+                                      const RelaxationModel& relaxation, const Eigen::VectorXd& profile,
+                                      const Motion& motion, int steps_per_cycle, int n_cycles, SparseFactors factors) {
   const Eigen::Index n = space.contact_line().n_elements();
   require(space.harmonic() == Harmonic::normal, "the normal history takes a space of the normal harmonic");
   require(profile.size() == n, "the profile of the indenter does not fit the rings of the contact line");
@@ -89,7 +98,6 @@ FullNormalHistory full_normal_history(const HarmonicSpace& space, const Relaxati
   const int n_steps = n_cycles * steps_per_cycle;
   const Eigen::VectorXd lower = Eigen::VectorXd::Zero(n), upper = Eigen::VectorXd::Constant(n, infinity);
   BorderedSolver solver(space, "the full normal problem", factors);
-  Eigen::VectorXd driven = driven_field(solver);
 
   const Eigen::VectorXd depth = position(0).value - profile.array();
   std::vector<BoxState> contact(static_cast<std::size_t>(n), BoxState::lower);
@@ -100,11 +108,18 @@ FullNormalHistory full_normal_history(const HarmonicSpace& space, const Relaxati
   FullNormalHistory history;
   history.pressure.resize(n, 1 + n_steps);
   history.pressure.col(0) = relaxation.relaxed * relaxed.traction;
-  Stepper stepper(space, solver, relaxation, position, steps_per_cycle, {std::move(relaxed.field), std::move(driven)});
+  Stepper stepper(space, solver, relaxation, position, steps_per_cycle, std::move(relaxed.field));
   for (int k = 0; k < n_steps; ++k) {
+    const Eigen::VectorXd before = history.pressure.col(k);
+    const double increment = stepper.increment(k);
+    const Eigen::VectorXd driven = driven_by_indenter(series, before, stepper.instantaneous() * increment);
+    Eigen::Index n_moved = n;
+    while (n_moved > 0 && before[n_moved - 1] == 0) --n_moved;
+    stepper.drive(driven, n_moved);
     // A ring in contact closes its gap: it slips by what is left of it.
     const Eigen::VectorXd gap = (stepper.ring_displacement() + profile).array() - position(stepper.time(k)).value;
-    history.pressure.col(k + 1) = stepper.compute_step(k, gap, lower, upper, contact);
+    const Eigen::VectorXd by_itself = (1 - driven.array()) * increment;
+    history.pressure.col(k + 1) = stepper.compute_step(k, gap - by_itself, lower, upper, contact);
     require_room(history.pressure.col(k + 1));
   }
   history.count = solver.count();
@@ -121,10 +136,9 @@ FullFrictionHistory full_friction_history(const HarmonicSpace& space, const Rela
   require(pressure.rows() == n && pressure.cols() >= 1 + n_steps,
           "the pressures do not fit the rings of the contact line and the steps of the friction history");
   BorderedSolver solver(space, "the full friction problem", factors);
-  Start start{Eigen::VectorXd::Zero(space.n_dofs()), driven_field(solver)};
   Stepper stepper(
       space, solver, relaxation, [&motion](double t) { return tangential_motion(motion, t); }, steps_per_cycle,
-      std::move(start));
+      Eigen::VectorXd::Zero(space.n_dofs()));
 
   FullFrictionHistory history;
   history.traction = Eigen::MatrixXd::Zero(n, 1 + n_steps);

@@ -2,6 +2,7 @@
 
 #include <Eigen/Dense>
 
+#include "fem/condensation/punch_series.h"
 #include "fem/full_model/bordered_solver.h"
 #include "fem/motion/motion.h"
 #include "fem/motion/relaxation.h"
@@ -27,12 +28,14 @@ struct FullFrictionHistory {
 /// A body whose moduli all relax like G(t) has no history but that of its contact line, so both
 /// agree to roundoff: they share the discretisation in space and time, and nothing of the solution.
 ///
-/// space: of the normal harmonic; profile: ring means. Starts from relaxed contact at the mean indentation. Throws
+/// space: of the normal harmonic; series: which tells how far rings follow the indenter in a step
+/// (driven_by_indenter); profile: ring means. Starts from relaxed contact at the mean indentation. Throws
 /// SolverError when a sparse solve fails, when an active set does not settle or when the contact reaches the last ring,
 /// and std::invalid_argument for a wrong harmonic or profile size.
-FullNormalHistory full_normal_history(const HarmonicSpace& space, const RelaxationModel& relaxation,
-                                      const Eigen::VectorXd& profile, const Motion& motion, int steps_per_cycle,
-                                      int n_cycles, SparseFactors factors = SparseFactors::kept);
+FullNormalHistory full_normal_history(const HarmonicSpace& space, const PunchSeries& series,
+                                      const RelaxationModel& relaxation, const Eigen::VectorXd& profile,
+                                      const Motion& motion, int steps_per_cycle, int n_cycles,
+                                      SparseFactors factors = SparseFactors::kept);
 
 /// The verifier of friction_history, from rest; see full_normal_history. space: of the tangential harmonic; pressure:
 /// of the rings, one column per instant, the first of them unused.

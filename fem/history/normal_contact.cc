@@ -47,7 +47,10 @@ NormalContact::NormalContact(const ContactProblem& problem, const RelaxationMode
   indentation = balance_indentation = depth;
   gap = balance_gap = contact.gap;
   reading = read(contact.pressure, contact.gap, {});
-  largest_radius_ = reading.radius;
+  if (touches_in_order() && relaxation.has_memory()) {
+    free_surface_.emplace(problem.series, state, (contact.pressure.array() > 0).count());
+    ends_of_profile_ = problem.series.displacements(profile);
+  }
   reading.force *= relaxation.relaxed;
   pressure = relaxation.relaxed * contact.pressure;
 }
@@ -80,26 +83,44 @@ std::optional<Eigen::Index> NormalContact::n_closed() const {
   return (gap.array() <= roundoff * gap.maxCoeff()).count();
 }
 
-NormalContact::Attempt NormalContact::attempt(const IndenterMove& to_balance, const WearingSolver& solver,
+NormalContact::Start NormalContact::start_of(const WearingSolver& solver, double increment) const {
+  Start start{solver, driven_by_indenter(problem_.series, pressure, step_.instantaneous() * increment), {}};
+  if (free_surface_) start.ends = free_surface_->at_balance(step_) + ends_of_profile_;
+  return start;
+}
+
+/// Free rings do not know the indenter: but for what rings in contact drive them, they move by themselves, linearly in
+/// time, and what it moves by is no more than what their gaps change by.
+NormalContact::Attempt NormalContact::attempt(const Move& move, const Start& start,
                                               std::vector<BoxState> likely) const {
+  const Eigen::VectorXd by_itself = (1 - start.driven.array()) * move.whole.increment;
   // A ring in contact closes its gap: it slips by what is left of it.
-  const Eigen::VectorXd held = step_.response_without_slip(state, to_balance);
+  const Eigen::VectorXd held =
+      step_.response_without_slip(state, move.to_balance, start.driven) + step_.instantaneous() * (by_itself - gap);
   Attempt attempt{std::move(likely), {}, {}, {}, {}};
-  auto contact = solver.solve(held - step_.instantaneous() * gap, attempt.contact);
+  auto contact = start.solver.solve(held, attempt.contact);
   attempt.gap = contact.gap / step_.instantaneous();
   attempt.balance_gap = step_.fraction() * attempt.gap + (1 - step_.fraction()) * gap;
   attempt.pressure = std::move(contact.pressure);
-  attempt.reading = read(attempt.pressure, attempt.balance_gap, {largest_radius_, n_closed(), edge_});
+  ContactPast past{n_closed(), edge_};
+  if (free_surface_)
+    past.opening = free_surface_->opening(start.ends.array() - (indentation + move.to_balance.increment));
+  attempt.reading = read(attempt.pressure, attempt.balance_gap, past);
   return attempt;
 }
 
+NormalContact::Move NormalContact::steady(double increment) const {
+  const double share = step_.fraction();
+  return {steady_move(share * increment, share * dt_), steady_move(increment, dt_)};
+}
+
 /// First the increment of the indentation in the whole step, in which it moves steadily.
-std::pair<double, NormalContact::Attempt> NormalContact::attempt_under_force(const WearingSolver& solver) const {
+std::pair<double, NormalContact::Attempt> NormalContact::attempt_under_force(const Start& start) const {
   const double force = normal_motion(motion_, time).value,
                stiffness = problem_.series.force_per_radius() * reading.radius * step_.instantaneous();
   auto likely = contact_;
   const auto make = [&](double increment) {
-    auto made = attempt(steady_move(step_.fraction() * increment, step_.fraction() * dt_), solver, likely);
+    auto made = attempt(steady(increment), start, likely);
     likely = made.contact;
     return made;
   };
@@ -132,27 +153,29 @@ void NormalContact::step(const PressureWear& wear) {
   gap = state.displacement + profile;
   gap.array() -= indentation;
   const auto position = [this, inside = begin + dt_ / 2](double t) { return normal_motion_inside(motion_, t, inside); };
-  auto to_balance = indenter_move(position, begin, time), whole = indenter_move(position, begin, end);
+  Move move{indenter_move(position, begin, time), indenter_move(position, begin, end)};
   const WearingSolver solver(problem_, {step_.instantaneous() * wear.coefficient, wear.exponent}, contact_);
+  const auto start = start_of(solver, motion_.normal_force ? last_increment_ : move.whole.increment);
   Attempt made;
   if (motion_.normal_force) {
-    std::tie(last_increment_, made) = attempt_under_force(solver);
-    to_balance = steady_move(weight * last_increment_, weight * dt_);
-    whole = steady_move(last_increment_, dt_);
+    std::tie(last_increment_, made) = attempt_under_force(start);
+    move = steady(last_increment_);
   } else {
-    made = attempt(to_balance, solver, contact_);
+    made = attempt(move, start, contact_);
   }
   const Eigen::VectorXd worn = worn_by(wear, made.pressure);
-  step_.advance(state, whole, gap - made.gap + worn);
+  const Eigen::VectorXd slip = gap - made.gap + worn, by_itself = (1 - start.driven.array()) * move.whole.increment;
+  step_.advance(state, move.whole, slip - by_itself, start.driven);
+  if (free_surface_) free_surface_->advance(step_, state, made.contact, made.reading.radius);
   profile += worn;
-  balance_indentation = motion_.normal_force ? indentation + to_balance.increment : position(time).value;
-  indentation = motion_.normal_force ? indentation + whole.increment : position(times_.begin(n_steps + 1)).value;
+  if (free_surface_ && wear.coefficient.size() > 0) ends_of_profile_ = problem_.series.displacements(profile);
+  balance_indentation = motion_.normal_force ? indentation + move.to_balance.increment : position(time).value;
+  indentation = motion_.normal_force ? indentation + move.whole.increment : position(times_.begin(n_steps + 1)).value;
   gap = std::move(made.gap);
   balance_gap = std::move(made.balance_gap);
   pressure = std::move(made.pressure);
   contact_ = std::move(made.contact);
   reading = made.reading;
-  largest_radius_ = std::max(largest_radius_, reading.radius);
   ++n_steps;
   require_room(pressure);
 }

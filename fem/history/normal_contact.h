@@ -56,11 +56,16 @@ class NormalContact {
   template <class Archive>
   void serialize(Archive& archive) {
     archive(n_steps, profile, time, indentation, balance_indentation, pressure, reading, gap, balance_gap, state,
-            contact_, largest_radius_, last_increment_);
+            contact_, last_increment_);
+    if (free_surface_) archive(*free_surface_, ends_of_profile_);
   }
 
  private:
-  /// What a move of the indenter up to the balance time would come to.
+  /// Of the indenter in a step.
+  struct Move {
+    IndenterMove to_balance, whole;
+  };
+  /// What a move of the indenter would come to.
   struct Attempt {
     std::vector<BoxState> contact;
     Eigen::VectorXd pressure, gap, balance_gap;
@@ -68,11 +73,18 @@ class NormalContact {
   };
   [[nodiscard]] ContactForce read(const Eigen::VectorXd& pressure, const Eigen::VectorXd& gap,
                                   const ContactPast& past) const;
+  /// What is there before a step goes on.
+  struct Start {
+    const WearingSolver& solver;
+    Eigen::VectorXd driven;  ///< see driven_by_indenter
+    Eigen::VectorXd ends;    ///< of the free surface over the profile at the balance time, at depth 0
+  };
+  [[nodiscard]] Start start_of(const WearingSolver& solver, double increment) const;
   /// likely: rings in contact.
-  [[nodiscard]] Attempt attempt(const IndenterMove& to_balance, const WearingSolver& solver,
-                                std::vector<BoxState> likely) const;
+  [[nodiscard]] Attempt attempt(const Move& move, const Start& start, std::vector<BoxState> likely) const;
   [[nodiscard]] double start_indentation() const;
-  [[nodiscard]] std::pair<double, Attempt> attempt_under_force(const WearingSolver& solver) const;
+  [[nodiscard]] Move steady(double increment) const;
+  [[nodiscard]] std::pair<double, Attempt> attempt_under_force(const Start& start) const;
   [[nodiscard]] std::optional<Eigen::Index> n_closed() const;
 
   const ContactProblem& problem_;
@@ -86,8 +98,9 @@ class NormalContact {
   RelaxationStep step_;
   PressureAtEdge edge_;
   std::vector<BoxState> contact_;
-  double largest_radius_ = 0;  // of the contact, so far
-  double last_increment_ = 0;  // of the indentation
+  std::optional<FreeSurface> free_surface_;  // with memory, where rings touch in order
+  Eigen::VectorXd ends_of_profile_;          // see PunchSeries::displacements
+  double last_increment_ = 0;                // of the indentation
 };
 
 }  // namespace fretval::fem

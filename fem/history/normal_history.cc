@@ -23,8 +23,6 @@ class CycleRecord {
     for (auto* series : {&history.time, &history.indentation, &history.force, &history.force_uncertainty,
                          &history.force_beyond, &history.force_beyond_uncertainty, &history.contact_radius})
       series->resize(n);
-    history.hidden_kink.resize(n);
-    history.n_closed.resize(n);
   }
 
   void begin() {
@@ -52,10 +50,8 @@ class CycleRecord {
         ((contact.balance_gap - contact.profile).array() + contact.balance_indentation).matrix();
     history_.force[k] = contact.reading.force;
     history_.force_uncertainty[k] = contact.reading.uncertainty;
-    history_.hidden_kink[k] = contact.reading.hidden_kink;
     history_.force_beyond[k] = contact.reading.beyond.force;
     history_.force_beyond_uncertainty[k] = contact.reading.beyond.uncertainty;
-    history_.n_closed[k] = contact.reading.n_closed;
     history_.contact_radius[k] = contact.reading.radius;
     history_.smallest_gap = history_.smallest_gap.cwiseMin(contact.gap);
     auto step = contact.in_piece();

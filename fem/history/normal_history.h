@@ -33,9 +33,7 @@ struct NormalHistory {
   double largest_indentation = 0;     ///< of the cycle, at the ends of the steps and between them
   Eigen::VectorXd force;              ///< of the contact around the centre, see contact_force
   Eigen::VectorXd force_uncertainty;  ///< see ContactForce
-  Eigen::VectorX<bool> hidden_kink;   ///< see ContactForce
   Eigen::VectorXd force_beyond, force_beyond_uncertainty;  ///< of rings that press beyond a free one
-  Eigen::VectorX<Eigen::Index> n_closed;                   ///< see ContactForce
   Eigen::VectorXd contact_radius;
   /// Of the contact when a ring touches, see PunchSeries::radii. Empty: rings touch in any order, and forces are sums
   /// over them (ForceReading::sum_of_rings).

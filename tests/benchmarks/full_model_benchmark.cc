@@ -51,8 +51,8 @@ Eigen::MatrixXd condensed(const Body& body, const History& history) {
 
 Eigen::MatrixXd full(const Body& body, const History& history, fem::SparseFactors factors, int& n_factorisations) {
   const auto& [relaxation, motion, n_steps, n_cycles] = history;
-  const auto normal =
-      fem::full_normal_history(body.normal.space, relaxation, parabola(body), motion, n_steps, n_cycles, factors);
+  const auto normal = fem::full_normal_history(body.normal.space, body.normal.contact.series, relaxation,
+                                               parabola(body), motion, n_steps, n_cycles, factors);
   const auto friction = fem::full_friction_history(body.tangential->space, relaxation, mu, motion, normal.pressure,
                                                    n_steps, n_cycles, factors);
   n_factorisations = normal.count.n_factorisations + friction.count.n_factorisations;

@@ -1,6 +1,8 @@
 #include "comparison/simulation/bodies/body.h"
 
+#include <cmath>
 #include <set>
+#include <utility>
 
 #include "comparison/support/parallel.h"
 #include "comparison/support/stopwatch.h"
@@ -17,6 +19,13 @@ HarmonicOperators assemble_harmonic(const fem::GridData& grid, fem::Harmonic har
   return {std::move(space), std::move(stiffness)};
 }
 
+fem::ContactProblem scaled(const fem::ContactProblem& problem, double factor) {
+  const auto& [radii, areas, matrix] = problem.compliance;
+  fem::Compliance larger{radii, std::pow(factor, 2) * areas, fem::SharedMatrix(std::pow(factor, 3) * *matrix)};
+  for (double& radius : larger.radii) radius *= factor;
+  return fem::ContactProblem(std::move(larger));
+}
+
 HarmonicBody condense_harmonic(HarmonicOperators&& operators, const std::string& name) {
   fem::Condensation condensation(operators.stiffness, operators.space.contact_line().dofs, name);
   fem::ContactProblem contact(fem::contact_compliance(operators.space.contact_line(), condensation.schur_complement()));
@@ -26,7 +35,9 @@ HarmonicBody condense_harmonic(HarmonicOperators&& operators, const std::string&
 }  // namespace
 
 meshes::Mesh mesh_of(const BodySpecification& specification) {
-  return meshes::quarter_disc({specification.contact_nodes, specification.far_radius, specification.growth});
+  auto nodes = specification.contact_nodes;
+  for (double& node : nodes) node *= specification.scale;
+  return meshes::quarter_disc({std::move(nodes), specification.scale * specification.far_radius, specification.growth});
 }
 
 std::size_t n_dofs_on(const meshes::Mesh& mesh, unsigned degree, bool tangential) {
@@ -81,8 +92,10 @@ Body make_body(const BodySpecification& specification) {
 
 BodyCount count_of(const std::vector<std::shared_ptr<const BodySummary>>& bodies) {
   BodyCount count;
-  for (const auto& body : std::set(bodies.begin(), bodies.end())) {
-    if (!body) continue;  // of a computation that failed
+  std::set<std::shared_ptr<const BodySummary>> different;
+  for (const auto& body : bodies)
+    if (body) different.insert(body->original ? body->original : body);  // null: of a computation that failed
+  for (const auto& body : different) {
     ++count.all;
     count.from_store += body->from_store ? 1 : 0;
   }
@@ -96,6 +109,15 @@ ContactBody contact_body(const Body& body) {
   std::optional<fem::ContactProblem> tangential;
   if (body.tangential) tangential.emplace(body.tangential->contact);
   return {body.normal.contact, std::move(tangential), summary};
+}
+
+ContactBody scaled(const ContactBody& body, double factor) {
+  auto summary = *body.summary;
+  summary.original = body.summary;
+  for (double& radius : summary.radii) radius *= factor;
+  std::optional<fem::ContactProblem> tangential;
+  if (body.tangential) tangential.emplace(scaled(*body.tangential, factor));
+  return {scaled(body.normal, factor), std::move(tangential), std::make_shared<const BodySummary>(std::move(summary))};
 }
 
 }  // namespace fretval

@@ -83,9 +83,10 @@ struct BodySummary {
   std::size_t n_contact_nodes;
   std::vector<double> radii;  ///< of the rings
   bool from_store = false;    ///< not made, but taken from a store of operators
+  std::shared_ptr<const BodySummary> original = {};  ///< of a scaled body: what it was scaled from
 };
 
-/// Different bodies, and those of them that came from a store of operators.
+/// Different bodies but for their scales, and those of them that came from a store of operators.
 struct BodyCount {
   int all = 0, from_store = 0;
 };
@@ -107,5 +108,9 @@ struct ContactBody {
 };
 
 ContactBody contact_body(const Body& body);
+
+/// The same body, larger by a factor: a half-space has no length, so that areas grow with its square, and the
+/// compliance of rings (see fem::Compliance) with its cube.
+ContactBody scaled(const ContactBody& body, double factor);
 
 }  // namespace fretval

@@ -13,6 +13,11 @@ bool is_too_large(std::size_t n_dofs, const BodyStore& bodies) {
 std::shared_ptr<const ContactBody> find_or_make_body(const BodySpecification& specification, BodyStore& bodies,
                                                      std::shared_ptr<const Body>* whole) {
   return bodies.find_or_make(specification, [&] {
+    if (specification.scale != 1) {
+      auto original = specification;
+      original.scale = 1;
+      return scaled(*find_or_make_body(original, bodies), specification.scale);
+    }
     if (bodies.operators)
       if (auto kept = kept_body(specification, *bodies.operators)) {
         ++bodies.n_kept;

@@ -36,8 +36,8 @@ class BodyStore : public MadeOnce<BodySpecification, ContactBody> {
 /// Whether all processes make bodies of so many dofs together.
 bool is_too_large(std::size_t n_dofs, const BodyStore& bodies);
 
-/// Mesh, operators and condensation of a specification, unless the store, or that of its operators, has them. whole:
-/// set to the whole body if it had to be made, in this process alone.
+/// Mesh, operators and condensation of a specification, unless the store, or that of its operators, has them, at any
+/// scale. whole: set to the whole body if it had to be made, in this process alone and at a scale of 1.
 std::shared_ptr<const ContactBody> find_or_make_body(const BodySpecification& specification, BodyStore& bodies,
                                                      std::shared_ptr<const Body>* whole = nullptr);
 

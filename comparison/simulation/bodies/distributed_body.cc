@@ -25,7 +25,7 @@ std::string bytes_of(const json& message) {
 
 BodySpecification specification_in(const std::string& message) {
   const auto body = json::from_cbor(message);
-  return {body.at(0).get<std::vector<double>>(), body.at(1), body.at(2), body.at(3), body.at(4)};
+  return {body.at(0).get<std::vector<double>>(), body.at(1), body.at(2), body.at(3), body.at(4), body.at(5)};
 }
 
 /// A harmonic on the contact line.
@@ -50,7 +50,7 @@ Condensed condensed_together(const BodySpecification& body, const meshes::Mesh& 
 }  // namespace
 
 std::string text_of(const BodySpecification& body) {
-  return bytes_of({body.contact_nodes, body.growth, body.far_radius, body.degree, body.tangential});
+  return bytes_of({body.contact_nodes, body.growth, body.far_radius, body.degree, body.tangential, body.scale});
 }
 
 std::string operators_made_together(const std::string& specification, const fem::Share& share) {

@@ -24,8 +24,8 @@ std::string harmonic_text(fem::Harmonic harmonic) {
 
 std::string operator_key(const BodySpecification& specification, fem::Harmonic harmonic, int n_processes) {
   auto key = versions_text() + harmonic_text(harmonic) + "Poisson's ratio 0.5\n";
-  key += fmt::format("degree {}\ngrowth {:a}\nfar radius {:a}\ncontact nodes", specification.degree,
-                     specification.growth, specification.far_radius);
+  key += fmt::format("degree {}\ngrowth {:a}\nfar radius {:a}\nscale {:a}\ncontact nodes", specification.degree,
+                     specification.growth, specification.far_radius, specification.scale);
   for (const double node : specification.contact_nodes) key += fmt::format(" {:a}", node);
   if (n_processes > 1) key += fmt::format("\nprocesses {}", n_processes);
   return key + "\n";

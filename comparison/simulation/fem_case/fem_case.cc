@@ -30,33 +30,41 @@ constexpr double rings_beyond = 4;
 /// How far the contact line of the coarsest rings reaches, over the contact radius.
 constexpr double farthest_ring = 1.5;
 
-/// Wider ones of another number to the same radius.
-std::vector<double> with_edge_before_node(std::vector<double> nodes, double radius, double ring, double rings_before) {
-  for (double& node : nodes) node *= radius / (radius - rings_before * ring);
-  return nodes;
+struct ContactLine {
+  std::vector<double> nodes;
+  double scale = 1;  ///< of the body
+};
+
+/// Rings of a width of which one ends at a radius, wider, so that the radius lies in one of them. A half-space has no
+/// length: all places in a ring share a body.
+ContactLine around_edge(std::vector<double> nodes, double radius, double ring, const Resolution& resolution) {
+  const auto widened = [&](double rings_before_node) { return radius / (radius - rings_before_node * ring); };
+  const double usual = widened(usual_edge_before_node);
+  for (double& node : nodes) node *= usual;
+  return {std::move(nodes), widened(resolution.edge_before_node) / usual};
 }
 
-std::vector<double> contact_nodes(const FemCase& fem) {
+ContactLine contact_line(const FemCase& fem) {
   const auto& resolution = fem.resolution;
   const double ring = 1.0 / resolution.elements_per_radius;
   // A worn profile ends its zone at a known radius, where stresses are singular. Rounded up to quarters of the contact
   // radius, so that profiles with the same c share their body.
   if (fem.worn_edge) {
     const double edge = fem.worn_edge->inner, end = std::ceil(4 * contact_line_reserve * fem.worn_edge->outer) / 4;
-    if (edge == 0) return meshes::uniform_nodes(end, static_cast<unsigned>(std::ceil(end / ring)));
-    return meshes::graded_nodes({edge, edge, resolution.worn_edge_ring * edge}, end, ring, resolution.surface_growth);
+    if (edge == 0) return {meshes::uniform_nodes(end, static_cast<unsigned>(std::ceil(end / ring)))};
+    return {meshes::graded_nodes({edge, edge, resolution.worn_edge_ring * edge}, end, ring, resolution.surface_growth)};
   }
   const double end = std::max(contact_line_reserve, 1 + rings_beyond * ring);
   if (resolution.focus) {
     const auto [inner, outer, wanted] = *resolution.focus;
     const double fine = std::max(wanted, finest_ring);
     const double width = std::min(fine, ring);
-    return with_edge_before_node(meshes::graded_nodes({inner, outer, width}, std::max(end, outer + rings_beyond * fine),
-                                                      ring, resolution.surface_growth),
-                                 outer, width, resolution.edge_before_node);
+    return around_edge(meshes::graded_nodes({inner, outer, width}, std::max(end, outer + rings_beyond * fine), ring,
+                                            resolution.surface_growth),
+                       outer, width, resolution);
   }
   const auto n = static_cast<unsigned>(std::ceil(end * resolution.elements_per_radius / 2)) * 2;
-  return with_edge_before_node(meshes::uniform_nodes(n * ring, n), 1, ring, resolution.edge_before_node);
+  return around_edge(meshes::uniform_nodes(n * ring, n), 1, ring, resolution);
 }
 
 /// Rings lie on the sphere, with those beyond the contact.
@@ -223,8 +231,10 @@ void require_few_rows(const Case& input) {
 }  // namespace
 
 bool BodySpecification::operator<(const BodySpecification& other) const {
-  return std::tie(contact_nodes, growth, far_radius, degree, tangential) <
-         std::tie(other.contact_nodes, other.growth, other.far_radius, other.degree, other.tangential);
+  const auto key = [](const BodySpecification& b) {
+    return std::tie(b.contact_nodes, b.growth, b.far_radius, b.degree, b.tangential, b.scale);
+  };
+  return key(*this) < key(other);
 }
 
 FemCase fem_case(const Case& input, const MdrCase& mdr) {
@@ -280,8 +290,13 @@ FemCase at_resolution(FemCase fem, const Resolution& resolution) {
     fem.motion.locked = !near.creeps;
     if (near.creeps && fem.motion.tangential.size() == 1) fem.motion.tangential.front().phase = 0;
   }
-  fem.body = {contact_nodes(fem), resolution.growth, resolution.far_radius, resolution.degree,
-              fem.motion.tangential_amplitude() > 0};
+  auto line = contact_line(fem);
+  fem.body = {std::move(line.nodes),
+              resolution.growth,
+              resolution.far_radius,
+              resolution.degree,
+              fem.motion.tangential_amplitude() > 0,
+              line.scale};
   fem.motion.n_ramp_cycles = resolution.n_ramp_cycles;
   fem.motion.n_creep_cycles = resolution.n_creep_cycles;
   return fem;

@@ -21,6 +21,7 @@ struct BodySpecification {
   double growth, far_radius;
   unsigned degree;
   bool tangential = true;  ///< whether the tangential harmonic is needed
+  double scale = 1;        ///< by which all of it is larger
 
   bool operator<(const BodySpecification& other) const;
 };

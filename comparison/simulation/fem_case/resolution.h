@@ -10,6 +10,11 @@ struct Focus {
   double inner, outer, ring;
 };
 
+/// Where in its ring the contact radius lies, or a focus ends, in rings before the next node. Irrational: no number of
+/// rings puts an edge that is known to a node, where it would be read too well. The golden section is the farthest from
+/// all fractions.
+constexpr double usual_edge_before_node = 0.3819660112501051;
+
 /// How finely a case is discretised.
 struct Resolution {
   unsigned elements_per_radius;  ///< rings per contact radius, away from a focus
@@ -23,7 +28,7 @@ struct Resolution {
   double worn_edge_ring = 5e-6;     ///< limiting profile: rings at its edge over its stick radius
   double surface_growth = 0.15;     ///< of rings that are graded along the surface, per ring
   double wear_jump = 0.01;          ///< worn depth of a jump over the largest indentation, see fem::WearControl
-  double edge_before_node = 0;      ///< how far before a node the contact radius lies, or a focus ends, in rings
+  double edge_before_node = usual_edge_before_node;  ///< that of the contact radius, or of the end of a focus
   std::optional<Focus> focus = {};  ///< empty: equal rings
 
   bool operator<(const Resolution& other) const;

@@ -36,23 +36,31 @@ std::vector<PressingForce> press(const fem::ContactProblem& problem, const Eigen
   fem::RingState state{Eigen::VectorXd::Zero(n),
                        Eigen::MatrixXd::Zero(n, static_cast<Eigen::Index>(model.times.size()))};
   std::vector<fem::BoxState> contact(static_cast<std::size_t>(n), fem::BoxState::lower);
-  double largest_radius = 0;  // of the contact, so far
+  const Eigen::VectorXd ends = problem.series.displacements(profile);
+  fem::FreeSurface surface(problem.series, state, 0);
+  Eigen::VectorXd pressure = Eigen::VectorXd::Zero(n);
   std::vector<PressingForce> forces;
   for (std::size_t k = 1; k < instants.size(); ++k) {
     const double begin = instants[k - 1], end = instants[k];
     const fem::RelaxationStep step(model, end - begin);
     const double fraction = step.fraction(), balance = begin + fraction * (end - begin);
     const Eigen::VectorXd gap = (state.displacement + profile).array() - path(begin).value;
-    const Eigen::VectorXd held = step.response_without_slip(state, fem::indenter_move(path, begin, balance));
-    const Eigen::VectorXd load = areas.cwiseProduct(held - step.instantaneous() * gap);
+    const auto move = fem::indenter_move(path, begin, end);
+    const Eigen::VectorXd driven =
+                              fem::driven_by_indenter(problem.series, pressure, step.instantaneous() * move.increment),
+                          by_itself = (1 - driven.array()) * move.increment;
+    const Eigen::VectorXd held = step.response_without_slip(state, fem::indenter_move(path, begin, balance), driven);
+    const Eigen::VectorXd load = areas.cwiseProduct(held + step.instantaneous() * (by_itself - gap));
     const auto solution = problem.solver.solve(
         load, Eigen::VectorXd::Zero(n), Eigen::VectorXd::Constant(n, std::numeric_limits<double>::infinity()), contact);
     if (solution.x[n - 1] > 0) throw fem::SolverError("the contact reaches the end of the contact line");
     const Eigen::VectorXd new_gap = -solution.residual.cwiseQuotient(areas) / step.instantaneous();
-    step.advance(state, fem::indenter_move(path, begin, end), gap - new_gap);
-    const auto force =
-        fem::contact_force(problem.series, solution.x, fraction * new_gap + (1 - fraction) * gap, {largest_radius});
-    largest_radius = std::max(largest_radius, force.radius);
+    step.advance(state, move, gap - new_gap - by_itself, driven);
+    fem::ContactPast past;
+    past.opening = surface.opening(surface.at_balance(step) + (ends.array() - path(balance).value).matrix());
+    const auto force = fem::contact_force(problem.series, solution.x, fraction * new_gap + (1 - fraction) * gap, past);
+    surface.advance(step, state, contact, force.radius);
+    pressure = solution.x;
     forces.push_back({balance, force.force, solution.x.dot(areas)});
   }
   return forces;

@@ -80,8 +80,8 @@ double seconds_of_full_model(const PreparedCase& prepared, const Resolution& res
   const auto body = make_body(fem.body);
   const Eigen::VectorXd profile = fem::ring_means(body.normal.contact.compliance, fem.profile);
   Stopwatch watch;
-  const auto normal =
-      fem::full_normal_history(body.normal.space, fem.relaxation, profile, fem.motion, steps, n_full_cycles);
+  const auto normal = fem::full_normal_history(body.normal.space, body.normal.contact.series, fem.relaxation, profile,
+                                               fem.motion, steps, n_full_cycles);
   double seconds = body.cost.total() + watch.lap() / n_full_cycles * condensed.normal.n_cycles;
   if (!body.tangential) return seconds;
   fem::full_friction_history(body.tangential->space, fem.relaxation, fem.friction_coefficient, fem.motion,

@@ -25,8 +25,9 @@ TEST(FeAnswer, ForceIsAsUncertainAsPressuresThatFallWithinTheLastRingLeaveIt) {
   EXPECT_LT(relaxing.normal_force_uncertainty, 3e-4 * relaxing.normal_force_max);
 }
 
-// Coarser steps do not show this error: it is 2.9e-3, 3.3e-3 and 2.5e-3 with 12, 24 and 48 steps.
-TEST(FeAnswer, ContactRadiusIsUncertainWhereABranchRelaxesWithinAStep) {
+// What nothing has touched stays where it is, however coarse the step: 4.6e-6 are the rings'. Where free rings lag
+// behind the indenter it is 2.9e-3, 3.3e-3 and 2.5e-3 with 12, 24 and 48 steps.
+TEST(FeAnswer, ContactRadiusHasNoErrorOfTimeWhereABranchRelaxesWithinAStep) {
   auto scene = read_case();
   scene.indenter = {};
   scene.indenter.shape = Case::Shape::cone;
@@ -42,9 +43,7 @@ TEST(FeAnswer, ContactRadiusIsUncertainWhereABranchRelaxesWithinAStep) {
   scene.steps_per_cycle = 32;
   const auto fe = simulate_case(scene);
   const double exact = exact_answer(scene).contact_radius_max.value();
-  EXPECT_GT(std::abs(fe.contact_radius_max.value() / exact - 1), 2e-3);
-  EXPECT_NEAR(fe.contact_radius_max.value(), exact, fe.contact_radius_uncertainty);
-  EXPECT_LT(fe.contact_radius_uncertainty, 1e-2 * exact);
+  EXPECT_NEAR(fe.contact_radius_max.value() / exact, 1, 2e-5);
 }
 
 // No radius is read where the flank touches without pressure; that nothing wears there is what is read instead.
@@ -107,7 +106,7 @@ TEST(FeAnswer, OfALimitingProfileForceEndsAtItsStickRadius) {
     return fe.normal_force_max / exact_answer(scene).normal_force_max.value() - 1;
   };
   EXPECT_LT(std::abs(error_at(0.5, 72, 1e-4)), 5e-6);
-  EXPECT_LT(std::abs(error_at(0.1, 18, 2e-2)), 3e-4);
+  EXPECT_LT(std::abs(error_at(0.1, 18, 4e-4)), 3e-4);
 }
 
 // On the way to the steady state the outermost rings inside c slip a little, by less than a ring that settles does.

@@ -52,16 +52,6 @@ TEST_F(PunchSeriesTest, AFlatPunchIsEquallyDeepEverywhere) {
   EXPECT_EQ(depths.tail(depths.size() - n).cwiseAbs().maxCoeff(), 0);
 }
 
-// Pressure and gap vanish at the same radius.
-TEST_F(PunchSeriesTest, FindsTheEdgeFromTheGapAlone) {
-  for (int k = 0; k <= 10; ++k) {
-    const double radius = 0.9 + k / 320.0;
-    const auto [pressure, gap] = hertz_contact(problem_, radius * radius);
-    const Index n_pressed = (pressure.array() > 0).count();
-    EXPECT_NEAR(series_.edge_of_gap(gap, n_pressed, n_pressed, 0).value(), radius, 1e-5) << radius;
-  }
-}
-
 // Two parabolas that meet at a kink half way between two depths: the integral follows both.
 TEST_F(PunchSeriesTest, FollowsBothSidesOfAKink) {
   const Eigen::VectorXd edges = effective_radii(problem_.compliance).radius;

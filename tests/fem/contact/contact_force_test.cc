@@ -95,8 +95,8 @@ struct Growing {
         pressure(hertz.pressure +
                  speed / 2 * (punch_traction(problem, n_pressed) + punch_traction(problem, n_pressed - 1))) {}
 
-  [[nodiscard]] ContactForce read(const PunchSeries& series, double largest_radius = 0) const {
-    return contact_force(series, pressure, hertz.gap, {largest_radius, n_pressed - 1, PressureAtEdge::jumps});
+  [[nodiscard]] ContactForce read(const PunchSeries& series) const {
+    return contact_force(series, pressure, hertz.gap, {n_pressed - 1, PressureAtEdge::jumps});
   }
 };
 
@@ -112,15 +112,6 @@ TEST_F(ContactForceTest, GoesOnToAnEdgeWhereThePressureJumps) {
   }
   EXPECT_LT(worst, 5e-6);
   EXPECT_GT(worst_sum, 1e-3);
-}
-
-// A quarter of a ring from the edge no ring shows it, three rings away some do.
-TEST_F(ContactForceTest, TellsWhetherTheKinkOfTheGapIsHidden) {
-  const double edge = series_.radii()[28] + 0.3 * ring_;
-  const Growing growing(problem_, edge);
-  EXPECT_TRUE(growing.read(series_, edge + 0.25 * ring_).hidden_kink);
-  EXPECT_FALSE(growing.read(series_, edge + 3 * ring_).hidden_kink);
-  EXPECT_FALSE(growing.read(series_, edge - 0.25 * ring_).hidden_kink) << "it is growing";
 }
 
 }  // namespace

@@ -97,7 +97,8 @@ double largest_difference(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
 constexpr double roundoff = 1e-11;
 
 FullNormalHistory full_normal(const RelaxationModel& model, int n_cycles) {
-  return full_normal_history(body(Harmonic::normal).space, model, profile(), wide_motion(), n_steps, n_cycles);
+  return full_normal_history(body(Harmonic::normal).space, body(Harmonic::normal).condensed.series, model, profile(),
+                             wide_motion(), n_steps, n_cycles);
 }
 
 FullFrictionHistory full_friction(const RelaxationModel& model, const Eigen::MatrixXd& pressure, int n_cycles) {
@@ -107,8 +108,9 @@ FullFrictionHistory full_friction(const RelaxationModel& model, const Eigen::Mat
 // The same answer for a factorisation in every iteration.
 TEST(FullHistory, FactorsAnewAsOftenAsItSolves) {
   const auto kept = full_normal(damped_branches(), 1);
-  const auto anew = full_normal_history(body(Harmonic::normal).space, damped_branches(), profile(), wide_motion(),
-                                        n_steps, 1, SparseFactors::made_anew);
+  const auto anew =
+      full_normal_history(body(Harmonic::normal).space, body(Harmonic::normal).condensed.series, damped_branches(),
+                          profile(), wide_motion(), n_steps, 1, SparseFactors::made_anew);
   EXPECT_EQ(anew.count.n_factorisations, anew.count.n_solves);
   EXPECT_LT(kept.count.n_factorisations, kept.count.n_solves);
   EXPECT_LT(largest_difference(anew.pressure, kept.pressure), roundoff);
@@ -165,8 +167,8 @@ TEST_P(FullHistoryOf, OfAGroovedIndenterIsThatOfTheCondensedBody) {
                                      [&](const NormalContact& now) { pressures.push_back(now.pressure); });
   Eigen::MatrixXd pressure(n_rings, static_cast<Index>(pressures.size()));
   for (Index k = 0; k < pressure.cols(); ++k) pressure.col(k) = pressures[static_cast<std::size_t>(k)];
-  const auto full =
-      full_normal_history(body(Harmonic::normal).space, GetParam(), grooved, motion, n_steps, normal.n_cycles);
+  const auto full = full_normal_history(body(Harmonic::normal).space, body(Harmonic::normal).condensed.series,
+                                        GetParam(), grooved, motion, n_steps, normal.n_cycles);
   EXPECT_LT(largest_difference(full.pressure, pressure), roundoff);
   const auto touching = (pressure.array() > 0).colwise().count();
   EXPECT_TRUE((pressure.middleRows(2, 2).array() == 0).all());
@@ -207,8 +209,12 @@ TEST(FullHistory, RefusesWhatDoesNotFit) {
   const auto model = elastic_body();
   const auto motion = wide_motion();
   const Eigen::VectorXd short_profile = profile().head(n_rings - 1);
-  EXPECT_THROW(full_normal_history(tangential, model, profile(), motion, n_steps, 1), std::invalid_argument);
-  EXPECT_THROW(full_normal_history(normal, model, short_profile, motion, n_steps, 1), std::invalid_argument);
+  EXPECT_THROW(
+      full_normal_history(tangential, body(Harmonic::normal).condensed.series, model, profile(), motion, n_steps, 1),
+      std::invalid_argument);
+  EXPECT_THROW(
+      full_normal_history(normal, body(Harmonic::normal).condensed.series, model, short_profile, motion, n_steps, 1),
+      std::invalid_argument);
   const Eigen::MatrixXd pressure = Eigen::MatrixXd::Ones(n_rings, 1 + n_steps);
   EXPECT_THROW(full_friction_history(normal, model, mu, motion, pressure, n_steps, 1), std::invalid_argument);
   EXPECT_THROW(full_friction_history(tangential, model, mu, motion, pressure, n_steps, 2), std::invalid_argument);
@@ -218,7 +224,10 @@ TEST(FullHistory, SaysWhenTheContactReachesTheEndOfTheLine) {
   Motion deep = wide_motion();
   deep.indentation = 1;
   expect_solver_error(
-      [&] { full_normal_history(body(Harmonic::normal).space, elastic_body(), profile(), deep, n_steps, 2); },
+      [&] {
+        full_normal_history(body(Harmonic::normal).space, body(Harmonic::normal).condensed.series, elastic_body(),
+                            profile(), deep, n_steps, 2);
+      },
       {"end of the contact line", "longer"});
 }
 

@@ -1,0 +1,109 @@
+#include "fem/contact/free_surface.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "fem/condensation/stencil.h"
+
+namespace fretval::fem {
+
+using Eigen::Index;
+
+namespace {
+
+constexpr IndenterMove still{0, {0, 0, 0}};
+
+/// Neighbours that lifted in one retreat.
+struct Run {
+  Index begin, end;
+};
+
+Run run_around(Index ring, const Eigen::VectorXi& retreat) {
+  Run run{ring, ring + 1};
+  while (run.begin > 0 && retreat[run.begin - 1] == retreat[ring]) --run.begin;
+  while (run.end < retreat.size() && retreat[run.end] == retreat[ring]) ++run.end;
+  return run;
+}
+
+/// Four of a run at most, from a ring on if there are enough.
+Stencil stencil_of(const Run& run, Index first, const Eigen::VectorXd& radii, const Eigen::VectorXd& values) {
+  const Index n = std::min(n_stencil, run.end - run.begin);
+  return {radii, values, std::clamp(first, run.begin, run.end - n), n};
+}
+
+/// Of those up to a kink, and at the kink itself, as the rings beyond it continue to it.
+Stencil stencil_up_to(double kink, double there, const Run& run, const Eigen::VectorXd& radii,
+                      const Eigen::VectorXd& values) {
+  const Index n = std::min(n_stencil - 1, run.end - run.begin);
+  Eigen::VectorXd x(n + 1), y(n + 1);
+  x << radii.segment(run.end - n, n), kink;
+  y << values.segment(run.end - n, n), there;
+  return {x, y, 0, n + 1};
+}
+
+}  // namespace
+
+Index count_pressed(const std::vector<BoxState>& contact) {
+  const auto first_free =
+      std::find_if(contact.begin(), contact.end(), [](BoxState ring) { return ring != BoxState::interior; });
+  return first_free - contact.begin();
+}
+
+std::optional<double> edge_of(const Opening& opening, const Eigen::VectorXd& radii, Index n_closed, Index n_pressed) {
+  const auto& values = opening.value;
+  const auto& retreat = opening.retreat;
+  const Index last = n_closed - 1;
+  const auto outer = run_around(n_pressed, retreat);
+  if (retreat[last] == retreat[n_pressed])
+    return crossing(stencil_of(outer, last - 1, radii, values), radii[last], radii[n_pressed]);
+  const auto outside = stencil_of(outer, outer.begin, radii, values);
+  if (retreat[last] < retreat[n_pressed]) return crossing(outside, radii[last], radii[n_pressed]);
+  const auto inner = run_around(last, retreat);
+  const double kink = opening.lifted_below[last], there = outside(kink);
+  if (there <= 0 || kink <= radii[inner.end - 1]) return crossing(outside, radii[last], radii[n_pressed]);
+  return crossing(stencil_up_to(kink, there, inner, radii, values), radii[last], kink);
+}
+
+FreeSurface::FreeSurface(const PunchSeries& series, const RingState& state, Index n_pressed)
+    : series_(series),
+      state_(state),
+      retreat_(Eigen::VectorXi::Constant(state.displacement.size(), never_touched)),
+      lifted_below_(Eigen::VectorXd::Zero(state.displacement.size())),
+      n_pressed_(n_pressed) {
+  state_.displacement = series.displacements(state.displacement);
+  retreat_.head(n_pressed).setConstant(never_lifted);
+}
+
+/// Bears nothing.
+Eigen::VectorXd FreeSurface::slip_in(const RelaxationStep& step) const {
+  return step.response_without_slip(state_, still) / step.instantaneous();
+}
+
+Eigen::VectorXd FreeSurface::at_balance(const RelaxationStep& step) const {
+  return state_.displacement - step.fraction() * slip_in(step);
+}
+
+void FreeSurface::advance(const RelaxationStep& step, const RingState& state, const std::vector<BoxState>& contact,
+                          double radius) {
+  step.advance(state_, still, slip_in(step));
+  const Index before = n_pressed_;
+  n_pressed_ = count_pressed(contact);
+  if (n_pressed_ > before) is_retreating_ = false;
+  if (n_pressed_ < before) {
+    if (!is_retreating_) {
+      ++n_retreats_;
+      began_at_ = std::exchange(radius_, 0);
+    }
+    is_retreating_ = true;
+    const Index n_lifted = before - n_pressed_;
+    const auto lifted = [&](auto&& values) { return values.segment(n_pressed_, n_lifted); };
+    lifted(state_.displacement) = lifted(series_.displacements(state.displacement));
+    for (Index branch = 0; branch < state_.memory.cols(); ++branch)
+      lifted(state_.memory.col(branch)) = lifted(series_.displacements(state.memory.col(branch)));
+    lifted(retreat_).setConstant(n_retreats_);
+    lifted(lifted_below_).setConstant(began_at_);
+  }
+  if (!is_retreating_) radius_ = std::max(radius_, radius);
+}
+
+}  // namespace fretval::fem

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <Eigen/Dense>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "fem/condensation/punch_series.h"
+#include "fem/contact/box_solver.h"
+#include "fem/motion/relaxation.h"
+
+namespace fretval::fem {
+
+/// Rings in contact (interior) around the centre.
+Eigen::Index count_pressed(const std::vector<BoxState>& contact);
+
+/// The gap outside a contact, as a series of punches has it (PunchSeries::displacements), and across its edge: that of
+/// a ring in contact is what it would be had nothing touched it since it lifted.
+struct Opening {
+  Eigen::VectorXd value;
+  Eigen::VectorXi retreat;       ///< of the contact, in which a ring lifted; see FreeSurface
+  Eigen::VectorXd lifted_below;  ///< radius of the contact from which that began
+};
+
+/// Where it vanishes between the last of n_closed rings and the one beyond n_pressed. Empty where it does not: it jumps
+/// at the edge of a face. Cubics on either side of a kink; where that lies between the two, the one inside goes on to
+/// it, and where nothing inside has lifted, what is outside goes on to the edge.
+std::optional<double> edge_of(const Opening& opening, const Eigen::VectorXd& radii, Eigen::Index n_closed,
+                              Eigen::Index n_pressed);
+
+/// The surface of a body with memory as it would go on if no ring were touched again after it has lifted.
+///
+/// A displacement of the series that bears nothing relaxes by itself, whatever its neighbours do: what is kept of a
+/// ring as it lifts tells where it is from then on. All that have lifted in one retreat of the contact lie on a smooth
+/// curve, which a growing edge runs along; it ends with a kink where the retreat began.
+class FreeSurface {
+ public:
+  static constexpr int never_touched = 0, never_lifted = -1;
+
+  /// Relaxed, with n_pressed rings in contact. The series must outlive this.
+  FreeSurface(const PunchSeries& series, const RingState& state, Eigen::Index n_pressed);
+
+  /// Where it is at the balance time of a step, over an indenter at depth 0.
+  [[nodiscard]] Eigen::VectorXd at_balance(const RelaxationStep& step) const;
+
+  /// To the end of a step. state: of the rings; contact: interior where they touched in the step, up to a radius.
+  void advance(const RelaxationStep& step, const RingState& state, const std::vector<BoxState>& contact, double radius);
+
+  /// With the gaps that it leaves.
+  [[nodiscard]] Opening opening(Eigen::VectorXd value) const { return {std::move(value), retreat_, lifted_below_}; }
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(state_, retreat_, lifted_below_, n_pressed_, n_retreats_, is_retreating_, began_at_, radius_);
+  }
+
+ private:
+  [[nodiscard]] Eigen::VectorXd slip_in(const RelaxationStep& step) const;
+
+  const PunchSeries& series_;
+  RingState state_;
+  Eigen::VectorXi retreat_;
+  Eigen::VectorXd lifted_below_;
+  Eigen::Index n_pressed_;
+  int n_retreats_ = 0;
+  bool is_retreating_ = false;
+  double began_at_ = 0;  // radius of the contact, the last retreat
+  double radius_ = 0;    // largest since then
+};
+
+}  // namespace fretval::fem
