@@ -70,9 +70,9 @@ StaticContact solve_contact(const ContactProblem& problem, const Eigen::VectorXd
 }
 
 Eigen::VectorXd driven_by_indenter(const PunchSeries& series, const Eigen::VectorXd& pressure, double change) {
-  constexpr double roundoff = 1e-14;
+  constexpr double hardly_held = 0.1, roundoff = 1e-14;
   const Eigen::VectorXd depths = series.depths(pressure);
-  const double whole = std::max(std::abs(change), roundoff * depths.cwiseAbs().maxCoeff());
+  const double whole = std::max(hardly_held * std::abs(change), roundoff * depths.cwiseAbs().maxCoeff());
   if (whole == 0) return Eigen::VectorXd::Zero(pressure.size());
   return series.rings((depths.array() / whole).max(0).min(1), 0);
 }
