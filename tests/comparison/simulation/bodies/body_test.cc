@@ -26,6 +26,21 @@ TEST(Body, GivesWayToAPressureLikeAHalfSpace) {
   EXPECT_EQ(body.summary->radii, small_body().contact_nodes);
 }
 
+// A half-space has no length: what is scaled is what a larger mesh leads to, to roundoff.
+TEST(Body, IsScaledLikeItsMesh) {
+  auto larger = small_body();
+  larger.scale = 1.3;
+  const auto made = contact_body(make_body(larger)), from_smaller = scaled(contact_body(make_body(small_body())), 1.3);
+  const auto expect_equal = [](const fem::Compliance& a, const fem::Compliance& b) {
+    EXPECT_LT((*a.matrix - *b.matrix).norm(), 1e-9 * a.matrix->norm());
+    EXPECT_LT((a.areas - b.areas).norm(), 1e-12 * a.areas.norm());
+    EXPECT_NEAR(a.radii.back(), b.radii.back(), 1e-12);
+  };
+  expect_equal(made.normal.compliance, from_smaller.normal.compliance);
+  expect_equal(made.tangential->compliance, from_smaller.tangential->compliance);
+  EXPECT_EQ(count_of({from_smaller.summary, from_smaller.summary->original}).all, 1);
+}
+
 TEST(Body, HasATangentialHarmonicOnlyForTangentialMotion) {
   const auto both = make_body(small_body(true)), normal = make_body(small_body(false));
   EXPECT_FALSE(normal.tangential);
