@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fem/support/constants.h"
+
 namespace fretval {
 namespace {
 
@@ -181,9 +183,14 @@ void carry_to_stick_radii(const Track& track, Borders borders, ErrorBudget& bars
 }  // namespace
 
 CaseNeeds needs_of(const FemCase& fem) {
-  return {fem.relaxation.has_memory(), !fem.motion.locked,
-          fem.worn_edge.has_value(),   fem.relaxation.viscosity > 0 || fem.motion.tangential_force || fem.any_order,
-          fem.motion.is_single_pass(), fem.any_order};
+  CaseNeeds needs{
+      fem.relaxation.has_memory(), !fem.motion.locked,
+      fem.worn_edge.has_value(),   fem.relaxation.viscosity > 0 || fem.motion.tangential_force || fem.any_order,
+      fem.motion.is_single_pass(), fem.any_order};
+  const double two_steps = 4 * fem::pi / fem.steps_per_cycle();
+  const auto& times = fem.relaxation.times;
+  needs.has_short_branch = std::any_of(times.begin(), times.end(), [=](double time) { return time < two_steps; });
+  return needs;
 }
 
 std::vector<Resolution> needed_for_bars(const Tracks& tracks, const CaseNeeds& needs) {

@@ -35,6 +35,8 @@ bool ends_with_contact(const CaseNeeds& needs, Quantity quantity) {
 ExpectedOrder expected_order(ErrorSource source, Quantity quantity, const CaseNeeds& needs) {
   if (source == ErrorSource::time_step && traits_of(quantity).of_settling) return {1};
   if (source == ErrorSource::time_step && needs.held_from_start && is_of_friction(quantity)) return {1, 4};
+  constexpr double never_believed = 0;
+  if (source == ErrorSource::time_step && needs.has_short_branch) return {2, never_believed};
   if (source == ErrorSource::time_step || source == ErrorSource::start || source == ErrorSource::wear_jump) return {2};
   if (source == ErrorSource::creep) return {1};
   if (source == ErrorSource::far_field) return {4};

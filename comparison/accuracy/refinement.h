@@ -31,6 +31,8 @@ struct FixedByCase {
 struct CaseNeeds {
   bool memory = true, creep = false, worn = false, held_from_start = false, single_pass = false, any_order = false;
   bool first_slip_ends_with_contact = false, shakedown_ends_with_contact = false;
+  /// A branch relaxes within two steps: what coarser ones seem to say of an order in the step is not believed.
+  bool has_short_branch = false;
 };
 
 /// What has to be computed besides a resolution to measure its errors, each source by its own refinement, and what

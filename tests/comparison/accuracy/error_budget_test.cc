@@ -75,6 +75,25 @@ std::map<Resolution, Quantities> all_known(const Resolution& resolution, const C
   return known;
 }
 
+// Steps of 1, 2 and 4 of which the coarser ones cannot see a branch: the second order that they show is none.
+TEST(ErrorBudget, BelievesNoOrderInTheStepWhereABranchRelaxesWithinIt) {
+  const auto resolution = resolution_for(1e-3);
+  const auto second = [&](const Resolution& r) {
+    return 0.5 + 1e-3 * std::pow(static_cast<double>(resolution.steps_per_cycle) / r.steps_per_cycle, 2);
+  };
+  const auto step_share = [&](bool short_branch) {
+    CaseNeeds needs;
+    needs.has_short_branch = short_branch;
+    const auto budget = error_budget(resolution, all_known(resolution, needs, second), {}, needs);
+    for (const auto& share : budget.begin()->second.shares)
+      if (share.source == ErrorSource::time_step) return share;
+    return ErrorShare{};
+  };
+  EXPECT_NEAR(*step_share(false).order, 2, 1e-9);
+  EXPECT_FALSE(step_share(true).order);
+  EXPECT_NEAR(step_share(true).estimate, 2 * step_share(false).estimate, 1e-9);
+}
+
 TEST(ErrorBudget, HasAShareForEverySourceAndTheEdge) {
   for (const double tolerance : {1e-2, 1e-3, 1e-4}) {
     const auto resolution = resolution_for(tolerance);
