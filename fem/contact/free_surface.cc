@@ -41,13 +41,14 @@ Stencil stencil_up_to(double kink, double there, const Run& run, const Eigen::Ve
   return {x, y, 0, n + 1};
 }
 
-}  // namespace
-
+/// Around the centre.
 Index count_pressed(const std::vector<BoxState>& contact) {
   const auto first_free =
       std::find_if(contact.begin(), contact.end(), [](BoxState ring) { return ring != BoxState::interior; });
   return first_free - contact.begin();
 }
+
+}  // namespace
 
 std::optional<double> edge_of(const Opening& opening, const Eigen::VectorXd& radii, Index n_closed, Index n_pressed) {
   const auto& values = opening.value;

@@ -11,9 +11,6 @@
 
 namespace fretval::fem {
 
-/// Rings in contact (interior) around the centre.
-Eigen::Index count_pressed(const std::vector<BoxState>& contact);
-
 /// The gap outside a contact, as a series of punches has it (PunchSeries::displacements), and across its edge: that of
 /// a ring in contact is what it would be had nothing touched it since it lifted.
 struct Opening {

@@ -17,6 +17,11 @@ PressureAtEdge pressure_at_edge(const RelaxationModel& relaxation) {
   return relaxation.moduli.empty() ? PressureAtEdge::jumps : PressureAtEdge::falls_and_jumps;
 }
 
+/// What the indenter moves by and rings do not follow, in a step.
+Eigen::VectorXd left_behind(const Eigen::VectorXd& driven, const IndenterMove& whole) {
+  return (1 - driven.array()) * whole.increment;
+}
+
 double total_force(const ContactForce& reading) {
   return reading.force + reading.beyond.force;
 }
@@ -93,7 +98,7 @@ NormalContact::Start NormalContact::start_of(const WearingSolver& solver, double
 /// time, and what it moves by is no more than what their gaps change by.
 NormalContact::Attempt NormalContact::attempt(const Move& move, const Start& start,
                                               std::vector<BoxState> likely) const {
-  const Eigen::VectorXd by_itself = (1 - start.driven.array()) * move.whole.increment;
+  const Eigen::VectorXd by_itself = left_behind(start.driven, move.whole);
   // A ring in contact closes its gap: it slips by what is left of it.
   const Eigen::VectorXd held =
       step_.response_without_slip(state, move.to_balance, start.driven) + step_.instantaneous() * (by_itself - gap);
@@ -164,7 +169,7 @@ void NormalContact::step(const PressureWear& wear) {
     made = attempt(move, start, contact_);
   }
   const Eigen::VectorXd worn = worn_by(wear, made.pressure);
-  const Eigen::VectorXd slip = gap - made.gap + worn, by_itself = (1 - start.driven.array()) * move.whole.increment;
+  const Eigen::VectorXd slip = gap - made.gap + worn, by_itself = left_behind(start.driven, move.whole);
   step_.advance(state, move.whole, slip - by_itself, start.driven);
   if (free_surface_) free_surface_->advance(step_, state, made.contact, made.reading.radius);
   profile += worn;
