@@ -82,6 +82,26 @@ Quantities quantities_of(const MdrAnswer& mdr, const Units& units, bool worn) {
   return values;
 }
 
+Quantities stepping_errors_of(const MdrAnswer& mdr) {
+  Quantities errors;
+  const auto add = [&](Quantity quantity, double error, double scale) {
+    if (error > 0) errors[quantity] = error / scale;
+  };
+  if (mdr.normal_force_max) add(Quantity::normal_force_max, mdr.normal_force_error, *mdr.normal_force_max);
+  if (mdr.axis_pressure) add(Quantity::axis_pressure_max, mdr.axis_pressure->error, mdr.axis_pressure->largest);
+  if (mdr.cycles_to_shakedown)
+    add(Quantity::cycles_to_shakedown, mdr.cycles_to_shakedown->error, mdr.cycles_to_shakedown->cycles);
+  if (!mdr.cycle) return errors;
+  const auto& cycle = *mdr.cycle;
+  add(Quantity::tangential_force_max, cycle.force_error, cycle.tangential_force_max);
+  add(Quantity::tangential_force_mean, cycle.force_error, cycle.sliding_force);
+  add(Quantity::friction_work, cycle.work_error, cycle.sliding_work);
+  add(Quantity::cycle_work, cycle.work_error, cycle.friction_work + cycle.bulk_work);
+  add(Quantity::bulk_work, cycle.work_error, cycle.bulk_work);
+  add(Quantity::tangential_work, cycle.loop_error, cycle.tangential_work);
+  return errors;
+}
+
 Quantities errors_of(const Quantities& values, const Quantities& reference) {
   Quantities errors;
   for (const auto& [quantity, value] : values) {

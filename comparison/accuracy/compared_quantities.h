@@ -15,6 +15,9 @@ Quantities quantities_of(const FeAnswer& fe, const Units& units);
 /// outside, the flank touches at the largest indentation, slip begins inside beyond the amplitude it is limiting for.
 Quantities quantities_of(const MdrAnswer& mdr, const Units& units, bool worn);
 
+/// What springs that were stepped in time may be off by, in the units of the quantities; closed forms are not in it.
+Quantities stepping_errors_of(const MdrAnswer& mdr);
+
 /// Absolute differences of what both have, but for what comes along: over the contact radius for radii, relative for
 /// forces.
 Quantities errors_of(const Quantities& values, const Quantities& reference);

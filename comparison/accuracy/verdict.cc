@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "comparison/accuracy/compared_quantities.h"
+
 namespace fretval {
 namespace {
 
@@ -62,11 +64,9 @@ void compare_responses(const MdrAnswer& mdr, const FeAnswer& fe, const Tolerance
   else
     comparison[Quantity::normal_force_max] =
         judge_relative(fe.normal_force_max, mdr.normal_force_max, tolerances.normal_force);
-  if (fe.axis_pressure_max && mdr.axis_pressure) {
-    const auto [largest, error] = *mdr.axis_pressure;
-    const double tolerance = tolerance_of(tolerances, Quantity::axis_pressure_max) + error / largest;
-    comparison[Quantity::axis_pressure_max] = judge_relative(fe.axis_pressure_max, largest, tolerance);
-  }
+  if (fe.axis_pressure_max && mdr.axis_pressure)
+    comparison[Quantity::axis_pressure_max] = judge_relative(fe.axis_pressure_max, mdr.axis_pressure->largest,
+                                                             tolerance_of(tolerances, Quantity::axis_pressure_max));
   if (fe.tangential_amplitude)
     comparison[Quantity::tangential_amplitude] =
         judge_relative(fe.tangential_amplitude, mdr.tangential_amplitude, tolerances.stick_radius);
@@ -74,21 +74,18 @@ void compare_responses(const MdrAnswer& mdr, const FeAnswer& fe, const Tolerance
 
 void compare_cycles(const MdrCycle& mdr, const fem::CycleResponse& fe, const Tolerances& tolerances,
                     Comparison& comparison) {
-  const auto add = [&](Quantity quantity, double fe_value, double mdr_value, double scale, double mdr_error) {
-    comparison[quantity] =
-        judge((fe_value - mdr_value) / scale, tolerance_of(tolerances, quantity) + mdr_error / scale);
+  const auto add = [&](Quantity quantity, double fe_value, double mdr_value, double scale) {
+    comparison[quantity] = judge((fe_value - mdr_value) / scale, tolerance_of(tolerances, quantity));
   };
   if (mdr.knows_largest_force)
-    add(Quantity::tangential_force_max, fe.tangential_force_max, mdr.tangential_force_max, mdr.tangential_force_max,
-        mdr.force_error);
-  add(Quantity::tangential_force_mean, fe.tangential_force_mean, mdr.tangential_force_mean, mdr.sliding_force,
-      mdr.force_error);
-  add(Quantity::friction_work, fe.friction_work, mdr.friction_work, mdr.sliding_work, mdr.work_error);
+    add(Quantity::tangential_force_max, fe.tangential_force_max, mdr.tangential_force_max, mdr.tangential_force_max);
+  add(Quantity::tangential_force_mean, fe.tangential_force_mean, mdr.tangential_force_mean, mdr.sliding_force);
+  add(Quantity::friction_work, fe.friction_work, mdr.friction_work, mdr.sliding_work);
   const double fe_loss = fe.friction_work + fe.bulk_work, mdr_loss = mdr.friction_work + mdr.bulk_work;
   if (!(fe.bulk_work > 0 && mdr.bulk_work > 0)) return;
-  add(Quantity::cycle_work, fe_loss, mdr_loss, mdr_loss, mdr.work_error);
-  add(Quantity::bulk_work, fe.bulk_work, mdr.bulk_work, mdr.bulk_work, mdr.work_error);
-  add(Quantity::tangential_work, fe.tangential_work, mdr.tangential_work, mdr.tangential_work, mdr.loop_error);
+  add(Quantity::cycle_work, fe_loss, mdr_loss, mdr_loss);
+  add(Quantity::bulk_work, fe.bulk_work, mdr.bulk_work, mdr.bulk_work);
+  add(Quantity::tangential_work, fe.tangential_work, mdr.tangential_work, mdr.tangential_work);
 }
 
 }  // namespace
@@ -106,11 +103,9 @@ Comparison compare(const MdrAnswer& mdr, const FeAnswer& fe, double unworn_radiu
   // Of first order in the step, so that without a bar nothing is known of how closely it should agree.
   if (fe.slip_decay && mdr.slip_decay && budget.count(Quantity::slip_decay) > 0)
     comparison[Quantity::slip_decay] = judge(fe.slip_decay->factor / *mdr.slip_decay - 1, tolerance);
-  if (fe.cycles_to_shakedown && mdr.cycles_to_shakedown && budget.count(Quantity::cycles_to_shakedown) > 0) {
-    const auto [cycles, error] = *mdr.cycles_to_shakedown;
+  if (fe.cycles_to_shakedown && mdr.cycles_to_shakedown && budget.count(Quantity::cycles_to_shakedown) > 0)
     comparison[Quantity::cycles_to_shakedown] =
-        judge_relative(fe.cycles_to_shakedown, cycles, tolerance + error / cycles);
-  }
+        judge_relative(fe.cycles_to_shakedown, mdr.cycles_to_shakedown->cycles, tolerance);
   comparison[Quantity::stick_radius_first_slip] =
       judge_stick(fe.stick_radius_first_slip, mdr.stick_radius_first_slip, unworn_radius, tolerance);
   if (!fe.single_pass)
@@ -124,21 +119,25 @@ Comparison compare(const MdrAnswer& mdr, const FeAnswer& fe, double unworn_radiu
       comparison[Quantity::limiting_amplitude] =
           judge(*fe.no_wear->limiting_amplitude - *mdr.limiting_amplitude, tolerance);
   }
-  for (const auto& [quantity, bar] : budget) {
-    const auto found = comparison.find(quantity);
-    if (found == comparison.end()) continue;
-    auto& difference = found->second;
-    if (!is_refined_for(quantity, tolerances)) {
-      if (!std::isfinite(bar.total())) {
-        comparison.erase(found);  // not even its size is known
-        continue;
+  const auto stepping_errors = stepping_errors_of(mdr);
+  for (auto next = comparison.begin(); next != comparison.end();) {
+    const auto entry = next++;
+    auto& [quantity, difference] = *entry;
+    double total = 0;
+    if (const auto bar = budget.find(quantity); bar != budget.end()) {
+      total = bar->second.total();
+      if (!is_refined_for(quantity, tolerances)) {
+        if (!std::isfinite(total)) {
+          comparison.erase(entry);  // not even its size is known
+          continue;
+        }
+        difference.tolerance = std::max(difference.tolerance, total);
       }
-      const double of_reference = difference.tolerance - tolerance_of(tolerances, quantity);
-      difference.tolerance = std::max(difference.tolerance, bar.total() + of_reference);
+      difference.bar = bar->second;
     }
-    difference.bar = bar;
-    difference.verdict =
-        verdict_on(difference.difference.value_or(difference.only_one), difference.tolerance, bar.total());
+    if (const auto error = stepping_errors.find(quantity); error != stepping_errors.end())
+      difference.tolerance += error->second;
+    difference.verdict = verdict_on(difference.difference.value_or(difference.only_one), difference.tolerance, total);
   }
   return comparison;
 }

@@ -109,12 +109,18 @@ mdr::PathFineness finer(mdr::PathFineness fineness, int times) {
 /// Springs of a motion without period go through 96 oscillations, and twice as many, in the place of one.
 constexpr mdr::SpringFineness of_many_oscillations{100, 90, 10, 1e-7, 96};
 
-/// Of an unworn indenter, by the springs. Under both forces the shakedown radius has a closed form.
-MdrAnswer forced_answer(const MdrCase& mdr, const mdr::NormalResponse& normal, int times) {
+MdrAnswer with_normal_response(const mdr::NormalResponse& normal) {
   MdrAnswer answer{};
   answer.contact_radius_max = normal.contact_radius_max;
   answer.normal_force_max = normal.normal_force_max;
+  answer.normal_force_error = normal.normal_force_error;
   answer.axis_pressure = normal.axis_pressure;
+  return answer;
+}
+
+/// Of an unworn indenter, by the springs. Under both forces the shakedown radius has a closed form.
+MdrAnswer forced_answer(const MdrCase& mdr, const mdr::NormalResponse& normal, int times) {
+  MdrAnswer answer = with_normal_response(normal);
   mdr::SteppedForcedResponse stepped;
   try {
     stepped = mdr::forced_response(mdr.profile, mdr.body, mdr.friction_coefficient, mdr.prescribed(),
@@ -142,10 +148,7 @@ MdrAnswer forced_answer(const MdrCase& mdr, const mdr::NormalResponse& normal, i
 }
 
 MdrAnswer displaced_answer(const MdrCase& mdr, const mdr::HarmonicMotion& motion, const mdr::NormalResponse& normal) {
-  MdrAnswer answer{};
-  answer.contact_radius_max = normal.contact_radius_max;
-  answer.normal_force_max = normal.normal_force_max;
-  answer.axis_pressure = normal.axis_pressure;
+  MdrAnswer answer = with_normal_response(normal);
   const auto one_each = mdr::one_harmonic_each(motion);
   const auto radii_on = [&](const auto& profile) {
     return one_each ? mdr::stick_radii(profile, mdr.body, mdr.friction_coefficient, *one_each)
@@ -217,11 +220,8 @@ void answer_forced_path(const MdrCase& mdr, int times, MdrAnswer& answer) {
 }
 
 MdrAnswer path_answer(const MdrCase& mdr, const mdr::NormalResponse& normal, int times) {
-  MdrAnswer answer{};
+  MdrAnswer answer = with_normal_response(normal);
   answer.modulus_ratio = std::nan("");
-  answer.contact_radius_max = normal.contact_radius_max;
-  answer.normal_force_max = normal.normal_force_max;
-  answer.axis_pressure = normal.axis_pressure;
   answer.single_pass = mdr.is_single_pass();
   if (mdr.path->has_forces())
     answer_forced_path(mdr, times, answer);
@@ -247,8 +247,14 @@ mdr::NormalResponse normal_response_along(const MdrCase& mdr) {
   const auto g = [&](double x) { return mdr::transform(mdr.profile, x); };
   if (mdr::has_bounded_axis_pressure(g, radius, mdr.body, loses_contact))
     pressure = {forces.axis_pressure_max, error.axis_pressure_max};
-  return {forces.normal_force_max,        forces.normal_force_min,        radius, pressure, std::move(history.time),
-          std::move(history.indentation), std::move(history.normal_force)};
+  return {forces.normal_force_max,
+          forces.normal_force_min,
+          radius,
+          pressure,
+          std::move(history.time),
+          std::move(history.indentation),
+          std::move(history.normal_force),
+          path.normal_force ? 0 : error.normal_force_max};
 }
 
 }  // namespace
@@ -264,7 +270,7 @@ mdr::NormalResponse mdr_normal_response(const MdrCase& mdr) {
   const auto motion = displacements_of(mdr);
   const auto response = [&](const std::function<double(double)>& g, double outer) {
     const auto& [indentation, normal, tangential, locked] = motion;
-    if (normal.size() > 1) return mdr::stepped_normal_response(g, outer, mdr.body, motion).response;
+    if (normal.size() > 1) return mdr::stepped_normal_response(g, outer, mdr.body, motion);
     const auto& [amplitude, frequency, phase] = normal.front();
     return mdr::periodic_normal_response(g, outer, mdr.body, {indentation, amplitude, 0, frequency, frequency, {}},
                                          mdr::transform_kinks(mdr.profile));

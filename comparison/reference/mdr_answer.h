@@ -39,6 +39,7 @@ struct MdrAnswer {
   std::optional<double> stick_radius_shakedown;
   std::optional<double> worn_radius;       ///< a_inf of the limiting profile that belongs to the shakedown radius
   std::optional<double> normal_force_max;  ///< empty: not computed, or as above
+  double normal_force_error = 0;           ///< N, of springs that were stepped in time; 0: closed form
   /// Tangential amplitude that the indenter is the limiting profile for, over that of the case; 0: there is none.
   /// Empty: the indenter is not worn, or does not move tangentially.
   std::optional<double> limiting_amplitude = {};

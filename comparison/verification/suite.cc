@@ -34,7 +34,8 @@ void take_bar(const ErrorBudget& budget, Quantity quantity, ComparedQuantity& co
 ComparedQuantities compared_quantities(const PreparedCase& prepared, Proof proof, const ProvedAnswer& answer) {
   const auto& units = prepared.fem.units;
   const bool worn = prepared.fem.worn_edge.has_value();
-  const auto mdr = quantities_of(mdr_answer(prepared.mdr, mdr_normal_response(prepared.mdr)), units, worn);
+  const auto reference = mdr_answer(prepared.mdr, mdr_normal_response(prepared.mdr));
+  const auto mdr = quantities_of(reference, units, worn), mdr_errors = stepping_errors_of(reference);
   const auto fe = quantities_of(answer.fe, units);
   ComparedQuantities all;
   for (const auto& [quantity, exact] : mdr) {
@@ -44,6 +45,7 @@ ComparedQuantities compared_quantities(const PreparedCase& prepared, Proof proof
     if (found == fe.end() && may_lack) continue;
     ComparedQuantity compared{exact, found == fe.end() ? std::nan("") : found->second,
                               tolerance_of(prepared.tolerances, quantity), std::nullopt};
+    if (const auto error = mdr_errors.find(quantity); error != mdr_errors.end()) compared.mdr_error = error->second;
     if (proof != Proof::none) take_bar(answer.budget, quantity, compared);
     all[quantity] = compared;
   }
@@ -124,7 +126,7 @@ std::string failure_of(const SuiteCase& asked, Quantity quantity, const Compared
 }  // namespace
 
 double ComparedQuantity::share() const {
-  const double share = std::abs(error()) / (bar.value_or(tolerance) + roundoff);
+  const double share = std::abs(error()) / (bar.value_or(tolerance) + mdr_error + roundoff);
   return std::isnan(share) ? infinity : share;
 }
 

@@ -19,10 +19,11 @@ struct ComparedQuantity {
   double tolerance;
   std::optional<double> bar;  ///< of fe, infinite where a coarser computation lacks the quantity; empty: not asked for
   std::string source = {};    ///< of the largest share of the bar
+  double mdr_error = 0;       ///< of springs that were stepped in time
 
   [[nodiscard]] double error() const { return fe - mdr; }
-  /// |error| over the bar, or over the tolerance where there is none, both with a roundoff of 1e-12; above 1 the row
-  /// fails. Infinite if MDR or finite elements are not finite or the bar is not a number.
+  /// |error| over the bar, or over the tolerance where there is none, both with mdr_error and a roundoff of 1e-12;
+  /// above 1 the row fails. Infinite if MDR or finite elements are not finite or the bar is not a number.
   [[nodiscard]] double share() const;
   [[nodiscard]] bool has_wide_bar() const { return bar && *bar > tolerance; }
 };

@@ -73,6 +73,7 @@ SteppedForcedResponse extrapolated(const Bed& bed, const std::function<double(do
   extrapolate([](auto& r) -> auto& { return r.depths.shakedown; });
   extrapolate([](auto& r) -> auto& { return r.largest_indentation; });
   extrapolate([](auto& r) -> auto& { return r.axis_pressure_max; });
+  stepped.response.normal.normal_force_error = stepped.error.normal.normal_force_max;
   extrapolate([](auto& r) -> auto& { return r.tangential_amplitude; });
   extrapolate([](auto& r) -> auto& { return r.tangential_force_max; });
   extrapolate([](auto& r) -> auto& { return r.tangential_force_mean; });

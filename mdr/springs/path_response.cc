@@ -168,7 +168,9 @@ class Course {
     result.time.push_back(time);
     result.indentation.push_back(state_.indenter.indentation);
     result.tangential_displacement.push_back(rising_.rest.tangential + state_.indenter.tangential);
-    result.normal_force.push_back(normal_force(bed_, body_, state_));
+    // A prescribed one is balanced by whole springs.
+    const double at_edge = path_.normal_force ? 0 : edge_force(bed_, body_, state_);
+    result.normal_force.push_back(normal_force(bed_, body_, state_) + at_edge);
     result.tangential_force.push_back(tangential_force(bed_, body_, state_));
     result.axis_pressure.push_back(axis_pressure(axis_weights_, body_, state_));
   }

@@ -1,5 +1,6 @@
 #include "mdr/springs/spring_energy.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace fretval::mdr {
@@ -65,6 +66,30 @@ double tangential_scale(const PronyBody& body) {
 
 double normal_force(const SpringBed& bed, const PronyBody& body, const SpringState& state) {
   return normal_scale(body) * (bed.width * state.normal_load).sum();
+}
+
+double edge_force(const SpringBed& bed, const PronyBody& body, const SpringState& state) {
+  if (body.viscosity == 0) return 0;
+  const auto& [x, width, depth] = bed;
+  const auto& load = state.normal_load;
+  const Eigen::Index n = x.size();
+  // Between a tip and the indenter; beyond the bed of tips that nothing has touched, below a quadratic g.
+  const auto gap = [&, d = state.indenter.indentation](Eigen::Index j) {
+    if (j < n) return state.normal_depth[j] - (d - depth[j]);
+    const double bend = depth[n - 1] - 2 * depth[n - 2] + depth[n - 3], beyond = static_cast<double>(j - n + 1);
+    return depth[n - 1] + beyond * (depth[n - 1] - depth[n - 2] + (beyond + 1) / 2 * bend) - d;
+  };
+  const auto is_free = [&](Eigen::Index j) { return j >= n || load[j] == 0; };
+  double moment = 0;
+  for (Eigen::Index j = 1; j < n; ++j) {
+    const double first = gap(j + 1), slope = gap(j + 2) - first;
+    if (is_free(j - 1) || is_free(j) || !is_free(j + 1) || !is_free(j + 2) || slope <= 0) continue;
+    const double end = x[j] + width[j] / 2, farthest = j + 1 < n ? x[j + 1] : end;
+    const double edge = std::clamp(x[j] + width[j] * (1 - first / slope), x[j], farthest);
+    const double load_between = load[j] + (load[j] - load[j - 1]) / width[j] * ((end + edge) / 2 - x[j]);
+    moment += (edge - end) * std::max(load_between, 0.0);
+  }
+  return normal_scale(body) * moment;
 }
 
 double tangential_force(const SpringBed& bed, const PronyBody& body, const SpringState& state) {

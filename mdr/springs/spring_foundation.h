@@ -25,6 +25,7 @@ struct NormalResponse {
   std::vector<double> time;          ///< s
   std::vector<double> indentation;   ///< m
   std::vector<double> normal_force;  ///< N
+  double normal_force_error = 0;     ///< N, of the largest, of springs that were stepped in time; 0: closed form
 };
 
 /// Whether the pressure on the axis has a bound: not under a sharp tip, g ~ x^n with n <= 1 (a cone, a cusp), and not

@@ -24,8 +24,8 @@ SpringHistory history_with(const std::function<double(double)>& g, double outer_
 
 }  // namespace
 
-SteppedResponse stepped_normal_response(const std::function<double(double)>& g, double outer_radius,
-                                        const PronyBody& body, const HarmonicMotion& motion) {
+NormalResponse stepped_normal_response(const std::function<double(double)>& g, double outer_radius,
+                                       const PronyBody& body, const HarmonicMotion& motion) {
   const auto repeating_with = [&motion](int n) { return repeating_motion({motion.indentation, motion.normal, {}}, n); };
   const auto repeating = repeating_with(2 * n_oscillations);
   const auto coarse = history_with(g, outer_radius, body, repeating_with(n_oscillations), 1),
@@ -50,8 +50,8 @@ SteppedResponse stepped_normal_response(const std::function<double(double)>& g, 
     response.time.push_back(time - fine.time.front());
     response.indentation.push_back(path(time).indentation);
   }
-  const double error = std::abs(response.normal_force_max - sampled_peak(fine.normal_force, 1));
-  return {std::move(response), error};
+  response.normal_force_error = std::abs(response.normal_force_max - sampled_peak(fine.normal_force, 1));
+  return response;
 }
 
 }  // namespace fretval::mdr

@@ -10,14 +10,10 @@ namespace fretval::mdr {
 /// Normal response to a normal motion of several harmonics, over their common period or that of a motion in the place
 /// of theirs (see RepeatingMotion), which begins with the motion's time 0. The transient springs
 /// (mdr/springs/spring_history.h) are stepped until they repeat; the largest and the smallest force are extrapolated
-/// from n and 2 n springs and steps, each of second order, and error is a third of the difference: 1e-6 of the force,
-/// 6e-5 where a body with a dashpot loses contact. Otherwise as periodic_normal_response for one harmonic, which has no
-/// error. Throws std::invalid_argument for bad arguments, std::runtime_error when the springs do not become periodic.
-struct SteppedResponse {
-  NormalResponse response;
-  double error;  ///< N
-};
-SteppedResponse stepped_normal_response(const std::function<double(double)>& g, double outer_radius,
-                                        const PronyBody& body, const HarmonicMotion& motion);
+/// from n and 2 n springs and steps, each of second order, and a third of the difference is the error of the largest:
+/// some 1e-6 of it. Otherwise as periodic_normal_response for one harmonic, which has no error. Throws
+/// std::invalid_argument for bad arguments, std::runtime_error when the springs do not become periodic.
+NormalResponse stepped_normal_response(const std::function<double(double)>& g, double outer_radius,
+                                       const PronyBody& body, const HarmonicMotion& motion);
 
 }  // namespace fretval::mdr

@@ -42,6 +42,35 @@ TEST(SpringEnergy, PressureOnTheAxisIsThatOfTheElasticBody) {
   EXPECT_NEAR(std::log2(errors[0] / errors[1]), 2, 0.2);
 }
 
+// Pressed in at a constant rate from first touch: q = 4 (G d' + eta v) up to x = sqrt(R d), where it jumps to 0.
+TEST(SpringEnergy, ForceOfADashpotsEdgeIsThatOfAPartOfASpring) {
+  const double G = 3, eta = 2, R = 5, v = 0.1;
+  const PronyBody body = kelvin_voigt(G, eta);
+  const auto worst_error = [&](Eigen::Index n) {
+    const SpringBed bed = spring_bed(parabola(R), 1, n);
+    SpringState state = relaxed_state(bed, body, 0);
+    const double dt = 0.01;
+    double worst = 0;
+    for (int k = 1; k * v * dt < 1 / R; ++k) {
+      const double d = k * v * dt, a = std::sqrt(R * d);
+      SpringStep(body, mu, dt).advance(state, bed, {d, v, 0, 0});
+      if (a < 0.3) continue;
+      const double exact = 8 * (G * d * a * 2 / 3 + eta * v * a);
+      worst = std::max(worst, std::abs((normal_force(bed, body, state) + edge_force(bed, body, state)) / exact - 1));
+    }
+    return worst;
+  };
+  const double coarse = worst_error(50), fine = worst_error(100);
+  EXPECT_LT(fine, 1e-3);  // whole springs: up to 1e-2
+  EXPECT_GT(std::log2(coarse / fine), 1.8);
+}
+
+TEST(SpringEnergy, WithoutADashpotTheEdgeBearsNothing) {
+  const PronyBody body = standard_solid(3, 6, 0.7);
+  const SpringBed bed = spring_bed(parabola(5), 1, 50);
+  EXPECT_EQ(edge_force(bed, body, relaxed_state(bed, body, 0.1)), 0);
+}
+
 // After a jump by d, the branch holds G1 d^2/2 per unit of the scale, and e^(-2 dt/tau) of it a step later; the rest
 // is heat. Tangentially the scale is 2/3 of the normal one.
 TEST(SpringEnergy, RelaxingBranchTurnsWhatItStoredIntoHeat) {
