@@ -39,7 +39,6 @@ struct MdrAnswer {
   std::optional<double> stick_radius_shakedown;
   std::optional<double> worn_radius;       ///< a_inf of the limiting profile that belongs to the shakedown radius
   std::optional<double> normal_force_max;  ///< empty: not computed, or as above
-  double normal_force_error = 0;           ///< N, of springs that were stepped in time; 0: closed form
   /// Tangential amplitude that the indenter is the limiting profile for, over that of the case; 0: there is none.
   /// Empty: the indenter is not worn, or does not move tangentially.
   std::optional<double> limiting_amplitude = {};
@@ -53,6 +52,7 @@ struct MdrAnswer {
   std::optional<SettlingCycles> cycles_to_shakedown = {};  ///< see settling_cycles
   /// Of springs that were stepped in time, the largest relative error of what is above; 0: closed forms.
   double stepping_error = 0;
+  double normal_force_error = 0;                        ///< N, likewise
   std::optional<mdr::AxisPressure> axis_pressure = {};  ///< empty: infinite
   /// Of all amplitudes, the share at which the whole contact begins to slide under a prescribed tangential force while
   /// they rise slowly; then all else but the normal response is empty. Empty: it never does.
