@@ -13,6 +13,45 @@ bool has_equal_rings(const Compliance& compliance) {
   return true;
 }
 
+/// What is known of discs 0..n, without the innermost ones, which are of too few rings.
+template <class Rows>
+auto middle_of(const Rows& discs) {
+  const Eigen::Index n = discs.rows() - 1;
+  return discs.middleRows(n / 4, std::max<Eigen::Index>(n / 2, 3));
+}
+
+Eigen::VectorXd fit_to_middle(const Eigen::MatrixXd& terms, const Eigen::VectorXd& values) {
+  return middle_of(terms).colPivHouseholderQr().solve(Eigen::VectorXd(middle_of(values)));
+}
+
+/// r, h and h^2/r. Under rings that differ, the third term would fit their differences.
+Eigen::MatrixXd terms_of_radius(const Compliance& compliance) {
+  const Eigen::Index n = compliance.areas.size();
+  Eigen::MatrixXd terms = Eigen::MatrixXd::Zero(n + 1, 3);
+  for (Eigen::Index m = 1; m <= n; ++m) {
+    const double radius = compliance.radii[m], width = radius - compliance.radii[m - 1];
+    terms.row(m) << radius, width, width * width / radius;
+  }
+  return terms.leftCols(has_equal_rings(compliance) ? 3 : 2);
+}
+
+/// How much further than that of a half-space all of the surface goes per force, in a body with a far boundary; less
+/// than 0 where that is held. From r^2/F = (r + beta h + gamma h^2/r)/E + offset r^2.
+double far_offset(const Eigen::MatrixXd& terms, const Eigen::VectorXd& force) {
+  constexpr double of_half_space = 1e-3;  // more than the far part of our own coarse meshes puts in, up to 5e-4
+  const Eigen::Index n = force.size() - 1, n_terms = terms.cols();
+  if (middle_of(terms).rows() <= n_terms + 1) return 0;
+  const Eigen::ArrayXd radius = terms.col(0);
+  Eigen::MatrixXd with_offset(n + 1, n_terms + 1);
+  with_offset << terms, radius.square();
+  Eigen::VectorXd known = radius.square() / force.array();
+  known[0] = 0;
+  const Eigen::VectorXd fit = fit_to_middle(with_offset, known);
+  const double offset = fit[n_terms], stiffening = std::abs(offset / fit[0]) * radius[n];
+  const double left_out = std::pow(terms.col(1).maxCoeff() / radius[n], static_cast<double>(n_terms - 1));
+  return stiffening > std::max(of_half_space, left_out) ? offset : 0;
+}
+
 }  // namespace
 
 EffectiveRadii effective_radii(const Compliance& compliance) {
@@ -21,19 +60,13 @@ EffectiveRadii effective_radii(const Compliance& compliance) {
   const Eigen::VectorXd half =
       cholesky_factor(compliance.matrix).triangularView<Eigen::Lower>().solve(compliance.areas);
   Eigen::VectorXd force(n + 1);
-  Eigen::MatrixXd terms(n + 1, 3);
   force[0] = 0;
-  terms.row(0).setZero();
-  for (Eigen::Index m = 1; m <= n; ++m) {
-    force[m] = force[m - 1] + half[m - 1] * half[m - 1];
-    const double radius = compliance.radii[m], width = radius - compliance.radii[m - 1];
-    terms.row(m) << radius, width, width * width / radius;
-  }
-  // The innermost discs are of too few rings. Under rings that differ, the third term would fit their differences.
-  const Eigen::Index begin = n / 4, count = std::max<Eigen::Index>(n / 2, 3);
-  const auto fitted = terms.middleRows(begin, count).leftCols(has_equal_rings(compliance) ? 3 : 2);
-  const Eigen::VectorXd fit = fitted.colPivHouseholderQr().solve(force.segment(begin, count));
-  const double scatter = (fitted * fit - force.segment(begin, count)).cwiseAbs().maxCoeff() / fit[0];
+  for (Eigen::Index m = 1; m <= n; ++m) force[m] = force[m - 1] + half[m - 1] * half[m - 1];
+  const Eigen::MatrixXd terms = terms_of_radius(compliance);
+  const double offset = far_offset(terms, force);
+  if (offset != 0) force.array() /= 1 - offset * force.array();
+  const Eigen::VectorXd fit = fit_to_middle(terms, force);
+  const double scatter = middle_of(terms * fit - force).cwiseAbs().maxCoeff() / fit[0];
   return {force / fit[0], scatter};
 }
 
