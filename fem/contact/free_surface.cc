@@ -11,8 +11,6 @@ using Eigen::Index;
 
 namespace {
 
-constexpr IndenterMove still{0, {0, 0, 0}};
-
 /// Neighbours that lifted in one retreat.
 struct Run {
   Index begin, end;
@@ -77,7 +75,7 @@ FreeSurface::FreeSurface(const PunchSeries& series, const RingState& state, Inde
 
 /// Bears nothing.
 Eigen::VectorXd FreeSurface::slip_in(const RelaxationStep& step) const {
-  return step.response_without_slip(state_, still) / step.instantaneous();
+  return step.response_without_slip(state_, standing_still) / step.instantaneous();
 }
 
 Eigen::VectorXd FreeSurface::at_balance(const RelaxationStep& step) const {
@@ -86,7 +84,7 @@ Eigen::VectorXd FreeSurface::at_balance(const RelaxationStep& step) const {
 
 void FreeSurface::advance(const RelaxationStep& step, const RingState& state, const std::vector<BoxState>& contact,
                           double radius) {
-  step.advance(state_, still, slip_in(step));
+  step.advance(state_, standing_still, slip_in(step));
   const Index before = n_pressed_;
   n_pressed_ = count_pressed(contact);
   if (n_pressed_ > before) is_retreating_ = false;

@@ -69,14 +69,6 @@ StaticContact solve_contact(const ContactProblem& problem, const Eigen::VectorXd
   return solve_with(problem.solver, problem.compliance.areas, target, states);
 }
 
-Eigen::VectorXd driven_by_indenter(const PunchSeries& series, const Eigen::VectorXd& pressure, double change) {
-  constexpr double hardly_held = 0.1, roundoff = 1e-14;
-  const Eigen::VectorXd depths = series.depths(pressure);
-  const double whole = std::max(hardly_held * std::abs(change), roundoff * depths.cwiseAbs().maxCoeff());
-  if (whole == 0) return Eigen::VectorXd::Zero(pressure.size());
-  return series.rings((depths.array() / whole).max(0).min(1), 0);
-}
-
 Eigen::VectorXd worn_by(const PressureWear& wear, const Eigen::VectorXd& pressure) {
   if (wear.coefficient.size() == 0) return Eigen::VectorXd::Zero(pressure.size());
   if (wear.exponent == 1) return wear.coefficient.cwiseProduct(pressure.cwiseMax(0));

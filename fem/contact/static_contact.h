@@ -24,13 +24,6 @@ struct StaticContact {
 StaticContact solve_contact(const ContactProblem& problem, const Eigen::VectorXd& target,
                             std::vector<BoxState>& states);
 
-/// How far the rings follow a displacement of the indenter inside a step, beside what they move by themselves. Those
-/// that bear more than a tenth of what the step could change, all the way; those that bear nothing, as far as the
-/// others drive them; and in between, so that nothing jumps when a ring touches or lifts, in proportion: it is a share
-/// of some omega dt/12 of the change that depends on it, so that a tenth leaves a step a contraction. pressure: at its
-/// beginning; change: of a depth (PunchSeries::depths), in the step.
-Eigen::VectorXd driven_by_indenter(const PunchSeries& series, const Eigen::VectorXd& pressure, double change);
-
 /// What rings lose in height under a pressure: `coefficient p^exponent`. Empty: nothing.
 struct PressureWear {
   Eigen::VectorXd coefficient;  ///< per ring, not negative

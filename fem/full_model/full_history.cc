@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "fem/contact/require_room.h"
-#include "fem/contact/static_contact.h"
+#include "fem/contact/ring_courses.h"
 #include "fem/full_model/strain_field.h"
 #include "fem/support/constants.h"
 #include "fem/support/solver_error.h"
@@ -15,14 +15,15 @@
 namespace fretval::fem {
 namespace {
 
-/// Of a body whose rings move by given displacements, and are free beyond the last one that moves.
-Eigen::VectorXd driven_field(BorderedSolver& solver, const Eigen::VectorXd& rings, Eigen::Index n_moved) {
-  const Eigen::Index n = solver.n_rings();
-  Eigen::VectorXd most = Eigen::VectorXd::Zero(n);
-  most.head(n_moved).setConstant(infinity);
-  std::vector<BoxState> held(static_cast<std::size_t>(n), BoxState::lower);
-  std::fill_n(held.begin(), n_moved, BoxState::interior);
-  return solver.solve(Eigen::VectorXd::Zero(solver.count().n_dofs), rings, -most, most, held).field;
+/// Whatever tractions it takes to move all rings by given displacements, against forces on the body.
+BorderedSolver::Solution moved(BorderedSolver& solver, const Eigen::VectorXd& force, const Eigen::VectorXd& rings) {
+  const Eigen::VectorXd any = Eigen::VectorXd::Constant(rings.size(), infinity);
+  std::vector<BoxState> held(static_cast<std::size_t>(rings.size()), BoxState::interior);
+  return solver.solve(force, rings, -any, any, held);
+}
+
+Eigen::VectorXd driven_field(BorderedSolver& solver, const Eigen::VectorXd& rings) {
+  return moved(solver, Eigen::VectorXd::Zero(solver.count().n_dofs), rings).field;
 }
 
 /// Carries the body from step to step.
@@ -36,35 +37,52 @@ class Stepper {
         motion_(std::move(motion)),
         dt_(2 * pi / steps_per_cycle),
         step_(relaxation, dt_),
-        driven_(driven_field(solver, Eigen::VectorXd::Ones(solver.n_rings()), solver.n_rings())),
+        driven_(driven_field(solver, Eigen::VectorXd::Ones(solver.n_rings()))),
         driven_strain_(strain_.of(driven_)),
         state_{strain_.of(displacement),
                Eigen::MatrixXd::Zero(driven_strain_.size(), static_cast<Eigen::Index>(relaxation.moduli.size()))},
         displacement_(std::move(displacement)) {}
 
-  /// How far rings follow the indenter from now on, of which n_moved do not by themselves.
-  void drive(const Eigen::VectorXd& rings, Eigen::Index n_moved) {
-    driven_ = driven_field(solver_, rings, n_moved);
+  /// Ring tractions at the balance time of a step in which the body stands still.
+  Eigen::VectorXd standing() {
+    const Eigen::VectorXd force = strain_.force(step_.response_without_slip(state_, standing_still));
+    return moved(solver_, force, Eigen::VectorXd::Zero(solver_.n_rings())).traction;
+  }
+
+  /// How far rings follow the indenter in the next step, and where they turn.
+  void drive(const RingCourses& courses) {
+    driven_ = driven_field(solver_, courses.driven);
     driven_strain_ = strain_.of(driven_);
+    const auto strain_of = [this](const Eigen::VectorXd& rings) { return strain_.of(driven_field(solver_, rings)); };
+    turn_response_.resize(0);
+    if (!courses.turn()) return;
+    turn_response_ = strain_of(courses.response);
+    turn_memory_.resize(driven_strain_.size(), courses.memory.cols());
+    for (Eigen::Index branch = 0; branch < courses.memory.cols(); ++branch)
+      turn_memory_.col(branch) = strain_of(courses.memory.col(branch));
   }
 
   /// Ring tractions at the balance time of a step. Interior rings slip by the given amount, the others have tractions
   /// at the bounds.
   Eigen::VectorXd compute_step(int index, const Eigen::VectorXd& interior_slip, const Eigen::VectorXd& lower,
                                const Eigen::VectorXd& upper, std::vector<BoxState>& state) {
-    const double begin = time(index), balance = begin + step_.fraction() * dt_;
-    const Eigen::VectorXd force =
-        strain_.force(step_.response_without_slip(state_, indenter_move(motion_, begin, balance), driven_strain_));
+    Eigen::VectorXd response = step_.response_without_slip(state_, to_balance(index), driven_strain_);
+    if (turn_response_.size() > 0) response += turn_response_;
+    const Eigen::VectorXd force = strain_.force(response);
     auto solution = solver_.solve(force, -step_.instantaneous() * interior_slip, lower, upper, state);
     const Eigen::VectorXd slip = -solution.field / step_.instantaneous();
-    const auto move = indenter_move(motion_, begin, begin + dt_);
+    const auto move = indenter_move(motion_, time(index), time(index) + dt_);
     step_.advance(state_, move, strain_.of(slip), driven_strain_);
+    if (turn_response_.size() > 0) state_.memory += turn_memory_;
     displacement_ += move.increment * driven_ - slip;
     return std::move(solution.traction);
   }
 
   [[nodiscard]] double time(int index) const { return dt_ * index; }
-  [[nodiscard]] double instantaneous() const { return step_.instantaneous(); }
+  [[nodiscard]] const RelaxationStep& step() const { return step_; }
+  [[nodiscard]] IndenterMove to_balance(int index) const {
+    return indenter_move(motion_, time(index), time(index) + step_.fraction() * dt_);
+  }
   [[nodiscard]] double increment(int index) const {
     return motion_(time(index + 1)).value - motion_(time(index)).value;
   }
@@ -78,7 +96,9 @@ class Stepper {
   RelaxationStep step_;
   Eigen::VectorXd driven_;  // a field, as displacement_; what they hold at the dofs of the pressure has no meaning
   Eigen::VectorXd driven_strain_;
-  RingState state_;  // strains
+  RingState state_;                // strains
+  Eigen::VectorXd turn_response_;  // strains; see RingCourses
+  Eigen::MatrixXd turn_memory_;
   Eigen::VectorXd displacement_;
 };
 
@@ -111,14 +131,16 @@ FullNormalHistory full_normal_history(const HarmonicSpace& space, const PunchSer
   Stepper stepper(space, solver, relaxation, position, steps_per_cycle, std::move(relaxed.field));
   for (int k = 0; k < n_steps; ++k) {
     const Eigen::VectorXd before = history.pressure.col(k);
-    const double increment = stepper.increment(k);
-    const Eigen::VectorXd driven = driven_by_indenter(series, before, stepper.instantaneous() * increment);
-    Eigen::Index n_moved = n;
-    while (n_moved > 0 && before[n_moved - 1] == 0) --n_moved;
-    stepper.drive(driven, n_moved);
-    // A ring in contact closes its gap: it slips by what is left of it.
     const Eigen::VectorXd gap = (stepper.ring_displacement() + profile).array() - position(stepper.time(k)).value;
-    const Eigen::VectorXd by_itself = (1 - driven.array()) * increment;
+    RingCourses courses{Eigen::VectorXd::Ones(n), {}, {}};
+    if (relaxation.has_memory()) {
+      const CoursesInStep in_step(series, stepper.step(), series.depths(before), series.depths(stepper.standing()),
+                                  series.displacements(gap));
+      courses = in_step.under(stepper.to_balance(k), stepper.increment(k));
+      stepper.drive(courses);
+    }
+    // A ring in contact closes its gap: it slips by what is left of it.
+    const Eigen::VectorXd by_itself = (1 - courses.driven.array()) * stepper.increment(k);
     history.pressure.col(k + 1) = stepper.compute_step(k, gap - by_itself, lower, upper, contact);
     require_room(history.pressure.col(k + 1));
   }

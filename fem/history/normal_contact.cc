@@ -18,8 +18,8 @@ PressureAtEdge pressure_at_edge(const RelaxationModel& relaxation) {
 }
 
 /// What the indenter moves by and rings do not follow, in a step.
-Eigen::VectorXd left_behind(const Eigen::VectorXd& driven, const IndenterMove& whole) {
-  return (1 - driven.array()) * whole.increment;
+Eigen::VectorXd left_behind(const RingCourses& courses, const IndenterMove& whole) {
+  return (1 - courses.driven.array()) * whole.increment;
 }
 
 double total_force(const ContactForce& reading) {
@@ -88,8 +88,12 @@ std::optional<Eigen::Index> NormalContact::n_closed() const {
   return (gap.array() <= roundoff * gap.maxCoeff()).count();
 }
 
-NormalContact::Start NormalContact::start_of(const WearingSolver& solver, double increment) const {
-  Start start{solver, driven_by_indenter(problem_.series, pressure, step_.instantaneous() * increment), {}};
+NormalContact::Start NormalContact::start_of(const WearingSolver& solver) const {
+  Start start{solver, step_.response_without_slip(state, standing_still), {}, {}};
+  const auto& series = problem_.series;
+  if (relaxation_.has_memory())
+    start.courses.emplace(series, step_, series.depths(pressure), series.displacements(start.standing),
+                          series.displacements(gap));
   if (free_surface_) start.ends = free_surface_->at_balance(step_) + ends_of_profile_;
   return start;
 }
@@ -98,11 +102,13 @@ NormalContact::Start NormalContact::start_of(const WearingSolver& solver, double
 /// time, and what it moves by is no more than what their gaps change by.
 NormalContact::Attempt NormalContact::attempt(const Move& move, const Start& start,
                                               std::vector<BoxState> likely) const {
-  const Eigen::VectorXd by_itself = left_behind(start.driven, move.whole);
+  Attempt attempt{std::move(likely), {Eigen::VectorXd::Zero(gap.size()), {}, {}}, {}, {}, {}, {}};
+  if (start.courses) attempt.courses = start.courses->under(move.to_balance, move.whole.increment);
+  const auto& courses = attempt.courses;
   // A ring in contact closes its gap: it slips by what is left of it.
-  const Eigen::VectorXd held =
-      step_.response_without_slip(state, move.to_balance, start.driven) + step_.instantaneous() * (by_itself - gap);
-  Attempt attempt{std::move(likely), {}, {}, {}, {}};
+  Eigen::VectorXd held = start.standing + step_.response_to(move.to_balance) * courses.driven +
+                         step_.instantaneous() * (left_behind(attempt.courses, move.whole) - gap);
+  if (courses.turn()) held += courses.response;
   auto contact = start.solver.solve(held, attempt.contact);
   attempt.gap = contact.gap / step_.instantaneous();
   attempt.balance_gap = step_.fraction() * attempt.gap + (1 - step_.fraction()) * gap;
@@ -160,7 +166,7 @@ void NormalContact::step(const PressureWear& wear) {
   const auto position = [this, inside = begin + dt_ / 2](double t) { return normal_motion_inside(motion_, t, inside); };
   Move move{indenter_move(position, begin, time), indenter_move(position, begin, end)};
   const WearingSolver solver(problem_, {step_.instantaneous() * wear.coefficient, wear.exponent}, contact_);
-  const auto start = start_of(solver, motion_.normal_force ? last_increment_ : move.whole.increment);
+  const auto start = start_of(solver);
   Attempt made;
   if (motion_.normal_force) {
     std::tie(last_increment_, made) = attempt_under_force(start);
@@ -169,8 +175,8 @@ void NormalContact::step(const PressureWear& wear) {
     made = attempt(move, start, contact_);
   }
   const Eigen::VectorXd worn = worn_by(wear, made.pressure);
-  const Eigen::VectorXd slip = gap - made.gap + worn, by_itself = left_behind(start.driven, move.whole);
-  step_.advance(state, move.whole, slip - by_itself, start.driven);
+  step_.advance(state, move.whole, gap - made.gap + worn - left_behind(made.courses, move.whole), made.courses.driven);
+  if (made.courses.turn()) state.memory += made.courses.memory;
   if (free_surface_) free_surface_->advance(step_, state, made.contact, made.reading.radius);
   profile += worn;
   if (free_surface_ && wear.coefficient.size() > 0) ends_of_profile_ = problem_.series.displacements(profile);

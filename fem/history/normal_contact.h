@@ -7,6 +7,7 @@
 
 #include "fem/contact/contact_force.h"
 #include "fem/contact/contact_problem.h"
+#include "fem/contact/ring_courses.h"
 #include "fem/contact/static_contact.h"
 #include "fem/history/periodic_state.h"
 #include "fem/motion/motion.h"
@@ -68,6 +69,7 @@ class NormalContact {
   /// What a move of the indenter would come to.
   struct Attempt {
     std::vector<BoxState> contact;
+    RingCourses courses;
     Eigen::VectorXd pressure, gap, balance_gap;
     ContactForce reading;
   };
@@ -76,10 +78,11 @@ class NormalContact {
   /// What is there before a step goes on.
   struct Start {
     const WearingSolver& solver;
-    Eigen::VectorXd driven;  ///< see driven_by_indenter
-    Eigen::VectorXd ends;    ///< of the free surface over the profile at the balance time, at depth 0
+    Eigen::VectorXd standing;              ///< response of rings that stay where they are
+    std::optional<CoursesInStep> courses;  ///< with memory
+    Eigen::VectorXd ends;                  ///< of the free surface over the profile at the balance time, at depth 0
   };
-  [[nodiscard]] Start start_of(const WearingSolver& solver, double increment) const;
+  [[nodiscard]] Start start_of(const WearingSolver& solver) const;
   /// likely: rings in contact.
   [[nodiscard]] Attempt attempt(const Move& move, const Start& start, std::vector<BoxState> likely) const;
   [[nodiscard]] double start_indentation() const;

@@ -60,6 +60,8 @@ PronyInterval::PronyInterval(const RelaxationModel& model, double duration) {
   for (std::size_t i = 0; i < model.moduli.size(); ++i) {
     const double z = duration / model.times[i];
     const auto [m0, m1, m2] = exponential_moments(z);
+    modulus_.push_back(model.moduli[i]);
+    rate_.push_back(z);
     decay_.push_back(std::exp(-z));
     gain_.push_back(model.moduli[i] * m0);
     const double scale = model.moduli[i] * duration;
@@ -70,6 +72,14 @@ PronyInterval::PronyInterval(const RelaxationModel& model, double duration) {
 double PronyInterval::memory_of(std::size_t branch, const IndenterMove& move) const {
   const auto& w = weights_[branch];
   return w[0] * move.rates[0] + w[1] * move.rates[1] + w[2] * move.rates[2];
+}
+
+double PronyInterval::memory_of_turn(std::size_t branch, double share, double until) const {
+  const double z = rate_[branch];
+  const auto mean_decay = [z](double time) { return z * time == 0 ? 1 : -std::expm1(-z * time) / (z * time); };
+  if (until <= share) return modulus_[branch] * until / share * mean_decay(until);
+  const double after = until - share;
+  return modulus_[branch] * (std::exp(-z * after) * mean_decay(share) - after / (1 - share) * mean_decay(after));
 }
 
 RelaxationStep::RelaxationStep(const RelaxationModel& model, double dt)
@@ -83,7 +93,13 @@ RelaxationStep::RelaxationStep(const RelaxationModel& model, double dt)
   instantaneous_ += fraction_ * stiffness_before_balance_;
 }
 
-/// Of what moves along with the indenter, at the balance time.
+double RelaxationStep::response_to_turn(double share) const {
+  const double distance = fraction_ <= share ? fraction_ / share : (1 - fraction_) / (1 - share);
+  double response = model_.relaxed * distance;
+  for (std::size_t i = 0; i < whole_.n_branches(); ++i) response += whole_.memory_of_turn(i, share, fraction_);
+  return response;
+}
+
 double RelaxationStep::response_to(const IndenterMove& move) const {
   double response = model_.relaxed * move.increment + model_.viscosity * move.rates[2];
   for (std::size_t i = 0; i < to_balance_.n_branches(); ++i) response += to_balance_.memory_of(i, move);

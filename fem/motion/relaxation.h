@@ -36,6 +36,9 @@ struct IndenterMove {
 
 IndenterMove indenter_move(const std::function<ValueAndRate(double)>& motion, double begin, double end);
 
+/// None.
+constexpr IndenterMove standing_still{0, {0, 0, 0}};
+
 /// At constant rate: while the indenter follows a force, which says nothing of what it does inside a step.
 IndenterMove steady_move(double increment, double duration);
 
@@ -50,9 +53,13 @@ class PronyInterval {
   [[nodiscard]] double gain(std::size_t branch) const { return gain_[branch]; }
   /// Memory left by a move of the indenter, its rate interpolated quadratically (relative error (omega dt)^3 / 100).
   [[nodiscard]] double memory_of(std::size_t branch, const IndenterMove& move) const;
+  /// Memory left by a way that leaves the straight one at a constant rate until a share of the interval, and is back at
+  /// its end, per distance when it turns; until: a share as well, when the memory is asked for.
+  [[nodiscard]] double memory_of_turn(std::size_t branch, double share, double until = 1) const;
   [[nodiscard]] std::size_t n_branches() const { return decay_.size(); }
 
  private:
+  std::vector<double> modulus_, rate_;  // duration over relaxation time
   std::vector<double> decay_, gain_;
   std::vector<std::array<double, 3>> weights_;  // of the rates
 };
@@ -87,12 +94,22 @@ class RelaxationStep {
   [[nodiscard]] double rate_of_decay(std::size_t branch) const { return -std::log(whole_.decay(branch)); }
   /// Fraction of the step at which forces are balanced.
   [[nodiscard]] double fraction() const { return fraction_; }
+  [[nodiscard]] Eigen::Index n_branches() const { return static_cast<Eigen::Index>(whole_.n_branches()); }
+  /// See PronyInterval, of the whole step.
+  [[nodiscard]] double memory_of_turn(Eigen::Index branch, double share) const {
+    return whole_.memory_of_turn(static_cast<std::size_t>(branch), share);
+  }
+  /// Of the relaxed body and the branches at the balance time, likewise.
+  [[nodiscard]] double response_to_turn(double share) const;
 
   /// Change of w at the balance time per unit of (minus) slip made in the whole step.
   [[nodiscard]] double instantaneous() const { return instantaneous_; }
 
   /// The same per unit of slip that was made before the balance time.
   [[nodiscard]] double stiffness_before_balance() const { return stiffness_before_balance_; }
+
+  /// w at the balance time of what moves along with the indenter, from rest.
+  [[nodiscard]] double response_to(const IndenterMove& move) const;
 
   /// w at the balance time of rings that do not slip; move: of the indenter up to the balance time.
   [[nodiscard]] Eigen::VectorXd response_without_slip(const RingState& state, const IndenterMove& move) const;
@@ -112,8 +129,6 @@ class RelaxationStep {
   double fraction_;
   PronyInterval to_balance_, whole_;
   double instantaneous_, stiffness_before_balance_;
-
-  [[nodiscard]] double response_to(const IndenterMove& move) const;
 };
 
 }  // namespace fretval::fem

@@ -46,16 +46,22 @@ std::vector<PressingForce> press(const fem::ContactProblem& problem, const Eigen
     const double fraction = step.fraction(), balance = begin + fraction * (end - begin);
     const Eigen::VectorXd gap = (state.displacement + profile).array() - path(begin).value;
     const auto move = fem::indenter_move(path, begin, end);
-    const Eigen::VectorXd driven =
-                              fem::driven_by_indenter(problem.series, pressure, step.instantaneous() * move.increment),
-                          by_itself = (1 - driven.array()) * move.increment;
-    const Eigen::VectorXd held = step.response_without_slip(state, fem::indenter_move(path, begin, balance), driven);
+    const auto& series = problem.series;
+    const auto to_balance = fem::indenter_move(path, begin, balance);
+    const Eigen::VectorXd standing = step.response_without_slip(state, fem::standing_still);
+    const auto courses = fem::CoursesInStep(series, step, series.depths(pressure), series.displacements(standing),
+                                            series.displacements(gap))
+                             .under(to_balance, move.increment);
+    const Eigen::VectorXd by_itself = (1 - courses.driven.array()) * move.increment;
+    Eigen::VectorXd held = standing + step.response_to(to_balance) * courses.driven;
+    if (courses.turn()) held += courses.response;
     const Eigen::VectorXd load = areas.cwiseProduct(held + step.instantaneous() * (by_itself - gap));
     const auto solution = problem.solver.solve(
         load, Eigen::VectorXd::Zero(n), Eigen::VectorXd::Constant(n, std::numeric_limits<double>::infinity()), contact);
     if (solution.x[n - 1] > 0) throw fem::SolverError("the contact reaches the end of the contact line");
     const Eigen::VectorXd new_gap = -solution.residual.cwiseQuotient(areas) / step.instantaneous();
-    step.advance(state, move, gap - new_gap - by_itself, driven);
+    step.advance(state, move, gap - new_gap - by_itself, courses.driven);
+    if (courses.turn()) state.memory += courses.memory;
     fem::ContactPast past;
     past.opening = surface.opening(surface.at_balance(step) + (ends.array() - path(balance).value).matrix());
     const auto force = fem::contact_force(problem.series, solution.x, fraction * new_gap + (1 - fraction) * gap, past);

@@ -117,7 +117,7 @@ TEST_F(SlowNormalContact, IsTakenToAStateThatRepeats) {
   const auto found = find(contact_.state);
   EXPECT_GT(largest_difference(found.state, contact_.state), 1e-4);
   EXPECT_LT(largest_difference(period(found.state).end, found.state), 1e-12);
-  EXPECT_LE(found.n_periods, 8);
+  EXPECT_LE(found.n_periods, 9);
 }
 
 // A ring in contact forgets where it was, its memory and rings that open do not.

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <Eigen/Dense>
+
+#include "fem/condensation/punch_series.h"
+#include "fem/motion/relaxation.h"
+
+namespace fretval::fem {
+
+/// What a step of the normal history has beyond rings that move at a constant rate: how far the indenter drives them,
+/// whose motion is known exactly, and what branches have of a way that turns inside the step; no entries: nothing does.
+struct RingCourses {
+  Eigen::VectorXd driven;    ///< per displacement of the indenter
+  Eigen::VectorXd response;  ///< to the turns, at the balance time
+  Eigen::MatrixXd memory;    ///< of the turns at the end of the step, n_rings x n_branches
+
+  [[nodiscard]] bool turn() const { return response.size() > 0; }
+};
+
+/// How rings spend a step in which they lift or touch. In the depths of the punch series each is on its own, like a
+/// spring of MDR. One that is in contact and would bear less than nothing if it followed the indenter all the time
+/// lifts before, when its load, linear in time, vanishes. A free one that would be inside the indenter at the end if it
+/// went on by itself touches before, when its gap vanishes. Until it lifts, or from when it touches, a ring goes with
+/// the indenter, and else by itself: two straight lines in time, with a turn between them. It is driven for the share
+/// of the step in which it is in contact, so that nothing jumps when it lifts or touches.
+///
+/// Without the turns forces are of second order too, but in a stiff branch that lifts off forty times as far off: its
+/// memory of what came late in the step has had less time to fade. A parallel dashpot has no memory, and what it bears
+/// belongs to the whole step (RelaxationStep).
+class CoursesInStep {
+ public:
+  /// All at the start of the step, as depths or displacements of the series: load of the pressures; of those that rings
+  /// would bear at the balance time if they and the indenter stood still; gaps.
+  CoursesInStep(const PunchSeries& series, const RelaxationStep& step, Eigen::VectorXd load, Eigen::VectorXd standing,
+                Eigen::VectorXd gap);
+
+  /// to_balance: of the indenter up to the balance time; increment: of the whole step.
+  [[nodiscard]] RingCourses under(const IndenterMove& to_balance, double increment) const;
+
+ private:
+  const PunchSeries& series_;
+  const RelaxationStep& step_;
+  Eigen::VectorXd load_, standing_, gap_;
+};
+
+}  // namespace fretval::fem
