@@ -31,13 +31,17 @@ std::array<double, 3> exponential_moments(double z) {
   return moments;
 }
 
-// A branch much faster than the step acts as a dashpot, one slower as a spring.
+// A branch much faster than the step acts as a dashpot, one slower as a spring. z: step over its relaxation time.
+double viscous_share(double z) {
+  return std::exp(-1 / z);
+}
+
 double balance_fraction(const RelaxationModel& model, double dt) {
   double stiffness = model.relaxed, viscosity = model.viscosity;
   for (std::size_t i = 0; i < model.moduli.size(); ++i) {
-    const double viscous_share = std::exp(-model.times[i] / dt);
-    stiffness += (1 - viscous_share) * model.moduli[i];
-    viscosity += viscous_share * model.moduli[i] * model.times[i];
+    const double share = viscous_share(dt / model.times[i]);
+    stiffness += (1 - share) * model.moduli[i];
+    viscosity += share * model.moduli[i] * model.times[i];
   }
   if (viscosity == 0) return 1;
   const double z = dt * stiffness / viscosity;
@@ -75,11 +79,11 @@ double PronyInterval::memory_of(std::size_t branch, const IndenterMove& move) co
 }
 
 double PronyInterval::memory_of_turn(std::size_t branch, double share, double until) const {
-  const double z = rate_[branch];
+  const double z = rate_[branch], modulus = (1 - viscous_share(z)) * modulus_[branch];
   const auto mean_decay = [z](double time) { return z * time == 0 ? 1 : -std::expm1(-z * time) / (z * time); };
-  if (until <= share) return modulus_[branch] * until / share * mean_decay(until);
+  if (until <= share) return modulus * until / share * mean_decay(until);
   const double after = until - share;
-  return modulus_[branch] * (std::exp(-z * after) * mean_decay(share) - after / (1 - share) * mean_decay(after));
+  return modulus * (std::exp(-z * after) * mean_decay(share) - after / (1 - share) * mean_decay(after));
 }
 
 RelaxationStep::RelaxationStep(const RelaxationModel& model, double dt)

@@ -54,7 +54,8 @@ class PronyInterval {
   /// Memory left by a move of the indenter, its rate interpolated quadratically (relative error (omega dt)^3 / 100).
   [[nodiscard]] double memory_of(std::size_t branch, const IndenterMove& move) const;
   /// Memory left by a way that leaves the straight one at a constant rate until a share of the interval, and is back at
-  /// its end, per distance when it turns; until: a share as well, when the memory is asked for.
+  /// its end, per distance when it turns; until: a share as well, when the memory is asked for. Of branches faster than
+  /// the interval only as far as they act as springs.
   [[nodiscard]] double memory_of_turn(std::size_t branch, double share, double until = 1) const;
   [[nodiscard]] std::size_t n_branches() const { return decay_.size(); }
 
