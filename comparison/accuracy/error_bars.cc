@@ -130,10 +130,13 @@ void carry_creep(const Track& track, ErrorBudget& budget) {
                                     [](const ErrorShare& share) { return share.source == ErrorSource::creep; });
     return found == shares.end() ? 0 : found->estimate;
   };
-  const double first_slip = creep_of(Quantity::stick_radius_first_slip),
-               shakedown = creep_of(Quantity::stick_radius_shakedown);
-  budget.at(Quantity::stick_radius_first_slip).add(ErrorSource::creep, std::max(shakedown - first_slip, 0.0));
-  budget.at(Quantity::stick_radius_shakedown).add(ErrorSource::creep, std::max(first_slip - shakedown, 0.0));
+  // Not a difference of two that are infinite.
+  const auto widen_to = [&](Quantity quantity, double other) {
+    if (const double own = creep_of(quantity); other > own) budget.at(quantity).add(ErrorSource::creep, other - own);
+  };
+  const double first_slip = creep_of(Quantity::stick_radius_first_slip);
+  widen_to(Quantity::stick_radius_first_slip, creep_of(Quantity::stick_radius_shakedown));
+  widen_to(Quantity::stick_radius_shakedown, first_slip);
 }
 
 /// A cycle near a motion without one asks elements for a little less or more depth.

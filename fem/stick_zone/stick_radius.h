@@ -12,8 +12,9 @@ namespace fretval::fem {
 /// d(r), a parabola fitted to the four outermost events, vanishes: less than a ring beyond the last one. It takes the
 /// compliance of the finite elements and nothing else. A radius of 0 if nothing sticks; the middle between the last
 /// event and the next one, uncertain by a ring, where the fit goes beyond the next by a quarter of a ring. Uncertainty
-/// otherwise: twice the difference from the cubic fitted to the last six events, scatter of the effective radii and
-/// h^3/L^2, h the width of the last stuck ring and L the length of the line.
+/// otherwise: twice the difference from the cubic fitted to the last six events (from the line through two, if there
+/// are three), scatter of the effective radii and h^3/L^2, h the width of the last stuck ring and L the length of the
+/// line.
 EdgeRadius stick_radius(const Compliance& compliance, const Eigen::VectorXd& reserve, Eigen::Index n_stuck);
 
 }  // namespace fretval::fem

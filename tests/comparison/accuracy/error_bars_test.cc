@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "fem/support/solver_error.h"
 #include "tests/comparison/fake_numerics.h"
 #include "tests/comparison/suite_case.h"
 
@@ -50,6 +51,20 @@ TEST(ErrorBars, OfASmallStickZoneReachToNothing) {
                open = bars_of(prepared, {0.004 * to_error, 0, 0.006}).at(shakedown_radius).total();
   EXPECT_LT(resolved, 0.005);
   EXPECT_GT(open, 0.01);
+}
+
+// Of a creep that no fewer cycles show nothing is known.
+TEST(ErrorBars, OfCreepThatCannotBeRefinedAreInfinite) {
+  const auto prepared = prepared_of("parabola-elastic-free");
+  const Tracks tracks{prepared.fem.resolution, {}};
+  const auto compute = [&](const Resolution& r) -> FeAnswer {
+    if (r.n_creep_cycles < tracks.base.n_creep_cycles) throw fem::SolverError("too few cycles");
+    return FakeNumerics{30, 2}(prepared.fem, r);
+  };
+  Computations computed(prepared.fem.units, compute, 1);
+  computed.compute(needed_for_bars(tracks, needs_of(prepared.fem)));
+  const auto bars = error_bars(prepared, tracks, computed, Borders::left_out);
+  for (const auto quantity : {first_slip_radius, shakedown_radius}) EXPECT_TRUE(std::isinf(bars.at(quantity).total()));
 }
 
 // Nothing is known of the radius but that a depth within its error decides on it.

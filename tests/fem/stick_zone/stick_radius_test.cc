@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <functional>
 
 #include "fem/condensation/effective_radii.h"
@@ -54,6 +55,16 @@ TEST_F(StickRadiusTest, StaysWithinARingOfTheLastOneThatSticks) {
   const auto edge = stick_radius(compliance_, reserve, 30);
   EXPECT_NEAR(edge.radius, 30.0 / 64, 1.0 / 64);
   EXPECT_EQ(edge.uncertainty, 1.0 / 64);
+}
+
+// Under a blunt tip, g = 8/3 r^4, three rings are off by up to a third of one, which a second reading has to tell.
+TEST_F(StickRadiusTest, OfThreeRingsIsWithinItsUncertainty) {
+  for (const double rings : {2.7, 3.0, 3.3}) {
+    const double c = rings / 64;
+    const auto [radius, uncertainty] = radius_of([](double r) { return std::pow(r, 4); }, 8.0 / 3 * std::pow(c, 4));
+    EXPECT_LT(std::abs(radius - c), uncertainty) << rings;
+    EXPECT_LT(uncertainty, 1.5 / 64) << rings;
+  }
 }
 
 TEST_F(StickRadiusTest, OfOneOrTwoRingsIsUncertainByARing) {
