@@ -140,6 +140,20 @@ TEST(MdrAnswer, OfABodyWithADashpotHasWhatIsLost) {
   EXPECT_LT(answer.cycle->work_error, 0.02 * answer.cycle->bulk_work);
 }
 
+// A second harmonic of next to nothing: springs that are stepped, held against the closed form of one.
+TEST(MdrAnswer, OfSeveralHarmonicsSaysWhatItsLargestForceMayBeOff) {
+  auto scene = read_case(elastic_case());
+  scene.elastomer.rheology = "kelvin voigt";
+  scene.elastomer.viscosity = 5e4;
+  const auto one = exact_answer(scene);
+  EXPECT_EQ(one.normal_force_error, 0);
+  scene.motion.normal_harmonics = {{1e-12 * scene.motion.normal_amplitude, 2 * scene.motion.normal_frequency, 0}};
+  const auto stepped = exact_answer(scene);
+  EXPECT_GT(stepped.normal_force_error, 0);
+  EXPECT_LT(stepped.normal_force_error, 1e-5 * *one.normal_force_max);
+  EXPECT_NEAR(*stepped.normal_force_max, *one.normal_force_max, 2 * stepped.normal_force_error);
+}
+
 TEST(MdrAnswer, OfAStandardSolidSaysHowSlipDiesOut) {
   const auto scene = read_case();
   const double q = std::exp(-1 / (0.1 * scene.motion.normal_frequency));

@@ -16,7 +16,9 @@ int periods_until_scatter(double (*change)(int period)) {
 }
 
 TEST(Scatter, IsWhatRecursAndIsSmall) {
-  EXPECT_EQ(periods_until_scatter([](int n) { return std::array{4e-3, 4e-3, 8e-5}[static_cast<std::size_t>(n) % 3]; }),
+  EXPECT_EQ(periods_until_scatter([](int n) {
+              return std::array{4e-3, 4e-3, 8e-5}[static_cast<std::size_t>(n) % 3];
+            }),
             12);  // the least one is the second, and a change of the same size does not fall
   EXPECT_EQ(periods_until_scatter([](int) { return 9e-3; }), 11);
   EXPECT_EQ(periods_until_scatter([](int) { return 1.1e-2; }), 200);

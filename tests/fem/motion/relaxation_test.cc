@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
 
@@ -229,6 +230,33 @@ TEST(PronyInterval, TwoIntervalsAreOne) {
 }
 
 // A strain that does not follow the indenter takes no share of its motion.
+// Two straight lines, and the one between their ends with what it lacks of them; until any instant of the interval.
+TEST(PronyInterval, WayThatTurnsIsAStraightOneAndATurn) {
+  const RelaxationModel model{1, {2}, {30}, 0};
+  const double dt = 0.7, turns_at = 0.3, first = 0.5, second = -1.2;
+  const double detour = first - turns_at * (first + second);
+  const PronyInterval whole(model, dt);
+  for (const double until : {0.2, 0.3, 0.8, 1.0}) {
+    const double before = std::min(until, turns_at), after = until - before;
+    double memory = PronyInterval(model, before * dt).gain(0) * first * before / turns_at;
+    if (after > 0) {
+      const PronyInterval rest(model, after * dt);
+      memory = rest.decay(0) * memory + rest.gain(0) * second * after / (1 - turns_at);
+    }
+    const double straight = PronyInterval(model, until * dt).gain(0) * until * (first + second);
+    EXPECT_NEAR(memory - straight, detour * whole.memory_of_turn(0, turns_at, until), 1e-10) << until;
+  }
+}
+
+// What has relaxed at the end of a step bears, like a dashpot, what belongs to all of the step.
+TEST(RelaxationStep, FastBranchesHaveNoTurn) {
+  const RelaxationStep fast(RelaxationModel{1, {50}, {1e-3}, 0}, 1);
+  EXPECT_LT(std::abs(fast.memory_of_turn(0, 0.5)), 1e-3);       // 0.1 for that which is left at the end
+  const RelaxationStep step(RelaxationModel{2, {}, {}, 1}, 1);  // balanced inside
+  EXPECT_NEAR(step.response_to_turn(0.9), 2 * step.fraction() / 0.9, 1e-14);
+  EXPECT_NEAR(step.response_to_turn(0.1), 2 * (1 - step.fraction()) / 0.9, 1e-14);
+}
+
 TEST(RelaxationStep, ResponseOfADrivenStrainIsProportionalToIt) {
   const RelaxationModel model{0.7, {0.5, 0.8}, {2, 0.1}, 0.3};
   const RelaxationStep step(model, 0.2);
