@@ -35,7 +35,7 @@ RingCourses CoursesInStep::under(const IndenterMove& to_balance, double incremen
       courses.driven[i] = 1 - turn.share;
     }
     if (turn.detour == 0 || n_branches == 0) continue;
-    if (!courses.turn()) {
+    if (!courses.has_turns()) {
       courses.response = Eigen::VectorXd::Zero(n);
       courses.memory = Eigen::MatrixXd::Zero(n, n_branches);
     }
@@ -44,7 +44,7 @@ RingCourses CoursesInStep::under(const IndenterMove& to_balance, double incremen
       courses.memory(i, branch) = turn.detour * step_.memory_of_turn(branch, turn.share);
   }
   courses.driven = series_.rings(courses.driven, 0);
-  if (!courses.turn()) return courses;
+  if (!courses.has_turns()) return courses;
   courses.response = series_.rings(courses.response, 0);
   for (Eigen::Index branch = 0; branch < n_branches; ++branch)
     courses.memory.col(branch) = series_.rings(courses.memory.col(branch), 0);

@@ -14,7 +14,7 @@ struct RingCourses {
   Eigen::VectorXd response;  ///< to the turns, at the balance time
   Eigen::MatrixXd memory;    ///< of the turns at the end of the step, n_rings x n_branches
 
-  [[nodiscard]] bool turn() const { return response.size() > 0; }
+  [[nodiscard]] bool has_turns() const { return response.size() > 0; }
 };
 
 /// How rings spend a step in which they lift or touch. In the depths of the punch series each is on its own, like a

@@ -55,7 +55,7 @@ class Stepper {
     driven_strain_ = strain_.of(driven_);
     const auto strain_of = [this](const Eigen::VectorXd& rings) { return strain_.of(driven_field(solver_, rings)); };
     turn_response_.resize(0);
-    if (!courses.turn()) return;
+    if (!courses.has_turns()) return;
     turn_response_ = strain_of(courses.response);
     turn_memory_.resize(driven_strain_.size(), courses.memory.cols());
     for (Eigen::Index branch = 0; branch < courses.memory.cols(); ++branch)

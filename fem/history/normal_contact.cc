@@ -108,7 +108,7 @@ NormalContact::Attempt NormalContact::attempt(const Move& move, const Start& sta
   // A ring in contact closes its gap: it slips by what is left of it.
   Eigen::VectorXd held = start.standing + step_.response_to(move.to_balance) * courses.driven +
                          step_.instantaneous() * (left_behind(attempt.courses, move.whole) - gap);
-  if (courses.turn()) held += courses.response;
+  if (courses.has_turns()) held += courses.response;
   auto contact = start.solver.solve(held, attempt.contact);
   attempt.gap = contact.gap / step_.instantaneous();
   attempt.balance_gap = step_.fraction() * attempt.gap + (1 - step_.fraction()) * gap;
@@ -176,7 +176,7 @@ void NormalContact::step(const PressureWear& wear) {
   }
   const Eigen::VectorXd worn = worn_by(wear, made.pressure);
   step_.advance(state, move.whole, gap - made.gap + worn - left_behind(made.courses, move.whole), made.courses.driven);
-  if (made.courses.turn()) state.memory += made.courses.memory;
+  if (made.courses.has_turns()) state.memory += made.courses.memory;
   if (free_surface_) free_surface_->advance(step_, state, made.contact, made.reading.radius);
   profile += worn;
   if (free_surface_ && wear.coefficient.size() > 0) ends_of_profile_ = problem_.series.displacements(profile);

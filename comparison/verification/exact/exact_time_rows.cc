@@ -54,14 +54,14 @@ std::vector<PressingForce> press(const fem::ContactProblem& problem, const Eigen
                              .under(to_balance, move.increment);
     const Eigen::VectorXd by_itself = (1 - courses.driven.array()) * move.increment;
     Eigen::VectorXd held = standing + step.response_to(to_balance) * courses.driven;
-    if (courses.turn()) held += courses.response;
+    if (courses.has_turns()) held += courses.response;
     const Eigen::VectorXd load = areas.cwiseProduct(held + step.instantaneous() * (by_itself - gap));
     const auto solution = problem.solver.solve(
         load, Eigen::VectorXd::Zero(n), Eigen::VectorXd::Constant(n, std::numeric_limits<double>::infinity()), contact);
     if (solution.x[n - 1] > 0) throw fem::SolverError("the contact reaches the end of the contact line");
     const Eigen::VectorXd new_gap = -solution.residual.cwiseQuotient(areas) / step.instantaneous();
     step.advance(state, move, gap - new_gap - by_itself, courses.driven);
-    if (courses.turn()) state.memory += courses.memory;
+    if (courses.has_turns()) state.memory += courses.memory;
     fem::ContactPast past;
     past.opening = surface.opening(surface.at_balance(step) + (ends.array() - path(balance).value).matrix());
     const auto force = fem::contact_force(problem.series, solution.x, fraction * new_gap + (1 - fraction) * gap, past);

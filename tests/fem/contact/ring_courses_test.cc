@@ -57,7 +57,7 @@ TEST_F(RingCoursesTest, BranchesRememberWhereAWayTurns) {
 TEST_F(RingCoursesTest, NothingTurnsWithoutABranch) {
   step_ = RelaxationStep(RelaxationModel{1, {}, {}, 2}, 0.1);
   const auto all = courses();
-  EXPECT_FALSE(all.turn());
+  EXPECT_FALSE(all.has_turns());
   EXPECT_NEAR(series_.displacements(all.driven)[lifting], 0.75, 1e-12);
 }
 

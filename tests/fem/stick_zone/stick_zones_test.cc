@@ -33,5 +33,17 @@ TEST(StickZones, AreThereWhateverTheSteps) {
   }
 }
 
+// A ring that is without a load at an instant has nothing to hold it, even if it did not slip; nor has one beyond.
+TEST(StickZones, EndWhereARingHasNoGrip) {
+  FrictionHistory friction{};
+  friction.amplitude = 1;
+  friction.slip_path = friction.period_slip = Eigen::Vector4d::Zero();
+  friction.first_slip_margin = Eigen::Vector4d(1, 0, 1, 1);
+  friction.shakedown_margin = Eigen::Vector4d(1, 1, 0, 1);
+  const auto stuck = stuck_rings(friction, one_frequency(1, 0.1, 1, 0.0));
+  EXPECT_EQ(stuck.first_slip, 1);
+  EXPECT_EQ(stuck.shakedown, 2);
+}
+
 }  // namespace
 }  // namespace fretval::fem::stick_zones_test
