@@ -107,7 +107,7 @@ NormalContact::Attempt NormalContact::attempt(const Move& move, const Start& sta
   const auto& courses = attempt.courses;
   // A ring in contact closes its gap: it slips by what is left of it.
   Eigen::VectorXd held = start.standing + step_.response_to(move.to_balance) * courses.driven +
-                         step_.instantaneous() * (left_behind(attempt.courses, move.whole) - gap);
+                         step_.instantaneous() * (left_behind(courses, move.whole) - gap);
   if (courses.has_turns()) held += courses.response;
   auto contact = start.solver.solve(held, attempt.contact);
   attempt.gap = contact.gap / step_.instantaneous();

@@ -69,10 +69,11 @@ double normal_force(const SpringBed& bed, const PronyBody& body, const SpringSta
 }
 
 double edge_force(const SpringBed& bed, const PronyBody& body, const SpringState& state) {
-  if (body.viscosity == 0) return 0;
+  constexpr Eigen::Index n_to_continue = 3;  // a quadratic
   const auto& [x, width, depth] = bed;
   const auto& load = state.normal_load;
   const Eigen::Index n = x.size();
+  if (body.viscosity == 0 || n < n_to_continue) return 0;
   // Between a tip and the indenter; beyond the bed of tips that nothing has touched, below a quadratic g.
   const auto gap = [&, d = state.indenter.indentation](Eigen::Index j) {
     if (j < n) return state.normal_depth[j] - (d - depth[j]);

@@ -19,7 +19,7 @@ double tangential_force(const SpringBed& bed, const PronyBody& body, const Sprin
 /// What normal_force lacks, or has too much, in a body with a dashpot: loads jump where springs touch, so that the
 /// force of whole springs is a sawtooth in time. From the end of the last spring in contact to the edge of the contact,
 /// which is where the free tips next to it, extrapolated, meet the indenter; in N. With it the force is of second order
-/// in the width of the springs. Springs of equal width; 0 without a dashpot.
+/// in the width of the springs. Springs of equal width; 0 without a dashpot, and of less than three springs.
 double edge_force(const SpringBed& bed, const PronyBody& body, const SpringState& state);
 
 /// Pressure on the axis in Pa. weights: axis_weights of the bed.
