@@ -75,6 +75,34 @@ std::map<Resolution, Quantities> all_known(const Resolution& resolution, const C
   return known;
 }
 
+/// Of the rings, of a value whose error is 1e-3 at the resolution and of first order in them.
+ErrorShare share_of_rings(const Resolution& resolution, const CaseNeeds& needs) {
+  const auto first = [&](const Resolution& r) {
+    return 0.5 + 1e-3 * resolution.elements_per_radius / r.elements_per_radius;
+  };
+  const auto budget = error_budget(resolution, all_known(resolution, needs, first), {}, needs);
+  for (const auto& share : budget.begin()->second.shares)
+    if (share.source == ErrorSource::rings) return share;
+  return {};
+}
+
+TEST(ErrorBudget, WhereRingsTouchInAnyOrderTheirFirstOrderIsBelieved) {
+  CaseNeeds needs;
+  needs.any_order = true;
+  const auto share = share_of_rings(resolution_for(1e-3), needs);
+  EXPECT_NEAR(share.order.value_or(0), 1, 1e-9);
+  EXPECT_NEAR(share.estimate, safety * 1e-3, 1e-12);
+}
+
+// 16 rings have only 8 to be compared with, which show no order.
+TEST(ErrorBudget, NextToTheSmallestContactAStickRadiusIsOfFirstOrder) {
+  auto resolution = resolution_for(1e-3);
+  resolution.elements_per_radius = 16;
+  CaseNeeds needs;
+  needs.shakedown_ends_with_contact = true;
+  EXPECT_NEAR(share_of_rings(resolution, needs).estimate, 3 * 1e-3, 1e-12);
+}
+
 // Steps of 1, 2 and 4 of which the coarser ones cannot see a branch: the second order that they show is none.
 TEST(ErrorBudget, BelievesNoOrderInTheStepWhereABranchRelaxesWithinIt) {
   const auto resolution = resolution_for(1e-3);
