@@ -30,6 +30,19 @@ TEST(FemCase, IsTheSameInMetresAndInNanometres) {
   EXPECT_NEAR(b.normal_force_max / (scale * scale * a.normal_force_max), 1, 1e-11);
 }
 
+// Rings of equal width, of a body that is scaled: the contact radius, 1, lies where it is asked for in its ring.
+TEST(FemCase, EdgeLiesElsewhereInItsRing) {
+  const auto input = read_case();
+  const auto fem = fem_case(input, mdr_case(input));
+  auto resolution = fem.resolution;
+  for (const double before_node : {usual_edge_before_node, 0.25, 0.5}) {
+    resolution.edge_before_node = before_node;
+    const auto body = at_resolution(fem, resolution).body;
+    const double rings = 1 / (body.scale * (body.contact_nodes[1] - body.contact_nodes[0]));
+    EXPECT_NEAR(std::ceil(rings) - rings, before_node, 1e-9);
+  }
+}
+
 // An unlocked phase passes through every phase, so its stick radius is the smallest of all of them, paper (21).
 TEST(FemCase, UnlockedPhaseFollowsTheWorstPhase) {
   Case input = read_case();
