@@ -15,6 +15,8 @@ struct RingCourses {
   Eigen::MatrixXd memory;    ///< of the turns at the end of the step, n_rings x n_branches
 
   [[nodiscard]] bool has_turns() const { return response.size() > 0; }
+  /// What the indenter moves by and rings do not follow. increment: of the indenter in the step.
+  [[nodiscard]] Eigen::VectorXd left_behind(double increment) const { return (1 - driven.array()) * increment; }
 };
 
 /// How rings spend a step in which they lift or touch. In the depths of the punch series each is on its own, like a

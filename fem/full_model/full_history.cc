@@ -1,6 +1,5 @@
 #include "fem/full_model/full_history.h"
 
-#include <algorithm>
 #include <functional>
 #include <stdexcept>
 #include <utility>
@@ -140,8 +139,8 @@ FullNormalHistory full_normal_history(const HarmonicSpace& space, const PunchSer
       stepper.drive(courses);
     }
     // A ring in contact closes its gap: it slips by what is left of it.
-    const Eigen::VectorXd by_itself = (1 - courses.driven.array()) * stepper.increment(k);
-    history.pressure.col(k + 1) = stepper.compute_step(k, gap - by_itself, lower, upper, contact);
+    const Eigen::VectorXd slip = gap - courses.left_behind(stepper.increment(k));
+    history.pressure.col(k + 1) = stepper.compute_step(k, slip, lower, upper, contact);
     require_room(history.pressure.col(k + 1));
   }
   history.count = solver.count();

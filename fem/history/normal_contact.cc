@@ -17,11 +17,6 @@ PressureAtEdge pressure_at_edge(const RelaxationModel& relaxation) {
   return relaxation.moduli.empty() ? PressureAtEdge::jumps : PressureAtEdge::falls_and_jumps;
 }
 
-/// What the indenter moves by and rings do not follow, in a step.
-Eigen::VectorXd left_behind(const RingCourses& courses, const IndenterMove& whole) {
-  return (1 - courses.driven.array()) * whole.increment;
-}
-
 double total_force(const ContactForce& reading) {
   return reading.force + reading.beyond.force;
 }
@@ -107,7 +102,7 @@ NormalContact::Attempt NormalContact::attempt(const Move& move, const Start& sta
   const auto& courses = attempt.courses;
   // A ring in contact closes its gap: it slips by what is left of it.
   Eigen::VectorXd held = start.standing + step_.response_to(move.to_balance) * courses.driven +
-                         step_.instantaneous() * (left_behind(courses, move.whole) - gap);
+                         step_.instantaneous() * (courses.left_behind(move.whole.increment) - gap);
   if (courses.has_turns()) held += courses.response;
   auto contact = start.solver.solve(held, attempt.contact);
   attempt.gap = contact.gap / step_.instantaneous();
@@ -175,8 +170,9 @@ void NormalContact::step(const PressureWear& wear) {
     made = attempt(move, start, contact_);
   }
   const Eigen::VectorXd worn = worn_by(wear, made.pressure);
-  step_.advance(state, move.whole, gap - made.gap + worn - left_behind(made.courses, move.whole), made.courses.driven);
-  if (made.courses.has_turns()) state.memory += made.courses.memory;
+  const auto& courses = made.courses;
+  step_.advance(state, move.whole, gap - made.gap + worn - courses.left_behind(move.whole.increment), courses.driven);
+  if (courses.has_turns()) state.memory += courses.memory;
   if (free_surface_) free_surface_->advance(step_, state, made.contact, made.reading.radius);
   profile += worn;
   if (free_surface_ && wear.coefficient.size() > 0) ends_of_profile_ = problem_.series.displacements(profile);

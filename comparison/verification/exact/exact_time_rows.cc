@@ -52,7 +52,7 @@ std::vector<PressingForce> press(const fem::ContactProblem& problem, const Eigen
     const auto courses = fem::CoursesInStep(series, step, series.depths(pressure), series.displacements(standing),
                                             series.displacements(gap))
                              .under(to_balance, move.increment);
-    const Eigen::VectorXd by_itself = (1 - courses.driven.array()) * move.increment;
+    const Eigen::VectorXd by_itself = courses.left_behind(move.increment);
     Eigen::VectorXd held = standing + step.response_to(to_balance) * courses.driven;
     if (courses.has_turns()) held += courses.response;
     const Eigen::VectorXd load = areas.cwiseProduct(held + step.instantaneous() * (by_itself - gap));
