@@ -195,7 +195,7 @@ int run_cases(const RunOptions& options) {
   if (keeps_results) log_others(output, cases);
   const auto lines = computed_lines(prepared, options, ranks);
   if (!options.json) lines.size() == 1 && lines[0].failure.empty() ? print_answer(lines[0]) : print_verdicts(lines);
-  if (keeps_results) write_sweep_lines(cases, output);
+  if (keeps_results) write_sweep_lines(cases, output, lines);
   if (keeps_results &&
       std::any_of(lines.begin(), lines.end(), [](const BatchLine& line) { return line.failure.empty(); }))
     log::info(fmt::format("report: {}", write_report(output).string()));

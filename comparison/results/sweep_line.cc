@@ -37,19 +37,21 @@ bool has_closed_forms(const Case& input) {
 
 /// The answer without the forces, which springs are stepped for. The contact radius is that of g(a) = d, a worn profile
 /// has none.
-MdrAnswer closed_answer(const Case& input) {
+nlohmann::ordered_json closed_answer(const Case& input) {
   const auto mdr = mdr_case(input);
   mdr::NormalResponse radius_alone{};
   radius_alone.contact_radius_max =
       mdr.limiting ? std::nan("") : mdr::inverse_transform(mdr.profile, deepest_indentation(mdr));
-  return mdr_answer(mdr, radius_alone);
+  return to_json(mdr_answer(mdr, radius_alone));
 }
 
-using Answer = std::function<MdrAnswer(const Case&)>;
+using Answer = std::function<nlohmann::ordered_json(const Case&)>;
 
 struct Sweep {
   const Case* first;
   std::size_t n_cases;
+  /// What MDR has said at points of the sweep, by their values.
+  std::map<double, nlohmann::ordered_json> known = {};
 };
 
 /// Null for what MDR refuses between the points of the sweep.
@@ -57,7 +59,7 @@ std::vector<nlohmann::ordered_json> answers_to(const std::vector<Case>& cases, c
   std::vector<nlohmann::ordered_json> answers(cases.size());
   for_each_in_parallel(cases.size(), [&](std::size_t i) {
     try {
-      answers[i] = to_json(answer(cases[i]));
+      answers[i] = answer(cases[i]);
     } catch (const std::runtime_error&) {
     } catch (const std::invalid_argument&) {
     }
@@ -97,15 +99,19 @@ void write_line(const fs::path& file, const Sweep& sweep, std::size_t n_values, 
   write_file(file, table_of(between, answers_to(between, answer), quantities));
 }
 
-/// In the order in which they come.
-std::vector<Sweep> sweeps_among(const std::vector<Case>& cases) {
+/// In the order in which they come. computed: of each case, or empty.
+std::vector<Sweep> sweeps_among(const std::vector<Case>& cases, const std::vector<BatchLine>& computed) {
   std::vector<Sweep> sweeps;
   std::map<std::string, std::size_t> place;
-  for (const auto& input : cases) {
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    const auto& input = cases[i];
     if (!input.sweep) continue;
     const auto [found, is_new] = place.emplace(input.sweep->family, sweeps.size());
     if (is_new) sweeps.push_back({&input, 0});
-    ++sweeps[found->second].n_cases;
+    auto& sweep = sweeps[found->second];
+    ++sweep.n_cases;
+    if (i < computed.size() && !computed[i].json.empty())
+      sweep.known[input.sweep->value] = nlohmann::ordered_json::parse(computed[i].json).at("mdr");
   }
   return sweeps;
 }
@@ -124,16 +130,19 @@ std::string column_of_entry(const std::string& entry) {
   return fmt::format("{} [{}]", entry, unit.empty() ? "1" : unit);
 }
 
-void write_sweep_lines(const std::vector<Case>& cases, const fs::path& output) {
-  const auto sweeps = sweeps_among(cases);
+void write_sweep_lines(const std::vector<Case>& cases, const fs::path& output, const std::vector<BatchLine>& computed) {
+  const auto sweeps = sweeps_among(cases, computed);
   NormalResponses normal_responses;
-  const auto stepped_answer = [&](const Case& input) {
-    const auto mdr = mdr_case(input);
-    return mdr_answer_with_cycle(mdr, *normal_responses.of(input, mdr));
-  };
   const auto n_of_one_sweep = std::max(n_values_where_costly, n_values / std::max<std::size_t>(1, sweeps.size()));
-  const QuantityList all(quantities_by_interest.begin(), quantities_by_interest.end());
+  QuantityList all(quantities_by_interest.begin(), quantities_by_interest.end());
+  // Springs are stepped for that in a history of its own, at the points alone.
+  all.erase(std::find(all.begin(), all.end(), Quantity::cycles_to_shakedown));
   for (const auto& sweep : sweeps) {
+    const auto stepped_answer = [&](const Case& input) {
+      if (const auto known = sweep.known.find(input.sweep->value); known != sweep.known.end()) return known->second;
+      const auto mdr = mdr_case(input);
+      return to_json(mdr_answer_with_cycle(mdr, *normal_responses.of(input, mdr)));
+    };
     const auto* input = sweep.first;
     const auto folder = output / input->sweep->family;
     for (const char* name : {closed_file, stepped_file}) fs::remove(folder / name);

@@ -7,6 +7,7 @@
 
 #include "comparison/accuracy/quantity.h"
 #include "comparison/case/case.h"
+#include "comparison/results/batch.h"
 
 namespace fretval {
 
@@ -22,8 +23,10 @@ std::string column_of_entry(const std::string& entry);
 /// sweeps fewer, at least 24 each. At 24 values, and in this file alone, is all of a case under prescribed forces (half
 /// a second for a value, with harmonics 2), with several normal harmonics, or with measured moduli, which are fitted
 /// for each value. Columns: the entry, then the quantities, "nan" where MDR has none. Nothing is written where the
-/// entry does not take values between, nor where it is so costly and the motion has no period.
-void write_sweep_lines(const std::vector<Case>& cases, const std::filesystem::path& output);
+/// entry does not take values between, nor where it is so costly and the motion has no period. computed: of each case,
+/// whose answers by springs are not stepped again; empty: none is known.
+void write_sweep_lines(const std::vector<Case>& cases, const std::filesystem::path& output,
+                       const std::vector<BatchLine>& computed = {});
 
 /// A quantity of it over the entry; empty where there is none. family: its folder.
 std::pair<std::vector<double>, std::vector<double>> read_sweep_line(const std::filesystem::path& family,

@@ -25,7 +25,13 @@ SpringHistory history_with(const Bed& bed, const PronyBody& body, double mu, con
   try {
     return spring_history(bed(fineness * coarse.n_springs), body, mu,
                           loading_of(prescribed, repeating, n_ramp * period),
-                          {period, n_steps, n_ramp, most_periods, periodicity_of(body, coarse.periodicity, fineness)});
+                          {period,
+                           n_steps,
+                           n_ramp,
+                           most_periods,
+                           periodicity_of(body, coarse.periodicity, fineness),
+                           {},
+                           prescribed.normal_force || prescribed.tangential_force});
   } catch (GrossSlip& slip) {
     slip.amplitude = amplitude_share(slip.time, n_ramp * period);
     throw;

@@ -31,7 +31,9 @@ Loading loading_of(const Prescribed& prescribed, const RepeatingMotion& repeatin
 /// and of frequencies without one, that of a motion in the place of it (see RepeatingMotion).
 struct ForcedResponse {
   NormalResponse normal;
-  StickDepths depths;            ///< as in SpringHistory; settled, see SpringHistory::settling_depth
+  /// As in SpringHistory; settled, see SpringHistory::settling_depth. First slip: NaN under displacements alone, which
+  /// have a closed form (stick_radii).
+  StickDepths depths;
   double largest_indentation;    ///< m
   double axis_pressure_max;      ///< Pa; of springs, also under a sharp tip
   double tangential_amplitude;   ///< m, half of what lies between the extremes of u_x

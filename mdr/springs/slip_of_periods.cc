@@ -25,7 +25,7 @@ std::vector<double> slip_of_periods(const Profile& profile, const PronyBody& bod
   const auto history = spring_history(
       bed, body, mu, loading_of(prescribed, repeating, ramp),
       {period, repeating.steps_with(fineness.steps_per_oscillation), static_cast<int>(std::ceil(ramp / period)),
-       most_periods, fineness.periodicity, [&](const Eigen::ArrayXd& slip) { return mean_of(slip) <= least; }});
+       most_periods, fineness.periodicity, [&](const Eigen::ArrayXd& slip) { return mean_of(slip) <= least; }, false});
   std::vector<double> means;
   for (const auto& slip : history.slip_of_periods) means.push_back(mean_of(slip));
   return means;

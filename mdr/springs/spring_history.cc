@@ -130,7 +130,7 @@ class History {
   void see_step(Eigen::ArrayXd& slip_path) {
     slip_path += state_.slip.abs();
     largest_shift_ = std::max(largest_shift_, std::abs(state_.indenter.tangential));
-    first_slip_.add(state_, mu_);
+    if (control_.watches_first_slip) first_slip_.add(state_, mu_);
   }
 
   void step_through(int period) {
@@ -205,7 +205,9 @@ class History {
     result.mean_traction /= control_.steps_per_period;
     const Eigen::ArrayXd first = first_slip_.forward.value().min(first_slip_.backward.value());
     const Eigen::ArrayXd shakedown = (margins.forward.value() + margins.backward.value()) / 2;
-    result.depths.first_slip = stick_depth(bed_, mu_, first, slip_path_, never_slipped * largest_shift_);
+    result.depths.first_slip = control_.watches_first_slip
+                                   ? stick_depth(bed_, mu_, first, slip_path_, never_slipped * largest_shift_)
+                                   : std::nan("");
     result.depths.shakedown = stick_depth(bed_, mu_, shakedown, result.slip_amplitude, shaken_down * largest_shift_);
     result.settling_depth = stick_depth(bed_, mu_, shakedown, result.slip_amplitude, settling_slip * largest_shift_);
     result.largest_shift = largest_shift_;

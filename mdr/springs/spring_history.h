@@ -52,6 +52,7 @@ struct HistoryControl {
   /// Ends a history as well, after the ramp: whether the slip of the springs in a period, m, is little enough. Empty:
   /// none is.
   std::function<bool(const Eigen::ArrayXd& slip)> slips_little = {};
+  bool watches_first_slip = true;  ///< false: depths.first_slip is not asked for, and NaN
 };
 
 /// What the transient spring foundation says about a periodic motion: the second, independent way to both stick radii,

@@ -75,6 +75,21 @@ TEST(SweepLine, HasWhatSpringsAreSteppedFor) {
   EXPECT_TRUE(line(Quantity::worn_volume).second.empty()) << "nothing wears";
 }
 
+TEST(SweepLine, HasTheAnswersOfTheCasesThemselves) {
+  const ScratchFolder folder;
+  std::vector<BatchLine> computed(2);
+  computed[1].json = R"({"mdr": {"tangential_force_max": 42, "cycles_to_shakedown": 7}})";
+  write_sweep_lines(read_case_file(swept(folder, "Motion / Tangential amplitude", "4, 6 um")), folder.path(), computed);
+  const auto line = [&](Quantity quantity) {
+    return read_sweep_line(folder.path() / "swept", "Motion / Tangential amplitude", quantity).second;
+  };
+  const auto force = line(Quantity::tangential_force_max);
+  ASSERT_EQ(force.size(), 101U);
+  EXPECT_EQ(force[100], 42);
+  EXPECT_LT(force[99], 42);
+  EXPECT_TRUE(line(Quantity::cycles_to_shakedown).empty()) << "not known between the points";
+}
+
 // Of every kind of case whose radii springs are stepped for too: all of a line is that of one answer.
 TEST(SweepLine, IsSteppedWhereNothingHasAClosedForm) {
   const auto force = replace(elastic_case(), "Indentation = 1e-4\n  set Normal amplitude = 2e-5",
