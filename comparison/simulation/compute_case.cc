@@ -25,8 +25,7 @@ fem::FrictionHistory friction_beside(const NormalRecord& record, const fem::Norm
     if (fem.any_order)
       friction.step(record.pressures[k]);
     else
-      friction.step(record.pressures[k],
-                    fem::NormalInstant{problems.normal.series.radii(), record.radii[k], record.forces[k]});
+      friction.step(record.pressures[k], record.instant(k, problems.normal.series.radii()));
   return fem::friction_history(std::move(friction), normal, control);
 }
 
@@ -43,15 +42,16 @@ struct NormalPart {
   std::optional<ContactRadius> contact_radius;
 };
 
-NormalPart normal_part(const fem::ContactProblem& problem, const FemCase& fem, NormalStore& normals) {
-  auto profile = fem::ring_means(problem.compliance, fem.profile);
-  auto record = normals.find_or_make(fem, problem, profile, control_of(fem));
-  auto contact_radius = fem.any_order ? std::nullopt : read_contact_radius(problem, fem, profile, record->history);
+NormalPart normal_part(const ContactProblems& problems, const FemCase& fem, NormalStore& normals) {
+  auto profile = fem::ring_means(problems.normal.compliance, fem.profile);
+  auto record = normals.find_or_make(fem, problems, profile, control_of(fem));
+  auto contact_radius =
+      fem.any_order ? std::nullopt : read_contact_radius(problems.normal, fem, profile, record->history);
   return {std::move(record), std::move(profile), contact_radius};
 }
 
 FeAnswer answer_of_histories(const ContactProblems& problems, const FemCase& fem, NormalStore& normals) {
-  auto normal = normal_part(problems.normal, fem, normals);
+  auto normal = normal_part(problems, fem, normals);
   const auto& history = normal.record->history;
   Stopwatch watch;
   auto friction = friction_beside(*normal.record, history, problems, fem, control_of(fem));
@@ -90,7 +90,7 @@ FeAnswer compute_case(const FemCase& fem_case, const Resolution& resolution, Bod
 FeAnswer compute_normal_response(const FemCase& fem_case, const Resolution& resolution, BodyStore& bodies) {
   const FemCase fem = at_resolution(fem_case, resolution);
   const auto body = find_or_make_body(fem.body, bodies, nullptr);
-  const auto normal = normal_part(body->normal, fem, bodies.normals);
+  const auto normal = normal_part(problems_of(*body), fem, bodies.normals);
   FeAnswer answer;
   const auto& history = normal.record->history;
   read_normal_response(problems_of(*body), fem, normal.contact_radius, history, answer);

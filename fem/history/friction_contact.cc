@@ -11,12 +11,21 @@
 #include "fem/support/constants.h"
 
 namespace fretval::fem {
+namespace {
+
+/// Of what the indenter has moved, the response to which a response is stepped by. Where it is less, as with hardly any
+/// friction, roundoff of that would be more than 1e-10 of it, and a step asks for 1e-9.
+constexpr double still_summed = 1e-3;
+
+}  // namespace
+
 FrictionContact::FrictionContact(const ContactProblem& problem, const RelaxationModel& relaxation,
                                  double friction_coefficient, const Motion& motion, int steps_per_cycle)
     : limit(Eigen::VectorXd::Zero(problem.n_rings())),
       limit_depths(limit),
       traction(limit),
       slip(limit),
+      slip_depths(limit),
       state{limit, Eigen::MatrixXd::Zero(limit.size(), static_cast<Eigen::Index>(relaxation.moduli.size()))},
       zones(limit.size()),
       problem_(problem),
@@ -27,12 +36,31 @@ FrictionContact::FrictionContact(const ContactProblem& problem, const Relaxation
       times_(motion, steps_per_cycle),
       dt_(times_.begin(1)),
       step_(relaxation, dt_),
-      made_{std::vector<BoxState>(static_cast<std::size_t>(limit.size()), BoxState::interior), {}, {}, {}, {}} {}
+      held_state_(state),
+      held_unit_(problem.compliance.areas),
+      moves_of_cycle_(static_cast<std::size_t>(steps_per_cycle)),
+      made_{std::vector<BoxState>(static_cast<std::size_t>(limit.size()), BoxState::interior), {}, {}, {}, {}, {}} {
+  problem.solver.to_held(held_unit_);
+}
+
+/// At the start of every cycle: in between it is stepped like the state, and what roundoff makes of it stays small.
+void FrictionContact::hold_state() {
+  const auto hold = [this](const auto& rings, auto&& held) {
+    held = problem_.compliance.areas.cwiseProduct(rings);
+    problem_.solver.to_held(held);
+  };
+  hold(state.displacement, held_state_.displacement);
+  for (Eigen::Index i = 0; i < state.memory.cols(); ++i) hold(state.memory.col(i), held_state_.memory.col(i));
+}
 
 void FrictionContact::attempt(const IndenterMove& to_balance, Attempt& made) const {
-  auto& [stick, target, solution, slip_to_touch, depths] = made;
-  target.q = problem_.compliance.areas.cwiseProduct(step_.response_without_slip(state, to_balance));
-  problem_.solver.hold(target);
+  auto& [stick, target, solution, slip_to_touch, held_to_touch, depths] = made;
+  const Eigen::VectorXd response = step_.response_without_slip(state, to_balance);
+  target.q = problem_.compliance.areas.cwiseProduct(response);
+  if (response.lpNorm<Eigen::Infinity>() < still_summed * relaxation_.relaxed * largest_displacement_)
+    problem_.solver.hold(target);
+  else
+    target.held = step_.response_without_slip(held_state_, to_balance, held_unit_);
   slip_before_touch(made);
   foresee_slip(made);
   problem_.solver.solve(target, least_, limit, stick, solution);
@@ -111,7 +139,7 @@ void FrictionContact::find_touching(const Eigen::Ref<const Eigen::VectorXd>& pre
 /// While the contact grows, the indenter takes along the rings that touch already. So each punch of PunchSeries moves
 /// from the instant on at which its outermost ring touches.
 void FrictionContact::slip_before_touch(Attempt& made) const {
-  auto& [stick, target, solution, slip, depths] = made;
+  auto& [stick, target, solution, slip, held_slip, depths] = made;
   slip.resize(0);
   const auto n = until_touch_.size();
   if (n == 0) return;
@@ -120,14 +148,39 @@ void FrictionContact::slip_before_touch(Attempt& made) const {
   const Eigen::VectorXd response = problem_.series.rings(missing, first_touching_);
   slip = Eigen::VectorXd::Zero(limit.size());
   slip.segment(first_touching_, n) = response / step_.stiffness_before_balance();
-  target.q.segment(first_touching_, n) -= problem_.compliance.areas.segment(first_touching_, n).cwiseProduct(response);
-  problem_.solver.hold(target);
+  held_slip = Eigen::VectorXd::Zero(limit.size() - first_touching_);
+  held_slip.head(n) = problem_.compliance.areas.segment(first_touching_, n).cwiseProduct(response);
+  target.q.segment(first_touching_, n) -= held_slip.head(n);
+  problem_.solver.to_held(held_slip);
+  target.held.tail(held_slip.size()) -= held_slip;
+  held_slip /= step_.stiffness_before_balance();
 }
 
 std::optional<StepInPiece> FrictionContact::in_piece() const {
   auto step = times_.in_piece(n_steps - 1);
   if (step) step->fraction = step_.fraction();
   return step;
+}
+
+FrictionContact::Moves FrictionContact::moves_in_step(double begin) const {
+  const auto position = [this, inside = begin + dt_ / 2](double t) {
+    return tangential_motion_inside(motion_, t, inside);
+  };
+  const double weight = step_.fraction();
+  const auto to_balance = indenter_move(position, begin, begin + weight * dt_);
+  return {to_balance, weight == 1 ? to_balance : indenter_move(position, begin, begin + dt_)};
+}
+
+/// Cosines take as long as a tenth of a step.
+const FrictionContact::Moves& FrictionContact::moves() {
+  const long first = static_cast<long>(motion_.cycles_of_ramp()) * steps_per_cycle_;
+  const bool repeats = motion_.locked && !motion_.path && n_steps >= first;
+  if (!repeats) return moves_ = moves_in_step(times_.begin(n_steps));
+  const long step = n_steps % steps_per_cycle_;
+  auto& known = moves_of_cycle_[static_cast<std::size_t>(step)];
+  // At the same time whichever cycle asks first, so that a contact that is read back goes on to the last bit.
+  if (!known) known = moves_in_step(times_.begin(first + step));
+  return *known;
 }
 
 void FrictionContact::step(const Eigen::Ref<const Eigen::VectorXd>& pressure,
@@ -138,33 +191,40 @@ void FrictionContact::step(const Eigen::Ref<const Eigen::VectorXd>& pressure,
     dt_ = piece->duration();
     step_ = RelaxationStep(relaxation_, dt_);
   }
-  const auto position = [this, inside = begin + dt_ / 2](double t) {
-    return tangential_motion_inside(motion_, t, inside);
-  };
-  const double weight = step_.fraction(), time = begin + weight * dt_;
+  if (n_steps % steps_per_cycle_ == 0) hold_state();
   find_touching(pressure, normal);
   limit = friction_coefficient_ * pressure;
   least_ = -limit;
-  limit_depths = limit;
-  problem_.series.to_depths(limit_depths);
-  auto to_balance = indenter_move(position, begin, time),
-       whole = weight == 1 ? to_balance : indenter_move(position, begin, begin + dt_);
-  if (motion_.tangential_force) {
-    std::tie(last_increment_, made_) = attempt_under_force(time, normal);
-    to_balance = steady_move(weight * last_increment_, weight * dt_);
-    whole = steady_move(last_increment_, dt_);
+  if (normal && normal->pressure_depths) {
+    limit_depths = friction_coefficient_ * *normal->pressure_depths;
   } else {
-    attempt(to_balance, made_);
+    limit_depths = limit;
+    problem_.series.to_depths(limit_depths);
   }
-  auto& [stick, target, solution, slip_to_touch, depths] = made_;
+  if (motion_.tangential_force) {
+    const double weight = step_.fraction();
+    std::tie(last_increment_, made_) = attempt_under_force(begin + weight * dt_, normal);
+    moves_ = {steady_move(weight * last_increment_, weight * dt_), steady_move(last_increment_, dt_)};
+  } else {
+    attempt(moves().to_balance, made_);
+  }
+  const auto& [to_balance, whole] = motion_.tangential_force ? moves_ : moves();
+  auto& [stick, target, solution, slip_to_touch, held_to_touch, depths] = made_;
   zones.update(limit, stick, depths);
   for (std::size_t i = 0; i < stick.size(); ++i)
     if (limit[static_cast<Eigen::Index>(i)] == 0) stick[i] = BoxState::interior;  // the guess for when it touches again
   slip = solution.residual.cwiseQuotient(step_.instantaneous() * problem_.compliance.areas);
-  if (slip_to_touch.size() > 0) slip += slip_to_touch;
+  held_slip_ = (target.held - solution.loads) / step_.instantaneous();
+  if (slip_to_touch.size() > 0) {
+    slip += slip_to_touch;
+    held_slip_.tail(held_to_touch.size()) += held_to_touch;
+  }
+  slip_depths = problem_.series.depths_of_loads(held_slip_);
   step_.advance(state, whole, slip);
+  step_.advance(held_state_, whole, held_slip_, held_unit_);
   balance_displacement = displacement + to_balance.increment;
   displacement += whole.increment;
+  largest_displacement_ = std::max({largest_displacement_, std::abs(displacement), std::abs(balance_displacement)});
   traction.swap(solution.x);
   ++n_steps;
 }

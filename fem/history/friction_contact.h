@@ -8,17 +8,12 @@
 #include "fem/contact/contact_problem.h"
 #include "fem/contact/friction_force.h"
 #include "fem/contact/slip_zones.h"
+#include "fem/history/normal_contact.h"
 #include "fem/history/periodic_state.h"
 #include "fem/motion/motion.h"
 #include "fem/motion/relaxation.h"
 
 namespace fretval::fem {
-
-/// The normal contact at the balance time of a step, as a tangential force has to know it.
-struct NormalInstant {
-  const Eigen::VectorXd& touch_radii;  ///< see TouchingRings
-  double radius, force;                ///< see ContactForce
-};
 
 /// Coulomb friction with unidirectional traction, |tau| <= mu p, on its way through the motion beside a normal contact:
 /// what it is like after the last step, and how it goes on. It begins at rest, without traction. Where a force is
@@ -41,7 +36,8 @@ class FrictionContact {
   Eigen::VectorXd limit_depths;     ///< the same as depths of PunchSeries
   Eigen::VectorXd traction;         ///< at the balance time
   Eigen::VectorXd slip;             ///< in the whole step
-  RingState state;                  ///< at the end of the step
+  Eigen::VectorXd slip_depths;      ///< the same as displacements of PunchSeries
+  RingState state;                  ///< at the end of the step; to be changed between cycles alone
   SlipZones zones;                  ///< the traction has kinks where these differ; with its depths
 
   [[nodiscard]] const ContactProblem& problem() const { return problem_; }
@@ -63,7 +59,8 @@ class FrictionContact {
   template <class Archive>
   void serialize(Archive& archive) {
     archive(n_steps, displacement, balance_displacement, limit, limit_depths, traction, slip, state, zones, made_.stick,
-            last_increment_, time_before_, spare_before_);
+            last_increment_, time_before_, spare_before_, largest_displacement_);
+    if constexpr (Archive::is_loading::value) hold_state();
   }
 
  private:
@@ -73,10 +70,18 @@ class FrictionContact {
     BoxSolver::Target target;
     BoxSolver::Solution solution;
     Eigen::VectorXd slip_to_touch;  // of rings that touch in the step, before they do; empty: none
+    Eigen::VectorXd held_to_touch;  // of that, from the first of them on; see held_state_
     Eigen::VectorXd depths;         // of the traction
   };
   /// The stick of what is made: as likely on entry.
   void attempt(const IndenterMove& to_balance, Attempt& made) const;
+  struct Moves {
+    IndenterMove to_balance, whole;
+  };
+  [[nodiscard]] Moves moves_in_step(double begin) const;
+  /// Of the next step.
+  const Moves& moves();
+  void hold_state();
   void find_touching(const Eigen::Ref<const Eigen::VectorXd>& pressure, const std::optional<NormalInstant>& normal);
   void slip_before_touch(Attempt& made) const;
   void foresee_slip(Attempt& made) const;
@@ -91,9 +96,16 @@ class FrictionContact {
   StepTimes times_;
   double dt_;  // of the step that step_ is made for
   RelaxationStep step_;
-  Eigen::VectorXd least_;     // -limit
-  Attempt made_;              // in the last step
-  double radius_before_ = 0;  // of the contact
+  // L^-1 A of the state, and of rings that all move by one, L the factor of the compliance: each step asks for that of
+  // its response (BoxSolver::Target::held), which is linear in them.
+  RingState held_state_;
+  Eigen::VectorXd held_unit_, held_slip_;  // the latter of the last step
+  double largest_displacement_ = 0;        // of the indenter, so far
+  Moves moves_{};
+  std::vector<std::optional<Moves>> moves_of_cycle_;  // that repeats
+  Eigen::VectorXd least_;                             // -limit
+  Attempt made_;                                      // in the last step
+  double radius_before_ = 0;                          // of the contact
   Eigen::Index first_touching_ = 0;
   Eigen::VectorXd until_touch_;  // of the rings that touch in the step, the share of it before they do
   // Under a prescribed force.

@@ -70,6 +70,7 @@ FrictionPeriod::FrictionPeriod(Eigen::Index n_rings, int n_steps)
       traction_(Eigen::MatrixXd::Zero(n_rings, n_steps)),
       displacement_(traction_),
       slips_(traction_),
+      slip_depths_(traction_),
       depths_(traction_),
       indenter_(n_steps),
       least_(1, -infinity),
@@ -109,6 +110,7 @@ void FrictionPeriod::pass(const FrictionContact& contact) {
 void FrictionPeriod::see(const FrictionContact& contact) {
   displacement_.col(k_) = contact.balance_displacements();
   slips_.col(k_) = contact.slip;
+  slip_depths_.col(k_) = contact.slip_depths;
   auto whole_step = contact.in_piece();  // the indenter is known at its end
   if (whole_step) whole_step->fraction = 1;
   least_.add(Eigen::VectorXd::Constant(1, contact.displacement), whole_step);
@@ -131,9 +133,8 @@ void FrictionPeriod::report(const ContactProblem& problem, FrictionHistory& hist
   };
   Eigen::VectorXd work = Eigen::VectorXd::Zero(slip_.size()), series_work = work;
   for (int k = 0; k < k_; ++k) {
-    const Eigen::VectorXd slip = slips_.col(k);
-    work += in_the_middle(traction_, traction_before_, k).cwiseProduct(slip);
-    series_work += in_the_middle(depths_, depths_before_, k).cwiseProduct(problem.series.displacements(slip));
+    work += in_the_middle(traction_, traction_before_, k).cwiseProduct(slips_.col(k));
+    series_work += in_the_middle(depths_, depths_before_, k).cwiseProduct(slip_depths_.col(k));
   }
   constexpr double roundoff = 1e-12;  // a ring that is held at its friction limit slips by that
   const double no_slip = roundoff * displacement_.cwiseAbs().maxCoeff();
@@ -283,8 +284,7 @@ FrictionHistory friction_history(WatchedFriction friction, const NormalHistory& 
     do {
       const Eigen::Index column = normal.column(contact.n_steps + 1);
       if (in_order) {
-        friction.step(normal.pressure.col(column),
-                      NormalInstant{normal.touch_radii, normal.contact_radius[column], normal.force[column]});
+        friction.step(normal.pressure.col(column), normal.instant(column));
         touching.move_to(normal.contact_radius[column]);
         forces.see(contact, touching, normal.force[column]);
       } else {

@@ -64,7 +64,7 @@ class FrictionPeriod {
   // have let slip.
   RunningMinimum forward_reserve_, backward_reserve_;
   Eigen::VectorXd slip_;
-  Eigen::MatrixXd traction_, displacement_, slips_, depths_;  // a column a step
+  Eigen::MatrixXd traction_, displacement_, slips_, slip_depths_, depths_;  // a column a step
   Eigen::VectorXd indenter_;
   RunningMinimum least_, most_;                      // of the indenter, the other way round
   std::vector<signed char> zones_;                   // what happened to each ring, as bits

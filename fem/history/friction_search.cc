@@ -9,11 +9,7 @@ namespace {
 
 void step_under(FrictionContact& contact, const NormalHistory& normal) {
   const Eigen::Index column = normal.column(contact.n_steps + 1);
-  if (normal.touches_in_order())
-    contact.step(normal.pressure.col(column),
-                 NormalInstant{normal.touch_radii, normal.contact_radius[column], normal.force[column]});
-  else
-    contact.step(normal.pressure.col(column));
+  contact.step(normal.pressure.col(column), normal.instant(column));
 }
 
 /// Returns whether there are any rings to put back. Without one that has not slipped there is no memory to give them.

@@ -15,6 +15,15 @@
 
 namespace fretval::fem {
 
+/// A normal contact at the balance time of a step, as friction beside it may have to know it.
+struct NormalInstant {
+  const Eigen::VectorXd& touch_radii;  ///< see TouchingRings
+  double radius, force;                ///< see ContactForce
+  /// Of the pressure, in the PunchSeries of the tangential problem. Empty: not known, it takes a product with a
+  /// triangle.
+  std::optional<Eigen::Ref<const Eigen::VectorXd>> pressure_depths = {};
+};
+
 /// The normal contact on its way through the motion: what it is like after the last step, and how it goes on. It begins
 /// relaxed, at the mean indentation or, where a force is prescribed, under its mean: then each step finds the
 /// indentation at which the force balances, by its reading. Ring pressures are unaffected by the tangential motion (nu

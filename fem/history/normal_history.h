@@ -29,6 +29,7 @@ struct NormalHistory {
   double first_balance = 0;           ///< time at which forces balanced in the first step of all
   Eigen::VectorXd time;               ///< per step of the cycle: its balance time; so all that follow
   Eigen::MatrixXd pressure;           ///< n_rings x steps_per_cycle
+  Eigen::MatrixXd pressure_depths;    ///< see NormalInstant; empty: nobody has worked them out
   Eigen::VectorXd indentation;        ///< at the balance times
   double largest_indentation = 0;     ///< of the cycle, at the ends of the steps and between them
   Eigen::VectorXd force;              ///< of the contact around the centre, see contact_force
@@ -48,6 +49,8 @@ struct NormalHistory {
   /// Column of a step in the cycle, counted from 1 for the first step of the history; from the last computed cycle on.
   [[nodiscard]] Eigen::Index column(long step) const { return (step - 1) % steps_per_cycle; }
   [[nodiscard]] bool touches_in_order() const { return touch_radii.size() > 0; }
+  /// Empty: rings touch in any order.
+  [[nodiscard]] std::optional<NormalInstant> instant(Eigen::Index column) const;
   [[nodiscard]] long n_steps() const { return static_cast<long>(n_cycles) * steps_per_cycle; }
 };
 

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "comparison/simulation/fe_answer.h"
 #include "comparison/simulation/fem_case/fem_case.h"
 #include "comparison/support/made_once.h"
 #include "fem/history/normal_history.h"
@@ -17,8 +18,12 @@ namespace fretval {
 struct NormalRecord {
   fem::NormalHistory history;
   std::vector<Eigen::VectorXd> pressures;  ///< at the start, then after each step until the response repeats
-  std::vector<double> radii, forces;       ///< of the contact, likewise, see fem::ContactForce
-  double seconds = 0;                      ///< that it took
+  std::vector<Eigen::VectorXd> depths;  ///< of the pressures, see fem::NormalInstant; empty without tangential problem
+  std::vector<double> radii, forces;    ///< of the contact, likewise, see fem::ContactForce
+
+  /// After so many steps. touch_radii: of the normal problem.
+  [[nodiscard]] fem::NormalInstant instant(std::size_t step, const Eigen::VectorXd& touch_radii) const;
+  double seconds = 0;  ///< that it took
 };
 
 /// The normal histories that cases share which differ in their friction and tangential motion alone, as those of a
@@ -29,9 +34,9 @@ class NormalStore {
   /// room: for pressures, in numbers; 256 MB.
   explicit NormalStore(std::size_t room = std::size_t{256} << 17) : room_(room) {}
 
-  /// The history of the case on its body. problem: of the body, at the slack of the resolution; profile: ring means.
+  /// The history of the case on its body. problems: of the body, at the slack of the resolution; profile: ring means.
   /// Throws fem::SolverError, see fem::normal_history.
-  std::shared_ptr<const NormalRecord> find_or_make(const FemCase& fem, const fem::ContactProblem& problem,
+  std::shared_ptr<const NormalRecord> find_or_make(const FemCase& fem, const ContactProblems& problems,
                                                    const Eigen::VectorXd& profile, const fem::HistoryControl& control);
 
  private:

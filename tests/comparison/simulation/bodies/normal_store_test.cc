@@ -22,15 +22,18 @@ class NormalStoreTest : public testing::Test {
     case_.friction_coefficient = 0.5;
   }
 
-  std::shared_ptr<const NormalRecord> record() { return store_.find_or_make(case_, body_.normal, profile_, control_); }
+  std::shared_ptr<const NormalRecord> record() {
+    return store_.find_or_make(case_, {body_.normal, &*body_.tangential}, profile_, control_);
+  }
 
   FemCase case_;
   Eigen::VectorXd profile_ = Eigen::Vector4d(0.01, 0.1, 0.4, 0.8);
   fem::HistoryControl control_{16, 100, 1e-3};
 
+  ContactBody body_ = contact_body(make_body(small_body()));
+
  private:
   NormalStore store_;
-  ContactBody body_ = contact_body(make_body(small_body()));
 };
 
 TEST_F(NormalStoreTest, KeepsEveryPressureSinceTheStart) {
@@ -38,6 +41,11 @@ TEST_F(NormalStoreTest, KeepsEveryPressureSinceTheStart) {
   ASSERT_EQ(made->pressures.size(), static_cast<std::size_t>(1 + made->history.n_steps()));
   EXPECT_EQ(made->pressures.back(), made->history.pressure.rightCols(1));
   EXPECT_GT(made->pressures.front().maxCoeff(), 0) << "at rest under the mean indentation";
+  const auto& series = body_.tangential->series;
+  ASSERT_EQ(made->depths.size(), made->pressures.size());
+  EXPECT_EQ(made->depths.back(), series.depths(made->pressures.back()));
+  const auto last = made->history.instant(made->history.pressure.cols() - 1);
+  EXPECT_EQ(Eigen::VectorXd(last->pressure_depths.value()), made->depths.back());
 }
 
 TEST_F(NormalStoreTest, SharesWhatDiffersInFrictionAlone) {
