@@ -196,10 +196,23 @@ CaseNeeds needs_of(const FemCase& fem) {
   return needs;
 }
 
-std::vector<Resolution> needed_for_bars(const Tracks& tracks, const CaseNeeds& needs) {
+namespace {
+
+std::vector<Variant> variants_of(const Resolution& resolution, const CaseNeeds& needs, BarShares shares) {
+  auto variants = variants_of(resolution, needs);
+  const auto is_left_out = [shares](const Variant& variant) {
+    return shares == BarShares::of_rings && variant.source != ErrorSource::rings;
+  };
+  variants.erase(std::remove_if(variants.begin(), variants.end(), is_left_out), variants.end());
+  return variants;
+}
+
+}  // namespace
+
+std::vector<Resolution> needed_for_bars(const Tracks& tracks, const CaseNeeds& needs, BarShares shares) {
   auto needed = tracks.all();
   for (const auto& track : tracks.all())
-    for (const auto& variant : variants_of(track, needs)) {
+    for (const auto& variant : variants_of(track, needs, shares)) {
       needed.push_back(variant.resolution);
       needed.push_back(variant.reference);
     }
@@ -217,13 +230,13 @@ ErrorBudget error_bars_of_normal_response(const PreparedCase& prepared, const Re
 }
 
 ErrorBudget error_bars(const PreparedCase& prepared, const Tracks& tracks, const Computations& computed,
-                       Borders borders) {
+                       Borders borders, BarShares shares) {
   ErrorBudget all;
   for (const auto& resolution : tracks.all()) {
     const Track track{prepared, computed, resolution};
-    auto bars =
-        error_budget(resolution, computed.quantities(), uncertainties_of_edges(computed.at(resolution), prepared.fem),
-                     needs_of(prepared.fem, computed.at(resolution)));
+    const auto needs = needs_of(prepared.fem, computed.at(resolution));
+    auto bars = error_budget(resolution, variants_of(resolution, needs, shares), computed.quantities(),
+                             uncertainties_of_edges(computed.at(resolution), prepared.fem), needs);
     if (!prepared.fem.any_order) {
       carry_near_cycle(track, bars);
       carry_to_stick_radii(track, borders, bars);

@@ -32,8 +32,9 @@ bool focus_on_unresolved_edges(const PreparedCase& prepared, const Computations&
   return any;
 }
 
-bool focus_on_what_is_hopeless(const PreparedCase& prepared, const Computations& computed, Tracks& tracks) {
-  const auto bars = error_bars(prepared, tracks, computed, Borders::left_out);
+bool focus_on_what_is_hopeless(const PreparedCase& prepared, const Computations& computed, Tracks& tracks,
+                               BarShares shares) {
+  const auto bars = error_bars(prepared, tracks, computed, Borders::left_out, shares);
   bool any = false;
   for (const auto quantity : stick_radii) {
     const auto bar = bars.find(quantity);
@@ -43,14 +44,15 @@ bool focus_on_what_is_hopeless(const PreparedCase& prepared, const Computations&
   return any;
 }
 
-/// Focuses on what the rings do not resolve, and computes all that error bars need. Returns whether the numerics held.
-bool measure_errors(const PreparedCase& prepared, Computations& computed, Tracks& tracks) {
+/// Focuses on what the rings do not resolve, and computes all that error bars with these shares need. Returns whether
+/// the numerics held.
+bool measure_errors(const PreparedCase& prepared, Computations& computed, Tracks& tracks, BarShares shares) {
   while (true) {
     computed.compute(tracks.all());
     if (any_failed(tracks, computed)) return false;
     if (focus_on_unresolved_edges(prepared, computed, tracks)) continue;
-    computed.compute(needed_for_bars(tracks, needs_of(prepared.fem)));
-    if (!focus_on_what_is_hopeless(prepared, computed, tracks)) return true;
+    computed.compute(needed_for_bars(tracks, needs_of(prepared.fem), shares));
+    if (!focus_on_what_is_hopeless(prepared, computed, tracks, shares)) return true;
   }
 }
 
@@ -103,9 +105,10 @@ std::pair<Resolution, int> prove_normal_response(const PreparedCase& prepared, C
 }
 
 /// Empty: all bars meet their tolerances, or nothing can be refined that would help.
-std::optional<Tracks> finer(const PreparedCase& prepared, const Computations& computed, const Tracks& tracks) {
+std::optional<Tracks> finer(const PreparedCase& prepared, const Computations& computed, const Tracks& tracks,
+                            BarShares shares) {
   std::map<Resolution, std::vector<BarToMeet>> bars;  // by track
-  for (const auto& [quantity, bar] : error_bars(prepared, tracks, computed, Borders::left_out)) {
+  for (const auto& [quantity, bar] : error_bars(prepared, tracks, computed, Borders::left_out, shares)) {
     if (!is_refined_for(quantity, prepared.tolerances)) continue;
     bars[tracks.of(quantity)].push_back(to_meet(prepared, quantity, bar));
   }
@@ -126,7 +129,14 @@ std::optional<Tracks> finer(const PreparedCase& prepared, const Computations& co
 int refine_until_proved(const PreparedCase& prepared, Computations& computed, Tracks& tracks) {
   std::optional<Tracks> before;
   for (int n = 0;; ++n) {
-    if (!measure_errors(prepared, computed, tracks)) {
+    // Where the rings alone make a bar too wide, nobody has to know what else does.
+    const auto next_for = [&](BarShares shares) {
+      return n < most_refinements ? finer(prepared, computed, tracks, shares) : std::nullopt;
+    };
+    bool holds = measure_errors(prepared, computed, tracks, BarShares::of_rings);
+    auto next = holds ? next_for(BarShares::of_rings) : std::nullopt;
+    if (!next) holds = holds && measure_errors(prepared, computed, tracks, BarShares::all);
+    if (!holds) {
       if (!before) {
         if (tracks.base == prepared.fem.resolution) return n;
         tracks = {prepared.fem.resolution, {}};
@@ -138,7 +148,7 @@ int refine_until_proved(const PreparedCase& prepared, Computations& computed, Tr
       tracks = *before;
       return n;
     }
-    const auto next = n < most_refinements ? finer(prepared, computed, tracks) : std::nullopt;
+    if (!next) next = next_for(BarShares::all);
     if (!next) return n;
     before = tracks;
     tracks = *next;

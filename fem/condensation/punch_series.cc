@@ -46,8 +46,9 @@ std::optional<double> border_after(const std::vector<Zone>& zones, std::size_t z
 
 }  // namespace
 
-PunchSeries::PunchSeries(const Compliance& compliance, SharedMatrix factor)
+PunchSeries::PunchSeries(const Compliance& compliance, SharedMatrix factor, SharedMatrix inverse)
     : factor_(std::move(factor)),
+      inverse_(std::move(inverse)),
       areas_(compliance.areas),
       by_load_(factor_->triangularView<Eigen::Lower>().solve(areas_)),
       per_load_(by_load_.cwiseInverse()),
@@ -80,17 +81,15 @@ Eigen::VectorXd PunchSeries::displacements(const Eigen::VectorXd& rings) const {
   Eigen::VectorXd displacements = areas_.cwiseProduct(rings);
   Index n_still = 0;
   while (n_still < rings.size() && rings[n_still] == 0) ++n_still;
-  const Index n = rings.size() - n_still;
-  auto moved = displacements.tail(n);
-  factor_->bottomRightCorner(n, n).triangularView<Eigen::Lower>().solveInPlace(moved);
+  multiply_trailing(inverse_, displacements.tail(rings.size() - n_still));
   return displacements.cwiseProduct(per_load_);
 }
 
 Eigen::VectorXd PunchSeries::rings(const Eigen::VectorXd& displacements, Index first) const {
   const Index n = displacements.size();
-  const Eigen::VectorXd by_load = by_load_.segment(first, n).cwiseProduct(displacements);
-  return (factor_->block(first, first, n, n).triangularView<Eigen::Lower>() * by_load)
-      .cwiseQuotient(areas_.segment(first, n));
+  Eigen::VectorXd rings = by_load_.segment(first, n).cwiseProduct(displacements);
+  multiply_block(factor_, first, rings);
+  return rings.cwiseQuotient(areas_.segment(first, n));
 }
 
 PunchSeries::Integral PunchSeries::integral(const Eigen::VectorXd& depths, const std::vector<signed char>& labels,

@@ -20,8 +20,8 @@ namespace fretval::fem {
 /// order: 2e-7 for the Hertz force at 64 rings, where the sum gives 9e-5. Everything here comes from the compliance.
 class PunchSeries {
  public:
-  /// factor: lower Cholesky factor of the compliance.
-  PunchSeries(const Compliance& compliance, SharedMatrix factor);
+  /// factor: lower Cholesky factor of the compliance; inverse: of that.
+  PunchSeries(const Compliance& compliance, SharedMatrix factor, SharedMatrix inverse);
 
   /// D_j of ring tractions, one column each.
   ///
@@ -71,7 +71,7 @@ class PunchSeries {
   [[nodiscard]] const Eigen::VectorXd& edges() const { return edges_; }
 
  private:
-  SharedMatrix factor_;
+  SharedMatrix factor_, inverse_;
   Eigen::VectorXd areas_;
   Eigen::VectorXd by_load_, per_load_;  // b, 1/b
   Eigen::VectorXd edges_;               // n + 1 effective radii

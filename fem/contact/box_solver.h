@@ -64,6 +64,8 @@ class BoxSolver {
   [[nodiscard]] Eigen::Index size() const { return matrix_->rows(); }
   /// Lower Cholesky factor of C, or of its leading block that is likely to be needed.
   [[nodiscard]] const SharedMatrix& factor() const { return factor_; }
+  /// Of the factor, unless a diagonal was added.
+  [[nodiscard]] const SharedMatrix& inverse() const { return inverse_; }
 
  private:
   void solve_leading_interior(const Target& target, Eigen::Index k, Solution& solution) const;

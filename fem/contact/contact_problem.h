@@ -17,7 +17,9 @@ struct ContactProblem {
 
   /// slack: see BoxSolver.
   explicit ContactProblem(Compliance c, double slack = 1e-13)
-      : compliance(std::move(c)), solver(compliance.matrix, slack), series(compliance, solver.factor()) {}
+      : compliance(std::move(c)),
+        solver(compliance.matrix, slack),
+        series(compliance, solver.factor(), solver.inverse()) {}
   [[nodiscard]] Eigen::Index n_rings() const { return compliance.areas.size(); }
 };
 

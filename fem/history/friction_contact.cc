@@ -34,6 +34,7 @@ FrictionContact::FrictionContact(const ContactProblem& problem, const Relaxation
       motion_(motion),
       steps_per_cycle_(steps_per_cycle),
       times_(motion, steps_per_cycle),
+      n_steps_of_ramp_(static_cast<long>(motion.cycles_of_ramp()) * steps_per_cycle),
       dt_(times_.begin(1)),
       step_(relaxation, dt_),
       held_state_(state),
@@ -173,13 +174,12 @@ FrictionContact::Moves FrictionContact::moves_in_step(double begin) const {
 
 /// Cosines take as long as a tenth of a step.
 const FrictionContact::Moves& FrictionContact::moves() {
-  const long first = static_cast<long>(motion_.cycles_of_ramp()) * steps_per_cycle_;
-  const bool repeats = motion_.locked && !motion_.path && n_steps >= first;
+  const bool repeats = motion_.locked && !motion_.path && n_steps >= n_steps_of_ramp_;
   if (!repeats) return moves_ = moves_in_step(times_.begin(n_steps));
   const long step = n_steps % steps_per_cycle_;
   auto& known = moves_of_cycle_[static_cast<std::size_t>(step)];
   // At the same time whichever cycle asks first, so that a contact that is read back goes on to the last bit.
-  if (!known) known = moves_in_step(times_.begin(first + step));
+  if (!known) known = moves_in_step(times_.begin(n_steps_of_ramp_ + step));
   return *known;
 }
 

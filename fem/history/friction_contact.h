@@ -94,6 +94,7 @@ class FrictionContact {
   const Motion& motion_;
   int steps_per_cycle_;
   StepTimes times_;
+  long n_steps_of_ramp_;
   double dt_;  // of the step that step_ is made for
   RelaxationStep step_;
   // L^-1 A of the state, and of rings that all move by one, L the factor of the compliance: each step asks for that of

@@ -104,9 +104,9 @@ void multiply_transposed(const Eigen::MatrixXd& lower, Eigen::Ref<Eigen::VectorX
   });
 }
 
-void multiply_trailing(const Eigen::MatrixXd& lower, Eigen::Ref<Eigen::VectorXd> vector) {
-  const Index n = vector.size(), stride = lower.rows(), corner = n % at_once, before = lower.cols() - n;
-  in_wide_registers([=, columns = lower.data() + before * (stride + 1), x = vector.data()](auto width) {
+void multiply_block(const Eigen::MatrixXd& lower, Eigen::Index first, Eigen::Ref<Eigen::VectorXd> vector) {
+  const Index n = vector.size(), stride = lower.rows(), corner = n % at_once;
+  in_wide_registers([=, columns = lower.data() + first * (stride + 1), x = vector.data()](auto width) {
     for (Index j = n - at_once; j >= corner; j -= at_once) {
       double factors[at_once];
       std::copy_n(x + j, at_once, factors);

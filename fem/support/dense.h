@@ -23,10 +23,15 @@ Eigen::MatrixXd solve_lower(const Eigen::MatrixXd& lower, Eigen::MatrixXd rhs);
 /// x <- L_n^-1 x, L_n the leading n rows and columns of a lower triangle, n = x.size().
 void solve_leading(const Eigen::MatrixXd& lower, Eigen::Ref<Eigen::VectorXd> x);
 
-/// x <- L_n^T x of the leading, x <- L_n x of the trailing n rows and columns of a lower triangle that is zero above
-/// the diagonal. The entries of x before the first are zero; zeros at its end take no time.
+/// x <- L_n^T x of the leading n rows and columns of a lower triangle that is zero above the diagonal. The entries of x
+/// before the first are zero; zeros at its end take no time.
 void multiply_transposed(const Eigen::MatrixXd& lower, Eigen::Ref<Eigen::VectorXd> x, Eigen::Index first = 0);
-void multiply_trailing(const Eigen::MatrixXd& lower, Eigen::Ref<Eigen::VectorXd> x);
+
+/// x <- B x of the n rows and columns of such a triangle from the first on, or of the trailing ones.
+void multiply_block(const Eigen::MatrixXd& lower, Eigen::Index first, Eigen::Ref<Eigen::VectorXd> x);
+inline void multiply_trailing(const Eigen::MatrixXd& lower, Eigen::Ref<Eigen::VectorXd> x) {
+  multiply_block(lower, lower.cols() - x.size(), x);
+}
 
 /// y <- y - A x of the block of a matrix that begins at a row and a column.
 void subtract_product(const Eigen::MatrixXd& matrix, Eigen::Index row, Eigen::Index column,

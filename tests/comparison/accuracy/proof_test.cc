@@ -231,6 +231,24 @@ TEST(Proof, RefinesOnlyWhatIsTooWide) {
   EXPECT_LE(steps.budget.at(Quantity::stick_radius_shakedown).total(), 1e-3);
 }
 
+// Where rings make a bar too wide, only rings are computed there.
+TEST(Proof, RefinesForTheRingsBeforeItLooksForOtherErrors) {
+  const auto prepared = prepare({suite_case("parabola-solid-90", 1e-3)}).front();
+  const auto start = prepared.fem.resolution.elements_per_radius;
+  std::vector<Resolution> asked;
+  const FakeNumerics coarse{100, 0};
+  const auto answer = prove(prepared, Proof::tolerance, {[&](const Resolution& r) {
+                              asked.push_back(r);
+                              return coarse(prepared.fem, r);
+                            }},
+                            1);
+  const auto n_at = [&](unsigned rings) {
+    return std::count_if(asked.begin(), asked.end(), [=](const auto& r) { return r.elements_per_radius == rings; });
+  };
+  EXPECT_EQ(n_at(start), 1);
+  EXPECT_GT(n_at(answer.resolution.elements_per_radius), 1);
+}
+
 TEST(Proof, KeepsRingsAndStepsThatTheCaseFixes) {
   auto input = suite_case("parabola-solid-90", 1e-3);
   input.rings_per_radius = 20;

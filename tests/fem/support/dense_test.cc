@@ -64,6 +64,10 @@ TEST(Dense, MultipliesVectorsByTriangles) {
         Eigen::VectorXd product = x;
         multiply_trailing(lower, product);
         multiply_transposed(lower, x, first);
+        Eigen::VectorXd of_block = x.head(n - first);
+        const Eigen::VectorXd expected_of_block = lower.block(first, first, n - first, n - first) * of_block;
+        multiply_block(lower, first, of_block);
+        EXPECT_LE((of_block - expected_of_block).norm(), roundoff * expected_of_block.norm()) << n << ' ' << first;
         EXPECT_LE((x - expected).norm(), roundoff * expected.norm()) << n << ' ' << first << ' ' << n_zeros_at_end;
         EXPECT_LE((product - expected_of_trailing).norm(), roundoff * expected_of_trailing.norm()) << n << ' ' << first;
       }
