@@ -42,6 +42,16 @@ Quantities uncertainties_of_edges(const Computation& computation, const FemCase&
   return uncertainties;
 }
 
+/// Of coarser rings, which may show hardly more of a zone than that there is one.
+std::map<Resolution, Quantities> readings_of_rings(const Resolution& resolution, const CaseNeeds& needs,
+                                                   const Computations& computed, const FemCase& fem) {
+  std::map<Resolution, Quantities> readings;
+  for (const auto& variant : variants_of(resolution, needs))
+    if (variant.source == ErrorSource::rings)
+      readings[variant.resolution] = uncertainties_of_edges(computed.at(variant.resolution), fem);
+  return readings;
+}
+
 /// Adds what a bar falls short of a width.
 void widen(ErrorBar& bar, double width) {
   const double missing = width - bar.total();
@@ -236,7 +246,8 @@ ErrorBudget error_bars(const PreparedCase& prepared, const Tracks& tracks, const
     const Track track{prepared, computed, resolution};
     const auto needs = needs_of(prepared.fem, computed.at(resolution));
     auto bars = error_budget(resolution, variants_of(resolution, needs, shares), computed.quantities(),
-                             uncertainties_of_edges(computed.at(resolution), prepared.fem), needs);
+                             uncertainties_of_edges(computed.at(resolution), prepared.fem), needs,
+                             readings_of_rings(resolution, needs, computed, prepared.fem));
     if (!prepared.fem.any_order) {
       carry_near_cycle(track, bars);
       carry_to_stick_radii(track, borders, bars);

@@ -143,42 +143,47 @@ ErrorShare richardson(ErrorSource source, const Refinements& values, const Expec
   const double order = std::log2(coarse / fine);
   if (fine * coarse > 0 && order >= expected.order / 2 && order <= expected.highest)
     return {source, safety * std::abs(fine) / (std::exp2(std::min(order, expected.order)) - 1), order};
-  return {
-      source,
-      3 * std::max(std::abs(fine) / gain, std::abs(*values.coarse - values.fine) / (std::exp2(2 * expected.order) - 1)),
-      std::nullopt};
+  const double shown = std::max(std::abs(*values.coarse - values.fine) - values.coarse_reading, 0.0);
+  return {source, 3 * std::max(std::abs(fine) / gain, shown / (std::exp2(2 * expected.order) - 1)), std::nullopt};
 }
 
 ErrorBudget error_budget(const Resolution& resolution, const std::map<Resolution, Quantities>& known,
-                         const Quantities& edge, const CaseNeeds& needs) {
-  return error_budget(resolution, variants_of(resolution, needs), known, edge, needs);
+                         const Quantities& edge, const CaseNeeds& needs,
+                         const std::map<Resolution, Quantities>& readings) {
+  return error_budget(resolution, variants_of(resolution, needs), known, edge, needs, readings);
 }
 
 ErrorBar error_bar(Quantity quantity, const std::vector<Variant>& variants, const ChangeOnRefinement& change,
-                   const CaseNeeds& needs) {
+                   const CaseNeeds& needs, const std::map<Resolution, Quantities>& readings) {
   ErrorBar bar;
   for (std::size_t i = 0; i < variants.size(); ++i) {
     const auto& [source, varied, reference] = variants[i];
     if (i > 0 && variants[i - 1].source == source) continue;  // the coarser one of two
     const double medium = -change(reference, varied);
     Refinements found{0, medium, std::nullopt};
-    if (i + 1 < variants.size() && variants[i + 1].source == source)
-      found.coarse = medium - change(varied, variants[i + 1].resolution);
+    if (i + 1 < variants.size() && variants[i + 1].source == source) {
+      const auto& coarse = variants[i + 1].resolution;
+      found.coarse = medium - change(varied, coarse);
+      if (const auto reading = readings.find(coarse); reading != readings.end()) {
+        const auto uncertainty = reading->second.find(quantity);
+        if (uncertainty != reading->second.end()) found.coarse_reading = uncertainty->second;
+      }
+    }
     bar.shares.push_back(share_of(variants[i], found, quantity, needs));
   }
   return bar;
 }
 
 ErrorBudget error_budget(const Resolution& resolution, const std::vector<Variant>& variants,
-                         const std::map<Resolution, Quantities>& known, const Quantities& edge,
-                         const CaseNeeds& needs) {
+                         const std::map<Resolution, Quantities>& known, const Quantities& edge, const CaseNeeds& needs,
+                         const std::map<Resolution, Quantities>& readings) {
   ErrorBudget budget;
   const auto computed = computed_ones(variants, known);
   for (const auto& [quantity, value] : known.at(resolution)) {
     const auto change = [&known, quantity = quantity](const Resolution& finer, const Resolution& coarser) {
       return value_of(known.at(finer), quantity) - value_of(known.at(coarser), quantity);
     };
-    auto& bar = budget[quantity] = error_bar(quantity, of_quantity(quantity, computed), change, needs);
+    auto& bar = budget[quantity] = error_bar(quantity, of_quantity(quantity, computed), change, needs, readings);
     const auto reading = edge.find(quantity);
     if (reading == edge.end()) continue;
     bar.add(quantity == Quantity::contact_radius_max ? ErrorSource::time_step : ErrorSource::edge, reading->second);

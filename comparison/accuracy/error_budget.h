@@ -37,18 +37,21 @@ using ErrorBudget = std::map<Quantity, ErrorBar>;
 struct Refinements {
   double fine, medium;
   std::optional<double> coarse;
+  double coarse_reading = 0;  ///< by which reading the coarse one may be off
 };
 
 /// Richardson's estimate of the error of the finest value, as in Roache's grid convergence index (1994): with the
 /// observed order p if the differences have the same sign and p is credible, at least half of the expected order,
 /// 1.5 |fine - medium| / (2^min(p, expected) - 1); with Roache's 1.25 two of 400 errors were 1.06 and 1.15 bars.
 /// Otherwise with the expected order and three times the larger of what the two differences imply: one of them alone
-/// may be small by chance.
+/// may be small by chance. The coarse one implies nothing by what its reading leaves open: a zone of two rings may be
+/// read by a tenth of its radius off, and says nothing of the finest one then.
 ErrorShare richardson(ErrorSource source, const Refinements& values, const ExpectedOrder& expected);
 
 /// The budget of the quantities at a resolution. known: the quantities there and at each of its variants_of (empty if
 /// the numerics failed), with their references; edge: the uncertainty of reading the edges (fem::EdgeRadius), by
-/// quantity. That of the contact radius lies between the time steps, and counts there.
+/// quantity. That of the contact radius lies between the time steps, and counts there. readings: the same at variants,
+/// as far as they are known.
 ///
 /// Rings: third order, second where they are graded to a worn edge (-4.1e-4, -2.0e-4, -4.3e-5, -9.9e-6 at 16 to 128
 /// rings), first for what the worn edge lets through, in a ring that shrinks with the square. With memory the force
@@ -63,7 +66,8 @@ ErrorShare richardson(ErrorSource source, const Refinements& values, const Expec
 /// error of D^(k/j), times 3; at degree 2, whose check is degree 3, for D itself, times 1.25. Cycles and active set:
 /// the difference made by ten times the periodicity or the slack.
 ErrorBudget error_budget(const Resolution& resolution, const std::map<Resolution, Quantities>& known,
-                         const Quantities& edge, const CaseNeeds& needs = {});
+                         const Quantities& edge, const CaseNeeds& needs = {},
+                         const std::map<Resolution, Quantities>& readings = {});
 
 /// By how much a quantity changes from the second resolution to the first; NaN where one of them does not have it.
 using ChangeOnRefinement = std::function<double(const Resolution& finer, const Resolution& coarser)>;
@@ -71,10 +75,11 @@ using ChangeOnRefinement = std::function<double(const Resolution& finer, const R
 /// The shares of a quantity by its differences, which may also be distances between fields: then the bar is one of the
 /// distance to the true field.
 ErrorBar error_bar(Quantity quantity, const std::vector<Variant>& variants, const ChangeOnRefinement& change,
-                   const CaseNeeds& needs);
+                   const CaseNeeds& needs, const std::map<Resolution, Quantities>& readings = {});
 
 /// The same with other variants: known at each of them and its reference.
 ErrorBudget error_budget(const Resolution& resolution, const std::vector<Variant>& variants,
-                         const std::map<Resolution, Quantities>& known, const Quantities& edge, const CaseNeeds& needs);
+                         const std::map<Resolution, Quantities>& known, const Quantities& edge, const CaseNeeds& needs,
+                         const std::map<Resolution, Quantities>& readings = {});
 
 }  // namespace fretval

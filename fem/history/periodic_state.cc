@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "fem/support/constants.h"
+#include "fem/support/dense.h"
 
 namespace fretval::fem {
 namespace {
@@ -113,7 +115,7 @@ RingState correction_to_periodic(const Compliance& compliance, const std::vector
   Eigen::VectorXd right(m * (1 + n_branches));
   right.head(m) = change.displacement(moving);
   for (Eigen::Index i = 0; i < n_branches; ++i) right.segment(m * (i + 1), m) = change.memory.col(i)(moving);
-  const Eigen::VectorXd moved = change_of_moving(steps, perturbations, moving, hold).partialPivLu().solve(right);
+  const Eigen::VectorXd moved = solve_square(change_of_moving(steps, perturbations, moving, hold), std::move(right));
   correction.displacement(moving) = moved.head(m);
   for (Eigen::Index i = 0; i < n_branches; ++i) correction.memory.col(i)(moving) = moved.segment(m * (i + 1), m);
   return correction;

@@ -5,7 +5,10 @@
 
 #include <algorithm>
 #include <cstring>
+#include <utility>
+#include <vector>
 
+#include "fem/support/solver_error.h"
 #include "fem/support/wide_registers.h"
 
 namespace fretval::fem {
@@ -129,6 +132,14 @@ void subtract_product(const Eigen::MatrixXd& matrix, Eigen::Index row, Eigen::In
   if (n_rows == 0 || n_columns == 0) return;
   cblas_dgemv(CblasColMajor, CblasNoTrans, n_rows, n_columns, -1, &matrix(row, column),
               static_cast<blasint>(matrix.rows()), x.data(), 1, 1, y.data(), 1);
+}
+
+Eigen::VectorXd solve_square(Eigen::MatrixXd matrix, Eigen::VectorXd rhs) {
+  blasint n = static_cast<blasint>(rhs.size()), one = 1, info = 0;
+  std::vector<blasint> pivots(static_cast<std::size_t>(n));
+  BLASFUNC(dgesv)(&n, &one, matrix.data(), &n, pivots.data(), rhs.data(), &n, &info);
+  if (info != 0) throw SolverError("a matrix of the contact is singular");
+  return rhs;
 }
 
 Eigen::MatrixXd gram(const Eigen::MatrixXd& half) {

@@ -37,6 +37,9 @@ inline void multiply_trailing(const Eigen::MatrixXd& lower, Eigen::Ref<Eigen::Ve
 void subtract_product(const Eigen::MatrixXd& matrix, Eigen::Index row, Eigen::Index column,
                       const Eigen::Ref<const Eigen::VectorXd>& x, Eigen::Ref<Eigen::VectorXd> y);
 
+/// matrix^-1 rhs of any square matrix.
+Eigen::VectorXd solve_square(Eigen::MatrixXd matrix, Eigen::VectorXd rhs);
+
 /// half^T half, both triangles.
 Eigen::MatrixXd gram(const Eigen::MatrixXd& half);
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "tests/fem/expect_solver_error.h"
 #include "tests/fem/random_vector.h"
 
 namespace fretval::fem::dense_test {
@@ -72,6 +73,13 @@ TEST(Dense, MultipliesVectorsByTriangles) {
         EXPECT_LE((product - expected_of_trailing).norm(), roundoff * expected_of_trailing.norm()) << n << ' ' << first;
       }
   }
+}
+
+TEST(Dense, SolvesWithAnySquareMatrix) {
+  const MatrixXd matrix = random_matrix(40, 40, 5);
+  const Eigen::VectorXd expected = random_vector(40, 6);
+  EXPECT_LT((solve_square(matrix, matrix * expected) - expected).norm(), 1e3 * roundoff * expected.norm());
+  expect_solver_error([] { solve_square(MatrixXd::Zero(2, 2), Eigen::Vector2d(1, 1)); }, {"singular"});
 }
 
 TEST(Dense, GramIsBothTrianglesOfTheProduct) {
