@@ -146,6 +146,7 @@ int refine_until_proved(const PreparedCase& prepared, Computations& computed, Tr
         if (computed.failed(track))
           log::info(fmt::format("{}: taken back: {}", prepared.input.name, computed.at(track).failure));
       tracks = *before;
+      computed.compute(needed_for_bars(tracks, needs_of(prepared.fem)));
       return n;
     }
     if (!next) next = next_for(BarShares::all);

@@ -192,16 +192,18 @@ void BoxSolver::solve(const Target& target, const Eigen::VectorXd& lower, const 
       solve_any_interior(q, interior_of(state), k, solution);
 
     const double x_slack = slack_ * x.cwiseProduct(per_scale_).lpNorm<Eigen::Infinity>();
-    // Without a branch, so that the compiler vectorises it.
-    const auto violates = [&lower, &upper, &x = std::as_const(x), &residual = std::as_const(residual), &scale = scale_,
-                           &per_scale = per_scale_, x_slack, residual_slack, states = state.data()](Index i) {
-      const double slack = x_slack * scale[i], side = static_cast<double>(static_cast<signed char>(states[i]));
-      const bool crosses = (x[i] > upper[i] + slack) | (x[i] < lower[i] - slack),
-                 leaves = side * residual[i] < -residual_slack * per_scale[i];
-      return (lower[i] != upper[i]) & (side == 0 ? crosses : leaves);
+    const auto wanted = [&](Index i) {
+      if (lower[i] == upper[i]) return state[i];
+      if (state[i] == BoxState::interior) {
+        const double slack = x_slack * scale_[i];
+        return x[i] > upper[i] + slack ? BoxState::upper : x[i] < lower[i] - slack ? BoxState::lower : state[i];
+      }
+      const double slack = residual_slack * per_scale_[i];
+      const bool leaves = state[i] == BoxState::upper ? residual[i] < -slack : residual[i] > slack;
+      return leaves ? BoxState::interior : state[i];
     };
     Index n_violations = 0;
-    for (Index i = 0; i < n; ++i) n_violations += violates(i);
+    for (Index i = 0; i < n; ++i) n_violations += wanted(i) != state[i];
     if (n_violations == 0) {
       check(q, solution);
       return;
@@ -209,12 +211,11 @@ void BoxSolver::solve(const Target& target, const Eigen::VectorXd& lower, const 
     stalled = n_violations < fewest ? 0 : stalled + 1;
     fewest = std::min(fewest, n_violations);
     Index n_changes = stalled > patience ? 1 : n_violations;
-    for (Index i = 0; n_changes > 0; ++i) {
-      if (!violates(i)) continue;
-      const auto crossed = x[i] > upper[i] ? BoxState::upper : BoxState::lower;
-      state[i] = state[i] == BoxState::interior ? crossed : BoxState::interior;
-      --n_changes;
-    }
+    for (Index i = 0; n_changes > 0; ++i)
+      if (const auto to = wanted(i); to != state[i]) {
+        state[i] = to;
+        --n_changes;
+      }
   }
   throw SolverError("the active set of a contact step did not settle in " + std::to_string(limit) + " iterations");
 }

@@ -29,13 +29,13 @@ std::vector<std::vector<double>> parameters_of(const FemCase& fem, const Eigen::
           {static_cast<double>(control.steps_per_cycle), static_cast<double>(control.max_cycles), control.periodicity}};
 }
 
-NormalRecord make_record(const FemCase& fem, const ContactProblems& problems, const Eigen::VectorXd& profile,
-                         const fem::HistoryControl& control) {
+NormalRecord make_record(const FemCase& fem, const fem::ContactProblem& problem, const fem::PunchSeries* friction,
+                         const Eigen::VectorXd& profile, const fem::HistoryControl& control) {
   Stopwatch watch;
   std::optional<Eigen::Index> n_inside_flank;
   if (fem.worn_edge && fem.worn_edge->inner > 0)
-    n_inside_flank = fem::rings_within(problems.normal.compliance, fem.worn_edge->inner);
-  fem::NormalContact start(problems.normal, fem.relaxation, profile, fem.motion, control.steps_per_cycle,
+    n_inside_flank = fem::rings_within(problem.compliance, fem.worn_edge->inner);
+  fem::NormalContact start(problem, fem.relaxation, profile, fem.motion, control.steps_per_cycle,
                            fem.any_order ? fem::ForceReading::sum_of_rings : fem::ForceReading::up_to_the_edge,
                            n_inside_flank);
   NormalRecord record;
@@ -46,10 +46,9 @@ NormalRecord make_record(const FemCase& fem, const ContactProblems& problems, co
   };
   add(start);
   record.history = fem::normal_history(std::move(start), control, add);
-  if (problems.tangential) {
-    const auto& series = problems.tangential->series;
-    for (const auto& pressure : record.pressures) record.depths.push_back(series.depths(pressure));
-    record.history.pressure_depths = series.depths_of_instants(record.history.pressure);
+  if (friction) {
+    for (const auto& pressure : record.pressures) record.depths.push_back(friction->depths(pressure));
+    record.history.pressure_depths = friction->depths_of_instants(record.history.pressure);
   }
   record.seconds = watch.lap();
   return record;
@@ -63,12 +62,13 @@ fem::NormalInstant NormalRecord::instant(std::size_t step, const Eigen::VectorXd
   return instant;
 }
 
-std::shared_ptr<const NormalRecord> NormalStore::find_or_make(const FemCase& fem, const ContactProblems& problems,
+std::shared_ptr<const NormalRecord> NormalStore::find_or_make(const FemCase& fem, const fem::ContactProblem& problem,
+                                                              const fem::PunchSeries* friction,
                                                               const Eigen::VectorXd& profile,
                                                               const fem::HistoryControl& control) {
   const Key key{fem.body, parameters_of(fem, profile, control)};
   return records_.find_or_make(key, [&] {
-    auto record = make_record(fem, problems, profile, control);
+    auto record = make_record(fem, problem, friction, profile, control);
     const auto n_vectors = record.pressures.size() + record.depths.size();
     make_room_for(key, n_vectors * static_cast<std::size_t>(profile.size()));
     return record;

@@ -7,7 +7,6 @@
 #include <utility>
 #include <vector>
 
-#include "comparison/simulation/fe_answer.h"
 #include "comparison/simulation/fem_case/fem_case.h"
 #include "comparison/support/made_once.h"
 #include "fem/history/normal_history.h"
@@ -34,10 +33,12 @@ class NormalStore {
   /// room: for pressures, in numbers; 256 MB.
   explicit NormalStore(std::size_t room = std::size_t{256} << 17) : room_(room) {}
 
-  /// The history of the case on its body. problems: of the body, at the slack of the resolution; profile: ring means.
-  /// Throws fem::SolverError, see fem::normal_history.
-  std::shared_ptr<const NormalRecord> find_or_make(const FemCase& fem, const ContactProblems& problems,
-                                                   const Eigen::VectorXd& profile, const fem::HistoryControl& control);
+  /// The history of the case on its body. problem: of the body, at the slack of the resolution; friction: the series of
+  /// its tangential problem, or null without one; profile: ring means. Throws fem::SolverError, see
+  /// fem::normal_history.
+  std::shared_ptr<const NormalRecord> find_or_make(const FemCase& fem, const fem::ContactProblem& problem,
+                                                   const fem::PunchSeries* friction, const Eigen::VectorXd& profile,
+                                                   const fem::HistoryControl& control);
 
  private:
   using Key = std::pair<BodySpecification, std::vector<std::vector<double>>>;

@@ -46,6 +46,16 @@ TEST(Richardson, FallsBackWhenTheOrderIsNotCredible) {
   }
 }
 
+// A coarse value says nothing by what its reading leaves open, and the medium one still counts in full.
+TEST(Richardson, TakesOfACoarseReadingWhatItKnows) {
+  const auto estimate = [](double reading) {
+    return richardson(ErrorSource::rings, {0.5, 0.501, 0.44, reading}, {3}).estimate;
+  };
+  EXPECT_NEAR(estimate(0), 3 * 0.06 / 63, 1e-14);
+  EXPECT_NEAR(estimate(0.02), 3 * 0.04 / 63, 1e-14);
+  EXPECT_NEAR(estimate(0.1), 3 * 0.001 / 7, 1e-14);
+}
+
 TEST(Richardson, DoesWithoutTheCoarsestValue) {
   const auto share = richardson(ErrorSource::time_step, {0.5, 0.503, std::nullopt}, {2});
   EXPECT_NEAR(share.estimate, 3 * 0.003 / 3, 1e-14);
@@ -141,6 +151,20 @@ TEST(ErrorBudget, MeasuresTheReadingOfEdgesElsewhereInTheirRings) {
   const auto known = all_known(resolution, {}, [](const Resolution& r) { return 0.5 + 1e-3 * r.edge_before_node; });
   const auto budget = error_budget(resolution, known, {{Quantity::stick_radius_shakedown, 1e-5}});
   EXPECT_NEAR(budget.at(Quantity::stick_radius_shakedown).total(), safety * 1e-3 + 1e-5, 1e-12);
+}
+
+TEST(ErrorBudget, KnowsWhatTheReadingOfAQuarterOfTheRingsLeavesOpen) {
+  const auto resolution = resolution_for(1e-3);
+  const auto half = with_rings(resolution, 0.5), quarter = with_rings(resolution, 0.25);
+  const auto known = all_known(resolution, {}, [&](const Resolution& r) {
+    return r == quarter ? 0.44 : r == half ? 0.501 : 0.5;
+  });
+  const auto bar_with = [&](const Resolution& read) {
+    const std::map<Resolution, Quantities> readings{{read, {{Quantity::stick_radius_shakedown, 0.02}}}};
+    return error_budget(resolution, known, {}, {}, readings).at(Quantity::stick_radius_shakedown).total();
+  };
+  EXPECT_NEAR(bar_with(half), 3 * 0.06 / 63, 1e-12);
+  EXPECT_NEAR(bar_with(quarter), 3 * 0.04 / 63, 1e-12);
 }
 
 TEST(ErrorBudget, OfTheCyclesToShakedownTakesTheStartAsItIs) {

@@ -23,7 +23,7 @@ class NormalStoreTest : public testing::Test {
   }
 
   std::shared_ptr<const NormalRecord> record() {
-    return store_.find_or_make(case_, {body_.normal, &*body_.tangential}, profile_, control_);
+    return store_.find_or_make(case_, body_.normal, &body_.tangential->series, profile_, control_);
   }
 
   FemCase case_;
