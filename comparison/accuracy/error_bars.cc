@@ -231,8 +231,10 @@ std::vector<Resolution> needed_for_bars(const Tracks& tracks, const CaseNeeds& n
 
 ErrorBudget error_bars_of_normal_response(const PreparedCase& prepared, const Resolution& resolution,
                                           const Computations& computed) {
-  const auto all = error_budget(resolution, computed.quantities(),
-                                uncertainties_of_edges(computed.at(resolution), prepared.fem), needs_of(prepared.fem));
+  const auto needs = needs_of(prepared.fem);
+  const auto all =
+      error_budget(resolution, computed.quantities(), uncertainties_of_edges(computed.at(resolution), prepared.fem),
+                   needs, readings_of_rings(resolution, needs, computed, prepared.fem));
   ErrorBudget bars;
   for (const auto quantity : {Quantity::contact_radius_max, Quantity::indentation_max, Quantity::normal_force_max})
     if (const auto found = all.find(quantity); found != all.end()) bars.insert(*found);
