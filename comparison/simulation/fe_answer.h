@@ -108,8 +108,7 @@ struct ContactRadius {
 
 /// The largest contact radius is read at the ends of the steps, of which one is the deepest. Under a prescribed force,
 /// whose largest contact lies between the steps, it is read at the balance times, and the uncertainty is what that of
-/// the force leaves open. Empty for a worn profile, see
-/// FeAnswer.
+/// the force leaves open. Empty for a worn profile, see FeAnswer.
 std::optional<ContactRadius> read_contact_radius(const fem::ContactProblem& problem, const FemCase& fem,
                                                  const Eigen::VectorXd& profile, const fem::NormalHistory& history);
 

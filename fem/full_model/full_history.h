@@ -25,13 +25,13 @@ struct FullFrictionHistory {
 /// The verifier of normal_history: the same body and steps without condensation. Every degree of freedom is an unknown
 /// of every iteration of every step, and the viscoelastic history lives at the quadrature points.
 ///
-/// A body whose moduli all relax like G(t) has no history but that of its contact line, so both
-/// agree to roundoff: they share the discretisation in space and time, and nothing of the solution.
+/// A body whose moduli all relax like G(t) has no history but that of its contact line, so both agree to roundoff: they
+/// share the discretisation in space and time, and nothing of the solution.
 ///
-/// space: of the normal harmonic; series: which tells how far rings follow the indenter in a step
-/// and where they turn (CoursesInStep); profile: ring means. Starts from relaxed contact at the mean indentation.
-/// Throws SolverError when a sparse solve fails, when an active set does not settle or when the contact reaches the
-/// last ring, and std::invalid_argument for a wrong harmonic or profile size.
+/// space: of the normal harmonic; series: which tells how far rings follow the indenter in a step and where they turn
+/// (CoursesInStep); profile: ring means. Starts from relaxed contact at the mean indentation. Throws SolverError when a
+/// sparse solve fails, when an active set does not settle or when the contact reaches the last ring, and
+/// std::invalid_argument for a wrong harmonic or profile size.
 FullNormalHistory full_normal_history(const HarmonicSpace& space, const PunchSeries& series,
                                       const RelaxationModel& relaxation, const Eigen::VectorXd& profile,
                                       const Motion& motion, int steps_per_cycle, int n_cycles,
