@@ -85,6 +85,15 @@ ErrorShare share_of(const Variant& variant, const Refinements& values, Quantity 
   return richardson(source, values, expected);
 }
 
+/// 0: not known.
+double uncertainty_of(const std::map<Resolution, Quantities>& readings, const Resolution& resolution,
+                      Quantity quantity) {
+  const auto reading = readings.find(resolution);
+  if (reading == readings.end()) return 0;
+  const auto uncertainty = reading->second.find(quantity);
+  return uncertainty == reading->second.end() ? 0 : uncertainty->second;
+}
+
 /// Without the coarser ones of two that could not be computed, of which nothing is known: the other one is there.
 std::vector<Variant> computed_ones(const std::vector<Variant>& variants,
                                    const std::map<Resolution, Quantities>& known) {
@@ -143,8 +152,11 @@ ErrorShare richardson(ErrorSource source, const Refinements& values, const Expec
   const double order = std::log2(coarse / fine);
   if (fine * coarse > 0 && order >= expected.order / 2 && order <= expected.highest)
     return {source, safety * std::abs(fine) / (std::exp2(std::min(order, expected.order)) - 1), order};
-  const double shown = std::max(std::abs(*values.coarse - values.fine) - values.coarse_reading, 0.0);
-  return {source, 3 * std::max(std::abs(fine) / gain, shown / (std::exp2(2 * expected.order) - 1)), std::nullopt};
+  const double whole = std::abs(*values.coarse - values.fine), gain_of_both = std::exp2(2 * expected.order) - 1;
+  const double as_read = std::max(std::abs(fine) / gain, whole / gain_of_both),
+               at_most = std::max((std::abs(fine) + values.medium_reading) / gain,
+                                  (whole - values.coarse_reading) / gain_of_both);
+  return {source, 3 * std::min(as_read, at_most), std::nullopt};
 }
 
 ErrorBudget error_budget(const Resolution& resolution, const std::map<Resolution, Quantities>& known,
@@ -164,10 +176,8 @@ ErrorBar error_bar(Quantity quantity, const std::vector<Variant>& variants, cons
     if (i + 1 < variants.size() && variants[i + 1].source == source) {
       const auto& coarse = variants[i + 1].resolution;
       found.coarse = medium - change(varied, coarse);
-      if (const auto reading = readings.find(coarse); reading != readings.end()) {
-        const auto uncertainty = reading->second.find(quantity);
-        if (uncertainty != reading->second.end()) found.coarse_reading = uncertainty->second;
-      }
+      found.medium_reading = uncertainty_of(readings, varied, quantity);
+      found.coarse_reading = uncertainty_of(readings, coarse, quantity);
     }
     bar.shares.push_back(share_of(variants[i], found, quantity, needs));
   }

@@ -37,15 +37,16 @@ using ErrorBudget = std::map<Quantity, ErrorBar>;
 struct Refinements {
   double fine, medium;
   std::optional<double> coarse;
-  double coarse_reading = 0;  ///< by which reading the coarse one may be off
+  double medium_reading = 0, coarse_reading = 0;  ///< by which reading them may be off
 };
 
 /// Richardson's estimate of the error of the finest value, as in Roache's grid convergence index (1994): with the
 /// observed order p if the differences have the same sign and p is credible, at least half of the expected order,
 /// 1.5 |fine - medium| / (2^min(p, expected) - 1); with Roache's 1.25 two of 400 errors were 1.06 and 1.15 bars.
 /// Otherwise with the expected order and three times the larger of what the two differences imply: one of them alone
-/// may be small by chance. The coarse one implies nothing by what its reading leaves open: a zone of two rings may be
-/// read by a tenth of its radius off, and says nothing of the finest one then.
+/// may be small by chance. Or, if that is less, of the coarse difference without what its reading leaves open (a zone
+/// of two rings may be read by a tenth of its radius off, and says nothing of the finest one then), and of the medium
+/// one with all that chance may hide of it, which is what its reading leaves open.
 ErrorShare richardson(ErrorSource source, const Refinements& values, const ExpectedOrder& expected);
 
 /// The budget of the quantities at a resolution. known: the quantities there and at each of its variants_of (empty if

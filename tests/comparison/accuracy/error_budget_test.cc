@@ -46,14 +46,16 @@ TEST(Richardson, FallsBackWhenTheOrderIsNotCredible) {
   }
 }
 
-// A coarse value says nothing by what its reading leaves open, and the medium one still counts in full.
-TEST(Richardson, TakesOfACoarseReadingWhatItKnows) {
-  const auto estimate = [](double reading) {
-    return richardson(ErrorSource::rings, {0.5, 0.501, 0.44, reading}, {3}).estimate;
+// A coarse value says nothing by what its reading leaves open; a medium one may hide what its own does.
+TEST(Richardson, TakesOfReadingsWhatTheyKnow) {
+  const auto estimate = [](double medium_reading, double coarse_reading) {
+    return richardson(ErrorSource::rings, {0.5, 0.501, 0.44, medium_reading, coarse_reading}, {3}).estimate;
   };
-  EXPECT_NEAR(estimate(0), 3 * 0.06 / 63, 1e-14);
-  EXPECT_NEAR(estimate(0.02), 3 * 0.04 / 63, 1e-14);
-  EXPECT_NEAR(estimate(0.1), 3 * 0.001 / 7, 1e-14);
+  EXPECT_NEAR(estimate(0, 0), 3 * 0.06 / 63, 1e-14);
+  EXPECT_NEAR(estimate(0, 0.02), 3 * 0.04 / 63, 1e-14);
+  EXPECT_NEAR(estimate(0, 0.1), 3 * 0.001 / 7, 1e-14);
+  EXPECT_NEAR(estimate(0.004, 0.1), 3 * 0.005 / 7, 1e-14);
+  EXPECT_NEAR(estimate(0.1, 0.1), 3 * 0.06 / 63, 1e-14) << "no more than the values themselves show";
 }
 
 TEST(Richardson, DoesWithoutTheCoarsestValue) {
