@@ -42,6 +42,15 @@ Quantities uncertainties_of_edges(const Computation& computation, const FemCase&
   return uncertainties;
 }
 
+std::vector<Variant> variants_of(const Resolution& resolution, const CaseNeeds& needs, BarShares shares) {
+  auto variants = variants_of(resolution, needs);
+  const auto is_left_out = [shares](const Variant& variant) {
+    return shares == BarShares::of_rings && variant.source != ErrorSource::rings;
+  };
+  variants.erase(std::remove_if(variants.begin(), variants.end(), is_left_out), variants.end());
+  return variants;
+}
+
 /// Of coarser rings, which may show hardly more of a zone than that there is one.
 std::map<Resolution, Quantities> readings_of_rings(const Resolution& resolution, const CaseNeeds& needs,
                                                    const Computations& computed, const FemCase& fem) {
@@ -205,19 +214,6 @@ CaseNeeds needs_of(const FemCase& fem) {
   needs.has_short_branch = std::any_of(times.begin(), times.end(), [=](double time) { return time < two_steps; });
   return needs;
 }
-
-namespace {
-
-std::vector<Variant> variants_of(const Resolution& resolution, const CaseNeeds& needs, BarShares shares) {
-  auto variants = variants_of(resolution, needs);
-  const auto is_left_out = [shares](const Variant& variant) {
-    return shares == BarShares::of_rings && variant.source != ErrorSource::rings;
-  };
-  variants.erase(std::remove_if(variants.begin(), variants.end(), is_left_out), variants.end());
-  return variants;
-}
-
-}  // namespace
 
 std::vector<Resolution> needed_for_bars(const Tracks& tracks, const CaseNeeds& needs, BarShares shares) {
   auto needed = tracks.all();
