@@ -36,6 +36,8 @@ class PunchSeries {
 
   /// The same from L^T t, which whoever has solved for t has already.
   [[nodiscard]] auto depths_of_loads(const Eigen::VectorXd& loads) const { return loads.cwiseProduct(per_load_); }
+  /// The other way round. Of displacements as below, `L^{-1} (A s)`.
+  [[nodiscard]] auto loads_of_depths(const Eigen::VectorXd& depths) const { return depths.cwiseProduct(by_load_); }
 
   /// `s_j = (L^{-1} (A s))_j / b_j` of ring displacements s: work-conjugate to the depths,
   /// `sum_j A_j t_j s_j = sum_j b_j^2 D_j s_j`. Those of an elastic body are its depths. Of a gap they are smooth up to

@@ -156,11 +156,7 @@ void BoxSolver::hold(Target& target) const {
   if (!is_finite(target.q)) throw std::invalid_argument("the right-hand side of the contact problem is not finite");
   if (added_.size() > 0) return;
   target.held = target.q;
-  to_held(target.held);
-}
-
-void BoxSolver::to_held(Eigen::Ref<Eigen::VectorXd> tail) const {
-  multiply_trailing(inverse_, tail);
+  multiply_trailing(inverse_, target.held);
 }
 
 BoxSolver::Solution BoxSolver::solve(const Eigen::VectorXd& q, const Eigen::VectorXd& lower,

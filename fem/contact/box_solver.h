@@ -42,8 +42,6 @@ class BoxSolver {
   };
   /// Completes it from its q, unless a diagonal was added. Throws std::invalid_argument where q is not finite.
   void hold(Target& target) const;
-  /// L^-1 q in the place of a q that vanishes before this tail, unless a diagonal was added.
-  void to_held(Eigen::Ref<Eigen::VectorXd> tail) const;
 
   struct Solution {
     Eigen::VectorXd x;

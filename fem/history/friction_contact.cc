@@ -37,31 +37,26 @@ FrictionContact::FrictionContact(const ContactProblem& problem, const Relaxation
       n_steps_of_ramp_(static_cast<long>(motion.cycles_of_ramp()) * steps_per_cycle),
       dt_(times_.begin(1)),
       step_(relaxation, dt_),
-      held_state_(state),
-      held_unit_(problem.compliance.areas),
+      depths_of_state_(state),
       moves_of_cycle_(static_cast<std::size_t>(steps_per_cycle)),
-      made_{std::vector<BoxState>(static_cast<std::size_t>(limit.size()), BoxState::interior), {}, {}, {}, {}, {}} {
-  problem.solver.to_held(held_unit_);
-}
+      made_{std::vector<BoxState>(static_cast<std::size_t>(limit.size()), BoxState::interior), {}, {}, {}, {}, {}} {}
 
 /// At the start of every cycle: in between it is stepped like the state, and what roundoff makes of it stays small.
-void FrictionContact::hold_state() {
-  const auto hold = [this](const auto& rings, auto&& held) {
-    held = problem_.compliance.areas.cwiseProduct(rings);
-    problem_.solver.to_held(held);
-  };
-  hold(state.displacement, held_state_.displacement);
-  for (Eigen::Index i = 0; i < state.memory.cols(); ++i) hold(state.memory.col(i), held_state_.memory.col(i));
+void FrictionContact::read_depths_of_state() {
+  const auto& series = problem_.series;
+  depths_of_state_.displacement = series.displacements(state.displacement);
+  for (Eigen::Index i = 0; i < state.memory.cols(); ++i)
+    depths_of_state_.memory.col(i) = series.displacements(state.memory.col(i));
 }
 
 void FrictionContact::attempt(const IndenterMove& to_balance, Attempt& made) const {
-  auto& [stick, target, solution, slip_to_touch, held_to_touch, depths] = made;
+  auto& [stick, target, solution, slip_to_touch, depths_to_touch, depths] = made;
   const Eigen::VectorXd response = step_.response_without_slip(state, to_balance);
   target.q = problem_.compliance.areas.cwiseProduct(response);
   if (response.lpNorm<Eigen::Infinity>() < still_summed * relaxation_.relaxed * largest_displacement_)
     problem_.solver.hold(target);
   else
-    target.held = step_.response_without_slip(held_state_, to_balance, held_unit_);
+    target.held = problem_.series.loads_of_depths(step_.response_without_slip(depths_of_state_, to_balance));
   slip_before_touch(made);
   foresee_slip(made);
   problem_.solver.solve(target, least_, limit, stick, solution);
@@ -140,7 +135,7 @@ void FrictionContact::find_touching(const Eigen::Ref<const Eigen::VectorXd>& pre
 /// While the contact grows, the indenter takes along the rings that touch already. So each punch of PunchSeries moves
 /// from the instant on at which its outermost ring touches.
 void FrictionContact::slip_before_touch(Attempt& made) const {
-  auto& [stick, target, solution, slip, held_slip, depths] = made;
+  auto& [stick, target, solution, slip, slip_in_depths, depths] = made;
   slip.resize(0);
   const auto n = until_touch_.size();
   if (n == 0) return;
@@ -149,12 +144,9 @@ void FrictionContact::slip_before_touch(Attempt& made) const {
   const Eigen::VectorXd response = problem_.series.rings(missing, first_touching_);
   slip = Eigen::VectorXd::Zero(limit.size());
   slip.segment(first_touching_, n) = response / step_.stiffness_before_balance();
-  held_slip = Eigen::VectorXd::Zero(limit.size() - first_touching_);
-  held_slip.head(n) = problem_.compliance.areas.segment(first_touching_, n).cwiseProduct(response);
-  target.q.segment(first_touching_, n) -= held_slip.head(n);
-  problem_.solver.to_held(held_slip);
-  target.held.tail(held_slip.size()) -= held_slip;
-  held_slip /= step_.stiffness_before_balance();
+  slip_in_depths = problem_.series.displacements(slip);
+  target.q.segment(first_touching_, n) -= problem_.compliance.areas.segment(first_touching_, n).cwiseProduct(response);
+  target.held -= step_.stiffness_before_balance() * problem_.series.loads_of_depths(slip_in_depths);
 }
 
 std::optional<StepInPiece> FrictionContact::in_piece() const {
@@ -191,7 +183,7 @@ void FrictionContact::step(const Eigen::Ref<const Eigen::VectorXd>& pressure,
     dt_ = piece->duration();
     step_ = RelaxationStep(relaxation_, dt_);
   }
-  if (n_steps % steps_per_cycle_ == 0) hold_state();
+  if (n_steps % steps_per_cycle_ == 0) read_depths_of_state();
   find_touching(pressure, normal);
   limit = friction_coefficient_ * pressure;
   least_ = -limit;
@@ -209,19 +201,18 @@ void FrictionContact::step(const Eigen::Ref<const Eigen::VectorXd>& pressure,
     attempt(moves().to_balance, made_);
   }
   const auto& [to_balance, whole] = motion_.tangential_force ? moves_ : moves();
-  auto& [stick, target, solution, slip_to_touch, held_to_touch, depths] = made_;
+  auto& [stick, target, solution, slip_to_touch, depths_to_touch, depths] = made_;
   zones.update(limit, stick, depths);
   for (std::size_t i = 0; i < stick.size(); ++i)
     if (limit[static_cast<Eigen::Index>(i)] == 0) stick[i] = BoxState::interior;  // the guess for when it touches again
   slip = solution.residual.cwiseQuotient(step_.instantaneous() * problem_.compliance.areas);
-  held_slip_ = (target.held - solution.loads) / step_.instantaneous();
+  slip_depths = problem_.series.depths_of_loads(target.held - solution.loads) / step_.instantaneous();
   if (slip_to_touch.size() > 0) {
     slip += slip_to_touch;
-    held_slip_.tail(held_to_touch.size()) += held_to_touch;
+    slip_depths += depths_to_touch;
   }
-  slip_depths = problem_.series.depths_of_loads(held_slip_);
   step_.advance(state, whole, slip);
-  step_.advance(held_state_, whole, held_slip_, held_unit_);
+  step_.advance(depths_of_state_, whole, slip_depths);
   balance_displacement = displacement + to_balance.increment;
   displacement += whole.increment;
   largest_displacement_ = std::max({largest_displacement_, std::abs(displacement), std::abs(balance_displacement)});

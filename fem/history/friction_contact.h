@@ -60,7 +60,7 @@ class FrictionContact {
   void serialize(Archive& archive) {
     archive(n_steps, displacement, balance_displacement, limit, limit_depths, traction, slip, state, zones, made_.stick,
             last_increment_, time_before_, spare_before_, largest_displacement_);
-    if constexpr (Archive::is_loading::value) hold_state();
+    if constexpr (Archive::is_loading::value) read_depths_of_state();
   }
 
  private:
@@ -69,9 +69,9 @@ class FrictionContact {
     std::vector<BoxState> stick;  // interior: sticks
     BoxSolver::Target target;
     BoxSolver::Solution solution;
-    Eigen::VectorXd slip_to_touch;  // of rings that touch in the step, before they do; empty: none
-    Eigen::VectorXd held_to_touch;  // of that, from the first of them on; see held_state_
-    Eigen::VectorXd depths;         // of the traction
+    Eigen::VectorXd slip_to_touch;    // of rings that touch in the step, before they do; empty: none
+    Eigen::VectorXd depths_to_touch;  // the same as displacements of PunchSeries
+    Eigen::VectorXd depths;           // of the traction
   };
   /// The stick of what is made: as likely on entry.
   void attempt(const IndenterMove& to_balance, Attempt& made) const;
@@ -81,7 +81,7 @@ class FrictionContact {
   [[nodiscard]] Moves moves_in_step(double begin) const;
   /// Of the next step.
   const Moves& moves();
-  void hold_state();
+  void read_depths_of_state();
   void find_touching(const Eigen::Ref<const Eigen::VectorXd>& pressure, const std::optional<NormalInstant>& normal);
   void slip_before_touch(Attempt& made) const;
   void foresee_slip(Attempt& made) const;
@@ -97,11 +97,8 @@ class FrictionContact {
   long n_steps_of_ramp_;
   double dt_;  // of the step that step_ is made for
   RelaxationStep step_;
-  // L^-1 A of the state, and of rings that all move by one, L the factor of the compliance: each step asks for that of
-  // its response (BoxSolver::Target::held), which is linear in them.
-  RingState held_state_;
-  Eigen::VectorXd held_unit_, held_slip_;  // the latter of the last step
-  double largest_displacement_ = 0;        // of the indenter, so far
+  RingState depths_of_state_;        // as displacements of PunchSeries, which each step asks for of its response
+  double largest_displacement_ = 0;  // of the indenter, so far
   Moves moves_{};
   std::vector<std::optional<Moves>> moves_of_cycle_;  // that repeats
   Eigen::VectorXd least_;                             // -limit
