@@ -73,14 +73,15 @@ std::vector<Variant> variants_of(const Resolution& resolution, const CaseNeeds& 
   const auto add = [&](ErrorSource source, const Resolution& reference, auto change) {
     variants.push_back(variant(source, reference, change));
   };
+  const Resolution quick = with_fewer_steps(resolution), coarse = with_fewer_rings(resolution),
+                   both = with_fewer_steps(coarse),
+                   for_rings = needs.held_from_start || needs.has_short_branch ? resolution : quick;
   for (const double factor : {0.5, 0.25})
     if (resolution.elements_per_radius * factor >= fewest_rings_of_a_variant)
-      variants.push_back({ErrorSource::rings, with_rings(resolution, factor), resolution});
-  const Resolution quick = with_fewer_steps(resolution), coarse = with_fewer_rings(resolution),
-                   both = with_fewer_steps(coarse);
+      variants.push_back({ErrorSource::rings, with_rings(for_rings, factor), for_rings});
   if (!needs.worn && !needs.any_order)
     for (const double rings : elsewhere_in_ring)
-      add(ErrorSource::edge, resolution, [rings](Resolution& r) { r.edge_before_node += rings; });
+      add(ErrorSource::edge, for_rings, [rings](Resolution& r) { r.edge_before_node += rings; });
   add(ErrorSource::element_order, quick, other_degree);
   add(ErrorSource::grading, quick, [](Resolution& r) { r.growth = std::min(2 * r.growth, coarsest_growth); });
   add(ErrorSource::far_field, both, [](Resolution& r) { r.far_radius /= 2; });
