@@ -62,49 +62,45 @@ class ForcesOfPeriod {
 }  // namespace
 
 FrictionPeriod::FrictionPeriod(Eigen::Index n_rings, int n_steps)
-    : forward_(n_rings),
-      backward_(n_rings),
-      forward_reserve_(n_rings, -infinity),
-      backward_reserve_(n_rings, -infinity),
-      slip_(n_rings),
+    : slip_(n_rings),
       traction_(Eigen::MatrixXd::Zero(n_rings, n_steps)),
+      limit_(traction_),
       displacement_(traction_),
       slips_(traction_),
       slip_depths_(traction_),
       depths_(traction_),
+      limit_depths_(traction_),
+      pieces_(static_cast<std::size_t>(n_steps)),
       indenter_(n_steps),
       least_(1, -infinity),
       most_(1, -infinity),
       zones_(static_cast<std::size_t>(n_rings)),
       weights_(n_steps),
-      traction_before_(Eigen::VectorXd::Zero(n_rings)),
-      depths_before_(traction_before_) {
+      traction_before_(Eigen::VectorXd::Zero(n_rings)) {
   begin();
 }
 
 void FrictionPeriod::begin() {
-  for (auto* minimum : {&forward_reserve_, &backward_reserve_, &least_, &most_}) minimum->restart();
-  forward_.setConstant(infinity);
-  backward_.setConstant(infinity);
+  for (auto* minimum : {&least_, &most_}) minimum->restart();
   slip_.setZero();
   std::fill(zones_.begin(), zones_.end(), 0);
   if (k_ > 0) {
+    const int n_kept = std::min(k_, RunningMinimum::n_before);
     traction_before_ = traction_.col(k_ - 1);
-    depths_before_ = depths_.col(k_ - 1);
+    depths_before_ = depths_.middleCols(k_ - n_kept, n_kept);
+    limit_depths_before_ = limit_depths_.middleCols(k_ - n_kept, n_kept);
+    pieces_before_.assign(pieces_.begin() + k_ - n_kept, pieces_.begin() + k_);
   }
   k_ = 0;
 }
 
 void FrictionPeriod::pass(const FrictionContact& contact) {
-  const auto &limit = contact.limit, &traction = contact.traction, &depths = contact.zones.depths();
-  forward_ = forward_.cwiseMin(limit - traction);
-  backward_ = backward_.cwiseMin(limit + traction);
-  const auto step = contact.in_piece();
-  forward_reserve_.add(contact.limit_depths - depths, step);
-  backward_reserve_.add(contact.limit_depths + depths, step);
   slip_ += contact.slip.cwiseAbs();
-  traction_.col(k_) = traction;
-  depths_.col(k_++) = depths;
+  traction_.col(k_) = contact.traction;
+  limit_.col(k_) = contact.limit;
+  depths_.col(k_) = contact.zones.depths();
+  limit_depths_.col(k_) = contact.limit_depths;
+  pieces_[static_cast<std::size_t>(k_++)] = contact.in_piece();
 }
 
 void FrictionPeriod::see(const FrictionContact& contact) {
@@ -121,9 +117,24 @@ void FrictionPeriod::see(const FrictionContact& contact) {
   pass(contact);
 }
 
+/// No floor under it, see FirstSlip.
+Eigen::VectorXd FrictionPeriod::smallest_reserve(double direction) const {
+  RunningMinimum smallest(slip_.size(), -infinity);
+  const auto add = [&](const auto& limit_depths, const auto& depths, const auto& pieces, Eigen::Index n) {
+    for (Eigen::Index k = 0; k < n; ++k)
+      smallest.add(limit_depths.col(k) - direction * depths.col(k), pieces[static_cast<std::size_t>(k)]);
+  };
+  add(limit_depths_before_, depths_before_, pieces_before_, depths_before_.cols());
+  smallest.restart();
+  add(limit_depths_, depths_, pieces_, k_);
+  return smallest.value();
+}
+
 void FrictionPeriod::report(const ContactProblem& problem, FrictionHistory& history) const {
-  history.shakedown_margin = (forward_ + backward_) / 2;
-  history.shakedown_reserve = (forward_reserve_.value() + backward_reserve_.value()) / 2;
+  history.shakedown_margin = ((limit_ - traction_).leftCols(k_).rowwise().minCoeff() +
+                              (limit_ + traction_).leftCols(k_).rowwise().minCoeff()) /
+                             2;
+  history.shakedown_reserve = (smallest_reserve(1) + smallest_reserve(-1)) / 2;
   history.period_slip = slip_;
   // Of friction, per area, and as a product of depths and displacements. The mean slip rate of a step belongs to its
   // middle, between two balance times.
@@ -131,10 +142,11 @@ void FrictionPeriod::report(const ContactProblem& problem, FrictionHistory& hist
     return (weights_[k] * columns.col(k) + (1 - weights_[k]) * (k == 0 ? before : Eigen::VectorXd(columns.col(k - 1))))
         .eval();
   };
-  Eigen::VectorXd work = Eigen::VectorXd::Zero(slip_.size()), series_work = work;
+  Eigen::VectorXd work = Eigen::VectorXd::Zero(slip_.size()), series_work = work, last_depths_before = work;
+  if (depths_before_.cols() > 0) last_depths_before = depths_before_.rightCols(1);
   for (int k = 0; k < k_; ++k) {
     work += in_the_middle(traction_, traction_before_, k).cwiseProduct(slips_.col(k));
-    series_work += in_the_middle(depths_, depths_before_, k).cwiseProduct(slip_depths_.col(k));
+    series_work += in_the_middle(depths_, last_depths_before, k).cwiseProduct(slip_depths_.col(k));
   }
   constexpr double roundoff = 1e-12;  // a ring that is held at its friction limit slips by that
   const double no_slip = roundoff * displacement_.cwiseAbs().maxCoeff();
@@ -156,18 +168,20 @@ double FrictionPeriod::amplitude(const Motion& motion) const {
 
 FirstSlip::FirstSlip(Eigen::Index n_rings)
     : margin_(Eigen::VectorXd::Constant(n_rings, infinity)),
-      reserve_(margin_),
+      forward_(n_rings, -infinity),
+      backward_(n_rings, -infinity),
       slip_path_(Eigen::VectorXd::Zero(n_rings)) {}
 
-void FirstSlip::see(const FrictionPeriod& period) {
-  margin_ = margin_.cwiseMin(period.margin());
-  reserve_ = reserve_.cwiseMin(period.reserve());
-  slip_path_ += period.slip();
+void FirstSlip::see(const FrictionContact& contact) {
+  margin_ = margin_.cwiseMin(contact.limit - contact.traction.cwiseAbs());
+  const auto step = contact.in_piece();
+  forward_.add(contact.limit_depths - contact.zones.depths(), step);
+  backward_.add(contact.limit_depths + contact.zones.depths(), step);
 }
 
 void FirstSlip::report(FrictionHistory& history) const {
   history.first_slip_margin = margin_;
-  history.first_slip_reserve = reserve_;
+  history.first_slip_reserve = forward_.value().cwiseMin(backward_.value());
   history.slip_path = slip_path_;
 }
 
@@ -189,8 +203,9 @@ void WatchedFriction::step(const Eigen::VectorXd& pressure, const std::optional<
     period.pass(contact);
   else
     period.see(contact);
+  first_slip.see(contact);
   if (contact.n_steps % period_steps() == 0) {
-    first_slip.see(period);
+    first_slip.see_end_of(period);
     slip_of_periods.push_back(period.slip());
   }
 }

@@ -2,6 +2,7 @@
 
 #include <Eigen/Dense>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "fem/history/friction_contact.h"
@@ -46,44 +47,48 @@ class FrictionPeriod {
   /// Forgets the period before, but for its last samples.
   void begin();
   void see(const FrictionContact& contact);
-  /// Of a step of a period that nothing is reported of, nor of the next one: slips, tractions and reserves alone.
+  /// Of a step of a period that nothing is reported of, nor of the next one: slips and tractions alone.
   void pass(const FrictionContact& contact);
   void report(const ContactProblem& problem, FrictionHistory& history) const;
   /// Of the indenter in this period, see FrictionHistory.
   [[nodiscard]] double amplitude(const Motion& motion) const;
   [[nodiscard]] const Eigen::MatrixXd& traction() const { return traction_; }
   [[nodiscard]] const Eigen::VectorXd& slip() const { return slip_; }
-  /// Smallest sample of `mu p - |tau|`, and smallest slip reserve of `mu p -+ tau`.
-  [[nodiscard]] Eigen::VectorXd margin() const { return forward_.cwiseMin(backward_); }
-  [[nodiscard]] Eigen::VectorXd reserve() const { return forward_reserve_.value().cwiseMin(backward_reserve_.value()); }
 
  private:
-  // Smallest mu p - tau and mu p + tau. Of the samples: between them a parabola would dip to zero at a kink.
-  Eigen::VectorXd forward_, backward_;
-  // Slip reserves of the same. No floor under them: below zero between two samples they tell what a finer step would
-  // have let slip.
-  RunningMinimum forward_reserve_, backward_reserve_;
   Eigen::VectorXd slip_;
-  Eigen::MatrixXd traction_, displacement_, slips_, slip_depths_, depths_;  // a column a step
+  Eigen::MatrixXd traction_, limit_, displacement_, slips_, slip_depths_, depths_, limit_depths_;  // a column a step
+  std::vector<std::optional<StepInPiece>> pieces_;                                                 // that they lie in
   Eigen::VectorXd indenter_;
-  RunningMinimum least_, most_;                      // of the indenter, the other way round
-  std::vector<signed char> zones_;                   // what happened to each ring, as bits
-  Eigen::VectorXd weights_;                          // of a step's balance in its middle
-  Eigen::VectorXd traction_before_, depths_before_;  // at the end of the period before
+  RunningMinimum least_, most_;      // of the indenter, the other way round
+  std::vector<signed char> zones_;   // what happened to each ring, as bits
+  Eigen::VectorXd weights_;          // of a step's balance in its middle
+  Eigen::VectorXd traction_before_;  // at the end of the period before
+  // The last samples of the period before, at which minima still count.
+  Eigen::MatrixXd depths_before_, limit_depths_before_;
+  std::vector<std::optional<StepInPiece>> pieces_before_;
   int k_ = 0;
+
+  [[nodiscard]] Eigen::VectorXd smallest_reserve(double direction) const;
 };
 
 /// Watches for the rings that have never slipped.
 class FirstSlip {
  public:
   explicit FirstSlip(Eigen::Index n_rings);
-  /// A period to its end.
-  void see(const FrictionPeriod& period);
+  void see(const FrictionContact& contact);
+  /// Its slip.
+  void see_end_of(const FrictionPeriod& period) { slip_path_ += period.slip(); }
   void report(FrictionHistory& history) const;
   [[nodiscard]] const Eigen::VectorXd& slip_path() const { return slip_path_; }
 
  private:
-  Eigen::VectorXd margin_, reserve_, slip_path_;
+  // Smallest mu p - |tau|. Of the samples: between them a parabola would dip to zero at a kink.
+  Eigen::VectorXd margin_;
+  // Slip reserves of mu p - tau and mu p + tau. No floor under them: below zero between two samples they tell what a
+  // finer step would have let slip.
+  RunningMinimum forward_, backward_;
+  Eigen::VectorXd slip_path_;
 };
 
 /// Friction beside a normal contact, with everything that is watched. As long as the normal contact is on its way to

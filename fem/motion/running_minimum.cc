@@ -32,11 +32,12 @@ struct Differences {
   }
 };
 
-/// Whether the middle one of three samples may have a minimum beside it that is lower than what is known: smooth
-/// samples have none lower than a fifth of their second difference below the middle one, and a parabola none lower than
-/// an eighth. Without a branch.
+/// Whether the middle one of three samples may have a minimum beside it that is lower than what is known. Smooth
+/// samples have none lower than their parabola by 0.0375 of its second difference c: between samples third differences
+/// below c/2 add at most c/2 / (9 sqrt(3)), fourth ones c/2 / 96. Without a branch.
 bool may_be_lower(double b, double middle, double d, double least) {
-  return (middle <= b) & (middle <= d) & (middle - 0.2 * (d - 2 * middle + b) < least);
+  const double slope = (d - b) / 2, second = d - 2 * middle + b;
+  return (middle <= b) & (middle <= d) & (second * (middle - least) < slope * slope / 2 + 0.0375 * second * second);
 }
 
 }  // namespace

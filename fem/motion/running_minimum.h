@@ -17,6 +17,8 @@ namespace fretval::fem {
 /// path, of which the smallest is of second order.
 class RunningMinimum {
  public:
+  static constexpr int n_before = 4;  ///< samples before the last one that a minimum may depend on
+
   RunningMinimum(Eigen::Index n, double floor);
   /// step: in a piece of a path; empty: of smooth signals.
   template <class Values>
@@ -30,7 +32,7 @@ class RunningMinimum {
   [[nodiscard]] const Eigen::VectorXd& value() const { return minimum_; }
 
  private:
-  static constexpr int n_kept = 5;
+  static constexpr int n_kept = n_before + 1;
   Eigen::VectorXd minimum_;
   Eigen::MatrixXd samples_;  // the last ones, a column each; the newest takes the place of the oldest
   int newest_ = 0;
