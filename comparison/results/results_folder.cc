@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "comparison/case/case.h"
+#include "comparison/support/parallel.h"
 
 namespace fretval {
 namespace {
@@ -182,9 +183,11 @@ std::vector<StoredResult> read_results(const fs::path& folder) {
   std::error_code error;
   if (!fs::is_directory(folder, error))
     throw InputError(fmt::format("{}: no such folder; expected one that fretval run has written", folder.string()));
-  std::vector<StoredResult> results;
+  std::vector<fs::path> files;
   for (const auto& entry : fs::recursive_directory_iterator(folder))
-    if (entry.path().filename() == "result.json") results.push_back(read_result(entry.path()));
+    if (entry.path().filename() == "result.json") files.push_back(entry.path());
+  std::vector<StoredResult> results(files.size());
+  for_each_in_parallel(files.size(), [&](std::size_t i) { results[i] = read_result(files[i]); });
   std::sort(results.begin(), results.end(), [](const StoredResult& a, const StoredResult& b) {
     return std::make_tuple(a.family(), a.sweep_value()) < std::make_tuple(b.family(), b.sweep_value());
   });

@@ -45,7 +45,7 @@ nlohmann::ordered_json closed_answer(const Case& input) {
   return to_json(mdr_answer(mdr, radius_alone));
 }
 
-using Answer = std::function<nlohmann::ordered_json(const Case&)>;
+using LineAnswer = std::function<nlohmann::ordered_json(const Case&)>;
 
 struct Sweep {
   const Case* first;
@@ -54,17 +54,28 @@ struct Sweep {
   std::map<double, nlohmann::ordered_json> known = {};
 };
 
-/// Null for what MDR refuses between the points of the sweep.
-std::vector<nlohmann::ordered_json> answers_to(const std::vector<Case>& cases, const Answer& answer) {
-  std::vector<nlohmann::ordered_json> answers(cases.size());
-  for_each_in_parallel(cases.size(), [&](std::size_t i) {
+/// What becomes a file.
+struct Line {
+  fs::path file;
+  std::vector<Case> cases;
+  LineAnswer answer;
+  QuantityList quantities;
+  std::vector<nlohmann::ordered_json> answers = std::vector<nlohmann::ordered_json>(cases.size());
+};
+
+/// Null for what MDR refuses between the points of a sweep.
+void answer_all(std::vector<Line>& lines) {
+  std::vector<std::pair<Line*, std::size_t>> points;
+  for (auto& line : lines)
+    for (std::size_t i = 0; i < line.cases.size(); ++i) points.emplace_back(&line, i);
+  for_each_in_parallel(points.size(), [&](std::size_t n) {
+    const auto& [line, i] = points[n];
     try {
-      answers[i] = answer(cases[i]);
+      line->answers[i] = line->answer(line->cases[i]);
     } catch (const std::runtime_error&) {
     } catch (const std::invalid_argument&) {
     }
   });
-  return answers;
 }
 
 bool has_number(const nlohmann::ordered_json& answer, Quantity quantity) {
@@ -73,10 +84,13 @@ bool has_number(const nlohmann::ordered_json& answer, Quantity quantity) {
 }
 
 /// Columns that no answer has a number for are left out.
-std::string table_of(const std::vector<Case>& cases, const std::vector<nlohmann::ordered_json>& answers,
-                     QuantityList quantities) {
+std::string table_of(const Line& line) {
+  const auto& cases = line.cases;
+  const auto& answers = line.answers;
+  auto quantities = line.quantities;
   const auto has_none = [&](Quantity quantity) {
-    return std::none_of(answers.begin(), answers.end(), [&](const auto& one) { return has_number(one, quantity); });
+    return std::none_of(line.answers.begin(), line.answers.end(),
+                        [&](const auto& one) { return has_number(one, quantity); });
   };
   quantities.erase(std::remove_if(quantities.begin(), quantities.end(), has_none), quantities.end());
   std::string text = column_of_entry(cases.front().sweep->entry);
@@ -88,15 +102,6 @@ std::string table_of(const std::vector<Case>& cases, const std::vector<nlohmann:
                                                : ",nan";
   }
   return text + "\n";
-}
-
-/// Of a sweep whose results already have as many values, nothing.
-void write_line(const fs::path& file, const Sweep& sweep, std::size_t n_values, const Answer& answer,
-                const QuantityList& quantities) {
-  const auto between = cases_between(sweep.first->file, n_values);
-  if (between.size() <= sweep.n_cases) return;
-  fs::create_directories(file.parent_path());
-  write_file(file, table_of(between, answers_to(between, answer), quantities));
 }
 
 /// In the order in which they come. computed: of each case, or empty.
@@ -137,8 +142,9 @@ void write_sweep_lines(const std::vector<Case>& cases, const fs::path& output, c
   QuantityList all(quantities_by_interest.begin(), quantities_by_interest.end());
   // Springs are stepped for that in a history of its own, at the points alone.
   all.erase(std::find(all.begin(), all.end(), Quantity::cycles_to_shakedown));
+  std::vector<Line> lines;
   for (const auto& sweep : sweeps) {
-    const auto stepped_answer = [&](const Case& input) {
+    const auto stepped_answer = [&normal_responses, &sweep](const Case& input) {
       if (const auto known = sweep.known.find(input.sweep->value); known != sweep.known.end()) return known->second;
       const auto mdr = mdr_case(input);
       return to_json(mdr_answer_with_cycle(mdr, *normal_responses.of(input, mdr)));
@@ -146,9 +152,15 @@ void write_sweep_lines(const std::vector<Case>& cases, const fs::path& output, c
     const auto* input = sweep.first;
     const auto folder = output / input->sweep->family;
     for (const char* name : {closed_file, stepped_file}) fs::remove(folder / name);
+    // Of a sweep whose results already have as many values, nothing.
+    const auto add_line = [&](const char* name, std::size_t n, const LineAnswer& answer,
+                              const QuantityList& quantities) {
+      if (auto between = cases_between(input->file, n); between.size() > sweep.n_cases)
+        lines.push_back({folder / name, std::move(between), answer, quantities});
+    };
     const bool costly = !has_closed_forms(*input);
     if (!costly) {
-      write_line(folder / closed_file, sweep, n_values, closed_answer, closed_forms);
+      add_line(closed_file, n_values, closed_answer, closed_forms);
     } else if (mdr_case(*input).has_period()) {
       log::info(fmt::format("{}: MDR is stepped in time between the points", input->sweep->family));
     } else {
@@ -157,7 +169,12 @@ void write_sweep_lines(const std::vector<Case>& cases, const fs::path& output, c
                       input->sweep->family));
       continue;
     }
-    write_line(folder / stepped_file, sweep, costly ? n_values_where_costly : n_of_one_sweep, stepped_answer, all);
+    add_line(stepped_file, costly ? n_values_where_costly : n_of_one_sweep, stepped_answer, all);
+  }
+  answer_all(lines);
+  for (const auto& line : lines) {
+    fs::create_directories(line.file.parent_path());
+    write_file(line.file, table_of(line));
   }
 }
 
