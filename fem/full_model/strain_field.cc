@@ -16,7 +16,8 @@ StrainField::StrainField(const HarmonicSpace& space) : n_dofs_(space.n_dofs()), 
     Eigen::MatrixXd strain(operators.strain().rows() + operators.far().rows(), operators.strain().cols());
     strain << operators.strain(), operators.far();
     n_strains_ += strain.rows();
-    cells_.push_back({{dofs.begin(), dofs.end()}, std::move(strain)});
+    cells_.push_back({{}, std::move(strain)});
+    for (const unsigned shape : operators.displacement_shapes()) cells_.back().dofs.push_back(dofs[shape]);
   }
   for (unsigned i = 0; i < space.n_dofs(); ++i)
     if (parts.constraints.is_constrained(i)) constrained_.push_back(i);

@@ -197,10 +197,9 @@ void FrictionContact::step(const Eigen::Ref<const Eigen::VectorXd>& pressure,
     const double weight = step_.fraction();
     std::tie(last_increment_, made_) = attempt_under_force(begin + weight * dt_, normal);
     moves_ = {steady_move(weight * last_increment_, weight * dt_), steady_move(last_increment_, dt_)};
-  } else {
-    attempt(moves().to_balance, made_);
   }
   const auto& [to_balance, whole] = motion_.tangential_force ? moves_ : moves();
+  if (!motion_.tangential_force) attempt(to_balance, made_);
   auto& [stick, target, solution, slip_to_touch, depths_to_touch, depths] = made_;
   zones.update(limit, stick, depths);
   for (std::size_t i = 0; i < stick.size(); ++i)

@@ -88,8 +88,14 @@ void pin_rotation(HarmonicSpaceParts& parts) {
   parts.constraints.add_line(pinned);
 }
 
+struct RingNode {
+  unsigned dof;
+  double force;  // nodal, of unit traction
+  double radius;
+};
+
 struct Ring {
-  std::map<unsigned, double> load;  // contact dof -> nodal force of unit traction
+  std::vector<RingNode> nodes;
   double inner, outer;
 };
 
@@ -99,6 +105,7 @@ Ring integrate_ring(const HarmonicSpaceParts& parts, Harmonic harmonic,
   values.reinit(cell, face);
   std::vector<dealii::types::global_dof_index> dofs(parts.element.n_dofs_per_cell());
   cell->get_dof_indices(dofs);
+  const dealii::MappingQ1<2> mapping;
   Ring ring{};
   for (unsigned i = 0; i < dofs.size(); ++i) {
     if (parts.element.system_to_component_index(i).first != contact_component(harmonic)) continue;
@@ -106,7 +113,8 @@ Ring integrate_ring(const HarmonicSpaceParts& parts, Harmonic harmonic,
     double force = 0;
     for (const unsigned q : values.quadrature_point_indices())
       force += 2 * pi * values.quadrature_point(q)[0] * values.shape_value(i, q) * values.JxW(q);
-    ring.load[dofs[i]] = force;
+    const auto support = mapping.transform_unit_to_real_cell(cell, parts.element.unit_support_point(i));
+    ring.nodes.push_back({static_cast<unsigned>(dofs[i]), force, support[0]});
   }
   const double r0 = cell->face(face)->vertex(0)[0], r1 = cell->face(face)->vertex(1)[0];
   ring.inner = std::min(r0, r1);
@@ -114,14 +122,12 @@ Ring integrate_ring(const HarmonicSpaceParts& parts, Harmonic harmonic,
   return ring;
 }
 
-// Dofs of the line in order of radius: rings are sorted, and the support points give the order inside a ring.
-std::vector<unsigned> sort_by_radius(const HarmonicSpaceParts& parts, const std::vector<Ring>& rings) {
-  std::vector<dealii::Point<2>> support(parts.dofs.n_dofs());
-  dealii::DoFTools::map_dofs_to_support_points(dealii::MappingQ1<2>(), parts.dofs, support);
+std::vector<unsigned> sort_by_radius(const std::vector<Ring>& rings) {
+  std::vector<RingNode> nodes;
+  for (const auto& ring : rings) nodes.insert(nodes.end(), ring.nodes.begin(), ring.nodes.end());
+  std::sort(nodes.begin(), nodes.end(), [](const RingNode& a, const RingNode& b) { return a.radius < b.radius; });
   std::vector<unsigned> dofs;
-  for (const auto& ring : rings)
-    for (const auto& [dof, force] : ring.load) dofs.push_back(dof);
-  std::sort(dofs.begin(), dofs.end(), [&](unsigned a, unsigned b) { return support[a][0] < support[b][0]; });
+  for (const auto& node : nodes) dofs.push_back(node.dof);
   dofs.erase(std::unique(dofs.begin(), dofs.end()), dofs.end());
   return dofs;
 }
@@ -137,7 +143,7 @@ ContactLine contact_line(const HarmonicSpaceParts& parts, Harmonic harmonic) {
   std::sort(rings.begin(), rings.end(), [](const Ring& a, const Ring& b) { return a.inner < b.inner; });
 
   ContactLine line;
-  line.dofs = sort_by_radius(parts, rings);
+  line.dofs = sort_by_radius(rings);
   std::map<unsigned, Eigen::Index> position;
   for (std::size_t i = 0; i < line.dofs.size(); ++i) position[line.dofs[i]] = static_cast<Eigen::Index>(i);
   const auto n = static_cast<Eigen::Index>(rings.size());
@@ -148,7 +154,7 @@ ContactLine contact_line(const HarmonicSpaceParts& parts, Harmonic harmonic) {
     const Ring& ring = rings[static_cast<std::size_t>(e)];
     line.radii.push_back(ring.outer);
     line.areas[e] = pi * (ring.outer - ring.inner) * (ring.outer + ring.inner);
-    for (const auto& [dof, force] : ring.load) line.loads(position[dof], e) = force;
+    for (const auto& node : ring.nodes) line.loads(position[node.dof], e) = node.force;
   }
   return line;
 }

@@ -15,10 +15,15 @@ struct CellStiffness {
   Eigen::MatrixXd matrix;
 };
 
+/// Displacements before pressures.
 Eigen::MatrixXd stiffness_of(const CellOperators& operators) {
-  const Eigen::MatrixXd coupling = operators.divergence().transpose() * operators.pressure();
-  Eigen::MatrixXd matrix = gram(operators.strain()) - coupling - coupling.transpose();
-  if (operators.far().rows() > 0) matrix += gram(operators.far());
+  const auto n = operators.strain().cols(), n_pressures = operators.pressure().cols();
+  Eigen::MatrixXd matrix(n + n_pressures, n + n_pressures);
+  matrix.topLeftCorner(n, n) = gram(operators.strain());
+  if (operators.far().rows() > 0) matrix.topLeftCorner(n, n) += gram(operators.far());
+  matrix.topRightCorner(n, n_pressures).noalias() = -operators.divergence().transpose() * operators.pressure();
+  matrix.bottomLeftCorner(n_pressures, n) = matrix.topRightCorner(n, n_pressures).transpose();
+  matrix.bottomRightCorner(n_pressures, n_pressures).setZero();
   return matrix;
 }
 
@@ -31,17 +36,19 @@ template <class Use>
 void for_each_cell(const HarmonicSpace& space, const Share& share, Use&& use) {
   const auto& parts = space.parts();
   CellOperators operators(space);
-  std::vector<dealii::types::global_dof_index> dofs(parts.element.n_dofs_per_cell());
+  auto shapes = operators.displacement_shapes();
+  shapes.insert(shapes.end(), operators.pressure_shapes().begin(), operators.pressure_shapes().end());
+  std::vector<dealii::types::global_dof_index> dofs(shapes.size());
   for (const auto& cell : parts.dofs.active_cell_iterators()) {
     if (!has(share, cell->active_cell_index(), parts.triangulation.n_active_cells())) continue;
     operators.evaluate(cell);
     cell->get_dof_indices(dofs);
     std::vector<Eigen::Index> order;
-    for (std::size_t i = 0; i < dofs.size(); ++i)
-      if (!parts.constraints.is_constrained(dofs[i])) order.push_back(static_cast<Eigen::Index>(i));
-    std::sort(order.begin(), order.end(), [&](auto a, auto b) { return dofs[a] < dofs[b]; });
+    for (std::size_t i = 0; i < shapes.size(); ++i)
+      if (!parts.constraints.is_constrained(dofs[shapes[i]])) order.push_back(static_cast<Eigen::Index>(i));
+    std::sort(order.begin(), order.end(), [&](auto a, auto b) { return dofs[shapes[a]] < dofs[shapes[b]]; });
     CellStiffness ordered{{}, stiffness_of(operators)(order, order)};
-    for (const auto i : order) ordered.dofs.push_back(static_cast<int>(dofs[i]));
+    for (const auto i : order) ordered.dofs.push_back(static_cast<int>(dofs[shapes[i]]));
     use(std::move(ordered));
   }
 }

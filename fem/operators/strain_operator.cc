@@ -53,33 +53,42 @@ CellOperators::CellOperators(const HarmonicSpace& space)
                   dealii::update_quadrature_points),
       face_values_(space.parts().element, dealii::QGauss<1>(space.parts().element.degree + 1),
                    dealii::update_values | dealii::update_JxW_values | dealii::update_normal_vectors |
-                       dealii::update_quadrature_points),
-      strain_(n_strains * values_.n_quadrature_points, values_.dofs_per_cell),
-      divergence_(values_.n_quadrature_points, values_.dofs_per_cell),
-      pressure_(values_.n_quadrature_points, values_.dofs_per_cell),
-      far_(0, values_.dofs_per_cell) {}
+                       dealii::update_quadrature_points) {
+  const auto& element = values_.get_fe();
+  const unsigned n_components = n_displacements(harmonic_);
+  const auto n_points = values_.n_quadrature_points;
+  for (unsigned node = 0; node < element.base_element(0).n_dofs_per_cell(); ++node)
+    for (unsigned component = 0; component < n_components; ++component)
+      displacement_shapes_.push_back(element.component_to_system_index(component, node));
+  for (unsigned node = 0; node < element.base_element(1).n_dofs_per_cell(); ++node)
+    pressure_shapes_.push_back(element.component_to_system_index(n_components, node));
+  const auto n_displacement = static_cast<Eigen::Index>(displacement_shapes_.size());
+  strain_.resize(n_strains * n_points, n_displacement);
+  divergence_.resize(n_points, n_displacement);
+  pressure_.resize(n_points, static_cast<Eigen::Index>(pressure_shapes_.size()));
+  far_.resize(0, n_displacement);
+}
 
 void CellOperators::evaluate(const dealii::DoFHandler<2>::active_cell_iterator& cell) {
   values_.reinit(cell);
-  strain_.setZero();
-  divergence_.setZero();
-  pressure_.setZero();
-  const auto& element = values_.get_fe();
+  const unsigned n_components = n_displacements(harmonic_);
   const auto strain_of = harmonic_ == Harmonic::normal ? axisymmetric_strain : first_harmonic_strain;
   for (const unsigned q : values_.quadrature_point_indices()) {
     const double r = values_.quadrature_point(q)[0];
     const double weight = std::sqrt(angular_factor(harmonic_) * r * values_.JxW(q));
-    for (unsigned i = 0; i < element.n_dofs_per_cell(); ++i) {
-      const unsigned component = element.system_to_component_index(i).first;
-      if (component == n_displacements(harmonic_)) {
-        pressure_(q, i) = weight * values_.shape_value(i, q);
-        continue;
+    // All components of a node have the same shape.
+    for (unsigned first = 0; first < displacement_shapes_.size(); first += n_components) {
+      const double value = values_.shape_value(displacement_shapes_[first], q);
+      const auto grad = values_.shape_grad(displacement_shapes_[first], q);
+      for (unsigned component = 0; component < n_components; ++component) {
+        const auto column = strain_of(component, value, grad, r);
+        for (unsigned k = 0; k < n_strains; ++k)
+          strain_(n_strains * q + k, first + component) = std::sqrt(2.0) * weight * column.strain[k];
+        divergence_(q, first + component) = weight * column.divergence;
       }
-      const auto column = strain_of(component, values_.shape_value(i, q), values_.shape_grad(i, q), r);
-      for (unsigned k = 0; k < n_strains; ++k)
-        strain_(n_strains * q + k, i) = std::sqrt(2.0) * weight * column.strain[k];
-      divergence_(q, i) = weight * column.divergence;
     }
+    for (unsigned j = 0; j < pressure_shapes_.size(); ++j)
+      pressure_(q, j) = weight * values_.shape_value(pressure_shapes_[j], q);
   }
   far_.resize(0, far_.cols());
   for (const unsigned face : cell->face_indices())
@@ -91,7 +100,6 @@ void CellOperators::evaluate(const dealii::DoFHandler<2>::active_cell_iterator& 
 }
 
 void CellOperators::append_far_face() {
-  const auto& element = face_values_.get_fe();
   const Eigen::Index n_before = far_.rows();
   far_.conservativeResize(n_before + face_values_.n_quadrature_points, Eigen::NoChange);
   for (const unsigned q : face_values_.quadrature_point_indices()) {
@@ -100,11 +108,11 @@ void CellOperators::append_far_face() {
     // The point-load stress is purely radial, so on a chord of the arc the traction carries the cosine of the tilt.
     const double tilt = (face_values_.normal_vector(q) * x) / radius;
     const double weight = std::sqrt(angular_factor(harmonic_) * x[0] * face_values_.JxW(q) * tilt * 3 / radius);
-    for (unsigned i = 0; i < element.n_dofs_per_cell(); ++i) {
-      const unsigned component = element.system_to_component_index(i).first;
+    for (unsigned j = 0; j < displacement_shapes_.size(); ++j) {
+      const unsigned shape = displacement_shapes_[j], component = j % n_displacements(harmonic_);
       const bool radial = component + 1 < n_displacements(harmonic_);  // U, or both s and m: U = m + s
       const double n = radial ? x[0] / radius : component == vertical_component(harmonic_) ? x[1] / radius : 0;
-      far_(n_before + q, i) = weight * n * face_values_.shape_value(i, q);
+      far_(n_before + q, j) = weight * n * face_values_.shape_value(shape, q);
     }
   }
 }

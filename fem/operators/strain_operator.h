@@ -3,15 +3,17 @@
 #include <deal.II/fe/fe_values.h>
 
 #include <Eigen/Dense>
+#include <vector>
 
 #include "fem/operators/harmonic_space.h"
 #include "fem/operators/harmonic_space_parts.h"
 
 namespace fretval::fem {
 
-/// Operators of one cell at its quadrature points, one column per shape function, for the few files that integrate
-/// stresses over the body: the stiffness is
-/// `strain^T strain - divergence^T pressure - pressure^T divergence + far^T far`.
+/// Operators of one cell at its quadrature points, for the few files that integrate stresses over the body, one column
+/// per shape function of the displacement (all components of a node, then those of the next one) or of the pressure.
+/// The stiffness is `strain^T strain + far^T far` of displacements, and `-divergence^T pressure` between them and
+/// pressures.
 ///
 /// Every row carries the square root of the weight of its point, `sqrt(2 pi w_n r JxW)`, w_0 = 1, w_1 = 1/2, so that
 /// the product of two rows is a share of an integral. They are stacked, all points of a cell in one matrix, so that a
@@ -21,6 +23,10 @@ class CellOperators {
   explicit CellOperators(const HarmonicSpace& space);
 
   void evaluate(const dealii::DoFHandler<2>::active_cell_iterator& cell);
+
+  /// Of the columns, as the element numbers them.
+  [[nodiscard]] const std::vector<unsigned>& displacement_shapes() const { return displacement_shapes_; }
+  [[nodiscard]] const std::vector<unsigned>& pressure_shapes() const { return pressure_shapes_; }
 
   /// sqrt(2) times the strain, 6 rows a point (rr, tt, zz and the tensor shears times sqrt(2)): its square is 2
   /// eps:eps.
@@ -38,6 +44,7 @@ class CellOperators {
   Harmonic harmonic_;
   dealii::FEValues<2> values_;
   dealii::FEFaceValues<2> face_values_;
+  std::vector<unsigned> displacement_shapes_, pressure_shapes_;
   Eigen::MatrixXd strain_, divergence_, pressure_, far_;
 };
 

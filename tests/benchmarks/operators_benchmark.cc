@@ -75,6 +75,23 @@ void histories(benchmark::State& state) {
   state.SetItemsProcessed(n_steps);
 }
 
+/// From the mesh to the stick radii, with nothing kept: five cycles of 200 steps of an elastic body. Over
+/// factor_and_schur it tells how far a case is from the floor of its method.
+void whole_case(benchmark::State& state) {
+  auto prepared = example(static_cast<unsigned>(state.range(0)));
+  prepared.fem.relaxation.moduli.clear();
+  prepared.fem.relaxation.times.clear();
+  auto resolution = prepared.fem.resolution;
+  resolution.steps_per_cycle = 200;
+  resolution.n_ramp_cycles = 2;
+  double n_steps = 0;
+  for ([[maybe_unused]] auto _ : state) {
+    BodyStore bodies;
+    n_steps = static_cast<double>(compute_case(prepared.fem, resolution, bodies).n_steps);
+  }
+  state.counters["steps"] = n_steps;
+}
+
 void set_up(benchmark::internal::Benchmark* stage) {
   stage->Arg(16)->Arg(32)->Arg(64)->Arg(128)->Unit(benchmark::kMillisecond)->UseRealTime();
 }
@@ -83,6 +100,7 @@ BENCHMARK(assembly)->Apply(set_up);
 BENCHMARK(factor_and_schur)->Apply(set_up);
 BENCHMARK(from_store)->Apply(set_up);
 BENCHMARK(histories)->Apply(set_up);
+BENCHMARK(whole_case)->Apply(set_up);
 
 }  // namespace
 }  // namespace fretval
