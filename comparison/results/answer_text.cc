@@ -159,9 +159,12 @@ Scales scales_of(const ordered_json& result) {
 std::optional<double> bar_of(const ordered_json& result, Quantity quantity) {
   const auto &fe = result.at("fe"), &comparison = result.at("comparison");
   const char* key = name_of(quantity);
-  auto bar = comparison.contains(key) ? number_in(comparison[key], "error_bar") : std::nullopt;
-  if (const auto bars = fe.value("error_estimate", ordered_json::object()); !comparison.contains(key))
-    if (const auto found = bars.find(key); found != bars.end() && found->is_object()) bar = number_in(*found, "total");
+  std::optional<double> bar;
+  if (const auto compared = comparison.find(key); compared != comparison.end())
+    bar = number_in(*compared, "error_bar");
+  else if (const auto bars = fe.find("error_estimate"); bars != fe.end())
+    if (const auto found = bars->find(key); found != bars->end() && found->is_object())
+      bar = number_in(*found, "total");
   if (bar) *bar *= scale_of(quantity, scales_of(result), number_in(fe, key).value_or(std::nan("")));
   return bar;
 }

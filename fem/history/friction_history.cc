@@ -17,33 +17,27 @@
 namespace fretval::fem {
 namespace {
 
-double change_per_period(const Eigen::MatrixXd& now, const Eigen::MatrixXd& before) {
-  const double largest = now.cwiseAbs().maxCoeff();
-  return largest == 0 ? 0 : (now - before).cwiseAbs().maxCoeff() / largest;
-}
-
 /// What the tangential forces of a period are read from, kept until it is known to be the last one: a reading takes as
 /// long as a step.
 class ForcesOfPeriod {
  public:
   ForcesOfPeriod(const FrictionContact& contact, const TouchingRings& touching, int n_steps)
-      : samples_(static_cast<std::size_t>(n_steps), Sample{contact.zones, touching, contact.limit_depths, 0}) {}
+      : samples_(static_cast<std::size_t>(n_steps), Sample{contact.zones, touching, 0}) {}
 
   void see(const FrictionContact& contact, const TouchingRings& touching, double normal_force) {
     auto& sample = samples_[static_cast<std::size_t>(contact.n_steps - 1) % samples_.size()];
     sample.zones = contact.zones;
     sample.touching = touching;
-    sample.limit_depths = contact.limit_depths;
     sample.limit_force = contact.friction_coefficient() * normal_force;
   }
 
-  void report(const FrictionContact& contact, FrictionHistory& history) const {
+  void report(const FrictionContact& contact, const Eigen::MatrixXd& limit_depths, FrictionHistory& history) const {
     const auto n = static_cast<Eigen::Index>(samples_.size());
     history.force.resize(n);
     history.force_uncertainty.resize(n);
     for (Eigen::Index k = 0; k < n; ++k) {
-      const auto& [zones, touching, limit_depths, limit_force] = samples_[static_cast<std::size_t>(k)];
-      const auto force = friction_force(contact.problem().series, zones, touching, limit_depths, limit_force);
+      const auto& [zones, touching, limit_force] = samples_[static_cast<std::size_t>(k)];
+      const auto force = friction_force(contact.problem().series, zones, touching, limit_depths.col(k), limit_force);
       history.force[k] = force.value;
       history.force_uncertainty[k] = force.uncertainty;
     }
@@ -53,7 +47,6 @@ class ForcesOfPeriod {
   struct Sample {
     SlipZones zones;
     TouchingRings touching;
-    Eigen::VectorXd limit_depths;
     double limit_force;
   };
   std::vector<Sample> samples_;  // by step of the period
@@ -62,12 +55,11 @@ class ForcesOfPeriod {
 }  // namespace
 
 FrictionPeriod::FrictionPeriod(Eigen::Index n_rings, int n_steps)
-    : slip_(n_rings),
+    : forward_(n_rings),
+      backward_(n_rings),
+      slip_(n_rings),
       traction_(Eigen::MatrixXd::Zero(n_rings, n_steps)),
-      limit_(traction_),
       displacement_(traction_),
-      slips_(traction_),
-      slip_depths_(traction_),
       depths_(traction_),
       limit_depths_(traction_),
       pieces_(static_cast<std::size_t>(n_steps)),
@@ -75,18 +67,22 @@ FrictionPeriod::FrictionPeriod(Eigen::Index n_rings, int n_steps)
       least_(1, -infinity),
       most_(1, -infinity),
       zones_(static_cast<std::size_t>(n_rings)),
-      weights_(n_steps),
-      traction_before_(Eigen::VectorXd::Zero(n_rings)) {
+      last_traction_(Eigen::VectorXd::Zero(n_rings)),
+      last_depths_(last_traction_),
+      work_(n_rings),
+      series_work_(n_rings) {
   begin();
 }
 
 void FrictionPeriod::begin() {
   for (auto* minimum : {&least_, &most_}) minimum->restart();
-  slip_.setZero();
+  forward_.setConstant(infinity);
+  backward_.setConstant(infinity);
+  for (auto* sum : {&slip_, &work_, &series_work_}) sum->setZero();
+  largest_change_ = largest_traction_ = 0;
   std::fill(zones_.begin(), zones_.end(), 0);
   if (k_ > 0) {
     const int n_kept = std::min(k_, RunningMinimum::n_before);
-    traction_before_ = traction_.col(k_ - 1);
     depths_before_ = depths_.middleCols(k_ - n_kept, n_kept);
     limit_depths_before_ = limit_depths_.middleCols(k_ - n_kept, n_kept);
     pieces_before_.assign(pieces_.begin() + k_ - n_kept, pieces_.begin() + k_);
@@ -95,24 +91,28 @@ void FrictionPeriod::begin() {
 }
 
 void FrictionPeriod::pass(const FrictionContact& contact) {
+  forward_ = forward_.cwiseMin(contact.limit - contact.traction);
+  backward_ = backward_.cwiseMin(contact.limit + contact.traction);
   slip_ += contact.slip.cwiseAbs();
-  traction_.col(k_) = contact.traction;
-  limit_.col(k_) = contact.limit;
-  depths_.col(k_) = contact.zones.depths();
+  largest_change_ = std::max(largest_change_, (contact.traction - traction_.col(k_)).lpNorm<Eigen::Infinity>());
+  largest_traction_ = std::max(largest_traction_, contact.traction.lpNorm<Eigen::Infinity>());
+  last_traction_ = traction_.col(k_) = contact.traction;
+  last_depths_ = depths_.col(k_) = contact.zones.depths();
   limit_depths_.col(k_) = contact.limit_depths;
   pieces_[static_cast<std::size_t>(k_++)] = contact.in_piece();
 }
 
 void FrictionPeriod::see(const FrictionContact& contact) {
   displacement_.col(k_) = contact.balance_displacements();
-  slips_.col(k_) = contact.slip;
-  slip_depths_.col(k_) = contact.slip_depths;
+  // The mean slip rate of a step belongs to its middle, between two balance times.
+  const double weight = 1.5 - contact.fraction();
+  work_ += (weight * contact.traction + (1 - weight) * last_traction_).cwiseProduct(contact.slip);
+  series_work_ += (weight * contact.zones.depths() + (1 - weight) * last_depths_).cwiseProduct(contact.slip_depths);
   auto whole_step = contact.in_piece();  // the indenter is known at its end
   if (whole_step) whole_step->fraction = 1;
   least_.add(Eigen::VectorXd::Constant(1, contact.displacement), whole_step);
   most_.add(Eigen::VectorXd::Constant(1, -contact.displacement), whole_step);
   indenter_[k_] = contact.balance_displacement;
-  weights_[k_] = 1.5 - contact.fraction();
   for (std::size_t i = 0; i < zones_.size(); ++i) zones_[i] |= contact.limit[static_cast<Eigen::Index>(i)] > 0 ? 2 : 4;
   pass(contact);
 }
@@ -130,36 +130,22 @@ Eigen::VectorXd FrictionPeriod::smallest_reserve(double direction) const {
   return smallest.value();
 }
 
-void FrictionPeriod::report(const ContactProblem& problem, FrictionHistory& history) const {
-  history.shakedown_margin = ((limit_ - traction_).leftCols(k_).rowwise().minCoeff() +
-                              (limit_ + traction_).leftCols(k_).rowwise().minCoeff()) /
-                             2;
+void FrictionPeriod::hand_over(const ContactProblem& problem, FrictionHistory& history) {
+  history.shakedown_margin = (forward_ + backward_) / 2;
   history.shakedown_reserve = (smallest_reserve(1) + smallest_reserve(-1)) / 2;
   history.period_slip = slip_;
-  // Of friction, per area, and as a product of depths and displacements. The mean slip rate of a step belongs to its
-  // middle, between two balance times.
-  const auto in_the_middle = [this](const Eigen::MatrixXd& columns, const Eigen::VectorXd& before, int k) {
-    return (weights_[k] * columns.col(k) + (1 - weights_[k]) * (k == 0 ? before : Eigen::VectorXd(columns.col(k - 1))))
-        .eval();
-  };
-  Eigen::VectorXd work = Eigen::VectorXd::Zero(slip_.size()), series_work = work, last_depths_before = work;
-  if (depths_before_.cols() > 0) last_depths_before = depths_before_.rightCols(1);
-  for (int k = 0; k < k_; ++k) {
-    work += in_the_middle(traction_, traction_before_, k).cwiseProduct(slips_.col(k));
-    series_work += in_the_middle(depths_, last_depths_before, k).cwiseProduct(slip_depths_.col(k));
-  }
   constexpr double roundoff = 1e-12;  // a ring that is held at its friction limit slips by that
   const double no_slip = roundoff * displacement_.cwiseAbs().maxCoeff();
   auto zones = zones_;
   for (std::size_t i = 0; i < zones.size(); ++i)
     if (slip_[static_cast<Eigen::Index>(i)] > no_slip) zones[i] |= 1;
-  const auto dissipated = problem.series.integral(series_work, zones);
+  const auto dissipated = problem.series.integral(series_work_, zones);
   history.dissipated_energy = dissipated.value;
   history.dissipated_uncertainty = dissipated.unseen_kinks;
-  history.friction_work = work.cwiseProduct(problem.compliance.areas);
-  history.traction = traction_;
-  history.displacement = displacement_;
-  history.indenter = indenter_;
+  history.friction_work = work_.cwiseProduct(problem.compliance.areas);
+  history.traction = std::move(traction_);
+  history.displacement = std::move(displacement_);
+  history.indenter = std::move(indenter_);
 }
 
 double FrictionPeriod::amplitude(const Motion& motion) const {
@@ -194,7 +180,6 @@ WatchedFriction::WatchedFriction(const ContactProblem& problem, const Relaxation
 
 void WatchedFriction::step(const Eigen::VectorXd& pressure, const std::optional<NormalInstant>& normal) {
   if (contact.n_steps % period_steps() == 0) {
-    traction_before = period.traction();
     slip_before = period.slip();
     period.begin();
   }
@@ -316,7 +301,7 @@ FrictionHistory friction_history(WatchedFriction friction, const NormalHistory& 
     const bool after_jump = std::exchange(jumped, false);
     if (history.n_cycles <= std::max(contact.motion().cycles_of_ramp(), normal.n_cycles) + cycles_per_period) continue;
     if (!after_jump) {
-      const double change = change_per_period(friction.period.traction(), friction.traction_before);
+      const double change = friction.period.change();
       history.periodicity = std::min(change_to_come(change, creep), std::max(change, to_come));
       repeats =
           history.periodicity <= control.periodicity || (contact.motion().tangential_force && scatter.is_all(change));
@@ -338,9 +323,9 @@ FrictionHistory friction_history(WatchedFriction friction, const NormalHistory& 
   }
   history.n_steps = contact.n_steps;
   friction.first_slip.report(history);
-  friction.period.report(contact.problem(), history);
+  friction.period.hand_over(contact.problem(), history);
   if (in_order)
-    forces.report(contact, history);
+    forces.report(contact, friction.period.limit_depths(), history);
   else
     report_sums(contact.problem().compliance.areas, history);
   history.amplitude = friction.period.amplitude(contact.motion());

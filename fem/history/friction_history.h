@@ -49,21 +49,29 @@ class FrictionPeriod {
   void see(const FrictionContact& contact);
   /// Of a step of a period that nothing is reported of, nor of the next one: slips and tractions alone.
   void pass(const FrictionContact& contact);
-  void report(const ContactProblem& problem, FrictionHistory& history) const;
+  /// Reports what has been seen, and hands over the tractions and displacements that it has kept.
+  void hand_over(const ContactProblem& problem, FrictionHistory& history);
+  /// Largest change of a traction against the period before, over the largest one.
+  [[nodiscard]] double change() const { return largest_traction_ == 0 ? 0 : largest_change_ / largest_traction_; }
   /// Of the indenter in this period, see FrictionHistory.
   [[nodiscard]] double amplitude(const Motion& motion) const;
   [[nodiscard]] const Eigen::MatrixXd& traction() const { return traction_; }
   [[nodiscard]] const Eigen::VectorXd& slip() const { return slip_; }
+  /// See FrictionContact; a column a step.
+  [[nodiscard]] const Eigen::MatrixXd& limit_depths() const { return limit_depths_; }
 
  private:
+  // Smallest mu p - tau and mu p + tau. Of the samples: between them a parabola would dip to zero at a kink.
+  Eigen::VectorXd forward_, backward_;
   Eigen::VectorXd slip_;
-  Eigen::MatrixXd traction_, limit_, displacement_, slips_, slip_depths_, depths_, limit_depths_;  // a column a step
-  std::vector<std::optional<StepInPiece>> pieces_;                                                 // that they lie in
+  Eigen::MatrixXd traction_, displacement_, depths_, limit_depths_;  // a column a step
+  std::vector<std::optional<StepInPiece>> pieces_;                   // that they lie in
   Eigen::VectorXd indenter_;
-  RunningMinimum least_, most_;      // of the indenter, the other way round
-  std::vector<signed char> zones_;   // what happened to each ring, as bits
-  Eigen::VectorXd weights_;          // of a step's balance in its middle
-  Eigen::VectorXd traction_before_;  // at the end of the period before
+  RunningMinimum least_, most_;     // of the indenter, the other way round
+  std::vector<signed char> zones_;  // what happened to each ring, as bits
+  Eigen::VectorXd last_traction_, last_depths_;
+  Eigen::VectorXd work_, series_work_;  // of friction, per area, and as a product of depths and displacements
+  double largest_change_ = 0, largest_traction_ = 0;
   // The last samples of the period before, at which minima still count.
   Eigen::MatrixXd depths_before_, limit_depths_before_;
   std::vector<std::optional<StepInPiece>> pieces_before_;
@@ -83,8 +91,7 @@ class FirstSlip {
   [[nodiscard]] const Eigen::VectorXd& slip_path() const { return slip_path_; }
 
  private:
-  // Smallest mu p - |tau|. Of the samples: between them a parabola would dip to zero at a kink.
-  Eigen::VectorXd margin_;
+  Eigen::VectorXd margin_;  // smallest mu p - |tau|, of the samples as in a period
   // Slip reserves of mu p - tau and mu p + tau. No floor under them: below zero between two samples they tell what a
   // finer step would have let slip.
   RunningMinimum forward_, backward_;
@@ -105,8 +112,7 @@ class WatchedFriction {
   FrictionContact contact;
   FirstSlip first_slip;
   FrictionPeriod period;
-  Eigen::MatrixXd traction_before;               ///< of the period before
-  Eigen::VectorXd slip_before;                   ///< likewise
+  Eigen::VectorXd slip_before;                   ///< of the period before
   std::vector<Eigen::VectorXd> slip_of_periods;  ///< see FrictionHistory
 
   [[nodiscard]] int period_steps() const { return contact.steps_per_cycle() * contact.motion().cycles_per_period(); }

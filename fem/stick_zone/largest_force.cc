@@ -9,12 +9,29 @@
 namespace fretval::fem {
 namespace {
 
+Eigen::RowVector<double, 5> powers_of(double x) {
+  return {1, x, x * x, x * x * x, x * x * x * x};
+}
+
+/// Of a quartic between -1 and 1: between the neighbours of the largest of its values on a grid its slope is zero once.
+double place_of_largest(const Eigen::Vector<double, 5>& c) {
+  constexpr int n_grid = 20, enough_halvings = 40;
+  double at = 0;
+  for (int i = -n_grid; i <= n_grid; ++i)
+    if (const double x = static_cast<double>(i) / n_grid; powers_of(x) * c > powers_of(at) * c) at = x;
+  double before = std::max(at - 1.0 / n_grid, -1.0), after = std::min(at + 1.0 / n_grid, 1.0);
+  for (int k = 0; k < enough_halvings; ++k) {
+    const double x = (before + after) / 2, slope = c[1] + x * (2 * c[2] + x * (3 * c[3] + x * 4 * c[4]));
+    (slope > 0 ? before : after) = x;
+  }
+  return (before + after) / 2;
+}
+
 /// Peak of the quartic fitted to the largest sample and those within `half` of it.
 LargestForce peak_of_quartic(const Eigen::VectorXd& samples, const Eigen::VectorXd& uncertainties, Eigen::Index half) {
   const Eigen::Index n = samples.size(), n_fitted = 2 * half + 1;
   Eigen::Index largest = 0;
   samples.maxCoeff(&largest);
-  const auto powers_of = [](double x) { return Eigen::RowVector<double, 5>(1, x, x * x, x * x * x, x * x * x * x); };
   Eigen::MatrixXd powers(n_fitted, 5);
   Eigen::VectorXd fitted(n_fitted), uncertainty(n_fitted);
   for (Eigen::Index k = 0; k < n_fitted; ++k) {
@@ -25,12 +42,7 @@ LargestForce peak_of_quartic(const Eigen::VectorXd& samples, const Eigen::Vector
   }
   const Eigen::MatrixXd fit = powers.completeOrthogonalDecomposition().pseudoInverse();
   const Eigen::Vector<double, 5> coefficients = fit * fitted;
-  double value = -std::numeric_limits<double>::infinity(), at = 0;
-  for (int i = -500; i <= 500; ++i)
-    if (const double x = i / 500.0, there = powers_of(x) * coefficients; there > value) {
-      value = there;
-      at = x;
-    }
+  const double at = place_of_largest(coefficients), value = powers_of(at) * coefficients;
   return {value, (powers_of(at) * fit).cwiseAbs() * uncertainty};
 }
 

@@ -58,7 +58,7 @@ TEST(FrictionSearch, EndsWherePlainPeriodsLeadTo) {
   }
   FrictionHistory plain;
   friction.first_slip.report(plain);
-  friction.period.report(tangential_half_space(n_per_radius), plain);
+  friction.period.hand_over(tangential_half_space(n_per_radius), plain);
 
   const auto direct = contact_history(moderate.normal(n_steps), moderate.friction(n_steps), {n_steps, 100, 1e-6});
   EXPECT_GT(direct.normal.n_cycles_of_search, 0);
