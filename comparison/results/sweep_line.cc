@@ -89,8 +89,7 @@ std::string table_of(const Line& line) {
   const auto& answers = line.answers;
   auto quantities = line.quantities;
   const auto has_none = [&](Quantity quantity) {
-    return std::none_of(line.answers.begin(), line.answers.end(),
-                        [&](const auto& one) { return has_number(one, quantity); });
+    return std::none_of(answers.begin(), answers.end(), [&](const auto& one) { return has_number(one, quantity); });
   };
   quantities.erase(std::remove_if(quantities.begin(), quantities.end(), has_none), quantities.end());
   std::string text = column_of_entry(cases.front().sweep->entry);

@@ -122,6 +122,7 @@ Ring integrate_ring(const HarmonicSpaceParts& parts, Harmonic harmonic,
   return ring;
 }
 
+// Of the line, each once: a node between two rings belongs to both.
 std::vector<unsigned> sort_by_radius(const std::vector<Ring>& rings) {
   std::vector<RingNode> nodes;
   for (const auto& ring : rings) nodes.insert(nodes.end(), ring.nodes.begin(), ring.nodes.end());

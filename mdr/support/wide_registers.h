@@ -17,6 +17,7 @@ template <class Work>
 [[gnu::target(FRETVAL_AVX512), gnu::flatten]] void with_avx512(const Work& work) {
   work();
 }
+#undef FRETVAL_AVX512
 #endif
 
 /// Does some work in the widest registers of the processor: its loops take four or eight numbers at a time instead of

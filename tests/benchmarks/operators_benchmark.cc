@@ -75,7 +75,7 @@ void histories(benchmark::State& state) {
   state.SetItemsProcessed(n_steps);
 }
 
-/// From the mesh to the stick radii, with nothing kept: five cycles of 200 steps of an elastic body. Over
+/// From the mesh to the stick radii, with nothing kept: six cycles of 200 steps of an elastic body. Over
 /// factor_and_schur it tells how far a case is from the floor of its method.
 void whole_case(benchmark::State& state) {
   auto prepared = example(static_cast<unsigned>(state.range(0)));
