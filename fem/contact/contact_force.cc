@@ -39,24 +39,21 @@ ContactForce force_of_all(const PunchSeries& series, const Eigen::VectorXd& dept
 }
 
 /// Of a body without memory, whose rings in contact tell nothing of the gap.
-Opening opening_outside(Index n_rings, Index n_pressed) {
-  Opening opening{Eigen::VectorXd::Zero(n_rings), Eigen::VectorXi::Constant(n_rings, FreeSurface::never_touched),
-                  Eigen::VectorXd::Zero(n_rings)};
+Opening opening_outside(const PunchSeries& series, const Eigen::VectorXd& gap, Index n_pressed) {
+  Opening opening{series.displacements(gap), Eigen::VectorXi::Constant(gap.size(), FreeSurface::never_touched),
+                  Eigen::VectorXd::Zero(gap.size())};
+  opening.value.head(n_pressed).setZero();
   opening.retreat.head(n_pressed).setConstant(FreeSurface::never_lifted);
   return opening;
 }
 
-/// Between the last of n_closed rings and the first one beyond n_pressed; empty where the gap jumps (a flat punch).
+/// Between the last ring in contact and the next one; empty where the gap jumps (a flat punch).
 std::optional<double> edge_of_contact(const PunchSeries& series, const Eigen::VectorXd& depths,
-                                      const Eigen::VectorXd& gap, Index n_closed, Index n_pressed,
-                                      const ContactPast& past) {
-  auto opening = past.opening ? *past.opening : opening_outside(gap.size(), n_pressed);
-  const Index n_free = gap.size() - n_pressed;
-  opening.value.tail(n_free) = series.displacements(gap).tail(n_free);
-  const auto by_gap = edge_of(opening, series.radii(), n_closed, n_pressed);
+                                      const Eigen::VectorXd& gap, Index n_pressed, const ContactPast& past) {
+  const auto by_gap =
+      edge_of(past.opening ? *past.opening : opening_outside(series, gap, n_pressed), series.radii(), n_pressed);
   // A contact that goes back ends where its pressure vanishes, before its gap would.
-  const bool averages = n_closed < n_pressed;
-  if (!past.opening || averages) return by_gap;
+  if (!past.opening) return by_gap;
   const auto by_pressure = series.edge_of_pressure(depths, n_pressed);
   return by_gap && by_pressure ? std::min(*by_gap, *by_pressure) : by_gap ? by_gap : by_pressure;
 }
@@ -64,16 +61,15 @@ std::optional<double> edge_of_contact(const PunchSeries& series, const Eigen::Ve
 /// Of the n_pressed rings around the centre.
 ContactForce central_force(const PunchSeries& series, const Eigen::VectorXd& depths, const Eigen::VectorXd& gap,
                            Index n_pressed, const ContactPast& past) {
-  const Index n_inner = std::clamp(past.n_closed.value_or(n_pressed), n_stencil, n_pressed);
   const auto& radii = series.radii();
-  const auto edge = edge_of_contact(series, depths, gap, n_inner, n_pressed, past);
+  const auto edge = edge_of_contact(series, depths, gap, n_pressed, past);
   const double radius = edge.value_or(series.edges()[n_pressed]);
-  const std::vector<signed char> one_zone(static_cast<std::size_t>(n_inner), 0);
+  const std::vector<signed char> one_zone(static_cast<std::size_t>(n_pressed), 0);
   const double force = series.integral(depths, one_zone, radius).value;
   double too_much = 0;
   // Not at a sharp edge of the indenter.
   if (edge && past.edge != PressureAtEdge::jumps) {
-    const double at_edge = Stencil{radii, depths, n_inner - n_stencil, n_stencil}(radius);
+    const double at_edge = Stencil{radii, depths, n_pressed - n_stencil, n_stencil}(radius);
     too_much = series.force_per_radius() * at_edge * (radius - radii[n_pressed - 1]) / 2;
   }
   const double uncertainty = std::abs(too_much);
@@ -85,9 +81,10 @@ ContactForce central_force(const PunchSeries& series, const Eigen::VectorXd& dep
 
 ContactForce contact_force(const PunchSeries& series, const Eigen::VectorXd& pressure, const Eigen::VectorXd& gap,
                            const ContactPast& past) {
+  Eigen::VectorXd depths = series.depths(pressure);
+  if (past.passing_depths) depths = (depths + *past.passing_depths).cwiseMax(0);
   Index n_pressed = 0;
-  while (n_pressed < pressure.size() && pressure[n_pressed] > 0) ++n_pressed;
-  const Eigen::VectorXd depths = series.depths(pressure);
+  while (n_pressed < pressure.size() && pressure[n_pressed] > 0 && depths[n_pressed] > 0) ++n_pressed;
   const bool has_edge = n_pressed > n_stencil && n_pressed + 2 < pressure.size();
   auto contact =
       has_edge ? central_force(series, depths, gap, n_pressed, past) : force_of_all(series, depths, n_pressed);

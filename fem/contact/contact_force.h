@@ -16,9 +16,9 @@ enum class PressureAtEdge { vanishes, jumps, falls_and_jumps };
 
 /// What pressures and gaps of an instant do not tell of a contact.
 struct ContactPast {
-  /// With a dashpot, or a branch that relaxes within a step: rings that have been in contact for the whole step.
-  std::optional<Eigen::Index> n_closed = std::nullopt;
   PressureAtEdge edge = PressureAtEdge::vanishes;
+  /// Of a body with memory, see RingCourses.
+  std::optional<Eigen::VectorXd> passing_depths = std::nullopt;
   /// Of a body with memory, for rings in contact.
   std::optional<Opening> opening = std::nullopt;
 };
@@ -64,9 +64,9 @@ ContactForce sum_inside_flank(const Compliance& compliance, const Eigen::VectorX
                               Eigen::Index n_inside_flank);
 
 /// From ring pressures and the gaps of the free rings. The edge is found from the gaps: with a dashpot, or a branch
-/// that relaxes while the edge crosses a ring, the pressure jumps there, but for a retreat, where it vanishes. With a
-/// dashpot the pressures of the rings that touched in the step are averages, so the inner ones are continued in their
-/// place.
+/// that relaxes while the edge crosses a ring, the pressure jumps there, but for a retreat, where it vanishes.
+/// Pressures of rings that touched in the step are averages over it where something is viscous: their depths are those
+/// of the instant.
 ContactForce contact_force(const PunchSeries& series, const Eigen::VectorXd& pressure, const Eigen::VectorXd& gap,
                            const ContactPast& past = {});
 

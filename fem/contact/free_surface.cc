@@ -48,10 +48,10 @@ Index count_pressed(const std::vector<BoxState>& contact) {
 
 }  // namespace
 
-std::optional<double> edge_of(const Opening& opening, const Eigen::VectorXd& radii, Index n_closed, Index n_pressed) {
+std::optional<double> edge_of(const Opening& opening, const Eigen::VectorXd& radii, Index n_pressed) {
   const auto& values = opening.value;
   const auto& retreat = opening.retreat;
-  const Index last = n_closed - 1;
+  const Index last = n_pressed - 1;
   const auto outer = run_around(n_pressed, retreat);
   if (retreat[last] == retreat[n_pressed])
     return crossing(stencil_of(outer, last - 1, radii, values), radii[last], radii[n_pressed]);

@@ -19,11 +19,10 @@ struct Opening {
   Eigen::VectorXd lifted_below;  ///< radius of the contact from which that began
 };
 
-/// Where it vanishes between the last of n_closed rings and the one beyond n_pressed. Empty where it does not: it jumps
+/// Where it vanishes between the last of n_pressed rings and the next one. Empty where it does not: it jumps
 /// at the edge of a face. Cubics on either side of a kink; where that lies between the two, the one inside goes on to
 /// it, and where nothing inside has lifted, what is outside goes on to the edge.
-std::optional<double> edge_of(const Opening& opening, const Eigen::VectorXd& radii, Eigen::Index n_closed,
-                              Eigen::Index n_pressed);
+std::optional<double> edge_of(const Opening& opening, const Eigen::VectorXd& radii, Eigen::Index n_pressed);
 
 /// The surface of a body with memory as it would go on if no ring were touched again after it has lifted.
 ///

@@ -1,6 +1,7 @@
 #include "fem/contact/ring_courses.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace fretval::fem {
@@ -21,7 +22,7 @@ CoursesInStep::CoursesInStep(const PunchSeries& series, const RelaxationStep& st
 RingCourses CoursesInStep::under(const IndenterMove& to_balance, double increment) const {
   const Eigen::Index n = load_.size(), n_branches = step_.n_branches();
   const double following = step_.response_to(to_balance), stiffness = step_.instantaneous();
-  RingCourses courses{Eigen::VectorXd::Zero(n), {}, {}};
+  RingCourses courses{Eigen::VectorXd::Zero(n), {}, {}, Eigen::VectorXd::Zero(n)};
   for (Eigen::Index i = 0; i < n; ++i) {
     Turn turn;
     if (load_[i] > 0) {
@@ -33,8 +34,11 @@ RingCourses CoursesInStep::under(const IndenterMove& to_balance, double incremen
       turn.share = gap_[i] / (gap_[i] + inside);
       turn.detour = -turn.share * inside;
       courses.driven[i] = 1 - turn.share;
+      courses.passing_depths[i] = turn.share < step_.fraction()
+                                      ? turn.detour * step_.passing_response_to_turn(turn.share)
+                                      : -std::numeric_limits<double>::infinity();
     }
-    if (turn.detour == 0 || n_branches == 0) continue;
+    if (turn.detour == 0) continue;
     if (!courses.has_turns()) {
       courses.response = Eigen::VectorXd::Zero(n);
       courses.memory = Eigen::MatrixXd::Zero(n, n_branches);

@@ -13,6 +13,9 @@ struct RingCourses {
   Eigen::VectorXd driven;    ///< per displacement of the indenter
   Eigen::VectorXd response;  ///< to the turns, at the balance time
   Eigen::MatrixXd memory;    ///< of the turns at the end of the step, n_rings x n_branches
+  /// Of the depth of a ring that touches in the step: how much more it bears at the balance time than what belongs to
+  /// the whole step. Minus infinity: it touches after that.
+  Eigen::VectorXd passing_depths;
 
   [[nodiscard]] bool has_turns() const { return response.size() > 0; }
   /// What the indenter moves by and rings do not follow. increment: of the indenter in the step.

@@ -131,7 +131,7 @@ FullNormalHistory full_normal_history(const HarmonicSpace& space, const PunchSer
   for (int k = 0; k < n_steps; ++k) {
     const Eigen::VectorXd before = history.pressure.col(k);
     const Eigen::VectorXd gap = (stepper.ring_displacement() + profile).array() - position(stepper.time(k)).value;
-    RingCourses courses{Eigen::VectorXd::Ones(n), {}, {}};
+    RingCourses courses{Eigen::VectorXd::Ones(n), {}, {}, {}};
     if (relaxation.has_memory()) {
       const CoursesInStep in_step(series, stepper.step(), series.depths(before), series.depths(stepper.standing()),
                                   series.displacements(gap));

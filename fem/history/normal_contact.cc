@@ -76,13 +76,6 @@ double NormalContact::start_indentation() const {
   return displacement_for_force(force_at, force, {guess, stiffness, force});
 }
 
-/// Rings that are in contact at the beginning of a step, if a dashpot makes that matter.
-std::optional<Eigen::Index> NormalContact::n_closed() const {
-  constexpr double hardly_viscous = 0.99, roundoff = 1e-12;
-  if (step_.fraction() > hardly_viscous) return std::nullopt;
-  return (gap.array() <= roundoff * gap.maxCoeff()).count();
-}
-
 NormalContact::Start NormalContact::start_of(const WearingSolver& solver) const {
   Start start{solver, step_.response_without_slip(state, standing_still), {}, {}};
   const auto& series = problem_.series;
@@ -97,7 +90,7 @@ NormalContact::Start NormalContact::start_of(const WearingSolver& solver) const 
 /// time, and what it moves by is no more than what their gaps change by.
 NormalContact::Attempt NormalContact::attempt(const Move& move, const Start& start,
                                               std::vector<BoxState> likely) const {
-  Attempt attempt{std::move(likely), {Eigen::VectorXd::Zero(gap.size()), {}, {}}, {}, {}, {}, {}};
+  Attempt attempt{std::move(likely), {Eigen::VectorXd::Zero(gap.size()), {}, {}, {}}, {}, {}, {}, {}};
   if (start.courses) attempt.courses = start.courses->under(move.to_balance, move.whole.increment);
   const auto& courses = attempt.courses;
   // A ring in contact closes its gap: it slips by what is left of it.
@@ -108,7 +101,8 @@ NormalContact::Attempt NormalContact::attempt(const Move& move, const Start& sta
   attempt.gap = contact.gap / step_.instantaneous();
   attempt.balance_gap = step_.fraction() * attempt.gap + (1 - step_.fraction()) * gap;
   attempt.pressure = std::move(contact.pressure);
-  ContactPast past{n_closed(), edge_};
+  ContactPast past{edge_};
+  if (start.courses) past.passing_depths = courses.passing_depths;
   if (free_surface_)
     past.opening = free_surface_->opening(start.ends.array() - (indentation + move.to_balance.increment));
   attempt.reading = read(attempt.pressure, attempt.balance_gap, past);

@@ -97,7 +97,6 @@ class NormalContact {
   [[nodiscard]] double start_indentation() const;
   [[nodiscard]] Move steady(double increment) const;
   [[nodiscard]] std::pair<double, Attempt> attempt_under_force(const Start& start) const;
-  [[nodiscard]] std::optional<Eigen::Index> n_closed() const;
 
   const ContactProblem& problem_;
   const RelaxationModel& relaxation_;

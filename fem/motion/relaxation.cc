@@ -79,7 +79,11 @@ double PronyInterval::memory_of(std::size_t branch, const IndenterMove& move) co
 }
 
 double PronyInterval::memory_of_turn(std::size_t branch, double share, double until) const {
-  const double z = rate_[branch], modulus = (1 - viscous_share(z)) * modulus_[branch];
+  return (1 - viscous_share(rate_[branch])) * whole_memory_of_turn(branch, share, until);
+}
+
+double PronyInterval::whole_memory_of_turn(std::size_t branch, double share, double until) const {
+  const double z = rate_[branch], modulus = modulus_[branch];
   const auto mean_decay = [z](double time) { return z * time == 0 ? 1 : -std::expm1(-z * time) / (z * time); };
   if (until <= share) return modulus * until / share * mean_decay(until);
   const double after = until - share;
@@ -88,6 +92,7 @@ double PronyInterval::memory_of_turn(std::size_t branch, double share, double un
 
 RelaxationStep::RelaxationStep(const RelaxationModel& model, double dt)
     : model_(model),
+      dt_(dt),
       fraction_(balance_fraction(model, dt)),
       to_balance_(model, fraction_ * dt),
       whole_(model, dt),
@@ -101,6 +106,14 @@ double RelaxationStep::response_to_turn(double share) const {
   const double distance = fraction_ <= share ? fraction_ / share : (1 - fraction_) / (1 - share);
   double response = model_.relaxed * distance;
   for (std::size_t i = 0; i < whole_.n_branches(); ++i) response += whole_.memory_of_turn(i, share, fraction_);
+  return response;
+}
+
+double RelaxationStep::passing_response_to_turn(double share) const {
+  const double rate = (fraction_ <= share ? 1 / share : -1 / (1 - share)) / dt_;
+  double response = model_.viscosity * rate;
+  for (std::size_t i = 0; i < whole_.n_branches(); ++i)
+    response += whole_.whole_memory_of_turn(i, share, fraction_) - whole_.memory_of_turn(i, share, fraction_);
   return response;
 }
 

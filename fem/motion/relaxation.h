@@ -57,6 +57,8 @@ class PronyInterval {
   /// its end, per distance when it turns; until: a share as well, when the memory is asked for. Of branches faster than
   /// the interval only as far as they act as springs.
   [[nodiscard]] double memory_of_turn(std::size_t branch, double share, double until = 1) const;
+  /// The same of all of the branch.
+  [[nodiscard]] double whole_memory_of_turn(std::size_t branch, double share, double until) const;
   [[nodiscard]] std::size_t n_branches() const { return decay_.size(); }
 
  private:
@@ -102,6 +104,9 @@ class RelaxationStep {
   }
   /// Of the relaxed body and the branches at the balance time, likewise.
   [[nodiscard]] double response_to_turn(double share) const;
+  /// What is left out there, of a dashpot and of branches that act as one: what they bear at the balance time, beyond
+  /// what belongs to the whole step.
+  [[nodiscard]] double passing_response_to_turn(double share) const;
 
   /// Change of w at the balance time per unit of (minus) slip made in the whole step.
   [[nodiscard]] double instantaneous() const { return instantaneous_; }
@@ -127,7 +132,7 @@ class RelaxationStep {
 
  private:
   RelaxationModel model_;
-  double fraction_;
+  double dt_, fraction_;
   PronyInterval to_balance_, whole_;
   double instantaneous_, stiffness_before_balance_;
 };

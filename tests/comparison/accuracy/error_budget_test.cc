@@ -157,7 +157,8 @@ TEST(ErrorBudget, MeasuresTheReadingOfEdgesElsewhereInTheirRings) {
 
 TEST(ErrorBudget, KnowsWhatTheReadingOfAQuarterOfTheRingsLeavesOpen) {
   const auto resolution = resolution_for(1e-3);
-  const auto half = with_rings(resolution, 0.5), quarter = with_rings(resolution, 0.25);
+  const auto variants = variants_of(resolution, {});
+  const auto &half = variants[0].resolution, &quarter = variants[1].resolution;
   const auto known = all_known(resolution, {}, [&](const Resolution& r) {
     return r == quarter ? 0.44 : r == half ? 0.501 : 0.5;
   });

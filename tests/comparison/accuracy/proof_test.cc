@@ -245,7 +245,7 @@ TEST(Proof, RefinesForTheRingsBeforeItLooksForOtherErrors) {
   EXPECT_GT(answer.resolution.elements_per_radius, start);
   const auto finer =
       std::find_if(asked.begin(), asked.end(), [=](const auto& r) { return r.elements_per_radius > start; });
-  EXPECT_EQ(finer - asked.begin(), 3) << "itself, half and a quarter of its rings";
+  EXPECT_EQ(finer - asked.begin(), 4) << "itself, and with half the steps all, half and a quarter of its rings";
 }
 
 TEST(Proof, KeepsRingsAndStepsThatTheCaseFixes) {

@@ -96,7 +96,9 @@ struct Growing {
                  speed / 2 * (punch_traction(problem, n_pressed) + punch_traction(problem, n_pressed - 1))) {}
 
   [[nodiscard]] ContactForce read(const PunchSeries& series) const {
-    return contact_force(series, pressure, hertz.gap, {n_pressed - 1, PressureAtEdge::jumps});
+    Eigen::VectorXd passing = Eigen::VectorXd::Zero(pressure.size());
+    passing[n_pressed - 1] = speed / 2;
+    return contact_force(series, pressure, hertz.gap, {PressureAtEdge::jumps, passing});
   }
 };
 
@@ -112,6 +114,20 @@ TEST_F(ContactForceTest, GoesOnToAnEdgeWhereThePressureJumps) {
   }
   EXPECT_LT(worst, 5e-6);
   EXPECT_GT(worst_sum, 1e-3);
+}
+
+// Rings that bear something on average, as they touched in the step, but none of it yet at its balance time.
+TEST_F(ContactForceTest, EndsBeforeRingsThatTouchAfterTheInstant) {
+  const auto [pressure, gap] = hertz_contact(problem_, 0.9 * 0.9);
+  const Index n_pressed = (pressure.array() > 0).count();
+  Eigen::VectorXd late = pressure, passing = Eigen::VectorXd::Zero(pressure.size());
+  late += 0.02 * (punch_traction(problem_, n_pressed + 2) - punch_traction(problem_, n_pressed));
+  passing.segment(n_pressed, 2).setConstant(-std::numeric_limits<double>::infinity());
+  const auto before = contact_force(series_, pressure, gap),
+             with_late = contact_force(series_, late, gap, {{}, passing});
+  EXPECT_NEAR(with_late.force, before.force, 1e-12);
+  EXPECT_NEAR(with_late.radius, before.radius, 1e-12);
+  EXPECT_GT(contact_force(series_, late, gap).force, 1.0001 * before.force);
 }
 
 }  // namespace

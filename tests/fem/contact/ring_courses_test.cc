@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "tests/fem/half_space.h"
 
 namespace fretval::fem::ring_courses_test {
@@ -18,6 +20,7 @@ class RingCoursesTest : public testing::Test {
   const PunchSeries& series_ = normal_half_space(16).series;
   RelaxationStep step_{RelaxationModel{1, {3}, {2}, 0}, 0.1};
   IndenterMove move_ = steady_move(increment, 0.1);
+  double gap_of_touching_ = 0.1;
 
   [[nodiscard]] RingCourses courses() const {
     const Index n = series_.radii().size();
@@ -27,7 +30,7 @@ class RingCoursesTest : public testing::Test {
     load.head(touching).setConstant(1);
     load[lifting] = 0.6;
     standing[lifting] = -0.2 - following;  // less than nothing if it followed
-    gap[touching] = 0.1;
+    gap[touching] = gap_of_touching_;
     gap[approaching] = 0.5;
     return CoursesInStep(series_, step_, load, standing, gap).under(move_, increment);
   }
@@ -43,7 +46,7 @@ TEST_F(RingCoursesTest, RingsAreDrivenWhileTheyAreInContact) {
 
 // One that lifts is left behind after three quarters of the step, one that touches is ahead of the straight way before.
 TEST_F(RingCoursesTest, BranchesRememberWhereAWayTurns) {
-  const auto [driven, response, memory] = courses();
+  const auto [driven, response, memory, passing] = courses();
   const VectorXd of_branch = series_.displacements(memory.col(0)), at_end = series_.displacements(response);
   const double left_behind = 0.75 * -0.2 / step_.instantaneous(), ahead = 0.25 * -0.3;
   EXPECT_NEAR(of_branch[lifting], left_behind * step_.memory_of_turn(0, 0.75), 1e-9);
@@ -52,13 +55,21 @@ TEST_F(RingCoursesTest, BranchesRememberWhereAWayTurns) {
   EXPECT_NEAR(of_branch[held], 0, 1e-12);
   EXPECT_NEAR(of_branch[approaching], 0, 1e-12);
   EXPECT_LT((of_branch - at_end).cwiseAbs().maxCoeff(), 1e-7) << "balanced at the end of the step";
+  EXPECT_LT(passing.cwiseAbs().maxCoeff(), 1e-7) << "nothing is viscous";
 }
 
-TEST_F(RingCoursesTest, NothingTurnsWithoutABranch) {
-  step_ = RelaxationStep(RelaxationModel{1, {}, {}, 2}, 0.1);
-  const auto all = courses();
-  EXPECT_FALSE(all.has_turns());
-  EXPECT_NEAR(series_.displacements(all.driven)[lifting], 0.75, 1e-12);
+// Balanced at 0.504 of the step. From when a ring touches, the dashpot bears all that belongs to it at once.
+TEST_F(RingCoursesTest, ADashpotBearsNothingBeforeARingTouches) {
+  constexpr double viscosity = 2, dt = 0.1;
+  step_ = RelaxationStep(RelaxationModel{1, {}, {}, viscosity}, dt);
+  const auto early = courses();
+  EXPECT_NEAR(series_.displacements(early.driven)[lifting], 0.75, 1e-12);
+  const double mean = viscosity * 0.3 / dt;  // it is driven for the last 0.3 of the way, in 0.75 of the step
+  EXPECT_NEAR(early.passing_depths[touching], mean / 0.75 - mean, 1e-12);
+  EXPECT_EQ(early.passing_depths[held], 0);
+  EXPECT_EQ(early.passing_depths[approaching], 0);
+  gap_of_touching_ = 0.3;  // in three quarters of the step
+  EXPECT_EQ(courses().passing_depths[touching], -std::numeric_limits<double>::infinity());
 }
 
 }  // namespace

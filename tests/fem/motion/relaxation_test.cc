@@ -244,7 +244,7 @@ TEST(PronyInterval, WayThatTurnsIsAStraightOneAndATurn) {
       memory = rest.decay(0) * memory + rest.gain(0) * second * after / (1 - turns_at);
     }
     const double straight = PronyInterval(model, until * dt).gain(0) * until * (first + second);
-    EXPECT_NEAR(memory - straight, detour * whole.memory_of_turn(0, turns_at, until), 1e-10) << until;
+    EXPECT_NEAR(memory - straight, detour * whole.whole_memory_of_turn(0, turns_at, until), 1e-14) << until;
   }
 }
 
@@ -255,6 +255,22 @@ TEST(RelaxationStep, FastBranchesHaveNoTurn) {
   const RelaxationStep step(RelaxationModel{2, {}, {}, 1}, 1);  // balanced inside
   EXPECT_NEAR(step.response_to_turn(0.9), 2 * step.fraction() / 0.9, 1e-14);
   EXPECT_NEAR(step.response_to_turn(0.1), 2 * (1 - step.fraction()) / 0.9, 1e-14);
+}
+
+// At the balance time a dashpot knows the rate then, not that of the whole step; so does all of a branch.
+TEST(RelaxationStep, PassingIsWhatATurnAddsAtTheInstantAlone) {
+  constexpr double viscosity = 3, dt = 0.5;
+  const RelaxationStep dashpot(RelaxationModel{2, {}, {}, viscosity}, dt);
+  EXPECT_NEAR(dashpot.passing_response_to_turn(0.25), -viscosity / (0.75 * dt), 1e-14);
+  EXPECT_NEAR(dashpot.passing_response_to_turn(0.9), viscosity / (0.9 * dt), 1e-14);
+  const RelaxationModel model{2, {5}, {0.2}, 0};
+  const RelaxationStep step(model, dt);
+  const PronyInterval whole(model, dt);
+  for (const double share : {0.3, 0.95}) {
+    const double f = step.fraction(), distance = f <= share ? f / share : (1 - f) / (1 - share);
+    EXPECT_NEAR(step.response_to_turn(share) + step.passing_response_to_turn(share),
+                2 * distance + whole.whole_memory_of_turn(0, share, f), 1e-14);
+  }
 }
 
 TEST(RelaxationStep, ResponseOfADrivenStrainIsProportionalToIt) {
