@@ -29,11 +29,9 @@ Resolution with_fewer_steps(const Resolution& r) {
   return r;
 }
 
-/// For rings and edges. Rings that touch within a step add to either; so no fewer steps where the body does not follow
-/// them, and never fewer than half: on a quarter of them, bars of 1e-5 turn out twice as wide.
+/// For rings and edges: on a quarter of the steps, bars of 1e-5 turn out twice as wide.
 Resolution with_half_the_steps(const Resolution& r, const CaseNeeds& needs) {
-  if (needs.held_from_start || needs.has_short_branch || r.steps_per_cycle / 2 < enough_steps) return r;
-  return with_steps(r, 0.5);
+  return !needs.moves_by_steps && r.steps_per_cycle / 2 >= enough_steps ? with_steps(r, 0.5) : r;
 }
 
 template <class Change>

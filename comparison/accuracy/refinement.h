@@ -33,13 +33,16 @@ struct CaseNeeds {
   bool first_slip_ends_with_contact = false, shakedown_ends_with_contact = false;
   /// A branch relaxes within two steps: what coarser ones seem to say of an order in the step is not believed.
   bool has_short_branch = false;
+  /// The indenter follows a tangential force or the rows of a path, step by step: errors of rings and steps depend on
+  /// each other.
+  bool moves_by_steps = false;
 };
 
 /// What has to be computed besides a resolution to measure its errors, each source by its own refinement, and what
 /// reading the edges costs by the same rings with the edges elsewhere in them. Where the resolution is fine, each
-/// source is measured on something coarser that it does not get smaller by: rings and edges with half the steps,
-/// element order and grading with fewer steps, time step and creep with half the rings, far field, start and cycles
-/// with both. Two of one source follow each other, the coarser one last.
+/// source is measured on something coarser that it does not get smaller by: rings and edges with half the steps (unless
+/// those move the indenter), element order and grading with fewer steps, time step and creep with half the rings, far
+/// field, start and cycles with both. Two of one source follow each other, the coarser one last.
 std::vector<Variant> variants_of(const Resolution& resolution, const CaseNeeds& needs);
 
 /// The same for the course of wear, which ends shaken down and reads no edges: rings, element order, far field, time

@@ -39,7 +39,8 @@ FrictionContact::FrictionContact(const ContactProblem& problem, const Relaxation
       step_(relaxation, dt_),
       depths_of_state_(state),
       moves_of_cycle_(static_cast<std::size_t>(steps_per_cycle)),
-      made_{std::vector<BoxState>(static_cast<std::size_t>(limit.size()), BoxState::interior), {}, {}, {}, {}, {}} {}
+      made_{std::vector<BoxState>(static_cast<std::size_t>(limit.size()), BoxState::interior), {}, {}, {}, {}, {}, {}} {
+}
 
 /// At the start of every cycle: in between it is stepped like the state, and what roundoff makes of it stays small.
 void FrictionContact::read_depths_of_state() {
@@ -50,13 +51,15 @@ void FrictionContact::read_depths_of_state() {
 }
 
 void FrictionContact::attempt(const IndenterMove& to_balance, Attempt& made) const {
-  auto& [stick, target, solution, slip_to_touch, depths_to_touch, depths] = made;
-  const Eigen::VectorXd response = step_.response_without_slip(state, to_balance);
+  auto& [stick, response, target, solution, slip_to_touch, depths_to_touch, depths] = made;
+  step_.find_response_without_slip(state, to_balance, response);
   target.q = problem_.compliance.areas.cwiseProduct(response);
-  if (response.lpNorm<Eigen::Infinity>() < still_summed * relaxation_.relaxed * largest_displacement_)
+  if (response.lpNorm<Eigen::Infinity>() < still_summed * relaxation_.relaxed * largest_displacement_) {
     problem_.solver.hold(target);
-  else
-    target.held = problem_.series.loads_of_depths(step_.response_without_slip(depths_of_state_, to_balance));
+  } else {
+    step_.find_response_without_slip(depths_of_state_, to_balance, target.held);
+    target.held = problem_.series.loads_of_depths(target.held);
+  }
   slip_before_touch(made);
   foresee_slip(made);
   problem_.solver.solve(target, least_, limit, stick, solution);
@@ -135,7 +138,7 @@ void FrictionContact::find_touching(const Eigen::Ref<const Eigen::VectorXd>& pre
 /// While the contact grows, the indenter takes along the rings that touch already. So each punch of PunchSeries moves
 /// from the instant on at which its outermost ring touches.
 void FrictionContact::slip_before_touch(Attempt& made) const {
-  auto& [stick, target, solution, slip, slip_in_depths, depths] = made;
+  auto& [stick, unused, target, solution, slip, slip_in_depths, depths] = made;
   slip.resize(0);
   const auto n = until_touch_.size();
   if (n == 0) return;
@@ -200,7 +203,7 @@ void FrictionContact::step(const Eigen::Ref<const Eigen::VectorXd>& pressure,
   }
   const auto& [to_balance, whole] = motion_.tangential_force ? moves_ : moves();
   if (!motion_.tangential_force) attempt(to_balance, made_);
-  auto& [stick, target, solution, slip_to_touch, depths_to_touch, depths] = made_;
+  auto& [stick, unused, target, solution, slip_to_touch, depths_to_touch, depths] = made_;
   zones.update(limit, stick, depths);
   for (std::size_t i = 0; i < stick.size(); ++i)
     if (limit[static_cast<Eigen::Index>(i)] == 0) stick[i] = BoxState::interior;  // the guess for when it touches again
@@ -224,11 +227,6 @@ FrozenStep FrictionContact::frozen() const {
   for (std::size_t i = 0; i < made_.stick.size(); ++i)
     frozen.held[i] = made_.stick[i] == BoxState::interior && limit[static_cast<Eigen::Index>(i)] > 0;
   return frozen;
-}
-
-Eigen::VectorXd FrictionContact::balance_displacements() const {
-  const double after = displacement - balance_displacement;
-  return ((state.displacement + (1 - fraction()) * slip).array() - after).matrix();
 }
 
 }  // namespace fretval::fem

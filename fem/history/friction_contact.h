@@ -46,7 +46,10 @@ class FrictionContact {
   [[nodiscard]] double friction_coefficient() const { return friction_coefficient_; }
   [[nodiscard]] int steps_per_cycle() const { return steps_per_cycle_; }
   /// Of the rings at the balance time: what they do in a step after it is undone.
-  [[nodiscard]] Eigen::VectorXd balance_displacements() const;
+  [[nodiscard]] auto balance_displacements() const {
+    const double after = displacement - balance_displacement;
+    return state.displacement + (1 - fraction()) * slip - Eigen::VectorXd::Constant(slip.size(), after);
+  }
   /// Fraction of a step at which forces balance.
   [[nodiscard]] double fraction() const { return step_.fraction(); }
   /// The last step, in which rings that stick are held.
@@ -67,6 +70,7 @@ class FrictionContact {
   /// What a move of the indenter up to the balance time would come to.
   struct Attempt {
     std::vector<BoxState> stick;  // interior: sticks
+    Eigen::VectorXd response;     // where no ring slips
     BoxSolver::Target target;
     BoxSolver::Solution solution;
     Eigen::VectorXd slip_to_touch;    // of rings that touch in the step, before they do; empty: none

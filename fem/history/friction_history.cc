@@ -64,8 +64,8 @@ FrictionPeriod::FrictionPeriod(Eigen::Index n_rings, int n_steps)
       limit_depths_(traction_),
       pieces_(static_cast<std::size_t>(n_steps)),
       indenter_(n_steps),
-      least_(1, -infinity),
-      most_(1, -infinity),
+      both_ways_(2),
+      extremes_(2, -infinity),
       zones_(static_cast<std::size_t>(n_rings)),
       last_traction_(Eigen::VectorXd::Zero(n_rings)),
       last_depths_(last_traction_),
@@ -75,7 +75,7 @@ FrictionPeriod::FrictionPeriod(Eigen::Index n_rings, int n_steps)
 }
 
 void FrictionPeriod::begin() {
-  for (auto* minimum : {&least_, &most_}) minimum->restart();
+  extremes_.restart();
   forward_.setConstant(infinity);
   backward_.setConstant(infinity);
   for (auto* sum : {&slip_, &work_, &series_work_}) sum->setZero();
@@ -110,8 +110,8 @@ void FrictionPeriod::see(const FrictionContact& contact) {
   series_work_ += (weight * contact.zones.depths() + (1 - weight) * last_depths_).cwiseProduct(contact.slip_depths);
   auto whole_step = contact.in_piece();  // the indenter is known at its end
   if (whole_step) whole_step->fraction = 1;
-  least_.add(Eigen::VectorXd::Constant(1, contact.displacement), whole_step);
-  most_.add(Eigen::VectorXd::Constant(1, -contact.displacement), whole_step);
+  both_ways_ << contact.displacement, -contact.displacement;
+  extremes_.add(both_ways_, whole_step);
   indenter_[k_] = contact.balance_displacement;
   for (std::size_t i = 0; i < zones_.size(); ++i) zones_[i] |= contact.limit[static_cast<Eigen::Index>(i)] > 0 ? 2 : 4;
   pass(contact);
@@ -149,7 +149,7 @@ void FrictionPeriod::hand_over(const ContactProblem& problem, FrictionHistory& h
 }
 
 double FrictionPeriod::amplitude(const Motion& motion) const {
-  return motion.tangential_force ? -(least_.value()[0] + most_.value()[0]) / 2 : motion.tangential_amplitude();
+  return motion.tangential_force ? -extremes_.value().sum() / 2 : motion.tangential_amplitude();
 }
 
 FirstSlip::FirstSlip(Eigen::Index n_rings)

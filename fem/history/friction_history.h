@@ -67,7 +67,8 @@ class FrictionPeriod {
   Eigen::MatrixXd traction_, displacement_, depths_, limit_depths_;  // a column a step
   std::vector<std::optional<StepInPiece>> pieces_;                   // that they lie in
   Eigen::VectorXd indenter_;
-  RunningMinimum least_, most_;     // of the indenter, the other way round
+  Eigen::VectorXd both_ways_;       // of the indenter, and the other way round
+  RunningMinimum extremes_;         // of these
   std::vector<signed char> zones_;  // what happened to each ring, as bits
   Eigen::VectorXd last_traction_, last_depths_;
   Eigen::VectorXd work_, series_work_;  // of friction, per area, and as a product of depths and displacements

@@ -127,12 +127,11 @@ namespace {
 
 /// common: the response of what is driven by 1. driven: a vector, or an expression of ones that nothing is stored for.
 template <class Driven>
-Eigen::VectorXd response_of(const RingState& state, double relaxed, const PronyInterval& to_balance, double common,
-                            const Driven& driven) {
-  Eigen::VectorXd response = relaxed * state.displacement + common * driven;
+void add_up_response(const RingState& state, double relaxed, const PronyInterval& to_balance, double common,
+                     const Driven& driven, Eigen::VectorXd& response) {
+  response = relaxed * state.displacement + common * driven;
   for (std::size_t i = 0; i < to_balance.n_branches(); ++i)
     response += to_balance.decay(i) * state.memory.col(static_cast<Eigen::Index>(i));
-  return response;
 }
 
 template <class Driven>
@@ -148,13 +147,22 @@ void advance_by(const PronyInterval& whole, const IndenterMove& move, const Eige
 }  // namespace
 
 Eigen::VectorXd RelaxationStep::response_without_slip(const RingState& state, const IndenterMove& move) const {
-  return response_of(state, model_.relaxed, to_balance_, response_to(move),
-                     Eigen::VectorXd::Ones(state.displacement.size()));
+  Eigen::VectorXd response;
+  find_response_without_slip(state, move, response);
+  return response;
+}
+
+void RelaxationStep::find_response_without_slip(const RingState& state, const IndenterMove& move,
+                                                Eigen::VectorXd& response) const {
+  add_up_response(state, model_.relaxed, to_balance_, response_to(move),
+                  Eigen::VectorXd::Ones(state.displacement.size()), response);
 }
 
 Eigen::VectorXd RelaxationStep::response_without_slip(const RingState& state, const IndenterMove& move,
                                                       const Eigen::VectorXd& driven) const {
-  return response_of(state, model_.relaxed, to_balance_, response_to(move), driven);
+  Eigen::VectorXd response;
+  add_up_response(state, model_.relaxed, to_balance_, response_to(move), driven, response);
+  return response;
 }
 
 void RelaxationStep::advance(RingState& state, const IndenterMove& move, const Eigen::VectorXd& slip) const {

@@ -119,6 +119,8 @@ class RelaxationStep {
 
   /// w at the balance time of rings that do not slip; move: of the indenter up to the balance time.
   [[nodiscard]] Eigen::VectorXd response_without_slip(const RingState& state, const IndenterMove& move) const;
+  /// Into one that is there.
+  void find_response_without_slip(const RingState& state, const IndenterMove& move, Eigen::VectorXd& response) const;
 
   /// The same where the indenter moves each entry by its share: strains at the points of a body, of which driven is
   /// that of a unit displacement of the indenter.

@@ -35,7 +35,8 @@ double scan_step(const SpringModel& model) {
   return least_force_angle(model) / n_scan_steps;
 }
 
-Eigen::ArrayXd decay(const SpringModel& model, double angle) {
+/// An expression, which allocates nothing.
+auto decay(const SpringModel& model, double angle) {
   return (-angle / model.branch_times).exp();
 }
 
