@@ -230,7 +230,7 @@ Rows pressing_rows(const Meshes& meshes, const ExactScene& exact) {
                     [](double) { return 1.0; },
                     [](double d) { return d; },
                     1,
-                    {5e-6, 2, 1e-8, "", 200},
+                    {1e-12, 2, 1e-8, "", 200},
                     {1e-6, 3, far_field, far_field_note},
                     {50, 100, 200, 400}};
   const Pressing in_and_out{"Ting",
@@ -239,7 +239,7 @@ Rows pressing_rows(const Meshes& meshes, const ExactScene& exact) {
                             [](double t) { return 2 - 2 * t; },
                             [](double d) { return 1 - std::sqrt(1 - d); },
                             2,
-                            {1.4e-5, 2, 1e-8, "", 400},
+                            {1e-8, 2, 1e-8, "", 400},
                             {1e-5, 3, far_field, far_field_note},
                             {100, 200, 400, 800}};
   const auto& problem = meshes.front().normal;
