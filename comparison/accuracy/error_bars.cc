@@ -209,7 +209,7 @@ CaseNeeds needs_of(const FemCase& fem) {
       fem.relaxation.has_memory(), !fem.motion.locked,
       fem.worn_edge.has_value(),   fem.relaxation.viscosity > 0 || fem.motion.tangential_force || fem.any_order,
       fem.motion.is_single_pass(), fem.any_order};
-  needs.moves_by_steps = fem.motion.tangential_force || fem.motion.path || fem.any_order;
+  needs.moves_by_steps = fem.motion.tangential_force || fem.motion.path;
   const double two_steps = 4 * fem::pi / fem.steps_per_cycle();
   const auto& times = fem.relaxation.times;
   needs.has_short_branch = std::any_of(times.begin(), times.end(), [=](double time) { return time < two_steps; });

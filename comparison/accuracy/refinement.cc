@@ -31,7 +31,8 @@ Resolution with_fewer_steps(const Resolution& r) {
 
 /// For rings and edges: on a quarter of the steps, bars of 1e-5 turn out twice as wide.
 Resolution with_half_the_steps(const Resolution& r, const CaseNeeds& needs) {
-  return !needs.moves_by_steps && r.steps_per_cycle / 2 >= enough_steps ? with_steps(r, 0.5) : r;
+  if (needs.moves_by_steps || needs.any_order || r.steps_per_cycle / 2 < enough_steps) return r;
+  return with_steps(r, 0.5);
 }
 
 template <class Change>

@@ -41,8 +41,9 @@ struct CaseNeeds {
 /// What has to be computed besides a resolution to measure its errors, each source by its own refinement, and what
 /// reading the edges costs by the same rings with the edges elsewhere in them. Where the resolution is fine, each
 /// source is measured on something coarser that it does not get smaller by: rings and edges with half the steps (all
-/// where the indenter moves by them), element order and grading with fewer steps, time step and creep with half the
-/// rings, far field, start and cycles with both. Two of one source follow each other, the coarser one last.
+/// where the indenter moves by them, or rings touch in any order), element order and grading with fewer steps, time
+/// step and creep with half the rings, far field, start and cycles with both. Two of one source follow each other, the
+/// coarser one last.
 std::vector<Variant> variants_of(const Resolution& resolution, const CaseNeeds& needs);
 
 /// The same for the course of wear, which ends shaken down and reads no edges: rings, element order, far field, time

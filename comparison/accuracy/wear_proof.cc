@@ -15,7 +15,7 @@
 namespace fretval {
 namespace {
 
-constexpr int most_rounds = 4;
+constexpr int most_rounds = 4;  // each mends one source of error
 
 std::vector<Resolution> needed_for_bars(const Resolution& resolution) {
   std::vector<Resolution> needed;

@@ -50,10 +50,9 @@ Opening opening_outside(const PunchSeries& series, const Eigen::VectorXd& gap, I
 /// Between the last ring in contact and the next one; empty where the gap jumps (a flat punch).
 std::optional<double> edge_of_contact(const PunchSeries& series, const Eigen::VectorXd& depths,
                                       const Eigen::VectorXd& gap, Index n_pressed, const ContactPast& past) {
-  const auto by_gap =
-      edge_of(past.opening ? *past.opening : opening_outside(series, gap, n_pressed), series.radii(), n_pressed);
+  if (!past.opening) return edge_of(opening_outside(series, gap, n_pressed), series.radii(), n_pressed);
+  const auto by_gap = edge_of(*past.opening, series.radii(), n_pressed);
   // A contact that goes back ends where its pressure vanishes, before its gap would.
-  if (!past.opening) return by_gap;
   const auto by_pressure = series.edge_of_pressure(depths, n_pressed);
   return by_gap && by_pressure ? std::min(*by_gap, *by_pressure) : by_gap ? by_gap : by_pressure;
 }

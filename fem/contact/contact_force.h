@@ -17,8 +17,8 @@ enum class PressureAtEdge { vanishes, jumps, falls_and_jumps };
 /// What pressures and gaps of an instant do not tell of a contact.
 struct ContactPast {
   PressureAtEdge edge = PressureAtEdge::vanishes;
-  /// Of a body with memory, see RingCourses.
-  std::optional<Eigen::VectorXd> passing_depths = std::nullopt;
+  /// Of a body with memory, see RingCourses; they must outlive this.
+  std::optional<Eigen::Ref<const Eigen::VectorXd>> passing_depths = std::nullopt;
   /// Of a body with memory, for rings in contact.
   std::optional<Opening> opening = std::nullopt;
 };

@@ -8,7 +8,7 @@
 namespace fretval::fem {
 
 /// What a step of the normal history has beyond rings that move at a constant rate: how far the indenter drives them,
-/// whose motion is known exactly, and what branches have of a way that turns inside the step; no entries: nothing does.
+/// whose motion is known exactly, and what the body has of a way that turns inside the step; no entries: nothing does.
 struct RingCourses {
   Eigen::VectorXd driven;    ///< per displacement of the indenter
   Eigen::VectorXd response;  ///< to the turns, at the balance time
@@ -31,7 +31,7 @@ struct RingCourses {
 ///
 /// Without the turns forces are of second order too, but in a stiff branch that lifts off forty times as far off: its
 /// memory of what came late in the step has had less time to fade. A parallel dashpot has no memory, and what it bears
-/// belongs to the whole step (RelaxationStep).
+/// belongs to the whole step (RelaxationStep), but for what is read of an instant (passing_depths).
 class CoursesInStep {
  public:
   /// All at the start of the step, as depths or displacements of the series: load of the pressures; of those that rings

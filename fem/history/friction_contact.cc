@@ -39,8 +39,7 @@ FrictionContact::FrictionContact(const ContactProblem& problem, const Relaxation
       step_(relaxation, dt_),
       depths_of_state_(state),
       moves_of_cycle_(static_cast<std::size_t>(steps_per_cycle)),
-      made_{std::vector<BoxState>(static_cast<std::size_t>(limit.size()), BoxState::interior), {}, {}, {}, {}, {}, {}} {
-}
+      made_{std::vector<BoxState>(static_cast<std::size_t>(limit.size()), BoxState::interior), {}, {}, {}, {}, {}} {}
 
 /// At the start of every cycle: in between it is stepped like the state, and what roundoff makes of it stays small.
 void FrictionContact::read_depths_of_state() {
@@ -51,10 +50,11 @@ void FrictionContact::read_depths_of_state() {
 }
 
 void FrictionContact::attempt(const IndenterMove& to_balance, Attempt& made) const {
-  auto& [stick, response, target, solution, slip_to_touch, depths_to_touch, depths] = made;
-  step_.find_response_without_slip(state, to_balance, response);
-  target.q = problem_.compliance.areas.cwiseProduct(response);
-  if (response.lpNorm<Eigen::Infinity>() < still_summed * relaxation_.relaxed * largest_displacement_) {
+  auto& [stick, target, solution, slip_to_touch, depths_to_touch, depths] = made;
+  step_.find_response_without_slip(state, to_balance, target.q);
+  const double largest_response = target.q.lpNorm<Eigen::Infinity>();
+  target.q = problem_.compliance.areas.cwiseProduct(target.q);
+  if (largest_response < still_summed * relaxation_.relaxed * largest_displacement_) {
     problem_.solver.hold(target);
   } else {
     step_.find_response_without_slip(depths_of_state_, to_balance, target.held);
@@ -138,7 +138,7 @@ void FrictionContact::find_touching(const Eigen::Ref<const Eigen::VectorXd>& pre
 /// While the contact grows, the indenter takes along the rings that touch already. So each punch of PunchSeries moves
 /// from the instant on at which its outermost ring touches.
 void FrictionContact::slip_before_touch(Attempt& made) const {
-  auto& [stick, unused, target, solution, slip, slip_in_depths, depths] = made;
+  auto& [stick, target, solution, slip, slip_in_depths, depths] = made;
   slip.resize(0);
   const auto n = until_touch_.size();
   if (n == 0) return;
@@ -203,7 +203,7 @@ void FrictionContact::step(const Eigen::Ref<const Eigen::VectorXd>& pressure,
   }
   const auto& [to_balance, whole] = motion_.tangential_force ? moves_ : moves();
   if (!motion_.tangential_force) attempt(to_balance, made_);
-  auto& [stick, unused, target, solution, slip_to_touch, depths_to_touch, depths] = made_;
+  auto& [stick, target, solution, slip_to_touch, depths_to_touch, depths] = made_;
   zones.update(limit, stick, depths);
   for (std::size_t i = 0; i < stick.size(); ++i)
     if (limit[static_cast<Eigen::Index>(i)] == 0) stick[i] = BoxState::interior;  // the guess for when it touches again

@@ -70,7 +70,6 @@ class FrictionContact {
   /// What a move of the indenter up to the balance time would come to.
   struct Attempt {
     std::vector<BoxState> stick;  // interior: sticks
-    Eigen::VectorXd response;     // where no ring slips
     BoxSolver::Target target;
     BoxSolver::Solution solution;
     Eigen::VectorXd slip_to_touch;    // of rings that touch in the step, before they do; empty: none

@@ -102,7 +102,7 @@ NormalContact::Attempt NormalContact::attempt(const Move& move, const Start& sta
   attempt.balance_gap = step_.fraction() * attempt.gap + (1 - step_.fraction()) * gap;
   attempt.pressure = std::move(contact.pressure);
   ContactPast past{edge_};
-  if (start.courses) past.passing_depths = courses.passing_depths;
+  if (start.courses) past.passing_depths.emplace(courses.passing_depths);
   if (free_surface_)
     past.opening = free_surface_->opening(start.ends.array() - (indentation + move.to_balance.increment));
   attempt.reading = read(attempt.pressure, attempt.balance_gap, past);

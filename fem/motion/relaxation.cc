@@ -82,6 +82,10 @@ double PronyInterval::memory_of_turn(std::size_t branch, double share, double un
   return (1 - viscous_share(rate_[branch])) * whole_memory_of_turn(branch, share, until);
 }
 
+double PronyInterval::passing_memory_of_turn(std::size_t branch, double share, double until) const {
+  return viscous_share(rate_[branch]) * whole_memory_of_turn(branch, share, until);
+}
+
 double PronyInterval::whole_memory_of_turn(std::size_t branch, double share, double until) const {
   const double z = rate_[branch], modulus = modulus_[branch];
   const auto mean_decay = [z](double time) { return z * time == 0 ? 1 : -std::expm1(-z * time) / (z * time); };
@@ -112,8 +116,7 @@ double RelaxationStep::response_to_turn(double share) const {
 double RelaxationStep::passing_response_to_turn(double share) const {
   const double rate = (fraction_ <= share ? 1 / share : -1 / (1 - share)) / dt_;
   double response = model_.viscosity * rate;
-  for (std::size_t i = 0; i < whole_.n_branches(); ++i)
-    response += whole_.whole_memory_of_turn(i, share, fraction_) - whole_.memory_of_turn(i, share, fraction_);
+  for (std::size_t i = 0; i < whole_.n_branches(); ++i) response += whole_.passing_memory_of_turn(i, share, fraction_);
   return response;
 }
 

@@ -57,8 +57,9 @@ class PronyInterval {
   /// its end, per distance when it turns; until: a share as well, when the memory is asked for. Of branches faster than
   /// the interval only as far as they act as springs.
   [[nodiscard]] double memory_of_turn(std::size_t branch, double share, double until = 1) const;
-  /// The same of all of the branch.
+  /// The same of all of the branch, and as far as it acts as a dashpot.
   [[nodiscard]] double whole_memory_of_turn(std::size_t branch, double share, double until) const;
+  [[nodiscard]] double passing_memory_of_turn(std::size_t branch, double share, double until) const;
   [[nodiscard]] std::size_t n_branches() const { return decay_.size(); }
 
  private:

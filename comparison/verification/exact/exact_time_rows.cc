@@ -63,7 +63,7 @@ std::vector<PressingForce> press(const fem::ContactProblem& problem, const Eigen
     step.advance(state, move, gap - new_gap - by_itself, courses.driven);
     if (courses.has_turns()) state.memory += courses.memory;
     fem::ContactPast past;
-    past.passing_depths = courses.passing_depths;
+    past.passing_depths.emplace(courses.passing_depths);
     past.opening = surface.opening(surface.at_balance(step) + (ends.array() - path(balance).value).matrix());
     const auto force = fem::contact_force(problem.series, solution.x, fraction * new_gap + (1 - fraction) * gap, past);
     surface.advance(step, state, contact, force.radius);

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "fem/support/constants.h"
 #include "fem/support/solver_error.h"
 #include "tests/comparison/fake_numerics.h"
 #include "tests/comparison/suite_case.h"
@@ -25,6 +26,16 @@ ErrorBudget bars_of(const PreparedCase& prepared, const FakeNumerics& numerics, 
 
 PreparedCase prepared_of(const std::string& name) {
   return prepare({suite_case(name, 1e-3)}).front();
+}
+
+TEST(ErrorBars, KnowWhatMovesTheIndenterStepByStep) {
+  const auto cosines = prepared_of("parabola-solid-90").fem;
+  EXPECT_FALSE(needs_of(cosines).moves_by_steps);
+  auto force = cosines, path = cosines;
+  force.motion.tangential_force = true;
+  EXPECT_TRUE(needs_of(force).moves_by_steps);
+  path.motion.path = fem::SampledPath{{0, 3, 2 * fem::pi}, {1, 1.2, 1}, {0, 0.1, 0}, 1, 0, true};
+  EXPECT_TRUE(needs_of(path).moves_by_steps);
 }
 
 TEST(ErrorBars, CoverTheErrorsThatAreThere) {

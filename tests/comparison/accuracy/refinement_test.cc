@@ -98,6 +98,26 @@ TEST(Variants, OfTwoOfASourceTheSecondIsTwiceAsCoarse) {
   EXPECT_EQ(n.size(), 9U) << "all but the jumps of wear";
 }
 
+// Unless steps and rings depend on each other, and never fewer than tell anything.
+TEST(Variants, OfRingsAndEdgesHaveHalfTheSteps) {
+  const auto steps_of_rings = [](const Resolution& resolution, const CaseNeeds& needs) {
+    std::set<int> steps;
+    for (const auto& [source, varied, reference] : variants_of(resolution, needs))
+      if (source == ErrorSource::rings || source == ErrorSource::edge)
+        steps.insert({varied.steps_per_cycle, reference.steps_per_cycle});
+    return steps;
+  };
+  const auto resolution = resolution_for(1e-3);
+  CaseNeeds needs;
+  EXPECT_EQ(steps_of_rings(resolution, needs), std::set<int>{resolution.steps_per_cycle / 2});
+  EXPECT_EQ(steps_of_rings(with_steps(resolution, 0.5), needs), std::set<int>{resolution.steps_per_cycle / 2});
+  needs.moves_by_steps = true;
+  EXPECT_EQ(steps_of_rings(resolution, needs), std::set<int>{resolution.steps_per_cycle});
+  needs = {};
+  needs.any_order = true;
+  EXPECT_EQ(steps_of_rings(resolution, needs), std::set<int>{resolution.steps_per_cycle});
+}
+
 TEST(Variants, AreOfWhatTheCaseNeeds) {
   const auto sources = [](const CaseNeeds& needs) {
     std::set<ErrorSource> all;

@@ -64,6 +64,7 @@ TEST_F(RingCoursesTest, ADashpotBearsNothingBeforeARingTouches) {
   step_ = RelaxationStep(RelaxationModel{1, {}, {}, viscosity}, dt);
   const auto early = courses();
   EXPECT_NEAR(series_.displacements(early.driven)[lifting], 0.75, 1e-12);
+  EXPECT_NEAR(series_.displacements(early.response)[touching], -0.25 * 0.3 * step_.response_to_turn(0.25), 1e-12);
   const double mean = viscosity * 0.3 / dt;  // it is driven for the last 0.3 of the way, in 0.75 of the step
   EXPECT_NEAR(early.passing_depths[touching], mean / 0.75 - mean, 1e-12);
   EXPECT_EQ(early.passing_depths[held], 0);
