@@ -14,34 +14,28 @@ using Eigen::Index;
 
 constexpr Index n_smallest = 2;
 
-/// Rings first..last share a label.
+/// Rings first..last share a label, of n.
 struct Zone {
-  Index first, last;
+  Index first, last, n;
   [[nodiscard]] Index size() const { return last - first + 1; }
+  [[nodiscard]] bool is_outermost() const { return last + 1 == n; }
+  [[nodiscard]] bool is_smooth() const { return size() >= n_smallest || is_outermost(); }
 };
 
-std::vector<Zone> zones_of(const std::vector<signed char>& labels) {
-  std::vector<Zone> zones{{0, 0}};
-  for (std::size_t i = 1; i < labels.size(); ++i) {
-    if (labels[i] == labels[i - 1])
-      ++zones.back().last;
-    else
-      zones.push_back({static_cast<Index>(i), static_cast<Index>(i)});
-  }
-  return zones;
-}
-
-bool is_smooth(const std::vector<Zone>& zones, std::size_t z) {
-  return zones[z].size() >= n_smallest || z + 1 == zones.size();
+template <class Label>
+Zone zone_from(Index first, const Label& label, Index n) {
+  Zone zone{first, first, n};
+  while (!zone.is_outermost() && label(zone.last + 1) == label(first)) ++zone.last;
+  return zone;
 }
 
 /// Where the depths of a zone and of the next one meet; empty where that cannot be told. node: the first of the zone.
-std::optional<double> border_after(const std::vector<Zone>& zones, std::size_t z, Index node,
-                                   const Eigen::VectorXd& radii, const Eigen::VectorXd& depths) {
-  if (!is_smooth(zones, z) || !is_smooth(zones, z + 1)) return std::nullopt;
-  const Index last = zones[z].last, n = std::min<Index>(n_stencil, last - node + 1);
-  return meeting_point({radii, depths, last - n + 1, n},
-                       {radii, depths, last + 1, std::min(n_stencil, zones[z + 1].size())});
+std::optional<double> border(const Zone& zone, const Zone& next, Index node, const Eigen::VectorXd& radii,
+                             const Eigen::VectorXd& depths) {
+  if (!zone.is_smooth() || !next.is_smooth()) return std::nullopt;
+  const Index n = std::min<Index>(n_stencil, zone.last - node + 1);
+  return meeting_point({radii, depths, zone.last - n + 1, n},
+                       {radii, depths, next.first, std::min(n_stencil, next.size())});
 }
 
 }  // namespace
@@ -77,58 +71,84 @@ Eigen::MatrixXd PunchSeries::depths_of_instants(Eigen::MatrixXd tractions) const
   return tractions;
 }
 
-Eigen::VectorXd PunchSeries::displacements(const Eigen::VectorXd& rings) const {
-  Eigen::VectorXd displacements = areas_.cwiseProduct(rings);
+void PunchSeries::to_displacements(Eigen::Ref<Eigen::VectorXd> rings) const {
   Index n_still = 0;
   while (n_still < rings.size() && rings[n_still] == 0) ++n_still;
-  multiply_trailing(inverse_, displacements.tail(rings.size() - n_still));
-  return displacements.cwiseProduct(per_load_);
+  rings.array() *= areas_.array();
+  multiply_trailing(inverse_, rings.tail(rings.size() - n_still));
+  rings.array() *= per_load_.array();
 }
 
-Eigen::VectorXd PunchSeries::rings(const Eigen::VectorXd& displacements, Index first) const {
+Eigen::VectorXd PunchSeries::displacements(Eigen::VectorXd rings) const {
+  to_displacements(rings);
+  return rings;
+}
+
+void PunchSeries::to_rings(Eigen::Ref<Eigen::VectorXd> displacements, Index first) const {
   const Index n = displacements.size();
-  Eigen::VectorXd rings = by_load_.segment(first, n).cwiseProduct(displacements);
-  multiply_block(factor_, first, rings);
-  return rings.cwiseQuotient(areas_.segment(first, n));
+  displacements.array() *= by_load_.segment(first, n).array();
+  multiply_block(factor_, first, displacements);
+  displacements.array() /= areas_.segment(first, n).array();
 }
 
-PunchSeries::Integral PunchSeries::integral(const Eigen::VectorXd& depths, const std::vector<signed char>& labels,
-                                            std::optional<double> end_of_depths) const {
-  const auto zones = zones_of(labels);
+Eigen::VectorXd PunchSeries::rings(Eigen::VectorXd displacements, Index first) const {
+  to_rings(displacements, first);
+  return displacements;
+}
+
+template <class Label>
+PunchSeries::Integral PunchSeries::integral_of(const Eigen::VectorXd& depths, const Label& label, Index n_rings,
+                                               std::optional<double> end_of_depths) const {
+  auto zone = zone_from(0, label, n_rings);
   // The innermost depth is off by the shape of the tip (its ring stands for 4/(3 pi) of its radius under a cone, for
   // 1/2 under a parabola): where the next ones continue smoothly to it, they are continued to the centre instead.
   const bool blunt =
-      zones[0].size() > n_stencil && std::abs(Stencil{radii_, depths, 1, n_stencil}(radii_[0]) - depths[0]) <=
-                                         0.1 * std::abs(depths[1] - depths[0]) + 1e-6 * std::abs(depths[0]);
+      zone.size() > n_stencil && std::abs(Stencil{radii_, depths, 1, n_stencil}(radii_[0]) - depths[0]) <=
+                                     0.1 * std::abs(depths[1] - depths[0]) + 1e-6 * std::abs(depths[0]);
   const auto kink = [&](Index i) {
     if (i == 0 || i + 1 >= depths.size()) return 0.0;
     return (edges_[i + 1] - edges_[i]) * std::abs(depths[i - 1] - 2 * depths[i] + depths[i + 1]);
   };
   constexpr double share_of_kink = 0.125;
   double sum = 0, begin = 0, unseen = 0;
-  for (std::size_t z = 0; z < zones.size(); ++z) {
-    const auto [first, last] = zones[z];
+  while (true) {
+    const auto [first, last, n_all] = zone;
     const Index node = std::max<Index>(first, blunt ? 1 : 0);
     const Index n = std::min<Index>(n_stencil, last - node + 1);
-    const bool is_outermost = z + 1 == zones.size();
-    const auto border = is_outermost ? end_of_depths : border_after(zones, z, node, radii_, depths);
-    const double end = border.value_or(edges_[last + 1]);
-    if (!is_outermost && !border) unseen += share_of_kink * std::max(kink(last), kink(last + 1));
+    const bool is_outermost = zone.is_outermost();
+    const auto next = is_outermost ? zone : zone_from(last + 1, label, n_rings);
+    const auto meets_next = is_outermost ? end_of_depths : border(zone, next, node, radii_, depths);
+    const double end = meets_next.value_or(edges_[last + 1]);
+    if (!is_outermost && !meets_next) unseen += share_of_kink * std::max(kink(last), kink(last + 1));
     for (Index i = first; i <= last; ++i) {
       const double from = i == first ? begin : edges_[i], to = i == last ? end : std::min(edges_[i + 1], end);
       if (to <= from) continue;
       const bool singular_tip = !blunt && i < n_stencil;
       const bool is_inside = i > node && i + 1 < last && edges_[i + 1] <= end;
-      if (!is_smooth(zones, z) || singular_tip)
+      if (!zone.is_smooth() || singular_tip)
         sum += (to - from) * depths[i];
       else if (is_inside)
         sum += whole_rings_.col(i).dot(depths.segment<n_stencil>(i - 1));
       else
         sum += Stencil{radii_, depths, std::clamp(i - 1, node, last - n + 1), n}.integral(from, to);
     }
+    if (is_outermost) break;
     begin = end;
+    zone = next;
   }
   return {force_per_radius_ * sum, force_per_radius_ * unseen};
+}
+
+PunchSeries::Integral PunchSeries::integral(const Eigen::VectorXd& depths, const std::vector<signed char>& labels,
+                                            std::optional<double> end) const {
+  const auto label = [&labels](Index ring) { return labels[static_cast<std::size_t>(ring)]; };
+  return integral_of(depths, label, static_cast<Index>(labels.size()), end);
+}
+
+PunchSeries::Integral PunchSeries::integral(const Eigen::VectorXd& depths, Index n_inner, Index n,
+                                            std::optional<double> end) const {
+  return integral_of(
+      depths, [n_inner](Index ring) { return ring < n_inner; }, n, end);
 }
 
 std::optional<double> PunchSeries::edge_of_pressure(const Eigen::VectorXd& depths, Index n_pressed) const {

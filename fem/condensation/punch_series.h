@@ -35,17 +35,22 @@ class PunchSeries {
   [[nodiscard]] Eigen::MatrixXd depths_of_instants(Eigen::MatrixXd tractions) const;  ///< a column each
 
   /// The same from L^T t, which whoever has solved for t has already.
-  [[nodiscard]] auto depths_of_loads(const Eigen::VectorXd& loads) const { return loads.cwiseProduct(per_load_); }
+  template <class Loads>
+  [[nodiscard]] auto depths_of_loads(const Eigen::MatrixBase<Loads>& loads) const {
+    return loads.cwiseProduct(per_load_);
+  }
   /// The other way round. Of displacements as below, `L^{-1} (A s)`.
   [[nodiscard]] auto loads_of_depths(const Eigen::VectorXd& depths) const { return depths.cwiseProduct(by_load_); }
 
   /// `s_j = (L^{-1} (A s))_j / b_j` of ring displacements s: work-conjugate to the depths,
   /// `sum_j A_j t_j s_j = sum_j b_j^2 D_j s_j`. Those of an elastic body are its depths. Of a gap they are smooth up to
   /// the edge of the contact, whatever pressure there is.
-  [[nodiscard]] Eigen::VectorXd displacements(const Eigen::VectorXd& rings) const;
+  [[nodiscard]] Eigen::VectorXd displacements(Eigen::VectorXd rings) const;
+  void to_displacements(Eigen::Ref<Eigen::VectorXd> rings) const;  ///< in their place
 
   /// The other way round: ring displacements from such ones, for a range of rings inside which they vanish.
-  [[nodiscard]] Eigen::VectorXd rings(const Eigen::VectorXd& displacements, Eigen::Index first) const;
+  [[nodiscard]] Eigen::VectorXd rings(Eigen::VectorXd displacements, Eigen::Index first) const;
+  void to_rings(Eigen::Ref<Eigen::VectorXd> displacements, Eigen::Index first = 0) const;  ///< in their place
 
   /// An integral over the punches, and what it leaves open where it is the plain sum at the end of a zone: a kink
   /// inside a ring puts the midpoint rule off by an eighth of the second difference of D times the width of the ring at
@@ -60,6 +65,9 @@ class PunchSeries {
   /// the plain sum. end: where D ends, if not with the last ring; beyond the last ring D is continued up to there.
   [[nodiscard]] Integral integral(const Eigen::VectorXd& depths, const std::vector<signed char>& zones,
                                   std::optional<double> end = std::nullopt) const;
+  /// The same of the n innermost rings, in two zones: those before n_inner, and the others.
+  [[nodiscard]] Integral integral(const Eigen::VectorXd& depths, Eigen::Index n_inner, Eigen::Index n,
+                                  std::optional<double> end = std::nullopt) const;
 
   /// Radius at which the pressure of n_pressed rings vanishes; empty if their contact does not end there.
   [[nodiscard]] std::optional<double> edge_of_pressure(const Eigen::VectorXd& depths, Eigen::Index n_pressed) const;
@@ -73,6 +81,10 @@ class PunchSeries {
   [[nodiscard]] const Eigen::VectorXd& edges() const { return edges_; }
 
  private:
+  template <class Label>
+  [[nodiscard]] Integral integral_of(const Eigen::VectorXd& depths, const Label& label, Eigen::Index n,
+                                     std::optional<double> end) const;
+
   SharedMatrix factor_, inverse_;
   Eigen::VectorXd areas_;
   Eigen::VectorXd by_load_, per_load_;  // b, 1/b

@@ -14,7 +14,8 @@ constexpr Eigen::Index n_to_continue = 3;  // rings that tell where a zone ends
 /// The polynomial through nodes first..first+n-1, in Newton's form. Without nodes it is zero.
 class Stencil {
  public:
-  Stencil(const Eigen::VectorXd& x, const Eigen::VectorXd& y, Eigen::Index first, Eigen::Index n) : n_(n) {
+  template <class X, class Y>
+  Stencil(const Eigen::MatrixBase<X>& x, const Eigen::MatrixBase<Y>& y, Eigen::Index first, Eigen::Index n) : n_(n) {
     for (Eigen::Index i = 0; i < n; ++i) {
       x_[i] = x[first + i];
       differences_[i] = y[first + i];

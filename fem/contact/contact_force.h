@@ -14,13 +14,12 @@ namespace fretval::fem {
 /// with branches beside the dashpot it also falls towards the jump as they relax.
 enum class PressureAtEdge { vanishes, jumps, falls_and_jumps };
 
-/// What pressures and gaps of an instant do not tell of a contact.
-struct ContactPast {
+/// What an instant of a contact is read from; all must outlive this.
+struct ContactInstant {
+  const Eigen::VectorXd& pressure;
+  const Eigen::VectorXd& depths;  ///< of PunchSeries; where rings touch within a step, of the instant (RingCourses)
+  const Opening& opening;
   PressureAtEdge edge = PressureAtEdge::vanishes;
-  /// Of a body with memory, see RingCourses; they must outlive this.
-  std::optional<Eigen::Ref<const Eigen::VectorXd>> passing_depths = std::nullopt;
-  /// Of a body with memory, for rings in contact.
-  std::optional<Opening> opening = std::nullopt;
 };
 
 /// What the depths bear beyond the contact around the centre, where rings press beyond the first free one. Around a
@@ -63,11 +62,11 @@ ContactForce sum_of_rings(const std::vector<double>& radii, const Eigen::VectorX
 ContactForce sum_inside_flank(const Compliance& compliance, const Eigen::VectorXd& pressure,
                               Eigen::Index n_inside_flank);
 
-/// From ring pressures and the gaps of the free rings. The edge is found from the gaps: with a dashpot, or a branch
-/// that relaxes while the edge crosses a ring, the pressure jumps there, but for a retreat, where it vanishes.
-/// Pressures of rings that touched in the step are averages over it where something is viscous: their depths are those
-/// of the instant.
-ContactForce contact_force(const PunchSeries& series, const Eigen::VectorXd& pressure, const Eigen::VectorXd& gap,
-                           const ContactPast& past = {});
+/// The edge is found from the gaps: with a dashpot, or a branch that relaxes while the edge crosses a ring, the
+/// pressure jumps there, but for a retreat, where it vanishes.
+ContactForce contact_force(const PunchSeries& series, const ContactInstant& instant);
+
+/// The same of an elastic body. gap: of the free rings.
+ContactForce contact_force(const PunchSeries& series, const Eigen::VectorXd& pressure, const Eigen::VectorXd& gap);
 
 }  // namespace fretval::fem

@@ -33,9 +33,9 @@ Stencil stencil_of(const Run& run, Index first, const Eigen::VectorXd& radii, co
 Stencil stencil_up_to(double kink, double there, const Run& run, const Eigen::VectorXd& radii,
                       const Eigen::VectorXd& values) {
   const Index n = std::min(n_stencil - 1, run.end - run.begin);
-  Eigen::VectorXd x(n + 1), y(n + 1);
-  x << radii.segment(run.end - n, n), kink;
-  y << values.segment(run.end - n, n), there;
+  Eigen::Vector4d x, y;
+  x.head(n + 1) << radii.segment(run.end - n, n), kink;
+  y.head(n + 1) << values.segment(run.end - n, n), there;
   return {x, y, 0, n + 1};
 }
 
@@ -46,12 +46,20 @@ Index count_pressed(const std::vector<BoxState>& contact) {
   return first_free - contact.begin();
 }
 
+/// Of what bears nothing: its slip in a step.
+void find_slip(const RelaxationStep& step, const RingState& state, Eigen::VectorXd& slip) {
+  step.find_response_without_slip(state, standing_still, slip);
+  slip /= step.instantaneous();
+}
+
 }  // namespace
 
 std::optional<double> edge_of(const Opening& opening, const Eigen::VectorXd& radii, Index n_pressed) {
   const auto& values = opening.value;
   const auto& retreat = opening.retreat;
   const Index last = n_pressed - 1;
+  if (retreat.size() == 0)
+    return crossing(stencil_of({n_pressed, values.size()}, n_pressed, radii, values), radii[last], radii[n_pressed]);
   const auto outer = run_around(n_pressed, retreat);
   if (retreat[last] == retreat[n_pressed])
     return crossing(stencil_of(outer, last - 1, radii, values), radii[last], radii[n_pressed]);
@@ -73,18 +81,20 @@ FreeSurface::FreeSurface(const PunchSeries& series, const RingState& state, Inde
   retreat_.head(n_pressed).setConstant(never_lifted);
 }
 
-/// Bears nothing.
-Eigen::VectorXd FreeSurface::slip_in(const RelaxationStep& step) const {
-  return step.response_without_slip(state_, standing_still) / step.instantaneous();
-}
-
-Eigen::VectorXd FreeSurface::at_balance(const RelaxationStep& step) const {
-  return state_.displacement - step.fraction() * slip_in(step);
+void FreeSurface::find_opening(const RelaxationStep& step, const Eigen::VectorXd& profile, double depth,
+                               Opening& opening) const {
+  auto& value = opening.value;
+  find_slip(step, state_, value);
+  value = state_.displacement - step.fraction() * value + profile;
+  value.array() -= depth;
+  opening.retreat = retreat_;
+  opening.lifted_below = lifted_below_;
 }
 
 void FreeSurface::advance(const RelaxationStep& step, const RingState& state, const std::vector<BoxState>& contact,
                           double radius) {
-  step.advance(state_, standing_still, slip_in(step));
+  find_slip(step, state_, work_);
+  step.advance(state_, standing_still, work_);
   const Index before = n_pressed_;
   n_pressed_ = count_pressed(contact);
   if (n_pressed_ > before) is_retreating_ = false;
@@ -96,9 +106,14 @@ void FreeSurface::advance(const RelaxationStep& step, const RingState& state, co
     is_retreating_ = true;
     const Index n_lifted = before - n_pressed_;
     const auto lifted = [&](auto&& values) { return values.segment(n_pressed_, n_lifted); };
-    lifted(state_.displacement) = lifted(series_.displacements(state.displacement));
+    const auto take = [&](const auto& rings, auto&& values) {
+      work_ = rings;
+      series_.to_displacements(work_);
+      lifted(values) = lifted(work_);
+    };
+    take(state.displacement, state_.displacement);
     for (Index branch = 0; branch < state_.memory.cols(); ++branch)
-      lifted(state_.memory.col(branch)) = lifted(series_.displacements(state.memory.col(branch)));
+      take(state.memory.col(branch), state_.memory.col(branch));
     lifted(retreat_).setConstant(n_retreats_);
     lifted(lifted_below_).setConstant(began_at_);
   }

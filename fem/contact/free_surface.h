@@ -15,8 +15,9 @@ namespace fretval::fem {
 /// a ring in contact is what it would be had nothing touched it since it lifted.
 struct Opening {
   Eigen::VectorXd value;
-  Eigen::VectorXi retreat;       ///< of the contact, in which a ring lifted; see FreeSurface
-  Eigen::VectorXd lifted_below;  ///< radius of the contact from which that began
+  Eigen::VectorXi retreat = {};  ///< of the contact, in which a ring lifted; see FreeSurface. Empty: none has, and of
+                                 ///< rings in contact nothing is known, as in a body without memory
+  Eigen::VectorXd lifted_below = {};  ///< radius of the contact from which that began
 };
 
 /// Where it vanishes between the last of n_pressed rings and the next one. Empty where it does not: it jumps
@@ -36,14 +37,11 @@ class FreeSurface {
   /// Relaxed, with n_pressed rings in contact. The series must outlive this.
   FreeSurface(const PunchSeries& series, const RingState& state, Eigen::Index n_pressed);
 
-  /// Where it is at the balance time of a step, over an indenter at depth 0.
-  [[nodiscard]] Eigen::VectorXd at_balance(const RelaxationStep& step) const;
+  /// The gaps that it leaves at the balance time of a step. profile: of the indenter, whose tip is at that depth.
+  void find_opening(const RelaxationStep& step, const Eigen::VectorXd& profile, double depth, Opening& opening) const;
 
   /// To the end of a step. state: of the rings; contact: interior where they touched in the step, up to a radius.
   void advance(const RelaxationStep& step, const RingState& state, const std::vector<BoxState>& contact, double radius);
-
-  /// With the gaps that it leaves.
-  [[nodiscard]] Opening opening(Eigen::VectorXd value) const { return {std::move(value), retreat_, lifted_below_}; }
 
   template <class Archive>
   void serialize(Archive& archive) {
@@ -51,8 +49,6 @@ class FreeSurface {
   }
 
  private:
-  [[nodiscard]] Eigen::VectorXd slip_in(const RelaxationStep& step) const;
-
   const PunchSeries& series_;
   RingState state_;
   Eigen::VectorXi retreat_;
@@ -62,6 +58,7 @@ class FreeSurface {
   bool is_retreating_ = false;
   double began_at_ = 0;  // radius of the contact, the last retreat
   double radius_ = 0;    // largest since then
+  Eigen::VectorXd work_;
 };
 
 }  // namespace fretval::fem

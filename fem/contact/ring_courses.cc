@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <utility>
 
 namespace fretval::fem {
 namespace {
@@ -15,44 +14,42 @@ struct Turn {
 
 }  // namespace
 
-CoursesInStep::CoursesInStep(const PunchSeries& series, const RelaxationStep& step, Eigen::VectorXd load,
-                             Eigen::VectorXd standing, Eigen::VectorXd gap)
-    : series_(series), step_(step), load_(std::move(load)), standing_(std::move(standing)), gap_(std::move(gap)) {}
-
-RingCourses CoursesInStep::under(const IndenterMove& to_balance, double increment) const {
-  const Eigen::Index n = load_.size(), n_branches = step_.n_branches();
-  const double following = step_.response_to(to_balance), stiffness = step_.instantaneous();
-  RingCourses courses{Eigen::VectorXd::Zero(n), {}, {}, Eigen::VectorXd::Zero(n)};
+void find_courses(const PunchSeries& series, const RelaxationStep& step, const RingsAtStart& rings,
+                  const IndenterMove& to_balance, double increment, RingCourses& courses) {
+  const auto& [load, standing, gap] = rings;
+  const Eigen::Index n = load.size(), n_branches = step.n_branches();
+  const double following = step.response_to(to_balance), stiffness = step.instantaneous();
+  courses.driven.setZero(n);
+  courses.passing_depths.setZero(n);
+  courses.has_turns = false;
   for (Eigen::Index i = 0; i < n; ++i) {
     Turn turn;
-    if (load_[i] > 0) {
-      const double followed = standing_[i] + following, held = followed < 0 ? load_[i] / (load_[i] - followed) : 1;
+    if (load[i] > 0) {
+      const double followed = standing[i] + following, held = followed < 0 ? load[i] / (load[i] - followed) : 1;
       courses.driven[i] = held;
-      turn.share = held * step_.fraction();
+      turn.share = held * step.fraction();
       turn.detour = turn.share * std::min(followed, 0.0) / stiffness;
-    } else if (const double inside = standing_[i] / stiffness + increment - gap_[i]; gap_[i] > 0 && inside > 0) {
-      turn.share = gap_[i] / (gap_[i] + inside);
+    } else if (const double inside = standing[i] / stiffness + increment - gap[i]; gap[i] > 0 && inside > 0) {
+      turn.share = gap[i] / (gap[i] + inside);
       turn.detour = -turn.share * inside;
       courses.driven[i] = 1 - turn.share;
-      courses.passing_depths[i] = turn.share < step_.fraction()
-                                      ? turn.detour * step_.passing_response_to_turn(turn.share)
-                                      : -std::numeric_limits<double>::infinity();
+      courses.passing_depths[i] = turn.share < step.fraction() ? turn.detour * step.passing_response_to_turn(turn.share)
+                                                               : -std::numeric_limits<double>::infinity();
     }
     if (turn.detour == 0) continue;
-    if (!courses.has_turns()) {
-      courses.response = Eigen::VectorXd::Zero(n);
-      courses.memory = Eigen::MatrixXd::Zero(n, n_branches);
+    if (!courses.has_turns) {
+      courses.response.setZero(n);
+      courses.memory.setZero(n, n_branches);
+      courses.has_turns = true;
     }
-    courses.response[i] = turn.detour * step_.response_to_turn(turn.share);
+    courses.response[i] = turn.detour * step.response_to_turn(turn.share);
     for (Eigen::Index branch = 0; branch < n_branches; ++branch)
-      courses.memory(i, branch) = turn.detour * step_.memory_of_turn(branch, turn.share);
+      courses.memory(i, branch) = turn.detour * step.memory_of_turn(branch, turn.share);
   }
-  courses.driven = series_.rings(courses.driven, 0);
-  if (!courses.has_turns()) return courses;
-  courses.response = series_.rings(courses.response, 0);
-  for (Eigen::Index branch = 0; branch < n_branches; ++branch)
-    courses.memory.col(branch) = series_.rings(courses.memory.col(branch), 0);
-  return courses;
+  series.to_rings(courses.driven);
+  if (!courses.has_turns) return;
+  series.to_rings(courses.response);
+  for (auto branch : courses.memory.colwise()) series.to_rings(branch);
 }
 
 }  // namespace fretval::fem

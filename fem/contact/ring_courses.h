@@ -8,18 +8,28 @@
 namespace fretval::fem {
 
 /// What a step of the normal history has beyond rings that move at a constant rate: how far the indenter drives them,
-/// whose motion is known exactly, and what the body has of a way that turns inside the step; no entries: nothing does.
+/// whose motion is known exactly, and what the body has of a way that turns inside the step.
 struct RingCourses {
-  Eigen::VectorXd driven;    ///< per displacement of the indenter
-  Eigen::VectorXd response;  ///< to the turns, at the balance time
-  Eigen::MatrixXd memory;    ///< of the turns at the end of the step, n_rings x n_branches
+  Eigen::VectorXd driven;  ///< per displacement of the indenter
+  bool has_turns = false;
+  Eigen::VectorXd response = {};  ///< to the turns, at the balance time
+  Eigen::MatrixXd memory = {};    ///< of the turns at the end of the step, n_rings x n_branches
   /// Of the depth of a ring that touches in the step: how much more it bears at the balance time than what belongs to
   /// the whole step. Minus infinity: it touches after that.
-  Eigen::VectorXd passing_depths;
+  Eigen::VectorXd passing_depths = {};
 
-  [[nodiscard]] bool has_turns() const { return response.size() > 0; }
   /// What the indenter moves by and rings do not follow. increment: of the indenter in the step.
-  [[nodiscard]] Eigen::VectorXd left_behind(double increment) const { return (1 - driven.array()) * increment; }
+  [[nodiscard]] auto left_behind(double increment) const { return ((1 - driven.array()) * increment).matrix(); }
+  /// From depths of pressures, in whose place they are: those of the instant.
+  void to_instant(Eigen::VectorXd& depths) const { depths = (depths + passing_depths).cwiseMax(0); }
+};
+
+/// At the start of a step, as depths or displacements of PunchSeries.
+struct RingsAtStart {
+  Eigen::VectorXd load;  ///< of the pressures
+  Eigen::VectorXd
+      standing;  ///< of those that rings would bear at the balance time if they and the indenter stood still
+  Eigen::VectorXd gap;
 };
 
 /// How rings spend a step in which they lift or touch. In the depths of the punch series each is on its own, like a
@@ -32,20 +42,10 @@ struct RingCourses {
 /// Without the turns forces are of second order too, but in a stiff branch that lifts off forty times as far off: its
 /// memory of what came late in the step has had less time to fade. A parallel dashpot has no memory, and what it bears
 /// belongs to the whole step (RelaxationStep), but for what is read of an instant (passing_depths).
-class CoursesInStep {
- public:
-  /// All at the start of the step, as depths or displacements of the series: load of the pressures; of those that rings
-  /// would bear at the balance time if they and the indenter stood still; gaps.
-  CoursesInStep(const PunchSeries& series, const RelaxationStep& step, Eigen::VectorXd load, Eigen::VectorXd standing,
-                Eigen::VectorXd gap);
-
-  /// to_balance: of the indenter up to the balance time; increment: of the whole step.
-  [[nodiscard]] RingCourses under(const IndenterMove& to_balance, double increment) const;
-
- private:
-  const PunchSeries& series_;
-  const RelaxationStep& step_;
-  Eigen::VectorXd load_, standing_, gap_;
-};
+///
+/// to_balance: of the indenter up to the balance time; increment: of the whole step. courses: what comes out, in the
+/// room that they have.
+void find_courses(const PunchSeries& series, const RelaxationStep& step, const RingsAtStart& rings,
+                  const IndenterMove& to_balance, double increment, RingCourses& courses);
 
 }  // namespace fretval::fem

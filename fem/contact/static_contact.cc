@@ -46,12 +46,23 @@ Eigen::VectorXd ring_means(const Compliance& compliance, const std::function<dou
 
 namespace {
 
+void solve_in_room(const BoxSolver& solver, const Eigen::VectorXd& areas, const Eigen::VectorXd& target,
+                   std::vector<BoxState>& states, ContactRoom& room, StaticContact& contact) {
+  room.lower.setZero(areas.size());
+  room.upper.setConstant(areas.size(), std::numeric_limits<double>::infinity());
+  room.target.q = areas.cwiseProduct(target);
+  solver.hold(room.target);
+  solver.solve(room.target, room.lower, room.upper, states, room.solution);
+  contact.pressure.swap(room.solution.x);
+  contact.gap = -room.solution.residual.cwiseQuotient(areas);
+}
+
 StaticContact solve_with(const BoxSolver& solver, const Eigen::VectorXd& areas, const Eigen::VectorXd& target,
                          std::vector<BoxState>& states) {
-  const Eigen::Index n = areas.size();
-  const auto solution = solver.solve(areas.cwiseProduct(target), Eigen::VectorXd::Zero(n),
-                                     Eigen::VectorXd::Constant(n, std::numeric_limits<double>::infinity()), states);
-  return {solution.x, (-solution.residual.array() / areas.array()).matrix()};
+  ContactRoom room;
+  StaticContact contact;
+  solve_in_room(solver, areas, target, states, room, contact);
+  return contact;
 }
 
 /// Of rings that wear by softness times their pressure.
@@ -79,9 +90,13 @@ WearingSolver::WearingSolver(const ContactProblem& problem, PressureWear wear, c
   if (wear_.exponent == 1 && !wear_.coefficient.isZero(0)) softened_ = softened(problem, wear_.coefficient, likely);
 }
 
-StaticContact WearingSolver::solve(const Eigen::VectorXd& target, std::vector<BoxState>& states) const {
-  if (softened_) return solve_with(*softened_, problem_.compliance.areas, target, states);
-  return wear_.coefficient.isZero(0) ? solve_contact(problem_, target, states) : by_newton(target, states);
+void WearingSolver::solve(const Eigen::VectorXd& target, std::vector<BoxState>& states, ContactRoom& room,
+                          StaticContact& contact) const {
+  if (!softened_ && !wear_.coefficient.isZero(0)) {
+    contact = by_newton(target, states);
+    return;
+  }
+  solve_in_room(softened_ ? *softened_ : problem_.solver, problem_.compliance.areas, target, states, room, contact);
 }
 
 StaticContact WearingSolver::by_newton(const Eigen::VectorXd& target, std::vector<BoxState>& states) const {

@@ -19,6 +19,13 @@ struct StaticContact {
   Eigen::VectorXd pressure, gap;
 };
 
+/// What a contact is solved in, once after the other in the same memory.
+struct ContactRoom {
+  BoxSolver::Target target;
+  BoxSolver::Solution solution;
+  Eigen::VectorXd lower, upper;
+};
+
 /// Elastic normal contact with unit shear modulus. target: displacements of the rings that would close their gaps;
 /// states: warm start on entry, those of the solution on exit (interior: touches).
 StaticContact solve_contact(const ContactProblem& problem, const Eigen::VectorXd& target,
@@ -42,7 +49,8 @@ class WearingSolver {
   WearingSolver(const ContactProblem& problem, PressureWear wear, const std::vector<BoxState>& likely);
 
   /// Throws SolverError where the iterations do not converge.
-  StaticContact solve(const Eigen::VectorXd& target, std::vector<BoxState>& states) const;
+  void solve(const Eigen::VectorXd& target, std::vector<BoxState>& states, ContactRoom& room,
+             StaticContact& contact) const;
 
  private:
   [[nodiscard]] StaticContact by_newton(const Eigen::VectorXd& target, std::vector<BoxState>& states) const;

@@ -54,7 +54,7 @@ class Stepper {
     driven_strain_ = strain_.of(driven_);
     const auto strain_of = [this](const Eigen::VectorXd& rings) { return strain_.of(driven_field(solver_, rings)); };
     turn_response_.resize(0);
-    if (!courses.has_turns()) return;
+    if (!courses.has_turns) return;
     turn_response_ = strain_of(courses.response);
     turn_memory_.resize(driven_strain_.size(), courses.memory.cols());
     for (Eigen::Index branch = 0; branch < courses.memory.cols(); ++branch)
@@ -131,11 +131,10 @@ FullNormalHistory full_normal_history(const HarmonicSpace& space, const PunchSer
   for (int k = 0; k < n_steps; ++k) {
     const Eigen::VectorXd before = history.pressure.col(k);
     const Eigen::VectorXd gap = (stepper.ring_displacement() + profile).array() - position(stepper.time(k)).value;
-    RingCourses courses{Eigen::VectorXd::Ones(n), {}, {}, {}};
+    RingCourses courses{Eigen::VectorXd::Ones(n)};
     if (relaxation.has_memory()) {
-      const CoursesInStep in_step(series, stepper.step(), series.depths(before), series.depths(stepper.standing()),
-                                  series.displacements(gap));
-      courses = in_step.under(stepper.to_balance(k), stepper.increment(k));
+      const RingsAtStart rings{series.depths(before), series.depths(stepper.standing()), series.displacements(gap)};
+      find_courses(series, stepper.step(), rings, stepper.to_balance(k), stepper.increment(k), courses);
       stepper.drive(courses);
     }
     // A ring in contact closes its gap: it slips by what is left of it.

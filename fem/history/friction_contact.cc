@@ -39,7 +39,8 @@ FrictionContact::FrictionContact(const ContactProblem& problem, const Relaxation
       step_(relaxation, dt_),
       depths_of_state_(state),
       moves_of_cycle_(static_cast<std::size_t>(steps_per_cycle)),
-      made_{std::vector<BoxState>(static_cast<std::size_t>(limit.size()), BoxState::interior), {}, {}, {}, {}, {}} {}
+      made_{std::vector<BoxState>(static_cast<std::size_t>(limit.size()), BoxState::interior), {}, {}, {}, {}, {}},
+      until_touch_(limit.size()) {}
 
 /// At the start of every cycle: in between it is stepped like the state, and what roundoff makes of it stays small.
 void FrictionContact::read_depths_of_state() {
@@ -122,7 +123,7 @@ std::pair<double, FrictionContact::Attempt> FrictionContact::attempt_under_force
 
 void FrictionContact::find_touching(const Eigen::Ref<const Eigen::VectorXd>& pressure,
                                     const std::optional<NormalInstant>& normal) {
-  until_touch_.resize(0);
+  n_touching_ = 0;
   // Under a tangential force the move follows from what is held: corrected, stick radii scatter seven times as much.
   if (!normal || relaxation_.viscosity > 0 || motion_.tangential_force) return;
   const double before = std::exchange(radius_before_, normal->radius), growth = normal->radius - before;
@@ -131,24 +132,25 @@ void FrictionContact::find_touching(const Eigen::Ref<const Eigen::VectorXd>& pre
   while (first_touching_ < limit.size() && limit[first_touching_] > 0) ++first_touching_;
   Eigen::Index end = first_touching_;
   while (end < limit.size() && pressure[end] > 0) ++end;
-  const auto radii = normal->touch_radii.segment(first_touching_, end - first_touching_).array();
-  until_touch_ = ((radii - before) / growth).max(0).min(1);
+  n_touching_ = end - first_touching_;
+  const auto radii = normal->touch_radii.segment(first_touching_, n_touching_).array();
+  until_touch_.head(n_touching_) = ((radii - before) / growth).max(0).min(1);
 }
 
 /// While the contact grows, the indenter takes along the rings that touch already. So each punch of PunchSeries moves
 /// from the instant on at which its outermost ring touches.
 void FrictionContact::slip_before_touch(Attempt& made) const {
   auto& [stick, target, solution, slip, slip_in_depths, depths] = made;
-  slip.resize(0);
-  const auto n = until_touch_.size();
-  if (n == 0) return;
-  const Eigen::VectorXd missing =
-      until_touch_.cwiseProduct(problem_.series.depths_of_loads(target.held).segment(first_touching_, n));
-  const Eigen::VectorXd response = problem_.series.rings(missing, first_touching_);
-  slip = Eigen::VectorXd::Zero(limit.size());
-  slip.segment(first_touching_, n) = response / step_.stiffness_before_balance();
-  slip_in_depths = problem_.series.displacements(slip);
-  target.q.segment(first_touching_, n) -= problem_.compliance.areas.segment(first_touching_, n).cwiseProduct(response);
+  if (n_touching_ == 0) return;
+  const auto touching = [this](auto&& rings) { return rings.segment(first_touching_, n_touching_); };
+  slip.setZero(limit.size());
+  auto missing = touching(slip);
+  missing = until_touch_.head(n_touching_).cwiseProduct(touching(problem_.series.depths_of_loads(target.held)));
+  problem_.series.to_rings(missing, first_touching_);
+  touching(target.q) -= touching(problem_.compliance.areas).cwiseProduct(missing);
+  missing /= step_.stiffness_before_balance();
+  slip_in_depths = slip;
+  problem_.series.to_displacements(slip_in_depths);
   target.held -= step_.stiffness_before_balance() * problem_.series.loads_of_depths(slip_in_depths);
 }
 
@@ -209,7 +211,7 @@ void FrictionContact::step(const Eigen::Ref<const Eigen::VectorXd>& pressure,
     if (limit[static_cast<Eigen::Index>(i)] == 0) stick[i] = BoxState::interior;  // the guess for when it touches again
   slip = solution.residual.cwiseQuotient(step_.instantaneous() * problem_.compliance.areas);
   slip_depths = problem_.series.depths_of_loads(target.held - solution.loads) / step_.instantaneous();
-  if (slip_to_touch.size() > 0) {
+  if (n_touching_ > 0) {
     slip += slip_to_touch;
     slip_depths += depths_to_touch;
   }

@@ -72,7 +72,7 @@ class FrictionContact {
     std::vector<BoxState> stick;  // interior: sticks
     BoxSolver::Target target;
     BoxSolver::Solution solution;
-    Eigen::VectorXd slip_to_touch;    // of rings that touch in the step, before they do; empty: none
+    Eigen::VectorXd slip_to_touch;    // of rings that touch in the step, before they do
     Eigen::VectorXd depths_to_touch;  // the same as displacements of PunchSeries
     Eigen::VectorXd depths;           // of the traction
   };
@@ -107,8 +107,8 @@ class FrictionContact {
   Eigen::VectorXd least_;                             // -limit
   Attempt made_;                                      // in the last step
   double radius_before_ = 0;                          // of the contact
-  Eigen::Index first_touching_ = 0;
-  Eigen::VectorXd until_touch_;  // of the rings that touch in the step, the share of it before they do
+  Eigen::Index first_touching_ = 0, n_touching_ = 0;  // in the step
+  Eigen::VectorXd until_touch_;                       // of these, the share of it before they do
   // Under a prescribed force.
   std::optional<TouchingRings> touching_;
   double last_increment_ = 0;                  // of the displacement

@@ -46,22 +46,48 @@ NormalContact::NormalContact(const ContactProblem& problem, const RelaxationMode
     if (contact.pressure[i] > 0) contact_[static_cast<std::size_t>(i)] = BoxState::interior;
   indentation = balance_indentation = depth;
   gap = balance_gap = contact.gap;
-  reading = read(contact.pressure, contact.gap, {});
+  reading = read_elastic(contact);
   if (touches_in_order() && relaxation.has_memory()) {
     free_surface_.emplace(problem.series, state, (contact.pressure.array() > 0).count());
     ends_of_profile_ = problem.series.displacements(profile);
   }
   reading.force *= relaxation.relaxed;
   pressure = relaxation.relaxed * contact.pressure;
+  start_.rings.load = problem.series.depths(pressure);
 }
 
-ContactForce NormalContact::read(const Eigen::VectorXd& on_rings, const Eigen::VectorXd& gaps,
-                                 const ContactPast& past) const {
+/// Where the rings of a contact are added up; empty: it is read up to its edge.
+std::optional<ContactForce> NormalContact::sum(const Eigen::VectorXd& on_rings) const {
   if (how_ == ForceReading::sum_of_rings)
     return sum_of_rings(problem_.compliance.radii, problem_.compliance.areas, on_rings);
   if (n_inside_flank_ && on_rings.head(*n_inside_flank_).minCoeff() > 0)
     return sum_inside_flank(problem_.compliance, on_rings, *n_inside_flank_);
-  return contact_force(problem_.series, on_rings, gaps, past);
+  return std::nullopt;
+}
+
+ContactForce NormalContact::read_elastic(const StaticContact& contact) const {
+  if (const auto added_up = sum(contact.pressure)) return *added_up;
+  return contact_force(problem_.series, contact.pressure, contact.gap);
+}
+
+void NormalContact::read(double depth, Attempt& made) const {
+  const auto& series = problem_.series;
+  const auto& pressure_made = made.rings.pressure;
+  made.depths = pressure_made;
+  series.to_depths(made.depths);
+  if (const auto added_up = sum(pressure_made)) {
+    made.reading = *added_up;
+    return;
+  }
+  made.depths_of_instant = made.depths;
+  if (relaxation_.has_memory()) {
+    made.courses.to_instant(made.depths_of_instant);
+    free_surface_->find_opening(step_, ends_of_profile_, depth, made.opening);
+  } else {
+    made.opening.value = made.balance_gap;
+    series.to_displacements(made.opening.value);
+  }
+  made.reading = contact_force(series, {pressure_made, made.depths_of_instant, made.opening, edge_});
 }
 
 double NormalContact::start_indentation() const {
@@ -71,42 +97,36 @@ double NormalContact::start_indentation() const {
                stiffness = problem_.series.force_per_radius() * problem_.compliance.radii.back() / 2;
   const auto force_at = [this](double depth) {
     const auto contact = static_contact(problem_, profile, depth);
-    return total_force(read(contact.pressure, contact.gap, {}));
+    return total_force(read_elastic(contact));
   };
   return displacement_for_force(force_at, force, {guess, stiffness, force});
 }
 
-NormalContact::Start NormalContact::start_of(const WearingSolver& solver) const {
-  Start start{solver, step_.response_without_slip(state, standing_still), {}, {}};
-  const auto& series = problem_.series;
-  if (relaxation_.has_memory())
-    start.courses.emplace(series, step_, series.depths(pressure), series.displacements(start.standing),
-                          series.displacements(gap));
-  if (free_surface_) start.ends = free_surface_->at_balance(step_) + ends_of_profile_;
-  return start;
+/// The load is that of the last step.
+void NormalContact::find_start() {
+  step_.find_response_without_slip(state, standing_still, start_.standing);
+  if (!relaxation_.has_memory()) return;
+  start_.rings.standing = start_.standing;
+  start_.rings.gap = gap;
+  for (auto* rings : {&start_.rings.standing, &start_.rings.gap}) problem_.series.to_displacements(*rings);
 }
 
 /// Free rings do not know the indenter: but for what rings in contact drive them, they move by themselves, linearly in
 /// time, and what it moves by is no more than what their gaps change by.
-NormalContact::Attempt NormalContact::attempt(const Move& move, const Start& start,
-                                              std::vector<BoxState> likely) const {
-  Attempt attempt{std::move(likely), {Eigen::VectorXd::Zero(gap.size()), {}, {}, {}}, {}, {}, {}, {}};
-  if (start.courses) attempt.courses = start.courses->under(move.to_balance, move.whole.increment);
-  const auto& courses = attempt.courses;
+void NormalContact::attempt(const Move& move, const WearingSolver& solver, Attempt& made) const {
+  auto& courses = made.courses;
+  if (relaxation_.has_memory())
+    find_courses(problem_.series, step_, start_.rings, move.to_balance, move.whole.increment, courses);
+  else
+    courses.driven.setZero(gap.size());
   // A ring in contact closes its gap: it slips by what is left of it.
-  Eigen::VectorXd held = start.standing + step_.response_to(move.to_balance) * courses.driven +
-                         step_.instantaneous() * (courses.left_behind(move.whole.increment) - gap);
-  if (courses.has_turns()) held += courses.response;
-  auto contact = start.solver.solve(held, attempt.contact);
-  attempt.gap = contact.gap / step_.instantaneous();
-  attempt.balance_gap = step_.fraction() * attempt.gap + (1 - step_.fraction()) * gap;
-  attempt.pressure = std::move(contact.pressure);
-  ContactPast past{edge_};
-  if (start.courses) past.passing_depths.emplace(courses.passing_depths);
-  if (free_surface_)
-    past.opening = free_surface_->opening(start.ends.array() - (indentation + move.to_balance.increment));
-  attempt.reading = read(attempt.pressure, attempt.balance_gap, past);
-  return attempt;
+  made.target = start_.standing + step_.response_to(move.to_balance) * courses.driven +
+                step_.instantaneous() * (courses.left_behind(move.whole.increment) - gap);
+  if (courses.has_turns) made.target += courses.response;
+  solver.solve(made.target, made.contact, made.room, made.rings);
+  made.rings.gap /= step_.instantaneous();
+  made.balance_gap = step_.fraction() * made.rings.gap + (1 - step_.fraction()) * gap;
+  read(indentation + move.to_balance.increment, made);
 }
 
 NormalContact::Move NormalContact::steady(double increment) const {
@@ -115,14 +135,13 @@ NormalContact::Move NormalContact::steady(double increment) const {
 }
 
 /// First the increment of the indentation in the whole step, in which it moves steadily.
-std::pair<double, NormalContact::Attempt> NormalContact::attempt_under_force(const Start& start) const {
+std::pair<double, NormalContact::Attempt> NormalContact::attempt_under_force(const WearingSolver& solver) const {
   const double force = normal_motion(motion_, time).value,
                stiffness = problem_.series.force_per_radius() * reading.radius * step_.instantaneous();
-  auto likely = contact_;
+  auto last = made_;
   const auto make = [&](double increment) {
-    auto made = attempt(steady(increment), start, likely);
-    likely = made.contact;
-    return made;
+    attempt(steady(increment), solver, last);
+    return last;
   };
   const auto force_of = [](const Attempt& made) { return total_force(made.reading); };
   return attempt_for_force(make, force_of, force, {last_increment_, stiffness, force});
@@ -155,28 +174,34 @@ void NormalContact::step(const PressureWear& wear) {
   const auto position = [this, inside = begin + dt_ / 2](double t) { return normal_motion_inside(motion_, t, inside); };
   Move move{indenter_move(position, begin, time), indenter_move(position, begin, end)};
   const WearingSolver solver(problem_, {step_.instantaneous() * wear.coefficient, wear.exponent}, contact_);
-  const auto start = start_of(solver);
-  Attempt made;
+  find_start();
+  made_.contact = contact_;
   if (motion_.normal_force) {
-    std::tie(last_increment_, made) = attempt_under_force(start);
+    std::tie(last_increment_, made_) = attempt_under_force(solver);
     move = steady(last_increment_);
   } else {
-    made = attempt(move, start, contact_);
+    attempt(move, solver, made_);
   }
-  const Eigen::VectorXd worn = worn_by(wear, made.pressure);
-  const auto& courses = made.courses;
-  step_.advance(state, move.whole, gap - made.gap + worn - courses.left_behind(move.whole.increment), courses.driven);
-  if (courses.has_turns()) state.memory += courses.memory;
-  if (free_surface_) free_surface_->advance(step_, state, made.contact, made.reading.radius);
-  profile += worn;
-  if (free_surface_ && wear.coefficient.size() > 0) ends_of_profile_ = problem_.series.displacements(profile);
+  const auto& courses = made_.courses;
+  slip_ = gap - made_.rings.gap;
+  if (wear.coefficient.size() > 0) {
+    const Eigen::VectorXd worn = worn_by(wear, made_.rings.pressure);
+    slip_ += worn;
+    profile += worn;
+    if (free_surface_) ends_of_profile_ = problem_.series.displacements(profile);
+  }
+  slip_ -= courses.left_behind(move.whole.increment);
+  step_.advance(state, move.whole, slip_, courses.driven);
+  if (courses.has_turns) state.memory += courses.memory;
+  if (free_surface_) free_surface_->advance(step_, state, made_.contact, made_.reading.radius);
   balance_indentation = motion_.normal_force ? indentation + move.to_balance.increment : position(time).value;
   indentation = motion_.normal_force ? indentation + move.whole.increment : position(times_.begin(n_steps + 1)).value;
-  gap = std::move(made.gap);
-  balance_gap = std::move(made.balance_gap);
-  pressure = std::move(made.pressure);
-  contact_ = std::move(made.contact);
-  reading = made.reading;
+  gap.swap(made_.rings.gap);
+  balance_gap.swap(made_.balance_gap);
+  pressure.swap(made_.rings.pressure);
+  contact_ = made_.contact;
+  reading = made_.reading;
+  start_.rings.load.swap(made_.depths);
   ++n_steps;
   require_room(pressure);
 }

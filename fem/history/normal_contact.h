@@ -66,7 +66,7 @@ class NormalContact {
   template <class Archive>
   void serialize(Archive& archive) {
     archive(n_steps, profile, time, indentation, balance_indentation, pressure, reading, gap, balance_gap, state,
-            contact_, last_increment_);
+            contact_, last_increment_, start_.rings.load);
     if (free_surface_) archive(*free_surface_, ends_of_profile_);
   }
 
@@ -79,24 +79,28 @@ class NormalContact {
   struct Attempt {
     std::vector<BoxState> contact;
     RingCourses courses;
-    Eigen::VectorXd pressure, gap, balance_gap;
+    StaticContact rings;  ///< with the gaps at the end of the step
+    Eigen::VectorXd balance_gap;
+    Eigen::VectorXd depths, depths_of_instant;
+    Opening opening;
     ContactForce reading;
+    Eigen::VectorXd target;
+    ContactRoom room;
   };
-  [[nodiscard]] ContactForce read(const Eigen::VectorXd& pressure, const Eigen::VectorXd& gap,
-                                  const ContactPast& past) const;
   /// What is there before a step goes on.
   struct Start {
-    const WearingSolver& solver;
-    Eigen::VectorXd standing;              ///< response of rings that stay where they are
-    std::optional<CoursesInStep> courses;  ///< with memory
-    Eigen::VectorXd ends;                  ///< of the free surface over the profile at the balance time, at depth 0
+    Eigen::VectorXd standing;  ///< response of rings that stay where they are
+    RingsAtStart rings;        ///< with memory
   };
-  [[nodiscard]] Start start_of(const WearingSolver& solver) const;
-  /// likely: rings in contact.
-  [[nodiscard]] Attempt attempt(const Move& move, const Start& start, std::vector<BoxState> likely) const;
+  void find_start();
+  /// The contact of what is made: likely on entry.
+  void attempt(const Move& move, const WearingSolver& solver, Attempt& made) const;
+  void read(double depth, Attempt& made) const;
+  [[nodiscard]] ContactForce read_elastic(const StaticContact& contact) const;
+  [[nodiscard]] std::optional<ContactForce> sum(const Eigen::VectorXd& on_rings) const;
   [[nodiscard]] double start_indentation() const;
   [[nodiscard]] Move steady(double increment) const;
-  [[nodiscard]] std::pair<double, Attempt> attempt_under_force(const Start& start) const;
+  [[nodiscard]] std::pair<double, Attempt> attempt_under_force(const WearingSolver& solver) const;
 
   const ContactProblem& problem_;
   const RelaxationModel& relaxation_;
@@ -109,6 +113,9 @@ class NormalContact {
   RelaxationStep step_;
   PressureAtEdge edge_;
   std::vector<BoxState> contact_;
+  Start start_;
+  Attempt made_;                             // in the last step
+  Eigen::VectorXd slip_;                     // in the same
   std::optional<FreeSurface> free_surface_;  // with memory, where rings touch in order
   Eigen::VectorXd ends_of_profile_;          // see PunchSeries::displacements
   double last_increment_ = 0;                // of the indentation

@@ -49,23 +49,25 @@ std::vector<PressingForce> press(const fem::ContactProblem& problem, const Eigen
     const auto& series = problem.series;
     const auto to_balance = fem::indenter_move(path, begin, balance);
     const Eigen::VectorXd standing = step.response_without_slip(state, fem::standing_still);
-    const auto courses = fem::CoursesInStep(series, step, series.depths(pressure), series.displacements(standing),
-                                            series.displacements(gap))
-                             .under(to_balance, move.increment);
+    fem::RingCourses courses;
+    fem::find_courses(series, step,
+                      {series.depths(pressure), series.displacements(standing), series.displacements(gap)}, to_balance,
+                      move.increment, courses);
     const Eigen::VectorXd by_itself = courses.left_behind(move.increment);
     Eigen::VectorXd held = standing + step.response_to(to_balance) * courses.driven;
-    if (courses.has_turns()) held += courses.response;
+    if (courses.has_turns) held += courses.response;
     const Eigen::VectorXd load = areas.cwiseProduct(held + step.instantaneous() * (by_itself - gap));
     const auto solution = problem.solver.solve(
         load, Eigen::VectorXd::Zero(n), Eigen::VectorXd::Constant(n, std::numeric_limits<double>::infinity()), contact);
     if (solution.x[n - 1] > 0) throw fem::SolverError("the contact reaches the end of the contact line");
     const Eigen::VectorXd new_gap = -solution.residual.cwiseQuotient(areas) / step.instantaneous();
     step.advance(state, move, gap - new_gap - by_itself, courses.driven);
-    if (courses.has_turns()) state.memory += courses.memory;
-    fem::ContactPast past;
-    past.passing_depths.emplace(courses.passing_depths);
-    past.opening = surface.opening(surface.at_balance(step) + (ends.array() - path(balance).value).matrix());
-    const auto force = fem::contact_force(problem.series, solution.x, fraction * new_gap + (1 - fraction) * gap, past);
+    if (courses.has_turns) state.memory += courses.memory;
+    Eigen::VectorXd depths = series.depths(solution.x);
+    courses.to_instant(depths);
+    fem::Opening opening;
+    surface.find_opening(step, ends, path(balance).value, opening);
+    const auto force = fem::contact_force(series, {solution.x, depths, opening});
     surface.advance(step, state, contact, force.radius);
     pressure = solution.x;
     forces.push_back({balance, force.force, solution.x.dot(areas)});

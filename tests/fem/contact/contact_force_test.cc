@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "fem/contact/ring_courses.h"
 #include "tests/fem/fretting.h"
 #include "tests/fem/half_space.h"
 #include "tests/worse.h"
@@ -81,6 +82,16 @@ TEST_F(ContactForceTest, CountsEachRingOnceWhereTheCentreIsFree) {
   }
 }
 
+/// Where rings touch within a step, and have not been in contact before.
+ContactForce read_instant(const PunchSeries& series, const Eigen::VectorXd& pressure, const Eigen::VectorXd& gap,
+                          const Eigen::VectorXd& passing, PressureAtEdge edge) {
+  RingCourses courses;
+  courses.passing_depths = passing;
+  Eigen::VectorXd depths = series.depths(pressure);
+  courses.to_instant(depths);
+  return contact_force(series, {pressure, depths, {series.displacements(gap)}, edge});
+}
+
 /// A dashpot under a growing parabola: the Hertz pressure and, up to the same edge, that of a flat punch of the speed
 /// of the indentation, of which the ring that touched in the step has borne half, on average.
 struct Growing {
@@ -98,7 +109,7 @@ struct Growing {
   [[nodiscard]] ContactForce read(const PunchSeries& series) const {
     Eigen::VectorXd passing = Eigen::VectorXd::Zero(pressure.size());
     passing[n_pressed - 1] = speed / 2;
-    return contact_force(series, pressure, hertz.gap, {PressureAtEdge::jumps, passing});
+    return read_instant(series, pressure, hertz.gap, passing, PressureAtEdge::jumps);
   }
 };
 
@@ -124,7 +135,7 @@ TEST_F(ContactForceTest, EndsBeforeRingsThatTouchAfterTheInstant) {
   late += 0.02 * (punch_traction(problem_, n_pressed + 2) - punch_traction(problem_, n_pressed));
   passing.segment(n_pressed, 2).setConstant(-std::numeric_limits<double>::infinity());
   const auto before = contact_force(series_, pressure, gap),
-             with_late = contact_force(series_, late, gap, {{}, passing});
+             with_late = read_instant(series_, late, gap, passing, PressureAtEdge::vanishes);
   EXPECT_NEAR(with_late.force, before.force, 1e-12);
   EXPECT_NEAR(with_late.radius, before.radius, 1e-12);
   EXPECT_GT(contact_force(series_, late, gap).force, 1.0001 * before.force);

@@ -32,7 +32,9 @@ class RingCoursesTest : public testing::Test {
     standing[lifting] = -0.2 - following;  // less than nothing if it followed
     gap[touching] = gap_of_touching_;
     gap[approaching] = 0.5;
-    return CoursesInStep(series_, step_, load, standing, gap).under(move_, increment);
+    RingCourses courses;
+    find_courses(series_, step_, {load, standing, gap}, move_, increment, courses);
+    return courses;
   }
 };
 
@@ -46,8 +48,9 @@ TEST_F(RingCoursesTest, RingsAreDrivenWhileTheyAreInContact) {
 
 // One that lifts is left behind after three quarters of the step, one that touches is ahead of the straight way before.
 TEST_F(RingCoursesTest, BranchesRememberWhereAWayTurns) {
-  const auto [driven, response, memory, passing] = courses();
-  const VectorXd of_branch = series_.displacements(memory.col(0)), at_end = series_.displacements(response);
+  const auto turned = courses();
+  const VectorXd of_branch = series_.displacements(turned.memory.col(0)),
+                 at_end = series_.displacements(turned.response);
   const double left_behind = 0.75 * -0.2 / step_.instantaneous(), ahead = 0.25 * -0.3;
   EXPECT_NEAR(of_branch[lifting], left_behind * step_.memory_of_turn(0, 0.75), 1e-9);
   EXPECT_NEAR(of_branch[touching], ahead * step_.memory_of_turn(0, 0.25), 1e-12);
@@ -55,7 +58,7 @@ TEST_F(RingCoursesTest, BranchesRememberWhereAWayTurns) {
   EXPECT_NEAR(of_branch[held], 0, 1e-12);
   EXPECT_NEAR(of_branch[approaching], 0, 1e-12);
   EXPECT_LT((of_branch - at_end).cwiseAbs().maxCoeff(), 1e-7) << "balanced at the end of the step";
-  EXPECT_LT(passing.cwiseAbs().maxCoeff(), 1e-7) << "nothing is viscous";
+  EXPECT_LT(turned.passing_depths.cwiseAbs().maxCoeff(), 1e-7) << "nothing is viscous";
 }
 
 // Balanced at 0.504 of the step. From when a ring touches, the dashpot bears all that belongs to it at once.

@@ -149,7 +149,10 @@ TEST(StaticContact, WearsByThePressureThatIsFound) {
   for (const double exponent : {0.25, 0.5, 1.0, 2.0, 4.0}) {
     std::vector<BoxState> states(static_cast<std::size_t>(n), BoxState::lower);
     std::fill_n(states.begin(), 20, BoxState::interior);  // fewer than will touch
-    const auto [pressure, gap] = WearingSolver(problem, {coefficient, exponent}, states).solve(target, states);
+    ContactRoom room;
+    StaticContact contact;
+    WearingSolver(problem, {coefficient, exponent}, states).solve(target, states, room, contact);
+    const auto& [pressure, gap] = contact;
     const Eigen::VectorXd worn = coefficient.cwiseProduct(pressure.array().max(0).pow(exponent).matrix());
     const Eigen::VectorXd left = target - (*matrix * pressure).cwiseQuotient(areas) + gap - worn;
     EXPECT_LT(left.cwiseAbs().maxCoeff(), 1e-6 * worn.maxCoeff()) << exponent;
