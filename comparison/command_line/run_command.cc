@@ -80,7 +80,7 @@ std::string interrupted_text(const std::vector<PreparedCase>& prepared, const fs
 }
 
 std::vector<BatchLine> computed_lines(const std::vector<PreparedCase>& prepared, const RunOptions& options,
-                                      const Ranks& ranks) {
+                                      const Ranks& ranks, BesideCases beside) {
   const fem::PetscSession session;
   Progress progress(prepared.size(),
                     estimated_seconds(prepared, options.proof, n_cores() * static_cast<std::size_t>(ranks.count())));
@@ -95,7 +95,7 @@ std::vector<BatchLine> computed_lines(const std::vector<PreparedCase>& prepared,
     progress.under_way(name, share, what);
   };
   BodyStore bodies(store_of(options.store));
-  const BatchOptions batch{options.proof, options.output, told, under_way};
+  const BatchOptions batch{options.proof, options.output, told, under_way, std::move(beside)};
   auto lines = ranks.are_several()
                    ? run_ranked_batch(prepared, batch, bodies, ranks, options.distribute_from, end_with_failure)
                    : run_batch(prepared, batch, bodies);
@@ -178,8 +178,10 @@ int run_cases(const RunOptions& options) {
   const auto& output = options.output;
   const auto cases = read_cases(options.inputs);
   const auto prepared = prepare(cases);
+  const bool keeps_results = !output.empty();
+  SweepLines sweep_lines(keeps_results ? cases : std::vector<Case>());
   if (!ranks.is_first()) {
-    computed_lines(prepared, options, ranks);
+    computed_lines(prepared, options, ranks, sweep_lines.work());
     return exit_agree;
   }
   const auto baseline =
@@ -189,13 +191,13 @@ int run_cases(const RunOptions& options) {
   for (const auto& one : prepared)
     for (const auto& warning : one.input.warnings) log::warn_once(warning);
   log_left_out(prepared);
-  const bool keeps_results = !output.empty();
+  sweep_lines.log_costs();
   if (keeps_results) say_on_interrupt(interrupted_text(prepared, output, 0));
   const auto lock = keeps_results ? std::make_unique<FolderLock>(output) : nullptr;
   if (keeps_results) log_others(output, cases);
-  const auto lines = computed_lines(prepared, options, ranks);
+  const auto lines = computed_lines(prepared, options, ranks, sweep_lines.work());
   if (!options.json) lines.size() == 1 && lines[0].failure.empty() ? print_answer(lines[0]) : print_verdicts(lines);
-  if (keeps_results) write_sweep_lines(cases, output, lines);
+  if (keeps_results) sweep_lines.write(output, lines);
   if (keeps_results &&
       std::any_of(lines.begin(), lines.end(), [](const BatchLine& line) { return line.failure.empty(); }))
     log::info(fmt::format("report: {}", write_report(output).string()));

@@ -128,7 +128,11 @@ std::vector<BatchLine> run_batch(const std::vector<PreparedCase>& cases, const B
   std::vector<BatchLine> lines(cases.size());
   NormalResponses references;
   std::mutex mutex;
-  for_each_in_parallel(cases.size(), [&](std::size_t i) {
+  for_each_in_parallel(cases.size() + options.beside.n, [&](std::size_t i) {
+    if (i >= cases.size()) {
+      const std::size_t number = i - cases.size();
+      return options.beside.take(number, options.beside.compute(number));
+    }
     lines[i] = computed_line(cases[i], options, bodies, references);
     const std::lock_guard<std::mutex> lock(mutex);
     options.progress(lines[i]);

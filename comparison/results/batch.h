@@ -32,6 +32,13 @@ struct BatchLine {
   bool open = false;     ///< does not pass, but only as bars are wider than the tolerance; nothing disagrees
 };
 
+/// Work of a fraction of a second each, spread like the cases, after them.
+struct BesideCases {
+  std::size_t n = 0;
+  std::function<std::string(std::size_t)> compute;     ///< by any thread of any rank
+  std::function<void(std::size_t, std::string)> take;  ///< what has come of it; never two of one number
+};
+
 struct BatchOptions {
   Proof proof = Proof::tolerance;
   std::filesystem::path output = {};  ///< empty: nothing is written
@@ -39,6 +46,7 @@ struct BatchOptions {
   std::function<void(const BatchLine&)> progress = [](const BatchLine&) {};
   /// Called on the way through a long case, by any thread: its name, the share that is done, and what there is to say.
   std::function<void(const std::string& name, double share, const std::string& what)> under_way = {};
+  BesideCases beside = {};
 };
 
 /// Computes one case and writes its folder.

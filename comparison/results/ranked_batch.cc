@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <stdexcept>
 #include <thread>
 #include <utility>
@@ -12,6 +14,7 @@
 #include "comparison/simulation/bodies/distributed_body.h"
 #include "comparison/support/parallel.h"
 #include "comparison/support/shares.h"
+#include "comparison/support/stopwatch.h"
 
 namespace fretval {
 
@@ -22,13 +25,15 @@ namespace {
 
 // What the first rank is asked or told begins with one of these.
 constexpr char next_case = 'c', body = 'b', no_more_threads = 'n';
-// What it orders: a body, to be made together; or nothing, the end.
+// What it orders, seldom: a body, to be made together; or nothing, the end.
+constexpr int between_orders = 10;  // ms
 const std::string end;
 
-using DoneCase = std::pair<std::size_t, BatchLine>;  // with its number
+/// With their numbers; those of what is beside the cases follow, of which there is the json alone.
+using DoneWork = std::vector<std::pair<std::size_t, BatchLine>>;
 
 /// In CBOR: a message may contain what is no UTF-8.
-std::string packed(const DoneCase& done) {
+std::string packed(const DoneWork& done) {
   std::string bytes;
   nlohmann::json::to_cbor(done, bytes);
   return bytes;
@@ -68,8 +73,17 @@ class Desk {
 
  private:
   void take(const std::string& bytes) {
-    if (bytes.empty()) return;  // a thread that begins
-    auto [number, line] = nlohmann::json::from_cbor(bytes).get<DoneCase>();
+    for (auto& [number, line] : nlohmann::json::from_cbor(bytes).get<DoneWork>()) {
+      n_done_ += 1;
+      seconds_ += line.seconds;
+      if (number < cases_.size())
+        take_case(number, std::move(line));
+      else
+        options_.beside.take(number - cases_.size(), std::move(line.json));
+    }
+  }
+
+  void take_case(std::size_t number, BatchLine line) {
     if (line.name != cases_.at(number).input.name)
       throw std::logic_error(
           fmt::format("the ranks do not read the same cases: {} is not {}", line.name, cases_[number].input.name));
@@ -77,10 +91,25 @@ class Desk {
     options_.progress(lines_[number]);
   }
 
-  /// Its number, or nothing.
+  /// The numbers of what takes a quarter of a second or so, towards the end less; nothing: all is done. To ask takes a
+  /// rank a millisecond of waiting.
   std::string next_for(int rank, char end_of_stretch) {
+    constexpr double enough_seconds = 0.25;
+    const auto n_left = cases_.size() + options_.beside.n - n_handed_out_;
+    const auto fair = n_left / (4 * n_cores() * static_cast<std::size_t>(ranks_.count()));
+    const double enough = n_done_ == 0 ? 1 : enough_seconds * static_cast<double>(n_done_) / seconds_;
+    const auto n = static_cast<std::size_t>(std::max(1.0, std::min(enough, static_cast<double>(fair))));
+    std::string numbers;
+    for (std::size_t i = 0; i < std::min(n, n_left); ++i) {
+      numbers += fmt::format("{} ", next_number(rank, end_of_stretch));
+      ++n_handed_out_;
+    }
+    return numbers;
+  }
+
+  std::size_t next_number(int rank, char end_of_stretch) {
     const auto number = shares_.next(static_cast<std::size_t>(rank), end_of_stretch == '0');
-    return number ? std::to_string(*number) : "";
+    return number ? *number : n_handed_out_;  // beside the cases
   }
 
   const std::string& body_for(const std::string& specification) {
@@ -97,6 +126,8 @@ class Desk {
   const Ranks& ranks_;
   Shares shares_;
   std::vector<BatchLine> lines_;
+  std::size_t n_handed_out_ = 0, n_done_ = 0;
+  double seconds_ = 0;  // that these took
   std::map<std::string, std::string> bodies_;
   int n_done_ranks_ = 0;
 };
@@ -111,6 +142,14 @@ bool obey(const Ranks& ranks, bool& did_something) {
   return true;
 }
 
+BatchLine beside_line(const BesideCases& beside, std::size_t number) {
+  Stopwatch watch;
+  BatchLine line;
+  line.json = beside.compute(number);
+  line.seconds = watch.lap();
+  return line;
+}
+
 }  // namespace
 
 std::vector<BatchLine> run_ranked_batch(const std::vector<PreparedCase>& cases, const BatchOptions& options,
@@ -120,12 +159,14 @@ std::vector<BatchLine> run_ranked_batch(const std::vector<PreparedCase>& cases, 
       Distribution{from_dofs, ranks.count(), [&](const std::string& wanted) { return ranks.ask(body + wanted); }};
   NormalResponses references;
   const auto compute = [&](std::size_t thread) {
-    std::string done;
+    DoneWork done;
     while (true) {
-      const auto number = ranks.ask(fmt::format("{}{}{}", next_case, thread % 2, done));
-      if (number.empty()) return;
-      const std::size_t i = std::stoul(number);
-      done = packed({i, computed_line(cases.at(i), options, bodies, references)});
+      std::istringstream numbers(ranks.ask(fmt::format("{}{}{}", next_case, thread % 2, packed(done))));
+      done.clear();
+      for (std::size_t i = 0; numbers >> i;)
+        done.emplace_back(i, i < cases.size() ? computed_line(cases[i], options, bodies, references)
+                                              : beside_line(options.beside, i - cases.size()));
+      if (done.empty()) return;
     }
   };
   // This thread talks, answers and makes what is made together; the others compute.
@@ -149,7 +190,7 @@ std::vector<BatchLine> run_ranked_batch(const std::vector<PreparedCase>& cases, 
       lines = desk.take_lines();
     } else {
       for (bool did_something = true; obey(ranks, did_something);)
-        if (!did_something) rest();
+        if (!did_something) rest(between_orders);
     }
   } catch (...) {
     give_up(std::current_exception());

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <map>
 #include <nlohmann/json.hpp>
 
@@ -15,7 +14,6 @@
 #include "comparison/results/results_folder.h"
 #include "comparison/support/files.h"
 #include "comparison/support/log.h"
-#include "comparison/support/parallel.h"
 
 namespace fretval {
 namespace {
@@ -45,37 +43,9 @@ nlohmann::ordered_json closed_answer(const Case& input) {
   return to_json(mdr_answer(mdr, radius_alone));
 }
 
-using LineAnswer = std::function<nlohmann::ordered_json(const Case&)>;
-
-struct Sweep {
-  const Case* first;
-  std::size_t n_cases;
-  /// What MDR has said at points of the sweep, by their values.
-  std::map<double, nlohmann::ordered_json> known = {};
-};
-
-/// What becomes a file.
-struct Line {
-  fs::path file;
-  std::vector<Case> cases;
-  LineAnswer answer;
-  QuantityList quantities;
-  std::vector<nlohmann::ordered_json> answers = std::vector<nlohmann::ordered_json>(cases.size());
-};
-
-/// Null for what MDR refuses between the points of a sweep.
-void answer_all(std::vector<Line>& lines) {
-  std::vector<std::pair<Line*, std::size_t>> points;
-  for (auto& line : lines)
-    for (std::size_t i = 0; i < line.cases.size(); ++i) points.emplace_back(&line, i);
-  for_each_in_parallel(points.size(), [&](std::size_t n) {
-    const auto& [line, i] = points[n];
-    try {
-      line->answers[i] = line->answer(line->cases[i]);
-    } catch (const std::runtime_error&) {
-    } catch (const std::invalid_argument&) {
-    }
-  });
+nlohmann::ordered_json stepped_answer(const Case& input, NormalResponses& normal_responses) {
+  const auto mdr = mdr_case(input);
+  return to_json(mdr_answer_with_cycle(mdr, *normal_responses.of(input, mdr)));
 }
 
 bool has_number(const nlohmann::ordered_json& answer, Quantity quantity) {
@@ -83,39 +53,22 @@ bool has_number(const nlohmann::ordered_json& answer, Quantity quantity) {
   return value != answer.end() && value->is_number() && std::isfinite(value->get<double>());
 }
 
-/// Columns that no answer has a number for are left out.
-std::string table_of(const Line& line) {
-  const auto& cases = line.cases;
-  const auto& answers = line.answers;
-  auto quantities = line.quantities;
-  const auto has_none = [&](Quantity quantity) {
-    return std::none_of(answers.begin(), answers.end(), [&](const auto& one) { return has_number(one, quantity); });
-  };
-  quantities.erase(std::remove_if(quantities.begin(), quantities.end(), has_none), quantities.end());
-  std::string text = column_of_entry(cases.front().sweep->entry);
-  for (const auto quantity : quantities) text += "," + column_of(quantity);
-  for (std::size_t i = 0; i < cases.size(); ++i) {
-    text += fmt::format("\n{:.10g}", cases[i].sweep->value);
-    for (const auto quantity : quantities)
-      text += has_number(answers[i], quantity) ? fmt::format(",{:.10g}", answers[i].at(name_of(quantity)).get<double>())
-                                               : ",nan";
-  }
-  return text + "\n";
-}
+/// The cases of one sweep, by their values: their places among all.
+struct Sweep {
+  const Case* first;
+  std::map<double, std::size_t> places = {};
+};
 
-/// In the order in which they come. computed: of each case, or empty.
-std::vector<Sweep> sweeps_among(const std::vector<Case>& cases, const std::vector<BatchLine>& computed) {
+/// In the order in which they come.
+std::vector<Sweep> sweeps_among(const std::vector<Case>& cases) {
   std::vector<Sweep> sweeps;
   std::map<std::string, std::size_t> place;
   for (std::size_t i = 0; i < cases.size(); ++i) {
     const auto& input = cases[i];
     if (!input.sweep) continue;
     const auto [found, is_new] = place.emplace(input.sweep->family, sweeps.size());
-    if (is_new) sweeps.push_back({&input, 0});
-    auto& sweep = sweeps[found->second];
-    ++sweep.n_cases;
-    if (i < computed.size() && !computed[i].json.empty())
-      sweep.known[input.sweep->value] = nlohmann::ordered_json::parse(computed[i].json).at("mdr");
+    if (is_new) sweeps.push_back({&input});
+    sweeps[found->second].places[input.sweep->value] = i;
   }
   return sweeps;
 }
@@ -134,46 +87,119 @@ std::string column_of_entry(const std::string& entry) {
   return fmt::format("{} [{}]", entry, unit.empty() ? "1" : unit);
 }
 
-void write_sweep_lines(const std::vector<Case>& cases, const fs::path& output, const std::vector<BatchLine>& computed) {
-  const auto sweeps = sweeps_among(cases, computed);
-  NormalResponses normal_responses;
+/// What becomes a file.
+struct SweepLines::Line {
+  fs::path file;  // in the output
+  std::vector<Case> cases;
+  bool stepped;
+  QuantityList quantities;
+  std::map<double, std::size_t> places = {};  // of cases at its values
+  std::vector<nlohmann::ordered_json> answers = std::vector<nlohmann::ordered_json>(cases.size());
+
+  /// Null for what MDR refuses between the points of a sweep.
+  [[nodiscard]] nlohmann::ordered_json answer(std::size_t i, NormalResponses& normal_responses) const try {
+    return stepped ? stepped_answer(cases[i], normal_responses) : closed_answer(cases[i]);
+  } catch (const std::runtime_error&) {
+    return nullptr;
+  } catch (const std::invalid_argument&) {
+    return nullptr;
+  }
+
+  /// Columns that no answer has a number for are left out.
+  [[nodiscard]] std::string table() const {
+    auto shown = quantities;
+    const auto has_none = [&](Quantity quantity) {
+      return std::none_of(answers.begin(), answers.end(), [&](const auto& one) { return has_number(one, quantity); });
+    };
+    shown.erase(std::remove_if(shown.begin(), shown.end(), has_none), shown.end());
+    std::string text = column_of_entry(cases.front().sweep->entry);
+    for (const auto quantity : shown) text += "," + column_of(quantity);
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+      text += fmt::format("\n{:.10g}", cases[i].sweep->value);
+      for (const auto quantity : shown)
+        text += has_number(answers[i], quantity)
+                    ? fmt::format(",{:.10g}", answers[i].at(name_of(quantity)).get<double>())
+                    : ",nan";
+    }
+    return text + "\n";
+  }
+};
+
+/// Some values of a line: springs are stepped for one at a time.
+struct SweepLines::Task {
+  std::size_t line, first, n;
+};
+
+SweepLines::SweepLines(const std::vector<Case>& cases) {
+  const auto sweeps = sweeps_among(cases);
   const auto n_of_one_sweep = std::max(n_values_where_costly, n_values / std::max<std::size_t>(1, sweeps.size()));
   QuantityList all(quantities_by_interest.begin(), quantities_by_interest.end());
   // Springs are stepped for that in a history of its own, at the points alone.
   all.erase(std::find(all.begin(), all.end(), Quantity::cycles_to_shakedown));
-  std::vector<Line> lines;
-  for (const auto& sweep : sweeps) {
-    const auto stepped_answer = [&normal_responses, &sweep](const Case& input) {
-      if (const auto known = sweep.known.find(input.sweep->value); known != sweep.known.end()) return known->second;
-      const auto mdr = mdr_case(input);
-      return to_json(mdr_answer_with_cycle(mdr, *normal_responses.of(input, mdr)));
-    };
-    const auto* input = sweep.first;
-    const auto folder = output / input->sweep->family;
-    for (const char* name : {closed_file, stepped_file}) fs::remove(folder / name);
+  for (const auto& [first, places] : sweeps) {
+    const fs::path folder = first->sweep->family;
+    folders_.push_back(folder);
     // Of a sweep whose results already have as many values, nothing.
-    const auto add_line = [&](const char* name, std::size_t n, const LineAnswer& answer,
-                              const QuantityList& quantities) {
-      if (auto between = cases_between(input->file, n); between.size() > sweep.n_cases)
-        lines.push_back({folder / name, std::move(between), answer, quantities});
+    const auto add_line = [&](Line line) {
+      if (line.cases.size() > line.places.size()) lines_.push_back(std::move(line));
     };
-    const bool costly = !has_closed_forms(*input);
+    const bool costly = !has_closed_forms(*first);
     if (!costly) {
-      add_line(closed_file, n_values, closed_answer, closed_forms);
-    } else if (mdr_case(*input).has_period()) {
-      log::info(fmt::format("{}: MDR is stepped in time between the points", input->sweep->family));
+      add_line({folder / closed_file, cases_between(first->file, n_values), false, closed_forms, places});
+    } else if (mdr_case(*first).has_period()) {
+      costly_.push_back(folder);
     } else {
-      log::info(
-          fmt::format("{}: springs of a motion without period take seconds for a value: no line between the points",
-                      input->sweep->family));
+      without_line_.push_back(folder);
       continue;
     }
-    add_line(stepped_file, costly ? n_values_where_costly : n_of_one_sweep, stepped_answer, all);
+    add_line({folder / stepped_file, cases_between(first->file, costly ? n_values_where_costly : n_of_one_sweep), true,
+              all, places});
   }
-  answer_all(lines);
-  for (const auto& line : lines) {
-    fs::create_directories(line.file.parent_path());
-    write_file(line.file, table_of(line));
+  for (std::size_t number = 0; number < lines_.size(); ++number) {
+    const auto& line = lines_[number];
+    if (!line.stepped) tasks_.push_back({number, 0, line.cases.size()});
+    for (std::size_t i = 0; line.stepped && i < line.cases.size(); ++i)
+      if (line.places.count(line.cases[i].sweep->value) == 0) tasks_.push_back({number, i, 1});
+  }
+}
+
+SweepLines::~SweepLines() = default;
+
+BesideCases SweepLines::work() {
+  const auto compute = [this](std::size_t number) {
+    const auto& [line, first, n] = tasks_[number];
+    nlohmann::ordered_json answers;
+    for (std::size_t i = first; i < first + n; ++i) answers.push_back(lines_[line].answer(i, normal_responses_));
+    return answers.dump();
+  };
+  const auto take = [this](std::size_t number, const std::string& text) {
+    const auto& [line, first, n] = tasks_[number];
+    auto answers = nlohmann::ordered_json::parse(text);
+    for (std::size_t i = 0; i < n; ++i) lines_[line].answers[first + i] = std::move(answers.at(i));
+  };
+  return {tasks_.size(), compute, take};
+}
+
+void SweepLines::log_costs() const {
+  for (const auto& family : costly_) log::info(fmt::format("{}: MDR is stepped in time between the points", family));
+  for (const auto& family : without_line_)
+    log::info(fmt::format("{}: springs of a motion without period take seconds for a value: no line between the points",
+                          family));
+}
+
+void SweepLines::write(const fs::path& output, const std::vector<BatchLine>& computed) {
+  for (const auto& folder : folders_)
+    for (const char* name : {closed_file, stepped_file}) fs::remove(output / folder / name);
+  for (auto& line : lines_) {
+    for (std::size_t i = 0; line.stepped && i < line.cases.size(); ++i) {
+      const auto place = line.places.find(line.cases[i].sweep->value);
+      if (place == line.places.end()) continue;
+      const auto& known = computed.at(place->second).json;
+      line.answers[i] =
+          known.empty() ? line.answer(i, normal_responses_) : nlohmann::ordered_json::parse(known).at("mdr");
+    }
+    fs::create_directories((output / line.file).parent_path());
+    write_file(output / line.file, line.table());
   }
 }
 

@@ -95,8 +95,8 @@ std::string host_name() {
 
 }  // namespace
 
-void rest() {
-  std::this_thread::sleep_for(std::chrono::microseconds(500));
+void rest(int milliseconds) {
+  std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
 }
 
 Ranks::Ranks() {

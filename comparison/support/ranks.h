@@ -7,8 +7,8 @@
 
 namespace fretval {
 
-/// Between two looks for messages: half a millisecond of sleep.
-void rest();
+/// Between two looks for messages: so many milliseconds of sleep. A look takes a core 10 us.
+void rest(int milliseconds = 1);
 
 /// The processes that mpirun has started for one run, and how they talk. With petsc_session.cc and
 /// distributed_condensation.cc the only place that knows of MPI.

@@ -16,6 +16,16 @@ std::filesystem::path swept(const ScratchFolder& folder, const std::string& entr
                       text + "subsection Sweep\n  set Entry = " + entry + "\n  set Values = " + values + "\nend\n");
 }
 
+/// computed: nothing, unless it is said.
+void write_lines(const std::vector<Case>& cases, const std::filesystem::path& output,
+                 std::vector<BatchLine> computed = {}) {
+  SweepLines lines(cases);
+  const auto work = lines.work();
+  for (std::size_t i = 0; i < work.n; ++i) work.take(i, work.compute(i));
+  computed.resize(cases.size());
+  lines.write(output, computed);
+}
+
 TEST(SweepLine, NamesTheUnitOfTheEntry) {
   EXPECT_EQ(unit_of_entry("Motion / Phase"), "deg");
   EXPECT_EQ(unit_of_entry("Friction / Coefficient"), "");
@@ -28,7 +38,7 @@ TEST(SweepLine, NamesTheUnitOfTheEntry) {
 TEST(SweepLine, IsTheAnswerAtValuesBetween) {
   const ScratchFolder folder;
   const auto file = swept(folder, "Indenter / Radius", "5, 10, 20 mm");
-  write_sweep_lines(read_case_file(file), folder.path());
+  write_lines(read_case_file(file), folder.path());
   const auto [value, radius] =
       read_sweep_line(folder.path() / "swept", "Indenter / Radius", Quantity::contact_radius_max);
   ASSERT_EQ(value.size(), 101U);
@@ -50,7 +60,7 @@ TEST(SweepLine, IsNotSteppedWhereResultsHaveAsManyValues) {
     cases.push_back(cases.front());
     cases.back().sweep->family = name;
   }
-  write_sweep_lines(cases, folder.path());
+  write_lines(cases, folder.path());
   EXPECT_TRUE(std::filesystem::exists(folder.path() / "swept/mdr.csv"));
   EXPECT_FALSE(std::filesystem::exists(folder.path() / "swept/mdr_springs.csv"));
 }
@@ -58,7 +68,7 @@ TEST(SweepLine, IsNotSteppedWhereResultsHaveAsManyValues) {
 // Against the answer to a case of its own.
 TEST(SweepLine, HasWhatSpringsAreSteppedFor) {
   const ScratchFolder folder;
-  write_sweep_lines(read_case_file(swept(folder, "Motion / Tangential amplitude", "4, 6 um")), folder.path());
+  write_lines(read_case_file(swept(folder, "Motion / Tangential amplitude", "4, 6 um")), folder.path());
   const auto line = [&](Quantity quantity) {
     return read_sweep_line(folder.path() / "swept", "Motion / Tangential amplitude", quantity);
   };
@@ -79,7 +89,7 @@ TEST(SweepLine, HasTheAnswersOfTheCasesThemselves) {
   const ScratchFolder folder;
   std::vector<BatchLine> computed(2);
   computed[1].json = R"({"mdr": {"tangential_force_max": 42, "cycles_to_shakedown": 7}})";
-  write_sweep_lines(read_case_file(swept(folder, "Motion / Tangential amplitude", "4, 6 um")), folder.path(), computed);
+  write_lines(read_case_file(swept(folder, "Motion / Tangential amplitude", "4, 6 um")), folder.path(), computed);
   const auto line = [&](Quantity quantity) {
     return read_sweep_line(folder.path() / "swept", "Motion / Tangential amplitude", quantity).second;
   };
@@ -97,7 +107,7 @@ TEST(SweepLine, IsSteppedWhereNothingHasAClosedForm) {
   const auto harmonics = replace(elastic_case(), "Phase = 60", "Phase = 60\n  set Normal harmonics = 5e-6, 2, 30");
   for (const auto& text : {force, harmonics}) {
     const ScratchFolder folder;
-    write_sweep_lines(read_case_file(swept(folder, "Friction / Coefficient", "0.3, 0.5", text)), folder.path());
+    write_lines(read_case_file(swept(folder, "Friction / Coefficient", "0.3, 0.5", text)), folder.path());
     const auto line = [&](Quantity quantity) {
       return read_sweep_line(folder.path() / "swept", "Friction / Coefficient", quantity);
     };
@@ -119,7 +129,7 @@ TEST(SweepLine, IsThatOfMeasuredModuliToo) {
   const auto examples = std::filesystem::path(FRETVAL_SOURCE_DIR) / "cases/examples";
   std::filesystem::copy(examples / "rubber-dma.csv", folder.path());
   const auto text = "include " + (examples / "measured-rubber.prm").string() + "\n";
-  write_sweep_lines(read_case_file(swept(folder, "Friction / Coefficient", "0.3, 0.5", text)), folder.path());
+  write_lines(read_case_file(swept(folder, "Friction / Coefficient", "0.3, 0.5", text)), folder.path());
   const auto [friction, radius] =
       read_sweep_line(folder.path() / "swept", "Friction / Coefficient", Quantity::stick_radius_shakedown);
   ASSERT_EQ(radius.size(), 25U);
@@ -133,7 +143,7 @@ TEST(SweepLine, IsThereForEachOfSeveralSweeps) {
   auto other = cases;
   for (auto& one : other) one.sweep->family = "other";
   cases.insert(cases.end(), other.begin(), other.end());
-  write_sweep_lines(cases, folder.path());
+  write_lines(cases, folder.path());
   for (const char* family : {"swept", "other"})
     EXPECT_EQ(read_sweep_line(folder.path() / family, "Motion / Phase", Quantity::tangential_force_max).second.size(),
               51U);
@@ -142,7 +152,7 @@ TEST(SweepLine, IsThereForEachOfSeveralSweeps) {
 TEST(SweepLine, IsNotThereWhereItWouldMeanNothing) {
   const ScratchFolder folder;
   const auto is_written = [&](const std::filesystem::path& file) {
-    write_sweep_lines(read_case_file(file), folder.path());
+    write_lines(read_case_file(file), folder.path());
     return std::filesystem::exists(folder.path() / "swept" / "mdr.csv");
   };
   EXPECT_TRUE(is_written(swept(folder, "Friction / Coefficient", "0.3, 0.5")));
@@ -153,7 +163,7 @@ TEST(SweepLine, IsNotThereWhereItWouldMeanNothing) {
 // Without a first-slip zone from a small friction on.
 TEST(SweepLine, HasNoNumberWhereNothingSticks) {
   const ScratchFolder folder;
-  write_sweep_lines(read_case_file(swept(folder, "Friction / Coefficient", "1e-3, 0.5")), folder.path());
+  write_lines(read_case_file(swept(folder, "Friction / Coefficient", "1e-3, 0.5")), folder.path());
   const auto stick =
       read_sweep_line(folder.path() / "swept", "Friction / Coefficient", Quantity::stick_radius_first_slip).second;
   EXPECT_TRUE(std::isnan(stick.front()));
