@@ -11,10 +11,10 @@
 #include <utility>
 
 #include "comparison/reference/normal_responses.h"
+#include "comparison/results/estimate.h"
 #include "comparison/simulation/bodies/distributed_body.h"
 #include "comparison/support/parallel.h"
 #include "comparison/support/shares.h"
-#include "comparison/support/stopwatch.h"
 
 namespace fretval {
 
@@ -47,7 +47,8 @@ class Desk {
         options_(options),
         ranks_(ranks),
         shares_(cases.size(), static_cast<std::size_t>(ranks.count())),
-        lines_(cases.size()) {}
+        lines_(cases.size()),
+        expected_(estimated_seconds(cases, options.proof, 1)) {}
 
   /// Answers a question. Returns whether there was one.
   bool serve() {
@@ -74,8 +75,6 @@ class Desk {
  private:
   void take(const std::string& bytes) {
     for (auto& [number, line] : nlohmann::json::from_cbor(bytes).get<DoneWork>()) {
-      n_done_ += 1;
-      seconds_ += line.seconds;
       if (number < cases_.size())
         take_case(number, std::move(line));
       else
@@ -87,22 +86,26 @@ class Desk {
     if (line.name != cases_.at(number).input.name)
       throw std::logic_error(
           fmt::format("the ranks do not read the same cases: {} is not {}", line.name, cases_[number].input.name));
+    expected_seconds_ += expected_.at(line.name);
+    seconds_ += line.seconds;
     lines_[number] = std::move(line);
     options_.progress(lines_[number]);
   }
 
-  /// The numbers of what takes a quarter of a second or so, towards the end less; nothing: all is done. To ask takes a
-  /// rank a millisecond of waiting.
+  /// The numbers of what is expected to take a quarter of a second or so, towards the end less; nothing: all is handed
+  /// out. To ask takes a rank a millisecond or two of waiting.
   std::string next_for(int rank, char end_of_stretch) {
-    constexpr double enough_seconds = 0.25;
+    constexpr double enough = 0.25;
     const auto n_left = cases_.size() + options_.beside.n - n_handed_out_;
-    const auto fair = n_left / (4 * n_cores() * static_cast<std::size_t>(ranks_.count()));
-    const double enough = n_done_ == 0 ? 1 : enough_seconds * static_cast<double>(n_done_) / seconds_;
-    const auto n = static_cast<std::size_t>(std::max(1.0, std::min(enough, static_cast<double>(fair))));
+    const auto fair = std::max<std::size_t>(1, n_left / (4 * n_cores() * static_cast<std::size_t>(ranks_.count())));
+    const double per_expected = expected_seconds_ > 0 ? seconds_ / expected_seconds_ : 1;
     std::string numbers;
-    for (std::size_t i = 0; i < std::min(n, n_left); ++i) {
-      numbers += fmt::format("{} ", next_number(rank, end_of_stretch));
+    double seconds = 0;
+    for (std::size_t i = 0; i < std::min(fair, n_left) && seconds < enough; ++i) {
+      const auto number = next_number(rank, end_of_stretch);
+      numbers += fmt::format("{} ", number);
       ++n_handed_out_;
+      if (number < cases_.size()) seconds += per_expected * expected_.at(cases_[number].input.name);
     }
     return numbers;
   }
@@ -126,8 +129,9 @@ class Desk {
   const Ranks& ranks_;
   Shares shares_;
   std::vector<BatchLine> lines_;
-  std::size_t n_handed_out_ = 0, n_done_ = 0;
-  double seconds_ = 0;  // that these took
+  std::map<std::string, double> expected_;     // seconds, of each case by its name
+  double expected_seconds_ = 0, seconds_ = 0;  // of those that are done, and that they have taken
+  std::size_t n_handed_out_ = 0;
   std::map<std::string, std::string> bodies_;
   int n_done_ranks_ = 0;
 };
@@ -143,10 +147,8 @@ bool obey(const Ranks& ranks, bool& did_something) {
 }
 
 BatchLine beside_line(const BesideCases& beside, std::size_t number) {
-  Stopwatch watch;
   BatchLine line;
   line.json = beside.compute(number);
-  line.seconds = watch.lap();
   return line;
 }
 

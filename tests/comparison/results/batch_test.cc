@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <chrono>
 #include <fstream>
 #include <future>
@@ -53,6 +54,25 @@ TEST(Batch, AFailedCaseLeavesNoOldResult) {
   const auto lines = run_batch(prepare(read_case_file(folder.write("case.prm", elastic_case()))), options, bodies);
   EXPECT_EQ(lines.at(0).failure, "the pump is broken");
   EXPECT_TRUE(fs::is_empty(out / "case"));
+}
+
+TEST(Batch, WhatIsBesideTheCasesIsWorkedOutOnceEach) {
+  const ScratchFolder folder;
+  std::vector<std::string> taken(20);
+  std::atomic<int> n_computed{0};
+  const auto compute = [&](std::size_t number) {
+    ++n_computed;
+    return std::to_string(number * number);
+  };
+  BatchOptions options;
+  options.proof = Proof::none;
+  options.beside = {taken.size(), compute, [&](std::size_t number, std::string text) { taken[number] += text; }};
+  BodyStore bodies;
+  const auto lines = run_batch(prepare(read_case_file(folder.write("case.prm", elastic_case()))), options, bodies);
+  EXPECT_TRUE(lines.at(0).failure.empty());
+  EXPECT_EQ(n_computed, 20);
+  for (std::size_t number = 0; number < taken.size(); ++number)
+    EXPECT_EQ(taken[number], std::to_string(number * number));
 }
 
 // A zone that only one of the two finds counts with all of its radius; one that neither finds, under a bar that leaves
