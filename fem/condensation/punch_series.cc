@@ -18,7 +18,7 @@ constexpr Index n_smallest = 2;
 struct Zone {
   Index first, last, n;
   [[nodiscard]] Index size() const { return last - first + 1; }
-  [[nodiscard]] bool is_outermost() const { return last + 1 == n; }
+  [[nodiscard]] bool is_outermost() const { return last + 1 >= n; }
   [[nodiscard]] bool is_smooth() const { return size() >= n_smallest || is_outermost(); }
 };
 
@@ -112,7 +112,7 @@ PunchSeries::Integral PunchSeries::integral_of(const Eigen::VectorXd& depths, co
   constexpr double share_of_kink = 0.125;
   double sum = 0, begin = 0, unseen = 0;
   while (true) {
-    const auto [first, last, n_all] = zone;
+    const Index first = zone.first, last = zone.last;
     const Index node = std::max<Index>(first, blunt ? 1 : 0);
     const Index n = std::min<Index>(n_stencil, last - node + 1);
     const bool is_outermost = zone.is_outermost();

@@ -24,12 +24,10 @@ struct RingCourses {
   void to_instant(Eigen::VectorXd& depths) const { depths = (depths + passing_depths).cwiseMax(0); }
 };
 
-/// At the start of a step, as depths or displacements of PunchSeries.
+/// At the start of a step, as depths or displacements of PunchSeries. standing: what rings would bear at the balance
+/// time if they and the indenter stood still.
 struct RingsAtStart {
-  Eigen::VectorXd load;  ///< of the pressures
-  Eigen::VectorXd
-      standing;  ///< of those that rings would bear at the balance time if they and the indenter stood still
-  Eigen::VectorXd gap;
+  Eigen::VectorXd load, standing, gap;
 };
 
 /// How rings spend a step in which they lift or touch. In the depths of the punch series each is on its own, like a

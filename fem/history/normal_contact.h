@@ -66,8 +66,9 @@ class NormalContact {
   template <class Archive>
   void serialize(Archive& archive) {
     archive(n_steps, profile, time, indentation, balance_indentation, pressure, reading, gap, balance_gap, state,
-            contact_, last_increment_, start_.rings.load);
+            contact_, last_increment_);
     if (free_surface_) archive(*free_surface_, ends_of_profile_);
+    if constexpr (Archive::is_loading::value) start_.rings.load = problem_.series.depths(pressure);
   }
 
  private:
