@@ -21,7 +21,7 @@ struct NormalInstant {
   double radius, force;                ///< see ContactForce
   /// Of the pressure, in the PunchSeries of the tangential problem. Empty: not known, it takes a product with a
   /// triangle.
-  std::optional<Eigen::Ref<const Eigen::VectorXd>> pressure_depths = {};
+  std::optional<Eigen::Map<const Eigen::VectorXd>> pressure_depths = {};
 };
 
 /// The normal contact on its way through the motion: what it is like after the last step, and how it goes on. It begins
