@@ -70,7 +70,7 @@ double normal_force(const SpringBed& bed, const PronyBody& body, const SpringSta
 
 double edge_force(const SpringBed& bed, const PronyBody& body, const SpringState& state) {
   constexpr Eigen::Index n_to_continue = 3;  // a quadratic
-  const auto& [x, width, depth] = bed;
+  const auto &x = bed.position, &width = bed.width, &depth = bed.depth;
   const auto& load = state.normal_load;
   const Eigen::Index n = x.size();
   if (body.viscosity == 0 || n < n_to_continue) return 0;
