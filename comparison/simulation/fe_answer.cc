@@ -203,9 +203,9 @@ FeAnswer read_answer(const ContactProblems& problems, const FemCase& fem, const 
   if (steps_settling && !relaxes_in_a_step(fem))
     answer.slip_decay = fem::decay_factor(friction, stuck.shakedown, fem.motion.cycles_of_ramp());
   if (steps_settling && fem.relaxation.has_memory()) {
-    const auto cycles = [&](fem::SlipBeyond beyond) {
+    const auto cycles = [&, radius = shakedown.radius](fem::SlipBeyond beyond) {
       return cycles_until(
-          fem::mean_slip_of_periods(friction, problem.compliance.areas, stuck.shakedown, shakedown.radius, beyond),
+          fem::mean_slip_of_periods(friction, problem.compliance.areas, stuck.shakedown, radius, beyond),
           slip_that_counts_as_none);
     };
     answer.cycles_to_shakedown = cycles(fem::SlipBeyond::linear);
