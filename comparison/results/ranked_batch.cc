@@ -93,9 +93,9 @@ class Desk {
   }
 
   /// The numbers of what is expected to take a quarter of a second or so, towards the end less; nothing: all is handed
-  /// out. To ask takes a rank a millisecond or two of waiting.
+  /// out.
   std::string next_for(int rank, char end_of_stretch) {
-    constexpr double enough = 0.25;
+    constexpr double enough = 0.25;  // s, of which to wait for an answer, a rest or two on either side, is a hundredth
     const auto n_left = cases_.size() + options_.beside.n - n_handed_out_;
     const auto fair = std::max<std::size_t>(1, n_left / (4 * n_cores() * static_cast<std::size_t>(ranks_.count())));
     const double per_expected = expected_seconds_ > 0 ? seconds_ / expected_seconds_ : 1;

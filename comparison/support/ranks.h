@@ -7,7 +7,7 @@
 
 namespace fretval {
 
-/// Between two looks for messages: so many milliseconds of sleep. A look takes a core 10 us.
+/// Between two looks for messages: so many milliseconds of sleep.
 void rest(int milliseconds = 1);
 
 /// The processes that mpirun has started for one run, and how they talk. With petsc_session.cc and

@@ -91,11 +91,6 @@ void PunchSeries::to_rings(Eigen::Ref<Eigen::VectorXd> displacements, Index firs
   displacements.array() /= areas_.segment(first, n).array();
 }
 
-Eigen::VectorXd PunchSeries::rings(Eigen::VectorXd displacements, Index first) const {
-  to_rings(displacements, first);
-  return displacements;
-}
-
 template <class Label>
 PunchSeries::Integral PunchSeries::integral_of(const Eigen::VectorXd& depths, const Label& label, Index n_rings,
                                                std::optional<double> end_of_depths) const {

@@ -48,9 +48,8 @@ class PunchSeries {
   [[nodiscard]] Eigen::VectorXd displacements(Eigen::VectorXd rings) const;
   void to_displacements(Eigen::Ref<Eigen::VectorXd> rings) const;  ///< in their place
 
-  /// The other way round: ring displacements from such ones, for a range of rings inside which they vanish.
-  [[nodiscard]] Eigen::VectorXd rings(Eigen::VectorXd displacements, Eigen::Index first) const;
-  void to_rings(Eigen::Ref<Eigen::VectorXd> displacements, Eigen::Index first = 0) const;  ///< in their place
+  /// The other way round: ring displacements in the place of such ones, for a range of rings inside which they vanish.
+  void to_rings(Eigen::Ref<Eigen::VectorXd> displacements, Eigen::Index first = 0) const;
 
   /// An integral over the punches, and what it leaves open where it is the plain sum at the end of a zone: a kink
   /// inside a ring puts the midpoint rule off by an eighth of the second difference of D times the width of the ring at

@@ -80,7 +80,6 @@ StaticContact solve_contact(const ContactProblem& problem, const Eigen::VectorXd
 }
 
 Eigen::VectorXd worn_by(const PressureWear& wear, const Eigen::VectorXd& pressure) {
-  if (wear.coefficient.size() == 0) return Eigen::VectorXd::Zero(pressure.size());
   if (wear.exponent == 1) return wear.coefficient.cwiseProduct(pressure.cwiseMax(0));
   return wear.coefficient.cwiseProduct(pressure.array().max(0).pow(wear.exponent).matrix());
 }

@@ -37,7 +37,7 @@ struct PressureWear {
   double exponent = 1;          ///< positive
 };
 
-/// What it takes off each ring.
+/// What it takes off each ring; not of empty wear.
 Eigen::VectorXd worn_by(const PressureWear& wear, const Eigen::VectorXd& pressure);
 
 /// solve_contact while the rings of the indenter wear off under the pressure that is found, which lets them sink in

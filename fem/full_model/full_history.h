@@ -29,7 +29,7 @@ struct FullFrictionHistory {
 /// share the discretisation in space and time, and nothing of the solution.
 ///
 /// space: of the normal harmonic; series: which tells how far rings follow the indenter in a step and where they turn
-/// (CoursesInStep); profile: ring means. Starts from relaxed contact at the mean indentation. Throws SolverError when a
+/// (find_courses); profile: ring means. Starts from relaxed contact at the mean indentation. Throws SolverError when a
 /// sparse solve fails, when an active set does not settle or when the contact reaches the last ring, and
 /// std::invalid_argument for a wrong harmonic or profile size.
 FullNormalHistory full_normal_history(const HarmonicSpace& space, const PunchSeries& series,

@@ -73,9 +73,12 @@ ContactForce NormalContact::read_elastic(const StaticContact& contact) const {
 void NormalContact::read(double depth, Attempt& made) const {
   const auto& series = problem_.series;
   const auto& pressure_made = made.rings.pressure;
-  made.depths = pressure_made;
-  series.to_depths(made.depths);
-  if (const auto added_up = sum(pressure_made)) {
+  const auto added_up = sum(pressure_made);
+  if (relaxation_.has_memory() || !added_up) {
+    made.depths = pressure_made;
+    series.to_depths(made.depths);
+  }
+  if (added_up) {
     made.reading = *added_up;
     return;
   }
