@@ -108,9 +108,11 @@ void audit_edges(const Mesh& mesh, const std::string& name) {
 void audit_parts_of_boundary(const Mesh& mesh, const std::string& name) {
   std::map<Boundary, int> n_edges;
   for (const auto& edge : mesh.edges) ++n_edges[edge.boundary];
-  for (const Boundary boundary : all_boundaries)
+  for (const Boundary boundary : needed_boundaries)
     if (n_edges[boundary] == 0)
       throw MeshError(fmt::format("{}: {} has 0 edges, must have at least 1", name, boundary_name(boundary)));
+  if (n_edges[Boundary::far] + n_edges[Boundary::base] == 0)
+    throw MeshError(fmt::format("{}: far and base have 0 edges, one of them must have at least 1", name));
   for (std::size_t i = 0; i < mesh.edges.size(); ++i) {
     const auto& [nodes, boundary] = mesh.edges[i];
     const double r = std::max(mesh.nodes[nodes[0]][0], mesh.nodes[nodes[1]][0]);

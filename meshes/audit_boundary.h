@@ -12,7 +12,7 @@ namespace fretval::meshes {
 /// Edges belong to two cells, or to one cell and one part of the boundary.
 void audit_edges(const Mesh& mesh, const std::string& name);
 
-/// All four parts are there; the axis is r = 0 and nothing else is.
+/// All parts are there, of the far one and the base either; the axis is r = 0 and nothing else is.
 void audit_parts_of_boundary(const Mesh& mesh, const std::string& name);
 
 /// The contact line is z = 0 from r = 0 on without gaps.

@@ -6,6 +6,7 @@
 #include <map>
 #include <mutex>
 #include <string>
+#include <utility>
 
 #include "meshes/mesh_error.h"
 
@@ -39,20 +40,20 @@ class GmshScope {
 /// Curves of the geometry, as gmsh tags.
 struct Curves {
   std::vector<int> surface;
-  int arc;
-  int axis;
+  std::vector<std::pair<int, Side>> others;
 };
 
-/// The quarter disc less the strip: its upper boundary runs along the bottom of the strip, up its side, and on along
-/// the surface.
-Curves add_geometry(const std::vector<double>& surface_nodes, double strip_height, double far_radius) {
+/// The section less the strip: its upper boundary runs along the bottom of the strip, up its side, and on along the
+/// surface.
+Curves add_geometry(const std::vector<double>& surface_nodes, double strip_height, const Outline& outline) {
   namespace geo = gmsh::model::geo;
   std::vector<int> upper;
   upper.reserve(surface_nodes.size() + 1);
   for (const double r : surface_nodes) upper.push_back(geo::addPoint(r, -strip_height, 0.));
   if (strip_height > 0) upper.push_back(geo::addPoint(surface_nodes.back(), 0., 0.));
   const int centre = strip_height > 0 ? geo::addPoint(0., 0., 0.) : upper.front();
-  const int far = geo::addPoint(far_radius, 0., 0.), bottom = geo::addPoint(0., -far_radius, 0.);
+  const double depth = outline.thickness.value_or(outline.radius);
+  const int far = geo::addPoint(outline.radius, 0., 0.), bottom = geo::addPoint(0., -depth, 0.);
 
   std::vector<int> boundary;
   for (std::size_t i = 1; i < upper.size(); ++i) {
@@ -63,10 +64,16 @@ Curves add_geometry(const std::vector<double>& surface_nodes, double strip_heigh
   if (strip_height == 0) curves.surface = boundary;
   boundary.push_back(geo::addLine(upper.back(), far));  // the one without prescribed nodes
   curves.surface.push_back(boundary.back());
-  curves.arc = geo::addCircleArc(bottom, centre, far);
-  curves.axis = geo::addLine(upper.front(), bottom);
+  if (outline.thickness) {
+    const int corner = geo::addPoint(outline.radius, -depth, 0.);
+    curves.others = {{geo::addLine(bottom, corner), Side::base}, {geo::addLine(corner, far), Side::side}};
+  } else {
+    curves.others = {{geo::addCircleArc(bottom, centre, far), Side::arc}};
+  }
+  curves.others.emplace_back(geo::addLine(upper.front(), bottom), Side::axis);
 
-  std::vector<int> loop{curves.axis, curves.arc};
+  std::vector<int> loop{curves.others.back().first};
+  for (std::size_t i = 0; i + 1 < curves.others.size(); ++i) loop.push_back(curves.others[i].first);
   for (auto line = boundary.rbegin(); line != boundary.rend(); ++line) loop.push_back(-*line);
   const int surface = geo::addPlaneSurface({geo::addCurveLoop(loop)});
   geo::mesh::setRecombine(2, surface);
@@ -88,7 +95,7 @@ void generate(const std::function<double(double r, double z)>& size) {
   gmsh::model::mesh::generate(2);
   std::string message;
   gmsh::logger::getLastError(message);
-  if (!message.empty()) throw MeshError("mesh of the quarter disc: gmsh failed: " + message);
+  if (!message.empty()) throw MeshError("mesh of the body: gmsh failed: " + message);
 }
 
 /// Nodes of all elements of a gmsh type on an entity (-1: all), as indices.
@@ -130,8 +137,7 @@ CoarseMesh extract(const Curves& curves) {
     for (std::size_t i = 0; i < nodes.size(); i += 2) mesh.edges.push_back({{nodes[i], nodes[i + 1]}, side});
   };
   for (const int curve : curves.surface) add_edges(curve, Side::surface);
-  add_edges(curves.arc, Side::arc);
-  add_edges(curves.axis, Side::axis);
+  for (const auto& [curve, side] : curves.others) add_edges(curve, side);
   return mesh;
 }
 
@@ -158,18 +164,18 @@ void add_strip(CoarseMesh& mesh, const std::vector<double>& surface_nodes, doubl
 
 }  // namespace
 
-CoarseMesh coarse_mesh(const std::vector<double>& surface_nodes, double strip_height, double far_radius,
+CoarseMesh coarse_mesh(const std::vector<double>& surface_nodes, double strip_height, const Outline& outline,
                        const std::function<double(double r, double z)>& size) {
   // gmsh throws its messages as bare strings, which nothing that expects a std::exception would understand.
   try {
     const GmshScope scope;
-    const Curves curves = add_geometry(surface_nodes, strip_height, far_radius);
+    const Curves curves = add_geometry(surface_nodes, strip_height, outline);
     generate(size);
     CoarseMesh mesh = extract(curves);
     if (strip_height > 0) add_strip(mesh, surface_nodes, strip_height);
     return mesh;
   } catch (const std::string& message) {
-    throw MeshError("mesh of the quarter disc: gmsh failed: " + message);
+    throw MeshError("mesh of the body: gmsh failed: " + message);
   }
 }
 

@@ -2,14 +2,21 @@
 
 #include <array>
 #include <functional>
+#include <optional>
 #include <vector>
 
 namespace fretval::meshes {
 
-/// Sides of the quarter disc as geometry: surface z = 0, arc of the far radius, axis r = 0.
-enum class Side { surface, arc, axis };
+/// Sides of a section as geometry: surface z = 0, axis r = 0, and the arc or the flat base with the side that end it.
+enum class Side { surface, arc, axis, base, side };
 
-/// Triangles and quadrilaterals of the quarter disc, before they are split to quadrilaterals alone.
+/// How a section r >= 0, z <= 0 ends below and outside.
+struct Outline {
+  double radius;                         ///< of an arc around the origin or, with a thickness, of a side
+  std::optional<double> thickness = {};  ///< down to a flat base; empty: the section ends with the arc
+};
+
+/// Triangles and quadrilaterals of a section, before they are split to quadrilaterals alone.
 struct CoarseMesh {
   struct Edge {
     std::array<unsigned, 2> nodes;
@@ -21,11 +28,11 @@ struct CoarseMesh {
   std::vector<Edge> edges;
 };
 
-/// Meshes the quarter disc. surface_nodes: r of nodes that the surface must have, 0 first, strictly increasing, below
-/// far_radius, with no other node between them. size(r, z): wanted size, in the same unit. strip_height: of a row of
-/// rectangles under these nodes, one each; 0: none. The rest is meshed with gmsh.
-/// Throws MeshError if gmsh fails. Threads wait for each other, see `quarter_disc`.
-CoarseMesh coarse_mesh(const std::vector<double>& surface_nodes, double strip_height, double far_radius,
+/// Meshes a section. surface_nodes: r of nodes that the surface must have, 0 first, strictly increasing, below the
+/// radius of the outline, with no other node between them. size(r, z): wanted size, in the same unit. strip_height: of
+/// a row of rectangles under these nodes, one each, less than the thickness; 0: none. The rest is meshed with gmsh.
+/// Throws MeshError if gmsh fails. Threads wait for each other, see `body_mesh`.
+CoarseMesh coarse_mesh(const std::vector<double>& surface_nodes, double strip_height, const Outline& outline,
                        const std::function<double(double r, double z)>& size);
 
 }  // namespace fretval::meshes

@@ -15,6 +15,8 @@ std::string boundary_name(Boundary boundary) {
       return "free";
     case Boundary::far:
       return "far";
+    case Boundary::base:
+      return "base";
   }
   return "unknown";
 }

@@ -8,11 +8,15 @@ namespace fretval::meshes {
 
 /// The parts of the boundary of the body, with the numbers of their physical groups in a .msh file.
 /// axis: r = 0. contact: the part of the surface z = 0 that may touch the indenter. free: the rest of the surface.
-/// far: where the body is cut off.
-enum class Boundary { axis = 1, contact = 2, free = 3, far = 4 };
+/// far: where a half-space is cut off. base: what a body of finite thickness stands on. Of far and base a body has one
+/// or both.
+enum class Boundary { axis = 1, contact = 2, free = 3, far = 4, base = 5 };
 
-inline constexpr std::array<Boundary, 4> all_boundaries{Boundary::axis, Boundary::contact, Boundary::free,
-                                                        Boundary::far};
+inline constexpr std::array all_boundaries{Boundary::axis, Boundary::contact, Boundary::free, Boundary::far,
+                                           Boundary::base};
+
+/// Those that every body has.
+inline constexpr std::array needed_boundaries{Boundary::axis, Boundary::contact, Boundary::free};
 
 /// Number and name of the physical group of all cells in a .msh file.
 inline constexpr int body_group = 10;
@@ -31,7 +35,7 @@ struct Mesh {
   std::vector<Edge> edges;                     ///< the boundary, each edge once
 };
 
-/// Name of the physical group of a part of the boundary: "axis", "contact", "free" or "far".
+/// Name of the physical group of a part of the boundary: "axis", "contact", "free", "far" or "base".
 std::string boundary_name(Boundary boundary);
 
 /// Sum of the lengths of the edges of one part of the boundary, in the unit of the nodes.

@@ -15,9 +15,10 @@ namespace fretval::meshes {
 namespace {
 
 std::string as_text(const Mesh& mesh) {
-  std::string text =
-      fmt::format("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n{}\n", all_boundaries.size() + 1);
-  for (const Boundary boundary : all_boundaries)
+  std::set<Boundary> boundaries;
+  for (const auto& edge : mesh.edges) boundaries.insert(edge.boundary);
+  std::string text = fmt::format("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n{}\n", boundaries.size() + 1);
+  for (const Boundary boundary : boundaries)
     text += fmt::format("1 {} \"{}\"\n", static_cast<int>(boundary), boundary_name(boundary));
   text += fmt::format("2 {} \"{}\"\n$EndPhysicalNames\n$Nodes\n{}\n", body_group, body_name, mesh.nodes.size());
   for (std::size_t i = 0; i < mesh.nodes.size(); ++i)
@@ -63,12 +64,14 @@ std::string group_name(const MshSections& sections, const MshSections::Element& 
 Boundary boundary_named(const std::string& file, const MshSections::Element& element, const std::string& name) {
   for (const Boundary boundary : all_boundaries)
     if (boundary_name(boundary) == name) return boundary;
-  fail_group(file, element, name, "\"axis\", \"contact\", \"free\" or \"far\"");
+  fail_group(file, element, name, "\"axis\", \"contact\", \"free\", \"far\" or \"base\"");
 }
 
 void check_groups(const std::set<std::string>& found, const std::string& file) {
   std::vector<std::string> wanted{body_name};
-  for (const Boundary boundary : all_boundaries) wanted.push_back(boundary_name(boundary));
+  for (const Boundary boundary : needed_boundaries) wanted.push_back(boundary_name(boundary));
+  // Either of the two holds the body.
+  wanted.push_back(boundary_name(found.count(boundary_name(Boundary::base)) > 0 ? Boundary::base : Boundary::far));
   for (const auto& name : wanted)
     if (found.count(name) == 0)
       throw MeshError(fmt::format("{}: physical group \"{}\" has no elements, found {}, must have all of {}", file,

@@ -58,8 +58,23 @@ struct Case {
     std::vector<double> branch_times;   ///< s, at the temperature of the case
     double viscosity = 0;               ///< Pa s
     double fractional_order = 0;        ///< fractional zener
+    double poisson_ratio = 0.5;         ///< 0 to 0.5, at all times
     std::optional<MasterCurve> master_curve;
     std::optional<TemperatureShift> shift;  ///< is in the times and frequencies above already
+  };
+
+  /// What the indenter is pressed into.
+  struct Body {
+    enum class Shape { half_space, layer, cylinder };
+    /// In the order of the enumeration, as in the file.
+    static constexpr std::array shape_names{"half space", "layer", "cylinder"};
+
+    Shape shape = Shape::half_space;
+    double thickness = 0;   ///< m; layer, cylinder
+    double radius = 0;      ///< m; cylinder
+    bool is_bonded = true;  ///< to its base; false: it slides there without friction; layer, cylinder
+
+    [[nodiscard]] bool is_half_space() const { return shape == Shape::half_space; }
   };
 
   /// One cosine of a motion beyond its first: phase in degrees, amplitude in m, frequency in Hz.
@@ -128,6 +143,7 @@ struct Case {
   std::string file;
   Indenter indenter;
   Elastomer elastomer;
+  Body body;
   double friction_coefficient = 0;
   Motion motion;
   Wear wear = Wear::unworn;

@@ -82,6 +82,12 @@ void read_wear(const EntryReader& entries, Case& input) {
   input.wear_kinetics = read_wear_kinetics(entries);
 }
 
+bool moves_tangentially(const Case::Motion& motion) {
+  const auto moves = [](const Case::Harmonic& harmonic) { return harmonic.amplitude > 0; };
+  return motion.tangential_amplitude != 0 || motion.tangential_force.value_or(0) > 0 ||
+         std::any_of(motion.tangential_harmonics.begin(), motion.tangential_harmonics.end(), moves);
+}
+
 Case::Fields fields_of(const std::string& word) {
   if (word == "none") return Case::Fields::none;
   return word == "cycle" ? Case::Fields::cycle : Case::Fields::extremes;
@@ -97,6 +103,7 @@ Case read_entries(const EntryReader& entries, Accuracy accuracy) {
   input.friction_coefficient = entries.number("Friction", "Coefficient", positive_number);
   if (entries.given("Friction", "Law")) static_cast<void>(entries.one_of("Friction", "Law", {"unidirectional"}));
   input.motion = read_motion(entries);
+  input.body = read_body(entries, moves_tangentially(input.motion));
   read_wear(entries, input);
   if (accuracy == Accuracy::needed || entries.given("Accuracy", "Tolerance"))
     input.tolerance = entries.number("Accuracy", "Tolerance", relative_tolerance);

@@ -186,6 +186,9 @@ Case::Elastomer read_elastomer(const EntryReader& entries, std::vector<std::stri
   elastomer.rheology = entries.one_of(
       section, "Rheology", {"elastic", "kelvin voigt", "standard solid", "prony", "fractional zener", "table"});
   if (elastomer.rheology.empty()) return elastomer;
+  if (entries.given(section, "Poisson ratio"))
+    elastomer.poisson_ratio = entries.number(section, "Poisson ratio",
+                                             {[](double x) { return x >= 0 && x <= 0.5; }, "a number from 0 to 0.5"});
   const std::vector<std::string> with_branches{"standard solid", "prony", "fractional zener"};
   forbid_others(entries, section, "Rheology", elastomer.rheology,
                 {{"Relaxed shear modulus", {"elastic", "kelvin voigt", "standard solid", "prony", "fractional zener"}},
@@ -221,6 +224,27 @@ Case::Elastomer read_elastomer(const EntryReader& entries, std::vector<std::stri
         section, "Fractional order", {[](double x) { return x > 0 && x <= 1; }, "a number above 0 and at most 1"});
   shift_to_temperature(entries, elastomer);
   return elastomer;
+}
+
+Case::Body read_body(const EntryReader& entries, bool tangential) {
+  const std::string section = "Body";
+  const auto& names = Case::Body::shape_names;
+  std::string shape = names.front();
+  if (entries.given(section, "Shape")) shape = entries.one_of(section, "Shape", {names.begin(), names.end()});
+  if (shape.empty()) return {};
+  forbid_others(entries, section, "Shape", shape,
+                {{"Thickness", {"layer", "cylinder"}}, {"Radius", {"cylinder"}}, {"Base", {"layer", "cylinder"}}});
+  Case::Body body;
+  body.shape = static_cast<Case::Body::Shape>(std::find(names.begin(), names.end(), shape) - names.begin());
+  if (body.is_half_space()) return body;
+  body.thickness = entries.number(section, "Thickness", positive_number);
+  if (body.shape == Case::Body::Shape::cylinder) body.radius = entries.number(section, "Radius", positive_number);
+  body.is_bonded = entries.one_of(section, "Base", {"bonded", "frictionless"}) == "bonded";
+  if (!body.is_bonded && tangential)
+    entries.fail(section, "Base",
+                 "bonded: nothing but a base to which it is bonded holds the body against the "
+                 "tangential motion");
+  return body;
 }
 
 Case::Motion read_motion(const EntryReader& entries) {

@@ -7,6 +7,9 @@ namespace fretval {
 /// The sections of a case file that describe the case. Measured tables are read, and moduli fitted, here: what follows
 /// sees numbers. Each throws InputError.
 Case::Indenter read_indenter(const EntryReader& entries);
+/// tangential: whether the indenter moves tangentially, against which a frictionless base holds nothing.
+Case::Body read_body(const EntryReader& entries, bool tangential);
+
 Case::Motion read_motion(const EntryReader& entries);
 
 /// Path of a table of radii and heights, with units; empty where there is a problem, which is noted.

@@ -47,36 +47,52 @@ SectionTraits indenter_entries() {
 }
 
 SectionTraits elastomer_entries() {
-  return {
-      "Elastomer",
-      {{"Rheology",
-        {},
-        "elastic, kelvin voigt, standard solid, prony, fractional zener, table",
-        needed,
-        "the law of the incompressible body"},
-       {"Relaxed shear modulus", {D::pressure}, "positive", needed, "G'(0), of the body at rest; a third of Young's"},
-       {"Viscosity", {D::viscosity}, "positive", "none; kelvin voigt: an error", "of a dashpot beside the springs"},
-       {"Branch moduli",
-        {D::pressure},
-        "positive, a list",
-        needed,
-        "standard solid and fractional zener one, prony any number"},
-       {"Branch times", {D::time}, "positive, a list", needed, "relaxation times, as many"},
-       {"Fractional order", {D::number}, "above 0, at most 1", needed, "fractional zener: of its element"},
-       {"Table",
-        {},
-        "a file, relative to the case file",
-        needed,
-        "table: CSV of f, G' and G'' or tan delta, units in its second line; a Prony body is fitted"},
-       {"Table modulus", {}, "shear, Young", needed, "table: which moduli it has; E = 3 G"},
-       {"Temperature",
-        {D::temperature},
-        "above that of the shift's pole",
-        "that of the data",
-        "of the case; shifts all times (Williams, Landel, Ferry)"},
-       {"Reference temperature", {D::temperature}, "any", "an error with a Temperature", "of the data"},
-       {"WLF C1", {D::number}, "positive", "an error with a Temperature", "of the shift"},
-       {"WLF C2", {D::difference}, "positive", "an error with a Temperature", "of the shift"}}};
+  return {"Elastomer",
+          {{"Rheology",
+            {},
+            "elastic, kelvin voigt, standard solid, prony, fractional zener, table",
+            needed,
+            "the law of the body in time"},
+           {"Relaxed shear modulus",
+            {D::pressure},
+            "positive",
+            needed,
+            "G'(0), of the body at rest; Young's over 2 (1 + ν), a third of it for ν = 1/2"},
+           {"Viscosity", {D::viscosity}, "positive", "none; kelvin voigt: an error", "of a dashpot beside the springs"},
+           {"Branch moduli",
+            {D::pressure},
+            "positive, a list",
+            needed,
+            "standard solid and fractional zener one, prony any number"},
+           {"Branch times", {D::time}, "positive, a list", needed, "relaxation times, as many"},
+           {"Fractional order", {D::number}, "above 0, at most 1", needed, "fractional zener: of its element"},
+           {"Poisson ratio", {D::number}, "0 to 0.5", "0.5, incompressible", "ν of the body, the same at all times"},
+           {"Table",
+            {},
+            "a file, relative to the case file",
+            needed,
+            "table: CSV of f, G' and G'' or tan delta, units in its second line; a Prony body is fitted"},
+           {"Table modulus", {}, "shear, Young", needed, "table: which moduli it has; E = 2 (1 + ν) G"},
+           {"Temperature",
+            {D::temperature},
+            "above that of the shift's pole",
+            "that of the data",
+            "of the case; shifts all times (Williams, Landel, Ferry)"},
+           {"Reference temperature", {D::temperature}, "any", "an error with a Temperature", "of the data"},
+           {"WLF C1", {D::number}, "positive", "an error with a Temperature", "of the shift"},
+           {"WLF C2", {D::difference}, "positive", "an error with a Temperature", "of the shift"}}};
+}
+
+SectionTraits body_entries() {
+  return {"Body",
+          {{"Shape", {}, "half space, layer, cylinder", "half space", "what the indenter is pressed into"},
+           {"Thickness", {D::length}, "positive", needed, "layer, cylinder: down to their flat, rigid base"},
+           {"Radius", {D::length}, "positive", needed, "cylinder: of its side, which is free"},
+           {"Base",
+            {},
+            "bonded, frictionless",
+            needed,
+            "layer, cylinder: what their base does; a frictionless one holds nothing against a tangential motion"}}};
 }
 
 SectionTraits motion_entries() {
@@ -141,6 +157,7 @@ std::vector<SectionTraits> all_sections() {
          "unidirectional",
          "unidirectional",
          "the traction keeps the direction of the motion, as MDR assumes"}}},
+      body_entries(),
       motion_entries(),
       {"Wear",
        {{"State", {}, "unworn, limiting", "unworn", "limiting: the profile in which nothing wears any more"},
@@ -236,9 +253,9 @@ std::string as_sentence(const std::string& hint) {
 std::string known_elsewhere(const std::string& name) {
   const auto letters = lower_letters(name);
   if (letters.find("poisson") != std::string::npos || letters == "nu")
-    return "; bodies are incompressible: Poisson's ratio is 1/2 and cannot be set";
+    return "; write Elastomer / Poisson ratio = 0.49, say; it is 1/2 where it is not set";
   if (letters.find("young") != std::string::npos || letters == "e")
-    return "; bodies are incompressible: write Relaxed shear modulus = E/3";
+    return "; write Relaxed shear modulus = E/3, or E/(2 (1 + ν)) with an Elastomer / Poisson ratio";
   return "";
 }
 

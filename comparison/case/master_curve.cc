@@ -52,7 +52,7 @@ void fit_master_curve(const std::string& file, bool youngs, Case::Elastomer& ela
                       std::vector<std::string>& warnings) {
   try {
     std::ifstream stream(file);
-    const auto table = mdr::read_modulus_table(stream, file, youngs ? 1.0 / 3 : 1);
+    const auto table = mdr::read_modulus_table(stream, file, youngs ? 1 / (2 * (1 + elastomer.poisson_ratio)) : 1);
     const auto fit = mdr::fit_prony(table);
     const auto relation = check_of(table);
     elastomer.relaxed_modulus = fit.body.relaxed_modulus;

@@ -33,10 +33,9 @@ std::string time_text(const fs::path& file) {
 std::string operator_text(const fem::StoredOperator& stored) {
   const auto& figures = stored.figures;
   const auto figure = [&](const char* name) { return figures.count(name) > 0 ? figures.at(name) : 0; };
-  return fmt::format("{} harmonic, {} rings, {:.0f} dofs{}",
-                     is_of_harmonic(stored.key, fem::Harmonic::normal) ? "normal" : "tangential",
-                     stored.compliance.areas.size(), figure("dofs"),
-                     is_of_this_version(stored.key) ? "" : ", of another version");
+  return fmt::format(
+      "{} harmonic, {} rings, {:.0f} dofs{}", is_of_harmonic(stored.key, fem::axisymmetric) ? "normal" : "tangential",
+      stored.compliance.areas.size(), figure("dofs"), is_of_this_version(stored.key) ? "" : ", of another version");
 }
 
 void print_total(const std::vector<StoreEntry>& entries, const OperatorStore& store) {

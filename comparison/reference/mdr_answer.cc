@@ -331,7 +331,24 @@ bool MdrAnswer::wears_no_more() const {
   return stick_radius_shakedown && *stick_radius_shakedown >= (1 - roundoff) * contact_radius_max.value();
 }
 
-MdrAnswer mdr_answer(const MdrCase& mdr, const mdr::NormalResponse& normal) {
+namespace {
+
+/// Displacements and energies of an answer for the incompressible case as those of the case itself. Forces are the
+/// same.
+MdrAnswer in_body_of_case(MdrAnswer answer, double displacement) {
+  if (displacement == 1) return answer;
+  if (answer.tangential_amplitude) *answer.tangential_amplitude /= displacement;
+  if (!answer.cycle) return answer;
+  auto& cycle = *answer.cycle;
+  const double normal_loss = cycle.friction_work + cycle.bulk_work - cycle.tangential_work;
+  for (double* work :
+       {&cycle.friction_work, &cycle.tangential_work, &cycle.sliding_work, &cycle.work_error, &cycle.loop_error})
+    *work /= displacement;
+  cycle.bulk_work = normal_loss + cycle.tangential_work - cycle.friction_work;
+  return answer;
+}
+
+MdrAnswer incompressible_answer(const MdrCase& mdr, const mdr::NormalResponse& normal) {
   if (mdr.path) {
     auto answer = with_known_cycle(mdr, [&](int times) { return path_answer(mdr, normal, times); });
     if (const auto worn = worn_profile(mdr, answer.stick_radius_shakedown)) answer.worn_radius = worn->outer_radius;
@@ -344,8 +361,6 @@ MdrAnswer mdr_answer(const MdrCase& mdr, const mdr::NormalResponse& normal) {
   if (const auto worn = worn_profile(mdr, answer.stick_radius_shakedown)) answer.worn_radius = worn->outer_radius;
   return answer;
 }
-
-namespace {
 
 /// Of prescribed displacements, under which radii have closed forms: springs as fine as forces and energies need.
 std::optional<MdrCycle> displaced_cycle(const MdrCase& mdr, const mdr::NormalResponse& normal, int times) {
@@ -373,7 +388,7 @@ std::optional<MdrCycle> displaced_cycle(const MdrCase& mdr, const mdr::NormalRes
 std::optional<SettlingCycles> settling_cycles(const MdrCase& mdr, const MdrAnswer& answer, int n_ramp) {
   const bool remembers = mdr.body.viscosity > 0 || !mdr.body.branch_moduli.empty();
   if (mdr.limiting || mdr.path || !mdr.has_period() || !remembers || !answer.stick_radius_shakedown) return {};
-  double amplitude = answer.tangential_amplitude.value_or(0);
+  double amplitude = answer.tangential_amplitude.value_or(0) * mdr.displacement;
   if (!mdr.tangential_force)
     for (const auto& harmonic : mdr.motion.tangential) amplitude += harmonic.amplitude;
   const auto cycles_with = [&](mdr::SpringFineness fineness) {
@@ -392,8 +407,12 @@ std::optional<SettlingCycles> settling_cycles(const MdrCase& mdr, const MdrAnswe
   }
 }
 
+MdrAnswer mdr_answer(const MdrCase& mdr, const mdr::NormalResponse& normal) {
+  return in_body_of_case(incompressible_answer(mdr, normal), mdr.displacement);
+}
+
 MdrAnswer mdr_answer_with_cycle(const MdrCase& mdr, const mdr::NormalResponse& normal) {
-  auto answer = mdr_answer(mdr, normal);
+  auto answer = incompressible_answer(mdr, normal);
   if (!mdr.has_forces())
     answer = with_known_cycle(mdr, [&](int times) {
       auto with_cycle = answer;
@@ -403,7 +422,7 @@ MdrAnswer mdr_answer_with_cycle(const MdrCase& mdr, const mdr::NormalResponse& n
   if (answer.cycle && !answer.single_pass)
     answer.slip_decay =
         mdr::slip_decay(mdr.body, mdr.path ? mdr.path->duration() : 1 / mdr::common_cycle(mdr.motion)->frequency);
-  return answer;
+  return in_body_of_case(std::move(answer), mdr.displacement);
 }
 
 }  // namespace fretval

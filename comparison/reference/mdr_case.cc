@@ -8,6 +8,7 @@
 #include <limits>
 #include <string>
 
+#include "comparison/reference/incompressible_case.h"
 #include "mdr/profiles/profile_csv.h"
 #include "mdr/rheology/prony_approximation.h"
 #include "mdr/springs/path_response.h"
@@ -222,8 +223,16 @@ double deepest_indentation(const MdrCase& mdr) {
                                           : mdr::deepest_indentation(mdr.profile, mdr.body, mdr.prescribed());
 }
 
-MdrCase mdr_case(const Case& input) {
-  require_comparable(input);
+mdr::HarmonicMotion motion_of_case(const MdrCase& mdr) {
+  auto motion = mdr.motion;
+  if (!mdr.tangential_force)
+    for (auto& harmonic : motion.tangential) harmonic.amplitude /= mdr.displacement;
+  return motion;
+}
+
+MdrCase mdr_case(const Case& input_of_any_body) {
+  require_comparable(input_of_any_body);
+  const auto [input, displacement] = incompressible_case(input_of_any_body);
   const auto& motion = input.motion;
   const bool amplitude_follows = std::isnan(motion.tangential_amplitude);
   if (amplitude_follows && motion.normal_force)
@@ -243,6 +252,7 @@ MdrCase mdr_case(const Case& input) {
               {},
               motion.normal_force.has_value(),
               motion.tangential_force.has_value()};
+  mdr.displacement = displacement;
   mdr.cycle_tolerance = input.cycle_tolerance;
   if (motion.path)
     mdr.path = mdr::SampledPath{motion.path->time,    motion.path->normal,       motion.path->tangential,

@@ -15,7 +15,8 @@
 namespace fretval {
 
 /// A case in the terms of the analytic reference, as far as finite elements can be compared with it: what is prescribed
-/// repeats. SI units, angles in radians.
+/// repeats. SI units, angles in radians. The body is an incompressible half-space: of another Poisson's ratio the one
+/// of incompressible_case, whose tangential displacements are larger.
 struct MdrCase {
   mdr::Profile profile;
   mdr::PronyBody body;
@@ -31,6 +32,8 @@ struct MdrCase {
   /// Instead of the motion, which tells then how large the path is (see Case::Motion).
   std::optional<mdr::SampledPath> path = {};
 
+  double displacement = 1;  ///< tangential displacements here over those of the case, see incompressible_case
+
   /// On forces and energies of a cycle, which springs are refined to a quarter of (see mdr_answer_with_cycle).
   std::optional<double> cycle_tolerance = {};
 
@@ -42,6 +45,9 @@ struct MdrCase {
   [[nodiscard]] bool has_forces() const { return normal_force || tangential_force; }
   [[nodiscard]] mdr::Prescribed prescribed() const { return {motion, normal_force, tangential_force}; }
 };
+
+/// The motion of the case itself, whatever Poisson's ratio.
+mdr::HarmonicMotion motion_of_case(const MdrCase& mdr);
 
 /// Oscillations in the longest cycle that either method steps through as it is.
 constexpr int longest_cycle = 200;

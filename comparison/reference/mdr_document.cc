@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "comparison/reference/incompressible_case.h"
 #include "comparison/reference/mdr_answer.h"
 #include "comparison/reference/mdr_case.h"
 #include "comparison/reference/mdr_wear.h"
@@ -228,7 +229,18 @@ ordered_json fit_json(const Case::Elastomer& elastomer) {
           {"kramers_kronig", check}};
 }
 
-MdrDocument mdr_document(const Case& input, bool with_springs) {
+MdrDocument mdr_document(const Case& input_of_any_body, bool with_springs) {
+  if (!input_of_any_body.body.is_half_space())
+    throw InputError(fmt::format(
+        "{}: Body / Shape = {}: `fretval mdr` answers for a half-space; leave it out to see what "
+        "MDR says of that, or run the case",
+        input_of_any_body.file, Case::Body::shape_names[static_cast<std::size_t>(input_of_any_body.body.shape)]));
+  const auto [input, displacement] = incompressible_case(input_of_any_body);
+  if (displacement != 1 && (with_springs || input.wear_kinetics || oscillates_under_forces(input)))
+    throw InputError(
+        fmt::format("{}: Elastomer / Poisson ratio = {:g}: springs, wear and limiting states under forces are "
+                    "printed for 0.5; `fretval run` takes any",
+                    input_of_any_body.file, input_of_any_body.elastomer.poisson_ratio));
   try {
     (void)profile_of(input.indenter);  // refuses one that MDR does not hold for, before anything is asked of it
     const bool forces = oscillates_under_forces(input);
@@ -236,7 +248,7 @@ MdrDocument mdr_document(const Case& input, bool with_springs) {
     const bool exact = input.elastomer.fractional_order > 0 && input.wear == Case::Wear::unworn;
     const bool with_forces = input.motion.path || (is_comparable(input) && !exact);
     auto document = forces ? has_one_frequency(input.motion) ? answer_forces(input) : answer_harmonics_of_forces(input)
-                    : with_forces ? answer_comparable(input)
+                    : with_forces ? answer_comparable(input_of_any_body)
                                   : answer_displacements(input);
     ordered_json json{{"name", input.name}};
     json.update(document.json);

@@ -26,8 +26,8 @@ WearLimits wear_limits(const MdrCase& mdr, const MdrAnswer& answer);
 
 /// The course of the wear of a case by springs. Empty: the indenter has worn before, the law is not linear in the
 /// pressure, or the motion has several harmonics, other frequencies, no locked phase, a path or prescribed forces,
-/// which they do not have. fineness: by which there are more springs and steps, and smaller jumps, than mdr::WearControl
-/// has. Throws std::runtime_error where the springs do not become periodic.
+/// which they do not have. fineness: by which there are more springs and steps, and smaller jumps, than
+/// mdr::WearControl has. Throws std::runtime_error where the springs do not become periodic.
 std::optional<mdr::WearKinetics> wear_kinetics_of(const Case& input, const MdrCase& mdr, double n_cycles,
                                                   int fineness = 1);
 

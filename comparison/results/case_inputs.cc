@@ -55,11 +55,20 @@ void add_elastomer(const Case::Elastomer& elastomer, Inputs& inputs) {
   inputs.add_if_any("Elastomer", "Branch times" + fitted + shifted, elastomer.branch_times, "s");
   inputs.add_if_any("Elastomer", "Viscosity" + fitted + shifted, elastomer.viscosity, "Pa s");
   inputs.add_if_any("Elastomer", "Fractional order", elastomer.fractional_order);
+  if (elastomer.poisson_ratio != 0.5) inputs.add("Elastomer", "Poisson ratio", elastomer.poisson_ratio);
   if (!shift) return;
   inputs.add("Elastomer", "Temperature", shift->temperature, "degC");
   inputs.add("Elastomer", "Reference temperature", shift->reference, "degC");
   inputs.add("Elastomer", "WLF C1", shift->c1);
   inputs.add("Elastomer", "WLF C2", shift->c2, "K");
+}
+
+void add_body(const Case::Body& body, Inputs& inputs) {
+  if (body.is_half_space()) return;
+  inputs.add("Body", "Shape", Case::Body::shape_names[static_cast<std::size_t>(body.shape)]);
+  inputs.add("Body", "Thickness", body.thickness, "m");
+  inputs.add_if_any("Body", "Radius", body.radius, "m");
+  inputs.add("Body", "Base", body.is_bonded ? "bonded" : "frictionless");
 }
 
 /// "5 µm at 2 Hz, phase 30°" of each.
@@ -139,6 +148,7 @@ ordered_json inputs_json(const Case& input) {
   Inputs inputs;
   add_indenter(input.indenter, inputs);
   add_elastomer(input.elastomer, inputs);
+  add_body(input.body, inputs);
   inputs.add("Friction", "Coefficient", input.friction_coefficient);
   add_motion(input.motion, inputs);
   add_wear(input, inputs);

@@ -60,7 +60,7 @@ double estimated_seconds(const PreparedCase& prepared, Proof proof, std::size_t 
 std::map<std::string, double> estimated_seconds(const std::vector<PreparedCase>& cases, Proof proof,
                                                 std::size_t n_cores) {
   std::map<std::string, double> seconds;
-  std::map<BodySpecification, std::size_t> n_sharing;
+  std::map<BodyDescription, std::size_t> n_sharing;
   for (const auto& one : cases) ++n_sharing[one.fem.body];
   for (const auto& one : cases)
     seconds[one.input.name] = estimated_seconds(one, proof, n_sharing.at(one.fem.body)) / static_cast<double>(n_cores);

@@ -39,7 +39,7 @@ ordered_json path_json(const Case::Path& path) {
 
 ordered_json case_json(const CaseResult& result) {
   const auto& input = result.input;
-  const auto& motion = result.mdr_case.motion;
+  const auto motion = motion_of_case(result.mdr_case);
   const bool beyond = result.beyond_mdr.has_value();
   const bool normal_force = result.mdr_case.normal_force, tangential_force = result.mdr_case.tangential_force;
   const bool once = result.mdr_case.is_single_pass();

@@ -79,7 +79,7 @@ void add_stick_depths(const fem::PunchSeries& series, const FemCase& fem, FeAnsw
   const Eigen::Index n_contact = answer.rings.contact;
   const auto depths = [&](const Eigen::VectorXd& reserve, const Eigen::VectorXd& slip, Eigen::Index n_stuck) {
     return fem::stick_depths({reserve.head(n_contact), series.displacements(slip).head(n_contact), n_stuck},
-                             series.radii(), 1.5 * fem.friction_coefficient, friction.amplitude);
+                             series.radii(), tangential_per_depth(fem), friction.amplitude);
   };
   answer.first_slip_depths = depths(friction.first_slip_reserve, friction.slip_path, answer.rings.stuck.first_slip);
   answer.shakedown_depths = depths(friction.shakedown_reserve, friction.period_slip / 4, answer.rings.stuck.shakedown);

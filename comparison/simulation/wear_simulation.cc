@@ -67,7 +67,7 @@ void read_worn_radius(WearSimulation& wear) {
 /// All that the course depends on, bit for bit.
 std::string description(const FemCase& fem, const fem::WearLaw& law, const fem::WearControl& control,
                         const fem::WornProfile& profile) {
-  auto text = "wear " FRETVAL_HISTORIES_HASH "\n" + operator_key(fem.body, fem::Harmonic::tangential);
+  auto text = "wear " FRETVAL_HISTORIES_HASH "\n" + operator_key(fem.body, fem::lateral);
   const auto add = [&text](const auto& values) {
     text += '\n';
     for (const double value : values) text += fmt::format(" {:a}", value);

@@ -86,7 +86,7 @@ std::map<std::string, double> expected_seconds(const std::vector<SuiteCase>& cas
       sample[i].reset();
     }
   });
-  std::map<BodySpecification, std::size_t> n_sharing;
+  std::map<BodyDescription, std::size_t> n_sharing;
   for (const auto& one : sample)
     if (one) n_sharing[one->fem.body] += stride;
   std::map<std::string, double> expected;

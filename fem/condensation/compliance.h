@@ -1,6 +1,8 @@
 #pragma once
 
 #include <Eigen/Dense>
+#include <memory>
+#include <vector>
 
 #include "fem/operators/harmonic_space.h"
 #include "fem/support/shared_matrix.h"
@@ -15,7 +17,10 @@ namespace fretval::fem {
 struct Compliance {
   std::vector<double> radii;  ///< n + 1 ring radii
   Eigen::VectorXd areas;      ///< n ring areas
-  SharedMatrix matrix;        ///< n x n
+  SharedMatrix matrix;        ///< n x n; of several components n rows each, one after the other
+  /// A half-space with rings like these, or with the innermost ones of equal rings, which tells where the edge of a
+  /// disc of rings lies: that is a local matter. Null: the body is a half-space itself.
+  std::shared_ptr<const Compliance> half_space = {};
 };
 
 /// schur: S, in the order of the dofs of the line. Throws SolverError if it is not positive definite.

@@ -27,6 +27,8 @@ Compliance with_wider_rings(const Compliance& compliance) {
                   Eigen::MatrixXd(sums_of_pairs(sums_of_pairs(compliance.matrix).transpose()))};
   for (Eigen::Index i = 0; i <= wide.areas.size(); ++i)
     wide.radii.push_back(compliance.radii[static_cast<std::size_t>(2 * i)]);
+  if (compliance.half_space)
+    wide.half_space = std::make_shared<const Compliance>(with_wider_rings(*compliance.half_space));
   return wide;
 }
 

@@ -52,9 +52,25 @@ double far_offset(const Eigen::MatrixXd& terms, const Eigen::VectorXd& force) {
   return stiffening > std::max(of_half_space, left_out) ? offset : 0;
 }
 
+/// Of a body whose rings a half-space knows, which has as many or, of equal rings, fewer of them.
+EffectiveRadii taken_over(const EffectiveRadii& known, const Compliance& half_space, const Compliance& compliance) {
+  const Eigen::Index n = compliance.areas.size(), n_known = std::min<Eigen::Index>(n, half_space.areas.size());
+  EffectiveRadii radii{Eigen::VectorXd(n + 1), known.scatter};
+  radii.radius.head(n_known + 1) = known.radius.head(n_known + 1);
+  if (n_known == n) return radii;
+  const Eigen::MatrixXd terms = terms_of_radius(half_space);
+  const Eigen::VectorXd fit = fit_to_middle(terms.rightCols(terms.cols() - 1), known.radius - terms.col(0));
+  const Eigen::MatrixXd further = terms_of_radius(compliance);
+  for (Eigen::Index m = n_known + 1; m <= n; ++m)
+    radii.radius[m] = further(m, 0) + further.row(m).segment(1, fit.size()).dot(fit);
+  return radii;
+}
+
 }  // namespace
 
 EffectiveRadii effective_radii(const Compliance& compliance) {
+  if (compliance.half_space)
+    return taken_over(effective_radii(*compliance.half_space), *compliance.half_space, compliance);
   const Eigen::Index n = compliance.areas.size();
   // Force of a unit indentation on rings 0..m-1 = |L_m^{-1} A_m|^2: one forward substitution serves every m.
   const Eigen::VectorXd half =

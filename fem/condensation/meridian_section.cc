@@ -9,6 +9,7 @@
 
 #include "fem/condensation/vtu_file.h"
 #include "fem/operators/harmonic_space_parts.h"
+#include "fem/operators/stiffness.h"
 
 namespace fretval::fem {
 namespace {
@@ -26,9 +27,9 @@ double hoop(double u, double slope, double r) {
 }
 
 // Of the normal harmonic U and W count inwards and down, of the other one outwards and up.
-Amplitudes strains_of(Harmonic harmonic, const dealii::Vector<double>& x, const Gradients& d, double r) {
+Amplitudes strains_of(const FourierOrder& order, const dealii::Vector<double>& x, const Gradients& d, double r) {
   Amplitudes at;
-  if (harmonic == Harmonic::normal) {
+  if (order == axisymmetric) {
     at.rr = -d[0][0];
     at.tt = -hoop(x[0], d[0][0], r);
     at.zz = -d[1][1];
@@ -44,15 +45,16 @@ Amplitudes strains_of(Harmonic harmonic, const dealii::Vector<double>& x, const 
   return at;
 }
 
-void set_displacements(Harmonic harmonic, const dealii::Vector<double>& x, Amplitudes& at) {
-  const bool normal = harmonic == Harmonic::normal;
+void set_displacements(const FourierOrder& order, const dealii::Vector<double>& x, Amplitudes& at) {
+  const bool normal = order == axisymmetric;
   at.u_r = normal ? -x[0] : x[0] + x[1];
   at.u_z = normal ? x[1] : -x[2];
 }
 
-/// Strains to stresses. The finite elements are incompressible on the mean: what single points lack of it goes.
-void set_stresses(Amplitudes& at) {
+/// Strains to stresses. Volumes change on the mean as the pressure says: what single points lack of it goes.
+void set_stresses(Amplitudes& at, double mean_stress) {
   const double mean = (at.rr + at.tt + at.zz) / 3;
+  at.pressure *= mean_stress;
   for (double* stress : {&at.rr, &at.tt, &at.zz}) *stress = 2 * (*stress - mean) - at.pressure;
   at.rz *= 2;
 }
@@ -61,7 +63,8 @@ void set_stresses(Amplitudes& at) {
 class HarmonicSampler {
  public:
   HarmonicSampler(const HarmonicState& state, const dealii::Quadrature<2>& points)
-      : harmonic_(state.space.harmonic()),
+      : order_(state.space.order()),
+        mean_stress_(compressibility(state.space.elasticity().poisson_ratio).mean_stress),
         moved_(state.moved.begin(), state.moved.end()),
         stressed_(state.stressed.begin(), state.stressed.end()),
         values_(state.space.parts().element, points,
@@ -75,17 +78,18 @@ class HarmonicSampler {
     values_.get_function_values(stressed_, x_);
     values_.get_function_gradients(stressed_, d_);
     for (std::size_t q = 0; q < x_.size(); ++q)
-      amplitudes_[q] = strains_of(harmonic_, x_[q], d_[q], values_.quadrature_point(q)[0]);
+      amplitudes_[q] = strains_of(order_, x_[q], d_[q], values_.quadrature_point(q)[0]);
     values_.get_function_values(moved_, x_);
     for (std::size_t q = 0; q < x_.size(); ++q) {
-      set_stresses(amplitudes_[q]);
-      set_displacements(harmonic_, x_[q], amplitudes_[q]);
+      set_stresses(amplitudes_[q], mean_stress_);
+      set_displacements(order_, x_[q], amplitudes_[q]);
     }
     return amplitudes_;
   }
 
  private:
-  Harmonic harmonic_;
+  FourierOrder order_;
+  double mean_stress_;
   dealii::Vector<double> moved_, stressed_;
   dealii::FEValues<2> values_;
   std::vector<dealii::Vector<double>> x_;

@@ -131,7 +131,7 @@ Eigen::MatrixXd symmetric_matrix(const std::vector<double>& packed, Eigen::Index
 
 std::string hdf5_image(const StoredOperator& stored) {
   const auto lock = hdf5_for_this_thread();
-  const auto& [radii, areas, matrix] = stored.compliance;
+  const auto& [radii, areas, matrix, half_space] = stored.compliance;
   const Handle access(access_in_memory(), H5Pclose), creation(H5Pcreate(H5P_FILE_CREATE), H5Pclose);
   checked(H5Pset_obj_track_times(creation, false));
   const Handle file(H5Fcreate("operator", H5F_ACC_TRUNC, creation, access), H5Fclose);
@@ -155,7 +155,7 @@ StoredOperator operator_in_image(const std::string& file) {
   const Handle opened(H5Fopen("operator", H5F_ACC_RDONLY, access), H5Fclose);
   StoredOperator stored{key_in(opened), {}, {}};
   checked(H5Aiterate2(opened, H5_INDEX_NAME, H5_ITER_NATIVE, nullptr, add_figure, &stored.figures));
-  auto& [radii, areas, matrix] = stored.compliance;
+  auto& [radii, areas, matrix, half_space] = stored.compliance;
   radii = numbers_in(opened, "radii");
   const auto read_areas = numbers_in(opened, "areas");
   areas = Eigen::Map<const Eigen::VectorXd>(read_areas.data(), static_cast<Eigen::Index>(read_areas.size()));

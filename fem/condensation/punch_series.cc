@@ -38,6 +38,12 @@ std::optional<double> border(const Zone& zone, const Zone& next, Index node, con
                        {radii, depths, next.first, std::min(n_stencil, next.size())});
 }
 
+/// y at a place between the first and the last x, which rise, by the cubic through the nearest four.
+double interpolated(const Eigen::VectorXd& x, const Eigen::VectorXd& y, double at) {
+  const Index n = std::min<Index>(n_stencil, x.size()), above = std::upper_bound(x.begin(), x.end(), at) - x.begin();
+  return Stencil{x, y, std::clamp<Index>(above - n / 2, 0, x.size() - n), n}(at);
+}
+
 }  // namespace
 
 PunchSeries::PunchSeries(const Compliance& compliance, SharedMatrix factor, SharedMatrix inverse)
@@ -47,13 +53,24 @@ PunchSeries::PunchSeries(const Compliance& compliance, SharedMatrix factor, Shar
       by_load_(factor_->triangularView<Eigen::Lower>().solve(areas_)),
       per_load_(by_load_.cwiseInverse()),
       edges_(effective_radii(compliance).radius),
-      radii_((edges_.head(areas_.size()) + edges_.tail(areas_.size())) / 2),
-      whole_rings_(Eigen::Matrix4Xd::Zero(n_stencil, areas_.size())),
-      force_per_radius_(by_load_.squaredNorm() / edges_[areas_.size()]) {
-  for (Index i = 1; i + 2 < areas_.size(); ++i)
+      half_space_(!compliance.half_space),
+      whole_rings_(Eigen::Matrix4Xd::Zero(n_stencil, areas_.size())) {
+  const Index n = areas_.size();
+  const Index n_small = half_space_ ? n : std::min(n, n_stencil);  // rings of the punch whose force per radius counts
+  force_per_radius_ = by_load_.head(n_small).squaredNorm() / edges_[n_small];
+  places_.edges = edges_;
+  if (!half_space_)
+    for (Index m = 0; m < n; ++m)
+      places_.edges[m + 1] = places_.edges[m] + by_load_[m] * by_load_[m] / force_per_radius_;
+  places_.depths = (places_.edges.head(n) + places_.edges.tail(n)) / 2;
+  radii_ = places_.depths;
+  if (!half_space_)
+    for (double& radius : radii_) radius = interpolated(places_.edges, edges_, radius);
+  for (Index i = 1; i + 2 < n; ++i)
     for (Index k = 0; k < n_stencil; ++k)
-      whole_rings_(k, i) = Stencil{radii_.segment(i - 1, n_stencil), Eigen::Vector4d::Unit(k), 0, n_stencil}.integral(
-          edges_[i], edges_[i + 1]);
+      whole_rings_(k, i) =
+          Stencil{places_.depths.segment(i - 1, n_stencil), Eigen::Vector4d::Unit(k), 0, n_stencil}.integral(
+              places_.edges[i], places_.edges[i + 1]);
 }
 
 void PunchSeries::to_depths(Eigen::VectorXd& traction) const {
@@ -94,15 +111,17 @@ void PunchSeries::to_rings(Eigen::Ref<Eigen::VectorXd> displacements, Index firs
 template <class Label>
 PunchSeries::Integral PunchSeries::integral_of(const Eigen::VectorXd& depths, const Label& label, Index n_rings,
                                                std::optional<double> end_of_depths) const {
+  const auto& [edges, places] = places_;
+  if (end_of_depths && !half_space_) end_of_depths = interpolated(edges_, edges, *end_of_depths);
   auto zone = zone_from(0, label, n_rings);
   // The innermost depth is off by the shape of the tip (its ring stands for 4/(3 pi) of its radius under a cone, for
   // 1/2 under a parabola): where the next ones continue smoothly to it, they are continued to the centre instead.
   const bool blunt =
-      zone.size() > n_stencil && std::abs(Stencil{radii_, depths, 1, n_stencil}(radii_[0]) - depths[0]) <=
+      zone.size() > n_stencil && std::abs(Stencil{places, depths, 1, n_stencil}(places[0]) - depths[0]) <=
                                      0.1 * std::abs(depths[1] - depths[0]) + 1e-6 * std::abs(depths[0]);
   const auto kink = [&](Index i) {
     if (i == 0 || i + 1 >= depths.size()) return 0.0;
-    return (edges_[i + 1] - edges_[i]) * std::abs(depths[i - 1] - 2 * depths[i] + depths[i + 1]);
+    return (edges[i + 1] - edges[i]) * std::abs(depths[i - 1] - 2 * depths[i] + depths[i + 1]);
   };
   constexpr double share_of_kink = 0.125;
   double sum = 0, begin = 0, unseen = 0;
@@ -112,20 +131,20 @@ PunchSeries::Integral PunchSeries::integral_of(const Eigen::VectorXd& depths, co
     const Index n = std::min<Index>(n_stencil, last - node + 1);
     const bool is_outermost = zone.is_outermost();
     const auto next = is_outermost ? zone : zone_from(last + 1, label, n_rings);
-    const auto meets_next = is_outermost ? end_of_depths : border(zone, next, node, radii_, depths);
-    const double end = meets_next.value_or(edges_[last + 1]);
+    const auto meets_next = is_outermost ? end_of_depths : border(zone, next, node, places, depths);
+    const double end = meets_next.value_or(edges[last + 1]);
     if (!is_outermost && !meets_next) unseen += share_of_kink * std::max(kink(last), kink(last + 1));
     for (Index i = first; i <= last; ++i) {
-      const double from = i == first ? begin : edges_[i], to = i == last ? end : std::min(edges_[i + 1], end);
+      const double from = i == first ? begin : edges[i], to = i == last ? end : std::min(edges[i + 1], end);
       if (to <= from) continue;
       const bool singular_tip = !blunt && i < n_stencil;
-      const bool is_inside = i > node && i + 1 < last && edges_[i + 1] <= end;
+      const bool is_inside = i > node && i + 1 < last && edges[i + 1] <= end;
       if (!zone.is_smooth() || singular_tip)
         sum += (to - from) * depths[i];
       else if (is_inside)
         sum += whole_rings_.col(i).dot(depths.segment<n_stencil>(i - 1));
       else
-        sum += Stencil{radii_, depths, std::clamp(i - 1, node, last - n + 1), n}.integral(from, to);
+        sum += Stencil{places, depths, std::clamp(i - 1, node, last - n + 1), n}.integral(from, to);
     }
     if (is_outermost) break;
     begin = end;

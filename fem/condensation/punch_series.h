@@ -18,6 +18,10 @@ namespace fretval::fem {
 /// zone ends, in the middle of a ring; there the sum is off by the second order of the ring. The integrals below follow
 /// the cubics of either side up to their intersection instead (subcell resolution, Harten 1989), which is of third
 /// order: 2e-7 for the Hertz force at 64 rings, where the sum gives 9e-5. Everything here comes from the compliance.
+///
+/// On another body than a half-space F(r), the force of a unit punch, is not in proportion to its radius, and the sum
+/// stands for `int D dF(r)`. Integrals are taken over x = F/k then, in which D is as smooth, with k = F/r of a small
+/// punch.
 class PunchSeries {
  public:
   /// factor: lower Cholesky factor of the compliance; inverse: of that.
@@ -71,13 +75,17 @@ class PunchSeries {
   /// Radius at which the pressure of n_pressed rings vanishes; empty if their contact does not end there.
   [[nodiscard]] std::optional<double> edge_of_pressure(const Eigen::VectorXd& depths, Eigen::Index n_pressed) const;
 
-  /// k, of a unit punch.
+  /// k, of a unit punch; on another body than a half-space that of a small one.
   [[nodiscard]] double force_per_radius() const { return force_per_radius_; }
   [[nodiscard]] const Eigen::VectorXd& areas() const { return areas_; }
   /// Radii that the depths belong to.
   [[nodiscard]] const Eigen::VectorXd& radii() const { return radii_; }
   /// Effective radius of the n innermost rings, n = 0..n_rings.
   [[nodiscard]] const Eigen::VectorXd& edges() const { return edges_; }
+  /// Force of a unit punch of the n innermost rings.
+  [[nodiscard]] double punch_force(Eigen::Index n) const { return force_per_radius_ * places_.edges[n]; }
+  /// Whether the force of a punch is in proportion to its radius.
+  [[nodiscard]] bool is_half_space() const { return half_space_; }
 
  private:
   template <class Label>
@@ -88,8 +96,14 @@ class PunchSeries {
   Eigen::VectorXd areas_;
   Eigen::VectorXd by_load_, per_load_;  // b, 1/b
   Eigen::VectorXd edges_;               // n + 1 effective radii
-  Eigen::VectorXd radii_;               // of the depths
-  Eigen::Matrix4Xd whole_rings_;        // integral over ring i of the cubic through i - 1 to i + 2, per depth
+  bool half_space_;
+  /// Of edges and depths, over which integrals are taken: x.
+  struct Places {
+    Eigen::VectorXd edges, depths;
+  };
+  Places places_;
+  Eigen::VectorXd radii_;         // of the depths
+  Eigen::Matrix4Xd whole_rings_;  // integral over ring i of the cubic through i - 1 to i + 2, per depth
   double force_per_radius_;
 };
 

@@ -25,7 +25,7 @@ void for_each_corner(const HarmonicState& state, const See& see) {
       if (!cell->face(face)->at_boundary() || cell->face(face)->boundary_id() != contact) continue;
       for (unsigned v = 0; v < 2; ++v) {
         std::array<double, 3> x{};
-        for (unsigned c = 0; c < n_displacements(state.space.harmonic()); ++c)
+        for (unsigned c = 0; c < n_displacements(state.space.order()); ++c)
           x[c] = state.moved[static_cast<Eigen::Index>(cell->face(face)->vertex_dof_index(v, c))];
         see(cell->face(face)->vertex(v)[0], x);
       }

@@ -111,7 +111,7 @@ FullNormalHistory full_normal_history(const HarmonicSpace& space, const PunchSer
                                       const RelaxationModel& relaxation, const Eigen::VectorXd& profile,
                                       const Motion& motion, int steps_per_cycle, int n_cycles, SparseFactors factors) {
   const Eigen::Index n = space.contact_line().n_elements();
-  require(space.harmonic() == Harmonic::normal, "the normal history takes a space of the normal harmonic");
+  require(space.order() == axisymmetric, "the normal history takes a space of the normal harmonic");
   require(profile.size() == n, "the profile of the indenter does not fit the rings of the contact line");
   const auto position = [&motion](double t) { return normal_motion(motion, t); };
   const int n_steps = n_cycles * steps_per_cycle;
@@ -152,7 +152,7 @@ FullFrictionHistory full_friction_history(const HarmonicSpace& space, const Rela
                                           SparseFactors factors) {
   const Eigen::Index n = space.contact_line().n_elements();
   const int n_steps = n_cycles * steps_per_cycle;
-  require(space.harmonic() == Harmonic::tangential, "the friction history takes a space of the tangential harmonic");
+  require(space.order() == lateral, "the friction history takes a space of the tangential harmonic");
   require(pressure.rows() == n && pressure.cols() >= 1 + n_steps,
           "the pressures do not fit the rings of the contact line and the steps of the friction history");
   BorderedSolver solver(space, "the full friction problem", factors);

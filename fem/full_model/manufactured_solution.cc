@@ -18,9 +18,9 @@ namespace {
 constexpr unsigned extra_points = 3;
 
 /// (r, theta, z) amplitudes of the shape function of a component: U, W or s, m, W with U = m + s, V = m - s.
-std::array<double, 3> direction_of(unsigned component, Harmonic harmonic) {
-  if (component == vertical_component(harmonic)) return {0, 0, 1};
-  if (harmonic == Harmonic::normal) return {1, 0, 0};
+std::array<double, 3> direction_of(unsigned component, const FourierOrder& order) {
+  if (component == vertical_component(order)) return {0, 0, 1};
+  if (order == axisymmetric) return {1, 0, 0};
   return {1, component == 0 ? -1.0 : 1.0, 0};
 }
 
@@ -39,8 +39,8 @@ std::array<double, 3> boundary_load(const StokesState& state, const dealii::Poin
 
 Eigen::VectorXd assemble_load(const HarmonicSpace& space, const StokesField& field) {
   const auto& parts = space.parts();
-  const Harmonic harmonic = space.harmonic();
-  const double angular_factor = harmonic == Harmonic::normal ? 2 * pi : pi;
+  const FourierOrder order = space.order();
+  const double angular_factor = order == axisymmetric ? 2 * pi : pi;
   dealii::FEFaceValues<2> values(parts.element, dealii::QGauss<1>(parts.element.degree + extra_points),
                                  dealii::update_values | dealii::update_JxW_values | dealii::update_normal_vectors |
                                      dealii::update_quadrature_points);
@@ -59,8 +59,8 @@ Eigen::VectorXd assemble_load(const HarmonicSpace& space, const StokesField& fie
         const auto at_point = boundary_load(field(x[0], x[1]), x, values.normal_vector(q), part == BoundaryPart::far);
         for (unsigned i = 0; i < n_cell_dofs; ++i) {
           const unsigned component = parts.element.system_to_component_index(i).first;
-          if (component == n_displacements(harmonic)) continue;
-          const auto direction = direction_of(component, harmonic);
+          if (component == n_displacements(order)) continue;
+          const auto direction = direction_of(component, order);
           double work = 0;
           for (std::size_t k = 0; k < 3; ++k) work += at_point[k] * direction[k];
           cell_load[i] += angular_factor * x[0] * values.JxW(q) * work * values.shape_value(i, q);
@@ -81,7 +81,7 @@ struct Sample {
 
 std::vector<Sample> samples_of(const HarmonicSpace& space, const Eigen::VectorXd& solution) {
   const auto& parts = space.parts();
-  const Harmonic harmonic = space.harmonic();
+  const FourierOrder order = space.order();
   dealii::FEValues<2> values(parts.element, dealii::QGauss<2>(parts.element.degree + extra_points),
                              dealii::update_values | dealii::update_JxW_values | dealii::update_quadrature_points);
   dealii::Vector<double> dof_values(solution.begin(), solution.end());
@@ -92,10 +92,10 @@ std::vector<Sample> samples_of(const HarmonicSpace& space, const Eigen::VectorXd
     values.reinit(cell);
     values.get_function_values(dof_values, at_points);
     for (const unsigned q : values.quadrature_point_indices()) {
-      Sample sample{Eigen::Vector3d::Zero(), at_points[q][n_displacements(harmonic)], values.quadrature_point(q)[0],
+      Sample sample{Eigen::Vector3d::Zero(), at_points[q][n_displacements(order)], values.quadrature_point(q)[0],
                     values.quadrature_point(q)[1], values.quadrature_point(q)[0] * values.JxW(q)};
-      for (unsigned component = 0; component < n_displacements(harmonic); ++component) {
-        const auto direction = direction_of(component, harmonic);
+      for (unsigned component = 0; component < n_displacements(order); ++component) {
+        const auto direction = direction_of(component, order);
         sample.displacement += at_points[q][component] * Eigen::Vector3d(direction[0], direction[1], direction[2]);
       }
       samples.push_back(sample);
@@ -118,14 +118,14 @@ void remove_rotation(std::vector<Sample>& samples) {
 
 }  // namespace
 
-StokesField point_force(Harmonic harmonic, double height) {
+StokesField point_force(const FourierOrder& order, double height) {
   return [=](double r, double z_body) {
     const double z = z_body - height, R = std::hypot(r, z), R3 = R * R * R;
-    const double along = harmonic == Harmonic::normal ? z : r;  // amplitude of x.F
+    const double along = order == axisymmetric ? z : r;  // amplitude of x.F
     StokesState state{};
     state.u = r * along / R3 / (8 * pi);
     state.w = z * along / R3 / (8 * pi);
-    if (harmonic == Harmonic::normal) {
+    if (order == axisymmetric) {
       state.w += 1 / R / (8 * pi);
     } else {
       state.u += 1 / R / (8 * pi);
@@ -151,7 +151,7 @@ BulkError bulk_error(const HarmonicSpace& space, const StokesField& load, const 
     s.displacement -= displacement;
     s.pressure -= state.pressure;
   }
-  if (space.harmonic() == Harmonic::tangential) remove_rotation(samples);
+  if (space.order() == lateral) remove_rotation(samples);
   BulkError error{0, 0};
   for (const auto& s : samples) {
     error.displacement += s.weight * s.displacement.squaredNorm();

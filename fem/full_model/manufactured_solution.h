@@ -22,7 +22,7 @@ using StokesField = std::function<StokesState(double r, double z)>;
 ///   `u = [F/R + x (x.F)/R^3] / (8 pi)`,   `P = x.F / (4 pi R^3)`,   `sigma = -3 x x (x.F) / (4 pi R^5)`,
 /// x from the force, R = |x|. Smooth in the body z <= 0 for a positive height.
 /// Source: Thomson (Lord Kelvin) 1848; Johnson, Contact Mechanics (1985), section 3.2, at nu = 1/2.
-StokesField point_force(Harmonic harmonic, double height);
+StokesField point_force(const FourierOrder& order, double height);
 
 /// Errors in the L2 norm over the whole body, relative to the norm of the exact field.
 struct BulkError {

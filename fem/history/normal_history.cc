@@ -15,7 +15,8 @@ namespace fretval::fem {
 std::optional<NormalInstant> NormalHistory::instant(Eigen::Index column) const {
   if (!touches_in_order()) return {};
   NormalInstant instant{touch_radii, contact_radius[column], force[column]};
-  if (pressure_depths.size() > 0) instant.pressure_depths.emplace(pressure_depths.col(column).data(), pressure_depths.rows());
+  if (pressure_depths.size() > 0)
+    instant.pressure_depths.emplace(pressure_depths.col(column).data(), pressure_depths.rows());
   return instant;
 }
 

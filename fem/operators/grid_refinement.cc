@@ -7,7 +7,7 @@
 namespace fretval::fem {
 
 GridData refined(const GridData& grid) {
-  GridData fine{grid.points, {}, {}};
+  GridData fine{grid.points, {}, {}, {grid.elasticity.poisson_ratio, {}}};
   std::map<std::pair<unsigned, unsigned>, unsigned> midpoints;
   const auto midpoint = [&](unsigned a, unsigned b) {
     const auto [place, is_new] = midpoints.emplace(std::minmax(a, b), static_cast<unsigned>(fine.points.size()));
@@ -24,6 +24,8 @@ GridData refined(const GridData& grid) {
       fine.cells.push_back(
           {cell[k], midpoint(cell[k], cell[(k + 1) % 4]), centre, midpoint(cell[(k + 3) % 4], cell[k])});
   }
+  for (const double modulus : grid.elasticity.moduli)
+    fine.elasticity.moduli.insert(fine.elasticity.moduli.end(), 4, modulus);
   for (const auto& edge : grid.boundary) {
     const unsigned middle = midpoint(edge.points[0], edge.points[1]);
     fine.boundary.push_back({{edge.points[0], middle}, edge.part});

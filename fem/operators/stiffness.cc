@@ -16,14 +16,18 @@ struct CellStiffness {
 };
 
 /// Displacements before pressures.
-Eigen::MatrixXd stiffness_of(const CellOperators& operators) {
+Eigen::MatrixXd stiffness_of(const CellOperators& operators, const Compressibility& bulk, double modulus) {
   const auto n = operators.strain().cols(), n_pressures = operators.pressure().cols();
   Eigen::MatrixXd matrix(n + n_pressures, n + n_pressures);
   matrix.topLeftCorner(n, n) = gram(operators.strain());
+  if (bulk.shift > 0) matrix.topLeftCorner(n, n) -= bulk.shift * gram(operators.divergence());
+  if (modulus != 1) matrix.topLeftCorner(n, n) *= modulus;
   if (operators.far().rows() > 0) matrix.topLeftCorner(n, n) += gram(operators.far());
   matrix.topRightCorner(n, n_pressures).noalias() = -operators.divergence().transpose() * operators.pressure();
   matrix.bottomLeftCorner(n_pressures, n) = matrix.topRightCorner(n, n_pressures).transpose();
   matrix.bottomRightCorner(n_pressures, n_pressures).setZero();
+  if (bulk.yielding > 0)
+    matrix.bottomRightCorner(n_pressures, n_pressures) = -bulk.yielding / modulus * gram(operators.pressure());
   return matrix;
 }
 
@@ -39,6 +43,8 @@ void for_each_cell(const HarmonicSpace& space, const Share& share, Use&& use) {
   auto shapes = operators.displacement_shapes();
   shapes.insert(shapes.end(), operators.pressure_shapes().begin(), operators.pressure_shapes().end());
   std::vector<dealii::types::global_dof_index> dofs(shapes.size());
+  const auto& moduli = space.elasticity().moduli;
+  const auto bulk = compressibility(space.elasticity().poisson_ratio);
   for (const auto& cell : parts.dofs.active_cell_iterators()) {
     if (!has(share, cell->active_cell_index(), parts.triangulation.n_active_cells())) continue;
     operators.evaluate(cell);
@@ -47,7 +53,8 @@ void for_each_cell(const HarmonicSpace& space, const Share& share, Use&& use) {
     for (std::size_t i = 0; i < shapes.size(); ++i)
       if (!parts.constraints.is_constrained(dofs[shapes[i]])) order.push_back(static_cast<Eigen::Index>(i));
     std::sort(order.begin(), order.end(), [&](auto a, auto b) { return dofs[shapes[a]] < dofs[shapes[b]]; });
-    CellStiffness ordered{{}, stiffness_of(operators)(order, order)};
+    const double modulus = moduli.empty() ? 1 : moduli[cell->active_cell_index()];
+    CellStiffness ordered{{}, stiffness_of(operators, bulk, modulus)(order, order)};
     for (const auto i : order) ordered.dofs.push_back(static_cast<int>(dofs[shapes[i]]));
     use(std::move(ordered));
   }
@@ -109,6 +116,12 @@ Eigen::Index n_skeleton_of(const CellStiffness& cell, unsigned n_skeleton_dofs) 
 }
 
 }  // namespace
+
+Compressibility compressibility(double poisson_ratio) {
+  const double rest = 1 - 2 * poisson_ratio, shift = 2 * rest / 3;
+  const double sum = 2 * poisson_ratio + shift * rest;  // (1 - 2 nu) (lambda + c)
+  return {shift, rest / sum, (2 * poisson_ratio + shift) / sum};
+}
 
 SparseMatrix assemble_stiffness(const HarmonicSpace& space) {
   std::vector<CellStiffness> cells;

@@ -41,7 +41,7 @@ class CellOperators {
  private:
   void append_far_face();
 
-  Harmonic harmonic_;
+  FourierOrder order_;
   dealii::FEValues<2> values_;
   dealii::FEFaceValues<2> face_values_;
   std::vector<unsigned> displacement_shapes_, pressure_shapes_;

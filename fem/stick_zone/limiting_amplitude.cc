@@ -49,7 +49,7 @@ std::vector<double> response_to_force(const PunchSeries& series, Motion motion, 
   std::vector<double> response;
   for (long k = 0; k < static_cast<long>(normal.steps_per_cycle) * motion.cycles_per_period(); ++k)
     response.push_back(tangential_motion(motion, normal.first_balance + 2 * pi * k / normal.steps_per_cycle).value /
-                       (series.force_per_radius() * series.edges()[n_inside]));
+                       series.punch_force(n_inside));
   return response;
 }
 

@@ -17,7 +17,7 @@ double outer_edge(const std::vector<double>& radii, Eigen::Index n_rings) {
 
 WearPoint point_of(const WearingContact& contact, double cycles) {
   const auto& period = contact.period();
-  const auto& [radii, areas, matrix] = contact.normal().problem().compliance;
+  const auto& [radii, areas, matrix, half_space] = contact.normal().problem().compliance;
   const Eigen::VectorXd worn = contact.worn();
   Eigen::Index n_pressed = areas.size(), n_stuck = 0;
   while (n_pressed > 0 && period.largest_pressure[n_pressed - 1] == 0) --n_pressed;

@@ -28,8 +28,8 @@ struct History {
   History(int steps, int cycles) : n_steps(steps), n_cycles(cycles) { motion.n_ramp_cycles = cycles - 1; }
 };
 
-BodySpecification body_of_rings(int rings) {
-  BodySpecification body{{}, 0.5, 12, 3, true};
+BodyDescription body_of_rings(int rings) {
+  BodyDescription body{{}, 0.5, 12, 3, true};
   for (int i = 0; i <= rings + rings / 8; ++i) body.contact_nodes.push_back(static_cast<double>(i) / rings);
   return body;
 }

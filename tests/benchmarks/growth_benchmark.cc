@@ -62,7 +62,7 @@ double lap() {
 }
 
 /// By one process, or by all together; the first one has it.
-std::optional<ContactBody> made_body(const BodySpecification& body, const Ranks& ranks) {
+std::optional<ContactBody> made_body(const BodyDescription& body, const Ranks& ranks) {
   if (!ranks.are_several()) return contact_body(make_body(body));
   const fem::Share share{static_cast<unsigned>(ranks.number()), static_cast<unsigned>(ranks.count())};
   const auto make = [&](const std::string& wanted) { return operators_made_together(wanted, share); };
@@ -74,7 +74,7 @@ std::optional<ContactBody> made_body(const BodySpecification& body, const Ranks&
 void body(int rings, double growth, bool tangential) {
   const Ranks ranks;
   const fem::PetscSession session;
-  BodySpecification specification{{}, growth, 20, 3, tangential};
+  BodyDescription specification{{}, growth, 20, 3, tangential};
   for (int i = 0; i <= rings; ++i) specification.contact_nodes.push_back(static_cast<double>(i) / rings);
   lap();
   const auto made = made_body(specification, ranks);

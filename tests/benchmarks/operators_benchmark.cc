@@ -26,7 +26,7 @@ PreparedCase example(unsigned rings) {
   return prepared;
 }
 
-BodySpecification specification(const benchmark::State& state) {
+BodyDescription specification(const benchmark::State& state) {
   return example(static_cast<unsigned>(state.range(0))).fem.body;
 }
 
@@ -38,7 +38,7 @@ void mesh(benchmark::State& state) {
 void assembly(benchmark::State& state) {
   const auto body = specification(state);
   const auto disc = mesh_of(body);
-  for ([[maybe_unused]] auto _ : state) benchmark::DoNotOptimize(assemble_operators(disc, "mesh", body.degree));
+  for ([[maybe_unused]] auto _ : state) benchmark::DoNotOptimize(assemble_operators(disc, "mesh", body));
 }
 
 void factor_and_schur(benchmark::State& state) {
@@ -46,7 +46,7 @@ void factor_and_schur(benchmark::State& state) {
   const auto disc = mesh_of(body);
   for ([[maybe_unused]] auto _ : state) {
     state.PauseTiming();
-    auto operators = assemble_operators(disc, "mesh", body.degree);
+    auto operators = assemble_operators(disc, "mesh", body);
     state.ResumeTiming();
     benchmark::DoNotOptimize(condense(std::move(operators)));
   }

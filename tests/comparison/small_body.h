@@ -5,7 +5,7 @@
 namespace fretval {
 
 /// Of a body that is made in milliseconds.
-inline BodySpecification small_body(bool tangential = true) {
+inline BodyDescription small_body(bool tangential = true) {
   return {{0, 0.25, 0.5, 0.75, 1}, 0.3, 10, 2, tangential};
 }
 

@@ -25,7 +25,7 @@ inline StaticContact hertz_contact(const ContactProblem& problem, double indenta
 
 /// Tractions of the rings under a unit displacement of the n innermost ones, the others free.
 inline Eigen::VectorXd punch_traction(const ContactProblem& problem, Eigen::Index n) {
-  const auto& [radii, areas, matrix] = problem.compliance;
+  const auto& [radii, areas, matrix, half_space] = problem.compliance;
   Eigen::VectorXd traction = Eigen::VectorXd::Zero(problem.n_rings());
   traction.head(n) = matrix->topLeftCorner(n, n).llt().solve(areas.head(n));
   return traction;

@@ -5,6 +5,7 @@
 
 #include "fem/condensation/condensation.h"
 #include "fem/operators/stiffness.h"
+#include "meshes/cylinder.h"
 #include "meshes/grading.h"
 #include "meshes/quarter_disc.h"
 
@@ -23,12 +24,12 @@ const GridData& half_space_grid(const Line& line) {
   return found->second;
 }
 
-const ContactProblem& condensed(const Line& line, Harmonic harmonic, unsigned degree) {
-  static std::map<std::tuple<Line, Harmonic, unsigned>, ContactProblem> problems;
-  const auto key = std::make_tuple(line, harmonic, degree);
+const ContactProblem& condensed(const Line& line, const FourierOrder& order, unsigned degree) {
+  static std::map<std::tuple<Line, FourierOrder, unsigned>, ContactProblem> problems;
+  const auto key = std::make_tuple(line, order, degree);
   auto found = problems.find(key);
   if (found == problems.end()) {
-    const HarmonicSpace space(half_space_grid(line), harmonic, degree);
+    const HarmonicSpace space(half_space_grid(line), order, degree);
     const Condensation condensation(assemble_skeleton_stiffness(space), space.contact_line().dofs, "half-space");
     found = problems.emplace(key, contact_compliance(space.contact_line(), condensation.schur_complement())).first;
   }
@@ -37,6 +38,16 @@ const ContactProblem& condensed(const Line& line, Harmonic harmonic, unsigned de
 
 }  // namespace
 
+GridData layer_grid(double contact_length, unsigned n_contact, double thickness, double growth, BoundaryPart base) {
+  const auto mesh = meshes::cylinder(
+      {meshes::uniform_nodes(contact_length, n_contact), thickness, contact_length + 12 * thickness, growth});
+  GridData grid{mesh.nodes, mesh.cells, {}};
+  for (const auto& edge : mesh.edges)
+    grid.boundary.push_back(
+        {edge.nodes, edge.boundary == meshes::Boundary::base ? base : static_cast<BoundaryPart>(edge.boundary)});
+  return grid;
+}
+
 GridData quarter_disc_grid(double contact_length, unsigned n_contact, double far_radius, double growth) {
   const auto mesh = meshes::quarter_disc({meshes::uniform_nodes(contact_length, n_contact), far_radius, growth});
   GridData grid{mesh.nodes, mesh.cells, {}};
@@ -44,12 +55,12 @@ GridData quarter_disc_grid(double contact_length, unsigned n_contact, double far
   return grid;
 }
 
-const ContactProblem& half_space(Harmonic harmonic, unsigned n_per_radius, unsigned degree) {
-  return condensed({1.125, n_per_radius}, harmonic, degree);
+const ContactProblem& half_space(const FourierOrder& order, unsigned n_per_radius, unsigned degree) {
+  return condensed({1.125, n_per_radius}, order, degree);
 }
 
-const ContactProblem& long_half_space(Harmonic harmonic, unsigned n_per_radius) {
-  return condensed({1.375, n_per_radius}, harmonic, 3);
+const ContactProblem& long_half_space(const FourierOrder& order, unsigned n_per_radius) {
+  return condensed({1.375, n_per_radius}, order, 3);
 }
 
 }  // namespace fretval::fem

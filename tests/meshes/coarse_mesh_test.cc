@@ -16,7 +16,7 @@ const double far_radius = 8;
 const std::vector<double> surface_nodes{0, 0.5, 1, 2};
 
 CoarseMesh mesh_of(double strip_height, double size = 2) {
-  return coarse_mesh(surface_nodes, strip_height, far_radius, [size](double, double) { return size; });
+  return coarse_mesh(surface_nodes, strip_height, {far_radius}, [size](double, double) { return size; });
 }
 
 double area(const CoarseMesh& mesh, const std::vector<unsigned>& polygon) {
@@ -115,9 +115,9 @@ TEST(CoarseMeshTest, SizeIsTheOneAskedFor) {
 TEST(CoarseMeshTest, FailureOfGmshIsAnErrorAndLeavesItUsable) {
   expect_error(
       [] {
-        coarse_mesh({0, 1, 1}, 0, far_radius, [](double, double) { return 1.; });
+        coarse_mesh({0, 1, 1}, 0, {far_radius}, [](double, double) { return 1.; });
       },
-      {"mesh of the quarter disc: gmsh failed: "});
+      {"mesh of the body: gmsh failed: "});
   EXPECT_FALSE(mesh_of(0).polygons.empty());
 }
 

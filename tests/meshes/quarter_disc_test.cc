@@ -8,6 +8,7 @@
 #include <random>
 
 #include "meshes/audit.h"
+#include "meshes/body_mesh.h"
 #include "meshes/grading.h"
 #include "meshes/mesh_error.h"
 #include "tests/meshes/expect_error.h"
@@ -117,7 +118,8 @@ TEST(QuarterDisc, HasTheWantedSizes) {
     std::array<double, 2> middle{0., 0.};
     for (const unsigned node : cell)
       for (const int i : {0, 1}) middle[i] += mesh.nodes[node][i] / 4.;
-    const double ratio = std::sqrt(signed_area(mesh, cell)) / element_size(disc, middle[0], middle[1]);
+    const double ratio =
+        std::sqrt(signed_area(mesh, cell)) / element_size(disc.contact_nodes, disc.growth, middle[0], middle[1]);
     EXPECT_GT(ratio, 0.25);
     EXPECT_LT(ratio, 2.5);
     sum += ratio / mesh.cells.size();
@@ -146,21 +148,6 @@ TEST(QuarterDisc, ScalesWithTheUnitOfLength) {
   ASSERT_EQ(metres.cells, scaled.cells);
   for (std::size_t i = 0; i < metres.nodes.size(); ++i)
     for (const int k : {0, 1}) EXPECT_NEAR(scaled.nodes[i][k] / nano, metres.nodes[i][k], 1e-13);
-}
-
-TEST(ElementSize, IsTheSmallestOverAllContactElements) {
-  const QuarterDisc disc{{0., 0.4, 0.5, 0.52, 0.8, 1.}, 25., 0.15};
-  for (const double r : {0., 0.1, 0.45, 0.51, 0.7, 0.9, 1., 3.})
-    for (const double z : {0., -0.1, -1., -10.}) {
-      double smallest = std::numeric_limits<double>::max();
-      for (std::size_t i = 0; i + 1 < disc.contact_nodes.size(); ++i) {
-        const double a = disc.contact_nodes[i];
-        const double b = disc.contact_nodes[i + 1];
-        const double distance = std::hypot(r - std::clamp(r, a, b), z);
-        smallest = std::min(smallest, std::max(b - a, 0.15 * distance));
-      }
-      EXPECT_DOUBLE_EQ(element_size(disc, r, z), smallest) << r << " " << z;
-    }
 }
 
 TEST(QuarterDisc, RefusesBadInput) {

@@ -6,38 +6,47 @@
 
 #include "comparison/support/parallel.h"
 #include "comparison/support/stopwatch.h"
+#include "fem/condensation/far_field.h"
 #include "fem/operators/stiffness.h"
 #include "meshes/audit.h"
+#include "meshes/cylinder.h"
 #include "meshes/quarter_disc.h"
 
 namespace fretval {
 namespace {
 
-HarmonicOperators assemble_harmonic(const fem::GridData& grid, fem::Harmonic harmonic, unsigned degree) {
-  fem::HarmonicSpace space(grid, harmonic, degree);
+HarmonicOperators assemble_harmonic(const fem::GridData& grid, const fem::FourierOrder& order, unsigned degree) {
+  fem::HarmonicSpace space(grid, order, degree);
   auto stiffness = fem::assemble_skeleton_stiffness(space);
   return {std::move(space), std::move(stiffness)};
 }
 
 fem::ContactProblem scaled(const fem::ContactProblem& problem, double factor) {
-  const auto& [radii, areas, matrix] = problem.compliance;
-  fem::Compliance larger{radii, std::pow(factor, 2) * areas, fem::SharedMatrix(std::pow(factor, 3) * *matrix)};
+  const auto& [radii, areas, matrix, half_space] = problem.compliance;
+  fem::Compliance larger{radii, std::pow(factor, 2) * areas, fem::SharedMatrix(std::pow(factor, 3) * *matrix),
+                         half_space};
   for (double& radius : larger.radii) radius *= factor;
   return fem::ContactProblem(std::move(larger));
 }
 
-HarmonicBody condense_harmonic(HarmonicOperators&& operators, const std::string& name) {
+HarmonicBody condense_harmonic(HarmonicOperators&& operators, std::shared_ptr<const fem::Compliance> edges,
+                               const std::string& name) {
   fem::Condensation condensation(operators.stiffness, operators.space.contact_line().dofs, name);
-  fem::ContactProblem contact(fem::contact_compliance(operators.space.contact_line(), condensation.schur_complement()));
+  auto compliance = fem::contact_compliance(operators.space.contact_line(), condensation.schur_complement());
+  fem::add_far_field(operators.space, condensation, {fem::ring_component(operators.space.order())}, compliance);
+  compliance.half_space = std::move(edges);
+  fem::ContactProblem contact(std::move(compliance));
   return {std::move(operators.space), std::move(condensation), std::move(contact)};
 }
 
 }  // namespace
 
-meshes::Mesh mesh_of(const BodySpecification& specification) {
-  auto nodes = specification.contact_nodes;
-  for (double& node : nodes) node *= specification.scale;
-  return meshes::quarter_disc({std::move(nodes), specification.scale * specification.far_radius, specification.growth});
+meshes::Mesh mesh_of(const BodyDescription& description) {
+  auto nodes = description.contact_nodes;
+  for (double& node : nodes) node *= description.scale;
+  if (!description.is_half_space())
+    return meshes::cylinder({std::move(nodes), description.thickness, description.far_radius, description.growth});
+  return meshes::quarter_disc({std::move(nodes), description.scale * description.far_radius, description.growth});
 }
 
 std::size_t n_dofs_on(const meshes::Mesh& mesh, unsigned degree, bool tangential) {
@@ -48,44 +57,50 @@ std::size_t n_dofs_on(const meshes::Mesh& mesh, unsigned degree, bool tangential
   return n_displacements * n_nodes(degree) + n_pressures * n_nodes(degree - 1);
 }
 
-fem::GridData grid_of(const meshes::Mesh& mesh) {
-  fem::GridData grid{mesh.nodes, mesh.cells, {}};
-  for (const auto& edge : mesh.edges)
-    grid.boundary.push_back({edge.nodes, static_cast<fem::BoundaryPart>(edge.boundary)});
+fem::GridData grid_of(const meshes::Mesh& mesh, const BodyDescription& description) {
+  fem::GridData grid{mesh.nodes, mesh.cells, {}, {description.poisson_ratio, {}}};
+  const auto part_of = [&](meshes::Boundary boundary) {
+    if (boundary != meshes::Boundary::base) return static_cast<fem::BoundaryPart>(boundary);
+    return description.slides_on_base ? fem::BoundaryPart::sliding : fem::BoundaryPart::bonded;
+  };
+  for (const auto& edge : mesh.edges) grid.boundary.push_back({edge.nodes, part_of(edge.boundary)});
   return grid;
 }
 
-Operators assemble_operators(const meshes::Mesh& mesh, const std::string& name, unsigned degree, bool tangential) {
+Operators assemble_operators(const meshes::Mesh& mesh, const std::string& name, const BodyDescription& description) {
   meshes::audit(mesh, name);
   Stopwatch watch;
-  const auto grid = grid_of(mesh);
+  const auto grid = grid_of(mesh, description);
   std::optional<HarmonicOperators> harmonics[2];
-  for_each_in_parallel(tangential ? 2 : 1, [&](std::size_t n) {
-    harmonics[n].emplace(assemble_harmonic(grid, n == 0 ? fem::Harmonic::normal : fem::Harmonic::tangential, degree));
+  for_each_in_parallel(description.tangential ? 2 : 1, [&](std::size_t n) {
+    harmonics[n].emplace(assemble_harmonic(grid, n == 0 ? fem::axisymmetric : fem::lateral, description.degree));
   });
   Operators operators{std::move(*harmonics[0]), std::move(harmonics[1]), meshes::quality(mesh), {}};
   operators.cost.assembly = watch.lap();
   return operators;
 }
 
-Body condense(Operators&& operators) {
+Body condense(Operators&& operators, const RingEdges& edges) {
   Stopwatch watch;
   std::optional<HarmonicBody> harmonics[2];
   for_each_in_parallel(operators.tangential ? 2 : 1, [&](std::size_t n) {
     harmonics[n].emplace(
-        n == 0 ? condense_harmonic(std::move(operators.normal), "stiffness of the normal harmonic")
-               : condense_harmonic(std::move(*operators.tangential), "stiffness of the tangential harmonic"));
+        n == 0 ? condense_harmonic(std::move(operators.normal), edges.normal, "stiffness of the normal harmonic")
+               : condense_harmonic(std::move(*operators.tangential), edges.tangential,
+                                   "stiffness of the tangential harmonic"));
   });
   Body body{std::move(*harmonics[0]), std::move(harmonics[1]), operators.mesh_quality, operators.cost};
   body.cost.factorisation = watch.lap();
   return body;
 }
 
-Body make_body(const BodySpecification& specification) {
+Body make_body(const BodyDescription& description) {
+  RingEdges edges;
+  if (!description.is_half_space()) edges = ring_edges(contact_body(make_body(half_space_with_rings_of(description))));
   Stopwatch watch;
-  const auto mesh = mesh_of(specification);
+  const auto mesh = mesh_of(description);
   const double seconds = watch.lap();
-  Body body = condense(assemble_operators(mesh, "generated mesh", specification.degree, specification.tangential));
+  Body body = condense(assemble_operators(mesh, "generated mesh", description), edges);
   body.cost.mesh = seconds;
   return body;
 }
@@ -100,6 +115,13 @@ BodyCount count_of(const std::vector<std::shared_ptr<const BodySummary>>& bodies
     count.from_store += body->from_store ? 1 : 0;
   }
   return count;
+}
+
+RingEdges ring_edges(const ContactBody& half_space) {
+  const auto edges_of = [](const fem::ContactProblem& problem) {
+    return std::make_shared<const fem::Compliance>(problem.compliance);
+  };
+  return {edges_of(half_space.normal), half_space.tangential ? edges_of(*half_space.tangential) : nullptr};
 }
 
 ContactBody contact_body(const Body& body) {

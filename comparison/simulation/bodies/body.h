@@ -23,14 +23,14 @@ struct BodyCost {
   [[nodiscard]] double total() const { return mesh + assembly + factorisation + reading; }
 };
 
-/// The mesh that a specification asks for.
-meshes::Mesh mesh_of(const BodySpecification& specification);
+/// The mesh that a description asks for.
+meshes::Mesh mesh_of(const BodyDescription& description);
 
 /// Degrees of freedom of a body on a mesh without holes, before it is made: of both harmonics if it has two.
 std::size_t n_dofs_on(const meshes::Mesh& mesh, unsigned degree, bool tangential);
 
-/// The mesh as the finite elements take it.
-fem::GridData grid_of(const meshes::Mesh& mesh);
+/// The mesh as the finite elements take it: with Poisson's ratio and what the base does.
+fem::GridData grid_of(const meshes::Mesh& mesh, const BodyDescription& description);
 
 /// One harmonic of the body before it is factorised.
 struct HarmonicOperators {
@@ -47,8 +47,7 @@ struct Operators {
 };
 
 /// Audits the mesh and assembles its stiffness. name: of the mesh, for messages. Throws meshes::MeshError.
-Operators assemble_operators(const meshes::Mesh& mesh, const std::string& name, unsigned degree,
-                             bool tangential = true);
+Operators assemble_operators(const meshes::Mesh& mesh, const std::string& name, const BodyDescription& description);
 
 /// One harmonic of the body: its space, its factorised stiffness and the contact problem condensed from it.
 struct HarmonicBody {
@@ -69,11 +68,16 @@ struct Body {
   }
 };
 
+/// Half-spaces that know where the edges of a body's rings lie (fem::Compliance::half_space); null: it is one itself.
+struct RingEdges {
+  std::shared_ptr<const fem::Compliance> normal, tangential;
+};
+
 /// Factorises the operators and condenses them to the contact line. Throws fem::SolverError.
-Body condense(Operators&& operators);
+Body condense(Operators&& operators, const RingEdges& edges = {});
 
 /// On a generated mesh, with the time of that in the cost.
-Body make_body(const BodySpecification& specification);
+Body make_body(const BodyDescription& description);
 
 /// Figures of a body.
 struct BodySummary {
@@ -81,8 +85,8 @@ struct BodySummary {
   BodyCost cost;
   unsigned n_dofs;
   std::size_t n_contact_nodes;
-  std::vector<double> radii;  ///< of the rings
-  bool from_store = false;    ///< not made, but taken from a store of operators
+  std::vector<double> radii;                         ///< of the rings
+  bool from_store = false;                           ///< not made, but taken from a store of operators
   std::shared_ptr<const BodySummary> original = {};  ///< of a scaled body: what it was scaled from
 };
 
@@ -108,6 +112,9 @@ struct ContactBody {
 };
 
 ContactBody contact_body(const Body& body);
+
+/// What a half-space tells of the rings of another body.
+RingEdges ring_edges(const ContactBody& half_space);
 
 /// The same body, larger by a factor: a half-space has no length, so that areas grow with its square, and the
 /// compliance of rings (see fem::Compliance) with its cube.

@@ -10,33 +10,36 @@ bool is_too_large(std::size_t n_dofs, const BodyStore& bodies) {
   return bodies.distribution && n_dofs >= bodies.distribution->from_dofs;
 }
 
-std::shared_ptr<const ContactBody> find_or_make_body(const BodySpecification& specification, BodyStore& bodies,
+std::shared_ptr<const ContactBody> find_or_make_body(const BodyDescription& description, BodyStore& bodies,
                                                      std::shared_ptr<const Body>* whole) {
-  return bodies.find_or_make(specification, [&] {
-    if (specification.scale != 1) {
-      auto original = specification;
+  return bodies.find_or_make(description, [&] {
+    if (description.scale != 1) {
+      auto original = description;
       original.scale = 1;
-      return scaled(*find_or_make_body(original, bodies), specification.scale);
+      return scaled(*find_or_make_body(original, bodies), description.scale);
     }
+    RingEdges edges;
+    if (!description.is_half_space())
+      edges = ring_edges(*find_or_make_body(half_space_with_rings_of(description), bodies));
     if (bodies.operators)
-      if (auto kept = kept_body(specification, *bodies.operators)) {
+      if (auto kept = kept_body(description, edges, *bodies.operators)) {
         ++bodies.n_kept;
         return *std::move(kept);
       }
     Stopwatch watch;
-    const auto mesh = bodies.meshes.mesh_of(specification);
+    const auto mesh = bodies.meshes.mesh_of(description);
     const double mesh_seconds = watch.lap();
-    if (is_too_large(n_dofs_on(mesh, specification.degree, specification.tangential), bodies)) {
-      auto body = distributed_body(specification, *bodies.distribution, bodies.operators.get());
+    if (is_too_large(n_dofs_on(mesh, description.degree, description.tangential), bodies)) {
+      auto body = distributed_body(description, edges, *bodies.distribution, bodies.operators.get());
       ++(body.summary->from_store ? bodies.n_kept : bodies.n_made);
       return body;
     }
     ++bodies.n_made;
-    auto operators = assemble_operators(mesh, bodies.meshes.name, specification.degree, specification.tangential);
+    auto operators = assemble_operators(mesh, bodies.meshes.name, description);
     operators.cost.mesh = mesh_seconds;
-    const auto made = std::make_shared<const Body>(condense(std::move(operators)));
+    const auto made = std::make_shared<const Body>(condense(std::move(operators), edges));
     if (whole) *whole = made;
-    if (bodies.operators) keep_body(specification, *made, *bodies.operators);
+    if (bodies.operators) keep_body(description, *made, *bodies.operators);
     return contact_body(*made);
   });
 }

@@ -14,14 +14,14 @@
 
 namespace fretval {
 
-/// Where meshes come from: made for each specification unless somebody has others, as the small committed ones.
+/// Where meshes come from: made for each description unless somebody has others, as the small committed ones.
 struct MeshSource {
   std::string name = "generated mesh";  ///< for messages
-  std::function<meshes::Mesh(const BodySpecification&)> mesh_of = fretval::mesh_of;
+  std::function<meshes::Mesh(const BodyDescription&)> mesh_of = fretval::mesh_of;
 };
 
 /// The bodies that cases and their refinements share, with the normal histories on them.
-class BodyStore : public MadeOnce<BodySpecification, ContactBody> {
+class BodyStore : public MadeOnce<BodyDescription, ContactBody> {
  public:
   explicit BodyStore(MeshSource source = {}) : meshes(std::move(source)) {}
   /// Bodies on generated meshes, whose operators other runs have kept or will find. Null: neither.
@@ -36,9 +36,9 @@ class BodyStore : public MadeOnce<BodySpecification, ContactBody> {
 /// Whether all processes make bodies of so many dofs together.
 bool is_too_large(std::size_t n_dofs, const BodyStore& bodies);
 
-/// Mesh, operators and condensation of a specification, unless the store, or that of its operators, has them, at any
+/// Mesh, operators and condensation of a description, unless the store, or that of its operators, has them, at any
 /// scale. whole: set to the whole body if it had to be made, in this process alone and at a scale of 1.
-std::shared_ptr<const ContactBody> find_or_make_body(const BodySpecification& specification, BodyStore& bodies,
+std::shared_ptr<const ContactBody> find_or_make_body(const BodyDescription& description, BodyStore& bodies,
                                                      std::shared_ptr<const Body>* whole = nullptr);
 
 }  // namespace fretval

@@ -8,6 +8,7 @@
 #include "comparison/simulation/bodies/operator_key.h"
 #include "comparison/support/stopwatch.h"
 #include "fem/condensation/distributed_condensation.h"
+#include "fem/condensation/far_field.h"
 #include "fem/operators/stiffness.h"
 #include "fem/support/solver_error.h"
 
@@ -23,9 +24,12 @@ std::string bytes_of(const json& message) {
   return bytes;
 }
 
-BodySpecification specification_in(const std::string& message) {
-  const auto body = json::from_cbor(message);
-  return {body.at(0).get<std::vector<double>>(), body.at(1), body.at(2), body.at(3), body.at(4), body.at(5)};
+BodyDescription description_in(const std::string& message) {
+  const auto fields = json::from_cbor(message);
+  BodyDescription body{};
+  std::size_t k = 0;
+  std::apply([&](auto&... field) { ((fields.at(k++).get_to(field)), ...); }, BodyDescription::fields(body));
+  return body;
 }
 
 /// A harmonic on the contact line.
@@ -36,12 +40,16 @@ struct Condensed {
   std::map<std::string, double> figures;
 };
 
-Condensed condensed_together(const BodySpecification& body, const meshes::Mesh& mesh, fem::Harmonic harmonic,
+Condensed condensed_together(const BodyDescription& body, const meshes::Mesh& mesh, const fem::FourierOrder& order,
                              const fem::Share& share) {
-  const fem::HarmonicSpace space(grid_of(mesh), harmonic, body.degree);
-  const auto name = std::string("stiffness of the ") + (harmonic == fem::Harmonic::normal ? "normal" : "tangential") +
+  const fem::HarmonicSpace space(grid_of(mesh, body), order, body.degree);
+  if (fem::lacks_far_field(space))
+    throw fem::SolverError(
+        "a compressible half-space is not made by several processes together: its far field needs "
+        "the factor of the whole");
+  const auto name = std::string("stiffness of the ") + (order == fem::axisymmetric ? "normal" : "tangential") +
                     " harmonic, distributed";
-  return {operator_key(body, harmonic, static_cast<int>(share.count)), space.contact_line(),
+  return {operator_key(body, order, static_cast<int>(share.count)), space.contact_line(),
           fem::distributed_schur_complement(fem::assemble_skeleton_stiffness(space, share), space.contact_line().dofs,
                                             name),
           figures_of(meshes::quality(mesh), space)};
@@ -49,19 +57,21 @@ Condensed condensed_together(const BodySpecification& body, const meshes::Mesh& 
 
 }  // namespace
 
-std::string text_of(const BodySpecification& body) {
-  return bytes_of({body.contact_nodes, body.growth, body.far_radius, body.degree, body.tangential, body.scale});
+std::string text_of(const BodyDescription& body) {
+  json fields = json::array();
+  std::apply([&](const auto&... field) { (fields.push_back(field), ...); }, BodyDescription::fields(body));
+  return bytes_of(fields);
 }
 
-std::string operators_made_together(const std::string& specification, const fem::Share& share) {
-  const auto body = specification_in(specification);
+std::string operators_made_together(const std::string& description, const fem::Share& share) {
+  const auto body = description_in(description);
   const auto mesh = mesh_of(body);
   const bool is_first = share.number == 0;
   json answer{{"failure", ""}, {"operators", json::array()}};
   try {
     // All of what is done together comes first: where one process alone gives up, the others must not wait for it.
     std::vector<Condensed> harmonics;
-    for (const auto harmonic : harmonics_of(body)) harmonics.push_back(condensed_together(body, mesh, harmonic, share));
+    for (const auto order : harmonics_of(body)) harmonics.push_back(condensed_together(body, mesh, order, share));
     for (const auto& [key, line, schur, figures] : harmonics) {
       if (!is_first) break;
       const auto bytes = fem::operator_file({key, fem::contact_compliance(line, schur), figures});
@@ -73,12 +83,12 @@ std::string operators_made_together(const std::string& specification, const fem:
   return is_first ? bytes_of(answer) : "";
 }
 
-ContactBody distributed_body(const BodySpecification& specification, const Distribution& distribution,
-                             OperatorStore* kept) {
+ContactBody distributed_body(const BodyDescription& description, const RingEdges& edges,
+                             const Distribution& distribution, OperatorStore* kept) {
   if (kept)
-    if (auto body = kept_body(specification, *kept, distribution.n_processes)) return *std::move(body);
+    if (auto body = kept_body(description, edges, *kept, distribution.n_processes)) return *std::move(body);
   Stopwatch watch;
-  const auto answer = json::from_cbor(distribution.make_together(text_of(specification)));
+  const auto answer = json::from_cbor(distribution.make_together(text_of(description)));
   if (const std::string failure = answer.at("failure"); !failure.empty()) throw fem::SolverError(failure);
   std::vector<fem::StoredOperator> harmonics;
   for (const auto& bytes : answer.at("operators")) {
@@ -86,7 +96,7 @@ ContactBody distributed_body(const BodySpecification& specification, const Distr
     harmonics.push_back(fem::operator_in({file.begin(), file.end()}));
     if (kept) kept->keep(harmonics.back());
   }
-  return body_of(std::move(harmonics), false, watch);
+  return body_of(std::move(harmonics), edges, false, watch);
 }
 
 }  // namespace fretval

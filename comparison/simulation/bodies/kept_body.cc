@@ -7,7 +7,9 @@
 namespace fretval {
 namespace {
 
-using fem::Harmonic;
+using fem::axisymmetric;
+using fem::FourierOrder;
+using fem::lateral;
 using Figures = std::map<std::string, double>;
 
 meshes::MeshQuality quality_in(const Figures& figures) {
@@ -36,17 +38,20 @@ Figures figures_of(const meshes::MeshQuality& q, const fem::HarmonicSpace& space
           {"largest edge", q.largest_edge}};
 }
 
-std::vector<Harmonic> harmonics_of(const BodySpecification& specification) {
-  if (specification.tangential) return {Harmonic::normal, Harmonic::tangential};
-  return {Harmonic::normal};
+std::vector<FourierOrder> harmonics_of(const BodyDescription& description) {
+  if (description.tangential) return {axisymmetric, lateral};
+  return {axisymmetric};
 }
 
-ContactBody body_of(std::vector<fem::StoredOperator> harmonics, bool from_store, Stopwatch& watch) {
+ContactBody body_of(std::vector<fem::StoredOperator> harmonics, const RingEdges& edges, bool from_store,
+                    Stopwatch& watch) {
   const auto& figures = harmonics[0].figures;
   BodySummary summary{
       quality_in(figures),           {},        0, static_cast<std::size_t>(figures.at("contact nodes")),
       harmonics[0].compliance.radii, from_store};
   for (const auto& harmonic : harmonics) summary.n_dofs += static_cast<unsigned>(harmonic.figures.at("dofs"));
+  harmonics[0].compliance.half_space = edges.normal;
+  if (harmonics.size() > 1) harmonics[1].compliance.half_space = edges.tangential;
   fem::ContactProblem normal(std::move(harmonics[0].compliance));
   std::optional<fem::ContactProblem> tangential;
   if (harmonics.size() > 1) tangential.emplace(std::move(harmonics[1].compliance));
@@ -54,25 +59,25 @@ ContactBody body_of(std::vector<fem::StoredOperator> harmonics, bool from_store,
   return {std::move(normal), std::move(tangential), std::make_shared<const BodySummary>(std::move(summary))};
 }
 
-std::optional<ContactBody> kept_body(const BodySpecification& specification, const OperatorStore& operators,
-                                     int n_processes) {
+std::optional<ContactBody> kept_body(const BodyDescription& description, const RingEdges& edges,
+                                     const OperatorStore& operators, int n_processes) {
   Stopwatch watch;
   std::vector<fem::StoredOperator> harmonics;
-  for (const auto harmonic : harmonics_of(specification)) {
-    auto found = operators.find(operator_key(specification, harmonic, n_processes));
+  for (const auto order : harmonics_of(description)) {
+    auto found = operators.find(operator_key(description, order, n_processes));
     if (!found) return std::nullopt;
     harmonics.push_back(*std::move(found));
   }
-  return body_of(std::move(harmonics), true, watch);
+  return body_of(std::move(harmonics), edges, true, watch);
 }
 
-void keep_body(const BodySpecification& specification, const Body& body, OperatorStore& operators) {
-  const auto keep = [&](Harmonic harmonic, const HarmonicBody& part) {
+void keep_body(const BodyDescription& description, const Body& body, OperatorStore& operators) {
+  const auto keep = [&](const FourierOrder& order, const HarmonicBody& part) {
     operators.keep(
-        {operator_key(specification, harmonic), part.contact.compliance, figures_of(body.mesh_quality, part.space)});
+        {operator_key(description, order), part.contact.compliance, figures_of(body.mesh_quality, part.space)});
   };
-  keep(Harmonic::normal, body.normal);
-  if (body.tangential) keep(Harmonic::tangential, *body.tangential);
+  keep(axisymmetric, body.normal);
+  if (body.tangential) keep(lateral, *body.tangential);
 }
 
 }  // namespace fretval

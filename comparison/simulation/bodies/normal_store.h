@@ -41,7 +41,7 @@ class NormalStore {
                                                    const fem::HistoryControl& control);
 
  private:
-  using Key = std::pair<BodySpecification, std::vector<std::vector<double>>>;
+  using Key = std::pair<BodyDescription, std::vector<std::vector<double>>>;
 
   void make_room_for(const Key& key, std::size_t n_numbers);
 

@@ -16,23 +16,44 @@ std::string versions_text() {
   return text + fmt::format("kernels {}\n", fem::dense_kernels());
 }
 
-std::string harmonic_text(fem::Harmonic harmonic) {
-  return fmt::format("harmonic {}\n", static_cast<int>(harmonic));
+std::string harmonic_text(const fem::FourierOrder& order) {
+  return fmt::format("order {}{}\n", order.n, order.is_torsion() ? " torsion" : "");
+}
+
+std::string text_of(double value) {
+  return fmt::format("{:a}", value);
+}
+std::string text_of(unsigned value) {
+  return fmt::format("{}", value);
+}
+std::string text_of(bool value) {
+  return value ? "yes" : "no";
+}
+std::string text_of(const std::vector<double>& values) {
+  std::string text;
+  for (const double value : values) text += text_of(value) + ' ';
+  return text;
+}
+
+/// A line for each field, all digits.
+std::string lines_of(const BodyDescription& body) {
+  std::string text;
+  std::apply([&](const auto&... field) { ((text += text_of(field) + '\n'), ...); }, BodyDescription::fields(body));
+  return text;
 }
 
 }  // namespace
 
-std::string operator_key(const BodySpecification& specification, fem::Harmonic harmonic, int n_processes) {
-  auto key = versions_text() + harmonic_text(harmonic) + "Poisson's ratio 0.5\n";
-  key += fmt::format("degree {}\ngrowth {:a}\nfar radius {:a}\nscale {:a}\ncontact nodes", specification.degree,
-                     specification.growth, specification.far_radius, specification.scale);
-  for (const double node : specification.contact_nodes) key += fmt::format(" {:a}", node);
-  if (n_processes > 1) key += fmt::format("\nprocesses {}", n_processes);
-  return key + "\n";
+std::string operator_key(const BodyDescription& description, const fem::FourierOrder& order, int n_processes) {
+  auto whole = description;
+  whole.tangential = true;  // an order serves bodies with and without the other one
+  auto key = versions_text() + harmonic_text(order) + lines_of(whole);
+  if (n_processes > 1) key += fmt::format("processes {}\n", n_processes);
+  return key;
 }
 
-bool is_of_harmonic(const std::string& key, fem::Harmonic harmonic) {
-  return key.find("\n" + harmonic_text(harmonic)) != std::string::npos;
+bool is_of_harmonic(const std::string& key, const fem::FourierOrder& order) {
+  return key.find("\n" + harmonic_text(order)) != std::string::npos;
 }
 
 bool is_of_this_version(const std::string& key) {

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "comparison/case/path_table.h"
+#include "comparison/simulation/fem_case/expected_contact.h"
 #include "comparison/simulation/fem_case/near_cycle.h"
 #include "meshes/grading.h"
 
@@ -24,27 +25,31 @@ constexpr double contact_line_reserve = 1.12;
 // 7e-8.
 constexpr double finest_ring = 5e-8;
 
+/// The same over a body whose contact radius is only expected (comparison/simulation/fem_case/expected_contact.h).
+constexpr double reserve_on_solid = 1.25;
+
 /// Of equal width. Fewer than three that do not touch do not tell where the contact ends.
 constexpr double rings_beyond = 4;
 
 /// How far the contact line of the coarsest rings reaches, over the contact radius.
 constexpr double farthest_ring = 1.5;
 
-struct ContactLine {
+/// Nodes of the rings along the contact line.
+struct RingNodes {
   std::vector<double> nodes;
   double scale = 1;  ///< of the body
 };
 
-/// Rings of a width of which one ends at a radius, wider, so that the radius lies in one of them. A half-space has no
+/// RingNodes of a width of which one ends at a radius, wider, so that the radius lies in one of them. A half-space has no
 /// length: all places in a ring share a body.
-ContactLine around_edge(std::vector<double> nodes, double radius, double ring, const Resolution& resolution) {
+RingNodes around_edge(std::vector<double> nodes, double radius, double ring, const Resolution& resolution) {
   const auto widened = [&](double rings_before_node) { return radius / (radius - rings_before_node * ring); };
   const double usual = widened(usual_edge_before_node);
   for (double& node : nodes) node *= usual;
   return {std::move(nodes), widened(resolution.edge_before_node) / usual};
 }
 
-ContactLine contact_line(const FemCase& fem) {
+RingNodes rings_of(const FemCase& fem) {
   const auto& resolution = fem.resolution;
   const double ring = 1.0 / resolution.elements_per_radius;
   // A worn profile ends its zone at a known radius, where stresses are singular. Rounded up to quarters of the contact
@@ -54,7 +59,7 @@ ContactLine contact_line(const FemCase& fem) {
     if (edge == 0) return {meshes::uniform_nodes(end, static_cast<unsigned>(std::ceil(end / ring)))};
     return {meshes::graded_nodes({edge, edge, resolution.worn_edge_ring * edge}, end, ring, resolution.surface_growth)};
   }
-  const double end = std::max(contact_line_reserve, 1 + rings_beyond * ring);
+  const double end = std::max(fem.solid ? reserve_on_solid : contact_line_reserve, 1 + rings_beyond * ring);
   if (resolution.focus) {
     const auto [inner, outer, wanted] = *resolution.focus;
     const double fine = std::max(wanted, finest_ring);
@@ -67,7 +72,46 @@ ContactLine contact_line(const FemCase& fem) {
   return around_edge(meshes::uniform_nodes(n * ring, n), 1, ring, resolution);
 }
 
-/// Rings lie on the sphere, with those beyond the contact.
+/// A layer goes on outwards; fields die out within some of its thicknesses, the slowest of them as exp(-0.74 r/H) on an
+/// incompressible bonded one, there and back. All of it is as long as the unit, so no scale is left to share.
+void take_solid(const Solid& solid, BodyDescription& body) {
+  for (double& node : body.contact_nodes) node *= body.scale;
+  body.scale = 1;
+  body.thickness = solid.thickness;
+  body.slides_on_base = solid.slides_on_base;
+  body.far_radius = solid.radius ? *solid.radius : body.contact_nodes.back() + body.far_radius * solid.thickness;
+}
+
+constexpr double least_radius_of_cylinder = 1.6;  // with the rings beyond the contact
+
+/// In the unit of length. Refuses what the rings do not fit on.
+Solid solid_of(const Case& input, const Units& units) {
+  const auto& body = input.body;
+  const double length = units.length;
+  if (units.depth >= body.thickness)
+    throw InputError(
+        fmt::format("{}: Body / Thickness = {:g}: the indenter is pressed in by up to {:.3g} m; expected a "
+                    "thicker body, or a smaller indentation",
+                    input.file, body.thickness, units.depth));
+  if (body.shape == Case::Body::Shape::cylinder && body.radius <= least_radius_of_cylinder * length)
+    throw InputError(
+        fmt::format("{}: Body / Radius = {:g}: the contact radius is some {:.3g} m; expected a cylinder of at "
+                    "least {:.3g} m",
+                    input.file, body.radius, length, least_radius_of_cylinder * length));
+  Solid solid{body.thickness / length, {}, !body.is_bonded};
+  if (body.shape == Case::Body::Shape::cylinder) solid.radius = body.radius / length;
+  return solid;
+}
+
+/// Under a prescribed force the depth is that over a half-space, and so is the radius, which a layer hardly changes
+/// then.
+double expected_radius(const Case& input, const MdrCase& mdr, double deepest) {
+  const bool by_force = mdr.normal_force || (mdr.path && mdr.path->normal_force);
+  return expected_contact_radius(mdr.profile, deepest, by_force ? Case::Body{} : input.body,
+                                 input.elastomer.poisson_ratio);
+}
+
+/// RingNodes lie on the sphere, with those beyond the contact.
 void require_room_on_sphere(const Case& input, const FemCase& fem) {
   const double a = fem.units.length, reach = std::max(farthest_ring, fem.body.contact_nodes.back()) * a;
   if (input.indenter.shape != Case::Shape::sphere || reach <= input.indenter.radius) return;
@@ -172,11 +216,20 @@ Demand demand_of(const FemCase& fem, bool force, double stiffness, double per_de
   };
 }
 
+/// Force of a unit punch per radius on a half-space, normal and tangential.
+double normal_punch(double poisson_ratio) {
+  return 4 / (1 - poisson_ratio);
+}
+double tangential_punch(double poisson_ratio) {
+  return 8 / (2 - poisson_ratio);
+}
+
 NearCycle near_cycle_of(const FemCase& fem, int n_creep_cycles) {
   return near_cycle(
       *fem.without_short_cycle, stiffening_of(fem),
-      {demand_of(fem, fem.motion.normal_force, 8, 1),
-       demand_of(fem, fem.motion.tangential_force, 16.0 / 3, 1.5 * fem.friction_coefficient), fem.scales_tangential},
+      {demand_of(fem, fem.motion.normal_force, normal_punch(fem.body.poisson_ratio), 1),
+       demand_of(fem, fem.motion.tangential_force, tangential_punch(fem.body.poisson_ratio), tangential_per_depth(fem)),
+       fem.scales_tangential},
       n_creep_cycles);
 }
 
@@ -230,20 +283,19 @@ void require_few_rows(const Case& input) {
 
 }  // namespace
 
-bool BodySpecification::operator<(const BodySpecification& other) const {
-  const auto key = [](const BodySpecification& b) {
-    return std::tie(b.contact_nodes, b.growth, b.far_radius, b.degree, b.tangential, b.scale);
-  };
-  return key(*this) < key(other);
+double tangential_per_depth(const FemCase& fem) {
+  const double nu = fem.body.poisson_ratio;
+  return (2 - nu) / (2 * (1 - nu)) * fem.friction_coefficient;
 }
 
 FemCase fem_case(const Case& input, const MdrCase& mdr) {
   const double deepest = deepest_indentation(mdr);
   const bool any_order = !mdr.falls().empty();
-  const double length =
-      any_order ? farthest_depth(input, mdr.profile, deepest) : mdr::inverse_transform(mdr.profile, deepest);
+  const double length = any_order ? farthest_depth(input, mdr.profile, deepest) : expected_radius(input, mdr, deepest);
   const Units units{length, deepest, input.elastomer.relaxed_modulus, 1};
   FemCase fem{units, {}, {}, {}, input.friction_coefficient, profile_in(units, input, mdr), {}, {}};
+  fem.body.poisson_ratio = input.elastomer.poisson_ratio;
+  if (!input.body.is_half_space()) fem.solid = solid_of(input, units);
   fem.any_order = any_order;
   if (mdr.limiting_state) fem.carrying_radius = mdr.limiting_state->stick_radius / units.length;
   if (mdr.limiting)
@@ -252,20 +304,23 @@ FemCase fem_case(const Case& input, const MdrCase& mdr) {
     fem.worn_before = worn_by_heights(input.wear_kinetics->profile, units, fem.profile, input.tolerance);
   else if (input.wear_kinetics && !input.wear_kinetics->rings.empty())
     fem.worn_before = worn_by_rings(input.wear_kinetics->rings, units);
-  fem.relaxation.viscosity = mdr.body.viscosity / units.modulus;
-  for (const double modulus : mdr.body.branch_moduli) fem.relaxation.moduli.push_back(modulus / units.modulus);
+  // The reference has the modulus of an incompressible body that presses alike.
+  const double modulus = units.modulus / (2 * (1 - input.elastomer.poisson_ratio));
+  fem.relaxation.viscosity = mdr.body.viscosity / modulus;
+  for (const double branch : mdr.body.branch_moduli) fem.relaxation.moduli.push_back(branch / modulus);
   fem.relaxation.times = mdr.body.branch_times;
   fem.motion.normal_force = mdr.normal_force;
   fem.motion.tangential_force = mdr.tangential_force;
   fem.scales_tangential = !mdr.tangential_force && !input.wear_kinetics;
-  const auto cycle = mdr::common_cycle(mdr.motion);
+  const auto motion = motion_of_case(mdr);
+  const auto cycle = mdr::common_cycle(motion);
   require_few_rows(input);
   if (input.motion.path)
     take_path(*input.motion.path, fem);
   else if (cycle && (mdr.has_forces() || cycle->highest_order() <= longest_cycle))
-    take_cycle(mdr.motion, *cycle, fem);
+    take_cycle(motion, *cycle, fem);
   else
-    fem.without_short_cycle = mdr.motion;
+    fem.without_short_cycle = motion;
   auto resolution = resolution_for(input.tolerance, fem.relaxation.has_memory());
   // A quarter of them still show annuli of a tenth of the contact.
   constexpr double enough_rings_of_any_profile = 128;
@@ -290,13 +345,14 @@ FemCase at_resolution(FemCase fem, const Resolution& resolution) {
     fem.motion.locked = !near.creeps;
     if (near.creeps && fem.motion.tangential.size() == 1) fem.motion.tangential.front().phase = 0;
   }
-  auto line = contact_line(fem);
-  fem.body = {std::move(line.nodes),
-              resolution.growth,
-              resolution.far_radius,
-              resolution.degree,
-              fem.motion.tangential_amplitude() > 0,
-              line.scale};
+  auto rings = rings_of(fem);
+  fem.body.contact_nodes = std::move(rings.nodes);
+  fem.body.growth = resolution.growth;
+  fem.body.far_radius = resolution.far_radius;
+  fem.body.degree = resolution.degree;
+  fem.body.tangential = fem.motion.tangential_amplitude() > 0;
+  fem.body.scale = rings.scale;
+  if (fem.solid) take_solid(*fem.solid, fem.body);
   fem.motion.n_ramp_cycles = resolution.n_ramp_cycles;
   fem.motion.n_creep_cycles = resolution.n_creep_cycles;
   return fem;

@@ -7,6 +7,7 @@
 
 #include "comparison/case/case.h"
 #include "comparison/reference/mdr_case.h"
+#include "comparison/simulation/fem_case/body_description.h"
 #include "comparison/simulation/fem_case/resolution.h"
 #include "comparison/simulation/fem_case/units.h"
 #include "comparison/simulation/fem_case/worn_before.h"
@@ -15,27 +16,23 @@
 
 namespace fretval {
 
-/// What determines the mesh and the operators; equal specifications share them.
-struct BodySpecification {
-  std::vector<double> contact_nodes;  ///< ring radii over the contact radius
-  double growth, far_radius;
-  unsigned degree;
-  bool tangential = true;  ///< whether the tangential harmonic is needed
-  double scale = 1;        ///< by which all of it is larger
-
-  bool operator<(const BodySpecification& other) const;
-};
-
 /// Where a worn profile departs from the unworn one, over the unit of length: the stick radius (0: nothing sticks) and
 /// a_inf.
 struct WornEdge {
   double inner, outer;
 };
 
+/// A body of finite thickness, over the unit of length.
+struct Solid {
+  double thickness;
+  std::optional<double> radius;  ///< empty: a layer that goes on outwards
+  bool slides_on_base;
+};
+
 /// A case in the terms of the finite elements: dimensionless in `units`.
 struct FemCase {
   Units units;
-  BodySpecification body;
+  BodyDescription body;
   fem::RelaxationModel relaxation;
   fem::Motion motion;
   double friction_coefficient;
@@ -58,6 +55,7 @@ struct FemCase {
   /// Rings may touch in any order, as MDR does not hold for the profile: forces are sums over the rings, zones lists of
   /// annuli (ZoneAnswer).
   bool any_order = false;
+  std::optional<Solid> solid = {};  ///< empty: a half-space
 
   /// Not under an unlocked phase or of frequencies without a common period, whatever cycle is stepped in their place.
   [[nodiscard]] bool has_period() const { return motion.locked && !without_short_cycle; }
@@ -68,6 +66,10 @@ struct FemCase {
                        : resolution.steps_per_cycle * motion.highest_order();
   }
 };
+
+/// Tangential displacement of the indenter that uses up the friction of a unit of depth: mu times the ratio of the two
+/// moduli of contact, `mu (2 - nu)/(2 (1 - nu))`, which is a local matter at the edge of a stick zone.
+double tangential_per_depth(const FemCase& fem);
 
 /// At the resolution that the tolerance of the case asks for.
 FemCase fem_case(const Case& input, const MdrCase& mdr);

@@ -23,13 +23,13 @@ struct Resolution {
   double far_radius;             ///< over the contact radius
   int steps_per_cycle;
   int n_ramp_cycles;
-  double periodicity;               ///< largest relative change from one period to the next
-  int n_creep_cycles = 48;          ///< of an unlocked phase, see fem::Motion
-  double worn_edge_ring = 5e-6;     ///< limiting profile: rings at its edge over its stick radius
-  double surface_growth = 0.15;     ///< of rings that are graded along the surface, per ring
-  double wear_jump = 0.01;          ///< worn depth of a jump over the largest indentation, see fem::WearControl
+  double periodicity;            ///< largest relative change from one period to the next
+  int n_creep_cycles = 48;       ///< of an unlocked phase, see fem::Motion
+  double worn_edge_ring = 5e-6;  ///< limiting profile: rings at its edge over its stick radius
+  double surface_growth = 0.15;  ///< of rings that are graded along the surface, per ring
+  double wear_jump = 0.01;       ///< worn depth of a jump over the largest indentation, see fem::WearControl
   double edge_before_node = usual_edge_before_node;  ///< that of the contact radius, or of the end of a focus
-  std::optional<Focus> focus = {};  ///< empty: equal rings
+  std::optional<Focus> focus = {};                   ///< empty: equal rings
 
   bool operator<(const Resolution& other) const;
   bool operator==(const Resolution& other) const;

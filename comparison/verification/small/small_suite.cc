@@ -14,7 +14,7 @@ std::shared_ptr<BodyStore> bodies_on(const fs::path& file) {
   // Read here: a damaged file is bad input, not a failure of the numerics.
   const auto mesh = meshes::read_msh(file);
   meshes::audit(mesh, file.string());
-  return std::make_shared<BodyStore>(MeshSource{file.string(), [=](const BodySpecification&) { return mesh; }});
+  return std::make_shared<BodyStore>(MeshSource{file.string(), [=](const BodyDescription&) { return mesh; }});
 }
 
 }  // namespace

@@ -27,7 +27,7 @@ TEST(Batch, ACaseIsDoneWhileOthersGoOn) {
   std::promise<void> quick_is_done;
   const auto done = quick_is_done.get_future().share();
   BatchOptions options;
-  BodyStore bodies{{"watched mesh", [&](const BodySpecification& specification) {
+  BodyStore bodies{{"watched mesh", [&](const BodyDescription& specification) {
                       if (specification.far_radius > farthest_of_quick) {
                         EXPECT_EQ(done.wait_for(std::chrono::minutes(1)), std::future_status::ready)
                             << "quick waits for slow";
@@ -50,7 +50,7 @@ TEST(Batch, AFailedCaseLeavesNoOldResult) {
   BatchOptions options;
   options.output = out;
   BodyStore bodies{
-      {"broken mesh", [](const BodySpecification&) -> meshes::Mesh { throw fem::SolverError("the pump is broken"); }}};
+      {"broken mesh", [](const BodyDescription&) -> meshes::Mesh { throw fem::SolverError("the pump is broken"); }}};
   const auto lines = run_batch(prepare(read_case_file(folder.write("case.prm", elastic_case()))), options, bodies);
   EXPECT_EQ(lines.at(0).failure, "the pump is broken");
   EXPECT_TRUE(fs::is_empty(out / "case"));
@@ -99,7 +99,7 @@ TEST(Batch, HasItsLinesInTheOrderOfItsCasesAndCountsThemAsTheyAreDone) {
     cases.back().name = name;
   }
   BatchOptions options;
-  BodyStore bodies{{"no mesh", [](const BodySpecification&) -> meshes::Mesh { throw fem::SolverError("no mesh"); }}};
+  BodyStore bodies{{"no mesh", [](const BodyDescription&) -> meshes::Mesh { throw fem::SolverError("no mesh"); }}};
   std::set<std::string> told;
   options.progress = [&](const BatchLine& line) { EXPECT_TRUE(told.insert(line.name).second) << line.name; };
   const auto lines = run_batch(prepare(cases), options, bodies);

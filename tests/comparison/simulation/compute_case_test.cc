@@ -13,7 +13,7 @@ namespace {
 /// Bodies whose meshes are counted.
 struct CountedBodies {
   int n_meshes = 0;
-  BodyStore store{{"counted mesh", [this](const BodySpecification& specification) {
+  BodyStore store{{"counted mesh", [this](const BodyDescription& specification) {
                      ++n_meshes;
                      return mesh_of(specification);
                    }}};

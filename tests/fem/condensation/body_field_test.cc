@@ -21,8 +21,8 @@ struct Body {
   Condensation condensation;
   Compliance compliance;
 
-  explicit Body(Harmonic harmonic)
-      : space(quarter_disc_grid(1, 16, 20, 0.25), harmonic, 3),
+  explicit Body(const FourierOrder& order)
+      : space(quarter_disc_grid(1, 16, 20, 0.25), order, 3),
         condensation(assemble_skeleton_stiffness(space), space.contact_line().dofs, "body"),
         compliance(contact_compliance(space.contact_line(), condensation.schur_complement())) {}
 
@@ -33,8 +33,8 @@ struct Body {
 
 // Roundoff of the two factors, 1e-12 of the stiffest rings.
 TEST(BodyField, ExtendsTheDisplacementsOfTheRings) {
-  for (const Harmonic harmonic : {Harmonic::normal, Harmonic::tangential}) {
-    const Body body(harmonic);
+  for (const FourierOrder order : {axisymmetric, lateral}) {
+    const Body body(order);
     const auto& line = body.space.contact_line();
     const Eigen::VectorXd rings = random_vector(16, 1), field = body.extend(rings);
     Eigen::VectorXd on_line(line.loads.rows());
@@ -47,7 +47,7 @@ TEST(BodyField, ExtendsTheDisplacementsOfTheRings) {
 // Below a flat punch, on the axis at depth z, nu = 1/2: u_z = (2 d/pi) [atan(a/z) + a z/(a^2 + z^2)] (Sneddon 1946).
 // Of 16 rings, second order: 1.1e-4 measured.
 TEST(BodyField, SinksBelowAFlatPunchLikeTheHalfSpace) {
-  const Body body(Harmonic::normal);
+  const Body body(axisymmetric);
   const Eigen::VectorXd field = body.extend(Eigen::VectorXd::Ones(16));
   const auto& parts = body.space.parts();
   const double a = effective_radii(body.compliance).radius[16];
@@ -55,7 +55,7 @@ TEST(BodyField, SinksBelowAFlatPunchLikeTheHalfSpace) {
   dealii::DoFTools::map_dofs_to_support_points(dealii::MappingQ1<2>(), parts.dofs, support);
   const auto vertical = dealii::DoFTools::extract_dofs(parts.dofs, [&] {
     dealii::ComponentMask mask(parts.element.n_components(), false);
-    mask.set(vertical_component(Harmonic::normal), true);
+    mask.set(vertical_component(axisymmetric), true);
     return mask;
   }());
   int n_checked = 0;
@@ -71,7 +71,7 @@ TEST(BodyField, SinksBelowAFlatPunchLikeTheHalfSpace) {
 
 // Of a traction on each ring alone, and of none: the columns do not know each other. Roundoff of a solve.
 TEST(BodyField, HasAColumnForEachColumnOfTractions) {
-  const Body body(Harmonic::tangential);
+  const Body body(lateral);
   Eigen::MatrixXd tractions = Eigen::MatrixXd::Zero(16, 3);
   tractions.col(0) = random_vector(16, 2);
   tractions.col(2) = -3 * tractions.col(0);

@@ -4,19 +4,21 @@
 
 #include <Eigen/Eigenvalues>
 #include <cmath>
+#include <tuple>
 
 #include "fem/condensation/condensation.h"
 #include "fem/operators/stiffness.h"
 #include "fem/support/constants.h"
 #include "tests/fem/expect_solver_error.h"
 #include "tests/fem/half_space.h"
+#include "tests/fem/surface_response.h"
 
 namespace fretval::fem::compliance_test {
 namespace {
 
 TEST(Compliance, IsSymmetricPositiveDefinite) {
-  for (const Harmonic harmonic : {Harmonic::normal, Harmonic::tangential}) {
-    const Eigen::MatrixXd& matrix = half_space(harmonic, 64).compliance.matrix;
+  for (const FourierOrder order : {axisymmetric, lateral}) {
+    const Eigen::MatrixXd& matrix = half_space(order, 64).compliance.matrix;
     EXPECT_LT((matrix - matrix.transpose()).cwiseAbs().maxCoeff(), 1e-14 * matrix.cwiseAbs().maxCoeff());
     EXPECT_GT(Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(matrix).eigenvalues()[0], 0);
   }
@@ -25,8 +27,8 @@ TEST(Compliance, IsSymmetricPositiveDefinite) {
 // Second method: the whole system loaded by one ring, no Schur complement.
 TEST(Compliance, IsTheResponseOfTheWholeBody) {
   const GridData grid = quarter_disc_grid(1, 8, 20, 0.25);
-  for (const Harmonic harmonic : {Harmonic::normal, Harmonic::tangential}) {
-    const HarmonicSpace space(grid, harmonic, 3);
+  for (const FourierOrder order : {axisymmetric, lateral}) {
+    const HarmonicSpace space(grid, order, 3);
     const auto& line = space.contact_line();
     const SparseMatrix stiffness = assemble_stiffness(space);
     const Compliance compliance =
@@ -62,10 +64,10 @@ TEST(Compliance, OfAUniformTractionIsExact) {
 
 // Both are the same body; they differ by the error of degree 2: 9.8e-5 at 16 rings, 2.4e-5 at 64.
 TEST(Compliance, HardlyDependsOnTheDegree) {
-  for (const Harmonic harmonic : {Harmonic::normal, Harmonic::tangential})
+  for (const FourierOrder order : {axisymmetric, lateral})
     for (const unsigned n : {16U, 32U}) {
-      const double cubic = mean_displacement(half_space(harmonic, n), n);
-      const double quadratic = mean_displacement(half_space(harmonic, n, 2), n);
+      const double cubic = mean_displacement(half_space(order, n), n);
+      const double quadratic = mean_displacement(half_space(order, n, 2), n);
       EXPECT_NEAR(quadratic / cubic, 1, 2e-3 / n);
       EXPECT_NE(quadratic, cubic);
     }
@@ -73,10 +75,10 @@ TEST(Compliance, HardlyDependsOnTheDegree) {
 
 // What the point load at the far field misses decays like R^-3: 1.4e-4 at R = 5. From 20 on the mesh shows, 3e-6.
 TEST(Compliance, HardlyDependsOnTheFarRadius) {
-  for (const Harmonic harmonic : {Harmonic::normal, Harmonic::tangential}) {
+  for (const FourierOrder order : {axisymmetric, lateral}) {
     std::vector<double> displacement;
     for (const double far_radius : {5.0, 20.0, 40.0}) {
-      const HarmonicSpace space(quarter_disc_grid(1, 16, far_radius, 0.15), harmonic, 3);
+      const HarmonicSpace space(quarter_disc_grid(1, 16, far_radius, 0.15), order, 3);
       const auto compliance = contact_compliance(
           space.contact_line(),
           Condensation(assemble_stiffness(space), space.contact_line().dofs, "body").schur_complement());
@@ -89,12 +91,44 @@ TEST(Compliance, HardlyDependsOnTheFarRadius) {
 
 TEST(Compliance, NeedsABodyThatIsHeld) {
   const GridData grid = quarter_disc_grid(1, 8, 6, 0.35);
-  const HarmonicSpace space(grid, Harmonic::normal, 2);
+  const HarmonicSpace space(grid, axisymmetric, 2);
   SparseMatrix upside_down = assemble_stiffness(space);
   for (double& value : upside_down.values) value = -value;
   const Condensation condensation(upside_down, space.contact_line().dofs, "body");
   expect_solver_error([&] { contact_compliance(space.contact_line(), condensation.schur_complement()); },
                       {"not positive definite", "not held"});
+}
+
+/// A layer of a Poisson's ratio, and its thickness over the radius of the disc.
+class LayerOf : public testing::TestWithParam<std::tuple<double, double>> {
+ protected:
+  /// Of the integral of the displacement over a disc of radius 1 under a uniform traction, less 1.
+  [[nodiscard]] double error(const FourierOrder& order, unsigned n_rings) const {
+    const auto [nu, thickness] = GetParam();
+    auto grid = layer_grid(1, n_rings, thickness, 0.3);
+    grid.elasticity.poisson_ratio = nu;
+    const HarmonicSpace space(grid, order, 3);
+    const Condensation condensation(assemble_skeleton_stiffness(space), space.contact_line().dofs, "layer");
+    const auto compliance = contact_compliance(space.contact_line(), condensation.schur_complement());
+    const auto response = [&, nu = nu, thickness = thickness](double k) {
+      const auto at = surface_response(k, nu, thickness);
+      return order == axisymmetric ? at.normal : (at.along + at.across) / 2;
+    };
+    const double half_space_per_k = order == axisymmetric ? 1 - nu : (2 - nu) / 2;
+    return compliance.matrix->sum() / disc_response(response, half_space_per_k, 1, thickness) - 1;
+  }
+};
+
+INSTANTIATE_TEST_SUITE_P(Layers, LayerOf,
+                         testing::Combine(testing::Values(0.0, 0.3, 0.45, 0.5), testing::Values(0.2, 1.0, 10.0)));
+
+// The jump of the traction at the edge of the disc makes a logarithmic slope there, which elements follow with the
+// second order of their size.
+TEST_P(LayerOf, RespondsAsItsEquationsInFourierSpaceSay) {
+  for (const auto& order : {axisymmetric, lateral}) {
+    EXPECT_LT(std::abs(error(order, 8)), 4e-3) << order.n;
+    EXPECT_LT(std::abs(error(order, 16)), 1e-3) << order.n;
+  }
 }
 
 }  // namespace

@@ -40,14 +40,14 @@ TEST(Condensation, IsTheSchurComplementOfADenseMatrix) {
   EXPECT_LT((condensation.solve(rhs) - matrix.partialPivLu().solve(rhs)).norm(), 1e-13);
 }
 
-class CondensationOf : public testing::TestWithParam<Harmonic> {
+class CondensationOf : public testing::TestWithParam<FourierOrder> {
  protected:
   HarmonicSpace space_{grid(), GetParam(), 3};
   SparseMatrix stiffness_ = assemble_stiffness(space_);
   Condensation condensation_{stiffness_, space_.contact_line().dofs, "body"};
 };
 
-INSTANTIATE_TEST_SUITE_P(Harmonics, CondensationOf, testing::Values(Harmonic::normal, Harmonic::tangential));
+INSTANTIATE_TEST_SUITE_P(Harmonics, CondensationOf, testing::Values(axisymmetric, lateral));
 
 TEST_P(CondensationOf, ABodyIsSymmetricPositiveDefinite) {
   const Eigen::MatrixXd& schur = condensation_.schur_complement();
@@ -81,11 +81,10 @@ TEST_P(CondensationOf, ABodyKeepsTheContactForces) {
 }
 
 /// Harmonic and degree.
-class CondensationOfASkeleton : public testing::TestWithParam<std::tuple<Harmonic, unsigned>> {};
+class CondensationOfASkeleton : public testing::TestWithParam<std::tuple<FourierOrder, unsigned>> {};
 
 INSTANTIATE_TEST_SUITE_P(HarmonicsAndDegrees, CondensationOfASkeleton,
-                         testing::Combine(testing::Values(Harmonic::normal, Harmonic::tangential),
-                                          testing::Values(2U, 3U, 4U)));
+                         testing::Combine(testing::Values(axisymmetric, lateral), testing::Values(2U, 3U, 4U)));
 
 // What is inside cells is eliminated before or by MUMPS: roundoff, 1e-13 measured.
 TEST_P(CondensationOfASkeleton, IsThatOfTheWholeBody) {

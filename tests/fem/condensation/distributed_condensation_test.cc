@@ -53,11 +53,10 @@ TEST(DistributedCondensation, IsThatOfASumOfShares) {
               Condensation(rows_of(matrix), kept, "small").schur_complement(), 1e-12);
 }
 
-class DistributedCondensationOf : public testing::TestWithParam<std::tuple<Harmonic, unsigned>> {};
+class DistributedCondensationOf : public testing::TestWithParam<std::tuple<FourierOrder, unsigned>> {};
 
 INSTANTIATE_TEST_SUITE_P(HarmonicsAndDegrees, DistributedCondensationOf,
-                         testing::Combine(testing::Values(Harmonic::normal, Harmonic::tangential),
-                                          testing::Values(2U, 3U)));
+                         testing::Combine(testing::Values(axisymmetric, lateral), testing::Values(2U, 3U)));
 
 // Another ordering, other sums: roundoff, 1e-12 measured.
 TEST_P(DistributedCondensationOf, ABodyIsThatOfOneProcess) {

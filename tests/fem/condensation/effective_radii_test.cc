@@ -16,9 +16,9 @@ using Eigen::Index;
 // beta belongs to the discretisation of the edge alone, so it is the same on every mesh and for every radius: 0.099 to
 // 0.114 measured, in either harmonic.
 TEST(EffectiveRadii, AreShortOfTheRingsByAConstantFractionOfARing) {
-  for (const Harmonic harmonic : {Harmonic::normal, Harmonic::tangential})
+  for (const FourierOrder order : {axisymmetric, lateral})
     for (const unsigned n : {16U, 32U, 64U}) {
-      const auto& compliance = half_space(harmonic, n).compliance;
+      const auto& compliance = half_space(order, n).compliance;
       const Eigen::VectorXd radii = effective_radii(compliance).radius;
       EXPECT_EQ(radii[0], 0);
       double lowest = 1, highest = 0;
@@ -49,9 +49,9 @@ TEST(EffectiveRadii, AreProportionalToThePunchForce) {
 // A body that is held far away goes down by less everywhere, in proportion to the force; its contacts are as large. A
 // punch is stiffened by 3.8 % (normal) and 2.5 %; 2e-2 off if that were taken for its radius.
 TEST(EffectiveRadii, KnowAFarBoundary) {
-  for (const Harmonic harmonic : {Harmonic::normal, Harmonic::tangential})
+  for (const FourierOrder order : {axisymmetric, lateral})
     for (const unsigned n : {16U, 32U, 64U}) {
-      auto compliance = half_space(harmonic, n).compliance;
+      auto compliance = half_space(order, n).compliance;
       const Eigen::VectorXd radii = effective_radii(compliance).radius;
       const Eigen::VectorXd areas = compliance.areas;
       compliance.matrix = SharedMatrix(*compliance.matrix - 0.0045 * areas * areas.transpose());

@@ -31,7 +31,7 @@ constexpr double length = 3, depth = 2, pressure_unit = 5;
 /// Lengths of 3 m, depths of 2 m, stresses of 5 Pa, on a disc of 6 units.
 std::vector<Point> section_of(const Components& normal, const Components& tangential) {
   const GridData grid = quarter_disc_grid(1, 8, 6, 0.35);
-  const HarmonicSpace space(grid, Harmonic::normal, 3), other(grid, Harmonic::tangential, 3);
+  const HarmonicSpace space(grid, axisymmetric, 3), other(grid, lateral, 3);
   const Eigen::VectorXd field = field_of(space, normal), beside = field_of(other, tangential);
   std::ostringstream stream;
   BodyState state{{space, field, field}, std::nullopt};
@@ -139,7 +139,7 @@ TEST(MeridianSection, AddsTheFirstHarmonicOnOneSideAndSubtractsItOnTheOther) {
 
 // Displacements and stresses are those of two bodies.
 TEST(MeridianSection, KeepsDisplacementsAndStressesApart) {
-  const HarmonicSpace space(quarter_disc_grid(1, 8, 6, 0.35), Harmonic::normal, 2);
+  const HarmonicSpace space(quarter_disc_grid(1, 8, 6, 0.35), axisymmetric, 2);
   const Eigen::VectorXd sunk = field_of(space, [](unsigned c, double, double) { return c == 1 ? 1 : 0; }),
                         pressed = field_of(space, [](unsigned c, double, double) { return c == 2 ? -1 : 0; });
   std::ostringstream stream;

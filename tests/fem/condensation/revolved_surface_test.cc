@@ -17,7 +17,7 @@ constexpr double length = 3, depth = 2, pressure_unit = 5;
 /// A surface of 8 rings with these constants as components of its harmonics.
 std::string surface_of(const std::vector<double>& normal, const std::vector<double>& tangential) {
   const GridData grid = quarter_disc_grid(1, 8, 6, 0.35);
-  const HarmonicSpace space(grid, Harmonic::normal, 2), other(grid, Harmonic::tangential, 2);
+  const HarmonicSpace space(grid, axisymmetric, 2), other(grid, lateral, 2);
   const auto constants = [](const std::vector<double>& values) {
     return [&values](unsigned c, double, double) { return c < values.size() ? values[c] : 0; };
   };

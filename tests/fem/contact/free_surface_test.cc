@@ -87,7 +87,7 @@ double exact_radius(double t, double eta) {
 
 /// A half-space has no length: one whose rings are wider.
 ContactProblem widened(const ContactProblem& problem, double factor) {
-  auto [radii, areas, matrix] = problem.compliance;
+  auto [radii, areas, matrix, half_space] = problem.compliance;
   for (double& radius : radii) radius *= factor;
   return ContactProblem({radii, std::pow(factor, 2) * areas, Eigen::MatrixXd(std::pow(factor, 3) * *matrix)});
 }
@@ -98,8 +98,8 @@ struct EdgeErrors {
   double growing = 0, retreating = 0;
 };
 EdgeErrors largest_errors(int n_rings, double rings_before_node, double eta, int steps_per_cycle) {
-  const auto problem = widened(long_half_space(Harmonic::normal, static_cast<unsigned>(n_rings)),
-                               n_rings / (n_rings - rings_before_node));
+  const auto problem =
+      widened(long_half_space(axisymmetric, static_cast<unsigned>(n_rings)), n_rings / (n_rings - rings_before_node));
   const RelaxationModel body{1, {}, {}, eta};
   const Motion motion = fretting_motion();
   NormalContact contact(problem, body, parabola_means(problem), motion, steps_per_cycle);

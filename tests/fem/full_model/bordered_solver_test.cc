@@ -19,7 +19,7 @@ using Eigen::Index;
 
 constexpr Index n_rings = 8;
 
-class BorderedSolverOf : public testing::TestWithParam<Harmonic> {
+class BorderedSolverOf : public testing::TestWithParam<FourierOrder> {
  protected:
   HarmonicSpace space_{quarter_disc_grid(1, n_rings, 6, 0.35), GetParam(), 2};
   SparseMatrix stiffness_ = assemble_stiffness(space_);
@@ -29,7 +29,7 @@ class BorderedSolverOf : public testing::TestWithParam<Harmonic> {
   std::vector<BoxState> state_ = std::vector<BoxState>(n_rings, BoxState::interior);
 };
 
-INSTANTIATE_TEST_SUITE_P(Harmonics, BorderedSolverOf, testing::Values(Harmonic::normal, Harmonic::tangential));
+INSTANTIATE_TEST_SUITE_P(Harmonics, BorderedSolverOf, testing::Values(axisymmetric, lateral));
 
 // Second method: BoxSolver on the compliance, q = areas times (target - ring means of -K^{-1} force).
 TEST_P(BorderedSolverOf, SolvesTheBoxProblemOfTheCompliance) {

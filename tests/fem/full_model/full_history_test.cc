@@ -27,16 +27,16 @@ struct Body {
   HarmonicSpace space;
   ContactProblem condensed;
 
-  explicit Body(Harmonic harmonic)
-      : space(quarter_disc_grid(1.125, n_rings, 4, 0.5), harmonic, 2),
+  explicit Body(const FourierOrder& order)
+      : space(quarter_disc_grid(1.125, n_rings, 4, 0.5), order, 2),
         condensed(contact_compliance(
             space.contact_line(),
             Condensation(assemble_stiffness(space), space.contact_line().dofs, "body").schur_complement())) {}
 };
 
-const Body& body(Harmonic harmonic) {
-  static const Body normal(Harmonic::normal), tangential(Harmonic::tangential);
-  return harmonic == Harmonic::normal ? normal : tangential;
+const Body& body(const FourierOrder& order) {
+  static const Body normal(axisymmetric), tangential(lateral);
+  return order == axisymmetric ? normal : tangential;
 }
 
 /// Two branches, one of them fast, and a dashpot.
@@ -57,11 +57,11 @@ HistoryControl few_cycles() {
 }
 
 Eigen::VectorXd profile() {
-  return parabola_means(body(Harmonic::normal).condensed);
+  return parabola_means(body(axisymmetric).condensed);
 }
 
 NormalRecord condensed_normal(const RelaxationModel& model) {
-  return normal_history(body(Harmonic::normal).condensed, model, profile(), wide_motion(), few_cycles());
+  return normal_history(body(axisymmetric).condensed, model, profile(), wide_motion(), few_cycles());
 }
 
 /// Pressures of the condensed history at the instants of n_cycles cycles.
@@ -82,7 +82,7 @@ CondensedFriction condensed_friction(const RelaxationModel& model, const NormalR
   const int n_cycles = normal.n_cycles + 2;
   const Motion motion = wide_motion();
   const Eigen::MatrixXd pressure = pressures_over(normal, n_cycles);
-  WatchedFriction friction(body(Harmonic::tangential).condensed, model, mu, motion, n_steps);
+  WatchedFriction friction(body(lateral).condensed, model, mu, motion, n_steps);
   for (Index k = 1; k < pressure.cols(); ++k) friction.step(pressure.col(k));
   FrictionHistory history;
   friction.first_slip.report(history);
@@ -97,27 +97,27 @@ double largest_difference(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
 constexpr double roundoff = 1e-11;
 
 FullNormalHistory full_normal(const RelaxationModel& model, int n_cycles) {
-  return full_normal_history(body(Harmonic::normal).space, body(Harmonic::normal).condensed.series, model, profile(),
+  return full_normal_history(body(axisymmetric).space, body(axisymmetric).condensed.series, model, profile(),
                              wide_motion(), n_steps, n_cycles);
 }
 
 FullFrictionHistory full_friction(const RelaxationModel& model, const Eigen::MatrixXd& pressure, int n_cycles) {
-  return full_friction_history(body(Harmonic::tangential).space, model, mu, wide_motion(), pressure, n_steps, n_cycles);
+  return full_friction_history(body(lateral).space, model, mu, wide_motion(), pressure, n_steps, n_cycles);
 }
 
 // The same answer for a factorisation in every iteration.
 TEST(FullHistory, FactorsAnewAsOftenAsItSolves) {
   const auto kept = full_normal(damped_branches(), 1);
   const auto anew =
-      full_normal_history(body(Harmonic::normal).space, body(Harmonic::normal).condensed.series, damped_branches(),
-                          profile(), wide_motion(), n_steps, 1, SparseFactors::made_anew);
+      full_normal_history(body(axisymmetric).space, body(axisymmetric).condensed.series, damped_branches(), profile(),
+                          wide_motion(), n_steps, 1, SparseFactors::made_anew);
   EXPECT_EQ(anew.count.n_factorisations, anew.count.n_solves);
   EXPECT_LT(kept.count.n_factorisations, kept.count.n_solves);
   EXPECT_LT(largest_difference(anew.pressure, kept.pressure), roundoff);
 }
 
-void expect_plausible(const SolveCount& count, Harmonic harmonic, Index n_instants) {
-  EXPECT_EQ(count.n_dofs, body(harmonic).space.n_dofs());
+void expect_plausible(const SolveCount& count, const FourierOrder& order, Index n_instants) {
+  EXPECT_EQ(count.n_dofs, body(order).space.n_dofs());
   EXPECT_GE(count.n_solves, n_instants);
   EXPECT_GT(count.n_factorisations, 10);  // the interior moves from step to step
   EXPECT_LE(count.n_factorisations, count.n_solves);
@@ -136,7 +136,7 @@ TEST_P(FullHistoryOf, PressureIsThatOfTheCondensedBody) {
   const Eigen::Matrix<Index, 1, Eigen::Dynamic> n_touching = (condensed.pressure.array() > 0).colwise().count();
   EXPECT_LE(n_touching.minCoeff(), 3);  // rings open
   EXPECT_EQ(n_touching.maxCoeff(), 7);  // and close
-  expect_plausible(full.count, Harmonic::normal, full.pressure.cols());
+  expect_plausible(full.count, axisymmetric, full.pressure.cols());
 }
 
 TEST_P(FullHistoryOf, TractionIsThatOfTheCondensedBody) {
@@ -152,7 +152,7 @@ TEST_P(FullHistoryOf, TractionIsThatOfTheCondensedBody) {
   EXPECT_GT((touching && margin > 1e-6).count(), 50);                    // instants and rings that stick,
   EXPECT_GT((touching && full.traction.array() >= limit).count(), 20);   // slip forwards
   EXPECT_GT((touching && full.traction.array() <= -limit).count(), 20);  // and backwards
-  expect_plausible(full.count, Harmonic::tangential, full.traction.cols() - 1);
+  expect_plausible(full.count, lateral, full.traction.cols() - 1);
 }
 
 // A groove that stays open: a disc and a ring touch, and the full model supposes nothing of their order.
@@ -160,15 +160,15 @@ TEST_P(FullHistoryOf, OfAGroovedIndenterIsThatOfTheCondensedBody) {
   Eigen::VectorXd grooved = profile();
   grooved.segment(2, 2).array() += 0.4;
   const Motion motion = wide_motion();
-  const auto& problem = body(Harmonic::normal).condensed;
+  const auto& problem = body(axisymmetric).condensed;
   NormalContact contact(problem, GetParam(), grooved, motion, n_steps, ForceReading::sum_of_rings);
   std::vector<Eigen::VectorXd> pressures{contact.pressure};
   const auto normal = normal_history(std::move(contact), few_cycles(),
                                      [&](const NormalContact& now) { pressures.push_back(now.pressure); });
   Eigen::MatrixXd pressure(n_rings, static_cast<Index>(pressures.size()));
   for (Index k = 0; k < pressure.cols(); ++k) pressure.col(k) = pressures[static_cast<std::size_t>(k)];
-  const auto full = full_normal_history(body(Harmonic::normal).space, body(Harmonic::normal).condensed.series,
-                                        GetParam(), grooved, motion, n_steps, normal.n_cycles);
+  const auto full = full_normal_history(body(axisymmetric).space, body(axisymmetric).condensed.series, GetParam(),
+                                        grooved, motion, n_steps, normal.n_cycles);
   EXPECT_LT(largest_difference(full.pressure, pressure), roundoff);
   const auto touching = (pressure.array() > 0).colwise().count();
   EXPECT_TRUE((pressure.middleRows(2, 2).array() == 0).all());
@@ -176,7 +176,7 @@ TEST_P(FullHistoryOf, OfAGroovedIndenterIsThatOfTheCondensedBody) {
   EXPECT_GT((pressure.row(4).array() == 0).count(), 0);        // and goes
   EXPECT_GT(touching.maxCoeff(), 3);
 
-  WatchedFriction friction(body(Harmonic::tangential).condensed, GetParam(), mu, motion, n_steps);
+  WatchedFriction friction(body(lateral).condensed, GetParam(), mu, motion, n_steps);
   for (Index k = 1; k < pressure.cols(); ++k) friction.step(pressure.col(k));
   const auto history = friction_history(std::move(friction), normal, few_cycles());
   const auto n_cycles = static_cast<int>(history.n_steps / n_steps);
@@ -204,16 +204,16 @@ TEST(FullHistory, DependsOnEveryRelaxationTime) {
 }
 
 TEST(FullHistory, RefusesWhatDoesNotFit) {
-  const auto& normal = body(Harmonic::normal).space;
-  const auto& tangential = body(Harmonic::tangential).space;
+  const auto& normal = body(axisymmetric).space;
+  const auto& tangential = body(lateral).space;
   const auto model = elastic_body();
   const auto motion = wide_motion();
   const Eigen::VectorXd short_profile = profile().head(n_rings - 1);
   EXPECT_THROW(
-      full_normal_history(tangential, body(Harmonic::normal).condensed.series, model, profile(), motion, n_steps, 1),
+      full_normal_history(tangential, body(axisymmetric).condensed.series, model, profile(), motion, n_steps, 1),
       std::invalid_argument);
   EXPECT_THROW(
-      full_normal_history(normal, body(Harmonic::normal).condensed.series, model, short_profile, motion, n_steps, 1),
+      full_normal_history(normal, body(axisymmetric).condensed.series, model, short_profile, motion, n_steps, 1),
       std::invalid_argument);
   const Eigen::MatrixXd pressure = Eigen::MatrixXd::Ones(n_rings, 1 + n_steps);
   EXPECT_THROW(full_friction_history(normal, model, mu, motion, pressure, n_steps, 1), std::invalid_argument);
@@ -225,8 +225,8 @@ TEST(FullHistory, SaysWhenTheContactReachesTheEndOfTheLine) {
   deep.indentation = 1;
   expect_solver_error(
       [&] {
-        full_normal_history(body(Harmonic::normal).space, body(Harmonic::normal).condensed.series, elastic_body(),
-                            profile(), deep, n_steps, 2);
+        full_normal_history(body(axisymmetric).space, body(axisymmetric).condensed.series, elastic_body(), profile(),
+                            deep, n_steps, 2);
       },
       {"end of the contact line", "longer"});
 }

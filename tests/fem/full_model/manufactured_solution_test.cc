@@ -25,10 +25,10 @@ struct Errors {
   std::vector<double> displacement, pressure;
 };
 
-Errors errors(Harmonic harmonic, unsigned degree, const StokesField& load, const StokesField& exact) {
+Errors errors(const FourierOrder& order, unsigned degree, const StokesField& load, const StokesField& exact) {
   Errors errors;
   for (const auto& grid : grids()) {
-    const auto error = bulk_error(HarmonicSpace(grid, harmonic, degree), load, exact);
+    const auto error = bulk_error(HarmonicSpace(grid, order, degree), load, exact);
     errors.displacement.push_back(error.displacement);
     errors.pressure.push_back(error.pressure);
   }
@@ -45,16 +45,16 @@ StokesField changed(const StokesField& field, Change change) {
   };
 }
 
-class PointForce : public testing::TestWithParam<Harmonic> {
+class PointForce : public testing::TestWithParam<FourierOrder> {
  protected:
   StokesField field_ = point_force(GetParam(), 1);
 };
 
-INSTANTIATE_TEST_SUITE_P(Harmonics, PointForce, testing::Values(Harmonic::normal, Harmonic::tangential));
+INSTANTIATE_TEST_SUITE_P(Harmonics, PointForce, testing::Values(axisymmetric, lateral));
 
 // Strains of the harmonics by central differences: truncation h^2, roundoff 1e-16/h.
 TEST_P(PointForce, HasTheStressOfItsStrains) {
-  const int n = GetParam() == Harmonic::normal ? 0 : 1;
+  const int n = GetParam() == axisymmetric ? 0 : 1;
   const double h = 1e-5;
   for (const auto& [r, z] : {std::pair{0.7, -0.3}, {2.0, -1.5}, {0.2, -4.0}}) {
     const auto at = field_(r, z), east = field_(r + h, z), west = field_(r - h, z);

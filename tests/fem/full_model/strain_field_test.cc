@@ -20,19 +20,19 @@ std::vector<bool> pressure_dofs(const HarmonicSpace& space) {
   for (const auto& cell : parts.dofs.active_cell_iterators()) {
     cell->get_dof_indices(dofs);
     for (unsigned i = 0; i < dofs.size(); ++i)
-      if (parts.element.system_to_component_index(i).first == n_displacements(space.harmonic()))
+      if (parts.element.system_to_component_index(i).first == n_displacements(space.order()))
         is_pressure[dofs[i]] = true;
   }
   return is_pressure;
 }
 
-class StrainFieldOf : public testing::TestWithParam<Harmonic> {
+class StrainFieldOf : public testing::TestWithParam<FourierOrder> {
  protected:
   HarmonicSpace space_{quarter_disc_grid(1, 8, 6, 0.35), GetParam(), 3};
   StrainField strain_{space_};
 };
 
-INSTANTIATE_TEST_SUITE_P(Harmonics, StrainFieldOf, testing::Values(Harmonic::normal, Harmonic::tangential));
+INSTANTIATE_TEST_SUITE_P(Harmonics, StrainFieldOf, testing::Values(axisymmetric, lateral));
 
 // Elastic stresses are the strains, and their forces those of the stiffness matrix, far boundary included.
 TEST_P(StrainFieldOf, ForcesOfElasticStressesAreThoseOfTheStiffness) {

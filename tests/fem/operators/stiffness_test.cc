@@ -25,6 +25,12 @@ const GridData& grid() {
   return grid;
 }
 
+GridData grid_of(double poisson_ratio) {
+  auto compressible = grid();
+  compressible.elasticity.poisson_ratio = poisson_ratio;
+  return compressible;
+}
+
 struct Dof {
   unsigned component;
   double r, z;
@@ -65,8 +71,8 @@ struct Body {
   SparseMatrix stiffness;
   std::vector<Dof> dofs;
 
-  Body(Harmonic harmonic, unsigned degree)
-      : space(grid(), harmonic, degree), stiffness(assemble_stiffness(space)), dofs(dofs_of(space)) {}
+  Body(const FourierOrder& order, unsigned degree, double poisson_ratio = 0.5)
+      : space(grid_of(poisson_ratio), order, degree), stiffness(assemble_stiffness(space)), dofs(dofs_of(space)) {}
 
   [[nodiscard]] Eigen::VectorXd interpolate(const Field& field) const {
     Eigen::VectorXd u(stiffness.n);
@@ -107,8 +113,8 @@ bool inside_or_on_surface(const Dof& dof) {
 
 class StiffnessOfDegree : public testing::TestWithParam<unsigned> {
  protected:
-  Body normal_{Harmonic::normal, GetParam()};
-  Body tangential_{Harmonic::tangential, GetParam()};
+  Body normal_{axisymmetric, GetParam()};
+  Body tangential_{lateral, GetParam()};
 };
 
 INSTANTIATE_TEST_SUITE_P(Degrees, StiffnessOfDegree, testing::Values(2U, 3U));
@@ -202,6 +208,101 @@ TEST_P(StiffnessOfDegree, FieldOutOfEquilibriumIsNoticed) {
   EXPECT_GT(tangential_.largest_force(warped, inside), 1e-5);
 }
 
+/// Poisson's ratio.
+class Compressible : public testing::TestWithParam<double> {
+ protected:
+  double nu_ = GetParam(), lambda_ = 2 * nu_ / (1 - 2 * nu_), shift_ = 2 * (1 - 2 * nu_) / 3;
+};
+
+INSTANTIATE_TEST_SUITE_P(PoissonRatios, Compressible, testing::Values(0.0, 0.3, 0.49));
+
+// U = r, W = b z with sigma_zz = lambda (2 + b) + 2 b = 0; P = -(lambda + c) div u.
+TEST_P(Compressible, UniformCompressionIsReproduced) {
+  const double b = -2 * lambda_ / (lambda_ + 2), pressure = -(lambda_ + shift_) * (2 + b);
+  const Body body(axisymmetric, 2, nu_);
+  EXPECT_LT(body.largest_force(body.interpolate([&](double r, double z) {
+    return std::array<double, 4>{r, b * z, pressure, 0};
+  }),
+                               inside_or_on_surface),
+            roundoff);
+}
+
+// Papkovich and Neuber's 2 u = 4 (1 - nu) h e_z - grad(z h) with the harmonic h = z r^n cos(n theta), n = 2 and, with
+// cubic elements at its highest degree, 1: U = -n z^2 r^(n-1)/2 = -V, W = (1 - 2 nu) z r^n, div u = (1 - 2 nu) r^n.
+TEST_P(Compressible, PapkovichNeuberFieldsAreReproduced) {
+  for (const unsigned n : {1U, 2U}) {
+    const Body body({n, Parity::even}, 3, nu_);
+    const auto u = body.interpolate([&](double r, double z) {
+      const double power = n == 1 ? r : r * r, s = -0.5 * n * z * z * (n == 1 ? 1 : r), rest = 1 - 2 * nu_;
+      return std::array<double, 4>{s, 0, rest * z * power, -(lambda_ + shift_) * rest * power};
+    });
+    EXPECT_LT(body.largest_force(u, inside), roundoff) << n;
+  }
+}
+
+// Gradients of harmonic functions have no divergence and no Laplacian, whatever Poisson's ratio is. Of z r^n cos(n
+// theta): U = n z r^(n-1) = -V, W = r^n. Of (z^2 - r^2/(2n+2)) r^n cos(n theta): s = n r^(n-1) z^2 - r^(n+1)/2, m =
+// -r^(n+1)/(2n+2), W = 2 z r^n.
+TEST_P(Compressible, GradientsOfHarmonicFunctionsAreReproducedForHigherOrders) {
+  for (const unsigned n : {2U, 3U}) {
+    const Body body({n, Parity::even}, 3, nu_);
+    const auto power = [](double r, unsigned k) { return k == 1 ? r : k == 2 ? r * r : r * r * r; };
+    const auto u = body.interpolate([&](double r, double z) {
+      return std::array<double, 4>{n * z * power(r, n - 1), 0, power(r, n), 0};
+    });
+    EXPECT_LT(body.largest_force(u, inside), roundoff) << n;
+  }
+  const Body body({2, Parity::even}, 3, nu_);
+  const auto u = body.interpolate([](double r, double z) {
+    return std::array<double, 4>{2 * r * z * z - r * r * r / 2, -r * r * r / 6, 2 * z * r * r, 0};
+  });
+  EXPECT_LT(body.largest_force(u, inside), roundoff);
+  const auto wrong = body.interpolate([](double r, double z) {
+    return std::array<double, 4>{2 * r * z * z - r * r * r / 2, r * r * r / 6, 2 * z * r * r, 0};
+  });
+  EXPECT_GT(body.largest_force(wrong, inside), 1e-5);
+}
+
+// V = r z is a torsion without forces inside, as is V = r z^2 - r^3/4, which leaves the surface free of traction; a
+// rotation, V = r, meets the far-field condition alone: int (3/R) r^2 dA = 4 pi R^3.
+TEST(Torsion, IsReproduced) {
+  const Body body({0, Parity::odd}, 3);
+  EXPECT_LT(body.largest_force(body.interpolate([](double r, double z) {
+    return std::array<double, 4>{r * z, 0, 0, 0};
+  }),
+                               inside),
+            roundoff);
+  EXPECT_LT(body.largest_force(body.interpolate([](double r, double z) {
+    return std::array<double, 4>{r * z * z - r * r * r / 4, 0, 0, 0};
+  }),
+                               inside_or_on_surface),
+            roundoff);
+  const Eigen::VectorXd turn = body.interpolate([](double r, double) { return std::array<double, 4>{r, 0, 0, 0}; });
+  EXPECT_LT(body.largest_force(turn, inside_or_on_surface), roundoff);
+  EXPECT_NEAR(turn.dot(body.force(turn)) / (4 * pi * std::pow(far_radius, 3)), 1, 0.01);
+}
+
+// A body twice as stiff needs twice the forces, and cells count by themselves: those of a half that is stiffer.
+TEST(Moduli, MultiplyTheStiffness) {
+  for (const double nu : {0.5, 0.3}) {
+    auto stiff = grid_of(nu);
+    stiff.elasticity.moduli.assign(stiff.cells.size(), 2);
+    const HarmonicSpace one(grid_of(nu), axisymmetric, 2), two(stiff, axisymmetric, 2);
+    const auto dofs = dofs_of(one);
+    Eigen::VectorXd u = random_vector(static_cast<int>(one.n_dofs()), 1), twice = u;
+    for (std::size_t i = 0; i < dofs.size(); ++i) {
+      if (one.parts().constraints.is_constrained(i)) u[i] = twice[i] = 0;
+      if (dofs[i].component == 2) twice[i] *= 2;  // the pressure
+    }
+    const Eigen::VectorXd expected = multiply(assemble_stiffness(one), u),
+                          found = multiply(assemble_stiffness(two), twice);
+    for (std::size_t i = 0; i < dofs.size(); ++i) {
+      if (dofs[i].near_far) continue;
+      EXPECT_NEAR(found[i], (dofs[i].component == 2 ? 1 : 2) * expected[i], 1e-12) << i;
+    }
+  }
+}
+
 TEST_P(StiffnessOfDegree, IsAnUpperTriangleWhoseRowsBeginWithTheirDiagonal) {
   for (const Body* body : {&normal_, &tangential_}) {
     const auto& k = body->stiffness;
@@ -230,19 +331,18 @@ TEST_P(StiffnessOfDegree, ConstrainedRowsHoldTheirDiagonalAlone) {
 }
 
 /// Harmonic and degree.
-class SkeletonOf : public testing::TestWithParam<std::tuple<Harmonic, unsigned>> {
+class SkeletonOf : public testing::TestWithParam<std::tuple<FourierOrder, unsigned>> {
  protected:
   HarmonicSpace space_{grid(), std::get<0>(GetParam()), std::get<1>(GetParam())};
   SparseMatrix whole_ = assemble_stiffness(space_), skeleton_ = assemble_skeleton_stiffness(space_);
 };
 
 INSTANTIATE_TEST_SUITE_P(HarmonicsAndDegrees, SkeletonOf,
-                         testing::Combine(testing::Values(Harmonic::normal, Harmonic::tangential),
-                                          testing::Values(2U, 3U, 4U)));
+                         testing::Combine(testing::Values(axisymmetric, lateral), testing::Values(2U, 3U, 4U)));
 
 TEST_P(SkeletonOf, LeavesOutTheNodesInsideCells) {
-  const auto [harmonic, degree] = GetParam();
-  const unsigned n_inside = n_displacements(harmonic) * (degree - 1) * (degree - 1) + (degree - 2) * (degree - 2);
+  const auto [order, degree] = GetParam();
+  const unsigned n_inside = n_displacements(order) * (degree - 1) * (degree - 1) + (degree - 2) * (degree - 2);
   EXPECT_EQ(space_.n_dofs() - space_.n_skeleton_dofs(), n_inside * grid().cells.size());
   EXPECT_EQ(skeleton_.n, static_cast<int>(space_.n_skeleton_dofs()));
   EXPECT_LT(skeleton_.values.size(), whole_.values.size());
@@ -279,7 +379,7 @@ TEST_P(SkeletonOf, HasANegativeDiagonalAtThePressures) {
   const auto dofs = dofs_of(space_);
   for (int i = 0; i < skeleton_.n; ++i) {
     const bool free_pressure =
-        dofs[i].component == n_displacements(space_.harmonic()) && !space_.parts().constraints.is_constrained(i);
+        dofs[i].component == n_displacements(space_.order()) && !space_.parts().constraints.is_constrained(i);
     EXPECT_EQ(skeleton_.values[skeleton_.row_start[i]] < 0, free_pressure) << i;
     if (free_pressure) {
       EXPECT_EQ(whole_.values[whole_.row_start[i]], 0);

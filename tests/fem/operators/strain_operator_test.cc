@@ -44,8 +44,8 @@ struct Integrals {
   double strain, divergence, divergence_pressure, pressure;
 };
 
-Integrals integrals_of(Harmonic harmonic, const Field& field) {
-  const HarmonicSpace space(frustum(), harmonic, 2);
+Integrals integrals_of(const FourierOrder& order, const Field& field) {
+  const HarmonicSpace space(frustum(), order, 2);
   CellOperators operators(space);
   const auto cell = space.parts().dofs.begin_active();
   operators.evaluate(cell);
@@ -61,7 +61,7 @@ constexpr double roundoff = 1e-13;
 
 // u = (x, y, z) a: eps = a 1, div u = 3 a. With P = 2.
 TEST(StrainOperator, OfUniformExpansion) {
-  const auto of = integrals_of(Harmonic::normal, [](double r, double z) {
+  const auto of = integrals_of(axisymmetric, [](double r, double z) {
     return std::array<double, 4>{0.7 * r, 0.7 * z, 2};
   });
   EXPECT_NEAR(of.strain, 2 * 3 * 0.49 * frustum_volume, roundoff);
@@ -73,7 +73,7 @@ TEST(StrainOperator, OfUniformExpansion) {
 // Shears u_x = b z and u_z = c x, eps_xz = (b + c)/2; a rotation has none.
 TEST(StrainOperator, OfShearAndRotation) {
   for (const auto& [b, c] : {std::pair{1.0, 0.0}, {0.0, 1.0}, {1.0, 1.0}, {1.0, -1.0}}) {
-    const auto of = integrals_of(Harmonic::tangential, [b = b, c = c](double r, double z) {
+    const auto of = integrals_of(lateral, [b = b, c = c](double r, double z) {
       return std::array<double, 4>{b * z, 0, c * r, 0};
     });
     EXPECT_NEAR(of.strain, (b + c) * (b + c) * frustum_volume, roundoff);
@@ -85,14 +85,10 @@ TEST(StrainOperator, OfShearAndRotation) {
 // s = r^2, m = 0: eps_xx = 2x, eps_xy = y. int x^2 dV = int y^2 dV = (pi/4) int R^4 dz = (pi/20) (1 - 1/32)/(1/2).
 TEST(StrainOperator, OfBothHorizontalComponents) {
   const double moment = pi / 20 * (1 - 1.0 / 32) * 2;
-  const auto of_m = integrals_of(Harmonic::tangential, [](double r, double) {
-    return std::array<double, 4>{0, r * r, 0, 0};
-  });
+  const auto of_m = integrals_of(lateral, [](double r, double) { return std::array<double, 4>{0, r * r, 0, 0}; });
   EXPECT_NEAR(of_m.strain, 2 * (4 + 4) * moment, roundoff);
   EXPECT_NEAR(of_m.divergence, 16 * moment, roundoff);
-  const auto of_s = integrals_of(Harmonic::tangential, [](double r, double) {
-    return std::array<double, 4>{r * r, 0, 0, 0};
-  });
+  const auto of_s = integrals_of(lateral, [](double r, double) { return std::array<double, 4>{r * r, 0, 0, 0}; });
   EXPECT_NEAR(of_s.strain, 2 * (4 + 2) * moment, roundoff);
   EXPECT_NEAR(of_s.divergence, 4 * moment, roundoff);
 }
@@ -101,7 +97,7 @@ TEST(StrainOperator, OfBothHorizontalComponents) {
 // StiffnessOfDegree), which counts thrice.
 TEST(StrainOperator, FarFieldResistsAlongTheRadius) {
   constexpr double far_radius = 6;
-  const HarmonicSpace space(quarter_disc_grid(1, 8, far_radius, 0.35), Harmonic::normal, 2);
+  const HarmonicSpace space(quarter_disc_grid(1, 8, far_radius, 0.35), axisymmetric, 2);
   CellOperators operators(space);
   double work = 0;
   for (const auto& cell : space.parts().dofs.active_cell_iterators()) {

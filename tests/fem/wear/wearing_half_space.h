@@ -17,8 +17,8 @@ struct WearingHalfSpace {
   static constexpr double mu = 0.5, stick_radius = 0.625, mean_indentation = 0.8, normal_amplitude = 0.2;
 
   explicit WearingHalfSpace(unsigned n_per_radius = 32)
-      : normal(long_half_space(Harmonic::normal, n_per_radius)),
-        tangential(long_half_space(Harmonic::tangential, n_per_radius)),
+      : normal(long_half_space(axisymmetric, n_per_radius)),
+        tangential(long_half_space(lateral, n_per_radius)),
         profile(ring_means(normal.compliance, [](double r) { return r * r / 2; })) {
     const double both = mean_indentation - stick_radius * stick_radius;
     const double a = std::sqrt(both * both - normal_amplitude * normal_amplitude);

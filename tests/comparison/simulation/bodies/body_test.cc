@@ -70,7 +70,7 @@ TEST(Body, NamesTheMeshThatItCannotTrust) {
   std::swap(mesh.cells[0][0], mesh.cells[0][2]);
   std::swap(mesh.cells[0][0], mesh.cells[0][1]);
   try {
-    assemble_operators(mesh, "broken.msh", 2);
+    assemble_operators(mesh, "broken.msh", small_body());
     FAIL();
   } catch (const meshes::MeshError& error) {
     expect_parts(error.what(), {"broken.msh: ", "cell 0"});

@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 
 class KeptBody : public testing::Test {
  protected:
-  std::shared_ptr<const ContactBody> body_of_a_new_run(const BodySpecification& specification) const {
+  std::shared_ptr<const ContactBody> body_of_a_new_run(const BodyDescription& specification) const {
     BodyStore run(std::make_shared<OperatorStore>(scratch_.path()));
     return find_or_make_body(specification, run);
   }
@@ -62,7 +62,7 @@ TEST_F(KeptBody, NeedsAllHarmonicsOfItsBody) {
   EXPECT_FALSE(kept_body(small_body(true), store_));
   EXPECT_FALSE(body_of_a_new_run(small_body(true))->summary->from_store);
   EXPECT_TRUE(kept_body(small_body(true), store_));
-  fs::remove(store_.file_of(operator_key(small_body(), fem::Harmonic::normal)));
+  fs::remove(store_.file_of(operator_key(small_body(), fem::axisymmetric)));
   EXPECT_FALSE(kept_body(small_body(true), store_));
 }
 

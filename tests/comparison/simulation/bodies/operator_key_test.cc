@@ -13,10 +13,12 @@
 namespace fretval::operator_key_test {
 namespace {
 
-using fem::Harmonic;
+using fem::axisymmetric;
+using fem::FourierOrder;
+using fem::lateral;
 
 TEST(OperatorKey, IsAnotherOneForEverythingThatAnOperatorDependsOn) {
-  std::vector<BodySpecification> bodies(6, small_body());
+  std::vector<BodyDescription> bodies(6, small_body());
   bodies[1].contact_nodes[2] = std::nextafter(bodies[1].contact_nodes[2], 1);
   bodies[2].contact_nodes.push_back(1.25);
   bodies[3].growth = std::nextafter(bodies[3].growth, 1);
@@ -24,8 +26,8 @@ TEST(OperatorKey, IsAnotherOneForEverythingThatAnOperatorDependsOn) {
   bodies[5].degree = 3;
   std::set<std::string> keys;
   for (const auto& body : bodies)
-    for (const auto harmonic : {Harmonic::normal, Harmonic::tangential}) keys.insert(operator_key(body, harmonic));
-  for (const int n_processes : {2, 3}) keys.insert(operator_key(small_body(), Harmonic::normal, n_processes));
+    for (const auto order : {axisymmetric, lateral}) keys.insert(operator_key(body, order));
+  for (const int n_processes : {2, 3}) keys.insert(operator_key(small_body(), axisymmetric, n_processes));
   EXPECT_EQ(keys.size(), 2 * bodies.size() + 2);
 }
 
@@ -50,11 +52,11 @@ TEST(OperatorKey, ItsHashIsAnotherOneForOtherSourcesAndFlags) {
 
 // A harmonic does not know whether there is another one.
 TEST(OperatorKey, IsTheSameForBodiesWithOneHarmonicAndWithBoth) {
-  EXPECT_EQ(operator_key(small_body(true), Harmonic::normal), operator_key(small_body(false), Harmonic::normal));
+  EXPECT_EQ(operator_key(small_body(true), axisymmetric), operator_key(small_body(false), axisymmetric));
 }
 
 TEST(OperatorKey, NamesVersionsAndKernels) {
-  const auto key = operator_key(small_body(), Harmonic::normal);
+  const auto key = operator_key(small_body(), axisymmetric);
   for (const auto& [name, version] : versions()) expect_parts(key, {name + " " + version + "\n"});
   expect_parts(key, {"kernels OpenBLAS", "Poisson's ratio 0.5"});
   EXPECT_EQ(key.find("operators "), 0U);
@@ -62,9 +64,9 @@ TEST(OperatorKey, NamesVersionsAndKernels) {
 }
 
 TEST(OperatorKey, TellsItsHarmonicAndWhetherThisProgramMadeIt) {
-  const auto key = operator_key(small_body(), Harmonic::tangential);
-  EXPECT_TRUE(is_of_harmonic(key, Harmonic::tangential));
-  EXPECT_FALSE(is_of_harmonic(key, Harmonic::normal));
+  const auto key = operator_key(small_body(), lateral);
+  EXPECT_TRUE(is_of_harmonic(key, lateral));
+  EXPECT_FALSE(is_of_harmonic(key, axisymmetric));
   EXPECT_TRUE(is_of_this_version(key));
   auto other = key;
   other[15] = other[15] == '0' ? '1' : '0';

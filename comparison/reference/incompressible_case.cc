@@ -1,0 +1,33 @@
+#include "comparison/reference/incompressible_case.h"
+
+namespace fretval {
+namespace {
+
+void scale_moduli(Case::Elastomer& elastomer, double factor) {
+  elastomer.relaxed_modulus *= factor;
+  elastomer.viscosity *= factor;
+  for (double& modulus : elastomer.branch_moduli) modulus *= factor;
+}
+
+void scale_displacements(Case::Motion& motion, double factor) {
+  if (motion.path && !motion.path->tangential_force)
+    for (double& displacement : motion.path->tangential) displacement *= factor;
+  motion.tangential_amplitude *= factor;
+  if (motion.tangential_force) return;
+  for (auto& harmonic : motion.tangential_harmonics) harmonic.amplitude *= factor;
+}
+
+}  // namespace
+
+IncompressibleCase incompressible_case(const Case& input) {
+  const double nu = input.elastomer.poisson_ratio;
+  IncompressibleCase equivalent{input};
+  if (nu == 0.5) return equivalent;
+  equivalent.displacement = 3 * (1 - nu) / (2 - nu);
+  equivalent.input.elastomer.poisson_ratio = 0.5;
+  scale_moduli(equivalent.input.elastomer, 1 / (2 * (1 - nu)));
+  scale_displacements(equivalent.input.motion, equivalent.displacement);
+  return equivalent;
+}
+
+}  // namespace fretval

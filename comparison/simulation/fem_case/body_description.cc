@@ -1,0 +1,30 @@
+#include "comparison/simulation/fem_case/body_description.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fretval {
+namespace {
+
+bool are_equal_rings(const std::vector<double>& nodes) {
+  const double ring = nodes[1];
+  for (std::size_t i = 1; i < nodes.size(); ++i)
+    if (std::abs(nodes[i] - nodes[i - 1] - ring) > 1e-9 * ring) return false;
+  return true;
+}
+
+}  // namespace
+
+BodyDescription half_space_with_rings_of(const BodyDescription& body) {
+  constexpr std::size_t enough_rings = 20;
+  constexpr double far = 8;  // over the contact line; what it leaves is fitted with the edges (fem::effective_radii)
+  auto half_space = body;
+  half_space.thickness = 0;
+  half_space.slides_on_base = false;
+  auto& nodes = half_space.contact_nodes;
+  if (are_equal_rings(nodes)) nodes.resize(std::min(nodes.size(), enough_rings + 1));
+  half_space.far_radius = far * nodes.back();
+  return half_space;
+}
+
+}  // namespace fretval

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <string>
+#include <tuple>
+#include <vector>
+
+namespace fretval {
+
+/// What determines the mesh and the operators; equal descriptions share them. Lengths are over the unit of the case.
+struct BodyDescription {
+  std::vector<double> contact_nodes;  ///< ring radii
+  double growth;                      ///< element size per distance from the contact
+  double far_radius;                  ///< where a half-space is cut off; otherwise of the side
+  unsigned degree;
+  bool tangential = true;  ///< whether the tangential order is needed
+  double scale = 1;        ///< of a half-space, by which all of it is larger
+  double poisson_ratio = 0.5;
+  double thickness = 0;         ///< down to a flat base; 0: a half-space
+  bool slides_on_base = false;  ///< without friction; otherwise it is bonded
+
+  [[nodiscard]] bool is_half_space() const { return thickness == 0; }
+
+  /// All fields, in the one order in which they are compared, kept and sent.
+  template <class Body>
+  static auto fields(Body& body) {
+    return std::tie(body.contact_nodes, body.growth, body.far_radius, body.degree, body.tangential, body.scale,
+                    body.poisson_ratio, body.thickness, body.slides_on_base);
+  }
+  bool operator<(const BodyDescription& other) const { return fields(*this) < fields(other); }
+};
+
+/// A half-space that knows where the edge of a disc of these rings lies (fem::Compliance::half_space): with the same
+/// rings or, of many equal ones, with the innermost alone.
+BodyDescription half_space_with_rings_of(const BodyDescription& body);
+
+}  // namespace fretval
