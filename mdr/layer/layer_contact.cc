@@ -42,6 +42,23 @@ double radius_with(const std::function<double(double)>& excess, const Profile& p
   return (bracket.first + bracket.second) / 2;
 }
 
+// int_r^a of the slope of the coupling over sqrt(x^2-r^2).
+double coupled_slope_integral(const LayerKernel& kernel, const Eigen::ArrayXd& amplitudes, double r, double a) {
+  // With x^2 = r^2 + s^2 the root is gone, and the slope over x is as smooth as the coupling is even.
+  const double end = std::sqrt((a - r) * (a + r));
+  const int n_panels = static_cast<int>(std::ceil(end / (2 * kernel.layer.thickness)));
+  std::vector<double> breaks;
+  for (int k = 0; k <= n_panels; ++k) breaks.push_back(end * k / n_panels);
+  constexpr int n_points = 20;
+  const QuadratureRule rule = gauss_legendre(breaks, n_points);
+  double coupled = 0;
+  for (Eigen::Index j = 0; j < rule.point.size(); ++j) {
+    const double x = std::hypot(r, rule.point[j]);
+    coupled += rule.weight[j] * coupling_slope(kernel, amplitudes, x) / x;
+  }
+  return coupled;
+}
+
 }  // namespace
 
 LayerContact layer_contact(const Profile& profile, const Layer& layer, double contact_radius,
@@ -101,20 +118,9 @@ double pressure(const LayerContact& contact, double shear_modulus, double r) {
   require_non_negative("radial coordinate r", r);
   const double a = contact.contact_radius;
   if (r >= a) return 0;
-  // With x^2 = r^2 + s^2 the root is gone, and the slope over x is as smooth as the coupling is even.
-  const double end = std::sqrt((a - r) * (a + r));
-  const int n_panels = static_cast<int>(std::ceil(end / (2 * contact.layer.thickness)));
-  std::vector<double> breaks;
-  for (int k = 0; k <= n_panels; ++k) breaks.push_back(end * k / n_panels);
-  constexpr int n_points = 20;
-  const QuadratureRule rule = gauss_legendre(breaks, n_points);
-  double coupled = 0;
-  for (Eigen::Index j = 0; j < rule.point.size(); ++j) {
-    const double x = std::hypot(r, rule.point[j]);
-    coupled += rule.weight[j] * coupling_slope(contact.kernel, contact.amplitudes, x) / x;
-  }
   return spring_modulus(Direction::normal, contact.layer.poisson_ratio) * shear_modulus / pi *
-         (abel_slope_integral(contact.profile, r, a) + coupled);
+         (abel_slope_integral(contact.profile, r, a) +
+          coupled_slope_integral(contact.kernel, contact.amplitudes, r, a));
 }
 
 LayerPunch layer_punch(const Layer& layer, Direction direction, double radius, const RowFineness& fineness) {
@@ -123,6 +129,15 @@ LayerPunch layer_punch(const Layer& layer, Direction direction, double radius, c
   const Eigen::ArrayXd load = row.load(Eigen::ArrayXd::Ones(row.points().size()));
   const Eigen::ArrayXd amplitudes = row.amplitudes_of(load);
   return {radius, row.integral(load), 1 - coupling(row.kernel(), amplitudes, radius), row.kernel(), amplitudes};
+}
+
+double punch_stress(const LayerPunch& punch, double shear_modulus, double r) {
+  require_positive("shear modulus", shear_modulus);
+  require_non_negative("radial coordinate r", r);
+  const double a = punch.radius;
+  if (r >= a) return 0;
+  return spring_modulus(punch.kernel.direction, punch.kernel.layer.poisson_ratio) * shear_modulus / pi *
+         (punch.edge / std::sqrt((a - r) * (a + r)) + coupled_slope_integral(punch.kernel, punch.amplitudes, r, a));
 }
 
 double punch_stiffness(const LayerPunch& punch, double shear_modulus) {

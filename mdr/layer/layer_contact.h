@@ -59,6 +59,10 @@ struct LayerPunch {
 };
 LayerPunch layer_punch(const Layer& layer, Direction direction, double radius, const RowFineness& fineness = {});
 
+/// Stress at r < a under a displacement of 1 m, Pa/m: the singular one of its edge, edge E*/(pi sqrt(a^2-r^2)), and
+/// what the coupling makes of the rest; 0 beyond.
+double punch_stress(const LayerPunch& punch, double shear_modulus, double r);
+
 /// Force over displacement in N/m, 2 E* load or 2 G* load.
 double punch_stiffness(const LayerPunch& punch, double shear_modulus);
 

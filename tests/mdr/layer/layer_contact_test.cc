@@ -3,15 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <boost/math/quadrature/gauss_kronrod.hpp>
-#include <boost/math/quadrature/tanh_sinh.hpp>
-#include <boost/math/special_functions/bessel.hpp>
-#include <boost/math/special_functions/ellint_1.hpp>
 #include <cmath>
 
 #include "mdr/profiles/indentation.h"
 #include "mdr/support/constants.h"
 #include "tests/mdr/error_of.h"
-#include "tests/mdr/layer/layer_waves.h"
+#include "tests/mdr/layer/layer_surface.h"
 
 namespace fretval::mdr::layer_contact_test {
 namespace {
@@ -56,41 +53,15 @@ TEST(LayerContact, DepthForceAndPunchesOnABondedIncompressibleLayer) {
   EXPECT_NEAR(layer_punch(at(2), Direction::tangential, 1).load, 1.25, 5e-3);
 }
 
-// Surface displacement of a pressure on 0 < s < 1, without MDR: the half-space by complete elliptic integrals, what the
-// layer changes by Hankel transforms of the response that the matrix exponential gives. G = 1.
-double surface_displacement(const LayerContact& contact, double r) {
-  const double nu = contact.layer.poisson_ratio;
-  const auto p = [&](double s) { return pressure(contact, 1, s); };
-  boost::math::quadrature::tanh_sinh<double> singular;
-  const auto ring = [&](double s) {
-    return p(s) * s / (r + s) * boost::math::ellint_1(std::min(2 * std::sqrt(r * s) / (r + s), 1 - 1e-16));
-  };
-  double half_space = singular.integrate(ring, r, 1.0, 1e-7);
-  if (r > 0) half_space += singular.integrate(ring, 0.0, r, 1e-7);
-  half_space *= 2 * (1 - nu) / pi;
-  // s = sin(angle) takes the root out of the pressure at the edge.
-  const QuadratureRule angle = gauss_legendre({0, pi / 2}, 24);
-  const Eigen::ArrayXd s = angle.point.sin(), share = angle.weight * s.unaryExpr(p) * s * angle.point.cos();
-  const QuadratureRule waves = gauss_legendre({0, 1, 2, 4, 8}, 12);  // L - 1 is 1e-6 at kappa = 8
-  double change = 0;
-  for (Eigen::Index m = 0; m < waves.point.size(); ++m) {
-    const double k = waves.point[m] / contact.layer.thickness;
-    const double transformed =
-        (share * s.unaryExpr([k](double at) { return boost::math::cyl_bessel_j(0, k * at); })).sum();
-    change += waves.weight[m] / contact.layer.thickness * (layer_waves(contact.layer, k).normal * k - (1 - nu)) *
-              transformed * boost::math::cyl_bessel_j(0, k * r);
-  }
-  return half_space + change;
-}
-
 // Waves beyond kappa = 8 cost 1e-6 of the change, quadrature of the tables of pressures less.
 TEST(LayerContact, PressesTheSurfaceIntoTheShapeOfTheIndenter) {
   for (const Layer& layer : {Layer{1, 0.5}, Layer{0.5, 0.3}, Layer{1.5, 0, LayerBase::frictionless}}) {
     for (const Profile& profile : {parabola(1), power_law(0.3, 4)}) {
       const LayerContact contact = layer_contact(profile, layer, 1);
       for (const double r : {0.0, 0.4, 0.9})
-        EXPECT_NEAR(surface_displacement(contact, r), contact.indentation - shape(profile, r),
-                    3e-6 * contact.indentation);
+        EXPECT_NEAR(surface_displacement(
+                        layer, 1, [&](double s) { return pressure(contact, 1, s); }, r),
+                    contact.indentation - shape(profile, r), 3e-6 * contact.indentation);
     }
   }
 }
