@@ -11,10 +11,7 @@
 namespace fretval::mdr {
 namespace {
 
-/// n springs.
-using Bed = std::function<SpringBed(Eigen::Index n)>;
-
-SpringHistory history_with(const Bed& bed, const PronyBody& body, double mu, const Prescribed& prescribed,
+SpringHistory history_with(const HistoryOfSprings& history, const PronyBody& body, const Prescribed& prescribed,
                            const SpringFineness& coarse, int fineness) {
   constexpr int most_periods = 2000;
   const auto repeating = repeating_motion(prescribed.motion, fineness * coarse.n_oscillations);
@@ -23,26 +20,25 @@ SpringHistory history_with(const Bed& bed, const PronyBody& body, double mu, con
             n_ramp = std::max(repeating.periods_with(fineness * coarse.n_ramp_periods),
                               fineness * periods_of_creep(body, period));
   try {
-    return spring_history(bed(fineness * coarse.n_springs), body, mu,
-                          loading_of(prescribed, repeating, n_ramp * period),
-                          {period,
-                           n_steps,
-                           n_ramp,
-                           most_periods,
-                           periodicity_of(body, coarse.periodicity, fineness),
-                           {},
-                           prescribed.normal_force || prescribed.tangential_force});
+    return history(fineness * coarse.n_springs, loading_of(prescribed, repeating, n_ramp * period),
+                   {period,
+                    n_steps,
+                    n_ramp,
+                    most_periods,
+                    periodicity_of(body, coarse.periodicity, fineness),
+                    {},
+                    prescribed.normal_force || prescribed.tangential_force});
   } catch (GrossSlip& slip) {
     slip.amplitude = amplitude_share(slip.time, n_ramp * period);
     throw;
   }
 }
 
-ForcedResponse response_of(const std::function<double(double)>& radius_at, const SpringHistory& history) {
+ForcedResponse response_of(const ContactRadius& radius_at, const SpringHistory& history) {
   const double deepest = sampled_peak(history.indentation, 1);
   NormalResponse normal{sampled_peak(history.normal_force, 1),
                         std::max(sampled_peak(history.normal_force, -1), 0.0),
-                        radius_at(deepest),
+                        radius_at(history, deepest),
                         {},
                         {},
                         history.indentation,
@@ -61,12 +57,33 @@ ForcedResponse response_of(const std::function<double(double)>& radius_at, const
           history.tangential_work};
 }
 
-/// radius_at: of the contact, of the indentation; g: of the springs, up to outer_radius.
-SteppedForcedResponse extrapolated(const Bed& bed, const std::function<double(double)>& radius_at,
-                                   const std::function<double(double)>& g, double outer_radius, const PronyBody& body,
-                                   double mu, const Prescribed& prescribed, const SpringFineness& fineness = {}) {
-  const auto coarse = response_of(radius_at, history_with(bed, body, mu, prescribed, fineness, 1));
-  SteppedForcedResponse stepped{response_of(radius_at, history_with(bed, body, mu, prescribed, fineness, 2)), {}};
+}  // namespace
+
+double deepest_indentation(const Profile& profile, const PronyBody& body, const Prescribed& prescribed) {
+  const double most = maximum_indentation(prescribed.motion);
+  return prescribed.normal_force ? indentation_for_force(profile, body.relaxed_modulus, most) : most;
+}
+
+double largest_radius(const Profile& profile, const PronyBody& body, const Prescribed& prescribed) {
+  constexpr double room = 1.001;
+  return std::min(room * inverse_transform(profile, deepest_indentation(profile, body, prescribed)),
+                  end_radius(profile));
+}
+
+Loading loading_of(const Prescribed& prescribed, const RepeatingMotion& repeating, double ramp_duration) {
+  const auto path = ramped_path(repeating, ramp_duration);
+  Loading loading{path, {}, {}};
+  if (prescribed.normal_force) loading.normal_force = [path](double time) { return path(time).indentation; };
+  if (prescribed.tangential_force) loading.tangential_force = [path](double time) { return path(time).tangential; };
+  return loading;
+}
+
+SteppedForcedResponse extrapolated_response(const HistoryOfSprings& history, const ContactRadius& radius_at,
+                                            const std::function<double(double)>& g, double outer_radius,
+                                            const PronyBody& body, const Prescribed& prescribed,
+                                            const SpringFineness& fineness) {
+  const auto coarse = response_of(radius_at, history_with(history, body, prescribed, fineness, 1));
+  SteppedForcedResponse stepped{response_of(radius_at, history_with(history, body, prescribed, fineness, 2)), {}};
   const auto extrapolate = [&](auto&& part) {
     const double correction = (part(stepped.response) - part(coarse)) / 3;
     part(stepped.response) += correction;
@@ -91,40 +108,26 @@ SteppedForcedResponse extrapolated(const Bed& bed, const std::function<double(do
   return stepped;
 }
 
-}  // namespace
-
-double deepest_indentation(const Profile& profile, const PronyBody& body, const Prescribed& prescribed) {
-  const double most = maximum_indentation(prescribed.motion);
-  return prescribed.normal_force ? indentation_for_force(profile, body.relaxed_modulus, most) : most;
-}
-
-double largest_radius(const Profile& profile, const PronyBody& body, const Prescribed& prescribed) {
-  constexpr double room = 1.001;
-  return std::min(room * inverse_transform(profile, deepest_indentation(profile, body, prescribed)),
-                  end_radius(profile));
-}
-
-Loading loading_of(const Prescribed& prescribed, const RepeatingMotion& repeating, double ramp_duration) {
-  const auto path = ramped_path(repeating, ramp_duration);
-  Loading loading{path, {}, {}};
-  if (prescribed.normal_force) loading.normal_force = [path](double time) { return path(time).indentation; };
-  if (prescribed.tangential_force) loading.tangential_force = [path](double time) { return path(time).tangential; };
-  return loading;
-}
-
 SteppedForcedResponse forced_response(const Profile& profile, const PronyBody& body, double mu,
                                       const Prescribed& prescribed, const SpringFineness& fineness) {
   const double outer = largest_radius(profile, body, prescribed);
-  return extrapolated([&](Eigen::Index n) { return spring_bed(profile, outer, n); },
-                      [&](double depth) { return inverse_transform(profile, depth); },
-                      [&](double x) { return transform(profile, x); }, outer, body, mu, prescribed, fineness);
+  return extrapolated_response(
+      [&](Eigen::Index n, const Loading& loading, const HistoryControl& control) {
+        return spring_history(spring_bed(profile, outer, n), body, mu, loading, control);
+      },
+      [&](const SpringHistory& /*history*/, double depth) { return inverse_transform(profile, depth); },
+      [&](double x) { return transform(profile, x); }, outer, body, prescribed, fineness);
 }
 
 SteppedForcedResponse forced_response(const LimitingProfile& worn, const PronyBody& body, double mu,
                                       const Prescribed& prescribed) {
   const auto g = [&worn](double x) { return transform(worn, x); };
-  return extrapolated([&](Eigen::Index n) { return spring_bed(g, worn.stick_radius, n); },
-                      [&](double /*depth*/) { return worn.stick_radius; }, g, worn.stick_radius, body, mu, prescribed);
+  return extrapolated_response(
+      [&](Eigen::Index n, const Loading& loading, const HistoryControl& control) {
+        return spring_history(spring_bed(g, worn.stick_radius, n), body, mu, loading, control);
+      },
+      [&](const SpringHistory& /*history*/, double /*depth*/) { return worn.stick_radius; }, g, worn.stick_radius, body,
+      prescribed);
 }
 
 }  // namespace fretval::mdr

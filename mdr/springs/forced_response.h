@@ -64,6 +64,18 @@ struct SteppedForcedResponse {
 SteppedForcedResponse forced_response(const Profile& profile, const PronyBody& body, double mu,
                                       const Prescribed& prescribed, const SpringFineness& fineness = {});
 
+/// What steps so many springs under a loading, and the radius of the contact, m, that a history and its largest
+/// indentation tell: springs of any kind are extrapolated so.
+using HistoryOfSprings =
+    std::function<SpringHistory(Eigen::Index n_springs, const Loading& loading, const HistoryControl& control)>;
+using ContactRadius = std::function<double(const SpringHistory& history, double largest_indentation)>;
+
+/// g: image of the indenter up to outer_radius, where the springs end.
+SteppedForcedResponse extrapolated_response(const HistoryOfSprings& history, const ContactRadius& radius_at,
+                                            const std::function<double(double)>& g, double outer_radius,
+                                            const PronyBody& body, const Prescribed& prescribed,
+                                            const SpringFineness& fineness = {});
+
 /// The same of a worn indenter, whose springs end at its stick radius.
 SteppedForcedResponse forced_response(const LimitingProfile& worn, const PronyBody& body, double mu,
                                       const Prescribed& prescribed);

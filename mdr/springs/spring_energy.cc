@@ -15,34 +15,11 @@ double branch_heat(double gamma, double tau, double dt, const Eigen::ArrayXd& wi
   return (width * (twice * rest.square() + 2 * once * rest * steady + z * steady.square())).sum() / gamma;
 }
 
-double bulk_heat(const SpringBed& bed, const PronyBody& body, double dt, const Eigen::ArrayXXd& memory,
-                 const Eigen::ArrayXd& move) {
-  double heat = body.viscosity / (body.relaxed_modulus * dt) * (bed.width * move.square()).sum();
-  for (Eigen::Index i = 0; i < memory.cols(); ++i) {
-    const auto branch = static_cast<std::size_t>(i);
-    heat += branch_heat(body.branch_moduli[branch] / body.relaxed_modulus, body.branch_times[branch], dt, bed.width,
-                        memory.col(i), move);
-  }
-  return heat;
-}
-
 // Stiffness of a stuck spring in a step, over the relaxed one.
 double step_stiffness(const PronyBody& body, double dt) {
   double stiffness = 1;
   for (std::size_t i = 0; i < body.branch_moduli.size(); ++i) stiffness += branch_gain(body, i, dt);
   return stiffness;
-}
-
-double friction_heat(const SpringBed& bed, const PronyBody& body, double mu, double dt, const SpringState& before,
-                     const SpringState& after) {
-  const Eigen::ArrayXd& path = after.slip;
-  const Eigen::ArrayXd limit = 1.5 * mu * before.normal_load, limit_after = 1.5 * mu * after.normal_load;
-  // Traction in the direction of slip; the stuck spring would have gone beyond the limit by its stiffness times slip.
-  const Eigen::ArrayXd room = (limit - path.sign() * before.tangential_load).max(0);
-  const Eigen::ArrayXd beyond = step_stiffness(body, dt) * path.abs();
-  const Eigen::ArrayXd sum = (room + beyond > 0).select(room + beyond, 1.0);
-  const Eigen::ArrayXd onset = (limit * beyond + limit_after * room) / sum;
-  return (bed.width * path.abs() * (onset + limit_after) / 2).sum();
 }
 
 double stored(const SpringBed& bed, const PronyBody& body, const Eigen::ArrayXd& tip, const Eigen::ArrayXXd& memory) {
@@ -106,13 +83,36 @@ double stored_energy(const SpringBed& bed, const PronyBody& body, const SpringSt
          tangential_scale(body) * stored(bed, body, state.tangential_shift, state.tangential_memory);
 }
 
+double bulk_heat(const Eigen::ArrayXd& width, const PronyBody& body, double dt, const Eigen::ArrayXXd& memory,
+                 const Eigen::ArrayXd& move) {
+  double heat = body.viscosity / (body.relaxed_modulus * dt) * (width * move.square()).sum();
+  for (Eigen::Index i = 0; i < memory.cols(); ++i) {
+    const auto branch = static_cast<std::size_t>(i);
+    heat += branch_heat(body.branch_moduli[branch] / body.relaxed_modulus, body.branch_times[branch], dt, width,
+                        memory.col(i), move);
+  }
+  return heat;
+}
+
+double friction_heat(const Eigen::ArrayXd& width, const PronyBody& body, double friction_limit, double dt,
+                     const SpringState& before, const SpringState& after) {
+  const Eigen::ArrayXd& path = after.slip;
+  const Eigen::ArrayXd limit = friction_limit * before.normal_load, limit_after = friction_limit * after.normal_load;
+  // Traction in the direction of slip; the stuck spring would have gone beyond the limit by its stiffness times slip.
+  const Eigen::ArrayXd room = (limit - path.sign() * before.tangential_load).max(0);
+  const Eigen::ArrayXd beyond = step_stiffness(body, dt) * path.abs();
+  const Eigen::ArrayXd sum = (room + beyond > 0).select(room + beyond, 1.0);
+  const Eigen::ArrayXd onset = (limit * beyond + limit_after * room) / sum;
+  return (width * path.abs() * (onset + limit_after) / 2).sum();
+}
+
 Dissipation dissipation(const SpringBed& bed, const PronyBody& body, double mu, double dt, const SpringState& before,
                         const SpringState& after) {
-  return {
-      tangential_scale(body) * friction_heat(bed, body, mu, dt, before, after),
-      normal_scale(body) * bulk_heat(bed, body, dt, before.normal_memory, after.normal_depth - before.normal_depth) +
-          tangential_scale(body) *
-              bulk_heat(bed, body, dt, before.tangential_memory, after.tangential_shift - before.tangential_shift)};
+  return {tangential_scale(body) * friction_heat(bed.width, body, 1.5 * mu, dt, before, after),
+          normal_scale(body) *
+                  bulk_heat(bed.width, body, dt, before.normal_memory, after.normal_depth - before.normal_depth) +
+              tangential_scale(body) * bulk_heat(bed.width, body, dt, before.tangential_memory,
+                                                 after.tangential_shift - before.tangential_shift)};
 }
 
 }  // namespace fretval::mdr

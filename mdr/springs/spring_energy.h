@@ -41,4 +41,12 @@ struct Dissipation {
 Dissipation dissipation(const SpringBed& bed, const PronyBody& body, double mu, double dt, const SpringState& before,
                         const SpringState& after);
 
+/// Its parts, over 2 E* or 2 G*, 8 G0 and (16/3) G0 above. memory: of one direction, at the start of the step, move: of
+/// the tips in it. Widths may be weights of any quadratic form whose variables these are.
+double bulk_heat(const Eigen::ArrayXd& width, const PronyBody& body, double dt, const Eigen::ArrayXXd& memory,
+                 const Eigen::ArrayXd& move);
+/// friction_limit: mu E*/G*, (3/2) mu above.
+double friction_heat(const Eigen::ArrayXd& width, const PronyBody& body, double friction_limit, double dt,
+                     const SpringState& before, const SpringState& after);
+
 }  // namespace fretval::mdr

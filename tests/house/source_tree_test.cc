@@ -34,7 +34,7 @@ House plan() {
           {"mdr/rheology"},
           {"mdr/stick"},
           {"mdr/springs"},
-          {"mdr/wear"}},
+          {"mdr/layer", "mdr/wear"}},
          {});
   floors({{"fem/support"},
           {"fem/operators"},

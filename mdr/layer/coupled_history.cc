@@ -1,0 +1,134 @@
+#include "mdr/layer/coupled_history.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "mdr/layer/coupled_step.h"
+#include "mdr/springs/stepped_history.h"
+
+namespace fretval::mdr {
+
+namespace {
+
+// The quadratic form f -> f (1 + coupling)^-1 f as weights of the springs and, after them, of the modes.
+struct QuadraticForm {
+  Eigen::ArrayXd weight;
+  Eigen::MatrixXd to_modes;
+
+  QuadraticForm(const SpringBed& bed, const LayerModes& modes)
+      : weight(bed.width.size() + modes.strength.size()), to_modes(modes.shape.transpose()) {
+    weight << bed.width, -bed.width[0] * modes.strength / (1 + modes.strength);
+  }
+
+  [[nodiscard]] Eigen::ArrayXXd variables(const Eigen::ArrayXXd& of_springs) const {
+    Eigen::ArrayXXd all(weight.size(), of_springs.cols());
+    all << of_springs, (to_modes * of_springs.matrix()).array();
+    return all;
+  }
+};
+
+double bulk_heat(const SpringBed& bed, const LayerModes& modes, const PronyBody& body, double dt,
+                 const Eigen::ArrayXXd& memory, const Eigen::ArrayXd& move) {
+  const QuadraticForm form(bed, modes);
+  return mdr::bulk_heat(form.weight, body, dt, form.variables(memory), form.variables(move));
+}
+
+double force_scale(const CoupledBed& bed, const PronyBody& body, Direction direction) {
+  return 2 * spring_modulus(direction, bed.layer.poisson_ratio) * body.relaxed_modulus;
+}
+
+class CoupledSprings {
+ public:
+  CoupledSprings(const CoupledBed& bed, const PronyBody& body, double mu, const Loading& loading,
+                 const HistoryControl& control)
+      : bed_(bed),
+        body_(body),
+        mu_(mu),
+        loading_(loading),
+        dt_(control.period / control.steps_per_period),
+        step_(bed, body, mu, dt_),
+        axis_weights_(axis_weights(bed.springs)),
+        normal_scale_(force_scale(bed, body, Direction::normal)),
+        tangential_scale_(force_scale(bed, body, Direction::tangential)) {}
+
+  [[nodiscard]] SpringState start() const {
+    return relaxed_state(bed_, body_,
+                         loading_.normal_force ? relaxed_indentation(bed_, loading_.normal_force(0) / normal_scale_)
+                                               : loading_.path(0).indentation);
+  }
+
+  void advance(SpringState& state, double time) const {
+    PrescribedInStep prescribed{loading_.path ? loading_.path(time) : state.indenter, {}, {}};
+    if (loading_.normal_force) prescribed.normal_load = loading_.normal_force(time) / normal_scale_;
+    if (loading_.tangential_force) prescribed.tangential_load = loading_.tangential_force(time) / tangential_scale_;
+    step_.advance(state, prescribed);
+  }
+
+  [[nodiscard]] double friction_limit() const { return mu_ * spring_modulus_ratio(bed_.layer.poisson_ratio); }
+
+  [[nodiscard]] SpringForces forces(const SpringState& state) const {
+    const SpringBed& springs = bed_.springs;
+    const double of_half_space = normal_scale_ / normal_scale(body_);
+    const double at_edge = loading_.normal_force ? 0 : edge_force(springs, body_, state);
+    return {of_half_space * (normal_force(springs, body_, state) + at_edge),
+            tangential_scale_ * (springs.width * state.tangential_load).sum(),
+            of_half_space * axis_pressure(axis_weights_, body_, state)};
+  }
+
+  [[nodiscard]] Dissipation heat(const SpringState& before, const SpringState& after) const {
+    return dissipation(bed_, body_, mu_, dt_, before, after);
+  }
+
+  [[nodiscard]] double stick_depth(const Eigen::ArrayXd& margin, const Eigen::ArrayXd& slip_path,
+                                   double allowed) const {
+    return coupled_stick_depth(bed_.springs, friction_limit(), margin, slip_path, allowed);
+  }
+
+ private:
+  const CoupledBed& bed_;
+  const PronyBody& body_;
+  double mu_;
+  const Loading& loading_;
+  double dt_;
+  CoupledStep step_;
+  Eigen::ArrayXd axis_weights_;
+  double normal_scale_, tangential_scale_;  // N per sum(width * load)
+};
+
+}  // namespace
+
+Dissipation dissipation(const CoupledBed& bed, const PronyBody& body, double mu, double dt, const SpringState& before,
+                        const SpringState& after) {
+  const double limit = mu * spring_modulus_ratio(bed.layer.poisson_ratio);
+  const double normal = force_scale(bed, body, Direction::normal),
+               tangential = force_scale(bed, body, Direction::tangential);
+  return {tangential * friction_heat(bed.springs.width, body, limit, dt, before, after),
+          normal * bulk_heat(bed.springs, bed.normal, body, dt, before.normal_memory,
+                             after.normal_depth - before.normal_depth) +
+              tangential * bulk_heat(bed.springs, bed.tangential, body, dt, before.tangential_memory,
+                                     after.tangential_shift - before.tangential_shift)};
+}
+
+double coupled_stick_depth(const SpringBed& bed, double friction_limit, const Eigen::ArrayXd& margin,
+                           const Eigen::ArrayXd& slip_path, double allowed) {
+  constexpr Eigen::Index n_of_parabola = 3;
+  Eigen::Index n = 0;
+  while (n < margin.size() && slip_path[n] <= allowed && margin[n] > 0) ++n;
+  if (n == 0) return bed.depth[0] + std::min(0.0, margin[0] / friction_limit);
+  if (n < n_of_parabola) return bed.depth[n - 1] + margin[n - 1] / friction_limit;
+  const double m0 = margin[n - 3], m1 = margin[n - 2], m2 = margin[n - 1];
+  const double g0 = bed.depth[n - 3], g1 = bed.depth[n - 2], g2 = bed.depth[n - 1];
+  // Newton's form at margin 0.
+  const double slope = (g2 - g1) / (m2 - m1), bend = (slope - (g1 - g0) / (m1 - m0)) / (m2 - m0);
+  return g2 - m2 * slope + m2 * m1 * bend;
+}
+
+SpringHistory coupled_history(const CoupledBed& bed, const PronyBody& body, double mu, const Loading& loading,
+                              const HistoryControl& control) {
+  validate(control);
+  validate(loading);
+  const CoupledSprings springs(bed, body, mu, loading, control);
+  return SteppedHistory<CoupledSprings>(springs, body, mu, control).run();
+}
+
+}  // namespace fretval::mdr

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "mdr/layer/coupled_bed.h"
+#include "mdr/springs/spring_energy.h"
+#include "mdr/springs/spring_history.h"
+
+namespace fretval::mdr {
+
+/// Energy in J that one step of coupled springs turns into heat. Their energy is a quadratic form of the depths, with
+/// the inverse of the coupling in the place of the widths, so that the memory of every mode dissipates by itself.
+Dissipation dissipation(const CoupledBed& bed, const PronyBody& body, double mu, double dt, const SpringState& before,
+                        const SpringState& after);
+
+/// g(c) in m from the three outermost of the springs that stick, counted from the axis: where the parabola of their
+/// depths over their least friction margins has none. Over a half-space g is linear in the margin. Otherwise as
+/// stick_depth() of mdr/springs/spring_stick.h.
+double coupled_stick_depth(const SpringBed& bed, double friction_limit, const Eigen::ArrayXd& margin,
+                           const Eigen::ArrayXd& slip_path, double allowed);
+
+/// spring_history() of mdr/springs/spring_history.h on a layer: the same loading, control and results, with
+/// mdr/layer/coupled_step.h for its step. Depths of stick zones are g(c) of the unworn image, so that the radii are
+/// their inverse_transform(). Loads in states are over E* and G* with the relaxed modulus.
+SpringHistory coupled_history(const CoupledBed& bed, const PronyBody& body, double mu, const Loading& loading,
+                              const HistoryControl& control);
+
+}  // namespace fretval::mdr

@@ -1,0 +1,196 @@
+#include "mdr/layer/coupled_step.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <utility>
+
+#include "mdr/layer/row_solver.h"
+#include "mdr/support/checks.h"
+
+namespace fretval::mdr {
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+// As that of independent springs: trapezoidal for slow relaxation, implicit for fast.
+double fitted_theta(double z) {
+  return z < 1e-3 ? 0.5 + z / 12 : -1 / std::expm1(-z) - 1 / z;
+}
+
+// Of a step, how much of it springs spend in contact that touch in it, from their gap before to how far they are
+// pushed.
+Eigen::ArrayXd share_in_contact(const Eigen::ArrayXd& load_before, const Eigen::ArrayXd& above,
+                                const Eigen::ArrayXd& below) {
+  return (load_before > 0 || below <= 0).select(1.0, below / (below + above));
+}
+
+[[noreturn]] void slide(double load, double most) {
+  GrossSlip slip("tangential force of " + std::to_string(std::abs(load) / most) +
+                 " times mu times the normal force: the contact slides, there is no displacement for it");
+  slip.excess = std::abs(load) - most;
+  throw slip;
+}
+
+}  // namespace
+
+CoupledStep::CoupledStep(const CoupledBed& bed, const PronyBody& body, double mu, double dt)
+    : bed_(bed), limit_(mu * spring_modulus_ratio(bed.layer.poisson_ratio)), dt_(dt), gain_sum_(0) {
+  validate(body);
+  require_positive("coefficient of friction", mu);
+  require_positive("time step", dt);
+  for (std::size_t i = 0; i < body.branch_moduli.size(); ++i) {
+    decay_.push_back(std::exp(-dt / body.branch_times[i]));
+    gain_.push_back(branch_gain(body, i, dt));
+    gain_sum_ += gain_.back();
+  }
+  stiffness_ = 1 + gain_sum_;
+  viscosity_ = body.viscosity / body.relaxed_modulus;
+  theta_ = viscosity_ > 0 ? fitted_theta(dt * stiffness_ / viscosity_) : 1;
+}
+
+Eigen::ArrayXd CoupledStep::left_of(const Eigen::ArrayXXd& memory) const {
+  return (memory.matrix() * Eigen::Map<const Eigen::VectorXd>(decay_.data(), memory.cols())).array();
+}
+
+// Where tips go whose body bears these loads at the end and at the start of the step.
+Eigen::ArrayXd CoupledStep::tip_under(const Eigen::ArrayXd& load, const Eigen::ArrayXd& load_before,
+                                      const Eigen::ArrayXd& position, const Eigen::ArrayXXd& memory) const {
+  const double viscous = viscosity_ / dt_;
+  return (theta_ * load + (1 - theta_) * load_before + viscous * position -
+          theta_ * (left_of(memory) - gain_sum_ * position) - (1 - theta_) * (position + memory.rowwise().sum())) /
+         (viscous + theta_ * stiffness_);
+}
+
+void CoupledStep::remember(Eigen::ArrayXXd& memory, const Eigen::ArrayXd& move) const {
+  for (Eigen::Index i = 0; i < memory.cols(); ++i)
+    memory.col(i) = decay_[static_cast<std::size_t>(i)] * memory.col(i) + gain_[static_cast<std::size_t>(i)] * move;
+}
+
+// Of an indenter at 0 at the end of the step, by the parabola through its last two positions.
+double CoupledStep::coasting_rate(double now, double before) const {
+  return (before - 4 * now) / (2 * dt_);
+}
+
+CoupledStep::Normal CoupledStep::normal_step(const SpringState& state, const PrescribedInStep& prescribed) const {
+  const Eigen::ArrayXd &u = state.normal_depth, &p = state.normal_load, &g = bed_.springs.depth;
+  const IndenterState &last = state.indenter, &before = state.indenter_before;
+  const auto n = p.size();
+  const double width = bed_.springs.width[0];
+  RowProblem row{left_of(state.normal_memory) - gain_sum_ * u - stiffness_ * g, Eigen::ArrayXd::Constant(n, stiffness_),
+                 Eigen::ArrayXd::Ones(n), Eigen::ArrayXd::Zero(n), Eigen::ArrayXd::Constant(n, infinity)};
+  double guess = prescribed.indenter.indentation;
+  std::optional<double> sum;
+  if (prescribed.normal_load) {
+    require_positive("normal load", *prescribed.normal_load);
+    guess = 2 * last.indentation - before.indentation;
+    sum = *prescribed.normal_load / width;
+    row.slope += 1.5 * viscosity_ / dt_;
+    row.value += viscosity_ * coasting_rate(last.indentation, before.indentation);
+  } else {
+    row.value += viscosity_ * prescribed.indenter.indentation_rate;
+  }
+  const Eigen::ArrayXd coupled_before = coupling(bed_.normal, p), above = u - (last.indentation - g);
+  Eigen::ArrayXd free_tips = u;
+  if (viscosity_ > 0) {
+    free_tips = tip_under(coupled_before, coupled_before, u, state.normal_memory);
+    row.upper = (p > 0 || free_tips < guess - g).select(row.upper, 0.0);
+  }
+  const RowSolution found = solve_row(bed_.normal, row, p, guess, sum);
+  const Eigen::ArrayXd touching = found.y - g;
+  const Eigen::ArrayXd tips =
+      tip_under(found.load + found.coupling, coupled_before, u, state.normal_memory).max(touching);
+  const Eigen::ArrayXd below = viscosity_ > 0 ? Eigen::ArrayXd(touching - free_tips) : found.load / stiffness_;
+  return {found.load, (found.load > 0).select(touching, tips), share_in_contact(p, above, below), found.y};
+}
+
+CoupledStep::Tangential CoupledStep::tangential_step(const SpringState& state, const PrescribedInStep& prescribed,
+                                                     const Normal& normal) const {
+  const Eigen::ArrayXd &v = state.tangential_shift, &t = state.tangential_load, &held = normal.held;
+  const IndenterState &last = state.indenter, &before = state.indenter_before;
+  const double width = bed_.springs.width[0], viscous = viscosity_ / dt_;
+  const Eigen::ArrayXd most = limit_ * normal.load, left = left_of(state.tangential_memory),
+                       coupled_before = coupling(bed_.tangential, t);
+  const auto in_contact = normal.load > 0;
+  // How far a spring would go that sticks from when it touches: moved + held * shift.
+  const Eigen::ArrayXd free_tips = tip_under(coupled_before, coupled_before, v, state.tangential_memory);
+  const bool has_dashpot = viscosity_ > 0;
+  RowProblem row;
+  if (has_dashpot)
+    row = {v + left + stiffness_ * (1 - held) * (free_tips - v), stiffness_ * held, Eigen::ArrayXd::Ones(v.size()),
+           -most, most};
+  else  // the free tip moves with the coupling, which the stretch takes account of
+    row = {v + left, Eigen::ArrayXd::Constant(v.size(), stiffness_), 1 / held.max(1e-300), -most, most};
+  double guess = prescribed.indenter.tangential - last.tangential;
+  std::optional<double> sum;
+  if (prescribed.tangential_load) {
+    guess = last.tangential - before.tangential;
+    sum = *prescribed.tangential_load / width;
+    if (std::abs(*sum) >= most.sum()) slide(*prescribed.tangential_load, most.sum() * width);
+    row.slope += 1.5 * viscous;
+    row.value += viscosity_ * (coasting_rate(last.tangential, before.tangential) + 1.5 / dt_ * last.tangential);
+  } else {
+    row.value += viscosity_ * prescribed.indenter.tangential_rate;
+  }
+  const RowSolution found = solve_row(bed_.tangential, row, t, guess, sum);
+  const Eigen::ArrayXd body_load = found.load + found.coupling;
+  const Eigen::ArrayXd slipping =
+      tip_under(body_load, coupled_before + in_contact.select(t, 0.0), v, state.tangential_memory);
+  const Eigen::ArrayXd free_now = has_dashpot ? free_tips : Eigen::ArrayXd(slipping - found.load / stiffness_);
+  const Eigen::ArrayXd stuck_tips = v + held * found.y + (1 - held) * (free_now - v);
+  const auto sticks = in_contact && found.load.abs() < most;
+  const Eigen::ArrayXd tips = sticks.select(stuck_tips, slipping);
+  const auto touches = in_contact || state.normal_load > 0;
+  return {found.load, tips, touches.select(stuck_tips - tips, 0.0), found.y};
+}
+
+void CoupledStep::advance(SpringState& state, const PrescribedInStep& prescribed) const {
+  if (bed_.layer.base == LayerBase::frictionless &&
+      (prescribed.tangential_load.value_or(0) != 0 || prescribed.indenter.tangential != 0))
+    throw std::invalid_argument(
+        "base of the layer = frictionless: nothing holds the layer against a tangential motion; must be bonded");
+  const Normal normal = normal_step(state, prescribed);
+  Tangential tangential = tangential_step(state, prescribed, normal);
+  remember(state.normal_memory, normal.depth - state.normal_depth);
+  remember(state.tangential_memory, tangential.tip - state.tangential_shift);
+  state.normal_depth = normal.depth;
+  state.normal_load = normal.load;
+  state.tangential_shift = std::move(tangential.tip);
+  state.tangential_load = std::move(tangential.load);
+  state.slip = std::move(tangential.slip);
+  const IndenterState last = state.indenter, before = state.indenter_before;
+  IndenterState to = prescribed.indenter;
+  if (prescribed.normal_load) {
+    to.indentation = normal.indentation;
+    to.indentation_rate = 1.5 / dt_ * to.indentation + coasting_rate(last.indentation, before.indentation);
+  }
+  if (prescribed.tangential_load) {
+    to.tangential = last.tangential + tangential.shift;
+    to.tangential_rate = 1.5 / dt_ * to.tangential + coasting_rate(last.tangential, before.tangential);
+  }
+  state.indenter_before = std::exchange(state.indenter, to);
+}
+
+SpringState relaxed_state(const CoupledBed& bed, const PronyBody& body, double indentation) {
+  SpringState state = relaxed_state(bed.springs, body, indentation);
+  const auto n = state.normal_load.size();
+  const RowProblem row{-bed.springs.depth, Eigen::ArrayXd::Ones(n), Eigen::ArrayXd::Ones(n), Eigen::ArrayXd::Zero(n),
+                       Eigen::ArrayXd::Constant(n, infinity)};
+  const RowSolution found = solve_row(bed.normal, row, state.normal_load, indentation);
+  state.normal_load = found.load;
+  state.normal_depth = (found.load > 0).select(indentation - bed.springs.depth, found.coupling);
+  return state;
+}
+
+double relaxed_indentation(const CoupledBed& bed, double load) {
+  require_positive("normal load", load);
+  const auto n = bed.springs.depth.size();
+  const RowProblem row{-bed.springs.depth, Eigen::ArrayXd::Ones(n), Eigen::ArrayXd::Ones(n), Eigen::ArrayXd::Zero(n),
+                       Eigen::ArrayXd::Constant(n, infinity)};
+  const double guess = bed.springs.depth.maxCoeff();
+  return solve_row(bed.normal, row, (guess - bed.springs.depth), guess, load / bed.springs.width[0]).y;
+}
+
+}  // namespace fretval::mdr

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "mdr/layer/coupled_bed.h"
+#include "mdr/rheology/prony_body.h"
+#include "mdr/springs/force_balance.h"
+#include "mdr/springs/spring_step.h"
+
+namespace fretval::mdr {
+
+/// One time step of the springs of a viscoelastic layer: mdr/springs/spring_step.h, whose body bears what the springs
+/// do and what the layer couples to it,
+///
+///   q_z + coupling(q_z) = E*/G0 int G(t-t') u_z' dt' >= 0 ...,   q_x likewise with G*/G0,   |q_x| <= mu q_z
+///
+/// As all moduli share one G(t), tips and memories are those of independent springs, and only the loads are found
+/// together: normal ones first, then tangential ones between their limits (mdr/layer/row_solver.h). Loads of the state
+/// are over E* and G* with the relaxed modulus. The same rules in time, and the same orders: second; a spring that
+/// touches in the step is free until then, so that only that share of it counts which its contact lasts. With a dashpot
+/// springs touch with a jump, and which of them do is judged by the coupling at the start of the step.
+///
+/// A sibling of SpringStep and not a part of it: its pass over the springs is as fast as it is because no spring knows
+/// of another.
+class CoupledStep {
+ public:
+  /// mu and dt positive. bed: outlives the step. Throws std::invalid_argument.
+  CoupledStep(const CoupledBed& bed, const PronyBody& body, double mu, double dt);
+
+  /// Moves the springs to the end of the step. Prescribed loads are sums of width * load in m^2. Throws GrossSlip when
+  /// friction cannot carry a tangential one, std::runtime_error when no loads were found.
+  void advance(SpringState& state, const PrescribedInStep& prescribed) const;
+
+ private:
+  [[nodiscard]] Eigen::ArrayXd left_of(const Eigen::ArrayXXd& memory) const;
+  [[nodiscard]] Eigen::ArrayXd tip_under(const Eigen::ArrayXd& load, const Eigen::ArrayXd& load_before,
+                                         const Eigen::ArrayXd& position, const Eigen::ArrayXXd& memory) const;
+  void remember(Eigen::ArrayXXd& memory, const Eigen::ArrayXd& move) const;
+  [[nodiscard]] double coasting_rate(double now, double before) const;
+
+  struct Normal {
+    Eigen::ArrayXd load, depth, held;
+    double indentation;
+  };
+  [[nodiscard]] Normal normal_step(const SpringState& state, const PrescribedInStep& prescribed) const;
+  struct Tangential {
+    Eigen::ArrayXd load, tip, slip;
+    double shift;
+  };
+  [[nodiscard]] Tangential tangential_step(const SpringState& state, const PrescribedInStep& prescribed,
+                                           const Normal& normal) const;
+
+  const CoupledBed& bed_;
+  double limit_;               // mu E*/G*
+  double dt_;                  // s
+  std::vector<double> decay_;  // exp(-dt/tau_i)
+  std::vector<double> gain_;   // (G_i/G0) (tau_i/dt) (1 - decay_i)
+  double gain_sum_, stiffness_;
+  double viscosity_;  // eta/G0 in s
+  double theta_;      // of the exponentially fitted rule
+};
+
+/// Coupled springs that have relaxed for ever at this indentation, without tangential displacement.
+SpringState relaxed_state(const CoupledBed& bed, const PronyBody& body, double indentation);
+
+/// The indentation in m at which they bear sum(width * load) in m^2.
+double relaxed_indentation(const CoupledBed& bed, double load);
+
+}  // namespace fretval::mdr

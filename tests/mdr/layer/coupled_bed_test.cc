@@ -1,0 +1,63 @@
+#include "mdr/layer/coupled_bed.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "mdr/support/gauss_legendre.h"
+#include "tests/mdr/error_of.h"
+
+namespace fretval::mdr::coupled_bed_test {
+namespace {
+
+const Layer layer{0.6, 0.5};
+
+// Loads uniform over each spring, the mean of their coupling over each spring: by quadrature of the kernel itself.
+TEST(CoupledBed, ModesAreTheMeansOfTheKernelOverTheSprings) {
+  const SpringBed bed = spring_bed(parabola(1), 1.2, 12);
+  const LayerKernel kernel = layer_kernel(layer, Direction::normal, 3);
+  const LayerModes modes = layer_modes(kernel, bed);
+  const Eigen::ArrayXd load = (1.3 - bed.position).square();
+  const Eigen::ArrayXd coupled = coupling(modes, load);
+  for (const Eigen::Index i : {0, 5, 11}) {
+    const double half = bed.width[i] / 2;
+    const QuadratureRule here = gauss_legendre({bed.position[i] - half, bed.position[i] + half}, 6);
+    double expected = 0;
+    for (Eigen::Index j = 0; j < 12; ++j) {
+      const QuadratureRule there = gauss_legendre({bed.position[j] - half, bed.position[j] + half}, 6);
+      const Eigen::ArrayXd parts = amplitudes(kernel, there.point, there.weight * load[j]);
+      expected += (here.weight * coupling(kernel, parts, here.point)).sum() / bed.width[i];
+    }
+    EXPECT_NEAR(coupled[i], expected, 1e-14);
+  }
+}
+
+TEST(CoupledBed, FewModesHoldItAndAllLetDepthsGiveLoads) {
+  for (const Eigen::Index n : {50, 200}) {
+    const CoupledBed bed = coupled_bed(spring_bed(parabola(1), 1.2, n), layer);
+    EXPECT_LT(bed.normal.strength.size(), 20);
+    EXPECT_GT(bed.normal.strength.size(), 5);
+    EXPECT_GT(bed.normal.strength.minCoeff(), -1);
+    EXPECT_LT((bed.normal.shape.transpose() * bed.normal.shape -
+               Eigen::MatrixXd::Identity(bed.normal.strength.size(), bed.normal.strength.size()))
+                  .norm(),
+              1e-13);
+  }
+}
+
+TEST(CoupledBed, AThickLayerHasNoCouplingAndAFrictionlessBaseNoTangentialOne) {
+  const SpringBed springs = spring_bed(parabola(1), 1.2, 20);
+  EXPECT_LT(coupling(coupled_bed(springs, {1e9, 0.5}).normal, springs.width).abs().maxCoeff(), 1e-9);
+  const CoupledBed sliding = coupled_bed(springs, {1, 0.5, LayerBase::frictionless});
+  EXPECT_GT(sliding.normal.strength.size(), 0);
+  EXPECT_EQ(sliding.tangential.strength.size(), 0);
+}
+
+TEST(CoupledBed, AsksForEqualWidths) {
+  SpringBed springs = spring_bed(parabola(1), 1.2, 20);
+  springs.width[3] *= 2;
+  EXPECT_NE(error_of([&] { coupled_bed(springs, layer); }).find("widths"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace fretval::mdr::coupled_bed_test

@@ -1,0 +1,101 @@
+#include "mdr/layer/coupled_history.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "mdr/layer/layer_stick_radius.h"
+
+namespace fretval::mdr::coupled_history_test {
+namespace {
+
+const double mu = 0.5;
+
+SpringHistory history_of(const Layer& layer, const PronyBody& body, const HarmonicMotion& motion, double outer,
+                         Eigen::Index n, const HistoryControl& control) {
+  return coupled_history(coupled_bed(spring_bed(parabola(1), outer, n), layer), body, mu,
+                         {ramped_path(motion, control.n_ramp_periods * control.period), {}, {}}, control);
+}
+
+// Springs that are stepped from rest know neither M+ nor M-, nor that all beyond c slip at once.
+TEST(CoupledHistory, GivesBothRadiiOfAnElasticOscillation) {
+  for (const Layer& layer : {Layer{2, 0.5}, Layer{0.5, 0.5}, Layer{0.5, 0.3}}) {
+    const double d = layer_contact(parabola(1), layer, 1).indentation;
+    for (const double phase : {0.0, 0.7}) {
+      const HarmonicMotion motion = harmonic_motion({d, 0.15 * d, 0.1 * d, 1, 1, phase});
+      const StickRadii exact = layer_stick_radii(parabola(1), layer, 1, mu, {motion});
+      const SpringHistory history = history_of(layer, elastic(1), motion, 1.1, 200, {1, 180, 10, 100, 1e-9});
+      // Springs: the second order in 1/200, measured 3e-6 and less.
+      EXPECT_NEAR(std::sqrt(history.depths.first_slip), *exact.first_slip, 1e-5);
+      EXPECT_NEAR(std::sqrt(history.depths.shakedown), *exact.shakedown, 1e-5);
+    }
+  }
+}
+
+TEST(CoupledHistory, GivesBothRadiiUnderForces) {
+  const Layer layer{0.5, 0.3};
+  const double F = normal_force(layer_contact(parabola(1), layer, 1), 1);
+  const Prescribed forces{harmonic_motion({F, 0.15 * F, 0.1 * F, 1, 1, 0.7}), true, true};
+  const StickRadii exact = layer_stick_radii(parabola(1), layer, 1, mu, forces);
+  const Loading loading{{}, ramped_force(F, 0.15 * F, 1, 0, 10), ramped_force(0, 0.1 * F, 1, 0.7, 10)};
+  const auto history = [&](const PronyBody& body, int steps) {
+    return coupled_history(coupled_bed(spring_bed(parabola(1), 1.1, 200), layer), body, mu, loading,
+                           {1, steps, 10, 200, 1e-8});
+  };
+  const StickDepths elastic_depths = history(elastic(1), 180).depths;
+  EXPECT_NEAR(std::sqrt(elastic_depths.first_slip), *exact.first_slip, 2e-5);
+  EXPECT_NEAR(std::sqrt(elastic_depths.shakedown), *exact.shakedown, 2e-5);
+}
+
+// Orders: of the radius in the springs, of the works in time.
+TEST(CoupledHistory, IsOfSecondOrder) {
+  const Layer layer{0.5, 0.5};
+  const double d = layer_contact(parabola(1), layer, 1).indentation;
+  const HarmonicMotion motion = harmonic_motion({d, 0.2 * d, 0.15 * d, 1, 1, 1.0});
+  for (const PronyBody& body : {elastic(1), standard_solid(1, 1.5, 0.3)}) {
+    const auto work = [&](int steps) {
+      return history_of(layer, body, motion, 1.1, 40, {1, steps, 8, 100, 1e-8}).friction_work;
+    };
+    const double exact = (4 * work(960) - work(480)) / 3;
+    for (const int n : {60, 120, 240}) EXPECT_LT(std::abs(work(n) / exact - 1), 12.0 / n / n) << n;
+  }
+}
+
+TEST(CoupledHistory, WorkOfAPeriodIsHeat) {
+  for (const Layer& layer : {Layer{0.5, 0.5}, Layer{1, 0.3}}) {
+    const double d = layer_contact(parabola(1), layer, 1).indentation;
+    const HarmonicMotion motion = harmonic_motion({d, 0.15 * d, 0.2 * d, 1, 1, 0.7});
+    const SpringHistory history =
+        history_of(layer, standard_solid(1, 1.5, 0.3), motion, 1.1, 150, {1, 360, 8, 100, 1e-8});
+    EXPECT_GT(history.friction_work, 0);
+    EXPECT_GT(history.bulk_work, history.friction_work / 100);
+    EXPECT_NEAR((history.friction_work + history.bulk_work) / history.indenter_work, 1, 1e-4);  // (2 pi/360)^2/3
+  }
+}
+
+// All that a dashpot does for independent springs it does here: damps, and is paid for.
+TEST(CoupledHistory, KnowsDashpots) {
+  const Layer layer{0.7, 0.45};
+  const double d = layer_contact(parabola(1), layer, 1).indentation;
+  const HarmonicMotion motion = harmonic_motion({d, 0.1 * d, 0.1 * d, 1, 1, 0.7});
+  const auto history = [&](int steps) {
+    return history_of(layer, kelvin_voigt(1, 0.1), motion, 1.1, 100, {1, steps, 10, 400, 1e-6});
+  };
+  const SpringHistory coarse = history(180), fine = history(720);
+  EXPECT_NEAR((fine.friction_work + fine.bulk_work) / fine.indenter_work, 1, 2e-3);
+  EXPECT_NEAR(coarse.depths.shakedown / fine.depths.shakedown, 1, 1e-3);
+  EXPECT_NEAR(coarse.friction_work / fine.friction_work, 1, 1e-2);
+}
+
+// margins of a stick zone whose edge is known.
+TEST(CoupledHistory, ReadsTheEdgeOffTheMargins) {
+  const SpringBed bed = spring_bed(parabola(1), 1, 40);
+  const double edge = 0.43;
+  const Eigen::ArrayXd rest = edge - bed.depth, slip = (rest < 0).select(1.0, Eigen::ArrayXd::Zero(40));
+  EXPECT_NEAR(coupled_stick_depth(bed, 0.9, 0.9 * rest, slip, 0), edge, 1e-14);         // a half-space's
+  EXPECT_NEAR(coupled_stick_depth(bed, 0.9, rest + rest * rest, slip, 0), edge, 3e-4);  // of a layer, third order
+  EXPECT_LE(coupled_stick_depth(bed, 0.9, rest - 1, slip + 1, 0), bed.depth[0]);
+}
+
+}  // namespace
+}  // namespace fretval::mdr::coupled_history_test

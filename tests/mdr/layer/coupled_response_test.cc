@@ -1,0 +1,72 @@
+#include "mdr/layer/coupled_response.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <stdexcept>
+
+#include "mdr/layer/layer_stick_radius.h"
+
+namespace fretval::mdr::coupled_response_test {
+namespace {
+
+const double mu = 0.5;
+const SpringFineness coarse{60, 60, 8, 1e-7};
+
+TEST(CoupledResponse, OfAThickLayerIsThatOfTheHalfSpace) {
+  const PronyBody body = standard_solid(1, 1, 0.2);
+  const Prescribed prescribed{harmonic_motion({3, 0.3, 0.2, 1, 1, 0.7}), true, true};
+  const SteppedForcedResponse layered = coupled_response(parabola(1), {1e6, 0.5}, body, mu, prescribed, coarse),
+                              half_space = forced_response(parabola(1), body, mu, prescribed, coarse);
+  const auto near = [&](auto&& part) {
+    EXPECT_NEAR(part(layered.response), part(half_space.response), 2 * (part(layered.error) + part(half_space.error)));
+  };
+  near([](const ForcedResponse& r) { return r.depths.shakedown; });
+  near([](const ForcedResponse& r) { return r.depths.first_slip; });
+  near([](const ForcedResponse& r) { return r.friction_work; });
+  near([](const ForcedResponse& r) { return r.bulk_work; });
+  near([](const ForcedResponse& r) { return r.tangential_amplitude; });
+  near([](const ForcedResponse& r) { return r.largest_indentation; });
+  near([](const ForcedResponse& r) { return r.axis_pressure_max; });
+  EXPECT_GT(half_space.response.friction_work, 10 * half_space.error.friction_work);
+}
+
+// What is extrapolated is within its errors of what is exact, for a bed that the errors of are not small.
+TEST(CoupledResponse, ErrorsCoverWhatIsKnown) {
+  for (const Layer& layer : {Layer{1, 0.5}, Layer{0.5, 0.3}}) {
+    const LayerContact contact = layer_contact(parabola(1), layer, 1);
+    const double d = contact.indentation;
+    const Prescribed prescribed{harmonic_motion({d, 0.15 * d, 0.1 * d, 1, 1, 0.7})};
+    const SteppedForcedResponse stepped = coupled_response(parabola(1), layer, elastic(1), mu, prescribed, coarse);
+    const StickRadii exact = layer_stick_radii(parabola(1), layer, 1, mu, prescribed),
+                     radii = depths_as_radii(parabola(1), stepped.response.depths);
+    EXPECT_NEAR(*radii.first_slip, *exact.first_slip, 5e-5);
+    EXPECT_NEAR(*radii.shakedown, *exact.shakedown, 5e-5);
+    const LayerContact deepest = layer_contact_at_depth(parabola(1), layer, 1.15 * d);
+    EXPECT_NEAR(stepped.response.normal.contact_radius_max, deepest.contact_radius, 1e-4);
+    EXPECT_NEAR(stepped.response.normal.normal_force_max, normal_force(deepest, 1), 1e-4 * normal_force(deepest, 1));
+    EXPECT_NEAR(stepped.response.axis_pressure_max, pressure(deepest, 1, 0), 1e-3 * pressure(deepest, 1, 0));
+    EXPECT_NEAR(stepped.response.bulk_work, 0, 1e-12);
+  }
+}
+
+TEST(CoupledResponse, ReadsTheEdgeOfTheLoads) {
+  const SpringBed bed = spring_bed(parabola(1), 1, 50);
+  EXPECT_NEAR(edge_of_loads(bed, (0.613 - bed.position).max(0)), 0.613, 1e-14);
+  EXPECT_NEAR(edge_of_loads(bed, (0.4 - bed.depth).max(0)), std::sqrt(0.4), 1e-4);
+  EXPECT_EQ(edge_of_loads(bed, Eigen::ArrayXd::Zero(50)), 0);
+}
+
+TEST(CoupledResponse, NothingSticksWhereADepthIsNotPositive) {
+  EXPECT_FALSE(depths_as_radii(parabola(1), {-0.1, 0}).first_slip);
+  EXPECT_NEAR(*depths_as_radii(parabola(1), {-0.1, 0.25}).shakedown, 0.5, 1e-15);
+}
+
+TEST(CoupledResponse, RefusesATangentialMotionOnAFrictionlessBase) {
+  const Prescribed prescribed{harmonic_motion({0.5, 0.1, 0.1, 1, 1, 0.7})};
+  EXPECT_THROW(coupled_response(parabola(1), {1, 0.5, LayerBase::frictionless}, elastic(1), mu, prescribed, coarse),
+               std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace fretval::mdr::coupled_response_test
