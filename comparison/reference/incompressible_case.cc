@@ -22,7 +22,7 @@ void scale_displacements(Case::Motion& motion, double factor) {
 IncompressibleCase incompressible_case(const Case& input) {
   const double nu = input.elastomer.poisson_ratio;
   IncompressibleCase equivalent{input};
-  if (nu == 0.5) return equivalent;
+  if (nu == 0.5 || input.body.shape == Case::Body::Shape::layer) return equivalent;
   equivalent.displacement = 3 * (1 - nu) / (2 - nu);
   equivalent.input.elastomer.poisson_ratio = 0.5;
   scale_moduli(equivalent.input.elastomer, 1 / (2 * (1 - nu)));

@@ -14,7 +14,7 @@ struct IncompressibleCase {
   double displacement = 1;  ///< tangential displacements of it over those of the case
 };
 
-/// The case itself where it is incompressible already.
+/// The case itself where it is incompressible already, and over a layer, whose Poisson's ratio MDR knows.
 IncompressibleCase incompressible_case(const Case& input);
 
 }  // namespace fretval

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "comparison/reference/cycle_of_springs.h"
+#include "comparison/reference/layer_answer.h"
 #include "comparison/support/cycles_until.h"
 #include "comparison/support/json.h"
 #include "mdr/springs/path_response.h"
@@ -25,52 +27,6 @@ mdr::HarmonicMotion displacements_of(const MdrCase& mdr) {
 
 std::optional<double> radius_at(const MdrCase& mdr, double depth) {
   return depth > 0 ? std::optional(mdr::inverse_transform(mdr.profile, depth)) : std::nullopt;
-}
-
-/// Springs with a dashpot are slow to step, and to settle.
-bool settles_for_long(const mdr::PronyBody& body, double period) {
-  constexpr int many_periods = 100;  // ten creep times
-  return body.viscosity > 0 && mdr::periods_of_creep(body, period) > many_periods;
-}
-
-/// The cycle that springs are asked about; empty: none, see MdrAnswer::cycle.
-std::optional<mdr::CommonCycle> cycle_to_step(const MdrCase& mdr) {
-  const auto& harmonics = mdr.motion.tangential;
-  const bool moves = std::any_of(harmonics.begin(), harmonics.end(), [](const auto& h) { return h.amplitude > 0; });
-  if (mdr.limiting || !mdr.motion.phase_locked || !moves) return std::nullopt;
-  const auto cycle = mdr::common_cycle(mdr.motion);
-  if (!cycle || cycle->highest_order() > longest_cycle) return std::nullopt;
-  return settles_for_long(mdr.body, 1 / cycle->frequency) ? std::nullopt : cycle;
-}
-
-/// Of springs, under oscillations or along a path; of a single pass only forces and friction mean anything.
-template <class Response>
-MdrCycle cycle_of(const MdrCase& mdr, const Response& response, const Response& error, double normal_force_max,
-                  double tangential_way) {
-  const double sliding_force = mdr.friction_coefficient * normal_force_max;
-  return {response.tangential_force_max,
-          response.tangential_force_mean,
-          response.friction_work,
-          response.bulk_work,
-          response.tangential_work,
-          sliding_force,
-          sliding_force * tangential_way,
-          std::max(error.tangential_force_max, error.tangential_force_mean),
-          error.friction_work + error.bulk_work,
-          error.tangential_work,
-          mdr.body.viscosity == 0 || mdr.is_single_pass() || mdr.cycle_tolerance};
-}
-
-MdrCycle cycle_of(const MdrCase& mdr, const mdr::CommonCycle& cycle, const mdr::SteppedForcedResponse& stepped,
-                  double normal_force_max) {
-  double sum = 0, path = 0;
-  for (std::size_t k = 0; k < mdr.motion.tangential.size(); ++k) {
-    sum += mdr.motion.tangential[k].amplitude;
-    path += 4 * mdr.motion.tangential[k].amplitude * cycle.tangential_orders[k];
-  }
-  const auto& [response, error] = stepped;
-  if (mdr.tangential_force) path *= response.tangential_amplitude / sum;
-  return cycle_of(mdr, response, error, normal_force_max, path);
 }
 
 /// Whether springs know the cycle of an answer as well as the case asks for.
@@ -130,8 +86,7 @@ MdrAnswer forced_answer(const MdrCase& mdr, const mdr::NormalResponse& normal, i
     return answer;
   }
   const auto& [response, error] = stepped;
-  if (const auto cycle = cycle_to_step(mdr))
-    answer.cycle = cycle_of(mdr, *cycle, stepped, answer.normal_force_max.value());
+  answer.cycle = cycle_of_springs(mdr, stepped, answer.normal_force_max.value());
   answer.stick_radius_first_slip = radius_at(mdr, response.depths.first_slip);
   answer.stick_radius_shakedown = mdr.normal_force && mdr.tangential_force && mdr.limiting_state
                                       ? mdr.limiting_state->stick_radius
@@ -260,6 +215,7 @@ mdr::NormalResponse normal_response_along(const MdrCase& mdr) {
 }  // namespace
 
 mdr::NormalResponse mdr_normal_response(const MdrCase& mdr) {
+  if (mdr.layer) return layer_normal_response(mdr);
   if (mdr.path) return normal_response_along(mdr);
   if (mdr.normal_force && !mdr.limiting) {
     auto normal = mdr.prescribed();
@@ -283,6 +239,7 @@ mdr::NormalResponse mdr_normal_response(const MdrCase& mdr) {
 
 std::optional<mdr::LimitingProfile> worn_profile(const MdrCase& mdr, const std::optional<double>& shakedown_radius) {
   if (mdr.limiting || !shakedown_radius) return mdr.limiting;
+  if (mdr.layer) return std::nullopt;  // it has a profile of its own (mdr::layer_limiting_profile)
   if (mdr.has_forces() && !mdr.limiting_state) return std::nullopt;
   if (mdr.has_forces())
     return mdr::limiting_profile(mdr.profile, mdr.limiting_state->stick_radius,
@@ -349,6 +306,11 @@ MdrAnswer in_body_of_case(MdrAnswer answer, double displacement) {
 }
 
 MdrAnswer incompressible_answer(const MdrCase& mdr, const mdr::NormalResponse& normal) {
+  if (mdr.layer) {
+    auto answer = with_known_cycle(mdr, [&](int times) { return layer_answer(mdr, normal, times); });
+    answer.modulus_ratio = mdr::modulus_ratio(mdr.body, mdr::angular_frequency(mdr.motion.normal.front().frequency));
+    return answer;
+  }
   if (mdr.path) {
     auto answer = with_known_cycle(mdr, [&](int times) { return path_answer(mdr, normal, times); });
     if (const auto worn = worn_profile(mdr, answer.stick_radius_shakedown)) answer.worn_radius = worn->outer_radius;
@@ -372,12 +334,11 @@ std::optional<MdrCycle> displaced_cycle(const MdrCase& mdr, const mdr::NormalRes
     return cycle_along(mdr, stepped, normal.normal_force_max);
   }
   constexpr mdr::SpringFineness usual{100, 90, 5, 1e-5};
-  const auto cycle = cycle_to_step(mdr);
-  if (!cycle) return std::nullopt;
+  if (!cycle_to_step(mdr)) return std::nullopt;
   try {
     const auto stepped =
         mdr::forced_response(mdr.profile, mdr.body, mdr.friction_coefficient, mdr.prescribed(), finer(usual, times));
-    return cycle_of(mdr, *cycle, stepped, normal.normal_force_max);
+    return cycle_of_springs(mdr, stepped, normal.normal_force_max);
   } catch (const std::runtime_error&) {
     return std::nullopt;  // not periodic
   }
@@ -387,7 +348,8 @@ std::optional<MdrCycle> displaced_cycle(const MdrCase& mdr, const mdr::NormalRes
 
 std::optional<SettlingCycles> settling_cycles(const MdrCase& mdr, const MdrAnswer& answer, int n_ramp) {
   const bool remembers = mdr.body.viscosity > 0 || !mdr.body.branch_moduli.empty();
-  if (mdr.limiting || mdr.path || !mdr.has_period() || !remembers || !answer.stick_radius_shakedown) return {};
+  if (mdr.limiting || mdr.layer || mdr.path || !mdr.has_period() || !remembers || !answer.stick_radius_shakedown)
+    return {};
   double amplitude = answer.tangential_amplitude.value_or(0) * mdr.displacement;
   if (!mdr.tangential_force)
     for (const auto& harmonic : mdr.motion.tangential) amplitude += harmonic.amplitude;
@@ -413,6 +375,7 @@ MdrAnswer mdr_answer(const MdrCase& mdr, const mdr::NormalResponse& normal) {
 
 MdrAnswer mdr_answer_with_cycle(const MdrCase& mdr, const mdr::NormalResponse& normal) {
   auto answer = incompressible_answer(mdr, normal);
+  if (mdr.layer) return answer;
   if (!mdr.has_forces())
     answer = with_known_cycle(mdr, [&](int times) {
       auto with_cycle = answer;

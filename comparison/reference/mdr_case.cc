@@ -9,6 +9,8 @@
 #include <string>
 
 #include "comparison/reference/incompressible_case.h"
+#include "comparison/reference/layer_answer.h"
+#include "mdr/layer/layer_contact.h"
 #include "mdr/profiles/profile_csv.h"
 #include "mdr/rheology/prony_approximation.h"
 #include "mdr/springs/path_response.h"
@@ -217,7 +219,18 @@ mdr::Motion one_harmonic_each_of(const Case& input, const MdrCase& mdr, const st
   return *motion;
 }
 
+double unworn_radius_at(const MdrCase& mdr, double indentation) {
+  return mdr.layer ? mdr::layer_contact_at_depth(mdr.profile, *mdr.layer, indentation).contact_radius
+                   : mdr::inverse_transform(mdr.profile, indentation);
+}
+
 double deepest_indentation(const MdrCase& mdr) {
+  if (mdr.layer) {
+    // A layer gives way less than a half-space, which is as stiff as an incompressible one of this modulus.
+    auto half_space = mdr.body;
+    half_space.relaxed_modulus /= 2 * (1 - mdr.layer->poisson_ratio);
+    return mdr::deepest_indentation(mdr.profile, half_space, mdr.prescribed());
+  }
   if (mdr.path) return mdr::deepest_indentation(mdr.profile, mdr.body, *mdr.path);
   return mdr.limiting && mdr.has_forces() ? mdr::maximum_indentation(mdr.limiting_state->motion)
                                           : mdr::deepest_indentation(mdr.profile, mdr.body, mdr.prescribed());
@@ -232,6 +245,12 @@ mdr::HarmonicMotion motion_of_case(const MdrCase& mdr) {
 
 MdrCase mdr_case(const Case& input_of_any_body) {
   require_comparable(input_of_any_body);
+  if (input_of_any_body.body.shape == Case::Body::Shape::layer)
+    if (const auto why = why_not_on_layer(input_of_any_body); !why.empty())
+      throw InputError(
+          fmt::format("{}: {} is not computed; leave the Body out, or expected an unworn indenter that "
+                      "oscillates",
+                      input_of_any_body.file, why));
   const auto [input, displacement] = incompressible_case(input_of_any_body);
   const auto& motion = input.motion;
   const bool amplitude_follows = std::isnan(motion.tangential_amplitude);
@@ -257,7 +276,10 @@ MdrCase mdr_case(const Case& input_of_any_body) {
   if (motion.path)
     mdr.path = mdr::SampledPath{motion.path->time,    motion.path->normal,       motion.path->tangential,
                                 motion.path->repeats, motion.path->normal_force, motion.path->tangential_force};
-  if (mdr.has_forces() && !mdr.path)
+  if (input.body.shape == Case::Body::Shape::layer)
+    mdr.layer = mdr::Layer{input.body.thickness, input.elastomer.poisson_ratio,
+                           input.body.is_bonded ? mdr::LayerBase::bonded : mdr::LayerBase::frictionless};
+  if (mdr.has_forces() && !mdr.path && !mdr.layer)
     mdr.limiting_state =
         mdr::limiting_motion(mdr.profile, rheology_of(input.elastomer), mdr.friction_coefficient, mdr.motion,
                              mdr.normal_force, mdr.tangential_force, mdr::StickCriterion::shakedown);

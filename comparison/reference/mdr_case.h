@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "comparison/case/case.h"
+#include "mdr/layer/layer.h"
 #include "mdr/motion/harmonic_motion.h"
 #include "mdr/motion/motion.h"
 #include "mdr/motion/sampled_path.h"
@@ -32,6 +33,9 @@ struct MdrCase {
   /// Instead of the motion, which tells then how large the path is (see Case::Motion).
   std::optional<mdr::SampledPath> path = {};
 
+  /// MDR's own layer instead of the half-space; then the body is that of the case.
+  std::optional<mdr::Layer> layer = {};
+
   double displacement = 1;  ///< tangential displacements here over those of the case, see incompressible_case
 
   /// On forces and energies of a cycle, which springs are refined to a quarter of (see mdr_answer_with_cycle).
@@ -48,6 +52,9 @@ struct MdrCase {
 
 /// The motion of the case itself, whatever Poisson's ratio.
 mdr::HarmonicMotion motion_of_case(const MdrCase& mdr);
+
+/// Contact radius of the unworn indenter at an indentation, both in m.
+double unworn_radius_at(const MdrCase& mdr, double indentation);
 
 /// Oscillations in the longest cycle that either method steps through as it is.
 constexpr int longest_cycle = 200;

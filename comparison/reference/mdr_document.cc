@@ -230,11 +230,17 @@ ordered_json fit_json(const Case::Elastomer& elastomer) {
 }
 
 MdrDocument mdr_document(const Case& input_of_any_body, bool with_springs) {
-  if (!input_of_any_body.body.is_half_space())
+  const auto shape = input_of_any_body.body.shape;
+  const bool layer = shape == Case::Body::Shape::layer;
+  if (shape == Case::Body::Shape::cylinder)
     throw InputError(fmt::format(
-        "{}: Body / Shape = {}: `fretval mdr` answers for a half-space; leave it out to see what "
-        "MDR says of that, or run the case",
-        input_of_any_body.file, Case::Body::shape_names[static_cast<std::size_t>(input_of_any_body.body.shape)]));
+        "{}: Body / Shape = cylinder: MDR knows half-spaces and layers; leave it out to see what it says of a "
+        "half-space, or run the case",
+        input_of_any_body.file));
+  if (layer && with_springs)
+    throw InputError(
+        fmt::format("{}: Body / Shape = layer: MDR's answer is that of springs already; leave --springs out",
+                    input_of_any_body.file));
   const auto [input, displacement] = incompressible_case(input_of_any_body);
   if (displacement != 1 && (with_springs || input.wear_kinetics || oscillates_under_forces(input)))
     throw InputError(
@@ -243,13 +249,13 @@ MdrDocument mdr_document(const Case& input_of_any_body, bool with_springs) {
                     input_of_any_body.file, input_of_any_body.elastomer.poisson_ratio));
   try {
     (void)profile_of(input.indenter);  // refuses one that MDR does not hold for, before anything is asked of it
-    const bool forces = oscillates_under_forces(input);
+    const bool forces = oscillates_under_forces(input) && !layer;
     // The stick radii of a fractional body need no approximation of it.
-    const bool exact = input.elastomer.fractional_order > 0 && input.wear == Case::Wear::unworn;
+    const bool exact = input.elastomer.fractional_order > 0 && input.wear == Case::Wear::unworn && !layer;
     const bool with_forces = input.motion.path || (is_comparable(input) && !exact);
     auto document = forces ? has_one_frequency(input.motion) ? answer_forces(input) : answer_harmonics_of_forces(input)
-                    : with_forces ? answer_comparable(input_of_any_body)
-                                  : answer_displacements(input);
+                    : with_forces || layer ? answer_comparable(input_of_any_body)
+                                           : answer_displacements(input);
     ordered_json json{{"name", input.name}};
     json.update(document.json);
     json["limiting_profile"] = profile_json(document.worn);

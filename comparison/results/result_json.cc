@@ -57,8 +57,10 @@ ordered_json case_json(const CaseResult& result) {
       {"phase", input.motion.path ? ordered_json(nullptr) : or_null(input.motion.phase)},
       {"wear", input.wear == Case::Wear::limiting ? "limiting" : "unworn"},
       {"contact_radius_at_rest",
-       beyond ? ordered_json(nullptr) : ordered_json(mdr::inverse_transform(result.mdr_case.profile, at_rest))},
-      {"contact_radius_unworn", beyond ? result.fe.fe.contact_radius_max.value() : result.fem_case.units.length},
+       beyond ? ordered_json(nullptr) : ordered_json(unworn_radius_at(result.mdr_case, at_rest))},
+      {"contact_radius_unworn", beyond                  ? result.fe.fe.contact_radius_max.value()
+                                : result.mdr_case.layer ? result.mdr.contact_radius_max.value()
+                                                        : result.fem_case.units.length},
       {"tolerance", input.tolerance}};
   json[normal_force ? "normal_force_mean" : "indentation"] = motion.indentation;
   json[normal_force ? "normal_force_amplitude" : "normal_amplitude"] = motion.normal.front().amplitude;

@@ -38,8 +38,7 @@ bool has_closed_forms(const Case& input) {
 nlohmann::ordered_json closed_answer(const Case& input) {
   const auto mdr = mdr_case(input);
   mdr::NormalResponse radius_alone{};
-  radius_alone.contact_radius_max =
-      mdr.limiting ? std::nan("") : mdr::inverse_transform(mdr.profile, deepest_indentation(mdr));
+  radius_alone.contact_radius_max = mdr.limiting ? std::nan("") : unworn_radius_at(mdr, deepest_indentation(mdr));
   return to_json(mdr_answer(mdr, radius_alone));
 }
 

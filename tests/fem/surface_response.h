@@ -30,7 +30,7 @@ double disc_response(const Response& response, double half_space_per_k, double r
   if (thickness == std::numeric_limits<double>::infinity()) return half_space;
   const int n = 4000;
   const double end = 18 / thickness, step = end / n;
-  double rest = 0;
+  double rest = -half_space_per_k * radius * radius / 4;  // at k = 0, where a layer hardly gives way
   for (int i = 1; i < n; ++i) {
     const double k = i * step, bessel = std::cyl_bessel_j(1, k * radius);
     rest += (i % 2 == 1 ? 4 : 2) * (response(k) - half_space_per_k / k) * bessel * bessel / k;

@@ -40,8 +40,8 @@ struct RingNodes {
   double scale = 1;  ///< of the body
 };
 
-/// RingNodes of a width of which one ends at a radius, wider, so that the radius lies in one of them. A half-space has no
-/// length: all places in a ring share a body.
+/// RingNodes of a width of which one ends at a radius, wider, so that the radius lies in one of them. A half-space has
+/// no length: all places in a ring share a body.
 RingNodes around_edge(std::vector<double> nodes, double radius, double ring, const Resolution& resolution) {
   const auto widened = [&](double rings_before_node) { return radius / (radius - rings_before_node * ring); };
   const double usual = widened(usual_edge_before_node);
@@ -304,11 +304,10 @@ FemCase fem_case(const Case& input, const MdrCase& mdr) {
     fem.worn_before = worn_by_heights(input.wear_kinetics->profile, units, fem.profile, input.tolerance);
   else if (input.wear_kinetics && !input.wear_kinetics->rings.empty())
     fem.worn_before = worn_by_rings(input.wear_kinetics->rings, units);
-  // The reference has the modulus of an incompressible body that presses alike.
-  const double modulus = units.modulus / (2 * (1 - input.elastomer.poisson_ratio));
-  fem.relaxation.viscosity = mdr.body.viscosity / modulus;
-  for (const double branch : mdr.body.branch_moduli) fem.relaxation.moduli.push_back(branch / modulus);
-  fem.relaxation.times = mdr.body.branch_times;
+  const auto body = body_in_time(input);
+  fem.relaxation.viscosity = body.viscosity / units.modulus;
+  for (const double modulus : body.branch_moduli) fem.relaxation.moduli.push_back(modulus / units.modulus);
+  fem.relaxation.times = body.branch_times;
   fem.motion.normal_force = mdr.normal_force;
   fem.motion.tangential_force = mdr.tangential_force;
   fem.scales_tangential = !mdr.tangential_force && !input.wear_kinetics;
