@@ -43,6 +43,42 @@ TEST(CaseFile, ReadsEveryEntry) {
   EXPECT_EQ(input.wear, Case::Wear::unworn);
 }
 
+/// The valid case over another body.
+std::string on(const std::string& body, const std::string& base = valid_case) {
+  return base + "subsection Body\n" + body + "end\n";
+}
+
+TEST(CaseFile, ReadsBodies) {
+  EXPECT_TRUE(read_one(valid_case).body.is_half_space());
+  const auto layer = read_one(on("set Shape = layer\nset Thickness = 3 mm\nset Base = bonded\n")).body;
+  EXPECT_EQ(layer.shape, Case::Body::Shape::layer);
+  EXPECT_DOUBLE_EQ(layer.thickness, 3e-3);
+  EXPECT_TRUE(layer.is_bonded);
+  const auto still = replace(valid_case, "Tangential amplitude = 1.5e-5", "Tangential amplitude = 0");
+  const auto cylinder =
+      read_one(on("set Shape = cylinder\nset Thickness = 3 mm\nset Radius = 1 cm\nset Base = frictionless\n", still)).body;
+  EXPECT_EQ(cylinder.shape, Case::Body::Shape::cylinder);
+  EXPECT_DOUBLE_EQ(cylinder.radius, 1e-2);
+  EXPECT_FALSE(cylinder.is_bonded);
+  EXPECT_EQ(read_one(valid_case).elastomer.poisson_ratio, 0.5);
+  EXPECT_EQ(read_one(replace(valid_case, "set Rheology", "set Poisson ratio = 0.3\nset Rheology")).elastomer.poisson_ratio,
+            0.3);
+}
+
+TEST(CaseFile, RefusesImpossibleBodies) {
+  const auto names = [](const std::string& text, const std::string& what) {
+    EXPECT_NE(error_of(text).find(what), std::string::npos) << error_of(text);
+  };
+  names(on("set Shape = slab\n"), "expected one of half space, layer, cylinder");
+  names(on("set Shape = layer\nset Base = bonded\n"), "Body / Thickness");
+  names(on("set Shape = layer\nset Thickness = 1 mm\n"), "Body / Base");
+  names(on("set Shape = layer\nset Thickness = 1 mm\nset Radius = 1 mm\nset Base = bonded\n"), "belongs to Shape = cylinder");
+  names(on("set Thickness = 1 mm\n"), "belongs to Shape = layer or cylinder");
+  names(on("set Shape = layer\nset Thickness = 1 mm\nset Base = frictionless\n"), "holds the body against the tangential");
+  for (const char* nu : {"-0.1", "0.51", "nan"})
+    names(replace(valid_case, "set Rheology", std::string("set Poisson ratio = ") + nu + "\nset Rheology"), "from 0 to 0.5");
+}
+
 TEST(CaseFile, ReadsAnUnlockedPhase) {
   EXPECT_FALSE(read_one(replace(valid_case, "Phase = 60", "Phase = free")).motion.phase);
 }

@@ -74,8 +74,8 @@ INSTANTIATE_TEST_SUITE_P(
                           {"Elastomer / Viscosity = -1", "positive"}},
                     // The finite elements are for incompressible bodies alone.
                     Fault{"Branch times = 0.1",
-                          "Branch times = 0.1\n  set Poisson ratio = 0.3",
-                          {"line 10", "Poisson ratio", "Valid entries"}}));
+                          "Branch times = 0.1\n  set Poisson ratio = 0.6",
+                          {"Elastomer / Poisson ratio = 0.6", "from 0 to 0.5"}}));
 
 /// An entry in a section of its own before the last one.
 Fault in_section(const std::string& section, const std::string& entries, const std::vector<std::string>& parts) {

@@ -1,0 +1,56 @@
+#include "comparison/reference/layer_answer.h"
+
+#include <gtest/gtest.h>
+
+#include "comparison/accuracy/proof.h"
+#include "tests/comparison/refusal.h"
+#include "tests/comparison/suite_case.h"
+
+namespace fretval::layer_answer_test {
+namespace {
+
+Case on_layer(Case scene, double thickness, double poisson_ratio = 0.5) {
+  scene.body.shape = Case::Body::Shape::layer;
+  scene.body.thickness = thickness;
+  scene.elastomer.poisson_ratio = poisson_ratio;
+  return scene;
+}
+
+MdrAnswer answer_to(const Case& scene) {
+  const auto mdr = mdr_case(scene);
+  return mdr_answer_with_cycle(mdr, mdr_normal_response(mdr));
+}
+
+// A thousand times thicker than the contact is wide: off by a/H.
+TEST(LayerAnswer, OfAThickLayerIsThatOfAHalfSpace) {
+  const auto scene = suite_case("parabola-elastic-steady", 1e-2);
+  for (const double nu : {0.5, 0.3}) {
+    auto half_space_scene = scene;
+    half_space_scene.elastomer.poisson_ratio = nu;
+    const auto half_space = answer_to(half_space_scene), layer = answer_to(on_layer(scene, 1, nu));
+    EXPECT_NEAR(layer.contact_radius_max.value() / half_space.contact_radius_max.value(), 1, 2e-3);
+    EXPECT_NEAR(layer.normal_force_max.value() / half_space.normal_force_max.value(), 1, 4e-3);
+    EXPECT_NEAR(layer.stick_radius_shakedown.value() / half_space.stick_radius_shakedown.value(), 1, 4e-3);
+    EXPECT_NEAR(layer.cycle->tangential_force_max / half_space.cycle->tangential_force_max, 1, 1e-2);
+  }
+}
+
+// Of the map of errors: a/H = 0.5 has 0.696 of Hertz's depth at a given contact radius (an independent computation).
+TEST(LayerAnswer, OfAThinLayerIsAnother) {
+  auto scene = suite_case("parabola-elastic-steady", 1e-2);
+  const double R = scene.indenter.radius, a = 1e-3;
+  scene.motion.indentation = 0.696 * a * a / R;
+  scene.motion.tangential_amplitude = 0.1 * scene.motion.indentation;
+  EXPECT_NEAR(answer_to(on_layer(scene, 2 * a)).contact_radius_max.value() / a, 1, 1e-3);
+}
+
+TEST(LayerAnswer, NamesWhatItDoesNotCompute) {
+  auto scene = on_layer(suite_case("parabola-elastic-steady", 1e-2), 1e-2);
+  EXPECT_EQ(why_not_on_layer(scene), "");
+  scene.wear_kinetics.emplace();
+  EXPECT_THROW(mdr_case(scene), InputError);
+  EXPECT_NE(why_not_on_layer(scene).find("Wear"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace fretval::layer_answer_test

@@ -1,0 +1,53 @@
+#include "comparison/simulation/fem_case/body_description.h"
+
+#include <gtest/gtest.h>
+
+namespace fretval::body_description_test {
+namespace {
+
+BodyDescription layer_with(std::vector<double> nodes) {
+  BodyDescription layer{std::move(nodes), 0.5, 6, 3};
+  layer.poisson_ratio = 0.4;
+  layer.thickness = 0.5;
+  return layer;
+}
+
+std::vector<double> equal_nodes(int n) {
+  std::vector<double> nodes;
+  for (int i = 0; i <= n; ++i) nodes.push_back(0.03 * i);
+  return nodes;
+}
+
+TEST(BodyDescription, IsAnotherOneForEveryField) {
+  const BodyDescription body{{0, 1}, 0.5, 6, 3};
+  std::vector<BodyDescription> others(9, body);
+  others[0].contact_nodes = {0, 2};
+  others[1].growth = 0.4;
+  others[2].far_radius = 7;
+  others[3].degree = 2;
+  others[4].tangential = false;
+  others[5].scale = 2;
+  others[6].poisson_ratio = 0.3;
+  others[7].thickness = 1;
+  others[8].slides_on_base = true;
+  EXPECT_FALSE(body < body);
+  for (const auto& other : others) EXPECT_TRUE(body < other || other < body);
+  EXPECT_EQ(std::tuple_size<decltype(BodyDescription::fields(body))>::value, others.size());
+}
+
+// Of many equal rings the innermost suffice; of others each counts.
+TEST(HalfSpaceWithRings, HasTheSameRings) {
+  const auto few = half_space_with_rings_of(layer_with(equal_nodes(8)));
+  EXPECT_EQ(few.contact_nodes, equal_nodes(8));
+  EXPECT_TRUE(few.is_half_space());
+  EXPECT_EQ(few.poisson_ratio, 0.4);
+  EXPECT_GT(few.far_radius, 2 * few.contact_nodes.back());
+  const auto many = half_space_with_rings_of(layer_with(equal_nodes(64)));
+  EXPECT_LT(many.contact_nodes.size(), 32U);
+  EXPECT_EQ(many.contact_nodes[5], equal_nodes(64)[5]);
+  const std::vector<double> graded{0, 0.1, 0.15, 0.18, 0.2, 0.25, 0.4, 1};
+  EXPECT_EQ(half_space_with_rings_of(layer_with(graded)).contact_nodes, graded);
+}
+
+}  // namespace
+}  // namespace fretval::body_description_test
