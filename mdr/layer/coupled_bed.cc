@@ -39,6 +39,8 @@ CoupledBed coupled_bed(const SpringBed& springs, const Layer& layer) {
   const double reach = 2 * (springs.position[last] + springs.width[last]);
   const auto modes = [&](Direction direction) { return layer_modes(layer_kernel(layer, direction, reach), springs); };
   const LayerModes none{Eigen::MatrixXd(springs.position.size(), 0), Eigen::ArrayXd(0)};
+  validate(layer);
+  if (std::isinf(layer.thickness)) return {springs, layer, none, none};
   return {springs, layer, modes(Direction::normal),
           layer.base == LayerBase::bonded ? modes(Direction::tangential) : none};
 }

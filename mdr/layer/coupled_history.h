@@ -1,8 +1,8 @@
 #pragma once
 
 #include "mdr/layer/coupled_bed.h"
+#include "mdr/springs/history_data.h"
 #include "mdr/springs/spring_energy.h"
-#include "mdr/springs/spring_history.h"
 
 namespace fretval::mdr {
 

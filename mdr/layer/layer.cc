@@ -1,5 +1,7 @@
 #include "mdr/layer/layer.h"
 
+#include <cmath>
+
 #include "mdr/support/checks.h"
 
 namespace fretval::mdr {
@@ -13,7 +15,7 @@ void require_poisson_ratio(double poisson_ratio) {
 }  // namespace
 
 void validate(const Layer& layer) {
-  require_positive("thickness of the layer", layer.thickness);
+  if (!std::isinf(layer.thickness) || layer.thickness < 0) require_positive("thickness of the layer", layer.thickness);
   require_poisson_ratio(layer.poisson_ratio);
 }
 

@@ -11,7 +11,7 @@ enum class LayerBase {
 /// Elastic or viscoelastic layer on a rigid base. All of its moduli share one G(t), so that Poisson's ratio is a
 /// constant.
 struct Layer {
-  double thickness;            ///< H in m, positive
+  double thickness;            ///< H in m, positive; infinity: a half-space, whose springs are independent
   double poisson_ratio = 0.5;  ///< nu, 0 to 0.5
   LayerBase base = LayerBase::bonded;
 };

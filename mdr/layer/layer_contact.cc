@@ -46,7 +46,7 @@ double radius_with(const std::function<double(double)>& excess, const Profile& p
 double coupled_slope_integral(const LayerKernel& kernel, const Eigen::ArrayXd& amplitudes, double r, double a) {
   // With x^2 = r^2 + s^2 the root is gone, and the slope over x is as smooth as the coupling is even.
   const double end = std::sqrt((a - r) * (a + r));
-  const int n_panels = static_cast<int>(std::ceil(end / (2 * kernel.layer.thickness)));
+  const int n_panels = panels_on(kernel.layer, end);
   std::vector<double> breaks;
   for (int k = 0; k <= n_panels; ++k) breaks.push_back(end * k / n_panels);
   constexpr int n_points = 20;

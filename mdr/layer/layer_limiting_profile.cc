@@ -15,7 +15,7 @@ namespace {
 // int_c^r w/sqrt(r^2-x^2) dx of the free surface, x = r sin(angle).
 double free_surface_integral(const LayerLimitingProfile& profile, double r) {
   const double c = profile.stick_radius, start = std::atan2(c, std::sqrt((r - c) * (r + c)));
-  const int n_panels = static_cast<int>(std::ceil((r - c) / (2 * profile.layer.thickness)));
+  const int n_panels = panels_on(profile.layer, r - c);
   std::vector<double> breaks;
   for (int k = 0; k <= n_panels; ++k) breaks.push_back(start + (pi / 2 - start) * k / n_panels);
   constexpr int n_points = 20;

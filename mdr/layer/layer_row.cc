@@ -42,6 +42,10 @@ Eigen::ArrayXd LayerRow::amplitudes_of(const Eigen::ArrayXd& load) const {
   return amplitudes(kernel_, rule_.point, rule_.weight * load);
 }
 
+int panels_on(const Layer& layer, double length) {
+  return std::max(1, static_cast<int>(std::ceil(length / (2 * layer.thickness))));
+}
+
 std::vector<double> row_breaks(const Profile& profile, const Layer& layer, double end) {
   validate(layer);
   require_positive("end of the row", end);
@@ -51,7 +55,7 @@ std::vector<double> row_breaks(const Profile& profile, const Layer& layer, doubl
   corners.push_back(end);
   for (std::size_t i = 0; i + 1 < corners.size(); ++i) {
     const double from = corners[i], to = corners[i + 1];
-    const auto n = static_cast<int>(std::ceil((to - from) / (2 * layer.thickness)));
+    const int n = panels_on(layer, to - from);
     const double first = from + (to - from) / n;
     breaks.push_back(from);
     if (i > 0 || !is_smooth_at_tip(profile)) add_graded(breaks, from, first);

@@ -39,8 +39,11 @@ struct RowFineness {
   int points_of_panel = 16;
 };
 
-/// Breaks of panels on 0 <= x <= end: no longer than 2 H, as what reaches the surface of a layer is smooth on that
-/// length; cut at the kinks of the profile's image, and graded towards those and towards a tip that is no power of x.
+/// Panels on a length in m, none longer than 2 H: what reaches the surface of a layer is smooth on that length.
+int panels_on(const Layer& layer, double length);
+
+/// Breaks of panels on 0 <= x <= end: those of panels_on(), cut at the kinks of the profile's image, and graded towards
+/// those and towards a tip that is no power of x.
 std::vector<double> row_breaks(const Profile& profile, const Layer& layer, double end);
 
 /// The row up to `end`, with a kernel that reaches as far as `outer` >= end on either side.

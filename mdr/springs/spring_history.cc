@@ -74,19 +74,6 @@ class IndependentSprings {
 
 }  // namespace
 
-void validate(const HistoryControl& control) {
-  require_positive("period", control.period);
-  require_within("steps per period", control.steps_per_period, 4, 1e6);
-  require_within("ramp periods", control.n_ramp_periods, 1, 1e6);
-  require_within("largest number of periods", control.max_periods, control.n_ramp_periods + 1, 1e9);
-  require_positive("periodicity", control.periodicity);
-}
-
-void validate(const Loading& loading) {
-  if (!loading.path && !(loading.normal_force && loading.tangential_force))
-    throw std::invalid_argument("loading without a path: it needs both forces");
-}
-
 double amplitude_share(double time, double ramp_duration) {
   const double x = std::clamp(time / ramp_duration, 0.0, 1.0);
   return x * x * x * (10 + x * (-15 + 6 * x));

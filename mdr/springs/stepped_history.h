@@ -7,17 +7,28 @@
 #include <utility>
 #include <vector>
 
+#include "mdr/springs/history_data.h"
 #include "mdr/springs/repetition.h"
 #include "mdr/springs/spring_energy.h"
-#include "mdr/springs/spring_history.h"
 #include "mdr/springs/spring_stick.h"
+#include "mdr/support/checks.h"
 #include "mdr/support/wide_registers.h"
 
 namespace fretval::mdr {
 
 /// Throw std::invalid_argument unless a history can be stepped so.
-void validate(const HistoryControl& control);
-void validate(const Loading& loading);
+inline void validate(const HistoryControl& control) {
+  require_positive("period", control.period);
+  require_within("steps per period", control.steps_per_period, 4, 1e6);
+  require_within("ramp periods", control.n_ramp_periods, 1, 1e6);
+  require_within("largest number of periods", control.max_periods, control.n_ramp_periods + 1, 1e9);
+  require_positive("periodicity", control.periodicity);
+}
+
+inline void validate(const Loading& loading) {
+  if (!loading.path && !(loading.normal_force && loading.tangential_force))
+    throw std::invalid_argument("loading without a path: it needs both forces");
+}
 
 /// Forces on the indenter.
 struct SpringForces {

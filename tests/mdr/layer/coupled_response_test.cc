@@ -3,9 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "mdr/layer/layer_stick_radius.h"
+#include "mdr/rheology/compressible.h"
 
 namespace fretval::mdr::coupled_response_test {
 namespace {
@@ -29,6 +31,24 @@ TEST(CoupledResponse, OfAThickLayerIsThatOfTheHalfSpace) {
   near([](const ForcedResponse& r) { return r.largest_indentation; });
   near([](const ForcedResponse& r) { return r.axis_pressure_max; });
   EXPECT_GT(half_space.response.friction_work, 10 * half_space.error.friction_work);
+}
+
+// A half-space with Poisson's ratio 0.2, once as a layer that is infinitely thick, once as its incompressible
+// equivalent.
+TEST(CoupledResponse, OfACompressibleHalfSpaceIsThatOfItsEquivalent) {
+  const double nu = 0.2, stretch = tangential_stretch(nu);
+  const PronyBody body = standard_solid(1, 1, 0.2);
+  const auto motion = [](double tangential) { return Prescribed{harmonic_motion({1, 0.1, tangential, 1, 1, 0.7})}; };
+  const Layer half_space{std::numeric_limits<double>::infinity(), nu};
+  const ForcedResponse direct = coupled_response(parabola(1), half_space, body, mu, motion(0.15), coarse).response;
+  const ForcedResponse equivalent =
+      forced_response(parabola(1), incompressible_equivalent(body, nu), mu, motion(stretch * 0.15), coarse).response;
+  EXPECT_NEAR(direct.depths.shakedown, equivalent.depths.shakedown, 1e-5);  // beds that end elsewhere
+  EXPECT_NEAR(direct.depths.shakedown,
+              stick_depths(incompressible_equivalent(body, nu), mu, motion(stretch * 0.15).motion).shakedown, 2e-5);
+  EXPECT_NEAR(direct.normal.normal_force_max / equivalent.normal.normal_force_max, 1, 1e-4);
+  EXPECT_NEAR(direct.tangential_force_max / equivalent.tangential_force_max, 1, 1e-4);
+  EXPECT_NEAR(direct.friction_work * stretch / equivalent.friction_work, 1, 2e-3);
 }
 
 // What is extrapolated is within its errors of what is exact, for a bed that the errors of are not small.

@@ -4,6 +4,7 @@
 
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <cmath>
+#include <limits>
 
 #include "mdr/profiles/indentation.h"
 #include "mdr/support/constants.h"
@@ -39,7 +40,19 @@ TEST(LayerContact, OfAThickLayerIsTheHalfSpace) {
   EXPECT_NEAR(normal_force(layer_contact(parabola(1), {1e5, 0.2}, 1), 1), 8.0 / 3 / 0.8, 1e-4);
 }
 
-// THEORY's table of ring computations: to the digits it has.
+// Without a kernel the row is one of independent springs, to roundoff.
+TEST(LayerContact, OfInfiniteThicknessIsTheHalfSpaceToRoundoff) {
+  const Layer half_space{std::numeric_limits<double>::infinity(), 0.5};
+  for (const Profile& profile : profiles()) {
+    const LayerContact contact = layer_contact(profile, half_space, 1);
+    EXPECT_NEAR(contact.indentation / transform(profile, 1), 1, 1e-14);
+    EXPECT_NEAR(normal_force(contact, 2) / mdr::normal_force(profile, 2, transform(profile, 1)), 1, 1e-9);
+    EXPECT_NEAR(pressure(contact, 2, 0.7), mdr::pressure(profile, 2, transform(profile, 1), 0.7), 1e-13);
+  }
+  EXPECT_NEAR(layer_punch(half_space, Direction::tangential, 2).load, 2, 1e-14);
+}
+
+// What rings of a layer gave, 128 of them, added up one by one: to the digits that were noted.
 TEST(LayerContact, DepthForceAndPunchesOnABondedIncompressibleLayer) {
   const auto at = [](double thickness) { return Layer{thickness, 0.5}; };
   const LayerContact thick = layer_contact(parabola(1), at(10), 1), thin = layer_contact(parabola(1), at(2), 1);

@@ -19,10 +19,10 @@ TEST(Layer, SpringsOfAnIncompressibleBodyAreThoseOfThePaper) {
 }
 
 TEST(Layer, RejectsByName) {
-  EXPECT_NE(error_of([] { validate({0, 0.3}); }).find("thickness"), std::string::npos);
-  EXPECT_NE(error_of([] { validate({1, 0.51}); }).find("Poisson"), std::string::npos);
+  EXPECT_NE(error_of([] { validate(Layer{0, 0.3}); }).find("thickness"), std::string::npos);
+  EXPECT_NE(error_of([] { validate(Layer{1, 0.51}); }).find("Poisson"), std::string::npos);
   EXPECT_NE(error_of([] { spring_modulus(Direction::normal, -0.1); }).find("Poisson"), std::string::npos);
-  EXPECT_EQ(error_of([] { validate({1, 0}); }), "accepted");
+  EXPECT_EQ(error_of([] { validate(Layer{1, 0}); }), "accepted");
 }
 
 }  // namespace
