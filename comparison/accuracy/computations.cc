@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <mutex>
 
-#include "comparison/accuracy/compared_quantities.h"
+#include "comparison/accuracy/fe_readings.h"
 #include "comparison/support/parallel.h"
 #include "comparison/support/stopwatch.h"
 #include "fem/support/solver_error.h"

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "comparison/accuracy/quantity.h"
+#include "comparison/quantities/reading.h"
 #include "comparison/simulation/compute_case.h"
 
 namespace fretval {

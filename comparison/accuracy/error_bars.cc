@@ -3,43 +3,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "comparison/accuracy/fe_readings.h"
 #include "fem/support/constants.h"
 
 namespace fretval {
 namespace {
 
-/// In the units of the comparison.
-void add_uncertainties(const fem::CycleResponse& cycle, Quantities& uncertainties) {
-  const auto& [force_max, force_mean, friction, loss, tangential] = cycle.uncertainty;
-  uncertainties[Quantity::tangential_force_max] = force_max / cycle.tangential_force_max;
-  uncertainties[Quantity::tangential_force_mean] = force_mean / cycle.sliding_force;
-  uncertainties[Quantity::friction_work] = friction / cycle.sliding_work;
-  if (!(cycle.bulk_work > 0)) return;
-  uncertainties[Quantity::cycle_work] = loss / (cycle.friction_work + cycle.bulk_work);
-  uncertainties[Quantity::bulk_work] = (loss + friction) / cycle.bulk_work;
-  uncertainties[Quantity::tangential_work] = tangential / cycle.tangential_work;
-}
-
 /// What reading the edges leaves open, in the units of the comparison.
 Quantities uncertainties_of_edges(const Computation& computation, const FemCase& fem) {
   if (!computation.failure.empty()) return {};
-  const auto& fe = computation.fe;
-  Quantities uncertainties;
-  if (fe.indentation_max) uncertainties[Quantity::indentation_max] = fe.indentation_uncertainty / *fe.indentation_max;
-  if (fe.normal_force_max > 0)
-    uncertainties[Quantity::normal_force_max] = fe.normal_force_uncertainty / fe.normal_force_max;
-  if (fe.cycle) add_uncertainties(*fe.cycle, uncertainties);
-  if (fe.cycles_to_shakedown)
-    uncertainties[Quantity::cycles_to_shakedown] = fe.cycles_to_shakedown_uncertainty / *fe.cycles_to_shakedown;
-  if (fe.slip_decay) uncertainties[Quantity::slip_decay] = fe.slip_decay->uncertainty / fe.slip_decay->factor;
-  if (fe.zones) {
-    uncertainties[Quantity::contact_radius_max] = fe.contact_radius_uncertainty / fe.contact_radius_max.value();
-    return uncertainties;
-  }
-  if (!fem.worn_edge) uncertainties[Quantity::contact_radius_max] = fe.contact_radius_uncertainty / fem.units.length;
-  uncertainties[Quantity::stick_radius_first_slip] = fe.first_slip_uncertainty / fem.units.length;
-  uncertainties[Quantity::stick_radius_shakedown] = fe.shakedown_uncertainty / fem.units.length;
-  return uncertainties;
+  return uncertainties_of(readings_of(computation.fe, fem.units), scales_of(computation.fe, fem.units));
 }
 
 std::vector<Variant> variants_of(const Resolution& resolution, const CaseNeeds& needs, BarShares shares) {

@@ -9,24 +9,6 @@
 namespace fretval {
 namespace {
 
-bool is_of_friction(Quantity quantity) {
-  switch (quantity) {
-    case Quantity::stick_radius_first_slip:
-    case Quantity::stick_radius_shakedown:
-    case Quantity::tangential_amplitude:
-    case Quantity::tangential_force_max:
-    case Quantity::tangential_force_mean:
-    case Quantity::friction_work:
-    case Quantity::tangential_work:
-    case Quantity::bulk_work:
-    case Quantity::cycle_work:
-    case Quantity::worn_volume:
-      return true;
-    default:
-      return false;
-  }
-}
-
 bool ends_with_contact(const CaseNeeds& needs, Quantity quantity) {
   if (quantity == Quantity::stick_radius_first_slip) return needs.first_slip_ends_with_contact;
   return quantity == Quantity::stick_radius_shakedown && needs.shakedown_ends_with_contact;
@@ -34,7 +16,7 @@ bool ends_with_contact(const CaseNeeds& needs, Quantity quantity) {
 
 ExpectedOrder expected_order(ErrorSource source, Quantity quantity, const CaseNeeds& needs) {
   if (source == ErrorSource::time_step && traits_of(quantity).of_settling) return {1};
-  if (source == ErrorSource::time_step && needs.held_from_start && is_of_friction(quantity)) return {1, 4};
+  if (source == ErrorSource::time_step && needs.held_from_start && traits_of(quantity).of_friction) return {1, 4};
   constexpr double never_believed = 0;
   if (source == ErrorSource::time_step && needs.has_short_branch) return {2, never_believed};
   if (source == ErrorSource::time_step || source == ErrorSource::start || source == ErrorSource::wear_jump) return {2};

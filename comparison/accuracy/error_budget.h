@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "comparison/accuracy/quantity.h"
 #include "comparison/accuracy/refinement.h"
+#include "comparison/quantities/reading.h"
 
 namespace fretval {
 

@@ -4,8 +4,7 @@
 #include <optional>
 
 #include "comparison/accuracy/error_budget.h"
-#include "comparison/reference/mdr_answer.h"
-#include "comparison/simulation/compute_case.h"
+#include "comparison/quantities/reading.h"
 
 namespace fretval {
 
@@ -21,7 +20,7 @@ Verdict verdict_on(double difference, double tolerance, double bar = 0);
 struct Difference {
   std::optional<double> difference;  ///< finite elements less MDR, relative; empty: nothing sticks, says one or both
   double tolerance;
-  Verdict verdict;
+  Verdict verdict = Verdict::pass;
   std::optional<ErrorBar> bar = {};  ///< of the finite elements; empty: not measured
   double only_one = 0;               ///< without a difference: the stick radius that only one of the two finds
 
@@ -45,19 +44,13 @@ double tolerance_of(const Tolerances& tolerances, Quantity quantity);
 /// Whether the bar of a quantity has to meet its tolerance.
 bool is_refined_for(Quantity quantity, const Tolerances& tolerances);
 
-/// Stick radii: (c_FE - c_MDR)/a, a the unworn contact radius at the largest indentation. Where one of the two says
-/// that nothing sticks, the other must say so too or find a stick zone smaller than the tolerance. For a limiting
-/// profile: slip inside c over u_x0 where MDR says that all of the contact sticks, force outside c over the force, and
-/// the indentation at which the flank touches over the largest one, the amplitude at which slip begins inside c over
-/// that of the case, all within the tolerance of the stick radius.
-///
-/// Where either of them finds gross slip there is nothing to compare but that.
-///
-/// Whether a comparison passes is verdict_on, with the error bar of the finite elements.
+/// What both methods have is compared, over the scale of each quantity. Where one of the two says that nothing sticks,
+/// the other must say so too or find a stick zone smaller than the tolerance. Whether a comparison passes is
+/// verdict_on, with the error bar of the finite elements.
 using Comparison = std::map<Quantity, Difference>;
 
-/// budget: empty if none was measured.
-Comparison compare(const MdrAnswer& mdr, const FeAnswer& fe, double unworn_radius, const Tolerances& tolerances,
+/// budget: empty if none was measured. Nothing is compared that either method says the whole contact slides in.
+Comparison compare(const Readings& fe, const Readings& mdr, const Scales& scales, const Tolerances& tolerances,
                    const ErrorBudget& budget = {});
 
 bool passes(const Comparison& comparison);

@@ -4,10 +4,11 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "comparison/quantities/readings_json.h"
 #include "comparison/reference/cycle_of_springs.h"
 #include "comparison/reference/layer_answer.h"
+#include "comparison/reference/mdr_readings.h"
 #include "comparison/support/cycles_until.h"
-#include "comparison/support/json.h"
 #include "mdr/springs/path_response.h"
 #include "mdr/springs/slip_of_periods.h"
 #include "mdr/springs/stepped_response.h"
@@ -248,35 +249,13 @@ std::optional<mdr::LimitingProfile> worn_profile(const MdrCase& mdr, const std::
 }
 
 nlohmann::ordered_json to_json(const MdrAnswer& answer) {
-  nlohmann::ordered_json json{
-      {"modulus_ratio", std::isnan(answer.modulus_ratio) ? nlohmann::ordered_json(nullptr)
-                                                         : nlohmann::ordered_json(answer.modulus_ratio)},
-      {"contact_radius_max", or_null(answer.contact_radius_max)},
-      {"stick_radius_first_slip", or_null(answer.stick_radius_first_slip)},
-      {"stick_radius_shakedown", or_null(answer.stick_radius_shakedown)},
-      {"worn_radius", or_null(answer.worn_radius)},
-      {"normal_force_max", or_null(answer.normal_force_max)},
-      {"limiting_amplitude", or_null(answer.limiting_amplitude)}};
-  if (answer.axis_pressure) json["axis_pressure_max"] = answer.axis_pressure->largest;
-  if (answer.indentation_max) json["indentation_max"] = *answer.indentation_max;
-  if (answer.tangential_amplitude) json["tangential_amplitude"] = *answer.tangential_amplitude;
-  if (answer.cycle) {
-    if (answer.cycle->knows_largest_force) json["tangential_force_max"] = answer.cycle->tangential_force_max;
-    json["tangential_force_mean"] = answer.cycle->tangential_force_mean;
-    json["friction_work"] = answer.cycle->friction_work;
-    if (!answer.single_pass) {
-      json["bulk_work"] = answer.cycle->bulk_work;
-      json["cycle_work"] = answer.cycle->friction_work + answer.cycle->bulk_work;
-      json["tangential_work"] = answer.cycle->tangential_work;
-    }
-    json["cycle_error"] = {
-        {"force", answer.cycle->force_error}, {"work", answer.cycle->work_error}, {"loop", answer.cycle->loop_error}};
-  }
-  if (answer.slip_decay) json["slip_decay"] = *answer.slip_decay;
-  if (const auto& settling = answer.cycles_to_shakedown) {
-    json["cycles_to_shakedown"] = settling->cycles;
-    json["cycles_to_shakedown_error"] = settling->error;
-  }
+  nlohmann::ordered_json json{{"modulus_ratio", std::isnan(answer.modulus_ratio)
+                                                    ? nlohmann::ordered_json(nullptr)
+                                                    : nlohmann::ordered_json(answer.modulus_ratio)}};
+  add_readings(readings_of(answer), json);
+  if (const auto& cycle = answer.cycle)
+    json["cycle_error"] = {{"force", cycle->force_error}, {"work", cycle->work_error}, {"loop", cycle->loop_error}};
+  if (const auto& settling = answer.cycles_to_shakedown) json["cycles_to_shakedown_error"] = settling->error;
   if (answer.stepping_error > 0) json["stepping_error"] = answer.stepping_error;
   if (answer.gross_slip) json["gross_slip"] = *answer.gross_slip;
   if (answer.gross_slip_time) json["gross_slip_time"] = *answer.gross_slip_time;

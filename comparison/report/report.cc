@@ -6,8 +6,8 @@
 #include <cmath>
 #include <map>
 
-#include "comparison/accuracy/quantity.h"
 #include "comparison/case/case.h"
+#include "comparison/quantities/quantity.h"
 #include "comparison/report/drawing/figures.h"
 #include "comparison/report/sections/case_section.h"
 #include "comparison/report/sections/cost_section.h"

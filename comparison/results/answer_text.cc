@@ -7,6 +7,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "comparison/quantities/readings_json.h"
+
 namespace fretval {
 namespace {
 
@@ -100,8 +102,12 @@ std::string percent(double share) {
   return fmt::format("{:+.2g} %", 100 * share);
 }
 
-std::string shown(Quantity quantity, const Scales& scales, const std::optional<double>& value, double bar) {
-  return value ? with_unit(without_roundoff(quantity, scales, *value), bar, traits_of(quantity).unit) : "none";
+/// What is roundoff of the scale is 0, also of a bar.
+std::string reading_text(Quantity quantity, const Scales& scales, const Reading& reading) {
+  const auto rounded = [&](double value) { return without_roundoff(quantity, scales, value); };
+  return reading.value
+             ? with_unit(rounded(*reading.value), rounded(reading.uncertainty.value_or(0)), traits_of(quantity).unit)
+             : "none";
 }
 
 /// Of finite elements alone, for a profile that MDR does not hold for.
@@ -113,9 +119,9 @@ Answer answer_beyond_mdr(const ordered_json& result) {
   };
   for (const auto quantity : quantities_by_interest) {
     const auto& traits = traits_of(quantity);
-    const auto value = number_in(fe, traits.name);
-    if (!value || !fe.at("error_estimate").contains(traits.name)) continue;
-    add(traits.title, with_unit(*value, bar_of(result, quantity).value_or(0), traits.unit));
+    const auto reading = fe_reading(result, quantity);
+    if (!reading || !reading->value || !fe.at("error_estimate").contains(traits.name)) continue;
+    add(traits.title, reading_text(quantity, scales_of(result), *reading));
   }
   const auto& zones = fe.at("zones");
   if (const auto pressure = number_in(zones, "pressure_max"))
@@ -156,17 +162,20 @@ Scales scales_of(const ordered_json& result) {
           number_in(fe, "sliding_force").value_or(0), number_in(fe, "sliding_work").value_or(0)};
 }
 
-std::optional<double> bar_of(const ordered_json& result, Quantity quantity) {
+std::optional<Reading> fe_reading(const ordered_json& result, Quantity quantity) {
   const auto &fe = result.at("fe"), &comparison = result.at("comparison");
   const char* key = name_of(quantity);
-  std::optional<double> bar;
+  auto reading = stored_reading(fe, quantity);
+  if (!reading) return std::nullopt;
+  reading->uncertainty.reset();
   if (const auto compared = comparison.find(key); compared != comparison.end())
-    bar = number_in(*compared, "error_bar");
+    reading->uncertainty = number_in(*compared, "error_bar");
   else if (const auto bars = fe.find("error_estimate"); bars != fe.end())
     if (const auto found = bars->find(key); found != bars->end() && found->is_object())
-      bar = number_in(*found, "total");
-  if (bar) *bar *= scale_of(quantity, scales_of(result), number_in(fe, key).value_or(std::nan("")));
-  return bar;
+      reading->uncertainty = number_in(*found, "total");
+  if (reading->uncertainty)
+    *reading->uncertainty *= scale_of(quantity, scales_of(result), reading->value.value_or(std::nan("")));
+  return reading;
 }
 
 Answer answer_of(const ordered_json& result) {
@@ -178,9 +187,9 @@ Answer answer_of(const ordered_json& result) {
     const auto compared = result.at("comparison").find(traits.name);
     if (compared == result.at("comparison").end() || *traits.unit == '\0' || quantity == Quantity::worn_volume)
       continue;
-    const auto fe = number_in(result.at("fe"), traits.name);
     const auto difference = number_in(*compared, "difference");
-    answer.rows.push_back({traits.title, shown(quantity, scales, fe, bar_of(result, quantity).value_or(0)),
+    answer.rows.push_back({traits.title,
+                           reading_text(quantity, scales, fe_reading(result, quantity).value_or(Reading{})),
                            mdr_text(result.at("mdr"), quantity, scales),
                            difference ? fmt::format("{:+.1e}", *difference) : "–", compared->at("pass").get<bool>()});
   }
@@ -216,30 +225,8 @@ std::string annuli_text(const ordered_json& annuli) {
   return text.empty() ? "none" : text;
 }
 
-double mdr_bar(const ordered_json& mdr, Quantity quantity, const Scales& scales) {
-  if (quantity == Quantity::cycles_to_shakedown) return number_in(mdr, "cycles_to_shakedown_error").value_or(0);
-  const auto errors = mdr.find("cycle_error");
-  if (errors == mdr.end()) return 0;
-  const auto error = [&](const char* key) {
-    return without_roundoff(quantity, scales, number_in(*errors, key).value_or(0));
-  };
-  switch (quantity) {
-    case Quantity::tangential_force_max:
-    case Quantity::tangential_force_mean:
-      return error("force");
-    case Quantity::friction_work:
-    case Quantity::bulk_work:
-    case Quantity::cycle_work:
-      return error("work");
-    case Quantity::tangential_work:
-      return error("loop");
-    default:
-      return 0;
-  }
-}
-
 std::string mdr_text(const ordered_json& mdr, Quantity quantity, const Scales& scales) {
-  return shown(quantity, scales, number_in(mdr, name_of(quantity)), mdr_bar(mdr, quantity, scales));
+  return reading_text(quantity, scales, stored_reading(mdr, quantity).value_or(Reading{}));
 }
 
 std::string answer_line(const std::string& title, const std::string& first, const std::string& second) {
@@ -252,10 +239,10 @@ std::string volume_text(double cubic_metres) {
   return fmt::format("{:.6g} mm³", cubic_metres * 1e9);
 }
 
-std::string answer_text(const CaseResult& result) {
+std::string answer_text(const CaseResult& result, const ordered_json& json) {
   if (result.fe.fe.gross_slip || result.mdr.gross_slip)
     return fmt::format("{}: {}\n", result.input.name, both_gross_slips(result.fe.fe.gross_slip, result.mdr));
-  const auto answer = answer_of(result_json(result));
+  const auto answer = answer_of(json);
   if (result.beyond_mdr) {
     auto text = fmt::format("{}: {}\n", result.input.name, answer.verdict);
     for (const auto& one : answer.rows) text += answer_line(one.title, one.fe);

@@ -44,8 +44,8 @@ Answer answer_of(const nlohmann::ordered_json& result);
 /// What its differences and error bars are over; 0 where it does not have that.
 Scales scales_of(const nlohmann::ordered_json& result);
 
-/// The error bar of the finite elements' value of a quantity, in its unit; empty: none was measured.
-std::optional<double> bar_of(const nlohmann::ordered_json& result, Quantity quantity);
+/// What finite elements say of a quantity in a result.json, with its error bar as the uncertainty. Empty: they do not.
+std::optional<Reading> fe_reading(const nlohmann::ordered_json& result, Quantity quantity);
 
 /// "its image g(x) falls for x = 502 to 600 µm. MDR's springs would bear +3.1 % and reach -0.2 % further, at rest at
 /// the largest indentation": of the key "not_compared".
@@ -53,10 +53,6 @@ std::string beyond_text(const nlohmann::ordered_json& not_compared);
 
 /// "0 to 502.1 ± 0.4 µm, 610 ± 1 to 702 ± 1 µm", of a list of annuli in such a JSON; "none" without any.
 std::string annuli_text(const nlohmann::ordered_json& annuli);
-
-/// What the springs that were stepped for a quantity may be off by, of the "mdr" of a document; 0 of a closed form, and
-/// where it is roundoff of a scale.
-double mdr_bar(const nlohmann::ordered_json& mdr, Quantity quantity, const Scales& scales);
 
 /// A value of MDR, of the "mdr" of a result.json or of `fretval mdr --json`, null for none: with its unit, and where
 /// springs were stepped for it with what they may be off by; "none".
@@ -68,7 +64,7 @@ std::string answer_line(const std::string& title, const std::string& first, cons
 /// "1.5 mm³"
 std::string volume_text(double cubic_metres);
 
-/// The answer to a case for the terminal.
-std::string answer_text(const CaseResult& result);
+/// The answer to a case for the terminal. json: its result_json.
+std::string answer_text(const CaseResult& result, const nlohmann::ordered_json& json);
 
 }  // namespace fretval

@@ -36,9 +36,10 @@ void finish(const CaseResult& result, const mdr::NormalResponse& reference, cons
   line.pass = passes(result);
   line.compared = !result.beyond_mdr;
   line.open = !line.pass && is_open(result.comparison);
-  line.answer = answer_text(result);
-  line.json = result_json(result).dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
-  if (!options.output.empty()) write_result(result, reference, options.output / line.name);
+  const auto json = result_json(result);
+  line.answer = answer_text(result, json);
+  line.json = json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+  if (!options.output.empty()) write_result(result, json, reference, options.output / line.name);
 }
 
 /// Where the case file does not say: of a single case that is proved.

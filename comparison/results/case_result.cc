@@ -5,7 +5,9 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "comparison/accuracy/fe_readings.h"
 #include "comparison/case/path_table.h"
+#include "comparison/reference/mdr_readings.h"
 #include "comparison/results/field_files.h"
 #include "comparison/results/moduli_files.h"
 #include "comparison/results/period_steps.h"
@@ -158,8 +160,10 @@ CaseResult result_of(const PreparedCase& prepared, const mdr::NormalResponse& re
                     {}};
   if (result.fe.fe.cycles_to_shakedown && proof != Proof::none)
     result.mdr.cycles_to_shakedown = settling_cycles(result.mdr_case, result.mdr, result.fe.resolution.n_ramp_cycles);
-  result.comparison =
-      compare(result.mdr, result.fe.fe, prepared.fem.units.length, prepared.tolerances, result.fe.budget);
+  const auto& fem = prepared.fem;
+  result.comparison = compare(readings_of(result.fe.fe, fem.units),
+                              fem.worn_edge ? readings_of_worn(result.mdr) : readings_of(result.mdr),
+                              scales_of(result.mdr, fem.units.length), prepared.tolerances, result.fe.budget);
   return result;
 }
 
@@ -184,7 +188,8 @@ void withdraw_result(const fs::path& folder) {
   fs::remove(folder / "result.json");
 }
 
-void write_result(const CaseResult& result, const mdr::NormalResponse& reference, const fs::path& folder) {
+void write_result(const CaseResult& result, const nlohmann::ordered_json& json, const mdr::NormalResponse& reference,
+                  const fs::path& folder) {
   fs::create_directories(folder);
   write_profile(result, folder / "profile.csv");
   write_moduli(result.input, result.mdr_case.body, folder);
@@ -192,7 +197,7 @@ void write_result(const CaseResult& result, const mdr::NormalResponse& reference
   write_field_files(result.fe.fe, result.fem_case, result.input.fields.value_or(Case::Fields::none), folder);
   if (result.wear) write_wear(*result.wear, result.input, result.fem_case.units, folder);
   write_file(folder / "run.json", as_text(run_json(result)));
-  write_file(folder / "result.json", as_text(result_json(result)));
+  write_file(folder / "result.json", as_text(json));
 }
 
 }  // namespace fretval

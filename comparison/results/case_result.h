@@ -67,10 +67,11 @@ nlohmann::ordered_json cost_json(const FeAnswer& fe);
 /// Removes the result.json of an earlier run from a folder, if there is one: without it a folder is no result.
 void withdraw_result(const std::filesystem::path& folder);
 
-/// reference: of a case that is compared.
+/// json: result_json. reference: of a case that is compared.
 ///
 /// Writes result.json, run.json, history.csv, contact.csv, cycle.json, profile.csv and, if the case asks for fields,
 /// those (field_files.h), which need the whole body, into a folder, which is made if need be; result.json comes last.
-void write_result(const CaseResult& result, const mdr::NormalResponse& reference, const std::filesystem::path& folder);
+void write_result(const CaseResult& result, const nlohmann::ordered_json& json, const mdr::NormalResponse& reference,
+                  const std::filesystem::path& folder);
 
 }  // namespace fretval

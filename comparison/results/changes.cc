@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 
+#include "comparison/quantities/readings_json.h"
 #include "comparison/results/answer_text.h"
 #include "comparison/results/case_inputs.h"
 
@@ -16,11 +17,6 @@ constexpr double roundoff = 1e-9;  // of answers without a bar: other processors
 
 using nlohmann::ordered_json;
 
-std::optional<double> value_of(const StoredResult& result, const char* key) {
-  const double value = result.number("fe", key);
-  return std::isnan(value) ? std::nullopt : std::optional(value);
-}
-
 double bar_in(const StoredResult& result, const char* key) {
   const auto& comparison = result.json.at("comparison");
   if (!comparison.contains(key)) return 0;
@@ -30,13 +26,14 @@ double bar_in(const StoredResult& result, const char* key) {
 
 std::optional<Change> change_of(const StoredResult& before, const StoredResult& after, Quantity quantity) {
   const char* key = name_of(quantity);
-  Change change{after.json.at("name").get<std::string>(), quantity, value_of(before, key), value_of(after, key)};
-  if (!change.before && !change.after) return std::nullopt;
+  const auto reading = [&](const StoredResult& from) {
+    return stored_reading(from.json.at("fe"), quantity).value_or(Reading{});
+  };
+  const auto old = reading(before), now = reading(after);
+  if (!old.value && !now.value) return std::nullopt;
+  Change change{after.json.at("name").get<std::string>(), quantity, old.value, now.value};
   change.bars = bar_in(before, key) + bar_in(after, key);
-  if (!change.before || !change.after)
-    change.difference = 1;
-  else if (*change.before != *change.after)
-    change.difference = (*change.after - *change.before) / scale_of(quantity, scales_of(before.json), *change.before);
+  if (old.value != now.value) change.difference = difference_of(quantity, now, old, scales_of(before.json)).value_or(1);
   return change;
 }
 

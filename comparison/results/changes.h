@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "comparison/accuracy/quantity.h"
+#include "comparison/quantities/quantity.h"
 #include "comparison/results/results_folder.h"
 
 namespace fretval {

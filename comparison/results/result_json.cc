@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "comparison/accuracy/fe_readings.h"
+#include "comparison/quantities/readings_json.h"
 #include "comparison/reference/mdr_document.h"
 #include "comparison/results/answer_text.h"
 #include "comparison/results/case_inputs.h"
@@ -98,49 +100,26 @@ ordered_json bar_json(const std::optional<ErrorBar>& bar) {
 
 ordered_json fe_json(const CaseResult& result) {
   const auto& fe = result.fe.fe;
-  ordered_json json{{"contact_radius_max", or_null(fe.contact_radius_max)},
-                    {"stick_radius_first_slip", or_null(fe.stick_radius_first_slip)},
-                    {"stick_radius_shakedown", or_null(fe.stick_radius_shakedown)},
-                    {"worn_radius", nullptr},
-                    {"normal_force_max", fe.gross_slip ? ordered_json(nullptr) : ordered_json(fe.normal_force_max)}};
-  if (fe.axis_pressure_max) json["axis_pressure_max"] = *fe.axis_pressure_max;
-  if (fe.indentation_max) json["indentation_max"] = *fe.indentation_max;
-  if (fe.tangential_amplitude) json["tangential_amplitude"] = *fe.tangential_amplitude;
+  const auto& units = result.fem_case.units;
+  auto readings = readings_of(fe, units);
+  readings.erase(Quantity::maximum_indentation);  // has a key of its own
+  readings[Quantity::worn_radius] = {{}, {}, "finite elements did not wear the indenter"};
+  if (result.wear) readings[Quantity::worn_radius] = {result.wear->fe.worn_radius * units.length};
+  ordered_json json;
+  add_readings(readings, json);
+  if (fe.no_wear) json["touch_indentation"] = fe.no_wear->touch_indentation;
   if (fe.gross_slip) json["gross_slip"] = {{"time", fe.gross_slip->time}, {"amplitude", fe.gross_slip->amplitude}};
-  if (fe.no_wear) {
-    json["slip_inside_stick_zone"] = fe.no_wear->slip_inside;
-    json["force_outside_stick_zone"] = fe.no_wear->force_outside;
-    json["touch_indentation"] = fe.no_wear->touch_indentation;
-    json["limiting_amplitude"] = or_null(fe.no_wear->limiting_amplitude);
-  }
-  if (!fe.gross_slip && fe.normal.pressure.size() > 0) {
-    const auto& units = result.fem_case.units;
-    json["friction_work"] =
-        fe.cycle ? fe.cycle->friction_work : fe.friction.dissipated_energy * units.force() * units.depth;
-  }
   if (fe.cycle) {
-    json["tangential_force_max"] = fe.cycle->tangential_force_max;
-    json["tangential_force_mean"] = fe.cycle->tangential_force_mean;
-    if (!fe.single_pass) {
-      json["bulk_work"] = fe.cycle->bulk_work;
-      json["cycle_work"] = fe.cycle->friction_work + fe.cycle->bulk_work;
-      json["tangential_work"] = fe.cycle->tangential_work;
-    }
     json["sliding_force"] = fe.cycle->sliding_force;
     json["sliding_work"] = fe.cycle->sliding_work;
   }
-  if (fe.cycles_to_shakedown) json["cycles_to_shakedown"] = *fe.cycles_to_shakedown;
-  if (fe.slip_decay) json["slip_decay"] = fe.slip_decay->factor;
   json["error_estimate"] = ordered_json::object();
   for (const auto& [quantity, difference] : result.comparison)
     json["error_estimate"][name_of(quantity)] = bar_json(difference.bar);
   if (result.beyond_mdr)
     for (const auto& [quantity, bar] : result.fe.budget) json["error_estimate"][name_of(quantity)] = bar_json(bar);
-  if (fe.zones) json["zones"] = zones_json(*fe.zones, result.fe.zone_bars, result.fem_case.units.length);
-  if (result.wear) {
-    json["worn_radius"] = result.wear->fe.worn_radius * result.fem_case.units.length;
-    json["wear"] = to_json(*result.wear, result.fem_case.units);
-  }
+  if (fe.zones) json["zones"] = zones_json(*fe.zones, result.fe.zone_bars, units.length);
+  if (result.wear) json["wear"] = to_json(*result.wear, units);
   return json;
 }
 

@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "comparison/accuracy/quantity.h"
 #include "comparison/case/case.h"
+#include "comparison/quantities/quantity.h"
 #include "comparison/reference/normal_responses.h"
 #include "comparison/results/batch.h"
 

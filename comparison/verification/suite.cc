@@ -6,10 +6,10 @@
 #include <cmath>
 #include <limits>
 
-#include "comparison/accuracy/compared_quantities.h"
+#include "comparison/accuracy/fe_readings.h"
 #include "comparison/accuracy/prepared_case.h"
 #include "comparison/case/case_file.h"
-#include "comparison/reference/mdr_answer.h"
+#include "comparison/reference/mdr_readings.h"
 #include "comparison/results/estimate.h"
 #include "comparison/support/parallel.h"
 #include "comparison/support/progress.h"
@@ -35,7 +35,9 @@ ComparedQuantities compared_quantities(const PreparedCase& prepared, Proof proof
   const auto& units = prepared.fem.units;
   const bool worn = prepared.fem.worn_edge.has_value();
   const auto reference = mdr_answer(prepared.mdr, mdr_normal_response(prepared.mdr));
-  const auto mdr = quantities_of(reference, units, worn), mdr_errors = stepping_errors_of(reference);
+  const auto readings = worn ? readings_of_worn(reference) : readings_of(reference);
+  const auto scales = scales_of(reference, units.length);
+  const auto mdr = compared_quantities(readings, scales, units), mdr_errors = uncertainties_of(readings, scales);
   const auto fe = quantities_of(answer.fe, units);
   ComparedQuantities all;
   for (const auto& [quantity, exact] : mdr) {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "comparison/accuracy/proof.h"
-#include "comparison/accuracy/quantity.h"
+#include "comparison/quantities/reading.h"
 #include "comparison/simulation/bodies/body_store.h"
 
 namespace fretval {

@@ -49,6 +49,7 @@ House plan() {
   for (const auto& [room, below] : house) libraries.insert(room);
   floors({{"comparison/support"},
           {"comparison/case"},
+          {"comparison/quantities"},
           {"comparison/reference"},
           {"comparison/simulation/fem_case"},
           {"comparison/simulation/bodies"},

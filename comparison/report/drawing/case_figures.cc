@@ -7,8 +7,8 @@
 #include <cmath>
 #include <fstream>
 
-#include "comparison/accuracy/quantity.h"
 #include "comparison/case/case.h"
+#include "comparison/quantities/quantity.h"
 #include "comparison/report/drawing/axis.h"
 #include "comparison/report/drawing/figures.h"
 #include "comparison/report/drawing/moduli_figure.h"

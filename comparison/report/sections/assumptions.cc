@@ -6,7 +6,7 @@
 #include <cmath>
 #include <fstream>
 
-#include "comparison/accuracy/quantity.h"
+#include "comparison/quantities/quantity.h"
 #include "comparison/report/text/numbers.h"
 #include "comparison/results/answer_text.h"
 

@@ -7,7 +7,7 @@
 #include <map>
 #include <tuple>
 
-#include "comparison/accuracy/quantity.h"
+#include "comparison/quantities/quantity.h"
 #include "comparison/report/drawing/figures.h"
 #include "comparison/results/answer_text.h"
 #include "comparison/results/case_inputs.h"
@@ -33,7 +33,8 @@ std::string entry_of(const Family& family) {
 /// Of a quantity that is compared; NaN if none was measured.
 double absolute_bar(const StoredResult& r, Quantity quantity) {
   const bool is_compared = r.json.at("comparison").contains(name_of(quantity));
-  return is_compared ? bar_of(r.json, quantity).value_or(std::nan("")) : std::nan("");
+  if (!is_compared) return std::nan("");
+  return fe_reading(r.json, quantity).value_or(Reading{}).uncertainty.value_or(std::nan(""));
 }
 
 struct Curves {

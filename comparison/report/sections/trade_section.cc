@@ -6,7 +6,7 @@
 #include <map>
 #include <vector>
 
-#include "comparison/accuracy/quantity.h"
+#include "comparison/quantities/quantity.h"
 #include "comparison/report/drawing/figures.h"
 #include "comparison/report/text/numbers.h"
 #include "comparison/report/text/table.h"

@@ -7,6 +7,7 @@
 #include <map>
 #include <optional>
 
+#include "comparison/quantities/readings_json.h"
 #include "comparison/results/answer_text.h"
 
 namespace fretval {
@@ -24,28 +25,16 @@ Families families_of_all(const std::vector<StoredResult>& results) {
   return families;
 }
 
-/// A value, and half of what it may be off; none: a radius where nothing sticks.
-struct Value {
-  std::optional<double> value;
-  double bar = 0;
-};
-
-std::optional<double> finite(double value) {
-  return std::isfinite(value) ? std::optional(value) : std::nullopt;
-}
-
 /// Empty: the quantity is not compared, and not told by finite elements alone.
-std::optional<Value> value_of(const StoredResult& r, const char* side, Quantity quantity) {
+std::optional<Reading> reading_of(const StoredResult& r, const char* side, Quantity quantity) {
   const char* key = name_of(quantity);
-  const auto& comparison = r.json.at("comparison");
   const auto bars = r.json.at("fe").value("error_estimate", ordered_json::object());
-  const bool is_compared = comparison.contains(key);
   const bool is_fe = side == std::string("fe");
-  if (!is_compared && !(is_fe && r.is_beyond_mdr() && bars.contains(key))) return std::nullopt;
-  Value found{finite(r.number(side, key))};
-  if (found.value) found.value = without_roundoff(quantity, scales_of(r.json), *found.value);
-  if (!found.value) return found;
-  found.bar = is_fe ? bar_of(r.json, quantity).value_or(0) : mdr_bar(r.json.at("mdr"), quantity, scales_of(r.json));
+  if (!r.json.at("comparison").contains(key) && !(is_fe && r.is_beyond_mdr() && bars.contains(key)))
+    return std::nullopt;
+  auto found = (is_fe ? fe_reading(r.json, quantity) : stored_reading(r.json.at("mdr"), quantity)).value_or(Reading{});
+  for (auto* number : {&found.value, &found.uncertainty})
+    if (*number) *number = without_roundoff(quantity, scales_of(r.json), **number);
   return found;
 }
 
@@ -59,23 +48,25 @@ std::string range_text(const std::string& least, const std::string& most) {
 
 /// Of all members of a family.
 std::string values_text(const std::vector<const StoredResult*>& family, const char* side, Quantity quantity) {
-  std::vector<Value> values;
+  std::vector<Reading> values;
   for (const auto* r : family)
-    if (const auto value = value_of(*r, side, quantity)) values.push_back(*value);
+    if (const auto value = reading_of(*r, side, quantity)) values.push_back(*value);
   if (values.empty()) return "–";
-  const auto shown = [&](const Value& one) {
-    return one.value ? with_unit(*one.value, one.bar, traits_of(quantity).unit) : std::string("none");
+  const auto shown = [&](const Reading& one) {
+    return one.value ? with_unit(*one.value, one.uncertainty.value_or(0), traits_of(quantity).unit)
+                     : std::string("none");
   };
-  const auto below = [](const Value& a, const Value& b) { return a.value < b.value; };
+  const auto below = [](const Reading& a, const Reading& b) { return a.value < b.value; };
   const auto [least, most] = std::minmax_element(values.begin(), values.end(), below);
-  const bool same = least->value && most->value &&
-                    *most->value - *least->value <= std::max(the_same * std::abs(*most->value), most->bar);
+  const bool same =
+      least->value && most->value &&
+      *most->value - *least->value <= std::max(the_same * std::abs(*most->value), most->uncertainty.value_or(0));
   return same ? shown(*most) : range_text(shown(*least), shown(*most));
 }
 
 bool has(const std::vector<const StoredResult*>& family, Quantity quantity) {
   return std::any_of(family.begin(), family.end(),
-                     [&](const auto* r) { return value_of(*r, "fe", quantity).has_value(); });
+                     [&](const auto* r) { return reading_of(*r, "fe", quantity).has_value(); });
 }
 
 /// Of a family with nothing to compare.

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "comparison/accuracy/quantity.h"
+#include "comparison/quantities/quantity.h"
 #include "comparison/report/text/table.h"
 #include "comparison/results/results_folder.h"
 

@@ -8,7 +8,7 @@
 #include <set>
 
 #include "comparison/accuracy/proof.h"
-#include "comparison/accuracy/quantity.h"
+#include "comparison/quantities/quantity.h"
 #include "comparison/report/sections/values_table.h"
 #include "comparison/report/text/numbers.h"
 #include "comparison/report/text/table.h"

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "comparison/reference/mdr_document.h"
+#include "comparison/reference/mdr_readings.h"
 #include "comparison/results/estimate.h"
 #include "comparison/simulation/bodies/body.h"
 #include "comparison/simulation/compute_case.h"
@@ -44,15 +45,18 @@ TradeLevel attempted(TradeLevel level, const Compute& compute) {
   return level;
 }
 
-Quantities quantities_of(const mdr::SpringHistory& history, const PreparedCase& prepared) {
-  const auto& units = prepared.fem.units;
+Readings readings_of(const mdr::SpringHistory& history, const mdr::Profile& profile) {
   const auto radius = [&](double depth) {
-    return depth > 0 ? mdr::inverse_transform(prepared.mdr.profile, depth) / units.length : 0;
+    return Reading{depth > 0 ? std::optional(mdr::inverse_transform(profile, depth)) : std::nullopt};
   };
-  const double force = *std::max_element(history.normal_force.begin(), history.normal_force.end());
-  return {{Quantity::normal_force_max, std::log(force / units.force())},
+  return {{Quantity::normal_force_max, {*std::max_element(history.normal_force.begin(), history.normal_force.end())}},
           {Quantity::stick_radius_first_slip, radius(history.depths.first_slip)},
           {Quantity::stick_radius_shakedown, radius(history.depths.shakedown)}};
+}
+
+/// Of what the motion settles to, which is over none of the forces of sliding.
+Quantities in_units_of(const FemCase& fem, Readings readings) {
+  return compared_quantities(readings, {fem.units.length, 1, 1}, fem.units);
 }
 
 TradeLevel spring_level(const PreparedCase& prepared, const Quantities& reference, const SpringSetting& setting) {
@@ -61,7 +65,8 @@ TradeLevel spring_level(const PreparedCase& prepared, const Quantities& referenc
                      Stopwatch watch;
                      const auto answer = spring_answer(prepared.input, setting);
                      level.seconds = watch.lap();
-                     level.errors = errors_of(quantities_of(answer.history, prepared), reference);
+                     const auto readings = readings_of(answer.history, prepared.mdr.profile);
+                     level.errors = errors_of(in_units_of(prepared.fem, readings), reference);
                    });
 }
 
@@ -134,7 +139,8 @@ std::map<std::string, double> expected_seconds(const PreparedCase& prepared, con
 
 std::vector<TradeLevel> computed_levels(const PreparedCase& prepared, const TradePlan& plan) {
   const auto exact = mdr_answer(prepared.mdr, mdr_normal_response(prepared.mdr));
-  const auto reference = quantities_of(exact, prepared.fem.units, prepared.fem.worn_edge.has_value());
+  const auto reference =
+      in_units_of(prepared.fem, prepared.fem.worn_edge ? readings_of_worn(exact) : readings_of(exact));
   const bool has_springs = !prepared.mdr.limiting && prepared.input.motion.phase;
   Progress progress(plan.settings.size() + plan.full.size() + (has_springs ? spring_settings.size() : 0) + 1,
                     expected_seconds(prepared, plan));

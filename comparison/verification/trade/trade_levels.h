@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "comparison/accuracy/compared_quantities.h"
+#include "comparison/accuracy/fe_readings.h"
 #include "comparison/accuracy/prepared_case.h"
 #include "comparison/verification/trade/trade_plan.h"
 

@@ -24,7 +24,7 @@ TEST(CaseResult, IsReadBackAsItIsWritten) {
   const auto result = result_of(prepared, reference, Proof::none, prove(prepared, Proof::none, bodies));
   const ScratchFolder folder;
   const auto place = folder.path() / "new" / "case";
-  write_result(result, reference, place);
+  write_result(result, result_json(result), reference, place);
   const auto stored = read_results(folder.path()).at(0);
   EXPECT_EQ(stored.number("fe", "stick_radius_shakedown"), result.fe.fe.stick_radius_shakedown.value());
   EXPECT_EQ(stored.number("mdr", "stick_radius_shakedown"), result.mdr.stick_radius_shakedown.value());
@@ -50,7 +50,7 @@ TEST(CaseResult, IsReadBackAsItIsWritten) {
 /// What of a result is written to one of its files.
 std::string written(const CaseResult& result, const char* file) {
   const ScratchFolder folder;
-  write_result(result, made_up_reference(), folder.path());
+  write_result(result, result_json(result), made_up_reference(), folder.path());
   return text_of(folder.path() / file);
 }
 
@@ -82,7 +82,8 @@ double worn_off(double radius, double c, double deepest, double r) {
 // R = 1e-2 m, 1.2e-4 m deep, c = 6e-4 m.
 TEST(CaseResult, HasItsProfilesInMetres) {
   const ScratchFolder folder;
-  write_result(made_up_result(), made_up_reference(), folder.path());
+  const auto result = made_up_result();
+  write_result(result, result_json(result), made_up_reference(), folder.path());
   const auto [r, unworn] = read_columns(folder.path() / "profile.csv", "r [m]", "f unworn [m]");
   const auto limiting = read_columns(folder.path() / "profile.csv", "r [m]", "f limiting [m]").second;
   ASSERT_EQ(r.size(), 400U);

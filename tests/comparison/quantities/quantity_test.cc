@@ -1,4 +1,4 @@
-#include "comparison/accuracy/quantity.h"
+#include "comparison/quantities/quantity.h"
 
 #include <gtest/gtest.h>
 
@@ -39,6 +39,8 @@ TEST(Quantity, HasAScaleInItsOwnUnit) {
   EXPECT_EQ(scale_of(Quantity::tangential_force_mean, scales, -7), 3);
   EXPECT_EQ(scale_of(Quantity::friction_work, scales, -7), 5);
   EXPECT_EQ(scale_of(Quantity::tangential_force_max, scales, -7), 7);
+  EXPECT_EQ(scale_of(Quantity::limiting_amplitude, scales, -7), 1) << "it is a ratio";
+  EXPECT_EQ(scale_of(Quantity::contact_radius_max, {0, 3, 5}, -7), 7) << "without a radius that is known";
 }
 
 // Against the sliding force; of what is compared relatively nothing is roundoff.

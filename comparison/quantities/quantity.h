@@ -116,6 +116,7 @@ struct QuantityTraits {
   /// show all of that. Empty: as without memory.
   std::optional<ExpectedOrder> rings_with_memory;
   RefinedFor refined_for = RefinedFor::any_case;
+  bool of_friction = false;  ///< friction has a part in it: how rings are held in a step matters
   /// It tells how a motion settles, of which neither method knows as much as of what it settles to.
   bool of_settling = false;
 };
@@ -123,9 +124,12 @@ const QuantityTraits& traits_of(Quantity quantity);
 
 /// What differences and error bars of a quantity may be over besides its value.
 struct Scales {
-  double contact_radius;               ///< m, unworn
+  double contact_radius;               ///< m, unworn; 0: none that is known, and radii are compared relatively
   double sliding_force, sliding_work;  ///< N, J; see fem::CycleResponse
 };
+
+/// Whether differences are over the value itself.
+bool is_relative(Quantity quantity, const Scales& scales);
 
 /// What differences and error bars of a quantity are over, in its own unit.
 double scale_of(Quantity quantity, const Scales& scales, double value);
@@ -142,9 +146,5 @@ std::string column_of(Quantity quantity, const std::string& who = "");
 
 /// By its name in result.json; empty: there is none of that name.
 std::optional<Quantity> quantity_of(const std::string& name);
-
-/// In the units of comparison: radii over the unworn contact radius (0: nothing sticks), logarithms of forces and of
-/// what they make the indenter do, so that differences are relative.
-using Quantities = std::map<Quantity, double>;
 
 }  // namespace fretval

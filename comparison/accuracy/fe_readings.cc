@@ -1,0 +1,107 @@
+#include "comparison/accuracy/fe_readings.h"
+
+#include <cmath>
+
+namespace fretval {
+namespace {
+
+/// Without memory friction takes all that is lost. Of a single pass nobody tells what the body has kept.
+void add_cycle(const fem::CycleResponse& cycle, bool single_pass, Readings& readings) {
+  const auto& [force_max, force_mean, friction, loss, loop] = cycle.uncertainty;
+  const bool has_memory = cycle.bulk_work > 0;
+  readings[Quantity::tangential_force_max] = {cycle.tangential_force_max, force_max};
+  readings[Quantity::tangential_force_mean] = {cycle.tangential_force_mean, force_mean};
+  readings[Quantity::friction_work] = {cycle.friction_work, friction};
+  if (single_pass) return;
+  readings[Quantity::bulk_work] = {cycle.bulk_work, loss + friction, "", has_memory};
+  readings[Quantity::cycle_work] = {cycle.friction_work + cycle.bulk_work, loss, "", has_memory};
+  readings[Quantity::tangential_work] = {cycle.tangential_work, loop, "", has_memory};
+}
+
+/// Of a limiting profile.
+void add_no_wear(const NoWearEvidence& evidence, Readings& readings) {
+  readings[Quantity::slip_inside_stick_zone] = {evidence.slip_inside};
+  readings[Quantity::force_outside_stick_zone] = {evidence.force_outside};
+  readings[Quantity::maximum_indentation] = {evidence.touch_indentation};
+  readings[Quantity::limiting_amplitude] = {
+      evidence.limiting_amplitude, {}, "nothing moves tangentially", evidence.limiting_amplitude.has_value()};
+}
+
+/// Zones that may be annuli are told as such, and have bars of their own (ZoneBudget).
+void only_tell_what_zones_say(Readings& readings) {
+  for (const auto quantity :
+       {Quantity::stick_radius_first_slip, Quantity::stick_radius_shakedown, Quantity::axis_pressure_max})
+    if (const auto found = readings.find(quantity); found != readings.end()) found->second.is_compared = false;
+}
+
+/// One of m is a radius or a depth.
+double unit_of(Quantity quantity, const Units& units) {
+  const std::string unit = traits_of(quantity).unit;
+  if (unit == "N") return units.force();
+  if (unit == "J") return units.force() * units.depth;
+  if (unit == "Pa") return units.pressure();
+  if (unit != "m") return 1;
+  return quantity == Quantity::contact_radius_max ? units.length : units.depth;
+}
+
+double compared_value(Quantity quantity, double value, const Scales& scales, const Units& units) {
+  if (is_relative(quantity, scales)) return std::log(value / unit_of(quantity, units));
+  return value / scale_of(quantity, scales, value);
+}
+
+}  // namespace
+
+Readings readings_of(const FeAnswer& fe, const Units& units) {
+  const bool slides = fe.gross_slip.has_value();
+  const std::string sliding = "the whole contact slides", no_stick = slides ? sliding : "nothing sticks";
+  const bool has_radius = fe.contact_radius_max.has_value();
+  Readings readings{
+      {Quantity::contact_radius_max,
+       {fe.contact_radius_max, fe.contact_radius_uncertainty,
+        slides ? sliding : "the flank of a worn profile touches without pressure", has_radius}},
+      {Quantity::stick_radius_first_slip, {fe.stick_radius_first_slip, fe.first_slip_uncertainty, no_stick, !slides}},
+      {Quantity::stick_radius_shakedown,
+       {fe.stick_radius_shakedown, fe.shakedown_uncertainty,
+        fe.single_pass ? "a single pass has no periodic state" : no_stick, !slides && !fe.single_pass}}};
+  if (slides) {
+    readings[Quantity::normal_force_max] = {{}, {}, sliding, false};
+    return readings;
+  }
+  readings[Quantity::normal_force_max] = {fe.normal_force_max, fe.normal_force_uncertainty, "", !fe.indentation_max};
+  if (fe.axis_pressure_max) readings[Quantity::axis_pressure_max] = {fe.axis_pressure_max};
+  if (fe.indentation_max) readings[Quantity::indentation_max] = {fe.indentation_max, fe.indentation_uncertainty};
+  if (fe.tangential_amplitude) readings[Quantity::tangential_amplitude] = {fe.tangential_amplitude};
+  if (fe.cycle)
+    add_cycle(*fe.cycle, fe.single_pass, readings);
+  else if (fe.normal.pressure.size() > 0)  // not compared: of a cycle that stands for none, or of a worn indenter
+    readings[Quantity::friction_work] = {fe.friction.dissipated_energy * units.force() * units.depth, {}, "", false};
+  if (fe.slip_decay) readings[Quantity::slip_decay] = {fe.slip_decay->factor, fe.slip_decay->uncertainty};
+  if (fe.cycles_to_shakedown)
+    readings[Quantity::cycles_to_shakedown] = {fe.cycles_to_shakedown, fe.cycles_to_shakedown_uncertainty};
+  if (fe.no_wear) add_no_wear(*fe.no_wear, readings);
+  if (fe.zones) only_tell_what_zones_say(readings);
+  return readings;
+}
+
+Scales scales_of(const FeAnswer& fe, const Units& units) {
+  Scales scales{fe.zones ? 0 : units.length, 0, 0};
+  if (fe.cycle) {
+    scales.sliding_force = fe.cycle->sliding_force;
+    scales.sliding_work = fe.cycle->sliding_work;
+  }
+  return scales;
+}
+
+Quantities compared_quantities(const Readings& readings, const Scales& scales, const Units& units) {
+  Quantities quantities;
+  for (const auto& [quantity, reading] : readings)
+    if (reading.is_compared && (reading.value || !is_relative(quantity, scales)))
+      quantities[quantity] = reading.value ? compared_value(quantity, *reading.value, scales, units) : 0;
+  return quantities;
+}
+
+Quantities quantities_of(const FeAnswer& fe, const Units& units) {
+  return compared_quantities(readings_of(fe, units), scales_of(fe, units), units);
+}
+
+}  // namespace fretval

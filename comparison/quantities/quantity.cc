@@ -1,0 +1,103 @@
+#include "comparison/quantities/quantity.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fretval {
+
+const QuantityTraits& traits_of(Quantity quantity) {
+  constexpr auto none = RefinedFor::none, any = RefinedFor::any_case, cycles = RefinedFor::cycles;
+  constexpr bool friction = true, settling = true;
+  // In the order of the enumeration.
+  static constexpr std::array<QuantityTraits, all_quantities.size()> table{{
+      {"axis_pressure_max", "largest pressure on the axis", "pressure", "relative", "Pa", 1, {1}, {}, none},
+      {"bulk_work", "energy lost in the body", "bulk loss", "relative", "J", 1, {2}, {}, cycles, friction},
+      {"contact_radius_max", "largest contact radius", "contact radius", "over a", "m", 10, {3}, {}},
+      {"cycle_work", "energy lost altogether", "loss", "relative", "J", 1, {2}, {}, cycles, friction},
+      {"cycles_to_shakedown", "cycles to shakedown", "cycles", "relative", "cycles", 1, {1}, {}, none, false, settling},
+      {"distance_to_limit", "distance from the limiting profile", "distance", "over a and d max", "", 0.5, {2}, {}},
+      {"force_outside_stick_zone", "force outside c", "force outside", "over the force", "", 1, {1}, {}},
+      {"friction_work", "energy lost to friction", "friction", "over sliding", "J", 10, {2}, {}, cycles, friction},
+      {"indentation_max", "largest indentation", "largest depth", "relative", "m", 10, {3}, ExpectedOrder{2, 6}},
+      {"limiting_amplitude",
+       "amplitude at which slip begins inside c",
+       "amplitude",
+       "over that of the case",
+       "",
+       1,
+       {1},
+       {}},
+      {"maximum_indentation",
+       "indentation at which the flank touches",
+       "indentation",
+       "over the largest",
+       "",
+       1,
+       {1},
+       {}},
+      {"normal_force_max", "largest normal force", "normal force", "relative", "N", 10, {3}, ExpectedOrder{2, 6}},
+      {"slip_decay", "decay of slip in a cycle", "slip decay", "relative", "", 1, {2}, {}, none, false, settling},
+      {"slip_inside_stick_zone", "slip inside c", "slip inside", "over the amplitude", "", 1, {1}, {}},
+      {"stick_radius_first_slip", "stick radius, first slip", "first slip", "over a", "m", 1, {3}, {}, any, friction},
+      {"stick_radius_shakedown", "stick radius, shakedown", "shakedown", "over a", "m", 1, {3}, {}, any, friction},
+      {"tangential_amplitude", "tangential amplitude", "u_x", "relative", "m", 1, {2}, {}, any, friction},
+      {"tangential_force_max",
+       "largest tangential force",
+       "tangential force",
+       "relative",
+       "N",
+       1,
+       {2},
+       {},
+       cycles,
+       friction},
+      {"tangential_force_mean",
+       "mean tangential force",
+       "mean force",
+       "over sliding",
+       "N",
+       1,
+       {2},
+       {},
+       cycles,
+       friction},
+      {"tangential_work", "area of the tangential loop", "loop", "relative", "J", 1, {2}, {}, cycles, friction},
+      {"worn_radius", "outer radius of the wear", "worn radius", "over a", "m", 0.2, {2}, {}},
+      {"worn_volume", "worn volume", "worn volume", "over that of the limit", "m³", 0.5, {2}, {}, any, friction},
+  }};
+  return table[static_cast<std::size_t>(quantity)];
+}
+
+bool is_relative(Quantity quantity, const Scales& scales) {
+  const std::string scale = traits_of(quantity).scale;
+  return scale == "relative" || (scale == "over a" && scales.contact_radius == 0);
+}
+
+double scale_of(Quantity quantity, const Scales& scales, double value) {
+  if (is_relative(quantity, scales)) return std::abs(value);
+  const std::string scale = traits_of(quantity).scale;
+  if (scale == "over sliding") return quantity == Quantity::friction_work ? scales.sliding_work : scales.sliding_force;
+  return scale == "over a" ? scales.contact_radius : 1;
+}
+
+double without_roundoff(Quantity quantity, const Scales& scales, double value) {
+  constexpr double roundoff = 1e-12;
+  return std::abs(value) < roundoff * scale_of(quantity, scales, value) ? 0 : value;
+}
+
+std::string column_of(Quantity quantity, const std::string& who) {
+  const auto& traits = traits_of(quantity);
+  std::string title = traits.title;
+  // A comma would end the column.
+  if (const auto comma = title.find(", "); comma != std::string::npos)
+    title = title.substr(0, comma) + " (" + title.substr(comma + 2) + ")";
+  return title + who + (*traits.unit ? " [" + std::string(traits.unit) + "]" : " [1]");
+}
+
+std::optional<Quantity> quantity_of(const std::string& name) {
+  const auto found =
+      std::find_if(all_quantities.begin(), all_quantities.end(), [&](Quantity q) { return name == name_of(q); });
+  return found == all_quantities.end() ? std::nullopt : std::optional(*found);
+}
+
+}  // namespace fretval

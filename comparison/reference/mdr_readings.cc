@@ -1,0 +1,65 @@
+#include "comparison/reference/mdr_readings.h"
+
+namespace fretval {
+namespace {
+
+/// Closed forms are not off by anything.
+std::optional<double> if_any(double error) {
+  return error > 0 ? std::optional(error) : std::nullopt;
+}
+
+/// Without memory friction takes all that is lost. Of a single pass nobody tells what the body has kept.
+void add_cycle(const MdrCycle& cycle, bool single_pass, Readings& readings) {
+  const auto force = if_any(cycle.force_error), work = if_any(cycle.work_error), loop = if_any(cycle.loop_error);
+  const bool has_memory = cycle.bulk_work > 0;
+  if (cycle.knows_largest_force) readings[Quantity::tangential_force_max] = {cycle.tangential_force_max, force};
+  readings[Quantity::tangential_force_mean] = {cycle.tangential_force_mean, force};
+  readings[Quantity::friction_work] = {cycle.friction_work, work};
+  if (single_pass) return;
+  readings[Quantity::bulk_work] = {cycle.bulk_work, work, "", has_memory};
+  readings[Quantity::cycle_work] = {cycle.friction_work + cycle.bulk_work, work, "", has_memory};
+  readings[Quantity::tangential_work] = {cycle.tangential_work, loop, "", has_memory};
+}
+
+}  // namespace
+
+Readings readings_of(const MdrAnswer& answer) {
+  const std::string slides = answer.gross_slip ? "the whole contact slides" : "",
+                    nothing_sticks = slides.empty() ? "nothing sticks" : slides,
+                    in_a_pass = "a single pass has no periodic state";
+  Readings readings{
+      {Quantity::contact_radius_max, {answer.contact_radius_max, {}, "no contact carries the force without slip"}},
+      {Quantity::stick_radius_first_slip, {answer.stick_radius_first_slip, {}, nothing_sticks}},
+      {Quantity::stick_radius_shakedown,
+       {answer.stick_radius_shakedown, {}, answer.single_pass ? in_a_pass : nothing_sticks, !answer.single_pass}},
+      {Quantity::worn_radius, {answer.worn_radius, {}, answer.single_pass ? in_a_pass : "wear goes on", false}},
+      {Quantity::normal_force_max,
+       {answer.normal_force_max, if_any(answer.normal_force_error), "not computed", !answer.indentation_max}},
+      {Quantity::limiting_amplitude,
+       {answer.limiting_amplitude, {}, "the indenter is not worn", answer.limiting_amplitude.has_value()}}};
+  if (answer.axis_pressure)
+    readings[Quantity::axis_pressure_max] = {answer.axis_pressure->largest, if_any(answer.axis_pressure->error)};
+  if (answer.indentation_max) readings[Quantity::indentation_max] = {answer.indentation_max};
+  if (answer.tangential_amplitude) readings[Quantity::tangential_amplitude] = {answer.tangential_amplitude};
+  if (answer.cycle) add_cycle(*answer.cycle, answer.single_pass, readings);
+  if (answer.slip_decay) readings[Quantity::slip_decay] = {answer.slip_decay};
+  if (const auto& settling = answer.cycles_to_shakedown)
+    readings[Quantity::cycles_to_shakedown] = {settling->cycles, if_any(settling->error)};
+  for (auto& [quantity, reading] : readings) reading.is_compared = reading.is_compared && !answer.gross_slip;
+  return readings;
+}
+
+Readings readings_of_worn(const MdrAnswer& answer) {
+  auto readings = readings_of(answer);
+  if (answer.wears_no_more()) readings[Quantity::slip_inside_stick_zone] = {0};
+  readings[Quantity::force_outside_stick_zone] = {0};
+  readings[Quantity::maximum_indentation] = {1};
+  return readings;
+}
+
+Scales scales_of(const MdrAnswer& answer, double contact_radius) {
+  if (!answer.cycle) return {contact_radius, 0, 0};
+  return {contact_radius, answer.cycle->sliding_force, answer.cycle->sliding_work};
+}
+
+}  // namespace fretval

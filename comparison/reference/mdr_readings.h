@@ -1,0 +1,19 @@
+#pragma once
+
+#include "comparison/quantities/reading.h"
+#include "comparison/reference/mdr_answer.h"
+
+namespace fretval {
+
+/// What MDR says of each quantity, those without a value as well that every case could have. Springs that were stepped
+/// in time tell by how much they may be off.
+Readings readings_of(const MdrAnswer& answer);
+
+/// The same with what MDR expects of a profile in which nothing wears any more: no slip inside, no force outside, the
+/// flank touches at the largest indentation.
+Readings readings_of_worn(const MdrAnswer& answer);
+
+/// contact_radius: m, unworn.
+Scales scales_of(const MdrAnswer& answer, double contact_radius);
+
+}  // namespace fretval

@@ -1,0 +1,44 @@
+#include "comparison/quantities/reading.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace fretval {
+namespace {
+
+const Scales scales{2, 3, 5};
+
+TEST(Reading, DiffersOverTheScaleOfItsQuantity) {
+  EXPECT_EQ(difference_of(Quantity::stick_radius_shakedown, {1.5}, {1}, scales), 0.25);
+  EXPECT_EQ(difference_of(Quantity::normal_force_max, {5}, {4}, scales), 0.25);
+  EXPECT_EQ(difference_of(Quantity::friction_work, {5}, {0}, scales), 1);
+}
+
+TEST(Reading, ThatOnlyOneHasIsADifferenceOfAllOfIt) {
+  constexpr auto radius = Quantity::stick_radius_shakedown;
+  EXPECT_FALSE(difference_of(radius, {1.5}, {{}}, scales));
+  EXPECT_EQ(only_one_of(radius, {1.5}, {{}}, scales), 0.75);
+  EXPECT_EQ(only_one_of(radius, {{}}, {1.5}, scales), -0.75);
+  EXPECT_EQ(only_one_of(radius, {{}}, {{}}, scales), 0);
+  EXPECT_EQ(only_one_of(radius, {1.5}, {1}, scales), 0);
+}
+
+TEST(Reading, IsUncertainOverItsScaleWhereItIsCompared) {
+  const Readings readings{{Quantity::normal_force_max, {4, 1}},
+                          {Quantity::stick_radius_shakedown, {{}, 1}},
+                          {Quantity::axis_pressure_max, {4}},
+                          {Quantity::friction_work, {4, 1, "", false}}};
+  EXPECT_EQ(uncertainties_of(readings, scales),
+            (Quantities{{Quantity::normal_force_max, 0.25}, {Quantity::stick_radius_shakedown, 0.5}}));
+}
+
+TEST(Reading, HasErrorsWhereBothHaveIt) {
+  const auto a = Quantity::contact_radius_max, b = Quantity::normal_force_max, c = Quantity::stick_radius_shakedown;
+  EXPECT_EQ(errors_of({{a, 1}, {b, 2}}, {{b, 5}, {c, 0}}), (Quantities{{b, 3}}));
+  EXPECT_EQ(largest_of({{a, 1}, {b, 2}}), 2);
+  EXPECT_TRUE(std::isnan(largest_of({})));
+}
+
+}  // namespace
+}  // namespace fretval
