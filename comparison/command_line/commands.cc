@@ -18,6 +18,7 @@
 #include "comparison/command_line/run_command.h"
 #include "comparison/command_line/store_command.h"
 #include "comparison/command_line/trade_command.h"
+#include "comparison/command_line/trust_command.h"
 #include "comparison/report/report.h"
 #include "comparison/support/closest.h"
 #include "comparison/support/log.h"
@@ -69,6 +70,7 @@ void add_commands(CLI::App& app, Command& command) {
     MdrOptions mdr;
     CheckOptions check;
     StoreOptions store;
+    TrustOptions trust;
   };
   const auto options = std::make_shared<Options>();
 
@@ -140,6 +142,18 @@ void add_commands(CLI::App& app, Command& command) {
       return exit_agree;
     };
   });
+
+  auto* trust = app.add_subcommand(
+      "trust",
+      "How far MDR can be trusted in a case, and why: its assumptions dropped one at a time, by finite elements");
+  trust->add_option("case", options->file, "Case file (.prm or .json) with a single case")->required();
+  trust->add_flag("--json", options->trust.json, "Print JSON");
+  trust->add_option_function<std::string>(
+      "--at-most", [=](const std::string& text) { options->trust.at_most = share_of(text); },
+      "Exit with 1 where a radius of MDR is off by more than this, as \"5 %\"");
+  add_store_options(*trust, options->trust.store);
+  trust->add_flag("--no-store", options->trust.store.none, "Make all operators, and keep none");
+  trust->callback([=, &command] { command = [=] { return run_trust(options->file, options->trust); }; });
 
   auto* trade = app.add_subcommand("trade", "The speed-accuracy front of a case; writes trade.json");
   trade->add_option("case", options->file, "Case file (.prm or .json) with a single case")->required();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -21,7 +22,8 @@ class NormalResponses {
 
  private:
   using Indenter = std::tuple<Case::Shape, double, double, double, double, double, double, std::string, double>;
-  using Body = std::tuple<double, std::vector<double>, std::vector<double>, double>;
+  using Layer = std::tuple<double, double, bool>;  // thickness, Poisson's ratio, bonded
+  using Body = std::tuple<double, std::vector<double>, std::vector<double>, double, std::optional<Layer>>;
   using Motion = std::tuple<bool, double, std::vector<std::tuple<double, double, double>>>;
   /// Last the stick radius of the limiting profile, or 0.
   MadeOnce<std::tuple<Indenter, Body, Motion, double>, mdr::NormalResponse> responses_;

@@ -66,7 +66,7 @@ std::optional<ContactBody> made_body(const BodyDescription& body, const Ranks& r
   if (!ranks.are_several()) return contact_body(make_body(body));
   const fem::Share share{static_cast<unsigned>(ranks.number()), static_cast<unsigned>(ranks.count())};
   const auto make = [&](const std::string& wanted) { return operators_made_together(wanted, share); };
-  if (ranks.is_first()) return distributed_body(body, {0, ranks.count(), make}, nullptr);
+  if (ranks.is_first()) return distributed_body(body, {}, {0, ranks.count(), make}, nullptr);
   make(text_of(body));
   return std::nullopt;
 }

@@ -57,7 +57,7 @@ void from_store(benchmark::State& state) {
   const auto body = specification(state);
   OperatorStore operators(folder);
   keep_body(body, make_body(body), operators);
-  for ([[maybe_unused]] auto _ : state) benchmark::DoNotOptimize(kept_body(body, operators));
+  for ([[maybe_unused]] auto _ : state) benchmark::DoNotOptimize(kept_body(body, {}, operators));
   fs::remove_all(folder);
 }
 

@@ -56,7 +56,7 @@ House plan() {
           {"comparison/simulation"},
           {"comparison/accuracy"},
           {"comparison/results"},
-          {"comparison/verification"},
+          {"comparison/trust", "comparison/verification"},
           {"comparison/verification/exact", "comparison/verification/tolerance", "comparison/verification/extremes",
            "comparison/verification/random_cases", "comparison/verification/small", "comparison/verification/trade"}},
          libraries);

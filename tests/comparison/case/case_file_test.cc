@@ -56,13 +56,15 @@ TEST(CaseFile, ReadsBodies) {
   EXPECT_TRUE(layer.is_bonded);
   const auto still = replace(valid_case, "Tangential amplitude = 1.5e-5", "Tangential amplitude = 0");
   const auto cylinder =
-      read_one(on("set Shape = cylinder\nset Thickness = 3 mm\nset Radius = 1 cm\nset Base = frictionless\n", still)).body;
+      read_one(on("set Shape = cylinder\nset Thickness = 3 mm\nset Radius = 1 cm\nset Base = frictionless\n", still))
+          .body;
   EXPECT_EQ(cylinder.shape, Case::Body::Shape::cylinder);
   EXPECT_DOUBLE_EQ(cylinder.radius, 1e-2);
   EXPECT_FALSE(cylinder.is_bonded);
   EXPECT_EQ(read_one(valid_case).elastomer.poisson_ratio, 0.5);
-  EXPECT_EQ(read_one(replace(valid_case, "set Rheology", "set Poisson ratio = 0.3\nset Rheology")).elastomer.poisson_ratio,
-            0.3);
+  EXPECT_EQ(
+      read_one(replace(valid_case, "set Rheology", "set Poisson ratio = 0.3\nset Rheology")).elastomer.poisson_ratio,
+      0.3);
 }
 
 TEST(CaseFile, RefusesImpossibleBodies) {
@@ -72,11 +74,14 @@ TEST(CaseFile, RefusesImpossibleBodies) {
   names(on("set Shape = slab\n"), "expected one of half space, layer, cylinder");
   names(on("set Shape = layer\nset Base = bonded\n"), "Body / Thickness");
   names(on("set Shape = layer\nset Thickness = 1 mm\n"), "Body / Base");
-  names(on("set Shape = layer\nset Thickness = 1 mm\nset Radius = 1 mm\nset Base = bonded\n"), "belongs to Shape = cylinder");
+  names(on("set Shape = layer\nset Thickness = 1 mm\nset Radius = 1 mm\nset Base = bonded\n"),
+        "belongs to Shape = cylinder");
   names(on("set Thickness = 1 mm\n"), "belongs to Shape = layer or cylinder");
-  names(on("set Shape = layer\nset Thickness = 1 mm\nset Base = frictionless\n"), "holds the body against the tangential");
+  names(on("set Shape = layer\nset Thickness = 1 mm\nset Base = frictionless\n"),
+        "holds the body against the tangential");
   for (const char* nu : {"-0.1", "0.51", "nan"})
-    names(replace(valid_case, "set Rheology", std::string("set Poisson ratio = ") + nu + "\nset Rheology"), "from 0 to 0.5");
+    names(replace(valid_case, "set Rheology", std::string("set Poisson ratio = ") + nu + "\nset Rheology"),
+          "from 0 to 0.5");
 }
 
 TEST(CaseFile, ReadsAnUnlockedPhase) {

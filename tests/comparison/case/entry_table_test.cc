@@ -34,7 +34,8 @@ TEST(EntryTable, WhatWasMeantIsSaidAndNotMissingAsWell) {
   expect_parts(no_such_entry("Indenter", "Radios", problems), {"did you mean Radius?", "Valid entries of Indenter: "});
   EXPECT_EQ(problems.meant.count("Motion"), 1U);
   EXPECT_EQ(problems.meant.count("Indenter / Radius"), 1U);
-  expect_parts(no_such_entry("Elastomer", "Poisson's ratio", problems), {"Poisson ratio = 0.49", "1/2 where it is not set"});
+  expect_parts(no_such_entry("Elastomer", "Poisson's ratio", problems),
+               {"Poisson ratio = 0.49", "1/2 where it is not set"});
   expect_parts(no_such_entry("Elastomer", "Young's modulus", problems), {"Relaxed shear modulus = E/3"});
   expect_parts(no_such_entry("Friction", "Phase", problems), {"did you mean Motion / Phase?"});
 }

@@ -31,7 +31,7 @@ void expect_near(const fem::ContactProblem& a, const fem::ContactProblem& b) {
 TEST_F(DistributedBody, IsTheOneThatOneProcessMakes) {
   for (const bool tangential : {false, true}) {
     const auto expected = contact_body(make_body(small_body(tangential)));
-    const auto body = distributed_body(small_body(tangential), counted_, nullptr);
+    const auto body = distributed_body(small_body(tangential), {}, counted_, nullptr);
     expect_near(body.normal, expected.normal);
     ASSERT_EQ(body.tangential.has_value(), tangential);
     if (tangential) expect_near(*body.tangential, *expected.tangential);
@@ -46,11 +46,11 @@ TEST_F(DistributedBody, IsTheOneThatOneProcessMakes) {
 TEST_F(DistributedBody, IsKeptForTheNextRunOfAsManyProcesses) {
   const ScratchFolder scratch;
   OperatorStore store(scratch.path());
-  distributed_body(small_body(), counted_, &store);
-  EXPECT_TRUE(distributed_body(small_body(), counted_, &store).summary->from_store);
+  distributed_body(small_body(), {}, counted_, &store);
+  EXPECT_TRUE(distributed_body(small_body(), {}, counted_, &store).summary->from_store);
   EXPECT_EQ(n_asked_, 1);
   const Distribution two{1, 2, counted_.make_together};
-  EXPECT_FALSE(distributed_body(small_body(), two, &store).summary->from_store);
+  EXPECT_FALSE(distributed_body(small_body(), {}, two, &store).summary->from_store);
 }
 
 TEST_F(DistributedBody, IsMadeOfLargeBodiesAlone) {
@@ -78,7 +78,7 @@ TEST_F(DistributedBody, SaysWhyTheNumericsFailed) {
     return answer;
   };
   try {
-    distributed_body(small_body(), broken, nullptr);
+    distributed_body(small_body(), {}, broken, nullptr);
     FAIL() << "no error";
   } catch (const fem::SolverError& error) {
     EXPECT_STREQ(error.what(), "the pump is broken");

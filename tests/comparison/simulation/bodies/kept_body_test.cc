@@ -58,12 +58,12 @@ TEST_F(KeptBody, CostsTheReadingAlone) {
 
 TEST_F(KeptBody, NeedsAllHarmonicsOfItsBody) {
   body_of_a_new_run(small_body(false));
-  EXPECT_TRUE(kept_body(small_body(false), store_));
-  EXPECT_FALSE(kept_body(small_body(true), store_));
+  EXPECT_TRUE(kept_body(small_body(false), {}, store_));
+  EXPECT_FALSE(kept_body(small_body(true), {}, store_));
   EXPECT_FALSE(body_of_a_new_run(small_body(true))->summary->from_store);
-  EXPECT_TRUE(kept_body(small_body(true), store_));
+  EXPECT_TRUE(kept_body(small_body(true), {}, store_));
   fs::remove(store_.file_of(operator_key(small_body(), fem::axisymmetric)));
-  EXPECT_FALSE(kept_body(small_body(true), store_));
+  EXPECT_FALSE(kept_body(small_body(true), {}, store_));
 }
 
 TEST_F(KeptBody, IsCountedByTheRun) {

@@ -1,0 +1,65 @@
+#include "comparison/command_line/trust_command.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "comparison/case/case_file.h"
+#include "comparison/command_line/exit_codes.h"
+#include "comparison/support/log.h"
+#include "comparison/trust/ladder_text.h"
+#include "fem/condensation/petsc_session.h"
+
+namespace fretval {
+namespace {
+
+/// The radii that are off by more than a share, whatever the bars leave open.
+std::string radii_beyond(const Ladder& ladder, double at_most) {
+  std::string titles;
+  for (const auto quantity :
+       {Quantity::stick_radius_first_slip, Quantity::stick_radius_shakedown, Quantity::contact_radius_max})
+    if (const auto found = ladder.whole.off_by.find(quantity);
+        found != ladder.whole.off_by.end() && std::abs(found->second.value) - found->second.uncertainty > at_most)
+      titles += (titles.empty() ? "" : ", ") + std::string(traits_of(quantity).title);
+  return titles;
+}
+
+}  // namespace
+
+double share_of(const std::string& text) {
+  std::size_t end = 0;
+  double value = std::nan("");
+  try {
+    value = std::stod(text, &end);
+  } catch (const std::exception&) {
+    end = 0;
+  }
+  const auto rest = text.substr(end);
+  const bool in_percent = rest == "%" || rest == " %";
+  if (!(value >= 0) || !std::isfinite(value) || (!rest.empty() && !in_percent))
+    throw InputError(fmt::format("--at-most {}: expected a share that is not negative, as \"5 %\" or 0.05", text));
+  return in_percent ? value / 100 : value;
+}
+
+int run_trust(const std::string& file, const TrustOptions& options) {
+  const auto cases = read_case_file(file);
+  if (cases.size() != 1)
+    throw InputError(fmt::format("{}: a sweep has many ladders; expected a file with a single case", file));
+  const auto& input = cases.front();
+  for (const auto& warning : input.warnings) log::warn_once(warning);
+  const fem::PetscSession session;
+  BodyStore bodies(store_of(options.store));
+  const auto ladder = ladder_of(input, bodies);
+  if (options.json)
+    fmt::print("{}\n", ladder_json(input.name, ladder).dump(2));
+  else
+    fmt::print("{}", ladder_text(input.name, ladder));
+  if (!options.at_most) return exit_agree;
+  const auto beyond = radii_beyond(ladder, *options.at_most);
+  if (beyond.empty()) return exit_agree;
+  log::warn(fmt::format("{}: MDR is off by more than {:g} %: {}", input.name, 100 * *options.at_most, beyond));
+  return exit_disagree;
+}
+
+}  // namespace fretval

@@ -1,0 +1,142 @@
+#include "comparison/trust/ladder.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "comparison/accuracy/fe_readings.h"
+#include "comparison/reference/mdr_answer.h"
+#include "comparison/reference/mdr_readings.h"
+#include "comparison/results/answer_text.h"
+#include "comparison/support/log.h"
+#include "fem/support/solver_error.h"
+
+namespace fretval {
+namespace {
+
+constexpr double incompressible = 0.5;
+
+std::string title_of(const Case::Body& body) {
+  const auto length = [](double value) { return with_unit(value, 0, "m"); };
+  const char* slides = body.is_bonded ? "" : " on a frictionless base";
+  if (body.shape == Case::Body::Shape::cylinder)
+    return fmt::format("a cylinder {} thick, of radius {}{}", length(body.thickness), length(body.radius), slides);
+  return fmt::format("a layer {} thick{}", length(body.thickness), slides);
+}
+
+std::string title_of_ratio(double poisson_ratio) {
+  return fmt::format("nu = {:g}", poisson_ratio);
+}
+
+/// Ratios of what is locked in, or of how the motion settles, are none of MDR's.
+bool is_on_ladder(Quantity quantity) {
+  const auto& traits = traits_of(quantity);
+  return *traits.unit && !traits.of_settling && quantity != Quantity::tangential_force_mean;
+}
+
+/// How normal and tangential displacements of the surface couple, over the normal ones, at a wave number of 1/a, of a
+/// layer bonded to its base or of a half-space (docs/theory.md).
+double coupling_of(const Case& input, double contact_radius) {
+  const double nu = input.elastomer.poisson_ratio, stiff = 3 - 4 * nu, kappa = input.body.thickness / contact_radius;
+  constexpr double deep = 15;
+  if (input.body.is_half_space() || kappa > deep) return (1 - 2 * nu) / (2 * (1 - nu));
+  const double s = std::sinh(kappa), c = std::cosh(kappa);
+  return std::abs((1 - 2 * nu) * stiff * s * s - kappa * kappa) / (2 * (1 - nu) * (stiff * s * c - kappa));
+}
+
+RungAnswer answer_to(const Rung& rung, const Readings& mdr, BodyStore& bodies, double& contact_radius) {
+  const auto prepared = prepare({rung.input}).front();
+  const auto fe = prove(prepared, Proof::tolerance, bodies);
+  if (!fe.failure.empty()) throw fem::SolverError(fmt::format("{} ({}): {}", rung.input.name, rung.title, fe.failure));
+  contact_radius = fe.fe.contact_radius_max.value_or(0);
+  return {rung, off_by(mdr, fe, prepared.fem.units)};
+}
+
+}  // namespace
+
+std::vector<Rung> rungs_of(const Case& input) {
+  std::vector<Rung> rungs;
+  if (!input.body.is_half_space()) {
+    rungs.push_back({"body", title_of(input.body), input});
+    rungs.back().input.elastomer.poisson_ratio = incompressible;
+  }
+  if (input.elastomer.poisson_ratio != incompressible) {
+    rungs.push_back({"poisson_ratio", title_of_ratio(input.elastomer.poisson_ratio), input});
+    rungs.back().input.body = {};
+  }
+  return rungs;
+}
+
+Case case_for_mdr(const Case& input) {
+  auto own = input;
+  own.body = {};
+  own.elastomer.poisson_ratio = incompressible;
+  return own;
+}
+
+bool OffBy::is_resolved() const {
+  return std::abs(value) > uncertainty;
+}
+
+double OffBy::change() const {
+  return 1 / (1 + value) - 1;
+}
+
+OffBys off_by(const Readings& mdr, const ProvedAnswer& fe, const Units& units) {
+  OffBys all;
+  const auto scales = scales_of(fe.fe, units);
+  for (const auto& [quantity, reading] : readings_of(fe.fe, units)) {
+    const auto other = mdr.find(quantity);
+    if (!is_on_ladder(quantity) || other == mdr.end()) continue;
+    if (!reading.value || !other->second.value || *reading.value == 0 || *other->second.value == 0) continue;
+    OffBy one{reading};
+    if (const auto bar = fe.budget.find(quantity); bar != fe.budget.end())
+      one.fe.uncertainty = bar->second.total() * scale_of(quantity, scales, *reading.value);
+    const double truth = *reading.value, ratio = *other->second.value / truth;
+    one.value = ratio - 1;
+    one.uncertainty = std::abs(ratio) * one.fe.uncertainty.value_or(0) / std::abs(truth) +
+                      other->second.uncertainty.value_or(0) / std::abs(truth);
+    all.emplace(quantity, std::move(one));
+  }
+  return all;
+}
+
+std::vector<NotComputed> not_computed_in(const Case& input, double contact_radius) {
+  std::vector<NotComputed> list;
+  const double mu = input.friction_coefficient, coupling = coupling_of(input, contact_radius);
+  if (coupling > 0)
+    list.push_back(
+        {"normal and tangential contact coupled",
+         fmt::format("mu times the coupling of the surface at a wave of the contact radius: {:.2g}", mu * coupling)});
+  if (input.elastomer.poisson_ratio > 0)
+    list.push_back({"friction as a vector",
+                    "some percent of the stick radius at nu = 1/2, in proportion to nu/(2 - nu); none at nu = 0"});
+  const double slope = mdr::shape_slope(any_profile_of(input.indenter), contact_radius);
+  list.push_back(
+      {"finite strains", fmt::format("the slope of the indenter at the edge of the contact: {:.2g}", slope)});
+  list.push_back({"adhesion, inertia, heat", "the case does not say what they depend on"});
+  return list;
+}
+
+Ladder ladder_of(const Case& input, BodyStore& bodies) {
+  if (input.wear_kinetics || input.wear == Case::Wear::limiting)
+    throw InputError(fmt::format("{}: Wear: a ladder is of an unworn indenter; leave the subsection out", input.file));
+  const auto own = mdr_case(case_for_mdr(input));
+  if (!own.falls().empty())
+    throw InputError(
+        fmt::format("{}: Indenter / Table = {}: MDR does not hold for this profile, on any body; `fretval "
+                    "run` answers by finite elements",
+                    input.file, input.indenter.table));
+  Ladder ladder{readings_of(mdr_answer_with_cycle(own, mdr_normal_response(own))), {}, {}, 0, {}};
+  for (const auto& rung : rungs_of(input)) {
+    log::info(fmt::format("{}: {}", input.name, rung.title));
+    ladder.rungs.push_back(answer_to(rung, ladder.mdr, bodies, ladder.contact_radius));
+  }
+  const Rung whole{"whole", "the case as it is", input};
+  ladder.whole = ladder.rungs.size() == 1 ? RungAnswer{whole, ladder.rungs.front().off_by}
+                                          : answer_to(whole, ladder.mdr, bodies, ladder.contact_radius);
+  ladder.not_computed = not_computed_in(input, ladder.contact_radius);
+  return ladder;
+}
+
+}  // namespace fretval

@@ -1,0 +1,159 @@
+#include "comparison/trust/ladder_text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "comparison/results/answer_text.h"
+
+namespace fretval {
+namespace {
+
+using nlohmann::ordered_json;
+
+/// A share in percent with as many digits as its uncertainty allows, at most three: "-20.4 %".
+std::string percent(double share, double uncertainty, bool with_sign = true) {
+  const double largest = std::max(std::abs(share), 1e-300);
+  const int digits =
+      uncertainty > 0 ? std::clamp(static_cast<int>(std::floor(std::log10(largest / uncertainty))) + 1, 1, 3) : 3;
+  return with_sign ? fmt::format("{:+.{}g} %", 100 * share, digits) : fmt::format("{:.{}g} %", 100 * share, digits);
+}
+
+/// Of the radii, the one that a user asks for first.
+std::optional<Quantity> radius_of_headline(const Ladder& ladder) {
+  for (const auto quantity :
+       {Quantity::stick_radius_shakedown, Quantity::stick_radius_first_slip, Quantity::contact_radius_max})
+    if (ladder.whole.off_by.count(quantity) > 0) return quantity;
+  return std::nullopt;
+}
+
+/// What the whole changes beyond the sum of the rungs.
+std::optional<double> interaction_in(const Ladder& ladder, Quantity quantity) {
+  if (ladder.rungs.size() < 2) return std::nullopt;
+  double rest = ladder.whole.off_by.at(quantity).change();
+  for (const auto& rung : ladder.rungs) {
+    const auto found = rung.off_by.find(quantity);
+    if (found == rung.off_by.end()) return std::nullopt;
+    rest -= found->second.change();
+  }
+  return rest;
+}
+
+std::string off_by_text(const OffBys& all, Quantity quantity) {
+  const auto found = all.find(quantity);
+  if (found == all.end()) return "";
+  const auto& one = found->second;
+  return one.is_resolved() ? percent(one.value, one.uncertainty)
+                           : fmt::format("within {:.1g} %", 100 * one.uncertainty);
+}
+
+ordered_json off_by_json(const OffBys& all) {
+  ordered_json json = ordered_json::object();
+  for (const auto quantity : quantities_by_interest)
+    if (const auto found = all.find(quantity); found != all.end())
+      json[name_of(quantity)] = {{"value", found->second.value},
+                                 {"uncertainty", found->second.uncertainty},
+                                 {"resolved", found->second.is_resolved()}};
+  return json;
+}
+
+ordered_json fe_json(const OffBys& all) {
+  ordered_json json = ordered_json::object();
+  for (const auto quantity : quantities_by_interest)
+    if (const auto found = all.find(quantity); found != all.end())
+      json[name_of(quantity)] = {{"value", found->second.fe.value.value()},
+                                 {"uncertainty", found->second.fe.uncertainty.value_or(0)}};
+  return json;
+}
+
+std::string column(const std::string& text, std::size_t width) {
+  // Letters of two bytes take one place.
+  const auto n = static_cast<std::size_t>(
+      std::count_if(text.begin(), text.end(), [](unsigned char c) { return (c & 0xC0) != 0x80; }));
+  return text + std::string(n < width ? width - n : 1, ' ');
+}
+
+constexpr std::size_t title_width = 31, value_width = 27, share_width = 18;
+
+std::string row_of(const Ladder& ladder, Quantity quantity) {
+  const auto& traits = traits_of(quantity);
+  const auto& fe = ladder.whole.off_by.at(quantity).fe;
+  const auto& mdr = ladder.mdr.at(quantity);
+  auto line = "  " + column(traits.title, title_width) +
+              column(with_unit(*mdr.value, mdr.uncertainty.value_or(0), traits.unit), value_width) +
+              column(with_unit(*fe.value, fe.uncertainty.value_or(0), traits.unit), value_width) +
+              column(off_by_text(ladder.whole.off_by, quantity), share_width);
+  if (ladder.rungs.size() > 1)
+    for (const auto& rung : ladder.rungs) line += column(off_by_text(rung.off_by, quantity), share_width);
+  if (const auto interaction = interaction_in(ladder, quantity)) line += fmt::format("{:+.2g} %", 100 * *interaction);
+  line.erase(line.find_last_not_of(' ') + 1);
+  return line + "\n";
+}
+
+std::string heads_of(const Ladder& ladder) {
+  auto line = "  " + column("", title_width) + column("MDR", value_width) + column("finite elements", value_width) +
+              column("MDR is off by", share_width);
+  if (ladder.rungs.size() > 1) {
+    for (const auto& rung : ladder.rungs)
+      line += column(rung.rung.key == "body" ? "body alone" : "nu alone", share_width);
+    line += "beyond the sum";
+  }
+  line.erase(line.find_last_not_of(' ') + 1);
+  return line + "\n";
+}
+
+}  // namespace
+
+std::string headline_of(const Ladder& ladder) {
+  const auto quantity = radius_of_headline(ladder);
+  if (!quantity) return "neither finite elements nor MDR find a contact to compare";
+  const auto& whole = ladder.whole.off_by.at(*quantity);
+  const char* title = traits_of(*quantity).title;
+  if (!whole.is_resolved())
+    return fmt::format("nothing is resolved beyond numerics: MDR's {} is right to {:.1g} %", title,
+                       100 * (std::abs(whole.value) + whole.uncertainty));
+  auto text = fmt::format("MDR's {} is {} ± {:.1g} % too {} here", title,
+                          percent(std::abs(whole.value), whole.uncertainty, false), 100 * whole.uncertainty,
+                          whole.value > 0 ? "large" : "small");
+  std::string reasons;
+  for (const auto& rung : ladder.rungs)
+    if (const auto found = rung.off_by.find(*quantity); found != rung.off_by.end())
+      reasons += fmt::format("{}{} ({})", reasons.empty() ? ": " : ", ", rung.rung.title,
+                             percent(found->second.change(), found->second.uncertainty));
+  return text + reasons;
+}
+
+std::string ladder_text(const std::string& name, const Ladder& ladder) {
+  auto text = fmt::format("{}: {}\n", name, headline_of(ladder)) + heads_of(ladder);
+  for (const auto quantity : quantities_by_interest)
+    if (ladder.whole.off_by.count(quantity) > 0) text += row_of(ladder, quantity);
+  text += "not computed:\n";
+  for (const auto& [assumption, order] : ladder.not_computed) text += fmt::format("  {} ({})\n", assumption, order);
+  return text;
+}
+
+ordered_json ladder_json(const std::string& name, const Ladder& ladder) {
+  ordered_json json{{"name", name}, {"headline", headline_of(ladder)}, {"mdr", ordered_json::object()}};
+  for (const auto quantity : quantities_by_interest)
+    if (ladder.whole.off_by.count(quantity) > 0) json["mdr"][name_of(quantity)] = ladder.mdr.at(quantity).value.value();
+  json["mdr_off_by"] = off_by_json(ladder.whole.off_by);
+  json["fe"] = fe_json(ladder.whole.off_by);
+  json["rungs"] = ordered_json::object();
+  for (const auto& rung : ladder.rungs)
+    json["rungs"][rung.rung.key] = {
+        {"title", rung.rung.title}, {"mdr_off_by", off_by_json(rung.off_by)}, {"fe", fe_json(rung.off_by)}};
+  json["interaction"] = ordered_json::object();
+  for (const auto& [quantity, off] : ladder.whole.off_by)
+    if (const auto interaction = interaction_in(ladder, quantity))
+      json["interaction"][name_of(quantity)] = *interaction;
+  json["not_computed"] = ordered_json::array();
+  for (const auto& [assumption, order] : ladder.not_computed)
+    json["not_computed"].push_back({{"assumption", assumption}, {"order", order}});
+  return json;
+}
+
+}  // namespace fretval

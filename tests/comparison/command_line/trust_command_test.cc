@@ -1,0 +1,21 @@
+#include "comparison/command_line/trust_command.h"
+
+#include <gtest/gtest.h>
+
+#include "comparison/case/case.h"
+#include "tests/comparison/expect_parts.h"
+#include "tests/comparison/run_fretval.h"
+#include "tests/comparison/scratch_folder.h"
+
+namespace fretval::trust_command_test {
+namespace {
+
+TEST(TrustCommand, ReadsShares) {
+  EXPECT_DOUBLE_EQ(share_of("5 %"), 0.05);
+  EXPECT_DOUBLE_EQ(share_of("5%"), 0.05);
+  EXPECT_DOUBLE_EQ(share_of("0.05"), 0.05);
+  for (const char* bad : {"", "five", "-1 %", "5 mm", "nan"}) EXPECT_THROW(share_of(bad), InputError) << bad;
+}
+
+}  // namespace
+}  // namespace fretval::trust_command_test

@@ -1,0 +1,102 @@
+#include "comparison/trust/ladder.h"
+
+#include <gtest/gtest.h>
+
+#include "mdr/layer/layer_contact.h"
+#include "mdr/profiles/power_law.h"
+#include "tests/comparison/suite_case.h"
+
+namespace fretval::ladder_test {
+namespace {
+
+Case on_layer(double thickness, double poisson_ratio) {
+  auto scene = suite_case("parabola-elastic-steady", 1e-2);
+  scene.body.shape = Case::Body::Shape::layer;
+  scene.body.thickness = thickness;
+  scene.elastomer.poisson_ratio = poisson_ratio;
+  return scene;
+}
+
+TEST(Rungs, DropOneAssumptionEach) {
+  EXPECT_TRUE(rungs_of(suite_case("parabola-elastic-steady", 1e-2)).empty());
+  const auto rungs = rungs_of(on_layer(3e-3, 0.4));
+  ASSERT_EQ(rungs.size(), 2U);
+  EXPECT_EQ(rungs[0].key, "body");
+  EXPECT_EQ(rungs[0].input.elastomer.poisson_ratio, 0.5);
+  EXPECT_EQ(rungs[0].input.body.thickness, 3e-3);
+  EXPECT_EQ(rungs[1].key, "poisson_ratio");
+  EXPECT_TRUE(rungs[1].input.body.is_half_space());
+  EXPECT_EQ(rungs[1].input.elastomer.poisson_ratio, 0.4);
+  const auto own = case_for_mdr(on_layer(3e-3, 0.4));
+  EXPECT_TRUE(own.body.is_half_space());
+  EXPECT_EQ(own.elastomer.poisson_ratio, 0.5);
+}
+
+// MDR's own radius is sqrt(R d); that of the layer comes from springs that it couples, which no finite element enters.
+TEST(Ladder, KnowsHowFarMdrIsOffOverALayer) {
+  const auto scene = on_layer(2e-3, 0.5);
+  BodyStore bodies;
+  const auto ladder = ladder_of(scene, bodies);
+  ASSERT_EQ(ladder.rungs.size(), 1U);
+  const auto& off = ladder.whole.off_by.at(Quantity::contact_radius_max);
+  const double R = scene.indenter.radius, d = scene.motion.indentation, own = std::sqrt(R * d),
+               layer =
+                   mdr::layer_contact_at_depth(mdr::parabola(R), {2e-3, 0.5, mdr::LayerBase::bonded}, d).contact_radius;
+  EXPECT_NEAR(off.value, own / layer - 1, off.uncertainty);
+  EXPECT_LT(off.uncertainty, 2e-3);
+  EXPECT_TRUE(off.is_resolved());
+  EXPECT_NEAR(off.change(), layer / own - 1, 2e-3);
+  EXPECT_FALSE(ladder.not_computed.empty());
+}
+
+TEST(Ladder, ResolvesNothingWhereMdrsAssumptionsHold) {
+  BodyStore bodies;
+  const auto ladder = ladder_of(suite_case("parabola-elastic-steady", 1e-2), bodies);
+  EXPECT_TRUE(ladder.rungs.empty());
+  for (const auto& [quantity, off] : ladder.whole.off_by) EXPECT_LT(std::abs(off.value), 2e-2) << name_of(quantity);
+}
+
+// E* = 2 G/(1 - nu): at a given depth the force of MDR's own model is 2 (1 - nu) of the true one.
+TEST(Ladder, KnowsWhatPoissonsRatioMakesOfTheForce) {
+  auto scene = suite_case("parabola-elastic-steady", 1e-2);
+  scene.elastomer.poisson_ratio = 0.3;
+  BodyStore bodies;
+  const auto ladder = ladder_of(scene, bodies);
+  const auto& off = ladder.whole.off_by.at(Quantity::normal_force_max);
+  EXPECT_NEAR(off.value, 2 * (1 - 0.3) - 1, off.uncertainty);
+  EXPECT_NEAR(ladder.whole.off_by.at(Quantity::contact_radius_max).value, 0, 2e-3);
+}
+
+TEST(OffBy, ComparesMdrWithTheTruth) {
+  const OffBy off{{2.0}, 0.25, 0.01};
+  EXPECT_TRUE(off.is_resolved());
+  EXPECT_DOUBLE_EQ(off.change(), -0.2);
+  EXPECT_FALSE((OffBy{{2.0}, 0.01, 0.02}).is_resolved());
+}
+
+// (1 - 2 nu)/(2 (1 - nu)) over a half-space; over a layer that of nu = 1/2 has a maximum near kH = 1.
+TEST(NotComputed, KnowsTheOrderOfWhatIsMissing) {
+  auto scene = suite_case("parabola-elastic-steady", 1e-2);
+  const auto names = [](const Case& input) {
+    std::string all;
+    for (const auto& one : not_computed_in(input, 1e-3)) all += one.assumption + ": " + one.order + "; ";
+    return all;
+  };
+  EXPECT_EQ(names(scene).find("coupled"), std::string::npos);
+  scene.elastomer.poisson_ratio = 0.3;
+  scene.friction_coefficient = 1;
+  EXPECT_NE(names(scene).find("coupled: mu times the coupling of the surface at a wave of the contact radius: 0.29"),
+            std::string::npos)
+      << names(scene);
+  EXPECT_NE(names(on_layer(1e-3, 0.5)).find("coupled"), std::string::npos);
+}
+
+TEST(Ladder, RefusesWear) {
+  auto scene = suite_case("parabola-elastic-steady", 1e-2);
+  scene.wear_kinetics.emplace();
+  BodyStore bodies;
+  EXPECT_THROW(ladder_of(scene, bodies), InputError);
+}
+
+}  // namespace
+}  // namespace fretval::ladder_test

@@ -1,0 +1,59 @@
+#include "comparison/trust/ladder_text.h"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/comparison/expect_parts.h"
+
+namespace fretval::ladder_text_test {
+namespace {
+
+/// MDR has 0.8 mm where finite elements have 1 mm for the body alone, and 0.9 mm for the whole.
+Ladder made_up(std::size_t n_rungs) {
+  constexpr auto radius = Quantity::stick_radius_shakedown;
+  const auto at = [&](double truth) { return OffBys{{radius, OffBy{{truth, 1e-6}, 8e-4 / truth - 1, 1e-6 / truth}}}; };
+  Ladder ladder;
+  ladder.mdr[radius] = {8e-4};
+  const std::vector<RungAnswer> rungs{{{"body", "a layer 2 mm thick", {}}, at(1e-3)},
+                                      {{"poisson_ratio", "nu = 0.4", {}}, at(7.6e-4)}};
+  ladder.rungs.assign(rungs.begin(), rungs.begin() + static_cast<std::ptrdiff_t>(n_rungs));
+  ladder.whole = {{"whole", "the case as it is", {}}, at(n_rungs == 2 ? 9e-4 : 1e-3)};
+  ladder.contact_radius = 1.2e-3;
+  ladder.not_computed = {{"finite strains", "0.1"}};
+  return ladder;
+}
+
+TEST(LadderText, BeginsWithWhatADesignerAsks) {
+  EXPECT_EQ(headline_of(made_up(1)),
+            "MDR's stick radius, shakedown is 20 % ± 0.1 % too small here: a layer 2 mm thick (+25 %)");
+  expect_parts(headline_of(made_up(2)), {"11.1 % ± 0.1 % too small", "a layer 2 mm thick (+25 %)", "nu = 0.4 (-5 %)"});
+}
+
+TEST(LadderText, SaysSoWhereNothingIsResolved) {
+  auto ladder = made_up(1);
+  ladder.whole.off_by.begin()->second = {{8e-4, 1e-6}, 1e-4, 1e-3};
+  expect_parts(headline_of(ladder), {"nothing is resolved beyond numerics", "0.1 %"});
+}
+
+TEST(LadderText, ShowsRungsAndWhatTheyAreNotTheSumOf) {
+  const auto text = ladder_text("rig", made_up(2));
+  expect_parts(text, {"rig: MDR's", "body alone", "nu alone", "beyond the sum", "800.000 µm", "900 ± 1 µm", "-11.1 %",
+                      "-20 %", "+5.26 %", "-7.5 %", "not computed:\n  finite strains (0.1)"});
+  EXPECT_EQ(ladder_text("rig", made_up(1)).find("body alone"), std::string::npos);
+}
+
+TEST(LadderJson, HasTheWholeAndEachRung) {
+  const auto json = ladder_json("rig", made_up(2));
+  EXPECT_DOUBLE_EQ(json.at("mdr_off_by").at("stick_radius_shakedown").at("value").get<double>(), 8.0 / 9 - 1);
+  EXPECT_TRUE(json.at("mdr_off_by").at("stick_radius_shakedown").at("resolved").get<bool>());
+  EXPECT_DOUBLE_EQ(json.at("rungs").at("body").at("mdr_off_by").at("stick_radius_shakedown").at("value").get<double>(),
+                   -0.2);
+  EXPECT_DOUBLE_EQ(json.at("rungs").at("body").at("fe").at("stick_radius_shakedown").at("uncertainty").get<double>(),
+                   1e-6);
+  EXPECT_NEAR(json.at("interaction").at("stick_radius_shakedown").get<double>(), 0.125 - 0.25 + 0.05, 1e-12);
+  EXPECT_EQ(json.at("not_computed").at(0).at("assumption"), "finite strains");
+}
+
+}  // namespace
+}  // namespace fretval::ladder_text_test
