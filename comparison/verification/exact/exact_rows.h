@@ -22,13 +22,14 @@ struct BulkMesh {
 /// 4 rings, and each further mesh with every cell split into four.
 std::vector<BulkMesh> bulk_meshes(int n_meshes);
 
-Rows indentation_rows(const Meshes& meshes, const ExactScene& exact);     ///< Hertz, cone, power law, flat punch, stick
-Rows sliding_rows(const Meshes& meshes, const ExactScene& exact);         ///< Cattaneo-Mindlin, unloading, cycle
-Rows oblique_rows(const Meshes& meshes, const ExactScene& exact);         ///< Jaeger
-Rows worn_edge_rows(const Meshes& meshes, const ExactScene& exact);       ///< the paper's limiting profile
-Rows relaxation_rows(const Meshes& meshes, const ExactScene& exact);      ///< steps of the indentation
-Rows pressing_rows(const Meshes& meshes, const ExactScene& exact);        ///< Lee-Radok, Ting
-Rows periodic_rows(const Meshes& meshes, const ExactScene& exact);        ///< both stick radii of the paper's motion
-Rows bulk_rows(const std::vector<BulkMesh>& meshes, double exact_force);  ///< Kelvin
+Rows indentation_rows(const Meshes& meshes, const ExactScene& exact);  ///< Hertz, cone, power law, flat punch, stick
+Rows sliding_rows(const Meshes& meshes, const ExactScene& exact);      ///< Cattaneo-Mindlin, unloading, cycle
+Rows oblique_rows(const Meshes& meshes, const ExactScene& exact);      ///< Jaeger
+Rows worn_edge_rows(const Meshes& meshes, const ExactScene& exact);    ///< the paper's limiting profile
+Rows relaxation_rows(const Meshes& meshes, const ExactScene& exact);   ///< steps of the indentation
+Rows pressing_rows(const Meshes& meshes, const ExactScene& exact);     ///< Lee-Radok, Ting
+Rows periodic_rows(const Meshes& meshes, const ExactScene& exact);     ///< both stick radii of the paper's motion
+Rows layer_rows(const std::vector<int>& n_rings, const ExactScene& exact);  ///< parabolas and punches on layers
+Rows bulk_rows(const std::vector<BulkMesh>& meshes, double exact_force);    ///< Kelvin
 
 }  // namespace fretval
