@@ -6,7 +6,6 @@
 #include <string>
 #include <utility>
 
-#include "mdr/layer/row_solver.h"
 #include "mdr/support/checks.h"
 
 namespace fretval::mdr {
@@ -74,31 +73,37 @@ double CoupledStep::coasting_rate(double now, double before) const {
   return (before - 4 * now) / (2 * dt_);
 }
 
+CoupledStep::Request CoupledStep::normal_request(const SpringState& state, const PrescribedInStep& prescribed) const {
+  const IndenterState &last = state.indenter, &before = state.indenter_before;
+  const Eigen::ArrayXd& g = bed_.springs.depth;
+  const auto n = g.size();
+  Request request{{left_of(state.normal_memory) - gain_sum_ * state.normal_depth - stiffness_ * g,
+                   Eigen::ArrayXd::Constant(n, stiffness_), Eigen::ArrayXd::Ones(n), Eigen::ArrayXd::Zero(n),
+                   Eigen::ArrayXd::Constant(n, infinity)},
+                  prescribed.indenter.indentation,
+                  {}};
+  if (!prescribed.normal_load) {
+    request.row.value += viscosity_ * prescribed.indenter.indentation_rate;
+    return request;
+  }
+  require_positive("normal load", *prescribed.normal_load);
+  request.guess = 2 * last.indentation - before.indentation;
+  request.sum = *prescribed.normal_load / bed_.springs.width[0];
+  request.row.slope += 1.5 * viscosity_ / dt_;
+  request.row.value += viscosity_ * coasting_rate(last.indentation, before.indentation);
+  return request;
+}
+
 CoupledStep::Normal CoupledStep::normal_step(const SpringState& state, const PrescribedInStep& prescribed) const {
   const Eigen::ArrayXd &u = state.normal_depth, &p = state.normal_load, &g = bed_.springs.depth;
-  const IndenterState &last = state.indenter, &before = state.indenter_before;
-  const auto n = p.size();
-  const double width = bed_.springs.width[0];
-  RowProblem row{left_of(state.normal_memory) - gain_sum_ * u - stiffness_ * g, Eigen::ArrayXd::Constant(n, stiffness_),
-                 Eigen::ArrayXd::Ones(n), Eigen::ArrayXd::Zero(n), Eigen::ArrayXd::Constant(n, infinity)};
-  double guess = prescribed.indenter.indentation;
-  std::optional<double> sum;
-  if (prescribed.normal_load) {
-    require_positive("normal load", *prescribed.normal_load);
-    guess = 2 * last.indentation - before.indentation;
-    sum = *prescribed.normal_load / width;
-    row.slope += 1.5 * viscosity_ / dt_;
-    row.value += viscosity_ * coasting_rate(last.indentation, before.indentation);
-  } else {
-    row.value += viscosity_ * prescribed.indenter.indentation_rate;
-  }
-  const Eigen::ArrayXd coupled_before = coupling(bed_.normal, p), above = u - (last.indentation - g);
+  Request request = normal_request(state, prescribed);
+  const Eigen::ArrayXd coupled_before = coupling(bed_.normal, p), above = u - (state.indenter.indentation - g);
   Eigen::ArrayXd free_tips = u;
   if (viscosity_ > 0) {
     free_tips = tip_under(coupled_before, coupled_before, u, state.normal_memory);
-    row.upper = (p > 0 || free_tips < guess - g).select(row.upper, 0.0);
+    request.row.upper = (p > 0 || free_tips < request.guess - g).select(request.row.upper, 0.0);
   }
-  const RowSolution found = solve_row(bed_.normal, row, p, guess, sum);
+  const RowSolution found = solve_row(bed_.normal, request.row, p, request.guess, request.sum);
   const Eigen::ArrayXd touching = found.y - g;
   const Eigen::ArrayXd tips =
       tip_under(found.load + found.coupling, coupled_before, u, state.normal_memory).max(touching);
@@ -106,43 +111,46 @@ CoupledStep::Normal CoupledStep::normal_step(const SpringState& state, const Pre
   return {found.load, (found.load > 0).select(touching, tips), share_in_contact(p, above, below), found.y};
 }
 
+// y is how far the indenter moves in the step.
+CoupledStep::Request CoupledStep::tangential_request(const SpringState& state, const PrescribedInStep& prescribed,
+                                                     const Normal& normal, const Eigen::ArrayXd& free_tips) const {
+  const IndenterState &last = state.indenter, &before = state.indenter_before;
+  const Eigen::ArrayXd &v = state.tangential_shift, &held = normal.held;
+  const Eigen::ArrayXd most = limit_ * normal.load, stuck = v + left_of(state.tangential_memory);
+  Request request{{}, prescribed.indenter.tangential - last.tangential, {}};
+  if (viscosity_ > 0)
+    request.row = {stuck + stiffness_ * (1 - held) * (free_tips - v), stiffness_ * held, Eigen::ArrayXd::Ones(v.size()),
+                   -most, most};
+  else  // Until it touches a tip moves with the coupling, which the stretch takes account of.
+    request.row = {stuck, Eigen::ArrayXd::Constant(v.size(), stiffness_), 1 / held.max(1e-300), -most, most};
+  if (!prescribed.tangential_load) {
+    request.row.value += viscosity_ * prescribed.indenter.tangential_rate;
+    return request;
+  }
+  const double width = bed_.springs.width[0];
+  request.guess = last.tangential - before.tangential;
+  request.sum = *prescribed.tangential_load / width;
+  if (std::abs(*request.sum) >= most.sum()) slide(*prescribed.tangential_load, most.sum() * width);
+  request.row.slope += 1.5 * viscosity_ / dt_;
+  request.row.value += viscosity_ * (coasting_rate(last.tangential, before.tangential) + 1.5 / dt_ * last.tangential);
+  return request;
+}
+
 CoupledStep::Tangential CoupledStep::tangential_step(const SpringState& state, const PrescribedInStep& prescribed,
                                                      const Normal& normal) const {
+  using Flags = Eigen::Array<bool, Eigen::Dynamic, 1>;
   const Eigen::ArrayXd &v = state.tangential_shift, &t = state.tangential_load, &held = normal.held;
-  const IndenterState &last = state.indenter, &before = state.indenter_before;
-  const double width = bed_.springs.width[0], viscous = viscosity_ / dt_;
-  const Eigen::ArrayXd most = limit_ * normal.load, left = left_of(state.tangential_memory),
-                       coupled_before = coupling(bed_.tangential, t);
-  const auto in_contact = normal.load > 0;
-  // How far a spring would go that sticks from when it touches: moved + held * shift.
+  const Eigen::ArrayXd coupled_before = coupling(bed_.tangential, t);
   const Eigen::ArrayXd free_tips = tip_under(coupled_before, coupled_before, v, state.tangential_memory);
-  const bool has_dashpot = viscosity_ > 0;
-  RowProblem row;
-  if (has_dashpot)
-    row = {v + left + stiffness_ * (1 - held) * (free_tips - v), stiffness_ * held, Eigen::ArrayXd::Ones(v.size()),
-           -most, most};
-  else  // the free tip moves with the coupling, which the stretch takes account of
-    row = {v + left, Eigen::ArrayXd::Constant(v.size(), stiffness_), 1 / held.max(1e-300), -most, most};
-  double guess = prescribed.indenter.tangential - last.tangential;
-  std::optional<double> sum;
-  if (prescribed.tangential_load) {
-    guess = last.tangential - before.tangential;
-    sum = *prescribed.tangential_load / width;
-    if (std::abs(*sum) >= most.sum()) slide(*prescribed.tangential_load, most.sum() * width);
-    row.slope += 1.5 * viscous;
-    row.value += viscosity_ * (coasting_rate(last.tangential, before.tangential) + 1.5 / dt_ * last.tangential);
-  } else {
-    row.value += viscosity_ * prescribed.indenter.tangential_rate;
-  }
-  const RowSolution found = solve_row(bed_.tangential, row, t, guess, sum);
-  const Eigen::ArrayXd body_load = found.load + found.coupling;
+  const Request request = tangential_request(state, prescribed, normal, free_tips);
+  const RowSolution found = solve_row(bed_.tangential, request.row, t, request.guess, request.sum);
+  const Flags in_contact = normal.load > 0, sticks = in_contact && found.load.abs() < request.row.upper,
+              touches = in_contact || state.normal_load > 0;
   const Eigen::ArrayXd slipping =
-      tip_under(body_load, coupled_before + in_contact.select(t, 0.0), v, state.tangential_memory);
-  const Eigen::ArrayXd free_now = has_dashpot ? free_tips : Eigen::ArrayXd(slipping - found.load / stiffness_);
+      tip_under(found.load + found.coupling, coupled_before + in_contact.select(t, 0.0), v, state.tangential_memory);
+  const Eigen::ArrayXd free_now = viscosity_ > 0 ? free_tips : Eigen::ArrayXd(slipping - found.load / stiffness_);
   const Eigen::ArrayXd stuck_tips = v + held * found.y + (1 - held) * (free_now - v);
-  const auto sticks = in_contact && found.load.abs() < most;
   const Eigen::ArrayXd tips = sticks.select(stuck_tips, slipping);
-  const auto touches = in_contact || state.normal_load > 0;
   return {found.load, tips, touches.select(stuck_tips - tips, 0.0), found.y};
 }
 

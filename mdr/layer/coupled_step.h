@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "mdr/layer/coupled_bed.h"
+#include "mdr/layer/row_solver.h"
 #include "mdr/rheology/prony_body.h"
 #include "mdr/springs/force_balance.h"
 #include "mdr/springs/spring_step.h"
@@ -39,15 +40,25 @@ class CoupledStep {
   void remember(Eigen::ArrayXXd& memory, const Eigen::ArrayXd& move) const;
   [[nodiscard]] double coasting_rate(double now, double before) const;
 
+  /// One direction of a step, and y or where it is looked for.
+  struct Request {
+    RowProblem row;
+    double guess;
+    std::optional<double> sum;
+  };
   struct Normal {
-    Eigen::ArrayXd load, depth, held;
+    Eigen::ArrayXd load, depth;
+    Eigen::ArrayXd held;  ///< share of the step that a spring is in contact which touches in it
     double indentation;
   };
+  [[nodiscard]] Request normal_request(const SpringState& state, const PrescribedInStep& prescribed) const;
   [[nodiscard]] Normal normal_step(const SpringState& state, const PrescribedInStep& prescribed) const;
   struct Tangential {
     Eigen::ArrayXd load, tip, slip;
     double shift;
   };
+  [[nodiscard]] Request tangential_request(const SpringState& state, const PrescribedInStep& prescribed,
+                                           const Normal& normal, const Eigen::ArrayXd& free_tips) const;
   [[nodiscard]] Tangential tangential_step(const SpringState& state, const PrescribedInStep& prescribed,
                                            const Normal& normal) const;
 

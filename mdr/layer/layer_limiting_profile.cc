@@ -48,6 +48,13 @@ double outer_radius_of(const LayerLimitingProfile& profile, double a0, double fa
   return (bracket.first + bracket.second) / 2;
 }
 
+double beyond_unworn(const LayerLimitingProfile& profile, double indentation) {
+  constexpr double roundoff = 1e-9;
+  require_within("indentation", indentation, profile.unworn_depth * (1 - roundoff),
+                 profile.maximum_indentation * (1 + roundoff));
+  return indentation - profile.unworn_depth;
+}
+
 }  // namespace
 
 LayerLimitingProfile layer_limiting_profile(const Profile& unworn, const Layer& layer, double stick_radius,
@@ -87,17 +94,6 @@ double transform(const LayerLimitingProfile& profile, double x) {
   if (std::abs(x) <= profile.stick_radius) return transform(profile.unworn, x);
   return profile.maximum_indentation - coupling(profile.kernel, profile.amplitudes, std::abs(x));
 }
-
-namespace {
-
-double beyond_unworn(const LayerLimitingProfile& profile, double indentation) {
-  constexpr double roundoff = 1e-9;
-  require_within("indentation", indentation, profile.unworn_depth * (1 - roundoff),
-                 profile.maximum_indentation * (1 + roundoff));
-  return indentation - profile.unworn_depth;
-}
-
-}  // namespace
 
 double limiting_normal_force(const LayerLimitingProfile& profile, double shear_modulus, double indentation) {
   const double beyond = beyond_unworn(profile, indentation);

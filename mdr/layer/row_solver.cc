@@ -30,6 +30,7 @@ class Newton {
       const Eigen::ArrayXi before = at_limit_;
       if (!advance(sum, step < full_steps ? 1 : 0.5)) return false;
       if ((before == at_limit_).all() && step < full_steps) return true;
+      if (is_solved(sum)) return true;
     }
     return false;
   }
@@ -47,6 +48,14 @@ class Newton {
     const Eigen::ArrayXd wanted = (problem_.value + problem_.slope * y_ - coupling_) / problem_.stretch;
     load_ = wanted.max(problem_.lower).min(problem_.upper);
     at_limit_ = (wanted >= problem_.upper).cast<int>() - (wanted <= problem_.lower).cast<int>();
+  }
+
+  // A spring on the verge of its limit may go to and fro across it for ever, by roundoff.
+  [[nodiscard]] bool is_solved(std::optional<double> sum) const {
+    constexpr double roundoff = 1e-14;
+    const double scale = roundoff * load_.matrix().norm(), n = static_cast<double>(load_.size());
+    return (modes_.shape.transpose() * load_.matrix() - share_).norm() <= scale &&
+           (!sum || std::abs(*sum - load_.sum()) <= scale * std::sqrt(n));
   }
 
   bool advance(std::optional<double> sum, double damping) {
