@@ -17,7 +17,10 @@ namespace {
 constexpr double incompressible = 0.5;
 
 std::string title_of(const Case::Body& body) {
-  const auto length = [](double value) { return with_unit(value, 0, "m"); };
+  const auto length = [](double value) {
+    const auto [prefix, factor] = prefix_for(value);
+    return fmt::format("{:g} {}m", value / factor, prefix);
+  };
   const char* slides = body.is_bonded ? "" : " on a frictionless base";
   if (body.shape == Case::Body::Shape::cylinder)
     return fmt::format("a cylinder {} thick, of radius {}{}", length(body.thickness), length(body.radius), slides);

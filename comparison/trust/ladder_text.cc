@@ -23,12 +23,26 @@ std::string percent(double share, double uncertainty, bool with_sign = true) {
   return with_sign ? fmt::format("{:+.{}g} %", 100 * share, digits) : fmt::format("{:.{}g} %", 100 * share, digits);
 }
 
-/// Of the radii, the one that a user asks for first.
-std::optional<Quantity> radius_of_headline(const Ladder& ladder) {
-  for (const auto quantity :
-       {Quantity::stick_radius_shakedown, Quantity::stick_radius_first_slip, Quantity::contact_radius_max})
-    if (ladder.whole.off_by.count(quantity) > 0) return quantity;
+/// A radius of the headline, as a sentence calls it.
+struct NamedRadius {
+  Quantity quantity;
+  const char* name;
+};
+
+/// The one that a user asks for first.
+std::optional<NamedRadius> radius_of_headline(const Ladder& ladder) {
+  for (const auto& radius : {NamedRadius{Quantity::stick_radius_shakedown, "shakedown radius"},
+                             NamedRadius{Quantity::stick_radius_first_slip, "first-slip radius"},
+                             NamedRadius{Quantity::contact_radius_max, "contact radius"}})
+    if (ladder.whole.off_by.count(radius.quantity) > 0) return radius;
   return std::nullopt;
+}
+
+/// What a rung stands for, of a body with how large the contact is against it.
+std::string reason_of(const Rung& rung, double contact_radius) {
+  const auto& body = rung.input.body;
+  if (body.is_half_space()) return rung.title;
+  return fmt::format("{}, a/H = {:.2g}", rung.title, contact_radius / body.thickness);
 }
 
 /// What the whole changes beyond the sum of the rungs.
@@ -89,7 +103,7 @@ std::string row_of(const Ladder& ladder, Quantity quantity) {
               column(off_by_text(ladder.whole.off_by, quantity), share_width);
   if (ladder.rungs.size() > 1)
     for (const auto& rung : ladder.rungs) line += column(off_by_text(rung.off_by, quantity), share_width);
-  if (const auto interaction = interaction_in(ladder, quantity)) line += fmt::format("{:+.2g} %", 100 * *interaction);
+  if (const auto interaction = interaction_in(ladder, quantity)) line += fmt::format("{:+.3g} %", 100 * *interaction);
   line.erase(line.find_last_not_of(' ') + 1);
   return line + "\n";
 }
@@ -109,10 +123,10 @@ std::string heads_of(const Ladder& ladder) {
 }  // namespace
 
 std::string headline_of(const Ladder& ladder) {
-  const auto quantity = radius_of_headline(ladder);
-  if (!quantity) return "neither finite elements nor MDR find a contact to compare";
-  const auto& whole = ladder.whole.off_by.at(*quantity);
-  const char* title = traits_of(*quantity).title;
+  const auto radius = radius_of_headline(ladder);
+  if (!radius) return "neither finite elements nor MDR find a contact to compare";
+  const auto& whole = ladder.whole.off_by.at(radius->quantity);
+  const char* title = radius->name;
   if (!whole.is_resolved())
     return fmt::format("nothing is resolved beyond numerics: MDR's {} is right to {:.1g} %", title,
                        100 * (std::abs(whole.value) + whole.uncertainty));
@@ -121,8 +135,8 @@ std::string headline_of(const Ladder& ladder) {
                           whole.value > 0 ? "large" : "small");
   std::string reasons;
   for (const auto& rung : ladder.rungs)
-    if (const auto found = rung.off_by.find(*quantity); found != rung.off_by.end())
-      reasons += fmt::format("{}{} ({})", reasons.empty() ? ": " : ", ", rung.rung.title,
+    if (const auto found = rung.off_by.find(radius->quantity); found != rung.off_by.end())
+      reasons += fmt::format("{}{} ({})", reasons.empty() ? ": " : "; ", reason_of(rung.rung, ladder.contact_radius),
                              percent(found->second.change(), found->second.uncertainty));
   return text + reasons;
 }

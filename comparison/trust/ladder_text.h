@@ -7,7 +7,7 @@
 
 namespace fretval {
 
-/// "MDR's stick radius, shakedown, is 20 % ± 0.002 % too small here: a layer 2 mm thick (+25 %)": of the shakedown
+/// "MDR's shakedown radius is 20 % ± 0.002 % too small here: a layer 2 mm thick, a/H = 0.69 (+25 %)": of the shakedown
 /// radius or, where there is none, the first-slip or the contact radius; in brackets what an assumption changes.
 std::string headline_of(const Ladder& ladder);
 

@@ -15,7 +15,9 @@ Ladder made_up(std::size_t n_rungs) {
   const auto at = [&](double truth) { return OffBys{{radius, OffBy{{truth, 1e-6}, 8e-4 / truth - 1, 1e-6 / truth}}}; };
   Ladder ladder;
   ladder.mdr[radius] = {8e-4};
-  const std::vector<RungAnswer> rungs{{{"body", "a layer 2 mm thick", {}}, at(1e-3)},
+  Case layer;
+  layer.body = {Case::Body::Shape::layer, 2e-3, 0, true};
+  const std::vector<RungAnswer> rungs{{{"body", "a layer 2 mm thick", layer}, at(1e-3)},
                                       {{"poisson_ratio", "nu = 0.4", {}}, at(7.6e-4)}};
   ladder.rungs.assign(rungs.begin(), rungs.begin() + static_cast<std::ptrdiff_t>(n_rungs));
   ladder.whole = {{"whole", "the case as it is", {}}, at(n_rungs == 2 ? 9e-4 : 1e-3)};
@@ -26,8 +28,9 @@ Ladder made_up(std::size_t n_rungs) {
 
 TEST(LadderText, BeginsWithWhatADesignerAsks) {
   EXPECT_EQ(headline_of(made_up(1)),
-            "MDR's stick radius, shakedown is 20 % ± 0.1 % too small here: a layer 2 mm thick (+25 %)");
-  expect_parts(headline_of(made_up(2)), {"11.1 % ± 0.1 % too small", "a layer 2 mm thick (+25 %)", "nu = 0.4 (-5 %)"});
+            "MDR's shakedown radius is 20 % ± 0.08 % too small here: a layer 2 mm thick, a/H = 0.6 (+25 %)");
+  expect_parts(headline_of(made_up(2)),
+               {"11.1 % ± 0.1 % too small", "a layer 2 mm thick, a/H = 0.6 (+25 %); nu = 0.4 (-5 %)"});
 }
 
 TEST(LadderText, SaysSoWhereNothingIsResolved) {
