@@ -7,6 +7,7 @@
 
 #include "comparison/accuracy/prepared_case.h"
 #include "comparison/accuracy/wear_proof.h"
+#include "comparison/reference/half_space_limit.h"
 #include "comparison/reference/mdr_document.h"
 #include "comparison/results/answer_text.h"
 #include "comparison/results/estimate.h"
@@ -56,7 +57,7 @@ std::string body_text(const Case::Elastomer& body) {
   if (body.fractional_order > 0) text += fmt::format(", order {:g}", body.fractional_order);
   if (const auto& fit = body.master_curve)
     text += fmt::format("; misses {} by {:.2g} % (root mean square)", fit->table, 100 * fit->residual);
-  return text + "; incompressible";
+  return text + (body.poisson_ratio == 0.5 ? "; incompressible" : fmt::format("; nu = {:g}", body.poisson_ratio));
 }
 
 std::string oscillation(double amplitude, const char* unit, double frequency, const std::string& phase) {
@@ -75,6 +76,15 @@ std::string path_text(const Case::Path& path) {
          row("tangential", range(path.tangential, path.tangential_force));
 }
 
+/// Nothing of a half-space, which is MDR's own body.
+std::string shape_text(const Case::Body& body) {
+  if (body.is_half_space()) return "";
+  const bool cylinder = body.shape == Case::Body::Shape::cylinder;
+  return row("", fmt::format("{} {} thick{}, {}", cylinder ? "a cylinder" : "a layer", short_text(body.thickness, "m"),
+                             cylinder ? " of radius " + short_text(body.radius, "m") : "",
+                             body.is_bonded ? "bonded to its base" : "on a frictionless base"));
+}
+
 std::string scene_text(const Case& input) {
   const auto& motion = input.motion;
   const auto phase = motion.phase ? fmt::format(", phase {:g} deg", *motion.phase) : std::string(", phase free");
@@ -83,7 +93,7 @@ std::string scene_text(const Case& input) {
   };
   const auto& force = motion.normal_force;
   std::string text = row("indenter", indenter_text(input.indenter)) + row("body", body_text(input.elastomer)) +
-                     row("friction", fmt::format("mu = {:g}", input.friction_coefficient));
+                     shape_text(input.body) + row("friction", fmt::format("mu = {:g}", input.friction_coefficient));
   if (motion.path) return text + path_text(*motion.path);
   text += row("normal", force ? short_text(force->mean, "N") + " ± " +
                                     oscillation(force->amplitude, "N", motion.normal_frequency, "")
@@ -97,18 +107,34 @@ std::string scene_text(const Case& input) {
                                       more(motion.tangential_harmonics));
 }
 
+/// What the thickness of the body is against the contact, and what would do for a half-space.
+std::string thickness_text(const Case& input, double contact_radius) {
+  if (!is_comparable(input)) return "";
+  auto over_half_space = input;
+  over_half_space.body = {};
+  constexpr double share = 0.01;
+  const auto least = thickness_of_half_space(mdr_case(over_half_space), input.elastomer.poisson_ratio, share);
+  if (input.body.is_half_space())
+    return row("half-space",
+               fmt::format("holds within 1 % of a for a body that is thicker than {}", short_text(least, "m")));
+  return row("a/H", fmt::format("{:.3g}; a half-space would do within 1 % of a from {} on",
+                                contact_radius / input.body.thickness, short_text(least, "m")));
+}
+
 std::string groups_text(const Case& input, const ordered_json& mdr) {
   std::string text;
   const auto& path = input.motion.path;
+  const double nu = input.elastomer.poisson_ratio, ratio = (2 - nu) / (2 * (1 - nu));  // E*/G*
   if (!path)
     text = row("|G|/G'(0)",
                fmt::format("{:.4g} (rho, at the tangential frequency)", mdr.at("modulus_ratio").get<double>()));
   const bool has_amplitudes =
       !path && !input.motion.normal_force && !input.motion.tangential_force && input.motion.tangential_amplitude > 0;
   if (has_amplitudes)
-    text += row("k", fmt::format("{:.4g} (3/2 mu times the normal over the tangential amplitude)",
-                                 1.5 * input.friction_coefficient * input.motion.normal_amplitude /
-                                     input.motion.tangential_amplitude));
+    text += row("k", fmt::format("{:.4g} ({} mu times the normal over the tangential amplitude)",
+                                 ratio * input.friction_coefficient * input.motion.normal_amplitude /
+                                     input.motion.tangential_amplitude,
+                                 ratio == 1.5 ? "3/2" : fmt::format("{:.4g}", ratio)));
   const auto& times = input.elastomer.branch_times;
   if (!times.empty() && !path)
     text += row(
@@ -129,7 +155,7 @@ std::string groups_text(const Case& input, const ordered_json& mdr) {
   const double a = radius.get<double>();
   text += row("a", short_text(a, "m") + ", largest contact radius");
   if (input.indenter.radius > 0) text += row("a/R", fmt::format("{:.3g}", a / input.indenter.radius));
-  return text;
+  return text + thickness_text(input, a);
 }
 
 /// single_pass: of a path.
@@ -203,7 +229,9 @@ std::string explanation_beyond_mdr(const Case& input, const mdr::Profile& profil
 std::string explanation(const Case& input, std::size_t n_cases) {
   if (const auto profile = any_profile_of(input.indenter); !mdr::falls_of_image(profile).empty())
     return explanation_beyond_mdr(input, profile, n_cases);
-  const auto document = mdr_document(input, false);
+  auto for_mdr = input;  // which knows no cylinders
+  if (input.body.shape == Case::Body::Shape::cylinder) for_mdr.body = {};
+  const auto document = mdr_document(for_mdr, false);
   auto text = input.name + "\n" + scene_text(input) + "\n" + groups_text(input, document.json.at("mdr")) + "\n" +
               regime_text(document.json.at("mdr"), input.motion.path && !input.motion.path->repeats) + "\n";
   if (input.tolerance == 0) return text + row("elements", "none: finite elements need an Accuracy / Tolerance");
