@@ -251,6 +251,11 @@ MdrCase mdr_case(const Case& input_of_any_body) {
           fmt::format("{}: {} is not computed; leave the Body out, or expected an unworn indenter that "
                       "oscillates",
                       input_of_any_body.file, why));
+  if (!input_of_any_body.body.is_half_space() && !falls_text(any_profile_of(input_of_any_body.indenter)).empty())
+    throw InputError(
+        fmt::format("{}: Body / Shape: the indenter is a table for which MDR does not hold, which is computed over a "
+                    "half-space alone; leave the Body out, or expected a profile whose image rises",
+                    input_of_any_body.file));
   const auto [input, displacement] = incompressible_case(input_of_any_body);
   const auto& motion = input.motion;
   const bool amplitude_follows = std::isnan(motion.tangential_amplitude);

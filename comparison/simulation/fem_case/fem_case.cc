@@ -133,7 +133,7 @@ std::function<double(double)> profile_in(const Units& units, const Case& input, 
       return [factor = length * length / (2 * indenter.radius * depth)](double r) { return factor * r * r; };
     case Case::Shape::sphere:
       return [share = length / indenter.radius, radius = indenter.radius / depth](double r) {
-        const double sine = share * r;
+        const double sine = std::min(share * r, 1.0);  // beyond its equator a sphere has no surface
         return radius * sine * sine / (1 + std::sqrt((1 - sine) * (1 + sine)));
       };
     case Case::Shape::cone:

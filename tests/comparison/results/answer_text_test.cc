@@ -9,7 +9,7 @@
 namespace fretval {
 namespace {
 
-std::string text_of(const CaseResult& result) {
+std::string answer_to(const CaseResult& result) {
   return answer_text(result, result_json(result));
 }
 
@@ -31,7 +31,7 @@ TEST(AnswerText, ShowsAsManyDigitsAsTheBarAllows) {
 
 // The numbers of the made-up result: a bar of 0.03125 of the force of 42.5 N; the shakedown radius has none and fails.
 TEST(AnswerText, SetsFiniteElementsBesideMdr) {
-  const auto text = text_of(made_up_result());
+  const auto text = answer_to(made_up_result());
   expect_parts(text, {"case: finite elements do not confirm MDR: they differ by up to 1.5e-01",
                       "stick radius, shakedown      750.000 mm                   600.000 µm",
                       "largest normal force         42 ± 1 N                     40.0000 N", "1.90000 m"});
@@ -41,9 +41,9 @@ TEST(AnswerText, SetsFiniteElementsBesideMdr) {
 TEST(AnswerText, SaysWhatTheVerdictIs) {
   auto result = made_up_result();
   result.comparison.erase(Quantity::stick_radius_shakedown);
-  expect_parts(text_of(result), {"case: finite elements confirm MDR to 6.2e-02"});
+  expect_parts(answer_to(result), {"case: finite elements confirm MDR to 6.2e-02"});
   result.comparison.at(Quantity::normal_force_max).verdict = Verdict::inconclusive;
-  expect_parts(text_of(result), {"case: open", "wider than the tolerance"});
+  expect_parts(answer_to(result), {"case: open", "wider than the tolerance"});
 }
 
 // Of a prescribed force both have the largest exactly, and a mean of 0 but for roundoff. Springs say what they are off

@@ -153,6 +153,16 @@ TEST(FemCase, SphereHasItsTrueArc) {
                 "`fretval mdr` answers"});
 }
 
+// The widest rings of a coarse mesh may reach beyond it: nothing touches there, and no height is undefined.
+TEST(FemCase, ContinuesASphereBeyondItsEquator) {
+  auto input = read_case(replace(valid_case, "Shape = parabola", "Shape = sphere"));
+  input.indenter.radius = 1.2e-4 / (0.6 * std::atanh(0.6));
+  const auto fem = prepare({input}).front().fem;
+  const double equator = input.indenter.radius / fem.units.length;
+  EXPECT_DOUBLE_EQ(fem.profile(1.1 * equator), fem.profile(equator));
+  EXPECT_DOUBLE_EQ(fem.profile(equator) * fem.units.depth, input.indenter.radius);
+}
+
 // Parabola of 10 mm, 0.1 mm deep: a = 1 mm.
 TEST(FemCase, WearGoesOnFromATableOfHeightsOrOfRings) {
   const ScratchFolder folder;
