@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "comparison/reference/mdr_answer.h"
 #include "comparison/reference/mdr_case.h"
+#include "comparison/reference/mdr_readings.h"
 #include "comparison/reference/mdr_wear.h"
 #include "comparison/reference/spring_agreement.h"
 #include "comparison/support/json.h"

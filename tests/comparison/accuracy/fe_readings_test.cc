@@ -9,7 +9,7 @@
 namespace fretval {
 namespace {
 
-const Units units{2, 0.5, 4, 1};  // a force of 4
+const Units some_units{2, 0.5, 4, 1};  // a force of 4
 
 TEST(FeReadings, InUnitsOfComparisonAreThoseOfTheSameMdr) {
   MdrAnswer mdr{1.2, 2.5, std::nullopt, 1, std::nullopt, 4 * std::exp(1.0), 1};
@@ -18,11 +18,11 @@ TEST(FeReadings, InUnitsOfComparisonAreThoseOfTheSameMdr) {
   fe.stick_radius_shakedown = 1;
   fe.normal_force_max = 4 * std::exp(1.0);
   const auto by_mdr = [&](const Readings& readings) {
-    auto quantities = compared_quantities(readings, scales_of(mdr, units.length), units);
+    auto quantities = compared_quantities(readings, scales_of(mdr, some_units.length), some_units);
     quantities.erase(Quantity::limiting_amplitude);
     return quantities;
   };
-  auto quantities = quantities_of(fe, units);
+  auto quantities = quantities_of(fe, some_units);
   EXPECT_EQ(quantities, by_mdr(readings_of(mdr)));
   EXPECT_EQ(quantities.size(), 4U);
   EXPECT_EQ(quantities.at(Quantity::contact_radius_max), 1.25);
@@ -32,7 +32,7 @@ TEST(FeReadings, InUnitsOfComparisonAreThoseOfTheSameMdr) {
   fe.contact_radius_max.reset();
   fe.no_wear = NoWearEvidence{0, 0, 1, 1};
   mdr.contact_radius_max = 1;  // all of it sticks
-  quantities = quantities_of(fe, units);
+  quantities = quantities_of(fe, some_units);
   EXPECT_EQ(quantities.at(Quantity::limiting_amplitude), 1);
   quantities.erase(Quantity::limiting_amplitude);
   auto worn = by_mdr(readings_of_worn(mdr));
@@ -43,13 +43,13 @@ TEST(FeReadings, InUnitsOfComparisonAreThoseOfTheSameMdr) {
 TEST(FeReadings, SayWhyThereIsNoValue) {
   FeAnswer fe;
   fe.stick_radius_shakedown = 1;
-  auto readings = readings_of(fe, units);
+  auto readings = readings_of(fe, some_units);
   EXPECT_EQ(readings.at(Quantity::stick_radius_first_slip).why_absent, "nothing sticks");
   EXPECT_FALSE(readings.at(Quantity::contact_radius_max).is_compared);
   fe.single_pass = true;
-  EXPECT_FALSE(readings_of(fe, units).at(Quantity::stick_radius_shakedown).is_compared);
+  EXPECT_FALSE(readings_of(fe, some_units).at(Quantity::stick_radius_shakedown).is_compared);
   fe.gross_slip = GrossSlipStart{1, 0.5};
-  readings = readings_of(fe, units);
+  readings = readings_of(fe, some_units);
   EXPECT_EQ(readings.at(Quantity::normal_force_max).why_absent, "the whole contact slides");
   for (const auto& [quantity, reading] : readings) EXPECT_FALSE(reading.is_compared) << name_of(quantity);
 }
@@ -57,10 +57,10 @@ TEST(FeReadings, SayWhyThereIsNoValue) {
 TEST(FeReadings, OfACycleHaveWhatReadingTheEdgesLeavesOpen) {
   FeAnswer fe;
   fe.cycle = fem::CycleResponse{0.4, 0.1, 2e-6, 1e-6, 2e-6, 2, 1e-4, {0.01, 0.02, 1e-8, 2e-8, 4e-8}};
-  const auto readings = readings_of(fe, units);
+  const auto readings = readings_of(fe, some_units);
   EXPECT_EQ(readings.at(Quantity::cycle_work).value, 3e-6);
   EXPECT_NEAR(readings.at(Quantity::bulk_work).uncertainty.value(), 3e-8, 1e-20);
-  const auto uncertainties = uncertainties_of(readings, scales_of(fe, units));
+  const auto uncertainties = uncertainties_of(readings, scales_of(fe, some_units));
   EXPECT_EQ(uncertainties.at(Quantity::tangential_force_mean), 0.01);
   EXPECT_NEAR(uncertainties.at(Quantity::tangential_work), 0.02, 1e-15);
   EXPECT_EQ(uncertainties.count(Quantity::axis_pressure_max), 0U);
@@ -72,7 +72,7 @@ TEST(FeReadings, OfZonesAreRelative) {
   fe.contact_radius_max = 2 * std::exp(1.0);
   fe.normal_force_max = 4;
   fe.zones = ZoneAnswer{};
-  const auto quantities = quantities_of(fe, units);
+  const auto quantities = quantities_of(fe, some_units);
   EXPECT_NEAR(quantities.at(Quantity::contact_radius_max), 1, 1e-15);
   EXPECT_EQ(quantities.count(Quantity::stick_radius_shakedown), 0U);
 }
