@@ -62,7 +62,7 @@ BarToMeet to_meet(const PreparedCase& prepared, Quantity quantity, const ErrorBa
   const double tolerance =
       prepared.fem.any_order ? prepared.input.tolerance : tolerance_of(prepared.tolerances, quantity);
   if (bar.total() > tolerance)
-    log::info(fmt::format("{}: {}", prepared.input.name, excess_text(quantity, bar, tolerance)));
+    log::detail(fmt::format("{}: {}", prepared.input.name, excess_text(quantity, bar, tolerance)));
   return {bar, tolerance};
 }
 
@@ -76,7 +76,7 @@ std::optional<Resolution> finer(const PreparedCase& prepared, const FeAnswer& fe
   const Effort effort{static_cast<double>(fe.body->n_dofs), static_cast<double>(fe.body->radii.size() - 1),
                       static_cast<double>(fe.n_steps)};
   const auto planned = planned_refinement(resolution, bars, effort, fixed_by(prepared));
-  if (planned) log::info(fmt::format("{}: {}", prepared.input.name, change_text(resolution, *planned)));
+  if (planned) log::detail(fmt::format("{}: {}", prepared.input.name, change_text(resolution, *planned)));
   return planned;
 }
 
@@ -144,7 +144,7 @@ int refine_until_proved(const PreparedCase& prepared, Computations& computed, Tr
       }
       for (const auto& track : tracks.all())
         if (computed.failed(track))
-          log::info(fmt::format("{}: taken back: {}", prepared.input.name, computed.at(track).failure));
+          log::detail(fmt::format("{}: taken back: {}", prepared.input.name, computed.at(track).failure));
       tracks = *before;
       computed.compute(needed_for_bars(tracks, needs_of(prepared.fem)));
       return n;

@@ -5,13 +5,19 @@
 
 namespace fretval {
 Verdict verdict_on(double difference, double tolerance, double bar) {
-  if (bar > tolerance && std::abs(difference) <= tolerance + bar) return Verdict::inconclusive;
-  return std::abs(difference) <= tolerance ? Verdict::pass : Verdict::fail;
+  if (bar > tolerance && std::abs(difference) <= tolerance + bar) return Verdict::not_resolved;
+  return std::abs(difference) <= tolerance ? Verdict::agree : Verdict::disagree;
 }
 
 const char* name_of(Verdict verdict) {
-  if (verdict == Verdict::inconclusive) return "inconclusive";
-  return verdict == Verdict::pass ? "pass" : "fail";
+  if (verdict == Verdict::not_resolved) return "not resolved";
+  return verdict == Verdict::agree ? "agree" : "disagree";
+}
+
+Difference judged(Difference one) {
+  if (one.bar)
+    one.verdict = verdict_on(one.difference.value_or(one.only_one), one.tolerance, one.bar->total() + one.mdr_error);
+  return one;
 }
 
 Tolerances tolerances_of(double accuracy, std::optional<double> of_cycle) {
@@ -45,23 +51,42 @@ Comparison compare(const Readings& fe, const Readings& mdr, const Scales& scales
     if (traits_of(quantity).of_settling && bar == budget.end()) continue;
     Difference one{difference_of(quantity, reading, reference->second, scales), tolerance_of(tolerances, quantity)};
     one.only_one = only_one_of(quantity, reading, reference->second, scales);
-    double total = 0;
+    one.asked = is_refined_for(quantity, tolerances);
     if (bar != budget.end()) {
+      if (!one.asked && !std::isfinite(bar->second.total())) continue;  // not even its size is known
       one.bar = bar->second;
-      total = one.bar->total();
-      const bool comes_along = !is_refined_for(quantity, tolerances);
-      if (comes_along && !std::isfinite(total)) continue;  // not even its size is known
-      if (comes_along) one.tolerance = std::max(one.tolerance, total);
     }
-    if (const auto error = mdr_errors.find(quantity); error != mdr_errors.end()) one.tolerance += error->second;
-    one.verdict = verdict_on(one.difference.value_or(one.only_one), one.tolerance, total);
-    comparison[quantity] = one;
+    if (const auto error = mdr_errors.find(quantity); error != mdr_errors.end()) one.mdr_error = error->second;
+    comparison[quantity] = judged(one);
   }
   return comparison;
 }
 
-bool passes(const Comparison& comparison) {
-  return std::all_of(comparison.begin(), comparison.end(), [](const auto& entry) { return entry.second.passes(); });
+const char* name_of(Outcome outcome) {
+  switch (outcome) {
+    case Outcome::agree:
+      return "agree";
+    case Outcome::not_resolved:
+      return "not resolved";
+    case Outcome::disagree:
+      return "disagree";
+    case Outcome::not_proved:
+      return "not proved";
+    case Outcome::not_compared:
+      break;
+  }
+  return "not compared";
+}
+
+Outcome outcome_of(const Comparison& comparison) {
+  const auto any = [&](const auto& is) {
+    return std::any_of(comparison.begin(), comparison.end(), [&](const auto& entry) { return is(entry.second); });
+  };
+  if (!any([](const Difference& d) { return d.asked; })) return Outcome::not_compared;
+  if (any([](const Difference& d) { return d.verdict == Verdict::disagree; })) return Outcome::disagree;
+  if (any([](const Difference& d) { return d.asked && d.verdict == Verdict::not_resolved; }))
+    return Outcome::not_resolved;
+  return any([](const Difference& d) { return d.asked && !d.verdict; }) ? Outcome::not_proved : Outcome::agree;
 }
 
 }  // namespace fretval

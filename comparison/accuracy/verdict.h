@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <map>
 #include <optional>
 
@@ -8,24 +9,30 @@
 
 namespace fretval {
 
-/// What a comparison comes to.
-enum class Verdict { pass, fail, inconclusive };
+/// What a comparison comes to: the difference and the error bar are within the tolerance; the bar is wider than that,
+/// so that nobody can tell; the difference is larger than the tolerance, and a wider bar does not explain it.
+enum class Verdict { agree, not_resolved, disagree };
 const char* name_of(Verdict verdict);
 
-/// Pass or fail by the tolerance; inconclusive if the error bar is wider than that, unless the difference is larger
-/// than both together.
-Verdict verdict_on(double difference, double tolerance, double bar = 0);
+/// bar: of both methods together. The tolerance is the one that was asked for, and never wider.
+Verdict verdict_on(double difference, double tolerance, double bar);
 
 /// One quantity compared.
 struct Difference {
-  std::optional<double> difference;  ///< finite elements less MDR, relative; empty: nothing sticks, says one or both
-  double tolerance;
-  Verdict verdict = Verdict::pass;
-  std::optional<ErrorBar> bar = {};  ///< of the finite elements; empty: not measured
-  double only_one = 0;               ///< without a difference: the stick radius that only one of the two finds
+  std::optional<double>
+      difference;  ///< finite elements less MDR over the scale; empty: nothing sticks, says one or both
+  double tolerance = 0;
+  std::optional<Verdict> verdict = {};  ///< empty: without an error bar nothing is proved
+  std::optional<ErrorBar> bar = {};     ///< of the finite elements; empty: not measured
+  double mdr_error = 0;                 ///< what MDR's springs may be off by, over the same scale
+  bool asked = true;                    ///< for; otherwise it comes along, and is told with its bar
+  double only_one = 0;                  ///< without a difference: what only one of the two finds, over the scale
 
-  [[nodiscard]] bool passes() const { return verdict == Verdict::pass; }
+  [[nodiscard]] double size() const { return std::abs(difference.value_or(only_one)); }
 };
+
+/// With the verdict on it.
+Difference judged(Difference one);
 
 /// How far finite elements and MDR may lie apart.
 struct Tolerances {
@@ -53,6 +60,16 @@ using Comparison = std::map<Quantity, Difference>;
 Comparison compare(const Readings& fe, const Readings& mdr, const Scales& scales, const Tolerances& tolerances,
                    const ErrorBudget& budget = {});
 
-bool passes(const Comparison& comparison);
+/// What becomes of a case: of its comparisons those that were asked for have to agree, and none may disagree.
+/// not_proved: there are no error bars, and so no verdict, whatever the differences. not_compared: MDR does not hold.
+enum class Outcome { agree, not_resolved, disagree, not_proved, not_compared };
+const char* name_of(Outcome outcome);
+
+Outcome outcome_of(const Comparison& comparison);
+
+/// Nothing speaks against it.
+inline bool passes(Outcome outcome) {
+  return outcome != Outcome::not_resolved && outcome != Outcome::disagree;
+}
 
 }  // namespace fretval

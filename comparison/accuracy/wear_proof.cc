@@ -112,7 +112,7 @@ std::optional<Resolution> finer(const PreparedCase& prepared, const ProvedWear& 
   for (const auto& [quantity, bar] : budget) {
     const double tolerance = tolerance_of(prepared.tolerances, quantity), times = bar.total() / tolerance;
     if (!(times > 1) || !wear.limits.reached || (quantity != Quantity::worn_volume && !wear.ends_in_limit())) continue;
-    log::info(fmt::format("{}: {}", prepared.input.name, excess_text(quantity, bar, tolerance)));
+    log::detail(fmt::format("{}: {}", prepared.input.name, excess_text(quantity, bar, tolerance)));
     if (times <= furthest) continue;
     furthest = times;
     largest = bar.largest();
@@ -120,7 +120,7 @@ std::optional<Resolution> finer(const PreparedCase& prepared, const ProvedWear& 
   if (!largest || largest->source == ErrorSource::cycles) return std::nullopt;  // the case says when to stop
   constexpr double little = 1.5;  // what lacks; a share falls at least as its rings or steps become smaller
   const auto next = refined(wear.resolution, largest->source, furthest <= little ? little : 2);
-  if (next) log::info(fmt::format("{}: wear {}", prepared.input.name, change_text(wear.resolution, *next)));
+  if (next) log::detail(fmt::format("{}: wear {}", prepared.input.name, change_text(wear.resolution, *next)));
   return next;
 }
 
@@ -166,7 +166,7 @@ std::optional<mdr::WearKinetics> springs_of(const PreparedCase& prepared, double
   try {
     return wear_kinetics_of(prepared.input, prepared.mdr, n_cycles, fineness);
   } catch (const std::runtime_error& error) {
-    log::info(fmt::format("{}: no course of wear by springs: {}", prepared.input.name, error.what()));
+    log::detail(fmt::format("{}: no course of wear by springs: {}", prepared.input.name, error.what()));
     return std::nullopt;
   }
 }
@@ -236,14 +236,10 @@ Comparison compare(const PreparedCase& prepared, const ProvedWear& wear, const E
   Comparison comparison;
   if (!wear.slip_is_proved && !wear.sticks_throughout) return comparison;
   const auto judge = [&](Quantity quantity, double expected, double error = 0) {
-    const double difference = values.at(quantity) - expected,
-                 tolerance = tolerance_of(prepared.tolerances, quantity) + error;
-    const auto bar = budget.find(quantity);
-    if (bar == budget.end())
-      comparison[quantity] = {difference, tolerance, verdict_on(difference, tolerance)};
-    else
-      comparison[quantity] = {difference, tolerance, verdict_on(difference, tolerance, bar->second.total()),
-                              bar->second};
+    Difference one{values.at(quantity) - expected, tolerance_of(prepared.tolerances, quantity)};
+    if (const auto bar = budget.find(quantity); bar != budget.end()) one.bar = bar->second;
+    one.mdr_error = error;
+    comparison[quantity] = judged(one);
   };
   if (!wear.ends_in_limit()) {
     if (wear.springs_error)

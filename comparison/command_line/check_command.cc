@@ -30,18 +30,18 @@ namespace {
 namespace fs = std::filesystem;
 
 /// A suite that was run, as it is shown and written.
-struct Outcome {
+struct SuiteOutcome {
   std::string table, junit;
   nlohmann::ordered_json json;
   int exit_code;
 };
 
-Outcome outcome_of(const SuiteRun& run) {
+SuiteOutcome outcome_of(const SuiteRun& run) {
   auto json = suite_json(run);
   return {suite_text(json), suite_junit(run), std::move(json), exit_code_of(run)};
 }
 
-Outcome check_exact() {
+SuiteOutcome check_exact() {
   const auto rows = exact_rows();
   auto json = convergence_json(rows);
   return {convergence_text(json), convergence_junit(rows), std::move(json), exit_code_of(rows)};
@@ -52,7 +52,7 @@ void write_case_file(const fs::path& folder, const SuiteCase& one) {
   write_file(folder / (one.name + ".prm"), one.text);
 }
 
-Outcome check_tolerance(const CheckOptions& options) {
+SuiteOutcome check_tolerance(const CheckOptions& options) {
   if (!options.cases_folder.empty())
     for (const double tolerance : options.tolerances)
       for (const auto& one : tolerance_cases(tolerance))
@@ -60,14 +60,14 @@ Outcome check_tolerance(const CheckOptions& options) {
   return outcome_of(run_tolerance_suite(options.tolerances));
 }
 
-Outcome check_extremes(const CheckOptions& options) {
+SuiteOutcome check_extremes(const CheckOptions& options) {
   const auto cases = only_family(options.only_short ? short_extreme_cases() : extreme_cases(), options.family);
   if (cases.empty()) throw InputError(fmt::format("--family {}: no family of the suite contains that", options.family));
   return outcome_of(run_extreme_suite(cases));
 }
 
 /// Error bars were made with cases in view that were drawn before: without a seed there are new ones.
-Outcome check_random(const CheckOptions& options) {
+SuiteOutcome check_random(const CheckOptions& options) {
   if (options.only && !options.seed) throw InputError("--only: of which cases? Expected their --seed as well");
   const auto seed = options.seed.value_or(std::random_device()());
   if (!options.seed) log::info(fmt::format("new cases: --seed {} draws them again", seed));
@@ -77,7 +77,7 @@ Outcome check_random(const CheckOptions& options) {
   return outcome_of(run);
 }
 
-Outcome check(const CheckOptions& options) {
+SuiteOutcome check(const CheckOptions& options) {
   if (options.suite == "small") return outcome_of(run_small_suite(options.meshes));
   if (options.suite == "exact") return check_exact();
   if (options.suite == "tolerance") return check_tolerance(options);

@@ -62,6 +62,8 @@ Proof proof_of(const std::string& word) {
 void add_commands(CLI::App& app, Command& command) {
   app.fallthrough();  // also after the verb
   app.add_flag_callback("-q,--quiet", log::keep_quiet, "Warnings and errors alone, and what was asked for");
+  app.add_flag_callback("-v,--verbose", log::say_details,
+                        "Also what is refined and why, and which operators come from the store");
   struct Options {
     std::string file, other, output = "results", mesh;
     RunOptions run;

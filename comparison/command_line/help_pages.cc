@@ -3,7 +3,10 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <sstream>
 #include <vector>
+
+#include "comparison/command_line/exit_codes.h"
 
 namespace fretval {
 namespace {
@@ -62,10 +65,11 @@ std::string man_page(const CLI::App& app) {
   text += options_text(app) + ".SH VERBS\n";
   for (const auto* verb : verbs_of(app))
     text += fmt::format(".SS {}\n{}\n{}", troff(verb->get_name()), troff(verb->get_description()), options_text(*verb));
-  return text +
-         ".SH EXIT STATUS\n.TP\n0\nall agree\n.TP\n1\nthey disagree beyond the tolerance\n.TP\n2\nbad "
-         "input\n.TP\n3\nthe "
-         "numerics failed\n.TP\n4\nthe system failed\n";
+  text += ".SH EXIT STATUS\n";
+  std::istringstream codes(exit_codes_text);
+  for (std::string line; std::getline(codes, line);)
+    text += fmt::format(".TP\n{}\n{}\n", line.substr(0, 1), troff(line.substr(3)));
+  return text;
 }
 
 std::string bash_completion(const CLI::App& app) {

@@ -7,6 +7,7 @@
 #include "comparison/case/case_file.h"
 #include "comparison/case/plausibility.h"
 #include "comparison/command_line/exit_codes.h"
+#include "comparison/quantities/readings_json.h"
 #include "comparison/reference/mdr_case.h"
 #include "comparison/reference/mdr_document.h"
 #include "comparison/results/answer_text.h"
@@ -18,40 +19,31 @@ namespace {
 
 using nlohmann::ordered_json;
 
-/// Why there is none.
-std::string none_text(Quantity quantity, bool single_pass) {
-  switch (quantity) {
-    case Quantity::stick_radius_first_slip:
-      return "none (nothing sticks)";
-    case Quantity::stick_radius_shakedown:
-      return single_pass ? "none (a single pass has no periodic state)" : "none (nothing sticks)";
-    case Quantity::worn_radius:
-      return single_pass ? "none" : "none (wear goes on)";
-    case Quantity::normal_force_max:
-      return "not computed; see --springs";
-    default:
-      return "none";
-  }
-}
-
-void print_answer(const ordered_json& json, bool single_pass) {
+void print_answer(const ordered_json& json) {
   const auto& mdr = json["mdr"];
   const auto springs = json.value("springs", ordered_json::object());
-  fmt::print(
-      "{}{}\n", json["name"].get<std::string>(),
-      json.contains("limiting_state") ? ": under prescribed forces, of the contact that has worn to its end" : "");
-  if (!springs.empty()) fmt::print("{}", answer_line("", "MDR", "springs"));
+  // Of another contact than the one that finite elements are asked about, and so under other names.
+  const bool worn = json.contains("limiting_state");
+  fmt::print("{}{}\n", json["name"].get<std::string>(),
+             worn ? ": under prescribed forces, of the contact that has worn to its end" : "");
+  if (!springs.empty())
+    fmt::print("{}", answer_line("", worn ? "MDR, worn" : "MDR", worn ? "springs, unworn" : "springs"));
   const auto& ratio = mdr["modulus_ratio"];
   fmt::print("{}", answer_line("modulus ratio", ratio.is_null() ? "none" : fmt::format("{:.6g}", ratio.get<double>())));
   const Scales scales{0, mdr.value("tangential_force_max", 0.0), 0};
   for (const auto quantity : quantities_by_interest) {
     const auto& traits = traits_of(quantity);
     const auto shown = [&](const ordered_json& from) {
-      if (!from.contains(traits.name)) return std::string();
-      return from[traits.name].is_null() ? none_text(quantity, single_pass) : mdr_text(from, quantity, scales);
+      const auto reading = stored_reading(from, quantity);
+      if (!reading) return std::string();
+      if (reading->value) return mdr_text(from, quantity, scales);
+      return reading->why_absent.empty() ? std::string("none") : "none (" + reading->why_absent + ")";
     };
     const auto by_mdr = shown(mdr), by_springs = shown(springs);
-    if (*traits.unit && !(by_mdr + by_springs).empty()) fmt::print("{}", answer_line(traits.title, by_mdr, by_springs));
+    if (!*traits.unit || (by_mdr + by_springs).empty()) continue;
+    fmt::print("{}", worn && springs.empty()
+                         ? fmt::format("  {:<32} {}\n", traits.title + std::string(", worn"), by_mdr)
+                         : answer_line(traits.title, by_mdr, by_springs));
   }
   if (json.contains("wear")) {
     const auto& wear = json["wear"];
@@ -83,7 +75,7 @@ int run_mdr(const std::string& file, const MdrOptions& options) {
     if (options.json) {
       list.push_back(document.json);
     } else {
-      print_answer(document.json, input.motion.path && !input.motion.path->repeats);
+      print_answer(document.json);
     }
   }
   if (options.json) fmt::print("{}\n", (list.size() == 1 ? list[0] : list).dump(2));

@@ -55,8 +55,11 @@ int run_program(int argc, char** argv) {
   if (is_first_rank()) say_on_interrupt("interrupted: nothing is kept");
   CLI::App app{
       "fretval: do finite elements confirm what the method of dimensionality reduction predicts for fretting on an "
-      "elastomer, how closely, and at what cost?"};
+      "elastomer, how closely, and at what cost?\nThe method of dimensionality reduction (MDR): V. L. Popov and M. "
+      "Hess, "
+      "Method of Dimensionality Reduction in Contact Mechanics and Friction, Springer 2015."};
   app.set_version_flag("--version", version_text());
+  app.footer(fmt::format("Exit codes:\n{}", exit_codes_text));
   app.require_subcommand(1);
   Command command;
   add_commands(app, command);

@@ -64,10 +64,13 @@ std::vector<Case> read_cases(const std::vector<std::string>& inputs) {
 }
 
 int exit_code_of(const std::vector<BatchLine>& lines) {
-  const auto failed = [](const BatchLine& line) { return !line.failure.empty(); };
-  if (std::any_of(lines.begin(), lines.end(), failed)) return exit_numerics_failed;
-  const auto agrees = [](const BatchLine& line) { return line.pass; };
-  return std::all_of(lines.begin(), lines.end(), agrees) ? exit_agree : exit_disagree;
+  const auto any = [&](Outcome outcome) {
+    return std::any_of(lines.begin(), lines.end(), [=](const BatchLine& line) { return line.outcome == outcome; });
+  };
+  if (std::any_of(lines.begin(), lines.end(), [](const BatchLine& line) { return line.failed(); }))
+    return exit_numerics_failed;
+  if (any(Outcome::disagree)) return exit_disagree;
+  return any(Outcome::not_resolved) ? exit_not_resolved : exit_agree;
 }
 
 /// What is said if the run is interrupted after so many results.
@@ -88,7 +91,7 @@ std::vector<BatchLine> computed_lines(const std::vector<PreparedCase>& prepared,
   const auto told = [&](const BatchLine& line) {
     if (line.failure.empty()) ++n_kept;
     if (!options.output.empty()) say_on_interrupt(interrupted_text(prepared, options.output, n_kept));
-    progress.done(outcome_text(line), line.pass, line.name);
+    progress.done(outcome_text(line), !line.failed() && passes(line.outcome), line.name);
     if (options.json && line.failure.empty()) print_line(line.json);
   };
   const auto under_way = [&](const std::string& name, double share, const std::string& what) {
@@ -101,7 +104,7 @@ std::vector<BatchLine> computed_lines(const std::vector<PreparedCase>& prepared,
                    : run_batch(prepared, batch, bodies);
   const auto n = ranks.sum({bodies.n_made, bodies.n_kept});
   if (bodies.operators && ranks.is_first())
-    log::info(fmt::format("{} bodies made, {} from the store {}", n[0], n[1], bodies.operators->folder().string()));
+    log::detail(fmt::format("{} bodies made, {} from the store {}", n[0], n[1], bodies.operators->folder().string()));
   return lines;
 }
 
@@ -109,14 +112,13 @@ std::vector<BatchLine> computed_lines(const std::vector<PreparedCase>& prepared,
 std::string junit_of(const std::vector<BatchLine>& lines, const Changes* changes) {
   std::vector<JUnitCase> cases;
   for (const auto& line : lines) {
-    const bool good = line.failure.empty() && line.pass;
-    auto why = good                   ? std::string()
-               : line.failure.empty() ? line.answer.substr(0, line.answer.find('\n'))
-                                      : line.failure;
+    // What happens comes first, in a line of its own, then the verdict.
+    const auto verdict = line.answer.substr(std::min(line.answer.size(), line.answer.find('\n') + 1));
+    auto why = line.failed() || passes(line.outcome) ? std::string() : verdict.substr(0, verdict.find('\n'));
     const auto changed = changes ? changes->of_case(line.name) : std::string();
     if (!changed.empty())
       why += (why.empty() ? "" : "\n") + ("other than the baseline, beyond the bars of both:\n" + changed);
-    cases.push_back({line.name, why, line.answer, line.seconds});
+    cases.push_back({line.name, why, line.answer, line.seconds, line.failure});
   }
   return junit_document("fretval run", cases);
 }
@@ -205,7 +207,8 @@ int run_cases(const RunOptions& options) {
   const auto changes = baseline.empty() ? std::nullopt : std::optional(changes_from(baseline, lines));
   if (!options.junit.empty()) write_file(options.junit, junit_of(lines, changes ? &*changes : nullptr));
   const int exit_code = exit_code_of(lines);
-  return exit_code == exit_agree && changes && changes->any() ? exit_disagree : exit_code;
+  const bool may_change = exit_code == exit_agree || exit_code == exit_not_resolved;
+  return may_change && changes && changes->any() ? exit_disagree : exit_code;
 }
 
 }  // namespace fretval

@@ -24,20 +24,56 @@ ToleranceUse largest_use_of(const std::vector<BatchLine>& lines) {
 void print_values(const std::vector<BatchLine>& lines) {
   std::vector<StoredResult> results;
   for (const auto& line : lines)
-    if (line.failure.empty() && line.compared && !line.json.empty())
+    if (!line.failed() && line.outcome != Outcome::not_compared && !line.json.empty())
       results.push_back({nlohmann::ordered_json::parse(line.json), {}});
   if (!results.empty()) fmt::print("{}", text_of(values_table(results, main_quantities())));
+}
+
+/// What several cases come to: the worst of them.
+std::string heading_of(const std::vector<BatchLine>& lines) {
+  const auto any = [&](Outcome outcome) {
+    return std::any_of(lines.begin(), lines.end(), [=](const auto& line) { return line.outcome == outcome; });
+  };
+  if (std::any_of(lines.begin(), lines.end(), [](const auto& line) { return line.failed(); })) return "FAILED";
+  for (const auto outcome : {Outcome::disagree, Outcome::not_resolved, Outcome::not_proved})
+    if (any(outcome)) return outcome == Outcome::disagree ? "DISAGREE" : name_of(outcome);
+  return "agree";
+}
+
+/// "11 of 13 agree, 1 not resolved, 1 failed": those that are compared.
+std::string counts_text(const std::vector<BatchLine>& lines) {
+  const auto count = [&](const auto& is) { return std::count_if(lines.begin(), lines.end(), is); };
+  const auto n_failed = count([](const auto& line) { return line.failed(); });
+  const auto with = [&](Outcome outcome) {
+    return count([=](const auto& line) { return !line.failed() && line.outcome == outcome; });
+  };
+  auto text = fmt::format("{:>3} of {:>3} agree", with(Outcome::agree),
+                          static_cast<long>(lines.size()) - with(Outcome::not_compared));
+  for (const auto outcome : {Outcome::disagree, Outcome::not_resolved, Outcome::not_proved})
+    if (const auto n = with(outcome); n > 0) text += fmt::format(", {} {}", n, name_of(outcome));
+  return text + (n_failed > 0 ? fmt::format(", {} failed", n_failed) : "");
 }
 
 }  // namespace
 
 std::string outcome_text(const BatchLine& line) {
-  if (!line.failure.empty()) return fmt::format("{}: FAILED: {}", line.name, line.failure);
-  const char* verdict = !line.compared ? "not compared, as MDR does not hold,"
-                        : line.pass    ? "agrees"
-                        : line.open    ? "open, its error bars are wider than the tolerance,"
-                                       : "DISAGREES";
-  return fmt::format("{}: {} in {:.1f} s", line.name, verdict, line.seconds);
+  if (line.failed()) return fmt::format("{}: FAILED: {}", line.name, line.failure);
+  const auto words = [&]() -> std::string {
+    switch (line.outcome) {
+      case Outcome::agree:
+        return "agrees";
+      case Outcome::disagree:
+        return "DISAGREES";
+      case Outcome::not_resolved:
+        return "not resolved, its error bars are wider than the tolerance,";
+      case Outcome::not_proved:
+        return "not proved, without error bars,";
+      case Outcome::not_compared:
+        break;
+    }
+    return "not compared, as MDR does not hold,";
+  }();
+  return fmt::format("{}: {} in {:.1f} s", line.name, words, line.seconds);
 }
 
 void print_answer(const BatchLine& line) {
@@ -55,22 +91,17 @@ void print_verdicts(const std::vector<BatchLine>& lines) {
   std::map<std::string, std::vector<BatchLine>> families;
   for (const auto& line : lines) families[line.name.substr(0, line.name.find('/'))].push_back(line);
   for (const auto& [family, members] : families) {
-    std::size_t n_pass = 0;
     std::size_t n_beyond = 0;
-    std::size_t n_open = 0;
     for (const auto& line : members) {
-      n_pass += line.pass ? 1 : 0;
-      n_beyond += line.compared ? 0 : 1;
-      n_open += line.open ? 1 : 0;
-      if (!line.failure.empty()) fmt::print("FAILED   {}: {}\n", line.name, line.failure);
-      if (!line.compared) fmt::print("no MDR   {}", line.answer);
+      const bool beyond = !line.failed() && line.outcome == Outcome::not_compared;
+      n_beyond += beyond ? 1 : 0;
+      if (line.failed()) fmt::print("{:<12} {}: {}\n", "FAILED", line.name, line.failure);
+      if (beyond) fmt::print("{:<12} {}", "no MDR", line.answer);
     }
     if (n_beyond == members.size()) continue;
-    const char* verdict = n_pass == members.size()            ? "agree   "
-                          : n_pass + n_open == members.size() ? "open    "
-                                                              : "DISAGREE";
-    fmt::print("{} {:<34} {:>3} of {:>3} agree; largest use of a tolerance: {}\n", verdict, family, n_pass,
-               members.size(), largest_use_of(members).text);
+    const auto use = largest_use_of(members);
+    fmt::print("{:<12} {:<34} {}{}\n", heading_of(members), family, counts_text(members),
+               use.share < 0 ? "" : "; closest to its tolerance: " + use.text);
   }
   std::fflush(stdout);  // before the log goes on
 }

@@ -42,28 +42,11 @@ enum class Quantity {
   worn_volume
 };
 
-inline constexpr std::array all_quantities{Quantity::axis_pressure_max,
-                                           Quantity::bulk_work,
-                                           Quantity::contact_radius_max,
-                                           Quantity::cycle_work,
-                                           Quantity::cycles_to_shakedown,
-                                           Quantity::distance_to_limit,
-                                           Quantity::force_outside_stick_zone,
-                                           Quantity::friction_work,
-                                           Quantity::indentation_max,
-                                           Quantity::limiting_amplitude,
-                                           Quantity::maximum_indentation,
-                                           Quantity::normal_force_max,
-                                           Quantity::slip_decay,
-                                           Quantity::slip_inside_stick_zone,
-                                           Quantity::stick_radius_first_slip,
-                                           Quantity::stick_radius_shakedown,
-                                           Quantity::tangential_amplitude,
-                                           Quantity::tangential_force_max,
-                                           Quantity::tangential_force_mean,
-                                           Quantity::tangential_work,
-                                           Quantity::worn_radius,
-                                           Quantity::worn_volume};
+inline constexpr auto all_quantities = [] {
+  std::array<Quantity, static_cast<std::size_t>(Quantity::worn_volume) + 1> all{};
+  for (std::size_t i = 0; i < all.size(); ++i) all[i] = static_cast<Quantity>(i);
+  return all;
+}();
 
 /// The same in the order in which people ask for them.
 inline constexpr std::array quantities_by_interest{Quantity::stick_radius_first_slip,

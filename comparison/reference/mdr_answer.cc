@@ -2,12 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
-#include "comparison/quantities/readings_json.h"
 #include "comparison/reference/cycle_of_springs.h"
+#include "comparison/reference/gross_slip.h"
 #include "comparison/reference/layer_answer.h"
-#include "comparison/reference/mdr_readings.h"
 #include "comparison/support/cycles_until.h"
 #include "mdr/springs/path_response.h"
 #include "mdr/springs/slip_of_periods.h"
@@ -78,6 +76,7 @@ MdrAnswer with_normal_response(const mdr::NormalResponse& normal) {
 /// Of an unworn indenter, by the springs. Under both forces the shakedown radius has a closed form.
 MdrAnswer forced_answer(const MdrCase& mdr, const mdr::NormalResponse& normal, int times) {
   MdrAnswer answer = with_normal_response(normal);
+  answer.steady_sliding_share = steady_sliding_share(mdr);
   mdr::SteppedForcedResponse stepped;
   try {
     stepped = mdr::forced_response(mdr.profile, mdr.body, mdr.friction_coefficient, mdr.prescribed(),
@@ -246,20 +245,6 @@ std::optional<mdr::LimitingProfile> worn_profile(const MdrCase& mdr, const std::
     return mdr::limiting_profile(mdr.profile, mdr.limiting_state->stick_radius,
                                  mdr::maximum_indentation(mdr.limiting_state->motion));
   return mdr::limiting_profile(mdr.profile, *shakedown_radius, deepest_indentation(mdr));
-}
-
-nlohmann::ordered_json to_json(const MdrAnswer& answer) {
-  nlohmann::ordered_json json{{"modulus_ratio", std::isnan(answer.modulus_ratio)
-                                                    ? nlohmann::ordered_json(nullptr)
-                                                    : nlohmann::ordered_json(answer.modulus_ratio)}};
-  add_readings(readings_of(answer), json);
-  if (const auto& cycle = answer.cycle)
-    json["cycle_error"] = {{"force", cycle->force_error}, {"work", cycle->work_error}, {"loop", cycle->loop_error}};
-  if (const auto& settling = answer.cycles_to_shakedown) json["cycles_to_shakedown_error"] = settling->error;
-  if (answer.stepping_error > 0) json["stepping_error"] = answer.stepping_error;
-  if (answer.gross_slip) json["gross_slip"] = *answer.gross_slip;
-  if (answer.gross_slip_time) json["gross_slip_time"] = *answer.gross_slip_time;
-  return json;
 }
 
 bool MdrAnswer::wears_no_more() const {

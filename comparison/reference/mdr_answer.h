@@ -1,6 +1,5 @@
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
 #include <optional>
 
 #include "comparison/reference/mdr_case.h"
@@ -57,7 +56,8 @@ struct MdrAnswer {
   /// Of all amplitudes, the share at which the whole contact begins to slide under a prescribed tangential force while
   /// they rise slowly; then all else but the normal response is empty. Empty: it never does.
   std::optional<double> gross_slip = {};
-  std::optional<double> gross_slip_time = {};  ///< s, of a single pass, in the time of its rows
+  std::optional<double> gross_slip_time = {};       ///< s, of a single pass, in the time of its rows
+  std::optional<double> steady_sliding_share = {};  ///< see steady_sliding_share
   bool single_pass = false;  ///< then there is no periodic state, no shakedown radius and no limiting profile
 
   /// Whether all of the largest contact sticks in the end, as it does under a profile that is limiting for the motion.
@@ -71,9 +71,6 @@ mdr::NormalResponse mdr_normal_response(const MdrCase& mdr);
 /// profile of the shakedown radius; under forces that of their limiting state. Empty: nothing sticks, and wear goes on
 /// for ever; or a path.
 std::optional<mdr::LimitingProfile> worn_profile(const MdrCase& mdr, const std::optional<double>& shakedown_radius);
-
-/// The "mdr" object of result.json. SI units; null where nothing sticks.
-nlohmann::ordered_json to_json(const MdrAnswer& answer);
 
 MdrAnswer mdr_answer(const MdrCase& mdr, const mdr::NormalResponse& normal);
 

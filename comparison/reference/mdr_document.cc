@@ -8,6 +8,7 @@
 #include "comparison/reference/incompressible_case.h"
 #include "comparison/reference/mdr_answer.h"
 #include "comparison/reference/mdr_case.h"
+#include "comparison/reference/mdr_readings.h"
 #include "comparison/reference/mdr_wear.h"
 #include "comparison/reference/spring_agreement.h"
 #include "comparison/support/json.h"

@@ -1,5 +1,10 @@
 #include "comparison/reference/mdr_readings.h"
 
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "comparison/quantities/readings_json.h"
+
 namespace fretval {
 namespace {
 
@@ -34,7 +39,8 @@ Readings readings_of(const MdrAnswer& answer) {
        {answer.stick_radius_shakedown, {}, answer.single_pass ? in_a_pass : nothing_sticks, !answer.single_pass}},
       {Quantity::worn_radius, {answer.worn_radius, {}, answer.single_pass ? in_a_pass : "wear goes on", false}},
       {Quantity::normal_force_max,
-       {answer.normal_force_max, if_any(answer.normal_force_error), "not computed", !answer.indentation_max}},
+       {answer.normal_force_max, if_any(answer.normal_force_error), "not computed; see --springs",
+        !answer.indentation_max}},
       {Quantity::limiting_amplitude,
        {answer.limiting_amplitude, {}, "the indenter is not worn", answer.limiting_amplitude.has_value()}}};
   if (answer.axis_pressure)
@@ -55,6 +61,21 @@ Readings readings_of_worn(const MdrAnswer& answer) {
   readings[Quantity::force_outside_stick_zone] = {0};
   readings[Quantity::maximum_indentation] = {1};
   return readings;
+}
+
+nlohmann::ordered_json to_json(const MdrAnswer& answer) {
+  nlohmann::ordered_json json{{"modulus_ratio", std::isnan(answer.modulus_ratio)
+                                                    ? nlohmann::ordered_json(nullptr)
+                                                    : nlohmann::ordered_json(answer.modulus_ratio)}};
+  add_readings(readings_of(answer), json);
+  if (const auto& cycle = answer.cycle)
+    json["cycle_error"] = {{"force", cycle->force_error}, {"work", cycle->work_error}, {"loop", cycle->loop_error}};
+  if (const auto& settling = answer.cycles_to_shakedown) json["cycles_to_shakedown_error"] = settling->error;
+  if (answer.stepping_error > 0) json["stepping_error"] = answer.stepping_error;
+  if (answer.gross_slip) json["gross_slip"] = *answer.gross_slip;
+  if (answer.steady_sliding_share) json["steady_sliding_share"] = *answer.steady_sliding_share;
+  if (answer.gross_slip_time) json["gross_slip_time"] = *answer.gross_slip_time;
+  return json;
 }
 
 Scales scales_of(const MdrAnswer& answer, double contact_radius) {

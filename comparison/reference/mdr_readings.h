@@ -1,5 +1,7 @@
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
+
 #include "comparison/quantities/reading.h"
 #include "comparison/reference/mdr_answer.h"
 
@@ -12,6 +14,9 @@ Readings readings_of(const MdrAnswer& answer);
 /// The same with what MDR expects of a profile in which nothing wears any more: no slip inside, no force outside, the
 /// flank touches at the largest indentation.
 Readings readings_of_worn(const MdrAnswer& answer);
+
+/// The "mdr" object of result.json. SI units; null where nothing sticks.
+nlohmann::ordered_json to_json(const MdrAnswer& answer);
 
 /// contact_radius: m, unworn.
 Scales scales_of(const MdrAnswer& answer, double contact_radius);

@@ -23,6 +23,7 @@
 #include "comparison/report/text/resources.h"
 #include "comparison/report/text/table.h"
 #include "comparison/results/results_folder.h"
+#include "comparison/results/verdict_text.h"
 #include "comparison/support/files.h"
 #include "comparison/support/versions.h"
 
@@ -94,10 +95,11 @@ Filling rheology_section(const Results& results) {
   for (const auto& [name, members] : by_rheology) {
     int most_cycles = 0;
     for (const auto& r : members) most_cycles = std::max(most_cycles, r.json.at("cost").value("cycles", 0));
-    table.rows.push_back(
-        {name, number_text(members.front().number("mdr", "modulus_ratio"), "{:.6f}"), fmt::format("{}", members.size()),
-         number_text(extreme_of(members, "stick_radius_first_slip").difference),
-         number_text(extreme_of(members, "stick_radius_shakedown").difference), fmt::format("up to {}", most_cycles)});
+    table.rows.push_back({name, number_text(members.front().number("mdr", "modulus_ratio"), "{:.6f}"),
+                          fmt::format("{}", members.size()),
+                          number_text(extreme_of(members, Quantity::stick_radius_first_slip).size),
+                          number_text(extreme_of(members, Quantity::stick_radius_shakedown).size),
+                          fmt::format("up to {}", most_cycles)});
   }
   return {{"template", "rheology"}, {"table", filling_of(table)}};
 }
@@ -160,15 +162,13 @@ Filling cases_of_many(const Results& results) {
 Filling all_cases_section(const Results& results) {
   Table table{{"case", "a", "c first slip, MDR", "FE", "c shakedown, MDR", "FE", "contact radius", "normal force", ""}};
   for (const auto& r : results) {
-    const bool pass = r.json.at("pass").get<bool>();
+    const auto outcome = stored_outcome(r.json);
     const auto length = [&](const char* side, const char* key) { return length_text(r, side, key); };
     table.rows.push_back({r.json.at("name").get<std::string>(), length("scene", "contact_radius_unworn"),
                           length("mdr", "stick_radius_first_slip"), length("fe", "stick_radius_first_slip"),
                           length("mdr", "stick_radius_shakedown"), length("fe", "stick_radius_shakedown"),
                           difference_text(r, "contact_radius_max"), difference_text(r, "normal_force_max"),
-                          bad_if(!pass, r.is_beyond_mdr() ? "not compared"
-                                        : pass            ? "agree"
-                                                          : "disagree")});
+                          bad_if(outcome == Outcome::disagree, name_of(outcome))});
   }
   return {{"template", "all_cases"}, {"table", filling_of(table)}};
 }
@@ -191,7 +191,7 @@ std::string page_of(Filling sections) {
   const auto plots = place_plots(sections);
   const auto text = [](const char* name) { return std::string(resources().at(name)); };
   return rendered({{"template", "page"},
-                   {"title", "Finite elements against MDR"},
+                   {"title", "Finite elements against the method of dimensionality reduction (MDR)"},
                    {"style", text("katex.css") + text("report.css")},
                    {"sections", std::move(sections)},
                    {"libraries", libraries_text()},

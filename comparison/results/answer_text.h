@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "comparison/results/case_result.h"
+#include "comparison/results/unit_text.h"
 
 namespace fretval {
 
@@ -13,28 +14,17 @@ namespace fretval {
 constexpr const char* no_shakedown_in_a_pass =
     "a single pass has no periodic state: never slipped is the only stick radius";
 
-/// A value in SI units for people: with the prefix that leaves one to three digits before the point, of its bar at most
-/// two, and as many digits as the bar allows, or six: "0.79312 ± 0.00004 mm". bar: absolute; 0, or less than nine
-/// decimals show: none is known. unit: "m", "N", ….
-std::string with_unit(double value, double bar, const std::string& unit);
-
-/// The prefix that leaves one to three digits before the point.
-struct UnitPrefix {
-  const char* name;
-  double factor;
-};
-UnitPrefix prefix_for(double value);
-
 /// A quantity by both methods, with units, the finite elements' with its error bar; the difference as result.json has
 /// it.
 struct AnswerRow {
   std::string title, fe, mdr, difference;
-  bool passes;
+  std::string remark = {};  ///< the verdict, unless it agrees or there is none
+  bool asked = true;        ///< for; the others come after those that are
 };
 
-/// The answer to a case: what became of MDR in a sentence, then each quantity that is compared.
+/// The answer to a case: what happens, what became of MDR (see verdict_text.h), then each quantity that is compared.
 struct Answer {
-  std::string verdict;
+  std::string plain, verdict;
   std::vector<AnswerRow> rows;
 };
 
@@ -59,10 +49,8 @@ std::string annuli_text(const nlohmann::ordered_json& annuli);
 std::string mdr_text(const nlohmann::ordered_json& mdr, Quantity quantity, const Scales& scales);
 
 /// A line of a table for the terminal.
-std::string answer_line(const std::string& title, const std::string& first, const std::string& second = {});
-
-/// "1.5 mm³"
-std::string volume_text(double cubic_metres);
+std::string answer_line(const std::string& title, const std::string& first, const std::string& second = {},
+                        const std::string& remark = {});
 
 /// The answer to a case for the terminal. json: its result_json.
 std::string answer_text(const CaseResult& result, const nlohmann::ordered_json& json);

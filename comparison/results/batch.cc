@@ -20,22 +20,11 @@ namespace {
 
 constexpr double unworn_beside_wear = 0.05;  // of the time that both take
 
-/// Something is inconclusive, and nothing fails.
-bool is_open(const Comparison& comparison) {
-  const auto any = [&](Verdict verdict) {
-    return std::any_of(comparison.begin(), comparison.end(),
-                       [&](const auto& entry) { return entry.second.verdict == verdict; });
-  };
-  return any(Verdict::inconclusive) && !any(Verdict::fail);
-}
-
 /// What there is to tell and to keep of a result.
 void finish(const CaseResult& result, const mdr::NormalResponse& reference, const BatchOptions& options,
             BatchLine& line) {
   line.largest_use = largest_use(result.comparison, line.name);
-  line.pass = passes(result);
-  line.compared = !result.beyond_mdr;
-  line.open = !line.pass && is_open(result.comparison);
+  line.outcome = outcome_of(result);
   const auto json = result_json(result);
   line.answer = answer_text(result, json);
   line.json = json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
@@ -108,9 +97,9 @@ BatchLine run_case(const PreparedCase& asked, const BatchOptions& options, BodyS
 ToleranceUse largest_use(const Comparison& comparison, const std::string& name) {
   ToleranceUse largest;
   for (const auto& [quantity, d] : comparison) {
-    const double difference = d.difference.value_or(d.only_one), share = std::abs(difference) / d.tolerance;
-    if (share <= largest.share) continue;
-    largest = {share, fmt::format("{} in {}: {:.1e} of {:.1e}{}", traits_of(quantity).title, name, difference,
+    const double share = d.size() / d.tolerance;
+    if (!d.asked || share <= largest.share) continue;
+    largest = {share, fmt::format("{} in {}, off by {:.1e} of {:.1e}{}", traits_of(quantity).title, name, d.size(),
                                   d.tolerance, d.only_one != 0 ? ", only one of the two sticks" : "")};
   }
   return largest;

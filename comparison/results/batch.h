@@ -10,7 +10,7 @@
 
 namespace fretval {
 
-/// How much of a tolerance a difference uses.
+/// How much of a tolerance that was asked for a difference uses.
 struct ToleranceUse {
   double share = -1;      ///< of the tolerance; negative: nothing was compared
   std::string text = {};  ///< the quantity, the case, the difference and the tolerance
@@ -22,14 +22,14 @@ ToleranceUse largest_use(const Comparison& comparison, const std::string& name);
 /// One line of what a batch comes to.
 struct BatchLine {
   std::string name;
-  bool pass = false;
+  Outcome outcome = Outcome::not_proved;
   std::string failure;  ///< not empty: the numerics failed on this case, with this message
   ToleranceUse largest_use = {};
   std::string answer = {};  ///< for people, see answer_text
   std::string json = {};    ///< result.json in one line
   double seconds = 0;
-  bool compared = true;  ///< false: MDR does not hold for the profile, and nothing can disagree
-  bool open = false;     ///< does not pass, but only as bars are wider than the tolerance; nothing disagrees
+
+  [[nodiscard]] bool failed() const { return !failure.empty(); }
 };
 
 /// Work of a fraction of a second each, spread like the cases, after them.

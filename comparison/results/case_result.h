@@ -34,8 +34,9 @@ struct CaseResult {
   std::optional<BeyondMdr> beyond_mdr = {};  ///< then nothing is compared, and mdr has the modulus ratio alone
 };
 
-/// Whether all that is compared passes; gross slip, if either of both finds it, is what both have to find.
-bool passes(const CaseResult& result);
+/// Gross slip is what both have to find if either does, and where the balance of forces has it (steady_sliding_share);
+/// neither may begin to slide below that.
+Outcome outcome_of(const CaseResult& result);
 
 /// Both answers to a case, compared.
 CaseResult result_of(const PreparedCase& prepared, const mdr::NormalResponse& reference, Proof proof,

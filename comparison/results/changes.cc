@@ -9,6 +9,7 @@
 #include "comparison/quantities/readings_json.h"
 #include "comparison/results/answer_text.h"
 #include "comparison/results/case_inputs.h"
+#include "comparison/results/verdict_text.h"
 
 namespace fretval {
 namespace {
@@ -73,10 +74,6 @@ std::string change_text(const Change& change) {
                      change.bars > 0 ? fmt::format("{:.1e}", change.bars) : "none");
 }
 
-std::string verdict_text(const std::pair<std::string, bool>& verdict) {
-  return fmt::format("{}: passes {}", verdict.first, verdict.second ? "now" : "no more");
-}
-
 std::string list_text(const char* title, const std::vector<std::string>& lines) {
   std::string text = lines.empty() ? "" : std::string(title) + "\n";
   for (const auto& line : lines) text += "  " + line + "\n";
@@ -96,8 +93,7 @@ bool Changes::any() const {
 
 std::string Changes::of_case(const std::string& name) const {
   std::string text;
-  for (const auto& verdict : verdicts)
-    if (verdict.first == name) text += "  " + verdict_text(verdict) + "\n";
+  if (const auto verdict = verdicts.find(name); verdict != verdicts.end()) text += "  " + verdict->second + "\n";
   for (const auto& change : values)
     if (change.name == name && change.is_beyond_bars()) text += change_text(change);
   return text;
@@ -117,8 +113,9 @@ Changes changes_between(const std::vector<StoredResult>& before, const std::vect
     add_inputs(*old->second, result, changes.inputs);
     for (const auto quantity : quantities_by_interest)
       if (auto change = change_of(*old->second, result, quantity)) changes.values.push_back(std::move(*change));
-    const bool passed = old->second->json.at("pass"), passes = result.json.at("pass");
-    if (passed != passes) changes.verdicts.emplace_back(name, passes);
+    const auto was = stored_outcome(old->second->json), is = stored_outcome(result.json);
+    if (passes(was) != passes(is))
+      changes.verdicts[name] = fmt::format("{}: {} before, now {}", name, name_of(was), name_of(is));
     olds.erase(old);
   }
   for (const auto& [name, unused] : olds) changes.only_before.push_back(name);
@@ -138,7 +135,7 @@ std::string changes_text(const Changes& changes) {
     }
   }
   std::vector<std::string> verdicts;
-  for (const auto& verdict : changes.verdicts) verdicts.push_back(verdict_text(verdict));
+  for (const auto& [name, verdict] : changes.verdicts) verdicts.push_back(verdict);
   return list_text("other inputs:", changes.inputs) + list_text("verdicts:", verdicts) +
          list_text("only in the first folder:", changes.only_before) +
          list_text("only in the second folder:", changes.only_after) +

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -24,9 +25,10 @@ struct Change {
 /// What two folders of results have in common, and what not.
 struct Changes {
   std::vector<Change> values;
-  std::vector<std::string> only_before, only_after;    ///< names of cases
-  std::vector<std::string> inputs;                     ///< "CASE: SECTION / ENTRY: BEFORE -> AFTER" of what differs
-  std::vector<std::pair<std::string, bool>> verdicts;  ///< cases that pass now and did not before, or the reverse
+  std::vector<std::string> only_before, only_after;  ///< names of cases
+  std::vector<std::string> inputs;                   ///< "CASE: SECTION / ENTRY: BEFORE -> AFTER" of what differs
+  /// Of cases that something speaks against now and did not before, or the reverse: "case: agree before, now disagree".
+  std::map<std::string, std::string> verdicts;
 
   /// Whether a value has moved beyond its bars, or a verdict has changed.
   [[nodiscard]] bool any() const;

@@ -108,6 +108,9 @@ ordered_json cycle_json(const CaseResult& result) {
   const auto& radii = result.fe.fe.body->radii;
   const Eigen::Index n = friction.traction.cols(), n_rings = friction.traction.rows();
   const long first = friction.n_steps + 1 - n;
+  // They may bear what friction allows, without slip.
+  const auto& fe = result.fe.fe;
+  const Eigen::Index n_stuck = fe.zones ? 0 : fe.single_pass ? fe.rings.stuck.first_slip : fe.rings.stuck.shakedown;
   ordered_json json{{"r", list_of(std::vector<double>(radii.begin() + 1, radii.end()), units.length)},
                     {"t", ordered_json::array()},
                     {"p", ordered_json::array()},
@@ -120,9 +123,11 @@ ordered_json cycle_json(const CaseResult& result) {
   }
   for (const auto k : zones_shown(result.fe.fe, 360)) {
     std::string zones;
-    for (Eigen::Index i = 0; i < n_rings; ++i)
-      zones += letter_of(zone_of(normal.pressure(i, normal.column(first + k)), friction.traction(i, k),
-                                 result.fem_case.friction_coefficient));
+    for (Eigen::Index i = 0; i < n_rings; ++i) {
+      const auto zone = zone_of(normal.pressure(i, normal.column(first + k)), friction.traction(i, k),
+                                result.fem_case.friction_coefficient);
+      zones += i < n_stuck && zone != fem::RingZone::open ? 's' : letter_of(zone);
+    }
     json["zones"].push_back(zones);
   }
   if (const auto decay = fem::slip_decay(friction, result.fe.fe.rings.stuck.shakedown);

@@ -121,7 +121,8 @@ std::string thickness_text(const Case& input, double contact_radius) {
                                 contact_radius / input.body.thickness, short_text(least, "m")));
 }
 
-std::string groups_text(const Case& input, const ordered_json& mdr) {
+/// worn: radii are those of the contact that wear ends in.
+std::string groups_text(const Case& input, const ordered_json& mdr, bool worn) {
   std::string text;
   const auto& path = input.motion.path;
   const double nu = input.elastomer.poisson_ratio, ratio = (2 - nu) / (2 * (1 - nu));  // E*/G*
@@ -153,13 +154,13 @@ std::string groups_text(const Case& input, const ordered_json& mdr) {
   const auto& radius = mdr.at("contact_radius_max");
   if (radius.is_null()) return text;
   const double a = radius.get<double>();
-  text += row("a", short_text(a, "m") + ", largest contact radius");
+  text += row("a", short_text(a, "m") + (worn ? ", contact radius where wear ends" : ", largest contact radius"));
   if (input.indenter.radius > 0) text += row("a/R", fmt::format("{:.3g}", a / input.indenter.radius));
   return text + thickness_text(input, a);
 }
 
-/// single_pass: of a path.
-std::string regime_text(const ordered_json& mdr, bool single_pass) {
+/// single_pass: of a path. of_worn: the radii are those of the contact that wear ends in.
+std::string regime_text(const ordered_json& mdr, bool single_pass, bool of_worn) {
   const auto radius = [&](const char* key) {
     return mdr.at(key).is_null() ? std::string() : short_text(mdr.at(key).get<double>(), "m");
   };
@@ -185,6 +186,7 @@ std::string regime_text(const ordered_json& mdr, bool single_pass) {
   text += row("first slip", first.empty() ? "none" : "c = " + first + ", never slips since rest");
   text += row("shakedown", last.empty() ? "none" : "c = " + last + ", sticks in the periodic state");
   if (!worn.empty()) text += row("wear ends", "at r = " + worn);
+  if (of_worn) text += row("", "radii under forces are those of the contact where wear ends");
   return text;
 }
 
@@ -202,7 +204,10 @@ std::string duration_text(double seconds) {
 std::string cost_text(const PreparedCase& prepared, std::size_t n_cases) {
   const auto& fem = prepared.fem;
   const auto n = computations_for_bars(fem);
-  std::string text = row("elements", text_of(fem.resolution));
+  std::string text =
+      row("elements", fmt::format("{} rings under the contact, {} steps a cycle to begin with, refined as the "
+                                  "error bars ask for",
+                                  fem.resolution.elements_per_radius, fem.resolution.steps_per_cycle));
   for (const auto& words : left_out(fem)) text += row("", words);
   const double seconds = estimated_seconds(prepared, Proof::tolerance);
   text += row("cost", fmt::format("{} computations or more to prove a tolerance of {:g}, of the order of {} on a core",
@@ -232,8 +237,10 @@ std::string explanation(const Case& input, std::size_t n_cases) {
   auto for_mdr = input;  // which knows no cylinders
   if (input.body.shape == Case::Body::Shape::cylinder) for_mdr.body = {};
   const auto document = mdr_document(for_mdr, false);
-  auto text = input.name + "\n" + scene_text(input) + "\n" + groups_text(input, document.json.at("mdr")) + "\n" +
-              regime_text(document.json.at("mdr"), input.motion.path && !input.motion.path->repeats) + "\n";
+  const auto& mdr = document.json.at("mdr");
+  const bool of_worn = document.json.contains("limiting_state");
+  auto text = input.name + "\n" + scene_text(input) + "\n" + groups_text(input, mdr, of_worn) + "\n" +
+              regime_text(mdr, input.motion.path && !input.motion.path->repeats, of_worn) + "\n";
   if (input.tolerance == 0) return text + row("elements", "none: finite elements need an Accuracy / Tolerance");
   try {
     return text + cost_text(prepare({input}).front(), n_cases);

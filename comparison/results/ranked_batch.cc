@@ -19,7 +19,7 @@
 namespace fretval {
 
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ToleranceUse, share, text)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(BatchLine, name, pass, failure, largest_use, answer, json, seconds, compared, open)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(BatchLine, name, outcome, failure, largest_use, answer, json, seconds)
 
 namespace {
 

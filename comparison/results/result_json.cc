@@ -5,6 +5,7 @@
 #include "comparison/accuracy/fe_readings.h"
 #include "comparison/quantities/readings_json.h"
 #include "comparison/reference/mdr_document.h"
+#include "comparison/reference/mdr_readings.h"
 #include "comparison/results/answer_text.h"
 #include "comparison/results/case_inputs.h"
 #include "comparison/results/case_result.h"
@@ -98,6 +99,12 @@ ordered_json bar_json(const std::optional<ErrorBar>& bar) {
   return {{"total", bar->total()}, {"shares", shares}};
 }
 
+/// In every cycle.
+bool loses_contact(const fem::NormalHistory& normal) {
+  const auto n = std::min<Eigen::Index>(normal.force.size(), normal.steps_per_cycle);
+  return n > 0 && normal.pieces.empty() && normal.force.tail(n).minCoeff() <= 0;
+}
+
 ordered_json fe_json(const CaseResult& result) {
   const auto& fe = result.fe.fe;
   const auto& units = result.fem_case.units;
@@ -109,6 +116,7 @@ ordered_json fe_json(const CaseResult& result) {
   add_readings(readings, json);
   if (fe.no_wear) json["touch_indentation"] = fe.no_wear->touch_indentation;
   if (fe.gross_slip) json["gross_slip"] = {{"time", fe.gross_slip->time}, {"amplitude", fe.gross_slip->amplitude}};
+  json["lifts_off"] = !fe.gross_slip && loses_contact(fe.normal);
   if (fe.cycle) {
     json["sliding_force"] = fe.cycle->sliding_force;
     json["sliding_work"] = fe.cycle->sliding_work;
@@ -130,8 +138,10 @@ ordered_json comparison_json(const Comparison& comparison) {
         {"difference", or_null(difference.difference)},
         {"tolerance", difference.tolerance},
         {"error_bar", difference.bar ? ordered_json(difference.bar->total()) : ordered_json(nullptr)},
-        {"verdict", name_of(difference.verdict)},
-        {"pass", difference.passes()}};
+        {"mdr_error", difference.mdr_error},
+        {"asked", difference.asked},
+        {"verdict", difference.verdict ? ordered_json(name_of(*difference.verdict)) : ordered_json(nullptr)},
+        {"pass", difference.verdict.value_or(Verdict::agree) == Verdict::agree}};
   return json;
 }
 
@@ -157,12 +167,18 @@ ordered_json result_json(const CaseResult& result) {
   cost["bodies_from_store"] = result.fe.cost.bodies.from_store;
   cost["all"] = to_json(result.wear ? result.fe.cost + result.wear->cost : result.fe.cost);
   cost["peak_memory_bytes"] = peak_memory_bytes();
+  const auto outcome = outcome_of(result);
   auto mdr = to_json(result.mdr);
   if (result.wear && result.wear->kinetics) mdr["wear"] = to_json(*result.wear->kinetics);
-  ordered_json json{{"schema", result_schema},    {"name", result.input.name},
-                    {"pass", passes(result)},     {"proof", name_of(result.proof)},
-                    {"scene", case_json(result)}, {"mdr", std::move(mdr)},
-                    {"fe", fe_json(result)},      {"comparison", comparison_json(result.comparison)}};
+  ordered_json json{{"schema", result_schema},
+                    {"name", result.input.name},
+                    {"pass", passes(outcome)},
+                    {"verdict", name_of(outcome)},
+                    {"proof", name_of(result.proof)},
+                    {"scene", case_json(result)},
+                    {"mdr", std::move(mdr)},
+                    {"fe", fe_json(result)},
+                    {"comparison", comparison_json(result.comparison)}};
   if (result.beyond_mdr) json["not_compared"] = to_json(*result.beyond_mdr, result.fem_case.units.depth);
   json["cost"] = std::move(cost);
   return json;

@@ -39,11 +39,14 @@ struct Place {
   bool may_lack = false;
 };
 /// Results without it were written before there were versions.
-const Kind known_schema{[](const ordered_json& v) { return v == result_schema; }, "1, the version that is known here"};
+const Kind known_schema{[](const ordered_json& v) { return v == 1 || v == result_schema; },
+                        "1 or 2, the versions that are known here"};
+const Kind text_or_null{[](const ordered_json& v) { return v.is_string() || v.is_null(); }, "text or null"};
 const Kind a_list{[](const ordered_json& v) { return v.is_array(); }, "a list"};
 const std::vector<Place> places{{"schema", known_schema, true},
                                 {"name", text},
                                 {"pass", yes_or_no},
+                                {"verdict", text, true},
                                 {"proof", text, true},
                                 {"scene", object},
                                 {"scene/shape", text, true},
@@ -69,7 +72,9 @@ const std::vector<Place> places{{"schema", known_schema, true},
                                 {"comparison/*", object},
                                 {"comparison/*/pass", yes_or_no},
                                 {"comparison/*/tolerance", number},
-                                {"comparison/*/verdict", text, true},
+                                {"comparison/*/verdict", text_or_null, true},
+                                {"comparison/*/asked", yes_or_no, true},
+                                {"comparison/*/mdr_error", number, true},
                                 {"comparison/*/difference", number_or_null},
                                 {"comparison/*/error_bar", number_or_null, true},
                                 {"cost", object},

@@ -10,7 +10,7 @@
 namespace fretval {
 
 /// Version of result.json, see docs/result.schema.json: a new one where a key changes its meaning or goes.
-constexpr int result_schema = 1;
+constexpr int result_schema = 2;
 
 /// A result.json and where it lies.
 struct StoredResult {

@@ -9,7 +9,7 @@
 
 #include "comparison/case/case_file.h"
 #include "comparison/case/entry_table.h"
-#include "comparison/reference/mdr_answer.h"
+#include "comparison/reference/mdr_readings.h"
 #include "comparison/reference/normal_responses.h"
 #include "comparison/results/results_folder.h"
 #include "comparison/support/files.h"

@@ -10,6 +10,7 @@ struct JUnitCase {
   std::string failure;      ///< empty: passed
   std::string output = {};  ///< what it came to, for people; empty: not told
   double seconds = 0;       ///< 0: not told
+  std::string error = {};  ///< what kept it from coming to an answer, which is no failure of the answer; empty: nothing
 };
 
 /// JUnit XML of a suite, for CI systems. name: of the suite; with dots for its spaces it is the class of

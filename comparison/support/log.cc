@@ -19,8 +19,16 @@ void keep_quiet() {
   spdlog::set_level(spdlog::level::warn);
 }
 
+void say_details() {
+  spdlog::set_level(spdlog::level::debug);
+}
+
 bool tells() {
   return spdlog::get("fretval") != nullptr && spdlog::should_log(spdlog::level::info);
+}
+
+void detail(const std::string& message) {
+  spdlog::debug(spdlog::string_view_t(message));
 }
 
 void info(const std::string& message) {

@@ -12,9 +12,14 @@ void start();
 /// From now on warnings and errors alone.
 void keep_quiet();
 
+/// From now on details as well.
+void say_details();
+
 /// Whether what is not asked for may be told: started, and not quiet.
 bool tells();
 
+/// What only those want to know who know how the program works.
+void detail(const std::string& message);
 void info(const std::string& message);
 void warn(const std::string& message);
 /// The first time alone: of a table that all cases of a sweep have.

@@ -67,8 +67,8 @@ inline CaseResult made_up_result() {
   MdrAnswer mdr{1.5, 1.1, 0.45, 6e-4, 1.9, 40, 0.95};
   mdr.axis_pressure = mdr::AxisPressure{12, 0.1};
   const Comparison comparison{
-      {Quantity::normal_force_max, {0.0625, 0.1, Verdict::pass, ErrorBar{{{ErrorSource::rings, 0.03125, 2.5}}}}},
-      {Quantity::stick_radius_shakedown, {0.15, 0.125, Verdict::fail, std::nullopt}}};
+      {Quantity::normal_force_max, {0.0625, 0.1, Verdict::agree, ErrorBar{{{ErrorSource::rings, 0.03125, 2.5}}}}},
+      {Quantity::stick_radius_shakedown, {0.15, 0.125, Verdict::disagree, std::nullopt}}};
   return {prepared.input, prepared.mdr, prepared.fem, mdr, Proof::bars, answer, comparison};
 }
 

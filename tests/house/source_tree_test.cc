@@ -48,8 +48,7 @@ House plan() {
   Names libraries{"deal.II", "petsc", "gmsh"};
   for (const auto& [room, below] : house) libraries.insert(room);
   floors({{"comparison/support"},
-          {"comparison/case"},
-          {"comparison/quantities"},
+          {"comparison/case", "comparison/quantities"},
           {"comparison/reference"},
           {"comparison/simulation/fem_case"},
           {"comparison/simulation/bodies"},

@@ -40,6 +40,11 @@ Numbers numbers_of(const ordered_json& list) {
   return list.get<Numbers>();
 }
 
+/// Whether there is a c to speak of.
+bool has_stick_radius(const StoredResult& r) {
+  return r.number("fe", r.is_single_pass() ? "stick_radius_first_slip" : "stick_radius_shakedown") > 0;
+}
+
 /// Middles of rings, for their mean pressures.
 Numbers ring_middles(const Numbers& outer) {
   Numbers middles;
@@ -97,11 +102,15 @@ Filling stress_figure(const StoredResult& r, const ordered_json& cycle) {
           {"wide", true},
           {"caption",
            r.is_single_pass()
-               ? "Mean values of the rings of the finite elements at any instant of the pass; where τ runs along ± μ p "
-                 "the ring slips. Inside c rings never slip."
+               ? std::string("Mean values of the rings of the finite elements at any instant of the pass; where τ runs "
+                             "along ± μ p the ring slips.") +
+                     (has_stick_radius(r) ? " Inside c rings never slip." : "")
                : fmt::format("Mean values of the rings of the finite elements at any instant of the last {0}; where τ "
-                             "runs along ± μ p the ring slips. Between c and a rings slip in every {0}.",
-                             r.cycle_name())}};
+                             "runs along ± μ p the ring slips.{1}",
+                             r.cycle_name(),
+                             has_stick_radius(r)
+                                 ? " Between c and a rings slip in every " + std::string(r.cycle_name()) + "."
+                                 : "")}};
 }
 
 Filling map_figure(const StoredResult& r, const ordered_json& cycle) {
@@ -111,12 +120,12 @@ Filling map_figure(const StoredResult& r, const ordered_json& cycle) {
                       cycle.at("zones").get<std::vector<std::string>>());
   map["x_label"] = fmt::format("time over the {}", r.cycle_name());
   for (const auto& [name, x] : radius_marks(r, length)) map["marks"].push_back({{"name", name}, {"x", x}});
-  return {{"plot", std::move(map)},
-          {"caption", r.is_single_pass()
-                          ? "What each ring does in the pass. Below c it never slips."
-                          : fmt::format("What each ring does in the last {}. Below c a ring may touch the limit of "
-                                        "friction, but it slips no more.",
-                                        r.cycle_name())}};
+  return {
+      {"plot", std::move(map)},
+      {"caption", fmt::format("What each ring does in the {}{}.{}", r.is_single_pass() ? "" : "last ", r.cycle_name(),
+                              !has_stick_radius(r) ? " Nothing sticks for good."
+                              : r.is_single_pass() ? " Below c it never slips."
+                                                   : " Below c it slips no more.")}};
 }
 
 /// A force over a displacement: finite elements as points, MDR as a line.
@@ -169,17 +178,24 @@ Figure forces_figure(const StoredResult& r) {
 }
 
 Figure slip_figure(const StoredResult& r) {
-  const auto [radius, slip] = read_columns(r.folder / "contact.csv", "r outer [m]", "slip per period [m]");
+  const auto [edges, slips] = read_columns(r.folder / "contact.csv", "r outer [m]", "slip per period [m]");
+  // What is not touched, does not slip.
+  const auto middles = ring_middles(edges);
+  std::vector<double> radius, slip;
+  for (std::size_t i = 0; i < slips.size(); ++i) {
+    if (std::isnan(slips[i])) continue;
+    radius.push_back(middles[i]);
+    slip.push_back(slips[i]);
+  }
   const auto length = axis_for({&radius}, "m"), path = axis_for({&slip}, "m");
   const bool once = r.is_single_pass();
   Plot plot{fmt::format("Slip {} {}", once ? "in the" : "per", r.cycle_name()), "r in " + length.unit,
             "path in " + path.unit};
   plot.marks = radius_marks(r, length);
-  plot.series.push_back(
-      {"finite elements", length.of(ring_middles(radius)), path.of(slip), Series::Style::line_points, 1});
+  plot.series.push_back({"finite elements", length.of(radius), path.of(slip), Series::Style::line_points, 1});
   return {std::move(plot),
-          once ? "Length of slip of each ring in the pass; none inside c."
-               : fmt::format("Length of slip of each ring in the last {}; none inside c.", r.cycle_name())};
+          fmt::format("Length of slip of each ring that is touched in the {}{}{}.", once ? "" : "last ", r.cycle_name(),
+                      has_stick_radius(r) ? "; none inside c" : "")};
 }
 
 /// How slip dies out where nothing slips in the end; none where nothing ever does.
@@ -220,7 +236,9 @@ Figure profile_figure(const StoredResult& r) {
     plot.marks.emplace_back("a", a / length.factor);
   if (end > 0) plot.marks.emplace_back("a_∞", end / length.factor);
   return {std::move(plot),
-          "The limiting profile is where wear ends: it leaves the unworn one at c and meets it at a∞."};
+          limiting.empty()
+              ? "The indenter before anything wears."
+              : "The limiting profile is where wear ends: it leaves the unworn one at c and meets it at a∞."};
 }
 
 /// Shares of the error bars over the tolerance of each quantity; null if none was measured.

@@ -21,7 +21,7 @@ void add_row(Table& table, const char* title, double fe, double mdr, const char*
     const auto [prefix, factor] = prefix_for(value);
     return value > 0 ? fmt::format("{:.4g} {}{}", value / factor, prefix, unit) : "–";
   };
-  table.rows.push_back({title, shown(fe), shown(mdr), ""});
+  table.rows.push_back({title, shown(fe), shown(mdr), "", ""});
 }
 
 /// Of finite elements alone.
@@ -34,29 +34,32 @@ Table table_beyond_mdr(const Answer& answer) {
 
 Table answer_table(const StoredResult& r, const Answer& answer) {
   if (r.is_beyond_mdr()) return table_beyond_mdr(answer);
-  Table table{{"quantity", "finite elements", "MDR", "difference"}};
+  Table table{{"quantity", "finite elements", "MDR", "difference", ""}};
   table.label = "the answer";
-  for (const auto& [title, fe, mdr, difference, passes] : answer.rows)
-    table.rows.push_back({title, fe, mdr, bad_if(!passes, difference)});
+  bool asked = true;
+  for (const auto& row : answer.rows) {
+    if (asked && !row.asked)
+      table.rows.push_back({head_cell("not asked for, as far as they are known"), "", "", "", ""});
+    asked = row.asked;
+    table.rows.push_back(
+        {row.title, row.fe, row.mdr, row.difference, bad_if(row.remark == name_of(Verdict::disagree), row.remark)});
+  }
   // That of a near cycle is nothing of the motion.
   if ((r.has_period() || r.is_single_pass()) && !r.json.at("comparison").contains(name_of(Quantity::friction_work)))
     add_row(table, r.is_single_pass() ? "energy lost to friction" : "energy lost to friction per period",
             r.number("fe", "friction_work"), std::nan(""), "J");
   if (std::isnan(r.number("fe", "worn_radius")) && r.number("mdr", "worn_radius") > 0)
-    table.rows.push_back({"wear ends at the radius a∞", "", with_unit(r.number("mdr", "worn_radius"), 0, "m"), ""});
+    table.rows.push_back({"wear ends at the radius a∞", "", with_unit(r.number("mdr", "worn_radius"), 0, "m"), "", ""});
   return table;
 }
 
 Filling one_case(const StoredResult& r) {
   const auto cycle = read_cycle(r);
   const auto answer = answer_of(r.json);
-  const bool pass = r.json.at("pass").get<bool>();
   Filling filling{{"name", r.family()},
                   {"about", r.text("scene", "shape") + ", " + r.text("scene", "rheology")},
-                  {"agree", r.is_beyond_mdr() ? "not compared, as MDR does not hold for the profile"
-                            : pass            ? "finite elements and MDR agree"
-                                              : "they do not agree"},
-                  {"table", filling_of(answer_table(r, answer))},
+                  {"answer", answer.plain.empty() ? answer.verdict : answer.plain},
+                  {"table", answer.rows.empty() ? Filling() : filling_of(answer_table(r, answer))},
                   {"scene", scene_of(r)},
                   {"figures", case_figures(r, cycle)},
                   {"assumptions", assumptions_of(r)}};

@@ -13,6 +13,7 @@
 #include "comparison/report/text/numbers.h"
 #include "comparison/report/text/table.h"
 #include "comparison/results/answer_text.h"
+#include "comparison/results/verdict_text.h"
 
 namespace fretval {
 namespace {
@@ -37,7 +38,7 @@ std::string proof_text(const Results& results) {
   };
   add(Proof::none,
       "The answer of the finite elements alone, computed without error bars (--proof none): what it is "
-      "worth only the difference tells. ");
+      "worth nobody can tell. ");
   add(Proof::bars,
       "The finite elements have error bars, each source measured by its own refinement, and are taken as they are "
       "(--proof bars). ");
@@ -45,17 +46,49 @@ std::string proof_text(const Results& results) {
       "The finite elements have error bars, each source measured by its own refinement, and were refined while the "
       "bars "
       "were wider than the tolerance (--proof tolerance). ");
-  return text + "A comparison whose bar is wider than its tolerance is inconclusive.";
+  return text +
+         "A quantity agrees where the difference and the error bars of both methods are within the tolerance; it is "
+         "not "
+         "resolved where the bars are wider than that; without error bars nothing is proved.";
 }
 
-/// "Finite elements confirm MDR to 1.1e-05; shakedown radius 792.76 ± 0.07 µm."
+std::string capitalised(std::string text) {
+  if (!text.empty()) text.front() = static_cast<char>(std::toupper(text.front()));
+  return text;
+}
+
+/// What happens, and what became of MDR.
 std::string sentence_of(const StoredResult& result) {
   const auto answer = answer_of(result.json);
-  auto sentence = answer.verdict;
-  sentence.front() = static_cast<char>(std::toupper(sentence.front()));
-  for (const auto& row : answer.rows)
-    if (row.title == traits_of(Quantity::stick_radius_shakedown).title) sentence += "; shakedown radius " + row.fe;
-  return sentence + ".";
+  return (answer.plain.empty() ? "" : capitalised(answer.plain) + ". ") + capitalised(answer.verdict) + ".";
+}
+
+/// What several results come to.
+struct Badge {
+  const char *kind, *words;
+};
+
+Badge badge_of(const std::map<Outcome, std::size_t>& counts) {
+  const auto has = [&](Outcome outcome) { return counts.count(outcome) > 0; };
+  if (has(Outcome::disagree)) return {"bad", "not confirmed"};
+  if (has(Outcome::not_resolved)) return {"maybe", "not resolved"};
+  if (has(Outcome::not_proved)) return {"maybe", "not proved"};
+  return has(Outcome::agree) ? Badge{"good", "confirmed"} : Badge{"maybe", "not compared"};
+}
+
+/// "In 11 of 13 cases all that was asked for agrees with the method of dimensionality reduction (MDR); 2 not resolved."
+std::string counts_sentence(const std::map<Outcome, std::size_t>& counts, std::size_t n) {
+  const auto count = [&](Outcome outcome) {
+    const auto found = counts.find(outcome);
+    return found == counts.end() ? std::size_t{0} : found->second;
+  };
+  const auto n_compared = n - count(Outcome::not_compared);
+  if (n_compared == 0) return "";
+  auto text = fmt::format("In {} of {} all that was asked for agrees with the method of dimensionality reduction (MDR)",
+                          count(Outcome::agree), counted(n_compared, "case"));
+  for (const auto outcome : {Outcome::disagree, Outcome::not_resolved, Outcome::not_proved})
+    if (const auto some = count(outcome); some > 0) text += fmt::format("; {}: {}", name_of(outcome), some);
+  return text + ".";
 }
 
 std::string were(std::size_t n) {
@@ -64,73 +97,71 @@ std::string were(std::size_t n) {
 
 }  // namespace
 
-Extreme extreme_of(const Results& results, const char* key) {
+Extreme extreme_of(const Results& results, Quantity quantity) {
   Extreme extreme;
-  for (const auto& r : results) {
-    const auto& comparison = r.json.at("comparison");
-    if (!comparison.contains(key)) continue;
-    const auto& d = comparison[key];
-    ++extreme.n_compared;
-    extreme.n_pass += d.value("pass", false) ? 1 : 0;
-    extreme.n_inconclusive += d.value("verdict", "") == "inconclusive" ? 1 : 0;
-    const double tolerance = d.value("tolerance", 0.0);
-    const bool has_bar = d.contains("error_bar") && d["error_bar"].is_number();
-    if (has_bar) {
-      const double bar = d["error_bar"].get<double>();
-      ++extreme.n_with_bar;
-      if (!d["difference"].is_number() || std::abs(d["difference"].get<double>()) <= bar) ++extreme.n_covered;
-      extreme.largest_bar = std::max(extreme.largest_bar, bar);
+  for (const auto& r : results)
+    for (const auto& d : stored_differences(r.json)) {
+      if (d.quantity != quantity) continue;
+      ++extreme.n_compared;
+      extreme.n_asked += d.asked ? 1 : 0;
+      if (d.verdict) ++extreme.counts[*d.verdict];
+      if (extreme.n_compared > 1 && d.size <= extreme.size) continue;
+      extreme.size = d.size;
+      extreme.tolerance = d.tolerance;
+      extreme.bar = d.bar;
+      extreme.name = r.json.at("name").get<std::string>();
     }
-    if (!d["difference"].is_number()) continue;
-    if (std::abs(d["difference"].get<double>()) < std::abs(extreme.difference)) continue;
-    extreme.difference = d["difference"].get<double>();
-    extreme.tolerance = tolerance;
-    extreme.name = r.json.at("name").get<std::string>();
-  }
   return extreme;
 }
 
-Filling verdict_section(const Results& results) {
-  const auto n_pass = std::count_if(results.begin(), results.end(),
-                                    [](const auto& r) { return r.json.at("pass").template get<bool>(); });
-  const bool all = static_cast<std::size_t>(n_pass) == results.size();
-  const auto n_beyond = static_cast<std::size_t>(
-      std::count_if(results.begin(), results.end(), [](const auto& r) { return r.is_beyond_mdr(); }));
-  const auto n_compared = results.size() - n_beyond;
-  Table table{{"quantity", "cases", "agree", "inconclusive", "largest difference", "largest error bar", "tolerance",
-               "difference within the bar", "largest difference in"}};
+namespace {
+
+/// A row a quantity: how many came to which verdict, and of the case with the largest difference that, its bar and its
+/// tolerance. asked: of those that were asked for, or of the others.
+Table table_of_differences(const Results& results, bool asked) {
+  Table table{{"quantity", "cases", "agree", "not resolved", "disagree", "largest difference", "its error bar",
+               "its tolerance", "in the case"}};
   for (const auto quantity : quantities_by_interest) {
-    const auto e = extreme_of(results, name_of(quantity));
-    if (e.n_compared == 0) continue;
-    table.rows.push_back({title_with_scale(quantity), fmt::format("{}", e.n_compared),
-                          bad_if(e.n_pass != e.n_compared, fmt::format("{}", e.n_pass)),
-                          fmt::format("{}", e.n_inconclusive), number_text(e.difference),
-                          e.n_with_bar > 0 ? number_text(e.largest_bar) : "–", number_text(e.tolerance, "{:.0e}"),
-                          e.n_with_bar > 0 ? fmt::format("{} of {}", e.n_covered, e.n_with_bar) : "–", e.name});
+    auto e = extreme_of(results, quantity);
+    if (e.n_compared == 0 || (e.n_asked > 0) != asked) continue;
+    const auto count = [&](Verdict verdict) { return fmt::format("{}", e.counts[verdict]); };
+    table.rows.push_back({title_with_scale(quantity), fmt::format("{}", e.n_compared), count(Verdict::agree),
+                          count(Verdict::not_resolved),
+                          bad_if(e.counts[Verdict::disagree] > 0, count(Verdict::disagree)), number_text(e.size),
+                          number_text(e.bar), number_text(e.tolerance, "{:.0e}"), e.name});
   }
-  Filling filling{{"template", "verdict"},
-                  {"badge", !all             ? "bad"
-                            : n_compared > 0 ? "good"
-                                             : "maybe"},
-                  {"verdict", !all             ? "not confirmed"
-                              : n_compared > 0 ? "confirmed"
-                                               : "not compared"},
-                  {"proof", proof_text(results)}};
+  return table;
+}
+
+}  // namespace
+
+Filling verdict_section(const Results& results) {
+  std::map<Outcome, std::size_t> counts;
+  for (const auto& r : results) ++counts[stored_outcome(r.json)];
+  const auto badge = badge_of(counts);
+  Filling filling{
+      {"template", "verdict"}, {"badge", badge.kind}, {"verdict", badge.words}, {"proof", proof_text(results)}};
   if (results.size() == 1) {
     filling["sentence"] = sentence_of(results.front());
+    // That both find it, confirms nothing else.
+    const auto& one = results.front().json;
+    if (one.at("fe").contains("gross_slip") && one.at("mdr").contains("gross_slip")) {
+      filling["badge"] = "maybe";
+      filling["verdict"] = "gross slip";
+    }
     return filling;
   }
-  filling["sentence"] = n_compared == 0
-                            ? ""
-                            : fmt::format("Finite elements and MDR agree within tolerance in {} of {}.",
-                                          static_cast<std::size_t>(n_pass) - n_beyond, counted(n_compared, "case"));
-  if (n_beyond > 0)
-    filling["sentence"] =
-        fmt::format("{}{} not compared, because MDR does not hold for the profile.",
-                    n_compared == 0 ? "" : filling["sentence"].get<std::string>() + " ", were(n_beyond));
+  filling["sentence"] = counts_sentence(counts, results.size());
+  if (const auto beyond = counts.find(Outcome::not_compared); beyond != counts.end())
+    filling["sentence"] = fmt::format("{} {} not compared, because MDR does not hold for the profile.",
+                                      filling["sentence"].get<std::string>(), were(beyond->second));
   filling["has_values"] = true;
   filling["values"] = filling_of(values_table(results, quantities_with_units()));
-  filling["table"] = filling_of(table);
+  filling["table"] = filling_of(table_of_differences(results, true));
+  if (const auto others = table_of_differences(results, false); !others.rows.empty()) {
+    filling["has_others"] = true;
+    filling["others"] = filling_of(others);
+  }
   return filling;
 }
 

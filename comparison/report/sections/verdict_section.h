@@ -1,23 +1,25 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <string>
 #include <vector>
 
+#include "comparison/accuracy/verdict.h"
 #include "comparison/report/text/render.h"
 #include "comparison/results/results_folder.h"
 
 namespace fretval {
 
-/// What the comparisons of a quantity come to over the results. Covered: the difference is within the error bar.
+/// What the comparisons of a quantity come to over the results: the largest difference, with the bar (of both methods
+/// together) and the tolerance of the same case.
 struct Extreme {
-  double difference = 0, tolerance = 0, largest_bar = 0;
+  double size = 0, tolerance = 0, bar = 0;
   std::string name;
-  std::size_t n_compared = 0, n_pass = 0, n_inconclusive = 0, n_with_bar = 0, n_covered = 0;
+  std::size_t n_compared = 0, n_asked = 0;
+  std::map<Verdict, std::size_t> counts = {};
 };
-
-/// key: of a quantity in result.json.
-Extreme extreme_of(const std::vector<StoredResult>& results, const char* key);
+Extreme extreme_of(const std::vector<StoredResult>& results, Quantity quantity);
 
 /// How many cases agree, and the largest difference and error bar of each quantity.
 Filling verdict_section(const std::vector<StoredResult>& results);

@@ -125,7 +125,8 @@ TEST(CheckCommand, ChecksAFolderOfCasesAndKeepsNothing) {
   const auto own = (folder.path() / "own").string();
   const auto run = fretval_run("check --cases " + own + " --junit " + junit.string(), folder);
   EXPECT_EQ(run.exit_code, 0) << run.out << run.err;
-  for (const char* name : {"agree    one", "agree    two"}) EXPECT_NE(run.out.find(name), std::string::npos) << run.out;
+  for (const char* name : {"agree        one", "agree        two"})
+    EXPECT_NE(run.out.find(name), std::string::npos) << run.out;
   EXPECT_NE(text_of(junit).find("tests=\"2\" failures=\"0\""), std::string::npos) << text_of(junit);
   EXPECT_FALSE(fs::exists(folder.path() / "results"));
   EXPECT_EQ(n_files(folder.path() / "own"), 2U);

@@ -87,6 +87,7 @@ TEST(MdrCommand, SaysThatForcesAreAnsweredForTheWornContact) {
   const auto run = fretval_run("mdr " + folder.write("case.prm", text).string(), folder);
   EXPECT_EQ(run.out.rfind("case: under prescribed forces, of the contact that has worn to its end\n", 0), 0U)
       << run.out << run.err;
+  expect_parts(run.out, {"largest contact radius, worn "});
 }
 
 TEST(MdrCommand, WarnsWhereSpringsStillSettle) {

@@ -20,7 +20,7 @@ class StoreCommand : public testing::Test {
   nlohmann::json result_of_run(const std::string& options) const {
     const auto file = scratch_.write("case.prm", elastic_case());
     const auto out = scratch_.path() / "out";
-    const auto run = fretval_run("run " + quoted(file) + " -o " + quoted(out) + " " + options, scratch_);
+    const auto run = fretval_run("-v run " + quoted(file) + " -o " + quoted(out) + " " + options, scratch_);
     EXPECT_EQ(run.exit_code, 0) << run.err;
     log_ = run.err;
     return nlohmann::json::parse(text_of(out / "case/result.json"));

@@ -7,21 +7,21 @@
 namespace fretval {
 namespace {
 
-const Scales scales{2, 3, 5};
+const Scales some_scales{2, 3, 5};
 
 TEST(Reading, DiffersOverTheScaleOfItsQuantity) {
-  EXPECT_EQ(difference_of(Quantity::stick_radius_shakedown, {1.5}, {1}, scales), 0.25);
-  EXPECT_EQ(difference_of(Quantity::normal_force_max, {5}, {4}, scales), 0.25);
-  EXPECT_EQ(difference_of(Quantity::friction_work, {5}, {0}, scales), 1);
+  EXPECT_EQ(difference_of(Quantity::stick_radius_shakedown, {1.5}, {1}, some_scales), 0.25);
+  EXPECT_EQ(difference_of(Quantity::normal_force_max, {5}, {4}, some_scales), 0.25);
+  EXPECT_EQ(difference_of(Quantity::friction_work, {5}, {0}, some_scales), 1);
 }
 
 TEST(Reading, ThatOnlyOneHasIsADifferenceOfAllOfIt) {
   constexpr auto radius = Quantity::stick_radius_shakedown;
-  EXPECT_FALSE(difference_of(radius, {1.5}, {{}}, scales));
-  EXPECT_EQ(only_one_of(radius, {1.5}, {{}}, scales), 0.75);
-  EXPECT_EQ(only_one_of(radius, {{}}, {1.5}, scales), -0.75);
-  EXPECT_EQ(only_one_of(radius, {{}}, {{}}, scales), 0);
-  EXPECT_EQ(only_one_of(radius, {1.5}, {1}, scales), 0);
+  EXPECT_FALSE(difference_of(radius, {1.5}, {{}}, some_scales));
+  EXPECT_EQ(only_one_of(radius, {1.5}, {{}}, some_scales), 0.75);
+  EXPECT_EQ(only_one_of(radius, {{}}, {1.5}, some_scales), -0.75);
+  EXPECT_EQ(only_one_of(radius, {{}}, {{}}, some_scales), 0);
+  EXPECT_EQ(only_one_of(radius, {1.5}, {1}, some_scales), 0);
 }
 
 TEST(Reading, IsUncertainOverItsScaleWhereItIsCompared) {
@@ -29,7 +29,7 @@ TEST(Reading, IsUncertainOverItsScaleWhereItIsCompared) {
                           {Quantity::stick_radius_shakedown, {{}, 1}},
                           {Quantity::axis_pressure_max, {4}},
                           {Quantity::friction_work, {4, 1, "", false}}};
-  EXPECT_EQ(uncertainties_of(readings, scales),
+  EXPECT_EQ(uncertainties_of(readings, some_scales),
             (Quantities{{Quantity::normal_force_max, 0.25}, {Quantity::stick_radius_shakedown, 0.5}}));
 }
 

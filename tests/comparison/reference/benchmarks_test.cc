@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "comparison/case/case_file.h"
-#include "comparison/reference/mdr_answer.h"
+#include "comparison/reference/mdr_readings.h"
 
 namespace fretval::benchmarks_test {
 namespace {

@@ -28,7 +28,7 @@ TEST(CaseResult, IsReadBackAsItIsWritten) {
   const auto stored = read_results(folder.path()).at(0);
   EXPECT_EQ(stored.number("fe", "stick_radius_shakedown"), result.fe.fe.stick_radius_shakedown.value());
   EXPECT_EQ(stored.number("mdr", "stick_radius_shakedown"), result.mdr.stick_radius_shakedown.value());
-  EXPECT_TRUE(passes(result.comparison));
+  EXPECT_EQ(outcome_of(result), Outcome::not_proved);
 
   const auto largest = [](const std::vector<double>& values) {
     return *std::max_element(values.begin(), values.end());
@@ -71,6 +71,31 @@ TEST(CaseResult, HasItsRingsInSiUnits) {
             "surface height at d max [m],slip per period [m],first slip margin [Pa],shakedown margin [Pa]\n"
             "0,1,5,12.5,-5,7.5,0.1,0,-0.25,0.5\n"
             "1,3,0,5,-1.25,1.25,0.35,0.1,1,-1\n");
+}
+
+// What is not touched in the period moves against the indenter, and does not slip.
+TEST(CaseResult, HasNoSlipOutsideContact) {
+  auto result = made_up_result();
+  result.fe.fe.normal.pressure.row(1).setZero();
+  EXPECT_NE(written(result, "contact.csv").find(",0.35,nan,"), std::string::npos) << written(result, "contact.csv");
+}
+
+// Both have to find it, where the balance of forces has it, and neither before.
+TEST(CaseResult, OfGrossSlipIsHeldToTheBalanceOfForces) {
+  auto result = made_up_result();
+  result.mdr.steady_sliding_share = 0.811;
+  EXPECT_EQ(outcome_of(result), Outcome::disagree) << "neither finds it";
+  result.fe.fe.gross_slip = GrossSlipStart{12, 0.933};
+  EXPECT_EQ(outcome_of(result), Outcome::disagree) << "one of both";
+  result.mdr.gross_slip = 0.859;
+  EXPECT_EQ(outcome_of(result), Outcome::agree);
+  result.mdr.gross_slip = 0.75;
+  EXPECT_EQ(outcome_of(result), Outcome::disagree) << "too early";
+  result.mdr.gross_slip = 0.859;
+  result.mdr.steady_sliding_share = 1.2;
+  EXPECT_EQ(outcome_of(result), Outcome::disagree) << "the steady motion does not slide";
+  result.mdr.steady_sliding_share.reset();
+  EXPECT_EQ(outcome_of(result), Outcome::agree);
 }
 
 /// What wear takes off a parabola beyond c, (13) of the paper in closed form.

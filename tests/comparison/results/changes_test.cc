@@ -51,9 +51,9 @@ TEST(Changes, OfAVerdictAloneCount) {
   const auto lost = changes_between({result()}, {other}), won = changes_between({other}, {result()});
   EXPECT_TRUE(lost.any());
   EXPECT_TRUE(won.any());
-  EXPECT_EQ(lost.of_case("one"), "  one: passes no more\n");
+  EXPECT_EQ(lost.of_case("one"), "  one: agree before, now not resolved\n");
   EXPECT_EQ(lost.of_case("two"), "");
-  expect_parts(changes_text(won), {"verdicts:\n  one: passes now\n", "none of 2 values has moved"});
+  expect_parts(changes_text(won), {"verdicts:\n  one: not resolved before, now agree\n", "none of 2 values has moved"});
 }
 
 TEST(Changes, WithoutABarAreHeldToRoundoff) {
@@ -92,7 +92,7 @@ TEST(Changes, NameOtherInputsVerdictsAndCases) {
                                                       "one: Friction / Coefficient: none -> 0.5",
                                                       "one: Motion / Indentation: 100 µm -> 200 µm",
                                                       "one: Motion / Phase: 60° -> free"}));
-  EXPECT_EQ(changes.verdicts, (std::vector<std::pair<std::string, bool>>{{"one", false}}));
+  EXPECT_EQ(changes.verdicts.count("one"), 1U);
   EXPECT_EQ(changes.only_before, std::vector<std::string>{"gone"});
   EXPECT_EQ(changes.only_after, std::vector<std::string>{"new"});
 }

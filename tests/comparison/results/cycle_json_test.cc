@@ -23,6 +23,7 @@ TEST(CycleJson, SaysWhereRingsStickSlipAndAreOpen) {
   result.fe.fe.rings.stuck.shakedown = 1;
   result.fe.fe.friction.amplitude = 0.5;
   result.fe.fe.friction.slip_of_periods = {Eigen::Vector2d(0.25, 2), Eigen::Vector2d(0.125, 2)};
+  EXPECT_EQ(cycle_json(result).at("zones"), nlohmann::ordered_json({"sf", "so", "so", "ss"})) << "it slips no more";
   EXPECT_EQ(cycle_json(result).at("slip_decay"), nlohmann::ordered_json({0.5, 0.25}));
 }
 

@@ -15,8 +15,8 @@ TEST(Explanation, NamesInputsGroupsRadiiAndWork) {
                {"case\n", "parabola, R = 10 mm", "standard solid, G'(0) = 1 MPa, 1 MPa with 100 ms; incompressible",
                 "mu = 0.5", "100 µm ± 20 µm at 1 Hz", "15 µm at 1 Hz, phase 60 deg", "omega tau    0.628",
                 "0.2 of the indentation", "0.3 of mu times", "1.09545 mm, largest contact radius", "a/R          0.11",
-                "partial slip", "first slip   c = 727.284 µm", "shakedown    c = 792.773 µm", "24 rings, degree 3",
-                "to prove a tolerance of 0.01"});
+                "partial slip", "first slip   c = 727.284 µm", "shakedown    c = 792.773 µm",
+                "24 rings under the contact", "to prove a tolerance of 0.01"});
 }
 
 TEST(Explanation, SaysWhichRadiiThereAreNot) {

@@ -88,7 +88,7 @@ TEST(RankedBatchSlow, MakesLargeBodiesTogether) {
   const auto expected = json::parse(text_of(folder.path() / "alone/case/result.json"));
   for (const char* how : {"makes", "finds"}) {
     const auto out = folder.path() / how;
-    const auto run = ranked_run(2, "run case.prm --distribute-from 1 --store store -o " + quoted(out), folder);
+    const auto run = ranked_run(2, "-v run case.prm --distribute-from 1 --store store -o " + quoted(out), folder);
     ASSERT_EQ(run.exit_code, 0) << run.err;
     expect_parts(run.err,
                  {"no fields are written", how == std::string("makes") ? ", 0 from the store" : "0 bodies made"});

@@ -53,7 +53,7 @@ fs::path run_of_every_kind(const ScratchFolder& folder) {
   write_damaged_case(folder, groove(0.5, 0.7, 0.04));
   const auto out = folder.path() / "out";
   const auto run = fretval_run("-q run --proof bars " + quoted(folder.path()) + " -o " + quoted(out), folder);
-  EXPECT_TRUE(run.exit_code == 0 || run.exit_code == 1) << run.err;
+  EXPECT_TRUE(run.exit_code == 0 || run.exit_code == 1 || run.exit_code == 5) << run.err;
   return out;
 }
 
@@ -73,7 +73,7 @@ TEST(ResultSchema, RefusesWhatItDoesNotSay) {
   const auto good = nlohmann::json::parse(text_of(folder.path() / "case/result.json"));
   std::vector<fs::path> files;
   for (const char* patch :
-       {R"({})", R"({"schema": 2})", R"({"note": 1})", R"({"cost": {"dofs": "many"}})",
+       {R"({})", R"({"schema": 1})", R"({"note": 1})", R"({"cost": {"dofs": "many"}})",
         R"({"cost": {"all": {"time_steps": -1}}})", R"({"mdr": {"modulus_ratio": null}})",
         R"({"scene": {"wear": "much"}})", R"({"comparison": {"normal_force_max": {"tolerance": 0}}})",
         R"({"comparison": {"weight": {"tolerance": 1}}})"}) {

@@ -35,7 +35,7 @@ TEST(ValuesTable, HasTheEndsOfASweepWithTheirBars) {
 TEST(ValuesTable, HasTheErrorsOfSprings) {
   auto json = stored_result("single");
   json["fe"]["friction_work"] = json["mdr"]["friction_work"] = 2e-7;
-  json["mdr"]["cycle_error"] = {{"work", 1e-9}};
+  json["mdr"]["uncertainty"] = {{"friction_work", 1e-9}};
   json["comparison"]["friction_work"] = {
       {"difference", 0.0}, {"tolerance", 1e-3}, {"error_bar", nullptr}, {"verdict", "pass"}, {"pass", true}};
   expect_parts(text_of(values_table({StoredResult{json, {}}}, {Quantity::friction_work})), {"200.000 nJ  200 ± 1 nJ"});

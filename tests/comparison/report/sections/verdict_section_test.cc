@@ -40,9 +40,17 @@ TEST(VerdictSection, SaysWhichProofItWas) {
 
 TEST(VerdictSection, CountsCasesThatAgree) {
   auto failed = proved("bars");
-  failed.json["pass"] = false;
-  expect_parts(rendered(verdict_section({proved("bars")})), {"badge good", "Finite elements confirm MDR to"});
-  expect_parts(rendered(verdict_section({failed, proved("bars")})), {"badge bad", "not confirmed", "in 1 of 2 cases"});
+  failed.json["verdict"] = "disagree";
+  auto open = proved("bars"), bare = proved("none");
+  open.json["verdict"] = "not resolved";
+  bare.json["verdict"] = "not proved";
+  expect_parts(rendered(verdict_section({proved("bars")})),
+               {"badge good", "Finite elements confirm the method of dimensionality reduction (MDR): "});
+  expect_parts(rendered(verdict_section({failed, proved("bars")})),
+               {"badge bad", "not confirmed", "In 1 of 2 cases", "disagree: 1."});
+  expect_parts(rendered(verdict_section({open, bare, proved("bars")})),
+               {"badge maybe", ">not resolved<", "In 1 of 3 cases", "not resolved: 1; not proved: 1."});
+  expect_parts(rendered(verdict_section({bare})), {"badge maybe", ">not proved<"});
 }
 
 TEST(VerdictSection, OfManyBeginsWithTheValuesOfBoth) {
@@ -55,28 +63,36 @@ TEST(VerdictSection, OfManyBeginsWithTheValuesOfBoth) {
   EXPECT_EQ(rendered(verdict_section({proved("bars")})).find("Differences"), std::string::npos);
 }
 
+// The bar and the tolerance are those of the same case, not the widest of another one.
 TEST(Extreme, IsTheLargestDifferenceWhateverItsSign) {
-  const auto extreme = extreme_of(
-      {with_difference("small", 1e-4, 2e-4, "pass"), with_difference("large", -3e-4, 1e-4, "pass"),
-       with_difference("wide", 2e-4, 5e-2, "inconclusive"), with_difference("one-sided", nullptr, nullptr, "fail")},
-      "stick_radius_shakedown");
-  EXPECT_EQ(extreme.difference, -3e-4);
+  std::vector<StoredResult> results{with_difference("small", 1e-4, 2e-4, "agree"),
+                                    with_difference("large", -3e-4, 1e-4, "agree"),
+                                    with_difference("wide", 2e-4, 5e-2, "not resolved")};
+  constexpr auto radius = Quantity::stick_radius_shakedown;
+  auto extreme = extreme_of(results, radius);
+  EXPECT_EQ(extreme.size, 3e-4);
   EXPECT_EQ(extreme.name, "large");
-  EXPECT_EQ(extreme.largest_bar, 5e-2);
-  EXPECT_EQ(extreme.n_compared, 4U);
-  EXPECT_EQ(extreme.n_pass, 2U);
-  EXPECT_EQ(extreme.n_inconclusive, 1U);
-  EXPECT_EQ(extreme.n_with_bar, 3U);
-  EXPECT_EQ(extreme.n_covered, 2U);
-  EXPECT_EQ(extreme_of({proved("bars")}, "slip_inside_stick_zone").n_compared, 0U);
+  EXPECT_EQ(extreme.bar, 1e-4);
+  EXPECT_EQ(extreme.n_compared, 3U);
+  EXPECT_EQ(extreme.counts[Verdict::agree], 2U);
+  EXPECT_EQ(extreme.counts[Verdict::not_resolved], 1U);
+  EXPECT_EQ(extreme_of({proved("bars")}, Quantity::slip_inside_stick_zone).n_compared, 0U);
 }
 
 TEST(VerdictSection, HasARowOfNumbersForEachQuantity) {
   const auto html = rendered(
-      verdict_section({with_difference("small", 1e-4, 2e-4, "pass"), with_difference("large", -3e-4, 1e-4, "pass"),
-                       with_difference("wide", 2e-4, 5e-2, "inconclusive")}));
-  expect_parts(html, {"<td>stick radius, shakedown (over a)</td><td>3</td><td class=\"bad-cell\">2</td><td>1</td>"
-                      "<td>-3.0e-04</td><td>5.0e-02</td><td>1e-02</td><td>2 of 3</td><td>large</td>"});
+      verdict_section({with_difference("small", 1e-4, 2e-4, "agree"), with_difference("large", -3e-4, 1e-4, "agree"),
+                       with_difference("wide", 2e-4, 5e-2, "not resolved")}));
+  expect_parts(html, {"<td>stick radius, shakedown (over a)</td><td>3</td><td>2</td><td>1</td><td>0</td>"
+                      "<td>3.0e-04</td><td>1.0e-04</td><td>1e-02</td><td>large</td>"});
+}
+
+TEST(VerdictSection, SetsWhatWasNotAskedForApart) {
+  auto one = proved("bars"), other = proved("bars");
+  EXPECT_EQ(rendered(verdict_section({one, other})).find("Not asked for"), std::string::npos);
+  for (auto* r : {&one, &other}) r->json["comparison"]["normal_force_max"]["asked"] = false;
+  const auto html = rendered(verdict_section({one, other}));
+  EXPECT_LT(html.find("Not asked for"), html.find("largest normal force (relative)"));
 }
 
 // Of three shares, whatever their order.

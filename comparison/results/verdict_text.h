@@ -1,0 +1,32 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "comparison/accuracy/verdict.h"
+
+namespace fretval {
+
+/// One quantity of "comparison" in a result.json, also of one that has words of the first version.
+struct StoredDifference {
+  Quantity quantity;
+  double size;  ///< of the difference, or of all that only one of the methods finds
+  double tolerance, bar;
+  std::optional<Verdict> verdict;
+  bool asked, only_one;
+};
+std::vector<StoredDifference> stored_differences(const nlohmann::ordered_json& result);
+
+Outcome stored_outcome(const nlohmann::ordered_json& result);
+
+/// What happens under the indenter, before any comparison: "the inner 0.793 mm of a contact of 1.10 mm sticks for good;
+/// the ring outside wears, out to 1.24 mm".
+std::string plain_answer(const nlohmann::ordered_json& result);
+
+/// What the comparison came to, and of what: "both stick radii, the largest contact radius and the largest normal force
+/// agree to 6.9e-05; 3 of 8 other quantities are not resolved".
+std::string verdict_sentence(const nlohmann::ordered_json& result);
+
+}  // namespace fretval

@@ -1,0 +1,130 @@
+#include "comparison/results/verdict_text.h"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/comparison/expect_parts.h"
+#include "tests/comparison/stored_result.h"
+
+namespace fretval {
+namespace {
+
+using nlohmann::ordered_json;
+
+ordered_json compared(double difference, double tolerance, double bar, const ordered_json& verdict, bool asked = true) {
+  return {{"difference", difference}, {"tolerance", tolerance}, {"error_bar", bar}, {"mdr_error", 0},
+          {"asked", asked},           {"verdict", verdict},     {"pass", true}};
+}
+
+/// A contact of 1.1 mm of which 0.79 mm stick.
+ordered_json result(const char* verdict) {
+  return {{"name", "case"},
+          {"pass", true},
+          {"verdict", verdict},
+          {"scene", {{"contact_radius_unworn", 1.1e-3}, {"wear", "unworn"}}},
+          {"mdr", {{"worn_radius", 1.24e-3}}},
+          {"fe",
+           {{"contact_radius_max", 1.1e-3},
+            {"stick_radius_first_slip", nullptr},
+            {"stick_radius_shakedown", 7.9e-4},
+            {"lifts_off", false}}},
+          {"comparison",
+           {{"stick_radius_first_slip", compared(1e-5, 1e-3, 1e-4, "agree")},
+            {"stick_radius_shakedown", compared(-6.9e-5, 1e-3, 1e-4, "agree")},
+            {"contact_radius_max", compared(1e-6, 1e-4, 1e-5, "agree")}}}};
+}
+
+TEST(PlainAnswer, SaysWhatSticksAndHowFarTheRestWears) {
+  EXPECT_EQ(plain_answer(result("agree")),
+            "the inner 0.790 mm of a contact of 1.10 mm sticks for good; the ring outside wears, out to 1.24 mm");
+  auto all = result("agree");
+  all["fe"]["stick_radius_shakedown"] = 1.1e-3;
+  EXPECT_EQ(plain_answer(all), "all of the contact of 1.10 mm sticks for good: nothing wears");
+}
+
+TEST(PlainAnswer, HasAHeadlineOfItsOwnForEachKindOfContact) {
+  auto none = result("agree");
+  none["fe"]["stick_radius_shakedown"] = nullptr;
+  expect_parts(plain_answer(none), {"nothing sticks for good: all of the contact of 1.10 mm slips in every cycle"});
+  none["fe"]["lifts_off"] = true;
+  expect_parts(plain_answer(none), {"the indenter lifts off in every cycle"});
+  auto pass = result("agree");
+  pass["scene"]["path"] = {{"repeats", "once"}};
+  EXPECT_EQ(plain_answer(pass), "in this pass all of the contact of 1.10 mm slips");
+  pass["fe"]["stick_radius_first_slip"] = 5e-4;
+  EXPECT_EQ(plain_answer(pass), "in this pass the inner 0.500 mm of a contact of 1.10 mm never slips");
+  auto sliding = result("agree");
+  sliding["mdr"]["gross_slip"] = 0.859;
+  EXPECT_EQ(plain_answer(sliding), "the whole contact slides: friction does not carry the tangential force");
+}
+
+TEST(VerdictSentence, SaysOfWhat) {
+  auto some = result("agree");
+  EXPECT_EQ(verdict_sentence(some),
+            "finite elements confirm the method of dimensionality reduction (MDR): both stick radii and the largest "
+            "contact radius agree to 6.9e-05");
+  some["comparison"]["friction_work"] = compared(0.2, 1e-4, 0.3, "not resolved", false);
+  some["comparison"]["bulk_work"] = compared(1e-4, 1e-3, 2e-4, "agree", false);
+  expect_parts(verdict_sentence(some), {" agree to 6.9e-05; 1 of 2 other quantities is not resolved"});
+}
+
+TEST(VerdictSentence, OfADisagreementNamesItAndCountsTheRest) {
+  auto bad = result("disagree");
+  bad["comparison"]["stick_radius_shakedown"] = compared(5e-3, 1e-3, 1e-4, "disagree");
+  EXPECT_EQ(
+      verdict_sentence(bad),
+      "finite elements do not confirm the method of dimensionality reduction (MDR): they differ in the stick radius "
+      "(shakedown) by 5.0e-03, where 1e-03 was asked for and the error bar is 1.0e-04. 2 of 3 quantities that were "
+      "asked for agree");
+}
+
+TEST(VerdictSentence, OfWideBarsNeitherConfirmsNorRefutes) {
+  auto open = result("not resolved");
+  open["comparison"]["contact_radius_max"] = compared(1e-6, 1e-4, 2e-4, "not resolved");
+  expect_parts(verdict_sentence(open), {"not resolved: ", "neither confirm nor refute",
+                                        "the error bar of the largest contact radius is 2.00e-04, wider than the "
+                                        "tolerance of 1e-04 that was asked for (the difference is 1.0e-06)"});
+}
+
+// Whatever the difference.
+TEST(VerdictSentence, WithoutBarsIsNotProved) {
+  auto bare = result("not proved");
+  for (auto& [key, one] : bare["comparison"].items()) one["verdict"] = one["error_bar"] = nullptr;
+  bare["comparison"]["stick_radius_shakedown"]["difference"] = 0.3;
+  expect_parts(verdict_sentence(bare), {"not proved: ", "differ by up to 3.0e-01", "--proof bars or tolerance"});
+  EXPECT_EQ(verdict_sentence(bare).find("confirm"), std::string::npos);
+}
+
+// Of all amplitudes 81.1 %: so far the balance of forces goes; the methods found it on ramps of their own.
+TEST(VerdictSentence, OfGrossSlipHoldsBothToTheBalanceOfForces) {
+  auto sliding = result("agree");
+  sliding["fe"]["gross_slip"] = {{"time", 12}, {"amplitude", 0.933}};
+  sliding["mdr"]["gross_slip"] = 0.859;
+  sliding["mdr"]["steady_sliding_share"] = 0.8111;
+  expect_parts(verdict_sentence(sliding),
+               {"finite elements find it after 12.0000 s, at 93.3 % of the amplitudes", "finds it at 85.9 % of them",
+                "the steady motion slides from 81.1 % of the amplitudes on: this one is 23.3 % beyond"});
+}
+
+// Of a rate that differs by a fifth the verdict says nothing of the radii.
+TEST(VerdictSentence, LeavesTheDecayOfSlipOutOfTheSize) {
+  auto some = result("agree");
+  some["comparison"]["slip_decay"] = compared(0.2, 0.5, 0.3, "agree");
+  expect_parts(verdict_sentence(some), {" agree to 6.9e-05"});
+}
+
+// pass, fail and inconclusive; nobody said what was asked for.
+TEST(StoredOutcome, OfTheFirstVersionIsUnderstood) {
+  auto old = stored_result();
+  for (const char* key : {"verdict", "schema"}) old.erase(key);
+  EXPECT_EQ(stored_outcome(old), Outcome::agree);
+  old["pass"] = false;
+  old["comparison"]["normal_force_max"]["verdict"] = "inconclusive";
+  EXPECT_EQ(stored_outcome(old), Outcome::not_resolved);
+  old["comparison"]["normal_force_max"]["verdict"] = "fail";
+  EXPECT_EQ(stored_outcome(old), Outcome::disagree);
+}
+
+}  // namespace
+}  // namespace fretval
