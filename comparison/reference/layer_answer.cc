@@ -46,6 +46,13 @@ mdr::NormalResponse layer_normal_response(const MdrCase& mdr) {
   return normal;
 }
 
+MdrAnswer half_space_answer(const Case& input) {
+  auto over_half_space = input;
+  over_half_space.body = {};
+  const auto mdr = mdr_case(over_half_space);
+  return mdr_answer(mdr, mdr_normal_response(mdr));
+}
+
 MdrAnswer layer_answer(const MdrCase& mdr, const mdr::NormalResponse& normal, int times) {
   MdrAnswer answer{};
   answer.contact_radius_max = normal.contact_radius_max;

@@ -15,4 +15,7 @@ mdr::NormalResponse layer_normal_response(const MdrCase& mdr);
 /// that do not know of each other.
 MdrAnswer layer_answer(const MdrCase& mdr, const mdr::NormalResponse& normal, int times);
 
+/// What MDR says of a half-space in the place of the body of a case, without the cycle.
+MdrAnswer half_space_answer(const Case& input);
+
 }  // namespace fretval

@@ -10,10 +10,8 @@ std::shared_ptr<const mdr::NormalResponse> NormalResponses::of(const Case& input
   const Indenter indenter{shape.shape,       shape.radius,      shape.slope_angle, shape.coefficient, shape.exponent,
                           shape.flat_radius, shape.edge_radius, shape.table,       shape.table_noise};
   std::optional<Layer> layer;
-  if (mdr.layer)
-    layer = {mdr.layer->thickness, mdr.layer->poisson_ratio, mdr.layer->base == mdr::LayerBase::bonded};
-  const Body body{mdr.body.relaxed_modulus, mdr.body.branch_moduli, mdr.body.branch_times, mdr.body.viscosity,
-                  layer};
+  if (mdr.layer) layer = {mdr.layer->thickness, mdr.layer->poisson_ratio, mdr.layer->base == mdr::LayerBase::bonded};
+  const Body body{mdr.body.relaxed_modulus, mdr.body.branch_moduli, mdr.body.branch_times, mdr.body.viscosity, layer};
   Motion motion{mdr.normal_force, mdr.motion.indentation, {}};
   for (const auto& [amplitude, frequency, phase] : mdr.motion.normal)
     std::get<2>(motion).emplace_back(amplitude, frequency, phase);

@@ -108,9 +108,24 @@ std::optional<Reading> fe_reading(const ordered_json& result, Quantity quantity)
   return reading;
 }
 
+/// Of what a half-space in the place of the layer would have, over what finite elements find.
+std::string half_space_text(const ordered_json& result) {
+  const auto half_space = result.find("mdr_half_space");
+  if (half_space == result.end()) return "";
+  std::string text;
+  for (const auto quantity : {Quantity::stick_radius_first_slip, Quantity::stick_radius_shakedown,
+                              Quantity::contact_radius_max, Quantity::normal_force_max, Quantity::indentation_max}) {
+    const auto fe = stored_reading(result.at("fe"), quantity), mdr = stored_reading(*half_space, quantity);
+    if (!fe || !fe->value || !mdr || !mdr->value) continue;
+    text += fmt::format("{}{} by {:+.3g} %", text.empty() ? "" : ", ", traits_of(quantity).title,
+                        100 * (*mdr->value / *fe->value - 1));
+  }
+  return "over a half-space MDR would be off: " + text;
+}
+
 Answer answer_of(const ordered_json& result) {
   if (result.contains("not_compared")) return answer_beyond_mdr(result);
-  Answer answer{plain_answer(result), verdict_sentence(result), {}};
+  Answer answer{plain_answer(result), verdict_sentence(result), {}, half_space_text(result)};
   const auto scales = scales_of(result);
   for (const auto& one : stored_differences(result)) {
     const auto& traits = traits_of(one.quantity);
@@ -184,6 +199,7 @@ std::string answer_text(const CaseResult& result, const ordered_json& json) {
     text += answer_line(one.title, one.fe, one.mdr, one.remark);
   }
   if (result.mdr.single_pass) text += answer_line("stick radius, shakedown", "none", no_shakedown_in_a_pass);
+  if (!answer.half_space.empty()) text += "  " + answer.half_space + "\n";
   if (result.wear) return text + wear_text(*result.wear, result.fem_case.units);
   if (result.mdr.worn_radius)
     text += answer_line("wear ends at the radius", "", with_unit(*result.mdr.worn_radius, 0, "m"));

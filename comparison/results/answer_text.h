@@ -26,6 +26,7 @@ struct AnswerRow {
 struct Answer {
   std::string plain, verdict;
   std::vector<AnswerRow> rows;
+  std::string half_space = {};  ///< by how much MDR over a half-space would be off, of a layer; otherwise empty
 };
 
 /// From a result.json.

@@ -7,6 +7,7 @@
 
 #include "comparison/accuracy/fe_readings.h"
 #include "comparison/case/path_table.h"
+#include "comparison/reference/layer_answer.h"
 #include "comparison/reference/mdr_readings.h"
 #include "comparison/results/field_files.h"
 #include "comparison/results/moduli_files.h"
@@ -178,6 +179,7 @@ CaseResult result_of(const PreparedCase& prepared, const mdr::NormalResponse& re
                     {}};
   if (result.fe.fe.cycles_to_shakedown && proof != Proof::none)
     result.mdr.cycles_to_shakedown = settling_cycles(result.mdr_case, result.mdr, result.fe.resolution.n_ramp_cycles);
+  if (prepared.mdr.layer) result.half_space = half_space_answer(prepared.input);
   const auto& fem = prepared.fem;
   result.comparison = compare(readings_of(result.fe.fe, fem.units),
                               fem.worn_edge ? readings_of_worn(result.mdr) : readings_of(result.mdr),

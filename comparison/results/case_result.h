@@ -32,6 +32,7 @@ struct CaseResult {
   Comparison comparison;  ///< of everything
   std::optional<ProvedWear> wear = {};
   std::optional<BeyondMdr> beyond_mdr = {};  ///< then nothing is compared, and mdr has the modulus ratio alone
+  std::optional<MdrAnswer> half_space = {};  ///< what MDR says of a half-space in the place of a layer
 };
 
 /// Gross slip is what both have to find if either does, and where the balance of forces has it (steady_sliding_share);

@@ -179,6 +179,7 @@ ordered_json result_json(const CaseResult& result) {
                     {"mdr", std::move(mdr)},
                     {"fe", fe_json(result)},
                     {"comparison", comparison_json(result.comparison)}};
+  if (result.half_space) json["mdr_half_space"] = to_json(*result.half_space);
   if (result.beyond_mdr) json["not_compared"] = to_json(*result.beyond_mdr, result.fem_case.units.depth);
   json["cost"] = std::move(cost);
   return json;

@@ -77,7 +77,10 @@ Filling assumptions_of(const StoredResult& r) {
     const auto i = static_cast<std::size_t>(at);
     add("slope", std::atan((f[i] - f[i - 1]) / (x[i] - x[i - 1])) * 180 / std::acos(-1.0), "{:.2g}");
   }
-  if (a > 0) {
+  const bool half_space = std::isnan(input_number(r, "Thickness")),
+             compressible = !std::isnan(input_number(r, "Poisson ratio"));
+  if (!half_space || compressible) filling["uncoupled"] = true;
+  if (a > 0 && half_space) {
     filling["depth"] = length_of(bonded_layer / share_of_the_base * a);
     filling["depth_over_a"] = fmt::format("{:.0f}", bonded_layer / share_of_the_base);
   }

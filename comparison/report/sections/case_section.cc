@@ -63,6 +63,7 @@ Filling one_case(const StoredResult& r) {
                   {"scene", scene_of(r)},
                   {"figures", case_figures(r, cycle)},
                   {"assumptions", assumptions_of(r)}};
+  if (!answer.half_space.empty()) filling["half_space"] = answer.half_space;
   if (const auto& scene = r.json.at("scene"); scene.contains("path") && scene["path"].contains("why_no_shakedown"))
     filling["why_no_shakedown"] = scene["path"]["why_no_shakedown"];
   return filling;
