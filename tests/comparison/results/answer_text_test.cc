@@ -24,6 +24,18 @@ TEST(AnswerText, SetsFiniteElementsBesideMdr) {
   EXPECT_EQ(text.find("first slip"), std::string::npos) << "not compared";
 }
 
+// 0.5 of 0.75 m and 1 of 1.25 m.
+TEST(AnswerText, SaysWhatAHalfSpaceWouldHaveInThePlaceOfALayer) {
+  auto result = made_up_result();
+  EXPECT_EQ(answer_to(result).find("half-space"), std::string::npos);
+  result.half_space.emplace();
+  result.half_space->contact_radius_max = 1;
+  result.half_space->stick_radius_shakedown = 0.5;
+  expect_parts(answer_to(result),
+               {"over a half-space MDR would be off: stick radius, shakedown by -33.3 %, largest contact "
+                "radius by -20 %\n"});
+}
+
 TEST(AnswerText, SetsWhatWasNotAskedForApart) {
   auto result = made_up_result();
   result.comparison.erase(Quantity::stick_radius_shakedown);
