@@ -107,6 +107,11 @@ std::string scene_text(const Case& input) {
                                       more(motion.tangential_harmonics));
 }
 
+std::string three_digits(double metres) {
+  const auto [prefix, factor] = prefix_for(metres);
+  return fmt::format("{:.3g} {}m", metres / factor, prefix);
+}
+
 /// What the thickness of the body is against the contact, and what would do for a half-space.
 std::string thickness_text(const Case& input, double contact_radius) {
   if (!is_comparable(input)) return "";
@@ -116,9 +121,9 @@ std::string thickness_text(const Case& input, double contact_radius) {
   const auto least = thickness_of_half_space(mdr_case(over_half_space), input.elastomer.poisson_ratio, share);
   if (input.body.is_half_space())
     return row("half-space",
-               fmt::format("holds within 1 % of a for a body that is thicker than {}", short_text(least, "m")));
+               fmt::format("holds within 1 % of a for a body that is thicker than {}", three_digits(least)));
   return row("a/H", fmt::format("{:.3g}; a half-space would do within 1 % of a from {} on",
-                                contact_radius / input.body.thickness, short_text(least, "m")));
+                                contact_radius / input.body.thickness, three_digits(least)));
 }
 
 /// worn: radii are those of the contact that wear ends in.
