@@ -22,7 +22,11 @@ double radius_at(const ContactEvents& events, Eigen::Index m, double indentation
 EdgeRadius largest_contact_radius(const Eigen::VectorXd& smallest_gap, const ContactEvents& events) {
   Eigen::Index m = 0;
   while (m < smallest_gap.size() && smallest_gap[m] <= 0) ++m;
-  if (m < 2 || m >= smallest_gap.size()) throw SolverError("the contact has no edge inside the contact line");
+  if (m >= smallest_gap.size()) throw SolverError("the contact has no edge inside the contact line");
+  if (m < 2)
+    throw SolverError(
+        "fewer than two rings touch at the largest indentation: the surface of a body that creeps for long "
+        "stays where the indenter has pressed it, and no contact is left to read");
   const double deepest = events.indentation[m] - smallest_gap[m] / events.closing_rate[m];
   return {radius_at(events, m, deepest), events.radius[m] - events.radius[m - 1]};
 }
