@@ -17,7 +17,9 @@ bool are_equal_rings(const std::vector<double>& nodes) {
 
 BodyDescription half_space_with_rings_of(const BodyDescription& body) {
   constexpr std::size_t enough_rings = 20;
-  constexpr double far = 8;  // over the contact line; what it leaves is fitted with the edges (fem::effective_radii)
+  // Over the contact line. What is left of the far field of a compressible body bends the law that the edges are fitted
+  // to, by the third power: with 8 contact radii on layers were 5e-5 to 1.5e-4 off at nu = 0.
+  constexpr double far = 30;
   auto half_space = body;
   half_space.thickness = 0;
   half_space.slides_on_base = false;
