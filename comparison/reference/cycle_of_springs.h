@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "comparison/reference/mdr_answer.h"
+#include "comparison/reference/mdr_values.h"
 #include "mdr/motion/commensurability.h"
 #include "mdr/springs/forced_response.h"
 

@@ -27,13 +27,6 @@ double contact_radius_at(const MdrCase& mdr, double indentation) {
 
 }  // namespace
 
-std::string why_not_on_layer(const Case& input) {
-  if (input.motion.path) return "Motion / Path = " + input.motion.path->file + ": a path over a layer";
-  if (input.wear == Case::Wear::limiting) return "Wear / State = limiting: a limiting profile over a layer";
-  if (input.wear_kinetics) return "Wear / Coefficient: wear over a layer";
-  return "";
-}
-
 mdr::NormalResponse layer_normal_response(const MdrCase& mdr) {
   auto prescribed = mdr.prescribed();
   prescribed.motion.tangential.clear();
@@ -44,13 +37,6 @@ mdr::NormalResponse layer_normal_response(const MdrCase& mdr) {
   normal.contact_radius_max = contact_radius_at(mdr, response.largest_indentation);
   normal.normal_force_error = mdr.normal_force ? 0 : error.normal.normal_force_max;
   return normal;
-}
-
-MdrAnswer half_space_answer(const Case& input) {
-  auto over_half_space = input;
-  over_half_space.body = {};
-  const auto mdr = mdr_case(over_half_space);
-  return mdr_answer(mdr, mdr_normal_response(mdr));
 }
 
 MdrAnswer layer_answer(const MdrCase& mdr, const mdr::NormalResponse& normal, int times) {

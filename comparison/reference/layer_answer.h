@@ -1,11 +1,8 @@
 #pragma once
 
-#include "comparison/reference/mdr_answer.h"
+#include "comparison/reference/mdr_values.h"
 
 namespace fretval {
-
-/// Why MDR for layers cannot be asked, and the entry that asks for it; empty: it can.
-std::string why_not_on_layer(const Case& input);
 
 /// mdr_normal_response over a layer (MdrCase::layer).
 mdr::NormalResponse layer_normal_response(const MdrCase& mdr);
@@ -14,8 +11,5 @@ mdr::NormalResponse layer_normal_response(const MdrCase& mdr);
 /// with so many times the usual springs and steps. Neither decay of slip nor cycles to shakedown, which are of springs
 /// that do not know of each other.
 MdrAnswer layer_answer(const MdrCase& mdr, const mdr::NormalResponse& normal, int times);
-
-/// What MDR says of a half-space in the place of the body of a case, without the cycle.
-MdrAnswer half_space_answer(const Case& input);
 
 }  // namespace fretval

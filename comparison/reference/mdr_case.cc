@@ -9,7 +9,6 @@
 #include <string>
 
 #include "comparison/reference/incompressible_case.h"
-#include "comparison/reference/layer_answer.h"
 #include "mdr/layer/layer_contact.h"
 #include "mdr/profiles/profile_csv.h"
 #include "mdr/rheology/prony_approximation.h"
@@ -127,6 +126,14 @@ std::string why_not_comparable(const Case& input) {
   if (fastest > largest_ratio * slowest)
     return fmt::format("Motion: frequencies of {:g} and {:g} Hz, more than a factor of {:g} apart, are not computed",
                        slowest, fastest, largest_ratio);
+  return "";
+}
+
+/// Why MDR for layers cannot be asked, and the entry that asks for it; empty: it can.
+std::string why_not_on_layer(const Case& input) {
+  if (input.motion.path) return "Motion / Path = " + input.motion.path->file + ": a path over a layer";
+  if (input.wear == Case::Wear::limiting) return "Wear / State = limiting: a limiting profile over a layer";
+  if (input.wear_kinetics) return "Wear / Coefficient: wear over a layer";
   return "";
 }
 

@@ -7,7 +7,7 @@
 
 #include "comparison/accuracy/fe_readings.h"
 #include "comparison/case/path_table.h"
-#include "comparison/reference/layer_answer.h"
+#include "comparison/reference/half_space.h"
 #include "comparison/reference/mdr_readings.h"
 #include "comparison/results/field_files.h"
 #include "comparison/results/moduli_files.h"

@@ -7,7 +7,7 @@
 
 #include "comparison/accuracy/prepared_case.h"
 #include "comparison/accuracy/wear_proof.h"
-#include "comparison/reference/half_space_limit.h"
+#include "comparison/reference/half_space.h"
 #include "comparison/reference/mdr_document.h"
 #include "comparison/results/answer_text.h"
 #include "comparison/results/estimate.h"

@@ -19,7 +19,7 @@ using nlohmann::ordered_json;
 std::string percent(double share, double uncertainty, bool with_sign = true) {
   const double largest = std::max(std::abs(share), 1e-300);
   const int digits =
-      uncertainty > 0 ? std::clamp(static_cast<int>(std::floor(std::log10(largest / uncertainty))) + 1, 1, 3) : 3;
+      uncertainty > 0 ? std::clamp(static_cast<int>(std::floor(std::log10(largest / uncertainty))) + 2, 1, 3) : 3;
   return with_sign ? fmt::format("{:+.{}g} %", 100 * share, digits) : fmt::format("{:.{}g} %", 100 * share, digits);
 }
 

@@ -38,8 +38,7 @@ TEST(NormalResponses, AreMadeAnewForAnyOtherNormalProblem) {
   others[6].body.thickness = 1e-3;
   others[7].body.thickness = 2e-3;
   std::set<double> forces{first->normal_force_max};
-  for (const auto& other : others)
-    EXPECT_TRUE(forces.insert(response_of(responses, other)->normal_force_max).second);
+  for (const auto& other : others) EXPECT_TRUE(forces.insert(response_of(responses, other)->normal_force_max).second);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "comparison/reference/half_space_limit.h"
+#include "comparison/reference/half_space.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 
 #include "tests/comparison/suite_case.h"
 
-namespace fretval::half_space_limit_test {
+namespace fretval::half_space_test {
 namespace {
 
 // At a/H = 0.1 the depth of a contact radius is 0.926 of Hertz's (an independent computation), so at a given depth a
@@ -27,5 +27,13 @@ TEST(HalfSpaceLimit, IsThinnerUnderAForceAndForACompressibleBody) {
   EXPECT_LT(thickness_of_half_space(mdr_case(scene), 0.5, 0.01), 0.2 * incompressible);
 }
 
+// sqrt(R d) over a half-space, whatever the case stands on.
+TEST(HalfSpaceAnswer, IsThatOfAHalfSpaceInThePlaceOfTheBody) {
+  auto scene = suite_case("parabola-elastic-steady", 1e-2);
+  scene.body = {Case::Body::Shape::layer, 1e-3, 0, true};
+  const double a = std::sqrt(scene.indenter.radius * scene.motion.indentation);
+  EXPECT_NEAR(half_space_answer(scene).contact_radius_max.value() / a, 1, 1e-12);
+}
+
 }  // namespace
-}  // namespace fretval::half_space_limit_test
+}  // namespace fretval::half_space_test

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "comparison/reference/mdr_case.h"
+#include "comparison/reference/mdr_answer.h"
 
 namespace fretval {
 
@@ -8,5 +8,8 @@ namespace fretval {
 /// at the largest indentation or, where it is prescribed, under the largest normal force, is that of a half-space but
 /// for a share of it. In m, to three digits, by MDR for layers. share: 1e-3 to 0.5.
 double thickness_of_half_space(const MdrCase& mdr, double poisson_ratio, double share);
+
+/// What MDR says of a half-space in the place of the body of a case, without the cycle.
+MdrAnswer half_space_answer(const Case& input);
 
 }  // namespace fretval

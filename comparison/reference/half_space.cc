@@ -1,4 +1,4 @@
-#include "comparison/reference/half_space_limit.h"
+#include "comparison/reference/half_space.h"
 
 #include <cmath>
 
@@ -24,6 +24,13 @@ double thickness_of_half_space(const MdrCase& mdr, double poisson_ratio, double 
     (is_half_space(middle) ? thick : thin) = middle;
   }
   return thick;
+}
+
+MdrAnswer half_space_answer(const Case& input) {
+  auto over_half_space = input;
+  over_half_space.body = {};
+  const auto mdr = mdr_case(over_half_space);
+  return mdr_answer(mdr, mdr_normal_response(mdr));
 }
 
 }  // namespace fretval

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <optional>
+
+#include "comparison/reference/mdr_case.h"
+#include "mdr/springs/spring_foundation.h"
+
+namespace fretval {
+
+/// What a locked motion asks of whoever drives it, in a cycle of the periodic state, from the transient springs; SI
+/// units. Extrapolated from two finenesses.
+struct MdrCycle {
+  double tangential_force_max;   ///< of |F_x|
+  double tangential_force_mean;  ///< what slip has locked in
+  double friction_work;          ///< lost to friction
+  double bulk_work;              ///< lost inside the body
+  double tangential_work;        ///< area of the tangential loop
+  double sliding_force;          ///< mu times the largest normal force
+  double sliding_work;           ///< what sliding under that force along the whole tangential path would cost
+  double force_error;            ///< of either force
+  double work_error;             ///< of either loss
+  double loop_error;             ///< of the area
+  /// The largest force. With a dashpot loads jump where springs touch, which few springs and steps do not show in an
+  /// instant: there only with a tolerance of a cycle.
+  bool knows_largest_force = true;
+};
+
+/// Cycles to shakedown, as springs of two finenesses find them; error: of these.
+struct SettlingCycles {
+  double cycles, error;
+};
+
+/// What MDR says about a case; SI units. Empty radii: nothing sticks. A comparable case has both maxima.
+struct MdrAnswer {
+  double modulus_ratio;                      ///< at the normal frequency; NaN of a path, which has none
+  std::optional<double> contact_radius_max;  ///< empty: a prescribed force that no contact carries without slip
+  std::optional<double> stick_radius_first_slip;
+  std::optional<double> stick_radius_shakedown;
+  std::optional<double> worn_radius;       ///< a_inf of the limiting profile that belongs to the shakedown radius
+  std::optional<double> normal_force_max;  ///< empty: not computed, or as above
+  /// Tangential amplitude that the indenter is the limiting profile for, over that of the case; 0: there is none.
+  /// Empty: the indenter is not worn, or does not move tangentially.
+  std::optional<double> limiting_amplitude = {};
+  std::optional<double> indentation_max = {};       ///< in the periodic state; empty: prescribed, or as above
+  std::optional<double> tangential_amplitude = {};  ///< half of what lies between the extremes of u_x; likewise
+  /// Under prescribed displacements see mdr_answer_with_cycle. Empty: worn, at rest tangentially, without a cycle of a
+  /// few hundred oscillations, or not periodic in the end.
+  std::optional<MdrCycle> cycle = {};
+  /// Factor per cycle by which slip dies out where nothing slips in the end (mdr/stick/slip_decay.h); with the cycle.
+  std::optional<double> slip_decay = {};
+  std::optional<SettlingCycles> cycles_to_shakedown = {};  ///< see settling_cycles
+  /// Of springs that were stepped in time, the largest relative error of what is above; 0: closed forms.
+  double stepping_error = 0;
+  double normal_force_error = 0;                        ///< N, likewise
+  std::optional<mdr::AxisPressure> axis_pressure = {};  ///< empty: infinite
+  /// Of all amplitudes, the share at which the whole contact begins to slide under a prescribed tangential force while
+  /// they rise slowly; then all else but the normal response is empty. Empty: it never does.
+  std::optional<double> gross_slip = {};
+  std::optional<double> gross_slip_time = {};       ///< s, of a single pass, in the time of its rows
+  std::optional<double> steady_sliding_share = {};  ///< see steady_sliding_share
+  bool single_pass = false;  ///< then there is no periodic state, no shakedown radius and no limiting profile
+
+  /// Whether all of the largest contact sticks in the end, as it does under a profile that is limiting for the motion.
+  [[nodiscard]] bool wears_no_more() const;
+};
+
+}  // namespace fretval
