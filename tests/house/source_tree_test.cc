@@ -42,7 +42,8 @@ House plan() {
           {"fem/motion"},
           {"fem/contact"},
           {"fem/history"},
-          {"fem/stick_zone", "fem/full_model", "fem/wear"}},
+          {"fem/stick_zone", "fem/full_model", "fem/wear"},
+          {"fem/full_contact"}},
          {"deal.II", "petsc"});
   floors({{"meshes"}}, {"gmsh"});
   Names libraries{"deal.II", "petsc", "gmsh"};

@@ -1,0 +1,121 @@
+#include "fem/full_contact/angular_grid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <stdexcept>
+#include <string>
+#include <tuple>
+
+#include "fem/support/constants.h"
+
+namespace fretval::fem {
+namespace {
+
+using Complex = std::complex<double>;
+
+constexpr double roundoff = 1e-13;
+
+/// A kept angle seen in a mirror: where, and what becomes of t_y. t_x and p stay as they are.
+struct Image {
+  double angle, sign_of_y;
+};
+
+std::vector<Image> images_of(double angle, Mirrors mirrors) {
+  std::vector<Image> images{{angle, 1}};
+  if (mirrors != Mirrors::none) images.push_back({-angle, -1});
+  if (mirrors == Mirrors::x_and_y) {
+    images.push_back({pi - angle, -1});
+    images.push_back({pi + angle, 1});
+  }
+  return images;
+}
+
+/// What a unit value at an angle contributes to the harmonic e^{i l theta}.
+Complex share_of_harmonic(unsigned n_around, int l, double angle) {
+  const Complex i(0, 1);
+  const double n = n_around;
+  if (2 * static_cast<unsigned>(std::abs(l)) < n_around) return std::exp(-i * (l * angle)) / n;
+  const double first = pi / n, highest = std::abs(l);
+  return std::cos(highest * (angle - first)) / (2 * n) * std::exp(-i * (l * first));
+}
+
+/// Adds up over the images; of_x and of_y: per t_x and t_y.
+template <class Share>
+Amplitude tangential_amplitude(const AngularGrid& grid, Fields fields, const FourierOrder& order, unsigned component,
+                               const Share& share) {
+  const Eigen::Index n = grid.n_kept();
+  Amplitude amplitude{order, component, Eigen::VectorXd::Zero(fields == Fields::all ? 3 * n : 2 * n)};
+  for (Eigen::Index j = 0; j < n; ++j)
+    for (const auto& image : images_of(grid.angles[j], grid.mirrors)) {
+      const auto [of_x, of_y] = share(image.angle);
+      amplitude.weights[j] += of_x;
+      amplitude.weights[n + j] += image.sign_of_y * of_y;
+    }
+  return amplitude;
+}
+
+/// Real or imaginary part of the harmonic l of t_x + i t_y.
+Amplitude part_of_harmonic(const AngularGrid& grid, Fields fields, int l, bool imaginary, double sign,
+                           const FourierOrder& order, unsigned component) {
+  return tangential_amplitude(grid, fields, order, component, [&](double angle) {
+    const Complex share = share_of_harmonic(grid.n_around, l, angle);
+    return imaginary ? std::make_tuple(sign * share.imag(), sign * share.real())
+                     : std::make_tuple(sign * share.real(), -sign * share.imag());
+  });
+}
+
+void add_tangential(const AngularGrid& grid, Fields fields, std::vector<Amplitude>& amplitudes) {
+  const int highest = static_cast<int>(grid.n_around) / 2;
+  for (int l = -highest; l <= highest; ++l) {
+    const bool is_s = l <= 0;
+    const auto n = static_cast<unsigned>(is_s ? 1 - l : l - 1);
+    const unsigned component = is_s || n == 0 ? 0 : 1;
+    amplitudes.push_back(part_of_harmonic(grid, fields, l, false, 1, {n, Parity::even}, component));
+    amplitudes.push_back(part_of_harmonic(grid, fields, l, true, is_s ? 1 : -1, {n, Parity::odd}, component));
+  }
+}
+
+void add_normal(const AngularGrid& grid, Fields fields, std::vector<Amplitude>& amplitudes) {
+  const Eigen::Index n_kept = grid.n_kept(), before = fields == Fields::all ? 2 * n_kept : 0;
+  for (unsigned n = 0; n <= grid.n_around / 2; ++n)
+    for (const auto parity : {Parity::even, Parity::odd}) {
+      const FourierOrder order{n, parity};
+      if (order.is_torsion()) continue;
+      Amplitude amplitude{order, vertical_component(order), Eigen::VectorXd::Zero(before + n_kept)};
+      for (Eigen::Index j = 0; j < n_kept; ++j)
+        for (const auto& image : images_of(grid.angles[j], grid.mirrors)) {
+          const Complex share = share_of_harmonic(grid.n_around, static_cast<int>(n), image.angle);
+          const double part = parity == Parity::even ? share.real() : -share.imag();
+          amplitude.weights[before + j] -= (n == 0 ? 1 : 2) * part;
+        }
+      amplitudes.push_back(std::move(amplitude));
+    }
+}
+
+}  // namespace
+
+AngularGrid angular_grid(unsigned n_around, Mirrors mirrors) {
+  const unsigned n_images = mirrors == Mirrors::none ? 1 : mirrors == Mirrors::x ? 2 : 4;
+  if (n_around == 0 || n_around % n_images != 0)
+    throw std::invalid_argument("the number of angles around the axis is " + std::to_string(n_around) +
+                                ", must be a positive multiple of " + std::to_string(n_images));
+  const Eigen::Index n_kept = n_around / n_images;
+  AngularGrid grid{n_around, mirrors, Eigen::VectorXd(n_kept)};
+  for (Eigen::Index j = 0; j < n_kept; ++j) grid.angles[j] = (static_cast<double>(j) + 0.5) * 2 * pi / n_around;
+  return grid;
+}
+
+std::vector<Amplitude> amplitudes_of(const AngularGrid& grid, Fields fields) {
+  std::vector<Amplitude> amplitudes;
+  if (fields != Fields::normal) add_tangential(grid, fields, amplitudes);
+  if (fields != Fields::tangential) add_normal(grid, fields, amplitudes);
+  const auto vanishes = [&](const Amplitude& a) { return a.weights.norm() * grid.n_around < roundoff; };
+  amplitudes.erase(std::remove_if(amplitudes.begin(), amplitudes.end(), vanishes), amplitudes.end());
+  std::stable_sort(amplitudes.begin(), amplitudes.end(), [](const Amplitude& a, const Amplitude& b) {
+    return std::tie(a.order, a.component) < std::tie(b.order, b.component);
+  });
+  return amplitudes;
+}
+
+}  // namespace fretval::fem

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <Eigen/Dense>
+#include <vector>
+
+#include "fem/operators/fourier_order.h"
+
+namespace fretval::fem {
+
+/// Mirrors that leave the contact as it is, and with them the angles that are left out. About the x axis t_x and p are
+/// even and t_y is odd: motion along x, with or without coupling. About both axes so are t_x and t_y, and p has no
+/// part in it: motion along x without coupling.
+enum class Mirrors { none, x, x_and_y };
+
+/// Equally spaced angles `theta_j = (j + 1/2) 2 pi/n` around the axis, so that none lies on a mirror.
+struct AngularGrid {
+  unsigned n_around;
+  Mirrors mirrors;
+  Eigen::VectorXd angles;  ///< those that are kept, rising from the first one
+
+  [[nodiscard]] Eigen::Index n_kept() const { return angles.size(); }
+  /// Points around the axis that each of the kept ones stands for.
+  [[nodiscard]] double multiplicity() const { return n_around / static_cast<double>(angles.size()); }
+  /// Highest Fourier order of the displacement that fields on these angles draw on.
+  [[nodiscard]] unsigned highest_order() const { return n_around / 2 + 1; }
+};
+
+/// Throws std::invalid_argument for no angles, and for mirrors that do not map them onto each other: one asks for an
+/// even number of angles, two for a multiple of four.
+AngularGrid angular_grid(unsigned n_around, Mirrors mirrors = Mirrors::none);
+
+/// Which fields there are on the angles: t_x and t_y, p, or t_x, t_y and p, in this order.
+enum class Fields { tangential, normal, all };
+
+/// An amplitude that fields have: a component of a Fourier order (fem/operators/fourier_order.h), and what the kept
+/// angles contribute to it, for each field one after the other.
+struct Amplitude {
+  FourierOrder order;
+  unsigned component;
+  Eigen::VectorXd weights;
+};
+
+/// Amplitudes of the trigonometric polynomials of least degree through values on the angles, by order, parity and
+/// component. With u_x + i u_y = e^{i theta} sum_k c_k e^{i k theta} and the even and odd parts e and o of an order n,
+///
+///   c_n = m_e - i m_o,    c_{-n} = s_e + i s_o,    c_0 = U - i V,
+///
+/// so the Cartesian harmonic l = k + 1 of n angles, |l| <= n/2, draws on s of order 1 - l and m of order l - 1. A
+/// pressure pushes into the body, against W. The harmonic n/2 of an even number of angles is that which is largest on
+/// them, cos(n/2 (theta - theta_0)), the other one vanishes there. Amplitudes that vanish by a mirror are left out.
+std::vector<Amplitude> amplitudes_of(const AngularGrid& grid, Fields fields);
+
+}  // namespace fretval::fem

@@ -1,0 +1,76 @@
+#include "fem/full_contact/contact_region.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "fem/stick_zone/stick_radius.h"
+#include "fem/support/constants.h"
+
+namespace fretval::fem {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+namespace {
+
+/// Values on all angles around the axis, from the first one on, of what is even about the mirrors.
+VectorXd all_around(const AngularGrid& grid, const VectorXd& kept) {
+  const auto n = static_cast<Index>(grid.n_around), half = n / 2;
+  VectorXd all(n);
+  for (Index j = 0; j < n; ++j) {
+    Index k = j;
+    if (grid.mirrors != Mirrors::none) k = std::min(k, n - 1 - k);
+    if (grid.mirrors == Mirrors::x_and_y) k = std::min(k, half - 1 - k);
+    all[j] = kept[k];
+  }
+  return all;
+}
+
+/// The trigonometric polynomial through values on all angles, by Dirichlet's kernel.
+double between_angles(const VectorXd& all, double angle) {
+  const auto n = static_cast<double>(all.size());
+  double sum = 0;
+  for (Index j = 0; j < all.size(); ++j) {
+    const double distance = angle - (static_cast<double>(j) + 0.5) * 2 * pi / n, sine = std::sin(distance / 2);
+    if (std::abs(sine) < 1e-12) return all[j];
+    const double kernel = std::sin(n * distance / 2) / (n * sine);
+    sum += all[j] * (all.size() % 2 == 0 ? kernel * std::cos(distance / 2) : kernel);
+  }
+  return sum;
+}
+
+}  // namespace
+
+Eigen::VectorXi rings_inside(const Eigen::MatrixXd& margin) {
+  Eigen::VectorXi n_inside = Eigen::VectorXi::Zero(margin.cols());
+  for (Index j = 0; j < margin.cols(); ++j)
+    while (n_inside[j] < margin.rows() && margin(n_inside[j], j) > 0) ++n_inside[j];
+  return n_inside;
+}
+
+ContactRegion region_of(const ContactProblem& rings, const AngularGrid& grid, const Eigen::MatrixXd& depths,
+                        const Eigen::VectorXi& n_inside) {
+  ContactRegion region;
+  region.edges.resize(depths.cols());
+  for (Index j = 0; j < depths.cols(); ++j) {
+    const auto edge = stick_radius(rings.compliance, depths.col(j), n_inside[j]);
+    region.edges[j] = edge.radius;
+    region.uncertainty = std::max(region.uncertainty, edge.uncertainty);
+  }
+  region.area = pi * region.edges.squaredNorm() / static_cast<double>(region.edges.size());
+  region.radius = std::sqrt(region.area / pi);
+  const VectorXd all = all_around(grid, region.edges);
+  constexpr int n_looks = 360;
+  for (int i = 0; i < n_looks; ++i) {
+    const double angle = 2 * pi * i / n_looks, edge = between_angles(all, angle);
+    region.along = std::max(region.along, edge * std::abs(std::cos(angle)));
+    region.across = std::max(region.across, edge * std::abs(std::sin(angle)));
+  }
+  return region;
+}
+
+ContactRegion region_of(const ContactProblem& rings, const AngularGrid& grid, const Eigen::MatrixXd& margin) {
+  return region_of(rings, grid, rings.series.depths_of_instants(margin), rings_inside(margin));
+}
+
+}  // namespace fretval::fem

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <Eigen/Dense>
+
+#include "fem/contact/contact_problem.h"
+#include "fem/full_contact/angular_grid.h"
+
+namespace fretval::fem {
+
+/// A region around the centre of the contact.
+struct ContactRegion {
+  double area = 0;
+  double radius = 0;        ///< of the disc of that area
+  double along = 0;         ///< half of its extent along x
+  double across = 0;        ///< half of its extent along y
+  double uncertainty = 0;   ///< of its edge: the largest of all angles
+  Eigen::VectorXd edges{};  ///< its radius at each kept angle
+};
+
+/// The region in which a margin is positive from the centre on, whose edge is read to a fraction of a ring.
+///
+/// A margin, mu p - |t| where points stick or p where they touch, falls towards the edge like the pressure of a punch.
+/// So on each ray it is taken for that of an axisymmetric one, whose depths (PunchSeries) vanish at the edge
+/// (stick_radius): near an edge that is smooth the problem is that of a straight one. depths: these, of each ray, a
+/// column each, which are linear in the margin; n_inside: rings of the ray inside the region. area = (1/2) int
+/// edge(theta)^2 dtheta, by the trapezoidal rule, which converges faster than any power of the number of angles for a
+/// smooth region; extents are those of the trigonometric polynomial through the edges. rings: the contact problem of
+/// the ring contact, of the component that the margin is of, on as many rings.
+ContactRegion region_of(const ContactProblem& rings, const AngularGrid& grid, const Eigen::MatrixXd& depths,
+                        const Eigen::VectorXi& n_inside);
+
+/// The same from the margin, zero outside of the region.
+ContactRegion region_of(const ContactProblem& rings, const AngularGrid& grid, const Eigen::MatrixXd& margin);
+
+/// Rings of each ray before the first one without a margin.
+Eigen::VectorXi rings_inside(const Eigen::MatrixXd& margin);
+
+}  // namespace fretval::fem

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <Eigen/Dense>
+#include <functional>
+
+#include "fem/full_contact/surface_operator.h"
+#include "fem/full_contact/vector_friction.h"
+#include "fem/motion/relaxation.h"
+
+namespace fretval::fem {
+
+/// The operators of a body on one grid: along the surface, across it, and of both with what couples them.
+struct CoupledOperators {
+  SurfaceOperator tangential, normal, all;
+};
+
+/// Throws std::invalid_argument as SurfaceOperator does, and for mirrors about both axes, which coupling breaks.
+CoupledOperators coupled_operators(const SurfaceCompliance& surface, const AngularGrid& grid, bool coupling = true);
+
+/// Motion of the indenter: how deep it is, and along the surface.
+struct IndenterMotion {
+  std::function<ValueAndRate(double)> depth;
+  LateralMotion lateral;
+};
+
+/// Normal contact and friction that act on each other, on their way through a motion: what they are like after the last
+/// step, and how they go on. At all points
+///
+///   p >= 0,  gap >= 0,  p gap = 0,    |t| <= mu p,  slip along t where |t| = mu p and none elsewhere,
+///
+/// with displacements of K (t, p) of SurfaceOperator over all fields. They begin at the first depth with the pressures
+/// of a relaxed body that was pressed without friction; from a depth of 0 on, frictional pressing is a part of the way.
+///
+/// A step alternates: friction under the last pressures, then pressures under these tractions (block Gauss-Seidel).
+/// It contracts by the square of what couples the two, times the friction coefficient: over a half-space
+/// ((1 - 2 nu)/(2 - 2 nu)) mu at most. The normal natural residual of the pair is computed at its end, over the largest
+/// pressure, and that of friction as in solve_friction. Points that are pressed in the step before are driven by the
+/// indenter, exactly; the others move at a constant rate, so that lifting and touching are of second order (without the
+/// turns inside a step of fem/contact/ring_courses.h).
+class CoupledContact {
+ public:
+  /// profile: of the indenter, n_rings x n_angles, ring means of its height over the apex. The operators and the motion
+  /// must outlive this.
+  CoupledContact(const CoupledOperators& operators, const RelaxationModel& relaxation, double friction_coefficient,
+                 Eigen::MatrixXd profile, const IndenterMotion& motion, int steps_per_cycle);
+
+  /// Throws SolverError where the two do not converge, and NoRoom where the contact reaches the last ring.
+  void step();
+
+  VectorFriction friction;
+  double depth = 0;          ///< of the indenter at the end of the step
+  Eigen::MatrixXd pressure;  ///< at the balance time
+  Eigen::MatrixXd gap;       ///< at the end of the step
+  int n_alternations = 0;    ///< that the step took
+  double remainder = 0;      ///< of the normal contact, see above
+
+  [[nodiscard]] double normal_force() const;
+
+ private:
+  void press_without_friction();
+  [[nodiscard]] Eigen::MatrixXd moved_by_pressure() const;
+  [[nodiscard]] Eigen::MatrixXd moved_by_traction(const Eigen::MatrixXd& traction) const;
+  void alternate(const Eigen::MatrixXd& target);
+
+  const CoupledOperators& operators_;
+  RelaxationModel relaxation_;
+  Eigen::MatrixXd profile_;
+  const IndenterMotion& motion_;
+  double dt_;
+  RelaxationStep step_;
+  RingState state_;         // of the displacements into the body
+  Eigen::MatrixXd opened_;  // areas times gaps at the end of the step times the instantaneous stiffness
+};
+
+}  // namespace fretval::fem

@@ -1,0 +1,236 @@
+#include "fem/full_contact/friction_solver.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <stdexcept>
+#include <utility>
+
+#include "fem/full_contact/conjugate_gradients.h"
+#include "fem/support/solver_error.h"
+
+namespace fretval::fem {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+
+namespace {
+
+constexpr int most_with_old_inverse = 10;  // applications from which on a new one is cheaper
+
+/// What each point may do: (x, y) of the rim's normal where it slips, and the stiffness of the rim.
+struct Rims {
+  MatrixXd x, y, stiffness;
+  Eigen::Array<bool, Eigen::Dynamic, Eigen::Dynamic> slips;
+
+  Rims(Index n_rings, Index n_angles)
+      : x(n_rings, n_angles), y(n_rings, n_angles), stiffness(n_rings, n_angles), slips(n_rings, n_angles) {}
+};
+
+/// Also moves the points that slip onto their rims. How far the traction leads the way is for the diagonal to say.
+Rims find_rims(const SurfaceOperator& op, const MatrixXd& residual, const MatrixXd& limit, MatrixXd& traction) {
+  const Index n = limit.rows(), m = limit.cols();
+  Rims rims(n, m);
+  for (Index j = 0; j < m; ++j)
+    for (Index i = 0; i < n; ++i) {
+      const double weight = 1 / op.diagonal()[i], x = traction(i, j) + weight * residual(i, j),
+                   y = traction(i, m + j) + weight * residual(i, m + j), length = std::hypot(x, y);
+      rims.slips(i, j) = length > limit(i, j) || limit(i, j) == 0;
+      rims.x(i, j) = length > 0 ? x / length : 1;
+      rims.y(i, j) = length > 0 ? y / length : 0;
+      rims.stiffness(i, j) = 0;
+      if (!rims.slips(i, j) || limit(i, j) == 0) continue;
+      rims.stiffness(i, j) = std::hypot(residual(i, j), residual(i, m + j)) / limit(i, j);
+      traction(i, j) = limit(i, j) * rims.x(i, j);
+      traction(i, m + j) = limit(i, j) * rims.y(i, j);
+    }
+  return rims;
+}
+
+/// Leaves of a field what points that slip may do along their rims; nothing where there is no limit.
+void keep_to_rims(const Rims& rims, const MatrixXd& limit, MatrixXd& field) {
+  const Index n = limit.rows(), m = limit.cols();
+  for (Index j = 0; j < m; ++j)
+    for (Index i = 0; i < n; ++i) {
+      if (!rims.slips(i, j)) continue;
+      const double along = limit(i, j) == 0 ? 0 : rims.x(i, j) * field(i, m + j) - rims.y(i, j) * field(i, j);
+      field(i, j) = -rims.y(i, j) * along;
+      field(i, m + j) = rims.x(i, j) * along;
+    }
+}
+
+double product(const MatrixXd& a, const MatrixXd& b) {
+  return a.cwiseProduct(b).sum();
+}
+
+class Newton {
+ public:
+  Newton(const SurfaceOperator& op, const MatrixXd& pull, const MatrixXd& limit, const MatrixXd& guess)
+      : op_(op), limit_(limit), largest_(limit.maxCoeff()) {
+    solution_.traction = onto_discs(guess, limit);
+    op.apply(solution_.traction, image_);
+    solution_.residual = pull - image_;
+    solution_.applications = 1;
+  }
+
+  /// Whether the solution is found.
+  bool is_done() {
+    solution_.remainder = friction_remainder(op_, solution_.residual, limit_, solution_.traction) / largest_;
+    return solution_.remainder <= enough_of_contact;
+  }
+
+  void iterate() {
+    ++solution_.iterations;
+    const MatrixXd way = newton_step();
+    find_image(way);
+    if (halves_remainder(way)) return go(way, 1);
+    const double share = share_of_descent(way);
+    if (share > 0) return go(way, share);
+    const MatrixXd down = gradient_step();
+    find_image(down);
+    go(down, std::max(0.0, share_of_descent(down)));
+  }
+
+  FrictionSolution& solution() { return solution_; }
+
+ private:
+  MatrixXd newton_step() {
+    const Index m = limit_.cols();
+    MatrixXd onto = solution_.traction, step, right;
+    const Rims rims = find_rims(op_, solution_.residual, limit_, onto);
+    op_.apply(onto - solution_.traction, image_);
+    right = solution_.residual - image_;
+    keep_to_rims(rims, limit_, right);
+    if (!inverse_ || last_applications_ > most_with_old_inverse)
+      inverse_.emplace(op_, rims.stiffness.rowwise().mean().cwiseQuotient(op_.areas()));
+    const auto apply = [&](const MatrixXd& field, MatrixXd& result) {
+      op_.apply(field, result);
+      result.leftCols(m) += rims.stiffness.cwiseProduct(field.leftCols(m));
+      result.rightCols(m) += rims.stiffness.cwiseProduct(field.rightCols(m));
+      keep_to_rims(rims, limit_, result);
+    };
+    const auto precondition = [&](const MatrixXd& field, MatrixXd& result) {
+      inverse_->apply(field, result);
+      keep_to_rims(rims, limit_, result);
+    };
+    const double share = share_for(solution_.remainder);
+    last_applications_ = conjugate_gradients(apply, precondition, right, share, most_applications, step);
+    solution_.applications += 1 + last_applications_;
+    onto += step;
+    for (Index j = 0; j < m; ++j)  // back to the rims, however far the step was
+      for (Index i = 0; i < limit_.rows(); ++i) {
+        const double length = std::hypot(onto(i, j), onto(i, m + j));
+        if (!rims.slips(i, j) || !(length > 0)) continue;
+        onto(i, j) *= limit_(i, j) / length;
+        onto(i, m + j) *= limit_(i, j) / length;
+      }
+    return onto_discs(onto, limit_) - solution_.traction;
+  }
+
+  [[nodiscard]] MatrixXd gradient_step() const {
+    MatrixXd onto = solution_.traction;
+    const Eigen::ArrayXd weight = op_.diagonal().array().inverse();
+    onto.array() += solution_.residual.array().colwise() * weight;
+    return onto_discs(onto, limit_) - solution_.traction;
+  }
+
+  void find_image(const MatrixXd& way) {
+    op_.apply(way, image_);
+    ++solution_.applications;
+  }
+
+  /// Near the solution roundoff hides what becomes of the energy.
+  [[nodiscard]] bool halves_remainder(const MatrixXd& way) const {
+    const double remainder =
+        friction_remainder(op_, solution_.residual - image_, limit_, solution_.traction + way) / largest_;
+    return remainder < solution_.remainder / 2;
+  }
+
+  /// As far as lowers the energy, but no farther than all of the way, which stays in the discs.
+  [[nodiscard]] double share_of_descent(const MatrixXd& way) const {
+    return std::min(1.0, product(way, solution_.residual) / product(way, image_));
+  }
+
+  void go(const MatrixXd& way, double share) {
+    solution_.traction += share * way;
+    solution_.residual -= share * image_;
+  }
+
+  const SurfaceOperator& op_;
+  const MatrixXd& limit_;
+  double largest_;
+  MatrixXd image_;
+  std::optional<InverseOperator> inverse_;  // of rims as they were in an iteration before
+  int last_applications_ = 0;               // of the operator to solve a linear system
+  FrictionSolution solution_;
+};
+
+void require_fit(const SurfaceOperator& op, const MatrixXd& pull, const MatrixXd& limit, const MatrixXd& guess) {
+  const Index n = op.n_rings(), m = op.grid().n_kept();
+  if (op.n_columns() != 2 * m || pull.rows() != n || pull.cols() != 2 * m || limit.rows() != n || limit.cols() != m ||
+      guess.rows() != n || guess.cols() != 2 * m)
+    throw std::invalid_argument("the fields of the friction problem do not fit its operator");
+  if (!(limit.minCoeff() >= 0) || !limit.allFinite() || !pull.allFinite())
+    throw std::invalid_argument("the friction limits must be numbers that are not negative, and their pull numbers");
+}
+
+/// The same without the rings beyond the last one that has a limit.
+FrictionSolution solve_touching(const SurfaceOperator& op, const MatrixXd& pull, const MatrixXd& limit,
+                                const MatrixXd& guess) {
+  Newton newton(op, pull, limit, guess);
+  while (!newton.is_done()) {
+    if (newton.solution().iterations == most_newton_steps)
+      throw SolverError(
+          fmt::format("friction with a traction of any direction does not converge: {:.1e} of the "
+                      "largest limit is left after {} iterations, {:.1e} is asked for",
+                      newton.solution().remainder, most_newton_steps, enough_of_contact));
+    newton.iterate();
+  }
+  return std::move(newton.solution());
+}
+
+}  // namespace
+
+MatrixXd onto_discs(MatrixXd traction, const MatrixXd& limit) {
+  const Index m = limit.cols();
+  for (Index j = 0; j < m; ++j)
+    for (Index i = 0; i < limit.rows(); ++i) {
+      const double length = std::hypot(traction(i, j), traction(i, m + j));
+      if (length <= limit(i, j)) continue;
+      traction(i, j) *= limit(i, j) / length;
+      traction(i, m + j) *= limit(i, j) / length;
+    }
+  return traction;
+}
+
+double friction_remainder(const SurfaceOperator& op, const MatrixXd& residual, const MatrixXd& limit,
+                          const MatrixXd& traction) {
+  const Eigen::ArrayXd weight = op.diagonal().array().inverse();
+  MatrixXd onto = traction;
+  onto.array() += residual.array().colwise() * weight;
+  return (onto_discs(onto, limit) - traction).lpNorm<Eigen::Infinity>();
+}
+
+FrictionSolution solve_friction(const SurfaceOperator& op, const MatrixXd& pull, const MatrixXd& limit,
+                                const MatrixXd& guess) {
+  require_fit(op, pull, limit, guess);
+  Index n = op.n_rings();
+  while (n > 0 && limit.row(n - 1).maxCoeff() == 0) --n;
+  FrictionSolution solution{MatrixXd::Zero(pull.rows(), pull.cols()), pull};
+  if (n == 0) return solution;
+  const auto touching = op.leading(n);
+  auto found = solve_touching(touching, pull.topRows(n), limit.topRows(n), guess.topRows(n));
+  solution.traction.topRows(n) = found.traction;
+  MatrixXd image;
+  op.apply(solution.traction, image);
+  solution.residual -= image;
+  solution.residual.topRows(n) = found.residual;
+  solution.remainder = found.remainder;
+  solution.iterations = found.iterations;
+  solution.applications = found.applications;
+  return solution;
+}
+
+}  // namespace fretval::fem

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <Eigen/Dense>
+#include <functional>
+#include <vector>
+
+#include "fem/contact/contact_problem.h"
+#include "fem/full_contact/contact_region.h"
+#include "fem/full_contact/coupled_contact.h"
+#include "fem/full_contact/vector_friction.h"
+#include "fem/motion/running_minimum.h"
+
+namespace fretval::fem {
+
+/// The ring contacts of the body on the same rings, of which the edges of regions are read.
+struct RingProblems {
+  ContactProblem normal, tangential;
+};
+RingProblems ring_problems(const SurfaceCompliance& surface);
+
+/// What a contact with friction as a vector has been through, and its last cycle.
+struct SurfaceHistory {
+  int n_cycles = 0;
+  ContactRegion never_slipped;      ///< since the start
+  ContactRegion sticks_in_a_cycle;  ///< throughout the last cycle
+  ContactRegion contact;            ///< where any pressure has been in the last cycle
+  std::vector<double> dissipated;   ///< by friction, in each cycle
+  Eigen::Matrix3Xd forces;          ///< F_x, F_y, torque at each step of the last cycle, at the balance times
+  std::vector<Eigen::MatrixXd> pressure, traction;  ///< of the last cycle, a step each
+  /// Largest change of a traction against the cycle before, over the largest one.
+  double periodicity = 0;
+};
+
+/// Watches a contact step by step.
+///
+/// Points that have never slipped: the smallest margin mu p - |t| since the start, as depths (ContactRegion), between
+/// steps as well (RunningMinimum). Points that stick in a cycle: their room (slip_room) of the steps of the cycle; in
+/// the first one, which begins at rest and has nothing to settle to, they are those that have never slipped. A point
+/// slips in a step where |t| is its limit, or there is none.
+class SurfaceWatch {
+ public:
+  /// rings: must outlive this.
+  SurfaceWatch(const RingProblems& rings, const AngularGrid& grid, int steps_per_cycle);
+  /// After a step.
+  void see(const VectorFriction& friction, const Eigen::MatrixXd& pressure);
+  /// Empty before the end of the first cycle.
+  [[nodiscard]] SurfaceHistory report() const;
+
+ private:
+  [[nodiscard]] Eigen::MatrixXd room() const;
+  void begin_cycle();
+
+  const RingProblems& rings_;
+  AngularGrid grid_;
+  int steps_per_cycle_;
+  long n_steps_ = 0;
+  RunningMinimum reserve_;
+  Eigen::ArrayXXd ever_, in_cycle_;  // whether points have slipped: 1 or 0
+  std::vector<Eigen::MatrixXd> pressure_, traction_, limit_, traction_before_;
+  Eigen::Matrix3Xd forces_;
+  std::vector<double> dissipated_;
+};
+
+/// Steps friction through cycles under pressures of the rings that act in each step, counted from 0: those at its
+/// balance time, as of a NormalHistory.
+SurfaceHistory vector_friction_history(VectorFriction friction,
+                                       const std::function<Eigen::VectorXd(long)>& ring_pressure,
+                                       const RingProblems& rings, int n_cycles);
+
+/// Steps a coupled contact through cycles.
+SurfaceHistory coupled_contact_history(CoupledContact contact, const RingProblems& rings, int n_cycles);
+
+}  // namespace fretval::fem

@@ -1,0 +1,81 @@
+#pragma once
+
+#include <Eigen/Dense>
+#include <vector>
+
+#include "fem/full_contact/angular_grid.h"
+#include "fem/full_contact/surface_compliance.h"
+#include "fem/support/shared_matrix.h"
+
+namespace fretval::fem {
+
+/// A matrix over consecutive amplitudes of one Fourier order, n_components times n_rings rows, that serves n_copies of
+/// them, one after the other: both parities have the same.
+struct OrderBlock {
+  Eigen::Index first, n_components, n_copies;  ///< of the amplitudes
+  SharedMatrix matrix;
+};
+
+/// Response of a body of unit shear modulus to fields on rings x angles: n_rings rows, and as many columns as there are
+/// kept angles for each field, t_x before t_y before p. With the amplitudes T f of a field f (amplitudes_of) and the
+/// blocks C of a SurfaceCompliance
+///
+///   K f = T^T C T f,
+///
+/// each entry of which is the mean displacement of a point times its area: (u_x, u_y) along t and, along p, that into
+/// the body. What a field is tested with is what it is made of, so K is symmetric positive definite to the highest
+/// harmonic, and f . K f is the work of the tractions. Where a field has no part of a harmonic that the order couples
+/// it with, that part of the displacement is not seen. Length^3 per shear modulus. An application takes of the order of
+/// n_orders x n_rings^2.
+class SurfaceOperator {
+ public:
+  /// coupling: whether pressures displace along the surface and tractions across it. Throws std::invalid_argument for a
+  /// compliance that lacks orders which the grid draws on.
+  SurfaceOperator(const SurfaceCompliance& surface, const AngularGrid& grid, Fields fields, bool coupling = true);
+
+  /// Of the first rings alone.
+  [[nodiscard]] SurfaceOperator leading(Eigen::Index n_rings) const;
+
+  /// result <- K field.
+  void apply(const Eigen::MatrixXd& field, Eigen::MatrixXd& result) const;
+
+  [[nodiscard]] const AngularGrid& grid() const { return grid_; }
+  [[nodiscard]] const std::vector<double>& radii() const { return radii_; }
+  /// Per ring: the area that each of its points stands for, those left out by a mirror included.
+  [[nodiscard]] const Eigen::VectorXd& areas() const { return areas_; }
+  [[nodiscard]] Eigen::Index n_rings() const { return areas_.size(); }
+  [[nodiscard]] Eigen::Index n_columns() const { return transform_.rows(); }
+  /// Per ring: the largest diagonal entry of K.
+  [[nodiscard]] const Eigen::VectorXd& diagonal() const { return diagonal_; }
+  /// T^T, a column for each amplitude.
+  [[nodiscard]] const Eigen::MatrixXd& transform() const { return transform_; }
+  [[nodiscard]] const std::vector<OrderBlock>& blocks() const { return blocks_; }
+
+ private:
+  AngularGrid grid_;
+  std::vector<double> radii_;
+  Eigen::VectorXd areas_, diagonal_;
+  Eigen::MatrixXd transform_;
+  std::vector<OrderBlock> blocks_;
+};
+
+/// The inverse of K + D of an operator whose points are tied to the ground, D a stiffness per ring times the area of a
+/// point: exact, but for the highest harmonic of an even number of angles. Symmetric positive definite: what
+/// conjugate gradients are preconditioned with.
+class InverseOperator {
+ public:
+  /// ground: not negative. Throws SolverError where a block is not positive definite.
+  InverseOperator(const SurfaceOperator& op, const Eigen::VectorXd& ground);
+
+  void apply(const Eigen::MatrixXd& field, Eigen::MatrixXd& result) const;
+
+ private:
+  struct Factor {
+    Eigen::Index first, n_components, n_copies;
+    Eigen::LLT<Eigen::MatrixXd> llt;
+  };
+  Eigen::MatrixXd fields_;  // of unit amplitudes, a column each
+  std::vector<Factor> factors_;
+};
+
+}  // namespace fretval::fem

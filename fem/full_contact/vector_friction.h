@@ -1,0 +1,79 @@
+#pragma once
+
+#include <Eigen/Dense>
+#include <functional>
+
+#include "fem/full_contact/friction_solver.h"
+#include "fem/full_contact/surface_operator.h"
+#include "fem/motion/relaxation.h"
+
+namespace fretval::fem {
+
+/// Motion of the indenter along the surface in dimensionless time, in which a cycle lasts 2 pi.
+struct LateralMotion {
+  std::function<ValueAndRate(double)> x, y;
+};
+
+/// Coulomb friction with a traction of any direction, |t| <= mu p, on its way through a motion: what it is like after
+/// the last step, and how it goes on. It begins at rest, without traction.
+///
+/// A step is that of the unidirectional FrictionContact with discs in the place of intervals: with the response of what
+/// does not slip, w (RelaxationStep), and the slip in the step, s, of each point
+///
+///   K t = areas (w - instantaneous s),    s = 0 or s along t and |t| = mu p,
+///
+/// so that the memory of the body is exact for points that stick. Points that touch in a step are held from its start
+/// on. Fields have a row a ring and a column an angle, x before y.
+class VectorFriction {
+ public:
+  /// op: of tangential fields. It and the motion must outlive this.
+  VectorFriction(const SurfaceOperator& op, RelaxationModel relaxation, double friction_coefficient,
+                 const LateralMotion& motion, int steps_per_cycle);
+
+  /// Goes on by a step under pressures at its balance time, of points or the same around each ring.
+  void step(const Eigen::MatrixXd& pressure);
+  void step(const Eigen::VectorXd& ring_pressure);
+
+  /// What the next step comes to under pressures to which the body also responds by so much along the surface, times
+  /// the areas; until accept() nothing has changed but the limit and the guess for the next attempt.
+  const FrictionSolution& attempt(const Eigen::MatrixXd& pressure, const Eigen::MatrixXd& displaced);
+  /// Makes the step of the last attempt.
+  void accept();
+
+  /// Before the first step: displacements at rest, as of a body that is pressed without friction.
+  void start_from(const Eigen::MatrixXd& displacement);
+
+  long n_steps = 0;                           ///< made
+  Eigen::Vector2d displacement, increment;    ///< of the indenter at the end of the step, and in it
+  Eigen::MatrixXd limit;                      ///< mu p
+  Eigen::MatrixXd traction, traction_before;  ///< at the balance times of this and of the last step
+  Eigen::MatrixXd slip;                       ///< in the whole step
+  int n_iterations = 0, n_applications = 0;   ///< that the step took
+
+  [[nodiscard]] const SurfaceOperator& op() const { return op_; }
+  [[nodiscard]] int steps_per_cycle() const { return steps_per_cycle_; }
+  [[nodiscard]] double fraction() const { return step_.fraction(); }
+  /// Of the points at the end of the step.
+  [[nodiscard]] Eigen::MatrixXd displacements() const;
+
+  /// F_x, F_y and the torque about the axis that the indenter exerts at the balance time. What a mirror leaves out
+  /// balances F_y and the torque.
+  [[nodiscard]] Eigen::Vector3d forces() const;
+  /// Work of friction in the step, of second order: slip is made at a constant rate, so it meets the traction in the
+  /// middle of the step, between those at the balance times of this step and the one before.
+  [[nodiscard]] double friction_work() const;
+
+ private:
+  const SurfaceOperator& op_;
+  RelaxationModel relaxation_;
+  double friction_coefficient_;
+  const LateralMotion& motion_;
+  int steps_per_cycle_;
+  double dt_;
+  RelaxationStep step_;
+  RingState x_, y_;
+  FrictionSolution solution_;
+  Eigen::VectorXd arms_;  // mean distances of the rings from the axis
+};
+
+}  // namespace fretval::fem

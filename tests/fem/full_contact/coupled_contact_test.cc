@@ -1,0 +1,146 @@
+#include "fem/full_contact/coupled_contact.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "fem/contact/require_room.h"
+#include "fem/contact/static_contact.h"
+#include "fem/full_contact/surface_history.h"
+#include "tests/fem/full_contact/bodies.h"
+
+namespace fretval::fem::coupled_contact_test {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+using full_contact_test::surface_half_space;
+
+ValueAndRate nowhere(double) {
+  return {0, 0};
+}
+
+/// From one depth to another within a cycle.
+std::function<ValueAndRate(double)> ramp(double from, double to) {
+  return [=](double t) { return ValueAndRate{from + (to - from) * t / (2 * pi), (to - from) / (2 * pi)}; };
+}
+
+MatrixXd round_profile(const SurfaceCompliance& surface, double exponent, Index n_angles) {
+  const auto rings = ring_compliance(surface, axisymmetric);
+  return ring_means(rings, [=](double r) { return std::pow(r, exponent); }).replicate(1, n_angles);
+}
+
+// Over an incompressible half-space, or where it is told to, pressure knows nothing of friction.
+TEST(CoupledContact, WithoutCouplingIsBothContactsSideBySide) {
+  for (const double nu : {0.5, 0.3}) {
+    const auto& surface = surface_half_space(nu);
+    const auto operators = coupled_operators(surface, angular_grid(4), false);
+    const IndenterMotion motion{ramp(0.3, 0.6), {ramp(0, 0.2), ramp(0, 0.1)}};
+    const auto profile = round_profile(surface, 2, 4);
+    CoupledContact contact(operators, {}, 0.5, profile, motion, 6);
+    VectorFriction friction(operators.tangential, {}, 0.5, motion.lateral, 6);
+    const ContactProblem rings(ring_compliance(surface, axisymmetric));
+    for (int k = 1; k <= 6; ++k) {
+      contact.step();
+      const auto pressed = static_contact(rings, profile.col(0), 0.3 + 0.3 * k / 6);
+      friction.step(pressed.pressure);
+      ASSERT_LT((contact.pressure - pressed.pressure.replicate(1, 4)).norm(), 1e-9);
+      ASSERT_LT((contact.gap - pressed.gap.replicate(1, 4)).norm(), 1e-9);
+      ASSERT_LT((contact.friction.traction - friction.traction).norm(), 1e-9);
+    }
+  }
+}
+
+// Cut off at 25 by tractions that an incompressible half-space answers to exactly, coupling is roundoff but for h^3.
+TEST(CoupledContact, OverAnIncompressibleHalfSpaceIsNotCoupled) {
+  const auto& surface = surface_half_space(0.5, 16);
+  const IndenterMotion motion{ramp(0.3, 0.6), {ramp(0, 0.2), ramp(0, 0.1)}};
+  const auto profile = round_profile(surface, 2, 4);
+  const auto on = coupled_operators(surface, angular_grid(4)), off = coupled_operators(surface, angular_grid(4), false);
+  CoupledContact coupled(on, {}, 0.5, profile, motion, 6), other(off, {}, 0.5, profile, motion, 6);
+  for (int k = 0; k < 6; ++k) {
+    coupled.step();
+    other.step();
+  }
+  EXPECT_NEAR(coupled.normal_force() / other.normal_force(), 1, 1e-4);
+  EXPECT_NEAR(coupled.friction.forces()[0] / other.friction.forces()[0], 1, 1e-3);
+}
+
+/// Stick radius over contact radius of a body that is pressed with friction from a depth of 0 on, by an indenter under
+/// which the contact grows at a constant rate.
+double share_that_sticks(const std::function<double(double)>& profile, double exponent, int n_steps) {
+  const auto& surface = surface_half_space(0.3, 32, 3);
+  const auto operators = coupled_operators(surface, angular_grid(4, Mirrors::x));
+  const auto rings = ring_problems(surface);
+  const auto depth = [=](double t) {
+    return ValueAndRate{0.9 * std::pow(t / (2 * pi), exponent),
+                        0.9 * exponent * std::pow(t / (2 * pi), exponent - 1) / (2 * pi)};
+  };
+  const IndenterMotion motion{depth, {nowhere, nowhere}};
+  const MatrixXd heights = ring_means(rings.normal.compliance, profile, {1}).replicate(1, 2);
+  CoupledContact contact(operators, {}, 0.2, heights, motion, n_steps);
+  const auto history = coupled_contact_history(std::move(contact), rings, 1);
+  const MatrixXd &t = history.traction.back(), p = history.pressure.back(),
+                 length = (t.leftCols(2).array().square() + t.rightCols(2).array().square()).sqrt(),
+                 margin = 0.2 * p - length;
+  const auto& grid = operators.tangential.grid();
+  return region_of(rings.tangential, grid, (margin.array() > 1e-9).select(margin, 0)).radius /
+         region_of(rings.normal, grid, p).radius;
+}
+
+// Pressing is self-similar, and sticks within one share of the contact under every power law (Spence 1968). One of them
+// is a flat punch, under which it is proportional and takes a single step. To half a ring of the contact, 2e-2.
+TEST(CoupledContact, PressedWithFrictionSticksWithinOneShareOfTheContact) {
+  const double punch = share_that_sticks([](double r) { return r < 1 ? 0.0 : 10.0; }, 1, 1);
+  EXPECT_GT(punch, 0.6);
+  EXPECT_LT(punch, 0.8);
+  for (const double exponent : {2.0, 4.0})
+    EXPECT_NEAR(share_that_sticks([=](double r) { return std::pow(r, exponent); }, exponent, 64), punch, 2e-2);
+}
+
+// An elastic body and its indenter: work of normal and tangential forces = stored + lost, in each step an identity but
+// for points that touch or lift, of second order.
+TEST(CoupledContact, LosesWhatIsNotStored) {
+  const auto& surface = surface_half_space(0.3);
+  const auto operators = coupled_operators(surface, angular_grid(4));
+  std::vector<double> left;
+  for (const int n_steps : {20, 40, 80}) {
+    const IndenterMotion motion{ramp(0, 0.6), {ramp(0, 0.2), ramp(0, 0.1)}};
+    CoupledContact contact(operators, {}, 0.5, round_profile(surface, 2, 4), motion, n_steps);
+    double work = 0, lost = 0;
+    Eigen::Vector3d before(0, 0, 0);
+    for (int k = 0; k < n_steps; ++k) {
+      contact.step();
+      Eigen::Vector3d now = contact.friction.forces();
+      now[2] = contact.normal_force();
+      const Eigen::Vector3d way(contact.friction.increment[0], contact.friction.increment[1], 0.6 / n_steps);
+      work += (now + before).dot(way) / 2;
+      before = now;
+      lost += contact.friction.friction_work();
+    }
+    MatrixXd fields(surface.n_rings(), 12), image;
+    fields << contact.friction.traction, contact.pressure;
+    operators.all.apply(fields, image);
+    const double stored = fields.cwiseProduct(image).sum() / 2;
+    EXPECT_GT(lost, 1e-3 * work);
+    left.push_back((work - stored - lost) / work);
+  }
+  EXPECT_NEAR(left[2], 0, 1e-3);
+  EXPECT_LT(std::abs(left[2]), 0.4 * std::abs(left[1]));
+}
+
+TEST(CoupledContact, RefusesWhatItCannotDo) {
+  const auto& surface = surface_half_space(0.3);
+  EXPECT_THROW(coupled_operators(surface, angular_grid(4, Mirrors::x_and_y)), std::invalid_argument);
+  const auto operators = coupled_operators(surface, angular_grid(4));
+  const IndenterMotion too_deep{ramp(3, 3), {nowhere, nowhere}};
+  EXPECT_THROW(CoupledContact(operators, {}, 0.5, round_profile(surface, 2, 4), too_deep, 6), NoRoom);
+}
+
+}  // namespace
+}  // namespace fretval::fem::coupled_contact_test

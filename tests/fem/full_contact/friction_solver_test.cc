@@ -1,0 +1,130 @@
+#include "fem/full_contact/friction_solver.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <stdexcept>
+
+#include "tests/fem/full_contact/bodies.h"
+
+namespace fretval::fem::friction_solver_test {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using full_contact_test::cattaneo_push;
+using full_contact_test::hertz_pressure;
+using full_contact_test::surface_half_space;
+
+/// Areas times a displacement that is the same everywhere.
+MatrixXd pull_by(const SurfaceOperator& op, double x, double y) {
+  const Index m = op.grid().n_kept();
+  MatrixXd pull(op.n_rings(), 2 * m);
+  pull << op.areas().replicate(1, m) * x, op.areas().replicate(1, m) * y;
+  return pull;
+}
+
+/// Nesterov's accelerated projected gradient with restarts: another way to the same solution, which takes thousands of
+/// applications. The step is the inverse of the largest eigenvalue.
+MatrixXd by_projected_gradients(const SurfaceOperator& op, const MatrixXd& pull, const MatrixXd& limit) {
+  MatrixXd image, vector = MatrixXd::Ones(pull.rows(), pull.cols());
+  double largest = 0;
+  for (int i = 0; i < 100; ++i) {
+    op.apply(vector, image);
+    largest = image.norm();
+    vector = image / largest;
+  }
+  MatrixXd t = MatrixXd::Zero(pull.rows(), pull.cols()), led = t, before = t;
+  double momentum = 1;
+  for (int i = 0; i < 20000; ++i) {
+    op.apply(led, image);
+    before = t;
+    t = onto_discs(led + (pull - image) / (1.01 * largest), limit);
+    if ((led - t).cwiseProduct(t - before).sum() > 0) momentum = 1;
+    const double next = (1 + std::sqrt(1 + 4 * momentum * momentum)) / 2;
+    led = t + (momentum - 1) / next * (t - before);
+    momentum = next;
+  }
+  return t;
+}
+
+// Limits that vary around the axis, and a twist beside the push: nothing is left of any symmetry.
+TEST(FrictionSolver, FindsWhatProjectedGradientsFind) {
+  const SurfaceOperator op(surface_half_space(0.5), angular_grid(6), Fields::tangential);
+  MatrixXd limit = hertz_pressure(surface_half_space(0.5)).replicate(1, 6);
+  for (Index j = 0; j < 6; ++j) limit.col(j) *= 1 + 0.3 * std::cos(op.grid().angles[j] - 1);
+  MatrixXd pull = pull_by(op, 0.5, 0.2);
+  pull.col(2) += 0.3 * op.areas();
+  const auto found = solve_friction(op, pull, limit, MatrixXd::Zero(op.n_rings(), 12));
+  EXPECT_LT(found.remainder, 1e-11);
+  EXPECT_LT((found.traction - by_projected_gradients(op, pull, limit)).norm(), 1e-7 * found.traction.norm());
+}
+
+TEST(FrictionSolver, FulfilsCoulombsLawAtEveryPoint) {
+  const SurfaceOperator op(surface_half_space(0.5), angular_grid(8), Fields::tangential);
+  const MatrixXd limit = hertz_pressure(surface_half_space(0.5)).replicate(1, 8), pull = pull_by(op, 0.4, 0.3);
+  const auto found = solve_friction(op, pull, limit, MatrixXd::Zero(op.n_rings(), 16));
+  MatrixXd image;
+  op.apply(found.traction, image);
+  EXPECT_LT((pull - image - found.residual).norm(), 1e-13 * pull.norm());
+  int n_stick = 0, n_slip = 0;
+  for (Index i = 0; i < limit.rows(); ++i)
+    for (Index j = 0; j < 8; ++j) {
+      const double x = found.traction(i, j), y = found.traction(i, 8 + j), t = std::hypot(x, y),
+                   slip_x = found.residual(i, j), slip_y = found.residual(i, 8 + j), slip = std::hypot(slip_x, slip_y);
+      EXPECT_LE(t, limit(i, j) * (1 + 1e-12));
+      if (limit(i, j) == 0) continue;
+      if (t < limit(i, j) * (1 - 1e-9)) {
+        EXPECT_LT(slip, 1e-10 * op.areas()[i]);
+        ++n_stick;
+      } else {
+        EXPECT_NEAR(slip_x * x + slip_y * y, slip * t, 1e-12);
+        ++n_slip;
+      }
+    }
+  EXPECT_GT(n_stick, 8);
+  EXPECT_GT(n_slip, 8);
+}
+
+// With one response to a traction in any direction a push along x leaves nothing across it, and is the ring contact's.
+TEST(FrictionSolver, PushesAHalfSpaceWithoutPoissonsEffectAsCattaneoSays) {
+  const auto& surface = surface_half_space(0, 16);
+  const SurfaceOperator op(surface, angular_grid(8), Fields::tangential);
+  const double c = 0.6;
+  const MatrixXd limit = hertz_pressure(surface).replicate(1, 8), pull = pull_by(op, cattaneo_push(c, 0), 0);
+  const auto found = solve_friction(op, pull, limit, MatrixXd::Zero(op.n_rings(), 16));
+  const double force = (op.areas().transpose() * found.traction.leftCols(8)).sum();
+  EXPECT_NEAR(force / (2 * pi / 3), 1 - c * c * c, 1e-3);                       // h^2
+  EXPECT_LT(found.traction.rightCols(8).norm(), 2e-3 * found.traction.norm());  // cut off at 25, coarse
+  const SurfaceOperator incompressible(surface_half_space(0.5, 16), angular_grid(8), Fields::tangential);
+  const auto other = solve_friction(incompressible, pull, limit, MatrixXd::Zero(op.n_rings(), 16));
+  EXPECT_GT(other.traction.rightCols(8).norm(), 2e-2 * other.traction.norm());
+}
+
+TEST(FrictionSolver, DoesNotDependOnItsGuess) {
+  const SurfaceOperator op(surface_half_space(0.5), angular_grid(8), Fields::tangential);
+  const MatrixXd limit = hertz_pressure(surface_half_space(0.5)).replicate(1, 8), pull = pull_by(op, 0.4, 0.3);
+  const auto found = solve_friction(op, pull, limit, MatrixXd::Zero(op.n_rings(), 16));
+  const auto other = solve_friction(op, pull, limit, -100 * found.traction + MatrixXd::Random(op.n_rings(), 16));
+  EXPECT_LT((found.traction - other.traction).norm(), 1e-10 * found.traction.norm());
+}
+
+TEST(FrictionSolver, HasNothingToDoWithoutLimits) {
+  const SurfaceOperator op(surface_half_space(0.5), angular_grid(4), Fields::tangential);
+  const MatrixXd none = MatrixXd::Zero(op.n_rings(), 4), pull = pull_by(op, 0.4, 0.3);
+  const auto found = solve_friction(op, pull, none, pull);
+  EXPECT_EQ(found.traction.norm(), 0);
+  EXPECT_EQ(found.residual, pull);
+}
+
+TEST(FrictionSolver, RefusesWhatDoesNotFit) {
+  const SurfaceOperator op(surface_half_space(0.5), angular_grid(4), Fields::tangential);
+  const MatrixXd limit = MatrixXd::Ones(op.n_rings(), 4), pull = pull_by(op, 0.4, 0.3);
+  EXPECT_THROW(solve_friction(op, limit, limit, pull), std::invalid_argument);
+  EXPECT_THROW(solve_friction(op, pull, pull, pull), std::invalid_argument);
+  EXPECT_THROW(solve_friction(op, pull, -limit, pull), std::invalid_argument);
+  EXPECT_THROW(solve_friction(op, pull * std::nan(""), limit, pull), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace fretval::fem::friction_solver_test

@@ -1,0 +1,161 @@
+#include "fem/full_contact/vector_friction.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "fem/history/friction_contact.h"
+#include "tests/fem/full_contact/bodies.h"
+
+namespace fretval::fem::vector_friction_test {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+using full_contact_test::hertz_pressure;
+using full_contact_test::surface_half_space;
+
+constexpr int n_steps = 24;
+
+/// Displacement along a line and, ahead by a phase, across it.
+LateralMotion ellipse(double along, double across, double turned_by, double phase = 0.5) {
+  const auto part = [=](double t, double of_along, double of_across) {
+    return ValueAndRate{of_along * along * std::sin(t) + of_across * across * (std::sin(t + phase) - std::sin(phase)),
+                        of_along * along * std::cos(t) + of_across * across * std::cos(t + phase)};
+  };
+  const double c = std::cos(turned_by), s = std::sin(turned_by);
+  return {[=](double t) { return part(t, c, -s); }, [=](double t) { return part(t, s, c); }};
+}
+
+// One angle has one harmonic, s of order 1, and no direction but that of the motion.
+TEST(VectorFriction, WithOneAngleIsTheRingContact) {
+  const auto& surface = surface_half_space(0.5);
+  const ContactProblem rings(ring_compliance(surface, lateral));
+  const SurfaceOperator op(surface, angular_grid(1), Fields::tangential);
+  const auto motion = one_frequency(1, 0, 0.5, 0.3);
+  const LateralMotion along_x{[&](double t) { return tangential_motion(motion, t); },
+                              [](double) {
+                                return ValueAndRate{0, 0};
+                              }};
+  for (const auto& relaxation :
+       {RelaxationModel{}, RelaxationModel{1, {0.5, 2}, {1, 0.1}, 0}, RelaxationModel{1, {0.5}, {1}, 0.2}}) {
+    FrictionContact of_rings(rings, relaxation, 0.7, motion, n_steps);
+    VectorFriction of_points(op, relaxation, 0.7, along_x, n_steps);
+    for (int k = 0; k < 12 * n_steps; ++k) {
+      const VectorXd pressure = hertz_pressure(surface) * (1 + 0.4 * std::sin(0.1 * k));
+      of_rings.step(pressure);
+      of_points.step(pressure);
+      ASSERT_LT((of_points.traction.col(0) - of_rings.traction).norm(), 1e-10) << k;
+      ASSERT_LT((of_points.slip.col(0) - of_rings.slip).norm(), 1e-10) << k;
+      ASSERT_EQ(of_points.traction.col(1).norm(), 0);
+    }
+    EXPECT_GT(of_rings.slip.norm(), 1e-3);
+  }
+}
+
+TEST(VectorFriction, TurnsWithItsMotion) {
+  const auto& surface = surface_half_space(0.5);
+  const SurfaceOperator op(surface, angular_grid(8), Fields::tangential);
+  const auto motion = ellipse(0.6, 0.3, 0), turned = ellipse(0.6, 0.3, pi / 2);
+  const RelaxationModel relaxation{1, {1}, {0.5}, 0};
+  VectorFriction one(op, relaxation, 0.8, motion, n_steps), other(op, relaxation, 0.8, turned, n_steps);
+  for (int k = 0; k < n_steps; ++k) {
+    one.step(hertz_pressure(surface));
+    other.step(hertz_pressure(surface));
+    for (Index j = 0; j < 8; ++j) {
+      const Index to = (j + 2) % 8;
+      ASSERT_LT((other.traction.col(8 + to) - one.traction.col(j)).norm(), 1e-10) << k;
+      ASSERT_LT((other.traction.col(to) + one.traction.col(8 + j)).norm(), 1e-10) << k;
+    }
+    ASSERT_NEAR(other.forces()[1], one.forces()[0], 1e-10);
+    ASSERT_NEAR(other.forces()[2], one.forces()[2], 1e-10);
+  }
+}
+
+// Half of the angles, or a quarter of them, are enough for a motion along x.
+TEST(VectorFriction, NeedsNoAnglesThatMirrorsLeaveOut) {
+  const auto& surface = surface_half_space(0.5);
+  const auto motion = ellipse(0.6, 0, 0);
+  const SurfaceOperator whole(surface, angular_grid(8), Fields::tangential),
+      half(surface, angular_grid(8, Mirrors::x), Fields::tangential),
+      quarter(surface, angular_grid(8, Mirrors::x_and_y), Fields::tangential);
+  VectorFriction one(whole, {}, 0.8, motion, n_steps), two(half, {}, 0.8, motion, n_steps),
+      four(quarter, {}, 0.8, motion, n_steps);
+  for (int k = 0; k < n_steps; ++k) {
+    for (auto* friction : {&one, &two, &four}) friction->step(hertz_pressure(surface));
+    ASSERT_NEAR(two.forces()[0], one.forces()[0], 1e-10);
+    ASSERT_NEAR(four.forces()[0], one.forces()[0], 1e-10);
+    ASSERT_NEAR(four.friction_work(), one.friction_work(), 1e-10);
+    ASSERT_NEAR(one.forces()[1], 0, 1e-10);
+    ASSERT_NEAR(one.forces()[2], 0, 1e-10);
+  }
+}
+
+/// What the indenter has put in, by the trapezoidal rule, less what an elastic body has stored and friction has lost.
+double energy_left(double n_cycles, int steps, double scale) {
+  const auto& surface = surface_half_space(0.5);
+  const SurfaceOperator op(surface, angular_grid(8), Fields::tangential);
+  const auto motion = ellipse(0.6, 0.4, 0.3);
+  VectorFriction friction(op, {}, scale, motion, steps);
+  double work = 0, lost = 0;
+  Eigen::Vector3d before(0, 0, 0);
+  for (int k = 0; k < n_cycles * steps; ++k) {
+    friction.step(hertz_pressure(surface));
+    work += (friction.forces() + before).head(2).dot(friction.increment) / 2;
+    before = friction.forces();
+    lost += friction.friction_work();
+  }
+  MatrixXd image;
+  op.apply(friction.traction, image);
+  const double stored = friction.traction.cwiseProduct(image).sum() / 2;
+  EXPECT_GT(lost, 0.1 * work);
+  EXPECT_GT(stored, 0.01 * work);
+  return (work - stored - lost) / work;
+}
+
+// In one step to the next the balance is an identity, whatever the steps.
+TEST(VectorFriction, LosesWhatIsNotStored) {
+  for (const int steps : {12, 48}) EXPECT_NEAR(energy_left(1.3, steps, 0.8), 0, 1e-9);
+}
+
+// The slip of each step is along its traction: the rule of the middle goes to what is lost with the second order.
+TEST(VectorFriction, ConvergesInItsSteps) {
+  const auto& surface = surface_half_space(0.5);
+  const SurfaceOperator op(surface, angular_grid(8), Fields::tangential);
+  const auto motion = ellipse(0.6, 0.4, 0.3);
+  std::vector<double> lost;
+  for (const int steps : {24, 48, 96}) {
+    VectorFriction friction(op, {}, 0.8, motion, steps);
+    lost.push_back(0);
+    for (int k = 0; k < 2 * steps; ++k) {
+      friction.step(hertz_pressure(surface));
+      if (k >= steps) lost.back() += friction.friction_work();
+    }
+  }
+  EXPECT_LT(std::abs(lost[2] - lost[1]), 0.6 * std::abs(lost[1] - lost[0]));
+  EXPECT_NEAR(lost[2] / lost[1], 1, 0.02);
+}
+
+// A circular motion holds the force at an angle to the motion, and the torque at zero.
+TEST(VectorFriction, GoesRoundWithACircularMotion) {
+  const auto& surface = surface_half_space(0.5);
+  const SurfaceOperator op(surface, angular_grid(8), Fields::tangential);
+  const double radius = 0.4;
+  const LateralMotion circle{[=](double t) {
+                               return ValueAndRate{radius * (std::cos(t) - 1), -radius * std::sin(t)};
+                             },
+                             [=](double t) {
+                               return ValueAndRate{radius * std::sin(t), radius * std::cos(t)};
+                             }};
+  VectorFriction friction(op, {}, 0.8, circle, n_steps);
+  for (int k = 0; k < 4 * n_steps; ++k) friction.step(hertz_pressure(surface));
+  const auto before = friction.forces();
+  for (int k = 0; k < n_steps / 4; ++k) friction.step(hertz_pressure(surface));
+  const auto after = friction.forces();
+  EXPECT_NEAR(after[0], -before[1], 1e-3 * before.norm());
+  EXPECT_NEAR(after[1], before[0], 1e-3 * before.norm());
+}
+
+}  // namespace
+}  // namespace fretval::fem::vector_friction_test
