@@ -23,7 +23,10 @@ std::string name_of(const mdr::Layer& layer) {
 }
 
 Meshes layer_meshes(const mdr::Layer& layer, const std::vector<int>& n_rings) {
-  constexpr double length = 1.125, thicknesses_beyond = 12, growth = 0.2;
+  // Of a layer that slides the far part is stretched like a sheet, whose free edge lets through the second power of its
+  // distance; of a bonded one fields die out exponentially.
+  constexpr double length = 1.125, growth = 0.2;
+  const double thicknesses_beyond = layer.base == mdr::LayerBase::bonded ? 12 : 600;
   Meshes meshes;
   for (const int n : n_rings) {
     BodyDescription description{meshes::uniform_nodes(length, static_cast<unsigned>(n) * 9 / 8), growth,
@@ -63,11 +66,12 @@ double error_of_punch(const fem::ContactProblem& problem, mdr::Direction directi
   return problem.series.punch_force(n_rings) / mdr::punch_stiffness(punch, exact.modulus) - 1;
 }
 
-Rows rows_of(const mdr::Layer& layer, const std::vector<int>& n_rings, const ExactScene& exact) {
+/// tolerance: at 64 rings. Uniform pressures on rings leave the second order of a smooth kernel, which grows with a/H.
+Rows rows_of(const mdr::Layer& layer, double tolerance, const std::vector<int>& n_rings, const ExactScene& exact) {
   const auto name = name_of(layer);
   const char* source = "MDR's coupled springs";
   const bool bonded = layer.base == mdr::LayerBase::bonded;
-  const ConvergenceDemand demand{2e-5, 2, 2e-6, "floor: elements under the rings, and the side of the layer"};
+  const ConvergenceDemand demand{tolerance, 2, 1.5e-5, "floor: where edges of rings lie, of first order"};
   Rows rows{
       {name, "contact radius", source, demand}, {name, "force", source, demand}, {name, "flat punch", source, demand}};
   if (bonded) rows.push_back({name, "tangential punch", source, demand});
@@ -84,9 +88,11 @@ Rows rows_of(const mdr::Layer& layer, const std::vector<int>& n_rings, const Exa
 
 Rows layer_rows(const std::vector<int>& n_rings, const ExactScene& exact) {
   Rows rows;
-  for (const auto& layer : {mdr::Layer{10, 0.5}, mdr::Layer{2, 0.45}, mdr::Layer{1, 0.3}, mdr::Layer{1, 0.5},
-                            mdr::Layer{0.25, 0.5}, mdr::Layer{1, 0.5, mdr::LayerBase::frictionless}})
-    append(rows, rows_of(layer, n_rings, exact));
+  using Tolerated = std::pair<mdr::Layer, double>;
+  for (const auto& [layer, tolerance] :
+       {Tolerated{{10, 0.5}, 2e-5}, Tolerated{{2, 0.45}, 6e-5}, Tolerated{{1, 0.3}, 1e-4}, Tolerated{{1, 0.5}, 1.5e-4},
+        Tolerated{{0.25, 0.5}, 4e-4}, Tolerated{{1, 0.5, mdr::LayerBase::frictionless}, 1.5e-4}})
+    append(rows, rows_of(layer, tolerance, n_rings, exact));
   return rows;
 }
 
