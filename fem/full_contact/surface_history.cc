@@ -43,6 +43,7 @@ SurfaceWatch::SurfaceWatch(const RingProblems& rings, const AngularGrid& grid, i
 
 void SurfaceWatch::begin_cycle() {
   in_cycle_.setZero();
+  path_ = 0;
   traction_before_ = std::exchange(traction_, {});
   pressure_.clear();
   limit_.clear();
@@ -55,7 +56,8 @@ void SurfaceWatch::see(const VectorFriction& friction, const MatrixXd& pressure)
   const MatrixXd margin = (friction.limit - lengths(friction.traction)).cwiseMax(0);
   const Eigen::ArrayXXd slips = (margin.array() <= at_its_limit * friction.limit.maxCoeff()).cast<double>();
   ever_ = ever_.max(slips);
-  in_cycle_ = in_cycle_.max(slips);
+  in_cycle_ += (friction.limit.array() > 0).select(lengths(friction.slip), infinity);
+  path_ += friction.increment.norm();
   const MatrixXd reserve = rings_.tangential.series.depths_of_instants((slips > 0).select(0, margin));
   reserve_.add(Eigen::Map<const VectorXd>(reserve.data(), reserve.size()));
   pressure_.push_back(pressure);
@@ -66,13 +68,20 @@ void SurfaceWatch::see(const VectorFriction& friction, const MatrixXd& pressure)
   ++n_steps_;
 }
 
+double SurfaceWatch::slip_of_stuck_point() const {
+  constexpr double share = 1e-4;
+  if (path_ > 0) return share * path_ / 4;
+  return share * (in_cycle_.array() < infinity).select(in_cycle_, 0).maxCoeff();
+}
+
 MatrixXd SurfaceWatch::room() const {
+  const double allowed = slip_of_stuck_point();
   MatrixXd room = MatrixXd::Zero(in_cycle_.rows(), in_cycle_.cols());
   const Index m = room.cols();
   const auto n = static_cast<Index>(traction_.size());
   VectorXd x(n), y(n), limit(n);
   for (Index j = 0; j < m; ++j)
-    for (Index i = 0; i < room.rows() && in_cycle_(i, j) == 0; ++i) {
+    for (Index i = 0; i < room.rows() && in_cycle_(i, j) <= allowed; ++i) {
       for (Index k = 0; k < n; ++k) {
         x[k] = traction_[static_cast<std::size_t>(k)](i, j);
         y[k] = traction_[static_cast<std::size_t>(k)](i, m + j);

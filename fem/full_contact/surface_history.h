@@ -34,9 +34,12 @@ struct SurfaceHistory {
 /// Watches a contact step by step.
 ///
 /// Points that have never slipped: the smallest margin mu p - |t| since the start, as depths (ContactRegion), between
-/// steps as well (RunningMinimum). Points that stick in a cycle: their room (slip_room) of the steps of the cycle; in
-/// the first one, which begins at rest and has nothing to settle to, they are those that have never slipped. A point
-/// slips in a step where |t| is its limit, or there is none.
+/// steps as well (RunningMinimum), where |t| has always been less than its limit. Points that stick in a cycle: their
+/// room (slip_room) of the steps of the cycle, where they touch throughout and slip no farther in it than 1e-4 of a
+/// quarter of the indenter's path, as for the ring contact (slip_of_stuck_ring): micro-slip of points that have shaken
+/// down dies out slowly, and |t| comes to its limit. Of an indenter that stands still along the surface, than 1e-4 of
+/// the farthest slip. In the first cycle, which begins at rest and has nothing to settle to, they are those that have
+/// never slipped.
 class SurfaceWatch {
  public:
   /// rings: must outlive this.
@@ -47,6 +50,7 @@ class SurfaceWatch {
   [[nodiscard]] SurfaceHistory report() const;
 
  private:
+  [[nodiscard]] double slip_of_stuck_point() const;
   [[nodiscard]] Eigen::MatrixXd room() const;
   void begin_cycle();
 
@@ -55,7 +59,9 @@ class SurfaceWatch {
   int steps_per_cycle_;
   long n_steps_ = 0;
   RunningMinimum reserve_;
-  Eigen::ArrayXXd ever_, in_cycle_;  // whether points have slipped: 1 or 0
+  Eigen::ArrayXXd ever_;      // whether points have slipped: 1 or 0
+  Eigen::MatrixXd in_cycle_;  // length of slip in the cycle; infinite where points do not touch throughout
+  double path_ = 0;           // of the indenter along the surface in the cycle
   std::vector<Eigen::MatrixXd> pressure_, traction_, limit_, traction_before_;
   Eigen::Matrix3Xd forces_;
   std::vector<double> dissipated_;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <vector>
 
 #include "tests/fem/full_contact/bodies.h"
 
@@ -82,6 +83,32 @@ TEST(SurfaceHistory, OfMindlinsOscillationHasOneRegionAndItsEnergy) {
                energy = 9 * force * force * 2 / 10 *
                         (1 - std::pow(1 - share, 5.0 / 3) - 5 * share / 6 * (1 + std::pow(1 - share, 2.0 / 3)));
   EXPECT_NEAR(history.dissipated[2] / energy, 1, 2e-2);
+}
+
+// In phase with the pressure, points shake down beyond where they have never slipped; there |t| comes to its limit in
+// every cycle, and micro-slip dies out over many of them without moving the edge.
+TEST(SurfaceHistory, TellsPointsThatHaveShakenDownFromThoseThatSlip) {
+  const auto& surface = surface_half_space(0.5, 16);
+  const SurfaceOperator op(surface, angular_grid(8, Mirrors::x_and_y), Fields::tangential),
+      of_rings(surface, angular_grid(1), Fields::tangential);
+  const auto rings = ring_problems(surface);
+  const LateralMotion motion{[](double t) {
+                               return ValueAndRate{0.2 * std::sin(t), 0.2 * std::cos(t)};
+                             },
+                             [](double) {
+                               return ValueAndRate{0, 0};
+                             }};
+  const auto pressure = [&](long step) -> VectorXd {
+    const double share = 0.7 + 0.3 * std::sin(2 * pi * static_cast<double>(step + 1) / 48);
+    return share * hertz_pressure(surface);
+  };
+  std::vector<SurfaceHistory> histories;
+  for (const int n_cycles : {3, 6})
+    histories.push_back(vector_friction_history(VectorFriction(op, {}, 1, motion, 48), pressure, rings, n_cycles));
+  EXPECT_GT(histories[1].sticks_in_a_cycle.radius, histories[1].never_slipped.radius + 0.02);
+  EXPECT_NEAR(histories[0].sticks_in_a_cycle.radius, histories[1].sticks_in_a_cycle.radius, 2e-3);
+  const auto ring = vector_friction_history(VectorFriction(of_rings, {}, 1, motion, 48), pressure, rings, 6);
+  EXPECT_NEAR(histories[1].sticks_in_a_cycle.radius / ring.sticks_in_a_cycle.radius, 1, 0.05);
 }
 
 }  // namespace
