@@ -44,6 +44,7 @@ CoupledContact::CoupledContact(const CoupledOperators& operators, const Relaxati
     : friction(operators.tangential, relaxation, friction_coefficient, motion.lateral, steps_per_cycle),
       pressure(MatrixXd::Zero(profile.rows(), profile.cols())),
       operators_(operators),
+      normal_inverse_(operators.normal, VectorXd::Zero(operators.normal.n_rings())),
       relaxation_(relaxation),
       profile_(std::move(profile)),
       motion_(motion),
@@ -57,7 +58,7 @@ void CoupledContact::press_without_friction() {
   const auto& areas = operators_.normal.areas();
   depth = motion_.depth(0).value;
   const MatrixXd target = areas.asDiagonal() * (depth - profile_.array()).matrix();
-  const auto pressed = solve_pressure(operators_.normal, target, pressure);
+  const auto pressed = solve_pressure(operators_.normal, normal_inverse_, target, pressure);
   pressure = relaxation_.relaxed * pressed.pressure;
   gap = areas.cwiseInverse().asDiagonal() * pressed.residual;
   state_.displacement = as_vector(((depth - profile_.array()) + gap.array()).matrix());
@@ -83,7 +84,8 @@ MatrixXd CoupledContact::moved_by_traction(const MatrixXd& traction) const {
 
 void CoupledContact::alternate(const MatrixXd& target) {
   MatrixXd image;
-  auto solution = solve_pressure(operators_.normal, target - moved_by_traction(friction.traction), pressure);
+  auto solution =
+      solve_pressure(operators_.normal, normal_inverse_, target - moved_by_traction(friction.traction), pressure);
   for (n_alternations = 1;; ++n_alternations) {
     pressure = solution.pressure;
     const auto& rubbed = friction.attempt(pressure, moved_by_pressure());
@@ -98,7 +100,7 @@ void CoupledContact::alternate(const MatrixXd& target) {
                       "{} alternations, {:.1e} is asked for; the friction coefficient may be too large for them to "
                       "have one solution",
                       remainder, n_alternations, enough_agreement));
-    solution = solve_pressure(operators_.normal, pull, pressure);
+    solution = solve_pressure(operators_.normal, normal_inverse_, pull, pressure);
   }
 }
 

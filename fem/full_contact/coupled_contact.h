@@ -63,6 +63,7 @@ class CoupledContact {
   void alternate(const Eigen::MatrixXd& target);
 
   const CoupledOperators& operators_;
+  InverseOperator normal_inverse_;
   RelaxationModel relaxation_;
   Eigen::MatrixXd profile_;
   const IndenterMotion& motion_;

@@ -17,11 +17,8 @@ namespace {
 
 class ActiveSet {
  public:
-  ActiveSet(const SurfaceOperator& op, const MatrixXd& target, const MatrixXd& guess)
-      : op_(op),
-        inverse_(op, Eigen::VectorXd::Zero(op.n_rings())),
-        scale_(op.diagonal().cwiseInverse()),
-        pressure_(guess.cwiseMax(0)) {
+  ActiveSet(const SurfaceOperator& op, const InverseOperator& inverse, const MatrixXd& target, const MatrixXd& guess)
+      : op_(op), inverse_(inverse), scale_(op.diagonal().cwiseInverse()), pressure_(guess.cwiseMax(0)) {
     op.apply(pressure_, image_);
     pull_ = target - image_;
   }
@@ -88,7 +85,7 @@ class ActiveSet {
   }
 
   const SurfaceOperator& op_;
-  InverseOperator inverse_;
+  const InverseOperator& inverse_;
   Eigen::VectorXd scale_;
   MatrixXd pressure_, pull_, image_;
   double remainder_ = 0;
@@ -98,12 +95,17 @@ class ActiveSet {
 }  // namespace
 
 PressureSolution solve_pressure(const SurfaceOperator& op, const MatrixXd& target, const MatrixXd& guess) {
+  return solve_pressure(op, InverseOperator(op, Eigen::VectorXd::Zero(op.n_rings())), target, guess);
+}
+
+PressureSolution solve_pressure(const SurfaceOperator& op, const InverseOperator& inverse, const MatrixXd& target,
+                                const MatrixXd& guess) {
   if (target.rows() != op.n_rings() || target.cols() != op.n_columns() || guess.rows() != target.rows() ||
       guess.cols() != target.cols())
     throw std::invalid_argument("the fields of the normal contact do not fit its operator");
   if (!target.allFinite() || !guess.allFinite())
     throw std::invalid_argument("the displacements of the normal contact must be numbers");
-  ActiveSet set(op, target, guess);
+  ActiveSet set(op, inverse, target, guess);
   while (!set.is_done()) {
     if (set.n_iterations() == most_newton_steps)
       throw SolverError(

@@ -25,4 +25,8 @@ struct PressureSolution {
 /// largest pressure, and std::invalid_argument for sizes that do not fit and a q that is not finite.
 PressureSolution solve_pressure(const SurfaceOperator& op, const Eigen::MatrixXd& target, const Eigen::MatrixXd& guess);
 
+/// The same with the inverse of the operator without a ground, for one solution after the other.
+PressureSolution solve_pressure(const SurfaceOperator& op, const InverseOperator& inverse,
+                                const Eigen::MatrixXd& target, const Eigen::MatrixXd& guess);
+
 }  // namespace fretval::fem
