@@ -26,7 +26,7 @@ Eigen::MatrixXd stiffness_of(const CellOperators& operators, const Compressibili
   matrix.topRightCorner(n, n_pressures).noalias() = -operators.divergence().transpose() * operators.pressure();
   matrix.bottomLeftCorner(n_pressures, n) = matrix.topRightCorner(n, n_pressures).transpose();
   matrix.bottomRightCorner(n_pressures, n_pressures).setZero();
-  if (bulk.yielding > 0)
+  if (bulk.yielding > 0 && n_pressures > 0)  // torsion has none, and BLAS takes no empty matrix
     matrix.bottomRightCorner(n_pressures, n_pressures) = -bulk.yielding / modulus * gram(operators.pressure());
   return matrix;
 }

@@ -282,6 +282,14 @@ TEST(Torsion, IsReproduced) {
   EXPECT_NEAR(turn.dot(body.force(turn)) / (4 * pi * std::pow(far_radius, 3)), 1, 0.01);
 }
 
+// It changes no volume.
+TEST(Torsion, DoesNotKnowPoissonsRatio) {
+  testing::internal::CaptureStderr();
+  const Body incompressible({0, Parity::odd}, 3), compressible({0, Parity::odd}, 3, 0.2);
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "") << "BLAS complains there";
+  EXPECT_EQ(incompressible.stiffness.values, compressible.stiffness.values);
+}
+
 // A body twice as stiff needs twice the forces, and cells count by themselves: those of a half that is stiffer.
 TEST(Moduli, MultiplyTheStiffness) {
   for (const double nu : {0.5, 0.3}) {
