@@ -1,5 +1,7 @@
 #include "comparison/reference/incompressible_case.h"
 
+#include "mdr/rheology/compressible.h"
+
 namespace fretval {
 namespace {
 
@@ -23,7 +25,7 @@ IncompressibleCase incompressible_case(const Case& input) {
   const double nu = input.elastomer.poisson_ratio;
   IncompressibleCase equivalent{input};
   if (nu == 0.5 || input.body.shape == Case::Body::Shape::layer) return equivalent;
-  equivalent.displacement = 3 * (1 - nu) / (2 - nu);
+  equivalent.displacement = mdr::tangential_stretch(nu);
   equivalent.input.elastomer.poisson_ratio = 0.5;
   scale_moduli(equivalent.input.elastomer, 1 / (2 * (1 - nu)));
   scale_displacements(equivalent.input.motion, equivalent.displacement);

@@ -8,7 +8,8 @@ namespace fretval {
 /// another Poisson's ratio, so that whatever MDR says of the one holds for the other.
 ///
 /// MDR's springs have E* = 2 G/(1 - nu) and G* = 4 G/(2 - nu) per length. The incompressible ones, 4 G' and 8 G'/3, are
-/// the same for the modulus G' = G/(2 (1 - nu)) and tangential displacements larger by 3 (1 - nu)/(2 - nu).
+/// the same for the modulus G' = G/(2 (1 - nu)) and tangential displacements larger by 3 (1 - nu)/(2 - nu)
+/// (mdr/rheology/compressible.h).
 struct IncompressibleCase {
   Case input;
   double displacement = 1;  ///< tangential displacements of it over those of the case
