@@ -40,8 +40,8 @@ struct RingNodes {
   double scale = 1;  ///< of the body
 };
 
-/// RingNodes of a width of which one ends at a radius, wider, so that the radius lies in one of them. A half-space has
-/// no length: all places in a ring share a body.
+/// Rings of a width of which one ends at a radius, wider, so that the radius lies in one of them. A half-space has no
+/// length: all places in a ring share a body.
 RingNodes around_edge(std::vector<double> nodes, double radius, double ring, const Resolution& resolution) {
   const auto widened = [&](double rings_before_node) { return radius / (radius - rings_before_node * ring); };
   const double usual = widened(usual_edge_before_node);
@@ -84,11 +84,16 @@ void take_solid(const Solid& solid, BodyDescription& body) {
 
 constexpr double least_radius_of_cylinder = 1.6;  // with the rings beyond the contact
 
+/// Whether the indentation follows from a force; then it is only known to be less than over a half-space.
+bool is_by_force(const MdrCase& mdr) {
+  return mdr.normal_force || (mdr.path && mdr.path->normal_force);
+}
+
 /// In the unit of length. Refuses what the rings do not fit on.
-Solid solid_of(const Case& input, const Units& units) {
+Solid solid_of(const Case& input, const Units& units, bool by_force) {
   const auto& body = input.body;
   const double length = units.length;
-  if (units.depth >= body.thickness)
+  if (!by_force && units.depth >= body.thickness)
     throw InputError(
         fmt::format("{}: Body / Thickness = {:g}: the indenter is pressed in by up to {:.3g} m; expected a "
                     "thicker body, or a smaller indentation",
@@ -106,12 +111,11 @@ Solid solid_of(const Case& input, const Units& units) {
 /// Under a prescribed force the depth is that over a half-space, and so is the radius, which a layer hardly changes
 /// then.
 double expected_radius(const Case& input, const MdrCase& mdr, double deepest) {
-  const bool by_force = mdr.normal_force || (mdr.path && mdr.path->normal_force);
-  return expected_contact_radius(mdr.profile, deepest, by_force ? Case::Body{} : input.body,
+  return expected_contact_radius(mdr.profile, deepest, is_by_force(mdr) ? Case::Body{} : input.body,
                                  input.elastomer.poisson_ratio);
 }
 
-/// RingNodes lie on the sphere, with those beyond the contact.
+/// Rings lie on the sphere, with those beyond the contact.
 void require_room_on_sphere(const Case& input, const FemCase& fem) {
   const double a = fem.units.length, reach = std::max(farthest_ring, fem.body.contact_nodes.back()) * a;
   if (input.indenter.shape != Case::Shape::sphere || reach <= input.indenter.radius) return;
@@ -295,7 +299,7 @@ FemCase fem_case(const Case& input, const MdrCase& mdr) {
   const Units units{length, deepest, input.elastomer.relaxed_modulus, 1};
   FemCase fem{units, {}, {}, {}, input.friction_coefficient, profile_in(units, input, mdr), {}, {}};
   fem.body.poisson_ratio = input.elastomer.poisson_ratio;
-  if (!input.body.is_half_space()) fem.solid = solid_of(input, units);
+  if (!input.body.is_half_space()) fem.solid = solid_of(input, units, is_by_force(mdr));
   fem.any_order = any_order;
   if (mdr.limiting_state) fem.carrying_radius = mdr.limiting_state->stick_radius / units.length;
   if (mdr.limiting)
