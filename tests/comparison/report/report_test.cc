@@ -5,6 +5,7 @@
 
 #include <cstdlib>
 
+#include "comparison/command_line/exit_codes.h"
 #include "comparison/verification/suite_json.h"
 #include "tests/comparison/expect_parts.h"
 #include "tests/comparison/refusal.h"
@@ -211,7 +212,8 @@ void run_all_kinds(const ScratchFolder& folder) {
                                            "{0}forces/both-cone-elastic.prm --proof bars -o {1}/out",
                                            std::string(FRETVAL_SOURCE_DIR) + "/cases/", folder.path().string()),
                                folder);
-  ASSERT_LE(run.exit_code, 1) << run.err;
+  // Bars that nothing is refined for may be wider than the tolerance.
+  ASSERT_TRUE(run.exit_code <= exit_disagree || run.exit_code == exit_not_resolved) << run.exit_code << run.err;
 }
 
 /// A report of every kind of section, in a folder, as a browser draws it.
