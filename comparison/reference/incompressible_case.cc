@@ -27,7 +27,7 @@ IncompressibleCase incompressible_case(const Case& input) {
   if (nu == 0.5 || input.body.shape == Case::Body::Shape::layer) return equivalent;
   equivalent.displacement = mdr::tangential_stretch(nu);
   equivalent.input.elastomer.poisson_ratio = 0.5;
-  scale_moduli(equivalent.input.elastomer, 1 / (2 * (1 - nu)));
+  scale_moduli(equivalent.input.elastomer, mdr::incompressible_modulus_ratio(nu));
   scale_displacements(equivalent.input.motion, equivalent.displacement);
   return equivalent;
 }

@@ -24,10 +24,6 @@ mdr::HarmonicMotion displacements_of(const MdrCase& mdr) {
   return mdr.limiting && mdr.has_forces() ? mdr.limiting_state->motion : mdr.motion;
 }
 
-std::optional<double> radius_at(const MdrCase& mdr, double depth) {
-  return depth > 0 ? std::optional(mdr::inverse_transform(mdr.profile, depth)) : std::nullopt;
-}
-
 /// Whether springs know the cycle of an answer as well as the case asks for.
 bool knows_cycle(const MdrCase& mdr, const MdrAnswer& answer) {
   if (!mdr.cycle_tolerance || !answer.cycle) return true;
@@ -49,12 +45,6 @@ MdrAnswer with_known_cycle(const MdrCase& mdr, const std::function<MdrAnswer(int
     if (auto answer = answer_with(times); times == most_times || knows_cycle(mdr, answer)) return answer;
 }
 
-mdr::SpringFineness finer(mdr::SpringFineness fineness, int times) {
-  fineness.n_springs *= times;
-  fineness.steps_per_oscillation *= times;
-  return fineness;
-}
-
 mdr::PathFineness finer(mdr::PathFineness fineness, int times) {
   fineness.n_springs *= times;
   fineness.subdivisions *= times;
@@ -73,24 +63,29 @@ MdrAnswer with_normal_response(const mdr::NormalResponse& normal) {
   return answer;
 }
 
-/// Of an unworn indenter, by the springs. Under both forces the shakedown radius has a closed form.
+mdr::SteppedForcedResponse half_space_response(const MdrCase& mdr, int times) {
+  return mdr::forced_response(mdr.profile, mdr.body, mdr.friction_coefficient, mdr.prescribed(),
+                              finer(mdr.has_period() ? mdr::SpringFineness{} : of_many_oscillations, times));
+}
+
+/// Of an unworn indenter, by the springs. Under both forces a half-space has a closed form of the shakedown radius.
 MdrAnswer forced_answer(const MdrCase& mdr, const mdr::NormalResponse& normal, int times) {
   MdrAnswer answer = with_normal_response(normal);
-  answer.steady_sliding_share = steady_sliding_share(mdr);
+  if (!mdr.layer) answer.steady_sliding_share = steady_sliding_share(mdr);
   mdr::SteppedForcedResponse stepped;
   try {
-    stepped = mdr::forced_response(mdr.profile, mdr.body, mdr.friction_coefficient, mdr.prescribed(),
-                                   finer(mdr.has_period() ? mdr::SpringFineness{} : of_many_oscillations, times));
+    stepped = mdr.layer ? layer_response(mdr, times) : half_space_response(mdr, times);
   } catch (const mdr::GrossSlip& slip) {
     answer.gross_slip = slip.amplitude;
     return answer;
   }
   const auto& [response, error] = stepped;
   answer.cycle = cycle_of_springs(mdr, stepped, answer.normal_force_max.value());
-  answer.stick_radius_first_slip = radius_at(mdr, response.depths.first_slip);
+  const auto radii = mdr::stick_radii(mdr.profile, response.depths);
+  answer.stick_radius_first_slip = radii.first_slip;
   answer.stick_radius_shakedown = mdr.normal_force && mdr.tangential_force && mdr.limiting_state
                                       ? mdr.limiting_state->stick_radius
-                                      : radius_at(mdr, response.depths.shakedown);
+                                      : radii.shakedown;
   const double deepest = response.largest_indentation;
   answer.stepping_error =
       std::max({error.depths.first_slip, error.depths.shakedown, error.largest_indentation}) / deepest;
@@ -99,6 +94,7 @@ MdrAnswer forced_answer(const MdrCase& mdr, const mdr::NormalResponse& normal, i
     answer.tangential_amplitude = response.tangential_amplitude;
     answer.stepping_error = std::max(answer.stepping_error, error.tangential_amplitude / response.tangential_amplitude);
   }
+  if (mdr.layer) answer.worn_radius = layer_worn_radius(mdr, radii.shakedown, deepest);
   return answer;
 }
 
@@ -111,11 +107,11 @@ MdrAnswer displaced_answer(const MdrCase& mdr, const mdr::HarmonicMotion& motion
   };
   const auto radii = mdr.limiting ? radii_on(*mdr.limiting) : radii_on(mdr.profile);
   // On the way to a limiting state under forces the outer part slips, which the state does not know.
+  const auto depths_on_the_way = [&] {
+    return mdr::forced_response(*mdr.limiting, mdr.body, mdr.friction_coefficient, mdr.prescribed()).response.depths;
+  };
   answer.stick_radius_first_slip =
-      mdr.has_forces()
-          ? radius_at(mdr, mdr::forced_response(*mdr.limiting, mdr.body, mdr.friction_coefficient, mdr.prescribed())
-                               .response.depths.first_slip)
-          : radii.first_slip;
+      mdr.has_forces() ? mdr::stick_radii(mdr.profile, depths_on_the_way()).first_slip : radii.first_slip;
   answer.stick_radius_shakedown = radii.shakedown;
   if (mdr.limiting && one_each && one_each->tangential_amplitude > 0)
     answer.limiting_amplitude =
@@ -161,8 +157,9 @@ void answer_forced_path(const MdrCase& mdr, int times, MdrAnswer& answer) {
     return;
   }
   const auto& [forces, error, course] = *stepped;
-  answer.stick_radius_first_slip = radius_at(mdr, forces.first_slip);
-  if (!answer.single_pass) answer.stick_radius_shakedown = radius_at(mdr, forces.shakedown);
+  const auto radii = mdr::stick_radii(mdr.profile, {forces.first_slip, forces.shakedown});
+  answer.stick_radius_first_slip = radii.first_slip;
+  answer.stick_radius_shakedown = radii.shakedown;
   answer.stepping_error =
       std::max({error.first_slip, answer.single_pass ? 0 : error.shakedown, error.largest_indentation}) /
       forces.largest_indentation;
@@ -217,12 +214,8 @@ mdr::NormalResponse normal_response_along(const MdrCase& mdr) {
 mdr::NormalResponse mdr_normal_response(const MdrCase& mdr) {
   if (mdr.layer) return layer_normal_response(mdr);
   if (mdr.path) return normal_response_along(mdr);
-  if (mdr.normal_force && !mdr.limiting) {
-    auto normal = mdr.prescribed();
-    normal.motion.tangential.clear();
-    normal.motion.phase_locked = true;
-    return mdr::forced_response(mdr.profile, mdr.body, 1, normal).response.normal;
-  }
+  if (mdr.normal_force && !mdr.limiting)
+    return mdr::forced_response(mdr.profile, mdr.body, 1, mdr.prescribed_normally()).response.normal;
   const auto motion = displacements_of(mdr);
   const auto response = [&](const std::function<double(double)>& g, double outer) {
     const auto& [indentation, normal, tangential, locked] = motion;
@@ -270,17 +263,12 @@ MdrAnswer in_body_of_case(MdrAnswer answer, double displacement) {
 }
 
 MdrAnswer incompressible_answer(const MdrCase& mdr, const mdr::NormalResponse& normal) {
-  if (mdr.layer) {
-    auto answer = with_known_cycle(mdr, [&](int times) { return layer_answer(mdr, normal, times); });
-    answer.modulus_ratio = mdr::modulus_ratio(mdr.body, mdr::angular_frequency(mdr.motion.normal.front().frequency));
-    return answer;
-  }
   if (mdr.path) {
     auto answer = with_known_cycle(mdr, [&](int times) { return path_answer(mdr, normal, times); });
     if (const auto worn = worn_profile(mdr, answer.stick_radius_shakedown)) answer.worn_radius = worn->outer_radius;
     return answer;
   }
-  auto answer = mdr.has_forces() && !mdr.limiting
+  auto answer = mdr.layer || (mdr.has_forces() && !mdr.limiting)
                     ? with_known_cycle(mdr, [&](int times) { return forced_answer(mdr, normal, times); })
                     : displaced_answer(mdr, displacements_of(mdr), normal);
   answer.modulus_ratio = mdr::modulus_ratio(mdr.body, mdr::angular_frequency(mdr.motion.normal.front().frequency));
@@ -339,7 +327,7 @@ MdrAnswer mdr_answer(const MdrCase& mdr, const mdr::NormalResponse& normal) {
 
 MdrAnswer mdr_answer_with_cycle(const MdrCase& mdr, const mdr::NormalResponse& normal) {
   auto answer = incompressible_answer(mdr, normal);
-  if (mdr.layer) return answer;
+  if (mdr.layer) return answer;  // a decay of slip is of springs that do not know of each other
   if (!mdr.has_forces())
     answer = with_known_cycle(mdr, [&](int times) {
       auto with_cycle = answer;

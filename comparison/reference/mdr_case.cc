@@ -11,6 +11,7 @@
 #include "comparison/reference/incompressible_case.h"
 #include "mdr/layer/layer_contact.h"
 #include "mdr/profiles/profile_csv.h"
+#include "mdr/rheology/compressible.h"
 #include "mdr/rheology/prony_approximation.h"
 #include "mdr/springs/path_response.h"
 #include "mdr/stick/shakedown_amplitude.h"
@@ -226,6 +227,13 @@ mdr::Motion one_harmonic_each_of(const Case& input, const MdrCase& mdr, const st
   return *motion;
 }
 
+mdr::Prescribed MdrCase::prescribed_normally() const {
+  mdr::Prescribed normal{motion, normal_force};
+  normal.motion.tangential.clear();
+  normal.motion.phase_locked = true;
+  return normal;
+}
+
 double unworn_radius_at(const MdrCase& mdr, double indentation) {
   return mdr.layer ? mdr::layer_contact_at_depth(mdr.profile, *mdr.layer, indentation).contact_radius
                    : mdr::inverse_transform(mdr.profile, indentation);
@@ -233,9 +241,8 @@ double unworn_radius_at(const MdrCase& mdr, double indentation) {
 
 double deepest_indentation(const MdrCase& mdr) {
   if (mdr.layer) {
-    // A layer gives way less than a half-space, which is as stiff as an incompressible one of this modulus.
-    auto half_space = mdr.body;
-    half_space.relaxed_modulus /= 2 * (1 - mdr.layer->poisson_ratio);
+    // A layer gives way less than a half-space.
+    const auto half_space = mdr::incompressible_equivalent(mdr.body, mdr.layer->poisson_ratio);
     return mdr::deepest_indentation(mdr.profile, half_space, mdr.prescribed());
   }
   if (mdr.path) return mdr::deepest_indentation(mdr.profile, mdr.body, *mdr.path);

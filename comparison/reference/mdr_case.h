@@ -48,6 +48,8 @@ struct MdrCase {
   [[nodiscard]] std::vector<mdr::FallOfImage> falls() const { return mdr::falls_of_image(profile); }
   [[nodiscard]] bool has_forces() const { return normal_force || tangential_force; }
   [[nodiscard]] mdr::Prescribed prescribed() const { return {motion, normal_force, tangential_force}; }
+  /// Of it what the normal response depends on.
+  [[nodiscard]] mdr::Prescribed prescribed_normally() const;
 };
 
 /// The motion of the case itself, whatever Poisson's ratio.

@@ -11,6 +11,7 @@
 #include "comparison/reference/mdr_document.h"
 #include "comparison/results/answer_text.h"
 #include "comparison/results/estimate.h"
+#include "mdr/layer/layer.h"
 
 namespace fretval {
 namespace {
@@ -130,7 +131,7 @@ std::string thickness_text(const Case& input, double contact_radius) {
 std::string groups_text(const Case& input, const ordered_json& mdr, bool worn) {
   std::string text;
   const auto& path = input.motion.path;
-  const double nu = input.elastomer.poisson_ratio, ratio = (2 - nu) / (2 * (1 - nu));  // E*/G*
+  const double ratio = mdr::spring_modulus_ratio(input.elastomer.poisson_ratio);
   if (!path)
     text = row("|G|/G'(0)",
                fmt::format("{:.4g} (rho, at the tangential frequency)", mdr.at("modulus_ratio").get<double>()));

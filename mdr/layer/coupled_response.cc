@@ -35,13 +35,6 @@ double edge_of_loads(const SpringBed& bed, const Eigen::ArrayXd& load) {
   return bed.position[n - 1] - q2 * slope + q2 * q1 * bend;
 }
 
-StickRadii depths_as_radii(const Profile& profile, const StickDepths& depths) {
-  const auto radius = [&](double depth) {
-    return depth > 0 ? std::optional<double>(inverse_transform(profile, depth)) : std::nullopt;
-  };
-  return {radius(depths.first_slip), radius(depths.shakedown)};
-}
-
 SteppedForcedResponse coupled_response(const Profile& profile, const Layer& layer, const PronyBody& body, double mu,
                                        const Prescribed& prescribed, const SpringFineness& fineness) {
   const double outer = largest_radius(profile, layer, body, prescribed);

@@ -103,32 +103,11 @@ class Rig {
   std::optional<double> phase_;  // between the forces
 };
 
-void check(double mu, const FrettingControl& control) {
-  require_positive("coefficient of friction", mu);
-  require_positive("normal frequency", control.normal_frequency);
-  require_positive("tangential frequency", control.tangential_frequency);
-  std::visit(
-      [](const auto& normal) {
-        require_positive("mean of the normal control", normal.mean);
-        require_non_negative("amplitude of the normal control", normal.amplitude);
-      },
-      control.normal);
-  std::visit(
-      [](const auto& tangential) { require_non_negative("amplitude of the tangential control", tangential.amplitude); },
-      control.tangential);
-  if (!control.phase) return;
-  require_finite("phase", *control.phase);
-  if (control.normal_frequency != control.tangential_frequency)
-    throw std::invalid_argument(
-        "the limiting state for a locked phase between unequal frequencies is not known; use equal frequencies or an "
-        "unlocked phase");
-}
-
 }  // namespace
 
 std::optional<LimitingState> layer_limiting_state(const Profile& profile, const Layer& layer, const Rheology& body,
                                                   double mu, const FrettingControl& control, StickCriterion criterion) {
-  check(mu, control);
+  validate(mu, control);
   const Rig rig(profile, layer, body, mu, control, criterion);
   constexpr int n_steps = 64;
   const double largest = rig.largest_radius();

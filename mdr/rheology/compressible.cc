@@ -6,11 +6,6 @@ namespace fretval::mdr {
 
 namespace {
 
-double modulus_factor(double poisson_ratio) {
-  require_within("Poisson's ratio", poisson_ratio, 0, 0.5);
-  return 1 / (2 * (1 - poisson_ratio));
-}
-
 PronyBody scaled(PronyBody body, double factor) {
   body.relaxed_modulus *= factor;
   for (double& modulus : body.branch_moduli) modulus *= factor;
@@ -27,12 +22,17 @@ FractionalZener scaled(FractionalZener body, double factor) {
 }  // namespace
 
 PronyBody incompressible_equivalent(const PronyBody& body, double poisson_ratio) {
-  return scaled(body, modulus_factor(poisson_ratio));
+  return scaled(body, incompressible_modulus_ratio(poisson_ratio));
 }
 
 Rheology incompressible_equivalent(const Rheology& body, double poisson_ratio) {
-  const double factor = modulus_factor(poisson_ratio);
+  const double factor = incompressible_modulus_ratio(poisson_ratio);
   return std::visit([factor](const auto& any) -> Rheology { return scaled(any, factor); }, body);
+}
+
+double incompressible_modulus_ratio(double poisson_ratio) {
+  require_within("Poisson's ratio", poisson_ratio, 0, 0.5);
+  return 1 / (2 * (1 - poisson_ratio));
 }
 
 double tangential_stretch(double poisson_ratio) {

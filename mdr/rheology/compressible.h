@@ -21,6 +21,9 @@ namespace fretval::mdr {
 PronyBody incompressible_equivalent(const PronyBody& body, double poisson_ratio);
 Rheology incompressible_equivalent(const Rheology& body, double poisson_ratio);
 
+/// 1/(2(1-nu)), by which the moduli are scaled.
+double incompressible_modulus_ratio(double poisson_ratio);
+
 /// 3(1-nu)/(2-nu), 1.5 at nu = 0, 1 at nu = 1/2.
 double tangential_stretch(double poisson_ratio);
 

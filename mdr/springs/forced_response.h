@@ -52,6 +52,9 @@ struct SpringFineness {
   int n_oscillations = 48;    ///< in a period of a motion that does not repeat itself
 };
 
+/// So many times the springs and steps.
+SpringFineness finer(SpringFineness fineness, int times);
+
 /// The transient springs (mdr/springs/spring_history.h), stepped until they repeat. Extrapolated from n and 2 n
 /// springs, steps, cycles of the ramp and oscillations in the place of a motion without period, each of second order.
 /// error: the whole difference, three times what a second order leaves, and more than a first one, to which a dashpot

@@ -37,28 +37,6 @@ struct Problem {
   StickCriterion criterion;
 };
 
-void validate(double mu, const FrettingControl& control) {
-  require_positive("coefficient of friction", mu);
-  require_positive("normal frequency", control.normal_frequency);
-  require_positive("tangential frequency", control.tangential_frequency);
-  std::visit(
-      [](const auto& normal) {
-        require_positive("mean of the normal control", normal.mean);
-        require_non_negative("amplitude of the normal control", normal.amplitude);
-      },
-      control.normal);
-  std::visit(
-      [](const auto& tangential) { require_non_negative("amplitude of the tangential control", tangential.amplitude); },
-      control.tangential);
-  if (!control.phase) return;
-  require_finite("phase", *control.phase);
-  if (control.normal_frequency != control.tangential_frequency) {
-    throw std::invalid_argument(
-        "the limiting state for a locked phase between unequal frequencies is not known; use equal frequencies or an "
-        "unlocked phase");
-  }
-}
-
 Problem problem_of(const Profile& profile, const Rheology& body, double mu, const FrettingControl& control,
                    StickCriterion criterion) {
   const double relaxed = relaxed_modulus(body);
@@ -171,6 +149,28 @@ LimitingState state_at(const Problem& problem, const Rheology& body, double mu, 
 }
 
 }  // namespace
+
+void validate(double mu, const FrettingControl& control) {
+  require_positive("coefficient of friction", mu);
+  require_positive("normal frequency", control.normal_frequency);
+  require_positive("tangential frequency", control.tangential_frequency);
+  std::visit(
+      [](const auto& normal) {
+        require_positive("mean of the normal control", normal.mean);
+        require_non_negative("amplitude of the normal control", normal.amplitude);
+      },
+      control.normal);
+  std::visit(
+      [](const auto& tangential) { require_non_negative("amplitude of the tangential control", tangential.amplitude); },
+      control.tangential);
+  if (!control.phase) return;
+  require_finite("phase", *control.phase);
+  if (control.normal_frequency != control.tangential_frequency) {
+    throw std::invalid_argument(
+        "the limiting state for a locked phase between unequal frequencies is not known; use equal frequencies or an "
+        "unlocked phase");
+  }
+}
 
 std::optional<LimitingState> limiting_state(const Profile& profile, const Rheology& body, double mu,
                                             const FrettingControl& control, StickCriterion criterion) {

@@ -40,6 +40,10 @@ struct FrettingControl {
   std::optional<double> phase;  ///< rad, between the prescribed quantities; empty: unlocked
 };
 
+/// Throws std::invalid_argument for values that are not finite or not as described above, and for a locked phase
+/// between unequal frequencies, of which no limiting state is known.
+void validate(double mu, const FrettingControl& control);
+
 /// Which stick zone wear leaves untouched; see stick_depths() of mdr/stick_radius.h. Slow wear tends to shakedown.
 enum class StickCriterion { first_slip, shakedown };
 

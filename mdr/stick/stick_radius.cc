@@ -42,10 +42,6 @@ std::optional<double> stick_radius(const Profile& profile, double depth) {
   return inverse_transform(profile, depth);
 }
 
-StickRadii radii_of(const Profile& profile, const StickDepths& depths) {
-  return {stick_radius(profile, depths.first_slip), stick_radius(profile, depths.shakedown)};
-}
-
 StickRadii at_most(double largest, StickRadii radii) {
   for (auto* radius : {&radii.first_slip, &radii.shakedown})
     if (*radius) *radius = std::min(**radius, largest);
@@ -79,12 +75,16 @@ StickDepths stick_depths(const Rheology& body, double mu, const Motion& motion) 
   return depths_of(motion.indentation, unlocked_demands(tangential, normal));
 }
 
+StickRadii stick_radii(const Profile& profile, const StickDepths& depths) {
+  return {stick_radius(profile, depths.first_slip), stick_radius(profile, depths.shakedown)};
+}
+
 StickRadii stick_radii(const Profile& profile, const Rheology& body, double mu, const HarmonicMotion& motion) {
-  return radii_of(profile, stick_depths(body, mu, motion));
+  return stick_radii(profile, stick_depths(body, mu, motion));
 }
 
 StickRadii stick_radii(const Profile& profile, const Rheology& body, double mu, const Motion& motion) {
-  return radii_of(profile, stick_depths(body, mu, motion));
+  return stick_radii(profile, stick_depths(body, mu, motion));
 }
 
 StickRadii stick_radii(const LimitingProfile& worn, const Rheology& body, double mu, const HarmonicMotion& motion) {

@@ -46,6 +46,9 @@ StickDepths stick_depths(const Rheology& body, double mu, const HarmonicMotion& 
 ///   unequal frequencies, phase locked:    as above
 StickDepths stick_depths(const Rheology& body, double mu, const Motion& motion);
 
+/// Stick radii c = g^-1 of depths, in m, on the unworn profile.
+StickRadii stick_radii(const Profile& profile, const StickDepths& depths);
+
 /// The stick radii c = g^-1 of the depths above, for the unworn profile.
 StickRadii stick_radii(const Profile& profile, const Rheology& body, double mu, const HarmonicMotion& motion);
 StickRadii stick_radii(const Profile& profile, const Rheology& body, double mu, const Motion& motion);

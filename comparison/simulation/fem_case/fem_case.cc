@@ -11,6 +11,7 @@
 #include "comparison/case/path_table.h"
 #include "comparison/simulation/fem_case/expected_contact.h"
 #include "comparison/simulation/fem_case/near_cycle.h"
+#include "mdr/layer/layer.h"
 #include "meshes/grading.h"
 
 namespace fretval {
@@ -288,8 +289,7 @@ void require_few_rows(const Case& input) {
 }  // namespace
 
 double tangential_per_depth(const FemCase& fem) {
-  const double nu = fem.body.poisson_ratio;
-  return (2 - nu) / (2 * (1 - nu)) * fem.friction_coefficient;
+  return mdr::spring_modulus_ratio(fem.body.poisson_ratio) * fem.friction_coefficient;
 }
 
 FemCase fem_case(const Case& input, const MdrCase& mdr) {

@@ -8,6 +8,7 @@
 
 #include "mdr/layer/layer_stick_radius.h"
 #include "mdr/rheology/compressible.h"
+#include "mdr/stick/stick_radius.h"
 
 namespace fretval::mdr::coupled_response_test {
 namespace {
@@ -59,7 +60,7 @@ TEST(CoupledResponse, ErrorsCoverWhatIsKnown) {
     const Prescribed prescribed{harmonic_motion({d, 0.15 * d, 0.1 * d, 1, 1, 0.7})};
     const SteppedForcedResponse stepped = coupled_response(parabola(1), layer, elastic(1), mu, prescribed, coarse);
     const StickRadii exact = layer_stick_radii(parabola(1), layer, 1, mu, prescribed),
-                     radii = depths_as_radii(parabola(1), stepped.response.depths);
+                     radii = stick_radii(parabola(1), stepped.response.depths);
     EXPECT_NEAR(*radii.first_slip, *exact.first_slip, 5e-5);
     EXPECT_NEAR(*radii.shakedown, *exact.shakedown, 5e-5);
     const LayerContact deepest = layer_contact_at_depth(parabola(1), layer, 1.15 * d);
@@ -80,7 +81,7 @@ TEST(CoupledResponse, ForcesLeaveTheRheologyOut) {
   std::vector<double> amplitudes;
   for (const PronyBody& body : {elastic(1), standard_solid(1, 1.5, 0.3)}) {
     const SteppedForcedResponse stepped = coupled_response(parabola(1), layer, body, mu, forces, {100, 90, 10, 1e-7});
-    const StickRadii radii = depths_as_radii(parabola(1), stepped.response.depths);
+    const StickRadii radii = stick_radii(parabola(1), stepped.response.depths);
     EXPECT_NEAR(*radii.first_slip, *exact.first_slip, 1e-5);
     EXPECT_NEAR(*radii.shakedown, *exact.shakedown, 1e-5);
     amplitudes.push_back(stepped.response.tangential_amplitude);
@@ -93,11 +94,6 @@ TEST(CoupledResponse, ReadsTheEdgeOfTheLoads) {
   EXPECT_NEAR(edge_of_loads(bed, (0.613 - bed.position).max(0)), 0.613, 1e-14);
   EXPECT_NEAR(edge_of_loads(bed, (0.4 - bed.depth).max(0)), std::sqrt(0.4), 1e-4);
   EXPECT_EQ(edge_of_loads(bed, Eigen::ArrayXd::Zero(50)), 0);
-}
-
-TEST(CoupledResponse, NothingSticksWhereADepthIsNotPositive) {
-  EXPECT_FALSE(depths_as_radii(parabola(1), {-0.1, 0}).first_slip);
-  EXPECT_NEAR(*depths_as_radii(parabola(1), {-0.1, 0.25}).shakedown, 0.5, 1e-15);
 }
 
 TEST(CoupledResponse, RefusesATangentialMotionOnAFrictionlessBase) {

@@ -152,5 +152,10 @@ TEST(StickRadii, RejectBadArguments) {
   EXPECT_THROW(depths(0.5, (Motion{1, 0.1, 0.1, 1, nan, 0.0})), std::invalid_argument);
 }
 
+TEST(StickRadii, NothingSticksWhereADepthIsNotPositive) {
+  EXPECT_FALSE(stick_radii(parabola(1), {-0.1, 0}).first_slip);
+  EXPECT_NEAR(*stick_radii(parabola(1), {-0.1, 0.25}).shakedown, 0.5, 1e-15);
+}
+
 }  // namespace
 }  // namespace fretval::mdr::stick_radius_test
