@@ -71,7 +71,7 @@ mdr::SteppedForcedResponse half_space_response(const MdrCase& mdr, int times) {
 /// Of an unworn indenter, by the springs. Under both forces a half-space has a closed form of the shakedown radius.
 MdrAnswer forced_answer(const MdrCase& mdr, const mdr::NormalResponse& normal, int times) {
   MdrAnswer answer = with_normal_response(normal);
-  if (!mdr.layer) answer.steady_sliding_share = steady_sliding_share(mdr);
+  answer.steady_sliding_share = steady_sliding_share(mdr);
   mdr::SteppedForcedResponse stepped;
   try {
     stepped = mdr.layer ? layer_response(mdr, times) : half_space_response(mdr, times);

@@ -45,6 +45,15 @@ TEST(LayerAnswer, OfAThinLayerIsAnother) {
   EXPECT_NEAR(answer_to(on_layer(scene, 2 * a)).contact_radius_max.value() / a, 1, 1e-3);
 }
 
+// The balance of forces, mu F_0 over F_x0, knows of no body.
+TEST(LayerAnswer, SlidesAsAWholeWhereForcesBalance) {
+  auto scene = on_layer(suite_case("parabola-elastic-steady", 1e-2), 1e-2);
+  const double force = answer_to(scene).normal_force_max.value();
+  scene.motion.normal_force = {force, 0};
+  scene.motion.tangential_force = 0.3 * scene.friction_coefficient * force;
+  EXPECT_NEAR(answer_to(scene).steady_sliding_share.value(), 1 / 0.3, 1e-12);
+}
+
 TEST(LayerAnswer, IsRefusedByNameForWhatItDoesNotCompute) {
   auto scene = on_layer(suite_case("parabola-elastic-steady", 1e-2), 1e-2);
   EXPECT_NO_THROW(mdr_case(scene));
