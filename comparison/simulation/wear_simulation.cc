@@ -73,7 +73,7 @@ std::string description(const FemCase& fem, const fem::WearLaw& law, const fem::
     for (const double value : values) text += fmt::format(" {:a}", value);
   };
   const auto add_motion = [&add](const std::vector<fem::Oscillation>& oscillations) {
-    for (const auto& [amplitude, order, phase] : oscillations) add(std::array{amplitude, 1.0 * order, phase});
+    for (const auto& [amplitude, order, phase, across] : oscillations) add(std::array{amplitude, 1.0 * order, phase});
   };
   add(profile.unworn);
   add(profile.worn);

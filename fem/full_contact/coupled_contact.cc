@@ -38,25 +38,28 @@ CoupledOperators coupled_operators(const SurfaceCompliance& surface, const Angul
   return {{surface, grid, Fields::tangential}, {surface, grid, Fields::normal}, {surface, grid, Fields::all, coupling}};
 }
 
+IndenterMotion indenter_motion(const Motion& motion) {
+  return {[&motion](double t, double inside) { return normal_motion_inside(motion, t, inside); },
+          lateral_motion(motion)};
+}
+
 CoupledContact::CoupledContact(const CoupledOperators& operators, const RelaxationModel& relaxation,
                                double friction_coefficient, MatrixXd profile, const IndenterMotion& motion,
-                               int steps_per_cycle)
-    : friction(operators.tangential, relaxation, friction_coefficient, motion.lateral, steps_per_cycle),
+                               StepTimes times)
+    : friction(operators.tangential, relaxation, friction_coefficient, motion.lateral, std::move(times)),
       pressure(MatrixXd::Zero(profile.rows(), profile.cols())),
       operators_(operators),
       normal_inverse_(operators.normal, VectorXd::Zero(operators.normal.n_rings())),
       relaxation_(relaxation),
       profile_(std::move(profile)),
       motion_(motion),
-      dt_(2 * pi / steps_per_cycle),
-      step_(relaxation, dt_),
-      state_{{}, MatrixXd::Zero(profile_.size(), step_.n_branches())} {
+      state_{{}, MatrixXd::Zero(profile_.size(), static_cast<Eigen::Index>(relaxation.moduli.size()))} {
   press_without_friction();
 }
 
 void CoupledContact::press_without_friction() {
   const auto& areas = operators_.normal.areas();
-  depth = motion_.depth(0).value;
+  depth = motion_.depth(0, 0).value;
   const MatrixXd target = areas.asDiagonal() * (depth - profile_.array()).matrix();
   const auto pressed = solve_pressure(operators_.normal, normal_inverse_, target, pressure);
   pressure = relaxation_.relaxed * pressed.pressure;
@@ -106,17 +109,19 @@ void CoupledContact::alternate(const MatrixXd& target) {
 
 void CoupledContact::step() {
   const auto& areas = operators_.normal.areas();
-  const double begin = dt_ * static_cast<double>(friction.n_steps), balance = begin + step_.fraction() * dt_;
-  const auto whole = indenter_move(motion_.depth, begin, begin + dt_);
+  const auto next = friction.next_step();
+  const auto& relaxation = next.relaxation;
+  const auto whole = move_in(motion_.depth, next.begin, next.end, next.inside()),
+             to_balance = move_in(motion_.depth, next.begin, next.balance, next.inside());
   const VectorXd driven = (as_vector(pressure).array() > 0).cast<double>(),
                  left_behind = (1 - driven.array()) * whole.increment;
   const VectorXd before = state_.displacement + as_vector(profile_) - VectorXd::Constant(profile_.size(), depth);
-  const VectorXd target = step_.response_without_slip(state_, indenter_move(motion_.depth, begin, balance), driven) +
-                          step_.instantaneous() * (left_behind - before);
+  const VectorXd target = relaxation.response_without_slip(state_, to_balance, driven) +
+                          relaxation.instantaneous() * (left_behind - before);
   alternate(areas.asDiagonal() * as_field(target, pressure.rows()));
-  gap = (areas * step_.instantaneous()).cwiseInverse().asDiagonal() * opened_;
+  gap = (areas * relaxation.instantaneous()).cwiseInverse().asDiagonal() * opened_;
   gap = (pressure.array() > 0).select(0, gap.cwiseMax(0));
-  step_.advance(state_, whole, before - as_vector(gap) - left_behind, driven);
+  relaxation.advance(state_, whole, before - as_vector(gap) - left_behind, driven);
   depth += whole.increment;
   friction.accept();
   require_room(pressure.rowwise().maxCoeff());

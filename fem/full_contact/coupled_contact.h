@@ -19,9 +19,11 @@ CoupledOperators coupled_operators(const SurfaceCompliance& surface, const Angul
 
 /// Motion of the indenter: how deep it is, and along the surface.
 struct IndenterMotion {
-  std::function<ValueAndRate(double)> depth;
+  Course depth;
   LateralMotion lateral;
 };
+/// The motion must outlive it.
+IndenterMotion indenter_motion(const Motion& motion);
 
 /// Normal contact and friction that act on each other, on their way through a motion: what they are like after the last
 /// step, and how they go on. At all points
@@ -42,7 +44,7 @@ class CoupledContact {
   /// profile: of the indenter, n_rings x n_angles, ring means of its height over the apex. The operators and the motion
   /// must outlive this.
   CoupledContact(const CoupledOperators& operators, const RelaxationModel& relaxation, double friction_coefficient,
-                 Eigen::MatrixXd profile, const IndenterMotion& motion, int steps_per_cycle);
+                 Eigen::MatrixXd profile, const IndenterMotion& motion, StepTimes times);
 
   /// Throws SolverError where the two do not converge, and NoRoom where the contact reaches the last ring.
   void step();
@@ -67,8 +69,6 @@ class CoupledContact {
   RelaxationModel relaxation_;
   Eigen::MatrixXd profile_;
   const IndenterMotion& motion_;
-  double dt_;
-  RelaxationStep step_;
   RingState state_;         // of the displacements into the body
   Eigen::MatrixXd opened_;  // areas times gaps at the end of the step times the instantaneous stiffness
 };

@@ -59,7 +59,7 @@ void SurfaceWatch::see(const VectorFriction& friction, const MatrixXd& pressure)
   in_cycle_ += (friction.limit.array() > 0).select(lengths(friction.slip), infinity);
   path_ += friction.increment.norm();
   const MatrixXd reserve = rings_.tangential.series.depths_of_instants((slips > 0).select(0, margin));
-  reserve_.add(Eigen::Map<const VectorXd>(reserve.data(), reserve.size()));
+  reserve_.add(Eigen::Map<const VectorXd>(reserve.data(), reserve.size()), friction.in_piece());
   pressure_.push_back(pressure);
   traction_.push_back(friction.traction);
   limit_.push_back(friction.limit);

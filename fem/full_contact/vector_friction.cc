@@ -1,9 +1,9 @@
 #include "fem/full_contact/vector_friction.h"
 
+#include <cmath>
 #include <utility>
 
 #include "fem/full_contact/fields.h"
-#include "fem/support/constants.h"
 
 namespace fretval::fem {
 
@@ -24,8 +24,17 @@ VectorXd mean_radii(const std::vector<double>& radii) {
 
 }  // namespace
 
+LateralMotion lateral_motion(const Motion& motion) {
+  return {[&motion](double t, double inside) { return tangential_motion_inside(motion, t, inside); },
+          [&motion](double t, double inside) { return transverse_motion_inside(motion, t, inside); }};
+}
+
+IndenterMove move_in(const Course& course, double begin, double end, double inside) {
+  return indenter_move([&](double t) { return course(t, inside); }, begin, end);
+}
+
 VectorFriction::VectorFriction(const SurfaceOperator& op, RelaxationModel relaxation, double friction_coefficient,
-                               const LateralMotion& motion, int steps_per_cycle)
+                               const LateralMotion& motion, StepTimes times)
     : displacement(0, 0),
       increment(0, 0),
       limit(MatrixXd::Zero(op.n_rings(), op.grid().n_kept())),
@@ -36,8 +45,8 @@ VectorFriction::VectorFriction(const SurfaceOperator& op, RelaxationModel relaxa
       relaxation_(std::move(relaxation)),
       friction_coefficient_(friction_coefficient),
       motion_(motion),
-      steps_per_cycle_(steps_per_cycle),
-      dt_(2 * pi / steps_per_cycle),
+      times_(std::move(times)),
+      dt_(times_.begin(1)),
       step_(relaxation_, dt_),
       x_{VectorXd::Zero(limit.size()), MatrixXd::Zero(limit.size(), step_.n_branches())},
       y_(x_),
@@ -51,10 +60,28 @@ void VectorFriction::start_from(const MatrixXd& at_rest) {
   y_.displacement = as_vector(at_rest.rightCols(m));
 }
 
+VectorFriction::NextStep VectorFriction::next_step() {
+  constexpr double roundoff = 1e-12;
+  const double begin = times_.begin(n_steps), end = times_.begin(n_steps + 1);
+  if (std::abs(end - begin - dt_) > roundoff * dt_) {
+    dt_ = end - begin;
+    step_ = RelaxationStep(relaxation_, dt_);
+  }
+  return {begin, begin + step_.fraction() * dt_, end, step_};
+}
+
+std::optional<StepInPiece> VectorFriction::in_piece() const {
+  auto step = times_.in_piece(n_steps - 1);
+  if (step) step->fraction = step_.fraction();
+  return step;
+}
+
 const FrictionSolution& VectorFriction::attempt(const MatrixXd& pressure, const MatrixXd& displaced) {
-  const double begin = dt_ * static_cast<double>(n_steps), balance = begin + step_.fraction() * dt_;
-  const VectorXd x = step_.response_without_slip(x_, indenter_move(motion_.x, begin, balance)),
-                 y = step_.response_without_slip(y_, indenter_move(motion_.y, begin, balance));
+  const auto next = next_step();
+  const auto response = [&](const RingState& state, const Course& course) {
+    return step_.response_without_slip(state, move_in(course, next.begin, next.balance, next.inside()));
+  };
+  const VectorXd x = response(x_, motion_.x), y = response(y_, motion_.y);
   MatrixXd pull(traction.rows(), traction.cols());
   pull << as_field(x, limit.rows()), as_field(y, limit.rows());
   pull = op_.areas().asDiagonal() * pull;
@@ -66,10 +93,11 @@ const FrictionSolution& VectorFriction::attempt(const MatrixXd& pressure, const 
 
 void VectorFriction::accept() {
   const Index m = limit.cols();
-  const double begin = dt_ * static_cast<double>(n_steps);
+  const auto next = next_step();
   traction_before = std::exchange(traction, solution_.traction);
   slip = (op_.areas() * step_.instantaneous()).cwiseInverse().asDiagonal() * solution_.residual;
-  const auto x = indenter_move(motion_.x, begin, begin + dt_), y = indenter_move(motion_.y, begin, begin + dt_);
+  const auto x = move_in(motion_.x, next.begin, next.end, next.inside()),
+             y = move_in(motion_.y, next.begin, next.end, next.inside());
   step_.advance(x_, x, as_vector(slip.leftCols(m)));
   step_.advance(y_, y, as_vector(slip.rightCols(m)));
   increment = {x.increment, y.increment};

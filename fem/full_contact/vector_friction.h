@@ -2,17 +2,28 @@
 
 #include <Eigen/Dense>
 #include <functional>
+#include <optional>
 
 #include "fem/full_contact/friction_solver.h"
 #include "fem/full_contact/surface_operator.h"
+#include "fem/motion/motion.h"
 #include "fem/motion/relaxation.h"
 
 namespace fretval::fem {
 
-/// Motion of the indenter along the surface in dimensionless time, in which a cycle lasts 2 pi.
+/// Where something is at a time t, in dimensionless time in which a cycle lasts 2 pi, and how fast: of two rates at a
+/// kink, the one at the side of an instant inside the step.
+using Course = std::function<ValueAndRate(double t, double inside)>;
+
+/// Motion of the indenter along the surface.
 struct LateralMotion {
-  std::function<ValueAndRate(double)> x, y;
+  Course x, y;
 };
+/// The motion must outlive it.
+LateralMotion lateral_motion(const Motion& motion);
+
+/// In a step that is no longer than a straight piece of the way or is curved smoothly.
+IndenterMove move_in(const Course& course, double begin, double end, double inside);
 
 /// Coulomb friction with a traction of any direction, |t| <= mu p, on its way through a motion: what it is like after
 /// the last step, and how it goes on. It begins at rest, without traction.
@@ -28,7 +39,7 @@ class VectorFriction {
  public:
   /// op: of tangential fields. It and the motion must outlive this.
   VectorFriction(const SurfaceOperator& op, RelaxationModel relaxation, double friction_coefficient,
-                 const LateralMotion& motion, int steps_per_cycle);
+                 const LateralMotion& motion, StepTimes times);
 
   /// Goes on by a step under pressures at its balance time, of points or the same around each ring.
   void step(const Eigen::MatrixXd& pressure);
@@ -51,8 +62,18 @@ class VectorFriction {
   int n_iterations = 0, n_applications = 0;   ///< that the step took
 
   [[nodiscard]] const SurfaceOperator& op() const { return op_; }
-  [[nodiscard]] int steps_per_cycle() const { return steps_per_cycle_; }
+  [[nodiscard]] int steps_per_cycle() const { return times_.steps_per_cycle(); }
+  /// Of the last step, or of the first one before it.
   [[nodiscard]] double fraction() const { return step_.fraction(); }
+  /// The next step.
+  struct NextStep {
+    double begin, balance, end;
+    const RelaxationStep& relaxation;
+    [[nodiscard]] double inside() const { return (begin + end) / 2; }
+  };
+  NextStep next_step();
+  /// Where the last step lies in its piece of a path, sampled at the balance time; empty: of cosines.
+  [[nodiscard]] std::optional<StepInPiece> in_piece() const;
   /// Of the points at the end of the step.
   [[nodiscard]] Eigen::MatrixXd displacements() const;
 
@@ -68,8 +89,8 @@ class VectorFriction {
   RelaxationModel relaxation_;
   double friction_coefficient_;
   const LateralMotion& motion_;
-  int steps_per_cycle_;
-  double dt_;
+  StepTimes times_;
+  double dt_;  // of the step that step_ is made for
   RelaxationStep step_;
   RingState x_, y_;
   FrictionSolution solution_;

@@ -52,10 +52,11 @@ ValueAndRate lag(const Motion& motion, double t) {
   return {half * (1 - std::cos(x)), half * std::sin(x) / n};
 }
 
-/// Their sum at a time that runs at the given rate.
-ValueAndRate sum_of(const std::vector<Oscillation>& oscillations, const ValueAndRate& time) {
+/// Sum of those along x, or of those across, at a time that runs at the given rate.
+ValueAndRate sum_of(const std::vector<Oscillation>& oscillations, const ValueAndRate& time, bool across = false) {
   ValueAndRate sum{0, 0};
-  for (const auto& [amplitude, order, phase] : oscillations) {
+  for (const auto& [amplitude, order, phase, goes_across] : oscillations) {
+    if (goes_across != across) continue;
     const double argument = order * time.value + phase;
     sum.value += amplitude * std::cos(argument);
     sum.rate -= amplitude * order * time.rate * std::sin(argument);
@@ -98,8 +99,15 @@ double Motion::tangential_amplitude() const {
   double sum = 0;
   for (const auto& oscillation : tangential) sum += oscillation.amplitude;
   if (path)
-    for (const double u : path->tangential) sum = std::max(sum, std::abs(u - path->rest_tangential));
+    for (std::size_t k = 0; k < path->tangential.size(); ++k)
+      sum = std::max(sum, std::hypot(path->tangential[k] - path->rest_tangential,
+                                     path->moves_across() ? path->transverse[k] - path->rest_transverse : 0));
   return sum;
+}
+
+bool Motion::moves_across() const {
+  if (path) return path->moves_across();
+  return std::any_of(tangential.begin(), tangential.end(), [](const Oscillation& o) { return o.across; });
 }
 
 int creep_period(int n_creep_cycles, int highest_order) {
@@ -146,16 +154,41 @@ ValueAndRate tangential_motion_inside(const Motion& motion, double t, double ins
   return product(envelope(motion, t), sum_of(motion.tangential, {t + s.value, 1 + s.rate}));
 }
 
+ValueAndRate transverse_motion(const Motion& motion, double t) {
+  return transverse_motion_inside(motion, t, t);
+}
+
+ValueAndRate transverse_motion_inside(const Motion& motion, double t, double inside_step) {
+  if (!motion.moves_across()) return {0, 0};
+  if (motion.path) {
+    const auto& path = *motion.path;
+    return product(envelope(motion, t), departure(path, path.transverse, path.rest_transverse, t, inside_step));
+  }
+  const auto s = lag(motion, t);
+  return product(envelope(motion, t), sum_of(motion.tangential, {t + s.value, 1 + s.rate}, true));
+}
+
 double tangential_path(const Motion& motion) {
   double path = 0;
+  if (motion.moves_across() && !motion.path) {
+    const int n = 256 * motion.highest_order();
+    for (int k = 0; k < n; ++k) {
+      const ValueAndRate time{2 * pi * k / n, 1};
+      path += std::hypot(sum_of(motion.tangential, time).rate, sum_of(motion.tangential, time, true).rate);
+    }
+    return path * 2 * pi / n;
+  }
   for (const auto& oscillation : motion.tangential) path += 4 * oscillation.amplitude * oscillation.order;
   if (motion.path)
     for (std::size_t k = 1; k < motion.path->tangential.size(); ++k)
-      path += std::abs(motion.path->tangential[k] - motion.path->tangential[k - 1]);
+      path += std::hypot(motion.path->tangential[k] - motion.path->tangential[k - 1],
+                         motion.path->moves_across() ? motion.path->transverse[k] - motion.path->transverse[k - 1] : 0);
   return path;
 }
 
-StepTimes::StepTimes(const Motion& motion, int steps_per_cycle) : dt_(2 * pi / steps_per_cycle) {
+StepTimes::StepTimes(int steps_per_cycle) : steps_per_cycle_(steps_per_cycle), dt_(2 * pi / steps_per_cycle) {}
+
+StepTimes::StepTimes(const Motion& motion, int steps_per_cycle) : StepTimes(steps_per_cycle) {
   if (motion.path) steps_ = steps_of(*motion.path, steps_per_cycle);
 }
 

@@ -13,6 +13,7 @@ struct Oscillation {
   double amplitude;  ///< not negative
   int order = 1;     ///< oscillations per cycle, positive
   double phase = 0;
+  bool across = false;  ///< of a tangential one: along y instead of x
 };
 
 /// Motion of the indenter in dimensionless time t, in which a cycle lasts 2 pi: the common period of all oscillations.
@@ -29,6 +30,8 @@ struct Oscillation {
 /// frequency, where a lag by half a cycle turns the tangential motion round and the load is largest at either end, as
 /// the body turns both directions by the same angle. There it rests for an instant. The period in cycles is
 /// n = creep_period(n_creep_cycles, highest order).
+///
+/// Tangential oscillations that go across are those of u_y, which is what u_x is to the others.
 ///
 /// Where a force is prescribed it takes the place of the displacement: F_N(t) that of d, F_x(t) that of u_x. Then a
 /// cycle begins at the largest normal force, and the displacements follow from the contact.
@@ -54,8 +57,10 @@ struct Motion {
   [[nodiscard]] int highest_normal_order() const;
   /// Whole cycles until the ramp is over.
   [[nodiscard]] int cycles_of_ramp() const;
-  /// Sum of the tangential amplitudes: u_x, or F_x, is never larger.
+  /// Sum of the tangential amplitudes: u_x, or F_x, is never larger, nor is (u_x, u_y).
   [[nodiscard]] double tangential_amplitude() const;
+  /// Whether anything goes across, along y.
+  [[nodiscard]] bool moves_across() const;
 };
 
 /// Cycles in which an unlocked motion creeps there and back: n_creep_cycles, or half as many where one of them has more
@@ -71,24 +76,31 @@ double amplitude_share(const Motion& motion, double t);
 
 ValueAndRate normal_motion(const Motion& motion, double t);
 ValueAndRate tangential_motion(const Motion& motion, double t);
+ValueAndRate transverse_motion(const Motion& motion, double t);
 
 /// The same at an end of a step, or inside it, where a path has two rates at its rows: that of the step.
 ValueAndRate normal_motion_inside(const Motion& motion, double t, double inside_step);
 ValueAndRate tangential_motion_inside(const Motion& motion, double t, double inside_step);
+ValueAndRate transverse_motion_inside(const Motion& motion, double t, double inside_step);
 
-/// Tangential path in a cycle, to and fro: of cosines 4 amplitudes for each oscillation.
+/// Tangential path in a cycle, to and fro: of cosines 4 amplitudes for each oscillation, and the length of its curve
+/// where it moves across as well.
 double tangential_path(const Motion& motion);
 
 /// When the steps of a history begin: of cosines they are equal, of a path every row is the end of one.
 class StepTimes {
  public:
   StepTimes(const Motion& motion, int steps_per_cycle);
+  /// Equal steps.
+  StepTimes(int steps_per_cycle);  // NOLINT(google-explicit-constructor): a number of steps is all there is to it
+  [[nodiscard]] int steps_per_cycle() const { return steps_per_cycle_; }
   /// Beginning of a step, counted from 0 for the first one of the history.
   [[nodiscard]] double begin(long step) const;
   /// Of a path; empty: of cosines.
   [[nodiscard]] std::optional<StepInPiece> in_piece(long step) const;
 
  private:
+  int steps_per_cycle_;
   double dt_;
   std::vector<StepInPiece> steps_;
 };

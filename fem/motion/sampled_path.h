@@ -12,6 +12,10 @@ struct SampledPath {
   std::vector<double> normal, tangential;  ///< of each row, displacements or forces as Motion says
   double rest_normal, rest_tangential;     ///< where the body rests before, without tangential force
   bool repeats;                            ///< with a period of 2 pi; false: a single pass
+  std::vector<double> transverse = {};     ///< along y, likewise; empty: it moves along x alone
+  double rest_transverse = 0;
+
+  [[nodiscard]] bool moves_across() const { return !transverse.empty(); }
 
   [[nodiscard]] std::size_t n_pieces() const { return time.size() - 1; }
 };

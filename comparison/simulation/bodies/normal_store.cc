@@ -11,7 +11,7 @@ std::vector<std::vector<double>> parameters_of(const FemCase& fem, const Eigen::
                                                const fem::HistoryControl& control) {
   const auto& [relaxed, moduli, times, viscosity] = fem.relaxation;
   std::vector<double> normal, orders;
-  for (const auto& [amplitude, order, phase] : fem.motion.normal)
+  for (const auto& [amplitude, order, phase, across] : fem.motion.normal)
     normal.insert(normal.end(), {amplitude, static_cast<double>(order), phase});
   for (const auto& oscillation : fem.motion.tangential) orders.push_back(oscillation.order);
   if (const auto& path = fem.motion.path) {

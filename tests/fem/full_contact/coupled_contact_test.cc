@@ -21,13 +21,13 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using full_contact_test::surface_half_space;
 
-ValueAndRate nowhere(double) {
+ValueAndRate nowhere(double, double) {
   return {0, 0};
 }
 
 /// From one depth to another within a cycle.
-std::function<ValueAndRate(double)> ramp(double from, double to) {
-  return [=](double t) { return ValueAndRate{from + (to - from) * t / (2 * pi), (to - from) / (2 * pi)}; };
+Course ramp(double from, double to) {
+  return [=](double t, double) { return ValueAndRate{from + (to - from) * t / (2 * pi), (to - from) / (2 * pi)}; };
 }
 
 MatrixXd round_profile(const SurfaceCompliance& surface, double exponent, Index n_angles) {
@@ -77,7 +77,7 @@ double share_that_sticks(const std::function<double(double)>& profile, double ex
   const auto& surface = surface_half_space(0.3, 32, 3);
   const auto operators = coupled_operators(surface, angular_grid(4, Mirrors::x));
   const auto rings = ring_problems(surface);
-  const auto depth = [=](double t) {
+  const auto depth = [=](double t, double) {
     return ValueAndRate{0.9 * std::pow(t / (2 * pi), exponent),
                         0.9 * exponent * std::pow(t / (2 * pi), exponent - 1) / (2 * pi)};
   };

@@ -20,10 +20,10 @@ SurfaceHistory pushed(double nu, double displacement, unsigned n_around, Mirrors
   const auto& surface = surface_half_space(nu, 16);
   const SurfaceOperator op(surface, angular_grid(n_around, mirrors), Fields::tangential);
   const auto rings = ring_problems(surface);
-  const LateralMotion push{[=](double t) {
+  const LateralMotion push{[=](double t, double) {
                              return ValueAndRate{displacement * t / (2 * pi), displacement / (2 * pi)};
                            },
-                           [](double) {
+                           [](double, double) {
                              return ValueAndRate{0, 0};
                            }};
   return vector_friction_history(
@@ -65,10 +65,10 @@ TEST(SurfaceHistory, OfMindlinsOscillationHasOneRegionAndItsEnergy) {
   const SurfaceOperator op(surface, angular_grid(4, Mirrors::x_and_y), Fields::tangential);
   const auto rings = ring_problems(surface);
   const double c = 0.6, amplitude = cattaneo_push(c, 0);
-  const LateralMotion motion{[=](double t) {
+  const LateralMotion motion{[=](double t, double) {
                                return ValueAndRate{amplitude * std::sin(t), amplitude * std::cos(t)};
                              },
-                             [](double) {
+                             [](double, double) {
                                return ValueAndRate{0, 0};
                              }};
   const auto history = vector_friction_history(
@@ -92,10 +92,10 @@ TEST(SurfaceHistory, TellsPointsThatHaveShakenDownFromThoseThatSlip) {
   const SurfaceOperator op(surface, angular_grid(8, Mirrors::x_and_y), Fields::tangential),
       of_rings(surface, angular_grid(1), Fields::tangential);
   const auto rings = ring_problems(surface);
-  const LateralMotion motion{[](double t) {
+  const LateralMotion motion{[](double t, double) {
                                return ValueAndRate{0.2 * std::sin(t), 0.2 * std::cos(t)};
                              },
-                             [](double) {
+                             [](double, double) {
                                return ValueAndRate{0, 0};
                              }};
   const auto pressure = [&](long step) -> VectorXd {

@@ -25,7 +25,7 @@ LateralMotion ellipse(double along, double across, double turned_by, double phas
                         of_along * along * std::cos(t) + of_across * across * std::cos(t + phase)};
   };
   const double c = std::cos(turned_by), s = std::sin(turned_by);
-  return {[=](double t) { return part(t, c, -s); }, [=](double t) { return part(t, s, c); }};
+  return {[=](double t, double) { return part(t, c, -s); }, [=](double t, double) { return part(t, s, c); }};
 }
 
 // One angle has one harmonic, s of order 1, and no direction but that of the motion.
@@ -34,8 +34,8 @@ TEST(VectorFriction, WithOneAngleIsTheRingContact) {
   const ContactProblem rings(ring_compliance(surface, lateral));
   const SurfaceOperator op(surface, angular_grid(1), Fields::tangential);
   const auto motion = one_frequency(1, 0, 0.5, 0.3);
-  const LateralMotion along_x{[&](double t) { return tangential_motion(motion, t); },
-                              [](double) {
+  const LateralMotion along_x{[&](double t, double) { return tangential_motion(motion, t); },
+                              [](double, double) {
                                 return ValueAndRate{0, 0};
                               }};
   for (const auto& relaxation :
@@ -142,10 +142,10 @@ TEST(VectorFriction, GoesRoundWithACircularMotion) {
   const auto& surface = surface_half_space(0.5);
   const SurfaceOperator op(surface, angular_grid(8), Fields::tangential);
   const double radius = 0.4;
-  const LateralMotion circle{[=](double t) {
+  const LateralMotion circle{[=](double t, double) {
                                return ValueAndRate{radius * (std::cos(t) - 1), -radius * std::sin(t)};
                              },
-                             [=](double t) {
+                             [=](double t, double) {
                                return ValueAndRate{radius * std::sin(t), radius * std::cos(t)};
                              }};
   VectorFriction friction(op, {}, 0.8, circle, n_steps);
