@@ -66,7 +66,7 @@ bool ends_with_contact(const Eigen::VectorXd& smallest_pressure, Eigen::Index n_
 /// With what the answer itself shows.
 CaseNeeds needs_of(const FemCase& fem, const Computation& computation) {
   auto needs = needs_of(fem);
-  if (!computation.failure.empty() || fem.any_order || fem.worn_edge) return needs;
+  if (!computation.failure.empty() || !fem.has_ring_zones() || fem.worn_edge) return needs;
   const auto& fe = computation.fe;
   const Eigen::VectorXd smallest = fe.normal.pressure.rowwise().minCoeff();
   needs.first_slip_ends_with_contact = ends_with_contact(smallest, fe.rings.stuck.first_slip);
@@ -182,6 +182,7 @@ CaseNeeds needs_of(const FemCase& fem) {
       fem.relaxation.has_memory(), !fem.motion.locked,
       fem.worn_edge.has_value(),   fem.relaxation.viscosity > 0 || fem.motion.tangential_force || fem.any_order,
       fem.motion.is_single_pass(), fem.any_order};
+  needs.full = fem.full.has_value();
   needs.moves_by_steps = fem.motion.tangential_force || fem.motion.path;
   const double two_steps = 4 * fem::pi / fem.steps_per_cycle();
   const auto& times = fem.relaxation.times;
@@ -220,7 +221,7 @@ ErrorBudget error_bars(const PreparedCase& prepared, const Tracks& tracks, const
     auto bars = error_budget(resolution, variants_of(resolution, needs, shares), computed.quantities(),
                              uncertainties_of_edges(computed.at(resolution), prepared.fem), needs,
                              readings_of_rings(resolution, needs, computed, prepared.fem));
-    if (!prepared.fem.any_order) {
+    if (prepared.fem.has_ring_zones()) {
       carry_near_cycle(track, bars);
       carry_to_stick_radii(track, borders, bars);
     }

@@ -22,6 +22,7 @@ ExpectedOrder expected_order(ErrorSource source, Quantity quantity, const CaseNe
   if (source == ErrorSource::time_step || source == ErrorSource::start || source == ErrorSource::wear_jump) return {2};
   if (source == ErrorSource::creep) return {1};
   if (source == ErrorSource::far_field) return {4};
+  if (source == ErrorSource::angles) return {2};
   if (source != ErrorSource::rings) return {3};
   if (needs.any_order || ends_with_contact(needs, quantity)) return {1, 4};
   const auto& traits = traits_of(quantity);

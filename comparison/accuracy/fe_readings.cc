@@ -27,6 +27,21 @@ void add_no_wear(const NoWearEvidence& evidence, Readings& readings) {
       evidence.limiting_amplitude, {}, "nothing moves tangentially", evidence.limiting_amplitude.has_value()};
 }
 
+/// Of the contact on rings and angles.
+void add_surface(const SurfaceAnswer& surface, bool single_pass, Readings& readings) {
+  const auto add = [&](Quantity along, Quantity across, const PlaneZone& zone) {
+    const std::string why = zone.radius > 0 ? "" : "nothing sticks";
+    const auto some = [&](double extent) { return zone.radius > 0 ? std::optional(extent) : std::nullopt; };
+    readings[along] = {some(zone.along), zone.uncertainty, why};
+    readings[across] = {some(zone.across), zone.uncertainty, why};
+  };
+  add(Quantity::contact_along, Quantity::contact_across, surface.contact);
+  add(Quantity::first_slip_along, Quantity::first_slip_across, surface.never_slipped);
+  if (!single_pass) add(Quantity::shakedown_along, Quantity::shakedown_across, surface.sticks_in_a_cycle);
+  if (surface.grid.mirrors == fem::Mirrors::none)
+    readings[Quantity::transverse_force_max] = {surface.transverse_force_max};
+}
+
 /// Zones that may be annuli are told as such, and have bars of their own (ZoneBudget).
 void only_tell_what_zones_say(Readings& readings) {
   for (const auto quantity :
@@ -79,6 +94,7 @@ Readings readings_of(const FeAnswer& fe, const Units& units) {
   if (fe.cycles_to_shakedown)
     readings[Quantity::cycles_to_shakedown] = {fe.cycles_to_shakedown, fe.cycles_to_shakedown_uncertainty};
   if (fe.no_wear) add_no_wear(*fe.no_wear, readings);
+  if (fe.surface) add_surface(*fe.surface, fe.single_pass, readings);
   if (fe.zones) only_tell_what_zones_say(readings);
   return readings;
 }

@@ -83,7 +83,7 @@ std::optional<Resolution> finer(const PreparedCase& prepared, const FeAnswer& fe
 /// Whether the response to the normal motion is that of all cases which differ in nothing else, as those of a sweep of
 /// the phase.
 bool has_normal_response(const FemCase& fem) {
-  return !fem.any_order && !fem.worn_edge && !fem.without_short_cycle && !fem.motion.path &&
+  return fem.has_ring_zones() && !fem.worn_edge && !fem.without_short_cycle && !fem.motion.path &&
          fem.motion.tangential_amplitude() > 0;
 }
 

@@ -6,7 +6,7 @@
 namespace fretval {
 namespace {
 
-constexpr unsigned most_rings = 512, most_degree = 4;
+constexpr unsigned most_rings = 512, most_angles = 64, fewest_angles = 8, most_degree = 4;
 constexpr unsigned fewest_rings_of_a_variant = 6;  // 24 rings have two to be compared with
 constexpr int most_steps = 1440, fewest_steps = 8, most_ramp_cycles = 64, most_creep_cycles = 768;
 constexpr double finest_growth = 0.075, coarsest_growth = 1, finest_periodicity = 1e-9, finest_wear_jump = 1e-3,
@@ -52,6 +52,8 @@ const char* name_of(ErrorSource source) {
   switch (source) {
     case ErrorSource::rings:
       return "rings";
+    case ErrorSource::angles:
+      return "angles";
     case ErrorSource::element_order:
       return "element order";
     case ErrorSource::grading:
@@ -74,8 +76,10 @@ const char* name_of(ErrorSource source) {
   return "edge";
 }
 
-std::vector<Variant> variants_of(const Resolution& resolution, const CaseNeeds& needs) {
+std::vector<Variant> variants_of(const Resolution& all_angles, const CaseNeeds& needs) {
   std::vector<Variant> variants;
+  const Resolution resolution =
+      needs.full && all_angles.n_angles > fewest_angles ? with_angles(all_angles, 0.5) : all_angles;
   const auto add = [&](ErrorSource source, const Resolution& reference, auto change) {
     variants.push_back(variant(source, reference, change));
   };
@@ -84,6 +88,10 @@ std::vector<Variant> variants_of(const Resolution& resolution, const CaseNeeds& 
   for (const double factor : {0.5, 0.25})
     if (resolution.elements_per_radius * factor >= fewest_rings_of_a_variant)
       variants.push_back({ErrorSource::rings, with_rings(for_rings, factor), for_rings});
+  if (needs.full) {
+    const auto quick_rings = with_fewer_steps(with_fewer_rings(all_angles));
+    variants.push_back({ErrorSource::angles, with_angles(quick_rings, 0.5), quick_rings});
+  }
   if (!needs.worn && !needs.any_order)
     for (const double rings : elsewhere_in_ring)
       add(ErrorSource::edge, for_rings, [rings](Resolution& r) { r.edge_before_node += rings; });
@@ -121,6 +129,9 @@ std::optional<Resolution> refined(const Resolution& resolution, ErrorSource sour
     case ErrorSource::edge:
       if (factor * r.elements_per_radius > most_rings) return std::nullopt;
       return with_rings(r, factor);
+    case ErrorSource::angles:
+      if (factor * r.n_angles > most_angles) return std::nullopt;
+      return with_angles(r, factor);
     case ErrorSource::element_order:
       if (++r.degree > most_degree) return std::nullopt;
       return r;

@@ -8,7 +8,19 @@
 namespace fretval {
 
 /// Where an error comes from.
-enum class ErrorSource { rings, element_order, grading, far_field, time_step, start, creep, cycles, wear_jump, edge };
+enum class ErrorSource {
+  rings,
+  angles,
+  element_order,
+  grading,
+  far_field,
+  time_step,
+  start,
+  creep,
+  cycles,
+  wear_jump,
+  edge
+};
 const char* name_of(ErrorSource source);
 
 /// A resolution that differs from a reference in one respect: coarser, or finer where coarser does not exist.
@@ -36,6 +48,8 @@ struct CaseNeeds {
   /// The indenter follows a tangential force or the rows of a path, step by step: errors of rings and steps depend on
   /// each other.
   bool moves_by_steps = false;
+  /// The contact on rings and angles. Points that touch are held from the start of their step on.
+  bool full = false;
 };
 
 /// What has to be computed besides a resolution to measure its errors, each source by its own refinement, and what

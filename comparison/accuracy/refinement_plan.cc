@@ -9,9 +9,9 @@
 namespace fretval {
 namespace {
 
-constexpr std::array sources{ErrorSource::rings,     ErrorSource::element_order, ErrorSource::grading,
-                             ErrorSource::far_field, ErrorSource::time_step,     ErrorSource::start,
-                             ErrorSource::creep,     ErrorSource::cycles};
+constexpr std::array sources{ErrorSource::rings,   ErrorSource::angles,    ErrorSource::element_order,
+                             ErrorSource::grading, ErrorSource::far_field, ErrorSource::time_step,
+                             ErrorSource::start,   ErrorSource::creep,     ErrorSource::cycles};
 constexpr double most_dofs = 1.2e6;     // beyond that a body takes more than ten gigabytes
 constexpr double weight_of_excess = 2;  // worth twice the cost to come twice as close where nothing is enough
 
@@ -110,7 +110,16 @@ std::optional<Candidate> refined(const Candidate& candidate, ErrorSource source,
   return Candidate{*resolution, bars, effort};
 }
 
-bool can_be_refined(ErrorSource source, const FixedByCase& fixed) {
+bool has_angles(const Candidate& candidate) {
+  return std::any_of(candidate.bars.begin(), candidate.bars.end(), [](const BarToMeet& one) {
+    const auto& shares = one.bar.shares;
+    return std::any_of(shares.begin(), shares.end(),
+                       [](const ErrorShare& share) { return share.source == ErrorSource::angles; });
+  });
+}
+
+bool can_be_refined(ErrorSource source, const Candidate& candidate, const FixedByCase& fixed) {
+  if (source == ErrorSource::angles && !has_angles(candidate)) return false;
   return !(fixed.rings && source == ErrorSource::rings) && !(fixed.steps && source == ErrorSource::time_step);
 }
 
@@ -123,7 +132,7 @@ Candidate best_from(const Candidate& candidate, std::size_t first, const Limits&
     if (better(found, best)) best = std::move(found);
   };
   consider(candidate);
-  if (!can_be_refined(sources[first], limits.fixed)) return best;
+  if (!can_be_refined(sources[first], candidate, limits.fixed)) return best;
   for (const auto& factors : refinements_of(sources[first])) {
     std::optional<Candidate> next = candidate;
     for (auto factor = factors.begin(); next && factor != factors.end(); ++factor)

@@ -72,6 +72,8 @@ const char* name_of(Outcome outcome) {
       return "disagree";
     case Outcome::not_proved:
       return "not proved";
+    case Outcome::other_model:
+      return "other model";
     case Outcome::not_compared:
       break;
   }

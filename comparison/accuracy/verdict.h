@@ -61,8 +61,10 @@ Comparison compare(const Readings& fe, const Readings& mdr, const Scales& scales
                    const ErrorBudget& budget = {});
 
 /// What becomes of a case: of its comparisons those that were asked for have to agree, and none may disagree.
-/// not_proved: there are no error bars, and so no verdict, whatever the differences. not_compared: MDR does not hold.
-enum class Outcome { agree, not_resolved, disagree, not_proved, not_compared };
+/// not_proved: there are no error bars, and so no verdict, whatever the differences. other_model: MDR does not compute
+/// the body or the contact of the case, so that the differences tell how far it is off. not_compared: MDR does not
+/// hold.
+enum class Outcome { agree, not_resolved, disagree, not_proved, other_model, not_compared };
 const char* name_of(Outcome outcome);
 
 Outcome outcome_of(const Comparison& comparison);

@@ -94,6 +94,7 @@ struct Case {
     std::vector<double> tangential;  ///< u_x in m, or F_x in N
     bool repeats = false;            ///< for ever, with the period from its first row to its last; false: one pass
     bool normal_force = false, tangential_force = false;  ///< what the columns are; false: displacements
+    std::vector<double> transverse = {};                  ///< u_y in m; empty: it moves along x alone
 
     [[nodiscard]] double duration() const { return time.back() - time.front(); }
   };
@@ -108,9 +109,20 @@ struct Case {
     double tangential_frequency = 0;  ///< Hz
     std::optional<double> phase;      ///< deg; empty: unlocked
     std::vector<Harmonic> normal_harmonics, tangential_harmonics;
-    std::optional<NormalForce> normal_force;  ///< prescribed instead of the indentation
+    std::vector<Harmonic> transverse;         ///< of u_y; empty: it moves along x alone
+  std::optional<NormalForce> normal_force;  ///< prescribed instead of the indentation
     std::optional<double> tangential_force;   ///< N, amplitude; instead of the tangential amplitude
     std::optional<Path> path;                 ///< instead of all oscillations
+
+    [[nodiscard]] bool moves_across() const { return !transverse.empty() || (path && !path->transverse.empty()); }
+  };
+
+  /// What the contact keeps of friction and of pressure beyond MDR's assumptions.
+  struct Contact {
+    bool vector_friction = false;  ///< the traction has any direction; false: that of the motion, as MDR assumes
+    bool coupled = false;          ///< pressures displace along the surface and tractions across it
+    /// On rings and angles; otherwise on rings.
+    [[nodiscard]] bool is_full() const { return vector_friction; }
   };
 
   enum class WearLaw { archard, energy, power };
@@ -146,6 +158,7 @@ struct Case {
   Body body;
   double friction_coefficient = 0;
   Motion motion;
+  Contact contact;
   Wear wear = Wear::unworn;
   double worn_stick_ratio =
       0;  ///< limiting wear: stick radius over the unworn contact radius at the largest indentation

@@ -51,6 +51,12 @@ std::optional<Case::WearKinetics> read_wear_kinetics(const EntryReader& entries)
 }
 
 void read_wear(const EntryReader& entries, Case& input) {
+  if (input.contact.is_full()) {
+    entries.forbid("Wear", "State", "under Contact / Friction = vector the indenter does not wear");
+    for (const char* name : wear_kinetics_names)
+      entries.forbid("Wear", name, "under Contact / Friction = vector the indenter does not wear");
+    return;
+  }
   if (const auto& path = input.motion.path) {
     for (const char* name : {"State", "Stick radius ratio"})
       entries.forbid("Wear", name, "the profile that a Motion / Path is limiting for is found by wear");
@@ -84,7 +90,7 @@ void read_wear(const EntryReader& entries, Case& input) {
 
 bool moves_tangentially(const Case::Motion& motion) {
   const auto moves = [](const Case::Harmonic& harmonic) { return harmonic.amplitude > 0; };
-  return motion.tangential_amplitude != 0 || motion.tangential_force.value_or(0) > 0 ||
+  return motion.moves_across() || motion.tangential_amplitude != 0 || motion.tangential_force.value_or(0) > 0 ||
          std::any_of(motion.tangential_harmonics.begin(), motion.tangential_harmonics.end(), moves);
 }
 
@@ -101,8 +107,8 @@ Case read_entries(const EntryReader& entries, Accuracy accuracy) {
   input.indenter = read_indenter(entries);
   input.elastomer = read_elastomer(entries, input.warnings);
   input.friction_coefficient = entries.number("Friction", "Coefficient", positive_number);
-  if (entries.given("Friction", "Law")) static_cast<void>(entries.one_of("Friction", "Law", {"unidirectional"}));
   input.motion = read_motion(entries);
+  input.contact = read_contact(entries, input.motion);
   input.body = read_body(entries, moves_tangentially(input.motion));
   read_wear(entries, input);
   if (accuracy == Accuracy::needed || entries.given("Accuracy", "Tolerance"))

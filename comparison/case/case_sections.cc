@@ -112,13 +112,35 @@ void read_tangential_motion(const EntryReader& entries, Case::Motion& motion) {
                                     : entries.number(section, "Tangential amplitude", not_negative_number);
 }
 
+void read_transverse_motion(const EntryReader& entries, Case::Motion& motion) {
+  const std::string section = "Motion";
+  if (!entries.given(section, "Transverse amplitude")) {
+    for (const char* name : {"Transverse frequency", "Transverse phase", "Transverse harmonics"})
+      entries.forbid(section, name, "it belongs to a Transverse amplitude");
+    return;
+  }
+  const bool has_frequency = entries.given(section, "Transverse frequency");
+  Case::Harmonic first;
+  first.amplitude = entries.number(section, "Transverse amplitude", not_negative_number);
+  first.frequency =
+      has_frequency ? entries.number(section, "Transverse frequency", positive_number) : motion.tangential_frequency;
+  first.phase = entries.number(section, "Transverse phase", any_number);
+  motion.transverse = {first};
+  for (const auto& harmonic : read_harmonics(entries, "Transverse harmonics")) motion.transverse.push_back(harmonic);
+  if (!motion.phase)
+    entries.fail(section, "Phase", "an angle in deg: in two directions the motion is computed with a fixed phase");
+  if (motion.tangential_force)
+    entries.forbid(section, "Tangential force amplitude", "a motion in two directions is prescribed by displacements");
+}
+
 /// Instead of all other entries of the section.
 Case::Motion read_path_motion(const EntryReader& entries) {
   const std::string section = "Motion";
   for (const char* name :
        {"Indentation", "Normal amplitude", "Normal force", "Normal force amplitude", "Normal frequency",
         "Normal harmonics", "Normal force harmonics", "Tangential amplitude", "Tangential force amplitude",
-        "Tangential frequency", "Tangential harmonics", "Tangential force harmonics", "Phase"})
+        "Tangential frequency", "Tangential harmonics", "Tangential force harmonics", "Transverse amplitude",
+        "Transverse frequency", "Transverse phase", "Transverse harmonics", "Phase"})
     entries.forbid(section, name, "the Path is the motion");
   const bool repeats = entries.one_of(section, "Path repeats", {"once", "forever"}) == "forever";
   const auto file = entries.path(section, "Path");
@@ -257,7 +279,27 @@ Case::Motion read_motion(const EntryReader& entries) {
   motion.normal_frequency = entries.number(section, "Normal frequency", positive_number);
   motion.tangential_frequency = entries.number(section, "Tangential frequency", positive_number);
   if (entries.text(section, "Phase") != "free") motion.phase = entries.number(section, "Phase", any_number);
+  read_transverse_motion(entries, motion);
   return motion;
+}
+
+Case::Contact read_contact(const EntryReader& entries, const Case::Motion& motion) {
+  const auto is_vector = [&](const char* section, const char* name) {
+    return entries.given(section, name) && entries.one_of(section, name, {"unidirectional", "vector"}) == "vector";
+  };
+  Case::Contact contact;
+  const bool by_law = is_vector("Friction", "Law");
+  contact.vector_friction = is_vector("Contact", "Friction") || by_law;
+  if (by_law && entries.given("Contact", "Friction") && !is_vector("Contact", "Friction"))
+    entries.fail("Contact", "Friction", "vector, or no Friction / Law = vector beside it");
+  contact.coupled =
+      entries.given("Contact", "Coupling") && entries.one_of("Contact", "Coupling", {"off", "on"}) == "on";
+  if (contact.coupled && !contact.vector_friction)
+    entries.fail("Contact", "Coupling",
+                 "off, or Contact / Friction = vector: coupled, tractions have radial parts of any direction");
+  if (motion.moves_across() && !contact.vector_friction)
+    entries.fail("Contact", "Friction", "vector: the motion goes in two directions");
+  return contact;
 }
 
 }  // namespace fretval

@@ -12,6 +12,9 @@ Case::Body read_body(const EntryReader& entries, bool tangential);
 
 Case::Motion read_motion(const EntryReader& entries);
 
+/// motion: where it goes in two directions, friction has to be a vector.
+Case::Contact read_contact(const EntryReader& entries, const Case::Motion& motion);
+
 /// Path of a table of radii and heights, with units; empty where there is a problem, which is noted.
 std::string read_table_path(const EntryReader& entries, const std::string& section, const std::string& name);
 

@@ -135,7 +135,8 @@ PathRest rest_of(const Case::Path& path) {
   const auto at_rest = [&path](const std::vector<double>& values) {
     return path.repeats ? mean_over_time(path.time, values) : values.front();
   };
-  return {at_rest(path.normal), path.tangential_force ? 0 : at_rest(path.tangential)};
+  return {at_rest(path.normal), path.tangential_force ? 0 : at_rest(path.tangential),
+          path.transverse.empty() ? 0 : at_rest(path.transverse)};
 }
 
 Case::Path read_path_table(const std::string& file, bool repeats) {

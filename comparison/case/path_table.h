@@ -19,7 +19,7 @@ Case::Motion motion_along(Case::Path path);
 /// Where the body rests before the motion, or under which forces, m or N: those of the first row of a single pass,
 /// means over time of a path that repeats. A tangential force is none, and rises from there.
 struct PathRest {
-  double normal, tangential;
+  double normal, tangential, transverse = 0;
 };
 PathRest rest_of(const Case::Path& path);
 

@@ -68,6 +68,8 @@ std::string outcome_text(const BatchLine& line) {
         return "not resolved, its error bars are wider than the tolerance,";
       case Outcome::not_proved:
         return "not proved, without error bars,";
+      case Outcome::other_model:
+        return "MDR computes another model,";
       case Outcome::not_compared:
         break;
     }

@@ -16,20 +16,28 @@ namespace fretval {
 /// are of a cycle of a locked motion: the largest tangential force, its mean, which slip has locked in, the energy lost
 /// to friction and, with memory, inside the body, altogether, and in the tangential loop. The decay of slip is the
 /// factor per cycle by which it dies out where nothing slips in the end, and the cycles to shakedown are those until it
-/// has (see cycles_until), while amplitudes rise as they do for finite elements.
+/// has (see cycles_until), while amplitudes rise as they do for finite elements. Where friction is a vector, zones have
+/// half an extent along x and one across, beside the radius of the disc of their area, and there is a largest force
+/// along y.
 enum class Quantity {
   axis_pressure_max,
   bulk_work,
+  contact_across,
+  contact_along,
   contact_radius_max,
   cycle_work,
   cycles_to_shakedown,
   distance_to_limit,
+  first_slip_across,
+  first_slip_along,
   force_outside_stick_zone,
   friction_work,
   indentation_max,
   limiting_amplitude,
   maximum_indentation,
   normal_force_max,
+  shakedown_across,
+  shakedown_along,
   slip_decay,
   slip_inside_stick_zone,
   stick_radius_first_slip,
@@ -38,6 +46,7 @@ enum class Quantity {
   tangential_force_max,
   tangential_force_mean,
   tangential_work,
+  transverse_force_max,
   worn_radius,
   worn_volume
 };
@@ -52,11 +61,18 @@ inline constexpr auto all_quantities = [] {
 inline constexpr std::array quantities_by_interest{Quantity::stick_radius_first_slip,
                                                    Quantity::stick_radius_shakedown,
                                                    Quantity::contact_radius_max,
+                                                   Quantity::first_slip_along,
+                                                   Quantity::first_slip_across,
+                                                   Quantity::shakedown_along,
+                                                   Quantity::shakedown_across,
+                                                   Quantity::contact_along,
+                                                   Quantity::contact_across,
                                                    Quantity::normal_force_max,
                                                    Quantity::axis_pressure_max,
                                                    Quantity::indentation_max,
                                                    Quantity::tangential_amplitude,
                                                    Quantity::tangential_force_max,
+                                                   Quantity::transverse_force_max,
                                                    Quantity::tangential_force_mean,
                                                    Quantity::tangential_work,
                                                    Quantity::friction_work,

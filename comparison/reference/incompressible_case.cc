@@ -13,7 +13,9 @@ void scale_moduli(Case::Elastomer& elastomer, double factor) {
 
 void scale_displacements(Case::Motion& motion, double factor) {
   if (motion.path && !motion.path->tangential_force)
-    for (double& displacement : motion.path->tangential) displacement *= factor;
+    for (auto* column : {&motion.path->tangential, &motion.path->transverse})
+      for (double& displacement : *column) displacement *= factor;
+  for (auto& harmonic : motion.transverse) harmonic.amplitude *= factor;
   motion.tangential_amplitude *= factor;
   if (motion.tangential_force) return;
   for (auto& harmonic : motion.tangential_harmonics) harmonic.amplitude *= factor;

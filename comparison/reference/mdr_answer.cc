@@ -220,7 +220,7 @@ mdr::NormalResponse mdr_normal_response(const MdrCase& mdr) {
   const auto response = [&](const std::function<double(double)>& g, double outer) {
     const auto& [indentation, normal, tangential, locked] = motion;
     if (normal.size() > 1) return mdr::stepped_normal_response(g, outer, mdr.body, motion);
-    const auto& [amplitude, frequency, phase] = normal.front();
+    const auto& [amplitude, frequency, phase, across] = normal.front();
     return mdr::periodic_normal_response(g, outer, mdr.body, {indentation, amplitude, 0, frequency, frequency, {}},
                                          mdr::transform_kinks(mdr.profile));
   };

@@ -119,7 +119,7 @@ std::string why_not_comparable(const Case& input) {
   constexpr double largest_ratio = 1000;
   double slowest = std::numeric_limits<double>::infinity(), fastest = 0;
   for (const auto* harmonics : {&path.normal, &path.tangential})
-    for (const auto& [amplitude, frequency, phase] : *harmonics) {
+    for (const auto& [amplitude, frequency, phase, across] : *harmonics) {
       if (amplitude == 0) continue;
       slowest = std::min(slowest, frequency);
       fastest = std::max(fastest, frequency);
@@ -148,6 +148,14 @@ void require_comparable(const Case& input) {
   const std::string reason = why_not_comparable(input);
   if (!reason.empty())
     throw InputError(fmt::format("{}: {} by the finite elements; `fretval mdr` answers this case", input.file, reason));
+}
+
+std::vector<std::string> beyond_mdr_model(const Case& input) {
+  std::vector<std::string> reasons;
+  if (input.body.shape == Case::Body::Shape::cylinder) reasons.emplace_back("the body is a cylinder");
+  if (input.contact.vector_friction) reasons.emplace_back("friction is a vector");
+  if (input.contact.coupled) reasons.emplace_back("pressure and friction are coupled");
+  return reasons;
 }
 
 std::string falls_text(const mdr::Profile& profile) {
@@ -213,10 +221,12 @@ mdr::HarmonicMotion harmonic_motion_of(const Case::Motion& motion) {
   const double mean = force ? force->mean : motion.indentation,
                normal = force ? force->amplitude : motion.normal_amplitude,
                tangential = motion.tangential_force.value_or(motion.tangential_amplitude);
-  return {
-      mean, with_first({normal, motion.normal_frequency, 0}, motion.normal_harmonics),
-      with_first({tangential, motion.tangential_frequency, phase_of(motion).value_or(0)}, motion.tangential_harmonics),
-      motion.phase.has_value()};
+  auto along =
+      with_first({tangential, motion.tangential_frequency, phase_of(motion).value_or(0)}, motion.tangential_harmonics);
+  for (const auto& [amplitude, frequency, phase] : motion.transverse)
+    along.push_back({amplitude, frequency, phase * degree, true});
+  return {mean, with_first({normal, motion.normal_frequency, 0}, motion.normal_harmonics), std::move(along),
+          motion.phase.has_value()};
 }
 
 mdr::Motion one_harmonic_each_of(const Case& input, const MdrCase& mdr, const std::string& what) {

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "comparison/case/case.h"
 #include "mdr/layer/layer.h"
@@ -77,6 +79,10 @@ void require_comparable(const Case& input);
 
 /// The same as a question.
 bool is_comparable(const Case& input);
+
+/// What of a case MDR does not compute, for people: "the body is a cylinder", "friction is a vector", "pressure and
+/// friction are coupled". Then its answer is one to another model.
+std::vector<std::string> beyond_mdr_model(const Case& input);
 
 /// The parts of a case, whether comparable or not. Tables are read here: InputError with file and line.
 mdr::Profile profile_of(const Case::Indenter& indenter);

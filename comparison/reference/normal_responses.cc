@@ -13,7 +13,7 @@ std::shared_ptr<const mdr::NormalResponse> NormalResponses::of(const Case& input
   if (mdr.layer) layer = {mdr.layer->thickness, mdr.layer->poisson_ratio, mdr.layer->base == mdr::LayerBase::bonded};
   const Body body{mdr.body.relaxed_modulus, mdr.body.branch_moduli, mdr.body.branch_times, mdr.body.viscosity, layer};
   Motion motion{mdr.normal_force, mdr.motion.indentation, {}};
-  for (const auto& [amplitude, frequency, phase] : mdr.motion.normal)
+  for (const auto& [amplitude, frequency, phase, across] : mdr.motion.normal)
     std::get<2>(motion).emplace_back(amplitude, frequency, phase);
   return responses_.find_or_make({indenter, body, motion, mdr.limiting ? mdr.limiting->stick_radius : 0},
                                  [&] { return mdr_normal_response(mdr); });

@@ -44,6 +44,7 @@ BatchLine run_case(const PreparedCase& asked, const BatchOptions& options, BodyS
   line.name = asked.input.name;
   PreparedCase prepared = asked;
   prepared.input.fields = fields_to_write(asked.input, options);
+  if (prepared.fem.full) prepared.input.fields = Case::Fields::none;  // it has files of its own
   prepared.fem.keeps_body = prepared.input.fields != Case::Fields::none;
   const double share_of_unworn = wears(prepared) ? unworn_beside_wear : 1;
   ComputationsDone told;

@@ -12,6 +12,7 @@
 #include "comparison/results/field_files.h"
 #include "comparison/results/moduli_files.h"
 #include "comparison/results/period_steps.h"
+#include "comparison/results/surface_files.h"
 #include "comparison/results/wear_json.h"
 #include "comparison/simulation/fem_case/resolution_json.h"
 #include "comparison/support/files.h"
@@ -142,6 +143,7 @@ void write_profile(const CaseResult& result, const fs::path& file) {
 
 /// What there is of a contact that does not slide as a whole.
 void write_periodic_state(const CaseResult& result, const mdr::NormalResponse& reference, const fs::path& folder) {
+  if (result.fe.fe.surface) return write_surface_files(result.fe.fe, result.fem_case, folder);
   write_history(result, reference, folder / "history.csv");
   write_contact(result, folder / "contact.csv");
   write_file(folder / "cycle.json", cycle_json(result).dump() + "\n");
@@ -156,6 +158,7 @@ std::string as_text(const nlohmann::ordered_json& json) {
 
 Outcome outcome_of(const CaseResult& result) {
   if (result.beyond_mdr) return Outcome::not_compared;
+  if (!beyond_mdr_model(result.input).empty()) return Outcome::other_model;
   const auto& fe = result.fe.fe.gross_slip;
   const auto& mdr = result.mdr;
   const double tolerance = result.input.tolerance;
@@ -184,6 +187,8 @@ CaseResult result_of(const PreparedCase& prepared, const mdr::NormalResponse& re
   result.comparison = compare(readings_of(result.fe.fe, fem.units),
                               fem.worn_edge ? readings_of_worn(result.mdr) : readings_of(result.mdr),
                               scales_of(result.mdr, fem.units.length), prepared.tolerances, result.fe.budget);
+  if (!beyond_mdr_model(result.input).empty())
+    for (auto& [quantity, difference] : result.comparison) difference.verdict.reset();
   return result;
 }
 

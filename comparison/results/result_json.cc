@@ -25,7 +25,7 @@ using nlohmann::ordered_json;
 /// Amplitudes in m, frequencies in Hz, phases in degrees from an instant of largest indentation.
 ordered_json harmonics_json(const std::vector<mdr::Harmonic>& harmonics) {
   auto json = ordered_json::array();
-  for (const auto& [amplitude, frequency, phase] : harmonics)
+  for (const auto& [amplitude, frequency, phase, across] : harmonics)
     json.push_back({{"amplitude", amplitude}, {"frequency", frequency}, {"phase", phase * 180 / std::acos(-1.0)}});
   return json;
 }
@@ -126,6 +126,12 @@ ordered_json fe_json(const CaseResult& result) {
     json["error_estimate"][name_of(quantity)] = bar_json(difference.bar);
   if (result.beyond_mdr)
     for (const auto& [quantity, bar] : result.fe.budget) json["error_estimate"][name_of(quantity)] = bar_json(bar);
+  if (fe.surface) {
+    json["zones"] = zones_json(*fe.surface, fe.single_pass, result.fe.budget, units.length);
+    for (const auto& [quantity, bar] : result.fe.budget)
+      if (json["error_estimate"].find(name_of(quantity)) == json["error_estimate"].end())
+        json["error_estimate"][name_of(quantity)] = bar_json(bar);
+  }
   if (fe.zones) json["zones"] = zones_json(*fe.zones, result.fe.zone_bars, units.length);
   if (result.wear) json["wear"] = to_json(*result.wear, units);
   return json;
@@ -179,6 +185,7 @@ ordered_json result_json(const CaseResult& result) {
                     {"mdr", std::move(mdr)},
                     {"fe", fe_json(result)},
                     {"comparison", comparison_json(result.comparison)}};
+  if (const auto reasons = beyond_mdr_model(result.input); !reasons.empty()) json["other_model"] = reasons;
   if (result.half_space) json["mdr_half_space"] = to_json(*result.half_space);
   if (result.beyond_mdr) json["not_compared"] = to_json(*result.beyond_mdr, result.fem_case.units.depth);
   json["cost"] = std::move(cost);

@@ -43,6 +43,8 @@ const Kind known_schema{[](const ordered_json& v) { return v == 1 || v == result
                         "1 or 2, the versions that are known here"};
 const Kind text_or_null{[](const ordered_json& v) { return v.is_string() || v.is_null(); }, "text or null"};
 const Kind a_list{[](const ordered_json& v) { return v.is_array(); }, "a list"};
+const Kind annuli_or_region{[](const ordered_json& v) { return v.is_array() || v.is_object(); },
+                            "a list of annuli or a region"};
 const std::vector<Place> places{{"schema", known_schema, true},
                                 {"name", text},
                                 {"pass", yes_or_no},
@@ -65,9 +67,7 @@ const std::vector<Place> places{{"schema", known_schema, true},
                                 {"not_compared/at_rest", object},
                                 {"not_compared/at_rest/*", number},
                                 {"fe/zones", object, true},
-                                {"fe/zones/contact", a_list},
-                                {"fe/zones/first_slip", a_list},
-                                {"fe/zones/shakedown", a_list},
+                                {"fe/zones/contact", annuli_or_region},
                                 {"comparison", object},
                                 {"comparison/*", object},
                                 {"comparison/*/pass", yes_or_no},

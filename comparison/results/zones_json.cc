@@ -47,6 +47,34 @@ ordered_json zones_json(const ZoneAnswer& zones, const std::optional<ZoneBudget>
           {"pressure_max_bar", bars ? total_of(known.pressure_max, zones.pressure_max) : ordered_json(nullptr)}};
 }
 
+ordered_json zones_json(const SurfaceAnswer& surface, bool single_pass, const ErrorBudget& budget, double length) {
+  const auto bar_of = [&](Quantity quantity) {
+    const auto bar = budget.find(quantity);
+    return total_of(bar == budget.end() ? std::nullopt : std::optional(bar->second), length);
+  };
+  const auto zone_json = [&](const PlaneZone& zone, Quantity radius, Quantity along, Quantity across) {
+    const auto bar = bar_of(radius);
+    return ordered_json{
+        {"area", zone.area},
+        {"area_bar", bar.is_null() ? bar : ordered_json(2 * std::acos(-1.0) * zone.radius * bar.get<double>())},
+        {"radius", zone.radius},
+        {"radius_bar", bar},
+        {"along", zone.along},
+        {"along_bar", bar_of(along)},
+        {"across", zone.across},
+        {"across_bar", bar_of(across)}};
+  };
+  using Q = Quantity;
+  ordered_json json{{"contact", zone_json(surface.contact, Q::contact_radius_max, Q::contact_along, Q::contact_across)},
+                    {"never_slipped", zone_json(surface.never_slipped, Q::stick_radius_first_slip, Q::first_slip_along,
+                                                Q::first_slip_across)}};
+  if (!single_pass)
+    json["sticks_in_a_cycle"] = zone_json(surface.sticks_in_a_cycle, Q::stick_radius_shakedown, Q::shakedown_along,
+                                          Q::shakedown_across);
+  json["torque_max"] = surface.torque_max;
+  return json;
+}
+
 ordered_json to_json(const BeyondMdr& beyond, double depth) {
   auto falls = ordered_json::array();
   for (const auto& [from, to] : beyond.falls) falls.push_back({{"from", from}, {"to", to}});

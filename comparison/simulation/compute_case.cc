@@ -1,9 +1,10 @@
 #include "comparison/simulation/compute_case.h"
 
+#include "comparison/simulation/full_case.h"
+#include "comparison/simulation/normal_part.h"
 #include "comparison/simulation/zone_answer.h"
 #include "comparison/support/stopwatch.h"
 #include "fem/contact/gross_slip.h"
-#include "fem/contact/static_contact.h"
 
 namespace fretval {
 namespace {
@@ -29,30 +30,16 @@ fem::FrictionHistory friction_beside(const NormalRecord& record, const fem::Norm
   return fem::friction_history(std::move(friction), normal, control);
 }
 
-fem::HistoryControl control_of(const FemCase& fem) {
-  constexpr int most_cycles = 800;
-  const int most_after_ramp = fem.without_short_cycle && fem.motion.locked ? fem::most_long_periods : most_cycles;
-  return {fem.steps_per_cycle(), fem.motion.cycles_of_ramp() + most_after_ramp, fem.resolution.periodicity};
-}
-
-/// What a case is computed from: its normal history, and the largest contact radius.
-struct NormalPart {
-  std::shared_ptr<const NormalRecord> record;
-  Eigen::VectorXd profile;  ///< ring means
-  std::optional<ContactRadius> contact_radius;
-};
-
-NormalPart normal_part(const ContactProblems& problems, const FemCase& fem, NormalStore& normals) {
-  auto profile = fem::ring_means(problems.normal.compliance, fem.profile);
-  auto record = normals.find_or_make(fem, problems.normal, problems.tangential ? &problems.tangential->series : nullptr,
-                                     profile, control_of(fem));
-  auto contact_radius =
-      fem.any_order ? std::nullopt : read_contact_radius(problems.normal, fem, profile, record->history);
-  return {std::move(record), std::move(profile), contact_radius};
-}
-
-FeAnswer answer_of_histories(const ContactProblems& problems, const FemCase& fem, NormalStore& normals) {
-  auto normal = normal_part(problems, fem, normals);
+FeAnswer answer_of_histories(const ContactProblems& problems, const FemCase& fem, BodyStore& bodies) {
+  if (fem.full) {
+    auto on_rings = fem;
+    on_rings.full.reset();
+    const bool has_rings = !fem.motion.moves_across();
+    return compute_full_contact(
+        problems, fem, has_rings ? std::optional(answer_of_histories(problems, on_rings, bodies)) : std::nullopt,
+        bodies);
+  }
+  auto normal = normal_part(problems, fem, bodies.normals);
   const auto& history = normal.record->history;
   Stopwatch watch;
   auto friction = friction_beside(*normal.record, history, problems, fem, control_of(fem));
@@ -79,7 +66,7 @@ FeAnswer compute_case(const FemCase& fem_case, const Resolution& resolution, Bod
 
   FeAnswer answer;
   try {
-    answer = answer_of_histories(problems_of(*body), fem, bodies.normals);
+    answer = answer_of_histories(problems_of(*body), fem, bodies);
   } catch (const fem::GrossSlip& slip) {
     answer = answer_of(slip, fem);
   }

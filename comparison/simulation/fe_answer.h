@@ -5,6 +5,7 @@
 
 #include "comparison/simulation/bodies/body.h"
 #include "comparison/simulation/fem_case/fem_case.h"
+#include "comparison/simulation/surface_answer.h"
 #include "fem/history/friction_history.h"
 #include "fem/history/normal_history.h"
 #include "fem/stick_zone/annuli.h"
@@ -81,6 +82,7 @@ struct FeAnswer {
   fem::StickDepths first_slip_depths, shakedown_depths;  ///< empty for a limiting profile
   std::optional<NoWearEvidence> no_wear;                 ///< for a limiting profile
   std::optional<ZoneAnswer> zones = {};                  ///< where rings touch in any order (FemCase::any_order)
+  std::optional<SurfaceAnswer> surface = {};             ///< of the full contact (FemCase::full)
 
   ZoneRings rings;
   int n_cycles = 0;

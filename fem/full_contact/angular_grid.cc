@@ -106,6 +106,23 @@ AngularGrid angular_grid(unsigned n_around, Mirrors mirrors) {
   return grid;
 }
 
+std::vector<MirroredAngle> whole_circle(const AngularGrid& grid) {
+  const auto n = static_cast<Eigen::Index>(grid.n_around);
+  std::vector<MirroredAngle> circle;
+  for (Eigen::Index j = 0; j < n; ++j) {
+    MirroredAngle point{(static_cast<double>(j) + 0.5) * 2 * pi / static_cast<double>(n), j, 1};
+    const auto reflect = [&](Eigen::Index image) {
+      if (image >= point.kept) return;
+      point.kept = image;
+      point.sign_of_y *= -1;
+    };
+    if (grid.mirrors != Mirrors::none) reflect(n - 1 - point.kept);
+    if (grid.mirrors == Mirrors::x_and_y) reflect(n / 2 - 1 - point.kept);
+    circle.push_back(point);
+  }
+  return circle;
+}
+
 std::vector<Amplitude> amplitudes_of(const AngularGrid& grid, Fields fields) {
   std::vector<Amplitude> amplitudes;
   if (fields != Fields::normal) add_tangential(grid, fields, amplitudes);

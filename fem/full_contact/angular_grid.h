@@ -29,6 +29,15 @@ struct AngularGrid {
 /// even number of angles, two for a multiple of four.
 AngularGrid angular_grid(unsigned n_around, Mirrors mirrors = Mirrors::none);
 
+/// Where a point of the whole circle has its values from: a kept angle, with t_y of that or of the other sign.
+struct MirroredAngle {
+  double angle;
+  Eigen::Index kept;
+  double sign_of_y;
+};
+/// All n_around of them, from the first angle on.
+std::vector<MirroredAngle> whole_circle(const AngularGrid& grid);
+
 /// Which fields there are on the angles: t_x and t_y, p, or t_x, t_y and p, in this order.
 enum class Fields { tangential, normal, all };
 

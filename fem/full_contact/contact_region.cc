@@ -13,16 +13,11 @@ using Eigen::VectorXd;
 
 namespace {
 
-/// Values on all angles around the axis, from the first one on, of what is even about the mirrors.
+/// Values on all angles around the axis, of what is even about the mirrors.
 VectorXd all_around(const AngularGrid& grid, const VectorXd& kept) {
-  const auto n = static_cast<Index>(grid.n_around), half = n / 2;
-  VectorXd all(n);
-  for (Index j = 0; j < n; ++j) {
-    Index k = j;
-    if (grid.mirrors != Mirrors::none) k = std::min(k, n - 1 - k);
-    if (grid.mirrors == Mirrors::x_and_y) k = std::min(k, half - 1 - k);
-    all[j] = kept[k];
-  }
+  VectorXd all(static_cast<Index>(grid.n_around));
+  Index j = 0;
+  for (const auto& point : whole_circle(grid)) all[j++] = kept[point.kept];
   return all;
 }
 

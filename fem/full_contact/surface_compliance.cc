@@ -9,9 +9,8 @@
 #include "fem/operators/stiffness.h"
 
 namespace fretval::fem {
-namespace {
 
-Compliance all_components(const GridData& grid, const FourierOrder& order, unsigned degree) {
+Compliance surface_block(const GridData& grid, const FourierOrder& order, unsigned degree) {
   const HarmonicSpace space(grid, order, degree);
   std::vector<unsigned> components(n_displacements(order));
   std::iota(components.begin(), components.end(), 0U);
@@ -23,13 +22,11 @@ Compliance all_components(const GridData& grid, const FourierOrder& order, unsig
   return compliance;
 }
 
-}  // namespace
-
 SurfaceCompliance surface_compliance(const GridData& grid, unsigned highest_order, unsigned degree) {
-  const auto torsion = all_components(grid, {0, Parity::odd}, degree);
+  const auto torsion = surface_block(grid, {0, Parity::odd}, degree);
   SurfaceCompliance surface{torsion.radii, torsion.areas, torsion.matrix, {}};
   for (unsigned n = 0; n <= highest_order; ++n)
-    surface.orders.push_back(all_components(grid, {n, Parity::even}, degree).matrix);
+    surface.orders.push_back(surface_block(grid, {n, Parity::even}, degree).matrix);
   return surface;
 }
 

@@ -31,9 +31,12 @@ struct SurfaceCompliance {
   }
 };
 
-/// Of the body that a grid describes, of the orders 0 to highest_order; each of them is one condensation, and is exact
-/// for the total force of the rings over a compressible half-space too (add_far_field). degree: of the displacement.
-/// Throws std::invalid_argument as HarmonicSpace does, and SolverError as Condensation does.
+/// One block: the compliance of all components of an order, n_rings rows each. Exact for the total force of the rings
+/// over a compressible half-space too (add_far_field). degree: of the displacement. Throws std::invalid_argument as
+/// HarmonicSpace does, and SolverError as Condensation does.
+Compliance surface_block(const GridData& grid, const FourierOrder& order, unsigned degree = 3);
+
+/// Of the body that a grid describes, of the orders 0 to highest_order; each of them is one surface_block.
 SurfaceCompliance surface_compliance(const GridData& grid, unsigned highest_order, unsigned degree = 3);
 
 /// What the ring contact needs of it: the component of the ring contact of an order, as a compliance of its own.

@@ -48,10 +48,15 @@ void SurfaceWatch::begin_cycle() {
   pressure_.clear();
   limit_.clear();
   forces_.resize(3, steps_per_cycle_);
+  displacement_.resize(2, steps_per_cycle_);
+  normal_force_.resize(steps_per_cycle_);
+  pieces_.clear();
+  tangential_work_ = normal_work_ = 0;
   dissipated_.push_back(0);
 }
 
-void SurfaceWatch::see(const VectorFriction& friction, const MatrixXd& pressure) {
+/// Work in a step is that of the forces in its middle, between those at its balance time and at the last one.
+void SurfaceWatch::see(const VectorFriction& friction, const MatrixXd& pressure, double gone_down) {
   if (n_steps_ % steps_per_cycle_ == 0) begin_cycle();
   const MatrixXd margin = (friction.limit - lengths(friction.traction)).cwiseMax(0);
   const Eigen::ArrayXXd slips = (margin.array() <= at_its_limit * friction.limit.maxCoeff()).cast<double>();
@@ -63,8 +68,18 @@ void SurfaceWatch::see(const VectorFriction& friction, const MatrixXd& pressure)
   pressure_.push_back(pressure);
   traction_.push_back(friction.traction);
   limit_.push_back(friction.limit);
-  forces_.col(n_steps_ % steps_per_cycle_) = friction.forces();
+  const Index k = n_steps_ % steps_per_cycle_;
+  forces_.col(k) = friction.forces();
+  displacement_.col(k) = friction.displacement;
+  normal_force_[k] = (friction.op().areas().transpose() * pressure).sum();
+  if (const auto piece = friction.in_piece()) pieces_.push_back(*piece);
   dissipated_.back() += friction.friction_work();
+  const Eigen::Vector3d now{forces_(0, k), forces_(1, k), normal_force_[k]};
+  if (n_steps_ == 0) before_[2] = now[2];
+  const Eigen::Vector3d middle = (1.5 - friction.fraction()) * now + (friction.fraction() - 0.5) * before_;
+  tangential_work_ += middle.head<2>().dot(friction.increment);
+  normal_work_ += middle[2] * gone_down;
+  before_ = now;
   ++n_steps_;
 }
 
@@ -104,33 +119,55 @@ SurfaceHistory SurfaceWatch::report() const {
   for (const auto& pressure : pressure_) largest = largest.cwiseMax(pressure);
   history.contact = region_of(rings_.normal, grid_, largest);
   history.dissipated = dissipated_;
+  history.tangential_work = tangential_work_;
+  history.normal_work = normal_work_;
   history.forces = forces_;
+  history.displacement = displacement_;
+  history.normal_force = normal_force_;
+  history.pieces = pieces_;
   history.pressure = pressure_;
   history.traction = traction_;
-  history.periodicity = change_between(traction_, traction_before_);
+  history.periodicity = periodicity();
   return history;
 }
 
-SurfaceHistory vector_friction_history(VectorFriction friction,
-                                       const std::function<Eigen::VectorXd(long)>& ring_pressure,
-                                       const RingProblems& rings, int n_cycles) {
-  SurfaceWatch watch(rings, friction.op().grid(), friction.steps_per_cycle());
-  for (long step = 0; step < static_cast<long>(n_cycles) * friction.steps_per_cycle(); ++step) {
-    const VectorXd pressure = ring_pressure(step);
-    friction.step(pressure);
-    watch.see(friction, pressure.replicate(1, friction.limit.cols()));
+double SurfaceWatch::periodicity() const {
+  return change_between(traction_, traction_before_);
+}
+
+namespace {
+
+/// Steps whole cycles: step is called with the number of each step, from 0 on.
+template <class Step>
+SurfaceHistory history_of(SurfaceWatch& watch, int steps_per_cycle, const SurfaceControl& control, const Step& step) {
+  long n = 0;
+  for (int cycle = 1; cycle <= control.most_cycles; ++cycle) {
+    for (int k = 0; k < steps_per_cycle; ++k) step(n++);
+    if (cycle >= control.least_cycles && watch.periodicity() <= control.periodicity) break;
   }
   return watch.report();
 }
 
-SurfaceHistory coupled_contact_history(CoupledContact contact, const RingProblems& rings, int n_cycles) {
-  const int n_steps = contact.friction.steps_per_cycle();
-  SurfaceWatch watch(rings, contact.friction.op().grid(), n_steps);
-  for (long step = 0; step < static_cast<long>(n_cycles) * n_steps; ++step) {
+}  // namespace
+
+SurfaceHistory vector_friction_history(VectorFriction friction, const std::function<VectorXd(long)>& ring_pressure,
+                                       const RingProblems& rings, const SurfaceControl& control) {
+  SurfaceWatch watch(rings, friction.op().grid(), friction.steps_per_cycle());
+  return history_of(watch, friction.steps_per_cycle(), control, [&](long n) {
+    const VectorXd pressure = ring_pressure(n);
+    friction.step(pressure);
+    watch.see(friction, pressure.replicate(1, friction.limit.cols()));
+  });
+}
+
+SurfaceHistory coupled_contact_history(CoupledContact contact, const RingProblems& rings,
+                                       const SurfaceControl& control) {
+  SurfaceWatch watch(rings, contact.friction.op().grid(), contact.friction.steps_per_cycle());
+  return history_of(watch, contact.friction.steps_per_cycle(), control, [&](long) {
+    const double before = contact.depth;
     contact.step();
-    watch.see(contact.friction, contact.pressure);
-  }
-  return watch.report();
+    watch.see(contact.friction, contact.pressure, contact.depth - before);
+  });
 }
 
 }  // namespace fretval::fem

@@ -25,7 +25,12 @@ struct SurfaceHistory {
   ContactRegion sticks_in_a_cycle;  ///< throughout the last cycle
   ContactRegion contact;            ///< where any pressure has been in the last cycle
   std::vector<double> dissipated;   ///< by friction, in each cycle
+  double tangential_work = 0;       ///< of the indenter along the surface, in the last cycle: int F_x du_x + F_y du_y
+  double normal_work = 0;           ///< and into it, int F_N dd; where nobody has told how deep it goes, 0
   Eigen::Matrix3Xd forces;          ///< F_x, F_y, torque at each step of the last cycle, at the balance times
+  Eigen::Matrix2Xd displacement;    ///< of the indenter along the surface, at the ends of the steps
+  Eigen::VectorXd normal_force;     ///< the sum over the points, at the balance times
+  std::vector<StepInPiece> pieces;  ///< of a path, per step of the cycle; empty: of cosines
   std::vector<Eigen::MatrixXd> pressure, traction;  ///< of the last cycle, a step each
   /// Largest change of a traction against the cycle before, over the largest one.
   double periodicity = 0;
@@ -44,10 +49,12 @@ class SurfaceWatch {
  public:
   /// rings: must outlive this.
   SurfaceWatch(const RingProblems& rings, const AngularGrid& grid, int steps_per_cycle);
-  /// After a step.
-  void see(const VectorFriction& friction, const Eigen::MatrixXd& pressure);
+  /// After a step, in which the indenter has gone down by so much.
+  void see(const VectorFriction& friction, const Eigen::MatrixXd& pressure, double gone_down = 0);
   /// Empty before the end of the first cycle.
   [[nodiscard]] SurfaceHistory report() const;
+  /// Of the last cycle against the one before, see SurfaceHistory.
+  [[nodiscard]] double periodicity() const;
 
  private:
   [[nodiscard]] double slip_of_stuck_point() const;
@@ -64,16 +71,32 @@ class SurfaceWatch {
   double path_ = 0;           // of the indenter along the surface in the cycle
   std::vector<Eigen::MatrixXd> pressure_, traction_, limit_, traction_before_;
   Eigen::Matrix3Xd forces_;
+  Eigen::Matrix2Xd displacement_;
+  Eigen::VectorXd normal_force_;
+  std::vector<StepInPiece> pieces_;
+  Eigen::Vector3d before_{0, 0, 0};  // F_x, F_y, F_N at the last balance time
+  double tangential_work_ = 0, normal_work_ = 0;
   std::vector<double> dissipated_;
 };
+
+/// How many cycles a contact is stepped through: those of a ramp and one more at least, until it repeats, or so many.
+/// Micro-slip dies out slowly, so that it may not; what is left then the history says.
+struct SurfaceControl {
+  int least_cycles, most_cycles;
+  double periodicity = 0;
+};
+inline SurfaceControl exactly(int n_cycles) {
+  return {n_cycles, n_cycles};
+}
 
 /// Steps friction through cycles under pressures of the rings that act in each step, counted from 0: those at its
 /// balance time, as of a NormalHistory.
 SurfaceHistory vector_friction_history(VectorFriction friction,
                                        const std::function<Eigen::VectorXd(long)>& ring_pressure,
-                                       const RingProblems& rings, int n_cycles);
+                                       const RingProblems& rings, const SurfaceControl& control);
 
 /// Steps a coupled contact through cycles.
-SurfaceHistory coupled_contact_history(CoupledContact contact, const RingProblems& rings, int n_cycles);
+SurfaceHistory coupled_contact_history(CoupledContact contact, const RingProblems& rings,
+                                       const SurfaceControl& control);
 
 }  // namespace fretval::fem

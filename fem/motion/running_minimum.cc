@@ -101,4 +101,8 @@ double largest_of_period(const Eigen::VectorXd& samples, const std::vector<StepI
   return -least.value()[0];
 }
 
+double largest_magnitude_of_period(const Eigen::VectorXd& samples, const std::vector<StepInPiece>& pieces) {
+  return std::max(largest_of_period(samples, pieces), largest_of_period(-samples, pieces));
+}
+
 }  // namespace fretval::fem

@@ -43,10 +43,6 @@ Eigen::VectorXd in_the_middle(const Eigen::VectorXd& samples, double before, con
   return middle;
 }
 
-double largest_magnitude(const Eigen::VectorXd& samples, const std::vector<StepInPiece>& pieces) {
-  return std::max(largest_of_period(samples, pieces), largest_of_period(-samples, pieces));
-}
-
 /// Where forces are prescribed they are known, and of what they make the indenter do this knows nothing.
 CycleUncertainty uncertainty_of(const RelaxationModel& relaxation, const Motion& motion, const Eigen::VectorXd& along,
                                 const Eigen::VectorXd& down, const NormalHistory& normal,
@@ -78,6 +74,17 @@ double way_along(const Motion& motion, const FrictionHistory& friction) {
   return way;
 }
 
+double normal_work_along(const Motion& motion, const NormalHistory& normal) {
+  const auto& pieces = normal.pieces;
+  const auto down = moves_along(motion.path->normal, *motion.path, pieces);
+  const auto last = normal.force.size() - 1;
+  const auto middle_of = [&](const Eigen::VectorXd& samples) {
+    return in_the_middle(samples, motion.is_single_pass() ? 0 : samples[last], pieces);
+  };
+  const Eigen::VectorXd pressing = normal.force + normal.force_beyond;
+  return motion.normal_force ? -middle_of(normal.indentation).dot(down) : middle_of(pressing).dot(down);
+}
+
 /// Of a path, whose forces have kinks at its rows: sums of second order over the steps, of what is prescribed the exact
 /// moves, `oint F du = -oint u dF`. A single pass begins without tangential force; what goes into the body in it is not
 /// told from what is lost there.
@@ -91,11 +98,11 @@ CycleResponse response_along(const RelaxationModel& relaxation, double friction_
   const auto middle_of = [&](const Eigen::VectorXd& samples) {
     return in_the_middle(samples, once ? 0 : samples[last], pieces);
   };
-  const Eigen::VectorXd pressing = normal.force + normal.force_beyond, pull = middle_of(friction.force);
+  const Eigen::VectorXd pull = middle_of(friction.force);
   const double tangential = motion.tangential_force ? -middle_of(friction.indenter).dot(along) : pull.dot(along),
-               pressed = motion.normal_force ? -middle_of(normal.indentation).dot(down) : middle_of(pressing).dot(down);
+               pressed = normal_work_along(motion, normal);
   CycleResponse response{};
-  response.tangential_force_max = largest_magnitude(friction.force, pieces);
+  response.tangential_force_max = largest_magnitude_of_period(friction.force, pieces);
   for (Eigen::Index k = 0; k <= last; ++k)
     response.tangential_force_mean += pull[k] * pieces[static_cast<std::size_t>(k)].duration() / (2 * pi);
   response.friction_work = once || relaxation.has_memory() ? friction.dissipated_energy : tangential;
@@ -110,6 +117,12 @@ CycleResponse response_along(const RelaxationModel& relaxation, double friction_
 
 }  // namespace
 
+double normal_work(const Motion& motion, const NormalHistory& normal) {
+  if (motion.path) return normal_work_along(motion, normal);
+  const auto down = moves(motion, normal_motion, normal.time[0], normal.force.size());
+  return motion.normal_force ? -normal.indentation.dot(down) : (normal.force + normal.force_beyond).dot(down);
+}
+
 CycleResponse cycle_response(const RelaxationModel& relaxation, double friction_coefficient, const Motion& motion,
                              double normal_force_max, const NormalHistory& normal, const FrictionHistory& friction) {
   if (motion.path) return response_along(relaxation, friction_coefficient, motion, normal_force_max, normal, friction);
@@ -119,10 +132,9 @@ CycleResponse cycle_response(const RelaxationModel& relaxation, double friction_
   const auto along = moves(motion, tangential_motion, begin, n),
              down = moves(motion, normal_motion, normal.time[0], normal.force.size());
   const double tangential = motion.tangential_force ? -friction.indenter.dot(along) : friction.force.dot(along),
-               pressing =
-                   motion.normal_force ? -normal.indentation.dot(down) : (normal.force + normal.force_beyond).dot(down);
+               pressing = normal_work(motion, normal);
   CycleResponse response{};
-  response.tangential_force_max = largest_magnitude(friction.force, normal.pieces);
+  response.tangential_force_max = largest_magnitude_of_period(friction.force, normal.pieces);
   response.tangential_force_mean = friction.force.mean();
   response.friction_work = relaxation.has_memory() ? friction.dissipated_energy : tangential;
   response.bulk_work = relaxation.has_memory() ? tangential + pressing - response.friction_work : 0;

@@ -25,6 +25,9 @@ struct CycleResponse {
   CycleUncertainty uncertainty = {};
 };
 
+/// Area of the normal loop, `oint F_N dd`, or of a single pass the work that presses.
+double normal_work(const Motion& motion, const NormalHistory& normal);
+
 /// What is lost altogether is the area of both loops, `oint F_N dd + oint F_x du_x`. They are sums over the steps, of
 /// spectral accuracy but for the kinks of the forces, with the exact rate of what is prescribed: `oint F du = -oint u
 /// dF`. What friction takes is, in a body without memory, the tangential loop, whose force is read at the edges of its

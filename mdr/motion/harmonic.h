@@ -4,11 +4,12 @@
 
 namespace fretval::mdr {
 
-/// One oscillation a cos(2 pi f t + phase).
+/// One oscillation a cos(2 pi f t + phase), of a tangential one along x or across, along y.
 struct Harmonic {
   double amplitude;  ///< a, in the unit of what oscillates
   double frequency;  ///< f in Hz, positive
   double phase;      ///< rad
+  bool across = false;
 };
 
 /// Least upper bound over all times of the sum of harmonics. Commensurate frequencies: the global maximum over the

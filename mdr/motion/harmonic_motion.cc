@@ -34,6 +34,11 @@ std::vector<Harmonic> moving(const std::vector<Harmonic>& harmonics) {
 
 }  // namespace
 
+bool moves_across(const HarmonicMotion& motion) {
+  return std::any_of(motion.tangential.begin(), motion.tangential.end(),
+                     [](const Harmonic& harmonic) { return harmonic.across && harmonic.amplitude > 0; });
+}
+
 void validate(const HarmonicMotion& motion) {
   require_positive("indentation", motion.indentation);
   validate_direction(motion.normal, "normal");

@@ -14,7 +14,8 @@ namespace fretval::mdr {
 ///   d(t)   = d0 + sum_j a_j cos(2 pi f_j t + phi_j)        normal
 ///   u_x(t) =      sum_k b_k cos(2 pi f_k t + psi_k)        tangential
 ///
-/// The paper has one harmonic each, equation (11), and leaves unequal frequencies open.
+/// The paper has one harmonic each, equation (11), and leaves unequal frequencies open. Tangential harmonics that go
+/// across are those of u_y.
 struct HarmonicMotion {
   double indentation;                ///< d0 in m, positive
   std::vector<Harmonic> normal;      ///< amplitudes in m, not negative; may be empty
@@ -22,6 +23,9 @@ struct HarmonicMotion {
   bool phase_locked = true;          ///< false: the tangential motion as a whole creeps against the normal one, so that
                                      ///< in the course of time every lag between the two occurs
 };
+
+/// Whether any harmonic moves along y.
+bool moves_across(const HarmonicMotion& motion);
 
 /// Throws std::invalid_argument unless the motion is as described above.
 void validate(const HarmonicMotion& motion);

@@ -19,7 +19,7 @@ namespace fretval::mdr {
 namespace {
 
 std::vector<Harmonic> displacements_of(std::vector<Harmonic> forces, const Rheology& body, double stiffness) {
-  for (auto& [amplitude, frequency, phase] : forces) {
+  for (auto& [amplitude, frequency, phase, across] : forces) {
     const auto modulus = complex_modulus(body, angular_frequency(frequency));
     amplitude /= stiffness * std::abs(modulus);
     phase -= std::arg(modulus);

@@ -10,6 +10,7 @@
 #include "comparison/simulation/bodies/distributed_body.h"
 #include "comparison/simulation/bodies/normal_store.h"
 #include "comparison/simulation/bodies/operator_store.h"
+#include "comparison/simulation/bodies/surface_store.h"
 #include "comparison/support/made_once.h"
 
 namespace fretval {
@@ -30,6 +31,7 @@ class BodyStore : public MadeOnce<BodyDescription, ContactBody> {
   const std::shared_ptr<OperatorStore> operators;  ///< null: none; a mesh of somebody else is no part of their keys
   std::optional<Distribution> distribution;        ///< set before the first body is asked for; empty: none is too large
   NormalStore normals;
+  SurfaceStore surfaces;
   std::atomic<int> n_made{0}, n_kept{0};  ///< bodies that were made, and that came from the store of operators
 };
 

@@ -52,6 +52,10 @@ std::string operator_key(const BodyDescription& description, const fem::FourierO
   return key;
 }
 
+std::string surface_key(const BodyDescription& description, const fem::FourierOrder& order) {
+  return operator_key(description, order) + "all components\n";
+}
+
 bool is_of_harmonic(const std::string& key, const fem::FourierOrder& order) {
   return key.find("\n" + harmonic_text(order)) != std::string::npos;
 }

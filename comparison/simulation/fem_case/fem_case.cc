@@ -183,7 +183,7 @@ std::vector<fem::Oscillation> oscillations(const std::vector<mdr::Harmonic>& har
                                            double unit) {
   std::vector<fem::Oscillation> moving;
   for (std::size_t i = 0; i < harmonics.size(); ++i)
-    if (orders[i] > 0) moving.push_back({harmonics[i].amplitude / unit, orders[i], harmonics[i].phase});
+    if (orders[i] > 0) moving.push_back({harmonics[i].amplitude / unit, orders[i], harmonics[i].phase, harmonics[i].across});
   return moving;
 }
 
@@ -272,7 +272,8 @@ void take_path(const Case::Path& path, FemCase& fem) {
   fem.motion.indentation = rest.normal / normal;
   fem.motion.path =
       fem::SampledPath{std::move(time),      over(path.normal, normal),    over(path.tangential, tangential),
-                       rest.normal / normal, rest.tangential / tangential, path.repeats};
+                       rest.normal / normal, rest.tangential / tangential, path.repeats,
+                       over(path.transverse, tangential), rest.transverse / tangential};
 }
 
 /// A step at least for each row, and eight at a usual tolerance.
@@ -301,6 +302,7 @@ FemCase fem_case(const Case& input, const MdrCase& mdr) {
   fem.body.poisson_ratio = input.elastomer.poisson_ratio;
   if (!input.body.is_half_space()) fem.solid = solid_of(input, units, is_by_force(mdr));
   fem.any_order = any_order;
+  if (input.contact.is_full()) fem.full = FullContact{input.contact.coupled};
   if (mdr.limiting_state) fem.carrying_radius = mdr.limiting_state->stick_radius / units.length;
   if (mdr.limiting)
     fem.worn_edge = {mdr.limiting->stick_radius / units.length, mdr.limiting->outer_radius / units.length};
@@ -353,7 +355,7 @@ FemCase at_resolution(FemCase fem, const Resolution& resolution) {
   fem.body.growth = resolution.growth;
   fem.body.far_radius = resolution.far_radius;
   fem.body.degree = resolution.degree;
-  fem.body.tangential = fem.motion.tangential_amplitude() > 0;
+  fem.body.tangential = fem.motion.tangential_amplitude() > 0 || fem.full;
   fem.body.scale = rings.scale;
   if (fem.solid) take_solid(*fem.solid, fem.body);
   fem.motion.n_ramp_cycles = resolution.n_ramp_cycles;

@@ -29,6 +29,11 @@ struct Solid {
   bool slides_on_base;
 };
 
+/// The contact on rings and angles in the place of the one on rings.
+struct FullContact {
+  bool coupled;  ///< pressure and friction act on each other
+};
+
 /// A case in the terms of the finite elements: dimensionless in `units`.
 struct FemCase {
   Units units;
@@ -56,6 +61,10 @@ struct FemCase {
   /// annuli (ZoneAnswer).
   bool any_order = false;
   std::optional<Solid> solid = {};  ///< empty: a half-space
+  std::optional<FullContact> full = {};  ///< empty: the contact on rings
+
+  /// Whether zones are discs of rings that the ring contact reads.
+  [[nodiscard]] bool has_ring_zones() const { return !any_order && !full; }
 
   /// Not under an unlocked phase or of frequencies without a common period, whatever cycle is stepped in their place.
   [[nodiscard]] bool has_period() const { return motion.locked && !without_short_cycle; }

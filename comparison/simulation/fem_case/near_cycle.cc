@@ -41,7 +41,7 @@ NearCycle rounded_to(int q, const std::vector<mdr::HarmonicGroup>& groups, const
     for (const auto& [is_normal, place, order_in_group] : group.members) {
       const int order = repeats * order_in_group;
       (is_normal ? near.cycle.normal_orders : near.cycle.tangential_orders)[place] = order;
-      const auto& [amplitude, frequency, phase] = (is_normal ? motion.normal : motion.tangential)[place];
+      const auto& [amplitude, frequency, phase, across] = (is_normal ? motion.normal : motion.tangential)[place];
       const double rounded = demands.scaled && !is_normal ? frequency : order * near.cycle.frequency,
                    demand = (is_normal ? demands.normal : demands.tangential)(amplitude, rounded),
                    off = demand * std::abs(stiffening(frequency) / stiffening(rounded) - 1);

@@ -14,7 +14,7 @@ auto key(const Resolution& r) {
   return std::make_tuple(r.elements_per_radius, r.degree, r.growth, r.far_radius, r.steps_per_cycle, r.n_ramp_cycles,
                          r.periodicity, r.n_creep_cycles, r.worn_edge_ring, r.surface_growth, r.wear_jump,
                          r.edge_before_node, r.focus.has_value(), r.focus ? r.focus->inner : 0,
-                         r.focus ? r.focus->outer : 0, r.focus ? r.focus->ring : 0);
+                         r.focus ? r.focus->outer : 0, r.focus ? r.focus->ring : 0, r.n_angles);
 }
 
 }  // namespace
@@ -29,6 +29,11 @@ Resolution with_rings(Resolution r, double factor) {
 
 Resolution with_steps(Resolution r, double factor) {
   r.steps_per_cycle = static_cast<int>(r.steps_per_cycle * factor);
+  return r;
+}
+
+Resolution with_angles(Resolution r, double factor) {
+  r.n_angles = std::max(1U, static_cast<unsigned>(r.n_angles * factor) / 4) * 4;
   return r;
 }
 

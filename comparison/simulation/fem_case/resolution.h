@@ -30,6 +30,7 @@ struct Resolution {
   double wear_jump = 0.01;       ///< worn depth of a jump over the largest indentation, see fem::WearControl
   double edge_before_node = usual_edge_before_node;  ///< that of the contact radius, or of the end of a focus
   std::optional<Focus> focus = {};                   ///< empty: equal rings
+  unsigned n_angles = 16;                            ///< of the full contact, around the axis
 
   bool operator<(const Resolution& other) const;
   bool operator==(const Resolution& other) const;
@@ -38,6 +39,8 @@ struct Resolution {
 /// Rings, also those of a focus and of a worn edge, finer by a factor; steps likewise.
 Resolution with_rings(Resolution resolution, double factor);
 Resolution with_steps(Resolution resolution, double factor);
+/// Angles, a multiple of four that has both mirrors.
+Resolution with_angles(Resolution resolution, double factor);
 
 /// "24 rings, degree 3, growth 0.5, far 12, 36 steps, 8 ramp cycles", and the focus if there is one.
 std::string text_of(const Resolution& resolution);

@@ -84,7 +84,7 @@ double share_that_sticks(const std::function<double(double)>& profile, double ex
   const IndenterMotion motion{depth, {nowhere, nowhere}};
   const MatrixXd heights = ring_means(rings.normal.compliance, profile, {1}).replicate(1, 2);
   CoupledContact contact(operators, {}, 0.2, heights, motion, n_steps);
-  const auto history = coupled_contact_history(std::move(contact), rings, 1);
+  const auto history = coupled_contact_history(std::move(contact), rings, exactly(1));
   const MatrixXd &t = history.traction.back(), p = history.pressure.back(),
                  length = (t.leftCols(2).array().square() + t.rightCols(2).array().square()).sqrt(),
                  margin = 0.2 * p - length;

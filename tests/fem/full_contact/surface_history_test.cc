@@ -27,7 +27,7 @@ SurfaceHistory pushed(double nu, double displacement, unsigned n_around, Mirrors
                              return ValueAndRate{0, 0};
                            }};
   return vector_friction_history(
-      VectorFriction(op, {}, 1, push, 16), [&](long) { return hertz_pressure(surface); }, rings, 1);
+      VectorFriction(op, {}, 1, push, 16), [&](long) { return hertz_pressure(surface); }, rings, exactly(1));
 }
 
 // Without Poisson's effect the direction of the traction has none either.
@@ -72,7 +72,7 @@ TEST(SurfaceHistory, OfMindlinsOscillationHasOneRegionAndItsEnergy) {
                                return ValueAndRate{0, 0};
                              }};
   const auto history = vector_friction_history(
-      VectorFriction(op, {}, 1, motion, 96), [&](long) { return hertz_pressure(surface); }, rings, 3);
+      VectorFriction(op, {}, 1, motion, 96), [&](long) { return hertz_pressure(surface); }, rings, exactly(3));
   EXPECT_EQ(history.n_cycles, 3);
   EXPECT_LT(history.periodicity, 1e-4);  // micro-slip across the push lingers
   EXPECT_NEAR(history.never_slipped.radius, c, 3e-3);
@@ -104,10 +104,10 @@ TEST(SurfaceHistory, TellsPointsThatHaveShakenDownFromThoseThatSlip) {
   };
   std::vector<SurfaceHistory> histories;
   for (const int n_cycles : {3, 6})
-    histories.push_back(vector_friction_history(VectorFriction(op, {}, 1, motion, 48), pressure, rings, n_cycles));
+    histories.push_back(vector_friction_history(VectorFriction(op, {}, 1, motion, 48), pressure, rings, exactly(n_cycles)));
   EXPECT_GT(histories[1].sticks_in_a_cycle.radius, histories[1].never_slipped.radius + 0.02);
   EXPECT_NEAR(histories[0].sticks_in_a_cycle.radius, histories[1].sticks_in_a_cycle.radius, 2e-3);
-  const auto ring = vector_friction_history(VectorFriction(of_rings, {}, 1, motion, 48), pressure, rings, 6);
+  const auto ring = vector_friction_history(VectorFriction(of_rings, {}, 1, motion, 48), pressure, rings, exactly(6));
   EXPECT_NEAR(histories[1].sticks_in_a_cycle.radius / ring.sticks_in_a_cycle.radius, 1, 0.05);
 }
 

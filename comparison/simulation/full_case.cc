@@ -1,0 +1,198 @@
+#include "comparison/simulation/full_case.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "comparison/simulation/bodies/surface_store.h"
+#include "comparison/simulation/normal_part.h"
+#include "comparison/support/stopwatch.h"
+#include "fem/contact/static_contact.h"
+#include "fem/motion/running_minimum.h"
+#include "fem/stick_zone/cycle_response.h"
+#include "fem/support/constants.h"
+
+namespace fretval {
+namespace {
+
+/// Motion along x leaves the contact its mirrors; coupled, front and back differ.
+fem::Mirrors mirrors_of(const FemCase& fem) {
+  if (fem.motion.moves_across()) return fem::Mirrors::none;
+  return fem.full->coupled ? fem::Mirrors::x : fem::Mirrors::x_and_y;
+}
+
+/// Micro-slip between the stick radii dies out by its own time, not by that of the body.
+fem::SurfaceControl control_of_surface(const FemCase& fem) {
+  if (fem.motion.is_single_pass()) return fem::exactly(1);
+  constexpr int at_least = 2, at_most = 40;
+  const int ramp = fem.motion.cycles_of_ramp();
+  return {ramp + at_least, ramp + at_most, fem.resolution.periodicity};
+}
+
+PlaneZone zone_of(const fem::ContactRegion& region, double length) {
+  PlaneZone zone{region.area * length * length, region.radius * length,      region.along * length,
+                 region.across * length,        region.uncertainty * length, {}};
+  for (const double edge : region.edges) zone.edges.push_back(edge * length);
+  return zone;
+}
+
+PlaneZone disc(double radius, double uncertainty, Eigen::Index n_angles) {
+  return {fem::pi * radius * radius, radius, radius, radius, uncertainty, std::vector<double>(n_angles, radius)};
+}
+
+/// A zone with the edge moved out.
+PlaneZone moved_out(PlaneZone zone, double by) {
+  zone.radius += by;
+  zone.along += by;
+  zone.across += by;
+  zone.area = fem::pi * zone.radius * zone.radius;
+  for (double& edge : zone.edges) edge += by;
+  return zone;
+}
+
+/// Pressures of the ring contact in a step, counted from 0: on the way to its periodic state, and in that.
+Eigen::VectorXd pressure_in(const NormalRecord& record, long step) {
+  const auto next = static_cast<std::size_t>(step) + 1;
+  if (next < record.pressures.size()) return record.pressures[next];
+  return record.history.pressure.col(record.history.column(step + 1));
+}
+
+fem::SurfaceHistory history_beside(const NormalRecord& record, const fem::SurfaceCompliance& surface,
+                                   const fem::AngularGrid& grid, const fem::RingProblems& rings, const FemCase& fem) {
+  const fem::SurfaceOperator op(surface, grid, fem::Fields::tangential);
+  const auto motion = fem::lateral_motion(fem.motion);
+  return vector_friction_history(
+      fem::VectorFriction(op, fem.relaxation, fem.friction_coefficient, motion,
+                          fem::StepTimes(fem.motion, fem.steps_per_cycle())),
+      [&](long step) { return pressure_in(record, step); }, rings, control_of_surface(fem));
+}
+
+fem::SurfaceHistory coupled_history(const Eigen::VectorXd& profile, const fem::SurfaceCompliance& surface,
+                                    const fem::AngularGrid& grid, const fem::RingProblems& rings, const FemCase& fem) {
+  const auto operators = fem::coupled_operators(surface, grid);
+  const auto motion = fem::indenter_motion(fem.motion);
+  return coupled_contact_history(
+      fem::CoupledContact(operators, fem.relaxation, fem.friction_coefficient, profile.replicate(1, grid.n_kept()),
+                          motion, fem::StepTimes(fem.motion, fem.steps_per_cycle())),
+      rings, control_of_surface(fem));
+}
+
+/// By coupling, of the largest normal force and the edge of the contact, against the ring contact.
+void add_coupling(const fem::NormalHistory& normal, const fem::RingProblems& rings, const FemCase& fem,
+                  FeAnswer& answer) {
+  auto& surface = *answer.surface;
+  const auto& history = surface.history;
+  const Eigen::VectorXd of_rings = normal.pressure.transpose() * rings.normal.compliance.areas;
+  const double coupled = fem::largest_of_period(history.normal_force, history.pieces),
+               alone = fem::largest_of_period(of_rings, normal.pieces);
+  answer.normal_force_max += (coupled - alone) * fem.units.force();
+  const double length = fem.units.length;
+  const auto region_of_rings = fem::region_of(rings.normal, fem::angular_grid(1), normal.pressure.rowwise().maxCoeff());
+  surface.contact = moved_out(zone_of(history.contact, length),
+                              answer.contact_radius_max.value_or(0) - region_of_rings.radius * length);
+  answer.contact_radius_max = surface.contact.radius;
+  answer.axis_pressure_max.reset();  // of the ring contact
+}
+
+fem::CycleResponse response_of(const FemCase& fem, const fem::SurfaceHistory& history, double normal_work) {
+  const double force = fem.units.force(), work = force * fem.units.depth;
+  const Eigen::VectorXd along = history.forces.row(0);
+  fem::CycleResponse cycle{};
+  cycle.tangential_force_max = fem::largest_magnitude_of_period(along, history.pieces) * force;
+  cycle.tangential_force_mean = along.mean() * force;
+  cycle.friction_work = history.dissipated.back() * work;
+  if (fem.motion.is_single_pass()) return cycle;
+  cycle.tangential_work = history.tangential_work * work;
+  if (fem.relaxation.has_memory()) cycle.bulk_work = cycle.tangential_work + normal_work * work - cycle.friction_work;
+  return cycle;
+}
+
+/// What the contact on rings and angles says less what it says with the traction of all angles the same: by which the
+/// answer of the ring contact changes.
+void add_change(const fem::CycleResponse& full, const fem::CycleResponse& of_rings, fem::CycleResponse& cycle) {
+  for (const auto value :
+       {&fem::CycleResponse::tangential_force_max, &fem::CycleResponse::tangential_force_mean,
+        &fem::CycleResponse::friction_work, &fem::CycleResponse::bulk_work, &fem::CycleResponse::tangential_work})
+    cycle.*value += full.*value - of_rings.*value;
+}
+
+std::optional<double> radius_of(const PlaneZone& zone) {
+  return zone.radius > 0 ? std::optional(zone.radius) : std::nullopt;
+}
+
+/// A zone whose edge is corrected by what reading it on the same rings costs where the ring contact knows it better.
+PlaneZone corrected(const PlaneZone& zone, const fem::ContactRegion& of_rings, const std::optional<double>& better,
+                    double better_uncertainty, double length) {
+  if (zone.radius == 0 || of_rings.radius == 0 || !better) return zone;
+  auto moved = moved_out(zone, *better - of_rings.radius * length);
+  moved.uncertainty = better_uncertainty;
+  return moved;
+}
+
+/// Everything that is read of the history, before corrections.
+void read_surface(const fem::NormalHistory& normal, const FemCase& fem, FeAnswer& answer) {
+  auto& surface = *answer.surface;
+  const auto& history = surface.history;
+  const double length = fem.units.length;
+  surface.never_slipped = zone_of(history.never_slipped, length);
+  surface.sticks_in_a_cycle = zone_of(history.sticks_in_a_cycle, length);
+  surface.transverse_force_max =
+      fem::largest_magnitude_of_period(history.forces.row(1), history.pieces) * fem.units.force();
+  surface.torque_max = history.forces.row(2).cwiseAbs().maxCoeff() * fem.units.force() * length;
+  const double pressing = fem.full->coupled ? history.normal_work : fem::normal_work(fem.motion, normal);
+  answer.cycle = response_of(fem, history, pressing);
+}
+
+/// Of a motion along x: the ring contact, and what becomes of it.
+void correct_by_rings(const FeAnswer& ring, const fem::SurfaceHistory& of_rings, const FemCase& fem, FeAnswer& answer) {
+  auto& surface = *answer.surface;
+  const double length = fem.units.length;
+  surface.never_slipped = corrected(surface.never_slipped, of_rings.never_slipped, ring.stick_radius_first_slip,
+                                    ring.first_slip_uncertainty, length);
+  surface.sticks_in_a_cycle = corrected(surface.sticks_in_a_cycle, of_rings.sticks_in_a_cycle,
+                                        ring.stick_radius_shakedown, ring.shakedown_uncertainty, length);
+  if (!ring.cycle) return;
+  auto cycle = *ring.cycle;
+  const double pressing = fem::normal_work(fem.motion, ring.normal);
+  add_change(*answer.cycle, response_of(fem, of_rings, pressing), cycle);
+  answer.cycle = cycle;
+}
+
+}  // namespace
+
+FeAnswer compute_full_contact(const ContactProblems& problems, const FemCase& fem, const std::optional<FeAnswer>& ring,
+                              BodyStore& bodies) {
+  const auto normal = normal_part(problems, fem, bodies.normals);
+  const auto& record = *normal.record;
+  Stopwatch watch;
+  const auto grid = fem::angular_grid(fem.resolution.n_angles, mirrors_of(fem));
+  const auto compliance = find_or_make_surface(fem.body, grid.highest_order(), bodies);
+  const fem::RingProblems rings{problems.normal, *problems.tangential};
+  FeAnswer answer;
+  read_normal_response(problems, fem, normal.contact_radius, record.history, answer);
+  auto& surface = answer.surface.emplace();
+  surface.grid = grid;
+  surface.history = fem.full->coupled ? coupled_history(normal.profile, compliance, grid, rings, fem)
+                                      : history_beside(record, compliance, grid, rings, fem);
+  read_surface(record.history, fem, answer);
+  if (ring) correct_by_rings(*ring, history_beside(record, compliance, fem::angular_grid(1), rings, fem), fem, answer);
+  if (fem.full->coupled)
+    add_coupling(record.history, rings, fem, answer);
+  else
+    surface.contact = disc(answer.contact_radius_max.value_or(0), answer.contact_radius_uncertainty, grid.n_kept());
+  answer.cycle->sliding_force = fem.friction_coefficient * answer.normal_force_max;
+  answer.cycle->sliding_work = answer.cycle->sliding_force * fem::tangential_path(fem.motion) * fem.units.depth;
+  answer.stick_radius_first_slip = radius_of(surface.never_slipped);
+  answer.first_slip_uncertainty = surface.never_slipped.uncertainty;
+  answer.single_pass = fem.motion.is_single_pass();
+  if (!answer.single_pass) {
+    answer.stick_radius_shakedown = radius_of(surface.sticks_in_a_cycle);
+    answer.shakedown_uncertainty = surface.sticks_in_a_cycle.uncertainty;
+  }
+  answer.n_cycles = surface.history.n_cycles + record.history.n_cycles;
+  answer.n_steps = static_cast<long>(surface.history.n_cycles) * fem.steps_per_cycle();
+  answer.normal = record.history;
+  answer.seconds = {record.seconds, watch.lap()};
+  return answer;
+}
+
+}  // namespace fretval

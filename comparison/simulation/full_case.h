@@ -1,0 +1,22 @@
+#pragma once
+
+#include <optional>
+
+#include "comparison/simulation/bodies/body_store.h"
+#include "comparison/simulation/fe_answer.h"
+
+namespace fretval {
+
+/// The answer of the contact on rings and angles (fem/full_contact) to a case of it. Without coupling its pressures are
+/// those of the ring contact, which reads contact radius and normal force. Stick radii are those of discs of the area.
+///
+/// ring: the answer of the ring contact to the same case; empty: the motion goes in two directions. What is read on
+/// rings and angles has the errors of its rings and steps, and the ring contact has better readings. So the same
+/// friction is stepped once more with one angle, which is the ring contact to roundoff but for its readings, and the
+/// difference of the two histories, in which these errors cancel, is added to what the ring contact says. Coupled, the
+/// normal contact is stepped along, and its force and edge are corrected likewise. Throws fem::SolverError where the
+/// numerics fail.
+FeAnswer compute_full_contact(const ContactProblems& problems, const FemCase& fem, const std::optional<FeAnswer>& ring,
+                              BodyStore& bodies);
+
+}  // namespace fretval

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <vector>
+
+#include "fem/full_contact/angular_grid.h"
+#include "fem/full_contact/surface_history.h"
+
+namespace fretval {
+
+/// A zone of the contact around its centre, m and m².
+struct PlaneZone {
+  double area = 0, radius = 0;     ///< of the zone, and of the disc of that area
+  double along = 0, across = 0;    ///< half of the extents along x and y
+  double uncertainty = 0;          ///< of the edge, by reading it
+  std::vector<double> edges = {};  ///< radius at each angle of the grid
+};
+
+/// What the contact on rings and angles says beyond FeAnswer. Of a single pass what sticks in a cycle is what has
+/// never slipped.
+struct SurfaceAnswer {
+  PlaneZone never_slipped, sticks_in_a_cycle, contact;
+  double transverse_force_max = 0;  ///< N, of |F_y|
+  double torque_max = 0;            ///< N m
+  fem::AngularGrid grid;
+  fem::SurfaceHistory history;  ///< dimensionless
+};
+
+}  // namespace fretval
