@@ -16,7 +16,8 @@
 namespace fretval {
 namespace {
 
-constexpr int most_refinements = 6;
+constexpr int most_refinements = 6, most_refinements_of_full = 2;
+constexpr double most_growth_of_full = 4;
 constexpr double worthwhile_gain = 4;  // a ring that is less finer than that, the error budget asks for by itself
 constexpr double worthwhile_gain_if_hopeless = 1.5;  // where it asks for more than can be planned
 constexpr std::array stick_radii{Quantity::stick_radius_first_slip, Quantity::stick_radius_shakedown};
@@ -75,7 +76,9 @@ std::optional<Resolution> finer(const PreparedCase& prepared, const FeAnswer& fe
                                 const std::vector<BarToMeet>& bars) {
   const Effort effort{static_cast<double>(fe.body->n_dofs), static_cast<double>(fe.body->radii.size() - 1),
                       static_cast<double>(fe.n_steps)};
-  const auto planned = planned_refinement(resolution, bars, effort, fixed_by(prepared));
+  // A step of the contact on rings and angles takes as long as hundreds of the other one.
+  const double most_times = prepared.fem.full ? most_growth_of_full : std::numeric_limits<double>::infinity();
+  const auto planned = planned_refinement(resolution, bars, effort, fixed_by(prepared), most_times);
   if (planned) log::detail(fmt::format("{}: {}", prepared.input.name, change_text(resolution, *planned)));
   return planned;
 }
@@ -131,7 +134,8 @@ int refine_until_proved(const PreparedCase& prepared, Computations& computed, Tr
   for (int n = 0;; ++n) {
     // Where the rings alone make a bar too wide, nobody has to know what else does.
     const auto next_for = [&](BarShares shares) {
-      return n < most_refinements ? finer(prepared, computed, tracks, shares) : std::nullopt;
+      const int most = prepared.fem.full ? most_refinements_of_full : most_refinements;
+      return n < most ? finer(prepared, computed, tracks, shares) : std::nullopt;
     };
     bool holds = measure_errors(prepared, computed, tracks, BarShares::of_rings);
     auto next = holds ? next_for(BarShares::of_rings) : std::nullopt;

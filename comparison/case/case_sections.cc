@@ -129,6 +129,8 @@ void read_transverse_motion(const EntryReader& entries, Case::Motion& motion) {
   for (const auto& harmonic : read_harmonics(entries, "Transverse harmonics")) motion.transverse.push_back(harmonic);
   if (!motion.phase)
     entries.fail(section, "Phase", "an angle in deg: in two directions the motion is computed with a fixed phase");
+  if (motion.normal_force)
+    entries.forbid(section, "Normal force", "a motion in two directions is prescribed by displacements");
   if (motion.tangential_force)
     entries.forbid(section, "Tangential force amplitude", "a motion in two directions is prescribed by displacements");
 }
@@ -297,6 +299,16 @@ Case::Contact read_contact(const EntryReader& entries, const Case::Motion& motio
   if (contact.coupled && !contact.vector_friction)
     entries.fail("Contact", "Coupling",
                  "off, or Contact / Friction = vector: coupled, tractions have radial parts of any direction");
+  if (contact.vector_friction && motion.tangential_force)
+    entries.forbid("Motion", "Tangential force amplitude", "with friction as a vector displacements are prescribed");
+  if (contact.coupled && motion.normal_force)
+    entries.forbid("Motion", "Normal force", "with Contact / Coupling = on an Indentation is prescribed");
+  if (contact.vector_friction && motion.path &&
+      (motion.path->tangential_force || (motion.path->normal_force && contact.coupled)))
+    entries.fail("Motion", "Path",
+                 "displacements: with friction as a vector forces along the surface are not prescribed");
+  if (contact.vector_friction && !motion.phase)
+    entries.fail("Motion", "Phase", "an angle in deg: with friction as a vector the phase is fixed");
   if (motion.moves_across() && !contact.vector_friction)
     entries.fail("Contact", "Friction", "vector: the motion goes in two directions");
   return contact;

@@ -23,10 +23,14 @@ void scale_displacements(Case::Motion& motion, double factor) {
 
 }  // namespace
 
+bool is_layer_of_mdr(const Case& input) {
+  return input.body.shape == Case::Body::Shape::layer && !input.motion.moves_across();
+}
+
 IncompressibleCase incompressible_case(const Case& input) {
   const double nu = input.elastomer.poisson_ratio;
   IncompressibleCase equivalent{input};
-  if (nu == 0.5 || input.body.shape == Case::Body::Shape::layer) return equivalent;
+  if (nu == 0.5 || is_layer_of_mdr(input)) return equivalent;
   equivalent.displacement = mdr::tangential_stretch(nu);
   equivalent.input.elastomer.poisson_ratio = 0.5;
   scale_moduli(equivalent.input.elastomer, mdr::incompressible_modulus_ratio(nu));

@@ -15,6 +15,9 @@ struct IncompressibleCase {
   double displacement = 1;  ///< tangential displacements of it over those of the case
 };
 
+/// Whether it is a layer that MDR knows: its coupled springs move in one direction.
+bool is_layer_of_mdr(const Case& input);
+
 /// The case itself where it is incompressible already, and over a layer, whose Poisson's ratio MDR knows.
 IncompressibleCase incompressible_case(const Case& input);
 

@@ -6,6 +6,7 @@
 #include "comparison/reference/cycle_of_springs.h"
 #include "comparison/reference/gross_slip.h"
 #include "comparison/reference/layer_answer.h"
+#include "comparison/reference/plane_answer.h"
 #include "comparison/support/cycles_until.h"
 #include "mdr/springs/path_response.h"
 #include "mdr/springs/slip_of_periods.h"
@@ -53,15 +54,6 @@ mdr::PathFineness finer(mdr::PathFineness fineness, int times) {
 
 /// Springs of a motion without period go through 96 oscillations, and twice as many, in the place of one.
 constexpr mdr::SpringFineness of_many_oscillations{100, 90, 10, 1e-7, 96};
-
-MdrAnswer with_normal_response(const mdr::NormalResponse& normal) {
-  MdrAnswer answer{};
-  answer.contact_radius_max = normal.contact_radius_max;
-  answer.normal_force_max = normal.normal_force_max;
-  answer.normal_force_error = normal.normal_force_error;
-  answer.axis_pressure = normal.axis_pressure;
-  return answer;
-}
 
 mdr::SteppedForcedResponse half_space_response(const MdrCase& mdr, int times) {
   return mdr::forced_response(mdr.profile, mdr.body, mdr.friction_coefficient, mdr.prescribed(),
@@ -211,6 +203,15 @@ mdr::NormalResponse normal_response_along(const MdrCase& mdr) {
 
 }  // namespace
 
+MdrAnswer with_normal_response(const mdr::NormalResponse& normal) {
+  MdrAnswer answer{};
+  answer.contact_radius_max = normal.contact_radius_max;
+  answer.normal_force_max = normal.normal_force_max;
+  answer.normal_force_error = normal.normal_force_error;
+  answer.axis_pressure = normal.axis_pressure;
+  return answer;
+}
+
 mdr::NormalResponse mdr_normal_response(const MdrCase& mdr) {
   if (mdr.layer) return layer_normal_response(mdr);
   if (mdr.path) return normal_response_along(mdr);
@@ -263,6 +264,14 @@ MdrAnswer in_body_of_case(MdrAnswer answer, double displacement) {
 }
 
 MdrAnswer incompressible_answer(const MdrCase& mdr, const mdr::NormalResponse& normal) {
+  if (moves_in_plane(mdr)) {
+    auto answer = with_known_cycle(mdr, [&](int times) { return plane_answer(mdr, normal, times); });
+    answer.modulus_ratio =
+        mdr.path ? std::nan("")
+                 : mdr::modulus_ratio(mdr.body, mdr::angular_frequency(mdr.motion.normal.front().frequency));
+    if (const auto worn = worn_profile(mdr, answer.stick_radius_shakedown)) answer.worn_radius = worn->outer_radius;
+    return answer;
+  }
   if (mdr.path) {
     auto answer = with_known_cycle(mdr, [&](int times) { return path_answer(mdr, normal, times); });
     if (const auto worn = worn_profile(mdr, answer.stick_radius_shakedown)) answer.worn_radius = worn->outer_radius;
@@ -327,6 +336,7 @@ MdrAnswer mdr_answer(const MdrCase& mdr, const mdr::NormalResponse& normal) {
 
 MdrAnswer mdr_answer_with_cycle(const MdrCase& mdr, const mdr::NormalResponse& normal) {
   auto answer = incompressible_answer(mdr, normal);
+  if (moves_in_plane(mdr)) return in_body_of_case(std::move(answer), mdr.displacement);
   if (mdr.layer) return answer;  // a decay of slip is of springs that do not know of each other
   if (!mdr.has_forces())
     answer = with_known_cycle(mdr, [&](int times) {

@@ -153,6 +153,8 @@ void require_comparable(const Case& input) {
 std::vector<std::string> beyond_mdr_model(const Case& input) {
   std::vector<std::string> reasons;
   if (input.body.shape == Case::Body::Shape::cylinder) reasons.emplace_back("the body is a cylinder");
+  if (input.body.shape == Case::Body::Shape::layer && !is_layer_of_mdr(input))
+    reasons.emplace_back("the body is a layer under a motion in two directions");
   if (input.contact.vector_friction) reasons.emplace_back("friction is a vector");
   if (input.contact.coupled) reasons.emplace_back("pressure and friction are coupled");
   return reasons;
@@ -303,9 +305,10 @@ MdrCase mdr_case(const Case& input_of_any_body) {
   mdr.displacement = displacement;
   mdr.cycle_tolerance = input.cycle_tolerance;
   if (motion.path)
-    mdr.path = mdr::SampledPath{motion.path->time,    motion.path->normal,       motion.path->tangential,
-                                motion.path->repeats, motion.path->normal_force, motion.path->tangential_force};
-  if (input.body.shape == Case::Body::Shape::layer)
+    mdr.path = mdr::SampledPath{motion.path->time,      motion.path->normal,       motion.path->tangential,
+                                motion.path->repeats,   motion.path->normal_force, motion.path->tangential_force,
+                                motion.path->transverse};
+  if (is_layer_of_mdr(input))
     mdr.layer = mdr::Layer{input.body.thickness, input.elastomer.poisson_ratio,
                            input.body.is_bonded ? mdr::LayerBase::bonded : mdr::LayerBase::frictionless};
   if (mdr.has_forces() && !mdr.path && !mdr.layer)

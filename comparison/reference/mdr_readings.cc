@@ -48,6 +48,8 @@ Readings readings_of(const MdrAnswer& answer) {
   if (answer.indentation_max) readings[Quantity::indentation_max] = {answer.indentation_max};
   if (answer.tangential_amplitude) readings[Quantity::tangential_amplitude] = {answer.tangential_amplitude};
   if (answer.cycle) add_cycle(*answer.cycle, answer.single_pass, readings);
+  if (answer.transverse_force_max)
+    readings[Quantity::transverse_force_max] = {answer.transverse_force_max, if_any(answer.transverse_force_error)};
   if (answer.slip_decay) readings[Quantity::slip_decay] = {answer.slip_decay};
   if (const auto& settling = answer.cycles_to_shakedown)
     readings[Quantity::cycles_to_shakedown] = {settling->cycles, if_any(settling->error)};

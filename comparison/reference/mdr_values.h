@@ -46,6 +46,9 @@ struct MdrAnswer {
   /// Under prescribed displacements see mdr_answer_with_cycle. Empty: worn, at rest tangentially, without a cycle of a
   /// few hundred oscillations, or not periodic in the end.
   std::optional<MdrCycle> cycle = {};
+  /// N, of |F_y|, and what springs may be off by; of a motion in two directions.
+  std::optional<double> transverse_force_max = {};
+  double transverse_force_error = 0;
   /// Factor per cycle by which slip dies out where nothing slips in the end (mdr/stick/slip_decay.h); with the cycle.
   std::optional<double> slip_decay = {};
   std::optional<SettlingCycles> cycles_to_shakedown = {};  ///< see settling_cycles

@@ -157,10 +157,9 @@ void correct_by_rings(const FeAnswer& ring, const fem::SurfaceHistory& of_rings,
   answer.cycle = cycle;
 }
 
-}  // namespace
-
-FeAnswer compute_full_contact(const ContactProblems& problems, const FemCase& fem, const std::optional<FeAnswer>& ring,
-                              BodyStore& bodies) {
+/// With the steps of the case.
+FeAnswer answer_in_steps(const ContactProblems& problems, const FemCase& fem, const std::optional<FeAnswer>& ring,
+                         BodyStore& bodies) {
   const auto normal = normal_part(problems, fem, bodies.normals);
   const auto& record = *normal.record;
   Stopwatch watch;
@@ -179,6 +178,59 @@ FeAnswer compute_full_contact(const ContactProblems& problems, const FemCase& fe
     add_coupling(record.history, rings, fem, answer);
   else
     surface.contact = disc(answer.contact_radius_max.value_or(0), answer.contact_radius_uncertainty, grid.n_kept());
+  answer.n_cycles = surface.history.n_cycles + record.history.n_cycles;
+  answer.n_steps = static_cast<long>(surface.history.n_cycles) * fem.steps_per_cycle();
+  answer.normal = record.history;
+  answer.seconds = {record.seconds, watch.lap()};
+  return answer;
+}
+
+/// What a first order in the step leaves of a value, from that with fewer steps.
+struct Extrapolation {
+  double gain;  ///< of the difference
+  void operator()(double coarse, double& fine) const { fine += gain * (fine - coarse); }
+  void operator()(const PlaneZone& coarse, PlaneZone& fine) const {
+    if (coarse.radius == 0 || fine.radius == 0) return;
+    for (const auto part : {&PlaneZone::radius, &PlaneZone::along, &PlaneZone::across})
+      (*this)(coarse.*part, fine.*part);
+    for (std::size_t j = 0; j < fine.edges.size(); ++j) (*this)(coarse.edges[j], fine.edges[j]);
+    fine.area = fem::pi * fine.radius * fine.radius;
+  }
+  void operator()(const fem::CycleResponse& coarse, fem::CycleResponse& fine) const {
+    for (const auto part :
+         {&fem::CycleResponse::tangential_force_max, &fem::CycleResponse::tangential_force_mean,
+          &fem::CycleResponse::friction_work, &fem::CycleResponse::bulk_work, &fem::CycleResponse::tangential_work})
+      (*this)(coarse.*part, fine.*part);
+  }
+};
+
+void extrapolate(const FeAnswer& coarse, double ratio, FeAnswer& fine) {
+  const Extrapolation extrapolation{1 / (ratio - 1)};
+  const auto& before = *coarse.surface;
+  auto& surface = *fine.surface;
+  extrapolation(before.never_slipped, surface.never_slipped);
+  extrapolation(before.sticks_in_a_cycle, surface.sticks_in_a_cycle);
+  extrapolation(before.contact, surface.contact);
+  extrapolation(before.transverse_force_max, surface.transverse_force_max);
+  extrapolation(before.torque_max, surface.torque_max);
+  extrapolation(*coarse.cycle, *fine.cycle);
+  extrapolation(coarse.normal_force_max, fine.normal_force_max);
+  if (fine.contact_radius_max) fine.contact_radius_max = surface.contact.radius;
+  fine.n_cycles += coarse.n_cycles;
+  fine.n_steps += coarse.n_steps;
+}
+
+}  // namespace
+
+FeAnswer compute_full_contact(const ContactProblems& problems, const FemCase& fem, const std::optional<FeAnswer>& ring,
+                              BodyStore& bodies) {
+  auto answer = answer_in_steps(problems, fem, ring, bodies);
+  if (fem.full->coupled || fem.motion.moves_across()) {
+    const auto coarse = at_resolution(fem, with_steps(fem.resolution, 0.5));
+    extrapolate(answer_in_steps(problems, coarse, ring, bodies),
+                static_cast<double>(fem.steps_per_cycle()) / coarse.steps_per_cycle(), answer);
+  }
+  const auto& surface = *answer.surface;
   answer.cycle->sliding_force = fem.friction_coefficient * answer.normal_force_max;
   answer.cycle->sliding_work = answer.cycle->sliding_force * fem::tangential_path(fem.motion) * fem.units.depth;
   answer.stick_radius_first_slip = radius_of(surface.never_slipped);
@@ -188,10 +240,6 @@ FeAnswer compute_full_contact(const ContactProblems& problems, const FemCase& fe
     answer.stick_radius_shakedown = radius_of(surface.sticks_in_a_cycle);
     answer.shakedown_uncertainty = surface.sticks_in_a_cycle.uncertainty;
   }
-  answer.n_cycles = surface.history.n_cycles + record.history.n_cycles;
-  answer.n_steps = static_cast<long>(surface.history.n_cycles) * fem.steps_per_cycle();
-  answer.normal = record.history;
-  answer.seconds = {record.seconds, watch.lap()};
   return answer;
 }
 

@@ -24,6 +24,9 @@ void validate(const SampledPath& path) {
     for (const double value : *column) require_finite("path", value);
   for (std::size_t i = 1; i < n; ++i)
     if (!(path.time[i] > path.time[i - 1])) throw std::invalid_argument("path: times must rise from row to row");
+  if (!path.transverse.empty() && path.transverse.size() != n)
+    throw std::invalid_argument("path: needs as many values across as along");
+  for (const double value : path.transverse) require_finite("path", value);
   const bool closed = path.normal.front() == path.normal.back() && path.tangential.front() == path.tangential.back();
   if (path.repeats && !closed) throw std::invalid_argument("path: repeats, but does not end where it begins");
   if (path.normal_force)
@@ -38,7 +41,8 @@ PathRest rest_of(const SampledPath& path) {
   const auto at_rest = [&path](const std::vector<double>& values) {
     return path.repeats ? mean_over_time(path.time, values) : values.front();
   };
-  return {at_rest(path.normal), path.tangential_force ? 0 : at_rest(path.tangential)};
+  return {at_rest(path.normal), path.tangential_force ? 0 : at_rest(path.tangential),
+          path.transverse.empty() ? 0 : at_rest(path.transverse)};
 }
 
 double maximum_normal(const SampledPath& path) {

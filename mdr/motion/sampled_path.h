@@ -16,6 +16,8 @@ struct SampledPath {
   bool repeats = false;            ///< with the period from the first row to the last, which is the first again
   bool normal_force = false, tangential_force = false;  ///< what the columns are; false: displacements
 
+  std::vector<double> transverse = {};  ///< u_y in m; empty: it moves along x alone
+
   [[nodiscard]] double duration() const { return time.back() - time.front(); }
   [[nodiscard]] std::size_t n_pieces() const { return time.size() - 1; }
   [[nodiscard]] bool has_forces() const { return normal_force || tangential_force; }
@@ -27,7 +29,7 @@ void validate(const SampledPath& path);
 
 /// Where the body rests before, or under which forces; in m or N. A tangential force is none.
 struct PathRest {
-  double normal, tangential;
+  double normal, tangential, transverse = 0;
 };
 PathRest rest_of(const SampledPath& path);
 

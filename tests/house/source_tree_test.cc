@@ -34,7 +34,7 @@ House plan() {
           {"mdr/rheology"},
           {"mdr/stick"},
           {"mdr/springs"},
-          {"mdr/layer", "mdr/wear"}},
+          {"mdr/layer", "mdr/plane", "mdr/wear"}},
          {});
   floors({{"fem/support"},
           {"fem/operators"},

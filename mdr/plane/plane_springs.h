@@ -1,0 +1,50 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <functional>
+#include <vector>
+
+#include "mdr/profiles/profile.h"
+#include "mdr/rheology/prony_body.h"
+
+namespace fretval::mdr {
+
+/// Where the indenter is: how deep, and along the surface; m.
+struct PlanePosition {
+  double depth, x, y;
+};
+
+/// A motion in steps: from rest on it is at the first position, and then at the others at their instants, between which
+/// it moves at a constant rate. A motion that repeats is at its first position again at its end.
+struct PlaneMotion {
+  PlanePosition rest;
+  std::vector<double> time;  ///< s, from 0 on
+  std::vector<PlanePosition> positions;
+  bool repeats = false;
+
+  [[nodiscard]] std::size_t n_steps() const { return time.size() - 1; }
+};
+
+/// What a cycle of the spring foundation under a motion in two directions comes to, or the pass.
+struct PlaneResponse {
+  double force_x_max, force_y_max;  ///< N, of |F_x|, |F_y|
+  double force_x_mean;              ///< N
+  double friction_work;             ///< J
+  double tangential_work;           ///< J, of the indenter along the surface
+  double normal_work;               ///< J, into it
+};
+
+/// The spring foundation with friction as a vector: per length of a spring
+///
+///   q_z = 4 int G(t-t') u_z' dt' >= 0,    q = (8/3) int G(t-t') u' dt',    |q| <= mu q_z,  slip along q where equal,
+///
+/// u = (u_x, u_y) of its tip: that of paper equations (1), (5), (6), (8), with a vector in the place of the tangential
+/// force. The normal part is that of SpringStep. In a step a spring that sticks moves with the indenter; else its force
+/// is the one on the limit that points to where sticking would bring it (implicit, of first order in the step where
+/// the direction of slip turns). A motion that repeats goes through cycles, amplitudes rising in the first one, until
+/// the force repeats to `periodicity` of its largest or 100 cycles have passed. mu positive. Throws
+/// std::invalid_argument.
+PlaneResponse plane_response(const Profile& profile, const PronyBody& body, double mu, const PlaneMotion& motion,
+                             Eigen::Index n_springs, double periodicity = 1e-7);
+
+}  // namespace fretval::mdr
