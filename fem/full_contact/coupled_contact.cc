@@ -21,6 +21,11 @@ using Eigen::VectorXd;
 namespace {
 
 constexpr double enough_agreement = 1e-10;  // of the alternation
+/// To which either side is solved while so much is left of both: no more than the next alternation can make use of.
+double share_of(double remainder) {
+  constexpr double share = 1e-2;
+  return std::clamp(share * remainder, enough_of_contact, 1e-4);
+}
 constexpr int most_alternations = 100;
 
 /// Largest |p - max(0, p - rho opened)| over the largest pressure.
@@ -87,23 +92,25 @@ MatrixXd CoupledContact::moved_by_traction(const MatrixXd& traction) const {
 
 void CoupledContact::alternate(const MatrixXd& target) {
   MatrixXd image;
-  auto solution =
-      solve_pressure(operators_.normal, normal_inverse_, target - moved_by_traction(friction.traction), pressure);
+  double enough = share_of(1);
+  auto solution = solve_pressure(operators_.normal, normal_inverse_, target - moved_by_traction(friction.traction),
+                                 pressure, enough);
   for (n_alternations = 1;; ++n_alternations) {
     pressure = solution.pressure;
-    const auto& rubbed = friction.attempt(pressure, moved_by_pressure());
+    const auto& rubbed = friction.attempt(pressure, moved_by_pressure(), enough);
     const MatrixXd pull = target - moved_by_traction(rubbed.traction);
     operators_.normal.apply(pressure, image);
     opened_ = image - pull;
     remainder = remainder_of(operators_.normal, pressure, opened_);
-    if (remainder <= enough_agreement) return;
+    if (remainder <= enough_agreement && rubbed.remainder <= enough_agreement) return;
     if (n_alternations == most_alternations)
       throw SolverError(
           fmt::format("normal contact and friction do not come to terms: {:.1e} of the largest pressure is left after "
                       "{} alternations, {:.1e} is asked for; the friction coefficient may be too large for them to "
                       "have one solution",
                       remainder, n_alternations, enough_agreement));
-    solution = solve_pressure(operators_.normal, normal_inverse_, pull, pressure);
+    enough = share_of(remainder);
+    solution = solve_pressure(operators_.normal, normal_inverse_, pull, pressure, enough);
   }
 }
 

@@ -76,9 +76,9 @@ class Newton {
   }
 
   /// Whether the solution is found.
-  bool is_done() {
+  bool is_done(double enough) {
     solution_.remainder = friction_remainder(op_, solution_.residual, limit_, solution_.traction) / largest_;
-    return solution_.remainder <= enough_of_contact;
+    return solution_.remainder <= enough;
   }
 
   void iterate() {
@@ -178,14 +178,14 @@ void require_fit(const SurfaceOperator& op, const MatrixXd& pull, const MatrixXd
 
 /// The same without the rings beyond the last one that has a limit.
 FrictionSolution solve_touching(const SurfaceOperator& op, const MatrixXd& pull, const MatrixXd& limit,
-                                const MatrixXd& guess) {
+                                const MatrixXd& guess, double enough) {
   Newton newton(op, pull, limit, guess);
-  while (!newton.is_done()) {
+  while (!newton.is_done(enough)) {
     if (newton.solution().iterations == most_newton_steps)
       throw SolverError(
           fmt::format("friction with a traction of any direction does not converge: {:.1e} of the "
                       "largest limit is left after {} iterations, {:.1e} is asked for",
-                      newton.solution().remainder, most_newton_steps, enough_of_contact));
+                      newton.solution().remainder, most_newton_steps, enough));
     newton.iterate();
   }
   return std::move(newton.solution());
@@ -214,14 +214,14 @@ double friction_remainder(const SurfaceOperator& op, const MatrixXd& residual, c
 }
 
 FrictionSolution solve_friction(const SurfaceOperator& op, const MatrixXd& pull, const MatrixXd& limit,
-                                const MatrixXd& guess) {
+                                const MatrixXd& guess, double enough) {
   require_fit(op, pull, limit, guess);
   Index n = op.n_rings();
   while (n > 0 && limit.row(n - 1).maxCoeff() == 0) --n;
   FrictionSolution solution{MatrixXd::Zero(pull.rows(), pull.cols()), pull};
   if (n == 0) return solution;
   const auto touching = op.leading(n);
-  auto found = solve_touching(touching, pull.topRows(n), limit.topRows(n), guess.topRows(n));
+  auto found = solve_touching(touching, pull.topRows(n), limit.topRows(n), guess.topRows(n), enough);
   solution.traction.topRows(n) = found.traction;
   MatrixXd image;
   op.apply(solution.traction, image);

@@ -2,6 +2,7 @@
 
 #include <Eigen/Dense>
 
+#include "fem/full_contact/conjugate_gradients.h"
 #include "fem/full_contact/surface_operator.h"
 
 namespace fretval::fem {
@@ -32,10 +33,10 @@ struct FrictionSolution {
 ///
 /// limit: n_rings x n_angles, not negative. guess: of the tractions, any. The natural residual, the largest
 /// |t - P(t + rho (q - K t))| with rho the inverse of the diagonal, is computed of the solution that is returned.
-/// Throws SolverError where it does not come below 1e-11 of the largest limit, and std::invalid_argument for
+/// Throws SolverError where it does not come below `enough` of the largest limit, and std::invalid_argument for
 /// sizes that do not fit and limits that are negative or no numbers.
 FrictionSolution solve_friction(const SurfaceOperator& op, const Eigen::MatrixXd& pull, const Eigen::MatrixXd& limit,
-                                const Eigen::MatrixXd& guess);
+                                const Eigen::MatrixXd& guess, double enough = enough_of_contact);
 
 /// Each traction, or the nearest one within its limit.
 Eigen::MatrixXd onto_discs(Eigen::MatrixXd traction, const Eigen::MatrixXd& limit);

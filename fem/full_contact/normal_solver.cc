@@ -24,9 +24,9 @@ class ActiveSet {
   }
 
   /// Whether the solution is found.
-  bool is_done() {
+  bool is_done(double enough) {
     remainder_ = remainder(pressure_, pull_);
-    return remainder_ <= enough_of_contact;
+    return remainder_ <= enough;
   }
 
   void iterate() {
@@ -99,19 +99,19 @@ PressureSolution solve_pressure(const SurfaceOperator& op, const MatrixXd& targe
 }
 
 PressureSolution solve_pressure(const SurfaceOperator& op, const InverseOperator& inverse, const MatrixXd& target,
-                                const MatrixXd& guess) {
+                                const MatrixXd& guess, double enough) {
   if (target.rows() != op.n_rings() || target.cols() != op.n_columns() || guess.rows() != target.rows() ||
       guess.cols() != target.cols())
     throw std::invalid_argument("the fields of the normal contact do not fit its operator");
   if (!target.allFinite() || !guess.allFinite())
     throw std::invalid_argument("the displacements of the normal contact must be numbers");
   ActiveSet set(op, inverse, target, guess);
-  while (!set.is_done()) {
+  while (!set.is_done(enough)) {
     if (set.n_iterations() == most_newton_steps)
       throw SolverError(
           fmt::format("the normal contact on rings and angles does not converge: {:.1e} of the largest "
                       "pressure is left after {} iterations, {:.1e} is asked for",
-                      set.remainder_left(), most_newton_steps, enough_of_contact));
+                      set.remainder_left(), most_newton_steps, enough));
     set.iterate();
   }
   return set.solution();

@@ -2,6 +2,7 @@
 
 #include <Eigen/Dense>
 
+#include "fem/full_contact/conjugate_gradients.h"
 #include "fem/full_contact/surface_operator.h"
 
 namespace fretval::fem {
@@ -21,12 +22,13 @@ struct PressureSolution {
 ///
 /// Method: primal-dual active set, all points whose pressure or gap has the wrong sign at once, with conjugate
 /// gradients for the pressures, as in friction_solver.h, and the same safeguards. guess: of the pressures, any.
-/// Throws SolverError where the natural residual max |p - max(0, p + rho (q - K p))| does not come below 1e-11 of the
-/// largest pressure, and std::invalid_argument for sizes that do not fit and a q that is not finite.
+/// Throws SolverError where the natural residual max |p - max(0, p + rho (q - K p))| does not come below `enough` of
+/// the largest pressure, and std::invalid_argument for sizes that do not fit and a q that is not finite.
 PressureSolution solve_pressure(const SurfaceOperator& op, const Eigen::MatrixXd& target, const Eigen::MatrixXd& guess);
 
 /// The same with the inverse of the operator without a ground, for one solution after the other.
 PressureSolution solve_pressure(const SurfaceOperator& op, const InverseOperator& inverse,
-                                const Eigen::MatrixXd& target, const Eigen::MatrixXd& guess);
+                                const Eigen::MatrixXd& target, const Eigen::MatrixXd& guess,
+                                double enough = enough_of_contact);
 
 }  // namespace fretval::fem

@@ -76,7 +76,7 @@ std::optional<StepInPiece> VectorFriction::in_piece() const {
   return step;
 }
 
-const FrictionSolution& VectorFriction::attempt(const MatrixXd& pressure, const MatrixXd& displaced) {
+const FrictionSolution& VectorFriction::attempt(const MatrixXd& pressure, const MatrixXd& displaced, double enough) {
   const auto next = next_step();
   const auto response = [&](const RingState& state, const Course& course) {
     return step_.response_without_slip(state, move_in(course, next.begin, next.balance, next.inside()));
@@ -87,7 +87,7 @@ const FrictionSolution& VectorFriction::attempt(const MatrixXd& pressure, const 
   pull = op_.areas().asDiagonal() * pull;
   pull -= displaced;
   limit = friction_coefficient_ * pressure;
-  solution_ = solve_friction(op_, pull, limit, solution_.traction);
+  solution_ = solve_friction(op_, pull, limit, solution_.traction, enough);
   return solution_;
 }
 

@@ -47,7 +47,8 @@ class VectorFriction {
 
   /// What the next step comes to under pressures to which the body also responds by so much along the surface, times
   /// the areas; until accept() nothing has changed but the limit and the guess for the next attempt.
-  const FrictionSolution& attempt(const Eigen::MatrixXd& pressure, const Eigen::MatrixXd& displaced);
+  const FrictionSolution& attempt(const Eigen::MatrixXd& pressure, const Eigen::MatrixXd& displaced,
+                                  double enough = enough_of_contact);
   /// Makes the step of the last attempt.
   void accept();
 
