@@ -47,12 +47,40 @@ double coupling_of(const Case& input, double contact_radius) {
   return std::abs((1 - 2 * nu) * stiff * s * s - kappa * kappa) / (2 * (1 - nu) * (stiff * s * c - kappa));
 }
 
-RungAnswer answer_to(const Rung& rung, const Readings& mdr, BodyStore& bodies, double& contact_radius) {
+/// What finite elements say of a rung.
+struct Proved {
+  ProvedAnswer fe;
+  Units units;
+  /// With the error bars, as those of a method that others are held to.
+  [[nodiscard]] Readings readings() const {
+    auto all = readings_of(fe.fe, units);
+    const auto scales = scales_of(fe.fe, units);
+    for (auto& [quantity, reading] : all)
+      if (const auto bar = fe.budget.find(quantity); bar != fe.budget.end() && reading.value)
+        reading.uncertainty = bar->second.total() * scale_of(quantity, scales, *reading.value);
+    return all;
+  }
+};
+
+Proved proved(const Rung& rung, BodyStore& bodies) {
+  log::info(fmt::format("{}: {}", rung.input.name, rung.title));
   const auto prepared = prepare({rung.input}).front();
-  const auto fe = prove(prepared, Proof::tolerance, bodies);
+  auto fe = prove(prepared, Proof::tolerance, bodies);
   if (!fe.failure.empty()) throw fem::SolverError(fmt::format("{} ({}): {}", rung.input.name, rung.title, fe.failure));
-  contact_radius = fe.fe.contact_radius_max.value_or(0);
-  return {rung, off_by(mdr, fe, prepared.fem.units)};
+  return {std::move(fe), prepared.fem.units};
+}
+
+/// Whether friction as a vector is computed for the motion of a case; and coupled.
+bool has_vector_friction(const Case& input) {
+  const auto& motion = input.motion;
+  const bool by_force = motion.tangential_force || (motion.path && motion.path->tangential_force);
+  const bool moves = motion.tangential_amplitude != 0 || !motion.tangential_harmonics.empty() || motion.moves_across();
+  return moves && !by_force && motion.phase;
+}
+
+bool has_coupling(const Case& input) {
+  const auto& motion = input.motion;
+  return has_vector_friction(input) && !motion.normal_force && !(motion.path && motion.path->normal_force);
 }
 
 }  // namespace
@@ -62,18 +90,42 @@ std::vector<Rung> rungs_of(const Case& input) {
   if (!input.body.is_half_space()) {
     rungs.push_back({"body", title_of(input.body), input});
     rungs.back().input.elastomer.poisson_ratio = incompressible;
+    rungs.back().input.contact = {};
   }
   if (input.elastomer.poisson_ratio != incompressible) {
     rungs.push_back({"poisson_ratio", title_of_ratio(input.elastomer.poisson_ratio), input});
     rungs.back().input.body = {};
+    rungs.back().input.contact = {};
+  }
+  // A motion in two directions asks for friction as a vector, on every rung and of MDR's springs as well.
+  if (input.motion.moves_across())
+    for (auto& rung : rungs) rung.input.contact.vector_friction = true;
+  if (has_vector_friction(input)) {
+    rungs.push_back({"friction", "friction as a vector", case_for_mdr(input)});
+    rungs.back().input.contact.vector_friction = true;
   }
   return rungs;
+}
+
+Case case_without_coupling(const Case& input) {
+  auto all = input;
+  all.contact = {has_vector_friction(input), false};
+  return all;
+}
+
+std::optional<Case> coupled_case(const Case& input) {
+  if (!has_coupling(input) || (input.body.is_half_space() && input.elastomer.poisson_ratio == incompressible))
+    return {};
+  auto all = input;
+  all.contact = {true, true};
+  return all;
 }
 
 Case case_for_mdr(const Case& input) {
   auto own = input;
   own.body = {};
   own.elastomer.poisson_ratio = incompressible;
+  own.contact = {input.motion.moves_across(), false};
   return own;
 }
 
@@ -107,11 +159,11 @@ OffBys off_by(const Readings& mdr, const ProvedAnswer& fe, const Units& units) {
 std::vector<NotComputed> not_computed_in(const Case& input, double contact_radius) {
   std::vector<NotComputed> list;
   const double mu = input.friction_coefficient, coupling = coupling_of(input, contact_radius);
-  if (coupling > 0)
+  if (coupling > 0 && !has_coupling(input))
     list.push_back(
         {"normal and tangential contact coupled",
          fmt::format("mu times the coupling of the surface at a wave of the contact radius: {:.2g}", mu * coupling)});
-  if (input.elastomer.poisson_ratio > 0)
+  if (input.elastomer.poisson_ratio > 0 && !has_vector_friction(input))
     list.push_back({"friction as a vector",
                     "some percent of the stick radius at nu = 1/2, in proportion to nu/(2 - nu); none at nu = 0"});
   const double slope = mdr::shape_slope(any_profile_of(input.indenter), contact_radius);
@@ -131,13 +183,22 @@ Ladder ladder_of(const Case& input, BodyStore& bodies) {
                     "run` answers by finite elements",
                     input.file, input.indenter.table));
   Ladder ladder{readings_of(mdr_answer_with_cycle(own, mdr_normal_response(own))), {}, {}, 0, {}};
+  std::optional<Proved> all;  // of all assumptions dropped
+  const auto off = [&](const Readings& mdr, const Proved& fe) { return off_by(mdr, fe.fe, fe.units); };
   for (const auto& rung : rungs_of(input)) {
-    log::info(fmt::format("{}: {}", input.name, rung.title));
-    ladder.rungs.push_back(answer_to(rung, ladder.mdr, bodies, ladder.contact_radius));
+    all = proved(rung, bodies);
+    ladder.rungs.push_back({rung, off(ladder.mdr, *all)});
   }
-  const Rung whole{"whole", "the case as it is", input};
-  ladder.whole = ladder.rungs.size() == 1 ? RungAnswer{whole, ladder.rungs.front().off_by}
-                                          : answer_to(whole, ladder.mdr, bodies, ladder.contact_radius);
+  const auto coupled = coupled_case(input);
+  const Rung without{"whole", coupled ? "all of these" : "the case as it is", case_without_coupling(input)};
+  if (ladder.rungs.size() != 1) all = proved(without, bodies);
+  if (coupled) {
+    const auto before = all->readings();
+    all = proved({"whole", "the case as it is", *coupled}, bodies);
+    ladder.rungs.push_back({{"coupling", "pressure and friction coupled", *coupled}, off(before, *all)});
+  }
+  ladder.whole = {{"whole", "the case as it is", coupled.value_or(without.input)}, off(ladder.mdr, *all)};
+  ladder.contact_radius = all->fe.fe.contact_radius_max.value_or(0);
   ladder.not_computed = not_computed_in(input, ladder.contact_radius);
   return ladder;
 }

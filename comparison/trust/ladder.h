@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,14 +12,22 @@ namespace fretval {
 
 /// A case over a body for which some of MDR's assumptions are dropped.
 struct Rung {
-  std::string key;    ///< in JSON: "body", "poisson_ratio", "whole"
-  std::string title;  ///< "a layer 2 mm thick", "nu = 0.45"
+  std::string key;    ///< in JSON: "body", "poisson_ratio", "friction", "coupling", "whole"
+  std::string title;  ///< "a layer 2 mm thick", "nu = 0.45", "friction as a vector"
   Case input;
 };
 
-/// From MDR's own model, an incompressible half-space: one rung for each of its assumptions that the case does not
-/// keep.
+/// From MDR's own model, an incompressible half-space with a traction along x: one rung for each of its assumptions that
+/// the case does not keep. No contact keeps the direction of the traction, whatever the case file says of it; friction
+/// is a vector on a rung wherever the full contact computes the motion.
 std::vector<Rung> rungs_of(const Case& input);
+
+/// All assumptions of MDR dropped but the one that pressure and friction are not coupled.
+Case case_without_coupling(const Case& input);
+
+/// The same with coupling; empty: over an incompressible half-space there is none, or the motion is not computed with
+/// it (prescribed forces).
+std::optional<Case> coupled_case(const Case& input);
 
 /// MDR's own model of a case.
 Case case_for_mdr(const Case& input);
@@ -52,7 +61,7 @@ struct NotComputed {
 /// How far MDR can be trusted in a case, and why.
 struct Ladder {
   Readings mdr;                   ///< of its own model
-  std::vector<RungAnswer> rungs;  ///< one assumption dropped each
+  std::vector<RungAnswer> rungs;  ///< one assumption dropped each; coupling: beside all others, against all others
   RungAnswer whole;               ///< all of them
   double contact_radius;          ///< m, of finite elements for the whole
   std::vector<NotComputed> not_computed;

@@ -1,0 +1,63 @@
+#include "comparison/reference/plane_answer.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "comparison/reference/mdr_answer.h"
+#include "tests/comparison/suite_case.h"
+
+namespace fretval::plane_answer_test {
+namespace {
+
+MdrAnswer answer_to(const Case& scene) {
+  const auto mdr = mdr_case(scene);
+  return mdr_answer_with_cycle(mdr, mdr_normal_response(mdr));
+}
+
+/// A circle of the radius of the tangential amplitude.
+Case circle(double poisson_ratio = 0.5) {
+  auto scene = suite_case("parabola-elastic-steady", 1e-2);
+  scene.motion.phase = 0;
+  scene.motion.transverse = {{scene.motion.tangential_amplitude, scene.motion.tangential_frequency, 90}};
+  scene.contact.vector_friction = true;
+  scene.elastomer.poisson_ratio = poisson_ratio;
+  return scene;
+}
+
+// g(c) = d0 - A with A = 2 (1 - nu)/(2 - nu) u/mu (docs/theory.md).
+TEST(PlaneAnswer, OfACircleHasTheDepthOfItsRadius) {
+  for (const double nu : {0.5, 0.3}) {
+    const auto scene = circle(nu);
+    const double demand = 2 * (1 - nu) / (2 - nu) * scene.motion.tangential_amplitude / scene.friction_coefficient,
+                 c = std::sqrt(scene.indenter.radius * (scene.motion.indentation - demand));
+    const auto answer = answer_to(scene);
+    EXPECT_NEAR(answer.stick_radius_shakedown.value() / c, 1, 1e-6) << nu;
+    EXPECT_NEAR(answer.stick_radius_first_slip.value() / c, 1, 1e-6) << nu;
+    const auto& cycle = answer.cycle.value();
+    EXPECT_NEAR(answer.transverse_force_max.value() / cycle.tangential_force_max, 1, 1e-3);
+    EXPECT_GT(cycle.friction_work, 0);
+    EXPECT_LT(cycle.work_error, 0.02 * cycle.friction_work);
+  }
+}
+
+// There and back on a line is what the springs of one direction do, by other code.
+TEST(PlaneAnswer, OfALineIsThatOfOneDirection) {
+  auto scene = circle();
+  scene.motion.transverse = {{0.5 * scene.motion.tangential_amplitude, scene.motion.tangential_frequency, 0}};
+  auto along = circle();
+  along.motion.transverse.clear();
+  along.contact = {};
+  along.motion.tangential_amplitude *= std::sqrt(1.25);
+  const auto plane = answer_to(scene), line = answer_to(along);
+  EXPECT_NEAR(plane.stick_radius_shakedown.value() / line.stick_radius_shakedown.value(), 1, 1e-6);
+  EXPECT_NEAR(plane.cycle->friction_work / line.cycle->friction_work, 1, 1e-2);
+}
+
+TEST(PlaneAnswer, IsAskedForTwoDirectionsAlone) {
+  EXPECT_TRUE(moves_in_plane(mdr_case(circle())));
+  EXPECT_FALSE(moves_in_plane(mdr_case(suite_case("parabola-elastic-steady", 1e-2))));
+}
+
+}  // namespace
+}  // namespace fretval::plane_answer_test

@@ -1,0 +1,79 @@
+#include "comparison/simulation/full_case.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "comparison/accuracy/prepared_case.h"
+#include "comparison/simulation/compute_case.h"
+#include "tests/comparison/suite_case.h"
+
+namespace fretval::full_case_test {
+namespace {
+
+Case with_vector_friction(double poisson_ratio, bool coupled = false) {
+  auto scene = suite_case("parabola-elastic-steady", 1e-2);
+  scene.elastomer.poisson_ratio = poisson_ratio;
+  scene.contact = {true, coupled};
+  return scene;
+}
+
+FeAnswer answer_to(const Case& scene) {
+  BodyStore bodies;
+  const auto fem = prepare({scene}).front().fem;
+  return compute_case(fem, fem.resolution, bodies);
+}
+
+FeAnswer ring_answer_to(Case scene) {
+  scene.contact = {};
+  return answer_to(scene);
+}
+
+// Without Poisson's effect responses along and across are equal: the direction of the traction makes no difference.
+TEST(FullCase, WithoutPoissonsEffectIsTheRingContact) {
+  const auto full = answer_to(with_vector_friction(0)), rings = ring_answer_to(with_vector_friction(0));
+  const double a = rings.contact_radius_max.value();
+  EXPECT_NEAR(full.stick_radius_shakedown.value(), rings.stick_radius_shakedown.value(), 2e-3 * a);
+  EXPECT_NEAR(full.stick_radius_first_slip.value(), rings.stick_radius_first_slip.value(), 2e-3 * a);
+  EXPECT_NEAR(full.cycle->friction_work / rings.cycle->friction_work, 1, 1e-2);
+  EXPECT_DOUBLE_EQ(full.contact_radius_max.value(), a);
+}
+
+// By 0.5 to 4 % (a boundary-element code, docs/theory.md).
+TEST(FullCase, OfAnIncompressibleBodySticksWithinLess) {
+  const auto full = answer_to(with_vector_friction(0.5)), rings = ring_answer_to(with_vector_friction(0.5));
+  EXPECT_LT(full.stick_radius_shakedown.value(), rings.stick_radius_shakedown.value());
+  EXPECT_GT(full.stick_radius_shakedown.value(), 0.94 * rings.stick_radius_shakedown.value());
+  const auto& surface = full.surface.value();
+  EXPECT_NEAR(surface.sticks_in_a_cycle.along / surface.sticks_in_a_cycle.across, 1, 0.02);
+  EXPECT_NEAR(surface.sticks_in_a_cycle.area, 3.14159265358979 * std::pow(surface.sticks_in_a_cycle.radius, 2),
+              1e-9 * surface.sticks_in_a_cycle.area);
+}
+
+// Over an incompressible half-space pressure and friction do not know of each other.
+TEST(FullCase, IsCoupledByPoissonsRatio) {
+  const auto alone = answer_to(with_vector_friction(0.5)), incompressible = answer_to(with_vector_friction(0.5, true)),
+             other = answer_to(with_vector_friction(0.2, true)), other_alone = answer_to(with_vector_friction(0.2));
+  const double a = alone.contact_radius_max.value();
+  EXPECT_NEAR(incompressible.stick_radius_shakedown.value(), alone.stick_radius_shakedown.value(), 5e-3 * a);
+  EXPECT_NEAR(incompressible.normal_force_max / alone.normal_force_max, 1, 2e-3);
+  EXPECT_GT(other.normal_force_max, 1.002 * other_alone.normal_force_max);  // friction holds the surface together
+}
+
+// A circle sticks within less than MDR's vector springs have, d0 - A.
+TEST(FullCase, OfACircleHasNoDirection) {
+  auto scene = with_vector_friction(0.5);
+  scene.motion.phase = 0;
+  scene.motion.transverse = {{scene.motion.tangential_amplitude, scene.motion.tangential_frequency, 90}};
+  const auto answer = answer_to(scene);
+  const auto& zone = answer.surface->sticks_in_a_cycle;
+  EXPECT_NEAR(zone.along / zone.across, 1, 5e-3);
+  EXPECT_NEAR(answer.surface->transverse_force_max / answer.cycle->tangential_force_max, 1, 5e-3);
+  const double demand = 2 * scene.motion.tangential_amplitude / (3 * scene.friction_coefficient),
+               springs = std::sqrt(scene.indenter.radius * (scene.motion.indentation - demand));
+  EXPECT_LT(zone.radius, springs);
+  EXPECT_GT(zone.radius, 0.7 * springs);
+}
+
+}  // namespace
+}  // namespace fretval::full_case_test
