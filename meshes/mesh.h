@@ -33,6 +33,8 @@ struct Mesh {
   std::vector<std::array<double, 2>> nodes;    ///< (r, z)
   std::vector<std::array<unsigned, 4>> cells;  ///< indices into nodes, counter-clockwise
   std::vector<Edge> edges;                     ///< the boundary, each edge once
+  std::vector<std::string> materials = {};     ///< names; empty: all of the body is of one
+  std::vector<unsigned> material = {};         ///< of each cell, an index into materials, as many as cells; or empty
 };
 
 /// Name of the physical group of a part of the boundary: "axis", "contact", "free", "far" or "base".

@@ -17,10 +17,14 @@ namespace {
 std::string as_text(const Mesh& mesh) {
   std::set<Boundary> boundaries;
   for (const auto& edge : mesh.edges) boundaries.insert(edge.boundary);
-  std::string text = fmt::format("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n{}\n", boundaries.size() + 1);
+  std::string text = fmt::format("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n{}\n",
+                                 boundaries.size() + std::max<std::size_t>(mesh.materials.size(), 1));
   for (const Boundary boundary : boundaries)
     text += fmt::format("1 {} \"{}\"\n", static_cast<int>(boundary), boundary_name(boundary));
-  text += fmt::format("2 {} \"{}\"\n$EndPhysicalNames\n$Nodes\n{}\n", body_group, body_name, mesh.nodes.size());
+  const auto materials = mesh.materials.empty() ? std::vector<std::string>{body_name} : mesh.materials;
+  for (std::size_t i = 0; i < materials.size(); ++i)
+    text += fmt::format("2 {} \"{}\"\n", body_group + i, materials[i].empty() ? body_name : materials[i]);
+  text += fmt::format("$EndPhysicalNames\n$Nodes\n{}\n", mesh.nodes.size());
   for (std::size_t i = 0; i < mesh.nodes.size(); ++i)
     text += fmt::format("{} {} {} 0\n", i + 1, mesh.nodes[i][0], mesh.nodes[i][1]);
   text += fmt::format("$EndNodes\n$Elements\n{}\n", mesh.edges.size() + mesh.cells.size());
@@ -29,9 +33,12 @@ std::string as_text(const Mesh& mesh) {
     const auto group = static_cast<int>(boundary);
     text += fmt::format("{} {} 2 {} {} {} {}\n", ++number, msh_line, group, group, nodes[0] + 1, nodes[1] + 1);
   }
-  for (const auto& cell : mesh.cells)
-    text += fmt::format("{} {} 2 {} {} {} {} {} {}\n", ++number, msh_quadrilateral, body_group, body_group, cell[0] + 1,
+  for (std::size_t i = 0; i < mesh.cells.size(); ++i) {
+    const auto& cell = mesh.cells[i];
+    const unsigned group = body_group + (mesh.material.empty() ? 0 : mesh.material[i]);
+    text += fmt::format("{} {} 2 {} {} {} {} {} {}\n", ++number, msh_quadrilateral, group, group, cell[0] + 1,
                         cell[1] + 1, cell[2] + 1, cell[3] + 1);
+  }
   return text + "$EndElements\n";
 }
 
@@ -45,13 +52,6 @@ std::vector<std::array<double, 2>> plane_nodes(const MshSections& sections, cons
     nodes.push_back({r, z});
   }
   return nodes;
-}
-
-/// Name of the group of an element, empty if it has none.
-std::string group_name(const MshSections& sections, const MshSections::Element& element) {
-  const int dimension = element.type == msh_line ? 1 : 2;
-  const auto found = sections.group_names.find({dimension, element.group});
-  return found == sections.group_names.end() ? "" : found->second;
 }
 
 [[noreturn]] void fail_group(const std::string& file, const MshSections::Element& element, const std::string& name,
@@ -117,6 +117,9 @@ Mesh read_msh(const std::filesystem::path& path) {
     if (element.type == msh_line) {
       mesh.edges.push_back({{nodes[0], nodes[1]}, boundary_named(file, element, name)});
     } else {
+      if (element.type == msh_triangle)
+        throw MeshError(fmt::format("{}: element {} is of type 2 (triangle), must be 3 (4-node quadrilateral)", file,
+                                    element.number));
       if (name != body_name) fail_group(file, element, name, "\"body\"");
       mesh.cells.push_back({nodes[0], nodes[1], nodes[2], nodes[3]});
     }

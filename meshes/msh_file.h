@@ -8,10 +8,10 @@
 namespace fretval::meshes {
 
 /// Writes a mesh as ASCII MSH 2.2 with the physical curves axis (1), contact (2), free (3), far (4) and the physical
-/// surface body (10). Coordinates keep all their digits. Nodes, cells and edges keep their order; nodes are counted
-/// from 1 in the file, elements from 1 with the edges first. The file appears under its name only when it is complete:
-/// it is written next to it as FILE.partial, then renamed. Throws std::filesystem::filesystem_error if the system
-/// refuses to write.
+/// surface body (10), or those of its materials from 10 on. Coordinates keep all their digits. Nodes, cells and edges
+/// keep their order; nodes are counted from 1 in the file, elements from 1 with the edges first. The file appears under
+/// its name only when it is complete: it is written next to it as FILE.partial, then renamed. Throws
+/// std::filesystem::filesystem_error if the system refuses to write.
 void write_msh(const Mesh& mesh, const std::filesystem::path& file);
 
 /// Reads an ASCII .msh file of version 2.2 or 4.1, from `write_msh` or gmsh: 4-node quadrilaterals in the physical

@@ -17,8 +17,6 @@ using NodeIndex = std::unordered_map<long long, unsigned>;
 
 std::string type_name(int type) {
   switch (type) {
-    case 2:
-      return "2 (triangle)";
     case 4:
     case 5:
     case 6:
@@ -40,11 +38,13 @@ std::size_t n_nodes_of(int type, long long element, const Words& words) {
       return 1;
     case msh_line:
       return 2;
+    case msh_triangle:
+      return 3;
     case msh_quadrilateral:
       return 4;
     default:
       words.fail(fmt::format("the type of element {}", element), type_name(type),
-                 "3 (4-node quadrilateral), 1 (2-node line) or 15 (point)");
+                 "3 (4-node quadrilateral), 2 (3-node triangle), 1 (2-node line) or 15 (point)");
   }
 }
 
@@ -153,6 +153,7 @@ void read_elements_22(Words& words, MshSections& sections, const NodeIndex& inde
     for (std::size_t k = 0; k < n_tags; ++k) {
       const auto tag = words.integer("a tag of an element");
       if (k == 0) element.group = std::abs(tag);
+      if (k == 1) element.entity = tag;
     }
     add_element(std::move(element), words, sections, index);
   }
@@ -169,8 +170,9 @@ void read_elements_41(Words& words, MshSections& sections, const NodeIndex& inde
     const auto group = groups.find({dimension_of(type), entity});
     const std::size_t n_elements = words.count("the number of elements of a block");
     for (std::size_t i = 0; i < n_elements; ++i)
-      add_element({words.integer("the number of an element"), type, group == groups.end() ? 0 : group->second, {}},
-                  words, sections, index);
+      add_element(
+          {words.integer("the number of an element"), type, group == groups.end() ? 0 : group->second, {}, entity},
+          words, sections, index);
   }
   if (sections.elements.size() != n)
     words.fail("the number of elements", fmt::format("{}", sections.elements.size()),
@@ -204,6 +206,11 @@ MshSections read_sections(const std::filesystem::path& file) {
     words.expect(end);
   }
   return sections;
+}
+
+std::string group_name(const MshSections& sections, const MshSections::Element& element) {
+  const auto found = sections.group_names.find({dimension_of(element.type), element.group});
+  return found == sections.group_names.end() ? "" : found->second;
 }
 
 }  // namespace fretval::meshes

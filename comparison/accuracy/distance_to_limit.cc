@@ -31,11 +31,11 @@ double distance_to_chain(const Point& p, const ProfileChain& chain) {
 }  // namespace
 
 /// Denser and denser towards the stick radius, where it rises like a root.
-ProfileChain chain_of(const mdr::LimitingProfile& limit, double contact_radius, double end) {
+ProfileChain chain_of(const WearLimit& limit, double contact_radius, double end) {
   constexpr int n = 1000;
   ProfileChain chain;
   const auto add = [&](double r) {
-    chain.emplace_back(r / contact_radius, mdr::shape(limit, r) / limit.maximum_indentation);
+    chain.emplace_back(r / contact_radius, limit.height(r) / limit.maximum_indentation);
   };
   const double c = limit.stick_radius, a = limit.outer_radius;
   for (int i = 0; i < n; ++i) add(c * i / n);

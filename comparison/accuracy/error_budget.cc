@@ -42,6 +42,20 @@ double element_error(double difference, unsigned degree, unsigned other) {
   return 3 * std::pow(difference, static_cast<double>(degree) / other);
 }
 
+/// A given mesh, with its rings or with them as they are.
+bool is_finer_given_mesh(const Variant& variant) {
+  const auto &finer = variant.resolution, &coarser = variant.reference;
+  if (variant.source == ErrorSource::rings)
+    return coarser.mesh_refinements && finer.elements_per_radius > coarser.elements_per_radius;
+  return variant.source == ErrorSource::grading && finer.mesh_refinements > coarser.mesh_refinements;
+}
+
+/// From cells split into four. Corners of the body, and of its materials, have singular stresses; errors fall at least
+/// with the first power of the cells all the same, as they are of twice the order of the stresses.
+double of_a_finer_mesh(double difference) {
+  return 2 * difference;
+}
+
 constexpr double safety = 1.5;  // of a difference that is one of its kind
 
 /// Errors C h + D h³, both terms, from q(h) - q(2h) and q(2h) - q(4h).
@@ -59,6 +73,7 @@ ErrorShare share_of(const Variant& variant, const Refinements& values, Quantity 
   if (source == ErrorSource::element_order)
     return {source, element_error(difference, variant.reference.degree, variant.resolution.degree), std::nullopt};
   if (source == ErrorSource::cycles) return {source, difference, std::nullopt};
+  if (is_finer_given_mesh(variant)) return {source, of_a_finer_mesh(difference), std::nullopt};
   if (source == ErrorSource::rings && values.coarse && ends_with_contact(needs, quantity))
     return {source, safety * of_first_and_third_order(values.fine - values.medium, values.medium - *values.coarse),
             std::nullopt};

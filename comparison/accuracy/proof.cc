@@ -68,7 +68,7 @@ BarToMeet to_meet(const PreparedCase& prepared, Quantity quantity, const ErrorBa
 }
 
 FixedByCase fixed_by(const PreparedCase& prepared) {
-  return {prepared.input.rings_per_radius.has_value(), prepared.input.steps_per_cycle.has_value()};
+  return {prepared.input.rings_per_radius || prepared.fem.given, prepared.input.steps_per_cycle.has_value()};
 }
 
 /// Empty: all bars meet their tolerances, or nothing can be refined that would help. Says what is refined, and why.

@@ -42,6 +42,23 @@ Variant variant(ErrorSource source, const Resolution& reference, Change change) 
   return {source, r, reference};
 }
 
+/// A given mesh may have so few that nothing is to be seen of fewer: then more are compared with.
+bool has_few_given_rings(const Resolution& r) {
+  return r.mesh_refinements && r.elements_per_radius < 4 * fewest_rings_of_a_variant;
+}
+
+/// What cannot be meshed in another way is split: its cells, with the rings as they are; its rings then begin
+/// elsewhere.
+void add_of_given_mesh(const Resolution& for_rings, const Resolution& quick, std::vector<Variant>& variants) {
+  const auto finer = [](Resolution r) {
+    ++*r.mesh_refinements;
+    return r;
+  };
+  variants.push_back(variant(ErrorSource::edge, finer(for_rings),
+                             [](Resolution& r) { r.edge_before_node += elsewhere_in_ring.front(); }));
+  variants.push_back({ErrorSource::grading, finer(quick), quick});
+}
+
 void other_degree(Resolution& r) {
   r.degree = r.degree > 2 ? r.degree - 1 : r.degree + 1;
 }
@@ -85,19 +102,26 @@ std::vector<Variant> variants_of(const Resolution& all_angles, const CaseNeeds& 
   };
   const Resolution quick = with_fewer_steps(resolution), coarse = with_fewer_rings(resolution),
                    both = with_fewer_steps(coarse), for_rings = with_half_the_steps(resolution, needs);
-  for (const double factor : {0.5, 0.25})
-    if (resolution.elements_per_radius * factor >= fewest_rings_of_a_variant)
-      variants.push_back({ErrorSource::rings, with_rings(for_rings, factor), for_rings});
+  if (has_few_given_rings(resolution))
+    variants.push_back({ErrorSource::rings, with_rings(for_rings, 2), for_rings});
+  else
+    for (const double factor : {0.5, 0.25})
+      if (resolution.elements_per_radius * factor >= fewest_rings_of_a_variant)
+        variants.push_back({ErrorSource::rings, with_rings(for_rings, factor), for_rings});
   if (needs.full) {
     const auto quick_rings = with_fewer_steps(with_fewer_rings(all_angles));
     variants.push_back({ErrorSource::angles, with_angles(quick_rings, 0.5), quick_rings});
   }
-  if (!needs.worn && !needs.any_order)
+  if (resolution.mesh_refinements)
+    add_of_given_mesh(for_rings, quick, variants);
+  else if (!needs.worn && !needs.any_order)
     for (const double rings : elsewhere_in_ring)
       add(ErrorSource::edge, for_rings, [rings](Resolution& r) { r.edge_before_node += rings; });
   add(ErrorSource::element_order, quick, other_degree);
-  add(ErrorSource::grading, quick, [](Resolution& r) { r.growth = std::min(2 * r.growth, coarsest_growth); });
-  add(ErrorSource::far_field, both, [](Resolution& r) { r.far_radius /= 2; });
+  if (!resolution.mesh_refinements) {
+    add(ErrorSource::grading, quick, [](Resolution& r) { r.growth = std::min(2 * r.growth, coarsest_growth); });
+    add(ErrorSource::far_field, both, [](Resolution& r) { r.far_radius /= 2; });
+  }
   for (const double factor : {0.5, 0.25})
     if (coarse.steps_per_cycle * factor >= fewest_steps)
       variants.push_back({ErrorSource::time_step, with_steps(coarse, factor), coarse});
@@ -136,6 +160,7 @@ std::optional<Resolution> refined(const Resolution& resolution, ErrorSource sour
       if (++r.degree > most_degree) return std::nullopt;
       return r;
     case ErrorSource::grading:
+      if (r.mesh_refinements) return std::nullopt;
       if ((r.growth /= 2) < finest_growth) return std::nullopt;
       return r;
     case ErrorSource::far_field:

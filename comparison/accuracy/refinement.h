@@ -57,7 +57,10 @@ struct CaseNeeds {
 /// source is measured on something coarser that it does not get smaller by: rings and edges with half the steps (all
 /// where the indenter moves by them, or rings touch in any order), element order and grading with fewer steps, time
 /// step and creep with half the rings, far field, start and cycles with both. Two of one source follow each other, the
-/// coarser one last.
+/// coarser one last. Of a given mesh (Resolution::mesh_refinements) coarser rings are neighbours together, the grading
+/// is that of cells split into four, with the same rings, and rings that begin elsewhere are halves of them, each with
+/// that of the next; where it has fewer than 24
+/// within the contact radius, finer ones are those of cells split into four. It has no far field.
 std::vector<Variant> variants_of(const Resolution& resolution, const CaseNeeds& needs);
 
 /// The same for the course of wear, which ends shaken down and reads no edges: rings, element order, far field, time

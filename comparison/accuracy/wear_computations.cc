@@ -17,7 +17,7 @@ double expected_work(const Resolution& r) {
 }
 
 /// A limit as far out as the rings reach.
-ProfileChain limit_of(const WearSimulation& wear, const Units& units, const mdr::LimitingProfile& limit) {
+ProfileChain limit_of(const WearSimulation& wear, const Units& units, const WearLimit& limit) {
   return chain_of(limit, units.length, units.length * wear.radii.back());
 }
 
@@ -29,7 +29,7 @@ ProfileChain chain_of(const WearSimulation& wear, const Eigen::VectorXd& worn, d
   return chain;
 }
 
-std::vector<double> distances_of(const WearSimulation& wear, const Units& units, const mdr::LimitingProfile& limit) {
+std::vector<double> distances_of(const WearSimulation& wear, const Units& units, const WearLimit& limit) {
   const auto chain = limit_of(wear, units, limit);
   std::vector<double> distances;
   for (const auto& worn : wear.course.worn)
@@ -69,8 +69,8 @@ WearComputation WearComputations::attempt(const Resolution& resolution) {
   const auto& units = prepared_.fem.units;
   const auto& limit = limits_.shakedown;
   if (oversight_.progress)
-    run.progress = [&, chain = ProfileChain(), all_of_it = mdr::worn_volume(limit)](
-                       const WearSimulation& rings, const fem::WearCourse& course) mutable {
+    run.progress = [&, chain = ProfileChain(), all_of_it = limit.volume](const WearSimulation& rings,
+                                                                         const fem::WearCourse& course) mutable {
       if (chain.empty()) chain = limit_of(rings, units, limit);
       const auto& point = course.curve.back();
       const double by_volume = point.volume * units.volume() / all_of_it,

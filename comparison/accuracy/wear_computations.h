@@ -33,7 +33,7 @@ struct WearOversight {
 ProfileChain chain_of(const WearSimulation& wear, const Eigen::VectorXd& worn, double unit);
 
 /// Of the profiles of a course from a limit, in r over the unworn contact radius and f over the largest indentation.
-std::vector<double> distances_of(const WearSimulation& wear, const Units& units, const mdr::LimitingProfile& limit);
+std::vector<double> distances_of(const WearSimulation& wear, const Units& units, const WearLimit& limit);
 
 /// The wear of a case at all the resolutions that are asked for, each computed once.
 class WearComputations {

@@ -27,9 +27,8 @@ std::vector<Resolution> needed_for_bars(const Resolution& resolution) {
 }
 
 Quantities quantities_of(const WearSimulation& wear, const Units& units, const WearLimits& limits) {
-  return {
-      {Quantity::worn_volume, wear.course.curve.back().volume * units.volume() / mdr::worn_volume(limits.shakedown)},
-      {Quantity::worn_radius, wear.worn_radius}};
+  return {{Quantity::worn_volume, wear.course.curve.back().volume * units.volume() / limits.shakedown.volume},
+          {Quantity::worn_radius, wear.worn_radius}};
 }
 
 double stick_radius_of(const WearSimulation& wear) {
@@ -37,14 +36,14 @@ double stick_radius_of(const WearSimulation& wear) {
 }
 
 /// How far the stick radius of the end may be off, if there is one. A ring slips as a whole or not at all, so it is
-/// known to the width of the rings at it; and under prescribed displacements it does not move, so what wear has eaten
-/// of that of the unworn contact is an error.
+/// known to the width of the rings at it; and under prescribed displacements it does not move over a half-space, so
+/// what wear has eaten of that of the unworn contact is an error.
 double stick_radius_error(const PreparedCase& prepared, const WearSimulation& wear, double unworn_stick_radius) {
   const double stick_radius = stick_radius_of(wear);
   if (stick_radius == 0) return 0;
   const auto rings = rings_at(wear.radii, stick_radius);
   return std::max(
-      {rings.inside, rings.outside, prepared.fem.motion.has_forces() ? 0 : unworn_stick_radius - stick_radius});
+      {rings.inside, rings.outside, stick_radius_moves(prepared.fem) ? 0 : unworn_stick_radius - stick_radius});
 }
 
 /// The worn volume of the limiting state vanishes like (a - c)^(5/2) as c reaches the contact radius, which is 1, and
@@ -64,7 +63,7 @@ void add_stop(const ProvedWear& wear, const Units& units, ErrorBudget& budget) {
                depth = jumps * (worn.back() - *(worn.end() - 2)).maxCoeff(),
                volume = jumps * (last.volume - before.volume);
   budget[Quantity::distance_to_limit].add(ErrorSource::cycles, depth * units.depth / limit.maximum_indentation);
-  budget[Quantity::worn_volume].add(ErrorSource::cycles, volume * units.volume() / mdr::worn_volume(limit));
+  budget[Quantity::worn_volume].add(ErrorSource::cycles, volume * units.volume() / limit.volume);
 }
 
 /// The stick radius of the end jumps by rings and takes the volume with it: refinements are compared at the stick
@@ -190,7 +189,7 @@ std::optional<double> error_of_springs(const PreparedCase& prepared, const Prove
   double largest = 0;
   for (const auto& point : wear.kinetics->curve)
     largest = std::max(largest, std::abs(volume_after(*finer, point.cycles) - point.volume));
-  return largest / mdr::worn_volume(wear.limits.shakedown);
+  return largest / wear.limits.shakedown.volume;
 }
 
 /// Whether nothing that touches slips, in either method.
@@ -204,7 +203,7 @@ double largest_difference(const ProvedWear& wear, const Units& units) {
   double largest = 0;
   for (const auto& point : wear.fe.course.curve)
     largest = std::max(largest, std::abs(point.volume * units.volume() - volume_after(*wear.kinetics, point.cycles)));
-  return largest / mdr::worn_volume(wear.limits.shakedown);
+  return largest / wear.limits.shakedown.volume;
 }
 
 /// Refinements end after other numbers of cycles; progressive wear hardly changes its rate any more.
@@ -243,7 +242,7 @@ Comparison compare(const PreparedCase& prepared, const ProvedWear& wear, const E
   };
   if (!wear.ends_in_limit()) {
     if (wear.springs_error)
-      judge(Quantity::worn_volume, wear.kinetics->curve.back().volume / mdr::worn_volume(wear.limits.shakedown),
+      judge(Quantity::worn_volume, wear.kinetics->curve.back().volume / wear.limits.shakedown.volume,
             *wear.springs_error);
     return comparison;
   }
@@ -256,14 +255,14 @@ Comparison compare(const PreparedCase& prepared, const ProvedWear& wear, const E
 
 /// Whether an indenter that has worn before can still end in a limiting profile: nowhere is it worn off deeper, within
 /// the tolerance of the distance either way.
-bool may_still_reach(const PreparedCase& prepared, const mdr::LimitingProfile& limit) {
+bool may_still_reach(const PreparedCase& prepared, const WearLimit& limit) {
   const auto& fem = prepared.fem;
   if (!fem.worn_before) return true;
   const double tolerance = tolerance_of(prepared.tolerances, Quantity::distance_to_limit), step = tolerance / 2,
                unit = fem.units.depth / limit.maximum_indentation;
   for (double r = 0; r < 2 * limit.outer_radius / fem.units.length; r += step) {
     const double height = unit * (fem.profile(r) + fem.worn_before->depth(r)),
-                 allowed = mdr::shape(limit, (r + tolerance) * fem.units.length) / limit.maximum_indentation;
+                 allowed = limit.height((r + tolerance) * fem.units.length) / limit.maximum_indentation;
     if (height > allowed + tolerance) return false;
   }
   return true;

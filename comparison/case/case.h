@@ -1,10 +1,15 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
+
+namespace fretval::meshes {
+struct Mesh;
+}
 
 namespace fretval {
 
@@ -65,14 +70,24 @@ struct Case {
 
   /// What the indenter is pressed into.
   struct Body {
-    enum class Shape { half_space, layer, cylinder };
+    enum class Shape { half_space, layer, cylinder, mesh };
     /// In the order of the enumeration, as in the file.
-    static constexpr std::array shape_names{"half space", "layer", "cylinder"};
+    static constexpr std::array shape_names{"half space", "layer", "cylinder", "mesh"};
+
+    /// Of all that belongs to a physical surface of a mesh, over that of the elastomer.
+    struct RelativeModulus {
+      std::string material;
+      double value;
+    };
 
     Shape shape = Shape::half_space;
-    double thickness = 0;   ///< m; layer, cylinder
-    double radius = 0;      ///< m; cylinder
-    bool is_bonded = true;  ///< to its base; false: it slides there without friction; layer, cylinder
+    double thickness = 0;              ///< m; layer, cylinder; of a mesh what is below the centre of the contact
+    double radius = 0;                 ///< m; cylinder
+    bool is_bonded = true;             ///< to its base; false: it slides there without friction; all but half space
+    std::string mesh, mesh_hash = {};  ///< file, and what tells its content; mesh
+    std::shared_ptr<const meshes::Mesh> grid = {};      ///< see meshes::read_user_mesh; mesh
+    double mesh_unit = 1;                               ///< m, of its coordinates; mesh
+    std::vector<RelativeModulus> relative_moduli = {};  ///< 1 of materials that it does not name; mesh
 
     [[nodiscard]] bool is_half_space() const { return shape == Shape::half_space; }
   };

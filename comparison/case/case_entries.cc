@@ -115,7 +115,9 @@ Case read_entries(const EntryReader& entries, Accuracy accuracy) {
     input.tolerance = entries.number("Accuracy", "Tolerance", relative_tolerance);
   if (entries.given("Accuracy", "Cycle tolerance"))
     input.cycle_tolerance = entries.number("Accuracy", "Cycle tolerance", relative_tolerance);
-  if (entries.given("Accuracy", "Rings per radius"))
+  if (input.body.shape == Case::Body::Shape::mesh)
+    entries.forbid("Accuracy", "Rings per radius", "rings are the edges of the Body / Mesh on its curve contact");
+  else if (entries.given("Accuracy", "Rings per radius"))
     input.rings_per_radius = entries.whole("Accuracy", "Rings per radius", ring_count);
   if (entries.given("Accuracy", "Steps per cycle"))
     input.steps_per_cycle = static_cast<int>(entries.whole("Accuracy", "Steps per cycle", step_count));

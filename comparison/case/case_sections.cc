@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "comparison/case/master_curve.h"
+#include "comparison/case/mesh_entries.h"
 #include "comparison/case/path_table.h"
 #include "comparison/case/table_units.h"
 #include "mdr/rheology/time_temperature.h"
@@ -257,17 +258,28 @@ Case::Body read_body(const EntryReader& entries, bool tangential) {
   if (entries.given(section, "Shape")) shape = entries.one_of(section, "Shape", {names.begin(), names.end()});
   if (shape.empty()) return {};
   forbid_others(entries, section, "Shape", shape,
-                {{"Thickness", {"layer", "cylinder"}}, {"Radius", {"cylinder"}}, {"Base", {"layer", "cylinder"}}});
+                {{"Thickness", {"layer", "cylinder"}},
+                 {"Radius", {"cylinder"}},
+                 {"Base", {"layer", "cylinder", "mesh"}},
+                 {"Mesh", {"mesh"}},
+                 {"Mesh unit", {"mesh"}},
+                 {"Relative moduli", {"mesh"}}});
   Case::Body body;
   body.shape = static_cast<Case::Body::Shape>(std::find(names.begin(), names.end(), shape) - names.begin());
   if (body.is_half_space()) return body;
-  body.thickness = entries.number(section, "Thickness", positive_number);
+  if (body.shape == Case::Body::Shape::mesh)
+    read_mesh_entries(entries, body);
+  else
+    body.thickness = entries.number(section, "Thickness", positive_number);
   if (body.shape == Case::Body::Shape::cylinder) body.radius = entries.number(section, "Radius", positive_number);
   body.is_bonded = entries.one_of(section, "Base", {"bonded", "frictionless"}) == "bonded";
   if (!body.is_bonded && tangential)
     entries.fail(section, "Base",
                  "bonded: nothing but a base to which it is bonded holds the body against the "
                  "tangential motion");
+  if (!body.is_bonded && body.grid && !has_level_base(*body.grid))
+    entries.fail(section, "Base",
+                 fmt::format("bonded: the base of {} is not level, on which it could slide", body.mesh));
   return body;
 }
 

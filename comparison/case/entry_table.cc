@@ -84,15 +84,30 @@ SectionTraits elastomer_entries() {
 }
 
 SectionTraits body_entries() {
-  return {"Body",
-          {{"Shape", {}, "half space, layer, cylinder", "half space", "what the indenter is pressed into"},
-           {"Thickness", {D::length}, "positive", needed, "layer, cylinder: down to their flat, rigid base"},
-           {"Radius", {D::length}, "positive", needed, "cylinder: of its side, which is free"},
-           {"Base",
-            {},
-            "bonded, frictionless",
-            needed,
-            "layer, cylinder: what their base does; a frictionless one holds nothing against a tangential motion"}}};
+  return {
+      "Body",
+      {{"Shape", {}, "half space, layer, cylinder, mesh", "half space", "what the indenter is pressed into"},
+       {"Thickness", {D::length}, "positive", needed, "layer, cylinder: down to their flat, rigid base"},
+       {"Radius", {D::length}, "positive", needed, "cylinder: of its side, which is free"},
+       {"Base",
+        {},
+        "bonded, frictionless",
+        needed,
+        "layer, cylinder, mesh: what their base does; a frictionless one holds nothing against a tangential motion"},
+       {"Mesh",
+        {},
+        "a file, relative to the case file",
+        needed,
+        "mesh: a .msh file (gmsh, ASCII, version 2.2 or 4.1) of the meridian section, x for r and y for z, of "
+        "quadrilaterals or triangles; physical curves contact (level, from r = 0 on; its edges are the rings), axis "
+        "and base, all others are free"},
+       {"Mesh unit", {D::length}, "a unit or a length", "m", "mesh: what the coordinates of the file are in"},
+       {"Relative moduli",
+        {},
+        "names with a positive number each, a list",
+        "1 of all",
+        "mesh: moduli of physical surfaces over those of the Elastomer, as `pad 1, skin 8`; all share its G(t)/G(0); "
+        "1 of those that are not named"}}};
 }
 
 SectionTraits motion_entries() {

@@ -1,8 +1,10 @@
 #include "comparison/reference/layer_answer.h"
 
+#include "mdr/layer/coupled_path.h"
 #include "mdr/layer/coupled_response.h"
 #include "mdr/layer/layer_contact.h"
 #include "mdr/layer/layer_limiting_profile.h"
+#include "mdr/layer/layer_limiting_state.h"
 
 namespace fretval {
 namespace {
@@ -26,6 +28,27 @@ mdr::NormalResponse layer_normal_response(const MdrCase& mdr) {
 
 mdr::SteppedForcedResponse layer_response(const MdrCase& mdr, int times) {
   return stepped_on_layer(mdr, mdr.prescribed(), times);
+}
+
+mdr::SteppedPathForces layer_path_forces(const MdrCase& mdr, double friction_coefficient, const mdr::SampledPath& path,
+                                         const mdr::PathFineness& fineness) {
+  return mdr::coupled_path_forces(mdr.profile, mdr.layer.value(), mdr.body, friction_coefficient, path, fineness);
+}
+
+std::optional<mdr::LimitingState> layer_wear_state(const MdrCase& mdr, mdr::StickCriterion criterion) {
+  const auto &normal = mdr.motion.normal.front(), &tangential = mdr.motion.tangential.front();
+  mdr::FrettingControl control{{}, {}, normal.frequency, tangential.frequency, {}};
+  if (mdr.normal_force)
+    control.normal = mdr::NormalForceControl{mdr.motion.indentation, normal.amplitude};
+  else
+    control.normal = mdr::IndentationControl{mdr.motion.indentation, normal.amplitude};
+  if (mdr.tangential_force)
+    control.tangential = mdr::TangentialForceControl{tangential.amplitude};
+  else
+    control.tangential = mdr::TangentialDisplacementControl{tangential.amplitude};
+  if (mdr.motion.phase_locked) control.phase = tangential.phase - normal.phase;
+  return mdr::layer_limiting_state(mdr.profile, mdr.layer.value(), mdr.body, mdr.friction_coefficient, control,
+                                   criterion);
 }
 
 std::optional<double> layer_worn_radius(const MdrCase& mdr, const std::optional<double>& shakedown_radius,

@@ -1,6 +1,8 @@
 #pragma once
 
 #include "comparison/reference/mdr_case.h"
+#include "mdr/springs/path_response.h"
+#include "mdr/stick/limiting_state.h"
 
 namespace fretval {
 
@@ -10,6 +12,14 @@ mdr::NormalResponse layer_normal_response(const MdrCase& mdr);
 /// Of an unworn indenter that oscillates: springs that the layer couples, stepped in time, with so many times the usual
 /// springs and steps. Throws mdr::GrossSlip, and otherwise as mdr::coupled_response.
 mdr::SteppedForcedResponse layer_response(const MdrCase& mdr, int times);
+
+/// mdr::path_forces over a layer.
+mdr::SteppedPathForces layer_path_forces(const MdrCase& mdr, double friction_coefficient, const mdr::SampledPath& path,
+                                         const mdr::PathFineness& fineness);
+
+/// What the wear of a rig on a layer leads to: one harmonic in each direction, of equal frequencies unless the phase is
+/// not locked. Empty: no contact carries the motion without slip. Throws std::invalid_argument for other motions.
+std::optional<mdr::LimitingState> layer_wear_state(const MdrCase& mdr, mdr::StickCriterion criterion);
 
 /// MdrAnswer::worn_radius over a layer, m; deepest: largest indentation, m. Empty: nothing sticks, or forces, of whose
 /// limiting state the indentation is another.

@@ -141,8 +141,9 @@ void answer_displaced_path(const MdrCase& mdr, MdrAnswer& answer) {
 void answer_forced_path(const MdrCase& mdr, int times, MdrAnswer& answer) {
   std::optional<mdr::SteppedPathForces> stepped;
   try {
-    stepped =
-        mdr::path_forces(mdr.profile, mdr.body, mdr.friction_coefficient, *mdr.path, finer(mdr::PathFineness{}, times));
+    const auto fineness = finer(mdr::PathFineness{}, times);
+    stepped = mdr.layer ? layer_path_forces(mdr, mdr.friction_coefficient, *mdr.path, fineness)
+                        : mdr::path_forces(mdr.profile, mdr.body, mdr.friction_coefficient, *mdr.path, fineness);
   } catch (const mdr::GrossSlip& slip) {
     answer.gross_slip = slip.amplitude;
     if (answer.single_pass) answer.gross_slip_time = slip.time;
@@ -167,7 +168,7 @@ MdrAnswer path_answer(const MdrCase& mdr, const mdr::NormalResponse& normal, int
   MdrAnswer answer = with_normal_response(normal);
   answer.modulus_ratio = std::nan("");
   answer.single_pass = mdr.is_single_pass();
-  if (mdr.path->has_forces())
+  if (mdr.path->has_forces() || mdr.layer)
     answer_forced_path(mdr, times, answer);
   else
     answer_displaced_path(mdr, answer);
@@ -179,12 +180,13 @@ mdr::NormalResponse normal_response_along(const MdrCase& mdr) {
   auto path = *mdr.path;
   path.tangential_force = false;
   std::fill(path.tangential.begin(), path.tangential.end(), 0.0);
-  auto [forces, error, course] = mdr::path_forces(mdr.profile, mdr.body, 1, path);
+  auto [forces, error, course] =
+      mdr.layer ? layer_path_forces(mdr, 1, path, {}) : mdr::path_forces(mdr.profile, mdr.body, 1, path);
   auto& history = course.history;
   const double start = history.time.front();
   for (double& time : history.time) time -= start;
   const double radius =
-      mdr::inverse_transform(mdr.profile, path.normal_force ? forces.largest_indentation : mdr::maximum_normal(path));
+      unworn_radius_at(mdr, path.normal_force ? forces.largest_indentation : mdr::maximum_normal(path));
   std::optional<mdr::AxisPressure> pressure;
   const auto& force = history.normal_force;
   const bool loses_contact = *std::min_element(force.begin(), force.end()) <= 0;
@@ -213,8 +215,8 @@ MdrAnswer with_normal_response(const mdr::NormalResponse& normal) {
 }
 
 mdr::NormalResponse mdr_normal_response(const MdrCase& mdr) {
-  if (mdr.layer) return layer_normal_response(mdr);
   if (mdr.path) return normal_response_along(mdr);
+  if (mdr.layer) return layer_normal_response(mdr);
   if (mdr.normal_force && !mdr.limiting)
     return mdr::forced_response(mdr.profile, mdr.body, 1, mdr.prescribed_normally()).response.normal;
   const auto motion = displacements_of(mdr);
@@ -275,6 +277,8 @@ MdrAnswer incompressible_answer(const MdrCase& mdr, const mdr::NormalResponse& n
   if (mdr.path) {
     auto answer = with_known_cycle(mdr, [&](int times) { return path_answer(mdr, normal, times); });
     if (const auto worn = worn_profile(mdr, answer.stick_radius_shakedown)) answer.worn_radius = worn->outer_radius;
+    if (mdr.layer && !answer.single_pass)
+      answer.worn_radius = layer_worn_radius(mdr, answer.stick_radius_shakedown, mdr::maximum_normal(*mdr.path));
     return answer;
   }
   auto answer = mdr.layer || (mdr.has_forces() && !mdr.limiting)

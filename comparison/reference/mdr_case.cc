@@ -132,9 +132,15 @@ std::string why_not_comparable(const Case& input) {
 
 /// Why MDR for layers cannot be asked, and the entry that asks for it; empty: it can.
 std::string why_not_on_layer(const Case& input) {
-  if (input.motion.path) return "Motion / Path = " + input.motion.path->file + ": a path over a layer";
   if (input.wear == Case::Wear::limiting) return "Wear / State = limiting: a limiting profile over a layer";
-  if (input.wear_kinetics) return "Wear / Coefficient: wear over a layer";
+  if (!input.wear_kinetics) return "";
+  const auto& motion = input.motion;
+  if (motion.path) return "Motion / Path = " + motion.path->file + ": wear along a path over a layer";
+  if (!motion.normal_harmonics.empty() || !motion.tangential_harmonics.empty())
+    return "Motion / Normal harmonics, Tangential harmonics: wear over a layer under several of them";
+  if (motion.phase && motion.normal_frequency != motion.tangential_frequency)
+    return fmt::format("Motion / Tangential frequency = {:g}: wear over a layer under two frequencies",
+                       motion.tangential_frequency);
   return "";
 }
 
@@ -255,6 +261,7 @@ double deepest_indentation(const MdrCase& mdr) {
   if (mdr.layer) {
     // A layer gives way less than a half-space.
     const auto half_space = mdr::incompressible_equivalent(mdr.body, mdr.layer->poisson_ratio);
+    if (mdr.path) return mdr::deepest_indentation(mdr.profile, half_space, *mdr.path);
     return mdr::deepest_indentation(mdr.profile, half_space, mdr.prescribed());
   }
   if (mdr.path) return mdr::deepest_indentation(mdr.profile, mdr.body, *mdr.path);
@@ -274,14 +281,19 @@ MdrCase mdr_case(const Case& input_of_any_body) {
   if (input_of_any_body.body.shape == Case::Body::Shape::layer)
     if (const auto why = why_not_on_layer(input_of_any_body); !why.empty())
       throw InputError(
-          fmt::format("{}: {} is not computed; leave the Body out, or expected an unworn indenter that "
-                      "oscillates",
+          fmt::format("{}: {} is not computed, as what it would end in is not known there; leave the Body "
+                      "out, or expected an unworn indenter",
                       input_of_any_body.file, why));
   if (!input_of_any_body.body.is_half_space() && !falls_text(any_profile_of(input_of_any_body.indenter)).empty())
     throw InputError(
         fmt::format("{}: Body / Shape: the indenter is a table for which MDR does not hold, which is computed over a "
                     "half-space alone; leave the Body out, or expected a profile whose image rises",
                     input_of_any_body.file));
+  if (input_of_any_body.body.grid && input_of_any_body.wear == Case::Wear::limiting)
+    throw InputError(fmt::format(
+        "{}: Wear / State = limiting: it takes rings that are graded to its edge, which Body / Mesh has not; "
+        "expected unworn, or another Body / Shape",
+        input_of_any_body.file));
   const auto [input, displacement] = incompressible_case(input_of_any_body);
   const auto& motion = input.motion;
   const bool amplitude_follows = std::isnan(motion.tangential_amplitude);
@@ -315,7 +327,7 @@ MdrCase mdr_case(const Case& input_of_any_body) {
     mdr.limiting_state =
         mdr::limiting_motion(mdr.profile, rheology_of(input.elastomer), mdr.friction_coefficient, mdr.motion,
                              mdr.normal_force, mdr.tangential_force, mdr::StickCriterion::shakedown);
-  if (mdr.has_forces() && input.wear_kinetics)
+  if (mdr.has_forces() && input.wear_kinetics && !mdr.layer)
     require_limiting_state(input, mdr, fmt::format("Wear / Coefficient = {:g}", input.wear_kinetics->coefficient));
   if (input.wear == Case::Wear::limiting) mdr.limiting = limiting_of(input, mdr);
   if (amplitude_follows) mdr.motion.tangential.front().amplitude = amplitude_for_shakedown(input, mdr);

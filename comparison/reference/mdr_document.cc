@@ -233,11 +233,11 @@ ordered_json fit_json(const Case::Elastomer& elastomer) {
 MdrDocument mdr_document(const Case& input_of_any_body, bool with_springs) {
   const auto shape = input_of_any_body.body.shape;
   const bool layer = shape == Case::Body::Shape::layer;
-  if (shape == Case::Body::Shape::cylinder)
-    throw InputError(fmt::format(
-        "{}: Body / Shape = cylinder: MDR knows half-spaces and layers; leave it out to see what it says of a "
-        "half-space, or run the case",
-        input_of_any_body.file));
+  if (!layer && !input_of_any_body.body.is_half_space())
+    throw InputError(
+        fmt::format("{}: Body / Shape = {}: MDR knows half-spaces and layers; leave it out to see what it says of a "
+                    "half-space, or run the case",
+                    input_of_any_body.file, Case::Body::shape_names[static_cast<std::size_t>(shape)]));
   if (layer && with_springs)
     throw InputError(
         fmt::format("{}: Body / Shape = layer: MDR's answer is that of springs already; leave --springs out",

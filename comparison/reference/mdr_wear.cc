@@ -1,20 +1,45 @@
 #include "comparison/reference/mdr_wear.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "comparison/reference/layer_answer.h"
 #include "mdr/profiles/profile.h"
 
 namespace fretval {
 
+namespace {
+
+/// Of what a stick radius of nothing stands for.
+constexpr double almost_none = 1e-6;
+
+WearLimits limits_on_layer(const MdrCase& mdr, const MdrAnswer& answer) {
+  const auto limit = [&](mdr::StickCriterion criterion, double deepest) {
+    const auto state = layer_wear_state(mdr, criterion);
+    const double most = unworn_radius_at(mdr, deepest), c = state ? state->stick_radius : almost_none * most;
+    return wear_limit(mdr::layer_limiting_profile(mdr.profile, mdr.layer.value(), std::min(c, most), deepest));
+  };
+  const auto state = layer_wear_state(mdr, mdr::StickCriterion::shakedown);
+  // Without a state under a normal force, wear goes on for ever from where the unworn contact is.
+  const double unworn = mdr.normal_force ? answer.indentation_max.value() : mdr::maximum_indentation(mdr.motion);
+  const double deepest = state ? mdr::maximum_indentation(state->motion) : unworn;
+  const double uncertain = std::max(1e-6, 10 * answer.stepping_error);
+  const bool grows = state && state->stick_radius > (1 + uncertain) * answer.stick_radius_shakedown.value_or(0);
+  return {limit(mdr::StickCriterion::shakedown, deepest), limit(mdr::StickCriterion::first_slip, deepest),
+          !grows && (state || !mdr.has_forces())};
+}
+
+}  // namespace
+
 WearLimits wear_limits(const MdrCase& mdr, const MdrAnswer& answer) {
-  constexpr double almost_none = 1e-6;
+  if (mdr.layer) return limits_on_layer(mdr, answer);
   const double deepest = mdr.has_forces() ? mdr::maximum_indentation(mdr.limiting_state->motion)
                          : mdr.path       ? deepest_indentation(mdr)
                                           : mdr::maximum_indentation(mdr.motion);
   const double least = almost_none * mdr::inverse_transform(mdr.profile, deepest);
   const auto limit = [&](const std::optional<double>& stick_radius) {
-    return mdr::limiting_profile(mdr.profile, stick_radius.value_or(least), deepest);
+    return wear_limit(mdr::limiting_profile(mdr.profile, stick_radius.value_or(least), deepest));
   };
   constexpr double roundoff = 1e-6;
   const bool grows =
@@ -27,8 +52,8 @@ std::optional<mdr::WearKinetics> wear_kinetics_of(const Case& input, const MdrCa
                                                   int fineness) {
   const auto& wear = input.wear_kinetics.value();
   const auto motion = mdr::one_harmonic_each(mdr.motion);
-  if (wear.has_worn_before() || mdr.path || wear.law == Case::WearLaw::power || mdr.has_forces() || !motion ||
-      !motion->phase || motion->normal_frequency != motion->tangential_frequency)
+  if (mdr.layer || wear.has_worn_before() || mdr.path || wear.law == Case::WearLaw::power || mdr.has_forces() ||
+      !motion || !motion->phase || motion->normal_frequency != motion->tangential_frequency)
     return std::nullopt;
   const double coefficient =
       wear.law == Case::WearLaw::energy ? mdr.friction_coefficient * wear.coefficient : wear.coefficient;

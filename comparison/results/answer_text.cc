@@ -108,7 +108,7 @@ std::optional<Reading> fe_reading(const ordered_json& result, Quantity quantity)
   return reading;
 }
 
-/// Of what a half-space in the place of the layer would have, over what finite elements find.
+/// Of what a half-space in the place of the body would have, over what finite elements find.
 std::string half_space_text(const ordered_json& result) {
   const auto half_space = result.find("mdr_half_space");
   if (half_space == result.end()) return "";
@@ -123,9 +123,19 @@ std::string half_space_text(const ordered_json& result) {
   return "over a half-space MDR would be off: " + text;
 }
 
+/// That a given mesh has too few rings, and how many it takes.
+std::string rings_text(const ordered_json& result) {
+  const auto rings = result.at("fe").find("rings");
+  if (rings == result.at("fe").end() || !rings->at("needed").is_number()) return "";
+  return fmt::format(
+      "too few rings for the tolerance: the mesh has {} edges within the contact, and it takes some {}, with cells "
+      "to match",
+      rings->at("in_contact").get<int>(), rings->at("needed").get<int>());
+}
+
 Answer answer_of(const ordered_json& result) {
   if (result.contains("not_compared")) return answer_beyond_mdr(result);
-  Answer answer{plain_answer(result), verdict_sentence(result), {}, half_space_text(result)};
+  Answer answer{plain_answer(result), verdict_sentence(result), {}, half_space_text(result), rings_text(result)};
   const auto scales = scales_of(result);
   for (const auto& one : stored_differences(result)) {
     const auto& traits = traits_of(one.quantity);
@@ -199,7 +209,8 @@ std::string answer_text(const CaseResult& result, const ordered_json& json) {
     text += answer_line(one.title, one.fe, one.mdr, one.remark);
   }
   if (result.mdr.single_pass) text += answer_line("stick radius, shakedown", "none", no_shakedown_in_a_pass);
-  if (!answer.half_space.empty()) text += "  " + answer.half_space + "\n";
+  for (const auto* line : {&answer.half_space, &answer.rings})
+    if (!line->empty()) text += "  " + *line + "\n";
   if (result.wear) return text + wear_text(*result.wear, result.fem_case.units);
   if (result.mdr.worn_radius)
     text += answer_line("wear ends at the radius", "", with_unit(*result.mdr.worn_radius, 0, "m"));

@@ -26,7 +26,8 @@ struct AnswerRow {
 struct Answer {
   std::string plain, verdict;
   std::vector<AnswerRow> rows;
-  std::string half_space = {};  ///< by how much MDR over a half-space would be off, of a layer; otherwise empty
+  std::string half_space = {};  ///< by how much MDR over a half-space would be off, of another body; otherwise empty
+  std::string rings = {};       ///< that a given mesh has too few, and how many it takes; otherwise empty
 };
 
 /// From a result.json.

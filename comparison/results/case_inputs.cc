@@ -63,10 +63,21 @@ void add_elastomer(const Case::Elastomer& elastomer, Inputs& inputs) {
   inputs.add("Elastomer", "WLF C2", shift->c2, "K");
 }
 
+void add_mesh(const Case::Body& body, Inputs& inputs) {
+  inputs.add("Body", "Mesh", body.mesh);
+  if (body.mesh_unit != 1) inputs.add("Body", "Mesh unit", body.mesh_unit, "m");
+  std::vector<std::string> moduli;
+  for (const auto& [material, value] : body.relative_moduli) moduli.push_back(fmt::format("{} {:g}", material, value));
+  inputs.add_if_any("Body", "Relative moduli", moduli);
+}
+
 void add_body(const Case::Body& body, Inputs& inputs) {
   if (body.is_half_space()) return;
   inputs.add("Body", "Shape", Case::Body::shape_names[static_cast<std::size_t>(body.shape)]);
-  inputs.add("Body", "Thickness", body.thickness, "m");
+  if (body.grid)
+    add_mesh(body, inputs);
+  else
+    inputs.add("Body", "Thickness", body.thickness, "m");
   inputs.add_if_any("Body", "Radius", body.radius, "m");
   inputs.add("Body", "Base", body.is_bonded ? "bonded" : "frictionless");
 }

@@ -182,7 +182,9 @@ CaseResult result_of(const PreparedCase& prepared, const mdr::NormalResponse& re
                     {}};
   if (result.fe.fe.cycles_to_shakedown && proof != Proof::none)
     result.mdr.cycles_to_shakedown = settling_cycles(result.mdr_case, result.mdr, result.fe.resolution.n_ramp_cycles);
-  if (prepared.mdr.layer) result.half_space = half_space_answer(prepared.input);
+  if (!prepared.input.body.is_half_space())
+    result.half_space = prepared.mdr.layer ? half_space_answer(prepared.input) : result.mdr;
+  result.rings = given_rings_of(prepared, result.fe);
   const auto& fem = prepared.fem;
   result.comparison = compare(readings_of(result.fe.fe, fem.units),
                               fem.worn_edge ? readings_of_worn(result.mdr) : readings_of(result.mdr),

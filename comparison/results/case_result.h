@@ -4,6 +4,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "comparison/accuracy/proof.h"
+#include "comparison/accuracy/rings_needed.h"
 #include "comparison/accuracy/wear_proof.h"
 #include "comparison/reference/mdr_answer.h"
 #include "mdr/profiles/naive_contact.h"
@@ -32,7 +33,8 @@ struct CaseResult {
   Comparison comparison;  ///< of everything
   std::optional<ProvedWear> wear = {};
   std::optional<BeyondMdr> beyond_mdr = {};  ///< then nothing is compared, and mdr has the modulus ratio alone
-  std::optional<MdrAnswer> half_space = {};  ///< what MDR says of a half-space in the place of a layer
+  std::optional<MdrAnswer> half_space = {};  ///< what MDR says of a half-space in the place of another body
+  std::optional<GivenRings> rings = {};      ///< of a mesh that the case brings along
 };
 
 /// Gross slip is what both have to find if either does, and where the balance of forces has it (steady_sliding_share);

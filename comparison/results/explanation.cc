@@ -7,11 +7,13 @@
 
 #include "comparison/accuracy/prepared_case.h"
 #include "comparison/accuracy/wear_proof.h"
+#include "comparison/case/mesh_entries.h"
 #include "comparison/reference/half_space.h"
 #include "comparison/reference/mdr_document.h"
 #include "comparison/results/answer_text.h"
 #include "comparison/results/estimate.h"
 #include "mdr/layer/layer.h"
+#include "meshes/mesh.h"
 
 namespace fretval {
 namespace {
@@ -77,9 +79,31 @@ std::string path_text(const Case::Path& path) {
          row("tangential", range(path.tangential, path.tangential_force));
 }
 
+/// "of one modulus" or "of pad 1, skin 8 times the modulus".
+std::string counted_materials(const Case::Body& body) {
+  const auto moduli = moduli_of_materials(body);
+  if (std::all_of(moduli.begin(), moduli.end(), [](double modulus) { return modulus == 1; })) return "of one modulus";
+  std::string text;
+  for (std::size_t i = 0; i < moduli.size(); ++i)
+    text += fmt::format("{}{} {:g}", i == 0 ? "of " : ", ",
+                        body.grid->materials[i].empty() ? "(unnamed)" : body.grid->materials[i], moduli[i]);
+  return text + " times the modulus";
+}
+
+std::string mesh_text(const Case::Body& body) {
+  const auto radii = meshes::contact_radii(*body.grid);
+  auto text =
+      row("", fmt::format("a mesh of {} cells, {}, {} ({}), {} thick under the contact, {}", body.grid->cells.size(),
+                          counted_materials(body), body.mesh, body.mesh_hash, short_text(body.thickness, "m"),
+                          body.is_bonded ? "bonded to its base" : "on a frictionless base"));
+  return text + row("", fmt::format("{} rings: its edges on a contact line of {}", radii.size() - 1,
+                                    short_text(radii.back() * body.mesh_unit, "m")));
+}
+
 /// Nothing of a half-space, which is MDR's own body.
 std::string shape_text(const Case::Body& body) {
   if (body.is_half_space()) return "";
+  if (body.grid) return mesh_text(body);
   const bool cylinder = body.shape == Case::Body::Shape::cylinder;
   return row("", fmt::format("{} {} thick{}, {}", cylinder ? "a cylinder" : "a layer", short_text(body.thickness, "m"),
                              cylinder ? " of radius " + short_text(body.radius, "m") : "",
@@ -211,9 +235,10 @@ std::string cost_text(const PreparedCase& prepared, std::size_t n_cases) {
   const auto& fem = prepared.fem;
   const auto n = computations_for_bars(fem);
   std::string text =
-      row("elements", fmt::format("{} rings under the contact, {} steps a cycle to begin with, refined as the "
+      row("elements", fmt::format("{} rings under the contact{}, {} steps a cycle to begin with, refined as the "
                                   "error bars ask for",
-                                  fem.resolution.elements_per_radius, fem.resolution.steps_per_cycle));
+                                  fem.resolution.elements_per_radius, fem.given ? " as the mesh has them" : "",
+                                  fem.resolution.steps_per_cycle));
   for (const auto& words : left_out(fem)) text += row("", words);
   const double seconds = estimated_seconds(prepared, Proof::tolerance);
   text += row("cost", fmt::format("{} computations or more to prove a tolerance of {:g}, of the order of {} on a core",
@@ -240,8 +265,8 @@ std::string explanation_beyond_mdr(const Case& input, const mdr::Profile& profil
 std::string explanation(const Case& input, std::size_t n_cases) {
   if (const auto profile = any_profile_of(input.indenter); !mdr::falls_of_image(profile).empty())
     return explanation_beyond_mdr(input, profile, n_cases);
-  auto for_mdr = input;  // which knows no cylinders
-  if (input.body.shape == Case::Body::Shape::cylinder) for_mdr.body = {};
+  auto for_mdr = input;  // which knows no cylinders, and no meshes
+  if (input.body.shape == Case::Body::Shape::cylinder || input.body.grid) for_mdr.body = {};
   const auto document = mdr_document(for_mdr, false);
   const auto& mdr = document.json.at("mdr");
   const bool of_worn = document.json.contains("limiting_state");

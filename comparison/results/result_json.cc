@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "comparison/accuracy/fe_readings.h"
+#include "comparison/case/mesh_entries.h"
 #include "comparison/quantities/readings_json.h"
 #include "comparison/reference/mdr_document.h"
 #include "comparison/reference/mdr_readings.h"
@@ -16,6 +17,7 @@
 #include "comparison/support/json.h"
 #include "mdr/motion/force_control.h"
 #include "mdr/profiles/profile.h"
+#include "meshes/mesh.h"
 
 namespace fretval {
 namespace {
@@ -38,6 +40,21 @@ ordered_json path_json(const Case::Path& path) {
                     {"repeats", path.repeats ? "forever" : "once"}};
   if (!path.repeats) json["why_no_shakedown"] = no_shakedown_in_a_pass;
   return json;
+}
+
+/// A mesh that the case has brought along.
+ordered_json mesh_json(const Case::Body& body) {
+  ordered_json materials = ordered_json::array();
+  const auto moduli = moduli_of_materials(body);
+  for (std::size_t i = 0; i < moduli.size(); ++i)
+    materials.push_back({{"name", body.grid->materials[i]}, {"relative_modulus", moduli[i]}});
+  return {{"file", body.mesh},
+          {"content", body.mesh_hash},
+          {"cells", body.grid->cells.size()},
+          {"contact_edges", meshes::contact_radii(*body.grid).size() - 1},
+          {"contact_line", meshes::contact_radii(*body.grid).back() * body.mesh_unit},
+          {"thickness", body.thickness},
+          {"materials", std::move(materials)}};
 }
 
 ordered_json case_json(const CaseResult& result) {
@@ -84,6 +101,7 @@ ordered_json case_json(const CaseResult& result) {
                         {"until", wear->until}};
     if (wear->has_worn_before()) json["wear_law"]["profile"] = wear->rings.empty() ? wear->profile : wear->rings;
   }
+  if (input.body.grid) json["mesh"] = mesh_json(input.body);
   json["inputs"] = inputs_json(input);
   if (input.elastomer.master_curve) json["fit_of_moduli"] = fit_json(input.elastomer);
   if (input.sweep)
@@ -134,6 +152,8 @@ ordered_json fe_json(const CaseResult& result) {
   }
   if (fe.zones) json["zones"] = zones_json(*fe.zones, result.fe.zone_bars, units.length);
   if (result.wear) json["wear"] = to_json(*result.wear, units);
+  if (result.rings)
+    json["rings"] = {{"in_contact", result.rings->in_contact}, {"needed", or_null(result.rings->needed)}};
   return json;
 }
 

@@ -86,7 +86,7 @@ ordered_json to_json(const ProvedWear& wear, const Units& units) {
   json["limit_is_reached"] = wear.limits.reached;
   json["distance_to_limit"] = {{"shakedown", wear.distance_shakedown.back()},
                                {"first_slip", wear.distance_first_slip.back()}};
-  json["volume_of_limit"] = mdr::worn_volume(wear.limits.shakedown);
+  json["volume_of_limit"] = wear.limits.shakedown.volume;
   json["springs_difference"] = or_null(wear.largest_springs_difference);
   json["springs_error"] = or_null(wear.springs_error);
   json["slip_is_proved"] = wear.slip_is_proved;

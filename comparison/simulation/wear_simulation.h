@@ -45,11 +45,14 @@ struct WearRun {
   std::function<void(const WearSimulation& rings, const fem::WearCourse& course)> progress = {};
 };
 
+/// Whether wear may move the stick radius: under prescribed forces, and over another body than a half-space.
+bool stick_radius_moves(const FemCase& fem);
+
 /// Where wear ends: the stick radius, and as far out as it can get. unworn_stick_radius: that finite elements read on
-/// the unworn indenter. Under prescribed displacements the stick radius stays what it is, and the flank is worn to the
-/// plane of the largest indentation. Under prescribed forces the indenter sinks in as it wears and the stick radius may
-/// move: then wear is run on coarse rings graded around it, and again around the one that this ended with, until it
-/// moves by no more than a ring. Throws SolverError when it does not settle.
+/// the unworn indenter. Under prescribed displacements the stick radius stays what it is over a half-space, and the
+/// flank is worn to the plane of the largest indentation. Under prescribed forces the indenter sinks in as it wears and
+/// the stick radius may move: then wear is run on coarse rings graded around it, and again around the one that this
+/// ended with, until it moves by no more than a ring. Throws SolverError when it does not settle.
 WornEdge edge_of_wear(const FemCase& fem, const Case::WearKinetics& wear, double unworn_stick_radius, BodyStore& bodies,
                       const WearRun& run = {});
 

@@ -21,6 +21,7 @@ std::string title_of(const Case::Body& body) {
     const auto [prefix, factor] = prefix_for(value);
     return fmt::format("{:g} {}m", value / factor, prefix);
   };
+  if (body.grid) return fmt::format("the body of the mesh {}", body.mesh);
   const char* slides = body.is_bonded ? "" : " on a frictionless base";
   if (body.shape == Case::Body::Shape::cylinder)
     return fmt::format("a cylinder {} thick, of radius {}{}", length(body.thickness), length(body.radius), slides);

@@ -33,10 +33,6 @@ double bulk_heat(const SpringBed& bed, const LayerModes& modes, const PronyBody&
   return mdr::bulk_heat(form.weight, body, dt, form.variables(memory), form.variables(move));
 }
 
-double force_scale(const CoupledBed& bed, const PronyBody& body, Direction direction) {
-  return 2 * spring_modulus(direction, bed.layer.poisson_ratio) * body.relaxed_modulus;
-}
-
 class CoupledSprings {
  public:
   CoupledSprings(const CoupledBed& bed, const PronyBody& body, double mu, const Loading& loading,
@@ -67,12 +63,7 @@ class CoupledSprings {
   [[nodiscard]] double friction_limit() const { return mu_ * spring_modulus_ratio(bed_.layer.poisson_ratio); }
 
   [[nodiscard]] SpringForces forces(const SpringState& state) const {
-    const SpringBed& springs = bed_.springs;
-    const double of_half_space = normal_scale_ / normal_scale(body_);
-    const double at_edge = loading_.normal_force ? 0 : edge_force(springs, body_, state);
-    return {of_half_space * (normal_force(springs, body_, state) + at_edge),
-            tangential_scale_ * (springs.width * state.tangential_load).sum(),
-            of_half_space * axis_pressure(axis_weights_, body_, state)};
+    return coupled_forces(bed_, body_, axis_weights_, state, static_cast<bool>(loading_.normal_force));
   }
 
   [[nodiscard]] Dissipation heat(const SpringState& before, const SpringState& after) const {
@@ -96,6 +87,20 @@ class CoupledSprings {
 };
 
 }  // namespace
+
+double force_scale(const CoupledBed& bed, const PronyBody& body, Direction direction) {
+  return 2 * spring_modulus(direction, bed.layer.poisson_ratio) * body.relaxed_modulus;
+}
+
+SpringForces coupled_forces(const CoupledBed& bed, const PronyBody& body, const Eigen::ArrayXd& weights,
+                            const SpringState& state, bool by_force) {
+  const SpringBed& springs = bed.springs;
+  const double of_half_space = force_scale(bed, body, Direction::normal) / normal_scale(body);
+  const double at_edge = by_force ? 0 : edge_force(springs, body, state);
+  return {of_half_space * (normal_force(springs, body, state) + at_edge),
+          force_scale(bed, body, Direction::tangential) * (springs.width * state.tangential_load).sum(),
+          of_half_space * axis_pressure(weights, body, state)};
+}
 
 Dissipation dissipation(const CoupledBed& bed, const PronyBody& body, double mu, double dt, const SpringState& before,
                         const SpringState& after) {

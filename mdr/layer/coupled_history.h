@@ -6,6 +6,14 @@
 
 namespace fretval::mdr {
 
+/// 2 E* or 2 G* with the relaxed modulus, Pa: N per sum(width * load).
+double force_scale(const CoupledBed& bed, const PronyBody& body, Direction direction);
+
+/// On the indenter. weights: axis_weights() of the springs; by_force: the normal force is prescribed, and balanced by
+/// whole springs.
+SpringForces coupled_forces(const CoupledBed& bed, const PronyBody& body, const Eigen::ArrayXd& weights,
+                            const SpringState& state, bool by_force);
+
 /// Energy in J that one step of coupled springs turns into heat. Their energy is a quadratic form of the depths, with
 /// the inverse of the coupling in the place of the widths, so that the memory of every mode dissipates by itself.
 Dissipation dissipation(const CoupledBed& bed, const PronyBody& body, double mu, double dt, const SpringState& before,

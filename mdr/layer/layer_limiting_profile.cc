@@ -1,6 +1,7 @@
 #include "mdr/layer/layer_limiting_profile.h"
 
 #include <algorithm>
+#include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <cstdint>
@@ -84,6 +85,19 @@ double worn_depth(const LayerLimitingProfile& profile, double r) {
   require_non_negative("radial coordinate r", r);
   if (r <= profile.stick_radius || r >= profile.outer_radius) return 0;
   return depth_below_unworn(profile, r);
+}
+
+double worn_volume(const LayerLimitingProfile& profile) {
+  const double c = profile.stick_radius, width = profile.outer_radius - c;
+  if (width <= 0) return 0;
+  // With r = c + width s^2 the root at c is smooth.
+  const auto integrand = [&](double s) {
+    const double r = c + width * s * s;
+    return worn_depth(profile, r) * r * 2 * width * s;
+  };
+  constexpr unsigned depth = 6;
+  constexpr double accuracy = 1e-9;
+  return 2 * pi * boost::math::quadrature::gauss_kronrod<double, 31>::integrate(integrand, 0.0, 1.0, depth, accuracy);
 }
 
 double shape(const LayerLimitingProfile& profile, double r) {

@@ -35,6 +35,9 @@ double shape(const LayerLimitingProfile& profile, double r);
 double worn_depth(const LayerLimitingProfile& profile, double r);
 double transform(const LayerLimitingProfile& profile, double x);
 
+/// Volume in m^3 that is worn off: `2 pi int_c^a_inf worn_depth(r) r dr`, relative accuracy 1e-9.
+double worn_volume(const LayerLimitingProfile& profile);
+
 /// Normal force in N at an indentation D(c) <= d <= d_max: that of the unworn contact of radius c, and of the punch.
 double limiting_normal_force(const LayerLimitingProfile& profile, double shear_modulus, double indentation);
 

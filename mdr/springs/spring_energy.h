@@ -6,6 +6,12 @@
 
 namespace fretval::mdr {
 
+/// Forces on the indenter.
+struct SpringForces {
+  double normal, tangential;  ///< N
+  double axis_pressure;       ///< Pa
+};
+
 /// Forces on the indenter and energies of the whole foundation, both sides of the axis: 2 sum(width ...). SI units.
 
 /// Forces in N per sum(width * load): 8 G0 and (16/3) G0.

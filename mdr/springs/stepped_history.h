@@ -30,12 +30,6 @@ inline void validate(const Loading& loading) {
     throw std::invalid_argument("loading without a path: it needs both forces");
 }
 
-/// Forces on the indenter.
-struct SpringForces {
-  double normal, tangential;  ///< N
-  double axis_pressure;       ///< Pa
-};
-
 /// Running minimum of a sampled signal per spring, at the vertex of the parabola through three samples.
 class SampledMinimum {
  public:

@@ -77,7 +77,7 @@ Filling assumptions_of(const StoredResult& r) {
     const auto i = static_cast<std::size_t>(at);
     add("slope", std::atan((f[i] - f[i - 1]) / (x[i] - x[i - 1])) * 180 / std::acos(-1.0), "{:.2g}");
   }
-  const bool half_space = std::isnan(input_number(r, "Thickness")),
+  const bool half_space = std::isnan(input_number(r, "Thickness")) && !scene.contains("mesh"),
              compressible = !std::isnan(input_number(r, "Poisson ratio"));
   if (!half_space || compressible) filling["uncoupled"] = true;
   if (a > 0 && half_space) {

@@ -64,6 +64,7 @@ Filling one_case(const StoredResult& r) {
                   {"figures", case_figures(r, cycle)},
                   {"assumptions", assumptions_of(r)}};
   if (!answer.half_space.empty()) filling["half_space"] = answer.half_space;
+  if (!answer.rings.empty()) filling["rings"] = answer.rings;
   if (const auto& scene = r.json.at("scene"); scene.contains("path") && scene["path"].contains("why_no_shakedown"))
     filling["why_no_shakedown"] = scene["path"]["why_no_shakedown"];
   return filling;

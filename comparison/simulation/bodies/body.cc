@@ -1,16 +1,24 @@
 #include "comparison/simulation/bodies/body.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <set>
 #include <utility>
 
+#include "comparison/support/content_hash.h"
+#include "comparison/support/files.h"
 #include "comparison/support/parallel.h"
 #include "comparison/support/stopwatch.h"
 #include "fem/condensation/far_field.h"
+#include "fem/condensation/merged_rings.h"
 #include "fem/operators/stiffness.h"
 #include "meshes/audit.h"
 #include "meshes/cylinder.h"
+#include "meshes/mesh_error.h"
 #include "meshes/quarter_disc.h"
+#include "meshes/refined.h"
+#include "meshes/user_mesh.h"
 
 namespace fretval {
 namespace {
@@ -21,12 +29,38 @@ HarmonicOperators assemble_harmonic(const fem::GridData& grid, const fem::Fourie
   return {std::move(space), std::move(stiffness)};
 }
 
-fem::ContactProblem scaled(const fem::ContactProblem& problem, double factor) {
-  const auto& [radii, areas, matrix, half_space] = problem.compliance;
-  fem::Compliance larger{radii, std::pow(factor, 2) * areas, fem::SharedMatrix(std::pow(factor, 3) * *matrix),
-                         half_space};
+fem::Compliance scaled(const fem::Compliance& compliance, double factor) {
+  const auto& [radii, areas, matrix, half_space] = compliance;
+  fem::Compliance larger{radii, std::pow(factor, 2) * areas, fem::SharedMatrix(std::pow(factor, 3) * *matrix)};
   for (double& radius : larger.radii) radius *= factor;
-  return fem::ContactProblem(std::move(larger));
+  if (half_space) larger.half_space = std::make_shared<const fem::Compliance>(scaled(*half_space, factor));
+  return larger;
+}
+
+/// With another compliance in the place of each.
+template <class Change>
+ContactBody changed(const ContactBody& body, const Change& change) {
+  auto summary = *body.summary;
+  summary.original = body.summary->original ? body.summary->original : body.summary;
+  fem::ContactProblem normal(change(body.normal.compliance));
+  summary.radii = normal.compliance.radii;
+  std::optional<fem::ContactProblem> tangential;
+  if (body.tangential) tangential.emplace(change(body.tangential->compliance));
+  return {std::move(normal), std::move(tangential), std::make_shared<const BodySummary>(std::move(summary))};
+}
+
+/// Over the length of its contact line, times the scale.
+meshes::Mesh given_mesh(const BodyDescription& description) {
+  const auto& given = description.given;
+  if (const auto now = content_hash(content_of(given.file)); now != given.content)
+    throw meshes::MeshError(fmt::format("{}: its content is {} now, must stay what it was when the case was read, {}",
+                                        given.file, now, given.content));
+  auto mesh = meshes::read_user_mesh(given.file);
+  for (unsigned k = 0; k < given.n_refinements; ++k) mesh = meshes::refined(mesh);
+  const double length = meshes::contact_radii(mesh).back();
+  for (auto& node : mesh.nodes)
+    for (double& x : node) x = description.scale * (x / length);
+  return mesh;
 }
 
 HarmonicBody condense_harmonic(HarmonicOperators&& operators, std::shared_ptr<const fem::Compliance> edges,
@@ -42,6 +76,7 @@ HarmonicBody condense_harmonic(HarmonicOperators&& operators, std::shared_ptr<co
 }  // namespace
 
 meshes::Mesh mesh_of(const BodyDescription& description) {
+  if (!description.given.file.empty()) return given_mesh(description);
   auto nodes = description.contact_nodes;
   for (double& node : nodes) node *= description.scale;
   if (!description.is_half_space())
@@ -63,6 +98,9 @@ fem::GridData grid_of(const meshes::Mesh& mesh, const BodyDescription& descripti
     if (boundary != meshes::Boundary::base) return static_cast<fem::BoundaryPart>(boundary);
     return description.slides_on_base ? fem::BoundaryPart::sliding : fem::BoundaryPart::bonded;
   };
+  if (!description.given.moduli.empty())
+    for (const unsigned material : mesh.material)
+      grid.elasticity.moduli.push_back(description.given.moduli.at(material));
   for (const auto& edge : mesh.edges) grid.boundary.push_back({edge.nodes, part_of(edge.boundary)});
   return grid;
 }
@@ -134,12 +172,11 @@ ContactBody contact_body(const Body& body) {
 }
 
 ContactBody scaled(const ContactBody& body, double factor) {
-  auto summary = *body.summary;
-  summary.original = body.summary;
-  for (double& radius : summary.radii) radius *= factor;
-  std::optional<fem::ContactProblem> tangential;
-  if (body.tangential) tangential.emplace(scaled(*body.tangential, factor));
-  return {scaled(body.normal, factor), std::move(tangential), std::make_shared<const BodySummary>(std::move(summary))};
+  return changed(body, [factor](const fem::Compliance& compliance) { return scaled(compliance, factor); });
+}
+
+ContactBody with_merged_rings(const ContactBody& body, const std::vector<double>& radii) {
+  return changed(body, [&](const fem::Compliance& compliance) { return fem::merged_rings(compliance, radii); });
 }
 
 }  // namespace fretval

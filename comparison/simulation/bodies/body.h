@@ -23,7 +23,7 @@ struct BodyCost {
   [[nodiscard]] double total() const { return mesh + assembly + factorisation + reading; }
 };
 
-/// The mesh that a description asks for.
+/// The mesh that a description asks for. Throws meshes::MeshError, also where the file of a given one has changed.
 meshes::Mesh mesh_of(const BodyDescription& description);
 
 /// Degrees of freedom of a body on a mesh without holes, before it is made: of both harmonics if it has two.
@@ -116,8 +116,11 @@ ContactBody contact_body(const Body& body);
 /// What a half-space tells of the rings of another body.
 RingEdges ring_edges(const ContactBody& half_space);
 
-/// The same body, larger by a factor: a half-space has no length, so that areas grow with its square, and the
-/// compliance of rings (see fem::Compliance) with its cube.
+/// The same body, larger by a factor with all of its lengths: areas grow with its square, and the compliance of rings
+/// (see fem::Compliance) with its cube.
 ContactBody scaled(const ContactBody& body, double factor);
+
+/// With wider rings, whose radii are some of those of the body; see fem::merged_rings.
+ContactBody with_merged_rings(const ContactBody& body, const std::vector<double>& radii);
 
 }  // namespace fretval

@@ -18,6 +18,11 @@ std::shared_ptr<const ContactBody> find_or_make_body(const BodyDescription& desc
       original.scale = 1;
       return scaled(*find_or_make_body(original, bodies), description.scale);
     }
+    if (description.has_merged_rings()) {
+      auto unmerged = description;
+      unmerged.contact_nodes = std::exchange(unmerged.given.radii, {});
+      return with_merged_rings(*find_or_make_body(unmerged, bodies), description.contact_nodes);
+    }
     RingEdges edges;
     if (!description.is_half_space())
       edges = ring_edges(*find_or_make_body(half_space_with_rings_of(description), bodies));

@@ -26,6 +26,9 @@ std::string text_of(double value) {
 std::string text_of(unsigned value) {
   return fmt::format("{}", value);
 }
+std::string text_of(const std::string& value) {
+  return value;
+}
 std::string text_of(bool value) {
   return value ? "yes" : "no";
 }
@@ -46,7 +49,8 @@ std::string lines_of(const BodyDescription& body) {
 
 std::string operator_key(const BodyDescription& description, const fem::FourierOrder& order, int n_processes) {
   auto whole = description;
-  whole.tangential = true;  // an order serves bodies with and without the other one
+  whole.tangential = true;   // an order serves bodies with and without the other one
+  whole.given.file.clear();  // wherever it lies
   auto key = versions_text() + harmonic_text(order) + lines_of(whole);
   if (n_processes > 1) key += fmt::format("processes {}\n", n_processes);
   return key;

@@ -2,11 +2,13 @@
 
 #include <cmath>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "comparison/simulation/bodies/body_store.h"
 #include "comparison/simulation/bodies/operator_key.h"
 #include "comparison/support/parallel.h"
+#include "fem/condensation/merged_rings.h"
 #include "meshes/audit.h"
 
 namespace fretval {
@@ -19,6 +21,13 @@ std::vector<fem::FourierOrder> orders_up_to(unsigned highest) {
 }
 
 fem::Compliance made_block(const BodyDescription& body, const fem::FourierOrder& order, BodyStore& bodies) {
+  if (body.has_merged_rings()) {
+    auto unmerged = body;
+    unmerged.contact_nodes = std::exchange(unmerged.given.radii, {});
+    const auto block =
+        bodies.surfaces.find_or_make({unmerged, order}, [&] { return made_block(unmerged, order, bodies); });
+    return fem::merged_rings(*block, body.contact_nodes);
+  }
   const auto key = surface_key(body, order);
   if (bodies.operators)
     if (auto kept = bodies.operators->find(key)) return std::move(kept->compliance);

@@ -23,8 +23,10 @@ BodyDescription half_space_with_rings_of(const BodyDescription& body) {
   auto half_space = body;
   half_space.thickness = 0;
   half_space.slides_on_base = false;
+  half_space.given = {};
   auto& nodes = half_space.contact_nodes;
-  if (are_equal_rings(nodes)) nodes.resize(std::min(nodes.size(), enough_rings + 1));
+  // Of a given mesh rings are merged, also those of its half-space, of which none may lack.
+  if (body.given.file.empty() && are_equal_rings(nodes)) nodes.resize(std::min(nodes.size(), enough_rings + 1));
   half_space.far_radius = far * nodes.back();
   return half_space;
 }

@@ -83,6 +83,20 @@ void take_solid(const Solid& solid, BodyDescription& body) {
   body.far_radius = solid.radius ? *solid.radius : body.contact_nodes.back() + body.far_radius * solid.thickness;
 }
 
+/// The contact line, and what belongs to it, of the case's resolution.
+void take_rings(FemCase& fem) {
+  auto& body = fem.body;
+  if (fem.given) {
+    body.slides_on_base = fem.solid->slides_on_base;
+    take_given(*fem.given, fem.solid->thickness, fem.resolution, body);
+    return;
+  }
+  auto rings = rings_of(fem);
+  body.contact_nodes = std::move(rings.nodes);
+  body.scale = rings.scale;
+  if (fem.solid) take_solid(*fem.solid, body);
+}
+
 constexpr double least_radius_of_cylinder = 1.6;  // with the rings beyond the contact
 
 /// Whether the indentation follows from a force; then it is only known to be less than over a half-space.
@@ -118,7 +132,8 @@ double expected_radius(const Case& input, const MdrCase& mdr, double deepest) {
 
 /// Rings lie on the sphere, with those beyond the contact.
 void require_room_on_sphere(const Case& input, const FemCase& fem) {
-  const double a = fem.units.length, reach = std::max(farthest_ring, fem.body.contact_nodes.back()) * a;
+  const double a = fem.units.length,
+               reach = (fem.given ? fem.given->scale : std::max(farthest_ring, fem.body.contact_nodes.back())) * a;
   if (input.indenter.shape != Case::Shape::sphere || reach <= input.indenter.radius) return;
   throw InputError(fmt::format(
       "{}: Indenter / Radius = {:g}: at the largest indentation, {:.3g} m, the contact radius is {:.3g} m, and rings "
@@ -183,7 +198,8 @@ std::vector<fem::Oscillation> oscillations(const std::vector<mdr::Harmonic>& har
                                            double unit) {
   std::vector<fem::Oscillation> moving;
   for (std::size_t i = 0; i < harmonics.size(); ++i)
-    if (orders[i] > 0) moving.push_back({harmonics[i].amplitude / unit, orders[i], harmonics[i].phase, harmonics[i].across});
+    if (orders[i] > 0)
+      moving.push_back({harmonics[i].amplitude / unit, orders[i], harmonics[i].phase, harmonics[i].across});
   return moving;
 }
 
@@ -270,10 +286,14 @@ void take_path(const Case::Path& path, FemCase& fem) {
   const auto rest = rest_of(path);
   const double normal = unit_of(path.normal_force, fem.units), tangential = unit_of(path.tangential_force, fem.units);
   fem.motion.indentation = rest.normal / normal;
-  fem.motion.path =
-      fem::SampledPath{std::move(time),      over(path.normal, normal),    over(path.tangential, tangential),
-                       rest.normal / normal, rest.tangential / tangential, path.repeats,
-                       over(path.transverse, tangential), rest.transverse / tangential};
+  fem.motion.path = fem::SampledPath{std::move(time),
+                                     over(path.normal, normal),
+                                     over(path.tangential, tangential),
+                                     rest.normal / normal,
+                                     rest.tangential / tangential,
+                                     path.repeats,
+                                     over(path.transverse, tangential),
+                                     rest.transverse / tangential};
 }
 
 /// A step at least for each row, and eight at a usual tolerance.
@@ -301,6 +321,7 @@ FemCase fem_case(const Case& input, const MdrCase& mdr) {
   FemCase fem{units, {}, {}, {}, input.friction_coefficient, profile_in(units, input, mdr), {}, {}};
   fem.body.poisson_ratio = input.elastomer.poisson_ratio;
   if (!input.body.is_half_space()) fem.solid = solid_of(input, units, is_by_force(mdr));
+  if (input.body.shape == Case::Body::Shape::mesh) fem.given = given_body(input, units.length);
   fem.any_order = any_order;
   if (input.contact.is_full()) fem.full = FullContact{input.contact.coupled};
   if (mdr.limiting_state) fem.carrying_radius = mdr.limiting_state->stick_radius / units.length;
@@ -333,6 +354,10 @@ FemCase fem_case(const Case& input, const MdrCase& mdr) {
     resolution.elements_per_radius = *input.rings_per_radius;
   else if (any_order && resolution.elements_per_radius < enough_rings_of_any_profile)
     resolution = with_rings(resolution, enough_rings_of_any_profile / resolution.elements_per_radius);
+  if (fem.given) {
+    resolution.elements_per_radius = fem.given->rings_per_radius;
+    resolution.mesh_refinements = 0;
+  }
   if (input.steps_per_cycle) resolution.steps_per_cycle = *input.steps_per_cycle;
   fem = at_resolution(std::move(fem), resolution);
   require_room_on_sphere(input, fem);
@@ -350,14 +375,11 @@ FemCase at_resolution(FemCase fem, const Resolution& resolution) {
     fem.motion.locked = !near.creeps;
     if (near.creeps && fem.motion.tangential.size() == 1) fem.motion.tangential.front().phase = 0;
   }
-  auto rings = rings_of(fem);
-  fem.body.contact_nodes = std::move(rings.nodes);
   fem.body.growth = resolution.growth;
   fem.body.far_radius = resolution.far_radius;
   fem.body.degree = resolution.degree;
   fem.body.tangential = fem.motion.tangential_amplitude() > 0 || fem.full;
-  fem.body.scale = rings.scale;
-  if (fem.solid) take_solid(*fem.solid, fem.body);
+  take_rings(fem);
   fem.motion.n_ramp_cycles = resolution.n_ramp_cycles;
   fem.motion.n_creep_cycles = resolution.n_creep_cycles;
   return fem;

@@ -8,6 +8,7 @@
 #include "comparison/case/case.h"
 #include "comparison/reference/mdr_case.h"
 #include "comparison/simulation/fem_case/body_description.h"
+#include "comparison/simulation/fem_case/given_rings.h"
 #include "comparison/simulation/fem_case/resolution.h"
 #include "comparison/simulation/fem_case/units.h"
 #include "comparison/simulation/fem_case/worn_before.h"
@@ -60,7 +61,8 @@ struct FemCase {
   /// Rings may touch in any order, as MDR does not hold for the profile: forces are sums over the rings, zones lists of
   /// annuli (ZoneAnswer).
   bool any_order = false;
-  std::optional<Solid> solid = {};  ///< empty: a half-space
+  std::optional<Solid> solid = {};       ///< empty: a half-space
+  std::optional<GivenBody> given = {};   ///< its mesh; empty: generated
   std::optional<FullContact> full = {};  ///< empty: the contact on rings
 
   /// Whether zones are discs of rings that the ring contact reads.

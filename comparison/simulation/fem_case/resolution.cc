@@ -14,7 +14,7 @@ auto key(const Resolution& r) {
   return std::make_tuple(r.elements_per_radius, r.degree, r.growth, r.far_radius, r.steps_per_cycle, r.n_ramp_cycles,
                          r.periodicity, r.n_creep_cycles, r.worn_edge_ring, r.surface_growth, r.wear_jump,
                          r.edge_before_node, r.focus.has_value(), r.focus ? r.focus->inner : 0,
-                         r.focus ? r.focus->outer : 0, r.focus ? r.focus->ring : 0, r.n_angles);
+                         r.focus ? r.focus->outer : 0, r.focus ? r.focus->ring : 0, r.n_angles, r.mesh_refinements);
 }
 
 }  // namespace
@@ -46,6 +46,9 @@ bool Resolution::operator==(const Resolution& other) const {
 }
 
 std::string text_of(const Resolution& r) {
+  if (r.mesh_refinements)
+    return fmt::format("{} rings, degree {}, mesh refined {} times, {} steps, {} ramp cycles", r.elements_per_radius,
+                       r.degree, *r.mesh_refinements, r.steps_per_cycle, r.n_ramp_cycles);
   auto text = fmt::format("{} rings, degree {}, growth {:g}, far {:g}, {} steps, {} ramp cycles", r.elements_per_radius,
                           r.degree, r.growth, r.far_radius, r.steps_per_cycle, r.n_ramp_cycles);
   if (r.focus)

@@ -31,6 +31,9 @@ struct Resolution {
   double edge_before_node = usual_edge_before_node;  ///< that of the contact radius, or of the end of a focus
   std::optional<Focus> focus = {};                   ///< empty: equal rings
   unsigned n_angles = 16;                            ///< of the full contact, around the axis
+  /// Of a given mesh, by how many more refinements its cells are finer than its rings, which neighbours share then;
+  /// rings are those of the mesh, or as many of them together as it takes. Empty: meshes are generated.
+  std::optional<unsigned> mesh_refinements = {};
 
   bool operator<(const Resolution& other) const;
   bool operator==(const Resolution& other) const;

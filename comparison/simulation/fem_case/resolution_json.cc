@@ -18,6 +18,7 @@ ordered_json resolution_json(const Resolution& r) {
                     {"steps_per_cycle", r.steps_per_cycle},
                     {"ramp_cycles", r.n_ramp_cycles},
                     {"periodicity", r.periodicity}};
+  if (r.mesh_refinements) json["mesh_refinements"] = *r.mesh_refinements;
   if (r.focus) json["focus"] = focus_json(*r.focus);
   return json;
 }

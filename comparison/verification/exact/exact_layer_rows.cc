@@ -1,11 +1,19 @@
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "comparison/simulation/bodies/body.h"
 #include "comparison/verification/exact/exact_rows.h"
 #include "fem/condensation/contact_events.h"
+#include "fem/contact/box_solver.h"
 #include "fem/contact/contact_force.h"
+#include "fem/history/friction_history.h"
 #include "fem/stick_zone/contact_radius.h"
+#include "fem/stick_zone/stick_radius.h"
+#include "fem/stick_zone/stick_zones.h"
 #include "mdr/layer/layer_contact.h"
+#include "mdr/layer/layer_slip.h"
+#include "mdr/layer/layer_stick_radius.h"
 #include "mdr/profiles/power_law.h"
 #include "meshes/grading.h"
 
@@ -66,6 +74,60 @@ double error_of_punch(const fem::ContactProblem& problem, mdr::Direction directi
   return problem.series.punch_force(n_rings) / mdr::punch_stiffness(punch, exact.modulus) - 1;
 }
 
+/// Stick radius of a push of the contact of radius 1 from rest, one box problem each, for stick radii from 0.3 to 0.9.
+double error_of_push(const ConvergenceMesh& mesh, const mdr::Layer& layer, const ExactScene& exact) {
+  const auto &normal = mesh.normal, &tangential = mesh.tangential;
+  const auto known = mdr::layer_contact(indenter(), layer, 1);
+  const auto contact = fem::static_contact(normal, means_of(indenter(), normal), known.indentation);
+  const Eigen::VectorXd limit = friction_coefficient * contact.pressure;
+  constexpr int n_radii = 25;
+  double error = 0;
+  for (int k = 0; k < n_radii; ++k) {
+    const double radius = 0.3 + 0.6 * k / (n_radii - 1);
+    const auto push = mdr::layer_push_to_radius(mdr::layer_contact(indenter(exact.steepness), layer, 1),
+                                                exact.friction_coefficient, exact.modulus, radius);
+    std::vector<fem::BoxState> states(static_cast<std::size_t>(tangential.n_rings()), fem::BoxState::interior);
+    const Eigen::VectorXd load = push.tangential_displacement * tangential.compliance.areas;
+    const auto solution = tangential.solver.solve(load, -limit, limit, states);
+    Eigen::Index n_stuck = 0;
+    while (n_stuck < limit.size() && limit[n_stuck] > 0 &&
+           states[static_cast<std::size_t>(n_stuck)] == fem::BoxState::interior)
+      ++n_stuck;
+    const Eigen::VectorXd reserves = tangential.series.depths(limit - solution.x);
+    take_worst(error, fem::stick_radius(tangential.compliance, reserves, n_stuck).radius - radius);
+  }
+  return error;
+}
+
+/// Both stick radii of an elastic layer under oscillations, of which the largest contact radius is 1.
+std::vector<double> errors_of_oscillation(const ConvergenceMesh& mesh, const mdr::Layer& layer,
+                                          const ExactScene& exact) {
+  const fem::HistoryControl control{120, 100, 1e-7};
+  const double deepest = mdr::layer_contact(indenter(), layer, 1).indentation, normal_share = 0.15;
+  fem::Motion motion = fem::one_frequency((1 - normal_share) * deepest, normal_share * deepest, 0, 0.0);
+  motion.n_ramp_cycles = 10;
+  const auto model = fem_model(mdr::elastic(1));
+  const auto profile = means_of(indenter(), mesh.normal);
+  double first_slip = 0, shakedown = 0;
+  for (const auto& [share, phase] : {std::pair{0.14, 0.5}, {0.15, 0.5}, {0.16, 0.5}, {0.15, 1.3}}) {
+    const double amplitude = share * deepest;
+    motion.tangential = {{amplitude, 1, phase}};
+    const auto [normal, friction] =
+        fem::contact_history({mesh.normal, model, profile, motion, control.steps_per_cycle},
+                             {mesh.tangential, model, friction_coefficient, motion, control.steps_per_cycle}, control);
+    const auto zones = fem::stick_zones(mesh.tangential.compliance, friction, fem::stuck_rings(friction, motion));
+    const double frequency = 1;
+    const auto known = mdr::layer_stick_radii(
+        indenter(exact.steepness), layer, 1, exact.friction_coefficient,
+        {{motion.indentation, {{normal_share * deepest, frequency, 0}}, {{amplitude, frequency, phase}}},
+         false,
+         false});
+    take_worst(first_slip, zones.first_slip.radius - known.first_slip.value_or(std::nan("")));
+    take_worst(shakedown, zones.shakedown.radius - known.shakedown.value_or(std::nan("")));
+  }
+  return {first_slip, shakedown};
+}
+
 /// tolerance: at 64 rings. Uniform pressures on rings leave the second order of a smooth kernel, which grows with a/H.
 Rows rows_of(const mdr::Layer& layer, double tolerance, const std::vector<int>& n_rings, const ExactScene& exact) {
   const auto name = name_of(layer);
@@ -74,12 +136,19 @@ Rows rows_of(const mdr::Layer& layer, double tolerance, const std::vector<int>& 
   const ConvergenceDemand demand{tolerance, 2, 1.5e-5, "floor: where edges of rings lie, of first order"};
   Rows rows{
       {name, "contact radius", source, demand}, {name, "force", source, demand}, {name, "flat punch", source, demand}};
-  if (bonded) rows.push_back({name, "tangential punch", source, demand});
+  if (bonded) {
+    rows.push_back({name, "tangential punch", source, demand});
+    rows.push_back({name, "stick radius of a push", source, demand});
+    rows.push_back({name, "first-slip radius", source, demand});
+    rows.push_back({name, "shakedown radius", source, demand});
+  }
   return mesh_rows(rows, layer_meshes(layer, n_rings), [&](const ConvergenceMesh& mesh) {
     auto errors = errors_of_parabola(mesh, layer, exact);
     errors.push_back(error_of_punch(mesh.normal, mdr::Direction::normal, mesh.n_rings, layer, exact));
-    if (bonded)
-      errors.push_back(error_of_punch(mesh.tangential, mdr::Direction::tangential, mesh.n_rings, layer, exact));
+    if (!bonded) return errors;
+    errors.push_back(error_of_punch(mesh.tangential, mdr::Direction::tangential, mesh.n_rings, layer, exact));
+    errors.push_back(error_of_push(mesh, layer, exact));
+    for (const double error : errors_of_oscillation(mesh, layer, exact)) errors.push_back(error);
     return errors;
   });
 }
@@ -91,7 +160,8 @@ Rows layer_rows(const std::vector<int>& n_rings, const ExactScene& exact) {
   using Tolerated = std::pair<mdr::Layer, double>;
   for (const auto& [layer, tolerance] :
        {Tolerated{{10, 0.5}, 2e-5}, Tolerated{{2, 0.45}, 6e-5}, Tolerated{{1, 0.3}, 1e-4}, Tolerated{{1, 0.5}, 1.5e-4},
-        Tolerated{{0.25, 0.5}, 4e-4}, Tolerated{{1, 0.5, mdr::LayerBase::frictionless}, 1.5e-4}})
+        Tolerated{{0.25, 0.5}, 4e-4}, Tolerated{{0.1, 0.5}, 2e-3}, Tolerated{{0.1, 0.3}, 2e-3},
+        Tolerated{{1, 0.5, mdr::LayerBase::frictionless}, 1.5e-4}})
     append(rows, rows_of(layer, tolerance, n_rings, exact));
   return rows;
 }

@@ -10,7 +10,7 @@ namespace {
 const mdr::LimitingProfile limit = mdr::limiting_profile(mdr::parabola(2), 1, 2);  // contact radius 2
 
 double distance_of(double r, double f) {
-  return distance_between({{r / 2, f / 2}}, chain_of(limit, 2, 3));
+  return distance_between({{r / 2, f / 2}}, chain_of(wear_limit(limit), 2, 3));
 }
 
 TEST(DistanceToLimit, IsNoneOnTheCurve) {
@@ -28,7 +28,7 @@ TEST(DistanceToLimit, IsMeasuredInContactRadiusAndLargestIndentation) {
 
 TEST(DistanceToLimit, IsTheLargestOfAllPoints) {
   ProfileChain points{{0, 0}, {0.25, mdr::shape(limit, 0.5) / 2}, {0.5, mdr::shape(limit, 1.0) / 2}};
-  const auto chain = chain_of(limit, 2, 3);
+  const auto chain = chain_of(wear_limit(limit), 2, 3);
   EXPECT_LT(distance_between(points, chain), 1e-6);
   points[0].y() = -0.1;
   EXPECT_NEAR(distance_between(points, chain), 0.1, 1e-6);

@@ -98,6 +98,27 @@ TEST(Variants, OfTwoOfASourceTheSecondIsTwiceAsCoarse) {
   EXPECT_EQ(n.size(), 9U) << "all but the jumps of wear";
 }
 
+// A mesh that the case brings along is not generated anew: cells are split, and rings share them.
+TEST(Variants, OfAGivenMeshAreMadeOfItsCells) {
+  auto resolution = resolution_for(1e-3);
+  resolution.mesh_refinements = 0;
+  std::map<ErrorSource, std::vector<Variant>> by_source;
+  for (const auto& variant : variants_of(resolution, {})) by_source[variant.source].push_back(variant);
+  EXPECT_EQ(by_source.count(ErrorSource::far_field), 0U);
+  const auto& split = by_source.at(ErrorSource::grading).front();
+  EXPECT_EQ(split.resolution.mesh_refinements, 1U);
+  EXPECT_EQ(split.reference.mesh_refinements, 0U);
+  EXPECT_EQ(split.resolution.elements_per_radius, split.reference.elements_per_radius);
+  const auto& edge = by_source.at(ErrorSource::edge).front();
+  EXPECT_EQ(edge.resolution.mesh_refinements, 1U);
+  EXPECT_NEAR(edge.resolution.edge_before_node - edge.reference.edge_before_node, 0.5, 1e-15);
+  EXPECT_EQ(by_source.at(ErrorSource::rings).size(), 2U);
+  resolution.elements_per_radius = 12;
+  for (const auto& variant : variants_of(resolution, {}))
+    if (variant.source == ErrorSource::rings) EXPECT_EQ(variant.resolution.elements_per_radius, 24U);
+  EXPECT_FALSE(refined(resolution, ErrorSource::grading));
+}
+
 // Unless steps and rings depend on each other, and never fewer than tell anything.
 TEST(Variants, OfRingsAndEdgesHaveHalfTheSteps) {
   const auto steps_of_rings = [](const Resolution& resolution, const CaseNeeds& needs) {

@@ -245,7 +245,7 @@ TEST(CaseFile, OfTheGalleryOrTheExamplesIsValid) {
       EXPECT_NO_THROW(read_case_file(entry.path())) << entry.path();
       ++n_files;
     }
-  EXPECT_EQ(n_files, 22);
+  EXPECT_EQ(n_files, 23);
 }
 
 TEST(CaseFile, NamesAFileThatIsNotThere) {

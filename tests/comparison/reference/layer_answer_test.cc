@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "comparison/reference/mdr_answer.h"
 #include "tests/comparison/expect_parts.h"
 #include "tests/comparison/refusal.h"
@@ -54,11 +56,54 @@ TEST(LayerAnswer, SlidesAsAWholeWhereForcesBalance) {
   EXPECT_NEAR(answer_to(scene).steady_sliding_share.value(), 1 / 0.3, 1e-12);
 }
 
+// Under displacements: D(c) = d - A beta for a steady depth, D and beta of the half-space.
+TEST(LayerAnswer, OfWearOnAThickLayerEndsInTheStateOfTheHalfSpace) {
+  auto scene = on_layer(suite_case("parabola-elastic-steady", 1e-2), 10);
+  scene.wear_kinetics.emplace();
+  const auto mdr = mdr_case(scene);
+  const auto state = layer_wear_state(mdr, mdr::StickCriterion::shakedown);
+  ASSERT_TRUE(state);
+  const double R = scene.indenter.radius, d = scene.motion.indentation;
+  const double stuck_depth = d - scene.motion.tangential_amplitude / (1.5 * scene.friction_coefficient);
+  EXPECT_NEAR(state->stick_radius / std::sqrt(R * stuck_depth), 1, 1e-3);
+  EXPECT_NEAR(mdr::maximum_indentation(state->motion) / d, 1, 1e-12);
+}
+
+/// A pass that pushes sideways at a depth.
+Case push_on(const Case& layer, double displacement) {
+  auto scene = layer;
+  const double d = scene.motion.indentation;
+  Case::Path path;
+  path.file = "push.csv";
+  path.time = {0, 1};
+  path.normal = {d, d};
+  path.tangential = {0, displacement};
+  scene.motion.path = path;
+  return scene;
+}
+
+// A single pass on a layer leaves the stick zone of the first quarter of the oscillation with its amplitude.
+TEST(LayerAnswer, OfAPushIsThatOfTheOscillationThatBeginsWithIt) {
+  auto scene = on_layer(suite_case("parabola-elastic-steady", 1e-2), 2e-3, 0.45);
+  const auto oscillates = answer_to(scene), pushed = answer_to(push_on(scene, scene.motion.tangential_amplitude));
+  EXPECT_TRUE(pushed.single_pass);
+  EXPECT_NEAR(pushed.contact_radius_max.value() / oscillates.contact_radius_max.value(), 1, 1e-6);
+  EXPECT_NEAR(pushed.stick_radius_first_slip.value() / oscillates.stick_radius_first_slip.value(), 1, 2e-3);
+  EXPECT_NEAR(pushed.cycle->tangential_force_max / oscillates.cycle->tangential_force_max, 1, 2e-3);
+}
+
 TEST(LayerAnswer, IsRefusedByNameForWhatItDoesNotCompute) {
   auto scene = on_layer(suite_case("parabola-elastic-steady", 1e-2), 1e-2);
-  EXPECT_NO_THROW(mdr_case(scene));
   scene.wear_kinetics.emplace();
-  expect_parts(refusal([&] { mdr_case(scene); }), {"Wear / Coefficient", "over a layer", "leave the Body out"});
+  EXPECT_NO_THROW(mdr_case(scene));
+  auto two_frequencies = scene;
+  two_frequencies.motion.phase = 0;
+  two_frequencies.motion.tangential_frequency *= 2;
+  expect_parts(refusal([&] { mdr_case(two_frequencies); }),
+               {"Motion / Tangential frequency", "wear over a layer under two frequencies", "leave the Body out"});
+  auto limiting = on_layer(suite_case("parabola-elastic-steady", 1e-2), 1e-2);
+  limiting.wear = Case::Wear::limiting;
+  expect_parts(refusal([&] { mdr_case(limiting); }), {"Wear / State = limiting", "over a layer"});
 }
 
 }  // namespace

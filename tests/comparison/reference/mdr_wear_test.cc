@@ -29,6 +29,24 @@ TEST(MdrWear, HasKineticsOfLockedMotionsOfOneFrequency) {
   EXPECT_FALSE(kinetics_of("  set Coefficient = 1e-12\n", "set Phase = 90\n  set Normal harmonics = 1e-6, 2, 0"));
 }
 
+// On a layer wear ends in the layer's own state, whose stick radius is a little smaller than that of the unworn
+// contact.
+TEST(MdrWear, LimitsOnALayerAreItsOwn) {
+  auto prepared = wearing_case("  set Coefficient = 1e-12\n");
+  auto input = prepared.input;
+  input.body.shape = Case::Body::Shape::layer;
+  input.body.thickness = 1.5e-3;
+  const auto mdr = mdr_case(input);
+  const auto answer = mdr_answer(mdr, mdr_normal_response(mdr));
+  const auto limits = wear_limits(mdr, answer);
+  EXPECT_TRUE(limits.reached);
+  EXPECT_GT(limits.shakedown.stick_radius, 0.8 * answer.stick_radius_shakedown.value());
+  EXPECT_LE(limits.shakedown.stick_radius, (1 + 1e-4) * answer.stick_radius_shakedown.value());
+  EXPECT_LE(limits.first_slip.stick_radius, limits.shakedown.stick_radius);
+  EXPECT_GT(limits.shakedown.volume, 0);
+  EXPECT_FALSE(wear_kinetics_of(input, mdr, 1e4)) << "springs that wear do not know of each other";
+}
+
 TEST(MdrWear, LimitsBelongToEitherStickRadius) {
   const auto prepared = wearing_case("  set Coefficient = 1e-12\n");
   MdrAnswer answer{};

@@ -16,11 +16,11 @@ const Units units{1e-3, 1e-4, 1e6, 6.0};  // m, m, Pa, rad/s
 
 /// Two rings, of which the outer one wears.
 ProvedWear made_up_wear() {
-  ProvedWear wear{
-      {},
-      {},
-      {},
-      {mdr::limiting_profile(mdr::parabola(1e-2), 5e-4, 1e-4), mdr::limiting_profile(mdr::parabola(1e-2), 4e-4, 1e-4)}};
+  ProvedWear wear{{},
+                  {},
+                  {},
+                  {wear_limit(mdr::limiting_profile(mdr::parabola(1e-2), 5e-4, 1e-4)),
+                   wear_limit(mdr::limiting_profile(mdr::parabola(1e-2), 4e-4, 1e-4))}};
   auto& [course, radii, body, unworn, centre, worn_radius, uncertainty, seconds] = wear.fe;
   radii = {0, 0.5, 1};
   centre = Eigen::Vector2d(0.25, 0.75);
