@@ -159,6 +159,7 @@ void require_comparable(const Case& input) {
 std::vector<std::string> beyond_mdr_model(const Case& input) {
   std::vector<std::string> reasons;
   if (input.body.shape == Case::Body::Shape::cylinder) reasons.emplace_back("the body is a cylinder");
+  if (input.body.shape == Case::Body::Shape::mesh) reasons.emplace_back("the body is that of a mesh");
   if (input.body.shape == Case::Body::Shape::layer && !is_layer_of_mdr(input))
     reasons.emplace_back("the body is a layer under a motion in two directions");
   if (input.contact.vector_friction) reasons.emplace_back("friction is a vector");
