@@ -128,6 +128,13 @@ double ErrorBar::total() const {
   return sum;
 }
 
+double ErrorBar::of_numerics() const {
+  double sum = 0;
+  for (const auto& share : shares)
+    if (share.source != ErrorSource::data) sum += share.estimate;
+  return sum;
+}
+
 const ErrorShare* ErrorBar::largest() const {
   const auto found = std::max_element(shares.begin(), shares.end(),
                                       [](const auto& a, const auto& b) { return a.estimate < b.estimate; });

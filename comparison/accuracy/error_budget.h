@@ -23,6 +23,8 @@ struct ErrorBar {
   /// To the share of that source, or as one.
   void add(ErrorSource source, double estimate);
   [[nodiscard]] double total() const;
+  /// Without what the data leave open, which is the same for both methods: what a comparison of them depends on.
+  [[nodiscard]] double of_numerics() const;
   /// Null if there are no shares.
   [[nodiscard]] const ErrorShare* largest() const;
 };

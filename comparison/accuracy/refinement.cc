@@ -88,9 +88,11 @@ const char* name_of(ErrorSource source) {
     case ErrorSource::wear_jump:
       return "wear jump";
     case ErrorSource::edge:
+      return "edge";
+    case ErrorSource::data:
       break;
   }
-  return "edge";
+  return "data";
 }
 
 std::vector<Variant> variants_of(const Resolution& all_angles, const CaseNeeds& needs) {
@@ -181,6 +183,8 @@ std::optional<Resolution> refined(const Resolution& resolution, ErrorSource sour
     case ErrorSource::wear_jump:
       if ((r.wear_jump /= 2) < finest_wear_jump) return std::nullopt;
       return r;
+    case ErrorSource::data:
+      break;
   }
   return std::nullopt;
 }

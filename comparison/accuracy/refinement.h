@@ -7,7 +7,7 @@
 
 namespace fretval {
 
-/// Where an error comes from.
+/// Where an error comes from. That of the data is none of the numerics: both methods share it.
 enum class ErrorSource {
   rings,
   angles,
@@ -19,7 +19,8 @@ enum class ErrorSource {
   creep,
   cycles,
   wear_jump,
-  edge
+  edge,
+  data
 };
 const char* name_of(ErrorSource source);
 

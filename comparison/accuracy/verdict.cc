@@ -16,7 +16,8 @@ const char* name_of(Verdict verdict) {
 
 Difference judged(Difference one) {
   if (one.bar)
-    one.verdict = verdict_on(one.difference.value_or(one.only_one), one.tolerance, one.bar->total() + one.mdr_error);
+    one.verdict =
+        verdict_on(one.difference.value_or(one.only_one), one.tolerance, one.bar->of_numerics() + one.mdr_error);
   return one;
 }
 

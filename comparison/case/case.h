@@ -22,16 +22,27 @@ struct Case {
   enum class Wear { unworn, limiting };
   enum class Fields { none, extremes, cycle };
 
+  /// How a raw trace of a profilometer was aligned; see mdr/profiles/trace_alignment.h. Lengths in m.
+  struct AlignedTrace {
+    std::vector<double> x, z;                               ///< as in the file
+    double apex, apex_uncertainty, tilt, tilt_uncertainty;  ///< m; slope of the stage
+    double noise;                                           ///< standard deviation of the heights
+    bool heights_upwards;                                   ///< the tip is the highest point of the file
+    std::vector<double> r, f;                               ///< aligned profile
+    double row_noise;                                       ///< standard deviation of f, whose rows are means
+  };
+
   struct Indenter {
     Shape shape = Shape::parabola;
-    double radius = 0;       ///< m; parabola, sphere, truncated sphere
-    double slope_angle = 0;  ///< deg; cone, between generatrix and surface
-    double coefficient = 0;  ///< m^(1-n); power, f = b r^n
-    double exponent = 0;     ///< n; power
-    double flat_radius = 0;  ///< m; rounded flat, truncated sphere
-    double edge_radius = 0;  ///< m; rounded flat
-    std::string table;       ///< file with columns r, f; table
-    double table_noise = 0;  ///< m, standard deviation of the heights; table
+    double radius = 0;                       ///< m; parabola, sphere, truncated sphere
+    double slope_angle = 0;                  ///< deg; cone, between generatrix and surface
+    double coefficient = 0;                  ///< m^(1-n); power, f = b r^n
+    double exponent = 0;                     ///< n; power
+    double flat_radius = 0;                  ///< m; rounded flat, truncated sphere
+    double edge_radius = 0;                  ///< m; rounded flat
+    std::string table;                       ///< file with columns r, f; table
+    double table_noise = 0;                  ///< m, standard deviation of the heights; table
+    std::optional<AlignedTrace> trace = {};  ///< of a table that is aligned by itself, instead of its rows
   };
 
   /// Whether measured moduli contradict each other, most at which frequency in Hz, and by how much.
@@ -56,6 +67,17 @@ struct Case {
     double c1, c2;                  ///< c2 in K
   };
 
+  /// What a test of limited duration sees of a body; see comparison/case/test_duration.h. Pa and s.
+  struct TestDuration {
+    double seconds;
+    double relaxed_modulus;                           ///< of the data, before
+    std::vector<double> branch_moduli, branch_times;  ///< likewise
+    double viscosity;                                 ///< likewise
+    std::size_t n_slow = 0, n_fast = 0;               ///< branches that are springs now, and that have been merged
+    std::vector<double> near_times = {};              ///< of branches within a factor of three of the duration
+    double merging_error = 0;                         ///< largest relative change of the complex modulus by merging
+  };
+
   struct Elastomer {
     std::string rheology;               ///< as named in the file
     double relaxed_modulus = 0;         ///< Pa, G'(0)
@@ -65,7 +87,11 @@ struct Case {
     double fractional_order = 0;        ///< fractional zener
     double poisson_ratio = 0.5;         ///< 0 to 0.5, at all times
     std::optional<MasterCurve> master_curve;
-    std::optional<TemperatureShift> shift;  ///< is in the times and frequencies above already
+    std::optional<TemperatureShift> shift;           ///< is in the times and frequencies above already
+    std::optional<TestDuration> test_duration = {};  ///< is in the moduli and times above already
+    std::string branches_file = {};                  ///< that the branches were read from
+    std::optional<double> shore_a = {};              ///< that the relaxed modulus follows from
+    double modulus_scatter = 0;                      ///< relative standard deviation of the moduli, where it is known
   };
 
   /// What the indenter is pressed into.
@@ -101,6 +127,15 @@ struct Case {
     double mean = 0, amplitude = 0;  ///< N
   };
 
+  /// What a record was reduced to a path from; m or N, as its columns.
+  struct PathReduction {
+    std::size_t n_rows;                                 ///< of the record
+    std::size_t n_cut = 0;                              ///< of them before contact
+    double normal_error = 0, tangential_error = 0;      ///< of what was left out
+    std::size_t n_cycles = 0;                           ///< that were folded to their mean; 0: none
+    double normal_scatter = 0, tangential_scatter = 0;  ///< from cycle to cycle, standard deviation
+  };
+
   /// What is prescribed by its rows, linear between them.
   struct Path {
     std::string file;
@@ -110,6 +145,7 @@ struct Case {
     bool repeats = false;            ///< for ever, with the period from its first row to its last; false: one pass
     bool normal_force = false, tangential_force = false;  ///< what the columns are; false: displacements
     std::vector<double> transverse = {};                  ///< u_y in m; empty: it moves along x alone
+    std::optional<PathReduction> reduction = {};          ///< empty: the rows are those of the file
 
     [[nodiscard]] double duration() const { return time.back() - time.front(); }
   };
@@ -159,6 +195,16 @@ struct Case {
     [[nodiscard]] bool has_worn_before() const { return !profile.empty() || !rings.empty(); }
   };
 
+  /// What a rig has measured, to be shown beside both methods. SI units.
+  struct Measured {
+    struct Value {
+      double value, uncertainty;
+    };
+    std::optional<Value> stick_radius = {}, contact_radius = {};
+    std::string loop = {};  ///< file of the columns below, of which those that it does not have are empty
+    std::vector<double> time, indentation, tangential_displacement, normal_force, tangential_force;
+  };
+
   /// A sweep's place in its family of cases, for the report's plots.
   struct Sweep {
     std::string family;  ///< name of the case file
@@ -185,6 +231,8 @@ struct Case {
   std::optional<Fields> fields;              ///< empty: the file does not say
   std::optional<Sweep> sweep;
   std::vector<std::string> warnings;  ///< about the input, to be told to the user
+  std::vector<std::string> notes;     ///< what was made of the input, likewise
+  std::optional<Measured> measured = {};
 };
 
 /// Whether a case has to say how accurately finite elements are to compute it; MDR's answer needs no Tolerance.

@@ -7,6 +7,8 @@
 
 #include "comparison/case/case_sections.h"
 #include "comparison/case/entry_table.h"
+#include "comparison/case/measured.h"
+#include "comparison/case/test_duration.h"
 
 namespace fretval {
 namespace {
@@ -21,7 +23,7 @@ const ValidNumber relative_tolerance{[](double x) { return x >= 1e-5 && x <= 0.1
 
 constexpr std::array wear_kinetics_names{"Law", "Coefficient", "Exponent", "Cycles", "Until", "Profile", "Worn rings"};
 
-std::optional<Case::WearKinetics> read_wear_kinetics(const EntryReader& entries) {
+std::optional<Case::WearKinetics> read_wear_kinetics(const EntryReader& entries, std::vector<std::string>& notes) {
   const auto& names = wear_kinetics_names;
   if (std::none_of(names.begin(), names.end(), [&](const char* name) { return entries.given("Wear", name); }))
     return {};
@@ -42,10 +44,10 @@ std::optional<Case::WearKinetics> read_wear_kinetics(const EntryReader& entries)
     wear.until = entries.number(
         "Wear", "Until", {[](double x) { return x >= 1e-12 && x < 1; }, "a share of the first wear rate, 1e-12 to 1"});
   if (entries.given("Wear", "Worn rings")) {
-    wear.rings = read_table_path(entries, "Wear", "Worn rings");
+    wear.rings = read_table_path(entries, "Wear", "Worn rings", notes);
     entries.forbid("Wear", "Profile", "Worn rings say what the indenter has lost before");
   } else if (entries.given("Wear", "Profile")) {
-    wear.profile = read_table_path(entries, "Wear", "Profile");
+    wear.profile = read_table_path(entries, "Wear", "Profile", notes);
   }
   return wear;
 }
@@ -64,7 +66,7 @@ void read_wear(const EntryReader& entries, Case& input) {
     for (const char* name : wear_kinetics_names)
       if (!wears_by_it)
         entries.forbid("Wear", name, "wear needs a Motion / Path of displacements that repeats forever");
-    if (wears_by_it) input.wear_kinetics = read_wear_kinetics(entries);
+    if (wears_by_it) input.wear_kinetics = read_wear_kinetics(entries, input.notes);
     return;
   }
   if (entries.given("Wear", "State") && entries.one_of("Wear", "State", {"unworn", "limiting"}) == "limiting") {
@@ -85,7 +87,7 @@ void read_wear(const EntryReader& entries, Case& input) {
   if (entries.text("Motion", "Tangential amplitude") == "shakedown")
     entries.fail("Motion", "Tangential amplitude",
                  "a number in m; the word shakedown belongs to Wear / State = limiting");
-  input.wear_kinetics = read_wear_kinetics(entries);
+  input.wear_kinetics = read_wear_kinetics(entries, input.notes);
 }
 
 bool moves_tangentially(const Case::Motion& motion) {
@@ -104,10 +106,10 @@ Case::Fields fields_of(const std::string& word) {
 Case read_entries(const EntryReader& entries, Accuracy accuracy) {
   Case input;
   input.file = entries.file();
-  input.indenter = read_indenter(entries);
-  input.elastomer = read_elastomer(entries, input.warnings);
+  input.indenter = read_indenter(entries, input.notes);
+  input.elastomer = read_elastomer(entries, input.warnings, input.notes);
   input.friction_coefficient = entries.number("Friction", "Coefficient", positive_number);
-  input.motion = read_motion(entries);
+  input.motion = read_motion(entries, input.notes);
   input.contact = read_contact(entries, input.motion);
   input.body = read_body(entries, moves_tangentially(input.motion));
   read_wear(entries, input);
@@ -123,7 +125,13 @@ Case read_entries(const EntryReader& entries, Accuracy accuracy) {
     input.steps_per_cycle = static_cast<int>(entries.whole("Accuracy", "Steps per cycle", step_count));
   if (entries.given("Output", "Fields"))
     input.fields = fields_of(entries.one_of("Output", "Fields", {"none", "extremes", "cycle"}));
+  input.measured = read_measured(entries, input.notes);
   entries.throw_problems();
+  if (entries.given("Elastomer", "Duration of the test")) {
+    const double seconds = entries.number("Elastomer", "Duration of the test", positive_number);
+    entries.throw_problems();
+    limit_to_test(seconds, input);
+  }
   return input;
 }
 

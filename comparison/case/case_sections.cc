@@ -5,14 +5,20 @@
 #include <algorithm>
 #include <cmath>
 
+#include "comparison/case/aligned_trace.h"
+#include "comparison/case/elastomer_moduli.h"
 #include "comparison/case/master_curve.h"
 #include "comparison/case/mesh_entries.h"
 #include "comparison/case/path_table.h"
 #include "comparison/case/table_units.h"
+#include "mdr/profiles/profile_csv.h"
+#include "mdr/rheology/modulus_table.h"
 #include "mdr/rheology/time_temperature.h"
 
 namespace fretval {
 namespace {
+
+const double degrees = 180 / std::acos(-1.0);
 
 struct Owner {
   const char* entry;
@@ -26,18 +32,6 @@ void forbid_others(const EntryReader& entries, const std::string& section, const
     if (std::find(choices.begin(), choices.end(), choice) == choices.end())
       entries.forbid(section, entry,
                      fmt::format("it belongs to {} = {}, not to {}", deciding, fmt::join(choices, " or "), choice));
-}
-
-void read_branches(const EntryReader& entries, Case::Elastomer& elastomer) {
-  const std::string section = "Elastomer";
-  elastomer.branch_moduli = entries.numbers(section, "Branch moduli", positive_number);
-  elastomer.branch_times = entries.numbers(section, "Branch times", positive_number);
-  const auto n = elastomer.branch_moduli.size();
-  if (n == 0) return;
-  if (elastomer.rheology != "prony" && n != 1)
-    entries.fail(section, "Branch moduli", "one modulus; use Rheology = prony for several branches");
-  if (!elastomer.branch_times.empty() && elastomer.branch_times.size() != n)
-    entries.fail(section, "Branch times", fmt::format("{} times, one for each of the Branch moduli", n));
 }
 
 /// Relaxation times belong to the reference temperature; the case may be at another one.
@@ -136,8 +130,34 @@ void read_transverse_motion(const EntryReader& entries, Case::Motion& motion) {
     entries.forbid(section, "Tangential force amplitude", "a motion in two directions is prescribed by displacements");
 }
 
+/// Given, relative or with a unit; or a share of the tolerance of the case.
+PathTolerance read_path_tolerance(const EntryReader& entries) {
+  const std::string section = "Motion", name = "Path tolerance";
+  PathTolerance tolerance;
+  if (!entries.given(section, name)) {
+    constexpr double share = 0.125;
+    if (const auto of_case = read_measure(entries.text("Accuracy", "Tolerance"), Dimension::number))
+      tolerance.relative = share * std::max(of_case->value, 0.0);
+    return tolerance;
+  }
+  tolerance.is_given = true;
+  const auto text = entries.text(section, name);
+  const auto plain = read_measure(text, Dimension::number), length = read_measure(text, Dimension::length),
+             force = read_measure(text, Dimension::force);
+  if (plain && plain->value > 0 && plain->value < 1)
+    tolerance.relative = plain->value;
+  else if (length && length->has_unit && length->value > 0)
+    tolerance.length = length->value;
+  else if (force && force->has_unit && force->value > 0)
+    tolerance.force = force->value;
+  else
+    entries.fail(section, name,
+                 "a share of the largest values, above 0 and below 1, or a positive length or force with its unit");
+  return tolerance;
+}
+
 /// Instead of all other entries of the section.
-Case::Motion read_path_motion(const EntryReader& entries) {
+Case::Motion read_path_motion(const EntryReader& entries, std::vector<std::string>& notes) {
   const std::string section = "Motion";
   for (const char* name :
        {"Indentation", "Normal amplitude", "Normal force", "Normal force amplitude", "Normal frequency",
@@ -149,26 +169,43 @@ Case::Motion read_path_motion(const EntryReader& entries) {
   const auto file = entries.path(section, "Path");
   if (file.empty()) return {};
   try {
-    return motion_along(read_path_table(file, repeats));
+    return motion_along(read_path_table(file, repeats, read_path_tolerance(entries), notes));
   } catch (const InputError& error) {
     entries.add_problem(error.what());
     return {};
   }
 }
 
+/// A raw trace of a profilometer.
+void align_table(const EntryReader& entries, Case::Indenter& indenter, std::vector<std::string>& notes) {
+  try {
+    indenter.trace = read_aligned_trace(indenter.table, indenter.table_noise);
+    const auto& trace = *indenter.trace;
+    notes.push_back(
+        fmt::format("{}: aligned: apex at {:.6g} ± {:.2g} m, tilt {:.4g} ± {:.2g} deg, heights {}, noise {:.2g} m",
+                    indenter.table, trace.apex, trace.apex_uncertainty, std::atan(trace.tilt) * degrees,
+                    trace.tilt_uncertainty * degrees, trace.heights_upwards ? "upwards" : "downwards", trace.noise));
+  } catch (const InputError& error) {
+    entries.add_problem(error.what());
+  }
+}
+
 }  // namespace
 
-std::string read_table_path(const EntryReader& entries, const std::string& section, const std::string& name) {
+std::string read_table_path(const EntryReader& entries, const std::string& section, const std::string& name,
+                            std::vector<std::string>& notes) {
   auto file = entries.path(section, name);
   try {
-    if (!file.empty()) require_units(file, 2);
+    if (file.empty()) return file;
+    if (auto skipped = require_units(file, mdr::profile_columns()); !skipped.empty())
+      notes.push_back(std::move(skipped));
   } catch (const InputError& error) {
     entries.add_problem(error.what());
   }
   return file;
 }
 
-Case::Indenter read_indenter(const EntryReader& entries) {
+Case::Indenter read_indenter(const EntryReader& entries, std::vector<std::string>& notes) {
   const std::string section = "Indenter";
   const auto& names = Case::shape_names;
   const std::string shape = entries.one_of(section, "Shape", {names.begin(), names.end()});
@@ -181,7 +218,8 @@ Case::Indenter read_indenter(const EntryReader& entries) {
                  {"Flat radius", {"rounded flat", "truncated sphere"}},
                  {"Edge radius", {"rounded flat"}},
                  {"Table", {"table"}},
-                 {"Table noise", {"table"}}});
+                 {"Table noise", {"table"}},
+                 {"Table alignment", {"table"}}});
   Case::Indenter indenter;
   indenter.shape = static_cast<Case::Shape>(std::find(names.begin(), names.end(), shape) - names.begin());
   if (shape == "parabola" || shape == "sphere" || shape == "truncated sphere")
@@ -198,14 +236,18 @@ Case::Indenter read_indenter(const EntryReader& entries) {
                                        {[](double x) { return x >= 0.5 && x <= 20; }, "a number between 0.5 and 20"});
   }
   if (shape == "table") {
-    indenter.table = read_table_path(entries, section, "Table");
+    indenter.table = read_table_path(entries, section, "Table", notes);
     if (entries.given(section, "Table noise"))
       indenter.table_noise = entries.number(section, "Table noise", not_negative_number);
+    if (entries.given(section, "Table alignment") &&
+        entries.one_of(section, "Table alignment", {"raw", "fit"}) == "fit" && !indenter.table.empty())
+      align_table(entries, indenter, notes);
   }
   return indenter;
 }
 
-Case::Elastomer read_elastomer(const EntryReader& entries, std::vector<std::string>& warnings) {
+Case::Elastomer read_elastomer(const EntryReader& entries, std::vector<std::string>& warnings,
+                               std::vector<std::string>& notes) {
   const std::string section = "Elastomer";
   Case::Elastomer elastomer;
   elastomer.rheology = entries.one_of(
@@ -217,31 +259,36 @@ Case::Elastomer read_elastomer(const EntryReader& entries, std::vector<std::stri
   const std::vector<std::string> with_branches{"standard solid", "prony", "fractional zener"};
   forbid_others(entries, section, "Rheology", elastomer.rheology,
                 {{"Relaxed shear modulus", {"elastic", "kelvin voigt", "standard solid", "prony", "fractional zener"}},
+                 {"Shore A", {"elastic", "kelvin voigt", "standard solid", "prony", "fractional zener"}},
+                 {"Branches", {"prony"}},
+                 {"Branch ratios", {"prony"}},
+                 {"Instantaneous shear modulus", {"prony"}},
+                 {"Duration of the test", {"standard solid", "prony", "table"}},
                  {"Branch moduli", with_branches},
                  {"Branch times", with_branches},
                  {"Viscosity", {"kelvin voigt", "prony"}},
                  {"Fractional order", {"fractional zener"}},
                  {"Table", {"table"}},
-                 {"Table modulus", {"table"}}});
+                 {"Table modulus", {"table", "prony"}}});
+  if (elastomer.rheology == "prony" && !entries.given(section, "Branches"))
+    entries.forbid(section, "Table modulus", "it belongs to a Table or a file of Branches");
   if (elastomer.rheology == "table") {
     const bool youngs = entries.one_of(section, "Table modulus", {"shear", "Young"}) == "Young";
     const auto table = entries.path(section, "Table");
     try {
       if (!table.empty()) {
-        require_units(table, 3);
+        if (auto skipped = require_units(table, mdr::modulus_columns()); !skipped.empty())
+          notes.push_back(std::move(skipped));
         fit_master_curve(table, youngs, elastomer, warnings);
       }
     } catch (const InputError& error) {
       entries.add_problem(error.what());
     }
   } else {
-    const ValidNumber relaxed{
-        [](double x) { return x > 0; },
-        "a positive modulus in Pa: a body that relaxes to nothing (Maxwell) has no permanent stick"};
-    elastomer.relaxed_modulus = entries.number(section, "Relaxed shear modulus", relaxed);
+    read_relaxed_modulus(entries, elastomer, notes);
   }
   if (std::find(with_branches.begin(), with_branches.end(), elastomer.rheology) != with_branches.end())
-    read_branches(entries, elastomer);
+    read_branches(entries, elastomer, notes);
   if (elastomer.rheology == "kelvin voigt" || entries.given(section, "Viscosity"))
     elastomer.viscosity = entries.number(section, "Viscosity", positive_number);
   if (elastomer.rheology == "fractional zener")
@@ -283,11 +330,11 @@ Case::Body read_body(const EntryReader& entries, bool tangential) {
   return body;
 }
 
-Case::Motion read_motion(const EntryReader& entries) {
+Case::Motion read_motion(const EntryReader& entries, std::vector<std::string>& notes) {
   const std::string section = "Motion";
   Case::Motion motion;
-  if (entries.given(section, "Path")) return read_path_motion(entries);
-  entries.forbid(section, "Path repeats", "it belongs to a Path");
+  if (entries.given(section, "Path")) return read_path_motion(entries, notes);
+  for (const char* name : {"Path repeats", "Path tolerance"}) entries.forbid(section, name, "it belongs to a Path");
   read_normal_motion(entries, motion);
   read_tangential_motion(entries, motion);
   motion.normal_frequency = entries.number(section, "Normal frequency", positive_number);

@@ -43,7 +43,14 @@ SectionTraits indenter_entries() {
         {D::length},
         "not negative",
         "0",
-        "table: standard deviation of its heights; above 0 a convex profile is fitted instead of interpolated"}}};
+        "table: standard deviation of its heights; above 0 a convex profile is fitted instead of interpolated"},
+       {"Table alignment",
+        {},
+        "raw, fit",
+        "raw",
+        "table; fit: a raw trace across the indenter, whose apex, tilt and sign follow from itself, and its noise "
+        "where "
+        "no Table noise is set"}}};
 }
 
 SectionTraits elastomer_entries() {
@@ -65,6 +72,32 @@ SectionTraits elastomer_entries() {
             needed,
             "standard solid and fractional zener one, prony any number"},
            {"Branch times", {D::time}, "positive, a list", needed, "relaxation times, as many"},
+           {"Branch ratios",
+            {D::number},
+            "positive, a list with a sum below 1",
+            "Branch moduli",
+            "prony: moduli of the branches over the instantaneous one, g_i"},
+           {"Branches",
+            {},
+            "a file, relative to the case file",
+            "Branch moduli and Branch times",
+            "prony: table of moduli, or of ratios to the instantaneous one, and times; or an Abaqus *VISCOELASTIC, "
+            "TIME=PRONY; may say E0"},
+           {"Instantaneous shear modulus",
+            {D::pressure},
+            "positive",
+            "the Relaxed shear modulus",
+            "prony, of a file of Branches or Branch ratios: G at once, of which the branches take their shares"},
+           {"Shore A",
+            {D::number},
+            "10 to 95",
+            "the Relaxed shear modulus",
+            "hardness, from which the modulus follows by Gent's formula, within some 20 %"},
+           {"Duration of the test",
+            {D::time},
+            "positive",
+            "for ever",
+            "what relaxes more slowly is a spring; standard solid, prony, table"},
            {"Fractional order", {D::number}, "above 0, at most 1", needed, "fractional zener: of its element"},
            {"Poisson ratio", {D::number}, "0 to 0.5", "0.5, incompressible", "ν of the body, the same at all times"},
            {"Table",
@@ -72,7 +105,11 @@ SectionTraits elastomer_entries() {
             "a file, relative to the case file",
             needed,
             "table: CSV of f, G' and G'' or tan delta, units in its second line; a Prony body is fitted"},
-           {"Table modulus", {}, "shear, Young", needed, "table: which moduli it has; E = 2 (1 + ν) G"},
+           {"Table modulus",
+            {},
+            "shear, Young",
+            needed,
+            "table: which moduli it has; E = 2 (1 + ν) G; Branches: where names do not tell"},
            {"Temperature",
             {D::temperature},
             "above that of the shift's pole",
@@ -166,7 +203,13 @@ SectionTraits motion_entries() {
         "once, forever",
         "an error with a Path",
         "once: one pass, from rest without tangential force at the first row; forever: the last row is the first "
-        "again"}}};
+        "again; a record that does not close is folded to its mean cycle"},
+       {"Path tolerance",
+        {D::varying},
+        "above 0 and below 1, or a length or force with its unit",
+        "of more than 2000 rows an eighth of the Accuracy / Tolerance",
+        "how far the path may be from the rows of a record, of which so many are kept; a number is a share of the "
+        "largest values"}}};
 }
 
 std::vector<SectionTraits> all_sections() {
@@ -238,6 +281,20 @@ std::vector<SectionTraits> all_sections() {
          "force and, a tenth of it, on what friction takes"},
         {"Rings per radius", {D::number}, "a whole number, 16 to 640", "what the tolerance asks for", "of the mesh"},
         {"Steps per cycle", {D::number}, "a whole number, 16 to 10000", "what the tolerance asks for", "in time"}}},
+      {"Measured",
+       {{"Loops",
+         {},
+         "a file, relative to the case file",
+         "none",
+         "table of forces F_N, F_x, and of t, d, u_x where it has them, over a cycle or a pass, with units"},
+        {"Stick radius", {D::length}, "positive", "none", "of the periodic state, or of a pass"},
+        {"Stick radius uncertainty", {D::length}, "not negative", "an error with a Stick radius", "standard deviation"},
+        {"Contact radius", {D::length}, "positive", "none", "the largest one"},
+        {"Contact radius uncertainty",
+         {D::length},
+         "not negative",
+         "an error with a Contact radius",
+         "standard deviation"}}},
       {"Output",
        {{"Fields",
          {},

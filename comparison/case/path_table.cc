@@ -6,52 +6,54 @@
 #include <array>
 #include <cmath>
 #include <fstream>
-#include <map>
 
-#include "comparison/case/trimmed.h"
+#include "comparison/case/table_units.h"
+#include "mdr/support/csv_columns.h"
 #include "mdr/support/csv_units.h"
 
 namespace fretval {
 namespace {
 
-using UnitSizes = std::map<std::string, double>;
-const UnitSizes time_units{{"s", 1}, {"ms", 1e-3}, {"us", 1e-6}, {"µs", 1e-6}, {"min", 60}, {"h", 3600}};
-const UnitSizes force_units{{"N", 1},     {"kN", 1e3},  {"MN", 1e6},  {"mN", 1e-3},
-                            {"uN", 1e-6}, {"µN", 1e-6}, {"μN", 1e-6}, {"nN", 1e-9}};
-
 constexpr double roundoff = 1e-6;
 constexpr const char* example = R"("t,d,u_x" and "s,um,um", or "t,F_N,F_x" and "s,N,N")";
 
-/// What a column may be named.
+/// What a path has to have. Of a displacement and a force in one direction one alone can be prescribed.
+const std::vector<mdr::WantedColumn>& path_columns() {
+  static const std::vector<mdr::WantedColumn> wanted{
+      {{{"time", {"t", "time*", "zeit*"}, mdr::time_units()}}},
+      {{{"indentation d",
+         {"d", "indentation*", "depth", "uz", "z", "eindringung*", "eindringtiefe", "normaldisp*", "normalweg"},
+         mdr::length_units()},
+        {"normal force F_N",
+         {"fn", "fz", "n", "normalforce", "normalkraft", "normalload", "load"},
+         mdr::force_units()}}},
+      {{{"tangential displacement u_x",
+         {"ux", "x", "displacement", "disp", "tangentialdisp*", "stroke", "weg", "lateraldisp*", "slide"},
+         mdr::length_units()},
+        {"tangential force F_x",
+         {"fx", "ft", "q", "tangentialforce", "frictionforce", "lateralforce", "reibkraft", "tangentialkraft"},
+         mdr::force_units()}}}};
+  return wanted;
+}
+
+/// What a column is named in messages.
 struct ColumnNames {
   const char* displacement;
   const char* force;  ///< null: none
 };
 constexpr std::array columns{ColumnNames{"t", nullptr}, ColumnNames{"d", "F_N"}, ColumnNames{"u_x", "F_x"}};
 
-/// Without a unit in brackets.
-std::string name_of_column(const mdr::CsvColumns& csv, std::size_t column) {
-  const auto& name = csv.names[column];
-  return trimmed(name.substr(0, name.find_first_of("[(")));
-}
-
-/// Whether each column is a force.
-std::array<bool, columns.size()> forces_in(const std::string& file, const mdr::CsvColumns& csv) {
-  std::array<bool, columns.size()> forces{};
-  for (std::size_t column = 0; column < columns.size(); ++column) {
-    if (!mdr::names_unit(csv, column))
+void require_names_and_units(const std::string& file, const mdr::ChosenColumns& chosen) {
+  if (chosen.csv.names.empty())
+    throw InputError(
+        fmt::format("{}: has no names of columns; must begin with a line of names and one of units, for "
+                    "example {}",
+                    file, example));
+  for (std::size_t column = 0; column < columns.size(); ++column)
+    if (!mdr::names_unit(chosen.csv, column))
       throw InputError(
           fmt::format("{}: column {} has no unit; must begin with a line of names and one of units, for example {}",
-                      file, column + 1, example));
-    const auto name = name_of_column(csv, column);
-    const auto& [displacement, force] = columns[column];
-    forces[column] = force && name == force;
-    if (!forces[column] && name != displacement)
-      throw InputError(fmt::format("{}: column {} is \"{}\", must be \"{}\"{}; the file begins for example with {}",
-                                   file, column + 1, name, displacement, force ? fmt::format(" or \"{}\"", force) : "",
-                                   example));
-  }
-  return forces;
+                      file, chosen.csv.names[column], example));
 }
 
 void require_rising(const std::string& file, const mdr::CsvColumns& csv) {
@@ -75,19 +77,9 @@ double mean_over_time(const std::vector<double>& time, const std::vector<double>
 }
 
 /// Makes the last row the first to all digits.
-void close(const std::string& file, Case::Path& path) {
-  const auto close_one = [&](bool force, const ColumnNames& names, std::vector<double>& values) {
-    const double jump = values.front() - values.back();
-    const char* unit = force ? "N" : "m";
-    if (std::abs(jump) > roundoff * largest_of(values))
-      throw InputError(fmt::format(
-          "{}: {} jumps by {:.4g} {}, from {:g} {} in the last row to {:g} {} in the first, where the path begins "
-          "again; must end where it begins, or have Motion / Path repeats = once",
-          file, force ? names.force : names.displacement, jump, unit, values.back(), unit, values.front(), unit));
-    values.back() = values.front();
-  };
-  close_one(path.normal_force, columns[1], path.normal);
-  close_one(path.tangential_force, columns[2], path.tangential);
+void close(Case::Path& path) {
+  path.normal.back() = path.normal.front();
+  path.tangential.back() = path.tangential.front();
 }
 
 void require_contact_at_rest(const std::string& file, const Case::Path& path) {
@@ -104,12 +96,14 @@ void require_contact_at_rest(const std::string& file, const Case::Path& path) {
                   file, rest));
 }
 
-void require_pressing(const std::string& file, const mdr::CsvColumns& csv, const Case::Path& path) {
+/// lines: of the rows, in the file.
+void require_pressing(const std::string& file, const std::vector<int>& lines, const Case::Path& path) {
   for (std::size_t i = 0; path.normal_force && i < path.normal.size(); ++i)
     if (!(path.normal[i] > 0))
       throw InputError(fmt::format(
-          "{}, line {}: F_N = {:g} N: must be positive: a normal force that pulls, or is none, is not balanced", file,
-          csv.line_of_row[i], path.normal[i]));
+          "{}{}: F_N = {:g} N: must be positive: a normal force that pulls, or is none, is not balanced", file,
+          path.reduction ? fmt::format(", t = {:g} s", path.time[i]) : fmt::format(", line {}", lines[i]),
+          path.normal[i]));
 }
 
 /// To all digits.
@@ -139,26 +133,30 @@ PathRest rest_of(const Case::Path& path) {
           path.transverse.empty() ? 0 : at_rest(path.transverse)};
 }
 
-Case::Path read_path_table(const std::string& file, bool repeats) {
+Case::Path read_path_table(const std::string& file, bool repeats, const PathTolerance& tolerance,
+                           std::vector<std::string>& notes) {
   try {
     std::ifstream stream(file);
-    auto csv = mdr::read_csv(stream, file, 3);
-    const auto forces = forces_in(file, csv);
+    auto chosen = mdr::read_columns(stream, file, path_columns(), mdr::InOrder::no);
+    auto& csv = chosen.csv;
+    require_names_and_units(file, chosen);
     const std::size_t n = csv.columns[0].size(), least = repeats ? 3 : 2;
     if (n < least)
       throw InputError(fmt::format("{}: {} {}; a path that {} needs at least {}", file, n, n == 1 ? "row" : "rows",
                                    repeats ? "repeats" : "is passed once", least));
     require_rising(file, csv);
     for (std::size_t column = 0; column < columns.size(); ++column) {
-      const auto& units = column == 0 ? time_units : forces[column] ? force_units : mdr::length_units();
-      const double size = mdr::unit_of_column(csv, column, units, file);
+      const auto& kind = path_columns()[column].kinds[chosen.kind[column].value()];
+      const double size = mdr::unit_of_column(csv, column, kind.units, file);
       for (double& value : csv.columns[column]) value *= size;
     }
-    Case::Path path{
-        file,     std::move(csv.columns[0]), std::move(csv.columns[1]), std::move(csv.columns[2]), repeats, forces[1],
-        forces[2]};
-    require_pressing(file, csv, path);
-    if (repeats) close(file, path);
+    if (auto skipped = skipped_text(file, chosen); !skipped.empty()) notes.push_back(std::move(skipped));
+    const auto is_force = [&](std::size_t column) { return chosen.kind[column] == std::optional<std::size_t>(1); };
+    auto path = path_of_record({file, std::move(csv.columns[0]), std::move(csv.columns[1]), std::move(csv.columns[2]),
+                                repeats, is_force(1), is_force(2)},
+                               tolerance, notes);
+    require_pressing(file, csv.line_of_row, path);
+    if (repeats) close(path);
     require_contact_at_rest(file, path);
     begin_without_tangential_force(file, path);
     return path;

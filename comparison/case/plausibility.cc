@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <fstream>
 
+#include "comparison/case/test_duration.h"
 #include "mdr/profiles/profile_csv.h"
 
 namespace fretval {
@@ -28,6 +29,18 @@ void add_difference_of_halves(const std::string& table, double noise, std::vecto
       halves->radius_of_difference));
 }
 
+/// Branches that no test sees relax, and what to set.
+void add_slow_branches(const Case& input, std::vector<std::string>& warnings) {
+  const auto slow = times_slower_than(many_cycles, input);
+  if (slow.empty()) return;
+  warnings.push_back(fmt::format(
+      "{}: {} of {} branches relax more slowly than in {:.0e} cycles, in {:.2g} s to {:.2g} s; the relaxed modulus, "
+      "{:.3g} Pa, is that of a body that has relaxed for longer than any of them; set Elastomer / Duration of the test "
+      "to how long the test lasts, so that slower ones count as springs",
+      input.file, slow.size(), input.elastomer.branch_times.size(), many_cycles, slow.front(), slow.back(),
+      input.elastomer.relaxed_modulus));
+}
+
 }  // namespace
 
 std::vector<std::string> implausible_values(const Case& input, const mdr::Profile& profile) {
@@ -38,7 +51,8 @@ std::vector<std::string> implausible_values(const Case& input, const mdr::Profil
         fmt::format("{}: a relaxed shear modulus of {:.3g} Pa is implausible for an elastomer, {:.0e} to "
                     "{:.0e} Pa are usual; is it in Pa?",
                     input.file, modulus, least_modulus, largest_modulus));
-  add_difference_of_halves(input.indenter.table, input.indenter.table_noise, warnings);
+  if (!input.indenter.trace) add_difference_of_halves(input.indenter.table, input.indenter.table_noise, warnings);
+  add_slow_branches(input, warnings);
   if (input.wear_kinetics) add_difference_of_halves(input.wear_kinetics->profile, 0, warnings);
   if (input.motion.normal_force || !mdr::falls_of_image(profile).empty()) return warnings;
   double deepest = input.motion.indentation + input.motion.normal_amplitude;

@@ -11,6 +11,7 @@
 #include "comparison/reference/mdr_case.h"
 #include "comparison/reference/mdr_document.h"
 #include "comparison/results/answer_text.h"
+#include "comparison/results/data_text.h"
 #include "comparison/support/files.h"
 #include "comparison/support/log.h"
 
@@ -65,6 +66,8 @@ int run_mdr(const std::string& file, const MdrOptions& options) {
     throw InputError(fmt::format("{}: a sweep has many fields; --fields needs a file with a single case", file));
   auto list = ordered_json::array();
   for (const auto& input : cases) {
+    for (const auto& note : input.notes) log::info_once(note);
+    if (const auto text = duration_text(input); !text.empty()) log::info(text);
     for (const auto& warning : input.warnings) log::warn_once(warning);
     const auto document = mdr_document(input, options.springs);
     for (const auto& warning : implausible_values(input, profile_of(input.indenter))) log::warn_once(warning);

@@ -20,6 +20,7 @@
 #include "comparison/report/text/numbers.h"
 #include "comparison/results/batch.h"
 #include "comparison/results/changes.h"
+#include "comparison/results/data_text.h"
 #include "comparison/results/estimate.h"
 #include "comparison/results/ranked_batch.h"
 #include "comparison/results/sweep_line.h"
@@ -190,8 +191,11 @@ int run_cases(const RunOptions& options) {
       options.baseline.empty() ? std::vector<StoredResult>{} : baseline_of(options.baseline, prepared);
   // Before minutes of computing, not after.
   if (const fs::path file = options.junit; file.has_parent_path()) fs::create_directories(file.parent_path());
-  for (const auto& one : prepared)
+  for (const auto& one : prepared) {
+    for (const auto& note : one.input.notes) log::info_once(note);
+    if (const auto text = duration_text(one.input); !text.empty()) log::info(text);
     for (const auto& warning : one.input.warnings) log::warn_once(warning);
+  }
   log_left_out(prepared);
   sweep_lines.log_costs();
   if (keeps_results) say_on_interrupt(interrupted_text(prepared, output, 0));

@@ -25,6 +25,7 @@ constexpr double degree = 3.14159265358979323846 / 180;
 mdr::Profile profile_from_table(const Case::Indenter& indenter) {
   std::ifstream stream(indenter.table);
   try {
+    if (const auto& trace = indenter.trace) return mdr::tabulated(trace->r, trace->f, trace->row_noise);
     if (indenter.table_noise != 0) return mdr::read_profile_table(stream, indenter.table, indenter.table_noise);
     const auto rows = mdr::read_profile_rows(stream, indenter.table);
     return mdr::tabulated_as_it_is(rows.r, rows.f);

@@ -7,8 +7,10 @@ namespace fretval {
 std::shared_ptr<const mdr::NormalResponse> NormalResponses::of(const Case& input, const MdrCase& mdr) {
   if (mdr.path) return std::make_shared<const mdr::NormalResponse>(mdr_normal_response(mdr));
   const auto& shape = input.indenter;
-  const Indenter indenter{shape.shape,       shape.radius,      shape.slope_angle, shape.coefficient, shape.exponent,
-                          shape.flat_radius, shape.edge_radius, shape.table,       shape.table_noise};
+  const auto table = shape.trace ? shape.table + ", aligned" : shape.table;
+  const Indenter indenter{shape.shape,       shape.radius,   shape.slope_angle,
+                          shape.coefficient, shape.exponent, shape.flat_radius,
+                          shape.edge_radius, table,          shape.table_noise};
   std::optional<Layer> layer;
   if (mdr.layer) layer = {mdr.layer->thickness, mdr.layer->poisson_ratio, mdr.layer->base == mdr::LayerBase::bonded};
   const Body body{mdr.body.relaxed_modulus, mdr.body.branch_moduli, mdr.body.branch_times, mdr.body.viscosity, layer};

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "comparison/accuracy/data_shares.h"
 #include "comparison/reference/normal_responses.h"
 #include "comparison/results/answer_text.h"
 #include "comparison/results/case_result.h"
@@ -74,6 +75,7 @@ BatchLine run_case(const PreparedCase& asked, const BatchOptions& options, BodyS
     finish(result_beyond_mdr(prepared, options.proof, std::move(fe)), {}, options, line);
     return line;
   }
+  add_data_shares(prepared.input, prepared.mdr, fe.budget);
   auto result = result_of(prepared, *reference, options.proof, std::move(fe));
   if (wears(prepared)) {
     WearOversight oversight;

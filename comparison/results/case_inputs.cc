@@ -4,6 +4,8 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <utility>
 
 #include "comparison/results/answer_text.h"
 
@@ -39,6 +41,7 @@ void add_indenter(const Case::Indenter& indenter, Inputs& inputs) {
   inputs.add_if_any("Indenter", "Edge radius", indenter.edge_radius, "m");
   inputs.add_if_any("Indenter", "Table", indenter.table);
   inputs.add_if_any("Indenter", "Table noise", indenter.table_noise, "m");
+  if (indenter.trace) inputs.add("Indenter", "Table alignment", "fit");
 }
 
 void add_elastomer(const Case::Elastomer& elastomer, Inputs& inputs) {
@@ -49,6 +52,9 @@ void add_elastomer(const Case::Elastomer& elastomer, Inputs& inputs) {
     inputs.add("Elastomer", "Table", curve->table);
     inputs.add("Elastomer", "Table modulus", curve->youngs ? "Young" : "shear");
   }
+  if (elastomer.shore_a) inputs.add("Elastomer", "Shore A", *elastomer.shore_a);
+  inputs.add_if_any("Elastomer", "Branches", elastomer.branches_file);
+  if (const auto& test = elastomer.test_duration) inputs.add("Elastomer", "Duration of the test", test->seconds, "s");
   const std::string fitted = curve ? ", fitted" : "", shifted = shift ? " at the Temperature" : "";
   inputs.add("Elastomer", "Relaxed shear modulus" + fitted, elastomer.relaxed_modulus, "Pa");
   inputs.add_if_any("Elastomer", "Branch moduli" + fitted, elastomer.branch_moduli, "Pa");
@@ -127,6 +133,18 @@ void add_motion(const Case::Motion& motion, Inputs& inputs) {
     inputs.add("Motion", "Phase", "free");
 }
 
+void add_measured(const Case& input, Inputs& inputs) {
+  if (!input.measured) return;
+  inputs.add_if_any("Measured", "Loops", input.measured->loop);
+  for (const auto& [name, radius] : {std::pair<std::string, const std::optional<Case::Measured::Value>*>{
+                                         "Stick radius", &input.measured->stick_radius},
+                                     {"Contact radius", &input.measured->contact_radius}}) {
+    if (!*radius) continue;
+    inputs.add("Measured", name, (*radius)->value, "m");
+    inputs.add("Measured", name + " uncertainty", (*radius)->uncertainty, "m");
+  }
+}
+
 void add_wear(const Case& input, Inputs& inputs) {
   if (input.wear == Case::Wear::limiting) {
     inputs.add("Wear", "State", "limiting");
@@ -167,6 +185,7 @@ ordered_json inputs_json(const Case& input) {
   if (input.cycle_tolerance) inputs.add("Accuracy", "Cycle tolerance", *input.cycle_tolerance);
   if (input.rings_per_radius) inputs.add("Accuracy", "Rings per radius", *input.rings_per_radius);
   if (input.steps_per_cycle) inputs.add("Accuracy", "Steps per cycle", *input.steps_per_cycle);
+  add_measured(input, inputs);
   return inputs.list();
 }
 

@@ -9,6 +9,7 @@
 #include "comparison/case/path_table.h"
 #include "comparison/reference/half_space.h"
 #include "comparison/reference/mdr_readings.h"
+#include "comparison/results/data_files.h"
 #include "comparison/results/field_files.h"
 #include "comparison/results/moduli_files.h"
 #include "comparison/results/period_steps.h"
@@ -220,6 +221,7 @@ void write_result(const CaseResult& result, const nlohmann::ordered_json& json, 
   fs::create_directories(folder);
   write_profile(result, folder / "profile.csv");
   write_moduli(result.input, result.mdr_case.body, folder);
+  write_data(result.input, folder);
   if (!result.fe.fe.gross_slip) write_periodic_state(result, reference, folder);
   write_field_files(result.fe.fe, result.fem_case, result.input.fields.value_or(Case::Fields::none), folder);
   if (result.wear) write_wear(*result.wear, result.input, result.fem_case.units, folder);

@@ -11,6 +11,7 @@
 #include "comparison/reference/half_space.h"
 #include "comparison/reference/mdr_document.h"
 #include "comparison/results/answer_text.h"
+#include "comparison/results/data_text.h"
 #include "comparison/results/estimate.h"
 #include "mdr/layer/layer.h"
 #include "meshes/mesh.h"
@@ -270,8 +271,8 @@ std::string explanation(const Case& input, std::size_t n_cases) {
   const auto document = mdr_document(for_mdr, false);
   const auto& mdr = document.json.at("mdr");
   const bool of_worn = document.json.contains("limiting_state");
-  auto text = input.name + "\n" + scene_text(input) + "\n" + groups_text(input, mdr, of_worn) + "\n" +
-              regime_text(mdr, input.motion.path && !input.motion.path->repeats, of_worn) + "\n";
+  auto text = input.name + "\n" + scene_text(input) + "\n" + groups_text(input, mdr, of_worn) + data_text(input) +
+              "\n" + regime_text(mdr, input.motion.path && !input.motion.path->repeats, of_worn) + "\n";
   if (input.tolerance == 0) return text + row("elements", "none: finite elements need an Accuracy / Tolerance");
   try {
     return text + cost_text(prepare({input}).front(), n_cases);

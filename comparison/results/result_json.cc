@@ -10,6 +10,8 @@
 #include "comparison/results/answer_text.h"
 #include "comparison/results/case_inputs.h"
 #include "comparison/results/case_result.h"
+#include "comparison/results/data_files.h"
+#include "comparison/results/measured_values.h"
 #include "comparison/results/results_folder.h"
 #include "comparison/results/wear_json.h"
 #include "comparison/results/zones_json.h"
@@ -104,6 +106,7 @@ ordered_json case_json(const CaseResult& result) {
   if (input.body.grid) json["mesh"] = mesh_json(input.body);
   json["inputs"] = inputs_json(input);
   if (input.elastomer.master_curve) json["fit_of_moduli"] = fit_json(input.elastomer);
+  if (auto data = data_json(input); !data.empty()) json["data"] = std::move(data);
   if (input.sweep)
     json["sweep"] = {{"family", input.sweep->family}, {"entry", input.sweep->entry}, {"value", input.sweep->value}};
   return json;
@@ -206,6 +209,8 @@ ordered_json result_json(const CaseResult& result) {
                     {"fe", fe_json(result)},
                     {"comparison", comparison_json(result.comparison)}};
   if (const auto reasons = beyond_mdr_model(result.input); !reasons.empty()) json["other_model"] = reasons;
+  if (auto measured = measured_json(result.input, json["fe"], json["mdr"]); !measured.is_null())
+    json["measured"] = std::move(measured);
   if (result.half_space) json["mdr_half_space"] = to_json(*result.half_space);
   if (result.beyond_mdr) json["not_compared"] = to_json(*result.beyond_mdr, result.fem_case.units.depth);
   json["cost"] = std::move(cost);

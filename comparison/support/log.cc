@@ -39,11 +39,24 @@ void warn(const std::string& message) {
   spdlog::warn(spdlog::string_view_t(message));
 }
 
-void warn_once(const std::string& message) {
+namespace {
+
+/// Whether nobody has said it before.
+bool is_new(const std::string& message) {
   static std::mutex mutex;
   static std::set<std::string> said;
   const std::lock_guard<std::mutex> lock(mutex);
-  if (said.insert(message).second) warn(message);
+  return said.insert(message).second;
+}
+
+}  // namespace
+
+void info_once(const std::string& message) {
+  if (is_new(message)) info(message);
+}
+
+void warn_once(const std::string& message) {
+  if (is_new(message)) warn(message);
 }
 
 void error(const std::string& message) {

@@ -23,6 +23,7 @@ void detail(const std::string& message);
 void info(const std::string& message);
 void warn(const std::string& message);
 /// The first time alone: of a table that all cases of a sweep have.
+void info_once(const std::string& message);
 void warn_once(const std::string& message);
 void error(const std::string& message);
 

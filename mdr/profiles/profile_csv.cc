@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "mdr/support/checks.h"
-#include "mdr/support/csv.h"
 #include "mdr/support/csv_units.h"
 
 namespace fretval::mdr {
@@ -37,9 +36,20 @@ ProfileRows mean_rows(const ProfileRows& scan, const std::string& source_name, d
 
 }  // namespace
 
+const std::vector<WantedColumn>& profile_columns() {
+  static const std::vector<WantedColumn> wanted{
+      {{{"radius",
+         {"r", "x", "radius", "router", "position", "pos", "distance", "abstand", "lateral*", "weg", "abszisse"},
+         length_units()}}},
+      {{{"height",
+         {"f", "z", "h", "height*", "hoehe", "h\u00f6he", "wornd*", "profile*", "profil", "depth", "tiefe", "signal"},
+         length_units()}}}};
+  return wanted;
+}
+
 ProfileRows read_profile_rows(std::istream& stream, const std::string& source_name, double noise) {
   require_non_negative("noise of the profile table in m", noise);
-  CsvColumns csv = read_csv(stream, source_name, 2);
+  CsvColumns csv = read_columns(stream, source_name, profile_columns(), InOrder::yes).csv;
   require_scan(csv, source_name, noise);
   for (std::size_t column = 0; column < 2; ++column) {
     const double size = unit_of_column(csv, column, length_units(), source_name);

@@ -7,6 +7,7 @@
 
 #include "mdr/profiles/profile.h"
 #include "mdr/profiles/two_sided_scan.h"
+#include "mdr/support/csv_columns.h"
 
 namespace fretval::mdr {
 
@@ -16,12 +17,15 @@ struct ProfileRows {
   std::optional<MeanOfHalves> halves = {};  ///< of a two-sided scan, whose mean the rows are
 };
 
-/// Reads the columns radius and height (see read_csv). noise: standard deviation of the heights in m; with 0 the scan
+/// What a table of heights has to have: radius and height.
+const std::vector<WantedColumn>& profile_columns();
+
+/// Reads radius and height, wherever they stand in a table (see read_columns), in this order where names do not tell.
+/// noise: standard deviation of the heights in m; with 0 the scan
 /// begins on the axis.
 ///
-/// Units are those that the second header line names, or else the brackets in the names, "r [mm]": m, mm, um, µm or
-/// nm. Without any they are m. Radii increase from line to line: a scan outwards or, if the first one is negative, a
-/// scan through the apex at r = 0, of whose halves the mean is taken (two_sided_scan.h).
+/// Units are m, cm, mm, um, µm or nm. Without any they are m. Radii increase from line to line: a scan outwards or, if
+/// the first one is negative, a scan through the apex at r = 0, of whose halves the mean is taken (two_sided_scan.h).
 ///
 /// Throws std::invalid_argument that names the source, and for a bad row its line: radii that repeat or fall back, no
 /// row on the axis with noise = 0, an unknown unit, halves that are not those of an axisymmetric body.

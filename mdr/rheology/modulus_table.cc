@@ -1,7 +1,6 @@
 #include "mdr/rheology/modulus_table.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <functional>
 #include <map>
@@ -11,7 +10,6 @@
 
 #include "mdr/support/checks.h"
 #include "mdr/support/constants.h"
-#include "mdr/support/csv.h"
 #include "mdr/support/csv_units.h"
 
 namespace fretval::mdr {
@@ -71,38 +69,50 @@ void validate(const ModulusTable& table) {
   }
 }
 
-bool has_loss_factor(const CsvColumns& csv) {
-  if (csv.names.size() != 3) return false;
-  const std::string& name = csv.names[2];
-  return name.size() >= 3 && std::equal(name.begin(), name.begin() + 3, "tan",
-                                        [](unsigned char c, char expected) { return std::tolower(c) == expected; });
+const std::vector<WantedColumn>& modulus_columns() {
+  const Units frequency_units{{"Hz", 1}, {"hz", 1}, {"kHz", 1e3}, {"mHz", 1e-3}, {"rad/s", 1 / (2 * pi)}};
+  static const std::vector<WantedColumn> wanted{
+      {{{"frequency", {"f", "freq*", "fred*", "frequenz*", "omega*", "w", "\u03c9", "\u0192"}, frequency_units}}},
+      {{{"storage modulus",
+         {"g'", "e'", "m'", "g1", "e1", "gp", "ep", "gprime", "eprime", "gstor*", "estor*", "stor*", "shearstor*",
+          "tensilestor*", "speicher*", "elasticmod*"},
+         modulus_units()}}},
+      {{{"loss modulus",
+         {"g''", "e''", "m''", "g2", "e2", "gpp", "epp", "gdoubleprime", "edoubleprime", "gloss*", "eloss*", "loss",
+          "lossmod*", "shearloss*", "tensileloss*", "verlustm*", "viscousmod*"},
+         modulus_units()},
+        {"loss factor", {"tan*", "lossfac*", "losstan*", "verlustf*", "damping*"}, ratio_units()}},
+       false,
+       true}};
+  return wanted;
 }
 
 ModulusTable read_modulus_table(std::istream& stream, const std::string& source_name, double factor) {
   require_positive("factor of the moduli", factor);
-  CsvColumns csv = read_csv(stream, source_name, 3);
-  const Units frequency_units = {{"Hz", 1}, {"rad/s", 1 / (2 * pi)}};
-  const Units modulus_units = {{"Pa", 1}, {"kPa", 1e3}, {"MPa", 1e6}, {"GPa", 1e9}};
-  scale(csv.columns[0], unit_of_column(csv, 0, frequency_units, source_name), "frequency", csv, source_name);
-  scale(csv.columns[1], unit_of_column(csv, 1, modulus_units, source_name) * factor, "storage modulus", csv,
-        source_name);
-  if (has_loss_factor(csv)) {
-    const Units ratio_units = {{"", 1}, {"-", 1}, {"1", 1}, {"%", 1e-2}};
-    // Brackets of a name like "tan(delta)" hold no unit.
-    const bool has_unit = !csv.units.empty() || csv.names[2].find('%') != std::string::npos;
-    scale(csv.columns[2], has_unit ? unit_of_column(csv, 2, ratio_units, source_name) : 1, "loss factor", csv,
-          source_name);
+  auto chosen = read_columns(stream, source_name, modulus_columns(), InOrder::yes);
+  auto& csv = chosen.csv;
+  const auto& wanted = modulus_columns();
+  const auto unit = [&](std::size_t column, const ColumnKind& kind) {
+    return unit_of_column(csv, column, kind.units, source_name);
+  };
+  scale(csv.columns[0], unit(0, wanted[0].kinds[0]), "frequency", csv, source_name);
+  scale(csv.columns[1], unit(1, wanted[1].kinds[0]) * factor, "storage modulus", csv, source_name);
+  if (has_loss_factor(chosen)) {
+    scale(csv.columns[2], csv.units.empty() ? 1 : unit(2, wanted[2].kinds[1]), "loss factor", csv, source_name);
     std::transform(csv.columns[1].begin(), csv.columns[1].end(), csv.columns[2].begin(), csv.columns[2].begin(),
                    std::multiplies<>());
   } else {
-    scale(csv.columns[2], unit_of_column(csv, 2, modulus_units, source_name) * factor, "loss modulus", csv,
-          source_name);
+    scale(csv.columns[2], unit(2, wanted[2].kinds[0]) * factor, "loss modulus", csv, source_name);
   }
   ModulusTable table = ordered(csv.columns);
   if (table.frequency.size() < 2) {
     throw std::invalid_argument(source_name + ": has a single frequency; must have at least 2");
   }
   return table;
+}
+
+bool has_loss_factor(const ChosenColumns& chosen) {
+  return chosen.kind.at(2) == std::optional<std::size_t>(1);
 }
 
 std::complex<double> complex_modulus(const ModulusTable& table, double omega) {

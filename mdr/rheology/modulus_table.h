@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "mdr/support/csv.h"
+#include "mdr/support/csv_columns.h"
 
 namespace fretval::mdr {
 
@@ -19,21 +19,25 @@ struct ModulusTable {
 /// Throws std::invalid_argument unless the table is as described above.
 void validate(const ModulusTable& table);
 
-/// Reads the columns frequency, storage and loss modulus (see read_csv). Rows are sorted by frequency; rows of exactly
-/// the same frequency become one with the means of their moduli.
+/// What a table of moduli has to have: frequency, storage modulus, and loss modulus or loss factor.
+const std::vector<WantedColumn>& modulus_columns();
+
+/// Reads frequency, storage modulus and loss modulus wherever they stand in a table (see read_columns); columns that
+/// neither a name nor a unit tells apart are taken in this order. Rows are sorted by frequency; rows of exactly the
+/// same frequency become one with the means of their moduli.
 ///
-/// Units are those that the second header line names, or else the brackets in the names, "G' [MPa]": Pa, kPa, MPa or
-/// GPa, and Hz or rad/s. Without any they are Pa and Hz. Moduli are then multiplied by factor. A table of Young's
-/// moduli is not recognised as such: pass factor = 1/3, which is G/E of an incompressible body.
+/// Units: Pa, kPa, MPa, GPa or N/mm^2, and Hz, kHz, mHz or rad/s. Without any they are Pa and Hz. Moduli are then
+/// multiplied by factor. A table of Young's moduli is not recognised as such: pass factor = 1/3, which is G/E of an
+/// incompressible body.
 ///
-/// A third column whose name begins with "tan" is the loss factor tan delta = G''/G' instead, without a unit or in %.
+/// A loss factor tan delta = G''/G' may stand in the place of the loss modulus, without a unit or in %.
 ///
 /// Throws std::invalid_argument that names the source and line of a value that is not positive, an unknown unit, or
 /// fewer than two frequencies.
 ModulusTable read_modulus_table(std::istream& stream, const std::string& source_name, double factor = 1);
 
 /// Whether the third column is the loss factor; its header says so.
-bool has_loss_factor(const CsvColumns& csv);
+bool has_loss_factor(const ChosenColumns& chosen);
 
 /// Complex modulus in Pa at the angular frequency omega in rad/s, by interpolation of log G' and log G'' over log
 /// frequency: exact for power laws, error of order (spacing of log frequency)^2 otherwise. Throws

@@ -8,8 +8,15 @@
 
 namespace fretval::mdr {
 
-/// Sizes of m, mm, um (also with either sign of micro) and nm in m.
+/// Sizes of units in m, Pa, s, N and 1. Micro is u, or either sign of it.
 const std::map<std::string, double>& length_units();
+const std::map<std::string, double>& modulus_units();
+const std::map<std::string, double>& time_units();
+const std::map<std::string, double>& force_units();
+const std::map<std::string, double>& ratio_units();
+
+/// "MPa" of "G' (storage) [MPa]", of the last brackets; the text itself if there are none.
+std::string unit_text(const std::string& text);
 
 /// Whether the header names a unit of the column: in its second line, or in brackets in the column's name.
 bool names_unit(const CsvColumns& csv, std::size_t column);

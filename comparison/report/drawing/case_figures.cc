@@ -10,6 +10,7 @@
 #include "comparison/case/case.h"
 #include "comparison/quantities/quantity.h"
 #include "comparison/report/drawing/axis.h"
+#include "comparison/report/drawing/data_figures.h"
 #include "comparison/report/drawing/figures.h"
 #include "comparison/report/drawing/moduli_figure.h"
 #include "comparison/report/drawing/share_bars.h"
@@ -142,6 +143,9 @@ Figure loop_figure(const StoredResult& r, const ordered_json& cycle, bool tangen
         {"MDR", length.of(numbers_of(mdr->at(x_name))), force.of(numbers_of(mdr->at(y_name))), Series::Style::line, 0});
   plot.series.push_back(
       {"finite elements", length.of(thinned_to_most(x)), force.of(thinned_to_most(y)), Series::Style::points, 1});
+  for (auto& series :
+       measured_series(r, fmt::format("{} [m]", x_name), fmt::format("{} [N]", y_name), length.factor, force.factor))
+    plot.series.push_back(std::move(series));
   return {std::move(plot), r.is_single_pass()
                                ? "The pass, from rest. The area below the line is the work of the indenter."
                                : fmt::format("One {}. The area of the loop is the energy lost in it.", r.cycle_name())};
@@ -174,7 +178,20 @@ Figure motion_figure(const StoredResult& r) {
 }
 
 Figure forces_figure(const StoredResult& r) {
-  return course_figure(r, "Forces on the indenter", "force", "N", {{{"F_N", "normal F_N"}, {"F_x", "tangential F_x"}}});
+  auto figure =
+      course_figure(r, "Forces on the indenter", "force", "N", {{{"F_N", "normal F_N"}, {"F_x", "tangential F_x"}}});
+  const auto normal = column_of(r, "history.csv", "t [s]", "F_N [N]"),
+             tangential = column_of(r, "history.csv", "t [s]", "F_x [N]");
+  auto t = column_of(r, "history.csv", "t [s]", "t [s]");
+  const double start = t.front();
+  for (double& instant : t) instant -= start;
+  const auto size = axis_for({&normal, &tangential}, "N"), time = axis_for({&t}, "s");
+  for (const auto& [column, label] : {std::pair{"F_N [N]", "F_N measured"}, std::pair{"F_x [N]", "F_x measured"}})
+    for (auto& series : measured_series(r, "t [s]", column, time.factor, size.factor)) {
+      series.label = label;
+      figure.plot.series.push_back(std::move(series));
+    }
+  return figure;
 }
 
 Figure slip_figure(const StoredResult& r) {
@@ -294,11 +311,14 @@ Filling case_figures(const StoredResult& result, const ordered_json& cycle) {
     if (!cycle.empty()) list.push_back(map_figure(result, cycle));
     if (!column_names(result.folder / "history.csv").empty())
       add({motion_figure(result), loop_figure(result, cycle, true), loop_figure(result, cycle, false)});
-    if (result.has_forces() && !column_names(result.folder / "history.csv").empty()) add({forces_figure(result)});
+    const bool measures_over_time = !measured_series(result, "t [s]", "t [s]", 1, 1).empty();
+    if ((result.has_forces() || measures_over_time) && !column_names(result.folder / "history.csv").empty())
+      add({forces_figure(result)});
     if (!column_names(result.folder / "contact.csv").empty()) add({slip_figure(result)});
     add(decay_figures(result, cycle));
     if (!column_names(result.folder / "profile.csv").empty()) add({profile_figure(result)});
     if (!column_names(result.folder / "moduli.csv").empty()) add({moduli_figure(result)});
+    add(trace_figures(result));
   } catch (const nlohmann::json::exception& error) {
     throw InputError(fmt::format("{}: {}", (result.folder / "cycle.json").string(), error.what()));
   }

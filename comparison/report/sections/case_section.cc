@@ -7,6 +7,7 @@
 
 #include "comparison/report/drawing/case_figures.h"
 #include "comparison/report/sections/assumptions.h"
+#include "comparison/report/sections/measured_section.h"
 #include "comparison/report/sections/scene_section.h"
 #include "comparison/report/text/table.h"
 #include "comparison/results/answer_text.h"
@@ -63,6 +64,8 @@ Filling one_case(const StoredResult& r) {
                   {"scene", scene_of(r)},
                   {"figures", case_figures(r, cycle)},
                   {"assumptions", assumptions_of(r)}};
+  if (auto measured = measured_table(r); !measured.is_null()) filling["measured"] = {{"table", std::move(measured)}};
+  if (auto data = data_sentences(r); !data.is_null()) filling["data"] = std::move(data);
   if (!answer.half_space.empty()) filling["half_space"] = answer.half_space;
   if (!answer.rings.empty()) filling["rings"] = answer.rings;
   if (const auto& scene = r.json.at("scene"); scene.contains("path") && scene["path"].contains("why_no_shakedown"))

@@ -68,7 +68,7 @@ WornBefore worn_by_rings(const std::string& table, const Units& units) {
   std::ifstream stream(table);
   std::vector<double> radii, depths;
   try {
-    const auto csv = mdr::read_csv(stream, table, 2);
+    const auto csv = mdr::read_columns(stream, table, mdr::profile_columns(), mdr::InOrder::yes).csv;
     require_rings(table, csv);
     const auto in_metres = [&](std::size_t column) {
       return mdr::unit_of_column(csv, column, mdr::length_units(), table);

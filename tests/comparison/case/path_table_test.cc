@@ -16,7 +16,8 @@ const std::string saw = "t,d,u_x\nms,um,um\n0,100,-10\n500,120,10\n1000,100,-10\
 
 Case::Path read(const std::string& text, bool repeats) {
   const ScratchFolder folder;
-  return read_path_table(folder.write("path.csv", text), repeats);
+  std::vector<std::string> notes;
+  return read_path_table(folder.write("path.csv", text), repeats, {}, notes);
 }
 
 std::string refused(const std::string& text, bool repeats) {
@@ -37,6 +38,19 @@ TEST(PathTable, IsReadWithItsUnits) {
   EXPECT_EQ(read("t [min];d [mm];u_x [nm]\n1;1;1\n2;1;1\n", false).time.front(), 60);
 }
 
+TEST(PathTable, IsReadInEveryDialect) {
+  const auto path = read(
+      "Rig;7\r\nu_x [\xB5m];T [\xB0"
+      "C];d [mm];Zeit [ms]\r\n-10;21,5;0,1;0\r\n10;21,5;0,12;500\r\n-10;21,5;0,1;1000\r\n",
+      true);
+  const auto same = read(saw, true);
+  EXPECT_EQ(path.time, same.time);
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_NEAR(path.normal[i], same.normal[i], 1e-18);
+    EXPECT_NEAR(path.tangential[i], same.tangential[i], 1e-18);
+  }
+}
+
 TEST(PathTable, TakesForcesInEitherDirection) {
   const auto forces = read("t,F_N,F_x\ns,mN,kN\n0,500,1e-12\n2,300,1e-3\n", false);
   EXPECT_TRUE(forces.normal_force && forces.tangential_force);
@@ -54,10 +68,11 @@ TEST(PathTable, TakesForcesInEitherDirection) {
 }
 
 TEST(PathTable, IsRefusedByName) {
-  for (const auto& [text, part] : {std::pair("t,d,u_x\n0,1,0\n1,1,1\n", "column 1 has no unit"),
-                                   {"0,1,0\n1,1,1\n", "no unit"},
-                                   {"t,u_x,d\ns,m,m\n0,1,0\n1,1,1\n", "must be \"d\""},
-                                   {"t,F_x,u_x\ns,N,m\n0,1,0\n1,1,1\n", "must be \"d\" or \"F_N\""},
+  for (const auto& [text, part] : {std::pair("t,d,u_x\n0,1,0\n1,1,1\n", "column t has no unit"),
+                                   {"0,1,0\n1,1,1\n", "no names of columns"},
+                                   {"t,u_x,f\ns,m,Hz\n0,1,0\n1,1,1\n", "has no column for the indentation d or"},
+                                   {"t,F_x,u_x\ns,N,m\n0,1,0\n1,1,1\n", "has a column u_x [m] and a column F_x [N]"},
+                                   {"t,a,b\ns,m,m\n0,1,0\n1,1,1\n", "is not clear: a [m] or b [m]"},
                                    {"t,F_N,u_x\ns,m,m\n0,1,0\n1,1,1\n", "mN"},
                                    {"t,F_N,u_x\ns,N,m\n0,1,0\n1,-2,1\n", "line 4: F_N = -2 N: must be positive"},
                                    {"t,F_N,F_x\ns,N,N\n0,1,0.1\n1,1,1\n", "F_x = 0.1 N in the first row"},
@@ -72,7 +87,7 @@ TEST(PathTable, IsRefusedByName) {
 
 TEST(PathTable, ThatRepeatsEndsWhereItBegins) {
   expect_parts(refused("t,d,u_x\ns,um,um\n0,100,0\n1,110,0\n2,90,0\n", true),
-               {"d jumps by 1e-05 m", "from 9e-05 m in the last row to 0.0001 m", "once"});
+               {"d jumps by 1e-05 m", "from 9e-05 m in the last row to 0.0001 m", "shows no period", "once"});
   expect_parts(refused("t,d,u_x\ns,um,um\n0,100,0\n1,110,9\n2,100,3\n", true), {"u_x jumps by -3e-06 m"});
   expect_parts(refused("t,d,u_x\ns,um,um\n0,100,0\n1,100,0\n", true), {"2 rows", "repeats needs at least 3"});
   expect_parts(refused("t,d,u_x\ns,um,um\n0,1,0\n1,-9,0\n2,1,0\n", true), {"the mean of d over time is -4e-06 m"});

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "mdr/profiles/profile_csv.h"
+#include "mdr/rheology/modulus_table.h"
 #include "tests/comparison/expect_parts.h"
 #include "tests/comparison/refusal.h"
 #include "tests/comparison/scratch_folder.h"
@@ -9,23 +11,33 @@
 namespace fretval::table_units_test {
 namespace {
 
-std::string said_of(const std::string& table, std::size_t n_columns) {
+const auto& profile = mdr::profile_columns();
+const auto& moduli = mdr::modulus_columns();
+
+std::string said_of(const std::string& table, const std::vector<mdr::WantedColumn>& wanted) {
   const ScratchFolder folder;
   const auto file = folder.write("a.csv", table).string();
-  return refusal([&] { require_units(file, n_columns); });
+  return refusal([&] { require_units(file, wanted); });
 }
 
 TEST(TableUnits, StandInALineOfTheirOwnOrInBrackets) {
-  EXPECT_EQ(said_of("r,f\nmm,um\n0,0\n", 2), "no error");
-  EXPECT_EQ(said_of("r [mm],f (um)\n0,0\n", 2), "no error");
-  EXPECT_EQ(said_of("f [Hz],G' [Pa],tan delta\n1,1,1\n", 3), "no error");
+  EXPECT_EQ(said_of("r,f\nmm,um\n0,0\n", profile), "no error");
+  EXPECT_EQ(said_of("r [mm],f (um)\n0,0\n", profile), "no error");
+  EXPECT_EQ(said_of("f [Hz],G' [Pa],tan delta\n1,1,1\n", moduli), "no error");
 }
 
 TEST(TableUnits, MustBeThereForEveryColumn) {
-  expect_parts(said_of("0,0\n", 2), {"a.csv: column 1 has no unit", "\"r,f\" and \"mm,um\""});
-  expect_parts(said_of("r [mm],f\n0,0\n", 2), {"column 2 has no unit"});
-  expect_parts(said_of("f [Hz],G' [Pa],G''\n1,1,1\n", 3), {"column 3 has no unit", "Hz,MPa,MPa"});
-  expect_parts(said_of("r,f\nmm,um\n0,x\n", 2), {"a.csv, line 3"});
+  expect_parts(said_of("0,0\n", profile), {"a.csv: column 1 has no unit", "\"r,f\" and \"mm,um\""});
+  expect_parts(said_of("r [mm],f\n0,0\n", profile), {"column 2 has no unit"});
+  expect_parts(said_of("f [Hz],G' [Pa],G''\n1,1,1\n", moduli), {"column 3 has no unit", "Hz,MPa,MPa"});
+  expect_parts(said_of("r,f\nmm,um\n0,x\n", profile), {"a.csv, line 3"});
+}
+
+TEST(TableUnits, ComeWithWhatIsSkipped) {
+  const ScratchFolder folder;
+  const auto file = folder.write("a.csv", "made by hand\nT;r [mm];f [um]\n1;0;0\n").string();
+  EXPECT_EQ(require_units(file, profile), file + ": skipped: 1 line ahead of the columns, column T");
+  EXPECT_EQ(require_units(folder.write("b.csv", "r,f\nmm,um\n0,0\n").string(), profile), "");
 }
 
 }  // namespace

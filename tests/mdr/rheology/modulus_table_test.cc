@@ -72,9 +72,10 @@ TEST(ModulusTable, ErrorsOfTheFileNameTheirPlace) {
       {"1,2,3\n2,5,0\n", "dma.csv, line 2: loss modulus = 0"},
       {"0,2,3\n2,5,1\n", "dma.csv, line 1: frequency = 0"},
       {"f,a,b\nHz,GPa,GPa\n1,2,3\n2,1e300,3\n", "line 4: storage modulus = inf"},
-      {"f,a,b\nHz,psi,Pa\n1,2,3\n", "unit of column 2 = \"psi\": must be one of GPa, MPa, Pa, kPa"},
-      {"f,a,b (psi)\n1,2,3\n", "unit of column 3 = \"psi\""},
-      {"f,a,b\nHz,,Pa\n1,2,3\n", "unit of column 2 = \"\""},
+      {"f,G',b\nHz,psi,Pa\n1,2,3\n", "unit of column 2 = \"psi\": must be one of GPa, MPa, N/mm^2"},
+      {"f,a,b\nHz,psi,Pa\n1,2,3\n", "no column for the storage modulus"},
+      {"f,a,b (psi)\n1,2,3\n", "its columns are f, a, b (psi)"},
+      {"f,a,b\nHz,,Pa\n1,2,3\n", "its columns are f [Hz], a, b [Pa]"},
       {"1,2,3\n1,2,3\n", "has a single frequency"},
   };
   for (const auto& table : tables) {

@@ -69,6 +69,11 @@ TEST(Csv, KeepsEveryDigit) {
   EXPECT_EQ(read("0.1 88.79651575665739").columns, (std::vector<Column>{{0.1}, {88.79651575665739}}));
 }
 
+TEST(Csv, TakesDecimalCommasBetweenSemicolonsAndTabs) {
+  for (const std::string text : {"1;2,5\n-3;4e-3\n", "1\t2,5\n-3\t4e-3\n", "\"1\"; \"2,5\"\n-3; +4e-3\n"})
+    EXPECT_EQ(read(text).columns, (std::vector<Column>{{1, -3}, {2.5, 4e-3}})) << text;
+}
+
 TEST(Csv, ErrorNamesSourceLineTextAndRemedy) {
   const std::string error = error_of("a,b\n1,2\n3,x4\n");
   for (const char* part : {"table.csv", "line 3", "3,x4", "\"x4\" is no number", "must be"}) {
@@ -90,9 +95,9 @@ TEST(Csv, RejectsBadTables) {
       {"nan,1\n", "\"nan\" must be finite"},
       {"1,-Inf\n", "\"-Inf\" must be finite"},
       {"1,1e400\n", "\"1e400\" is beyond the range of double"},
-      {"1,5;2,5\n", "decimal comma, which is not accepted"},
+      {"1,5;2.5\n", "another decimal mark than values before"},
+      {"1.000,5;2,5\n", "more than one decimal mark"},
       {"1,5 2,5\n", "decimal comma, which is not accepted"},
-      {"1,5\t2,5\n", "decimal comma, which is not accepted"},
       {"1,5,2,5\n", "decimal commas are not accepted"},
       {"1,0x10\n", "\"0x10\" is no number"},
       {"1,2e\n", "\"2e\" is no number"},

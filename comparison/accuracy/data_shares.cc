@@ -1,0 +1,115 @@
+#include "comparison/accuracy/data_shares.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "comparison/case/aligned_trace.h"
+#include "comparison/case/path_table.h"
+#include "comparison/reference/mdr_answer.h"
+#include "comparison/reference/mdr_readings.h"
+#include "comparison/support/log.h"
+
+namespace fretval {
+namespace {
+
+/// A change of the path of a case, along which the size of its motion changes as well.
+template <class Change>
+Case with_path(Case input, const Change& change) {
+  auto path = *input.motion.path;
+  change(path);
+  input.motion = motion_along(std::move(path));
+  return input;
+}
+
+double mean_of_extremes(const std::vector<double>& values) {
+  const auto [least, most] = std::minmax_element(values.begin(), values.end());
+  return (*least + *most) / 2;
+}
+
+void stretch(std::vector<double>& values, double by) {
+  const auto [least, most] = std::minmax_element(values.begin(), values.end());
+  const double half = (*most - *least) / 2, middle = mean_of_extremes(values);
+  if (!(half > 0)) return;
+  for (double& value : values) value = middle + (value - middle) * (1 + by / half);
+}
+
+/// Off everywhere, and at its extremes in opposite directions.
+DataVariant variant_of_path(const Case& input, const char* what, double normal, double tangential) {
+  DataVariant variant{what, {}};
+  if (normal > 0)
+    variant.cases.push_back(with_path(input, [&](Case::Path& path) {
+      for (double& value : path.normal) value += normal;
+      stretch(path.tangential, tangential);
+    }));
+  variant.cases.push_back(with_path(input, [&](Case::Path& path) {
+    stretch(path.normal, normal);
+    stretch(path.tangential, tangential);
+  }));
+  return variant;
+}
+
+Readings readings_of_case(const MdrCase& mdr) {
+  return readings_of(mdr_answer(mdr, mdr_normal_response(mdr)));
+}
+
+}  // namespace
+
+std::vector<DataVariant> data_variants(const Case& input) {
+  std::vector<DataVariant> variants;
+  if (const auto& trace = input.indenter.trace) {
+    DataVariant variant{"alignment of the trace", {}};
+    for (const int side : {-1, 1}) {
+      variant.cases.push_back(input);
+      variant.cases.back().indenter.trace = neighbour_of(*trace, side);
+    }
+    variants.push_back(std::move(variant));
+  }
+  if (const auto& path = input.motion.path; path && path->reduction) {
+    const auto& r = *path->reduction;
+    variants.push_back(variant_of_path(input, "what was left out of the record", r.normal_error, r.tangential_error));
+    if (r.normal_scatter > 0 || r.tangential_scatter > 0)
+      variants.push_back(variant_of_path(input, "scatter from cycle to cycle", r.normal_scatter, r.tangential_scatter));
+  }
+  if (input.elastomer.modulus_scatter > 0) {
+    DataVariant variant{"scatter of the modulus", {input}};
+    variant.cases.back().elastomer.relaxed_modulus *= 1 + input.elastomer.modulus_scatter;
+    variants.push_back(std::move(variant));
+  }
+  return variants;
+}
+
+Quantities data_uncertainties(const Case& input, const MdrCase& mdr) {
+  Quantities uncertainties;
+  const auto variants = data_variants(input);
+  if (variants.empty() || !mdr.falls().empty()) return uncertainties;
+  const auto answer = mdr_answer(mdr, mdr_normal_response(mdr));
+  const auto as_it_is = readings_of(answer);
+  const auto scales = scales_of(answer, unworn_radius_at(mdr, deepest_indentation(mdr)));
+  for (const auto& variant : variants) {
+    Quantities farthest;
+    for (const auto& one : variant.cases) try {
+        for (const auto& [quantity, reading] : readings_of_case(mdr_case(one))) {
+          const auto before = as_it_is.find(quantity);
+          if (before == as_it_is.end()) continue;
+          const auto change = difference_of(quantity, reading, before->second, scales);
+          const double size =
+              change ? std::abs(*change) : std::abs(only_one_of(quantity, reading, before->second, scales));
+          farthest[quantity] = std::max(farthest[quantity], size);
+        }
+      } catch (const std::exception& error) {
+        log::warn(fmt::format("{}: the bars are without the {}: {}", input.name, variant.what, error.what()));
+      }
+    for (const auto& [quantity, size] : farthest) uncertainties[quantity] += size;
+  }
+  return uncertainties;
+}
+
+void add_data_shares(const Case& input, const MdrCase& mdr, ErrorBudget& budget) {
+  if (budget.empty()) return;
+  for (const auto& [quantity, size] : data_uncertainties(input, mdr))
+    if (const auto bar = budget.find(quantity); bar != budget.end()) bar->second.add(ErrorSource::data, size);
+}
+
+}  // namespace fretval

@@ -1,0 +1,102 @@
+#include "comparison/case/test_duration.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "mdr/motion/commensurability.h"
+#include "mdr/motion/harmonic_motion.h"
+#include "mdr/rheology/branch_merging.h"
+
+namespace fretval {
+namespace {
+
+constexpr double near = 3;  // times longer or shorter
+constexpr double merging_share = 0.1, tolerance_without = 1e-3;
+constexpr double harmonics = 300;    // of the fastest oscillation, that the response to it still shows
+constexpr double rows_in_pass = 30;  // of a path, whose shape takes as many frequencies
+
+std::pair<double, double> frequencies_of(const Case::Motion& motion) {
+  double lowest = std::min(motion.normal_frequency, motion.tangential_frequency),
+         highest = std::max(motion.normal_frequency, motion.tangential_frequency);
+  for (const auto* oscillations : {&motion.normal_harmonics, &motion.tangential_harmonics})
+    for (const auto& one : *oscillations) {
+      lowest = std::min(lowest, one.frequency);
+      highest = std::max(highest, one.frequency);
+    }
+  if (motion.path) highest = std::max(highest, rows_in_pass / motion.path->duration());
+  return {lowest, highest};
+}
+
+/// The slowest frequency that a periodic state has besides rest.
+double slowest_shown(const Case::Motion& motion) {
+  if (motion.path) return (motion.path->repeats ? 1 : 0.01) / motion.path->duration();
+  mdr::HarmonicMotion frequencies{1, {{1, motion.normal_frequency, 0}}, {{1, motion.tangential_frequency, 0}}, true};
+  for (const auto& one : motion.normal_harmonics) frequencies.normal.push_back({1, one.frequency, 0});
+  for (const auto& one : motion.tangential_harmonics) frequencies.tangential.push_back({1, one.frequency, 0});
+  const auto cycle = mdr::common_cycle(frequencies);
+  return cycle ? cycle->frequency : frequencies_of(motion).first;
+}
+
+bool has_frequencies(const Case::Motion& motion) {
+  return motion.normal_frequency > 0 && motion.tangential_frequency > 0;
+}
+
+}  // namespace
+
+double longest_period(const Case::Motion& motion) {
+  return 1 / frequencies_of(motion).first;
+}
+
+void limit_to_test(double seconds, Case& input) {
+  auto& body = input.elastomer;
+  Case::TestDuration test{seconds, body.relaxed_modulus, body.branch_moduli, body.branch_times, body.viscosity};
+  mdr::PronyBody seen{body.relaxed_modulus, {}, {}, body.viscosity};
+  for (std::size_t i = 0; i < body.branch_times.size(); ++i) {
+    const double time = body.branch_times[i], modulus = body.branch_moduli[i];
+    if (time > seconds / near && time < seconds * near) test.near_times.push_back(time);
+    if (time > seconds) {
+      seen.relaxed_modulus += modulus;
+      ++test.n_slow;
+    } else {
+      seen.branch_moduli.push_back(modulus);
+      seen.branch_times.push_back(time);
+    }
+  }
+  if (has_frequencies(input.motion) && seen.relaxed_modulus > 0) {
+    const double lowest = slowest_shown(input.motion), highest = frequencies_of(input.motion).second;
+    const double tolerance = merging_share * (input.tolerance > 0 ? input.tolerance : tolerance_without);
+    const auto merged = mdr::merged(seen, lowest, harmonics * highest, tolerance);
+    seen = merged.body;
+    test.n_fast = merged.n_merged;
+    test.merging_error = merged.error;
+  }
+  body.relaxed_modulus = seen.relaxed_modulus;
+  body.branch_moduli = std::move(seen.branch_moduli);
+  body.branch_times = std::move(seen.branch_times);
+  body.test_duration = std::move(test);
+}
+
+Case with_duration_times(double factor, Case input) {
+  auto& body = input.elastomer;
+  const auto test = *body.test_duration;
+  body.relaxed_modulus = test.relaxed_modulus;
+  body.branch_moduli = test.branch_moduli;
+  body.branch_times = test.branch_times;
+  body.viscosity = test.viscosity;
+  body.test_duration.reset();
+  limit_to_test(factor * test.seconds, input);
+  return input;
+}
+
+std::vector<double> times_slower_than(double n_cycles, const Case& input) {
+  std::vector<double> times;
+  if (input.elastomer.test_duration || !has_frequencies(input.motion)) return times;
+  const double longest = n_cycles * longest_period(input.motion);
+  for (const double time : input.elastomer.branch_times)
+    if (time > longest) times.push_back(time);
+  std::sort(times.begin(), times.end());
+  return times;
+}
+
+}  // namespace fretval

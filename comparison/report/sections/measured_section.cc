@@ -1,0 +1,98 @@
+#include "comparison/report/sections/measured_section.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "comparison/quantities/quantity.h"
+#include "comparison/report/text/table.h"
+#include "comparison/results/answer_text.h"
+
+namespace fretval {
+namespace {
+
+using nlohmann::ordered_json;
+
+/// σ: the uncertainty of what was measured.
+std::string difference_text(const ordered_json& one, const char* method, const char* unit) {
+  const auto& difference = one.at(std::string(method) + "_difference");
+  if (difference.is_null()) return "–";
+  const double value = one.at("value").get<double>(), off = difference.get<double>();
+  const double uncertainty = one.at("uncertainty").get<double>();
+  const auto [prefix, factor] = prefix_for(std::max(std::abs(off), 1e-6 * std::abs(value)));
+  auto text = fmt::format("{:+.3g} {}{}", off / factor, prefix, unit);
+  if (value != 0) text += fmt::format(", {:+.2g} %", 100 * off / value);
+  if (uncertainty > 0) text += fmt::format(", {:.2g} σ", std::abs(off) / uncertainty);
+  return text;
+}
+
+std::string quantity_text(const ordered_json& value, double uncertainty, const char* unit) {
+  return value.is_null() ? "none" : with_unit(value.get<double>(), uncertainty, unit);
+}
+
+std::string metres(double value) {
+  const auto [prefix, factor] = prefix_for(value);
+  return fmt::format("{:.3g} {}m", value / factor, prefix);
+}
+
+}  // namespace
+
+Filling measured_table(const StoredResult& r) {
+  const auto measured = r.json.find("measured");
+  if (measured == r.json.end() || measured->empty()) return nullptr;
+  Table table{{"quantity", "measured", "finite elements", "off by", "MDR", "off by"}};
+  table.label = "what was measured beside both methods";
+  for (const auto quantity : quantities_by_interest) {
+    const auto one = measured->find(name_of(quantity));
+    if (one == measured->end()) continue;
+    const char* unit = traits_of(quantity).unit;
+    table.rows.push_back({traits_of(quantity).title,
+                          quantity_text(one->at("value"), one->at("uncertainty").get<double>(), unit),
+                          quantity_text(one->at("fe"), 0, unit), difference_text(*one, "fe", unit),
+                          quantity_text(one->at("mdr"), 0, unit), difference_text(*one, "mdr", unit)});
+  }
+  return filling_of(table);
+}
+
+Filling data_sentences(const StoredResult& r) {
+  const auto& scene = r.json.at("scene");
+  if (!scene.contains("data")) return nullptr;
+  const auto& data = scene["data"];
+  auto sentences = Filling::array();
+  const auto add = [&](const std::string& text) { sentences.push_back({{"text", text}}); };
+  if (data.contains("test_duration")) {
+    const auto& test = data["test_duration"];
+    add(fmt::format(
+        "The test lasts {:g} s: {} of {} branches of the elastomer are slower and count as springs; {} others "
+        "are merged, which changes the complex modulus by {:.1e} at most.",
+        test.at("duration").get<double>(), test.at("slow_branches").get<int>(), test.at("branches_of_data").get<int>(),
+        test.at("merged_branches").get<int>(), test.at("merging_error").get<double>()));
+  }
+  if (data.contains("record")) {
+    const auto& record = data["record"];
+    const auto unit_of = [&](const char* column) {
+      return scene.at("path").at("columns")[column == std::string("normal") ? 1 : 2].get<std::string>()[0] == 'F' ? "N"
+                                                                                                                  : "m";
+    };
+    add(fmt::format(
+        "The record has {} rows, {} of them before contact; {} describe it{} within {:.2g} {} normally and "
+        "{:.2g} {} tangentially. That is in the error bars, as what the data leave open.",
+        record.at("rows").get<long>(), record.at("rows_before_contact").get<long>(), record.at("rows_kept").get<long>(),
+        record.at("cycles").get<long>() > 0
+            ? fmt::format(", folded to the mean of {} cycles,", record.at("cycles").get<long>())
+            : std::string(),
+        record.at("normal_error").get<double>(), unit_of("normal"), record.at("tangential_error").get<double>(),
+        unit_of("tangential")));
+  }
+  if (data.contains("trace"))
+    add(fmt::format("The indenter comes from a raw trace: apex {} off, tilted by {:.3g}°.",
+                    metres(std::abs(data["trace"].at("apex").get<double>())), data["trace"].at("tilt").get<double>()));
+  if (data.contains("hardness"))
+    add(fmt::format(
+        "The modulus comes from a hardness of {:g} Shore A by Gent's formula, from which rubbers scatter by "
+        "{:.0f} %: forces under prescribed displacements are as uncertain.",
+        data["hardness"].at("shore_a").get<double>(), 100 * data["hardness"].at("scatter").get<double>()));
+  return sentences;
+}
+
+}  // namespace fretval

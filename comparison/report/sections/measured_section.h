@@ -1,0 +1,15 @@
+#pragma once
+
+#include "comparison/report/text/render.h"
+#include "comparison/results/results_folder.h"
+
+namespace fretval {
+
+/// For the template `table`: what a rig has measured beside both methods, and how they differ from it; null: nothing
+/// was measured.
+Filling measured_table(const StoredResult& result);
+
+/// What was made of the data of a case, a sentence each; null: they were taken as they are.
+Filling data_sentences(const StoredResult& result);
+
+}  // namespace fretval

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+
+#include "comparison/case/case.h"
+
+namespace fretval {
+
+/// Rows of `fretval explain` on what was made of the data of a case: what a test of limited duration sees, with the
+/// branches near its duration and MDR's answer to one three times longer and shorter; what the record, the trace and
+/// the hardness leave open of MDR's answer. Each row begins with a word; empty: the data were taken as they are.
+std::string data_text(const Case& input);
+
+/// Of a test of limited duration the one sentence, for the log; empty: it has none, or MDR has no answer.
+std::string duration_text(const Case& input);
+
+}  // namespace fretval

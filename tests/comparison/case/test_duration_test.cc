@@ -1,0 +1,90 @@
+#include "comparison/case/test_duration.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "mdr/rheology/prony_body.h"
+#include "tests/comparison/expect_parts.h"
+#include "tests/comparison/read_case.h"
+#include "tests/comparison/refusal.h"
+
+namespace fretval::test_duration_test {
+namespace {
+
+/// 30 branches over 15 decades, from 1e-6 s.
+Case wide_case() {
+  auto input = read_case();
+  auto& body = input.elastomer;
+  body.rheology = "prony";
+  body.branch_moduli.clear();
+  body.branch_times.clear();
+  for (int k = 0; k < 30; ++k) {
+    body.branch_moduli.push_back(1e5);
+    body.branch_times.push_back(std::pow(10, -6 + 0.5 * k));
+  }
+  return input;
+}
+
+TEST(TestDuration, MakesSpringsOfWhatIsSlower) {
+  auto input = wide_case();
+  limit_to_test(3600, input);
+  const auto& body = input.elastomer;
+  // Branches from 1e4 s to 3e8 s: ten.
+  EXPECT_EQ(body.test_duration->n_slow, 10U);
+  EXPECT_NEAR(body.relaxed_modulus, 1e6 + 10 * 1e5, 1e-3);
+  EXPECT_EQ(body.test_duration->near_times.size(), 2U);
+  EXPECT_NEAR(body.test_duration->near_times[1], 1e4, 1e-6);
+  EXPECT_EQ(body.test_duration->relaxed_modulus, 1e6);
+}
+
+TEST(TestDuration, MergesWhatNobodySees) {
+  auto input = wide_case();
+  limit_to_test(3600, input);
+  const auto& body = input.elastomer;
+  EXPECT_LE(body.test_duration->merging_error, 0.1 * input.tolerance);
+  EXPECT_GT(body.test_duration->n_fast, 5U);
+  EXPECT_EQ(body.branch_times.size() + body.test_duration->n_fast + body.test_duration->n_slow, 30U);
+  const auto all = wide_case().elastomer;
+  const auto exact = mdr::complex_modulus(mdr::prony(all.relaxed_modulus, all.branch_moduli, all.branch_times), 6.28);
+  const auto merged =
+      mdr::complex_modulus(mdr::prony(body.relaxed_modulus, body.branch_moduli, body.branch_times), 6.28);
+  // At 1 Hz a branch of 1e4 s is a spring within 1e-9.
+  EXPECT_NEAR(std::abs(merged - exact) / std::abs(exact), 0, 1.01 * body.test_duration->merging_error + 1e-8);
+}
+
+TEST(TestDuration, MayBeLongerAndShorter) {
+  auto input = wide_case();
+  limit_to_test(3600, input);
+  EXPECT_EQ(with_duration_times(3, input).elastomer.test_duration->n_slow, 9U);
+  EXPECT_EQ(with_duration_times(1.0 / 3, input).elastomer.test_duration->n_slow, 11U);
+  EXPECT_EQ(with_duration_times(1, input).elastomer.relaxed_modulus, input.elastomer.relaxed_modulus);
+}
+
+TEST(TestDuration, IsAskedForWhereBranchesAreSlow) {
+  const auto slow = times_slower_than(many_cycles, wide_case());
+  ASSERT_EQ(slow.size(), 9U);  // slower than 1e4 s: 3e4 s to 3e8 s
+  EXPECT_NEAR(slow.front(), std::sqrt(1e9), 1);
+  auto input = wide_case();
+  limit_to_test(3600, input);
+  EXPECT_TRUE(times_slower_than(many_cycles, input).empty());
+}
+
+TEST(TestDuration, IsAnEntryWithAUnit) {
+  const auto with = [](const std::string& value) {
+    return read_case(replace(valid_case, "subsection Elastomer\n",
+                             "subsection Elastomer\n  set Duration of the test = " + value + "\n"));
+  };
+  EXPECT_EQ(with("1 h").elastomer.test_duration->seconds, 3600);
+  EXPECT_EQ(with("2 min").elastomer.test_duration->seconds, 120);
+  EXPECT_EQ(with("1e-3").elastomer.relaxed_modulus, 2e6);  // its only branch relaxes in 0.1 s
+  expect_parts(refusal([&] { with("0"); }), {"Duration of the test = 0", "positive"});
+  expect_parts(refusal([] {
+                 read_case(replace(elastic_case(), "subsection Elastomer\n",
+                                   "subsection Elastomer\n  set Duration of the test = 1 h\n"));
+               }),
+               {"Duration of the test = 1 h", "standard solid or prony or table"});
+}
+
+}  // namespace
+}  // namespace fretval::test_duration_test

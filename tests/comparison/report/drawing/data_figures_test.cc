@@ -1,0 +1,41 @@
+#include "comparison/report/drawing/data_figures.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/comparison/stored_result.h"
+
+namespace fretval {
+namespace {
+
+TEST(DataFigures, OfATraceAreItsRowsTheProfileAndWhatIsLeft) {
+  const ScratchFolder folder;
+  StoredResult result{stored_result("single"), folder.path()};
+  EXPECT_TRUE(trace_figures(result).empty());
+  result.json["scene"]["data"]["trace"] = {{"apex", 1.4e-4}, {"apex_uncertainty", 2e-6},
+                                           {"tilt", 0.2},    {"tilt_uncertainty", 0.01},
+                                           {"noise", 2e-8},  {"heights", "upwards"}};
+  folder.write("trace.csv", "x [m],z [m],residual [m]\n-1e-3,0,nan\n0,1e-5,2e-8\n1e-3,0,-2e-8\n");
+  folder.write("aligned_profile.csv", "r [m],f [m]\n0,0\n1e-3,1e-5\n");
+  folder.write("profile.csv", "r [m],f unworn [m]\n0,0\n1e-3,1e-5\n");
+  const auto figures = trace_figures(result);
+  ASSERT_EQ(figures.size(), 3U);
+  EXPECT_EQ(figures[0].plot.series[0].x.size(), 3U);
+  EXPECT_NE(figures[0].caption.find("tilt of the stage at 0.2 ± 0.01°"), std::string::npos) << figures[0].caption;
+  EXPECT_EQ(figures[1].plot.series.size(), 2U);
+  EXPECT_EQ(figures[2].plot.series[0].y.size(), 2U);  // none where there is no profile
+}
+
+TEST(DataFigures, OfLoopsAreThoseThatWereMeasured) {
+  const ScratchFolder folder;
+  StoredResult result{stored_result("single"), folder.path()};
+  EXPECT_TRUE(measured_series(result, "u_x [m]", "F_x [N]", 1, 1).empty());
+  folder.write("measured_loops.csv", "t [s],u_x [m],F_x [N]\n5,1e-6,2\n6,2e-6,4\n");
+  const auto loop = measured_series(result, "u_x [m]", "F_x [N]", 1e-6, 2);
+  ASSERT_EQ(loop.size(), 1U);
+  EXPECT_EQ(loop[0].y, (std::vector<double>{1, 2}));
+  EXPECT_EQ(measured_series(result, "t [s]", "F_x [N]", 1, 1)[0].x, (std::vector<double>{0, 1}));
+  EXPECT_TRUE(measured_series(result, "d [m]", "F_N [N]", 1, 1).empty());
+}
+
+}  // namespace
+}  // namespace fretval

@@ -1,0 +1,35 @@
+#include "comparison/results/data_text.h"
+
+#include <gtest/gtest.h>
+
+#include "comparison/case/test_duration.h"
+#include "tests/comparison/expect_parts.h"
+#include "tests/comparison/read_case.h"
+
+namespace fretval {
+namespace {
+
+TEST(DataText, OfDataThatAreTakenAsTheyAreIsNone) {
+  EXPECT_EQ(data_text(read_case()), "");
+  EXPECT_EQ(duration_text(read_case()), "");
+}
+
+// The branch of the valid case relaxes in 0.1 s: a spring of 1 MPa more for a shorter test.
+TEST(DataText, SaysWhatALongerTestWouldChange) {
+  auto input = read_case();
+  limit_to_test(0.05, input);
+  expect_parts(data_text(input),
+               {"test         50 ms: 1 of 1 branches are slower", "G = 2 MPa instead of G'(0) = 1 MPa",
+                "near it: 100 ms", "three times longer: stick radius", "three times shorter: ", "by +0 %"});
+  expect_parts(duration_text(input), {"case: test of 50 ms", "a test three times longer would change"});
+}
+
+TEST(DataText, SaysWhatTheyLeaveOpen) {
+  auto input = read_case(elastic_case());
+  input.elastomer.modulus_scatter = 0.2;
+  input.notes = {"case.prm: something was made of it"};
+  expect_parts(data_text(input), {"data         case.prm: something was made of it", "they leave   open ", "force"});
+}
+
+}  // namespace
+}  // namespace fretval
