@@ -32,7 +32,8 @@ const std::vector<mdr::WantedColumn>& path_columns() {
          mdr::length_units()},
         {"tangential force F_x",
          {"fx", "ft", "q", "tangentialforce", "frictionforce", "lateralforce", "reibkraft", "tangentialkraft"},
-         mdr::force_units()}}}};
+         mdr::force_units()}}},
+      {{{"transverse displacement u_y", {"uy", "transversedisp*"}, mdr::length_units()}}, true}};
   return wanted;
 }
 
@@ -77,9 +78,32 @@ double mean_over_time(const std::vector<double>& time, const std::vector<double>
 }
 
 /// Makes the last row the first to all digits.
-void close(Case::Path& path) {
+void close(const std::string& file, Case::Path& path) {
   path.normal.back() = path.normal.front();
   path.tangential.back() = path.tangential.front();
+  if (path.transverse.empty()) return;
+  auto& across = path.transverse;
+  if (std::abs(across.back() - across.front()) > roundoff * largest_of(across))
+    throw InputError(
+        fmt::format("{}: u_y jumps from {:g} m in the last row to {:g} m in the first, where the path begins again; "
+                    "must end where it begins, or have Motion / Path repeats = once",
+                    file, across.back(), across.front()));
+  across.back() = across.front();
+}
+
+/// Of a path in two directions, whose rows are taken as they are.
+std::vector<double> transverse_column(const std::string& file, mdr::ChosenColumns& chosen) {
+  constexpr std::size_t column = columns.size();
+  if (!chosen.kind[column]) return {};
+  if (!mdr::names_unit(chosen.csv, column))
+    throw InputError(
+        fmt::format("{}: column u_y has no unit; expected one, for example \"t,d,u_x,u_y\" and "
+                    "\"s,um,um,um\"",
+                    file));
+  const double size = mdr::unit_of_column(chosen.csv, column, mdr::length_units(), file);
+  auto values = std::move(chosen.csv.columns[column]);
+  for (double& value : values) value *= size;
+  return values;
 }
 
 void require_contact_at_rest(const std::string& file, const Case::Path& path) {
@@ -152,11 +176,22 @@ Case::Path read_path_table(const std::string& file, bool repeats, const PathTole
     }
     if (auto skipped = skipped_text(file, chosen); !skipped.empty()) notes.push_back(std::move(skipped));
     const auto is_force = [&](std::size_t column) { return chosen.kind[column] == std::optional<std::size_t>(1); };
-    auto path = path_of_record({file, std::move(csv.columns[0]), std::move(csv.columns[1]), std::move(csv.columns[2]),
-                                repeats, is_force(1), is_force(2)},
-                               tolerance, notes);
+    auto transverse = transverse_column(file, chosen);
+    const bool as_it_is = !transverse.empty();
+    if (as_it_is && (is_force(1) || is_force(2)))
+      throw InputError(
+          fmt::format("{}: a path with u_y is one of displacements; expected the columns t, d, u_x, u_y", file));
+    Case::Path rows{file,
+                    std::move(csv.columns[0]),
+                    std::move(csv.columns[1]),
+                    std::move(csv.columns[2]),
+                    repeats,
+                    is_force(1),
+                    is_force(2)};
+    rows.transverse = std::move(transverse);
+    auto path = as_it_is ? std::move(rows) : path_of_record(std::move(rows), tolerance, notes);
     require_pressing(file, csv.line_of_row, path);
-    if (repeats) close(path);
+    if (repeats) close(file, path);
     require_contact_at_rest(file, path);
     begin_without_tangential_force(file, path);
     return path;
