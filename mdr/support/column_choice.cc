@@ -8,6 +8,14 @@
 
 namespace fretval::mdr {
 
+namespace {
+
+bool is_unit_of(const std::string& unit, const ColumnKind& kind) {
+  return kind.units.count(unit) > 0;
+}
+
+}  // namespace
+
 bool is_any_unit(const std::string& unit, const std::vector<WantedColumn>& wanted) {
   return std::any_of(wanted.begin(), wanted.end(), [&](const WantedColumn& one) {
     return std::any_of(one.kinds.begin(), one.kinds.end(),
@@ -59,11 +67,7 @@ std::string all_names(const Header& header) {
   return list_of(names);
 }
 
-bool is_unit_of(const std::string& unit, const ColumnKind& kind) {
-  return kind.units.count(unit) > 0;
-}
-
-std::string trimmed(const std::string& text) {
+std::string trimmed_name(const std::string& text) {
   const auto first = text.find_first_not_of(" \t");
   return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(" \t") - first + 1);
 }
@@ -78,8 +82,8 @@ Column column_of(const std::string& name, const std::string* unit, const std::ve
   if (is_bracketed) return {name, bracketed, true};
   const auto stroke = name.find('/');
   if (stroke != std::string::npos && stroke > 0) {
-    const auto behind = trimmed(name.substr(stroke + 1));
-    if (is_any_unit(behind, wanted)) return {trimmed(name.substr(0, stroke)), behind, true};
+    const auto behind = trimmed_name(name.substr(stroke + 1));
+    if (is_any_unit(behind, wanted)) return {trimmed_name(name.substr(0, stroke)), behind, true};
   }
   return {name.substr(0, name.find_first_of("[(")), "", false};
 }

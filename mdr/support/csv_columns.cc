@@ -10,6 +10,11 @@ namespace fretval::mdr {
 
 namespace {
 
+std::string trimmed_text(const std::string& text) {
+  const auto first = text.find_first_not_of(" \t");
+  return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(" \t") - first + 1);
+}
+
 bool is_row(const std::vector<std::string>& fields) {
   return !fields.empty() && std::all_of(fields.begin(), fields.end(), [](const std::string& field) {
     return field.empty() || begins_like_number(field);
@@ -25,9 +30,9 @@ struct Content {
 
 std::optional<Content> content_of(const TextLine& line) {
   const auto mark = line.text.find('#');
-  auto text = trimmed(line.text.substr(0, mark));
+  auto text = trimmed_text(line.text.substr(0, mark));
   const bool is_comment = text.empty() && mark != std::string::npos;
-  if (is_comment) text = trimmed(line.text.substr(mark + 1));
+  if (is_comment) text = trimmed_text(line.text.substr(mark + 1));
   if (text.empty()) return std::nullopt;
   auto fields = split_fields(text);
   while (fields.values.size() > 1 && fields.values.back().empty()) fields.values.pop_back();
