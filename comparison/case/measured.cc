@@ -10,7 +10,7 @@
 namespace fretval {
 namespace {
 
-const char* const section = "Measured";
+const char* const measured_section = "Measured";
 
 const std::vector<mdr::WantedColumn>& loop_columns() {
   static const std::vector<mdr::WantedColumn> wanted{
@@ -67,12 +67,12 @@ void read_loops(const std::string& file, Case::Measured& measured, std::vector<s
 
 std::optional<Case::Measured::Value> read_value(const EntryReader& entries, const std::string& name) {
   const auto uncertainty = name + " uncertainty";
-  if (!entries.given(section, name)) {
-    entries.forbid(section, uncertainty, "it belongs to a " + name);
+  if (!entries.given(measured_section, name)) {
+    entries.forbid(measured_section, uncertainty, "it belongs to a " + name);
     return std::nullopt;
   }
-  return Case::Measured::Value{entries.number(section, name, positive_number),
-                               entries.number(section, uncertainty, not_negative_number)};
+  return Case::Measured::Value{entries.number(measured_section, name, positive_number),
+                               entries.number(measured_section, uncertainty, not_negative_number)};
 }
 
 }  // namespace
@@ -81,8 +81,8 @@ std::optional<Case::Measured> read_measured(const EntryReader& entries, std::vec
   Case::Measured measured;
   measured.stick_radius = read_value(entries, "Stick radius");
   measured.contact_radius = read_value(entries, "Contact radius");
-  if (entries.given(section, "Loops")) {
-    const auto file = entries.path(section, "Loops");
+  if (entries.given(measured_section, "Loops")) {
+    const auto file = entries.path(measured_section, "Loops");
     try {
       if (!file.empty()) read_loops(file, measured, notes);
     } catch (const InputError& error) {

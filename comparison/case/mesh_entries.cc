@@ -16,16 +16,16 @@
 namespace fretval {
 namespace {
 
-const char* const section = "Body";
+const char* const body_section = "Body";
 
 /// "mm", "25.4 mm" or a number in m; 1 m where it is not set.
 double mesh_unit(const EntryReader& entries) {
-  auto text = entries.text(section, "Mesh unit");
+  auto text = entries.text(body_section, "Mesh unit");
   if (text.empty()) return 1;
   if (text.find_first_of("0123456789") == std::string::npos) text = "1 " + text;
   const auto unit = read_measure(text, Dimension::length);
   if (unit && unit->value > 0) return unit->value;
-  entries.fail(section, "Mesh unit", "a unit of length as mm, or a positive length, " + valid_units(Dimension::length));
+  entries.fail(body_section, "Mesh unit", "a unit of length as mm, or a positive length, " + valid_units(Dimension::length));
   return 1;
 }
 
@@ -41,18 +41,18 @@ std::optional<Case::Body::RelativeModulus> modulus_in(const std::string& text) {
 
 void read_relative_moduli(const EntryReader& entries, Case::Body& body) {
   const char* const name = "Relative moduli";
-  std::string rest = entries.text(section, name);
+  std::string rest = entries.text(body_section, name);
   while (!rest.empty()) {
     const auto end = rest.find(',');
     const auto modulus = modulus_in(trimmed(rest.substr(0, end)));
     if (!modulus) {
-      entries.fail(section, name,
+      entries.fail(body_section, name,
                    "names of physical surfaces, each with a positive number, separated by commas, as pad 1, skin 8");
       return;
     }
     const bool is_twice = std::any_of(body.relative_moduli.begin(), body.relative_moduli.end(),
                                       [&](const auto& other) { return other.material == modulus->material; });
-    if (is_twice) entries.fail(section, name, fmt::format("each name once; {} is there twice", modulus->material));
+    if (is_twice) entries.fail(body_section, name, fmt::format("each name once; {} is there twice", modulus->material));
     body.relative_moduli.push_back(*modulus);
     rest = end == std::string::npos ? "" : rest.substr(end + 1);
   }
@@ -63,7 +63,7 @@ void require_known_materials(const EntryReader& entries, const Case::Body& body)
   names.erase(std::remove(names.begin(), names.end(), ""), names.end());
   for (const auto& [material, value] : body.relative_moduli)
     if (std::find(names.begin(), names.end(), material) == names.end())
-      entries.fail(section, "Relative moduli",
+      entries.fail(body_section, "Relative moduli",
                    names.empty()
                        ? fmt::format("nothing: {} has no physical surfaces, and so no {}", body.mesh, material)
                        : fmt::format("physical surfaces of {}, which are {}; there is no {}{}", body.mesh,
@@ -73,7 +73,7 @@ void require_known_materials(const EntryReader& entries, const Case::Body& body)
 }  // namespace
 
 void read_mesh_entries(const EntryReader& entries, Case::Body& body) {
-  body.mesh = entries.path(section, "Mesh");
+  body.mesh = entries.path(body_section, "Mesh");
   body.mesh_unit = mesh_unit(entries);
   read_relative_moduli(entries, body);
   if (body.mesh.empty()) return;
@@ -87,7 +87,7 @@ void read_mesh_entries(const EntryReader& entries, Case::Body& body) {
     body.grid = std::make_shared<const meshes::Mesh>(std::move(grid));
     require_known_materials(entries, body);
   } catch (const meshes::MeshError& error) {
-    entries.fail(section, "Mesh", fmt::format("a mesh of a body that can be computed: {}", error.what()));
+    entries.fail(body_section, "Mesh", fmt::format("a mesh of a body that can be computed: {}", error.what()));
   }
 }
 
