@@ -107,10 +107,10 @@ struct Case {
     };
 
     Shape shape = Shape::half_space;
-    double thickness = 0;              ///< m; layer, cylinder; of a mesh what is below the centre of the contact
-    double radius = 0;                 ///< m; cylinder
-    bool is_bonded = true;             ///< to its base; false: it slides there without friction; all but half space
-    std::string mesh, mesh_hash = {};  ///< file, and what tells its content; mesh
+    double thickness = 0;   ///< m; layer, cylinder; of a mesh what is below the centre of the contact
+    double radius = 0;      ///< m; cylinder
+    bool is_bonded = true;  ///< to its base; false: it slides there without friction; all but half space
+    std::string mesh = {}, mesh_hash = {};              ///< file, and what tells its content; mesh
     std::shared_ptr<const meshes::Mesh> grid = {};      ///< see meshes::read_user_mesh; mesh
     double mesh_unit = 1;                               ///< m, of its coordinates; mesh
     std::vector<RelativeModulus> relative_moduli = {};  ///< 1 of materials that it does not name; mesh
@@ -161,7 +161,7 @@ struct Case {
     std::optional<double> phase;      ///< deg; empty: unlocked
     std::vector<Harmonic> normal_harmonics, tangential_harmonics;
     std::vector<Harmonic> transverse;         ///< of u_y; empty: it moves along x alone
-  std::optional<NormalForce> normal_force;  ///< prescribed instead of the indentation
+    std::optional<NormalForce> normal_force;  ///< prescribed instead of the indentation
     std::optional<double> tangential_force;   ///< N, amplitude; instead of the tangential amplitude
     std::optional<Path> path;                 ///< instead of all oscillations
 

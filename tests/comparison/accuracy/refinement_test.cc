@@ -114,8 +114,11 @@ TEST(Variants, OfAGivenMeshAreMadeOfItsCells) {
   EXPECT_NEAR(edge.resolution.edge_before_node - edge.reference.edge_before_node, 0.5, 1e-15);
   EXPECT_EQ(by_source.at(ErrorSource::rings).size(), 2U);
   resolution.elements_per_radius = 12;
-  for (const auto& variant : variants_of(resolution, {}))
-    if (variant.source == ErrorSource::rings) EXPECT_EQ(variant.resolution.elements_per_radius, 24U);
+  for (const auto& variant : variants_of(resolution, {})) {
+    if (variant.source == ErrorSource::rings) {
+      EXPECT_EQ(variant.resolution.elements_per_radius, 24U);
+    }
+  }
   EXPECT_FALSE(refined(resolution, ErrorSource::grading));
 }
 
