@@ -205,15 +205,6 @@ mdr::NormalResponse normal_response_along(const MdrCase& mdr) {
 
 }  // namespace
 
-MdrAnswer with_normal_response(const mdr::NormalResponse& normal) {
-  MdrAnswer answer{};
-  answer.contact_radius_max = normal.contact_radius_max;
-  answer.normal_force_max = normal.normal_force_max;
-  answer.normal_force_error = normal.normal_force_error;
-  answer.axis_pressure = normal.axis_pressure;
-  return answer;
-}
-
 mdr::NormalResponse mdr_normal_response(const MdrCase& mdr) {
   if (mdr.path) return normal_response_along(mdr);
   if (mdr.layer) return layer_normal_response(mdr);

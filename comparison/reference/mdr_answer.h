@@ -17,9 +17,6 @@ std::optional<mdr::LimitingProfile> worn_profile(const MdrCase& mdr, const std::
 
 MdrAnswer mdr_answer(const MdrCase& mdr, const mdr::NormalResponse& normal);
 
-/// What an answer takes from the normal response alone.
-MdrAnswer with_normal_response(const mdr::NormalResponse& normal);
-
 /// After how many cycles from rest nothing slips any more inside the shakedown radius (see cycles_until), of transient
 /// springs: some milliseconds. n_ramp: oscillations over which amplitudes rise. Empty: a worn indenter, a path, a
 /// motion without a period, an elastic body, which shakes down at once, springs that do not become periodic, or nothing

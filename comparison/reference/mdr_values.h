@@ -67,4 +67,14 @@ struct MdrAnswer {
   [[nodiscard]] bool wears_no_more() const;
 };
 
+/// What an answer takes from the normal response alone.
+inline MdrAnswer with_normal_response(const mdr::NormalResponse& normal) {
+  MdrAnswer answer{};
+  answer.contact_radius_max = normal.contact_radius_max;
+  answer.normal_force_max = normal.normal_force_max;
+  answer.normal_force_error = normal.normal_force_error;
+  answer.axis_pressure = normal.axis_pressure;
+  return answer;
+}
+
 }  // namespace fretval

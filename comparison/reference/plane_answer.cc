@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "comparison/reference/mdr_answer.h"
 #include "mdr/plane/plane_springs.h"
 #include "mdr/plane/plane_stick.h"
 #include "mdr/rheology/rheology.h"

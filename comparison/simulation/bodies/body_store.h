@@ -10,7 +10,6 @@
 #include "comparison/simulation/bodies/distributed_body.h"
 #include "comparison/simulation/bodies/normal_store.h"
 #include "comparison/simulation/bodies/operator_store.h"
-#include "comparison/simulation/bodies/surface_store.h"
 #include "comparison/support/made_once.h"
 
 namespace fretval {
@@ -20,6 +19,9 @@ struct MeshSource {
   std::string name = "generated mesh";  ///< for messages
   std::function<meshes::Mesh(const BodyDescription&)> mesh_of = fretval::mesh_of;
 };
+
+/// Blocks of the surfaces of bodies (fem::surface_block), which cases, numbers of angles and refinements share.
+using SurfaceStore = MadeOnce<std::pair<BodyDescription, fem::FourierOrder>, fem::Compliance>;
 
 /// The bodies that cases and their refinements share, with the normal histories on them.
 class BodyStore : public MadeOnce<BodyDescription, ContactBody> {
