@@ -30,8 +30,8 @@ TEST_F(MeshEntries, AreAMeshWithTheMaterialsOfItsSurfaces) {
   EXPECT_EQ(body.mesh_unit, 1e-3);
   EXPECT_EQ(meshes::contact_radii(*body.grid).size(), 17U);
   EXPECT_EQ(body.mesh_hash, content_hash(content_of(folder.path() / "rig.msh")));
-  EXPECT_EQ(moduli_of_materials(body), (std::vector<double>{1, 8}));
-  EXPECT_EQ(moduli_of_materials(read("  set Relative moduli = skin = 0.5, pad: 2\n")), (std::vector<double>{2, 0.5}));
+  EXPECT_EQ(moduli_of_materials(body), (std::vector<double>{8, 1}));
+  EXPECT_EQ(moduli_of_materials(read("  set Relative moduli = skin = 0.5, pad: 2\n")), (std::vector<double>{0.5, 2}));
   EXPECT_EQ(moduli_of_materials(read()), (std::vector<double>{1, 1}));
   EXPECT_TRUE(has_level_base(*body.grid));
 }
@@ -49,7 +49,7 @@ TEST_F(MeshEntries, HaveAUnitAsAWordOrALength) {
 
 TEST_F(MeshEntries, AreRefusedByName) {
   expect_refused("  set Relative moduli = skn 8\n",
-                 {"Body / Relative moduli = skn 8", "pad, skin", "there is no skn", "did you mean skin?"});
+                 {"Body / Relative moduli = skn 8", "skin, pad", "there is no skn", "did you mean skin?"});
   expect_refused("  set Relative moduli = skin -8\n", {"Relative moduli = skin -8", "positive number"});
   expect_refused("  set Relative moduli = skin\n", {"Relative moduli = skin", "as pad 1, skin 8"});
   expect_refused("  set Relative moduli = skin 2, skin 3\n", {"each name once"});

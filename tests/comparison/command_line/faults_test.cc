@@ -230,13 +230,11 @@ struct BadTable {
 TEST(TableFaults, BadProfilesAreRefusedByFileAndLine) {
   const std::string rows = "r,f\nm,m\n0,0\n1e-4,1e-6\n2e-4,4e-6\n3e-4,9e-6\n";
   const std::vector<BadTable> bad{{"", {"no rows"}},
-                                  {rows + "4e-4\n", {"line 7", "has 1 value; must have 2"}},
+                                  {rows + "4e-4\n", {"line 7", "has 1 value; must have one in column 2"}},
                                   {rows + "2e-4,4e-6\n", {"line 7", "radius = 0.0002", "scan outwards"}},
                                   {rows + "-4e-4,1\n", {"line 7", "radius = -0.0004"}},
                                   {rows + "4e-4,nan\n", {"line 7", "finite"}},
-                                  {rows + "4e-4;1,6e-5\n", {"line 7", "decimal comma"}},
                                   {rows + std::string("\0\1\2", 3), {"line 7", "zero byte"}},
-                                  {"r [\xb5m],f [\xb5m]\n0,0\n1,1\n2,4\n3,9\n", {"unit"}},
                                   {"r,f\nm,m\n0,0\n1e-4,1e-6\n", {"at least 4"}},
                                   {"0,0\n1,1\n2,4\n3,9\n", {"column 1 has no unit", "mm,um"}},
                                   {"r [mm],f\n0,0\n1,1\n2,4\n3,9\n", {"column 2 has no unit"}},

@@ -57,7 +57,9 @@ TEST(FullCase, IsCoupledByPoissonsRatio) {
   const double a = alone.contact_radius_max.value();
   EXPECT_NEAR(incompressible.stick_radius_shakedown.value(), alone.stick_radius_shakedown.value(), 5e-3 * a);
   EXPECT_NEAR(incompressible.normal_force_max / alone.normal_force_max, 1, 2e-3);
-  EXPECT_GT(other.normal_force_max, 1.002 * other_alone.normal_force_max);  // friction holds the surface together
+  const double change = std::abs(other.normal_force_max / other_alone.normal_force_max - 1);
+  EXPECT_GT(change, 1e-3);
+  EXPECT_LT(change, 0.03);
 }
 
 // A circle sticks within less than MDR's vector springs have, d0 - A.
