@@ -65,7 +65,7 @@ TEST(AlignedTrace, StandsInTheCase) {
     }
     EXPECT_NEAR(mdr::inverse_transform(profile, depth), a, 3 * off + 3e-4 * a);
   }
-  expect_parts(input.notes.at(1), {"trace.csv: aligned: apex at 0.00014", "heights upwards"});
+  expect_parts(input.notes.at(1), {"trace.csv: aligned: apex at 0.0001399", "heights upwards"});
 }
 
 TEST(AlignedTrace, IsNotTakenAsItIs) {
