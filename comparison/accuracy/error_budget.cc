@@ -24,6 +24,7 @@ ExpectedOrder expected_order(ErrorSource source, Quantity quantity, const CaseNe
   if (source == ErrorSource::far_field) return {4};
   if (source == ErrorSource::angles) return {2};
   if (source != ErrorSource::rings) return {3};
+  if (needs.zones_of_points && is_of_stick_zone(quantity)) return {1, 4};
   if (needs.any_order || ends_with_contact(needs, quantity)) return {1, 4};
   const auto& traits = traits_of(quantity);
   if (needs.memory && traits.rings_with_memory) return *traits.rings_with_memory;

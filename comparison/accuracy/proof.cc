@@ -59,9 +59,9 @@ bool measure_errors(const PreparedCase& prepared, Computations& computed, Tracks
 
 /// Says so if it is too wide.
 BarToMeet to_meet(const PreparedCase& prepared, Quantity quantity, const ErrorBar& bar) {
-  // Where nothing is compared, no quantity has to be known better than the case asks for.
-  const double tolerance =
-      prepared.fem.any_order ? prepared.input.tolerance : tolerance_of(prepared.tolerances, quantity);
+  // Where nothing is confirmed, no quantity has to be known better than the case asks for.
+  const bool is_confirmed = !prepared.fem.any_order && beyond_mdr_model(prepared.input).empty();
+  const double tolerance = is_confirmed ? tolerance_of(prepared.tolerances, quantity) : prepared.input.tolerance;
   if (bar.total() > tolerance)
     log::detail(fmt::format("{}: {}", prepared.input.name, excess_text(quantity, bar, tolerance)));
   return {bar, tolerance};

@@ -51,6 +51,9 @@ struct CaseNeeds {
   bool moves_by_steps = false;
   /// The contact on rings and angles. Points that touch are held from the start of their step on.
   bool full = false;
+  /// Its stick zones are read of its points alone, and no ring contact corrects their edges: that costs a quarter of a
+  /// ring, which is of first order.
+  bool zones_of_points = false;
 };
 
 /// What has to be computed besides a resolution to measure its errors, each source by its own refinement, and what

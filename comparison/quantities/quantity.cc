@@ -93,6 +93,13 @@ const QuantityTraits& traits_of(Quantity quantity) {
   return table[static_cast<std::size_t>(quantity)];
 }
 
+bool is_of_stick_zone(Quantity quantity) {
+  constexpr std::array zones{Quantity::stick_radius_first_slip, Quantity::stick_radius_shakedown,
+                             Quantity::first_slip_along,        Quantity::first_slip_across,
+                             Quantity::shakedown_along,         Quantity::shakedown_across};
+  return std::find(zones.begin(), zones.end(), quantity) != zones.end();
+}
+
 bool is_relative(Quantity quantity, const Scales& scales) {
   const std::string scale = traits_of(quantity).scale;
   return scale == "relative" || (scale == "over a" && scales.contact_radius == 0);

@@ -121,6 +121,9 @@ struct QuantityTraits {
 };
 const QuantityTraits& traits_of(Quantity quantity);
 
+/// A radius or an extent of a zone that sticks.
+bool is_of_stick_zone(Quantity quantity);
+
 /// What differences and error bars of a quantity may be over besides its value.
 struct Scales {
   double contact_radius;               ///< m, unworn; 0: none that is known, and radii are compared relatively

@@ -175,10 +175,12 @@ bool slides(const ordered_json& result) {
   return result.at("fe").contains("gross_slip") || result.at("mdr").contains("gross_slip");
 }
 
-/// With the prefix of the contact radius, three digits.
+/// With the prefix of the contact radius, three digits, and more where the length is a thousand of these units.
 std::string length_text(double length, double contact_radius) {
   const auto [prefix, factor] = prefix_for(contact_radius);
-  return fmt::format("{:#.3g} {}m", length / factor, prefix);
+  constexpr double rounded_to_a_thousand = 999.5;
+  const double value = length / factor;
+  return fmt::format(value < rounded_to_a_thousand ? "{:#.3g} {}m" : "{:.0f} {}m", value, prefix);
 }
 
 /// What sticks for good, and where that ends.
@@ -196,7 +198,8 @@ std::string zones_answer(const ordered_json& result, double stick, double contac
   if (stick >= nearly_all * contact)
     return fmt::format("all of the contact of {} sticks for good: nothing wears", text(contact));
   const double by_fe = stored_number(fe, "worn_radius"),
-               worn = std::isnan(by_fe) ? stored_number(result.at("mdr"), "worn_radius") : by_fe;
+               by_mdr = result.contains("other_model") ? by_fe : stored_number(result.at("mdr"), "worn_radius"),
+               worn = std::isnan(by_fe) ? by_mdr : by_fe;
   const auto inner = fmt::format("the inner {} of a contact of {} sticks for good", text(stick), text(contact));
   if (std::isnan(worn)) return inner + "; the ring outside wears";
   const bool has_worn = fe.contains("wear") && fe.at("wear").value("ends_in_limit", false);

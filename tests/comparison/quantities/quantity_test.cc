@@ -24,7 +24,9 @@ TEST(Quantity, HasTraitsOfItsOwn) {
     const auto& traits = traits_of(quantity);
     EXPECT_TRUE(titles.insert(traits.title).second) << traits.title;
     EXPECT_TRUE(labels.insert(traits.label).second) << traits.label;
-    const bool over_a = std::string(traits.name).find("_radius") != std::string::npos,
+    const std::string name = traits.name;
+    const auto has = [&](const char* part) { return name.find(part) != std::string::npos; };
+    const bool over_a = has("_radius") || has("_along") || has("_across"),
                of_the_indenter = quantity == Quantity::indentation_max || quantity == Quantity::tangential_amplitude;
     EXPECT_EQ(over_a || of_the_indenter, std::string(traits.unit) == "m");
   }

@@ -20,7 +20,7 @@ std::vector<double> equal_nodes(int n) {
 
 TEST(BodyDescription, IsAnotherOneForEveryField) {
   const BodyDescription body{{0, 1}, 0.5, 6, 3};
-  std::vector<BodyDescription> others(9, body);
+  std::vector<BodyDescription> others(14, body);
   others[0].contact_nodes = {0, 2};
   others[1].growth = 0.4;
   others[2].far_radius = 7;
@@ -30,6 +30,11 @@ TEST(BodyDescription, IsAnotherOneForEveryField) {
   others[6].poisson_ratio = 0.3;
   others[7].thickness = 1;
   others[8].slides_on_base = true;
+  others[9].given.file = "rig.msh";
+  others[10].given.content = "0123";
+  others[11].given.moduli = {1, 8};
+  others[12].given.n_refinements = 1;
+  others[13].given.radii = {0, 1};
   EXPECT_FALSE(body < body);
   for (const auto& other : others) EXPECT_TRUE(body < other || other < body);
   EXPECT_EQ(std::tuple_size<decltype(BodyDescription::fields(body))>::value, others.size());
