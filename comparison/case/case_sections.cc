@@ -358,15 +358,15 @@ Case::Contact read_contact(const EntryReader& entries, const Case::Motion& motio
   if (contact.coupled && !contact.vector_friction)
     entries.fail("Contact", "Coupling",
                  "off, or Contact / Friction = vector: coupled, tractions have radial parts of any direction");
-  if (contact.vector_friction && motion.tangential_force)
-    entries.forbid("Motion", "Tangential force amplitude", "with friction as a vector displacements are prescribed");
-  if (contact.coupled && motion.normal_force)
-    entries.forbid("Motion", "Normal force", "with Contact / Coupling = on an Indentation is prescribed");
-  if (contact.vector_friction && motion.path &&
+  if (motion.path && motion.moves_across() &&
       (motion.path->tangential_force || (motion.path->normal_force && contact.coupled)))
+    entries.fail("Motion", "Path", "displacements, where it goes along y as well");
+  if (motion.path && !motion.path->repeats && !motion.path->normal_force && rest_of(*motion.path).normal == 0 &&
+      !contact.coupled)
     entries.fail("Motion", "Path",
-                 "displacements: with friction as a vector forces along the surface are not prescribed");
-  if (contact.vector_friction && !motion.phase)
+                 "a first row in contact, d > 0, where the body rests without a tangential force before the pass; only "
+                 "with Contact / Coupling = on pressing from d = 0 on is a part of it");
+  if (contact.vector_friction && !motion.path && !motion.phase)
     entries.fail("Motion", "Phase", "an angle in deg: with friction as a vector the phase is fixed");
   if (motion.moves_across() && !contact.vector_friction)
     entries.fail("Contact", "Friction", "vector: the motion goes in two directions");

@@ -1,8 +1,13 @@
 #include "comparison/results/surface_files.h"
 
+#include <cmath>
+#include <sstream>
+
 #include "comparison/support/files.h"
+#include "fem/condensation/vtu_file.h"
 #include "fem/full_contact/angular_grid.h"
 #include "fem/motion/motion.h"
+#include "fem/support/constants.h"
 
 namespace fretval {
 namespace {
@@ -24,7 +29,10 @@ void write_history(const SurfaceAnswer& surface, const FemCase& fem, const fs::p
     depth[k] = fem::normal_motion_inside(fem.motion, end, (begin + end) / 2).value * units.depth;
   }
   std::vector<Column> columns{{"t [s]", time}};
-  if (!fem.motion.normal_force) columns.push_back({"d [m]", depth});
+  if (history.depth.size() > 0)
+    columns.push_back({"d [m]", history.depth * units.depth});
+  else if (!fem.motion.normal_force)
+    columns.push_back({"d [m]", depth});
   columns.push_back({"u_x [m]", history.displacement.row(0).transpose() * units.depth});
   columns.push_back({"u_y [m]", history.displacement.row(1).transpose() * units.depth});
   columns.push_back({"F_N [N]", history.normal_force * units.force()});
@@ -34,38 +42,75 @@ void write_history(const SurfaceAnswer& surface, const FemCase& fem, const fs::p
   write_csv(file, columns);
 }
 
-/// All points of the whole circle, ring by ring.
-void write_points(const FeAnswer& fe, const FemCase& fem, const fs::path& file) {
+/// What a point of the whole circle has at the end of the cycle, SI units.
+struct SurfacePoint {
+  double inner, outer;  ///< radii of its ring
+  double angle;
+  double p, t_x, t_y;
+  bool never_slipped, sticks_in_a_cycle;
+};
+
+/// All of them, ring by ring.
+std::vector<SurfacePoint> points_of(const FeAnswer& fe, const FemCase& fem) {
   const auto& surface = *fe.surface;
   const auto& pressure = surface.history.pressure.back();
   const auto& traction = surface.history.traction.back();
-  const auto circle = fem::whole_circle(surface.grid);
-  const Index n_rings = pressure.rows(), n_kept = pressure.cols(), n = n_rings * static_cast<Index>(circle.size());
   const double unit = fem.units.pressure(), length = fem.units.length;
-  VectorXd inner(n), outer(n), angle(n), p(n), x(n), y(n), never(n), sticks(n);
-  Index row = 0;
-  for (Index i = 0; i < n_rings; ++i)
-    for (const auto& [theta, kept, sign] : circle) {
-      const auto ring = static_cast<std::size_t>(i);
-      inner[row] = fe.body->radii[ring] * length;
-      outer[row] = fe.body->radii[ring + 1] * length;
-      angle[row] = theta;
-      p[row] = pressure(i, kept) * unit;
-      x[row] = traction(i, kept) * unit;
-      y[row] = sign * traction(i, n_kept + kept) * unit;
-      const double middle = (inner[row] + outer[row]) / 2;
-      never[row] = middle <= surface.never_slipped.edges[static_cast<std::size_t>(kept)] ? 1 : 0;
-      sticks[row] = middle <= surface.sticks_in_a_cycle.edges[static_cast<std::size_t>(kept)] ? 1 : 0;
-      ++row;
+  std::vector<SurfacePoint> points;
+  for (Index i = 0; i < pressure.rows(); ++i)
+    for (const auto& [theta, kept, sign] : fem::whole_circle(surface.grid)) {
+      const auto ring = static_cast<std::size_t>(i), angle = static_cast<std::size_t>(kept);
+      SurfacePoint point{fe.body->radii[ring] * length, fe.body->radii[ring + 1] * length, theta};
+      point.p = pressure(i, kept) * unit;
+      point.t_x = traction(i, kept) * unit;
+      point.t_y = sign * traction(i, pressure.cols() + kept) * unit;
+      const double middle = (point.inner + point.outer) / 2;
+      point.never_slipped = middle <= surface.never_slipped.edges[angle];
+      point.sticks_in_a_cycle = middle <= surface.sticks_in_a_cycle.edges[angle];
+      points.push_back(point);
     }
-  write_csv(file, {{"r inner [m]", inner},
-                   {"r outer [m]", outer},
-                   {"angle [rad]", angle},
-                   {"p [Pa]", p},
-                   {"t_x [Pa]", x},
-                   {"t_y [Pa]", y},
-                   {"never slipped [1]", never},
-                   {"sticks in a cycle [1]", sticks}});
+  return points;
+}
+
+void write_points(const std::vector<SurfacePoint>& points, const fs::path& file) {
+  const auto column = [&](const char* name, auto SurfacePoint::*value) {
+    VectorXd values(static_cast<Index>(points.size()));
+    for (std::size_t i = 0; i < points.size(); ++i) values[static_cast<Index>(i)] = points[i].*value;
+    return Column{name, values};
+  };
+  write_csv(file, {column("r inner [m]", &SurfacePoint::inner), column("r outer [m]", &SurfacePoint::outer),
+                   column("angle [rad]", &SurfacePoint::angle), column("p [Pa]", &SurfacePoint::p),
+                   column("t_x [Pa]", &SurfacePoint::t_x), column("t_y [Pa]", &SurfacePoint::t_y),
+                   column("never slipped [1]", &SurfacePoint::never_slipped),
+                   column("sticks in a cycle [1]", &SurfacePoint::sticks_in_a_cycle)});
+}
+
+/// Of each point the piece of the ring around its angle, flat, in straight pieces.
+void write_surface(const std::vector<SurfacePoint>& points, unsigned n_around, const fs::path& file) {
+  constexpr unsigned n_pieces = 6;
+  const std::vector<fem::Field> fields{{"traction (Pa)", 3},
+                                       {"contact pressure (Pa)", 1},
+                                       {"zone (0 open, 1 slips, 2 sticks in a cycle, 3 has never slipped)", 1}};
+  std::vector<fem::Patch> patches;
+  for (const auto& point : points)
+    for (unsigned piece = 0; piece < n_pieces; ++piece) {
+      auto patch = fem::new_patch(1, 5);
+      patch.patch_index = static_cast<unsigned>(patches.size());
+      const double zone = point.never_slipped ? 3 : point.sticks_in_a_cycle ? 2 : point.p > 0 ? 1 : 0;
+      for (unsigned v = 0; v < 4; ++v) {
+        const double share = static_cast<double>(piece + v / 2) / n_pieces - 0.5,
+                     angle = point.angle + share * 2 * fem::pi / n_around,
+                     radius = v % 2 == 0 ? point.inner : point.outer;
+        patch.vertices[v] = {radius * std::cos(angle), radius * std::sin(angle), 0};
+        unsigned k = 0;
+        for (const double value : {point.t_x, point.t_y, point.p, point.p, zone})
+          patch.data(k++, v) = static_cast<float>(value);
+      }
+      patches.push_back(std::move(patch));
+    }
+  std::ostringstream text;
+  fem::write_vtu(patches, fields, text);
+  write_file(file, text.str());
 }
 
 void write_zones(const SurfaceAnswer& surface, const fs::path& file) {
@@ -90,7 +135,9 @@ void write_zones(const SurfaceAnswer& surface, const fs::path& file) {
 
 void write_surface_files(const FeAnswer& fe, const FemCase& fem, const fs::path& folder) {
   write_history(*fe.surface, fem, folder / "history.csv");
-  write_points(fe, fem, folder / "surface.csv");
+  const auto points = points_of(fe, fem);
+  write_points(points, folder / "surface.csv");
+  write_surface(points, fe.surface->grid.n_around, folder / "surface.vtu");
   write_zones(*fe.surface, folder / "zones.csv");
 }
 

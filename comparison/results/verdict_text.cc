@@ -165,7 +165,8 @@ std::string change_of(const ordered_json& result, const StoredDifference& d) {
 /// How far MDR is off where it does not compute what the case has.
 std::string other_model_text(const ordered_json& result, const Differences& asked) {
   std::string reasons, changes;
-  for (const auto& reason : result.at("other_model")) reasons += (reasons.empty() ? "" : ", ") + reason.get<std::string>();
+  for (const auto& reason : result.at("other_model"))
+    reasons += (reasons.empty() ? "" : ", ") + reason.get<std::string>();
   for (const auto& d : asked)
     if (const auto text = change_of(result, d); !text.empty()) changes += (changes.empty() ? "" : ", ") + text;
   return fmt::format("{} computes another model, as {}: compared with it, {}", method, reasons, changes);

@@ -93,6 +93,16 @@ void add_coupling(const fem::NormalHistory& normal, const fem::RingProblems& rin
                               answer.contact_radius_max.value_or(0) - region_of_rings.radius * length);
   answer.contact_radius_max = surface.contact.radius;
   answer.axis_pressure_max.reset();  // of the ring contact
+  if (!answer.indentation_max) return;
+  const double deep = fem::largest_of_period(history.depth, history.pieces),
+               deep_alone = fem::largest_of_period(normal.indentation, normal.pieces);
+  *answer.indentation_max += (deep - deep_alone) * fem.units.depth;
+}
+
+/// Half of what lies between the extremes of u_x; of prescribed forces.
+double amplitude_of(const fem::SurfaceHistory& history) {
+  const Eigen::VectorXd along = history.displacement.row(0);
+  return (fem::largest_of_period(along, history.pieces) + fem::largest_of_period(-along, history.pieces)) / 2;
 }
 
 fem::CycleResponse response_of(const FemCase& fem, const fem::SurfaceHistory& history, double normal_work) {
@@ -152,6 +162,9 @@ void correct_by_rings(const FeAnswer& ring, const fem::SurfaceHistory& of_rings,
                                     ring.first_slip_uncertainty, length);
   surface.sticks_in_a_cycle = corrected(surface.sticks_in_a_cycle, of_rings.sticks_in_a_cycle,
                                         ring.stick_radius_shakedown, ring.shakedown_uncertainty, length);
+  if (ring.tangential_amplitude)
+    answer.tangential_amplitude =
+        *ring.tangential_amplitude + (amplitude_of(surface.history) - amplitude_of(of_rings)) * fem.units.depth;
   if (!ring.cycle) return;
   auto cycle = *ring.cycle;
   const double pressing = fem::normal_work(fem.motion, ring.normal);
@@ -217,6 +230,8 @@ void extrapolate(const FeAnswer& coarse, double ratio, FeAnswer& fine) {
   extrapolation(before.torque_max, surface.torque_max);
   extrapolation(*coarse.cycle, *fine.cycle);
   extrapolation(coarse.normal_force_max, fine.normal_force_max);
+  if (fine.indentation_max) extrapolation(*coarse.indentation_max, *fine.indentation_max);
+  if (fine.tangential_amplitude) extrapolation(*coarse.tangential_amplitude, *fine.tangential_amplitude);
   if (fine.contact_radius_max) fine.contact_radius_max = surface.contact.radius;
   fine.n_cycles += coarse.n_cycles;
   fine.n_steps += coarse.n_steps;
@@ -234,7 +249,9 @@ FeAnswer compute_full_contact(const ContactProblems& problems, const FemCase& fe
   }
   const auto& surface = *answer.surface;
   answer.cycle->sliding_force = fem.friction_coefficient * answer.normal_force_max;
-  answer.cycle->sliding_work = answer.cycle->sliding_force * fem::tangential_path(fem.motion) * fem.units.depth;
+  answer.cycle->sliding_work = fem.motion.tangential_force && ring && ring->cycle
+                                   ? ring->cycle->sliding_work
+                                   : answer.cycle->sliding_force * fem::tangential_path(fem.motion) * fem.units.depth;
   answer.stick_radius_first_slip = radius_of(surface.never_slipped);
   answer.first_slip_uncertainty = surface.never_slipped.uncertainty;
   answer.single_pass = fem.motion.is_single_pass();

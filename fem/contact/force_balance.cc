@@ -56,4 +56,34 @@ double displacement_for_force(const std::function<double(double)>& force, double
                   last.excess, last.displacement));
 }
 
+BalanceOfForces displacements_for_forces(const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& forces,
+                                         const Eigen::VectorXd& values, BalanceOfForces guess, double probe,
+                                         double enough) {
+  auto& [at, stiffness] = guess;
+  Eigen::VectorXd excess = forces(at) - values;
+  const auto measure = [&] {
+    stiffness.resize(at.size(), at.size());
+    for (Eigen::Index j = 0; j < at.size(); ++j) {
+      Eigen::VectorXd aside = at;
+      aside[j] += probe;
+      stiffness.col(j) = (forces(aside) - values - excess) / probe;
+    }
+  };
+  const auto is_found = [&] { return excess.lpNorm<Eigen::Infinity>() <= enough; };
+  constexpr int enough_with_old_stiffness = 12;
+  for (int k = 0; k < most_trials && !is_found(); ++k) {
+    if (stiffness.size() == 0 || k == enough_with_old_stiffness) measure();
+    const Eigen::VectorXd step = -stiffness.partialPivLu().solve(excess), there = at + step,
+                          change = forces(there) - values - excess;
+    if (!change.allFinite()) break;
+    stiffness += (change - stiffness * step) * step.transpose() / step.squaredNorm();
+    if ((excess + change).norm() >= excess.norm()) continue;
+    at = there;
+    excess += change;
+  }
+  if (is_found()) return guess;
+  throw SolverError(fmt::format("no displacements of the indenter were found that balance its forces: {:g} is left",
+                                excess.lpNorm<Eigen::Infinity>()));
+}
+
 }  // namespace fretval::fem

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Dense>
 #include <functional>
 #include <optional>
 #include <utility>
@@ -32,5 +33,18 @@ auto attempt_for_force(const Make& make, const ForceOf& force_of, double value, 
   if (displacement != at) last.emplace(make(displacement));
   return std::pair{displacement, std::move(*last)};
 }
+
+/// Displacements in several directions, and how forces rise with them there: `stiffness(i, j) = dF_i/du_j`.
+struct BalanceOfForces {
+  Eigen::VectorXd displacements;
+  Eigen::MatrixXd stiffness;  ///< empty: not known, it is found by small displacements of `probe` each
+};
+
+/// The displacements at which forces that depend on all of them have their values, by Broyden's method: what it learns
+/// of the stiffness is returned for the next search. (Broyden 1965; Dennis and Schnabel, Numerical Methods for
+/// Unconstrained Optimization, chapter 8.) Throws SolverError where no force comes within `enough` of its value.
+BalanceOfForces displacements_for_forces(const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& forces,
+                                         const Eigen::VectorXd& values, BalanceOfForces guess, double probe,
+                                         double enough);
 
 }  // namespace fretval::fem

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "fem/contact/force_balance.h"
 #include "fem/contact/require_room.h"
 #include "fem/full_contact/fields.h"
 #include "fem/full_contact/normal_solver.h"
@@ -45,7 +46,7 @@ CoupledOperators coupled_operators(const SurfaceCompliance& surface, const Angul
 
 IndenterMotion indenter_motion(const Motion& motion) {
   return {[&motion](double t, double inside) { return normal_motion_inside(motion, t, inside); },
-          lateral_motion(motion)};
+          lateral_motion(motion), motion.normal_force};
 }
 
 CoupledContact::CoupledContact(const CoupledOperators& operators, const RelaxationModel& relaxation,
@@ -64,11 +65,25 @@ CoupledContact::CoupledContact(const CoupledOperators& operators, const Relaxati
 
 void CoupledContact::press_without_friction() {
   const auto& areas = operators_.normal.areas();
-  depth = motion_.depth(0, 0).value;
-  const MatrixXd target = areas.asDiagonal() * (depth - profile_.array()).matrix();
-  const auto pressed = solve_pressure(operators_.normal, normal_inverse_, target, pressure);
-  pressure = relaxation_.relaxed * pressed.pressure;
-  gap = areas.cwiseInverse().asDiagonal() * pressed.residual;
+  const auto press = [&](double down) {
+    const MatrixXd target = areas.asDiagonal() * (down - profile_.array()).matrix();
+    auto pressed = solve_pressure(operators_.normal, normal_inverse_, target, pressure);
+    pressure = pressed.pressure;
+    return pressed.residual;
+  };
+  const double start = motion_.depth(0, 0).value;
+  depth = start;
+  if (motion_.depth_is_force) {
+    const auto force_at = [&](double down) {
+      press(down);
+      return normal_force();
+    };
+    const double force = start / relaxation_.relaxed, guess = profile_.maxCoeff() / 2;
+    depth = displacement_for_force(force_at, force, {guess, force_at(guess) / guess, force});
+  }
+  const MatrixXd residual = press(depth);
+  pressure *= relaxation_.relaxed;
+  gap = areas.cwiseInverse().asDiagonal() * residual;
   state_.displacement = as_vector(((depth - profile_.array()) + gap.array()).matrix());
   friction.start_from(areas.cwiseInverse().asDiagonal() * moved_by_pressure() / relaxation_.relaxed);
   require_room(pressure.rowwise().maxCoeff());
@@ -90,14 +105,14 @@ MatrixXd CoupledContact::moved_by_traction(const MatrixXd& traction) const {
   return moved.rightCols(pressure.cols());
 }
 
-void CoupledContact::alternate(const MatrixXd& target) {
+void CoupledContact::alternate(const MatrixXd& target, double along) {
   MatrixXd image;
   double enough = share_of(1);
   auto solution = solve_pressure(operators_.normal, normal_inverse_, target - moved_by_traction(friction.traction),
                                  pressure, enough);
   for (n_alternations = 1;; ++n_alternations) {
     pressure = solution.pressure;
-    const auto& rubbed = friction.attempt(pressure, moved_by_pressure(), enough);
+    const auto& rubbed = friction.attempt(pressure, moved_by_pressure(), enough, along);
     const MatrixXd pull = target - moved_by_traction(rubbed.traction);
     operators_.normal.apply(pressure, image);
     opened_ = image - pull;
@@ -114,18 +129,52 @@ void CoupledContact::alternate(const MatrixXd& target) {
   }
 }
 
-void CoupledContact::step() {
-  const auto& areas = operators_.normal.areas();
+CoupledContact::Attempt CoupledContact::attempt(const MatrixXd& pressed, const Way& way) {
   const auto next = friction.next_step();
   const auto& relaxation = next.relaxation;
-  const auto whole = move_in(motion_.depth, next.begin, next.end, next.inside()),
-             to_balance = move_in(motion_.depth, next.begin, next.balance, next.inside());
-  const VectorXd driven = (as_vector(pressure).array() > 0).cast<double>(),
-                 left_behind = (1 - driven.array()) * whole.increment;
-  const VectorXd before = state_.displacement + as_vector(profile_) - VectorXd::Constant(profile_.size(), depth);
-  const VectorXd target = relaxation.response_without_slip(state_, to_balance, driven) +
-                          relaxation.instantaneous() * (left_behind - before);
-  alternate(areas.asDiagonal() * as_field(target, pressure.rows()));
+  const auto move = [&](double end) {
+    if (motion_.depth_is_force) {
+      const double share = (end - next.begin) / (next.end - next.begin);
+      return steady_move(share * way.down, end - next.begin);
+    }
+    return move_in(motion_.depth, next.begin, end, next.inside());
+  };
+  Attempt made{move(next.end), (as_vector(pressed).array() > 0).cast<double>(), {}, {}};
+  made.left_behind = (1 - made.driven.array()) * made.whole.increment;
+  made.before = state_.displacement + as_vector(profile_) - VectorXd::Constant(profile_.size(), depth);
+  const VectorXd target = relaxation.response_without_slip(state_, move(next.balance), made.driven) +
+                          relaxation.instantaneous() * (made.left_behind - made.before);
+  alternate(operators_.normal.areas().asDiagonal() * as_field(target, pressed.rows()), way.along);
+  return made;
+}
+
+CoupledContact::Way CoupledContact::way_of_forces(const MatrixXd& pressed) {
+  const bool down = motion_.depth_is_force, along = motion_.lateral.x_is_force;
+  const Index n = down + along;
+  if (n == 0) return {};
+  const auto way_of = [=](const VectorXd& by) { return Way{down ? by[0] : 0, along ? by[n - 1] : 0}; };
+  const auto forces_at = [&](const VectorXd& by) {
+    attempt(pressed, way_of(by));
+    VectorXd forces(n);
+    if (along) forces[n - 1] = friction.attempted_force();
+    if (down) forces[0] = normal_force();
+    return forces;
+  };
+  if (balance_.displacements.size() == 0) balance_.displacements = VectorXd::Zero(n);
+  forces_at(balance_.displacements);
+  VectorXd values(n);
+  if (along) values[n - 1] = friction.prescribed_force();
+  const auto next = friction.next_step();
+  if (down) values[0] = motion_.depth(next.balance, next.inside()).value;
+  balance_ = displacements_for_forces(forces_at, values, balance_, probe_of_force, enough_of_force * normal_force());
+  return way_of(balance_.displacements);
+}
+
+void CoupledContact::step() {
+  const auto& areas = operators_.normal.areas();
+  const MatrixXd pressed = pressure;
+  const auto [whole, driven, left_behind, before] = attempt(pressed, way_of_forces(pressed));
+  const auto& relaxation = friction.next_step().relaxation;
   gap = (areas * relaxation.instantaneous()).cwiseInverse().asDiagonal() * opened_;
   gap = (pressure.array() > 0).select(0, gap.cwiseMax(0));
   relaxation.advance(state_, whole, before - as_vector(gap) - left_behind, driven);

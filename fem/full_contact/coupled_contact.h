@@ -21,6 +21,7 @@ CoupledOperators coupled_operators(const SurfaceCompliance& surface, const Angul
 struct IndenterMotion {
   Course depth;
   LateralMotion lateral;
+  bool depth_is_force = false;  ///< depth is F_N, which the indenter follows at the balance time of each step
 };
 /// The motion must outlive it.
 IndenterMotion indenter_motion(const Motion& motion);
@@ -46,7 +47,8 @@ class CoupledContact {
   CoupledContact(const CoupledOperators& operators, const RelaxationModel& relaxation, double friction_coefficient,
                  Eigen::MatrixXd profile, const IndenterMotion& motion, StepTimes times);
 
-  /// Throws SolverError where the two do not converge, and NoRoom where the contact reaches the last ring.
+  /// Throws SolverError where the two do not converge, NoRoom where the contact reaches the last ring, and GrossSlip
+  /// where a tangential force that is prescribed reaches mu F_N.
   void step();
 
   VectorFriction friction;
@@ -62,15 +64,27 @@ class CoupledContact {
   void press_without_friction();
   [[nodiscard]] Eigen::MatrixXd moved_by_pressure() const;
   [[nodiscard]] Eigen::MatrixXd moved_by_traction(const Eigen::MatrixXd& traction) const;
-  void alternate(const Eigen::MatrixXd& target);
+  /// How far the indenter goes down and along x in a step where forces are prescribed.
+  struct Way {
+    double down = 0, along = 0;
+  };
+  /// A step as it is tried: of the indenter, and of the points before they are held.
+  struct Attempt {
+    IndenterMove whole;
+    Eigen::VectorXd driven, left_behind, before;
+  };
+  void alternate(const Eigen::MatrixXd& target, double along);
+  Attempt attempt(const Eigen::MatrixXd& pressed, const Way& way);
+  Way way_of_forces(const Eigen::MatrixXd& pressed);
 
   const CoupledOperators& operators_;
   InverseOperator normal_inverse_;
   RelaxationModel relaxation_;
   Eigen::MatrixXd profile_;
   const IndenterMotion& motion_;
-  RingState state_;         // of the displacements into the body
-  Eigen::MatrixXd opened_;  // areas times gaps at the end of the step times the instantaneous stiffness
+  RingState state_;          // of the displacements into the body
+  BalanceOfForces balance_;  // of the last step under forces
+  Eigen::MatrixXd opened_;   // areas times gaps at the end of the step times the instantaneous stiffness
 };
 
 }  // namespace fretval::fem

@@ -50,13 +50,25 @@ void SurfaceWatch::begin_cycle() {
   forces_.resize(3, steps_per_cycle_);
   displacement_.resize(2, steps_per_cycle_);
   normal_force_.resize(steps_per_cycle_);
+  depth_.resize(0);
   pieces_.clear();
   tangential_work_ = normal_work_ = 0;
   dissipated_.push_back(0);
 }
 
+void SurfaceWatch::see(const VectorFriction& friction, const MatrixXd& pressure) {
+  see_step(friction, pressure, 0);
+}
+
+void SurfaceWatch::see(const CoupledContact& contact, double gone_down) {
+  see_step(contact.friction, contact.pressure, gone_down);
+  const Index k = (n_steps_ - 1) % steps_per_cycle_;
+  if (k == 0) depth_.resize(steps_per_cycle_);
+  depth_[k] = contact.depth;
+}
+
 /// Work in a step is that of the forces in its middle, between those at its balance time and at the last one.
-void SurfaceWatch::see(const VectorFriction& friction, const MatrixXd& pressure, double gone_down) {
+void SurfaceWatch::see_step(const VectorFriction& friction, const MatrixXd& pressure, double gone_down) {
   if (n_steps_ % steps_per_cycle_ == 0) begin_cycle();
   const MatrixXd margin = (friction.limit - lengths(friction.traction)).cwiseMax(0);
   const Eigen::ArrayXXd slips = (margin.array() <= at_its_limit * friction.limit.maxCoeff()).cast<double>();
@@ -123,6 +135,7 @@ SurfaceHistory SurfaceWatch::report() const {
   history.normal_work = normal_work_;
   history.forces = forces_;
   history.displacement = displacement_;
+  history.depth = depth_;
   history.normal_force = normal_force_;
   history.pieces = pieces_;
   history.pressure = pressure_;
@@ -166,7 +179,7 @@ SurfaceHistory coupled_contact_history(CoupledContact contact, const RingProblem
   return history_of(watch, contact.friction.steps_per_cycle(), control, [&](long) {
     const double before = contact.depth;
     contact.step();
-    watch.see(contact.friction, contact.pressure, contact.depth - before);
+    watch.see(contact, contact.depth - before);
   });
 }
 

@@ -29,6 +29,7 @@ struct SurfaceHistory {
   double normal_work = 0;           ///< and into it, int F_N dd; where nobody has told how deep it goes, 0
   Eigen::Matrix3Xd forces;          ///< F_x, F_y, torque at each step of the last cycle, at the balance times
   Eigen::Matrix2Xd displacement;    ///< of the indenter along the surface, at the ends of the steps
+  Eigen::VectorXd depth;            ///< and into the body; empty where nobody has told
   Eigen::VectorXd normal_force;     ///< the sum over the points, at the balance times
   std::vector<StepInPiece> pieces;  ///< of a path, per step of the cycle; empty: of cosines
   std::vector<Eigen::MatrixXd> pressure, traction;  ///< of the last cycle, a step each
@@ -49,14 +50,17 @@ class SurfaceWatch {
  public:
   /// rings: must outlive this.
   SurfaceWatch(const RingProblems& rings, const AngularGrid& grid, int steps_per_cycle);
-  /// After a step, in which the indenter has gone down by so much.
-  void see(const VectorFriction& friction, const Eigen::MatrixXd& pressure, double gone_down = 0);
+  /// After a step of friction under given pressures.
+  void see(const VectorFriction& friction, const Eigen::MatrixXd& pressure);
+  /// The same of a coupled contact, in which the indenter has gone down by so much.
+  void see(const CoupledContact& contact, double gone_down);
   /// Empty before the end of the first cycle.
   [[nodiscard]] SurfaceHistory report() const;
   /// Of the last cycle against the one before, see SurfaceHistory.
   [[nodiscard]] double periodicity() const;
 
  private:
+  void see_step(const VectorFriction& friction, const Eigen::MatrixXd& pressure, double gone_down);
   [[nodiscard]] double slip_of_stuck_point() const;
   [[nodiscard]] Eigen::MatrixXd room() const;
   void begin_cycle();
@@ -72,7 +76,7 @@ class SurfaceWatch {
   std::vector<Eigen::MatrixXd> pressure_, traction_, limit_, traction_before_;
   Eigen::Matrix3Xd forces_;
   Eigen::Matrix2Xd displacement_;
-  Eigen::VectorXd normal_force_;
+  Eigen::VectorXd normal_force_, depth_;
   std::vector<StepInPiece> pieces_;
   Eigen::Vector3d before_{0, 0, 0};  // F_x, F_y, F_N at the last balance time
   double tangential_work_ = 0, normal_work_ = 0;

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <utility>
 
+#include "fem/contact/force_balance.h"
+#include "fem/contact/gross_slip.h"
 #include "fem/full_contact/fields.h"
 
 namespace fretval::fem {
@@ -26,7 +28,8 @@ VectorXd mean_radii(const std::vector<double>& radii) {
 
 LateralMotion lateral_motion(const Motion& motion) {
   return {[&motion](double t, double inside) { return tangential_motion_inside(motion, t, inside); },
-          [&motion](double t, double inside) { return transverse_motion_inside(motion, t, inside); }};
+          [&motion](double t, double inside) { return transverse_motion_inside(motion, t, inside); },
+          motion.tangential_force};
 }
 
 IndenterMove move_in(const Course& course, double begin, double end, double inside) {
@@ -50,6 +53,7 @@ VectorFriction::VectorFriction(const SurfaceOperator& op, RelaxationModel relaxa
       step_(relaxation_, dt_),
       x_{VectorXd::Zero(limit.size()), MatrixXd::Zero(limit.size(), step_.n_branches())},
       y_(x_),
+      balance_{VectorXd::Zero(1), {}},
       arms_(mean_radii(op.radii())) {
   solution_.traction = traction;
 }
@@ -76,12 +80,21 @@ std::optional<StepInPiece> VectorFriction::in_piece() const {
   return step;
 }
 
-const FrictionSolution& VectorFriction::attempt(const MatrixXd& pressure, const MatrixXd& displaced, double enough) {
-  const auto next = next_step();
-  const auto response = [&](const RingState& state, const Course& course) {
-    return step_.response_without_slip(state, move_in(course, next.begin, next.balance, next.inside()));
-  };
-  const VectorXd x = response(x_, motion_.x), y = response(y_, motion_.y);
+VectorFriction::Moves VectorFriction::moves_in(const NextStep& next, double along) const {
+  const auto move = [&](const Course& course, double end) { return move_in(course, next.begin, end, next.inside()); };
+  const double fraction = step_.fraction();
+  if (motion_.x_is_force)
+    return {steady_move(fraction * along, fraction * dt_), move(motion_.y, next.balance), steady_move(along, dt_),
+            move(motion_.y, next.end)};
+  return {move(motion_.x, next.balance), move(motion_.y, next.balance), move(motion_.x, next.end),
+          move(motion_.y, next.end)};
+}
+
+const FrictionSolution& VectorFriction::attempt(const MatrixXd& pressure, const MatrixXd& displaced, double enough,
+                                                double along) {
+  moves_ = moves_in(next_step(), along);
+  const VectorXd x = step_.response_without_slip(x_, moves_.x_to_balance),
+                 y = step_.response_without_slip(y_, moves_.y_to_balance);
   MatrixXd pull(traction.rows(), traction.cols());
   pull << as_field(x, limit.rows()), as_field(y, limit.rows());
   pull = op_.areas().asDiagonal() * pull;
@@ -93,11 +106,9 @@ const FrictionSolution& VectorFriction::attempt(const MatrixXd& pressure, const 
 
 void VectorFriction::accept() {
   const Index m = limit.cols();
-  const auto next = next_step();
+  const auto& [x_to_balance, y_to_balance, x, y] = moves_;
   traction_before = std::exchange(traction, solution_.traction);
   slip = (op_.areas() * step_.instantaneous()).cwiseInverse().asDiagonal() * solution_.residual;
-  const auto x = move_in(motion_.x, next.begin, next.end, next.inside()),
-             y = move_in(motion_.y, next.begin, next.end, next.inside());
   step_.advance(x_, x, as_vector(slip.leftCols(m)));
   step_.advance(y_, y, as_vector(slip.rightCols(m)));
   increment = {x.increment, y.increment};
@@ -107,9 +118,31 @@ void VectorFriction::accept() {
   ++n_steps;
 }
 
+double VectorFriction::prescribed_force() {
+  const auto next = next_step();
+  const double force = motion_.x(next.balance, next.inside()).value;
+  if (!(std::abs(force) < most_force())) throw GrossSlip(next.balance, 1);
+  return force;
+}
+
 void VectorFriction::step(const MatrixXd& pressure) {
-  attempt(pressure, MatrixXd::Zero(traction.rows(), traction.cols()));
+  const MatrixXd nothing = MatrixXd::Zero(traction.rows(), traction.cols());
+  const auto go = [&](double along) { attempt(pressure, nothing, enough_of_contact, along); };
+  go(balance_.displacements[0]);
+  if (motion_.x_is_force) {
+    const auto force_at = [&](const VectorXd& along) -> VectorXd {
+      go(along[0]);
+      return VectorXd::Constant(1, attempted_force());
+    };
+    balance_ = displacements_for_forces(force_at, VectorXd::Constant(1, prescribed_force()), balance_, probe_of_force,
+                                        enough_of_force * most_force());
+    go(balance_.displacements[0]);
+  }
   accept();
+}
+
+double VectorFriction::force_of(const MatrixXd& made) const {
+  return (op_.areas().transpose() * made.leftCols(limit.cols())).sum();
 }
 
 void VectorFriction::step(const VectorXd& ring_pressure) {

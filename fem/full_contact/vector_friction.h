@@ -4,6 +4,7 @@
 #include <functional>
 #include <optional>
 
+#include "fem/contact/force_balance.h"
 #include "fem/full_contact/friction_solver.h"
 #include "fem/full_contact/surface_operator.h"
 #include "fem/motion/motion.h"
@@ -15,9 +16,14 @@ namespace fretval::fem {
 /// kink, the one at the side of an instant inside the step.
 using Course = std::function<ValueAndRate(double t, double inside)>;
 
+/// How near forces that are prescribed come to their values, over the largest that friction bears, and by how much of
+/// the unit of displacements their stiffness is measured.
+constexpr double enough_of_force = 1e-9, probe_of_force = 1e-4;
+
 /// Motion of the indenter along the surface.
 struct LateralMotion {
   Course x, y;
+  bool x_is_force = false;  ///< x is F_x, which the indenter follows at the balance time of each step
 };
 /// The motion must outlive it.
 LateralMotion lateral_motion(const Motion& motion);
@@ -41,16 +47,26 @@ class VectorFriction {
   VectorFriction(const SurfaceOperator& op, RelaxationModel relaxation, double friction_coefficient,
                  const LateralMotion& motion, StepTimes times);
 
-  /// Goes on by a step under pressures at its balance time, of points or the same around each ring.
+  /// Goes on by a step under pressures at its balance time, of points or the same around each ring. Throws GrossSlip
+  /// where a force that is prescribed reaches mu F_N.
   void step(const Eigen::MatrixXd& pressure);
   void step(const Eigen::VectorXd& ring_pressure);
 
   /// What the next step comes to under pressures to which the body also responds by so much along the surface, times
-  /// the areas; until accept() nothing has changed but the limit and the guess for the next attempt.
+  /// the areas; until accept() nothing has changed but the limit and the guess for the next attempt. along: how far the
+  /// indenter goes along x in the whole step, where a force is prescribed.
   const FrictionSolution& attempt(const Eigen::MatrixXd& pressure, const Eigen::MatrixXd& displaced,
-                                  double enough = enough_of_contact);
+                                  double enough = enough_of_contact, double along = 0);
   /// Makes the step of the last attempt.
   void accept();
+
+  /// F_x that is prescribed at the balance time of the next step. Throws GrossSlip where the limit of the last attempt
+  /// does not bear it.
+  double prescribed_force();
+  /// F_x of the last attempt.
+  [[nodiscard]] double attempted_force() const { return force_of(solution_.traction); }
+  /// The largest tangential force that the limit bears.
+  [[nodiscard]] double most_force() const { return (op_.areas().transpose() * limit).sum(); }
 
   /// Before the first step: displacements at rest, as of a body that is pressed without friction.
   void start_from(const Eigen::MatrixXd& displacement);
@@ -95,7 +111,15 @@ class VectorFriction {
   RelaxationStep step_;
   RingState x_, y_;
   FrictionSolution solution_;
-  Eigen::VectorXd arms_;  // mean distances of the rings from the axis
+  /// Of the indenter in the step that is attempted.
+  struct Moves {
+    IndenterMove x_to_balance, y_to_balance, x, y;
+  };
+  [[nodiscard]] Moves moves_in(const NextStep& next, double along) const;
+  [[nodiscard]] double force_of(const Eigen::MatrixXd& made) const;  // along x
+  Moves moves_{};
+  BalanceOfForces balance_;  // of the last step under a force
+  Eigen::VectorXd arms_;     // mean distances of the rings from the axis
 };
 
 }  // namespace fretval::fem

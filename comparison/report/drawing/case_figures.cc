@@ -13,6 +13,7 @@
 #include "comparison/report/drawing/data_figures.h"
 #include "comparison/report/drawing/figures.h"
 #include "comparison/report/drawing/moduli_figure.h"
+#include "comparison/report/drawing/plane_figure.h"
 #include "comparison/report/drawing/share_bars.h"
 #include "comparison/report/drawing/zone_map.h"
 #include "comparison/support/cycles_until.h"
@@ -55,6 +56,11 @@ Numbers ring_middles(const Numbers& outer) {
 
 bool has_path(const StoredResult& r) {
   return r.json.at("scene").contains("path");
+}
+
+bool moves_across(const StoredResult& r) {
+  const auto u_y = column_of(r, "history.csv", "t [s]", "u_y [m]");
+  return std::any_of(u_y.begin(), u_y.end(), [](double u) { return u != 0; });
 }
 
 /// Pressure and traction at every instant; at first at the end of the period, where MDR's are: the largest indentation
@@ -129,15 +135,20 @@ Filling map_figure(const StoredResult& r, const ordered_json& cycle) {
                                                    : " Below c it slips no more.")}};
 }
 
-/// A force over a displacement: finite elements as points, MDR as a line.
-Figure loop_figure(const StoredResult& r, const ordered_json& cycle, bool tangential) {
-  const char* x_name = tangential ? "u_x" : "d";
-  const char* y_name = tangential ? "F_x" : "F_N";
+/// A force over the displacement in its direction.
+struct Loop {
+  const char *title, *x_name, *y_name;
+};
+constexpr Loop normal_loop{"Normal force over indentation", "d", "F_N"},
+    tangential_loop{"Tangential force over displacement", "u_x", "F_x"},
+    transverse_loop{"Transverse force over displacement", "u_y", "F_y"};
+
+/// Finite elements as points, MDR as a line.
+Figure loop_figure(const StoredResult& r, const ordered_json& cycle, const Loop& loop) {
+  const auto [title, x_name, y_name] = loop;
   auto [x, y] = read_columns(r.folder / "history.csv", fmt::format("{} [m]", x_name), fmt::format("{} [N]", y_name));
   const auto length = axis_for({&x}, "m"), force = axis_for({&y}, "N");
-  Plot plot{fmt::format("{} over {}", tangential ? "Tangential force" : "Normal force",
-                        tangential ? "displacement" : "indentation"),
-            fmt::format("{} in {}", x_name, length.unit), fmt::format("{} in {}", y_name, force.unit)};
+  Plot plot{title, fmt::format("{} in {}", x_name, length.unit), fmt::format("{} in {}", y_name, force.unit)};
   if (const auto mdr = cycle.find("mdr"); mdr != cycle.end())
     plot.series.push_back(
         {"MDR", length.of(numbers_of(mdr->at(x_name))), force.of(numbers_of(mdr->at(y_name))), Series::Style::line, 0});
@@ -309,8 +320,12 @@ Filling case_figures(const StoredResult& result, const ordered_json& cycle) {
   try {
     if (!cycle.empty()) list.push_back(stress_figure(result, cycle));
     if (!cycle.empty()) list.push_back(map_figure(result, cycle));
-    if (!column_names(result.folder / "history.csv").empty())
-      add({motion_figure(result), loop_figure(result, cycle, true), loop_figure(result, cycle, false)});
+    if (!column_names(result.folder / "zones.csv").empty()) add({plane_figure(result)});
+    const auto courses = column_names(result.folder / "history.csv");
+    if (!courses.empty())
+      add({motion_figure(result), loop_figure(result, cycle, tangential_loop),
+           loop_figure(result, cycle, normal_loop)});
+    if (moves_across(result)) add({loop_figure(result, cycle, transverse_loop)});
     const bool measures_over_time = !measured_series(result, "t [s]", "t [s]", 1, 1).empty();
     if ((result.has_forces() || measures_over_time) && !column_names(result.folder / "history.csv").empty())
       add({forces_figure(result)});

@@ -146,6 +146,7 @@ std::string script_of(const Filling& plot) {
   for (const char* axis : {"x", "y"})
     if (const auto range = plot.find(axis + std::string("_range")); range != plot.end())
       script << fmt::format("set {}range [{}:{}]\n", axis, range->at(0).get<double>(), range->at(1).get<double>());
+  if (plot.contains("equal_scales")) script << "set size ratio -1\n";
   script << marks_of(plot);
   std::string drawn;
   for (const auto& series : plot.at("series")) {
@@ -246,6 +247,7 @@ Filling json_of(const Plot& plot) {
                {"log_y", plot.log_y}};
   if (plot.x_range) json["x_range"] = {plot.x_range->first, plot.x_range->second};
   if (plot.y_range) json["y_range"] = {plot.y_range->first, plot.y_range->second};
+  if (plot.equal_scales) json["equal_scales"] = true;
   if (!plot.x_tics.empty()) json["x_tics"] = plot.x_tics;
   for (const auto& [name, x] : plot.marks) json["marks"].push_back({{"name", name}, {"x", x}});
   json["series"] = Filling::array();

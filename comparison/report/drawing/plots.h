@@ -27,6 +27,7 @@ struct Plot {
   bool log_x = false;
   std::vector<double> x_tics = {};                         ///< empty: where they fit
   std::vector<std::pair<std::string, double>> marks = {};  ///< vertical lines with a name
+  bool equal_scales = false;  ///< a picture of a plane: both ranges are given, and x is widened to the same scale as y
 };
 
 /// As data of the page, which report.js draws; six digits of every number.

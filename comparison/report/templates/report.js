@@ -137,6 +137,10 @@
         .on("input", function () { state.frame = +this.value; shown.text(plot.frames.names[state.frame]); draw(); });
     }
 
+    // A plane: of two ranges that are given around 0 the one of x is made as long as there is room beside that of y.
+    function widened(range, width, height) {
+      return plot.equal_scales && !state.zoom ? range.map((v) => v * width / height) : range;
+    }
     function domain(axis, values) {
       if (plot[axis + "_range"]) return plot[axis + "_range"];
       const log = plot["log_" + axis];
@@ -149,7 +153,7 @@
       return [low >= 0 && low < 0.3 * high ? 0 : low - pad, high + pad];
     }
     function draw() {
-      const {width, height} = sizeOf(element);
+      const size = sizeOf(element), width = size.width, height = plot.equal_scales ? Math.max(size.height, Math.min(width, 480)) : size.height;
       const margin = {left: 62, right: 16, top: plot.marks ? 22 : 10, bottom: 42};
       const span = plot.log_y ? null : state.zoom?.y ?? plot.y_range ?? d3.extent(plot.series.flatMap((s) => s.y).filter(isDrawn));
       if (span?.[0] !== undefined && span && span[1] - span[0] < 0.02 * Math.abs(span[1])) margin.left = 84;
@@ -157,7 +161,7 @@
       tip.hide();
       const svg = canvas(area, plot, width, height, margin).attr("class", "canvas").attr("tabindex", 0);
       const all = plot.series.map((s, k) => (plot.frames?.y[k] ? plot.frames.y[k].flat() : s.bar ? s.y.flatMap((v, i) => isDrawn(v) ? [v - (s.bar[i] ?? 0), v + (s.bar[i] ?? 0)] : []) : s.y));
-      const xs = (state.zoom?.x ?? domain("x", plot.series.flatMap((s) => s.x))), ys = (state.zoom?.y ?? domain("y", all.flat()));
+      const xs = widened(state.zoom?.x ?? domain("x", plot.series.flatMap((s) => s.x)), width - margin.left - margin.right, height - margin.top - margin.bottom), ys = (state.zoom?.y ?? domain("y", all.flat()));
       const x = (plot.log_x ? d3.scaleLog() : d3.scaleLinear()).domain(xs).range([margin.left, width - margin.right]);
       const y = (plot.log_y ? d3.scaleLog() : d3.scaleLinear()).domain(ys).range([height - margin.bottom, margin.top]);
       axes(svg, x, y, width, height, margin, plot);

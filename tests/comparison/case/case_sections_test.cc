@@ -8,6 +8,7 @@
 #include "tests/comparison/modulus_table.h"
 #include "tests/comparison/read_case.h"
 #include "tests/comparison/refusal.h"
+#include "tests/comparison/scratch_folder.h"
 
 namespace fretval::case_sections_test {
 namespace {
@@ -176,6 +177,33 @@ TEST(CaseSections, HarmonicsAreTriples) {
   for (const char* bad : {"1e-6, 3", "-1e-6, 3, 45", "1e-6, 0, 45"})
     expect_parts(refusal([&] { motion(still + "set Tangential harmonics = " + bad); }),
                  {"Motion / Tangential harmonics = ", "triples of amplitude"});
+}
+
+std::string with_contact(const std::string& entries, const std::string& text = valid_case) {
+  return text + "\nsubsection Contact\n" + entries + "\nend\n";
+}
+
+TEST(CaseSections, TheContactOnRingsAndAnglesIsAskedFor) {
+  EXPECT_FALSE(read_case(valid_case).contact.is_full());
+  EXPECT_FALSE(read_case(with_contact("set Friction = unidirectional\nset Coupling = off")).contact.is_full());
+  const auto vector = read_case(with_contact("set Friction = vector")).contact;
+  EXPECT_TRUE(vector.vector_friction);
+  EXPECT_FALSE(vector.coupled);
+  EXPECT_TRUE(read_case(with_contact("set Friction = vector\nset Coupling = on")).contact.coupled);
+  expect_parts(refusal([] { read_case(with_contact("set Coupling = on")); }),
+               {"Contact / Coupling", "Friction = vector"});
+  expect_parts(refusal([] { read_case(with_contact("set Friction = both")); }),
+               {"Contact / Friction = both", "vector"});
+}
+
+// Pressing from d = 0 on is a part of the way where pressure and friction act on each other, and nowhere else.
+TEST(CaseSections, OnlyACoupledContactBeginsAsItTouches) {
+  const ScratchFolder folder;
+  const auto table = folder.write("press.csv", "t [s],d [um],u_x [um]\n0,0,0\n1,100,0\n");
+  const auto text = case_with("Motion", "set Path = " + table.string() + "\nset Path repeats = once");
+  const auto scene = read_case(with_contact("set Friction = vector\nset Coupling = on", text));
+  EXPECT_EQ(scene.motion.path->normal.front(), 0);
+  expect_parts(refusal([&] { read_case(text); }), {"Motion / Path", "d > 0", "Coupling = on"});
 }
 
 }  // namespace

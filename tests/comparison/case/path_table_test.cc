@@ -81,7 +81,7 @@ TEST(PathTable, IsRefusedByName) {
                                    {"t,d,u_x\ns,m,m\n0,1,0\n2,1,1\n1,1,1\n", "line 5: t = 1: must be greater"},
                                    {"t,d,u_x\ns,m,m\n0,1,0\n0,1,1\n", "must be greater"},
                                    {"t,d,u_x\ns,m,m\n0,1,0\n1,nan,1\n", "line 4"},
-                                   {"t,d,u_x\ns,m,m\n0,0,0\n1,1,1\n", "d = 0 m in the first row"}})
+                                   {"t,d,u_x\ns,m,m\n0,-1,0\n1,1,1\n", "d = -1 m in the first row"}})
     expect_parts(refused(text, false), {"path.csv", part});
 }
 

@@ -7,6 +7,7 @@
 #include "comparison/accuracy/prepared_case.h"
 #include "comparison/results/results_folder.h"
 #include "comparison/simulation/compute_case.h"
+#include "tests/comparison/run_fretval.h"
 #include "tests/comparison/scratch_folder.h"
 #include "tests/comparison/suite_case.h"
 
@@ -42,6 +43,11 @@ TEST(SurfaceFiles, HaveTheForcesInTheirPoints) {
   EXPECT_NEAR(column("history.csv", "u_x [m]").back(),
               scene.motion.tangential_amplitude * std::cos(*scene.motion.phase * 0.0174532925199433), 1e-9);
   EXPECT_NEAR(column("zones.csv", "contact [m]").front(), answer.contact_radius_max.value(), 1e-9);
+  const auto vtu = text_of(folder.path() / "surface.vtu");
+  for (const char* part : {"traction (Pa)", "contact pressure (Pa)", "has never slipped"})
+    EXPECT_NE(vtu.find(part), std::string::npos) << part;
+  const auto n_cells = std::to_string(6 * p.size());
+  EXPECT_NE(vtu.find("NumberOfCells=\"" + n_cells + "\""), std::string::npos) << n_cells;
 }
 
 }  // namespace

@@ -77,5 +77,34 @@ TEST(FullCase, OfACircleHasNoDirection) {
   EXPECT_GT(zone.radius, 0.7 * springs);
 }
 
+// To and fro under a constant pressure: the force that a displacement leads to, prescribed, leads to the displacement.
+TEST(FullCase, FollowsATangentialForce) {
+  auto displaced = with_vector_friction(0.5);
+  displaced.motion.normal_amplitude = 0;
+  const auto by_displacement = answer_to(displaced);
+  auto forced = displaced;
+  forced.motion.tangential_amplitude = 0;
+  forced.motion.tangential_force = by_displacement.cycle->tangential_force_max;
+  const auto by_force = answer_to(forced);
+  const double a = by_displacement.contact_radius_max.value();
+  EXPECT_NEAR(by_force.tangential_amplitude.value() / displaced.motion.tangential_amplitude, 1, 1e-2);
+  EXPECT_NEAR(by_force.stick_radius_shakedown.value(), by_displacement.stick_radius_shakedown.value(), 1e-2 * a);
+}
+
+// Coupling makes a compressible body stiffer: it sinks in less far under the same force.
+TEST(FullCase, FollowsForcesInBothDirectionsWhereTheyAreCoupled) {
+  auto scene = with_vector_friction(0.2, true);
+  const auto displaced = ring_answer_to(scene);
+  scene.motion.normal_force = Case::NormalForce{displaced.normal_force_max, 0};
+  scene.motion.normal_amplitude = scene.motion.indentation = scene.motion.tangential_amplitude = 0;
+  scene.motion.tangential_force = 0.3 * scene.friction_coefficient * displaced.normal_force_max;
+  const auto full = answer_to(scene), rings = ring_answer_to(scene);
+  EXPECT_NEAR(full.normal_force_max / displaced.normal_force_max, 1, 1e-6);
+  EXPECT_NEAR(full.cycle->tangential_force_max / *scene.motion.tangential_force, 1, 5e-3);
+  const double sinks = full.indentation_max.value() / rings.indentation_max.value();
+  EXPECT_LT(sinks, 1 - 1e-4);
+  EXPECT_GT(sinks, 0.97);
+}
+
 }  // namespace
 }  // namespace fretval::full_case_test

@@ -58,5 +58,33 @@ TEST(ForceBalance, SaysWhenThereIsNone) {
       {"no displacement", "1.5"});
 }
 
+// Two forces that depend on both displacements, one of them bending off like friction near its limit.
+TEST(ForcesBalance, FindsTheDisplacementsOfSeveralForces) {
+  const auto forces = [](const Eigen::VectorXd& u) -> Eigen::VectorXd {
+    return Eigen::Vector2d(std::pow(u[0] + 1, 1.5) + 0.1 * u[1], std::tanh(2 * u[1]) + 0.1 * u[0]);
+  };
+  const Eigen::Vector2d exact(0.3, 0.8);
+  auto found = displacements_for_forces(forces, forces(exact), {Eigen::Vector2d::Zero(), {}}, 1e-4, 1e-12);
+  EXPECT_LT((found.displacements - exact).norm(), 1e-10);
+  int n = 0;
+  const auto counted = [&](const Eigen::VectorXd& u) {
+    ++n;
+    return forces(u);
+  };
+  const Eigen::Vector2d next(0.31, 0.81);
+  found = displacements_for_forces(counted, forces(next), found, 1e-4, 1e-9);
+  EXPECT_LT((found.displacements - next).norm(), 1e-7);
+  EXPECT_LE(n, 6) << "the stiffness is known from the search before";
+}
+
+TEST(ForcesBalance, SaysWhereThereIsNone) {
+  const auto bounded = [](const Eigen::VectorXd& u) -> Eigen::VectorXd {
+    return Eigen::VectorXd::Constant(1, std::tanh(u[0]));
+  };
+  EXPECT_THROW(
+      displacements_for_forces(bounded, Eigen::VectorXd::Constant(1, 1.5), {Eigen::VectorXd::Zero(1), {}}, 1e-4, 1e-9),
+      SolverError);
+}
+
 }  // namespace
 }  // namespace fretval::fem::force_balance_test

@@ -134,6 +134,40 @@ TEST(CoupledContact, LosesWhatIsNotStored) {
   EXPECT_LT(std::abs(left[2]), 0.4 * std::abs(left[1]));
 }
 
+// Both forces at once: what they lead to, prescribed as displacements, makes the same forces.
+TEST(CoupledContact, FollowsForcesInBothDirections) {
+  const auto& surface = surface_half_space(0.3);
+  const auto operators = coupled_operators(surface, angular_grid(4, Mirrors::x));
+  const auto profile = round_profile(surface, 2, 2);
+  constexpr int n_steps = 12;
+  const IndenterMotion forces{ramp(0.6, 1.2), {ramp(0, 0.3), nowhere, true}, true};
+  CoupledContact pushed(operators, {}, 0.5, profile, forces, n_steps);
+  std::vector<double> depths{pushed.depth}, ways{0};
+  EXPECT_NEAR(pushed.normal_force(), 0.6, 1e-9);
+  for (int k = 1; k <= n_steps; ++k) {
+    pushed.step();
+    const double share = static_cast<double>(k) / n_steps;
+    ASSERT_NEAR(pushed.normal_force(), 0.6 + 0.6 * share, 1e-8) << k;
+    ASSERT_NEAR(pushed.friction.forces()[0], 0.3 * share, 1e-8) << k;
+    depths.push_back(pushed.depth);
+    ways.push_back(pushed.friction.displacement[0]);
+  }
+  const auto along = [](const std::vector<double>& values) {
+    return [&values](double t, double inside) {
+      const double dt = 2 * pi / n_steps;
+      const auto k = static_cast<std::size_t>(inside / dt);
+      const double rate = (values[k + 1] - values[k]) / dt;
+      return ValueAndRate{values[k] + rate * (t - static_cast<double>(k) * dt), rate};
+    };
+  };
+  const IndenterMotion displacements{along(depths), {along(ways), nowhere}};
+  CoupledContact moved(operators, {}, 0.5, profile, displacements, n_steps);
+  for (int k = 0; k < n_steps; ++k) moved.step();
+  EXPECT_NEAR(moved.normal_force(), 1.2, 1e-7);
+  EXPECT_NEAR(moved.friction.forces()[0], 0.3, 1e-7);
+  EXPECT_GT(ways.back(), 0.01);
+}
+
 TEST(CoupledContact, RefusesWhatItCannotDo) {
   const auto& surface = surface_half_space(0.3);
   EXPECT_THROW(coupled_operators(surface, angular_grid(4, Mirrors::x_and_y)), std::invalid_argument);

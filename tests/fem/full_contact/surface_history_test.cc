@@ -104,7 +104,8 @@ TEST(SurfaceHistory, TellsPointsThatHaveShakenDownFromThoseThatSlip) {
   };
   std::vector<SurfaceHistory> histories;
   for (const int n_cycles : {3, 6})
-    histories.push_back(vector_friction_history(VectorFriction(op, {}, 1, motion, 48), pressure, rings, exactly(n_cycles)));
+    histories.push_back(
+        vector_friction_history(VectorFriction(op, {}, 1, motion, 48), pressure, rings, exactly(n_cycles)));
   EXPECT_GT(histories[1].sticks_in_a_cycle.radius, histories[1].never_slipped.radius + 0.02);
   EXPECT_NEAR(histories[0].sticks_in_a_cycle.radius, histories[1].sticks_in_a_cycle.radius, 2e-3);
   const auto ring = vector_friction_history(VectorFriction(of_rings, {}, 1, motion, 48), pressure, rings, exactly(6));

@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <vector>
 
+#include "fem/contact/gross_slip.h"
 #include "fem/history/friction_contact.h"
 #include "tests/fem/full_contact/bodies.h"
 
@@ -155,6 +157,63 @@ TEST(VectorFriction, GoesRoundWithACircularMotion) {
   const auto after = friction.forces();
   EXPECT_NEAR(after[0], -before[1], 1e-3 * before.norm());
   EXPECT_NEAR(after[1], before[0], 1e-3 * before.norm());
+}
+
+/// Hertz's pressure under a tangential force that goes to and fro.
+LateralMotion force_to_and_fro(double amplitude) {
+  return {[=](double t, double) {
+            return ValueAndRate{amplitude * std::sin(t), amplitude * std::cos(t)};
+          },
+          [](double, double) {
+            return ValueAndRate{0, 0};
+          },
+          true};
+}
+
+// Prescribed as displacements, the way that a force has taken leads to the same force.
+TEST(VectorFriction, FollowsAForce) {
+  const auto& surface = surface_half_space(0.5);
+  const SurfaceOperator op(surface, angular_grid(8, Mirrors::x_and_y), Fields::tangential);
+  const double borne = 0.8 * 2 * pi / 3, amplitude = 0.7 * borne;
+  const auto force = force_to_and_fro(amplitude);
+  for (const auto& relaxation : {RelaxationModel{}, RelaxationModel{1, {1}, {0.5}, 0}}) {
+    VectorFriction pushed(op, relaxation, 0.8, force, n_steps);
+    std::vector<double> increments, forces;
+    for (int k = 0; k < n_steps; ++k) {
+      pushed.step(hertz_pressure(surface));
+      ASSERT_NEAR(pushed.forces()[0], amplitude * std::sin(2 * pi * (k + 1) / n_steps), 1e-8);
+      increments.push_back(pushed.increment[0]);
+      forces.push_back(pushed.forces()[0]);
+    }
+    int step = 0;
+    double at = 0;
+    const LateralMotion displaced{[&](double t, double) {
+                                    const double dt = 2 * pi / n_steps;
+                                    return ValueAndRate{at + increments[step] * (t / dt - step), increments[step] / dt};
+                                  },
+                                  [](double, double) {
+                                    return ValueAndRate{0, 0};
+                                  }};
+    VectorFriction moved(op, relaxation, 0.8, displaced, n_steps);
+    for (; step < n_steps; ++step) {
+      moved.step(hertz_pressure(surface));
+      ASSERT_NEAR(moved.forces()[0], forces[step], 1e-7) << step;
+      at += increments[step];
+    }
+    EXPECT_GT(moved.slip.norm(), 1e-4);
+  }
+}
+
+TEST(VectorFriction, SlidesWhereFrictionDoesNotBearTheForce) {
+  const auto& surface = surface_half_space(0.5);
+  const SurfaceOperator op(surface, angular_grid(4, Mirrors::x_and_y), Fields::tangential);
+  const auto force = force_to_and_fro(1.01 * 0.8 * 2 * pi / 3);
+  VectorFriction pushed(op, {}, 0.8, force, n_steps);
+  EXPECT_THROW(
+      {
+        for (int k = 0; k < n_steps / 4; ++k) pushed.step(hertz_pressure(surface));
+      },
+      GrossSlip);
 }
 
 }  // namespace

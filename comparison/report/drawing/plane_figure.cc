@@ -1,0 +1,104 @@
+#include "comparison/report/drawing/plane_figure.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "comparison/report/drawing/axis.h"
+
+namespace fretval {
+namespace {
+
+using Numbers = std::vector<double>;
+
+struct Points {
+  Numbers x, y;
+};
+
+/// A closed line around the centre.
+Points outline(const Numbers& angles, const Numbers& radii, double unit) {
+  Points line;
+  for (std::size_t i = 0; i <= angles.size() && !angles.empty(); ++i) {
+    const std::size_t k = i % angles.size();
+    line.x.push_back(radii[k] * std::cos(angles[k]) / unit);
+    line.y.push_back(radii[k] * std::sin(angles[k]) / unit);
+  }
+  return line;
+}
+
+/// From a tail by (x, y), with two barbs, and a gap behind it.
+void add_arrow(double tail_x, double tail_y, double x, double y, Points& arrows) {
+  constexpr double along = 0.3, aside = 0.16;  // of a barb, over the length of the arrow
+  const double tip_x = tail_x + x, tip_y = tail_y + y;
+  const auto add = [&](double px, double py) {
+    arrows.x.push_back(px);
+    arrows.y.push_back(py);
+  };
+  add(tail_x, tail_y);
+  for (const double side : {aside, -aside}) {
+    add(tip_x, tip_y);
+    add(tip_x - along * x - side * y, tip_y - along * y + side * x);
+  }
+  add(tip_x, std::nan(""));
+}
+
+/// Tractions at the end of the cycle: of points that stick in it, and of those that slip.
+struct Arrows {
+  Points stuck, slipping;
+};
+
+Arrows arrows_of(const StoredResult& r, double unit) {
+  const auto file = r.folder / "surface.csv";
+  const auto column = [&](const char* name) { return read_columns(file, "angle [rad]", name); };
+  const auto [angle, inner] = column("r inner [m]");
+  const auto outer = column("r outer [m]").second, p = column("p [Pa]").second, x = column("t_x [Pa]").second,
+             y = column("t_y [Pa]").second, sticks = column("sticks in a cycle [1]").second;
+  double largest = 0, contact = 0;
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    largest = std::max(largest, std::hypot(x[i], y[i]));
+    if (p[i] > 0) contact = std::max(contact, outer[i]);
+  }
+  Arrows arrows;
+  constexpr double distance = 9;  // arrows per contact radius, and the longest of them over their distance
+  double next = 0;
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    const double middle = (inner[i] + outer[i]) / 2;
+    if (i > 0 && inner[i] != inner[i - 1] && inner[i] >= next + contact / distance) next = inner[i];
+    if (inner[i] != next || !(p[i] > 0) || !(largest > 0)) continue;
+    const double scale = 1.2 * contact / distance / largest / unit;
+    add_arrow(middle * std::cos(angle[i]) / unit, middle * std::sin(angle[i]) / unit, scale * x[i], scale * y[i],
+              sticks[i] > 0 ? arrows.stuck : arrows.slipping);
+  }
+  return arrows;
+}
+
+}  // namespace
+
+Figure plane_figure(const StoredResult& r) {
+  const auto file = r.folder / "zones.csv";
+  const auto [angles, contact] = read_columns(file, "angle [rad]", "contact [m]");
+  const auto length = axis_for({&contact}, "m");
+  Plot plot{"Zones and tractions from above", "x in " + length.unit, "y in " + length.unit};
+  plot.equal_scales = true;
+  const double half = 1.08 * *std::max_element(contact.begin(), contact.end()) / length.factor;
+  plot.y_range = {-half, half};
+  plot.x_range = {-half, half};
+  const auto add = [&](const char* label, Points points, Series::Style style, int colour) {
+    plot.series.push_back({label, std::move(points.x), std::move(points.y), style, colour});
+  };
+  const auto edge = [&](const char* name) {
+    return outline(angles, read_columns(file, "angle [rad]", name).second, length.factor);
+  };
+  auto arrows = arrows_of(r, length.factor);
+  if (!arrows.slipping.x.empty()) add("traction where it slips", arrows.slipping, Series::Style::line, 1);
+  if (!arrows.stuck.x.empty()) add("traction where it sticks", arrows.stuck, Series::Style::line, 0);
+  add("contact", edge("contact [m]"), Series::Style::line, 7);
+  if (!r.is_single_pass()) add("sticks in a cycle", edge("sticks in a cycle [m]"), Series::Style::line, 2);
+  add("has never slipped", edge("never slipped [m]"), Series::Style::dashed, 3);
+  return {std::move(plot), std::string("The contact at the end of the ") +
+                               (r.is_single_pass() ? "pass" : "last cycle") +
+                               ". Arrows: the traction of the indenter on the body."};
+}
+
+}  // namespace fretval
