@@ -361,11 +361,6 @@ Case::Contact read_contact(const EntryReader& entries, const Case::Motion& motio
   if (motion.path && motion.moves_across() &&
       (motion.path->tangential_force || (motion.path->normal_force && contact.coupled)))
     entries.fail("Motion", "Path", "displacements, where it goes along y as well");
-  if (motion.path && !motion.path->repeats && !motion.path->normal_force && rest_of(*motion.path).normal == 0 &&
-      !contact.coupled)
-    entries.fail("Motion", "Path",
-                 "a first row in contact, d > 0, where the body rests without a tangential force before the pass; only "
-                 "with Contact / Coupling = on pressing from d = 0 on is a part of it");
   if (contact.vector_friction && !motion.path && !motion.phase)
     entries.fail("Motion", "Phase", "an angle in deg: with friction as a vector the phase is fixed");
   if (motion.moves_across() && !contact.vector_friction)

@@ -25,7 +25,8 @@ double mesh_unit(const EntryReader& entries) {
   if (text.find_first_of("0123456789") == std::string::npos) text = "1 " + text;
   const auto unit = read_measure(text, Dimension::length);
   if (unit && unit->value > 0) return unit->value;
-  entries.fail(body_section, "Mesh unit", "a unit of length as mm, or a positive length, " + valid_units(Dimension::length));
+  entries.fail(body_section, "Mesh unit",
+               "a unit of length as mm, or a positive length, " + valid_units(Dimension::length));
   return 1;
 }
 

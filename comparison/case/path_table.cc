@@ -106,10 +106,17 @@ std::vector<double> transverse_column(const std::string& file, mdr::ChosenColumn
   return values;
 }
 
-/// A single pass may begin as the indenter comes to touch; which contacts know what to do then, read_contact says.
+/// A single pass that begins as the indenter comes to touch, in the first row, begins so little deeper that the body
+/// bears nothing yet: a start in contact takes no case of its own.
+void begin_in_contact(Case::Path& path) {
+  constexpr double share_of_the_deepest = 1e-9;
+  if (path.normal_force || path.repeats || path.normal.front() != 0) return;
+  path.normal.front() = share_of_the_deepest * largest_of(path.normal);
+}
+
 void require_contact_at_rest(const std::string& file, const Case::Path& path) {
   const double rest = rest_of(path).normal;
-  if (path.normal_force || rest > 0 || (rest == 0 && !path.repeats)) return;
+  if (path.normal_force || rest > 0) return;
   if (path.repeats)
     throw InputError(
         fmt::format("{}: the mean of d over time is {:g} m, must be positive: the body rests there before "
@@ -193,6 +200,7 @@ Case::Path read_path_table(const std::string& file, bool repeats, const PathTole
     auto path = as_it_is ? std::move(rows) : path_of_record(std::move(rows), tolerance, notes);
     require_pressing(file, csv.line_of_row, path);
     if (repeats) close(file, path);
+    begin_in_contact(path);
     require_contact_at_rest(file, path);
     begin_without_tangential_force(file, path);
     return path;

@@ -131,6 +131,13 @@ void add_motion(const Case::Motion& motion, Inputs& inputs) {
     inputs.add("Motion", "Phase", *motion.phase, "°");
   else
     inputs.add("Motion", "Phase", "free");
+  add_harmonics("Transverse", false, motion.transverse, inputs);
+}
+
+void add_contact(const Case::Contact& contact, Inputs& inputs) {
+  if (!contact.is_full()) return;
+  inputs.add("Contact", "Friction", "vector");
+  inputs.add("Contact", "Coupling", contact.coupled ? "on" : "off");
 }
 
 void add_measured(const Case& input, Inputs& inputs) {
@@ -179,6 +186,7 @@ ordered_json inputs_json(const Case& input) {
   add_elastomer(input.elastomer, inputs);
   add_body(input.body, inputs);
   inputs.add("Friction", "Coefficient", input.friction_coefficient);
+  add_contact(input.contact, inputs);
   add_motion(input.motion, inputs);
   add_wear(input, inputs);
   inputs.add("Accuracy", "Tolerance", input.tolerance);

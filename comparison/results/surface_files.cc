@@ -60,14 +60,11 @@ std::vector<SurfacePoint> points_of(const FeAnswer& fe, const FemCase& fem) {
   for (Index i = 0; i < pressure.rows(); ++i)
     for (const auto& [theta, kept, sign] : fem::whole_circle(surface.grid)) {
       const auto ring = static_cast<std::size_t>(i), angle = static_cast<std::size_t>(kept);
-      SurfacePoint point{fe.body->radii[ring] * length, fe.body->radii[ring + 1] * length, theta};
-      point.p = pressure(i, kept) * unit;
-      point.t_x = traction(i, kept) * unit;
-      point.t_y = sign * traction(i, pressure.cols() + kept) * unit;
-      const double middle = (point.inner + point.outer) / 2;
-      point.never_slipped = middle <= surface.never_slipped.edges[angle];
-      point.sticks_in_a_cycle = middle <= surface.sticks_in_a_cycle.edges[angle];
-      points.push_back(point);
+      const double inner = fe.body->radii[ring] * length, outer = fe.body->radii[ring + 1] * length,
+                   middle = (inner + outer) / 2;
+      points.push_back({inner, outer, theta, pressure(i, kept) * unit, traction(i, kept) * unit,
+                        sign * traction(i, pressure.cols() + kept) * unit, middle <= surface.never_slipped.edges[angle],
+                        middle <= surface.sticks_in_a_cycle.edges[angle]});
     }
   return points;
 }

@@ -68,9 +68,14 @@ ordered_json zones_json(const SurfaceAnswer& surface, bool single_pass, const Er
   ordered_json json{{"contact", zone_json(surface.contact, Q::contact_radius_max, Q::contact_along, Q::contact_across)},
                     {"never_slipped", zone_json(surface.never_slipped, Q::stick_radius_first_slip, Q::first_slip_along,
                                                 Q::first_slip_across)}};
-  if (!single_pass)
-    json["sticks_in_a_cycle"] = zone_json(surface.sticks_in_a_cycle, Q::stick_radius_shakedown, Q::shakedown_along,
-                                          Q::shakedown_across);
+  if (single_pass)
+    json["sticks_at_the_end"] = {{"area", surface.sticks_at_the_end.area},
+                                 {"radius", surface.sticks_at_the_end.radius},
+                                 {"along", surface.sticks_at_the_end.along},
+                                 {"across", surface.sticks_at_the_end.across}};
+  else
+    json["sticks_in_a_cycle"] =
+        zone_json(surface.sticks_in_a_cycle, Q::stick_radius_shakedown, Q::shakedown_along, Q::shakedown_across);
   json["torque_max"] = surface.torque_max;
   return json;
 }

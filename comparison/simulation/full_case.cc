@@ -147,6 +147,7 @@ void read_surface(const fem::NormalHistory& normal, const FemCase& fem, FeAnswer
   const double length = fem.units.length;
   surface.never_slipped = zone_of(history.never_slipped, length);
   surface.sticks_in_a_cycle = zone_of(history.sticks_in_a_cycle, length);
+  surface.sticks_at_the_end = zone_of(history.sticks_at_the_end, length);
   surface.transverse_force_max =
       fem::largest_magnitude_of_period(history.forces.row(1), history.pieces) * fem.units.force();
   surface.torque_max = history.forces.row(2).cwiseAbs().maxCoeff() * fem.units.force() * length;
@@ -225,6 +226,7 @@ void extrapolate(const FeAnswer& coarse, double ratio, FeAnswer& fine) {
   auto& surface = *fine.surface;
   extrapolation(before.never_slipped, surface.never_slipped);
   extrapolation(before.sticks_in_a_cycle, surface.sticks_in_a_cycle);
+  extrapolation(before.sticks_at_the_end, surface.sticks_at_the_end);
   extrapolation(before.contact, surface.contact);
   extrapolation(before.transverse_force_max, surface.transverse_force_max);
   extrapolation(before.torque_max, surface.torque_max);

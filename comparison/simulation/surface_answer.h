@@ -16,9 +16,9 @@ struct PlaneZone {
 };
 
 /// What the contact on rings and angles says beyond FeAnswer. Of a single pass what sticks in a cycle is what has
-/// never slipped.
+/// never slipped; what sticks in its last step may have slipped as it was touched.
 struct SurfaceAnswer {
-  PlaneZone never_slipped, sticks_in_a_cycle, contact;
+  PlaneZone never_slipped, sticks_in_a_cycle, sticks_at_the_end, contact;
   double transverse_force_max = 0;  ///< N, of |F_y|
   double torque_max = 0;            ///< N m
   fem::AngularGrid grid;

@@ -23,6 +23,7 @@ struct SurfaceHistory {
   int n_cycles = 0;
   ContactRegion never_slipped;      ///< since the start
   ContactRegion sticks_in_a_cycle;  ///< throughout the last cycle
+  ContactRegion sticks_at_the_end;  ///< in the last step
   ContactRegion contact;            ///< where any pressure has been in the last cycle
   std::vector<double> dissipated;   ///< by friction, in each cycle
   double tangential_work = 0;       ///< of the indenter along the surface, in the last cycle: int F_x du_x + F_y du_y

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <fstream>
 
@@ -162,20 +161,24 @@ Figure loop_figure(const StoredResult& r, const ordered_json& cycle, const Loop&
                                : fmt::format("One {}. The area of the loop is the energy lost in it.", r.cycle_name())};
 }
 
-/// Both directions over time: a column of history.csv and its name each.
+/// Several directions over time: a column of history.csv and its name each.
 Figure course_figure(const StoredResult& r, const char* title, const std::string& what, const std::string& unit,
-                     const std::array<std::pair<const char*, const char*>, 2>& columns) {
+                     const std::vector<std::pair<const char*, const char*>>& columns) {
   auto t = thinned_to_most(column_of(r, "history.csv", "t [s]", "t [s]"));
   const double start = t.front();
   for (double& time : t) time -= start;
-  const auto column = [&](std::size_t k) {
-    return column_of(r, "history.csv", "t [s]", fmt::format("{} [{}]", columns[k].first, unit).c_str());
-  };
-  const auto normal = column(0), tangential = column(1);
-  const auto size = axis_for({&normal, &tangential}, unit), time = axis_for({&t}, "s");
+  std::vector<Numbers> values;
+  Numbers all;
+  for (const auto& [column, unused] : columns) {
+    values.push_back(column_of(r, "history.csv", "t [s]", fmt::format("{} [{}]", column, unit).c_str()));
+    all.insert(all.end(), values.back().begin(), values.back().end());
+  }
+  const auto size = axis_for({&all}, unit), time = axis_for({&t}, "s");
   Plot plot{title, "t in " + time.unit, what + " in " + size.unit};
-  plot.series.push_back({columns[0].second, time.of(t), size.of(thinned_to_most(normal)), Series::Style::line, 0});
-  plot.series.push_back({columns[1].second, time.of(t), size.of(thinned_to_most(tangential)), Series::Style::line, 1});
+  for (std::size_t k = 0; k < columns.size(); ++k)
+    if (!values[k].empty())
+      plot.series.push_back({columns[k].second, time.of(t), size.of(thinned_to_most(values[k])), Series::Style::line,
+                             static_cast<int>(k)});
   return {std::move(plot), r.is_single_pass() ? "The pass, from rest at its first row."
                            : r.has_period()
                                ? "The last period, which repeats from then on."
@@ -184,13 +187,14 @@ Figure course_figure(const StoredResult& r, const char* title, const std::string
 }
 
 Figure motion_figure(const StoredResult& r) {
-  return course_figure(r, "Motion of the indenter", "displacement", "m",
-                       {{{"d", "indentation d"}, {"u_x", "tangential u_x"}}});
+  std::vector<std::pair<const char*, const char*>> columns{{"d", "indentation d"}, {"u_x", "tangential u_x"}};
+  if (moves_across(r)) columns.emplace_back("u_y", "transverse u_y");
+  return course_figure(r, "Motion of the indenter", "displacement", "m", columns);
 }
 
 Figure forces_figure(const StoredResult& r) {
   auto figure =
-      course_figure(r, "Forces on the indenter", "force", "N", {{{"F_N", "normal F_N"}, {"F_x", "tangential F_x"}}});
+      course_figure(r, "Forces on the indenter", "force", "N", {{"F_N", "normal F_N"}, {"F_x", "tangential F_x"}});
   const auto normal = column_of(r, "history.csv", "t [s]", "F_N [N]"),
              tangential = column_of(r, "history.csv", "t [s]", "F_x [N]");
   auto t = column_of(r, "history.csv", "t [s]", "t [s]");

@@ -16,13 +16,19 @@ struct Points {
   Numbers x, y;
 };
 
-/// A closed line around the centre.
+/// A closed line around the centre, whose radius is linear in the angle between the given ones.
 Points outline(const Numbers& angles, const Numbers& radii, double unit) {
+  constexpr int n_between = 8;
   Points line;
-  for (std::size_t i = 0; i <= angles.size() && !angles.empty(); ++i) {
-    const std::size_t k = i % angles.size();
-    line.x.push_back(radii[k] * std::cos(angles[k]) / unit);
-    line.y.push_back(radii[k] * std::sin(angles[k]) / unit);
+  for (std::size_t i = 0; i < angles.size(); ++i) {
+    const std::size_t next = (i + 1) % angles.size();
+    const double gap = next > 0 ? angles[next] - angles[i] : angles.front() + 2 * std::acos(-1.0) - angles[i];
+    for (int k = 0; k <= n_between; ++k) {
+      const double share = static_cast<double>(k) / n_between, angle = angles[i] + share * gap,
+                   radius = (radii[i] + share * (radii[next] - radii[i])) / unit;
+      line.x.push_back(radius * std::cos(angle));
+      line.y.push_back(radius * std::sin(angle));
+    }
   }
   return line;
 }
@@ -59,13 +65,17 @@ Arrows arrows_of(const StoredResult& r, double unit) {
     largest = std::max(largest, std::hypot(x[i], y[i]));
     if (p[i] > 0) contact = std::max(contact, outer[i]);
   }
+  const auto n_around = static_cast<double>(std::count(inner.begin(), inner.end(), inner.front()));
   Arrows arrows;
   constexpr double distance = 9;  // arrows per contact radius, and the longest of them over their distance
   double next = 0;
+  std::size_t of_ring = 0;  // the point's number on its ring
   for (std::size_t i = 0; i < p.size(); ++i) {
-    const double middle = (inner[i] + outer[i]) / 2;
-    if (i > 0 && inner[i] != inner[i - 1] && inner[i] >= next + contact / distance) next = inner[i];
-    if (inner[i] != next || !(p[i] > 0) || !(largest > 0)) continue;
+    const double middle = (inner[i] + outer[i]) / 2, around = 2 * std::acos(-1.0) * middle * distance / contact;
+    of_ring = i > 0 && inner[i] == inner[i - 1] ? of_ring + 1 : 0;
+    if (of_ring == 0 && inner[i] >= next + contact / distance) next = inner[i];
+    const auto stride = static_cast<std::size_t>(std::max(1.0, std::ceil(n_around / std::max(around, 1.0))));
+    if (inner[i] != next || of_ring % stride != 0 || !(p[i] > 0) || !(largest > 0)) continue;
     const double scale = 1.2 * contact / distance / largest / unit;
     add_arrow(middle * std::cos(angle[i]) / unit, middle * std::sin(angle[i]) / unit, scale * x[i], scale * y[i],
               sticks[i] > 0 ? arrows.stuck : arrows.slipping);

@@ -79,7 +79,9 @@ Filling assumptions_of(const StoredResult& r) {
   }
   const bool half_space = std::isnan(input_number(r, "Thickness")) && !scene.contains("mesh"),
              compressible = !std::isnan(input_number(r, "Poisson ratio"));
-  if (!half_space || compressible) filling["uncoupled"] = true;
+  const bool is_vector = input_word(r, "Friction") == "vector", coupled = input_word(r, "Coupling") == "on";
+  if ((!half_space || compressible) && !coupled) filling["uncoupled"] = true;
+  filling[is_vector ? "vector" : "unidirectional"] = true;
   if (a > 0 && half_space) {
     filling["depth"] = length_of(bonded_layer / share_of_the_base * a);
     filling["depth_over_a"] = fmt::format("{:.0f}", bonded_layer / share_of_the_base);

@@ -46,6 +46,12 @@ double input_number(const StoredResult& result, const char* name) {
   return std::nan("");
 }
 
+std::string input_word(const StoredResult& result, const char* name) {
+  for (const auto& input : result.json.at("scene").value("inputs", nlohmann::ordered_json::array()))
+    if (input.at("name") == name && input.at("value").is_string()) return input["value"].get<std::string>();
+  return "";
+}
+
 std::string length_text(const StoredResult& result, const char* section, const char* key) {
   const double length = result.number(section, key);
   return std::isfinite(length) ? with_unit(length, 0, "m") : "–";

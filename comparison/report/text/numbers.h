@@ -20,6 +20,8 @@ std::string difference_with_bar(const StoredResult& result, const char* key);
 
 /// What the case file prescribes, by the name of the entry; NaN if it is not there or no number.
 double input_number(const StoredResult& result, const char* name);
+/// The same of a word; empty if it is not there.
+std::string input_word(const StoredResult& result, const char* name);
 
 /// A length of "fe", "mdr" or "scene" with its unit; a dash where there is none.
 std::string length_text(const StoredResult& result, const char* section, const char* key);

@@ -196,15 +196,5 @@ TEST(CaseSections, TheContactOnRingsAndAnglesIsAskedFor) {
                {"Contact / Friction = both", "vector"});
 }
 
-// Pressing from d = 0 on is a part of the way where pressure and friction act on each other, and nowhere else.
-TEST(CaseSections, OnlyACoupledContactBeginsAsItTouches) {
-  const ScratchFolder folder;
-  const auto table = folder.write("press.csv", "t [s],d [um],u_x [um]\n0,0,0\n1,100,0\n");
-  const auto text = case_with("Motion", "set Path = " + table.string() + "\nset Path repeats = once");
-  const auto scene = read_case(with_contact("set Friction = vector\nset Coupling = on", text));
-  EXPECT_EQ(scene.motion.path->normal.front(), 0);
-  expect_parts(refusal([&] { read_case(text); }), {"Motion / Path", "d > 0", "Coupling = on"});
-}
-
 }  // namespace
 }  // namespace fretval::case_sections_test

@@ -85,6 +85,13 @@ TEST(PathTable, IsRefusedByName) {
     expect_parts(refused(text, false), {"path.csv", part});
 }
 
+// In contact, but so little that the body bears nothing yet.
+TEST(PathTable, OfAPassMayBeginAsTheIndenterTouches) {
+  const auto path = read("t,d,u_x\ns,um,um\n0,0,0\n1,100,1\n", false);
+  EXPECT_GT(path.normal.front(), 0);
+  EXPECT_LT(path.normal.front(), 1e-8 * path.normal.back());
+}
+
 TEST(PathTable, ThatRepeatsEndsWhereItBegins) {
   expect_parts(refused("t,d,u_x\ns,um,um\n0,100,0\n1,110,0\n2,90,0\n", true),
                {"d jumps by 1e-05 m", "from 9e-05 m in the last row to 0.0001 m", "shows no period", "once"});

@@ -55,6 +55,17 @@ TEST(CaseInputs, HaveTheZerosOfAMotion) {
   for (const char* name : {"Phase", "Normal amplitude", "Tangential amplitude"}) EXPECT_EQ(found.at(name), 0.0) << name;
 }
 
+TEST(CaseInputs, HaveTheContactOnRingsAndAnglesAndItsOtherDirection) {
+  Case input{};
+  EXPECT_EQ(values_of(input).count("Friction"), 0U);
+  input.contact = {true, true};
+  input.motion.transverse = {{3e-5, 1, 90}};
+  const auto found = values_of(input);
+  EXPECT_EQ(found.at("Friction"), "vector");
+  EXPECT_EQ(found.at("Coupling"), "on");
+  EXPECT_EQ(found.at("Transverse harmonics"), nlohmann::ordered_json({"30 µm at 1 Hz, phase 90°"}));
+}
+
 TEST(CaseInputs, HaveHarmonicsInWords) {
   Case input{};
   input.motion.normal_harmonics = {{5e-6, 2, 0}, {1.5e-3, 3, -90}};

@@ -85,12 +85,7 @@ double share_that_sticks(const std::function<double(double)>& profile, double ex
   const MatrixXd heights = ring_means(rings.normal.compliance, profile, {1}).replicate(1, 2);
   CoupledContact contact(operators, {}, 0.2, heights, motion, n_steps);
   const auto history = coupled_contact_history(std::move(contact), rings, exactly(1));
-  const MatrixXd &t = history.traction.back(), p = history.pressure.back(),
-                 length = (t.leftCols(2).array().square() + t.rightCols(2).array().square()).sqrt(),
-                 margin = 0.2 * p - length;
-  const auto& grid = operators.tangential.grid();
-  return region_of(rings.tangential, grid, (margin.array() > 1e-9).select(margin, 0)).radius /
-         region_of(rings.normal, grid, p).radius;
+  return history.sticks_at_the_end.radius / history.contact.radius;
 }
 
 // Pressing is self-similar, and sticks within one share of the contact under every power law (Spence 1968). One of them

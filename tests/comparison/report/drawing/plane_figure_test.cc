@@ -29,9 +29,10 @@ TEST(PlaneFigure, HasZonesAndTractionsWhereTheyAre) {
   EXPECT_EQ(plot.x_label, "x in mm");
   const auto& contact = series_of(plot, "contact");
   EXPECT_NEAR(contact.x[0], 2, 1e-12);
-  EXPECT_NEAR(contact.y[1], 1, 1e-12);
+  EXPECT_NEAR(contact.y[8], 1, 1e-12);
   EXPECT_NEAR(contact.x.back(), 2, 1e-12) << "it is closed";
-  EXPECT_NEAR(series_of(plot, "has never slipped").y[1], 0.5, 1e-12);
+  EXPECT_NEAR(std::hypot(contact.x[4], contact.y[4]), 1.5, 1e-12) << "halfway between two angles";
+  EXPECT_NEAR(series_of(plot, "has never slipped").y[8], 0.5, 1e-12);
   const auto &stuck = series_of(plot, "traction where it sticks"),
              &slipping = series_of(plot, "traction where it slips");
   EXPECT_NEAR(stuck.x[0], 0.5, 1e-12);

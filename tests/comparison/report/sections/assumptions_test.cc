@@ -28,6 +28,15 @@ TEST(Assumptions, HaveTheNumbersOfTheCase) {
                 "The finite elements end at 12 a on", "makes up 10 % of a tolerance at most (largest normal force)"});
 }
 
+TEST(Assumptions, AreThoseOfTheContactOnRingsAndAngles) {
+  auto json = stored_result();
+  expect_parts(rendered(assumptions_of({json, {}})), {"its traction in the direction of the motion"});
+  json["scene"]["inputs"] = {{{"section", "Contact"}, {"name", "Friction"}, {"value", "vector"}, {"unit", ""}}};
+  const auto html = rendered(assumptions_of({json, {}}));
+  EXPECT_EQ(html.find("its traction in the direction of the motion"), std::string::npos);
+  expect_parts(html, {"has any direction along the surface"});
+}
+
 TEST(Assumptions, SayNothingOfWhatIsNotKnown) {
   auto json = stored_result();
   json["fe"]["error_estimate"] = nlohmann::ordered_json::object();
