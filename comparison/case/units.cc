@@ -63,8 +63,9 @@ std::vector<Unit> units_of(Dimension dimension) {
 
 std::optional<Measure> read_measure(const std::string& text, Dimension dimension) {
   double value = 0;
-  const char* const last = text.data() + text.size();
-  const auto [end, error] = std::from_chars(text.data(), last, value);
+  const bool has_plus = text.size() > 1 && text[0] == '+' && text[1] != '-';
+  const char *const first = text.data() + (has_plus ? 1 : 0), *const last = text.data() + text.size();
+  const auto [end, error] = std::from_chars(first, last, value);
   if (error != std::errc() || !std::isfinite(value)) return std::nullopt;
   const auto name = trimmed(std::string(end, last));
   if (name.empty()) return Measure{value, false};

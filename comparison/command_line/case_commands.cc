@@ -4,7 +4,9 @@
 
 #include "comparison/case/case_file.h"
 #include "comparison/case/entry_table.h"
+#include "comparison/case/plausibility.h"
 #include "comparison/command_line/exit_codes.h"
+#include "comparison/reference/mdr_case.h"
 #include "comparison/results/changes.h"
 #include "comparison/results/explanation.h"
 #include "comparison/support/files.h"
@@ -32,7 +34,9 @@ int write_new_case(const fs::path& file, const NewCase& choice) {
 
 int explain_case(const std::string& file) {
   const auto cases = read_case_file(file, Accuracy::optional);
-  for (const auto& warning : cases.front().warnings) log::warn(warning);
+  const auto& input = cases.front();
+  for (const auto& warning : input.warnings) log::warn(warning);
+  for (const auto& warning : implausible_values(input, any_profile_of(input.indenter))) log::warn(warning);
   fmt::print("{}", explanation(cases.front(), cases.size()));
   if (cases.front().sweep)
     fmt::print("  {:<13}{} cases over {}; this is the first of them\n", "sweep", cases.size(),

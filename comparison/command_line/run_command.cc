@@ -190,6 +190,8 @@ int run_cases(const RunOptions& options) {
   const auto baseline =
       options.baseline.empty() ? std::vector<StoredResult>{} : baseline_of(options.baseline, prepared);
   // Before minutes of computing, not after.
+  if (fs::is_directory(options.junit))
+    throw InputError(fmt::format("{}: is a folder; --junit expects the name of a file", options.junit));
   if (const fs::path file = options.junit; file.has_parent_path()) fs::create_directories(file.parent_path());
   for (const auto& one : prepared) {
     for (const auto& note : one.input.notes) log::info_once(note);

@@ -14,6 +14,8 @@ TEST(Units, AreConvertedToTheBaseUnitWithoutRounding) {
   EXPECT_EQ(value("20 \u00b5m", Dimension::length), 20e-6);
   EXPECT_EQ(value("20 \u03bcm", Dimension::length), 20e-6);
   EXPECT_EQ(value("0.3mm", Dimension::length), 0.3e-3);
+  EXPECT_EQ(value("+60 deg", Dimension::angle), 60);
+  EXPECT_FALSE(read_measure("+-60 deg", Dimension::angle));
   EXPECT_EQ(value("1.5 MPa", Dimension::pressure), 1.5e6);
   EXPECT_EQ(value("2 min", Dimension::time), 120);
   EXPECT_DOUBLE_EQ(value("6.283185307179586 rad/s", Dimension::frequency), 1);

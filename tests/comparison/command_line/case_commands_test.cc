@@ -43,6 +43,13 @@ TEST(CaseCommands, ASweepIsExplainedByItsFirstCase) {
   expect_parts(run.out, {"s/phase-30\n", "phase 30 deg", "3 cases over Motion / Phase"});
 }
 
+// All that `run` warns of, before anything is computed.
+TEST(CaseCommands, ExplainWarnsOfWhatIsImplausible) {
+  const ScratchFolder folder;
+  const auto deep = folder.write("deep.prm", replace(valid_case, "Indentation = 1e-4", "Indentation = 5 mm"));
+  expect_parts(fretval_run("explain " + quoted(deep), folder).err, {"are all lengths in m?"});
+}
+
 TEST(CaseCommands, TheListOfEntriesIsThePageOfTheDocs) {
   const ScratchFolder folder;
   const auto page = text_of(fs::path(FRETVAL_SOURCE_DIR) / "docs/case_file.md");

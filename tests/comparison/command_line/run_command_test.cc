@@ -251,5 +251,16 @@ TEST(RunCommand, RefusesBadCasesAndWritesNothing) {
   EXPECT_FALSE(fs::exists(folder.path() / "out"));
 }
 
+TEST(RunCommand, AsksForAFileOfJUnitBeforeItComputes) {
+  const ScratchFolder folder;
+  const auto file = folder.write("case.prm", valid_case);
+  const auto run = fretval_run("run " + quoted(file) + " --junit " + quoted(folder.path()) + " -o " +
+                                   quoted(folder.path() / "out"),
+                               folder);
+  EXPECT_EQ(run.exit_code, 2);
+  expect_parts(run.err, {"is a folder", "--junit"});
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "out"));
+}
+
 }  // namespace
 }  // namespace fretval
