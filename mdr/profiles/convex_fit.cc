@@ -23,6 +23,7 @@ constexpr std::size_t n_least_fitted_rows = 8, n_most_rows = 100'000, n_most_kno
 constexpr double largest_excess = 1.5;   // residual rms over noise
 constexpr double least_noise = 1e-10;    // over the range of heights, roundoff of the fit
 constexpr double least_interval = 1e-6;  // over the last radius
+constexpr double hardly_pointed = 0.01;  // slope of the tip over the steepest one
 constexpr double spare_deviations = 2;   // beyond the largest that is expected in a table
 
 struct Solution {
@@ -176,6 +177,30 @@ bool acceptable(const VectorXd& residual, double noise) {
   return rms(residual) <= largest_excess * noise && one_sided_runs(residual, noise).empty();
 }
 
+double steepest_slope(const std::vector<double>& knots, const Solution& solution) {
+  double slope = solution.tip_slope;
+  for (std::size_t j = 1; j < knots.size(); ++j) {
+    const auto right = static_cast<Index>(j);
+    slope += (knots[j] - knots[j - 1]) * (solution.curvature[right - 1] + solution.curvature[right]) / 2;
+  }
+  return slope;
+}
+
+/// A slope at the tip that is next to nothing may stand for a bend of f'' that some more knots show.
+void take_smooth_tip(const VectorXd& r, const VectorXd& f, double noise, std::vector<double>& knots, Solution& best) {
+  constexpr int n_rounds = 3;
+  auto finer = knots;
+  for (int round = 0; round < n_rounds; ++round) {
+    const Solution smooth = fit_on(finer, r, f, false);
+    if (acceptable(smooth.residual, noise)) {
+      knots = std::move(finer);
+      best = smooth;
+      return;
+    }
+    if (finer.size() >= n_most_knots || !refine(finer, r, one_sided_runs(smooth.residual, noise))) return;
+  }
+}
+
 }  // namespace
 
 ConvexFit convex_fit(const std::vector<double>& r, const std::vector<double>& f, double noise) {
@@ -196,7 +221,10 @@ ConvexFit convex_fit(const std::vector<double>& r, const std::vector<double>& f,
     best = fit_on(knots, radii, heights, true);
   }
   const Solution smooth = fit_on(knots, radii, heights, false);
-  if (acceptable(smooth.residual, noise)) best = smooth;
+  if (acceptable(smooth.residual, noise))
+    best = smooth;
+  else if (best.tip_slope < hardly_pointed * steepest_slope(knots, best))
+    take_smooth_tip(radii, heights, noise, knots, best);
 
   Index worst;
   best.residual.cwiseAbs().maxCoeff(&worst);

@@ -23,8 +23,9 @@ struct ConvexFit {
 /// f has a rising image g, so MDR holds for it. f'' bends at knots between rows: first at none but the ends; then,
 /// while residuals keep one sign for too long somewhere or are too large as a whole, the intervals there are halved by
 /// number of rows, and narrowed around single rows for the sake of kinks. The tip is horizontal, s = 0, unless that
-/// leaves such residuals. A run of m residuals is one-sided beyond chance when its sum exceeds (2 + sqrt(2 log n))
-/// sqrt(m) noise, which less than one table of pure noise in a thousand has. The least-squares problem is that of
+/// leaves such residuals; if s is below a hundredth of the steepest slope, unless it does with more knots as well. A
+/// run of m residuals is one-sided beyond chance when its sum exceeds (2 + sqrt(2 log n)) sqrt(m) noise, which less
+/// than one table of pure noise in a thousand has. The least-squares problem is that of
 /// mdr/non_negative_least_squares.h.
 ///
 /// Errors of f, g, contact radius and force fall with 1/sqrt(n) where f'' is a straight line, and more slowly where it

@@ -140,6 +140,7 @@ double apex_deviation(const Values& x, double apex, const EvenFit& fit, double v
   const auto n_pieces = static_cast<double>(fit.course.size() - 3);
   double squares = 0, of_tilt = 0, squares_of_places = 0, by_noise = 0;
   for (const double place : x) {
+    if (std::abs(place - apex) > common_reach(x, apex)) continue;  // without a counterpart a row tells nothing
     const double u = place - apex, at = std::abs(u) / fit.reach * n_pieces;
     const auto piece = std::min(static_cast<Index>(at), fit.course.size() - 4);
     const auto slopes = slopes_at(at - static_cast<double>(piece));
@@ -151,7 +152,9 @@ double apex_deviation(const Values& x, double apex, const EvenFit& fit, double v
     by_noise += variance * weights.dot(fit.covariance.block<4, 4>(piece, piece) * weights);
   }
   const double tilt_of_apex = of_tilt / squares_of_places;
-  const double told = std::max(squares - of_tilt * tilt_of_apex - 2 * by_noise, 0.0) / variance;
+  const double by_course = std::max(squares - of_tilt * tilt_of_apex - 2 * by_noise, 0.0);
+  // The noise of the course adds to that of the heights.
+  const double told = by_course > 0 ? by_course / variance / (1 + by_noise / by_course) : 0;
   return 1 / std::sqrt(told + std::pow(tilt_of_apex / usual_tilt, 2) + 1 / (squares_of_places));
 }
 
