@@ -11,8 +11,8 @@
 #include <sstream>
 
 #include "comparison/case/table_units.h"
-#include "comparison/case/trimmed.h"
 #include "mdr/support/csv_units.h"
+#include "mdr/support/trimmed.h"
 
 namespace fretval {
 namespace {
@@ -54,12 +54,13 @@ bool is_abaqus(const std::vector<TextLine>& lines) {
   });
 }
 
+/// A blank is 0.
 std::vector<double> numbers_of(const std::string& file, const TextLine& line) {
   std::vector<double> values;
   mdr::NumberReader reader(file);
   auto fields = mdr::split_fields(line.text).values;
   while (!fields.empty() && fields.back().empty()) fields.pop_back();
-  for (const auto& field : fields) values.push_back(reader.read(line, field, false));
+  for (const auto& field : fields) values.push_back(field.empty() ? 0 : reader.read(line, field));
   return values;
 }
 
@@ -134,7 +135,8 @@ std::optional<NamedModulus> named_modulus(const std::string& file, const TextLin
   if (size == mdr::modulus_units().end())
     mdr::fail_at(file, line, fmt::format("unit \"{}\" of a modulus; must be Pa, kPa, MPa, GPa or N/mm^2", unit));
   mdr::NumberReader reader(file);
-  const double value = reader.read(line, part[4].str(), true) * size->second;
+  reader.begin_row(line, {{}, ';'});
+  const double value = reader.read(line, part[4].str()) * size->second;
   if (!(value > 0)) mdr::fail_at(file, line, "a modulus must be positive");
   const auto index = part[2].str();
   return NamedModulus{part[1].str() == "E", index != "0" && index != "inst", value};

@@ -9,10 +9,10 @@
 #include <sstream>
 
 #include "comparison/case/case_entries.h"
-#include "comparison/case/entry_table.h"
+#include "comparison/case/entry_lookup.h"
 #include "comparison/case/json_entries.h"
 #include "comparison/case/prm_entries.h"
-#include "comparison/case/trimmed.h"
+#include "mdr/support/trimmed.h"
 
 namespace fretval {
 namespace {

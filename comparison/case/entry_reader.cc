@@ -7,9 +7,9 @@
 #include <filesystem>
 #include <optional>
 
-#include "comparison/case/entry_table.h"
-#include "comparison/case/trimmed.h"
+#include "comparison/case/entry_lookup.h"
 #include "comparison/support/closest.h"
+#include "mdr/support/trimmed.h"
 
 namespace fretval {
 namespace {

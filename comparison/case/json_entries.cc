@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "comparison/case/case.h"
-#include "comparison/case/entry_table.h"
+#include "comparison/case/entry_lookup.h"
 
 namespace fretval {
 namespace {

@@ -6,11 +6,11 @@
 #include <cmath>
 #include <utility>
 
-#include "comparison/case/trimmed.h"
 #include "comparison/case/units.h"
 #include "comparison/support/closest.h"
 #include "comparison/support/content_hash.h"
 #include "comparison/support/files.h"
+#include "mdr/support/trimmed.h"
 #include "meshes/user_mesh.h"
 
 namespace fretval {

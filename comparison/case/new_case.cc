@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "comparison/case/case.h"
-#include "comparison/case/entry_table.h"
+#include "comparison/case/entry_lookup.h"
 #include "comparison/support/closest.h"
 
 namespace fretval {

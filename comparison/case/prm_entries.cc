@@ -8,8 +8,8 @@
 #include <sstream>
 
 #include "comparison/case/case.h"
-#include "comparison/case/entry_table.h"
-#include "comparison/case/trimmed.h"
+#include "comparison/case/entry_lookup.h"
+#include "mdr/support/trimmed.h"
 
 namespace fretval {
 namespace {

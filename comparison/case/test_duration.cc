@@ -1,5 +1,7 @@
 #include "comparison/case/test_duration.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -97,6 +99,20 @@ std::vector<double> times_slower_than(double n_cycles, const Case& input) {
     if (time > longest) times.push_back(time);
   std::sort(times.begin(), times.end());
   return times;
+}
+
+std::string too_slow_for_forces(const Case& input) {
+  const auto& motion = input.motion;
+  const bool by_force = motion.path
+                            ? motion.path->repeats && (motion.path->normal_force || motion.path->tangential_force)
+                            : motion.normal_force || motion.tangential_force;
+  const auto slow = by_force ? times_slower_than(many_cycles, input) : std::vector<double>{};
+  if (slow.empty()) return "";
+  return fmt::format(
+      "under prescribed forces all cycles up to the periodic state are stepped, of which there are too many where "
+      "branches relax in up to {:.2g} s; set Elastomer / Duration of the test to how long the test lasts, so that "
+      "slower branches count as springs",
+      slow.back());
 }
 
 }  // namespace fretval

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <array>
+#include <string>
+#include <vector>
 
 #include "comparison/case/case.h"
 
@@ -18,6 +20,10 @@ Case with_duration_times(double factor, Case input);
 
 /// Relaxation times of branches slower than so many cycles of the motion, of a case without a duration; in s.
 std::vector<double> times_slower_than(double n_cycles, const Case& input);
+
+/// Why a periodic state under forces is out of reach of both methods, which step all cycles up to it: branches slower
+/// than many_cycles, and what to set. Empty: it is not.
+std::string too_slow_for_forces(const Case& input);
 
 /// Longest period of what is prescribed, in s; a pass has its duration.
 double longest_period(const Case::Motion& motion);

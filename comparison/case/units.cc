@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "comparison/case/trimmed.h"
+#include "mdr/support/trimmed.h"
 
 namespace fretval {
 namespace {

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "comparison/case/case_file.h"
-#include "comparison/case/entry_table.h"
+#include "comparison/case/entry_lookup.h"
 #include "comparison/case/plausibility.h"
 #include "comparison/command_line/exit_codes.h"
 #include "comparison/reference/mdr_case.h"

@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "comparison/accuracy/data_shares.h"
+#include "comparison/case/test_duration.h"
 #include "comparison/reference/normal_responses.h"
 #include "comparison/results/answer_text.h"
 #include "comparison/results/case_result.h"
@@ -43,6 +44,12 @@ BatchLine run_case(const PreparedCase& asked, const BatchOptions& options, BodyS
                    NormalResponses& references) {
   BatchLine line;
   line.name = asked.input.name;
+  const auto folder = options.output / line.name;
+  line.failure = too_slow_for_forces(asked.input);
+  if (!line.failure.empty()) {
+    if (!options.output.empty()) withdraw_result(folder);
+    return line;
+  }
   PreparedCase prepared = asked;
   prepared.input.fields = fields_to_write(asked.input, options);
   if (prepared.fem.full) prepared.input.fields = Case::Fields::none;  // it has files of its own
@@ -68,7 +75,6 @@ BatchLine run_case(const PreparedCase& asked, const BatchOptions& options, BodyS
         fmt::format("{}: no fields are written: no process has a body of {} dofs", line.name, fe.fe.body->n_dofs));
     prepared.input.fields = Case::Fields::none;
   }
-  const auto folder = options.output / line.name;
   if (!options.output.empty()) withdraw_result(folder);
   if (!line.failure.empty()) return line;
   if (!compares) {

@@ -148,8 +148,11 @@ std::string thickness_text(const Case& input, double contact_radius) {
   if (input.body.is_half_space())
     return row("half-space",
                fmt::format("holds within 1 % of a for a body that is thicker than {}", three_digits(least)));
-  return row("a/H", fmt::format("{:.3g}; a half-space would do within 1 % of a from {} on",
-                                contact_radius / input.body.thickness, three_digits(least)));
+  auto text = row("a/H", fmt::format("{:.3g}; a half-space would do within 1 % of a from {} on",
+                                     contact_radius / input.body.thickness, three_digits(least)));
+  if (input.body.radius > 0)
+    text += row("a/B", fmt::format("{:.3g}, over the radius", contact_radius / input.body.radius));
+  return text;
 }
 
 /// worn: radii are those of the contact that wear ends in.

@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "comparison/case/case_file.h"
-#include "comparison/case/entry_table.h"
+#include "comparison/case/entry_lookup.h"
 #include "comparison/reference/mdr_readings.h"
 #include "comparison/reference/normal_responses.h"
 #include "comparison/results/results_folder.h"

@@ -278,8 +278,8 @@ FrictionHistory friction_history(WatchedFriction friction, const NormalHistory& 
     if (at_end)
       throw SolverError(fmt::format(
           "the tangential response is not periodic after {} cycles: it will still change by {:.1e} of its largest "
-          "value, {:.1e} is asked for; the body creeps for {:.3g} cycles: leave out branches that are slow beyond "
-          "interest, or raise the relaxed modulus",
+          "value, {:.1e} is asked for; the body creeps for {:.3g} cycles: set the Duration of the test, so that "
+          "branches slower than it are springs",
           history.n_cycles, history.periodicity, control.periodicity, creep * cycles_per_period));
     do {
       const Eigen::Index column = normal.column(contact.n_steps + 1);

@@ -115,8 +115,8 @@ NormalHistory normal_history(NormalContact contact, const HistoryControl& contro
     if (history.n_cycles >= control.max_cycles)
       throw SolverError(fmt::format(
           "the normal response is not periodic after {} cycles: it will still change by {:.1e} of its largest value, "
-          "{:.1e} is asked for; the body creeps for {:.3g} cycles: leave out branches that are "
-          "slow beyond interest, or raise the relaxed modulus",
+          "{:.1e} is asked for; the body creeps for {:.3g} cycles: set the Duration of the "
+          "test, so that branches slower than it are springs",
           history.n_cycles, history.periodicity, control.periodicity, creep));
     const Eigen::MatrixXd before = history.pressure;
     record.begin();

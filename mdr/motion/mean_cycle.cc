@@ -161,6 +161,31 @@ Statistics statistics_of(const Parts& parts, const Values& values, std::size_t f
   return all;
 }
 
+/// By which share of the period cycles lag behind their mean more and more, from one to the next: what it is too short.
+double lag_per_cycle(const Parts& parts, std::size_t first) {
+  constexpr double least_scatter = 1e-6;  // of the range
+  const std::size_t n = parts.n_parts, apart = std::max<std::size_t>(n / 40, 1);
+  const double middle = static_cast<double>(first + parts.n_cycles - 1) / 2;
+  double moments = 0, weights = 0;
+  for (const auto* values : {&parts.normal, &parts.tangential}) {
+    const auto [means, scatter] = statistics_of(parts, *values, first);
+    const auto [least, most] = std::minmax_element(means.begin(), means.end());
+    if (*least == *most) continue;
+    const double weight = 1 / std::pow(std::max(scatter, least_scatter * (*most - *least)), 2);
+    for (std::size_t part = 0; part < n; ++part) {
+      const double slope = (means[(part + apart) % n] - means[(part + n - apart) % n]) * static_cast<double>(n) /
+                           static_cast<double>(2 * apart);
+      for (std::size_t cycle = first; cycle < parts.n_cycles; ++cycle) {
+        if (parts.count[parts.at(part, cycle)] == 0) continue;
+        const double later = static_cast<double>(cycle) - middle;
+        moments -= weight * later * slope * ((*values)[parts.at(part, cycle)] - means[part]);
+        weights += weight * later * later * slope * slope;
+      }
+    }
+  }
+  return weights > 0 ? moments / weights : 0;
+}
+
 /// Mean square distance of a cycle from the mean of the second half of them, over the ranges of the signals.
 double distance_of(const Parts& parts, std::size_t cycle,
                    const std::vector<std::pair<const Values*, Values>>& signals) {
@@ -192,6 +217,39 @@ std::size_t first_alike(const Parts& parts) {
   return first;
 }
 
+/// Whole cycles up to the end of the record, from the first one on that is like the others.
+struct Cycles {
+  Parts parts;
+  std::size_t first;
+  double begin, period;
+};
+
+std::optional<Cycles> cycles_of(const Record& record, double period) {
+  const double duration = record.time.back() - record.time.front(),
+               step = duration / static_cast<double>(record.time.size() - 1);
+  const auto n_cycles = static_cast<std::size_t>((duration + step) / period * (1 + 1e-9));
+  if (n_cycles < 2 || period / step < static_cast<double>(least_cycle_rows)) return std::nullopt;
+  const auto n_parts = std::min(most_parts, static_cast<std::size_t>(period / step));
+  const double end = record.time.back() + step / 2;
+  auto parts = parts_of(record, end - static_cast<double>(n_cycles) * period, period, n_cycles, n_parts);
+  const auto first = std::min(first_alike(parts), n_cycles - 2);
+  return Cycles{std::move(parts), first, end - static_cast<double>(n_cycles - first) * period, period};
+}
+
+/// Gauss-Newton for the period with which cycles differ least.
+std::optional<Cycles> refined(const Record& record, std::optional<Cycles> cycles) {
+  constexpr int n_rounds = 4;
+  constexpr double largest_lag = 0.1;  // of a period, over all cycles
+  for (int round = 0; cycles && round < n_rounds; ++round) {
+    const double lag = lag_per_cycle(cycles->parts, cycles->first);
+    if (std::abs(lag) * static_cast<double>(cycles->parts.n_cycles - cycles->first) > largest_lag) break;
+    auto next = cycles_of(record, cycles->period * (1 + lag));
+    if (!next) break;
+    cycles = std::move(next);
+  }
+  return cycles;
+}
+
 }  // namespace
 
 std::optional<MeanCycle> mean_cycle(const Record& record) {
@@ -214,26 +272,21 @@ std::optional<MeanCycle> mean_cycle(const Record& record) {
     break;
   }
   if (!period) return std::nullopt;
-  const double duration = record.time.back() - record.time.front(), step = duration / static_cast<double>(n - 1);
-  const auto n_cycles = static_cast<std::size_t>((duration + step) / *period * (1 + 1e-9));
-  if (n_cycles < 2 || *period / step < static_cast<double>(least_cycle_rows)) return std::nullopt;
-  const auto n_parts = std::min(most_parts, static_cast<std::size_t>(*period / step));
-  const double end = record.time.back() + step / 2;
-  auto parts = parts_of(record, end - static_cast<double>(n_cycles) * *period, *period, n_cycles, n_parts);
-  const auto first = std::min(first_alike(parts), n_cycles - 2);
+  const auto cycles = refined(record, cycles_of(record, *period));
+  if (!cycles) return std::nullopt;
+  const auto& [parts, first, begin, refined_period] = *cycles;
   const auto normal = statistics_of(parts, parts.normal, first),
              tangential = statistics_of(parts, parts.tangential, first);
   const auto phase = statistics_of(parts, parts.phase, first);
-  MeanCycle mean{{}, n_cycles - first, 0, normal.scatter, tangential.scatter};
-  const double begin = end - static_cast<double>(n_cycles - first) * *period;
+  MeanCycle mean{{}, parts.n_cycles - first, 0, normal.scatter, tangential.scatter};
   for (const double t : record.time) mean.n_before += t < begin;
-  for (std::size_t part = 0; part < n_parts; ++part) {
+  for (std::size_t part = 0; part < parts.n_parts; ++part) {
     if (phase.means[part] == 0 && normal.means[part] == 0) continue;  // without a row
-    mean.cycle.time.push_back((phase.means[part] - phase.means[0]) * *period);
+    mean.cycle.time.push_back((phase.means[part] - phase.means[0]) * refined_period);
     mean.cycle.normal.push_back(normal.means[part]);
     mean.cycle.tangential.push_back(tangential.means[part]);
   }
-  mean.cycle.time.push_back(*period);
+  mean.cycle.time.push_back(refined_period);
   mean.cycle.normal.push_back(mean.cycle.normal.front());
   mean.cycle.tangential.push_back(mean.cycle.tangential.front());
   return mean;

@@ -17,10 +17,11 @@ struct MeanCycle {
 };
 
 /// Finds the period in the second half of a record, as the least shift that brings both signals onto themselves better
-/// than any shorter one, and refines it over as many periods as there are. Whole cycles are counted back from the last
-/// row; the first of them are left out for as long as they differ from the others by more than ten times what those
-/// differ by, as the approach of an indenter does. In each of up to 240 parts of the cycle the mean of all rows is
-/// taken, at their mean phase.
+/// than any shorter one, over as many periods as there are, and then by least squares as the one with which cycles lag
+/// behind their mean neither more nor less from one to the next. Whole cycles are counted back from the last row; the
+/// first of them are left out for as long as they differ from the others by more than ten times what those differ by,
+/// as the approach of an indenter does. In each of up to 240 parts of the cycle the mean of all rows is taken, at their
+/// mean phase.
 ///
 /// Empty: no shift brings the record onto itself to 10 % of its variance, or there are less than two whole cycles, or
 /// less than 16 rows in one.

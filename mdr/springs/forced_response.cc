@@ -13,7 +13,6 @@ namespace {
 
 SpringHistory history_with(const HistoryOfSprings& history, const PronyBody& body, const Prescribed& prescribed,
                            const SpringFineness& coarse, int fineness) {
-  constexpr int most_periods = 2000;
   const auto repeating = repeating_motion(prescribed.motion, fineness * coarse.n_oscillations);
   const double period = repeating.period();
   const int n_steps = fineness * repeating.steps_with(coarse.steps_per_oscillation),
@@ -24,7 +23,7 @@ SpringHistory history_with(const HistoryOfSprings& history, const PronyBody& bod
                    {period,
                     n_steps,
                     n_ramp,
-                    most_periods,
+                    most_periods_with(n_ramp),
                     periodicity_of(body, coarse.periodicity, fineness),
                     {},
                     prescribed.normal_force || prescribed.tangential_force});

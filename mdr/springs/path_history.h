@@ -17,8 +17,6 @@
 
 namespace fretval::mdr {
 
-constexpr int most_periods_of_path = 2000;
-
 /// The path, its departure from rest rising over the ramp. A force stands in the place of the displacement.
 struct RisingPath {
   const SampledPath& path;
@@ -94,13 +92,17 @@ class PathHistory {
   PathCourse run() {
     if (!path_.repeats) return {springs_.bed(), one_period(0)};
     Repetition repetition(body_, periodicity_of(body_, fineness_.periodicity, fineness_.subdivisions));
-    for (int period = 0; period < most_periods_of_path; ++period) {
+    constexpr int many = 10'000;
+    const int most_periods = most_periods_with(
+        path_.has_forces() ? fineness_.n_ramp_periods : std::min(periods_of_creep(body_, path_.duration()), many));
+    for (int period = 0; period < most_periods; ++period) {
       const SpringState start = state_;
       SpringHistory last = one_period(period);
       if (period < fineness_.n_ramp_periods) continue;
       if (repetition.reached(change_of_tractions(start, state_, mu_))) return {springs_.bed(), std::move(last)};
     }
-    throw std::runtime_error("loads of the springs along the path do not repeat after 2000 periods");
+    throw std::runtime_error("loads of the springs along the path do not repeat after " + std::to_string(most_periods) +
+                             " periods: set the Duration of the test, so that branches slower than it are springs");
   }
 
  private:

@@ -112,10 +112,19 @@ IndenterPath ramped_path(const RepeatingMotion& repeating, double ramp_duration)
 }
 
 int periods_of_creep(const PronyBody& body, double period) {
-  constexpr double many_creep_times = 10;
+  constexpr double many_creep_times = 10, most = 1e8;  // fits an int, with any fineness
   double creep = body.viscosity;
   for (std::size_t i = 0; i < body.branch_times.size(); ++i) creep += body.branch_moduli[i] * body.branch_times[i];
-  return static_cast<int>(std::ceil(many_creep_times * creep / body.relaxed_modulus / period));
+  return static_cast<int>(std::min(std::ceil(many_creep_times * creep / body.relaxed_modulus / period), most));
+}
+
+int most_periods_with(int n_periods) {
+  constexpr int usual = 2000, most = 10'000;
+  if (n_periods > most)
+    throw std::runtime_error("the springs creep for " + std::to_string(n_periods) +
+                             " periods, which are too many to step: set the Duration of the test, so that branches "
+                             "slower than it are springs");
+  return std::max(usual, 2 * n_periods);
 }
 
 ForcePath ramped_force(double mean, double amplitude, double frequency, double phase, double ramp_duration) {

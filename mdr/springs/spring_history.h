@@ -21,6 +21,10 @@ IndenterPath ramped_path(const RepeatingMotion& repeating, double ramp_duration)
 /// Periods after which creep is over, of which a ramp under forces has as many: ten creep times.
 int periods_of_creep(const PronyBody& body, double period);
 
+/// How many periods to step at most for a state that repeats, after so many of a ramp or of creep. Throws
+/// std::runtime_error for more than 10,000.
+int most_periods_with(int n_periods);
+
 /// Forces F0 + Delta F cos(2 pi f t) and F_x0 cos(2 pi f t + phase), the oscillating parts rising over ramp_duration
 /// in s. mean positive, amplitudes not negative, f in Hz positive, phase in rad.
 ForcePath ramped_force(double mean, double amplitude, double frequency, double phase, double ramp_duration);

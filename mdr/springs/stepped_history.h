@@ -114,9 +114,10 @@ class SteppedHistory {
     std::ostringstream message;
     const auto& times = body_.branch_times;
     const double longest = times.empty() ? 0 : *std::max_element(times.begin(), times.end());
-    message << "loads of the springs still change by " << change << " of the largest per period after "
-            << control_.max_periods << " periods; the longest relaxation time lasts " << longest / control_.period
-            << " periods: allow more periods, or leave out branches that are slow beyond interest";
+    message
+        << "loads of the springs still change by " << change << " of the largest per period after "
+        << control_.max_periods << " periods; the longest relaxation time lasts " << longest / control_.period
+        << " periods: allow more periods, or set the Duration of the test, so that branches slower than it are springs";
     throw std::runtime_error(message.str());
   }
 

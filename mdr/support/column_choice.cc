@@ -5,6 +5,7 @@
 
 #include "mdr/support/csv.h"
 #include "mdr/support/csv_units.h"
+#include "mdr/support/trimmed.h"
 
 namespace fretval::mdr {
 
@@ -67,11 +68,6 @@ std::string all_names(const Header& header) {
   return list_of(names);
 }
 
-std::string trimmed_name(const std::string& text) {
-  const auto first = text.find_first_not_of(" \t");
-  return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(" \t") - first + 1);
-}
-
 /// "f / Hz" names a unit behind the stroke, if it is one.
 Column column_of(const std::string& name, const std::string* unit, const std::vector<WantedColumn>& wanted) {
   const auto bracketed = unit_text(name);
@@ -82,8 +78,8 @@ Column column_of(const std::string& name, const std::string* unit, const std::ve
   if (is_bracketed) return {name, bracketed, true};
   const auto stroke = name.find('/');
   if (stroke != std::string::npos && stroke > 0) {
-    const auto behind = trimmed_name(name.substr(stroke + 1));
-    if (is_any_unit(behind, wanted)) return {trimmed_name(name.substr(0, stroke)), behind, true};
+    const auto behind = trimmed(name.substr(stroke + 1));
+    if (is_any_unit(behind, wanted)) return {trimmed(name.substr(0, stroke)), behind, true};
   }
   return {name.substr(0, name.find_first_of("[(")), "", false};
 }

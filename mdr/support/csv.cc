@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "mdr/support/trimmed.h"
+
 namespace fretval::mdr {
 
 namespace {
@@ -13,17 +15,11 @@ namespace {
 constexpr std::size_t max_rows = 1'000'000;
 constexpr std::string_view blanks = " \t";
 
-std::string_view trimmed(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(blanks);
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(blanks) - first + 1);
-}
-
-std::string unquoted(std::string_view field) {
-  field = trimmed(field);
+std::string unquoted(std::string_view text) {
+  const auto field = trimmed(text);
   if (field.size() >= 2 && field.front() == '"' && field.back() == '"')
-    field = trimmed(field.substr(1, field.size() - 2));
-  return std::string(field);
+    return trimmed(std::string_view(field).substr(1, field.size() - 2));
+  return field;
 }
 
 /// A separator between quotation marks is none, if the quotation begins a field: G" has one of its own.
@@ -42,14 +38,15 @@ std::vector<std::string> split_at(std::string_view text, char separator) {
 /// A unit in brackets belongs to the word before it.
 std::vector<std::string> split_at_blanks(std::string_view text) {
   std::vector<std::string> fields;
-  while (!text.empty()) {
-    const std::size_t end = std::min(text.find_first_of(blanks), text.size());
-    const auto field = text.substr(0, end);
+  std::size_t end;
+  for (std::size_t begin = text.find_first_not_of(blanks); begin < text.size();
+       begin = text.find_first_not_of(blanks, end)) {
+    end = std::min(text.find_first_of(blanks, begin), text.size());
+    const auto field = text.substr(begin, end - begin);
     if (!fields.empty() && (field.front() == '[' || field.front() == '('))
       fields.back() += " " + std::string(field);
     else
       fields.push_back(unquoted(field));
-    text = trimmed(text.substr(end));
   }
   return fields;
 }
@@ -68,6 +65,19 @@ bool has_commas_at_ends(const std::vector<std::string>& fields) {
   return std::any_of(fields.begin(), fields.end(), [](const std::string& field) {
     return !field.empty() && (field.front() == ',' || field.back() == ',');
   });
+}
+
+const char* name_of(char separator) {
+  switch (separator) {
+    case ';':
+      return "semicolons";
+    case ',':
+      return "commas";
+    case '\t':
+      return "tabs";
+    default:
+      return "blanks";
+  }
 }
 
 void require_fields(const std::string& source, const TextLine& line, const std::vector<std::string>& fields,
@@ -90,9 +100,10 @@ void add_header(CsvColumns& table, const std::string& source, const TextLine& li
 void add_row(CsvColumns& table, const std::string& source, const TextLine& line, const CsvFields& fields,
              std::size_t n_columns, NumberReader& numbers) {
   if (table.line_of_row.size() == max_rows) fail_at(source, line, "is one too many; must be at most a million rows");
+  numbers.begin_row(line, fields);
   std::vector<double> row;
   row.reserve(fields.values.size());
-  for (const auto& field : fields.values) row.push_back(numbers.read(line, field, fields.may_have_decimal_commas));
+  for (const auto& field : fields.values) row.push_back(numbers.read(line, field));
   require_fields(source, line, fields.values, n_columns,
                  ", with decimal points: decimal commas are not accepted but between semicolons or tabs");
   for (std::size_t i = 0; i < n_columns; ++i) table.columns[i].push_back(row[i]);
@@ -119,30 +130,41 @@ bool are_units(const std::vector<std::string>& fields) {
 }
 
 // A comma next to a blank, or without any blank in the line, separates; what "1,5 2,5" means is not clear.
-CsvFields split_fields(std::string_view text) {
-  text = trimmed(text);
-  if (text.find(';') != std::string_view::npos) return {split_at(text, ';'), true};
-  if (text.find('\t') != std::string_view::npos) {
+CsvFields split_fields(std::string_view line) {
+  const auto text = trimmed(line);
+  if (text.find(';') != std::string::npos) return {split_at(text, ';'), ';'};
+  if (text.find('\t') != std::string::npos) {
     auto by_tab = split_at(text, '\t');
-    if (!has_blanks_in_numbers(by_tab) && !has_commas_at_ends(by_tab)) return {std::move(by_tab), true};
+    if (!has_blanks_in_numbers(by_tab) && !has_commas_at_ends(by_tab)) return {std::move(by_tab), '\t'};
   }
-  if (text.find(',') == std::string_view::npos) return {split_at_blanks(text)};
+  if (text.find(',') == std::string::npos) return {split_at_blanks(text), ' '};
   auto by_comma = split_at(text, ',');
   const bool one_value_each = std::none_of(by_comma.begin(), by_comma.end(), [](const std::string& field) {
     return field.find_first_of(blanks) != std::string::npos;
   });
-  if (one_value_each || !any_number(by_comma) || !has_blanks_in_numbers(by_comma)) return {std::move(by_comma)};
-  return {split_at_blanks(text)};
+  if (one_value_each || !any_number(by_comma) || !has_blanks_in_numbers(by_comma)) return {std::move(by_comma), ','};
+  return {split_at_blanks(text), ' '};
 }
 
-double NumberReader::read(const TextLine& line, const std::string& field, bool may_have_decimal_commas) {
+void NumberReader::begin_row(const TextLine& line, const CsvFields& fields) {
+  separator_ = fields.separator;
+  if (fields.values.size() < 2) return;
+  const auto is_blank = [](char separator) { return separator == ' ' || separator == '\t'; };
+  if (before_ && *before_ != separator_ && !(is_blank(*before_) && is_blank(separator_)))
+    fail_at(source_name_, line,
+            std::string("has ") + name_of(separator_) + " between its values, rows before have " + name_of(*before_) +
+                "; must be the same in all of the file");
+  before_ = separator_;
+}
+
+double NumberReader::read(const TextLine& line, const std::string& field) {
   const auto fail = [&](const std::string& problem) { fail_at(source_name_, line, problem); };
   const std::string quoted = "\"" + field.substr(0, 30) + "\" ";
   if (field.empty()) fail("has an empty value; must be a number");
   std::string digits = field;
   const auto comma = digits.find(',');
   if (comma != std::string::npos && begins_like_number(field)) {
-    if (!may_have_decimal_commas)
+    if (separator_ != ';' && separator_ != '\t')
       fail(quoted +
            "has a decimal comma, which is not accepted but between semicolons or tabs; must have a decimal point");
     if (digits.find('.') != std::string::npos || digits.find(',', comma + 1) != std::string::npos)
@@ -170,7 +192,7 @@ CsvColumns read_csv(const std::vector<TextLine>& lines, const std::string& sourc
   table.columns.resize(n_columns);
   NumberReader numbers(source_name);
   for (const auto& line : lines) {
-    const auto text = trimmed(std::string_view(line.text).substr(0, line.text.find('#')));
+    const auto text = trimmed(line.text.substr(0, line.text.find('#')));
     if (text.empty()) continue;
     const auto fields = split_fields(text);
     const bool after_names = !table.names.empty() && table.units.empty() && table.line_of_row.empty();

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <istream>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -21,9 +22,10 @@ struct CsvColumns {
 /// Reads a table of n_columns >= 1 numbers a line, the same in every locale.
 ///
 /// Values are separated by semicolons, commas, tabs or blanks. They have a decimal point or, between semicolons or
-/// tabs, a decimal comma; the same in all of the file. Up to two header lines may precede the rows: names, then units.
-/// Blank lines and whatever follows a # are skipped; encodings and endings of lines are those of read_lines. A line is
-/// taken for a header only if no value in it begins like a number, so that a spoilt first row is an error.
+/// tabs, a decimal comma; all of it the same in all of the file. Up to two header lines may precede the rows: names,
+/// then units. Blank lines and whatever follows a # are skipped; encodings and endings of lines are those of
+/// read_lines. A line is taken for a header only if no value in it begins like a number, so that a spoilt first row is
+/// an error.
 ///
 /// Throws std::invalid_argument that names the source, the line, its text and what would be valid: wrong number of
 /// values, no number, NaN or infinity, beyond the range of double, a decimal comma that is not told from a separator,
@@ -36,24 +38,28 @@ CsvColumns read_csv(const std::vector<TextLine>& lines, const std::string& sourc
 /// A line of a table, taken apart: its values without blanks and quotation marks around them.
 struct CsvFields {
   std::vector<std::string> values;
-  bool may_have_decimal_commas = false;  ///< semicolons or tabs separate
+  char separator;  ///< of ; , tab and blank
 };
-CsvFields split_fields(std::string_view text);
+CsvFields split_fields(std::string_view line);
 
 bool begins_like_number(std::string_view field);
 
 /// "Hz, MPa, 1": the unit of a ratio is written as a number.
 bool are_units(const std::vector<std::string>& fields);
 
-/// Numbers of one file, all with decimal points or all with decimal commas.
+/// Numbers of one file, all with decimal points or, between semicolons or tabs, all with decimal commas. Throws
+/// std::invalid_argument as read_csv does.
 class NumberReader {
  public:
   explicit NumberReader(std::string source_name) : source_name_(std::move(source_name)) {}
-  /// Throws std::invalid_argument as read_csv does.
-  double read(const TextLine& line, const std::string& field, bool may_have_decimal_commas);
+  /// The values of these fields are read next. The same separates them in all rows; tabs and blanks may take turns.
+  void begin_row(const TextLine& line, const CsvFields& fields);
+  double read(const TextLine& line, const std::string& field);
 
  private:
   std::string source_name_;
+  char separator_ = ' ';
+  std::optional<char> before_;  ///< of the rows before
   bool any_point_ = false, any_comma_ = false;
 };
 

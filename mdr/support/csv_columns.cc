@@ -5,15 +5,11 @@
 #include <utility>
 
 #include "mdr/support/csv_units.h"
+#include "mdr/support/trimmed.h"
 
 namespace fretval::mdr {
 
 namespace {
-
-std::string trimmed_text(const std::string& text) {
-  const auto first = text.find_first_not_of(" \t");
-  return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(" \t") - first + 1);
-}
 
 bool is_row(const std::vector<std::string>& fields) {
   return !fields.empty() && std::all_of(fields.begin(), fields.end(), [](const std::string& field) {
@@ -30,9 +26,9 @@ struct Content {
 
 std::optional<Content> content_of(const TextLine& line) {
   const auto mark = line.text.find('#');
-  auto text = trimmed_text(line.text.substr(0, mark));
+  auto text = trimmed(line.text.substr(0, mark));
   const bool is_comment = text.empty() && mark != std::string::npos;
-  if (is_comment) text = trimmed_text(line.text.substr(mark + 1));
+  if (is_comment) text = trimmed(line.text.substr(mark + 1));
   if (text.empty()) return std::nullopt;
   auto fields = split_fields(text);
   while (fields.values.size() > 1 && fields.values.back().empty()) fields.values.pop_back();
@@ -159,6 +155,7 @@ ChosenColumns read_rows(const std::vector<TextLine>& lines, const std::string& s
     const auto content = content_of(lines[at]);
     if (!content || content->is_comment) continue;
     const auto& values = content->fields.values;
+    numbers.begin_row(lines[at], content->fields);
     for (std::size_t k = 0; k < choices.size(); ++k) {
       if (!choices[k]) continue;
       const auto column = choices[k]->column;
@@ -166,7 +163,7 @@ ChosenColumns read_rows(const std::vector<TextLine>& lines, const std::string& s
         fail_at(source_name, lines[at],
                 "has " + std::to_string(values.size()) + (values.size() == 1 ? " value" : " values") +
                     "; must have one in column " + std::to_string(column + 1) + ", " + shown(found.header[column]));
-      chosen.csv.columns[k].push_back(numbers.read(lines[at], values[column], content->fields.may_have_decimal_commas));
+      chosen.csv.columns[k].push_back(numbers.read(lines[at], values[column]));
     }
     if (values.size() > found.header.size())
       fail_at(source_name, lines[at],

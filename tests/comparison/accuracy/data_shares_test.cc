@@ -1,11 +1,15 @@
 #include "comparison/accuracy/data_shares.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <random>
 
 #include "comparison/accuracy/verdict.h"
 #include "comparison/case/path_table.h"
+#include "comparison/reference/mdr_answer.h"
 #include "tests/comparison/read_case.h"
 
 namespace fretval::data_shares_test {
@@ -42,6 +46,41 @@ TEST(DataShares, OfARecordAreWhatWasLeftOutOfIt) {
   EXPECT_NEAR(open.at(Quantity::contact_radius_max), 0.005, 2e-4);
   const auto twice = pass_with_error(2.4e-6);
   EXPECT_NEAR(data_uncertainties(twice, mdr_case(twice)).at(Quantity::contact_radius_max), 0.01, 3e-4);
+}
+
+// The round trip: cosines, recorded for 12 cycles with noise after an approach, have their radii within what the record
+// leaves open.
+TEST(DataShares, OfADenseRecordCoverItsCosines) {
+  const auto cosines = read_case();
+  std::mt19937 engine(4);
+  std::normal_distribution<double> noise(0, 0.05);
+  std::string rows = "t [s];d [um];u_x [um]\n";
+  for (int i = 0; i < 13'400; ++i) {
+    const double t = i / 1e3 - 1, angle = 2 * M_PI * t, phase = angle + *cosines.motion.phase * M_PI / 180;
+    const auto& motion = cosines.motion;
+    const double d = motion.indentation + motion.normal_amplitude * std::cos(angle);
+    rows += fmt::format("{:.3f};{:.4f};{:.4f}\n", t, t < 0 ? 140 * t + 120 : 1e6 * d + noise(engine),
+                        t < 0 ? 0 : 1e6 * motion.tangential_amplitude * std::cos(phase) + noise(engine));
+  }
+  const ScratchFolder folder;
+  std::replace(rows.begin(), rows.end(), '.', ',');
+  folder.write("record.csv", rows);
+  const auto begin = valid_case.find("subsection Motion"), end = valid_case.find("end\n", begin);
+  const auto text = valid_case.substr(0, begin) +
+                    "subsection Motion\nset Path = record.csv\nset Path repeats = forever\n" + valid_case.substr(end);
+  const auto record = read_case_file(folder.write("case.prm", text)).at(0);
+  EXPECT_EQ(record.motion.path->reduction->n_cycles, 12U);
+  EXPECT_NEAR(record.motion.path->duration(), 1, 1e-5);
+  const auto mdr = mdr_case(record), exact = mdr_case(cosines);
+  const auto read = mdr_answer(mdr, mdr_normal_response(mdr)), known = mdr_answer(exact, mdr_normal_response(exact));
+  const auto open = data_uncertainties(record, mdr);
+  const double a = *known.contact_radius_max;
+  EXPECT_NEAR(*read.contact_radius_max / a, 1, open.at(Quantity::contact_radius_max));
+  EXPECT_NEAR(*read.stick_radius_first_slip / a, *known.stick_radius_first_slip / a,
+              open.at(Quantity::stick_radius_first_slip));
+  EXPECT_NEAR(*read.stick_radius_shakedown / a, *known.stick_radius_shakedown / a,
+              open.at(Quantity::stick_radius_shakedown));
+  EXPECT_LT(open.at(Quantity::stick_radius_shakedown), 0.02);
 }
 
 TEST(DataShares, WidenTheBarButNotWhatTheComparisonDependsOn) {

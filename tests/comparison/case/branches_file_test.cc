@@ -51,6 +51,7 @@ TEST(BranchesFile, MayBeAnInputOfAbaqus) {
                   series);
   expect_the_body(body_of("*ELASTIC\n3e6, 0.5\n" + series + "*DENSITY\n1e-9\n"), series);
   expect_the_body(body_of(series, 1e6), series);
+  expect_the_body(body_of("*VISCOELASTIC, TIME=PRONY\n0.5,,0.1\n0.25, ,10\n", 1e6), "a blank is 0");
   expect_parts(refusal([] { body_of("*VISCOELASTIC, TIME=PRONY\n0.5, 0.1, 0.1\n", 1e6); }),
                {"branches.csv, line 2", "k_1 = 0.1", "must be 0"});
   expect_parts(refusal([] { body_of("*VISCOELASTIC, FREQUENCY=TABULAR\n1,1,1,1,1\n", 1e6); }), {"TIME=PRONY"});

@@ -1,9 +1,15 @@
 #include "comparison/case/master_curve.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <numeric>
+#include <random>
+#include <sstream>
 
+#include "mdr/rheology/prony_body.h"
 #include "tests/comparison/expect_parts.h"
 #include "tests/comparison/modulus_table.h"
 #include "tests/comparison/refusal.h"
@@ -30,6 +36,20 @@ Fitted fit_of(const std::string& table, bool youngs = false) {
   return fitted;
 }
 
+std::string with_marks(std::string text, char from, char to) {
+  std::replace(text.begin(), text.end(), from, to);
+  return text;
+}
+
+/// Rows of f;E';E'' as E'';T;f;E'.
+std::string reordered(const std::string& rows) {
+  std::istringstream lines(rows);
+  std::string text, frequency, storage, loss;
+  while (std::getline(lines, frequency, ';') && std::getline(lines, storage, ';') && std::getline(lines, loss))
+    text += fmt::format("{};20,5;{};{}\r\n", loss, frequency, storage);
+  return text;
+}
+
 TEST(MasterCurve, OfAStandardSolidIsThatBody) {
   const auto [shear, warnings] = fit_of(standard_solid_table());
   EXPECT_EQ(warnings, "");
@@ -38,6 +58,45 @@ TEST(MasterCurve, OfAStandardSolidIsThatBody) {
   EXPECT_NEAR(std::accumulate(moduli.begin(), moduli.end(), 0.0) / 1e6, 1, 2e-2);
   EXPECT_EQ(shear.master_curve->frequency.size(), 81U);
   EXPECT_NEAR(fit_of(standard_solid_table(), true).elastomer.relaxed_modulus, shear.relaxed_modulus / 3, 1);
+}
+
+/// Young's moduli of 27 branches over 26 decades with noise of 1.5 %: rows of f in Hz, E', E'' in MPa.
+std::string wide_rows(const mdr::PronyBody& body, const char* separator) {
+  std::mt19937 engine(7);
+  std::normal_distribution<double> scatter(0, 0.015);
+  std::string rows;
+  for (int k = 0; k <= 26 * 6; ++k) {
+    const double frequency = std::pow(10, -13 + k / 6.0);
+    const auto modulus = mdr::complex_modulus(body, 2 * M_PI * frequency);
+    rows += fmt::format("{:.6e}{sep}{:.6e}{sep}{:.6e}\n", frequency, 3e-6 * modulus.real() * (1 + scatter(engine)),
+                        3e-6 * modulus.imag() * (1 + scatter(engine)), fmt::arg("sep", separator));
+  }
+  return rows;
+}
+
+// The round trip: a known body, sampled, exported in several dialects and read back.
+TEST(MasterCurve, OfAnyDialectIsTheBodyThatWasSampled) {
+  mdr::PronyBody body{1e6, {}, {}, 0};
+  for (int k = -13; k <= 13; ++k) {
+    body.branch_moduli.push_back(3e5 * (1 + 0.5 * std::sin(k)));
+    body.branch_times.push_back(std::pow(10, k));
+  }
+  const std::string plain = "f,E',E''\nHz,MPa,MPa\n" + wide_rows(body, ","), points = wide_rows(body, ";");
+  const auto reference = fit_of(plain, true);
+  for (const auto& text :
+       {"Instrument;DMA\r\nE'' [MPa];T [\xB0\x43];f [Hz];E' [MPa]\r\n" + reordered(with_marks(points, '.', ',')),
+        "\xEF\xBB\xBF" + with_marks("f;E_stor;E_loss\nHz;MPa;MPa\n" + with_marks(points, '.', ','), ';', '\t')}) {
+    const auto fitted = fit_of(text, true).elastomer;
+    EXPECT_EQ(fitted.branch_moduli, reference.elastomer.branch_moduli) << text.substr(0, 60);
+    EXPECT_EQ(fitted.relaxed_modulus, reference.elastomer.relaxed_modulus);
+  }
+  const auto& fitted = reference.elastomer;
+  for (int k = -12; k <= 12; ++k) {
+    const double omega = 2 * M_PI * std::pow(10, k);
+    const auto read =
+        mdr::complex_modulus(mdr::prony(fitted.relaxed_modulus, fitted.branch_moduli, fitted.branch_times), omega);
+    EXPECT_LT(std::abs(read / mdr::complex_modulus(body, omega) - 1.0), 0.015) << omega;
+  }
 }
 
 // Moduli that no body has are used all the same.

@@ -53,6 +53,16 @@ TEST(TestDuration, MergesWhatNobodySees) {
   EXPECT_NEAR(std::abs(merged - exact) / std::abs(exact), 0, 1.01 * body.test_duration->merging_error + 1e-8);
 }
 
+// No cycle of a periodic state under forces is skipped, by neither method.
+TEST(TestDuration, IsAskedForWhereForcesLeaveTooManyCycles) {
+  auto input = wide_case();
+  EXPECT_EQ(too_slow_for_forces(input), "");
+  input.motion.normal_force = Case::NormalForce{1, 0.1};
+  expect_parts(too_slow_for_forces(input), {"3.2e+08 s", "set Elastomer / Duration of the test"});
+  limit_to_test(3600, input);
+  EXPECT_EQ(too_slow_for_forces(input), "");
+}
+
 TEST(TestDuration, MayBeLongerAndShorter) {
   auto input = wide_case();
   limit_to_test(3600, input);

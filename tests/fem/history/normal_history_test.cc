@@ -278,7 +278,7 @@ TEST(NormalHistory, SaysWhenItIsNotPeriodic) {
       [&] {
         normal_history(problem, endless, parabola_means(problem), fretting_motion(), {24, 30, 1e-4});
       },
-      {"the body creeps for 1.59e+11 cycles", "leave out branches"});
+      {"the body creeps for 1.59e+11 cycles", "set the Duration of the test"});
 }
 
 // The indenter stays above the surface: no force, and no division by it.

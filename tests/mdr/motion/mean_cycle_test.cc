@@ -60,6 +60,22 @@ TEST(MeanCycle, IsTheCycleOfARecordThatNeverCloses) {
   EXPECT_NEAR(amplitude_of(mean->cycle, mean->cycle.tangential, 2), 0.5, 4e-4);
 }
 
+// The instants at which cosines of amplitudes 0.2 and, twice as fast, 0.5 are read out of noise of 0.002 fix the period
+// to 0.002 sqrt(24 / n) P / (2 pi N sqrt(0.2^2 + 1)) or 5e-7; a drift by more would show as scatter of the cycles.
+TEST(MeanCycle, HasThePeriodThatNoiseLeaves) {
+  for (const double period : {1.37, 1.0, 0.7313}) {
+    Rig rig;
+    rig.period = period;
+    rig.approach = 1.3;
+    const auto mean = mean_cycle(record_of(rig));
+    ASSERT_TRUE(mean);
+    EXPECT_NEAR(mean->period(), period, 4e-6);
+    // Means of six or less rows in each part.
+    const double rows = period * rig.rows_per_second / 240;
+    EXPECT_LT(mean->normal_scatter, 1.1 * rig.noise / std::sqrt(std::floor(rows)));
+  }
+}
+
 TEST(MeanCycle, SaysHowCyclesScatter) {
   Rig rig;
   rig.noise = 1e-5;

@@ -74,7 +74,7 @@ TEST(ProfileCsv, TakesTheMeanOfATwoSidedScan) {
 
 // Found by fuzzing: slopes between such heights overflow.
 TEST(ProfileCsv, RefusesHeightsBeyondTheRangeOfSlopes) {
-  std::istringstream stream("r,f\nmm,um\n0,5\n1,1\n2;1e308\n8,46\n");
+  std::istringstream stream("r,f\nmm,um\n0,5\n1,1\n2,1e308\n8,46\n");
   try {
     read_profile_table(stream, "table.csv");
     FAIL();

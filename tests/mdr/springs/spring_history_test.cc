@@ -195,5 +195,19 @@ TEST(SpringHistory, RejectsBadArgumentsAndSaysWhenItIsNotPeriodic) {
   EXPECT_THROW(spring_history(bed, prony(1, {1}, {300}), mu, path, {1, 60, 1, 4, 1e-12}), std::runtime_error);
 }
 
+TEST(PeriodsOfCreep, AreAnIntegerOfAnyBodyAndNotTooManyToStep) {
+  const PronyBody slow{1, {1}, {1e300}, 0};
+  EXPECT_GT(periods_of_creep(slow, 1), 10'000);
+  EXPECT_EQ(periods_of_creep({2, {1}, {30}, 0}, 1), 150);
+  EXPECT_EQ(most_periods_with(150), 2000);
+  EXPECT_EQ(most_periods_with(3000), 6000);
+  try {
+    most_periods_with(10'001);
+    FAIL();
+  } catch (const std::runtime_error& error) {
+    EXPECT_NE(std::string(error.what()).find("set the Duration of the test"), std::string::npos) << error.what();
+  }
+}
+
 }  // namespace
 }  // namespace fretval::mdr::spring_history_test
