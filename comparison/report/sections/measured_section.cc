@@ -13,15 +13,15 @@ namespace {
 
 using nlohmann::ordered_json;
 
-/// σ: the uncertainty of what was measured.
+/// Relative, or as it is to nothing measured. σ: the uncertainty of what was measured.
 std::string difference_text(const ordered_json& one, const char* method, const char* unit) {
   const auto& difference = one.at(std::string(method) + "_difference");
   if (difference.is_null()) return "–";
   const double value = one.at("value").get<double>(), off = difference.get<double>();
   const double uncertainty = one.at("uncertainty").get<double>();
-  const auto [prefix, factor] = prefix_for(std::max(std::abs(off), 1e-6 * std::abs(value)));
-  auto text = fmt::format("{:+.3g} {}{}", off / factor, prefix, unit);
-  if (value != 0) text += fmt::format(", {:+.2g} %", 100 * off / value);
+  const auto [prefix, factor] = prefix_for(std::abs(off));
+  auto text = value != 0 ? fmt::format("{:+.2g} %", 100 * off / value)
+                         : fmt::format("{:+.3g} {}{}", off / factor, prefix, unit);
   if (uncertainty > 0) text += fmt::format(", {:.2g} σ", std::abs(off) / uncertainty);
   return text;
 }
@@ -85,8 +85,12 @@ Filling data_sentences(const StoredResult& r) {
         unit_of("tangential")));
   }
   if (data.contains("trace"))
-    add(fmt::format("The indenter comes from a raw trace: apex {} off, tilted by {:.3g}°.",
-                    metres(std::abs(data["trace"].at("apex").get<double>())), data["trace"].at("tilt").get<double>()));
+    add(fmt::format(
+        "The indenter comes from a raw trace: apex {} ± {} off, tilted by {:.3g} ± {:.1g}°. What that leaves "
+        "open is in the error bars, as what the data do.",
+        metres(std::abs(data["trace"].at("apex").get<double>())),
+        metres(data["trace"].at("apex_uncertainty").get<double>()), data["trace"].at("tilt").get<double>(),
+        data["trace"].at("tilt_uncertainty").get<double>()));
   if (data.contains("hardness"))
     add(fmt::format(
         "The modulus comes from a hardness of {:g} Shore A by Gent's formula, from which rubbers scatter by "

@@ -21,7 +21,7 @@ std::string said_of(const std::vector<fs::path>& files, const ScratchFolder& fol
 }
 
 /// Every kind of result: with bars, beyond MDR, of a sweep, unlocked, limiting, with forces, gross slip, with
-/// harmonics, worn, along a path, also of forces.
+/// harmonics, worn, along a path, also of forces, of data and beside what was measured.
 fs::path run_of_every_kind(const ScratchFolder& folder) {
   const auto elastic = elastic_case();
   const auto limiting = "subsection Wear\n  set State = limiting\n  set Stick radius ratio = 0.5\nend\n";
@@ -50,6 +50,14 @@ fs::path run_of_every_kind(const ScratchFolder& folder) {
     folder.write("pull-" + pull + ".prm", elastic.substr(0, begin) + "subsection Motion\n  set Path = pull-" + pull +
                                               ".csv\n  set Path repeats = once\nend\n" + elastic.substr(end));
   }
+  folder.write("duration.prm", replace(replace(valid_case, "Tolerance = 0.01", "Tolerance = 0.05"),
+                                       "Branch times = 0.1", "Branch times = 0.1\n  set Duration of the test = 1 h"));
+  folder.write("record.csv", "t;d;u_x\ns;um;um\n0;100;0\n1;120;8\n2;100,1;0\n");
+  folder.write("data.prm",
+               replace(elastic.substr(0, begin), "Relaxed shear modulus = 1e6", "Shore A = 50") +
+                   "subsection Motion\n  set Path = record.csv\n  set Path repeats = forever\nend\n" +
+                   elastic.substr(end) +
+                   "subsection Measured\n  set Stick radius = 0.8 mm\n  set Stick radius uncertainty = 20 um\nend\n");
   write_damaged_case(folder, groove(0.5, 0.7, 0.04));
   const auto out = folder.path() / "out";
   const auto run = fretval_run("-q run --proof bars " + quoted(folder.path()) + " -o " + quoted(out), folder);
@@ -62,7 +70,7 @@ TEST(ResultSchema, HoldsForEveryKindOfResult) {
   std::vector<fs::path> results;
   for (const auto& entry : fs::recursive_directory_iterator(run_of_every_kind(folder)))
     if (entry.path().filename() == "result.json") results.push_back(entry.path());
-  EXPECT_EQ(results.size(), 14U);
+  EXPECT_EQ(results.size(), 16U);
   EXPECT_EQ(said_of(results, folder), "");
 }
 
@@ -72,11 +80,12 @@ TEST(ResultSchema, RefusesWhatItDoesNotSay) {
   ASSERT_EQ(fretval_run("run --proof none " + quoted(file) + " -o " + quoted(folder.path()), folder).exit_code, 0);
   const auto good = nlohmann::json::parse(text_of(folder.path() / "case/result.json"));
   std::vector<fs::path> files;
-  for (const char* patch :
-       {R"({})", R"({"schema": 1})", R"({"note": 1})", R"({"cost": {"dofs": "many"}})",
-        R"({"cost": {"all": {"time_steps": -1}}})", R"({"mdr": {"modulus_ratio": null}})",
-        R"({"scene": {"wear": "much"}})", R"({"comparison": {"normal_force_max": {"tolerance": 0}}})",
-        R"({"comparison": {"weight": {"tolerance": 1}}})"}) {
+  for (const char* patch : {R"({})", R"({"schema": 1})", R"({"note": 1})", R"({"cost": {"dofs": "many"}})",
+                            R"({"cost": {"all": {"time_steps": -1}}})", R"({"mdr": {"modulus_ratio": null}})",
+                            R"({"scene": {"wear": "much"}})", R"({"scene": {"data": {"hardness": {"shore_a": 50}}}})",
+                            R"({"measured": {"normal_force_max": {"value": 1}}})",
+                            R"({"comparison": {"normal_force_max": {"tolerance": 0}}})",
+                            R"({"comparison": {"weight": {"tolerance": 1}}})"}) {
     auto json = good;
     json.merge_patch(nlohmann::json::parse(patch));
     files.push_back(folder.write("changed-" + std::to_string(files.size()) + ".json", json.dump()));
