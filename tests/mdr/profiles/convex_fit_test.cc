@@ -11,7 +11,6 @@
 
 #include "mdr/profiles/indentation.h"
 #include "mdr/profiles/profile.h"
-#include "mdr/profiles/sphere.h"
 #include "mdr/stick/limiting_profile.h"
 #include "tests/worse.h"
 
