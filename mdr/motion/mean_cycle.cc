@@ -166,6 +166,7 @@ double lag_per_cycle(const Parts& parts, std::size_t first) {
   constexpr double least_scatter = 1e-6;  // of the range
   const std::size_t n = parts.n_parts, apart = std::max<std::size_t>(n / 40, 1);
   const double middle = static_cast<double>(first + parts.n_cycles - 1) / 2;
+  const auto phases = statistics_of(parts, parts.phase, first).means;
   double moments = 0, weights = 0;
   for (const auto* values : {&parts.normal, &parts.tangential}) {
     const auto [means, scatter] = statistics_of(parts, *values, first);
@@ -176,9 +177,11 @@ double lag_per_cycle(const Parts& parts, std::size_t first) {
       const double slope = (means[(part + apart) % n] - means[(part + n - apart) % n]) * static_cast<double>(n) /
                            static_cast<double>(2 * apart);
       for (std::size_t cycle = first; cycle < parts.n_cycles; ++cycle) {
-        if (parts.count[parts.at(part, cycle)] == 0) continue;
+        const auto at = parts.at(part, cycle);
+        if (parts.count[at] == 0) continue;
         const double later = static_cast<double>(cycle) - middle;
-        moments -= weight * later * slope * ((*values)[parts.at(part, cycle)] - means[part]);
+        // Rows of a part lie at other phases in each cycle.
+        moments -= weight * later * slope * ((*values)[at] - means[part] - slope * (parts.phase[at] - phases[part]));
         weights += weight * later * later * slope * slope;
       }
     }

@@ -48,7 +48,7 @@ void extrapolate(const PathForces& coarse, SteppedPathForces& stepped) {
 void validate_along_path(const SampledPath& path, const PathFineness& fineness) {
   validate(path);
   require_within("steps along a path", fineness.steps_per_duration, 1, 1e6);
-  require_within("ramp periods", fineness.n_ramp_periods, 1, 1e6);
+  require_within("ramp periods", fineness.n_ramp_periods, 1, 1e9);
 }
 
 }  // namespace fretval::mdr
