@@ -7,6 +7,7 @@ namespace fretval {
 namespace {
 
 constexpr std::size_t most_nodes = 4;
+constexpr double of_second_order = 3;  // 2² - 1: twice the distance, as in Richardson's extrapolation
 
 /// Lagrange's polynomial through the nodes about a place, and the bars by the size of their weights.
 Interpolated through_nodes(const std::vector<Node>& nodes, double at) {
@@ -42,7 +43,7 @@ std::optional<Interpolated> interpolated(const std::vector<Node>& nodes, double 
   auto fine = through_nodes(nodes, at);
   const auto is_here = [&](const Node& node) { return std::abs(node.at - at) < slack; };
   if (std::none_of(nodes.begin(), nodes.end(), is_here))
-    fine.uncertainty += std::abs(fine.value - through_nodes(every_other(nodes), at).value);
+    fine.uncertainty += std::abs(fine.value - through_nodes(every_other(nodes), at).value) / of_second_order;
   return fine;
 }
 

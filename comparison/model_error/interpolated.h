@@ -10,7 +10,9 @@ struct Node {
   double at, value, bar;
 };
 
-/// Interpolated, with its uncertainty: the bars of the nodes, and the difference from what every other node gives.
+/// Interpolated, with its uncertainty: the bars of the nodes, and what interpolation is off by: a third of the
+/// difference from what every other node gives, which an error of second order in their distance has; cubics are of
+/// fourth.
 struct Interpolated {
   double value, uncertainty;
 };

@@ -136,7 +136,7 @@ std::string model_text(const ordered_json& result) {
   for (const auto quantity : mapped_quantities)
     if (const auto found = model->at("mdr_off_by").find(name_of(quantity)); found != model->at("mdr_off_by").end()) {
       const double value = found->at("value").get<double>(), uncertainty = found->at("uncertainty").get<double>();
-      if (std::abs(value) < uncertainty) continue;
+      if (std::abs(value) <= uncertainty) continue;
       text += fmt::format("{}{:+.2g} ± {:.1g} % in the {}", mark, 100 * value, 100 * uncertainty,
                           traits_of(quantity).title);
       mark = "; ";

@@ -64,7 +64,7 @@ std::string off_by_text(const OffBys& all, Quantity quantity) {
   if (found == all.end()) return "";
   const auto& one = found->second;
   return one.is_resolved() ? percent(one.value, one.uncertainty)
-                           : fmt::format("within {:.1g} %", 100 * one.uncertainty);
+                           : fmt::format("within {:.2g} %", 100 * one.uncertainty);
 }
 
 ordered_json off_by_json(const OffBys& all) {
@@ -125,12 +125,18 @@ std::string row_of(const Ladder& ladder, Quantity quantity) {
   return line + "\n";
 }
 
+/// Of the column of a rung: coupling is against all the others.
+const char* head_of(const std::string& key) {
+  if (key == "body") return "body alone";
+  if (key == "poisson_ratio") return "nu alone";
+  return key == "friction" ? "direction alone" : "coupling, last";
+}
+
 std::string heads_of(const Ladder& ladder) {
   auto line = "  " + column("", title_width) + column("MDR", value_width) + column("finite elements", value_width) +
               column("MDR is off by", share_width);
   if (ladder.rungs.size() > 1) {
-    for (const auto& rung : ladder.rungs)
-      line += column(rung.rung.key == "body" ? "body alone" : "nu alone", share_width);
+    for (const auto& rung : ladder.rungs) line += column(head_of(rung.rung.key), share_width);
     line += "beyond the sum";
   }
   line.erase(line.find_last_not_of(' ') + 1);

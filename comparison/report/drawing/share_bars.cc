@@ -56,9 +56,11 @@ std::string share_bars_svg(const Filling& bars) {
     const double bar = row.at("bar").get<double>();
     for (const double share : row.at("shares").get<std::vector<double>>()) {
       at += share;
-      longest = std::max({longest, at - share, at + bar});
-      lowest = std::min({lowest, at - share, at - bar});
+      longest = std::max({longest, at - share, at});
+      lowest = std::min({lowest, at - share, at});
     }
+    longest = std::max(longest, at + bar);
+    lowest = std::min(lowest, at - bar);
   }
   const double begin = beyond_the_longest * lowest, end = beyond_the_longest * longest;
   const double scale = (picture_width - labels - edge) / (end - begin);
@@ -89,7 +91,7 @@ std::string share_bars_svg(const Filling& bars) {
     }
     if (const double bar = row.at("bar").get<double>(); bar > 0)
       svg += fmt::format(
-          "<line x1=\"{:.2f}\" x2=\"{:.2f}\" y1=\"{2:.1f}\" y2=\"{2:.1f}\" stroke=\"#1a2230\" stroke-width=\"2\"/>",
+          "<line x1=\"{0:.2f}\" x2=\"{1:.2f}\" y1=\"{2:.1f}\" y2=\"{2:.1f}\" stroke=\"#1a2230\" stroke-width=\"2\"/>",
           place(at - bar), place(at + bar), y + line / 2);
     y += line;
   }

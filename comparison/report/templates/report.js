@@ -348,7 +348,7 @@
       const margin = {left: narrow ? 12 : 190, right: 20, top: 6, bottom: 42}, height = margin.top + margin.bottom + line * plot.rows.length;
       area.selectAll("*").remove();
       const svg = canvas(area, plot, width, height, margin).attr("class", "canvas");
-      const ends = plot.rows.flatMap((row) => { let at = row.start; return [at, ...row.shares.flatMap((share) => { at += share; return [at - row.bar, at + row.bar]; })]; });
+      const ends = plot.rows.flatMap((row) => { let at = row.start; const steps = row.shares.map((share) => (at += share)); return [row.start, ...steps, at - row.bar, at + row.bar]; });
       const x = d3.scaleLinear().domain([1.05 * Math.min(0, d3.min(ends)), 1.05 * Math.max(plot.limit, d3.max(ends))]).range([margin.left, width - margin.right]);
       svg.append("g").attr("transform", `translate(0,${height - margin.bottom})`).call(ticks(d3.axisBottom(x).tickSizeInner(-(height - margin.top - margin.bottom)).tickPadding(7), x, width / 110));
       svg.append("line").attr("x1", x(plot.limit)).attr("x2", x(plot.limit)).attr("y1", margin.top).attr("y2", height - margin.bottom).attr("stroke", "#1a2230").attr("stroke-dasharray", "4 3");

@@ -12,7 +12,7 @@ namespace {
 TEST(LevelLines, AreWhereTheMapHasTheirLevel) {
   const auto lines = level_lines(made_up_map(), MapKind::phase, Quantity::stick_radius_shakedown, {0.02, 0.05, 0.5});
   ASSERT_EQ(lines.size(), 3U);
-  for (const auto& [line, ratio] : {std::pair(lines[0], 0.8), std::pair(lines[1], 0.5)}) {
+  for (const auto& [line, ratio] : {std::pair(lines[0], 1 - 0.2 / 1.02), std::pair(lines[1], 1 - 0.5 / 1.05)}) {
     ASSERT_FALSE(line.x.empty());
     double top = 0;
     for (std::size_t i = 0; i < line.x.size(); ++i) {

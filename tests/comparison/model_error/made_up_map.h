@@ -6,8 +6,8 @@
 
 namespace fretval {
 
-/// A made-up map of the phase: MDR has the shakedown radius too large by 10 % times 1 less the stick ratio, at all
-/// phases; of Poisson's ratio, where the truth is another 40 % times 1/2 - nu smaller.
+/// A made-up map of the phase: the shakedown radius is smaller than MDR has it by 10 % times 1 less the stick ratio, at
+/// all phases; and of Poisson's ratio, where it is another 40 % times 1/2 - nu smaller.
 inline std::vector<MapPoint> made_up_map(double bar = 0) {
   constexpr auto quantity = Quantity::stick_radius_shakedown;
   std::vector<MapPoint> points;
@@ -17,7 +17,7 @@ inline std::vector<MapPoint> made_up_map(double bar = 0) {
     point.at.phase = phase;
     point.at.poisson_ratio = nu;
     point.own = point.at;
-    point.changes[quantity] = {1 / (1 + 0.1 * (1 - ratio)) - 1 - 0.4 * (0.5 - nu), bar};
+    point.changes[quantity] = {-0.1 * (1 - ratio) - 0.4 * (0.5 - nu), bar};
     point.own_over_body[quantity] = 1;
     points.push_back(point);
   };
