@@ -148,14 +148,22 @@ void add_commands(CLI::App& app, Command& command) {
   auto* trust = app.add_subcommand(
       "trust",
       "How far MDR can be trusted in a case, and why: its assumptions dropped one at a time, by finite elements");
-  trust->add_option("case", options->file, "Case file (.prm or .json) with a single case")->required();
+  auto* trusted = trust->add_option("case", options->file, "Case file (.prm or .json) with a single case");
+  trust->add_option("--map", options->trust.map, "Instead of a case: MDR's error over its maps, a CSV file")
+      ->excludes(trusted);
+  trust->add_option("-o,--output", options->trust.output, "Folder for trust.json and a report of it");
   trust->add_flag("--json", options->trust.json, "Print JSON");
   trust->add_option_function<std::string>(
       "--at-most", [=](const std::string& text) { options->trust.at_most = share_of(text); },
       "Exit with 1 where a radius of MDR is off by more than this, as \"5 %\"");
   add_store_options(*trust, options->trust.store);
   trust->add_flag("--no-store", options->trust.store.none, "Make all operators, and keep none");
-  trust->callback([=, &command] { command = [=] { return run_trust(options->file, options->trust); }; });
+  trust->callback([=, &command] {
+    if (options->file.empty() && options->trust.map.empty()) throw CLI::RequiredError("case or --map");
+    command = [=] {
+      return options->trust.map.empty() ? run_trust(options->file, options->trust) : run_map(options->trust);
+    };
+  });
 
   auto* trade = app.add_subcommand("trade", "The speed-accuracy front of a case; writes trade.json");
   trade->add_option("case", options->file, "Case file (.prm or .json) with a single case")->required();

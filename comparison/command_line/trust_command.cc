@@ -7,8 +7,13 @@
 
 #include "comparison/case/case_file.h"
 #include "comparison/command_line/exit_codes.h"
+#include "comparison/report/report.h"
+#include "comparison/support/files.h"
+#include "comparison/support/json.h"
 #include "comparison/support/log.h"
+#include "comparison/support/stopwatch.h"
 #include "comparison/trust/ladder_text.h"
+#include "comparison/trust/map.h"
 #include "fem/condensation/petsc_session.h"
 
 namespace fretval {
@@ -52,14 +57,33 @@ int run_trust(const std::string& file, const TrustOptions& options) {
   BodyStore bodies(store_of(options.store));
   const auto ladder = ladder_of(input, bodies);
   if (options.json)
-    fmt::print("{}\n", ladder_json(input.name, ladder).dump(2));
+    fmt::print("{}\n", ladder_json(input, ladder).dump(2));
   else
     fmt::print("{}", ladder_text(input.name, ladder));
+  if (!options.output.empty()) {
+    const auto folder = std::filesystem::path(options.output);
+    std::filesystem::create_directories(folder);
+    write_file(folder / "trust.json", ladder_json(input, ladder).dump(2) + "\n");
+    log::info(fmt::format("report: {}", write_report(folder).string()));
+  }
   if (!options.at_most) return exit_agree;
   const auto beyond = radii_beyond(ladder, *options.at_most);
   if (beyond.empty()) return exit_agree;
   log::warn(fmt::format("{}: MDR is off by more than {:g} %: {}", input.name, 100 * *options.at_most, beyond));
   return exit_disagree;
+}
+
+int run_map(const TrustOptions& options) {
+  const fem::PetscSession session;
+  BodyStore bodies(store_of(options.store));
+  const auto planned = planned_points();
+  Stopwatch watch;
+  const auto points = computed_map(planned, bodies, [&](const MapPoint& point, std::size_t n_done) {
+    log::info(fmt::format("{}/{} {}: c/a = {:.2f}", n_done, planned.size(), point.map, point.at.shakedown.value_or(0)));
+  });
+  write_file(options.map, csv_of(points));
+  log::info(fmt::format("{}: {} points in {:.0f} s", options.map, points.size(), watch.lap()));
+  return exit_agree;
 }
 
 }  // namespace fretval

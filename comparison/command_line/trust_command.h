@@ -10,6 +10,8 @@ namespace fretval {
 struct TrustOptions {
   bool json = false;
   std::optional<double> at_most;  ///< largest share by which MDR may be off; empty: any
+  std::string output;             ///< folder of a report; empty: none
+  std::string map;                ///< file of the maps; empty: a case
   StoreOptions store;
 };
 
@@ -19,5 +21,8 @@ double share_of(const std::string& text);
 /// Prints how far MDR can be trusted in the single case of a file, and why; returns the exit code: that of
 /// disagreement where a radius is off by more than at_most for sure. Throws InputError, also for a sweep.
 int run_trust(const std::string& file, const TrustOptions& options);
+
+/// Computes the maps of MDR's error (trust/map.h) and writes them to the file, which is replaced when all is there.
+int run_map(const TrustOptions& options);
 
 }  // namespace fretval

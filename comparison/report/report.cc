@@ -17,6 +17,7 @@
 #include "comparison/report/sections/suite_section.h"
 #include "comparison/report/sections/sweep_section.h"
 #include "comparison/report/sections/trade_section.h"
+#include "comparison/report/sections/trust_section.h"
 #include "comparison/report/sections/verdict_section.h"
 #include "comparison/report/sections/wear_section.h"
 #include "comparison/report/text/numbers.h"
@@ -208,6 +209,7 @@ fs::path write_report(const fs::path& folder) {
   const auto add = [&](Filling section) {
     if (!section.is_null()) sections.push_back({{"section", std::move(section)}});
   };
+  add(section_of(folder / "trust.json", trust_section));
   if (!results.empty())
     for (const auto section :
          {verdict_section, cases_of_few, scenes_section, radii_section, phase_section, rheology_section, sweeps_section,
@@ -221,8 +223,8 @@ fs::path write_report(const fs::path& folder) {
     for (const auto section : {cost_section, all_cases_section}) add(section(results));
   if (sections.empty())
     throw InputError(
-        fmt::format("{}: there is no result.json, trade.json or JSON of a suite below it; expected a folder that "
-                    "fretval run, trade or check --json has written",
+        fmt::format("{}: there is no result.json, trade.json, trust.json or JSON of a suite below it; expected a "
+                    "folder that fretval run, trade, trust or check --json has written",
                     folder.string()));
   fs::path file = folder / "index.html";
   write_file(file, page_of(std::move(sections)));

@@ -123,6 +123,27 @@ std::string half_space_text(const ordered_json& result) {
   return "over a half-space MDR would be off: " + text;
 }
 
+/// "as a model MDR is good to about 3 %: its stick radius, first slip, is off by +2.1 ± 0.4 %": by the maps of its
+/// error.
+std::string model_text(const ordered_json& result) {
+  const auto model = result.find("model");
+  if (model == result.end()) return "";
+  if (model->contains("outside"))
+    return fmt::format("as a model: outside the map ({})", model->at("outside").get<std::string>());
+  if (!model->at("good_to").is_number()) return "";
+  auto text = fmt::format("as a model MDR is good to about {:.1g} %", 100 * model->at("good_to").get<double>());
+  const char* mark = ": off by ";
+  for (const auto quantity : mapped_quantities)
+    if (const auto found = model->at("mdr_off_by").find(name_of(quantity)); found != model->at("mdr_off_by").end()) {
+      const double value = found->at("value").get<double>(), uncertainty = found->at("uncertainty").get<double>();
+      if (std::abs(value) <= uncertainty) continue;
+      text += fmt::format("{}{:+.2g} ± {:.1g} % in the {}", mark, 100 * value, 100 * uncertainty,
+                          traits_of(quantity).title);
+      mark = "; ";
+    }
+  return text;
+}
+
 /// That a given mesh has too few rings, and how many it takes.
 std::string rings_text(const ordered_json& result) {
   const auto rings = result.at("fe").find("rings");
@@ -135,7 +156,8 @@ std::string rings_text(const ordered_json& result) {
 
 Answer answer_of(const ordered_json& result) {
   if (result.contains("not_compared")) return answer_beyond_mdr(result);
-  Answer answer{plain_answer(result), verdict_sentence(result), {}, half_space_text(result), rings_text(result)};
+  Answer answer{plain_answer(result), verdict_sentence(result), {},
+                model_text(result),   half_space_text(result),  rings_text(result)};
   const auto scales = scales_of(result);
   for (const auto& one : stored_differences(result)) {
     const auto& traits = traits_of(one.quantity);
@@ -196,6 +218,7 @@ std::string answer_text(const CaseResult& result, const ordered_json& json) {
   auto text = result.input.name + ": ";
   if (!answer.plain.empty()) text += answer.plain + "\n";
   text += answer.verdict + "\n";
+  if (!answer.model.empty()) text += answer.model + "\n";
   if (result.beyond_mdr) {
     for (const auto& one : answer.rows) text += answer_line(one.title, one.fe);
     return text;

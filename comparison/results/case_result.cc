@@ -186,6 +186,7 @@ CaseResult result_of(const PreparedCase& prepared, const mdr::NormalResponse& re
   if (!prepared.input.body.is_half_space())
     result.half_space = prepared.mdr.layer ? half_space_answer(prepared.input) : result.mdr;
   result.rings = given_rings_of(prepared, result.fe);
+  result.model = model_errors_of(prepared.input, result.mdr);
   const auto& fem = prepared.fem;
   result.comparison = compare(readings_of(result.fe.fe, fem.units),
                               fem.worn_edge ? readings_of_worn(result.mdr) : readings_of(result.mdr),

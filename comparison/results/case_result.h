@@ -6,6 +6,7 @@
 #include "comparison/accuracy/proof.h"
 #include "comparison/accuracy/rings_needed.h"
 #include "comparison/accuracy/wear_proof.h"
+#include "comparison/model_error/model_error.h"
 #include "comparison/reference/mdr_answer.h"
 #include "mdr/profiles/naive_contact.h"
 
@@ -35,6 +36,7 @@ struct CaseResult {
   std::optional<BeyondMdr> beyond_mdr = {};  ///< then nothing is compared, and mdr has the modulus ratio alone
   std::optional<MdrAnswer> half_space = {};  ///< what MDR says of a half-space in the place of another body
   std::optional<GivenRings> rings = {};      ///< of a mesh that the case brings along
+  ModelErrors model = {};                    ///< how good MDR is as a model
 };
 
 /// Gross slip is what both have to find if either does, and where the balance of forces has it (steady_sliding_share);

@@ -186,6 +186,15 @@ double peak_memory_bytes() {
   return 1024.0 * static_cast<double>(usage.ru_maxrss);
 }
 
+ordered_json model_json(const ModelErrors& model) {
+  ordered_json json{{"good_to", or_null(model.good_to())}};
+  if (!model.outside.empty()) json["outside"] = model.outside;
+  json["mdr_off_by"] = ordered_json::object();
+  for (const auto& [quantity, error] : model.off_by)
+    json["mdr_off_by"][name_of(quantity)] = {{"value", error.value}, {"uncertainty", error.uncertainty}};
+  return json;
+}
+
 }  // namespace
 
 ordered_json result_json(const CaseResult& result) {
@@ -211,6 +220,7 @@ ordered_json result_json(const CaseResult& result) {
   if (const auto reasons = beyond_mdr_model(result.input); !reasons.empty()) json["other_model"] = reasons;
   if (auto measured = measured_json(result.input, json["fe"], json["mdr"]); !measured.is_null())
     json["measured"] = std::move(measured);
+  if (!result.beyond_mdr) json["model"] = model_json(result.model);
   if (result.half_space) json["mdr_half_space"] = to_json(*result.half_space);
   if (result.beyond_mdr) json["not_compared"] = to_json(*result.beyond_mdr, result.fem_case.units.depth);
   json["cost"] = std::move(cost);

@@ -17,9 +17,9 @@ struct Rung {
   Case input;
 };
 
-/// From MDR's own model, an incompressible half-space with a traction along x: one rung for each of its assumptions that
-/// the case does not keep. No contact keeps the direction of the traction, whatever the case file says of it; friction
-/// is a vector on a rung wherever the full contact computes the motion.
+/// From MDR's own model, an incompressible half-space with a traction along x: one rung for each of its assumptions
+/// that the case does not keep. No contact keeps the direction of the traction, whatever the case file says of it;
+/// friction is a vector on a rung wherever the full contact computes the motion.
 std::vector<Rung> rungs_of(const Case& input);
 
 /// All assumptions of MDR dropped but the one that pressure and friction are not coupled.

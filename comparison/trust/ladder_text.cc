@@ -9,6 +9,8 @@
 #include <optional>
 
 #include "comparison/results/answer_text.h"
+#include "comparison/results/case_inputs.h"
+#include "comparison/support/json.h"
 
 namespace fretval {
 namespace {
@@ -62,7 +64,7 @@ std::string off_by_text(const OffBys& all, Quantity quantity) {
   if (found == all.end()) return "";
   const auto& one = found->second;
   return one.is_resolved() ? percent(one.value, one.uncertainty)
-                           : fmt::format("within {:.1g} %", 100 * one.uncertainty);
+                           : fmt::format("within {:.2g} %", 100 * one.uncertainty);
 }
 
 ordered_json off_by_json(const OffBys& all) {
@@ -91,6 +93,21 @@ std::string column(const std::string& text, std::size_t width) {
   return text + std::string(n < width ? width - n : 1, ' ');
 }
 
+/// Where MDR's own model has the case on the maps of its error.
+ordered_json place_json(const Case& input, const Ladder& ladder) {
+  const auto value = [&](Quantity quantity) {
+    const auto found = ladder.mdr.find(quantity);
+    return found == ladder.mdr.end() ? std::nullopt : found->second.value;
+  };
+  const auto a = value(Quantity::contact_radius_max);
+  ordered_json json{{"phase", or_null(input.motion.phase)},
+                    {"poisson_ratio", input.elastomer.poisson_ratio},
+                    {"radius_over_thickness", input.body.is_half_space() || !a ? 0 : *a / input.body.thickness}};
+  for (const auto quantity : {Quantity::stick_radius_first_slip, Quantity::stick_radius_shakedown})
+    if (const auto c = value(quantity); c && a) json[name_of(quantity)] = *c / *a;
+  return json;
+}
+
 constexpr std::size_t title_width = 31, value_width = 27, share_width = 18;
 
 std::string row_of(const Ladder& ladder, Quantity quantity) {
@@ -108,12 +125,18 @@ std::string row_of(const Ladder& ladder, Quantity quantity) {
   return line + "\n";
 }
 
+/// Of the column of a rung: coupling is against all the others.
+const char* head_of(const std::string& key) {
+  if (key == "body") return "body alone";
+  if (key == "poisson_ratio") return "nu alone";
+  return key == "friction" ? "direction alone" : "coupling, last";
+}
+
 std::string heads_of(const Ladder& ladder) {
   auto line = "  " + column("", title_width) + column("MDR", value_width) + column("finite elements", value_width) +
               column("MDR is off by", share_width);
   if (ladder.rungs.size() > 1) {
-    for (const auto& rung : ladder.rungs)
-      line += column(rung.rung.key == "body" ? "body alone" : "nu alone", share_width);
+    for (const auto& rung : ladder.rungs) line += column(head_of(rung.rung.key), share_width);
     line += "beyond the sum";
   }
   line.erase(line.find_last_not_of(' ') + 1);
@@ -121,6 +144,11 @@ std::string heads_of(const Ladder& ladder) {
 }
 
 }  // namespace
+
+std::optional<Quantity> quantity_of_headline(const Ladder& ladder) {
+  const auto radius = radius_of_headline(ladder);
+  return radius ? std::optional(radius->quantity) : std::nullopt;
+}
 
 std::string headline_of(const Ladder& ladder) {
   const auto radius = radius_of_headline(ladder);
@@ -150,8 +178,10 @@ std::string ladder_text(const std::string& name, const Ladder& ladder) {
   return text;
 }
 
-ordered_json ladder_json(const std::string& name, const Ladder& ladder) {
-  ordered_json json{{"name", name}, {"headline", headline_of(ladder)}, {"mdr", ordered_json::object()}};
+ordered_json ladder_json(const Case& input, const Ladder& ladder) {
+  ordered_json json{{"name", input.name}, {"headline", headline_of(ladder)}};
+  if (const auto quantity = quantity_of_headline(ladder)) json["headline_quantity"] = name_of(*quantity);
+  json["mdr"] = ordered_json::object();
   for (const auto quantity : quantities_by_interest)
     if (ladder.whole.off_by.count(quantity) > 0) json["mdr"][name_of(quantity)] = ladder.mdr.at(quantity).value.value();
   json["mdr_off_by"] = off_by_json(ladder.whole.off_by);
@@ -167,6 +197,8 @@ ordered_json ladder_json(const std::string& name, const Ladder& ladder) {
   json["not_computed"] = ordered_json::array();
   for (const auto& [assumption, order] : ladder.not_computed)
     json["not_computed"].push_back({{"assumption", assumption}, {"order", order}});
+  json["inputs"] = inputs_json(input);
+  json["at"] = place_json(input, ladder);
   return json;
 }
 

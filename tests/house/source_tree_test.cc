@@ -54,7 +54,7 @@ House plan() {
           {"comparison/simulation/fem_case"},
           {"comparison/simulation/bodies"},
           {"comparison/simulation"},
-          {"comparison/accuracy"},
+          {"comparison/accuracy", "comparison/model_error"},
           {"comparison/results"},
           {"comparison/trust", "comparison/verification"},
           {"comparison/verification/exact", "comparison/verification/tolerance", "comparison/verification/extremes",

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "comparison/report/drawing/palette.h"
 #include "comparison/support/escape.h"
@@ -40,21 +39,32 @@ double step_for(double length) {
 }  // namespace
 
 Filling share_bars(const std::string& title, const std::string& label, const std::vector<std::string>& sources,
-                   const std::vector<ShareRow>& rows) {
-  Filling bars{
-      {"kind", "bars"}, {"title", title}, {"x_label", label}, {"sources", sources}, {"rows", Filling::array()}};
-  for (const auto& [name, shares] : rows) bars["rows"].push_back({{"label", name}, {"shares", shares}});
+                   const std::vector<ShareRow>& rows, double limit, const std::string& of_what) {
+  Filling bars{{"kind", "bars"},     {"title", title}, {"x_label", label},        {"sources", sources},
+               {"of_what", of_what}, {"limit", limit}, {"rows", Filling::array()}};
+  for (const auto& [name, shares, start, bar] : rows)
+    bars["rows"].push_back({{"label", name}, {"shares", shares}, {"start", start}, {"bar", bar}});
   return bars;
 }
 
 std::string share_bars_svg(const Filling& bars) {
   const auto sources = bars.at("sources").get<std::vector<std::string>>();
-  double longest = 1;
+  const double limit = bars.at("limit").get<double>();
+  double longest = limit, lowest = 0;
   for (const auto& row : bars.at("rows")) {
-    const auto shares = row.at("shares").get<std::vector<double>>();
-    longest = std::max(longest, std::accumulate(shares.begin(), shares.end(), 0.0));
+    double at = row.at("start").get<double>();
+    const double bar = row.at("bar").get<double>();
+    for (const double share : row.at("shares").get<std::vector<double>>()) {
+      at += share;
+      longest = std::max({longest, at - share, at});
+      lowest = std::min({lowest, at - share, at});
+    }
+    longest = std::max(longest, at + bar);
+    lowest = std::min(lowest, at - bar);
   }
-  const double end = beyond_the_longest * longest, scale = (picture_width - labels - edge) / end;
+  const double begin = beyond_the_longest * lowest, end = beyond_the_longest * longest;
+  const double scale = (picture_width - labels - edge) / (end - begin);
+  const auto place = [&](double value) { return labels + scale * (value - begin); };
   const double top = key_line * static_cast<double>((sources.size() + keys_in_a_line - 1) / keys_in_a_line) + 12;
   const double bottom = top + line * static_cast<double>(bars.at("rows").size());
   std::string svg = fmt::format(
@@ -65,21 +75,27 @@ std::string share_bars_svg(const Filling& bars) {
     const double y = key_line * static_cast<double>(k / keys_in_a_line) + 4;
     svg += box(x, y, 18, 10, k) + text_at(x + 24, y + 10, "start", sources[k]);
   }
-  for (double x = 0; x <= end; x += step_for(end))
-    svg += upright(labels + scale * x, top, bottom, "stroke=\"#dde2e8\"") +
-           text_at(labels + scale * x, bottom + 16, "middle", fmt::format("{:.3g}", x));
+  const double step = step_for(end - begin);
+  for (double n = std::ceil(begin / step); n * step <= end; ++n)
+    svg += upright(place(n * step), top, bottom, "stroke=\"#dde2e8\"") +
+           text_at(place(n * step), bottom + 16, "middle", fmt::format("{:.3g}", n * step));
   double y = top;
   for (const auto& row : bars.at("rows")) {
     svg += text_at(labels - 8, y + line / 2 + 4, "end", row.at("label").get<std::string>());
-    double x = labels;
+    double at = row.at("start").get<double>();
     std::size_t source = 0;
     for (const double share : row.at("shares").get<std::vector<double>>()) {
-      svg += box(x, y + (line - thickness) / 2, scale * share, thickness, source++);
-      x += scale * share;
+      svg += box(place(std::min(at, at + share)), y + (line - thickness) / 2, scale * std::abs(share), thickness,
+                 source++);
+      at += share;
     }
+    if (const double bar = row.at("bar").get<double>(); bar > 0)
+      svg += fmt::format(
+          "<line x1=\"{0:.2f}\" x2=\"{1:.2f}\" y1=\"{2:.1f}\" y2=\"{2:.1f}\" stroke=\"#1a2230\" stroke-width=\"2\"/>",
+          place(at - bar), place(at + bar), y + line / 2);
     y += line;
   }
-  return svg + upright(labels + scale, top, bottom, "stroke=\"#1a2230\" stroke-dasharray=\"4 3\"") +
+  return svg + upright(place(limit), top, bottom, "stroke=\"#1a2230\" stroke-dasharray=\"4 3\"") +
          text_at((labels + picture_width - edge) / 2, bottom + 36, "middle", bars.at("x_label").get<std::string>()) +
          "</g></svg>";
 }

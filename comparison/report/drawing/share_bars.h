@@ -10,12 +10,16 @@ namespace fretval {
 /// Of a quantity, the shares of each source.
 struct ShareRow {
   std::string label;
-  std::vector<double> shares;
+  std::vector<double> shares;  ///< where negative, to the left
+  double start = 0;            ///< where the first one begins
+  double bar = 0;              ///< error bar about the end of the last one
 };
 
-/// Bars of shares that add up, a bar a row, as data of the page; a line marks 1.
+/// Bars of shares that add up, a bar a row, as data of the page; a line marks a limit. of_what: what a share is of, for
+/// who points at it.
 Filling share_bars(const std::string& title, const std::string& label, const std::vector<std::string>& sources,
-                   const std::vector<ShareRow>& rows);
+                   const std::vector<ShareRow>& rows, double limit = 1,
+                   const std::string& of_what = "of the tolerance");
 
 /// Such bars where scripts are off.
 std::string share_bars_svg(const Filling& bars);

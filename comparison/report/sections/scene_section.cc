@@ -28,19 +28,6 @@ std::string unbroken(const std::string& text) {
   return kept;
 }
 
-/// The entries of the case file by their sections.
-ordered_json inputs_of(const ordered_json& scene) {
-  auto sections = ordered_json::array();
-  for (const auto& input : scene.value("inputs", ordered_json::array())) {
-    if (sections.empty() || sections.back().at("section") != input.at("section"))
-      sections.push_back({{"section", input.at("section")}, {"entries", ordered_json::array()}});
-    sections.back()["entries"].push_back(
-        {{"name", input.at("name")},
-         {"value", unbroken(input_text(input.at("value"), input.at("unit").get<std::string>(), 6))}});
-  }
-  return sections;
-}
-
 /// omega tau of each branch.
 std::string branches_text(const ordered_json& scene, double angular_frequency) {
   std::string text;
@@ -76,6 +63,18 @@ void add_groups(const StoredResult& r, Filling& filling) {
 }
 
 }  // namespace
+
+Filling inputs_of(const ordered_json& scene) {
+  auto sections = ordered_json::array();
+  for (const auto& input : scene.value("inputs", ordered_json::array())) {
+    if (sections.empty() || sections.back().at("section") != input.at("section"))
+      sections.push_back({{"section", input.at("section")}, {"entries", ordered_json::array()}});
+    sections.back()["entries"].push_back(
+        {{"name", input.at("name")},
+         {"value", unbroken(input_text(input.at("value"), input.at("unit").get<std::string>(), 6))}});
+  }
+  return sections;
+}
 
 Filling scene_of(const StoredResult& r) {
   Filling filling{{"template", "scene"}, {"inputs", inputs_of(r.json.at("scene"))}};

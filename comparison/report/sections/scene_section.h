@@ -7,6 +7,9 @@
 
 namespace fretval {
 
+/// What a case file prescribes (`inputs` of a JSON, see inputs_json) by its sections, for the template `scene`.
+Filling inputs_of(const nlohmann::ordered_json& scene);
+
 /// For the template `scene`: the sketch of a case, all that its file prescribes, with units, and the dimensionless
 /// groups.
 Filling scene_of(const StoredResult& result);

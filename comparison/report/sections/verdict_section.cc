@@ -60,7 +60,8 @@ std::string capitalised(std::string text) {
 /// What happens, and what became of MDR.
 std::string sentence_of(const StoredResult& result) {
   const auto answer = answer_of(result.json);
-  return (answer.plain.empty() ? "" : capitalised(answer.plain) + ". ") + capitalised(answer.verdict) + ".";
+  return (answer.plain.empty() ? "" : capitalised(answer.plain) + ". ") + capitalised(answer.verdict) + "." +
+         (answer.model.empty() ? "" : " " + capitalised(answer.model) + ".");
 }
 
 /// What several results come to.

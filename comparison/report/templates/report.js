@@ -348,20 +348,22 @@
       const margin = {left: narrow ? 12 : 190, right: 20, top: 6, bottom: 42}, height = margin.top + margin.bottom + line * plot.rows.length;
       area.selectAll("*").remove();
       const svg = canvas(area, plot, width, height, margin).attr("class", "canvas");
-      const x = d3.scaleLinear().domain([0, Math.max(1.05, d3.max(plot.rows, (row) => d3.sum(row.shares)) * 1.05)]).range([margin.left, width - margin.right]);
+      const ends = plot.rows.flatMap((row) => { let at = row.start; const steps = row.shares.map((share) => (at += share)); return [row.start, ...steps, at - row.bar, at + row.bar]; });
+      const x = d3.scaleLinear().domain([1.05 * Math.min(0, d3.min(ends)), 1.05 * Math.max(plot.limit, d3.max(ends))]).range([margin.left, width - margin.right]);
       svg.append("g").attr("transform", `translate(0,${height - margin.bottom})`).call(ticks(d3.axisBottom(x).tickSizeInner(-(height - margin.top - margin.bottom)).tickPadding(7), x, width / 110));
-      svg.append("line").attr("x1", x(1)).attr("x2", x(1)).attr("y1", margin.top).attr("y2", height - margin.bottom).attr("stroke", "#1a2230").attr("stroke-dasharray", "4 3");
+      svg.append("line").attr("x1", x(plot.limit)).attr("x2", x(plot.limit)).attr("y1", margin.top).attr("y2", height - margin.bottom).attr("stroke", "#1a2230").attr("stroke-dasharray", "4 3");
       const pieces = [];
       plot.rows.forEach((row, k) => {
         const top = margin.top + k * line + (narrow ? 22 : 8);
         svg.append("text").attr("class", "name").attr("x", narrow ? margin.left : margin.left - 8).attr("y", narrow ? top - 6 : top + 14).attr("text-anchor", narrow ? "start" : "end").text(row.label);
-        let sum = 0;
+        let sum = row.start;
         row.shares.forEach((share, source) => {
-          const piece = {k, row, source, share, x: x(sum), y: top, width: Math.max(0, x(sum + share) - x(sum)), height: 18};
+          const piece = {k, row, source, share, x: Math.min(x(sum), x(sum + share)), y: top, width: Math.abs(x(sum + share) - x(sum)), height: 18};
           svg.append("rect").attr("x", piece.x).attr("width", piece.width).attr("y", top).attr("height", piece.height).attr("fill", colour(source));
-          if (share > 0) pieces.push(piece);
+          if (share) pieces.push(piece);
           sum += share;
         });
+        if (row.bar) svg.append("line").attr("x1", x(sum - row.bar)).attr("x2", x(sum + row.bar)).attr("y1", top + 9).attr("y2", top + 9).attr("stroke", "#1a2230").attr("stroke-width", 2);
       });
       // A finger is wider than most shares.
       const apart = (v, low, size) => Math.max(low - v, 0, v - low - size), reach = 16;
@@ -378,7 +380,7 @@
       }, (p) => {
         frame(p);
         if (!p) return tip.hide();
-        tip.show([p.row.label, `${plot.sources[p.source]}: ${number(p.share)} of the tolerance`], p.x + p.width / 2, p.y, width);
+        tip.show([p.row.label, `${plot.sources[p.source]}: ${number(p.share)} ${plot.of_what}`], p.x + p.width / 2, p.y, width);
       });
     };
   }

@@ -17,5 +17,13 @@ TEST(TrustCommand, ReadsShares) {
   for (const char* bad : {"", "five", "-1 %", "5 mm", "nan"}) EXPECT_THROW(share_of(bad), InputError) << bad;
 }
 
+TEST(TrustCommand, NeedsACaseOrAMap) {
+  const ScratchFolder folder;
+  const auto neither = fretval_run("trust", folder), both = fretval_run("trust case.prm --map map.csv", folder);
+  EXPECT_EQ(neither.exit_code, 2);
+  expect_parts(neither.err, {"case or --map"});
+  EXPECT_EQ(both.exit_code, 2);
+}
+
 }  // namespace
 }  // namespace fretval::trust_command_test

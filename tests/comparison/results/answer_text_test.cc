@@ -61,5 +61,18 @@ TEST(AnswerText, ShowsTheErrorOfSpringsAndNoRoundoff) {
   EXPECT_EQ(mdr_text(settling, Quantity::cycles_to_shakedown, scales), "11.88 ± 0.08 cycles");
 }
 
+TEST(AnswerOfStoredResult, SaysHowGoodMdrIsAsAModel) {
+  auto result = stored_result();
+  EXPECT_EQ(answer_of(result).model, "");
+  result["model"] = {{"good_to", 0.031},
+                     {"mdr_off_by",
+                      {{"stick_radius_first_slip", {{"value", 0.021}, {"uncertainty", 0.004}}},
+                       {"stick_radius_shakedown", {{"value", 0.002}, {"uncertainty", 0.003}}}}}};
+  EXPECT_EQ(answer_of(result).model,
+            "as a model MDR is good to about 3 %: off by +2.1 ± 0.4 % in the stick radius, first slip");
+  result["model"] = {{"good_to", nullptr}, {"outside", "the maps are of an unworn indenter"}};
+  EXPECT_EQ(answer_of(result).model, "as a model: outside the map (the maps are of an unworn indenter)");
+}
+
 }  // namespace
 }  // namespace fretval

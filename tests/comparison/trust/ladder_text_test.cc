@@ -47,7 +47,12 @@ TEST(LadderText, ShowsRungsAndWhatTheyAreNotTheSumOf) {
 }
 
 TEST(LadderJson, HasTheWholeAndEachRung) {
-  const auto json = ladder_json("rig", made_up(2));
+  Case rig;
+  rig.name = "rig";
+  const auto json = ladder_json(rig, made_up(2));
+  EXPECT_EQ(json.at("name"), "rig");
+  EXPECT_EQ(json.at("headline_quantity"), "stick_radius_shakedown");
+  EXPECT_EQ(json.at("at").at("poisson_ratio"), 0.5);
   EXPECT_NEAR(json.at("mdr_off_by").at("stick_radius_shakedown").at("value").get<double>(), 8.0 / 9 - 1, 1e-15);
   EXPECT_TRUE(json.at("mdr_off_by").at("stick_radius_shakedown").at("resolved").get<bool>());
   EXPECT_DOUBLE_EQ(json.at("rungs").at("body").at("mdr_off_by").at("stick_radius_shakedown").at("value").get<double>(),

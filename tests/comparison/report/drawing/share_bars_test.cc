@@ -16,17 +16,17 @@ Filling two_rows() {
 TEST(ShareBars, AreDataOfThePage) {
   EXPECT_EQ(two_rows().dump(),
             R"({"kind":"bars","title":"Error <budget>","x_label":"over the tolerance","sources":["rings","time step"],)"
-            R"("rows":[{"label":"first slip","shares":[0.25,0.5]},{"label":"force","shares":[0.0,0.125]}]})");
+            R"("of_what":"of the tolerance","limit":1.0,)"
+            R"("rows":[{"label":"first slip","shares":[0.25,0.5],"start":0.0,"bar":0.0},)"
+            R"({"label":"force","shares":[0.0,0.125],"start":0.0,"bar":0.0}]})");
 }
 
-// 410 pixels are 1.05, so a share of 1/4 is 97.62 wide, and the next one begins where it ends.
-TEST(ShareBars, AreDrawnWhereScriptsAreOff) {
-  const auto bars = two_rows();
-  const auto svg = svgs({&bars}).front();
-  expect_parts(svg, {"aria-label=\"Error &lt;budget&gt;\"", ">rings<", ">time step<", ">first slip<", ">force<",
-                     "over the tolerance", "x=\"210.00\" y=\"39.00\" width=\"97.62\" height=\"16.00\" fill=\"#0072b2\"",
-                     "x=\"307.62\" y=\"39.00\" width=\"195.24\" height=\"16.00\" fill=\"#d55e00\"",
-                     "x1=\"600.5\" x2=\"600.5\""});
+// From -2.1525 to 4.2 in 410 pixels: 0 is 138.93 from the left, 4 is 258.17 wide; the bar is about -2.
+TEST(ShareBars, GoBothWaysFromWhereTheyStart) {
+  const auto bars = share_bars("t", "x", {"more", "less"}, {{"a", {4, 0}}, {"b", {0, -6}, 4, 0.05}}, 0, "%");
+  expect_parts(share_bars_svg(bars),
+               {"x=\"348.93\" y=\"39.00\" width=\"258.17\"", "x=\"219.84\" y=\"69.00\" width=\"387.25\"",
+                "x1=\"216.62\" x2=\"223.07\"", "x1=\"348.9\" x2=\"348.9\"", ">-2<"});
 }
 
 TEST(ShareBars, HaveRoomForABarThatIsTooWide) {

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <vector>
+
+#include "comparison/model_error/model_error.h"
+
+namespace fretval {
+
+/// Pieces of a line, a gap (NaN) after each.
+struct LevelLine {
+  std::vector<double> x, y;
+};
+
+/// Where on a map MDR over an incompressible half-space is off by each of the levels, to either side: x over the stick
+/// ratio, y over the other coordinate. Straight in the triangles of a regular grid.
+std::vector<LevelLine> level_lines(const std::vector<MapPoint>& points, MapKind kind, Quantity quantity,
+                                   const std::vector<double>& levels);
+
+}  // namespace fretval

@@ -1,0 +1,200 @@
+#include "comparison/trust/map.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <mutex>
+
+#include "comparison/accuracy/fe_readings.h"
+#include "comparison/accuracy/prepared_case.h"
+#include "comparison/reference/mdr_answer.h"
+#include "comparison/reference/mdr_readings.h"
+#include "comparison/simulation/compute_case.h"
+#include "comparison/support/parallel.h"
+#include "comparison/trust/ladder.h"
+
+namespace fretval {
+namespace {
+
+using ChangesOfPair = std::map<Quantity, double>;
+
+void plan_grid(MapKind kind, const std::vector<double>& ratios, const std::vector<double>& values,
+               void (*set)(MapScene&, double), std::vector<PlannedPoint>& planned) {
+  for (const double value : values)
+    for (const double ratio : ratios) {
+      MapScene scene{ratio};
+      set(scene, value);
+      planned.push_back({name_of(kind), "parabola; elastic; k = 0.5", scene});
+    }
+}
+
+/// Of what the maps do not show, one at a time and some at once.
+void plan_elsewhere(std::vector<PlannedPoint>& planned) {
+  const auto add = [&](const char* title, const MapScene& scene) { planned.push_back({"elsewhere", title, scene}); };
+  constexpr double between = 0.58, larger = 0.75, of_cone = 5;
+  MapScene scene{between, 75};
+  add("parabola; elastic; k = 0.5; between the points", scene);
+  scene.cone_angle = of_cone;
+  add("cone; elastic; k = 0.5", scene);
+  scene = {larger, 75};
+  scene.viscoelastic = true;
+  add("parabola; standard solid; k = 0.5", scene);
+  for (const double ratio : {0.1, 1.5}) {
+    scene = {between, 75};
+    scene.amplitude_ratio = ratio;
+    add(ratio < 1 ? "parabola; elastic; k = 0.1" : "parabola; elastic; k = 1.5", scene);
+  }
+  const auto add_coupled = [&](const MapScene& of_body) {
+    for (const double mu : {0.2, 1.0}) {
+      scene = of_body;
+      scene.friction_coefficient = mu;
+      add("parabola; elastic; k = 0.5", scene);
+    }
+    scene = of_body;
+    scene.phase = 0;
+    add("parabola; elastic; k = 0.5; another phase", scene);
+    scene = of_body;
+    scene.amplitude_ratio = 0.1;
+    add("parabola; elastic; k = 0.1", scene);
+    scene = of_body;
+    scene.cone_angle = of_cone;
+    add("cone; elastic; k = 0.5", scene);
+  };
+  MapScene coupled{between};
+  coupled.coupled = true;
+  coupled.poisson_ratio = 0.35;
+  add_coupled(coupled);
+  coupled = {larger};
+  coupled.coupled = true;
+  coupled.radius_over_thickness = 0.7;
+  add_coupled(coupled);
+}
+
+Resolution resolution_of(const PreparedCase& prepared, bool coupled) {
+  auto resolution = prepared.fem.resolution;
+  resolution.elements_per_radius = coupled ? 32 : 64;
+  resolution.steps_per_cycle = 48;
+  resolution.n_angles = 16;
+  return resolution;
+}
+
+/// A case with the full contact, and the same with the ring contact.
+struct Pair {
+  PreparedCase full, on_rings;
+};
+
+Pair pair_of(const Case& input) {
+  auto of_one_direction = input;
+  of_one_direction.contact = {};
+  return {prepare({input}).front(), prepare({of_one_direction}).front()};
+}
+
+ChangesOfPair changes_at(const Pair& pair, const Resolution& resolution, BodyStore& bodies) {
+  const auto readings = [&](const PreparedCase& prepared) {
+    return readings_of(compute_case(prepared.fem, resolution, bodies), prepared.fem.units);
+  };
+  const auto full = readings(pair.full), on_rings = readings(pair.on_rings);
+  ChangesOfPair changes;
+  for (const auto quantity : mapped_quantities) {
+    const auto more = full.find(quantity), less = on_rings.find(quantity);
+    if (more == full.end() || less == on_rings.end()) continue;
+    if (const auto& of_full = more->second.value, &of_rings = less->second.value; of_full && of_rings && *of_rings > 0)
+      changes[quantity] = *of_full / *of_rings - 1;
+  }
+  return changes;
+}
+
+}  // namespace
+
+std::vector<PlannedPoint> planned_points() {
+  std::vector<PlannedPoint> planned;
+  plan_grid(
+      MapKind::phase, {0.2, 0.35, 0.5, 0.65, 0.8, 0.9, 0.95}, {0, 30, 60, 90, 120, 150},
+      [](MapScene& scene, double value) { scene.phase = value; }, planned);
+  plan_grid(
+      MapKind::poisson_ratio, {0.2, 0.4, 0.6, 0.8, 0.95}, {0, 0.15, 0.3, 0.4, 0.5},
+      [](MapScene& scene, double value) {
+        scene.poisson_ratio = value;
+        scene.coupled = value < 0.5;
+      },
+      planned);
+  plan_grid(
+      MapKind::layer, {0.2, 0.4, 0.6, 0.8, 0.95}, {0, 0.25, 0.5, 1, 2},
+      [](MapScene& scene, double value) {
+        scene.radius_over_thickness = value;
+        scene.coupled = value > 0;
+      },
+      planned);
+  plan_grid(
+      MapKind::layer_by_force, {0.2, 0.4, 0.6, 0.8, 0.95}, {0, 0.5, 1, 2},
+      [](MapScene& scene, double value) {
+        scene.radius_over_thickness = value;
+        scene.by_normal_force = true;
+      },
+      planned);
+  plan_elsewhere(planned);
+  return planned;
+}
+
+MapPoint point_by_mdr(const PlannedPoint& planned, const Case& input) {
+  auto of_one_direction = input;
+  of_one_direction.contact = {};
+  const auto over_body = mdr_case(of_one_direction), over_half_space = mdr_case(case_for_mdr(input));
+  const auto answer = mdr_answer_with_cycle(over_body, mdr_normal_response(over_body)),
+             own = mdr_answer_with_cycle(over_half_space, mdr_normal_response(over_half_space));
+  const auto& scene = planned.scene;
+  MapPoint point{planned.map,
+                 coordinates_of(input, answer),
+                 planned.title,
+                 scene.friction_coefficient,
+                 scene.coupled,
+                 scene.viscoelastic,
+                 {}};
+  point.own = coordinates_of(input, own);
+  const auto values = readings_of(answer), own_values = readings_of(own);
+  for (const auto quantity : mapped_quantities) {
+    const auto one = values.find(quantity), other = own_values.find(quantity);
+    if (one == values.end() || other == own_values.end()) continue;
+    if (const auto& here = one->second.value, &there = other->second.value; here && there && *here > 0)
+      point.own_over_body[quantity] = *there / *here;
+  }
+  return point;
+}
+
+MapPoint computed_point(const PlannedPoint& planned, BodyStore& bodies) {
+  const auto& scene = planned.scene;
+  const auto input = case_of(scene);
+  auto point = point_by_mdr(planned, input);
+  const auto pair = pair_of(input);
+  const auto finest = resolution_of(pair.full, scene.coupled), fewer_steps = with_steps(finest, 0.5);
+  const auto at = [&](const Resolution& resolution) { return changes_at(pair, resolution, bodies); };
+  const auto values = at(finest);
+  const std::vector<std::pair<ChangesOfPair, ChangesOfPair>> halved{{values, at(with_rings(finest, 0.5))},
+                                                                    {values, at(fewer_steps)}};
+  auto all = halved;
+  all.push_back({all.back().second, at(with_angles(fewer_steps, 0.5))});
+  for (const auto& [quantity, value] : values) {
+    double bar = 0;
+    for (const auto& [finer, coarser] : all) {
+      const auto more = finer.find(quantity), less = coarser.find(quantity);
+      bar += more == finer.end() || less == coarser.end() ? 1 : std::abs(more->second - less->second);
+    }
+    point.changes[quantity] = {value, bar};
+  }
+  return point;
+}
+
+std::vector<MapPoint> computed_map(const std::vector<PlannedPoint>& planned, BodyStore& bodies,
+                                   const std::function<void(const MapPoint&, std::size_t)>& done) {
+  std::vector<MapPoint> points(planned.size());
+  std::mutex mutex;
+  std::size_t n_done = 0;
+  for_each_in_parallel(planned.size(), [&](std::size_t i) {
+    points[i] = computed_point(planned[i], bodies);
+    const std::lock_guard<std::mutex> lock(mutex);
+    done(points[i], ++n_done);
+  });
+  return points;
+}
+
+}  // namespace fretval

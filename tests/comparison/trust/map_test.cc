@@ -1,0 +1,46 @@
+#include "comparison/trust/map.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+
+namespace fretval::map_test {
+namespace {
+
+TEST(PlannedPoints, AreOfAllMapsAndElsewhere) {
+  std::set<std::string> maps;
+  for (const auto& point : planned_points()) {
+    maps.insert(point.map);
+    EXPECT_EQ(point.title.find(','), std::string::npos) << point.title;
+  }
+  EXPECT_EQ(maps.size(), all_maps.size() + 1);
+}
+
+TEST(PointByMdr, HasBothOfItsModels) {
+  MapScene scene{0.6};
+  scene.radius_over_thickness = 1;
+  const auto point = point_by_mdr({"layer", "", scene}, case_of(scene));
+  EXPECT_NEAR(*point.at.shakedown, 0.6, 5e-3);
+  EXPECT_NEAR(point.at.radius_over_thickness, 1, 1e-6);
+  EXPECT_LT(point.own.radius_over_thickness, 1);
+  EXPECT_LT(point.own_over_body.at(Quantity::normal_force_max), 0.8);
+}
+
+// At nu = 0 both tangential responses are equal: a direction of friction that turns changes nothing. Over an
+// incompressible half-space it takes some of the stick radius away.
+TEST(ComputedPoint, KnowsWhereTheDirectionOfFrictionMatters) {
+  BodyStore bodies;
+  MapScene scene{0.5};
+  const auto incompressible = computed_point({"phase", "", scene}, bodies);
+  const auto& radius = incompressible.changes.at(Quantity::stick_radius_shakedown);
+  EXPECT_LT(radius.value, -radius.bar);
+  EXPECT_GT(radius.value, -0.05);
+  scene.poisson_ratio = 0;
+  const auto compressible = computed_point({"phase", "", scene}, bodies);
+  const auto& none = compressible.changes.at(Quantity::stick_radius_shakedown);
+  EXPECT_NEAR(none.value, 0, 1e-6);
+}
+
+}  // namespace
+}  // namespace fretval::map_test
