@@ -33,7 +33,7 @@ std::string changed(const ordered_json& all, const char* key) {
   const auto found = all.find(key);
   if (found == all.end()) return "–";
   const auto [value, bar] = change_of(*found);
-  return std::abs(value) > bar ? fmt::format("{:+.3g} ± {:.1g} %", value, bar) : fmt::format("within {:.1g} %", bar);
+  return std::abs(value) > bar ? fmt::format("{:+.3g} ± {:.2g} %", value, bar) : fmt::format("within {:.2g} %", bar);
 }
 
 /// Each assumption that is dropped, what they do together beyond that, and the whole, from MDR's value on.

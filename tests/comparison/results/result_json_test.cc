@@ -140,6 +140,7 @@ TEST(ResultJson, HasEveryNumberUnderItsKey) {
         "verdict": "agree", "pass": true},
       "stick_radius_shakedown": {"difference": 0.15, "tolerance": 0.125, "error_bar": null, "mdr_error": 0,
         "asked": true, "verdict": "disagree", "pass": false}},
+    "model": {"good_to": null, "mdr_off_by": {}},
     "cost": {"seconds": {"mesh": 1.5, "assembly": 2.5, "factorisation": 3.5, "reading": 6.5, "normal_history": 4.5,
         "friction_history": 5.5},
       "dofs": 103, "contact_nodes": 104, "time_steps": 12, "cycles": 3, "computations": 6, "bodies": 4, "bodies_from_store": 2,
