@@ -86,7 +86,7 @@ void add_coupling(const fem::NormalHistory& normal, const fem::RingProblems& rin
   const Eigen::VectorXd of_rings = normal.pressure.transpose() * rings.normal.compliance.areas;
   const double coupled = fem::largest_of_period(history.normal_force, history.pieces),
                alone = fem::largest_of_period(of_rings, normal.pieces);
-  answer.normal_force_max += (coupled - alone) * fem.units.force();
+  if (!fem.motion.normal_force) answer.normal_force_max += (coupled - alone) * fem.units.force();
   const double length = fem.units.length;
   const auto region_of_rings = fem::region_of(rings.normal, fem::angular_grid(1), normal.pressure.rowwise().maxCoeff());
   surface.contact = moved_out(zone_of(history.contact, length),

@@ -91,18 +91,18 @@ TEST(FullCase, FollowsATangentialForce) {
   EXPECT_NEAR(by_force.stick_radius_shakedown.value(), by_displacement.stick_radius_shakedown.value(), 1e-2 * a);
 }
 
-// Coupling makes a compressible body stiffer: it sinks in less far under the same force.
+// Pressing with friction is stiffer than without: a compressible body sinks in less far under the same force.
 TEST(FullCase, FollowsForcesInBothDirectionsWhereTheyAreCoupled) {
   auto scene = with_vector_friction(0.2, true);
-  const auto displaced = ring_answer_to(scene);
-  scene.motion.normal_force = Case::NormalForce{displaced.normal_force_max, 0};
+  const double force = ring_answer_to(scene).normal_force_max;
+  scene.motion.normal_force = Case::NormalForce{0.75 * force, 0.25 * force};
   scene.motion.normal_amplitude = scene.motion.indentation = scene.motion.tangential_amplitude = 0;
-  scene.motion.tangential_force = 0.3 * scene.friction_coefficient * displaced.normal_force_max;
+  scene.motion.tangential_force = 0.2 * scene.friction_coefficient * force;
   const auto full = answer_to(scene), rings = ring_answer_to(scene);
-  EXPECT_NEAR(full.normal_force_max / displaced.normal_force_max, 1, 1e-6);
+  EXPECT_DOUBLE_EQ(full.normal_force_max, rings.normal_force_max);
   EXPECT_NEAR(full.cycle->tangential_force_max / *scene.motion.tangential_force, 1, 5e-3);
   const double sinks = full.indentation_max.value() / rings.indentation_max.value();
-  EXPECT_LT(sinks, 1 - 1e-4);
+  EXPECT_LT(sinks, 1 - 1e-3);
   EXPECT_GT(sinks, 0.97);
 }
 
