@@ -9,6 +9,7 @@
 #include <random>
 
 #include "comparison/command_line/exit_codes.h"
+#include "comparison/command_line/output_file.h"
 #include "comparison/command_line/run_command.h"
 #include "comparison/report/sections/exact_section.h"
 #include "comparison/report/sections/suite_section.h"
@@ -127,9 +128,8 @@ int run_check(const CheckOptions& options) {
   for (const auto& [option, suite] : options.of)
     if (option->count() > 0 && (suite != options.suite || !options.inputs.empty()))
       throw InputError(fmt::format("{}: it belongs to the suite {}", option->get_name(), suite));
-  // Before minutes of computing, not after.
-  for (const fs::path file : {options.junit, options.json})
-    if (file.has_parent_path()) fs::create_directories(file.parent_path());
+  prepare_output_file("--junit", options.junit);
+  prepare_output_file("--json", options.json);
   if (!options.inputs.empty()) {
     RunOptions run;
     run.inputs = options.inputs;

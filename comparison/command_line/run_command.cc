@@ -15,6 +15,7 @@
 #include "comparison/command_line/exit_codes.h"
 #include "comparison/command_line/failure.h"
 #include "comparison/command_line/interrupt.h"
+#include "comparison/command_line/output_file.h"
 #include "comparison/command_line/terminal.h"
 #include "comparison/report/report.h"
 #include "comparison/report/text/numbers.h"
@@ -189,10 +190,7 @@ int run_cases(const RunOptions& options) {
   }
   const auto baseline =
       options.baseline.empty() ? std::vector<StoredResult>{} : baseline_of(options.baseline, prepared);
-  // Before minutes of computing, not after.
-  if (fs::is_directory(options.junit))
-    throw InputError(fmt::format("{}: is a folder; --junit expects the name of a file", options.junit));
-  if (const fs::path file = options.junit; file.has_parent_path()) fs::create_directories(file.parent_path());
+  prepare_output_file("--junit", options.junit);
   for (const auto& one : prepared) {
     for (const auto& note : one.input.notes) log::info_once(note);
     if (const auto text = duration_text(one.input); !text.empty()) log::info(text);

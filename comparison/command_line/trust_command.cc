@@ -7,6 +7,7 @@
 
 #include "comparison/case/case_file.h"
 #include "comparison/command_line/exit_codes.h"
+#include "comparison/command_line/output_file.h"
 #include "comparison/report/report.h"
 #include "comparison/support/files.h"
 #include "comparison/support/json.h"
@@ -74,6 +75,7 @@ int run_trust(const std::string& file, const TrustOptions& options) {
 }
 
 int run_map(const TrustOptions& options) {
+  prepare_output_file("--map", options.map);
   const fem::PetscSession session;
   BodyStore bodies(store_of(options.store));
   const auto planned = planned_points();
