@@ -4,6 +4,12 @@
 
 namespace fretval {
 
+double phase_on_maps(double phase) {
+  constexpr double half_turn = 180;
+  const double rest = std::fmod(phase, half_turn);
+  return rest < 0 ? rest + half_turn : rest;
+}
+
 Coordinates coordinates_of(const Case& input, const MdrAnswer& answer) {
   Coordinates at;
   at.contact_radius = answer.contact_radius_max.value_or(0);
@@ -12,9 +18,7 @@ Coordinates coordinates_of(const Case& input, const MdrAnswer& answer) {
     if (answer.stick_radius_first_slip) at.first_slip = *answer.stick_radius_first_slip / at.contact_radius;
     if (answer.stick_radius_shakedown) at.shakedown = *answer.stick_radius_shakedown / at.contact_radius;
   }
-  constexpr double half_turn = 180;
-  at.phase = std::fmod(input.motion.phase.value_or(0), half_turn);
-  if (at.phase < 0) at.phase += half_turn;
+  at.phase = phase_on_maps(input.motion.phase.value_or(0));
   at.poisson_ratio = input.elastomer.poisson_ratio;
   if (!input.body.is_half_space()) at.radius_over_thickness = at.contact_radius / input.body.thickness;
   return at;

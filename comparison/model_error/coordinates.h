@@ -17,6 +17,9 @@ struct Coordinates {
   double radius_over_thickness = 0;  ///< of a layer; 0: a half-space
 };
 
+/// A phase in degrees as the maps have it, from 0 to 180.
+double phase_on_maps(double phase);
+
 /// answer: MDR's to the case.
 Coordinates coordinates_of(const Case& input, const MdrAnswer& answer);
 

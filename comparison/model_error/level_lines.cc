@@ -43,12 +43,12 @@ double largest_value(const std::vector<MapPoint>& points, MapKind kind) {
 using Grid = std::vector<std::vector<Corner>>;
 
 Grid grid_of(const std::vector<MapPoint>& points, MapKind kind, Quantity quantity) {
-  constexpr double least = 0.2, most = 0.95;
   const double top = largest_value(points, kind);
   Grid grid(n_across + 1);
   for (int i = 0; i <= n_across; ++i)
     for (int j = 0; j <= n_across; ++j) {
-      const double x = least + (most - least) * i / n_across, y = top * j / n_across;
+      const double x = least_mapped_ratio + (most_mapped_ratio - least_mapped_ratio) * i / n_across,
+                   y = top * j / n_across;
       const auto off = own_off_by_on_map(points, kind, quantity, x, y);
       grid[i].push_back({x, y, off ? off->value : std::nan("")});
     }

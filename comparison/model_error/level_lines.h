@@ -6,6 +6,9 @@
 
 namespace fretval {
 
+/// The stick ratios that the maps reach from and to.
+constexpr double least_mapped_ratio = 0.2, most_mapped_ratio = 0.95;
+
 /// Pieces of a line, a gap (NaN) after each.
 struct LevelLine {
   std::vector<double> x, y;

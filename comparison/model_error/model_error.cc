@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace fretval {
 namespace {
@@ -93,6 +94,19 @@ bool couples(const Coordinates& at) {
   return at.poisson_ratio != no_volume_change || at.radius_over_thickness > 0;
 }
 
+/// Of the maps of the program, which no case changes: found once.
+double known_spread(Quantity quantity, const Elsewhere& where) {
+  using Key = std::tuple<Quantity, bool, bool>;
+  static const auto spreads = [] {
+    std::map<Key, double> all;
+    for (const auto one : mapped_quantities)
+      for (const auto& [coupled, memory] : {Elsewhere{false, false}, {true, false}, {false, true}})
+        all[{one, coupled, memory}] = spread_elsewhere(map_points(), one, {coupled, memory});
+    return all;
+  }();
+  return spreads.at({quantity, where.coupled, where.memory});
+}
+
 }  // namespace
 
 std::optional<Interpolated> change_on_map(const std::vector<MapPoint>& points, MapKind kind, Quantity quantity,
@@ -168,8 +182,8 @@ ModelErrors model_errors_of(const Case& input, const MdrAnswer& mdr) {
   for (const auto quantity : mapped_quantities) {
     const auto change = change_at(map_points(), at, quantity);
     if (!change) continue;
-    double spread = spread_elsewhere(map_points(), quantity, {couples(at), false});
-    if (has_memory) spread = std::max(spread, spread_elsewhere(map_points(), quantity, {false, true}));
+    double spread = known_spread(quantity, {couples(at), false});
+    if (has_memory) spread = std::max(spread, known_spread(quantity, {false, true}));
     spread *= std::abs(change->value);
     const double truth = 1 + change->value;
     errors.off_by[quantity] = {1 / truth - 1, (change->uncertainty + spread) / truth};

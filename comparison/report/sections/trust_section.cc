@@ -5,6 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "comparison/model_error/coordinates.h"
 #include "comparison/model_error/level_lines.h"
 #include "comparison/report/drawing/figures.h"
 #include "comparison/report/drawing/share_bars.h"
@@ -93,7 +94,7 @@ constexpr std::array maps_of_page{
 /// Lines of equal errors, and the case.
 Figure error_map_figure(const MapOfPage& map, const ordered_json& at, Quantity quantity) {
   Plot plot{fmt::format("{}: {}", map.title, traits_of(quantity).title), "c/a by MDR", map.y_label};
-  plot.x_range = {0.2, 0.95};
+  plot.x_range = {least_mapped_ratio, most_mapped_ratio};
   const std::vector<double> levels{0.01, 0.02, 0.05, 0.1, 0.2};
   const auto lines = level_lines(map_points(), map.kind, quantity, levels);
   for (std::size_t k = 0; k < levels.size(); ++k)
@@ -103,9 +104,7 @@ Figure error_map_figure(const MapOfPage& map, const ordered_json& at, Quantity q
   const auto ratio = at.find(name_of(quantity));
   const auto& value = at.at(map.coordinate);
   if (ratio != at.end() && value.is_number()) {
-    double y = value.get<double>();
-    constexpr double half_turn = 180;
-    if (map.kind == MapKind::phase) y = std::fmod(std::fmod(y, half_turn) + half_turn, half_turn);
+    const double number = value.get<double>(), y = map.kind == MapKind::phase ? phase_on_maps(number) : number;
     plot.series.push_back({"this case", {ratio->get<double>()}, {y}, Series::Style::triangles, 7});
   }
   return {plot,
