@@ -1,6 +1,5 @@
 #include <benchmark/benchmark.h>
 
-#include "fem/condensation/petsc_session.h"
 #include "fem/contact/static_contact.h"
 #include "fem/full_contact/surface_history.h"
 #include "fem/support/constants.h"
@@ -82,10 +81,3 @@ BENCHMARK(coupled)->Apply(sizes);
 
 }  // namespace
 }  // namespace fretval
-
-int main(int argc, char** argv) {
-  const fretval::fem::PetscSession session;
-  benchmark::Initialize(&argc, argv);
-  benchmark::RunSpecifiedBenchmarks();
-  return 0;
-}

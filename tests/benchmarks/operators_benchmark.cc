@@ -8,7 +8,6 @@
 #include "comparison/simulation/bodies/kept_body.h"
 #include "comparison/simulation/compute_case.h"
 #include "comparison/support/data_folder.h"
-#include "fem/condensation/petsc_session.h"
 
 namespace fretval {
 namespace {
@@ -104,9 +103,3 @@ BENCHMARK(whole_case)->Apply(set_up);
 
 }  // namespace
 }  // namespace fretval
-
-int main(int argc, char** argv) {
-  const fretval::fem::PetscSession session;
-  benchmark::Initialize(&argc, argv);
-  benchmark::RunSpecifiedBenchmarks();
-}
