@@ -52,13 +52,23 @@ std::optional<Case::WearKinetics> read_wear_kinetics(const EntryReader& entries,
   return wear;
 }
 
+/// Under friction as a vector: from the unworn indenter on, by prescribed displacements that repeat.
+void read_wear_in_the_plane(const EntryReader& entries, Case& input) {
+  for (const char* name : {"State", "Stick radius ratio", "Profile", "Worn rings"})
+    entries.forbid("Wear", name, "under Contact / Friction = vector wear begins with the indenter as it is described");
+  const auto& motion = input.motion;
+  const bool repeats = motion.path ? motion.path->repeats : true;
+  const bool by_force = motion.path ? motion.path->normal_force || motion.path->tangential_force
+                                    : motion.normal_force || motion.tangential_force;
+  for (const char* name : wear_kinetics_names)
+    if (!repeats || by_force)
+      entries.forbid("Wear", name,
+                     "under Contact / Friction = vector wear needs prescribed displacements that repeat forever");
+  if (repeats && !by_force) input.wear_kinetics = read_wear_kinetics(entries, input.notes);
+}
+
 void read_wear(const EntryReader& entries, Case& input) {
-  if (input.contact.is_full()) {
-    entries.forbid("Wear", "State", "under Contact / Friction = vector the indenter does not wear");
-    for (const char* name : wear_kinetics_names)
-      entries.forbid("Wear", name, "under Contact / Friction = vector the indenter does not wear");
-    return;
-  }
+  if (input.contact.is_full()) return read_wear_in_the_plane(entries, input);
   if (const auto& path = input.motion.path) {
     for (const char* name : {"State", "Stick radius ratio"})
       entries.forbid("Wear", name, "the profile that a Motion / Path is limiting for is found by wear");

@@ -15,6 +15,7 @@
 #include "comparison/report/sections/forces_section.h"
 #include "comparison/report/sections/scene_section.h"
 #include "comparison/report/sections/suite_section.h"
+#include "comparison/report/sections/surface_wear_section.h"
 #include "comparison/report/sections/sweep_section.h"
 #include "comparison/report/sections/trade_section.h"
 #include "comparison/report/sections/trust_section.h"
@@ -211,9 +212,9 @@ fs::path write_report(const fs::path& folder) {
   };
   add(section_of(folder / "trust.json", trust_section));
   if (!results.empty())
-    for (const auto section :
-         {verdict_section, cases_of_few, scenes_section, radii_section, phase_section, rheology_section, sweeps_section,
-          motions_section, forces_section, limiting_section, wear_section, cases_of_many, budget_section})
+    for (const auto section : {verdict_section, cases_of_few, scenes_section, radii_section, phase_section,
+                               rheology_section, sweeps_section, motions_section, forces_section, limiting_section,
+                               wear_section, surface_wear_section, cases_of_many, budget_section})
       add(section(results));
   add(trade_section(folder));
   for (const char* suite : {"tolerance.json", "extremes.json", "random.json"})

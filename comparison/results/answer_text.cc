@@ -40,6 +40,23 @@ std::string wear_text(const ProvedWear& wear, const Units& units) {
   return text + "; what still bears pressure sticks throughout, and wears no more\n";
 }
 
+/// What has become of an indenter that wears off its circle, beside what MDR says of its end.
+std::string wear_text(const ProvedSurfaceWear& wear, const Units& units) {
+  const auto& fe = wear.fe;
+  const auto& last = fe.course.curve.back();
+  const double volume = last.volume * units.volume(), length = units.length;
+  const auto bar = [&](const ErrorBar& of, double unit) { return wear.is_proved ? of.total() * unit : 0; };
+  auto text = fmt::format("  worn off: {} in {:.3g} cycles (MDR's limit: {}){}\n", volume_text(volume), last.cycles,
+                          volume_text(wear.limit.volume),
+                          fe.course.end == fem::WearEnd::nothing_left ? "; nothing wears any more" : "");
+  text += fmt::format("  what has worn leaves {} to stick (MDR {}), {} along x and {} across\n",
+                      with_unit(fe.sticks.radius * length, bar(wear.radius, length), "m"),
+                      with_unit(wear.limit.stick_radius, 0, "m"),
+                      with_unit(fe.sticks.along * length, bar(wear.along, length), "m"),
+                      with_unit(fe.sticks.across * length, bar(wear.across, length), "m"));
+  return text;
+}
+
 std::string percent(double share) {
   return fmt::format("{:+.2g} %", 100 * share);
 }
@@ -235,6 +252,7 @@ std::string answer_text(const CaseResult& result, const ordered_json& json) {
   for (const auto* line : {&answer.half_space, &answer.rings})
     if (!line->empty()) text += "  " + *line + "\n";
   if (result.wear) return text + wear_text(*result.wear, result.fem_case.units);
+  if (result.surface_wear) return text + wear_text(*result.surface_wear, result.fem_case.units);
   if (result.mdr.worn_radius)
     text += answer_line("wear ends at the radius", "", with_unit(*result.mdr.worn_radius, 0, "m"));
   return text;

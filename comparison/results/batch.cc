@@ -40,6 +40,31 @@ Case::Fields fields_to_write(const Case& input, const BatchOptions& options) {
   return input.fields.value_or(writes ? Case::Fields::extremes : Case::Fields::none);
 }
 
+/// Adds the wear of the indenter to a result. Returns why it failed, or nothing.
+std::string wear_off(const PreparedCase& prepared, const BatchOptions& options, BodyStore& bodies, CaseResult& result) {
+  const bool in_the_plane = prepared.fem.full.has_value();
+  WearOversight oversight;
+  if (!options.output.empty()) oversight.checkpoints = options.output / prepared.input.name / "checkpoints";
+  if (options.under_way)
+    oversight.progress = [&](double share, double value) {
+      const auto* what =
+          in_the_plane ? "what sticks has shrunk to {:.2g} a" : "worn to {:.1e} from the limiting profile";
+      options.under_way(prepared.input.name, unworn_beside_wear + (1 - unworn_beside_wear) * share,
+                        fmt::format(fmt::runtime(what), value));
+    };
+  std::string failure;
+  if (in_the_plane) {
+    result.surface_wear = prove_surface_wear(prepared, result.mdr, result.fe, options.proof, bodies, oversight);
+    failure = result.surface_wear->failure;
+  } else {
+    auto wear = prove_wear(prepared, result.mdr, result.fe, options.proof, bodies, oversight);
+    failure = wear.failure;
+    if (failure.empty()) add_wear(std::move(wear), result);
+  }
+  std::filesystem::remove_all(oversight.checkpoints);
+  return failure;
+}
+
 BatchLine run_case(const PreparedCase& asked, const BatchOptions& options, BodyStore& bodies,
                    NormalResponses& references) {
   BatchLine line;
@@ -83,20 +108,8 @@ BatchLine run_case(const PreparedCase& asked, const BatchOptions& options, BodyS
   }
   add_data_shares(prepared.input, prepared.mdr, fe.budget);
   auto result = result_of(prepared, *reference, options.proof, std::move(fe));
-  if (wears(prepared)) {
-    WearOversight oversight;
-    if (!options.output.empty()) oversight.checkpoints = folder / "checkpoints";
-    if (options.under_way)
-      oversight.progress = [&](double share, double distance) {
-        options.under_way(line.name, unworn_beside_wear + (1 - unworn_beside_wear) * share,
-                          fmt::format("worn to {:.1e} from the limiting profile", distance));
-      };
-    auto wear = prove_wear(prepared, result.mdr, result.fe, options.proof, bodies, oversight);
-    std::filesystem::remove_all(oversight.checkpoints);
-    line.failure = wear.failure;
-    if (!line.failure.empty()) return line;
-    add_wear(std::move(wear), result);
-  }
+  if (wears(prepared)) line.failure = wear_off(prepared, options, bodies, result);
+  if (!line.failure.empty()) return line;
   finish(result, *reference, options, line);
   return line;
 }

@@ -14,6 +14,7 @@
 #include "comparison/results/moduli_files.h"
 #include "comparison/results/period_steps.h"
 #include "comparison/results/surface_files.h"
+#include "comparison/results/surface_wear_json.h"
 #include "comparison/results/wear_json.h"
 #include "comparison/simulation/fem_case/resolution_json.h"
 #include "comparison/support/files.h"
@@ -204,8 +205,9 @@ CaseResult result_beyond_mdr(const PreparedCase& prepared, Proof proof, ProvedAn
   const auto& zones = fe.fe.zones.value();
   const BeyondMdr beyond{mdr.falls(), springs, springs.force_over_modulus * mdr.body.relaxed_modulus,
                          zones.force_at_rest, zones.radius_at_rest};
-  return {prepared.input, mdr, at_resolution(prepared.fem, fe.resolution), ratio_alone, proof, std::move(fe), {}, {},
-          beyond};
+  return {
+      prepared.input, mdr, at_resolution(prepared.fem, fe.resolution), ratio_alone, proof, std::move(fe), {}, {}, {},
+      beyond};
 }
 
 void add_wear(ProvedWear&& wear, CaseResult& result) {
@@ -226,6 +228,7 @@ void write_result(const CaseResult& result, const nlohmann::ordered_json& json, 
   if (!result.fe.fe.gross_slip) write_periodic_state(result, reference, folder);
   write_field_files(result.fe.fe, result.fem_case, result.input.fields.value_or(Case::Fields::none), folder);
   if (result.wear) write_wear(*result.wear, result.input, result.fem_case.units, folder);
+  if (result.surface_wear) write_surface_wear(*result.surface_wear, result.fem_case.units, folder);
   write_file(folder / "run.json", as_text(run_json(result)));
   write_file(folder / "result.json", as_text(json));
 }

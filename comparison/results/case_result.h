@@ -5,6 +5,7 @@
 
 #include "comparison/accuracy/proof.h"
 #include "comparison/accuracy/rings_needed.h"
+#include "comparison/accuracy/surface_wear_proof.h"
 #include "comparison/accuracy/wear_proof.h"
 #include "comparison/model_error/model_error.h"
 #include "comparison/reference/mdr_answer.h"
@@ -33,6 +34,7 @@ struct CaseResult {
   ProvedAnswer fe;
   Comparison comparison;  ///< of everything
   std::optional<ProvedWear> wear = {};
+  std::optional<ProvedSurfaceWear> surface_wear = {};
   std::optional<BeyondMdr> beyond_mdr = {};  ///< then nothing is compared, and mdr has the modulus ratio alone
   std::optional<MdrAnswer> half_space = {};  ///< what MDR says of a half-space in the place of another body
   std::optional<GivenRings> rings = {};      ///< of a mesh that the case brings along

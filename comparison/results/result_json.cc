@@ -13,6 +13,7 @@
 #include "comparison/results/data_files.h"
 #include "comparison/results/measured_values.h"
 #include "comparison/results/results_folder.h"
+#include "comparison/results/surface_wear_json.h"
 #include "comparison/results/wear_json.h"
 #include "comparison/results/zones_json.h"
 #include "comparison/simulation/fem_case/resolution_json.h"
@@ -155,6 +156,7 @@ ordered_json fe_json(const CaseResult& result) {
   }
   if (fe.zones) json["zones"] = zones_json(*fe.zones, result.fe.zone_bars, units.length);
   if (result.wear) json["wear"] = to_json(*result.wear, units);
+  if (result.surface_wear) json["surface_wear"] = to_json(*result.surface_wear, units);
   if (result.rings)
     json["rings"] = {{"in_contact", result.rings->in_contact}, {"needed", or_null(result.rings->needed)}};
   return json;
@@ -203,7 +205,10 @@ ordered_json result_json(const CaseResult& result) {
   cost["computations"] = result.fe.cost.computations;
   cost["bodies"] = result.fe.cost.bodies.all;
   cost["bodies_from_store"] = result.fe.cost.bodies.from_store;
-  cost["all"] = to_json(result.wear ? result.fe.cost + result.wear->cost : result.fe.cost);
+  auto all = result.fe.cost;
+  if (result.wear) all = all + result.wear->cost;
+  if (result.surface_wear) all = all + result.surface_wear->cost;
+  cost["all"] = to_json(all);
   cost["peak_memory_bytes"] = peak_memory_bytes();
   const auto outcome = outcome_of(result);
   auto mdr = to_json(result.mdr);

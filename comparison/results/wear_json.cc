@@ -10,7 +10,6 @@
 #include "comparison/support/json.h"
 
 namespace fretval {
-namespace {
 
 using nlohmann::ordered_json;
 
@@ -27,6 +26,22 @@ const char* name_of(fem::WearEnd end) {
   }
   return "nothing left";
 }
+
+ordered_json course_json(const fem::WearCourse& course, const Units& units) {
+  ordered_json json;
+  for (const auto& point : course.curve) {
+    json["cycles"].push_back(point.cycles);
+    json["volume"].push_back(point.volume * units.volume());
+    json["volume_rate"].push_back(point.volume_rate * units.volume());
+    json["deepest"].push_back(point.deepest * units.depth);
+    json["friction_work"].push_back(point.friction_work * units.force() * units.depth);
+    json["contact_radius"].push_back(point.contact_radius * units.length);
+    json["stick_radius"].push_back(point.stick_radius * units.length);
+  }
+  return json;
+}
+
+namespace {
 
 std::vector<double> list(const Eigen::VectorXd& values) {
   return {values.begin(), values.end()};
@@ -67,16 +82,7 @@ std::vector<std::size_t> snapshots_of(const fem::WearCourse& course) {
 
 ordered_json to_json(const ProvedWear& wear, const Units& units) {
   const auto& course = wear.fe.course;
-  ordered_json json;
-  for (const auto& point : course.curve) {
-    json["cycles"].push_back(point.cycles);
-    json["volume"].push_back(point.volume * units.volume());
-    json["volume_rate"].push_back(point.volume_rate * units.volume());
-    json["deepest"].push_back(point.deepest * units.depth);
-    json["friction_work"].push_back(point.friction_work * units.force() * units.depth);
-    json["contact_radius"].push_back(point.contact_radius * units.length);
-    json["stick_radius"].push_back(point.stick_radius * units.length);
-  }
+  auto json = course_json(course, units);
   json["distance_to_shakedown_limit"] = wear.distance_shakedown;
   json["distance_to_first_slip_limit"] = wear.distance_first_slip;
   json["r"] = list(units.length * wear.fe.centre);

@@ -7,6 +7,11 @@
 
 namespace fretval {
 
+const char* name_of(fem::WearEnd end);
+
+/// A list a value, of all points of a course; SI units.
+nlohmann::ordered_json course_json(const fem::WearCourse& course, const Units& units);
+
 /// "fe.wear" of result.json: the course with the keys of the reference's (`cycles`, `volume`, `deepest`,
 /// `friction_work`, `contact_radius`, `stick_radius`; the final `worn_depth` over `r`), and `law`, `end`,
 /// `distance_to_limit`, `pressed_outside`, `zones`, what it cost. SI units.

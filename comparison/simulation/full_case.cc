@@ -30,13 +30,6 @@ fem::SurfaceControl control_of_surface(const FemCase& fem) {
   return {ramp + at_least, ramp + at_most, of_body * fem.resolution.periodicity};
 }
 
-PlaneZone zone_of(const fem::ContactRegion& region, double length) {
-  PlaneZone zone{region.area * length * length, region.radius * length,      region.along * length,
-                 region.across * length,        region.uncertainty * length, {}};
-  for (const double edge : region.edges) zone.edges.push_back(edge * length);
-  return zone;
-}
-
 PlaneZone disc(double radius, double uncertainty, Eigen::Index n_angles) {
   return {fem::pi * radius * radius, radius, radius, radius, uncertainty, std::vector<double>(n_angles, radius)};
 }
@@ -240,6 +233,13 @@ void extrapolate(const FeAnswer& coarse, double ratio, FeAnswer& fine) {
 }
 
 }  // namespace
+
+PlaneZone zone_of(const fem::ContactRegion& region, double length) {
+  PlaneZone zone{region.area * length * length, region.radius * length,      region.along * length,
+                 region.across * length,        region.uncertainty * length, {}};
+  for (const double edge : region.edges) zone.edges.push_back(edge * length);
+  return zone;
+}
 
 FeAnswer compute_full_contact(const ContactProblems& problems, const FemCase& fem, const std::optional<FeAnswer>& ring,
                               BodyStore& bodies) {

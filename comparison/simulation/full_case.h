@@ -14,10 +14,13 @@ namespace fretval {
 /// rings and angles has the errors of its rings and steps, and the ring contact has better readings. So the same
 /// friction is stepped once more with one angle, which is the ring contact to roundoff but for its readings, and the
 /// difference of the two histories, in which these errors cancel, is added to what the ring contact says. Coupled, the
-/// normal contact is stepped along, and its force and edge are corrected likewise. Where the direction of slip turns, or
-/// points touch in a step, steps are of first order: coupled, and of a motion in two directions, everything is
+/// normal contact is stepped along, and its force and edge are corrected likewise. Where the direction of slip turns,
+/// or points touch in a step, steps are of first order: coupled, and of a motion in two directions, everything is
 /// extrapolated from these and half as many. Throws fem::SolverError where the numerics fail.
 FeAnswer compute_full_contact(const ContactProblems& problems, const FemCase& fem, const std::optional<FeAnswer>& ring,
                               BodyStore& bodies);
+
+/// A zone in units of a length.
+PlaneZone zone_of(const fem::ContactRegion& region, double length);
 
 }  // namespace fretval

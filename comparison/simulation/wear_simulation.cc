@@ -3,38 +3,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <limits>
+#include <utility>
 
-#include "comparison/simulation/bodies/operator_key.h"
-#include "comparison/simulation/wear_checkpoint.h"
+#include "comparison/simulation/wear_run.h"
 #include "comparison/support/stopwatch.h"
 #include "fem/contact/require_room.h"
 #include "fem/contact/static_contact.h"
-#include "histories_hash.h"
+#include "fem/wear/rubbing_rings.h"
 
 namespace fretval {
 namespace {
-
-/// Under a height of the largest indentation the flank reaches the plane that no surface comes above.
-double widest_wear(const FemCase& fem, double largest_indentation) {
-  double inner = 1, outer = 1;
-  while (fem.profile(outer) < largest_indentation) inner = std::exchange(outer, 1.25 * outer);
-  constexpr double close = 1e-3;
-  while (outer - inner > close) {
-    const double middle = (inner + outer) / 2;
-    (fem.profile(middle) < largest_indentation ? inner : outer) = middle;
-  }
-  return outer;
-}
-
-/// In the units of the case: depths have one of their own, and so have lengths of slip.
-fem::WearLaw law_in(const Units& units, const Case::WearKinetics& wear, double friction_coefficient) {
-  const double coefficient =
-      wear.law == Case::WearLaw::energy ? friction_coefficient * wear.coefficient : wear.coefficient;
-  return {coefficient * std::pow(units.pressure(), wear.exponent), wear.exponent};
-}
 
 /// Where the parabola through the worn depths of three neighbouring rings meets zero first, going outward from the
 /// outermost of them; no further than `last`.
@@ -62,36 +41,6 @@ void read_worn_radius(WearSimulation& wear) {
   wear.worn_radius = is_wide ? end_of_parabola(wear, outermost - 3, last) : wear.radii[ring + 1];
   wear.worn_radius_uncertainty =
       is_wide ? std::abs(end_of_parabola(wear, outermost - 4, last) - wear.worn_radius) : last - inner_edge;
-}
-
-/// All that the course depends on, bit for bit.
-std::string description(const FemCase& fem, const fem::WearLaw& law, const fem::WearControl& control,
-                        const fem::WornProfile& profile) {
-  auto text = "wear " FRETVAL_HISTORIES_HASH "\n" + operator_key(fem.body, fem::lateral);
-  const auto add = [&text](const auto& values) {
-    text += '\n';
-    for (const double value : values) text += fmt::format(" {:a}", value);
-  };
-  const auto add_motion = [&add](const std::vector<fem::Oscillation>& oscillations) {
-    for (const auto& [amplitude, order, phase, across] : oscillations) add(std::array{amplitude, 1.0 * order, phase});
-  };
-  add(profile.unworn);
-  add(profile.worn);
-  add(std::array{fem.relaxation.relaxed, fem.relaxation.viscosity, fem.friction_coefficient});
-  add(fem.relaxation.moduli);
-  add(fem.relaxation.times);
-  const auto& motion = fem.motion;
-  add(std::array{motion.indentation, 1.0 * motion.normal_force, 1.0 * motion.tangential_force, 1.0 * motion.locked,
-                 1.0 * motion.n_ramp_cycles, 1.0 * motion.n_creep_cycles, 1.0 * fem.steps_per_cycle()});
-  add_motion(motion.normal);
-  add_motion(motion.tangential);
-  if (const auto& path = motion.path) {
-    for (const auto* rows : {&path->time, &path->normal, &path->tangential}) add(*rows);
-    add(std::array{path->rest_normal, path->rest_tangential});
-  }
-  add(std::array{law.coefficient, law.exponent, control.most_cycles, control.rate_fallen_to, control.largest_jump,
-                 control.accuracy});
-  return text + '\n';
 }
 
 }  // namespace
@@ -161,22 +110,14 @@ WearSimulation simulate_wear(const FemCase& fem_case, const Case::WearKinetics& 
     simulation.centre[i] = std::hypot(simulation.radii[i], simulation.radii[i + 1]) / std::sqrt(2);
     simulation.unworn[i] = fem.profile(simulation.centre[i]);
   }
-  constexpr double nothing = 1e-6;
-  const auto law = law_in(fem.units, wear, fem.friction_coefficient);
-  const fem::WearControl control{wear.n_cycles.value_or(std::numeric_limits<double>::infinity()), wear.until,
-                                 resolution.wear_jump, nothing};
   fem::WornProfile profile{fem::ring_means(body->normal.compliance, fem.profile), Eigen::VectorXd::Zero(n_rings)};
   if (const auto& before = fem.worn_before)
     profile.worn = fem::ring_means(body->normal.compliance, before->depth, before->kinks);
-  const fem::WearState start{fem::WearingContact(body->normal, *body->tangential, fem.relaxation, fem.motion,
-                                                 fem.steps_per_cycle(), profile, fem.friction_coefficient, law)};
-  WearCheckpoint checkpoint(run.checkpoints, description(fem, law, control, profile));
-  auto state = checkpoint.restored(start).value_or(start);
-  fem::wear_on(state, control, [&](const fem::WearState& now) {
-    checkpoint.keep(now);
-    if (run.progress) run.progress(simulation, now.course);
+  auto rings = std::make_unique<fem::RubbingRings>(body->normal, *body->tangential, fem.relaxation, fem.motion,
+                                                   fem.steps_per_cycle(), profile, fem.friction_coefficient);
+  simulation.course = worn_to_its_end(std::move(rings), profile, fem, wear, run.checkpoints, [&](const auto& course) {
+    if (run.progress) run.progress(simulation, course);
   });
-  simulation.course = std::move(state.course);
   read_worn_radius(simulation);
   simulation.seconds = watch.lap();
   return simulation;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <boost/crc.hpp>
+#include <cmath>
 #include <mutex>
 #include <utility>
 
@@ -119,9 +120,12 @@ std::vector<double> lower_triangle(const Eigen::MatrixXd& matrix) {
   return packed;
 }
 
-Eigen::MatrixXd symmetric_matrix(const std::vector<double>& packed, Eigen::Index n) {
-  if (packed.size() != static_cast<std::size_t>(n * (n + 1) / 2))
-    throw OperatorFileError(fmt::format("its compliance has {} numbers, for {} rings", packed.size(), n));
+/// Of one component or several on so many rings: as many rows each.
+Eigen::MatrixXd symmetric_matrix(const std::vector<double>& packed, Eigen::Index n_rings) {
+  const auto rows_of_triangle = std::sqrt(2.0 * static_cast<double>(packed.size()) + 0.25) - 0.5;
+  const auto n = static_cast<Eigen::Index>(std::lround(rows_of_triangle));
+  if (n == 0 || n % n_rings != 0 || packed.size() != static_cast<std::size_t>(n * (n + 1) / 2))
+    throw OperatorFileError(fmt::format("its compliance has {} numbers, for {} rings", packed.size(), n_rings));
   Eigen::MatrixXd matrix(n, n);
   auto next = packed.begin();
   for (Eigen::Index i = 0; i < n; ++i)

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "fem/stick_zone/stick_radius.h"
 #include "fem/support/constants.h"
@@ -43,15 +44,9 @@ Eigen::VectorXi rings_inside(const Eigen::MatrixXd& margin) {
   return n_inside;
 }
 
-ContactRegion region_of(const ContactProblem& rings, const AngularGrid& grid, const Eigen::MatrixXd& depths,
-                        const Eigen::VectorXi& n_inside) {
+ContactRegion region_within(const AngularGrid& grid, VectorXd edges) {
   ContactRegion region;
-  region.edges.resize(depths.cols());
-  for (Index j = 0; j < depths.cols(); ++j) {
-    const auto edge = stick_radius(rings.compliance, depths.col(j), n_inside[j]);
-    region.edges[j] = edge.radius;
-    region.uncertainty = std::max(region.uncertainty, edge.uncertainty);
-  }
+  region.edges = std::move(edges);
   region.area = pi * region.edges.squaredNorm() / static_cast<double>(region.edges.size());
   region.radius = std::sqrt(region.area / pi);
   const VectorXd all = all_around(grid, region.edges);
@@ -61,6 +56,20 @@ ContactRegion region_of(const ContactProblem& rings, const AngularGrid& grid, co
     region.along = std::max(region.along, edge * std::abs(std::cos(angle)));
     region.across = std::max(region.across, edge * std::abs(std::sin(angle)));
   }
+  return region;
+}
+
+ContactRegion region_of(const ContactProblem& rings, const AngularGrid& grid, const Eigen::MatrixXd& depths,
+                        const Eigen::VectorXi& n_inside) {
+  VectorXd edges(depths.cols());
+  double uncertainty = 0;
+  for (Index j = 0; j < depths.cols(); ++j) {
+    const auto edge = stick_radius(rings.compliance, depths.col(j), n_inside[j]);
+    edges[j] = edge.radius;
+    uncertainty = std::max(uncertainty, edge.uncertainty);
+  }
+  auto region = region_within(grid, std::move(edges));
+  region.uncertainty = uncertainty;
   return region;
 }
 

@@ -29,6 +29,9 @@ struct ContactRegion {
 ContactRegion region_of(const ContactProblem& rings, const AngularGrid& grid, const Eigen::MatrixXd& depths,
                         const Eigen::VectorXi& n_inside);
 
+/// The region whose edge at each kept angle is known.
+ContactRegion region_within(const AngularGrid& grid, Eigen::VectorXd edges);
+
 /// The same from the margin, zero outside of the region.
 ContactRegion region_of(const ContactProblem& rings, const AngularGrid& grid, const Eigen::MatrixXd& margin);
 

@@ -29,11 +29,24 @@ double share_of(double remainder) {
 }
 constexpr int most_alternations = 100;
 
-/// Largest |p - max(0, p - rho opened)| over the largest pressure.
-double remainder_of(const SurfaceOperator& op, const MatrixXd& pressure, const MatrixXd& opened) {
-  const MatrixXd led = pressure - op.diagonal().cwiseInverse().asDiagonal() * opened;
-  const double left = (led.cwiseMax(0) - pressure).lpNorm<Eigen::Infinity>();
-  return left == 0 ? 0 : left / std::max(left, pressure.maxCoeff());
+/// What a pressure wears off, as a straight line through what it is around a pressure: softness times pressure and
+/// offset. Its tangent; with an exponent below 1, where tangents overshoot, its secant from 0.
+struct LinearWear {
+  MatrixXd softness, offset;
+};
+
+LinearWear linearised(const PressureWear& wear, const MatrixXd& pressure) {
+  const auto coefficient = as_field(wear.coefficient, pressure.rows());
+  const double m = wear.exponent;
+  const MatrixXd per_pressure =
+      m < 1 ? MatrixXd((pressure.array() > 0).select(pressure.array().pow(m - 1), 0)) : pressure.array().pow(m - 1);
+  const MatrixXd secant = coefficient.cwiseProduct(per_pressure);
+  const double slope = std::max(m, 1.0);
+  return {slope * secant, (1 - slope) * secant.cwiseProduct(pressure)};
+}
+
+MatrixXd worn_field(const PressureWear& wear, const MatrixXd& pressure) {
+  return as_field(worn_by(wear, as_vector(pressure)), pressure.rows());
 }
 
 }  // namespace
@@ -50,23 +63,23 @@ IndenterMotion indenter_motion(const Motion& motion) {
 }
 
 CoupledContact::CoupledContact(const CoupledOperators& operators, const RelaxationModel& relaxation,
-                               double friction_coefficient, MatrixXd profile, const IndenterMotion& motion,
+                               double friction_coefficient, MatrixXd shape, const IndenterMotion& motion,
                                StepTimes times)
-    : friction(operators.tangential, relaxation, friction_coefficient, motion.lateral, std::move(times)),
+    : profile(std::move(shape)),
+      friction(operators.tangential, relaxation, friction_coefficient, motion.lateral, std::move(times)),
       pressure(MatrixXd::Zero(profile.rows(), profile.cols())),
       operators_(operators),
       normal_inverse_(operators.normal, VectorXd::Zero(operators.normal.n_rings())),
       relaxation_(relaxation),
-      profile_(std::move(profile)),
       motion_(motion),
-      state_{{}, MatrixXd::Zero(profile_.size(), static_cast<Eigen::Index>(relaxation.moduli.size()))} {
+      state_{{}, MatrixXd::Zero(profile.size(), static_cast<Eigen::Index>(relaxation.moduli.size()))} {
   press_without_friction();
 }
 
 void CoupledContact::press_without_friction() {
   const auto& areas = operators_.normal.areas();
   const auto press = [&](double down) {
-    const MatrixXd target = areas.asDiagonal() * (down - profile_.array()).matrix();
+    const MatrixXd target = areas.asDiagonal() * (down - profile.array()).matrix();
     auto pressed = solve_pressure(operators_.normal, normal_inverse_, target, pressure);
     pressure = pressed.pressure;
     return pressed.residual;
@@ -78,13 +91,13 @@ void CoupledContact::press_without_friction() {
       press(down);
       return normal_force();
     };
-    const double force = start / relaxation_.relaxed, guess = profile_.maxCoeff() / 2;
+    const double force = start / relaxation_.relaxed, guess = profile.maxCoeff() / 2;
     depth = displacement_for_force(force_at, force, {guess, force_at(guess) / guess, force});
   }
   const MatrixXd residual = press(depth);
   pressure *= relaxation_.relaxed;
   gap = areas.cwiseInverse().asDiagonal() * residual;
-  state_.displacement = as_vector(((depth - profile_.array()) + gap.array()).matrix());
+  state_.displacement = as_vector(((depth - profile.array()) + gap.array()).matrix());
   friction.start_from(areas.cwiseInverse().asDiagonal() * moved_by_pressure() / relaxation_.relaxed);
   require_room(pressure.rowwise().maxCoeff());
 }
@@ -105,18 +118,26 @@ MatrixXd CoupledContact::moved_by_traction(const MatrixXd& traction) const {
   return moved.rightCols(pressure.cols());
 }
 
-void CoupledContact::alternate(const MatrixXd& target, double along) {
-  MatrixXd image;
+void CoupledContact::alternate(const MatrixXd& target, const PressureWear& wear, double along) {
+  const VectorXd stiff = operators_.normal.areas() * friction.next_step().relaxation.instantaneous();
+  const bool wears = wear.coefficient.size() > 0;
   double enough = share_of(1);
-  auto solution = solve_pressure(operators_.normal, normal_inverse_, target - moved_by_traction(friction.traction),
-                                 pressure, enough);
+  MatrixXd image, softness;
+  const auto press = [&](const MatrixXd& pull) {
+    if (!wears) return solve_pressure(operators_.normal, normal_inverse_, pull, pressure, enough).pressure;
+    const auto line = linearised(wear, pressure);
+    softness = stiff.asDiagonal() * line.softness;
+    return solve_pressure(operators_.normal, softness, pull - stiff.asDiagonal() * line.offset, pressure, enough)
+        .pressure;
+  };
+  pressure = press(target - moved_by_traction(friction.traction));
   for (n_alternations = 1;; ++n_alternations) {
-    pressure = solution.pressure;
     const auto& rubbed = friction.attempt(pressure, moved_by_pressure(), enough, along);
     const MatrixXd pull = target - moved_by_traction(rubbed.traction);
     operators_.normal.apply(pressure, image);
     opened_ = image - pull;
-    remainder = remainder_of(operators_.normal, pressure, opened_);
+    if (wears) opened_ += stiff.asDiagonal() * worn_field(wear, pressure);
+    remainder = pressure_remainder(operators_.normal, softness, pressure, opened_);
     if (remainder <= enough_agreement && rubbed.remainder <= enough_agreement) return;
     if (n_alternations == most_alternations)
       throw SolverError(
@@ -125,11 +146,11 @@ void CoupledContact::alternate(const MatrixXd& target, double along) {
                       "have one solution",
                       remainder, n_alternations, enough_agreement));
     enough = share_of(remainder);
-    solution = solve_pressure(operators_.normal, normal_inverse_, pull, pressure, enough);
+    pressure = press(pull);
   }
 }
 
-CoupledContact::Attempt CoupledContact::attempt(const MatrixXd& pressed, const Way& way) {
+CoupledContact::Attempt CoupledContact::attempt(const MatrixXd& pressed, const PressureWear& wear, const Way& way) {
   const auto next = friction.next_step();
   const auto& relaxation = next.relaxation;
   const auto move = [&](double end) {
@@ -141,20 +162,20 @@ CoupledContact::Attempt CoupledContact::attempt(const MatrixXd& pressed, const W
   };
   Attempt made{move(next.end), (as_vector(pressed).array() > 0).cast<double>(), {}, {}};
   made.left_behind = (1 - made.driven.array()) * made.whole.increment;
-  made.before = state_.displacement + as_vector(profile_) - VectorXd::Constant(profile_.size(), depth);
+  made.before = state_.displacement + as_vector(profile) - VectorXd::Constant(profile.size(), depth);
   const VectorXd target = relaxation.response_without_slip(state_, move(next.balance), made.driven) +
                           relaxation.instantaneous() * (made.left_behind - made.before);
-  alternate(operators_.normal.areas().asDiagonal() * as_field(target, pressed.rows()), way.along);
+  alternate(operators_.normal.areas().asDiagonal() * as_field(target, pressed.rows()), wear, way.along);
   return made;
 }
 
-CoupledContact::Way CoupledContact::way_of_forces(const MatrixXd& pressed) {
+CoupledContact::Way CoupledContact::way_of_forces(const MatrixXd& pressed, const PressureWear& wear) {
   const bool down = motion_.depth_is_force, along = motion_.lateral.x_is_force;
   const Index n = down + along;
   if (n == 0) return {};
   const auto way_of = [=](const VectorXd& by) { return Way{down ? by[0] : 0, along ? by[n - 1] : 0}; };
   const auto forces_at = [&](const VectorXd& by) {
-    attempt(pressed, way_of(by));
+    attempt(pressed, wear, way_of(by));
     VectorXd forces(n);
     if (along) forces[n - 1] = friction.attempted_force();
     if (down) forces[0] = normal_force();
@@ -170,14 +191,20 @@ CoupledContact::Way CoupledContact::way_of_forces(const MatrixXd& pressed) {
   return way_of(balance_.displacements);
 }
 
-void CoupledContact::step() {
+void CoupledContact::step(const PressureWear& wear) {
   const auto& areas = operators_.normal.areas();
   const MatrixXd pressed = pressure;
-  const auto [whole, driven, left_behind, before] = attempt(pressed, way_of_forces(pressed));
+  const auto [whole, driven, left_behind, before] = attempt(pressed, wear, way_of_forces(pressed, wear));
   const auto& relaxation = friction.next_step().relaxation;
   gap = (areas * relaxation.instantaneous()).cwiseInverse().asDiagonal() * opened_;
   gap = (pressure.array() > 0).select(0, gap.cwiseMax(0));
-  relaxation.advance(state_, whole, before - as_vector(gap) - left_behind, driven);
+  VectorXd slip = before - as_vector(gap) - left_behind;
+  if (wear.coefficient.size() > 0) {
+    const MatrixXd worn = worn_field(wear, pressure);
+    slip += as_vector(worn);
+    profile += worn;
+  }
+  relaxation.advance(state_, whole, slip, driven);
   depth += whole.increment;
   friction.accept();
   require_room(pressure.rowwise().maxCoeff());

@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 #include <functional>
 
+#include "fem/contact/static_contact.h"
 #include "fem/full_contact/surface_operator.h"
 #include "fem/full_contact/vector_friction.h"
 #include "fem/motion/relaxation.h"
@@ -47,10 +48,13 @@ class CoupledContact {
   CoupledContact(const CoupledOperators& operators, const RelaxationModel& relaxation, double friction_coefficient,
                  Eigen::MatrixXd profile, const IndenterMotion& motion, StepTimes times);
 
-  /// Throws SolverError where the two do not converge, NoRoom where the contact reaches the last ring, and GrossSlip
-  /// where a tangential force that is prescribed reaches mu F_N.
-  void step();
+  /// Goes on by a step, in which the indenter wears: `target = K p + coefficient p^exponent - gap` at each point, with
+  /// the wear linearised around the last pressures of each alternation (Newton's method). wear: of the points, angle by
+  /// angle. Throws SolverError where the two do not converge, NoRoom where the contact reaches the last ring, and
+  /// GrossSlip where a tangential force that is prescribed reaches mu F_N.
+  void step(const PressureWear& wear = {});
 
+  Eigen::MatrixXd profile;  ///< of the indenter at the end of the step
   VectorFriction friction;
   double depth = 0;          ///< of the indenter at the end of the step
   Eigen::MatrixXd pressure;  ///< at the balance time
@@ -59,6 +63,12 @@ class CoupledContact {
   double remainder = 0;      ///< of the normal contact, see above
 
   [[nodiscard]] double normal_force() const;
+
+  /// What the next step depends on; into a contact that was made of the same arguments.
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(profile, friction, depth, pressure, gap, state_, balance_.displacements, balance_.stiffness);
+  }
 
  private:
   void press_without_friction();
@@ -73,14 +83,13 @@ class CoupledContact {
     IndenterMove whole;
     Eigen::VectorXd driven, left_behind, before;
   };
-  void alternate(const Eigen::MatrixXd& target, double along);
-  Attempt attempt(const Eigen::MatrixXd& pressed, const Way& way);
-  Way way_of_forces(const Eigen::MatrixXd& pressed);
+  void alternate(const Eigen::MatrixXd& target, const PressureWear& wear, double along);
+  Attempt attempt(const Eigen::MatrixXd& pressed, const PressureWear& wear, const Way& way);
+  Way way_of_forces(const Eigen::MatrixXd& pressed, const PressureWear& wear);
 
   const CoupledOperators& operators_;
   InverseOperator normal_inverse_;
   RelaxationModel relaxation_;
-  Eigen::MatrixXd profile_;
   const IndenterMotion& motion_;
   RingState state_;          // of the displacements into the body
   BalanceOfForces balance_;  // of the last step under forces

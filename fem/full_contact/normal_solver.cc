@@ -15,29 +15,43 @@ using Eigen::MatrixXd;
 
 namespace {
 
+/// Inverse of the diagonal.
+MatrixXd scale_of(const SurfaceOperator& op, const MatrixXd& softness) {
+  const MatrixXd diagonal = op.diagonal().replicate(1, op.n_columns());
+  return (softness.size() > 0 ? MatrixXd(diagonal + softness) : diagonal).cwiseInverse();
+}
+
+double remainder_of(const MatrixXd& scale, const MatrixXd& pressure, const MatrixXd& pull) {
+  const MatrixXd led = pressure + scale.cwiseProduct(pull);
+  const double left = (led.cwiseMax(0) - pressure.cwiseMax(0)).lpNorm<Eigen::Infinity>();
+  return left == 0 ? 0 : left / std::max(pressure.maxCoeff(), left);
+}
+
 class ActiveSet {
  public:
-  ActiveSet(const SurfaceOperator& op, const InverseOperator& inverse, const MatrixXd& target, const MatrixXd& guess)
-      : op_(op), inverse_(inverse), scale_(op.diagonal().cwiseInverse()), pressure_(guess.cwiseMax(0)) {
-    op.apply(pressure_, image_);
+  /// softness: empty, or D.
+  ActiveSet(const SurfaceOperator& op, const InverseOperator& inverse, const MatrixXd& softness, const MatrixXd& target,
+            const MatrixXd& guess)
+      : op_(op), inverse_(inverse), softness_(softness), scale_(scale_of(op, softness)), pressure_(guess.cwiseMax(0)) {
+    apply(pressure_, image_);
     pull_ = target - image_;
   }
 
   /// Whether the solution is found.
   bool is_done(double enough) {
-    remainder_ = remainder(pressure_, pull_);
+    remainder_ = remainder_of(scale_, pressure_, pull_);
     return remainder_ <= enough;
   }
 
   void iterate() {
     ++n_iterations_;
     const MatrixXd way = newton_step();
-    op_.apply(way, image_);
-    if (remainder(pressure_ + way, pull_ - image_) < remainder_ / 2) return go(way, 1);
+    apply(way, image_);
+    if (remainder_of(scale_, pressure_ + way, pull_ - image_) < remainder_ / 2) return go(way, 1);
     const double share = share_of_descent(way);
     if (share > 0) return go(way, share);
-    const MatrixXd down = led(pressure_, pull_).cwiseMax(0) - pressure_;
-    op_.apply(down, image_);
+    const MatrixXd down = led().cwiseMax(0) - pressure_;
+    apply(down, image_);
     go(down, std::max(0.0, share_of_descent(down)));
   }
 
@@ -48,22 +62,20 @@ class ActiveSet {
   }
 
  private:
-  [[nodiscard]] MatrixXd led(const MatrixXd& pressure, const MatrixXd& pull) const {
-    return pressure + scale_.asDiagonal() * pull;
+  void apply(const MatrixXd& field, MatrixXd& result) const {
+    op_.apply(field, result);
+    if (softness_.size() > 0) result += softness_.cwiseProduct(field);
   }
 
-  [[nodiscard]] double remainder(const MatrixXd& pressure, const MatrixXd& pull) const {
-    const double left = (led(pressure, pull).cwiseMax(0) - pressure.cwiseMax(0)).lpNorm<Eigen::Infinity>();
-    return left == 0 ? 0 : left / std::max(pressure.maxCoeff(), left);
-  }
+  [[nodiscard]] MatrixXd led() const { return pressure_ + scale_.cwiseProduct(pull_); }
 
   MatrixXd newton_step() {
-    const MatrixXd pressed = (led(pressure_, pull_).array() > 0).cast<double>();
+    const MatrixXd pressed = (led().array() > 0).cast<double>();
     const MatrixXd onto = pressure_.cwiseProduct(pressed);
-    op_.apply(onto - pressure_, image_);
+    apply(onto - pressure_, image_);
     const MatrixXd right = (pull_ - image_).cwiseProduct(pressed);
-    const auto apply = [&](const MatrixXd& field, MatrixXd& result) {
-      op_.apply(field, result);
+    const auto apply_pressed = [&](const MatrixXd& field, MatrixXd& result) {
+      apply(field, result);
       result = result.cwiseProduct(pressed);
     };
     const auto precondition = [&](const MatrixXd& field, MatrixXd& result) {
@@ -71,7 +83,7 @@ class ActiveSet {
       result = result.cwiseProduct(pressed);
     };
     MatrixXd step;
-    conjugate_gradients(apply, precondition, right, share_for(remainder_), most_applications, step);
+    conjugate_gradients(apply_pressed, precondition, right, share_for(remainder_), most_applications, step);
     return (onto + step).cwiseMax(0) - pressure_;
   }
 
@@ -86,26 +98,20 @@ class ActiveSet {
 
   const SurfaceOperator& op_;
   const InverseOperator& inverse_;
-  Eigen::VectorXd scale_;
-  MatrixXd pressure_, pull_, image_;
+  const MatrixXd& softness_;
+  MatrixXd scale_, pressure_, pull_, image_;
   double remainder_ = 0;
   int n_iterations_ = 0;
 };
 
-}  // namespace
-
-PressureSolution solve_pressure(const SurfaceOperator& op, const MatrixXd& target, const MatrixXd& guess) {
-  return solve_pressure(op, InverseOperator(op, Eigen::VectorXd::Zero(op.n_rings())), target, guess);
-}
-
-PressureSolution solve_pressure(const SurfaceOperator& op, const InverseOperator& inverse, const MatrixXd& target,
-                                const MatrixXd& guess, double enough) {
+PressureSolution solve(const SurfaceOperator& op, const InverseOperator& inverse, const MatrixXd& softness,
+                       const MatrixXd& target, const MatrixXd& guess, double enough) {
   if (target.rows() != op.n_rings() || target.cols() != op.n_columns() || guess.rows() != target.rows() ||
       guess.cols() != target.cols())
     throw std::invalid_argument("the fields of the normal contact do not fit its operator");
   if (!target.allFinite() || !guess.allFinite())
     throw std::invalid_argument("the displacements of the normal contact must be numbers");
-  ActiveSet set(op, inverse, target, guess);
+  ActiveSet set(op, inverse, softness, target, guess);
   while (!set.is_done(enough)) {
     if (set.n_iterations() == most_newton_steps)
       throw SolverError(
@@ -115,6 +121,28 @@ PressureSolution solve_pressure(const SurfaceOperator& op, const InverseOperator
     set.iterate();
   }
   return set.solution();
+}
+
+}  // namespace
+
+PressureSolution solve_pressure(const SurfaceOperator& op, const MatrixXd& target, const MatrixXd& guess) {
+  return solve_pressure(op, InverseOperator(op, Eigen::VectorXd::Zero(op.n_rings())), target, guess);
+}
+
+PressureSolution solve_pressure(const SurfaceOperator& op, const InverseOperator& inverse, const MatrixXd& target,
+                                const MatrixXd& guess, double enough) {
+  return solve(op, inverse, {}, target, guess, enough);
+}
+
+PressureSolution solve_pressure(const SurfaceOperator& op, const MatrixXd& softness, const MatrixXd& target,
+                                const MatrixXd& guess, double enough) {
+  const Eigen::VectorXd ground = softness.rowwise().mean().cwiseQuotient(op.areas());
+  return solve(op, InverseOperator(op, ground), softness, target, guess, enough);
+}
+
+double pressure_remainder(const SurfaceOperator& op, const MatrixXd& softness, const MatrixXd& pressure,
+                          const MatrixXd& opened) {
+  return remainder_of(scale_of(op, softness), pressure, -opened);
 }
 
 }  // namespace fretval::fem

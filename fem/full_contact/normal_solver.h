@@ -31,4 +31,13 @@ PressureSolution solve_pressure(const SurfaceOperator& op, const InverseOperator
                                 const Eigen::MatrixXd& target, const Eigen::MatrixXd& guess,
                                 double enough = enough_of_contact);
 
+/// The same with K + D, of points that also give way by themselves: D is the area of a point times its displacement per
+/// pressure, not negative, rings x angles. (Of an indenter that wears it is what a pressure takes off.)
+PressureSolution solve_pressure(const SurfaceOperator& op, const Eigen::MatrixXd& softness,
+                                const Eigen::MatrixXd& target, const Eigen::MatrixXd& guess, double enough);
+
+/// The natural residual above, over the largest pressure. opened: K p - q, or (K + D) p - q.
+double pressure_remainder(const SurfaceOperator& op, const Eigen::MatrixXd& softness, const Eigen::MatrixXd& pressure,
+                          const Eigen::MatrixXd& opened);
+
 }  // namespace fretval::fem

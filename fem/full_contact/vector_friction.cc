@@ -167,9 +167,11 @@ Eigen::Vector3d VectorFriction::forces() const {
   return {x.sum(), y.sum(), torque};
 }
 
-double VectorFriction::friction_work() const {
-  const MatrixXd middle = (1.5 - fraction()) * traction + (fraction() - 0.5) * traction_before;
-  return (op_.areas().transpose() * middle.cwiseProduct(slip)).sum();
+MatrixXd VectorFriction::friction_work_of_points() const {
+  const Index m = limit.cols();
+  const MatrixXd middle = (1.5 - fraction()) * traction + (fraction() - 0.5) * traction_before,
+                 work = middle.cwiseProduct(slip);
+  return op_.areas().asDiagonal() * (work.leftCols(m) + work.rightCols(m));
 }
 
 }  // namespace fretval::fem

@@ -99,7 +99,15 @@ class VectorFriction {
   [[nodiscard]] Eigen::Vector3d forces() const;
   /// Work of friction in the step, of second order: slip is made at a constant rate, so it meets the traction in the
   /// middle of the step, between those at the balance times of this step and the one before.
-  [[nodiscard]] double friction_work() const;
+  [[nodiscard]] double friction_work() const { return friction_work_of_points().sum(); }
+  [[nodiscard]] Eigen::MatrixXd friction_work_of_points() const;
+
+  /// What the next step depends on; into a friction that was made of the same arguments.
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(n_steps, displacement, increment, limit, traction, traction_before, slip, x_, y_, solution_.traction,
+            balance_.displacements, balance_.stiffness);
+  }
 
  private:
   const SurfaceOperator& op_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <tuple>
+#include <vector>
 
 namespace fretval::fem {
 namespace {
@@ -11,24 +12,30 @@ constexpr double first_jump = 0.05;   // share of the largest
 constexpr double largest_growth = 3;  // of one jump over the last one
 constexpr double too_much = 2;        // of the largest jump
 
-double outer_edge(const std::vector<double>& radii, Eigen::Index n_rings) {
-  return radii[static_cast<std::size_t>(n_rings)];
+/// Radius of the disc of the area that so many rings of each ray have.
+double radius_of(const std::vector<double>& radii, const std::vector<Eigen::Index>& n_rings) {
+  double squares = 0;
+  for (const auto n : n_rings) squares += radii[static_cast<std::size_t>(n)] * radii[static_cast<std::size_t>(n)];
+  return std::sqrt(squares / static_cast<double>(n_rings.size()));
 }
 
 WearPoint point_of(const WearingContact& contact, double cycles) {
   const auto& period = contact.period();
-  const auto& [radii, areas, matrix, half_space] = contact.normal().problem().compliance;
+  const auto& radii = contact.contact().radii();
+  const auto& areas = contact.contact().areas();
+  const auto n = static_cast<Eigen::Index>(radii.size()) - 1, n_rays = areas.size() / n;
   const Eigen::VectorXd worn = contact.worn();
-  Eigen::Index n_pressed = areas.size(), n_stuck = 0;
-  while (n_pressed > 0 && period.largest_pressure[n_pressed - 1] == 0) --n_pressed;
-  while (n_stuck < n_pressed && period.path[n_stuck] == 0) ++n_stuck;
-  return {cycles,
-          areas.dot(worn),
-          areas.dot(period.rate),
-          period.friction_work,
-          worn.maxCoeff(),
-          outer_edge(radii, n_pressed),
-          outer_edge(radii, n_stuck)};
+  std::vector<Eigen::Index> pressed, stuck;
+  for (Eigen::Index ray = 0; ray < n_rays; ++ray) {
+    const auto pressure = period.largest_pressure.segment(ray * n, n), path = period.path.segment(ray * n, n);
+    Eigen::Index n_pressed = n, n_stuck = 0;
+    while (n_pressed > 0 && pressure[n_pressed - 1] == 0) --n_pressed;
+    while (n_stuck < n_pressed && path[n_stuck] == 0) ++n_stuck;
+    pressed.push_back(n_pressed);
+    stuck.push_back(n_stuck);
+  }
+  return {cycles,          areas.dot(worn),           areas.dot(period.rate), period.friction_work,
+          worn.maxCoeff(), radius_of(radii, pressed), radius_of(radii, stuck)};
 }
 
 struct Jump {

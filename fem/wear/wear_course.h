@@ -29,6 +29,7 @@ struct WearPoint {
   double deepest;         ///< worn depth
   double contact_radius;  ///< outer edge of the outermost ring that bears pressure in the cycle
   double stick_radius;    ///< outer edge of the outermost ring of those around the centre that do not slip in the cycle
+  // Of rings and angles both are those of the disc whose area these edges enclose.
 
   template <class Archive>
   void serialize(Archive& archive) {
@@ -39,8 +40,8 @@ struct WearPoint {
 /// An indenter from its first shape to the last that was asked for.
 struct WearCourse {
   std::vector<WearPoint> curve;                   ///< from cycle 0 on
-  std::vector<Eigen::VectorXd> worn;              ///< depth of the rings, likewise
-  std::vector<Eigen::VectorXd> largest_pressure;  ///< of the rings in a cycle, likewise
+  std::vector<Eigen::VectorXd> worn;              ///< depth of the points, likewise
+  std::vector<Eigen::VectorXd> largest_pressure;  ///< of the points in a cycle, likewise
   WearingContact::Period first, last;
   WearEnd end = WearEnd::nothing_left;
   int n_jumps = 0;

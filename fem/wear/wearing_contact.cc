@@ -10,40 +10,35 @@
 
 namespace fretval::fem {
 
-WearingContact::WearingContact(const ContactProblem& normal, const ContactProblem& tangential,
-                               const RelaxationModel& relaxation, const Motion& motion, int steps_per_cycle,
-                               const WornProfile& profile, double friction_coefficient, const WearLaw& law)
-    : normal_(normal, relaxation, profile.unworn + profile.worn, motion, steps_per_cycle, ForceReading::sum_of_rings),
-      friction_(tangential, relaxation, friction_coefficient, motion, steps_per_cycle),
-      law_(law),
-      unworn_(profile.unworn) {}
+WearingContact::WearingContact(std::unique_ptr<RubbingContact> contact, const WearLaw& law)
+    : contact_(std::move(contact)), law_(law) {}
+
+WearingContact::WearingContact(const WearingContact& other)
+    : contact_(other.contact_->clone()), law_(other.law_), period_(other.period_) {}
+
+WearingContact& WearingContact::operator=(WearingContact other) {
+  std::swap(contact_, other.contact_);
+  std::swap(law_, other.law_);
+  std::swap(period_, other.period_);
+  return *this;
+}
 
 void WearingContact::start() {
-  for (int cycle = 0; cycle < normal_.motion().cycles_of_ramp(); ++cycle)
-    for (int k = 0; k < normal_.steps_per_cycle(); ++k) step({});
+  for (int cycle = 0; cycle < contact_->motion().cycles_of_ramp(); ++cycle)
+    for (int k = 0; k < contact_->steps_per_cycle(); ++k) contact_->step({});
   run_period(0);
 }
 
-char WearingContact::Period::zone(Eigen::Index ring, Eigen::Index step) const {
-  if (pressure(ring, step) == 0) return 'o';
-  const double way = slip(ring, step);
+char WearingContact::Period::zone(Eigen::Index point, Eigen::Index step) const {
+  if (pressure(point, step) == 0) return 'o';
+  const double way = slip(point, step);
   return way == 0 ? 's' : way > 0 ? 'f' : 'b';
-}
-
-/// Returns the slip of the rings while they touch. One that sticks at the beginning of the step in which it leaves is
-/// taken to stick until then: of the second order of the step, as pressure and traction die out in it.
-Eigen::VectorXd WearingContact::step(const PressureWear& wear) {
-  const Eigen::VectorXd slip_before = friction_.slip, pressure_before = normal_.pressure;
-  normal_.step(wear);
-  friction_.step(normal_.pressure);
-  const auto leaves = pressure_before.array() > 0 && normal_.pressure.array() == 0;
-  return (leaves && slip_before.array() == 0).select(0, friction_.slip);
 }
 
 /// Length of slip that belongs to the pressure of each step: slip is that of whole steps, whose middle lies between two
 /// balance times.
 Eigen::MatrixXd WearingContact::slip_at_balances() const {
-  const double later = friction_.fraction() - 0.5;
+  const double later = contact_->fraction() - 0.5;
   const auto n_steps = period_.slip.cols();
   Eigen::MatrixXd slip = period_.slip.cwiseAbs();
   const Eigen::VectorXd first = slip.col(0);
@@ -53,26 +48,24 @@ Eigen::MatrixXd WearingContact::slip_at_balances() const {
 }
 
 void WearingContact::run_period(double n_cycles) {
-  const Eigen::Index n = normal_.profile.size(), n_steps = period_steps();
-  const double per_cycle = 1.0 / normal_.motion().cycles_per_period(), later = friction_.fraction() - 0.5;
+  const Eigen::Index n = contact_->areas().size(), n_steps = period_steps();
+  const double per_cycle = 1.0 / contact_->motion().cycles_per_period();
   const Eigen::MatrixXd wearing = n_cycles > 0 ? slip_at_balances() : Eigen::MatrixXd();
   Period now;
   now.slip.resize(n, n_steps);
   now.pressure.resize(n, n_steps);
-  double least = friction_.displacement, most = least;
+  Eigen::Vector2d least = contact_->displacement(), most = least;
   for (Eigen::Index k = 0; k < n_steps; ++k) {
-    const Eigen::VectorXd traction_before = friction_.traction;
-    now.slip.col(k) =
-        n_cycles > 0 ? step({(n_cycles * per_cycle * law_.coefficient) * wearing.col(k), law_.exponent}) : step({});
-    now.largest_indentation = std::max(now.largest_indentation, normal_.indentation);
-    least = std::min(least, friction_.displacement);
-    most = std::max(most, friction_.displacement);
-    now.pressure.col(k) = normal_.pressure;
-    now.friction_work += per_cycle * ((1 - later) * friction_.traction + later * traction_before)
-                                         .cwiseProduct(now.slip.col(k))
-                                         .dot(normal_.problem().compliance.areas);
+    now.slip.col(k) = contact_->step(
+        n_cycles > 0 ? PressureWear{(n_cycles * per_cycle * law_.coefficient) * wearing.col(k), law_.exponent}
+                     : PressureWear{});
+    now.largest_indentation = std::max(now.largest_indentation, contact_->indentation());
+    least = least.cwiseMin(contact_->displacement());
+    most = most.cwiseMax(contact_->displacement());
+    now.pressure.col(k) = contact_->pressure();
+    now.friction_work += per_cycle * contact_->friction_work();
   }
-  now.tangential_amplitude = (most - least) / 2;
+  now.tangential_amplitude = (most - least).maxCoeff() / 2;
   now.largest_pressure = now.pressure.rowwise().maxCoeff();
   now.path = now.slip.cwiseAbs().rowwise().sum();
   period_ = std::move(now);
@@ -83,8 +76,8 @@ void WearingContact::run_period(double n_cycles) {
 }
 
 bool WearingContact::slip_repeats(const Eigen::VectorXd& path_before) const {
-  constexpr double repeats = 1e-2;  // of the ring's own slip
-  const double stuck = slip_of_stuck_ring(normal_.motion(), period_.tangential_amplitude);
+  constexpr double repeats = 1e-2;  // of the point's own slip
+  const double stuck = slip_of_stuck_ring(contact_->motion(), period_.tangential_amplitude);
   for (Eigen::Index i = 0; i < path_before.size(); ++i)
     if (period_.path[i] > stuck && std::abs(period_.path[i] - path_before[i]) > repeats * period_.path[i]) return false;
   return true;
@@ -102,8 +95,8 @@ void WearingContact::settle() {
 }
 
 void WearingContact::take_dying_slip_for_stick(const Eigen::VectorXd& path_before) {
-  constexpr double roundoff = 1e-9, dying = 1e-3;  // of the longest path; of the ring's own, in a period
-  const double creep = slip_of_stuck_ring(normal_.motion(), period_.tangential_amplitude),
+  constexpr double roundoff = 1e-9, dying = 1e-3;  // of the longest path; of the point's own, in a period
+  const double creep = slip_of_stuck_ring(contact_->motion(), period_.tangential_amplitude),
                nothing = roundoff * period_.path.maxCoeff();
   for (Eigen::Index i = 0; i < period_.path.size(); ++i) {
     const double path = period_.path[i];

@@ -37,4 +37,17 @@ inline PreparedCase wearing_case(const std::string& wear, const std::string& mot
   return prepare({read_case(text)}).front();
 }
 
+/// The indenter of wearing_text goes in a circle of 40 um at a constant depth of 0.1 mm, with friction as a vector, on
+/// so few rings and steps that it wears in seconds: by MDR c^2 = 1 - 0.8/3, in units of the contact radius.
+inline PreparedCase wearing_in_a_circle(const std::string& more = "") {
+  std::string text = elastic_case() + "subsection Wear\n  set Coefficient = 1e-12\nend\n";
+  text = replace(text, "Normal amplitude = 2e-5", "Normal amplitude = 0");
+  text = replace(text, "Tangential amplitude = 1.5e-5",
+                 "Tangential amplitude = 2e-5\n  set Transverse amplitude = 2e-5\n  set Transverse phase = 90");
+  text = replace(text, "Phase = 60", "Phase = 0");
+  text += "subsection Contact\n  set Friction = vector\nend\n";
+  text += "subsection Accuracy\n  set Rings per radius = 16\n  set Steps per cycle = 16\nend\n";
+  return prepare({read_case(text + more)}).front();
+}
+
 }  // namespace fretval

@@ -42,8 +42,9 @@ House plan() {
           {"fem/motion"},
           {"fem/contact"},
           {"fem/history"},
-          {"fem/stick_zone", "fem/full_model", "fem/wear"},
-          {"fem/full_contact"}},
+          {"fem/stick_zone", "fem/full_model"},
+          {"fem/full_contact"},
+          {"fem/wear"}},
          {"deal.II", "petsc"});
   floors({{"meshes"}}, {"gmsh"});
   Names libraries{"deal.II", "petsc", "gmsh"};

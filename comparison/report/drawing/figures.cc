@@ -248,4 +248,13 @@ std::vector<Figure> limiting_profile_figures(const std::vector<StoredResult>& re
   return figures;
 }
 
+Series curve_from(const StoredResult& r, const char* file, const std::string& column, double length, double depth,
+                  const Series& look) {
+  auto [radius, height] = read_columns(r.folder / file, "r [m]", column);
+  Series series = look;
+  series.x = Axis{"", length}.of(radius);
+  series.y = Axis{"", depth}.of(height);
+  return series;
+}
+
 }  // namespace fretval

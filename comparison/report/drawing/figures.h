@@ -31,4 +31,9 @@ std::vector<Figure> difference_figures(const std::vector<StoredResult>& results)
 /// elements find on them. Results swept over the worn stick radius only.
 std::vector<Figure> limiting_profile_figures(const std::vector<StoredResult>& results);
 
+/// Heights over the radius, a column of a CSV file of a result. length, depth: the units of the plot; look: all but the
+/// points.
+Series curve_from(const StoredResult& result, const char* file, const std::string& column, double length, double depth,
+                  const Series& look);
+
 }  // namespace fretval

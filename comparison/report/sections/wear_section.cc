@@ -76,16 +76,6 @@ Table table_of(const Results& results) {
   return table;
 }
 
-/// length, depth: the units of the plot.
-Series curve_from(const StoredResult& r, const char* file, const std::string& column, double length, double depth,
-                  const Series& look) {
-  auto [radius, height] = read_columns(r.folder / file, "r [m]", column);
-  Series series = look;
-  series.x = Axis{"", length}.of(radius);
-  series.y = Axis{"", depth}.of(height);
-  return series;
-}
-
 /// Every so many points of a curve, in equal distances along it.
 Series thinned(const Series& series, double distance) {
   Series few = series;

@@ -33,6 +33,17 @@ TEST(OperatorFile, ComesBackBitForBit) {
   EXPECT_EQ(*read.compliance.matrix, *stored.compliance.matrix);
 }
 
+// The blocks of a surface have up to three components, one after the other.
+TEST(OperatorFile, BlocksOfSeveralComponentsComeBack) {
+  auto stored = stored_operator();
+  const auto n = stored.compliance.areas.size();
+  for (const Eigen::Index n_components : {2, 3}) {
+    const Eigen::MatrixXd any = Eigen::MatrixXd::Random(n_components * n, n_components * n);
+    stored.compliance.matrix = Eigen::MatrixXd(any + any.transpose());
+    EXPECT_EQ(*operator_in(operator_file(stored), stored.key).compliance.matrix, *stored.compliance.matrix);
+  }
+}
+
 // Processes that keep the same operator at once replace each other's files.
 TEST(OperatorFile, IsTheSameBytesForTheSameOperator) {
   EXPECT_EQ(operator_file(stored_operator()), operator_file(stored_operator()));

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 #include "fem/condensation/effective_radii.h"
 #include "fem/support/constants.h"
+#include "fem/wear/rubbing_rings.h"
 #include "fem/wear/wear_course.h"
 #include "tests/fem/half_space.h"
 
@@ -27,7 +29,8 @@ struct WearingHalfSpace {
   }
 
   [[nodiscard]] WearingContact contact_at_rest(const WearLaw& law) const {
-    return {normal, tangential, body, motion, n_steps, {profile, Eigen::VectorXd::Zero(profile.size())}, mu, law};
+    const WornProfile shape{profile, Eigen::VectorXd::Zero(profile.size())};
+    return {std::make_unique<RubbingRings>(normal, tangential, body, motion, n_steps, shape, mu), law};
   }
   /// In motion.
   [[nodiscard]] WearingContact contact(const WearLaw& law) const {

@@ -1,0 +1,99 @@
+#include "comparison/accuracy/surface_wear_proof.h"
+
+#include <algorithm>
+#include <cmath>
+#include <mutex>
+#include <utility>
+#include <vector>
+
+#include "comparison/support/parallel.h"
+#include "comparison/support/stopwatch.h"
+#include "fem/support/solver_error.h"
+#include "meshes/mesh_error.h"
+
+namespace fretval {
+namespace {
+
+struct Coarser {
+  ErrorSource source;
+  Resolution resolution;
+};
+
+std::vector<Coarser> coarser_than(const Resolution& resolution) {
+  Resolution jumps = resolution;
+  jumps.wear_jump *= 2;
+  return {{ErrorSource::rings, with_rings(resolution, 0.5)},
+          {ErrorSource::time_step, with_steps(resolution, 0.5)},
+          {ErrorSource::angles, with_angles(resolution, 0.5)},
+          {ErrorSource::wear_jump, jumps}};
+}
+
+struct Attempt {
+  SurfaceWear fe = {};
+  std::string failure = {};
+  double seconds = 0;
+};
+
+double volume_of(const SurfaceWear& fe) {
+  return fe.course.curve.back().volume;
+}
+
+/// Of what a coarser one differs by.
+void add_share(ErrorSource source, const SurfaceWear& coarse, ProvedSurfaceWear& wear) {
+  const auto &fine = wear.fe.sticks, &other = coarse.sticks;
+  wear.radius.add(source, std::abs(fine.radius - other.radius));
+  wear.along.add(source, std::abs(fine.along - other.along));
+  wear.across.add(source, std::abs(fine.across - other.across));
+  wear.volume.add(source, std::abs(volume_of(coarse) / volume_of(wear.fe) - 1));
+}
+
+}  // namespace
+
+ProvedSurfaceWear prove_surface_wear(const PreparedCase& prepared, const MdrAnswer& mdr, const ProvedAnswer& unworn,
+                                     Proof proof, BodyStore& bodies, const WearOversight& oversight) {
+  const auto& fem = prepared.fem;
+  ProvedSurfaceWear wear{
+      {}, {}, resolution_for_surface_wear(prepared.input, fem.resolution), wear_limits(prepared.mdr, mdr).shakedown};
+  std::vector<Resolution> wanted{wear.resolution};
+  const auto coarser = coarser_than(wear.resolution);
+  if (proof != Proof::none)
+    for (const auto& one : coarser) wanted.push_back(one.resolution);
+  const double edge = unworn.fe.stick_radius_shakedown.value_or(0) / fem.units.length;
+  std::vector<Attempt> made(wanted.size());
+  std::mutex mutex;
+  const auto told = [&](const fem::WearCourse& course) {
+    if (!oversight.progress) return;
+    const std::lock_guard<std::mutex> lock(mutex);
+    const double share = course.curve.back().volume * fem.units.volume() / wear.limit.volume;
+    oversight.progress(std::min(share, 1.0), course.curve.back().stick_radius);
+  };
+  for_each_in_parallel(wanted.size(), [&](std::size_t i) {
+    const double start = processor_seconds();
+    const auto nothing = [](const fem::WearCourse&) {};
+    try {
+      made[i].fe =
+          simulate_surface_wear(fem, *prepared.input.wear_kinetics, edge, wanted[i], bodies, oversight.checkpoints,
+                                i == 0 ? std::function<void(const fem::WearCourse&)>(told) : nothing);
+    } catch (const fem::SolverError& error) {
+      made[i].failure = error.what();
+    } catch (const meshes::MeshError& error) {
+      made[i].failure = error.what();
+    }
+    made[i].seconds = processor_seconds() - start;
+  });
+  for (std::size_t i = 0; i < made.size(); ++i) {
+    const long n_cycles = made[i].fe.course.n_cycles_stepped;
+    wear.cost = wear.cost + ProofCost{1, n_cycles * wanted[i].steps_per_cycle, n_cycles, made[i].seconds};
+    if (wear.failure.empty()) wear.failure = made[i].failure;
+  }
+  wear.fe = std::move(made.front().fe);
+  if (!wear.failure.empty() || proof == Proof::none) return wear;
+  wear.is_proved = true;
+  for (std::size_t i = 1; i < made.size(); ++i) add_share(coarser[i - 1].source, made[i].fe, wear);
+  for (auto* bar : {&wear.radius, &wear.along, &wear.across}) bar->add(ErrorSource::edge, wear.fe.sticks.uncertainty);
+  const auto& curve = wear.fe.course.curve;
+  if (curve.size() > 1) wear.volume.add(ErrorSource::cycles, 1 - (curve.end() - 2)->volume / curve.back().volume);
+  return wear;
+}
+
+}  // namespace fretval

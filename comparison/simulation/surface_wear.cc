@@ -1,0 +1,89 @@
+#include "comparison/simulation/surface_wear.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+#include "comparison/simulation/bodies/surface_store.h"
+#include "comparison/simulation/wear_run.h"
+#include "comparison/support/stopwatch.h"
+#include "fem/contact/static_contact.h"
+#include "fem/wear/rubbing_surface.h"
+
+namespace fretval {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+/// The region whose edge on each ray is the outer one of its last ring, known to that ring or the next.
+fem::ContactRegion region_of(const std::vector<double>& radii, const fem::AngularGrid& grid,
+                             const Eigen::VectorXi& n_inside) {
+  VectorXd edges(n_inside.size());
+  double widest = 0;
+  for (Index j = 0; j < n_inside.size(); ++j) {
+    const auto n = static_cast<std::size_t>(n_inside[j]);
+    edges[j] = radii[n];
+    if (n > 0) widest = std::max(widest, radii[n] - radii[n - 1]);
+    if (n + 1 < radii.size()) widest = std::max(widest, radii[n + 1] - radii[n]);
+  }
+  auto region = fem::region_within(grid, std::move(edges));
+  region.uncertainty = widest;
+  return region;
+}
+
+}  // namespace
+
+Eigen::MatrixXd SurfaceWear::field(const VectorXd& points) const {
+  const auto n = static_cast<Index>(radii.size()) - 1;
+  return Eigen::Map<const Eigen::MatrixXd>(points.data(), n, points.size() / n);
+}
+
+Resolution resolution_for_surface_wear(const Case& input, const Resolution& of_the_case) {
+  constexpr unsigned rings = 24, degree = 5, angles = 8;
+  constexpr int steps = 72;
+  constexpr double edge_ring = 1e-2, jump = 0.04;
+  Resolution r = of_the_case;
+  r.elements_per_radius = input.rings_per_radius.value_or(rings);
+  r.degree = degree;
+  r.n_angles = angles;
+  r.steps_per_cycle = input.steps_per_cycle.value_or(steps);
+  r.worn_edge_ring = edge_ring;
+  r.wear_jump = jump;
+  r.focus.reset();
+  return r;
+}
+
+SurfaceWear simulate_surface_wear(const FemCase& fem_case, const Case::WearKinetics& wear, double edge,
+                                  const Resolution& resolution, BodyStore& bodies,
+                                  const std::filesystem::path& checkpoints,
+                                  const std::function<void(const fem::WearCourse&)>& after_jump) {
+  Stopwatch watch;
+  FemCase fem = fem_case;
+  fem.worn_edge = WornEdge{edge, widest_wear(fem, 1)};
+  fem = at_resolution(std::move(fem), resolution);
+  SurfaceWear simulation;
+  simulation.grid =
+      fem::angular_grid(resolution.n_angles, fem.motion.moves_across() ? fem::Mirrors::none : fem::Mirrors::x);
+  const auto& grid = simulation.grid;
+  const auto surface = find_or_make_surface(fem.body, grid.highest_order(), bodies);
+  simulation.radii = surface.radii;
+  simulation.unworn = fem::ring_means(fem::ring_compliance(surface, fem::axisymmetric), fem.profile);
+  const auto operators = fem::coupled_operators(surface, grid, fem.full->coupled);
+  const auto of_indenter = fem::indenter_motion(fem.motion);
+  const VectorXd unworn = simulation.unworn.replicate(grid.n_kept(), 1);
+  const fem::WornProfile profile{unworn, VectorXd::Zero(unworn.size())};
+  auto contact = std::make_unique<fem::RubbingSurface>(operators, fem.relaxation, fem.motion, of_indenter,
+                                                       fem.steps_per_cycle(), profile, fem.friction_coefficient);
+  simulation.course = worn_to_its_end(std::move(contact), profile, fem, wear, checkpoints, after_jump);
+  const auto& last = simulation.course.last;
+  const Eigen::MatrixXd pressure = simulation.field(last.largest_pressure), path = simulation.field(last.path);
+  const Eigen::MatrixXd stuck = (pressure.array() > 0 && path.array() == 0).cast<double>();
+  simulation.sticks = region_of(surface.radii, grid, fem::rings_inside(stuck));
+  simulation.touches = region_of(surface.radii, grid, fem::rings_inside(pressure));
+  simulation.seconds = watch.lap();
+  return simulation;
+}
+
+}  // namespace fretval

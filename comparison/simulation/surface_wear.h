@@ -1,0 +1,41 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <vector>
+
+#include "comparison/simulation/bodies/body_store.h"
+#include "comparison/simulation/surface_answer.h"
+#include "fem/wear/wear_course.h"
+
+namespace fretval {
+
+/// What finite elements say about an indenter that wears under friction as a vector, off its circle: dimensionless, in
+/// the units of its case. Points are those of rings x kept angles, angle by angle.
+struct SurfaceWear {
+  fem::WearCourse course;
+  fem::AngularGrid grid;
+  std::vector<double> radii;   ///< of the rings
+  fem::ContactRegion sticks;   ///< where nothing slips at the end, whose edge is known to a ring: its uncertainty
+  fem::ContactRegion touches;  ///< where pressure acts in the last cycle
+  Eigen::VectorXd unworn;      ///< ring means of the height
+  double seconds = 0;
+
+  /// A field of the points, rings x kept angles.
+  [[nodiscard]] Eigen::MatrixXd field(const Eigen::VectorXd& points) const;
+};
+
+/// The resolution that a worn surface is computed at, with the rings and steps that the case file sets, if it does.
+/// Where the traction and the pressure of what sticks are singular, stick is decided by their ratio, so it takes degree
+/// 5 as the wear of rings does (resolution_for_wear).
+Resolution resolution_for_surface_wear(const Case& input, const Resolution& of_the_case);
+
+/// Runs the wear of a case with friction as a vector and prescribed displacements to its end. edge: the stick radius of
+/// the unworn indenter, around which rings are graded; where nothing sticks, 0: equal rings. Throws fem::SolverError
+/// where the numerics fail.
+SurfaceWear simulate_surface_wear(const FemCase& fem, const Case::WearKinetics& wear, double edge,
+                                  const Resolution& resolution, BodyStore& bodies,
+                                  const std::filesystem::path& checkpoints,
+                                  const std::function<void(const fem::WearCourse&)>& after_jump);
+
+}  // namespace fretval

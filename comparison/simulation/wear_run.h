@@ -1,0 +1,23 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+
+#include "comparison/simulation/fem_case/fem_case.h"
+#include "fem/wear/wear_course.h"
+
+namespace fretval {
+
+/// How far out an indenter can wear: under a height of the largest indentation its flank reaches the plane that no
+/// surface comes above. Over the unit of length.
+double widest_wear(const FemCase& fem, double largest_indentation);
+
+/// Wears a contact at rest, of a case at its resolution, to the end that the case asks for, or goes on from the
+/// checkpoint in a folder (empty: none). after_jump: told the course so far.
+fem::WearCourse worn_to_its_end(std::unique_ptr<fem::RubbingContact> contact, const fem::WornProfile& profile,
+                                const FemCase& fem, const Case::WearKinetics& wear,
+                                const std::filesystem::path& checkpoints,
+                                const std::function<void(const fem::WearCourse&)>& after_jump);
+
+}  // namespace fretval

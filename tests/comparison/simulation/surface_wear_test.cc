@@ -1,0 +1,40 @@
+#include "comparison/simulation/surface_wear.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/comparison/shared_bodies.h"
+#include "tests/comparison/wearing_case.h"
+
+namespace fretval::surface_wear_test {
+namespace {
+
+TEST(SurfaceWear, ResolutionIsThatOfTheCaseFile) {
+  const auto prepared = wearing_in_a_circle();
+  const auto resolution = resolution_for_surface_wear(prepared.input, prepared.fem.resolution);
+  EXPECT_EQ(resolution.elements_per_radius, 16U);
+  EXPECT_EQ(resolution.steps_per_cycle, 16);
+  EXPECT_EQ(resolution.degree, 5U);
+}
+
+// The slip of a circle lags behind its displacement: while the outer rings wear, the traction that they leave turns by
+// another angle than that of what sticks, and eats into it. MDR has c = 0.856 a, whatever has worn.
+TEST(SurfaceWear, InACircleEatsIntoWhatSticks) {
+  const auto prepared = wearing_in_a_circle();
+  const auto resolution = resolution_for_surface_wear(prepared.input, prepared.fem.resolution);
+  int n_told = 0;
+  const auto wear = simulate_surface_wear(prepared.fem, *prepared.input.wear_kinetics, 0.8, resolution, shared_bodies(),
+                                          {}, [&](const fem::WearCourse&) { ++n_told; });
+  EXPECT_EQ(wear.course.end, fem::WearEnd::nothing_left);
+  EXPECT_EQ(n_told, wear.course.n_jumps);
+  EXPECT_LT(wear.sticks.radius, 0.82);
+  EXPECT_GT(wear.sticks.radius, 0.6);
+  EXPECT_GT(wear.touches.radius, wear.sticks.radius - 1e-12);
+  EXPECT_NEAR(wear.sticks.along, wear.sticks.across, 2 * wear.sticks.uncertainty);
+  EXPECT_DOUBLE_EQ(wear.sticks.radius, wear.course.curve.back().stick_radius);
+  const auto worn = wear.field(wear.course.worn.back());
+  EXPECT_EQ(worn.cols(), wear.grid.n_kept());
+  EXPECT_EQ(worn.topRows(4).maxCoeff(), 0) << "what sticks does not wear";
+}
+
+}  // namespace
+}  // namespace fretval::surface_wear_test
