@@ -45,6 +45,7 @@ Case by_storage_alone(Case input) {
   const auto& curve = *body.master_curve;
   mdr::PronyFitOptions options;
   options.storage_alone = true;
+  options.branches_per_decade = 3;  // those of the fit to both are chosen by both
   const auto fitted = mdr::fit_prony({curve.frequency, curve.storage, curve.loss}, options).body;
   body.relaxed_modulus = fitted.relaxed_modulus;
   body.branch_moduli = fitted.branch_moduli;

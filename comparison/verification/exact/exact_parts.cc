@@ -9,10 +9,10 @@
 
 namespace fretval {
 
-Meshes half_space_meshes(const std::vector<int>& n_rings, double poisson_ratio) {
+Meshes half_space_meshes(const std::vector<int>& n_rings, double poisson_ratio, double far_radius) {
   Meshes meshes;
   for (const int n : n_rings) {
-    BodyDescription description{meshes::uniform_nodes(1.125, static_cast<unsigned>(n) * 9 / 8), 0.15, 25, 3};
+    BodyDescription description{meshes::uniform_nodes(1.125, static_cast<unsigned>(n) * 9 / 8), 0.15, far_radius, 3};
     description.poisson_ratio = poisson_ratio;
     Body body = make_body(description);
     meshes.push_back({n, std::move(body.normal.contact), std::move(body.tangential->contact)});
