@@ -4,12 +4,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include "comparison/case/aligned_trace.h"
 #include "comparison/case/path_table.h"
+#include "comparison/case/test_duration.h"
 #include "comparison/reference/mdr_answer.h"
 #include "comparison/reference/mdr_readings.h"
 #include "comparison/support/log.h"
+#include "mdr/rheology/prony_fit.h"
 
 namespace fretval {
 namespace {
@@ -35,6 +39,28 @@ void stretch(std::vector<double>& values, double by) {
   for (double& value : values) value = middle + (value - middle) * (1 + by / half);
 }
 
+/// The case with a body that is fitted to G' alone.
+Case by_storage_alone(Case input) {
+  auto& body = input.elastomer;
+  const auto& curve = *body.master_curve;
+  mdr::PronyFitOptions options;
+  options.storage_alone = true;
+  options.branches_per_decade = 3;  // those of the fit to both are chosen by both
+  const auto fitted = mdr::fit_prony({curve.frequency, curve.storage, curve.loss}, options).body;
+  body.relaxed_modulus = fitted.relaxed_modulus;
+  body.branch_moduli = fitted.branch_moduli;
+  body.branch_times = fitted.branch_times;
+  if (const auto test = std::exchange(body.test_duration, std::nullopt)) limit_to_test(test->seconds, input);
+  return input;
+}
+
+/// A record that begins at the contact is off by no more than leaves it there.
+void keep_contact(const std::vector<double>& as_recorded, double normal, std::vector<double>& values) {
+  const double least = *std::min_element(as_recorded.begin(), as_recorded.end());
+  if (!(least > 0) || least > normal) return;
+  for (double& value : values) value = std::max(value, least);
+}
+
 /// Off everywhere, and at its extremes in opposite directions.
 DataVariant variant_of_path(const Case& input, const char* what, double normal, double tangential) {
   DataVariant variant{what, {}};
@@ -42,10 +68,12 @@ DataVariant variant_of_path(const Case& input, const char* what, double normal, 
     variant.cases.push_back(with_path(input, [&](Case::Path& path) {
       for (double& value : path.normal) value += normal;
       stretch(path.tangential, tangential);
+      keep_contact(input.motion.path->normal, normal, path.normal);
     }));
   variant.cases.push_back(with_path(input, [&](Case::Path& path) {
     stretch(path.normal, normal);
     stretch(path.tangential, tangential);
+    keep_contact(input.motion.path->normal, normal, path.normal);
   }));
   return variant;
 }
@@ -77,6 +105,9 @@ std::vector<DataVariant> data_variants(const Case& input) {
     variant.cases.back().elastomer.relaxed_modulus *= 1 + input.elastomer.modulus_scatter;
     variants.push_back(std::move(variant));
   }
+  if (const auto& curve = input.elastomer.master_curve;
+      curve && curve->kramers_kronig && !curve->kramers_kronig->consistent)
+    variants.push_back({"contradiction of G' and G''", {by_storage_alone(input)}});
   return variants;
 }
 
@@ -99,7 +130,7 @@ Quantities data_uncertainties(const Case& input, const MdrCase& mdr) {
           farthest[quantity] = std::max(farthest[quantity], size);
         }
       } catch (const std::exception& error) {
-        log::warn(fmt::format("{}: the bars are without the {}: {}", input.name, variant.what, error.what()));
+        log::warn(fmt::format("{}: the bars do not have this share ({}): {}", input.name, variant.what, error.what()));
       }
     for (const auto& [quantity, size] : farthest) uncertainties[quantity] += size;
   }

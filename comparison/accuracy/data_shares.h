@@ -16,7 +16,8 @@ struct DataVariant {
 };
 
 /// A trace that is aligned otherwise, by two standard deviations; a path that is off by what was left out of the
-/// record, and by how its cycles scatter; moduli that scatter about a hardness. Empty: the data are taken as they are.
+/// record, and by how its cycles scatter; moduli that scatter about a hardness; a body that is fitted to G' alone where
+/// G' and G'' contradict each other, so that no body has both. Empty: the data are taken as they are.
 std::vector<DataVariant> data_variants(const Case& input);
 
 /// By how much MDR's answer changes with the data, over the scale of each quantity; the variants add up. MDR stands for

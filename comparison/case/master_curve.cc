@@ -25,7 +25,8 @@ void warn(const std::string& file, const mdr::ModulusTable& table, const mdr::Pr
   if (relation && !relation->consistent)
     warnings.push_back(
         fmt::format("{}: G' and G'' contradict each other (Kramers and Kronig), most at {:.3g} Hz by {:.0f} %; no "
-                    "linear viscoelastic body has these moduli",
+                    "linear viscoelastic body has these moduli, so the bars have what a body that is fitted to G' "
+                    "alone would change; shift the isotherms by G' and G'' alike, or leave out the rows",
                     file, relation->worst_frequency, 100 * relation->worst));
   if (fit.residual > bad_residual)
     warnings.push_back(

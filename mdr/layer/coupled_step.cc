@@ -26,6 +26,14 @@ Eigen::ArrayXd share_in_contact(const Eigen::ArrayXd& load_before, const Eigen::
   return (load_before > 0 || below <= 0).select(1.0, below / (below + above));
 }
 
+// Nothing has ever moved tangentially, and nothing does in the step.
+bool rests(const SpringState& state, const PrescribedInStep& prescribed) {
+  const auto none = [](const auto& values) { return (values == 0).all(); };
+  return !prescribed.tangential_load && prescribed.indenter.tangential == state.indenter.tangential &&
+         prescribed.indenter.tangential_rate == 0 && none(state.tangential_shift) && none(state.tangential_load) &&
+         none(state.tangential_memory);
+}
+
 [[noreturn]] void slide(double load, double most) {
   GrossSlip slip("tangential force of " + std::to_string(std::abs(load) / most) +
                  " times mu times the normal force: the contact slides, there is no displacement for it");
@@ -136,6 +144,11 @@ CoupledStep::Request CoupledStep::tangential_request(const SpringState& state, c
   return request;
 }
 
+CoupledStep::Tangential CoupledStep::at_rest(const SpringState& state) {
+  const Eigen::ArrayXd none = Eigen::ArrayXd::Zero(state.tangential_load.size());
+  return {none, none, none, 0};
+}
+
 CoupledStep::Tangential CoupledStep::tangential_step(const SpringState& state, const PrescribedInStep& prescribed,
                                                      const Normal& normal) const {
   using Flags = Eigen::Array<bool, Eigen::Dynamic, 1>;
@@ -160,7 +173,7 @@ void CoupledStep::advance(SpringState& state, const PrescribedInStep& prescribed
     throw std::invalid_argument(
         "base of the layer = frictionless: nothing holds the layer against a tangential motion; must be bonded");
   const Normal normal = normal_step(state, prescribed);
-  Tangential tangential = tangential_step(state, prescribed, normal);
+  Tangential tangential = rests(state, prescribed) ? at_rest(state) : tangential_step(state, prescribed, normal);
   remember(state.normal_memory, normal.depth - state.normal_depth);
   remember(state.tangential_memory, tangential.tip - state.tangential_shift);
   state.normal_depth = normal.depth;

@@ -57,6 +57,7 @@ class CoupledStep {
     Eigen::ArrayXd load, tip, slip;
     double shift;
   };
+  [[nodiscard]] static Tangential at_rest(const SpringState& state);
   [[nodiscard]] Request tangential_request(const SpringState& state, const PrescribedInStep& prescribed,
                                            const Normal& normal, const Eigen::ArrayXd& free_tips) const;
   [[nodiscard]] Tangential tangential_step(const SpringState& state, const PrescribedInStep& prescribed,

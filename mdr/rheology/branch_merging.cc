@@ -1,5 +1,6 @@
 #include "mdr/rheology/branch_merging.h"
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -10,6 +11,7 @@
 
 #include "mdr/support/checks.h"
 #include "mdr/support/constants.h"
+#include "mdr/support/non_negative_least_squares.h"
 
 namespace fretval::mdr {
 
@@ -121,6 +123,52 @@ std::optional<std::pair<std::size_t, std::optional<Branch>>> least_change(const 
   return best;
 }
 
+void merge_neighbours(Merging& merging, double tolerance) {
+  while (const auto change = least_change(merging, tolerance)) merging.take(change->first, change->second);
+}
+
+/// Real and imaginary parts over the size of the whole.
+Eigen::VectorXd parts_of(const Response& response, const Response& whole) {
+  Eigen::VectorXd parts(2 * static_cast<Eigen::Index>(whole.size()));
+  for (std::size_t k = 0; k < whole.size(); ++k)
+    parts.segment<2>(2 * static_cast<Eigen::Index>(k)) << response[k].real() / std::abs(whole[k]),
+        response[k].imag() / std::abs(whole[k]);
+  return parts;
+}
+
+/// Fewer branches, of other times from the fastest to the slowest one, whose moduli are fitted to the whole in the
+/// range. Empty: none are within the tolerance.
+std::optional<Merging> refitted(const Merging& merging, double relaxed_modulus, double tolerance) {
+  constexpr std::size_t least_times = 4;
+  if (merging.branches.size() <= least_times) return std::nullopt;
+  Response branches = merging.whole;
+  for (auto& value : branches) value -= relaxed_modulus;
+  const Eigen::VectorXd wanted = parts_of(branches, merging.whole);
+  const double fastest = merging.branches.front().time, slowest = merging.branches.back().time;
+  for (std::size_t n = least_times; n < merging.branches.size(); ++n) {
+    Eigen::MatrixXd parts(wanted.size(), n);
+    std::vector<Branch> offered;
+    for (std::size_t i = 0; i < n; ++i) {
+      offered.push_back(
+          {1, fastest * std::pow(slowest / fastest, static_cast<double>(i) / static_cast<double>(n - 1))});
+      parts.col(static_cast<Eigen::Index>(i)) = parts_of(response_of(offered.back(), merging.omega), merging.whole);
+    }
+    const Eigen::VectorXd moduli = non_negative_least_squares(parts, wanted);
+    Merging found{merging.omega, merging.whole, branches, {}, {}};
+    for (auto& value : found.off) value = -value;
+    for (std::size_t i = 0; i < n; ++i) {
+      const double modulus = moduli[static_cast<Eigen::Index>(i)];
+      if (!(modulus > 0)) continue;
+      found.branches.push_back({modulus, offered[i].time});
+      found.responses.push_back(response_of(found.branches.back(), found.omega));
+      for (std::size_t k = 0; k < found.omega.size(); ++k) found.off[k] += found.responses.back()[k];
+    }
+    const Response nothing(found.omega.size());
+    if (found.error_with(nothing, nothing, nothing) <= tolerance) return found;
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 MergedBody merged(const PronyBody& body, double lowest_frequency, double highest_frequency, double tolerance) {
@@ -140,7 +188,12 @@ MergedBody merged(const PronyBody& body, double lowest_frequency, double highest
   for (const auto& branch : merging.branches) merging.responses.push_back(response_of(branch, merging.omega));
   hasten(merging, tolerance / 2);
   sort_by_time(merging);
-  while (const auto change = least_change(merging, tolerance)) merging.take(change->first, change->second);
+  merge_neighbours(merging, tolerance);
+  constexpr double share_of_fit = 0.9;
+  if (auto fitted = refitted(merging, body.relaxed_modulus, share_of_fit * tolerance)) {
+    merge_neighbours(*fitted, tolerance);
+    merging = std::move(*fitted);
+  }
 
   MergedBody result{{body.relaxed_modulus, {}, {}, body.viscosity},
                     body.branch_moduli.size() - merging.branches.size(),

@@ -20,7 +20,9 @@ struct MergedBody {
 /// and at rest, to the highest, in Hz. A merged branch has the sum of moduli and the mean of times weighed with them,
 /// so that the viscosity of branches that are much faster than the range is exact, and so is the stiffness of those
 /// that are much slower. Faster ones are left out altogether where that is within the tolerance. The modulus at rest
-/// stays as it is. In order of time.
+/// stays as it is. Where fewer branches do that have times of their own, equally spaced in log time from the fastest to
+/// the slowest one, and moduli that are fitted to the range (non_negative_least_squares): those instead, merged
+/// likewise. In order of time.
 ///
 /// Throws std::invalid_argument for a body, a range or a tolerance that is none.
 MergedBody merged(const PronyBody& body, double lowest_frequency, double highest_frequency, double tolerance);

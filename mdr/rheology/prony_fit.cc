@@ -44,6 +44,11 @@ MatrixXd relative_responses(const ModulusTable& table, const std::vector<double>
   return responses;
 }
 
+MatrixXd storage_rows(const MatrixXd& responses) {
+  return Eigen::Map<const MatrixXd, 0, Eigen::Stride<Eigen::Dynamic, 2>>(responses.data(), responses.rows() / 2,
+                                                                         responses.cols(), {responses.rows(), 2});
+}
+
 std::vector<double> branch_times(const ModulusTable& table, int per_decade) {
   const double shortest = 1 / (2 * pi * table.frequency.back());
   const double decades = std::log10(table.frequency.back() / table.frequency.front());
@@ -128,7 +133,8 @@ PronyFit fit_prony(const ModulusTable& table, const PronyFitOptions& options) {
   if (n < n_folds) reject("number of frequencies for a Prony fit", n, "must be at least 5");
   const std::vector<double> times = offered_times(table, options);
   const MatrixXd responses = relative_responses(table, times, options.dashpot);
-  const VectorXd moduli = non_negative_least_squares(responses, VectorXd::Ones(responses.rows()));
+  const MatrixXd fitted = options.storage_alone ? storage_rows(responses) : responses;
+  const VectorXd moduli = non_negative_least_squares(fitted, VectorXd::Ones(fitted.rows()));
   const VectorXd misfit = misfits(responses, moduli);
   Index worst;
   misfit.cwiseAbs().maxCoeff(&worst);

@@ -12,6 +12,7 @@ struct PronyFitOptions {
   std::optional<int> branches_per_decade;  ///< 1 to 32; chosen by the held-out misfit unless given
   std::vector<double> branch_times;        ///< tau_i in s, to be used instead if not empty; positive and different
   bool dashpot = false;                    ///< whether a viscosity may be fitted too
+  bool storage_alone = false;              ///< G' is fitted, and G'' left out; misfits are of both
 };
 
 /// Misfits are relative, (fit - measured)/measured, of G' and G'' alike.

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "mdr/motion/sampled_path.h"
+#include "mdr/springs/creep_jump.h"
 #include "mdr/springs/force_balance.h"
 #include "mdr/springs/path_data.h"
 #include "mdr/springs/repetition.h"
@@ -91,15 +92,16 @@ class PathHistory {
 
   PathCourse run() {
     if (!path_.repeats) return {springs_.bed(), one_period(0)};
+    CreepJump jump(body_, mu_, path_.duration());
     Repetition repetition(body_, periodicity_of(body_, fineness_.periodicity, fineness_.subdivisions));
-    constexpr int many = 10'000;
-    const int most_periods = most_periods_with(
-        path_.has_forces() ? fineness_.n_ramp_periods : std::min(periods_of_creep(body_, path_.duration()), many));
+    const int most_periods = most_periods_with(fineness_.n_ramp_periods);
     for (int period = 0; period < most_periods; ++period) {
       const SpringState start = state_;
       SpringHistory last = one_period(period);
       if (period < fineness_.n_ramp_periods) continue;
-      if (repetition.reached(change_of_tractions(start, state_, mu_))) return {springs_.bed(), std::move(last)};
+      if (repetition.reached(std::max(change_of_tractions(start, state_, mu_), jump.to_come())))
+        return {springs_.bed(), std::move(last)};
+      jump.after_period(state_);
     }
     throw std::runtime_error("loads of the springs along the path do not repeat after " + std::to_string(most_periods) +
                              " periods: set the Duration of the test, so that branches slower than it are springs");

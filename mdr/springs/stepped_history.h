@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "mdr/springs/creep_jump.h"
 #include "mdr/springs/history_data.h"
 #include "mdr/springs/repetition.h"
 #include "mdr/springs/spring_energy.h"
@@ -100,6 +101,7 @@ class SteppedHistory {
         slip_path_(Eigen::ArrayXd::Zero(state_.normal_load.size())) {}
 
   SpringHistory run() {
+    CreepJump jump(body_, mu_, control_.period);
     Repetition repetition(body_, control_.periodicity);
     double change = 0;
     for (int period = 0; period < control_.max_periods; ++period) {
@@ -107,9 +109,10 @@ class SteppedHistory {
       step_through(period);
       if (period < control_.n_ramp_periods) continue;
       change = change_of_tractions(start_, state_, mu_);
-      const bool repeats = repetition.reached(change);
+      const bool repeats = repetition.reached(std::max(change, jump.to_come()));
       if (repeats || (control_.slips_little && control_.slips_little(slip_of_periods_.back())))
         return measured_again(period);
+      if (!control_.slips_little) jump.after_period(state_);  // otherwise each period is an answer
     }
     std::ostringstream message;
     const auto& times = body_.branch_times;

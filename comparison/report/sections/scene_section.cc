@@ -54,11 +54,12 @@ void add_groups(const StoredResult& r, Filling& filling) {
     add("rho", r.number("mdr", "modulus_ratio"), "{:.5g}");
     filling["omega_tau"] = branches_text(scene, 2 * std::acos(-1.0) * r.number("scene", "frequency"));
   }
-  const double radius = input_number(r, "Radius");
-  add("a_over_r", a / radius, "{:.3g}");
+  add("a_over_r", a / input_number(r, "Radius", "Indenter"), "{:.3g}");
+  add("a_over_h", a / input_number(r, "Thickness", "Body"), "{:.3g}");
+  add("a_over_b", a / input_number(r, "Radius", "Body"), "{:.3g}");
   add("first_slip", r.number("fe", "stick_radius_first_slip") / a, "{:.4f}");
   add("shakedown", r.number("fe", "stick_radius_shakedown") / a, "{:.4f}");
-  for (const char* group : {"k", "rho", "a_over_r", "first_slip", "shakedown"})
+  for (const char* group : {"k", "rho", "a_over_r", "a_over_h", "a_over_b", "first_slip", "shakedown"})
     if (filling.contains(group)) filling["has_groups"] = true;
 }
 

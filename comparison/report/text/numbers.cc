@@ -40,9 +40,10 @@ std::string difference_with_bar(const StoredResult& result, const char* key) {
   return difference_text(result, key) + " ± " + bar_text(result, key);
 }
 
-double input_number(const StoredResult& result, const char* name) {
+double input_number(const StoredResult& result, const char* name, const char* section) {
   for (const auto& input : result.json.at("scene").value("inputs", nlohmann::ordered_json::array()))
-    if (input.at("name") == name && input.at("value").is_number()) return input["value"].get<double>();
+    if (input.at("name") == name && (!section || input.at("section") == section) && input.at("value").is_number())
+      return input["value"].get<double>();
   return std::nan("");
 }
 

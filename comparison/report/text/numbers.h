@@ -18,8 +18,9 @@ std::string difference_text(const StoredResult& result, const char* key);
 std::string bar_text(const StoredResult& result, const char* key);
 std::string difference_with_bar(const StoredResult& result, const char* key);
 
-/// What the case file prescribes, by the name of the entry; NaN if it is not there or no number.
-double input_number(const StoredResult& result, const char* name);
+/// What the case file prescribes, by the name of the entry, of a section or the first that has it; NaN if it is not
+/// there or no number.
+double input_number(const StoredResult& result, const char* name, const char* section = nullptr);
 /// The same of a word; empty if it is not there.
 std::string input_word(const StoredResult& result, const char* name);
 

@@ -5,7 +5,6 @@
 #include "comparison/simulation/bodies/body.h"
 #include "comparison/verification/exact/exact_rows.h"
 #include "fem/condensation/contact_events.h"
-#include "fem/contact/box_solver.h"
 #include "fem/contact/contact_force.h"
 #include "fem/history/friction_history.h"
 #include "fem/stick_zone/contact_radius.h"
@@ -76,25 +75,15 @@ double error_of_punch(const fem::ContactProblem& problem, mdr::Direction directi
 
 /// Stick radius of a push of the contact of radius 1 from rest, one box problem each, for stick radii from 0.3 to 0.9.
 double error_of_push(const ConvergenceMesh& mesh, const mdr::Layer& layer, const ExactScene& exact) {
-  const auto &normal = mesh.normal, &tangential = mesh.tangential;
   const auto known = mdr::layer_contact(indenter(), layer, 1);
-  const auto contact = fem::static_contact(normal, means_of(indenter(), normal), known.indentation);
-  const Eigen::VectorXd limit = friction_coefficient * contact.pressure;
+  const auto contact = fem::static_contact(mesh.normal, means_of(indenter(), mesh.normal), known.indentation);
   constexpr int n_radii = 25;
   double error = 0;
   for (int k = 0; k < n_radii; ++k) {
     const double radius = 0.3 + 0.6 * k / (n_radii - 1);
     const auto push = mdr::layer_push_to_radius(mdr::layer_contact(indenter(exact.steepness), layer, 1),
                                                 exact.friction_coefficient, exact.modulus, radius);
-    std::vector<fem::BoxState> states(static_cast<std::size_t>(tangential.n_rings()), fem::BoxState::interior);
-    const Eigen::VectorXd load = push.tangential_displacement * tangential.compliance.areas;
-    const auto solution = tangential.solver.solve(load, -limit, limit, states);
-    Eigen::Index n_stuck = 0;
-    while (n_stuck < limit.size() && limit[n_stuck] > 0 &&
-           states[static_cast<std::size_t>(n_stuck)] == fem::BoxState::interior)
-      ++n_stuck;
-    const Eigen::VectorXd reserves = tangential.series.depths(limit - solution.x);
-    take_worst(error, fem::stick_radius(tangential.compliance, reserves, n_stuck).radius - radius);
+    take_worst(error, stick_radius_of_push(mesh, contact.pressure, push.tangential_displacement) - radius);
   }
   return error;
 }

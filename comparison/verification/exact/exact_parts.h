@@ -33,7 +33,10 @@ struct ConvergenceMesh {
 using Meshes = std::vector<ConvergenceMesh>;
 
 /// n_rings: multiples of 8, so that r = 1 is a node. Throws meshes::MeshError, fem::SolverError.
-Meshes half_space_meshes(const std::vector<int>& n_rings);
+Meshes half_space_meshes(const std::vector<int>& n_rings, double poisson_ratio = 0.5, double far_radius = 25);
+
+/// Stick radius of a push from rest under a normal contact that stays: one box problem.
+double stick_radius_of_push(const ConvergenceMesh& mesh, const Eigen::VectorXd& pressure, double displacement);
 
 constexpr int n_positions = 193;
 inline const double friction_coefficient = ExactScene().friction_coefficient;

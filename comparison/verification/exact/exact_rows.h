@@ -29,7 +29,8 @@ Rows worn_edge_rows(const Meshes& meshes, const ExactScene& exact);    ///< the 
 Rows relaxation_rows(const Meshes& meshes, const ExactScene& exact);   ///< steps of the indentation
 Rows pressing_rows(const Meshes& meshes, const ExactScene& exact);     ///< Lee-Radok, Ting
 Rows periodic_rows(const Meshes& meshes, const ExactScene& exact);     ///< both stick radii of the paper's motion
-Rows layer_rows(const std::vector<int>& n_rings, const ExactScene& exact);  ///< parabolas and punches on layers
-Rows bulk_rows(const std::vector<BulkMesh>& meshes, double exact_force);    ///< Kelvin
+Rows poisson_rows(const std::vector<int>& n_rings, const ExactScene& exact);  ///< compressible half-spaces
+Rows layer_rows(const std::vector<int>& n_rings, const ExactScene& exact);    ///< parabolas and punches on layers
+Rows bulk_rows(const std::vector<BulkMesh>& meshes, double exact_force);      ///< Kelvin
 
 }  // namespace fretval

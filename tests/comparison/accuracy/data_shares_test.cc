@@ -10,6 +10,7 @@
 #include "comparison/accuracy/verdict.h"
 #include "comparison/case/path_table.h"
 #include "comparison/reference/mdr_answer.h"
+#include "mdr/rheology/prony_fit.h"
 #include "tests/comparison/read_case.h"
 
 namespace fretval::data_shares_test {
@@ -28,6 +29,43 @@ TEST(DataShares, OfAHardnessAreThoseOfForces) {
   const auto open = data_uncertainties(input, mdr_case(input));
   EXPECT_NEAR(open.at(Quantity::normal_force_max), 0.2, 0.02);
   EXPECT_NEAR(open.at(Quantity::stick_radius_shakedown), 0, 1e-9);
+}
+
+// Of a standard solid G' alone has all, and a loss that is measured too large makes the body of both too lossy and too
+// soft at rest: by what the fit to G' alone gives, the true body is within the bars.
+TEST(DataShares, OfModuliThatContradictEachOtherCoverTheBodyOfTheStorageModulus) {
+  auto input = read_case();
+  auto& body = input.elastomer;
+  const mdr::PronyBody known{body.relaxed_modulus, body.branch_moduli, body.branch_times, 0};
+  const auto answer_with = [&](const Case& one) {
+    const auto mdr = mdr_case(one);
+    return mdr_answer(mdr, mdr_normal_response(mdr));
+  };
+  const auto exact = answer_with(input);
+  mdr::ModulusTable table;
+  for (int k = -30; k <= 30; ++k) {
+    const double frequency = std::pow(10, k / 10.0);
+    const auto modulus = mdr::complex_modulus(known, 2 * M_PI * frequency);
+    table.frequency.push_back(frequency);
+    table.storage.push_back(modulus.real());
+    table.loss.push_back(2 * modulus.imag());
+  }
+  const auto fitted = mdr::fit_prony(table).body;
+  body.relaxed_modulus = fitted.relaxed_modulus;
+  body.branch_moduli = fitted.branch_moduli;
+  body.branch_times = fitted.branch_times;
+  body.master_curve = Case::MasterCurve{};
+  body.master_curve->frequency = table.frequency;
+  body.master_curve->storage = table.storage;
+  body.master_curve->loss = table.loss;
+  body.master_curve->kramers_kronig = Case::KramersKronigCheck{true, 0, 1};
+  EXPECT_TRUE(data_variants(input).empty());
+  body.master_curve->kramers_kronig->consistent = false;
+  const auto open = data_uncertainties(input, mdr_case(input));
+  const auto found = answer_with(input);
+  const double off = std::abs(*found.normal_force_max / *exact.normal_force_max - 1);
+  EXPECT_GT(off, 0.02);
+  EXPECT_NEAR(open.at(Quantity::normal_force_max), off, 0.1 * off);
 }
 
 /// A single pass over an elastic parabola, off by so much normally.

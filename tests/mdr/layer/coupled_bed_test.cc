@@ -32,6 +32,19 @@ TEST(CoupledBed, ModesAreTheMeansOfTheKernelOverTheSprings) {
   }
 }
 
+// Wave by wave, for layers whose modes come from few polynomials, and for one so thin that they do not.
+TEST(CoupledBed, ModesOfManySpringsAreTheSumOfTheWaves) {
+  for (const double thickness : {3.0, 0.6, 0.05}) {
+    const SpringBed bed = spring_bed(parabola(1), 1.2, 200);
+    const LayerKernel kernel = layer_kernel({thickness, 0.45}, Direction::tangential, 3);
+    const Eigen::ArrayXd load = (1.3 - bed.position).square() + (40 * bed.position).cos();
+    const Eigen::ArrayXd half_turn = kernel.wave_number * bed.width[0] / 2, mean = half_turn.sin() / half_turn;
+    const Eigen::ArrayXd expected =
+        coupling(kernel, amplitudes(kernel, bed.position, bed.width * load) * mean.square(), bed.position);
+    EXPECT_LT((coupling(layer_modes(kernel, bed), load) - expected).abs().maxCoeff(), 1e-12);
+  }
+}
+
 TEST(CoupledBed, FewModesHoldItAndAllLetDepthsGiveLoads) {
   for (const Eigen::Index n : {50, 200}) {
     const CoupledBed bed = coupled_bed(spring_bed(parabola(1), 1.2, n), layer);

@@ -40,6 +40,22 @@ TEST(BranchMerging, KeepsTheModulusWithinTheStatedError) {
   EXPECT_EQ(merged_body.relaxed_modulus, body.relaxed_modulus);
 }
 
+// Of a spectrum without gaps as many are left as the range asks for, however many there were.
+TEST(BranchMerging, LeavesAsFewOfManyBranchesAsOfFew) {
+  const auto few = [](int per_decade) {
+    PronyBody body{1e6, {}, {}};
+    for (int k = -9 * per_decade; k <= 3 * per_decade; ++k) {
+      body.branch_moduli.push_back(6e5 / per_decade);
+      body.branch_times.push_back(std::pow(10, static_cast<double>(k) / per_decade));
+    }
+    const auto result = merged(body, 1, 300, 1e-4);
+    EXPECT_LE(largest_change(body, result.body, 1, 300), 1.1e-4);
+    return result.body.branch_times.size();
+  };
+  EXPECT_LE(few(4), 12U);
+  EXPECT_LE(few(16), few(4) + 1);
+}
+
 TEST(BranchMerging, OfNoneIsTheBodyItself) {
   const auto body = wide_body();
   const auto same = merged(body, 1e-14, 1e14, 0);

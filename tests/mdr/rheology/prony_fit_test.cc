@@ -105,6 +105,27 @@ TEST(PronyFit, NamesThePlaceOfAnOutlier) {
   EXPECT_NEAR(fit.worst, 0.5, 0.1);
 }
 
+TEST(PronyFit, OfTheStorageModulusAloneDoesNotKnowTheLoss) {
+  ModulusTable table = synthetic_table(known, 1e-3, 1e5, 4);
+  for (double& loss : table.loss) loss *= 2;
+  PronyFitOptions options;
+  options.branch_times = known.branch_times;
+  const PronyFit both = fit_prony(table, options);
+  options.storage_alone = true;
+  const PronyFit alone = fit_prony(table, options);
+  double of_alone = 0, of_both = 0;
+  for (std::size_t j = 0; j < table.frequency.size(); ++j) {
+    const auto misses = [&](const PronyBody& body) {
+      return std::abs(complex_modulus(body, 2 * pi * table.frequency[j]).real() / table.storage[j] - 1);
+    };
+    of_alone = std::max(of_alone, misses(alone.body));
+    of_both = std::max(of_both, misses(both.body));
+  }
+  EXPECT_LT(of_alone, 1e-8);
+  EXPECT_GT(of_both, 0.05);
+  EXPECT_GT(alone.residual, 0.3);  // of both: the loss is half of what was measured
+}
+
 // Guard: the same table without the dashpot is fitted badly.
 TEST(PronyFit, FindsTheDashpotOnlyIfAsked) {
   const ModulusTable table = synthetic_table(prony(1e6, {2e6}, {0.1}, 3e3), 1e-2, 1e4, 6);

@@ -7,6 +7,7 @@
 
 #include "mdr/motion/harmonic_motion.h"
 #include "mdr/springs/forced_response.h"
+#include "mdr/springs/spring_foundation.h"
 #include "mdr/support/constants.h"
 #include "tests/mdr/error_of.h"
 
@@ -52,6 +53,29 @@ TEST(PathResponse, OfSampledCosinesIsThatOfTheOscillation) {
   EXPECT_NEAR(sampled.tangential_force_max / exact.tangential_force_max, 1, rows);
   EXPECT_NEAR(sampled.friction_work / exact.friction_work, 1, 10 * rows);
   EXPECT_NEAR(sampled.bulk_work / exact.bulk_work, 1, 4 * rows);
+}
+
+// A branch that relaxes in 250 periods, against closed forms and springs whose periodic state is found as such.
+TEST(PathResponse, OfABodyThatCreepsForLongIsItsPeriodicState) {
+  constexpr int n = 180;
+  SampledPath path{{}, {}, {}, true};
+  for (int k = 0; k <= n; ++k) {
+    const double t = 2 * pi * (k % n) / n;
+    path.time.push_back(static_cast<double>(k) / n);
+    path.normal.push_back(1 + 0.2 * std::cos(t));
+    path.tangential.push_back(0.15 * std::cos(t + 0.8));
+  }
+  const PronyBody body{1, {0.5, 1}, {0.1, 250}, 0};
+  const auto stepped = path_forces(parabola(1), body, mu, path);
+  EXPECT_LT(stepped.course.history.n_periods, 1000);
+  const auto exact =
+      periodic_normal_response([](double x) { return x * x; }, std::sqrt(1.2), body, {1, 0.2, 0.15, 1, 1, 0.8});
+  const double rows = 4 * std::pow(2 * pi / n, 2) / 12;
+  EXPECT_NEAR(stepped.forces.normal_force_max / exact.normal_force_max, 1, rows);
+  EXPECT_NEAR(stepped.forces.normal_force_min / exact.normal_force_min, 1, 2 * rows);
+  const auto radii = stick_radii(parabola(1), body, mu, {1, {{0.2, 1, 0}}, {{0.15, 1, 0.8}}});
+  EXPECT_NEAR(std::sqrt(stepped.forces.shakedown), radii.shakedown.value(), rows);
+  EXPECT_NEAR(std::sqrt(stepped.forces.first_slip), radii.first_slip.value(), 4 * rows);
 }
 
 // What the indenter puts in over a period is lost, to friction or inside the body.
