@@ -196,6 +196,9 @@ std::string zones_answer(const ordered_json& result, double stick, double contac
   if (std::isnan(stick))
     return fmt::format("nothing sticks for good: all of the contact of {} slips in every cycle, and wears on",
                        text(contact));
+  if (const auto wear = fe.find("surface_wear"); wear != fe.end())
+    return fmt::format("unworn, the inner {} of a contact of {} sticks; of the worn indenter the inner {}", text(stick),
+                       text(contact), text(stored_number(wear->at("sticks"), "radius")));
   if (stick >= nearly_all * contact)
     return fmt::format("all of the contact of {} sticks for good: nothing wears", text(contact));
   const double by_fe = stored_number(fe, "worn_radius"),

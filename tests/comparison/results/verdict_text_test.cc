@@ -43,6 +43,13 @@ TEST(PlainAnswer, SaysWhatSticksAndHowFarTheRestWears) {
   EXPECT_EQ(plain_answer(all), "all of the contact of 1.10 mm sticks for good: nothing wears");
 }
 
+TEST(PlainAnswer, SaysWhatWearOffTheCircleLeaves) {
+  auto worn = result("other model");
+  worn["fe"]["surface_wear"] = {{"sticks", {{"radius", 6.6e-4}}}};
+  EXPECT_EQ(plain_answer(worn),
+            "unworn, the inner 0.790 mm of a contact of 1.10 mm sticks; of the worn indenter the inner 0.660 mm");
+}
+
 TEST(PlainAnswer, HasAHeadlineOfItsOwnForEachKindOfContact) {
   auto none = result("agree");
   none["fe"]["stick_radius_shakedown"] = nullptr;
