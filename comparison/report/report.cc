@@ -13,6 +13,7 @@
 #include "comparison/report/sections/cost_section.h"
 #include "comparison/report/sections/exact_section.h"
 #include "comparison/report/sections/forces_section.h"
+#include "comparison/report/sections/heading.h"
 #include "comparison/report/sections/scene_section.h"
 #include "comparison/report/sections/suite_section.h"
 #include "comparison/report/sections/surface_wear_section.h"
@@ -175,6 +176,12 @@ Filling all_cases_section(const Results& results) {
   return {{"template", "all_cases"}, {"table", filling_of(table)}};
 }
 
+/// Of a page without results of cases, as of suites alone.
+std::string folder_name(const fs::path& folder) {
+  const auto whole = fs::weakly_canonical(folder);
+  return whole.filename().empty() ? whole.string() : whole.filename().string();
+}
+
 std::string libraries_text() {
   std::string text;
   for (const auto& [name, version] : versions())
@@ -189,22 +196,23 @@ std::string data_text(const Filling& plots) {
   return text;
 }
 
-std::string page_of(Filling sections) {
+std::string page_of(Filling heading, Filling sections) {
   const auto plots = place_plots(sections);
   const auto text = [](const char* name) { return std::string(resources().at(name)); };
-  return rendered({{"template", "page"},
-                   {"title", "Finite elements against the method of dimensionality reduction (MDR)"},
-                   {"style", text("katex.css") + text("report.css")},
-                   {"sections", std::move(sections)},
-                   {"libraries", libraries_text()},
-                   {"data", data_text(plots)},
-                   {"library", text("d3.js")},
-                   {"script", text("report.js")}});
+  auto page = std::move(heading);
+  page.update({{"template", "page"},
+               {"style", text("katex.css") + text("report.css")},
+               {"sections", std::move(sections)},
+               {"libraries", libraries_text()},
+               {"data", data_text(plots)},
+               {"library", text("d3.js")},
+               {"script", text("report.js")}});
+  return rendered(page);
 }
 
 }  // namespace
 
-fs::path write_report(const fs::path& folder) {
+fs::path write_report(const fs::path& folder, const std::set<std::string>& of_this_run) {
   const auto results = read_results(folder);
   auto sections = Filling::array();
   const auto add = [&](Filling section) {
@@ -212,8 +220,8 @@ fs::path write_report(const fs::path& folder) {
   };
   add(section_of(folder / "trust.json", trust_section));
   if (!results.empty())
-    for (const auto section : {verdict_section, cases_of_few, scenes_section, radii_section, phase_section,
-                               rheology_section, sweeps_section, motions_section, forces_section, limiting_section,
+    for (const auto section : {verdict_section, sweeps_section, phase_section, cases_of_few, scenes_section,
+                               radii_section, rheology_section, motions_section, forces_section, limiting_section,
                                wear_section, surface_wear_section, cases_of_many, budget_section})
       add(section(results));
   add(trade_section(folder));
@@ -228,7 +236,7 @@ fs::path write_report(const fs::path& folder) {
                     "folder that fretval run, trade, trust or check --json has written",
                     folder.string()));
   fs::path file = folder / "index.html";
-  write_file(file, page_of(std::move(sections)));
+  write_file(file, page_of(heading_of(results, of_this_run, folder_name(folder)), std::move(sections)));
   write_sweeps(results);
   return file;
 }

@@ -13,6 +13,7 @@
 #include "comparison/report/drawing/zone_map.h"
 #include "comparison/report/text/numbers.h"
 #include "comparison/report/text/table.h"
+#include "comparison/results/answer_text.h"
 
 namespace fretval {
 namespace {
@@ -57,9 +58,15 @@ std::string end_text(const ordered_json& wear) {
   return end == "nothing left" ? "all that is pressed sticks" : end;
 }
 
+/// "56 h"; of the last cycle.
+std::string worn_time_text(const StoredResult& r, const ordered_json& wear) {
+  const auto period = period_of(r.json.at("scene"));
+  return period ? time_text(*period * wear.at("cycles").back().get<double>()) : "–";
+}
+
 Table table_of(const Results& results) {
   Table table{{"case", "body, law", "c", "distance from the limit", "… of the first-slip radius", "a∞, MDR",
-               "difference", "volume over that of the limit", "difference from MDR", "cycles", "end"}};
+               "difference", "volume worn", "over that of the limit", "difference from MDR", "cycles", "time", "end"}};
   for (const auto& r : results) {
     const auto* wear = wear_of(r);
     if (!wear) continue;
@@ -68,9 +75,9 @@ Table table_of(const Results& results) {
         {r.json.at("name").get<std::string>(), words_cell(r.text("scene", "rheology") + ", " + law_text(r)),
          length_text(r, "fe", "stick_radius_shakedown"), number_text(distance.at("shakedown")),
          number_text(distance.at("first_slip")), length_text(r, "mdr", "worn_radius"),
-         difference_with_bar(r, "worn_radius"),
+         difference_with_bar(r, "worn_radius"), volume_text(wear->at("volume").back().get<double>()),
          fmt::format("{:.5f}", wear->at("volume").back().get<double>() / wear->at("volume_of_limit").get<double>()),
-         difference_with_bar(r, "worn_volume"), fmt::format("{:.2g}", wear->at("cycles").back().get<double>()),
+         difference_with_bar(r, "worn_volume"), fmt::format("{:.2g}", wear->at("cycles").back().get<double>()), worn_time_text(r, *wear),
          words_cell(end_text(*wear))});
   }
   return table;
