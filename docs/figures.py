@@ -26,16 +26,17 @@ def pages():
 
 
 def results_in(folder):
-    """Those of ./run: the folder may have others."""
+    """Those of ./run, and how many seconds lie between the first and the last; the folder may have others."""
     families = [file.stem for file in case_files()]
-    found = []
+    found, written = [], []
     for file in sorted(pathlib.Path(folder).rglob("result.json")):
         result = json.loads(file.read_text(encoding="utf-8"))
         if result["name"].split("/")[0] in families:
             found.append(result)
+            written.append(file.stat().st_mtime)
     if not found:
         sys.exit(f"{folder}: no results of the cases of ./run; expected the folder that ./run has written")
-    return found
+    return found, max(written) - min(written)
 
 
 def case_files():
@@ -64,7 +65,7 @@ def largest(results, quantity, chosen):
     return short(max(sizes))
 
 
-def computed(results):
+def computed(results, seconds):
     papers = [r for r in results if r["name"].startswith("figure")]
     compared = [c for r in papers for c in r["comparison"].values()]
     asked = [c for c in compared if c["asked"]]
@@ -83,7 +84,7 @@ def computed(results):
         "compared": len(compared),
         "above_bar": sum(c["error_bar"] is not None and c["difference"] is not None and abs(c["difference"]) > c["error_bar"] + c["mdr_error"] for c in compared),
         "parabola_largest": short(max(float(largest(papers, radius, lambda name: name.startswith("figure3-parabola"))) for radius in RADII)),
-        "processor_minutes": max(1, round(sum(r["cost"]["all"]["seconds"] for r in results) / 60)),
+        "minutes": max(2, round(seconds / 60)),
     }
     for quantity in (*RADII, "contact_radius_max", "normal_force_max"):
         figures["figure3_" + quantity] = largest(papers, quantity, solid)
@@ -110,7 +111,7 @@ def stale_pages(figures):
 
 
 def write(folder):
-    figures = computed(results_in(folder))
+    figures = computed(*results_in(folder))
     FIGURES.write_text(json.dumps(figures, indent=2) + "\n", encoding="utf-8")
     for page in pages():
         text = page.read_text(encoding="utf-8")
@@ -120,7 +121,7 @@ def write(folder):
 
 
 def has_changed(name, before, now):
-    if name == "processor_minutes":
+    if name == "minutes":
         return not 1 / TIMES <= now / before <= TIMES
     return before != now
 
@@ -132,7 +133,7 @@ def check(folder=None):
     if n_cases != figures["cases"]:
         stale.append(f"docs/figures.json: {figures['cases']} cases, ./run has {n_cases}")
     if folder:
-        now = computed(results_in(folder))
+        now = computed(*results_in(folder))
         stale += [f"docs/figures.json: {name} was {figures.get(name)}, {folder} has {value}" for name, value in now.items() if name not in figures or has_changed(name, figures[name], value)]
     if stale:
         sys.exit("\n".join([*stale, "stale: docs/figures.py write report, after ./run"]))

@@ -138,15 +138,14 @@ struct SweptValues {
 /// One of a line, two of a map.
 std::vector<SweptValues> swept_values(const EntryReader& entries) {
   std::vector<SweptValues> all;
-  const auto add = [&](const char* entry, const char* values) {
-    const auto swept = swept_entry(entries, entry);
-    all.push_back({swept, sweep_values(entries, swept, values)});
-  };
-  add("Entry", "Values");
+  const auto first = swept_entry(entries, "Entry");
+  all.push_back({first, sweep_values(entries, first, "Values")});
   if (!entries.given("Sweep", "Second entry")) return all;
-  add("Second entry", "Second values");
-  if (all[0].swept.section == all[1].swept.section && all[0].swept.name == all[1].swept.name)
+  const auto second = swept_entry(entries, "Second entry");
+  if (first.section == second.section && first.name == second.name)
     entries.fail("Sweep", "Second entry", "another one than the Entry");
+  entries.throw_problems();
+  all.push_back({second, sweep_values(entries, second, "Second values")});
   if (const auto n = all[0].values.size() * all[1].values.size(); static_cast<double>(n) > most_values)
     entries.fail("Sweep", "Second values", fmt::format("at most {:.0f} cases altogether, and these are {}", most_values, n));
   entries.throw_problems();

@@ -151,7 +151,7 @@ Filling motions_section(const Results& results) {
   return {{"template", "motions"}, {"table", filling_of(table)}};
 }
 
-constexpr std::size_t few = 3;
+constexpr std::size_t few = 3, most_on_paper = 60;
 
 /// A page of few results begins with them.
 Filling cases_of_few(const Results& results) {
@@ -173,13 +173,23 @@ Filling all_cases_section(const Results& results) {
                           difference_text(r, "contact_radius_max"), difference_text(r, "normal_force_max"),
                           bad_if(outcome == Outcome::disagree, name_of(outcome))});
   }
-  return {{"template", "all_cases"}, {"table", filling_of(table)}};
+  return {{"template", "all_cases"}, {"long", results.size() > most_on_paper}, {"table", filling_of(table)}};
 }
 
 /// Of a page without results of cases, as of suites alone.
 std::string folder_name(const fs::path& folder) {
   const auto whole = fs::weakly_canonical(folder);
   return whole.filename().empty() ? whole.string() : whole.filename().string();
+}
+
+/// The plots of sweeps come before their numbers.
+Filling verdict_with_plots(const Results& results) {
+  auto verdict = verdict_section(results);
+  auto plots = Filling::array();
+  for (const auto section : {sweeps_section, phase_section})
+    if (auto filling = section(results); !filling.is_null()) plots.push_back({{"plot_section", std::move(filling)}});
+  verdict["plots"] = std::move(plots);
+  return verdict;
 }
 
 std::string libraries_text() {
@@ -220,9 +230,9 @@ fs::path write_report(const fs::path& folder, const std::set<std::string>& of_th
   };
   add(section_of(folder / "trust.json", trust_section));
   if (!results.empty())
-    for (const auto section : {verdict_section, sweeps_section, phase_section, cases_of_few, scenes_section,
-                               radii_section, rheology_section, motions_section, forces_section, limiting_section,
-                               wear_section, surface_wear_section, cases_of_many, budget_section})
+    for (const auto section :
+         {verdict_with_plots, cases_of_few, scenes_section, radii_section, rheology_section, motions_section,
+          forces_section, limiting_section, wear_section, surface_wear_section, cases_of_many, budget_section})
       add(section(results));
   add(trade_section(folder));
   for (const char* suite : {"tolerance.json", "extremes.json", "random.json"})

@@ -138,6 +138,11 @@ std::vector<ScoreRow> benchmark_score(const std::string& benchmark, const std::m
     }
     rows.push_back(row);
   }
+  for (const auto& [quantity, value] : foreign) {
+    if (answer.contains(name_of(quantity))) continue;
+    const bool sticks = is_of_stick_zone(quantity);
+    rows.push_back({quantity, value, {}, {}, 0, {}, !sticks, sticks ? "there is none" : "not in this benchmark"});
+  }
   if (std::none_of(rows.begin(), rows.end(), [](const ScoreRow& row) { return row.value.has_value(); }))
     throw InputError(fmt::format("--benchmark {}: the table has none of its quantities", benchmark));
   return rows;
@@ -151,13 +156,14 @@ std::string score_text(const std::string& benchmark, const std::vector<ScoreRow>
     const auto shown = [&](const std::optional<double>& value, double bar) {
       return value ? with_unit(*value, bar, traits.unit) : std::string("none");
     };
-    n_given += row.value ? 1 : 0;
-    n_agree += row.value && row.agrees ? 1 : 0;
-    auto remark = row.value && !row.agrees ? "DISAGREES" : "";
-    auto line = fmt::format("  {:<28} {:<16} {:<28} {:<16} {:<10} {}{}{}", traits.title,
+    const bool is_held = row.value && (row.difference || !row.agrees);
+    n_given += is_held ? 1 : 0;
+    n_agree += is_held && row.agrees ? 1 : 0;
+    const auto* verdict = row.agrees ? "" : "DISAGREES";
+    const auto line = fmt::format("  {:<28} {:<16} {:<28} {:<16} {:<10} {}{}{}", traits.title,
                             row.value ? with_unit(*row.value, 0, traits.unit) : "–", shown(row.fe, row.error_bar),
-                            shown(row.mdr, 0), row.difference ? fmt::format("{:+.1e}", *row.difference) : "–", remark,
-                            row.remark.empty() ? "" : ": ", row.remark);
+                            shown(row.mdr, 0), row.difference ? fmt::format("{:+.1e}", *row.difference) : "–", verdict,
+                            row.agrees || row.remark.empty() ? "" : ": ", row.remark);
     lines += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
   }
   return fmt::format("{}: {} of {} quantities agree within {:g} with finite elements; {} not given\n"

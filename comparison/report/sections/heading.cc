@@ -31,8 +31,9 @@ std::string title_of(const std::vector<StoredResult>& results) {
   const auto& scene = results.front().json.at("scene");
   if (families.size() > 1) return fmt::format("{}: {}", counted(results.size(), "case"), list_of(families));
   if (!scene.contains("sweep")) return results.front().json.at("name").get<std::string>();
-  return fmt::format("{}: {} over {}", *families.begin(), counted(results.size(), "case"),
-                     scene["sweep"].at("entry").get<std::string>());
+  const auto second = results.front().second_entry();
+  return fmt::format("{}: {} over {}{}", *families.begin(), counted(results.size(), "case"),
+                     scene["sweep"].at("entry").get<std::string>(), second.empty() ? "" : " and " + second);
 }
 
 /// "27 November 2026", of the newest result; empty: none is a file.

@@ -139,8 +139,8 @@ Regime regime_of(const StoredResult& r) {
 }
 
 /// Where MDR's stick ratio is a level, linear along the second entry between the cases.
-Series level_of(const Family& family, double level, double x_factor, double y_factor) {
-  Series line{fmt::format("c = {:g} a, MDR", level), {}, {}, Series::Style::line, 7};
+Series level_of(const Family& family, double level, double x_factor, double y_factor, int colour) {
+  Series line{fmt::format("c = {:g} a, MDR", level), {}, {}, Series::Style::line, colour};
   for (std::size_t i = 0; i + 1 < family.size(); ++i) {
     const auto &here = *family[i], &next = *family[i + 1];
     if (here.sweep_value() != next.sweep_value()) continue;
@@ -176,9 +176,11 @@ Figure regime_map(const Family& family) {
       }
     if (!series.x.empty()) plot.series.push_back(std::move(series));
   }
-  for (const double level : {0.9, 0.5, 0.1})
-    if (auto line = level_of(family, level, x_prefix.factor, y_prefix.factor); line.x.size() > 1)
-      plot.series.push_back(std::move(line));
+  int colour = 5;
+  for (const double level : {0.9, 0.5, 0.1}) {
+    auto line = level_of(family, level, x_prefix.factor, y_prefix.factor, colour++);
+    if (line.x.size() > 1) plot.series.push_back(std::move(line));
+  }
   return {std::move(plot),
           "Points: finite elements, each a case. Lines: where MDR's shakedown radius is such a share of the contact "
           "radius, straight between the cases."};

@@ -22,6 +22,8 @@ using Results = std::vector<StoredResult>;
 using nlohmann::ordered_json;
 using Numbers = std::vector<double>;
 
+constexpr std::size_t few_courses = 3;  // that are printed
+
 const ordered_json* wear_of(const StoredResult& r) {
   const auto& fe = r.json.at("fe");
   const auto found = fe.find("wear");
@@ -295,6 +297,7 @@ Filling wear_section(const Results& results) {
   filling["template"] = "wear";
   filling["claims"] = filling_of(claims);
   filling["table"] = filling_of(table);
+  filling["long"] = courses.size() > few_courses;
   filling["courses"] = std::move(courses);
   return filling;
 }

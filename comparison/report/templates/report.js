@@ -418,7 +418,7 @@
     draws.forEach(({draw}) => draw());
   }
   window.addEventListener("beforeprint", () => {
-    document.querySelectorAll("details:not([open])").forEach((details) => { details.open = true; folded.push(details); });
+    document.querySelectorAll("details:not([open]):not(.long)").forEach((details) => { details.open = true; folded.push(details); });
     drawAll(true);
   });
   window.addEventListener("afterprint", () => {

@@ -25,9 +25,9 @@ class Interrupted : public testing::Test {
     folder_.write("case.prm", scene + "subsection Sweep\n  set Entry = Friction / Coefficient\n  set Values = " + values +
                                   "\nend\n");
   }
-  Run go(const std::string& options) {
-    return fretval_run("run " + quoted(folder_.path() / "case.prm") + " --proof none --no-store -o " + quoted(out()) +
-                           " " + options,
+  fretval::Run go(const std::string& options, const std::string& proof = "none") {
+    return fretval_run("run " + quoted(folder_.path() / "case.prm") + " --no-store -o " + quoted(out()) + " --proof " +
+                           proof + " " + options,
                        folder_);
   }
   [[nodiscard]] fs::path out() const { return folder_.path() / "out"; }
@@ -35,7 +35,7 @@ class Interrupted : public testing::Test {
     return out() / "case" / ("coefficient-" + value) / "result.json";
   }
   ScratchFolder folder_;
-  Run first_;
+  fretval::Run first_;
 };
 
 TEST_F(Interrupted, IsResumedWithTheSameResults) {
@@ -50,7 +50,7 @@ TEST_F(Interrupted, IsResumedWithTheSameResults) {
 }
 
 TEST_F(Interrupted, IsComputedWhereInputsOrProofAreOthers) {
-  expect_parts(go("--resume --proof bars").err, {"0 of 3 cases kept"});
+  expect_parts(go("--resume", "bars").err, {"0 of 3 cases kept"});
   write_sweep("0.4, 0.6", replace(elastic_case(), "Phase = 60", "Phase = 30"));
   expect_parts(go("--resume").err, {"0 of 2 cases kept"});
   auto json = nlohmann::json::parse(text_of(out() / "case/coefficient-0.4/run.json"));

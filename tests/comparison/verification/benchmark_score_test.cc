@@ -39,7 +39,9 @@ TEST(BenchmarkScore, HoldsNumbersToABenchmark) {
 TEST(BenchmarkScore, SaysThatARadiusIsTheOtherOne) {
   for (const auto& row :
        benchmark_score("10-elastic-60-degrees", answer("stick_radius_first_slip\nmm\n0.8525\n"), 1e-2))
-    if (row.quantity == Quantity::stick_radius_first_slip) EXPECT_EQ(row.remark, "is the stick radius, shakedown");
+    if (row.quantity == Quantity::stick_radius_first_slip) {
+      EXPECT_EQ(row.remark, "is the stick radius, shakedown");
+    }
   for (const auto& row : benchmark_score("16-no-first-slip-zone", answer("stick_radius_first_slip\nmm\n0.1\n"), 1e-2))
     if (row.quantity == Quantity::stick_radius_first_slip) {
       EXPECT_FALSE(row.agrees);
