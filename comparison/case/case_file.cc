@@ -147,7 +147,8 @@ std::vector<SweptValues> swept_values(const EntryReader& entries) {
   entries.throw_problems();
   all.push_back({second, sweep_values(entries, second, "Second values")});
   if (const auto n = all[0].values.size() * all[1].values.size(); static_cast<double>(n) > most_values)
-    entries.fail("Sweep", "Second values", fmt::format("at most {:.0f} cases altogether, and these are {}", most_values, n));
+    entries.fail("Sweep", "Second values",
+                 fmt::format("at most {:.0f} cases altogether, and these are {}", most_values, n));
   entries.throw_problems();
   return all;
 }

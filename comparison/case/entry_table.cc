@@ -302,7 +302,8 @@ std::vector<SectionTraits> all_sections() {
          {},
          "SECTION / ENTRY",
          "a line of cases",
-         "a map: one case for each value of the entry with each of this one; the report shows where the contact sticks, "
+         "a map: one case for each value of the entry with each of this one; the report shows where the contact "
+         "sticks, "
          "slips in part, and slides"},
         {"Second values", {}, "a list, or first : step : last", "an error with a Second entry", "in its units"}}}};
 }

@@ -55,7 +55,8 @@ std::vector<std::string> noisy_start(const Case::Path& path, double tolerance) {
     const double usual = usual_step(path.time, values), noise = mdr::white_noise_of(values);
     if (is_force || !(first > matters) || !(noise > matters || first > far_off * usual)) continue;
     warnings.push_back(fmt::format(
-        "{}: {} = {:.4g} m in the first row is {:.2g} m off the line through the rows behind it (other rows: {:.2g} m): "
+        "{}: {} = {:.4g} m in the first row is {:.2g} m off the line through the rows behind it (other rows: {:.2g} "
+        "m): "
         "the body rests in the first row, and the whole answer moves with it; smooth the record, or begin it with the "
         "mean of a hold",
         path.file, name, values.front(), first, usual));

@@ -38,7 +38,8 @@ std::string flat_text(const Case& input, double deepest, double a) {
   const double radius = input.indenter.radius, in_mm = radius / 1e3;
   const double least = deepest / (largest_rise * largest_rise), most = deepest / (least_ratio * least_ratio);
   auto text = fmt::format(
-      "{}: Indenter / Radius = {:.4g} m: at the largest indentation, {:.3g} m, the contact radius is {:.3g} m and a/R is "
+      "{}: Indenter / Radius = {:.4g} m: at the largest indentation, {:.3g} m, the contact radius is {:.3g} m and a/R "
+      "is "
       "{:.2g}; {} to {} are usual, which at this indentation are radii of {:.2g} to {:.2g} m; are all lengths in m?",
       input.file, radius, deepest, a, a / radius, least_ratio, largest_rise, least, most);
   if (in_mm >= least && in_mm <= most)
@@ -63,9 +64,8 @@ void add_slow_branches(const Case& input, std::vector<std::string>& warnings) {
 std::string hint_at_modulus(const Case& input) {
   const auto& body = input.elastomer;
   constexpr double least_share = 1e-3;
-  const double stiffest = body.branch_moduli.empty()
-                              ? 0
-                              : *std::max_element(body.branch_moduli.begin(), body.branch_moduli.end());
+  const double stiffest =
+      body.branch_moduli.empty() ? 0 : *std::max_element(body.branch_moduli.begin(), body.branch_moduli.end());
   const bool is_soft = body.relaxed_modulus < least_modulus || body.relaxed_modulus < least_share * stiffest;
   if (!is_soft || body.master_curve) return "";
   auto text = fmt::format("; the relaxed modulus, Elastomer / Relaxed shear modulus = {:.4g} Pa, is so small",
@@ -86,8 +86,8 @@ std::vector<std::string> implausible_values(const Case& input, const mdr::Profil
   add_slow_branches(input, warnings);
   if (input.wear_kinetics) add_difference_of_halves(input.wear_kinetics->profile, 0, warnings);
   if (const auto noise = noise_behind_falls(input.indenter))
-    warnings.push_back(fmt::format("{}: MDR does not hold for the heights as they are: {}", input.indenter.table,
-                                   noise_text(*noise)));
+    warnings.push_back(
+        fmt::format("{}: MDR does not hold for the heights as they are: {}", input.indenter.table, noise_text(*noise)));
   if (input.motion.path)
     for (auto& warning : noisy_start(*input.motion.path, input.tolerance)) warnings.push_back(std::move(warning));
   if (input.motion.normal_force || !mdr::falls_of_image(profile).empty()) return warnings;

@@ -73,7 +73,8 @@ std::string noise_text(double noise) {
     if (noise >= 0.1 * one.second) unit = one;
   const auto text = fmt::format("{:.3g} {}", noise / unit.second, unit.first);
   return fmt::format(
-      "it looks like noise of {0}: set Indenter / Table noise = {0}, and a convex profile is fitted, which MDR holds for",
+      "it looks like noise of {0}: set Indenter / Table noise = {0}, and a convex profile is fitted, which MDR holds "
+      "for",
       text);
 }
 

@@ -29,9 +29,14 @@ std::vector<Unit> units_of(Dimension dimension) {
     case Dimension::pressure:
       return {{"Pa"}, {"kPa", 1e3}, {"MPa", 1e6}, {"GPa", 1e9}, {"N/mm^2", 1e6}, {"N/mm\u00b2", 1e6, 1, 0, false}};
     case Dimension::time:
-      return {{"s"},           {"sec", 1, 1, 0, false}, {"ms", 1, 1e3},
-              {"us", 1, 1e6},  {"\u00b5s", 1, 1e6},     {"\u03bcs", 1, 1e6, 0, false},
-              {"min", 60},     {"h", 3600}};
+      return {{"s"},
+              {"sec", 1, 1, 0, false},
+              {"ms", 1, 1e3},
+              {"us", 1, 1e6},
+              {"\u00b5s", 1, 1e6},
+              {"\u03bcs", 1, 1e6, 0, false},
+              {"min", 60},
+              {"h", 3600}};
     case Dimension::angle:
       return {{"deg"}, {"\u00b0"}, {"rad", 180, pi}};
     case Dimension::viscosity:

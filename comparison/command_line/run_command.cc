@@ -194,8 +194,8 @@ KeptLines kept_lines(const std::vector<PreparedCase>& prepared, const RunOptions
     kept[i] = kept_line(prepared[i], options.proof, options.output);
     n += kept[i] ? 1 : 0;
   }
-  log::info(fmt::format("{}: {} of {} kept of an earlier run", options.output.string(), n,
-                        counted(prepared.size(), "case")));
+  log::info(
+      fmt::format("{}: {} of {} kept of an earlier run", options.output.string(), n, counted(prepared.size(), "case")));
   return kept;
 }
 

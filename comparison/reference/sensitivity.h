@@ -18,9 +18,9 @@ struct Sensitivities {
   std::optional<RadiusSensitivity> first_slip = {}, shakedown = {};
 };
 
-/// From MDR's closed form, by central differences of a ten-thousandth, which leaves 1e-7 of them. Empty where there is no
-/// closed form: prescribed forces, paths, layers, motions in two directions, worn indenters; or no one full circle of
-/// contact.
+/// From MDR's closed form, by central differences of a ten-thousandth, which leaves 1e-7 of them. Empty where there is
+/// no closed form: prescribed forces, paths, layers, motions in two directions, worn indenters; or no one full circle
+/// of contact.
 std::optional<Sensitivities> sensitivities(const Case& input);
 
 /// Of a result.json: by stick radius, "friction_coefficient" and "relaxed_modulus"; null where nothing sticks.

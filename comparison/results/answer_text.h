@@ -26,9 +26,9 @@ struct AnswerRow {
 struct Answer {
   std::string plain, verdict;
   std::vector<AnswerRow> rows;
-  std::string model = {};       ///< how good MDR is as a model, or why the maps do not know; empty: no result of that
-  std::string half_space = {};  ///< by how much MDR over a half-space would be off, of another body; otherwise empty
-  std::string rings = {};       ///< that a given mesh has too few, and how many it takes; otherwise empty
+  std::string model = {};        ///< how good MDR is as a model, or why the maps do not know; empty: no result of that
+  std::string half_space = {};   ///< by how much MDR over a half-space would be off, of another body; otherwise empty
+  std::string rings = {};        ///< that a given mesh has too few, and how many it takes; otherwise empty
   std::string sensitivity = {};  ///< of MDR's stick radii to friction and relaxed modulus; empty: no closed form
 };
 

@@ -282,10 +282,11 @@ std::string cost_text(const PreparedCase& prepared, const std::vector<Case>& swe
                                   fem.resolution.steps_per_cycle));
   for (const auto& words : left_out(fem)) text += row("", words);
   if (is_hard)
-    return text + row("cost", fmt::format("{} computations or more to prove a tolerance of {:g}, and many more on finer "
-                                          "rings where a stick zone is small, or may be: minutes, which nobody can "
-                                          "tell beforehand",
-                                          n, prepared.input.tolerance));
+    return text +
+           row("cost", fmt::format("{} computations or more to prove a tolerance of {:g}, and many more on finer "
+                                   "rings where a stick zone is small, or may be: minutes, which nobody can "
+                                   "tell beforehand",
+                                   n, prepared.input.tolerance));
   const double seconds = estimated_seconds(prepared, Proof::tolerance);
   text += row("cost", fmt::format("{} computations or more to prove a tolerance of {:g}, of the order of {} on a core",
                                   n, prepared.input.tolerance, duration_text(seconds)));
@@ -307,8 +308,7 @@ std::string explanation_beyond_mdr(const Case& input, const mdr::Profile& profil
   auto text = input.name + "\n" + scene_text(input) + "\n" +
               row("MDR", "does not hold for this profile: " + falls_text(profile) + ",") +
               row("", "so that the contact is not one full circle at every indentation; nothing is compared") +
-              noise_row(input.indenter) +
-              row("", "finite elements take the rings in whatever order they touch");
+              noise_row(input.indenter) + row("", "finite elements take the rings in whatever order they touch");
   if (input.tolerance == 0) return text + row("elements", "none: finite elements need an Accuracy / Tolerance");
   return text + "\n" + cost_text(prepare({input}).front(), sweep, false);
 }

@@ -24,7 +24,8 @@ const ordered_json& benchmarks() {
 }
 
 const UnitSizes& units_for(Quantity quantity) {
-  static const UnitSizes energies{{"J", 1}, {"mJ", 1e-3}, {"uJ", 1e-6}, {"\u00b5J", 1e-6}, {"\u03bcJ", 1e-6}, {"nJ", 1e-9}};
+  static const UnitSizes energies{{"J", 1},          {"mJ", 1e-3},      {"uJ", 1e-6},
+                                  {"\u00b5J", 1e-6}, {"\u03bcJ", 1e-6}, {"nJ", 1e-9}};
   const std::string unit = traits_of(quantity).unit;
   if (unit == "m") return mdr::length_units();
   if (unit == "N") return mdr::force_units();
@@ -70,7 +71,8 @@ std::string other_radius(const ordered_json& answer, Quantity quantity, double v
   const auto other = first ? Quantity::stick_radius_shakedown : Quantity::stick_radius_first_slip;
   const auto found = answer.find(name_of(other));
   if (found == answer.end() || !found->at("mdr").is_number()) return "";
-  return std::abs(value - found->at("mdr").get<double>()) <= most ? fmt::format("is the {}", traits_of(other).title) : "";
+  return std::abs(value - found->at("mdr").get<double>()) <= most ? fmt::format("is the {}", traits_of(other).title)
+                                                                  : "";
 }
 
 }  // namespace
@@ -94,7 +96,8 @@ std::map<Quantity, double> read_foreign_answer(std::istream& stream, const std::
     const auto csv = mdr::read_csv(lines, source_name, mdr::split_fields(first->text).values.size());
     if (csv.names.empty()) throw InputError(fmt::format("{}: has no names; expected {}", source_name, valid));
     if (csv.line_of_row.size() != 1)
-      throw InputError(fmt::format("{}: has {} rows of numbers; expected {}", source_name, csv.line_of_row.size(), valid));
+      throw InputError(
+          fmt::format("{}: has {} rows of numbers; expected {}", source_name, csv.line_of_row.size(), valid));
     std::map<Quantity, double> values;
     for (std::size_t column = 0; column < csv.names.size(); ++column) {
       const auto name = csv.names[column].substr(0, csv.names[column].find_first_of(" [("));
@@ -104,8 +107,9 @@ std::map<Quantity, double> read_foreign_answer(std::istream& stream, const std::
                                      csv.names[column], did_you_mean(name, known), valid));
       if (!mdr::names_unit(csv, column) && *traits_of(*quantity).unit != '\0')
         throw InputError(fmt::format("{}: column {} has no unit; expected {}", source_name, name, valid));
-      if (!values.emplace(*quantity, csv.columns[column][0] *
-                                         mdr::unit_of_column(csv, column, units_for(*quantity), source_name))
+      if (!values
+               .emplace(*quantity,
+                        csv.columns[column][0] * mdr::unit_of_column(csv, column, units_for(*quantity), source_name))
                .second)
         throw InputError(fmt::format("{}: column {} is there twice; expected each quantity once", source_name, name));
     }
@@ -161,15 +165,16 @@ std::string score_text(const std::string& benchmark, const std::vector<ScoreRow>
     n_agree += is_held && row.agrees ? 1 : 0;
     const auto* verdict = row.agrees ? "" : "DISAGREES";
     const auto line = fmt::format("  {:<28} {:<16} {:<28} {:<16} {:<10} {}{}{}", traits.title,
-                            row.value ? with_unit(*row.value, 0, traits.unit) : "–", shown(row.fe, row.error_bar),
-                            shown(row.mdr, 0), row.difference ? fmt::format("{:+.1e}", *row.difference) : "–", verdict,
-                            row.agrees || row.remark.empty() ? "" : ": ", row.remark);
+                                  row.value ? with_unit(*row.value, 0, traits.unit) : "–", shown(row.fe, row.error_bar),
+                                  shown(row.mdr, 0), row.difference ? fmt::format("{:+.1e}", *row.difference) : "–",
+                                  verdict, row.agrees || row.remark.empty() ? "" : ": ", row.remark);
     lines += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
   }
-  return fmt::format("{}: {} of {} quantities agree within {:g} with finite elements; {} not given\n"
-                     "  {:<28} {:<16} {:<28} {:<16} {}\n{}",
-                     benchmark, n_agree, n_given, tolerance, rows.size() - n_given, "", "yours", "finite elements", "MDR",
-                     "yours less finite elements", lines);
+  return fmt::format(
+      "{}: {} of {} quantities agree within {:g} with finite elements; {} not given\n"
+      "  {:<28} {:<16} {:<28} {:<16} {}\n{}",
+      benchmark, n_agree, n_given, tolerance, rows.size() - n_given, "", "yours", "finite elements", "MDR",
+      "yours less finite elements", lines);
 }
 
 ordered_json score_json(const std::string& benchmark, const std::vector<ScoreRow>& rows, double tolerance) {

@@ -23,12 +23,12 @@ std::map<Quantity, double> read_foreign_answer(std::istream& stream, const std::
 /// A quantity of a benchmark beside what another code says of it.
 struct ScoreRow {
   Quantity quantity;
-  std::optional<double> value;     ///< of the other code; empty: it says nothing
-  std::optional<double> mdr, fe;   ///< empty: there is none, as a stick radius where nothing sticks
-  double error_bar = 0;            ///< of fe
+  std::optional<double> value;            ///< of the other code; empty: it says nothing
+  std::optional<double> mdr, fe;          ///< empty: there is none, as a stick radius where nothing sticks
+  double error_bar = 0;                   ///< of fe
   std::optional<double> difference = {};  ///< of value from fe, or from MDR where fe has none, over its scale
-  bool agrees = true;              ///< within the tolerance; or nothing is said
-  std::string remark = {};         ///< "is the stick radius, shakedown", or why it does not agree
+  bool agrees = true;                     ///< within the tolerance; or nothing is said
+  std::string remark = {};                ///< "is the stick radius, shakedown", or why it does not agree
 };
 
 /// Of a benchmark by its name. Radii are compared over the largest contact radius, all else relatively. Throws

@@ -138,19 +138,54 @@ Regime regime_of(const StoredResult& r) {
   return ratio <= 0 ? Regime::gross_slip : ratio >= nearly_all ? Regime::sticks : Regime::partial_slip;
 }
 
-/// Where MDR's stick ratio is a level, linear along the second entry between the cases.
+/// Square of MDR's stick ratio at each of some cases in the order of their second values, less that of a level. Where
+/// nothing sticks behind two that stick, it is what they lead to: for a parabola the square is linear in the amplitude.
+std::vector<double> squares_less(const Family& column, double level) {
+  std::vector<double> squares;
+  for (const auto* r : column) squares.push_back(std::pow(stick_ratio(*r, "mdr"), 2));
+  for (std::size_t i = 2; i < squares.size(); ++i)
+    if (squares[i] == 0 && squares[i - 1] > 0 && squares[i - 2] > 0) {
+      const double step = (column[i]->second_value() - column[i - 1]->second_value()) /
+                          (column[i - 1]->second_value() - column[i - 2]->second_value());
+      squares[i] = std::min(0.0, squares[i - 1] + step * (squares[i - 1] - squares[i - 2]));
+      break;
+    }
+  for (double& square : squares) square -= level * level;
+  return squares;
+}
+
+/// Where MDR's stick ratio is a level, one place for each value of the entry.
 Series level_of(const Family& family, double level, double x_factor, double y_factor, int colour) {
-  Series line{fmt::format("c = {:g} a, MDR", level), {}, {}, Series::Style::line, colour};
-  for (std::size_t i = 0; i + 1 < family.size(); ++i) {
-    const auto &here = *family[i], &next = *family[i + 1];
-    if (here.sweep_value() != next.sweep_value()) continue;
-    const double one = stick_ratio(here, "mdr") - level, other = stick_ratio(next, "mdr") - level;
-    if ((one > 0) == (other > 0)) continue;
-    const double at = here.second_value() + (next.second_value() - here.second_value()) * one / (one - other);
-    line.x.push_back(here.sweep_value() / x_factor);
-    line.y.push_back(at / y_factor);
+  Series line{level > 0 ? fmt::format("c = {:g} a, MDR", level) : "nothing sticks from here on, MDR",
+              {},
+              {},
+              Series::Style::line,
+              colour};
+  std::map<double, Family> columns;
+  for (const auto* r : family) columns[r->sweep_value()].push_back(r);
+  for (const auto& [value, column] : columns) {
+    const auto squares = squares_less(column, level);
+    for (std::size_t i = 0; i + 1 < column.size(); ++i) {
+      if ((squares[i] > 0) == (squares[i + 1] > 0)) continue;
+      const double here = column[i]->second_value(), next = column[i + 1]->second_value();
+      line.x.push_back(value / x_factor);
+      line.y.push_back((here + (next - here) * squares[i] / (squares[i] - squares[i + 1])) / y_factor);
+      break;
+    }
   }
   return line;
+}
+
+/// With room around the points.
+std::pair<double, double> range_around(const std::vector<Series>& all, std::vector<double> Series::*values) {
+  double least = HUGE_VAL, most = -HUGE_VAL;
+  for (const auto& series : all)
+    for (const double value : series.*values) {
+      least = std::min(least, value);
+      most = std::max(most, value);
+    }
+  const double room = 0.05 * (most - least) + 1e-9 * std::abs(most);
+  return {least - room, most + room};
 }
 
 /// A fretting map. family: by both values, as results are read.
@@ -177,13 +212,15 @@ Figure regime_map(const Family& family) {
     if (!series.x.empty()) plot.series.push_back(std::move(series));
   }
   int colour = 5;
-  for (const double level : {0.9, 0.5, 0.1}) {
+  plot.x_range = range_around(plot.series, &Series::x);
+  plot.y_range = range_around(plot.series, &Series::y);
+  for (const double level : {0.9, 0.5, 0.0}) {
     auto line = level_of(family, level, x_prefix.factor, y_prefix.factor, colour++);
     if (line.x.size() > 1) plot.series.push_back(std::move(line));
   }
   return {std::move(plot),
           "Points: finite elements, each a case. Lines: where MDR's shakedown radius is such a share of the contact "
-          "radius, straight between the cases."};
+          "radius, between the cases by its square."};
 }
 
 Filling family_filling(const std::string& name, const Family& family) {
@@ -223,7 +260,8 @@ Filling sweeps_section(const std::vector<StoredResult>& results) {
 void write_sweeps(const std::vector<StoredResult>& results) {
   for (const auto& [name, family] : families_of(results)) {
     const auto second = family.front()->second_entry();
-    std::string text = "case," + column_of_entry(entry_of(family)) + (second.empty() ? "" : "," + column_of_entry(second));
+    std::string text =
+        "case," + column_of_entry(entry_of(family)) + (second.empty() ? "" : "," + column_of_entry(second));
     std::vector<Quantity> quantities;
     for (const auto quantity : quantities_by_interest)
       if (is_any(family, quantity)) quantities.push_back(quantity);

@@ -118,7 +118,7 @@ Table sweep_rows(const std::vector<StoredResult>& family) {
   const auto entry = first.json.at("scene").at("sweep").at("entry").get<std::string>(), second = first.second_entry();
   std::vector<Quantity> shown;
   for (const auto& pair : {std::pair{Quantity::stick_radius_first_slip, Quantity::stick_radius_shakedown},
-                          std::pair{Quantity::contact_radius_max, Quantity::normal_force_max}}) {
+                           std::pair{Quantity::contact_radius_max, Quantity::normal_force_max}}) {
     for (const auto quantity : {pair.first, pair.second})
       if (std::any_of(family.begin(), family.end(), [&](const auto& r) {
             const auto fe = reading_of(r, "fe", quantity), mdr = reading_of(r, "mdr", quantity);

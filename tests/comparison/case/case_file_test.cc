@@ -277,8 +277,9 @@ TEST(CaseFile, SaysHowManyValuesASweepMayHave) {
 
 TEST(CaseFile, OfTwoEntriesIsAMap) {
   const auto map = [](const char* second) {
-    return valid_case + "subsection Sweep\n  set Entry = Friction / Coefficient\n  set Values = 0.3, 0.5\n  set Second "
-                        "entry = " +
+    return valid_case +
+           "subsection Sweep\n  set Entry = Friction / Coefficient\n  set Values = 0.3, 0.5\n  set Second "
+           "entry = " +
            second + "\n  set Second values = 5 um, 10 um, 15 um\nend\n";
   };
   const ScratchFolder folder;

@@ -22,8 +22,9 @@ TEST(Plausibility, ImplausibleUnitsAreWarnedAbout) {
   expect_parts(warnings("Indentation = 1e-4", "Indentation = 0.1"), {"case.prm", "slope of 3.2", "a/R", "in m?"});
   expect_parts(warnings("Radius = 1e-2", "Radius = 1e-5"), {"case.prm", "a/R", "in m?"});
   // 12.7 mm in m: a/R = sqrt(1.2e-4/12.7), with 12.7 mm sqrt(1.2e-4/0.0127).
-  expect_parts(warnings("Radius = 1e-2", "Radius = 12.7"),
-               {"Indenter / Radius = 12.7 m", "a/R is 0.0031", "0.01 to 0.5 are usual", "With 12.7 mm a/R would be 0.097"});
+  expect_parts(
+      warnings("Radius = 1e-2", "Radius = 12.7"),
+      {"Indenter / Radius = 12.7 m", "a/R is 0.0031", "0.01 to 0.5 are usual", "With 12.7 mm a/R would be 0.097"});
   EXPECT_EQ(warnings("Radius = 1e-2", "Radius = 1"), "");
   expect_parts(warnings("modulus = 1e6", "modulus = 1"), {"case.prm", "1 Pa is implausible", "in Pa?"});
   expect_parts(warnings("modulus = 1e6", "modulus = 1e12"), {"1e+12 Pa is implausible"});

@@ -13,10 +13,13 @@ namespace {
 TEST(ScoreCommand, ExitsWithWhatTheNumbersComeTo) {
   const ScratchFolder folder;
   const auto file = folder.write("mine.csv", "contact_radius_max,normal_force_max\nmm,mN\n1.095,703\n");
-  const auto score = [&](const std::string& options) { return fretval_run("score " + quoted(file) + " " + options, folder); };
+  const auto score = [&](const std::string& options) {
+    return fretval_run("score " + quoted(file) + " " + options, folder);
+  };
   const auto good = score("--benchmark 01-hertz");
   EXPECT_EQ(good.exit_code, 0) << good.err;
-  expect_parts(good.out, {"01-hertz: 2 of 2 quantities agree within 0.01 with finite elements", "largest contact radius"});
+  expect_parts(good.out,
+               {"01-hertz: 2 of 2 quantities agree within 0.01 with finite elements", "largest contact radius"});
   const auto strict = score("--benchmark 01-hertz --tolerance '0.1 %' --json");
   EXPECT_EQ(strict.exit_code, 1);
   EXPECT_EQ(nlohmann::json::parse(strict.out).at("quantities").at("normal_force_max").at("agrees"), false);

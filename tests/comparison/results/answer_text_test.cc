@@ -53,10 +53,11 @@ TEST(AnswerText, SaysWhatToSetWhereAnEnergyIsHardlyKnown) {
   json["scene"].erase("sweep");
   json["fe"]["friction_work"] = 1e-7;
   json["fe"]["sliding_work"] = 1e-6;
-  json["comparison"]["friction_work"] = {{"difference", 1e-3}, {"tolerance", 1e-3},      {"error_bar", 0.05},
+  json["comparison"]["friction_work"] = {{"difference", 1e-3}, {"tolerance", 1e-3},         {"error_bar", 0.05},
                                          {"mdr_error", 0},     {"verdict", "not resolved"}, {"asked", false},
                                          {"pass", true}};
-  expect_parts(kept_answer_text(json), {"energy lost to friction", "not resolved; known to 50 %: set a Cycle tolerance"});
+  expect_parts(kept_answer_text(json),
+               {"energy lost to friction", "not resolved; known to 50 %: set a Cycle tolerance"});
 }
 
 TEST(AnswerText, OfAListOfManyAnnuliHasTheFirst) {

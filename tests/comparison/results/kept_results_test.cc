@@ -22,8 +22,8 @@ class Interrupted : public testing::Test {
     fs::remove(result("0.5"));
   }
   void write_sweep(const std::string& values, const std::string& scene = elastic_case()) {
-    folder_.write("case.prm", scene + "subsection Sweep\n  set Entry = Friction / Coefficient\n  set Values = " + values +
-                                  "\nend\n");
+    folder_.write("case.prm", scene + "subsection Sweep\n  set Entry = Friction / Coefficient\n  set Values = " +
+                                  values + "\nend\n");
   }
   fretval::Run go(const std::string& options, const std::string& proof = "none") {
     return fretval_run("run " + quoted(folder_.path() / "case.prm") + " --no-store -o " + quoted(out()) + " --proof " +

@@ -30,7 +30,8 @@ TEST(SweepSection, DrawsAnyEntryWithTheBarsInUnits) {
   EXPECT_TRUE(sweeps_section({point(1, {})}).is_null()) << "a point is no curve";
 }
 
-// Over mu and u_x0: all sticks, in part, and nothing; MDR's radii cross 0.5 a halfway between 0.75 a and 0.25 a.
+// Over mu and u_x0: all sticks, in part, and nothing. Between 0.75 a and 0.25 a the square of MDR's radius is that of
+// 0.5 a at 1 + 2 (9 - 4)/(9 - 1); between a and nothing at 1 + 2 (1 - 1/4).
 TEST(SweepSection, DrawsTwoEntriesAsAMapOfRegimes) {
   const auto at = [](double friction, double amplitude, double ratio) {
     auto result = point(friction, {});
@@ -46,9 +47,8 @@ TEST(SweepSection, DrawsTwoEntriesAsAMapOfRegimes) {
   const auto filling = sweeps_section({at(1, 1e-6, 0.75), at(1, 3e-6, 0.25), at(2, 1e-6, 1), at(2, 3e-6, 0)});
   ASSERT_FALSE(filling.is_null());
   EXPECT_EQ(filling.at("sweeps")[0].at("entry"), "Friction / Coefficient and Motion / Tangential amplitude");
-  expect_parts(filling.dump(),
-               {"Fretting map", "Motion / Tangential amplitude, u_{x0} in µm", "all sticks", "partial slip",
-                "gross slip", "c = 0.5 a, MDR", "\"x\":[1.0,2.0],\"y\":[2.0,2.0]"});
+  expect_parts(filling.dump(), {"Fretting map", "Motion / Tangential amplitude, u_{x0} in µm", "all sticks",
+                                "partial slip", "gross slip", "c = 0.5 a, MDR", "\"x\":[1.0,2.0],\"y\":[2.25,2.5]"});
 }
 
 // A line through points of its own, where a run has left one.
