@@ -28,6 +28,7 @@ if(NOT FRETVAL_MDR_ONLY)
     COMPONENT program)
   install(FILES ${PROJECT_BINARY_DIR}/fretval.bash RENAME fretval
     DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions COMPONENT program)
+  install(FILES python/fretval.py DESTINATION ${CMAKE_INSTALL_DATADIR}/fretval/python COMPONENT program)
   install(DIRECTORY meshes/small DESTINATION ${CMAKE_INSTALL_DATADIR}/fretval/meshes COMPONENT program)
   install(DIRECTORY cases/check cases/extremes cases/examples cases/gallery cases/benchmarks DESTINATION ${CMAKE_INSTALL_DATADIR}/fretval/cases
     COMPONENT program)

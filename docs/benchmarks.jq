@@ -40,5 +40,7 @@ def answer($case): reduce quantities[] as $q ({}; if $case.mdr[$q] == null and $
   "| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |",
   ($cases[] | row),
   "",
+  "Numbers of your own are held to one of them by `fretval score my.csv --benchmark 10-elastic-60-degrees`: a table of one row, with names of quantities as in the JSON file, a line of their units and one of numbers; it says by how much each differs, and where a stick radius is the other one. Exit code 1 where one is farther off than `--tolerance` (1e-2).",
+  "",
   "Both files are made by [`benchmarks.jq`](benchmarks.jq) from `fretval run cases/benchmarks`; a test holds the first to what MDR says today."
   end

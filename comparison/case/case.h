@@ -210,6 +210,8 @@ struct Case {
     std::string family;  ///< name of the case file
     std::string entry;   ///< as in the file, for example "Motion / Phase"
     double value = 0;
+    std::string second_entry = {};  ///< of a map over two entries; empty: it is a line
+    double second_value = 0;
   };
 
   std::string name;  ///< stem of the file, with "/ENTRY-VALUE" for a point of a sweep

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -91,27 +92,34 @@ struct SweptEntry {
   std::string section, name;
 };
 
-SweptEntry swept_entry(const EntryReader& entries) {
-  const std::string text = entries.text("Sweep", "Entry");
+SweptEntry swept_entry(const EntryReader& entries, const char* name_of_entry) {
+  const std::string text = entries.text("Sweep", name_of_entry);
   const auto slash = text.find('/');
   SweptEntry swept;
   if (slash != std::string::npos) swept = {trimmed(text.substr(0, slash)), trimmed(text.substr(slash + 1))};
   if (!is_entry(swept.section, swept.name) || swept.section == "Sweep")
-    entries.fail("Sweep", "Entry", "SECTION / ENTRY of this file, for example Motion / Phase");
+    entries.fail("Sweep", name_of_entry, "SECTION / ENTRY of this file, for example Motion / Phase");
   entries.throw_problems();
   return swept;
 }
 
+constexpr double most_values = 1e5;  // of a sweep, each of which is a case
+
 /// `a : step : b` or a list, in the units of the swept entry.
-std::vector<double> sweep_values(const EntryReader& entries, const SweptEntry& swept) {
-  const std::string text = entries.text("Sweep", "Values");
+std::vector<double> sweep_values(const EntryReader& entries, const SweptEntry& swept, const char* name_of_values) {
+  const std::string text = entries.text("Sweep", name_of_values);
   const bool is_range = text.find(':') != std::string::npos;
   const auto list = entries.numbers_for(swept.section, swept.name, text, is_range ? ':' : ',');
-  const auto valid = [&] {
-    return list.size() == 3 && list[1] > 0 && list[2] >= list[0] && (list[2] - list[0]) / list[1] <= 1e5;
-  };
-  if (list.empty() || (is_range && !valid()))
-    entries.fail("Sweep", "Values",
+  const bool rises = list.size() == 3 && list[1] > 0 && list[2] >= list[0];
+  const double n_values = !is_range ? static_cast<double>(list.size())
+                          : rises   ? std::floor((list[2] - list[0]) / list[1] + 1e-9) + 1
+                                    : 0;
+  if (n_values > most_values)
+    entries.fail("Sweep", name_of_values,
+                 fmt::format("at most {:.0f} values of {} / {}, and these are {:.0f}", most_values, swept.section,
+                             swept.name, n_values));
+  else if (n_values == 0)
+    entries.fail("Sweep", name_of_values,
                  fmt::format("a list like 0, 45, 90 or a range like 0:5:180 (first : step : last), {}",
                              entries.units_of(swept.section, swept.name)));
   entries.throw_problems();
@@ -122,21 +130,60 @@ std::vector<double> sweep_values(const EntryReader& entries, const SweptEntry& s
   return values;
 }
 
-/// The case with each of the values in the place of the swept entry.
-std::vector<Case> cases_at(const std::vector<double>& values, const SweptEntry& swept, ParsedFile parsed,
-                           Accuracy accuracy) {
-  const auto family = case_name(parsed.file);
+struct SweptValues {
+  SweptEntry swept;
+  std::vector<double> values;
+};
+
+/// One of a line, two of a map.
+std::vector<SweptValues> swept_values(const EntryReader& entries) {
+  std::vector<SweptValues> all;
+  const auto first = swept_entry(entries, "Entry");
+  all.push_back({first, sweep_values(entries, first, "Values")});
+  if (!entries.given("Sweep", "Second entry")) return all;
+  const auto second = swept_entry(entries, "Second entry");
+  if (first.section == second.section && first.name == second.name)
+    entries.fail("Sweep", "Second entry", "another one than the Entry");
+  entries.throw_problems();
+  all.push_back({second, sweep_values(entries, second, "Second values")});
+  if (const auto n = all[0].values.size() * all[1].values.size(); static_cast<double>(n) > most_values)
+    entries.fail("Sweep", "Second values",
+                 fmt::format("at most {:.0f} cases altogether, and these are {}", most_values, n));
+  entries.throw_problems();
+  return all;
+}
+
+/// "tangential-amplitude-1e-05"
+std::string slug_of(const SweptEntry& swept, double value) {
   std::string slug = swept.name;
   std::transform(slug.begin(), slug.end(), slug.begin(),
                  [](unsigned char c) { return c == ' ' ? '-' : static_cast<char>(std::tolower(c)); });
-  std::vector<Case> cases;
-  for (const double value : values) {
+  return fmt::format("{}-{:g}", slug, value);
+}
+
+/// The case with each of the values in the place of the swept entry, of a map with each of both.
+std::vector<Case> cases_at(const std::vector<SweptValues>& all, ParsedFile parsed, Accuracy accuracy) {
+  const auto family = case_name(parsed.file);
+  const auto full_name = [](const SweptEntry& swept) { return swept.section + " / " + swept.name; };
+  const auto set = [&](const SweptEntry& swept, double value) {
     parsed.entries.set(swept.section, swept.name, fmt::format("{:.15g}", value));
-    Case input = read_entries(parsed.reader(), accuracy);
-    input.name = fmt::format("{}/{}-{:g}", family, slug, value);
-    input.sweep = Case::Sweep{family, swept.section + " / " + swept.name, value};
-    cases.push_back(std::move(input));
-  }
+  };
+  const bool is_map = all.size() > 1;
+  std::vector<Case> cases;
+  for (const double value : all[0].values)
+    for (const double second : is_map ? all[1].values : std::vector<double>{0}) {
+      set(all[0].swept, value);
+      if (is_map) set(all[1].swept, second);
+      Case input = read_entries(parsed.reader(), accuracy);
+      input.name = fmt::format("{}/{}", family, slug_of(all[0].swept, value));
+      input.sweep = Case::Sweep{family, full_name(all[0].swept), value};
+      if (is_map) {
+        input.name += "-" + slug_of(all[1].swept, second);
+        input.sweep->second_entry = full_name(all[1].swept);
+        input.sweep->second_value = second;
+      }
+      cases.push_back(std::move(input));
+    }
   return cases;
 }
 
@@ -156,10 +203,7 @@ std::vector<double> in_equal_parts(std::vector<double> values, std::size_t n) {
 std::vector<Case> read_case_file(const fs::path& file, Accuracy accuracy) {
   ParsedFile parsed(file);
   const auto entries = parsed.reader();
-  if (entries.given("Sweep", "Entry")) {
-    const auto swept = swept_entry(entries);
-    return cases_at(sweep_values(entries, swept), swept, parsed, accuracy);
-  }
+  if (entries.given("Sweep", "Entry")) return cases_at(swept_values(entries), parsed, accuracy);
   Case input = read_entries(entries, accuracy);
   input.name = case_name(file);
   return {input};
@@ -169,10 +213,10 @@ std::vector<Case> cases_between(const fs::path& file, std::size_t n) {
   ParsedFile parsed(file);
   const auto entries = parsed.reader();
   if (!entries.given("Sweep", "Entry")) return {};
-  const auto swept = swept_entry(entries);
-  const auto values = in_equal_parts(sweep_values(entries, swept), n);
+  auto all = swept_values(entries);
+  for (auto& one : all) one.values = in_equal_parts(one.values, n);
   try {
-    return cases_at(values, swept, parsed, Accuracy::optional);
+    return cases_at(all, parsed, Accuracy::optional);
   } catch (const InputError&) {
     return {};
   }

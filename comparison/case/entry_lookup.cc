@@ -52,6 +52,31 @@ std::string known_elsewhere(const std::string& name) {
   return "";
 }
 
+struct Meant {
+  std::string here;                    ///< in the section that it stands in; empty: none is near
+  std::vector<std::string> elsewhere;  ///< with their sections
+};
+
+/// An entry of the section itself may be spelled worse than one of another section, unless that is spelled right.
+Meant entry_meant(const std::string& section, const std::string& name) {
+  constexpr double half = 0.5;
+  std::vector<std::string> here;
+  Meant meant;
+  bool is_right_elsewhere = false;
+  for (const auto& other : case_sections())
+    for (const auto& entry : other.entries) {
+      if (other.name == section)
+        here.emplace_back(entry.name);
+      else if (closest(name, {entry.name}) == entry.name) {
+        meant.elsewhere.push_back(fmt::format("{} / {}", other.name, entry.name));
+        is_right_elsewhere = is_right_elsewhere || closest(name, {entry.name}, 0) == entry.name;
+      }
+    }
+  meant.here = closest(name, here);
+  if (meant.here.empty() && !is_right_elsewhere) meant.here = closest(name, here, half);
+  return meant;
+}
+
 }  // namespace
 
 const EntryTraits* find_entry(const std::string& section, const std::string& name) {
@@ -84,18 +109,12 @@ std::string no_such_section(const std::string& section, Problems& problems) {
 }
 
 std::string no_such_entry(const std::string& section, const std::string& name, Problems& problems) {
-  std::vector<std::string> here, elsewhere;
-  for (const auto& other : case_sections())
-    for (const auto& entry : other.entries) {
-      if (other.name == section)
-        here.emplace_back(entry.name);
-      else if (closest(name, {entry.name}) == entry.name)
-        elsewhere.push_back(fmt::format("{} / {}", other.name, entry.name));
-    }
-  problems.meant.insert(section + " / " + closest(name, here));
+  const auto meant = entry_meant(section, name);
+  problems.meant.insert(section + " / " + meant.here);
   std::string hint = known_elsewhere(name);
-  if (hint.empty()) hint = did_you_mean(name, here);
-  if (hint.empty() && !elsewhere.empty()) hint = fmt::format("; did you mean {}?", fmt::join(elsewhere, " or "));
+  if (hint.empty() && !meant.here.empty()) hint = "; did you mean " + meant.here + "?";
+  if (hint.empty() && !meant.elsewhere.empty())
+    hint = fmt::format("; did you mean {}?", fmt::join(meant.elsewhere, " or "));
   const auto* owner = find_section(section);
   return fmt::format("{}{}: no such entry{}Valid entries{}: {}", section.empty() ? "" : section + " / ", name,
                      as_sentence(hint), owner ? std::string(" of ") + owner->name : "",

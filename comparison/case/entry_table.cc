@@ -297,7 +297,15 @@ std::vector<SectionTraits> all_sections() {
          "24"}}},
       {"Sweep",
        {{"Entry", {}, "SECTION / ENTRY", "a single case", "one case for each value of this entry"},
-        {"Values", {}, "a list, or first : step : last", "an error with an Entry", "in the units of the entry"}}}};
+        {"Values", {}, "a list, or first : step : last", "an error with an Entry", "in the units of the entry"},
+        {"Second entry",
+         {},
+         "SECTION / ENTRY",
+         "a line of cases",
+         "a map: one case for each value of the entry with each of this one; the report shows where the contact "
+         "sticks, "
+         "slips in part, and slides"},
+        {"Second values", {}, "a list, or first : step : last", "an error with a Second entry", "in its units"}}}};
 }
 
 }  // namespace

@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 
+#include "comparison/case/noisy_start.h"
+#include "comparison/case/table_noise.h"
 #include "comparison/case/test_duration.h"
 #include "mdr/profiles/profile_csv.h"
 
@@ -13,6 +16,7 @@ namespace {
 
 constexpr double least_modulus = 1e3, largest_modulus = 1e9;  // Pa; gels to stiff rubbers below their glass transition
 constexpr double least_rise = 1e-3, largest_rise = 0.5;       // of the indenter at the edge of the contact
+constexpr double least_ratio = 1e-2;                          // a/R of what has a radius
 constexpr double arc_matters = 0.01;                          // of the contact radius
 constexpr double difference_matters = 1e-6;                   // of two halves of a scan, over their heights; roundoff
 
@@ -29,6 +33,20 @@ void add_difference_of_halves(const std::string& table, double noise, std::vecto
       halves->radius_of_difference));
 }
 
+/// A sphere of metres that was meant in millimetres: at one indentation a/R = sqrt(d/R).
+std::string flat_text(const Case& input, double deepest, double a) {
+  const double radius = input.indenter.radius, in_mm = radius / 1e3;
+  const double least = deepest / (largest_rise * largest_rise), most = deepest / (least_ratio * least_ratio);
+  auto text = fmt::format(
+      "{}: Indenter / Radius = {:.4g} m: at the largest indentation, {:.3g} m, the contact radius is {:.3g} m and a/R "
+      "is "
+      "{:.2g}; {} to {} are usual, which at this indentation are radii of {:.2g} to {:.2g} m; are all lengths in m?",
+      input.file, radius, deepest, a, a / radius, least_ratio, largest_rise, least, most);
+  if (in_mm >= least && in_mm <= most)
+    text += fmt::format(" With {:.4g} mm a/R would be {:.2g}", radius, std::sqrt(deepest / in_mm));
+  return text;
+}
+
 /// Branches that no test sees relax, and what to set.
 void add_slow_branches(const Case& input, std::vector<std::string>& warnings) {
   const auto slow = times_slower_than(many_cycles, input);
@@ -43,6 +61,19 @@ void add_slow_branches(const Case& input, std::vector<std::string>& warnings) {
 
 }  // namespace
 
+std::string hint_at_modulus(const Case& input) {
+  const auto& body = input.elastomer;
+  constexpr double least_share = 1e-3;
+  const double stiffest =
+      body.branch_moduli.empty() ? 0 : *std::max_element(body.branch_moduli.begin(), body.branch_moduli.end());
+  const bool is_soft = body.relaxed_modulus < least_modulus || body.relaxed_modulus < least_share * stiffest;
+  if (!is_soft || body.master_curve) return "";
+  auto text = fmt::format("; the relaxed modulus, Elastomer / Relaxed shear modulus = {:.4g} Pa, is so small",
+                          body.relaxed_modulus);
+  if (stiffest > 0) text += fmt::format(" beside a branch of {:.3g} Pa", stiffest);
+  return text + " that the body hardly returns: is it in Pa?";
+}
+
 std::vector<std::string> implausible_values(const Case& input, const mdr::Profile& profile) {
   std::vector<std::string> warnings;
   const double modulus = input.elastomer.relaxed_modulus;
@@ -54,13 +85,21 @@ std::vector<std::string> implausible_values(const Case& input, const mdr::Profil
   if (!input.indenter.trace) add_difference_of_halves(input.indenter.table, input.indenter.table_noise, warnings);
   add_slow_branches(input, warnings);
   if (input.wear_kinetics) add_difference_of_halves(input.wear_kinetics->profile, 0, warnings);
+  if (const auto noise = noise_behind_falls(input.indenter))
+    warnings.push_back(
+        fmt::format("{}: MDR does not hold for the heights as they are: {}", input.indenter.table, noise_text(*noise)));
+  if (input.motion.path)
+    for (auto& warning : noisy_start(*input.motion.path, input.tolerance)) warnings.push_back(std::move(warning));
   if (input.motion.normal_force || !mdr::falls_of_image(profile).empty()) return warnings;
   double deepest = input.motion.indentation + input.motion.normal_amplitude;
   for (const auto& harmonic : input.motion.normal_harmonics) deepest += harmonic.amplitude;
   if (const auto& path = input.motion.path) deepest = *std::max_element(path->normal.begin(), path->normal.end());
   const double a = mdr::inverse_transform(profile, deepest);
   const double rise = mdr::shape_slope(profile, a);
-  if (!(rise >= least_rise && rise <= largest_rise))
+  const bool is_round = input.indenter.shape == Case::Shape::parabola || input.indenter.shape == Case::Shape::sphere;
+  if (is_round && rise < least_ratio)
+    warnings.push_back(flat_text(input, deepest, a));
+  else if (!(rise >= least_rise && rise <= largest_rise))
     warnings.push_back(
         fmt::format("{}: at the largest indentation, {:.3g} m, the contact radius is a = {:.3g} m and the indenter "
                     "rises there with "

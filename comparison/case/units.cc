@@ -29,15 +29,26 @@ std::vector<Unit> units_of(Dimension dimension) {
     case Dimension::pressure:
       return {{"Pa"}, {"kPa", 1e3}, {"MPa", 1e6}, {"GPa", 1e9}, {"N/mm^2", 1e6}, {"N/mm\u00b2", 1e6, 1, 0, false}};
     case Dimension::time:
-      return {{"s"},       {"ms", 1, 1e3}, {"us", 1, 1e6}, {"\u00b5s", 1, 1e6}, {"\u03bcs", 1, 1e6, 0, false},
-              {"min", 60}, {"h", 3600}};
+      return {{"s"},
+              {"sec", 1, 1, 0, false},
+              {"ms", 1, 1e3},
+              {"us", 1, 1e6},
+              {"\u00b5s", 1, 1e6},
+              {"\u03bcs", 1, 1e6, 0, false},
+              {"min", 60},
+              {"h", 3600}};
     case Dimension::angle:
       return {{"deg"}, {"\u00b0"}, {"rad", 180, pi}};
     case Dimension::viscosity:
       return {{"Pa s"}, {"kPa s", 1e3}, {"MPa s", 1e6}};
     case Dimension::force:
-      return {{"N"},          {"kN", 1e3},         {"mN", 1, 1e3},
-              {"uN", 1, 1e6}, {"\u00b5N", 1, 1e6}, {"\u03bcN", 1, 1e6, 0, false},
+      return {{"N"},
+              {"kN", 1e3},
+              {"MN", 1e6},
+              {"mN", 1, 1e3},
+              {"uN", 1, 1e6},
+              {"\u00b5N", 1, 1e6},
+              {"\u03bcN", 1, 1e6, 0, false},
               {"nN", 1, 1e9}};
     case Dimension::temperature:
       return {{"degC"}, {"\u00b0C"}, {"K", 1, 1, -273.15}};

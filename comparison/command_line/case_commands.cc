@@ -37,7 +37,7 @@ int explain_case(const std::string& file) {
   const auto& input = cases.front();
   for (const auto& warning : input.warnings) log::warn(warning);
   for (const auto& warning : implausible_values(input, any_profile_of(input.indenter))) log::warn(warning);
-  fmt::print("{}", explanation(cases.front(), cases.size()));
+  fmt::print("{}", explanation(cases.front(), cases));
   if (cases.front().sweep)
     fmt::print("  {:<13}{} cases over {}; this is the first of them\n", "sweep", cases.size(),
                cases.front().sweep->entry);

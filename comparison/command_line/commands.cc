@@ -16,6 +16,7 @@
 #include "comparison/command_line/help_pages.h"
 #include "comparison/command_line/mdr_command.h"
 #include "comparison/command_line/run_command.h"
+#include "comparison/command_line/score_command.h"
 #include "comparison/command_line/store_command.h"
 #include "comparison/command_line/trade_command.h"
 #include "comparison/command_line/trust_command.h"
@@ -73,6 +74,7 @@ void add_commands(CLI::App& app, Command& command) {
     CheckOptions check;
     StoreOptions store;
     TrustOptions trust;
+    ScoreOptions score;
   };
   const auto options = std::make_shared<Options>();
 
@@ -118,6 +120,9 @@ void add_commands(CLI::App& app, Command& command) {
          "are; tolerance, refined until the bars meet the tolerance")
       ->default_str("tolerance");
   run->add_flag("--json", options->run.json, "Print each result as a line of JSON when it is done");
+  run->add_flag("--resume", options->run.resume,
+                "Go on where an earlier run was interrupted: cases that it has done with the same inputs, version and "
+                "proof are kept");
   run->add_option("--junit", options->run.junit, "Also write JUnit XML to this file");
   run->add_option("--baseline", options->run.baseline,
                   "Folder of earlier results: exit with 1 if a value moves by more than both its error bars, or a "
@@ -169,6 +174,16 @@ void add_commands(CLI::App& app, Command& command) {
   trade->add_option("case", options->file, "Case file (.prm or .json) with a single case")->required();
   trade->add_option("-o,--output", options->output, "Folder for the results")->capture_default_str();
   trade->callback([=, &command] { command = [=] { return run_trade(options->file, options->output); }; });
+
+  auto* score = app.add_subcommand("score", "The numbers of another code against a benchmark of docs/benchmarks.md");
+  score->add_option("table", options->file, "CSV of one row: names of quantities, their units, numbers")->required();
+  score->add_option("--benchmark", options->score.benchmark, "Its name, as 10-elastic-60-degrees")->required();
+  score
+      ->add_option("--tolerance", options->score.tolerance,
+                   "Exit with 1 where a number is farther off than this, radii over the contact radius")
+      ->capture_default_str();
+  score->add_flag("--json", options->score.json, "Print JSON");
+  score->callback([=, &command] { command = [=] { return run_score(options->file, options->score); }; });
 
   auto* store = app.add_subcommand("store", "The store of operators that runs have kept");
   store->add_option("action", options->file, "list, verify (read all of it, exit with 1 if any is damaged) or clear")

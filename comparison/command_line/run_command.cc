@@ -23,6 +23,7 @@
 #include "comparison/results/changes.h"
 #include "comparison/results/data_text.h"
 #include "comparison/results/estimate.h"
+#include "comparison/results/kept_results.h"
 #include "comparison/results/ranked_batch.h"
 #include "comparison/results/sweep_line.h"
 #include "comparison/support/files.h"
@@ -161,10 +162,16 @@ void log_left_out(const std::vector<PreparedCase>& prepared) {
   for (const auto& [words, n] : counts) log::info(fmt::format("{} of {} cases: {}", n, prepared.size(), words));
 }
 
+std::set<std::string> names_of(const std::vector<Case>& cases) {
+  std::set<std::string> names;
+  for (const auto& one : cases) names.insert(one.name);
+  return names;
+}
+
 /// Says that an output has results of other cases, as of a sweep that had other values, which the report shows as well.
 void log_others(const fs::path& output, const std::vector<Case>& cases) {
-  std::set<std::string> names, others;
-  for (const auto& one : cases) names.insert(one.name);
+  const auto names = names_of(cases);
+  std::set<std::string> others;
   for (const auto& entry : fs::recursive_directory_iterator(output)) {
     const auto name = entry.path().parent_path().lexically_relative(output).generic_string();
     if (entry.path().filename() == "result.json" && names.count(name) == 0) others.insert(name);
@@ -172,6 +179,39 @@ void log_others(const fs::path& output, const std::vector<Case>& cases) {
   if (!others.empty())
     log::info(fmt::format("{}: has {} of earlier runs as well, which the report shows, too: {}{}", output.string(),
                           counted(others.size(), "result"), *others.begin(), others.size() > 1 ? ", …" : ""));
+}
+
+/// Of each case what an earlier run has written; empty: it is to be computed.
+using KeptLines = std::vector<std::optional<BatchLine>>;
+
+KeptLines kept_lines(const std::vector<PreparedCase>& prepared, const RunOptions& options, const Ranks& ranks) {
+  KeptLines kept(prepared.size());
+  if (!options.resume) return kept;
+  if (ranks.are_several())
+    throw InputError("--resume: all ranks have to know the same cases; expected one process, or no --resume");
+  std::size_t n = 0;
+  for (std::size_t i = 0; i < prepared.size(); ++i) {
+    kept[i] = kept_line(prepared[i], options.proof, options.output);
+    n += kept[i] ? 1 : 0;
+  }
+  log::info(
+      fmt::format("{}: {} of {} kept of an earlier run", options.output.string(), n, counted(prepared.size(), "case")));
+  return kept;
+}
+
+std::vector<PreparedCase> not_kept(const std::vector<PreparedCase>& prepared, const KeptLines& kept) {
+  std::vector<PreparedCase> open;
+  for (std::size_t i = 0; i < prepared.size(); ++i)
+    if (!kept[i]) open.push_back(prepared[i]);
+  return open;
+}
+
+/// In the order of the cases.
+std::vector<BatchLine> all_lines(KeptLines kept, std::vector<BatchLine> computed) {
+  std::vector<BatchLine> lines;
+  std::size_t next = 0;
+  for (auto& one : kept) lines.push_back(one ? std::move(*one) : std::move(computed.at(next++)));
+  return lines;
 }
 
 }  // namespace
@@ -201,12 +241,14 @@ int run_cases(const RunOptions& options) {
   if (keeps_results) say_on_interrupt(interrupted_text(prepared, output, 0));
   const auto lock = keeps_results ? std::make_unique<FolderLock>(output) : nullptr;
   if (keeps_results) log_others(output, cases);
-  const auto lines = computed_lines(prepared, options, ranks, sweep_lines.work());
+  auto kept = kept_lines(prepared, options, ranks);
+  auto computed = computed_lines(not_kept(prepared, kept), options, ranks, sweep_lines.work());
+  const auto lines = all_lines(std::move(kept), std::move(computed));
   if (!options.json) lines.size() == 1 && lines[0].failure.empty() ? print_answer(lines[0]) : print_verdicts(lines);
   if (keeps_results) sweep_lines.write(output, lines);
   if (keeps_results &&
       std::any_of(lines.begin(), lines.end(), [](const BatchLine& line) { return line.failure.empty(); }))
-    log::info(fmt::format("report: {}", write_report(output).string()));
+    log::info(fmt::format("report: {}", write_report(output, names_of(cases)).string()));
   log::info(fmt::format("{} in {:.1f} s", counted(lines.size(), "case"), watch.lap()));
   const auto changes = baseline.empty() ? std::nullopt : std::optional(changes_from(baseline, lines));
   if (!options.junit.empty()) write_file(options.junit, junit_of(lines, changes ? &*changes : nullptr));

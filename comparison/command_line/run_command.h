@@ -16,6 +16,7 @@ struct RunOptions {
   Proof proof = Proof::tolerance;
   bool json = false;     ///< each result.json on a line of the standard output instead of the answer
   std::string junit;     ///< file for JUnit XML; empty: none
+  bool resume = false;   ///< what an earlier run has written of a case is kept, see kept_line
   std::string baseline;  ///< folder of earlier results that none may depart from; empty: none
   StoreOptions store;
   std::size_t distribute_from = 1000000;  ///< bodies of so many dofs or more are made by all ranks together, if several

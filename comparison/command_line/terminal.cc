@@ -20,6 +20,16 @@ ToleranceUse largest_use_of(const std::vector<BatchLine>& lines) {
   return worst->largest_use;
 }
 
+/// A row for each value, where that is one sweep that a terminal has room for.
+void print_sweep(const std::vector<StoredResult>& results) {
+  constexpr std::size_t most_rows = 60;
+  const bool is_one = results.size() > 1 && results.size() <= most_rows &&
+                      std::all_of(results.begin(), results.end(), [&](const auto& r) {
+                        return r.json.at("scene").contains("sweep") && r.family() == results.front().family();
+                      });
+  if (is_one) fmt::print("\n{}\n", text_of(sweep_rows(results)));
+}
+
 /// The answers, before how they agree.
 void print_values(const std::vector<BatchLine>& lines) {
   std::vector<StoredResult> results;
@@ -27,6 +37,7 @@ void print_values(const std::vector<BatchLine>& lines) {
     if (!line.failed() && line.outcome != Outcome::not_compared && !line.json.empty())
       results.push_back({nlohmann::ordered_json::parse(line.json), {}});
   if (!results.empty()) fmt::print("{}", text_of(values_table(results, main_quantities())));
+  print_sweep(results);
 }
 
 /// What several cases come to: the worst of them.

@@ -33,7 +33,7 @@ std::string radii_beyond(const Ladder& ladder, double at_most) {
 
 }  // namespace
 
-double share_of(const std::string& text) {
+double share_of(const std::string& text, const char* option) {
   std::size_t end = 0;
   double value = std::nan("");
   try {
@@ -44,7 +44,7 @@ double share_of(const std::string& text) {
   const auto rest = text.substr(end);
   const bool in_percent = rest == "%" || rest == " %";
   if (!(value >= 0) || !std::isfinite(value) || (!rest.empty() && !in_percent))
-    throw InputError(fmt::format("--at-most {}: expected a share that is not negative, as \"5 %\" or 0.05", text));
+    throw InputError(fmt::format("{} {}: expected a share that is not negative, as \"5 %\" or 0.05", option, text));
   return in_percent ? value / 100 : value;
 }
 

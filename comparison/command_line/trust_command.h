@@ -15,8 +15,8 @@ struct TrustOptions {
   StoreOptions store;
 };
 
-/// "5 %" or "0.05" as a share. Throws InputError for others.
-double share_of(const std::string& text);
+/// "5 %" or "0.05" as a share. Throws InputError for others, naming the option.
+double share_of(const std::string& text, const char* option = "--at-most");
 
 /// Prints how far MDR can be trusted in the single case of a file, and why; returns the exit code: that of
 /// disagreement where a radius is off by more than at_most for sure. Throws InputError, also for a sweep.

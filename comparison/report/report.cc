@@ -13,6 +13,7 @@
 #include "comparison/report/sections/cost_section.h"
 #include "comparison/report/sections/exact_section.h"
 #include "comparison/report/sections/forces_section.h"
+#include "comparison/report/sections/heading.h"
 #include "comparison/report/sections/scene_section.h"
 #include "comparison/report/sections/suite_section.h"
 #include "comparison/report/sections/surface_wear_section.h"
@@ -150,7 +151,7 @@ Filling motions_section(const Results& results) {
   return {{"template", "motions"}, {"table", filling_of(table)}};
 }
 
-constexpr std::size_t few = 3;
+constexpr std::size_t few = 3, most_on_paper = 60;
 
 /// A page of few results begins with them.
 Filling cases_of_few(const Results& results) {
@@ -172,7 +173,23 @@ Filling all_cases_section(const Results& results) {
                           difference_text(r, "contact_radius_max"), difference_text(r, "normal_force_max"),
                           bad_if(outcome == Outcome::disagree, name_of(outcome))});
   }
-  return {{"template", "all_cases"}, {"table", filling_of(table)}};
+  return {{"template", "all_cases"}, {"long", results.size() > most_on_paper}, {"table", filling_of(table)}};
+}
+
+/// Of a page without results of cases, as of suites alone.
+std::string folder_name(const fs::path& folder) {
+  const auto whole = fs::weakly_canonical(folder);
+  return whole.filename().empty() ? whole.string() : whole.filename().string();
+}
+
+/// The plots of sweeps come before their numbers.
+Filling verdict_with_plots(const Results& results) {
+  auto verdict = verdict_section(results);
+  auto plots = Filling::array();
+  for (const auto section : {sweeps_section, phase_section})
+    if (auto filling = section(results); !filling.is_null()) plots.push_back({{"plot_section", std::move(filling)}});
+  verdict["plots"] = std::move(plots);
+  return verdict;
 }
 
 std::string libraries_text() {
@@ -189,22 +206,23 @@ std::string data_text(const Filling& plots) {
   return text;
 }
 
-std::string page_of(Filling sections) {
+std::string page_of(Filling heading, Filling sections) {
   const auto plots = place_plots(sections);
   const auto text = [](const char* name) { return std::string(resources().at(name)); };
-  return rendered({{"template", "page"},
-                   {"title", "Finite elements against the method of dimensionality reduction (MDR)"},
-                   {"style", text("katex.css") + text("report.css")},
-                   {"sections", std::move(sections)},
-                   {"libraries", libraries_text()},
-                   {"data", data_text(plots)},
-                   {"library", text("d3.js")},
-                   {"script", text("report.js")}});
+  auto page = std::move(heading);
+  page.update({{"template", "page"},
+               {"style", text("katex.css") + text("report.css")},
+               {"sections", std::move(sections)},
+               {"libraries", libraries_text()},
+               {"data", data_text(plots)},
+               {"library", text("d3.js")},
+               {"script", text("report.js")}});
+  return rendered(page);
 }
 
 }  // namespace
 
-fs::path write_report(const fs::path& folder) {
+fs::path write_report(const fs::path& folder, const std::set<std::string>& of_this_run) {
   const auto results = read_results(folder);
   auto sections = Filling::array();
   const auto add = [&](Filling section) {
@@ -212,9 +230,9 @@ fs::path write_report(const fs::path& folder) {
   };
   add(section_of(folder / "trust.json", trust_section));
   if (!results.empty())
-    for (const auto section : {verdict_section, cases_of_few, scenes_section, radii_section, phase_section,
-                               rheology_section, sweeps_section, motions_section, forces_section, limiting_section,
-                               wear_section, surface_wear_section, cases_of_many, budget_section})
+    for (const auto section :
+         {verdict_with_plots, cases_of_few, scenes_section, radii_section, rheology_section, motions_section,
+          forces_section, limiting_section, wear_section, surface_wear_section, cases_of_many, budget_section})
       add(section(results));
   add(trade_section(folder));
   for (const char* suite : {"tolerance.json", "extremes.json", "random.json"})
@@ -228,7 +246,7 @@ fs::path write_report(const fs::path& folder) {
                     "folder that fretval run, trade, trust or check --json has written",
                     folder.string()));
   fs::path file = folder / "index.html";
-  write_file(file, page_of(std::move(sections)));
+  write_file(file, page_of(heading_of(results, of_this_run, folder_name(folder)), std::move(sections)));
   write_sweeps(results);
   return file;
 }

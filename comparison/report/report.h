@@ -1,6 +1,8 @@
 #pragma once
 
 #include <filesystem>
+#include <set>
+#include <string>
 
 namespace fretval {
 
@@ -8,6 +10,7 @@ namespace fretval {
 /// paper with MDR as lines and finite elements as points, the differences, and the cost), every trade.json, and the
 /// JSON of the suites in DIR; whatever is there. Returns the file. Throws InputError if nothing is there or something
 /// cannot be read, std::runtime_error if gnuplot fails.
-std::filesystem::path write_report(const std::filesystem::path& folder);
+/// of_this_run: names of the cases that were computed just now, for a word about the others; empty: nobody knows.
+std::filesystem::path write_report(const std::filesystem::path& folder, const std::set<std::string>& of_this_run = {});
 
 }  // namespace fretval

@@ -6,23 +6,40 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "comparison/case/table_noise.h"
 #include "comparison/quantities/readings_json.h"
 #include "comparison/results/verdict_text.h"
+#include "comparison/support/log.h"
 
 namespace fretval {
 namespace {
 
 using nlohmann::ordered_json;
 
+constexpr std::size_t most_listed = 3;  // all others are counted
+
+/// Of a share of the order of 1.
+double without_roundoff_of_one(double value) {
+  constexpr double roundoff = 1e-6;
+  return std::abs(value) < roundoff ? 0 : value;
+}
+
 std::optional<double> number_in(const ordered_json& json, const char* key) {
   const auto found = json.find(key);
   return found != json.end() && found->is_number() ? std::optional(found->get<double>()) : std::nullopt;
 }
 
+/// ", 56 h at 1 Hz"; nothing where a cycle is not that of one frequency.
+std::string time_of_cycles(const ordered_json& scene, double cycles) {
+  const auto period = period_of(scene);
+  return period ? fmt::format(", {} at {:.3g} Hz", time_text(cycles * *period), 1 / *period) : "";
+}
+
 /// What has become of the indenter.
-std::string wear_text(const ProvedWear& wear, const Units& units) {
+std::string wear_text(const ProvedWear& wear, const Units& units, const ordered_json& scene) {
   const auto& last = wear.fe.course.curve.back();
-  auto text = fmt::format("  worn off: {} in {:.3g} cycles", volume_text(last.volume * units.volume()), last.cycles);
+  auto text = fmt::format("  worn off: {} in {:.3g} cycles{}", volume_text(last.volume * units.volume()), last.cycles,
+                          time_of_cycles(scene, last.cycles));
   if (wear.kinetics) text += fmt::format(" (MDR {})", volume_text(wear.kinetics->curve.back().volume));
   if (wear.ends_in_limit())
     return text +
@@ -41,13 +58,13 @@ std::string wear_text(const ProvedWear& wear, const Units& units) {
 }
 
 /// What has become of an indenter that wears off its circle, beside what MDR says of its end.
-std::string wear_text(const ProvedSurfaceWear& wear, const Units& units) {
+std::string wear_text(const ProvedSurfaceWear& wear, const Units& units, const ordered_json& scene) {
   const auto& fe = wear.fe;
   const auto& last = fe.course.curve.back();
   const double volume = last.volume * units.volume(), length = units.length;
   const auto bar = [&](const ErrorBar& of, double unit) { return wear.is_proved ? of.total() * unit : 0; };
-  auto text = fmt::format("  worn off: {} in {:.3g} cycles (MDR's limit: {}){}\n", volume_text(volume), last.cycles,
-                          volume_text(wear.limit.volume),
+  auto text = fmt::format("  worn off: {} in {:.3g} cycles{} (MDR's limit: {}){}\n", volume_text(volume), last.cycles,
+                          time_of_cycles(scene, last.cycles), volume_text(wear.limit.volume),
                           fe.course.end == fem::WearEnd::nothing_left ? "; nothing wears any more" : "");
   text += fmt::format("  what has worn leaves {} to stick (MDR {}), {} along x and {} across\n",
                       with_unit(fe.sticks.radius * length, bar(wear.radius, length), "m"),
@@ -103,6 +120,15 @@ std::string not_asked_line(bool has_cycle_tolerance) {
 
 }  // namespace
 
+std::optional<double> period_of(const ordered_json& scene) {
+  if (const auto path = scene.find("path"); path != scene.end())
+    return path->value("repeats", "") == "forever" ? number_in(*path, "duration") : std::nullopt;
+  const auto frequency = number_in(scene, "frequency"), tangential = number_in(scene, "tangential_frequency");
+  const bool has_more = scene.contains("normal_harmonics") || scene.contains("tangential_harmonics");
+  if (!frequency || has_more || tangential.value_or(*frequency) != *frequency) return std::nullopt;
+  return 1 / *frequency;
+}
+
 Scales scales_of(const ordered_json& result) {
   const auto& fe = result.at("fe");
   return {number_in(result.at("scene"), "contact_radius_unworn").value_or(0),
@@ -123,6 +149,18 @@ std::optional<Reading> fe_reading(const ordered_json& result, Quantity quantity)
   if (reading->uncertainty)
     *reading->uncertainty *= scale_of(quantity, scales_of(result), reading->value.value_or(std::nan("")));
   return reading;
+}
+
+/// Of a force or an energy of a cycle whose bar is a tenth of it or more, and that nobody has asked for.
+std::string hardly_known(const ordered_json& result, const StoredDifference& one) {
+  constexpr double tenth = 0.1;
+  const auto reading = fe_reading(result, one.quantity);
+  if (one.asked || traits_of(one.quantity).refined_for != RefinedFor::cycles || !reading || !reading->value ||
+      !reading->uncertainty || *reading->value == 0)
+    return "";
+  const double share = *reading->uncertainty / std::abs(*reading->value);
+  if (!(share >= tenth)) return "";
+  return fmt::format("known to {:.0f} %: set a Cycle tolerance", 100 * share);
 }
 
 /// Of what a half-space in the place of the body would have, over what finite elements find.
@@ -161,6 +199,23 @@ std::string model_text(const ordered_json& result) {
   return text;
 }
 
+/// "a percent more friction changes the stick radius, first slip by +0.31 %, …; a percent more relaxed modulus …"
+std::string sensitivity_text(const ordered_json& result) {
+  const auto found = result.at("mdr").find("sensitivity");
+  if (found == result.at("mdr").end()) return "";
+  std::string text;
+  for (const auto& [key, words] : {std::pair{"friction_coefficient", "friction (μ)"},
+                                   std::pair{"relaxed_modulus", "relaxed modulus (G'(0), the branches as they are)"}}) {
+    std::string changes;
+    for (const auto quantity : {Quantity::stick_radius_first_slip, Quantity::stick_radius_shakedown})
+      if (const auto one = found->find(name_of(quantity)); one != found->end() && one->is_object())
+        changes += fmt::format("{}the {} by {:+.2g} %", changes.empty() ? "" : " and ", traits_of(quantity).title,
+                               without_roundoff_of_one(one->at(key).get<double>()));
+    if (!changes.empty()) text += fmt::format("{}1 % more {} changes {}", text.empty() ? "" : "; ", words, changes);
+  }
+  return text;
+}
+
 /// That a given mesh has too few rings, and how many it takes.
 std::string rings_text(const ordered_json& result) {
   const auto rings = result.at("fe").find("rings");
@@ -173,8 +228,8 @@ std::string rings_text(const ordered_json& result) {
 
 Answer answer_of(const ordered_json& result) {
   if (result.contains("not_compared")) return answer_beyond_mdr(result);
-  Answer answer{plain_answer(result), verdict_sentence(result), {},
-                model_text(result),   half_space_text(result),  rings_text(result)};
+  Answer answer{plain_answer(result), verdict_sentence(result), {}, model_text(result), half_space_text(result),
+                rings_text(result),   sensitivity_text(result)};
   const auto scales = scales_of(result);
   for (const auto& one : stored_differences(result)) {
     const auto& traits = traits_of(one.quantity);
@@ -185,6 +240,8 @@ Answer answer_of(const ordered_json& result) {
         {traits.title, reading_text(one.quantity, scales, fe_reading(result, one.quantity).value_or(Reading{})),
          mdr_text(result.at("mdr"), one.quantity, scales), difference ? fmt::format("{:+.1e}", *difference) : "–",
          is_good ? "" : name_of(*one.verdict), one.asked});
+    if (const auto words = hardly_known(result, one); !words.empty())
+      answer.rows.back().remark += (answer.rows.back().remark.empty() ? "" : "; ") + words;
   }
   std::stable_partition(answer.rows.begin(), answer.rows.end(), [](const AnswerRow& row) { return row.asked; });
   return answer;
@@ -196,9 +253,13 @@ std::string beyond_text(const ordered_json& not_compared) {
     const auto [prefix, factor] = prefix_for(value.get<double>());
     return value == 0.0 ? "0" : fmt::format("{:.4g} {}m", value.get<double>() / factor, prefix);
   };
-  for (const auto& fall : not_compared.at("image_falls"))
-    text += fmt::format("{}{} to {}", text.empty() ? "its one-dimensional image g(x) falls for x = " : ", ",
-                        length(fall.at("from")), length(fall.at("to")));
+  const auto& falls = not_compared.at("image_falls");
+  const auto noise = number_in(not_compared, "table_noise");
+  if (noise) text = noise_text(*noise) + ". As it is, ";
+  for (std::size_t k = 0; k < std::min(falls.size(), most_listed); ++k)
+    text += fmt::format("{}{} to {}", k == 0 ? "its one-dimensional image g(x) falls for x = " : ", ",
+                        length(falls[k].at("from")), length(falls[k].at("to")));
+  if (falls.size() > most_listed) text += fmt::format(" and in {} places more", falls.size() - most_listed);
   const auto& at_rest = not_compared.at("at_rest");
   return text + fmt::format(
                     ". At rest at the largest indentation its springs would be off by {} of the normal force and "
@@ -213,9 +274,14 @@ std::string annuli_text(const ordered_json& annuli) {
     const double width = annulus.at(bar).is_number() ? annulus.at(bar).get<double>() : 0;
     return with_unit(annulus.at(key).get<double>(), width, "m");
   };
-  for (const auto& annulus : annuli)
+  for (std::size_t k = 0; k < std::min(annuli.size(), most_listed); ++k) {
+    const auto& annulus = annuli[k];
     text += (text.empty() ? "" : "; ") + (annulus.at("inner") == 0.0 ? "0" : end(annulus, "inner", "inner_bar")) +
             " to " + end(annulus, "outer", "outer_bar");
+  }
+  if (annuli.size() > most_listed)
+    text +=
+        fmt::format("; and {} more, out to {}", annuli.size() - most_listed, end(annuli.back(), "outer", "outer_bar"));
   return text.empty() ? "none" : text;
 }
 
@@ -230,32 +296,73 @@ std::string answer_line(const std::string& title, const std::string& first, cons
   return line + "\n";
 }
 
-std::string answer_text(const CaseResult& result, const ordered_json& json) {
+namespace {
+
+bool asks_for_cycles(const ordered_json& result) {
+  for (const auto& input : result.at("scene").value("inputs", ordered_json::array()))
+    if (input.at("name") == "Cycle tolerance") return true;
+  return false;
+}
+
+bool is_single_pass(const ordered_json& result) {
+  const auto path = result.at("scene").find("path");
+  return path != result.at("scene").end() && path->value("repeats", "") == "once";
+}
+
+bool has_slid(const ordered_json& result) {
+  const auto slides = [&](const char* side) {
+    const auto found = result.at(side).find("gross_slip");
+    return found != result.at(side).end() && !found->is_null();
+  };
+  return slides("fe") || slides("mdr");
+}
+
+/// wear: what has become of the indenter; empty: it has not worn.
+std::string text_of_answer(const ordered_json& json, const std::string& wear) {
   const auto answer = answer_of(json);
-  auto text = result.input.name + ": ";
+  auto text = json.at("name").get<std::string>() + ": ";
   if (!answer.plain.empty()) text += answer.plain + "\n";
   text += answer.verdict + "\n";
   if (!answer.model.empty()) text += answer.model + "\n";
-  if (result.beyond_mdr) {
+  if (json.contains("not_compared")) {
     for (const auto& one : answer.rows) text += answer_line(one.title, one.fe);
     return text;
   }
-  if (result.fe.fe.gross_slip || result.mdr.gross_slip) return text;
+  if (has_slid(json)) return text;
   text += answer_line("", "finite elements", "MDR");
   bool asked = true;
   for (const auto& one : answer.rows) {
-    if (asked && !one.asked) text += not_asked_line(result.input.cycle_tolerance.has_value());
+    if (asked && !one.asked) text += not_asked_line(asks_for_cycles(json));
     asked = one.asked;
     text += answer_line(one.title, one.fe, one.mdr, one.remark);
   }
-  if (result.mdr.single_pass) text += answer_line("stick radius, shakedown", "none", no_shakedown_in_a_pass);
+  if (is_single_pass(json)) text += answer_line("stick radius, shakedown", "none", no_shakedown_in_a_pass);
   for (const auto* line : {&answer.half_space, &answer.rings})
     if (!line->empty()) text += "  " + *line + "\n";
-  if (result.wear) return text + wear_text(*result.wear, result.fem_case.units);
-  if (result.surface_wear) return text + wear_text(*result.surface_wear, result.fem_case.units);
-  if (result.mdr.worn_radius)
-    text += answer_line("wear ends at the radius", "", with_unit(*result.mdr.worn_radius, 0, "m"));
+  if (!answer.sensitivity.empty() && log::tells_details()) text += "  " + answer.sensitivity + "\n";
+  if (!wear.empty()) return text + wear;
+  if (const auto worn = number_in(json.at("mdr"), "worn_radius"))
+    text += answer_line("wear ends at the radius", "", with_unit(*worn, 0, "m"));
   return text;
+}
+
+}  // namespace
+
+std::string answer_text(const CaseResult& result, const ordered_json& json) {
+  std::string wear;
+  if (result.wear) wear = wear_text(*result.wear, result.fem_case.units, json.at("scene"));
+  if (result.surface_wear) wear = wear_text(*result.surface_wear, result.fem_case.units, json.at("scene"));
+  return text_of_answer(json, wear);
+}
+
+std::string kept_answer_text(const ordered_json& json) {
+  auto wear = json.at("fe").find("wear");
+  if (wear == json.at("fe").end()) wear = json.at("fe").find("surface_wear");
+  if (wear == json.at("fe").end()) return text_of_answer(json, "");
+  const double cycles = wear->at("cycles").back().get<double>();
+  return text_of_answer(
+      json, fmt::format("  worn off: {} in {:.3g} cycles{}\n", volume_text(wear->at("volume").back().get<double>()),
+                        cycles, time_of_cycles(json.at("scene"), cycles)));
 }
 
 }  // namespace fretval

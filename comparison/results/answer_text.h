@@ -26,9 +26,10 @@ struct AnswerRow {
 struct Answer {
   std::string plain, verdict;
   std::vector<AnswerRow> rows;
-  std::string model = {};       ///< how good MDR is as a model, or why the maps do not know; empty: no result of that
-  std::string half_space = {};  ///< by how much MDR over a half-space would be off, of another body; otherwise empty
-  std::string rings = {};       ///< that a given mesh has too few, and how many it takes; otherwise empty
+  std::string model = {};        ///< how good MDR is as a model, or why the maps do not know; empty: no result of that
+  std::string half_space = {};   ///< by how much MDR over a half-space would be off, of another body; otherwise empty
+  std::string rings = {};        ///< that a given mesh has too few, and how many it takes; otherwise empty
+  std::string sensitivity = {};  ///< of MDR's stick radii to friction and relaxed modulus; empty: no closed form
 };
 
 /// From a result.json.
@@ -51,11 +52,17 @@ std::string annuli_text(const nlohmann::ordered_json& annuli);
 /// springs were stepped for it with what they may be off by; "none".
 std::string mdr_text(const nlohmann::ordered_json& mdr, Quantity quantity, const Scales& scales);
 
+/// Of a cycle, s, of the "scene" of a result.json: of one frequency in both directions, or of a path that repeats.
+std::optional<double> period_of(const nlohmann::ordered_json& scene);
+
 /// A line of a table for the terminal.
 std::string answer_line(const std::string& title, const std::string& first, const std::string& second = {},
                         const std::string& remark = {});
 
 /// The answer to a case for the terminal. json: its result_json.
 std::string answer_text(const CaseResult& result, const nlohmann::ordered_json& json);
+
+/// The same of a result.json that an earlier run has written; of wear no more than how far it has come.
+std::string kept_answer_text(const nlohmann::ordered_json& json);
 
 }  // namespace fretval

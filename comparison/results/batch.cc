@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "comparison/accuracy/data_shares.h"
+#include "comparison/case/plausibility.h"
 #include "comparison/case/test_duration.h"
 #include "comparison/reference/normal_responses.h"
 #include "comparison/results/answer_text.h"
@@ -94,7 +95,7 @@ BatchLine run_case(const PreparedCase& asked, const BatchOptions& options, BodyS
   } catch (const std::runtime_error& error) {
     line.failure = error.what();
   }
-  if (!fe.failure.empty()) line.failure = fe.failure;
+  if (!fe.failure.empty()) line.failure = fe.failure + hint_at_modulus(prepared.input);
   if (prepared.fem.keeps_body && fe.fe.body && is_too_large(fe.fe.body->n_dofs, bodies)) {
     log::warn(
         fmt::format("{}: no fields are written: no process has a body of {} dofs", line.name, fe.fe.body->n_dofs));
@@ -121,10 +122,14 @@ ToleranceUse largest_use(const Comparison& comparison, const std::string& name) 
   for (const auto& [quantity, d] : comparison) {
     const double share = d.size() / d.tolerance;
     if (!d.asked || share <= largest.share) continue;
-    largest = {share, fmt::format("{} in {}, off by {:.1e} of {:.1e}{}", traits_of(quantity).title, name, d.size(),
-                                  d.tolerance, d.only_one != 0 ? ", only one of the two sticks" : "")};
+    largest = {share, use_text(quantity, name, d.size(), d.tolerance, d.only_one != 0)};
   }
   return largest;
+}
+
+std::string use_text(Quantity quantity, const std::string& name, double size, double tolerance, bool only_one) {
+  return fmt::format("{} in {}, off by {:.1e} of {:.1e}{}", traits_of(quantity).title, name, size, tolerance,
+                     only_one ? ", only one of the two sticks" : "");
 }
 
 BatchLine computed_line(const PreparedCase& prepared, const BatchOptions& options, BodyStore& bodies,

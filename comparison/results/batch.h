@@ -19,6 +19,9 @@ struct ToleranceUse {
 /// The largest one of a case.
 ToleranceUse largest_use(const Comparison& comparison, const std::string& name);
 
+/// Its text.
+std::string use_text(Quantity quantity, const std::string& name, double size, double tolerance, bool only_one);
+
 /// One line of what a batch comes to.
 struct BatchLine {
   std::string name;

@@ -15,6 +15,7 @@ constexpr double of_a_body = 0.2, of_a_history = 0.05;  // s at 32 rings and 72 
 constexpr double of_more_rings = 1.7;  // power of the rings that a history goes with; a body with the first
 constexpr double of_a_variant = 0.5;   // coarser than the resolution that it belongs to
 constexpr double until_the_tolerance_is_met = 1.5;  // some bars are wider at first
+constexpr double of_a_force = 2.5;                  // steps under a force are solved for more than once
 constexpr double of_a_wear = 0.45;                  // s at 32 rings and 72 steps, to the end of the wear
 constexpr double of_a_wear_variant = 0.3;
 constexpr double proved_by_the_first_rings = 1e-3;  // a tolerance; finer ones refine the wear twice
@@ -53,7 +54,8 @@ double estimated_seconds(const Resolution& resolution, int highest_order, std::s
 double estimated_seconds(const PreparedCase& prepared, Proof proof, std::size_t n_sharing) {
   const auto n = proof == Proof::none ? 2 : computations_for_bars(prepared.fem);  // 2: the whole of one
   const double seconds = estimated_seconds(prepared.fem.resolution, prepared.fem.motion.highest_order(), n, n_sharing) *
-                         (proof == Proof::tolerance ? until_the_tolerance_is_met : 1);
+                         (proof == Proof::tolerance ? until_the_tolerance_is_met : 1) *
+                         (prepared.mdr.has_forces() ? of_a_force : 1);
   return wears(prepared) ? seconds + seconds_of_wear(prepared, proof) : seconds;
 }
 

@@ -4,15 +4,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "comparison/accuracy/prepared_case.h"
 #include "comparison/accuracy/wear_proof.h"
+#include "comparison/case/master_curve.h"
 #include "comparison/case/mesh_entries.h"
+#include "comparison/case/table_noise.h"
 #include "comparison/reference/half_space.h"
 #include "comparison/reference/mdr_document.h"
 #include "comparison/results/answer_text.h"
 #include "comparison/results/data_text.h"
 #include "comparison/results/estimate.h"
+#include "comparison/support/parallel.h"
 #include "mdr/layer/layer.h"
 #include "meshes/mesh.h"
 
@@ -50,8 +54,19 @@ std::string indenter_text(const Case::Indenter& indenter) {
   return indenter.table.empty() ? text : text + " " + indenter.table;
 }
 
+/// What is extrapolated has two digits and a range.
+std::string relaxed_text(const Case::Elastomer& body) {
+  const auto range = body.master_curve && !body.test_duration
+                         ? extrapolated_range(*body.master_curve, body.relaxed_modulus)
+                         : std::nullopt;
+  if (!range) return short_text(body.relaxed_modulus, "Pa");
+  const auto [prefix, factor] = prefix_for(body.relaxed_modulus);
+  return fmt::format("{:.2g} {}Pa, extrapolated: {:.2g} to {:.2g}", body.relaxed_modulus / factor, prefix,
+                     range->least / factor, range->most / factor);
+}
+
 std::string body_text(const Case::Elastomer& body) {
-  auto text = fmt::format("{}, G'(0) = {}", body.rheology, short_text(body.relaxed_modulus, "Pa"));
+  auto text = fmt::format("{}, G'(0) = {}", body.rheology, relaxed_text(body));
   constexpr std::size_t most = 4;
   for (std::size_t k = 0; k < std::min(most, body.branch_moduli.size()); ++k)
     text += fmt::format(", {} with {}", short_text(body.branch_moduli[k], "Pa"), short_text(body.branch_times[k], "s"));
@@ -234,8 +249,30 @@ std::string duration_text(double seconds) {
   return seconds < many * hour ? fmt::format("{:.0f} min", seconds / minute) : fmt::format("{:.0f} h", seconds / hour);
 }
 
-/// n_cases: of the sweep that the case is a point of.
-std::string cost_text(const PreparedCase& prepared, std::size_t n_cases) {
+/// By MDR: below a tenth of the contact radius, or none.
+bool has_small_zone(const ordered_json& mdr) {
+  constexpr double small = 0.1;
+  if (mdr.at("contact_radius_max").is_null() || (mdr.contains("gross_slip") && !mdr.at("gross_slip").is_null()))
+    return false;
+  const auto& first = mdr.at("stick_radius_first_slip");
+  return first.is_null() || first.get<double>() < small * mdr.at("contact_radius_max").get<double>();
+}
+
+/// Of all cases of a sweep on all cores, from some of them.
+double seconds_of_sweep(const std::vector<Case>& sweep) {
+  constexpr std::size_t most = 40;
+  const std::size_t stride = 1 + sweep.size() / most;
+  std::vector<PreparedCase> some;
+  for (std::size_t i = 0; i < sweep.size(); i += stride) some.push_back(prepare({sweep[i]}).front());
+  std::map<BodyDescription, std::size_t> n_with;
+  for (const auto& one : some) ++n_with[one.fem.body];
+  double seconds = 0;
+  for (const auto& one : some) seconds += estimated_seconds(one, Proof::tolerance, stride * n_with.at(one.fem.body));
+  return seconds * static_cast<double>(sweep.size()) / static_cast<double>(some.size() * n_cores());
+}
+
+/// sweep: that the case is a point of. is_hard: finite elements look for a zone that MDR has small, or does not have.
+std::string cost_text(const PreparedCase& prepared, const std::vector<Case>& sweep, bool is_hard) {
   const auto& fem = prepared.fem;
   const auto n = computations_for_bars(fem);
   std::string text =
@@ -244,31 +281,43 @@ std::string cost_text(const PreparedCase& prepared, std::size_t n_cases) {
                                   fem.resolution.elements_per_radius, fem.given ? " as the mesh has them" : "",
                                   fem.resolution.steps_per_cycle));
   for (const auto& words : left_out(fem)) text += row("", words);
+  if (is_hard)
+    return text +
+           row("cost", fmt::format("{} computations or more to prove a tolerance of {:g}, and many more on finer "
+                                   "rings where a stick zone is small, or may be: minutes, which nobody can "
+                                   "tell beforehand",
+                                   n, prepared.input.tolerance));
   const double seconds = estimated_seconds(prepared, Proof::tolerance);
   text += row("cost", fmt::format("{} computations or more to prove a tolerance of {:g}, of the order of {} on a core",
                                   n, prepared.input.tolerance, duration_text(seconds)));
   if (wears(prepared)) text += row("", "most of it for the wear");
-  if (n_cases > 1)
-    text += row("", fmt::format("all {} cases of the sweep: of the order of {}", n_cases,
-                                duration_text(static_cast<double>(n_cases) * seconds)));
+  if (sweep.size() > 1)
+    text += row("", fmt::format("all {} cases of the sweep, on {}: of the order of {}", sweep.size(),
+                                n_cores() == 1 ? "one core" : fmt::format("{} cores", n_cores()),
+                                duration_text(seconds_of_sweep(sweep))));
   return text;
 }
 
+std::string noise_row(const Case::Indenter& indenter) {
+  const auto noise = noise_behind_falls(indenter);
+  return noise ? row("", noise_text(*noise)) : "";
+}
+
 /// Of a case whose profile MDR does not hold for.
-std::string explanation_beyond_mdr(const Case& input, const mdr::Profile& profile, std::size_t n_cases) {
+std::string explanation_beyond_mdr(const Case& input, const mdr::Profile& profile, const std::vector<Case>& sweep) {
   auto text = input.name + "\n" + scene_text(input) + "\n" +
               row("MDR", "does not hold for this profile: " + falls_text(profile) + ",") +
               row("", "so that the contact is not one full circle at every indentation; nothing is compared") +
-              row("", "finite elements take the rings in whatever order they touch");
+              noise_row(input.indenter) + row("", "finite elements take the rings in whatever order they touch");
   if (input.tolerance == 0) return text + row("elements", "none: finite elements need an Accuracy / Tolerance");
-  return text + "\n" + cost_text(prepare({input}).front(), n_cases);
+  return text + "\n" + cost_text(prepare({input}).front(), sweep, false);
 }
 
 }  // namespace
 
-std::string explanation(const Case& input, std::size_t n_cases) {
+std::string explanation(const Case& input, const std::vector<Case>& sweep) {
   if (const auto profile = any_profile_of(input.indenter); !mdr::falls_of_image(profile).empty())
-    return explanation_beyond_mdr(input, profile, n_cases);
+    return explanation_beyond_mdr(input, profile, sweep);
   auto for_mdr = input;  // which knows no cylinders, and no meshes
   if (input.body.shape == Case::Body::Shape::cylinder || input.body.grid) for_mdr.body = {};
   const auto document = mdr_document(for_mdr, false);
@@ -278,7 +327,7 @@ std::string explanation(const Case& input, std::size_t n_cases) {
               "\n" + regime_text(mdr, input.motion.path && !input.motion.path->repeats, of_worn) + "\n";
   if (input.tolerance == 0) return text + row("elements", "none: finite elements need an Accuracy / Tolerance");
   try {
-    return text + cost_text(prepare({input}).front(), n_cases);
+    return text + cost_text(prepare({input}).front(), sweep, has_small_zone(mdr));
   } catch (const InputError& error) {
     return text + row("elements", fmt::format("none: {}", error.what()));
   }

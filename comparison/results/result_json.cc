@@ -4,9 +4,11 @@
 
 #include "comparison/accuracy/fe_readings.h"
 #include "comparison/case/mesh_entries.h"
+#include "comparison/case/table_noise.h"
 #include "comparison/quantities/readings_json.h"
 #include "comparison/reference/mdr_document.h"
 #include "comparison/reference/mdr_readings.h"
+#include "comparison/reference/sensitivity.h"
 #include "comparison/results/answer_text.h"
 #include "comparison/results/case_inputs.h"
 #include "comparison/results/case_result.h"
@@ -108,8 +110,13 @@ ordered_json case_json(const CaseResult& result) {
   json["inputs"] = inputs_json(input);
   if (input.elastomer.master_curve) json["fit_of_moduli"] = fit_json(input.elastomer);
   if (auto data = data_json(input); !data.empty()) json["data"] = std::move(data);
-  if (input.sweep)
-    json["sweep"] = {{"family", input.sweep->family}, {"entry", input.sweep->entry}, {"value", input.sweep->value}};
+  if (const auto& sweep = input.sweep) {
+    json["sweep"] = {{"family", sweep->family}, {"entry", sweep->entry}, {"value", sweep->value}};
+    if (!sweep->second_entry.empty()) {
+      json["sweep"]["second_entry"] = sweep->second_entry;
+      json["sweep"]["second_value"] = sweep->second_value;
+    }
+  }
   return json;
 }
 
@@ -212,6 +219,7 @@ ordered_json result_json(const CaseResult& result) {
   cost["peak_memory_bytes"] = peak_memory_bytes();
   const auto outcome = outcome_of(result);
   auto mdr = to_json(result.mdr);
+  if (const auto found = sensitivities(result.input)) mdr["sensitivity"] = to_json(*found);
   if (result.wear && result.wear->kinetics) mdr["wear"] = to_json(*result.wear->kinetics);
   ordered_json json{{"schema", result_schema},
                     {"name", result.input.name},
@@ -227,7 +235,10 @@ ordered_json result_json(const CaseResult& result) {
     json["measured"] = std::move(measured);
   if (!result.beyond_mdr) json["model"] = model_json(result.model);
   if (result.half_space) json["mdr_half_space"] = to_json(*result.half_space);
-  if (result.beyond_mdr) json["not_compared"] = to_json(*result.beyond_mdr, result.fem_case.units.depth);
+  if (result.beyond_mdr) {
+    json["not_compared"] = to_json(*result.beyond_mdr, result.fem_case.units.depth);
+    if (const auto noise = noise_behind_falls(result.input.indenter)) json["not_compared"]["table_noise"] = *noise;
+  }
   json["cost"] = std::move(cost);
   return json;
 }

@@ -57,6 +57,8 @@ const std::vector<Place> places{{"schema", known_schema, true},
                                 {"scene/sweep/family", text},
                                 {"scene/sweep/entry", text},
                                 {"scene/sweep/value", number},
+                                {"scene/sweep/second_entry", text, true},
+                                {"scene/sweep/second_value", number, true},
                                 {"mdr", object},
                                 {"fe", object},
                                 {"fe/error_estimate", object, true},
@@ -146,7 +148,18 @@ std::string StoredResult::text(const char* section, const char* key) const {
 
 bool StoredResult::swept_over(const char* entry) const {
   const auto& scene = json.at("scene");
-  return scene.contains("sweep") && scene["sweep"].value("entry", "") == entry;
+  return scene.contains("sweep") && !scene["sweep"].contains("second_entry") &&
+         scene["sweep"].value("entry", "") == entry;
+}
+
+std::string StoredResult::second_entry() const {
+  const auto& scene = json.at("scene");
+  return scene.contains("sweep") ? scene["sweep"].value("second_entry", "") : "";
+}
+
+double StoredResult::second_value() const {
+  const auto& scene = json.at("scene");
+  return scene.contains("sweep") ? scene["sweep"].value("second_value", 0.0) : 0;
 }
 
 bool StoredResult::has_one_frequency() const {
@@ -194,7 +207,8 @@ std::vector<StoredResult> read_results(const fs::path& folder) {
   std::vector<StoredResult> results(files.size());
   for_each_in_parallel(files.size(), [&](std::size_t i) { results[i] = read_result(files[i]); });
   std::sort(results.begin(), results.end(), [](const StoredResult& a, const StoredResult& b) {
-    return std::make_tuple(a.family(), a.sweep_value()) < std::make_tuple(b.family(), b.sweep_value());
+    return std::make_tuple(a.family(), a.sweep_value(), a.second_value()) <
+           std::make_tuple(b.family(), b.sweep_value(), b.second_value());
   });
   return results;
 }

@@ -20,10 +20,13 @@ struct StoredResult {
   /// A number of a section ("mdr", "fe", "scene"); NaN where it is null or absent.
   [[nodiscard]] double number(const char* section, const char* key) const;
   [[nodiscard]] std::string text(const char* section, const char* key) const;
+  /// In a line over this entry.
   [[nodiscard]] bool swept_over(const char* entry) const;
   /// MDR does not hold for its profile, and nothing is compared.
   [[nodiscard]] bool is_beyond_mdr() const { return json.contains("not_compared"); }
   [[nodiscard]] double sweep_value() const;
+  [[nodiscard]] std::string second_entry() const;  ///< of a map over two entries; empty: of none
+  [[nodiscard]] double second_value() const;
   /// Whether both directions move with one harmonic of the same frequency, as in the paper.
   [[nodiscard]] bool has_one_frequency() const;
   /// Whether a force is prescribed.

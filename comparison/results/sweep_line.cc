@@ -64,7 +64,7 @@ std::vector<Sweep> sweeps_among(const std::vector<Case>& cases) {
   std::map<std::string, std::size_t> place;
   for (std::size_t i = 0; i < cases.size(); ++i) {
     const auto& input = cases[i];
-    if (!input.sweep) continue;
+    if (!input.sweep || !input.sweep->second_entry.empty()) continue;
     const auto [found, is_new] = place.emplace(input.sweep->family, sweeps.size());
     if (is_new) sweeps.push_back({&input});
     sweeps[found->second].places[input.sweep->value] = i;
@@ -79,6 +79,35 @@ std::string unit_of_entry(const std::string& entry) {
   if (slash == std::string::npos) return "";
   const auto* traits = find_entry(entry.substr(0, slash), entry.substr(slash + 3));
   return traits && !traits->dimensions.empty() ? base_unit(traits->dimensions.front()) : "";
+}
+
+std::string symbol_of_entry(const std::string& entry) {
+  static const std::map<std::string, std::string> symbols{{"Indenter / Radius", "R"},
+                                                          {"Indenter / Slope angle", "θ"},
+                                                          {"Indenter / Exponent", "n"},
+                                                          {"Indenter / Flat radius", "b"},
+                                                          {"Elastomer / Relaxed shear modulus", "G'(0)"},
+                                                          {"Elastomer / Viscosity", "η"},
+                                                          {"Elastomer / Branch moduli", "G_1"},
+                                                          {"Elastomer / Branch times", "τ"},
+                                                          {"Elastomer / Fractional order", "α"},
+                                                          {"Elastomer / Poisson ratio", "ν"},
+                                                          {"Elastomer / Temperature", "T"},
+                                                          {"Friction / Coefficient", "μ"},
+                                                          {"Body / Thickness", "H"},
+                                                          {"Body / Radius", "B"},
+                                                          {"Motion / Indentation", "d_0"},
+                                                          {"Motion / Normal amplitude", "Δd"},
+                                                          {"Motion / Normal force", "F_0"},
+                                                          {"Motion / Normal force amplitude", "ΔF"},
+                                                          {"Motion / Normal frequency", "f"},
+                                                          {"Motion / Tangential amplitude", "u_{x0}"},
+                                                          {"Motion / Tangential force amplitude", "F_x"},
+                                                          {"Motion / Tangential frequency", "f_x"},
+                                                          {"Motion / Phase", "φ_0"},
+                                                          {"Wear / Stick radius ratio", "c/a"}};
+  const auto found = symbols.find(entry);
+  return found == symbols.end() ? "" : found->second;
 }
 
 std::string column_of_entry(const std::string& entry) {

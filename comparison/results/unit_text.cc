@@ -47,4 +47,17 @@ std::string volume_text(double cubic_metres) {
   return fmt::format("{:.6g} mm³", cubic_metres * 1e9);
 }
 
+std::string time_text(double seconds) {
+  struct Unit {
+    const char* name;
+    double seconds;
+  };
+  constexpr double hour = 3600, day = 24 * hour, year = 365.25 * day, several = 2, thousand = 999.5;
+  auto unit = Unit{"s", 1};
+  for (const auto& larger : {Unit{"min", 60}, Unit{"h", hour}, Unit{"days", day}, Unit{"years", year}})
+    if (seconds >= several * larger.seconds) unit = larger;
+  const double value = seconds / unit.seconds;
+  return value < thousand ? fmt::format("{:.3g} {}", value, unit.name) : fmt::format("{:.2g} {}", value, unit.name);
+}
+
 }  // namespace fretval

@@ -19,4 +19,7 @@ UnitPrefix prefix_for(double value);
 /// "1.5 mm³"
 std::string volume_text(double cubic_metres);
 
+/// "40 min", "56 h", "3 years": of a test, to two digits.
+std::string time_text(double seconds);
+
 }  // namespace fretval

@@ -32,13 +32,14 @@ std::size_t n_edits(const std::string& a, const std::string& b) {
 
 }  // namespace
 
-std::string closest(const std::string& word, const std::vector<std::string>& candidates) {
+std::string closest(const std::string& word, const std::vector<std::string>& candidates, double share) {
   if (word.empty() || word.size() > longest_word) return "";
   std::string best;
   std::size_t fewest = longest_word;
   for (const auto& candidate : candidates) {
     const auto edits = n_edits(lower(word), lower(candidate));
-    if (edits >= fewest || 3 * edits > std::max(word.size(), candidate.size())) continue;
+    const auto most = share * static_cast<double>(std::max(word.size(), candidate.size()));
+    if (edits >= fewest || static_cast<double>(edits) > most) continue;
     fewest = edits;
     best = candidate;
   }

@@ -27,6 +27,10 @@ bool tells() {
   return spdlog::get("fretval") != nullptr && spdlog::should_log(spdlog::level::info);
 }
 
+bool tells_details() {
+  return spdlog::get("fretval") != nullptr && spdlog::should_log(spdlog::level::debug);
+}
+
 void detail(const std::string& message) {
   spdlog::debug(spdlog::string_view_t(message));
 }

@@ -18,6 +18,9 @@ void say_details();
 /// Whether what is not asked for may be told: started, and not quiet.
 bool tells();
 
+/// Whether details are told.
+bool tells_details();
+
 /// What only those want to know who know how the program works.
 void detail(const std::string& message);
 void info(const std::string& message);

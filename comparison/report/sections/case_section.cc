@@ -68,6 +68,7 @@ Filling one_case(const StoredResult& r) {
   if (auto data = data_sentences(r); !data.is_null()) filling["data"] = std::move(data);
   if (!answer.half_space.empty()) filling["half_space"] = answer.half_space;
   if (!answer.rings.empty()) filling["rings"] = answer.rings;
+  if (!answer.sensitivity.empty()) filling["sensitivity"] = answer.sensitivity;
   if (const auto& scene = r.json.at("scene"); scene.contains("path") && scene["path"].contains("why_no_shakedown"))
     filling["why_no_shakedown"] = scene["path"]["why_no_shakedown"];
   return filling;

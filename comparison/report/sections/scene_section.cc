@@ -100,12 +100,14 @@ Filling scenes_section(const std::vector<StoredResult>& results) {
                       {"cases", counted(n, "case")},
                       {"entry", first->json.at("scene").at("sweep").at("entry")},
                       {"open", firsts.size() <= few_scenes},
+                      {"long", firsts.size() > few_scenes},
                       {"scene", scene_of(*first)},
                       {"assumptions", assumptions_of(*first)}});
   }
   return {{"template", "scenes"},
           {"one", firsts.size() == 1},
           {"several", firsts.size() > 1},
+          {"n", firsts.size()},
           {"scenes", std::move(scenes)}};
 }
 

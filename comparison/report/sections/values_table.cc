@@ -9,6 +9,9 @@
 
 #include "comparison/quantities/readings_json.h"
 #include "comparison/results/answer_text.h"
+#include "comparison/results/case_inputs.h"
+#include "comparison/results/sweep_line.h"
+#include "comparison/results/verdict_text.h"
 
 namespace fretval {
 namespace {
@@ -107,6 +110,39 @@ Table values_table(const std::vector<StoredResult>& results, const std::vector<Q
   const auto families = families_of_all(results);
   auto table = families.size() <= few_families ? of_few(families, quantities) : of_many(families);
   table.label = "the values of both methods";
+  return table;
+}
+
+Table sweep_rows(const std::vector<StoredResult>& family) {
+  const auto& first = family.front();
+  const auto entry = first.json.at("scene").at("sweep").at("entry").get<std::string>(), second = first.second_entry();
+  std::vector<Quantity> shown;
+  for (const auto& pair : {std::pair{Quantity::stick_radius_first_slip, Quantity::stick_radius_shakedown},
+                           std::pair{Quantity::contact_radius_max, Quantity::normal_force_max}}) {
+    for (const auto quantity : {pair.first, pair.second})
+      if (std::any_of(family.begin(), family.end(), [&](const auto& r) {
+            const auto fe = reading_of(r, "fe", quantity), mdr = reading_of(r, "mdr", quantity);
+            return (fe && fe->value) || (mdr && mdr->value);
+          }))
+        shown.push_back(quantity);
+    if (!shown.empty()) break;
+  }
+  Table table{{entry}};
+  if (!second.empty()) table.heads.push_back(second);
+  for (const auto quantity : shown) {
+    table.heads.emplace_back(traits_of(quantity).title);
+    table.heads.emplace_back("MDR");
+  }
+  table.heads.emplace_back("");
+  for (const auto& r : family) {
+    std::vector<Cell> row{input_text(r.sweep_value(), unit_of_entry(entry), 6)};
+    if (!second.empty()) row.push_back(input_text(r.second_value(), unit_of_entry(second), 6));
+    for (const auto quantity : shown)
+      for (const char* side : {"fe", "mdr"}) row.push_back(values_text({&r}, side, quantity));
+    const auto outcome = stored_outcome(r.json);
+    row.push_back(words_cell(outcome == Outcome::agree ? "" : name_of(outcome)));
+    table.rows.push_back(std::move(row));
+  }
   return table;
 }
 

@@ -13,6 +13,10 @@ namespace fretval {
 /// with stick radii alone.
 Table values_table(const std::vector<StoredResult>& results, const std::vector<Quantity>& quantities);
 
+/// A row for each value of a sweep, or each pair of a map: stick radii by both methods, or where nothing sticks contact
+/// radius and normal force, and the verdict. family: of one sweep.
+Table sweep_rows(const std::vector<StoredResult>& family);
+
 /// What a terminal has room for.
 const std::vector<Quantity>& main_quantities();
 

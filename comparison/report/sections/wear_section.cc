@@ -13,6 +13,7 @@
 #include "comparison/report/drawing/zone_map.h"
 #include "comparison/report/text/numbers.h"
 #include "comparison/report/text/table.h"
+#include "comparison/results/answer_text.h"
 
 namespace fretval {
 namespace {
@@ -20,6 +21,8 @@ namespace {
 using Results = std::vector<StoredResult>;
 using nlohmann::ordered_json;
 using Numbers = std::vector<double>;
+
+constexpr std::size_t few_courses = 3;  // that are printed
 
 const ordered_json* wear_of(const StoredResult& r) {
   const auto& fe = r.json.at("fe");
@@ -57,9 +60,22 @@ std::string end_text(const ordered_json& wear) {
   return end == "nothing left" ? "all that is pressed sticks" : end;
 }
 
+/// "2.3e+05, 56 h": up to the last one.
+std::string cycles_text(const StoredResult& r, const ordered_json& wear) {
+  const double cycles = wear.at("cycles").back().get<double>();
+  const auto period = period_of(r.json.at("scene"));
+  return fmt::format("{:.2g}", cycles) + (period ? ", " + time_text(*period * cycles) : "");
+}
+
+/// "0.0123 mm³, 0.99992"
+std::string volumes_text(const ordered_json& wear) {
+  const double volume = wear.at("volume").back().get<double>();
+  return fmt::format("{:.3g} mm³, {:.5f}", 1e9 * volume, volume / wear.at("volume_of_limit").get<double>());
+}
+
 Table table_of(const Results& results) {
   Table table{{"case", "body, law", "c", "distance from the limit", "… of the first-slip radius", "a∞, MDR",
-               "difference", "volume over that of the limit", "difference from MDR", "cycles", "end"}};
+               "difference", "volume worn, over that of the limit", "difference from MDR", "cycles, time", "end"}};
   for (const auto& r : results) {
     const auto* wear = wear_of(r);
     if (!wear) continue;
@@ -68,10 +84,8 @@ Table table_of(const Results& results) {
         {r.json.at("name").get<std::string>(), words_cell(r.text("scene", "rheology") + ", " + law_text(r)),
          length_text(r, "fe", "stick_radius_shakedown"), number_text(distance.at("shakedown")),
          number_text(distance.at("first_slip")), length_text(r, "mdr", "worn_radius"),
-         difference_with_bar(r, "worn_radius"),
-         fmt::format("{:.5f}", wear->at("volume").back().get<double>() / wear->at("volume_of_limit").get<double>()),
-         difference_with_bar(r, "worn_volume"), fmt::format("{:.2g}", wear->at("cycles").back().get<double>()),
-         words_cell(end_text(*wear))});
+         difference_with_bar(r, "worn_radius"), words_cell(volumes_text(*wear)), difference_with_bar(r, "worn_volume"),
+         words_cell(cycles_text(r, *wear)), words_cell(end_text(*wear))});
   }
   return table;
 }
@@ -288,6 +302,7 @@ Filling wear_section(const Results& results) {
   filling["template"] = "wear";
   filling["claims"] = filling_of(claims);
   filling["table"] = filling_of(table);
+  filling["long"] = courses.size() > few_courses;
   filling["courses"] = std::move(courses);
   return filling;
 }

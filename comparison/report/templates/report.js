@@ -3,9 +3,10 @@
 "use strict";
 (() => {
   // Okabe and Ito's palette, distinguishable with colour-blind eyes; as in palette.h.
-  const palette = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#b87d00", "#3a9bd0", "#6a51a3", "#555555", "#a6761d"];
-  const colour = (k) => palette[k % palette.length];
-  const zones = {s: ["sticks", "#14284f"], f: ["slips forward", "#c26a00"], b: ["slips backward", "#3a9bd0"], o: ["open", "#ffffff"]};
+  // Both for a light and for a dark page: report.css.
+  const n_colours = 9;
+  const colour = (k) => `var(--c${k % n_colours})`;
+  const zones = {s: ["sticks", "var(--sticks)"], f: ["slips forward", "var(--forward)"], b: ["slips backward", "var(--backward)"], o: ["open", "var(--paper)"]};
   const isDrawn = (v) => v !== null && Number.isFinite(v);
   const number = (v) => Math.abs(v) >= 1e5 || (v !== 0 && Math.abs(v) < 1e-3) ? d3.format(".3e")(v).replace("e+", "e") : String(+v.toPrecision(5));
 
@@ -67,11 +68,15 @@
   function ticks(axis, scale, n, given) {
     if (given) return axis.tickValues(given).tickFormat(d3.format("~g"));
     if (!scale.base) return axis.ticks(n).tickFormat((v) => (Math.abs(v) >= 1e4 || (v !== 0 && Math.abs(v) < 1e-3) ? d3.format(".1~e")(v) : d3.format("~r")(+v.toPrecision(9))).replace("e+", "e"));
-    const [low, high] = scale.domain().map(Math.log10);
+    const [low, high] = scale.domain().map(Math.log10), written = (v) => (v >= 0.001 && v <= 1000 ? d3.format("~g")(+v.toPrecision(6)) : (+v.toPrecision(6)).toExponential().replace("e+", "e"));
     const step = Math.max(1, Math.ceil((high - low) / n));
     const powers = d3.range(Math.ceil(low - 1e-9), high + 1e-9, 1).filter((k) => k % step === 0).map((k) => 10 ** k);
-    if (powers.length < 2) return axis.ticks(3).tickFormat(d3.format("~g"));
-    return axis.tickValues(powers).tickFormat((v) => (v >= 0.01 && v <= 1000 ? d3.format("~g")(v) : "1e" + Math.round(Math.log10(v))));
+    if (powers.length >= 2) return axis.tickValues(powers).tickFormat(written);
+    // Less than a decade or two: as many round values as there is room for.
+    const decades = d3.range(Math.floor(low), Math.ceil(high) + 1), inside = (v) => Math.log10(v) >= low - 1e-9 && Math.log10(v) <= high + 1e-9;
+    const choices = [[1, 2, 3, 4, 5, 6, 7, 8, 9], [1, 2, 3, 5, 7], [1, 2, 5], [1, 3]].map((digits) => decades.flatMap((k) => digits.map((d) => d * 10 ** k)).filter(inside));
+    const chosen = choices.find((values) => values.length <= n && values.length >= 2) ?? (choices[0].length < 2 ? d3.ticks(10 ** low, 10 ** high, Math.min(3, n)) : choices[0].filter((v, i, all) => i === 0 || i === all.length - 1));
+    return axis.tickValues(chosen).tickFormat(written);
   }
   function axes(svg, x, y, width, height, margin, plot) {
     svg.append("g").attr("transform", `translate(0,${height - margin.bottom})`).call(ticks(d3.axisBottom(x).tickSizeInner(-(height - margin.top - margin.bottom)).tickPadding(7), x, Math.max(3, width / 95), plot.x_tics));
@@ -81,7 +86,7 @@
   function symbol(node, series, x, y) {
     const open = series.style === "open points", triangle = series.style === "triangles";
     return node.append("path").attr("d", d3.symbol().type(triangle ? d3.symbolTriangle : d3.symbolCircle).size(triangle ? 60 : 22))
-      .attr("transform", `translate(${x},${y})`).attr("fill", open ? "#fff" : colour(series.colour)).attr("stroke", colour(series.colour)).attr("stroke-width", 1.3);
+      .attr("transform", `translate(${x},${y})`).attr("fill", open ? "var(--paper)" : colour(series.colour)).attr("stroke", colour(series.colour)).attr("stroke-width", 1.3);
   }
   const hasLine = (series) => /line|dashed/.test(series.style);
   const hasPoints = (series) => /points|triangles/.test(series.style);
@@ -169,7 +174,7 @@
       svg.append("clipPath").attr("id", clip).append("rect").attr("x", margin.left - 5).attr("y", margin.top - 5).attr("width", width - margin.left - margin.right + 10).attr("height", height - margin.top - margin.bottom + 10);
       for (const mark of plot.marks ?? []) {
         if (mark.x < xs[0] || mark.x > xs[1]) continue;
-        svg.append("line").attr("x1", x(mark.x)).attr("x2", x(mark.x)).attr("y1", margin.top).attr("y2", height - margin.bottom).attr("stroke", "#8b939d").attr("stroke-dasharray", "2 3");
+        svg.append("line").attr("x1", x(mark.x)).attr("x2", x(mark.x)).attr("y1", margin.top).attr("y2", height - margin.bottom).attr("stroke", "var(--axis)").attr("stroke-dasharray", "2 3");
         rich(svg.append("text").attr("text-anchor", "middle").attr("x", x(mark.x)).attr("y", margin.top - 7), mark.name);
       }
       const marks = svg.append("g").attr("clip-path", `url(#${clip})`).append("g");
@@ -190,7 +195,7 @@
         }
       });
       const visible = points.filter((p) => p.x >= margin.left - 1 && p.x <= width - margin.right + 1 && p.y >= margin.top - 1 && p.y <= height - margin.bottom + 1);
-      const ring = svg.append("circle").attr("r", 5).attr("fill", "none").attr("stroke", "#1a2230").attr("stroke-width", 1.5).attr("display", "none").attr("pointer-events", "none");
+      const ring = svg.append("circle").attr("r", 5).attr("fill", "none").attr("stroke", "var(--ink)").attr("stroke-width", 1.5).attr("display", "none").attr("pointer-events", "none");
       const name = (k) => { while (k > 0 && !plot.series[k].label) --k; return flat(plot.series[k].label); };
       const pick = (p) => {
         state.picked = p;
@@ -207,7 +212,7 @@
           draw();
         });
       const layer = svg.append("g").call(brush).style("touch-action", null);
-      layer.selectAll(".selection").attr("fill", "#0b5cad").attr("stroke", "#0b5cad");
+      layer.selectAll(".selection").attr("fill", "var(--accent)").attr("stroke", "var(--accent)");
       pinches(svg, marks, ({k, from, to}) => {
         const window = (scale, ends, axis) => ends.map((end) => scale.invert(from[axis] + (end - to[axis]) / k));
         state.zoom = k > 1 || state.zoom ? {x: window(x, x.range(), 0), y: window(y, y.range(), 1)} : null;
@@ -280,7 +285,7 @@
   }
   /// Around what is picked.
   function outline(svg) {
-    const box = svg.append("rect").attr("class", "picked").attr("fill", "none").attr("stroke", "#1a2230").attr("stroke-width", 2).attr("display", "none").attr("pointer-events", "none");
+    const box = svg.append("rect").attr("class", "picked").attr("fill", "none").attr("stroke", "var(--ink)").attr("stroke-width", 2).attr("display", "none").attr("pointer-events", "none");
     return (rect) => box.attr("display", rect ? null : "none").attr("x", rect?.x).attr("y", rect?.y).attr("width", rect?.width).attr("height", rect?.height);
   }
 
@@ -291,7 +296,7 @@
     const legend = root.append("div").attr("class", "legend");
     for (const z of present) {
       const one = legend.append("span");
-      one.append("svg").attr("viewBox", "0 0 22 10").attr("aria-hidden", "true").append("rect").attr("width", 22).attr("height", 10).attr("fill", zones[z][1]).attr("stroke", "#858d97");
+      one.append("svg").attr("viewBox", "0 0 22 10").attr("aria-hidden", "true").append("rect").attr("width", 22).attr("height", 10).attr("fill", zones[z][1]).attr("stroke", "var(--axis)");
       one.append("span").style("padding", 0).text(zones[z][0]);
     }
     const area = root.append("div"), tip = tooltip(root);
@@ -315,7 +320,7 @@
       svg.selectAll(".tick line").attr("stroke-opacity", 0.25);
       for (const mark of plot.marks ?? []) {
         // Seen on dark zones and on light ones.
-        svg.append("line").attr("x1", margin.left).attr("x2", width - margin.right).attr("y1", y(mark.x)).attr("y2", y(mark.x)).attr("stroke", "#858d97").attr("stroke-width", 1.5).attr("stroke-dasharray", "6 4");
+        svg.append("line").attr("x1", margin.left).attr("x2", width - margin.right).attr("y1", y(mark.x)).attr("y2", y(mark.x)).attr("stroke", "var(--axis)").attr("stroke-width", 1.5).attr("stroke-dasharray", "6 4");
         rich(svg.append("text").attr("class", "name").attr("x", width - margin.right + 6).attr("y", y(mark.x) + 4).style("font-weight", 600), mark.name);
       }
       const frame = outline(svg), m = plot.edges.length, middle = (i) => (plot.edges[i] + (i ? plot.edges[i - 1] : 0)) / 2;
@@ -351,7 +356,7 @@
       const ends = plot.rows.flatMap((row) => { let at = row.start; const steps = row.shares.map((share) => (at += share)); return [row.start, ...steps, at - row.bar, at + row.bar]; });
       const x = d3.scaleLinear().domain([1.05 * Math.min(0, d3.min(ends)), 1.05 * Math.max(plot.limit, d3.max(ends))]).range([margin.left, width - margin.right]);
       svg.append("g").attr("transform", `translate(0,${height - margin.bottom})`).call(ticks(d3.axisBottom(x).tickSizeInner(-(height - margin.top - margin.bottom)).tickPadding(7), x, width / 110));
-      svg.append("line").attr("x1", x(plot.limit)).attr("x2", x(plot.limit)).attr("y1", margin.top).attr("y2", height - margin.bottom).attr("stroke", "#1a2230").attr("stroke-dasharray", "4 3");
+      svg.append("line").attr("x1", x(plot.limit)).attr("x2", x(plot.limit)).attr("y1", margin.top).attr("y2", height - margin.bottom).attr("stroke", "var(--ink)").attr("stroke-dasharray", "4 3");
       const pieces = [];
       plot.rows.forEach((row, k) => {
         const top = margin.top + k * line + (narrow ? 22 : 8);
@@ -363,7 +368,7 @@
           if (share) pieces.push(piece);
           sum += share;
         });
-        if (row.bar) svg.append("line").attr("x1", x(sum - row.bar)).attr("x2", x(sum + row.bar)).attr("y1", top + 9).attr("y2", top + 9).attr("stroke", "#1a2230").attr("stroke-width", 2);
+        if (row.bar) svg.append("line").attr("x1", x(sum - row.bar)).attr("x2", x(sum + row.bar)).attr("y1", top + 9).attr("y2", top + 9).attr("stroke", "var(--ink)").attr("stroke-width", 2);
       });
       // A finger is wider than most shares.
       const apart = (v, low, size) => Math.max(low - v, 0, v - low - size), reach = 16;
@@ -413,7 +418,7 @@
     draws.forEach(({draw}) => draw());
   }
   window.addEventListener("beforeprint", () => {
-    document.querySelectorAll("details:not([open])").forEach((details) => { details.open = true; folded.push(details); });
+    document.querySelectorAll("details:not([open]):not(.long)").forEach((details) => { details.open = true; folded.push(details); });
     drawAll(true);
   });
   window.addEventListener("afterprint", () => {

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "tests/comparison/expect_parts.h"
+#include "tests/comparison/refusal.h"
 #include "tests/comparison/scratch_folder.h"
 
 namespace fretval {
@@ -260,6 +262,36 @@ TEST(CaseFile, NamesAFileThatIsNotThere) {
 TEST(CaseFile, RefusesASweepOverNothing) {
   const auto message = error_of(valid_case + "subsection Sweep\n  set Entry = Motion / Speed\n  set Values = 1\nend\n");
   EXPECT_NE(message.find("Motion / Speed"), std::string::npos) << message;
+}
+
+TEST(CaseFile, SaysHowManyValuesASweepMayHave) {
+  const auto sweep = [](const char* values) {
+    return valid_case + "subsection Sweep\n  set Entry = Motion / Phase\n  set Values = " + values + "\nend\n";
+  };
+  const ScratchFolder folder;
+  const auto cases = [&](const std::string& text) { return read_case_file(folder.write("case.prm", text)); };
+  expect_parts(refusal([&] { cases(sweep("0:0.001:190")); }),
+               {"Sweep / Values = 0:0.001:190", "at most 100000 values of Motion / Phase", "190001"});
+  EXPECT_EQ(cases(sweep("0:0.1:0.3")).size(), 4U);
+}
+
+TEST(CaseFile, OfTwoEntriesIsAMap) {
+  const auto map = [](const char* second) {
+    return valid_case +
+           "subsection Sweep\n  set Entry = Friction / Coefficient\n  set Values = 0.3, 0.5\n  set Second "
+           "entry = " +
+           second + "\n  set Second values = 5 um, 10 um, 15 um\nend\n";
+  };
+  const ScratchFolder folder;
+  const auto cases = read_case_file(folder.write("case.prm", map("Motion / Tangential amplitude")));
+  ASSERT_EQ(cases.size(), 6U);
+  EXPECT_EQ(cases[4].name, "case/coefficient-0.5-tangential-amplitude-1e-05");
+  EXPECT_EQ(cases[4].friction_coefficient, 0.5);
+  EXPECT_EQ(cases[4].motion.tangential_amplitude, 1e-5);
+  EXPECT_EQ(cases[4].sweep->second_entry, "Motion / Tangential amplitude");
+  EXPECT_EQ(cases[4].sweep->second_value, 1e-5);
+  expect_parts(refusal([&] { read_case_file(folder.write("case.prm", map("Friction / Coefficient"))); }),
+               {"Sweep / Second entry = Friction / Coefficient", "another one than the Entry"});
 }
 
 }  // namespace

@@ -40,6 +40,14 @@ TEST(EntryLookup, WhatWasMeantIsSaidAndNotMissingAsWell) {
   expect_parts(no_such_entry("Friction", "Phase", problems), {"did you mean Motion / Phase?"});
 }
 
+// "Base" of the section Body has fewer letters wrong.
+TEST(EntryLookup, PrefersTheEntriesOfTheSection) {
+  Problems problems;
+  expect_parts(no_such_entry("Motion", "Fase", problems), {"Motion / Fase: no such entry; did you mean Phase? "});
+  EXPECT_EQ(problems.meant.count("Motion / Phase"), 1U);
+  expect_parts(no_such_entry("Motion", "Radius", problems), {"did you mean Indenter / Radius or Body / Radius?"});
+}
+
 TEST(EntryLookup, IsWrittenAsAPage) {
   expect_parts(entries_reference(), {"## Motion\n\n| entry | values | unit |", "| Indentation | positive | m |",
                                      "| Normal harmonics | triples, a list | m, Hz, deg |"});

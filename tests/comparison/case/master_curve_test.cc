@@ -113,6 +113,25 @@ TEST(MasterCurve, OfFewFrequenciesIsFittedButNotHeldToItself) {
   EXPECT_LT(elastomer.master_curve->residual, 0.1);
 }
 
+// A spring-pot beside a spring of 1 MPa: G = 1 + c (i f)^0.3, whose loss at the lowest frequency is far from none. The
+// storage modulus falls below by (2/pi) G''/0.3 (c f^0.3 cos(0.15 pi) altogether).
+TEST(MasterCurve, WarnsAboutARelaxedModulusThatIsExtrapolated) {
+  std::string table = "f,G',G''\nHz,MPa,MPa\n";
+  const double pi = std::acos(-1.0);
+  for (int k = 0; k <= 24; ++k) {
+    const double f = std::pow(10, -2 + k / 6.0), size = 2 * std::pow(f, 0.3);
+    table += fmt::format("{:.8g},{:.8g},{:.8g}\n", f, 1 + size * std::cos(0.15 * pi), size * std::sin(0.15 * pi));
+  }
+  const auto [elastomer, warnings] = fit_of(table);
+  expect_parts(warnings, {"at the lowest frequency, 0.01 Hz, tan delta is still 0.16", "is extrapolated"});
+  const auto range = extrapolated_range(*elastomer.master_curve, elastomer.relaxed_modulus);
+  ASSERT_TRUE(range);
+  EXPECT_LT(range->least, 1e6 * 1.02);
+  EXPECT_GT(range->least, 1e6 * 0.9);
+  EXPECT_NEAR(range->most, 1e6 * (1 + 2 * std::pow(0.01, 0.3) * std::cos(0.15 * pi)), 1e2);
+  EXPECT_FALSE(extrapolated_range(*fit_of(standard_solid_table()).elastomer.master_curve, 1e6));
+}
+
 TEST(MasterCurve, RefusesATableByItsName) {
   expect_parts(refusal([] { fit_of("1,1e6,1e5\n2,1e6,1e5\n"); }), {"dma.csv: "});
 }

@@ -21,6 +21,11 @@ TEST(Plausibility, ImplausibleUnitsAreWarnedAbout) {
   EXPECT_EQ(warnings("Phase = 60", "Phase = 30"), "");
   expect_parts(warnings("Indentation = 1e-4", "Indentation = 0.1"), {"case.prm", "slope of 3.2", "a/R", "in m?"});
   expect_parts(warnings("Radius = 1e-2", "Radius = 1e-5"), {"case.prm", "a/R", "in m?"});
+  // 12.7 mm in m: a/R = sqrt(1.2e-4/12.7), with 12.7 mm sqrt(1.2e-4/0.0127).
+  expect_parts(
+      warnings("Radius = 1e-2", "Radius = 12.7"),
+      {"Indenter / Radius = 12.7 m", "a/R is 0.0031", "0.01 to 0.5 are usual", "With 12.7 mm a/R would be 0.097"});
+  EXPECT_EQ(warnings("Radius = 1e-2", "Radius = 1"), "");
   expect_parts(warnings("modulus = 1e6", "modulus = 1"), {"case.prm", "1 Pa is implausible", "in Pa?"});
   expect_parts(warnings("modulus = 1e6", "modulus = 1e12"), {"1e+12 Pa is implausible"});
   // a = sqrt(R (d0 + delta)): of a sphere it is where (a/2) ln((R+a)/(R-a)) = d, 1.3 % less at a/R = 0.283.
@@ -34,6 +39,13 @@ TEST(Plausibility, ImplausibleUnitsAreWarnedAbout) {
   const std::string displacement = "Indentation = 1e-4\n  set Normal amplitude = 2e-5",
                     force = "Normal force = 1e6\n  set Normal force amplitude = 0";
   EXPECT_EQ(warnings(displacement, force), "");
+}
+
+// MPa that are read in Pa beside a branch in Pa, and a body as it should be.
+TEST(Plausibility, HintsAtAModulusThatTheBodyHardlyReturnsBy) {
+  expect_parts(hint_at_modulus(read_case(replace(valid_case, "modulus = 1e6", "modulus = 1"))),
+               {"Elastomer / Relaxed shear modulus = 1 Pa", "beside a branch of 1e+06 Pa", "is it in Pa?"});
+  EXPECT_EQ(hint_at_modulus(read_case()), "");
 }
 
 // A parabola of 10 mm, one half of which is 3 % higher than the mean.

@@ -2,6 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
+#include <sstream>
+#include <utility>
+#include <vector>
+
+#include "mdr/support/csv_units.h"
+
 namespace fretval {
 namespace {
 
@@ -35,6 +42,24 @@ TEST(Units, AreSiWithoutOne) {
   EXPECT_EQ(value("7", Dimension::varying), 7);
 }
 
+// One table of units: what a column of a table may be in, an entry may, and the other way round.
+TEST(Units, OfTablesAndOfEntriesAreTheSame) {
+  const std::vector<std::pair<Dimension, const std::map<std::string, double>*>> both{
+      {Dimension::length, &mdr::length_units()},
+      {Dimension::pressure, &mdr::modulus_units()},
+      {Dimension::time, &mdr::time_units()},
+      {Dimension::force, &mdr::force_units()}};
+  for (const auto& [dimension, sizes] : both) {
+    for (const auto& [name, size] : *sizes) {
+      const auto read = read_measure("1 " + name, dimension);
+      ASSERT_TRUE(read) << name;
+      EXPECT_DOUBLE_EQ(read->value, size) << name;
+    }
+    std::istringstream names(base_unit(dimension) + ", " + other_units(dimension));
+    for (std::string name; std::getline(names >> std::ws, name, ',');) EXPECT_EQ(sizes->count(name), 1U) << name;
+  }
+}
+
 TEST(Units, OfSomethingElseAreRefused) {
   for (const char* text : {"5 Hz", "5 MM", "5 mm mm", "mm", "", "5,0 mm", "nan", "1e999 mm"})
     EXPECT_FALSE(read_measure(text, Dimension::length)) << text;
@@ -43,7 +68,7 @@ TEST(Units, OfSomethingElseAreRefused) {
 }
 
 TEST(Units, AreNamedInMessages) {
-  EXPECT_EQ(valid_units(Dimension::force), "in N, kN, mN, uN, \u00b5N, nN; in N without a unit");
+  EXPECT_EQ(valid_units(Dimension::force), "in N, kN, MN, mN, uN, \u00b5N, nN; in N without a unit");
   EXPECT_EQ(valid_units(Dimension::number), "a pure number, without a unit");
   EXPECT_EQ(base_unit(Dimension::wear_rate), "1/Pa");
 }

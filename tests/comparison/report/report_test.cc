@@ -422,10 +422,12 @@ TEST_F(ReportSlow, HasTheContrastThatTheGuidelinesAskFor) {
   EXPECT_EQ(found.at("failures"), nlohmann::json::array());
   EXPECT_GT(found.at("texts"), 500);
   EXPECT_GT(found.at("marks"), 500);
+  // The dark page on any screen.
+  EXPECT_EQ(contrast_with("(prefers-color-scheme: dark)", "(min-width: 1px)").at("failures"), nlohmann::json::array());
   // What the examiner is there for.
   expect_parts(contrast_with("--soft: #566070", "--soft: #8a94a4").at("failures").dump(),
                {"texts FIGCAPTION. rgb(138, 148, 164) on 255,255,255: 3.0"});
-  expect_parts(contrast_with("stroke: #858d97", "stroke: #b0b7c0").at("failures").dump(), {"marks path.domain"});
+  expect_parts(contrast_with("--axis: #858d97", "--axis: #b0b7c0").at("failures").dump(), {"marks path.domain"});
 }
 
 }  // namespace

@@ -47,6 +47,26 @@ TEST(AnswerText, SetsWhatWasNotAskedForApart) {
   expect_parts(text, {"12.0 ± 0.1 Pa            not resolved\n"});
 }
 
+// An energy that finite elements know to half of it, unasked.
+TEST(AnswerText, SaysWhatToSetWhereAnEnergyIsHardlyKnown) {
+  auto json = stored_result();
+  json["scene"].erase("sweep");
+  json["fe"]["friction_work"] = 1e-7;
+  json["fe"]["sliding_work"] = 1e-6;
+  json["comparison"]["friction_work"] = {{"difference", 1e-3}, {"tolerance", 1e-3},         {"error_bar", 0.05},
+                                         {"mdr_error", 0},     {"verdict", "not resolved"}, {"asked", false},
+                                         {"pass", true}};
+  expect_parts(kept_answer_text(json),
+               {"energy lost to friction", "not resolved; known to 50 %: set a Cycle tolerance"});
+}
+
+TEST(AnswerText, OfAListOfManyAnnuliHasTheFirst) {
+  nlohmann::ordered_json annuli = nlohmann::ordered_json::array();
+  for (int k = 1; k <= 9; ++k)
+    annuli.push_back({{"inner", 2e-6 * k}, {"outer", 2e-6 * k + 1e-6}, {"inner_bar", nullptr}, {"outer_bar", nullptr}});
+  expect_parts(annuli_text(annuli), {"2.00000 µm to 3.00000 µm; ", "; and 6 more, out to 19.0000 µm"});
+}
+
 // Of a prescribed force both have the largest exactly, and a mean of 0 but for roundoff. Springs say what they are off
 // by.
 TEST(AnswerText, ShowsTheErrorOfSpringsAndNoRoundoff) {

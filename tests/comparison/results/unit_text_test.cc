@@ -21,5 +21,14 @@ TEST(UnitText, ShowsAsManyDigitsAsTheBarAllows) {
   EXPECT_EQ(with_unit(0.11109, 1e-17, "N"), "111.090 mN");
 }
 
+TEST(UnitText, OfATestIsInTheUnitThatPeopleCountIn) {
+  EXPECT_EQ(time_text(90), "90 s");
+  EXPECT_EQ(time_text(3000), "50 min");
+  EXPECT_EQ(time_text(2e5), "2.31 days");
+  EXPECT_EQ(time_text(3e4), "8.33 h");
+  EXPECT_EQ(time_text(1e8), "3.17 years");
+  EXPECT_EQ(time_text(1e12), "3.2e+04 years");
+}
+
 }  // namespace
 }  // namespace fretval

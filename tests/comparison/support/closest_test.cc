@@ -30,5 +30,11 @@ TEST(Closest, EditsAThirdOfTheLetters) {
   EXPECT_EQ(closest("abcdex", {"abcdey", "abcdef"}), "abcdey") << "the first of equally near ones";
 }
 
+TEST(Closest, MayBeAskedForMore) {
+  EXPECT_EQ(closest("Fase", {"Path", "Phase"}), "");
+  EXPECT_EQ(closest("Fase", {"Path", "Phase"}, 0.4), "Phase");
+  EXPECT_EQ(closest("phase", {"Phase"}, 0), "Phase");
+}
+
 }  // namespace
 }  // namespace fretval

@@ -25,9 +25,30 @@ TEST(SweepSection, DrawsAnyEntryWithTheBarsInUnits) {
   const auto& sweep = filling.at("sweeps")[0];
   EXPECT_EQ(sweep.at("entry"), "Friction / Coefficient");
   const auto html = filling.dump();
-  expect_parts(html, {"Stick radii", "Friction / Coefficient", "dashed", "\"y\":[0.25,0.5]", "\"y\":[0.5,1.0]",
+  expect_parts(html, {"Stick radii", "Friction / Coefficient, μ", "dashed", "\"y\":[0.25,0.5]", "\"y\":[0.5,1.0]",
                       "\"bar\":[0.25,0.25]"});
   EXPECT_TRUE(sweeps_section({point(1, {})}).is_null()) << "a point is no curve";
+}
+
+// Over mu and u_x0: all sticks, in part, and nothing. Between 0.75 a and 0.25 a the square of MDR's radius is that of
+// 0.5 a at 1 + 2 (9 - 4)/(9 - 1); between a and nothing at 1 + 2 (1 - 1/4).
+TEST(SweepSection, DrawsTwoEntriesAsAMapOfRegimes) {
+  const auto at = [](double friction, double amplitude, double ratio) {
+    auto result = point(friction, {});
+    auto& json = result.json;
+    json["scene"]["sweep"]["second_entry"] = "Motion / Tangential amplitude";
+    json["scene"]["sweep"]["second_value"] = amplitude;
+    for (const char* side : {"fe", "mdr"}) {
+      json[side]["contact_radius_max"] = 2;
+      json[side]["stick_radius_shakedown"] = ratio > 0 ? nlohmann::ordered_json(2 * ratio) : nullptr;
+    }
+    return result;
+  };
+  const auto filling = sweeps_section({at(1, 1e-6, 0.75), at(1, 3e-6, 0.25), at(2, 1e-6, 1), at(2, 3e-6, 0)});
+  ASSERT_FALSE(filling.is_null());
+  EXPECT_EQ(filling.at("sweeps")[0].at("entry"), "Friction / Coefficient and Motion / Tangential amplitude");
+  expect_parts(filling.dump(), {"Fretting map", "Motion / Tangential amplitude, u_{x0} in µm", "all sticks",
+                                "partial slip", "gross slip", "c = 0.5 a, MDR", "\"x\":[1.0,2.0],\"y\":[2.25,2.5]"});
 }
 
 // A line through points of its own, where a run has left one.
@@ -47,7 +68,7 @@ TEST(SweepSection, SaysTheEntryInAUnitThatPeopleUse) {
     return result;
   };
   const auto html = sweeps_section({at(2e-3), at(4e-3)}).dump();
-  expect_parts(html, {"Indenter / Radius in mm", "\"x\":[2.0,4.0]"});
+  expect_parts(html, {"Indenter / Radius, R in mm", "\"x\":[2.0,4.0]"});
 }
 
 TEST(SweepSection, LeavesThePhaseToTheFiguresOfThePaper) {

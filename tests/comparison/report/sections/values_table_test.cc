@@ -86,5 +86,18 @@ TEST(ValuesTable, HasMoreQuantitiesOnAPageThanOnATerminal) {
   EXPECT_GT(quantities_with_units().size(), main_quantities().size());
 }
 
+// A row for each value, in the units of the entry.
+TEST(ValuesTable, HasARowForEachValueOfASweep) {
+  const auto at = [](double value) {
+    auto json = stored_result();
+    json["scene"]["sweep"] = {{"family", "family"}, {"entry", "Motion / Indentation"}, {"value", value}};
+    return StoredResult{json, {}};
+  };
+  const auto text = text_of(sweep_rows({at(1e-4), at(2e-4)}));
+  EXPECT_EQ(text.find("Motion / Indentation  stick radius, first slip"), 0U) << text;
+  EXPECT_NE(text.find("\n100 µm "), std::string::npos) << text;
+  EXPECT_NE(text.find("\n200 µm "), std::string::npos) << text;
+}
+
 }  // namespace
 }  // namespace fretval

@@ -34,10 +34,10 @@ TEST(WearSection, IsEmptyWithoutWear) {
 
 TEST(WearSection, SaysWhereItEnds) {
   const auto section = wear_section({wearing(true), wearing(false)});
-  expect_parts(section.dump(), {"Worn volume", "start of the wear", "end of the wear"});
+  expect_parts(section.dump(), {"Worn volume", "0.015 mm³, 0.50000", "start of the wear", "end of the wear"});
   expect_parts(rendered(section),
                {"1 of 2 indenters have worn to it", "2.5e-04 from the limiting profile", "at least 0.12 away",
-                "standard solid, p^0.5</td>", "<td>0.50000</td>", "+1.0e-05 ± 2e-04", "nothing wears any more</td>",
+                "standard solid, p^0.5</td>", "0.015 mm³, 0.50000</td>", "+1.0e-05 ± 2e-04", "nothing wears any more</td>",
                 "all that is pressed sticks</td>"});
 }
 

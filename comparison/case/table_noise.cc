@@ -1,0 +1,81 @@
+#include "comparison/case/table_noise.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fstream>
+#include <stdexcept>
+#include <vector>
+
+#include "mdr/profiles/profile.h"
+#include "mdr/profiles/profile_csv.h"
+
+namespace fretval {
+namespace {
+
+/// Of the middle one of five rows from the cubic through its neighbours, over what noise of deviation 1 makes of it.
+double scaled_residual(const double* r, const double* f) {
+  constexpr std::array<std::size_t, 4> others{0, 1, 3, 4};
+  double value = f[2], square = 1;
+  for (const auto i : others) {
+    double weight = 1;
+    for (const auto k : others)
+      if (k != i) weight *= (r[2] - r[k]) / (r[i] - r[k]);
+    value -= weight * f[i];
+    square += weight * weight;
+  }
+  return value / std::sqrt(square);
+}
+
+/// Standard deviation of heights around a smooth curve; 0 of few rows. Kinks are few, and a median does not see them.
+double noise_of_heights(const std::vector<double>& r, const std::vector<double>& f) {
+  constexpr std::size_t least_rows = 16, width = 5;
+  constexpr double deviation_over_median = 1.4826;  // of a normal distribution
+  if (r.size() < least_rows) return 0;
+  std::vector<double> sizes;
+  for (std::size_t i = 0; i + width <= r.size(); ++i) sizes.push_back(std::abs(scaled_residual(&r[i], &f[i])));
+  const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
+  std::nth_element(sizes.begin(), middle, sizes.end());
+  return deviation_over_median * *middle;
+}
+
+double to_one_digit(double value) {
+  const double digit = std::pow(10, std::floor(std::log10(value)));
+  return digit * std::round(value / digit);
+}
+
+bool is_explained_by(double noise, const mdr::ProfileRows& rows) try {
+  return mdr::falls_of_image(mdr::tabulated(rows.r, rows.f, noise)).empty();
+} catch (const std::invalid_argument&) {
+  return false;
+}
+
+}  // namespace
+
+std::optional<double> noise_behind_falls(const Case::Indenter& indenter) {
+  if (indenter.table.empty() || indenter.trace || indenter.table_noise > 0) return std::nullopt;
+  std::ifstream stream(indenter.table);
+  const auto rows = mdr::read_profile_rows(stream, indenter.table);
+  if (is_explained_by(0, rows)) return std::nullopt;
+  const double noise = noise_of_heights(rows.r, rows.f);
+  if (!(noise > 0)) return std::nullopt;
+  for (const double candidate : {to_one_digit(noise), to_one_digit(1.5 * noise)})
+    if (is_explained_by(candidate, rows)) return candidate;
+  return std::nullopt;
+}
+
+std::string noise_text(double noise) {
+  constexpr std::array<std::pair<const char*, double>, 4> units{{{"nm", 1e-9}, {"um", 1e-6}, {"mm", 1e-3}, {"m", 1}}};
+  auto unit = units.front();
+  for (const auto& one : units)
+    if (noise >= 0.1 * one.second) unit = one;
+  const auto text = fmt::format("{:.3g} {}", noise / unit.second, unit.first);
+  return fmt::format(
+      "it looks like noise of {0}: set Indenter / Table noise = {0}, and a convex profile is fitted, which MDR holds "
+      "for",
+      text);
+}
+
+}  // namespace fretval

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <istream>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "comparison/quantities/quantity.h"
+
+namespace fretval {
+
+/// docs/benchmarks.json, which is compiled into the program.
+extern const std::string_view benchmarks_json;
+
+/// What another code says of a benchmark, by quantity in SI units. From a table of one row: names of quantities as in
+/// docs/benchmarks.json, units, numbers; a quantity of which a benchmark has none is left out. Throws InputError that
+/// names the source and what would be valid.
+std::map<Quantity, double> read_foreign_answer(std::istream& stream, const std::string& source_name);
+
+/// A quantity of a benchmark beside what another code says of it.
+struct ScoreRow {
+  Quantity quantity;
+  std::optional<double> value;            ///< of the other code; empty: it says nothing
+  std::optional<double> mdr, fe;          ///< empty: there is none, as a stick radius where nothing sticks
+  double error_bar = 0;                   ///< of fe
+  std::optional<double> difference = {};  ///< of value from fe, or from MDR where fe has none, over its scale
+  bool agrees = true;                     ///< within the tolerance; or nothing is said
+  std::string remark = {};                ///< "is the stick radius, shakedown", or why it does not agree
+};
+
+/// Of a benchmark by its name. Radii are compared over the largest contact radius, all else relatively. Throws
+/// InputError for a name that there is not, and if the other code says nothing that the benchmark has.
+std::vector<ScoreRow> benchmark_score(const std::string& benchmark, const std::map<Quantity, double>& foreign,
+                                      double tolerance);
+
+/// Their names, in their order.
+std::vector<std::string> benchmark_names();
+
+/// All rows for a terminal, and how many agree.
+std::string score_text(const std::string& benchmark, const std::vector<ScoreRow>& rows, double tolerance);
+
+/// The same for scripts.
+nlohmann::ordered_json score_json(const std::string& benchmark, const std::vector<ScoreRow>& rows, double tolerance);
+
+}  // namespace fretval
