@@ -130,6 +130,7 @@ std::vector<PlannedPoint> planned_points() {
       [](MapScene& scene, double value) {
         scene.radius_over_thickness = value;
         scene.by_normal_force = true;
+        scene.coupled = value > 0;
       },
       planned);
   plan_elsewhere(planned);

@@ -3,12 +3,12 @@
 namespace fretval {
 namespace {
 
-Rows rows_on_64_rings(const Meshes&, const ExactScene& exact) {
+Rows poisson_rows_on_64_rings(const Meshes&, const ExactScene& exact) {
   return poisson_rows({64}, exact);
 }
 
 TEST(PoissonRowsSlow, FailForAnotherModulusFrictionOrIndenter) {
-  expect_to_guard(rows_on_64_rings, {{1.01}, {1, 0.41}, {1, 0.4, 1.01}});
+  expect_to_guard(poisson_rows_on_64_rings, {{1.01}, {1, 0.41}, {1, 0.4, 1.01}});
 }
 
 }  // namespace
