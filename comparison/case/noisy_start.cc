@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "comparison/support/quantile.h"
 #include "mdr/motion/record_reduction.h"
 
 namespace fretval {
@@ -32,9 +33,7 @@ double step_from_line(const Values& time, const Values& values, std::size_t i) {
 double usual_step(const Values& time, const Values& values) {
   Values sizes;
   for (std::size_t i = 1; i + n_behind < values.size(); ++i) sizes.push_back(std::abs(step_from_line(time, values, i)));
-  const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
-  std::nth_element(sizes.begin(), middle, sizes.end());
-  return *middle;
+  return quantile(sizes, 0.5).value_or(0);
 }
 
 }  // namespace

@@ -2,13 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <fstream>
 #include <stdexcept>
 #include <vector>
 
+#include "comparison/support/quantile.h"
 #include "mdr/profiles/profile.h"
 #include "mdr/profiles/profile_csv.h"
 
@@ -36,9 +36,7 @@ double noise_of_heights(const std::vector<double>& r, const std::vector<double>&
   if (r.size() < least_rows) return 0;
   std::vector<double> sizes;
   for (std::size_t i = 0; i + width <= r.size(); ++i) sizes.push_back(std::abs(scaled_residual(&r[i], &f[i])));
-  const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
-  std::nth_element(sizes.begin(), middle, sizes.end());
-  return deviation_over_median * *middle;
+  return deviation_over_median * quantile(sizes, 0.5).value_or(0);
 }
 
 double to_one_digit(double value) {

@@ -9,6 +9,7 @@
 #include "comparison/simulation/wear_run.h"
 #include "comparison/support/stopwatch.h"
 #include "fem/contact/static_contact.h"
+#include "fem/full_contact/fields.h"
 #include "fem/wear/rubbing_surface.h"
 
 namespace fretval {
@@ -36,8 +37,7 @@ fem::ContactRegion region_of(const std::vector<double>& radii, const fem::Angula
 }  // namespace
 
 Eigen::MatrixXd SurfaceWear::field(const VectorXd& points) const {
-  const auto n = static_cast<Index>(radii.size()) - 1;
-  return Eigen::Map<const Eigen::MatrixXd>(points.data(), n, points.size() / n);
+  return fem::as_field(points, static_cast<Index>(radii.size()) - 1);
 }
 
 Resolution resolution_for_surface_wear(const Case& input, const Resolution& of_the_case) {
@@ -81,7 +81,6 @@ SurfaceWear simulate_surface_wear(const FemCase& fem_case, const Case::WearKinet
   const Eigen::MatrixXd pressure = simulation.field(last.largest_pressure), path = simulation.field(last.path);
   const Eigen::MatrixXd stuck = (pressure.array() > 0 && path.array() == 0).cast<double>();
   simulation.sticks = region_of(surface.radii, grid, fem::rings_inside(stuck));
-  simulation.touches = region_of(surface.radii, grid, fem::rings_inside(pressure));
   simulation.seconds = watch.lap();
   return simulation;
 }

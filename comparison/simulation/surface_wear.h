@@ -15,10 +15,9 @@ namespace fretval {
 struct SurfaceWear {
   fem::WearCourse course;
   fem::AngularGrid grid;
-  std::vector<double> radii;   ///< of the rings
-  fem::ContactRegion sticks;   ///< where nothing slips at the end, whose edge is known to a ring: its uncertainty
-  fem::ContactRegion touches;  ///< where pressure acts in the last cycle
-  Eigen::VectorXd unworn;      ///< ring means of the height
+  std::vector<double> radii;  ///< of the rings
+  fem::ContactRegion sticks;  ///< where nothing slips at the end, whose edge is known to a ring: its uncertainty
+  Eigen::VectorXd unworn;     ///< ring means of the height
   double seconds = 0;
 
   /// A field of the points, rings x kept angles.

@@ -30,7 +30,8 @@ std::string description(const FemCase& fem, const fem::WearLaw& law, const fem::
     for (const double value : values) text += fmt::format(" {:a}", value);
   };
   const auto add_motion = [&add](const std::vector<fem::Oscillation>& oscillations) {
-    for (const auto& [amplitude, order, phase, across] : oscillations) add(std::array{amplitude, 1.0 * order, phase});
+    for (const auto& [amplitude, order, phase, across] : oscillations)
+      add(std::array{amplitude, 1.0 * order, phase, 1.0 * across});
   };
   add(profile.unworn);
   add(profile.worn);
@@ -43,7 +44,7 @@ std::string description(const FemCase& fem, const fem::WearLaw& law, const fem::
   add_motion(motion.normal);
   add_motion(motion.tangential);
   if (const auto& path = motion.path) {
-    for (const auto* rows : {&path->time, &path->normal, &path->tangential}) add(*rows);
+    for (const auto* rows : {&path->time, &path->normal, &path->tangential, &path->transverse}) add(*rows);
     add(std::array{path->rest_normal, path->rest_tangential});
   }
   add(std::array{law.coefficient, law.exponent, control.most_cycles, control.rate_fallen_to, control.largest_jump,

@@ -257,4 +257,14 @@ Series curve_from(const StoredResult& r, const char* file, const std::string& co
   return series;
 }
 
+Series over_cycles(const Filling& wear, const char* key, double unit, const Series& look) {
+  Series series = look;
+  const auto cycles = wear.at("cycles").get<std::vector<double>>(), values = wear.at(key).get<std::vector<double>>();
+  for (std::size_t i = 1; i < cycles.size(); ++i) {
+    series.x.push_back(cycles[i]);
+    series.y.push_back(values[i] / unit);
+  }
+  return series;
+}
+
 }  // namespace fretval

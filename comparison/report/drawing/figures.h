@@ -36,4 +36,8 @@ std::vector<Figure> limiting_profile_figures(const std::vector<StoredResult>& re
 Series curve_from(const StoredResult& result, const char* file, const std::string& column, double length, double depth,
                   const Series& look);
 
+/// A list of the course of a wear (results/wear_json.h) over its cycles, in a unit; from the second point on, for a
+/// logarithm of the cycles.
+Series over_cycles(const Filling& wear, const char* key, double unit, const Series& look);
+
 }  // namespace fretval

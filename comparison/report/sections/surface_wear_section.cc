@@ -34,19 +34,12 @@ std::string with_bar(const ordered_json& zone, const std::string& key) {
 Figure course_figure(const ordered_json& wear) {
   Plot plot{"In the course of wear", "cycles", "over that of MDR's limit"};
   plot.log_x = true;
-  const auto cycles = wear.at("cycles").get<Numbers>();
-  const auto add = [&](const char* key, const char* of_limit, const char* label, int colour) {
-    Series series{label, {}, {}, Series::Style::line_points, colour};
-    const auto values = wear.at(key).get<Numbers>();
-    const double unit = wear.at("limit_of_mdr").at(of_limit).get<double>();
-    for (std::size_t i = 1; i < cycles.size(); ++i) {
-      series.x.push_back(cycles[i]);
-      series.y.push_back(values[i] / unit);
-    }
-    plot.series.push_back(std::move(series));
+  const auto add = [&](const char* key, const char* label, int colour) {
+    const double unit = wear.at("limit_of_mdr").at(key).get<double>();
+    plot.series.push_back(over_cycles(wear, key, unit, {label, {}, {}, Series::Style::line_points, colour}));
   };
-  add("stick_radius", "stick_radius", "radius of what sticks", 2);
-  add("volume", "volume", "worn volume", 1);
+  add("stick_radius", "radius of what sticks", 2);
+  add("volume", "worn volume", 1);
   return {std::move(plot), "Points: the jumps of the finite elements over many cycles. MDR's limit is at 1."};
 }
 

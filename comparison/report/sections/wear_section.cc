@@ -180,17 +180,6 @@ Filling sequence_figure(const StoredResult& r) {
            "profile."}};
 }
 
-/// From the second point on, for a logarithm of the cycles.
-Series over_cycles(const ordered_json& wear, const char* key, double unit, const Series& look) {
-  Series series = look;
-  const auto cycles = wear.at("cycles").get<Numbers>(), values = wear.at(key).get<Numbers>();
-  for (std::size_t i = 1; i < cycles.size(); ++i) {
-    series.x.push_back(cycles[i]);
-    series.y.push_back(values[i] / unit);
-  }
-  return series;
-}
-
 Figure volume_figure(const StoredResult& r, const ordered_json& wear) {
   Plot plot{"Worn volume", "cycles", "over that of the limiting profile"};
   plot.log_x = true;

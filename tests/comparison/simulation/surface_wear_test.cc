@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <iterator>
+
+#include "tests/comparison/scratch_folder.h"
 #include "tests/comparison/shared_bodies.h"
 #include "tests/comparison/wearing_case.h"
 
@@ -28,12 +32,29 @@ TEST(SurfaceWear, InACircleEatsIntoWhatSticks) {
   EXPECT_EQ(n_told, wear.course.n_jumps);
   EXPECT_LT(wear.sticks.radius, 0.82);
   EXPECT_GT(wear.sticks.radius, 0.6);
-  EXPECT_GT(wear.touches.radius, wear.sticks.radius - 1e-12);
+  EXPECT_GT(wear.course.curve.back().contact_radius, wear.sticks.radius - 1e-12);
   EXPECT_NEAR(wear.sticks.along, wear.sticks.across, 2 * wear.sticks.uncertainty);
   EXPECT_DOUBLE_EQ(wear.sticks.radius, wear.course.curve.back().stick_radius);
   const auto worn = wear.field(wear.course.worn.back());
   EXPECT_EQ(worn.cols(), wear.grid.n_kept());
   EXPECT_EQ(worn.topRows(4).maxCoeff(), 0) << "what sticks does not wear";
+}
+
+// A motion across and one along x with the same numbers are two wears.
+TEST(SurfaceWear, KeepsACheckpointOfItsOwnForEachDirection) {
+  const ScratchFolder folder;
+  struct Killed {};
+  for (const bool across : {true, false}) {
+    auto prepared = wearing_in_a_circle();
+    prepared.fem.motion.tangential.back().across = across;
+    const auto resolution = resolution_for_surface_wear(prepared.input, prepared.fem.resolution);
+    const auto kill = [](const fem::WearCourse&) { throw Killed(); };
+    EXPECT_THROW(simulate_surface_wear(prepared.fem, *prepared.input.wear_kinetics, 0.8, resolution, shared_bodies(),
+                                       folder.path(), kill),
+                 Killed);
+  }
+  const std::filesystem::directory_iterator begin(folder.path()), end;
+  EXPECT_EQ(std::distance(begin, end), 2);
 }
 
 }  // namespace
