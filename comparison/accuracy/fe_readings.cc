@@ -74,7 +74,9 @@ Readings readings_of(const FeAnswer& fe, const Units& units) {
       {Quantity::contact_radius_max,
        {fe.contact_radius_max, fe.contact_radius_uncertainty,
         slides ? sliding : "the flank of a worn profile touches without pressure", has_radius}},
-      {Quantity::stick_radius_first_slip, {fe.stick_radius_first_slip, fe.first_slip_uncertainty, no_stick, !slides}},
+      {Quantity::stick_radius_first_slip,
+       {fe.stick_radius_first_slip, fe.first_slip_uncertainty, fe.from_touch && !slides ? nothing_at_rest : no_stick,
+        !slides && !fe.from_touch}},
       {Quantity::stick_radius_shakedown,
        {fe.stick_radius_shakedown, fe.shakedown_uncertainty,
         fe.single_pass ? "a single pass has no periodic state" : no_stick, !slides && !fe.single_pass}}};

@@ -146,6 +146,8 @@ struct Case {
     bool normal_force = false, tangential_force = false;  ///< what the columns are; false: displacements
     std::vector<double> transverse = {};                  ///< u_y in m; empty: it moves along x alone
     std::optional<PathReduction> reduction = {};          ///< empty: the rows are those of the file
+    /// Of a single pass: in its first row the indenter comes to touch, so that at rest nothing is in contact.
+    bool from_touch = false;
 
     [[nodiscard]] double duration() const { return time.back() - time.front(); }
   };

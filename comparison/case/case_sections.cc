@@ -319,7 +319,8 @@ Case::Body read_body(const EntryReader& entries, bool tangential) {
   else
     body.thickness = entries.number(section, "Thickness", positive_number);
   if (body.shape == Case::Body::Shape::cylinder) body.radius = entries.number(section, "Radius", positive_number);
-  body.is_bonded = entries.one_of(section, "Base", {"bonded", "frictionless"}) == "bonded";
+  // A base that is missing has been said once.
+  body.is_bonded = entries.one_of(section, "Base", {"bonded", "frictionless"}) != "frictionless";
   if (!body.is_bonded && tangential)
     entries.fail(section, "Base",
                  "bonded: nothing but a base to which it is bonded holds the body against the "

@@ -40,7 +40,9 @@ double usual_step(const Values& time, const Values& values) {
 
 std::vector<std::string> noisy_start(const Case::Path& path, double tolerance) {
   std::vector<std::string> warnings;
-  if (path.repeats || path.time.size() < least_rows) return warnings;
+  const auto& reduction = path.reduction;
+  const bool is_reduced = reduction && reduction->n_rows - reduction->n_cut > path.time.size();
+  if (path.repeats || path.from_touch || is_reduced || path.time.size() < least_rows) return warnings;
   struct Column {
     const char* name;
     const Values& values;
@@ -55,9 +57,8 @@ std::vector<std::string> noisy_start(const Case::Path& path, double tolerance) {
     if (is_force || !(first > matters) || !(noise > matters || first > far_off * usual)) continue;
     warnings.push_back(fmt::format(
         "{}: {} = {:.4g} m in the first row is {:.2g} m off the line through the rows behind it (other rows: {:.2g} "
-        "m): "
-        "the body rests in the first row, and the whole answer moves with it; smooth the record, or begin it with the "
-        "mean of a hold",
+        "m): the body rests in the first row, and the whole answer moves with it; Motion / Path tolerance smooths the "
+        "record, or begin it with the mean of a hold",
         path.file, name, values.front(), first, usual));
   }
   return warnings;

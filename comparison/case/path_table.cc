@@ -106,11 +106,12 @@ std::vector<double> transverse_column(const std::string& file, mdr::ChosenColumn
   return values;
 }
 
-/// A single pass that begins as the indenter comes to touch, in the first row, begins so little deeper that the body
-/// bears nothing yet: a start in contact takes no case of its own.
+/// A single pass that begins as the indenter comes to touch begins so little deeper that the body bears nothing yet: a
+/// start in contact takes no case of its own.
 void begin_in_contact(Case::Path& path) {
   constexpr double share_of_the_deepest = 1e-9;
   if (path.normal_force || path.repeats || path.normal.front() != 0) return;
+  path.from_touch = true;
   path.normal.front() = share_of_the_deepest * largest_of(path.normal);
 }
 

@@ -99,6 +99,12 @@ std::vector<std::string> implausible_values(const Case& input, const mdr::Profil
   const bool is_round = input.indenter.shape == Case::Shape::parabola || input.indenter.shape == Case::Shape::sphere;
   if (is_round && rise < least_ratio)
     warnings.push_back(flat_text(input, deepest, a));
+  else if (input.indenter.shape == Case::Shape::cone && !(rise >= least_rise && rise <= largest_rise))
+    warnings.push_back(
+        fmt::format("{}: Indenter / Slope angle = {:.4g} deg, a slope of {:.2g}: {} to {} are usual, as strains are of "
+                    "its order and both methods take them for small; it is the angle between the flank and the "
+                    "surface, 0 for a flat face",
+                    input.file, input.indenter.slope_angle, rise, least_rise, largest_rise));
   else if (!(rise >= least_rise && rise <= largest_rise))
     warnings.push_back(
         fmt::format("{}: at the largest indentation, {:.3g} m, the contact radius is a = {:.3g} m and the indenter "

@@ -53,6 +53,14 @@ std::size_t n_before_contact(const Case::Path& path) {
   return row;
 }
 
+/// Between two rows, in the place of the earlier one, where the indenter comes to touch.
+void touch_after(std::size_t row, Case::Path& path) {
+  const double above = path.normal[row], share = above / (above - path.normal[row + 1]);
+  path.time[row] += share * (path.time[row + 1] - path.time[row]);
+  path.tangential[row] += share * (path.tangential[row + 1] - path.tangential[row]);
+  path.normal[row] = 0;
+}
+
 void drop_rows(std::size_t n, Case::Path& path) {
   for (auto* values : {&path.time, &path.normal, &path.tangential})
     values->erase(values->begin(), values->begin() + static_cast<std::ptrdiff_t>(n));
@@ -134,6 +142,36 @@ void reduce(const PathTolerance& tolerance, Case::Path& path, Case::PathReductio
                               unit_of(path.tangential_force)));
 }
 
+/// Leaves out the rows before the contact; how many. A single pass of displacements begins where the indenter comes to
+/// touch, and so does one whose first indentation is no more than noise.
+std::size_t cut_to_contact(Case::Path& path) {
+  const auto n = n_before_contact(path);
+  if (n + 2 >= path.time.size()) return 0;
+  const bool is_pressed_in_once = !path.repeats && !path.normal_force,
+             is_noise = is_pressed_in_once && path.normal.front() <= deviations * noise_of(path.normal);
+  path.from_touch = !path.repeats && (n > 0 || is_noise);
+  if (n == 0 || !is_pressed_in_once) {
+    drop_rows(n, path);
+    if (is_noise) path.normal.front() = 0;
+    return n;
+  }
+  const bool is_a_row = path.normal[n - 1] == 0;
+  touch_after(n - 1, path);
+  drop_rows(n - 1, path);
+  return is_a_row ? n - 1 : n;
+}
+
+/// Means of rows, which may begin above the surface or below it.
+void touch_in_first_row(Case::Path& path) {
+  if (!path.from_touch || path.normal_force) return;
+  std::size_t first = 0;
+  while (first + 1 < path.normal.size() && path.normal[first + 1] <= 0) ++first;
+  if (first + 1 == path.normal.size()) return;
+  if (path.normal[first] < 0) touch_after(first, path);
+  drop_rows(first, path);
+  path.normal.front() = 0;
+}
+
 /// To all digits, of a record whose noise alone keeps its first tangential force from zero.
 void begin_at_zero(Case::Path& path) {
   if (!path.tangential_force || path.repeats) return;
@@ -147,10 +185,9 @@ Case::Path path_of_record(Case::Path path, const PathTolerance& tolerance, std::
   bool any = false;
   const bool has_period = !path.repeats || (closes(path.normal) && closes(path.tangential));
   if (!path.repeats || !has_period) {
-    if (const auto n_cut = n_before_contact(path); n_cut > 0 && n_cut + 2 < path.time.size()) {
+    if (const auto n_cut = cut_to_contact(path); n_cut > 0) {
       notes.push_back(fmt::format("{}: {} rows before the contact, up to t = {:g} s, are cut off", path.file, n_cut,
-                                  path.time[n_cut - 1]));
-      drop_rows(n_cut, path);
+                                  path.time.front()));
       reduction.n_cut = n_cut;
       any = true;
     }
@@ -162,6 +199,7 @@ Case::Path path_of_record(Case::Path path, const PathTolerance& tolerance, std::
   }
   if (path.time.size() > most_rows_of_path || tolerance.is_given) {
     reduce(tolerance, path, reduction, notes);
+    touch_in_first_row(path);
     begin_at_zero(path);
     any = true;
   }

@@ -12,12 +12,12 @@
 namespace fretval {
 namespace {
 
-/// Among the lines of one case file.
+/// Among the lines of one case file that are held to a tolerance: what has no error bars is not.
 ToleranceUse largest_use_of(const std::vector<BatchLine>& lines) {
-  const auto worst = std::max_element(lines.begin(), lines.end(), [](const BatchLine& a, const BatchLine& b) {
-    return a.largest_use.share < b.largest_use.share;
-  });
-  return worst->largest_use;
+  ToleranceUse largest;
+  for (const auto& line : lines)
+    if (line.outcome != Outcome::not_proved && line.largest_use.share > largest.share) largest = line.largest_use;
+  return largest;
 }
 
 /// A row for each value, where that is one sweep that a terminal has room for.

@@ -172,6 +172,8 @@ MdrAnswer path_answer(const MdrCase& mdr, const mdr::NormalResponse& normal, int
     answer_forced_path(mdr, times, answer);
   else
     answer_displaced_path(mdr, answer);
+  if (mdr.from_touch) answer.stick_radius_first_slip.reset();
+  answer.from_touch = mdr.from_touch;
   return answer;
 }
 

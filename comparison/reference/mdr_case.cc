@@ -318,10 +318,12 @@ MdrCase mdr_case(const Case& input_of_any_body) {
               motion.tangential_force.has_value()};
   mdr.displacement = displacement;
   mdr.cycle_tolerance = input.cycle_tolerance;
-  if (motion.path)
+  if (motion.path) {
     mdr.path = mdr::SampledPath{motion.path->time,      motion.path->normal,       motion.path->tangential,
                                 motion.path->repeats,   motion.path->normal_force, motion.path->tangential_force,
                                 motion.path->transverse};
+    mdr.from_touch = motion.path->from_touch;
+  }
   if (is_layer_of_mdr(input))
     mdr.layer = mdr::Layer{input.body.thickness, input.elastomer.poisson_ratio,
                            input.body.is_bonded ? mdr::LayerBase::bonded : mdr::LayerBase::frictionless};

@@ -34,6 +34,7 @@ struct MdrCase {
 
   /// Instead of the motion, which tells then how large the path is (see Case::Motion).
   std::optional<mdr::SampledPath> path = {};
+  bool from_touch = false;  ///< see Case::Path
 
   /// MDR's own layer instead of the half-space; then the body is that of the case.
   std::optional<mdr::Layer> layer = {};

@@ -34,7 +34,8 @@ Readings readings_of(const MdrAnswer& answer) {
                     in_a_pass = "a single pass has no periodic state";
   Readings readings{
       {Quantity::contact_radius_max, {answer.contact_radius_max, {}, "no contact carries the force without slip"}},
-      {Quantity::stick_radius_first_slip, {answer.stick_radius_first_slip, {}, nothing_sticks}},
+      {Quantity::stick_radius_first_slip,
+       {answer.stick_radius_first_slip, {}, answer.from_touch ? nothing_at_rest : nothing_sticks, !answer.from_touch}},
       {Quantity::stick_radius_shakedown,
        {answer.stick_radius_shakedown, {}, answer.single_pass ? in_a_pass : nothing_sticks, !answer.single_pass}},
       {Quantity::worn_radius, {answer.worn_radius, {}, answer.single_pass ? in_a_pass : "wear goes on", false}},

@@ -115,7 +115,8 @@ MdrAnswer plane_answer(const MdrCase& mdr, const mdr::NormalResponse& normal, in
   auto answer = with_normal_response(normal);
   answer.single_pass = mdr.is_single_pass();
   const auto radii = mdr::stick_radii(mdr.profile, depths_of(mdr));
-  answer.stick_radius_first_slip = radii.first_slip;
+  answer.from_touch = mdr.from_touch;
+  if (!answer.from_touch) answer.stick_radius_first_slip = radii.first_slip;
   if (!answer.single_pass) answer.stick_radius_shakedown = radii.shakedown;
   add_cycle(mdr, times, answer);
   return answer;

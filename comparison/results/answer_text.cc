@@ -309,6 +309,11 @@ bool is_single_pass(const ordered_json& result) {
   return path != result.at("scene").end() && path->value("repeats", "") == "once";
 }
 
+bool begins_with_touch(const ordered_json& result) {
+  const auto path = result.at("scene").find("path");
+  return path != result.at("scene").end() && path->value("from_touch", false);
+}
+
 bool has_slid(const ordered_json& result) {
   const auto slides = [&](const char* side) {
     const auto found = result.at(side).find("gross_slip");
@@ -336,6 +341,7 @@ std::string text_of_answer(const ordered_json& json, const std::string& wear) {
     asked = one.asked;
     text += answer_line(one.title, one.fe, one.mdr, one.remark);
   }
+  if (begins_with_touch(json)) text += answer_line("stick radius, first slip", "none", nothing_at_rest);
   if (is_single_pass(json)) text += answer_line("stick radius, shakedown", "none", no_shakedown_in_a_pass);
   for (const auto* line : {&answer.half_space, &answer.rings})
     if (!line->empty()) text += "  " + *line + "\n";

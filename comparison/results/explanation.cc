@@ -208,8 +208,8 @@ std::string groups_text(const Case& input, const ordered_json& mdr, bool worn) {
   return text + thickness_text(input, a);
 }
 
-/// single_pass: of a path. of_worn: the radii are those of the contact that wear ends in.
-std::string regime_text(const ordered_json& mdr, bool single_pass, bool of_worn) {
+/// path: of the case; empty: cosines. of_worn: the radii are those of the contact that wear ends in.
+std::string regime_text(const ordered_json& mdr, const std::optional<Case::Path>& path, bool of_worn) {
   const auto radius = [&](const char* key) {
     return mdr.at(key).is_null() ? std::string() : short_text(mdr.at(key).get<double>(), "m");
   };
@@ -221,7 +221,11 @@ std::string regime_text(const ordered_json& mdr, bool single_pass, bool of_worn)
   const auto first = radius("stick_radius_first_slip"), last = radius("stick_radius_shakedown"),
              worn = radius("worn_radius");
   std::string text;
-  if (single_pass) {
+  if (path && !path->repeats) {
+    if (path->from_touch)
+      return row("regime", "the contact grows from a touch") +
+             row("first slip", fmt::format("none: {}", nothing_at_rest)) +
+             row("shakedown", fmt::format("none: {}", no_shakedown_in_a_pass));
     text = row("regime", first.empty() ? "all of the contact slips in the pass" : "partial slip: a zone never slips");
     text += row("first slip", first.empty() ? "none" : "c = " + first + ", never slips since rest");
     return text + row("shakedown", fmt::format("none: {}", no_shakedown_in_a_pass));
@@ -322,12 +326,13 @@ std::string explanation(const Case& input, const std::vector<Case>& sweep) {
   if (input.body.shape == Case::Body::Shape::cylinder || input.body.grid) for_mdr.body = {};
   const auto document = mdr_document(for_mdr, false);
   const auto& mdr = document.json.at("mdr");
-  const bool of_worn = document.json.contains("limiting_state");
+  const bool of_worn = document.json.contains("limiting_state"),
+             from_touch = input.motion.path && input.motion.path->from_touch;
   auto text = input.name + "\n" + scene_text(input) + "\n" + groups_text(input, mdr, of_worn) + data_text(input) +
-              "\n" + regime_text(mdr, input.motion.path && !input.motion.path->repeats, of_worn) + "\n";
+              "\n" + regime_text(mdr, input.motion.path, of_worn) + "\n";
   if (input.tolerance == 0) return text + row("elements", "none: finite elements need an Accuracy / Tolerance");
   try {
-    return text + cost_text(prepare({input}).front(), sweep, has_small_zone(mdr));
+    return text + cost_text(prepare({input}).front(), sweep, !from_touch && has_small_zone(mdr));
   } catch (const InputError& error) {
     return text + row("elements", fmt::format("none: {}", error.what()));
   }

@@ -44,6 +44,7 @@ ordered_json path_json(const Case::Path& path) {
                     {"duration", path.duration()},
                     {"repeats", path.repeats ? "forever" : "once"}};
   if (!path.repeats) json["why_no_shakedown"] = no_shakedown_in_a_pass;
+  if (path.from_touch) json["from_touch"] = true;
   return json;
 }
 

@@ -184,11 +184,22 @@ std::string length_text(double length, double contact_radius) {
   return fmt::format(value < rounded_to_a_thousand ? "{:#.3g} {}m" : "{:.0f} {}m", value, prefix);
 }
 
+/// A stick radius of finite elements, with its error bar where that exceeds a tenth of it, so that not even its first
+/// digit is known: as where a record of a rig leaves it open.
+std::string stick_text(const ordered_json& result, Quantity quantity, double contact) {
+  const double stick = stored_number(result.at("fe"), name_of(quantity));
+  double bar = 0;
+  if (const auto compared = result.at("comparison").find(name_of(quantity)); compared != result.at("comparison").end())
+    bar = stored_number(*compared, "error_bar") * stored_number(result.at("scene"), "contact_radius_unworn");
+  return bar > stick / 10 ? with_unit(stick, bar, "m") : length_text(stick, contact);
+}
+
 /// What sticks for good, and where that ends.
 std::string zones_answer(const ordered_json& result, double stick, double contact) {
   constexpr double nearly_all = 0.9995;
   const auto& fe = result.at("fe");
   const auto text = [&](double length) { return length_text(length, contact); };
+  const auto inner = stick_text(result, Quantity::stick_radius_shakedown, contact);
   if (std::isnan(stick) && fe.value("lifts_off", false))
     return fmt::format(
         "the indenter lifts off in every cycle: nothing sticks for good, and all of the contact of {} wears",
@@ -197,17 +208,17 @@ std::string zones_answer(const ordered_json& result, double stick, double contac
     return fmt::format("nothing sticks for good: all of the contact of {} slips in every cycle, and wears on",
                        text(contact));
   if (const auto wear = fe.find("surface_wear"); wear != fe.end())
-    return fmt::format("unworn, the inner {} of a contact of {} sticks; of the worn indenter the inner {}", text(stick),
+    return fmt::format("unworn, the inner {} of a contact of {} sticks; of the worn indenter the inner {}", inner,
                        text(contact), text(stored_number(wear->at("sticks"), "radius")));
   if (stick >= nearly_all * contact)
     return fmt::format("all of the contact of {} sticks for good: nothing wears", text(contact));
   const double by_fe = stored_number(fe, "worn_radius"),
                by_mdr = result.contains("other_model") ? by_fe : stored_number(result.at("mdr"), "worn_radius"),
                worn = std::isnan(by_fe) ? by_mdr : by_fe;
-  const auto inner = fmt::format("the inner {} of a contact of {} sticks for good", text(stick), text(contact));
-  if (std::isnan(worn)) return inner + "; the ring outside wears";
+  const auto zones = fmt::format("the inner {} of a contact of {} sticks for good", inner, text(contact));
+  if (std::isnan(worn)) return zones + "; the ring outside wears";
   const bool has_worn = fe.contains("wear") && fe.at("wear").value("ends_in_limit", false);
-  return fmt::format("{}; the ring outside {}, out to {}", inner, has_worn ? "has worn off" : "wears", text(worn));
+  return fmt::format("{}; the ring outside {}, out to {}", zones, has_worn ? "has worn off" : "wears", text(worn));
 }
 
 }  // namespace
@@ -262,10 +273,13 @@ std::string plain_answer(const ordered_json& result) {
                first = stored_number(fe, "stick_radius_first_slip");
   if (result.contains("not_compared") || std::isnan(contact)) return "";
   const auto path = scene.find("path");
+  if (path != scene.end() && path->value("from_touch", false))
+    return fmt::format("in this pass the contact grows from a touch to {}", length_text(contact, contact));
   if (path != scene.end() && path->value("repeats", "") == "once")
     return std::isnan(first) ? fmt::format("in this pass all of the contact of {} slips", length_text(contact, contact))
                              : fmt::format("in this pass the inner {} of a contact of {} never slips",
-                                           length_text(first, contact), length_text(contact, contact));
+                                           stick_text(result, Quantity::stick_radius_first_slip, contact),
+                                           length_text(contact, contact));
   if (scene.value("wear", "") == "limiting" && !std::isnan(stick))
     return fmt::format("this worn indenter is pressed, and sticks, within {}: nothing wears any more",
                        length_text(stick, contact));

@@ -70,6 +70,8 @@ FeAnswer compute_case(const FemCase& fem_case, const Resolution& resolution, Bod
   } catch (const fem::GrossSlip& slip) {
     answer = answer_of(slip, fem);
   }
+  if (fem.from_touch) answer.stick_radius_first_slip.reset();
+  answer.from_touch = fem.from_touch;
   answer.body = body->summary;
   answer.whole_body = whole;
   return answer;

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
+#include "fem/support/dense.h"
 #include "fem/support/solver_error.h"
 
 namespace fretval::fem {
@@ -83,6 +85,11 @@ Eigen::VectorXd diagonal_of(const Eigen::MatrixXd& transform, const std::vector<
   return diagonal.rowwise().maxCoeff();
 }
 
+/// Amplitudes from the first on, a column for each of the copies that a block serves.
+Eigen::Map<Eigen::MatrixXd> columns_of(Eigen::MatrixXd& amplitudes, Index first, Index rows, Index n_copies) {
+  return {amplitudes.col(first).data(), rows, n_copies};
+}
+
 }  // namespace
 
 SurfaceOperator::SurfaceOperator(const SurfaceCompliance& surface, const AngularGrid& grid, Fields fields,
@@ -96,6 +103,7 @@ SurfaceOperator::SurfaceOperator(const SurfaceCompliance& surface, const Angular
   transform_.resize(amplitudes.front().weights.size(), static_cast<Index>(amplitudes.size()));
   for (Index i = 0; i < transform_.cols(); ++i) transform_.col(i) = amplitudes[static_cast<std::size_t>(i)].weights;
   blocks_ = blocks_of(surface, amplitudes, coupling);
+  transposed_ = transform_.transpose();
   diagonal_ = diagonal_of(transform_, blocks_, n_rings());
 }
 
@@ -117,15 +125,15 @@ SurfaceOperator SurfaceOperator::leading(Index n_rings) const {
 
 void SurfaceOperator::apply(const Eigen::MatrixXd& field, Eigen::MatrixXd& result) const {
   const Index n = n_rings();
-  const Eigen::MatrixXd amplitudes = field * transform_;
-  Eigen::MatrixXd work(n, amplitudes.cols());
+  Eigen::MatrixXd amplitudes(n, transform_.cols()), displaced(n, transform_.cols());
+  multiply(field, transform_, amplitudes);
   for (const auto& block : blocks_) {
     const Index rows = n * block.n_components;
-    const Eigen::Map<const Eigen::MatrixXd> from(amplitudes.col(block.first).data(), rows, block.n_copies);
-    Eigen::Map<Eigen::MatrixXd> to(work.col(block.first).data(), rows, block.n_copies);
-    for (Index copy = 0; copy < block.n_copies; ++copy) to.col(copy).noalias() = *block.matrix * from.col(copy);
+    multiply(block.matrix, columns_of(amplitudes, block.first, rows, block.n_copies),
+             columns_of(displaced, block.first, rows, block.n_copies));
   }
-  result.noalias() = work * transform_.transpose();
+  result.resize(n, transform_.rows());
+  multiply(displaced, transposed_, result);
 }
 
 // Harmonics are orthogonal on the angles, so the field of an amplitude is its row of T over the square of that. The
@@ -138,20 +146,23 @@ InverseOperator::InverseOperator(const SurfaceOperator& op, const Eigen::VectorX
     Eigen::MatrixXd matrix = block.matrix;
     for (Index i = 0; i < block.n_components; ++i)
       matrix.diagonal().segment(i * tied.size(), tied.size()) += fields_.col(block.first + i).squaredNorm() * tied;
-    factors_.push_back({block.first, block.n_components, block.n_copies, matrix.llt()});
-    if (factors_.back().llt.info() != Eigen::Success)
-      throw SolverError("a Fourier order of the contact compliance is not positive definite");
+    auto inverted = inverse(std::move(matrix));
+    if (!inverted) throw SolverError("a Fourier order of the contact compliance is not positive definite");
+    blocks_.push_back({block.first, block.n_components, block.n_copies, SharedMatrix(std::move(*inverted))});
   }
+  transposed_ = fields_.transpose();
 }
 
 void InverseOperator::apply(const Eigen::MatrixXd& field, Eigen::MatrixXd& result) const {
-  Eigen::MatrixXd amplitudes = field * fields_;
-  for (const auto& factor : factors_) {
-    Eigen::Map<Eigen::MatrixXd> part(amplitudes.col(factor.first).data(), amplitudes.rows() * factor.n_components,
-                                     factor.n_copies);
-    factor.llt.solveInPlace(part);
+  Eigen::MatrixXd amplitudes(field.rows(), fields_.cols()), solved(field.rows(), fields_.cols());
+  multiply(field, fields_, amplitudes);
+  for (const auto& block : blocks_) {
+    const Index rows = field.rows() * block.n_components;
+    multiply(block.matrix, columns_of(amplitudes, block.first, rows, block.n_copies),
+             columns_of(solved, block.first, rows, block.n_copies));
   }
-  result.noalias() = amplitudes * fields_.transpose();
+  result.resize(field.rows(), fields_.rows());
+  multiply(solved, transposed_, result);
 }
 
 }  // namespace fretval::fem

@@ -55,7 +55,7 @@ class SurfaceOperator {
   AngularGrid grid_;
   std::vector<double> radii_;
   Eigen::VectorXd areas_, diagonal_;
-  Eigen::MatrixXd transform_;
+  Eigen::MatrixXd transform_, transposed_;
   std::vector<OrderBlock> blocks_;
 };
 
@@ -70,12 +70,8 @@ class InverseOperator {
   void apply(const Eigen::MatrixXd& field, Eigen::MatrixXd& result) const;
 
  private:
-  struct Factor {
-    Eigen::Index first, n_components, n_copies;
-    Eigen::LLT<Eigen::MatrixXd> llt;
-  };
-  Eigen::MatrixXd fields_;  // of unit amplitudes, a column each
-  std::vector<Factor> factors_;
+  Eigen::MatrixXd fields_, transposed_;  // of unit amplitudes, a column each
+  std::vector<OrderBlock> blocks_;       // inverses
 };
 
 }  // namespace fretval::fem

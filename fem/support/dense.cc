@@ -57,6 +57,19 @@ void add_columns(const double* columns, Index stride, const double (&factors)[n_
   }
 }
 
+/// y <- A x, n_registers of rows of a matrix at a time. Whatever their width, sums are the same to the last bit.
+template <Index width, Index n_registers>
+void multiply_rows(const double* columns, Index stride, Index n_columns, const double* x, double* y) {
+  using Register [[gnu::vector_size(width * sizeof(double))]] = double;
+  Register sums[n_registers]{}, read;
+  for (Index j = 0; j < n_columns; ++j)
+    for (Index part = 0; part < n_registers; ++part) {
+      std::memcpy(&read, columns + j * stride + part * width, sizeof(Register));
+      sums[part] += x[j] * read;
+    }
+  std::memcpy(y, sums, sizeof(sums));
+}
+
 }  // namespace
 
 const std::string& dense_kernels() {
@@ -132,6 +145,37 @@ void subtract_product(const Eigen::MatrixXd& matrix, Eigen::Index row, Eigen::In
   if (n_rows == 0 || n_columns == 0) return;
   cblas_dgemv(CblasColMajor, CblasNoTrans, n_rows, n_columns, -1, &matrix(row, column),
               static_cast<blasint>(matrix.rows()), x.data(), 1, 1, y.data(), 1);
+}
+
+void multiply(const Eigen::MatrixXd& matrix, const Eigen::Ref<const Eigen::MatrixXd>& x,
+              Eigen::Ref<Eigen::MatrixXd> y) {
+  const Index n_rows = matrix.rows(), n_columns = matrix.cols();
+  in_wide_registers([&, columns = matrix.data()](auto width) {
+    constexpr Index many = 16 / width;
+    for (Index k = 0; k < x.cols(); ++k) {
+      const double* from = x.data() + k * x.outerStride();
+      double* to = y.data() + k * y.outerStride();
+      Index i = 0;
+      for (; i + 16 <= n_rows; i += 16) multiply_rows<width, many>(columns + i, n_rows, n_columns, from, to + i);
+      for (; i + at_once <= n_rows; i += at_once)
+        multiply_rows<width, at_once / width>(columns + i, n_rows, n_columns, from, to + i);
+      for (; i < n_rows; ++i) {
+        double sum = 0;
+        for (Index j = 0; j < n_columns; ++j) sum += from[j] * columns[j * n_rows + i];
+        to[i] = sum;
+      }
+    }
+  });
+}
+
+std::optional<Eigen::MatrixXd> inverse(Eigen::MatrixXd matrix) {
+  char lower = 'L';
+  blasint n = static_cast<blasint>(matrix.rows()), info = 0;
+  BLASFUNC(dpotrf)(&lower, &n, matrix.data(), &n, &info);
+  if (info == 0) BLASFUNC(dpotri)(&lower, &n, matrix.data(), &n, &info);
+  if (info != 0) return std::nullopt;
+  matrix.triangularView<Eigen::StrictlyUpper>() = matrix.transpose();
+  return matrix;
 }
 
 Eigen::VectorXd solve_square(Eigen::MatrixXd matrix, Eigen::VectorXd rhs) {

@@ -37,6 +37,12 @@ inline void multiply_trailing(const Eigen::MatrixXd& lower, Eigen::Ref<Eigen::Ve
 void subtract_product(const Eigen::MatrixXd& matrix, Eigen::Index row, Eigen::Index column,
                       const Eigen::Ref<const Eigen::VectorXd>& x, Eigen::Ref<Eigen::VectorXd> y);
 
+/// y <- A x. A vector with more columns than one: of each of them.
+void multiply(const Eigen::MatrixXd& matrix, const Eigen::Ref<const Eigen::MatrixXd>& x, Eigen::Ref<Eigen::MatrixXd> y);
+
+/// The inverse of a symmetric positive definite matrix; empty: it is none.
+std::optional<Eigen::MatrixXd> inverse(Eigen::MatrixXd matrix);
+
 /// matrix^-1 rhs of any square matrix.
 Eigen::VectorXd solve_square(Eigen::MatrixXd matrix, Eigen::VectorXd rhs);
 

@@ -285,6 +285,7 @@ void take_path(const Case::Path& path, FemCase& fem) {
   time.back() = mdr::angular_frequency(1);
   const auto rest = rest_of(path);
   const double normal = unit_of(path.normal_force, fem.units), tangential = unit_of(path.tangential_force, fem.units);
+  fem.from_touch = path.from_touch;
   fem.motion.indentation = rest.normal / normal;
   fem.motion.path = fem::SampledPath{std::move(time),
                                      over(path.normal, normal),

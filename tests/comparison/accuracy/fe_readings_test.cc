@@ -48,6 +48,9 @@ TEST(FeReadings, SayWhyThereIsNoValue) {
   EXPECT_FALSE(readings.at(Quantity::contact_radius_max).is_compared);
   fe.single_pass = true;
   EXPECT_FALSE(readings_of(fe, some_units).at(Quantity::stick_radius_shakedown).is_compared);
+  fe.from_touch = true;
+  EXPECT_EQ(readings_of(fe, some_units).at(Quantity::stick_radius_first_slip).why_absent, nothing_at_rest);
+  EXPECT_FALSE(readings_of(fe, some_units).at(Quantity::stick_radius_first_slip).is_compared);
   fe.gross_slip = GrossSlipStart{1, 0.5};
   readings = readings_of(fe, some_units);
   EXPECT_EQ(readings.at(Quantity::normal_force_max).why_absent, "the whole contact slides");

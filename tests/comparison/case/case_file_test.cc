@@ -76,6 +76,8 @@ TEST(CaseFile, RefusesImpossibleBodies) {
   names(on("set Shape = slab\n"), "expected one of half space, layer, cylinder");
   names(on("set Shape = layer\nset Base = bonded\n"), "Body / Thickness");
   names(on("set Shape = layer\nset Thickness = 1 mm\n"), "Body / Base");
+  const auto missing = error_of(on("set Shape = layer\nset Thickness = 1 mm\n"));
+  EXPECT_EQ(missing.find("Body / Base"), missing.rfind("Body / Base")) << "said once: " << missing;
   names(on("set Shape = layer\nset Thickness = 1 mm\nset Radius = 1 mm\nset Base = bonded\n"),
         "belongs to Shape = cylinder");
   names(on("set Thickness = 1 mm\n"), "belongs to Shape = layer or cylinder");

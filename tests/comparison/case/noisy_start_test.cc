@@ -38,6 +38,9 @@ TEST(NoisyStart, IsNothingOfASmoothPathOrOneThatRepeatsOrHasFewRows) {
   auto path = path_with(5e-6, 0);
   path.repeats = true;
   EXPECT_TRUE(noisy_start(path, 1e-3).empty());
+  auto reduced = path_with(5e-6, 0);
+  reduced.reduction = Case::PathReduction{3000, 10};
+  EXPECT_TRUE(noisy_start(reduced, 1e-3).empty()) << "rows that were left out stood between those that are kept";
   EXPECT_TRUE(noisy_start({"rows.csv", {0, 1, 2}, {1e-4, 2e-4, 1e-4}, {0, 1e-5, 0}}, 1e-3).empty());
 }
 

@@ -88,6 +88,8 @@ TEST(PathTable, IsRefusedByName) {
 // In contact, but so little that the body bears nothing yet.
 TEST(PathTable, OfAPassMayBeginAsTheIndenterTouches) {
   const auto path = read("t,d,u_x\ns,um,um\n0,0,0\n1,100,1\n", false);
+  EXPECT_TRUE(path.from_touch);
+  EXPECT_FALSE(read("t,d,u_x\ns,um,um\n0,1,0\n1,100,1\n", false).from_touch);
   EXPECT_GT(path.normal.front(), 0);
   EXPECT_LT(path.normal.front(), 1e-8 * path.normal.back());
 }

@@ -33,6 +33,9 @@ TEST(Plausibility, ImplausibleUnitsAreWarnedAbout) {
                {"a/R is 0.28", "sphere of radius 0.01 m", "smaller by 1.3 %", "Indenter / Shape = sphere"});
   EXPECT_EQ(warnings("Shape = parabola\n  set Radius = 1e-2", "Shape = sphere\n  set Radius = 1.6e-3"), "");
   EXPECT_EQ(warnings("Indentation = 1e-4", "Indentation = 5e-4"), "");
+  const auto steep = warnings("Shape = parabola\n  set Radius = 1e-2", "Shape = cone\n  set Slope angle = 89.9");
+  expect_parts(steep, {"Indenter / Slope angle = 89.9 deg, a slope of 5.7e+02", "between the flank and the surface"});
+  EXPECT_EQ(steep.find("in m?"), std::string::npos) << "no length makes a cone steep: " << steep;
   expect_parts(warnings("Normal amplitude = 2e-5", "Normal amplitude = 1.01e-4"), {"lifts off in every cycle"});
   EXPECT_EQ(warnings("Normal amplitude = 2e-5", "Normal amplitude = 1e-4"), "");
   // Of a prescribed force the indentation is not known here.

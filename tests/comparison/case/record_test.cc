@@ -86,10 +86,61 @@ TEST(Record, BeginsWithTheContact) {
   const auto path = path_of_record(record(1, 500, 0, false, 2), {}, notes);
   ASSERT_TRUE(path.reduction);
   // d = 0 after 2 s (1 - 110/150).
-  EXPECT_NEAR(path.time.front(), 2 * (1 - 110.0 / 150), 2.5e-3);
-  EXPECT_GT(path.normal.front(), 0);
-  EXPECT_EQ(path.reduction->n_cut + path.time.size(), 1501U);
+  EXPECT_NEAR(path.time.front(), 2 * (1 - 110.0 / 150), 1e-12);
+  EXPECT_EQ(path.normal.front(), 0);
+  EXPECT_TRUE(path.from_touch);
+  EXPECT_EQ(path.reduction->n_cut + path.time.size(), 1502U) << "the touch lies between two rows";
   expect_parts(notes.at(0), {"rows before the contact", "cut off"});
+}
+
+// In contact by less than four standard deviations of the noise, or by more.
+TEST(Record, IsInContactAtRestByMoreThanNoise) {
+  for (const double rest : {2e-7, 6e-7}) {
+    std::mt19937 engine(5);
+    std::normal_distribution<double> noise(0, 1e-7);
+    Case::Path press{"press.csv", {}, {}, {}, false};
+    for (int i = 0; i <= 200; ++i) {
+      press.time.push_back(0.01 * i);
+      press.normal.push_back(rest + 1e-5 * press.time.back() + (i == 0 ? 0 : noise(engine)));
+      press.tangential.push_back(0);
+    }
+    std::vector<std::string> notes;
+    EXPECT_EQ(path_of_record(press, {}, notes).from_touch, rest < 4e-7) << rest;
+  }
+}
+
+// Without noise a row at d = 0 is the touch itself, and is no row before the contact.
+TEST(Record, KeepsARowAtTheTouch) {
+  std::vector<std::string> notes;
+  const auto path = path_of_record({"press.csv", {0, 1, 2, 3}, {0, 1e-5, 2e-5, 1e-5}, {0, 0, 1e-6, 0}, false}, {}, notes);
+  EXPECT_TRUE(path.from_touch);
+  EXPECT_EQ(path.time.size(), 4U);
+  EXPECT_TRUE(notes.empty());
+}
+
+TEST(Record, BeginsWhereMeansOfNoisyRowsTouchTheSurface) {
+  PathTolerance tolerance;
+  tolerance.length = 2e-7;
+  tolerance.is_given = true;
+  for (unsigned seed = 1; seed <= 20; ++seed) {
+    std::mt19937 engine(seed);
+    std::normal_distribution<double> noise(0, 1e-7);
+    Case::Path ramp{"ramp.csv", {}, {}, {}, false};
+    for (int i = 0; i <= 5000; ++i) {
+      const double t = 1e-3 * i;
+      ramp.time.push_back(t);
+      ramp.normal.push_back(4e-6 * t + noise(engine));
+      ramp.tangential.push_back(1e-6 * t + noise(engine));
+    }
+    std::vector<std::string> notes;
+    const auto path = path_of_record(std::move(ramp), tolerance, notes);
+    EXPECT_TRUE(path.from_touch) << seed;
+    EXPECT_EQ(path.normal[0], 0) << seed;
+    EXPECT_GT(path.normal[1], 0) << seed;
+    // On the ramp within the errors that are told of its rows.
+    EXPECT_NEAR(path.normal[0], 4e-6 * path.time[0], path.reduction->normal_error) << seed;
+    EXPECT_NEAR(path.tangential[0], 1e-6 * path.time[0], path.reduction->tangential_error) << seed;
+  }
 }
 
 TEST(Record, ThatNeitherClosesNorRepeatsIsRefused) {

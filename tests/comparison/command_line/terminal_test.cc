@@ -55,7 +55,9 @@ TEST(Verdicts, AreNoWorseAndNoBetterThanWhatIsKnown) {
              bad = line_with("one/c", 2e-3, Outcome::disagree), bare = line_with("one/d", 2e-3, Outcome::not_proved);
   expect_parts(verdicts_of({open, good}), {"not resolved one ", "  1 of   2 agree, 1 not resolved"});
   expect_parts(verdicts_of({open, bad}), {"DISAGREE     one ", "  0 of   2 agree, 1 disagree, 1 not resolved"});
-  expect_parts(verdicts_of({bare, good}), {"not proved   one ", "  1 of   2 agree, 1 not proved"});
+  expect_parts(verdicts_of({bare, good}),
+               {"not proved   one ", "  1 of   2 agree, 1 not proved; closest to its tolerance", "in one/b"});
+  EXPECT_EQ(verdicts_of({bare}).find("tolerance"), std::string::npos) << "what is not proved is held to none";
 }
 
 TEST(Verdicts, ComeAfterTheValues) {

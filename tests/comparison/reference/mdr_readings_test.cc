@@ -23,6 +23,9 @@ TEST(MdrReadings, SayWhyThereIsNoValue) {
   pass.stick_radius_shakedown.reset();
   EXPECT_EQ(readings_of(pass).at(Quantity::stick_radius_shakedown).why_absent, "a single pass has no periodic state");
   EXPECT_FALSE(readings_of(pass).at(Quantity::stick_radius_shakedown).is_compared);
+  pass.from_touch = true;
+  EXPECT_EQ(readings_of(pass).at(Quantity::stick_radius_first_slip).why_absent, nothing_at_rest);
+  EXPECT_FALSE(readings_of(pass).at(Quantity::stick_radius_first_slip).is_compared);
   // Of an unworn indenter it is no amplitude of 0.
   EXPECT_FALSE(readings_of(unworn_answer()).at(Quantity::limiting_amplitude).is_compared);
 }

@@ -61,6 +61,11 @@ TEST(PlainAnswer, HasAHeadlineOfItsOwnForEachKindOfContact) {
   EXPECT_EQ(plain_answer(pass), "in this pass all of the contact of 1.10 mm slips");
   pass["fe"]["stick_radius_first_slip"] = 5e-4;
   EXPECT_EQ(plain_answer(pass), "in this pass the inner 0.500 mm of a contact of 1.10 mm never slips");
+  pass["comparison"]["stick_radius_first_slip"]["error_bar"] = 0.06;
+  EXPECT_EQ(plain_answer(pass), "in this pass the inner 500 ± 66 µm of a contact of 1.10 mm never slips")
+      << "not even its first digit is known";
+  pass["scene"]["path"]["from_touch"] = true;
+  EXPECT_EQ(plain_answer(pass), "in this pass the contact grows from a touch to 1.10 mm");
   auto sliding = result("agree");
   sliding["mdr"]["gross_slip"] = 0.859;
   EXPECT_EQ(plain_answer(sliding), "the whole contact slides: friction does not carry the tangential force");

@@ -51,6 +51,25 @@ TEST(Dense, SolvesALowerTriangle) {
   EXPECT_LT((solve_lower(lower, rhs) - expected).norm(), roundoff * expected.norm());
 }
 
+TEST(Dense, MultipliesByWholeMatrices) {
+  for (const Eigen::Index n : {1, 3, 4, 15, 16, 17, 36, 70}) {
+    const MatrixXd matrix = random_matrix(n, 9, 3), x = random_matrix(9, 3, 4), expected = matrix * x;
+    MatrixXd product(n, 3);
+    multiply(matrix, x, product);
+    EXPECT_LT((product - expected).norm(), roundoff * expected.norm()) << n;
+  }
+}
+
+TEST(Dense, InvertsWhatIsPositiveDefiniteAlone) {
+  for (const Eigen::Index n : {1, 2, 7, 70}) {
+    const MatrixXd matrix = positive_definite(n);
+    const auto inverted = inverse(matrix);
+    ASSERT_TRUE(inverted);
+    EXPECT_LT((*inverted * matrix - MatrixXd::Identity(n, n)).norm(), 100 * roundoff * n) << n;
+  }
+  EXPECT_FALSE(inverse(-positive_definite(7)));
+}
+
 // Of any leading or trailing rows and columns, in place, whether they divide by four or not.
 TEST(Dense, MultipliesVectorsByTriangles) {
   const MatrixXd lower = *cholesky(positive_definite(70));
