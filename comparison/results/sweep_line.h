@@ -15,7 +15,7 @@ namespace fretval {
 /// Unit of a swept entry: "deg", or empty. entry: as in Case::Sweep.
 std::string unit_of_entry(const std::string& entry);
 
-/// "φ_0", with subscripts as in gnuplot; empty: it has none.
+/// "φ_0", with subscripts as plots have them; empty: it has none.
 std::string symbol_of_entry(const std::string& entry);
 
 /// What heads its column in a CSV file: "Motion / Phase [deg]".
