@@ -10,7 +10,7 @@
 #include <tuple>
 
 #include "comparison/report/drawing/plot_table.h"
-#include "comparison/results/sweep_line.h"
+#include "comparison/run/sweep_line.h"
 
 namespace fretval {
 namespace {

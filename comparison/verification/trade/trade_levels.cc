@@ -12,7 +12,7 @@
 
 #include "comparison/reference/mdr_document.h"
 #include "comparison/reference/mdr_readings.h"
-#include "comparison/results/estimate.h"
+#include "comparison/run/estimate.h"
 #include "comparison/simulation/bodies/body.h"
 #include "comparison/simulation/compute_case.h"
 #include "comparison/simulation/fem_case/resolution_json.h"

@@ -6,7 +6,7 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 
-#include "comparison/case/case_file.h"
+#include "comparison/case_file/case_file.h"
 #include "comparison/report/report.h"
 #include "comparison/support/folder_lock.h"
 #include "meshes/msh_file.h"
