@@ -41,8 +41,9 @@ House plan() {
           {"fem/condensation"},
           {"fem/motion"},
           {"fem/contact"},
+          {"fem/ring_contact"},
           {"fem/history"},
-          {"fem/stick_zone", "fem/full_model"},
+          {"fem/ring_contact/stick_zone", "fem/full_model"},
           {"fem/full_contact"},
           {"fem/wear"}},
          {"deal.II", "petsc"});

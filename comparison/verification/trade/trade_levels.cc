@@ -19,8 +19,8 @@
 #include "comparison/support/log.h"
 #include "comparison/support/progress.h"
 #include "comparison/support/stopwatch.h"
-#include "fem/contact/static_contact.h"
 #include "fem/full_model/full_history.h"
+#include "fem/ring_contact/static_contact.h"
 
 namespace fretval {
 namespace {
