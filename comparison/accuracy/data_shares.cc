@@ -7,9 +7,9 @@
 #include <optional>
 #include <utility>
 
-#include "comparison/case/aligned_trace.h"
-#include "comparison/case/path_table.h"
 #include "comparison/case/test_duration.h"
+#include "comparison/data/aligned_trace.h"
+#include "comparison/data/path_table.h"
 #include "comparison/reference/mdr_answer.h"
 #include "comparison/reference/mdr_readings.h"
 #include "comparison/support/log.h"

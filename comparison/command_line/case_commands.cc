@@ -2,13 +2,13 @@
 
 #include <fmt/format.h>
 
-#include "comparison/case/case_file.h"
-#include "comparison/case/entry_lookup.h"
 #include "comparison/case/plausibility.h"
+#include "comparison/case_file/case_file.h"
+#include "comparison/case_file/entry_lookup.h"
 #include "comparison/command_line/exit_codes.h"
 #include "comparison/reference/mdr_case.h"
 #include "comparison/results/changes.h"
-#include "comparison/results/explanation.h"
+#include "comparison/run/explanation.h"
 #include "comparison/support/files.h"
 #include "comparison/support/log.h"
 

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string>
 
-#include "comparison/case/new_case.h"
+#include "comparison/case_file/new_case.h"
 
 namespace fretval {
 

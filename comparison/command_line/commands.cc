@@ -9,7 +9,7 @@
 #include <memory>
 
 #include "comparison/accuracy/prepared_case.h"
-#include "comparison/case/case_file.h"
+#include "comparison/case_file/case_file.h"
 #include "comparison/command_line/case_commands.h"
 #include "comparison/command_line/check_command.h"
 #include "comparison/command_line/exit_codes.h"

@@ -4,8 +4,8 @@
 
 #include <utility>
 
-#include "comparison/case/case_file.h"
 #include "comparison/case/plausibility.h"
+#include "comparison/case_file/case_file.h"
 #include "comparison/command_line/exit_codes.h"
 #include "comparison/quantities/readings_json.h"
 #include "comparison/reference/mdr_case.h"

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "comparison/results/batch.h"
+#include "comparison/run/batch.h"
 
 namespace fretval {
 

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "comparison/accuracy/prepared_case.h"
-#include "comparison/case/case_file.h"
+#include "comparison/case_file/case_file.h"
 #include "comparison/command_line/exit_codes.h"
 #include "comparison/report/sections/trade_section.h"
 #include "comparison/support/files.h"

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "comparison/case/case_file.h"
+#include "comparison/case_file/case_file.h"
 #include "comparison/command_line/exit_codes.h"
 #include "comparison/command_line/output_file.h"
 #include "comparison/report/report.h"

@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "comparison/accuracy/fe_readings.h"
-#include "comparison/case/path_table.h"
+#include "comparison/data/path_table.h"
 #include "comparison/reference/half_space.h"
 #include "comparison/reference/mdr_readings.h"
 #include "comparison/results/data_files.h"

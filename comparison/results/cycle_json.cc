@@ -7,7 +7,7 @@
 #include "comparison/results/case_result.h"
 #include "comparison/results/period_steps.h"
 #include "comparison/results/ring_zone.h"
-#include "fem/stick_zone/slip_decay.h"
+#include "fem/ring_contact/stick_zone/slip_decay.h"
 #include "mdr/springs/spring_fields.h"
 
 namespace fretval {

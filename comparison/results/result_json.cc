@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "comparison/accuracy/fe_readings.h"
-#include "comparison/case/mesh_entries.h"
 #include "comparison/case/table_noise.h"
+#include "comparison/case_file/mesh_entries.h"
 #include "comparison/quantities/readings_json.h"
 #include "comparison/reference/mdr_document.h"
 #include "comparison/reference/mdr_readings.h"

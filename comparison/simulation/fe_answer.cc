@@ -5,14 +5,14 @@
 #include <limits>
 
 #include "comparison/support/cycles_until.h"
-#include "fem/stick_zone/axis_pressure.h"
-#include "fem/stick_zone/contact_radius.h"
-#include "fem/stick_zone/largest_force.h"
-#include "fem/stick_zone/largest_indentation.h"
-#include "fem/stick_zone/limiting_amplitude.h"
-#include "fem/stick_zone/stick_depths.h"
-#include "fem/stick_zone/stick_zones.h"
-#include "fem/stick_zone/touch_indentation.h"
+#include "fem/ring_contact/stick_zone/axis_pressure.h"
+#include "fem/ring_contact/stick_zone/contact_radius.h"
+#include "fem/ring_contact/stick_zone/largest_force.h"
+#include "fem/ring_contact/stick_zone/largest_indentation.h"
+#include "fem/ring_contact/stick_zone/limiting_amplitude.h"
+#include "fem/ring_contact/stick_zone/stick_depths.h"
+#include "fem/ring_contact/stick_zone/stick_zones.h"
+#include "fem/ring_contact/stick_zone/touch_indentation.h"
 
 namespace fretval {
 namespace {

@@ -8,12 +8,12 @@
 #include "comparison/simulation/surface_answer.h"
 #include "fem/history/friction_history.h"
 #include "fem/history/normal_history.h"
-#include "fem/stick_zone/annuli.h"
-#include "fem/stick_zone/cycle_response.h"
-#include "fem/stick_zone/edge_radius.h"
-#include "fem/stick_zone/slip_decay.h"
-#include "fem/stick_zone/stick_depths.h"
-#include "fem/stick_zone/stick_zones.h"
+#include "fem/ring_contact/stick_zone/annuli.h"
+#include "fem/ring_contact/stick_zone/cycle_response.h"
+#include "fem/ring_contact/stick_zone/edge_radius.h"
+#include "fem/ring_contact/stick_zone/slip_decay.h"
+#include "fem/ring_contact/stick_zone/stick_depths.h"
+#include "fem/ring_contact/stick_zone/stick_zones.h"
 
 namespace fretval {
 

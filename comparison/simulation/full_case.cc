@@ -6,9 +6,9 @@
 #include "comparison/simulation/bodies/surface_store.h"
 #include "comparison/simulation/normal_part.h"
 #include "comparison/support/stopwatch.h"
-#include "fem/contact/static_contact.h"
 #include "fem/motion/running_minimum.h"
-#include "fem/stick_zone/cycle_response.h"
+#include "fem/ring_contact/static_contact.h"
+#include "fem/ring_contact/stick_zone/cycle_response.h"
 #include "fem/support/constants.h"
 
 namespace fretval {

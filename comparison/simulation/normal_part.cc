@@ -1,6 +1,6 @@
 #include "comparison/simulation/normal_part.h"
 
-#include "fem/contact/static_contact.h"
+#include "fem/ring_contact/static_contact.h"
 
 namespace fretval {
 

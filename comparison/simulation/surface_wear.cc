@@ -8,8 +8,8 @@
 #include "comparison/simulation/bodies/surface_store.h"
 #include "comparison/simulation/wear_run.h"
 #include "comparison/support/stopwatch.h"
-#include "fem/contact/static_contact.h"
 #include "fem/full_contact/fields.h"
+#include "fem/ring_contact/static_contact.h"
 #include "fem/wear/rubbing_surface.h"
 
 namespace fretval {

@@ -9,7 +9,7 @@
 #include "comparison/simulation/wear_run.h"
 #include "comparison/support/stopwatch.h"
 #include "fem/contact/require_room.h"
-#include "fem/contact/static_contact.h"
+#include "fem/ring_contact/static_contact.h"
 #include "fem/wear/rubbing_rings.h"
 
 namespace fretval {

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "fem/contact/static_contact.h"
 #include "fem/motion/running_minimum.h"
+#include "fem/ring_contact/static_contact.h"
 
 namespace fretval {
 namespace {

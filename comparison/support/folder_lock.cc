@@ -16,7 +16,7 @@ FolderLock::FolderLock(const fs::path& folder) {
   const auto fail = [&](const char* what) {
     throw fs::filesystem_error(what, folder, std::error_code(errno, std::generic_category()));
   };
-  // Closed in programs that are started from here: gnuplot must not keep the lock of a run that was killed.
+  // Closed in programs that a library starts: they must not keep the lock of a run that was killed.
   descriptor_ = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (descriptor_ < 0) fail("cannot open the folder of the results");
   if (flock(descriptor_, LOCK_EX | LOCK_NB) == 0) return;

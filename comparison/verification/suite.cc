@@ -8,9 +8,9 @@
 
 #include "comparison/accuracy/fe_readings.h"
 #include "comparison/accuracy/prepared_case.h"
-#include "comparison/case/case_file.h"
+#include "comparison/case_file/case_file.h"
 #include "comparison/reference/mdr_readings.h"
-#include "comparison/results/estimate.h"
+#include "comparison/run/estimate.h"
 #include "comparison/support/parallel.h"
 #include "comparison/support/progress.h"
 #include "comparison/support/stopwatch.h"

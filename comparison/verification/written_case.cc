@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "comparison/case/case_file.h"
+#include "comparison/case_file/case_file.h"
 #include "comparison/reference/mdr_case.h"
 #include "mdr/profiles/profile.h"
 #include "mdr/stick/shakedown_amplitude.h"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "fem/stick_zone/stick_radius.h"
+#include "fem/ring_contact/stick_zone/stick_radius.h"
 #include "fem/support/constants.h"
 
 namespace fretval::fem {

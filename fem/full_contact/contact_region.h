@@ -2,8 +2,8 @@
 
 #include <Eigen/Dense>
 
-#include "fem/contact/contact_problem.h"
 #include "fem/full_contact/angular_grid.h"
+#include "fem/ring_contact/contact_problem.h"
 
 namespace fretval::fem {
 

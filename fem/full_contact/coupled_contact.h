@@ -3,10 +3,10 @@
 #include <Eigen/Dense>
 #include <functional>
 
-#include "fem/contact/static_contact.h"
 #include "fem/full_contact/surface_operator.h"
 #include "fem/full_contact/vector_friction.h"
 #include "fem/motion/relaxation.h"
+#include "fem/ring_contact/static_contact.h"
 
 namespace fretval::fem {
 
@@ -40,7 +40,7 @@ IndenterMotion indenter_motion(const Motion& motion);
 /// ((1 - 2 nu)/(2 - 2 nu)) mu at most. The normal natural residual of the pair is computed at its end, over the largest
 /// pressure, and that of friction as in solve_friction. Points that are pressed in the step before are driven by the
 /// indenter, exactly; the others move at a constant rate, so that lifting and touching are of second order (without the
-/// turns inside a step of fem/contact/ring_courses.h).
+/// turns inside a step of fem/ring_contact/ring_courses.h).
 class CoupledContact {
  public:
   /// profile: of the indenter, n_rings x n_angles, ring means of its height over the apex. The operators and the motion

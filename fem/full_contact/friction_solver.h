@@ -21,8 +21,8 @@ struct FrictionSolution {
 ///   t . K t/2 - q . t    over the discs    |t| <= limit
 ///
 /// of all points. K: of SurfaceOperator with tangential fields alone, symmetric positive definite. Where a point
-/// sticks, (q - K t) vanishes; where it slips, it points along t. (The box problem of fem/contact/box_solver.h with
-/// discs in the place of intervals; Duvaut and Lions, Inequalities in Mechanics and Physics, chapter III.)
+/// sticks, (q - K t) vanishes; where it slips, it points along t. (The box problem of fem/ring_contact/box_solver.h
+/// with discs in the place of intervals; Duvaut and Lions, Inequalities in Mechanics and Physics, chapter III.)
 ///
 /// Method: semismooth Newton on `t = P(t + rho (q - K t))`, P the projection onto the discs. A point that slips keeps
 /// to the rim of its disc and moves along it, against the stiffness |q - K t|/limit of the curved rim. The linear

@@ -17,8 +17,8 @@ struct PressureSolution {
 
 /// Normal contact without or with given tractions: the one p >= 0 that minimises `p . K p/2 - q . p`, K of
 /// SurfaceOperator with the normal field alone. q: areas times the displacements into the body that would close the
-/// gaps, less those by the tractions. (The box problem of fem/contact/box_solver.h with an operator in the place of a
-/// matrix.)
+/// gaps, less those by the tractions. (The box problem of fem/ring_contact/box_solver.h with an operator in the place
+/// of a matrix.)
 ///
 /// Method: primal-dual active set, all points whose pressure or gap has the wrong sign at once, with conjugate
 /// gradients for the pressures, as in friction_solver.h, and the same safeguards. guess: of the pressures, any.

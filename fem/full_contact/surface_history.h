@@ -4,11 +4,11 @@
 #include <functional>
 #include <vector>
 
-#include "fem/contact/contact_problem.h"
 #include "fem/full_contact/contact_region.h"
 #include "fem/full_contact/coupled_contact.h"
 #include "fem/full_contact/vector_friction.h"
 #include "fem/motion/running_minimum.h"
+#include "fem/ring_contact/contact_problem.h"
 
 namespace fretval::fem {
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "fem/condensation/sparse_factor.h"
-#include "fem/contact/box_solver.h"
 #include "fem/operators/harmonic_space.h"
+#include "fem/ring_contact/box_solver.h"
 
 namespace fretval::fem {
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "fem/contact/require_room.h"
-#include "fem/contact/ring_courses.h"
 #include "fem/full_model/strain_field.h"
+#include "fem/ring_contact/ring_courses.h"
 #include "fem/support/constants.h"
 #include "fem/support/solver_error.h"
 

@@ -2,11 +2,11 @@
 
 #include <Eigen/Dense>
 
-#include "fem/condensation/punch_series.h"
 #include "fem/full_model/bordered_solver.h"
 #include "fem/motion/motion.h"
 #include "fem/motion/relaxation.h"
 #include "fem/operators/harmonic_space.h"
+#include "fem/ring_contact/punch_series.h"
 
 namespace fretval::fem {
 

@@ -5,9 +5,9 @@
 #include <tuple>
 #include <utility>
 
-#include "fem/contact/contact_force.h"
 #include "fem/contact/force_balance.h"
 #include "fem/contact/gross_slip.h"
+#include "fem/ring_contact/contact_force.h"
 #include "fem/support/constants.h"
 
 namespace fretval::fem {

@@ -5,13 +5,13 @@
 #include <utility>
 #include <vector>
 
-#include "fem/contact/contact_problem.h"
-#include "fem/contact/friction_force.h"
-#include "fem/contact/slip_zones.h"
 #include "fem/history/normal_contact.h"
 #include "fem/history/periodic_state.h"
 #include "fem/motion/motion.h"
 #include "fem/motion/relaxation.h"
+#include "fem/ring_contact/contact_problem.h"
+#include "fem/ring_contact/friction_force.h"
+#include "fem/ring_contact/slip_zones.h"
 
 namespace fretval::fem {
 

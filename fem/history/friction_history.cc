@@ -7,10 +7,10 @@
 #include <utility>
 #include <vector>
 
-#include "fem/contact/friction_force.h"
 #include "fem/history/cycle_jump.h"
 #include "fem/history/friction_search.h"
 #include "fem/history/scatter.h"
+#include "fem/ring_contact/friction_force.h"
 #include "fem/support/constants.h"
 #include "fem/support/solver_error.h"
 

@@ -5,13 +5,13 @@
 #include <utility>
 #include <vector>
 
-#include "fem/contact/contact_force.h"
-#include "fem/contact/contact_problem.h"
-#include "fem/contact/ring_courses.h"
-#include "fem/contact/static_contact.h"
 #include "fem/history/periodic_state.h"
 #include "fem/motion/motion.h"
 #include "fem/motion/relaxation.h"
+#include "fem/ring_contact/contact_force.h"
+#include "fem/ring_contact/contact_problem.h"
+#include "fem/ring_contact/ring_courses.h"
+#include "fem/ring_contact/static_contact.h"
 
 namespace fretval::fem {
 

@@ -4,8 +4,8 @@
 #include <memory>
 #include <vector>
 
-#include "fem/contact/static_contact.h"
 #include "fem/motion/motion.h"
+#include "fem/ring_contact/static_contact.h"
 
 namespace cereal {
 class BinaryInputArchive;

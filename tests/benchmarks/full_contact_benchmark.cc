@@ -1,7 +1,7 @@
 #include <benchmark/benchmark.h>
 
-#include "fem/contact/static_contact.h"
 #include "fem/full_contact/surface_history.h"
+#include "fem/ring_contact/static_contact.h"
 #include "fem/support/constants.h"
 #include "tests/fem/half_space.h"
 

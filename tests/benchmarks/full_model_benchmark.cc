@@ -7,9 +7,9 @@
 #include "comparison/simulation/bodies/body.h"
 #include "comparison/support/stopwatch.h"
 #include "fem/condensation/petsc_session.h"
-#include "fem/contact/static_contact.h"
 #include "fem/full_model/full_history.h"
 #include "fem/history/friction_history.h"
+#include "fem/ring_contact/static_contact.h"
 #include "fem/support/constants.h"
 
 // What condensation saves: full_model_benchmark RINGS [STEPS [CYCLES]]. One history of a parabola on a standard solid,

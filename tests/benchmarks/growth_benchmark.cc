@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "comparison/accuracy/prepared_case.h"
-#include "comparison/case/case_file.h"
+#include "comparison/case_file/case_file.h"
 #include "comparison/reference/mdr_answer.h"
 #include "comparison/simulation/bodies/distributed_body.h"
 #include "comparison/simulation/compute_case.h"

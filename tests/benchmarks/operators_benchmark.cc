@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "comparison/accuracy/prepared_case.h"
-#include "comparison/case/case_file.h"
+#include "comparison/case_file/case_file.h"
 #include "comparison/simulation/bodies/kept_body.h"
 #include "comparison/simulation/compute_case.h"
 #include "comparison/support/data_folder.h"

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "comparison/accuracy/prepared_case.h"
-#include "comparison/case/case_file.h"
+#include "comparison/case_file/case_file.h"
 #include "tests/comparison/read_case.h"
 
 namespace fretval {

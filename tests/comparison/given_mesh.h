@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string>
 
-#include "comparison/case/case_file.h"
+#include "comparison/case_file/case_file.h"
 #include "meshes/cylinder.h"
 #include "meshes/grading.h"
 #include "meshes/msh_file.h"

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "comparison/accuracy/prepared_case.h"
-#include "comparison/case/case_file.h"
+#include "comparison/case_file/case_file.h"
 #include "tests/comparison/scratch_folder.h"
 
 namespace fretval {

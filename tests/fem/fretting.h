@@ -4,7 +4,7 @@
 #include <cmath>
 #include <complex>
 
-#include "fem/contact/static_contact.h"
+#include "fem/ring_contact/static_contact.h"
 #include "tests/fem/recorded_history.h"
 
 namespace fretval::fem {

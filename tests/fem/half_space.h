@@ -1,8 +1,8 @@
 #pragma once
 
-#include "fem/contact/contact_problem.h"
 #include "fem/operators/grid_data.h"
 #include "fem/operators/harmonic_space.h"
+#include "fem/ring_contact/contact_problem.h"
 
 namespace fretval::fem {
 

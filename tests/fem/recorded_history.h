@@ -4,9 +4,9 @@
 #include <utility>
 #include <vector>
 
-#include "fem/contact/static_contact.h"
 #include "fem/history/friction_history.h"
 #include "fem/history/normal_history.h"
+#include "fem/ring_contact/static_contact.h"
 
 namespace fretval::fem {
 

@@ -1,7 +1,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "comparison/case/case_file.h"
+#include "comparison/case_file/case_file.h"
 #include "comparison/simulation/fem_case/fem_case.h"
 #include "tests/comparison/scratch_folder.h"
 

@@ -4,18 +4,11 @@
 #include <sstream>
 
 #include "comparison/case/case.h"
-#include "comparison/report/drawing/plots.h"
 #include "comparison/report/report.h"
 #include "comparison/support/versions.h"
 #include "tests/comparison/scratch_folder.h"
 
-// The report without gnuplot and without the libraries whose versions it names.
-std::vector<std::string> fretval::svgs(const std::vector<fretval::Plot>& plots) {
-  for (const auto& plot : plots)
-    for (const auto& series : plot.series)
-      if (series.x.size() != series.y.size()) std::abort();
-  return std::vector<std::string>(plots.size(), "<svg></svg>");
-}
+// The report without the libraries whose versions it names.
 std::vector<std::pair<std::string, std::string>> fretval::versions() {
   return {{"fretval", "0"}};
 }

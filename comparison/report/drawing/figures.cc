@@ -9,7 +9,8 @@
 #include <set>
 #include <tuple>
 
-#include "comparison/results/sweep_line.h"
+#include "comparison/report/drawing/plot_table.h"
+#include "comparison/run/sweep_line.h"
 
 namespace fretval {
 namespace {
@@ -213,15 +214,13 @@ Filling place_plots(Filling& sections) {
       for (auto& one : part) gather(one);
   };
   gather(sections);
-  std::vector<const Filling*> drawn;
-  for (const auto* figure : figures) drawn.push_back(&figure->at("plot"));
-  const auto still = svgs(drawn);
   auto plots = Filling::array();
-  for (std::size_t i = 0; i < figures.size(); ++i) {
-    plots.push_back(std::move(figures[i]->at("plot")));
-    figures[i]->erase("plot");
-    (*figures[i])["number"] = i;
-    (*figures[i])["svg"] = still[i];
+  for (auto* figure : figures) {
+    auto plot = std::move(figure->at("plot"));
+    figure->erase("plot");
+    (*figure)["number"] = plots.size();
+    (*figure)["without_script"] = plot_table(plot);
+    plots.push_back(std::move(plot));
   }
   return plots;
 }

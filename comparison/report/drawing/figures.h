@@ -16,8 +16,8 @@ struct Figure {
 /// For the template `figures`, whose "plot" place_plots puts where the page wants it.
 Filling filling_of(const std::vector<Figure>& figures);
 
-/// Takes all plots of a page off its sections and leaves a number and what stands there where scripts are off. Throws
-/// std::runtime_error if gnuplot is missing or refuses.
+/// Takes all plots of a page off its sections, as data of its script, and leaves a number of each and a table for
+/// readers without scripts.
 Filling place_plots(Filling& sections);
 
 /// Stick radius over the phase, one plot per indenter shape and criterion: MDR as lines, finite elements as points, one

@@ -33,8 +33,4 @@ struct Plot {
 /// As data of the page, which report.js draws; six digits of every number.
 Filling json_of(const Plot& plot);
 
-/// What stands in place of plots where scripts are off: drawn by gnuplot as SVG elements, or by zone_map_svg and
-/// share_bars_svg. Throws std::runtime_error if gnuplot is missing or refuses.
-std::vector<std::string> svgs(const std::vector<const Filling*>& plots);
-
 }  // namespace fretval

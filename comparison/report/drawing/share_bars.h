@@ -21,7 +21,4 @@ Filling share_bars(const std::string& title, const std::string& label, const std
                    const std::vector<ShareRow>& rows, double limit = 1,
                    const std::string& of_what = "of the tolerance");
 
-/// Such bars where scripts are off.
-std::string share_bars_svg(const Filling& bars);
-
 }  // namespace fretval

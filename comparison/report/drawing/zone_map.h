@@ -16,7 +16,4 @@ Filling zone_map(const std::string& title, const std::string& label, const std::
 /// Outer edges of rings from the radii that halve their areas, over a unit.
 std::vector<double> outer_edges(const std::vector<double>& radii, double unit);
 
-/// A zone map where scripts are off.
-std::string zone_map_svg(const Filling& map);
-
 }  // namespace fretval

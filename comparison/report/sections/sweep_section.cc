@@ -11,7 +11,7 @@
 #include "comparison/report/drawing/figures.h"
 #include "comparison/results/answer_text.h"
 #include "comparison/results/case_inputs.h"
-#include "comparison/results/sweep_line.h"
+#include "comparison/run/sweep_line.h"
 #include "comparison/support/files.h"
 
 namespace fretval {

@@ -10,8 +10,8 @@
 #include "comparison/quantities/readings_json.h"
 #include "comparison/results/answer_text.h"
 #include "comparison/results/case_inputs.h"
-#include "comparison/results/sweep_line.h"
 #include "comparison/results/verdict_text.h"
+#include "comparison/run/sweep_line.h"
 
 namespace fretval {
 namespace {

@@ -2,22 +2,20 @@
 // rings over time), "bars" (shares that add up). Values and units are as the C++ writes them (json_of in plots.cc).
 "use strict";
 (() => {
-  // Okabe and Ito's palette, distinguishable with colour-blind eyes; as in palette.h.
-  // Both for a light and for a dark page: report.css.
+  // Okabe and Ito's palette, distinguishable with colour-blind eyes, for a light and for a dark page: report.css.
   const n_colours = 9;
   const colour = (k) => `var(--c${k % n_colours})`;
   const zones = {s: ["sticks", "var(--sticks)"], f: ["slips forward", "var(--forward)"], b: ["slips backward", "var(--backward)"], o: ["open", "var(--paper)"]};
   const isDrawn = (v) => v !== null && Number.isFinite(v);
   const number = (v) => Math.abs(v) >= 1e5 || (v !== 0 && Math.abs(v) < 1e-3) ? d3.format(".3e")(v).replace("e+", "e") : String(+v.toPrecision(5));
 
-  /// "c_{FE}": subscripts as in gnuplot.
+  /// "c_{FE}" and "φ_0" have subscripts.
   function rich(node, text) {
+    let raised = null;
     for (const [, plain, many, one] of text.matchAll(/([^_]+)|_\{([^}]*)\}|_(.)/gu)) {
-      if (plain) node.append("tspan").text(plain);
-      else {
-        node.append("tspan").attr("dy", "0.25em").attr("font-size", "80%").text(many ?? one);
-        node.append("tspan").attr("dy", "-0.2em").text("\u200b");
-      }
+      const part = node.append("tspan").text(plain ?? many ?? one).attr("dy", plain ? raised : "0.25em");
+      if (!plain) part.attr("font-size", "80%");
+      raised = plain ? null : "-0.2em";
     }
   }
   /// The same outside of a drawing.
@@ -29,29 +27,79 @@
   }
   const flat = (text) => text.replace(/_\{([^}]*)\}|_(.)/gu, (_, many, one) => many ?? one);
 
-  function head(root, plot, rows) {
+  /// Above a plot: its title, and buttons that save what `rows` and `svg` return, its data and itself.
+  function head(root, plot, rows, svg) {
     const bar = root.append("div").attr("class", "head");
     bar.append("div").attr("class", "title").text(flat(plot.title));
     const tools = bar.append("div").attr("class", "tools");
-    tools.append("button").attr("type", "button").attr("title", "download the data of this plot").attr("aria-label", `download the data of ${flat(plot.title)} as CSV`).text("CSV")
-      .on("click", () => download(plot, rows()));
+    const quoted = (v) => (typeof v === "string" ? `"${v.replace(/"/g, '""')}"` : v ?? "");
+    const csv = () => rows().map((row) => row.map(quoted).join(",")).join("\n") + "\n";
+    for (const [kind, type, part, text] of [["CSV", "text/csv", "the data of ", csv], ["SVG", "image/svg+xml", "", svg]])
+      tools.append("button").attr("type", "button").text(kind).attr("title", `save ${part}this plot as ${kind}`).attr("aria-label", `save ${part}${flat(plot.title)} as ${kind}`)
+        .on("click", () => download(text(), type, flat(plot.title).replace(/[^\p{L}\p{N}]+/gu, "-").toLowerCase() + "." + kind.toLowerCase()));
     return tools;
   }
-  function download(plot, rows) {
-    const quoted = (v) => (typeof v === "string" ? `"${v.replace(/"/g, '""')}"` : v ?? "");
-    const text = rows.map((row) => row.map(quoted).join(",")).join("\n") + "\n";
+  function download(text, type, name) {
     const link = document.createElement("a");
-    link.href = URL.createObjectURL(new Blob([text], {type: "text/csv"}));
-    link.download = flat(plot.title).replace(/[^\p{L}\p{N}]+/gu, "-").toLowerCase() + ".csv";
+    link.href = URL.createObjectURL(new Blob([text], {type}));
+    link.download = name;
     link.click();
     setTimeout(() => URL.revokeObjectURL(link.href), 1000);
   }
 
-  // On paper, half or all of its breadth, whatever the screen was: 12 pixels are 9 points there.
-  let prints = false;
+  /// A plot as it is now, as a file that needs neither this page nor its style: light, with title and legend above it.
+  /// draw: draws it anew; entries: of the legend, a label and what draws its mark; title: with what a slider has chosen.
+  function standalone(element, draw, entries, title) {
+    const root = d3.select(element).classed("light", true);
+    place = "file";
+    draw();
+    const canvas = root.select("svg.canvas"), [, , width, height] = canvas.attr("viewBox").split(" ").map(Number), edge = 12;
+    const sheet = root.append("svg").attr("role", "img");
+    sheet.append("title").text(canvas.attr("aria-label"));
+    const back = sheet.append("rect").attr("width", width).attr("fill", "var(--paper)");
+    const head = sheet.append("text").attr("class", "name").attr("x", edge).attr("y", 24).style("font-size", "15px").style("font-weight", 600);
+    rich(head, title);
+    head.style("font-size", `${15 * Math.min(1, (width - 2 * edge) / head.node().getComputedTextLength())}px`);
+    let x = edge, y = 38;
+    for (const {label, mark} of entries) {
+      const one = sheet.append("g"), text = one.append("text").attr("class", "name").attr("x", 28).attr("y", 9);
+      mark(one);
+      rich(text, label);
+      const length = 28 + text.node().getComputedTextLength();
+      if (x > edge && x + length > width - edge) [x, y] = [edge, y + 19];
+      one.attr("transform", `translate(${x},${y})`);
+      x += length + 18;
+    }
+    const top = y + (entries.length ? 18 : 0), drawing = sheet.append("g").attr("transform", `translate(0,${top})`).node();
+    canvas.selectAll(".aid").remove();
+    drawing.append(...canvas.node().childNodes);
+    sheet.attr("viewBox", `0 0 ${width} ${top + height}`).attr("width", width).attr("height", top + height);
+    back.attr("height", top + height);
+    const copy = sheet.node().cloneNode(true);
+    styleAs(sheet.node(), copy);
+    copy.setAttributeNS("http://www.w3.org/XML/1998/namespace", "xml:space", "preserve");
+    copy.setAttribute("font-family", "Segoe UI, Roboto, Helvetica Neue, Arial, sans-serif");
+    sheet.remove();
+    root.classed("light", false);
+    place = "screen";
+    draw();
+    return '<?xml version="1.0" encoding="UTF-8"?>\n' + new XMLSerializer().serializeToString(copy) + "\n";
+  }
+  const inherited = ["fill", "fill-opacity", "stroke", "stroke-width", "stroke-opacity", "stroke-dasharray", "stroke-linejoin", "font-size", "font-weight", "text-anchor"];
+  /// What the style sheet says of an element, and of those in it, as attributes of its copy.
+  function styleAs(element, copy, above = {}) {
+    const own = getComputedStyle(element);
+    for (const name of inherited) own[name] === above[name] ? copy.removeAttribute(name) : copy.setAttribute(name, own[name]);
+    for (const name of ["class", "style", "tabindex", "font-family"]) copy.removeAttribute(name);
+    for (const {name, value} of [...copy.attributes]) copy.setAttribute(name, value.replace(/\d+\.\d{3,}/g, (v) => String(+(+v).toFixed(2))));
+    [...element.children].forEach((child, k) => styleAs(child, copy.children[k], own));
+  }
+
+  // On paper, half or all of its breadth, whatever the screen was: 12 pixels are 9 points there. In a file, one breadth.
+  let place = "screen";
   function sizeOf(element) {
-    const width = prints ? (element.closest("figure").matches(".wide") ? 680 : 330) : Math.max(280, Math.round(element.clientWidth || 480));
-    return {width, height: Math.round(Math.min(380, Math.max(prints ? 200 : 230, width * (prints ? 0.5 : 0.62))))};
+    const width = place === "paper" ? (element.closest("figure").matches(".wide") ? 680 : 330) : place === "file" ? +(element.dataset.width ?? 640) : Math.max(280, Math.round(element.clientWidth || 480));
+    return {width, height: Math.round(Math.min(380, Math.max(place === "paper" ? 200 : 230, width * (place === "paper" ? 0.5 : 0.62))))};
   }
 
   function canvas(root, plot, width, height, margin) {
@@ -85,16 +133,26 @@
   }
   function symbol(node, series, x, y) {
     const open = series.style === "open points", triangle = series.style === "triangles";
-    return node.append("path").attr("d", d3.symbol().type(triangle ? d3.symbolTriangle : d3.symbolCircle).size(triangle ? 60 : 22))
+    return node.append("path").attr("d", d3.symbol().type(triangle ? d3.symbolTriangle : d3.symbolCircle).size(triangle ? 60 : series.style === "small points" ? 6 : 22))
       .attr("transform", `translate(${x},${y})`).attr("fill", open ? "var(--paper)" : colour(series.colour)).attr("stroke", colour(series.colour)).attr("stroke-width", 1.3);
   }
   const hasLine = (series) => /line|dashed/.test(series.style);
   const hasPoints = (series) => /points|triangles/.test(series.style);
 
-  function swatch(node, series) {
-    const svg = node.append("svg").attr("viewBox", "0 0 22 10").attr("aria-hidden", "true");
+  // Marks of a legend, 22 by 10.
+  const markOf = (series) => (svg) => {
     if (hasLine(series)) svg.append("line").attr("x1", 0).attr("x2", 22).attr("y1", 5).attr("y2", 5).attr("stroke", colour(series.colour)).attr("stroke-width", 2).attr("stroke-dasharray", series.style === "dashed" ? "5 3" : null);
     if (hasPoints(series)) symbol(svg, series, 11, 5);
+  };
+  const areaMark = (fill, stroke) => (svg) => svg.append("rect").attr("width", 22).attr("height", 10).attr("fill", fill).attr("stroke", stroke);
+  const swatch = (node, mark) => mark(node.append("svg").attr("viewBox", "0 0 22 10").attr("aria-hidden", "true"));
+  function legendOf(root, entries) {
+    const legend = root.append("div").attr("class", "legend");
+    for (const {label, mark} of entries) {
+      const one = legend.append("span");
+      swatch(one, mark);
+      one.append("span").style("padding", 0).text(label);
+    }
   }
 
   function tooltip(root) {
@@ -116,13 +174,14 @@
     const root = d3.select(element);
     const state = {off: new Set(), zoom: null, frame: plot.frames?.start ?? 0, picked: null};
     const yOf = (k) => plot.frames?.y[k]?.[state.frame] ?? plot.series[k].y;
-    const tools = head(root, plot, () => [["series", flat(plot.x_label), flat(plot.y_label), "error bar"], ...plot.series.flatMap((s, k) => s.x.map((x, i) => [flat(s.label), x, yOf(k)[i], s.bar?.[i]]))]);
-    const reset = tools.insert("button", ":first-child").attr("type", "button").text("whole").attr("title", "show all of the plot again").attr("hidden", "").on("click", () => { state.zoom = null; draw(); });
+    const tools = head(root, plot, () => [["series", flat(plot.x_label), flat(plot.y_label), "error bar"], ...plot.series.flatMap((s, k) => s.x.map((x, i) => [flat(s.label), x, yOf(k)[i], s.bar?.[i]]))],
+      () => standalone(element, draw, plot.series.flatMap((s, k) => (s.label && !state.off.has(k) ? [{label: s.label, mark: markOf(s)}] : [])), plot.title + (plot.frames ? `, ${plot.frames.names[state.frame]}` : "")));
+    const reset = tools.insert("button", ":first-child").attr("type", "button").attr("class", "whole").text("whole").attr("title", "show all of the plot again").attr("hidden", "").on("click", () => { state.zoom = null; draw(); });
     const legend = root.append("div").attr("class", "legend");
     plot.series.forEach((series, k) => {
       if (!series.label) return;
       const button = legend.append("button").attr("type", "button").attr("aria-pressed", "true").attr("title", "show or hide");
-      swatch(button, series);
+      swatch(button, markOf(series));
       richWords(button.append("span").style("padding", 0).style("display", "block"), series.label);
       button.on("click", () => {
         state.off.has(k) ? state.off.delete(k) : state.off.add(k);
@@ -184,7 +243,7 @@
         const values = yOf(k);
         const drawn = series.x.map((v, i) => [v, values[i], i]).map((p) => (isDrawn(p[0]) && isDrawn(p[1]) && (!plot.log_x || p[0] > 0) && (!plot.log_y || p[1] > 0) ? p : null));
         if (hasLine(series))
-          marks.append("path").attr("fill", "none").attr("stroke", colour(series.colour)).attr("stroke-width", 1.8).attr("stroke-linejoin", "round").attr("stroke-dasharray", series.style === "dashed" ? "6 4" : null)
+          marks.append("path").attr("fill", "none").attr("stroke", colour(series.colour)).attr("stroke-width", series.style === "thin line" ? 0.7 : 1.8).attr("stroke-linejoin", "round").attr("stroke-dasharray", series.style === "dashed" ? "6 4" : null)
             .attr("d", d3.line().defined((p) => p !== null).x((p) => x(p[0])).y((p) => y(p[1]))(drawn));
         for (const p of drawn) {
           if (!p) continue;
@@ -195,7 +254,7 @@
         }
       });
       const visible = points.filter((p) => p.x >= margin.left - 1 && p.x <= width - margin.right + 1 && p.y >= margin.top - 1 && p.y <= height - margin.bottom + 1);
-      const ring = svg.append("circle").attr("r", 5).attr("fill", "none").attr("stroke", "var(--ink)").attr("stroke-width", 1.5).attr("display", "none").attr("pointer-events", "none");
+      const ring = svg.append("circle").attr("class", "aid").attr("r", 5).attr("fill", "none").attr("stroke", "var(--ink)").attr("stroke-width", 1.5).attr("display", "none").attr("pointer-events", "none");
       const name = (k) => { while (k > 0 && !plot.series[k].label) --k; return flat(plot.series[k].label); };
       const pick = (p) => {
         state.picked = p;
@@ -211,7 +270,7 @@
           if (s[1][0] - s[0][0] > 8 && s[1][1] - s[0][1] > 8) state.zoom = {x: [x.invert(s[0][0]), x.invert(s[1][0])], y: [y.invert(s[1][1]), y.invert(s[0][1])]};
           draw();
         });
-      const layer = svg.append("g").call(brush).style("touch-action", null);
+      const layer = svg.append("g").attr("class", "aid").call(brush).style("touch-action", null);
       layer.selectAll(".selection").attr("fill", "var(--accent)").attr("stroke", "var(--accent)");
       pinches(svg, marks, ({k, from, to}) => {
         const window = (scale, ends, axis) => ends.map((end) => scale.invert(from[axis] + (end - to[axis]) / k));
@@ -285,22 +344,18 @@
   }
   /// Around what is picked.
   function outline(svg) {
-    const box = svg.append("rect").attr("class", "picked").attr("fill", "none").attr("stroke", "var(--ink)").attr("stroke-width", 2).attr("display", "none").attr("pointer-events", "none");
+    const box = svg.append("rect").attr("class", "aid picked").attr("fill", "none").attr("stroke", "var(--ink)").attr("stroke-width", 2).attr("display", "none").attr("pointer-events", "none");
     return (rect) => box.attr("display", rect ? null : "none").attr("x", rect?.x).attr("y", rect?.y).attr("width", rect?.width).attr("height", rect?.height);
   }
 
   function drawMap(element, plot) {
     const root = d3.select(element), n = plot.zones.length;
-    head(root, plot, () => [["step", ...plot.edges.map((r) => `to ${number(r)}`)], ...plot.zones.map((zone, k) => [k, ...zone.split("").map((z) => zones[z][0])])]);
-    const present = [..."sfbo"].filter((z) => plot.zones.some((text) => text.includes(z)));
-    const legend = root.append("div").attr("class", "legend");
-    for (const z of present) {
-      const one = legend.append("span");
-      one.append("svg").attr("viewBox", "0 0 22 10").attr("aria-hidden", "true").append("rect").attr("width", 22).attr("height", 10).attr("fill", zones[z][1]).attr("stroke", "var(--axis)");
-      one.append("span").style("padding", 0).text(zones[z][0]);
-    }
+    const entries = [..."sfbo"].filter((z) => plot.zones.some((text) => text.includes(z))).map((z) => ({label: zones[z][0], mark: areaMark(zones[z][1], "var(--axis)")}));
+    head(root, plot, () => [["step", ...plot.edges.map((r) => `to ${number(r)}`)], ...plot.zones.map((zone, k) => [k, ...zone.split("").map((z) => zones[z][0])])],
+      () => standalone(element, draw, entries, plot.title));
+    legendOf(root, entries);
     const area = root.append("div"), tip = tooltip(root);
-    return () => {
+    function draw() {
       const {width, height} = sizeOf(element);
       const margin = {left: 62, right: plot.marks ? 26 : 16, top: 10, bottom: 42};
       area.selectAll("*").remove();
@@ -335,20 +390,17 @@
         frame({x: margin.left + p.k * step, y: top, width: Math.max(2, step), height: Math.max(2, bottom - top)});
         tip.show([zones[plot.zones[p.k][p.i]][0], `${flat(plot.x_label)}: ${number(p.k / n)}`, `${flat(plot.y_label)}: ${number(middle(p.i))}`], margin.left + p.k * step, top, width);
       });
-    };
+    }
+    return draw;
   }
 
   function drawBars(element, plot) {
     const root = d3.select(element);
-    head(root, plot, () => [["quantity", ...plot.sources], ...plot.rows.map((row) => [row.label, ...row.shares])]);
-    const legend = root.append("div").attr("class", "legend");
-    plot.sources.forEach((source, k) => {
-      const one = legend.append("span");
-      one.append("svg").attr("viewBox", "0 0 22 10").attr("aria-hidden", "true").append("rect").attr("width", 22).attr("height", 10).attr("fill", colour(k));
-      one.append("span").style("padding", 0).text(source);
-    });
+    const entries = plot.sources.map((label, k) => ({label, mark: areaMark(colour(k), null)}));
+    head(root, plot, () => [["quantity", ...plot.sources], ...plot.rows.map((row) => [row.label, ...row.shares])], () => standalone(element, draw, entries, plot.title));
+    legendOf(root, entries);
     const area = root.append("div"), tip = tooltip(root);
-    return () => {
+    function draw() {
       const {width} = sizeOf(element), narrow = width < 480, line = narrow ? 48 : 34;
       const margin = {left: narrow ? 12 : 190, right: 20, top: 6, bottom: 42}, height = margin.top + margin.bottom + line * plot.rows.length;
       area.selectAll("*").remove();
@@ -387,7 +439,8 @@
         if (!p) return tip.hide();
         tip.show([p.row.label, `${plot.sources[p.source]}: ${number(p.share)} ${plot.of_what}`], p.x + p.width / 2, p.y, width);
       });
-    };
+    }
+    return draw;
   }
 
   const kinds = {map: drawMap, bars: drawBars};
@@ -414,7 +467,7 @@
   // What is folded is printed all the same.
   const folded = [];
   function drawAll(onPaper) {
-    prints = onPaper;
+    place = onPaper ? "paper" : "screen";
     draws.forEach(({draw}) => draw());
   }
   window.addEventListener("beforeprint", () => {

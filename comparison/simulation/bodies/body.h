@@ -7,9 +7,9 @@
 
 #include "comparison/simulation/fem_case/fem_case.h"
 #include "fem/condensation/condensation.h"
-#include "fem/contact/contact_problem.h"
 #include "fem/operators/harmonic_space.h"
 #include "fem/operators/sparse_matrix.h"
+#include "fem/ring_contact/contact_problem.h"
 #include "meshes/mesh.h"
 #include "meshes/quality.h"
 

@@ -8,7 +8,7 @@
 #include <tuple>
 #include <utility>
 
-#include "comparison/case/path_table.h"
+#include "comparison/data/path_table.h"
 #include "comparison/simulation/fem_case/expected_contact.h"
 #include "comparison/simulation/fem_case/near_cycle.h"
 #include "mdr/layer/layer.h"

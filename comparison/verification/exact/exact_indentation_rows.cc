@@ -1,8 +1,8 @@
 #include "comparison/verification/exact/exact_rows.h"
-#include "fem/condensation/contact_events.h"
-#include "fem/condensation/effective_radii.h"
-#include "fem/contact/contact_force.h"
-#include "fem/stick_zone/contact_radius.h"
+#include "fem/ring_contact/contact_events.h"
+#include "fem/ring_contact/contact_force.h"
+#include "fem/ring_contact/effective_radii.h"
+#include "fem/ring_contact/stick_zone/contact_radius.h"
 #include "mdr/profiles/indentation.h"
 #include "mdr/springs/spring_energy.h"
 
@@ -50,7 +50,7 @@ double force_of_stuck_rings(const fem::ContactProblem& problem, Eigen::Index n) 
 }
 
 /// Force of the rings inside r = 1 at a unit displacement, for their nominal and for their effective radius
-/// (fem/condensation/effective_radii.h): normal without friction, `8 G a`, or tangential and sticking, `(16/3) G a`.
+/// (fem/ring_contact/effective_radii.h): normal without friction, `8 G a`, or tangential and sticking, `(16/3) G a`.
 Rows punch_rows(const Meshes& meshes, bool is_normal, const ExactScene& exact) {
   const char* name = is_normal ? "flat punch" : "full stick";
   const char* source = is_normal ? "Boussinesq 1885, Sneddon 1965" : "Mindlin 1949";

@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "comparison/simulation/bodies/body.h"
-#include "fem/contact/box_solver.h"
-#include "fem/stick_zone/stick_radius.h"
+#include "fem/ring_contact/box_solver.h"
+#include "fem/ring_contact/stick_zone/stick_radius.h"
 #include "meshes/grading.h"
 
 namespace fretval {

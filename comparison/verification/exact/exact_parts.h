@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "comparison/verification/exact/convergence_rows.h"
-#include "fem/contact/static_contact.h"
 #include "fem/motion/relaxation.h"
+#include "fem/ring_contact/static_contact.h"
 #include "mdr/profiles/profile.h"
 #include "mdr/rheology/prony_body.h"
 

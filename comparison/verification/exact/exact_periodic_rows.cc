@@ -3,7 +3,7 @@
 
 #include "comparison/verification/exact/exact_rows.h"
 #include "fem/history/friction_history.h"
-#include "fem/stick_zone/stick_zones.h"
+#include "fem/ring_contact/stick_zone/stick_zones.h"
 #include "mdr/stick/stick_radius.h"
 
 namespace fretval {

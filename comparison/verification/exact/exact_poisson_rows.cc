@@ -3,9 +3,9 @@
 #include <cmath>
 
 #include "comparison/verification/exact/exact_rows.h"
-#include "fem/condensation/contact_events.h"
-#include "fem/contact/contact_force.h"
-#include "fem/stick_zone/contact_radius.h"
+#include "fem/ring_contact/contact_events.h"
+#include "fem/ring_contact/contact_force.h"
+#include "fem/ring_contact/stick_zone/contact_radius.h"
 #include "mdr/layer/layer.h"
 #include "mdr/profiles/indentation.h"
 

@@ -3,12 +3,12 @@
 #include <cmath>
 
 #include "comparison/verification/exact/exact_rows.h"
-#include "fem/condensation/contact_events.h"
-#include "fem/contact/box_solver.h"
-#include "fem/contact/contact_force.h"
-#include "fem/contact/friction_force.h"
 #include "fem/history/friction_history.h"
-#include "fem/stick_zone/stick_radius.h"
+#include "fem/ring_contact/box_solver.h"
+#include "fem/ring_contact/contact_events.h"
+#include "fem/ring_contact/contact_force.h"
+#include "fem/ring_contact/friction_force.h"
+#include "fem/ring_contact/stick_zone/stick_radius.h"
 #include "mdr/profiles/indentation.h"
 
 namespace fretval {

@@ -5,10 +5,10 @@
 #include <limits>
 
 #include "comparison/verification/exact/exact_rows.h"
-#include "fem/condensation/contact_events.h"
-#include "fem/contact/box_solver.h"
-#include "fem/contact/contact_force.h"
 #include "fem/history/normal_history.h"
+#include "fem/ring_contact/box_solver.h"
+#include "fem/ring_contact/contact_events.h"
+#include "fem/ring_contact/contact_force.h"
 #include "fem/support/solver_error.h"
 #include "mdr/profiles/indentation.h"
 

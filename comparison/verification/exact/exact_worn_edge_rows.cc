@@ -1,7 +1,7 @@
 #include <cmath>
 
 #include "comparison/verification/exact/exact_rows.h"
-#include "fem/condensation/effective_radii.h"
+#include "fem/ring_contact/effective_radii.h"
 #include "mdr/stick/surface_fields.h"
 
 namespace fretval {

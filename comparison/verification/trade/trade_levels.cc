@@ -12,15 +12,15 @@
 
 #include "comparison/reference/mdr_document.h"
 #include "comparison/reference/mdr_readings.h"
-#include "comparison/results/estimate.h"
+#include "comparison/run/estimate.h"
 #include "comparison/simulation/bodies/body.h"
 #include "comparison/simulation/compute_case.h"
 #include "comparison/simulation/fem_case/resolution_json.h"
 #include "comparison/support/log.h"
 #include "comparison/support/progress.h"
 #include "comparison/support/stopwatch.h"
-#include "fem/contact/static_contact.h"
 #include "fem/full_model/full_history.h"
+#include "fem/ring_contact/static_contact.h"
 
 namespace fretval {
 namespace {

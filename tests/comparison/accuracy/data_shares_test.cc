@@ -8,7 +8,7 @@
 #include <random>
 
 #include "comparison/accuracy/verdict.h"
-#include "comparison/case/path_table.h"
+#include "comparison/data/path_table.h"
 #include "comparison/reference/mdr_answer.h"
 #include "mdr/rheology/prony_fit.h"
 #include "tests/comparison/read_case.h"

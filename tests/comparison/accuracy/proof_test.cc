@@ -6,7 +6,7 @@
 #include <cmath>
 #include <filesystem>
 
-#include "comparison/case/case_file.h"
+#include "comparison/case_file/case_file.h"
 #include "comparison/reference/mdr_answer.h"
 #include "fem/support/solver_error.h"
 #include "mdr/stick/stick_radius.h"

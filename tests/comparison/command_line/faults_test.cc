@@ -6,7 +6,7 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 
-#include "comparison/case/case_file.h"
+#include "comparison/case_file/case_file.h"
 #include "comparison/report/report.h"
 #include "comparison/support/folder_lock.h"
 #include "meshes/msh_file.h"
@@ -334,7 +334,7 @@ TEST(SystemFaults, ErrorsHaveNoControlCharacters) {
   EXPECT_EQ(run.err.find('\x1b'), std::string::npos);
 }
 
-// Names of files are text in the report and nothing in a shell or in gnuplot.
+// Names of files are text in the report and nothing in a shell.
 TEST(SystemFaults, HostileNamesAreText) {
   const ScratchFolder folder;
   const std::string html = "<img src=x onerror=alert(1)>", shell = "a`touch here`$(touch here);'\" touch here";

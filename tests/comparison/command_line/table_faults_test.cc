@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "comparison/case/case_file.h"
+#include "comparison/case_file/case_file.h"
 #include "tests/comparison/expect_parts.h"
 #include "tests/comparison/read_case.h"
 #include "tests/comparison/refusal.h"

@@ -4,7 +4,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "comparison/case/case_file.h"
+#include "comparison/case_file/case_file.h"
 #include "comparison/reference/mdr_readings.h"
 
 namespace fretval::benchmarks_test {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "comparison/case/path_table.h"
+#include "comparison/data/path_table.h"
 #include "comparison/reference/mdr_readings.h"
 #include "tests/comparison/computed_case.h"
 #include "tests/comparison/read_case.h"

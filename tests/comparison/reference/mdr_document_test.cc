@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "comparison/case/case_file.h"
+#include "comparison/case_file/case_file.h"
 #include "comparison/reference/mdr_case.h"
 #include "mdr/stick/stick_radius.h"
 #include "tests/comparison/modulus_table.h"

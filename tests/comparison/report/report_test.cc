@@ -7,6 +7,7 @@
 
 #include "comparison/command_line/exit_codes.h"
 #include "comparison/verification/suite_json.h"
+#include "tests/comparison/browser.h"
 #include "tests/comparison/expect_parts.h"
 #include "tests/comparison/refusal.h"
 #include "tests/comparison/stored_result.h"
@@ -220,7 +221,7 @@ void run_all_kinds(const ScratchFolder& folder) {
 class ReportSlow : public testing::Test {
  protected:
   void SetUp() override {
-    if (std::system("command -v chromium >/dev/null") != 0) GTEST_SKIP() << "chromium is not installed";
+    if (!has_browser()) GTEST_SKIP() << "chromium is not installed";
     run_all_kinds(folder_);
     const auto out = folder_.path() / "out";
     fs::create_directories(out / "trade");
@@ -230,19 +231,8 @@ class ReportSlow : public testing::Test {
     page_ = write_report(out);
   }
 
-  /// What the browser says to a page; it complains of nothing.
-  std::string browsed(const fs::path& page, const std::string& options) const {
-    const auto run = shell_run(
-        "chromium --headless=new --no-sandbox --disable-gpu --user-data-dir=" + quoted(folder_.path() / "profile") +
-            " --virtual-time-budget=20000 --enable-logging=stderr " + options + " file://" + quoted(page),
-        folder_);
-    EXPECT_EQ(run.exit_code, 0);
-    EXPECT_EQ(run.err.find("CONSOLE"), std::string::npos) << run.err;
-    return run.out;
-  }
-
   /// The document after its scripts have run.
-  [[nodiscard]] std::string drawn(const fs::path& page) const { return browsed(page, "--dump-dom"); }
+  [[nodiscard]] std::string drawn(const fs::path& page) const { return browsed(page, "--dump-dom", folder_); }
 
   /// Attributes that a page has after a script of ours has run in it.
   [[nodiscard]] std::string examined(const std::string& page, const std::string& script) const {
@@ -259,7 +249,7 @@ class ReportSlow : public testing::Test {
                                   ".contentDocument; document.documentElement.dataset.found = {}\"></iframe>"
                                   "</body></html>",
                                   width, number));
-    const auto text = browsed(outer, "--hide-scrollbars --allow-file-access-from-files --dump-dom");
+    const auto text = browsed(outer, "--hide-scrollbars --allow-file-access-from-files --dump-dom", folder_);
     const std::string before = "data-found=\"";
     const auto at = text.find(before);
     EXPECT_NE(at, std::string::npos);
@@ -282,7 +272,7 @@ class ReportSlow : public testing::Test {
   /// Words on paper, each with the box that it takes on a page of some width, as XHTML.
   [[nodiscard]] std::string printed(const fs::path& page) const {
     const auto file = folder_.path() / "printed.pdf";
-    browsed(page, "--no-pdf-header-footer --print-to-pdf=" + quoted(file));
+    browsed(page, "--no-pdf-header-footer --print-to-pdf=" + quoted(file), folder_);
     return shell_run("pdftotext -bbox " + quoted(file) + " -", folder_).out;
   }
 
@@ -291,16 +281,7 @@ class ReportSlow : public testing::Test {
     const auto examiner = text_of(fs::path(FRETVAL_SOURCE_DIR) / "tests/comparison/report/contrast.js");
     const auto page =
         folder_.write("examined.html", replace(text_of(page_), part, other) + "<script>" + examiner + "</script>");
-    auto text = drawn(page);
-    const std::string start = "data-contrast=\"";
-    const auto at = text.find(start);
-    EXPECT_NE(at, std::string::npos);
-    if (at == std::string::npos) return {};
-    text = text.substr(at + start.size());
-    text = text.substr(0, text.find('"'));
-    for (auto quote = text.find("&quot;"); quote != std::string::npos; quote = text.find("&quot;"))
-      text.replace(quote, 6, "\"");
-    return nlohmann::json::parse(text);
+    return found_in(drawn(page), "contrast");
   }
 
   /// What tests/comparison/report/touch.js says of a page, or of its first plots.

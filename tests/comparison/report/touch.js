@@ -93,7 +93,7 @@ async function magnify(k, name) {
   const finger = (sign) => [20, 60].map((d) => [middle[0] + sign * d, middle[1] + sign * d / 2]);
   await drag([finger(-1), finger(1)]);
   if (await ticks(k) === whole) return complain(`${name}: two fingers do not magnify it`);
-  const button = await box(k, 'plot.querySelector(".tools button")');
+  const button = await box(k, 'plot.querySelector(".whole")');
   await tap([button.left + button.width / 2, button.top + button.height / 2]);
   if (await ticks(k) !== whole) complain(`${name}: a tap on the button does not show the whole`);
 }
@@ -119,7 +119,7 @@ async function examine() {
   await pause(500);
   await look('document.querySelectorAll("details").forEach((details) => { details.open = true; });');
   const plots = await look(`return [...document.querySelectorAll("[data-plot] svg.canvas")].map((svg) => ({name: svg.getAttribute("aria-label"),
-    slides: !!svg.closest("[data-plot]").querySelector("input"), magnifies: svg.closest("[data-plot]").querySelectorAll(".tools button").length > 1}));`);
+    slides: !!svg.closest("[data-plot]").querySelector("input"), magnifies: !!svg.closest("[data-plot]").querySelector(".whole")}));`);
   for (const [k, {name, slides, magnifies}] of plots.slice(0, most).entries()) {
     await tapWherePointerFinds(k, name);
     if (k + 1 < plots.length) await scrollOver(k, name);

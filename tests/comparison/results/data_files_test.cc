@@ -5,8 +5,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "comparison/case/path_table.h"
 #include "comparison/case/test_duration.h"
+#include "comparison/data/path_table.h"
 #include "comparison/results/results_folder.h"
 #include "tests/comparison/read_case.h"
 

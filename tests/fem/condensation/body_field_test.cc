@@ -6,9 +6,9 @@
 
 #include <cmath>
 
-#include "fem/condensation/effective_radii.h"
 #include "fem/operators/harmonic_space_parts.h"
 #include "fem/operators/stiffness.h"
+#include "fem/ring_contact/effective_radii.h"
 #include "fem/support/constants.h"
 #include "tests/fem/half_space.h"
 #include "tests/fem/random_vector.h"

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "fem/contact/static_contact.h"
+#include "fem/ring_contact/static_contact.h"
 #include "tests/fem/full_contact/bodies.h"
 
 namespace fretval::fem::contact_region_test {

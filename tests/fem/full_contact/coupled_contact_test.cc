@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "fem/contact/require_room.h"
-#include "fem/contact/static_contact.h"
 #include "fem/full_contact/surface_history.h"
+#include "fem/ring_contact/static_contact.h"
 #include "tests/fem/full_contact/bodies.h"
 
 namespace fretval::fem::coupled_contact_test {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "fem/contact/static_contact.h"
+#include "fem/ring_contact/static_contact.h"
 #include "tests/fem/full_contact/bodies.h"
 
 namespace fretval::fem::normal_solver_test {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <vector>
 
-#include "fem/stick_zone/edge_radius.h"
-#include "fem/stick_zone/stick_radius.h"
+#include "fem/ring_contact/stick_zone/edge_radius.h"
+#include "fem/ring_contact/stick_zone/stick_radius.h"
 #include "tests/fem/convergence.h"
 #include "tests/fem/half_space.h"
 #include "tests/fem/recorded_history.h"

@@ -9,7 +9,7 @@
 #include <tuple>
 #include <vector>
 
-#include "fem/stick_zone/stick_radius.h"
+#include "fem/ring_contact/stick_zone/stick_radius.h"
 #include "fem/support/constants.h"
 #include "tests/fem/convergence.h"
 #include "tests/fem/expect_solver_error.h"

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "fem/history/friction_history.h"
-#include "fem/stick_zone/stick_radius.h"
-#include "fem/stick_zone/stick_zones.h"
+#include "fem/ring_contact/stick_zone/stick_radius.h"
+#include "fem/ring_contact/stick_zone/stick_zones.h"
 #include "fem/support/constants.h"
 #include "tests/fem/fretting.h"
 #include "tests/fem/half_space.h"

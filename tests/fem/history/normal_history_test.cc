@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "fem/condensation/contact_events.h"
-#include "fem/stick_zone/contact_radius.h"
+#include "fem/ring_contact/contact_events.h"
+#include "fem/ring_contact/stick_zone/contact_radius.h"
 #include "fem/support/constants.h"
 #include "tests/fem/convergence.h"
 #include "tests/fem/expect_solver_error.h"

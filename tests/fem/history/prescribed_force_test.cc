@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "fem/contact/gross_slip.h"
-#include "fem/stick_zone/stick_zones.h"
+#include "fem/ring_contact/stick_zone/stick_zones.h"
 #include "fem/support/constants.h"
 #include "tests/fem/convergence.h"
 #include "tests/fem/fretting.h"

@@ -6,8 +6,8 @@
 
 #include "fem/contact/gross_slip.h"
 #include "fem/motion/motion.h"
-#include "fem/stick_zone/contact_radius.h"
-#include "fem/stick_zone/stick_zones.h"
+#include "fem/ring_contact/stick_zone/contact_radius.h"
+#include "fem/ring_contact/stick_zone/stick_zones.h"
 #include "fem/support/constants.h"
 #include "tests/fem/fretting.h"
 #include "tests/fem/half_space.h"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <memory>
 
-#include "fem/condensation/effective_radii.h"
+#include "fem/ring_contact/effective_radii.h"
 #include "fem/support/constants.h"
 #include "fem/wear/rubbing_rings.h"
 #include "fem/wear/wear_course.h"

@@ -9,7 +9,7 @@
 #include "tests/comparison/scratch_folder.h"
 #include "tests/comparison/small_body.h"
 
-// By one process; by several: tests/comparison/results/ranked_batch_test.cc.
+// By one process; by several: tests/comparison/run/ranked_batch_test.cc.
 namespace fretval::distributed_body_test {
 namespace {
 

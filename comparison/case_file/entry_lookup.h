@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+
+#include "comparison/case_file/entry_table.h"
+#include "comparison/case_file/problems.h"
+
+namespace fretval {
+
+/// Null: there is no such entry.
+const EntryTraits* find_entry(const std::string& section, const std::string& name);
+bool is_entry(const std::string& section, const std::string& name);
+bool is_section(const std::string& section);
+
+/// "Indenter: Shape, Radius, ...; Elastomer: ...", for error messages.
+std::string valid_entries();
+
+/// What is wrong with a section or an entry that there is not, and what may have been meant, which the problems note.
+std::string no_such_section(const std::string& section, Problems& problems);
+std::string no_such_entry(const std::string& section, const std::string& name, Problems& problems);
+
+/// All entries with values, units and meaning, in Markdown.
+std::string entries_reference();
+
+}  // namespace fretval

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "comparison/case_file/entry_texts.h"
+#include "comparison/case_file/problems.h"
+
+namespace fretval {
+
+/// What a .prm file says by itself.
+struct PrmFile {
+  std::vector<std::filesystem::path> included;  ///< files whose entries its own override
+  EntryTexts entries;
+};
+
+/// Reads the format of deal.II's ParameterHandler: `subsection NAME`, `set ENTRY = VALUE`, `end`, `include FILE` before
+/// the first subsection; # begins a comment, a backslash at the end of a line joins the next one. Sections do not nest.
+/// A line that is nothing of this, an entry that is set twice, sections and entries that there are not become problems.
+/// Throws InputError for an include that stands wrong or names no file.
+PrmFile read_prm(const std::string& text, const std::filesystem::path& file, Problems& problems);
+
+}  // namespace fretval

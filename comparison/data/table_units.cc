@@ -1,0 +1,35 @@
+#include "comparison/data/table_units.h"
+
+#include <fmt/format.h>
+
+#include <fstream>
+
+#include "comparison/case/case.h"
+#include "mdr/support/csv_units.h"
+
+namespace fretval {
+
+std::string skipped_text(const std::string& file, const mdr::ChosenColumns& chosen) {
+  return chosen.skipped.empty() ? "" : fmt::format("{}: skipped: {}", file, chosen.skipped);
+}
+
+std::string require_units(const std::string& file, const std::vector<mdr::WantedColumn>& wanted) {
+  const char* const example = wanted.size() == 2 ? "\"r,f\" and \"mm,um\"" : "\"f,G',G''\" and \"Hz,MPa,MPa\"";
+  try {
+    std::ifstream stream(file);
+    const auto chosen = mdr::read_columns(stream, file, wanted, mdr::InOrder::yes);
+    for (std::size_t column = 0; column < wanted.size(); ++column) {
+      const auto& kinds = wanted[column].kinds;
+      const bool is_ratio = kinds[chosen.kind[column].value_or(0)].units.count("") > 0;
+      if (!names_unit(chosen.csv, column) && !is_ratio)
+        throw InputError(
+            fmt::format("{}: column {} has no unit; must begin with a line of names and one of units, for example {}",
+                        file, column + 1, example));
+    }
+    return skipped_text(file, chosen);
+  } catch (const std::invalid_argument& error) {
+    throw InputError(error.what());
+  }
+}
+
+}  // namespace fretval

@@ -1,0 +1,160 @@
+#include "comparison/run/batch.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <mutex>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "comparison/accuracy/data_shares.h"
+#include "comparison/case/plausibility.h"
+#include "comparison/case/test_duration.h"
+#include "comparison/reference/normal_responses.h"
+#include "comparison/results/answer_text.h"
+#include "comparison/results/case_result.h"
+#include "comparison/support/log.h"
+#include "comparison/support/parallel.h"
+#include "comparison/support/stopwatch.h"
+
+namespace fretval {
+namespace {
+
+constexpr double unworn_beside_wear = 0.05;  // of the time that both take
+
+/// What there is to tell and to keep of a result.
+void finish(const CaseResult& result, const mdr::NormalResponse& reference, const BatchOptions& options,
+            BatchLine& line) {
+  line.largest_use = largest_use(result.comparison, line.name);
+  line.outcome = outcome_of(result);
+  const auto json = result_json(result);
+  line.answer = answer_text(result, json);
+  line.json = json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+  if (!options.output.empty()) write_result(result, json, reference, options.output / line.name);
+}
+
+/// Where the case file does not say: of a single case that is proved.
+Case::Fields fields_to_write(const Case& input, const BatchOptions& options) {
+  if (options.output.empty()) return Case::Fields::none;
+  const bool writes = !input.sweep && options.proof != Proof::none;
+  return input.fields.value_or(writes ? Case::Fields::extremes : Case::Fields::none);
+}
+
+/// Adds the wear of the indenter to a result. Returns why it failed, or nothing.
+std::string wear_off(const PreparedCase& prepared, const BatchOptions& options, BodyStore& bodies, CaseResult& result) {
+  const bool in_the_plane = prepared.fem.full.has_value();
+  WearOversight oversight;
+  if (!options.output.empty()) oversight.checkpoints = options.output / prepared.input.name / "checkpoints";
+  if (options.under_way)
+    oversight.progress = [&](double share, double value) {
+      const auto* what =
+          in_the_plane ? "what sticks has shrunk to {:.2g} a" : "worn to {:.1e} from the limiting profile";
+      options.under_way(prepared.input.name, unworn_beside_wear + (1 - unworn_beside_wear) * share,
+                        fmt::format(fmt::runtime(what), value));
+    };
+  std::string failure;
+  if (in_the_plane) {
+    result.surface_wear = prove_surface_wear(prepared, result.mdr, result.fe, options.proof, bodies, oversight);
+    failure = result.surface_wear->failure;
+  } else {
+    auto wear = prove_wear(prepared, result.mdr, result.fe, options.proof, bodies, oversight);
+    failure = wear.failure;
+    if (failure.empty()) add_wear(std::move(wear), result);
+  }
+  std::filesystem::remove_all(oversight.checkpoints);
+  return failure;
+}
+
+BatchLine run_case(const PreparedCase& asked, const BatchOptions& options, BodyStore& bodies,
+                   NormalResponses& references) {
+  BatchLine line;
+  line.name = asked.input.name;
+  const auto folder = options.output / line.name;
+  line.failure = too_slow_for_forces(asked.input);
+  if (!line.failure.empty()) {
+    if (!options.output.empty()) withdraw_result(folder);
+    return line;
+  }
+  PreparedCase prepared = asked;
+  prepared.input.fields = fields_to_write(asked.input, options);
+  if (prepared.fem.full) prepared.input.fields = Case::Fields::none;  // it has files of its own
+  prepared.fem.keeps_body = prepared.input.fields != Case::Fields::none;
+  const double share_of_unworn = wears(prepared) ? unworn_beside_wear : 1;
+  ComputationsDone told;
+  if (options.under_way)
+    told = [&](int n_done, int n_known) {
+      options.under_way(line.name, share_of_unworn * n_done / n_known,
+                        fmt::format("{} of {} computations, more if the bars ask for them", n_done, n_known));
+    };
+  auto fe = prove(prepared, options.proof, bodies, n_cores(), told);
+  const bool compares = prepared.mdr.falls().empty();
+  std::shared_ptr<const mdr::NormalResponse> reference;
+  try {
+    if (compares) reference = references.of(prepared.input, prepared.mdr);
+  } catch (const std::runtime_error& error) {
+    line.failure = error.what();
+  }
+  if (!fe.failure.empty()) line.failure = fe.failure + hint_at_modulus(prepared.input);
+  if (prepared.fem.keeps_body && fe.fe.body && is_too_large(fe.fe.body->n_dofs, bodies)) {
+    log::warn(
+        fmt::format("{}: no fields are written: no process has a body of {} dofs", line.name, fe.fe.body->n_dofs));
+    prepared.input.fields = Case::Fields::none;
+  }
+  if (!options.output.empty()) withdraw_result(folder);
+  if (!line.failure.empty()) return line;
+  if (!compares) {
+    finish(result_beyond_mdr(prepared, options.proof, std::move(fe)), {}, options, line);
+    return line;
+  }
+  add_data_shares(prepared.input, prepared.mdr, fe.budget);
+  auto result = result_of(prepared, *reference, options.proof, std::move(fe));
+  if (wears(prepared)) line.failure = wear_off(prepared, options, bodies, result);
+  if (!line.failure.empty()) return line;
+  finish(result, *reference, options, line);
+  return line;
+}
+
+}  // namespace
+
+ToleranceUse largest_use(const Comparison& comparison, const std::string& name) {
+  ToleranceUse largest;
+  for (const auto& [quantity, d] : comparison) {
+    const double share = d.size() / d.tolerance;
+    if (!d.asked || share <= largest.share) continue;
+    largest = {share, use_text(quantity, name, d.size(), d.tolerance, d.only_one != 0)};
+  }
+  return largest;
+}
+
+std::string use_text(Quantity quantity, const std::string& name, double size, double tolerance, bool only_one) {
+  return fmt::format("{} in {}, off by {:.1e} of {:.1e}{}", traits_of(quantity).title, name, size, tolerance,
+                     only_one ? ", only one of the two sticks" : "");
+}
+
+BatchLine computed_line(const PreparedCase& prepared, const BatchOptions& options, BodyStore& bodies,
+                        NormalResponses& references) {
+  Stopwatch watch;
+  auto line = run_case(prepared, options, bodies, references);
+  line.seconds = watch.lap();
+  return line;
+}
+
+std::vector<BatchLine> run_batch(const std::vector<PreparedCase>& cases, const BatchOptions& options,
+                                 BodyStore& bodies) {
+  std::vector<BatchLine> lines(cases.size());
+  NormalResponses references;
+  std::mutex mutex;
+  for_each_in_parallel(cases.size() + options.beside.n, [&](std::size_t i) {
+    if (i >= cases.size()) {
+      const std::size_t number = i - cases.size();
+      return options.beside.take(number, options.beside.compute(number));
+    }
+    lines[i] = computed_line(cases[i], options, bodies, references);
+    const std::lock_guard<std::mutex> lock(mutex);
+    options.progress(lines[i]);
+  });
+  return lines;
+}
+
+}  // namespace fretval

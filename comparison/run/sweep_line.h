@@ -1,0 +1,62 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "comparison/case/case.h"
+#include "comparison/quantities/quantity.h"
+#include "comparison/reference/normal_responses.h"
+#include "comparison/run/batch.h"
+
+namespace fretval {
+
+/// Unit of a swept entry: "deg", or empty. entry: as in Case::Sweep.
+std::string unit_of_entry(const std::string& entry);
+
+/// "φ_0", with subscripts as plots have them; empty: it has none.
+std::string symbol_of_entry(const std::string& entry);
+
+/// What heads its column in a CSV file: "Motion / Phase [deg]".
+std::string column_of_entry(const std::string& entry);
+
+/// MDR's answer between the points of each sweep among some cases, in two files in the folder of the family. `mdr.csv`:
+/// what has a closed form (both stick radii, contact radius, outer radius of the wear), at a hundred values.
+/// `mdr_springs.csv`: also what springs are stepped in time for, some 20 ms of a core for a value: a hundred, of many
+/// sweeps fewer, at least 24 each. At 24 values, and in this file alone, is all of a case under prescribed forces (half
+/// a second for a value, with harmonics 2), with several normal harmonics, or with measured moduli, which are fitted
+/// for each value. Columns: the entry, then the quantities, "nan" where MDR has none. Nothing is written where the
+/// entry does not take values between, nor where it is so costly and the motion has no period.
+class SweepLines {
+ public:
+  explicit SweepLines(const std::vector<Case>& cases);
+  ~SweepLines();
+  SweepLines(const SweepLines&) = delete;
+  SweepLines& operator=(const SweepLines&) = delete;
+
+  /// What there is to work out, but for what springs say at the values of the cases themselves. Must not outlive this.
+  BesideCases work();
+
+  /// Says which sweeps have no line, or a costly one.
+  void log_costs() const;
+
+  /// When all of the work is done. computed: of each case, whose answers are those by springs; what is not there is
+  /// stepped now.
+  void write(const std::filesystem::path& output, const std::vector<BatchLine>& computed);
+
+ private:
+  struct Line;
+  struct Task;
+  std::vector<std::string> without_line_, costly_;  // families
+  std::vector<std::filesystem::path> folders_;      // of the families, in the output
+  std::vector<Line> lines_;
+  std::vector<Task> tasks_;
+  NormalResponses normal_responses_;
+};
+
+/// A quantity of it over the entry; empty where there is none. family: its folder.
+std::pair<std::vector<double>, std::vector<double>> read_sweep_line(const std::filesystem::path& family,
+                                                                    const std::string& entry, Quantity quantity);
+
+}  // namespace fretval

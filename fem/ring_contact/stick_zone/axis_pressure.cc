@@ -1,0 +1,61 @@
+#include "fem/ring_contact/stick_zone/axis_pressure.h"
+
+#include <cmath>
+#include <vector>
+
+#include "fem/motion/running_minimum.h"
+#include "fem/support/constants.h"
+
+namespace fretval::fem {
+namespace {
+
+using Eigen::Index;
+
+/// Rings that D(0) - D(x) ~ x^n is continued from.
+constexpr Index inner = 3, outer = 5;
+
+double axis_pressure(const PunchSeries& series, const Eigen::VectorXd& depths, double contact_radius, double n) {
+  const auto& x = series.radii();
+  const double at_inner = std::pow(x[inner], n), at_outer = std::pow(x[outer], n),
+               bend = (depths[inner] - depths[outer]) / (at_outer - at_inner),
+               on_axis = depths[inner] + bend * at_inner;
+  Index n_pressed = depths.size();
+  while (depths[n_pressed - 1] == 0) --n_pressed;
+  Eigen::VectorXd rest = Eigen::VectorXd::Zero(n_pressed);
+  for (Index i = inner; i < n_pressed; ++i) rest[i] = (on_axis - bend * std::pow(x[i], n) - depths[i]) / (x[i] * x[i]);
+  const std::vector<signed char> one_zone(static_cast<std::size_t>(n_pressed), 0);
+  const double of_tip = on_axis / contact_radius + bend * std::pow(contact_radius, n - 1) / (n - 1);
+  return (series.force_per_radius() * of_tip + series.integral(rest, one_zone, contact_radius).value) / (2 * pi);
+}
+
+/// Of the means of rings, whose squared radii have a mean as well: by the parabola over these through three rings.
+double continued_to_axis(const PunchSeries& series, const Eigen::VectorXd& pressure) {
+  constexpr Index first = 1, n = 3;  // the innermost ring is off by the shape of the tip
+  double on_axis = 0;
+  const auto square = [&](Index i) { return series.areas().head(i).sum() + series.areas()[i] / 2; };
+  for (Index i = first; i < first + n; ++i) {
+    double weight = 1;
+    for (Index k = first; k < first + n; ++k)
+      if (k != i) weight *= square(k) / (square(k) - square(i));
+    on_axis += weight * pressure[i];
+  }
+  return on_axis;
+}
+
+}  // namespace
+
+std::optional<double> axis_pressure_max(const PunchSeries& series, const Eigen::MatrixXd& pressure,
+                                        const Eigen::VectorXd& contact_radius, double n,
+                                        const std::vector<StepInPiece>& pieces) {
+  const bool by_depths = series.is_half_space();
+  const Eigen::MatrixXd depths = by_depths ? series.depths_of_instants(pressure) : pressure;
+  Eigen::VectorXd samples = Eigen::VectorXd::Zero(contact_radius.size());
+  for (Index k = 0; k < samples.size(); ++k)
+    if (contact_radius[k] > series.radii()[outer])
+      samples[k] = by_depths ? axis_pressure(series, depths.col(k), contact_radius[k], n)
+                             : continued_to_axis(series, pressure.col(k));
+  if (samples.maxCoeff() == 0) return std::nullopt;
+  return largest_of_period(samples, pieces);
+}
+
+}  // namespace fretval::fem

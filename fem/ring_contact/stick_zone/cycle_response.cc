@@ -1,0 +1,148 @@
+#include "fem/ring_contact/stick_zone/cycle_response.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "fem/motion/running_minimum.h"
+#include "fem/support/constants.h"
+
+namespace fretval::fem {
+namespace {
+
+using Prescribed = ValueAndRate (*)(const Motion&, double);
+
+/// What is prescribed moves by so much around each of n instants of a period, begin, begin + dt, ...: y.dot(moves) is
+/// `oint y dx`.
+Eigen::VectorXd moves(const Motion& motion, Prescribed prescribed, double begin, Eigen::Index n) {
+  const double dt = 2 * pi * motion.cycles_per_period() / static_cast<double>(n);
+  Eigen::VectorXd moves(n);
+  for (Eigen::Index k = 0; k < n; ++k) moves[k] = prescribed(motion, begin + static_cast<double>(k) * dt).rate * dt;
+  return moves;
+}
+
+/// Moves in the steps of a path, of what is prescribed.
+Eigen::VectorXd moves_along(const std::vector<double>& values, const SampledPath& path,
+                            const std::vector<StepInPiece>& pieces) {
+  Eigen::VectorXd moves(static_cast<Eigen::Index>(pieces.size()));
+  for (std::size_t k = 0; k < pieces.size(); ++k) {
+    const auto& step = pieces[k];
+    const double inside = (step.begin + step.end) / 2;
+    moves[static_cast<Eigen::Index>(k)] =
+        along(path, values, step.end, inside).value - along(path, values, step.begin, inside).value;
+  }
+  return moves;
+}
+
+/// Of samples at the balance times, those in the middle of the steps. before: the sample before the first one.
+Eigen::VectorXd in_the_middle(const Eigen::VectorXd& samples, double before, const std::vector<StepInPiece>& pieces) {
+  Eigen::VectorXd middle(samples.size());
+  for (Eigen::Index k = 0; k < samples.size(); ++k) {
+    const double weight = 1.5 - pieces[static_cast<std::size_t>(k)].fraction;
+    middle[k] = weight * samples[k] + (1 - weight) * (k == 0 ? before : samples[k - 1]);
+  }
+  return middle;
+}
+
+/// Where forces are prescribed they are known, and of what they make the indenter do this knows nothing.
+CycleUncertainty uncertainty_of(const RelaxationModel& relaxation, const Motion& motion, const Eigen::VectorXd& along,
+                                const Eigen::VectorXd& down, const NormalHistory& normal,
+                                const FrictionHistory& friction) {
+  CycleUncertainty uncertainty{};
+  Eigen::Index largest = 0;
+  friction.force.cwiseAbs().maxCoeff(&largest);
+  if (!motion.tangential_force) {
+    uncertainty.tangential_force_max = friction.force_uncertainty[largest];
+    uncertainty.tangential_force_mean = friction.force_uncertainty.mean();
+    uncertainty.cycle_work = uncertainty.tangential_work = friction.force_uncertainty.dot(along.cwiseAbs());
+  }
+  uncertainty.friction_work = relaxation.has_memory() ? friction.dissipated_uncertainty : uncertainty.cycle_work;
+  if (!motion.normal_force)
+    uncertainty.cycle_work += (normal.force_uncertainty + normal.force_beyond_uncertainty).dot(down.cwiseAbs());
+  return uncertainty;
+}
+
+double path_to_and_fro(const Motion& motion, double amplitude) {
+  return tangential_path(motion) / motion.tangential_amplitude() * amplitude;
+}
+
+/// Length of the tangential path of the indenter along a path, from samples where a force is prescribed.
+double way_along(const Motion& motion, const FrictionHistory& friction) {
+  if (!motion.tangential_force) return tangential_path(motion);
+  const auto& u = friction.indenter;
+  double way = std::abs(u[0] - (motion.is_single_pass() ? 0 : u[u.size() - 1]));
+  for (Eigen::Index k = 1; k < u.size(); ++k) way += std::abs(u[k] - u[k - 1]);
+  return way;
+}
+
+double normal_work_along(const Motion& motion, const NormalHistory& normal) {
+  const auto& pieces = normal.pieces;
+  const auto down = moves_along(motion.path->normal, *motion.path, pieces);
+  const auto last = normal.force.size() - 1;
+  const auto middle_of = [&](const Eigen::VectorXd& samples) {
+    return in_the_middle(samples, motion.is_single_pass() ? 0 : samples[last], pieces);
+  };
+  const Eigen::VectorXd pressing = normal.force + normal.force_beyond;
+  return motion.normal_force ? -middle_of(normal.indentation).dot(down) : middle_of(pressing).dot(down);
+}
+
+/// Of a path, whose forces have kinks at its rows: sums of second order over the steps, of what is prescribed the exact
+/// moves, `oint F du = -oint u dF`. A single pass begins without tangential force; what goes into the body in it is not
+/// told from what is lost there.
+CycleResponse response_along(const RelaxationModel& relaxation, double friction_coefficient, const Motion& motion,
+                             double normal_force_max, const NormalHistory& normal, const FrictionHistory& friction) {
+  const auto& pieces = normal.pieces;
+  const auto& path = *motion.path;
+  const auto along = moves_along(path.tangential, path, pieces), down = moves_along(path.normal, path, pieces);
+  const bool once = motion.is_single_pass();
+  const auto last = friction.force.size() - 1;
+  const auto middle_of = [&](const Eigen::VectorXd& samples) {
+    return in_the_middle(samples, once ? 0 : samples[last], pieces);
+  };
+  const Eigen::VectorXd pull = middle_of(friction.force);
+  const double tangential = motion.tangential_force ? -middle_of(friction.indenter).dot(along) : pull.dot(along),
+               pressed = normal_work_along(motion, normal);
+  CycleResponse response{};
+  response.tangential_force_max = largest_magnitude_of_period(friction.force, pieces);
+  for (Eigen::Index k = 0; k <= last; ++k)
+    response.tangential_force_mean += pull[k] * pieces[static_cast<std::size_t>(k)].duration() / (2 * pi);
+  response.friction_work = once || relaxation.has_memory() ? friction.dissipated_energy : tangential;
+  response.bulk_work = !once && relaxation.has_memory() ? tangential + pressed - response.friction_work : 0;
+  response.tangential_work = once ? 0 : tangential;
+  response.sliding_force = friction_coefficient * normal_force_max;
+  response.sliding_work = response.sliding_force * way_along(motion, friction);
+  response.uncertainty = uncertainty_of(relaxation, motion, along, down, normal, friction);
+  if (once) response.uncertainty.friction_work = friction.dissipated_uncertainty;
+  return response;
+}
+
+}  // namespace
+
+double normal_work(const Motion& motion, const NormalHistory& normal) {
+  if (motion.path) return normal_work_along(motion, normal);
+  const auto down = moves(motion, normal_motion, normal.time[0], normal.force.size());
+  return motion.normal_force ? -normal.indentation.dot(down) : (normal.force + normal.force_beyond).dot(down);
+}
+
+CycleResponse cycle_response(const RelaxationModel& relaxation, double friction_coefficient, const Motion& motion,
+                             double normal_force_max, const NormalHistory& normal, const FrictionHistory& friction) {
+  if (motion.path) return response_along(relaxation, friction_coefficient, motion, normal_force_max, normal, friction);
+  const auto n = friction.force.size();
+  const double dt = 2 * pi / normal.steps_per_cycle,
+               begin = normal.first_balance + static_cast<double>(friction.n_steps - n) * dt;
+  const auto along = moves(motion, tangential_motion, begin, n),
+             down = moves(motion, normal_motion, normal.time[0], normal.force.size());
+  const double tangential = motion.tangential_force ? -friction.indenter.dot(along) : friction.force.dot(along),
+               pressing = normal_work(motion, normal);
+  CycleResponse response{};
+  response.tangential_force_max = largest_magnitude_of_period(friction.force, normal.pieces);
+  response.tangential_force_mean = friction.force.mean();
+  response.friction_work = relaxation.has_memory() ? friction.dissipated_energy : tangential;
+  response.bulk_work = relaxation.has_memory() ? tangential + pressing - response.friction_work : 0;
+  response.tangential_work = tangential;
+  response.sliding_force = friction_coefficient * normal_force_max;
+  response.sliding_work = response.sliding_force * path_to_and_fro(motion, friction.amplitude);
+  response.uncertainty = uncertainty_of(relaxation, motion, along, down, normal, friction);
+  return response;
+}
+
+}  // namespace fretval::fem

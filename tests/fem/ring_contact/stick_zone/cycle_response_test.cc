@@ -1,0 +1,99 @@
+#include "fem/ring_contact/stick_zone/cycle_response.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "fem/support/constants.h"
+
+namespace fretval::fem::cycle_response_test {
+namespace {
+
+/// Oscillation about an indented rest position, of a body that answers d and u_x with forces of given moduli and lags.
+struct Sampled {
+  Motion motion = one_frequency(0.8, 0.2, 0.1, 0.7);
+  NormalHistory normal;
+  FrictionHistory friction;
+};
+
+Sampled sampled(int n_steps) {
+  Sampled s;
+  s.normal.steps_per_cycle = n_steps;
+  const double dt = 2 * pi / n_steps, begin = 2 * pi * 20;
+  s.normal.first_balance = dt;
+  for (auto* series : {&s.normal.time, &s.normal.force, &s.normal.indentation, &s.friction.force, &s.friction.indenter})
+    series->resize(n_steps);
+  s.normal.force_beyond = s.normal.force_beyond_uncertainty = Eigen::VectorXd::Zero(n_steps);
+  s.normal.force_uncertainty = Eigen::VectorXd::Constant(n_steps, 0.003);
+  s.friction.force_uncertainty = Eigen::VectorXd::Constant(n_steps, 0.002);
+  s.friction.dissipated_uncertainty = 1e-4;
+  s.friction.n_steps = 21L * n_steps;
+  s.friction.amplitude = 0.1;
+  s.friction.dissipated_energy = 0.01;
+  for (int k = 0; k < n_steps; ++k) {
+    const double t = begin + (k + 1) * dt;
+    s.normal.time[k] = t;
+    s.normal.indentation[k] = normal_motion(s.motion, t).value;
+    s.normal.force[k] = 2 + 0.6 * std::cos(t + 0.3);
+    s.friction.indenter[k] = tangential_motion(s.motion, t).value;
+    s.friction.force[k] = 0.05 + 0.4 * std::cos(t + 0.7 + 0.5);
+  }
+  return s;
+}
+
+// The area of an ellipse is pi times both amplitudes times the sine of the lag.
+TEST(CycleResponse, LoopsOfEllipsesAreExact) {
+  const RelaxationModel body{1, {1}, {0.5}, 0};
+  const double loops = pi * (0.2 * 0.6 * std::sin(0.3) + 0.1 * 0.4 * std::sin(0.5));
+  for (const bool forces : {false, true}) {
+    auto s = sampled(24);
+    if (forces) {
+      for (Eigen::Index k = 0; k < 24; ++k) {
+        const double t = s.normal.time[k];
+        s.normal.indentation[k] = 0.8 + 0.2 * std::cos(t - 0.3);
+        s.friction.indenter[k] = 0.1 * std::cos(t + 0.7 - 0.5);
+      }
+      s.motion = one_frequency(2, 0.6, 0.4, 0.7);
+      s.motion.normal_force = s.motion.tangential_force = true;
+    }
+    const auto response = cycle_response(body, 0.5, s.motion, 2.6, s.normal, s.friction);
+    EXPECT_NEAR(response.friction_work + response.bulk_work, loops, 1e-12) << forces;
+    EXPECT_EQ(response.friction_work, 0.01);
+    EXPECT_NEAR(response.tangential_work, pi * 0.1 * 0.4 * std::sin(0.5), 1e-12) << forces;
+    EXPECT_NEAR(response.sliding_work, 0.5 * 2.6 * 4 * 0.1, 1e-14) << forces;
+  }
+}
+
+// A force that is uncertain by as much all the way, one way: four times that and the amplitude.
+TEST(CycleResponse, CarriesWhatReadingTheForcesLeavesOpen) {
+  auto s = sampled(360);
+  const auto with_memory = cycle_response({1, {1}, {0.5}, 0}, 0.5, s.motion, 2.6, s.normal, s.friction).uncertainty;
+  EXPECT_EQ(with_memory.tangential_force_max, 0.002);
+  EXPECT_NEAR(with_memory.tangential_force_mean, 0.002, 1e-15);
+  EXPECT_EQ(with_memory.friction_work, 1e-4);
+  EXPECT_NEAR(with_memory.tangential_work, 4 * 0.002 * 0.1, 1e-7);
+  EXPECT_NEAR(with_memory.cycle_work, 4 * (0.002 * 0.1 + 0.003 * 0.2), 1e-7);
+  const auto elastic = cycle_response({1, {}, {}, 0}, 0.5, s.motion, 2.6, s.normal, s.friction).uncertainty;
+  EXPECT_NEAR(elastic.friction_work, 4 * 0.002 * 0.1, 1e-7);
+  s.motion.tangential_force = true;
+  const auto prescribed = cycle_response({1, {}, {}, 0}, 0.5, s.motion, 2.6, s.normal, s.friction).uncertainty;
+  EXPECT_EQ(prescribed.tangential_force_max, 0);
+}
+
+TEST(CycleResponse, FindsTheExtremeBetweenTheSteps) {
+  const auto s = sampled(36);
+  const auto response = cycle_response({}, 0.5, s.motion, 2.6, s.normal, s.friction);
+  EXPECT_NEAR(response.tangential_force_max, 0.45, 1e-5);
+  EXPECT_LT(s.friction.force.cwiseAbs().maxCoeff(), 0.45 - 5e-5);
+  EXPECT_NEAR(response.tangential_force_mean, 0.05, 1e-14);
+}
+
+TEST(CycleResponse, WithoutMemoryFrictionTakesTheTangentialLoop) {
+  const auto s = sampled(24);
+  const auto response = cycle_response({}, 0.5, s.motion, 2.6, s.normal, s.friction);
+  EXPECT_NEAR(response.friction_work, pi * 0.1 * 0.4 * std::sin(0.5), 1e-12);
+  EXPECT_EQ(response.bulk_work, 0);
+}
+
+}  // namespace
+}  // namespace fretval::fem::cycle_response_test
