@@ -22,6 +22,10 @@ ROOT = pathlib.Path(__file__).resolve().parents[1]
 PAGE = ROOT / "docs/verification.md"
 BLOCK = re.compile(r"(<!--table ([a-z-]+)-->\n)(.*?)(<!--end \2-->)", re.DOTALL)
 RADII = ("stick_radius_first_slip", "stick_radius_shakedown")
+# What stands first in a table; the others follow as they come.
+FIRST = (*RADII, "contact_radius_max", "normal_force_max", "indentation_max", "tangential_amplitude")
+# A difference of what is prescribed is roundoff, and so is its bar.
+ROUNDOFF = 1e-10
 # As the program calls them: of {"normal_force_max", "largest normal force", ...
 TITLES = dict(re.findall(r'\{"([a-z_]+)",\s*"([^"]+)"', (ROOT / "comparison/quantities/quantity.cc").read_text(encoding="utf-8")))
 
@@ -48,7 +52,9 @@ def plain(tolerance):
 
 
 def percent(value):
-    return "–" if value is None else f"{100 * value:+.1f} %"
+    if value is None:
+        return "–"
+    return "0.0 %" if abs(value) < 5e-4 else f"{100 * value:+.1f} %"
 
 
 def table(heads, rows):
@@ -193,7 +199,7 @@ def size(c):
 
 
 def is_above(c):
-    return bars(c) is not None and size(c) is not None and size(c) > bars(c)
+    return bars(c) is not None and size(c) is not None and size(c) > bars(c) + ROUNDOFF
 
 
 def compared(results):
@@ -210,7 +216,8 @@ def by_quantity(results):
     for quantity, c in compared(results):
         groups.setdefault((not c["asked"], quantity), []).append(c)
     rows = []
-    for (other, quantity), group in sorted(groups.items(), key=lambda item: item[0][0]):
+    place = lambda key: (key[0], FIRST.index(key[1]) if key[1] in FIRST else len(FIRST))
+    for (other, quantity), group in sorted(groups.items(), key=lambda item: place(item[0])):
         sizes = [size(c) for c in group if size(c) is not None]
         ratios = [bars(c) / size(c) for c in group if bars(c) and size(c)]
         rows.append([words(quantity) + (" *" if other else ""), *tally(group), short(median(sizes)), short(max(sizes, default=None)), short(median([bars(c) for c in group])), short(median(ratios))])
