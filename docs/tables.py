@@ -282,12 +282,12 @@ def wear_courses(folder):
     rows = []
     for family, results in families.items():
         wears = [r["fe"]["wear"] for r in results if r["fe"].get("wear")]
-        near = [(r["comparison"]["distance_to_limit"], r["fe"]["wear"]["distance_to_limit"]["first_slip"]) for r in results if "distance_to_limit" in r["comparison"]]
+        near = [(r["comparison"]["distance_to_limit"], r["fe"]["wear"]["distance_to_limit"]) for r in results if "distance_to_limit" in r["comparison"]]
         volumes = [r["comparison"]["worn_volume"] for r in results if "worn_volume" in r["comparison"]]
         largest = lambda group: short(max((size(c) for c in group if size(c) is not None), default=None))
         rows.append([family, len(results), ", ".join(sorted({w["end"] for w in wears})), largest([c for c, _ in near]), short(max((bars(c) for c, _ in near if bars(c) is not None), default=None)),
-                     short(min((first for _, first in near if first is not None), default=None)), largest(volumes), ", ".join(sorted({r["verdict"] for r in results}))])
-    return table(["cases", "", "end", "largest distance from the limit", "its bar", "smallest from that of first slip", "volume: largest difference", "verdict"], rows)
+                     short(min((d["first_slip"] for _, d in near if d["first_slip"] is not None and d["first_slip"] != d["shakedown"]), default=None)), largest(volumes), ", ".join(sorted({r["verdict"] for r in results}))])
+    return table(["family", "cases", "end", "largest distance from the limit", "its bar", "smallest from that of first slip, where it is another", "volume: largest difference", "verdict"], rows)
 
 
 # Profiles that MDR does not hold for: what its springs would say at rest.
