@@ -275,6 +275,11 @@ def layers_half_space(folder):
 
 # Wear: one row a family.
 
+def has_two_radii(result):
+    first_slip, shakedown = (result["mdr"].get(radius) or 0 for radius in RADII)
+    return abs(first_slip - shakedown) > 1e-6 * result["scene"]["contact_radius_unworn"]
+
+
 def wear_courses(folder):
     families = {}
     for result in folder.cases("wear"):
@@ -282,11 +287,11 @@ def wear_courses(folder):
     rows = []
     for family, results in families.items():
         wears = [r["fe"]["wear"] for r in results if r["fe"].get("wear")]
-        near = [(r["comparison"]["distance_to_limit"], r["fe"]["wear"]["distance_to_limit"]) for r in results if "distance_to_limit" in r["comparison"]]
+        near = [(r["comparison"]["distance_to_limit"], r["fe"]["wear"]["distance_to_limit"]["first_slip"] if has_two_radii(r) else None) for r in results if "distance_to_limit" in r["comparison"]]
         volumes = [r["comparison"]["worn_volume"] for r in results if "worn_volume" in r["comparison"]]
         largest = lambda group: short(max((size(c) for c in group if size(c) is not None), default=None))
         rows.append([family, len(results), ", ".join(sorted({w["end"] for w in wears})), largest([c for c, _ in near]), short(max((bars(c) for c, _ in near if bars(c) is not None), default=None)),
-                     short(min((d["first_slip"] for _, d in near if d["first_slip"] is not None and d["first_slip"] != d["shakedown"]), default=None)), largest(volumes), ", ".join(sorted({r["verdict"] for r in results}))])
+                     short(min((first for _, first in near if first is not None), default=None)), largest(volumes), ", ".join(sorted({r["verdict"] for r in results}))])
     return table(["family", "cases", "end", "largest distance from the limit", "its bar", "smallest from that of first slip, where it is another", "volume: largest difference", "verdict"], rows)
 
 
