@@ -263,7 +263,7 @@ def layers_half_space(folder):
         half, layer = result.get("mdr_half_space"), result["mdr"]
         if not half or "Thickness" not in values or not result["name"].startswith("bonded"):
             continue
-        found.setdefault(values["Poisson ratio"], {})[values["Thickness"]] = (layer["contact_radius_max"] / values["Thickness"], *(half[q] / layer[q] - 1 for q in (RADII[1], "normal_force_max")))
+        found.setdefault(values.get("Poisson ratio", 0.5), {})[values["Thickness"]] = (layer["contact_radius_max"] / values["Thickness"], *(half[q] / layer[q] - 1 for q in (RADII[1], "normal_force_max")))
     if not found:
         raise Absent
     thicknesses = sorted({t for group in found.values() for t in group}, reverse=True)
