@@ -14,6 +14,9 @@ struct PreparedCase {
   MdrCase mdr;
   FemCase fem;
   Tolerances tolerances;
+  /// What MDR's springs may be off by, over the scales of the quantities: it takes its part of the tolerances, and the
+  /// bars of the finite elements have the rest.
+  Quantities reference_errors = {};
 };
 
 /// Checks everything about the cases that can be checked before the first one is computed. Throws InputError; bad

@@ -174,6 +174,8 @@ struct Case {
   struct Contact {
     bool vector_friction = false;  ///< the traction has any direction; false: that of the motion, as MDR assumes
     bool coupled = false;          ///< pressures displace along the surface and tractions across it
+    /// Each step is solved once more, by an algorithm of another kind.
+    bool second_algorithm = false;
     /// On rings and angles; otherwise on rings.
     [[nodiscard]] bool is_full() const { return vector_friction; }
   };

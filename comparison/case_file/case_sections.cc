@@ -354,8 +354,13 @@ Case::Contact read_contact(const EntryReader& entries, const Case::Motion& motio
   contact.vector_friction = is_vector("Contact", "Friction") || by_law;
   if (by_law && entries.given("Contact", "Friction") && !is_vector("Contact", "Friction"))
     entries.fail("Contact", "Friction", "vector, or no Friction / Law = vector beside it");
-  contact.coupled =
-      entries.given("Contact", "Coupling") && entries.one_of("Contact", "Coupling", {"off", "on"}) == "on";
+  const auto is_on = [&](const char* name) {
+    return entries.given("Contact", name) && entries.one_of("Contact", name, {"off", "on"}) == "on";
+  };
+  contact.coupled = is_on("Coupling");
+  contact.second_algorithm = is_on("Second algorithm");
+  if (contact.second_algorithm && !contact.vector_friction)
+    entries.fail("Contact", "Second algorithm", "off, or Contact / Friction = vector: it is one for that contact");
   if (contact.coupled && !contact.vector_friction)
     entries.fail("Contact", "Coupling",
                  "off, or Contact / Friction = vector: coupled, tractions have radial parts of any direction");

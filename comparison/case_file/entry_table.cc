@@ -224,7 +224,13 @@ std::vector<SectionTraits> all_sections() {
          "off, on",
          "off",
          "on: pressures displace along the surface, and tractions across it, as in any body but an incompressible "
-         "half-space; with Friction = vector"}}},
+         "half-space; with Friction = vector"},
+        {"Second algorithm",
+         {},
+         "off, on",
+         "off",
+         "on: each step is solved once more, by projected gradients, and the largest difference of a traction or "
+         "pressure is told; several times as long; with Friction = vector"}}},
       body_entries(),
       motion_entries(),
       {"Wear",

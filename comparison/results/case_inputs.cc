@@ -138,6 +138,7 @@ void add_contact(const Case::Contact& contact, Inputs& inputs) {
   if (!contact.is_full()) return;
   inputs.add("Contact", "Friction", "vector");
   inputs.add("Contact", "Coupling", contact.coupled ? "on" : "off");
+  if (contact.second_algorithm) inputs.add("Contact", "Second algorithm", "on");
 }
 
 void add_measured(const Case& input, Inputs& inputs) {

@@ -173,12 +173,15 @@ Outcome outcome_of(const CaseResult& result) {
   return may && !too_early ? Outcome::agree : Outcome::disagree;
 }
 
-CaseResult result_of(const PreparedCase& prepared, const mdr::NormalResponse& reference, Proof proof,
-                     ProvedAnswer&& fe) {
+Readings compared_readings_of(const MdrAnswer& mdr, const FemCase& fem) {
+  return fem.worn_edge ? readings_of_worn(mdr) : readings_of(mdr);
+}
+
+CaseResult result_of(const PreparedCase& prepared, MdrAnswer&& mdr, Proof proof, ProvedAnswer&& fe) {
   CaseResult result{prepared.input,
                     prepared.mdr,
                     at_resolution(prepared.fem, fe.resolution),
-                    mdr_answer_with_cycle(prepared.mdr, reference),
+                    std::move(mdr),
                     proof,
                     std::move(fe),
                     {}};
@@ -189,8 +192,7 @@ CaseResult result_of(const PreparedCase& prepared, const mdr::NormalResponse& re
   result.rings = given_rings_of(prepared, result.fe);
   result.model = model_errors_of(prepared.input, result.mdr);
   const auto& fem = prepared.fem;
-  result.comparison = compare(readings_of(result.fe.fe, fem.units),
-                              fem.worn_edge ? readings_of_worn(result.mdr) : readings_of(result.mdr),
+  result.comparison = compare(readings_of(result.fe.fe, fem.units), compared_readings_of(result.mdr, fem),
                               scales_of(result.mdr, fem.units.length), prepared.tolerances, result.fe.budget);
   if (!beyond_mdr_model(result.input).empty())
     for (auto& [quantity, difference] : result.comparison) difference.verdict.reset();

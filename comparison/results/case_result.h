@@ -46,8 +46,10 @@ struct CaseResult {
 Outcome outcome_of(const CaseResult& result);
 
 /// Both answers to a case, compared.
-CaseResult result_of(const PreparedCase& prepared, const mdr::NormalResponse& reference, Proof proof,
-                     ProvedAnswer&& fe);
+CaseResult result_of(const PreparedCase& prepared, MdrAnswer&& mdr, Proof proof, ProvedAnswer&& fe);
+
+/// What MDR says that is compared with finite elements on the same indenter.
+Readings compared_readings_of(const MdrAnswer& mdr, const FemCase& fem);
 
 /// The answer of finite elements alone to a case whose profile MDR does not hold for (MdrCase::falls).
 CaseResult result_beyond_mdr(const PreparedCase& prepared, Proof proof, ProvedAnswer&& fe);

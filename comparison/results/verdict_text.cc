@@ -179,9 +179,9 @@ bool slides(const ordered_json& result) {
 /// With the prefix of the contact radius, three digits, and more where the length is a thousand of these units.
 std::string length_text(double length, double contact_radius) {
   const auto [prefix, factor] = prefix_for(contact_radius);
-  constexpr double rounded_to_a_thousand = 999.5;
+  constexpr double rounded_to_a_hundred = 99.95;
   const double value = length / factor;
-  return fmt::format(value < rounded_to_a_thousand ? "{:#.3g} {}m" : "{:.0f} {}m", value, prefix);
+  return fmt::format(value < rounded_to_a_hundred ? "{:#.3g} {}m" : "{:.0f} {}m", value, prefix);
 }
 
 /// A stick radius of finite elements, with its error bar where that exceeds a tenth of it, so that not even its first

@@ -77,6 +77,7 @@ ordered_json zones_json(const SurfaceAnswer& surface, bool single_pass, const Er
     json["sticks_in_a_cycle"] =
         zone_json(surface.sticks_in_a_cycle, Q::stick_radius_shakedown, Q::shakedown_along, Q::shakedown_across);
   json["torque_max"] = surface.torque_max;
+  if (const auto& second = surface.history.second_difference) json["second_algorithm"] = *second;
   return json;
 }
 

@@ -23,11 +23,12 @@ fem::Mirrors mirrors_of(const FemCase& fem) {
 /// Micro-slip between the stick radii dies out by its own time, not by that of the body, long after the zones, the
 /// forces and the energies are what they are in the end.
 fem::SurfaceControl control_of_surface(const FemCase& fem) {
-  if (fem.motion.is_single_pass()) return fem::exactly(1);
+  const bool second = fem.full && fem.full->second_algorithm;
+  if (fem.motion.is_single_pass()) return {1, 1, 0, second};
   constexpr int at_least = 2, at_most = 40;
   constexpr double of_body = 30;
   const int ramp = fem.motion.cycles_of_ramp();
-  return {ramp + at_least, ramp + at_most, of_body * fem.resolution.periodicity};
+  return {ramp + at_least, ramp + at_most, of_body * fem.resolution.periodicity, second};
 }
 
 PlaneZone disc(double radius, double uncertainty, Eigen::Index n_angles) {

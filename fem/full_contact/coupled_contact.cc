@@ -210,6 +210,12 @@ void CoupledContact::step(const PressureWear& wear) {
   require_room(pressure.rowwise().maxCoeff());
 }
 
+MatrixXd CoupledContact::pull() const {
+  MatrixXd image;
+  operators_.normal.apply(pressure, image);
+  return image - opened_;
+}
+
 double CoupledContact::normal_force() const {
   return (operators_.normal.areas().transpose() * pressure).sum();
 }

@@ -63,6 +63,10 @@ class CoupledContact {
   double remainder = 0;      ///< of the normal contact, see above
 
   [[nodiscard]] double normal_force() const;
+  [[nodiscard]] const SurfaceOperator& normal_operator() const { return operators_.normal; }
+  /// What the pressures of the last step solved for under its tractions, without wear: areas times the displacements
+  /// that would leave no gap.
+  [[nodiscard]] Eigen::MatrixXd pull() const;
 
   /// What the next step depends on; into a contact that was made of the same arguments.
   template <class Archive>

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "fem/full_contact/fields.h"
+#include "fem/full_contact/projected_gradients.h"
 #include "fem/full_contact/slip_room.h"
 #include "fem/support/constants.h"
 
@@ -154,14 +155,21 @@ double SurfaceWatch::periodicity() const {
 namespace {
 
 /// Steps whole cycles: step is called with the number of each step, from 0 on.
-template <class Step>
-SurfaceHistory history_of(SurfaceWatch& watch, int steps_per_cycle, const SurfaceControl& control, const Step& step) {
+template <class Contact, class Step>
+SurfaceHistory history_of(const Contact& contact, SurfaceWatch& watch, int steps_per_cycle,
+                          const SurfaceControl& control, const Step& step) {
+  SecondAlgorithm second;
   long n = 0;
   for (int cycle = 1; cycle <= control.most_cycles; ++cycle) {
-    for (int k = 0; k < steps_per_cycle; ++k) step(n++);
+    for (int k = 0; k < steps_per_cycle; ++k) {
+      step(n++);
+      if (control.has_second_algorithm) second.see(contact);
+    }
     if (cycle >= control.least_cycles && watch.periodicity() <= control.periodicity) break;
   }
-  return watch.report();
+  auto history = watch.report();
+  if (control.has_second_algorithm) history.second_difference = second.difference();
+  return history;
 }
 
 }  // namespace
@@ -169,7 +177,7 @@ SurfaceHistory history_of(SurfaceWatch& watch, int steps_per_cycle, const Surfac
 SurfaceHistory vector_friction_history(VectorFriction friction, const std::function<VectorXd(long)>& ring_pressure,
                                        const RingProblems& rings, const SurfaceControl& control) {
   SurfaceWatch watch(rings, friction.op().grid(), friction.steps_per_cycle());
-  return history_of(watch, friction.steps_per_cycle(), control, [&](long n) {
+  return history_of(friction, watch, friction.steps_per_cycle(), control, [&](long n) {
     const VectorXd pressure = ring_pressure(n);
     friction.step(pressure);
     watch.see(friction, pressure.replicate(1, friction.limit.cols()));
@@ -179,7 +187,7 @@ SurfaceHistory vector_friction_history(VectorFriction friction, const std::funct
 SurfaceHistory coupled_contact_history(CoupledContact contact, const RingProblems& rings,
                                        const SurfaceControl& control) {
   SurfaceWatch watch(rings, contact.friction.op().grid(), contact.friction.steps_per_cycle());
-  return history_of(watch, contact.friction.steps_per_cycle(), control, [&](long) {
+  return history_of(contact, watch, contact.friction.steps_per_cycle(), control, [&](long) {
     const double before = contact.depth;
     contact.step();
     watch.see(contact, contact.depth - before);

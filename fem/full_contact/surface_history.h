@@ -2,6 +2,7 @@
 
 #include <Eigen/Dense>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "fem/full_contact/contact_region.h"
@@ -36,6 +37,8 @@ struct SurfaceHistory {
   std::vector<Eigen::MatrixXd> pressure, traction;  ///< of the last cycle, a step each
   /// Largest change of a traction against the cycle before, over the largest one.
   double periodicity = 0;
+  /// By how much the steps differ by a second algorithm (SecondAlgorithm); empty: there was none.
+  std::optional<double> second_difference = {};
 };
 
 /// Watches a contact step by step.
@@ -89,6 +92,7 @@ class SurfaceWatch {
 struct SurfaceControl {
   int least_cycles, most_cycles;
   double periodicity = 0;
+  bool has_second_algorithm = false;  ///< solve each step once more
 };
 inline SurfaceControl exactly(int n_cycles) {
   return {n_cycles, n_cycles};

@@ -149,6 +149,12 @@ void VectorFriction::step(const VectorXd& ring_pressure) {
   step(MatrixXd(ring_pressure.replicate(1, limit.cols())));
 }
 
+MatrixXd VectorFriction::pull() const {
+  MatrixXd image;
+  op_.apply(solution_.traction, image);
+  return image + solution_.residual;
+}
+
 MatrixXd VectorFriction::displacements() const {
   MatrixXd all(traction.rows(), traction.cols());
   all << as_field(x_.displacement, limit.rows()), as_field(y_.displacement, limit.rows());

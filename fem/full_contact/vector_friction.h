@@ -91,6 +91,8 @@ class VectorFriction {
   NextStep next_step();
   /// Where the last step lies in its piece of a path, sampled at the balance time; empty: of cosines.
   [[nodiscard]] std::optional<StepInPiece> in_piece() const;
+  /// What the last step solved for: areas times the displacements that would leave no slip.
+  [[nodiscard]] Eigen::MatrixXd pull() const;
   /// Of the points at the end of the step.
   [[nodiscard]] Eigen::MatrixXd displacements() const;
 

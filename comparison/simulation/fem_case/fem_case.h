@@ -32,7 +32,8 @@ struct Solid {
 
 /// The contact on rings and angles in the place of the one on rings.
 struct FullContact {
-  bool coupled;  ///< pressure and friction act on each other
+  bool coupled;                   ///< pressure and friction act on each other
+  bool second_algorithm = false;  ///< each step is solved once more
 };
 
 /// A case in the terms of the finite elements: dimensionless in `units`.

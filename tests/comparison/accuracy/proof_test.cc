@@ -218,6 +218,21 @@ TEST(Proof, KeepsWhatIsFineEnough) {
   EXPECT_LE(result.budget.at(Quantity::stick_radius_shakedown).total(), 1e-3);
 }
 
+// What MDR's springs may be off by is a part of the tolerance; half of it is left in any case.
+TEST(Proof, LeavesTheReferenceItsPartOfATolerance) {
+  auto prepared = prepare({suite_case("parabola-solid-90", 1e-3)}).front();
+  const auto bar_beside = [&](double error) {
+    prepared.reference_errors = {{Quantity::stick_radius_shakedown, error}};
+    return fake_study(prepared, {100, 0}).budget.at(Quantity::stick_radius_shakedown).total();
+  };
+  const double alone = bar_beside(0);
+  EXPECT_LE(alone, 1e-3);
+  const double error = 1.01e-3 - alone;  // a little more than is left over
+  EXPECT_LE(bar_beside(error), std::max(1e-3 - error, 0.5e-3));
+  EXPECT_LT(bar_beside(error), alone);
+  EXPECT_LE(bar_beside(1), 0.5e-3);
+}
+
 TEST(Proof, RefinesOnlyWhatIsTooWide) {
   const auto prepared = prepare({suite_case("parabola-solid-90", 1e-3)}).front();
   const auto& start = prepared.fem.resolution;

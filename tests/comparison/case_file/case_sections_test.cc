@@ -190,6 +190,9 @@ TEST(CaseSections, TheContactOnRingsAndAnglesIsAskedFor) {
   EXPECT_TRUE(vector.vector_friction);
   EXPECT_FALSE(vector.coupled);
   EXPECT_TRUE(read_case(with_contact("set Friction = vector\nset Coupling = on")).contact.coupled);
+  EXPECT_TRUE(read_case(with_contact("set Friction = vector\nset Second algorithm = on")).contact.second_algorithm);
+  expect_parts(refusal([] { read_case(with_contact("set Second algorithm = on")); }),
+               {"Contact / Second algorithm", "Friction = vector"});
   expect_parts(refusal([] { read_case(with_contact("set Coupling = on")); }),
                {"Contact / Coupling", "Friction = vector"});
   expect_parts(refusal([] { read_case(with_contact("set Friction = both")); }),

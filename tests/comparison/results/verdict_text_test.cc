@@ -61,6 +61,10 @@ TEST(PlainAnswer, HasAHeadlineOfItsOwnForEachKindOfContact) {
   EXPECT_EQ(plain_answer(pass), "in this pass all of the contact of 1.10 mm slips");
   pass["fe"]["stick_radius_first_slip"] = 5e-4;
   EXPECT_EQ(plain_answer(pass), "in this pass the inner 0.500 mm of a contact of 1.10 mm never slips");
+  auto of_three_digits = pass;
+  of_three_digits["fe"]["stick_radius_first_slip"] = 2.206e-4;
+  of_three_digits["fe"]["contact_radius_max"] = 3.392e-4;
+  EXPECT_EQ(plain_answer(of_three_digits), "in this pass the inner 221 µm of a contact of 339 µm never slips");
   pass["comparison"]["stick_radius_first_slip"]["error_bar"] = 0.06;
   EXPECT_EQ(plain_answer(pass), "in this pass the inner 500 ± 66 µm of a contact of 1.10 mm never slips")
       << "not even its first digit is known";

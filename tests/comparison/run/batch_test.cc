@@ -6,6 +6,7 @@
 #include <chrono>
 #include <fstream>
 #include <future>
+#include <nlohmann/json.hpp>
 #include <set>
 
 #include "fem/support/solver_error.h"
@@ -15,6 +16,24 @@ namespace fretval {
 namespace {
 
 namespace fs = std::filesystem;
+
+TEST(Batch, ASecondAlgorithmConfirmsFrictionAsAVectorOnRequest) {
+  const ScratchFolder folder;
+  const std::string contact = "subsection Contact\n  set Friction = vector\n  set Coupling = off\n";
+  const auto with = folder.write("with.prm", elastic_case() + contact + "  set Second algorithm = on\nend\n"),
+             without = folder.write("without.prm", elastic_case() + contact + "end\n");
+  auto cases = read_case_file(with);
+  cases.push_back(read_case_file(without).at(0));
+  BatchOptions options;
+  options.proof = Proof::none;
+  BodyStore bodies;
+  for (const auto& line : run_batch(prepare(cases), options, bodies)) {
+    ASSERT_EQ(line.failure, "");
+    const auto zones = nlohmann::json::parse(line.json).at("fe").at("zones");
+    ASSERT_EQ(zones.contains("second_algorithm"), line.name == "with") << line.name;
+    if (line.name == "with") EXPECT_LT(zones.at("second_algorithm").get<double>(), 1e-7);
+  }
+}
 
 // A case that needs little is done when it has that, not when the others have theirs.
 TEST(Batch, ACaseIsDoneWhileOthersGoOn) {
