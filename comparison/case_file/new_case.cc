@@ -8,6 +8,7 @@
 #include "comparison/case/case.h"
 #include "comparison/case_file/entry_lookup.h"
 #include "comparison/support/closest.h"
+#include "comparison/support/constants.h"
 
 namespace fretval {
 namespace {
@@ -66,7 +67,7 @@ std::string modulus_table() {
       "# In the place of measured moduli: a standard solid, 1 MPa beside 1 MPa with 0.1 s.\nf,G',G''\n"
       "Hz,MPa,MPa\n";
   for (int k = -12; k <= 16; ++k) {
-    const double f = std::pow(10.0, k / 8.0), x = 2 * std::acos(-1.0) * f * 0.1;
+    const double f = std::pow(10.0, k / 8.0), x = 2 * pi * f * 0.1;
     text += fmt::format("{:.6g},{:.8g},{:.8g}\n", f, 1 + x * x / (1 + x * x), x / (1 + x * x));
   }
   return text;

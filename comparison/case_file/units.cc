@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "comparison/support/constants.h"
 #include "mdr/support/trimmed.h"
 
 namespace fretval {
@@ -18,7 +19,6 @@ struct Unit {
 
 /// The base unit first. Micro is the sign of its own or the Greek letter.
 std::vector<Unit> units_of(Dimension dimension) {
-  const double pi = std::acos(-1.0);
   switch (dimension) {
     case Dimension::length:
       return {{"m"},          {"cm", 1, 1e2},      {"mm", 1, 1e3},

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <optional>
 
+#include "comparison/support/constants.h"
 #include "mdr/rheology/kramers_kronig.h"
 #include "mdr/rheology/modulus_table.h"
 #include "mdr/rheology/prony_fit.h"
@@ -61,7 +62,6 @@ std::optional<Case::KramersKronigCheck> check_of(const mdr::ModulusTable& table)
 }  // namespace
 
 std::optional<RelaxedModulusRange> extrapolated_range(const Case::MasterCurve& data, double fitted) {
-  const double pi = std::acos(-1.0);
   const auto lowest = std::min_element(data.frequency.begin(), data.frequency.end()) - data.frequency.begin();
   if (lowest != 0 || data.frequency.size() < 2) return std::nullopt;
   const double storage = data.storage.front(), loss = data.loss.front();

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "comparison/reference/incompressible_case.h"
+#include "comparison/support/constants.h"
 #include "mdr/layer/layer_contact.h"
 #include "mdr/profiles/profile_csv.h"
 #include "mdr/rheology/compressible.h"
@@ -19,7 +20,7 @@
 namespace fretval {
 namespace {
 
-constexpr double degree = 3.14159265358979323846 / 180;
+constexpr double degree = pi / 180;
 
 /// Heights that scatter are those of a convex profile.
 mdr::Profile profile_from_table(const Case::Indenter& indenter) {

@@ -11,6 +11,7 @@
 #include "comparison/reference/mdr_readings.h"
 #include "comparison/reference/mdr_wear.h"
 #include "comparison/reference/spring_agreement.h"
+#include "comparison/support/constants.h"
 #include "comparison/support/json.h"
 #include "mdr/springs/path_response.h"
 #include "mdr/stick/limiting_motion.h"
@@ -58,7 +59,7 @@ ordered_json state_json(const std::optional<mdr::LimitingState>& state) {
           {"indentation", state->motion.indentation},
           {"normal_amplitude", state->motion.normal_amplitude},
           {"tangential_amplitude", state->motion.tangential_amplitude},
-          {"phase", state->motion.phase ? ordered_json(*state->motion.phase * 180 / std::acos(-1.0)) : nullptr},
+          {"phase", state->motion.phase ? ordered_json(*state->motion.phase * 180 / pi) : nullptr},
           {"normal_force_mean", state->mean_normal_force},
           {"normal_force_amplitude", state->normal_force_amplitude},
           {"tangential_force_amplitude", state->tangential_force_amplitude}};

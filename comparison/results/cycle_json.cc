@@ -7,6 +7,7 @@
 #include "comparison/results/case_result.h"
 #include "comparison/results/period_steps.h"
 #include "comparison/results/ring_zone.h"
+#include "comparison/support/constants.h"
 #include "fem/ring_contact/stick_zone/slip_decay.h"
 #include "mdr/springs/spring_fields.h"
 
@@ -54,9 +55,9 @@ std::vector<Eigen::Index> zones_shown(const FeAnswer& fe, Eigen::Index most) {
 /// In the period, s.
 double end_of_step(const CaseResult& result, Eigen::Index k) {
   const auto& normal = result.fe.fe.normal;
-  const double step = 2 * std::acos(-1.0) / normal.steps_per_cycle,
-               end = normal.pieces.empty() ? static_cast<double>(k + 1) * step
-                                           : normal.pieces[static_cast<std::size_t>(k)].end;
+  const double step = 2 * pi / normal.steps_per_cycle, end = normal.pieces.empty()
+                                                                 ? static_cast<double>(k + 1) * step
+                                                                 : normal.pieces[static_cast<std::size_t>(k)].end;
   return end / result.fem_case.units.angular_frequency;
 }
 

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "comparison/support/constants.h"
 #include "comparison/support/files.h"
 
 namespace fretval {
@@ -49,7 +50,7 @@ Values residuals_of(const Case::AlignedTrace& trace) {
 }
 
 ordered_json trace_json(const Case::AlignedTrace& trace) {
-  const double degrees = 180 / std::acos(-1.0);
+  const double degrees = 180 / pi;
   return {{"apex", trace.apex},
           {"apex_uncertainty", trace.apex_uncertainty},
           {"tilt", std::atan(trace.tilt) * degrees},

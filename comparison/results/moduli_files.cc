@@ -4,12 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "comparison/support/constants.h"
 #include "comparison/support/files.h"
 
 namespace fretval {
 namespace {
 
-const double radians_per_cycle = 2 * std::acos(-1.0);
+const double radians_per_cycle = 2 * pi;
 constexpr Eigen::Index n_frequencies = 121;
 
 Eigen::VectorXd vector_of(const std::vector<double>& values) {

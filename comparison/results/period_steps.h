@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "comparison/simulation/fe_answer.h"
+#include "comparison/support/constants.h"
 
 namespace fretval {
 
@@ -21,7 +22,7 @@ struct PeriodStep {
       const auto& step = fe.normal.pieces[static_cast<std::size_t>(normal_column())];
       return step.begin + step.fraction * step.duration();
     }
-    return fe.normal.first_balance + static_cast<double>(step() - 1) * 2 * std::acos(-1.0) / fe.normal.steps_per_cycle;
+    return fe.normal.first_balance + static_cast<double>(step() - 1) * 2 * pi / fe.normal.steps_per_cycle;
   }
 };
 
@@ -37,7 +38,7 @@ inline std::vector<Eigen::Index> columns_at_equal_times(const FeAnswer& fe, Eige
   constexpr double roundoff = 1e-9;
   Eigen::Index column = 0;
   for (Eigen::Index i = 1; i <= n; ++i) {
-    const double end = 2 * std::acos(-1.0) * static_cast<double>(i) / static_cast<double>(n);
+    const double end = 2 * pi * static_cast<double>(i) / static_cast<double>(n);
     while (column + 1 < n_all && fe.normal.pieces[static_cast<std::size_t>(column)].end < end - roundoff) ++column;
     columns.push_back(column);
   }

@@ -19,6 +19,7 @@
 #include "comparison/results/wear_json.h"
 #include "comparison/results/zones_json.h"
 #include "comparison/simulation/fem_case/resolution_json.h"
+#include "comparison/support/constants.h"
 #include "comparison/support/json.h"
 #include "mdr/motion/force_control.h"
 #include "mdr/profiles/profile.h"
@@ -33,7 +34,7 @@ using nlohmann::ordered_json;
 ordered_json harmonics_json(const std::vector<mdr::Harmonic>& harmonics) {
   auto json = ordered_json::array();
   for (const auto& [amplitude, frequency, phase, across] : harmonics)
-    json.push_back({{"amplitude", amplitude}, {"frequency", frequency}, {"phase", phase * 180 / std::acos(-1.0)}});
+    json.push_back({{"amplitude", amplitude}, {"frequency", frequency}, {"phase", phase * 180 / pi}});
   return json;
 }
 

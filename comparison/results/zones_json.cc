@@ -5,6 +5,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "comparison/support/constants.h"
+
 namespace fretval {
 namespace {
 
@@ -54,15 +56,14 @@ ordered_json zones_json(const SurfaceAnswer& surface, bool single_pass, const Er
   };
   const auto zone_json = [&](const PlaneZone& zone, Quantity radius, Quantity along, Quantity across) {
     const auto bar = bar_of(radius);
-    return ordered_json{
-        {"area", zone.area},
-        {"area_bar", bar.is_null() ? bar : ordered_json(2 * std::acos(-1.0) * zone.radius * bar.get<double>())},
-        {"radius", zone.radius},
-        {"radius_bar", bar},
-        {"along", zone.along},
-        {"along_bar", bar_of(along)},
-        {"across", zone.across},
-        {"across_bar", bar_of(across)}};
+    return ordered_json{{"area", zone.area},
+                        {"area_bar", bar.is_null() ? bar : ordered_json(2 * pi * zone.radius * bar.get<double>())},
+                        {"radius", zone.radius},
+                        {"radius_bar", bar},
+                        {"along", zone.along},
+                        {"along_bar", bar_of(along)},
+                        {"across", zone.across},
+                        {"across_bar", bar_of(across)}};
   };
   using Q = Quantity;
   ordered_json json{{"contact", zone_json(surface.contact, Q::contact_radius_max, Q::contact_along, Q::contact_across)},

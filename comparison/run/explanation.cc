@@ -16,6 +16,7 @@
 #include "comparison/results/answer_text.h"
 #include "comparison/results/data_text.h"
 #include "comparison/run/estimate.h"
+#include "comparison/support/constants.h"
 #include "comparison/support/parallel.h"
 #include "mdr/layer/layer.h"
 #include "meshes/mesh.h"
@@ -25,7 +26,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-const double two_pi = 2 * std::acos(-1.0);
+const double two_pi = 2 * pi;
 
 /// With six digits at most, and no more than needed.
 std::string short_text(double value, const std::string& unit) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "comparison/support/constants.h"
 #include "comparison/support/cycles_until.h"
 #include "fem/ring_contact/stick_zone/axis_pressure.h"
 #include "fem/ring_contact/stick_zone/contact_radius.h"
@@ -16,8 +17,6 @@
 
 namespace fretval {
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 double largest_share_outside(const fem::NormalHistory& history, const Eigen::VectorXd& areas, Eigen::Index n_inside) {
   double share = 0;

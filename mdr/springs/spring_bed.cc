@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "mdr/support/checks.h"
+#include "mdr/support/constants.h"
 
 namespace fretval::mdr {
 
@@ -42,7 +43,7 @@ Eigen::ArrayXd axis_weights(const SpringBed& bed) {
   between[0] *= 1.5;  // the first half spring has the slope of the springs next to it
   Eigen::ArrayXd weights = between;
   weights.tail(n - 1) -= between.head(n - 1);
-  return weights / std::acos(-1.0);
+  return weights / pi;
 }
 
 }  // namespace fretval::mdr

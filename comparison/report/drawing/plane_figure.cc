@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "comparison/report/drawing/axis.h"
+#include "comparison/support/constants.h"
 
 namespace fretval {
 namespace {
@@ -22,7 +23,7 @@ Points outline(const Numbers& angles, const Numbers& radii, double unit) {
   Points line;
   for (std::size_t i = 0; i < angles.size(); ++i) {
     const std::size_t next = (i + 1) % angles.size();
-    const double gap = next > 0 ? angles[next] - angles[i] : angles.front() + 2 * std::acos(-1.0) - angles[i];
+    const double gap = next > 0 ? angles[next] - angles[i] : angles.front() + 2 * pi - angles[i];
     for (int k = 0; k <= n_between; ++k) {
       const double share = static_cast<double>(k) / n_between, angle = angles[i] + share * gap,
                    radius = (radii[i] + share * (radii[next] - radii[i])) / unit;
@@ -71,7 +72,7 @@ Arrows arrows_of(const StoredResult& r, double unit) {
   double next = 0;
   std::size_t of_ring = 0;  // the point's number on its ring
   for (std::size_t i = 0; i < p.size(); ++i) {
-    const double middle = (inner[i] + outer[i]) / 2, around = 2 * std::acos(-1.0) * middle * distance / contact;
+    const double middle = (inner[i] + outer[i]) / 2, around = 2 * pi * middle * distance / contact;
     of_ring = i > 0 && inner[i] == inner[i - 1] ? of_ring + 1 : 0;
     if (of_ring == 0 && inner[i] >= next + contact / distance) next = inner[i];
     const auto stride = static_cast<std::size_t>(std::max(1.0, std::ceil(n_around / std::max(around, 1.0))));

@@ -9,6 +9,7 @@
 #include "comparison/quantities/quantity.h"
 #include "comparison/report/text/numbers.h"
 #include "comparison/results/answer_text.h"
+#include "comparison/support/constants.h"
 
 namespace fretval {
 namespace {
@@ -75,7 +76,7 @@ Filling assumptions_of(const StoredResult& r) {
   const auto at = std::lower_bound(x.begin(), x.end(), a) - x.begin();
   if (at > 0 && at < static_cast<std::ptrdiff_t>(x.size())) {
     const auto i = static_cast<std::size_t>(at);
-    add("slope", std::atan((f[i] - f[i - 1]) / (x[i] - x[i - 1])) * 180 / std::acos(-1.0), "{:.2g}");
+    add("slope", std::atan((f[i] - f[i - 1]) / (x[i] - x[i - 1])) * 180 / pi, "{:.2g}");
   }
   const bool half_space = std::isnan(input_number(r, "Thickness")) && !scene.contains("mesh"),
              compressible = !std::isnan(input_number(r, "Poisson ratio"));

@@ -9,6 +9,7 @@
 #include "comparison/report/sections/assumptions.h"
 #include "comparison/report/text/numbers.h"
 #include "comparison/results/case_inputs.h"
+#include "comparison/support/constants.h"
 
 namespace fretval {
 namespace {
@@ -52,7 +53,7 @@ void add_groups(const StoredResult& r, Filling& filling) {
             r.number("scene", "tangential_amplitude"),
         "{:.4g}");
     add("rho", r.number("mdr", "modulus_ratio"), "{:.5g}");
-    filling["omega_tau"] = branches_text(scene, 2 * std::acos(-1.0) * r.number("scene", "frequency"));
+    filling["omega_tau"] = branches_text(scene, 2 * pi * r.number("scene", "frequency"));
   }
   add("a_over_r", a / input_number(r, "Radius", "Indenter"), "{:.3g}");
   add("a_over_h", a / input_number(r, "Thickness", "Body"), "{:.3g}");

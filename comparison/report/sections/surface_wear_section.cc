@@ -12,6 +12,7 @@
 #include "comparison/report/text/numbers.h"
 #include "comparison/report/text/table.h"
 #include "comparison/results/unit_text.h"
+#include "comparison/support/constants.h"
 
 namespace fretval {
 namespace {
@@ -62,7 +63,7 @@ Figure directions_figure(const StoredResult& r) {
   int colour = 1;
   for (auto& [theta, series] : directions) {
     if (number++ % stride != 0) continue;
-    series = {fmt::format("at {:.0f} degrees", theta * 180 / std::acos(-1.0)), {}, {}, Series::Style::line, colour++};
+    series = {fmt::format("at {:.0f} degrees", theta * 180 / pi), {}, {}, Series::Style::line, colour++};
     for (std::size_t i = 0; i < angle.size(); ++i) {
       if (angle[i] != theta) continue;
       series.x.push_back((inner[i] + outer[i]) / 2 / radius.factor);

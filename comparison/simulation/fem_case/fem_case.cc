@@ -11,13 +11,14 @@
 #include "comparison/data/path_table.h"
 #include "comparison/simulation/fem_case/expected_contact.h"
 #include "comparison/simulation/fem_case/near_cycle.h"
+#include "comparison/support/constants.h"
 #include "mdr/layer/layer.h"
 #include "meshes/grading.h"
 
 namespace fretval {
 namespace {
 
-constexpr double degree = 3.14159265358979323846 / 180;
+constexpr double degree = pi / 180;
 
 // The contact line reaches a little beyond the largest contact, so that the first ring that never touches is on it.
 constexpr double contact_line_reserve = 1.12;

@@ -1,6 +1,6 @@
-#include <boost/math/constants/constants.hpp>
 #include <cmath>
 
+#include "comparison/support/constants.h"
 #include "comparison/verification/exact/exact_rows.h"
 #include "fem/history/friction_history.h"
 #include "fem/ring_contact/stick_zone/stick_zones.h"
@@ -8,8 +8,6 @@
 
 namespace fretval {
 namespace {
-
-constexpr double pi = boost::math::constants::pi<double>();
 
 struct TangentialOscillation {
   double amplitude, degrees;  ///< degrees: phase

@@ -9,13 +9,13 @@
 
 #include "comparison/accuracy/prepared_case.h"
 #include "comparison/reference/mdr_case.h"
+#include "comparison/support/constants.h"
 #include "comparison/support/data_folder.h"
 #include "mdr/rheology/rheology.h"
 
 namespace fretval {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
 constexpr const char* creeps = "the body creeps for";
 constexpr double relaxed_modulus = 1e6, indentation = 1e-4, radius = 1e-3;  // Pa, m, about that of the contact in m
 

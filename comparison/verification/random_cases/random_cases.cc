@@ -7,13 +7,12 @@
 #include <vector>
 
 #include "comparison/reference/mdr_case.h"
+#include "comparison/support/constants.h"
 #include "comparison/support/random_numbers.h"
 #include "comparison/verification/case_parts.h"
 
 namespace fretval {
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 // Relaxation time, and modulus over G0 times relaxation time, of a branch: omega tau. 16 cycles.
 constexpr double most_creep = 100;

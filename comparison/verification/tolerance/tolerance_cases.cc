@@ -3,12 +3,12 @@
 #include <cmath>
 #include <limits>
 
+#include "comparison/support/constants.h"
 #include "comparison/verification/case_parts.h"
 
 namespace fretval {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
 constexpr double depth = 1e-4, radius = 1e-3, modulus = 1e6, frequency = 1;  // m, m, Pa, Hz
 constexpr double unlocked = std::numeric_limits<double>::quiet_NaN();
 

@@ -16,6 +16,7 @@
 #include "comparison/simulation/bodies/body.h"
 #include "comparison/simulation/compute_case.h"
 #include "comparison/simulation/fem_case/resolution_json.h"
+#include "comparison/support/constants.h"
 #include "comparison/support/log.h"
 #include "comparison/support/progress.h"
 #include "comparison/support/stopwatch.h"
@@ -28,7 +29,7 @@ namespace {
 using nlohmann::ordered_json;
 
 constexpr double closed_form_seconds = 0.5;
-constexpr double right_angle = 3.14159265358979323846 / 2;
+constexpr double right_angle = pi / 2;
 constexpr int n_full_cycles = 2;
 
 constexpr std::array spring_settings{SpringSetting{50, 45, 5, 1e-4}, SpringSetting{100, 90, 10, 1e-5},
