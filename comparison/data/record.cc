@@ -53,8 +53,8 @@ std::size_t n_before_contact(const Case::Path& path) {
   return row;
 }
 
-/// Between two rows, in the place of the earlier one, where the indenter comes to touch.
-void touch_after(std::size_t row, Case::Path& path) {
+/// On the line through two rows, in the place of the earlier one, where the indenter comes to touch.
+void touch_on_line(std::size_t row, Case::Path& path) {
   const double above = path.normal[row], share = above / (above - path.normal[row + 1]);
   path.time[row] += share * (path.time[row + 1] - path.time[row]);
   path.tangential[row] += share * (path.tangential[row + 1] - path.tangential[row]);
@@ -156,7 +156,7 @@ std::size_t cut_to_contact(Case::Path& path) {
     return n;
   }
   const bool is_a_row = path.normal[n - 1] == 0;
-  touch_after(n - 1, path);
+  touch_on_line(n - 1, path);
   drop_rows(n - 1, path);
   return is_a_row ? n - 1 : n;
 }
@@ -167,7 +167,7 @@ void touch_in_first_row(Case::Path& path) {
   std::size_t first = 0;
   while (first + 1 < path.normal.size() && path.normal[first + 1] <= 0) ++first;
   if (first + 1 == path.normal.size()) return;
-  if (path.normal[first] < 0) touch_after(first, path);
+  if (path.normal[first + 1] > path.normal[first]) touch_on_line(first, path);
   drop_rows(first, path);
   path.normal.front() = 0;
 }

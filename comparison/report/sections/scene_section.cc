@@ -10,6 +10,7 @@
 #include "comparison/report/text/numbers.h"
 #include "comparison/results/case_inputs.h"
 #include "comparison/support/constants.h"
+#include "mdr/layer/layer.h"
 
 namespace fretval {
 namespace {
@@ -48,15 +49,18 @@ void add_groups(const StoredResult& r, Filling& filling) {
   };
   const bool oscillates = !scene.contains("path");
   if (oscillates) {
+    const double nu = input_number(r, "Poisson ratio", "Elastomer");
     add("k",
-        1.5 * r.number("scene", "friction_coefficient") * r.number("scene", "normal_amplitude") /
+        mdr::spring_modulus_ratio(std::isnan(nu) ? 0.5 : nu) * r.number("scene", "friction_coefficient") * r.number("scene", "normal_amplitude") /
             r.number("scene", "tangential_amplitude"),
         "{:.4g}");
     add("rho", r.number("mdr", "modulus_ratio"), "{:.5g}");
     filling["omega_tau"] = branches_text(scene, 2 * pi * r.number("scene", "frequency"));
   }
   add("a_over_r", a / input_number(r, "Radius", "Indenter"), "{:.3g}");
-  add("a_over_h", a / input_number(r, "Thickness", "Body"), "{:.3g}");
+  const auto mesh = scene.find("mesh");
+  add("a_over_h",
+      a / (mesh == scene.end() ? input_number(r, "Thickness", "Body") : mesh->at("thickness").get<double>()), "{:.3g}");
   add("a_over_b", a / input_number(r, "Radius", "Body"), "{:.3g}");
   add("first_slip", r.number("fe", "stick_radius_first_slip") / a, "{:.4f}");
   add("shakedown", r.number("fe", "stick_radius_shakedown") / a, "{:.4f}");

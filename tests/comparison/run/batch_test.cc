@@ -31,7 +31,8 @@ TEST(Batch, ASecondAlgorithmConfirmsFrictionAsAVectorOnRequest) {
     ASSERT_EQ(line.failure, "");
     const auto zones = nlohmann::json::parse(line.json).at("fe").at("zones");
     ASSERT_EQ(zones.contains("second_algorithm"), line.name == "with") << line.name;
-    if (line.name == "with") EXPECT_LT(zones.at("second_algorithm").get<double>(), 1e-7);
+    if (!zones.contains("second_algorithm")) continue;
+    EXPECT_LT(zones.at("second_algorithm").get<double>(), 1e-7);
   }
 }
 

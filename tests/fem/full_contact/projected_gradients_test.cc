@@ -54,9 +54,9 @@ TEST(ProjectedGradients, ConfirmACoupledContactAndNoticeAWrongOne) {
   }
   EXPECT_GT(contact.pressure.maxCoeff(), 0.1);
   EXPECT_LT(second.difference(), 1e-7);
-  contact.pressure *= 1.001;
+  contact.friction.limit *= 1.01;
   second.see(contact);
-  EXPECT_GT(second.difference(), 1e-5) << "these are no pressures of that step";
+  EXPECT_GT(second.difference(), 1e-3) << "what slips could bear more than it does";
 }
 
 }  // namespace

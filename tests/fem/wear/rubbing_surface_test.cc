@@ -59,10 +59,14 @@ TEST(RubbingSurface, WithOneAngleWearsAsTheRingsDo) {
     const PressureWear wear{VectorXd::Constant(scene.profile.size(), 2e-4), exponent};
     const double close = exponent == 1 ? 1e-8 : 1e-5;  // rings iterate to 1e-7 of the pressures, at each step
     for (int k = 0; k < 2 * n_steps; ++k) {
+      const VectorXd before = rings->pressure();
       const VectorXd on_angle = surface->step(wear), on_rings = rings->step(wear).cwiseAbs(),
                      pressure = rings->pressure();
       ASSERT_LT((on_angle - on_rings).cwiseProduct(pressure).cwiseAbs().maxCoeff(), close) << exponent << ", " << k;
-      ASSERT_NEAR(surface->friction_work(), rings->friction_work(), close) << exponent << ", " << k;
+      // A ring that lifts in this step, to what rings iterate to, slips in one of them and sticks in the other.
+      const VectorXd lifts = (pressure.array() <= 1e-7).cast<double>() * (on_angle - on_rings).array().abs();
+      const double either = scene.scene.mu * lifts.cwiseProduct(before).dot(scene.normal.compliance.areas);
+      ASSERT_NEAR(surface->friction_work(), rings->friction_work(), close + either) << exponent << ", " << k;
       ASSERT_LT((surface->pressure() - pressure).cwiseAbs().maxCoeff(), close) << exponent << ", " << k;
     }
     EXPECT_GT(surface->worn().maxCoeff(), 1e-2);

@@ -29,6 +29,20 @@ TEST(Scene, HasInputsInUnitsThatPeopleUse) {
                       "<dd>1\u00a0MPa, 500\u00a0kPa</dd>", "<dd>1e-13\u00a01/Pa</dd>"});
 }
 
+// E*/G* is 1.5 at nu = 1/2 and (2 - 0.25)/(2 - 0.5) at a quarter; a mesh tells its own thickness.
+TEST(Scene, HasTheGroupsOfItsBody) {
+  auto result = with_inputs({input("Body", "Thickness", 2e-3, "m")});
+  auto& scene = result.json["scene"];
+  scene["friction_coefficient"] = 0.5;
+  scene["normal_amplitude"] = 3e-5;
+  scene["tangential_amplitude"] = 1e-5;
+  scene["contact_radius_unworn"] = 1e-3;
+  expect_parts(rendered(scene_of(result)), {"<dd>2.25</dd>", "<dd>0.5</dd>"});
+  scene["inputs"] = {input("Elastomer", "Poisson ratio", 0.25, "")};
+  scene["mesh"] = {{"thickness", 4e-3}};
+  expect_parts(rendered(scene_of(result)), {"<dd>1.75</dd>", "<dd>0.25</dd>"});
+}
+
 // Of times that were fitted or shifted, too.
 TEST(Scene, TakesTheBranchTimesByWhateverName) {
   auto result = with_inputs({input("Elastomer", "Branch times, fitted", {0.5}, "s")});
