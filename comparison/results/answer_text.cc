@@ -343,9 +343,11 @@ std::string text_of_answer(const ordered_json& json, const std::string& wear) {
   }
   if (begins_with_touch(json)) text += answer_line("stick radius, first slip", "none", nothing_at_rest);
   if (is_single_pass(json)) text += answer_line("stick radius, shakedown", "none", no_shakedown_in_a_pass);
-  if (const auto zones = json.at("fe").find("zones"); zones != json.at("fe").end() && zones->contains("second_algorithm"))
-    text += answer_line("second algorithm", fmt::format("differs by {:.1e}", zones->at("second_algorithm").get<double>()),
-                        "of the largest traction or pressure, in any step");
+  if (const auto zones = json.at("fe").find("zones");
+      zones != json.at("fe").end() && zones->contains("second_algorithm"))
+    text +=
+        answer_line("second algorithm", fmt::format("differs by {:.1e}", zones->at("second_algorithm").get<double>()),
+                    "of the largest traction or pressure, in any step");
   for (const auto* line : {&answer.half_space, &answer.rings})
     if (!line->empty()) text += "  " + *line + "\n";
   if (!answer.sensitivity.empty() && log::tells_details()) text += "  " + answer.sensitivity + "\n";

@@ -79,9 +79,10 @@ std::string confirm_by_second_algorithm(FemCase fem, BodyStore& bodies, ProvedAn
   const double difference = again.surface.value().history.second_difference.value();
   answer.fe.surface->history.second_difference = difference;
   if (difference <= enough) return "";
-  return fmt::format("a second algorithm, projected gradients, finds other tractions: they differ by {:.1e} of the "
-                     "largest, {:.0e} would be a confirmation",
-                     difference, enough);
+  return fmt::format(
+      "a second algorithm, projected gradients, finds other tractions: they differ by {:.1e} of the "
+      "largest, {:.0e} would be a confirmation",
+      difference, enough);
 }
 
 BatchLine run_case(const PreparedCase& asked, const BatchOptions& options, BodyStore& bodies,
@@ -112,8 +113,8 @@ BatchLine run_case(const PreparedCase& asked, const BatchOptions& options, BodyS
     if (compares) {
       reference = references.of(prepared.input, prepared.mdr);
       mdr = mdr_answer_with_cycle(prepared.mdr, *reference);
-      prepared.reference_errors = uncertainties_of(compared_readings_of(*mdr, prepared.fem),
-                                                   scales_of(*mdr, prepared.fem.units.length));
+      prepared.reference_errors =
+          uncertainties_of(compared_readings_of(*mdr, prepared.fem), scales_of(*mdr, prepared.fem.units.length));
     }
   } catch (const std::runtime_error& error) {
     line.failure = error.what();

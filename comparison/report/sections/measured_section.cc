@@ -70,19 +70,23 @@ Filling data_sentences(const StoredResult& r) {
   }
   if (data.contains("record")) {
     const auto& record = data["record"];
-    const auto unit_of = [&](const char* column) {
-      return scene.at("path").at("columns")[column == std::string("normal") ? 1 : 2].get<std::string>()[0] == 'F' ? "N"
-                                                                                                                  : "m";
+    const auto& columns = scene.at("path").at("columns");
+    const auto by = [&](const char* normal, const char* tangential) {
+      const auto one = [&](const char* key, std::size_t column) {
+        const bool is_force = columns.at(column).get<std::string>()[0] == 'F';
+        return fmt::format("{:.2g} {}", record.value(key, 0.0), is_force ? "N" : "m");
+      };
+      return fmt::format("{} normally and {} tangentially", one(normal, 1), one(tangential, 2));
     };
-    add(fmt::format(
-        "The record has {} rows, {} of them before contact; {} describe it{} within {:.2g} {} normally and "
-        "{:.2g} {} tangentially. That is in the error bars, as what the data leave open.",
-        record.at("rows").get<long>(), record.at("rows_before_contact").get<long>(), record.at("rows_kept").get<long>(),
-        record.at("cycles").get<long>() > 0
-            ? fmt::format(", folded to the mean of {} cycles,", record.at("cycles").get<long>())
-            : std::string(),
-        record.at("normal_error").get<double>(), unit_of("normal"), record.at("tangential_error").get<double>(),
-        unit_of("tangential")));
+    auto text = fmt::format("The record has {} rows, {} of them before contact", record.at("rows").get<long>(),
+                            record.at("rows_before_contact").get<long>());
+    if (const long n_cycles = record.at("cycles").get<long>(); n_cycles > 0)
+      text += fmt::format("; it is folded to the mean of {} cycles, which scatter by {}", n_cycles,
+                          by("normal_scatter", "tangential_scatter"));
+    text += fmt::format("; {} rows stand for it", record.at("rows_kept").get<long>());
+    if (record.value("normal_error", 0.0) > 0 || record.value("tangential_error", 0.0) > 0)
+      text += " within " + by("normal_error", "tangential_error");
+    add(text + ". What that leaves open is in the error bars, as what the data do.");
   }
   if (data.contains("trace"))
     add(fmt::format(

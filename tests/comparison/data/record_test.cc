@@ -112,7 +112,8 @@ TEST(Record, IsInContactAtRestByMoreThanNoise) {
 // Without noise a row at d = 0 is the touch itself, and is no row before the contact.
 TEST(Record, KeepsARowAtTheTouch) {
   std::vector<std::string> notes;
-  const auto path = path_of_record({"press.csv", {0, 1, 2, 3}, {0, 1e-5, 2e-5, 1e-5}, {0, 0, 1e-6, 0}, false}, {}, notes);
+  const auto path =
+      path_of_record({"press.csv", {0, 1, 2, 3}, {0, 1e-5, 2e-5, 1e-5}, {0, 0, 1e-6, 0}, false}, {}, notes);
   EXPECT_TRUE(path.from_touch);
   EXPECT_EQ(path.time.size(), 4U);
   EXPECT_TRUE(notes.empty());

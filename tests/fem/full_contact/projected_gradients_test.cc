@@ -20,7 +20,8 @@ Course ramp(double begin, double end) {
 MatrixXd parabola(const SurfaceCompliance& surface, Eigen::Index n_angles) {
   Eigen::VectorXd heights(surface.n_rings());
   for (Eigen::Index i = 0; i < heights.size(); ++i) {
-    const double inner = surface.radii[static_cast<std::size_t>(i)], outer = surface.radii[static_cast<std::size_t>(i) + 1];
+    const double inner = surface.radii[static_cast<std::size_t>(i)],
+                 outer = surface.radii[static_cast<std::size_t>(i) + 1];
     heights[i] = (inner * inner + outer * outer) / 2;
   }
   return heights.replicate(1, n_angles);
