@@ -67,9 +67,9 @@ double left_by_reference(const PreparedCase& prepared, Quantity quantity, double
 BarToMeet to_meet(const PreparedCase& prepared, Quantity quantity, const ErrorBar& bar) {
   // Where nothing is confirmed, no quantity has to be known better than the case asks for.
   const bool is_confirmed = !prepared.fem.any_order && beyond_mdr_model(prepared.input).empty();
-  const double tolerance =
-      is_confirmed ? left_by_reference(prepared, quantity, tolerance_of(prepared.tolerances, quantity))
-                   : prepared.input.tolerance;
+  const double tolerance = is_confirmed
+                               ? left_by_reference(prepared, quantity, tolerance_of(prepared.tolerances, quantity))
+                               : prepared.input.tolerance;
   if (bar.total() > tolerance)
     log::detail(fmt::format("{}: {}", prepared.input.name, excess_text(quantity, bar, tolerance)));
   return {bar, tolerance};

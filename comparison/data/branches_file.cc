@@ -71,8 +71,7 @@ void read_abaqus_row(const std::string& file, const TextLine& line, PronySeries&
   const auto i = series.ratios.size() + 1;
   if (values[1] != 0)
     mdr::fail_at(file, line,
-                 fmt::format("k_{} = {:g}: the bulk modulus relaxes, which is not computed; must be 0",
-                             i, values[1]));
+                 fmt::format("k_{} = {:g}: the bulk modulus relaxes, which is not computed; must be 0", i, values[1]));
   if (!(values[2] > 0)) mdr::fail_at(file, line, fmt::format("tau_{} = {:g}: must be positive", i, values[2]));
   series.ratios.push_back(values[0]);
   series.times.push_back(values[2]);

@@ -24,15 +24,15 @@ Eigen::MatrixXd friction_by_projected_gradients(const SurfaceOperator& op, doubl
 Eigen::MatrixXd pressure_by_projected_gradients(const SurfaceOperator& op, double eigenvalue,
                                                 const Eigen::MatrixXd& target);
 
-/// Solves the steps of a contact once more, and keeps by how much the two algorithms differ. Of a coupled contact either
-/// problem is solved under what the other one has come to: both agree at a fixed point of the alternation alone.
+/// Solves the steps of a contact once more, and keeps by how much the two algorithms differ. Of a coupled contact
+/// either problem is solved under what the other one has come to: both agree at a fixed point of the alternation alone.
 class SecondAlgorithm {
  public:
   /// After a step.
   void see(const VectorFriction& friction);
   void see(const CoupledContact& contact);
-  /// The largest difference of a traction over the largest friction limit of its step, or of a pressure over the largest
-  /// one, of all steps.
+  /// The largest difference of a traction over the largest friction limit of its step, or of a pressure over the
+  /// largest one, of all steps.
   [[nodiscard]] double difference() const { return difference_; }
 
  private:
