@@ -11,6 +11,7 @@
 #include "comparison/data/master_curve.h"
 #include "comparison/data/path_table.h"
 #include "comparison/data/table_units.h"
+#include "comparison/support/constants.h"
 #include "mdr/profiles/profile_csv.h"
 #include "mdr/rheology/modulus_table.h"
 #include "mdr/rheology/time_temperature.h"
@@ -18,7 +19,7 @@
 namespace fretval {
 namespace {
 
-const double degrees = 180 / std::acos(-1.0);
+const double degrees = 180 / pi;
 
 struct Owner {
   const char* entry;

@@ -1,7 +1,9 @@
 #pragma once
 
+#include "mdr/support/constants.h"
+
 namespace fretval {
 
-inline constexpr double pi = 3.14159265358979323846;
+using mdr::pi;
 
 }  // namespace fretval

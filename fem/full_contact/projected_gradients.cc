@@ -37,7 +37,7 @@ double difference_over(double scale, const MatrixXd& one, const MatrixXd& other)
 
 double largest_eigenvalue(const SurfaceOperator& op) {
   constexpr int iterations = 100;
-  constexpr double safety = 1.01;
+  constexpr double safety = 1.01;  // the iteration comes from below
   MatrixXd image, vector = MatrixXd::Ones(op.n_rings(), op.n_columns());
   double largest = 0;
   for (int i = 0; i < iterations; ++i) {

@@ -169,13 +169,14 @@ void multiply(const Eigen::MatrixXd& matrix, const Eigen::Ref<const Eigen::Matri
 }
 
 std::optional<Eigen::MatrixXd> inverse(Eigen::MatrixXd matrix) {
+  auto inverted = cholesky(std::move(matrix));
+  if (!inverted) return std::nullopt;
   char lower = 'L';
-  blasint n = static_cast<blasint>(matrix.rows()), info = 0;
-  BLASFUNC(dpotrf)(&lower, &n, matrix.data(), &n, &info);
-  if (info == 0) BLASFUNC(dpotri)(&lower, &n, matrix.data(), &n, &info);
+  blasint n = static_cast<blasint>(inverted->rows()), info = 0;
+  BLASFUNC(dpotri)(&lower, &n, inverted->data(), &n, &info);
   if (info != 0) return std::nullopt;
-  matrix.triangularView<Eigen::StrictlyUpper>() = matrix.transpose();
-  return matrix;
+  inverted->triangularView<Eigen::StrictlyUpper>() = inverted->transpose();
+  return inverted;
 }
 
 Eigen::VectorXd solve_square(Eigen::MatrixXd matrix, Eigen::VectorXd rhs) {

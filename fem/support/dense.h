@@ -37,7 +37,7 @@ inline void multiply_trailing(const Eigen::MatrixXd& lower, Eigen::Ref<Eigen::Ve
 void subtract_product(const Eigen::MatrixXd& matrix, Eigen::Index row, Eigen::Index column,
                       const Eigen::Ref<const Eigen::VectorXd>& x, Eigen::Ref<Eigen::VectorXd> y);
 
-/// y <- A x. A vector with more columns than one: of each of them.
+/// y <- A x, column by column of x.
 void multiply(const Eigen::MatrixXd& matrix, const Eigen::Ref<const Eigen::MatrixXd>& x, Eigen::Ref<Eigen::MatrixXd> y);
 
 /// The inverse of a symmetric positive definite matrix; empty: it is none.

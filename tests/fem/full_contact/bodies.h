@@ -6,6 +6,8 @@
 #include <tuple>
 
 #include "fem/full_contact/surface_compliance.h"
+#include "fem/full_contact/vector_friction.h"
+#include "fem/ring_contact/static_contact.h"
 #include "fem/support/constants.h"
 #include "tests/fem/half_space.h"
 
@@ -41,6 +43,21 @@ inline Eigen::VectorXd hertz_pressure(const SurfaceCompliance& surface, double p
 /// Mechanics, 7.2), for unit p0, contact radius, shear modulus and friction coefficient.
 inline double cattaneo_push(double c, double poisson_ratio) {
   return 3 * (2 * pi / 3) * (2 - poisson_ratio) / 16 * (1 - c * c);
+}
+
+inline ValueAndRate nowhere(double, double) {
+  return {0, 0};
+}
+
+/// From one place to another within a cycle.
+inline Course ramp(double from, double to) {
+  return [=](double t, double) { return ValueAndRate{from + (to - from) * t / (2 * pi), (to - from) / (2 * pi)}; };
+}
+
+/// Ring means of r^exponent.
+inline Eigen::MatrixXd round_profile(const SurfaceCompliance& surface, double exponent, Eigen::Index n_angles) {
+  const auto rings = ring_compliance(surface, axisymmetric);
+  return ring_means(rings, [=](double r) { return std::pow(r, exponent); }).replicate(1, n_angles);
 }
 
 }  // namespace fretval::fem::full_contact_test

@@ -19,21 +19,10 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
+using full_contact_test::nowhere;
+using full_contact_test::ramp;
+using full_contact_test::round_profile;
 using full_contact_test::surface_half_space;
-
-ValueAndRate nowhere(double, double) {
-  return {0, 0};
-}
-
-/// From one depth to another within a cycle.
-Course ramp(double from, double to) {
-  return [=](double t, double) { return ValueAndRate{from + (to - from) * t / (2 * pi), (to - from) / (2 * pi)}; };
-}
-
-MatrixXd round_profile(const SurfaceCompliance& surface, double exponent, Index n_angles) {
-  const auto rings = ring_compliance(surface, axisymmetric);
-  return ring_means(rings, [=](double r) { return std::pow(r, exponent); }).replicate(1, n_angles);
-}
 
 // Over an incompressible half-space, or where it is told to, pressure knows nothing of friction.
 TEST(CoupledContact, WithoutCouplingIsBothContactsSideBySide) {
