@@ -183,7 +183,7 @@ CaseNeeds needs_of(const FemCase& fem) {
       fem.worn_edge.has_value(),   fem.relaxation.viscosity > 0 || fem.motion.tangential_force || fem.any_order,
       fem.motion.is_single_pass(), fem.any_order};
   needs.full = fem.full.has_value();
-  needs.zones_of_points = fem.full && fem.motion.moves_across();
+  needs.zones_of_points = fem.full && (fem.full->coupled || fem.motion.moves_across());
   needs.moves_by_steps = fem.motion.tangential_force || fem.motion.path;
   const double two_steps = 4 * fem::pi / fem.steps_per_cycle();
   const auto& times = fem.relaxation.times;

@@ -13,6 +13,12 @@ struct Corner {
   double x, y, height;
 };
 
+void end_piece(LevelLine& line) {
+  if (line.x.empty() || std::isnan(line.x.back())) return;
+  line.x.push_back(std::nan(""));
+  line.y.push_back(std::nan(""));
+}
+
 /// The piece of a line at a height of 0 in a triangle, if there is one.
 void add_piece(const std::array<Corner, 3>& corners, LevelLine& line) {
   std::vector<std::pair<double, double>> ends;
@@ -27,16 +33,13 @@ void add_piece(const std::array<Corner, 3>& corners, LevelLine& line) {
     line.x.push_back(x);
     line.y.push_back(y);
   }
-  line.x.push_back(std::nan(""));
-  line.y.push_back(std::nan(""));
+  end_piece(line);
 }
 
 double largest_value(const std::vector<MapPoint>& points, MapKind kind) {
   double largest = kind == MapKind::phase ? 180 : 0;
   for (const auto& point : points)
-    if (point.map == name_of(kind) && kind != MapKind::phase)
-      largest =
-          std::max(largest, kind == MapKind::poisson_ratio ? point.own.poisson_ratio : point.own.radius_over_thickness);
+    if (point.map == name_of(kind)) largest = std::max(largest, value_on(kind, point.own));
   return largest;
 }
 
@@ -53,6 +56,35 @@ Grid grid_of(const std::vector<MapPoint>& points, MapKind kind, Quantity quantit
       grid[i].push_back({x, y, off ? off->value : std::nan("")});
     }
   return grid;
+}
+
+/// A computed point, as shares of the width and the height of the map, and whether it is known to a tenth.
+struct Dot {
+  double x, y;
+  bool is_known;
+};
+
+std::vector<Dot> dots_of(const std::vector<MapPoint>& points, MapKind kind, Quantity quantity) {
+  constexpr double known_to = 0.1;
+  const double top = largest_value(points, kind);
+  std::vector<Dot> dots;
+  for (const auto& point : points) {
+    const auto ratio = stick_ratio_for(point.own, quantity);
+    const auto off = point.own_off_by(quantity);
+    if (point.map != name_of(kind) || !ratio || !off) continue;
+    const Dot dot{(*ratio - least_mapped_ratio) / (most_mapped_ratio - least_mapped_ratio),
+                  value_on(kind, point.own) / top, off->bar <= known_to * std::abs(off->value)};
+    dots.push_back(dot);
+    if (kind == MapKind::phase && dot.y == 0) dots.push_back({dot.x, 1, dot.is_known});
+  }
+  return dots;
+}
+
+bool is_known_near(const std::vector<Dot>& dots, double x, double y) {
+  const auto distance = [=](const Dot& dot) { return std::hypot(dot.x - x, dot.y - y); };
+  const auto nearest = std::min_element(
+      dots.begin(), dots.end(), [&](const Dot& one, const Dot& other) { return distance(one) < distance(other); });
+  return nearest == dots.end() || nearest->is_known;
 }
 
 void add_line(const Grid& grid, double level, LevelLine& line) {
@@ -77,6 +109,27 @@ std::vector<LevelLine> level_lines(const std::vector<MapPoint>& points, MapKind 
   for (std::size_t k = 0; k < levels.size(); ++k)
     for (const double side : {levels[k], -levels[k]}) add_line(grid, side, lines[k]);
   return lines;
+}
+
+LevelLine hatching(const std::vector<MapPoint>& points, MapKind kind, Quantity quantity) {
+  constexpr int apart = 2;
+  const auto grid = grid_of(points, kind, quantity);
+  const auto dots = dots_of(points, kind, quantity);
+  LevelLine line;
+  for (int offset = -n_across; offset <= n_across; offset += apart) {
+    for (int i = std::max(0, offset); i <= std::min(n_across, n_across + offset); ++i) {
+      const auto& [x, y, height] = grid[i][i - offset];
+      const auto share = [](int n) { return static_cast<double>(n) / n_across; };
+      if (std::isnan(height) || is_known_near(dots, share(i), share(i - offset))) {
+        end_piece(line);
+      } else {
+        line.x.push_back(x);
+        line.y.push_back(y);
+      }
+    }
+    end_piece(line);
+  }
+  return line;
 }
 
 }  // namespace fretval

@@ -19,4 +19,7 @@ struct LevelLine {
 std::vector<LevelLine> level_lines(const std::vector<MapPoint>& points, MapKind kind, Quantity quantity,
                                    const std::vector<double>& levels);
 
+/// Oblique lines over the part of a map whose nearest computed point has a bar of more than a tenth of what it shows.
+LevelLine hatching(const std::vector<MapPoint>& points, MapKind kind, Quantity quantity);
+
 }  // namespace fretval

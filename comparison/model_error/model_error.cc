@@ -9,21 +9,6 @@ namespace {
 
 constexpr double no_volume_change = 0.5, half_turn = 180;
 
-std::optional<double> stick_ratio_for(const Coordinates& at, Quantity quantity) {
-  return quantity == Quantity::stick_radius_first_slip ? at.first_slip : at.shakedown;
-}
-
-double value_on(MapKind kind, const Coordinates& at) {
-  switch (kind) {
-    case MapKind::phase:
-      return at.phase;
-    case MapKind::poisson_ratio:
-      return at.poisson_ratio;
-    default:
-      return at.radius_over_thickness;
-  }
-}
-
 using Rows = std::map<double, std::vector<Node>>;
 
 /// By the other coordinate, nodes over the stick ratio. seen: a coordinate and a node of a point; empty: none.
@@ -108,6 +93,21 @@ double known_spread(Quantity quantity, const Elsewhere& where) {
 }
 
 }  // namespace
+
+std::optional<double> stick_ratio_for(const Coordinates& at, Quantity quantity) {
+  return quantity == Quantity::stick_radius_first_slip ? at.first_slip : at.shakedown;
+}
+
+double value_on(MapKind kind, const Coordinates& at) {
+  switch (kind) {
+    case MapKind::phase:
+      return at.phase;
+    case MapKind::poisson_ratio:
+      return at.poisson_ratio;
+    default:
+      return at.radius_over_thickness;
+  }
+}
 
 std::optional<Interpolated> change_on_map(const std::vector<MapPoint>& points, MapKind kind, Quantity quantity,
                                           double stick_ratio, double value) {

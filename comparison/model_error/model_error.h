@@ -33,6 +33,12 @@ struct ModelErrors {
 /// share of the change by which one of them lies outside its uncertainty otherwise.
 ModelErrors model_errors_of(const Case& input, const MdrAnswer& mdr);
 
+/// The stick ratio that a quantity is looked up by: a first-slip radius by its own, all others by the shakedown ratio.
+std::optional<double> stick_ratio_for(const Coordinates& at, Quantity quantity);
+
+/// The other coordinate of a map.
+double value_on(MapKind kind, const Coordinates& at);
+
 /// The change of a quantity on one of the maps. points: of the maps.
 std::optional<Interpolated> change_on_map(const std::vector<MapPoint>& points, MapKind kind, Quantity quantity,
                                           double stick_ratio, double value);

@@ -245,11 +245,9 @@ PlaneZone zone_of(const fem::ContactRegion& region, double length) {
 FeAnswer compute_full_contact(const ContactProblems& problems, const FemCase& fem, const std::optional<FeAnswer>& ring,
                               BodyStore& bodies) {
   auto answer = answer_in_steps(problems, fem, ring, bodies);
-  if (fem.full->coupled || fem.motion.moves_across()) {
-    const auto coarse = at_resolution(fem, with_steps(fem.resolution, 0.5));
-    extrapolate(answer_in_steps(problems, coarse, ring, bodies),
-                static_cast<double>(fem.steps_per_cycle()) / coarse.steps_per_cycle(), answer);
-  }
+  const auto coarse = at_resolution(fem, with_steps(fem.resolution, 0.5));
+  extrapolate(answer_in_steps(problems, coarse, ring, bodies),
+              static_cast<double>(fem.steps_per_cycle()) / coarse.steps_per_cycle(), answer);
   const auto& surface = *answer.surface;
   answer.cycle->sliding_force = fem.friction_coefficient * answer.normal_force_max;
   answer.cycle->sliding_work = fem.motion.tangential_force && ring && ring->cycle

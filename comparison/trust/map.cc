@@ -5,6 +5,8 @@
 #include <cmath>
 #include <mutex>
 
+#include "comparison/accuracy/error_bars.h"
+#include "comparison/accuracy/error_budget.h"
 #include "comparison/accuracy/fe_readings.h"
 #include "comparison/accuracy/prepared_case.h"
 #include "comparison/reference/mdr_answer.h"
@@ -15,8 +17,6 @@
 
 namespace fretval {
 namespace {
-
-using ChangesOfPair = std::map<Quantity, double>;
 
 void plan_grid(MapKind kind, const std::vector<double>& ratios, const std::vector<double>& values,
                void (*set)(MapScene&, double), std::vector<PlannedPoint>& planned) {
@@ -70,11 +70,14 @@ void plan_elsewhere(std::vector<PlannedPoint>& planned) {
   add_coupled(coupled);
 }
 
+/// Few rings and many steps where pressure and friction are coupled, whose steps take longest; rings cost less there
+/// than steps do. Micro-slip moves an edge by so little that it has to die out further than a single case asks for.
 Resolution resolution_of(const PreparedCase& prepared, bool coupled) {
   auto resolution = prepared.fem.resolution;
-  resolution.elements_per_radius = coupled ? 32 : 64;
-  resolution.steps_per_cycle = 48;
-  resolution.n_angles = 16;
+  resolution.elements_per_radius = coupled ? 24 : 64;
+  resolution.steps_per_cycle = coupled ? 96 : 48;
+  resolution.n_angles = 8;
+  resolution.periodicity /= 10;
   return resolution;
 }
 
@@ -89,12 +92,12 @@ Pair pair_of(const Case& input) {
   return {prepare({input}).front(), prepare({of_one_direction}).front()};
 }
 
-ChangesOfPair changes_at(const Pair& pair, const Resolution& resolution, BodyStore& bodies) {
+Quantities changes_at(const Pair& pair, const Resolution& resolution, BodyStore& bodies) {
   const auto readings = [&](const PreparedCase& prepared) {
     return readings_of(compute_case(prepared.fem, resolution, bodies), prepared.fem.units);
   };
   const auto full = readings(pair.full), on_rings = readings(pair.on_rings);
-  ChangesOfPair changes;
+  Quantities changes;
   for (const auto quantity : mapped_quantities) {
     const auto more = full.find(quantity), less = on_rings.find(quantity);
     if (more == full.end() || less == on_rings.end()) continue;
@@ -167,20 +170,31 @@ MapPoint computed_point(const PlannedPoint& planned, BodyStore& bodies) {
   const auto input = case_of(scene);
   auto point = point_by_mdr(planned, input);
   const auto pair = pair_of(input);
-  const auto finest = resolution_of(pair.full, scene.coupled), fewer_steps = with_steps(finest, 0.5);
-  const auto at = [&](const Resolution& resolution) { return changes_at(pair, resolution, bodies); };
-  const auto values = at(finest);
-  const std::vector<std::pair<ChangesOfPair, ChangesOfPair>> halved{{values, at(with_rings(finest, 0.5))},
-                                                                    {values, at(fewer_steps)}};
-  auto all = halved;
-  all.push_back({all.back().second, at(with_angles(fewer_steps, 0.5))});
-  for (const auto& [quantity, value] : values) {
-    double bar = 0;
-    for (const auto& [finer, coarser] : all) {
-      const auto more = finer.find(quantity), less = coarser.find(quantity);
-      bar += more == finer.end() || less == coarser.end() ? 1 : std::abs(more->second - less->second);
-    }
-    point.changes[quantity] = {value, bar};
+  const auto finest = resolution_of(pair.full, scene.coupled), quick = with_steps(finest, 0.5),
+             both = with_rings(quick, 0.5), more_angles = with_angles(both, 2);
+  auto less_settled = both;
+  less_settled.periodicity *= 10;
+  std::vector<Variant> variants{{ErrorSource::rings, both, quick},
+                                {ErrorSource::time_step, quick, finest},
+                                {ErrorSource::time_step, with_steps(finest, 0.25), finest},
+                                {ErrorSource::angles, more_angles, both}};
+  if (!scene.coupled) variants.insert(variants.begin() + 1, {ErrorSource::rings, with_rings(quick, 0.25), quick});
+  std::map<Resolution, Quantities> known;
+  for (const auto& variant : variants)
+    for (const auto& resolution : {variant.reference, variant.resolution})
+      if (known.count(resolution) == 0) known[resolution] = changes_at(pair, resolution, bodies);
+  const auto loose = changes_at(pair, less_settled, bodies);
+  auto bars = error_budget(finest, variants, known, {}, needs_of(pair.full.fem));
+  for (const auto& [quantity, value] : known.at(finest)) {
+    auto& bar = bars.at(quantity);
+    if (!std::isfinite(bar.total()) || loose.count(quantity) == 0) continue;  // nothing is known of its error
+    const auto change = [&](const Quantities& to, const Quantities& from) {
+      return to.at(quantity) - from.at(quantity);
+    };
+    // What is left goes with what still changes in a cycle: a ninth of what ten times that does, three times for
+    // safety.
+    bar.add(ErrorSource::cycles, std::abs(change(known.at(both), loose)) / 3);
+    point.changes[quantity] = {value + change(known.at(more_angles), known.at(both)), bar.total()};
   }
   return point;
 }

@@ -56,9 +56,37 @@ double displacement_for_force(const std::function<double(double)>& force, double
                   last.excess, last.displacement));
 }
 
+namespace {
+
+/// Held between brackets, as Broyden's method is not: on its way it may leave the contact, where the force is flat.
+BalanceOfForces displacement_for_one_force(const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& forces,
+                                           const Eigen::VectorXd& values, BalanceOfForces guess, double probe,
+                                           double enough) {
+  auto& [at, stiffness] = guess;
+  std::optional<Point> last;
+  const auto force_at = [&](double displacement) {
+    const double force = forces(Eigen::VectorXd::Constant(1, displacement))[0];
+    const double secant = last ? (force - last->excess) / (displacement - last->displacement) : 0;
+    if (secant > 0 && std::isfinite(secant)) stiffness = Eigen::MatrixXd::Constant(1, 1, secant);
+    last = {displacement, force};
+    return force;
+  };
+  if (stiffness.size() == 0) {
+    force_at(at[0]);
+    force_at(at[0] + probe);
+  }
+  if (stiffness.size() == 0) stiffness = Eigen::MatrixXd::Constant(1, 1, 1);
+  const double scale = enough / roundoff_of_force;
+  at[0] = displacement_for_force(force_at, values[0], {at[0], stiffness(0, 0), scale});
+  return guess;
+}
+
+}  // namespace
+
 BalanceOfForces displacements_for_forces(const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& forces,
                                          const Eigen::VectorXd& values, BalanceOfForces guess, double probe,
                                          double enough) {
+  if (values.size() == 1) return displacement_for_one_force(forces, values, guess, probe, enough);
   auto& [at, stiffness] = guess;
   Eigen::VectorXd excess = forces(at) - values;
   const auto measure = [&] {
@@ -73,8 +101,14 @@ BalanceOfForces displacements_for_forces(const std::function<Eigen::VectorXd(con
   constexpr int enough_with_old_stiffness = 12;
   for (int k = 0; k < most_trials && !is_found(); ++k) {
     if (stiffness.size() == 0 || k == enough_with_old_stiffness) measure();
-    const Eigen::VectorXd step = -stiffness.partialPivLu().solve(excess), there = at + step,
-                          change = forces(there) - values - excess;
+    Eigen::VectorXd step = -stiffness.partialPivLu().solve(excess);
+    if (!step.allFinite()) {  // what was learnt on the way is singular
+      measure();
+      step = -stiffness.partialPivLu().solve(excess);
+    }
+    const Eigen::VectorXd there = at + step;
+    if (!there.allFinite()) break;
+    const Eigen::VectorXd change = forces(there) - values - excess;
     if (!change.allFinite()) break;
     stiffness += (change - stiffness * step) * step.transpose() / step.squaredNorm();
     if ((excess + change).norm() >= excess.norm()) continue;

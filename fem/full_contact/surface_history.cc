@@ -1,6 +1,7 @@
 #include "fem/full_contact/surface_history.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "fem/full_contact/fields.h"
@@ -28,6 +29,12 @@ double change_between(const std::vector<MatrixXd>& now, const std::vector<Matrix
   return largest > 0 ? change / largest : 0;
 }
 
+/// Of the relaxed body: the traction of each ring by a slip of that ring alone, A_i (C^-1)_ii.
+VectorXd stiffness_of_rings(const ContactProblem& rings) {
+  const MatrixXd inverse_factor = rings.solver.inverse()->triangularView<Eigen::Lower>();
+  return rings.compliance.areas.cwiseProduct(inverse_factor.colwise().squaredNorm().transpose());
+}
+
 }  // namespace
 
 RingProblems ring_problems(const SurfaceCompliance& surface) {
@@ -40,11 +47,12 @@ SurfaceWatch::SurfaceWatch(const RingProblems& rings, const AngularGrid& grid, i
       steps_per_cycle_(steps_per_cycle),
       reserve_(rings.normal.n_rings() * grid.n_kept(), -infinity),
       ever_(Eigen::ArrayXXd::Zero(rings.normal.n_rings(), grid.n_kept())),
-      in_cycle_(ever_) {}
+      in_cycle_(ever_),
+      traction_per_slip_(stiffness_of_rings(rings.tangential)) {}
 
 void SurfaceWatch::begin_cycle() {
   in_cycle_.setZero();
-  path_ = 0;
+  net_in_cycle_ = MatrixXd::Zero(in_cycle_.rows(), 2 * in_cycle_.cols());
   traction_before_ = std::exchange(traction_, {});
   pressure_.clear();
   limit_.clear();
@@ -75,7 +83,8 @@ void SurfaceWatch::see_step(const VectorFriction& friction, const MatrixXd& pres
   const Eigen::ArrayXXd slips = (margin.array() <= at_its_limit * friction.limit.maxCoeff()).cast<double>();
   ever_ = ever_.max(slips);
   in_cycle_ += (friction.limit.array() > 0).select(lengths(friction.slip), infinity);
-  path_ += friction.increment.norm();
+  net_in_cycle_ += friction.slip;
+  instantaneous_ = friction.instantaneous();
   const MatrixXd reserve = rings_.tangential.series.depths_of_instants((slips > 0).select(0, margin));
   reserve_.add(Eigen::Map<const VectorXd>(reserve.data(), reserve.size()), friction.in_piece());
   pressure_.push_back(pressure);
@@ -96,26 +105,32 @@ void SurfaceWatch::see_step(const VectorFriction& friction, const MatrixXd& pres
   ++n_steps_;
 }
 
-double SurfaceWatch::slip_of_stuck_point() const {
-  constexpr double share = 1e-4;
-  if (path_ > 0) return share * path_ / 4;
-  return share * (in_cycle_.array() < infinity).select(in_cycle_, 0).maxCoeff();
+SurfaceWatch::Course SurfaceWatch::course_of(Index ring, Index angle) const {
+  const Index m = in_cycle_.cols();
+  const auto n = static_cast<Index>(traction_.size());
+  Course course{VectorXd(n), VectorXd(n), VectorXd(n), 0};
+  for (Index k = 0; k < n; ++k) {
+    const auto step = static_cast<std::size_t>(k);
+    course.x[k] = traction_[step](ring, angle);
+    course.y[k] = traction_[step](ring, m + angle);
+    course.limit[k] = limit_[step](ring, angle);
+    if (traction_before_.empty()) continue;
+    const auto& before = traction_before_[step];
+    course.change =
+        std::max(course.change, std::hypot(course.x[k] - before(ring, angle), course.y[k] - before(ring, m + angle)));
+  }
+  return course;
 }
 
 MatrixXd SurfaceWatch::room() const {
-  const double allowed = slip_of_stuck_point();
   MatrixXd room = MatrixXd::Zero(in_cycle_.rows(), in_cycle_.cols());
-  const Index m = room.cols();
-  const auto n = static_cast<Index>(traction_.size());
-  VectorXd x(n), y(n), limit(n);
-  for (Index j = 0; j < m; ++j)
-    for (Index i = 0; i < room.rows() && in_cycle_(i, j) <= allowed; ++i) {
-      for (Index k = 0; k < n; ++k) {
-        x[k] = traction_[static_cast<std::size_t>(k)](i, j);
-        y[k] = traction_[static_cast<std::size_t>(k)](i, m + j);
-        limit[k] = limit_[static_cast<std::size_t>(k)](i, j);
-      }
-      room(i, j) = slip_room(x, y, limit);
+  const MatrixXd to_and_fro = in_cycle_ - lengths(net_in_cycle_);
+  for (Index j = 0; j < room.cols(); ++j)
+    for (Index i = 0; i < room.rows() && in_cycle_(i, j) < infinity; ++i) {
+      const auto course = course_of(i, j);
+      const double of_point = slip_room(course.x, course.y, course.limit);
+      if (of_point <= course.change + instantaneous_ * traction_per_slip_[i] * to_and_fro(i, j)) break;
+      room(i, j) = of_point;
     }
   return room;
 }

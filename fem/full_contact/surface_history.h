@@ -44,12 +44,14 @@ struct SurfaceHistory {
 /// Watches a contact step by step.
 ///
 /// Points that have never slipped: the smallest margin mu p - |t| since the start, as depths (ContactRegion), between
-/// steps as well (RunningMinimum), where |t| has always been less than its limit. Points that stick in a cycle: their
-/// room (slip_room) of the steps of the cycle, where they touch throughout and slip no farther in it than 1e-4 of a
-/// quarter of the indenter's path, as for the ring contact (slip_of_stuck_ring): micro-slip of points that have shaken
-/// down dies out slowly, and |t| comes to its limit. Of an indenter that stands still along the surface, than 1e-4 of
-/// the farthest slip. In the first cycle, which begins at rest and has nothing to settle to, they are those that have
-/// never slipped.
+/// steps as well (RunningMinimum), where |t| has always been less than its limit. Points that stick in a cycle: those
+/// that touch throughout and whose room (slip_room) exceeds all that is not settled about it, which is the change of
+/// their traction since the cycle before, and the traction that their slip to and fro in the cycle keeps off. Then
+/// some constant traction lets them stick, and by Melan's theorem they end up with one; micro-slip on the way there,
+/// in which |t| comes to its limit on one side, dies out slowly and is no sign of slip that stays. Slip to and fro is
+/// the length of the way less how far it leads; the traction that it keeps off is at most that of a ring that alone
+/// moves so far. In the first cycle, which begins at rest and has nothing to settle to, points that stick are those
+/// that have never slipped.
 class SurfaceWatch {
  public:
   /// rings: must outlive this.
@@ -65,7 +67,12 @@ class SurfaceWatch {
 
  private:
   void see_step(const VectorFriction& friction, const Eigen::MatrixXd& pressure, double gone_down);
-  [[nodiscard]] double slip_of_stuck_point() const;
+  /// Of a point through the last cycle.
+  struct Course {
+    Eigen::VectorXd x, y, limit;
+    double change;  ///< of its traction since the cycle before
+  };
+  [[nodiscard]] Course course_of(Eigen::Index ring, Eigen::Index angle) const;
   [[nodiscard]] Eigen::MatrixXd room() const;
   void begin_cycle();
 
@@ -74,9 +81,11 @@ class SurfaceWatch {
   int steps_per_cycle_;
   long n_steps_ = 0;
   RunningMinimum reserve_;
-  Eigen::ArrayXXd ever_;      // whether points have slipped: 1 or 0
-  Eigen::MatrixXd in_cycle_;  // length of slip in the cycle; infinite where points do not touch throughout
-  double path_ = 0;           // of the indenter along the surface in the cycle
+  Eigen::ArrayXXd ever_;               // whether points have slipped: 1 or 0
+  Eigen::MatrixXd in_cycle_;           // length of slip in the cycle; infinite where points do not touch throughout
+  Eigen::MatrixXd net_in_cycle_;       // slip in the cycle, x before y
+  Eigen::VectorXd traction_per_slip_;  // of rings, of the relaxed body
+  double instantaneous_ = 1;           // by how much the body is stiffer in a step
   std::vector<Eigen::MatrixXd> pressure_, traction_, limit_, traction_before_;
   Eigen::Matrix3Xd forces_;
   Eigen::Matrix2Xd displacement_;

@@ -82,6 +82,7 @@ class VectorFriction {
   [[nodiscard]] int steps_per_cycle() const { return times_.steps_per_cycle(); }
   /// Of the last step, or of the first one before it.
   [[nodiscard]] double fraction() const { return step_.fraction(); }
+  [[nodiscard]] double instantaneous() const { return step_.instantaneous(); }  ///< likewise
   /// The next step.
   struct NextStep {
     double begin, balance, end;

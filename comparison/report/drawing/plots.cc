@@ -10,7 +10,8 @@ namespace fretval {
 namespace {
 
 /// In the order of the enumeration.
-constexpr std::array style_names{"line", "dashed", "line points", "points", "open points", "triangles"};
+constexpr std::array style_names{"line",   "dashed",       "thin line",   "line points",
+                                 "points", "small points", "open points", "triangles"};
 
 std::vector<double> rounded(std::vector<double> values) {
   for (double& value : values)

@@ -11,7 +11,7 @@ namespace fretval {
 
 /// One curve or set of points; NaN values leave a gap.
 struct Series {
-  enum class Style { line, dashed, line_points, points, open_points, triangles };
+  enum class Style { line, dashed, thin_line, line_points, points, small_points, open_points, triangles };
   std::string label;  ///< empty: not in the key
   std::vector<double> x, y;
   Style style = Style::line;

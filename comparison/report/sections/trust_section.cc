@@ -101,6 +101,9 @@ Figure error_map_figure(const MapOfPage& map, const ordered_json& at, Quantity q
     if (!lines[k].x.empty())
       plot.series.push_back({fmt::format("{:g} %", percent * levels[k]), lines[k].x, lines[k].y, Series::Style::line,
                              static_cast<int>(k)});
+  const auto open = hatching(map_points(), map.kind, quantity);
+  if (!open.x.empty())
+    plot.series.push_back({"hatched: bars above a tenth", open.x, open.y, Series::Style::thin_line, 7});
   const auto ratio = at.find(name_of(quantity));
   const auto& value = at.at(map.coordinate);
   if (ratio != at.end() && value.is_number()) {
@@ -109,7 +112,7 @@ Figure error_map_figure(const MapOfPage& map, const ordered_json& at, Quantity q
   }
   return {plot,
           fmt::format("Where MDR over an incompressible half-space is off by so much in the {}; parabola, elastic, "
-                      "μ = 0.5, k = 0.5.",
+                      "μ = 0.5, k = 0.5. Hatched: near points whose error bar is more than a tenth of what they show.",
                       traits_of(quantity).title)};
 }
 

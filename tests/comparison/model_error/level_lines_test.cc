@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "tests/comparison/model_error/made_up_map.h"
@@ -23,6 +24,28 @@ TEST(LevelLines, AreWhereTheMapHasTheirLevel) {
     EXPECT_EQ(top, 180);
   }
   EXPECT_TRUE(lines[2].x.empty());
+}
+
+// The points of the made-up map are known exactly; with one bar that is wide the map is hatched around that point
+// alone.
+TEST(Hatching, IsNearPointsThatAreNotKnownToATenth) {
+  auto points = made_up_map();
+  constexpr auto radius = Quantity::stick_radius_shakedown;
+  EXPECT_TRUE(hatching(points, MapKind::phase, radius).x.empty());
+  auto& wide = points.at(13);  // c/a = 0.6, 60 degrees
+  ASSERT_EQ(wide.map, name_of(MapKind::phase));
+  wide.changes.at(radius).bar = std::abs(wide.changes.at(radius).value);
+  const auto lines = hatching(points, MapKind::phase, radius);
+  ASSERT_FALSE(lines.x.empty());
+  double nearest = 1;
+  for (std::size_t i = 0; i < lines.x.size(); ++i) {
+    if (std::isnan(lines.x[i])) continue;
+    const double across = (lines.x[i] - *wide.own.shakedown) / (most_mapped_ratio - least_mapped_ratio),
+                 up = (lines.y[i] - wide.own.phase) / 180;
+    nearest = std::min(nearest, std::hypot(across, up));
+    EXPECT_LT(std::hypot(across, up), 0.4);
+  }
+  EXPECT_LT(nearest, 0.05);
 }
 
 }  // namespace

@@ -77,6 +77,17 @@ TEST(ForcesBalance, FindsTheDisplacementsOfSeveralForces) {
   EXPECT_LE(n, 6) << "the stiffness is known from the search before";
 }
 
+// Where a contact has come apart no small displacement changes its force.
+TEST(ForcesBalance, FindsItsWayBackToTheContact) {
+  const auto force = [](const Eigen::VectorXd& at) {
+    return Eigen::VectorXd::Constant(1, std::pow(std::max(0.0, at[0] - 1), 1.5));
+  };
+  const auto found =
+      displacements_for_forces(force, Eigen::VectorXd::Constant(1, 0.125),
+                               {Eigen::VectorXd::Zero(1), Eigen::MatrixXd::Constant(1, 1, 1)}, 1e-4, 1e-9);
+  EXPECT_NEAR(found.displacements[0], 1.25, 1e-8);
+}
+
 TEST(ForcesBalance, SaysWhereThereIsNone) {
   const auto bounded = [](const Eigen::VectorXd& u) -> Eigen::VectorXd {
     return Eigen::VectorXd::Constant(1, std::tanh(u[0]));
