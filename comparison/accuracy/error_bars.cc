@@ -76,9 +76,8 @@ CaseNeeds needs_of(const FemCase& fem, const Computation& computation) {
 
 /// How deep the innermost ring sticks in either zone.
 Quantities centre_depths(const FeAnswer& fe) {
-  Quantities depths{{Quantity::stick_radius_first_slip, fe.first_slip_depths.depth[0]}};
-  if (!fe.single_pass) depths[Quantity::stick_radius_shakedown] = fe.shakedown_depths.depth[0];
-  return depths;
+  return {{Quantity::stick_radius_first_slip, fe.first_slip_depths.depth[0]},
+          {Quantity::stick_radius_shakedown, fe.shakedown_depths.depth[0]}};
 }
 
 /// Where the error of the depth at the centre leaves open whether anything sticks, adds to the bar what that means for
@@ -96,6 +95,7 @@ void carry_depths(const Track& track, ErrorBudget& budget) {
                around_face = face > 0 ? face + rings_next_to_face / resolution.elements_per_radius : 0;
   const auto& fe = computed.at(resolution).fe;
   for (const auto& [quantity, bar] : error_budget(resolution, centre, {}, needs_of(prepared.fem))) {
+    if (budget.count(quantity) == 0) continue;  // a pass may not have both stick radii
     const double c = track.value(quantity), uncertainty = safety * bar.total();
     if (std::abs(centre.at(resolution).at(quantity)) > uncertainty) continue;
     const auto& depths = quantity == Quantity::stick_radius_first_slip ? fe.first_slip_depths : fe.shakedown_depths;

@@ -35,8 +35,7 @@ bool knows_cycle(const MdrCase& mdr, const MdrAnswer& answer) {
   };
   return known_over(cycle.force_error, cycle.tangential_force_max) &&
          known_over(cycle.work_error, of_friction_over_sliding * cycle.sliding_work) &&
-         known_over(cycle.work_error, cycle.bulk_work) &&
-         known_over(cycle.loop_error, answer.single_pass ? 0 : cycle.tangential_work);
+         known_over(cycle.work_error, cycle.bulk_work) && known_over(cycle.loop_error, cycle.tangential_work);
 }
 
 /// answer_with: as many times the usual springs and steps.
@@ -146,7 +145,7 @@ void answer_forced_path(const MdrCase& mdr, int times, MdrAnswer& answer) {
                         : mdr::path_forces(mdr.profile, mdr.body, mdr.friction_coefficient, *mdr.path, fineness);
   } catch (const mdr::GrossSlip& slip) {
     answer.gross_slip = slip.amplitude;
-    if (answer.single_pass) answer.gross_slip_time = slip.time;
+    if (mdr.is_single_pass()) answer.gross_slip_time = slip.time;
     return;
   }
   const auto& [forces, error, course] = *stepped;
@@ -154,7 +153,7 @@ void answer_forced_path(const MdrCase& mdr, int times, MdrAnswer& answer) {
   answer.stick_radius_first_slip = radii.first_slip;
   answer.stick_radius_shakedown = radii.shakedown;
   answer.stepping_error =
-      std::max({error.first_slip, answer.single_pass ? 0 : error.shakedown, error.largest_indentation}) /
+      std::max({error.first_slip, mdr.is_single_pass() ? 0 : error.shakedown, error.largest_indentation}) /
       forces.largest_indentation;
   if (mdr.normal_force) answer.indentation_max = forces.largest_indentation;
   if (mdr.tangential_force) {
@@ -166,14 +165,10 @@ void answer_forced_path(const MdrCase& mdr, int times, MdrAnswer& answer) {
 
 MdrAnswer path_answer(const MdrCase& mdr, const mdr::NormalResponse& normal, int times) {
   MdrAnswer answer = with_normal_response(normal);
-  answer.modulus_ratio = std::nan("");
-  answer.single_pass = mdr.is_single_pass();
   if (mdr.path->has_forces() || mdr.layer)
     answer_forced_path(mdr, times, answer);
   else
     answer_displaced_path(mdr, answer);
-  if (mdr.from_touch) answer.stick_radius_first_slip.reset();
-  answer.from_touch = mdr.from_touch;
   return answer;
 }
 
@@ -259,25 +254,18 @@ MdrAnswer in_body_of_case(MdrAnswer answer, double displacement) {
 }
 
 MdrAnswer incompressible_answer(const MdrCase& mdr, const mdr::NormalResponse& normal) {
-  if (moves_in_plane(mdr)) {
-    auto answer = with_known_cycle(mdr, [&](int times) { return plane_answer(mdr, normal, times); });
-    answer.modulus_ratio =
-        mdr.path ? std::nan("")
-                 : mdr::modulus_ratio(mdr.body, mdr::angular_frequency(mdr.motion.normal.front().frequency));
-    if (const auto worn = worn_profile(mdr, answer.stick_radius_shakedown)) answer.worn_radius = worn->outer_radius;
-    return answer;
-  }
-  if (mdr.path) {
-    auto answer = with_known_cycle(mdr, [&](int times) { return path_answer(mdr, normal, times); });
-    if (const auto worn = worn_profile(mdr, answer.stick_radius_shakedown)) answer.worn_radius = worn->outer_radius;
-    if (mdr.layer && !answer.single_pass)
-      answer.worn_radius = layer_worn_radius(mdr, answer.stick_radius_shakedown, mdr::maximum_normal(*mdr.path));
-    return answer;
-  }
-  auto answer = mdr.layer || (mdr.has_forces() && !mdr.limiting)
-                    ? with_known_cycle(mdr, [&](int times) { return forced_answer(mdr, normal, times); })
-                    : displaced_answer(mdr, displacements_of(mdr), normal);
-  answer.modulus_ratio = mdr::modulus_ratio(mdr.body, mdr::angular_frequency(mdr.motion.normal.front().frequency));
+  const auto stepped = [&](int times) {
+    if (moves_in_plane(mdr)) return plane_answer(mdr, normal, times);
+    return mdr.path ? path_answer(mdr, normal, times) : forced_answer(mdr, normal, times);
+  };
+  const bool is_stepped = moves_in_plane(mdr) || mdr.path || mdr.layer || (mdr.has_forces() && !mdr.limiting);
+  auto answer = is_stepped ? with_known_cycle(mdr, stepped) : displaced_answer(mdr, displacements_of(mdr), normal);
+  answer.modulus_ratio =
+      mdr.path ? std::nan("")
+               : mdr::modulus_ratio(mdr.body, mdr::angular_frequency(mdr.motion.normal.front().frequency));
+  keep_to(mdr.course, answer);
+  if (mdr.layer && mdr.path)
+    answer.worn_radius = layer_worn_radius(mdr, answer.stick_radius_shakedown, mdr::maximum_normal(*mdr.path));
   if (const auto worn = worn_profile(mdr, answer.stick_radius_shakedown)) answer.worn_radius = worn->outer_radius;
   return answer;
 }
@@ -341,7 +329,7 @@ MdrAnswer mdr_answer_with_cycle(const MdrCase& mdr, const mdr::NormalResponse& n
       with_cycle.cycle = displaced_cycle(mdr, normal, times);
       return with_cycle;
     });
-  if (answer.cycle && !answer.single_pass)
+  if (answer.cycle)
     answer.slip_decay =
         mdr::slip_decay(mdr.body, mdr.path ? mdr.path->duration() : 1 / mdr::common_cycle(mdr.motion)->frequency);
   return in_body_of_case(std::move(answer), mdr.displacement);

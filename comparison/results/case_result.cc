@@ -164,7 +164,7 @@ Outcome outcome_of(const CaseResult& result) {
   const auto& fe = result.fe.fe.gross_slip;
   const auto& mdr = result.mdr;
   const double tolerance = result.input.tolerance;
-  const auto share = mdr.single_pass ? std::nullopt : mdr.steady_sliding_share;
+  const auto& share = mdr.steady_sliding_share;
   const bool must = share && *share < 1 - tolerance, may = !share || *share <= 1 + tolerance;
   if (!fe && !mdr.gross_slip) return must ? Outcome::disagree : outcome_of(result.comparison);
   if (fe.has_value() != mdr.gross_slip.has_value())

@@ -111,7 +111,8 @@ ordered_json cycle_json(const CaseResult& result) {
   const long first = friction.n_steps + 1 - n;
   // They may bear what friction allows, without slip.
   const auto& fe = result.fe.fe;
-  const Eigen::Index n_stuck = fe.zones ? 0 : fe.single_pass ? fe.rings.stuck.first_slip : fe.rings.stuck.shakedown;
+  const auto& stuck = fe.rings.stuck;
+  const Eigen::Index n_stuck = fe.zones ? 0 : is_pass(fe.course) ? stuck.first_slip : stuck.shakedown;
   ordered_json json{{"r", list_of(std::vector<double>(radii.begin() + 1, radii.end()), units.length)},
                     {"t", ordered_json::array()},
                     {"p", ordered_json::array()},
@@ -131,8 +132,7 @@ ordered_json cycle_json(const CaseResult& result) {
     }
     json["zones"].push_back(zones);
   }
-  if (const auto decay = fem::slip_decay(friction, result.fe.fe.rings.stuck.shakedown);
-      !decay.empty() && !result.fe.fe.single_pass)
+  if (const auto decay = fem::slip_decay(friction, stuck.shakedown); !decay.empty() && !is_pass(fe.course))
     json["slip_decay"] = list_of(decay);
   if (auto springs = springs_of(result)) json["mdr"] = std::move(*springs);
   return json;

@@ -42,10 +42,7 @@ ordered_json path_json(const Case::Path& path) {
   ordered_json json{{"file", path.file},
                     {"columns", {"t", path.normal_force ? "F_N" : "d", path.tangential_force ? "F_x" : "u_x"}},
                     {"rows", path.time.size()},
-                    {"duration", path.duration()},
-                    {"repeats", path.repeats ? "forever" : "once"}};
-  if (!path.repeats) json["why_no_shakedown"] = no_shakedown_in_a_pass;
-  if (path.from_touch) json["from_touch"] = true;
+                    {"duration", path.duration()}};
   return json;
 }
 
@@ -69,7 +66,8 @@ ordered_json case_json(const CaseResult& result) {
   const auto motion = motion_of_case(result.mdr_case);
   const bool beyond = result.beyond_mdr.has_value();
   const bool normal_force = result.mdr_case.normal_force, tangential_force = result.mdr_case.tangential_force;
-  const bool once = result.mdr_case.is_single_pass();
+  const auto course = course_of(input.motion);
+  const bool once = is_pass(course);
   const double at_rest = normal_force ? mdr::indentation_for_force(result.mdr_case.profile,
                                                                    input.elastomer.relaxed_modulus, motion.indentation)
                                       : motion.indentation;
@@ -96,6 +94,7 @@ ordered_json case_json(const CaseResult& result) {
   if (motion.tangential.size() > 1) json["tangential_harmonics"] = harmonics_json(motion.tangential);
   if (result.mdr_case.path) {
     json["path"] = path_json(*input.motion.path);
+    add_course(course, json["path"]);
     if (!normal_force) json["indentation_max"] = mdr::maximum_normal(*result.mdr_case.path);
   }
   if (result.mdr_case.limiting) json["stick_radius_of_profile"] = result.mdr_case.limiting->stick_radius;
@@ -158,7 +157,7 @@ ordered_json fe_json(const CaseResult& result) {
   if (result.beyond_mdr)
     for (const auto& [quantity, bar] : result.fe.budget) json["error_estimate"][name_of(quantity)] = bar_json(bar);
   if (fe.surface) {
-    json["zones"] = zones_json(*fe.surface, fe.single_pass, result.fe.budget, units.length);
+    json["zones"] = zones_json(*fe.surface, fe.course, result.fe.budget, units.length);
     for (const auto& [quantity, bar] : result.fe.budget)
       if (json["error_estimate"].find(name_of(quantity)) == json["error_estimate"].end())
         json["error_estimate"][name_of(quantity)] = bar_json(bar);

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "comparison/data/course.h"
 #include "comparison/results/unit_text.h"
 
 namespace fretval {
@@ -272,10 +273,10 @@ std::string plain_answer(const ordered_json& result) {
                stick = stored_number(fe, "stick_radius_shakedown"),
                first = stored_number(fe, "stick_radius_first_slip");
   if (result.contains("not_compared") || std::isnan(contact)) return "";
-  const auto path = scene.find("path");
-  if (path != scene.end() && path->value("from_touch", false))
+  const auto course = stored_course(scene);
+  if (course == Course::pass_from_touch)
     return fmt::format("in this pass the contact grows from a touch to {}", length_text(contact, contact));
-  if (path != scene.end() && path->value("repeats", "") == "once")
+  if (is_pass(course))
     return std::isnan(first) ? fmt::format("in this pass all of the contact of {} slips", length_text(contact, contact))
                              : fmt::format("in this pass the inner {} of a contact of {} never slips",
                                            stick_text(result, Quantity::stick_radius_first_slip, contact),

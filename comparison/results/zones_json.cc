@@ -49,7 +49,7 @@ ordered_json zones_json(const ZoneAnswer& zones, const std::optional<ZoneBudget>
           {"pressure_max_bar", bars ? total_of(known.pressure_max, zones.pressure_max) : ordered_json(nullptr)}};
 }
 
-ordered_json zones_json(const SurfaceAnswer& surface, bool single_pass, const ErrorBudget& budget, double length) {
+ordered_json zones_json(const SurfaceAnswer& surface, Course course, const ErrorBudget& budget, double length) {
   const auto bar_of = [&](Quantity quantity) {
     const auto bar = budget.find(quantity);
     return total_of(bar == budget.end() ? std::nullopt : std::optional(bar->second), length);
@@ -69,7 +69,7 @@ ordered_json zones_json(const SurfaceAnswer& surface, bool single_pass, const Er
   ordered_json json{{"contact", zone_json(surface.contact, Q::contact_radius_max, Q::contact_along, Q::contact_across)},
                     {"never_slipped", zone_json(surface.never_slipped, Q::stick_radius_first_slip, Q::first_slip_along,
                                                 Q::first_slip_across)}};
-  if (single_pass)
+  if (is_pass(course))
     json["sticks_at_the_end"] = {{"area", surface.sticks_at_the_end.area},
                                  {"radius", surface.sticks_at_the_end.radius},
                                  {"along", surface.sticks_at_the_end.along},

@@ -14,9 +14,9 @@ namespace fretval {
 nlohmann::ordered_json zones_json(const ZoneAnswer& zones, const std::optional<ZoneBudget>& bars, double length);
 
 /// The same of the contact on rings and angles: `never_slipped`, `sticks_in_a_cycle` (not of a single pass) and
-/// `contact`, each with `area` in m², `radius` of the disc of that area, half of its extents `along` x and `across`, in m,
-/// and their bars (null: none was measured); `torque_max` in N m. budget: over the unit of length.
-nlohmann::ordered_json zones_json(const SurfaceAnswer& surface, bool single_pass, const ErrorBudget& budget,
+/// `contact`, each with `area` in m², `radius` of the disc of that area, half of its extents `along` x and `across`, in
+/// m, and their bars (null: none was measured); `torque_max` in N m. budget: over the unit of length.
+nlohmann::ordered_json zones_json(const SurfaceAnswer& surface, Course course, const ErrorBudget& budget,
                                   double length);
 
 /// The key "not_compared". depth: the largest indentation in m.

@@ -70,8 +70,7 @@ FeAnswer compute_case(const FemCase& fem_case, const Resolution& resolution, Bod
   } catch (const fem::GrossSlip& slip) {
     answer = answer_of(slip, fem);
   }
-  if (fem.from_touch) answer.stick_radius_first_slip.reset();
-  answer.from_touch = fem.from_touch;
+  keep_to(fem.course, answer);
   answer.body = body->summary;
   answer.whole_body = whole;
   return answer;

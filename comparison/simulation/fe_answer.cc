@@ -191,14 +191,13 @@ FeAnswer read_answer(const ContactProblems& problems, const FemCase& fem, const 
   read_normal_response(problems, fem, contact_radius, normal, answer);
   const double length = fem.units.length;
   answer.stick_radius_first_slip = dimensional(first, length);
-  answer.single_pass = fem.motion.is_single_pass();
-  if (!answer.single_pass) answer.stick_radius_shakedown = dimensional(shakedown, length);
+  if (!is_pass(fem.course)) answer.stick_radius_shakedown = dimensional(shakedown, length);
   answer.first_slip_uncertainty = first.uncertainty * length;
   answer.shakedown_uncertainty = shakedown.uncertainty * length;
   if (fem.motion.tangential_force && fem.has_period())
     answer.tangential_amplitude = friction.amplitude * fem.units.depth;
   answer.cycle = cycle_of(fem, answer.normal_force_max / fem.units.force(), normal, friction);
-  const bool steps_settling = answer.cycle && !answer.single_pass && !normal.n_cycles_of_search && !friction.jumped;
+  const bool steps_settling = answer.cycle && !is_pass(fem.course) && !normal.n_cycles_of_search && !friction.jumped;
   if (steps_settling && !relaxes_in_a_step(fem))
     answer.slip_decay = fem::decay_factor(friction, stuck.shakedown, fem.motion.cycles_of_ramp());
   if (steps_settling && fem.relaxation.has_memory()) {

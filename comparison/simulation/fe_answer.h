@@ -73,12 +73,11 @@ struct FeAnswer {
   double cycles_to_shakedown_uncertainty = 0;  ///< of the part of a ring inside c, see fem::SlipBeyond
   std::optional<fem::DecayFactor> slip_decay;  ///< of a locked motion, per cycle; empty: see fem::decay_factor
   std::optional<GrossSlipStart> gross_slip;    ///< then there is nothing else but the body and the cost
-  bool single_pass = false;                    ///< of a path: no periodic state, and no shakedown radius
-  bool from_touch = false;                     ///< nothing is in contact at rest, and nothing sticks since then
-  double contact_radius_uncertainty = 0;       ///< of the time steps, see read_contact_radius
-  double normal_force_uncertainty = 0;         ///< of reading the edge, see fem::ContactForce
-  double indentation_uncertainty = 0;          ///< see fem::LargestIndentation
-  double first_slip_uncertainty = 0;           ///< of reading the edge, see fem::EdgeRadius
+  Course course = Course::cycles;
+  double contact_radius_uncertainty = 0;  ///< of the time steps, see read_contact_radius
+  double normal_force_uncertainty = 0;    ///< of reading the edge, see fem::ContactForce
+  double indentation_uncertainty = 0;     ///< see fem::LargestIndentation
+  double first_slip_uncertainty = 0;      ///< of reading the edge, see fem::EdgeRadius
   double shakedown_uncertainty = 0;
   fem::StickDepths first_slip_depths, shakedown_depths;  ///< empty for a limiting profile
   std::optional<NoWearEvidence> no_wear;                 ///< for a limiting profile

@@ -257,11 +257,8 @@ FeAnswer compute_full_contact(const ContactProblems& problems, const FemCase& fe
                                    : answer.cycle->sliding_force * fem::tangential_path(fem.motion) * fem.units.depth;
   answer.stick_radius_first_slip = radius_of(surface.never_slipped);
   answer.first_slip_uncertainty = surface.never_slipped.uncertainty;
-  answer.single_pass = fem.motion.is_single_pass();
-  if (!answer.single_pass) {
-    answer.stick_radius_shakedown = radius_of(surface.sticks_in_a_cycle);
-    answer.shakedown_uncertainty = surface.sticks_in_a_cycle.uncertainty;
-  }
+  answer.stick_radius_shakedown = radius_of(surface.sticks_in_a_cycle);
+  answer.shakedown_uncertainty = surface.sticks_in_a_cycle.uncertainty;
   return answer;
 }
 

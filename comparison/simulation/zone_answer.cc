@@ -81,7 +81,6 @@ FeAnswer read_zones(const ContactProblems& problems, const FemCase& fem, const E
   answer.contact_radius_uncertainty = zones.contact_uncertainty;
   answer.stick_radius_first_slip = radius_of_disc(zones.first_slip);
   answer.stick_radius_shakedown = radius_of_disc(zones.shakedown);
-  answer.single_pass = fem.motion.is_single_pass();
   answer.rings.contact = (normal.smallest_gap.array() <= 0).count();
   answer.rings.stuck = fem::stuck_rings(friction, fem.motion);
   answer.cycle = cycle_of(fem, largest_force, normal, friction);

@@ -286,7 +286,6 @@ void take_path(const Case::Path& path, FemCase& fem) {
   time.back() = mdr::angular_frequency(1);
   const auto rest = rest_of(path);
   const double normal = unit_of(path.normal_force, fem.units), tangential = unit_of(path.tangential_force, fem.units);
-  fem.from_touch = path.from_touch;
   fem.motion.indentation = rest.normal / normal;
   fem.motion.path = fem::SampledPath{std::move(time),
                                      over(path.normal, normal),
@@ -343,6 +342,7 @@ FemCase fem_case(const Case& input, const MdrCase& mdr) {
   const auto motion = motion_of_case(mdr);
   const auto cycle = mdr::common_cycle(motion);
   require_few_rows(input);
+  fem.course = course_of(input.motion);
   if (input.motion.path)
     take_path(*input.motion.path, fem);
   else if (cycle && (mdr.has_forces() || cycle->highest_order() <= longest_cycle))

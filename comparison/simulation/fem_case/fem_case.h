@@ -58,8 +58,8 @@ struct FemCase {
   /// Radius that carries prescribed forces alone in the limiting state, of which no larger contact asks for more depth.
   double carrying_radius = 1;
   double error_of_demand = 0, error_of_normal = 0;
-  double first_row = 0;     ///< s, of a path: when it begins
-  bool from_touch = false;  ///< see Case::Path
+  double first_row = 0;  ///< s, of a path: when it begins
+  Course course = Course::cycles;
   /// Rings may touch in any order, as MDR does not hold for the profile: forces are sums over the rings, zones lists of
   /// annuli (ZoneAnswer).
   bool any_order = false;
