@@ -17,8 +17,9 @@ void add_cycle(const fem::CycleResponse& cycle, Readings& readings) {
   readings[Quantity::tangential_work] = {cycle.tangential_work, loop, "", has_memory};
 }
 
-/// Of a limiting profile.
-void add_no_wear(const NoWearEvidence& evidence, Readings& readings) {
+void take_kind(const DiscAnswer& /*unused*/, Readings& /*unused*/) {}
+
+void take_kind(const NoWearEvidence& evidence, Readings& readings) {
   readings[Quantity::slip_inside_stick_zone] = {evidence.slip_inside};
   readings[Quantity::force_outside_stick_zone] = {evidence.force_outside};
   readings[Quantity::maximum_indentation] = {evidence.touch_indentation};
@@ -26,8 +27,7 @@ void add_no_wear(const NoWearEvidence& evidence, Readings& readings) {
       evidence.limiting_amplitude, {}, "nothing moves tangentially", evidence.limiting_amplitude.has_value()};
 }
 
-/// Of the contact on rings and angles.
-void add_surface(const SurfaceAnswer& surface, Readings& readings) {
+void take_kind(const SurfaceAnswer& surface, Readings& readings) {
   const auto add = [&](Quantity along, Quantity across, const PlaneZone& zone) {
     const std::string why = zone.radius > 0 ? "" : "nothing sticks";
     const auto some = [&](double extent) { return zone.radius > 0 ? std::optional(extent) : std::nullopt; };
@@ -42,10 +42,14 @@ void add_surface(const SurfaceAnswer& surface, Readings& readings) {
 }
 
 /// Zones that may be annuli are told as such, and have bars of their own (ZoneBudget).
-void only_tell_what_zones_say(Readings& readings) {
+void take_kind(const ZoneAnswer& /*unused*/, Readings& readings) {
   for (const auto quantity :
        {Quantity::stick_radius_first_slip, Quantity::stick_radius_shakedown, Quantity::axis_pressure_max})
     if (const auto found = readings.find(quantity); found != readings.end()) found->second.is_compared = false;
+}
+
+void take_kind(const GrossSlipStart& /*unused*/, Readings& readings) {
+  for (auto& [quantity, reading] : readings) reading = {{}, {}, "the whole contact slides", false};
 }
 
 /// One of m is a radius or a depth.
@@ -66,21 +70,13 @@ double compared_value(Quantity quantity, double value, const Scales& scales, con
 }  // namespace
 
 Readings readings_of(const FeAnswer& fe, const Units& units) {
-  const bool slides = fe.gross_slip.has_value();
-  const std::string sliding = "the whole contact slides", no_stick = slides ? sliding : "nothing sticks";
-  const bool has_radius = fe.contact_radius_max.has_value();
   Readings readings{
       {Quantity::contact_radius_max,
-       {fe.contact_radius_max, fe.contact_radius_uncertainty,
-        slides ? sliding : "the flank of a worn profile touches without pressure", has_radius}},
-      {Quantity::stick_radius_first_slip, {fe.stick_radius_first_slip, fe.first_slip_uncertainty, no_stick, !slides}},
-      {Quantity::stick_radius_shakedown, {fe.stick_radius_shakedown, fe.shakedown_uncertainty, no_stick, !slides}}};
-  if (slides) {
-    readings[Quantity::normal_force_max] = {{}, {}, sliding, false};
-    keep_to(fe.course, readings);
-    return readings;
-  }
-  readings[Quantity::normal_force_max] = {fe.normal_force_max, fe.normal_force_uncertainty, "", !fe.indentation_max};
+       {fe.contact_radius_max, fe.contact_radius_uncertainty, "the flank of a worn profile touches without pressure",
+        fe.contact_radius_max.has_value()}},
+      {Quantity::stick_radius_first_slip, {fe.stick_radius_first_slip, fe.first_slip_uncertainty, "nothing sticks"}},
+      {Quantity::stick_radius_shakedown, {fe.stick_radius_shakedown, fe.shakedown_uncertainty, "nothing sticks"}},
+      {Quantity::normal_force_max, {fe.normal_force_max, fe.normal_force_uncertainty, "", !fe.indentation_max}}};
   if (fe.axis_pressure_max) readings[Quantity::axis_pressure_max] = {fe.axis_pressure_max};
   if (fe.indentation_max) readings[Quantity::indentation_max] = {fe.indentation_max, fe.indentation_uncertainty};
   if (fe.tangential_amplitude) readings[Quantity::tangential_amplitude] = {fe.tangential_amplitude};
@@ -91,15 +87,13 @@ Readings readings_of(const FeAnswer& fe, const Units& units) {
   if (fe.slip_decay) readings[Quantity::slip_decay] = {fe.slip_decay->factor, fe.slip_decay->uncertainty};
   if (fe.cycles_to_shakedown)
     readings[Quantity::cycles_to_shakedown] = {fe.cycles_to_shakedown, fe.cycles_to_shakedown_uncertainty};
-  if (fe.no_wear) add_no_wear(*fe.no_wear, readings);
-  if (fe.surface) add_surface(*fe.surface, readings);
-  if (fe.zones) only_tell_what_zones_say(readings);
+  std::visit([&](const auto& kind) { take_kind(kind, readings); }, fe.of_kind);
   keep_to(fe.course, readings);
   return readings;
 }
 
 Scales scales_of(const FeAnswer& fe, const Units& units) {
-  Scales scales{fe.zones ? 0 : units.length, 0, 0};
+  Scales scales{fe.as<ZoneAnswer>() ? 0 : units.length, 0, 0};
   if (fe.cycle) {
     scales.sliding_force = fe.cycle->sliding_force;
     scales.sliding_work = fe.cycle->sliding_work;

@@ -253,6 +253,11 @@ MdrAnswer in_body_of_case(MdrAnswer answer, double displacement) {
   return answer;
 }
 
+double modulus_ratio_of(const MdrCase& mdr) {
+  return mdr.path ? std::nan("")
+                  : mdr::modulus_ratio(mdr.body, mdr::angular_frequency(mdr.motion.normal.front().frequency));
+}
+
 MdrAnswer incompressible_answer(const MdrCase& mdr, const mdr::NormalResponse& normal) {
   const auto stepped = [&](int times) {
     if (moves_in_plane(mdr)) return plane_answer(mdr, normal, times);
@@ -260,9 +265,7 @@ MdrAnswer incompressible_answer(const MdrCase& mdr, const mdr::NormalResponse& n
   };
   const bool is_stepped = moves_in_plane(mdr) || mdr.path || mdr.layer || (mdr.has_forces() && !mdr.limiting);
   auto answer = is_stepped ? with_known_cycle(mdr, stepped) : displaced_answer(mdr, displacements_of(mdr), normal);
-  answer.modulus_ratio =
-      mdr.path ? std::nan("")
-               : mdr::modulus_ratio(mdr.body, mdr::angular_frequency(mdr.motion.normal.front().frequency));
+  answer.modulus_ratio = modulus_ratio_of(mdr);
   keep_to(mdr.course, answer);
   if (mdr.layer && mdr.path)
     answer.worn_radius = layer_worn_radius(mdr, answer.stick_radius_shakedown, mdr::maximum_normal(*mdr.path));
@@ -317,6 +320,13 @@ std::optional<SettlingCycles> settling_cycles(const MdrCase& mdr, const MdrAnswe
 
 MdrAnswer mdr_answer(const MdrCase& mdr, const mdr::NormalResponse& normal) {
   return in_body_of_case(incompressible_answer(mdr, normal), mdr.displacement);
+}
+
+MdrAnswer no_answer(const MdrCase& mdr) {
+  MdrAnswer answer{};
+  answer.modulus_ratio = modulus_ratio_of(mdr);
+  answer.course = mdr.course;
+  return answer;
 }
 
 MdrAnswer mdr_answer_with_cycle(const MdrCase& mdr, const mdr::NormalResponse& normal) {

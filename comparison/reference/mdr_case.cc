@@ -49,6 +49,7 @@ void require_displacements_and_no_wear(const Case& input) {
     refuse("Motion / Tangential amplitude = shakedown", "a number in m");
   if (input.wear == Case::Wear::limiting) refuse("Wear / State = limiting", "unworn");
   if (input.wear_kinetics) refuse("Wear / Coefficient", "no wear");
+  if (input.contact.is_full()) refuse("Contact / Friction = vector", "unidirectional");
 }
 
 std::optional<double> phase_of(const Case::Motion& motion) {

@@ -63,6 +63,10 @@ Readings readings_of_worn(const MdrAnswer& answer) {
   return readings;
 }
 
+Readings compared_readings_of(const MdrAnswer& answer, const MdrCase& mdr) {
+  return mdr.limiting ? readings_of_worn(answer) : readings_of(answer);
+}
+
 nlohmann::ordered_json to_json(const MdrAnswer& answer) {
   nlohmann::ordered_json json{{"modulus_ratio", std::isnan(answer.modulus_ratio)
                                                     ? nlohmann::ordered_json(nullptr)

@@ -303,14 +303,6 @@ bool asks_for_cycles(const ordered_json& result) {
   return false;
 }
 
-bool has_slid(const ordered_json& result) {
-  const auto slides = [&](const char* side) {
-    const auto found = result.at(side).find("gross_slip");
-    return found != result.at(side).end() && !found->is_null();
-  };
-  return slides("fe") || slides("mdr");
-}
-
 /// wear: what has become of the indenter; empty: it has not worn.
 std::string text_of_answer(const ordered_json& json, const std::string& wear) {
   const auto answer = answer_of(json);
@@ -322,7 +314,7 @@ std::string text_of_answer(const ordered_json& json, const std::string& wear) {
     for (const auto& one : answer.rows) text += answer_line(one.title, one.fe);
     return text;
   }
-  if (has_slid(json)) return text;
+  if (slides(json.at("fe")) || slides(json.at("mdr"))) return text;
   text += answer_line("", "finite elements", "MDR");
   bool asked = true;
   for (const auto& one : answer.rows) {

@@ -91,7 +91,7 @@ std::optional<ordered_json> springs_of(const CaseResult& result) {
   const bool unworn = result.input.wear == Case::Wear::unworn && !result.input.wear_kinetics;
   if (!result.input.body.is_half_space() || result.mdr_case.displacement != 1) return {};  // springs of another body
   const bool repeats = result.fem_case.has_period();
-  if (result.beyond_mdr || !unworn || !repeats || result.input.sweep || result.mdr.gross_slip) return {};
+  if (!result.is_compared() || !unworn || !repeats || result.input.sweep || result.mdr.gross_slip) return {};
   try {
     return springs_json_of_cycle(spring_answer(result.input, {200, 120, 8, 1e-5}), result.mdr_case.body,
                                  result.mdr_case.path.has_value());
@@ -112,7 +112,7 @@ ordered_json cycle_json(const CaseResult& result) {
   // They may bear what friction allows, without slip.
   const auto& fe = result.fe.fe;
   const auto& stuck = fe.rings.stuck;
-  const Eigen::Index n_stuck = fe.zones ? 0 : is_pass(fe.course) ? stuck.first_slip : stuck.shakedown;
+  const Eigen::Index n_stuck = fe.as<ZoneAnswer>() ? 0 : is_pass(fe.course) ? stuck.first_slip : stuck.shakedown;
   ordered_json json{{"r", list_of(std::vector<double>(radii.begin() + 1, radii.end()), units.length)},
                     {"t", ordered_json::array()},
                     {"p", ordered_json::array()},

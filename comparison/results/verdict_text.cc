@@ -134,11 +134,10 @@ std::string sliding_text(const ordered_json& result) {
   }
   if (once)
     by_mdr = fmt::format("finds it from t = {} on", with_unit(stored_number(mdr, "gross_slip_time"), 0, "s"));
-  else if (mdr.contains("gross_slip"))
+  else if (slides(mdr))
     by_mdr = fmt::format("finds it at {} of them", share_text(stored_number(mdr, "gross_slip")));
   auto text = fmt::format("finite elements {}, {} {}", by_fe, method, by_mdr);
-  if (!once && fe.contains("gross_slip") && mdr.contains("gross_slip"))
-    text += ", each while the amplitudes rise in its own way";
+  if (!once && slides(fe) && slides(mdr)) text += ", each while the amplitudes rise in its own way";
   const double share = stored_number(mdr, "steady_sliding_share");
   if (std::isnan(share)) return text;
   return text + fmt::format(
@@ -173,8 +172,8 @@ std::string other_model_text(const ordered_json& result, const Differences& aske
   return fmt::format("{} computes another model, as {}: compared with it, {}", method, reasons, changes);
 }
 
-bool slides(const ordered_json& result) {
-  return result.at("fe").contains("gross_slip") || result.at("mdr").contains("gross_slip");
+bool any_slides(const ordered_json& result) {
+  return slides(result.at("fe")) || slides(result.at("mdr"));
 }
 
 /// With the prefix of the contact radius, three digits, and more where the length is a thousand of these units.
@@ -253,6 +252,11 @@ Differences stored_differences(const ordered_json& result) {
   return all;
 }
 
+bool slides(const ordered_json& method) {
+  const auto found = method.find("gross_slip");
+  return found != method.end() && !found->is_null();
+}
+
 Outcome stored_outcome(const ordered_json& result) {
   if (result.contains("not_compared")) return Outcome::not_compared;
   if (const auto verdict = result.find("verdict"); verdict != result.end() && verdict->is_string())
@@ -267,7 +271,7 @@ Outcome stored_outcome(const ordered_json& result) {
 
 std::string plain_answer(const ordered_json& result) {
   const auto &scene = result.at("scene"), &fe = result.at("fe");
-  if (slides(result)) return "the whole contact slides: friction does not carry the tangential force";
+  if (any_slides(result)) return "the whole contact slides: friction does not carry the tangential force";
   const double in_contact = stored_number(fe, "contact_radius_max"),
                contact = std::isnan(in_contact) ? stored_number(scene, "contact_radius_unworn") : in_contact,
                stick = stored_number(fe, "stick_radius_shakedown"),
@@ -288,7 +292,7 @@ std::string plain_answer(const ordered_json& result) {
 }
 
 std::string verdict_sentence(const ordered_json& result) {
-  if (slides(result)) return sliding_text(result);
+  if (any_slides(result)) return sliding_text(result);
   const auto differences = stored_differences(result);
   const auto asked = chosen(differences, true, std::nullopt);
   switch (stored_outcome(result)) {

@@ -15,6 +15,7 @@
 #include "comparison/reference/mdr_document.h"
 #include "comparison/results/answer_text.h"
 #include "comparison/results/data_text.h"
+#include "comparison/results/verdict_text.h"
 #include "comparison/run/estimate.h"
 #include "comparison/support/constants.h"
 #include "comparison/support/parallel.h"
@@ -214,7 +215,7 @@ std::string regime_text(const ordered_json& mdr, Course course, bool of_worn) {
   const auto radius = [&](const char* key) {
     return mdr.at(key).is_null() ? std::string() : short_text(mdr.at(key).get<double>(), "m");
   };
-  if (mdr.contains("gross_slip") && !mdr.at("gross_slip").is_null())
+  if (slides(mdr))
     return row("regime", mdr.contains("gross_slip_time")
                              ? fmt::format("gross slip: the whole contact slides from t = {} on",
                                            short_text(mdr.at("gross_slip_time").get<double>(), "s"))
@@ -257,8 +258,7 @@ std::string duration_text(double seconds) {
 /// By MDR: below a tenth of the contact radius, or none.
 bool has_small_zone(const ordered_json& mdr) {
   constexpr double small = 0.1;
-  if (mdr.at("contact_radius_max").is_null() || (mdr.contains("gross_slip") && !mdr.at("gross_slip").is_null()))
-    return false;
+  if (mdr.at("contact_radius_max").is_null() || slides(mdr)) return false;
   const auto& first = mdr.at("stick_radius_first_slip");
   return first.is_null() || first.get<double>() < small * mdr.at("contact_radius_max").get<double>();
 }

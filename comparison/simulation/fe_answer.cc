@@ -73,15 +73,15 @@ Eigen::Index largest_contact_rings(const fem::NormalHistory& history) {
   return n;
 }
 
-void add_stick_depths(const fem::PunchSeries& series, const FemCase& fem, FeAnswer& answer) {
+DiscAnswer stick_depths(const fem::PunchSeries& series, const FemCase& fem, const FeAnswer& answer) {
   const auto& friction = answer.friction;
   const Eigen::Index n_contact = answer.rings.contact;
   const auto depths = [&](const Eigen::VectorXd& reserve, const Eigen::VectorXd& slip, Eigen::Index n_stuck) {
     return fem::stick_depths({reserve.head(n_contact), series.displacements(slip).head(n_contact), n_stuck},
                              series.radii(), tangential_per_depth(fem), friction.amplitude);
   };
-  answer.first_slip_depths = depths(friction.first_slip_reserve, friction.slip_path, answer.rings.stuck.first_slip);
-  answer.shakedown_depths = depths(friction.shakedown_reserve, friction.period_slip / 4, answer.rings.stuck.shakedown);
+  return {depths(friction.first_slip_reserve, friction.slip_path, answer.rings.stuck.first_slip),
+          depths(friction.shakedown_reserve, friction.period_slip / 4, answer.rings.stuck.shakedown)};
 }
 
 /// Slip that dies out takes place in one step. Of a branch that has relaxed by its end the factor knows nothing.
@@ -141,7 +141,7 @@ std::optional<fem::CycleResponse> cycle_of(const FemCase& fem, double normal_for
 
 std::optional<ContactRadius> read_contact_radius(const fem::ContactProblem& problem, const FemCase& fem,
                                                  const Eigen::VectorXd& profile, const fem::NormalHistory& history) {
-  if (fem.worn_edge) return std::nullopt;
+  if (fem.kind == ContactKind::worn || fem.kind == ContactKind::annuli) return std::nullopt;
   const auto events = fem::contact_events(problem.compliance, profile);
   if (fem.motion.normal_force) {
     // a ~ d^(1/n)
@@ -185,7 +185,7 @@ FeAnswer read_answer(const ContactProblems& problems, const FemCase& fem, const 
     // Rings that slip between two steps alone, or by as little as one that settles, are counted as stuck.
     first.uncertainty = std::max(first.uncertainty, first.radius - by_reserve);
     read_on_worn_profile(problem.compliance, n_inside, stuck.shakedown, friction.period_slip, shakedown);
-    answer.no_wear = no_wear_evidence(problems, fem, profile, normal, friction, n_inside);
+    answer.of_kind = no_wear_evidence(problems, fem, profile, normal, friction, n_inside);
   }
 
   read_normal_response(problems, fem, contact_radius, normal, answer);
@@ -215,7 +215,7 @@ FeAnswer read_answer(const ContactProblems& problems, const FemCase& fem, const 
   answer.n_steps = friction.n_steps;
   answer.normal = std::move(normal);
   answer.friction = std::move(friction);
-  if (!fem.worn_edge) add_stick_depths(problem.series, fem, answer);
+  if (!fem.worn_edge) answer.of_kind = stick_depths(problem.series, fem, answer);
   return answer;
 }
 

@@ -146,7 +146,7 @@ Filling verdict_section(const Results& results) {
     filling["sentence"] = sentence_of(results.front());
     // That both find it, confirms nothing else.
     const auto& one = results.front().json;
-    if (one.at("fe").contains("gross_slip") && one.at("mdr").contains("gross_slip")) {
+    if (slides(one.at("fe")) && slides(one.at("mdr"))) {
       filling["badge"] = "maybe";
       filling["verdict"] = "gross slip";
     }
