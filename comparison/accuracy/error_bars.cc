@@ -183,7 +183,7 @@ CaseNeeds needs_of(const FemCase& fem) {
   needs.memory = fem.relaxation.has_memory();
   needs.creep = !fem.motion.locked;
   needs.kind = fem.kind;
-  needs.course = fem.course;
+  needs.motion_kind = fem.motion_kind;
   needs.held_from_start =
       fem.relaxation.viscosity > 0 || fem.motion.tangential_force || fem.kind == ContactKind::annuli;
   needs.zones_of_points = fem.kind == ContactKind::plane && fem.motion.moves_across();

@@ -88,7 +88,7 @@ Readings readings_of(const FeAnswer& fe, const Units& units) {
   if (fe.cycles_to_shakedown)
     readings[Quantity::cycles_to_shakedown] = {fe.cycles_to_shakedown, fe.cycles_to_shakedown_uncertainty};
   std::visit([&](const auto& kind) { take_kind(kind, readings); }, fe.of_kind);
-  keep_to(fe.course, readings);
+  keep_to(fe.motion_kind, readings);
   return readings;
 }
 

@@ -66,33 +66,10 @@ void other_degree(Resolution& r) {
 }  // namespace
 
 const char* name_of(ErrorSource source) {
-  switch (source) {
-    case ErrorSource::rings:
-      return "rings";
-    case ErrorSource::angles:
-      return "angles";
-    case ErrorSource::element_order:
-      return "element order";
-    case ErrorSource::grading:
-      return "grading";
-    case ErrorSource::far_field:
-      return "far field";
-    case ErrorSource::time_step:
-      return "time step";
-    case ErrorSource::start:
-      return "start";
-    case ErrorSource::creep:
-      return "creep";
-    case ErrorSource::cycles:
-      return "cycles";
-    case ErrorSource::wear_jump:
-      return "wear jump";
-    case ErrorSource::edge:
-      return "edge";
-    case ErrorSource::data:
-      break;
-  }
-  return "data";
+  // In the order of the enumeration.
+  static constexpr std::array names{"rings", "angles", "element order", "grading",   "far field", "time step",
+                                    "start", "creep",  "cycles",        "wear jump", "edge",      "data"};
+  return names[static_cast<std::size_t>(source)];
 }
 
 std::vector<Variant> variants_of(const Resolution& all_angles, const CaseNeeds& needs) {
@@ -128,12 +105,12 @@ std::vector<Variant> variants_of(const Resolution& all_angles, const CaseNeeds& 
   for (const double factor : {0.5, 0.25})
     if (coarse.steps_per_cycle * factor >= fewest_steps)
       variants.push_back({ErrorSource::time_step, with_steps(coarse, factor), coarse});
-  if (needs.memory && !is_pass(needs.course))
+  if (needs.memory && !is_pass(needs.motion_kind))
     add(ErrorSource::start, both, [](Resolution& r) { r.n_ramp_cycles /= 2; });
   if (needs.creep)
     for (const int divisor : {2, 4})
       add(ErrorSource::creep, coarse, [&](Resolution& r) { r.n_creep_cycles /= divisor; });
-  if (!is_pass(needs.course)) add(ErrorSource::cycles, both, [](Resolution& r) { r.periodicity *= 10; });
+  if (!is_pass(needs.motion_kind)) add(ErrorSource::cycles, both, [](Resolution& r) { r.periodicity *= 10; });
   return variants;
 }
 

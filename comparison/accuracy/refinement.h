@@ -44,7 +44,7 @@ struct FixedByCase {
 struct CaseNeeds {
   bool memory = true, creep = false, held_from_start = false;
   ContactKind kind = ContactKind::discs;
-  Course course = Course::cycles;
+  MotionKind motion_kind = MotionKind::cycles;
   bool first_slip_ends_with_contact = false, shakedown_ends_with_contact = false;
   /// A branch relaxes within two steps: what coarser ones seem to say of an order in the step is not believed.
   bool has_short_branch = false;

@@ -324,7 +324,7 @@ MdrCase mdr_case(const Case& input_of_any_body) {
     mdr.path = mdr::SampledPath{motion.path->time,      motion.path->normal,       motion.path->tangential,
                                 motion.path->repeats,   motion.path->normal_force, motion.path->tangential_force,
                                 motion.path->transverse};
-    mdr.course = course_of(motion);
+    mdr.motion_kind = motion_kind_of(motion);
   }
   if (is_layer_of_mdr(input))
     mdr.layer = mdr::Layer{input.body.thickness, input.elastomer.poisson_ratio,

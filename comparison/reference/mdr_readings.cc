@@ -51,7 +51,7 @@ Readings readings_of(const MdrAnswer& answer) {
   if (const auto& settling = answer.cycles_to_shakedown)
     readings[Quantity::cycles_to_shakedown] = {settling->cycles, if_any(settling->error)};
   for (auto& [quantity, reading] : readings) reading.is_compared = reading.is_compared && !answer.gross_slip;
-  keep_to(answer.course, readings);
+  keep_to(answer.motion_kind, readings);
   return readings;
 }
 

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "comparison/case/table_noise.h"
-#include "comparison/data/course.h"
+#include "comparison/data/motion_kind.h"
 #include "comparison/quantities/readings_json.h"
 #include "comparison/results/verdict_text.h"
 #include "comparison/support/log.h"
@@ -105,7 +105,7 @@ Answer answer_beyond_mdr(const ordered_json& result) {
     add("largest pressure", with_unit(*pressure, number_in(zones, "pressure_max_bar").value_or(0), "Pa"));
   add("contact, r", annuli_text(zones.at("contact")));
   add("stick, first slip, r", annuli_text(zones.at("first_slip")));
-  if (!is_pass(stored_course(result.at("scene")))) add("stick, shakedown, r", annuli_text(zones.at("shakedown")));
+  if (!is_pass(stored_motion_kind(result.at("scene")))) add("stick, shakedown, r", annuli_text(zones.at("shakedown")));
   return answer;
 }
 
@@ -121,7 +121,7 @@ std::string not_asked_line(bool has_cycle_tolerance) {
 
 std::optional<double> period_of(const ordered_json& scene) {
   if (const auto path = scene.find("path"); path != scene.end())
-    return is_pass(stored_course(scene)) ? std::nullopt : number_in(*path, "duration");
+    return is_pass(stored_motion_kind(scene)) ? std::nullopt : number_in(*path, "duration");
   const auto frequency = number_in(scene, "frequency"), tangential = number_in(scene, "tangential_frequency");
   const bool has_more = scene.contains("normal_harmonics") || scene.contains("tangential_harmonics");
   if (!frequency || has_more || tangential.value_or(*frequency) != *frequency) return std::nullopt;
@@ -322,9 +322,9 @@ std::string text_of_answer(const ordered_json& json, const std::string& wear) {
     asked = one.asked;
     text += answer_line(one.title, one.fe, one.mdr, one.remark);
   }
-  const auto course = stored_course(json.at("scene"));
-  if (course == Course::pass_from_touch) text += answer_line("stick radius, first slip", "none", nothing_at_rest);
-  if (is_pass(course)) text += answer_line("stick radius, shakedown", "none", no_shakedown_in_a_pass);
+  const auto kind = stored_motion_kind(json.at("scene"));
+  if (kind == MotionKind::pass_from_touch) text += answer_line("stick radius, first slip", "none", nothing_at_rest);
+  if (is_pass(kind)) text += answer_line("stick radius, shakedown", "none", no_shakedown_in_a_pass);
   if (const auto zones = json.at("fe").find("zones");
       zones != json.at("fe").end() && zones->contains("second_algorithm"))
     text +=

@@ -112,7 +112,7 @@ ordered_json cycle_json(const CaseResult& result) {
   // They may bear what friction allows, without slip.
   const auto& fe = result.fe.fe;
   const auto& stuck = fe.rings.stuck;
-  const Eigen::Index n_stuck = fe.as<ZoneAnswer>() ? 0 : is_pass(fe.course) ? stuck.first_slip : stuck.shakedown;
+  const Eigen::Index n_stuck = fe.as<ZoneAnswer>() ? 0 : is_pass(fe.motion_kind) ? stuck.first_slip : stuck.shakedown;
   ordered_json json{{"r", list_of(std::vector<double>(radii.begin() + 1, radii.end()), units.length)},
                     {"t", ordered_json::array()},
                     {"p", ordered_json::array()},
@@ -132,7 +132,7 @@ ordered_json cycle_json(const CaseResult& result) {
     }
     json["zones"].push_back(zones);
   }
-  if (const auto decay = fem::slip_decay(friction, stuck.shakedown); !decay.empty() && !is_pass(fe.course))
+  if (const auto decay = fem::slip_decay(friction, stuck.shakedown); !decay.empty() && !is_pass(fe.motion_kind))
     json["slip_decay"] = list_of(decay);
   if (auto springs = springs_of(result)) json["mdr"] = std::move(*springs);
   return json;

@@ -79,21 +79,22 @@ ordered_json case_json(const CaseResult& result) {
   const auto& input = result.input;
   const auto motion = motion_of_case(result.mdr_case);
   const bool normal_force = result.mdr_case.normal_force, tangential_force = result.mdr_case.tangential_force;
-  const auto course = course_of(input.motion);
-  const bool once = is_pass(course);
-  ordered_json json{
-      {"file", input.file},
-      {"shape", Case::shape_names[static_cast<std::size_t>(input.indenter.shape)]},
-      {"rheology", input.elastomer.rheology},
-      {"friction_coefficient", input.friction_coefficient},
-      {"frequency", once ? ordered_json(nullptr) : ordered_json(motion.normal.front().frequency)},
-      {"tangential_frequency", once ? ordered_json(nullptr) : ordered_json(motion.tangential.front().frequency)},
-      {"has_period", !once && result.fem_case.has_period()},
-      {"phase", input.motion.path ? ordered_json(nullptr) : or_null(input.motion.phase)},
-      {"wear", input.wear == Case::Wear::limiting ? "limiting" : "unworn"},
-      {"contact_radius_at_rest", radius_at_rest(result, motion.indentation)},
-      {"contact_radius_unworn", unworn_radius(result)},
-      {"tolerance", input.tolerance}};
+  const auto kind = motion_kind_of(input.motion);
+  const auto frequency_of = [&](const std::vector<mdr::Harmonic>& harmonics) {
+    return is_pass(kind) ? ordered_json(nullptr) : ordered_json(harmonics.front().frequency);
+  };
+  ordered_json json{{"file", input.file},
+                    {"shape", Case::shape_names[static_cast<std::size_t>(input.indenter.shape)]},
+                    {"rheology", input.elastomer.rheology},
+                    {"friction_coefficient", input.friction_coefficient},
+                    {"frequency", frequency_of(motion.normal)},
+                    {"tangential_frequency", frequency_of(motion.tangential)},
+                    {"has_period", !is_pass(kind) && result.fem_case.has_period()},
+                    {"phase", input.motion.path ? ordered_json(nullptr) : or_null(input.motion.phase)},
+                    {"wear", input.wear == Case::Wear::limiting ? "limiting" : "unworn"},
+                    {"contact_radius_at_rest", radius_at_rest(result, motion.indentation)},
+                    {"contact_radius_unworn", unworn_radius(result)},
+                    {"tolerance", input.tolerance}};
   json[normal_force ? "normal_force_mean" : "indentation"] = motion.indentation;
   json[normal_force ? "normal_force_amplitude" : "normal_amplitude"] = motion.normal.front().amplitude;
   json[tangential_force ? "tangential_force_amplitude" : "tangential_amplitude"] = motion.tangential.front().amplitude;
@@ -101,7 +102,7 @@ ordered_json case_json(const CaseResult& result) {
   if (motion.tangential.size() > 1) json["tangential_harmonics"] = harmonics_json(motion.tangential);
   if (result.mdr_case.path) {
     json["path"] = path_json(*input.motion.path);
-    add_course(course, json["path"]);
+    add_motion_kind(kind, json["path"]);
     if (!normal_force) json["indentation_max"] = mdr::maximum_normal(*result.mdr_case.path);
   }
   if (result.mdr_case.limiting) json["stick_radius_of_profile"] = result.mdr_case.limiting->stick_radius;

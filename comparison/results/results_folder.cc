@@ -178,7 +178,7 @@ bool StoredResult::has_period() const {
 }
 
 const char* StoredResult::cycle_name() const {
-  if (is_pass(course())) return "pass";
+  if (is_pass(motion_kind())) return "pass";
   return has_period() ? "period" : "near cycle";
 }
 

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "comparison/data/course.h"
+#include "comparison/data/motion_kind.h"
 
 namespace fretval {
 
@@ -33,7 +33,7 @@ struct StoredResult {
   [[nodiscard]] bool has_one_frequency() const;
   /// Whether a force is prescribed.
   [[nodiscard]] bool has_forces() const;
-  [[nodiscard]] Course course() const { return stored_course(json.at("scene")); }
+  [[nodiscard]] MotionKind motion_kind() const { return stored_motion_kind(json.at("scene")); }
   /// Whether its motion repeats, or finite elements step a near cycle in its place.
   [[nodiscard]] bool has_period() const;
   /// What finite elements step to the end: "period", which repeats, "near cycle" or "pass".

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "comparison/data/course.h"
+#include "comparison/data/motion_kind.h"
 #include "comparison/results/unit_text.h"
 
 namespace fretval {
@@ -155,8 +155,8 @@ std::string change_of(const ordered_json& result, const StoredDifference& d) {
   if (std::isnan(fe) && std::isnan(mdr)) return "";
   if (std::isnan(fe) || std::isnan(mdr))
     return fmt::format("{} only {} has", spoken(d.quantity), std::isnan(fe) ? "MDR" : "the case");
-  const std::string scale = traits_of(d.quantity).scale;
-  const double change = fe / mdr - 1, bar = d.bar * (scale == "over a" ? radius / mdr : 1);
+  const bool is_over_radius = traits_of(d.quantity).scale.over == Over::contact_radius;
+  const double change = fe / mdr - 1, bar = d.bar * (is_over_radius ? radius / mdr : 1);
   const auto text = d.bar > 0 ? fmt::format("{:.2g} % ± {:.1g} %", 100 * std::abs(change), 100 * bar)
                               : fmt::format("{:.2g} %", 100 * std::abs(change));
   return fmt::format("{} is {} {}", spoken(d.quantity), text, change < 0 ? "smaller" : "larger");
@@ -277,10 +277,10 @@ std::string plain_answer(const ordered_json& result) {
                stick = stored_number(fe, "stick_radius_shakedown"),
                first = stored_number(fe, "stick_radius_first_slip");
   if (result.contains("not_compared") || std::isnan(contact)) return "";
-  const auto course = stored_course(scene);
-  if (course == Course::pass_from_touch)
+  const auto kind = stored_motion_kind(scene);
+  if (kind == MotionKind::pass_from_touch)
     return fmt::format("in this pass the contact grows from a touch to {}", length_text(contact, contact));
-  if (is_pass(course))
+  if (is_pass(kind))
     return std::isnan(first) ? fmt::format("in this pass all of the contact of {} slips", length_text(contact, contact))
                              : fmt::format("in this pass the inner {} of a contact of {} never slips",
                                            stick_text(result, Quantity::stick_radius_first_slip, contact),

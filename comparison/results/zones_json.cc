@@ -53,7 +53,7 @@ ordered_json zones_json(const ZoneAnswer& zones, const std::optional<ZoneBudget>
 
 namespace {
 
-ordered_json zones_json(const SurfaceAnswer& surface, Course course, const ErrorBudget& budget, double length) {
+ordered_json zones_json(const SurfaceAnswer& surface, MotionKind kind, const ErrorBudget& budget, double length) {
   const auto bar_of = [&](Quantity quantity) {
     const auto bar = budget.find(quantity);
     return total_of(bar == budget.end() ? std::nullopt : std::optional(bar->second), length);
@@ -73,7 +73,7 @@ ordered_json zones_json(const SurfaceAnswer& surface, Course course, const Error
   ordered_json json{{"contact", zone_json(surface.contact, Q::contact_radius_max, Q::contact_along, Q::contact_across)},
                     {"never_slipped", zone_json(surface.never_slipped, Q::stick_radius_first_slip, Q::first_slip_along,
                                                 Q::first_slip_across)}};
-  if (is_pass(course))
+  if (is_pass(kind))
     json["sticks_at_the_end"] = {{"area", surface.sticks_at_the_end.area},
                                  {"radius", surface.sticks_at_the_end.radius},
                                  {"along", surface.sticks_at_the_end.along},
@@ -91,7 +91,8 @@ ordered_json zones_json(const SurfaceAnswer& surface, Course course, const Error
 ordered_json zones_json(const CaseResult& result) {
   const auto& fe = result.fe.fe;
   const double length = result.fem_case.units.length;
-  if (const auto* surface = fe.as<SurfaceAnswer>()) return zones_json(*surface, fe.course, result.fe.budget, length);
+  if (const auto* surface = fe.as<SurfaceAnswer>())
+    return zones_json(*surface, fe.motion_kind, result.fe.budget, length);
   const auto* zones = fe.as<ZoneAnswer>();
   return zones ? zones_json(*zones, result.fe.zone_bars, length) : ordered_json(nullptr);
 }

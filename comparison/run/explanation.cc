@@ -211,7 +211,7 @@ std::string groups_text(const Case& input, const ordered_json& mdr, bool worn) {
 }
 
 /// of_worn: the radii are those of the contact that wear ends in.
-std::string regime_text(const ordered_json& mdr, Course course, bool of_worn) {
+std::string regime_text(const ordered_json& mdr, MotionKind kind, bool of_worn) {
   const auto radius = [&](const char* key) {
     return mdr.at(key).is_null() ? std::string() : short_text(mdr.at(key).get<double>(), "m");
   };
@@ -223,8 +223,8 @@ std::string regime_text(const ordered_json& mdr, Course course, bool of_worn) {
   const auto first = radius("stick_radius_first_slip"), last = radius("stick_radius_shakedown"),
              worn = radius("worn_radius");
   std::string text;
-  if (is_pass(course)) {
-    if (course == Course::pass_from_touch)
+  if (is_pass(kind)) {
+    if (kind == MotionKind::pass_from_touch)
       return row("regime", "the contact grows from a touch") +
              row("first slip", fmt::format("none: {}", nothing_at_rest)) +
              row("shakedown", fmt::format("none: {}", no_shakedown_in_a_pass));
@@ -328,12 +328,13 @@ std::string explanation(const Case& input, const std::vector<Case>& sweep) {
   const auto document = mdr_document(for_mdr, false);
   const auto& mdr = document.json.at("mdr");
   const bool of_worn = document.json.contains("limiting_state");
-  const auto course = course_of(input.motion);
+  const auto kind = motion_kind_of(input.motion);
   auto text = input.name + "\n" + scene_text(input) + "\n" + groups_text(input, mdr, of_worn) + data_text(input) +
-              "\n" + regime_text(mdr, course, of_worn) + "\n";
+              "\n" + regime_text(mdr, kind, of_worn) + "\n";
   if (input.tolerance == 0) return text + row("elements", "none: finite elements need an Accuracy / Tolerance");
   try {
-    return text + cost_text(prepare({input}).front(), sweep, course != Course::pass_from_touch && has_small_zone(mdr));
+    return text +
+           cost_text(prepare({input}).front(), sweep, kind != MotionKind::pass_from_touch && has_small_zone(mdr));
   } catch (const InputError& error) {
     return text + row("elements", fmt::format("none: {}", error.what()));
   }

@@ -70,7 +70,7 @@ FeAnswer compute_case(const FemCase& fem_case, const Resolution& resolution, Bod
   } catch (const fem::GrossSlip& slip) {
     answer = answer_of(slip, fem);
   }
-  keep_to(fem.course, answer);
+  keep_to(fem.motion_kind, answer);
   answer.body = body->summary;
   answer.whole_body = whole;
   return answer;

@@ -79,7 +79,7 @@ struct FeAnswer {
   std::optional<double> cycles_to_shakedown;
   double cycles_to_shakedown_uncertainty = 0;  ///< of the part of a ring inside c, see fem::SlipBeyond
   std::optional<fem::DecayFactor> slip_decay;  ///< of a locked motion, per cycle; empty: see fem::decay_factor
-  Course course = Course::cycles;
+  MotionKind motion_kind = MotionKind::cycles;
   double contact_radius_uncertainty = 0;  ///< of the time steps, see read_contact_radius
   double normal_force_uncertainty = 0;    ///< of reading the edge, see fem::ContactForce
   double indentation_uncertainty = 0;     ///< see fem::LargestIndentation

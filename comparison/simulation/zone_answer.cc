@@ -59,7 +59,7 @@ void add_stick(const fem::ContactProblem& problem, const FemCase& fem, const fem
   const auto no_more =
       rings_that(n, [&](auto i) { return friction.period_slip[i] <= allowed && friction.shakedown_margin[i] > 0; });
   zones.first_slip = in_metres(fem::stick_annuli(problem, friction.first_slip_margin, never), fem.units.length);
-  if (!is_pass(fem.course))
+  if (!is_pass(fem.motion_kind))
     zones.shakedown = in_metres(fem::stick_annuli(problem, friction.shakedown_margin, no_more), fem.units.length);
 }
 

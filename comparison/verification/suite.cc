@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -133,17 +134,9 @@ double ComparedQuantity::share() const {
 }
 
 const char* name_of(RowVerdict verdict) {
-  switch (verdict) {
-    case RowVerdict::agrees:
-      return "agrees";
-    case RowVerdict::inconclusive:
-      return "inconclusive";
-    case RowVerdict::refused:
-      return "refused";
-    case RowVerdict::fails:
-      break;
-  }
-  return "FAIL";
+  // In the order of the enumeration.
+  static constexpr std::array names{"agrees", "inconclusive", "refused", "FAIL"};
+  return names[static_cast<std::size_t>(verdict)];
 }
 
 std::string failure_of(const SuiteRow& row) {

@@ -44,7 +44,7 @@ struct FakeNumerics {
     answer.rings.contact =
         std::upper_bound(body.radii.begin(), body.radii.end(), 1 + roundoff) - body.radii.begin() - 1;
     answer.body = std::make_shared<const BodySummary>(body);
-    keep_to(fem.course, answer);
+    keep_to(fem.motion_kind, answer);
     return answer;
   }
 };

@@ -43,7 +43,7 @@ Numbers numbers_of(const ordered_json& list) {
 
 /// Whether there is a c to speak of.
 bool has_stick_radius(const StoredResult& r) {
-  return r.number("fe", name_of(lasting_stick_radius(r.course()))) > 0;
+  return r.number("fe", name_of(lasting_stick_radius(r.motion_kind()))) > 0;
 }
 
 /// What captions say of the cycle that finite elements step to the end, and of what sticks in it.
@@ -54,7 +54,7 @@ struct CycleWords {
 CycleWords words_for(const StoredResult& r) {
   const std::string name = r.cycle_name();
   CycleWords words;
-  if (is_pass(r.course()))
+  if (is_pass(r.motion_kind()))
     words = {"in the pass",
              "pass",
              "The pass, from rest at its first row.",

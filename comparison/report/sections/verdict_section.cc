@@ -22,7 +22,7 @@ using Results = std::vector<StoredResult>;
 using nlohmann::ordered_json;
 
 std::string title_with_scale(Quantity quantity) {
-  return fmt::format("{} ({})", traits_of(quantity).title, traits_of(quantity).scale);
+  return fmt::format("{} ({})", traits_of(quantity).title, traits_of(quantity).scale.words);
 }
 
 /// How far the finite elements are proved, see Proof.

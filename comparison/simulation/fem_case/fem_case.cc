@@ -326,7 +326,11 @@ FemCase fem_case(const Case& input, const MdrCase& mdr) {
   const double length =
       kind == ContactKind::annuli ? farthest_depth(input, mdr.profile, deepest) : expected_radius(input, mdr, deepest);
   const Units units{length, deepest, input.elastomer.relaxed_modulus, 1};
-  FemCase fem{units, {}, {}, {}, input.friction_coefficient, profile_in(units, input, mdr), {}, kind};
+  FemCase fem{};
+  fem.units = units;
+  fem.friction_coefficient = input.friction_coefficient;
+  fem.profile = profile_in(units, input, mdr);
+  fem.kind = kind;
   fem.body.poisson_ratio = input.elastomer.poisson_ratio;
   if (!input.body.is_half_space()) fem.solid = solid_of(input, units, is_by_force(mdr));
   if (input.body.shape == Case::Body::Shape::mesh) fem.given = given_body(input, units.length);
@@ -348,7 +352,7 @@ FemCase fem_case(const Case& input, const MdrCase& mdr) {
   const auto motion = motion_of_case(mdr);
   const auto cycle = mdr::common_cycle(motion);
   require_few_rows(input);
-  fem.course = course_of(input.motion);
+  fem.motion_kind = motion_kind_of(input.motion);
   if (input.motion.path)
     take_path(*input.motion.path, fem);
   else if (cycle && (mdr.has_forces() || cycle->highest_order() <= longest_cycle))

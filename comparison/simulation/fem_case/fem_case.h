@@ -69,7 +69,7 @@ struct FemCase {
   double carrying_radius = 1;
   double error_of_demand = 0, error_of_normal = 0;
   double first_row = 0;  ///< s, of a path: when it begins
-  Course course = Course::cycles;
+  MotionKind motion_kind = MotionKind::cycles;
   std::optional<Solid> solid = {};      ///< empty: a half-space
   std::optional<GivenBody> given = {};  ///< its mesh; empty: generated
   FullContact full = {};                ///< of the kind `plane`

@@ -46,9 +46,9 @@ TEST(FeReadings, SayWhyThereIsNoValue) {
   auto readings = readings_of(fe, some_units);
   EXPECT_EQ(readings.at(Quantity::stick_radius_first_slip).why_absent, "nothing sticks");
   EXPECT_FALSE(readings.at(Quantity::contact_radius_max).is_compared);
-  fe.course = Course::pass;
+  fe.motion_kind = MotionKind::pass;
   EXPECT_FALSE(readings_of(fe, some_units).at(Quantity::stick_radius_shakedown).is_compared);
-  fe.course = Course::pass_from_touch;
+  fe.motion_kind = MotionKind::pass_from_touch;
   EXPECT_EQ(readings_of(fe, some_units).at(Quantity::stick_radius_first_slip).why_absent, nothing_at_rest);
   EXPECT_FALSE(readings_of(fe, some_units).at(Quantity::stick_radius_first_slip).is_compared);
   fe.of_kind = GrossSlipStart{1, 0.5};

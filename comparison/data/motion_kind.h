@@ -9,13 +9,13 @@ namespace fretval {
 
 /// How a motion goes on, which decides what there is to be asked about it: in cycles, or once; once also from the
 /// instant on in which the indenter comes to touch.
-enum class Course { cycles, pass, pass_from_touch };
+enum class MotionKind { cycles, pass, pass_from_touch };
 
-inline bool is_pass(Course course) {
-  return course != Course::cycles;
+inline bool is_pass(MotionKind kind) {
+  return kind != MotionKind::cycles;
 }
 
-Course course_of(const Case::Motion& motion);
+MotionKind motion_kind_of(const Case::Motion& motion);
 
 /// Why a path that is passed once has one stick radius alone.
 constexpr const char* no_shakedown_in_a_pass =
@@ -25,24 +25,24 @@ constexpr const char* no_shakedown_in_a_pass =
 constexpr const char* nothing_at_rest = "the pass begins as the indenter comes to touch: nothing is in contact at rest";
 
 /// The zone that sticks for good: of a pass that has never slipped, otherwise that of shakedown.
-Quantity lasting_stick_radius(Course course);
+Quantity lasting_stick_radius(MotionKind kind);
 
-/// Takes the stick radii away from an answer of either method that its course does not have, and keeps the course.
+/// Takes the stick radii away from an answer of either method that its kind does not have, and keeps the course.
 template <class Answer>
-void keep_to(Course course, Answer& answer) {
-  answer.course = course;
-  if (is_pass(course)) answer.stick_radius_shakedown.reset();
-  if (course == Course::pass_from_touch) answer.stick_radius_first_slip.reset();
+void keep_to(MotionKind kind, Answer& answer) {
+  answer.motion_kind = kind;
+  if (is_pass(kind)) answer.stick_radius_shakedown.reset();
+  if (kind == MotionKind::pass_from_touch) answer.stick_radius_first_slip.reset();
 }
 
 /// Of the readings of either method, what a pass does not have: stick and worn radii say why, and nobody tells what the
 /// body has kept, nor how slip dies out.
-void keep_to(Course course, Readings& readings);
+void keep_to(MotionKind kind, Readings& readings);
 
 /// The keys of the "path" of a scene in result.json that tell the course.
-void add_course(Course course, nlohmann::ordered_json& path);
+void add_motion_kind(MotionKind kind, nlohmann::ordered_json& path);
 
 /// That of a "scene".
-Course stored_course(const nlohmann::ordered_json& scene);
+MotionKind stored_motion_kind(const nlohmann::ordered_json& scene);
 
 }  // namespace fretval
