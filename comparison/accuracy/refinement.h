@@ -51,7 +51,7 @@ struct CaseNeeds {
   /// The indenter follows a tangential force or the rows of a path, step by step: errors of rings and steps depend on
   /// each other.
   bool moves_by_steps = false;
-  /// Stick zones on rings and angles are read of its points alone, and no ring contact corrects their edges: that costs
+  /// Stick zones on rings and angles are read of their points alone, and no ring contact corrects the edges: that costs
   /// a quarter of a ring, which is of first order.
   bool zones_of_points = false;
 };
