@@ -15,7 +15,7 @@ namespace {
 Computation attempt(const Compute& compute, const Resolution& resolution) {
   try {
     Computation computation{compute(resolution)};
-    if (computation.fe.gross_slip) computation.failure = "the whole contact slides";
+    if (computation.fe.as<GrossSlipStart>()) computation.failure = "the whole contact slides";
     return computation;
   } catch (const fem::SolverError& error) {
     return {{}, error.what()};

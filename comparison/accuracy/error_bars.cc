@@ -66,7 +66,7 @@ bool ends_with_contact(const Eigen::VectorXd& smallest_pressure, Eigen::Index n_
 /// With what the answer itself shows.
 CaseNeeds needs_of(const FemCase& fem, const Computation& computation) {
   auto needs = needs_of(fem);
-  if (!computation.failure.empty() || !fem.has_ring_zones() || fem.worn_edge) return needs;
+  if (!computation.failure.empty() || fem.kind != ContactKind::discs) return needs;
   const auto& fe = computation.fe;
   const Eigen::VectorXd smallest = fe.normal.pressure.rowwise().minCoeff();
   needs.first_slip_ends_with_contact = ends_with_contact(smallest, fe.rings.stuck.first_slip);
@@ -76,16 +76,16 @@ CaseNeeds needs_of(const FemCase& fem, const Computation& computation) {
 
 /// How deep the innermost ring sticks in either zone.
 Quantities centre_depths(const FeAnswer& fe) {
-  Quantities depths{{Quantity::stick_radius_first_slip, fe.first_slip_depths.depth[0]}};
-  if (!fe.single_pass) depths[Quantity::stick_radius_shakedown] = fe.shakedown_depths.depth[0];
-  return depths;
+  const auto& [first_slip, shakedown] = *fe.as<DiscAnswer>();
+  return {{Quantity::stick_radius_first_slip, first_slip.depth[0]},
+          {Quantity::stick_radius_shakedown, shakedown.depth[0]}};
 }
 
 /// Where the error of the depth at the centre leaves open whether anything sticks, adds to the bar what that means for
 /// the stick radius: under a flat face, all of the face or nothing, also where rings inside it seem to stick.
 void carry_depths(const Track& track, ErrorBudget& budget) {
   const auto& [prepared, computed, resolution] = track;
-  if (prepared.fem.worn_edge || computed.failed(resolution)) return;
+  if (prepared.fem.kind == ContactKind::worn || computed.failed(resolution)) return;
   std::map<Resolution, Quantities> centre;
   for (const auto& [other, unused] : computed.quantities())
     centre[other] = computed.failed(other) ? Quantities{} : centre_depths(computed.at(other).fe);
@@ -94,11 +94,12 @@ void carry_depths(const Track& track, ErrorBudget& budget) {
   constexpr double safety = 2, rings_next_to_face = 8;
   const double face = prepared.input.indenter.flat_radius / prepared.fem.units.length,
                around_face = face > 0 ? face + rings_next_to_face / resolution.elements_per_radius : 0;
-  const auto& fe = computed.at(resolution).fe;
+  const auto& [first_slip, shakedown] = *computed.at(resolution).fe.as<DiscAnswer>();
   for (const auto& [quantity, bar] : error_budget(resolution, centre, {}, needs_of(prepared.fem))) {
+    if (budget.count(quantity) == 0) continue;  // a pass may not have both stick radii
     const double c = track.value(quantity), uncertainty = safety * bar.total();
     if (std::abs(centre.at(resolution).at(quantity)) > uncertainty) continue;
-    const auto& depths = quantity == Quantity::stick_radius_first_slip ? fe.first_slip_depths : fe.shakedown_depths;
+    const auto& depths = quantity == Quantity::stick_radius_first_slip ? first_slip : shakedown;
     const double reach = fem::reach_of_edge(depths, c, uncertainty);
     widen(budget.at(quantity), std::max(reach, around_face - c));
   }
@@ -136,7 +137,6 @@ void carry_near_cycle(const Track& track, ErrorBudget& budget) {
   const auto& [prepared, computed, resolution] = track;
   const auto fem = at_resolution(prepared.fem, resolution);
   if (fem.error_of_demand == 0 || computed.failed(resolution)) return;
-  const auto& fe = computed.at(resolution).fe;
   const auto add = [&budget](Quantity quantity, double error) {
     const auto found = budget.find(quantity);
     if (found != budget.end()) found->second.add(ErrorSource::creep, error);
@@ -150,9 +150,10 @@ void carry_near_cycle(const Track& track, ErrorBudget& budget) {
   } else {
     add(Quantity::normal_force_max, relative);
   }
-  if (fem.worn_edge) return;
-  add(Quantity::stick_radius_first_slip, fem::width_of_edge(fe.first_slip_depths, fem.error_of_demand));
-  add(Quantity::stick_radius_shakedown, fem::width_of_edge(fe.shakedown_depths, fem.error_of_demand));
+  const auto* discs = computed.at(resolution).fe.as<DiscAnswer>();
+  if (!discs) return;
+  add(Quantity::stick_radius_first_slip, fem::width_of_edge(discs->first_slip_depths, fem.error_of_demand));
+  add(Quantity::stick_radius_shakedown, fem::width_of_edge(discs->shakedown_depths, fem.error_of_demand));
 }
 
 /// The rings of a worn profile that stick are counted. Where the slip inside its stick radius is no more than its own
@@ -169,7 +170,7 @@ void carry_slip_inside(const Track& track, ErrorBudget& budget) {
 void carry_to_stick_radii(const Track& track, Borders borders, ErrorBudget& bars) {
   if (borders == Borders::carried) carry_depths(track, bars);
   if (!track.computed.failed(track.resolution)) carry_creep(track, bars);
-  if (track.prepared.fem.worn_edge) carry_slip_inside(track, bars);
+  if (track.prepared.fem.kind == ContactKind::worn) carry_slip_inside(track, bars);
   for (const auto quantity : {Quantity::stick_radius_first_slip, Quantity::stick_radius_shakedown})
     if (bars.count(quantity) > 0) widen_to_none(track.value(quantity), bars.at(quantity));
   if (borders == Borders::carried) carry_drift(track, bars);
@@ -178,12 +179,14 @@ void carry_to_stick_radii(const Track& track, Borders borders, ErrorBudget& bars
 }  // namespace
 
 CaseNeeds needs_of(const FemCase& fem) {
-  CaseNeeds needs{
-      fem.relaxation.has_memory(), !fem.motion.locked,
-      fem.worn_edge.has_value(),   fem.relaxation.viscosity > 0 || fem.motion.tangential_force || fem.any_order,
-      fem.motion.is_single_pass(), fem.any_order};
-  needs.full = fem.full.has_value();
-  needs.zones_of_points = fem.full && (fem.full->coupled || fem.motion.moves_across());
+  CaseNeeds needs;
+  needs.memory = fem.relaxation.has_memory();
+  needs.creep = !fem.motion.locked;
+  needs.kind = fem.kind;
+  needs.motion_kind = fem.motion_kind;
+  needs.held_from_start =
+      fem.relaxation.viscosity > 0 || fem.motion.tangential_force || fem.kind == ContactKind::annuli;
+  needs.zones_of_points = fem.kind == ContactKind::plane && (fem.full.coupled || fem.motion.moves_across());
   needs.moves_by_steps = fem.motion.tangential_force || fem.motion.path;
   const double two_steps = 4 * fem::pi / fem.steps_per_cycle();
   const auto& times = fem.relaxation.times;
@@ -222,7 +225,7 @@ ErrorBudget error_bars(const PreparedCase& prepared, const Tracks& tracks, const
     auto bars = error_budget(resolution, variants_of(resolution, needs, shares), computed.quantities(),
                              uncertainties_of_edges(computed.at(resolution), prepared.fem), needs,
                              readings_of_rings(resolution, needs, computed, prepared.fem));
-    if (prepared.fem.has_ring_zones()) {
+    if (prepared.fem.kind == ContactKind::discs || prepared.fem.kind == ContactKind::worn) {
       carry_near_cycle(track, bars);
       carry_to_stick_radii(track, borders, bars);
     }

@@ -25,11 +25,11 @@ ExpectedOrder expected_order(ErrorSource source, Quantity quantity, const CaseNe
   if (source == ErrorSource::angles) return {2};
   if (source != ErrorSource::rings) return {3};
   if (needs.zones_of_points && is_of_stick_zone(quantity)) return {1, 4};
-  if (needs.any_order || ends_with_contact(needs, quantity)) return {1, 4};
+  if (needs.kind == ContactKind::annuli || ends_with_contact(needs, quantity)) return {1, 4};
   const auto& traits = traits_of(quantity);
   if (needs.memory && traits.rings_with_memory) return *traits.rings_with_memory;
   constexpr double at_a_worn_edge = 2;
-  return {needs.worn ? std::min(traits.rings.order, at_a_worn_edge) : traits.rings.order};
+  return {needs.kind == ContactKind::worn ? std::min(traits.rings.order, at_a_worn_edge) : traits.rings.order};
 }
 
 /// NaN: not there.

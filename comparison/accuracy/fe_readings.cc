@@ -5,21 +5,21 @@
 namespace fretval {
 namespace {
 
-/// Without memory friction takes all that is lost. Of a single pass nobody tells what the body has kept.
-void add_cycle(const fem::CycleResponse& cycle, bool single_pass, Readings& readings) {
+/// Without memory friction takes all that is lost.
+void add_cycle(const fem::CycleResponse& cycle, Readings& readings) {
   const auto& [force_max, force_mean, friction, loss, loop] = cycle.uncertainty;
   const bool has_memory = cycle.bulk_work > 0;
   readings[Quantity::tangential_force_max] = {cycle.tangential_force_max, force_max};
   readings[Quantity::tangential_force_mean] = {cycle.tangential_force_mean, force_mean};
   readings[Quantity::friction_work] = {cycle.friction_work, friction};
-  if (single_pass) return;
   readings[Quantity::bulk_work] = {cycle.bulk_work, loss + friction, "", has_memory};
   readings[Quantity::cycle_work] = {cycle.friction_work + cycle.bulk_work, loss, "", has_memory};
   readings[Quantity::tangential_work] = {cycle.tangential_work, loop, "", has_memory};
 }
 
-/// Of a limiting profile.
-void add_no_wear(const NoWearEvidence& evidence, Readings& readings) {
+void take_kind(const DiscAnswer& /*unused*/, Readings& /*unused*/) {}
+
+void take_kind(const NoWearEvidence& evidence, Readings& readings) {
   readings[Quantity::slip_inside_stick_zone] = {evidence.slip_inside};
   readings[Quantity::force_outside_stick_zone] = {evidence.force_outside};
   readings[Quantity::maximum_indentation] = {evidence.touch_indentation};
@@ -27,8 +27,7 @@ void add_no_wear(const NoWearEvidence& evidence, Readings& readings) {
       evidence.limiting_amplitude, {}, "nothing moves tangentially", evidence.limiting_amplitude.has_value()};
 }
 
-/// Of the contact on rings and angles.
-void add_surface(const SurfaceAnswer& surface, bool single_pass, Readings& readings) {
+void take_kind(const SurfaceAnswer& surface, Readings& readings) {
   const auto add = [&](Quantity along, Quantity across, const PlaneZone& zone) {
     const std::string why = zone.radius > 0 ? "" : "nothing sticks";
     const auto some = [&](double extent) { return zone.radius > 0 ? std::optional(extent) : std::nullopt; };
@@ -37,16 +36,20 @@ void add_surface(const SurfaceAnswer& surface, bool single_pass, Readings& readi
   };
   add(Quantity::contact_along, Quantity::contact_across, surface.contact);
   add(Quantity::first_slip_along, Quantity::first_slip_across, surface.never_slipped);
-  if (!single_pass) add(Quantity::shakedown_along, Quantity::shakedown_across, surface.sticks_in_a_cycle);
+  add(Quantity::shakedown_along, Quantity::shakedown_across, surface.sticks_in_a_cycle);
   if (surface.grid.mirrors == fem::Mirrors::none)
     readings[Quantity::transverse_force_max] = {surface.transverse_force_max};
 }
 
 /// Zones that may be annuli are told as such, and have bars of their own (ZoneBudget).
-void only_tell_what_zones_say(Readings& readings) {
+void take_kind(const ZoneAnswer& /*unused*/, Readings& readings) {
   for (const auto quantity :
        {Quantity::stick_radius_first_slip, Quantity::stick_radius_shakedown, Quantity::axis_pressure_max})
     if (const auto found = readings.find(quantity); found != readings.end()) found->second.is_compared = false;
+}
+
+void take_kind(const GrossSlipStart& /*unused*/, Readings& readings) {
+  for (auto& [quantity, reading] : readings) reading = {{}, {}, "the whole contact slides", false};
 }
 
 /// One of m is a radius or a depth.
@@ -67,42 +70,30 @@ double compared_value(Quantity quantity, double value, const Scales& scales, con
 }  // namespace
 
 Readings readings_of(const FeAnswer& fe, const Units& units) {
-  const bool slides = fe.gross_slip.has_value();
-  const std::string sliding = "the whole contact slides", no_stick = slides ? sliding : "nothing sticks";
-  const bool has_radius = fe.contact_radius_max.has_value();
   Readings readings{
       {Quantity::contact_radius_max,
-       {fe.contact_radius_max, fe.contact_radius_uncertainty,
-        slides ? sliding : "the flank of a worn profile touches without pressure", has_radius}},
-      {Quantity::stick_radius_first_slip,
-       {fe.stick_radius_first_slip, fe.first_slip_uncertainty, fe.from_touch && !slides ? nothing_at_rest : no_stick,
-        !slides && !fe.from_touch}},
-      {Quantity::stick_radius_shakedown,
-       {fe.stick_radius_shakedown, fe.shakedown_uncertainty,
-        fe.single_pass ? "a single pass has no periodic state" : no_stick, !slides && !fe.single_pass}}};
-  if (slides) {
-    readings[Quantity::normal_force_max] = {{}, {}, sliding, false};
-    return readings;
-  }
-  readings[Quantity::normal_force_max] = {fe.normal_force_max, fe.normal_force_uncertainty, "", !fe.indentation_max};
+       {fe.contact_radius_max, fe.contact_radius_uncertainty, "the flank of a worn profile touches without pressure",
+        fe.contact_radius_max.has_value()}},
+      {Quantity::stick_radius_first_slip, {fe.stick_radius_first_slip, fe.first_slip_uncertainty, "nothing sticks"}},
+      {Quantity::stick_radius_shakedown, {fe.stick_radius_shakedown, fe.shakedown_uncertainty, "nothing sticks"}},
+      {Quantity::normal_force_max, {fe.normal_force_max, fe.normal_force_uncertainty, "", !fe.indentation_max}}};
   if (fe.axis_pressure_max) readings[Quantity::axis_pressure_max] = {fe.axis_pressure_max};
   if (fe.indentation_max) readings[Quantity::indentation_max] = {fe.indentation_max, fe.indentation_uncertainty};
   if (fe.tangential_amplitude) readings[Quantity::tangential_amplitude] = {fe.tangential_amplitude};
   if (fe.cycle)
-    add_cycle(*fe.cycle, fe.single_pass, readings);
+    add_cycle(*fe.cycle, readings);
   else if (fe.normal.pressure.size() > 0)  // not compared: of a cycle that stands for none, or of a worn indenter
     readings[Quantity::friction_work] = {fe.friction.dissipated_energy * units.force() * units.depth, {}, "", false};
   if (fe.slip_decay) readings[Quantity::slip_decay] = {fe.slip_decay->factor, fe.slip_decay->uncertainty};
   if (fe.cycles_to_shakedown)
     readings[Quantity::cycles_to_shakedown] = {fe.cycles_to_shakedown, fe.cycles_to_shakedown_uncertainty};
-  if (fe.no_wear) add_no_wear(*fe.no_wear, readings);
-  if (fe.surface) add_surface(*fe.surface, fe.single_pass, readings);
-  if (fe.zones) only_tell_what_zones_say(readings);
+  std::visit([&](const auto& kind) { take_kind(kind, readings); }, fe.of_kind);
+  keep_to(fe.motion_kind, readings);
   return readings;
 }
 
 Scales scales_of(const FeAnswer& fe, const Units& units) {
-  Scales scales{fe.zones ? 0 : units.length, 0, 0};
+  Scales scales{fe.as<ZoneAnswer>() ? 0 : units.length, 0, 0};
   if (fe.cycle) {
     scales.sliding_force = fe.cycle->sliding_force;
     scales.sliding_work = fe.cycle->sliding_work;

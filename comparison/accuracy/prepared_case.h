@@ -17,6 +17,9 @@ struct PreparedCase {
   /// What MDR's springs may be off by, over the scales of the quantities: it takes its part of the tolerances, and the
   /// bars of the finite elements have the rest.
   Quantities reference_errors = {};
+
+  /// Not where MDR does not hold for the profile.
+  [[nodiscard]] bool is_compared() const { return fem.kind != ContactKind::annuli; }
 };
 
 /// Checks everything about the cases that can be checked before the first one is computed. Throws InputError; bad

@@ -66,7 +66,7 @@ double left_by_reference(const PreparedCase& prepared, Quantity quantity, double
 /// Says so if it is too wide.
 BarToMeet to_meet(const PreparedCase& prepared, Quantity quantity, const ErrorBar& bar) {
   // Where nothing is confirmed, no quantity has to be known better than the case asks for.
-  const bool is_confirmed = !prepared.fem.any_order && beyond_mdr_model(prepared.input).empty();
+  const bool is_confirmed = prepared.is_compared() && beyond_mdr_model(prepared.input).empty();
   const double tolerance = is_confirmed
                                ? left_by_reference(prepared, quantity, tolerance_of(prepared.tolerances, quantity))
                                : prepared.input.tolerance;
@@ -85,7 +85,8 @@ std::optional<Resolution> finer(const PreparedCase& prepared, const FeAnswer& fe
   const Effort effort{static_cast<double>(fe.body->n_dofs), static_cast<double>(fe.body->radii.size() - 1),
                       static_cast<double>(fe.n_steps)};
   // A step of the contact on rings and angles takes as long as hundreds of the other one.
-  const double most_times = prepared.fem.full ? most_growth_of_full : std::numeric_limits<double>::infinity();
+  const double most_times =
+      prepared.fem.kind == ContactKind::plane ? most_growth_of_full : std::numeric_limits<double>::infinity();
   const auto planned = planned_refinement(resolution, bars, effort, fixed_by(prepared), most_times);
   if (planned) log::detail(fmt::format("{}: {}", prepared.input.name, change_text(resolution, *planned)));
   return planned;
@@ -94,7 +95,7 @@ std::optional<Resolution> finer(const PreparedCase& prepared, const FeAnswer& fe
 /// Whether the response to the normal motion is that of all cases which differ in nothing else, as those of a sweep of
 /// the phase.
 bool has_normal_response(const FemCase& fem) {
-  return fem.has_ring_zones() && !fem.worn_edge && !fem.without_short_cycle && !fem.motion.path &&
+  return fem.kind == ContactKind::discs && !fem.without_short_cycle && !fem.motion.path &&
          fem.motion.tangential_amplitude() > 0;
 }
 
@@ -142,7 +143,7 @@ int refine_until_proved(const PreparedCase& prepared, Computations& computed, Tr
   for (int n = 0;; ++n) {
     // Where the rings alone make a bar too wide, nobody has to know what else does.
     const auto next_for = [&](BarShares shares) {
-      const int most = prepared.fem.full ? most_refinements_of_full : most_refinements;
+      const int most = prepared.fem.kind == ContactKind::plane ? most_refinements_of_full : most_refinements;
       return n < most ? finer(prepared, computed, tracks, shares) : std::nullopt;
     };
     bool holds = measure_errors(prepared, computed, tracks, BarShares::of_rings);
@@ -214,7 +215,7 @@ ProvedAnswer prove(const PreparedCase& prepared, Proof proof, const Numerics& nu
   answer.resolution = tracks.base;
   answer.cost = Computations::cost_of({&computed, &normal});
   const auto& base = computed.at(tracks.base).fe;
-  if (base.gross_slip) {
+  if (base.as<GrossSlipStart>()) {
     answer.fe = base;
     answer.seconds = base.seconds_alone();
     return answer;
@@ -227,7 +228,7 @@ ProvedAnswer prove(const PreparedCase& prepared, Proof proof, const Numerics& nu
   for (const auto& [quantity, resolution] : tracks.focused) answer.focus[quantity] = *resolution.focus;
   const auto borders = proof == Proof::bars ? Borders::carried : Borders::left_out;
   if (proof != Proof::none) answer.budget = error_bars(prepared, tracks, computed, borders);
-  if (proof != Proof::none && prepared.fem.any_order)
+  if (proof != Proof::none && base.as<ZoneAnswer>())
     answer.zone_bars = zone_budget(tracks.base, computed, needs_of(prepared.fem));
   return answer;
 }

@@ -31,7 +31,7 @@ Resolution with_fewer_steps(const Resolution& r) {
 
 /// For rings and edges: on a quarter of the steps, bars of 1e-5 turn out twice as wide.
 Resolution with_half_the_steps(const Resolution& r, const CaseNeeds& needs) {
-  if (needs.moves_by_steps || needs.any_order || r.steps_per_cycle / 2 < enough_steps) return r;
+  if (needs.moves_by_steps || needs.kind == ContactKind::annuli || r.steps_per_cycle / 2 < enough_steps) return r;
   return with_steps(r, 0.5);
 }
 
@@ -66,39 +66,17 @@ void other_degree(Resolution& r) {
 }  // namespace
 
 const char* name_of(ErrorSource source) {
-  switch (source) {
-    case ErrorSource::rings:
-      return "rings";
-    case ErrorSource::angles:
-      return "angles";
-    case ErrorSource::element_order:
-      return "element order";
-    case ErrorSource::grading:
-      return "grading";
-    case ErrorSource::far_field:
-      return "far field";
-    case ErrorSource::time_step:
-      return "time step";
-    case ErrorSource::start:
-      return "start";
-    case ErrorSource::creep:
-      return "creep";
-    case ErrorSource::cycles:
-      return "cycles";
-    case ErrorSource::wear_jump:
-      return "wear jump";
-    case ErrorSource::edge:
-      return "edge";
-    case ErrorSource::data:
-      break;
-  }
-  return "data";
+  // In the order of the enumeration.
+  static constexpr std::array names{"rings", "angles", "element order", "grading",   "far field", "time step",
+                                    "start", "creep",  "cycles",        "wear jump", "edge",      "data"};
+  return names[static_cast<std::size_t>(source)];
 }
 
 std::vector<Variant> variants_of(const Resolution& all_angles, const CaseNeeds& needs) {
   std::vector<Variant> variants;
+  const bool is_full = needs.kind == ContactKind::plane;
   const Resolution resolution =
-      needs.full && all_angles.n_angles > fewest_angles ? with_angles(all_angles, 0.5) : all_angles;
+      is_full && all_angles.n_angles > fewest_angles ? with_angles(all_angles, 0.5) : all_angles;
   const auto add = [&](ErrorSource source, const Resolution& reference, auto change) {
     variants.push_back(variant(source, reference, change));
   };
@@ -110,13 +88,13 @@ std::vector<Variant> variants_of(const Resolution& all_angles, const CaseNeeds& 
     for (const double factor : {0.5, 0.25})
       if (resolution.elements_per_radius * factor >= fewest_rings_of_a_variant)
         variants.push_back({ErrorSource::rings, with_rings(for_rings, factor), for_rings});
-  if (needs.full) {
+  if (is_full) {
     const auto quick_rings = with_fewer_steps(with_fewer_rings(all_angles));
     variants.push_back({ErrorSource::angles, with_angles(quick_rings, 0.5), quick_rings});
   }
   if (resolution.mesh_refinements)
     add_of_given_mesh(for_rings, quick, variants);
-  else if (!needs.worn && !needs.any_order)
+  else if (needs.kind == ContactKind::discs || is_full)
     for (const double rings : elsewhere_in_ring)
       add(ErrorSource::edge, for_rings, [rings](Resolution& r) { r.edge_before_node += rings; });
   add(ErrorSource::element_order, quick, other_degree);
@@ -127,11 +105,12 @@ std::vector<Variant> variants_of(const Resolution& all_angles, const CaseNeeds& 
   for (const double factor : {0.5, 0.25})
     if (coarse.steps_per_cycle * factor >= fewest_steps)
       variants.push_back({ErrorSource::time_step, with_steps(coarse, factor), coarse});
-  if (needs.memory && !needs.single_pass) add(ErrorSource::start, both, [](Resolution& r) { r.n_ramp_cycles /= 2; });
+  if (needs.memory && !is_pass(needs.motion_kind))
+    add(ErrorSource::start, both, [](Resolution& r) { r.n_ramp_cycles /= 2; });
   if (needs.creep)
     for (const int divisor : {2, 4})
       add(ErrorSource::creep, coarse, [&](Resolution& r) { r.n_creep_cycles /= divisor; });
-  if (!needs.single_pass) add(ErrorSource::cycles, both, [](Resolution& r) { r.periodicity *= 10; });
+  if (!is_pass(needs.motion_kind)) add(ErrorSource::cycles, both, [](Resolution& r) { r.periodicity *= 10; });
   return variants;
 }
 

@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "comparison/simulation/fem_case/resolution.h"
+#include "comparison/simulation/fem_case/fem_case.h"
 
 namespace fretval {
 
@@ -42,17 +42,17 @@ struct FixedByCase {
 /// of the smallest contact, whose last rings are loaded or free as a whole (1.5e-4, 8e-5, 4e-5, 2e-5 of a contact
 /// radius at 16 to 128 rings).
 struct CaseNeeds {
-  bool memory = true, creep = false, worn = false, held_from_start = false, single_pass = false, any_order = false;
+  bool memory = true, creep = false, held_from_start = false;
+  ContactKind kind = ContactKind::discs;
+  MotionKind motion_kind = MotionKind::cycles;
   bool first_slip_ends_with_contact = false, shakedown_ends_with_contact = false;
   /// A branch relaxes within two steps: what coarser ones seem to say of an order in the step is not believed.
   bool has_short_branch = false;
   /// The indenter follows a tangential force or the rows of a path, step by step: errors of rings and steps depend on
   /// each other.
   bool moves_by_steps = false;
-  /// The contact on rings and angles. Points that touch are held from the start of their step on.
-  bool full = false;
-  /// Its stick zones are read of its points alone, and no ring contact corrects their edges: that costs a quarter of a
-  /// ring, which is of first order.
+  /// Stick zones on rings and angles are read of their points alone, and no ring contact corrects the edges: that costs
+  /// a quarter of a ring, which is of first order.
   bool zones_of_points = false;
 };
 

@@ -26,7 +26,7 @@ double times_finer(const ErrorBar& bar, double tolerance) {
 }  // namespace
 
 std::optional<GivenRings> given_rings_of(const PreparedCase& prepared, const ProvedAnswer& answer) {
-  if (!prepared.fem.given || answer.fe.gross_slip || !answer.failure.empty()) return std::nullopt;
+  if (!prepared.fem.given || answer.fe.as<GrossSlipStart>() || !answer.failure.empty()) return std::nullopt;
   GivenRings rings{static_cast<unsigned>(answer.fe.rings.contact), {}};
   double most = 1;
   for (const auto& [quantity, bar] : answer.budget) {

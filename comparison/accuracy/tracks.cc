@@ -63,8 +63,8 @@ bool focus_on(Quantity quantity, double least_gain, const PreparedCase& prepared
   const auto& motion = prepared.fem.motion;
   const bool nothing_moves = motion.normal.empty() && motion.tangential.empty() && !motion.path,  // and nothing slips
       is_asked_for = computed.quantities().at(tracks.of(quantity)).count(quantity) > 0;
-  if (prepared.input.rings_per_radius || prepared.fem.given || prepared.fem.worn_edge ||
-      !prepared.fem.has_ring_zones() || nothing_moves || !is_asked_for)
+  if (prepared.input.rings_per_radius || prepared.fem.given || prepared.fem.kind != ContactKind::discs ||
+      nothing_moves || !is_asked_for)
     return false;
   const auto focus = closer_look(quantity, tracks, computed, prepared.tolerances);
   if (!focus || focus->ring > ring_of(tracks.of(quantity)) / least_gain) return false;

@@ -1,6 +1,7 @@
 #include "comparison/accuracy/verdict.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace fretval {
@@ -64,21 +65,9 @@ Comparison compare(const Readings& fe, const Readings& mdr, const Scales& scales
 }
 
 const char* name_of(Outcome outcome) {
-  switch (outcome) {
-    case Outcome::agree:
-      return "agree";
-    case Outcome::not_resolved:
-      return "not resolved";
-    case Outcome::disagree:
-      return "disagree";
-    case Outcome::not_proved:
-      return "not proved";
-    case Outcome::other_model:
-      return "other model";
-    case Outcome::not_compared:
-      break;
-  }
-  return "not compared";
+  // In the order of the enumeration.
+  static constexpr std::array names{"agree", "not resolved", "disagree", "not proved", "other model", "not compared"};
+  return names[static_cast<std::size_t>(outcome)];
 }
 
 Outcome outcome_of(const Comparison& comparison) {

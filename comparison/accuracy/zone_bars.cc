@@ -19,7 +19,7 @@ struct Measured {
   const CaseNeeds& needs;
 
   [[nodiscard]] const ZoneAnswer* at(const Resolution& other) const {
-    return computed.failed(other) ? nullptr : &computed.at(other).fe.zones.value();
+    return computed.failed(other) ? nullptr : computed.at(other).fe.as<ZoneAnswer>();
   }
 
   /// Of a value of the answer at each resolution.

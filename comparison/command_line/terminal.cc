@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -69,24 +70,14 @@ std::string counts_text(const std::vector<BatchLine>& lines) {
 
 std::string outcome_text(const BatchLine& line) {
   if (line.failed()) return fmt::format("{}: FAILED: {}", line.name, line.failure);
-  const auto words = [&]() -> std::string {
-    switch (line.outcome) {
-      case Outcome::agree:
-        return "agrees";
-      case Outcome::disagree:
-        return "DISAGREES";
-      case Outcome::not_resolved:
-        return "not resolved, its error bars are wider than the tolerance,";
-      case Outcome::not_proved:
-        return "not proved, without error bars,";
-      case Outcome::other_model:
-        return "MDR computes another model,";
-      case Outcome::not_compared:
-        break;
-    }
-    return "not compared, as MDR does not hold,";
-  }();
-  return fmt::format("{}: {} in {:.1f} s", line.name, words, line.seconds);
+  // In the order of the enumeration.
+  static constexpr std::array words{"agrees",
+                                    "not resolved, its error bars are wider than the tolerance,",
+                                    "DISAGREES",
+                                    "not proved, without error bars,",
+                                    "MDR computes another model,",
+                                    "not compared, as MDR does not hold,"};
+  return fmt::format("{}: {} in {:.1f} s", line.name, words[static_cast<std::size_t>(line.outcome)], line.seconds);
 }
 
 void print_answer(const BatchLine& line) {

@@ -7,88 +7,43 @@ namespace fretval {
 
 const QuantityTraits& traits_of(Quantity quantity) {
   constexpr auto none = RefinedFor::none, any = RefinedFor::any_case, cycles = RefinedFor::cycles;
-  constexpr bool friction = true, settling = true;
+  constexpr bool friction = true, settling = true, no = false;
+  constexpr QuantityScale itself{Over::value, "relative"}, a{Over::contact_radius, "over a"},
+      force{Over::sliding_force, "over sliding"}, work{Over::sliding_work, "over sliding"};
+  constexpr auto ratio = [](const char* words) { return QuantityScale{Over::nothing, words}; };
+  constexpr auto of_case = ratio("over that of the case"), of_largest = ratio("over the largest");
+  constexpr ExpectedOrder by_touch{2, 6};
   // In the order of the enumeration.
   static constexpr std::array<QuantityTraits, all_quantities.size()> table{{
-      {"axis_pressure_max", "largest pressure on the axis", "pressure", "relative", "Pa", 1, {1}, {}, none},
-      {"bulk_work", "energy lost in the body", "bulk loss", "relative", "J", 1, {2}, {}, cycles, friction},
-      {"contact_across", "extent of the contact across", "contact across", "over a", "m", 1, {3}, {}, none},
-      {"contact_along", "extent of the contact along", "contact along", "over a", "m", 1, {3}, {}, none},
-      {"contact_radius_max", "largest contact radius", "contact radius", "over a", "m", 10, {3}, {}},
-      {"cycle_work", "energy lost altogether", "loss", "relative", "J", 1, {2}, {}, cycles, friction},
-      {"cycles_to_shakedown", "cycles to shakedown", "cycles", "relative", "cycles", 1, {1}, {}, none, false, settling},
-      {"distance_to_limit", "distance from the limiting profile", "distance", "over a and d max", "", 0.5, {2}, {}},
-      {"first_slip_across",
-       "extent across, first slip",
-       "first slip across",
-       "over a",
-       "m",
-       1,
-       {3},
-       {},
-       none,
-       friction},
-      {"first_slip_along", "extent along, first slip", "first slip along", "over a", "m", 1, {3}, {}, none, friction},
-      {"force_outside_stick_zone", "force outside c", "force outside", "over the force", "", 1, {1}, {}},
-      {"friction_work", "energy lost to friction", "friction", "over sliding", "J", 10, {2}, {}, cycles, friction},
-      {"indentation_max", "largest indentation", "largest depth", "relative", "m", 10, {3}, ExpectedOrder{2, 6}},
-      {"limiting_amplitude",
-       "amplitude at which slip begins inside c",
-       "amplitude",
-       "over that of the case",
-       "",
-       1,
-       {1},
-       {}},
-      {"maximum_indentation",
-       "indentation at which the flank touches",
-       "indentation",
-       "over the largest",
-       "",
-       1,
-       {1},
-       {}},
-      {"normal_force_max", "largest normal force", "normal force", "relative", "N", 10, {3}, ExpectedOrder{2, 6}},
-      {"shakedown_across", "extent across, shakedown", "shakedown across", "over a", "m", 1, {3}, {}, none, friction},
-      {"shakedown_along", "extent along, shakedown", "shakedown along", "over a", "m", 1, {3}, {}, none, friction},
-      {"slip_decay", "decay of slip in a cycle", "slip decay", "relative", "", 1, {2}, {}, none, false, settling},
-      {"slip_inside_stick_zone", "slip inside c", "slip inside", "over the amplitude", "", 1, {1}, {}},
-      {"stick_radius_first_slip", "stick radius, first slip", "first slip", "over a", "m", 1, {3}, {}, any, friction},
-      {"stick_radius_shakedown", "stick radius, shakedown", "shakedown", "over a", "m", 1, {3}, {}, any, friction},
-      {"tangential_amplitude", "tangential amplitude", "u_x", "relative", "m", 1, {2}, {}, any, friction},
-      {"tangential_force_max",
-       "largest tangential force",
-       "tangential force",
-       "relative",
-       "N",
-       1,
-       {2},
-       {},
-       cycles,
-       friction},
-      {"tangential_force_mean",
-       "mean tangential force",
-       "mean force",
-       "over sliding",
-       "N",
-       1,
-       {2},
-       {},
-       cycles,
-       friction},
-      {"tangential_work", "area of the tangential loop", "loop", "relative", "J", 1, {2}, {}, cycles, friction},
-      {"transverse_force_max",
-       "largest transverse force",
-       "transverse force",
-       "relative",
-       "N",
-       1,
-       {2},
-       {},
-       cycles,
-       friction},
-      {"worn_radius", "outer radius of the wear", "worn radius", "over a", "m", 0.2, {2}, {}},
-      {"worn_volume", "worn volume", "worn volume", "over that of the limit", "m³", 0.5, {2}, {}, any, friction},
+      {"axis_pressure_max", "largest pressure on the axis", "pressure", itself, "Pa", 1, {1}, none},
+      {"bulk_work", "energy lost in the body", "bulk loss", itself, "J", 1, {2}, cycles, friction},
+      {"contact_across", "extent of the contact across", "contact across", a, "m", 1, {3}, none},
+      {"contact_along", "extent of the contact along", "contact along", a, "m", 1, {3}, none},
+      {"contact_radius_max", "largest contact radius", "contact radius", a, "m", 10, {3}},
+      {"cycle_work", "energy lost altogether", "loss", itself, "J", 1, {2}, cycles, friction},
+      {"cycles_to_shakedown", "cycles to shakedown", "cycles", itself, "cycles", 1, {1}, none, no, settling},
+      {"distance_to_limit", "distance from the limiting profile", "distance", ratio("over a and d max"), "", 0.5, {2}},
+      {"first_slip_across", "extent across, first slip", "first slip across", a, "m", 1, {3}, none, friction},
+      {"first_slip_along", "extent along, first slip", "first slip along", a, "m", 1, {3}, none, friction},
+      {"force_outside_stick_zone", "force outside c", "force outside", ratio("over the force"), "", 1, {1}},
+      {"friction_work", "energy lost to friction", "friction", work, "J", 10, {2}, cycles, friction},
+      {"indentation_max", "largest indentation", "largest depth", itself, "m", 10, {3}, any, no, no, by_touch},
+      {"limiting_amplitude", "amplitude at which slip begins inside c", "amplitude", of_case, "", 1, {1}},
+      {"maximum_indentation", "indentation at which the flank touches", "indentation", of_largest, "", 1, {1}},
+      {"normal_force_max", "largest normal force", "normal force", itself, "N", 10, {3}, any, no, no, by_touch},
+      {"shakedown_across", "extent across, shakedown", "shakedown across", a, "m", 1, {3}, none, friction},
+      {"shakedown_along", "extent along, shakedown", "shakedown along", a, "m", 1, {3}, none, friction},
+      {"slip_decay", "decay of slip in a cycle", "slip decay", itself, "", 1, {2}, none, no, settling},
+      {"slip_inside_stick_zone", "slip inside c", "slip inside", ratio("over the amplitude"), "", 1, {1}},
+      {"stick_radius_first_slip", "stick radius, first slip", "first slip", a, "m", 1, {3}, any, friction},
+      {"stick_radius_shakedown", "stick radius, shakedown", "shakedown", a, "m", 1, {3}, any, friction},
+      {"tangential_amplitude", "tangential amplitude", "u_x", itself, "m", 1, {2}, any, friction},
+      {"tangential_force_max", "largest tangential force", "tangential force", itself, "N", 1, {2}, cycles, friction},
+      {"tangential_force_mean", "mean tangential force", "mean force", force, "N", 1, {2}, cycles, friction},
+      {"tangential_work", "area of the tangential loop", "loop", itself, "J", 1, {2}, cycles, friction},
+      {"transverse_force_max", "largest transverse force", "transverse force", itself, "N", 1, {2}, cycles, friction},
+      {"worn_radius", "outer radius of the wear", "worn radius", a, "m", 0.2, {2}},
+      {"worn_volume", "worn volume", "worn volume", ratio("over that of the limit"), "m³", 0.5, {2}, any, friction},
   }};
   return table[static_cast<std::size_t>(quantity)];
 }
@@ -101,15 +56,16 @@ bool is_of_stick_zone(Quantity quantity) {
 }
 
 bool is_relative(Quantity quantity, const Scales& scales) {
-  const std::string scale = traits_of(quantity).scale;
-  return scale == "relative" || (scale == "over a" && scales.contact_radius == 0);
+  const auto over = traits_of(quantity).scale.over;
+  return over == Over::value || (over == Over::contact_radius && scales.contact_radius == 0);
 }
 
 double scale_of(Quantity quantity, const Scales& scales, double value) {
   if (is_relative(quantity, scales)) return std::abs(value);
-  const std::string scale = traits_of(quantity).scale;
-  if (scale == "over sliding") return quantity == Quantity::friction_work ? scales.sliding_work : scales.sliding_force;
-  return scale == "over a" ? scales.contact_radius : 1;
+  const auto over = traits_of(quantity).scale.over;
+  if (over == Over::sliding_force) return scales.sliding_force;
+  if (over == Over::sliding_work) return scales.sliding_work;
+  return over == Over::contact_radius ? scales.contact_radius : 1;
 }
 
 double without_roundoff(Quantity quantity, const Scales& scales, double value) {

@@ -102,22 +102,29 @@ enum class RefinedFor {
   none
 };
 
+/// What differences of a quantity are divided by; nothing: it is a ratio.
+enum class Over { value, contact_radius, sliding_force, sliding_work, nothing };
+struct QuantityScale {
+  Over over;
+  const char* words;  ///< for people
+};
+
 /// What is to be known of a quantity, whatever the case.
 struct QuantityTraits {
   const char* name;   ///< in result.json
   const char* title;  ///< for people
   const char* label;  ///< the same in two words, for the axis of a plot
-  const char* scale;  ///< what its differences are divided by
+  QuantityScale scale;
   const char* unit;   ///< of its value in SI; empty: a ratio
   double strictness;  ///< its tolerance is that of the case over this
   ExpectedOrder rings;
-  /// In a body with memory the pressure next to the edge depends on when its ring touched, and coarser rings do not
-  /// show all of that. Empty: as without memory.
-  std::optional<ExpectedOrder> rings_with_memory;
   RefinedFor refined_for = RefinedFor::any_case;
   bool of_friction = false;  ///< friction has a part in it: how rings are held in a step matters
   /// It tells how a motion settles, of which neither method knows as much as of what it settles to.
   bool of_settling = false;
+  /// In a body with memory the pressure next to the edge depends on when its ring touched, and coarser rings do not
+  /// show all of that. Empty: as without memory.
+  std::optional<ExpectedOrder> rings_with_memory = {};
 };
 const QuantityTraits& traits_of(Quantity quantity);
 

@@ -8,9 +8,6 @@
 
 namespace fretval {
 
-/// Why there is no stick radius of first slip in a pass whose indenter only comes to touch at rest.
-constexpr const char* nothing_at_rest = "the pass begins as the indenter comes to touch: nothing is in contact at rest";
-
 /// What one method says of a quantity, SI units.
 struct Reading {
   std::optional<double> value;

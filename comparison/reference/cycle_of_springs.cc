@@ -3,17 +3,11 @@
 #include <algorithm>
 
 namespace fretval {
-namespace {
-
-/// Springs with a dashpot are slow to step, and to settle. Others are given up where their ramp, of which a second one
-/// is twice as long, would take more than all periods that they have.
 bool settles_for_long(const mdr::PronyBody& body, double period) {
   constexpr int many_periods = 100, all_periods = 2000;  // ten creep times
   const int n = mdr::periods_of_creep(body, period);
   return n > (body.viscosity > 0 ? many_periods : all_periods / 2 - 1);
 }
-
-}  // namespace
 
 std::optional<mdr::CommonCycle> cycle_to_step(const MdrCase& mdr) {
   const auto& harmonics = mdr.motion.tangential;

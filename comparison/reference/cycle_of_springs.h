@@ -8,6 +8,10 @@
 
 namespace fretval {
 
+/// Springs with a dashpot are slow to step, and to settle. Others are given up where their ramp, of which a second one
+/// is twice as long, would take more than all periods that they have.
+bool settles_for_long(const mdr::PronyBody& body, double period);
+
 /// The cycle that springs are asked about; empty: none, see MdrAnswer::cycle.
 std::optional<mdr::CommonCycle> cycle_to_step(const MdrCase& mdr);
 

@@ -35,8 +35,7 @@ bool knows_cycle(const MdrCase& mdr, const MdrAnswer& answer) {
   };
   return known_over(cycle.force_error, cycle.tangential_force_max) &&
          known_over(cycle.work_error, of_friction_over_sliding * cycle.sliding_work) &&
-         known_over(cycle.work_error, cycle.bulk_work) &&
-         known_over(cycle.loop_error, answer.single_pass ? 0 : cycle.tangential_work);
+         known_over(cycle.work_error, cycle.bulk_work) && known_over(cycle.loop_error, cycle.tangential_work);
 }
 
 /// answer_with: as many times the usual springs and steps.
@@ -60,6 +59,21 @@ mdr::SteppedForcedResponse half_space_response(const MdrCase& mdr, int times) {
                               finer(mdr.has_period() ? mdr::SpringFineness{} : of_many_oscillations, times));
 }
 
+/// What springs say that were stepped under forces, and what that may be off by.
+template <class Response>
+void take_stepped(const MdrCase& mdr, const mdr::StickDepths& depths, const mdr::StickDepths& depth_errors,
+                  const Response& response, const Response& error, MdrAnswer& answer) {
+  const auto radii = mdr::stick_radii(mdr.profile, depths);
+  answer.stick_radius_first_slip = radii.first_slip;
+  answer.stick_radius_shakedown = radii.shakedown;
+  answer.stepping_error = std::max({depth_errors.first_slip, depth_errors.shakedown, error.largest_indentation}) /
+                          response.largest_indentation;
+  if (mdr.normal_force) answer.indentation_max = response.largest_indentation;
+  if (!mdr.tangential_force || !mdr.has_period()) return;
+  answer.tangential_amplitude = response.tangential_amplitude;
+  answer.stepping_error = std::max(answer.stepping_error, error.tangential_amplitude / response.tangential_amplitude);
+}
+
 /// Of an unworn indenter, by the springs. Under both forces a half-space has a closed form of the shakedown radius.
 MdrAnswer forced_answer(const MdrCase& mdr, const mdr::NormalResponse& normal, int times) {
   MdrAnswer answer = with_normal_response(normal);
@@ -73,39 +87,37 @@ MdrAnswer forced_answer(const MdrCase& mdr, const mdr::NormalResponse& normal, i
   }
   const auto& [response, error] = stepped;
   answer.cycle = cycle_of_springs(mdr, stepped, answer.normal_force_max.value());
-  const auto radii = mdr::stick_radii(mdr.profile, response.depths);
-  answer.stick_radius_first_slip = radii.first_slip;
-  answer.stick_radius_shakedown = mdr.normal_force && mdr.tangential_force && mdr.limiting_state
-                                      ? mdr.limiting_state->stick_radius
-                                      : radii.shakedown;
-  const double deepest = response.largest_indentation;
-  answer.stepping_error =
-      std::max({error.depths.first_slip, error.depths.shakedown, error.largest_indentation}) / deepest;
-  if (mdr.normal_force) answer.indentation_max = deepest;
-  if (mdr.tangential_force && mdr.has_period()) {
-    answer.tangential_amplitude = response.tangential_amplitude;
-    answer.stepping_error = std::max(answer.stepping_error, error.tangential_amplitude / response.tangential_amplitude);
-  }
-  if (mdr.layer) answer.worn_radius = layer_worn_radius(mdr, radii.shakedown, deepest);
+  take_stepped(mdr, response.depths, error.depths, response, error, answer);
+  if (mdr.normal_force && mdr.tangential_force && mdr.limiting_state)
+    answer.stick_radius_shakedown = mdr.limiting_state->stick_radius;
+  if (mdr.layer)
+    answer.worn_radius = layer_worn_radius(mdr, answer.stick_radius_shakedown, response.largest_indentation);
   return answer;
 }
 
-MdrAnswer displaced_answer(const MdrCase& mdr, const mdr::HarmonicMotion& motion, const mdr::NormalResponse& normal) {
+template <class Profile>
+MdrAnswer displaced_answer(const MdrCase& mdr, const Profile& profile, const mdr::HarmonicMotion& motion,
+                           const mdr::NormalResponse& normal) {
   MdrAnswer answer = with_normal_response(normal);
   const auto one_each = mdr::one_harmonic_each(motion);
-  const auto radii_on = [&](const auto& profile) {
-    return one_each ? mdr::stick_radii(profile, mdr.body, mdr.friction_coefficient, *one_each)
-                    : mdr::stick_radii(profile, mdr.body, mdr.friction_coefficient, motion);
-  };
-  const auto radii = mdr.limiting ? radii_on(*mdr.limiting) : radii_on(mdr.profile);
-  // On the way to a limiting state under forces the outer part slips, which the state does not know.
-  const auto depths_on_the_way = [&] {
-    return mdr::forced_response(*mdr.limiting, mdr.body, mdr.friction_coefficient, mdr.prescribed()).response.depths;
-  };
-  answer.stick_radius_first_slip =
-      mdr.has_forces() ? mdr::stick_radii(mdr.profile, depths_on_the_way()).first_slip : radii.first_slip;
+  const auto radii = one_each ? mdr::stick_radii(profile, mdr.body, mdr.friction_coefficient, *one_each)
+                              : mdr::stick_radii(profile, mdr.body, mdr.friction_coefficient, motion);
+  answer.stick_radius_first_slip = radii.first_slip;
   answer.stick_radius_shakedown = radii.shakedown;
-  if (mdr.limiting && one_each && one_each->tangential_amplitude > 0)
+  return answer;
+}
+
+/// Of a limiting profile.
+MdrAnswer worn_answer(const MdrCase& mdr, const mdr::NormalResponse& normal) {
+  const auto motion = displacements_of(mdr);
+  auto answer = displaced_answer(mdr, *mdr.limiting, motion, normal);
+  // On the way to a limiting state under forces the outer part slips, which the state does not know.
+  if (mdr.has_forces()) {
+    const auto forced = mdr::forced_response(*mdr.limiting, mdr.body, mdr.friction_coefficient, mdr.prescribed());
+    answer.stick_radius_first_slip = mdr::stick_radii(mdr.profile, forced.response.depths).first_slip;
+  }
+  const auto one_each = mdr::one_harmonic_each(motion);
+  if (one_each && one_each->tangential_amplitude > 0)
     answer.limiting_amplitude =
         mdr::tangential_amplitude_for_shakedown(mdr.body, mdr.friction_coefficient, *one_each,
                                                 mdr::transform(mdr.profile, mdr.limiting->stick_radius))
@@ -146,34 +158,21 @@ void answer_forced_path(const MdrCase& mdr, int times, MdrAnswer& answer) {
                         : mdr::path_forces(mdr.profile, mdr.body, mdr.friction_coefficient, *mdr.path, fineness);
   } catch (const mdr::GrossSlip& slip) {
     answer.gross_slip = slip.amplitude;
-    if (answer.single_pass) answer.gross_slip_time = slip.time;
+    if (mdr.is_single_pass()) answer.gross_slip_time = slip.time;
     return;
   }
   const auto& [forces, error, course] = *stepped;
-  const auto radii = mdr::stick_radii(mdr.profile, {forces.first_slip, forces.shakedown});
-  answer.stick_radius_first_slip = radii.first_slip;
-  answer.stick_radius_shakedown = radii.shakedown;
-  answer.stepping_error =
-      std::max({error.first_slip, answer.single_pass ? 0 : error.shakedown, error.largest_indentation}) /
-      forces.largest_indentation;
-  if (mdr.normal_force) answer.indentation_max = forces.largest_indentation;
-  if (mdr.tangential_force) {
-    answer.tangential_amplitude = forces.tangential_amplitude;
-    answer.stepping_error = std::max(answer.stepping_error, error.tangential_amplitude / forces.tangential_amplitude);
-  }
+  take_stepped(mdr, {forces.first_slip, forces.shakedown},
+               {error.first_slip, mdr.is_single_pass() ? 0 : error.shakedown}, forces, error, answer);
   if (has_cycle_along(mdr)) answer.cycle = cycle_along(mdr, *stepped, answer.normal_force_max.value());
 }
 
 MdrAnswer path_answer(const MdrCase& mdr, const mdr::NormalResponse& normal, int times) {
   MdrAnswer answer = with_normal_response(normal);
-  answer.modulus_ratio = std::nan("");
-  answer.single_pass = mdr.is_single_pass();
   if (mdr.path->has_forces() || mdr.layer)
     answer_forced_path(mdr, times, answer);
   else
     answer_displaced_path(mdr, answer);
-  if (mdr.from_touch) answer.stick_radius_first_slip.reset();
-  answer.from_touch = mdr.from_touch;
   return answer;
 }
 
@@ -258,26 +257,27 @@ MdrAnswer in_body_of_case(MdrAnswer answer, double displacement) {
   return answer;
 }
 
+/// By closed forms.
+MdrAnswer closed_answer(const MdrCase& mdr, const mdr::NormalResponse& normal) {
+  return mdr.limiting ? worn_answer(mdr, normal) : displaced_answer(mdr, mdr.profile, mdr.motion, normal);
+}
+
+double modulus_ratio_of(const MdrCase& mdr) {
+  return mdr.path ? std::nan("")
+                  : mdr::modulus_ratio(mdr.body, mdr::angular_frequency(mdr.motion.normal.front().frequency));
+}
+
 MdrAnswer incompressible_answer(const MdrCase& mdr, const mdr::NormalResponse& normal) {
-  if (moves_in_plane(mdr)) {
-    auto answer = with_known_cycle(mdr, [&](int times) { return plane_answer(mdr, normal, times); });
-    answer.modulus_ratio =
-        mdr.path ? std::nan("")
-                 : mdr::modulus_ratio(mdr.body, mdr::angular_frequency(mdr.motion.normal.front().frequency));
-    if (const auto worn = worn_profile(mdr, answer.stick_radius_shakedown)) answer.worn_radius = worn->outer_radius;
-    return answer;
-  }
-  if (mdr.path) {
-    auto answer = with_known_cycle(mdr, [&](int times) { return path_answer(mdr, normal, times); });
-    if (const auto worn = worn_profile(mdr, answer.stick_radius_shakedown)) answer.worn_radius = worn->outer_radius;
-    if (mdr.layer && !answer.single_pass)
-      answer.worn_radius = layer_worn_radius(mdr, answer.stick_radius_shakedown, mdr::maximum_normal(*mdr.path));
-    return answer;
-  }
-  auto answer = mdr.layer || (mdr.has_forces() && !mdr.limiting)
-                    ? with_known_cycle(mdr, [&](int times) { return forced_answer(mdr, normal, times); })
-                    : displaced_answer(mdr, displacements_of(mdr), normal);
-  answer.modulus_ratio = mdr::modulus_ratio(mdr.body, mdr::angular_frequency(mdr.motion.normal.front().frequency));
+  const auto stepped = [&](int times) {
+    if (moves_in_plane(mdr)) return plane_answer(mdr, normal, times);
+    return mdr.path ? path_answer(mdr, normal, times) : forced_answer(mdr, normal, times);
+  };
+  const bool is_stepped = moves_in_plane(mdr) || mdr.path || mdr.layer || (mdr.has_forces() && !mdr.limiting);
+  auto answer = is_stepped ? with_known_cycle(mdr, stepped) : closed_answer(mdr, normal);
+  answer.modulus_ratio = modulus_ratio_of(mdr);
+  keep_to(mdr.motion_kind, answer);
+  if (mdr.layer && mdr.path)
+    answer.worn_radius = layer_worn_radius(mdr, answer.stick_radius_shakedown, mdr::maximum_normal(*mdr.path));
   if (const auto worn = worn_profile(mdr, answer.stick_radius_shakedown)) answer.worn_radius = worn->outer_radius;
   return answer;
 }
@@ -331,6 +331,13 @@ MdrAnswer mdr_answer(const MdrCase& mdr, const mdr::NormalResponse& normal) {
   return in_body_of_case(incompressible_answer(mdr, normal), mdr.displacement);
 }
 
+MdrAnswer no_answer(const MdrCase& mdr) {
+  MdrAnswer answer{};
+  answer.modulus_ratio = modulus_ratio_of(mdr);
+  answer.motion_kind = mdr.motion_kind;
+  return answer;
+}
+
 MdrAnswer mdr_answer_with_cycle(const MdrCase& mdr, const mdr::NormalResponse& normal) {
   auto answer = incompressible_answer(mdr, normal);
   if (moves_in_plane(mdr)) return in_body_of_case(std::move(answer), mdr.displacement);
@@ -341,7 +348,7 @@ MdrAnswer mdr_answer_with_cycle(const MdrCase& mdr, const mdr::NormalResponse& n
       with_cycle.cycle = displaced_cycle(mdr, normal, times);
       return with_cycle;
     });
-  if (answer.cycle && !answer.single_pass)
+  if (answer.cycle)
     answer.slip_decay =
         mdr::slip_decay(mdr.body, mdr.path ? mdr.path->duration() : 1 / mdr::common_cycle(mdr.motion)->frequency);
   return in_body_of_case(std::move(answer), mdr.displacement);

@@ -17,6 +17,9 @@ std::optional<mdr::LimitingProfile> worn_profile(const MdrCase& mdr, const std::
 
 MdrAnswer mdr_answer(const MdrCase& mdr, const mdr::NormalResponse& normal);
 
+/// Where MDR does not hold for the profile (MdrCase::falls): the ratio of moduli alone.
+MdrAnswer no_answer(const MdrCase& mdr);
+
 /// After how many cycles from rest nothing slips any more inside the shakedown radius (see cycles_until), of transient
 /// springs: some milliseconds. n_ramp: oscillations over which amplitudes rise. Empty: a worn indenter, a path, a
 /// motion without a period, an elastic body, which shakes down at once, springs that do not become periodic, or nothing

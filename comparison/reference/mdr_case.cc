@@ -49,6 +49,7 @@ void require_displacements_and_no_wear(const Case& input) {
     refuse("Motion / Tangential amplitude = shakedown", "a number in m");
   if (input.wear == Case::Wear::limiting) refuse("Wear / State = limiting", "unworn");
   if (input.wear_kinetics) refuse("Wear / Coefficient", "no wear");
+  if (input.contact.is_full()) refuse("Contact / Friction = vector", "unidirectional");
 }
 
 std::optional<double> phase_of(const Case::Motion& motion) {
@@ -323,7 +324,7 @@ MdrCase mdr_case(const Case& input_of_any_body) {
     mdr.path = mdr::SampledPath{motion.path->time,      motion.path->normal,       motion.path->tangential,
                                 motion.path->repeats,   motion.path->normal_force, motion.path->tangential_force,
                                 motion.path->transverse};
-    mdr.from_touch = motion.path->from_touch;
+    mdr.motion_kind = motion_kind_of(motion);
   }
   if (is_layer_of_mdr(input))
     mdr.layer = mdr::Layer{input.body.thickness, input.elastomer.poisson_ratio,

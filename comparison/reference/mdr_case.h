@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "comparison/case/case.h"
+#include "comparison/data/motion_kind.h"
 #include "mdr/layer/layer.h"
 #include "mdr/motion/harmonic_motion.h"
 #include "mdr/motion/motion.h"
@@ -34,7 +35,7 @@ struct MdrCase {
 
   /// Instead of the motion, which tells then how large the path is (see Case::Motion).
   std::optional<mdr::SampledPath> path = {};
-  bool from_touch = false;  ///< see Case::Path
+  MotionKind motion_kind = MotionKind::cycles;
 
   /// MDR's own layer instead of the half-space; then the body is that of the case.
   std::optional<mdr::Layer> layer = {};
@@ -44,7 +45,7 @@ struct MdrCase {
   /// On forces and energies of a cycle, which springs are refined to a quarter of (see mdr_answer_with_cycle).
   std::optional<double> cycle_tolerance = {};
 
-  [[nodiscard]] bool is_single_pass() const { return path && !path->repeats; }
+  [[nodiscard]] bool is_single_pass() const { return is_pass(motion_kind); }
   /// Not under an unlocked phase or of frequencies without a common period.
   [[nodiscard]] bool has_period() const { return path || (motion.phase_locked && mdr::common_cycle(motion)); }
   /// Where the image of the profile falls (mdr::falls_of_image); not empty: MDR does not hold, and is not asked.

@@ -13,14 +13,13 @@ std::optional<double> if_any(double error) {
   return error > 0 ? std::optional(error) : std::nullopt;
 }
 
-/// Without memory friction takes all that is lost. Of a single pass nobody tells what the body has kept.
-void add_cycle(const MdrCycle& cycle, bool single_pass, Readings& readings) {
+/// Without memory friction takes all that is lost.
+void add_cycle(const MdrCycle& cycle, Readings& readings) {
   const auto force = if_any(cycle.force_error), work = if_any(cycle.work_error), loop = if_any(cycle.loop_error);
   const bool has_memory = cycle.bulk_work > 0;
   if (cycle.knows_largest_force) readings[Quantity::tangential_force_max] = {cycle.tangential_force_max, force};
   readings[Quantity::tangential_force_mean] = {cycle.tangential_force_mean, force};
   readings[Quantity::friction_work] = {cycle.friction_work, work};
-  if (single_pass) return;
   readings[Quantity::bulk_work] = {cycle.bulk_work, work, "", has_memory};
   readings[Quantity::cycle_work] = {cycle.friction_work + cycle.bulk_work, work, "", has_memory};
   readings[Quantity::tangential_work] = {cycle.tangential_work, loop, "", has_memory};
@@ -30,15 +29,12 @@ void add_cycle(const MdrCycle& cycle, bool single_pass, Readings& readings) {
 
 Readings readings_of(const MdrAnswer& answer) {
   const std::string slides = answer.gross_slip ? "the whole contact slides" : "",
-                    nothing_sticks = slides.empty() ? "nothing sticks" : slides,
-                    in_a_pass = "a single pass has no periodic state";
+                    nothing_sticks = slides.empty() ? "nothing sticks" : slides;
   Readings readings{
       {Quantity::contact_radius_max, {answer.contact_radius_max, {}, "no contact carries the force without slip"}},
-      {Quantity::stick_radius_first_slip,
-       {answer.stick_radius_first_slip, {}, answer.from_touch ? nothing_at_rest : nothing_sticks, !answer.from_touch}},
-      {Quantity::stick_radius_shakedown,
-       {answer.stick_radius_shakedown, {}, answer.single_pass ? in_a_pass : nothing_sticks, !answer.single_pass}},
-      {Quantity::worn_radius, {answer.worn_radius, {}, answer.single_pass ? in_a_pass : "wear goes on", false}},
+      {Quantity::stick_radius_first_slip, {answer.stick_radius_first_slip, {}, nothing_sticks}},
+      {Quantity::stick_radius_shakedown, {answer.stick_radius_shakedown, {}, nothing_sticks}},
+      {Quantity::worn_radius, {answer.worn_radius, {}, "wear goes on", false}},
       {Quantity::normal_force_max,
        {answer.normal_force_max, if_any(answer.normal_force_error), "not computed; see --springs",
         !answer.indentation_max}},
@@ -48,13 +44,14 @@ Readings readings_of(const MdrAnswer& answer) {
     readings[Quantity::axis_pressure_max] = {answer.axis_pressure->largest, if_any(answer.axis_pressure->error)};
   if (answer.indentation_max) readings[Quantity::indentation_max] = {answer.indentation_max};
   if (answer.tangential_amplitude) readings[Quantity::tangential_amplitude] = {answer.tangential_amplitude};
-  if (answer.cycle) add_cycle(*answer.cycle, answer.single_pass, readings);
+  if (answer.cycle) add_cycle(*answer.cycle, readings);
   if (answer.transverse_force_max)
     readings[Quantity::transverse_force_max] = {answer.transverse_force_max, if_any(answer.transverse_force_error)};
   if (answer.slip_decay) readings[Quantity::slip_decay] = {answer.slip_decay};
   if (const auto& settling = answer.cycles_to_shakedown)
     readings[Quantity::cycles_to_shakedown] = {settling->cycles, if_any(settling->error)};
   for (auto& [quantity, reading] : readings) reading.is_compared = reading.is_compared && !answer.gross_slip;
+  keep_to(answer.motion_kind, readings);
   return readings;
 }
 
@@ -64,6 +61,10 @@ Readings readings_of_worn(const MdrAnswer& answer) {
   readings[Quantity::force_outside_stick_zone] = {0};
   readings[Quantity::maximum_indentation] = {1};
   return readings;
+}
+
+Readings compared_readings_of(const MdrAnswer& answer, const MdrCase& mdr) {
+  return mdr.limiting ? readings_of_worn(answer) : readings_of(answer);
 }
 
 nlohmann::ordered_json to_json(const MdrAnswer& answer) {

@@ -15,6 +15,9 @@ Readings readings_of(const MdrAnswer& answer);
 /// flank touches at the largest indentation.
 Readings readings_of_worn(const MdrAnswer& answer);
 
+/// What is compared with finite elements on the same indenter, worn or not.
+Readings compared_readings_of(const MdrAnswer& answer, const MdrCase& mdr);
+
 /// The "mdr" object of result.json. SI units; null where nothing sticks.
 nlohmann::ordered_json to_json(const MdrAnswer& answer);
 

@@ -61,8 +61,7 @@ struct MdrAnswer {
   std::optional<double> gross_slip = {};
   std::optional<double> gross_slip_time = {};       ///< s, of a single pass, in the time of its rows
   std::optional<double> steady_sliding_share = {};  ///< see steady_sliding_share
-  bool single_pass = false;  ///< then there is no periodic state, no shakedown radius and no limiting profile
-  bool from_touch = false;   ///< of a pass: nothing is in contact at rest, and nothing sticks since then
+  MotionKind motion_kind = MotionKind::cycles;
 
   /// Whether all of the largest contact sticks in the end, as it does under a profile that is limiting for the motion.
   [[nodiscard]] bool wears_no_more() const;

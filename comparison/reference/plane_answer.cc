@@ -113,11 +113,9 @@ bool moves_in_plane(const MdrCase& mdr) {
 
 MdrAnswer plane_answer(const MdrCase& mdr, const mdr::NormalResponse& normal, int times) {
   auto answer = with_normal_response(normal);
-  answer.single_pass = mdr.is_single_pass();
   const auto radii = mdr::stick_radii(mdr.profile, depths_of(mdr));
-  answer.from_touch = mdr.from_touch;
-  if (!answer.from_touch) answer.stick_radius_first_slip = radii.first_slip;
-  if (!answer.single_pass) answer.stick_radius_shakedown = radii.shakedown;
+  answer.stick_radius_first_slip = radii.first_slip;
+  answer.stick_radius_shakedown = radii.shakedown;
   add_cycle(mdr, times, answer);
   return answer;
 }

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "comparison/case/table_noise.h"
+#include "comparison/data/motion_kind.h"
 #include "comparison/quantities/readings_json.h"
 #include "comparison/results/verdict_text.h"
 #include "comparison/support/log.h"
@@ -104,9 +105,7 @@ Answer answer_beyond_mdr(const ordered_json& result) {
     add("largest pressure", with_unit(*pressure, number_in(zones, "pressure_max_bar").value_or(0), "Pa"));
   add("contact, r", annuli_text(zones.at("contact")));
   add("stick, first slip, r", annuli_text(zones.at("first_slip")));
-  const auto path = result.at("scene").find("path");
-  if (path == result.at("scene").end() || !path->contains("why_no_shakedown"))
-    add("stick, shakedown, r", annuli_text(zones.at("shakedown")));
+  if (!is_pass(stored_motion_kind(result.at("scene")))) add("stick, shakedown, r", annuli_text(zones.at("shakedown")));
   return answer;
 }
 
@@ -122,7 +121,7 @@ std::string not_asked_line(bool has_cycle_tolerance) {
 
 std::optional<double> period_of(const ordered_json& scene) {
   if (const auto path = scene.find("path"); path != scene.end())
-    return path->value("repeats", "") == "forever" ? number_in(*path, "duration") : std::nullopt;
+    return is_pass(stored_motion_kind(scene)) ? std::nullopt : number_in(*path, "duration");
   const auto frequency = number_in(scene, "frequency"), tangential = number_in(scene, "tangential_frequency");
   const bool has_more = scene.contains("normal_harmonics") || scene.contains("tangential_harmonics");
   if (!frequency || has_more || tangential.value_or(*frequency) != *frequency) return std::nullopt;
@@ -304,24 +303,6 @@ bool asks_for_cycles(const ordered_json& result) {
   return false;
 }
 
-bool is_single_pass(const ordered_json& result) {
-  const auto path = result.at("scene").find("path");
-  return path != result.at("scene").end() && path->value("repeats", "") == "once";
-}
-
-bool begins_with_touch(const ordered_json& result) {
-  const auto path = result.at("scene").find("path");
-  return path != result.at("scene").end() && path->value("from_touch", false);
-}
-
-bool has_slid(const ordered_json& result) {
-  const auto slides = [&](const char* side) {
-    const auto found = result.at(side).find("gross_slip");
-    return found != result.at(side).end() && !found->is_null();
-  };
-  return slides("fe") || slides("mdr");
-}
-
 /// wear: what has become of the indenter; empty: it has not worn.
 std::string text_of_answer(const ordered_json& json, const std::string& wear) {
   const auto answer = answer_of(json);
@@ -333,7 +314,7 @@ std::string text_of_answer(const ordered_json& json, const std::string& wear) {
     for (const auto& one : answer.rows) text += answer_line(one.title, one.fe);
     return text;
   }
-  if (has_slid(json)) return text;
+  if (slides(json.at("fe")) || slides(json.at("mdr"))) return text;
   text += answer_line("", "finite elements", "MDR");
   bool asked = true;
   for (const auto& one : answer.rows) {
@@ -341,8 +322,9 @@ std::string text_of_answer(const ordered_json& json, const std::string& wear) {
     asked = one.asked;
     text += answer_line(one.title, one.fe, one.mdr, one.remark);
   }
-  if (begins_with_touch(json)) text += answer_line("stick radius, first slip", "none", nothing_at_rest);
-  if (is_single_pass(json)) text += answer_line("stick radius, shakedown", "none", no_shakedown_in_a_pass);
+  const auto kind = stored_motion_kind(json.at("scene"));
+  if (kind == MotionKind::pass_from_touch) text += answer_line("stick radius, first slip", "none", nothing_at_rest);
+  if (is_pass(kind)) text += answer_line("stick radius, shakedown", "none", no_shakedown_in_a_pass);
   if (const auto zones = json.at("fe").find("zones");
       zones != json.at("fe").end() && zones->contains("second_algorithm"))
     text +=

@@ -10,10 +10,6 @@
 
 namespace fretval {
 
-/// Why a path that is passed once has one stick radius alone.
-constexpr const char* no_shakedown_in_a_pass =
-    "a single pass has no periodic state: never slipped is the only stick radius";
-
 /// A quantity by both methods, with units, the finite elements' with its error bar; the difference as result.json has
 /// it.
 struct AnswerRow {

@@ -68,6 +68,18 @@ double force_at(const mdr::NormalResponse& response, double time) {
   return (1 - weight) * response.normal_force[k - 1] + weight * response.normal_force[k];
 }
 
+/// At times of the steps, s.
+Eigen::VectorXd force_of_mdr(const CaseResult& result, const mdr::NormalResponse& reference) {
+  const auto& fem = result.fem_case;
+  Eigen::VectorXd force(result.fe.fe.friction.traction.cols());
+  for (Eigen::Index k = 0; k < force.size(); ++k) {
+    const double t = PeriodStep{result.fe.fe, k}.time();
+    force[k] = fem.motion.normal_force ? fem::normal_motion(fem.motion, t).value * fem.units.force()
+                                       : force_at(reference, t / fem.units.angular_frequency);
+  }
+  return force;
+}
+
 void write_history(const CaseResult& result, const mdr::NormalResponse& reference, const fs::path& file) {
   const auto& fem = result.fem_case;
   const auto& history = result.fe.fe.normal;
@@ -75,24 +87,19 @@ void write_history(const CaseResult& result, const mdr::NormalResponse& referenc
   const Eigen::Index n = friction.traction.cols();
   const auto& path = result.input.motion.path;
   const double rest = path ? rest_of(*path).tangential : 0;
-  Eigen::VectorXd time(n), indentation(n), displacement(n), normal_force(n), mdr_force(n), tangential_force(n);
+  Eigen::VectorXd time(n), indentation(n), displacement(n), normal_force(n), tangential_force(n);
   for (Eigen::Index k = 0; k < n; ++k) {
     const PeriodStep step{result.fe.fe, k};
-    const double t = step.time();
-    time[k] = t / fem.units.angular_frequency;
+    time[k] = fem.first_row + step.time() / fem.units.angular_frequency;
     const auto column = step.normal_column();
     indentation[k] = history.indentation[column] * fem.units.depth;
     displacement[k] = rest + friction.indenter[k] * fem.units.depth;
     normal_force[k] = (history.force[column] + history.force_beyond[column]) * fem.units.force();
-    if (!result.beyond_mdr)
-      mdr_force[k] = fem.motion.normal_force ? fem::normal_motion(fem.motion, t).value * fem.units.force()
-                                             : force_at(reference, time[k]);
     tangential_force[k] = friction.force[k] * fem.units.force();
-    time[k] += fem.first_row;
   }
   std::vector<Column> columns{
       {"t [s]", time}, {"d [m]", indentation}, {"u_x [m]", displacement}, {"F_N [N]", normal_force}};
-  if (!result.beyond_mdr) columns.push_back({"F_N MDR [N]", mdr_force});
+  if (result.is_compared()) columns.push_back({"F_N MDR [N]", force_of_mdr(result, reference)});
   columns.push_back({"F_x [N]", tangential_force});
   write_csv(file, columns);
 }
@@ -131,7 +138,7 @@ void write_profile(const CaseResult& result, const fs::path& file) {
   const auto& mdr = result.mdr_case;
   const auto worn = worn_profile(mdr, result.mdr.stick_radius_shakedown);
   const double wanted = 1.1 * (worn ? worn->outer_radius : result.fem_case.units.length),
-               end = result.beyond_mdr ? std::min(wanted, mdr::end_radius(mdr.profile)) : wanted;
+               end = result.is_compared() ? wanted : std::min(wanted, mdr::end_radius(mdr.profile));
   const Eigen::VectorXd r = Eigen::VectorXd::LinSpaced(n, 0, end);
   Eigen::VectorXd unworn(n), limiting(n);
   for (Eigen::Index i = 0; i < n; ++i) {
@@ -143,9 +150,9 @@ void write_profile(const CaseResult& result, const fs::path& file) {
   write_csv(file, columns);
 }
 
-/// What there is of a contact that does not slide as a whole.
 void write_periodic_state(const CaseResult& result, const mdr::NormalResponse& reference, const fs::path& folder) {
-  if (result.fe.fe.surface) return write_surface_files(result.fe.fe, result.fem_case, folder);
+  if (result.fe.fe.as<GrossSlipStart>()) return;
+  if (result.fe.fe.as<SurfaceAnswer>()) return write_surface_files(result.fe.fe, result.fem_case, folder);
   write_history(result, reference, folder / "history.csv");
   write_contact(result, folder / "contact.csv");
   write_file(folder / "cycle.json", cycle_json(result).dump() + "\n");
@@ -159,22 +166,18 @@ std::string as_text(const nlohmann::ordered_json& json) {
 }  // namespace
 
 Outcome outcome_of(const CaseResult& result) {
-  if (result.beyond_mdr) return Outcome::not_compared;
+  if (!result.is_compared()) return Outcome::not_compared;
   if (!beyond_mdr_model(result.input).empty()) return Outcome::other_model;
-  const auto& fe = result.fe.fe.gross_slip;
+  const auto* fe = result.fe.fe.as<GrossSlipStart>();
   const auto& mdr = result.mdr;
   const double tolerance = result.input.tolerance;
-  const auto share = mdr.single_pass ? std::nullopt : mdr.steady_sliding_share;
+  const auto& share = mdr.steady_sliding_share;
   const bool must = share && *share < 1 - tolerance, may = !share || *share <= 1 + tolerance;
   if (!fe && !mdr.gross_slip) return must ? Outcome::disagree : outcome_of(result.comparison);
-  if (fe.has_value() != mdr.gross_slip.has_value())
+  if ((fe != nullptr) != mdr.gross_slip.has_value())
     return share && may && !must ? Outcome::not_resolved : Outcome::disagree;
   const bool too_early = share && std::min(fe->amplitude, *mdr.gross_slip) < *share - tolerance;
   return may && !too_early ? Outcome::agree : Outcome::disagree;
-}
-
-Readings compared_readings_of(const MdrAnswer& mdr, const FemCase& fem) {
-  return fem.worn_edge ? readings_of_worn(mdr) : readings_of(mdr);
 }
 
 CaseResult result_of(const PreparedCase& prepared, MdrAnswer&& mdr, Proof proof, ProvedAnswer&& fe) {
@@ -185,6 +188,7 @@ CaseResult result_of(const PreparedCase& prepared, MdrAnswer&& mdr, Proof proof,
                     proof,
                     std::move(fe),
                     {}};
+  if (!result.is_compared()) return result;
   if (result.fe.fe.cycles_to_shakedown && proof != Proof::none)
     result.mdr.cycles_to_shakedown = settling_cycles(result.mdr_case, result.mdr, result.fe.resolution.n_ramp_cycles);
   if (!prepared.input.body.is_half_space())
@@ -192,24 +196,11 @@ CaseResult result_of(const PreparedCase& prepared, MdrAnswer&& mdr, Proof proof,
   result.rings = given_rings_of(prepared, result.fe);
   result.model = model_errors_of(prepared.input, result.mdr);
   const auto& fem = prepared.fem;
-  result.comparison = compare(readings_of(result.fe.fe, fem.units), compared_readings_of(result.mdr, fem),
+  result.comparison = compare(readings_of(result.fe.fe, fem.units), compared_readings_of(result.mdr, prepared.mdr),
                               scales_of(result.mdr, fem.units.length), prepared.tolerances, result.fe.budget);
   if (!beyond_mdr_model(result.input).empty())
     for (auto& [quantity, difference] : result.comparison) difference.verdict.reset();
   return result;
-}
-
-CaseResult result_beyond_mdr(const PreparedCase& prepared, Proof proof, ProvedAnswer&& fe) {
-  const auto& mdr = prepared.mdr;
-  MdrAnswer ratio_alone{};
-  ratio_alone.modulus_ratio = mdr::modulus_ratio(mdr.body, mdr::angular_frequency(mdr.motion.normal.front().frequency));
-  const auto springs = mdr::naive_contact(mdr.profile, prepared.fem.units.depth);
-  const auto& zones = fe.fe.zones.value();
-  const BeyondMdr beyond{mdr.falls(), springs, springs.force_over_modulus * mdr.body.relaxed_modulus,
-                         zones.force_at_rest, zones.radius_at_rest};
-  return {
-      prepared.input, mdr, at_resolution(prepared.fem, fe.resolution), ratio_alone, proof, std::move(fe), {}, {}, {},
-      beyond};
 }
 
 void add_wear(ProvedWear&& wear, CaseResult& result) {
@@ -227,7 +218,7 @@ void write_result(const CaseResult& result, const nlohmann::ordered_json& json, 
   write_profile(result, folder / "profile.csv");
   write_moduli(result.input, result.mdr_case.body, folder);
   write_data(result.input, folder);
-  if (!result.fe.fe.gross_slip) write_periodic_state(result, reference, folder);
+  write_periodic_state(result, reference, folder);
   write_field_files(result.fe.fe, result.fem_case, result.input.fields.value_or(Case::Fields::none), folder);
   if (result.wear) write_wear(*result.wear, result.input, result.fem_case.units, folder);
   if (result.surface_wear) write_surface_wear(*result.surface_wear, result.fem_case.units, folder);

@@ -9,20 +9,8 @@
 #include "comparison/accuracy/wear_proof.h"
 #include "comparison/model_error/model_error.h"
 #include "comparison/reference/mdr_answer.h"
-#include "mdr/profiles/naive_contact.h"
 
 namespace fretval {
-
-/// Why a case is not compared: MDR does not hold for its profile; and by how much its springs would be off, if nobody
-/// asked (mdr::naive_contact), of the relaxed body that rests at the largest indentation. SI units.
-struct BeyondMdr {
-  std::vector<mdr::FallOfImage> falls;
-  mdr::NaiveContact springs;
-  double force_of_springs;       ///< N
-  double force, contact_radius;  ///< of finite elements
-  [[nodiscard]] double force_difference() const { return force_of_springs / force - 1; }
-  [[nodiscard]] double radius_difference() const { return springs.radius / contact_radius - 1; }
-};
 
 /// A case computed both ways.
 struct CaseResult {
@@ -32,27 +20,22 @@ struct CaseResult {
   MdrAnswer mdr;
   Proof proof;
   ProvedAnswer fe;
-  Comparison comparison;  ///< of everything
+  Comparison comparison;  ///< of everything; empty: MDR does not hold
   std::optional<ProvedWear> wear = {};
   std::optional<ProvedSurfaceWear> surface_wear = {};
-  std::optional<BeyondMdr> beyond_mdr = {};  ///< then nothing is compared, and mdr has the modulus ratio alone
   std::optional<MdrAnswer> half_space = {};  ///< what MDR says of a half-space in the place of another body
   std::optional<GivenRings> rings = {};      ///< of a mesh that the case brings along
   ModelErrors model = {};                    ///< how good MDR is as a model
+
+  [[nodiscard]] bool is_compared() const { return fem_case.kind != ContactKind::annuli; }
 };
 
 /// Gross slip is what both have to find if either does, and where the balance of forces has it (steady_sliding_share);
 /// neither may begin to slide below that.
 Outcome outcome_of(const CaseResult& result);
 
-/// Both answers to a case, compared.
+/// Both answers to a case, compared if MDR holds for it.
 CaseResult result_of(const PreparedCase& prepared, MdrAnswer&& mdr, Proof proof, ProvedAnswer&& fe);
-
-/// What MDR says that is compared with finite elements on the same indenter.
-Readings compared_readings_of(const MdrAnswer& mdr, const FemCase& fem);
-
-/// The answer of finite elements alone to a case whose profile MDR does not hold for (MdrCase::falls).
-CaseResult result_beyond_mdr(const PreparedCase& prepared, Proof proof, ProvedAnswer&& fe);
 
 /// Adds the wear of the indenter to a result.
 void add_wear(ProvedWear&& wear, CaseResult& result);

@@ -91,7 +91,7 @@ std::optional<ordered_json> springs_of(const CaseResult& result) {
   const bool unworn = result.input.wear == Case::Wear::unworn && !result.input.wear_kinetics;
   if (!result.input.body.is_half_space() || result.mdr_case.displacement != 1) return {};  // springs of another body
   const bool repeats = result.fem_case.has_period();
-  if (result.beyond_mdr || !unworn || !repeats || result.input.sweep || result.mdr.gross_slip) return {};
+  if (!result.is_compared() || !unworn || !repeats || result.input.sweep || result.mdr.gross_slip) return {};
   try {
     return springs_json_of_cycle(spring_answer(result.input, {200, 120, 8, 1e-5}), result.mdr_case.body,
                                  result.mdr_case.path.has_value());
@@ -111,7 +111,8 @@ ordered_json cycle_json(const CaseResult& result) {
   const long first = friction.n_steps + 1 - n;
   // They may bear what friction allows, without slip.
   const auto& fe = result.fe.fe;
-  const Eigen::Index n_stuck = fe.zones ? 0 : fe.single_pass ? fe.rings.stuck.first_slip : fe.rings.stuck.shakedown;
+  const auto& stuck = fe.rings.stuck;
+  const Eigen::Index n_stuck = fe.as<ZoneAnswer>() ? 0 : is_pass(fe.motion_kind) ? stuck.first_slip : stuck.shakedown;
   ordered_json json{{"r", list_of(std::vector<double>(radii.begin() + 1, radii.end()), units.length)},
                     {"t", ordered_json::array()},
                     {"p", ordered_json::array()},
@@ -131,8 +132,7 @@ ordered_json cycle_json(const CaseResult& result) {
     }
     json["zones"].push_back(zones);
   }
-  if (const auto decay = fem::slip_decay(friction, result.fe.fe.rings.stuck.shakedown);
-      !decay.empty() && !result.fe.fe.single_pass)
+  if (const auto decay = fem::slip_decay(friction, stuck.shakedown); !decay.empty() && !is_pass(fe.motion_kind))
     json["slip_decay"] = list_of(decay);
   if (auto springs = springs_of(result)) json["mdr"] = std::move(*springs);
   return json;

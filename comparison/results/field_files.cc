@@ -117,7 +117,7 @@ void write_series(const char* what, const std::vector<PeriodStep>& instants, con
 
 void write_field_files(const FeAnswer& fe, const FemCase& fem_case, Case::Fields fields, const fs::path& folder) {
   remove_earlier(folder);
-  if (fields == Case::Fields::none || fe.gross_slip) return;
+  if (fields == Case::Fields::none || fe.as<GrossSlipStart>()) return;
   fs::create_directories(folder / "fields");
   std::optional<Body> made;
   if (!fe.whole_body) made.emplace(make_body(fem_case.body));

@@ -31,16 +31,15 @@ double largest_of_all(const std::vector<double>& values, bool absolute) {
 
 std::map<Quantity, Value> values_of(const Case& input) {
   const auto& measured = *input.measured;
-  const bool once = input.motion.path && !input.motion.path->repeats;
+  const auto kind = motion_kind_of(input.motion);
   std::map<Quantity, Value> values;
-  if (measured.stick_radius)
-    values[once ? Quantity::stick_radius_first_slip : Quantity::stick_radius_shakedown] = *measured.stick_radius;
+  if (measured.stick_radius) values[lasting_stick_radius(kind)] = *measured.stick_radius;
   if (measured.contact_radius) values[Quantity::contact_radius_max] = *measured.contact_radius;
   if (!measured.normal_force.empty())
     values[Quantity::normal_force_max] = {largest_of_all(measured.normal_force, false), 0};
   if (!measured.tangential_force.empty())
     values[Quantity::tangential_force_max] = {largest_of_all(measured.tangential_force, true), 0};
-  if (!once && !measured.tangential_force.empty() && !measured.tangential_displacement.empty())
+  if (!is_pass(kind) && !measured.tangential_force.empty() && !measured.tangential_displacement.empty())
     values[Quantity::tangential_work] = {area_of(measured.tangential_displacement, measured.tangential_force), 0};
   return values;
 }

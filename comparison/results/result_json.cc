@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "comparison/accuracy/fe_readings.h"
-#include "comparison/case/table_noise.h"
 #include "comparison/case_file/mesh_entries.h"
 #include "comparison/quantities/readings_json.h"
 #include "comparison/reference/mdr_document.h"
@@ -42,10 +41,7 @@ ordered_json path_json(const Case::Path& path) {
   ordered_json json{{"file", path.file},
                     {"columns", {"t", path.normal_force ? "F_N" : "d", path.tangential_force ? "F_x" : "u_x"}},
                     {"rows", path.time.size()},
-                    {"duration", path.duration()},
-                    {"repeats", path.repeats ? "forever" : "once"}};
-  if (!path.repeats) json["why_no_shakedown"] = no_shakedown_in_a_pass;
-  if (path.from_touch) json["from_touch"] = true;
+                    {"duration", path.duration()}};
   return json;
 }
 
@@ -64,31 +60,41 @@ ordered_json mesh_json(const Case::Body& body) {
           {"materials", std::move(materials)}};
 }
 
+/// Of the unworn contact at rest; null: MDR, which knows it, does not hold.
+ordered_json radius_at_rest(const CaseResult& result, double normal_motion) {
+  const auto& mdr = result.mdr_case;
+  if (!result.is_compared()) return nullptr;
+  return unworn_radius_at(
+      mdr, mdr.normal_force
+               ? mdr::indentation_for_force(mdr.profile, result.input.elastomer.relaxed_modulus, normal_motion)
+               : normal_motion);
+}
+
+double unworn_radius(const CaseResult& result) {
+  if (!result.is_compared()) return result.fe.fe.contact_radius_max.value();
+  return result.mdr_case.layer ? result.mdr.contact_radius_max.value() : result.fem_case.units.length;
+}
+
 ordered_json case_json(const CaseResult& result) {
   const auto& input = result.input;
   const auto motion = motion_of_case(result.mdr_case);
-  const bool beyond = result.beyond_mdr.has_value();
   const bool normal_force = result.mdr_case.normal_force, tangential_force = result.mdr_case.tangential_force;
-  const bool once = result.mdr_case.is_single_pass();
-  const double at_rest = normal_force ? mdr::indentation_for_force(result.mdr_case.profile,
-                                                                   input.elastomer.relaxed_modulus, motion.indentation)
-                                      : motion.indentation;
-  ordered_json json{
-      {"file", input.file},
-      {"shape", Case::shape_names[static_cast<std::size_t>(input.indenter.shape)]},
-      {"rheology", input.elastomer.rheology},
-      {"friction_coefficient", input.friction_coefficient},
-      {"frequency", once ? ordered_json(nullptr) : ordered_json(motion.normal.front().frequency)},
-      {"tangential_frequency", once ? ordered_json(nullptr) : ordered_json(motion.tangential.front().frequency)},
-      {"has_period", !once && result.fem_case.has_period()},
-      {"phase", input.motion.path ? ordered_json(nullptr) : or_null(input.motion.phase)},
-      {"wear", input.wear == Case::Wear::limiting ? "limiting" : "unworn"},
-      {"contact_radius_at_rest",
-       beyond ? ordered_json(nullptr) : ordered_json(unworn_radius_at(result.mdr_case, at_rest))},
-      {"contact_radius_unworn", beyond                  ? result.fe.fe.contact_radius_max.value()
-                                : result.mdr_case.layer ? result.mdr.contact_radius_max.value()
-                                                        : result.fem_case.units.length},
-      {"tolerance", input.tolerance}};
+  const auto kind = motion_kind_of(input.motion);
+  const auto frequency_of = [&](const std::vector<mdr::Harmonic>& harmonics) {
+    return is_pass(kind) ? ordered_json(nullptr) : ordered_json(harmonics.front().frequency);
+  };
+  ordered_json json{{"file", input.file},
+                    {"shape", Case::shape_names[static_cast<std::size_t>(input.indenter.shape)]},
+                    {"rheology", input.elastomer.rheology},
+                    {"friction_coefficient", input.friction_coefficient},
+                    {"frequency", frequency_of(motion.normal)},
+                    {"tangential_frequency", frequency_of(motion.tangential)},
+                    {"has_period", !is_pass(kind) && result.fem_case.has_period()},
+                    {"phase", input.motion.path ? ordered_json(nullptr) : or_null(input.motion.phase)},
+                    {"wear", input.wear == Case::Wear::limiting ? "limiting" : "unworn"},
+                    {"contact_radius_at_rest", radius_at_rest(result, motion.indentation)},
+                    {"contact_radius_unworn", unworn_radius(result)},
+                    {"tolerance", input.tolerance}};
   json[normal_force ? "normal_force_mean" : "indentation"] = motion.indentation;
   json[normal_force ? "normal_force_amplitude" : "normal_amplitude"] = motion.normal.front().amplitude;
   json[tangential_force ? "tangential_force_amplitude" : "tangential_amplitude"] = motion.tangential.front().amplitude;
@@ -96,6 +102,7 @@ ordered_json case_json(const CaseResult& result) {
   if (motion.tangential.size() > 1) json["tangential_harmonics"] = harmonics_json(motion.tangential);
   if (result.mdr_case.path) {
     json["path"] = path_json(*input.motion.path);
+    add_motion_kind(kind, json["path"]);
     if (!normal_force) json["indentation_max"] = mdr::maximum_normal(*result.mdr_case.path);
   }
   if (result.mdr_case.limiting) json["stick_radius_of_profile"] = result.mdr_case.limiting->stick_radius;
@@ -145,9 +152,10 @@ ordered_json fe_json(const CaseResult& result) {
   if (result.wear) readings[Quantity::worn_radius] = {result.wear->fe.worn_radius * units.length};
   ordered_json json;
   add_readings(readings, json);
-  if (fe.no_wear) json["touch_indentation"] = fe.no_wear->touch_indentation;
-  if (fe.gross_slip) json["gross_slip"] = {{"time", fe.gross_slip->time}, {"amplitude", fe.gross_slip->amplitude}};
-  json["lifts_off"] = !fe.gross_slip && loses_contact(fe.normal);
+  if (const auto* worn = fe.as<NoWearEvidence>()) json["touch_indentation"] = worn->touch_indentation;
+  if (const auto* slip = fe.as<GrossSlipStart>())
+    json["gross_slip"] = {{"time", slip->time}, {"amplitude", slip->amplitude}};
+  json["lifts_off"] = loses_contact(fe.normal);
   if (fe.cycle) {
     json["sliding_force"] = fe.cycle->sliding_force;
     json["sliding_work"] = fe.cycle->sliding_work;
@@ -155,15 +163,12 @@ ordered_json fe_json(const CaseResult& result) {
   json["error_estimate"] = ordered_json::object();
   for (const auto& [quantity, difference] : result.comparison)
     json["error_estimate"][name_of(quantity)] = bar_json(difference.bar);
-  if (result.beyond_mdr)
-    for (const auto& [quantity, bar] : result.fe.budget) json["error_estimate"][name_of(quantity)] = bar_json(bar);
-  if (fe.surface) {
-    json["zones"] = zones_json(*fe.surface, fe.single_pass, result.fe.budget, units.length);
+  if (const auto zones = zones_json(result); !zones.is_null()) {
+    json["zones"] = zones;
     for (const auto& [quantity, bar] : result.fe.budget)
       if (json["error_estimate"].find(name_of(quantity)) == json["error_estimate"].end())
         json["error_estimate"][name_of(quantity)] = bar_json(bar);
   }
-  if (fe.zones) json["zones"] = zones_json(*fe.zones, result.fe.zone_bars, units.length);
   if (result.wear) json["wear"] = to_json(*result.wear, units);
   if (result.surface_wear) json["surface_wear"] = to_json(*result.surface_wear, units);
   if (result.rings)
@@ -235,12 +240,11 @@ ordered_json result_json(const CaseResult& result) {
   if (const auto reasons = beyond_mdr_model(result.input); !reasons.empty()) json["other_model"] = reasons;
   if (auto measured = measured_json(result.input, json["fe"], json["mdr"]); !measured.is_null())
     json["measured"] = std::move(measured);
-  if (!result.beyond_mdr) json["model"] = model_json(result.model);
+  if (result.is_compared())
+    json["model"] = model_json(result.model);
+  else
+    json["not_compared"] = not_compared_json(result);
   if (result.half_space) json["mdr_half_space"] = to_json(*result.half_space);
-  if (result.beyond_mdr) {
-    json["not_compared"] = to_json(*result.beyond_mdr, result.fem_case.units.depth);
-    if (const auto noise = noise_behind_falls(result.input.indenter)) json["not_compared"]["table_noise"] = *noise;
-  }
   json["cost"] = std::move(cost);
   return json;
 }

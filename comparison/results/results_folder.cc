@@ -173,17 +173,12 @@ bool StoredResult::has_forces() const {
   return scene.contains("normal_force_mean") || scene.contains("tangential_force_amplitude");
 }
 
-bool StoredResult::is_single_pass() const {
-  const auto path = json.at("scene").find("path");
-  return path != json["scene"].end() && path->at("repeats") == "once";
-}
-
 bool StoredResult::has_period() const {
   return json.at("scene").value("has_period", true);  // which older results do not have
 }
 
 const char* StoredResult::cycle_name() const {
-  if (is_single_pass()) return "pass";
+  if (is_pass(motion_kind())) return "pass";
   return has_period() ? "period" : "near cycle";
 }
 

@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "comparison/data/motion_kind.h"
+
 namespace fretval {
 
 /// Version of result.json, see docs/result.schema.json: a new one where a key changes its meaning or goes.
@@ -31,8 +33,7 @@ struct StoredResult {
   [[nodiscard]] bool has_one_frequency() const;
   /// Whether a force is prescribed.
   [[nodiscard]] bool has_forces() const;
-  /// Of a path.
-  [[nodiscard]] bool is_single_pass() const;
+  [[nodiscard]] MotionKind motion_kind() const { return stored_motion_kind(json.at("scene")); }
   /// Whether its motion repeats, or finite elements step a near cycle in its place.
   [[nodiscard]] bool has_period() const;
   /// What finite elements step to the end: "period", which repeats, "near cycle" or "pass".

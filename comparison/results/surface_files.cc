@@ -52,7 +52,7 @@ struct SurfacePoint {
 
 /// All of them, ring by ring.
 std::vector<SurfacePoint> points_of(const FeAnswer& fe, const FemCase& fem) {
-  const auto& surface = *fe.surface;
+  const auto& surface = std::get<SurfaceAnswer>(fe.of_kind);
   const auto& pressure = surface.history.pressure.back();
   const auto& traction = surface.history.traction.back();
   const double unit = fem.units.pressure(), length = fem.units.length;
@@ -131,11 +131,12 @@ void write_zones(const SurfaceAnswer& surface, const fs::path& file) {
 }  // namespace
 
 void write_surface_files(const FeAnswer& fe, const FemCase& fem, const fs::path& folder) {
-  write_history(*fe.surface, fem, folder / "history.csv");
+  const auto& surface = std::get<SurfaceAnswer>(fe.of_kind);
+  write_history(surface, fem, folder / "history.csv");
   const auto points = points_of(fe, fem);
   write_points(points, folder / "surface.csv");
-  write_surface(points, fe.surface->grid.n_around, folder / "surface.vtu");
-  write_zones(*fe.surface, folder / "zones.csv");
+  write_surface(points, surface.grid.n_around, folder / "surface.vtu");
+  write_zones(surface, folder / "zones.csv");
 }
 
 }  // namespace fretval

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "comparison/data/motion_kind.h"
 #include "comparison/results/unit_text.h"
 
 namespace fretval {
@@ -133,11 +134,10 @@ std::string sliding_text(const ordered_json& result) {
   }
   if (once)
     by_mdr = fmt::format("finds it from t = {} on", with_unit(stored_number(mdr, "gross_slip_time"), 0, "s"));
-  else if (mdr.contains("gross_slip"))
+  else if (slides(mdr))
     by_mdr = fmt::format("finds it at {} of them", share_text(stored_number(mdr, "gross_slip")));
   auto text = fmt::format("finite elements {}, {} {}", by_fe, method, by_mdr);
-  if (!once && fe.contains("gross_slip") && mdr.contains("gross_slip"))
-    text += ", each while the amplitudes rise in its own way";
+  if (!once && slides(fe) && slides(mdr)) text += ", each while the amplitudes rise in its own way";
   const double share = stored_number(mdr, "steady_sliding_share");
   if (std::isnan(share)) return text;
   return text + fmt::format(
@@ -155,8 +155,8 @@ std::string change_of(const ordered_json& result, const StoredDifference& d) {
   if (std::isnan(fe) && std::isnan(mdr)) return "";
   if (std::isnan(fe) || std::isnan(mdr))
     return fmt::format("{} only {} has", spoken(d.quantity), std::isnan(fe) ? "MDR" : "the case");
-  const std::string scale = traits_of(d.quantity).scale;
-  const double change = fe / mdr - 1, bar = d.bar * (scale == "over a" ? radius / mdr : 1);
+  const bool is_over_radius = traits_of(d.quantity).scale.over == Over::contact_radius;
+  const double change = fe / mdr - 1, bar = d.bar * (is_over_radius ? radius / mdr : 1);
   const auto text = d.bar > 0 ? fmt::format("{:.2g} % ± {:.1g} %", 100 * std::abs(change), 100 * bar)
                               : fmt::format("{:.2g} %", 100 * std::abs(change));
   return fmt::format("{} is {} {}", spoken(d.quantity), text, change < 0 ? "smaller" : "larger");
@@ -172,8 +172,8 @@ std::string other_model_text(const ordered_json& result, const Differences& aske
   return fmt::format("{} computes another model, as {}: compared with it, {}", method, reasons, changes);
 }
 
-bool slides(const ordered_json& result) {
-  return result.at("fe").contains("gross_slip") || result.at("mdr").contains("gross_slip");
+bool any_slides(const ordered_json& result) {
+  return slides(result.at("fe")) || slides(result.at("mdr"));
 }
 
 /// With the prefix of the contact radius, three digits, and more where the length is a thousand of these units.
@@ -252,6 +252,11 @@ Differences stored_differences(const ordered_json& result) {
   return all;
 }
 
+bool slides(const ordered_json& method) {
+  const auto found = method.find("gross_slip");
+  return found != method.end() && !found->is_null();
+}
+
 Outcome stored_outcome(const ordered_json& result) {
   if (result.contains("not_compared")) return Outcome::not_compared;
   if (const auto verdict = result.find("verdict"); verdict != result.end() && verdict->is_string())
@@ -266,16 +271,16 @@ Outcome stored_outcome(const ordered_json& result) {
 
 std::string plain_answer(const ordered_json& result) {
   const auto &scene = result.at("scene"), &fe = result.at("fe");
-  if (slides(result)) return "the whole contact slides: friction does not carry the tangential force";
+  if (any_slides(result)) return "the whole contact slides: friction does not carry the tangential force";
   const double in_contact = stored_number(fe, "contact_radius_max"),
                contact = std::isnan(in_contact) ? stored_number(scene, "contact_radius_unworn") : in_contact,
                stick = stored_number(fe, "stick_radius_shakedown"),
                first = stored_number(fe, "stick_radius_first_slip");
   if (result.contains("not_compared") || std::isnan(contact)) return "";
-  const auto path = scene.find("path");
-  if (path != scene.end() && path->value("from_touch", false))
+  const auto kind = stored_motion_kind(scene);
+  if (kind == MotionKind::pass_from_touch)
     return fmt::format("in this pass the contact grows from a touch to {}", length_text(contact, contact));
-  if (path != scene.end() && path->value("repeats", "") == "once")
+  if (is_pass(kind))
     return std::isnan(first) ? fmt::format("in this pass all of the contact of {} slips", length_text(contact, contact))
                              : fmt::format("in this pass the inner {} of a contact of {} never slips",
                                            stick_text(result, Quantity::stick_radius_first_slip, contact),
@@ -287,7 +292,7 @@ std::string plain_answer(const ordered_json& result) {
 }
 
 std::string verdict_sentence(const ordered_json& result) {
-  if (slides(result)) return sliding_text(result);
+  if (any_slides(result)) return sliding_text(result);
   const auto differences = stored_differences(result);
   const auto asked = chosen(differences, true, std::nullopt);
   switch (stored_outcome(result)) {

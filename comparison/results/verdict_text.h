@@ -19,6 +19,9 @@ struct StoredDifference {
 };
 std::vector<StoredDifference> stored_differences(const nlohmann::ordered_json& result);
 
+/// Whether the "fe" or the "mdr" of a result.json finds that the whole contact slides.
+bool slides(const nlohmann::ordered_json& method);
+
 Outcome stored_outcome(const nlohmann::ordered_json& result);
 
 /// What happens under the indenter, before any comparison: "the inner 0.793 mm of a contact of 1.10 mm sticks for good;

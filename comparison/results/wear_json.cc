@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <nlohmann/json.hpp>
 
 #include "comparison/simulation/fem_case/resolution_json.h"
@@ -14,17 +15,9 @@ namespace fretval {
 using nlohmann::ordered_json;
 
 const char* name_of(fem::WearEnd end) {
-  switch (end) {
-    case fem::WearEnd::cycles:
-      return "cycles asked for";
-    case fem::WearEnd::rate:
-      return "rate fallen";
-    case fem::WearEnd::progressive:
-      return "progressive";
-    case fem::WearEnd::nothing_left:
-      break;
-  }
-  return "nothing left";
+  // In the order of the enumeration.
+  static constexpr std::array names{"cycles asked for", "rate fallen", "nothing left", "progressive"};
+  return names[static_cast<std::size_t>(end)];
 }
 
 ordered_json course_json(const fem::WearCourse& course, const Units& units) {

@@ -5,7 +5,9 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "comparison/case/table_noise.h"
 #include "comparison/support/constants.h"
+#include "mdr/profiles/naive_contact.h"
 
 namespace fretval {
 namespace {
@@ -49,7 +51,9 @@ ordered_json zones_json(const ZoneAnswer& zones, const std::optional<ZoneBudget>
           {"pressure_max_bar", bars ? total_of(known.pressure_max, zones.pressure_max) : ordered_json(nullptr)}};
 }
 
-ordered_json zones_json(const SurfaceAnswer& surface, bool single_pass, const ErrorBudget& budget, double length) {
+namespace {
+
+ordered_json zones_json(const SurfaceAnswer& surface, MotionKind kind, const ErrorBudget& budget, double length) {
   const auto bar_of = [&](Quantity quantity) {
     const auto bar = budget.find(quantity);
     return total_of(bar == budget.end() ? std::nullopt : std::optional(bar->second), length);
@@ -69,7 +73,7 @@ ordered_json zones_json(const SurfaceAnswer& surface, bool single_pass, const Er
   ordered_json json{{"contact", zone_json(surface.contact, Q::contact_radius_max, Q::contact_along, Q::contact_across)},
                     {"never_slipped", zone_json(surface.never_slipped, Q::stick_radius_first_slip, Q::first_slip_along,
                                                 Q::first_slip_across)}};
-  if (single_pass)
+  if (is_pass(kind))
     json["sticks_at_the_end"] = {{"area", surface.sticks_at_the_end.area},
                                  {"radius", surface.sticks_at_the_end.radius},
                                  {"along", surface.sticks_at_the_end.along},
@@ -82,19 +86,37 @@ ordered_json zones_json(const SurfaceAnswer& surface, bool single_pass, const Er
   return json;
 }
 
-ordered_json to_json(const BeyondMdr& beyond, double depth) {
+}  // namespace
+
+ordered_json zones_json(const CaseResult& result) {
+  const auto& fe = result.fe.fe;
+  const double length = result.fem_case.units.length;
+  if (const auto* surface = fe.as<SurfaceAnswer>())
+    return zones_json(*surface, fe.motion_kind, result.fe.budget, length);
+  const auto* zones = fe.as<ZoneAnswer>();
+  return zones ? zones_json(*zones, result.fe.zone_bars, length) : ordered_json(nullptr);
+}
+
+ordered_json not_compared_json(const CaseResult& result) {
+  const auto& mdr = result.mdr_case;
   auto falls = ordered_json::array();
-  for (const auto& [from, to] : beyond.falls) falls.push_back({{"from", from}, {"to", to}});
-  return {{"reason", "MDR does not hold for this profile"},
-          {"image_falls", falls},
-          {"at_rest",
-           {{"indentation", depth},
-            {"normal_force", beyond.force},
-            {"contact_radius", beyond.contact_radius},
-            {"normal_force_of_springs", beyond.force_of_springs},
-            {"contact_radius_of_springs", beyond.springs.radius},
-            {"normal_force_difference", beyond.force_difference()},
-            {"contact_radius_difference", beyond.radius_difference()}}}};
+  for (const auto& [from, to] : mdr.falls()) falls.push_back({{"from", from}, {"to", to}});
+  const double depth = result.fem_case.units.depth;
+  const auto springs = mdr::naive_contact(mdr.profile, depth);
+  const double force_of_springs = springs.force_over_modulus * mdr.body.relaxed_modulus;
+  const auto& fe = std::get<ZoneAnswer>(result.fe.fe.of_kind);
+  ordered_json json{{"reason", "MDR does not hold for this profile"},
+                    {"image_falls", falls},
+                    {"at_rest",
+                     {{"indentation", depth},
+                      {"normal_force", fe.force_at_rest},
+                      {"contact_radius", fe.radius_at_rest},
+                      {"normal_force_of_springs", force_of_springs},
+                      {"contact_radius_of_springs", springs.radius},
+                      {"normal_force_difference", force_of_springs / fe.force_at_rest - 1},
+                      {"contact_radius_difference", springs.radius / fe.radius_at_rest - 1}}}};
+  if (const auto noise = noise_behind_falls(result.input.indenter)) json["table_noise"] = *noise;
+  return json;
 }
 
 }  // namespace fretval

@@ -13,13 +13,13 @@ namespace fretval {
 /// disc, else null; `contact_uncertainty`, m; `pressure_max_bar`, Pa. length: the unit of the bars, m.
 nlohmann::ordered_json zones_json(const ZoneAnswer& zones, const std::optional<ZoneBudget>& bars, double length);
 
-/// The same of the contact on rings and angles: `never_slipped`, `sticks_in_a_cycle` (not of a single pass) and
-/// `contact`, each with `area` in m², `radius` of the disc of that area, half of its extents `along` x and `across`, in m,
-/// and their bars (null: none was measured); `torque_max` in N m. budget: over the unit of length.
-nlohmann::ordered_json zones_json(const SurfaceAnswer& surface, bool single_pass, const ErrorBudget& budget,
-                                  double length);
+/// The same of any case. Of the contact on rings and angles: `never_slipped`, `sticks_in_a_cycle` (not of a single
+/// pass) and `contact`, each with `area` in m², `radius` of the disc of that area, half of its extents `along` x and
+/// `across`, in m, and their bars (null: none was measured); `torque_max` in N m. Null: zones are discs.
+nlohmann::ordered_json zones_json(const CaseResult& result);
 
-/// The key "not_compared". depth: the largest indentation in m.
-nlohmann::ordered_json to_json(const BeyondMdr& beyond, double depth);
+/// The key "not_compared": where the image of the profile falls, and by how much MDR's springs would be off, if nobody
+/// asked (mdr::naive_contact), of the relaxed body that rests at the largest indentation. SI units.
+nlohmann::ordered_json not_compared_json(const CaseResult& result);
 
 }  // namespace fretval

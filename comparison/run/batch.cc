@@ -46,7 +46,7 @@ Case::Fields fields_to_write(const Case& input, const BatchOptions& options) {
 
 /// Adds the wear of the indenter to a result. Returns why it failed, or nothing.
 std::string wear_off(const PreparedCase& prepared, const BatchOptions& options, BodyStore& bodies, CaseResult& result) {
-  const bool in_the_plane = prepared.fem.full.has_value();
+  const bool in_the_plane = prepared.fem.kind == ContactKind::plane;
   WearOversight oversight;
   if (!options.output.empty()) oversight.checkpoints = options.output / prepared.input.name / "checkpoints";
   if (options.under_way)
@@ -73,16 +73,33 @@ std::string wear_off(const PreparedCase& prepared, const BatchOptions& options, 
 /// why that is no confirmation, or nothing.
 std::string confirm_by_second_algorithm(FemCase fem, BodyStore& bodies, ProvedAnswer& answer) {
   constexpr double enough = 1e-6;  // a residual of 1e-11 times the condition of the contact
-  if (!answer.fe.surface) return "";
-  fem.full->second_algorithm = true;
+  auto* surface = std::get_if<SurfaceAnswer>(&answer.fe.of_kind);
+  if (!surface) return "";
+  fem.full.second_algorithm = true;
   const auto again = compute_case(fem, answer.resolution, bodies);
-  const double difference = again.surface.value().history.second_difference.value();
-  answer.fe.surface->history.second_difference = difference;
+  const double difference = std::get<SurfaceAnswer>(again.of_kind).history.second_difference.value();
+  surface->history.second_difference = difference;
   if (difference <= enough) return "";
   return fmt::format(
       "a second algorithm, projected gradients, finds other tractions: they differ by {:.1e} of the "
       "largest, {:.0e} would be a confirmation",
       difference, enough);
+}
+
+/// MDR's side of a case, as far as it holds.
+struct Reference {
+  std::shared_ptr<const mdr::NormalResponse> normal;
+  MdrAnswer answer;
+};
+
+/// Keeps what its springs may be off by.
+Reference reference_of(PreparedCase& prepared, NormalResponses& references) {
+  if (!prepared.is_compared()) return {std::make_shared<const mdr::NormalResponse>(), no_answer(prepared.mdr)};
+  auto normal = references.of(prepared.input, prepared.mdr);
+  auto answer = mdr_answer_with_cycle(prepared.mdr, *normal);
+  prepared.reference_errors =
+      uncertainties_of(compared_readings_of(answer, prepared.mdr), scales_of(answer, prepared.fem.units.length));
+  return {std::move(normal), std::move(answer)};
 }
 
 BatchLine run_case(const PreparedCase& asked, const BatchOptions& options, BodyStore& bodies,
@@ -97,7 +114,7 @@ BatchLine run_case(const PreparedCase& asked, const BatchOptions& options, BodyS
   }
   PreparedCase prepared = asked;
   prepared.input.fields = fields_to_write(asked.input, options);
-  if (prepared.fem.full) prepared.input.fields = Case::Fields::none;  // it has files of its own
+  if (prepared.fem.kind == ContactKind::plane) prepared.input.fields = Case::Fields::none;  // it has files of its own
   prepared.fem.keeps_body = prepared.input.fields != Case::Fields::none;
   const double share_of_unworn = wears(prepared) ? unworn_beside_wear : 1;
   ComputationsDone told;
@@ -106,16 +123,9 @@ BatchLine run_case(const PreparedCase& asked, const BatchOptions& options, BodyS
       options.under_way(line.name, share_of_unworn * n_done / n_known,
                         fmt::format("{} of {} computations, more if the bars ask for them", n_done, n_known));
     };
-  const bool compares = prepared.mdr.falls().empty();
-  std::shared_ptr<const mdr::NormalResponse> reference;
-  std::optional<MdrAnswer> mdr;
+  Reference reference;
   try {
-    if (compares) {
-      reference = references.of(prepared.input, prepared.mdr);
-      mdr = mdr_answer_with_cycle(prepared.mdr, *reference);
-      prepared.reference_errors =
-          uncertainties_of(compared_readings_of(*mdr, prepared.fem), scales_of(*mdr, prepared.fem.units.length));
-    }
+    reference = reference_of(prepared, references);
   } catch (const std::runtime_error& error) {
     line.failure = error.what();
   }
@@ -130,15 +140,11 @@ BatchLine run_case(const PreparedCase& asked, const BatchOptions& options, BodyS
     line.failure = confirm_by_second_algorithm(prepared.fem, bodies, fe);
   if (!options.output.empty()) withdraw_result(folder);
   if (!line.failure.empty()) return line;
-  if (!compares) {
-    finish(result_beyond_mdr(prepared, options.proof, std::move(fe)), {}, options, line);
-    return line;
-  }
   add_data_shares(prepared.input, prepared.mdr, fe.budget);
-  auto result = result_of(prepared, std::move(*mdr), options.proof, std::move(fe));
+  auto result = result_of(prepared, std::move(reference.answer), options.proof, std::move(fe));
   if (wears(prepared)) line.failure = wear_off(prepared, options, bodies, result);
   if (!line.failure.empty()) return line;
-  finish(result, *reference, options, line);
+  finish(result, *reference.normal, options, line);
   return line;
 }
 

@@ -15,6 +15,7 @@
 #include "comparison/reference/mdr_document.h"
 #include "comparison/results/answer_text.h"
 #include "comparison/results/data_text.h"
+#include "comparison/results/verdict_text.h"
 #include "comparison/run/estimate.h"
 #include "comparison/support/constants.h"
 #include "comparison/support/parallel.h"
@@ -209,12 +210,12 @@ std::string groups_text(const Case& input, const ordered_json& mdr, bool worn) {
   return text + thickness_text(input, a);
 }
 
-/// path: of the case; empty: cosines. of_worn: the radii are those of the contact that wear ends in.
-std::string regime_text(const ordered_json& mdr, const std::optional<Case::Path>& path, bool of_worn) {
+/// of_worn: the radii are those of the contact that wear ends in.
+std::string regime_text(const ordered_json& mdr, MotionKind kind, bool of_worn) {
   const auto radius = [&](const char* key) {
     return mdr.at(key).is_null() ? std::string() : short_text(mdr.at(key).get<double>(), "m");
   };
-  if (mdr.contains("gross_slip") && !mdr.at("gross_slip").is_null())
+  if (slides(mdr))
     return row("regime", mdr.contains("gross_slip_time")
                              ? fmt::format("gross slip: the whole contact slides from t = {} on",
                                            short_text(mdr.at("gross_slip_time").get<double>(), "s"))
@@ -222,8 +223,8 @@ std::string regime_text(const ordered_json& mdr, const std::optional<Case::Path>
   const auto first = radius("stick_radius_first_slip"), last = radius("stick_radius_shakedown"),
              worn = radius("worn_radius");
   std::string text;
-  if (path && !path->repeats) {
-    if (path->from_touch)
+  if (is_pass(kind)) {
+    if (kind == MotionKind::pass_from_touch)
       return row("regime", "the contact grows from a touch") +
              row("first slip", fmt::format("none: {}", nothing_at_rest)) +
              row("shakedown", fmt::format("none: {}", no_shakedown_in_a_pass));
@@ -257,8 +258,7 @@ std::string duration_text(double seconds) {
 /// By MDR: below a tenth of the contact radius, or none.
 bool has_small_zone(const ordered_json& mdr) {
   constexpr double small = 0.1;
-  if (mdr.at("contact_radius_max").is_null() || (mdr.contains("gross_slip") && !mdr.at("gross_slip").is_null()))
-    return false;
+  if (mdr.at("contact_radius_max").is_null() || slides(mdr)) return false;
   const auto& first = mdr.at("stick_radius_first_slip");
   return first.is_null() || first.get<double>() < small * mdr.at("contact_radius_max").get<double>();
 }
@@ -327,13 +327,14 @@ std::string explanation(const Case& input, const std::vector<Case>& sweep) {
   if (input.body.shape == Case::Body::Shape::cylinder || input.body.grid) for_mdr.body = {};
   const auto document = mdr_document(for_mdr, false);
   const auto& mdr = document.json.at("mdr");
-  const bool of_worn = document.json.contains("limiting_state"),
-             from_touch = input.motion.path && input.motion.path->from_touch;
+  const bool of_worn = document.json.contains("limiting_state");
+  const auto kind = motion_kind_of(input.motion);
   auto text = input.name + "\n" + scene_text(input) + "\n" + groups_text(input, mdr, of_worn) + data_text(input) +
-              "\n" + regime_text(mdr, input.motion.path, of_worn) + "\n";
+              "\n" + regime_text(mdr, kind, of_worn) + "\n";
   if (input.tolerance == 0) return text + row("elements", "none: finite elements need an Accuracy / Tolerance");
   try {
-    return text + cost_text(prepare({input}).front(), sweep, !from_touch && has_small_zone(mdr));
+    return text +
+           cost_text(prepare({input}).front(), sweep, kind != MotionKind::pass_from_touch && has_small_zone(mdr));
   } catch (const InputError& error) {
     return text + row("elements", fmt::format("none: {}", error.what()));
   }

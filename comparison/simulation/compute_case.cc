@@ -23,7 +23,7 @@ fem::FrictionHistory friction_beside(const NormalRecord& record, const fem::Norm
                                 control.steps_per_cycle);
   const std::size_t n_beside = fem.motion.is_single_pass() ? 0 : record.pressures.size();
   for (std::size_t k = 1; k < n_beside; ++k)
-    if (fem.any_order)
+    if (fem.kind == ContactKind::annuli)
       friction.step(record.pressures[k]);
     else
       friction.step(record.pressures[k], record.instant(k, problems.normal.series.radii()));
@@ -31,9 +31,9 @@ fem::FrictionHistory friction_beside(const NormalRecord& record, const fem::Norm
 }
 
 FeAnswer answer_of_histories(const ContactProblems& problems, const FemCase& fem, BodyStore& bodies) {
-  if (fem.full) {
+  if (fem.kind == ContactKind::plane) {
     auto on_rings = fem;
-    on_rings.full.reset();
+    on_rings.kind = ContactKind::discs;
     const bool has_rings = !fem.motion.moves_across();
     return compute_full_contact(
         problems, fem, has_rings ? std::optional(answer_of_histories(problems, on_rings, bodies)) : std::nullopt,
@@ -43,7 +43,7 @@ FeAnswer answer_of_histories(const ContactProblems& problems, const FemCase& fem
   const auto& history = normal.record->history;
   Stopwatch watch;
   auto friction = friction_beside(*normal.record, history, problems, fem, control_of(fem));
-  auto answer = fem.any_order
+  auto answer = fem.kind == ContactKind::annuli
                     ? read_zones(problems, fem, normal.profile, history, std::move(friction))
                     : read_answer(problems, fem, normal.profile, normal.contact_radius, history, std::move(friction));
   answer.seconds = {normal.record->seconds, watch.lap()};
@@ -52,7 +52,7 @@ FeAnswer answer_of_histories(const ContactProblems& problems, const FemCase& fem
 
 FeAnswer answer_of(const fem::GrossSlip& slip, const FemCase& fem) {
   FeAnswer answer;
-  answer.gross_slip = GrossSlipStart{fem.first_row + slip.time / fem.units.angular_frequency, slip.amplitude};
+  answer.of_kind = GrossSlipStart{fem.first_row + slip.time / fem.units.angular_frequency, slip.amplitude};
   return answer;
 }
 
@@ -70,8 +70,7 @@ FeAnswer compute_case(const FemCase& fem_case, const Resolution& resolution, Bod
   } catch (const fem::GrossSlip& slip) {
     answer = answer_of(slip, fem);
   }
-  if (fem.from_touch) answer.stick_radius_first_slip.reset();
-  answer.from_touch = fem.from_touch;
+  keep_to(fem.motion_kind, answer);
   answer.body = body->summary;
   answer.whole_body = whole;
   return answer;

@@ -73,15 +73,31 @@ Eigen::Index largest_contact_rings(const fem::NormalHistory& history) {
   return n;
 }
 
-void add_stick_depths(const fem::PunchSeries& series, const FemCase& fem, FeAnswer& answer) {
-  const auto& friction = answer.friction;
-  const Eigen::Index n_contact = answer.rings.contact;
+DiscAnswer stick_depths(const fem::PunchSeries& series, const FemCase& fem, const fem::FrictionHistory& friction,
+                        const ZoneRings& rings) {
+  const Eigen::Index n_contact = rings.contact;
   const auto depths = [&](const Eigen::VectorXd& reserve, const Eigen::VectorXd& slip, Eigen::Index n_stuck) {
     return fem::stick_depths({reserve.head(n_contact), series.displacements(slip).head(n_contact), n_stuck},
                              series.radii(), tangential_per_depth(fem), friction.amplitude);
   };
-  answer.first_slip_depths = depths(friction.first_slip_reserve, friction.slip_path, answer.rings.stuck.first_slip);
-  answer.shakedown_depths = depths(friction.shakedown_reserve, friction.period_slip / 4, answer.rings.stuck.shakedown);
+  return {depths(friction.first_slip_reserve, friction.slip_path, rings.stuck.first_slip),
+          depths(friction.shakedown_reserve, friction.period_slip / 4, rings.stuck.shakedown)};
+}
+
+/// Corrects the zones of a worn profile, and has the evidence of no wear.
+NoWearEvidence read_worn(const ContactProblems& problems, const FemCase& fem, const Eigen::VectorXd& profile,
+                         const fem::NormalHistory& normal, const fem::FrictionHistory& friction,
+                         const fem::StuckRings& stuck, fem::StickZones& zones) {
+  const auto& compliance = problems.normal.compliance;
+  auto& [first, shakedown] = zones;
+  const Eigen::Index n_inside = fem::rings_within(compliance, fem.worn_edge->inner);
+  hold_to_count(compliance, stuck.shakedown, shakedown);
+  const double by_reserve = first.radius;
+  read_on_worn_profile(compliance, n_inside, stuck.first_slip, friction.slip_path, first);
+  // Rings that slip between two steps alone, or by as little as one that settles, are counted as stuck.
+  first.uncertainty = std::max(first.uncertainty, first.radius - by_reserve);
+  read_on_worn_profile(compliance, n_inside, stuck.shakedown, friction.period_slip, shakedown);
+  return no_wear_evidence(problems, fem, profile, normal, friction, n_inside);
 }
 
 /// Slip that dies out takes place in one step. Of a branch that has relaxed by its end the factor knows nothing.
@@ -89,6 +105,22 @@ bool relaxes_in_a_step(const FemCase& fem) {
   const double step = 2 * pi / fem.steps_per_cycle();
   const auto& times = fem.relaxation.times;
   return std::any_of(times.begin(), times.end(), [step](double time) { return time < step; });
+}
+
+/// How slip dies out inside a shakedown radius.
+void read_settling(const fem::Compliance& compliance, const FemCase& fem, const fem::FrictionHistory& friction,
+                   double radius, FeAnswer& answer) {
+  const auto n_stuck = answer.rings.stuck.shakedown;
+  if (!relaxes_in_a_step(fem)) answer.slip_decay = fem::decay_factor(friction, n_stuck, fem.motion.cycles_of_ramp());
+  if (!fem.relaxation.has_memory()) return;
+  const auto cycles = [&](fem::SlipBeyond beyond) {
+    return cycles_until(fem::mean_slip_of_periods(friction, compliance.areas, n_stuck, radius, beyond),
+                        slip_that_counts_as_none);
+  };
+  answer.cycles_to_shakedown = cycles(fem::SlipBeyond::linear);
+  const auto other = cycles(fem::SlipBeyond::constant);
+  if (answer.cycles_to_shakedown && other)
+    answer.cycles_to_shakedown_uncertainty = std::abs(*answer.cycles_to_shakedown - *other);
 }
 
 /// n of f ~ r^n from half of the radius to it; at most that of the bluntest indenters. A flat face counts as such.
@@ -141,7 +173,7 @@ std::optional<fem::CycleResponse> cycle_of(const FemCase& fem, double normal_for
 
 std::optional<ContactRadius> read_contact_radius(const fem::ContactProblem& problem, const FemCase& fem,
                                                  const Eigen::VectorXd& profile, const fem::NormalHistory& history) {
-  if (fem.worn_edge) return std::nullopt;
+  if (fem.kind == ContactKind::worn || fem.kind == ContactKind::annuli) return std::nullopt;
   const auto events = fem::contact_events(problem.compliance, profile);
   if (fem.motion.normal_force) {
     // a ~ d^(1/n)
@@ -176,47 +208,28 @@ FeAnswer read_answer(const ContactProblems& problems, const FemCase& fem, const 
   FeAnswer answer;
   const auto stuck = fem::stuck_rings(friction, fem.motion);
   answer.rings = {largest_contact_rings(normal), stuck};
-  auto [first, shakedown] = fem::stick_zones(problem.compliance, friction, stuck);
-  if (fem.worn_edge) {
-    const Eigen::Index n_inside = fem::rings_within(problem.compliance, fem.worn_edge->inner);
-    hold_to_count(problem.compliance, stuck.shakedown, shakedown);
-    const double by_reserve = first.radius;
-    read_on_worn_profile(problem.compliance, n_inside, stuck.first_slip, friction.slip_path, first);
-    // Rings that slip between two steps alone, or by as little as one that settles, are counted as stuck.
-    first.uncertainty = std::max(first.uncertainty, first.radius - by_reserve);
-    read_on_worn_profile(problem.compliance, n_inside, stuck.shakedown, friction.period_slip, shakedown);
-    answer.no_wear = no_wear_evidence(problems, fem, profile, normal, friction, n_inside);
-  }
+  auto zones = fem::stick_zones(problem.compliance, friction, stuck);
+  if (fem.kind == ContactKind::worn)
+    answer.of_kind = read_worn(problems, fem, profile, normal, friction, stuck, zones);
+  else
+    answer.of_kind = stick_depths(problem.series, fem, friction, answer.rings);
+  const auto& [first, shakedown] = zones;
 
   read_normal_response(problems, fem, contact_radius, normal, answer);
   const double length = fem.units.length;
   answer.stick_radius_first_slip = dimensional(first, length);
-  answer.single_pass = fem.motion.is_single_pass();
-  if (!answer.single_pass) answer.stick_radius_shakedown = dimensional(shakedown, length);
+  if (!is_pass(fem.motion_kind)) answer.stick_radius_shakedown = dimensional(shakedown, length);
   answer.first_slip_uncertainty = first.uncertainty * length;
   answer.shakedown_uncertainty = shakedown.uncertainty * length;
   if (fem.motion.tangential_force && fem.has_period())
     answer.tangential_amplitude = friction.amplitude * fem.units.depth;
   answer.cycle = cycle_of(fem, answer.normal_force_max / fem.units.force(), normal, friction);
-  const bool steps_settling = answer.cycle && !answer.single_pass && !normal.n_cycles_of_search && !friction.jumped;
-  if (steps_settling && !relaxes_in_a_step(fem))
-    answer.slip_decay = fem::decay_factor(friction, stuck.shakedown, fem.motion.cycles_of_ramp());
-  if (steps_settling && fem.relaxation.has_memory()) {
-    const auto cycles = [&, radius = shakedown.radius](fem::SlipBeyond beyond) {
-      return cycles_until(
-          fem::mean_slip_of_periods(friction, problem.compliance.areas, stuck.shakedown, radius, beyond),
-          slip_that_counts_as_none);
-    };
-    answer.cycles_to_shakedown = cycles(fem::SlipBeyond::linear);
-    const auto other = cycles(fem::SlipBeyond::constant);
-    if (answer.cycles_to_shakedown && other)
-      answer.cycles_to_shakedown_uncertainty = std::abs(*answer.cycles_to_shakedown - *other);
-  }
+  if (answer.cycle && !is_pass(fem.motion_kind) && !normal.n_cycles_of_search && !friction.jumped)
+    read_settling(problem.compliance, fem, friction, shakedown.radius, answer);
   answer.n_cycles = friction.n_cycles + friction.n_cycles_of_search + normal.n_cycles_of_search;
   answer.n_steps = friction.n_steps;
   answer.normal = std::move(normal);
   answer.friction = std::move(friction);
-  if (!fem.worn_edge) add_stick_depths(problem.series, fem, answer);
   return answer;
 }
 

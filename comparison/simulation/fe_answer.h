@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <optional>
+#include <variant>
 
 #include "comparison/simulation/bodies/body.h"
 #include "comparison/simulation/fem_case/fem_case.h"
@@ -17,6 +18,11 @@
 
 namespace fretval {
 
+/// How deep the rings of either zone stick, where zones are discs.
+struct DiscAnswer {
+  fem::StickDepths first_slip_depths, shakedown_depths;
+};
+
 /// What the finite elements say about the state in which nothing wears any more. Dimensionless ratios.
 struct NoWearEvidence {
   double slip_inside;        ///< longest slip of a ring inside c in a period over the tangential amplitude
@@ -27,7 +33,8 @@ struct NoWearEvidence {
   std::optional<double> limiting_amplitude;
 };
 
-/// When the whole contact begins to slide under a prescribed tangential force, while the amplitudes rise or after.
+/// When the whole contact begins to slide under a prescribed tangential force, while the amplitudes rise or after. Then
+/// an answer has nothing else but the body and the cost.
 struct GrossSlipStart {
   double time;       ///< s, from the start of the history on, which of a path is the time of its first row
   double amplitude;  ///< of all oscillations then, over that of the case
@@ -72,18 +79,14 @@ struct FeAnswer {
   std::optional<double> cycles_to_shakedown;
   double cycles_to_shakedown_uncertainty = 0;  ///< of the part of a ring inside c, see fem::SlipBeyond
   std::optional<fem::DecayFactor> slip_decay;  ///< of a locked motion, per cycle; empty: see fem::decay_factor
-  std::optional<GrossSlipStart> gross_slip;    ///< then there is nothing else but the body and the cost
-  bool single_pass = false;                    ///< of a path: no periodic state, and no shakedown radius
-  bool from_touch = false;                     ///< nothing is in contact at rest, and nothing sticks since then
-  double contact_radius_uncertainty = 0;       ///< of the time steps, see read_contact_radius
-  double normal_force_uncertainty = 0;         ///< of reading the edge, see fem::ContactForce
-  double indentation_uncertainty = 0;          ///< see fem::LargestIndentation
-  double first_slip_uncertainty = 0;           ///< of reading the edge, see fem::EdgeRadius
+  MotionKind motion_kind = MotionKind::cycles;
+  double contact_radius_uncertainty = 0;  ///< of the time steps, see read_contact_radius
+  double normal_force_uncertainty = 0;    ///< of reading the edge, see fem::ContactForce
+  double indentation_uncertainty = 0;     ///< see fem::LargestIndentation
+  double first_slip_uncertainty = 0;      ///< of reading the edge, see fem::EdgeRadius
   double shakedown_uncertainty = 0;
-  fem::StickDepths first_slip_depths, shakedown_depths;  ///< empty for a limiting profile
-  std::optional<NoWearEvidence> no_wear;                 ///< for a limiting profile
-  std::optional<ZoneAnswer> zones = {};                  ///< where rings touch in any order (FemCase::any_order)
-  std::optional<SurfaceAnswer> surface = {};             ///< of the full contact (FemCase::full)
+  /// What an answer has by the kind of its contact (ContactKind), or where all of it slides.
+  std::variant<DiscAnswer, NoWearEvidence, ZoneAnswer, SurfaceAnswer, GrossSlipStart> of_kind;
 
   ZoneRings rings;
   int n_cycles = 0;
@@ -94,6 +97,11 @@ struct FeAnswer {
   std::shared_ptr<const Body> whole_body;  ///< see FemCase::keeps_body; null: not asked for, or made by another case
   HistoryCost seconds;
 
+  /// Null: it is of another kind.
+  template <class Kind>
+  [[nodiscard]] const Kind* as() const {
+    return std::get_if<Kind>(&of_kind);
+  }
   /// Of an answer whose body was its own: mesh, assembly, factorisation, both histories.
   [[nodiscard]] double seconds_alone() const { return body->cost.total() + seconds.normal + seconds.friction; }
 };

@@ -17,13 +17,13 @@ namespace {
 /// Motion along x leaves the contact its mirrors; coupled, front and back differ.
 fem::Mirrors mirrors_of(const FemCase& fem) {
   if (fem.motion.moves_across()) return fem::Mirrors::none;
-  return fem.full->coupled ? fem::Mirrors::x : fem::Mirrors::x_and_y;
+  return fem.full.coupled ? fem::Mirrors::x : fem::Mirrors::x_and_y;
 }
 
 /// Micro-slip between the stick radii dies out by its own time, not by that of the body, long after the zones, the
 /// forces and the energies are what they are in the end.
 fem::SurfaceControl control_of_surface(const FemCase& fem) {
-  const bool second = fem.full && fem.full->second_algorithm;
+  const bool second = fem.full.second_algorithm;
   if (fem.motion.is_single_pass()) return {1, 1, 0, second};
   constexpr int at_least = 2, at_most = 40;
   constexpr double of_body = 30;
@@ -75,7 +75,7 @@ fem::SurfaceHistory coupled_history(const Eigen::VectorXd& profile, const fem::S
 /// By coupling, of the largest normal force and the edge of the contact, against the ring contact.
 void add_coupling(const fem::NormalHistory& normal, const fem::RingProblems& rings, const FemCase& fem,
                   FeAnswer& answer) {
-  auto& surface = *answer.surface;
+  auto& surface = std::get<SurfaceAnswer>(answer.of_kind);
   const auto& history = surface.history;
   const Eigen::VectorXd of_rings = normal.pressure.transpose() * rings.normal.compliance.areas;
   const double coupled = fem::largest_of_period(history.normal_force, history.pieces),
@@ -136,7 +136,7 @@ PlaneZone corrected(const PlaneZone& zone, const fem::ContactRegion& of_rings, c
 
 /// Everything that is read of the history, before corrections.
 void read_surface(const fem::NormalHistory& normal, const FemCase& fem, FeAnswer& answer) {
-  auto& surface = *answer.surface;
+  auto& surface = std::get<SurfaceAnswer>(answer.of_kind);
   const auto& history = surface.history;
   const double length = fem.units.length;
   surface.never_slipped = zone_of(history.never_slipped, length);
@@ -145,13 +145,13 @@ void read_surface(const fem::NormalHistory& normal, const FemCase& fem, FeAnswer
   surface.transverse_force_max =
       fem::largest_magnitude_of_period(history.forces.row(1), history.pieces) * fem.units.force();
   surface.torque_max = history.forces.row(2).cwiseAbs().maxCoeff() * fem.units.force() * length;
-  const double pressing = fem.full->coupled ? history.normal_work : fem::normal_work(fem.motion, normal);
+  const double pressing = fem.full.coupled ? history.normal_work : fem::normal_work(fem.motion, normal);
   answer.cycle = response_of(fem, history, pressing);
 }
 
 /// Of a motion along x: the ring contact, and what becomes of it.
 void correct_by_rings(const FeAnswer& ring, const fem::SurfaceHistory& of_rings, const FemCase& fem, FeAnswer& answer) {
-  auto& surface = *answer.surface;
+  auto& surface = std::get<SurfaceAnswer>(answer.of_kind);
   const double length = fem.units.length;
   surface.never_slipped = corrected(surface.never_slipped, of_rings.never_slipped, ring.stick_radius_first_slip,
                                     ring.first_slip_uncertainty, length);
@@ -178,13 +178,13 @@ FeAnswer answer_in_steps(const ContactProblems& problems, const FemCase& fem, co
   const fem::RingProblems rings{problems.normal, *problems.tangential};
   FeAnswer answer;
   read_normal_response(problems, fem, normal.contact_radius, record.history, answer);
-  auto& surface = answer.surface.emplace();
+  auto& surface = answer.of_kind.emplace<SurfaceAnswer>();
   surface.grid = grid;
-  surface.history = fem.full->coupled ? coupled_history(normal.profile, compliance, grid, rings, fem)
-                                      : history_beside(record, compliance, grid, rings, fem);
+  surface.history = fem.full.coupled ? coupled_history(normal.profile, compliance, grid, rings, fem)
+                                     : history_beside(record, compliance, grid, rings, fem);
   read_surface(record.history, fem, answer);
   if (ring) correct_by_rings(*ring, history_beside(record, compliance, fem::angular_grid(1), rings, fem), fem, answer);
-  if (fem.full->coupled)
+  if (fem.full.coupled)
     add_coupling(record.history, rings, fem, answer);
   else
     surface.contact = disc(answer.contact_radius_max.value_or(0), answer.contact_radius_uncertainty, grid.n_kept());
@@ -216,8 +216,8 @@ struct Extrapolation {
 
 void extrapolate(const FeAnswer& coarse, double ratio, FeAnswer& fine) {
   const Extrapolation extrapolation{1 / (ratio - 1)};
-  const auto& before = *coarse.surface;
-  auto& surface = *fine.surface;
+  const auto& before = std::get<SurfaceAnswer>(coarse.of_kind);
+  auto& surface = std::get<SurfaceAnswer>(fine.of_kind);
   extrapolation(before.never_slipped, surface.never_slipped);
   extrapolation(before.sticks_in_a_cycle, surface.sticks_in_a_cycle);
   extrapolation(before.sticks_at_the_end, surface.sticks_at_the_end);
@@ -248,18 +248,15 @@ FeAnswer compute_full_contact(const ContactProblems& problems, const FemCase& fe
   const auto coarse = at_resolution(fem, with_steps(fem.resolution, 0.5));
   extrapolate(answer_in_steps(problems, coarse, ring, bodies),
               static_cast<double>(fem.steps_per_cycle()) / coarse.steps_per_cycle(), answer);
-  const auto& surface = *answer.surface;
+  const auto& surface = std::get<SurfaceAnswer>(answer.of_kind);
   answer.cycle->sliding_force = fem.friction_coefficient * answer.normal_force_max;
   answer.cycle->sliding_work = fem.motion.tangential_force && ring && ring->cycle
                                    ? ring->cycle->sliding_work
                                    : answer.cycle->sliding_force * fem::tangential_path(fem.motion) * fem.units.depth;
   answer.stick_radius_first_slip = radius_of(surface.never_slipped);
   answer.first_slip_uncertainty = surface.never_slipped.uncertainty;
-  answer.single_pass = fem.motion.is_single_pass();
-  if (!answer.single_pass) {
-    answer.stick_radius_shakedown = radius_of(surface.sticks_in_a_cycle);
-    answer.shakedown_uncertainty = surface.sticks_in_a_cycle.uncertainty;
-  }
+  answer.stick_radius_shakedown = radius_of(surface.sticks_in_a_cycle);
+  answer.shakedown_uncertainty = surface.sticks_in_a_cycle.uncertainty;
   return answer;
 }
 

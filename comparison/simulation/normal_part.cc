@@ -14,8 +14,7 @@ NormalPart normal_part(const ContactProblems& problems, const FemCase& fem, Norm
   auto profile = fem::ring_means(problems.normal.compliance, fem.profile);
   auto record = normals.find_or_make(fem, problems.normal, problems.tangential ? &problems.tangential->series : nullptr,
                                      profile, control_of(fem));
-  auto contact_radius =
-      fem.any_order ? std::nullopt : read_contact_radius(problems.normal, fem, profile, record->history);
+  auto contact_radius = read_contact_radius(problems.normal, fem, profile, record->history);
   return {std::move(record), std::move(profile), contact_radius};
 }
 

@@ -70,7 +70,7 @@ SurfaceWear simulate_surface_wear(const FemCase& fem_case, const Case::WearKinet
   const auto surface = find_or_make_surface(fem.body, grid.highest_order(), bodies);
   simulation.radii = surface.radii;
   simulation.unworn = fem::ring_means(fem::ring_compliance(surface, fem::axisymmetric), fem.profile);
-  const auto operators = fem::coupled_operators(surface, grid, fem.full->coupled);
+  const auto operators = fem::coupled_operators(surface, grid, fem.full.coupled);
   const auto of_indenter = fem::indenter_motion(fem.motion);
   const VectorXd unworn = simulation.unworn.replicate(grid.n_kept(), 1);
   const fem::WornProfile profile{unworn, VectorXd::Zero(unworn.size())};

@@ -49,7 +49,7 @@ std::string description(const FemCase& fem, const fem::WearLaw& law, const fem::
   }
   add(std::array{law.coefficient, law.exponent, control.most_cycles, control.rate_fallen_to, control.largest_jump,
                  control.accuracy});
-  if (fem.full) add(std::array{1.0 * fem.full->coupled, 1.0 * fem.resolution.n_angles});
+  if (fem.kind == ContactKind::plane) add(std::array{1.0 * fem.full.coupled, 1.0 * fem.resolution.n_angles});
   return text + '\n';
 }
 

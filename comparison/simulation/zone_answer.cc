@@ -59,7 +59,7 @@ void add_stick(const fem::ContactProblem& problem, const FemCase& fem, const fem
   const auto no_more =
       rings_that(n, [&](auto i) { return friction.period_slip[i] <= allowed && friction.shakedown_margin[i] > 0; });
   zones.first_slip = in_metres(fem::stick_annuli(problem, friction.first_slip_margin, never), fem.units.length);
-  if (!fem.motion.is_single_pass())
+  if (!is_pass(fem.motion_kind))
     zones.shakedown = in_metres(fem::stick_annuli(problem, friction.shakedown_margin, no_more), fem.units.length);
 }
 
@@ -81,13 +81,12 @@ FeAnswer read_zones(const ContactProblems& problems, const FemCase& fem, const E
   answer.contact_radius_uncertainty = zones.contact_uncertainty;
   answer.stick_radius_first_slip = radius_of_disc(zones.first_slip);
   answer.stick_radius_shakedown = radius_of_disc(zones.shakedown);
-  answer.single_pass = fem.motion.is_single_pass();
   answer.rings.contact = (normal.smallest_gap.array() <= 0).count();
   answer.rings.stuck = fem::stuck_rings(friction, fem.motion);
   answer.cycle = cycle_of(fem, largest_force, normal, friction);
   answer.n_cycles = friction.n_cycles + friction.n_cycles_of_search + normal.n_cycles_of_search;
   answer.n_steps = friction.n_steps;
-  answer.zones = std::move(zones);
+  answer.of_kind = std::move(zones);
   answer.normal = std::move(normal);
   answer.friction = std::move(friction);
   return answer;

@@ -4,7 +4,7 @@
 
 namespace fretval {
 
-/// Reads a contact whose rings touch in any order (FemCase::any_order). Nothing is supposed of the order: forces and
+/// Reads a contact whose rings touch in any order (ContactKind::annuli). Nothing is supposed of the order: forces and
 /// energies are sums over the rings, zones are what the rings do.
 ///
 /// No body touches further than the elastic one that rests at the largest indentation, whose zones are read to a

@@ -61,7 +61,7 @@ std::optional<double> number_or_none(const ordered_json& value) {
 }
 
 bool is_radius(Quantity quantity) {
-  return std::string(traits_of(quantity).scale) == "over a";
+  return traits_of(quantity).scale.over == Over::contact_radius;
 }
 
 /// What a value is that is not the one it stands for: the other stick radius.

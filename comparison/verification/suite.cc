@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -33,9 +34,9 @@ void take_bar(const ErrorBudget& budget, Quantity quantity, ComparedQuantity& co
 /// whose flank touches without pressure, and where nothing is refined: coarse rings may not show an edge.
 ComparedQuantities compared_quantities(const PreparedCase& prepared, Proof proof, const ProvedAnswer& answer) {
   const auto& units = prepared.fem.units;
-  const bool worn = prepared.fem.worn_edge.has_value();
+  const bool worn = prepared.fem.kind == ContactKind::worn;
   const auto reference = mdr_answer(prepared.mdr, mdr_normal_response(prepared.mdr));
-  const auto readings = worn ? readings_of_worn(reference) : readings_of(reference);
+  const auto readings = compared_readings_of(reference, prepared.mdr);
   const auto scales = scales_of(reference, units.length);
   const auto mdr = compared_quantities(readings, scales, units), mdr_errors = uncertainties_of(readings, scales);
   const auto fe = quantities_of(answer.fe, units);
@@ -133,17 +134,9 @@ double ComparedQuantity::share() const {
 }
 
 const char* name_of(RowVerdict verdict) {
-  switch (verdict) {
-    case RowVerdict::agrees:
-      return "agrees";
-    case RowVerdict::inconclusive:
-      return "inconclusive";
-    case RowVerdict::refused:
-      return "refused";
-    case RowVerdict::fails:
-      break;
-  }
-  return "FAIL";
+  // In the order of the enumeration.
+  static constexpr std::array names{"agrees", "inconclusive", "refused", "FAIL"};
+  return names[static_cast<std::size_t>(verdict)];
 }
 
 std::string failure_of(const SuiteRow& row) {

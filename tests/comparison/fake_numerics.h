@@ -34,7 +34,8 @@ struct FakeNumerics {
     answer.stick_radius_shakedown = radius(shakedown, creep_error);
     answer.normal_force_max = fem.units.force();
     const double depth = centre_depth + centre_depth_error / (rings * rings * rings);
-    answer.first_slip_depths = answer.shakedown_depths = {Eigen::Vector2d(depth, -1), Eigen::Vector2d(0, 1)};
+    const fem::StickDepths depths{Eigen::Vector2d(depth, -1), Eigen::Vector2d(0, 1)};
+    answer.of_kind = DiscAnswer{depths, depths};
     answer.n_steps = 10L * r.steps_per_cycle;
     BodySummary body{};
     body.n_dofs = 500 * r.elements_per_radius;
@@ -43,6 +44,7 @@ struct FakeNumerics {
     answer.rings.contact =
         std::upper_bound(body.radii.begin(), body.radii.end(), 1 + roundoff) - body.radii.begin() - 1;
     answer.body = std::make_shared<const BodySummary>(body);
+    keep_to(fem.motion_kind, answer);
     return answer;
   }
 };

@@ -34,7 +34,7 @@ inline CaseResult made_up_result() {
   fe.stick_radius_shakedown = 0.75;
   fe.normal_force_max = 42.5;
   fe.axis_pressure_max = 12.5;
-  fe.no_wear = NoWearEvidence{0.01, 0.02, 1.03, 1.04};
+  fe.of_kind = NoWearEvidence{0.01, 0.02, 1.03, 1.04};
   fe.n_cycles = 3;
   fe.n_steps = 12;
   fe.seconds = {4.5, 5.5};

@@ -43,7 +43,35 @@ Numbers numbers_of(const ordered_json& list) {
 
 /// Whether there is a c to speak of.
 bool has_stick_radius(const StoredResult& r) {
-  return r.number("fe", r.is_single_pass() ? "stick_radius_first_slip" : "stick_radius_shakedown") > 0;
+  return r.number("fe", name_of(lasting_stick_radius(r.motion_kind()))) > 0;
+}
+
+/// What captions say of the cycle that finite elements step to the end, and of what sticks in it.
+struct CycleWords {
+  std::string of_slip, last, motion, loop, sticks, sticks_on_map;
+};
+
+CycleWords words_for(const StoredResult& r) {
+  const std::string name = r.cycle_name();
+  CycleWords words;
+  if (is_pass(r.motion_kind()))
+    words = {"in the pass",
+             "pass",
+             "The pass, from rest at its first row.",
+             "The pass, from rest. The area below the line is the work of the indenter.",
+             " Inside c rings never slip.",
+             " Below c it never slips."};
+  else
+    words = {"per " + name,
+             "last " + name,
+             r.has_period() ? "The last period, which repeats from then on."
+                            : "The last near cycle. The motion itself never repeats; every relation between its phases "
+                              "that comes by in the end comes by closely in this cycle, which repeats.",
+             "One " + name + ". The area of the loop is the energy lost in it.",
+             " Between c and a rings slip in every " + name + ".",
+             " Below c it slips no more."};
+  if (!has_stick_radius(r)) words.sticks = "", words.sticks_on_map = " Nothing sticks for good.";
+  return words;
 }
 
 /// Middles of rings, for their mean pressures.
@@ -102,21 +130,14 @@ Filling stress_figure(const StoredResult& r, const ordered_json& cycle) {
           std::tuple{"tau", "τ of MDR", 4}})
       plot.series.push_back({label, length.of(numbers_of(mdr->at("r"))), stress.of(numbers_of(mdr->at(key))),
                              Series::Style::line, colour});
+  const auto words = words_for(r);
   auto json = json_of(plot);
   json["frames"] = {{"label", "instant"}, {"names", names}, {"start", start}, {"y", frames}};
   return {{"plot", json},
           {"wide", true},
-          {"caption",
-           r.is_single_pass()
-               ? std::string("Mean values of the rings of the finite elements at any instant of the pass; where τ runs "
-                             "along ± μ p the ring slips.") +
-                     (has_stick_radius(r) ? " Inside c rings never slip." : "")
-               : fmt::format("Mean values of the rings of the finite elements at any instant of the last {0}; where τ "
-                             "runs along ± μ p the ring slips.{1}",
-                             r.cycle_name(),
-                             has_stick_radius(r)
-                                 ? " Between c and a rings slip in every " + std::string(r.cycle_name()) + "."
-                                 : "")}};
+          {"caption", fmt::format("Mean values of the rings of the finite elements at any instant of the {}; where τ "
+                                  "runs along ± μ p the ring slips.{}",
+                                  words.last, words.sticks)}};
 }
 
 Filling map_figure(const StoredResult& r, const ordered_json& cycle) {
@@ -126,12 +147,9 @@ Filling map_figure(const StoredResult& r, const ordered_json& cycle) {
                       cycle.at("zones").get<std::vector<std::string>>());
   map["x_label"] = fmt::format("time over the {}", r.cycle_name());
   for (const auto& [name, x] : radius_marks(r, length)) map["marks"].push_back({{"name", name}, {"x", x}});
-  return {
-      {"plot", std::move(map)},
-      {"caption", fmt::format("What each ring does in the {}{}.{}", r.is_single_pass() ? "" : "last ", r.cycle_name(),
-                              !has_stick_radius(r) ? " Nothing sticks for good."
-                              : r.is_single_pass() ? " Below c it never slips."
-                                                   : " Below c it slips no more.")}};
+  const auto words = words_for(r);
+  return {{"plot", std::move(map)},
+          {"caption", fmt::format("What each ring does in the {}.{}", words.last, words.sticks_on_map)}};
 }
 
 /// A force over the displacement in its direction.
@@ -156,9 +174,7 @@ Figure loop_figure(const StoredResult& r, const ordered_json& cycle, const Loop&
   for (auto& series :
        measured_series(r, fmt::format("{} [m]", x_name), fmt::format("{} [N]", y_name), length.factor, force.factor))
     plot.series.push_back(std::move(series));
-  return {std::move(plot), r.is_single_pass()
-                               ? "The pass, from rest. The area below the line is the work of the indenter."
-                               : fmt::format("One {}. The area of the loop is the energy lost in it.", r.cycle_name())};
+  return {std::move(plot), words_for(r).loop};
 }
 
 /// Several directions over time: a column of history.csv and its name each.
@@ -179,11 +195,7 @@ Figure course_figure(const StoredResult& r, const char* title, const std::string
     if (!values[k].empty())
       plot.series.push_back({columns[k].second, time.of(t), size.of(thinned_to_most(values[k])), Series::Style::line,
                              static_cast<int>(k)});
-  return {std::move(plot), r.is_single_pass() ? "The pass, from rest at its first row."
-                           : r.has_period()
-                               ? "The last period, which repeats from then on."
-                               : "The last near cycle. The motion itself never repeats; every relation between its "
-                                 "phases that comes by in the end comes by closely in this cycle, which repeats."};
+  return {std::move(plot), words_for(r).motion};
 }
 
 Figure motion_figure(const StoredResult& r) {
@@ -220,14 +232,12 @@ Figure slip_figure(const StoredResult& r) {
     slip.push_back(slips[i]);
   }
   const auto length = axis_for({&radius}, "m"), path = axis_for({&slip}, "m");
-  const bool once = r.is_single_pass();
-  Plot plot{fmt::format("Slip {} {}", once ? "in the" : "per", r.cycle_name()), "r in " + length.unit,
-            "path in " + path.unit};
+  const auto words = words_for(r);
+  Plot plot{"Slip " + words.of_slip, "r in " + length.unit, "path in " + path.unit};
   plot.marks = radius_marks(r, length);
   plot.series.push_back({"finite elements", length.of(radius), path.of(slip), Series::Style::line_points, 1});
-  return {std::move(plot),
-          fmt::format("Length of slip of each ring that is touched in the {}{}{}.", once ? "" : "last ", r.cycle_name(),
-                      has_stick_radius(r) ? "; none inside c" : "")};
+  return {std::move(plot), fmt::format("Length of slip of each ring that is touched in the {}{}.", words.last,
+                                       has_stick_radius(r) ? "; none inside c" : "")};
 }
 
 /// How slip dies out where nothing slips in the end; none where nothing ever does.

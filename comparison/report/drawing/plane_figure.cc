@@ -105,10 +105,10 @@ Figure plane_figure(const StoredResult& r) {
   if (!arrows.slipping.x.empty()) add("traction where it slips", arrows.slipping, Series::Style::line, 1);
   if (!arrows.stuck.x.empty()) add("traction where it sticks", arrows.stuck, Series::Style::line, 0);
   add("contact", edge("contact [m]"), Series::Style::line, 7);
-  if (!r.is_single_pass()) add("sticks in a cycle", edge("sticks in a cycle [m]"), Series::Style::line, 2);
+  if (!is_pass(r.motion_kind())) add("sticks in a cycle", edge("sticks in a cycle [m]"), Series::Style::line, 2);
   add("has never slipped", edge("never slipped [m]"), Series::Style::dashed, 3);
   return {std::move(plot), std::string("The contact at the end of the ") +
-                               (r.is_single_pass() ? "pass" : "last cycle") +
+                               (is_pass(r.motion_kind()) ? "pass" : "last cycle") +
                                ". Arrows: the traction of the indenter on the body."};
 }
 

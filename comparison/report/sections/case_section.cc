@@ -46,8 +46,9 @@ Table answer_table(const StoredResult& r, const Answer& answer) {
         {row.title, row.fe, row.mdr, row.difference, bad_if(row.remark == name_of(Verdict::disagree), row.remark)});
   }
   // That of a near cycle is nothing of the motion.
-  if ((r.has_period() || r.is_single_pass()) && !r.json.at("comparison").contains(name_of(Quantity::friction_work)))
-    add_row(table, r.is_single_pass() ? "energy lost to friction" : "energy lost to friction per period",
+  if ((r.has_period() || is_pass(r.motion_kind())) &&
+      !r.json.at("comparison").contains(name_of(Quantity::friction_work)))
+    add_row(table, is_pass(r.motion_kind()) ? "energy lost to friction" : "energy lost to friction per period",
             r.number("fe", "friction_work"), std::nan(""), "J");
   if (std::isnan(r.number("fe", "worn_radius")) && r.number("mdr", "worn_radius") > 0)
     table.rows.push_back({"wear ends at the radius a∞", "", with_unit(r.number("mdr", "worn_radius"), 0, "m"), "", ""});
@@ -69,8 +70,7 @@ Filling one_case(const StoredResult& r) {
   if (!answer.half_space.empty()) filling["half_space"] = answer.half_space;
   if (!answer.rings.empty()) filling["rings"] = answer.rings;
   if (!answer.sensitivity.empty()) filling["sensitivity"] = answer.sensitivity;
-  if (const auto& scene = r.json.at("scene"); scene.contains("path") && scene["path"].contains("why_no_shakedown"))
-    filling["why_no_shakedown"] = scene["path"]["why_no_shakedown"];
+  if (is_pass(r.motion_kind())) filling["why_no_shakedown"] = no_shakedown_in_a_pass;
   return filling;
 }
 

@@ -17,7 +17,7 @@ std::string gross_slip_text(const StoredResult& r) {
   const auto share = slip.value("amplitude", nlohmann::ordered_json());
   const double mdr = r.number("mdr", "gross_slip");
   if (share.is_null() && std::isnan(mdr)) return "";
-  if (r.is_single_pass())
+  if (is_pass(r.motion_kind()))
     return fmt::format("gross slip at t = {} s, at {} s says MDR",
                        number_text(slip.value("time", nlohmann::ordered_json()), "{:.4g}"), time);
   return fmt::format("gross slip at {} of the amplitudes, at {} says MDR", number_text(share, "{:.2f}"),

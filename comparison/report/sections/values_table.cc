@@ -74,8 +74,7 @@ bool has(const std::vector<const StoredResult*>& family, Quantity quantity) {
 
 /// Of a family with nothing to compare.
 std::string slides(const std::vector<const StoredResult*>& family, const char* side) {
-  const auto& says = family.front()->json.at(side);
-  return says.contains("gross_slip") && !says["gross_slip"].is_null() ? "all of the contact slides" : "–";
+  return fretval::slides(family.front()->json.at(side)) ? "all of the contact slides" : "–";
 }
 
 Table of_few(const Families& families, const std::vector<Quantity>& quantities) {

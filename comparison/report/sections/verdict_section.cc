@@ -22,7 +22,7 @@ using Results = std::vector<StoredResult>;
 using nlohmann::ordered_json;
 
 std::string title_with_scale(Quantity quantity) {
-  return fmt::format("{} ({})", traits_of(quantity).title, traits_of(quantity).scale);
+  return fmt::format("{} ({})", traits_of(quantity).title, traits_of(quantity).scale.words);
 }
 
 /// How far the finite elements are proved, see Proof.
@@ -146,7 +146,7 @@ Filling verdict_section(const Results& results) {
     filling["sentence"] = sentence_of(results.front());
     // That both find it, confirms nothing else.
     const auto& one = results.front().json;
-    if (one.at("fe").contains("gross_slip") && one.at("mdr").contains("gross_slip")) {
+    if (slides(one.at("fe")) && slides(one.at("mdr"))) {
       filling["badge"] = "maybe";
       filling["verdict"] = "gross slip";
     }

@@ -20,7 +20,7 @@ std::vector<std::vector<double>> parameters_of(const FemCase& fem, const Eigen::
     normal.push_back(path->repeats ? 1 : 0);
   }
   return {{profile.begin(), profile.end()},
-          {relaxed, viscosity, fem.any_order ? 1.0 : 0.0},
+          {relaxed, viscosity, fem.kind == ContactKind::annuli ? 1.0 : 0.0},
           moduli,
           times,
           {fem.motion.indentation, static_cast<double>(fem.motion.n_ramp_cycles), fem.motion.normal_force ? 1.0 : 0.0},
@@ -35,9 +35,10 @@ NormalRecord make_record(const FemCase& fem, const fem::ContactProblem& problem,
   std::optional<Eigen::Index> n_inside_flank;
   if (fem.worn_edge && fem.worn_edge->inner > 0)
     n_inside_flank = fem::rings_within(problem.compliance, fem.worn_edge->inner);
-  fem::NormalContact start(problem, fem.relaxation, profile, fem.motion, control.steps_per_cycle,
-                           fem.any_order ? fem::ForceReading::sum_of_rings : fem::ForceReading::up_to_the_edge,
-                           n_inside_flank);
+  fem::NormalContact start(
+      problem, fem.relaxation, profile, fem.motion, control.steps_per_cycle,
+      fem.kind == ContactKind::annuli ? fem::ForceReading::sum_of_rings : fem::ForceReading::up_to_the_edge,
+      n_inside_flank);
   NormalRecord record;
   const auto add = [&record](const fem::NormalContact& contact) {
     record.pressures.push_back(contact.pressure);

@@ -178,6 +178,12 @@ std::function<double(double)> profile_in(const Units& units, const Case& input, 
   };
 }
 
+ContactKind kind_of(const Case& input, const MdrCase& mdr) {
+  if (input.contact.is_full()) return ContactKind::plane;
+  if (mdr.limiting) return ContactKind::worn;
+  return mdr.falls().empty() ? ContactKind::discs : ContactKind::annuli;
+}
+
 /// Surfaces that are pressed sink everywhere, so an indenter touches no further out than it is as deep as it is
 /// pressed.
 double farthest_depth(const Case& input, const mdr::Profile& profile, double depth) {
@@ -286,7 +292,6 @@ void take_path(const Case::Path& path, FemCase& fem) {
   time.back() = mdr::angular_frequency(1);
   const auto rest = rest_of(path);
   const double normal = unit_of(path.normal_force, fem.units), tangential = unit_of(path.tangential_force, fem.units);
-  fem.from_touch = path.from_touch;
   fem.motion.indentation = rest.normal / normal;
   fem.motion.path = fem::SampledPath{std::move(time),
                                      over(path.normal, normal),
@@ -317,15 +322,19 @@ double tangential_per_depth(const FemCase& fem) {
 
 FemCase fem_case(const Case& input, const MdrCase& mdr) {
   const double deepest = deepest_indentation(mdr);
-  const bool any_order = !mdr.falls().empty();
-  const double length = any_order ? farthest_depth(input, mdr.profile, deepest) : expected_radius(input, mdr, deepest);
+  const auto kind = kind_of(input, mdr);
+  const double length =
+      kind == ContactKind::annuli ? farthest_depth(input, mdr.profile, deepest) : expected_radius(input, mdr, deepest);
   const Units units{length, deepest, input.elastomer.relaxed_modulus, 1};
-  FemCase fem{units, {}, {}, {}, input.friction_coefficient, profile_in(units, input, mdr), {}, {}};
+  FemCase fem{};
+  fem.units = units;
+  fem.friction_coefficient = input.friction_coefficient;
+  fem.profile = profile_in(units, input, mdr);
+  fem.kind = kind;
   fem.body.poisson_ratio = input.elastomer.poisson_ratio;
   if (!input.body.is_half_space()) fem.solid = solid_of(input, units, is_by_force(mdr));
   if (input.body.shape == Case::Body::Shape::mesh) fem.given = given_body(input, units.length);
-  fem.any_order = any_order;
-  if (input.contact.is_full()) fem.full = FullContact{input.contact.coupled};
+  fem.full.coupled = input.contact.coupled;
   if (mdr.limiting_state) fem.carrying_radius = mdr.limiting_state->stick_radius / units.length;
   if (mdr.limiting)
     fem.worn_edge = {mdr.limiting->stick_radius / units.length, mdr.limiting->outer_radius / units.length};
@@ -343,6 +352,7 @@ FemCase fem_case(const Case& input, const MdrCase& mdr) {
   const auto motion = motion_of_case(mdr);
   const auto cycle = mdr::common_cycle(motion);
   require_few_rows(input);
+  fem.motion_kind = motion_kind_of(input.motion);
   if (input.motion.path)
     take_path(*input.motion.path, fem);
   else if (cycle && (mdr.has_forces() || cycle->highest_order() <= longest_cycle))
@@ -354,7 +364,7 @@ FemCase fem_case(const Case& input, const MdrCase& mdr) {
   constexpr double enough_rings_of_any_profile = 128;
   if (input.rings_per_radius)
     resolution.elements_per_radius = *input.rings_per_radius;
-  else if (any_order && resolution.elements_per_radius < enough_rings_of_any_profile)
+  else if (kind == ContactKind::annuli && resolution.elements_per_radius < enough_rings_of_any_profile)
     resolution = with_rings(resolution, enough_rings_of_any_profile / resolution.elements_per_radius);
   if (fem.given) {
     resolution.elements_per_radius = fem.given->rings_per_radius;
@@ -380,7 +390,7 @@ FemCase at_resolution(FemCase fem, const Resolution& resolution) {
   fem.body.growth = resolution.growth;
   fem.body.far_radius = resolution.far_radius;
   fem.body.degree = resolution.degree;
-  fem.body.tangential = fem.motion.tangential_amplitude() > 0 || fem.full;
+  fem.body.tangential = fem.motion.tangential_amplitude() > 0 || fem.kind == ContactKind::plane;
   take_rings(fem);
   fem.motion.n_ramp_cycles = resolution.n_ramp_cycles;
   fem.motion.n_creep_cycles = resolution.n_creep_cycles;

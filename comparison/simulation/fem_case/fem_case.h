@@ -30,9 +30,18 @@ struct Solid {
   bool slides_on_base;
 };
 
-/// The contact on rings and angles in the place of the one on rings.
+/// What kind of contact a case has, decided once (fem_case): what is read of it, what its errors depend on, and what is
+/// written of it follow from that.
+enum class ContactKind {
+  discs,   ///< rings touch and stick from the axis outwards: zones are discs
+  worn,    ///< of a limiting profile, whose zones end at its edge: evidence of no wear
+  annuli,  ///< MDR does not hold for the profile: rings touch in any order, forces are sums over them, zones annuli
+  plane    ///< on rings and angles: zones are regions
+};
+
+/// The contact on rings and angles.
 struct FullContact {
-  bool coupled;                   ///< pressure and friction act on each other
+  bool coupled = false;           ///< pressure and friction act on each other
   bool second_algorithm = false;  ///< each step is solved once more
 };
 
@@ -45,7 +54,8 @@ struct FemCase {
   double friction_coefficient;
   std::function<double(double)> profile;  ///< f(r)
   Resolution resolution;
-  std::optional<WornEdge> worn_edge;
+  ContactKind kind = ContactKind::discs;
+  std::optional<WornEdge> worn_edge = {};      ///< rings are graded to it: a worn profile, or one that is to wear
   std::optional<WornBefore> worn_before = {};  ///< what the indenter has lost as wear begins
   bool keeps_body = false;                     ///< an answer at this resolution goes with the whole body, for fields
   /// What is prescribed, if its frequencies have no common period, or a long one: finite elements take a near cycle
@@ -58,17 +68,11 @@ struct FemCase {
   /// Radius that carries prescribed forces alone in the limiting state, of which no larger contact asks for more depth.
   double carrying_radius = 1;
   double error_of_demand = 0, error_of_normal = 0;
-  double first_row = 0;     ///< s, of a path: when it begins
-  bool from_touch = false;  ///< see Case::Path
-  /// Rings may touch in any order, as MDR does not hold for the profile: forces are sums over the rings, zones lists of
-  /// annuli (ZoneAnswer).
-  bool any_order = false;
-  std::optional<Solid> solid = {};       ///< empty: a half-space
-  std::optional<GivenBody> given = {};   ///< its mesh; empty: generated
-  std::optional<FullContact> full = {};  ///< empty: the contact on rings
-
-  /// Whether zones are discs of rings that the ring contact reads.
-  [[nodiscard]] bool has_ring_zones() const { return !any_order && !full; }
+  double first_row = 0;  ///< s, of a path: when it begins
+  MotionKind motion_kind = MotionKind::cycles;
+  std::optional<Solid> solid = {};      ///< empty: a half-space
+  std::optional<GivenBody> given = {};  ///< its mesh; empty: generated
+  FullContact full = {};                ///< of the kind `plane`
 
   /// Not under an unlocked phase or of frequencies without a common period, whatever cycle is stepped in their place.
   [[nodiscard]] bool has_period() const { return motion.locked && !without_short_cycle; }

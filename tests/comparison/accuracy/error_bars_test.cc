@@ -101,6 +101,18 @@ TEST(ErrorBars, OfAZoneInsideAFlatFaceReachToItsEdge) {
   }
 }
 
+// Where it comes to touch nothing is in contact at rest.
+TEST(ErrorBars, OfAPassAreThoseOfTheStickRadiiThatItHas) {
+  auto prepared = prepared_of("parabola-elastic-90");
+  for (const auto& [kind, has_first_slip] : {std::pair{MotionKind::pass, true}, {MotionKind::pass_from_touch, false}}) {
+    prepared.fem.motion_kind = kind;
+    const auto bars = bars_of(prepared, {30, 2}, Borders::carried);
+    EXPECT_EQ(bars.count(first_slip_radius) > 0, has_first_slip);
+    EXPECT_EQ(bars.count(shakedown_radius), 0U);
+    EXPECT_EQ(bars.count(Quantity::contact_radius_max), 1U);
+  }
+}
+
 // They are the same number, whose error either may hide.
 TEST(ErrorBars, OfAnUnlockedPhaseTakeTheCreepOfEitherRadiusForBoth) {
   FakeNumerics creeping{0, 0};

@@ -100,7 +100,7 @@ ErrorShare share_of_rings(const Resolution& resolution, const CaseNeeds& needs) 
 
 TEST(ErrorBudget, WhereRingsTouchInAnyOrderTheirFirstOrderIsBelieved) {
   CaseNeeds needs;
-  needs.any_order = true;
+  needs.kind = ContactKind::annuli;
   const auto share = share_of_rings(resolution_for(1e-3), needs);
   EXPECT_NEAR(share.order.value_or(0), 1, 1e-9);
   EXPECT_NEAR(share.estimate, safety * 1e-3, 1e-12);
@@ -202,7 +202,7 @@ TEST(ErrorBudget, TakesFrictionForFirstOrderInTimeWhereRingsAreHeld) {
   const auto resolution = resolution_for(1e-3);
   const auto steps = [&](double share) { return static_cast<int>(share * resolution.steps_per_cycle); };
   const auto estimate = [&](bool held, Quantity quantity) {
-    const CaseNeeds needs{true, false, false, held};
+    const CaseNeeds needs{true, false, held};
     auto known = all_known(resolution, needs, [&](const Resolution& r) {
       return r.steps_per_cycle == steps(0.5) ? 0.501 : r.steps_per_cycle == steps(0.25) ? 0.5005 : 0.5;
     });
@@ -263,7 +263,7 @@ TEST(ErrorBudget, TakesGradedRingsForSecondOrder) {
     return coarseness > 3 ? -5.02e-3 : coarseness > 1.5 ? -4.12e-4 : -2.01e-4;
   };
   const auto bar = [&](bool worn) {
-    const CaseNeeds needs{true, false, worn};
+    const CaseNeeds needs{true, false, false, worn ? ContactKind::worn : ContactKind::discs};
     return error_budget(resolution, all_known(resolution, needs, value), {}, needs)
         .at(Quantity::stick_radius_shakedown)
         .total();

@@ -30,7 +30,7 @@ TEST(FeReadings, InUnitsOfComparisonAreThoseOfTheSameMdr) {
   EXPECT_EQ(quantities.at(Quantity::stick_radius_shakedown), 0.5);
   EXPECT_NEAR(quantities.at(Quantity::normal_force_max), 1, 1e-15);
   fe.contact_radius_max.reset();
-  fe.no_wear = NoWearEvidence{0, 0, 1, 1};
+  fe.of_kind = NoWearEvidence{0, 0, 1, 1};
   mdr.contact_radius_max = 1;  // all of it sticks
   quantities = quantities_of(fe, some_units);
   EXPECT_EQ(quantities.at(Quantity::limiting_amplitude), 1);
@@ -46,12 +46,12 @@ TEST(FeReadings, SayWhyThereIsNoValue) {
   auto readings = readings_of(fe, some_units);
   EXPECT_EQ(readings.at(Quantity::stick_radius_first_slip).why_absent, "nothing sticks");
   EXPECT_FALSE(readings.at(Quantity::contact_radius_max).is_compared);
-  fe.single_pass = true;
+  fe.motion_kind = MotionKind::pass;
   EXPECT_FALSE(readings_of(fe, some_units).at(Quantity::stick_radius_shakedown).is_compared);
-  fe.from_touch = true;
+  fe.motion_kind = MotionKind::pass_from_touch;
   EXPECT_EQ(readings_of(fe, some_units).at(Quantity::stick_radius_first_slip).why_absent, nothing_at_rest);
   EXPECT_FALSE(readings_of(fe, some_units).at(Quantity::stick_radius_first_slip).is_compared);
-  fe.gross_slip = GrossSlipStart{1, 0.5};
+  fe.of_kind = GrossSlipStart{1, 0.5};
   readings = readings_of(fe, some_units);
   EXPECT_EQ(readings.at(Quantity::normal_force_max).why_absent, "the whole contact slides");
   for (const auto& [quantity, reading] : readings) EXPECT_FALSE(reading.is_compared) << name_of(quantity);
@@ -74,7 +74,7 @@ TEST(FeReadings, OfZonesAreRelative) {
   FeAnswer fe;
   fe.contact_radius_max = 2 * std::exp(1.0);
   fe.normal_force_max = 4;
-  fe.zones = ZoneAnswer{};
+  fe.of_kind = ZoneAnswer{};
   const auto quantities = quantities_of(fe, some_units);
   EXPECT_NEAR(quantities.at(Quantity::contact_radius_max), 1, 1e-15);
   EXPECT_EQ(quantities.count(Quantity::stick_radius_shakedown), 0U);

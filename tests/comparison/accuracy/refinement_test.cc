@@ -138,7 +138,7 @@ TEST(Variants, OfRingsAndEdgesHaveHalfTheSteps) {
   needs.moves_by_steps = true;
   EXPECT_EQ(steps_of_rings(resolution, needs), std::set<int>{resolution.steps_per_cycle});
   needs = {};
-  needs.any_order = true;
+  needs.kind = ContactKind::annuli;
   EXPECT_EQ(steps_of_rings(resolution, needs), std::set<int>{resolution.steps_per_cycle});
 }
 
@@ -157,8 +157,8 @@ TEST(Variants, AreOfWhatTheCaseNeeds) {
   EXPECT_EQ(unlocked.count(ErrorSource::creep), 1U);
   // Rings of a worn profile end at its edge, and edges of any order are those of rings.
   EXPECT_EQ(elastic.count(ErrorSource::edge), 1U);
-  EXPECT_EQ(sources({false, false, true}).count(ErrorSource::edge), 0U);
-  EXPECT_EQ(sources({false, false, false, false, false, true}).count(ErrorSource::edge), 0U);
+  EXPECT_EQ(sources({false, false, false, ContactKind::worn}).count(ErrorSource::edge), 0U);
+  EXPECT_EQ(sources({false, false, false, ContactKind::annuli}).count(ErrorSource::edge), 0U);
 }
 
 TEST(Refined, GoesTheOtherWayThanVariantsUntilItsLimit) {

@@ -95,7 +95,7 @@ TEST(FocusOn, LeavesAloneWhatTheCaseFixesWhatIsWornAndWhatGainsLittle) {
   prepared.input.rings_per_radius = 24;
   EXPECT_FALSE(focuses(2));
   prepared.input.rings_per_radius.reset();
-  prepared.fem.worn_edge = WornEdge{0.1, 1.5};
+  prepared.fem.kind = ContactKind::worn;
   EXPECT_FALSE(focuses(2));
 }
 

@@ -30,7 +30,7 @@ FeAnswer fe_with(std::optional<double> stick) {
 Comparison compare(const MdrAnswer& mdr, const FeAnswer& fe, double contact_radius, const Tolerances& tolerances,
                    const ErrorBudget& budget = {}) {
   const Units units{contact_radius, 1, 1, 1};
-  return compare(readings_of(fe, units), fe.no_wear ? readings_of_worn(mdr) : readings_of(mdr),
+  return compare(readings_of(fe, units), fe.as<NoWearEvidence>() ? readings_of_worn(mdr) : readings_of(mdr),
                  scales_of(mdr, contact_radius), tolerances, budget);
 }
 
@@ -82,7 +82,7 @@ TEST(Comparison, HasEveryDifferenceWithItsSignAndTolerance) {
   fe.stick_radius_shakedown = 0.25 * a;
   fe.contact_radius_max = 1.25 * a;
   fe.normal_force_max = 1;
-  fe.no_wear = NoWearEvidence{0.125, 0.0625, 0.75, 1.5};
+  fe.of_kind = NoWearEvidence{0.125, 0.0625, 0.75, 1.5};
   MdrAnswer mdr = mdr_with(a);
   mdr.stick_radius_first_slip = 0.375 * a;
   mdr.limiting_amplitude = 1.25;
@@ -106,21 +106,21 @@ TEST(Comparison, FailsOnNotANumber) {
 TEST(Comparison, HoldsTheLimitingStateToNoSlipAndNoPressure) {
   auto fe = fe_with(0.5 * a);
   fe.contact_radius_max.reset();
-  fe.no_wear = NoWearEvidence{1e-5, 1e-5, 1, 1};
+  fe.of_kind = NoWearEvidence{1e-5, 1e-5, 1, 1};
   MdrAnswer mdr = mdr_with(0.5 * a);
   mdr.contact_radius_max = 0.5 * a;  // all of the contact sticks
   mdr.limiting_amplitude = 1;
   const auto judge = [&] { return outcome_with(mdr, fe) == Outcome::agree; };
   EXPECT_TRUE(judge());
-  fe.no_wear = NoWearEvidence{2e-3, 1e-5, 1, 1};
+  fe.of_kind = NoWearEvidence{2e-3, 1e-5, 1, 1};
   EXPECT_FALSE(judge());
   mdr.contact_radius_max = 0.6 * a;  // its outer part slips, says MDR as well
   EXPECT_TRUE(judge());
-  fe.no_wear = NoWearEvidence{1e-5, 2e-3, 1, 1};
+  fe.of_kind = NoWearEvidence{1e-5, 2e-3, 1, 1};
   EXPECT_FALSE(judge());
-  fe.no_wear = NoWearEvidence{1e-5, 1e-5, 1.002, 1};
+  fe.of_kind = NoWearEvidence{1e-5, 1e-5, 1.002, 1};
   EXPECT_FALSE(judge());
-  fe.no_wear = NoWearEvidence{1e-5, 1e-5, 1, 0.998};
+  fe.of_kind = NoWearEvidence{1e-5, 1e-5, 1, 0.998};
   EXPECT_FALSE(judge());
 }
 

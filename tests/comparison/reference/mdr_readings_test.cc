@@ -19,11 +19,11 @@ TEST(MdrReadings, SayWhyThereIsNoValue) {
   EXPECT_FALSE(readings.at(Quantity::stick_radius_first_slip).value);
   EXPECT_EQ(readings.at(Quantity::stick_radius_first_slip).why_absent, "nothing sticks");
   auto pass = some_answer;
-  pass.single_pass = true;
+  pass.motion_kind = MotionKind::pass;
   pass.stick_radius_shakedown.reset();
   EXPECT_EQ(readings_of(pass).at(Quantity::stick_radius_shakedown).why_absent, "a single pass has no periodic state");
   EXPECT_FALSE(readings_of(pass).at(Quantity::stick_radius_shakedown).is_compared);
-  pass.from_touch = true;
+  pass.motion_kind = MotionKind::pass_from_touch;
   EXPECT_EQ(readings_of(pass).at(Quantity::stick_radius_first_slip).why_absent, nothing_at_rest);
   EXPECT_FALSE(readings_of(pass).at(Quantity::stick_radius_first_slip).is_compared);
   // Of an unworn indenter it is no amplitude of 0.

@@ -86,7 +86,7 @@ TEST(CaseResult, OfGrossSlipIsHeldToTheBalanceOfForces) {
   auto result = made_up_result();
   result.mdr.steady_sliding_share = 0.811;
   EXPECT_EQ(outcome_of(result), Outcome::disagree) << "neither finds it";
-  result.fe.fe.gross_slip = GrossSlipStart{12, 0.933};
+  result.fe.fe.of_kind = GrossSlipStart{12, 0.933};
   EXPECT_EQ(outcome_of(result), Outcome::disagree) << "one of both";
   result.mdr.gross_slip = 0.859;
   EXPECT_EQ(outcome_of(result), Outcome::agree);

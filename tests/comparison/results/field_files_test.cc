@@ -122,7 +122,7 @@ TEST(FieldFiles, OfAnEarlierRunAreGoneAndNothingElse) {
 
 TEST(FieldFiles, AreNotThereOfGrossSlip) {
   auto result = result_with_body();
-  result.fe.fe.gross_slip = GrossSlipStart{1, 0.5};
+  result.fe.fe.of_kind = GrossSlipStart{1, 0.5};
   const ScratchFolder folder;
   write(result, Case::Fields::cycle, folder);
   EXPECT_FALSE(fs::exists(folder.path() / "fields"));

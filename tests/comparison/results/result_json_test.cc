@@ -88,6 +88,7 @@ TEST(ResultJson, OfAPassHasItsLargestIndentationAndNoFrequency) {
   path.repeats = false;
   result.input.motion.path = path;
   result.mdr_case.path = mdr::SampledPath{path.time, path.normal, path.tangential, path.repeats};
+  result.mdr_case.motion_kind = MotionKind::pass;
   const auto scene = written(result)["scene"];
   EXPECT_EQ(scene["indentation_max"], 1.2e-4);
   EXPECT_EQ(scene["path"]["rows"], 3);

@@ -74,10 +74,15 @@ TEST(ZonesJson, MdrAloneRefusesAndExplainSaysWhy) {
   const auto explained = fretval_run("explain " + quoted(file), folder);
   EXPECT_EQ(explained.exit_code, 0) << explained.err;
   expect_parts(explained.out, {"does not hold for this profile", "falls for x = ", "whatever order"});
-  folder.write("wears.prm", text_of(file) + "subsection Wear\n  set Coefficient = 1e-12\nend\n");
-  const auto wears = fretval_run("run " + quoted(folder.path() / "wears.prm"), folder);
-  EXPECT_EQ(wears.exit_code, 2);
-  expect_parts(wears.err, {"wears.prm: Wear / Coefficient", "MDR does not hold", "no wear"});
+  const auto refused = [&](const std::string& name, const std::string& more) {
+    const auto run = fretval_run("run " + quoted(folder.write(name, text_of(file) + more)), folder);
+    EXPECT_EQ(run.exit_code, 2);
+    return run.err;
+  };
+  expect_parts(refused("wears.prm", "subsection Wear\n  set Coefficient = 1e-12\nend\n"),
+               {"wears.prm: Wear / Coefficient", "MDR does not hold", "no wear"});
+  expect_parts(refused("vector.prm", "subsection Contact\n  set Friction = vector\nend\n"),
+               {"vector.prm: Contact / Friction = vector", "MDR does not hold", "unidirectional"});
 }
 
 }  // namespace

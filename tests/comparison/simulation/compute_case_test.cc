@@ -70,10 +70,10 @@ TEST(ComputeCase, SaysWhenAllOfTheContactSlides) {
   const auto fem = prepare({input}).front().fem;
   BodyStore bodies;
   const auto fe = compute_case(fem, coarse_resolution, bodies);
-  ASSERT_TRUE(fe.gross_slip);
-  EXPECT_GE(fe.gross_slip->amplitude, 0.8 - 1e-3);
-  EXPECT_LE(fe.gross_slip->amplitude, 1);
-  EXPECT_LE(fe.gross_slip->time, 2 / input.motion.tangential_frequency);
+  ASSERT_TRUE(fe.as<GrossSlipStart>());
+  EXPECT_GE(fe.as<GrossSlipStart>()->amplitude, 0.8 - 1e-3);
+  EXPECT_LE(fe.as<GrossSlipStart>()->amplitude, 1);
+  EXPECT_LE(fe.as<GrossSlipStart>()->time, 2 / input.motion.tangential_frequency);
   EXPECT_FALSE(fe.stick_radius_shakedown || fe.contact_radius_max);
   EXPECT_GT(fe.body->n_dofs, 0);
 }

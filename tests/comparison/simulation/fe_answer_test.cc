@@ -54,10 +54,10 @@ TEST(FeAnswer, OfALimitingProfileHasEvidenceThatNothingWears) {
   scene.tolerance = 0.05;
   const auto fe = simulate_case(scene);
   EXPECT_FALSE(fe.contact_radius_max);
-  ASSERT_TRUE(fe.no_wear);
-  EXPECT_LT(fe.no_wear->slip_inside, scene.tolerance);
-  EXPECT_LT(fe.no_wear->force_outside, scene.tolerance);
-  EXPECT_NEAR(fe.no_wear->touch_indentation, 1, scene.tolerance);
+  ASSERT_TRUE(fe.as<NoWearEvidence>());
+  EXPECT_LT(fe.as<NoWearEvidence>()->slip_inside, scene.tolerance);
+  EXPECT_LT(fe.as<NoWearEvidence>()->force_outside, scene.tolerance);
+  EXPECT_NEAR(fe.as<NoWearEvidence>()->touch_indentation, 1, scene.tolerance);
 }
 
 TEST(FeAnswer, OfALimitingProfileThatOnlyMovesNormallyHasNoAmplitude) {
@@ -65,8 +65,8 @@ TEST(FeAnswer, OfALimitingProfileThatOnlyMovesNormallyHasNoAmplitude) {
   scene.rings_per_radius = 16;
   scene.motion.tangential_amplitude = 0;
   const auto fe = simulate_case(scene);
-  EXPECT_EQ(fe.no_wear->slip_inside, 0);
-  EXPECT_FALSE(fe.no_wear->limiting_amplitude);
+  EXPECT_EQ(fe.as<NoWearEvidence>()->slip_inside, 0);
+  EXPECT_FALSE(fe.as<NoWearEvidence>()->limiting_amplitude);
   EXPECT_FALSE(exact_answer(scene).limiting_amplitude);
 }
 
@@ -78,16 +78,16 @@ TEST(FeAnswer, OfALimitingProfileTurnsToSlipAtTheAmplitudeItIsLimitingFor) {
   scene.rings_per_radius = 24;
   scene.tolerance = 1e-3;
   const auto fe = simulate_case(scene);
-  const double factor = fe.no_wear->limiting_amplitude.value();
+  const double factor = fe.as<NoWearEvidence>()->limiting_amplitude.value();
   EXPECT_NEAR(factor, 1, scene.tolerance);
   scene.motion.tangential_amplitude = 0.99 * factor * mdr_case(scene).motion.tangential.front().amplitude;
   const auto below = simulate_case(scene);
   scene.motion.tangential_amplitude *= 1.01 / 0.99;
   const auto above = simulate_case(scene);
-  EXPECT_LT(below.no_wear->slip_inside, 1e-4);
-  EXPECT_GT(above.no_wear->slip_inside, 1e-3);
-  EXPECT_NEAR(below.no_wear->limiting_amplitude.value(), 1 / 0.99, 1e-9);
-  EXPECT_NEAR(above.no_wear->limiting_amplitude.value(), 1 / 1.01, 1e-9);
+  EXPECT_LT(below.as<NoWearEvidence>()->slip_inside, 1e-4);
+  EXPECT_GT(above.as<NoWearEvidence>()->slip_inside, 1e-3);
+  EXPECT_NEAR(below.as<NoWearEvidence>()->limiting_amplitude.value(), 1 / 0.99, 1e-9);
+  EXPECT_NEAR(above.as<NoWearEvidence>()->limiting_amplitude.value(), 1 / 1.01, 1e-9);
 }
 
 // The contact ends at c, the node of the singular pressure. With coarse steps the flank bears a share of it in passing;
@@ -102,7 +102,7 @@ TEST(FeAnswer, OfALimitingProfileForceEndsAtItsStickRadius) {
     scene.rings_per_radius = 24;
     scene.steps_per_cycle = steps;
     const auto fe = simulate_case(scene);
-    EXPECT_GT(fe.no_wear.value().force_outside, least_outside);
+    EXPECT_GT(fe.as<NoWearEvidence>()->force_outside, least_outside);
     return fe.normal_force_max / exact_answer(scene).normal_force_max.value() - 1;
   };
   EXPECT_LT(std::abs(error_at(0.5, 72, 1e-4)), 5e-6);
@@ -148,8 +148,9 @@ TEST(FeAnswer, OfAWornProfileFollowsMdrUnderAnotherMotion) {
     EXPECT_EQ(exact.wears_no_more(), amplitude < 5e-5);
     EXPECT_NEAR(*fe.stick_radius_shakedown, *exact.stick_radius_shakedown, 1e-4 * c) << amplitude;
     EXPECT_NEAR(*fe.stick_radius_first_slip, *exact.stick_radius_first_slip, 1e-4 * c) << amplitude;
-    EXPECT_EQ(fe.no_wear->slip_inside > 1e-2, amplitude > 5e-5);
-    EXPECT_NEAR(*fe.no_wear->limiting_amplitude / *exact.limiting_amplitude, 1, input.tolerance) << amplitude;
+    EXPECT_EQ(fe.as<NoWearEvidence>()->slip_inside > 1e-2, amplitude > 5e-5);
+    EXPECT_NEAR(*fe.as<NoWearEvidence>()->limiting_amplitude / *exact.limiting_amplitude, 1, input.tolerance)
+        << amplitude;
   }
 }
 

@@ -79,7 +79,7 @@ TEST(ForcesBalance, FindsTheDisplacementsOfSeveralForces) {
 
 // Where a contact has come apart no small displacement changes its force.
 TEST(ForcesBalance, FindsItsWayBackToTheContact) {
-  const auto force = [](const Eigen::VectorXd& at) {
+  const auto force = [](const Eigen::VectorXd& at) -> Eigen::VectorXd {
     return Eigen::VectorXd::Constant(1, std::pow(std::max(0.0, at[0] - 1), 1.5));
   };
   const auto found =
