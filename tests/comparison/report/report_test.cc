@@ -68,6 +68,19 @@ TEST(Report, SaysWhichStickRadiusTheSteadyStateFollows) {
   EXPECT_EQ(page_of({nothing}).find("Which stick radius do finite elements follow?"), std::string::npos);
 }
 
+// What a sweep is about comes before its numbers.
+TEST(Report, ShowsTheCurvesOfASweepBeforeItsValues) {
+  std::vector<nlohmann::ordered_json> results(2, stored_result());
+  for (std::size_t i = 0; i < 2; ++i) {
+    results[i]["name"] = "mu/" + std::to_string(i);
+    results[i]["scene"]["sweep"] = {{"family", "mu"}, {"entry", "Friction / Coefficient"}, {"value", 0.5 + 0.1 * i}};
+  }
+  const auto page = page_of(results);
+  const auto curves = page.find("mu: over Friction / Coefficient"), values = page.find("table: the values of both");
+  EXPECT_NE(curves, std::string::npos);
+  EXPECT_LT(curves, values);
+}
+
 // The figures of the paper: other shapes stand in the tables alone.
 TEST(Report, HasFiguresOfTheShapesOfThePaper) {
   const std::vector<std::pair<std::string, std::string>> titles{
@@ -95,7 +108,9 @@ TEST(Report, RefusesAFolderWithoutResultsAndDamagedTables) {
 TEST(Report, MarksWhatDoesNotAgree) {
   auto single = stored_result();
   single["scene"].erase("sweep");
-  expect_parts(page_of({single}), {"standard solid: the inner ", "Finite elements confirm the method of"});
+  expect_parts(page_of({single}),
+               {"standard solid: the inner ", "Finite elements confirm the method of", "Computed on ", ". fretval 0.",
+                ", deal.II 9.", ", MUMPS ", "To cite: The fretval authors, fretval 0."});
   single["verdict"] = "disagree";
   single["comparison"]["normal_force_max"]["verdict"] = "disagree";
   single["comparison"]["stick_radius_shakedown"]["difference"] = nullptr;
