@@ -371,6 +371,26 @@ TEST_F(ReportSlow, IsPrintedWithWhatIsFoldedAndNothingCutOff) {
 }
 
 // Every drawing is reached by the tabulator, and the arrow keys walk through its pieces.
+TEST_F(ReportSlow, OfManyCasesIsPrintedWithoutTheTableOfAllOfThem) {
+  if (std::system("command -v pdftotext >/dev/null") != 0) GTEST_SKIP() << "poppler-utils is not installed";
+  const auto n_named = [&](int n_cases) {
+    const ScratchFolder folder;
+    for (int i = 0; i < n_cases; ++i) {
+      auto json = stored_result();
+      json["name"] = "many/phase-" + std::to_string(i);
+      json["scene"]["sweep"] = {{"family", "many"}, {"entry", "Motion / Phase"}, {"value", i}};
+      fs::create_directories(folder.path() / std::to_string(i));
+      folder.write(std::to_string(i) + "/result.json", json.dump());
+    }
+    const auto text = printed(write_report(folder.path()));
+    int n = 0;
+    for (auto at = text.find(">many/phase-"); at != std::string::npos; at = text.find(">many/phase-", at + 1)) ++n;
+    return n;
+  };
+  EXPECT_GE(n_named(60), 60) << "of few it is printed";
+  EXPECT_LT(n_named(61), 20);
+}
+
 TEST_F(ReportSlow, IsUsedWithoutAMouse) {
   const auto text = examined(text_of(page_), R"(
     let silent = [], n = 0;
