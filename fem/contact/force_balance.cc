@@ -59,7 +59,8 @@ double displacement_for_force(const std::function<double(double)>& force, double
 BalanceOfForces displacements_for_forces(const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& forces,
                                          const Eigen::VectorXd& values, BalanceOfForces guess, double probe,
                                          double enough) {
-  auto& [at, stiffness] = guess;
+  Eigen::VectorXd& at = guess.displacements;
+  Eigen::MatrixXd& stiffness = guess.stiffness;
   Eigen::VectorXd excess = forces(at) - values;
   const auto measure = [&] {
     stiffness.resize(at.size(), at.size());
