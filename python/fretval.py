@@ -94,7 +94,8 @@ class Result:
         if compared.get("error_bar") is None:
             return None
         scene = self.json["scene"]
-        if "radius" in quantity and scene.get("contact_radius_unworn"):
+        is_length = "radius" in quantity or quantity.endswith(("_along", "_across"))
+        if is_length and scene.get("contact_radius_unworn"):
             return compared["error_bar"] * scene["contact_radius_unworn"]
         over = {"tangential_force_mean": "sliding_force", "friction_work": "sliding_work"}.get(quantity, quantity)
         return compared["error_bar"] * abs(self.fe[over]) if self.fe.get(over) is not None else None

@@ -56,15 +56,20 @@ std::string indenter_text(const Case::Indenter& indenter) {
   return indenter.table.empty() ? text : text + " " + indenter.table;
 }
 
+std::string two_digits(double value) {
+  const double digit = value > 0 ? std::pow(10, std::floor(std::log10(value)) - 1) : 1;
+  return fmt::format("{:.6g}", digit * std::round(value / digit));
+}
+
 /// What is extrapolated has two digits and a range.
 std::string relaxed_text(const Case::Elastomer& body) {
   const auto range = body.master_curve && !body.test_duration
                          ? extrapolated_range(*body.master_curve, body.relaxed_modulus)
                          : std::nullopt;
   if (!range) return short_text(body.relaxed_modulus, "Pa");
-  const auto [prefix, factor] = prefix_for(body.relaxed_modulus);
-  return fmt::format("{:.2g} {}Pa, extrapolated: {:.2g} to {:.2g}", body.relaxed_modulus / factor, prefix,
-                     range->least / factor, range->most / factor);
+  const auto [prefix, factor] = prefix_for(range->most);
+  return fmt::format("{} {}Pa, extrapolated: {} to {}", two_digits(body.relaxed_modulus / factor), prefix,
+                     two_digits(range->least / factor), two_digits(range->most / factor));
 }
 
 std::string body_text(const Case::Elastomer& body) {

@@ -62,7 +62,8 @@ namespace {
 BalanceOfForces displacement_for_one_force(const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& forces,
                                            const Eigen::VectorXd& values, BalanceOfForces guess, double probe,
                                            double enough) {
-  auto& [at, stiffness] = guess;
+  Eigen::VectorXd& at = guess.displacements;
+  Eigen::MatrixXd& stiffness = guess.stiffness;
   std::optional<Point> last;
   const auto force_at = [&](double displacement) {
     const double force = forces(Eigen::VectorXd::Constant(1, displacement))[0];
@@ -87,7 +88,8 @@ BalanceOfForces displacements_for_forces(const std::function<Eigen::VectorXd(con
                                          const Eigen::VectorXd& values, BalanceOfForces guess, double probe,
                                          double enough) {
   if (values.size() == 1) return displacement_for_one_force(forces, values, guess, probe, enough);
-  auto& [at, stiffness] = guess;
+  Eigen::VectorXd& at = guess.displacements;
+  Eigen::MatrixXd& stiffness = guess.stiffness;
   Eigen::VectorXd excess = forces(at) - values;
   const auto measure = [&] {
     stiffness.resize(at.size(), at.size());

@@ -111,7 +111,7 @@ void PunchSeries::to_rings(Eigen::Ref<Eigen::VectorXd> displacements, Index firs
 template <class Label>
 PunchSeries::Integral PunchSeries::integral_of(const Eigen::VectorXd& depths, const Label& label, Index n_rings,
                                                std::optional<double> end_of_depths) const {
-  const auto& [edges, places] = places_;
+  const Eigen::VectorXd &edges = places_.edges, &places = places_.depths;
   if (end_of_depths && !half_space_) end_of_depths = interpolated(edges_, edges, *end_of_depths);
   auto zone = zone_from(0, label, n_rings);
   // The innermost depth is off by the shape of the tip (its ring stands for 4/(3 pi) of its radius under a cone, for

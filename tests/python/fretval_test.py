@@ -1,5 +1,6 @@
 """The module as a notebook uses it: python3 tests/python/fretval_test.py. FRETVAL_PROGRAM: the program."""
 
+import json
 import math
 import os
 import pathlib
@@ -50,6 +51,20 @@ class Module(unittest.TestCase):
             if fretval.numpy is not None:
                 self.assertEqual(depth.shape, history["t [s]"].shape)
             self.assertEqual([one.name for one in fretval.read(folder)], ["case"])
+
+    def test_bars_have_the_unit_of_their_quantity(self):
+        # Lengths over the contact radius of 2 m, means and friction over what sliding would take, others over their value.
+        fe = {"stick_radius_shakedown": 1, "contact_along": 3, "shakedown_across": 0.5, "normal_force_max": 40,
+              "tangential_force_mean": 1, "sliding_force": 8, "friction_work": 3, "sliding_work": 16, "cycle_work": None}
+        result = {"name": "case", "scene": {"contact_radius_unworn": 2}, "mdr": {}, "fe": fe,
+                  "comparison": {name: {"error_bar": 0.25} for name in fe} | {"contact_radius_max": {"error_bar": None}}}
+        with tempfile.TemporaryDirectory() as folder:
+            (pathlib.Path(folder) / "result.json").write_text(json.dumps(result), encoding="utf-8")
+            read = fretval.read(folder)[0]
+        for name, bar in {"stick_radius_shakedown": 0.5, "contact_along": 0.5, "shakedown_across": 0.5,
+                          "normal_force_max": 10, "tangential_force_mean": 2, "friction_work": 4, "cycle_work": None,
+                          "contact_radius_max": None, "indentation_max": None}.items():
+            self.assertEqual(read.bar(name), bar, name)
 
     def test_a_refusal_is_an_error_with_its_message(self):
         with self.assertRaises(fretval.Error) as caught:

@@ -9,6 +9,7 @@
 #include <set>
 #include <tuple>
 
+#include "comparison/report/drawing/axis.h"
 #include "comparison/report/drawing/plot_table.h"
 #include "comparison/run/sweep_line.h"
 

@@ -88,7 +88,8 @@ Arrows arrows_of(const StoredResult& r, double unit) {
 
 Figure plane_figure(const StoredResult& r) {
   const auto file = r.folder / "zones.csv";
-  const auto [angles, contact] = read_columns(file, "angle [rad]", "contact [m]");
+  const auto columns = read_columns(file, "angle [rad]", "contact [m]");
+  const auto &angles = columns.first, &contact = columns.second;
   const auto length = axis_for({&contact}, "m");
   Plot plot{"Zones and tractions from above", "x in " + length.unit, "y in " + length.unit};
   plot.equal_scales = true;

@@ -1,6 +1,9 @@
 #include "comparison/case/plausibility.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
+
+#include <cmath>
 
 #include "comparison/case_file/case_file.h"
 #include "comparison/reference/mdr_case.h"
@@ -64,6 +67,40 @@ TEST(Plausibility, HalvesOfAScanThatDifferAreWarnedAbout) {
   ASSERT_EQ(found.size(), 1U);
   expect_parts(found[0], {"scan.csv: the halves of the scan differ by up to 8e-06 m, 4.0 %", "at r = 0.002 m", "mean"});
   EXPECT_TRUE(warnings("-2,200\n-1,50\n-0.5,12.5\n0,0\n0.5,12.5\n1,50\n2,200\n").empty());
+}
+
+// A parabola of 10 mm in steps of 5 um, every other height off by 0.4 um.
+TEST(Plausibility, NoiseOfATableIsWarnedAbout) {
+  const ScratchFolder folder;
+  const auto warnings = [&](double scatter) {
+    std::string rows = "r,f\nmm,um\n";
+    for (int i = 0; i < 400; ++i)
+      rows += fmt::format("{:.4f},{:.6f}\n", 0.005 * i, 50 * 2.5e-5 * i * i + (i % 2 == 1 ? scatter : 0));
+    folder.write("scan.csv", rows);
+    folder.write("case.prm", replace(valid_case, "parabola\n  set Radius = 1e-2", "table\n  set Table = scan.csv"));
+    const auto scene = read_case_file(folder.path() / "case.prm").at(0);
+    std::string all;
+    for (const auto& warning : implausible_values(scene, any_profile_of(scene.indenter))) all += warning;
+    return all;
+  };
+  expect_parts(warnings(0.4), {"scan.csv: ", "it looks like noise of ", "set Indenter / Table noise = "});
+  EXPECT_EQ(warnings(0).find("noise"), std::string::npos);
+}
+
+// Row by row the body rests in the first one.
+TEST(Plausibility, AFirstRowThatIsOffIsWarnedAbout) {
+  auto scene = read_case();
+  Case::Path path;
+  path.file = "rows.csv";
+  for (int i = 0; i < 200; ++i) {
+    path.time.push_back(0.01 * i);
+    path.normal.push_back(1e-4 + 2e-5 * std::sin(0.02 * i) + (i == 0 ? 5e-6 : 0));
+    path.tangential.push_back(1.5e-5 * (1 - std::cos(0.03 * i)));
+  }
+  scene.motion.path = path;
+  std::string all;
+  for (const auto& warning : implausible_values(scene, profile_of(scene.indenter))) all += warning;
+  expect_parts(all, {"rows.csv: d = 0.000105 m in the first row is 5e-06 m off"});
 }
 
 }  // namespace

@@ -296,5 +296,16 @@ TEST(CaseFile, OfTwoEntriesIsAMap) {
                {"Sweep / Second entry = Friction / Coefficient", "another one than the Entry"});
 }
 
+// 400 times 400.
+TEST(CaseFile, SaysHowManyCasesAMapMayHave) {
+  const ScratchFolder folder;
+  const auto file = folder.write(
+      "case.prm", valid_case +
+                      "subsection Sweep\n  set Entry = Motion / Phase\n  set Values = 1:1:400\n"
+                      "  set Second entry = Friction / Coefficient\n  set Second values = 0.001:0.001:0.4\nend\n");
+  expect_parts(refusal([&] { read_case_file(file); }),
+               {"Sweep / Second values = 0.001:0.001:0.4", "at most 100000 cases altogether, and these are 160000"});
+}
+
 }  // namespace
 }  // namespace fretval

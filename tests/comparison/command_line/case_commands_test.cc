@@ -74,5 +74,22 @@ TEST(CaseCommands, ChangedResultsExitWithOne) {
   EXPECT_EQ(fretval_run("compare " + before + " nowhere", folder).exit_code, 2);
 }
 
+// Each kind that a run would warn of: what an entry says, what is beyond what is usual, and what lifts off.
+TEST(CaseCommands, ExplainWarnsOfAllThatARunWarnsOf) {
+  const ScratchFolder folder;
+  const auto warnings = [&](const std::string& text) {
+    return fretval_run("explain " + quoted(folder.write("case.prm", text)), folder).err;
+  };
+  folder.write("dma.csv", "f,G',G''\nHz,MPa,MPa\n0.4,1.06,0.24\n1,1.28,0.45\n4,1.86,0.34\n10,1.98,0.16\n40,2,0.04\n");
+  const auto measured =
+      replace(replace(valid_case, "standard solid", "table\n  set Table = dma.csv\n  set Table modulus = shear"),
+              "  set Relaxed shear modulus = 1e6\n  set Branch moduli = 1e6\n  set Branch times = 0.1\n", "");
+  expect_parts(warnings(measured), {"G'(0) is extrapolated"});
+  expect_parts(warnings(replace(valid_case, "Normal amplitude = 2e-5", "Normal amplitude = 1.01e-4")),
+               {"lifts off in every cycle"});
+  expect_parts(warnings(replace(valid_case, "parabola\n  set Radius = 1e-2", "cone\n  set Slope angle = 89.9")),
+               {"Slope angle = 89.9 deg"});
+}
+
 }  // namespace
 }  // namespace fretval::case_commands_test

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <map>
+
 #include "tests/comparison/expect_parts.h"
 #include "tests/comparison/run_fretval.h"
 
@@ -30,6 +33,25 @@ TEST(HelpPages, BashCompletesVerbsOptionsAndFiles) {
   EXPECT_EQ(completed("fretval run --ju", 2), "--junit\n");
   EXPECT_EQ(completed("fretval run cas", 2), "case.prm\n");
   EXPECT_EQ(completed("fretval --quiet ch", 2), "check\n");
+}
+
+// Scripts go by them: the help, the manual and the page of the docs.
+TEST(HelpPages, NameEveryExitCode) {
+  const ScratchFolder folder;
+  const auto help = fretval_run("--help", folder).out, manual = fretval_run("pages man", folder).out,
+             page = text_of(std::filesystem::path(FRETVAL_SOURCE_DIR) / "docs/commands.md");
+  const std::map<int, const char*> meanings{{0, "all that was asked for agrees"},
+                                            {1, "finite elements and MDR disagree"},
+                                            {2, "bad input"},
+                                            {3, "the numerics failed"},
+                                            {4, "the system failed"},
+                                            {5, "not resolved: "}};
+  for (const auto& [code, meaning] : meanings) {
+    const auto number = std::to_string(code);
+    expect_parts(help, {"\n" + number + "  " + meaning});
+    expect_parts(manual, {"\n.TP\n" + number + "\n" + meaning});
+    expect_parts(page, {"\n| " + number + " | " + meaning});
+  }
 }
 
 }  // namespace

@@ -151,6 +151,7 @@ TEST(RunCommand, SaysWhatElseTheReportShows) {
   run("0, 90");
   EXPECT_EQ(run("0, 90, 180").find("earlier runs"), std::string::npos);
   expect_parts(run("0, 45"), {"has 2 results of earlier runs as well", ": sweep/phase-180, …"});
+  expect_parts(text_of(fs::path(out) / "index.html"), {"2 results of earlier runs in this folder"});
 }
 
 TEST(RunCommand, WritesTheTimeOfEachCaseAsJUnit) {
@@ -178,11 +179,13 @@ TEST(RunCommand, ExitsWith3WhereTheNumericsOfOneCaseFail) {
   const auto good = folder.write("good.prm", replace(elastic_case(), "0.05\nend\n", "0.05\n" + coarse));
   const auto creeping = folder.write(
       "creeping.prm", replace(replace(valid_case, "times = 0.1", "times = 1e12"), "0.01\nend\n", "0.05\n" + coarse));
-  const auto out = folder.path() / "out";
-  const auto run =
-      fretval_run("run " + quoted(good) + " " + quoted(creeping) + " --proof none -o " + quoted(out), folder);
+  const auto out = folder.path() / "out", junit = folder.path() / "junit.xml";
+  const auto run = fretval_run(
+      "run " + quoted(good) + " " + quoted(creeping) + " --proof none --junit " + quoted(junit) + " -o " + quoted(out),
+      folder);
   EXPECT_EQ(run.exit_code, 3) << run.out << run.err;
   expect_parts(run.out, {"FAILED       creeping: "});
+  expect_parts(text_of(junit), {"failures=\"0\" errors=\"1\"", "<error message=\""});
   EXPECT_EQ(run.out.find("DISAGREE"), std::string::npos) << run.out;
   EXPECT_TRUE(fs::exists(out / "good" / "result.json"));
   EXPECT_FALSE(fs::exists(out / "creeping" / "result.json"));
@@ -254,12 +257,33 @@ TEST(RunCommand, RefusesBadCasesAndWritesNothing) {
 TEST(RunCommand, AsksForAFileOfJUnitBeforeItComputes) {
   const ScratchFolder folder;
   const auto file = folder.write("case.prm", valid_case);
-  const auto run = fretval_run("run " + quoted(file) + " --junit " + quoted(folder.path()) + " -o " +
-                                   quoted(folder.path() / "out"),
-                               folder);
+  const auto run = fretval_run(
+      "run " + quoted(file) + " --junit " + quoted(folder.path()) + " -o " + quoted(folder.path() / "out"), folder);
   EXPECT_EQ(run.exit_code, 2);
   expect_parts(run.err, {"is a folder", "--junit"});
   EXPECT_FALSE(std::filesystem::exists(folder.path() / "out"));
+}
+
+// A modulus in MPa that is read in Pa: the failure names the entry, not only what came of it.
+TEST(RunCommand, NamesTheModulusThatAFailureMayComeFrom) {
+  const ScratchFolder folder;
+  const auto file = folder.write(
+      "case.prm", replace(replace(valid_case, "modulus = 1e6", "modulus = 1"), "0.01\nend\n", "0.05\n" + coarse));
+  const auto run = fretval_run("run " + quoted(file) + " --proof none -o " + quoted(folder.path() / "out"), folder);
+  EXPECT_EQ(run.exit_code, 3) << run.out << run.err;
+  expect_parts(run.out, {"Elastomer / Relaxed shear modulus = 1 Pa", "is it in Pa?"});
+}
+
+// What few ask for.
+TEST(RunCommand, TellsDetailsWhereTheyAreAskedFor) {
+  const ScratchFolder folder;
+  const auto command = "run " + quoted(folder.write("case.prm", elastic_case())) + " --proof none -o " +
+                       quoted(folder.path() / "out") + " --store " + quoted(folder.path() / "store");
+  const auto brief = fretval_run(command, folder), verbose = fretval_run(command + " --verbose", folder);
+  expect_parts(verbose.err, {"bodies made, "});
+  expect_parts(verbose.out, {"1 % more friction (μ) changes"});
+  EXPECT_EQ(brief.err.find("bodies made"), std::string::npos) << brief.err;
+  EXPECT_EQ(brief.out.find("1 % more"), std::string::npos) << brief.out;
 }
 
 }  // namespace

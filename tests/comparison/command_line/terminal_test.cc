@@ -76,5 +76,22 @@ TEST(Verdicts, NameEveryCaseWhoseNumericsFailed) {
   EXPECT_EQ(text.find("DISAGREE"), std::string::npos) << "a failure is no disagreement: " << text;
 }
 
+// A sweep has a row a value, several cases that are none have not.
+TEST(Verdicts, OfASweepHaveARowForEachValue) {
+  std::vector<BatchLine> lines;
+  for (const double value : {30, 90}) {
+    auto json = stored_result();
+    json["scene"]["sweep"]["value"] = value;
+    lines.push_back(line_with("family/" + std::to_string(value), 1e-4, Outcome::agree));
+    lines.back().json = json.dump();
+  }
+  expect_parts(verdicts_of(lines), {"Motion / Phase  ", "\n30 deg  ", "\n90 deg  "});
+  for (auto& line : lines) {
+    auto json = stored_result("single");
+    line.json = json.dump();
+  }
+  EXPECT_EQ(verdicts_of(lines).find("Motion / Phase"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace fretval

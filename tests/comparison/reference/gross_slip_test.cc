@@ -19,6 +19,7 @@ MdrCase case_of_forces(const std::string& phase) {
 // |1.3 e^{i 45°} + 0.24| = 1.4795 N of 1.2 N.
 TEST(GrossSlip, BeginsWhereTheForcesBalance) {
   EXPECT_NEAR(steady_sliding_share(case_of_forces("45")).value(), 0.8111, 1e-4);
+  EXPECT_NEAR(steady_sliding_share(case_of_forces("135")).value(), 0.8111, 1e-4) << "half a cycle later it is the same";
   EXPECT_NEAR(steady_sliding_share(case_of_forces("0")).value(), 1.2 / 1.54, 1e-12);
   EXPECT_NEAR(steady_sliding_share(case_of_forces("90")).value(), 1.2 / std::hypot(1.3, 0.24), 1e-12);
   EXPECT_NEAR(steady_sliding_share(case_of_forces("free")).value(), 1.2 / 1.54, 1e-12) << "the worst phase comes";

@@ -68,6 +68,19 @@ TEST(Report, SaysWhichStickRadiusTheSteadyStateFollows) {
   EXPECT_EQ(page_of({nothing}).find("Which stick radius do finite elements follow?"), std::string::npos);
 }
 
+// What a sweep is about comes before its numbers.
+TEST(Report, ShowsTheCurvesOfASweepBeforeItsValues) {
+  std::vector<nlohmann::ordered_json> results(2, stored_result());
+  for (std::size_t i = 0; i < 2; ++i) {
+    results[i]["name"] = "mu/" + std::to_string(i);
+    results[i]["scene"]["sweep"] = {{"family", "mu"}, {"entry", "Friction / Coefficient"}, {"value", 0.5 + 0.1 * i}};
+  }
+  const auto page = page_of(results);
+  const auto curves = page.find("mu: over Friction / Coefficient"), values = page.find("table: the values of both");
+  EXPECT_NE(curves, std::string::npos);
+  EXPECT_LT(curves, values);
+}
+
 // The figures of the paper: other shapes stand in the tables alone.
 TEST(Report, HasFiguresOfTheShapesOfThePaper) {
   const std::vector<std::pair<std::string, std::string>> titles{
@@ -95,7 +108,9 @@ TEST(Report, RefusesAFolderWithoutResultsAndDamagedTables) {
 TEST(Report, MarksWhatDoesNotAgree) {
   auto single = stored_result();
   single["scene"].erase("sweep");
-  expect_parts(page_of({single}), {"standard solid: the inner ", "Finite elements confirm the method of"});
+  expect_parts(page_of({single}),
+               {"standard solid: the inner ", "Finite elements confirm the method of", "Computed on ", ". fretval 0.",
+                ", deal.II 9.", ", MUMPS ", "To cite: The fretval authors, fretval 0."});
   single["verdict"] = "disagree";
   single["comparison"]["normal_force_max"]["verdict"] = "disagree";
   single["comparison"]["stick_radius_shakedown"]["difference"] = nullptr;
@@ -356,6 +371,26 @@ TEST_F(ReportSlow, IsPrintedWithWhatIsFoldedAndNothingCutOff) {
 }
 
 // Every drawing is reached by the tabulator, and the arrow keys walk through its pieces.
+TEST_F(ReportSlow, OfManyCasesIsPrintedWithoutTheTableOfAllOfThem) {
+  if (std::system("command -v pdftotext >/dev/null") != 0) GTEST_SKIP() << "poppler-utils is not installed";
+  const auto n_named = [&](int n_cases) {
+    const ScratchFolder folder;
+    for (int i = 0; i < n_cases; ++i) {
+      auto json = stored_result();
+      json["name"] = "many/phase-" + std::to_string(i);
+      json["scene"]["sweep"] = {{"family", "many"}, {"entry", "Motion / Phase"}, {"value", i}};
+      fs::create_directories(folder.path() / std::to_string(i));
+      folder.write(std::to_string(i) + "/result.json", json.dump());
+    }
+    const auto text = printed(write_report(folder.path()));
+    int n = 0;
+    for (auto at = text.find(">many/phase-"); at != std::string::npos; at = text.find(">many/phase-", at + 1)) ++n;
+    return n;
+  };
+  EXPECT_GE(n_named(60), 60) << "of few it is printed";
+  EXPECT_LT(n_named(61), 20);
+}
+
 TEST_F(ReportSlow, IsUsedWithoutAMouse) {
   const auto text = examined(text_of(page_), R"(
     let silent = [], n = 0;

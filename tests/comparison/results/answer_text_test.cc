@@ -94,5 +94,13 @@ TEST(AnswerOfStoredResult, SaysHowGoodMdrIsAsAModel) {
   EXPECT_EQ(answer_of(result).model, "as a model: outside the map (the maps are of an unworn indenter)");
 }
 
+// 36000 cycles of a second.
+TEST(AnswerText, SaysHowLongTheWearTakes) {
+  auto json = stored_result("single");
+  json["scene"]["frequency"] = 1;
+  json["fe"]["wear"] = {{"cycles", {0, 36000}}, {"volume", {0, 2e-12}}};
+  expect_parts(kept_answer_text(json), {"in 3.6e+04 cycles, 10 h at 1 Hz\n"});
+}
+
 }  // namespace
 }  // namespace fretval

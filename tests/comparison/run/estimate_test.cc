@@ -58,5 +58,13 @@ TEST(Estimate, OfManyCountsASharedBodyOnce) {
   EXPECT_NEAR(sum, 4 * histories + (alone - histories), 1e-6 * sum);
 }
 
+// Steps under a force are solved for more than once.
+TEST(Estimate, IsLongerUnderForces) {
+  const auto forces = replace(replace(valid_case, "Indentation = 1e-4", "Normal force = 0.5"),
+                              "Normal amplitude = 2e-5", "Normal force amplitude = 0.1");
+  EXPECT_GT(estimated_seconds(prepared_case(forces), Proof::bars),
+            1.5 * estimated_seconds(prepared_case(), Proof::bars));
+}
+
 }  // namespace
 }  // namespace fretval::estimate_test

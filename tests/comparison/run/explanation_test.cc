@@ -2,9 +2,16 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+#include <map>
+#include <sstream>
+
+#include "comparison/case_file/case_file.h"
 #include "comparison/data/path_table.h"
 #include "tests/comparison/expect_parts.h"
+#include "tests/comparison/modulus_table.h"
 #include "tests/comparison/read_case.h"
+#include "tests/comparison/scratch_folder.h"
 
 namespace fretval::explanation_test {
 namespace {
@@ -61,6 +68,54 @@ TEST(Explanation, OfASweepAndOfWearSaysWhatAllOfItCosts) {
   const auto worn = explanation(read_case(elastic_case() + "subsection Wear\n  set Coefficient = 1e-12\nend\n"));
   expect_parts(worn, {"most of it for the wear"});
   EXPECT_EQ(one.find("wear,"), std::string::npos);
+}
+
+// What forces are answered for is another contact than the one that a run begins with.
+TEST(Explanation, OfForcesNamesTheWornContact) {
+  const auto forces = replace(replace(valid_case, "Indentation = 1e-4", "Normal force = 0.5"),
+                              "Normal amplitude = 2e-5", "Normal force amplitude = 0.1");
+  const auto text = explanation(read_case(forces));
+  expect_parts(text,
+               {", contact radius where wear ends\n", "radii under forces are those of the contact where wear ends"});
+  EXPECT_EQ(text.find("largest contact radius"), std::string::npos) << text;
+  EXPECT_EQ(explanation(read_case()).find("where wear ends"), std::string::npos);
+}
+
+/// The time that a line ends with, after some words.
+double seconds_after(const std::string& text, const std::string& words) {
+  const auto line = text.substr(text.find(words));
+  const std::string before = "of the order of ";
+  std::istringstream time(line.substr(line.find(before) + before.size()));
+  double value = 0;
+  std::string unit;
+  time >> value >> unit;
+  return value * std::map<std::string, double>{{"s", 1}, {"min", 60}, {"h", 3600}}.at(unit);
+}
+
+// All cases, not those that are looked at: a hundred times as many take some hundred times as long.
+TEST(Explanation, TimeOfASweepGrowsWithItsCases) {
+  const auto seconds = [](std::size_t n) {
+    return seconds_after(explanation(read_case(), std::vector<Case>(n, read_case())), "of the sweep, on ");
+  };
+  EXPECT_GT(seconds(4000), 30 * seconds(40));
+}
+
+// At 0.4 Hz tan delta of the standard solid, 1 MPa and 1 MPa with 0.1 s, is 0.24: what relaxes below is not measured.
+TEST(Explanation, GivesAnExtrapolatedModulusARange) {
+  const ScratchFolder folder;
+  std::istringstream rows(standard_solid_table());
+  std::string table;
+  for (std::string row; std::getline(rows, row);)
+    if (const double f = std::atof(row.c_str()); f == 0 || f > 0.35) table += row + "\n";
+  folder.write("dma.csv", table);
+  const auto text =
+      replace(replace(valid_case, "standard solid", "table\n  set Table = dma.csv\n  set Table modulus = shear"),
+              "  set Relaxed shear modulus = 1e6\n  set Branch moduli = 1e6\n  set Branch times = 0.1\n", "");
+  const auto input = read_case_file(folder.write("case.prm", text)).at(0);
+  expect_parts(explanation(input), {"G'(0) = 1 MPa, extrapolated: 0.15 to 1.1, "});
+  std::string warnings;
+  for (const auto& warning : input.warnings) warnings += warning;
+  expect_parts(warnings, {"tan delta is still 0.2", "G'(0) is extrapolated, to "});
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <nlohmann/json.hpp>
 
 #include "tests/comparison/expect_parts.h"
@@ -57,6 +58,17 @@ TEST_F(Interrupted, IsComputedWhereInputsOrProofAreOthers) {
   json["versions"]["fretval"] = "0.0.1";
   folder_.write("out/case/coefficient-0.4/run.json", json.dump());
   expect_parts(go("--resume").err, {"1 of 2 cases kept"});
+}
+
+// A table that a case names belongs to its inputs.
+TEST_F(Interrupted, IsComputedWhereATableIsNewer) {
+  const auto table = folder_.write("parabola.csv", "r,f\nmm,nm\n0,0\n0.5,12500\n1,50000\n1.5,112500\n2,200000\n");
+  write_sweep("0.4, 0.5",
+              replace(elastic_case(), "parabola\n  set Radius = 1e-2", "table\n  set Table = parabola.csv"));
+  go("");
+  expect_parts(go("--resume").err, {"2 of 2 cases kept"});
+  fs::last_write_time(table, fs::last_write_time(result("0.5")) + std::chrono::seconds(2));
+  expect_parts(go("--resume").err, {"0 of 2 cases kept"});
 }
 
 }  // namespace

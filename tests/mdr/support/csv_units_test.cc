@@ -28,6 +28,20 @@ TEST(CsvUnits, LastBracketsOfANameAreTheUnit) {
   EXPECT_EQ(unit({"modulus (storage) [MPa]"}, {}, 0), 1e6);
 }
 
+// Micro as the letter u, the sign of its own and the Greek letter.
+TEST(CsvUnits, AreThoseThatPeopleWrite) {
+  for (const char* micro : {"u", "\u00b5", "\u03bc"}) {
+    EXPECT_EQ(length_units().at(std::string(micro) + "m"), 1e-6);
+    EXPECT_EQ(time_units().at(std::string(micro) + "s"), 1e-6);
+    EXPECT_EQ(force_units().at(std::string(micro) + "N"), 1e-6);
+  }
+  EXPECT_EQ(length_units().at("cm"), 1e-2);
+  EXPECT_EQ(force_units().at("MN"), 1e6);
+  EXPECT_EQ(modulus_units().at("N/mm^2"), 1e6);
+  EXPECT_EQ(time_units().at("h"), 3600);
+  EXPECT_EQ(ratio_units().at("%"), 1e-2);
+}
+
 TEST(CsvUnits, WithoutAnyAreTheBaseUnit) {
   EXPECT_EQ(unit({}, {}, 1), 1);
   EXPECT_EQ(unit({"kPa", "MPa"}, {}, 1), 1);

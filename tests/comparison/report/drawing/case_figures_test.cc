@@ -65,5 +65,20 @@ TEST(CaseFigures, RefuseADamagedCycleByItsName) {
   }
 }
 
+// A caption of what is drawn, and of nothing else.
+TEST(CaseFigures, CaptionsAreOfWhatThereIs) {
+  const ScratchFolder folder;
+  write_tables(folder);
+  StoredResult result{stored_result("single"), folder.path()};
+  const auto all = case_figures(result, read_cycle(result)).dump();
+  expect_parts(all, {"The limiting profile is where wear ends", "Below c it slips no more.", "none inside c"});
+  folder.write("profile.csv", "r [m],f unworn [m]\n0,0\n2,1\n");
+  result.json["fe"]["stick_radius_shakedown"] = nullptr;
+  const auto less = case_figures(result, read_cycle(result)).dump();
+  expect_parts(less, {"The indenter before anything wears.", "Nothing sticks for good."});
+  for (const char* absent : {"where wear ends", "Below c", "Between c and a", "none inside c"})
+    EXPECT_EQ(less.find(absent), std::string::npos) << absent;
+}
+
 }  // namespace
 }  // namespace fretval

@@ -85,6 +85,30 @@ TEST_F(PlotsSlow, WithoutPointsSaySo) {
             "[true,true,false,true,false,true,false]");
 }
 
+// Of half a decade, of one, of a few and of fourteen, on either axis: two labels at least, and none upon another.
+TEST_F(PlotsSlow, LabelsOfLogarithmicAxesDoNotOverlap) {
+  std::vector<Filling> plots;
+  for (const auto& [least, most] : {std::pair{1.1, 3.4}, std::pair{2e-4, 2e-3}, std::pair{0.3, 40.0},
+                                    std::pair{1e-5, 2e-1}, std::pair{1e-9, 1e5}}) {
+    Plot plot{"a", "x", "y", {{"curve", {least, most}, {least, most}}}};
+    plot.log_x = plot.log_y = true;
+    plots.push_back(json_of(plot));
+  }
+  const auto at = found(plots, R"(
+    const meets = (a, b) => a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
+    found = {overlaps: 0, fewest: 99, axes: 0};
+    for (const axis of new Set([...document.querySelectorAll("svg.canvas .tick")].map((tick) => tick.parentNode))) {
+      const boxes = [...axis.querySelectorAll(".tick text")].map((text) => text.getBoundingClientRect())
+        .filter((box) => box.width > 0);
+      found.axes += 1;
+      found.fewest = Math.min(found.fewest, boxes.length);
+      boxes.forEach((a, i) => boxes.slice(i + 1).forEach((b) => { found.overlaps += meets(a, b); }));
+    })");
+  EXPECT_EQ(at.at("axes"), 10);
+  EXPECT_EQ(at.at("overlaps"), 0);
+  EXPECT_GE(at.at("fewest"), 2);
+}
+
 /// Boxes of the areas of a colour, from left to right.
 const std::string boxes =
     "const boxes = (colour) => [...document.querySelectorAll(`svg.canvas rect[fill=\"var(--${colour})\"]`)]"

@@ -45,5 +45,10 @@ TEST(Heading, HasTheDateOfTheNewestResult) {
   EXPECT_EQ(date.find(" 20"), date.size() - 5) << date;
 }
 
+TEST(Heading, SaysHowToCite) {
+  const auto citation = heading_of({named("rig", "")}, {}, "").at("citation").get<std::string>();
+  EXPECT_EQ(citation.rfind("The fretval authors, fretval ", 0), 0U) << citation;
+}
+
 }  // namespace
 }  // namespace fretval::heading_test
