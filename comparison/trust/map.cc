@@ -185,16 +185,14 @@ MapPoint computed_point(const PlannedPoint& planned, BodyStore& bodies) {
       if (known.count(resolution) == 0) known[resolution] = changes_at(pair, resolution, bodies);
   const auto loose = changes_at(pair, less_settled, bodies);
   auto bars = error_budget(finest, variants, known, {}, needs_of(pair.full.fem));
-  for (const auto& [quantity, value] : known.at(finest)) {
-    auto& bar = bars.at(quantity);
+  for (auto& [quantity, bar] : bars) {
     if (!std::isfinite(bar.total()) || loose.count(quantity) == 0) continue;  // nothing is known of its error
-    const auto change = [&](const Quantities& to, const Quantities& from) {
-      return to.at(quantity) - from.at(quantity);
-    };
+    const double unsettled = known.at(both).at(quantity) - loose.at(quantity),
+                 by_angles = known.at(more_angles).at(quantity) - known.at(both).at(quantity);
     // What is left goes with what still changes in a cycle: a ninth of what ten times that does, three times for
     // safety.
-    bar.add(ErrorSource::cycles, std::abs(change(known.at(both), loose)) / 3);
-    point.changes[quantity] = {value + change(known.at(more_angles), known.at(both)), bar.total()};
+    bar.add(ErrorSource::cycles, std::abs(unsettled) / 3);
+    point.changes[quantity] = {known.at(finest).at(quantity) + by_angles, bar.total()};
   }
   return point;
 }
