@@ -45,11 +45,12 @@ PlaneZone moved_out(PlaneZone zone, double by) {
   return zone;
 }
 
-/// Pressures of the ring contact in a step, counted from 0: on the way to its periodic state, and in that.
+/// Pressures of the ring contact in a step, counted from 0: on the way to its periodic state, and in that. Its solver
+/// holds them positive to its slack.
 Eigen::VectorXd pressure_in(const NormalRecord& record, long step) {
   const auto next = static_cast<std::size_t>(step) + 1;
-  if (next < record.pressures.size()) return record.pressures[next];
-  return record.history.pressure.col(record.history.column(step + 1));
+  if (next < record.pressures.size()) return record.pressures[next].cwiseMax(0);
+  return record.history.pressure.col(record.history.column(step + 1)).cwiseMax(0);
 }
 
 fem::SurfaceHistory history_beside(const NormalRecord& record, const fem::SurfaceCompliance& surface,

@@ -186,7 +186,8 @@ MapPoint computed_point(const PlannedPoint& planned, BodyStore& bodies) {
   const auto loose = changes_at(pair, less_settled, bodies);
   auto bars = error_budget(finest, variants, known, {}, needs_of(pair.full.fem));
   for (auto& [quantity, bar] : bars) {
-    if (!std::isfinite(bar.total()) || loose.count(quantity) == 0) continue;  // nothing is known of its error
+    constexpr double all_of_it = 1;  // a bar of what MDR has: nothing is known then
+    if (!(bar.total() < all_of_it) || loose.count(quantity) == 0) continue;
     const double unsettled = known.at(both).at(quantity) - loose.at(quantity),
                  by_angles = known.at(more_angles).at(quantity) - known.at(both).at(quantity);
     // What is left goes with what still changes in a cycle: a ninth of what ten times that does, three times for
