@@ -27,7 +27,7 @@ constexpr const char* nothing_at_rest = "the pass begins as the indenter comes t
 /// The zone that sticks for good: of a pass that has never slipped, otherwise that of shakedown.
 Quantity lasting_stick_radius(MotionKind kind);
 
-/// Takes the stick radii away from an answer of either method that its kind does not have, and keeps the course.
+/// Takes the stick radii away from an answer of either method that its kind does not have, and keeps the kind.
 template <class Answer>
 void keep_to(MotionKind kind, Answer& answer) {
   answer.motion_kind = kind;
@@ -39,7 +39,7 @@ void keep_to(MotionKind kind, Answer& answer) {
 /// body has kept, nor how slip dies out.
 void keep_to(MotionKind kind, Readings& readings);
 
-/// The keys of the "path" of a scene in result.json that tell the course.
+/// The keys of the "path" of a scene in result.json that tell the kind.
 void add_motion_kind(MotionKind kind, nlohmann::ordered_json& path);
 
 /// That of a "scene".

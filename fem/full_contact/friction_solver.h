@@ -34,8 +34,7 @@ struct FrictionSolution {
 /// limit: n_rings x n_angles, not negative. guess: of the tractions, any. The natural residual, the largest
 /// |t - P(t + rho (q - K t))| with rho the inverse of the diagonal, is computed of the solution that is returned.
 /// Throws SolverError where it neither comes below `enough` of the largest limit nor, after the last iteration, below
-/// 1e-10, and std::invalid_argument for
-/// sizes that do not fit and limits that are negative or no numbers.
+/// 1e-10, and std::invalid_argument for sizes that do not fit and limits that are negative or no numbers.
 FrictionSolution solve_friction(const SurfaceOperator& op, const Eigen::MatrixXd& pull, const Eigen::MatrixXd& limit,
                                 const Eigen::MatrixXd& guess, double enough = enough_of_contact);
 
