@@ -100,21 +100,8 @@ void add_line(const Grid& grid, double level, LevelLine& line) {
     }
 }
 
-}  // namespace
-
-std::vector<LevelLine> level_lines(const std::vector<MapPoint>& points, MapKind kind, Quantity quantity,
-                                   const std::vector<double>& levels) {
-  const auto grid = grid_of(points, kind, quantity);
-  std::vector<LevelLine> lines(levels.size());
-  for (std::size_t k = 0; k < levels.size(); ++k)
-    for (const double side : {levels[k], -levels[k]}) add_line(grid, side, lines[k]);
-  return lines;
-}
-
-LevelLine hatching(const std::vector<MapPoint>& points, MapKind kind, Quantity quantity) {
+LevelLine hatching_of(const Grid& grid, const std::vector<Dot>& dots) {
   constexpr int apart = 2;
-  const auto grid = grid_of(points, kind, quantity);
-  const auto dots = dots_of(points, kind, quantity);
   LevelLine line;
   for (int offset = -n_across; offset <= n_across; offset += apart) {
     for (int i = std::max(0, offset); i <= std::min(n_across, n_across + offset); ++i) {
@@ -130,6 +117,17 @@ LevelLine hatching(const std::vector<MapPoint>& points, MapKind kind, Quantity q
     end_piece(line);
   }
   return line;
+}
+
+}  // namespace
+
+MapLines map_lines(const std::vector<MapPoint>& points, MapKind kind, Quantity quantity,
+                   const std::vector<double>& levels) {
+  const auto grid = grid_of(points, kind, quantity);
+  MapLines lines{std::vector<LevelLine>(levels.size()), hatching_of(grid, dots_of(points, kind, quantity))};
+  for (std::size_t k = 0; k < levels.size(); ++k)
+    for (const double side : {levels[k], -levels[k]}) add_line(grid, side, lines.levels[k]);
+  return lines;
 }
 
 }  // namespace fretval

@@ -14,12 +14,16 @@ struct LevelLine {
   std::vector<double> x, y;
 };
 
-/// Where on a map MDR over an incompressible half-space is off by each of the levels, to either side: x over the stick
-/// ratio, y over the other coordinate. Straight in the triangles of a regular grid.
-std::vector<LevelLine> level_lines(const std::vector<MapPoint>& points, MapKind kind, Quantity quantity,
-                                   const std::vector<double>& levels);
+/// What is drawn of a map: x over the stick ratio, y over the other coordinate.
+struct MapLines {
+  /// Where MDR over an incompressible half-space is off by each of the levels, to either side. Straight in the
+  /// triangles of a regular grid.
+  std::vector<LevelLine> levels;
+  /// Oblique lines over the part whose nearest computed point has a bar of more than a tenth of what it shows.
+  LevelLine hatching;
+};
 
-/// Oblique lines over the part of a map whose nearest computed point has a bar of more than a tenth of what it shows.
-LevelLine hatching(const std::vector<MapPoint>& points, MapKind kind, Quantity quantity);
+MapLines map_lines(const std::vector<MapPoint>& points, MapKind kind, Quantity quantity,
+                   const std::vector<double>& levels);
 
 }  // namespace fretval

@@ -246,7 +246,8 @@ PlaneZone zone_of(const fem::ContactRegion& region, double length) {
 FeAnswer compute_full_contact(const ContactProblems& problems, const FemCase& fem, const std::optional<FeAnswer>& ring,
                               BodyStore& bodies) {
   auto answer = answer_in_steps(problems, fem, ring, bodies);
-  const auto coarse = at_resolution(fem, with_steps(fem.resolution, 0.5));
+  auto coarse = at_resolution(fem, with_steps(fem.resolution, 0.5));
+  coarse.full.second_algorithm = false;  // it confirms the steps of the answer
   extrapolate(answer_in_steps(problems, coarse, ring, bodies),
               static_cast<double>(fem.steps_per_cycle()) / coarse.steps_per_cycle(), answer);
   const auto& surface = std::get<SurfaceAnswer>(answer.of_kind);

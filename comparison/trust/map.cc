@@ -174,11 +174,11 @@ MapPoint computed_point(const PlannedPoint& planned, BodyStore& bodies) {
              both = with_rings(quick, 0.5), more_angles = with_angles(both, 2);
   auto less_settled = both;
   less_settled.periodicity *= 10;
-  std::vector<Variant> variants{{ErrorSource::rings, both, quick},
-                                {ErrorSource::time_step, quick, finest},
+  std::vector<Variant> variants{{ErrorSource::time_step, quick, finest},
                                 {ErrorSource::time_step, with_steps(finest, 0.25), finest},
-                                {ErrorSource::angles, more_angles, both}};
-  if (!scene.coupled) variants.insert(variants.begin() + 1, {ErrorSource::rings, with_rings(quick, 0.25), quick});
+                                {ErrorSource::angles, more_angles, both},
+                                {ErrorSource::rings, both, quick}};
+  if (!scene.coupled) variants.push_back({ErrorSource::rings, with_rings(quick, 0.25), quick});
   std::map<Resolution, Quantities> known;
   for (const auto& variant : variants)
     for (const auto& resolution : {variant.reference, variant.resolution})

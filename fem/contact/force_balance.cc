@@ -103,12 +103,7 @@ BalanceOfForces displacements_for_forces(const std::function<Eigen::VectorXd(con
   constexpr int enough_with_old_stiffness = 12;
   for (int k = 0; k < most_trials && !is_found(); ++k) {
     if (stiffness.size() == 0 || k == enough_with_old_stiffness) measure();
-    Eigen::VectorXd step = -stiffness.partialPivLu().solve(excess);
-    if (!step.allFinite()) {  // what was learnt on the way is singular
-      measure();
-      step = -stiffness.partialPivLu().solve(excess);
-    }
-    const Eigen::VectorXd there = at + step;
+    const Eigen::VectorXd step = -stiffness.partialPivLu().solve(excess), there = at + step;
     if (!there.allFinite()) break;
     const Eigen::VectorXd change = forces(there) - values - excess;
     if (!change.allFinite()) break;

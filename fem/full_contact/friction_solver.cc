@@ -185,7 +185,7 @@ FrictionSolution solve_touching(const SurfaceOperator& op, const MatrixXd& pull,
   Newton newton(op, pull, limit, guess);
   while (!newton.is_done(enough)) {
     if (newton.solution().iterations == most_newton_steps) {
-      if (newton.is_done(enough_where_it_stalls)) break;
+      if (newton.solution().remainder <= enough_where_it_stalls) break;
       throw SolverError(
           fmt::format("friction with a traction of any direction does not converge: {:.1e} of the "
                       "largest limit is left after {} iterations, {:.1e} is asked for",

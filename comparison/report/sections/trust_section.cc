@@ -96,14 +96,13 @@ Figure error_map_figure(const MapOfPage& map, const ordered_json& at, Quantity q
   Plot plot{fmt::format("{}: {}", map.title, traits_of(quantity).title), "c/a by MDR", map.y_label};
   plot.x_range = {least_mapped_ratio, most_mapped_ratio};
   const std::vector<double> levels{0.01, 0.02, 0.05, 0.1, 0.2};
-  const auto lines = level_lines(map_points(), map.kind, quantity, levels);
+  const auto [lines, hatching] = map_lines(map_points(), map.kind, quantity, levels);
   for (std::size_t k = 0; k < levels.size(); ++k)
     if (!lines[k].x.empty())
       plot.series.push_back({fmt::format("{:g} %", percent * levels[k]), lines[k].x, lines[k].y, Series::Style::line,
                              static_cast<int>(k)});
-  const auto open = hatching(map_points(), map.kind, quantity);
-  if (!open.x.empty())
-    plot.series.push_back({"hatched: bars above a tenth", open.x, open.y, Series::Style::thin_line, 7});
+  if (!hatching.x.empty())
+    plot.series.push_back({"hatched: bars above a tenth", hatching.x, hatching.y, Series::Style::thin_line, 7});
   const auto ratio = at.find(name_of(quantity));
   const auto& value = at.at(map.coordinate);
   if (ratio != at.end() && value.is_number()) {

@@ -11,7 +11,8 @@ namespace fretval::level_lines_test {
 namespace {
 
 TEST(LevelLines, AreWhereTheMapHasTheirLevel) {
-  const auto lines = level_lines(made_up_map(), MapKind::phase, Quantity::stick_radius_shakedown, {0.02, 0.05, 0.5});
+  const auto lines =
+      map_lines(made_up_map(), MapKind::phase, Quantity::stick_radius_shakedown, {0.02, 0.05, 0.5}).levels;
   ASSERT_EQ(lines.size(), 3U);
   for (const auto& [line, ratio] : {std::pair(lines[0], 1 - 0.2 / 1.02), std::pair(lines[1], 1 - 0.5 / 1.05)}) {
     ASSERT_FALSE(line.x.empty());
@@ -31,11 +32,11 @@ TEST(LevelLines, AreWhereTheMapHasTheirLevel) {
 TEST(Hatching, IsNearPointsThatAreNotKnownToATenth) {
   auto points = made_up_map();
   constexpr auto radius = Quantity::stick_radius_shakedown;
-  EXPECT_TRUE(hatching(points, MapKind::phase, radius).x.empty());
+  EXPECT_TRUE(map_lines(points, MapKind::phase, radius, {}).hatching.x.empty());
   auto& wide = points.at(13);  // c/a = 0.6, 60 degrees
   ASSERT_EQ(wide.map, name_of(MapKind::phase));
   wide.changes.at(radius).bar = std::abs(wide.changes.at(radius).value);
-  const auto lines = hatching(points, MapKind::phase, radius);
+  const auto lines = map_lines(points, MapKind::phase, radius, {}).hatching;
   ASSERT_FALSE(lines.x.empty());
   double nearest = 1;
   for (std::size_t i = 0; i < lines.x.size(); ++i) {
