@@ -88,12 +88,9 @@ class Newton {
     ++solution_.iterations;
     const MatrixXd way = newton_step();
     find_image(way);
-    if (halves_remainder(way)) return go(way, 1);
-    const double share = share_of_descent(way);
-    if (share > 0) return go(way, share);
-    const MatrixXd down = gradient_step();
-    find_image(down);
-    go(down, std::max(0.0, share_of_descent(down)));
+    if (halves_remainder(way)) return go({way, image_, 1});
+    const auto newton = as_far_as_it_lowers(way), down = as_far_as_it_lowers(gradient_step());
+    go(lowering(newton) > lowering(down) ? newton : down);
   }
 
   FrictionSolution& solution() { return solution_; }
@@ -151,14 +148,26 @@ class Newton {
     return remainder < solution_.remainder / 2;
   }
 
+  /// A share of a way within the discs, and the image of the whole.
+  struct Descent {
+    MatrixXd way, image;
+    double share;
+  };
+
   /// As far as lowers the energy, but no farther than all of the way, which stays in the discs.
-  [[nodiscard]] double share_of_descent(const MatrixXd& way) const {
-    return std::min(1.0, product(way, solution_.residual) / product(way, image_));
+  Descent as_far_as_it_lowers(const MatrixXd& way) {
+    find_image(way);
+    const double share = std::min(1.0, product(way, solution_.residual) / product(way, image_));
+    return {way, image_, share > 0 ? share : 0};
   }
 
-  void go(const MatrixXd& way, double share) {
-    solution_.traction += share * way;
-    solution_.residual -= share * image_;
+  [[nodiscard]] double lowering(const Descent& by) const {
+    return by.share * (product(by.way, solution_.residual) - by.share / 2 * product(by.way, by.image));
+  }
+
+  void go(const Descent& by) {
+    solution_.traction += by.share * by.way;
+    solution_.residual -= by.share * by.image;
   }
 
   const SurfaceOperator& op_;

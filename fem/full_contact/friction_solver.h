@@ -28,8 +28,8 @@ struct FrictionSolution {
 /// to the rim of its disc and moves along it, against the stiffness |q - K t|/limit of the curved rim. The linear
 /// systems are solved by conjugate gradients, preconditioned with the inverse of K that is tied to the ground by the
 /// mean of these stiffnesses over each ring, order by order. A step goes to the projected iterate where that
-/// halves the remainder, and else as far towards it as lowers the energy; where that is no descent, the projected
-/// gradient takes its place, so that every step makes progress.
+/// halves the remainder. Where it does not, it goes as far towards it as lowers the energy, or along the projected
+/// gradient if that lowers it by more: so every step makes at least the progress of a method that always converges.
 ///
 /// limit: n_rings x n_angles, not negative. guess: of the tractions, any. The natural residual, the largest
 /// |t - P(t + rho (q - K t))| with rho the inverse of the diagonal, is computed of the solution that is returned.

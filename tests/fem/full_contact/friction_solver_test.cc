@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 #include <stdexcept>
 
 #include "fem/full_contact/projected_gradients.h"
@@ -85,6 +86,24 @@ TEST(FrictionSolver, DoesNotDependOnItsGuess) {
   const auto found = solve_friction(op, pull, limit, MatrixXd::Zero(op.n_rings(), 16));
   const auto other = solve_friction(op, pull, limit, -100 * found.traction + MatrixXd::Random(op.n_rings(), 16));
   EXPECT_LT((found.traction - other.traction).norm(), 1e-10 * found.traction.norm());
+}
+
+// Limits over four orders and pulls of any direction, from a guess of another problem.
+TEST(FrictionSolver, ConvergesWhateverItIsAsked) {
+  std::mt19937 random(1);
+  const auto any = [&](double from, double to) { return std::uniform_real_distribution<double>(from, to)(random); };
+  const SurfaceOperator op(surface_half_space(0.5, 16), angular_grid(8), Fields::tangential);
+  const auto field = [&](Index columns, double least, double most) {
+    return MatrixXd(MatrixXd::NullaryExpr(op.n_rings(), columns, [&] { return any(least, most); }));
+  };
+  MatrixXd guess = MatrixXd::Zero(op.n_rings(), 16);
+  for (int problem = 0; problem < 50; ++problem) {
+    const MatrixXd limit = field(8, -4, 0).unaryExpr([](double x) { return std::pow(10, x); }),
+                   pull = any(0.01, 3) * op.areas().asDiagonal() * field(16, -1, 1);
+    const auto found = solve_friction(op, pull, limit, guess);
+    EXPECT_LE(found.remainder, 1e-10);
+    guess = found.traction;
+  }
 }
 
 TEST(FrictionSolver, HasNothingToDoWithoutLimits) {
