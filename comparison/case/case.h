@@ -144,8 +144,8 @@ struct Case {
     std::vector<double> tangential;  ///< u_x in m, or F_x in N
     bool repeats = false;            ///< for ever, with the period from its first row to its last; false: one pass
     bool normal_force = false, tangential_force = false;  ///< what the columns are; false: displacements
-    std::vector<double> transverse = {};                  ///< u_y in m; empty: it moves along x alone
-    std::optional<PathReduction> reduction = {};          ///< empty: the rows are those of the file
+    std::vector<double> transverse = {};  ///< u_y in m, or F_y in N where x is F_x; empty: it moves along x alone
+    std::optional<PathReduction> reduction = {};  ///< empty: the rows are those of the file
     /// Of a single pass: in its first row the indenter comes to touch, so that at rest nothing is in contact.
     bool from_touch = false;
 
@@ -162,7 +162,7 @@ struct Case {
     double tangential_frequency = 0;  ///< Hz
     std::optional<double> phase;      ///< deg; empty: unlocked
     std::vector<Harmonic> normal_harmonics, tangential_harmonics;
-    std::vector<Harmonic> transverse;         ///< of u_y; empty: it moves along x alone
+    std::vector<Harmonic> transverse;         ///< of u_y, of F_y beside a tangential force; empty: along x alone
     std::optional<NormalForce> normal_force;  ///< prescribed instead of the indentation
     std::optional<double> tangential_force;   ///< N, amplitude; instead of the tangential amplitude
     std::optional<Path> path;                 ///< instead of all oscillations

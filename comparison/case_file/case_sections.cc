@@ -108,27 +108,32 @@ void read_tangential_motion(const EntryReader& entries, Case::Motion& motion) {
                                     : entries.number(section, "Tangential amplitude", not_negative_number);
 }
 
+/// Of displacements, or of forces where the tangential motion is prescribed by one.
 void read_transverse_motion(const EntryReader& entries, Case::Motion& motion) {
   const std::string section = "Motion";
-  if (!entries.given(section, "Transverse amplitude")) {
-    for (const char* name : {"Transverse frequency", "Transverse phase", "Transverse harmonics"})
-      entries.forbid(section, name, "it belongs to a Transverse amplitude");
+  const bool by_force = motion.tangential_force.has_value();
+  const char *amplitude = by_force ? "Transverse force amplitude" : "Transverse amplitude",
+             *harmonics = by_force ? "Transverse force harmonics" : "Transverse harmonics";
+  for (const char* name : {"Transverse amplitude", "Transverse harmonics"})
+    if (by_force)
+      entries.forbid(section, name, "beside a Tangential force amplitude it is a Transverse force amplitude");
+  for (const char* name : {"Transverse force amplitude", "Transverse force harmonics"})
+    if (!by_force) entries.forbid(section, name, "it belongs to a Tangential force amplitude");
+  if (!entries.given(section, amplitude)) {
+    for (const char* name : {"Transverse frequency", "Transverse phase", harmonics})
+      entries.forbid(section, name, fmt::format("it belongs to a {}", amplitude));
     return;
   }
   const bool has_frequency = entries.given(section, "Transverse frequency");
   Case::Harmonic first;
-  first.amplitude = entries.number(section, "Transverse amplitude", not_negative_number);
+  first.amplitude = entries.number(section, amplitude, not_negative_number);
   first.frequency =
       has_frequency ? entries.number(section, "Transverse frequency", positive_number) : motion.tangential_frequency;
   first.phase = entries.number(section, "Transverse phase", any_number);
   motion.transverse = {first};
-  for (const auto& harmonic : read_harmonics(entries, "Transverse harmonics")) motion.transverse.push_back(harmonic);
+  for (const auto& harmonic : read_harmonics(entries, harmonics)) motion.transverse.push_back(harmonic);
   if (!motion.phase)
     entries.fail(section, "Phase", "an angle in deg: in two directions the motion is computed with a fixed phase");
-  if (motion.normal_force)
-    entries.forbid(section, "Normal force", "a motion in two directions is prescribed by displacements");
-  if (motion.tangential_force)
-    entries.forbid(section, "Tangential force amplitude", "a motion in two directions is prescribed by displacements");
 }
 
 /// Given, relative or with a unit; or a share of the tolerance of the case.
@@ -164,7 +169,8 @@ Case::Motion read_path_motion(const EntryReader& entries, std::vector<std::strin
        {"Indentation", "Normal amplitude", "Normal force", "Normal force amplitude", "Normal frequency",
         "Normal harmonics", "Normal force harmonics", "Tangential amplitude", "Tangential force amplitude",
         "Tangential frequency", "Tangential harmonics", "Tangential force harmonics", "Transverse amplitude",
-        "Transverse frequency", "Transverse phase", "Transverse harmonics", "Phase"})
+        "Transverse frequency", "Transverse phase", "Transverse harmonics", "Transverse force amplitude",
+        "Transverse force harmonics", "Phase"})
     entries.forbid(section, name, "the Path is the motion");
   const bool repeats = entries.one_of(section, "Path repeats", {"once", "forever"}) == "forever";
   const auto file = entries.path(section, "Path");
@@ -365,9 +371,6 @@ Case::Contact read_contact(const EntryReader& entries, const Case::Motion& motio
   if (contact.coupled && !contact.vector_friction)
     entries.fail("Contact", "Coupling",
                  "off, or Contact / Friction = vector: coupled, tractions have radial parts of any direction");
-  if (motion.path && motion.moves_across() &&
-      (motion.path->tangential_force || (motion.path->normal_force && contact.coupled)))
-    entries.fail("Motion", "Path", "displacements, where it goes along y as well");
   if (contact.vector_friction && !motion.path && !motion.phase)
     entries.fail("Motion", "Phase", "an angle in deg: with friction as a vector the phase is fixed");
   if (motion.moves_across() && !contact.vector_friction)

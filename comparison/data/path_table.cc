@@ -33,7 +33,9 @@ const std::vector<mdr::WantedColumn>& path_columns() {
         {"tangential force F_x",
          {"fx", "ft", "q", "tangentialforce", "frictionforce", "lateralforce", "reibkraft", "tangentialkraft"},
          mdr::force_units()}}},
-      {{{"transverse displacement u_y", {"uy", "transversedisp*"}, mdr::length_units()}}, true}};
+      {{{"transverse displacement u_y", {"uy", "transversedisp*"}, mdr::length_units()},
+        {"transverse force F_y", {"fy", "transverseforce"}, mdr::force_units()}},
+       true}};
   return wanted;
 }
 
@@ -84,23 +86,30 @@ void close(const std::string& file, Case::Path& path) {
   if (path.transverse.empty()) return;
   auto& across = path.transverse;
   if (std::abs(across.back() - across.front()) > roundoff * largest_of(across))
-    throw InputError(
-        fmt::format("{}: u_y jumps from {:g} m in the last row to {:g} m in the first, where the path begins again; "
-                    "must end where it begins, or have Motion / Path repeats = once",
-                    file, across.back(), across.front()));
+    throw InputError(fmt::format(
+        "{0}: {1} jumps from {2:g} {4} in the last row to {3:g} {4} in the first, where the path begins "
+        "again; must end where it begins, or have Motion / Path repeats = once",
+        file, path.tangential_force ? "F_y" : "u_y", across.back(), across.front(), path.tangential_force ? "N" : "m"));
   across.back() = across.front();
 }
 
-/// Of a path in two directions, whose rows are taken as they are.
-std::vector<double> transverse_column(const std::string& file, mdr::ChosenColumns& chosen) {
+/// Of a path in two directions, whose rows are taken as they are: a force beside a force.
+std::vector<double> transverse_column(const std::string& file, mdr::ChosenColumns& chosen, bool beside_force) {
   constexpr std::size_t column = columns.size();
   if (!chosen.kind[column]) return {};
+  const bool is_force = *chosen.kind[column] == 1;
+  if (is_force != beside_force)
+    throw InputError(
+        fmt::format("{}: {} beside {}: along the surface both columns are displacements, u_x and u_y, or "
+                    "both forces, F_x and F_y",
+                    file, is_force ? "F_y" : "u_y", beside_force ? "F_x" : "u_x"));
   if (!mdr::names_unit(chosen.csv, column))
     throw InputError(
-        fmt::format("{}: column u_y has no unit; expected one, for example \"t,d,u_x,u_y\" and "
+        fmt::format("{}: column {} has no unit; expected one, for example \"t,d,u_x,u_y\" and "
                     "\"s,um,um,um\"",
-                    file));
-  const double size = mdr::unit_of_column(chosen.csv, column, mdr::length_units(), file);
+                    file, is_force ? "F_y" : "u_y"));
+  const double size =
+      mdr::unit_of_column(chosen.csv, column, is_force ? mdr::force_units() : mdr::length_units(), file);
   auto values = std::move(chosen.csv.columns[column]);
   for (double& value : values) value *= size;
   return values;
@@ -142,13 +151,18 @@ void require_pressing(const std::string& file, const std::vector<int>& lines, co
 /// To all digits.
 void begin_without_tangential_force(const std::string& file, Case::Path& path) {
   if (!path.tangential_force || path.repeats) return;
-  const double first = path.tangential.front();
-  if (std::abs(first) > roundoff * largest_of(path.tangential))
-    throw InputError(
-        fmt::format("{}: F_x = {:g} N in the first row, must be 0: the body rests there without a tangential force "
-                    "before the pass; begin with a row in which there is none",
-                    file, first));
-  path.tangential.front() = 0;
+  const double largest = std::max(largest_of(path.tangential), largest_of(path.transverse));
+  const auto begin = [&](const char* name, std::vector<double>& forces) {
+    if (forces.empty()) return;
+    if (std::abs(forces.front()) > roundoff * largest)
+      throw InputError(
+          fmt::format("{}: {} = {:g} N in the first row, must be 0: the body rests there without a tangential force "
+                      "before the pass; begin with a row in which there is none",
+                      file, name, forces.front()));
+    forces.front() = 0;
+  };
+  begin("F_x", path.tangential);
+  begin("F_y", path.transverse);
 }
 
 double half_range(const std::vector<double>& values) {
@@ -163,7 +177,7 @@ PathRest rest_of(const Case::Path& path) {
     return path.repeats ? mean_over_time(path.time, values) : values.front();
   };
   return {at_rest(path.normal), path.tangential_force ? 0 : at_rest(path.tangential),
-          path.transverse.empty() ? 0 : at_rest(path.transverse)};
+          path.transverse.empty() || path.tangential_force ? 0 : at_rest(path.transverse)};
 }
 
 Case::Path read_path_table(const std::string& file, bool repeats, const PathTolerance& tolerance,
@@ -185,11 +199,8 @@ Case::Path read_path_table(const std::string& file, bool repeats, const PathTole
     }
     if (auto skipped = skipped_text(file, chosen); !skipped.empty()) notes.push_back(std::move(skipped));
     const auto is_force = [&](std::size_t column) { return chosen.kind[column] == std::optional<std::size_t>(1); };
-    auto transverse = transverse_column(file, chosen);
+    auto transverse = transverse_column(file, chosen, is_force(2));
     const bool as_it_is = !transverse.empty();
-    if (as_it_is && (is_force(1) || is_force(2)))
-      throw InputError(
-          fmt::format("{}: a path with u_y is one of displacements; expected the columns t, d, u_x, u_y", file));
     Case::Path rows{file,
                     std::move(csv.columns[0]),
                     std::move(csv.columns[1]),

@@ -8,11 +8,11 @@
 
 namespace fretval {
 
-/// Reads a path: a table with columns t, d or F_N, u_x or F_x and a unit of each, wherever they stand in it (see
-/// mdr/support/csv_columns.h). Two rows at least, three of a path that repeats, at instants that rise. A record of a
-/// rig becomes a path as path_of_record says. Then a single pass begins in contact, d > 0, and without tangential
-/// force, to 1e-6 of its largest |F_x|; a path that repeats has a positive mean d over time. F_N is positive in every
-/// row. notes: what was skipped and what was done. Throws InputError with file, line and value.
+/// Reads a path: a table with columns t, d or F_N, u_x or F_x, or u_y or F_y beside them, and a unit of each, wherever
+/// they stand in it (see mdr/support/csv_columns.h). Two rows at least, three of a path that repeats, at instants that
+/// rise. A record of a rig becomes a path as path_of_record says. Then a single pass begins in contact, d > 0, and
+/// without tangential force, to 1e-6 of its largest |F_x|; a path that repeats has a positive mean d over time. F_N is
+/// positive in every row. notes: what was skipped and what was done. Throws InputError with file, line and value.
 Case::Path read_path_table(const std::string& file, bool repeats, const PathTolerance& tolerance,
                            std::vector<std::string>& notes);
 

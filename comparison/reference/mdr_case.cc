@@ -329,7 +329,7 @@ MdrCase mdr_case(const Case& input_of_any_body) {
   if (is_layer_of_mdr(input))
     mdr.layer = mdr::Layer{input.body.thickness, input.elastomer.poisson_ratio,
                            input.body.is_bonded ? mdr::LayerBase::bonded : mdr::LayerBase::frictionless};
-  if (mdr.has_forces() && !mdr.path && !mdr.layer)
+  if (mdr.has_forces() && !mdr.path && !mdr.layer && !motion.moves_across())
     mdr.limiting_state =
         mdr::limiting_motion(mdr.profile, rheology_of(input.elastomer), mdr.friction_coefficient, mdr.motion,
                              mdr.normal_force, mdr.tangential_force, mdr::StickCriterion::shakedown);

@@ -30,7 +30,8 @@ struct MdrCase {
   mdr::HarmonicMotion motion;
   std::optional<mdr::LimitingProfile> limiting;         ///< Wear / State = limiting: the indenter itself
   bool normal_force = false, tangential_force = false;  ///< what is prescribed; false: displacements
-  /// What forces lead to; empty: no forces, a path, or no limiting state. A limiting profile under forces is its.
+  /// What forces lead to; empty: no forces, a path, a motion in two directions, or no limiting state. A limiting
+  /// profile under forces is its.
   std::optional<mdr::LimitingMotion> limiting_state = {};
 
   /// Instead of the motion, which tells then how large the path is (see Case::Motion).

@@ -25,9 +25,10 @@ using nlohmann::ordered_json;
 
 constexpr int n_profile_points = 200;
 
+/// Along x, where what forces lead to has a closed form.
 bool oscillates_under_forces(const Case& input) {
   const auto& motion = input.motion;
-  return !motion.path && (motion.normal_force || motion.tangential_force);
+  return !motion.path && !motion.moves_across() && (motion.normal_force || motion.tangential_force);
 }
 
 double modulus_ratio_of(const Case& input, const mdr::Rheology& body) {

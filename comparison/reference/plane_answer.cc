@@ -3,13 +3,34 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mdr/motion/force_control.h"
 #include "mdr/plane/plane_springs.h"
 #include "mdr/plane/plane_stick.h"
 #include "mdr/rheology/rheology.h"
+#include "mdr/springs/spring_step.h"
 #include "mdr/support/constants.h"
 
 namespace fretval {
 namespace {
+
+/// What the normal contact does over the period, of which the indentation may follow from a force.
+class Indentation {
+ public:
+  explicit Indentation(const mdr::NormalResponse& normal) : normal_(normal) {}
+  /// After a time from the start of the period or pass, linear between the instants of the response.
+  double operator()(double t) const {
+    const auto& time = normal_.time;
+    const auto after = std::lower_bound(time.begin(), time.end(), t);
+    if (after == time.begin()) return normal_.indentation.front();
+    if (after == time.end()) return normal_.indentation.back();
+    const auto k = static_cast<std::size_t>(after - time.begin());
+    const double share = (t - time[k - 1]) / (time[k] - time[k - 1]);
+    return normal_.indentation[k - 1] + share * (normal_.indentation[k] - normal_.indentation[k - 1]);
+  }
+
+ private:
+  const mdr::NormalResponse& normal_;
+};
 
 mdr::PlanePosition position_at(const mdr::HarmonicMotion& motion, double t) {
   mdr::PlanePosition position{motion.indentation, 0, 0};
@@ -52,12 +73,17 @@ mdr::PlaneMotion in_steps(const mdr::SampledPath& path, int steps) {
   return motion;
 }
 
-double way_of(const mdr::PlaneMotion& motion) {
-  double way = 0;
-  for (std::size_t k = 1; k < motion.positions.size(); ++k)
-    way += std::hypot(motion.positions[k].x - motion.positions[k - 1].x,
-                      motion.positions[k].y - motion.positions[k - 1].y);
-  return way;
+/// With what a normal force makes of the indentation, from that of the relaxed body under its mean on.
+mdr::PlaneMotion steps_of(const MdrCase& mdr, const mdr::NormalResponse& normal, int steps) {
+  auto motion = mdr.path ? in_steps(*mdr.path, steps) : in_steps(mdr.motion, steps);
+  motion.by_force = mdr.tangential_force;
+  if (!mdr.normal_force) return motion;
+  const Indentation depth(normal);
+  motion.rest.depth = mdr.is_single_pass()
+                          ? depth(0)
+                          : mdr::indentation_for_force(mdr.profile, mdr.body.relaxed_modulus, motion.rest.depth);
+  for (std::size_t k = 0; k < motion.positions.size(); ++k) motion.positions[k].depth = depth(motion.time[k]);
+  return motion;
 }
 
 mdr::StickDepths depths_of(const MdrCase& mdr) {
@@ -72,17 +98,19 @@ mdr::StickDepths depths_of(const MdrCase& mdr) {
   return mdr::plane_stick_depths(mdr::stuck_element(mdr.body, mu, *mdr.path, per_piece));
 }
 
-void add_cycle(const MdrCase& mdr, int times, MdrAnswer& answer) {
-  constexpr int n_springs = 100, n_steps = 360;
-  const auto response_with = [&](int finer, double& way) {
-    const auto motion = mdr.path ? in_steps(*mdr.path, finer * n_steps) : in_steps(mdr.motion, finer * n_steps);
-    way = way_of(motion);
-    return mdr::plane_response(mdr.profile, mdr.body, mdr.friction_coefficient, motion, finer * n_springs);
-  };
-  double way = 0;
-  const auto coarse = response_with(times, way), fine = response_with(2 * times, way);
+/// From springs, twice.
+struct Stepped {
+  mdr::PlaneResponse fine, coarse;
+  [[nodiscard]] double error_of(double mdr::PlaneResponse::*value) const {
+    return std::abs(fine.*value - coarse.*value);
+  }
+};
+
+void add_cycle(const MdrCase& mdr, const Stepped& stepped, MdrAnswer& answer) {
+  const auto& [fine, coarse] = stepped;
+  using R = mdr::PlaneResponse;
   const bool once = mdr.is_single_pass();
-  const auto bulk = [&](const mdr::PlaneResponse& r) {
+  const auto bulk = [&](const R& r) {
     return once || (mdr.body.branch_moduli.empty() && mdr.body.viscosity == 0)
                ? 0
                : std::max(0.0, r.tangential_work + r.normal_work - r.friction_work);
@@ -95,14 +123,29 @@ void add_cycle(const MdrCase& mdr, int times, MdrAnswer& answer) {
   cycle.bulk_work = bulk(fine);
   cycle.tangential_work = once ? 0 : fine.tangential_work;
   cycle.sliding_force = sliding_force;
-  cycle.sliding_work = sliding_force * way;
-  cycle.force_error =
-      std::max(std::abs(fine.force_x_max - coarse.force_x_max), std::abs(fine.force_x_mean - coarse.force_x_mean));
-  cycle.work_error = std::abs(fine.friction_work - coarse.friction_work) + std::abs(bulk(fine) - bulk(coarse));
-  cycle.loop_error = once ? 0 : std::abs(fine.tangential_work - coarse.tangential_work);
+  cycle.sliding_work = sliding_force * fine.way;
+  cycle.force_error = std::max(stepped.error_of(&R::force_x_max), stepped.error_of(&R::force_x_mean));
+  cycle.work_error = stepped.error_of(&R::friction_work) + std::abs(bulk(fine) - bulk(coarse));
+  cycle.loop_error = once ? 0 : stepped.error_of(&R::tangential_work);
   answer.cycle = cycle;
   answer.transverse_force_max = fine.force_y_max;
-  answer.transverse_force_error = std::abs(fine.force_y_max - coarse.force_y_max);
+  answer.transverse_force_error = stepped.error_of(&R::force_y_max);
+}
+
+/// What has no closed form where forces are prescribed.
+void add_what_forces_lead_to(const MdrCase& mdr, const Stepped& stepped, const mdr::PlaneMotion& motion,
+                             MdrAnswer& answer) {
+  const auto& [fine, coarse] = stepped;
+  double deepest = 0;
+  for (const auto& position : motion.positions) deepest = std::max(deepest, position.depth);
+  if (mdr.normal_force) answer.indentation_max = deepest;
+  answer.stepping_error = std::max(std::abs(fine.depths.first_slip - coarse.depths.first_slip),
+                                   std::abs(fine.depths.shakedown - coarse.depths.shakedown)) /
+                          deepest;
+  if (!mdr.tangential_force || mdr.is_single_pass()) return;
+  answer.tangential_amplitude = fine.x_amplitude;
+  answer.stepping_error =
+      std::max(answer.stepping_error, stepped.error_of(&mdr::PlaneResponse::x_amplitude) / fine.x_amplitude);
 }
 
 }  // namespace
@@ -112,11 +155,23 @@ bool moves_in_plane(const MdrCase& mdr) {
 }
 
 MdrAnswer plane_answer(const MdrCase& mdr, const mdr::NormalResponse& normal, int times) {
+  constexpr int n_springs = 100, n_steps = 360;
   auto answer = with_normal_response(normal);
-  const auto radii = mdr::stick_radii(mdr.profile, depths_of(mdr));
-  answer.stick_radius_first_slip = radii.first_slip;
-  answer.stick_radius_shakedown = radii.shakedown;
-  add_cycle(mdr, times, answer);
+  const auto motion = steps_of(mdr, normal, 2 * times * n_steps), coarse = steps_of(mdr, normal, times * n_steps);
+  const auto response = [&](const mdr::PlaneMotion& steps, int finer) {
+    return mdr::plane_response(mdr.profile, mdr.body, mdr.friction_coefficient, steps, finer * times * n_springs);
+  };
+  try {
+    const Stepped stepped{response(motion, 2), response(coarse, 1)};
+    add_cycle(mdr, stepped, answer);
+    if (mdr.has_forces()) add_what_forces_lead_to(mdr, stepped, motion, answer);
+    const auto radii = mdr::stick_radii(mdr.profile, mdr.has_forces() ? stepped.fine.depths : depths_of(mdr));
+    answer.stick_radius_first_slip = radii.first_slip;
+    answer.stick_radius_shakedown = radii.shakedown;
+  } catch (const mdr::GrossSlip& slip) {
+    answer.gross_slip = slip.amplitude;
+    if (mdr.is_single_pass()) answer.gross_slip_time = mdr.path->time.front() + slip.time;
+  }
   return answer;
 }
 

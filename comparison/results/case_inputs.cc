@@ -131,7 +131,7 @@ void add_motion(const Case::Motion& motion, Inputs& inputs) {
     inputs.add("Motion", "Phase", *motion.phase, "°");
   else
     inputs.add("Motion", "Phase", "free");
-  add_harmonics("Transverse", false, motion.transverse, inputs);
+  add_harmonics("Transverse", motion.tangential_force.has_value(), motion.transverse, inputs);
 }
 
 void add_contact(const Case::Contact& contact, Inputs& inputs) {

@@ -111,20 +111,15 @@ void write_surface(const std::vector<SurfacePoint>& points, unsigned n_around, c
 }
 
 void write_zones(const SurfaceAnswer& surface, const fs::path& file) {
-  const auto circle = fem::whole_circle(surface.grid);
-  const auto n = static_cast<Index>(circle.size());
-  VectorXd angle(n);
-  for (Index j = 0; j < n; ++j) angle[j] = circle[static_cast<std::size_t>(j)].angle;
-  std::vector<Column> columns{{"angle [rad]", angle}};
-  const auto add = [&](const char* name, const PlaneZone& zone) {
-    VectorXd edge(n);
-    for (Index j = 0; j < n; ++j)
-      edge[j] = zone.edges[static_cast<std::size_t>(circle[static_cast<std::size_t>(j)].kept)];
-    columns.push_back({name, edge});
+  const auto edges = edges_of(surface);
+  std::vector<Column> columns;
+  const auto add = [&](const char* name, const std::vector<double>& values) {
+    columns.push_back({name, VectorXd::Map(values.data(), static_cast<Index>(values.size()))});
   };
-  add("contact [m]", surface.contact);
-  add("never slipped [m]", surface.never_slipped);
-  add("sticks in a cycle [m]", surface.sticks_in_a_cycle);
+  add("angle [rad]", edges.angle);
+  add("contact [m]", edges.contact);
+  add("never slipped [m]", edges.never_slipped);
+  add("sticks in a cycle [m]", edges.sticks_in_a_cycle);
   write_csv(file, columns);
 }
 

@@ -58,26 +58,28 @@ ordered_json zones_json(const SurfaceAnswer& surface, MotionKind kind, const Err
     const auto bar = budget.find(quantity);
     return total_of(bar == budget.end() ? std::nullopt : std::optional(bar->second), length);
   };
+  const auto with_bars = [](const PlaneZone& zone, const ordered_json& radius, const ordered_json& along,
+                            const ordered_json& across) {
+    return ordered_json{
+        {"area", zone.area},
+        {"area_bar", radius.is_null() ? radius : ordered_json(2 * pi * zone.radius * radius.get<double>())},
+        {"radius", zone.radius},
+        {"radius_bar", radius},
+        {"along", zone.along},
+        {"along_bar", along},
+        {"across", zone.across},
+        {"across_bar", across}};
+  };
   const auto zone_json = [&](const PlaneZone& zone, Quantity radius, Quantity along, Quantity across) {
-    const auto bar = bar_of(radius);
-    return ordered_json{{"area", zone.area},
-                        {"area_bar", bar.is_null() ? bar : ordered_json(2 * pi * zone.radius * bar.get<double>())},
-                        {"radius", zone.radius},
-                        {"radius_bar", bar},
-                        {"along", zone.along},
-                        {"along_bar", bar_of(along)},
-                        {"across", zone.across},
-                        {"across_bar", bar_of(across)}};
+    return with_bars(zone, bar_of(radius), bar_of(along), bar_of(across));
   };
   using Q = Quantity;
   ordered_json json{{"contact", zone_json(surface.contact, Q::contact_radius_max, Q::contact_along, Q::contact_across)},
                     {"never_slipped", zone_json(surface.never_slipped, Q::stick_radius_first_slip, Q::first_slip_along,
                                                 Q::first_slip_across)}};
+  const auto& end = surface.sticks_at_the_end;
   if (is_pass(kind))
-    json["sticks_at_the_end"] = {{"area", surface.sticks_at_the_end.area},
-                                 {"radius", surface.sticks_at_the_end.radius},
-                                 {"along", surface.sticks_at_the_end.along},
-                                 {"across", surface.sticks_at_the_end.across}};
+    json["sticks_at_the_end"] = with_bars(end, end.uncertainty, end.uncertainty, end.uncertainty);
   else
     json["sticks_in_a_cycle"] =
         zone_json(surface.sticks_in_a_cycle, Q::stick_radius_shakedown, Q::shakedown_along, Q::shakedown_across);

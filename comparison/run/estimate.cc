@@ -6,6 +6,7 @@
 #include "comparison/accuracy/error_bars.h"
 #include "comparison/accuracy/refinement.h"
 #include "comparison/accuracy/wear_proof.h"
+#include "comparison/reference/gross_slip.h"
 #include "comparison/simulation/wear_simulation.h"
 
 namespace fretval {
@@ -51,7 +52,13 @@ double estimated_seconds(const Resolution& resolution, int highest_order, std::s
   return of_a_variant * static_cast<double>(n_computations) * seconds_of_one(resolution, highest_order, n_sharing);
 }
 
+bool slides(const PreparedCase& prepared) {
+  const auto share = steady_sliding_share(prepared.mdr);
+  return share && *share < 1;
+}
+
 double estimated_seconds(const PreparedCase& prepared, Proof proof, std::size_t n_sharing) {
+  if (slides(prepared)) proof = Proof::none;
   const auto n = proof == Proof::none ? 2 : computations_for_bars(prepared.fem);  // 2: the whole of one
   const double seconds = estimated_seconds(prepared.fem.resolution, prepared.fem.motion.highest_order(), n, n_sharing) *
                          (proof == Proof::tolerance ? until_the_tolerance_is_met : 1) *

@@ -29,6 +29,9 @@ double estimated_seconds(const PreparedCase& prepared, Proof proof, std::size_t 
 std::map<std::string, double> estimated_seconds(const std::vector<PreparedCase>& cases, Proof proof,
                                                 std::size_t n_cores);
 
+/// Whether the steady motion slides by the balance of forces (steady_sliding_share), which a computation finds at once.
+bool slides(const PreparedCase& prepared);
+
 /// How many computations the error bars of an unworn case take, the case itself among them.
 std::size_t computations_for_bars(const FemCase& fem);
 

@@ -99,7 +99,8 @@ std::string path_text(const Case::Path& path) {
   return row("path", fmt::format("{}: {} rows in {}, {}", path.file, path.time.size(), short_text(path.duration(), "s"),
                                  path.repeats ? "repeated for ever" : "passed once, from rest at the first row")) +
          row("normal", range(path.normal, path.normal_force)) +
-         row("tangential", range(path.tangential, path.tangential_force));
+         row("tangential", range(path.tangential, path.tangential_force)) +
+         (path.transverse.empty() ? "" : row("transverse", range(path.transverse, path.tangential_force)));
 }
 
 /// "of one modulus" or "of pad 1, skin 8 times the modulus".
@@ -148,11 +149,21 @@ std::string scene_text(const Case& input) {
                               : short_text(motion.indentation, "m") + " ± " +
                                     oscillation(motion.normal_amplitude, "m", motion.normal_frequency, "") +
                                     more(motion.normal_harmonics));
+  const char* unit = motion.tangential_force ? "N" : "m";
+  const auto harmonic = [&](const Case::Harmonic& h) {
+    return oscillation(h.amplitude, unit, h.frequency, fmt::format(", phase {:g} deg", h.phase));
+  };
   if (motion.tangential_force)
-    return text + row("tangential", oscillation(*motion.tangential_force, "N", motion.tangential_frequency, phase));
-  if (std::isnan(motion.tangential_amplitude)) return text + row("tangential", "what shakes down at the stick radius");
-  return text + row("tangential", oscillation(motion.tangential_amplitude, "m", motion.tangential_frequency, phase) +
-                                      more(motion.tangential_harmonics));
+    text += row("tangential", oscillation(*motion.tangential_force, "N", motion.tangential_frequency, phase));
+  else if (std::isnan(motion.tangential_amplitude))
+    text += row("tangential", "what shakes down at the stick radius");
+  else
+    text += row("tangential", oscillation(motion.tangential_amplitude, "m", motion.tangential_frequency, phase) +
+                                  more(motion.tangential_harmonics));
+  if (!motion.transverse.empty())
+    text += row("transverse",
+                harmonic(motion.transverse.front()) + more({motion.transverse.begin() + 1, motion.transverse.end()}));
+  return text;
 }
 
 std::string three_digits(double metres) {
@@ -281,8 +292,15 @@ double seconds_of_sweep(const std::vector<Case>& sweep) {
   return seconds * static_cast<double>(sweep.size()) / static_cast<double>(some.size() * n_cores());
 }
 
-/// sweep: that the case is a point of. is_hard: finite elements look for a zone that MDR has small, or does not have.
-std::string cost_text(const PreparedCase& prepared, const std::vector<Case>& sweep, bool is_hard) {
+/// Why nobody can tell how long a case takes; empty: it can be told. has_small_zone: MDR has a small zone, or none,
+/// which finite elements look for.
+std::string why_open_ended(const PreparedCase& prepared, bool has_small_zone) {
+  if (prepared.fem.kind == ContactKind::plane) return "rings, steps and angles, as friction is a vector";
+  return has_small_zone ? "rings where a stick zone is small, or may be" : "";
+}
+
+/// sweep: that the case is a point of.
+std::string cost_text(const PreparedCase& prepared, const std::vector<Case>& sweep, bool has_small_zone) {
   const auto& fem = prepared.fem;
   const auto n = computations_for_bars(fem);
   std::string text =
@@ -291,13 +309,17 @@ std::string cost_text(const PreparedCase& prepared, const std::vector<Case>& swe
                                   fem.resolution.elements_per_radius, fem.given ? " as the mesh has them" : "",
                                   fem.resolution.steps_per_cycle));
   for (const auto& words : left_out(fem)) text += row("", words);
-  if (is_hard)
-    return text +
-           row("cost", fmt::format("{} computations or more to prove a tolerance of {:g}, and many more on finer "
-                                   "rings where a stick zone is small, or may be: minutes, which nobody can "
-                                   "tell beforehand",
-                                   n, prepared.input.tolerance));
   const double seconds = estimated_seconds(prepared, Proof::tolerance);
+  if (slides(prepared))
+    return text +
+           row("cost", fmt::format("the whole contact slides, which one computation finds: of the order of {} on "
+                                   "a core",
+                                   duration_text(seconds)));
+  if (const auto why = why_open_ended(prepared, has_small_zone); !why.empty())
+    return text +
+           row("cost", fmt::format("{} computations or more to prove a tolerance of {:g}, and many more on finer {}: "
+                                   "minutes, which nobody can tell beforehand",
+                                   n, prepared.input.tolerance, why));
   text += row("cost", fmt::format("{} computations or more to prove a tolerance of {:g}, of the order of {} on a core",
                                   n, prepared.input.tolerance, duration_text(seconds)));
   if (wears(prepared)) text += row("", "most of it for the wear");

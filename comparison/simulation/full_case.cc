@@ -135,6 +135,15 @@ PlaneZone corrected(const PlaneZone& zone, const fem::ContactRegion& of_rings, c
   return moved;
 }
 
+/// Of the indenter along the surface, in the cycle or in the pass.
+double way_of(const fem::SurfaceHistory& history, bool is_pass) {
+  const auto& at = history.displacement;
+  const Eigen::Index n = at.cols();
+  double way = is_pass ? at.col(0).norm() : (at.col(0) - at.col(n - 1)).norm();
+  for (Eigen::Index k = 1; k < n; ++k) way += (at.col(k) - at.col(k - 1)).norm();
+  return way;
+}
+
 /// Everything that is read of the history, before corrections.
 void read_surface(const fem::NormalHistory& normal, const FemCase& fem, FeAnswer& answer) {
   auto& surface = std::get<SurfaceAnswer>(answer.of_kind);
@@ -148,6 +157,8 @@ void read_surface(const fem::NormalHistory& normal, const FemCase& fem, FeAnswer
   surface.torque_max = history.forces.row(2).cwiseAbs().maxCoeff() * fem.units.force() * length;
   const double pressing = fem.full.coupled ? history.normal_work : fem::normal_work(fem.motion, normal);
   answer.cycle = response_of(fem, history, pressing);
+  if (fem.motion.tangential_force && fem.has_period())
+    answer.tangential_amplitude = amplitude_of(history) * fem.units.depth;
 }
 
 /// Of a motion along x: the ring contact, and what becomes of it.
@@ -221,7 +232,6 @@ void extrapolate(const FeAnswer& coarse, double ratio, FeAnswer& fine) {
   auto& surface = std::get<SurfaceAnswer>(fine.of_kind);
   extrapolation(before.never_slipped, surface.never_slipped);
   extrapolation(before.sticks_in_a_cycle, surface.sticks_in_a_cycle);
-  extrapolation(before.sticks_at_the_end, surface.sticks_at_the_end);
   extrapolation(before.contact, surface.contact);
   extrapolation(before.transverse_force_max, surface.transverse_force_max);
   extrapolation(before.torque_max, surface.torque_max);
@@ -252,9 +262,13 @@ FeAnswer compute_full_contact(const ContactProblems& problems, const FemCase& fe
               static_cast<double>(fem.steps_per_cycle()) / coarse.steps_per_cycle(), answer);
   const auto& surface = std::get<SurfaceAnswer>(answer.of_kind);
   answer.cycle->sliding_force = fem.friction_coefficient * answer.normal_force_max;
-  answer.cycle->sliding_work = fem.motion.tangential_force && ring && ring->cycle
-                                   ? ring->cycle->sliding_work
-                                   : answer.cycle->sliding_force * fem::tangential_path(fem.motion) * fem.units.depth;
+  if (fem.motion.tangential_force && ring && ring->cycle) {
+    answer.cycle->sliding_work = ring->cycle->sliding_work;
+  } else {
+    const double way = fem.motion.tangential_force ? way_of(surface.history, fem.motion.is_single_pass())
+                                                   : fem::tangential_path(fem.motion);
+    answer.cycle->sliding_work = answer.cycle->sliding_force * way * fem.units.depth;
+  }
   answer.stick_radius_first_slip = radius_of(surface.never_slipped);
   answer.first_slip_uncertainty = surface.never_slipped.uncertainty;
   answer.stick_radius_shakedown = radius_of(surface.sticks_in_a_cycle);

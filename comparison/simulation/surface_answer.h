@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "comparison/quantities/plane_edges.h"
 #include "fem/full_contact/angular_grid.h"
 #include "fem/full_contact/surface_history.h"
 
@@ -24,5 +25,7 @@ struct SurfaceAnswer {
   fem::AngularGrid grid;
   fem::SurfaceHistory history;  ///< dimensionless
 };
+
+PlaneEdges edges_of(const SurfaceAnswer& surface);
 
 }  // namespace fretval

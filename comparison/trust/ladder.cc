@@ -71,17 +71,12 @@ Proved proved(const Rung& rung, BodyStore& bodies) {
   return {std::move(fe), prepared.fem.units};
 }
 
-/// Whether friction as a vector is computed for the motion of a case; and coupled.
+/// Whether friction as a vector is computed for the motion of a case, coupled or not.
 bool has_vector_friction(const Case& input) {
   const auto& motion = input.motion;
-  const bool by_force = motion.tangential_force || (motion.path && motion.path->tangential_force);
-  const bool moves = motion.tangential_amplitude != 0 || !motion.tangential_harmonics.empty() || motion.moves_across();
-  return moves && !by_force && motion.phase;
-}
-
-bool has_coupling(const Case& input) {
-  const auto& motion = input.motion;
-  return has_vector_friction(input) && !motion.normal_force && !(motion.path && motion.path->normal_force);
+  const bool moves = motion.tangential_amplitude != 0 || motion.tangential_force.value_or(0) > 0 ||
+                     !motion.tangential_harmonics.empty() || motion.moves_across();
+  return moves && motion.phase;
 }
 
 }  // namespace
@@ -115,7 +110,7 @@ Case case_without_coupling(const Case& input) {
 }
 
 std::optional<Case> coupled_case(const Case& input) {
-  if (!has_coupling(input) || (input.body.is_half_space() && input.elastomer.poisson_ratio == incompressible))
+  if (!has_vector_friction(input) || (input.body.is_half_space() && input.elastomer.poisson_ratio == incompressible))
     return {};
   auto all = input;
   all.contact = {true, true};
@@ -144,7 +139,8 @@ OffBys off_by(const Readings& mdr, const ProvedAnswer& fe, const Units& units) {
   for (const auto& [quantity, reading] : readings_of(fe.fe, units)) {
     const auto other = mdr.find(quantity);
     if (!is_on_ladder(quantity) || other == mdr.end()) continue;
-    if (!reading.value || !other->second.value || *reading.value == 0 || *other->second.value == 0) continue;
+    if (!reading.is_compared || !reading.value || !other->second.value) continue;
+    if (*reading.value == 0 || *other->second.value == 0) continue;
     OffBy one{reading};
     if (const auto bar = fe.budget.find(quantity); bar != fe.budget.end())
       one.fe.uncertainty = bar->second.total() * scale_of(quantity, scales, *reading.value);
@@ -160,7 +156,7 @@ OffBys off_by(const Readings& mdr, const ProvedAnswer& fe, const Units& units) {
 std::vector<NotComputed> not_computed_in(const Case& input, double contact_radius) {
   std::vector<NotComputed> list;
   const double mu = input.friction_coefficient, coupling = coupling_of(input, contact_radius);
-  if (coupling > 0 && !has_coupling(input))
+  if (coupling > 0 && !has_vector_friction(input))
     list.push_back(
         {"normal and tangential contact coupled",
          fmt::format("mu times the coupling of the surface at a wave of the contact radius: {:.2g}", mu * coupling)});
@@ -183,7 +179,7 @@ Ladder ladder_of(const Case& input, BodyStore& bodies) {
         fmt::format("{}: Indenter / Table = {}: MDR does not hold for this profile, on any body; `fretval "
                     "run` answers by finite elements",
                     input.file, input.indenter.table));
-  Ladder ladder{readings_of(mdr_answer_with_cycle(own, mdr_normal_response(own))), {}, {}, 0, {}};
+  Ladder ladder{readings_of(mdr_answer_with_cycle(own, mdr_normal_response(own))), {}, {}, 0, {}, {}};
   std::optional<Proved> all;  // of all assumptions dropped
   const auto off = [&](const Readings& mdr, const Proved& fe) { return off_by(mdr, fe.fe, fe.units); };
   for (const auto& rung : rungs_of(input)) {
@@ -200,6 +196,10 @@ Ladder ladder_of(const Case& input, BodyStore& bodies) {
   }
   ladder.whole = {{"whole", "the case as it is", coupled.value_or(without.input)}, off(ladder.mdr, *all)};
   ladder.contact_radius = all->fe.fe.contact_radius_max.value_or(0);
+  if (const auto* surface = std::get_if<SurfaceAnswer>(&all->fe.fe.of_kind)) {
+    ladder.edges = edges_of(*surface);
+    if (own.is_single_pass()) ladder.edges->sticks_in_a_cycle.clear();
+  }
   ladder.not_computed = not_computed_in(input, ladder.contact_radius);
   return ladder;
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "comparison/accuracy/proof.h"
+#include "comparison/quantities/plane_edges.h"
 #include "comparison/quantities/reading.h"
 
 namespace fretval {
@@ -25,8 +26,8 @@ std::vector<Rung> rungs_of(const Case& input);
 /// All assumptions of MDR dropped but the one that pressure and friction are not coupled.
 Case case_without_coupling(const Case& input);
 
-/// The same with coupling; empty: over an incompressible half-space there is none, or the motion is not computed with
-/// it (prescribed forces).
+/// The same with coupling; empty: over an incompressible half-space there is none, or friction is not computed as a
+/// vector.
 std::optional<Case> coupled_case(const Case& input);
 
 /// MDR's own model of a case.
@@ -45,7 +46,8 @@ struct OffBy {
 };
 using OffBys = std::map<Quantity, OffBy>;
 
-/// Of what both methods have a value for that is not 0, but for what settles and what slip has locked in.
+/// Of what is compared and both methods have a value for that is not 0, but for what settles and what slip has locked
+/// in.
 OffBys off_by(const Readings& mdr, const ProvedAnswer& fe, const Units& units);
 
 struct RungAnswer {
@@ -60,10 +62,11 @@ struct NotComputed {
 
 /// How far MDR can be trusted in a case, and why.
 struct Ladder {
-  Readings mdr;                   ///< of its own model
-  std::vector<RungAnswer> rungs;  ///< one assumption dropped each; coupling: beside all others, against all others
-  RungAnswer whole;               ///< all of them
-  double contact_radius;          ///< m, of finite elements for the whole
+  Readings mdr;                     ///< of its own model
+  std::vector<RungAnswer> rungs;    ///< one assumption dropped each; coupling: beside all others, against all others
+  RungAnswer whole;                 ///< all of them
+  double contact_radius;            ///< m, of finite elements for the whole
+  std::optional<PlaneEdges> edges;  ///< of zones, of the whole; empty: friction is not a vector there
   std::vector<NotComputed> not_computed;
 };
 

@@ -108,6 +108,12 @@ ordered_json place_json(const Case& input, const Ladder& ladder) {
   return json;
 }
 
+ordered_json edges_json(const PlaneEdges& edges) {
+  ordered_json json{{"angle", edges.angle}, {"contact", edges.contact}, {"never_slipped", edges.never_slipped}};
+  if (!edges.sticks_in_a_cycle.empty()) json["sticks_in_a_cycle"] = edges.sticks_in_a_cycle;
+  return json;
+}
+
 constexpr std::size_t title_width = 31, value_width = 27, share_width = 18;
 
 std::string row_of(const Ladder& ladder, Quantity quantity) {
@@ -194,6 +200,7 @@ ordered_json ladder_json(const Case& input, const Ladder& ladder) {
   for (const auto& [quantity, off] : ladder.whole.off_by)
     if (const auto interaction = interaction_in(ladder, quantity))
       json["interaction"][name_of(quantity)] = *interaction;
+  if (ladder.edges) json["zones"] = edges_json(*ladder.edges);
   json["not_computed"] = ordered_json::array();
   for (const auto& [assumption, order] : ladder.not_computed)
     json["not_computed"].push_back({{"assumption", assumption}, {"order", order}});

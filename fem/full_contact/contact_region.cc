@@ -51,11 +51,14 @@ ContactRegion region_within(const AngularGrid& grid, VectorXd edges) {
   region.radius = std::sqrt(region.area / pi);
   const VectorXd all = all_around(grid, region.edges);
   constexpr int n_looks = 360;
+  Eigen::ArrayXd x(n_looks), y(n_looks);
   for (int i = 0; i < n_looks; ++i) {
     const double angle = 2 * pi * i / n_looks, edge = between_angles(all, angle);
-    region.along = std::max(region.along, edge * std::abs(std::cos(angle)));
-    region.across = std::max(region.across, edge * std::abs(std::sin(angle)));
+    x[i] = edge * std::cos(angle);
+    y[i] = edge * std::sin(angle);
   }
+  region.along = (x.maxCoeff() - x.minCoeff()) / 2;
+  region.across = (y.maxCoeff() - y.minCoeff()) / 2;
   return region;
 }
 
@@ -75,6 +78,22 @@ ContactRegion region_of(const ContactProblem& rings, const AngularGrid& grid, co
 
 ContactRegion region_of(const ContactProblem& rings, const AngularGrid& grid, const Eigen::MatrixXd& margin) {
   return region_of(rings, grid, rings.series.depths_of_instants(margin), rings_inside(margin));
+}
+
+ContactRegion region_to_a_ring(const ContactProblem& rings, const AngularGrid& grid, const Eigen::MatrixXd& margin) {
+  const auto n_inside = rings_inside(margin);
+  const auto& radii = rings.compliance.radii;
+  VectorXd edges(n_inside.size());
+  double widest = 0;
+  for (Index j = 0; j < edges.size(); ++j) {
+    const auto n = static_cast<std::size_t>(n_inside[j]);
+    edges[j] = radii[n];
+    if (n > 0) widest = std::max(widest, radii[n] - radii[n - 1]);
+    if (n + 1 < radii.size()) widest = std::max(widest, radii[n + 1] - radii[n]);
+  }
+  auto region = region_within(grid, std::move(edges));
+  region.uncertainty = widest;
+  return region;
 }
 
 }  // namespace fretval::fem

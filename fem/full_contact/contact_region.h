@@ -35,6 +35,11 @@ ContactRegion region_within(const AngularGrid& grid, Eigen::VectorXd edges);
 /// The same from the margin, zero outside of the region.
 ContactRegion region_of(const ContactProblem& rings, const AngularGrid& grid, const Eigen::MatrixXd& margin);
 
+/// The same to a ring, of a margin of which it is not known how it falls towards the edge: like that of a punch where a
+/// zone that sticks gives way, and in proportion to the distance where it grows. The edge lies between the last ring
+/// that has a margin and the next one.
+ContactRegion region_to_a_ring(const ContactProblem& rings, const AngularGrid& grid, const Eigen::MatrixXd& margin);
+
 /// Rings of each ray before the first one without a margin.
 Eigen::VectorXi rings_inside(const Eigen::MatrixXd& margin);
 

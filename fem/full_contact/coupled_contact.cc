@@ -118,7 +118,7 @@ MatrixXd CoupledContact::moved_by_traction(const MatrixXd& traction) const {
   return moved.rightCols(pressure.cols());
 }
 
-void CoupledContact::alternate(const MatrixXd& target, const PressureWear& wear, double along) {
+void CoupledContact::alternate(const MatrixXd& target, const PressureWear& wear, const VectorXd& along) {
   const VectorXd stiff = operators_.normal.areas() * friction.next_step().relaxation.instantaneous();
   const bool wears = wear.coefficient.size() > 0;
   double enough = share_of(1);
@@ -170,23 +170,22 @@ CoupledContact::Attempt CoupledContact::attempt(const MatrixXd& pressed, const P
 }
 
 CoupledContact::Way CoupledContact::way_of_forces(const MatrixXd& pressed, const PressureWear& wear) {
-  const bool down = motion_.depth_is_force, along = motion_.lateral.x_is_force;
-  const Index n = down + along;
+  const Index down = motion_.depth_is_force ? 1 : 0, along = friction.n_forces(), n = down + along;
   if (n == 0) return {};
-  const auto way_of = [=](const VectorXd& by) { return Way{down ? by[0] : 0, along ? by[n - 1] : 0}; };
+  const auto way_of = [=](const VectorXd& by) { return Way{down > 0 ? by[0] : 0, by.tail(along)}; };
   const auto forces_at = [&](const VectorXd& by) {
     attempt(pressed, wear, way_of(by));
     VectorXd forces(n);
-    if (along) forces[n - 1] = friction.attempted_force();
-    if (down) forces[0] = normal_force();
+    forces.tail(along) = friction.attempted_forces();
+    if (down > 0) forces[0] = normal_force();
     return forces;
   };
   if (balance_.displacements.size() == 0) balance_.displacements = VectorXd::Zero(n);
   forces_at(balance_.displacements);
   VectorXd values(n);
-  if (along) values[n - 1] = friction.prescribed_force();
+  values.tail(along) = friction.prescribed_forces();
   const auto next = friction.next_step();
-  if (down) values[0] = motion_.depth(next.balance, next.inside()).value;
+  if (down > 0) values[0] = motion_.depth(next.balance, next.inside()).value;
   balance_ = displacements_for_forces(forces_at, values, balance_, probe_of_force, enough_of_force * normal_force());
   return way_of(balance_.displacements);
 }

@@ -78,16 +78,17 @@ class CoupledContact {
   void press_without_friction();
   [[nodiscard]] Eigen::MatrixXd moved_by_pressure() const;
   [[nodiscard]] Eigen::MatrixXd moved_by_traction(const Eigen::MatrixXd& traction) const;
-  /// How far the indenter goes down and along x in a step where forces are prescribed.
+  /// How far the indenter goes down and along the surface in a step, in the directions whose forces are prescribed.
   struct Way {
-    double down = 0, along = 0;
+    double down = 0;
+    Eigen::VectorXd along = {};
   };
   /// A step as it is tried: of the indenter, and of the points before they are held.
   struct Attempt {
     IndenterMove whole;
     Eigen::VectorXd driven, left_behind, before;
   };
-  void alternate(const Eigen::MatrixXd& target, const PressureWear& wear, double along);
+  void alternate(const Eigen::MatrixXd& target, const PressureWear& wear, const Eigen::VectorXd& along);
   Attempt attempt(const Eigen::MatrixXd& pressed, const PressureWear& wear, const Way& way);
   Way way_of_forces(const Eigen::MatrixXd& pressed, const PressureWear& wear);
 

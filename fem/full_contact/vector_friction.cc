@@ -53,7 +53,7 @@ VectorFriction::VectorFriction(const SurfaceOperator& op, RelaxationModel relaxa
       step_(relaxation_, dt_),
       x_{VectorXd::Zero(limit.size()), MatrixXd::Zero(limit.size(), step_.n_branches())},
       y_(x_),
-      balance_{VectorXd::Zero(1), {}},
+      balance_{VectorXd::Zero(n_forces()), {}},
       arms_(mean_radii(op.radii())) {
   solution_.traction = traction;
 }
@@ -80,18 +80,20 @@ std::optional<StepInPiece> VectorFriction::in_piece() const {
   return step;
 }
 
-VectorFriction::Moves VectorFriction::moves_in(const NextStep& next, double along) const {
+VectorFriction::Moves VectorFriction::moves_in(const NextStep& next, const VectorXd& along) const {
   const auto move = [&](const Course& course, double end) { return move_in(course, next.begin, end, next.inside()); };
   const double fraction = step_.fraction();
-  if (motion_.x_is_force)
-    return {steady_move(fraction * along, fraction * dt_), move(motion_.y, next.balance), steady_move(along, dt_),
-            move(motion_.y, next.end)};
+  if (motion_.by_force) {
+    const double x = along[0], y = along.size() > 1 ? along[1] : 0;
+    return {steady_move(fraction * x, fraction * dt_), steady_move(fraction * y, fraction * dt_), steady_move(x, dt_),
+            steady_move(y, dt_)};
+  }
   return {move(motion_.x, next.balance), move(motion_.y, next.balance), move(motion_.x, next.end),
           move(motion_.y, next.end)};
 }
 
 const FrictionSolution& VectorFriction::attempt(const MatrixXd& pressure, const MatrixXd& displaced, double enough,
-                                                double along) {
+                                                const VectorXd& along) {
   moves_ = moves_in(next_step(), along);
   const VectorXd x = step_.response_without_slip(x_, moves_.x_to_balance),
                  y = step_.response_without_slip(y_, moves_.y_to_balance);
@@ -118,31 +120,42 @@ void VectorFriction::accept() {
   ++n_steps;
 }
 
-double VectorFriction::prescribed_force() {
+Index VectorFriction::n_forces() const {
+  if (!motion_.by_force) return 0;
+  return op_.grid().mirrors == Mirrors::none ? 2 : 1;
+}
+
+VectorXd VectorFriction::prescribed_forces() {
   const auto next = next_step();
-  const double force = motion_.x(next.balance, next.inside()).value;
-  if (!(std::abs(force) < most_force())) throw GrossSlip(next.balance, 1);
-  return force;
+  VectorXd forces(n_forces());
+  if (forces.size() > 0) forces[0] = motion_.x(next.balance, next.inside()).value;
+  if (forces.size() > 1) forces[1] = motion_.y(next.balance, next.inside()).value;
+  if (forces.size() > 0 && !(forces.norm() < most_force())) throw GrossSlip(next.balance, 1);
+  return forces;
+}
+
+VectorXd VectorFriction::attempted_forces() const {
+  const Index m = limit.cols();
+  VectorXd forces(n_forces());
+  for (Index i = 0; i < forces.size(); ++i)
+    forces[i] = (op_.areas().transpose() * solution_.traction.middleCols(i * m, m)).sum();
+  return forces;
 }
 
 void VectorFriction::step(const MatrixXd& pressure) {
   const MatrixXd nothing = MatrixXd::Zero(traction.rows(), traction.cols());
-  const auto go = [&](double along) { attempt(pressure, nothing, enough_of_contact, along); };
-  go(balance_.displacements[0]);
-  if (motion_.x_is_force) {
-    const auto force_at = [&](const VectorXd& along) -> VectorXd {
-      go(along[0]);
-      return VectorXd::Constant(1, attempted_force());
+  const auto go = [&](const VectorXd& along) { attempt(pressure, nothing, enough_of_contact, along); };
+  go(balance_.displacements);
+  if (motion_.by_force) {
+    const auto forces_at = [&](const VectorXd& along) {
+      go(along);
+      return attempted_forces();
     };
-    balance_ = displacements_for_forces(force_at, VectorXd::Constant(1, prescribed_force()), balance_, probe_of_force,
+    balance_ = displacements_for_forces(forces_at, prescribed_forces(), balance_, probe_of_force,
                                         enough_of_force * most_force());
-    go(balance_.displacements[0]);
+    go(balance_.displacements);
   }
   accept();
-}
-
-double VectorFriction::force_of(const MatrixXd& made) const {
-  return (op_.areas().transpose() * made.leftCols(limit.cols())).sum();
 }
 
 void VectorFriction::step(const VectorXd& ring_pressure) {

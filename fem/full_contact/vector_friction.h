@@ -23,7 +23,7 @@ constexpr double enough_of_force = 1e-9, probe_of_force = 1e-4;
 /// Motion of the indenter along the surface.
 struct LateralMotion {
   Course x, y;
-  bool x_is_force = false;  ///< x is F_x, which the indenter follows at the balance time of each step
+  bool by_force = false;  ///< they are F_x and F_y, which the indenter follows at the balance time of each step
 };
 /// The motion must outlive it.
 LateralMotion lateral_motion(const Motion& motion);
@@ -54,17 +54,19 @@ class VectorFriction {
 
   /// What the next step comes to under pressures to which the body also responds by so much along the surface, times
   /// the areas; until accept() nothing has changed but the limit and the guess for the next attempt. along: how far the
-  /// indenter goes along x in the whole step, where a force is prescribed.
-  const FrictionSolution& attempt(const Eigen::MatrixXd& pressure, const Eigen::MatrixXd& displaced,
-                                  double enough = enough_of_contact, double along = 0);
+  /// indenter goes in the whole step in the directions whose forces are prescribed, n_forces of them.
+  const FrictionSolution& attempt(const Eigen::MatrixXd& pressure, const Eigen::MatrixXd& displaced, double enough,
+                                  const Eigen::VectorXd& along);
   /// Makes the step of the last attempt.
   void accept();
 
-  /// F_x that is prescribed at the balance time of the next step. Throws GrossSlip where the limit of the last attempt
-  /// does not bear it.
-  double prescribed_force();
-  /// F_x of the last attempt.
-  [[nodiscard]] double attempted_force() const { return force_of(solution_.traction); }
+  /// How many forces the indenter follows: F_x, and F_y as well where no mirror balances it.
+  [[nodiscard]] Eigen::Index n_forces() const;
+  /// Those that are prescribed at the balance time of the next step. Throws GrossSlip where the limit of the last
+  /// attempt does not bear them.
+  Eigen::VectorXd prescribed_forces();
+  /// Those of the last attempt.
+  [[nodiscard]] Eigen::VectorXd attempted_forces() const;
   /// The largest tangential force that the limit bears.
   [[nodiscard]] double most_force() const { return (op_.areas().transpose() * limit).sum(); }
 
@@ -126,8 +128,7 @@ class VectorFriction {
   struct Moves {
     IndenterMove x_to_balance, y_to_balance, x, y;
   };
-  [[nodiscard]] Moves moves_in(const NextStep& next, double along) const;
-  [[nodiscard]] double force_of(const Eigen::MatrixXd& made) const;  // along x
+  [[nodiscard]] Moves moves_in(const NextStep& next, const Eigen::VectorXd& along) const;
   Moves moves_{};
   BalanceOfForces balance_;  // of the last step under a force
   Eigen::VectorXd arms_;     // mean distances of the rings from the axis

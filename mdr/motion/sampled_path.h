@@ -16,7 +16,7 @@ struct SampledPath {
   bool repeats = false;            ///< with the period from the first row to the last, which is the first again
   bool normal_force = false, tangential_force = false;  ///< what the columns are; false: displacements
 
-  std::vector<double> transverse = {};  ///< u_y in m; empty: it moves along x alone
+  std::vector<double> transverse = {};  ///< u_y in m, F_y in N where x is F_x; empty: it moves along x alone
 
   [[nodiscard]] double duration() const { return time.back() - time.front(); }
   [[nodiscard]] std::size_t n_pieces() const { return time.size() - 1; }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "mdr/plane/plane_balance.h"
 #include "mdr/springs/spring_step.h"
 #include "mdr/support/checks.h"
 
@@ -56,9 +57,43 @@ void move_tips(const ArrayXd& by, const Branches& branches, Direction& direction
     direction.memory.col(i) = branches.decay[i] * direction.memory.col(i) + branches.gain[i] * by;
 }
 
+/// An element of depth 0 that neither slips nor lifts.
+class Stuck {
+ public:
+  Stuck(double depth, double mu, Index n_branches)
+      : scale_(2 / (3 * mu)), x_(1, n_branches), y_(1, n_branches), down_(1, n_branches) {
+    down_.position = depth;
+  }
+  void move(double down, const double (&along)[2], const Branches& branches) {
+    const auto bear = [&](double by, Direction& direction) {
+      direction.load = load_at_rest(direction, branches) + branches.stiffness * by;
+      move_tips(ArrayXd::Constant(1, by), branches, direction);
+    };
+    bear(down, down_);
+    bear(along[0], x_);
+    bear(along[1], y_);
+  }
+  /// Its forces as StuckElement has them.
+  [[nodiscard]] double x() const { return scale_ * x_.load[0]; }
+  [[nodiscard]] double y() const { return scale_ * y_.load[0]; }
+  [[nodiscard]] double normal() const { return down_.load[0]; }
+
+ private:
+  double scale_;
+  Direction x_, y_, down_;
+};
+
+/// Of the ends of the steps of a cycle: forces over 8/3 G0, displacements, and those of an element that sticks.
+struct Course {
+  ArrayXXd force, displacement;
+  StuckElement stuck;
+
+  explicit Course(Index n) : force(n, 2), displacement(n, 2), stuck{ArrayXd(n), ArrayXd(n), ArrayXd(n)} {}
+};
+
 /// Sums over a cycle, over 8/3 G0.
 struct Sums {
-  double friction = 0, along = 0, down = 0, mean_x = 0, largest_x = 0, largest_y = 0;
+  double friction = 0, along = 0, down = 0, mean_x = 0, way = 0;
 };
 
 class PlaneSprings {
@@ -72,24 +107,33 @@ class PlaneSprings {
         normal_(relaxed_state(bed_, body, motion.rest.depth)),
         x_(n_springs, static_cast<Index>(body.branch_moduli.size())),
         y_(x_),
-        now_(motion.rest) {}
+        stuck_(motion.rest.depth, mu, static_cast<Index>(body.branch_moduli.size())),
+        first_slip_(motion.rest.depth),
+        depth_(motion.rest.depth),
+        position_{motion.by_force ? 0 : motion.rest.x, motion.by_force ? 0 : motion.rest.y} {}
 
-  /// ramp: whether amplitudes rise from rest. Forces at the end of each step, a row each.
-  Sums cycle(bool ramp, ArrayXXd& forces) {
+  /// ramp: whether amplitudes rise from rest.
+  Sums cycle(bool ramp, Course& course) {
     Sums sums;
-    const auto n = motion_.n_steps();
     const double duration = motion_.time.back();
-    forces.resize(static_cast<Index>(n), 2);
-    for (std::size_t k = 1; k <= n; ++k) {
-      const double share = motion_.time[k] / duration;
-      const double e = ramp ? share * share * (3 - 2 * share) : 1;
-      step(towards(motion_.positions[k], e), motion_.time[k] - motion_.time[k - 1], sums);
-      forces(static_cast<Index>(k) - 1, 0) = force_[0];
-      forces(static_cast<Index>(k) - 1, 1) = force_[1];
-      sums.mean_x += force_[0] * (motion_.time[k] - motion_.time[k - 1]) / duration;
+    for (std::size_t k = 1; k <= motion_.n_steps(); ++k) {
+      const double share = motion_.time[k] / duration, dt = motion_.time[k] - motion_.time[k - 1];
+      amplitude_ = ramp ? share * share * (3 - 2 * share) : 1;
+      time_ = motion_.time[k];
+      step(towards(motion_.positions[k], amplitude_), dt, sums);
+      const auto row = static_cast<Index>(k) - 1;
+      course.force.row(row) << force_[0], force_[1];
+      course.displacement.row(row) << position_[0], position_[1];
+      course.stuck.x[row] = stuck_.x();
+      course.stuck.y[row] = stuck_.y();
+      course.stuck.normal[row] = stuck_.normal();
+      sums.mean_x += force_[0] * dt / duration;
     }
     return sums;
   }
+
+  /// Depth up to which no element has slipped since rest.
+  [[nodiscard]] double first_slip() const { return first_slip_; }
 
  private:
   static double largest_radius(const Profile& profile, const PlaneMotion& motion) {
@@ -105,6 +149,22 @@ class PlaneSprings {
             rest.y + share * (position.y - rest.y)};
   }
 
+  /// How far the indenter goes along the surface.
+  [[nodiscard]] Eigen::Vector2d way_to(const PlanePosition& to, const ArrayXd& most) const {
+    if (!motion_.by_force) return {to.x - position_[0], to.y - position_[1]};
+    const Eigen::Vector2d sum = Eigen::Vector2d(to.x, to.y) / (2 * 8.0 / 3 * body_.relaxed_modulus);
+    const double borne = (bed_.width * most).sum();
+    if (!(sum.norm() < borne)) {
+      GrossSlip slip("the whole contact slides under the prescribed tangential force");
+      slip.time = time_;
+      slip.amplitude = amplitude_;
+      slip.excess = sum.norm() - borne;
+      throw slip;
+    }
+    return way_for_forces(
+        sum, {bed_.width, load_at_rest(x_, *branches_), load_at_rest(y_, *branches_), most, branches_->stiffness});
+  }
+
   void step(const PlanePosition& to, double dt, Sums& sums) {
     if (!(std::abs(dt - dt_) <= 1e-12 * dt)) {
       dt_ = dt;
@@ -112,10 +172,12 @@ class PlaneSprings {
       normal_step_.emplace(body_, mu_, dt);
     }
     const auto& branches = *branches_;
-    const double normal_before = 2 * (bed_.width * normal_.normal_load).sum();
-    normal_step_->advance(normal_, bed_, {to.depth, (to.depth - now_.depth) / dt, 0, 0});
+    const double normal_before = 2 * (bed_.width * normal_.normal_load).sum(), down = to.depth - depth_;
+    normal_step_->advance(normal_, bed_, {to.depth, down / dt, 0, 0});
     const double normal_after = 2 * (bed_.width * normal_.normal_load).sum();
-    const double moved[] = {to.x - now_.x, to.y - now_.y};
+    const ArrayXd most = limit_ * normal_.normal_load;
+    const auto way = way_to(to, most);
+    const double moved[] = {way[0], way[1]};
     Direction* directions[] = {&x_, &y_};
     ArrayXd before[2];
     for (int i = 0; i < 2; ++i) {
@@ -123,8 +185,7 @@ class PlaneSprings {
       before[i] = direction.load;
       direction.trial = load_at_rest(direction, branches) + branches.stiffness * moved[i];
     }
-    const ArrayXd most = limit_ * normal_.normal_load, size = (x_.trial.square() + y_.trial.square()).sqrt();
-    const ArrayXd kept = (size > most).select(most / size.max(1e-300), 1);
+    const ArrayXd kept = shares_within(most, x_.trial, y_.trial);
     for (int i = 0; i < 2; ++i) {
       auto& direction = *directions[i];
       direction.slip = (1 - kept) * direction.trial / branches.stiffness;
@@ -135,11 +196,13 @@ class PlaneSprings {
       const double force = 2 * (bed_.width * direction.load).sum();
       sums.along += (force_[i] + force) / 2 * moved[i];
       force_[i] = force;
+      position_[i] += moved[i];
     }
-    sums.down += (normal_before + normal_after) / 2 * (to.depth - now_.depth);
-    sums.largest_x = std::max(sums.largest_x, std::abs(force_[0]));
-    sums.largest_y = std::max(sums.largest_y, std::abs(force_[1]));
-    now_ = to;
+    stuck_.move(down, moved, branches);
+    first_slip_ = std::min(first_slip_, stuck_.normal() - std::hypot(stuck_.x(), stuck_.y()));
+    sums.down += (normal_before + normal_after) / 2 * down;
+    sums.way += way.norm();
+    depth_ = to.depth;
   }
 
   const PronyBody& body_;
@@ -148,12 +211,18 @@ class PlaneSprings {
   SpringBed bed_;
   SpringState normal_;
   Direction x_, y_;
-  PlanePosition now_;
-  double dt_ = 0;
+  Stuck stuck_;
+  double first_slip_;
+  double depth_, position_[2];  // of the indenter
+  double amplitude_ = 1, time_ = 0, dt_ = 0;
   double force_[2] = {0, 0};
   std::optional<Branches> branches_;  // of the step that is made
   std::optional<SpringStep> normal_step_;
 };
+
+double half_range(const ArrayXd& values) {
+  return (values.maxCoeff() - values.minCoeff()) / 2;
+}
 
 }  // namespace
 
@@ -162,17 +231,26 @@ PlaneResponse plane_response(const Profile& profile, const PronyBody& body, doub
   validate(body);
   require_positive("coefficient of friction", mu);
   PlaneSprings springs(profile, body, mu, motion, n_springs);
-  ArrayXXd forces, before;
-  auto sums = springs.cycle(motion.repeats, forces);
+  Course course(static_cast<Index>(motion.n_steps())), before = course;
+  auto sums = springs.cycle(motion.repeats, course);
+  const auto& followed = motion.by_force ? course.displacement : course.force;
   constexpr int most_cycles = 100;
   for (int cycle = 1; motion.repeats && cycle < most_cycles; ++cycle) {
-    before.swap(forces);
-    sums = springs.cycle(false, forces);
-    if ((forces - before).abs().maxCoeff() <= periodicity * forces.abs().maxCoeff()) break;
+    before = course;
+    sums = springs.cycle(false, course);
+    const auto& last = motion.by_force ? before.displacement : before.force;
+    if ((followed - last).abs().maxCoeff() <= periodicity * followed.abs().maxCoeff()) break;
   }
   const double stiffness = 8.0 / 3 * body.relaxed_modulus, normal = 4 * body.relaxed_modulus;
-  return {stiffness * sums.largest_x, stiffness * sums.largest_y, stiffness * sums.mean_x,
-          stiffness * sums.friction,  stiffness * sums.along,     normal * sums.down};
+  return {stiffness * course.force.col(0).abs().maxCoeff(),
+          stiffness * course.force.col(1).abs().maxCoeff(),
+          stiffness * sums.mean_x,
+          stiffness * sums.friction,
+          stiffness * sums.along,
+          normal * sums.down,
+          sums.way,
+          half_range(course.displacement.col(0)),
+          {springs.first_slip(), std::max(springs.first_slip(), plane_stick_depths(course.stuck).shakedown)}};
 }
 
 }  // namespace fretval::mdr

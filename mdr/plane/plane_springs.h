@@ -4,12 +4,14 @@
 #include <functional>
 #include <vector>
 
+#include "mdr/plane/plane_stick.h"
 #include "mdr/profiles/profile.h"
 #include "mdr/rheology/prony_body.h"
 
 namespace fretval::mdr {
 
-/// Where the indenter is: how deep, and along the surface; m.
+/// Where the indenter is: how deep, and along the surface; m. Where forces are prescribed along the surface, x and y
+/// are F_x and F_y; N.
 struct PlanePosition {
   double depth, x, y;
 };
@@ -21,6 +23,7 @@ struct PlaneMotion {
   std::vector<double> time;  ///< s, from 0 on
   std::vector<PlanePosition> positions;
   bool repeats = false;
+  bool by_force = false;  ///< along the surface
 
   [[nodiscard]] std::size_t n_steps() const { return time.size() - 1; }
 };
@@ -32,6 +35,9 @@ struct PlaneResponse {
   double friction_work;             ///< J
   double tangential_work;           ///< J, of the indenter along the surface
   double normal_work;               ///< J, into it
+  double way;                       ///< m, of the indenter along the surface
+  double x_amplitude;               ///< m, half of what lies between the extremes of u_x
+  StickDepths depths;               ///< of plane_stick_depths at the ends of the steps; first slip: since rest
 };
 
 /// The spring foundation with friction as a vector: per length of a spring
@@ -42,8 +48,9 @@ struct PlaneResponse {
 /// force. The normal part is that of SpringStep. In a step a spring that sticks moves with the indenter; else its force
 /// is the one on the limit that points to where sticking would bring it (implicit, of first order in the step where
 /// the direction of slip turns). A motion that repeats goes through cycles, amplitudes rising in the first one, until
-/// the force repeats to `periodicity` of its largest or 100 cycles have passed. mu positive. Throws
-/// std::invalid_argument.
+/// the force, or the displacement where forces are prescribed, repeats to `periodicity` of its largest or 100 cycles
+/// have passed. Under forces the indenter goes in each step where its springs bear them (force_balance). mu positive.
+/// Throws std::invalid_argument, and GrossSlip for a force that friction does not bear.
 PlaneResponse plane_response(const Profile& profile, const PronyBody& body, double mu, const PlaneMotion& motion,
                              Eigen::Index n_springs, double periodicity = 1e-7);
 

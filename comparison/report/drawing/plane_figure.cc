@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "comparison/report/drawing/axis.h"
@@ -84,30 +85,72 @@ Arrows arrows_of(const StoredResult& r, double unit) {
   return arrows;
 }
 
-}  // namespace
-
-Figure plane_figure(const StoredResult& r) {
+PlaneEdges edges_in(const StoredResult& r) {
   const auto file = r.folder / "zones.csv";
-  const auto columns = read_columns(file, "angle [rad]", "contact [m]");
-  const auto &angles = columns.first, &contact = columns.second;
-  const auto length = axis_for({&contact}, "m");
-  Plot plot{"Zones and tractions from above", "x in " + length.unit, "y in " + length.unit};
+  const auto column = [&](const char* name) { return read_columns(file, "angle [rad]", name); };
+  auto [angle, contact] = column("contact [m]");
+  PlaneEdges edges{std::move(angle), std::move(contact), column("never slipped [m]").second, {}};
+  if (!is_pass(r.motion_kind())) edges.sticks_in_a_cycle = column("sticks in a cycle [m]").second;
+  return edges;
+}
+
+/// radius: m, that has to have room.
+Plot plot_of(const char* title, double radius, const Axis& length) {
+  Plot plot{title, "x in " + length.unit, "y in " + length.unit};
   plot.equal_scales = true;
-  const double half = 1.08 * *std::max_element(contact.begin(), contact.end()) / length.factor;
+  const double half = 1.08 * radius / length.factor;
   plot.y_range = {-half, half};
   plot.x_range = {-half, half};
-  const auto add = [&](const char* label, Points points, Series::Style style, int colour) {
-    plot.series.push_back({label, std::move(points.x), std::move(points.y), style, colour});
-  };
-  const auto edge = [&](const char* name) {
-    return outline(angles, read_columns(file, "angle [rad]", name).second, length.factor);
-  };
-  auto arrows = arrows_of(r, length.factor);
-  if (!arrows.slipping.x.empty()) add("traction where it slips", arrows.slipping, Series::Style::line, 1);
-  if (!arrows.stuck.x.empty()) add("traction where it sticks", arrows.stuck, Series::Style::line, 0);
-  add("contact", edge("contact [m]"), Series::Style::line, 7);
-  if (!is_pass(r.motion_kind())) add("sticks in a cycle", edge("sticks in a cycle [m]"), Series::Style::line, 2);
-  add("has never slipped", edge("never slipped [m]"), Series::Style::dashed, 3);
+  return plot;
+}
+
+void add(const char* label, Points points, Series::Style style, int colour, Plot& plot) {
+  plot.series.push_back({label, std::move(points.x), std::move(points.y), style, colour});
+}
+
+constexpr int colour_of_contact = 7, colour_of_cycle = 2, colour_of_never = 3;
+
+void add_edges(const PlaneEdges& edges, const Axis& length, Plot& plot) {
+  const auto line = [&](const Numbers& radii) { return outline(edges.angle, radii, length.factor); };
+  add("contact", line(edges.contact), Series::Style::line, colour_of_contact, plot);
+  if (!edges.sticks_in_a_cycle.empty())
+    add("sticks in a cycle", line(edges.sticks_in_a_cycle), Series::Style::line, colour_of_cycle, plot);
+  add("has never slipped", line(edges.never_slipped), Series::Style::line, colour_of_never, plot);
+}
+
+void add_circle(const char* label, const std::optional<double>& radius, const Axis& length, int colour, Plot& plot) {
+  constexpr std::size_t n_around = 32;
+  if (!radius) return;
+  Numbers angles(n_around);
+  for (std::size_t k = 0; k < n_around; ++k) angles[k] = 2 * pi * static_cast<double>(k) / n_around;
+  add(label, outline(angles, Numbers(n_around, *radius), length.factor), Series::Style::dashed, colour, plot);
+}
+
+}  // namespace
+
+Figure edges_figure(const PlaneEdges& edges, const MdrRadii& mdr) {
+  const Numbers larger{
+      std::max(mdr.contact.value_or(0), *std::max_element(edges.contact.begin(), edges.contact.end()))};
+  const auto length = axis_for({&larger}, "m");
+  auto plot = plot_of("Zones from above", larger.front(), length);
+  add_edges(edges, length, plot);
+  add_circle("contact by MDR", mdr.contact, length, colour_of_contact, plot);
+  if (!edges.sticks_in_a_cycle.empty())
+    add_circle("sticks in a cycle by MDR", mdr.sticks_in_a_cycle, length, colour_of_cycle, plot);
+  add_circle("has never slipped by MDR", mdr.never_slipped, length, colour_of_never, plot);
+  return {std::move(plot),
+          "Solid: finite elements for the case as it is. Dashed: MDR's own model, which has discs alone."};
+}
+
+Figure plane_figure(const StoredResult& r) {
+  const auto edges = edges_in(r);
+  const auto length = axis_for({&edges.contact}, "m");
+  auto plot =
+      plot_of("Zones and tractions from above", *std::max_element(edges.contact.begin(), edges.contact.end()), length);
+  auto [stuck, slipping] = arrows_of(r, length.factor);
+  if (!slipping.x.empty()) add("traction where it slips", std::move(slipping), Series::Style::line, 1, plot);
+  if (!stuck.x.empty()) add("traction where it sticks", std::move(stuck), Series::Style::line, 0, plot);
+  add_edges(edges, length, plot);
   return {std::move(plot), std::string("The contact at the end of the ") +
                                (is_pass(r.motion_kind()) ? "pass" : "last cycle") +
                                ". Arrows: the traction of the indenter on the body."};

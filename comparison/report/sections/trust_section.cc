@@ -8,6 +8,7 @@
 #include "comparison/model_error/coordinates.h"
 #include "comparison/model_error/level_lines.h"
 #include "comparison/report/drawing/figures.h"
+#include "comparison/report/drawing/plane_figure.h"
 #include "comparison/report/drawing/share_bars.h"
 #include "comparison/report/sections/scene_section.h"
 #include "comparison/report/text/table.h"
@@ -82,6 +83,19 @@ Table ladder_table(const ordered_json& trust) {
   return table;
 }
 
+/// Of the case as it is, beside MDR's discs.
+Figure zones_figure(const ordered_json& trust) {
+  const auto& zones = trust.at("zones");
+  const auto edge = [&](const char* name) { return zones.value(name, std::vector<double>()); };
+  const auto radius = [&](Quantity quantity) -> std::optional<double> {
+    const auto found = trust.at("mdr").find(name_of(quantity));
+    return found == trust.at("mdr").end() ? std::nullopt : std::optional(found->get<double>());
+  };
+  return edges_figure({edge("angle"), edge("contact"), edge("never_slipped"), edge("sticks_in_a_cycle")},
+                      {radius(Quantity::contact_radius_max), radius(Quantity::stick_radius_first_slip),
+                       radius(Quantity::stick_radius_shakedown)});
+}
+
 struct MapOfPage {
   MapKind kind;
   const char *title, *y_label, *coordinate;
@@ -131,6 +145,7 @@ Filling trust_section(const ordered_json& trust) {
   const auto quantity = quantity_of(key);
   filling["waterfall"] = {{"template", "figures"}, {"figures", Filling::array()}};
   filling["waterfall"]["figures"].push_back(waterfall_of(trust, key));
+  if (trust.contains("zones")) filling["zones"] = filling_of({zones_figure(trust)});
   std::vector<Figure> maps;
   for (const auto& map : maps_of_page) maps.push_back(error_map_figure(map, trust.at("at"), *quantity));
   filling["maps"] = filling_of(maps);

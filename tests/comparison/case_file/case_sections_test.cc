@@ -52,6 +52,43 @@ TEST(CaseSections, EveryShapeHasItsOwnNumbers) {
   EXPECT_EQ(sphere.flat_radius, 1e-3);
 }
 
+/// Of the section Motion.
+constexpr const char* pressed =
+    "set Indentation = 1e-4\nset Normal amplitude = 0\nset Normal frequency = 1\nset Tangential frequency = 2\nset "
+    "Phase = 0\n";
+
+/// What is said of it beside friction as a vector.
+Case::Motion motion_across(const std::string& entries) {
+  return read_case(case_with("Motion", pressed + entries) + "subsection Contact\n  set Friction = vector\nend\n")
+      .motion;
+}
+
+TEST(CaseSections, ForcesGoAcrossForcesAndDisplacementsAcrossDisplacements) {
+  const auto moved = motion_across(
+      "set Tangential amplitude = 1e-5\nset Transverse amplitude = 2e-5\nset Transverse "
+      "phase = 90\nset Transverse harmonics = 1e-6 4 0");
+  ASSERT_EQ(moved.transverse.size(), 2U);
+  EXPECT_EQ(moved.transverse[0].amplitude, 2e-5);
+  EXPECT_EQ(moved.transverse[0].frequency, 2);
+  EXPECT_EQ(moved.transverse[0].phase, 90);
+  const auto pushed = motion_across(
+      "set Tangential force amplitude = 0.1\nset Transverse force amplitude = 0.2\nset "
+      "Transverse phase = 90\nset Transverse frequency = 4\nset Transverse force "
+      "harmonics = 0.01 8 0");
+  ASSERT_EQ(pushed.transverse.size(), 2U);
+  EXPECT_EQ(pushed.transverse[0].amplitude, 0.2);
+  EXPECT_EQ(pushed.transverse[0].frequency, 4);
+  EXPECT_EQ(pushed.transverse[1].amplitude, 0.01);
+  const auto refused = [](const std::string& entries) { return refusal([&] { motion_across(entries); }); };
+  expect_parts(
+      refused("set Tangential force amplitude = 0.1\nset Transverse amplitude = 2e-5\nset Transverse phase = 0"),
+      {"Motion / Transverse amplitude", "a Transverse force amplitude"});
+  expect_parts(refused("set Tangential amplitude = 1e-5\nset Transverse force amplitude = 2\nset Transverse phase = 0"),
+               {"Motion / Transverse force amplitude", "belongs to a Tangential force amplitude"});
+  expect_parts(refused("set Tangential force amplitude = 0.1\nset Transverse phase = 0"),
+               {"Motion / Transverse phase", "belongs to a Transverse force amplitude"});
+}
+
 TEST(CaseSections, BoundsAreTakenOrRefusedAsTheMessageSays) {
   for (const double exponent : {0.5, 20.0})
     EXPECT_EQ(indenter("set Shape = power\nset Coefficient = 3\nset Exponent = " + std::to_string(exponent)).exponent,

@@ -67,6 +67,20 @@ TEST(PathTable, TakesForcesInEitherDirection) {
   expect_parts(refused("t,F_N,F_x\ns,N,N\n0,1,0\n1,2,0\n2,1.5,0\n", true), {"F_N jumps by -0.5 N"});
 }
 
+TEST(PathTable, GoesInTwoDirections) {
+  const auto path = read("t,d,u_x,u_y\ns,um,um,mm\n0,100,0,1\n1,110,3,2\n2,100,0,1\n", true);
+  EXPECT_NEAR(path.transverse[1], 2e-3, 1e-15);
+  EXPECT_NEAR(rest_of(path).transverse, 1.5e-3, 1e-15);
+  const auto forces = read("t,F_N,F_x,F_y\ns,N,N,mN\n0,1,0,0\n1,2,0.1,50\n", false);
+  EXPECT_TRUE(forces.normal_force && forces.tangential_force);
+  EXPECT_NEAR(forces.transverse[1], 0.05, 1e-15);
+  EXPECT_EQ(rest_of(forces).transverse, 0);
+  expect_parts(refused("t,d,u_x,F_y\ns,m,m,N\n0,1,0,0\n1,1,1,1\n", false), {"F_y beside u_x", "both forces"});
+  expect_parts(refused("t,d,F_x,u_y\ns,m,N,m\n0,1,0,0\n1,1,1,1\n", false), {"u_y beside F_x"});
+  expect_parts(refused("t,d,F_x,F_y\ns,m,N,N\n0,1,0,2\n1,1,1,1\n", false), {"F_y = 2 N in the first row"});
+  expect_parts(refused("t,d,F_x,F_y\ns,m,N,N\n0,1,0,0\n1,1,1,1\n2,1,0,1\n", true), {"F_y jumps from 1 N", "to 0 N"});
+}
+
 TEST(PathTable, IsRefusedByName) {
   for (const auto& [text, part] : {std::pair("t,d,u_x\n0,1,0\n1,1,1\n", "column t has no unit"),
                                    {"0,1,0\n1,1,1\n", "no names of columns"},

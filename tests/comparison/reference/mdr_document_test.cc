@@ -44,6 +44,17 @@ TEST(MdrDocument, PrescribedForcesGiveBackTheStateOfTheirDisplacements) {
   EXPECT_NEAR(number(back, "mdr", "stick_radius_shakedown") / state.at("stick_radius").get<double>(), 1, 1e-6);
 }
 
+// In two directions forces have no limiting state in closed form: springs say what the unworn contact does.
+TEST(MdrDocument, OfForcesInTwoDirectionsIsThatOfTheUnwornContact) {
+  const auto around = document_of(replace(valid_case, "set Tangential amplitude = 1.5e-5",
+                                          "set Tangential force amplitude = 0.05\n  set Transverse force amplitude = "
+                                          "0.05\n  set Transverse phase = 0") +
+                                  "subsection Contact\n  set Friction = vector\nend\n");
+  EXPECT_FALSE(around.contains("limiting_state"));
+  EXPECT_NEAR(number(around, "mdr", "contact_radius_max"), std::sqrt(1e-2 * 1.2e-4), 1e-9);
+  EXPECT_GT(number(around, "mdr", "tangential_amplitude"), 1e-6);
+}
+
 TEST(MdrDocument, SaysThatNothingSticksUnderTooMuchTangentialForce) {
   const auto json = document_of(
       replace(replace(valid_case, displacements, "set Normal force = 0.5\n  set Normal force amplitude = 0.1"),

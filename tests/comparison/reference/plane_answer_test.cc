@@ -54,6 +54,32 @@ TEST(PlaneAnswer, OfALineIsThatOfOneDirection) {
   EXPECT_NEAR(plane.cycle->friction_work / line.cycle->friction_work, 1, 1e-2);
 }
 
+// The forces that a circle leads to, prescribed, lead to the circle; under a normal force as by its indentation.
+TEST(PlaneAnswer, FollowsForces) {
+  auto scene = circle();
+  scene.motion.normal_amplitude = 0;
+  const auto displaced = answer_to(scene);
+  const double u = scene.motion.tangential_amplitude, force = displaced.cycle->tangential_force_max;
+  scene.motion.tangential_amplitude = 0;
+  scene.motion.tangential_force = force;
+  scene.motion.transverse.front().amplitude = force;
+  for (const bool normal : {false, true}) {
+    if (normal) {
+      scene.motion.normal_force = Case::NormalForce{*displaced.normal_force_max, 0};
+      scene.motion.indentation = 0;
+    }
+    const auto forced = answer_to(scene);
+    EXPECT_NEAR(forced.tangential_amplitude.value() / u, 1, 2e-3);
+    EXPECT_NEAR(forced.stick_radius_shakedown.value() / displaced.stick_radius_shakedown.value(), 1, 2e-3);
+    EXPECT_NEAR(forced.cycle->friction_work / displaced.cycle->friction_work, 1, 1e-2);
+    EXPECT_NEAR(forced.contact_radius_max.value() / displaced.contact_radius_max.value(), 1, 1e-6);
+    EXPECT_GT(forced.stepping_error, 0);
+    EXPECT_LT(forced.stepping_error, 5e-3);
+  }
+  scene.motion.tangential_force = 10 * force;
+  EXPECT_GT(answer_to(scene).gross_slip.value(), 0);
+}
+
 TEST(PlaneAnswer, IsAskedForTwoDirectionsAlone) {
   EXPECT_TRUE(moves_in_plane(mdr_case(circle())));
   EXPECT_FALSE(moves_in_plane(mdr_case(suite_case("parabola-elastic-steady", 1e-2))));

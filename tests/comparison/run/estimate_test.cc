@@ -33,6 +33,21 @@ TEST(Estimate, OfACaseGrowsWithItsProofAndItsWear) {
   EXPECT_GT(estimated_seconds(worn, Proof::bars), 2 * bars);
 }
 
+// 1.3 N at 45 degrees to 1.5 +- 0.3 N slide (81.1 % of them would): one computation, which is not refined.
+TEST(Estimate, OfSlidingIsThatOfOneComputation) {
+  auto scene = read_case();
+  scene.friction_coefficient = 0.8;
+  scene.motion.normal_force = Case::NormalForce{1.5, 0.3};
+  scene.motion.phase = 45;
+  scene.motion.tangential_force = 1.3;
+  const auto sliding = prepare({scene}).front();
+  EXPECT_TRUE(slides(sliding));
+  EXPECT_DOUBLE_EQ(estimated_seconds(sliding, Proof::tolerance), estimated_seconds(sliding, Proof::none));
+  scene.motion.tangential_force = 0.6;
+  EXPECT_FALSE(slides(prepare({scene}).front()));
+  EXPECT_FALSE(slides(prepared_case()));
+}
+
 TEST(Estimate, OfManyIsSharedByTheCores) {
   std::vector<PreparedCase> cases{prepared_case(),
                                   prepared_case(valid_case + "subsection Wear\n  set Coefficient = 1e-12\nend\n")};

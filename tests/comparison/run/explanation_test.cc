@@ -59,6 +59,8 @@ TEST(Explanation, TellsNoTimeWhereAZoneIsLookedFor) {
   const auto none = explanation(read_case(replace(valid_case, "amplitude = 1.5e-5", "amplitude = 1")));
   expect_parts(none, {"minutes, which nobody can tell beforehand"});
   EXPECT_EQ(none.find("of the order of"), std::string::npos);
+  const auto vector = explanation(read_case(valid_case + "subsection Contact\n  set Friction = vector\nend\n"));
+  expect_parts(vector, {"as friction is a vector: minutes"});
 }
 
 TEST(Explanation, OfASweepAndOfWearSaysWhatAllOfItCosts) {

@@ -91,6 +91,24 @@ TEST(FullCase, FollowsATangentialForce) {
   EXPECT_NEAR(by_force.stick_radius_shakedown.value(), by_displacement.stick_radius_shakedown.value(), 1e-2 * a);
 }
 
+TEST(FullCase, FollowsForcesAround) {
+  auto displaced = with_vector_friction(0.5);
+  displaced.motion.normal_amplitude = 0;
+  displaced.motion.phase = 0;
+  displaced.motion.transverse = {{displaced.motion.tangential_amplitude, displaced.motion.tangential_frequency, 90}};
+  const auto by_displacement = answer_to(displaced);
+  auto forced = displaced;
+  forced.motion.tangential_amplitude = 0;
+  forced.motion.tangential_force = by_displacement.cycle->tangential_force_max;
+  forced.motion.transverse.front().amplitude = by_displacement.as<SurfaceAnswer>()->transverse_force_max;
+  const auto by_force = answer_to(forced);
+  const double a = by_displacement.contact_radius_max.value();
+  EXPECT_NEAR(by_force.tangential_amplitude.value() / displaced.motion.tangential_amplitude, 1, 1e-2);
+  EXPECT_NEAR(by_force.stick_radius_shakedown.value(), by_displacement.stick_radius_shakedown.value(), 1e-2 * a);
+  EXPECT_NEAR(by_force.cycle->friction_work / by_displacement.cycle->friction_work, 1, 2e-2);
+  EXPECT_NEAR(by_force.cycle->sliding_work / by_displacement.cycle->sliding_work, 1, 1e-2);
+}
+
 // Pressing with friction is stiffer than without: a compressible body sinks in less far under the same force.
 TEST(FullCase, FollowsForcesInBothDirectionsWhereTheyAreCoupled) {
   auto scene = with_vector_friction(0.2, true);

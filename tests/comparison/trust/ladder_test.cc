@@ -45,8 +45,13 @@ TEST(Rungs, AreCoupledOnlyWhereTheBodyIs) {
   EXPECT_TRUE(coupled->contact.coupled);
   EXPECT_EQ(coupled->body.thickness, 3e-3);
   auto by_force = on_layer(3e-3, 0.4);
+  by_force.motion.tangential_amplitude = 0;
   by_force.motion.tangential_force = 1;
-  EXPECT_FALSE(coupled_case(by_force));
+  by_force.motion.normal_force = Case::NormalForce{2, 0.1};
+  EXPECT_TRUE(coupled_case(by_force));
+  EXPECT_EQ(rungs_of(by_force).size(), 3U);
+  by_force.motion.phase.reset();
+  EXPECT_FALSE(coupled_case(by_force)) << "friction as a vector has a fixed phase";
   EXPECT_EQ(rungs_of(by_force).size(), 2U);
 }
 
@@ -118,15 +123,15 @@ TEST(NotComputed, KnowsTheOrderOfWhatIsMissing) {
   };
   EXPECT_EQ(names(scene).find("coupled"), std::string::npos);
   EXPECT_EQ(names(on_layer(1e-3, 0.5)).find("coupled"), std::string::npos);  // a rung
-  scene.motion.tangential_force = 1;
+  scene.motion.phase.reset();
   scene.elastomer.poisson_ratio = 0.3;
   scene.friction_coefficient = 1;
   EXPECT_NE(names(scene).find("coupled: mu times the coupling of the surface at a wave of the contact radius: 0.29"),
             std::string::npos)
       << names(scene);
-  auto by_force = on_layer(1e-3, 0.5);
-  by_force.motion.tangential_force = 1;
-  EXPECT_NE(names(by_force).find("coupled"), std::string::npos);
+  auto unlocked = on_layer(1e-3, 0.5);
+  unlocked.motion.phase.reset();
+  EXPECT_NE(names(unlocked).find("coupled"), std::string::npos);
 }
 
 TEST(Ladder, RefusesWear) {

@@ -9,6 +9,8 @@
 namespace fretval::ladder_text_test {
 namespace {
 
+using nlohmann::ordered_json;
+
 /// MDR has 0.8 mm where finite elements have 1 mm for the body alone, and 0.9 mm for the whole.
 Ladder made_up(std::size_t n_rungs) {
   constexpr auto radius = Quantity::stick_radius_shakedown;
@@ -60,7 +62,18 @@ TEST(LadderJson, HasTheWholeAndEachRung) {
   EXPECT_DOUBLE_EQ(json.at("rungs").at("body").at("fe").at("stick_radius_shakedown").at("uncertainty").get<double>(),
                    1e-6);
   EXPECT_NEAR(json.at("interaction").at("stick_radius_shakedown").get<double>(), 0.125 - 0.25 + 0.05, 1e-12);
+  EXPECT_FALSE(json.contains("zones"));
   EXPECT_EQ(json.at("not_computed").at(0).at("assumption"), "finite strains");
+}
+
+TEST(LadderJson, HasTheEdgesOfTheZones) {
+  auto ladder = made_up(2);
+  ladder.edges = PlaneEdges{{0, 1}, {3, 4}, {1, 2}, {}};
+  auto zones = ladder_json({}, ladder).at("zones");
+  EXPECT_EQ(zones.at("never_slipped"), ordered_json({1.0, 2.0}));
+  EXPECT_FALSE(zones.contains("sticks_in_a_cycle")) << "of a single pass";
+  ladder.edges->sticks_in_a_cycle = {2, 3};
+  EXPECT_EQ(ladder_json({}, ladder).at("zones").at("sticks_in_a_cycle"), ordered_json({2.0, 3.0}));
 }
 
 }  // namespace

@@ -41,6 +41,21 @@ TEST(ContactRegion, ReadsTheEdgeOnEveryRay) {
   }
 }
 
+// A coupled contact leaves no mirror across the motion: front and back reach out differently far.
+TEST(ContactRegion, HasHalfItsExtentsWhereverItLies) {
+  const auto grid = angular_grid(16, Mirrors::x);
+  const double offset = 0.1, radius = 0.6;  // of a disc beside the centre
+  VectorXd edges(grid.n_kept());
+  for (Index j = 0; j < edges.size(); ++j) {
+    const double across = offset * std::sin(grid.angles[j]);
+    edges[j] = offset * std::cos(grid.angles[j]) + std::sqrt(radius * radius - across * across);
+  }
+  const auto region = region_within(grid, edges);
+  EXPECT_NEAR(region.along, radius, 1e-4);
+  EXPECT_NEAR(region.across, radius, 1e-4);
+  EXPECT_NEAR(region.radius, radius, 1e-6);
+}
+
 TEST(ContactRegion, ReadsTheEdgeOfAHertzianContactToASmallShareOfARing) {
   const auto grid = angular_grid(4);
   for (const double radius : {0.7, 0.72, 0.75, 0.77}) {
@@ -50,6 +65,17 @@ TEST(ContactRegion, ReadsTheEdgeOfAHertzianContactToASmallShareOfARing) {
     EXPECT_NEAR(region.radius, radius, 2e-3 / 16);
     EXPECT_NEAR(region.along, region.across, 1e-12);
   }
+}
+
+TEST(ContactRegion, ToARingEndsWhereTheLastRingOfTheMarginDoes) {
+  const auto grid = angular_grid(4);
+  MatrixXd margin = MatrixXd::Zero(rings().n_rings(), 4);
+  margin.topRows(8).setOnes();
+  margin(8, 0) = 1;
+  const auto region = region_to_a_ring(rings(), grid, margin);
+  EXPECT_DOUBLE_EQ(region.edges[0], rings().compliance.radii[9]);
+  EXPECT_DOUBLE_EQ(region.edges[1], rings().compliance.radii[8]);
+  EXPECT_NEAR(region.uncertainty, 1.0 / 16, 1e-12);
 }
 
 TEST(ContactRegion, OfNothingIsEmpty) {

@@ -170,6 +170,35 @@ LateralMotion force_to_and_fro(double amplitude) {
           true};
 }
 
+// Without a mirror the indenter follows F_y as well; a circle of forces under a constant pressure moves it in a circle.
+TEST(VectorFriction, FollowsForcesAround) {
+  const auto& surface = surface_half_space(0.5);
+  const SurfaceOperator op(surface, angular_grid(8), Fields::tangential);
+  const double amplitude = 0.6 * 0.8 * 2 * pi / 3;
+  const LateralMotion circle{[=](double t, double) {
+                               return ValueAndRate{amplitude * std::sin(t), amplitude * std::cos(t)};
+                             },
+                             [=](double t, double) {
+                               return ValueAndRate{amplitude * std::cos(t), -amplitude * std::sin(t)};
+                             },
+                             true};
+  VectorFriction friction(op, {}, 0.8, circle, n_steps);
+  const auto go = [&](int n) {
+    for (int k = 0; k < n; ++k) {
+      friction.step(hertz_pressure(surface));
+      const double balance = 2 * pi * (static_cast<double>(friction.n_steps) - 1 + friction.fraction()) / n_steps;
+      ASSERT_NEAR(friction.forces()[0], amplitude * std::sin(balance), 1e-8);
+      ASSERT_NEAR(friction.forces()[1], amplitude * std::cos(balance), 1e-8);
+    }
+  };
+  go(4 * n_steps);
+  const Eigen::Vector2d before = friction.increment;
+  go(n_steps / 4);
+  const Eigen::Vector2d after = friction.increment;
+  EXPECT_NEAR(after[0], before[1], 1e-3 * before.norm());
+  EXPECT_NEAR(after[1], -before[0], 1e-3 * before.norm());
+}
+
 // Prescribed as displacements, the way that a force has taken leads to the same force.
 TEST(VectorFriction, FollowsAForce) {
   const auto& surface = surface_half_space(0.5);

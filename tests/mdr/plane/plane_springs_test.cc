@@ -4,7 +4,9 @@
 
 #include <cmath>
 
+#include "mdr/motion/force_control.h"
 #include "mdr/profiles/power_law.h"
+#include "mdr/springs/spring_step.h"
 
 namespace fretval::mdr::plane_springs_test {
 namespace {
@@ -71,6 +73,58 @@ TEST(PlaneSprings, OfACircleLoseWhatTheirLagSays) {
 TEST(PlaneSprings, LoseInTheBodyWhatFrictionDoesNot) {
   const auto response = plane_response(parabola(R), prony(G, {G}, {0.2}, 0), mu, ellipse(2e-5, 1e-5, 0.3, 720), 200);
   EXPECT_GT(response.tangential_work + response.normal_work, response.friction_work);
+}
+
+// Element depths of a circle: d0 - 2 u/(3 mu), at its first step on the circle and ever after.
+TEST(PlaneSprings, KnowWhereElementsStick) {
+  const double u = 3e-5;
+  const auto response = plane_response(parabola(R), elastic, mu, ellipse(u, u, 0, 720), 200);
+  EXPECT_NEAR(response.depths.shakedown, d - 2 * u / (3 * mu), 1e-4 * d);
+  EXPECT_NEAR(response.depths.first_slip, d - 2 * u / (3 * mu), 1e-4 * d);
+  EXPECT_NEAR(response.way, 2 * pi * u, 1e-3 * u);
+  EXPECT_NEAR(response.x_amplitude, u, 1e-12);
+}
+
+/// F_x and F_y that go round an ellipse.
+PlaneMotion by_force(PlaneMotion motion) {
+  motion.by_force = true;
+  return motion;
+}
+
+// The force that the displacement of a circle leads to leads to that displacement.
+TEST(PlaneSprings, FollowForcesAround) {
+  const double u = 3e-5;
+  const auto displaced = plane_response(parabola(R), elastic, mu, ellipse(u, u, 0, 720), 200);
+  const double force = displaced.force_x_max;
+  const auto forced = plane_response(parabola(R), elastic, mu, by_force(ellipse(force, force, 0, 720)), 200);
+  EXPECT_NEAR(forced.force_x_max / force, 1, 1e-9);
+  EXPECT_NEAR(forced.force_y_max / force, 1, 1e-9);
+  EXPECT_NEAR(forced.x_amplitude / u, 1, 1e-3);
+  EXPECT_NEAR(forced.friction_work / displaced.friction_work, 1, 5e-3);
+  EXPECT_NEAR(forced.depths.shakedown, displaced.depths.shakedown, 1e-3 * d);
+}
+
+// Along a line: Cattaneo and Mindlin, u_x = (3 mu/2)(d(F) - d(F - F_x/mu)).
+TEST(PlaneSprings, FollowAForceAlongALine) {
+  const double normal = 16.0 / 3 * G * std::sqrt(R * d) * d, force = 0.7 * mu * normal,
+               u = tangential_displacement_for_force(parabola(R), G, mu, normal, force);
+  const auto response = plane_response(parabola(R), elastic, mu, by_force(ellipse(force, 0, 0.6, 360)), 400);
+  EXPECT_NEAR(response.way / 4, u, 1e-3 * u);
+  EXPECT_NEAR(response.x_amplitude, u * std::cos(0.6), 1e-3 * u);
+}
+
+TEST(PlaneSprings, SlideWhereFrictionDoesNotBearTheForce) {
+  const double most = mu * 16.0 / 3 * G * std::sqrt(R * d) * d;
+  EXPECT_NO_THROW(plane_response(parabola(R), elastic, mu, by_force(ellipse(0.97 * most, 0.97 * most, 0, 90)), 100));
+  try {
+    plane_response(parabola(R), elastic, mu, by_force(ellipse(1.25 * most, 0, 0, 90)), 100);
+    FAIL() << "it slides";
+  } catch (const GrossSlip& slip) {
+    const double force = 1.25 * slip.amplitude * std::abs(std::cos(slip.time));
+    EXPECT_GE(force, 1 - 1e-3);
+    EXPECT_LT(force, 1.1) << "in a step before it was borne";
+    EXPECT_GT(slip.excess, 0);
+  }
 }
 
 TEST(PlaneSprings, RefuseNoFriction) {

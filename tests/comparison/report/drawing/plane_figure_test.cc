@@ -44,5 +44,15 @@ TEST(PlaneFigure, HasZonesAndTractionsWhereTheyAre) {
   EXPECT_TRUE(std::isnan(stuck.y.back())) << "arrows are not joined";
 }
 
+TEST(PlaneFigure, HasTheCirclesThatMdrHas) {
+  const PlaneEdges edges{{0, 1.5707963267948966}, {2e-3, 1e-3}, {1e-3, 5e-4}, {}};
+  const auto plot = edges_figure(edges, {2.5e-3, 1.5e-3, 1.8e-3}).plot;
+  EXPECT_NEAR(plot.x_range->second, 1.08 * 2.5, 1e-12) << "there is room for either contact";
+  const auto& circle = series_of(plot, "has never slipped by MDR");
+  for (std::size_t k = 0; k < circle.x.size(); ++k) EXPECT_LE(std::hypot(circle.x[k], circle.y[k]), 1.5 + 1e-12);
+  EXPECT_NEAR(circle.x[0], 1.5, 1e-12);
+  EXPECT_EQ(plot.series.size(), 4U) << "a single pass has no zone of a cycle, of neither method";
+}
+
 }  // namespace
 }  // namespace fretval

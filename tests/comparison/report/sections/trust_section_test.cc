@@ -54,6 +54,20 @@ TEST(TrustSection, MarksTheCaseOnTheMaps) {
   EXPECT_EQ(series.at("y").at(0), 120);
 }
 
+TEST(TrustSection, ShowsTheZonesBesideThoseOfMdr) {
+  auto trust = made_up_trust();
+  EXPECT_FALSE(trust_section(trust).contains("zones"));
+  trust["zones"] = {{"angle", {0, 3.14159265}},
+                    {"contact", {1.2e-3, 1.2e-3}},
+                    {"never_slipped", {5e-4, 5e-4}},
+                    {"sticks_in_a_cycle", {9e-4, 9e-4}}};
+  const auto section = trust_section(trust);
+  const auto& series = section.at("zones").at("figures").at(0).at("plot").at("series");
+  ASSERT_EQ(series.size(), 4U);
+  EXPECT_EQ(series[3].at("label"), "sticks in a cycle by MDR");
+  EXPECT_NEAR(series[3].at("x").at(0).get<double>(), 0.8, 1e-9);
+}
+
 TEST(TrustSection, IsFilledIn) {
   const auto html = rendered(trust_section(made_up_trust()));
   expect_parts(html, {"How far MDR can be trusted: rig", "11 % too small", "a layer 2 mm thick", "finite strains",
