@@ -66,7 +66,7 @@ Case::Motion motion_across(const std::string& entries) {
 TEST(CaseSections, ForcesGoAcrossForcesAndDisplacementsAcrossDisplacements) {
   const auto moved = motion_across(
       "set Tangential amplitude = 1e-5\nset Transverse amplitude = 2e-5\nset Transverse "
-      "phase = 90\nset Transverse harmonics = 1e-6 4 0");
+      "phase = 90\nset Transverse harmonics = 1e-6, 4, 0");
   ASSERT_EQ(moved.transverse.size(), 2U);
   EXPECT_EQ(moved.transverse[0].amplitude, 2e-5);
   EXPECT_EQ(moved.transverse[0].frequency, 2);
@@ -74,7 +74,7 @@ TEST(CaseSections, ForcesGoAcrossForcesAndDisplacementsAcrossDisplacements) {
   const auto pushed = motion_across(
       "set Tangential force amplitude = 0.1\nset Transverse force amplitude = 0.2\nset "
       "Transverse phase = 90\nset Transverse frequency = 4\nset Transverse force "
-      "harmonics = 0.01 8 0");
+      "harmonics = 0.01, 8, 0");
   ASSERT_EQ(pushed.transverse.size(), 2U);
   EXPECT_EQ(pushed.transverse[0].amplitude, 0.2);
   EXPECT_EQ(pushed.transverse[0].frequency, 4);
