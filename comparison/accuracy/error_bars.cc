@@ -166,6 +166,14 @@ void carry_slip_inside(const Track& track, ErrorBudget& budget) {
   if (missing > 0) budget.at(shakedown).add(ErrorSource::edge, missing);
 }
 
+/// Where the edges of rings lie on another body than a half-space, is known from a half-space, and to the same share of
+/// a ring on all meshes.
+void carry_calibration(const FemCase& fem, const Computation& computation, ErrorBudget& budget) {
+  const double calibration = computation.fe.contact_radius_calibration;
+  const auto found = budget.find(Quantity::contact_radius_max);
+  if (calibration > 0 && found != budget.end()) found->second.add(ErrorSource::edge, calibration / fem.units.length);
+}
+
 /// What is known of stick radii besides their differences.
 void carry_to_stick_radii(const Track& track, Borders borders, ErrorBudget& bars) {
   if (borders == Borders::carried) carry_depths(track, bars);
@@ -191,6 +199,8 @@ CaseNeeds needs_of(const FemCase& fem) {
   const double two_steps = 4 * fem::pi / fem.steps_per_cycle();
   const auto& times = fem.relaxation.times;
   needs.has_short_branch = std::any_of(times.begin(), times.end(), [=](double time) { return time < two_steps; });
+  needs.ends = fem.solid.has_value();
+  needs.stretches = is_sliding_layer(fem);
   return needs;
 }
 
@@ -207,9 +217,10 @@ std::vector<Resolution> needed_for_bars(const Tracks& tracks, const CaseNeeds& n
 ErrorBudget error_bars_of_normal_response(const PreparedCase& prepared, const Resolution& resolution,
                                           const Computations& computed) {
   const auto needs = needs_of(prepared.fem);
-  const auto all =
+  auto all =
       error_budget(resolution, computed.quantities(), uncertainties_of_edges(computed.at(resolution), prepared.fem),
                    needs, readings_of_rings(resolution, needs, computed, prepared.fem));
+  carry_calibration(prepared.fem, computed.at(resolution), all);
   ErrorBudget bars;
   for (const auto quantity : {Quantity::contact_radius_max, Quantity::indentation_max, Quantity::normal_force_max})
     if (const auto found = all.find(quantity); found != all.end()) bars.insert(*found);
@@ -225,6 +236,7 @@ ErrorBudget error_bars(const PreparedCase& prepared, const Tracks& tracks, const
     auto bars = error_budget(resolution, variants_of(resolution, needs, shares), computed.quantities(),
                              uncertainties_of_edges(computed.at(resolution), prepared.fem), needs,
                              readings_of_rings(resolution, needs, computed, prepared.fem));
+    carry_calibration(prepared.fem, computed.at(resolution), bars);
     if (prepared.fem.kind == ContactKind::discs || prepared.fem.kind == ContactKind::worn) {
       carry_near_cycle(track, bars);
       carry_to_stick_radii(track, borders, bars);

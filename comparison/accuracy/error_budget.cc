@@ -21,15 +21,20 @@ ExpectedOrder expected_order(ErrorSource source, Quantity quantity, const CaseNe
   if (source == ErrorSource::time_step && needs.has_short_branch) return {2, never_believed};
   if (source == ErrorSource::time_step || source == ErrorSource::start || source == ErrorSource::wear_jump) return {2};
   if (source == ErrorSource::creep) return {1};
-  if (source == ErrorSource::far_field) return {4};
+  if (source == ErrorSource::far_field) return {needs.stretches ? 2.0 : 4.0};
   if (source == ErrorSource::angles) return {2};
   if (source != ErrorSource::rings) return {3};
   if (needs.zones_of_points && is_of_stick_zone(quantity)) return {1, 4};
   if (needs.kind == ContactKind::annuli || ends_with_contact(needs, quantity)) return {1, 4};
   const auto& traits = traits_of(quantity);
-  if (needs.memory && traits.rings_with_memory) return *traits.rings_with_memory;
-  constexpr double at_a_worn_edge = 2;
-  return {needs.kind == ContactKind::worn ? std::min(traits.rings.order, at_a_worn_edge) : traits.rings.order};
+  constexpr double at_a_worn_edge = 2, of_a_smooth_kernel = 2;
+  ExpectedOrder expected{traits.rings.order};
+  if (needs.memory && traits.rings_with_memory)
+    expected = *traits.rings_with_memory;
+  else if (needs.kind == ContactKind::worn)
+    expected.order = std::min(expected.order, at_a_worn_edge);
+  if (needs.ends) expected.order = std::min(expected.order, of_a_smooth_kernel);
+  return expected;
 }
 
 /// NaN: not there.

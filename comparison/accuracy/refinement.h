@@ -54,6 +54,12 @@ struct CaseNeeds {
   /// Stick zones on rings and angles are read of their points alone, and no ring contact corrects the edges: that costs
   /// a quarter of a ring, which is of first order.
   bool zones_of_points = false;
+  /// On a layer, or another body that ends, pressures uniform over each ring leave the second order of what its base
+  /// adds to the response, a smooth kernel.
+  bool ends = false;
+  /// A layer that slides on its base is stretched like a sheet, whose free side lets through the second power of its
+  /// distance from the axis; fields of other bodies die out faster.
+  bool stretches = false;
 };
 
 /// What has to be computed besides a resolution to measure its errors, each source by its own refinement, and what

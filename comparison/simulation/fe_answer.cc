@@ -179,9 +179,9 @@ std::optional<ContactRadius> read_contact_radius(const fem::ContactProblem& prob
     // a ~ d^(1/n)
     const double radius = fem::largest_contact_radius(history.smallest_gap_at_balance, events).radius;
     const auto [depth, uncertainty] = fem::largest_indentation(problem, fem.relaxation, history);
-    return ContactRadius{radius, radius * uncertainty / (depth * exponent_at_edge(fem))};
+    return ContactRadius{radius, radius * uncertainty / (depth * exponent_at_edge(fem)), events.calibration};
   }
-  return ContactRadius{fem::largest_contact_radius(history.smallest_gap, events).radius};
+  return ContactRadius{fem::largest_contact_radius(history.smallest_gap, events).radius, 0, events.calibration};
 }
 
 void read_normal_response(const ContactProblems& problems, const FemCase& fem,
@@ -190,6 +190,7 @@ void read_normal_response(const ContactProblems& problems, const FemCase& fem,
   const double length = fem.units.length;
   if (contact_radius && contact_radius->radius > 0) answer.contact_radius_max = contact_radius->radius * length;
   if (contact_radius) answer.contact_radius_uncertainty = contact_radius->uncertainty * length;
+  if (contact_radius) answer.contact_radius_calibration = contact_radius->calibration * length;
   const auto force = fem::largest_force(normal, fem.motion.highest_normal_order(),
                                         fem.worn_edge ? fem::Flank::around_contact : fem::Flank::none);
   answer.normal_force_max = force.value * fem.units.force();

@@ -81,6 +81,7 @@ struct FeAnswer {
   std::optional<fem::DecayFactor> slip_decay;  ///< of a locked motion, per cycle; empty: see fem::decay_factor
   MotionKind motion_kind = MotionKind::cycles;
   double contact_radius_uncertainty = 0;  ///< of the time steps, see read_contact_radius
+  double contact_radius_calibration = 0;  ///< of where edges lie in their rings, see fem::ContactEvents
   double normal_force_uncertainty = 0;    ///< of reading the edge, see fem::ContactForce
   double indentation_uncertainty = 0;     ///< see fem::LargestIndentation
   double first_slip_uncertainty = 0;      ///< of reading the edge, see fem::EdgeRadius
@@ -112,9 +113,9 @@ struct ContactProblems {
   const fem::ContactProblem* tangential;  ///< null: the indenter does not move tangentially
 };
 
-/// The largest contact radius and its uncertainty, dimensionless.
+/// The largest contact radius and its uncertainties, dimensionless.
 struct ContactRadius {
-  double radius = 0, uncertainty = 0;
+  double radius = 0, uncertainty = 0, calibration = 0;
 };
 
 /// The largest contact radius is read at the ends of the steps, of which one is the deepest. Under a prescribed force,

@@ -38,8 +38,9 @@ ContactEvents plain_contact_events(const Compliance& compliance, const Eigen::Ve
   const auto& areas = compliance.areas;
   const Eigen::VectorXd by_indentation = factor.triangularView<Eigen::Lower>().solve(areas);
   const Eigen::VectorXd by_profile = factor.triangularView<Eigen::Lower>().solve(areas.cwiseProduct(profile));
-  const Eigen::VectorXd effective = effective_radii(compliance).radius;
-  ContactEvents events{Eigen::VectorXd(n), Eigen::VectorXd(n), Eigen::VectorXd(n)};
+  const auto edges = effective_radii(compliance);
+  const Eigen::VectorXd& effective = edges.radius;
+  ContactEvents events{Eigen::VectorXd(n), Eigen::VectorXd(n), Eigen::VectorXd(n), edges.calibration};
   for (Eigen::Index m = 0; m < n; ++m) {
     const auto row = factor.row(m).head(m);
     events.closing_rate[m] = 1 - row.dot(by_indentation.head(m)) / areas[m];
@@ -53,6 +54,8 @@ ContactEvents plain_contact_events(const Compliance& compliance, const Eigen::Ve
 /// flat face, whose rings all touch at once, their difference says nothing; it is far too large then.
 void extrapolate(ContactEvents& events, const ContactEvents& wide) {
   constexpr double too_large = 0.05;  // rings
+  constexpr double gain = (1 << order_of_events) - 1;
+  events.calibration += (events.calibration + wide.calibration) / gain;
   const Eigen::VectorXd radius = events.radius;
   const Eigen::Index n = events.radius.size(), n_wide = wide.radius.size();
   for (Eigen::Index m = 2 * n_left_alone; m < n && n_wide > n_nearest; ++m) {
@@ -61,7 +64,7 @@ void extrapolate(ContactEvents& events, const ContactEvents& wide) {
     const Eigen::Index after = std::min(m + 1, n - 1);
     const double rings = radius[after] - radius[m - 1];
     const double slope = (events.indentation[after] - events.indentation[m - 1]) / rings;
-    const double off = (events.indentation[m] - nearest(radius[m])) / (slope * (std::exp2(order_of_events) - 1));
+    const double off = (events.indentation[m] - nearest(radius[m])) / (slope * gain);
     if (std::abs(off) < too_large * rings / static_cast<double>(after - m + 1)) events.radius[m] -= off;
   }
 }

@@ -11,6 +11,9 @@ struct ContactEvents {
   Eigen::VectorXd indentation;   ///< [m]: ring m touches while rings 0..m-1 are pressed
   Eigen::VectorXd closing_rate;  ///< [m]: -d(gap of ring m)/d(indentation) just before
   Eigen::VectorXd radius;
+  /// What the edges of rings that a half-space knows leave open of each radius (EffectiveRadii::calibration), with what
+  /// the extrapolation makes of it; 0 on a half-space.
+  double calibration = 0;
 };
 
 /// profile: ring means. The first event (m = 0) is the first touch.

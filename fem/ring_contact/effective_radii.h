@@ -17,11 +17,14 @@ namespace fretval::fem {
 /// departure of the fitted discs from that law, in the unit of length: 1e-7 where all rings sit on equal squares, of
 /// order h^2/10 on an unstructured mesh. It is what the mesh puts into a radius at random. On another body the force of
 /// a punch is not in proportion to its radius, but the edge of m rings lies where it does on a half-space with the same
-/// rings (Compliance::half_space). Of equal rings that has as many as it takes to know beta and gamma, which the others
-/// follow.
+/// rings (Compliance::half_space). Of equal rings that has as many as it takes to know the law, with two terms more as
+/// they are few; all discs follow it. calibration: what that leaves open, by the same for all radii: how far the law
+/// with a term less has its edges elsewhere, and the scatter. It is a share of a ring that is the same on all meshes,
+/// so neither other rings nor edges elsewhere in them show it: it belongs into the error bar. 0: the radii are of the
+/// body itself, or of a half-space with each of its rings.
 struct EffectiveRadii {
   Eigen::VectorXd radius;
-  double scatter;
+  double scatter, calibration;
 };
 EffectiveRadii effective_radii(const Compliance& compliance);
 

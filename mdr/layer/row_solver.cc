@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <stdexcept>
+#include <utility>
 
 #include "mdr/support/checks.h"
 
@@ -64,7 +65,10 @@ class Newton {
     Eigen::MatrixXd slope = Eigen::MatrixXd::Identity(n_all, n_all);
     Eigen::VectorXd rest(n_all);
     rest.head(n) = modes_.shape.transpose() * load_.matrix() - share_;
-    slope.topLeftCorner(n, n) += modes_.shape.transpose() * (give.matrix().asDiagonal() * pulled_);
+    const auto [first, n_giving] = range_between_limits();
+    slope.topLeftCorner(n, n).noalias() +=
+        modes_.shape.middleRows(first, n_giving).transpose() *
+        (give.segment(first, n_giving).matrix().asDiagonal() * pulled_.middleRows(first, n_giving));
     if (sum) {
       rest[n] = *sum - load_.sum();
       slope.bottomLeftCorner(1, n) = -(give.matrix().transpose() * pulled_);
@@ -80,6 +84,14 @@ class Newton {
     }
     update();
     return true;
+  }
+
+  // The first spring that is between its limits, and how many there are up to the last one: all others give nothing.
+  [[nodiscard]] std::pair<Eigen::Index, Eigen::Index> range_between_limits() const {
+    Eigen::Index first = 0, end = at_limit_.size();
+    while (first < end && at_limit_[first] != 0) ++first;
+    while (end > first && at_limit_[end - 1] != 0) --end;
+    return {first, end - first};
   }
 
   const LayerModes& modes_;

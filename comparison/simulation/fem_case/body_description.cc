@@ -1,7 +1,7 @@
 #include "comparison/simulation/fem_case/body_description.h"
 
-#include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace fretval {
 namespace {
@@ -16,17 +16,21 @@ bool are_equal_rings(const std::vector<double>& nodes) {
 }  // namespace
 
 BodyDescription half_space_with_rings_of(const BodyDescription& body) {
-  constexpr std::size_t enough_rings = 20;
+  constexpr std::size_t enough_rings = 40;
   // Over the contact line. What is left of the far field of a compressible body bends the law that the edges are fitted
   // to, by the third power: with 8 contact radii on layers were 5e-5 to 1.5e-4 off at nu = 0.
-  constexpr double far = 30;
+  constexpr double far = 60;
   auto half_space = body;
   half_space.thickness = 0;
   half_space.slides_on_base = false;
   half_space.given = {};
   auto& nodes = half_space.contact_nodes;
   // Of a given mesh rings are merged, also those of its half-space, of which none may lack.
-  if (body.given.file.empty() && are_equal_rings(nodes)) nodes.resize(std::min(nodes.size(), enough_rings + 1));
+  if (body.given.file.empty() && are_equal_rings(nodes)) {
+    half_space.scale = nodes[1];
+    nodes.resize(enough_rings + 1);
+    std::iota(nodes.begin(), nodes.end(), 0.0);
+  }
   half_space.far_radius = far * nodes.back();
   return half_space;
 }

@@ -42,7 +42,8 @@ struct BodyDescription {
 };
 
 /// A half-space that knows where the edge of a disc of these rings lies (fem::Compliance::half_space): with the same
-/// rings or, of many equal ones, with the innermost alone.
+/// rings or, of equal ones, with the innermost 40, over their width. So all bodies of equal rings that have Poisson's
+/// ratio, degree and growth in common share one, whatever their thickness and the number of their rings.
 BodyDescription half_space_with_rings_of(const BodyDescription& body);
 
 }  // namespace fretval

@@ -371,9 +371,15 @@ FemCase fem_case(const Case& input, const MdrCase& mdr) {
     resolution.mesh_refinements = 0;
   }
   if (input.steps_per_cycle) resolution.steps_per_cycle = *input.steps_per_cycle;
+  constexpr double far_on_a_sheet = 600;  // thicknesses; on 12 radii are 1e-3 off, and elements grow with the distance
+  if (is_sliding_layer(fem)) resolution.far_radius = far_on_a_sheet;
   fem = at_resolution(std::move(fem), resolution);
   require_room_on_sphere(input, fem);
   return fem;
+}
+
+bool is_sliding_layer(const FemCase& fem) {
+  return fem.solid && fem.solid->slides_on_base && !fem.solid->radius && !fem.given;
 }
 
 FemCase at_resolution(FemCase fem, const Resolution& resolution) {

@@ -91,6 +91,9 @@ double tangential_per_depth(const FemCase& fem);
 /// At the resolution that the tolerance of the case asks for.
 FemCase fem_case(const Case& input, const MdrCase& mdr);
 
+/// Whether its body is a generated layer that goes on outwards, without friction on its base.
+bool is_sliding_layer(const FemCase& fem);
+
 /// The same case at another resolution.
 FemCase at_resolution(FemCase fem, const Resolution& resolution);
 

@@ -33,7 +33,7 @@ std::optional<double> root_beyond(const Eigen::VectorXd& x, const Eigen::VectorX
 
 EdgeRadius stick_radius(const Compliance& compliance, const Eigen::VectorXd& reserve, Eigen::Index n_stuck) {
   if (n_stuck == 0) return {0, compliance.radii[1]};
-  const auto [effective, scatter] = effective_radii(compliance);
+  const auto [effective, scatter, calibration] = effective_radii(compliance);
   const double width = compliance.radii[n_stuck] - compliance.radii[n_stuck - 1];
   if (n_stuck < 3) return {effective[n_stuck], width};
   const Eigen::Index n = std::min(n_stuck, n_fitted_events);
@@ -56,7 +56,7 @@ EdgeRadius stick_radius(const Compliance& compliance, const Eigen::VectorXd& res
   const auto fitted = root(4, 2), other = n > 3 ? root(n_fitted_events, 3) : root(2, 1);
   if (!fitted || !other) return {(radius[n - 1] + next) / 2, width};
   const double relative_width = width / compliance.radii.back();
-  return {*fitted, 2 * std::abs(*fitted - *other) + scatter + relative_width * relative_width * width};
+  return {*fitted, 2 * std::abs(*fitted - *other) + scatter + calibration + relative_width * relative_width * width};
 }
 
 }  // namespace fretval::fem

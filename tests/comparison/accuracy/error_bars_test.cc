@@ -38,6 +38,38 @@ TEST(ErrorBars, KnowWhatMovesTheIndenterStepByStep) {
   EXPECT_TRUE(needs_of(path).moves_by_steps);
 }
 
+TEST(ErrorBars, KnowALayerThatSlides) {
+  auto fem = prepared_of("parabola-elastic-90").fem;
+  EXPECT_FALSE(needs_of(fem).stretches || needs_of(fem).ends);
+  fem.solid = Solid{1, std::nullopt, true};
+  EXPECT_TRUE(needs_of(fem).ends);
+  EXPECT_TRUE(needs_of(fem).stretches);
+  fem.solid->slides_on_base = false;
+  EXPECT_FALSE(needs_of(fem).stretches);
+  fem.solid = Solid{1, 5.0, true};  // which ends where the case says
+  EXPECT_FALSE(needs_of(fem).stretches);
+}
+
+// It is the same at all resolutions, so that no difference of two shows it.
+TEST(ErrorBars, HaveWhatAHalfSpaceLeavesOpenOfTheEdges) {
+  const auto prepared = prepared_of("parabola-elastic-90");
+  const auto& resolution = prepared.fem.resolution;
+  const FakeNumerics numerics{30, 2};
+  Computations computed(
+      prepared.fem.units,
+      [&](const Resolution& r) {
+        auto answer = numerics(prepared.fem, r);
+        answer.contact_radius_calibration = 1e-5 * prepared.fem.units.length;
+        return answer;
+      },
+      1);
+  computed.compute(needed_for_bars({resolution, {}}, needs_of(prepared.fem)));
+  const auto bars = error_bars(prepared, {resolution, {}}, computed, Borders::left_out);
+  EXPECT_NEAR(bars.at(Quantity::contact_radius_max).total(), 1e-5, 1e-15);
+  EXPECT_NEAR(error_bars_of_normal_response(prepared, resolution, computed).at(Quantity::contact_radius_max).total(),
+              1e-5, 1e-15);
+}
+
 TEST(ErrorBars, CoverTheErrorsThatAreThere) {
   for (const char* name : {"parabola-elastic-90", "parabola-solid-90", "parabola-elastic-free"})
     for (const auto& focus : {std::optional<Focus>(), std::optional(Focus{0, 0.25, 0.01})}) {

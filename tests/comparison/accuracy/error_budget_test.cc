@@ -106,6 +106,24 @@ TEST(ErrorBudget, WhereRingsTouchInAnyOrderTheirFirstOrderIsBelieved) {
   EXPECT_NEAR(share.estimate, safety * 1e-3, 1e-12);
 }
 
+// Pressures uniform over rings leave the second order of what the base of a layer adds, also where it seems a third.
+TEST(ErrorBudget, OverALayerRingsAreOfSecondOrder) {
+  const auto resolution = resolution_for(1e-3);
+  const auto third = [&](const Resolution& r) {
+    return 0.5 + 1e-3 * std::pow(static_cast<double>(resolution.elements_per_radius) / r.elements_per_radius, 3);
+  };
+  const auto share_on = [&](bool ends) {
+    CaseNeeds needs;
+    needs.ends = ends;
+    const auto budget = error_budget(resolution, all_known(resolution, needs, third), {}, needs);
+    for (const auto& share : budget.begin()->second.shares)
+      if (share.source == ErrorSource::rings) return share.estimate;
+    return 0.0;
+  };
+  EXPECT_NEAR(share_on(false), safety * 1e-3, 1e-12);
+  EXPECT_NEAR(share_on(true), 7.0 / 3 * safety * 1e-3, 1e-12);
+}
+
 // 16 rings have only 8 to be compared with, which show no order.
 TEST(ErrorBudget, NextToTheSmallestContactAStickRadiusIsOfFirstOrder) {
   auto resolution = resolution_for(1e-3);
@@ -145,6 +163,23 @@ TEST(ErrorBudget, HasAShareForEverySourceAndTheEdge) {
     EXPECT_EQ(shares.size(), 9U);
     for (const auto& share : shares) EXPECT_GT(share.estimate, 0) << name_of(share.source);
   }
+}
+
+// The far field of a sheet falls with the second power of its distance, that of a half-space with the fourth.
+TEST(ErrorBudget, BelievesLessOfTheFarFieldOfALayerThatSlides) {
+  const auto resolution = resolution_for(1e-3);
+  const auto second = [](const Resolution& r) { return 0.5 + 1e-3 * std::pow(r.far_radius, -2); };
+  const auto far_share = [&](bool stretches) {
+    CaseNeeds needs;
+    needs.stretches = stretches;
+    const auto budget = error_budget(resolution, all_known(resolution, needs, second), {}, needs);
+    for (const auto& share : budget.begin()->second.shares)
+      if (share.source == ErrorSource::far_field) return share.estimate;
+    return 0.0;
+  };
+  const double error = 1e-3 * std::pow(resolution.far_radius, -2);
+  EXPECT_NEAR(far_share(true), 3 * error, 1e-12);
+  EXPECT_LT(far_share(false), error);
 }
 
 // Both ways of telling what the reading of an edge costs add up: what it says itself, and the same rings elsewhere.

@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
 #include <vector>
 
+#include "fem/ring_contact/effective_radii.h"
 #include "tests/fem/convergence.h"
 #include "tests/fem/fretting.h"
 #include "tests/fem/half_space.h"
@@ -56,6 +58,20 @@ TEST(ContactEvents, RadiiAreThoseOfHertz) {
   }
   EXPECT_GT(observed_order(errors), 1.5);
   EXPECT_LT(errors[2], 1e-4);
+}
+
+// What a half-space leaves open of the edges of another body's rings, and a seventh more of the wide ones.
+TEST(ContactEvents, KnowWhatTheEdgesOfRingsLeaveOpen) {
+  auto body = normal_half_space(64).compliance;
+  const Eigen::VectorXd profile = parabola_means(normal_half_space(64));
+  const auto own = contact_events(body, profile);
+  EXPECT_EQ(own.calibration, 0);
+  body.half_space = std::make_shared<const Compliance>(body);
+  const auto events = contact_events(body, profile);
+  EXPECT_GT(events.calibration, 8.0 / 7 * effective_radii(body).calibration);
+  EXPECT_LT(events.calibration, 1e-3 / 64);
+  const Index from = 16, n = own.radius.size() - from;
+  EXPECT_LT((events.radius - own.radius).tail(n).cwiseAbs().maxCoeff(), events.calibration);
 }
 
 // All rings of a flat face touch at once, so there is nothing to extrapolate from.

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <memory>
+#include <utility>
 #include <vector>
 
 #include "fem/support/shared_matrix.h"
@@ -55,9 +57,32 @@ TEST(EffectiveRadii, KnowAFarBoundary) {
       const Eigen::VectorXd radii = effective_radii(compliance).radius;
       const Eigen::VectorXd areas = compliance.areas;
       compliance.matrix = SharedMatrix(*compliance.matrix - 0.0045 * areas * areas.transpose());
-      const auto [held, scatter] = effective_radii(compliance);
+      const auto [held, scatter, calibration] = effective_radii(compliance);
       EXPECT_LT((held - radii).cwiseAbs().tail(radii.size() - 4).maxCoeff(), 0.3 / (n * n * n)) << n;
       EXPECT_LT(scatter, 1e-6);
+      EXPECT_EQ(calibration, 0);
+    }
+}
+
+/// The innermost rings of a body.
+Compliance innermost(const Compliance& compliance, Index n) {
+  return {std::vector<double>(compliance.radii.begin(), compliance.radii.begin() + n + 1), compliance.areas.head(n),
+          SharedMatrix(Eigen::MatrixXd(compliance.matrix->topLeftCorner(n, n)))};
+}
+
+// A half-space of few rings, whose law has two terms more, against one of 72 that knows each of its own radii. The
+// three terms of a half-space put the same edges 3e-4 (40 rings) and 2e-3 of a ring (20) elsewhere.
+TEST(EffectiveRadii, OfAnotherBodyFollowTheLawOfFewRings) {
+  constexpr double ring = 1.0 / 64, own_fit = 1e-4 * ring;  // 1e-6 of the force per radius, 72 rings out
+  for (const FourierOrder order : {axisymmetric, lateral})
+    for (const auto& [n_known, most] : {std::pair{40, 3e-4}, {20, 8e-4}}) {
+      auto body = half_space(order, 64).compliance;
+      const Eigen::VectorXd own = effective_radii(body).radius;
+      body.half_space = std::make_shared<const Compliance>(innermost(body, n_known));
+      const auto [radius, scatter, calibration] = effective_radii(body);
+      EXPECT_LT((radius - own).cwiseAbs().maxCoeff(), calibration + own_fit) << n_known;
+      EXPECT_GT(calibration, scatter);
+      EXPECT_LT(calibration, most * ring) << n_known;
     }
 }
 

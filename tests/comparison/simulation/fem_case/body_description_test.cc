@@ -40,16 +40,26 @@ TEST(BodyDescription, IsAnotherOneForEveryField) {
   EXPECT_EQ(std::tuple_size<decltype(BodyDescription::fields(body))>::value, others.size());
 }
 
-// Of many equal rings the innermost suffice; of others each counts.
+// Of equal rings 40 suffice, over their width: so bodies with more or fewer of them, and of any thickness, share one.
 TEST(HalfSpaceWithRings, HasTheSameRings) {
   const auto few = half_space_with_rings_of(layer_with(equal_nodes(8)));
-  EXPECT_EQ(few.contact_nodes, equal_nodes(8));
   EXPECT_TRUE(few.is_half_space());
   EXPECT_EQ(few.poisson_ratio, 0.4);
   EXPECT_GT(few.far_radius, 2 * few.contact_nodes.back());
-  const auto many = half_space_with_rings_of(layer_with(equal_nodes(64)));
-  EXPECT_LT(many.contact_nodes.size(), 32U);
-  EXPECT_EQ(many.contact_nodes[5], equal_nodes(64)[5]);
+  EXPECT_EQ(few.contact_nodes.size(), 41U);
+  EXPECT_DOUBLE_EQ(few.scale * few.contact_nodes[5], equal_nodes(8)[5]);
+  auto many = half_space_with_rings_of(layer_with(equal_nodes(64)));
+  EXPECT_FALSE(few < many || many < few);
+  auto other_rings = layer_with({0, 0.05, 0.1, 0.15});
+  other_rings.thickness = 2;
+  auto wider = half_space_with_rings_of(other_rings);
+  EXPECT_EQ(wider.scale, 0.05);
+  wider.scale = many.scale;
+  EXPECT_FALSE(wider < many || many < wider);
+}
+
+// Of others each counts.
+TEST(HalfSpaceWithRings, HasEachRingOfThoseThatDiffer) {
   const std::vector<double> graded{0, 0.1, 0.15, 0.18, 0.2, 0.25, 0.4, 1};
   EXPECT_EQ(half_space_with_rings_of(layer_with(graded)).contact_nodes, graded);
 }
