@@ -1,0 +1,135 @@
+"""Scenes of case files, stepped by boundary elements, and what is read off them."""
+
+import csv
+import pathlib
+
+import numpy as np
+
+from boundary_elements import SETTLED, Contact, counted_radius, room
+
+# By how much a square of elements is wider than the largest contact that overlap alone would give: coupled contacts are wider by a few percent.
+MARGIN = 1.05
+
+
+def read_case(file):
+    """Entries of a .prm file by (section, name), with those that it includes."""
+    file, section, entries = pathlib.Path(file), None, {}
+    for line in file.read_text(encoding="utf-8").splitlines():
+        words = line.split("#")[0].split()
+        if words[:1] == ["include"]:
+            entries |= read_case(file.parent / words[1])
+        elif words[:1] == ["subsection"]:
+            section = words[1]
+        elif words[:1] == ["set"]:
+            name, value = " ".join(words[1:]).split("=", 1)
+            entries[section, name.strip()] = value.strip()
+    return entries
+
+
+class Scene:
+    """A parabola on an elastic half-space, moved by prescribed displacements: at(tau) = d, (u_x, u_y) in d0.
+
+    cycles: number of cycles to be stepped, the first of which is the ramp, and tau counts them; None: one pass, tau from 0 to 1.
+    force, work: units G a d0 in N, and G a d0^2 in J; length: a = sqrt(R d0) in m.
+    """
+
+    def __init__(self, file, cycles=4):
+        entries = read_case(file)
+
+        def number(section, name, default=None):
+            return float(entries.get((section, name), default))
+
+        self.nu, self.mu = number("Elastomer", "Poisson ratio", 0.5), number("Friction", "Coefficient")
+        self.coupled = entries.get(("Contact", "Coupling")) == "on"
+        if ("Motion", "Path") in entries:
+            with open(pathlib.Path(file).parent / entries["Motion", "Path"], encoding="utf-8", newline="") as rows:
+                head, unit, *rows = list(csv.reader(rows))
+            if head != ["t", "d", "u_x"] or unit != ["s", "um", "um"]:
+                raise ValueError(f"{file}: expected a path of t, d, u_x in s, um, um")
+            time, depth, along = np.array(rows, float).T * [[1], [1e-6], [1e-6]]
+            self.cycles, d0, tau = None, depth[0], time / time[-1]
+            self.at = lambda at: (np.interp(at, tau, depth / d0), (np.interp(at, tau, along / d0), 0.0))
+            self.deepest = depth.max() / d0
+        else:
+            d0 = number("Motion", "Indentation")
+            normal, along, across = (number("Motion", f"{which} amplitude", 0) / d0 for which in ("Normal", "Tangential", "Transverse"))
+            phase, phase_across = (np.radians(number("Motion", name, 0)) for name in ("Phase", "Transverse phase"))
+            self.cycles, self.deepest = cycles, 1 + normal
+
+            def at(tau):
+                angle, s = 2 * np.pi * tau, min(tau, 1)
+                grown = s**3 * (10 - 15 * s + 6 * s * s)
+                shift = along * np.cos(angle + phase), across * np.cos(angle + phase_across)
+                return 1 + grown * normal * np.cos(angle), grown * np.array(shift)
+
+            self.at = at
+        modulus = number("Elastomer", "Relaxed shear modulus")
+        self.length = np.sqrt(number("Indenter", "Radius") * d0)
+        self.force, self.work = modulus * self.length * d0, modulus * self.length * d0**2
+
+    @property
+    def width(self):
+        """Of the square of elements, in a."""
+        return 2 * MARGIN * np.sqrt(self.deepest)
+
+
+class Course:
+    """All steps of a scene on n x n elements. last: p, t and slip of each step of the last cycle, the state before it among them."""
+
+    def __init__(self, scene, n, steps):
+        self.contact = contact = Contact(n, scene.width, scene.nu, scene.mu, scene.coupled)
+        contact.press(scene.at(0)[0])
+        self.least_margin, self.touched = contact.margin(), contact.p
+        cycle = None
+        for number in range(scene.cycles or 1):
+            before, cycle = cycle, [(contact.p, contact.t, contact.slip)]
+            for k in range(1, steps + 1):
+                contact.step(*scene.at(number + k / steps), self._guess(before, k))
+                cycle.append((contact.p, contact.t, contact.slip))
+                self.least_margin = np.minimum(self.least_margin, contact.margin())
+                self.touched = np.maximum(self.touched, contact.p)
+        self.last = cycle
+
+    def _guess(self, before, k):
+        """As this step changed things a cycle ago."""
+        if before is None:
+            return None
+        (p_old, t_old, _), (p, t, _) = before[k - 1 : k + 1]
+        return np.maximum(self.contact.p + p - p_old, 0), self.contact.t + t - t_old
+
+    def room(self):
+        """Of each point in the last cycle; zero where it did not touch all the time."""
+        p, t = np.stack([p for p, _, _ in self.last[1:]]), np.stack([t for _, t, _ in self.last[1:]], 1)
+        result, always = np.zeros_like(p[0]), (p > 0).all(0)
+        result[always] = room(t[:, :, always], self.contact.mu * p[:, always])
+        return result
+
+
+def readings(scene, n, steps, counting):
+    """{quantity of fretval: (value in SI units, error of its reading)}."""
+    course = Course(scene, n, steps)
+    contact, area = course.contact, course.contact.h ** 2
+
+    def radius(level, bias):
+        return ((counted_radius(contact, level) - bias[0] * contact.h) * scene.length, bias[1] * contact.h * scene.length)
+
+    forces = np.array([[p.sum(), t[0].sum()] for p, t, _ in course.last]) * area * scene.force
+    work = -sum((t * np.where(p > 0, slip, 0)).sum() for p, t, slip in course.last[1:]) * area * scene.work
+    found = {"stick_radius_first_slip": radius(course.least_margin, counting.stick)}
+    if scene.cycles:
+        found["stick_radius_shakedown"] = radius(course.room(), counting.stick)
+    found["contact_radius_max"] = radius(course.touched, counting.touch)
+    return found | {"normal_force_max": (forces[:, 0].max(), 0), "tangential_force_max": (abs(forces[:, 1]).max(), 0), "friction_work": (work, 0)}
+
+
+def limit(fine, coarse_grid, fewer_steps):
+    """(value, error) without elements and steps, from a (value, error of the reading) each on the fine grid with all steps, and with half
+    as many steps on the fine grid and on one of half as many elements across.
+
+    The correction of a grid is that of second order, with an error as large: it holds for any order above 1.3; that of steps is two thirds
+    of the difference, with an error as large: any order above 0.8. Counted radii are corrected for their grid by `Counting` instead.
+    """
+    value, reading = fine
+    steps = 2 / 3 * (value - fewer_steps[0])
+    grid = 0 if reading else (fewer_steps[0] - coarse_grid[0]) / 3
+    return value + steps + grid, abs(steps) + abs(grid) + reading
