@@ -104,6 +104,10 @@ class Course:
         result[always] = room(t[:, :, always], self.contact.mu * p[:, always])
         return result
 
+    def friction_work(self):
+        """What friction loses in the last cycle, in G a d0^2: tractions at the end of a step on its slip, where there is contact."""
+        return -sum((t * np.where(p > 0, slip, 0)).sum() for p, t, slip in self.last[1:]) * self.contact.h ** 2
+
 
 def readings(scene, n, steps, counting):
     """{quantity of fretval: (value in SI units, error of its reading)}."""
@@ -114,12 +118,11 @@ def readings(scene, n, steps, counting):
         return ((counted_radius(contact, level) - bias[0] * contact.h) * scene.length, bias[1] * contact.h * scene.length)
 
     forces = np.array([[p.sum(), t[0].sum()] for p, t, _ in course.last]) * area * scene.force
-    work = -sum((t * np.where(p > 0, slip, 0)).sum() for p, t, slip in course.last[1:]) * area * scene.work
     found = {"stick_radius_first_slip": radius(course.least_margin, counting.stick)}
     if scene.cycles:
         found["stick_radius_shakedown"] = radius(course.room(), counting.stick)
     found["contact_radius_max"] = radius(course.touched, counting.touch)
-    return found | {"normal_force_max": (forces[:, 0].max(), 0), "tangential_force_max": (abs(forces[:, 1]).max(), 0), "friction_work": (work, 0)}
+    return found | {"normal_force_max": (forces[:, 0].max(), 0), "tangential_force_max": (abs(forces[:, 1]).max(), 0), "friction_work": (course.friction_work() * scene.work, 0)}
 
 
 def limit(fine, coarse_grid, fewer_steps):
