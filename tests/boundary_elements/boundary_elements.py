@@ -159,7 +159,8 @@ class Contact:
         self.at, self.residual = np.zeros(2), 0.0
 
     def _pressure(self, d, sunk, guess, tolerance):
-        return minimise(self.body.sinking_by_pressure, d - self.f - sunk, lambda p: np.maximum(p, 0), guess, self._largest_normal, tolerance)[0]
+        operator, asked = self.body.sinking_by_pressure, d - self.f - sunk
+        return minimise(operator, asked, lambda p: np.maximum(p, 0), guess, self._largest_normal, tolerance)[0]
 
     def _friction(self, limit, asked, guess, tolerance):
         return minimise(self.body.shift_by_traction, asked, _onto_discs(limit), guess, self._largest_tangential, tolerance)
@@ -206,10 +207,10 @@ class Contact:
 
 
 def room(t, limit):
-    """The most, over constant tractions o, of the least room in a cycle that friction leaves about them: max_o min_k (limit - |t - o|).
+    """The room that friction leaves around the tractions of a cycle for the best constant traction: max_o min_k (limit - |t - o|).
 
-    t: (2, k, points), the tractions of a cycle; limit: (k, points). By golden sections in o_x and, within, in o_y: the least is concave in o.
-    By Melan's theorem a point with room ends up sticking.
+    t: (2, k, points), the tractions of a cycle; limit: (k, points). By golden sections in o_x and, within, in o_y, as the least is concave
+    in o. By Melan's theorem a point with room ends up sticking.
     """
     ratio = (5**0.5 - 1) / 2
 

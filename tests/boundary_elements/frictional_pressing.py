@@ -1,7 +1,8 @@
 """The stick radius of a flat punch that is pressed with friction, by rings of constant traction whose kernels are integrated exactly.
 
 In frictional pressing the state is the same at every depth, and a flat punch has the stick radius c/a of every power law. Units: a = 1,
-shear modulus 1. Sources: D. A. Spence, Proc. R. Soc. A 305 (1968) 55 and J. Elasticity 5 (1975) 297; K. L. Johnson, Contact Mechanics, sections 3.8, 5.4.
+shear modulus 1. Sources: D. A. Spence, Proc. R. Soc. A 305 (1968) 55 and J. Elasticity 5 (1975) 297; K. L. Johnson, Contact
+Mechanics, Cambridge 1985, sections 3.8 and 5.4.
 """
 
 import numpy as np

@@ -5,9 +5,9 @@ import pathlib
 
 import numpy as np
 
-from boundary_elements import SETTLED, Contact, counted_radius, room
+from boundary_elements import Contact, counted_radius, room
 
-# By how much a square of elements is wider than the largest contact that overlap alone would give: coupled contacts are wider by a few percent.
+# How much wider a square of elements is than the largest contact of the overlap: coupled contacts are wider by a few percent.
 MARGIN = 1.05
 
 
@@ -30,15 +30,22 @@ class Scene:
     """A parabola on an elastic half-space, moved by prescribed displacements: at(tau) = d, (u_x, u_y) in d0.
 
     cycles: number of cycles to be stepped, the first of which is the ramp, and tau counts them; None: one pass, tau from 0 to 1.
-    force, work: units G a d0 in N, and G a d0^2 in J; length: a = sqrt(R d0) in m.
+    force, work: units G a d0 in N, and G a d0^2 in J; length: a = sqrt(R d0) in m. Raises ValueError where the case is something else.
     """
 
     def __init__(self, file, cycles=4):
         entries = read_case(file)
 
         def number(section, name, default=None):
-            return float(entries.get((section, name), default))
+            value = entries.get((section, name), default)
+            try:
+                return float(value)
+            except (TypeError, ValueError):
+                raise ValueError(f"{file}: {section} / {name} is {value}, expected a number in SI units") from None
 
+        for section, name, value in (("Indenter", "Shape", "parabola"), ("Elastomer", "Rheology", "elastic"), ("Contact", "Friction", "vector")):
+            if entries.get((section, name)) != value:
+                raise ValueError(f"{file}: {section} / {name} is {entries.get((section, name))}, expected {value}")
         self.nu, self.mu = number("Elastomer", "Poisson ratio", 0.5), number("Friction", "Coefficient")
         self.coupled = entries.get(("Contact", "Coupling")) == "on"
         if ("Motion", "Path") in entries:
@@ -52,7 +59,8 @@ class Scene:
             self.deepest = depth.max() / d0
         else:
             d0 = number("Motion", "Indentation")
-            normal, along, across = (number("Motion", f"{which} amplitude", 0) / d0 for which in ("Normal", "Tangential", "Transverse"))
+            names = (f"{which} amplitude" for which in ("Normal", "Tangential", "Transverse"))
+            normal, along, across = (number("Motion", name, 0) / d0 for name in names)
             phase, phase_across = (np.radians(number("Motion", name, 0)) for name in ("Phase", "Transverse phase"))
             self.cycles, self.deepest = cycles, 1 + normal
 
@@ -122,7 +130,10 @@ def readings(scene, n, steps, counting):
     if scene.cycles:
         found["stick_radius_shakedown"] = radius(course.room(), counting.stick)
     found["contact_radius_max"] = radius(course.touched, counting.touch)
-    return found | {"normal_force_max": (forces[:, 0].max(), 0), "tangential_force_max": (abs(forces[:, 1]).max(), 0), "friction_work": (course.friction_work() * scene.work, 0)}
+    found["normal_force_max"] = forces[:, 0].max(), 0
+    found["tangential_force_max"] = abs(forces[:, 1]).max(), 0
+    found["friction_work"] = course.friction_work() * scene.work, 0
+    return found
 
 
 def limit(fine, coarse_grid, fewer_steps):

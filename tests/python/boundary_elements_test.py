@@ -1,7 +1,9 @@
 """The boundary elements of tests/boundary_elements against closed forms: /usr/bin/python3 tests/python/boundary_elements_test.py."""
 
+import json
 import math
 import pathlib
+import subprocess
 import sys
 import tempfile
 import unittest
@@ -13,7 +15,7 @@ sys.dont_write_bytecode = True
 sys.path.insert(0, str(ROOT / "tests/boundary_elements"))
 from boundary_elements import SETTLED, Contact, Counting, HalfSpace, counted_radius, room  # noqa: E402
 from frictional_pressing import elliptic, one_way, stick_radius  # noqa: E402
-from scene import Course, Scene, limit, read_case, readings  # noqa: E402
+from scene import Course, Scene, limit, readings  # noqa: E402
 
 CASES = ROOT / "cases/vector/boundary-elements"
 
@@ -145,13 +147,14 @@ class Scenes(unittest.TestCase):
         self.assertIsNone(push.cycles)
         np.testing.assert_allclose(push.at(0.5)[1], (0.2, 0))
 
-    def test_an_entry_that_is_no_number_is_an_error(self):
+    def test_that_it_does_not_know_are_errors(self):
         with tempfile.TemporaryDirectory() as folder:
             file = pathlib.Path(folder) / "case.prm"
-            file.write_text("subsection Friction\n  set Coefficient = much # too much\nend\n", encoding="utf-8")
-            self.assertEqual(read_case(file), {("Friction", "Coefficient"): "much"})
-            with self.assertRaises(ValueError):
-                Scene(file)
+            for section, entry, told in (("Friction", "Coefficient = much # too much", "Friction / Coefficient is much"),
+                                         ("Indenter", "Shape = cone", "Indenter / Shape is cone, expected parabola")):
+                file.write_text(f"include {CASES / 'in-phase.prm'}\nsubsection {section}\n  set {entry}\nend\n", encoding="utf-8")
+                with self.assertRaisesRegex(ValueError, told):
+                    Scene(file)
 
     def test_a_push_is_cattaneos(self):
         # Without coupling and for nu = 0: c^2 = 1 - u_x/mu, all of it in SI units
@@ -183,6 +186,36 @@ class Scenes(unittest.TestCase):
         self.assertLess(abs(value - exact), error)
         self.assertLess(error, 0.06)
         self.assertEqual(limit((2.0, 0.1), (5.0, 0.3), (2.0, 0.1)), (2.0, 0.1))
+
+
+class Compare(unittest.TestCase):
+    """tests/boundary_elements/compare, with what fretval once said of the push, and on coarse grids."""
+
+    def compared(self, **tampered):
+        fe = {"stick_radius_first_slip": 569.66e-6, "contact_radius_max": 1012.4e-6, "normal_force_max": 380.93e-3,
+              "tangential_force_max": 154.82e-3, "friction_work": 526.4e-9, "sliding_work": 7.618e-6} | tampered
+        result = {"name": "push-coupled", "scene": {"contact_radius_unworn": 1e-3}, "mdr": {}, "fe": fe,
+                  "comparison": {name: {"error_bar": 1e-3} for name in fe}}
+        with tempfile.TemporaryDirectory() as folder:
+            case = pathlib.Path(folder) / "push-coupled/push-coupled"
+            case.mkdir(parents=True)
+            (case / "result.json").write_text(json.dumps(result), encoding="utf-8")
+            return self.called(CASES / "push-coupled.prm", "--elements", "32", "--steps", "8", "--results", folder)
+
+    def called(self, *arguments):
+        return subprocess.run([ROOT / "tests/boundary_elements/compare", *arguments], capture_output=True, encoding="utf-8")
+
+    def test_ends_well_where_all_is_within_the_errors(self):
+        done = self.compared()
+        self.assertEqual((done.returncode, done.stdout.count("| push-coupled |")), (0, 5), done.stdout + done.stderr)
+
+    def test_sees_a_force_that_is_off(self):
+        done = self.compared(tangential_force_max=157e-3)
+        self.assertEqual((done.returncode, done.stdout.count("above both")), (1, 1), done.stdout + done.stderr)
+
+    def test_refuses_what_is_not_there(self):
+        self.assertEqual(self.called("nowhere.prm").returncode, 2)
+        self.assertEqual(self.called("--elements", "30").returncode, 2)
 
 
 if __name__ == "__main__":
