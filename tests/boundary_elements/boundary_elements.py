@@ -206,35 +206,9 @@ class Contact:
         return np.maximum(self.mu * self.p - np.hypot(*self.t), 0)
 
 
-def room(t, limit):
-    """The room that friction leaves around the tractions of a cycle for the best constant traction: max_o min_k (limit - |t - o|).
-
-    t: (2, k, points), the tractions of a cycle; limit: (k, points). By golden sections in o_x and, within, in o_y, as the least is concave
-    in o. By Melan's theorem a point with room ends up sticking.
-    """
-    ratio = (5**0.5 - 1) / 2
-
-    def lowest(f, low, high):
-        left, right = high - ratio * (high - low), low + ratio * (high - low)
-        f_left, f_right = f(left), f(right)
-        for _ in range(22):
-            is_left = f_left < f_right
-            high, low = np.where(is_left, right, high), np.where(is_left, low, left)
-            new_left, new_right = high - ratio * (high - low), low + ratio * (high - low)
-            f_new = f(np.where(is_left, new_left, new_right))
-            f_left, f_right = np.where(is_left, f_new, f_right), np.where(is_left, f_left, f_new)
-            left, right = new_left, new_right
-        return np.minimum(f_left, f_right)
-
-    def over_y(o_x):
-        return lowest(lambda o_y: (np.hypot(t[0] - o_x, t[1] - o_y) - limit).max(0), t[1].min(0), t[1].max(0))
-
-    return -lowest(over_y, t[0].min(0), t[0].max(0))
-
-
-def counted_radius(contact, level):
-    """The radius of the disc with as many elements as those where a level exceeds SETTLED. It is too large by about h/7: `Counting`."""
-    return np.sqrt((level > SETTLED).sum() / np.pi) * contact.h
+def counted_radius(contact, where):
+    """The radius of the disc with as many elements as there are where this holds. It is too large by about h/9: `Counting`."""
+    return np.sqrt(where.sum() / np.pi) * contact.h
 
 
 class Counting:
@@ -249,9 +223,9 @@ class Counting:
         for c in np.linspace(0.5, 0.85, 15):
             contact = Contact(n, width, nu=0.0, mu=0.5, tolerance=1e-5)
             contact.press(c**2)
-            touch.append((counted_radius(contact, contact.p) - c) / contact.h)
+            touch.append((counted_radius(contact, contact.p > SETTLED) - c) / contact.h)
             contact.press(1.0)
             contact.step(1.0, (0.5 * (1 - c**2), 0.0))
-            stick.append((counted_radius(contact, contact.margin()) - c) / contact.h)
+            stick.append((counted_radius(contact, contact.margin() > SETTLED) - c) / contact.h)
         self.stick = np.mean(stick), 2 * np.std(stick)
         self.touch = np.mean(touch), 2 * np.std(touch)
