@@ -27,14 +27,12 @@ ExpectedOrder expected_order(ErrorSource source, Quantity quantity, const CaseNe
   if (needs.zones_of_points && is_of_stick_zone(quantity)) return {1, 4};
   if (needs.kind == ContactKind::annuli || ends_with_contact(needs, quantity)) return {1, 4};
   const auto& traits = traits_of(quantity);
+  if (needs.memory && traits.rings_with_memory) return *traits.rings_with_memory;
   constexpr double at_a_worn_edge = 2, of_a_smooth_kernel = 2;
-  ExpectedOrder expected{traits.rings.order};
-  if (needs.memory && traits.rings_with_memory)
-    expected = *traits.rings_with_memory;
-  else if (needs.kind == ContactKind::worn)
-    expected.order = std::min(expected.order, at_a_worn_edge);
-  if (needs.ends) expected.order = std::min(expected.order, of_a_smooth_kernel);
-  return expected;
+  double order = traits.rings.order;
+  if (needs.kind == ContactKind::worn) order = std::min(order, at_a_worn_edge);
+  if (needs.ends) order = std::min(order, of_a_smooth_kernel);
+  return {order};
 }
 
 /// NaN: not there.
