@@ -86,9 +86,9 @@ class ContactTest(unittest.TestCase):
             self.assertAlmostEqual(punch_force(36, nu, 20.0, True) / punch_force(36, nu, 0.5, False) / exact, 1, 2)
 
     def test_pressing_with_friction_sticks_as_by_rings(self):
-        contact = Contact(48, 2.1, 0.0, 0.5, True, profile=flat)
+        contact = Contact(36, 2.1, 0.0, 0.5, True, profile=flat)
         contact.step(1.0, (0, 0))
-        mean, spread = Counting(48, 2.1).stick
+        mean, spread = Counting(36, 2.1).stick
         by_rings = 2 * stick_radius(0.0, 0.5, 80) - stick_radius(0.0, 0.5, 40)
         self.assertLess(abs(counted_radius(contact, contact.margin() > SETTLED) - mean * contact.h - by_rings), spread * contact.h)
         self.assertLess(contact.residual, contact.tolerance)
