@@ -125,7 +125,7 @@ Rows rows_of(const mdr::Layer& layer, double tolerance, const std::vector<int>& 
   // 16 rings on a/H = 10 are wider than half of the layer, and part of what they err by cancels.
   constexpr double thin = 0.2;
   const double order = layer.thickness < thin ? 1.5 : 2;
-  const ConvergenceDemand demand{tolerance, order, 1.5e-5, "floor: where edges of rings lie, of first order"};
+  const ConvergenceDemand demand{tolerance, order, 1.5e-6, "floor: where edges of rings lie, of first order"};
   Rows rows{
       {name, "contact radius", source, demand}, {name, "force", source, demand}, {name, "flat punch", source, demand}};
   if (bonded) {
