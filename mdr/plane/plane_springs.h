@@ -49,7 +49,7 @@ struct PlaneResponse {
 /// is the one on the limit that points to where sticking would bring it (implicit, of first order in the step where
 /// the direction of slip turns). A motion that repeats goes through cycles, amplitudes rising in the first one, until
 /// the force, or the displacement where forces are prescribed, repeats to `periodicity` of its largest or 100 cycles
-/// have passed. Under forces the indenter goes in each step where its springs bear them (force_balance). mu positive.
+/// have passed. Under forces the indenter goes in each step where its springs bear them (way_for_forces). mu positive.
 /// Throws std::invalid_argument, and GrossSlip for a force that friction does not bear.
 PlaneResponse plane_response(const Profile& profile, const PronyBody& body, double mu, const PlaneMotion& motion,
                              Eigen::Index n_springs, double periodicity = 1e-7);
