@@ -8,33 +8,15 @@
 #include "comparison/simulation/bodies/surface_store.h"
 #include "comparison/simulation/wear_run.h"
 #include "comparison/support/stopwatch.h"
+#include "fem/full_contact/contact_region.h"
 #include "fem/full_contact/fields.h"
 #include "fem/ring_contact/static_contact.h"
 #include "fem/wear/rubbing_surface.h"
 
 namespace fretval {
-namespace {
 
 using Eigen::Index;
 using Eigen::VectorXd;
-
-/// The region whose edge on each ray is the outer one of its last ring, known to that ring or the next.
-fem::ContactRegion region_of(const std::vector<double>& radii, const fem::AngularGrid& grid,
-                             const Eigen::VectorXi& n_inside) {
-  VectorXd edges(n_inside.size());
-  double widest = 0;
-  for (Index j = 0; j < n_inside.size(); ++j) {
-    const auto n = static_cast<std::size_t>(n_inside[j]);
-    edges[j] = radii[n];
-    if (n > 0) widest = std::max(widest, radii[n] - radii[n - 1]);
-    if (n + 1 < radii.size()) widest = std::max(widest, radii[n + 1] - radii[n]);
-  }
-  auto region = fem::region_within(grid, std::move(edges));
-  region.uncertainty = widest;
-  return region;
-}
-
-}  // namespace
 
 Eigen::MatrixXd SurfaceWear::field(const VectorXd& points) const {
   return fem::as_field(points, static_cast<Index>(radii.size()) - 1);
@@ -80,7 +62,7 @@ SurfaceWear simulate_surface_wear(const FemCase& fem_case, const Case::WearKinet
   const auto& last = simulation.course.last;
   const Eigen::MatrixXd pressure = simulation.field(last.largest_pressure), path = simulation.field(last.path);
   const Eigen::MatrixXd stuck = (pressure.array() > 0 && path.array() == 0).cast<double>();
-  simulation.sticks = region_of(surface.radii, grid, fem::rings_inside(stuck));
+  simulation.sticks = fem::region_to_a_ring(surface.radii, grid, fem::rings_inside(stuck));
   simulation.seconds = watch.lap();
   return simulation;
 }

@@ -80,9 +80,8 @@ ContactRegion region_of(const ContactProblem& rings, const AngularGrid& grid, co
   return region_of(rings, grid, rings.series.depths_of_instants(margin), rings_inside(margin));
 }
 
-ContactRegion region_to_a_ring(const ContactProblem& rings, const AngularGrid& grid, const Eigen::MatrixXd& margin) {
-  const auto n_inside = rings_inside(margin);
-  const auto& radii = rings.compliance.radii;
+ContactRegion region_to_a_ring(const std::vector<double>& radii, const AngularGrid& grid,
+                               const Eigen::VectorXi& n_inside) {
   VectorXd edges(n_inside.size());
   double widest = 0;
   for (Index j = 0; j < edges.size(); ++j) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Dense>
+#include <vector>
 
 #include "fem/full_contact/angular_grid.h"
 #include "fem/ring_contact/contact_problem.h"
@@ -35,10 +36,11 @@ ContactRegion region_within(const AngularGrid& grid, Eigen::VectorXd edges);
 /// The same from the margin, zero outside of the region.
 ContactRegion region_of(const ContactProblem& rings, const AngularGrid& grid, const Eigen::MatrixXd& margin);
 
-/// The same to a ring, of a margin of which it is not known how it falls towards the edge: like that of a punch where a
-/// zone that sticks gives way, and in proportion to the distance where it grows. The edge lies between the last ring
-/// that has a margin and the next one.
-ContactRegion region_to_a_ring(const ContactProblem& rings, const AngularGrid& grid, const Eigen::MatrixXd& margin);
+/// The region whose edge on each ray is the outer one of its last ring, known to that ring or the next. It supposes
+/// nothing of how a margin falls towards the edge: like that of a punch where a zone that sticks gives way, and in
+/// proportion to the distance where it grows. radii: edges of the rings, one more than rings.
+ContactRegion region_to_a_ring(const std::vector<double>& radii, const AngularGrid& grid,
+                               const Eigen::VectorXi& n_inside);
 
 /// Rings of each ray before the first one without a margin.
 Eigen::VectorXi rings_inside(const Eigen::MatrixXd& margin);

@@ -144,8 +144,8 @@ SurfaceHistory SurfaceWatch::report() const {
   history.sticks_in_a_cycle =
       history.n_cycles == 1 ? history.never_slipped : region_of(rings_.tangential, grid_, room());
   const MatrixXd margin = limit_.back() - lengths(traction_.back());
-  history.sticks_at_the_end = region_to_a_ring(
-      rings_.tangential, grid_, (margin.array() > at_its_limit * limit_.back().maxCoeff()).select(margin, 0));
+  const Eigen::ArrayXXd sticks = (margin.array() > at_its_limit * limit_.back().maxCoeff()).cast<double>();
+  history.sticks_at_the_end = region_to_a_ring(rings_.tangential.compliance.radii, grid_, rings_inside(sticks));
   MatrixXd largest = pressure_.front();
   for (const auto& pressure : pressure_) largest = largest.cwiseMax(pressure);
   history.contact = region_of(rings_.normal, grid_, largest);

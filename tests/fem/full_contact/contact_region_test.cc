@@ -67,15 +67,15 @@ TEST(ContactRegion, ReadsTheEdgeOfAHertzianContactToASmallShareOfARing) {
   }
 }
 
-TEST(ContactRegion, ToARingEndsWhereTheLastRingOfTheMarginDoes) {
+TEST(ContactRegion, ToARingEndsWithTheLastRing) {
   const auto grid = angular_grid(4);
-  MatrixXd margin = MatrixXd::Zero(rings().n_rings(), 4);
-  margin.topRows(8).setOnes();
-  margin(8, 0) = 1;
-  const auto region = region_to_a_ring(rings(), grid, margin);
-  EXPECT_DOUBLE_EQ(region.edges[0], rings().compliance.radii[9]);
-  EXPECT_DOUBLE_EQ(region.edges[1], rings().compliance.radii[8]);
-  EXPECT_NEAR(region.uncertainty, 1.0 / 16, 1e-12);
+  const std::vector<double> radii{0, 0.1, 0.2, 0.4, 0.5};
+  Eigen::VectorXi n_inside(4);
+  n_inside << 3, 2, 2, 2;
+  const auto region = region_to_a_ring(radii, grid, n_inside);
+  EXPECT_EQ(region.edges[0], 0.4);
+  EXPECT_EQ(region.edges[1], 0.2);
+  EXPECT_DOUBLE_EQ(region.uncertainty, 0.2) << "the ring beyond";
 }
 
 TEST(ContactRegion, OfNothingIsEmpty) {
