@@ -1,7 +1,5 @@
 #include "comparison/simulation/surface_wear.h"
 
-#include <algorithm>
-#include <cmath>
 #include <memory>
 #include <utility>
 

@@ -86,16 +86,22 @@ class Newton {
 
   void iterate() {
     ++solution_.iterations;
-    const MatrixXd way = newton_step();
-    find_image(way);
-    if (halves_remainder(way)) return go({way, image_, 1});
-    const auto newton = as_far_as_it_lowers(way), down = as_far_as_it_lowers(gradient_step());
-    go(lowering(newton) > lowering(down) ? newton : down);
+    const auto newton = as_far_as_it_lowers(newton_step());
+    if (halves_remainder(newton)) return go(newton, 1);
+    const auto down = as_far_as_it_lowers(gradient_step());
+    const auto& better = lowering(newton) > lowering(down) ? newton : down;
+    go(better, better.share);
   }
 
   FrictionSolution& solution() { return solution_; }
 
  private:
+  /// A way within the discs, its image, and the share of it that lowers the energy most.
+  struct Descent {
+    MatrixXd way, image;
+    double share;
+  };
+
   MatrixXd newton_step() {
     const Index m = limit_.cols();
     MatrixXd onto = solution_.traction, step, right;
@@ -136,38 +142,28 @@ class Newton {
     return onto_discs(onto, limit_) - solution_.traction;
   }
 
-  void find_image(const MatrixXd& way) {
-    op_.apply(way, image_);
-    ++solution_.applications;
-  }
-
   /// Near the solution roundoff hides what becomes of the energy.
-  [[nodiscard]] bool halves_remainder(const MatrixXd& way) const {
+  [[nodiscard]] bool halves_remainder(const Descent& whole) const {
     const double remainder =
-        friction_remainder(op_, solution_.residual - image_, limit_, solution_.traction + way) / largest_;
+        friction_remainder(op_, solution_.residual - whole.image, limit_, solution_.traction + whole.way) / largest_;
     return remainder < solution_.remainder / 2;
   }
 
-  /// A share of a way within the discs, and the image of the whole.
-  struct Descent {
-    MatrixXd way, image;
-    double share;
-  };
-
   /// As far as lowers the energy, but no farther than all of the way, which stays in the discs.
-  Descent as_far_as_it_lowers(const MatrixXd& way) {
-    find_image(way);
+  Descent as_far_as_it_lowers(MatrixXd way) {
+    op_.apply(way, image_);
+    ++solution_.applications;
     const double share = std::min(1.0, product(way, solution_.residual) / product(way, image_));
-    return {way, image_, share > 0 ? share : 0};
+    return {std::move(way), image_, share > 0 ? share : 0};
   }
 
   [[nodiscard]] double lowering(const Descent& by) const {
     return by.share * (product(by.way, solution_.residual) - by.share / 2 * product(by.way, by.image));
   }
 
-  void go(const Descent& by) {
-    solution_.traction += by.share * by.way;
-    solution_.residual -= by.share * by.image;
+  void go(const Descent& by, double share) {
+    solution_.traction += share * by.way;
+    solution_.residual -= share * by.image;
   }
 
   const SurfaceOperator& op_;

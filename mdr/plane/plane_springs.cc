@@ -64,7 +64,7 @@ class Stuck {
       : scale_(2 / (3 * mu)), x_(1, n_branches), y_(1, n_branches), down_(1, n_branches) {
     down_.position = depth;
   }
-  void move(double down, const double (&along)[2], const Branches& branches) {
+  void move(double down, const Eigen::Vector2d& along, const Branches& branches) {
     const auto bear = [&](double by, Direction& direction) {
       direction.load = load_at_rest(direction, branches) + branches.stiffness * by;
       move_tips(ArrayXd::Constant(1, by), branches, direction);
@@ -176,8 +176,7 @@ class PlaneSprings {
     normal_step_->advance(normal_, bed_, {to.depth, down / dt, 0, 0});
     const double normal_after = 2 * (bed_.width * normal_.normal_load).sum();
     const ArrayXd most = limit_ * normal_.normal_load;
-    const auto way = way_to(to, most);
-    const double moved[] = {way[0], way[1]};
+    const auto moved = way_to(to, most);
     Direction* directions[] = {&x_, &y_};
     ArrayXd before[2];
     for (int i = 0; i < 2; ++i) {
@@ -201,7 +200,7 @@ class PlaneSprings {
     stuck_.move(down, moved, branches);
     first_slip_ = std::min(first_slip_, stuck_.normal() - std::hypot(stuck_.x(), stuck_.y()));
     sums.down += (normal_before + normal_after) / 2 * down;
-    sums.way += way.norm();
+    sums.way += moved.norm();
     depth_ = to.depth;
   }
 
