@@ -31,7 +31,7 @@ ExpectedOrder expected_order(ErrorSource source, Quantity quantity, const CaseNe
   constexpr double at_a_worn_edge = 2, of_a_smooth_kernel = 2;
   double order = traits.rings.order;
   if (needs.kind == ContactKind::worn) order = std::min(order, at_a_worn_edge);
-  if (needs.ends) order = std::min(order, of_a_smooth_kernel);
+  if (needs.ends && traits.of_friction) order = std::min(order, of_a_smooth_kernel);
   return {order};
 }
 

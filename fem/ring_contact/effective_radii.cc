@@ -1,7 +1,12 @@
 #include "fem/ring_contact/effective_radii.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
+
+#include "fem/ring_contact/stencil.h"
+#include "fem/ring_contact/wider_rings.h"
 
 namespace fretval::fem {
 namespace {
@@ -70,13 +75,20 @@ struct EdgeLaw {
   Eigen::VectorXd coefficients;
   double force_per_radius, misfit;
 
-  EdgeLaw(const Eigen::VectorXd& force, Eigen::Index n_terms) {
+  /// per_radius: the force per radius where it is known from elsewhere.
+  EdgeLaw(const Eigen::VectorXd& force, Eigen::Index n_terms, std::optional<double> per_radius = std::nullopt) {
     const Eigen::Index n = force.size() - innermost - outermost;
     Eigen::MatrixXd powers(n, n_terms);
     for (Eigen::Index i = 0; i < n; ++i)
       for (Eigen::Index k = 0; k < n_terms; ++k)
         powers(i, k) = std::pow(static_cast<double>(innermost + i), static_cast<double>(1 - k));
-    const Eigen::VectorXd known = force.segment(innermost, n), fit = powers.colPivHouseholderQr().solve(known);
+    const Eigen::VectorXd known = force.segment(innermost, n);
+    Eigen::VectorXd fit(n_terms);
+    if (per_radius)
+      fit << *per_radius,
+          powers.rightCols(n_terms - 1).colPivHouseholderQr().solve(known - *per_radius * powers.col(0));
+    else
+      fit = powers.colPivHouseholderQr().solve(known);
     coefficients = fit / fit[0];
     force_per_radius = fit[0];
     misfit = (powers * fit - known).cwiseAbs().maxCoeff() / fit[0];
@@ -92,50 +104,136 @@ struct EdgeLaw {
   }
 };
 
-/// Enough discs for five terms.
+/// Enough discs for five terms; half of them are enough for the four that are left where the force per radius is known.
 constexpr Eigen::Index enough_discs = 16;
 
+/// Of a body, and the force per ring of a half-space with its rings, if it follows a law.
+struct KnownRadii {
+  EffectiveRadii radii;
+  std::optional<double> force_per_ring;
+};
+
 /// Of equal rings. Two laws, the second one with a term less, differ by what the further terms are worth.
-EffectiveRadii by_law(const Compliance& half_space, const Compliance& compliance) {
+KnownRadii by_law(const Compliance& half_space, const Compliance& compliance,
+                  std::optional<double> force_per_ring = std::nullopt) {
   const Eigen::VectorXd force = punch_forces(half_space);
-  const EdgeLaw law(force, 5), shorter(force, 4);
+  const EdgeLaw law(force, 5, force_per_ring), shorter(force, 4, force_per_ring);
   const Eigen::Index n = compliance.areas.size();
   const double width = compliance.radii[1];
-  EffectiveRadii radii{Eigen::VectorXd::Zero(n + 1), law.misfit * width, 0};
+  EffectiveRadii radii{Eigen::VectorXd::Zero(n + 1), {}, law.misfit * width, 0};
   for (Eigen::Index m = 1; m <= n; ++m)
     radii.radius[m] = width * (m < law.innermost ? force[m] / law.force_per_radius : law(static_cast<double>(m)));
   radii.calibration = radii.scatter + width * std::abs(law.coefficients[1] - shorter.coefficients[1]);
-  return radii;
+  return {radii, law.force_per_radius};
 }
 
-/// Of a body whose rings a half-space knows, which has as many or, of equal rings, fewer of them.
-EffectiveRadii taken_over(const Compliance& half_space, const Compliance& compliance) {
-  if (half_space.areas.size() >= enough_discs && has_equal_rings(half_space) && has_equal_rings(compliance))
-    return by_law(half_space, compliance);
-  const auto known = effective_radii(half_space);
-  const Eigen::Index n = compliance.areas.size(), n_known = std::min<Eigen::Index>(n, half_space.areas.size());
-  EffectiveRadii radii{Eigen::VectorXd(n + 1), known.scatter, 0};
-  radii.radius.head(n_known + 1) = known.radius.head(n_known + 1);
-  if (n_known == n) return radii;
-  const Eigen::MatrixXd terms = terms_of_radius(half_space);
-  const Eigen::VectorXd fit = fit_to_middle(terms.rightCols(terms.cols() - 1), known.radius - terms.col(0));
-  const Eigen::MatrixXd further = terms_of_radius(compliance);
-  for (Eigen::Index m = n_known + 1; m <= n; ++m)
-    radii.radius[m] = further(m, 0) + further.row(m).segment(1, fit.size()).dot(fit);
-  return radii;
-}
-
-}  // namespace
-
-EffectiveRadii effective_radii(const Compliance& compliance) {
-  if (compliance.half_space) return taken_over(*compliance.half_space, compliance);
+EffectiveRadii of_half_space(const Compliance& compliance) {
   Eigen::VectorXd force = punch_forces(compliance);
   const Eigen::MatrixXd terms = terms_of_radius(compliance);
   const double offset = far_offset(terms, force);
   if (offset != 0) force.array() /= 1 - offset * force.array();
   const Eigen::VectorXd fit = fit_to_middle(terms, force);
   const double scatter = middle_of(terms * fit - force).cwiseAbs().maxCoeff() / fit[0];
-  return {force / fit[0], scatter, 0};
+  const Eigen::Index n = force.size() - 1;
+  const Eigen::VectorXd radius = force / fit[0];
+  return {radius, (radius.head(n) + radius.tail(n)) / 2, scatter, 0};
+}
+
+/// Of a body whose rings a half-space knows, which has as many or, of equal rings, fewer of them.
+KnownRadii taken_over(const Compliance& half_space, const Compliance& compliance) {
+  if (half_space.areas.size() >= enough_discs && has_equal_rings(half_space) && has_equal_rings(compliance))
+    return by_law(half_space, compliance);
+  const auto known = of_half_space(half_space);
+  const Eigen::Index n = compliance.areas.size(), n_known = std::min<Eigen::Index>(n, half_space.areas.size());
+  EffectiveRadii radii{Eigen::VectorXd(n + 1), {}, known.scatter, 0};
+  radii.radius.head(n_known + 1) = known.radius.head(n_known + 1);
+  if (n_known == n) return {radii, std::nullopt};
+  const Eigen::MatrixXd terms = terms_of_radius(half_space);
+  const Eigen::VectorXd fit = fit_to_middle(terms.rightCols(terms.cols() - 1), known.radius - terms.col(0));
+  const Eigen::MatrixXd further = terms_of_radius(compliance);
+  for (Eigen::Index m = n_known + 1; m <= n; ++m)
+    radii.radius[m] = further(m, 0) + further.row(m).segment(1, fit.size()).dot(fit);
+  return {radii, std::nullopt};
+}
+
+/// A body that is no half-space, or wider rings on it.
+struct Discs {
+  const Compliance& compliance;
+  EffectiveRadii& radii;
+  Eigen::VectorXd force = punch_forces(compliance);
+};
+
+/// By how much further out than on a half-space the edges of discs lie, over the squares of the widths of their last
+/// rings: at the effective radii of discs of wider rings.
+struct FurtherOut {
+  Eigen::VectorXd radius, per_square;
+
+  /// Zero at the centre, where any body is a half-space.
+  [[nodiscard]] double operator()(double at) const { return interpolated(radius, per_square, at); }
+};
+
+/// From what discs of wider rings bear less than discs of rings which are as large by the edges of a half-space.
+FurtherOut further_out(const Discs& discs, const Discs& wide) {
+  constexpr Eigen::Index innermost = 2, n_nodes = 6;
+  const auto& rings = discs.compliance.radii;
+  const Eigen::VectorXd& edges = discs.radii.radius;
+  const Eigen::Index n = wide.force.size() - innermost;
+  FurtherOut found{Eigen::VectorXd::Zero(n + 1), Eigen::VectorXd::Zero(n + 1)};
+  for (Eigen::Index i = 1; i <= n; ++i) {
+    const Eigen::Index j = innermost + i - 1, m = 2 * j;
+    const double width = rings[m] - rings[m - 1], wider = rings[m] - rings[m - 2];
+    const Stencil of_rings{edges, discs.force,
+                           std::min(std::max<Eigen::Index>(m - n_nodes / 2, 1), edges.size() - n_nodes), n_nodes};
+    const double at = wide.radii.radius[j], slope = (of_rings(at + width / 2) - of_rings(at - width / 2)) / width;
+    found.radius[i] = at;
+    found.per_square[i] = (wide.force[j] - of_rings(at)) / (slope * (wider * wider - width * width));
+  }
+  return found;
+}
+
+void move_out(const FurtherOut& further, Discs& discs) {
+  const auto& rings = discs.compliance.radii;
+  auto& radius = discs.radii.radius;
+  for (Eigen::Index m = 1; m < radius.size(); ++m) {
+    const double width = rings[m] - rings[m - 1];
+    radius[m] += width * width * further(radius[m]);
+  }
+}
+
+/// Where the force of a punch is the mean of those of the discs about a ring, is h^2 F''/(8 F') beyond its middle.
+void find_of_rings(Discs& discs) {
+  const auto& radius = discs.radii.radius;
+  const Eigen::Index n = radius.size() - 1;
+  const Eigen::VectorXd force = (discs.force.head(n) + discs.force.tail(n)) / 2;
+  Eigen::VectorXd& of_rings = discs.radii.of_rings = (radius.head(n) + radius.tail(n)) / 2;
+  for (Eigen::Index m = 1; m < n; ++m) of_rings[m] += (interpolated(discs.force, radius, force[m]) - of_rings[m]) / 3;
+}
+
+}  // namespace
+
+RadiiByWidth effective_radii(const Compliance& compliance, const Compliance& wide) {
+  if (!compliance.half_space) return {of_half_space(compliance), of_half_space(wide)};
+  const auto known = taken_over(*compliance.half_space, compliance);
+  const auto of_wide = known.force_per_ring ? by_law(*wide.half_space, wide, 2 * *known.force_per_ring)
+                                            : taken_over(*wide.half_space, wide);
+  RadiiByWidth radii{known.radii, of_wide.radii};
+  std::array discs{Discs{compliance, radii.rings}, Discs{wide, radii.wide}};
+  if (compliance.half_space->areas.size() >= enough_discs) {
+    const auto further = further_out(discs[0], discs[1]);
+    constexpr double gain = 3;  // of a second order
+    const double calibration = (radii.rings.calibration + radii.wide.calibration) / gain;
+    for (auto& one : discs) {
+      move_out(further, one);
+      one.radii.calibration += calibration;
+    }
+  }
+  for (auto& one : discs) find_of_rings(one);
+  return radii;
+}
+
+EffectiveRadii effective_radii(const Compliance& compliance) {
+  if (!compliance.half_space) return of_half_space(compliance);
+  return effective_radii(compliance, with_wider_rings(compliance)).rings;
 }
 
 }  // namespace fretval::fem

@@ -15,17 +15,34 @@ namespace fretval::fem {
 /// distance). It is fitted too, and taken out where it stiffens the largest disc by more than 1e-3 and (h/r)^2, h/r of
 /// rings that differ, which no mesh of a half-space does; radii are off by half of what stays in. scatter: largest
 /// departure of the fitted discs from that law, in the unit of length: 1e-7 where all rings sit on equal squares, of
-/// order h^2/10 on an unstructured mesh. It is what the mesh puts into a radius at random. On another body the force of
-/// a punch is not in proportion to its radius, but the edge of m rings lies where it does on a half-space with the same
-/// rings (Compliance::half_space). Of equal rings that has as many as it takes to know the law, with two terms more as
-/// they are few; all discs follow it. calibration: what that leaves open, by the same for all radii: how far the law
-/// with a term less has its edges elsewhere, and the scatter. It is a share of a ring that is the same on all meshes,
-/// so neither other rings nor edges elsewhere in them show it: it belongs into the error bar. 0: the radii are of the
-/// body itself, or of a half-space with each of its rings.
+/// order h^2/10 on an unstructured mesh. It is what the mesh puts into a radius at random.
+///
+/// On another body the force of a punch, F(r), is not in proportion to its radius. The edge of m rings lies where it
+/// does on a half-space with the same rings (Compliance::half_space), but for the second order of the rings: the
+/// traction at an edge, K1/sqrt(s) + K2 sqrt(s) at the distance s, moves it by h^2 K2/K1 times a number of the rings,
+/// and K2/K1 is that of the body. How far, pairs of rings tell, whose edges move four times as far
+/// (with_wider_rings). Equal rings of the half-space follow a law with two terms more, as they are few; all discs
+/// follow it. calibration: what that leaves open, by the same for all radii: how far the law with a term less has its
+/// edges elsewhere, and the scatter. It is a share of a ring that is the same on all meshes, so neither other rings nor
+/// edges elsewhere in them show it: it belongs into the error bar. 0: the radii are of the body itself, or of a
+/// half-space with each of its rings.
+///
+/// of_rings: where a contact ends that has ring m in half, which is when the ring touches, and where the depth of the
+/// ring belongs (PunchSeries): between the edges of m and m + 1 rings, and h^2 F''/(24 F') further out. For the ring
+/// touches at the indentation (P(m + 1) - P(m)) / (F(m + 1) - F(m)), P the force that a profile takes from a punch;
+/// the derivatives P' = F' d have this ratio at the middle but for third differences, and P is off by h^2 F' d'/24,
+/// which takes part of them away. Read in the middle, forces on a layer were of second order.
 struct EffectiveRadii {
   Eigen::VectorXd radius;
+  Eigen::VectorXd of_rings;
   double scatter, calibration;
 };
 EffectiveRadii effective_radii(const Compliance& compliance);
+
+/// The same of the rings, and of rings of twice the width on the same mesh (with_wider_rings).
+struct RadiiByWidth {
+  EffectiveRadii rings, wide;
+};
+RadiiByWidth effective_radii(const Compliance& compliance, const Compliance& wide);
 
 }  // namespace fretval::fem

@@ -38,12 +38,6 @@ std::optional<double> border(const Zone& zone, const Zone& next, Index node, con
                        {radii, depths, next.first, std::min(n_stencil, next.size())});
 }
 
-/// y at a place between the first and the last x, which rise, by the cubic through the nearest four.
-double interpolated(const Eigen::VectorXd& x, const Eigen::VectorXd& y, double at) {
-  const Index n = std::min<Index>(n_stencil, x.size()), above = std::upper_bound(x.begin(), x.end(), at) - x.begin();
-  return Stencil{x, y, std::clamp<Index>(above - n / 2, 0, x.size() - n), n}(at);
-}
-
 }  // namespace
 
 PunchSeries::PunchSeries(const Compliance& compliance, SharedMatrix factor, SharedMatrix inverse)
@@ -52,9 +46,11 @@ PunchSeries::PunchSeries(const Compliance& compliance, SharedMatrix factor, Shar
       areas_(compliance.areas),
       by_load_(factor_->triangularView<Eigen::Lower>().solve(areas_)),
       per_load_(by_load_.cwiseInverse()),
-      edges_(effective_radii(compliance).radius),
       half_space_(!compliance.half_space),
       whole_rings_(Eigen::Matrix4Xd::Zero(n_stencil, areas_.size())) {
+  auto radii = effective_radii(compliance);
+  edges_ = std::move(radii.radius);
+  radii_ = std::move(radii.of_rings);
   const Index n = areas_.size();
   const Index n_small = half_space_ ? n : std::min(n, n_stencil);  // rings of the punch whose force per radius counts
   force_per_radius_ = by_load_.head(n_small).squaredNorm() / edges_[n_small];
@@ -62,10 +58,9 @@ PunchSeries::PunchSeries(const Compliance& compliance, SharedMatrix factor, Shar
   if (!half_space_)
     for (Index m = 0; m < n; ++m)
       places_.edges[m + 1] = places_.edges[m] + by_load_[m] * by_load_[m] / force_per_radius_;
-  places_.depths = (places_.edges.head(n) + places_.edges.tail(n)) / 2;
-  radii_ = places_.depths;
+  places_.depths = radii_;
   if (!half_space_)
-    for (double& radius : radii_) radius = interpolated(places_.edges, edges_, radius);
+    for (double& place : places_.depths) place = interpolated(edges_, places_.edges, place);
   for (Index i = 1; i + 2 < n; ++i)
     for (Index k = 0; k < n_stencil; ++k)
       whole_rings_(k, i) =

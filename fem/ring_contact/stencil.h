@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -46,6 +47,13 @@ class Stencil {
   Eigen::Index n_;
   double x_[most_nodes], differences_[most_nodes];
 };
+
+/// y at a place among the x, which rise, by the cubic through the nearest four.
+inline double interpolated(const Eigen::VectorXd& x, const Eigen::VectorXd& y, double at) {
+  const Eigen::Index n = std::min<Eigen::Index>(n_stencil, x.size()),
+                     above = std::upper_bound(x.begin(), x.end(), at) - x.begin();
+  return Stencil{x, y, std::clamp<Eigen::Index>(above - n / 2, 0, x.size() - n), n}(at);
+}
 
 /// Where f changes its sign between low and high, by bisection.
 template <class Function>

@@ -33,20 +33,19 @@ std::optional<double> root_beyond(const Eigen::VectorXd& x, const Eigen::VectorX
 
 EdgeRadius stick_radius(const Compliance& compliance, const Eigen::VectorXd& reserve, Eigen::Index n_stuck) {
   if (n_stuck == 0) return {0, compliance.radii[1]};
-  const auto [effective, scatter, calibration] = effective_radii(compliance);
+  const auto [effective, of_rings, scatter, calibration] = effective_radii(compliance);
   const double width = compliance.radii[n_stuck] - compliance.radii[n_stuck - 1];
   if (n_stuck < 3) return {effective[n_stuck], width};
   const Eigen::Index n = std::min(n_stuck, n_fitted_events);
   Eigen::VectorXd radius(n), load(n);
   for (Eigen::Index k = 0; k < n; ++k) {
     const Eigen::Index j = n_stuck - n + k;
-    radius[k] = (effective[j] + effective[j + 1]) / 2;
+    radius[k] = of_rings[j];
     load[k] = reserve[j];
   }
   // The next ring has slipped. Next to a sharp edge of the indenter the reserve falls too steeply for the fit to see
   // it.
-  const double next =
-      n_stuck + 1 < effective.size() ? (effective[n_stuck] + effective[n_stuck + 1]) / 2 : effective[n_stuck];
+  const double next = n_stuck < of_rings.size() ? of_rings[n_stuck] : effective[n_stuck];
   const double limit = next + width / 4;
   const auto root = [&](Eigen::Index n_events, Eigen::Index degree) {
     const Eigen::Index m = std::min(n, n_events);

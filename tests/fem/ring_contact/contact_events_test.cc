@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "tests/fem/convergence.h"
 #include "tests/fem/fretting.h"
 #include "tests/fem/half_space.h"
+#include "tests/fem/stiffened_half_space.h"
 
 namespace fretval::fem::contact_events_test {
 namespace {
@@ -58,6 +60,25 @@ TEST(ContactEvents, RadiiAreThoseOfHertz) {
   }
   EXPECT_GT(observed_order(errors), 1.5);
   EXPECT_LT(errors[2], 1e-4);
+}
+
+// On another body the ring that touches has its middle elsewhere than between the edges of the two discs about it.
+TEST(ContactEvents, RadiiOnAnotherBodyAreOfThirdOrder) {
+  std::vector<double> errors;
+  for (const unsigned n : {16U, 32U, 64U}) {
+    const StiffenedHalfSpace body(n);
+    const auto events = contact_events(body.compliance(), parabola_means(normal_half_space(n)));
+    double worst = 0;
+    for (Index m = n / 2; m < n; ++m) {
+      const double step = 1e-4, slope = (body.indentation_of_parabola(events.radius[m] + step) -
+                                         body.indentation_of_parabola(events.radius[m] - step)) /
+                                        (2 * step);
+      worst = std::max(worst, std::abs(body.indentation_of_parabola(events.radius[m]) - events.indentation[m]) / slope);
+    }
+    errors.push_back(worst);
+  }
+  EXPECT_GT(observed_order(errors), 2.5);
+  EXPECT_LT(errors[2], 1e-6);
 }
 
 // What a half-space leaves open of the edges of another body's rings, and a seventh more of the wide ones.

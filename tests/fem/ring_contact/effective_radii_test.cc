@@ -3,12 +3,16 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <utility>
 #include <vector>
 
+#include "fem/ring_contact/wider_rings.h"
 #include "fem/support/shared_matrix.h"
+#include "tests/fem/convergence.h"
 #include "tests/fem/half_space.h"
+#include "tests/fem/stiffened_half_space.h"
 
 namespace fretval::fem::effective_radii_test {
 namespace {
@@ -57,7 +61,7 @@ TEST(EffectiveRadii, KnowAFarBoundary) {
       const Eigen::VectorXd radii = effective_radii(compliance).radius;
       const Eigen::VectorXd areas = compliance.areas;
       compliance.matrix = SharedMatrix(*compliance.matrix - 0.0045 * areas * areas.transpose());
-      const auto [held, scatter, calibration] = effective_radii(compliance);
+      const auto [held, of_rings, scatter, calibration] = effective_radii(compliance);
       EXPECT_LT((held - radii).cwiseAbs().tail(radii.size() - 4).maxCoeff(), 0.3 / (n * n * n)) << n;
       EXPECT_LT(scatter, 1e-6);
       EXPECT_EQ(calibration, 0);
@@ -79,11 +83,34 @@ TEST(EffectiveRadii, OfAnotherBodyFollowTheLawOfFewRings) {
       auto body = half_space(order, 64).compliance;
       const Eigen::VectorXd own = effective_radii(body).radius;
       body.half_space = std::make_shared<const Compliance>(innermost(body, n_known));
-      const auto [radius, scatter, calibration] = effective_radii(body);
+      const auto [radius, of_rings, scatter, calibration] = effective_radii(body);
       EXPECT_LT((radius - own).cwiseAbs().maxCoeff(), calibration + own_fit) << n_known;
       EXPECT_GT(calibration, scatter);
       EXPECT_LT(calibration, most * ring) << n_known;
     }
+}
+
+// Edges of discs lie further out than on a half-space by the second order of the rings, which puts the force of a
+// punch 1.4e-3, 3.5e-4 and 9e-5 off; pairs of rings tell by how much.
+TEST(EffectiveRadii, OfAnotherBodyAreOfThirdOrder) {
+  std::vector<double> errors;
+  for (const unsigned n : {16U, 32U, 64U}) {
+    const StiffenedHalfSpace body(n);
+    const Eigen::VectorXd radii = effective_radii(body.compliance()).radius;
+    const Eigen::VectorXd areas = body.compliance().areas.head(n);
+    const double force = areas.dot(body.compliance().matrix->topLeftCorner(n, n).llt().solve(areas));
+    errors.push_back(std::abs(force / body.punch_force(radii[n]) - 1));
+  }
+  EXPECT_GT(observed_order(errors), 2.5);
+  EXPECT_LT(errors[2], 2e-6);
+}
+
+// The pairs of rings, and what the same function says of them as rings of their own.
+TEST(EffectiveRadii, OfWiderRingsAreThoseOfTheSameBody) {
+  const StiffenedHalfSpace body(64);
+  const auto wide = with_wider_rings(body.compliance());
+  const auto known = effective_radii(body.compliance(), wide).wide.radius;
+  EXPECT_LT((known - effective_radii(wide).radius).cwiseAbs().maxCoeff(), 1e-4 / 32);
 }
 
 }  // namespace
