@@ -104,56 +104,68 @@ struct EdgeLaw {
   }
 };
 
-/// Enough discs for five terms; half of them are enough for the four that are left where the force per radius is known.
-constexpr Eigen::Index enough_discs = 16;
-
-/// Of a body, and the force per ring of a half-space with its rings, if it follows a law.
+/// Of a body, and the force per radius of the half-space that knows them.
 struct KnownRadii {
   EffectiveRadii radii;
-  std::optional<double> force_per_ring;
+  double force_per_radius;
 };
 
 /// Of equal rings. Two laws, the second one with a term less, differ by what the further terms are worth.
 KnownRadii by_law(const Compliance& half_space, const Compliance& compliance,
-                  std::optional<double> force_per_ring = std::nullopt) {
+                  std::optional<double> force_per_radius = std::nullopt) {
   const Eigen::VectorXd force = punch_forces(half_space);
-  const EdgeLaw law(force, 5, force_per_ring), shorter(force, 4, force_per_ring);
+  const double ring = half_space.radii[1], width = compliance.radii[1];
+  if (force_per_radius) *force_per_radius *= ring;
+  const EdgeLaw law(force, 5, force_per_radius), shorter(force, 4, force_per_radius);
   const Eigen::Index n = compliance.areas.size();
-  const double width = compliance.radii[1];
   EffectiveRadii radii{Eigen::VectorXd::Zero(n + 1), {}, law.misfit * width, 0};
   for (Eigen::Index m = 1; m <= n; ++m)
     radii.radius[m] = width * (m < law.innermost ? force[m] / law.force_per_radius : law(static_cast<double>(m)));
   radii.calibration = radii.scatter + width * std::abs(law.coefficients[1] - shorter.coefficients[1]);
-  return {radii, law.force_per_radius};
+  return {radii, law.force_per_radius / ring};
 }
 
-EffectiveRadii of_half_space(const Compliance& compliance) {
+/// force_per_radius: where it is known from elsewhere.
+KnownRadii of_half_space(const Compliance& compliance, std::optional<double> force_per_radius = std::nullopt) {
   Eigen::VectorXd force = punch_forces(compliance);
   const Eigen::MatrixXd terms = terms_of_radius(compliance);
   const double offset = far_offset(terms, force);
   if (offset != 0) force.array() /= 1 - offset * force.array();
   const Eigen::VectorXd fit = fit_to_middle(terms, force);
-  const double scatter = middle_of(terms * fit - force).cwiseAbs().maxCoeff() / fit[0];
+  const double scatter = middle_of(terms * fit - force).cwiseAbs().maxCoeff() / fit[0],
+               per_radius = force_per_radius.value_or(fit[0]);
   const Eigen::Index n = force.size() - 1;
-  const Eigen::VectorXd radius = force / fit[0];
-  return {radius, (radius.head(n) + radius.tail(n)) / 2, scatter, 0};
+  const Eigen::VectorXd radius = force / per_radius;
+  return {{radius, (radius.head(n) + radius.tail(n)) / 2, scatter, 0}, per_radius};
 }
 
 /// Of a body whose rings a half-space knows, which has as many or, of equal rings, fewer of them.
-KnownRadii taken_over(const Compliance& half_space, const Compliance& compliance) {
-  if (half_space.areas.size() >= enough_discs && has_equal_rings(half_space) && has_equal_rings(compliance))
-    return by_law(half_space, compliance);
-  const auto known = of_half_space(half_space);
+KnownRadii taken_over(const Compliance& half_space, const Compliance& compliance,
+                      std::optional<double> force_per_radius = std::nullopt) {
+  const auto known = of_half_space(half_space, force_per_radius);
+  const auto& of_known = known.radii.radius;
   const Eigen::Index n = compliance.areas.size(), n_known = std::min<Eigen::Index>(n, half_space.areas.size());
-  EffectiveRadii radii{Eigen::VectorXd(n + 1), {}, known.scatter, 0};
-  radii.radius.head(n_known + 1) = known.radius.head(n_known + 1);
-  if (n_known == n) return {radii, std::nullopt};
+  EffectiveRadii radii{Eigen::VectorXd(n + 1), {}, known.radii.scatter, 0};
+  radii.radius.head(n_known + 1) = of_known.head(n_known + 1);
+  if (n_known == n) return {radii, known.force_per_radius};
   const Eigen::MatrixXd terms = terms_of_radius(half_space);
-  const Eigen::VectorXd fit = fit_to_middle(terms.rightCols(terms.cols() - 1), known.radius - terms.col(0));
+  const Eigen::VectorXd fit = fit_to_middle(terms.rightCols(terms.cols() - 1), of_known - terms.col(0));
   const Eigen::MatrixXd further = terms_of_radius(compliance);
   for (Eigen::Index m = n_known + 1; m <= n; ++m)
     radii.radius[m] = further(m, 0) + further.row(m).segment(1, fit.size()).dot(fit);
-  return {radii, std::nullopt};
+  return {radii, known.force_per_radius};
+}
+
+/// Rings, and pairs of them, whose half-space has the same force per radius.
+RadiiByWidth taken_over_by_width(const Compliance& compliance, const Compliance& wide) {
+  // For five terms; half of them for the four that are left where the force per radius is known.
+  constexpr Eigen::Index enough_discs = 16;
+  const auto &half_space = *compliance.half_space, &of_wide = *wide.half_space;
+  const bool has_law =
+      half_space.areas.size() >= enough_discs && has_equal_rings(half_space) && has_equal_rings(compliance);
+  const auto rings = has_law ? by_law(half_space, compliance) : taken_over(half_space, compliance);
+  const double k = rings.force_per_radius;
+  return {rings.radii, (has_law ? by_law(of_wide, wide, k) : taken_over(of_wide, wide, k)).radii};
 }
 
 /// A body that is no half-space, or wider rings on it.
@@ -212,13 +224,11 @@ void find_of_rings(Discs& discs) {
 }  // namespace
 
 RadiiByWidth effective_radii(const Compliance& compliance, const Compliance& wide) {
-  if (!compliance.half_space) return {of_half_space(compliance), of_half_space(wide)};
-  const auto known = taken_over(*compliance.half_space, compliance);
-  const auto of_wide = known.force_per_ring ? by_law(*wide.half_space, wide, 2 * *known.force_per_ring)
-                                            : taken_over(*wide.half_space, wide);
-  RadiiByWidth radii{known.radii, of_wide.radii};
+  if (!compliance.half_space) return {of_half_space(compliance).radii, of_half_space(wide).radii};
+  auto radii = taken_over_by_width(compliance, wide);
   std::array discs{Discs{compliance, radii.rings}, Discs{wide, radii.wide}};
-  if (compliance.half_space->areas.size() >= enough_discs) {
+  constexpr Eigen::Index fewest_wide_rings = 4;
+  if (wide.areas.size() >= fewest_wide_rings) {
     const auto further = further_out(discs[0], discs[1]);
     constexpr double gain = 3;  // of a second order
     const double calibration = (radii.rings.calibration + radii.wide.calibration) / gain;
@@ -232,7 +242,7 @@ RadiiByWidth effective_radii(const Compliance& compliance, const Compliance& wid
 }
 
 EffectiveRadii effective_radii(const Compliance& compliance) {
-  if (!compliance.half_space) return of_half_space(compliance);
+  if (!compliance.half_space) return of_half_space(compliance).radii;
   return effective_radii(compliance, with_wider_rings(compliance)).rings;
 }
 
