@@ -54,8 +54,8 @@ class Inputs {
 
 void add_indenter(const Case::Indenter& indenter, Inputs& inputs) {
   inputs.add("Indenter", "Shape", Case::shape_names[static_cast<std::size_t>(indenter.shape)]);
-  inputs.add_fields("Indenter", indenter, fmt::format("m^{:g}", 1 - indenter.exponent));
   inputs.add_if_any("Indenter", "Table", indenter.table);
+  inputs.add_fields("Indenter", indenter, fmt::format("m^{:g}", 1 - indenter.exponent));
   if (indenter.trace) inputs.add("Indenter", "Table alignment", "fit");
 }
 
