@@ -82,8 +82,8 @@ TEST(EntryReader, ReadsTheNumbersThatBelongToTheWordOfTheirSection) {
   EntryReader(EntryTexts(), "case.prm", problems).read_fields("Indenter", "table", indenter);
   EXPECT_EQ(problems.messages.size(), 1U) << "a Table noise that is not set is none";
   EntryReader(EntryTexts(), "case.prm", problems).read_fields("Indenter", "cone", indenter);
-  EXPECT_EQ(problems.messages.back(),
-            "case.prm: Indenter / Slope angle is missing; expected an angle between 0 and 90 degrees");
+  expect_parts(problems.messages.back(),
+               {"case.prm: Indenter / Slope angle is missing; expected an angle between 0 and 90 degrees, in deg"});
 }
 
 TEST(EntryReader, AsksWhetherAnotherWordWasMeant) {
