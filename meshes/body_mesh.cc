@@ -32,7 +32,7 @@ void check(const BodySection& section, const std::string& name) {
     throw MeshError(fmt::format("{}: growth is {}, must be between 0.02 and 1", name, growth));
 }
 
-/// The same section with a contact line of length 1: gmsh has absolute tolerances.
+/// The section scaled to a contact line of length 1: gmsh has absolute tolerances.
 BodySection normalised(const BodySection& section) {
   BodySection unit = section;
   const double length = section.contact_nodes.back();

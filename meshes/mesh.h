@@ -15,7 +15,7 @@ enum class Boundary { axis = 1, contact = 2, free = 3, far = 4, base = 5 };
 inline constexpr std::array all_boundaries{Boundary::axis, Boundary::contact, Boundary::free, Boundary::far,
                                            Boundary::base};
 
-/// Those that every body has.
+/// The boundaries that every body has.
 inline constexpr std::array needed_boundaries{Boundary::axis, Boundary::contact, Boundary::free};
 
 /// Number and name of the physical group of all cells in a .msh file.

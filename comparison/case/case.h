@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <optional>
@@ -92,6 +93,8 @@ struct Case {
     std::string branches_file = {};                  ///< that the branches were read from
     std::optional<double> shore_a = {};              ///< that the relaxed modulus follows from
     double modulus_scatter = 0;                      ///< relative standard deviation of the moduli, where it is known
+
+    [[nodiscard]] bool has_memory() const { return viscosity > 0 || !branch_moduli.empty(); }
   };
 
   /// What the indenter is pressed into.
@@ -100,7 +103,7 @@ struct Case {
     /// In the order of the enumeration, as in the file.
     static constexpr std::array shape_names{"half space", "layer", "cylinder", "mesh"};
 
-    /// Of all that belongs to a physical surface of a mesh, over that of the elastomer.
+    /// The modulus of all that belongs to a physical surface of a mesh, over that of the elastomer.
     struct RelativeModulus {
       std::string material;
       double value;
@@ -146,7 +149,7 @@ struct Case {
     bool normal_force = false, tangential_force = false;  ///< what the columns are; false: displacements
     std::vector<double> transverse = {};  ///< u_y in m, or F_y in N where x is F_x; empty: it moves along x alone
     std::optional<PathReduction> reduction = {};  ///< empty: the rows are those of the file
-    /// Of a single pass: in its first row the indenter comes to touch, so that at rest nothing is in contact.
+    /// Whether the indenter comes to touch in the first row of a single pass, so that at rest nothing is in contact.
     bool from_touch = false;
 
     [[nodiscard]] double duration() const { return time.back() - time.front(); }
@@ -168,6 +171,12 @@ struct Case {
     std::optional<Path> path;                 ///< instead of all oscillations
 
     [[nodiscard]] bool moves_across() const { return !transverse.empty() || (path && !path->transverse.empty()); }
+    /// In any direction along the surface.
+    [[nodiscard]] bool moves_tangentially() const {
+      const auto moves = [](const Harmonic& harmonic) { return harmonic.amplitude > 0; };
+      return moves_across() || tangential_amplitude != 0 || tangential_force.value_or(0) > 0 ||
+             std::any_of(tangential_harmonics.begin(), tangential_harmonics.end(), moves);
+    }
   };
 
   /// What the contact keeps of friction and of pressure beyond MDR's assumptions.

@@ -16,7 +16,7 @@ using Values = std::vector<double>;
 constexpr std::size_t n_behind = 4, least_rows = 32;
 constexpr double tolerance_of_none = 1e-3, far_off = 3;
 
-/// Of row i from the line through those behind it.
+/// The distance of row i from the line through those behind it.
 double step_from_line(const Values& time, const Values& values, std::size_t i) {
   double mean_t = 0, mean_y = 0, tt = 0, ty = 0;
   for (std::size_t k = i + 1; k <= i + n_behind; ++k) {

@@ -21,32 +21,17 @@ namespace {
 
 const double degrees = 180 / pi;
 
-struct Owner {
-  const char* entry;
-  std::vector<std::string> choices;  // of the entry that decides
-};
-
-/// Forbids the entries of a section that belong to other choices of one of its entries.
-void forbid_others(const EntryReader& entries, const std::string& section, const std::string& deciding,
-                   const std::string& choice, const std::vector<Owner>& owners) {
-  for (const auto& [entry, choices] : owners)
-    if (std::find(choices.begin(), choices.end(), choice) == choices.end())
-      entries.forbid(section, entry,
-                     fmt::format("it belongs to {} = {}, not to {}", deciding, fmt::join(choices, " or "), choice));
-}
-
 /// Relaxation times belong to the reference temperature; the case may be at another one.
 void shift_to_temperature(const EntryReader& entries, Case::Elastomer& elastomer) {
   const std::string section = "Elastomer";
   if (!entries.given(section, "Temperature")) {
-    for (const char* name : {"Reference temperature", "WLF C1", "WLF C2"})
-      entries.forbid(section, name, "it belongs to a Temperature");
+    entries.forbid_all(section, {"Reference temperature", "WLF C1", "WLF C2"}, "it belongs to a Temperature");
     return;
   }
-  const double temperature = entries.number(section, "Temperature", any_number);
-  const double reference = entries.number(section, "Reference temperature", any_number);
-  const double c1 = entries.number(section, "WLF C1", positive_number);
-  const double c2 = entries.number(section, "WLF C2", positive_number);
+  const double temperature = entries.number(section, "Temperature");
+  const double reference = entries.number(section, "Reference temperature");
+  const double c1 = entries.number(section, "WLF C1");
+  const double c2 = entries.number(section, "WLF C2");
   if (std::isnan(temperature + reference + c1 + c2)) return;
   try {
     const double factor = mdr::wlf_shift(c1, c2, reference, temperature);
@@ -63,7 +48,7 @@ void shift_to_temperature(const EntryReader& entries, Case::Elastomer& elastomer
 std::vector<Case::Harmonic> read_harmonics(const EntryReader& entries, const std::string& name) {
   std::vector<Case::Harmonic> harmonics;
   if (!entries.given("Motion", name)) return harmonics;
-  const auto values = entries.numbers("Motion", name, any_number);
+  const auto values = entries.numbers("Motion", name);
   const auto valid =
       fmt::format("triples of amplitude in {} (not negative), frequency in Hz (positive) and phase in deg",
                   name.find("force") == std::string::npos ? "m" : "N");
@@ -78,26 +63,25 @@ std::vector<Case::Harmonic> read_harmonics(const EntryReader& entries, const std
 void read_normal_motion(const EntryReader& entries, Case::Motion& motion) {
   const std::string section = "Motion";
   if (entries.given(section, "Normal force")) {
-    for (const char* name : {"Indentation", "Normal amplitude", "Normal harmonics"})
-      entries.forbid(section, name, "the Normal force is prescribed");
-    motion.normal_force = Case::NormalForce{entries.number(section, "Normal force", positive_number),
-                                            entries.number(section, "Normal force amplitude", not_negative_number)};
+    entries.forbid_all(section, {"Indentation", "Normal amplitude", "Normal harmonics"},
+                       "the Normal force is prescribed");
+    motion.normal_force =
+        Case::NormalForce{entries.number(section, "Normal force"), entries.number(section, "Normal force amplitude")};
     motion.normal_harmonics = read_harmonics(entries, "Normal force harmonics");
     return;
   }
-  for (const char* name : {"Normal force amplitude", "Normal force harmonics"})
-    entries.forbid(section, name, "it belongs to a Normal force");
+  entries.forbid_all(section, {"Normal force amplitude", "Normal force harmonics"}, "it belongs to a Normal force");
   motion.normal_harmonics = read_harmonics(entries, "Normal harmonics");
-  motion.indentation = entries.number(section, "Indentation", positive_number);
-  motion.normal_amplitude = entries.number(section, "Normal amplitude", not_negative_number);
+  motion.indentation = entries.number(section, "Indentation");
+  motion.normal_amplitude = entries.number(section, "Normal amplitude");
 }
 
 void read_tangential_motion(const EntryReader& entries, Case::Motion& motion) {
   const std::string section = "Motion";
   if (entries.given(section, "Tangential force amplitude")) {
-    for (const char* name : {"Tangential amplitude", "Tangential harmonics"})
-      entries.forbid(section, name, "the Tangential force amplitude is prescribed");
-    motion.tangential_force = entries.number(section, "Tangential force amplitude", not_negative_number);
+    entries.forbid_all(section, {"Tangential amplitude", "Tangential harmonics"},
+                       "the Tangential force amplitude is prescribed");
+    motion.tangential_force = entries.number(section, "Tangential force amplitude");
     motion.tangential_harmonics = read_harmonics(entries, "Tangential force harmonics");
     return;
   }
@@ -105,31 +89,31 @@ void read_tangential_motion(const EntryReader& entries, Case::Motion& motion) {
   motion.tangential_harmonics = read_harmonics(entries, "Tangential harmonics");
   motion.tangential_amplitude = entries.text(section, "Tangential amplitude") == "shakedown"
                                     ? std::nan("")
-                                    : entries.number(section, "Tangential amplitude", not_negative_number);
+                                    : entries.number(section, "Tangential amplitude");
 }
 
-/// Of displacements, or of forces where the tangential motion is prescribed by one.
+/// The transverse motion: a displacement, or a force where the tangential motion is prescribed by one.
 void read_transverse_motion(const EntryReader& entries, Case::Motion& motion) {
   const std::string section = "Motion";
   const bool by_force = motion.tangential_force.has_value();
   const char *amplitude = by_force ? "Transverse force amplitude" : "Transverse amplitude",
              *harmonics = by_force ? "Transverse force harmonics" : "Transverse harmonics";
-  for (const char* name : {"Transverse amplitude", "Transverse harmonics"})
-    if (by_force)
-      entries.forbid(section, name, "beside a Tangential force amplitude it is a Transverse force amplitude");
-  for (const char* name : {"Transverse force amplitude", "Transverse force harmonics"})
-    if (!by_force) entries.forbid(section, name, "it belongs to a Tangential force amplitude");
+  if (by_force)
+    entries.forbid_all(section, {"Transverse amplitude", "Transverse harmonics"},
+                       "beside a Tangential force amplitude it is a Transverse force amplitude");
+  else
+    entries.forbid_all(section, {"Transverse force amplitude", "Transverse force harmonics"},
+                       "it belongs to a Tangential force amplitude");
   if (!entries.given(section, amplitude)) {
-    for (const char* name : {"Transverse frequency", "Transverse phase", harmonics})
-      entries.forbid(section, name, fmt::format("it belongs to a {}", amplitude));
+    entries.forbid_all(section, {"Transverse frequency", "Transverse phase", harmonics},
+                       fmt::format("it belongs to a {}", amplitude));
     return;
   }
   const bool has_frequency = entries.given(section, "Transverse frequency");
   Case::Harmonic first;
-  first.amplitude = entries.number(section, amplitude, not_negative_number);
-  first.frequency =
-      has_frequency ? entries.number(section, "Transverse frequency", positive_number) : motion.tangential_frequency;
-  first.phase = entries.number(section, "Transverse phase", any_number);
+  first.amplitude = entries.number(section, amplitude);
+  first.frequency = has_frequency ? entries.number(section, "Transverse frequency") : motion.tangential_frequency;
+  first.phase = entries.number(section, "Transverse phase");
   motion.transverse = {first};
   for (const auto& harmonic : read_harmonics(entries, harmonics)) motion.transverse.push_back(harmonic);
   if (!motion.phase)
@@ -162,17 +146,11 @@ PathTolerance read_path_tolerance(const EntryReader& entries) {
   return tolerance;
 }
 
-/// Instead of all other entries of the section.
+/// A path stands in the place of all other entries of the section.
 Case::Motion read_path_motion(const EntryReader& entries, std::vector<std::string>& notes) {
   const std::string section = "Motion";
-  for (const char* name :
-       {"Indentation", "Normal amplitude", "Normal force", "Normal force amplitude", "Normal frequency",
-        "Normal harmonics", "Normal force harmonics", "Tangential amplitude", "Tangential force amplitude",
-        "Tangential frequency", "Tangential harmonics", "Tangential force harmonics", "Transverse amplitude",
-        "Transverse frequency", "Transverse phase", "Transverse harmonics", "Transverse force amplitude",
-        "Transverse force harmonics", "Phase"})
-    entries.forbid(section, name, "the Path is the motion");
-  const bool repeats = entries.one_of(section, "Path repeats", {"once", "forever"}) == "forever";
+  entries.forbid_all(section, names_but(section, {"Path", "Path repeats", "Path tolerance"}), "the Path is the motion");
+  const bool repeats = entries.word(section, "Path repeats") == "forever";
   const auto file = entries.path(section, "Path");
   if (file.empty()) return {};
   try {
@@ -214,40 +192,14 @@ std::string read_table_path(const EntryReader& entries, const std::string& secti
 
 Case::Indenter read_indenter(const EntryReader& entries, std::vector<std::string>& notes) {
   const std::string section = "Indenter";
-  const auto& names = Case::shape_names;
-  const std::string shape = entries.one_of(section, "Shape", {names.begin(), names.end()});
-  if (shape.empty()) return {};
-  forbid_others(entries, section, "Shape", shape,
-                {{"Radius", {"parabola", "sphere", "truncated sphere"}},
-                 {"Slope angle", {"cone"}},
-                 {"Coefficient", {"power"}},
-                 {"Exponent", {"power"}},
-                 {"Flat radius", {"rounded flat", "truncated sphere"}},
-                 {"Edge radius", {"rounded flat"}},
-                 {"Table", {"table"}},
-                 {"Table noise", {"table"}},
-                 {"Table alignment", {"table"}}});
+  const auto shape = entries.kind<Case::Shape>(section, "Shape");
+  if (!shape) return {};
   Case::Indenter indenter;
-  indenter.shape = static_cast<Case::Shape>(std::find(names.begin(), names.end(), shape) - names.begin());
-  if (shape == "parabola" || shape == "sphere" || shape == "truncated sphere")
-    indenter.radius = entries.number(section, "Radius", positive_number);
-  if (shape == "rounded flat" || shape == "truncated sphere")
-    indenter.flat_radius = entries.number(section, "Flat radius", positive_number);
-  if (shape == "rounded flat") indenter.edge_radius = entries.number(section, "Edge radius", positive_number);
-  if (shape == "cone")
-    indenter.slope_angle = entries.number(
-        section, "Slope angle", {[](double x) { return x > 0 && x < 90; }, "an angle between 0 and 90 degrees"});
-  if (shape == "power") {
-    indenter.coefficient = entries.number(section, "Coefficient", positive_number);
-    indenter.exponent = entries.number(section, "Exponent",
-                                       {[](double x) { return x >= 0.5 && x <= 20; }, "a number between 0.5 and 20"});
-  }
-  if (shape == "table") {
+  indenter.shape = *shape;
+  entries.read_fields(section, entries.text(section, "Shape"), indenter);
+  if (shape == Case::Shape::table) {
     indenter.table = read_table_path(entries, section, "Table", notes);
-    if (entries.given(section, "Table noise"))
-      indenter.table_noise = entries.number(section, "Table noise", not_negative_number);
-    if (entries.given(section, "Table alignment") &&
-        entries.one_of(section, "Table alignment", {"raw", "fit"}) == "fit" && !indenter.table.empty())
+    if (entries.says(section, "Table alignment", "fit") && !indenter.table.empty())
       align_table(entries, indenter, notes);
   }
   return indenter;
@@ -257,30 +209,13 @@ Case::Elastomer read_elastomer(const EntryReader& entries, std::vector<std::stri
                                std::vector<std::string>& notes) {
   const std::string section = "Elastomer";
   Case::Elastomer elastomer;
-  elastomer.rheology = entries.one_of(
-      section, "Rheology", {"elastic", "kelvin voigt", "standard solid", "prony", "fractional zener", "table"});
+  elastomer.rheology = entries.word(section, "Rheology");
   if (elastomer.rheology.empty()) return elastomer;
-  if (entries.given(section, "Poisson ratio"))
-    elastomer.poisson_ratio = entries.number(section, "Poisson ratio",
-                                             {[](double x) { return x >= 0 && x <= 0.5; }, "a number from 0 to 0.5"});
-  const std::vector<std::string> with_branches{"standard solid", "prony", "fractional zener"};
-  forbid_others(entries, section, "Rheology", elastomer.rheology,
-                {{"Relaxed shear modulus", {"elastic", "kelvin voigt", "standard solid", "prony", "fractional zener"}},
-                 {"Shore A", {"elastic", "kelvin voigt", "standard solid", "prony", "fractional zener"}},
-                 {"Branches", {"prony"}},
-                 {"Branch ratios", {"prony"}},
-                 {"Instantaneous shear modulus", {"prony"}},
-                 {"Duration of the test", {"standard solid", "prony", "table"}},
-                 {"Branch moduli", with_branches},
-                 {"Branch times", with_branches},
-                 {"Viscosity", {"kelvin voigt", "prony"}},
-                 {"Fractional order", {"fractional zener"}},
-                 {"Table", {"table"}},
-                 {"Table modulus", {"table", "prony"}}});
+  entries.read_fields(section, elastomer.rheology, elastomer);
   if (elastomer.rheology == "prony" && !entries.given(section, "Branches"))
     entries.forbid(section, "Table modulus", "it belongs to a Table or a file of Branches");
   if (elastomer.rheology == "table") {
-    const bool youngs = entries.one_of(section, "Table modulus", {"shear", "Young"}) == "Young";
+    const bool youngs = entries.word(section, "Table modulus") == "Young";
     const auto table = entries.path(section, "Table");
     try {
       if (!table.empty()) {
@@ -294,40 +229,26 @@ Case::Elastomer read_elastomer(const EntryReader& entries, std::vector<std::stri
   } else {
     read_relaxed_modulus(entries, elastomer, notes);
   }
-  if (std::find(with_branches.begin(), with_branches.end(), elastomer.rheology) != with_branches.end())
-    read_branches(entries, elastomer, notes);
+  if (find_entry(section, "Branch times")->belongs_to(elastomer.rheology)) read_branches(entries, elastomer, notes);
   if (elastomer.rheology == "kelvin voigt" || entries.given(section, "Viscosity"))
-    elastomer.viscosity = entries.number(section, "Viscosity", positive_number);
-  if (elastomer.rheology == "fractional zener")
-    elastomer.fractional_order = entries.number(
-        section, "Fractional order", {[](double x) { return x > 0 && x <= 1; }, "a number above 0 and at most 1"});
+    elastomer.viscosity = entries.number(section, "Viscosity");
   shift_to_temperature(entries, elastomer);
   return elastomer;
 }
 
 Case::Body read_body(const EntryReader& entries, bool tangential) {
   const std::string section = "Body";
-  const auto& names = Case::Body::shape_names;
-  std::string shape = names.front();
-  if (entries.given(section, "Shape")) shape = entries.one_of(section, "Shape", {names.begin(), names.end()});
-  if (shape.empty()) return {};
-  forbid_others(entries, section, "Shape", shape,
-                {{"Thickness", {"layer", "cylinder"}},
-                 {"Radius", {"cylinder"}},
-                 {"Base", {"layer", "cylinder", "mesh"}},
-                 {"Mesh", {"mesh"}},
-                 {"Mesh unit", {"mesh"}},
-                 {"Relative moduli", {"mesh"}}});
   Case::Body body;
-  body.shape = static_cast<Case::Body::Shape>(std::find(names.begin(), names.end(), shape) - names.begin());
+  if (entries.given(section, "Shape")) {
+    const auto shape = entries.kind<Case::Body::Shape>(section, "Shape");
+    if (!shape) return {};
+    body.shape = *shape;
+  }
+  entries.read_fields(section, Case::Body::shape_names[static_cast<std::size_t>(body.shape)], body);
   if (body.is_half_space()) return body;
-  if (body.shape == Case::Body::Shape::mesh)
-    read_mesh_entries(entries, body);
-  else
-    body.thickness = entries.number(section, "Thickness", positive_number);
-  if (body.shape == Case::Body::Shape::cylinder) body.radius = entries.number(section, "Radius", positive_number);
+  if (body.shape == Case::Body::Shape::mesh) read_mesh_entries(entries, body);
   // A base that is missing has been said once.
-  body.is_bonded = entries.one_of(section, "Base", {"bonded", "frictionless"}) != "frictionless";
+  body.is_bonded = entries.word(section, "Base") != "frictionless";
   if (!body.is_bonded && tangential)
     entries.fail(section, "Base",
                  "bonded: nothing but a base to which it is bonded holds the body against the "
@@ -342,30 +263,25 @@ Case::Motion read_motion(const EntryReader& entries, std::vector<std::string>& n
   const std::string section = "Motion";
   Case::Motion motion;
   if (entries.given(section, "Path")) return read_path_motion(entries, notes);
-  for (const char* name : {"Path repeats", "Path tolerance"}) entries.forbid(section, name, "it belongs to a Path");
+  entries.forbid_all(section, {"Path repeats", "Path tolerance"}, "it belongs to a Path");
   read_normal_motion(entries, motion);
   read_tangential_motion(entries, motion);
-  motion.normal_frequency = entries.number(section, "Normal frequency", positive_number);
-  motion.tangential_frequency = entries.number(section, "Tangential frequency", positive_number);
-  if (entries.text(section, "Phase") != "free") motion.phase = entries.number(section, "Phase", any_number);
+  motion.normal_frequency = entries.number(section, "Normal frequency");
+  motion.tangential_frequency = entries.number(section, "Tangential frequency");
+  if (entries.text(section, "Phase") != "free") motion.phase = entries.number(section, "Phase");
   read_transverse_motion(entries, motion);
   return motion;
 }
 
 Case::Contact read_contact(const EntryReader& entries, const Case::Motion& motion) {
-  const auto is_vector = [&](const char* section, const char* name) {
-    return entries.given(section, name) && entries.one_of(section, name, {"unidirectional", "vector"}) == "vector";
-  };
   Case::Contact contact;
-  const bool by_law = is_vector("Friction", "Law");
-  contact.vector_friction = is_vector("Contact", "Friction") || by_law;
-  if (by_law && entries.given("Contact", "Friction") && !is_vector("Contact", "Friction"))
+  const bool by_law = entries.says("Friction", "Law", "vector"),
+             by_contact = entries.says("Contact", "Friction", "vector");
+  contact.vector_friction = by_contact || by_law;
+  if (by_law && entries.given("Contact", "Friction") && !by_contact)
     entries.fail("Contact", "Friction", "vector, or no Friction / Law = vector beside it");
-  const auto is_on = [&](const char* name) {
-    return entries.given("Contact", name) && entries.one_of("Contact", name, {"off", "on"}) == "on";
-  };
-  contact.coupled = is_on("Coupling");
-  contact.second_algorithm = is_on("Second algorithm");
+  contact.coupled = entries.says("Contact", "Coupling", "on");
+  contact.second_algorithm = entries.says("Contact", "Second algorithm", "on");
   if (contact.second_algorithm && !contact.vector_friction)
     entries.fail("Contact", "Second algorithm", "off, or Contact / Friction = vector: it is one for that contact");
   if (contact.coupled && !contact.vector_friction)

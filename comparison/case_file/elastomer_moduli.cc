@@ -16,7 +16,7 @@ std::optional<double> read_instantaneous(const EntryReader& entries) {
   const std::string section = "Elastomer", name = "Instantaneous shear modulus";
   if (!entries.given(section, name)) return std::nullopt;
   entries.forbid(section, "Relaxed shear modulus", "the Instantaneous shear modulus and the branches tell it");
-  return entries.number(section, name, positive_number);
+  return entries.number(section, name);
 }
 
 void take_series(const EntryReader& entries, const std::string& source, PronySeries series,
@@ -35,13 +35,11 @@ void take_series(const EntryReader& entries, const std::string& source, PronySer
 
 void read_branches_from_file(const EntryReader& entries, Case::Elastomer& elastomer, std::vector<std::string>& notes) {
   const std::string section = "Elastomer";
-  for (const char* name : {"Branch moduli", "Branch times", "Branch ratios"})
-    entries.forbid(section, name, "the file of Branches has them");
+  entries.forbid_all(section, {"Branch moduli", "Branch times", "Branch ratios"}, "the file of Branches has them");
   const auto file = entries.path(section, "Branches");
   if (file.empty()) return;
   std::optional<bool> youngs;
-  if (entries.given(section, "Table modulus"))
-    youngs = entries.one_of(section, "Table modulus", {"shear", "Young"}) == "Young";
+  if (entries.given(section, "Table modulus")) youngs = entries.word(section, "Table modulus") == "Young";
   try {
     auto series = read_prony_series(file, elastomer.poisson_ratio, youngs);
     if (!series.notes.empty()) notes.push_back(series.notes);
@@ -55,8 +53,8 @@ void read_branch_ratios(const EntryReader& entries, Case::Elastomer& elastomer) 
   const std::string section = "Elastomer";
   entries.forbid(section, "Branch moduli", "the Branch ratios stand in their place");
   PronySeries series;
-  series.ratios = entries.numbers(section, "Branch ratios", positive_number);
-  series.times = entries.numbers(section, "Branch times", positive_number);
+  series.ratios = entries.numbers(section, "Branch ratios");
+  series.times = entries.numbers(section, "Branch times");
   if (series.ratios.empty() || series.times.empty()) return;
   double sum = 0;
   for (const double ratio : series.ratios) sum += ratio;
@@ -73,8 +71,7 @@ void read_branch_ratios(const EntryReader& entries, Case::Elastomer& elastomer) 
 void take_shore_hardness(const EntryReader& entries, Case::Elastomer& elastomer, std::vector<std::string>& notes) {
   const std::string section = "Elastomer", name = "Shore A";
   entries.forbid(section, "Relaxed shear modulus", "the hardness Shore A tells it");
-  const double hardness =
-      entries.number(section, name, {[](double x) { return x >= 10 && x <= 95; }, "a hardness from 10 to 95"});
+  const double hardness = entries.number(section, name);
   if (std::isnan(hardness)) return;
   constexpr double scatter = 0.2;
   const double youngs = 1e6 * 0.0981 * (56 + 7.62336 * hardness) / (0.137505 * (254 - 2.54 * hardness));
@@ -94,18 +91,15 @@ void read_relaxed_modulus(const EntryReader& entries, Case::Elastomer& elastomer
   if (entries.given(section, "Shore A")) return take_shore_hardness(entries, elastomer, notes);
   const bool is_told_by_series = entries.given(section, "Branches") || entries.given(section, "Branch ratios");
   if (is_told_by_series && !entries.given(section, name)) return;
-  const ValidNumber relaxed{
-      [](double x) { return x > 0; },
-      "a positive modulus in Pa: a body that relaxes to nothing (Maxwell) has no permanent stick"};
-  elastomer.relaxed_modulus = entries.number(section, name, relaxed);
+  elastomer.relaxed_modulus = entries.number(section, name);
 }
 
 void read_branches(const EntryReader& entries, Case::Elastomer& elastomer, std::vector<std::string>& notes) {
   const std::string section = "Elastomer";
   if (entries.given(section, "Branches")) return read_branches_from_file(entries, elastomer, notes);
   if (entries.given(section, "Branch ratios")) return read_branch_ratios(entries, elastomer);
-  elastomer.branch_moduli = entries.numbers(section, "Branch moduli", positive_number);
-  elastomer.branch_times = entries.numbers(section, "Branch times", positive_number);
+  elastomer.branch_moduli = entries.numbers(section, "Branch moduli");
+  elastomer.branch_times = entries.numbers(section, "Branch times");
   const auto n = elastomer.branch_moduli.size();
   if (n == 0) return;
   if (elastomer.rheology != "prony" && n != 1)

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cctype>
 
 #include "comparison/support/closest.h"
@@ -17,16 +18,8 @@ std::vector<std::string> section_names() {
   return names;
 }
 
-const SectionTraits* find_section(const std::string& name) {
-  for (const auto& section : case_sections())
-    if (section.name == name) return &section;
-  return nullptr;
-}
-
 std::string names_in(const SectionTraits& section) {
-  std::string list;
-  for (const auto& entry : section.entries) list += (list.empty() ? "" : ", ") + std::string(entry.name);
-  return list;
+  return fmt::format("{}", fmt::join(names_but(section.name, {}), ", "));
 }
 
 std::string lower_letters(const std::string& text) {
@@ -79,6 +72,12 @@ Meant entry_meant(const std::string& section, const std::string& name) {
 
 }  // namespace
 
+const SectionTraits* find_section(const std::string& name) {
+  for (const auto& section : case_sections())
+    if (section.name == name) return &section;
+  return nullptr;
+}
+
 const EntryTraits* find_entry(const std::string& section, const std::string& name) {
   const auto* found = find_section(section);
   if (!found) return nullptr;
@@ -91,8 +90,11 @@ bool is_entry(const std::string& section, const std::string& name) {
   return find_entry(section, name) != nullptr;
 }
 
-bool is_section(const std::string& section) {
-  return find_section(section) != nullptr;
+std::vector<std::string> names_but(const std::string& section, const std::vector<std::string>& others) {
+  std::vector<std::string> names;
+  for (const auto& entry : find_section(section)->entries)
+    if (std::find(others.begin(), others.end(), entry.name) == others.end()) names.emplace_back(entry.name);
+  return names;
 }
 
 std::string valid_entries() {
@@ -142,7 +144,7 @@ std::string entries_reference() {
     for (const auto& entry : section.entries) {
       std::vector<std::string> units;
       for (const auto dimension : entry.dimensions) units.push_back(base_unit(dimension));
-      text += fmt::format("| {} | {} | {} | {} | {} |\n", entry.name, entry.values, fmt::join(units, ", "),
+      text += fmt::format("| {} | {} | {} | {} | {} |\n", entry.name, entry.values.text, fmt::join(units, ", "),
                           entry.without, entry.about);
     }
   }

@@ -1,16 +1,19 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "comparison/case_file/entry_table.h"
 #include "comparison/case_file/problems.h"
 
 namespace fretval {
 
-/// Null: there is no such entry.
+/// Null: there is no such section or entry.
+const SectionTraits* find_section(const std::string& name);
 const EntryTraits* find_entry(const std::string& section, const std::string& name);
 bool is_entry(const std::string& section, const std::string& name);
-bool is_section(const std::string& section);
+/// The names of all entries of a section but some.
+std::vector<std::string> names_but(const std::string& section, const std::vector<std::string>& others);
 
 /// "Indenter: Shape, Radius, ...; Elastomer: ...", for error messages.
 std::string valid_entries();

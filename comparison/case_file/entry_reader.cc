@@ -5,9 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <optional>
 
-#include "comparison/case_file/entry_lookup.h"
 #include "comparison/support/closest.h"
 #include "mdr/support/trimmed.h"
 
@@ -38,7 +36,7 @@ std::vector<std::string> split_at(char separator, std::string rest) {
 
 /// Empty if one of them is not valid. dimensions: in turn.
 std::vector<double> read_list(std::vector<std::string> parts, const std::vector<Dimension>& dimensions,
-                              const ValidNumber& valid) {
+                              bool (*accepts)(double)) {
   const auto dimension = [&](std::size_t i) { return dimensions[i % dimensions.size()]; };
   std::vector<std::optional<Measure>> measures;
   const auto read = [&] {
@@ -58,22 +56,18 @@ std::vector<double> read_list(std::vector<std::string> parts, const std::vector<
   if (n_units() != 0 && n_units() != n_measures) return {};
   std::vector<double> values;
   for (const auto& measure : measures) {
-    if (!measure || !valid.accepts(measure->value)) return {};
+    if (!measure || !accepts(measure->value)) return {};
     values.push_back(measure->value);
   }
   return values;
 }
 
-std::vector<Dimension> dimensions_of(const std::string& section, const std::string& name) {
-  const auto* entry = find_entry(section, name);
-  return entry && !entry->dimensions.empty() ? entry->dimensions : std::vector{Dimension::number};
+Dimension dimension_of(const std::string& section, const std::string& name) {
+  const auto& dimensions = find_entry(section, name)->dimensions;
+  return dimensions.empty() ? Dimension::number : dimensions.front();
 }
 
 }  // namespace
-
-const ValidNumber any_number{[](double) { return true; }, "a finite number"};
-const ValidNumber positive_number{[](double x) { return x > 0; }, "a positive number"};
-const ValidNumber not_negative_number{[](double x) { return x >= 0; }, "a number that is not negative"};
 
 std::string EntryReader::text(const std::string& section, const std::string& name) const {
   return entries_.text(section, name);
@@ -98,33 +92,54 @@ void EntryReader::forbid(const std::string& section, const std::string& name, co
                               shown(text(section, name)), reason));
 }
 
-std::string EntryReader::one_of(const std::string& section, const std::string& name,
-                                const std::vector<std::string>& choices) const {
-  std::string value = text(section, name);
-  if (std::find(choices.begin(), choices.end(), value) != choices.end()) return value;
-  fail(section, name, fmt::format("one of {}{}", fmt::join(choices, ", "), did_you_mean(value, choices)));
-  return "";
+std::string EntryReader::word(const std::string& section, const std::string& name) const {
+  const auto position = position_of_word(section, name);
+  return position ? find_entry(section, name)->values.words[*position] : "";
 }
 
-double EntryReader::number(const std::string& section, const std::string& name, const ValidNumber& valid) const {
+std::optional<std::size_t> EntryReader::position_of_word(const std::string& section, const std::string& name) const {
+  const auto& words = find_entry(section, name)->values.words;
   const auto value = text(section, name);
-  const auto dimension = dimensions_of(section, name).front();
-  const auto measure = read_measure(value, dimension);
+  const auto found = std::find(words.begin(), words.end(), value);
+  if (found != words.end()) return found - words.begin();
+  fail(section, name, fmt::format("one of {}{}", fmt::join(words, ", "), did_you_mean(value, words)));
+  return std::nullopt;
+}
+
+bool EntryReader::says(const std::string& section, const std::string& name, const std::string& expected) const {
+  return given(section, name) && word(section, name) == expected;
+}
+
+void EntryReader::forbid_others(const std::string& section, const std::string& owner) const {
+  const auto& entries = find_section(section)->entries;
+  for (const auto& entry : entries)
+    if (!entry.belongs_to(owner))
+      forbid(section, entry.name,
+             fmt::format("it belongs to {} = {}, not to {}", entries.front().name, fmt::join(entry.owners, " or "),
+                         owner));
+}
+
+double EntryReader::number(const std::string& section, const std::string& name) const {
+  const auto value = text(section, name);
+  const auto& entry = *find_entry(section, name);
+  const auto& valid = entry.values.number.value();
+  const auto measure = read_measure(value, entry.dimensions.front());
   if (measure && valid.accepts(measure->value)) return measure->value;
-  fail(section, name, with_units(valid.description, dimension, value));
+  fail(section, name, with_units(valid.description, entry.dimensions.front(), value));
   return std::nan("");
 }
 
-unsigned EntryReader::whole(const std::string& section, const std::string& name, const ValidNumber& valid) const {
-  const double value = number(section, name, valid);
+unsigned EntryReader::whole(const std::string& section, const std::string& name) const {
+  const double value = number(section, name);
   return std::isnan(value) ? 0 : static_cast<unsigned>(value);
 }
 
-std::vector<double> EntryReader::numbers(const std::string& section, const std::string& name,
-                                         const ValidNumber& valid) const {
-  const auto dimensions = dimensions_of(section, name);
+std::vector<double> EntryReader::numbers(const std::string& section, const std::string& name) const {
+  const auto& entry = *find_entry(section, name);
+  const auto& dimensions = entry.dimensions;
+  const auto& valid = entry.values.number.value();
   const auto parts = split_at(',', text(section, name));
-  auto values = read_list(parts, dimensions, valid);
+  auto values = read_list(parts, dimensions, valid.accepts);
   if (!values.empty()) return values;
   if (parts.size() > 1 && parts.back().empty()) {
     fail(section, name, "a number after the last comma");
@@ -140,11 +155,12 @@ std::vector<double> EntryReader::numbers(const std::string& section, const std::
 
 std::vector<double> EntryReader::numbers_for(const std::string& section, const std::string& name,
                                              const std::string& text, char separator) const {
-  return read_list(split_at(separator, text), {dimensions_of(section, name).front()}, any_number);
+  const auto any = [](double) { return true; };
+  return read_list(split_at(separator, text), {dimension_of(section, name)}, any);
 }
 
 std::string EntryReader::units_of(const std::string& section, const std::string& name) const {
-  return valid_units(dimensions_of(section, name).front());
+  return valid_units(dimension_of(section, name));
 }
 
 std::string EntryReader::path(const std::string& section, const std::string& name) const {

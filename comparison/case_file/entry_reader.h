@@ -1,27 +1,19 @@
 #pragma once
 
+#include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
-#include "comparison/case/case.h"
+#include "comparison/case_file/entry_lookup.h"
 #include "comparison/case_file/entry_texts.h"
 #include "comparison/case_file/problems.h"
 
 namespace fretval {
 
-/// What a number in a case file may be, and how to say so.
-struct ValidNumber {
-  bool (*accepts)(double);
-  const char* description;
-};
-
-extern const ValidNumber any_number;
-extern const ValidNumber positive_number;
-extern const ValidNumber not_negative_number;
-
-/// Typed access to a parsed case file. Every failure becomes a problem that names file, entry, value and what would be
-/// valid, and reading goes on with what the functions below return then; call throw_problems() at the end. Numbers may
-/// have a unit of what the entry measures (see entry_table.h).
+/// Typed access to a parsed case file. What an entry may be is in entry_table.h. Every failure becomes a problem that
+/// names file, entry, value and what would be valid, and reading goes on with what the functions below return then;
+/// call throw_problems() at the end. Numbers may have a unit of what the entry measures.
 class EntryReader {
  public:
   EntryReader(const EntryTexts& entries, std::string file, Problems& problems)
@@ -29,26 +21,46 @@ class EntryReader {
 
   [[nodiscard]] bool given(const std::string& section, const std::string& name) const;
   [[nodiscard]] std::string text(const std::string& section, const std::string& name) const;
-  /// Empty if it is none of them.
-  [[nodiscard]] std::string one_of(const std::string& section, const std::string& name,
-                                   const std::vector<std::string>& choices) const;
+  /// One of the words of the entry; empty if it is none of them.
+  [[nodiscard]] std::string word(const std::string& section, const std::string& name) const;
+  /// The word of an entry whose words are those of an enumeration, in its order; empty if it is none of them.
+  template <class Enumeration>
+  [[nodiscard]] std::optional<Enumeration> kind(const std::string& section, const std::string& name) const {
+    const auto position = position_of_word(section, name);
+    return position ? std::optional(static_cast<Enumeration>(*position)) : std::nullopt;
+  }
+  /// Whether the entry is set, and to this word.
+  [[nodiscard]] bool says(const std::string& section, const std::string& name, const std::string& expected) const;
   /// NaN if it is not valid.
-  [[nodiscard]] double number(const std::string& section, const std::string& name, const ValidNumber& valid) const;
+  [[nodiscard]] double number(const std::string& section, const std::string& name) const;
   /// A whole number; 0 if it is not valid.
-  [[nodiscard]] unsigned whole(const std::string& section, const std::string& name, const ValidNumber& valid) const;
+  [[nodiscard]] unsigned whole(const std::string& section, const std::string& name) const;
   /// A list; empty if one of them is not valid. Either all have a unit, or none, or the last one alone, whose unit
   /// holds for all then.
-  [[nodiscard]] std::vector<double> numbers(const std::string& section, const std::string& name,
-                                            const ValidNumber& valid) const;
-  /// The same of a text that stands in one entry, separated, and is for another one, whose units it has.
+  [[nodiscard]] std::vector<double> numbers(const std::string& section, const std::string& name) const;
+  /// A list for an entry, in its units, which is the text of another entry.
   [[nodiscard]] std::vector<double> numbers_for(const std::string& section, const std::string& name,
                                                 const std::string& text, char separator) const;
   /// Which units numbers of an entry may have, for messages.
   [[nodiscard]] std::string units_of(const std::string& section, const std::string& name) const;
   /// Path of a file that is named relative to the case file; empty if there is none.
   [[nodiscard]] std::string path(const std::string& section, const std::string& name) const;
+  /// Forbids the entries of a section that do not belong to this word of its first one, and reads those that do into
+  /// their fields of a part of the case.
+  template <class Part>
+  void read_fields(const std::string& section, const std::string& owner, Part& part) const {
+    forbid_others(section, owner);
+    for (const auto& entry : find_section(section)->entries) {
+      const auto* field = std::get_if<double Part::*>(&entry.field);
+      if (field && entry.belongs_to(owner) && (entry.is_needed() || given(section, entry.name)))
+        part.*(*field) = number(section, entry.name);
+    }
+  }
   /// An entry that contradicts another one.
   void forbid(const std::string& section, const std::string& name, const std::string& reason) const;
+  void forbid_all(const std::string& section, const std::vector<std::string>& names, const std::string& reason) const {
+    for (const auto& name : names) forbid(section, name, reason);
+  }
   void fail(const std::string& section, const std::string& name, const std::string& valid) const;
   void add_problem(const std::string& message) const { problems_.add(message); }
   /// Throws InputError if anything has failed.
@@ -56,6 +68,9 @@ class EntryReader {
   [[nodiscard]] const std::string& file() const { return file_; }
 
  private:
+  [[nodiscard]] std::optional<std::size_t> position_of_word(const std::string& section, const std::string& name) const;
+  void forbid_others(const std::string& section, const std::string& owner) const;
+
   const EntryTexts& entries_;
   std::string file_;
   Problems& problems_;

@@ -12,7 +12,7 @@ class EntryTexts {
   void set(const std::string& section, const std::string& name, std::string text) {
     texts_[{section, name}] = std::move(text);
   }
-  /// Those of another file go before the ones that are there.
+  /// The entries of another file stand in the place of the ones that are there.
   void override_by(const EntryTexts& other) {
     for (const auto& [key, text] : other.texts_) texts_[key] = text;
   }

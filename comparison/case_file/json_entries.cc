@@ -64,7 +64,7 @@ void parse_json_entries(const std::string& text, const std::filesystem::path& fi
   for (const auto& [section, members] : sections.items()) {
     if (!members.is_object())
       throw InputError(fmt::format("{}: {}: must be a JSON object of entries", file.string(), section));
-    if (!is_section(section)) {
+    if (!find_section(section)) {
       problems.add(fmt::format("{}: {}", file.string(), no_such_section(section, problems)));
       continue;
     }

@@ -71,8 +71,7 @@ std::optional<Case::Measured::Value> read_value(const EntryReader& entries, cons
     entries.forbid(measured_section, uncertainty, "it belongs to a " + name);
     return std::nullopt;
   }
-  return Case::Measured::Value{entries.number(measured_section, name, positive_number),
-                               entries.number(measured_section, uncertainty, not_negative_number)};
+  return Case::Measured::Value{entries.number(measured_section, name), entries.number(measured_section, uncertainty)};
 }
 
 }  // namespace

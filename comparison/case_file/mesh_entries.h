@@ -13,7 +13,7 @@ void read_mesh_entries(const EntryReader& entries, Case::Body& body);
 /// Whether what the body stands on is a plane, as one without friction has to be.
 bool has_level_base(const meshes::Mesh& mesh);
 
-/// Of the materials of a mesh, in their order.
+/// The relative moduli of the materials of a mesh, in their order.
 std::vector<double> moduli_of_materials(const Case::Body& body);
 
 }  // namespace fretval

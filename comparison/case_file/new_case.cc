@@ -48,7 +48,7 @@ std::string section_text(const std::string& section, const Entries& entries, boo
     auto line =
         fmt::format("{}  {:<38}# {}", commented ? "# " : "", fmt::format("set {} = {}", name, value), traits->about);
     constexpr std::size_t widest = 118;
-    if (const auto rest = fmt::format("; {}", traits->values); line.size() + rest.size() <= widest) line += rest;
+    if (const auto rest = fmt::format("; {}", traits->values.text); line.size() + rest.size() <= widest) line += rest;
     text += line + "\n";
   }
   return text + (commented ? "# end\n\n" : "end\n\n");
@@ -82,14 +82,11 @@ void require_choice(const char* option, const std::string& word, const std::vect
 }  // namespace
 
 const std::vector<std::string>& new_case_shapes() {
-  static const std::vector<std::string> shapes{Case::shape_names.begin(), Case::shape_names.end()};
-  return shapes;
+  return find_entry("Indenter", "Shape")->values.words;
 }
 
 const std::vector<std::string>& new_case_rheologies() {
-  static const std::vector<std::string> rheologies{"elastic", "kelvin voigt",     "standard solid",
-                                                   "prony",   "fractional zener", "table"};
-  return rheologies;
+  return find_entry("Elastomer", "Rheology")->values.words;
 }
 
 std::map<std::string, std::string> new_case_files(const std::string& stem, const NewCase& choice) {

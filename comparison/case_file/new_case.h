@@ -9,7 +9,7 @@ namespace fretval {
 /// What a new case file begins with.
 struct NewCase {
   std::string shape = "parabola";           ///< as in a case file
-  std::string rheology = "standard solid";  ///< likewise
+  std::string rheology = "standard solid";  ///< as in a case file
 };
 
 /// What there is to choose from.

@@ -90,7 +90,7 @@ class Lines {
     is_open_ = true;
     section_ = name;
     line_of_section_ = n_read_;
-    if (!is_section(name)) problems_.add(here(no_such_section(name, problems_)));
+    if (!find_section(name)) problems_.add(here(no_such_section(name, problems_)));
   }
 
   void end_section() {
@@ -100,7 +100,7 @@ class Lines {
 
   void set(const std::string& name, const std::string& value) {
     if (!is_open_) return misread(fmt::format("set {}: every entry stands within a subsection", name));
-    if (!is_section(section_)) return;  // has been said
+    if (!find_section(section_)) return;  // has been said
     const std::string full = fmt::format("{} / {}", section_, name);
     const auto [first, is_new] = line_of_entry_.emplace(full, n_read_);
     if (!is_new)

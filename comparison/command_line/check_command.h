@@ -41,7 +41,7 @@ int run_check(const CheckOptions& options);
 /// 3 if a case came to no answer although it should, 1 if anything else fails.
 int exit_code_of(const SuiteRun& run);
 
-/// Of the suite exact: 1 if any row fails.
+/// The exit code of the suite `exact`: 1 if any row fails.
 int exit_code_of(const std::vector<ConvergenceRow>& rows);
 
 }  // namespace fretval

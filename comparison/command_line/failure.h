@@ -8,7 +8,7 @@ namespace fretval {
 /// input, of numerics that failed, or of the system.
 int say_failure(const std::exception_ptr& why);
 
-/// The same, once for all ranks, and ends them all. Returns the exit code in a process that was started alone.
+/// Tells of a failure once for all ranks, and ends them all. Returns the exit code in a process that was started alone.
 int end_with_failure(const std::exception_ptr& why);
 
 }  // namespace fretval

@@ -126,7 +126,7 @@ std::string junit_of(const std::vector<BatchLine>& lines, const Changes* changes
   return junit_document("fretval run", cases);
 }
 
-/// Of a baseline the results of these cases. One that has none of them is no baseline: nothing could depart from it.
+/// The results of these cases in a baseline. One that has none of them is no baseline: nothing could depart from it.
 std::vector<StoredResult> baseline_of(const fs::path& folder, const std::vector<PreparedCase>& prepared) {
   std::set<std::string> names;
   for (const auto& one : prepared) names.insert(one.input.name);
@@ -181,7 +181,7 @@ void log_others(const fs::path& output, const std::vector<Case>& cases) {
                           counted(others.size(), "result"), *others.begin(), others.size() > 1 ? ", …" : ""));
 }
 
-/// Of each case what an earlier run has written; empty: it is to be computed.
+/// What an earlier run has written of each case; empty: it is to be computed.
 using KeptLines = std::vector<std::optional<BatchLine>>;
 
 KeptLines kept_lines(const std::vector<PreparedCase>& prepared, const RunOptions& options, const Ranks& ranks) {

@@ -10,7 +10,7 @@ namespace fretval {
 /// of the heights in m; 0: that of the residuals. Throws InputError with the file's name.
 Case::AlignedTrace read_aligned_trace(const std::string& file, double table_noise);
 
-/// The same trace, aligned otherwise: the apex so many standard deviations off, with the tilt that belongs to it.
+/// A trace aligned otherwise than it is: the apex so many standard deviations off, with the tilt that belongs to it.
 /// Either -1 or 1.
 Case::AlignedTrace neighbour_of(const Case::AlignedTrace& trace, int deviations);
 

@@ -35,7 +35,7 @@ void keep_to(MotionKind kind, Answer& answer) {
   if (kind == MotionKind::pass_from_touch) answer.stick_radius_first_slip.reset();
 }
 
-/// Of the readings of either method, what a pass does not have: stick and worn radii say why, and nobody tells what the
+/// Leaves out of the readings what a pass does not have: stick and worn radii say why, and nobody tells what the
 /// body has kept, nor how slip dies out.
 void keep_to(MotionKind kind, Readings& readings);
 

@@ -93,7 +93,7 @@ void close(const std::string& file, Case::Path& path) {
   across.back() = across.front();
 }
 
-/// Of a path in two directions, whose rows are taken as they are: a force beside a force.
+/// The transverse column of a path, whose rows are taken as they are: a force beside a force.
 std::vector<double> transverse_column(const std::string& file, mdr::ChosenColumns& chosen, bool beside_force) {
   constexpr std::size_t column = columns.size();
   if (!chosen.kind[column]) return {};

@@ -10,7 +10,7 @@ namespace fretval {
 
 /// How far a path may be from the record of a rig that it stands for (Motion / Path tolerance).
 struct PathTolerance {
-  /// Of the largest normal value and of half of what lies between the tangential extremes; where no absolute one is
+  /// Over the largest normal value and over half of what lies between the tangential extremes; where no absolute one is
   /// given.
   double relative = 0;
   std::optional<double> length = {}, force = {};  ///< absolute, m and N

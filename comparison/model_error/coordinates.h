@@ -23,7 +23,7 @@ double phase_on_maps(double phase);
 /// answer: MDR's to the case.
 Coordinates coordinates_of(const Case& input, const MdrAnswer& answer);
 
-/// The same with MDR asked: what the contact of the case keeps of friction plays no part.
+/// The coordinates of a case that MDR is asked about here: what its contact keeps of friction plays no part.
 Coordinates coordinates_of(const Case& input);
 
 }  // namespace fretval

@@ -79,7 +79,7 @@ bool couples(const Coordinates& at) {
   return at.poisson_ratio != no_volume_change || at.radius_over_thickness > 0;
 }
 
-/// Of the maps of the program, which no case changes: found once.
+/// The spread over the maps of the program, which no case changes: found once.
 double known_spread(Quantity quantity, const Elsewhere& where) {
   using Key = std::tuple<Quantity, bool, bool>;
   static const auto spreads = [] {
@@ -178,12 +178,11 @@ ModelErrors model_errors_of(const Case& input, const MdrAnswer& mdr) {
   ModelErrors errors{{}, outside_because_of(input)};
   if (!errors.outside.empty()) return errors;
   const auto at = coordinates_of(input, mdr);
-  const bool has_memory = input.elastomer.rheology != "elastic";
   for (const auto quantity : mapped_quantities) {
     const auto change = change_at(map_points(), at, quantity);
     if (!change) continue;
     double spread = known_spread(quantity, {couples(at), false});
-    if (has_memory) spread = std::max(spread, known_spread(quantity, {false, true}));
+    if (input.elastomer.has_memory()) spread = std::max(spread, known_spread(quantity, {false, true}));
     spread *= std::abs(change->value);
     const double truth = 1 + change->value;
     errors.off_by[quantity] = {1 / truth - 1, (change->uncertainty + spread) / truth};

@@ -57,7 +57,7 @@ inline constexpr auto all_quantities = [] {
   return all;
 }();
 
-/// The same in the order in which people ask for them.
+/// All quantities, in the order in which people ask for them.
 inline constexpr std::array quantities_by_interest{Quantity::stick_radius_first_slip,
                                                    Quantity::stick_radius_shakedown,
                                                    Quantity::contact_radius_max,

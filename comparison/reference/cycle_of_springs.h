@@ -1,10 +1,12 @@
 #pragma once
 
+#include <algorithm>
 #include <optional>
 
 #include "comparison/reference/mdr_values.h"
 #include "mdr/motion/commensurability.h"
 #include "mdr/springs/forced_response.h"
+#include "mdr/stick/stick_radius.h"
 
 namespace fretval {
 
@@ -19,7 +21,7 @@ std::optional<mdr::CommonCycle> cycle_to_step(const MdrCase& mdr);
 std::optional<MdrCycle> cycle_of_springs(const MdrCase& mdr, const mdr::SteppedForcedResponse& stepped,
                                          double normal_force_max);
 
-/// Of any stepped response, by the length of the tangential path of the indenter.
+/// The cycle of any stepped response. tangential_way: the length of the tangential path of the indenter.
 template <class Response>
 MdrCycle cycle_of(const MdrCase& mdr, const Response& response, const Response& error, double normal_force_max,
                   double tangential_way) {
@@ -35,6 +37,26 @@ MdrCycle cycle_of(const MdrCase& mdr, const Response& response, const Response& 
           error.friction_work + error.bulk_work,
           error.tangential_work,
           mdr.body.viscosity == 0 || mdr.is_single_pass() || mdr.cycle_tolerance};
+}
+
+/// Stick radii and the largest indentation of a response that was stepped under forces, and what they may be off by.
+template <class Response>
+void take_depths(const MdrCase& mdr, const mdr::StickDepths& depths, const mdr::StickDepths& depth_errors,
+                 const Response& response, const Response& error, MdrAnswer& answer) {
+  const auto radii = mdr::stick_radii(mdr.profile, depths);
+  answer.stick_radius_first_slip = radii.first_slip;
+  answer.stick_radius_shakedown = radii.shakedown;
+  answer.stepping_error = std::max({depth_errors.first_slip, depth_errors.shakedown, error.largest_indentation}) /
+                          response.largest_indentation;
+  if (mdr.normal_force) answer.indentation_max = response.largest_indentation;
+}
+
+/// What a tangential force leads to, after the depths.
+template <class Response>
+void take_tangential_amplitude(const MdrCase& mdr, const Response& response, const Response& error, MdrAnswer& answer) {
+  if (!mdr.tangential_force) return;
+  answer.tangential_amplitude = response.tangential_amplitude;
+  answer.stepping_error = std::max(answer.stepping_error, error.tangential_amplitude / response.tangential_amplitude);
 }
 
 }  // namespace fretval

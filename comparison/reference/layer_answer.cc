@@ -36,19 +36,8 @@ mdr::SteppedPathForces layer_path_forces(const MdrCase& mdr, double friction_coe
 }
 
 std::optional<mdr::LimitingState> layer_wear_state(const MdrCase& mdr, mdr::StickCriterion criterion) {
-  const auto &normal = mdr.motion.normal.front(), &tangential = mdr.motion.tangential.front();
-  mdr::FrettingControl control{{}, {}, normal.frequency, tangential.frequency, {}};
-  if (mdr.normal_force)
-    control.normal = mdr::NormalForceControl{mdr.motion.indentation, normal.amplitude};
-  else
-    control.normal = mdr::IndentationControl{mdr.motion.indentation, normal.amplitude};
-  if (mdr.tangential_force)
-    control.tangential = mdr::TangentialForceControl{tangential.amplitude};
-  else
-    control.tangential = mdr::TangentialDisplacementControl{tangential.amplitude};
-  if (mdr.motion.phase_locked) control.phase = tangential.phase - normal.phase;
-  return mdr::layer_limiting_state(mdr.profile, mdr.layer.value(), mdr.body, mdr.friction_coefficient, control,
-                                   criterion);
+  return mdr::layer_limiting_state(mdr.profile, mdr.layer.value(), mdr.body, mdr.friction_coefficient,
+                                   control_of(mdr.prescribed()), criterion);
 }
 
 std::optional<double> layer_worn_radius(const MdrCase& mdr, const std::optional<double>& shakedown_radius,

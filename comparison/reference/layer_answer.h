@@ -9,7 +9,7 @@ namespace fretval {
 /// mdr_normal_response over a layer (MdrCase::layer).
 mdr::NormalResponse layer_normal_response(const MdrCase& mdr);
 
-/// Of an unworn indenter that oscillates: springs that the layer couples, stepped in time, with so many times the usual
+/// The response to an unworn indenter that oscillates: of springs that the layer couples, with so many times the usual
 /// springs and steps. Throws mdr::GrossSlip, and otherwise as mdr::coupled_response.
 mdr::SteppedForcedResponse layer_response(const MdrCase& mdr, int times);
 

@@ -59,22 +59,7 @@ mdr::SteppedForcedResponse half_space_response(const MdrCase& mdr, int times) {
                               finer(mdr.has_period() ? mdr::SpringFineness{} : of_many_oscillations, times));
 }
 
-/// What springs say that were stepped under forces, and what that may be off by.
-template <class Response>
-void take_stepped(const MdrCase& mdr, const mdr::StickDepths& depths, const mdr::StickDepths& depth_errors,
-                  const Response& response, const Response& error, MdrAnswer& answer) {
-  const auto radii = mdr::stick_radii(mdr.profile, depths);
-  answer.stick_radius_first_slip = radii.first_slip;
-  answer.stick_radius_shakedown = radii.shakedown;
-  answer.stepping_error = std::max({depth_errors.first_slip, depth_errors.shakedown, error.largest_indentation}) /
-                          response.largest_indentation;
-  if (mdr.normal_force) answer.indentation_max = response.largest_indentation;
-  if (!mdr.tangential_force || !mdr.has_period()) return;
-  answer.tangential_amplitude = response.tangential_amplitude;
-  answer.stepping_error = std::max(answer.stepping_error, error.tangential_amplitude / response.tangential_amplitude);
-}
-
-/// Of an unworn indenter, by the springs. Under both forces a half-space has a closed form of the shakedown radius.
+/// The answer to an unworn indenter, by springs. Under both forces a half-space has a closed shakedown radius.
 MdrAnswer forced_answer(const MdrCase& mdr, const mdr::NormalResponse& normal, int times) {
   MdrAnswer answer = with_normal_response(normal);
   answer.steady_sliding_share = steady_sliding_share(mdr);
@@ -87,7 +72,8 @@ MdrAnswer forced_answer(const MdrCase& mdr, const mdr::NormalResponse& normal, i
   }
   const auto& [response, error] = stepped;
   answer.cycle = cycle_of_springs(mdr, stepped, answer.normal_force_max.value());
-  take_stepped(mdr, response.depths, error.depths, response, error, answer);
+  take_depths(mdr, response.depths, error.depths, response, error, answer);
+  if (mdr.has_period()) take_tangential_amplitude(mdr, response, error, answer);
   if (mdr.normal_force && mdr.tangential_force && mdr.limiting_state)
     answer.stick_radius_shakedown = mdr.limiting_state->stick_radius;
   if (mdr.layer)
@@ -107,7 +93,7 @@ MdrAnswer displaced_answer(const MdrCase& mdr, const Profile& profile, const mdr
   return answer;
 }
 
-/// Of a limiting profile.
+/// The answer to an indenter that has its limiting profile.
 MdrAnswer worn_answer(const MdrCase& mdr, const mdr::NormalResponse& normal) {
   const auto motion = displacements_of(mdr);
   auto answer = displaced_answer(mdr, *mdr.limiting, motion, normal);
@@ -162,8 +148,9 @@ void answer_forced_path(const MdrCase& mdr, int times, MdrAnswer& answer) {
     return;
   }
   const auto& [forces, error, course] = *stepped;
-  take_stepped(mdr, {forces.first_slip, forces.shakedown},
-               {error.first_slip, mdr.is_single_pass() ? 0 : error.shakedown}, forces, error, answer);
+  take_depths(mdr, {forces.first_slip, forces.shakedown},
+              {error.first_slip, mdr.is_single_pass() ? 0 : error.shakedown}, forces, error, answer);
+  take_tangential_amplitude(mdr, forces, error, answer);
   if (has_cycle_along(mdr)) answer.cycle = cycle_along(mdr, *stepped, answer.normal_force_max.value());
 }
 
@@ -282,7 +269,7 @@ MdrAnswer incompressible_answer(const MdrCase& mdr, const mdr::NormalResponse& n
   return answer;
 }
 
-/// Of prescribed displacements, under which radii have closed forms: springs as fine as forces and energies need.
+/// The cycle under prescribed displacements, whose radii have closed forms: springs as fine as forces need.
 std::optional<MdrCycle> displaced_cycle(const MdrCase& mdr, const mdr::NormalResponse& normal, int times) {
   if (mdr.path) {
     constexpr mdr::PathFineness usual{100, 90, 10, 1e-7};

@@ -26,7 +26,7 @@ MdrAnswer no_answer(const MdrCase& mdr);
 /// that slips first and not in the end.
 std::optional<SettlingCycles> settling_cycles(const MdrCase& mdr, const MdrAnswer& answer, int n_ramp);
 
-/// The same with the cycle also under prescribed displacements, for which springs are stepped: some ten milliseconds
+/// MDR's answer and its cycle under prescribed displacements, too, for which springs are stepped: ten milliseconds
 /// for what is a closed form otherwise. With a tolerance of a cycle, of up to eight times the springs and steps, until
 /// their error is a quarter of it.
 MdrAnswer mdr_answer_with_cycle(const MdrCase& mdr, const mdr::NormalResponse& normal);

@@ -147,6 +147,26 @@ std::string why_not_on_layer(const Case& input) {
   return "";
 }
 
+/// Refuses what neither method computes of a case on this body.
+void require_known_body(const Case& input) {
+  if (input.body.shape == Case::Body::Shape::layer)
+    if (const auto why = why_not_on_layer(input); !why.empty())
+      throw InputError(
+          fmt::format("{}: {} is not computed, as what it would end in is not known there; leave the Body "
+                      "out, or expected an unworn indenter",
+                      input.file, why));
+  if (!input.body.is_half_space() && !falls_text(any_profile_of(input.indenter)).empty())
+    throw InputError(
+        fmt::format("{}: Body / Shape: the indenter is a table for which MDR does not hold, which is computed over a "
+                    "half-space alone; leave the Body out, or expected a profile whose image rises",
+                    input.file));
+  if (input.body.grid && input.wear == Case::Wear::limiting)
+    throw InputError(fmt::format(
+        "{}: Wear / State = limiting: it takes rings that are graded to its edge, which Body / Mesh has not; "
+        "expected unworn, or another Body / Shape",
+        input.file));
+}
+
 }  // namespace
 
 bool is_comparable(const Case& input) {
@@ -241,6 +261,20 @@ mdr::HarmonicMotion harmonic_motion_of(const Case::Motion& motion) {
           motion.phase.has_value()};
 }
 
+mdr::FrettingControl control_of(const mdr::Prescribed& prescribed) {
+  const auto& motion = prescribed.motion;
+  const auto &normal = motion.normal.front(), &tangential = motion.tangential.front();
+  mdr::FrettingControl control{mdr::IndentationControl{motion.indentation, normal.amplitude},
+                               mdr::TangentialDisplacementControl{tangential.amplitude},
+                               normal.frequency,
+                               tangential.frequency,
+                               {}};
+  if (prescribed.normal_force) control.normal = mdr::NormalForceControl{motion.indentation, normal.amplitude};
+  if (prescribed.tangential_force) control.tangential = mdr::TangentialForceControl{tangential.amplitude};
+  if (motion.phase_locked) control.phase = tangential.phase - normal.phase;
+  return control;
+}
+
 mdr::Motion one_harmonic_each_of(const Case& input, const MdrCase& mdr, const std::string& what) {
   if (mdr.has_forces())
     throw InputError(fmt::format("{}: {}: it needs prescribed displacements in both directions", input.file, what));
@@ -282,22 +316,7 @@ mdr::HarmonicMotion motion_of_case(const MdrCase& mdr) {
 
 MdrCase mdr_case(const Case& input_of_any_body) {
   require_comparable(input_of_any_body);
-  if (input_of_any_body.body.shape == Case::Body::Shape::layer)
-    if (const auto why = why_not_on_layer(input_of_any_body); !why.empty())
-      throw InputError(
-          fmt::format("{}: {} is not computed, as what it would end in is not known there; leave the Body "
-                      "out, or expected an unworn indenter",
-                      input_of_any_body.file, why));
-  if (!input_of_any_body.body.is_half_space() && !falls_text(any_profile_of(input_of_any_body.indenter)).empty())
-    throw InputError(
-        fmt::format("{}: Body / Shape: the indenter is a table for which MDR does not hold, which is computed over a "
-                    "half-space alone; leave the Body out, or expected a profile whose image rises",
-                    input_of_any_body.file));
-  if (input_of_any_body.body.grid && input_of_any_body.wear == Case::Wear::limiting)
-    throw InputError(fmt::format(
-        "{}: Wear / State = limiting: it takes rings that are graded to its edge, which Body / Mesh has not; "
-        "expected unworn, or another Body / Shape",
-        input_of_any_body.file));
+  require_known_body(input_of_any_body);
   const auto [input, displacement] = incompressible_case(input_of_any_body);
   const auto& motion = input.motion;
   const bool amplitude_follows = std::isnan(motion.tangential_amplitude);
@@ -315,9 +334,9 @@ MdrCase mdr_case(const Case& input_of_any_body) {
               body_in_time(input),
               input.friction_coefficient,
               mdr::from_largest_indentation(mdr::without_still_harmonics(path)),
-              {},
-              motion.normal_force.has_value(),
-              motion.tangential_force.has_value()};
+              {}};
+  mdr.normal_force = motion.normal_force.has_value();
+  mdr.tangential_force = motion.tangential_force.has_value();
   mdr.displacement = displacement;
   mdr.cycle_tolerance = input.cycle_tolerance;
   if (motion.path) {

@@ -53,7 +53,7 @@ struct MdrCase {
   [[nodiscard]] std::vector<mdr::FallOfImage> falls() const { return mdr::falls_of_image(profile); }
   [[nodiscard]] bool has_forces() const { return normal_force || tangential_force; }
   [[nodiscard]] mdr::Prescribed prescribed() const { return {motion, normal_force, tangential_force}; }
-  /// Of it what the normal response depends on.
+  /// The part of what is prescribed that the normal response depends on.
   [[nodiscard]] mdr::Prescribed prescribed_normally() const;
 };
 
@@ -80,7 +80,7 @@ MdrCase mdr_case(const Case& input);
 /// always positive.
 void require_comparable(const Case& input);
 
-/// The same as a question.
+/// Whether require_comparable would not throw.
 bool is_comparable(const Case& input);
 
 /// What of a case MDR does not compute, for people: "the body is a cylinder", "friction is a vector", "pressure and
@@ -91,13 +91,15 @@ std::vector<std::string> beyond_mdr_model(const Case& input);
 mdr::Profile profile_of(const Case::Indenter& indenter);
 /// "its one-dimensional image g(x) falls for x = 1e-4 to 2e-4 m"; empty: it rises.
 std::string falls_text(const mdr::Profile& profile);
-/// The same of a table whose image falls, which profile_of refuses because MDR does not hold for it.
+/// A profile whose image may fall, as that of a table, which profile_of refuses because MDR does not hold for it.
 mdr::Profile any_profile_of(const Case::Indenter& indenter);
 mdr::Rheology rheology_of(const Case::Elastomer& elastomer);
 /// The body in time: a fractional one is approximated from a tenth of its lowest frequency of motion to a thousand
 /// times it.
 mdr::PronyBody body_in_time(const Case& input);
 mdr::HarmonicMotion harmonic_motion_of(const Case::Motion& motion);
+/// What a test rig prescribes, of the first harmonic of each direction.
+mdr::FrettingControl control_of(const mdr::Prescribed& prescribed);
 
 /// The motion of a case that has one harmonic in each direction. Throws InputError, naming what needs it, for others.
 mdr::Motion one_harmonic_each_of(const Case& input, const MdrCase& mdr, const std::string& what);

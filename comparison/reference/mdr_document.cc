@@ -66,19 +66,6 @@ ordered_json state_json(const std::optional<mdr::LimitingState>& state) {
           {"tangential_force_amplitude", state->tangential_force_amplitude}};
 }
 
-mdr::FrettingControl control_of(const Case::Motion& motion) {
-  mdr::FrettingControl control{mdr::IndentationControl{motion.indentation, motion.normal_amplitude},
-                               mdr::TangentialDisplacementControl{motion.tangential_amplitude},
-                               motion.normal_frequency,
-                               motion.tangential_frequency,
-                               {}};
-  if (motion.phase) control.phase = harmonic_motion_of(motion).tangential.front().phase;
-  if (motion.normal_force)
-    control.normal = mdr::NormalForceControl{motion.normal_force->mean, motion.normal_force->amplitude};
-  if (motion.tangential_force) control.tangential = mdr::TangentialForceControl{*motion.tangential_force};
-  return control;
-}
-
 double normal_force_max_of(const Case&, const mdr::LimitingState& state) {
   return state.mean_normal_force + state.normal_force_amplitude;
 }
@@ -119,7 +106,8 @@ MdrDocument answer_by_limiting_state(const Case& input, const StateOf& state_of)
 }
 
 MdrDocument answer_forces(const Case& input) {
-  const auto control = control_of(input.motion);
+  const auto control = control_of({harmonic_motion_of(input.motion), input.motion.normal_force.has_value(),
+                                   input.motion.tangential_force.has_value()});
   return answer_by_limiting_state(input, [&](const auto& profile, const auto& body, mdr::StickCriterion criterion) {
     return mdr::limiting_state(profile, body, input.friction_coefficient, control, criterion);
   });
@@ -131,7 +119,7 @@ bool has_one_frequency(const Case::Motion& motion) {
          motion.tangential_harmonics.empty();
 }
 
-/// The same of forces with several harmonics or frequencies.
+/// Prescribed forces with several harmonics or frequencies, whose limiting state has no closed form.
 MdrDocument answer_harmonics_of_forces(const Case& input) {
   const auto motion = harmonic_motion_of(input.motion);
   const bool normal = input.motion.normal_force.has_value(), tangential = input.motion.tangential_force.has_value();
@@ -202,6 +190,36 @@ ordered_json wear_json(const Case& input) {
   return to_json(*kinetics);
 }
 
+/// Refuses what MDR knows of a case but the document does not have. displacement: see incompressible_case.
+void require_printable(const Case& input, bool with_springs, double displacement) {
+  const auto shape = input.body.shape;
+  const bool layer = shape == Case::Body::Shape::layer;
+  if (!layer && !input.body.is_half_space())
+    throw InputError(
+        fmt::format("{}: Body / Shape = {}: MDR knows half-spaces and layers; leave it out to see what it says of a "
+                    "half-space, or run the case",
+                    input.file, Case::Body::shape_names[static_cast<std::size_t>(shape)]));
+  if (layer && with_springs)
+    throw InputError(fmt::format(
+        "{}: Body / Shape = layer: MDR's answer is that of springs already; leave --springs out", input.file));
+  if (displacement != 1 && (with_springs || input.wear_kinetics || oscillates_under_forces(input)))
+    throw InputError(
+        fmt::format("{}: Elastomer / Poisson ratio = {:g}: springs, wear and limiting states under forces are "
+                    "printed for 0.5; `fretval run` takes any",
+                    input.file, input.elastomer.poisson_ratio));
+}
+
+/// input: the incompressible case that stands for the case of any body.
+MdrDocument answer_to(const Case& input_of_any_body, const Case& input) {
+  if (input_of_any_body.body.shape == Case::Body::Shape::layer) return answer_comparable(input_of_any_body);
+  if (oscillates_under_forces(input))
+    return has_one_frequency(input.motion) ? answer_forces(input) : answer_harmonics_of_forces(input);
+  // The stick radii of a fractional body need no approximation of it.
+  const bool is_exact = input.elastomer.fractional_order > 0 && input.wear == Case::Wear::unworn;
+  const bool has_forces = input.motion.path || (is_comparable(input) && !is_exact);
+  return has_forces ? answer_comparable(input_of_any_body) : answer_displacements(input);
+}
+
 SpringAnswer springs_along_path(const Case& input, const SpringSetting& setting) {
   const auto mdr = mdr_case(input);
   auto [bed, history] =
@@ -233,32 +251,11 @@ ordered_json fit_json(const Case::Elastomer& elastomer) {
 }
 
 MdrDocument mdr_document(const Case& input_of_any_body, bool with_springs) {
-  const auto shape = input_of_any_body.body.shape;
-  const bool layer = shape == Case::Body::Shape::layer;
-  if (!layer && !input_of_any_body.body.is_half_space())
-    throw InputError(
-        fmt::format("{}: Body / Shape = {}: MDR knows half-spaces and layers; leave it out to see what it says of a "
-                    "half-space, or run the case",
-                    input_of_any_body.file, Case::Body::shape_names[static_cast<std::size_t>(shape)]));
-  if (layer && with_springs)
-    throw InputError(
-        fmt::format("{}: Body / Shape = layer: MDR's answer is that of springs already; leave --springs out",
-                    input_of_any_body.file));
   const auto [input, displacement] = incompressible_case(input_of_any_body);
-  if (displacement != 1 && (with_springs || input.wear_kinetics || oscillates_under_forces(input)))
-    throw InputError(
-        fmt::format("{}: Elastomer / Poisson ratio = {:g}: springs, wear and limiting states under forces are "
-                    "printed for 0.5; `fretval run` takes any",
-                    input_of_any_body.file, input_of_any_body.elastomer.poisson_ratio));
+  require_printable(input_of_any_body, with_springs, displacement);
   try {
     (void)profile_of(input.indenter);  // refuses one that MDR does not hold for, before anything is asked of it
-    const bool forces = oscillates_under_forces(input) && !layer;
-    // The stick radii of a fractional body need no approximation of it.
-    const bool exact = input.elastomer.fractional_order > 0 && input.wear == Case::Wear::unworn && !layer;
-    const bool with_forces = input.motion.path || (is_comparable(input) && !exact);
-    auto document = forces ? has_one_frequency(input.motion) ? answer_forces(input) : answer_harmonics_of_forces(input)
-                    : with_forces || layer ? answer_comparable(input_of_any_body)
-                                           : answer_displacements(input);
+    auto document = answer_to(input_of_any_body, input);
     ordered_json json{{"name", input.name}};
     json.update(document.json);
     json["limiting_profile"] = profile_json(document.worn);

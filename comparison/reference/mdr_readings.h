@@ -11,7 +11,7 @@ namespace fretval {
 /// in time tell by how much they may be off.
 Readings readings_of(const MdrAnswer& answer);
 
-/// The same with what MDR expects of a profile in which nothing wears any more: no slip inside, no force outside, the
+/// These, and what MDR expects of a profile in which nothing wears any more: no slip inside, no force outside, the
 /// flank touches at the largest indentation.
 Readings readings_of_worn(const MdrAnswer& answer);
 

@@ -52,11 +52,11 @@ struct MdrAnswer {
   /// Factor per cycle by which slip dies out where nothing slips in the end (mdr/stick/slip_decay.h); with the cycle.
   std::optional<double> slip_decay = {};
   std::optional<SettlingCycles> cycles_to_shakedown = {};  ///< see settling_cycles
-  /// Of springs that were stepped in time, the largest relative error of what is above; 0: closed forms.
+  /// The largest relative error that springs stepped in time make in what is above; 0: closed forms.
   double stepping_error = 0;
   double normal_force_error = 0;                        ///< N, likewise
   std::optional<mdr::AxisPressure> axis_pressure = {};  ///< empty: infinite
-  /// Of all amplitudes, the share at which the whole contact begins to slide under a prescribed tangential force while
+  /// The share of all amplitudes at which the whole contact begins to slide under a prescribed tangential force while
   /// they rise slowly; then all else but the normal response is empty. Empty: it never does.
   std::optional<double> gross_slip = {};
   std::optional<double> gross_slip_time = {};       ///< s, of a single pass, in the time of its rows

@@ -11,7 +11,7 @@ namespace fretval {
 
 namespace {
 
-/// Of what a stick radius of nothing stands for.
+/// A stick radius that stands for none.
 constexpr double almost_none = 1e-6;
 
 WearLimits limits_on_layer(const MdrCase& mdr, const MdrAnswer& answer) {

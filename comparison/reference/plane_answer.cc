@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "comparison/reference/cycle_of_springs.h"
 #include "mdr/motion/force_control.h"
 #include "mdr/plane/plane_springs.h"
 #include "mdr/plane/plane_stick.h"
 #include "mdr/rheology/rheology.h"
+#include "mdr/springs/path_data.h"
 #include "mdr/springs/spring_step.h"
 #include "mdr/support/constants.h"
 
@@ -98,54 +100,33 @@ mdr::StickDepths depths_of(const MdrCase& mdr) {
   return mdr::plane_stick_depths(mdr::stuck_element(mdr.body, mu, *mdr.path, per_piece));
 }
 
-/// From springs, twice.
-struct Stepped {
-  mdr::PlaneResponse fine, coarse;
-  [[nodiscard]] double error_of(double mdr::PlaneResponse::*value) const {
-    return std::abs(fine.*value - coarse.*value);
-  }
-};
-
-void add_cycle(const MdrCase& mdr, const Stepped& stepped, MdrAnswer& answer) {
-  const auto& [fine, coarse] = stepped;
-  using R = mdr::PlaneResponse;
-  const bool once = mdr.is_single_pass();
-  const auto bulk = [&](const R& r) {
-    return once || (mdr.body.branch_moduli.empty() && mdr.body.viscosity == 0)
-               ? 0
-               : std::max(0.0, r.tangential_work + r.normal_work - r.friction_work);
-  };
-  const double sliding_force = mdr.friction_coefficient * answer.normal_force_max.value();
-  MdrCycle cycle{};
-  cycle.tangential_force_max = fine.force_x_max;
-  cycle.tangential_force_mean = fine.force_x_mean;
-  cycle.friction_work = fine.friction_work;
-  cycle.bulk_work = bulk(fine);
-  cycle.tangential_work = once ? 0 : fine.tangential_work;
-  cycle.sliding_force = sliding_force;
-  cycle.sliding_work = sliding_force * fine.way;
-  cycle.force_error = std::max(stepped.error_of(&R::force_x_max), stepped.error_of(&R::force_x_mean));
-  cycle.work_error = stepped.error_of(&R::friction_work) + std::abs(bulk(fine) - bulk(coarse));
-  cycle.loop_error = once ? 0 : stepped.error_of(&R::tangential_work);
-  answer.cycle = cycle;
-  answer.transverse_force_max = fine.force_y_max;
-  answer.transverse_force_error = stepped.error_of(&R::force_y_max);
+/// Forces, energies and depths over the pass or the period. What goes into the body in a pass is not told from what is
+/// lost there.
+mdr::PathForces forces_of(const MdrCase& mdr, const mdr::PlaneResponse& response, double largest_indentation) {
+  mdr::PathForces forces{};
+  forces.tangential_force_max = response.force_x_max;
+  forces.tangential_force_mean = response.force_x_mean;
+  forces.friction_work = response.friction_work;
+  forces.largest_indentation = largest_indentation;
+  forces.tangential_amplitude = response.x_amplitude;
+  forces.tangential_way = response.way;
+  forces.first_slip = response.depths.first_slip;
+  forces.shakedown = response.depths.shakedown;
+  if (mdr.is_single_pass()) return forces;
+  forces.tangential_work = response.tangential_work;
+  if (!mdr.body.branch_moduli.empty() || mdr.body.viscosity != 0)
+    forces.bulk_work = std::max(0.0, response.tangential_work + response.normal_work - response.friction_work);
+  return forces;
 }
 
-/// What has no closed form where forces are prescribed.
-void add_what_forces_lead_to(const MdrCase& mdr, const Stepped& stepped, const mdr::PlaneMotion& motion,
-                             MdrAnswer& answer) {
-  const auto& [fine, coarse] = stepped;
-  double deepest = 0;
-  for (const auto& position : motion.positions) deepest = std::max(deepest, position.depth);
-  if (mdr.normal_force) answer.indentation_max = deepest;
-  answer.stepping_error = std::max(std::abs(fine.depths.first_slip - coarse.depths.first_slip),
-                                   std::abs(fine.depths.shakedown - coarse.depths.shakedown)) /
-                          deepest;
-  if (!mdr.tangential_force || mdr.is_single_pass()) return;
-  answer.tangential_amplitude = fine.x_amplitude;
-  answer.stepping_error =
-      std::max(answer.stepping_error, stepped.error_of(&mdr::PlaneResponse::x_amplitude) / fine.x_amplitude);
+/// What finer springs and steps have changed.
+mdr::PathForces difference(const mdr::PathForces& fine, const mdr::PathForces& coarse) {
+  using F = mdr::PathForces;
+  F all{};
+  for (const auto value : {&F::tangential_force_max, &F::tangential_force_mean, &F::friction_work, &F::bulk_work,
+                           &F::tangential_work, &F::tangential_amplitude, &F::first_slip, &F::shakedown})
+    all.*value = std::abs(fine.*value - coarse.*value);
+  return all;
 }
 
 }  // namespace
@@ -162,10 +143,20 @@ MdrAnswer plane_answer(const MdrCase& mdr, const mdr::NormalResponse& normal, in
     return mdr::plane_response(mdr.profile, mdr.body, mdr.friction_coefficient, steps, finer * times * n_springs);
   };
   try {
-    const Stepped stepped{response(motion, 2), response(coarse, 1)};
-    add_cycle(mdr, stepped, answer);
-    if (mdr.has_forces()) add_what_forces_lead_to(mdr, stepped, motion, answer);
-    const auto radii = mdr::stick_radii(mdr.profile, mdr.has_forces() ? stepped.fine.depths : depths_of(mdr));
+    const auto fine = response(motion, 2), rough = response(coarse, 1);
+    double deepest = 0;
+    for (const auto& position : motion.positions) deepest = std::max(deepest, position.depth);
+    const auto forces = forces_of(mdr, fine, deepest), error = difference(forces, forces_of(mdr, rough, deepest));
+    answer.cycle = cycle_of(mdr, forces, error, normal.normal_force_max, forces.tangential_way);
+    answer.cycle->knows_largest_force = true;  // four times the steps of a motion along x
+    answer.transverse_force_max = fine.force_y_max;
+    answer.transverse_force_error = std::abs(fine.force_y_max - rough.force_y_max);
+    if (mdr.has_forces()) {
+      take_depths(mdr, fine.depths, {error.first_slip, error.shakedown}, forces, error, answer);
+      if (!mdr.is_single_pass()) take_tangential_amplitude(mdr, forces, error, answer);
+      return answer;
+    }
+    const auto radii = mdr::stick_radii(mdr.profile, depths_of(mdr));
     answer.stick_radius_first_slip = radii.first_slip;
     answer.stick_radius_shakedown = radii.shakedown;
   } catch (const mdr::GrossSlip& slip) {

@@ -13,7 +13,7 @@ struct RadiusSensitivity {
   double relaxed_modulus;  ///< x = G'(0), the branches as they are
 };
 
-/// Of both stick radii; empty where nothing sticks.
+/// How both stick radii depend on friction and modulus; empty where nothing sticks.
 struct Sensitivities {
   std::optional<RadiusSensitivity> first_slip = {}, shakedown = {};
 };
@@ -23,7 +23,7 @@ struct Sensitivities {
 /// of contact.
 std::optional<Sensitivities> sensitivities(const Case& input);
 
-/// Of a result.json: by stick radius, "friction_coefficient" and "relaxed_modulus"; null where nothing sticks.
+/// As result.json has them: by stick radius, "friction_coefficient" and "relaxed_modulus"; null where nothing sticks.
 nlohmann::ordered_json to_json(const Sensitivities& sensitivities);
 
 }  // namespace fretval

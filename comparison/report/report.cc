@@ -176,7 +176,7 @@ Filling all_cases_section(const Results& results) {
   return {{"template", "all_cases"}, {"long", results.size() > most_on_paper}, {"table", filling_of(table)}};
 }
 
-/// Of a page without results of cases, as of suites alone.
+/// The title of a page without results of cases, as one of suites alone.
 std::string folder_name(const fs::path& folder) {
   const auto whole = fs::weakly_canonical(folder);
   return whole.filename().empty() ? whole.string() : whole.filename().string();

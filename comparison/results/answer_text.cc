@@ -19,7 +19,7 @@ using nlohmann::ordered_json;
 
 constexpr std::size_t most_listed = 3;  // all others are counted
 
-/// Of a share of the order of 1.
+/// A share of the order of 1 without its roundoff.
 double without_roundoff_of_one(double value) {
   constexpr double roundoff = 1e-6;
   return std::abs(value) < roundoff ? 0 : value;
@@ -87,7 +87,7 @@ std::string reading_text(Quantity quantity, const Scales& scales, const Reading&
              : "none";
 }
 
-/// Of finite elements alone, for a profile that MDR does not hold for.
+/// The answer of finite elements alone, for a profile that MDR does not hold for.
 Answer answer_beyond_mdr(const ordered_json& result) {
   const auto& fe = result.at("fe");
   Answer answer{"", "not compared: MDR does not hold for this profile: " + beyond_text(result.at("not_compared")), {}};
@@ -150,7 +150,7 @@ std::optional<Reading> fe_reading(const ordered_json& result, Quantity quantity)
   return reading;
 }
 
-/// Of a force or an energy of a cycle whose bar is a tenth of it or more, and that nobody has asked for.
+/// What is said of a force or an energy of a cycle that nobody has asked for, where its bar is a tenth of it or more.
 std::string hardly_known(const ordered_json& result, const StoredDifference& one) {
   constexpr double tenth = 0.1;
   const auto reading = fe_reading(result, one.quantity);
@@ -162,7 +162,7 @@ std::string hardly_known(const ordered_json& result, const StoredDifference& one
   return fmt::format("known to {:.0f} %: set a Cycle tolerance", 100 * share);
 }
 
-/// Of what a half-space in the place of the body would have, over what finite elements find.
+/// What a half-space in the place of the body would have, over what finite elements find.
 std::string half_space_text(const ordered_json& result) {
   const auto half_space = result.find("mdr_half_space");
   if (half_space == result.end()) return "";

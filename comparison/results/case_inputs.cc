@@ -5,8 +5,9 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <utility>
+#include <variant>
 
+#include "comparison/case_file/entry_lookup.h"
 #include "comparison/results/answer_text.h"
 
 namespace fretval {
@@ -16,14 +17,34 @@ using nlohmann::ordered_json;
 
 class Inputs {
  public:
-  void add(const char* section, const std::string& name, const ordered_json& value, const std::string& unit = "") {
+  /// In the unit of the entry. of: what the value is of, behind the name.
+  void add(const char* section, const std::string& name, const ordered_json& value, const std::string& of = "") {
+    const auto& dimensions = find_entry(section, name)->dimensions;
+    const bool has_unit = !dimensions.empty() && (value.is_number() || (value.is_array() && value.front().is_number()));
+    const auto unit = has_unit ? base_unit(dimensions.front()) : "";
+    add_in(unit == "deg" ? "°" : unit, section, name + of, value);
+  }
+  /// In a unit that another entry decides.
+  void add_in(const std::string& unit, const char* section, const std::string& name, const ordered_json& value) {
     list_.push_back({{"section", section}, {"name", name}, {"value", value}, {"unit", unit}});
   }
   /// What belongs to another choice of the section is zero, or empty.
-  void add_if_any(const char* section, const std::string& name, const ordered_json& value,
-                  const std::string& unit = "") {
+  void add_if_any(const char* section, const std::string& name, const ordered_json& value, const std::string& of = "") {
     if (value.empty() || value == "" || (value.is_number() && value.get<double>() == 0)) return;
-    add(section, name, value, unit);
+    add(section, name, value, of);
+  }
+  /// The entries that have a field in this part of the case, of them those that are not as in a new one. varying: the
+  /// unit of what has one that depends on another entry.
+  template <class Part>
+  void add_fields(const char* section, const Part& part, const std::string& varying = "") {
+    for (const auto& entry : find_section(section)->entries) {
+      const auto* field = std::get_if<double Part::*>(&entry.field);
+      if (!field || part.*(*field) == Part().*(*field)) continue;
+      if (entry.dimensions.front() == Dimension::varying)
+        add_in(varying, section, entry.name, part.*(*field));
+      else
+        add(section, entry.name, part.*(*field));
+    }
   }
   [[nodiscard]] const ordered_json& list() const { return list_; }
 
@@ -33,14 +54,8 @@ class Inputs {
 
 void add_indenter(const Case::Indenter& indenter, Inputs& inputs) {
   inputs.add("Indenter", "Shape", Case::shape_names[static_cast<std::size_t>(indenter.shape)]);
-  inputs.add_if_any("Indenter", "Radius", indenter.radius, "m");
-  inputs.add_if_any("Indenter", "Slope angle", indenter.slope_angle, "°");
-  inputs.add_if_any("Indenter", "Coefficient", indenter.coefficient, fmt::format("m^{:g}", 1 - indenter.exponent));
-  inputs.add_if_any("Indenter", "Exponent", indenter.exponent);
-  inputs.add_if_any("Indenter", "Flat radius", indenter.flat_radius, "m");
-  inputs.add_if_any("Indenter", "Edge radius", indenter.edge_radius, "m");
   inputs.add_if_any("Indenter", "Table", indenter.table);
-  inputs.add_if_any("Indenter", "Table noise", indenter.table_noise, "m");
+  inputs.add_fields("Indenter", indenter, fmt::format("m^{:g}", 1 - indenter.exponent));
   if (indenter.trace) inputs.add("Indenter", "Table alignment", "fit");
 }
 
@@ -54,24 +69,23 @@ void add_elastomer(const Case::Elastomer& elastomer, Inputs& inputs) {
   }
   if (elastomer.shore_a) inputs.add("Elastomer", "Shore A", *elastomer.shore_a);
   inputs.add_if_any("Elastomer", "Branches", elastomer.branches_file);
-  if (const auto& test = elastomer.test_duration) inputs.add("Elastomer", "Duration of the test", test->seconds, "s");
+  if (const auto& test = elastomer.test_duration) inputs.add("Elastomer", "Duration of the test", test->seconds);
   const std::string fitted = curve ? ", fitted" : "", shifted = shift ? " at the Temperature" : "";
-  inputs.add("Elastomer", "Relaxed shear modulus" + fitted, elastomer.relaxed_modulus, "Pa");
-  inputs.add_if_any("Elastomer", "Branch moduli" + fitted, elastomer.branch_moduli, "Pa");
-  inputs.add_if_any("Elastomer", "Branch times" + fitted + shifted, elastomer.branch_times, "s");
-  inputs.add_if_any("Elastomer", "Viscosity" + fitted + shifted, elastomer.viscosity, "Pa s");
-  inputs.add_if_any("Elastomer", "Fractional order", elastomer.fractional_order);
-  if (elastomer.poisson_ratio != 0.5) inputs.add("Elastomer", "Poisson ratio", elastomer.poisson_ratio);
+  inputs.add("Elastomer", "Relaxed shear modulus", elastomer.relaxed_modulus, fitted);
+  inputs.add_if_any("Elastomer", "Branch moduli", elastomer.branch_moduli, fitted);
+  inputs.add_if_any("Elastomer", "Branch times", elastomer.branch_times, fitted + shifted);
+  inputs.add_if_any("Elastomer", "Viscosity", elastomer.viscosity, fitted + shifted);
+  inputs.add_fields("Elastomer", elastomer);
   if (!shift) return;
-  inputs.add("Elastomer", "Temperature", shift->temperature, "degC");
-  inputs.add("Elastomer", "Reference temperature", shift->reference, "degC");
+  inputs.add("Elastomer", "Temperature", shift->temperature);
+  inputs.add("Elastomer", "Reference temperature", shift->reference);
   inputs.add("Elastomer", "WLF C1", shift->c1);
-  inputs.add("Elastomer", "WLF C2", shift->c2, "K");
+  inputs.add("Elastomer", "WLF C2", shift->c2);
 }
 
 void add_mesh(const Case::Body& body, Inputs& inputs) {
   inputs.add("Body", "Mesh", body.mesh);
-  if (body.mesh_unit != 1) inputs.add("Body", "Mesh unit", body.mesh_unit, "m");
+  if (body.mesh_unit != 1) inputs.add("Body", "Mesh unit", body.mesh_unit);
   std::vector<std::string> moduli;
   for (const auto& [material, value] : body.relative_moduli) moduli.push_back(fmt::format("{} {:g}", material, value));
   inputs.add_if_any("Body", "Relative moduli", moduli);
@@ -83,8 +97,7 @@ void add_body(const Case::Body& body, Inputs& inputs) {
   if (body.grid)
     add_mesh(body, inputs);
   else
-    inputs.add("Body", "Thickness", body.thickness, "m");
-  inputs.add_if_any("Body", "Radius", body.radius, "m");
+    inputs.add_fields("Body", body);
   inputs.add("Body", "Base", body.is_bonded ? "bonded" : "frictionless");
 }
 
@@ -111,26 +124,23 @@ void add_motion(const Case::Motion& motion, Inputs& inputs) {
     return;
   }
   if (motion.normal_force) {
-    inputs.add("Motion", "Normal force", motion.normal_force->mean, "N");
-    inputs.add("Motion", "Normal force amplitude", motion.normal_force->amplitude, "N");
+    inputs.add("Motion", "Normal force", motion.normal_force->mean);
+    inputs.add("Motion", "Normal force amplitude", motion.normal_force->amplitude);
   } else {
-    inputs.add("Motion", "Indentation", motion.indentation, "m");
-    inputs.add("Motion", "Normal amplitude", motion.normal_amplitude, "m");
+    inputs.add("Motion", "Indentation", motion.indentation);
+    inputs.add("Motion", "Normal amplitude", motion.normal_amplitude);
   }
-  inputs.add("Motion", "Normal frequency", motion.normal_frequency, "Hz");
+  inputs.add("Motion", "Normal frequency", motion.normal_frequency);
   add_harmonics("Normal", motion.normal_force.has_value(), motion.normal_harmonics, inputs);
   if (motion.tangential_force)
-    inputs.add("Motion", "Tangential force amplitude", *motion.tangential_force, "N");
+    inputs.add("Motion", "Tangential force amplitude", *motion.tangential_force);
   else if (std::isnan(motion.tangential_amplitude))
     inputs.add("Motion", "Tangential amplitude", "shakedown");
   else
-    inputs.add("Motion", "Tangential amplitude", motion.tangential_amplitude, "m");
-  inputs.add("Motion", "Tangential frequency", motion.tangential_frequency, "Hz");
+    inputs.add("Motion", "Tangential amplitude", motion.tangential_amplitude);
+  inputs.add("Motion", "Tangential frequency", motion.tangential_frequency);
   add_harmonics("Tangential", motion.tangential_force.has_value(), motion.tangential_harmonics, inputs);
-  if (motion.phase)
-    inputs.add("Motion", "Phase", *motion.phase, "°");
-  else
-    inputs.add("Motion", "Phase", "free");
+  inputs.add("Motion", "Phase", motion.phase ? ordered_json(*motion.phase) : ordered_json("free"));
   add_harmonics("Transverse", motion.tangential_force.has_value(), motion.transverse, inputs);
 }
 
@@ -144,13 +154,13 @@ void add_contact(const Case::Contact& contact, Inputs& inputs) {
 void add_measured(const Case& input, Inputs& inputs) {
   if (!input.measured) return;
   inputs.add_if_any("Measured", "Loops", input.measured->loop);
-  for (const auto& [name, radius] : {std::pair<std::string, const std::optional<Case::Measured::Value>*>{
-                                         "Stick radius", &input.measured->stick_radius},
-                                     {"Contact radius", &input.measured->contact_radius}}) {
-    if (!*radius) continue;
-    inputs.add("Measured", name, (*radius)->value, "m");
-    inputs.add("Measured", name + " uncertainty", (*radius)->uncertainty, "m");
-  }
+  const auto add_radius = [&](const std::string& name, const std::optional<Case::Measured::Value>& radius) {
+    if (!radius) return;
+    inputs.add("Measured", name, radius->value);
+    inputs.add("Measured", name + " uncertainty", radius->uncertainty);
+  };
+  add_radius("Stick radius", input.measured->stick_radius);
+  add_radius("Contact radius", input.measured->contact_radius);
 }
 
 void add_wear(const Case& input, Inputs& inputs) {
@@ -162,12 +172,13 @@ void add_wear(const Case& input, Inputs& inputs) {
   if (!wear) return;
   const bool power = wear->law == Case::WearLaw::power;
   inputs.add("Wear", "Law", Case::wear_law_names[static_cast<std::size_t>(wear->law)]);
-  inputs.add("Wear", "Coefficient", wear->coefficient, power ? fmt::format("Pa^{:g}", -wear->exponent) : "1/Pa");
-  if (power) inputs.add("Wear", "Exponent", wear->exponent);
-  if (wear->n_cycles)
-    inputs.add("Wear", "Cycles", *wear->n_cycles);
+  if (power)
+    inputs.add_in(fmt::format("Pa^{:g}", -wear->exponent), "Wear", "Coefficient", wear->coefficient);
   else
-    inputs.add("Wear", "Cycles", "until nothing wears any more");
+    inputs.add("Wear", "Coefficient", wear->coefficient);
+  if (power) inputs.add("Wear", "Exponent", wear->exponent);
+  const char* without = find_entry("Wear", "Cycles")->without;
+  inputs.add("Wear", "Cycles", wear->n_cycles ? ordered_json(*wear->n_cycles) : ordered_json(without));
   inputs.add_if_any("Wear", "Until", wear->until);
   inputs.add_if_any("Wear", "Profile", wear->profile);
   inputs.add_if_any("Wear", "Worn rings", wear->rings);

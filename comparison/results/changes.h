@@ -27,7 +27,7 @@ struct Changes {
   std::vector<Change> values;
   std::vector<std::string> only_before, only_after;  ///< names of cases
   std::vector<std::string> inputs;                   ///< "CASE: SECTION / ENTRY: BEFORE -> AFTER" of what differs
-  /// Of cases that something speaks against now and did not before, or the reverse: "case: agree before, now disagree".
+  /// Cases that something speaks against now and did not before, or the reverse: "case: agree before, now disagree".
   std::map<std::string, std::string> verdicts;
 
   /// Whether a value has moved beyond its bars, or a verdict has changed.

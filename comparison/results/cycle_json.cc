@@ -45,7 +45,7 @@ std::vector<Eigen::Index> frames_of(const FeAnswer& fe, Eigen::Index most) {
   return every_so_many(n, stride, (n - 1) % stride);
 }
 
-/// Of equal parts of the period, also where steps are not equal.
+/// Columns at equal parts of the period, also where steps are not equal.
 std::vector<Eigen::Index> zones_shown(const FeAnswer& fe, Eigen::Index most) {
   if (!fe.normal.pieces.empty()) return columns_at_equal_times(fe, most);
   const auto n = fe.friction.traction.cols();

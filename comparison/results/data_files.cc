@@ -26,7 +26,7 @@ Eigen::VectorXd thinned(const Values& values) {
   return Eigen::Map<const Eigen::VectorXd>(few.data(), static_cast<Eigen::Index>(few.size()));
 }
 
-/// Of each row of the trace: what is left of it by the aligned profile, linear between its rows; NaN beyond it.
+/// What the aligned profile, linear between its rows, leaves of each row of the trace; NaN beyond it.
 Values residuals_of(const Case::AlignedTrace& trace) {
   Values residuals;
   const double sign = trace.heights_upwards ? -1 : 1;

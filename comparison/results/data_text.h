@@ -11,7 +11,7 @@ namespace fretval {
 /// the hardness leave open of MDR's answer. Each row begins with a word; empty: the data were taken as they are.
 std::string data_text(const Case& input);
 
-/// Of a test of limited duration the one sentence, for the log; empty: it has none, or MDR has no answer.
+/// What a test of limited duration does not see, in one sentence for the log; empty: nothing, or MDR has no answer.
 std::string duration_text(const Case& input);
 
 }  // namespace fretval

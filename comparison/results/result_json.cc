@@ -60,7 +60,7 @@ ordered_json mesh_json(const Case::Body& body) {
           {"materials", std::move(materials)}};
 }
 
-/// Of the unworn contact at rest; null: MDR, which knows it, does not hold.
+/// The radius of the unworn contact at rest; null: MDR, which knows it, does not hold.
 ordered_json radius_at_rest(const CaseResult& result, double normal_motion) {
   const auto& mdr = result.mdr_case;
   if (!result.is_compared()) return nullptr;

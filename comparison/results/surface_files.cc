@@ -82,7 +82,14 @@ void write_points(const std::vector<SurfacePoint>& points, const fs::path& file)
                    column("sticks in a cycle [1]", &SurfacePoint::sticks_in_a_cycle)});
 }
 
-/// Of each point the piece of the ring around its angle, flat, in straight pieces.
+/// As the name of the field explains it.
+double zone_number(const SurfacePoint& point) {
+  if (point.never_slipped) return 3;
+  if (point.sticks_in_a_cycle) return 2;
+  return point.p > 0 ? 1 : 0;
+}
+
+/// The surface around each point is the piece of its ring around its angle, flat, in straight pieces.
 void write_surface(const std::vector<SurfacePoint>& points, unsigned n_around, const fs::path& file) {
   constexpr unsigned n_pieces = 6;
   const std::vector<fem::Field> fields{{"traction (Pa)", 3},
@@ -93,7 +100,7 @@ void write_surface(const std::vector<SurfacePoint>& points, unsigned n_around, c
     for (unsigned piece = 0; piece < n_pieces; ++piece) {
       auto patch = fem::new_patch(1, 5);
       patch.patch_index = static_cast<unsigned>(patches.size());
-      const double zone = point.never_slipped ? 3 : point.sticks_in_a_cycle ? 2 : point.p > 0 ? 1 : 0;
+      const double zone = zone_number(point);
       for (unsigned v = 0; v < 4; ++v) {
         const double share = static_cast<double>(piece + v / 2) / n_pieces - 0.5,
                      angle = point.angle + share * 2 * fem::pi / n_around,

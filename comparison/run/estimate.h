@@ -15,17 +15,17 @@ namespace fretval {
 
 /// n_sharing: cases that a body is made once for.
 
-/// Of one computation.
+/// Seconds of one computation.
 double seconds_of_one(const Resolution& resolution, int highest_order, std::size_t n_sharing = 1);
 
-/// Of so many computations of an unworn case, of which one has this resolution and the others are variants of it.
+/// Seconds of so many computations of an unworn case, one of this resolution and the others variants of it.
 double estimated_seconds(const Resolution& resolution, int highest_order, std::size_t n_computations,
                          std::size_t n_sharing = 1);
 
-/// Of a case with its proof; wear and all.
+/// Seconds of a case with its proof, and with its wear.
 double estimated_seconds(const PreparedCase& prepared, Proof proof, std::size_t n_sharing = 1);
 
-/// Of each of the cases, by its name, where so many cores share them, and they share their bodies.
+/// Seconds of each of the cases, by its name, where so many cores share them, and they share their bodies.
 std::map<std::string, double> estimated_seconds(const std::vector<PreparedCase>& cases, Proof proof,
                                                 std::size_t n_cores);
 

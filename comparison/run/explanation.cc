@@ -279,7 +279,7 @@ bool has_small_zone(const ordered_json& mdr) {
   return first.is_null() || first.get<double>() < small * mdr.at("contact_radius_max").get<double>();
 }
 
-/// Of all cases of a sweep on all cores, from some of them.
+/// Seconds that all cases of a sweep take on all cores, estimated from some of them.
 double seconds_of_sweep(const std::vector<Case>& sweep) {
   constexpr std::size_t most = 40;
   const std::size_t stride = 1 + sweep.size() / most;
@@ -335,7 +335,7 @@ std::string noise_row(const Case::Indenter& indenter) {
   return noise ? row("", noise_text(*noise)) : "";
 }
 
-/// Of a case whose profile MDR does not hold for.
+/// What is said of a case whose profile MDR does not hold for.
 std::string explanation_beyond_mdr(const Case& input, const mdr::Profile& profile, const std::vector<Case>& sweep) {
   auto text = input.name + "\n" + scene_text(input) + "\n" +
               row("MDR", "does not hold for this profile: " + falls_text(profile) + ",") +

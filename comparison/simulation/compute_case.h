@@ -10,7 +10,7 @@ namespace fretval {
 /// the friction, so it comes first. Throws fem::SolverError and meshes::MeshError where the numerics fail.
 FeAnswer compute_case(const FemCase& fem, const Resolution& resolution, BodyStore& bodies);
 
-/// The same without the friction: contact radius, normal force, pressure and indentation alone. Its normal history is
+/// An answer without the friction: contact radius, normal force, pressure and indentation alone. Its normal history is
 /// the one that compute_case takes.
 FeAnswer compute_normal_response(const FemCase& fem, const Resolution& resolution, BodyStore& bodies);
 

@@ -103,7 +103,7 @@ struct FeAnswer {
   [[nodiscard]] const Kind* as() const {
     return std::get_if<Kind>(&of_kind);
   }
-  /// Of an answer whose body was its own: mesh, assembly, factorisation, both histories.
+  /// Seconds of an answer that shares no body: mesh, assembly, factorisation, both histories.
   [[nodiscard]] double seconds_alone() const { return body->cost.total() + seconds.normal + seconds.friction; }
 };
 
@@ -124,7 +124,7 @@ struct ContactRadius {
 std::optional<ContactRadius> read_contact_radius(const fem::ContactProblem& problem, const FemCase& fem,
                                                  const Eigen::VectorXd& profile, const fem::NormalHistory& history);
 
-/// Of a motion that has a cycle worth the name, see FeAnswer; normal_force_max is dimensionless.
+/// The cycle of a motion that has one worth the name, see FeAnswer; normal_force_max is dimensionless.
 std::optional<fem::CycleResponse> cycle_of(const FemCase& fem, double normal_force_max,
                                            const fem::NormalHistory& normal, const fem::FrictionHistory& friction);
 

@@ -9,7 +9,7 @@ namespace fretval {
 /// if neither is there.
 std::filesystem::path data_folder();
 
-/// The same for a program that lies in a folder.
+/// The folder of the data of a program that lies in this folder.
 std::filesystem::path data_folder_beside(const std::filesystem::path& program_folder);
 
 }  // namespace fretval

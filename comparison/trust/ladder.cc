@@ -73,10 +73,7 @@ Proved proved(const Rung& rung, BodyStore& bodies) {
 
 /// Whether friction as a vector is computed for the motion of a case, coupled or not.
 bool has_vector_friction(const Case& input) {
-  const auto& motion = input.motion;
-  const bool moves = motion.tangential_amplitude != 0 || motion.tangential_force.value_or(0) > 0 ||
-                     !motion.tangential_harmonics.empty() || motion.moves_across();
-  return moves && motion.phase;
+  return input.motion.moves_tangentially() && input.motion.phase;
 }
 
 }  // namespace

@@ -131,7 +131,7 @@ std::string row_of(const Ladder& ladder, Quantity quantity) {
   return line + "\n";
 }
 
-/// Of the column of a rung: coupling is against all the others.
+/// The heading of the column of a rung: coupling is against all the others.
 const char* head_of(const std::string& key) {
   if (key == "body") return "body alone";
   if (key == "poisson_ratio") return "nu alone";

@@ -28,7 +28,7 @@ void plan_grid(MapKind kind, const std::vector<double>& ratios, const std::vecto
     }
 }
 
-/// Of what the maps do not show, one at a time and some at once.
+/// Plans points of what the maps do not show, one at a time and some at once.
 void plan_elsewhere(std::vector<PlannedPoint>& planned) {
   const auto add = [&](const char* title, const MapScene& scene) { planned.push_back({"elsewhere", title, scene}); };
   constexpr double between = 0.58, larger = 0.75, of_cone = 5;

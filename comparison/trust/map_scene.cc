@@ -63,7 +63,7 @@ Case at_rest(const MapScene& scene) {
   return input;
 }
 
-/// Of the relaxed body at rest, when the contact has its radius.
+/// The load of the relaxed body at rest, when the contact has its radius.
 struct Load {
   double indentation, normal_force;
 };

@@ -39,7 +39,7 @@ bool has_fields(const mdr::TextLine& line) {
   return begin != std::string::npos && line.text[begin] != '#';
 }
 
-/// Of all benchmarks.
+/// The quantities of all benchmarks.
 std::vector<std::string> names_of_quantities() {
   std::vector<std::string> names;
   for (const auto& one : benchmarks())

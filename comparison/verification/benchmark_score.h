@@ -31,7 +31,7 @@ struct ScoreRow {
   std::string remark = {};                ///< "is the stick radius, shakedown", or why it does not agree
 };
 
-/// Of a benchmark by its name. Radii are compared over the largest contact radius, all else relatively. Throws
+/// The rows of a benchmark by its name. Radii are compared over the largest contact radius, all else relatively. Throws
 /// InputError for a name that there is not, and if the other code says nothing that the benchmark has.
 std::vector<ScoreRow> benchmark_score(const std::string& benchmark, const std::map<Quantity, double>& foreign,
                                       double tolerance);
@@ -42,7 +42,7 @@ std::vector<std::string> benchmark_names();
 /// All rows for a terminal, and how many agree.
 std::string score_text(const std::string& benchmark, const std::vector<ScoreRow>& rows, double tolerance);
 
-/// The same for scripts.
+/// All rows as JSON, for scripts.
 nlohmann::ordered_json score_json(const std::string& benchmark, const std::vector<ScoreRow>& rows, double tolerance);
 
 }  // namespace fretval

@@ -24,8 +24,9 @@ void add(const ComparedQuantity& q, QuantitySummary& summary) {
 }
 
 double badness(const SuiteRow& row) {
+  if (!failure_of(row).empty()) return std::numeric_limits<double>::infinity();
   const auto* worst = worst_of(row);
-  return failure_of(row).empty() ? worst ? worst->second.share() : 0 : std::numeric_limits<double>::infinity();
+  return worst ? worst->second.share() : 0;
 }
 
 }  // namespace

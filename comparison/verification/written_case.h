@@ -13,11 +13,11 @@ using Entries = std::map<std::string, std::string>;
 /// A number as a case file takes it, exact to the last bit.
 std::string entry_text(double value);
 
-/// The same entries but for the changed ones.
+/// The entries with some of them changed or added.
 Entries with(Entries entries, const Entries& changes);
 Entries with_numbers(Entries entries, const std::map<std::string, double>& changes);
 
-/// The same case with the tangential amplitude that shakes down at a stick radius of c, stick_ratio = c over the
+/// A case with the tangential amplitude that shakes down at a stick radius of c, stick_ratio = c over the
 /// unworn contact radius at the largest indentation, times a factor; 0: at the border to where nothing sticks. Throws
 /// InputError if there is none.
 Entries with_stick_ratio(const Entries& entries, double stick_ratio, double factor = 1);

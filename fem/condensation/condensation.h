@@ -30,7 +30,7 @@ class Condensation {
   Eigen::MatrixXd schur_;
 };
 
-/// The same solve without condensation: a plain MUMPS factorisation of all of K. The verifier of the class above.
+/// The solve without condensation: a plain MUMPS factorisation of all of K. It verifies Condensation.
 Eigen::VectorXd solve_uncondensed(const SparseMatrix& matrix, const Eigen::VectorXd& rhs, const std::string& name);
 
 }  // namespace fretval::fem

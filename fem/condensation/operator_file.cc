@@ -48,7 +48,7 @@ std::unique_lock<std::mutex> hdf5_for_this_thread() {
   return lock;
 }
 
-/// Of a file that is in memory alone.
+/// How a file that is in memory alone is opened.
 hid_t access_in_memory() {
   constexpr std::size_t increment = 1 << 16;
   const hid_t access = H5Pcreate(H5P_FILE_ACCESS);
@@ -56,7 +56,7 @@ hid_t access_in_memory() {
   return access;
 }
 
-/// Of a dataset without times: the same operator is the same bytes.
+/// How a dataset without times is made: the same operator is the same bytes.
 hid_t timeless() {
   const hid_t creation = H5Pcreate(H5P_DATASET_CREATE);
   checked(H5Pset_obj_track_times(creation, false));

@@ -209,7 +209,7 @@ bool is_about_to_stick(const Eigen::VectorXd& before, const Eigen::VectorXd& sli
   return std::log(slip[n] / allowed) < n_periods * std::log(before[n] / slip[n]);
 }
 
-/// The same of any ring, where the zones that stick need not lie around the centre.
+/// Whether any ring is about to stick, where the zones that stick need not lie around the centre.
 bool any_is_about_to_stick(const Eigen::VectorXd& before, const Eigen::VectorXd& slip, double allowed,
                            double n_periods) {
   for (Eigen::Index i = 0; i < slip.size(); ++i) {
@@ -231,7 +231,7 @@ double go_to_periodic_state(WatchedFriction& friction, const NormalHistory& norm
   return found.to_come;
 }
 
-/// Of rings that touch in any order no depths can be continued to an edge.
+/// Plain sums: depths of rings that touch in any order cannot be continued to an edge.
 void report_sums(const Eigen::VectorXd& areas, FrictionHistory& history) {
   history.force = history.traction.transpose() * areas;
   history.force_uncertainty = Eigen::VectorXd::Zero(history.force.size());

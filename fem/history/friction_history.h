@@ -53,7 +53,7 @@ class FrictionPeriod {
   void hand_over(const ContactProblem& problem, FrictionHistory& history);
   /// Largest change of a traction against the period before, over the largest one.
   [[nodiscard]] double change() const { return largest_traction_ == 0 ? 0 : largest_change_ / largest_traction_; }
-  /// Of the indenter in this period, see FrictionHistory.
+  /// Amplitude of the indenter in this period, see FrictionHistory.
   [[nodiscard]] double amplitude(const Motion& motion) const;
   [[nodiscard]] const Eigen::MatrixXd& traction() const { return traction_; }
   [[nodiscard]] const Eigen::VectorXd& slip() const { return slip_; }

@@ -72,7 +72,7 @@ class NormalContact {
   }
 
  private:
-  /// Of the indenter in a step.
+  /// What the indenter does in a step.
   struct Move {
     IndenterMove to_balance, whole;
   };

@@ -22,7 +22,7 @@ std::pair<Rings, Rings> held_and_moving(const std::vector<FrozenStep>& steps) {
   return rings;
 }
 
-/// Of the moving rings, while the others are held.
+/// The compliance of the moving rings, while the others are held.
 Eigen::MatrixXd condensed(const Eigen::MatrixXd& compliance, const Rings& held, const Rings& moving) {
   Eigen::MatrixXd left = compliance(moving, moving);
   if (held.empty()) return left;

@@ -78,7 +78,7 @@ ValueAndRate normal_motion(const Motion& motion, double t);
 ValueAndRate tangential_motion(const Motion& motion, double t);
 ValueAndRate transverse_motion(const Motion& motion, double t);
 
-/// The same at an end of a step, or inside it, where a path has two rates at its rows: that of the step.
+/// These motions at an end of a step, or inside it, where a path has two rates at its rows: that of the step.
 ValueAndRate normal_motion_inside(const Motion& motion, double t, double inside_step);
 ValueAndRate tangential_motion_inside(const Motion& motion, double t, double inside_step);
 ValueAndRate transverse_motion_inside(const Motion& motion, double t, double inside_step);

@@ -112,7 +112,7 @@ class RelaxationStep {
   /// Change of w at the balance time per unit of (minus) slip made in the whole step.
   [[nodiscard]] double instantaneous() const { return instantaneous_; }
 
-  /// The same per unit of slip that was made before the balance time.
+  /// Change of w at the balance time per unit of (minus) slip that was made before the balance time.
   [[nodiscard]] double stiffness_before_balance() const { return stiffness_before_balance_; }
 
   /// w at the balance time of what moves along with the indenter, from rest.

@@ -48,7 +48,7 @@ class RunningMinimum {
 /// Largest value of a signal from the samples of a period, as above. Those at its ends have their neighbours in the
 /// next period. pieces: of the steps along a path; empty: of cosines.
 double largest_of_period(const Eigen::VectorXd& samples, const std::vector<StepInPiece>& pieces);
-/// The same of the signal or its negative.
+/// The largest of the signal or its negative.
 double largest_magnitude_of_period(const Eigen::VectorXd& samples, const std::vector<StepInPiece>& pieces);
 
 }  // namespace fretval::fem

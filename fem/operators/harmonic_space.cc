@@ -97,7 +97,7 @@ void constrain(HarmonicSpaceParts& parts, BoundaryPart part, const std::vector<b
                                                    parts.constraints, dealii::ComponentMask(zero));
 }
 
-/// Of a base that is bonded, all displacements; of one on which the body slides, the vertical one.
+/// Holds all displacements of a base that is bonded, and the vertical one of a base on which the body slides.
 void constrain_base(HarmonicSpaceParts& parts, const FourierOrder& order) {
   std::vector<bool> all(parts.element.n_components(), true), vertical(parts.element.n_components(), false);
   if (has_pressure(order)) all.back() = false;
@@ -158,7 +158,7 @@ Ring integrate_ring(const HarmonicSpaceParts& parts, unsigned component, double 
   return ring;
 }
 
-// Of the line, each once: a node between two rings belongs to both.
+// The nodes of the line, each once: a node between two rings belongs to both.
 std::vector<unsigned> sort_by_radius(const std::vector<Ring>& rings) {
   std::vector<RingNode> nodes;
   for (const auto& ring : rings) nodes.insert(nodes.end(), ring.nodes.begin(), ring.nodes.end());

@@ -46,9 +46,9 @@ class HarmonicSpace {
   [[nodiscard]] const HarmonicSpaceParts& parts() const { return *parts_; }
   [[nodiscard]] FourierOrder order() const { return order_; }
   [[nodiscard]] const Elasticity& elasticity() const { return elasticity_; }
-  /// Of the component of the ring contact.
+  /// The contact line of the component of the ring contact.
   [[nodiscard]] const ContactLine& contact_line() const { return contact_line_; }
-  /// Of any components, in that order.
+  /// The contact line of any components, in that order.
   [[nodiscard]] ContactLine contact_line(const std::vector<unsigned>& components) const;
   [[nodiscard]] unsigned n_dofs() const;
   [[nodiscard]] unsigned n_skeleton_dofs() const { return n_skeleton_dofs_; }

@@ -45,7 +45,7 @@ std::optional<double> edge_of_contact(const PunchSeries& series, const ContactIn
   return by_gap && by_pressure ? std::min(*by_gap, *by_pressure) : by_gap ? by_gap : by_pressure;
 }
 
-/// Of the n_pressed rings around the centre.
+/// The force on the n_pressed rings around the centre.
 ContactForce central_force(const PunchSeries& series, const ContactInstant& instant, Index n_pressed) {
   const auto& radii = series.radii();
   const auto edge = edge_of_contact(series, instant, n_pressed);

@@ -66,7 +66,7 @@ ContactForce sum_inside_flank(const Compliance& compliance, const Eigen::VectorX
 /// pressure jumps there, but for a retreat, where it vanishes.
 ContactForce contact_force(const PunchSeries& series, const ContactInstant& instant);
 
-/// The same of an elastic body. gap: of the free rings.
+/// The force on an elastic body. gap: of the free rings.
 ContactForce contact_force(const PunchSeries& series, const Eigen::VectorXd& pressure, const Eigen::VectorXd& gap);
 
 }  // namespace fretval::fem

@@ -29,7 +29,7 @@ class SlipZones {
   [[nodiscard]] const std::vector<signed char>& labels() const { return labels_; }
   /// 1 or -1: slips, forward or backward; 0: sticks or does not touch.
   [[nodiscard]] const std::vector<signed char>& slip() const { return slip_; }
-  /// Of the traction after the last step.
+  /// Depths of the traction after the last step.
   [[nodiscard]] const Eigen::VectorXd& depths() const { return depths_; }
   /// Labels just before the present slip began.
   [[nodiscard]] const std::vector<signed char>& held_labels() const { return held_labels_; }

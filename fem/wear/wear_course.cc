@@ -103,12 +103,18 @@ void begin(WearState& state, const WearControl& control) {
   state.goes_on = state.course.curve.front().volume_rate > 0;
 }
 
+/// What would end the course now; nothing left: nothing yet, unless nothing wears any more.
+WearEnd end_by_course(const WearCourse& course, const WearControl& control) {
+  if (course.curve.back().volume_rate <= control.rate_fallen_to * course.curve.front().volume_rate)
+    return WearEnd::rate;
+  return is_progressive(course) ? WearEnd::progressive : WearEnd::nothing_left;
+}
+
 }  // namespace
 
 void wear_on(WearState& state, const WearControl& control, const WearObserver& after_jump) {
   auto& [contact, course, next, goes_on] = state;
   if (course.curve.empty()) begin(state, control);
-  const double first_rate = course.curve.front().volume_rate;
   while (goes_on) {
     const double done = course.curve.back().cycles, left = control.most_cycles - done;
     const auto [cycles, deepest, error] = jump(contact, std::min(next, left), control.largest_jump);
@@ -116,10 +122,7 @@ void wear_on(WearState& state, const WearControl& control, const WearObserver& a
     ++course.n_jumps;
     course.largest_jump_error = std::max(course.largest_jump_error, error);
     next = cycles * std::min(control.largest_jump / deepest, largest_growth);
-    course.end = cycles >= left                                                           ? WearEnd::cycles
-                 : course.curve.back().volume_rate <= control.rate_fallen_to * first_rate ? WearEnd::rate
-                 : is_progressive(course)                                                 ? WearEnd::progressive
-                                                                                          : WearEnd::nothing_left;
+    course.end = cycles >= left ? WearEnd::cycles : end_by_course(course, control);
     goes_on = course.end == WearEnd::nothing_left && (cycles < done || deepest > control.accuracy);
     if (after_jump) after_jump(state);
   }

@@ -42,7 +42,7 @@ class WearingContact {
   /// See RubbingContact.
   void take_worn(const Eigen::VectorXd& worn) { contact_->take_worn(worn); }
 
-  /// Of the last period.
+  /// What the last period has done to the points.
   struct Period {
     Eigen::MatrixXd slip, pressure;  ///< a column a step; a slip of 0: the point sticks
     Eigen::VectorXd path;            ///< length of slip of each point

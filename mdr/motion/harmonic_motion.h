@@ -30,7 +30,7 @@ bool moves_across(const HarmonicMotion& motion);
 /// Throws std::invalid_argument unless the motion is as described above.
 void validate(const HarmonicMotion& motion);
 
-/// The same motion, one harmonic each.
+/// A motion of one harmonic in each direction, as one of sums of harmonics.
 HarmonicMotion harmonic_motion(const Motion& motion);
 
 /// The other way round; empty where a direction has more than one harmonic that moves, or the indentation is not
@@ -70,7 +70,7 @@ struct HarmonicGroup {
   [[nodiscard]] int highest_order() const;
 };
 
-/// Of the harmonics that move, normal ones first: one where there is a common cycle, none where nothing moves.
+/// Groups of the harmonics that move, normal ones first: one where there is a common cycle, none where nothing moves.
 std::vector<HarmonicGroup> harmonic_groups(const HarmonicMotion& motion);
 
 /// Whether there are two, one a direction and the other one the other.

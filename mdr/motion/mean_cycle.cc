@@ -75,7 +75,7 @@ double departure(const std::vector<Values>& signals, std::size_t shift) {
   return sum / (2 * static_cast<double>(n));
 }
 
-/// Of the lowest point of a parabola through three points one apart, from the middle one.
+/// The place of the lowest point of a parabola through three points one apart, from the middle one.
 double lowest_between(double before, double at, double after) {
   const double curvature = before - 2 * at + after;
   return curvature > 0 ? std::clamp((before - after) / (2 * curvature), -1.0, 1.0) : 0;

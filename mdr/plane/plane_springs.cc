@@ -28,7 +28,7 @@ struct Direction {
         memory(ArrayXXd::Zero(n_springs, n_branches)) {}
 };
 
-/// Of the branches in a step.
+/// What the branches do in a step.
 struct Branches {
   Eigen::VectorXd decay, gain;
   double stiffness;  // of all in a step, the relaxed spring and the dashpot among them

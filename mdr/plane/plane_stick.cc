@@ -46,7 +46,7 @@ double least_of_convex(const std::function<double(double)>& f, double from, doub
   return std::min(at_a, at_b);
 }
 
-/// Those instants that can bind: where N is so large that no offset within the range of T makes it the least, it is
+/// The instants that can bind: where N is so large that no offset within the range of T makes it the least, it is
 /// left out.
 StuckElement binding(const StuckElement& all, double range) {
   const double least = all.normal.minCoeff();

@@ -21,7 +21,7 @@ struct StuckElement {
 /// others.
 StuckElement stuck_element(const Rheology& body, double mu, const HarmonicMotion& motion, int n_instants);
 
-/// Of a path, with so many instants to each piece and its rows.
+/// The element along a path, with so many instants to each piece and its rows.
 StuckElement stuck_element(const PronyBody& body, double mu, const SampledPath& path, int n_per_piece);
 
 /// Depths g(c) at the edge of the stick zone where the indenter moves in two directions along the surface and friction

@@ -32,7 +32,7 @@ struct ProfileTable {
 /// noise > 0: the convex fit of mdr/convex_fit.h, which says what is asked of the rows and what is refused.
 ProfileTable profile_table(const std::vector<double>& r, const std::vector<double>& f, double noise = 0);
 
-/// The same through the points of any profile, grooved, stepped or hollow: its image may fall, and `falls` says where.
+/// A table through the points of any profile, grooved, stepped or hollow: its image may fall, and `falls` says where.
 /// Heights are counted from the lowest row, wherever that is. Throws std::invalid_argument for bad rows and for a table
 /// without a row above the lowest one.
 ProfileTable profile_table_as_it_is(const std::vector<double>& r, const std::vector<double>& f);

@@ -120,7 +120,7 @@ void require_trace(const Values& x, const Values& z) {
   }
 }
 
-/// Of roundoff in the sums of squares, so that a trace without noise has a scale.
+/// The variance that roundoff makes in the sums of squares, so that a trace without noise has a scale.
 double least_variance(const Values& z) {
   const auto [least, most] = std::minmax_element(z.begin(), z.end());
   return std::pow(1e-7 * (*most - *least), 2);

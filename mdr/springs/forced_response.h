@@ -44,7 +44,7 @@ struct ForcedResponse {
   double tangential_work;        ///< J per period, area of the tangential loop
 };
 
-/// Of the coarser one of two histories.
+/// How fine the coarser one of two histories is.
 struct SpringFineness {
   Eigen::Index n_springs = 200;
   int steps_per_oscillation = 180, n_ramp_periods = 20;
@@ -79,7 +79,7 @@ SteppedForcedResponse extrapolated_response(const HistoryOfSprings& history, con
                                             const PronyBody& body, const Prescribed& prescribed,
                                             const SpringFineness& fineness = {});
 
-/// The same of a worn indenter, whose springs end at its stick radius.
+/// The response of a worn indenter, whose springs end at its stick radius.
 SteppedForcedResponse forced_response(const LimitingProfile& worn, const PronyBody& body, double mu,
                                       const Prescribed& prescribed);
 

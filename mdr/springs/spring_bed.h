@@ -22,7 +22,7 @@ Eigen::ArrayXd axis_weights(const SpringBed& bed);
 /// Throws std::invalid_argument for bad arguments and when a table ends before outer_radius.
 SpringBed spring_bed(const Profile& profile, double outer_radius, Eigen::Index n_springs);
 
-/// The same for any image g(x), taken in the middle of the intervals; for worn profiles.
+/// Springs under any image g(x), taken in the middle of the intervals; for worn profiles.
 SpringBed spring_bed(const std::function<double(double)>& g, double outer_radius, Eigen::Index n_springs);
 
 }  // namespace fretval::mdr

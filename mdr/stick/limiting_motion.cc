@@ -27,7 +27,7 @@ std::vector<Harmonic> displacements_of(std::vector<Harmonic> forces, const Rheol
   return forces;
 }
 
-// Of a function that is positive at the lower end and negative at the upper one.
+// The zero of a function that is positive at the lower end and negative at the upper one.
 double crossing(const std::function<double(double)>& f, double lower, double upper) {
   std::uintmax_t iterations = 200;
   const auto bracket =

@@ -75,7 +75,7 @@ double unworn_load(const Profile& profile, double c) {
   return normal_force(profile, 1, transform(profile, c)) / 8;
 }
 
-// Of a function with f(lower) >= 0 and f(upper) <= 0.
+// The zero of a function with f(lower) >= 0 and f(upper) <= 0.
 template <class Function>
 double root_between(const Function& f, double lower, double upper) {
   std::uintmax_t iterations = 200;

@@ -34,7 +34,7 @@ double tangential_displacement_cattaneo_mindlin(const Profile& profile, double m
 double traction_cattaneo_mindlin(const Profile& profile, double shear_modulus, double mu, double indentation,
                                  double tangential_displacement, double r);
 
-/// The same under an indenter in its limiting state. With the whole stick zone in contact, g0(c) < d,
+/// The pressure under an indenter in its limiting state. With the whole stick zone in contact, g0(c) < d,
 ///   p = (4 G/pi) [int_r^c g0'(x)/sqrt(x^2-r^2) dx + (d - g0(c))/sqrt(c^2-r^2)],
 /// at less indentation the pressure is the unworn one and has no singular part.
 EdgeStress limiting_pressure(const LimitingProfile& profile, double shear_modulus, double indentation, double r);

@@ -32,7 +32,7 @@ struct CsvColumns {
 /// binary content, no rows, over a million rows, an unreadable stream.
 CsvColumns read_csv(std::istream& stream, const std::string& source_name, std::size_t n_columns);
 
-/// The same of lines that have been read.
+/// The columns of lines that have been read.
 CsvColumns read_csv(const std::vector<TextLine>& lines, const std::string& source_name, std::size_t n_columns);
 
 /// A line of a table, taken apart: its values without blanks and quotation marks around them.

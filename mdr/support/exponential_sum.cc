@@ -6,7 +6,7 @@
 namespace fretval::mdr {
 namespace {
 
-/// Of |f''| from s on.
+/// A bound of |f''| from s on.
 double bend_from(const ExponentialSum& f, double s) {
   double bend = 0;
   for (std::size_t i = 0; i < f.rates.size(); ++i)

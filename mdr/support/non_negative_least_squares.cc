@@ -72,7 +72,7 @@ void step_to_boundary(ActiveSet& set, const VectorXd& target) {
   set.in_use = kept;
 }
 
-// The same problem in no more rows than columns: A = Q R leaves |R x - Q^T b| to minimise.
+// Brings the problem to no more rows than columns: A = Q R leaves |R x - Q^T b| to minimise.
 void compress(MatrixXd& A, VectorXd& b) {
   if (A.rows() <= A.cols()) return;
   const Eigen::HouseholderQR<MatrixXd> factors(A);

@@ -33,7 +33,7 @@ void append_utf8(unsigned code, std::string& text) {
   }
 }
 
-/// Of the bytes after the mark; half a character at the end is left out.
+/// The text of the bytes after the mark; half a character at the end is left out.
 std::string from_utf16(std::string_view bytes, bool big_endian) {
   std::string text;
   const auto unit = [&](std::size_t i) {

@@ -56,7 +56,9 @@ Table table_of_series(const Filling& plot) {
 }
 
 const char* name_of_zone(char zone) {
-  return zone == 's' ? "sticks" : zone == 'f' ? "slips forward" : zone == 'b' ? "slips backward" : "open";
+  if (zone == 's') return "sticks";
+  if (zone == 'f') return "slips forward";
+  return zone == 'b' ? "slips backward" : "open";
 }
 
 /// At some instants, zones from the middle outwards.

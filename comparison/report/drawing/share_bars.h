@@ -7,7 +7,7 @@
 
 namespace fretval {
 
-/// Of a quantity, the shares of each source.
+/// The shares that each source has in the bar of a quantity.
 struct ShareRow {
   std::string label;
   std::vector<double> shares;  ///< where negative, to the left

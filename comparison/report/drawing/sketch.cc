@@ -12,7 +12,7 @@ namespace {
 
 constexpr double drawing_width = 960, middle = drawing_width / 2, margin_above = 150, margin_below = 110;
 
-// Of the motions over time, above either side of the indenter.
+// Places of the motions over time, above either side of the indenter.
 constexpr double motion_width = 250, motion_height = 62, motion_top = 40, motion_edge = 20;
 
 /// From the scale of a drawing to its pixels; depth counts downwards from the surface at rest.

@@ -25,7 +25,7 @@ void add_row(Table& table, const char* title, double fe, double mdr, const char*
   table.rows.push_back({title, shown(fe), shown(mdr), "", ""});
 }
 
-/// Of finite elements alone.
+/// The values of finite elements alone.
 Table table_beyond_mdr(const Answer& answer) {
   Table table{{"quantity", "finite elements"}};
   table.label = "the answer";

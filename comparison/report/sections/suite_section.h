@@ -11,7 +11,7 @@ namespace fretval {
 /// files. Throws nlohmann::json::exception for JSON of another kind.
 Filling suite_section(const nlohmann::ordered_json& json);
 
-/// The same for a terminal, without the figure and the case files.
+/// What the section says, for a terminal: without the figure and the case files.
 std::string suite_text(const nlohmann::ordered_json& json);
 
 }  // namespace fretval

@@ -30,7 +30,7 @@ std::string entry_of(const Family& family) {
   return family.front()->json.at("scene").at("sweep").at("entry").get<std::string>();
 }
 
-/// Of a quantity that is compared; NaN if none was measured.
+/// The bar of a quantity that is compared; NaN if none was measured.
 double absolute_bar(const StoredResult& r, Quantity quantity) {
   const bool is_compared = r.json.at("comparison").contains(name_of(quantity));
   if (!is_compared) return std::nan("");
@@ -113,7 +113,7 @@ bool depends_on_entry(const Family& family, Quantity quantity) {
   return std::isfinite(*least) && *most - *least > 1e-3 * curves.largest;
 }
 
-/// Of the paper, which show its radii.
+/// Whether a family is one of the figures of the paper, which show its radii.
 bool is_in_the_figures(const Family& family) {
   const auto shape = family.front()->text("scene", "shape");
   const bool of_the_paper = shape == "parabola" || shape == "cone" || shape == "power";

@@ -83,7 +83,7 @@ Table ladder_table(const ordered_json& trust) {
   return table;
 }
 
-/// Of the case as it is, beside MDR's discs.
+/// The zones of the case as it is, beside MDR's discs.
 Figure zones_figure(const ordered_json& trust) {
   const auto& zones = trust.at("zones");
   const auto edge = [&](const char* name) { return zones.value(name, std::vector<double>()); };

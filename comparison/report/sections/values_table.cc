@@ -49,7 +49,7 @@ std::string range_text(const std::string& least, const std::string& most) {
   return start + " to " + most;
 }
 
-/// Of all members of a family.
+/// A value of all members of a family: one, or from the least to the largest.
 std::string values_text(const std::vector<const StoredResult*>& family, const char* side, Quantity quantity) {
   std::vector<Reading> values;
   for (const auto* r : family)
@@ -72,7 +72,7 @@ bool has(const std::vector<const StoredResult*>& family, Quantity quantity) {
                      [&](const auto* r) { return reading_of(*r, "fe", quantity).has_value(); });
 }
 
-/// Of a family with nothing to compare.
+/// The table of a family with nothing to compare.
 std::string slides(const std::vector<const StoredResult*>& family, const char* side) {
   return fretval::slides(family.front()->json.at(side)) ? "all of the contact slides" : "–";
 }

@@ -140,7 +140,7 @@ Figure claim_figure(const Results& results, const std::string& shape) {
           "unworn contact radius and the largest indentation, as in the paper."};
 }
 
-/// Those of the plots of a case: of radii and of heights.
+/// The axes of the plots of a case: of radii and of heights.
 std::pair<Axis, Axis> axes_of(const StoredResult& r) {
   const Numbers length{length_of(r)}, depth{depth_of(r)};
   return {axis_for({&length}, "m"), axis_for({&depth}, "m")};

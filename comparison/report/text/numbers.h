@@ -13,7 +13,7 @@ std::string number_text(const nlohmann::ordered_json& value, const char* format 
 /// "1 case", "2 cases"
 std::string counted(std::size_t n, const std::string& noun);
 
-/// Of a comparison, by its key in result.json; a dash where there is none: difference, error bar, "difference ± bar".
+/// A comparison, by its key in result.json; a dash where there is none: difference, error bar, "difference ± bar".
 std::string difference_text(const StoredResult& result, const char* key);
 std::string bar_text(const StoredResult& result, const char* key);
 std::string difference_with_bar(const StoredResult& result, const char* key);
@@ -21,7 +21,7 @@ std::string difference_with_bar(const StoredResult& result, const char* key);
 /// What the case file prescribes, by the name of the entry, of a section or the first that has it; NaN if it is not
 /// there or no number.
 double input_number(const StoredResult& result, const char* name, const char* section = nullptr);
-/// The same of a word; empty if it is not there.
+/// A word that the case file prescribes, by the name of the entry; empty if it is not there.
 std::string input_word(const StoredResult& result, const char* name);
 
 /// A length of "fe", "mdr" or "scene" with its unit; a dash where there is none.

@@ -96,7 +96,7 @@ struct BodyCount {
 };
 BodyCount count_of(const std::vector<std::shared_ptr<const BodySummary>>& bodies);
 
-/// The same of computations by resolution; a failed one has no body.
+/// The bodies of computations by resolution; a failed one has no body.
 template <class Computations>
 BodyCount count_bodies_of(const Computations& all) {
   std::vector<std::shared_ptr<const BodySummary>> bodies;
@@ -116,7 +116,7 @@ ContactBody contact_body(const Body& body);
 /// What a half-space tells of the rings of another body.
 RingEdges ring_edges(const ContactBody& half_space);
 
-/// The same body, larger by a factor with all of its lengths: areas grow with its square, and the compliance of rings
+/// A body with all of its lengths larger by a factor: areas grow with its square, and the compliance of rings
 /// (see fem::Compliance) with its cube.
 ContactBody scaled(const ContactBody& body, double factor);
 

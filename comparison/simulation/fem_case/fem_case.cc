@@ -27,10 +27,10 @@ constexpr double contact_line_reserve = 1.12;
 // 7e-8.
 constexpr double finest_ring = 5e-8;
 
-/// The same over a body whose contact radius is only expected (comparison/simulation/fem_case/expected_contact.h).
+/// This reserve over a body whose contact radius is only expected (comparison/simulation/fem_case/expected_contact.h).
 constexpr double reserve_on_solid = 1.25;
 
-/// Of equal width. Fewer than three that do not touch do not tell where the contact ends.
+/// Rings of equal width beyond the contact. Fewer than three that do not touch do not tell where the contact ends.
 constexpr double rings_beyond = 4;
 
 /// How far the contact line of the coarsest rings reaches, over the contact radius.
@@ -200,7 +200,7 @@ double farthest_depth(const Case& input, const mdr::Profile& profile, double dep
   return end * (last + 1) / n_parts;
 }
 
-/// Those that move.
+/// The harmonics that move.
 std::vector<fem::Oscillation> oscillations(const std::vector<mdr::Harmonic>& harmonics, const std::vector<int>& orders,
                                            double unit) {
   std::vector<fem::Oscillation> moving;
@@ -314,6 +314,25 @@ void require_few_rows(const Case& input) {
                     input.file, input.motion.path->file, input.motion.path->time.size(), most_rows));
 }
 
+/// What the tolerance of a case asks for, unless the case or its mesh says otherwise.
+Resolution first_resolution(const Case& input, const FemCase& fem) {
+  auto resolution = resolution_for(input.tolerance, fem.relaxation.has_memory());
+  // A quarter of them still show annuli of a tenth of the contact.
+  constexpr double enough_rings_of_any_profile = 128;
+  if (input.rings_per_radius)
+    resolution.elements_per_radius = *input.rings_per_radius;
+  else if (fem.kind == ContactKind::annuli && resolution.elements_per_radius < enough_rings_of_any_profile)
+    resolution = with_rings(resolution, enough_rings_of_any_profile / resolution.elements_per_radius);
+  if (fem.given) {
+    resolution.elements_per_radius = fem.given->rings_per_radius;
+    resolution.mesh_refinements = 0;
+  }
+  if (input.steps_per_cycle) resolution.steps_per_cycle = *input.steps_per_cycle;
+  constexpr double far_on_a_sheet = 600;  // thicknesses; on 12 radii are 1e-3 off, and elements grow with the distance
+  if (is_sliding_layer(fem)) resolution.far_radius = far_on_a_sheet;
+  return resolution;
+}
+
 }  // namespace
 
 double tangential_per_depth(const FemCase& fem) {
@@ -359,20 +378,7 @@ FemCase fem_case(const Case& input, const MdrCase& mdr) {
     take_cycle(motion, *cycle, fem);
   else
     fem.without_short_cycle = motion;
-  auto resolution = resolution_for(input.tolerance, fem.relaxation.has_memory());
-  // A quarter of them still show annuli of a tenth of the contact.
-  constexpr double enough_rings_of_any_profile = 128;
-  if (input.rings_per_radius)
-    resolution.elements_per_radius = *input.rings_per_radius;
-  else if (kind == ContactKind::annuli && resolution.elements_per_radius < enough_rings_of_any_profile)
-    resolution = with_rings(resolution, enough_rings_of_any_profile / resolution.elements_per_radius);
-  if (fem.given) {
-    resolution.elements_per_radius = fem.given->rings_per_radius;
-    resolution.mesh_refinements = 0;
-  }
-  if (input.steps_per_cycle) resolution.steps_per_cycle = *input.steps_per_cycle;
-  constexpr double far_on_a_sheet = 600;  // thicknesses; on 12 radii are 1e-3 off, and elements grow with the distance
-  if (is_sliding_layer(fem)) resolution.far_radius = far_on_a_sheet;
+  const auto resolution = first_resolution(input, fem);
   fem = at_resolution(std::move(fem), resolution);
   require_room_on_sphere(input, fem);
   return fem;

@@ -94,7 +94,7 @@ FemCase fem_case(const Case& input, const MdrCase& mdr);
 /// Whether its body is a generated layer that goes on outwards, without friction on its base.
 bool is_sliding_layer(const FemCase& fem);
 
-/// The same case at another resolution.
+/// A case at another resolution than it has.
 FemCase at_resolution(FemCase fem, const Resolution& resolution);
 
 /// What the model of a case does without because the case does not need it, in words for the log.

@@ -44,7 +44,7 @@ std::vector<double> errors_of_hertz(const ConvergenceMesh& mesh, const ExactModu
   return {radius_error, force_error};
 }
 
-/// Of all rings inside r = 1 that move together, at their effective radius: 2 E* a, 2 G* a.
+/// Error of the force on all rings inside r = 1 that move together, at their effective radius: 2 E* a, 2 G* a.
 double error_of_punch(const fem::ContactProblem& problem, int n_rings, double modulus) {
   return problem.series.punch_force(n_rings) / (2 * modulus * problem.series.edges()[n_rings]) - 1;
 }

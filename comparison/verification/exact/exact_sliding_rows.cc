@@ -59,7 +59,7 @@ class ElasticSliding {
         .value;
   }
 
-  /// Of the last step, under forward slip.
+  /// The stick radius in the last step, under forward slip.
   [[nodiscard]] double stick_radius() const {
     Eigen::Index n_stuck = 0;
     while (n_stuck < limit_.rings.size() && limit_.rings[n_stuck] > 0 &&

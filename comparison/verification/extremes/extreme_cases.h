@@ -12,7 +12,7 @@ namespace fretval {
 /// Delta d = 0.2 d0, phase 60 degrees, k = 1, tolerance 1e-2.
 Entries extremes_base();
 
-/// The same with an elastic body.
+/// What extremes_base describes, with an elastic body.
 Entries elastic_base();
 
 /// The cases of the suite `extremes`: families that go to the ends of one parameter each. Throws InputError if a case
@@ -22,7 +22,7 @@ std::vector<SuiteCase> extreme_cases();
 /// The first of each family.
 std::vector<SuiteCase> short_extreme_cases();
 
-/// Those whose family contains a text.
+/// The cases whose family contains a text.
 std::vector<SuiteCase> only_family(const std::vector<SuiteCase>& cases, const std::string& text);
 
 SuiteRun run_extreme_suite(const std::vector<SuiteCase>& cases);

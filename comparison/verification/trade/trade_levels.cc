@@ -127,7 +127,7 @@ std::string title_of(std::string title, const ordered_json& setting) {
   return title;
 }
 
-/// Of the condensed levels, which are nearly all, by their titles. Each pays for its body and its histories.
+/// Seconds of the condensed levels, which are nearly all, by their titles. Each pays for its body and its histories.
 std::map<std::string, double> expected_seconds(const PreparedCase& prepared, const TradePlan& plan) {
   std::map<std::string, double> seconds;
   for (const auto& [resolution, axes] : plan.settings)

@@ -15,7 +15,7 @@ std::vector<double> slip_decay(const FrictionHistory& history, Eigen::Index n_in
 /// the one before to it.
 enum class SlipBeyond { constant, linear };
 
-/// The same of the mean slip inside a stick radius c in or beyond the last of these rings, over its area.
+/// The mean slip of periods inside a stick radius c in or beyond the last of these rings, over its area.
 std::vector<double> mean_slip_of_periods(const FrictionHistory& history, const Eigen::VectorXd& areas,
                                          Eigen::Index n_inside, double stick_radius, SlipBeyond beyond);
 

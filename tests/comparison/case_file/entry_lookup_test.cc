@@ -13,8 +13,8 @@ TEST(EntryLookup, EntriesBelongToTheirSection) {
   EXPECT_FALSE(is_entry("Friction", "Radius"));
   EXPECT_FALSE(is_entry("Friction", "coefficient"));
   EXPECT_FALSE(is_entry("Fiction", "Coefficient"));
-  EXPECT_TRUE(is_section("Wear"));
-  EXPECT_FALSE(is_section("wear"));
+  EXPECT_TRUE(find_section("Wear"));
+  EXPECT_FALSE(find_section("wear"));
   expect_parts(valid_entries(),
                {"Indenter: Shape, Radius, ", "; Friction: Coefficient, Law; ", "Sweep: Entry, Values"});
 }

@@ -62,6 +62,30 @@ TEST(EntryReader, TakesAUnitForEachOfAListOrTheLastForAll) {
   EXPECT_EQ(harmonics.normal_harmonics[0].amplitude, 1e-6);
 }
 
+TEST(EntryReader, ReadsTheNumbersThatBelongToTheWordOfTheirSection) {
+  const EntryTexts texts = [] {
+    EntryTexts set;
+    for (const auto& [name, text] : {std::pair("Flat radius", "1 mm"), {"Edge radius", "2 mm"}, {"Radius", "3 mm"}})
+      set.set("Indenter", name, text);
+    return set;
+  }();
+  Problems problems;
+  Case::Indenter indenter;
+  EntryReader(texts, "case.prm", problems).read_fields("Indenter", "rounded flat", indenter);
+  EXPECT_EQ(indenter.flat_radius, 1e-3);
+  EXPECT_EQ(indenter.edge_radius, 2e-3);
+  EXPECT_EQ(indenter.radius, 0);
+  ASSERT_EQ(problems.messages.size(), 1U);
+  EXPECT_EQ(problems.messages[0],
+            "case.prm: Indenter / Radius = 3 mm has no meaning here: it belongs to Shape = parabola or sphere or "
+            "truncated sphere, not to rounded flat");
+  EntryReader(EntryTexts(), "case.prm", problems).read_fields("Indenter", "table", indenter);
+  EXPECT_EQ(problems.messages.size(), 1U) << "a Table noise that is not set is none";
+  EntryReader(EntryTexts(), "case.prm", problems).read_fields("Indenter", "cone", indenter);
+  expect_parts(problems.messages.back(),
+               {"case.prm: Indenter / Slope angle is missing; expected an angle between 0 and 90 degrees, in deg"});
+}
+
 TEST(EntryReader, AsksWhetherAnotherWordWasMeant) {
   expect_parts(refusal([] { read_case(replace(valid_case, "parabola", "parobola")); }),
                {"Indenter / Shape = parobola", "did you mean parabola?"});

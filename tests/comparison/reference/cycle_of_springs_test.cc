@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "mdr/springs/path_data.h"
 #include "tests/comparison/suite_case.h"
 
 namespace fretval::cycle_of_springs_test {
@@ -21,6 +22,25 @@ TEST(CycleOfSprings, KnowsWhatSlidingWouldCost) {
   const auto cycle = cycle_of_springs(mdr_case(scene), {}, force).value();
   EXPECT_DOUBLE_EQ(cycle.sliding_force, scene.friction_coefficient * force);
   EXPECT_DOUBLE_EQ(cycle.sliding_work, cycle.sliding_force * 4 * scene.motion.tangential_amplitude);
+}
+
+// The error that a force leads to is taken over what it leads to, the largest of all counts.
+TEST(CycleOfSprings, TakesWhatForcesLeadTo) {
+  auto mdr = mdr_case(suite_case("parabola-elastic-steady", 1e-2));
+  mdr.normal_force = mdr.tangential_force = true;
+  mdr::PathForces found{}, error{};
+  found.largest_indentation = 1e-4;
+  found.tangential_amplitude = 2e-5;
+  error.tangential_amplitude = 1e-6;
+  MdrAnswer answer{};
+  take_depths(mdr, {2.5e-5, 0}, {1e-6, 3e-6}, found, error, answer);
+  EXPECT_NEAR(mdr::transform(mdr.profile, answer.stick_radius_first_slip.value()), 2.5e-5, 1e-15);
+  EXPECT_FALSE(answer.stick_radius_shakedown);
+  EXPECT_EQ(answer.indentation_max, 1e-4);
+  EXPECT_DOUBLE_EQ(answer.stepping_error, 0.03);
+  take_tangential_amplitude(mdr, found, error, answer);
+  EXPECT_EQ(answer.tangential_amplitude, 2e-5);
+  EXPECT_DOUBLE_EQ(answer.stepping_error, 0.05);
 }
 
 }  // namespace

@@ -127,6 +127,17 @@ TEST(MdrCase, TimeBeginsAtTheLargestIndentation) {
   EXPECT_EQ(mdr_case(read_case()).motion.tangential.front().phase, std::acos(-1.0) / 3);
 }
 
+TEST(MdrCase, KnowsWhatATestRigPrescribes) {
+  mdr::Prescribed prescribed{{2, {{0.5, 3, 0.1}}, {{0.25, 3, 0.4}}, true}, true, false};
+  const auto control = control_of(prescribed);
+  EXPECT_EQ(std::get<mdr::NormalForceControl>(control.normal).mean, 2);
+  EXPECT_EQ(std::get<mdr::NormalForceControl>(control.normal).amplitude, 0.5);
+  EXPECT_EQ(std::get<mdr::TangentialDisplacementControl>(control.tangential).amplitude, 0.25);
+  EXPECT_DOUBLE_EQ(control.phase.value(), 0.3);
+  prescribed.motion.phase_locked = false;
+  EXPECT_FALSE(control_of(prescribed).phase);
+}
+
 TEST(MdrCase, NamesWhatNeedsOneHarmonicInEachDirection) {
   Case input = limiting_case(0.6, 2e-6);
   input.motion.normal_harmonics = {{1e-7, 2, 0}};

@@ -38,6 +38,16 @@ TEST(Rungs, DropOneAssumptionEach) {
   EXPECT_EQ(own.elastomer.poisson_ratio, 0.5);
 }
 
+// A harmonic without an amplitude is no motion that friction could have a direction in.
+TEST(Rungs, HaveNoFrictionWhereNothingMovesTangentially) {
+  auto still = suite_case("parabola-elastic-steady", 1e-2);
+  still.motion.tangential_amplitude = 0;
+  still.motion.tangential_harmonics = {{0, 2, 0}};
+  EXPECT_TRUE(rungs_of(still).empty());
+  still.motion.tangential_harmonics = {{1e-6, 2, 0}};
+  EXPECT_EQ(rungs_of(still).size(), 1U);
+}
+
 TEST(Rungs, AreCoupledOnlyWhereTheBodyIs) {
   EXPECT_FALSE(coupled_case(suite_case("parabola-elastic-steady", 1e-2)));
   const auto coupled = coupled_case(on_layer(3e-3, 0.5));
