@@ -70,12 +70,12 @@ void plan_elsewhere(std::vector<PlannedPoint>& planned) {
   add_coupled(coupled);
 }
 
-/// Few rings and many steps where pressure and friction are coupled, whose steps take longest; rings cost less there
-/// than steps do. Micro-slip moves an edge by so little that it has to die out further than a single case asks for.
+/// Few rings where pressure and friction are coupled, whose steps take longest. Micro-slip moves an edge by so little
+/// that it has to die out further than a single case asks for.
 Resolution resolution_of(const PreparedCase& prepared, bool coupled) {
   auto resolution = prepared.fem.resolution;
   resolution.elements_per_radius = coupled ? 24 : 64;
-  resolution.steps_per_cycle = coupled ? 96 : 48;
+  resolution.steps_per_cycle = 96;
   resolution.n_angles = 8;
   resolution.periodicity /= 10;
   return resolution;

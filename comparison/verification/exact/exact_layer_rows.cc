@@ -14,6 +14,7 @@
 #include "mdr/layer/layer_slip.h"
 #include "mdr/layer/layer_stick_radius.h"
 #include "mdr/profiles/power_law.h"
+#include "mdr/support/constants.h"
 #include "meshes/grading.h"
 
 namespace fretval {
@@ -154,6 +155,39 @@ Rows rows_of(const mdr::Layer& layer, const Tolerances& tolerances, const std::v
   });
 }
 
+/// Forces of flat punches on ever thinner bonded layers, c (a + edge)^n, against c of an infinitely thin one: the ratio
+/// of differences between discs of half and of the whole radius, in which the edge cancels, so that (H/a)² is left.
+/// What squeezes an incompressible layer flows out between two plates (lubrication), and any other layer is a bed of
+/// springs (Winkler).
+Rows thin_layer_rows(const std::vector<int>& n_rings, const ExactScene& exact) {
+  constexpr double rings_of_thickness = 4, compressible = 0.3, pi = mdr::pi;
+  constexpr double modulus_over_shear = 2 * (1 - compressible) / (1 - 2 * compressible);
+  const char* note = "16 rings are a/H = 4: terms beyond (H/a)² are not small yet";
+  const auto demand = [note](double tolerance) { return ConvergenceDemand{tolerance, 2, 1e-6, note}; };
+  Rows rows{{"thin layer, ν = 0.5, 4 rings to H", "flat punch", "lubrication: 3π G d a⁴/(8 H³)", demand(1e-2)},
+            {"thin layer, ν = 0.5, 4 rings to H", "tangential punch", "Winkler: π G u a²/H", demand(1e-3)},
+            {"thin layer, ν = 0.3, 4 rings to H", "flat punch", "Winkler: π M d a²/H", demand(2e-4)},
+            {"thin layer, ν = 0.3, 4 rings to H", "tangential punch", "Winkler: π G u a²/H", demand(1e-3)}};
+  for (auto& row : rows) row.resolutions = n_rings;
+  for (const int n : n_rings) {
+    const double thickness = rings_of_thickness / n;
+    const auto error = [&](const fem::ContactProblem& problem, double power, double coefficient) {
+      const auto root = [&](int discs) { return std::pow(problem.series.punch_force(discs), 1 / power); };
+      const auto& edges = problem.series.edges();
+      const double slope = (root(n) - root(n / 2)) / (edges[n] - edges[n / 2]);
+      return std::pow(slope, power) / (coefficient * exact.modulus) - 1;
+    };
+    const auto incompressible = layer_meshes({thickness, 0.5}, {n}),
+               other = layer_meshes({thickness, compressible}, {n});
+    const double of_shear = pi / thickness;
+    rows[0].errors.push_back(error(incompressible[0].normal, 4, 3 * pi / (8 * std::pow(thickness, 3))));
+    rows[1].errors.push_back(error(incompressible[0].tangential, 2, of_shear));
+    rows[2].errors.push_back(error(other[0].normal, 2, modulus_over_shear * of_shear));
+    rows[3].errors.push_back(error(other[0].tangential, 2, of_shear));
+  }
+  return rows;
+}
+
 }  // namespace
 
 Rows layer_rows(const std::vector<int>& n_rings, const ExactScene& exact) {
@@ -164,6 +198,7 @@ Rows layer_rows(const std::vector<int>& n_rings, const ExactScene& exact) {
         Tolerated{{1, 0.5}, {4e-6, 4e-5}}, Tolerated{{0.25, 0.5}, {3e-5, 8e-5}}, Tolerated{{0.1, 0.5}, {2.5e-4, 3e-4}},
         Tolerated{{0.1, 0.3}, {2e-5, 2e-4}}, Tolerated{{1, 0.5, mdr::LayerBase::frictionless}, {4e-6, 4e-5}}})
     append(rows, rows_of(layer, tolerances, n_rings, exact));
+  append(rows, thin_layer_rows(n_rings, exact));
   return rows;
 }
 
