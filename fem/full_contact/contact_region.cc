@@ -64,10 +64,11 @@ ContactRegion region_within(const AngularGrid& grid, VectorXd edges) {
 
 ContactRegion region_of(const ContactProblem& rings, const AngularGrid& grid, const Eigen::MatrixXd& depths,
                         const Eigen::VectorXi& n_inside) {
+  const auto radii = effective_radii(rings.compliance);
   VectorXd edges(depths.cols());
   double uncertainty = 0;
   for (Index j = 0; j < depths.cols(); ++j) {
-    const auto edge = stick_radius(rings.compliance, depths.col(j), n_inside[j]);
+    const auto edge = stick_radius(rings.compliance, radii, depths.col(j), n_inside[j]);
     edges[j] = edge.radius;
     uncertainty = std::max(uncertainty, edge.uncertainty);
   }

@@ -13,8 +13,8 @@ namespace fretval::fem {
 /// (b_j^2 is what ring j adds to the force of a unit punch), the depths of a traction t are `D_j = (L^T t)_j / b_j`,
 /// and its force is `A.t = sum_j b_j^2 D_j`, exactly.
 ///
-/// That sum is the midpoint rule for `k int D(r) dr`, k the force of a unit punch per radius, with D_j at the mean of
-/// the effective radii of j and j+1 rings (fem/ring_contact/effective_radii.h). D(r) is smooth but for kinks where a
+/// That sum is the midpoint rule for `k int D(r) dr`, k the force of a unit punch per radius, with D_j at
+/// EffectiveRadii::of_rings (fem/ring_contact/effective_radii.h). D(r) is smooth but for kinks where a
 /// zone ends, in the middle of a ring; there the sum is off by the second order of the ring. The integrals below follow
 /// the cubics of either side up to their intersection instead (subcell resolution, Harten 1989), which is of third
 /// order: 2e-7 for the Hertz force at 64 rings, where the sum gives 9e-5. Everything here comes from the compliance.

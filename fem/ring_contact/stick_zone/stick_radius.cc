@@ -4,7 +4,6 @@
 #include <cmath>
 #include <optional>
 
-#include "fem/ring_contact/effective_radii.h"
 #include "fem/ring_contact/stencil.h"
 
 namespace fretval::fem {
@@ -32,8 +31,13 @@ std::optional<double> root_beyond(const Eigen::VectorXd& x, const Eigen::VectorX
 }  // namespace
 
 EdgeRadius stick_radius(const Compliance& compliance, const Eigen::VectorXd& reserve, Eigen::Index n_stuck) {
+  return stick_radius(compliance, n_stuck > 0 ? effective_radii(compliance) : EffectiveRadii{}, reserve, n_stuck);
+}
+
+EdgeRadius stick_radius(const Compliance& compliance, const EffectiveRadii& edges, const Eigen::VectorXd& reserve,
+                        Eigen::Index n_stuck) {
   if (n_stuck == 0) return {0, compliance.radii[1]};
-  const auto [effective, of_rings, scatter, calibration] = effective_radii(compliance);
+  const auto& [effective, of_rings, scatter, calibration] = edges;
   const double width = compliance.radii[n_stuck] - compliance.radii[n_stuck - 1];
   if (n_stuck < 3) return {effective[n_stuck], width};
   const Eigen::Index n = std::min(n_stuck, n_fitted_events);
