@@ -44,11 +44,19 @@ template <class Response>
 void take_depths(const MdrCase& mdr, const mdr::StickDepths& depths, const mdr::StickDepths& depth_errors,
                  const Response& response, const Response& error, MdrAnswer& answer) {
   const auto radii = mdr::stick_radii(mdr.profile, depths);
+  const auto farther = mdr::stick_radii(
+      mdr.profile, {depths.first_slip + depth_errors.first_slip, depths.shakedown + depth_errors.shakedown});
+  const auto off = [](const std::optional<double>& radius, const std::optional<double>& other) {
+    return radius && other ? *other - *radius : 0;
+  };
   answer.stick_radius_first_slip = radii.first_slip;
   answer.stick_radius_shakedown = radii.shakedown;
+  answer.stepped = {off(radii.first_slip, farther.first_slip), off(radii.shakedown, farther.shakedown), 0, 0};
   answer.stepping_error = std::max({depth_errors.first_slip, depth_errors.shakedown, error.largest_indentation}) /
                           response.largest_indentation;
-  if (mdr.normal_force) answer.indentation_max = response.largest_indentation;
+  if (!mdr.normal_force) return;
+  answer.indentation_max = response.largest_indentation;
+  answer.stepped.indentation = error.largest_indentation;
 }
 
 /// What a tangential force leads to, after the depths.
@@ -56,6 +64,7 @@ template <class Response>
 void take_tangential_amplitude(const MdrCase& mdr, const Response& response, const Response& error, MdrAnswer& answer) {
   if (!mdr.tangential_force) return;
   answer.tangential_amplitude = response.tangential_amplitude;
+  answer.stepped.tangential_amplitude = error.tangential_amplitude;
   answer.stepping_error = std::max(answer.stepping_error, error.tangential_amplitude / response.tangential_amplitude);
 }
 

@@ -17,7 +17,7 @@ mdr::SteppedForcedResponse stepped_on_layer(const MdrCase& mdr, const mdr::Presc
 }  // namespace
 
 mdr::NormalResponse layer_normal_response(const MdrCase& mdr) {
-  const auto [response, error] = stepped_on_layer(mdr, mdr.prescribed_normally(), 2);
+  const auto [response, error] = stepped_on_layer(mdr, mdr.prescribed_normally(), 1);
   auto normal = response.normal;
   // That of the elastic layer, which the contact of a viscoelastic one reaches as it grows.
   normal.contact_radius_max =

@@ -74,8 +74,10 @@ MdrAnswer forced_answer(const MdrCase& mdr, const mdr::NormalResponse& normal, i
   answer.cycle = cycle_of_springs(mdr, stepped, answer.normal_force_max.value());
   take_depths(mdr, response.depths, error.depths, response, error, answer);
   if (mdr.has_period()) take_tangential_amplitude(mdr, response, error, answer);
-  if (mdr.normal_force && mdr.tangential_force && mdr.limiting_state)
+  if (mdr.normal_force && mdr.tangential_force && mdr.limiting_state) {
     answer.stick_radius_shakedown = mdr.limiting_state->stick_radius;
+    answer.stepped.shakedown = 0;
+  }
   if (mdr.layer)
     answer.worn_radius = layer_worn_radius(mdr, answer.stick_radius_shakedown, response.largest_indentation);
   return answer;

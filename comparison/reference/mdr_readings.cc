@@ -32,8 +32,10 @@ Readings readings_of(const MdrAnswer& answer) {
                     nothing_sticks = slides.empty() ? "nothing sticks" : slides;
   Readings readings{
       {Quantity::contact_radius_max, {answer.contact_radius_max, {}, "no contact carries the force without slip"}},
-      {Quantity::stick_radius_first_slip, {answer.stick_radius_first_slip, {}, nothing_sticks}},
-      {Quantity::stick_radius_shakedown, {answer.stick_radius_shakedown, {}, nothing_sticks}},
+      {Quantity::stick_radius_first_slip,
+       {answer.stick_radius_first_slip, if_any(answer.stepped.first_slip), nothing_sticks}},
+      {Quantity::stick_radius_shakedown,
+       {answer.stick_radius_shakedown, if_any(answer.stepped.shakedown), nothing_sticks}},
       {Quantity::worn_radius, {answer.worn_radius, {}, "wear goes on", false}},
       {Quantity::normal_force_max,
        {answer.normal_force_max, if_any(answer.normal_force_error), "not computed; see --springs",
@@ -42,8 +44,11 @@ Readings readings_of(const MdrAnswer& answer) {
        {answer.limiting_amplitude, {}, "the indenter is not worn", answer.limiting_amplitude.has_value()}}};
   if (answer.axis_pressure)
     readings[Quantity::axis_pressure_max] = {answer.axis_pressure->largest, if_any(answer.axis_pressure->error)};
-  if (answer.indentation_max) readings[Quantity::indentation_max] = {answer.indentation_max};
-  if (answer.tangential_amplitude) readings[Quantity::tangential_amplitude] = {answer.tangential_amplitude};
+  if (answer.indentation_max)
+    readings[Quantity::indentation_max] = {answer.indentation_max, if_any(answer.stepped.indentation)};
+  if (answer.tangential_amplitude)
+    readings[Quantity::tangential_amplitude] = {answer.tangential_amplitude,
+                                                if_any(answer.stepped.tangential_amplitude)};
   if (answer.cycle) add_cycle(*answer.cycle, readings);
   if (answer.transverse_force_max)
     readings[Quantity::transverse_force_max] = {answer.transverse_force_max, if_any(answer.transverse_force_error)};

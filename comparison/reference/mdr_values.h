@@ -30,6 +30,12 @@ struct SettlingCycles {
   double cycles, error;
 };
 
+/// What springs stepped in time may be off by, m; 0: closed forms.
+struct SteppingErrors {
+  double first_slip = 0, shakedown = 0;  ///< of the stick radii
+  double indentation = 0, tangential_amplitude = 0;
+};
+
 /// What MDR says about a case; SI units. Empty radii: nothing sticks. A comparable case has both maxima.
 struct MdrAnswer {
   double modulus_ratio;                      ///< at the normal frequency; NaN of a path, which has none
@@ -52,7 +58,8 @@ struct MdrAnswer {
   /// Factor per cycle by which slip dies out where nothing slips in the end (mdr/stick/slip_decay.h); with the cycle.
   std::optional<double> slip_decay = {};
   std::optional<SettlingCycles> cycles_to_shakedown = {};  ///< see settling_cycles
-  /// The largest relative error that springs stepped in time make in what is above; 0: closed forms.
+  SteppingErrors stepped = {};
+  /// The largest of them, of depths and over what they are errors of.
   double stepping_error = 0;
   double normal_force_error = 0;                        ///< N, likewise
   std::optional<mdr::AxisPressure> axis_pressure = {};  ///< empty: infinite

@@ -97,7 +97,8 @@ SpringForces coupled_forces(const CoupledBed& bed, const PronyBody& body, const 
   const SpringBed& springs = bed.springs;
   const double of_half_space = force_scale(bed, body, Direction::normal) / normal_scale(body);
   const double at_edge = by_force ? 0 : edge_force(springs, body, state);
-  return {of_half_space * (normal_force(springs, body, state) + at_edge),
+  const double at_rim = normal_scale(body) * (springs.width * state.rim_load).sum();
+  return {of_half_space * (normal_force(springs, body, state) + at_edge + at_rim),
           force_scale(bed, body, Direction::tangential) * (springs.width * state.tangential_load).sum(),
           of_half_space * axis_pressure(weights, body, state)};
 }

@@ -34,6 +34,26 @@ bool rests(const SpringState& state, const PrescribedInStep& prescribed) {
          none(state.tangential_memory);
 }
 
+// What the loads that the equation of a row has at y fall by over the width of each spring; 0 where they rise outwards.
+Eigen::ArrayXd fall_over_springs(const RowProblem& row, const Eigen::ArrayXd& coupling, double y) {
+  const Eigen::ArrayXd load = (row.value + row.slope * y - coupling) / row.stretch;
+  const Eigen::Index n = load.size();
+  Eigen::ArrayXd inner(n), outer(n);
+  inner << load[0], load.head(n - 1);
+  outer << load.tail(n - 1), 2 * load[n - 1] - load[std::max<Eigen::Index>(n - 2, 0)];
+  return ((inner - outer) / 2).max(0.0);
+}
+
+// Relaxed loads at an indentation, or of a sum and where the indenter is then. How they fall at the rim, loads without
+// rim tell.
+RowSolution relaxed_row(const CoupledBed& bed, double guess, std::optional<double> sum) {
+  const Eigen::ArrayXd &g = bed.springs.depth, one = Eigen::ArrayXd::Ones(g.size());
+  RowProblem row{-g, one, one, Eigen::ArrayXd::Zero(g.size()), Eigen::ArrayXd::Constant(g.size(), infinity)};
+  const RowSolution without_rim = solve_row(bed.normal, row, (guess - g).max(0.0), guess, sum);
+  row.fall = fall_over_springs(row, without_rim.coupling, without_rim.y);
+  return solve_row(bed.normal, row, without_rim.load, without_rim.y, sum);
+}
+
 [[noreturn]] void slide(double load, double most) {
   GrossSlip slip("tangential force of " + std::to_string(std::abs(load) / most) +
                  " times mu times the normal force: the contact slides, there is no displacement for it");
@@ -105,18 +125,22 @@ CoupledStep::Request CoupledStep::normal_request(const SpringState& state, const
 CoupledStep::Normal CoupledStep::normal_step(const SpringState& state, const PrescribedInStep& prescribed) const {
   const Eigen::ArrayXd &u = state.normal_depth, &p = state.normal_load, &g = bed_.springs.depth;
   Request request = normal_request(state, prescribed);
-  const Eigen::ArrayXd coupled_before = coupling(bed_.normal, p), above = u - (state.indenter.indentation - g);
+  const Eigen::ArrayXd coupled_before = coupling(bed_.normal, p + state.rim_load),
+                       above = u - (state.indenter.indentation - g);
   Eigen::ArrayXd free_tips = u;
   if (viscosity_ > 0) {
     free_tips = tip_under(coupled_before, coupled_before, u, state.normal_memory);
     request.row.upper = (p > 0 || free_tips < request.guess - g).select(request.row.upper, 0.0);
+  } else {
+    request.row.fall = fall_over_springs(request.row, coupled_before, request.guess);
   }
   const RowSolution found = solve_row(bed_.normal, request.row, p, request.guess, request.sum);
   const Eigen::ArrayXd touching = found.y - g;
   const Eigen::ArrayXd tips =
       tip_under(found.load + found.coupling, coupled_before, u, state.normal_memory).max(touching);
   const Eigen::ArrayXd below = viscosity_ > 0 ? Eigen::ArrayXd(touching - free_tips) : found.load / stiffness_;
-  return {found.load, (found.load > 0).select(touching, tips), share_in_contact(p, above, below), found.y};
+  return {found.load, found.rim_load, (found.load > 0).select(touching, tips), share_in_contact(p, above, below),
+          found.y};
 }
 
 // y is how far the indenter moves in the step.
@@ -178,6 +202,7 @@ void CoupledStep::advance(SpringState& state, const PrescribedInStep& prescribed
   remember(state.tangential_memory, tangential.tip - state.tangential_shift);
   state.normal_depth = normal.depth;
   state.normal_load = normal.load;
+  state.rim_load = normal.rim_load;
   state.tangential_shift = std::move(tangential.tip);
   state.tangential_load = std::move(tangential.load);
   state.slip = std::move(tangential.slip);
@@ -196,22 +221,16 @@ void CoupledStep::advance(SpringState& state, const PrescribedInStep& prescribed
 
 SpringState relaxed_state(const CoupledBed& bed, const PronyBody& body, double indentation) {
   SpringState state = relaxed_state(bed.springs, body, indentation);
-  const auto n = state.normal_load.size();
-  const RowProblem row{-bed.springs.depth, Eigen::ArrayXd::Ones(n), Eigen::ArrayXd::Ones(n), Eigen::ArrayXd::Zero(n),
-                       Eigen::ArrayXd::Constant(n, infinity)};
-  const RowSolution found = solve_row(bed.normal, row, state.normal_load, indentation);
+  const RowSolution found = relaxed_row(bed, indentation, {});
   state.normal_load = found.load;
+  state.rim_load = found.rim_load;
   state.normal_depth = (found.load > 0).select(indentation - bed.springs.depth, found.coupling);
   return state;
 }
 
 double relaxed_indentation(const CoupledBed& bed, double load) {
   require_positive("normal load", load);
-  const auto n = bed.springs.depth.size();
-  const RowProblem row{-bed.springs.depth, Eigen::ArrayXd::Ones(n), Eigen::ArrayXd::Ones(n), Eigen::ArrayXd::Zero(n),
-                       Eigen::ArrayXd::Constant(n, infinity)};
-  const double guess = bed.springs.depth.maxCoeff();
-  return solve_row(bed.normal, row, (guess - bed.springs.depth), guess, load / bed.springs.width[0]).y;
+  return relaxed_row(bed, bed.springs.depth.maxCoeff(), load / bed.springs.width[0]).y;
 }
 
 }  // namespace fretval::mdr

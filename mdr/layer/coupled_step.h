@@ -20,7 +20,9 @@ namespace fretval::mdr {
 /// together: normal ones first, then tangential ones between their limits (mdr/layer/row_solver.h). Loads of the state
 /// are over E* and G* with the relaxed modulus. The same rules in time, and the same orders: second; a spring that
 /// touches in the step is free until then, so that only that share of it counts which its contact lasts. With a dashpot
-/// springs touch with a jump, and which of them do is judged by the coupling at the start of the step.
+/// springs touch with a jump, and which of them do is judged by the coupling at the start of the step. Without one what
+/// the contact bears over the part of a spring in which it ends is a load of its own, the rim load, which the body is
+/// coupled to and the indenter bears; friction and tips go by the middles of springs.
 ///
 /// A sibling of SpringStep and not a part of it: its pass over the springs is as fast as it is because no spring knows
 /// of another.
@@ -47,7 +49,7 @@ class CoupledStep {
     std::optional<double> sum;
   };
   struct Normal {
-    Eigen::ArrayXd load, depth;
+    Eigen::ArrayXd load, rim_load, depth;
     Eigen::ArrayXd held;  ///< share of the step that a spring is in contact which touches in it
     double indentation;
   };

@@ -1,6 +1,7 @@
 #include "mdr/layer/row_solver.h"
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <cstdint>
@@ -20,24 +21,30 @@ class Newton {
         problem_(problem),
         pulled_(modes.shape * modes.strength.matrix().asDiagonal()),
         share_(modes.shape.transpose() * before.matrix()),
-        y_(y) {
+        y_(y),
+        load_(before.size()),
+        rim_load_(before.size()),
+        at_limit_(before.size()),
+        give_(before.size()) {
     update();
   }
 
-  // True once the loads are found; then they are exact, as they are linear between changes of the limits.
+  // True once the loads are found. Between changes of the limits they are linear, so that a step is exact; but for
+  // rim loads, on which steps converge quadratically.
   bool solve(std::optional<double> sum) {
     constexpr int most_steps = 60, full_steps = 30;
+    constexpr double roundoff = 1e-14, quadratically_near = 1e-7;
     for (int step = 0; step < most_steps; ++step) {
       const Eigen::ArrayXi before = at_limit_;
+      const bool is_exact = !has_rim_ || is_solved(sum, quadratically_near);
       if (!advance(sum, step < full_steps ? 1 : 0.5)) return false;
-      if ((before == at_limit_).all() && step < full_steps) return true;
-      if (is_solved(sum)) return true;
+      if (is_exact && (before == at_limit_).all() && step < full_steps) return true;
+      if (is_solved(sum, roundoff)) return true;
     }
     return false;
   }
 
-  [[nodiscard]] double sum() const { return load_.sum(); }
-  [[nodiscard]] RowSolution solution() const { return {load_, coupling_, y_}; }
+  [[nodiscard]] RowSolution solution() const { return {load_, rim_load_, coupling_, y_}; }
   void move_to(double y) {
     y_ = y;
     update();
@@ -46,34 +53,50 @@ class Newton {
  private:
   void update() {
     coupling_ = (pulled_ * share_).array();
-    const Eigen::ArrayXd wanted = (problem_.value + problem_.slope * y_ - coupling_) / problem_.stretch;
-    load_ = wanted.max(problem_.lower).min(problem_.upper);
-    at_limit_ = (wanted >= problem_.upper).cast<int>() - (wanted <= problem_.lower).cast<int>();
+    has_rim_ = false;
+    for (Eigen::Index j = 0; j < load_.size(); ++j) {
+      const double stretch = problem_.stretch[j], lower = problem_.lower[j], upper = problem_.upper[j];
+      const double load = (problem_.value[j] + problem_.slope[j] * y_ - coupling_[j]) / stretch;
+      at_limit_[j] = (load >= upper ? 1 : 0) - (load <= lower ? 1 : 0);
+      load_[j] = std::min(std::max(load, lower), upper);
+      give_[j] = at_limit_[j] == 0 ? 1 / stretch : 0;
+      rim_load_[j] = 0;
+      const double above = load - lower, fall = problem_.fall[j], within = fall / 2 - std::abs(above);
+      if (within > 0) add_rim(j, within, above < 0 ? within / fall : -within / fall);
+    }
   }
 
+  void add_rim(Eigen::Index spring, double within, double give) {
+    has_rim_ = true;
+    rim_load_[spring] = within * std::abs(give) / 2;
+    give_[spring] += give / problem_.stretch[spring];
+  }
+
+  [[nodiscard]] Eigen::VectorXd all_loads() const { return (load_ + rim_load_).matrix(); }
+
   // A spring on the verge of its limit may go to and fro across it for ever, by roundoff.
-  [[nodiscard]] bool is_solved(std::optional<double> sum) const {
-    constexpr double roundoff = 1e-14;
-    const double scale = roundoff * load_.matrix().norm(), n = static_cast<double>(load_.size());
-    return (modes_.shape.transpose() * load_.matrix() - share_).norm() <= scale &&
-           (!sum || std::abs(*sum - load_.sum()) <= scale * std::sqrt(n));
+  [[nodiscard]] bool is_solved(std::optional<double> sum, double tolerance) const {
+    const Eigen::VectorXd all = all_loads();
+    const double scale = tolerance * all.norm(), n = static_cast<double>(load_.size());
+    return (modes_.shape.transpose() * all - share_).norm() <= scale &&
+           (!sum || std::abs(*sum - all.sum()) <= scale * std::sqrt(n));
   }
 
   bool advance(std::optional<double> sum, double damping) {
     const Eigen::Index n = share_.size(), n_all = n + (sum ? 1 : 0);
-    const Eigen::ArrayXd give = (at_limit_ == 0).select(1 / problem_.stretch, 0.0);
     Eigen::MatrixXd slope = Eigen::MatrixXd::Identity(n_all, n_all);
     Eigen::VectorXd rest(n_all);
-    rest.head(n) = modes_.shape.transpose() * load_.matrix() - share_;
-    const auto [first, n_giving] = range_between_limits();
+    const Eigen::VectorXd all = all_loads();
+    rest.head(n) = modes_.shape.transpose() * all - share_;
+    const auto [first, n_giving] = range_that_gives();
     slope.topLeftCorner(n, n).noalias() +=
         modes_.shape.middleRows(first, n_giving).transpose() *
-        (give.segment(first, n_giving).matrix().asDiagonal() * pulled_.middleRows(first, n_giving));
+        (give_.segment(first, n_giving).matrix().asDiagonal() * pulled_.middleRows(first, n_giving));
     if (sum) {
-      rest[n] = *sum - load_.sum();
-      slope.bottomLeftCorner(1, n) = -(give.matrix().transpose() * pulled_);
-      slope.topRightCorner(n, 1) = -(modes_.shape.transpose() * (give * problem_.slope).matrix());
-      slope(n, n) = (give * problem_.slope).sum();
+      rest[n] = *sum - all.sum();
+      slope.bottomLeftCorner(1, n) = -(give_.matrix().transpose() * pulled_);
+      slope.topRightCorner(n, 1) = -(modes_.shape.transpose() * (give_ * problem_.slope).matrix());
+      slope(n, n) = (give_ * problem_.slope).sum();
       if (slope(n, n) <= 0) return false;
     }
     if (n_all > 0) {
@@ -86,21 +109,23 @@ class Newton {
     return true;
   }
 
-  // The first spring that is between its limits, and how many there are up to the last one: all others give nothing.
-  [[nodiscard]] std::pair<Eigen::Index, Eigen::Index> range_between_limits() const {
-    Eigen::Index first = 0, end = at_limit_.size();
-    while (first < end && at_limit_[first] != 0) ++first;
-    while (end > first && at_limit_[end - 1] != 0) --end;
+  // The first spring whose load gives, and how many there are up to the last one.
+  [[nodiscard]] std::pair<Eigen::Index, Eigen::Index> range_that_gives() const {
+    Eigen::Index first = 0, end = give_.size();
+    while (first < end && give_[first] == 0) ++first;
+    while (end > first && give_[end - 1] == 0) --end;
     return {first, end - first};
   }
 
   const LayerModes& modes_;
   const RowProblem& problem_;
   Eigen::MatrixXd pulled_;
-  Eigen::VectorXd share_;  // of the loads in each mode
+  Eigen::VectorXd share_;  // of all loads in each mode
   double y_;
-  Eigen::ArrayXd load_, coupling_;
+  Eigen::ArrayXd coupling_, load_, rim_load_;
   Eigen::ArrayXi at_limit_;  // -1 lower, 1 upper, 0 between
+  Eigen::ArrayXd give_;      // of both loads, by what the equation has on its right
+  bool has_rim_;
 };
 
 [[noreturn]] void not_found() {
@@ -115,7 +140,10 @@ RowSolution bracketed(const LayerModes& modes, const RowProblem& problem, const 
     if (!newton.solve({})) not_found();
     return newton.solution();
   };
-  const auto excess = [&](double y) { return at(y).load.sum() - sum; };
+  const auto excess = [&](double y) {
+    const RowSolution found = at(y);
+    return (found.load + found.rim_load).sum() - sum;
+  };
   double reach = (problem.value.abs().maxCoeff() + std::abs(guess)) * 1e-3, lower = guess, upper = guess;
   constexpr int most_doublings = 60;
   for (int i = 0; i < most_doublings && excess(lower) > 0; ++i) lower -= reach *= 2;

@@ -33,6 +33,14 @@ SpringHistory history_with(const HistoryOfSprings& history, const PronyBody& bod
   }
 }
 
+SpringFineness halved(SpringFineness fineness) {
+  fineness.n_springs /= 2;
+  fineness.steps_per_oscillation /= 2;
+  fineness.n_ramp_periods /= 2;
+  fineness.n_oscillations /= 2;
+  return fineness;
+}
+
 ForcedResponse response_of(const ContactRadius& radius_at, const SpringHistory& history) {
   const double deepest = sampled_peak(history.indentation, 1);
   NormalResponse normal{sampled_peak(history.normal_force, 1),
@@ -87,12 +95,16 @@ SteppedForcedResponse extrapolated_response(const HistoryOfSprings& history, con
                                             const std::function<double(double)>& g, double outer_radius,
                                             const PronyBody& body, const Prescribed& prescribed,
                                             const SpringFineness& fineness) {
-  const auto coarse = response_of(radius_at, history_with(history, body, prescribed, fineness, 1));
+  const auto coarse = response_of(radius_at, history_with(history, body, prescribed, halved(fineness), 1)),
+             middle = response_of(radius_at, history_with(history, body, prescribed, fineness, 1));
   SteppedForcedResponse stepped{response_of(radius_at, history_with(history, body, prescribed, fineness, 2)), {}};
   const auto extrapolate = [&](auto&& part) {
-    const double correction = (part(stepped.response) - part(coarse)) / 3;
-    part(stepped.response) += correction;
-    part(stepped.error) = 3 * std::abs(correction);
+    const auto extrapolation = [](double coarser, double finer) { return finer + (finer - coarser) / 3; };
+    const double before = extrapolation(part(coarse), part(middle)), fine = part(stepped.response),
+                 now = extrapolation(part(middle), fine);
+    part(stepped.response) = now;
+    part(stepped.error) =
+        body.viscosity > 0 ? 3 * std::abs(now - fine) : std::max(std::abs(now - before), std::abs(now - fine));
   };
   extrapolate([](auto& r) -> auto& { return r.normal.normal_force_max; });
   extrapolate([](auto& r) -> auto& { return r.normal.normal_force_min; });

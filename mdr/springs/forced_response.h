@@ -44,7 +44,7 @@ struct ForcedResponse {
   double tangential_work;        ///< J per period, area of the tangential loop
 };
 
-/// How fine the coarser one of two histories is.
+/// How fine the middle one of three histories is.
 struct SpringFineness {
   Eigen::Index n_springs = 200;
   int steps_per_oscillation = 180, n_ramp_periods = 20;
@@ -57,10 +57,10 @@ SpringFineness finer(SpringFineness fineness, int times);
 
 /// The transient springs (mdr/springs/spring_history.h), stepped until they repeat. Extrapolated from n and 2 n
 /// springs, steps, cycles of the ramp and oscillations in the place of a motion without period, each of second order.
-/// error: the whole difference, three times what a second order leaves, and more than a first one, to which a dashpot
-/// can bring them, whose load jumps at the edge. Throws std::invalid_argument for
-/// bad arguments, std::runtime_error when the springs do not become periodic and for a tangential force that no
-/// friction holds (gross slip).
+/// error: how far that is from the extrapolation of n/2 and n, or from 2 n, whichever is more, which covers a second
+/// order and a first one. With a dashpot, whose load jumps at the edge, the orders scatter: the whole difference of n
+/// and 2 n. Throws std::invalid_argument for bad arguments, std::runtime_error when the springs do not become periodic
+/// and for a tangential force that no friction holds (gross slip).
 struct SteppedForcedResponse {
   ForcedResponse response, error;
 };

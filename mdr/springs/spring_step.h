@@ -32,6 +32,7 @@ struct SpringState {
   Eigen::ArrayXXd normal_memory;      ///< springs x branches: branch forces over 4 G0, in m
   Eigen::ArrayXXd tangential_memory;  ///< over (8/3) G0
   IndenterState indenter_before;      ///< a step earlier; at the start as indenter
+  Eigen::ArrayXd rim_load = {};       ///< m, of coupled springs, see mdr/layer/row_solver.h; empty: of independent ones
 };
 
 /// Force of branch i at the end of a step of length dt per displacement made in it at constant rate, over the relaxed

@@ -31,6 +31,7 @@ TEST(CycleOfSprings, TakesWhatForcesLeadTo) {
   mdr::PathForces found{}, error{};
   found.largest_indentation = 1e-4;
   found.tangential_amplitude = 2e-5;
+  error.largest_indentation = 2e-6;
   error.tangential_amplitude = 1e-6;
   MdrAnswer answer{};
   take_depths(mdr, {2.5e-5, 0}, {1e-6, 3e-6}, found, error, answer);
@@ -38,9 +39,14 @@ TEST(CycleOfSprings, TakesWhatForcesLeadTo) {
   EXPECT_FALSE(answer.stick_radius_shakedown);
   EXPECT_EQ(answer.indentation_max, 1e-4);
   EXPECT_DOUBLE_EQ(answer.stepping_error, 0.03);
+  EXPECT_EQ(answer.stepped.indentation, 2e-6);
+  const double c = answer.stick_radius_first_slip.value();  // of a parabola, where g ~ c^2
+  EXPECT_NEAR(answer.stepped.first_slip / c, 0.5e-6 / 2.5e-5, 1e-3);
+  EXPECT_EQ(answer.stepped.shakedown, 0);
   take_tangential_amplitude(mdr, found, error, answer);
   EXPECT_EQ(answer.tangential_amplitude, 2e-5);
   EXPECT_DOUBLE_EQ(answer.stepping_error, 0.05);
+  EXPECT_EQ(answer.stepped.tangential_amplitude, 1e-6);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "comparison/reference/mdr_answer.h"
+#include "mdr/layer/layer_contact.h"
 #include "tests/comparison/expect_parts.h"
 #include "tests/comparison/refusal.h"
 #include "tests/comparison/suite_case.h"
@@ -54,6 +55,21 @@ TEST(LayerAnswer, SlidesAsAWholeWhereForcesBalance) {
   scene.motion.normal_force = {force, 0};
   scene.motion.tangential_force = 0.3 * scene.friction_coefficient * force;
   EXPECT_NEAR(answer_to(scene).steady_sliding_share.value(), 1 / 0.3, 1e-12);
+}
+
+// An elastic layer under a force: where the layer bears it, to within what the reading says.
+TEST(LayerAnswer, UnderAForceIndentsAsFarAsTheLayerLets) {
+  auto scene = suite_case("parabola-elastic-steady", 1e-2);
+  scene.motion.normal_force = {1, 0.1};
+  for (const double thickness : {5e-4, 1e-3, 2e-3}) {
+    const auto mdr = mdr_case(on_layer(scene, thickness));
+    const auto exact =
+        mdr::layer_contact_under_force(mdr.profile, mdr.layer.value(), mdr.body.relaxed_modulus, 1.1).indentation;
+    const auto answer = mdr_answer_with_cycle(mdr, mdr_normal_response(mdr));
+    EXPECT_NEAR(answer.indentation_max.value() / exact, 1, 1e-6);
+    EXPECT_LT(std::abs(answer.indentation_max.value() - exact), answer.stepped.indentation);
+    EXPECT_LT(answer.stepped.indentation, 1e-4 * exact);
+  }
 }
 
 // Under displacements: D(c) = d - A beta for a steady depth, D and beta of the half-space.

@@ -19,8 +19,9 @@ const SpringFineness coarse{60, 60, 8, 1e-7};
 TEST(CoupledResponse, OfAThickLayerIsThatOfTheHalfSpace) {
   const PronyBody body = standard_solid(1, 1, 0.2);
   const Prescribed prescribed{harmonic_motion({3, 0.3, 0.2, 1, 1, 0.7}), true, true};
-  const SteppedForcedResponse layered = coupled_response(parabola(1), {1e6, 0.5}, body, mu, prescribed, coarse),
-                              half_space = forced_response(parabola(1), body, mu, prescribed, coarse);
+  const SpringFineness fine{100, 90, 10, 1e-7};
+  const SteppedForcedResponse layered = coupled_response(parabola(1), {1e6, 0.5}, body, mu, prescribed, fine),
+                              half_space = forced_response(parabola(1), body, mu, prescribed, fine);
   const auto near = [&](auto&& part) {
     EXPECT_NEAR(part(layered.response), part(half_space.response), 2 * (part(layered.error) + part(half_space.error)));
   };
@@ -64,9 +65,9 @@ TEST(CoupledResponse, ErrorsCoverWhatIsKnown) {
     EXPECT_NEAR(*radii.first_slip, *exact.first_slip, 5e-5);
     EXPECT_NEAR(*radii.shakedown, *exact.shakedown, 5e-5);
     const LayerContact deepest = layer_contact_at_depth(parabola(1), layer, 1.15 * d);
-    EXPECT_NEAR(stepped.response.normal.contact_radius_max, deepest.contact_radius, 1e-4);
-    EXPECT_NEAR(stepped.response.normal.normal_force_max, normal_force(deepest, 1), 1e-4 * normal_force(deepest, 1));
-    EXPECT_NEAR(stepped.response.axis_pressure_max, pressure(deepest, 1, 0), 1e-3 * pressure(deepest, 1, 0));
+    EXPECT_NEAR(stepped.response.normal.contact_radius_max, deepest.contact_radius, 1e-5);
+    EXPECT_NEAR(stepped.response.normal.normal_force_max, normal_force(deepest, 1), 1e-6 * normal_force(deepest, 1));
+    EXPECT_NEAR(stepped.response.axis_pressure_max, pressure(deepest, 1, 0), 1e-5 * pressure(deepest, 1, 0));
     EXPECT_NEAR(stepped.response.bulk_work, 0, 1e-12);
   }
 }
@@ -87,6 +88,22 @@ TEST(CoupledResponse, ForcesLeaveTheRheologyOut) {
     amplitudes.push_back(stepped.response.tangential_amplitude);
   }
   EXPECT_LT(amplitudes[1], amplitudes[0] / 2);  // a stiffer body moves less
+}
+
+// A contact ends anywhere in its last spring, and bears what it bears.
+TEST(CoupledResponse, UnderAForceIndentsAsFarAsTheLayerLets) {
+  for (const double thickness : {0.25, 0.5, 0.7, 1.0, 2.0}) {
+    const Layer layer{thickness, 0.5};
+    const double F = normal_force(layer_contact(parabola(1), layer, 1), 1);
+    const Prescribed prescribed{harmonic_motion({F, 0.15 * F, 0.02, 1, 1, 0.7}), true, false};
+    const SteppedForcedResponse stepped =
+        coupled_response(parabola(1), layer, elastic(1), mu, prescribed, {100, 90, 10, 1e-7});
+    const LayerContact deepest = layer_contact_under_force(parabola(1), layer, 1, 1.15 * F);
+    EXPECT_NEAR(stepped.response.largest_indentation / deepest.indentation, 1, 1e-7);
+    EXPECT_NEAR(stepped.response.normal.contact_radius_max / deepest.contact_radius, 1, 2e-6);
+    EXPECT_LT(stepped.error.largest_indentation, 1e-4 * deepest.indentation);
+    EXPECT_GT(stepped.error.largest_indentation, std::abs(stepped.response.largest_indentation - deepest.indentation));
+  }
 }
 
 TEST(CoupledResponse, ReadsTheEdgeOfTheLoads) {

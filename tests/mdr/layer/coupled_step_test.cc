@@ -14,6 +14,10 @@ namespace {
 
 const double mu = 0.6;
 
+double bears(const CoupledBed& bed, const SpringState& state) {
+  return (bed.springs.width * (state.normal_load + state.rim_load)).sum();
+}
+
 CoupledBed uncoupled(Eigen::Index n) {
   const LayerModes none{Eigen::MatrixXd(n, 0), Eigen::ArrayXd(0)};
   return {spring_bed(parabola(1), 1.2, n), {1, 0.5}, none, none};
@@ -23,7 +27,8 @@ std::vector<PronyBody> bodies() {
   return {elastic(1), standard_solid(1, 1.5, 0.3), prony(1, {1, 0.5}, {0.05, 0.4}), kelvin_voigt(1, 0.15)};
 }
 
-// Without modes these are the springs of mdr/springs/, step by step, through loss of contact and slip.
+// Without modes the springs that are always in contact are those of mdr/springs/, step by step. With a dashpot, which
+// has no spring in which the contact ends, all of them are, through loss of contact and slip.
 TEST(CoupledStep, WithoutCouplingIsTheStepOfIndependentSprings) {
   const double dt = 1.0 / 60;
   const CoupledBed bed = uncoupled(40);
@@ -32,34 +37,37 @@ TEST(CoupledStep, WithoutCouplingIsTheStepOfIndependentSprings) {
     SpringState independent = relaxed_state(bed.springs, body, 1), coupled = relaxed_state(bed, body, 1);
     const SpringStep step(body, mu, dt);
     const CoupledStep coupled_step(bed, body, mu, dt);
+    Eigen::Index n = bed.springs.position.size();
     for (int k = 1; k <= 240; ++k) {
       step.advance(independent, bed.springs, path(k * dt));
       coupled_step.advance(coupled, {path(k * dt), {}, {}});
+      while (body.viscosity == 0 && independent.normal_load[n - 2] <= 0) --n;
     }
-    EXPECT_LT((independent.normal_load - coupled.normal_load).abs().maxCoeff(), 1e-12);
-    EXPECT_LT((independent.tangential_load - coupled.tangential_load).abs().maxCoeff(), 1e-12);
-    EXPECT_LT((independent.normal_depth - coupled.normal_depth).abs().maxCoeff(), 1e-12);
-    EXPECT_LT((independent.tangential_shift - coupled.tangential_shift).abs().maxCoeff(), 1e-12);
-    EXPECT_LT((independent.slip - coupled.slip).abs().maxCoeff(), 1e-12);
+    const auto differ = [n](const Eigen::ArrayXd& one, const Eigen::ArrayXd& other) {
+      return (one - other).head(n - 2).abs().maxCoeff();
+    };
+    EXPECT_GT(n, 10);
+    EXPECT_LT(differ(independent.normal_load, coupled.normal_load), 1e-12);
+    EXPECT_LT(differ(independent.tangential_load, coupled.tangential_load), 2e-11);
+    EXPECT_LT(differ(independent.normal_depth, coupled.normal_depth), 1e-12);
+    EXPECT_LT(differ(independent.tangential_shift, coupled.tangential_shift), 2e-11);
+    EXPECT_LT(differ(independent.slip, coupled.slip), 1e-12);
   }
 }
 
-TEST(CoupledStep, WithoutCouplingBalancesForcesAsIndependentSpringsDo) {
-  const double dt = 1.0 / 60;
+// Without modes the springs are those of a half-space: Hertz and Cattaneo, F = (4/3) d^(3/2) of E*, and
+// F_x = mu F (1 - (1 - A/d)^(3/2)) of G*. Wherever in a spring the contact ends.
+TEST(CoupledStep, WithoutCouplingBearsWhatAHalfSpaceDoes) {
   const CoupledBed bed = uncoupled(40);
-  for (const PronyBody& body : {elastic(1), standard_solid(1, 1.5, 0.3)}) {
-    SpringState independent = relaxed_state(bed.springs, body, 1), coupled = relaxed_state(bed, body, 1);
-    const SpringStep step(body, mu, dt);
-    const CoupledStep coupled_step(bed, body, mu, dt);
-    for (int k = 1; k <= 120; ++k) {
-      const double load = 0.66 * (1 + 0.2 * std::sin(k * dt * 6)), pull = 0.2 * std::sin(k * dt * 4);
-      const PrescribedInStep prescribed{independent.indenter, load, pull};
-      step.advance(independent, bed.springs, balanced(step, independent, bed.springs, prescribed));
-      coupled_step.advance(coupled, {coupled.indenter, load, pull});
-      EXPECT_NEAR(coupled.indenter.indentation, independent.indenter.indentation, 1e-12);
-      EXPECT_NEAR(coupled.indenter.tangential, independent.indenter.tangential, 1e-12);
-    }
-    EXPECT_LT((independent.tangential_load - coupled.tangential_load).abs().maxCoeff(), 1e-12);
+  const CoupledStep step(bed, elastic(1), mu, 0.1);
+  const double limit = mu * spring_modulus_ratio(0.5);
+  for (const double d : {0.6, 0.61, 0.63, 0.66, 0.7}) {
+    SpringState state = relaxed_state(bed, elastic(1), d);
+    const double load = 2 * d * std::sqrt(d) / 3, pull = limit * load * 0.4;
+    for (int k = 1; k <= 4; ++k) step.advance(state, {state.indenter, load, pull * k / 4});
+    EXPECT_NEAR(state.indenter.indentation, d, 3e-6);
+    EXPECT_NEAR(state.indenter.tangential, limit * d * (1 - std::cbrt(0.6 * 0.6)),
+                3e-4);  // and the stick zone ends anywhere
   }
 }
 
@@ -74,10 +82,11 @@ TEST(CoupledStep, RelaxedSpringsBearTheLayersContact) {
   const double load = extrapolated([&](Eigen::Index n) {
     const CoupledBed bed = coupled_bed(spring_bed(parabola(1), 1.1, n), layer);
     const SpringState state = relaxed_state(bed, elastic(2), contact.indentation);
-    EXPECT_NEAR(relaxed_indentation(bed, (bed.springs.width * state.normal_load).sum()), contact.indentation, 1e-12);
-    return (bed.springs.width * state.normal_load).sum();
+    const double all = bears(bed, state);
+    EXPECT_NEAR(relaxed_indentation(bed, all), contact.indentation, 1e-10);
+    return all;
   });
-  EXPECT_NEAR(load / contact.load, 1, 1e-5);  // where in a spring the edge is: between the orders 2 and 3
+  EXPECT_NEAR(load / contact.load, 1, 1e-7);
 }
 
 // A contact that only grows is elastic at every instant but for the factor G (Lee and Radok): its force is the integral
@@ -96,11 +105,11 @@ TEST(CoupledStep, AGrowingContactIsLeesAndRadoks) {
     const double d = 0.5 * k * dt / duration;
     step.advance(state, {{d, 0.5 / duration, 0, 0}, {}, {}});
     const SpringState at_rest = relaxed_state(bed, body, d);
-    const double now = (bed.springs.width * at_rest.normal_load).sum();
+    const double now = bears(bed, at_rest);
     memory = decay * memory + gain * (now - elastic_before);
     elastic_before = now;
     if (k % 20 != 0) continue;
-    EXPECT_NEAR((bed.springs.width * state.normal_load).sum() / (now + memory), 1, 2e-4) << k;  // dt: touching springs
+    EXPECT_NEAR(bears(bed, state) / (now + memory), 1, 2e-4) << k;  // dt: touching springs
   }
 }
 
