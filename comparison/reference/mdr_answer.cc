@@ -51,8 +51,8 @@ mdr::PathFineness finer(mdr::PathFineness fineness, int times) {
   return fineness;
 }
 
-/// Springs of a motion without period go through 96 oscillations, and twice as many, in the place of one.
-constexpr mdr::SpringFineness of_many_oscillations{100, 90, 10, 1e-7, 96};
+/// Springs of a motion without period go through 192 oscillations, and half and twice as many, in the place of one.
+constexpr mdr::SpringFineness of_many_oscillations{100, 90, 10, 1e-7, 192};
 
 mdr::SteppedForcedResponse half_space_response(const MdrCase& mdr, int times) {
   return mdr::forced_response(mdr.profile, mdr.body, mdr.friction_coefficient, mdr.prescribed(),
