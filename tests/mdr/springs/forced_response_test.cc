@@ -116,6 +116,25 @@ TEST(ForcedResponse, KnowsTheErrorOfABodyWithADashpot) {
   EXPECT_LE(largest_error, 10 * most_off);
 }
 
+// Neither the difference of two extrapolations nor the last correction alone is as much as these are off.
+TEST(ForcedResponse, KnowsTheErrorOfABodyWithoutADashpot) {
+  for (const double phase : {0.3, 1.0, 1.7, 2.4}) {
+    const Prescribed displacements{{8e-5, {{2e-5, 1, 0}}, {{1.5e-5, 1, phase}}, true}};
+    const auto stepped_with = [&](Eigen::Index n, int n_ramp) {
+      return forced_response(profiles[0], standard_solid(1e6, 1e6, 0.1), mu, displacements,
+                             {n, static_cast<int>(n) * 9 / 10, n_ramp, 1e-8});
+    };
+    const auto coarse = stepped_with(60, 6), fine = stepped_with(240, 24);
+    const auto see = [&](double ForcedResponse::*part) {
+      EXPECT_LE(std::abs(coarse.response.*part - fine.response.*part), coarse.error.*part) << phase;
+    };
+    see(&ForcedResponse::tangential_force_max);
+    see(&ForcedResponse::axis_pressure_max);
+    see(&ForcedResponse::friction_work);
+    see(&ForcedResponse::bulk_work);
+  }
+}
+
 // Whichever way they rise, oscillations come to the same cycle, in which slip dies out slowly.
 TEST(ForcedResponse, OfABodyWithADashpotHasSettledWhateverTheRamp) {
   const Prescribed displacements{{1e-4, {{2e-5, 1, 0}}, {{1.5e-5, 1, 0}, {5e-6, 2, pi / 2}}, true}};
