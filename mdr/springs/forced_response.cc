@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 
 #include "mdr/motion/force_control.h"
 #include "mdr/springs/repetition.h"
@@ -95,16 +96,21 @@ SteppedForcedResponse extrapolated_response(const HistoryOfSprings& history, con
                                             const std::function<double(double)>& g, double outer_radius,
                                             const PronyBody& body, const Prescribed& prescribed,
                                             const SpringFineness& fineness) {
-  const auto coarse = response_of(radius_at, history_with(history, body, prescribed, halved(fineness), 1)),
-             middle = response_of(radius_at, history_with(history, body, prescribed, fineness, 1));
-  SteppedForcedResponse stepped{response_of(radius_at, history_with(history, body, prescribed, fineness, 2)), {}};
+  const auto response_with = [&](const SpringFineness& coarsest, int times) {
+    return response_of(radius_at, history_with(history, body, prescribed, coarsest, times));
+  };
+  // The middle one first: where the contact slides as a whole, it says when.
+  const auto middle = response_with(fineness, 1);
+  SteppedForcedResponse stepped{response_with(fineness, 2), {}};
+  std::optional<ForcedResponse> coarse;
+  if (body.viscosity == 0) coarse = response_with(halved(fineness), 1);
   const auto extrapolate = [&](auto&& part) {
     const auto extrapolation = [](double coarser, double finer) { return finer + (finer - coarser) / 3; };
-    const double before = extrapolation(part(coarse), part(middle)), fine = part(stepped.response),
-                 now = extrapolation(part(middle), fine);
+    const double fine = part(stepped.response), now = extrapolation(part(middle), fine);
     part(stepped.response) = now;
     part(stepped.error) =
-        body.viscosity > 0 ? 3 * std::abs(now - fine) : std::max(std::abs(now - before), std::abs(now - fine));
+        coarse ? std::max(std::abs(now - extrapolation(part(*coarse), part(middle))), std::abs(now - fine))
+               : 3 * std::abs(now - fine);
   };
   extrapolate([](auto& r) -> auto& { return r.normal.normal_force_max; });
   extrapolate([](auto& r) -> auto& { return r.normal.normal_force_min; });

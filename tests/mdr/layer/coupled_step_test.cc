@@ -41,16 +41,16 @@ TEST(CoupledStep, WithoutCouplingIsTheStepOfIndependentSprings) {
     for (int k = 1; k <= 240; ++k) {
       step.advance(independent, bed.springs, path(k * dt));
       coupled_step.advance(coupled, {path(k * dt), {}, {}});
-      while (body.viscosity == 0 && independent.normal_load[n - 2] <= 0) --n;
+      while (body.viscosity == 0 && (independent.normal_load[n - 1] <= 0 || coupled.rim_load[n - 1] > 0)) --n;
     }
     const auto differ = [n](const Eigen::ArrayXd& one, const Eigen::ArrayXd& other) {
-      return (one - other).head(n - 2).abs().maxCoeff();
+      return (one - other).head(n).abs().maxCoeff();
     };
-    EXPECT_GT(n, 10);
+    EXPECT_GE(n, 10);
     EXPECT_LT(differ(independent.normal_load, coupled.normal_load), 1e-12);
-    EXPECT_LT(differ(independent.tangential_load, coupled.tangential_load), 2e-11);
+    EXPECT_LT(differ(independent.tangential_load, coupled.tangential_load), 1e-12);
     EXPECT_LT(differ(independent.normal_depth, coupled.normal_depth), 1e-12);
-    EXPECT_LT(differ(independent.tangential_shift, coupled.tangential_shift), 2e-11);
+    EXPECT_LT(differ(independent.tangential_shift, coupled.tangential_shift), 1e-12);
     EXPECT_LT(differ(independent.slip, coupled.slip), 1e-12);
   }
 }
