@@ -12,7 +12,8 @@ constexpr int exit_not_resolved = 5;
 /// For --help and the manual page.
 constexpr const char* exit_codes_text =
     "0  all that was asked for agrees, or is not proved (--proof none)\n"
-    "1  finite elements and MDR disagree beyond the tolerance, or a value has moved from the baseline\n"
+    "1  finite elements and MDR disagree beyond the tolerance, or a value has moved from the baseline,\n"
+    "   or MDR is off by more than trust --at-most\n"
     "2  bad input\n"
     "3  the numerics failed\n"
     "4  the system failed\n"

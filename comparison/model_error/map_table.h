@@ -13,7 +13,7 @@ namespace fretval {
 
 /// What the maps of MDR's error are over, beside the stick ratio: the phase with friction as a vector; Poisson's ratio
 /// of a half-space, and how thick an incompressible layer is, with pressure and friction coupled; and the latter under
-/// a normal force, uncoupled.
+/// a normal force.
 enum class MapKind { phase, poisson_ratio, layer, layer_by_force };
 inline constexpr std::array all_maps{MapKind::phase, MapKind::poisson_ratio, MapKind::layer, MapKind::layer_by_force};
 const char* name_of(MapKind kind);

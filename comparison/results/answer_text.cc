@@ -150,6 +150,14 @@ std::optional<Reading> fe_reading(const ordered_json& result, Quantity quantity)
   return reading;
 }
 
+/// A share in percent, to so many significant digits, or whole where it has more of them: never as a power of ten.
+std::string percent_text(double share, int digits, bool with_sign = false) {
+  const double percent = 100 * share, rounded = std::stod(fmt::format("{:.{}e}", percent, digits - 1));
+  const auto text = std::abs(rounded) < std::pow(10, digits) ? fmt::format("{:.{}g}", percent, digits)
+                                                             : fmt::format("{:.0f}", percent);
+  return with_sign && !(percent < 0) ? "+" + text : text;
+}
+
 /// What is said of a force or an energy of a cycle that nobody has asked for, where its bar is a tenth of it or more.
 std::string hardly_known(const ordered_json& result, const StoredDifference& one) {
   constexpr double tenth = 0.1;
@@ -159,6 +167,7 @@ std::string hardly_known(const ordered_json& result, const StoredDifference& one
     return "";
   const double share = *reading->uncertainty / std::abs(*reading->value);
   if (!(share >= tenth)) return "";
+  if (share >= 1) return "no larger than its bar";
   return fmt::format("known to {:.0f} %: set a Cycle tolerance", 100 * share);
 }
 
@@ -185,13 +194,13 @@ std::string model_text(const ordered_json& result) {
   if (model->contains("outside"))
     return fmt::format("as a model: outside the map ({})", model->at("outside").get<std::string>());
   if (!model->at("good_to").is_number()) return "";
-  auto text = fmt::format("as a model MDR is good to about {:.1g} %", 100 * model->at("good_to").get<double>());
+  auto text = fmt::format("as a model MDR is good to about {} %", percent_text(model->at("good_to").get<double>(), 1));
   const char* mark = ": off by ";
   for (const auto quantity : mapped_quantities)
     if (const auto found = model->at("mdr_off_by").find(name_of(quantity)); found != model->at("mdr_off_by").end()) {
       const double value = found->at("value").get<double>(), uncertainty = found->at("uncertainty").get<double>();
       if (std::abs(value) <= uncertainty) continue;
-      text += fmt::format("{}{:+.2g} ± {:.1g} % in the {}", mark, 100 * value, 100 * uncertainty,
+      text += fmt::format("{}{} ± {} % in the {}", mark, percent_text(value, 2, true), percent_text(uncertainty, 1),
                           traits_of(quantity).title);
       mark = "; ";
     }

@@ -10,8 +10,8 @@
 
 namespace fretval {
 
-/// About how long finite elements need, in s on one core like that of docs/verification.md; right to a factor of three,
-/// of wear to a factor of five.
+/// About how long finite elements need, in s on one core of today; right to a factor of three, of wear to a
+/// factor of five.
 
 /// n_sharing: cases that a body is made once for.
 

@@ -50,7 +50,7 @@ PlaneZone moved_out(PlaneZone zone, double by) {
 Eigen::VectorXd pressure_in(const NormalRecord& record, long step) {
   const auto next = static_cast<std::size_t>(step) + 1;
   if (next < record.pressures.size()) return record.pressures[next].cwiseMax(0);
-  return record.history.pressure.col(record.history.column(step + 1)).cwiseMax(0);
+  return record.history.pressure_on_friction().col(record.history.column(step + 1)).cwiseMax(0);
 }
 
 fem::SurfaceHistory history_beside(const NormalRecord& record, const fem::SurfaceCompliance& surface,

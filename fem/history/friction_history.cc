@@ -11,6 +11,7 @@
 #include "fem/history/friction_search.h"
 #include "fem/history/scatter.h"
 #include "fem/ring_contact/friction_force.h"
+#include "fem/ring_contact/pressure_for_friction.h"
 #include "fem/support/constants.h"
 #include "fem/support/solver_error.h"
 
@@ -196,7 +197,9 @@ void WatchedFriction::step(const Eigen::VectorXd& pressure, const std::optional<
 }
 
 void WatchedFriction::step_beside(const NormalContact& normal) {
-  step(normal.pressure, NormalInstant{normal.problem().series.radii(), normal.reading.radius, normal.reading.force});
+  const auto& series = normal.problem().series;
+  const auto pressure = pressure_for_friction(series, contact.problem().series, normal.pressure, normal.reading.force);
+  step(pressure, NormalInstant{series.radii(), normal.reading.radius, normal.reading.force});
 }
 
 namespace {
@@ -284,7 +287,7 @@ FrictionHistory friction_history(WatchedFriction friction, const NormalHistory& 
     do {
       const Eigen::Index column = normal.column(contact.n_steps + 1);
       if (in_order) {
-        friction.step(normal.pressure.col(column), normal.instant(column));
+        friction.step(normal.pressure_on_friction().col(column), normal.instant(column));
         touching.move_to(normal.contact_radius[column]);
         forces.see(contact, touching, normal.force[column]);
       } else {
@@ -335,8 +338,10 @@ FrictionHistory friction_history(WatchedFriction friction, const NormalHistory& 
 
 ContactHistory contact_history(NormalContact normal, WatchedFriction friction, const HistoryControl& control) {
   ContactHistory history;
+  const auto& series = normal.problem().series;
   history.normal =
       normal_history(std::move(normal), control, [&](const NormalContact& contact) { friction.step_beside(contact); });
+  find_friction_pressure(series, friction.contact.problem().series, history.normal);
   history.friction = friction_history(std::move(friction), history.normal, control);
   return history;
 }

@@ -107,7 +107,7 @@ class WatchedFriction {
   WatchedFriction(const ContactProblem& problem, const RelaxationModel& relaxation, double friction_coefficient,
                   const Motion& motion, int steps_per_cycle);
   void step(const Eigen::VectorXd& pressure, const std::optional<NormalInstant>& normal = {});
-  /// Beside the normal contact after its last step.
+  /// Beside the normal contact, whose rings touch from the centre outwards, after its last step.
   void step_beside(const NormalContact& normal);
 
   FrictionContact contact;

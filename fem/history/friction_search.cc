@@ -9,7 +9,7 @@ namespace {
 
 void step_under(FrictionContact& contact, const NormalHistory& normal) {
   const Eigen::Index column = normal.column(contact.n_steps + 1);
-  contact.step(normal.pressure.col(column), normal.instant(column));
+  contact.step(normal.pressure_on_friction().col(column), normal.instant(column));
 }
 
 /// Returns whether there are any rings to put back. Without one that has not slipped there is no memory to give them.

@@ -7,6 +7,7 @@
 
 #include "fem/history/cycle_jump.h"
 #include "fem/motion/running_minimum.h"
+#include "fem/ring_contact/pressure_for_friction.h"
 #include "fem/support/constants.h"
 #include "fem/support/solver_error.h"
 
@@ -18,6 +19,14 @@ std::optional<NormalInstant> NormalHistory::instant(Eigen::Index column) const {
   if (pressure_depths.size() > 0)
     instant.pressure_depths.emplace(pressure_depths.col(column).data(), pressure_depths.rows());
   return instant;
+}
+
+void find_friction_pressure(const PunchSeries& normal, const PunchSeries& tangential, NormalHistory& history) {
+  if (normal.is_half_space() || !history.touches_in_order()) return;
+  history.friction_pressure.resizeLike(history.pressure);
+  for (Eigen::Index k = 0; k < history.pressure.cols(); ++k)
+    history.friction_pressure.col(k) =
+        pressure_for_friction(normal, tangential, history.pressure.col(k), history.force[k]);
 }
 
 namespace {

@@ -29,6 +29,7 @@ struct NormalHistory {
   double first_balance = 0;           ///< time at which forces balanced in the first step of all
   Eigen::VectorXd time;               ///< per step of the cycle: its balance time; so all that follow
   Eigen::MatrixXd pressure;           ///< n_rings x steps_per_cycle
+  Eigen::MatrixXd friction_pressure;  ///< see pressure_for_friction; empty: that is the pressure
   Eigen::MatrixXd pressure_depths;    ///< see NormalInstant; empty: nobody has worked them out
   Eigen::VectorXd indentation;        ///< at the balance times
   double largest_indentation = 0;     ///< of the cycle, at the ends of the steps and between them
@@ -49,10 +50,17 @@ struct NormalHistory {
   /// Column of a step in the cycle, counted from 1 for the first step of the history; from the last computed cycle on.
   [[nodiscard]] Eigen::Index column(long step) const { return (step - 1) % steps_per_cycle; }
   [[nodiscard]] bool touches_in_order() const { return touch_radii.size() > 0; }
+  /// Per step of the cycle, what a friction limit takes.
+  [[nodiscard]] const Eigen::MatrixXd& pressure_on_friction() const {
+    return friction_pressure.size() > 0 ? friction_pressure : pressure;
+  }
   /// Empty: rings touch in any order.
   [[nodiscard]] std::optional<NormalInstant> instant(Eigen::Index column) const;
   [[nodiscard]] long n_steps() const { return static_cast<long>(n_cycles) * steps_per_cycle; }
 };
+
+/// Fills in what friction takes of the pressures, for a tangential problem on the same rings.
+void find_friction_pressure(const PunchSeries& normal, const PunchSeries& tangential, NormalHistory& history);
 
 /// Whatever else goes along with the normal contact, step by step: friction, a record.
 using Beside = std::function<void(const NormalContact&)>;

@@ -83,6 +83,12 @@ Eigen::MatrixXd PunchSeries::depths_of_instants(Eigen::MatrixXd tractions) const
   return tractions;
 }
 
+Eigen::VectorXd PunchSeries::tractions(const Eigen::VectorXd& depths) const {
+  Eigen::VectorXd tractions = loads_of_depths(depths);
+  multiply_transposed(inverse_, tractions);
+  return tractions;
+}
+
 void PunchSeries::to_displacements(Eigen::Ref<Eigen::VectorXd> rings) const {
   Index n_still = 0;
   while (n_still < rings.size() && rings[n_still] == 0) ++n_still;

@@ -46,6 +46,11 @@ class PunchSeries {
   /// The other way round. Of displacements as below, `L^{-1} (A s)`.
   [[nodiscard]] auto loads_of_depths(const Eigen::VectorXd& depths) const { return depths.cwiseProduct(by_load_); }
 
+  /// Ring tractions of depths.
+  [[nodiscard]] Eigen::VectorXd tractions(const Eigen::VectorXd& depths) const;
+  /// That a depth gives its own ring.
+  [[nodiscard]] double own_traction(Eigen::Index i) const { return by_load_[i] / (*factor_)(i, i); }
+
   /// `s_j = (L^{-1} (A s))_j / b_j` of ring displacements s: work-conjugate to the depths,
   /// `sum_j A_j t_j s_j = sum_j b_j^2 D_j s_j`. Those of an elastic body are its depths. Of a gap they are smooth up to
   /// the edge of the contact, whatever pressure there is.

@@ -16,7 +16,9 @@ namespace fretval {
 /// A normal history with what drives the friction beside it.
 struct NormalRecord {
   fem::NormalHistory history;
-  std::vector<Eigen::VectorXd> pressures;  ///< at the start, then after each step until the response repeats
+  /// At the start, then after each step until the response repeats: what friction takes of them
+  /// (fem::pressure_for_friction), or the pressures themselves without tangential problem.
+  std::vector<Eigen::VectorXd> pressures;
   std::vector<Eigen::VectorXd> depths;  ///< of the pressures, see fem::NormalInstant; empty without tangential problem
   std::vector<double> radii, forces;    ///< of the contact, likewise, see fem::ContactForce
 

@@ -14,7 +14,7 @@ struct RandomDraw {
   int attempt = 0;
 };
 
-/// A random case, the same for the same draw on every machine. Drawn are (docs/verification.md has the shares)
+/// A random case, the same for the same draw on every machine. Drawn are
 ///
 ///   lengths 1 nm to 1 m, depths 1e-3 to 0.3 of the contact radius, moduli 1 mPa to 1 TPa, 1e-6 to 1e6 Hz;
 ///   every shape with a formula: parabola, cone, r^1.2 to r^8, rounded flat, truncated sphere;

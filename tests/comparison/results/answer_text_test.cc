@@ -58,6 +58,8 @@ TEST(AnswerText, SaysWhatToSetWhereAnEnergyIsHardlyKnown) {
                                          {"pass", true}};
   expect_parts(kept_answer_text(json),
                {"energy lost to friction", "not resolved; known to 50 %: set a Cycle tolerance"});
+  json["fe"]["friction_work"] = 1e-8;
+  expect_parts(kept_answer_text(json), {"energy lost to friction", "not resolved; no larger than its bar"});
 }
 
 TEST(AnswerText, OfAListOfManyAnnuliHasTheFirst) {
@@ -90,6 +92,13 @@ TEST(AnswerOfStoredResult, SaysHowGoodMdrIsAsAModel) {
                        {"stick_radius_shakedown", {{"value", 0.002}, {"uncertainty", 0.003}}}}}};
   EXPECT_EQ(answer_of(result).model,
             "as a model MDR is good to about 3 %: off by +2.1 ± 0.4 % in the stick radius, first slip");
+  result["model"] = {{"good_to", 0.123},
+                     {"mdr_off_by",
+                      {{"stick_radius_first_slip", {{"value", -1.234}, {"uncertainty", 0.0972}}},
+                       {"stick_radius_shakedown", {{"value", 0.996}, {"uncertainty", 0.31}}}}}};
+  EXPECT_EQ(answer_of(result).model,
+            "as a model MDR is good to about 12 %: off by -123 ± 10 % in the stick radius, first slip; +100 ± 31 % in "
+            "the stick radius, shakedown");
   result["model"] = {{"good_to", nullptr}, {"outside", "the maps are of an unworn indenter"}};
   EXPECT_EQ(answer_of(result).model, "as a model: outside the map (the maps are of an unworn indenter)");
 }
