@@ -95,8 +95,7 @@ SectionTraits elastomer_entries() {
       all_but_table{"elastic", "kelvin voigt", "standard solid", "prony", "fractional zener"};
   return {
       "Elastomer",
-      {entry("Rheology", {}, {"elastic", "kelvin voigt", "standard solid", "prony", "fractional zener", "table"},
-             needed, "the law of the body in time"),
+      {entry("Rheology", {}, Case::rheology_names, needed, "the law of the body in time"),
        entry({"Relaxed shear modulus", "G'(0)"}, {D::pressure}, relaxed_modulus, needed,
              "G'(0), of the body at rest; Young's over 2 (1 + ν), a third of it for ν = 1/2", all_but_table),
        entry({"Viscosity", "η"}, {D::viscosity}, positive_number, "none; kelvin voigt: an error",

@@ -185,7 +185,7 @@ TEST(CaseFaults, AByteOrderMarkAndAnyLineEndingAreAccepted) {
   const ScratchFolder folder;
   const auto scene = read_case_file(folder.write("case.prm", text)).at(0);
   EXPECT_EQ(scene.indenter.radius, 1e-2);
-  EXPECT_EQ(scene.elastomer.rheology, "standard solid");
+  EXPECT_EQ(scene.elastomer.rheology, Case::Rheology::standard_solid);
 }
 
 struct BadJson {
