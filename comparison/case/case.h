@@ -79,8 +79,13 @@ struct Case {
     double merging_error = 0;                         ///< largest relative change of the complex modulus by merging
   };
 
+  enum class Rheology { elastic, kelvin_voigt, standard_solid, prony, fractional_zener, table };
+  /// In the order of the enumeration, as in the file.
+  static constexpr std::array rheology_names{"elastic", "kelvin voigt",     "standard solid",
+                                             "prony",   "fractional zener", "table"};
+
   struct Elastomer {
-    std::string rheology;               ///< as named in the file
+    Rheology rheology = Rheology::elastic;
     double relaxed_modulus = 0;         ///< Pa, G'(0)
     std::vector<double> branch_moduli;  ///< Pa; of the fit for measured moduli
     std::vector<double> branch_times;   ///< s, at the temperature of the case
@@ -94,6 +99,7 @@ struct Case {
     std::optional<double> shore_a = {};              ///< that the relaxed modulus follows from
     double modulus_scatter = 0;                      ///< relative standard deviation of the moduli, where it is known
 
+    [[nodiscard]] const char* rheology_name() const { return rheology_names[static_cast<std::size_t>(rheology)]; }
     [[nodiscard]] bool has_memory() const { return viscosity > 0 || !branch_moduli.empty(); }
   };
 

@@ -209,12 +209,13 @@ Case::Elastomer read_elastomer(const EntryReader& entries, std::vector<std::stri
                                std::vector<std::string>& notes) {
   const std::string section = "Elastomer";
   Case::Elastomer elastomer;
-  elastomer.rheology = entries.word(section, "Rheology");
-  if (elastomer.rheology.empty()) return elastomer;
-  entries.read_fields(section, elastomer.rheology, elastomer);
-  if (elastomer.rheology == "prony" && !entries.given(section, "Branches"))
+  const auto rheology = entries.kind<Case::Rheology>(section, "Rheology");
+  if (!rheology) return elastomer;
+  elastomer.rheology = *rheology;
+  entries.read_fields(section, elastomer.rheology_name(), elastomer);
+  if (rheology == Case::Rheology::prony && !entries.given(section, "Branches"))
     entries.forbid(section, "Table modulus", "it belongs to a Table or a file of Branches");
-  if (elastomer.rheology == "table") {
+  if (rheology == Case::Rheology::table) {
     const bool youngs = entries.word(section, "Table modulus") == "Young";
     const auto table = entries.path(section, "Table");
     try {
@@ -229,8 +230,9 @@ Case::Elastomer read_elastomer(const EntryReader& entries, std::vector<std::stri
   } else {
     read_relaxed_modulus(entries, elastomer, notes);
   }
-  if (find_entry(section, "Branch times")->belongs_to(elastomer.rheology)) read_branches(entries, elastomer, notes);
-  if (elastomer.rheology == "kelvin voigt" || entries.given(section, "Viscosity"))
+  if (find_entry(section, "Branch times")->belongs_to(elastomer.rheology_name()))
+    read_branches(entries, elastomer, notes);
+  if (rheology == Case::Rheology::kelvin_voigt || entries.given(section, "Viscosity"))
     elastomer.viscosity = entries.number(section, "Viscosity");
   shift_to_temperature(entries, elastomer);
   return elastomer;

@@ -102,7 +102,7 @@ void read_branches(const EntryReader& entries, Case::Elastomer& elastomer, std::
   elastomer.branch_times = entries.numbers(section, "Branch times");
   const auto n = elastomer.branch_moduli.size();
   if (n == 0) return;
-  if (elastomer.rheology != "prony" && n != 1)
+  if (elastomer.rheology != Case::Rheology::prony && n != 1)
     entries.fail(section, "Branch moduli", "one modulus; use Rheology = prony for several branches");
   if (!elastomer.branch_times.empty() && elastomer.branch_times.size() != n)
     entries.fail(section, "Branch times", fmt::format("{} times, one for each of the Branch moduli", n));

@@ -86,6 +86,12 @@ const EntryTraits* find_entry(const std::string& section, const std::string& nam
   return nullptr;
 }
 
+const EntryTraits* find_entry(const std::string& place) {
+  const std::string between = " / ";
+  const auto at = place.find(between);
+  return at == std::string::npos ? nullptr : find_entry(place.substr(0, at), place.substr(at + between.size()));
+}
+
 bool is_entry(const std::string& section, const std::string& name) {
   return find_entry(section, name) != nullptr;
 }

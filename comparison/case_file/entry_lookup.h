@@ -11,6 +11,8 @@ namespace fretval {
 /// Null: there is no such section or entry.
 const SectionTraits* find_section(const std::string& name);
 const EntryTraits* find_entry(const std::string& section, const std::string& name);
+/// Of "SECTION / ENTRY", as sweeps name it.
+const EntryTraits* find_entry(const std::string& place);
 bool is_entry(const std::string& section, const std::string& name);
 /// The names of all entries of a section but some.
 std::vector<std::string> names_but(const std::string& section, const std::vector<std::string>& others);

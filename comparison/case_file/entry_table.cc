@@ -46,25 +46,34 @@ const ValidNumber ring_count{[](double x) { return is_whole(x, 16, 640); }, "a w
 const ValidNumber step_count{[](double x) { return is_whole(x, 16, 10000); }, "a whole number from 16 to 10000",
                              "a whole number, 16 to 10000"};
 
-EntryTraits entry(const char* name, std::vector<Dimension> dimensions, EntryValues values, const char* without,
+/// As it is called in a file, and in the axis of a plot.
+struct Name {
+  const char *words, *symbol;
+
+  Name(const char* words_, const char* symbol_ = "") : words(words_), symbol(symbol_) {}
+};
+
+EntryTraits entry(const Name& name, std::vector<Dimension> dimensions, EntryValues values, const char* without,
                   const char* about, std::vector<std::string> owners = {}, Field field = {}) {
-  return {name, std::move(dimensions), std::move(values), without, about, std::move(owners), field};
+  return {name.words, name.symbol, std::move(dimensions), std::move(values), without, about, std::move(owners), field};
 }
 
 SectionTraits indenter_entries() {
   return {
       "Indenter",
       {entry("Shape", {}, Case::shape_names, needed, "the profile f(r)"),
-       entry("Radius", {D::length}, positive_number, needed,
+       entry({"Radius", "R"}, {D::length}, positive_number, needed,
              "of curvature; parabola f = r²/(2R), sphere f = R - √(R² - r²), truncated sphere",
              {"parabola", "sphere", "truncated sphere"}, &Indenter::radius),
-       entry("Slope angle", {D::angle}, acute_angle, needed, "cone: between generatrix and surface, f = r tan(angle)",
-             {"cone"}, &Indenter::slope_angle),
+       entry({"Slope angle", "θ"}, {D::angle}, acute_angle, needed,
+             "cone: between generatrix and surface, f = r tan(angle)", {"cone"}, &Indenter::slope_angle),
        entry("Coefficient", {D::varying}, positive_number, needed, "power: b of f = b rⁿ, in m^(1-n)", {"power"},
              &Indenter::coefficient),
-       entry("Exponent", {D::number}, power_of_radius, needed, "power: n of f = b rⁿ", {"power"}, &Indenter::exponent),
-       entry("Flat radius", {D::length}, positive_number, needed, "rounded flat, truncated sphere: of the flat face",
-             {"rounded flat", "truncated sphere"}, &Indenter::flat_radius),
+       entry({"Exponent", "n"}, {D::number}, power_of_radius, needed, "power: n of f = b rⁿ", {"power"},
+             &Indenter::exponent),
+       entry({"Flat radius", "b"}, {D::length}, positive_number, needed,
+             "rounded flat, truncated sphere: of the flat face", {"rounded flat", "truncated sphere"},
+             &Indenter::flat_radius),
        entry("Edge radius", {D::length}, positive_number, needed, "rounded flat: of its edge", {"rounded flat"},
              &Indenter::edge_radius),
        entry("Table", {}, "a file, relative to the case file", needed,
@@ -86,15 +95,14 @@ SectionTraits elastomer_entries() {
       all_but_table{"elastic", "kelvin voigt", "standard solid", "prony", "fractional zener"};
   return {
       "Elastomer",
-      {entry("Rheology", {}, {"elastic", "kelvin voigt", "standard solid", "prony", "fractional zener", "table"},
-             needed, "the law of the body in time"),
-       entry("Relaxed shear modulus", {D::pressure}, relaxed_modulus, needed,
+      {entry("Rheology", {}, Case::rheology_names, needed, "the law of the body in time"),
+       entry({"Relaxed shear modulus", "G'(0)"}, {D::pressure}, relaxed_modulus, needed,
              "G'(0), of the body at rest; Young's over 2 (1 + ν), a third of it for ν = 1/2", all_but_table),
-       entry("Viscosity", {D::viscosity}, positive_number, "none; kelvin voigt: an error",
+       entry({"Viscosity", "η"}, {D::viscosity}, positive_number, "none; kelvin voigt: an error",
              "of a dashpot beside the springs", {"kelvin voigt", "prony"}),
-       entry("Branch moduli", {D::pressure}, {positive_number, ", a list"}, needed,
+       entry({"Branch moduli", "G_1"}, {D::pressure}, {positive_number, ", a list"}, needed,
              "standard solid and fractional zener one, prony any number", with_branches),
-       entry("Branch times", {D::time}, {positive_number, ", a list"}, needed, "relaxation times, as many",
+       entry({"Branch times", "τ"}, {D::time}, {positive_number, ", a list"}, needed, "relaxation times, as many",
              with_branches),
        entry("Branch ratios", {D::number}, {positive_number, ", a list with a sum below 1"}, "Branch moduli",
              "prony: moduli of the branches over the instantaneous one, g_i", {"prony"}),
@@ -110,15 +118,15 @@ SectionTraits elastomer_entries() {
        entry("Duration of the test", {D::time}, positive_number, "for ever",
              "what relaxes more slowly is a spring; standard solid, prony, table",
              {"standard solid", "prony", "table"}),
-       entry("Fractional order", {D::number}, order_of_element, needed, "fractional zener: of its element",
+       entry({"Fractional order", "α"}, {D::number}, order_of_element, needed, "fractional zener: of its element",
              {"fractional zener"}, &Case::Elastomer::fractional_order),
-       entry("Poisson ratio", {D::number}, ratio_of_poisson, "0.5, incompressible",
+       entry({"Poisson ratio", "ν"}, {D::number}, ratio_of_poisson, "0.5, incompressible",
              "ν of the body, the same at all times", {}, &Case::Elastomer::poisson_ratio),
        entry("Table", {}, "a file, relative to the case file", needed,
              "table: CSV of f, G' and G'' or tan delta, units in its second line; a Prony body is fitted", {"table"}),
        entry("Table modulus", {}, {"shear", "Young"}, needed,
              "table: which moduli it has; E = 2 (1 + ν) G; Branches: where names do not tell", {"table", "prony"}),
-       entry("Temperature", {D::temperature}, temperature, "that of the data",
+       entry({"Temperature", "T"}, {D::temperature}, temperature, "that of the data",
              "of the case; shifts all times (Williams, Landel, Ferry)"),
        entry("Reference temperature", {D::temperature}, any_number, "an error with a Temperature", "of the data"),
        entry("WLF C1", {D::number}, positive_number, "an error with a Temperature", "of the shift"),
@@ -129,10 +137,10 @@ SectionTraits body_entries() {
   return {
       "Body",
       {entry("Shape", {}, Case::Body::shape_names, "half space", "what the indenter is pressed into"),
-       entry("Thickness", {D::length}, positive_number, needed, "layer, cylinder: down to their flat, rigid base",
-             {"layer", "cylinder"}, &Case::Body::thickness),
-       entry("Radius", {D::length}, positive_number, needed, "cylinder: of its side, which is free", {"cylinder"},
-             &Case::Body::radius),
+       entry({"Thickness", "H"}, {D::length}, positive_number, needed,
+             "layer, cylinder: down to their flat, rigid base", {"layer", "cylinder"}, &Case::Body::thickness),
+       entry({"Radius", "B"}, {D::length}, positive_number, needed, "cylinder: of its side, which is free",
+             {"cylinder"}, &Case::Body::radius),
        entry(
            "Base", {}, {"bonded", "frictionless"}, needed,
            "layer, cylinder, mesh: what their base does; a frictionless one holds nothing against a tangential motion",
@@ -153,21 +161,22 @@ SectionTraits body_entries() {
 SectionTraits motion_entries() {
   return {
       "Motion",
-      {entry("Indentation", {D::length}, positive_number, needed, "d0, its mean"),
-       entry("Normal amplitude", {D::length}, not_negative_number, needed, "Δd of d0 + Δd cos(2π f t)"),
-       entry("Normal force", {D::force}, positive_number, "an Indentation",
+      {entry({"Indentation", "d_0"}, {D::length}, positive_number, needed, "d0, its mean"),
+       entry({"Normal amplitude", "Δd"}, {D::length}, not_negative_number, needed, "Δd of d0 + Δd cos(2π f t)"),
+       entry({"Normal force", "F_0"}, {D::force}, positive_number, "an Indentation",
              "its mean, prescribed instead of the indentation"),
-       entry("Normal force amplitude", {D::force}, not_negative_number, "an error with a Normal force",
+       entry({"Normal force amplitude", "ΔF"}, {D::force}, not_negative_number, "an error with a Normal force",
              "of the normal force"),
-       entry("Normal frequency", {D::frequency}, positive_number, needed, "f of the normal motion"),
+       entry({"Normal frequency", "f"}, {D::frequency}, positive_number, needed, "f of the normal motion"),
        entry("Normal harmonics", {D::length, D::frequency, D::angle}, triples, "none",
              "more cosines: amplitude, frequency, phase of each"),
        entry("Normal force harmonics", {D::force, D::frequency, D::angle}, triples, "none", "of the normal force"),
-       entry("Tangential amplitude", {D::length}, {not_negative_number, ", or the word shakedown"}, needed,
+       entry({"Tangential amplitude", "u_{x0}"}, {D::length}, {not_negative_number, ", or the word shakedown"}, needed,
              "u_x0; shakedown: the one that the limiting profile belongs to"),
-       entry("Tangential force amplitude", {D::force}, not_negative_number, "a Tangential amplitude",
+       entry({"Tangential force amplitude", "F_x"}, {D::force}, not_negative_number, "a Tangential amplitude",
              "prescribed instead of the amplitude"),
-       entry("Tangential frequency", {D::frequency}, positive_number, needed, "of the tangential motion; any ratio"),
+       entry({"Tangential frequency", "f_x"}, {D::frequency}, positive_number, needed,
+             "of the tangential motion; any ratio"),
        entry("Tangential harmonics", {D::length, D::frequency, D::angle}, triples, "none", "likewise"),
        entry("Tangential force harmonics", {D::force, D::frequency, D::angle}, triples, "none",
              "of the tangential force"),
@@ -179,7 +188,7 @@ SectionTraits motion_entries() {
        entry("Transverse force amplitude", {D::force}, not_negative_number, "no force across",
              "F_y0 across a Tangential force amplitude, with the frequency and phase of u_y"),
        entry("Transverse force harmonics", {D::force, D::frequency, D::angle}, triples, "none", "of F_y, likewise"),
-       entry("Phase", {D::angle}, {any_number, ", or the word free"}, needed,
+       entry({"Phase", "φ_0"}, {D::angle}, {any_number, ", or the word free"}, needed,
              "φ0 of the tangential motion; free: the two are not synchronised"),
        entry("Path", {}, "a file, relative to the case file", "oscillations",
              "any motion instead of oscillations: CSV of t, d or the force F_N, u_x or the force F_x, units in its "
@@ -198,7 +207,7 @@ std::vector<SectionTraits> all_sections() {
       indenter_entries(),
       elastomer_entries(),
       {"Friction",
-       {entry("Coefficient", {D::number}, positive_number, needed, "μ of Coulomb's law"),
+       {entry({"Coefficient", "μ"}, {D::number}, positive_number, needed, "μ of Coulomb's law"),
         entry("Law", {}, {"unidirectional", "vector"}, "unidirectional", "the same as Contact / Friction")}},
       {"Contact",
        {entry("Friction", {}, {"unidirectional", "vector"}, "unidirectional",
@@ -214,7 +223,7 @@ std::vector<SectionTraits> all_sections() {
       motion_entries(),
       {"Wear",
        {entry("State", {}, {"unworn", "limiting"}, "unworn", "limiting: the profile in which nothing wears any more"),
-        entry("Stick radius ratio", {D::number}, stick_ratio, "an error with State = limiting",
+        entry({"Stick radius ratio", "c/a"}, {D::number}, stick_ratio, "an error with State = limiting",
               "limiting: c over the unworn contact radius at the largest indentation"),
         entry("Law", {}, Case::wear_law_names, "archard", "of the course of wear"),
         entry("Coefficient", {D::wear_rate}, not_negative_number, "no wear",

@@ -43,7 +43,7 @@ using Field = std::variant<std::monostate, double Case::Indenter::*, double Case
 /// An entry of a case file. This table is the only place that lists them: reading, messages, the listing of what a case
 /// has and docs/case_file.md (`fretval explain --entries`) follow it (comparison/case_file/entry_lookup.h).
 struct EntryTraits {
-  const char* name;
+  const char *name, *symbol;          ///< symbol: of the axis of a sweep, "u_{x0}"; empty: its name has to do
   std::vector<Dimension> dimensions;  ///< of its number or, in turn, of the numbers of its list; empty: a word
   EntryValues values;                 ///< what it may be
   const char* without;                ///< what holds where it is not set

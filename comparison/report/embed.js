@@ -1,4 +1,5 @@
-// Build step: node embed.js OUT.cc FILE...: the files, d3 and KaTeX's style sheet as strings of the program (resources.h).
+// Build step: node embed.js OUT.cc FILE...: the page of a report (text/page.h) as strings of the program: page.html, with its
+// style, the templates and its scripts (d3 and mustache.js among them) in the place of their names.
 // Formulas in templates, \( ... \), become HTML and MathML here, so that a page needs neither KaTeX's script nor a network.
 "use strict";
 const fs = require("fs");
@@ -28,27 +29,32 @@ function styleOfFormulas() {
   });
 }
 
-const resources = {
+const parts = {
   "d3.js": fs.readFileSync(require.resolve("d3/dist/d3.min.js"), "utf8"),
+  "mustache.js": fs.readFileSync(require.resolve("mustache/mustache.min.js"), "utf8"),
   "katex.css": styleOfFormulas(),
 };
+const templates = {};
 for (const file of files) {
-  const text = fs.readFileSync(file, "utf8");
-  resources[path.basename(file)] = file.endsWith(".html") ? typeset(text, file) : text;
+  const text = fs.readFileSync(file, "utf8"), {name, base} = path.parse(file);
+  if (file.endsWith(".html") && name !== "page") templates[name] = typeset(text, file);
+  else parts[base] = text;
 }
-for (const [name, text] of Object.entries(resources))
+parts["templates.js"] = `const templates = ${JSON.stringify(templates).replace(/</g, "\\u003c")};\n`;
+for (const [name, text] of Object.entries(parts))
   if (name.endsWith(".js") && /<\/script|<!--/i.test(text)) throw new Error(`${name}: would end the script of a page`);
 
-const lines = Object.entries(resources).map(([name, text]) => `      {${JSON.stringify(name)}, ${JSON.stringify(text)}},`);
-fs.writeFileSync(out, `#include "comparison/report/text/resources.h"
+const filled = (piece) => piece.replace(/\{\{(.*?)\}\}/g, (_, name) => parts[name]);
+const pieces = parts["page.html"].split(/\{\{(?:title|words|document)\}\}/).map((piece) => `      ${JSON.stringify(filled(piece))},`);
+fs.writeFileSync(out, `#include "comparison/report/text/page.h"
 
 namespace fretval {
 
-const std::map<std::string, std::string_view>& resources() {
-  static const std::map<std::string, std::string_view> all{
-${lines.join("\n")}
+const std::array<std::string_view, 4>& page_pieces() {
+  static const std::array<std::string_view, 4> pieces{
+${pieces.join("\n")}
   };
-  return all;
+  return pieces;
 }
 
 }  // namespace fretval

@@ -23,12 +23,12 @@
 #include "comparison/report/sections/verdict_section.h"
 #include "comparison/report/sections/wear_section.h"
 #include "comparison/report/text/numbers.h"
-#include "comparison/report/text/resources.h"
+#include "comparison/report/text/page.h"
 #include "comparison/report/text/table.h"
+#include "comparison/results/answer_text.h"
 #include "comparison/results/results_folder.h"
 #include "comparison/results/verdict_text.h"
 #include "comparison/support/files.h"
-#include "comparison/support/versions.h"
 
 namespace fretval {
 namespace {
@@ -187,37 +187,17 @@ Filling verdict_with_plots(const Results& results) {
   auto verdict = verdict_section(results);
   auto plots = Filling::array();
   for (const auto section : {sweeps_section, phase_section})
-    if (auto filling = section(results); !filling.is_null()) plots.push_back({{"plot_section", std::move(filling)}});
+    if (auto filling = section(results); !filling.is_null()) plots.push_back(std::move(filling));
   verdict["plots"] = std::move(plots);
   return verdict;
 }
 
-std::string libraries_text() {
-  std::string text;
-  for (const auto& [name, version] : versions())
-    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", name, version);
-  return text;
-}
-
-/// As a script element holds it.
-std::string data_text(const Filling& plots) {
-  auto text = plots.dump(-1, ' ', false, Filling::error_handler_t::replace);
-  for (auto at = text.find('<'); at != std::string::npos; at = text.find('<', at)) text.replace(at, 1, "\\u003c");
-  return text;
-}
-
-std::string page_of(Filling heading, Filling sections) {
-  const auto plots = place_plots(sections);
-  const auto text = [](const char* name) { return std::string(resources().at(name)); };
-  auto page = std::move(heading);
-  page.update({{"template", "page"},
-               {"style", text("katex.css") + text("report.css")},
-               {"sections", std::move(sections)},
-               {"libraries", libraries_text()},
-               {"data", data_text(plots)},
-               {"library", text("d3.js")},
-               {"script", text("report.js")}});
-  return rendered(page);
+/// For readers without scripts: what the terminal says of each of few cases, and all tables.
+std::string words_of(const std::string& title, const Results& results, const Filling& sections) {
+  auto words = title + "\n\n";
+  if (results.size() <= few)
+    for (const auto& r : results) words += kept_answer_text(r.json) + "\n";
+  return words + tables_text(sections);
 }
 
 }  // namespace
@@ -226,7 +206,7 @@ fs::path write_report(const fs::path& folder, const std::set<std::string>& of_th
   const auto results = read_results(folder);
   auto sections = Filling::array();
   const auto add = [&](Filling section) {
-    if (!section.is_null()) sections.push_back({{"section", std::move(section)}});
+    if (!section.is_null()) sections.push_back(std::move(section));
   };
   add(section_of(folder / "trust.json", trust_section));
   if (!results.empty())
@@ -246,7 +226,11 @@ fs::path write_report(const fs::path& folder, const std::set<std::string>& of_th
                     "folder that fretval run, trade, trust or check --json has written",
                     folder.string()));
   fs::path file = folder / "index.html";
-  write_file(file, page_of(heading_of(results, of_this_run, folder_name(folder)), std::move(sections)));
+  auto heading = heading_of(results, of_this_run, folder_name(folder));
+  const auto title = heading.at("title").get<std::string>();
+  const auto words = words_of(title, results, sections);
+  write_file(
+      file, page_of(title + " · fretval", words, {{"heading", std::move(heading)}, {"sections", std::move(sections)}}));
   write_sweeps(results);
   return file;
 }

@@ -60,7 +60,7 @@ void add_indenter(const Case::Indenter& indenter, Inputs& inputs) {
 }
 
 void add_elastomer(const Case::Elastomer& elastomer, Inputs& inputs) {
-  inputs.add("Elastomer", "Rheology", elastomer.rheology);
+  inputs.add("Elastomer", "Rheology", elastomer.rheology_name());
   const auto& curve = elastomer.master_curve;
   const auto& shift = elastomer.shift;
   if (curve) {

@@ -85,7 +85,7 @@ ordered_json case_json(const CaseResult& result) {
   };
   ordered_json json{{"file", input.file},
                     {"shape", Case::shape_names[static_cast<std::size_t>(input.indenter.shape)]},
-                    {"rheology", input.elastomer.rheology},
+                    {"rheology", input.elastomer.rheology_name()},
                     {"friction_coefficient", input.friction_coefficient},
                     {"frequency", frequency_of(motion.normal)},
                     {"tangential_frequency", frequency_of(motion.tangential)},

@@ -73,7 +73,7 @@ std::string relaxed_text(const Case::Elastomer& body) {
 }
 
 std::string body_text(const Case::Elastomer& body) {
-  auto text = fmt::format("{}, G'(0) = {}", body.rheology, relaxed_text(body));
+  auto text = fmt::format("{}, G'(0) = {}", body.rheology_name(), relaxed_text(body));
   constexpr std::size_t most = 4;
   for (std::size_t k = 0; k < std::min(most, body.branch_moduli.size()); ++k)
     text += fmt::format(", {} with {}", short_text(body.branch_moduli[k], "Pa"), short_text(body.branch_times[k], "s"));

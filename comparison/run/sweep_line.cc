@@ -75,39 +75,13 @@ std::vector<Sweep> sweeps_among(const std::vector<Case>& cases) {
 }  // namespace
 
 std::string unit_of_entry(const std::string& entry) {
-  const auto slash = entry.find(" / ");
-  if (slash == std::string::npos) return "";
-  const auto* traits = find_entry(entry.substr(0, slash), entry.substr(slash + 3));
+  const auto* traits = find_entry(entry);
   return traits && !traits->dimensions.empty() ? base_unit(traits->dimensions.front()) : "";
 }
 
 std::string symbol_of_entry(const std::string& entry) {
-  static const std::map<std::string, std::string> symbols{{"Indenter / Radius", "R"},
-                                                          {"Indenter / Slope angle", "θ"},
-                                                          {"Indenter / Exponent", "n"},
-                                                          {"Indenter / Flat radius", "b"},
-                                                          {"Elastomer / Relaxed shear modulus", "G'(0)"},
-                                                          {"Elastomer / Viscosity", "η"},
-                                                          {"Elastomer / Branch moduli", "G_1"},
-                                                          {"Elastomer / Branch times", "τ"},
-                                                          {"Elastomer / Fractional order", "α"},
-                                                          {"Elastomer / Poisson ratio", "ν"},
-                                                          {"Elastomer / Temperature", "T"},
-                                                          {"Friction / Coefficient", "μ"},
-                                                          {"Body / Thickness", "H"},
-                                                          {"Body / Radius", "B"},
-                                                          {"Motion / Indentation", "d_0"},
-                                                          {"Motion / Normal amplitude", "Δd"},
-                                                          {"Motion / Normal force", "F_0"},
-                                                          {"Motion / Normal force amplitude", "ΔF"},
-                                                          {"Motion / Normal frequency", "f"},
-                                                          {"Motion / Tangential amplitude", "u_{x0}"},
-                                                          {"Motion / Tangential force amplitude", "F_x"},
-                                                          {"Motion / Tangential frequency", "f_x"},
-                                                          {"Motion / Phase", "φ_0"},
-                                                          {"Wear / Stick radius ratio", "c/a"}};
-  const auto found = symbols.find(entry);
-  return found == symbols.end() ? "" : found->second;
+  const auto* traits = find_entry(entry);
+  return traits ? traits->symbol : "";
 }
 
 std::string column_of_entry(const std::string& entry) {

@@ -44,7 +44,7 @@ Case at_rest(const MapScene& scene) {
     constexpr double radius = 1e-2;
     input.indenter.radius = radius;
   }
-  input.elastomer.rheology = scene.viscoelastic ? "standard solid" : "elastic";
+  input.elastomer.rheology = scene.viscoelastic ? Case::Rheology::standard_solid : Case::Rheology::elastic;
   input.elastomer.relaxed_modulus = relaxed_modulus;
   input.elastomer.poisson_ratio = scene.poisson_ratio;
   if (scene.viscoelastic) {

@@ -1,6 +1,6 @@
 #!/usr/bin/env node
 // Plots as one SVG file, drawn by the report's own script in Chromium: plots.js PLOTS.json OUT.svg [COLUMNS [WIDTH]]
-// PLOTS.json: a list of plots as a report has them in its element "data"; COLUMNS: side by side, 1 unless it is said; WIDTH: of each.
+// PLOTS.json: a list of plots as figures of a report have them in its element "data"; COLUMNS: side by side, 1 unless it is said; WIDTH: of each.
 "use strict";
 const {execFileSync} = require("child_process");
 const fs = require("fs");
@@ -13,8 +13,10 @@ const templates = path.join(__dirname, "../../comparison/report/templates"), rea
 const data = fs.readFileSync(plots, "utf8"), count = JSON.parse(data).length;
 const page = `<!DOCTYPE html><meta charset="utf-8"><style>${read("report.css")}</style>
 ${Array.from({length: count}, (_, k) => `<figure><div class="plot" data-plot="${k}" data-width="${width}"></div></figure>`).join("\n")}
+<header></header><main></main>
 <script type="application/json" id="data">${data.replace(/</g, "\\u003c")}</script>
-<script>${fs.readFileSync(require.resolve("d3/dist/d3.min.js"), "utf8")}</script><script>${read("report.js")}</script>
+<script>${fs.readFileSync(require.resolve("d3/dist/d3.min.js"), "utf8")}</script>
+<script>const shownPage = (plots) => ({header: "", main: "", plots});</script><script>${read("report.js")}</script>
 <script>
 const saved = [];
 URL.createObjectURL = (file) => { saved.push(file.text()); return "#"; };

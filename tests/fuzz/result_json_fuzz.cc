@@ -6,7 +6,7 @@
 
 #include "comparison/case/case.h"
 #include "comparison/report/report.h"
-#include "comparison/report/text/resources.h"
+#include "comparison/report/text/page.h"
 #include "tests/comparison/scratch_folder.h"
 
 namespace {
@@ -18,11 +18,10 @@ std::size_t n_scripts(std::string_view text) {
   return n;
 }
 
-/// Those of every page: its data, d3 and the script that draws.
+/// Those of every page: its data, what shows and what draws it.
 std::size_t n_own_scripts() {
   std::size_t n = 0;
-  for (const char* name : {"page.html", "katex.css", "report.css", "d3.js", "report.js"})
-    n += n_scripts(fretval::resources().at(name));
+  for (const auto piece : fretval::page_pieces()) n += n_scripts(piece);
   return n;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "comparison/report/text/render.h"
+#include "comparison/report/text/filling.h"
 #include "comparison/results/results_folder.h"
 
 namespace fretval {

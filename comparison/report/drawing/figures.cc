@@ -4,13 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <map>
 #include <set>
 #include <tuple>
 
 #include "comparison/report/drawing/axis.h"
-#include "comparison/report/drawing/plot_table.h"
 #include "comparison/run/sweep_line.h"
 
 namespace fretval {
@@ -205,25 +203,6 @@ Filling filling_of(const std::vector<Figure>& figures) {
   for (const auto& figure : figures)
     filling["figures"].push_back({{"plot", json_of(figure.plot)}, {"caption", figure.caption}});
   return filling;
-}
-
-Filling place_plots(Filling& sections) {
-  std::vector<Filling*> figures;
-  const std::function<void(Filling&)> gather = [&](Filling& part) {
-    if (part.is_object() && part.contains("plot")) figures.push_back(&part);
-    if (part.is_structured())
-      for (auto& one : part) gather(one);
-  };
-  gather(sections);
-  auto plots = Filling::array();
-  for (auto* figure : figures) {
-    auto plot = std::move(figure->at("plot"));
-    figure->erase("plot");
-    (*figure)["number"] = plots.size();
-    (*figure)["without_script"] = plot_table(plot);
-    plots.push_back(std::move(plot));
-  }
-  return plots;
 }
 
 std::vector<Figure> stick_radius_figures(const std::vector<StoredResult>& results) {

@@ -13,12 +13,8 @@ struct Figure {
   std::string caption;
 };
 
-/// For the template `figures`, whose "plot" place_plots puts where the page wants it.
+/// For the template `figures`.
 Filling filling_of(const std::vector<Figure>& figures);
-
-/// Takes all plots of a page off its sections, as data of its script, and leaves a number of each and a table for
-/// readers without scripts.
-Filling place_plots(Filling& sections);
 
 /// Stick radius over the phase, one plot per indenter shape and criterion: MDR as lines, finite elements as points, one
 /// colour per k = 3 mu Dd / (2 u_x0), in the paper's normalisation (figure 3). Results swept over the phase only.

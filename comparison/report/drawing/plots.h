@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "comparison/report/text/render.h"
+#include "comparison/report/text/filling.h"
 
 namespace fretval {
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "comparison/report/text/render.h"
+#include "comparison/report/text/filling.h"
 
 namespace fretval {
 

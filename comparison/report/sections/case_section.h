@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "comparison/report/text/render.h"
+#include "comparison/report/text/filling.h"
 #include "comparison/results/results_folder.h"
 
 namespace fretval {

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "comparison/report/text/render.h"
+#include "comparison/report/text/filling.h"
 
 namespace fretval {
 

@@ -46,14 +46,22 @@ std::string date_of(const std::vector<StoredResult>& results) {
   return newest == 0 ? "" : fmt::format("{:%d %B %Y}", fmt::localtime(newest));
 }
 
+std::string libraries_text() {
+  std::string text;
+  for (const auto& [name, version] : versions())
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", name, version);
+  return text;
+}
+
 }  // namespace
 
 Filling heading_of(const std::vector<StoredResult>& results, const std::set<std::string>& of_this_run,
                    const std::string& no_results) {
   const auto title = results.empty() ? no_results : title_of(results);
-  Filling heading{{"title", title},
-                  {"tab", title + " · fretval"},
+  Filling heading{{"template", "heading"},
+                  {"title", title},
                   {"date", date_of(results)},
+                  {"libraries", libraries_text()},
                   {"citation", fmt::format("The fretval authors, fretval {}: finite elements and the method of "
                                            "dimensionality reduction compared for fretting on an elastomer",
                                            versions().front().second)}};

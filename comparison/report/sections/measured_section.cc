@@ -59,7 +59,7 @@ Filling data_sentences(const StoredResult& r) {
   if (!scene.contains("data")) return nullptr;
   const auto& data = scene["data"];
   auto sentences = Filling::array();
-  const auto add = [&](const std::string& text) { sentences.push_back({{"text", text}}); };
+  const auto add = [&](const std::string& text) { sentences.push_back(text); };
   if (data.contains("test_duration")) {
     const auto& test = data["test_duration"];
     add(fmt::format(

@@ -2,7 +2,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "comparison/report/text/render.h"
+#include "comparison/report/text/filling.h"
 
 namespace fretval {
 

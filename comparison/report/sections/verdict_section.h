@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "comparison/accuracy/verdict.h"
-#include "comparison/report/text/render.h"
+#include "comparison/report/text/filling.h"
 #include "comparison/results/results_folder.h"
 
 namespace fretval {

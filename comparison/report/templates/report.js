@@ -1,4 +1,4 @@
-// Draws the plots of the page from the data in it. A plot has its series, or a kind of its own: "map" (zones of the
+// Shows the page that sections.js makes of the data in it, and draws its plots. A plot has its series, or a kind of its own: "map" (zones of the
 // rings over time), "bars" (shares that add up). Values and units are as the C++ writes them (json_of in plots.cc).
 "use strict";
 (() => {
@@ -444,7 +444,9 @@
   }
 
   const kinds = {map: drawMap, bars: drawBars};
-  const plots = JSON.parse(document.getElementById("data").textContent);
+  const {header, main, plots} = shownPage(JSON.parse(document.getElementById("data").textContent));
+  document.querySelector("header").innerHTML = header;
+  document.querySelector("main").innerHTML = main;
   const draws = new Map();
   const observer = new ResizeObserver((entries) => entries.forEach(({target, contentRect}) => {
     const known = draws.get(target);

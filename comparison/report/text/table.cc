@@ -13,6 +13,19 @@ Filling filling_of_cell(const Cell& cell) {
   return filling;
 }
 
+/// Of what filling_of has made of one.
+Table table_of(const Filling& filling) {
+  Table table{filling.at("heads").get<std::vector<std::string>>()};
+  for (const auto& row : filling.at("rows")) {
+    table.rows.emplace_back();
+    for (const auto& filled : row.at("cells")) {
+      table.rows.back().emplace_back(filled.at("text").get<std::string>());
+      table.rows.back().back().is_words = filled.value("class", "") == "words";
+    }
+  }
+  return table;
+}
+
 /// Characters rather than bytes of UTF-8.
 std::size_t width_of(const std::string& text) {
   return static_cast<std::size_t>(
@@ -72,6 +85,18 @@ std::string text_of(const Table& table) {
     }
     text += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
   }
+  return text;
+}
+
+std::string tables_text(const Filling& part) {
+  std::string text;
+  if (part.is_object() && part.value("template", "") == "table") {
+    const auto table = table_of(part);
+    const auto& label = part.at("label");
+    return (label == table.heads.front() ? "" : label.get<std::string>() + "\n") + text_of(table) + "\n";
+  }
+  if (part.is_structured())
+    for (const auto& one : part) text += tables_text(one);
   return text;
 }
 

@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "comparison/report/text/render.h"
+#include "comparison/report/text/filling.h"
 
 namespace fretval {
 
@@ -36,5 +36,8 @@ Filling filling_of(const Table& table);
 
 /// In aligned columns, the first one and sentences to the left.
 std::string text_of(const Table& table);
+
+/// All tables within a filling, each below its label, if it has one of its own.
+std::string tables_text(const Filling& part);
 
 }  // namespace fretval

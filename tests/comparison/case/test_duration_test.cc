@@ -16,7 +16,7 @@ namespace {
 Case wide_case() {
   auto input = read_case();
   auto& body = input.elastomer;
-  body.rheology = "prony";
+  body.rheology = Case::Rheology::prony;
   body.branch_moduli.clear();
   body.branch_times.clear();
   for (int k = 0; k < 30; ++k) {

@@ -28,7 +28,7 @@ TEST(NewCase, EveryShapeIsAValidCaseWithoutAWarning) {
 TEST(NewCase, EveryRheologyIsAValidCaseWithoutAWarning) {
   for (const auto& rheology : new_case_rheologies()) {
     const auto prepared = prepared_new({"parabola", rheology});
-    EXPECT_EQ(prepared.input.elastomer.rheology, rheology);
+    EXPECT_EQ(prepared.input.elastomer.rheology_name(), rheology);
     EXPECT_TRUE(prepared.input.warnings.empty()) << rheology << ": " << prepared.input.warnings.front();
   }
 }

@@ -78,7 +78,7 @@ TEST(MdrAnswer, OfACycleIsMindlinAndDeresiewiczs) {
 
 TEST(MdrAnswer, HasSpringsForTheToleranceOfACycle) {
   auto scene = read_case(elastic_case());
-  scene.elastomer.rheology = "kelvin voigt";
+  scene.elastomer.rheology = Case::Rheology::kelvin_voigt;
   scene.elastomer.viscosity = 5e4;
   const auto usual = answer_with_cycle(scene).cycle.value();
   EXPECT_FALSE(usual.knows_largest_force);
@@ -126,7 +126,7 @@ TEST(MdrAnswer, OfAPassSaysWhenItSlides) {
 // The springs lose what the indenter puts in.
 TEST(MdrAnswer, OfABodyWithADashpotHasWhatIsLost) {
   auto scene = read_case(elastic_case());
-  scene.elastomer.rheology = "kelvin voigt";
+  scene.elastomer.rheology = Case::Rheology::kelvin_voigt;
   scene.elastomer.viscosity = 5e4;
   const auto answer = answer_with_cycle(scene);
   ASSERT_TRUE(answer.cycle);
@@ -144,7 +144,7 @@ TEST(MdrAnswer, OfABodyWithADashpotHasWhatIsLost) {
 // A second harmonic of next to nothing: springs that are stepped, held against the closed form of one.
 TEST(MdrAnswer, OfSeveralHarmonicsSaysWhatItsLargestForceMayBeOff) {
   auto scene = read_case(elastic_case());
-  scene.elastomer.rheology = "kelvin voigt";
+  scene.elastomer.rheology = Case::Rheology::kelvin_voigt;
   scene.elastomer.viscosity = 5e4;
   const auto one = exact_answer(scene);
   EXPECT_EQ(one.normal_force_error, 0);

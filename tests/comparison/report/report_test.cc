@@ -10,6 +10,7 @@
 #include "tests/comparison/browser.h"
 #include "tests/comparison/expect_parts.h"
 #include "tests/comparison/refusal.h"
+#include "tests/comparison/shown.h"
 #include "tests/comparison/stored_result.h"
 #include "tests/comparison/stored_trade.h"
 #include "tests/comparison/suite_rows.h"
@@ -19,14 +20,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The report of results, each in a folder of its own.
+/// The report of results, each in a folder of its own, as its script shows it.
 std::string page_of(const std::vector<nlohmann::ordered_json>& results) {
   const ScratchFolder folder;
   for (std::size_t i = 0; i < results.size(); ++i) {
     fs::create_directories(folder.path() / std::to_string(i));
     folder.write(std::to_string(i) + "/result.json", results[i].dump());
   }
-  return text_of(write_report(folder.path()));
+  return shown(text_of(write_report(folder.path())));
 }
 
 const std::string heading = "Does only the modulus ratio matter?";
@@ -103,6 +104,18 @@ TEST(Report, RefusesAFolderWithoutResultsAndDamagedTables) {
   EXPECT_EQ(message(), "no error");
   folder.write("exact.json", "[{");
   EXPECT_NE(message().find("exact.json: "), std::string::npos) << message();
+}
+
+// The answer of few cases as the terminal has it, then all tables.
+TEST(Report, HasWordsForReadersWithoutScripts) {
+  const ScratchFolder folder;
+  folder.write("result.json", stored_result().dump());
+  const auto page = text_of(write_report(folder.path()));
+  const auto words = page.substr(page.find("<noscript>"), page.find("</noscript>") - page.find("<noscript>"));
+  expect_parts(page, {"<title>family: 1 case over Motion / Phase · fretval</title>"});
+  expect_parts(words, {"<pre>family: 1 case over Motion / Phase\n\nfamily/phase-30: ",
+                       "                               finite elements              MDR\n", "\n\ncase                      a ",
+                       "\nfamily/phase-30  "});
 }
 
 TEST(Report, MarksWhatDoesNotAgree) {
@@ -200,7 +213,7 @@ TEST(Report, HasTheRatiosOfAWornProfile) {
 TEST(Report, DoesWithoutResultsWhereASuiteWasRun) {
   const ScratchFolder folder;
   folder.write("exact.json", nlohmann::ordered_json::array({stored_convergence_row()}).dump());
-  const auto page = text_of(write_report(folder.path()));
+  const auto page = shown(text_of(write_report(folder.path())));
   expect_parts(page, {"1 of 1 rows pass"});
   EXPECT_EQ(page.find("All cases"), std::string::npos);
 }
@@ -334,7 +347,7 @@ TEST_F(ReportSlow, IsAsWideAsATelephone) {
   const auto page = text_of(page_);
   EXPECT_EQ(width_in_frame(page, 390), 390);
   // What the measure is there for.
-  EXPECT_EQ(width_in_frame(replace(page, "</main>", "<div style=\"width:600px\">wide</div></main>"), 390), 616);
+  EXPECT_EQ(width_in_frame(replace(page, "<header>", "<div style=\"width:600px\">wide</div><header>"), 390), 616);
 }
 
 // 15 pixels of the window are its scroll bar.

@@ -81,7 +81,7 @@ TEST(CaseInputs, HaveHarmonicsInWords) {
 TEST(CaseInputs, SayWhatWasMeasuredAtWhichTemperature) {
   Case input{};
   input.indenter.table_noise = 1e-7;
-  input.elastomer.rheology = "table";
+  input.elastomer.rheology = Case::Rheology::table;
   input.elastomer.master_curve.emplace();
   input.elastomer.master_curve->table = "dma.csv";
   input.elastomer.master_curve->youngs = true;

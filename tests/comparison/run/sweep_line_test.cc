@@ -29,6 +29,9 @@ void write_lines(const std::vector<Case>& cases, const std::filesystem::path& ou
 TEST(SweepLine, NamesTheUnitOfTheEntry) {
   EXPECT_EQ(unit_of_entry("Motion / Phase"), "deg");
   EXPECT_EQ(unit_of_entry("Friction / Coefficient"), "");
+  EXPECT_EQ(symbol_of_entry("Motion / Phase"), "φ_0");
+  EXPECT_EQ(symbol_of_entry("Wear / Cycles"), "");
+  EXPECT_EQ(symbol_of_entry("Motion / Nothing"), "");
   EXPECT_EQ(column_of_entry("Motion / Phase"), "Motion / Phase [deg]");
   EXPECT_EQ(column_of_entry("Friction / Coefficient"), "Friction / Coefficient [1]");
   EXPECT_EQ(column_of_entry("Elastomer / Relaxed shear modulus"), "Elastomer / Relaxed shear modulus [Pa]");

@@ -32,7 +32,7 @@ TEST(FeAnswer, ContactRadiusHasNoErrorOfTimeWhereABranchRelaxesWithinAStep) {
   scene.indenter = {};
   scene.indenter.shape = Case::Shape::cone;
   scene.indenter.slope_angle = 0.7;
-  scene.elastomer.rheology = "standard solid";
+  scene.elastomer.rheology = Case::Rheology::standard_solid;
   scene.elastomer.relaxed_modulus = 1e6;
   scene.elastomer.branch_moduli = {43e6};
   scene.elastomer.branch_times = {0.033 / (2 * 3.14159265358979323846)};

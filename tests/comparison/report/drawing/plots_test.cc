@@ -6,8 +6,8 @@
 
 #include "comparison/report/drawing/share_bars.h"
 #include "comparison/report/drawing/zone_map.h"
-#include "comparison/report/text/resources.h"
 #include "tests/comparison/browser.h"
+#include "tests/comparison/shown.h"
 
 namespace fretval {
 namespace {
@@ -43,16 +43,10 @@ class PlotsSlow : public testing::Test {
   /// What a script finds, which leaves it in `found`. The page may be a dark one.
   [[nodiscard]] nlohmann::json found(const std::vector<Filling>& plots, const std::string& script,
                                      bool dark = false) const {
-    auto style = std::string(resources().at("report.css"));
-    const std::string screen = "(prefers-color-scheme: dark)";
-    if (dark) style.replace(style.find(screen), screen.size(), "(min-width: 1px)");
-    std::string page =
-        "<!DOCTYPE html><meta charset=\"utf-8\"><style>" + style + " html { overflow-y: scroll; }</style>";
-    for (std::size_t k = 0; k < plots.size(); ++k)
-      page += "<figure><div class=\"plot\" data-plot=\"" + std::to_string(k) + "\"></div></figure>";
-    page += "<script type=\"application/json\" id=\"data\">" + Filling(plots).dump() + "</script>";
-    for (const char* name : {"d3.js", "report.js"})
-      page += "<script>" + std::string(resources().at(name)) + "</script>";
+    Filling figures{{"template", "figures"}, {"figures", Filling::array()}};
+    for (const auto& plot : plots) figures["figures"].push_back({{"plot", plot}, {"caption", ""}});
+    auto page = page_with(figures);
+    if (dark) page = replace(page, "(prefers-color-scheme: dark)", "(min-width: 1px)");
     page += "<script>(async () => { let found; " + script +
             " document.body.dataset.found = JSON.stringify(found); })();</script>";
     return found_in(browsed(folder_.write("page.html", page), "--dump-dom", folder_), "found");

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/comparison/expect_parts.h"
+#include "tests/comparison/shown.h"
 #include "tests/comparison/stored_result.h"
 
 namespace fretval {

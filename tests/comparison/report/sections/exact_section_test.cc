@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "tests/comparison/expect_parts.h"
+#include "tests/comparison/shown.h"
 #include "tests/comparison/stored_result.h"
 
 namespace fretval {

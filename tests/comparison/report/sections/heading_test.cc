@@ -19,7 +19,6 @@ StoredResult named(const std::string& name, const std::string& family) {
 
 TEST(Heading, IsTheNameOfTheCaseOrOfTheSweep) {
   EXPECT_EQ(heading_of({named("rig", "")}, {}, "").at("title"), "rig");
-  EXPECT_EQ(heading_of({named("rig", "")}, {}, "").at("tab"), "rig · fretval");
   EXPECT_EQ(heading_of({named("a/1", "a"), named("a/2", "a")}, {}, "").at("title"), "a: 2 cases over Motion / Phase");
   EXPECT_EQ(heading_of({named("a/1", "a"), named("b", "")}, {}, "").at("title"), "2 cases: a, b");
   EXPECT_EQ(heading_of({}, {}, "suites").at("title"), "suites");

@@ -8,6 +8,7 @@
 
 #include "comparison/verification/suite_json.h"
 #include "tests/comparison/expect_parts.h"
+#include "tests/comparison/shown.h"
 #include "tests/comparison/suite_rows.h"
 
 namespace fretval {

@@ -6,6 +6,7 @@
 
 #include "tests/comparison/expect_parts.h"
 #include "tests/comparison/scratch_folder.h"
+#include "tests/comparison/shown.h"
 #include "tests/comparison/stored_result.h"
 
 namespace fretval::surface_wear_section_test {

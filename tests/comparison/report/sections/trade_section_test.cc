@@ -7,6 +7,7 @@
 #include "tests/comparison/expect_parts.h"
 #include "tests/comparison/refusal.h"
 #include "tests/comparison/scratch_folder.h"
+#include "tests/comparison/shown.h"
 #include "tests/comparison/stored_trade.h"
 
 namespace fretval {

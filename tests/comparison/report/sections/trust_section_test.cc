@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/comparison/expect_parts.h"
+#include "tests/comparison/shown.h"
 
 namespace fretval::trust_section_test {
 namespace {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/comparison/expect_parts.h"
+#include "tests/comparison/shown.h"
 #include "tests/comparison/stored_result.h"
 
 namespace fretval {
@@ -37,8 +38,8 @@ TEST(WearSection, SaysWhereItEnds) {
   expect_parts(section.dump(), {"Worn volume", "0.015 mm³, 0.50000", "start of the wear", "end of the wear"});
   expect_parts(rendered(section),
                {"1 of 2 indenters have worn to it", "2.5e-04 from the limiting profile", "at least 0.12 away",
-                "standard solid, p^0.5</td>", "0.015 mm³, 0.50000</td>", "+1.0e-05 ± 2e-04", "nothing wears any more</td>",
-                "all that is pressed sticks</td>"});
+                "standard solid, p^0.5</td>", "0.015 mm³, 0.50000</td>", "+1.0e-05 ± 2e-04",
+                "nothing wears any more</td>", "all that is pressed sticks</td>"});
 }
 
 TEST(WearSection, SaysWhyItEnds) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/comparison/expect_parts.h"
+#include "tests/comparison/shown.h"
 
 namespace fretval {
 namespace {
@@ -32,6 +33,14 @@ TEST(Table, IsAlignedOnATerminal) {
             "name    n  remark\n"
             "a & b   –  x\n"
             "c      20\n");
+}
+
+TEST(Table, IsAlignedForReadersWithoutScripts) {
+  auto labelled = small_table();
+  labelled.label = "label";
+  const Filling section{{"table", filling_of(small_table())}, {"parts", {filling_of(labelled)}}};
+  const auto text = text_of(small_table()) + "\n";
+  EXPECT_EQ(tables_text(section), text + "label\n" + text);
 }
 
 }  // namespace

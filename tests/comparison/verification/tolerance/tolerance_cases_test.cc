@@ -23,7 +23,7 @@ TEST(ToleranceCases, AreFiftyAndCoverWhatTheyShould) {
     const auto& input = prepared.input;
     EXPECT_EQ(input.tolerance, 1e-3);
     names.insert(one.name);
-    rheologies.insert(input.elastomer.rheology);
+    rheologies.insert(input.elastomer.rheology_name());
     shapes.insert(input.indenter.shape);
     n_unlocked += !input.motion.phase;
     n_at_rest += input.motion.tangential_amplitude == 0;
