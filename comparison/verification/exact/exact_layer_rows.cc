@@ -139,7 +139,8 @@ Rows rows_of(const mdr::Layer& layer, const Tolerances& tolerances, const std::v
                             : "floor: the free side, of the second order of its distance";
   const ConvergenceDemand normal{tolerances.normal, 3 - left_out, floor, note},
       push{tolerances.friction, 3 - left_out, floor, note},
-      // The shakedown radius may lie within a ring or two of the edge of the smallest contact, where the order is lower.
+      // The shakedown radius may lie within a ring or two of the edge of the smallest contact, where the order is
+      // lower.
       oscillation{tolerances.friction, 2.5 - left_out, floor, note};
   Rows rows{
       {name, "contact radius", source, normal}, {name, "force", source, normal}, {name, "flat punch", source, normal}};
