@@ -198,8 +198,11 @@ void WatchedFriction::step(const Eigen::VectorXd& pressure, const std::optional<
 
 void WatchedFriction::step_beside(const NormalContact& normal) {
   const auto& series = normal.problem().series;
-  const auto pressure = pressure_for_friction(series, contact.problem().series, normal.pressure, normal.reading.force);
-  step(pressure, NormalInstant{series.radii(), normal.reading.radius, normal.reading.force});
+  const NormalInstant instant{series.radii(), normal.reading.radius, normal.reading.force};
+  if (series.is_half_space())
+    step(normal.pressure, instant);
+  else
+    step(pressure_for_friction(series, contact.problem().series, normal.pressure, normal.reading.force), instant);
 }
 
 namespace {

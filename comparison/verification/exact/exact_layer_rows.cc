@@ -139,16 +139,16 @@ Rows rows_of(const mdr::Layer& layer, const Tolerances& tolerances, const std::v
                             : "floor: the free side, of the second order of its distance";
   const ConvergenceDemand normal{tolerances.normal, 3 - left_out, floor, note},
       push{tolerances.friction, 3 - left_out, floor, note},
-      // The shakedown radius may lie within a ring or two of the edge of the smallest contact, where the order is
-      // lower.
-      oscillation{tolerances.friction, 2.5 - left_out, floor, note};
+      first_slip{tolerances.friction, 2.5 - left_out, floor, note},
+      // It may lie within a ring or two of the edge of the smallest contact, where the order is lower.
+      shakedown{tolerances.friction, 2 - left_out, floor, note};
   Rows rows{
       {name, "contact radius", source, normal}, {name, "force", source, normal}, {name, "flat punch", source, normal}};
   if (bonded) {
     rows.push_back({name, "tangential punch", source, normal});
     rows.push_back({name, "stick radius of a push", source, push});
-    rows.push_back({name, "first-slip radius", source, oscillation});
-    rows.push_back({name, "shakedown radius", source, oscillation});
+    rows.push_back({name, "first-slip radius", source, first_slip});
+    rows.push_back({name, "shakedown radius", source, shakedown});
   }
   return mesh_rows(rows, layer_meshes(layer, n_rings), [&](const ConvergenceMesh& mesh) {
     auto errors = errors_of_parabola(mesh, layer, exact);
