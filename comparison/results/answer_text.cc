@@ -75,8 +75,12 @@ std::string wear_text(const ProvedSurfaceWear& wear, const Units& units, const o
   return text;
 }
 
-std::string percent(double share) {
-  return fmt::format("{:+.2g} %", 100 * share);
+/// A share in percent, to so many significant digits, or whole where it has more of them: never as a power of ten.
+std::string percent_text(double share, int digits, bool with_sign = false) {
+  const double percent = 100 * share, rounded = std::stod(fmt::format("{:.{}e}", percent, digits - 1));
+  const auto text = std::abs(rounded) < std::pow(10, digits) ? fmt::format("{:.{}g}", percent, digits)
+                                                             : fmt::format("{:.0f}", percent);
+  return with_sign && !std::signbit(percent) ? "+" + text : text;
 }
 
 /// What is roundoff of the scale is 0, also of a bar.
@@ -148,14 +152,6 @@ std::optional<Reading> fe_reading(const ordered_json& result, Quantity quantity)
   if (reading->uncertainty)
     *reading->uncertainty *= scale_of(quantity, scales_of(result), reading->value.value_or(std::nan("")));
   return reading;
-}
-
-/// A share in percent, to so many significant digits, or whole where it has more of them: never as a power of ten.
-std::string percent_text(double share, int digits, bool with_sign = false) {
-  const double percent = 100 * share, rounded = std::stod(fmt::format("{:.{}e}", percent, digits - 1));
-  const auto text = std::abs(rounded) < std::pow(10, digits) ? fmt::format("{:.{}g}", percent, digits)
-                                                             : fmt::format("{:.0f}", percent);
-  return with_sign && !(percent < 0) ? "+" + text : text;
 }
 
 /// What is said of a force or an energy of a cycle that nobody has asked for, where its bar is a tenth of it or more.
@@ -270,10 +266,10 @@ std::string beyond_text(const ordered_json& not_compared) {
   if (falls.size() > most_listed) text += fmt::format(" and in {} places more", falls.size() - most_listed);
   const auto& at_rest = not_compared.at("at_rest");
   return text + fmt::format(
-                    ". At rest at the largest indentation its springs would be off by {} of the normal force and "
-                    "{} of the contact radius",
-                    percent(at_rest.at("normal_force_difference").get<double>()),
-                    percent(at_rest.at("contact_radius_difference").get<double>()));
+                    ". At rest at the largest indentation its springs would be off by {} % of the normal force and "
+                    "{} % of the contact radius",
+                    percent_text(at_rest.at("normal_force_difference").get<double>(), 2, true),
+                    percent_text(at_rest.at("contact_radius_difference").get<double>(), 2, true));
 }
 
 std::string annuli_text(const ordered_json& annuli) {

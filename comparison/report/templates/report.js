@@ -1,5 +1,6 @@
-// Shows the page that sections.js makes of the data in it, and draws its plots. A plot has its series, or a kind of its own: "map" (zones of the
-// rings over time), "bars" (shares that add up). Values and units are as the C++ writes them (json_of in plots.cc).
+// Shows the page that sections.js makes of the data in it, and draws its plots. A plot has its series, or a kind of its
+// own: "map" (zones of the rings over time), "bars" (shares that add up). Values and units are as the C++ writes them
+// (json_of in plots.cc).
 "use strict";
 (() => {
   // Okabe and Ito's palette, distinguishable with colour-blind eyes, for a light and for a dark page: report.css.

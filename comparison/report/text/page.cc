@@ -2,17 +2,17 @@
 
 #include <fmt/format.h>
 
+#include "comparison/support/escape.h"
+
 namespace fretval {
 namespace {
 
-std::string with(std::string text, const std::string& part, const std::string& other) {
-  for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + other.size()))
-    text.replace(at, part.size(), other);
-  return text;
-}
-
-std::string escaped(const std::string& text) {
-  return with(with(text, "&", "&amp;"), "<", "&lt;");
+/// JSON as it may stand in a script.
+std::string in_script(std::string json) {
+  const std::string sign = "<", code = "\\u003c";
+  for (auto at = json.find(sign); at != std::string::npos; at = json.find(sign, at))
+    json.replace(at, sign.size(), code);
+  return json;
 }
 
 }  // namespace
@@ -20,8 +20,8 @@ std::string escaped(const std::string& text) {
 std::string page_of(const std::string& title, const std::string& words, const Filling& document) {
   const auto& pieces = page_pieces();
   const auto data = document.dump(-1, ' ', false, Filling::error_handler_t::replace);
-  return fmt::format("{}{}{}{}{}{}{}", pieces[0], escaped(title), pieces[1], escaped(words), pieces[2],
-                     with(data, "<", "\\u003c"), pieces[3]);
+  return fmt::format("{}{}{}{}{}{}{}", pieces[0], html_escaped(title), pieces[1], html_escaped(words), pieces[2],
+                     in_script(data), pieces[3]);
 }
 
 }  // namespace fretval

@@ -49,12 +49,11 @@ NormalRecord make_record(const FemCase& fem, const fem::ContactProblem& problem,
   add(start);
   record.history = fem::normal_history(std::move(start), control, add);
   if (friction) {
-    if (record.history.touches_in_order() && !n_inside_flank) {
+    if (!n_inside_flank) fem::find_friction_pressure(problem.series, *friction, record.history);
+    if (record.history.friction_pressure.size() > 0)
       for (std::size_t k = 0; k < record.pressures.size(); ++k)
         record.pressures[k] =
             fem::pressure_for_friction(problem.series, *friction, record.pressures[k], record.forces[k]);
-      fem::find_friction_pressure(problem.series, *friction, record.history);
-    }
     for (const auto& pressure : record.pressures) record.depths.push_back(friction->depths(pressure));
     record.history.pressure_depths = friction->depths_of_instants(record.history.pressure_on_friction());
   }

@@ -22,7 +22,7 @@ TEST(Page, HasNoHtmlOfItsTexts) {
   const auto page = page_of(attack, attack, {{"heading", nullptr}, {"sections", {attack}}});
   EXPECT_EQ(page.find("alert(1)</script>"), std::string::npos);
   EXPECT_EQ(page.find("</noscript><script>"), std::string::npos);
-  expect_parts(page, {"<title>&lt;/script>", "<noscript><pre>&lt;/script>", "\\u003c/noscript>"});
+  expect_parts(page, {"<title>&lt;/script&gt;", "<noscript><pre>&lt;/script&gt;", "\\u003c/noscript>"});
 }
 
 TEST(Page, ShowsNothingWithoutASection) {
