@@ -12,21 +12,22 @@ namespace fretval::mdr {
 ///   coupling of spring i = sum_m shape_im strength_m sum_j shape_jm q_j
 ///
 /// The kernel is smooth, so that some 20 modes hold it to roundoff, however many springs there are: a step is solved in
-/// those. By Galerkin's rule, loads uniform over each spring and the mean over it, which is symmetric: what springs do
-/// to each other conserves energy. Of second order in the width, as the springs are.
+/// those. They come from Galerkin's rule, with loads uniform over each spring and the mean of the coupling over it. Its
+/// matrix is symmetric, so that what springs do to each other conserves energy; its error is of second order in the
+/// width of the springs, like their own.
 struct LayerModes {
   Eigen::MatrixXd shape;    ///< springs x modes, orthonormal
-  Eigen::ArrayXd strength;  ///< above -1, so that loads and depths give each other
+  Eigen::ArrayXd strength;  ///< above -1, so that depths determine the loads
 };
 
-/// Springs of equal width. Throws std::invalid_argument for others.
+/// The modes of a bed of springs of equal width. Throws std::invalid_argument for springs of unequal widths.
 LayerModes layer_modes(const LayerKernel& kernel, const SpringBed& bed);
 
-/// The coupling of loads.
+/// The coupling of each spring under these loads of the springs, in the unit of `load`.
 Eigen::ArrayXd coupling(const LayerModes& modes, const Eigen::ArrayXd& load);
 
-/// Springs and what couples them; no modes: the independent springs of a half-space. A frictionless base has no
-/// tangential ones, and must not be moved tangentially.
+/// Springs and the modes that couple them in either direction; without modes they are the independent springs of a
+/// half-space. A layer on a frictionless base has no tangential modes, and must not be moved tangentially.
 struct CoupledBed {
   SpringBed springs;
   Layer layer;

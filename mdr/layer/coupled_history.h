@@ -6,11 +6,11 @@
 
 namespace fretval::mdr {
 
-/// 2 E* or 2 G* with the relaxed modulus, Pa: N per sum(width * load).
+/// Force of a bed in N over sum(width * load) in m^2: 2 E* or 2 G* with the relaxed modulus, Pa.
 double force_scale(const CoupledBed& bed, const PronyBody& body, Direction direction);
 
-/// On the indenter. weights: axis_weights() of the springs; by_force: the normal force is prescribed, and balanced by
-/// whole springs.
+/// Forces on the indenter, and the pressure on the axis. weights: axis_weights() of the springs; by_force: the normal
+/// force is prescribed, and balanced by whole springs.
 SpringForces coupled_forces(const CoupledBed& bed, const PronyBody& body, const Eigen::ArrayXd& weights,
                             const SpringState& state, bool by_force);
 
@@ -19,9 +19,9 @@ SpringForces coupled_forces(const CoupledBed& bed, const PronyBody& body, const 
 Dissipation dissipation(const CoupledBed& bed, const PronyBody& body, double mu, double dt, const SpringState& before,
                         const SpringState& after);
 
-/// g(c) in m from the three outermost of the springs that stick, counted from the axis: where the parabola of their
-/// depths over their least friction margins has none. Over a half-space g is linear in the margin. Otherwise as
-/// stick_depth() of mdr/springs/spring_stick.h.
+/// g(c) in m from the three outermost of the springs that stick, counted from the axis: the parabola of their depths
+/// over their least friction margins, read where the margin is 0. Over a half-space g is linear in the margin.
+/// Otherwise as stick_depth() of mdr/springs/spring_stick.h.
 double coupled_stick_depth(const SpringBed& bed, double friction_limit, const Eigen::ArrayXd& margin,
                            const Eigen::ArrayXd& slip_path, double allowed);
 

@@ -14,13 +14,14 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// As that of independent springs: trapezoidal for slow relaxation, implicit for fast.
+// Theta of the exponentially fitted rule, as for independent springs, with z = step over relaxation time: 1/2
+// (trapezoidal) for slow relaxation, towards 1 (implicit) for fast.
 double fitted_theta(double z) {
   return z < 1e-3 ? 0.5 + z / 12 : -1 / std::expm1(-z) - 1 / z;
 }
 
-// Of a step, how much of it springs spend in contact that touch in it, from their gap before to how far they are
-// pushed.
+// Share of the step during which each spring is in contact; of a spring that touches in the step by its gap at the
+// start (above) and its overlap with the indenter at the end (below), m.
 Eigen::ArrayXd share_in_contact(const Eigen::ArrayXd& load_before, const Eigen::ArrayXd& above,
                                 const Eigen::ArrayXd& below) {
   return (load_before > 0 || below <= 0).select(1.0, below / (below + above));
@@ -96,7 +97,7 @@ void CoupledStep::remember(Eigen::ArrayXXd& memory, const Eigen::ArrayXd& move) 
     memory.col(i) = decay_[static_cast<std::size_t>(i)] * memory.col(i) + gain_[static_cast<std::size_t>(i)] * move;
 }
 
-// Of an indenter at 0 at the end of the step, by the parabola through its last two positions.
+// Rate at the end of the step of an indenter that is at 0 then, by the parabola through its last two positions, m/s.
 double CoupledStep::coasting_rate(double now, double before) const {
   return (before - 4 * now) / (2 * dt_);
 }

@@ -18,11 +18,12 @@ namespace fretval::mdr {
 ///
 /// As all moduli share one G(t), tips and memories are those of independent springs, and only the loads are found
 /// together: normal ones first, then tangential ones between their limits (mdr/layer/row_solver.h). Loads of the state
-/// are over E* and G* with the relaxed modulus. The same rules in time, and the same orders: second; a spring that
-/// touches in the step is free until then, so that only that share of it counts which its contact lasts. With a dashpot
-/// springs touch with a jump, and which of them do is judged by the coupling at the start of the step. Without one what
-/// the contact bears over the part of a spring in which it ends is a load of its own, the rim load, which the body is
-/// coupled to and the indenter bears; friction and tips go by the middles of springs.
+/// are over E* and G* with the relaxed modulus. The rules in time are those of SpringStep, of second order; a spring
+/// that touches in the step is free until then, so that only the share of the step counts in which it is in contact.
+/// With a dashpot the load of a spring jumps when it touches, and which springs touch is judged by the coupling at the
+/// start of the step. Without a dashpot the spring within which the contact ends bears a rim load in addition (see
+/// RowProblem), which takes part in the coupling and in the force on the indenter; friction and tips are judged at the
+/// middles of springs.
 ///
 /// A sibling of SpringStep and not a part of it: its pass over the springs is as fast as it is because no spring knows
 /// of another.
@@ -42,7 +43,8 @@ class CoupledStep {
   void remember(Eigen::ArrayXXd& memory, const Eigen::ArrayXd& move) const;
   [[nodiscard]] double coasting_rate(double now, double before) const;
 
-  /// One direction of a step, and y or where it is looked for.
+  /// The row of springs in one direction, with the prescribed y as guess, or with the start of the search for it and
+  /// the prescribed sum of the loads.
   struct Request {
     RowProblem row;
     double guess;
@@ -50,7 +52,7 @@ class CoupledStep {
   };
   struct Normal {
     Eigen::ArrayXd load, rim_load, depth;
-    Eigen::ArrayXd held;  ///< share of the step that a spring is in contact which touches in it
+    Eigen::ArrayXd held;  ///< share of the step during which each spring is in contact
     double indentation;
   };
   [[nodiscard]] Request normal_request(const SpringState& state, const PrescribedInStep& prescribed) const;
@@ -72,13 +74,13 @@ class CoupledStep {
   std::vector<double> gain_;   // (G_i/G0) (tau_i/dt) (1 - decay_i)
   double gain_sum_, stiffness_;
   double viscosity_;  // eta/G0 in s
-  double theta_;      // of the exponentially fitted rule
+  double theta_;      // weight of the end of the step in the exponentially fitted rule
 };
 
 /// Coupled springs that have relaxed for ever at this indentation, without tangential displacement.
 SpringState relaxed_state(const CoupledBed& bed, const PronyBody& body, double indentation);
 
-/// The indentation in m at which they bear sum(width * load) in m^2.
+/// The indentation in m at which relaxed coupled springs bear sum(width * load) in m^2, positive.
 double relaxed_indentation(const CoupledBed& bed, double load);
 
 }  // namespace fretval::mdr

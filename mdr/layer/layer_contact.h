@@ -23,30 +23,31 @@ struct LayerContact {
 
   LayerKernel kernel;         ///< normal
   QuadratureRule rule;        ///< on 0 < x < a
-  Eigen::ArrayXd at_points;   ///< q/E* at its points, in m
+  Eigen::ArrayXd at_points;   ///< q/E* at the points of the rule, in m
   Eigen::ArrayXd amplitudes;  ///< of q/E*
 };
 
-/// The contact of a given radius. a positive.
+/// The contact of radius a = contact_radius in m, positive.
 LayerContact layer_contact(const Profile& profile, const Layer& layer, double contact_radius,
                            const RowFineness& fineness = {});
 
-/// Of a given indentation, positive; and of a given force in N, with the shear modulus in Pa.
+/// The contact at an indentation in m, and under a normal force in N with the shear modulus in Pa; both positive.
 LayerContact layer_contact_at_depth(const Profile& profile, const Layer& layer, double indentation,
                                     const RowFineness& fineness = {});
 LayerContact layer_contact_under_force(const Profile& profile, const Layer& layer, double shear_modulus,
                                        double normal_force, const RowFineness& fineness = {});
 
-/// F = 2 E* load.
+/// Normal force F = 2 E* load in N, with the shear modulus in Pa.
 double normal_force(const LayerContact& contact, double shear_modulus);
 
-/// q(x)/E* in m at x >= 0; 0 beyond a.
+/// Load of the springs, q(x)/E* in m at x >= 0 in m; 0 beyond a.
 double spring_load(const LayerContact& contact, double x);
 
-/// p(r) = -(1/pi) int_r^a q'(x)/sqrt(x^2-r^2) dx: that of independent springs, and of the smooth coupling.
+/// p(r) = -(1/pi) int_r^a q'(x)/sqrt(x^2-r^2) dx in Pa at r >= 0 in m: the pressure of independent springs, and what
+/// the smooth coupling makes of it.
 double pressure(const LayerContact& contact, double shear_modulus, double r);
 
-/// Displacement w(x) of the surface in MDR's coordinates, m: d - g(x) in contact, (1/E*) coupling beyond.
+/// Displacement w(x) of the surface in MDR's coordinates, m: d - g(x) in contact, (1/E*) times the coupling beyond.
 double spring_depth(const LayerContact& contact, double x);
 
 /// Flat punch of radius a that moves by 1 m, all of it in contact and sticking in the tangential direction.
@@ -59,11 +60,11 @@ struct LayerPunch {
 };
 LayerPunch layer_punch(const Layer& layer, Direction direction, double radius, const RowFineness& fineness = {});
 
-/// Stress at r < a under a displacement of 1 m, Pa/m: the singular one of its edge, edge E*/(pi sqrt(a^2-r^2)), and
-/// what the coupling makes of the rest; 0 beyond.
+/// Stress at r < a under a displacement of 1 m, Pa/m: the stress that is singular at the edge, edge E*/(pi
+/// sqrt(a^2-r^2)), and what the coupling adds to it; 0 beyond a. Tangentially with G* for E*.
 double punch_stress(const LayerPunch& punch, double shear_modulus, double r);
 
-/// Force over displacement in N/m, 2 E* load or 2 G* load.
+/// Force over displacement of the punch in N/m, 2 E* load or 2 G* load, with the shear modulus in Pa.
 double punch_stiffness(const LayerPunch& punch, double shear_modulus);
 
 }  // namespace fretval::mdr

@@ -15,8 +15,8 @@ namespace fretval::mdr {
 /// Derivation: with q(x) = 2 int_x^a p r/sqrt(r^2-x^2) dr the Hankel transform of the pressure is the cosine transform
 /// of q, over pi; a layer multiplies every wave by L; and the transform of the displacement takes J0(kr) to cos(kx).
 ///
-/// The integral over wave numbers is a sum at fixed k_m, of Gauss and Legendre on panels up to k H = 22, where L - 1 is
-/// 1e-16:
+/// The integral over wave numbers is a sum at fixed k_m, the points of Gauss and Legendre on panels up to k H = 22,
+/// where L - 1 is 1e-16:
 ///
 ///   K(x) = sum_m weight_m cos(k_m x)
 ///
@@ -47,7 +47,7 @@ Eigen::ArrayXd amplitudes(const LayerKernel& kernel, const Eigen::ArrayXd& place
 double coupling(const LayerKernel& kernel, const Eigen::ArrayXd& amplitudes, double x);
 Eigen::ArrayXd coupling(const LayerKernel& kernel, const Eigen::ArrayXd& amplitudes, const Eigen::ArrayXd& x);
 
-/// Its derivative, per m.
+/// Slope of this coupling in x, in the unit of q per m.
 double coupling_slope(const LayerKernel& kernel, const Eigen::ArrayXd& amplitudes, double x);
 
 /// Matrix of the coupling of loads at the points of a rule on x > 0: coupling(x_i) = sum_j matrix(i,j) q_j.

@@ -41,7 +41,7 @@ double worn_volume(const LayerLimitingProfile& profile);
 /// Normal force in N at an indentation D(c) <= d <= d_max: that of the unworn contact of radius c, and of the punch.
 double limiting_normal_force(const LayerLimitingProfile& profile, double shear_modulus, double indentation);
 
-/// p(r) in Pa there, singular at c.
+/// Pressure p(r) in Pa at such an indentation, singular at r = c.
 double limiting_pressure(const LayerLimitingProfile& profile, double shear_modulus, double indentation, double r);
 
 }  // namespace fretval::mdr

@@ -56,7 +56,7 @@ class Rig {
            (criterion_ == StickCriterion::shakedown ? shakedown_demand(demands) : first_slip_demand(demands));
   }
 
-  // Of the unworn contact at rest.
+  // Contact radius of the unworn indenter at rest, m.
   [[nodiscard]] double largest_radius() const {
     if (const auto* force = std::get_if<NormalForceControl>(&control_.normal))
       return layer_contact_under_force(profile_, layer_, modulus_, force->mean).contact_radius;

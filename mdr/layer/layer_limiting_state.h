@@ -24,14 +24,14 @@ namespace fretval::mdr {
 ///   F(c) = F0 - (1/2)(|gamma F_x0/mu e^(i phase) - Delta F| + |gamma F_x0/mu e^(i phase) + Delta F|),
 ///   gamma = beta (G*/E*) S_N/S_T, with F(c) the force of the unworn layer contact of radius c.
 ///
-/// Of two radii that fulfil it the larger one, as wear shrinks the contact from outside; between them the condition is
-/// looked at in 64 steps of the radius. Where the unworn contact sticks within less than that, wear has taken more
-/// before (theory.md). Empty: no radius does. Relative accuracy 1e-11.
-/// Throws as limiting_state(), and for a frictionless base.
+/// Where several radii fulfil the condition, the largest is taken, as wear shrinks the contact from outside; it is
+/// looked for inwards from the radius of the unworn contact at rest, in 64 steps. Where the unworn contact sticks
+/// within a smaller radius, wear has taken more before (theory.md). Empty: no radius fulfils the condition. Relative
+/// accuracy 1e-11. Throws as limiting_state(), and for a frictionless base.
 std::optional<LimitingState> layer_limiting_state(const Profile& profile, const Layer& layer, const Rheology& body,
                                                   double mu, const FrettingControl& control, StickCriterion criterion);
 
-/// beta(c) and gamma(c) as above.
+/// beta(c) and gamma(c) of limiting discs of radius c, see layer_limiting_state().
 struct EdgeRatios {
   double beta, gamma;
 };

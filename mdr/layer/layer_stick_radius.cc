@@ -54,7 +54,8 @@ double sum_of(const std::vector<Harmonic>& harmonics, double time) {
   return sum;
 }
 
-// Of an unlocked motion each direction by itself, over a period of its own.
+// Samples of both directions over their common period; where the phase is unlocked or there is none, over the period of
+// each.
 Samples samples_of(const HarmonicMotion& motion) {
   constexpr int n_of_oscillation = 1440, most_oscillations = 64;
   Samples samples{{}, {}, motion.phase_locked && common_cycle(motion).has_value()};
@@ -71,7 +72,7 @@ Samples samples_of(const HarmonicMotion& motion) {
   return samples;
 }
 
-// At the vertex of the parabola through the largest sample and its neighbours in the period.
+// Maximum of a periodic signal: the vertex of the parabola through the largest sample and its two neighbours.
 double maximum(const std::vector<double>& values) {
   const std::size_t n = values.size();
   const auto k = static_cast<std::size_t>(std::max_element(values.begin(), values.end()) - values.begin());

@@ -4,9 +4,9 @@
 
 namespace fretval::mdr {
 
-/// Elastic contact of an unworn indenter under prescribed forces: the inverses of the solutions in mdr/indentation.h.
-/// Shear modulus G in Pa, forces in N, lengths in m. Throws std::invalid_argument for bad arguments and
-/// std::runtime_error should the search for the indentation fail.
+/// Elastic contact of an unworn indenter under prescribed forces: the inverses of the solutions in
+/// mdr/profiles/indentation.h. Shear modulus G in Pa, forces in N, lengths in m. Throws std::invalid_argument for bad
+/// arguments and std::runtime_error should the search for the indentation fail.
 
 /// The indentation d with 8 G int_0^a (d - g) dx = F, g(a) = d. Parabola: d = (3 F/(16 G sqrt(R)))^(2/3).
 /// F not negative. Accurate to roundoff.

@@ -30,17 +30,17 @@ bool moves_across(const HarmonicMotion& motion);
 /// Throws std::invalid_argument unless the motion is as described above.
 void validate(const HarmonicMotion& motion);
 
-/// A motion of one harmonic in each direction, as one of sums of harmonics.
+/// A motion of one harmonic in each direction as a HarmonicMotion.
 HarmonicMotion harmonic_motion(const Motion& motion);
 
-/// The other way round; empty where a direction has more than one harmonic that moves, or the indentation is not
-/// largest at time 0. A direction at rest keeps its first frequency.
+/// A motion as one of a single harmonic in each direction; empty where a direction has more than one harmonic that
+/// moves, or the indentation is not largest at time 0. A direction at rest keeps its first frequency.
 std::optional<Motion> one_harmonic_each(const HarmonicMotion& motion);
 
 /// The motion with its harmonics that do not move left out, but for the first of a direction in which none does.
 HarmonicMotion without_still_harmonics(const HarmonicMotion& motion);
 
-/// In Hz, of all harmonics; 0 for none.
+/// Highest and lowest frequency of all harmonics, Hz; 0 for a motion without harmonics.
 double highest_frequency(const HarmonicMotion& motion);
 double lowest_frequency(const HarmonicMotion& motion);
 
@@ -73,16 +73,17 @@ struct HarmonicGroup {
 /// Groups of the harmonics that move, normal ones first: one where there is a common cycle, none where nothing moves.
 std::vector<HarmonicGroup> harmonic_groups(const HarmonicMotion& motion);
 
-/// Whether there are two, one a direction and the other one the other.
+/// Whether there are two groups, the first of normal harmonics alone and the second of tangential ones alone.
 bool are_the_directions(const std::vector<HarmonicGroup>& groups);
 
-/// The same motion from an instant of largest indentation on. Where normal frequencies are not commensurate, there may
-/// be none: the motion comes as close as one likes to the one that is returned, in which every group of commensurate
-/// harmonics begins where its normal ones are largest together (see mdr/motion/commensurability.h). Of several such
-/// instants the first that is not before time 0; one harmonic of phase 0 stays as it is.
+/// A motion with its time shifted so that its indentation is largest at time 0. Where normal frequencies are not
+/// commensurate, there may be none: the motion comes as close as one likes to the one that is returned, in which every
+/// group of commensurate harmonics begins where its normal ones are largest together (see
+/// mdr/motion/commensurability.h). Of several such instants the first that is not before time 0; one harmonic of phase
+/// 0 stays as it is.
 HarmonicMotion from_largest_indentation(HarmonicMotion motion);
 
-/// Least upper bound of d(t) in m, see supremum() in mdr/harmonic.h: d_max of the limiting profile.
+/// Least upper bound of d(t) in m, see supremum() in mdr/motion/harmonic.h: d_max of the limiting profile.
 double maximum_indentation(const HarmonicMotion& motion);
 
 /// Greatest lower bound of d(t) in m; negative when the indenter leaves the surface.

@@ -40,7 +40,8 @@ bool is_noise(const Values& normalised_values) {
   return is_constant || white_noise_of(normalised_values) > mostly;
 }
 
-/// At equally spaced instants, each the mean of the rows around it or, where there are none, between its neighbours.
+/// A signal at n equally spaced instants: at each the mean of the rows around it or, where there are none, a value
+/// between those of its neighbours.
 Values resampled(const Values& time, const Values& values, std::size_t n) {
   Values sums(n), counts(n);
   const double duration = time.back() - time.front();

@@ -10,8 +10,8 @@ namespace fretval::mdr {
 /// The mean of the cycles of a record that repeats itself.
 struct MeanCycle {
   Record cycle;                               ///< from time 0 to the period; the last row is the first again
-  std::size_t n_cycles;                       ///< that it is the mean of
-  std::size_t n_before;                       ///< rows ahead of them, which are left out
+  std::size_t n_cycles;                       ///< number of cycles of the record of which it is the mean
+  std::size_t n_before;                       ///< rows of the record ahead of these cycles, left out
   double normal_scatter, tangential_scatter;  ///< standard deviation from cycle to cycle, root mean square over a cycle
   [[nodiscard]] double period() const { return cycle.time.back(); }
 };

@@ -227,7 +227,7 @@ ReducedRecord reduced(const Record& record, double normal_tolerance, double tang
     normal_values = closest_line(record.time, record.normal, time);
     tangential_values = closest_line(record.time, record.tangential, time);
   }
-  // Of fewer rows than a piece has, so that what the line misses does not average out.
+  // Means of fewer rows than a piece has are compared with the line, so that what the line misses does not average out.
   const std::size_t n_seen = std::max<std::size_t>(1, averaging.n / 4);
   result.normal_error = distance_from_line(record.time, record.normal, time, normal_values, n_seen);
   result.tangential_error = distance_from_line(record.time, record.tangential, time, tangential_values, n_seen);

@@ -23,14 +23,14 @@ struct ReducedRecord {
 };
 
 /// Keeps the rows that linear interpolation needs to pass all others within a tolerance of each signal (Ramer 1972,
-/// Douglas and Peucker 1973), the first, the last, and the extremes of both signals among them: so also those where
-/// a signal turns. Where the noise exceeds a quarter of the tolerance, means of neighbouring rows take the place of
-/// rows, of as many as make the sum of noise and smoothing least, and the values at the rows that are kept are those of
-/// the broken line that is closest to all rows in the least-squares sense. The tolerance is doubled until at most
+/// Douglas and Peucker 1973), the first, the last, and the extremes of both signals among them, and so also the rows
+/// where a signal turns. Where the noise exceeds a quarter of the tolerance, means of neighbouring rows take the place
+/// of rows, of as many as make the sum of noise and smoothing least, and the values at the rows that are kept are those
+/// of the broken line that is closest to all rows in the least-squares sense. The tolerance is doubled until at most
 /// n_most rows are left.
 ///
-/// Errors are the largest distances of the rows from the broken line; of means those and three standard deviations of
-/// the value at a row that is kept.
+/// Errors are the largest distances of the rows from the broken line; where means take the place of rows, three
+/// standard deviations of the value at a row that is kept are added.
 ///
 /// Throws std::invalid_argument for less than two rows, for tolerances that are not positive, or n_most < 4.
 ReducedRecord reduced(const Record& record, double normal_tolerance, double tangential_tolerance, std::size_t n_most);

@@ -54,7 +54,7 @@ double distance(const std::vector<HarmonicGroup>& groups, const Rounding& roundi
   return off + lag * lag / 2 / softness;
 }
 
-/// To q periods of the first group.
+/// The frequencies rounded to those of a cycle of q periods of the first group.
 Rounding rounding_to(int q, const std::vector<HarmonicGroup>& groups, int n_oscillations) {
   constexpr int cycles_to_creep = 12;
   Rounding rounding{groups[0].base_frequency / q, {}, 0, false};

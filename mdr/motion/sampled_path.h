@@ -27,13 +27,14 @@ struct SampledPath {
 /// positive in every row, and its last row equal to the first if it repeats.
 void validate(const SampledPath& path);
 
-/// Where the body rests before, or under which forces; in m or N. A tangential force is none.
+/// Displacements in m at which the indenter rests before the path begins, or forces in N under which it does; the
+/// tangential force is 0 then.
 struct PathRest {
   double normal, tangential, transverse = 0;
 };
 PathRest rest_of(const SampledPath& path);
 
-/// Largest of the indentations or normal forces, which are those of rows.
+/// Largest indentation in m or normal force in N of the path, which is that of a row.
 double maximum_normal(const SampledPath& path);
 
 }  // namespace fretval::mdr

@@ -12,12 +12,13 @@ struct PlaneLines {
   double stiffness;
 };
 
-/// What each spring keeps of the load that it would have if it stuck: 1, or less where that is more than `most`.
+/// Share that each spring keeps of the load (x, y) in m that it would bear if it stuck: 1, or less where that load
+/// exceeds `most`.
 Eigen::ArrayXd shares_within(const Eigen::ArrayXd& most, const Eigen::ArrayXd& x, const Eigen::ArrayXd& y);
 
-/// The u at which the springs bear a sum(width * load) in all, less than that of `most` in size. It is the gradient of
-/// a convex function of u; Newton's method, whose steps are halved until the remainder falls, to 1e-12 of the sum of
-/// `most`. Throws std::runtime_error after 200 steps.
+/// The displacement u in m at which the springs bear a given sum(width * load) in m^2, which has to be smaller than
+/// that of `most`. The sum is the gradient of a convex function of u, and u is found by Newton's method, whose steps
+/// are halved until the remainder falls, to 1e-12 of the sum of `most`. Throws std::runtime_error after 200 steps.
 Eigen::Vector2d way_for_forces(const Eigen::Vector2d& sum, const PlaneLines& lines);
 
 }  // namespace fretval::mdr

@@ -73,7 +73,7 @@ class Stuck {
     bear(along[0], x_);
     bear(along[1], y_);
   }
-  /// Its forces as StuckElement has them.
+  /// Forces of the element in the units of StuckElement, m.
   [[nodiscard]] double x() const { return scale_ * x_.load[0]; }
   [[nodiscard]] double y() const { return scale_ * y_.load[0]; }
   [[nodiscard]] double normal() const { return down_.load[0]; }
@@ -83,7 +83,8 @@ class Stuck {
   Direction x_, y_, down_;
 };
 
-/// Of the ends of the steps of a cycle: forces over 8/3 G0, displacements, and those of an element that sticks.
+/// Values at the ends of the steps of a cycle: force along the surface over 8/3 G0 and displacement (steps x 2), and
+/// the forces of an element of depth 0 that sticks.
 struct Course {
   ArrayXXd force, displacement;
   StuckElement stuck;
@@ -91,7 +92,8 @@ struct Course {
   explicit Course(Index n) : force(n, 2), displacement(n, 2), stuck{ArrayXd(n), ArrayXd(n), ArrayXd(n)} {}
 };
 
-/// Sums over a cycle, over 8/3 G0.
+/// Works (of friction, along the surface, into it), mean force and path of a cycle, with forces over the stiffness of
+/// the springs per length.
 struct Sums {
   double friction = 0, along = 0, down = 0, mean_x = 0, way = 0;
 };
@@ -142,7 +144,7 @@ class PlaneSprings {
     return inverse_transform(profile, deepest);
   }
 
-  /// From rest, by a share of the departure from it.
+  /// The position that departs from rest by a share of the prescribed departure.
   [[nodiscard]] PlanePosition towards(const PlanePosition& position, double share) const {
     const auto& rest = motion_.rest;
     return {rest.depth + share * (position.depth - rest.depth), rest.x + share * (position.x - rest.x),

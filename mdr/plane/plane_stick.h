@@ -17,11 +17,11 @@ struct StuckElement {
   Eigen::ArrayXd x, y, normal;
 };
 
-/// Of a motion with a common cycle and a locked phase, at so many instants of it. Throws std::invalid_argument for
-/// others.
+/// The element under a motion with a common cycle and a locked phase, at n_instants of a cycle. Throws
+/// std::invalid_argument for other motions.
 StuckElement stuck_element(const Rheology& body, double mu, const HarmonicMotion& motion, int n_instants);
 
-/// The element along a path, with so many instants to each piece and its rows.
+/// The element along a path, at the first row of each piece and at the ends of n_per_piece equal steps of it.
 StuckElement stuck_element(const PronyBody& body, double mu, const SampledPath& path, int n_per_piece);
 
 /// Depths g(c) at the edge of the stick zone where the indenter moves in two directions along the surface and friction

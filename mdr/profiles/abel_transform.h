@@ -5,8 +5,8 @@
 namespace fretval::mdr {
 
 /// The two transforms of MDR for any smooth function, by a quadrature in which the end singularity of the kernel is
-/// gone: x = r sin(t). The kinds of mdr/profile.h have theirs in closed form; this is for profiles given by a formula,
-/// and to check those. Relative accuracy 1e-11 for functions that are smooth up to an end singularity.
+/// gone: x = r sin(t). The kinds of mdr/profiles/profile.h have theirs in closed form; this is for profiles given by a
+/// formula, and to check those. Relative accuracy 1e-11 for functions that are smooth up to an end singularity.
 /// Arguments not negative; std::invalid_argument otherwise, or when the integral does not converge.
 
 /// g(x) = x int_0^x f'(r)/sqrt(x^2-r^2) dr, paper (3). slope: f'.

@@ -26,7 +26,7 @@ struct ConvexFit {
 /// leaves such residuals; if s is below a hundredth of the steepest slope, unless it does with more knots as well. A
 /// run of m residuals is one-sided beyond chance when its sum exceeds (2 + sqrt(2 log n)) sqrt(m) noise, which less
 /// than one table of pure noise in a thousand has. The least-squares problem is that of
-/// mdr/non_negative_least_squares.h.
+/// mdr/support/non_negative_least_squares.h.
 ///
 /// Errors of f, g, contact radius and force fall with 1/sqrt(n) where f'' is a straight line, and more slowly where it
 /// takes knots. A noise stated too small goes unnoticed if the rows are so few that they are convex as they scatter.

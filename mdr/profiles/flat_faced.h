@@ -9,7 +9,7 @@ namespace fretval::mdr {
 ///
 /// s = 0: flat punch with a rounded edge of radius R; s = b/R: sphere of radius R worn or cut down to a flat of radius
 /// b; 1/R = 0: truncated cone. Source: paper, equation (3).
-/// The functions below are those of mdr/profile.h, which documents them and checks their arguments.
+/// The functions below are those of mdr/profiles/profile.h, which documents them and checks their arguments.
 struct FlatFaced {
   double flat_radius;  ///< b in m, positive
   double edge_slope;   ///< s

@@ -12,13 +12,14 @@ namespace fretval::mdr {
 /// (8). Arguments: shear modulus G in Pa, positive; indentation d in m, not negative; mu positive; r and u_x in m, not
 /// negative. Anything else throws std::invalid_argument. Forces in N, stresses in Pa, lengths in m.
 
-/// a with g(a) = d.
+/// Contact radius a in m, with g(a) = d.
 double contact_radius(const Profile& profile, double indentation);
 
-/// F = 8 G int_0^a (d - g) dx. Parabola (Hertz): (16/3) G sqrt(R) d^(3/2).
+/// Normal force F = 8 G int_0^a (d - g) dx in N. Parabola (Hertz): (16/3) G sqrt(R) d^(3/2).
 double normal_force(const Profile& profile, double shear_modulus, double indentation);
 
-/// p(r) = (4 G/pi) int_r^a g'(x)/sqrt(x^2-r^2) dx for r < a, 0 beyond; infinite where abel_slope_integral() is.
+/// Pressure p(r) = (4 G/pi) int_r^a g'(x)/sqrt(x^2-r^2) dx for r < a, 0 beyond; infinite where abel_slope_integral()
+/// is.
 double pressure(const Profile& profile, double shear_modulus, double indentation, double r);
 
 /// Whole contact area sticks: F_x = (16/3) G a u_x.
@@ -29,11 +30,12 @@ double tangential_force_full_stick(const Profile& profile, double shear_modulus,
 /// edge of the stick zone, and 0 once the whole contact slides.
 double stick_depth_cattaneo_mindlin(double mu, double indentation, double tangential_displacement);
 
-/// The stick radius c of this depth, and 0 once the whole contact slides.
+/// The stick radius c in m of this tangential displacement, and 0 once the whole contact slides.
 double stick_radius_cattaneo_mindlin(const Profile& profile, double mu, double indentation,
                                      double tangential_displacement);
 
-/// The force to it: F_x = mu (F(a) - F(c)), F(c) being the normal force at the indentation g(c); mu F when sliding.
+/// The tangential force in N at this tangential displacement: F_x = mu (F(a) - F(c)), F(c) being the normal force at
+/// the indentation g(c); mu F when sliding.
 double tangential_force_cattaneo_mindlin(const Profile& profile, double shear_modulus, double mu, double indentation,
                                          double tangential_displacement);
 

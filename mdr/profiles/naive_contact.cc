@@ -8,7 +8,8 @@
 namespace fretval::mdr {
 namespace {
 
-// Of a table the image has at least 800 pieces; the force is of second order in these.
+// Intervals of the sum over x, many for each of the 800 pieces or more of the image of a table; the error of the force
+// is of second order in their width.
 constexpr int n_parts = 20000;
 
 }  // namespace

@@ -4,7 +4,7 @@ namespace fretval::mdr {
 
 /// f(r) = b r^n, whose image is g(x) = kappa_n b |x|^n with kappa_n = (sqrt(pi)/2) n Gamma(n/2)/Gamma((n+1)/2).
 /// Source: paper, equation (3) applied to a power law; parabola kappa_2 = 2, cone kappa_1 = pi/2.
-/// The functions below are those of mdr/profile.h, which documents them and checks their arguments.
+/// The functions below are those of mdr/profiles/profile.h, which documents them and checks their arguments.
 struct PowerLaw {
   double coefficient;        ///< b in m^(1-n)
   double exponent;           ///< n, between 0.5 and 20

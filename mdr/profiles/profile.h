@@ -39,11 +39,12 @@ Profile rounded_flat(double flat_radius, double edge_radius);
 Profile truncated_sphere(double radius, double flat_radius);
 
 /// Profile of measured points (r, f) in m: through them, or with noise > 0, the standard deviation of their heights in
-/// m, the convex profile that fits them; see mdr/profile_table.h for what is asked of them.
+/// m, the convex profile that fits them; see mdr/profiles/profile_table.h for what is asked of them.
 Profile tabulated(const std::vector<double>& r, const std::vector<double>& f, double noise = 0);
 
-/// Any profile through such points, see profile_table_as_it_is: where its image falls, MDR does not hold. Of such a
-/// profile only the height, its slope and the image itself may be asked for; all else throws std::invalid_argument.
+/// A profile of any shape through points (r, f) in m, see profile_table_as_it_is: where its image falls, MDR does not
+/// hold. Of such a profile only the height, its slope and the image itself may be asked for; all else throws
+/// std::invalid_argument.
 Profile tabulated_as_it_is(const std::vector<double>& r, const std::vector<double>& f);
 
 /// Where the image falls, from the axis outwards; empty: MDR holds.

@@ -14,7 +14,7 @@ namespace fretval::mdr {
 /// Rows from the apex outwards, in m.
 struct ProfileRows {
   std::vector<double> r, f;
-  std::optional<MeanOfHalves> halves = {};  ///< of a two-sided scan, whose mean the rows are
+  std::optional<MeanOfHalves> halves = {};  ///< of a two-sided scan, of which the rows are the mean
 };
 
 /// What a table of heights has to have: radius and height.
@@ -31,8 +31,8 @@ const std::vector<WantedColumn>& profile_columns();
 /// row on the axis with noise = 0, an unknown unit, halves that are not those of an axisymmetric body.
 ProfileRows read_profile_rows(std::istream& stream, const std::string& source_name, double noise = 0);
 
-/// The profile of such rows by tabulated(), through the points or, with noise, fitted to them. Throws what it refuses,
-/// too.
+/// The profile of a table of heights: its rows, read as above, through tabulated(). Throws std::invalid_argument also
+/// for what tabulated() refuses.
 Profile read_profile_table(std::istream& stream, const std::string& source_name, double noise = 0);
 
 }  // namespace fretval::mdr

@@ -22,10 +22,10 @@ constexpr std::size_t least_image_nodes = 800;
 // A table whose tip is horizontal within this share of its steepest slope is smooth there, not a cone.
 constexpr double horizontal_tip = 1e-6;
 
-// Of slopes that should be equal.
+// Roundoff of slopes that should be equal, over the slopes.
 constexpr double bend_roundoff = 1e-12;
 
-// Share of an interval that a kink takes.
+// Least share of an interval between rows over which a kink is rounded.
 constexpr double least_bend = 1e-3;
 
 // Roundoff of a sum over all rows, over the largest image slope.

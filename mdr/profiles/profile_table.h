@@ -15,7 +15,7 @@ struct FallOfImage {
 /// Profile given by points. The height is a piecewise cubic; its image g has exact values and slopes at many nodes
 /// (paper (3) piece by piece) and is a Hermite cubic between them, within about 1e-7 of the exact transform
 /// of the height for smooth tables of a hundred rows.
-/// The functions below are those of mdr/profile.h, which documents them and checks their arguments.
+/// The functions below are those of mdr/profiles/profile.h, which documents them and checks their arguments.
 struct ProfileTable {
   PiecewiseCubic height, height_slope;
   PiecewiseCubic image, image_slope;
@@ -29,7 +29,7 @@ struct ProfileTable {
 /// the height of the tip and subtracted. Throws std::invalid_argument for bad rows, and when the image g falls
 /// anywhere: the contact would not be one full circle, which MDR assumes; the message says where. A convex profile
 /// never fails.
-/// noise > 0: the convex fit of mdr/convex_fit.h, which says what is asked of the rows and what is refused.
+/// noise > 0: the convex fit of mdr/profiles/convex_fit.h, which says what is asked of the rows and what is refused.
 ProfileTable profile_table(const std::vector<double>& r, const std::vector<double>& f, double noise = 0);
 
 /// A table through the points of any profile, grooved, stepped or hollow: its image may fall, and `falls` says where.

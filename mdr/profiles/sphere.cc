@@ -12,7 +12,7 @@ namespace fretval::mdr {
 
 namespace {
 
-// Of the radius that the largest contact leaves.
+// Share of R that the largest contact leaves free at the rim, where g is infinite.
 constexpr double least_rest = 1e-6;
 
 // Below this share of R the closed form of the volume cancels; the series is good to roundoff there.

@@ -8,7 +8,7 @@ namespace fretval::mdr {
 ///
 /// g grows without bound towards R, where the profile ends: any depth has a contact inside the sphere.
 /// Source: paper, equation (3); Segedin, Prikladnaia Matematika i Mekhanika 21 (1957) 1; Sneddon (1965), the sphere.
-/// The functions below are those of mdr/profile.h, which documents them and checks their arguments.
+/// The functions below are those of mdr/profiles/profile.h, which documents them and checks their arguments.
 struct Sphere {
   double radius;  ///< R in m, positive
 };

@@ -34,7 +34,7 @@ std::array<double, 4> splines_at(double share) {
   return {b * b * b / 6, (4 - 6 * a * a + 3 * a * a * a) / 6, (4 - 6 * b * b + 3 * b * b * b) / 6, a * a * a / 6};
 }
 
-/// Their derivatives.
+/// Slopes of the four cubic B-splines of splines_at(), per piece.
 std::array<double, 4> slopes_at(double share) {
   const double a = share, b = 1 - share;
   return {-b * b / 2, -2 * a + 1.5 * a * a, 2 * b - 1.5 * b * b, a * a / 2};
@@ -61,7 +61,8 @@ EvenFit even_fit(const Values& x, const Values& z, double apex, double prior) {
   MatrixXd normal = MatrixXd::Zero(n + 1, n + 1);
   VectorXd right = VectorXd::Zero(n + 1);
   double squares = 0;
-  // To the end of the longer side: rows without a counterpart tell nothing, but the same rows count for every apex.
+  // The splines reach to the end of the longer side: rows without a counterpart on the other side tell nothing, but so
+  // the same rows count for every apex.
   const double reach = std::max(apex - x.front(), x.back() - apex) * (1 + 1e-12);
   for (std::size_t i = 0; i < x.size(); ++i) {
     const double u = (x[i] - apex) / reach;

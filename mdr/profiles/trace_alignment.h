@@ -19,9 +19,9 @@ struct TraceAlignment {
 ///
 /// to a trace by least squares: h by up to 40 cubic B-splines, tilt beside them, and the apex where the sum of squares
 /// is least. s is the sign of the curvature of the parabola that is closest to the trace. What the trace does not tell
-/// is held by a tilt of 0 with a standard deviation of 2 degrees: of a parabola the apex can be anywhere with a tilt
-/// that belongs to it, and the profile is the same. Uncertainties are standard deviations by the
-/// linearised fit and the noise of the residuals, that of the tilt including what the apex leaves open.
+/// is held by a tilt of 0 with a standard deviation of 2 degrees: in a parabola any apex fits with the tilt that
+/// belongs to it, and the profile is the same. Uncertainties are standard deviations by the linearised fit and the
+/// noise of the residuals, that of the tilt including what the apex leaves open.
 ///
 /// x and z in m, as many, at least 32 rows, x increasing. Throws std::invalid_argument for other rows, or for a trace
 /// whose apex is not inside it, with at least an eighth of its length on either side.

@@ -7,7 +7,7 @@ namespace fretval::mdr {
 /// A scan through the apex, from r < 0 to r > 0, as one profile.
 struct MeanOfHalves {
   std::vector<double> r, f;            ///< mean height of both halves at the radii of either, where there are both
-  double largest_difference = 0;       ///< of the heights of both halves at one radius, m
+  double largest_difference = 0;       ///< between the heights of both halves at one radius, m
   double radius_of_difference = 0;     ///< where that is, m
   [[nodiscard]] double range() const;  ///< of the mean heights, m
 };

@@ -12,9 +12,9 @@ namespace fretval::mdr {
 ///
 /// normal displacements, forces, stresses, stick radii and worn profiles are the same, with all moduli of the body
 /// scaled and the prescribed u_x stretched. Tangential displacements and slips of the answer, and the work of
-/// tangential forces, are divided by the stretch. A = 2 u_x'/(3 mu) is then the 2(1-nu)/(2-nu) u_x/mu of such a body.
-/// At nu = 1/2 both factors are 1, to the last bit. Springs of any nu with all their energies, directly: a layer of
-/// infinite thickness (mdr/layer/coupled_bed.h).
+/// tangential forces, are divided by the stretch. A = 2 u_x'/(3 mu) is 2(1-nu)/(2-nu) u_x/mu of the body (G, nu). At nu
+/// = 1/2 both factors are 1, to the last bit. Springs of any nu with all their energies, directly: a layer of infinite
+/// thickness (mdr/layer/coupled_bed.h).
 ///
 /// Source: Popov and Hess, Method of Dimensionality Reduction (2015), chapters 3 and 5. nu from 0 to 0.5, otherwise
 /// std::invalid_argument.

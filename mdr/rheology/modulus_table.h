@@ -36,7 +36,7 @@ const std::vector<WantedColumn>& modulus_columns();
 /// fewer than two frequencies.
 ModulusTable read_modulus_table(std::istream& stream, const std::string& source_name, double factor = 1);
 
-/// Whether the third column is the loss factor; its header says so.
+/// Whether the third of the chosen columns is the loss factor in the place of the loss modulus.
 bool has_loss_factor(const ChosenColumns& chosen);
 
 /// Complex modulus in Pa at the angular frequency omega in rad/s, by interpolation of log G' and log G'' over log

@@ -24,7 +24,7 @@ double creep_periods(const PronyBody& body, double period);
 /// on the way to it, and plain periods alone tell whether it is reached. Springs that do not drift stay where they are.
 class CreepJump {
  public:
-  /// mu: weighs normal loads against tangential ones, as in change_of_tractions. Bodies that creep for less than some
+  /// mu: weighs normal loads against tangential ones, see change_of_tractions(). Bodies that creep for less than some
   /// hundred periods are left alone: plain periods lead there.
   CreepJump(const PronyBody& body, double mu, double period);
 
@@ -33,13 +33,13 @@ class CreepJump {
   void after_period(SpringState& state);
 
   /// Largest change of a traction over the largest traction, by which the last jump expected the state to be away from
-  /// that which repeats. 0: the body does not need any.
+  /// that which repeats. 0: the body needs no jumps.
   [[nodiscard]] double to_come() const { return to_come_; }
 
  private:
-  /// lambda of the coming jump by row, after a drift: of the ways of the last jump and of a period that which makes the
-  /// shorter jump, as slip that never was stays locked in. Roundoff hides how drifts fall in a period long before it
-  /// hides how they fell over a jump, which alone tells then.
+  /// lambda of the coming jump of each row (spring) after a drift, from the last jump or from the way of a period,
+  /// whichever makes the shorter jump, as slip that a jump adds without cause stays locked in. Roundoff hides how
+  /// drifts fall in a period long before it hides how they fell over a jump, which alone tells then.
   Eigen::ArrayXd rates(const Eigen::ArrayXXd& drift);
 
   bool needed_;

@@ -7,10 +7,10 @@
 
 namespace fretval::mdr {
 
-/// Where an indenter that follows a force is at the end of a step, with the rates of SpringStep::arrived. In it the
-/// load of all springs is made of lines (SpringStep::normal_lines, tangential_lines), and Newton's method is exact once
-/// it is on the right one: 2 to 4 passes over the springs. Where springs with a dashpot touch, their load jumps, and
-/// the force may be one that no position gives: the indenter is at the jump then.
+/// Where an indenter that follows a force is at the end of a step, with the rates of SpringStep::arrived. As a function
+/// of its position the load of all springs is piecewise linear (SpringStep::normal_lines, tangential_lines), and
+/// Newton's method is exact once it is on the right piece: 2 to 4 passes over the springs. Where springs with a dashpot
+/// touch, their load jumps, and the force may be one that no position gives: the indenter is at the jump then.
 
 /// The indentation in m at which sum(width * normal_load) is `load`, positive, in m^2. Throws std::invalid_argument.
 double indentation_for_load(const SpringStep& step, const SpringState& state, const SpringBed& bed, double load);
@@ -20,13 +20,15 @@ double indentation_for_load(const SpringStep& step, const SpringState& state, co
 double tangential_for_load(const SpringStep& step, const SpringState& state, const SpringBed& bed, double indentation,
                            double load);
 
-/// What a rig prescribes at the end of a step: where the indenter is or, instead of either direction, a load as above.
+/// What a rig prescribes at the end of a step: where the indenter is or, in the place of either direction, a load
+/// sum(width * load) in m^2.
 struct PrescribedInStep {
   IndenterState indenter;
   std::optional<double> normal_load, tangential_load;
 };
 
-/// Where that brings the indenter. Throws as both functions above do.
+/// The position and the rates of the indenter at the end of a step, in which prescribed loads are balanced. Throws as
+/// indentation_for_load() and tangential_for_load() do.
 IndenterState balanced(const SpringStep& step, const SpringState& state, const SpringBed& bed,
                        const PrescribedInStep& prescribed);
 

@@ -23,16 +23,16 @@ double deepest_indentation(const Profile& profile, const PronyBody& body, const 
 /// The largest contact that is possible, with a little room, m.
 double largest_radius(const Profile& profile, const PronyBody& body, const Prescribed& prescribed);
 
-/// What springs are stepped under: the mean of each direction, its oscillations rising over ramp_duration in s. The
-/// motion is that of the repeating one.
+/// The loading under which springs are stepped: the mean of each direction, with oscillations that rise over
+/// ramp_duration in s. The motion is that of `repeating`.
 Loading loading_of(const Prescribed& prescribed, const RepeatingMotion& repeating, double ramp_duration);
 
-/// Periodic response of the spring foundation to what is prescribed, over the common period or, of an unlocked phase
-/// and of frequencies without one, that of a motion in the place of it (see RepeatingMotion).
+/// Periodic response of the spring foundation to what is prescribed, over the common period of its frequencies; with an
+/// unlocked phase, or without a common period, over that of the RepeatingMotion that stands for it.
 struct ForcedResponse {
   NormalResponse normal;
-  /// As in SpringHistory; settled, see SpringHistory::settling_depth. First slip: NaN under displacements alone, which
-  /// have a closed form (stick_radii).
+  /// Depths g(c) in m of the stick zones, as in SpringHistory; that of shakedown is SpringHistory::settling_depth.
+  /// First slip is NaN under displacements alone, for which stick_radii() has a closed form.
   StickDepths depths;
   double largest_indentation;    ///< m
   double axis_pressure_max;      ///< Pa; of springs, also under a sharp tip
@@ -44,21 +44,21 @@ struct ForcedResponse {
   double tangential_work;        ///< J per period, area of the tangential loop
 };
 
-/// How fine the middle one of three histories is.
+/// Fineness of the middle one of the three histories from which a response is extrapolated.
 struct SpringFineness {
   Eigen::Index n_springs = 200;
   int steps_per_oscillation = 180, n_ramp_periods = 20;
   double periodicity = 1e-8;  ///< see periodicity_of
-  int n_oscillations = 48;    ///< in a period of a motion that does not repeat itself
+  int n_oscillations = 48;    ///< in a period of a RepeatingMotion that stands for another motion
 };
 
-/// So many times the springs and steps.
+/// The fineness with `times` as many springs and steps.
 SpringFineness finer(SpringFineness fineness, int times);
 
-/// The transient springs (mdr/springs/spring_history.h), stepped until they repeat. Extrapolated from n and 2 n
-/// springs, steps, cycles of the ramp and oscillations in the place of a motion without period, each of second order.
-/// error: how far that is from the extrapolation of n/2 and n, or from 2 n, whichever is more, which covers a second
-/// order and a first one. With a dashpot, whose load jumps at the edge, the orders scatter: the whole difference of n
+/// Response of the transient springs (mdr/springs/spring_history.h), stepped until they repeat. It is extrapolated from
+/// n and 2 n springs, steps, cycles of the ramp and oscillations of a RepeatingMotion, each of second order. error: its
+/// distance from the extrapolation of n/2 and n, or from the values of 2 n, whichever is more, which covers orders from
+/// one to two. With a dashpot, whose load jumps at the edge, the orders scatter, and error is the whole difference of n
 /// and 2 n. Throws std::invalid_argument for bad arguments, std::runtime_error when the springs do not become periodic
 /// and for a tangential force that no friction holds (gross slip).
 struct SteppedForcedResponse {
@@ -67,13 +67,14 @@ struct SteppedForcedResponse {
 SteppedForcedResponse forced_response(const Profile& profile, const PronyBody& body, double mu,
                                       const Prescribed& prescribed, const SpringFineness& fineness = {});
 
-/// What steps so many springs under a loading, and the radius of the contact, m, that a history and its largest
-/// indentation tell: springs of any kind are extrapolated so.
+/// Springs of any kind that can be extrapolated in this way: what steps n_springs of them under a loading, and what
+/// reads the radius of the contact in m from a history and its largest indentation in m.
 using HistoryOfSprings =
     std::function<SpringHistory(Eigen::Index n_springs, const Loading& loading, const HistoryControl& control)>;
 using ContactRadius = std::function<double(const SpringHistory& history, double largest_indentation)>;
 
-/// g: image of the indenter up to outer_radius, where the springs end.
+/// The extrapolated response of springs of any kind. g: image of the indenter in m, up to outer_radius in m, where the
+/// springs end.
 SteppedForcedResponse extrapolated_response(const HistoryOfSprings& history, const ContactRadius& radius_at,
                                             const std::function<double(double)>& g, double outer_radius,
                                             const PronyBody& body, const Prescribed& prescribed,

@@ -6,8 +6,8 @@
 namespace fretval::mdr {
 
 /// What the transient spring foundation says about a path: over its pass, or over the last period once it repeats.
-/// Times and tangential displacements are those of the path. A pass is one period, and has no shakedown: those depths
-/// are 0.
+/// Times and tangential displacements are those of the path. A pass counts as one period; it has no shakedown, and its
+/// depth of shakedown and its settling_depth are 0.
 struct PathCourse {
   SpringBed bed;
   SpringHistory history;
@@ -19,10 +19,11 @@ struct PathFineness {
   int steps_per_duration = 180;  ///< at least; each piece has a whole number of equal steps
   int n_ramp_periods = 10;       ///< of a path that repeats
   double periodicity = 1e-8;     ///< see periodicity_of
-  int subdivisions = 1;          ///< of each of these steps
+  int subdivisions = 1;          ///< further division of each of these steps
 };
 
-/// The numbers of a course. Depths of stick zones are those of SpringHistory, settled.
+/// Largest and mean values, works and depths of stick zones of a course. The depth of shakedown is
+/// SpringHistory::settling_depth.
 struct PathForces {
   double normal_force_max, normal_force_min;  ///< N
   double axis_pressure_max;                   ///< Pa; of springs, also under a sharp tip
@@ -36,8 +37,9 @@ struct PathForces {
   double first_slip, shakedown;               ///< m, g(c); of a pass shakedown is 0
 };
 
-/// Extrapolated from n and 2 n springs, steps and periods of the ramp, each of second order; error: the whole
-/// difference. course: the finer one. Under forces the ramp lasts ten creep times at least.
+/// Numbers extrapolated from n and 2 n springs, steps and periods of the ramp, each of second order; error: the whole
+/// difference of the two computations. course: that of the finer one. Under forces the ramp lasts at least ten creep
+/// times.
 struct SteppedPathForces {
   PathForces forces, error;
   PathCourse course;

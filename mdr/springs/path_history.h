@@ -18,7 +18,8 @@
 
 namespace fretval::mdr {
 
-/// The path, its departure from rest rising over the ramp. A force stands in the place of the displacement.
+/// A path whose departure from rest rises over the ramp. Where a force is prescribed it stands in the place of the
+/// displacement, in N.
 struct RisingPath {
   const SampledPath& path;
   PathRest rest;
@@ -133,7 +134,7 @@ class PathHistory {
     return result;
   }
 
-  /// prescribed: at the end of the step, at a time in s.
+  /// One step of dt in s of a piece. prescribed: displacements or forces at the end of the step, at `time` in s.
   void step(std::size_t piece, double dt, const IndenterState& prescribed, double time) {
     if (!path_.has_forces()) return springs_.advance(state_, piece, {prescribed, {}, {}});
     go_on_at_rates(dt, prescribed);
@@ -153,8 +154,9 @@ class PathHistory {
     dt_before_ = dt;
   }
 
-  /// SpringStep::arrived takes rates from the last two positions in steps as long as this one: of what is prescribed
-  /// those that are known, of the others those of the last step, whatever its length.
+  /// SpringStep::arrived() takes the rates of the indenter from its last two positions, for steps of equal length. Here
+  /// the earlier position is set such that these are the known rates in a direction whose displacement is prescribed,
+  /// and those of the last step, whatever its length, in a direction whose force is.
   void go_on_at_rates(double dt, const IndenterState& to) {
     const auto &last = state_.indenter, &before = state_.indenter_before;
     const auto known = [dt](double now, double rate, double position) {
@@ -226,19 +228,20 @@ class PathHistory {
   SpringState state_;
   LeastMargins first_slip_;
   double largest_shift_ = 0;
-  double dt_before_ = 0;  // of the last step under a force; 0: none
+  double dt_before_ = 0;  // s, of the last step in which a force was prescribed; 0: none yet
 };
 
 /// Throws std::invalid_argument.
 void validate_along_path(const SampledPath& path, const PathFineness& fineness);
 
-/// The numbers of a course.
+/// Largest and mean values, works and depths of stick zones of a history.
 PathForces forces_of(const SpringHistory& history);
 
-/// Two results of second order: the finer one, and in its place what they tend to.
+/// Replaces the forces of the finer computation by what it and the coarse one tend to with second order, and sets the
+/// error to their difference.
 void extrapolate(const PathForces& coarse, SteppedPathForces& stepped);
 
-/// path_forces() of a foundation. course: of a fineness.
+/// path_forces() for springs of any kind. course_of(fineness): the PathCourse of these springs.
 template <class CourseOf>
 SteppedPathForces extrapolated_path_forces(const PronyBody& body, const SampledPath& path, PathFineness coarse,
                                            const CourseOf& course_of) {

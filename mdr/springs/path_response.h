@@ -7,7 +7,8 @@
 
 namespace fretval::mdr {
 
-/// Indentation that no relaxation of the body exceeds, as that of the same name in forced_response.h.
+/// Indentation in m that no relaxation of the body exceeds along a path, see deepest_indentation() of
+/// mdr/springs/forced_response.h.
 double deepest_indentation(const Profile& profile, const PronyBody& body, const SampledPath& path);
 
 /// Steps the springs along a path, of which every row is the end of a step. A single pass begins relaxed at its first
@@ -19,7 +20,8 @@ double deepest_indentation(const Profile& profile, const PronyBody& body, const 
 PathCourse path_course(const Profile& profile, const PronyBody& body, double mu, const SampledPath& path,
                        const PathFineness& fineness = {});
 
-/// Extrapolated, see SteppedPathForces.
+/// Forces, works and stick depths along a path, extrapolated (see SteppedPathForces). coarse: fineness of the coarser
+/// one of the two computations.
 SteppedPathForces path_forces(const Profile& profile, const PronyBody& body, double mu, const SampledPath& path,
                               PathFineness coarse = {});
 

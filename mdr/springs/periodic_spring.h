@@ -16,7 +16,7 @@ struct PeriodicSpring {
   double touch_down;                    ///< angle at which contact is regained; equal to lift_off: permanent contact,
                                         /// and both then are the angle of least force
   Eigen::ArrayXd initial_deviation;     ///< v_i minus its value in permanent contact, at theta = 0
-  Eigen::ArrayXd touch_down_deviation;  ///< the same at touch_down
+  Eigen::ArrayXd touch_down_deviation;  ///< v_i minus its value in permanent contact, at touch_down
 };
 
 /// Exact in time but for the two angles, which are located to roundoff: the contact phase is a harmonic plus decaying

@@ -11,13 +11,15 @@ namespace fretval::mdr {
 double change_of_tractions(const SpringState& before, const SpringState& after, double mu);
 
 /// The periodicity for histories of n and 2 n springs (fineness 1 and 2) that are extrapolated. With a dashpot slip
-/// dies out like a power of the periods, changes about like their cube (7, 10, 17, 29 periods for 1e-2 to 1e-5): 1e-4
-/// if that is more, and a sixteenth of it for the finer one, so that what is still to come is part of their difference.
+/// dies out like a power of the periods, changes about like their cube (7, 10, 17, 29 periods for 1e-2 to 1e-5): so the
+/// periodicity is at least 1e-4, and a sixteenth of that for the finer one: what is still to come then is part of their
+/// difference.
 double periodicity_of(const PronyBody& body, double periodicity, int fineness);
 
 /// Tells when tractions repeat from period to period: when they change by no more than a periodicity. With a dashpot
-/// the load of a spring that touches jumps, and under a normal force not always the same one touches last, so that
-/// changes may stay above any periodicity: there those below 1e-2 that have not fallen for 10 periods will do.
+/// the load of a spring that touches jumps, and under a normal force the spring that touches last may differ from
+/// period to period, so that changes may stay above any periodicity: there changes below 1e-2 that have not fallen for
+/// 10 periods count as repetition.
 class Repetition {
  public:
   Repetition(const PronyBody& body, double periodicity) : jumps_(body.viscosity > 0), periodicity_(periodicity) {}

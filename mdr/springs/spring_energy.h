@@ -18,14 +18,15 @@ struct SpringForces {
 double normal_scale(const PronyBody& body);
 double tangential_scale(const PronyBody& body);
 
-/// F_z and F_x of whole springs in N.
+/// Normal and tangential force on the indenter in N, by the loads of whole springs.
 double normal_force(const SpringBed& bed, const PronyBody& body, const SpringState& state);
 double tangential_force(const SpringBed& bed, const PronyBody& body, const SpringState& state);
 
-/// What normal_force lacks, or has too much, in a body with a dashpot: loads jump where springs touch, so that the
-/// force of whole springs is a sawtooth in time. From the end of the last spring in contact to the edge of the contact,
-/// which is where the free tips next to it, extrapolated, meet the indenter; in N. With it the force is of second order
-/// in the width of the springs. Springs of equal width; 0 without a dashpot, and of less than three springs.
+/// What normal_force() lacks, or has too much, in a body with a dashpot: loads jump where springs touch, so that the
+/// force of whole springs is a sawtooth in time. It is the load from the end of the last spring in contact to the edge
+/// of the contact, which is where the free tips next to it, extrapolated, meet the indenter; in N. With it the force is
+/// of second order in the width of the springs. Springs of equal width; 0 without a dashpot, and of less than three
+/// springs.
 double edge_force(const SpringBed& bed, const PronyBody& body, const SpringState& state);
 
 /// Pressure on the axis in Pa. weights: axis_weights of the bed.
@@ -40,18 +41,20 @@ struct Dissipation {
   double bulk = 0;      ///< dashpots of the branches and the parallel one
 };
 
-/// Of the step of length dt from one state to the next. Branches: exact for linear motion of the tips. Friction: slip
-/// under the friction limit, from where the growing traction of the stuck spring meets it to the end of the step; exact
-/// for elastic springs, also for those that lose contact, whose release is what relaxation damping is made of (Popov,
-/// Popov and Pohrt, Scientific Reports 5 (2015) 16189).
+/// Heat of the step of length dt in s from one state to the next. Branches: exact for linear motion of the tips.
+/// Friction: slip under the friction limit, from where the growing traction of the stuck spring meets it to the end of
+/// the step; exact for elastic springs, also for those that lose contact, whose release is what relaxation damping is
+/// made of (Popov, Popov and Pohrt, Scientific Reports 5 (2015) 16189).
 Dissipation dissipation(const SpringBed& bed, const PronyBody& body, double mu, double dt, const SpringState& before,
                         const SpringState& after);
 
-/// Its parts, over 2 E* or 2 G*, 8 G0 and (16/3) G0 above. memory: of one direction, at the start of the step, move: of
-/// the tips in it. Widths may be weights of any quadratic form whose variables these are.
+/// Heat of the dashpots of one direction in a step, over the force scale of that direction (normal_scale or
+/// tangential_scale above), m^2. memory: of the springs at the start of the step (springs x branches, m), move: of the
+/// tips in the step, m. The widths may be weights of any quadratic form in these variables.
 double bulk_heat(const Eigen::ArrayXd& width, const PronyBody& body, double dt, const Eigen::ArrayXXd& memory,
                  const Eigen::ArrayXd& move);
-/// friction_limit: mu E*/G*, (3/2) mu above.
+/// Heat of friction in a step, over tangential_scale, m^2. friction_limit: mu E*/G*, which is (3/2) mu for
+/// dissipation().
 double friction_heat(const Eigen::ArrayXd& width, const PronyBody& body, double friction_limit, double dt,
                      const SpringState& before, const SpringState& after);
 

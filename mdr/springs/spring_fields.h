@@ -11,8 +11,8 @@ namespace fretval::mdr {
 ///   p(r) = -(1/pi) int_r q_z'(x)/sqrt(x^2-r^2) dx,     u_z(r) = (2/pi) int_0^r u_z(x)/sqrt(r^2-x^2) dx
 ///
 /// and the same for tau and u_x. Loads and displacements are linear between the springs, constant up to the first one;
-/// loads are zero at the end of the bed. Errors of second order in the width of a spring; of first order and local
-/// where the load jumps, at the edge of a worn contact, whose fields are in closed form in mdr/surface_fields.h.
+/// loads are zero at the end of the bed. Errors are of second order in the width of a spring; of first order and local
+/// where the load jumps, at the edge of a worn contact, whose fields are in closed form in mdr/stick/surface_fields.h.
 /// Source: paper, equation (4); Popov and Hess (2015), chapters 3 and 5. SI units.
 struct SpringFields {
   PiecewiseCubic normal_load_slope, tangential_load_slope;  ///< -q'/pi

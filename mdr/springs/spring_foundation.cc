@@ -37,7 +37,7 @@ struct Foundation {
   std::optional<double> permanent_bend;
 };
 
-// At an instant, the force over 8 G0 Delta d and pi times the pressure on the axis over 4 G0 Delta d.
+// The load at an instant: the force over 8 G0 Delta d, and pi times the pressure on the axis over 4 G0 Delta d.
 struct Load {
   double force, pressure;
 };
@@ -108,7 +108,7 @@ Foundation make_foundation(const Depth& g, const std::vector<double>& kinks, dou
               : std::nullopt};
 }
 
-// y of the spring at x, see mdr/periodic_spring.h; the indenter never touches it unless y > -1.
+// y of the spring at x, see mdr/springs/periodic_spring.h; the indenter never touches it unless y > -1.
 double relative_depth(const Foundation& foundation, double x) {
   return (foundation.indentation - foundation.g(x)) / foundation.amplitude;
 }

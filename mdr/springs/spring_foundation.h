@@ -40,8 +40,8 @@ bool has_bounded_axis_pressure(const std::function<double(double)>& g, double ou
 /// Source: paper, equations (5), (8) and (11); the unilateral condition is on the force, so a spring lifts off although
 /// the indenter is still below its rest height. Springs with g <= d0 - rho Delta d keep contact and are summed in
 /// closed form in time; the others are integrated by Gauss quadrature up to the edge of the contact at each instant.
-/// The result is the periodic state, which does not depend on the start; it is computed as such (mdr/periodic_spring.h)
-/// rather than by marching through transients. Relative accuracy 1e-10 of
+/// The result is the periodic state, which does not depend on the start; it is computed as such
+/// (mdr/springs/periodic_spring.h) rather than by marching through transients. Relative accuracy 1e-10 of
 /// normal_force_max for any omega tau and a profile that is smooth or a cone, 1e-9 for a cusp.
 ///
 /// The pressure on the axis, p(0) = -(1/pi) int q'(x)/x dx, by parts over the springs up to c, which keep contact, and

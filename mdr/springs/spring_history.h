@@ -8,8 +8,8 @@
 
 namespace fretval::mdr {
 
-/// How much of the amplitudes there is at a time in s, while they rise from rest over ramp_duration in s, and what that
-/// changes by per second: x^3 (10 - 15 x + 6 x^2), whose slope and curvature are 0 at both ends.
+/// Share of the amplitudes at a time in s, while they rise from rest over ramp_duration in s, and its rate per second:
+/// x^3 (10 - 15 x + 6 x^2), whose slope and curvature are 0 at both ends.
 double amplitude_share(double time, double ramp_duration);
 double amplitude_share_rate(double time, double ramp_duration);
 
@@ -18,7 +18,7 @@ double amplitude_share_rate(double time, double ramp_duration);
 IndenterPath ramped_path(const HarmonicMotion& motion, double ramp_duration);
 IndenterPath ramped_path(const RepeatingMotion& repeating, double ramp_duration);
 
-/// Periods after which creep is over, of which a ramp under forces has as many: ten creep times.
+/// Periods in ten creep times, after which creep is over: a ramp under forces has as many.
 int periods_of_creep(const PronyBody& body, double period);
 
 /// How many periods to step at most for a state that repeats, after so many of a ramp or of creep. Throws

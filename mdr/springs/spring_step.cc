@@ -18,8 +18,8 @@ double fitted_theta(double z) {
   return z < 1e-3 ? 0.5 + z / 12 : -1 / std::expm1(-z) - 1 / z;
 }
 
-// Of a step, how much of it a spring spends in contact that touches in it: from the height of the indenter above its
-// free tip at the start, and the depth of the indenter below it at the end.
+// Share of the step during which a spring is in contact; of a spring that touches in the step by the height of the
+// indenter above its free tip at the start and its depth below the free tip at the end, m.
 double share_in_contact(double load_before, double above, double below) {
   return load_before > 0 || below <= 0 ? 1 : below / (below + above);
 }
@@ -114,7 +114,8 @@ void SpringStep::advance_springs(SpringState& state, const SpringBed& bed, const
   const double* b = n_branches < 0 ? gain_.data() : branch_gain.data();
 #pragma GCC ivdep
   for (Eigen::Index j = 0; j < n; ++j) {
-    // Of the memory, at the end of the step; and the forces at its start.
+    // left: what is left of the branch forces at the end of the step; now: the forces of relaxed spring and branches at
+    // its start.
     double left = 0, left_tangential = 0, now = u[j], now_tangential = v[j];
     for (std::size_t i = 0; i < n_memory; ++i) {
       const Eigen::Index at = static_cast<Eigen::Index>(i) * n + j;

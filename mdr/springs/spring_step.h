@@ -30,8 +30,8 @@ struct SpringState {
   /// while it sticks.
   Eigen::ArrayXd slip;
   Eigen::ArrayXXd normal_memory;      ///< springs x branches: branch forces over 4 G0, in m
-  Eigen::ArrayXXd tangential_memory;  ///< over (8/3) G0
-  IndenterState indenter_before;      ///< a step earlier; at the start as indenter
+  Eigen::ArrayXXd tangential_memory;  ///< springs x branches: branch forces over (8/3) G0, in m
+  IndenterState indenter_before;      ///< one step earlier; equal to indenter at the start
   Eigen::ArrayXd rim_load = {};       ///< m, of coupled springs, see mdr/layer/row_solver.h; empty: of independent ones
 };
 
@@ -46,7 +46,7 @@ SpringState relaxed_state(const SpringBed& bed, const PronyBody& body, double in
 struct GrossSlip : std::runtime_error {
   using std::runtime_error::runtime_error;
   double time = 0;       ///< s, of a history; at the end of the step in which it slides
-  double amplitude = 1;  ///< of all oscillations then, over that after the ramp (forced_response)
+  double amplitude = 1;  ///< amplitudes of all oscillations at that time, over those after the ramp (forced_response)
   double excess = 0;     ///< sum(width * load) that is asked for beyond what friction holds, m^2
 };
 
@@ -57,8 +57,8 @@ struct NormalLines {
   double slope;
 };
 
-/// Tangential load of each spring likewise, by how far the indenter moves: value + slope * shift, at most `most` in
-/// magnitude.
+/// Tangential load of each spring at the end of a step in which the indenter moves by `shift` in m: value + slope *
+/// shift, limited to `most` in magnitude.
 struct TangentialLines {
   Eigen::ArrayXd value, slope, most;  ///< m, 1, m
 };
@@ -80,20 +80,21 @@ class SpringStep {
   /// Moves the springs to the end of the step, where the indenter is at `to`.
   void advance(SpringState& state, const SpringBed& bed, const IndenterState& to) const;
 
-  /// Where the indenter follows a force: at the end of a step to that indentation and tangential displacement, with the
-  /// rates of the parabolas through them and the last two positions (BDF2: second order, and no ringing). With a
-  /// dashpot the force depends on them.
+  /// State at the end of the step of an indenter that follows a force to this indentation and tangential displacement,
+  /// with the rates of the parabolas through them and the last two positions (BDF2: second order, and no ringing). With
+  /// a dashpot the force depends on these rates.
   [[nodiscard]] IndenterState arrived(const SpringState& state, double indentation, double tangential) const;
 
-  /// What the springs bear at the end of a step that brings the indenter to arrived(d, u_x); for any of them at once,
-  /// which is what a force asks for (mdr/springs/force_balance.h).
+  /// What the springs bear at the end of a step that brings the indenter to arrived(d, u_x), for all d or all u_x at
+  /// once, as the balance of a prescribed force needs it (mdr/springs/force_balance.h).
   [[nodiscard]] NormalLines normal_lines(const SpringState& state, const SpringBed& bed) const;
   [[nodiscard]] TangentialLines tangential_lines(const SpringState& state, const SpringBed& bed,
                                                  double indentation) const;
 
  private:
-  /// Position of a tip at the end of a step whose load, averaged with theta, is given. left: of the force of the
-  /// branches; force_now: at the start, with that of the relaxed body.
+  /// Position of a tip, m, at the end of a step in which its load, averaged with theta, is given. position: at the
+  /// start, m; left: what is left at the end of the branch forces at the start, m; force_now: force of relaxed spring
+  /// and branches at the start, m.
   struct TipRule {
     double viscous, theta, gain_sum, weight;  // eta/(G0 dt), -, -, viscous + theta (1 + gain_sum)
     template <class T>

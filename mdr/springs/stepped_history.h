@@ -17,7 +17,7 @@
 
 namespace fretval::mdr {
 
-/// Throw std::invalid_argument unless a history can be stepped so.
+/// Throw std::invalid_argument unless a history can be stepped with this control, under this loading.
 inline void validate(const HistoryControl& control) {
   require_positive("period", control.period);
   require_within("steps per period", control.steps_per_period, 4, 1e6);
@@ -37,7 +37,7 @@ class SampledMinimum {
   explicit SampledMinimum(Eigen::Index n)
       : least_(Eigen::ArrayXd::Constant(n, infinity)), before_(least_), last_(least_), n_samples_(0) {}
 
-  // sample(j): of spring j. One pass without a branch in it, so that the compiler vectorises it.
+  // sample(j): the new sample of spring j. The loop is one pass without a branch, so that the compiler vectorises it.
   template <class Sample>
   void add(const Sample& sample) {
     const bool has_parabola = n_samples_++ >= 2;
@@ -63,7 +63,7 @@ class SampledMinimum {
   int n_samples_;
 };
 
-/// What is left of friction in both directions, its least value per spring.
+/// Least friction margin of each spring against slip in either direction, m.
 struct Margins {
   SampledMinimum forward, backward;
 
@@ -112,7 +112,8 @@ class SteppedHistory {
       const bool repeats = repetition.reached(std::max(change, jump.to_come()));
       if (repeats || (control_.slips_little && control_.slips_little(slip_of_periods_.back())))
         return measured_again(period);
-      if (!control_.slips_little) jump.after_period(state_);  // otherwise each period is an answer
+      // With slips_little the slip of every period is asked for, so that none may be jumped over.
+      if (!control_.slips_little) jump.after_period(state_);
     }
     std::ostringstream message;
     const auto& times = body_.branch_times;
@@ -154,8 +155,8 @@ class SteppedHistory {
     slip_of_periods_.push_back(std::move(slip_path));
   }
 
-  // The last period once more, from its start: measuring takes longer than stepping, and which is the last one, its end
-  // tells.
+  // Steps the last period once more from its start, and measures it: measuring takes longer than stepping, and that a
+  // period is the last one shows only at its end.
   SpringHistory measured_again(int period) {
     std::swap(state_, start_);
     SpringHistory result{};

@@ -29,7 +29,7 @@ double element_normal_force(const Rheology& body, const Motion& motion, double d
 double element_tangential_force(const Rheology& body, const Motion& motion, double time);
 
 /// mu q_z - |q_x|, paper (17): the element sticks as long as this is not negative; compare stick_depths() of
-/// mdr/stick_radius.h. Needs a phase. mu positive.
+/// mdr/stick/stick_radius.h. Needs a phase. mu positive.
 double element_friction_margin(const Rheology& body, double mu, const Motion& motion, double depth, double time);
 
 }  // namespace fretval::mdr

@@ -35,7 +35,8 @@ double crossing(const std::function<double(double)>& f, double lower, double upp
   return (bracket.first + bracket.second) / 2;
 }
 
-// As wear goes: the contact shrinks to what sticks, which loads the rest more.
+// Follows wear to the limiting radius from c on: the contact shrinks to the zone that sticks, whose load rises thereby.
+// Empty: in the end nothing sticks.
 std::optional<double> descend(const Profile& profile, const std::function<double(double)>& sticking_depth, double c) {
   constexpr int most_steps = 100000;
   constexpr double roundoff = 1e-13;

@@ -16,9 +16,9 @@ struct LimitingMotion {
   HarmonicMotion motion;
 };
 
-/// limiting_state() for any harmonics in either direction. Its contact radius is c at
-/// all times, so every harmonic is linear by itself: a force F_j cos(w_j t + phi_j) has the displacement
-/// F_j/(8 |G(w_j)| c) cos(w_j t + phi_j - arg G(w_j)), or 16/3 for 8 in the tangential direction, and
+/// limiting_state() for any harmonics in either direction. The contact radius is c at all times, so that the contact is
+/// linear and every harmonic acts by itself: a force F_j cos(w_j t + phi_j) has the displacement F_j/(8 |G(w_j)| c)
+/// cos(w_j t + phi_j - arg G(w_j)), or 16/3 for 8 in the tangential direction, and
 ///
 ///   d0 = g(c) + (F0/(8 G0) - (c g(c) - int_0^c g dx))/c under a normal force,   g(c) = stick_depths().
 ///

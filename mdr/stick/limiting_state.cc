@@ -105,9 +105,10 @@ double sticking_depth(const Problem& problem, double c) {
   return problem.mean - demand(problem, at_radius(problem.tangential, c), at_radius(problem.normal, c));
 }
 
-// As wear goes: the contact shrinks to what sticks, which loads the rest more. The depth that sticks rises with c, so
-// from the unworn radius this descends to the largest solution and never passes it, whatever the profile. Its last
-// digits, which may come slowly, are left to a bracket as soon as the steps tell how far the solution is.
+// Follows wear to the limiting radius: the contact shrinks to the zone that sticks, whose load rises thereby. The depth
+// that sticks rises with c, so that this iteration descends from the unworn radius to the largest solution and never
+// passes it, whatever the profile. Its last digits may come slowly: they are left to a bracket as soon as the steps
+// tell how far the solution is.
 std::optional<double> radius_under_indentation(const Problem& problem) {
   const auto surplus = [&](double c) { return sticking_depth(problem, c) - transform(problem.profile, c); };
   const double bracket_width = 1e-3;

@@ -44,7 +44,8 @@ struct FrettingControl {
 /// between unequal frequencies, of which no limiting state is known.
 void validate(double mu, const FrettingControl& control);
 
-/// Which stick zone wear leaves untouched; see stick_depths() of mdr/stick_radius.h. Slow wear tends to shakedown.
+/// Which stick zone wear leaves untouched; see stick_depths() of mdr/stick/stick_radius.h. Slow wear tends to
+/// shakedown.
 enum class StickCriterion { first_slip, shakedown };
 
 /// The fully worn contact. Its radius is the stick radius at all times, so forces and displacements are linear in each

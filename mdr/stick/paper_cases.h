@@ -6,7 +6,7 @@
 namespace fretval::mdr {
 
 /// The paper's own equations for the depth g(c) of the first-slip criterion, in m. They are the second opinion on
-/// stick_depths() of mdr/stick_radius.h and say the same in more cases.
+/// stick_depths() of mdr/stick/stick_radius.h and say the same in more cases.
 ///
 /// Misprints of the paper, put right here: (23) has mu in the denominator of k, which contradicts (20); the text before
 /// (21) says |cos(Omega + phi1)| where (20) has phi0. In (20) Omega = omega t + phi1, not phi0.

@@ -13,8 +13,8 @@ namespace fretval::mdr {
 ///   sum_(k <= n) s_k G((n - k) T) = const   ->   s_n ~ lambda^n,   G0 + sum_i G_i (lambda - 1)/(lambda - q_i) = 0,
 ///   q_i = exp(-T/tau_i)
 ///
-/// with its largest root, between the largest q_i and 1; of one branch lambda = (G0 q + G1)/(G0 + G1). It is the same
-/// for all elements, motions and profiles, under displacements and forces, and in a continuum as well, where all
+/// with its largest root, between the largest q_i and 1; of one branch lambda = (G0 q + G1)/(G0 + G1). lambda is the
+/// same for all elements, motions and profiles, under displacements and forces, and in a continuum as well, where all
 /// tractions have the one G(t).
 ///
 /// Empty: without branches, where slip ends at once, and with a dashpot, which lets an element slip as far as there is

@@ -5,7 +5,8 @@
 
 namespace fretval::mdr {
 
-// As hypot(T - N, 2 sqrt(T N) sin or cos(phase/2)): free of cancellation at phase = 0, pi and T = N.
+// |T e^(i phase) -+ N| is written as hypot(T - N, 2 sqrt(T N) sin or cos(phase/2)), which is free of cancellation at
+// phase = 0, pi and T = N.
 StickDemands locked_demands(double tangential, double normal, double phase) {
   const double cross = 2 * std::sqrt(tangential) * std::sqrt(normal);
   return {std::hypot(tangential - normal, cross * std::sin(phase / 2)),

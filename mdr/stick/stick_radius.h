@@ -35,27 +35,27 @@ struct StickRadii {
 ///
 /// The departure from the paper: it has one stick radius, first_slip, and for two harmonics of equal frequency or of
 /// unlocked phase only. Both criteria imply permanent contact, g(c) <= d0 - sup(-N).
-/// Suprema as in mdr/harmonic.h: where they are upper bounds, the depths are lower bounds.
+/// Suprema as in mdr/motion/harmonic.h: where they are upper bounds, the depths are lower bounds.
 /// mu positive. Throws std::invalid_argument for bad arguments.
 StickDepths stick_depths(const Rheology& body, double mu, const HarmonicMotion& motion);
 
-/// The same for one harmonic in each direction, A = 2 u_x0/(3 mu), rho = |G|/G0:
+/// Depths g(c) in m for one harmonic in each direction, with A = 2 u_x0/(3 mu) and rho = |G|/G0:
 ///   equal frequencies, phase locked:      M+- = rho |A e^(i phi0) -+ Delta d|; for the paper's case list see
-///                                         mdr/paper_cases.h
+///                                         mdr/stick/paper_cases.h
 ///   phase unlocked (empty):               M+ = M- = A rho_x + Delta d rho_z, paper (21)
 ///   unequal frequencies, phase locked:    as above
 StickDepths stick_depths(const Rheology& body, double mu, const Motion& motion);
 
-/// Stick radii c = g^-1 of depths, in m, on the unworn profile.
+/// Stick radii c = g^-1(depth) in m on the unworn profile.
 StickRadii stick_radii(const Profile& profile, const StickDepths& depths);
 
-/// The stick radii c = g^-1 of the depths above, for the unworn profile.
+/// Stick radii in m of stick_depths(), on the unworn profile.
 StickRadii stick_radii(const Profile& profile, const Rheology& body, double mu, const HarmonicMotion& motion);
 StickRadii stick_radii(const Profile& profile, const Rheology& body, double mu, const Motion& motion);
 
-/// For a worn profile: its elements inside c are those of the unworn one, and outside c none is pressed. A stick radius
-/// is that of the unworn profile, at most c: a motion smaller than the one that the profile is limiting for leaves all
-/// of the contact sticking, a larger one lets its outer part slip, and wear goes on.
+/// Stick radii in m on a worn profile: its elements inside its radius c are those of the unworn one, and outside c none
+/// is pressed. They are the radii of the unworn profile, but at most c: a motion smaller than the one that the profile
+/// is limiting for leaves all of the contact sticking, a larger one lets its outer part slip, and wear goes on.
 StickRadii stick_radii(const LimitingProfile& worn, const Rheology& body, double mu, const HarmonicMotion& motion);
 StickRadii stick_radii(const LimitingProfile& worn, const Rheology& body, double mu, const Motion& motion);
 

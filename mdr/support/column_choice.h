@@ -12,7 +12,7 @@ namespace fretval::mdr {
 /// A column that a table may have: what it is called and in which units.
 struct ColumnKind {
   std::string quantity;  ///< for messages, "storage modulus"
-  /// As simplified_name has them; "stor*" is any that begins so.
+  /// Names as simplified_name() makes them; "stor*" stands for any name that begins so.
   std::vector<std::string> names;
   std::map<std::string, double> units;  ///< their sizes in the base unit
 };
@@ -21,7 +21,7 @@ struct ColumnKind {
 struct WantedColumn {
   std::vector<ColumnKind> kinds;
   bool is_optional = false;
-  bool first_kind_goes_first = false;  ///< of several that are there; false: then it is not clear which is meant
+  bool first_kind_goes_first = false;  ///< of several columns the first kind is meant; false: that is not clear
 };
 
 /// Whether columns that neither a name nor a unit tells from each other are taken in the order in which they are
@@ -48,7 +48,7 @@ struct NotClear : std::invalid_argument {
 
 bool is_any_unit(const std::string& unit, const std::vector<WantedColumn>& wanted);
 
-/// "T, set"
+/// The words separated by commas, "T, set".
 std::string list_of(const std::vector<std::string>& words);
 
 /// Name and unit, for messages.

@@ -38,7 +38,7 @@ CsvColumns read_csv(const std::vector<TextLine>& lines, const std::string& sourc
 /// A line of a table, taken apart: its values without blanks and quotation marks around them.
 struct CsvFields {
   std::vector<std::string> values;
-  char separator;  ///< of ; , tab and blank
+  char separator;  ///< semicolon, comma, tab or blank
 };
 CsvFields split_fields(std::string_view line);
 
@@ -52,14 +52,14 @@ bool are_units(const std::vector<std::string>& fields);
 class NumberReader {
  public:
   explicit NumberReader(std::string source_name) : source_name_(std::move(source_name)) {}
-  /// The values of these fields are read next. The same separates them in all rows; tabs and blanks may take turns.
+  /// Announces a row whose values are read next. All rows have the same separator; tabs and blanks may take turns.
   void begin_row(const TextLine& line, const CsvFields& fields);
   double read(const TextLine& line, const std::string& field);
 
  private:
   std::string source_name_;
   char separator_ = ' ';
-  std::optional<char> before_;  ///< of the rows before
+  std::optional<char> before_;  ///< separator of the rows before
   bool any_point_ = false, any_comma_ = false;
 };
 

@@ -11,9 +11,9 @@
 namespace fretval::mdr {
 
 struct ChosenColumns {
-  CsvColumns csv;  ///< the wanted columns in the order in which they are wanted; of one that is missing no values
-  std::vector<std::optional<std::size_t>> kind;  ///< of each; empty: an optional column that is not there
-  /// "12 lines ahead of the columns, columns T, set": what is left out; empty: nothing.
+  CsvColumns csv;  ///< the wanted columns in their order; a missing optional one has no values
+  std::vector<std::optional<std::size_t>> kind;  ///< of each wanted column; empty: an optional one that is missing
+  /// What is left out of the table, "12 lines ahead of the columns, columns T, set"; empty: nothing.
   std::string skipped;
 };
 

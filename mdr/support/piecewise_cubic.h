@@ -6,7 +6,8 @@
 namespace fretval::mdr {
 
 /// Piecewise polynomial of degree three or less: between nodes[k] and nodes[k+1] it is sum_m c[k][m] (x - nodes[k])^m.
-/// Its Abel integrals are sums over the pieces, each good to roundoff, the end singularity of the kernel included.
+/// Abel integrals of such a polynomial are sums over its pieces, each good to roundoff, the end singularity of the
+/// kernel included.
 struct PiecewiseCubic {
   std::vector<double> nodes;                        ///< increasing, first one 0
   std::vector<std::array<double, 4>> coefficients;  ///< one less than nodes
@@ -28,7 +29,7 @@ double value(const PiecewiseCubic& cubic, double x);
 /// Derivative, a piecewise quadratic.
 PiecewiseCubic derivative(const PiecewiseCubic& cubic);
 
-/// int_0^x.
+/// Integral of the cubic from 0 to x.
 double integral(const PiecewiseCubic& cubic, double x);
 
 /// int y(x)/sqrt(r^2-x^2) dx from lower to upper, 0 <= lower <= upper <= r and upper <= nodes.back().

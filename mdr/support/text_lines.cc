@@ -73,7 +73,7 @@ std::string from_latin1(std::string_view bytes) {
   std::string text;
   for (const char c : bytes) {
     const auto code = static_cast<Byte>(c);
-    // Of the characters in which Windows differs, apostrophes alone are found in names of columns.
+    // Windows 1252 differs from Latin-1 in some characters, of which apostrophes alone are found in names of columns.
     append_utf8(code == 0x91 || code == 0x92 || code == 0xB4 ? '\'' : code, text);
   }
   return text;

@@ -84,9 +84,10 @@ WearCycle WearingSprings::settled_cycle(const AbelMatrices& matrices) {
   return cycle;
 }
 
-// Of the last step. Of a spring that touches in it, what it slips from then on. One that sticks at the beginning of the
-// step in which it leaves is taken to stick until then, as load and traction die out in it. Springs that stay open take
-// no part in the contact, but the surface outside them moves along.
+// Slip of each spring against the indenter in the last step, m. A spring that touches in the step slips from then on. A
+// spring that sticks at the beginning of the step in which it leaves the contact is taken to stick until it does, as
+// load and traction die out together. For springs that stay open it is the motion of the indenter past their tips: they
+// take no part in the contact, but enter the slip of the surface outside them.
 Eigen::ArrayXd WearingSprings::slip_in_contact(const SpringState& before) const {
   const double shift = state_.indenter.tangential - before.indenter.tangential;
   const Eigen::ArrayXd open = shift - (state_.tangential_shift - before.tangential_shift);

@@ -45,14 +45,15 @@ class Jump {
   [[nodiscard]] Eigen::VectorXd newton_correction(const Eigen::VectorXd& worn, double work) const {
     const Eigen::VectorXd fall = image_.triangularView<Eigen::Lower>() * worn;
     const Eigen::MatrixXd load = load_ - fall.asDiagonal() * stiffness_;
-    // At many cycles the loads that are left are below roundoff: springs that only just part still count as relieved.
+    // After many cycles the loads that are left are below roundoff, so that springs which have only just parted still
+    // count as loaded, and relieved by wear.
     const Eigen::MatrixXd relieved = (load.array() > -accuracy_).select(stiffness_, 0);
     const Eigen::VectorXd wear = work * stress_of(load.cwiseMax(0)).rowwise().sum();
     Eigen::MatrixXd system = work * (stress_of(relieved) * image_.triangularView<Eigen::Lower>());
     system.diagonal().array() += 1;
     Eigen::VectorXd residual = wear - worn;
-    // A ring wears unless its own equation alone would heal it: with the residual over its slope, as at many cycles the
-    // residual itself is roundoff of any sign.
+    // A ring wears unless its own equation alone would heal it: the residual is taken over its slope, as after many
+    // cycles the residual itself is roundoff of any sign.
     for (Eigen::Index i = 0; i < n_; ++i) {
       if (residual[i] + worn[i] * system(i, i) > 0) continue;
       system.row(i).setZero();

@@ -46,9 +46,10 @@ SpringBed aligned_bed(const Profile& profile, const PronyBody& body, double mu, 
   return spring_bed(profile, n_springs * c / inside, static_cast<Eigen::Index>(n_springs));
 }
 
-// Of second order, from depths that are of first order in the jump. Pressure that dies out as exp(-n) falls to 1/(1 +
-// n) at once, and by the extrapolation more would be worn off than there is where n > 2 + 2 sqrt(2): rings of which the
-// second half of the jump wears off a share of less than 1/(2 + sqrt(2)) of what the first has keep the halves.
+// Worn depth of a jump to second order, from the depths of the jump made at once and in two halves, each of first order
+// in the jump. A pressure that dies out as exp(-n) falls to 1/(1 + n) in a jump at once, so that for n > 2 + 2 sqrt(2)
+// the extrapolation would wear off more than there is: rings of which the second half wears off less than 1/(2 +
+// sqrt(2)) of what the first half does keep the sum of the halves.
 Eigen::ArrayXd extrapolated(const Eigen::ArrayXd& at_once, const Eigen::ArrayXd& first, const Eigen::ArrayXd& second) {
   const double least = 1 / (2 + std::sqrt(2));
   return (second > least * first).select(2 * (first + second) - at_once, first + second).max(0);

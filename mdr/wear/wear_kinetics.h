@@ -12,7 +12,7 @@ namespace fretval::mdr {
 /// What to wear, and how finely.
 struct WearControl {
   double wear_coefficient;       ///< k in 1/Pa: worn depth per pressure and path of slip (Archard's K over hardness)
-  double n_cycles;               ///< to compute; jumps over many of them are taken at once
+  double n_cycles;               ///< number of cycles to compute; jumps take many of them at once
   Eigen::Index n_springs = 150;  ///< to start from; the stick radius becomes an edge of their intervals
   int steps_per_cycle = 90;
   double largest_jump = 0.005;         ///< in worn depth, over d_max
@@ -23,7 +23,7 @@ struct WearControl {
 struct WearPoint {
   double cycles;
   double volume;          ///< worn off, m^3
-  double deepest;         ///< worn depth, m
+  double deepest;         ///< largest worn depth, m
   double friction_work;   ///< J per cycle
   double contact_radius;  ///< largest in the cycle, m; worn surfaces that only just part count as touching
   double stick_radius;    ///< m; springs inside do not slip in the cycle; 0: all slip
@@ -44,7 +44,7 @@ struct WearKinetics {
 /// with pressure and slip transformed from the springs to the surface, and g = g0 + T w transformed back. In Reye's
 /// form, worn volume is k/mu times friction work. Only k times the number of cycles matters.
 ///
-/// Exact on the springs' bed: triangularity and energy of the transforms (mdr/abel_matrices.h), so that errors of
+/// Exact on the springs' bed: triangularity and energy of the transforms (mdr/wear/abel_matrices.h), so that errors of
 /// repeated transforms do not grow; no wear inside the stick radius; a state without pressure under slip stays as it
 /// is. The transforms are applied to w itself each time, never to their own result.
 ///
@@ -62,9 +62,10 @@ struct WearKinetics {
 ///   One-dimensional friction and pressure of the sign of the springs', as the method of dimensionality reduction has
 ///   them.
 ///
-/// As k n grows, w tends to limiting_profile() of the shakedown radius; where nothing sticks, to d_max - f0: under a
-/// given motion wear always ends. At phase 0 or pi and 2 u_x0 <= 3 mu Delta d everything that touches an elastic body
-/// sticks, and nothing wears. Friction work per cycle may rise first, as the slip zone wears in, before it dies out.
+/// With a growing number of cycles w tends to the worn depth of limiting_profile() with the shakedown radius; where
+/// nothing sticks, to d_max - f0: under a given motion wear always ends. At phase 0 or pi and 2 u_x0 <= 3 mu Delta d
+/// everything that touches an elastic body sticks, and nothing wears. Friction work per cycle may rise first, as the
+/// slip zone wears in, before it dies out.
 ///
 /// Cost: 100 to 600 jumps, each of four cycles of the springs, more in a body that relaxes slowly, and some solutions
 /// with a dense matrix of the slipping rings. Source: Dimaki, Dmitriev, Chai and Popov, International Journal of Solids
