@@ -6,7 +6,7 @@
 
 namespace fretval::meshes {
 
-/// The steps of `audit` for nodes and cells, in the order in which each relies on those before. All throw MeshError.
+/// The steps of `audit` for nodes and cells, in the order in which they rely on each other. All throw MeshError.
 
 /// At least one cell; every node index of cells and edges is that of a node.
 void audit_indices(const Mesh& mesh, const std::string& name);

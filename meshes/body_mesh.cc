@@ -56,8 +56,9 @@ std::vector<double> coarse_surface_nodes(const BodySection& section) {
   return nodes;
 }
 
-/// Under equal contact elements a row of squares, so that they also behave alike: the contact then errs smoothly with
-/// the position of its edge. 0 for graded elements, and for a body that the row would nearly fill.
+/// Height of a row of squares under contact elements of equal size, which behave alike thereby: the error of the
+/// contact then varies smoothly with the position of its edge. 0: no such row, under graded elements and in a body that
+/// the row would nearly fill.
 double strip_height(const BodySection& section) {
   constexpr double largest_part = 0.7;  // of the thickness, so that the cells below are not flat
   const auto& nodes = section.contact_nodes;

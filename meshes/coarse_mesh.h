@@ -7,7 +7,8 @@
 
 namespace fretval::meshes {
 
-/// Sides of a section as geometry: surface z = 0, axis r = 0, and the arc or the flat base with the side that end it.
+/// Sides of a section by their geometry: the surface z = 0, the axis r = 0, and the arc, or flat base and side, at
+/// which it ends.
 enum class Side { surface, arc, axis, base, side };
 
 /// How a section r >= 0, z <= 0 ends below and outside.
@@ -29,9 +30,10 @@ struct CoarseMesh {
 };
 
 /// Meshes a section. surface_nodes: r of nodes that the surface must have, 0 first, strictly increasing, below the
-/// radius of the outline, with no other node between them. size(r, z): wanted size, in the same unit. strip_height: of
-/// a row of rectangles under these nodes, one each, less than the thickness; 0: none. The rest is meshed with gmsh.
-/// Throws MeshError if gmsh fails. Threads wait for each other, see `body_mesh`.
+/// radius of the outline, with no other node between them. size(r, z): wanted size, in the same unit. strip_height:
+/// height of a row of rectangles below the surface, one under each interval between these nodes, less than the
+/// thickness; 0: none. The rest is meshed with gmsh. Throws MeshError if gmsh fails. Threads wait for each other, see
+/// `body_mesh`.
 CoarseMesh coarse_mesh(const std::vector<double>& surface_nodes, double strip_height, const Outline& outline,
                        const std::function<double(double r, double z)>& size);
 

@@ -8,8 +8,8 @@ namespace fretval::meshes {
 /// Throws MeshError unless length > 0 and n >= 1.
 std::vector<double> uniform_nodes(double length, unsigned n);
 
-/// Where contact elements are fine, in the unit of length: equal elements of at most `size` on [inner, outer]. With
-/// inner = outer a single node, where a stress is singular.
+/// Where contact elements are fine: equal elements of at most `size` on [inner, outer], in the unit of length. inner =
+/// outer makes a single node, for an edge at which a stress is singular.
 struct FineBlock {
   double inner, outer, size;
 };

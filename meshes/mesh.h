@@ -43,7 +43,7 @@ std::string boundary_name(Boundary boundary);
 /// Sum of the lengths of the edges of one part of the boundary, in the unit of the nodes.
 double boundary_length(const Mesh& mesh, Boundary boundary);
 
-/// The radii of the nodes of the contact line in increasing order: those that `quarter_disc` was asked for.
+/// Radii of the nodes of the contact line, in increasing order.
 std::vector<double> contact_radii(const Mesh& mesh);
 
 }  // namespace fretval::meshes

@@ -9,7 +9,7 @@ Mesh split(const MixedMesh& mixed) {
   for (const auto& edge : mixed.edges) coarse.edges.push_back({edge.nodes, Side::surface});
   auto fine = split(coarse);
   Mesh mesh{std::move(fine.nodes), std::move(fine.cells), {}, mixed.materials, {}};
-  // Both halves of an edge follow each other, and so do the parts of a cell.
+  // In the split mesh the two halves of an edge stand next to each other, and so do the parts of a polygon.
   for (std::size_t i = 0; i < fine.edges.size(); ++i)
     mesh.edges.push_back({fine.edges[i].nodes, mixed.edges[i / 2].boundary});
   if (!mixed.material.empty())
