@@ -8,20 +8,23 @@
 
 namespace fretval::fem {
 
-/// Ring tractions under which a body of unit shear modulus has these displacements on its rings, a column each.
+/// Ring tractions (n_rings x columns) under which a body of unit shear modulus has these ring displacements, column by
+/// column.
 Eigen::MatrixXd tractions_for(const Compliance& compliance, const Eigen::MatrixXd& ring_displacements);
 
-/// All dofs of a body of unit shear modulus under ring tractions, a column each.
+/// Values of all dofs (n_dofs x columns) of a body of unit shear modulus under these ring tractions (n_rings x
+/// columns).
 Eigen::MatrixXd body_under(const HarmonicSpace& space, const Condensation& condensation,
                            const Eigen::MatrixXd& tractions);
 
 /// One harmonic of a viscoelastic body at an instant. With every modulus proportional to G(t) no history of the
-/// interior is needed: its displacements follow those of the rings, its stresses the tractions at the instant, each as
-/// in a body of unit shear modulus. All dofs of two such bodies, lengths, depths and tractions in units of their own.
+/// interior is needed: its displacements follow from those of the rings, its stresses from the tractions at the
+/// instant, each as in a body of unit shear modulus. The two vectors are the dofs of two such bodies; lengths,
+/// displacements and tractions have units of their own (FieldUnits).
 struct HarmonicState {
   const HarmonicSpace& space;
-  Eigen::VectorXd moved;     ///< has the displacements
-  Eigen::VectorXd stressed;  ///< has the stresses
+  Eigen::VectorXd moved;     ///< n_dofs; its displacements are those of the body
+  Eigen::VectorXd stressed;  ///< n_dofs; its stresses are those of the body
 };
 
 }  // namespace fretval::fem

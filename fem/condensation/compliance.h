@@ -17,16 +17,19 @@ namespace fretval::fem {
 struct Compliance {
   std::vector<double> radii;  ///< n + 1 ring radii
   Eigen::VectorXd areas;      ///< n ring areas
-  SharedMatrix matrix;        ///< n x n; of several components n rows each, one after the other
-  /// A half-space with rings like these, or with the innermost ones of equal rings, which tells where the edge of a
-  /// disc of rings lies: that is a local matter. Null: the body is a half-space itself.
+  SharedMatrix matrix;        ///< n x n; with several components n rows for each, one component after the other
+  /// A half-space with the same rings, or, where rings are equal, with the innermost of them. It tells where the edge
+  /// of a disc of rings lies, which is a local matter and so nearly the same on this body. Null: the body is a
+  /// half-space itself.
   std::shared_ptr<const Compliance> half_space = {};
 };
 
-/// schur: S, in the order of the dofs of the line. Throws SolverError if it is not positive definite.
+/// The compliance of a contact line. schur: S, in the order of line.dofs. Throws SolverError if it is not positive
+/// definite.
 Compliance contact_compliance(const ContactLine& line, const Eigen::MatrixXd& schur);
 
-/// Number of rings whose middle lies within a radius; at a radius that is a node to roundoff, those up to that node.
+/// Number of rings whose middle lies within a radius; where the radius is a node but for roundoff, the number of rings
+/// up to that node.
 Eigen::Index rings_within(const Compliance& compliance, double radius);
 
 /// Lower Cholesky factor of the matrix of a compliance. Throws SolverError if it is not positive definite.

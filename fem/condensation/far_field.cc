@@ -114,7 +114,7 @@ void add_far_field(const HarmonicSpace& space, const Condensation& condensation,
   Eigen::VectorXd at_dofs(static_cast<Eigen::Index>(line.dofs.size()));
   for (Eigen::Index i = 0; i < at_dofs.size(); ++i) at_dofs[i] = field[line.dofs[static_cast<std::size_t>(i)]];
   const Eigen::VectorXd moved = line.loads.transpose() * at_dofs;
-  // Of the components, the one whose traction adds up to the force.
+  // The force acts through one of the components: that of the ring contact.
   const unsigned pushed = ring_component(space.order());
   const auto place = std::find(components.begin(), components.end(), pushed) - components.begin();
   Eigen::VectorXd force = Eigen::VectorXd::Zero(moved.size());

@@ -8,8 +8,8 @@
 
 namespace fretval::fem {
 
-/// Forces on the skeleton dofs of a half-space that the condition at its far boundary (assemble_stiffness) lacks where
-/// a unit force acts at the origin, along z (n = 0) or along x (n = 1):
+/// Forces on the skeleton dofs of a half-space that are missing in the condition at its far boundary
+/// (assemble_stiffness) where a unit force acts at the origin, along z (n = 0) or along x (n = 1):
 ///
 ///   int [sigma m + (3/R)(u.n) n] . v dA
 ///
@@ -22,8 +22,9 @@ Eigen::VectorXd far_residual(const HarmonicSpace& space);
 bool lacks_far_field(const HarmonicSpace& space);
 
 /// Adds to a compliance what the far boundary lacks, so that it is exact for the total force of the rings, as it is for
-/// nu = 1/2 by itself; what is left is of the moments of their tractions, the third power of radius over distance.
-/// condensation: of the space; components: of the compliance, see HarmonicSpace::contact_line.
+/// nu = 1/2 by itself; what is left is the error of the moments of their tractions, of the third power of radius over
+/// distance. condensation: that of the stiffness of the space; components: those of the displacement that the
+/// compliance has, see HarmonicSpace::contact_line.
 void add_far_field(const HarmonicSpace& space, const Condensation& condensation,
                    const std::vector<unsigned>& components, Compliance& compliance);
 

@@ -26,7 +26,8 @@ double hoop(double u, double slope, double r) {
   return r > 0 ? u / r : slope;
 }
 
-// Of the normal harmonic U and W count inwards and down, of the other one outwards and up.
+// Strain amplitudes at a point: of the normal harmonic, whose U and W count inwards and down, or of the tangential one,
+// whose displacements count outwards and up.
 Amplitudes strains_of(const FourierOrder& order, const dealii::Vector<double>& x, const Gradients& d, double r) {
   Amplitudes at;
   if (order == axisymmetric) {
@@ -143,7 +144,7 @@ void write_meridian_section(const BodyState& state, const FieldUnits& units, std
   std::vector<Patch> patches;
   for (const auto& cell : parts.dofs.active_cell_iterators()) {
     const auto& a = normal.at(cell);
-    // Both harmonics are on the same cells in the same order.
+    // The normal and the tangential harmonic have the same cells in the same order.
     const auto& b = tangential ? tangential->at({&state.tangential->space.parts().triangulation, cell->level(),
                                                  cell->index(), &state.tangential->space.parts().dofs})
                                : nothing;

@@ -7,13 +7,14 @@
 
 namespace fretval::fem {
 
-/// A body at an instant: its normal harmonic and, if the indenter moves tangentially, the other one.
+/// A body at an instant: its normal harmonic (n = 0) and, if the indenter moves tangentially, the tangential one (n =
+/// 1).
 struct BodyState {
   HarmonicState normal;
   std::optional<HarmonicState> tangential;
 };
 
-/// Units of a dimensionless body: m, m, Pa.
+/// Units of a dimensionless body: of lengths in m, of displacements in m, of stresses in Pa.
 struct FieldUnits {
   double length, depth, pressure;
 };

@@ -6,13 +6,13 @@
 
 namespace fretval::fem {
 
-// What is to be known of MUMPS wherever it is called.
+// What all callers of MUMPS share.
 
-/// Neither PETSc nor MUMPS may be in two threads at once.
+/// Held by whoever calls PETSc or MUMPS: neither may be in two threads at once.
 std::mutex& mumps_mutex();
 
-/// Work space of a factorisation beyond MUMPS' own estimate, in percent: how much at first, and how much when that was
-/// too little.
+/// Work space of a factorisation beyond MUMPS' own estimate, in percent: first, and in the second attempt where that
+/// was too little.
 struct SpareMemory {
   int first = 60;  ///< pivoting of the saddle point needs more than the default of 30
   int second = 400;
@@ -24,14 +24,16 @@ bool needs_more_work_space(int infog1);
 /// Why MUMPS failed, in words, from its codes INFOG(1) < 0 and INFOG(2).
 std::string explain_mumps(int infog1, int infog2);
 
-/// Of a symmetric matrix MUMPS fills one triangle; which one depends on the storage order it was given. Makes both.
+/// Completes a symmetric matrix of which MUMPS has filled one triangle; which one depends on the storage order that it
+/// was given.
 void fill_symmetric(Eigen::MatrixXd& matrix);
 
 /// A right-hand side that leaves no dof out, to try a factor with.
 Eigen::VectorXd probe_load(Eigen::Index n);
 
-/// Largest relative residual of a direct solve with a factor that is sound. Healthy matrices give 1e-13 on even meshes
-/// and 4e-10 where cells span six decades in size, half of it after a refinement; a singular one gives 1e-2 or more.
+/// Largest relative residual of a direct solve at which the factor counts as sound. Healthy matrices give 1e-13 on even
+/// meshes and 4e-10 where cells span six decades in size, half of it after a refinement; a singular one gives 1e-2 or
+/// more.
 constexpr double probe_tolerance = 1e-8;
 std::string explain_residual(double residual);
 

@@ -120,7 +120,8 @@ std::vector<double> lower_triangle(const Eigen::MatrixXd& matrix) {
   return packed;
 }
 
-/// Of one component or several on so many rings: as many rows each.
+/// The matrix whose lower triangle is packed row after row; its rows have to be a multiple of n_rings, one set for each
+/// component.
 Eigen::MatrixXd symmetric_matrix(const std::vector<double>& packed, Eigen::Index n_rings) {
   const auto rows_of_triangle = std::sqrt(2.0 * static_cast<double>(packed.size()) + 0.25) - 0.5;
   const auto n = static_cast<Eigen::Index>(std::lround(rows_of_triangle));

@@ -32,7 +32,7 @@ PetscSession::PetscSession() {
 }
 
 PetscSession::~PetscSession() {
-  // The others do not know of the error, and would be waited for.
+  // After an error PetscFinalize would wait for the other processes, which do not know of it.
   if (this_process().count > 1 && std::uncaught_exceptions() > 0) return;
   PetscPopErrorHandler();
   PetscFinalize();

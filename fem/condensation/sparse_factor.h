@@ -21,7 +21,7 @@ class SparseFactor {
  public:
   /// name: of the matrix, for error messages.
   SparseFactor(SparseMatrix matrix, std::string name);
-  /// interface_dofs: of the Schur complement; none of them, no Schur complement.
+  /// interface_dofs: the dofs c; empty: no Schur complement is made.
   SparseFactor(SparseMatrix matrix, const std::vector<unsigned>& interface_dofs, std::string name,
                const SpareMemory& spare = {});
   ~SparseFactor();
@@ -31,7 +31,7 @@ class SparseFactor {
   /// S, n_interface x n_interface, in the order of interface_dofs.
   [[nodiscard]] Eigen::MatrixXd schur_complement() const;
 
-  /// Throws unless K x = rhs after one back-substitution of some rhs.
+  /// Throws SolverError unless one back-substitution with some rhs gives an x with K x = rhs.
   void probe() const;
 
   /// K^{-1} rhs: back-substitution and one refinement.

@@ -12,7 +12,7 @@ namespace fretval::fem {
 /// A piece of a surface in space with its values: scalars, vectors and tensors, one component after the other.
 using Patch = dealii::DataOutBase::Patch<2, 3>;
 
-/// A quadrilateral patch of n by n cells, and values of so many components at its (n + 1)^2 points, as yet 0.
+/// A quadrilateral patch of n by n cells, with n_components values at each of its (n + 1)^2 points, all 0.
 Patch new_patch(unsigned n, unsigned n_components);
 
 /// A field of a file: its name with its unit, and 1, 3 or 9 components.
@@ -27,7 +27,7 @@ void write_vtu(const std::vector<Patch>& patches, const std::vector<Field>& fiel
 /// A step of a series: its time in s, and a file, relative to that of the series.
 using SeriesStep = std::pair<double, std::string>;
 
-/// Writes the list of files in the PVD format, which ParaView opens as one.
+/// Writes a list of the files of a series in the PVD format, which ParaView opens as one data set.
 void write_pvd(const std::vector<SeriesStep>& steps, std::ostream& stream);
 
 }  // namespace fretval::fem

@@ -11,16 +11,17 @@ namespace fretval::fem {
 struct BalanceGuess {
   double displacement;
   double stiffness;  ///< force per displacement around there, roughly; positive
-  double scale;      ///< of forces, whose roundoff does not matter; positive
+  double scale;      ///< size of the forces, over which accuracy is judged; positive
 };
 
 /// The displacement of the indenter at which a force that rises with it has a value: secants, held between the nearest
 /// displacements that are known to be too small and too large. Accurate to roundoff of the scale. A reading of a force
-/// may jump by a little where a ring changes its state; a value inside the jump is balanced at its place. force: of a
-/// displacement. Throws SolverError if the force stays on one side of the value.
+/// may jump by a little where a ring changes its state; a value inside the jump is balanced where the jump is. force:
+/// as a function of the displacement. Throws SolverError if the force stays on one side of the value.
 double displacement_for_force(const std::function<double(double)>& force, double value, const BalanceGuess& guess);
 
-/// The same with what the indenter does there. make: of a displacement; force_of: what it makes.
+/// displacement_for_force() for a force that is read from what a step makes of a displacement. make(displacement): the
+/// step; force_of(step): its force. Returns the displacement and the step that was made of it.
 template <class Make, class ForceOf>
 auto attempt_for_force(const Make& make, const ForceOf& force_of, double value, const BalanceGuess& guess) {
   std::optional<decltype(make(0.0))> last;
@@ -34,10 +35,10 @@ auto attempt_for_force(const Make& make, const ForceOf& force_of, double value, 
   return std::pair{displacement, std::move(*last)};
 }
 
-/// Displacements in several directions, and how forces rise with them there: `stiffness(i, j) = dF_i/du_j`.
+/// Displacements in several directions, and the stiffness of the forces there: `stiffness(i, j) = dF_i/du_j`.
 struct BalanceOfForces {
   Eigen::VectorXd displacements;
-  Eigen::MatrixXd stiffness;  ///< empty: not known, it is found by small displacements of `probe` each
+  Eigen::MatrixXd stiffness;  ///< empty: it is measured by a displacement of `probe` in each direction
 };
 
 /// The displacements at which forces that depend on all of them have their values, by Broyden's method: what it learns

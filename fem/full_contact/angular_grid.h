@@ -7,9 +7,9 @@
 
 namespace fretval::fem {
 
-/// Mirrors that leave the contact as it is, and with them the angles that are left out. About the x axis t_x and p are
-/// even and t_y is odd: motion along x, with or without coupling. About both axes so are t_x and t_y, and p has no
-/// part in it: motion along x without coupling.
+/// Mirror symmetries of the contact, by which some of the angles can be left out. About the x axis t_x and p are even
+/// and t_y is odd: motion along x, with or without coupling. About both axes: motion along x without coupling, in which
+/// p has no part.
 enum class Mirrors { none, x, x_and_y };
 
 /// Equally spaced angles `theta_j = (j + 1/2) 2 pi/n` around the axis, so that none lies on a mirror.
@@ -19,7 +19,7 @@ struct AngularGrid {
   Eigen::VectorXd angles;  ///< those that are kept, rising from the first one
 
   [[nodiscard]] Eigen::Index n_kept() const { return angles.size(); }
-  /// Points around the axis that each of the kept ones stands for.
+  /// Number of points around the axis that each kept point stands for.
   [[nodiscard]] double multiplicity() const { return n_around / static_cast<double>(angles.size()); }
   /// Highest Fourier order of the displacement that fields on these angles draw on.
   [[nodiscard]] unsigned highest_order() const { return n_around / 2 + 1; }
@@ -29,20 +29,20 @@ struct AngularGrid {
 /// even number of angles, two for a multiple of four.
 AngularGrid angular_grid(unsigned n_around, Mirrors mirrors = Mirrors::none);
 
-/// Where a point of the whole circle has its values from: a kept angle, with t_y of that or of the other sign.
+/// A point of the whole circle, and the kept angle whose values it has, with t_y multiplied by sign_of_y.
 struct MirroredAngle {
   double angle;
   Eigen::Index kept;
   double sign_of_y;
 };
-/// All n_around of them, from the first angle on.
+/// All n_around points of the circle, from the first angle on.
 std::vector<MirroredAngle> whole_circle(const AngularGrid& grid);
 
 /// Which fields there are on the angles: t_x and t_y, p, or t_x, t_y and p, in this order.
 enum class Fields { tangential, normal, all };
 
-/// An amplitude that fields have: a component of a Fourier order (fem/operators/fourier_order.h), and what the kept
-/// angles contribute to it, for each field one after the other.
+/// An amplitude of fields: a component of a Fourier order (fem/operators/fourier_order.h), and the weights of the
+/// values at the kept angles in it, one field after the other.
 struct Amplitude {
   FourierOrder order;
   unsigned component;
@@ -55,8 +55,9 @@ struct Amplitude {
 ///   c_n = m_e - i m_o,    c_{-n} = s_e + i s_o,    c_0 = U - i V,
 ///
 /// so the Cartesian harmonic l = k + 1 of n angles, |l| <= n/2, draws on s of order 1 - l and m of order l - 1. A
-/// pressure pushes into the body, against W. The harmonic n/2 of an even number of angles is that which is largest on
-/// them, cos(n/2 (theta - theta_0)), the other one vanishes there. Amplitudes that vanish by a mirror are left out.
+/// pressure pushes into the body, against W. Of the two harmonics n/2 of an even number of angles only cos(n/2 (theta -
+/// theta_0)) occurs, which is largest on the angles; the other one vanishes there. Amplitudes that vanish by a mirror
+/// are left out.
 std::vector<Amplitude> amplitudes_of(const AngularGrid& grid, Fields fields);
 
 }  // namespace fretval::fem

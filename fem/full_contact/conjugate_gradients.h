@@ -8,20 +8,20 @@ namespace fretval::fem {
 
 // Common to the two solvers that conjugate gradients serve, friction_solver.h and normal_solver.h.
 
-/// Natural residual of a solution, over its largest limit or pressure: roundoff leaves 1e-14.
+/// Natural residual at which a solution is good enough, over its largest limit or pressure: roundoff leaves 1e-14.
 constexpr double enough_of_contact = 1e-11;
 constexpr int most_newton_steps = 200, most_applications = 200;
 
-/// To which a linear system is solved while so much is left of the whole problem: no more than the next step of
-/// Newton's method can make use of (Dembo, Eisenstat and Steihaug 1982).
+/// Share of its right-hand side to which a linear system is solved while the remainder of the whole problem is this
+/// large: not smaller than the next step of Newton's method can make use of (Dembo, Eisenstat and Steihaug 1982).
 inline double share_for(double remainder) {
   return std::clamp(remainder, 1e-6, 0.05);
 }
 
 /// Preconditioned conjugate gradients for `A x = b` on fields, from x = 0, until the preconditioned residual is below a
-/// share of that of b, or after so many applications. apply and precondition: (field, result), symmetric positive
-/// definite on the space that they map into, in which b lies. The number of applications is returned.
-/// (Hestenes and Stiefel 1952; Nocedal and Wright, Numerical Optimization, algorithm 5.3.)
+/// share of that of b, or after most_applications. apply and precondition: (field, result), symmetric positive definite
+/// on the space that they map into, in which b lies. The number of applications is returned. (Hestenes and Stiefel
+/// 1952; Nocedal and Wright, Numerical Optimization, algorithm 5.3.)
 template <class Apply, class Precondition>
 int conjugate_gradients(const Apply& apply, const Precondition& precondition, Eigen::MatrixXd b, double share,
                         int most_applications, Eigen::MatrixXd& x) {

@@ -14,35 +14,36 @@ struct ContactRegion {
   double radius = 0;        ///< of the disc of that area
   double along = 0;         ///< half of its extent along x
   double across = 0;        ///< half of its extent along y
-  double uncertainty = 0;   ///< of its edge: the largest of all angles
+  double uncertainty = 0;   ///< of its edge, the largest over the angles
   Eigen::VectorXd edges{};  ///< its radius at each kept angle
 };
 
 /// The region in which a margin is positive from the centre on, whose edge is read to a fraction of a ring.
 ///
 /// A margin, mu p - |t| where points stick or p where they touch, falls towards the edge like the pressure of a punch.
-/// So on each ray it is taken for that of an axisymmetric one, whose depths (PunchSeries) vanish at the edge
-/// (stick_radius): near an edge that is smooth the problem is that of a straight one. depths: these, of each ray, a
-/// column each, which are linear in the margin; n_inside: rings of the ray inside the region. area = (1/2) int
-/// edge(theta)^2 dtheta, by the trapezoidal rule, which converges faster than any power of the number of angles for a
-/// smooth region; extents are those of the trigonometric polynomial through the edges. rings: the contact problem of
-/// the ring contact, of the component that the margin is of, on as many rings.
+/// Therefore on each ray the margin is read as that of an axisymmetric contact, whose depths (PunchSeries) vanish at
+/// the edge (stick_radius): near a smooth edge the problem is that of a straight one. depths: the depths of the margin,
+/// in which they are linear, n_rings x n_angles; n_inside: the number of rings inside the region on each ray. area =
+/// (1/2) int edge(theta)^2 dtheta, by the trapezoidal rule, which converges faster than any power of the number of
+/// angles for a smooth region; extents are those of the trigonometric polynomial through the edges. rings: the contact
+/// problem of the ring contact on the same rings, in the component (normal or tangential) to which the margin belongs.
 ContactRegion region_of(const ContactProblem& rings, const AngularGrid& grid, const Eigen::MatrixXd& depths,
                         const Eigen::VectorXi& n_inside);
 
 /// The region whose edge at each kept angle is known.
 ContactRegion region_within(const AngularGrid& grid, Eigen::VectorXd edges);
 
-/// The same from the margin, zero outside of the region.
+/// The region in which a margin is positive from the centre on, from the margin itself (n_rings x n_angles), which is
+/// zero outside of the region.
 ContactRegion region_of(const ContactProblem& rings, const AngularGrid& grid, const Eigen::MatrixXd& margin);
 
-/// The region whose edge on each ray is the outer one of its last ring, known to that ring or the next. It supposes
-/// nothing of how a margin falls towards the edge: like that of a punch where a zone that sticks gives way, and in
+/// The region whose edge on each ray is the outer one of its last ring, known to within a ring. Nothing is assumed of
+/// how the margin falls towards the edge: it does so like the pressure of a punch where a stick zone shrinks, and in
 /// proportion to the distance where it grows. radii: edges of the rings, one more than rings.
 ContactRegion region_to_a_ring(const std::vector<double>& radii, const AngularGrid& grid,
                                const Eigen::VectorXi& n_inside);
 
-/// Rings of each ray before the first one without a margin.
+/// Number of rings on each ray before the first one whose margin is not positive.
 Eigen::VectorXi rings_inside(const Eigen::MatrixXd& margin);
 
 }  // namespace fretval::fem

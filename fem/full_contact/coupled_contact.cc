@@ -22,15 +22,16 @@ using Eigen::VectorXd;
 namespace {
 
 constexpr double enough_agreement = 1e-10;  // of the alternation
-/// To which either side is solved while so much is left of both: no more than the next alternation can make use of.
+/// Natural residual to which friction and pressures are solved while the remainder of the pair is this large: not
+/// smaller than the next alternation can make use of.
 double share_of(double remainder) {
   constexpr double share = 1e-2;
   return std::clamp(share * remainder, enough_of_contact, 1e-4);
 }
 constexpr int most_alternations = 100;
 
-/// What a pressure wears off, as a straight line through what it is around a pressure: softness times pressure and
-/// offset. Its tangent; with an exponent below 1, where tangents overshoot, its secant from 0.
+/// Wear as a linear function of the pressure around a given one, softness times pressure plus offset: the tangent of
+/// the law of wear or, with an exponent below 1, where tangents overshoot, its secant from 0.
 struct LinearWear {
   MatrixXd softness, offset;
 };
@@ -110,7 +111,7 @@ MatrixXd CoupledContact::moved_by_pressure() const {
   return moved.leftCols(2 * pressure.cols());
 }
 
-/// Into the body, times the areas.
+/// Displacements into the body by tractions, times the areas (n_rings x n_angles).
 MatrixXd CoupledContact::moved_by_traction(const MatrixXd& traction) const {
   MatrixXd fields = MatrixXd::Zero(pressure.rows(), 3 * pressure.cols()), moved;
   fields.leftCols(2 * pressure.cols()) = traction;

@@ -10,7 +10,8 @@
 
 namespace fretval::fem {
 
-/// The operators of a body on one grid: along the surface, across it, and of both with what couples them.
+/// The operators of a body on one grid: for tractions along the surface, for pressures, and for both together with what
+/// couples them.
 struct CoupledOperators {
   SurfaceOperator tangential, normal, all;
 };
@@ -18,13 +19,13 @@ struct CoupledOperators {
 /// Throws std::invalid_argument as SurfaceOperator does, and for mirrors about both axes, which coupling breaks.
 CoupledOperators coupled_operators(const SurfaceCompliance& surface, const AngularGrid& grid, bool coupling = true);
 
-/// Motion of the indenter: how deep it is, and along the surface.
+/// Motion of the indenter: its depth, and its motion along the surface.
 struct IndenterMotion {
   Course depth;
   LateralMotion lateral;
-  bool depth_is_force = false;  ///< depth is F_N, which the indenter follows at the balance time of each step
+  bool depth_is_force = false;  ///< depth is the force F_N, which the indenter follows at the balance time of each step
 };
-/// The motion must outlive it.
+/// The motion of the indenter as prescribed by a Motion, which must outlive it.
 IndenterMotion indenter_motion(const Motion& motion);
 
 /// Normal contact and friction that act on each other, on their way through a motion: what they are like after the last
@@ -35,8 +36,8 @@ IndenterMotion indenter_motion(const Motion& motion);
 /// with displacements of K (t, p) of SurfaceOperator over all fields. They begin at the first depth with the pressures
 /// of a relaxed body that was pressed without friction; from a depth of 0 on, frictional pressing is a part of the way.
 ///
-/// A step alternates: friction under the last pressures, then pressures under these tractions (block Gauss-Seidel).
-/// It contracts by the square of what couples the two, times the friction coefficient: over a half-space
+/// A step alternates: friction under the last pressures, then pressures under these tractions (block Gauss-Seidel). The
+/// error contracts in each alternation by the square of the coupling times the friction coefficient: over a half-space
 /// ((1 - 2 nu)/(2 - 2 nu)) mu at most. The normal natural residual of the pair is computed at its end, over the largest
 /// pressure, and that of friction as in solve_friction. Points that are pressed in the step before are driven by the
 /// indenter, exactly; the others move at a constant rate, so that lifting and touching are of second order (without the
@@ -48,10 +49,10 @@ class CoupledContact {
   CoupledContact(const CoupledOperators& operators, const RelaxationModel& relaxation, double friction_coefficient,
                  Eigen::MatrixXd profile, const IndenterMotion& motion, StepTimes times);
 
-  /// Goes on by a step, in which the indenter wears: `target = K p + coefficient p^exponent - gap` at each point, with
-  /// the wear linearised around the last pressures of each alternation (Newton's method). wear: of the points, angle by
-  /// angle. Throws SolverError where the two do not converge, NoRoom where the contact reaches the last ring, and
-  /// GrossSlip where a tangential force that is prescribed reaches mu F_N.
+  /// Makes the next step, in which the indenter wears: `target = K p + coefficient p^exponent - gap` at each point,
+  /// with the wear linearised around the last pressures of each alternation (Newton's method). wear: of the points,
+  /// angle by angle. Throws SolverError where the alternation does not converge, NoRoom where the contact reaches the
+  /// last ring, and GrossSlip where a tangential force that is prescribed reaches mu F_N.
   void step(const PressureWear& wear = {});
 
   Eigen::MatrixXd profile;  ///< of the indenter at the end of the step
@@ -59,16 +60,16 @@ class CoupledContact {
   double depth = 0;          ///< of the indenter at the end of the step
   Eigen::MatrixXd pressure;  ///< at the balance time
   Eigen::MatrixXd gap;       ///< at the end of the step
-  int n_alternations = 0;    ///< that the step took
-  double remainder = 0;      ///< of the normal contact, see above
+  int n_alternations = 0;    ///< alternations that the step took
+  double remainder = 0;      ///< natural residual of the normal contact, over the largest pressure
 
   [[nodiscard]] double normal_force() const;
   [[nodiscard]] const SurfaceOperator& normal_operator() const { return operators_.normal; }
-  /// What the pressures of the last step solved for under its tractions, without wear: areas times the displacements
-  /// that would leave no gap.
+  /// Right-hand side of the last normal problem, under the tractions of the last step and without wear: areas times the
+  /// displacements into the body that would leave no gap (n_rings x n_angles).
   [[nodiscard]] Eigen::MatrixXd pull() const;
 
-  /// What the next step depends on; into a contact that was made of the same arguments.
+  /// All that the next step depends on. To be loaded into a contact that was made of the same arguments.
   template <class Archive>
   void serialize(Archive& archive) {
     archive(profile, friction, depth, pressure, gap, state_, balance_.displacements, balance_.stiffness);
@@ -78,12 +79,13 @@ class CoupledContact {
   void press_without_friction();
   [[nodiscard]] Eigen::MatrixXd moved_by_pressure() const;
   [[nodiscard]] Eigen::MatrixXd moved_by_traction(const Eigen::MatrixXd& traction) const;
-  /// How far the indenter goes down and along the surface in a step, in the directions whose forces are prescribed.
+  /// Displacement of the indenter in a step, down and along the surface, in the directions whose forces are prescribed.
   struct Way {
     double down = 0;
     Eigen::VectorXd along = {};
   };
-  /// A step as it is tried: of the indenter, and of the points before they are held.
+  /// A step that is tried: the move of the indenter, and of the points how far they are driven, left behind and
+  /// displaced before they are held.
   struct Attempt {
     IndenterMove whole;
     Eigen::VectorXd driven, left_behind, before;

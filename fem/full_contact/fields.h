@@ -4,7 +4,7 @@
 
 namespace fretval::fem {
 
-// Fields on rings x angles, a row a ring, as the long vectors that a RingState holds, and back.
+// Conversion of fields on rings x angles, a row for each ring, to the long vectors of a RingState and back.
 
 inline Eigen::VectorXd as_vector(const Eigen::MatrixXd& field) {
   return Eigen::Map<const Eigen::VectorXd>(field.data(), field.size());

@@ -32,7 +32,8 @@ struct Rims {
       : x(n_rings, n_angles), y(n_rings, n_angles), stiffness(n_rings, n_angles), slips(n_rings, n_angles) {}
 };
 
-/// Also moves the points that slip onto their rims. How far the traction leads the way is for the diagonal to say.
+/// Finds the points that slip, and moves them onto the rims of their discs. A point slips where t + rho (q - K t), with
+/// rho the inverse of the diagonal of K, leaves its disc.
 Rims find_rims(const SurfaceOperator& op, const MatrixXd& residual, const MatrixXd& limit, MatrixXd& traction) {
   const Index n = limit.rows(), m = limit.cols();
   Rims rims(n, m);
@@ -149,7 +150,7 @@ class Newton {
     return remainder < solution_.remainder / 2;
   }
 
-  /// As far as lowers the energy, but no farther than all of the way, which stays in the discs.
+  /// Goes along a way as far as that lowers the energy, but not beyond its end, which still lies in the discs.
   Descent as_far_as_it_lowers(MatrixXd way) {
     op_.apply(way, image_);
     ++solution_.applications;
@@ -170,8 +171,8 @@ class Newton {
   const MatrixXd& limit_;
   double largest_;
   MatrixXd image_;
-  std::optional<InverseOperator> inverse_;  // of rims as they were in an iteration before
-  int last_applications_ = 0;               // of the operator to solve a linear system
+  std::optional<InverseOperator> inverse_;  // for the rims of an earlier iteration
+  int last_applications_ = 0;               // applications of the operator for the last linear system
   FrictionSolution solution_;
 };
 
@@ -184,7 +185,8 @@ void require_fit(const SurfaceOperator& op, const MatrixXd& pull, const MatrixXd
     throw std::invalid_argument("the friction limits must be numbers that are not negative, and their pull numbers");
 }
 
-/// The same without the rings beyond the last one that has a limit.
+/// Solves the friction problem on the rings up to the last one that has a friction limit; operator and fields have no
+/// other rings.
 FrictionSolution solve_touching(const SurfaceOperator& op, const MatrixXd& pull, const MatrixXd& limit,
                                 const MatrixXd& guess, double enough) {
   Newton newton(op, pull, limit, guess);

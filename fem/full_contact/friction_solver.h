@@ -7,22 +7,22 @@
 
 namespace fretval::fem {
 
-/// Tractions under given friction limits, and what is left of the pull on them.
+/// Tractions within given friction limits, and their residual.
 struct FrictionSolution {
   Eigen::MatrixXd traction;  ///< n_rings x 2 n_angles, t_x before t_y
   Eigen::MatrixXd residual;  ///< q - K t, zero where |t| < limit and along t elsewhere: areas times slip
   double remainder = 0;      ///< natural residual of the solution, over the largest limit
-  int iterations = 0;        ///< of Newton's method
-  int applications = 0;      ///< of the operator
+  int iterations = 0;        ///< iterations of Newton's method
+  int applications = 0;      ///< applications of the operator
 };
 
 /// Friction with a traction of any direction: the one t that minimises
 ///
 ///   t . K t/2 - q . t    over the discs    |t| <= limit
 ///
-/// of all points. K: of SurfaceOperator with tangential fields alone, symmetric positive definite. Where a point
-/// sticks, (q - K t) vanishes; where it slips, it points along t. (The box problem of fem/ring_contact/box_solver.h
-/// with discs in the place of intervals; Duvaut and Lions, Inequalities in Mechanics and Physics, chapter III.)
+/// of all points. K: a SurfaceOperator with tangential fields alone, symmetric positive definite. Where a point sticks,
+/// q - K t vanishes; where it slips, q - K t points along t. (The box problem of fem/ring_contact/box_solver.h with
+/// discs in the place of intervals; Duvaut and Lions, Inequalities in Mechanics and Physics, chapter III.)
 ///
 /// Method: semismooth Newton on `t = P(t + rho (q - K t))`, P the projection onto the discs. A point that slips keeps
 /// to the rim of its disc and moves along it, against the stiffness |q - K t|/limit of the curved rim. The linear
@@ -31,17 +31,18 @@ struct FrictionSolution {
 /// halves the remainder. Where it does not, it goes as far towards it as lowers the energy, or along the projected
 /// gradient if that lowers it by more: so every step makes at least the progress of a method that always converges.
 ///
-/// limit: n_rings x n_angles, not negative. guess: of the tractions, any. The natural residual, the largest
-/// |t - P(t + rho (q - K t))| with rho the inverse of the diagonal, is computed of the solution that is returned.
-/// Throws SolverError where it neither comes below `enough` of the largest limit nor, after the last iteration, below
-/// 1e-10, and std::invalid_argument for sizes that do not fit and limits that are negative or no numbers.
+/// limit: n_rings x n_angles, not negative. pull: q. guess: any tractions to start from. `remainder` is the natural
+/// residual of the solution that is returned, the largest |t - P(t + rho (q - K t))| with rho the inverse of the
+/// diagonal of K, over the largest limit. Throws SolverError where it neither comes below `enough` nor, after the last
+/// iteration, below 1e-10, and std::invalid_argument for sizes that do not fit and limits that are negative or no
+/// numbers.
 FrictionSolution solve_friction(const SurfaceOperator& op, const Eigen::MatrixXd& pull, const Eigen::MatrixXd& limit,
                                 const Eigen::MatrixXd& guess, double enough = enough_of_contact);
 
-/// Each traction, or the nearest one within its limit.
+/// The tractions, each replaced by the nearest one within its limit where it exceeds that.
 Eigen::MatrixXd onto_discs(Eigen::MatrixXd traction, const Eigen::MatrixXd& limit);
 
-/// The natural residual above, for any tractions.
+/// The natural residual of solve_friction() for any tractions, in their unit. residual: q - K t.
 double friction_remainder(const SurfaceOperator& op, const Eigen::MatrixXd& residual, const Eigen::MatrixXd& limit,
                           const Eigen::MatrixXd& traction);
 

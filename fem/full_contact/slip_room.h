@@ -9,11 +9,12 @@ namespace fretval::fem {
 ///
 ///   max over offsets o of  min_k [l_k - |t_k - o|],
 ///
-/// the largest by which every limit could be less while some constant traction still lets it stick. Positive where it
-/// sticks, and zero where it slips. The offset is what a body settles to by shakedown; so the room does not depend on
-/// the one that it happens to have. With one direction it is the shakedown margin of the ring contact, the mean of the
-/// least l - t and the least l + t. (The radius of a smallest enclosing circle, with weights.) A convex problem in two
-/// unknowns, solved to 1e-8 of the range of the tractions.
+/// the largest by which every limit could be less while some constant traction still lets it stick. The room is
+/// positive where the point sticks, and zero where it slips. The offset is the traction that shakedown would settle to,
+/// so that the room does not depend on the one that a computation happens to have locked in. With one direction the
+/// room is the shakedown margin of the ring contact, the mean of the least l - t and the least l + t. (The radius of a
+/// smallest enclosing circle, with weights.) A convex problem in two unknowns, solved to 1e-8 of the range of the
+/// tractions.
 double slip_room(const Eigen::VectorXd& x, const Eigen::VectorXd& y, const Eigen::VectorXd& limit);
 
 }  // namespace fretval::fem

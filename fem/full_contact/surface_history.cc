@@ -29,7 +29,7 @@ double change_between(const std::vector<MatrixXd>& now, const std::vector<Matrix
   return largest > 0 ? change / largest : 0;
 }
 
-/// Of the relaxed body: the traction of each ring by a slip of that ring alone, A_i (C^-1)_ii.
+/// Traction of each ring of the relaxed body by a unit slip of that ring alone, A_i (C^-1)_ii.
 VectorXd stiffness_of_rings(const ContactProblem& rings) {
   const MatrixXd inverse_factor = rings.solver.inverse()->triangularView<Eigen::Lower>();
   return rings.compliance.areas.cwiseProduct(inverse_factor.colwise().squaredNorm().transpose());
@@ -76,7 +76,8 @@ void SurfaceWatch::see(const CoupledContact& contact, double gone_down) {
   depth_[k] = contact.depth;
 }
 
-/// Work in a step is that of the forces in its middle, between those at its balance time and at the last one.
+/// The work in a step is made by the forces in its middle, interpolated between the balance times of this step and the
+/// one before.
 void SurfaceWatch::see_step(const VectorFriction& friction, const MatrixXd& pressure, double gone_down) {
   if (n_steps_ % steps_per_cycle_ == 0) begin_cycle();
   const MatrixXd margin = (friction.limit - lengths(friction.traction)).cwiseMax(0);

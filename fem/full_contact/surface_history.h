@@ -13,13 +13,14 @@
 
 namespace fretval::fem {
 
-/// The ring contacts of the body on the same rings, of which the edges of regions are read.
+/// Normal and tangential problem of the ring contact of the body on the same rings, by which the edges of regions are
+/// read.
 struct RingProblems {
   ContactProblem normal, tangential;
 };
 RingProblems ring_problems(const SurfaceCompliance& surface);
 
-/// What a contact with friction as a vector has been through, and its last cycle.
+/// Course of a contact with friction as a vector: where it sticks, its works, and its last cycle. Dimensionless.
 struct SurfaceHistory {
   int n_cycles = 0;
   ContactRegion never_slipped;      ///< since the start
@@ -28,16 +29,16 @@ struct SurfaceHistory {
   ContactRegion contact;            ///< where any pressure has been in the last cycle
   std::vector<double> dissipated;   ///< by friction, in each cycle
   double tangential_work = 0;       ///< of the indenter along the surface, in the last cycle: int F_x du_x + F_y du_y
-  double normal_work = 0;           ///< and into it, int F_N dd; where nobody has told how deep it goes, 0
+  double normal_work = 0;           ///< into the body, in the last cycle: int F_N dd; 0 without coupling
   Eigen::Matrix3Xd forces;          ///< F_x, F_y, torque at each step of the last cycle, at the balance times
-  Eigen::Matrix2Xd displacement;    ///< of the indenter along the surface, at the ends of the steps
-  Eigen::VectorXd depth;            ///< and into the body; empty where nobody has told
-  Eigen::VectorXd normal_force;     ///< the sum over the points, at the balance times
-  std::vector<StepInPiece> pieces;  ///< of a path, per step of the cycle; empty: of cosines
-  std::vector<Eigen::MatrixXd> pressure, traction;  ///< of the last cycle, a step each
-  /// Largest change of a traction against the cycle before, over the largest one.
+  Eigen::Matrix2Xd displacement;    ///< u_x, u_y of the indenter at the ends of the steps of the last cycle
+  Eigen::VectorXd depth;            ///< indentation at the ends of the steps of the last cycle; empty without coupling
+  Eigen::VectorXd normal_force;     ///< sum over the points, at the balance times of the last cycle
+  std::vector<StepInPiece> pieces;  ///< of the steps of the cycle along a path; empty: the motion is made of cosines
+  std::vector<Eigen::MatrixXd> pressure, traction;  ///< in the last cycle, one field for each step
+  /// Largest change of a traction from the cycle before to the last one, over the largest traction.
   double periodicity = 0;
-  /// By how much the steps differ by a second algorithm (SecondAlgorithm); empty: there was none.
+  /// Largest difference of the steps by a second algorithm (SecondAlgorithm::difference); empty: there was none.
   std::optional<double> second_difference = {};
 };
 
@@ -45,29 +46,29 @@ struct SurfaceHistory {
 ///
 /// Points that have never slipped: the smallest margin mu p - |t| since the start, as depths (ContactRegion), between
 /// steps as well (RunningMinimum), where |t| has always been less than its limit. Points that stick in a cycle: those
-/// that touch throughout and whose room (slip_room) exceeds all that is not settled about it, which is the change of
-/// their traction since the cycle before, and the traction that their slip to and fro in the cycle keeps off. Then
-/// some constant traction lets them stick, and by Melan's theorem they end up with one; micro-slip on the way there,
-/// in which |t| comes to its limit on one side, dies out slowly and is no sign of slip that stays. Slip to and fro is
-/// the length of the way less how far it leads; the traction that it keeps off is at most that of a ring that alone
-/// moves so far. In the first cycle, which begins at rest and has nothing to settle to, points that stick are those
-/// that have never slipped.
+/// that touch throughout and whose room (slip_room) exceeds what is not settled yet, which is the change of their
+/// traction since the cycle before plus the traction that is kept off by their slip to and fro in the cycle. Then some
+/// constant traction lets them stick, and by Melan's theorem they end up with one; micro-slip on the way there, in
+/// which |t| comes to its limit on one side, dies out slowly and is no sign of slip that stays. Slip to and fro is the
+/// length of the path of slip less the distance between its ends; the traction that it keeps off is at most the one of
+/// a ring that alone moves by that much. In the first cycle, which begins at rest and has nothing to settle to, points
+/// that stick are those that have never slipped.
 class SurfaceWatch {
  public:
   /// rings: must outlive this.
   SurfaceWatch(const RingProblems& rings, const AngularGrid& grid, int steps_per_cycle);
-  /// After a step of friction under given pressures.
+  /// To be called after each step of friction under given pressures (n_rings x n_angles).
   void see(const VectorFriction& friction, const Eigen::MatrixXd& pressure);
-  /// The same of a coupled contact, in which the indenter has gone down by so much.
+  /// To be called after each step of a coupled contact, in which the indenter has moved into the body by gone_down.
   void see(const CoupledContact& contact, double gone_down);
   /// Empty before the end of the first cycle.
   [[nodiscard]] SurfaceHistory report() const;
-  /// Of the last cycle against the one before, see SurfaceHistory.
+  /// SurfaceHistory::periodicity of the last cycle.
   [[nodiscard]] double periodicity() const;
 
  private:
   void see_step(const VectorFriction& friction, const Eigen::MatrixXd& pressure, double gone_down);
-  /// Of a point through the last cycle.
+  /// Traction and friction limit of a point in the steps of the last cycle.
   struct Course {
     Eigen::VectorXd x, y, limit;
     double change;  ///< of its traction since the cycle before
@@ -85,7 +86,7 @@ class SurfaceWatch {
   Eigen::MatrixXd in_cycle_;           // length of slip in the cycle; infinite where points do not touch throughout
   Eigen::MatrixXd net_in_cycle_;       // slip in the cycle, x before y
   Eigen::VectorXd traction_per_slip_;  // of rings, of the relaxed body
-  double instantaneous_ = 1;           // by how much the body is stiffer in a step
+  double instantaneous_ = 1;           // stiffness of the body in a step over that of the relaxed body
   std::vector<Eigen::MatrixXd> pressure_, traction_, limit_, traction_before_;
   Eigen::Matrix3Xd forces_;
   Eigen::Matrix2Xd displacement_;
@@ -96,19 +97,20 @@ class SurfaceWatch {
   std::vector<double> dissipated_;
 };
 
-/// How many cycles a contact is stepped through: those of a ramp and one more at least, until it repeats, or so many.
-/// Micro-slip dies out slowly, so that it may not; what is left then the history says.
+/// How many cycles a contact is stepped through: at least those of the ramp and one more, and on until its tractions
+/// repeat to `periodicity`, or most_cycles. Micro-slip dies out slowly, so that they may not repeat by then;
+/// SurfaceHistory::periodicity says what is left.
 struct SurfaceControl {
   int least_cycles, most_cycles;
   double periodicity = 0;
-  bool has_second_algorithm = false;  ///< solve each step once more
+  bool has_second_algorithm = false;  ///< solve each step once more, by SecondAlgorithm
 };
 inline SurfaceControl exactly(int n_cycles) {
   return {n_cycles, n_cycles};
 }
 
-/// Steps friction through cycles under pressures of the rings that act in each step, counted from 0: those at its
-/// balance time, as of a NormalHistory.
+/// Steps friction through cycles. ring_pressure(step): the pressures of the rings at the balance time of a step,
+/// counted from 0, as a NormalHistory has them.
 SurfaceHistory vector_friction_history(VectorFriction friction,
                                        const std::function<Eigen::VectorXd(long)>& ring_pressure,
                                        const RingProblems& rings, const SurfaceControl& control);

@@ -9,8 +9,8 @@
 
 namespace fretval::fem {
 
-/// A matrix over consecutive amplitudes of one Fourier order, n_components times n_rings rows, that serves n_copies of
-/// them, one after the other: both parities have the same.
+/// A block of one Fourier order over consecutive amplitudes, n_components times n_rings rows. It serves n_copies of
+/// these amplitudes, one after the other, as the even and the odd parity have the same block.
 struct OrderBlock {
   Eigen::Index first, n_components, n_copies;  ///< of the amplitudes
   SharedMatrix matrix;
@@ -22,18 +22,18 @@ struct OrderBlock {
 ///
 ///   K f = T^T C T f,
 ///
-/// each entry of which is the mean displacement of a point times its area: (u_x, u_y) along t and, along p, that into
-/// the body. What a field is tested with is what it is made of, so K is symmetric positive definite to the highest
-/// harmonic, and f . K f is the work of the tractions. Where a field has no part of a harmonic that the order couples
-/// it with, that part of the displacement is not seen. Length^3 per shear modulus. An application takes of the order of
-/// n_orders x n_rings^2.
+/// each entry of which is the mean displacement of a point times its area: (u_x, u_y) for t, and the displacement into
+/// the body for p. Displacements are read by the same amplitudes as the fields are made of, so that K is symmetric
+/// positive definite up to the highest harmonic, and f . K f is the work of the tractions. The part of a displacement
+/// in a harmonic that the fields do not have is left out. Length^3 per shear modulus. An application takes some
+/// n_orders x n_rings^2 operations.
 class SurfaceOperator {
  public:
   /// coupling: whether pressures displace along the surface and tractions across it. Throws std::invalid_argument for a
   /// compliance that lacks orders which the grid draws on.
   SurfaceOperator(const SurfaceCompliance& surface, const AngularGrid& grid, Fields fields, bool coupling = true);
 
-  /// Of the first rings alone.
+  /// The operator of the first n_rings rings alone.
   [[nodiscard]] SurfaceOperator leading(Eigen::Index n_rings) const;
 
   /// result <- K field.
@@ -41,7 +41,7 @@ class SurfaceOperator {
 
   [[nodiscard]] const AngularGrid& grid() const { return grid_; }
   [[nodiscard]] const std::vector<double>& radii() const { return radii_; }
-  /// Per ring: the area that each of its points stands for, those left out by a mirror included.
+  /// Per ring: the area that each of its kept points stands for, that of the points which a mirror leaves out included.
   [[nodiscard]] const Eigen::VectorXd& areas() const { return areas_; }
   [[nodiscard]] Eigen::Index n_rings() const { return areas_.size(); }
   [[nodiscard]] Eigen::Index n_columns() const { return transform_.rows(); }
@@ -59,12 +59,13 @@ class SurfaceOperator {
   std::vector<OrderBlock> blocks_;
 };
 
-/// The inverse of K + D of an operator whose points are tied to the ground, D a stiffness per ring times the area of a
-/// point: exact, but for the highest harmonic of an even number of angles. Symmetric positive definite: what
-/// conjugate gradients are preconditioned with.
+/// The inverse of K + D, in which points are tied to the ground by D, a stiffness per ring times the area of a point.
+/// It is exact but for the highest harmonic of an even number of angles, and symmetric positive definite: a
+/// preconditioner of conjugate gradients.
 class InverseOperator {
  public:
-  /// ground: not negative. Throws SolverError where a block is not positive definite.
+  /// ground: stiffness of each ring to the ground, not negative. Throws SolverError where a block is not positive
+  /// definite.
   InverseOperator(const SurfaceOperator& op, const Eigen::VectorXd& ground);
 
   void apply(const Eigen::MatrixXd& field, Eigen::MatrixXd& result) const;

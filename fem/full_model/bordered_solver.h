@@ -11,13 +11,13 @@
 
 namespace fretval::fem {
 
-/// Whether a sparse factor serves as long as the interior stays, or one iteration, as in a code that knows nothing of
-/// that.
+/// Whether a sparse factor is kept as long as the set of interior rings stays the same, or made anew in every
+/// iteration, as in a code that takes no account of that.
 enum class SparseFactors { kept, made_anew };
 
 /// What a history of sparse solves costs.
 struct SolveCount {
-  unsigned n_dofs = 0;  ///< of the body; the sparse systems have n_rings unknowns more
+  unsigned n_dofs = 0;  ///< dofs of the body; the sparse systems have n_rings more unknowns
   int n_factorisations = 0;
   int n_solves = 0;
 };
@@ -34,11 +34,11 @@ struct SolveCount {
 /// sparse factorisation whenever the interior differs from the last one factored, or in every iteration.
 class BorderedSolver {
  public:
-  /// name: of the problem, for error messages.
+  /// name: the problem, for error messages.
   BorderedSolver(const HarmonicSpace& space, std::string name, SparseFactors factors = SparseFactors::kept);
 
   struct Solution {
-    Eigen::VectorXd field;     ///< x, n_dofs; shear modulus times length, its pressures are those of the body
+    Eigen::VectorXd field;     ///< x, n_dofs; shear modulus times displacement
     Eigen::VectorXd traction;  ///< p, n_rings
     Eigen::VectorXd residual;  ///< n_rings; exactly 0 in the interior
   };

@@ -20,8 +20,8 @@ using StokesField = std::function<StokesState(double r, double z)>;
 /// Kelvin's solution for a unit force in an infinite body, at the height above the surface, along z (normal harmonic)
 /// or x (tangential):
 ///   `u = [F/R + x (x.F)/R^3] / (8 pi)`,   `P = x.F / (4 pi R^3)`,   `sigma = -3 x x (x.F) / (4 pi R^5)`,
-/// x from the force, R = |x|. Smooth in the body z <= 0 for a positive height.
-/// Source: Thomson (Lord Kelvin) 1848; Johnson, Contact Mechanics (1985), section 3.2, at nu = 1/2.
+/// x counted from the point of the force, R = |x|. Smooth in the body z <= 0 for a positive height. Source: Thomson
+/// (Lord Kelvin) 1848; Johnson, Contact Mechanics (1985), section 3.2, at nu = 1/2.
 StokesField point_force(const FourierOrder& order, double height);
 
 /// Errors in the L2 norm over the whole body, relative to the norm of the exact field.
@@ -29,9 +29,10 @@ struct BulkError {
   double displacement, pressure;
 };
 
-/// Errors of the finite elements under the tractions of a field on the contact line, the free surface and the far
-/// boundary, there with its share of the far-field condition. Displacements of the tangential harmonic are compared but
-/// for a rotation, which the pin of HarmonicSpace chooses. load and exact: the same field. Throws SolverError.
+/// Errors of the finite elements under the tractions of a field on the contact line, on the free surface and on the far
+/// boundary, where its share of the far-field condition is added. Displacements of the tangential harmonic are compared
+/// up to a rotation, which the pin of HarmonicSpace chooses. load: the field whose tractions act; exact: the field to
+/// compare with, normally the same. Throws SolverError.
 BulkError bulk_error(const HarmonicSpace& space, const StokesField& load, const StokesField& exact);
 
 }  // namespace fretval::fem

@@ -14,9 +14,9 @@ double longest_creep_time(const RelaxationModel& relaxation);
 
 /// What is still to come of a relative change in one period if it dies out like exp(-k/n) over n periods:
 ///   change sum_{k >= 1} exp(-k/n) = change/(exp(1/n) - 1), at least the change
-/// So a history that creeps for a thousand periods is not taken for periodic because one of them changes it little.
-/// A change below roundoff counts as roundoff: whether a body that creeps for 1e12 periods has settled, none of them
-/// can tell.
+/// Judged by it a history that creeps for a thousand periods does not count as periodic because a single period changes
+/// it little. A change below roundoff counts as roundoff: no period can tell whether a body that creeps for 1e12
+/// periods has settled.
 double change_to_come(double change, double periods);
 
 /// Shortens a history that creeps for many periods to its periodic state: after every second period the rings are
@@ -30,10 +30,11 @@ double change_to_come(double change, double periods);
 /// point of a period.
 class CycleJump {
  public:
-  /// slowest: longest creep time in periods; too short to need it: nothing is ever moved.
+  /// slowest: longest creep time in periods. If it is too short for jumps to be needed, nothing is ever moved.
   explicit CycleJump(double slowest) : slowest_(slowest) {}
 
-  /// After a period. indenter: its displacement, which goes along. Returns whether the state was moved.
+  /// To be called after each period. indenter: displacement of the indenter, which is moved along with the rings.
+  /// Returns whether the state was moved.
   bool advance(RingState& state, double& indenter);
 
  private:

@@ -13,8 +13,9 @@
 namespace fretval::fem {
 namespace {
 
-/// Of what the indenter has moved, the response to which a response is stepped by. Where it is less, as with hardly any
-/// friction, roundoff of that would be more than 1e-10 of it, and a step asks for 1e-9.
+/// Least response of the rings, over that of the relaxed body to the largest displacement of the indenter so far, that
+/// is read from the depths which are stepped along. In a smaller one, as with hardly any friction, their roundoff would
+/// be more than 1e-10 of it, and a step asks for 1e-9.
 constexpr double still_summed = 1e-3;
 
 }  // namespace
@@ -42,7 +43,8 @@ FrictionContact::FrictionContact(const ContactProblem& problem, const Relaxation
       made_{std::vector<BoxState>(static_cast<std::size_t>(limit.size()), BoxState::interior), {}, {}, {}, {}, {}},
       until_touch_(limit.size()) {}
 
-/// At the start of every cycle: in between it is stepped like the state, and what roundoff makes of it stays small.
+/// Reads the depths from the state anew. At the start of every cycle is enough: in between they are stepped like the
+/// state, and their roundoff stays small.
 void FrictionContact::read_depths_of_state() {
   const auto& series = problem_.series;
   depths_of_state_.displacement = series.displacements(state.displacement);
@@ -124,7 +126,8 @@ std::pair<double, FrictionContact::Attempt> FrictionContact::attempt_under_force
 void FrictionContact::find_touching(const Eigen::Ref<const Eigen::VectorXd>& pressure,
                                     const std::optional<NormalInstant>& normal) {
   n_touching_ = 0;
-  // Under a tangential force the move follows from what is held: corrected, stick radii scatter seven times as much.
+  // Under a prescribed tangential force the correction is left out: the move of the indenter follows from the rings
+  // that are held, and with the correction stick radii scatter seven times as much.
   if (!normal || relaxation_.viscosity > 0 || motion_.tangential_force) return;
   const double before = std::exchange(radius_before_, normal->radius), growth = normal->radius - before;
   if (n_steps == 0 || !(growth > 0)) return;
@@ -137,8 +140,8 @@ void FrictionContact::find_touching(const Eigen::Ref<const Eigen::VectorXd>& pre
   until_touch_.head(n_touching_) = ((radii - before) / growth).max(0).min(1);
 }
 
-/// While the contact grows, the indenter takes along the rings that touch already. So each punch of PunchSeries moves
-/// from the instant on at which its outermost ring touches.
+/// While the contact grows, the indenter takes along the rings that touch already: each punch of PunchSeries moves from
+/// the instant on at which its outermost ring touches.
 void FrictionContact::slip_before_touch(Attempt& made) const {
   auto& [stick, target, solution, slip, slip_in_depths, depths] = made;
   if (n_touching_ == 0) return;
@@ -169,13 +172,14 @@ FrictionContact::Moves FrictionContact::moves_in_step(double begin) const {
   return {to_balance, weight == 1 ? to_balance : indenter_move(position, begin, begin + dt_)};
 }
 
-/// Cosines take as long as a tenth of a step.
+/// The moves of a cycle that repeats are kept: to evaluate their cosines takes a tenth of the time of a step.
 const FrictionContact::Moves& FrictionContact::moves() {
   const bool repeats = motion_.locked && !motion_.path && n_steps >= n_steps_of_ramp_;
   if (!repeats) return moves_ = moves_in_step(times_.begin(n_steps));
   const long step = n_steps % steps_per_cycle_;
   auto& known = moves_of_cycle_[static_cast<std::size_t>(step)];
-  // At the same time whichever cycle asks first, so that a contact that is read back goes on to the last bit.
+  // The move is always made at the time of the first cycle after the ramp, whichever cycle asks first, so that a
+  // contact that was read back goes on the same to the last bit.
   if (!known) known = moves_in_step(times_.begin(n_steps_of_ramp_ + step));
   return *known;
 }

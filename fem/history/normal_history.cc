@@ -51,7 +51,7 @@ class CycleRecord {
     deepest_ = -infinity;
   }
 
-  /// Of a single pass, whose largest contact may be the first one.
+  /// Adds the start of a single pass to the record, at which the contact may be largest.
   void add_start(const NormalContact& contact) {
     history_.smallest_gap = contact.gap;
     gap_at_balance_.add(contact.balance_gap);

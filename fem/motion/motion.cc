@@ -68,7 +68,7 @@ ValueAndRate product(const ValueAndRate& e, const ValueAndRate& f) {
   return {e.value * f.value, e.rate * f.value + e.value * f.rate};
 }
 
-/// From rest, of a path at any time of a history.
+/// Departure of a path from rest, and its rate, at any time of a history.
 ValueAndRate departure(const SampledPath& path, const std::vector<double>& values, double rest, double t,
                        double inside) {
   const double cycle = path.repeats ? 2 * pi * std::floor(inside / (2 * pi)) : 0;

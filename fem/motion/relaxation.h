@@ -21,7 +21,7 @@ struct RelaxationModel {
   [[nodiscard]] bool has_memory() const { return !moduli.empty() || viscosity > 0; }
 };
 
-/// `G(omega)` over the relaxed modulus, by which a displacement that oscillates leads to a force that does.
+/// `G(omega)` over the relaxed modulus: the factor from an oscillating displacement to the force that it makes.
 std::complex<double> stiffening_at(const RelaxationModel& relaxation, double omega);
 
 struct ValueAndRate {
@@ -36,13 +36,13 @@ struct IndenterMove {
 
 IndenterMove indenter_move(const std::function<ValueAndRate(double)>& motion, double begin, double end);
 
-/// None.
+/// The move of an indenter that stands still.
 constexpr IndenterMove standing_still{0, {0, 0, 0}};
 
-/// At constant rate: while the indenter follows a force, which says nothing of what it does inside a step.
+/// A move at constant rate, for an indenter that follows a force, of which nothing is known inside a step.
 IndenterMove steady_move(double increment, double duration);
 
-/// Exact Prony update over an interval.
+/// Exact update of the memories of Prony branches over an interval of time.
 class PronyInterval {
  public:
   PronyInterval(const RelaxationModel& model, double duration);
@@ -53,11 +53,12 @@ class PronyInterval {
   [[nodiscard]] double gain(std::size_t branch) const { return gain_[branch]; }
   /// Memory left by a move of the indenter, its rate interpolated quadratically (relative error (omega dt)^3 / 100).
   [[nodiscard]] double memory_of(std::size_t branch, const IndenterMove& move) const;
-  /// Memory left by a way that leaves the straight one at a constant rate until a share of the interval, and is back at
-  /// its end, per distance when it turns; until: a share as well, when the memory is asked for. Of branches faster than
-  /// the interval only as far as they act as springs.
+  /// Memory left by a detour, per its largest distance: displacements leave the straight line at a constant rate until
+  /// `share` of the interval, and are back on it at its end. until: share of the interval at which the memory is read.
+  /// For branches faster than the interval it is only the part in which they act as springs.
   [[nodiscard]] double memory_of_turn(std::size_t branch, double share, double until = 1) const;
-  /// The same of all of the branch, and as far as it acts as a dashpot.
+  /// The whole memory left by such a detour, and the part of it in which the branch acts as a dashpot; memory_of_turn()
+  /// is the rest.
   [[nodiscard]] double whole_memory_of_turn(std::size_t branch, double share, double until) const;
   [[nodiscard]] double passing_memory_of_turn(std::size_t branch, double share, double until) const;
   [[nodiscard]] std::size_t n_branches() const { return decay_.size(); }
@@ -94,19 +95,20 @@ class RelaxationStep {
   /// dt > 0.
   RelaxationStep(const RelaxationModel& model, double dt);
 
-  /// Of a branch in the step: its duration over the relaxation time.
+  /// Duration of the step over the relaxation time of a branch.
   [[nodiscard]] double rate_of_decay(std::size_t branch) const { return -std::log(whole_.decay(branch)); }
   /// Fraction of the step at which forces are balanced.
   [[nodiscard]] double fraction() const { return fraction_; }
   [[nodiscard]] Eigen::Index n_branches() const { return static_cast<Eigen::Index>(whole_.n_branches()); }
-  /// See PronyInterval, of the whole step.
+  /// PronyInterval::memory_of_turn of the whole step, at its end.
   [[nodiscard]] double memory_of_turn(Eigen::Index branch, double share) const {
     return whole_.memory_of_turn(static_cast<std::size_t>(branch), share);
   }
-  /// Of the relaxed body and the branches at the balance time, likewise.
+  /// Response w at the balance time to such a detour, of the relaxed body and of the branches as far as they act as
+  /// springs; per its largest distance.
   [[nodiscard]] double response_to_turn(double share) const;
-  /// What is left out there, of a dashpot and of branches that act as one: what they bear at the balance time, beyond
-  /// what belongs to the whole step.
+  /// What response_to_turn() leaves out: the response at the balance time of the dashpot and of branches as far as they
+  /// act as one, which passes within the step.
   [[nodiscard]] double passing_response_to_turn(double share) const;
 
   /// Change of w at the balance time per unit of (minus) slip made in the whole step.
@@ -115,20 +117,21 @@ class RelaxationStep {
   /// Change of w at the balance time per unit of (minus) slip that was made before the balance time.
   [[nodiscard]] double stiffness_before_balance() const { return stiffness_before_balance_; }
 
-  /// w at the balance time of what moves along with the indenter, from rest.
+  /// w at the balance time of what has been at rest and moves along with the indenter.
   [[nodiscard]] double response_to(const IndenterMove& move) const;
 
-  /// w at the balance time of rings that do not slip; move: of the indenter up to the balance time.
+  /// w at the balance time of rings that do not slip; move: that of the indenter up to the balance time.
   [[nodiscard]] Eigen::VectorXd response_without_slip(const RingState& state, const IndenterMove& move) const;
-  /// Into one that is there.
+  /// Writes response_without_slip() into a vector, whose memory is used again.
   void find_response_without_slip(const RingState& state, const IndenterMove& move, Eigen::VectorXd& response) const;
 
-  /// The same where the indenter moves each entry by its share: strains at the points of a body, of which driven is
-  /// that of a unit displacement of the indenter.
+  /// w at the balance time where the indenter moves each entry by its share, such as strains at the points of a body.
+  /// driven: the shares, what a unit displacement of the indenter makes of each entry.
   [[nodiscard]] Eigen::VectorXd response_without_slip(const RingState& state, const IndenterMove& move,
                                                       const Eigen::VectorXd& driven) const;
 
-  /// Moves the state to the end of the step; move: of the indenter over the whole step; slip: increments.
+  /// Moves the state to the end of the step; move: that of the indenter over the whole step; slip: its increments in
+  /// the step.
   void advance(RingState& state, const IndenterMove& move, const Eigen::VectorXd& slip) const;
   void advance(RingState& state, const IndenterMove& move, const Eigen::VectorXd& slip,
                const Eigen::VectorXd& driven) const;

@@ -47,7 +47,8 @@ RunningMinimum::RunningMinimum(Eigen::Index n, double floor)
       samples_(n, n_kept),
       floor_(floor) {}
 
-/// To the ends of a piece, from samples at the same fraction of equal steps.
+/// Extends signals to the ends of a piece of a path, linearly from samples that are taken at the same fraction of equal
+/// steps.
 void RunningMinimum::extend_to_ends(const StepInPiece& step) {
   const auto before = sample(1), last = sample(0);
   const auto see = [this](const auto& end) { minimum_ = minimum_.cwiseMin(end.cwiseMax(floor_)); };

@@ -29,7 +29,7 @@ ValueAndRate along(const SampledPath& path, const std::vector<double>& values, d
   const auto next = std::upper_bound(path.time.begin() + 1, path.time.end() - 1, inside);
   const auto k = static_cast<std::size_t>(next - path.time.begin());
   const double rate = (values[k] - values[k - 1]) / (path.time[k] - path.time[k - 1]);
-  // From the nearer row, so that rows are met to all digits.
+  // Interpolates from the nearer row, so that rows are met to all digits.
   const bool from_end = t - path.time[k - 1] > path.time[k] - t;
   return {from_end ? values[k] - rate * (path.time[k] - t) : values[k - 1] + rate * (t - path.time[k - 1]), rate};
 }

@@ -19,7 +19,7 @@ struct FourierOrder {
   [[nodiscard]] constexpr bool is_torsion() const { return n == 0 && parity == Parity::odd; }
 };
 
-/// The order of a motion along the axis, and that of one along x.
+/// The order of the displacement by a motion along the axis, and by one along x.
 constexpr FourierOrder axisymmetric{0, Parity::even}, lateral{1, Parity::even};
 
 constexpr bool operator==(const FourierOrder& a, const FourierOrder& b) {
@@ -32,7 +32,8 @@ inline bool operator<(const FourierOrder& a, const FourierOrder& b) {
 // Unknowns of an order, one finite element component each: (U, W) for n = 0, V for torsion, and (s, m, W) with
 // s = (U - V)/2, m = (U + V)/2 for n >= 1, in terms of which the conditions on the axis are plain Dirichlet ones.
 
-/// Number of displacement components. That of the pressure follows, but in torsion, which changes no volume.
+/// Number of displacement components. The component of the pressure follows them, except in torsion, which changes no
+/// volume.
 constexpr unsigned n_displacements(const FourierOrder& order) {
   if (order.n > 0) return 3;
   return order.is_torsion() ? 1 : 2;

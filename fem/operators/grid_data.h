@@ -10,7 +10,7 @@ namespace fretval::fem {
 /// body is bonded, and no vertical displacement and no shear where it slides on a flat base.
 enum class BoundaryPart { axis = 1, contact = 2, free = 3, far = 4, bonded = 5, sliding = 6 };
 
-/// Isotropic and linear; every modulus carries the same relaxation function.
+/// Isotropic linear elasticity; every modulus relaxes with the same function of time.
 struct Elasticity {
   double poisson_ratio = 0.5;       ///< 0 to 0.5, the same everywhere
   std::vector<double> moduli = {};  ///< shear modulus of each cell over that of the body; empty: 1

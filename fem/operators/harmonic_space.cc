@@ -182,7 +182,7 @@ std::vector<Ring> rings_of(const HarmonicSpaceParts& parts, unsigned component, 
   return rings;
 }
 
-/// Without its dofs and loads.
+/// The radii and areas of a contact line; its dofs and loads stay empty.
 ContactLine line_of(const std::vector<Ring>& rings) {
   ContactLine line;
   line.areas.resize(static_cast<Eigen::Index>(rings.size()));

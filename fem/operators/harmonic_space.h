@@ -16,10 +16,10 @@ struct HarmonicSpaceParts;  // deal.II objects; see harmonic_space_parts.h
 struct ContactLine {
   std::vector<double> radii;   ///< n_elements + 1 ring radii, increasing from 0
   Eigen::VectorXd areas;       ///< ring areas, pi (r_{i+1}^2 - r_i^2)
-  std::vector<unsigned> dofs;  ///< free degrees of freedom of the components on the line, each by increasing radius
-  /// n_dofs x (n_components n_elements): nodal forces of a unit traction on each ring. Of s and m the traction is a
-  /// unit vector everywhere, so that their forces are `2 pi int N r dr`, as are those of n = 0; a pressure cos(n theta)
-  /// of n >= 1 has half of that.
+  std::vector<unsigned> dofs;  ///< unconstrained dofs on the line, component by component, by increasing radius
+  /// n_dofs x (n_components n_elements): nodal forces of a unit traction on each ring. For s and m the traction is a
+  /// unit vector everywhere, so that their forces are `2 pi int N r dr`, like all forces of n = 0; a pressure cos(n
+  /// theta), n >= 1, has half of that.
   Eigen::MatrixXd loads;
 
   [[nodiscard]] Eigen::Index n_elements() const { return areas.size(); }
@@ -37,8 +37,8 @@ struct ContactLine {
 class HarmonicSpace {
  public:
   /// degree: of the displacement, 2 (Q2/Q1) or more. Throws std::invalid_argument for a lower one, for a grid without
-  /// contact edges or one that nothing holds against the motions of this order, for Poisson's ratios outside 0 to 0.5
-  /// and moduli that are not positive or not one for each cell.
+  /// contact edges, for one that nothing holds against the rigid motions of this order, for Poisson's ratios outside 0
+  /// to 0.5 and moduli that are not positive or not one for each cell.
   HarmonicSpace(const GridData& grid, const FourierOrder& order, unsigned degree);
   ~HarmonicSpace();
   HarmonicSpace(HarmonicSpace&&) noexcept;
@@ -46,9 +46,9 @@ class HarmonicSpace {
   [[nodiscard]] const HarmonicSpaceParts& parts() const { return *parts_; }
   [[nodiscard]] FourierOrder order() const { return order_; }
   [[nodiscard]] const Elasticity& elasticity() const { return elasticity_; }
-  /// The contact line of the component of the ring contact.
+  /// The contact line in the component of the ring contact (ring_component).
   [[nodiscard]] const ContactLine& contact_line() const { return contact_line_; }
-  /// The contact line of any components, in that order.
+  /// The contact line in several components, in the order given.
   [[nodiscard]] ContactLine contact_line(const std::vector<unsigned>& components) const;
   [[nodiscard]] unsigned n_dofs() const;
   [[nodiscard]] unsigned n_skeleton_dofs() const { return n_skeleton_dofs_; }

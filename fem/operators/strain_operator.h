@@ -16,15 +16,15 @@ namespace fretval::fem {
 /// pressures.
 ///
 /// Every row carries the square root of the weight of its point, `sqrt(2 pi w_n r JxW)`, w_0 = 1, w_1 = 1/2, so that
-/// the product of two rows is a share of an integral. They are stacked, all points of a cell in one matrix, so that a
-/// cell costs a few matrix products.
+/// the product of two rows is a share of an integral. The rows of all points of a cell are stacked in one matrix, so
+/// that a cell costs a few matrix products.
 class CellOperators {
  public:
   explicit CellOperators(const HarmonicSpace& space);
 
   void evaluate(const dealii::DoFHandler<2>::active_cell_iterator& cell);
 
-  /// Of the columns, as the element numbers them.
+  /// Indices in the element of the shape functions to which the columns belong.
   [[nodiscard]] const std::vector<unsigned>& displacement_shapes() const { return displacement_shapes_; }
   [[nodiscard]] const std::vector<unsigned>& pressure_shapes() const { return pressure_shapes_; }
 

@@ -15,10 +15,10 @@ enum class BoxState : signed char { lower = -1, interior = 0, upper = 1 };
 ///
 /// With lower = 0, upper = infinity it is the normal contact problem (x = pressure); with -mu p, +mu p the Coulomb
 /// friction problem of one step. Unknowns are ordered from the centre of the contact outwards, so the interior set is
-/// mostly a leading block {0..k-1}. Then C = L L^T needs no other factor: the loads `y = L^T x` of the interior are
-/// those of `held = L^-1 q`, the others follow from the bounds, and `q - C x = L (held - y)`. As any leading block of
-/// L^-1 is the inverse of that of L, all of this is products with triangles, which unlike substitutions need not wait
-/// for one unknown after the other.
+/// mostly a leading block {0..k-1}. With C = L L^T a leading interior needs no other factor: the loads `y = L^T x` of
+/// the interior are those of `held = L^-1 q`, the others follow from the bounds, and `q - C x = L (held - y)`. As any
+/// leading block of L^-1 is the inverse of the leading block of L, all of this is products with triangles, which unlike
+/// substitutions need not wait for one unknown after the other.
 ///
 /// Method: primal-dual active set (all violated unknowns change at once), warm-started; if the number of violations
 /// does not decrease for several iterations, single changes by least index (Murty), which end after finitely many
@@ -30,17 +30,18 @@ class BoxSolver {
   /// Throws SolverError if C is not positive definite.
   explicit BoxSolver(SharedMatrix matrix, double slack = 1e-13);
 
-  /// The same with a diagonal added to C, not negative. What comes before its first entry that is not 0 leaves the
-  /// factor as it is, and of what lies beyond n_likely unknowns, which are supposed to be at their bounds, none is
-  /// made. Slacks are those of the problem scaled to a unit diagonal: an unknown on a large entry is next to nothing,
-  /// and that has its sign all the same.
+  /// The solver of a problem with a diagonal added to C. added: the diagonal, not negative. The factor is taken over up
+  /// to the first entry that is not 0, and is made for the first n_likely unknowns only; the others are supposed to be
+  /// at their bounds. Slacks are judged in the problem scaled to a unit diagonal: an unknown with a large added entry
+  /// is next to nothing, and has to have its sign all the same.
   BoxSolver(const BoxSolver& other, const Eigen::VectorXd& added, Eigen::Index n_likely);
 
-  /// A right-hand side; held: the loads L^T x if nothing were at its bounds, L the factor below.
+  /// A right-hand side q, and held = L^-1 q: the loads L^T x if no unknown were at a bound, with L of factor().
   struct Target {
     Eigen::VectorXd q, held;
   };
-  /// Completes it from its q, unless a diagonal was added. Throws std::invalid_argument where q is not finite.
+  /// Sets `held` of a target from its q, unless a diagonal was added. Throws std::invalid_argument where q is not
+  /// finite.
   void hold(Target& target) const;
 
   struct Solution {
@@ -51,9 +52,8 @@ class BoxSolver {
   };
 
   /// state: warm start on entry, the state of the solution on exit. Unknowns with lower = upper are fixed. solution:
-  /// what comes out, in the room that it has.
-  /// Throws SolverError if the iteration limit is reached or the solution does not fulfil its equations, and
-  /// std::invalid_argument for bounds that are no numbers.
+  /// the result, written into the memory that it has. Throws SolverError if the iteration limit is reached or the
+  /// solution does not fulfil its equations, and std::invalid_argument for bounds that are no numbers.
   void solve(const Target& target, const Eigen::VectorXd& lower, const Eigen::VectorXd& upper,
              std::vector<BoxState>& state, Solution& solution) const;
   Solution solve(const Eigen::VectorXd& q, const Eigen::VectorXd& lower, const Eigen::VectorXd& upper,
@@ -62,7 +62,7 @@ class BoxSolver {
   [[nodiscard]] Eigen::Index size() const { return matrix_->rows(); }
   /// Lower Cholesky factor of C, or of its leading block that is likely to be needed.
   [[nodiscard]] const SharedMatrix& factor() const { return factor_; }
-  /// Of the factor, unless a diagonal was added.
+  /// The inverse of the factor; empty where a diagonal was added.
   [[nodiscard]] const SharedMatrix& inverse() const { return inverse_; }
 
  private:
@@ -75,9 +75,9 @@ class BoxSolver {
 
   SharedMatrix matrix_;
   SharedMatrix factor_;                // lower Cholesky factor
-  SharedMatrix inverse_;               // of the factor; empty: of a diagonal that was added, which is soon another one
-  Eigen::VectorXd probe_, image_;      // any vector, and its product with the matrix
-  Eigen::VectorXd added_;              // to the diagonal of the matrix; empty: nothing
+  SharedMatrix inverse_;               // of the factor; empty where a diagonal was added, which soon changes
+  Eigen::VectorXd probe_, image_;      // a vector to test solutions with, and its product with the matrix
+  Eigen::VectorXd added_;              // added to the diagonal of the matrix; empty: nothing
   Eigen::VectorXd scale_, per_scale_;  // of the unknowns, and its inverse
   double slack_;
 };

@@ -11,12 +11,13 @@ struct ContactEvents {
   Eigen::VectorXd indentation;   ///< [m]: ring m touches while rings 0..m-1 are pressed
   Eigen::VectorXd closing_rate;  ///< [m]: -d(gap of ring m)/d(indentation) just before
   Eigen::VectorXd radius;
-  /// What the edges of rings that a half-space knows leave open of each radius (EffectiveRadii::calibration), with what
-  /// the extrapolation makes of it; 0 on a half-space.
+  /// Error that is common to all radii because the edges of rings are taken from a half-space
+  /// (EffectiveRadii::calibration), as the extrapolation enlarges it; 0 on a half-space.
   double calibration = 0;
 };
 
-/// profile: ring means. The first event (m = 0) is the first touch.
+/// The contact events of an elastic body under a profile. profile: ring means. The first event (m = 0) is the first
+/// touch.
 ///
 /// The radius is the mean of the effective radii of m and m + 1 rings (fem/ring_contact/effective_radii.h), which is
 /// off by the third order of the ring: 1.2e-6 under r^4 at 64 rings. Rings of twice the width, whose compliance is that

@@ -8,8 +8,8 @@
 
 namespace fretval::fem {
 
-/// A contact line with its compliance factored for contact (or friction) steps. There is one copy of the compliance
-/// and one of its factor, whoever needs them.
+/// A contact line with its compliance factored for contact (or friction) steps. Copies share one compliance matrix and
+/// one factor of it.
 struct ContactProblem {
   Compliance compliance;
   BoxSolver solver;

@@ -40,8 +40,8 @@ Eigen::MatrixXd terms_of_radius(const Compliance& compliance) {
   return terms.leftCols(has_equal_rings(compliance) ? 3 : 2);
 }
 
-/// How much further than that of a half-space all of the surface goes per force, in a body with a far boundary; less
-/// than 0 where that is held. From r^2/F = (r + beta h + gamma h^2/r)/E + offset r^2.
+/// By how much more than on a half-space all of the surface moves per force, in a body with a far boundary; negative
+/// where that is held. It is fitted by r^2/F = (r + beta h + gamma h^2/r)/E + offset r^2.
 double far_offset(const Eigen::MatrixXd& terms, const Eigen::VectorXd& force) {
   constexpr double of_half_space = 1e-3;  // more than the far part of our own coarse meshes puts in, up to 5e-4
   const Eigen::Index n = force.size() - 1, n_terms = terms.cols();
@@ -68,8 +68,8 @@ Eigen::VectorXd punch_forces(const Compliance& compliance) {
   return force;
 }
 
-/// r_m of m equal rings over their width, m + beta + gamma/m + ... in terms, as the forces of discs have it. The disc
-/// of a single ring, and the outermost ones, next to which elements are no longer equal, are left out.
+/// Radius of m equal rings over their width, m + beta + gamma/m + ... with so many terms, fitted to the forces of
+/// discs. The disc of a single ring, and the outermost ones, next to which elements are no longer equal, are left out.
 struct EdgeLaw {
   static constexpr Eigen::Index innermost = 2, outermost = 2;
   Eigen::VectorXd coefficients;
@@ -104,13 +104,14 @@ struct EdgeLaw {
   }
 };
 
-/// Of a body, and the force per radius of the half-space that knows them.
+/// Effective radii of a body, and the force per radius of the half-space from which they are taken.
 struct KnownRadii {
   EffectiveRadii radii;
   double force_per_radius;
 };
 
-/// Of equal rings. Two laws, the second one with a term less, differ by what the further terms are worth.
+/// Radii of equal rings by the law that is fitted to the half-space. Their error is the difference from the law with
+/// one term less.
 KnownRadii by_law(const Compliance& half_space, const Compliance& compliance,
                   std::optional<double> force_per_radius = std::nullopt) {
   const Eigen::VectorXd force = punch_forces(half_space);
@@ -125,7 +126,7 @@ KnownRadii by_law(const Compliance& half_space, const Compliance& compliance,
   return {radii, law.force_per_radius / ring};
 }
 
-/// force_per_radius: where it is known from elsewhere.
+/// Radii of a half-space, from the forces of its discs. force_per_radius: where it is known from elsewhere.
 KnownRadii of_half_space(const Compliance& compliance, std::optional<double> force_per_radius = std::nullopt) {
   Eigen::VectorXd force = punch_forces(compliance);
   const Eigen::MatrixXd terms = terms_of_radius(compliance);
@@ -139,7 +140,8 @@ KnownRadii of_half_space(const Compliance& compliance, std::optional<double> for
   return {{radius, (radius.head(n) + radius.tail(n)) / 2, scatter, 0}, per_radius};
 }
 
-/// Of a body whose rings a half-space knows, which has as many or, of equal rings, fewer of them.
+/// Radii of a body that are taken over from a half-space with as many rings; or with fewer, where rings are equal,
+/// whose fit is carried on to the others.
 KnownRadii taken_over(const Compliance& half_space, const Compliance& compliance,
                       std::optional<double> force_per_radius = std::nullopt) {
   const auto known = of_half_space(half_space, force_per_radius);
@@ -158,7 +160,8 @@ KnownRadii taken_over(const Compliance& half_space, const Compliance& compliance
 
 /// Rings, and pairs of them, whose half-space has the same force per radius.
 RadiiByWidth taken_over_by_width(const Compliance& compliance, const Compliance& wide) {
-  // For five terms; half of them for the four that are left where the force per radius is known.
+  // Enough for the five terms of the law; half as many wide rings are enough for the four that are left where the force
+  // per radius is known.
   constexpr Eigen::Index enough_discs = 16;
   const auto &half_space = *compliance.half_space, &of_wide = *wide.half_space;
   const bool has_law =
@@ -168,7 +171,7 @@ RadiiByWidth taken_over_by_width(const Compliance& compliance, const Compliance&
   return {rings.radii, (has_law ? by_law(of_wide, wide, k) : taken_over(of_wide, wide, k)).radii};
 }
 
-/// A body that is no half-space, or wider rings on it.
+/// Discs of rings, or of wider rings, on a body that is no half-space.
 struct Discs {
   const Compliance& compliance;
   EffectiveRadii& radii;
@@ -184,7 +187,8 @@ struct FurtherOut {
   [[nodiscard]] double operator()(double at) const { return interpolated(radius, per_square, at); }
 };
 
-/// From what discs of wider rings bear less than discs of rings which are as large by the edges of a half-space.
+/// Found from the difference in force between discs of wider rings and discs of rings that are equally large by the
+/// edges of a half-space.
 FurtherOut further_out(const Discs& discs, const Discs& wide) {
   constexpr Eigen::Index innermost = 2, n_nodes = 6;
   const auto& rings = discs.compliance.radii;

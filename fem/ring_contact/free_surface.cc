@@ -11,7 +11,7 @@ using Eigen::Index;
 
 namespace {
 
-/// Neighbours that lifted in one retreat.
+/// Neighbouring rings that lifted in one retreat of the contact.
 struct Run {
   Index begin, end;
 };
@@ -23,13 +23,14 @@ Run run_around(Index ring, const Eigen::VectorXi& retreat) {
   return run;
 }
 
-/// Four of a run at most, from a ring on if there are enough.
+/// The polynomial through at most four rings of a run, from `first` on if the run has enough of them.
 Stencil stencil_of(const Run& run, Index first, const Eigen::VectorXd& radii, const Eigen::VectorXd& values) {
   const Index n = std::min(n_stencil, run.end - run.begin);
   return {radii, values, std::clamp(first, run.begin, run.end - n), n};
 }
 
-/// Of those up to a kink, and at the kink itself, as the rings beyond it continue to it.
+/// The polynomial through the last rings of a run that ends at a kink, and through the value `there` at the kink, to
+/// which the rings beyond it are continued.
 Stencil stencil_up_to(double kink, double there, const Run& run, const Eigen::VectorXd& radii,
                       const Eigen::VectorXd& values) {
   const Index n = std::min(n_stencil - 1, run.end - run.begin);
@@ -39,14 +40,14 @@ Stencil stencil_up_to(double kink, double there, const Run& run, const Eigen::Ve
   return {x, y, 0, n + 1};
 }
 
-/// Around the centre.
+/// Number of rings in contact around the centre.
 Index count_pressed(const std::vector<BoxState>& contact) {
   const auto first_free =
       std::find_if(contact.begin(), contact.end(), [](BoxState ring) { return ring != BoxState::interior; });
   return first_free - contact.begin();
 }
 
-/// Of what bears nothing: its slip in a step.
+/// Slip in a step of displacements that bear no load: they relax.
 void find_slip(const RelaxationStep& step, const RingState& state, Eigen::VectorXd& slip) {
   step.find_response_without_slip(state, standing_still, slip);
   slip /= step.instantaneous();

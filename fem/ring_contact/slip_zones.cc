@@ -19,7 +19,7 @@ SlipZones::SlipZones(Eigen::Index n_rings)
 
 void SlipZones::update(const Eigen::VectorXd& limit, const std::vector<BoxState>& states,
                        const Eigen::VectorXd& depths) {
-  // At the very instant at which a ring touches, roundoff decides whether it slips.
+  // At the very instant at which a ring touches, roundoff would decide whether it slips: it counts as free then.
   const double touches = 1e-10 * limit.maxCoeff();
   for (std::size_t i = 0; i < labels_.size(); ++i) {
     const auto ring = static_cast<Eigen::Index>(i);

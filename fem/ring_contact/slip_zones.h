@@ -7,10 +7,10 @@
 
 namespace fretval::fem {
 
-/// How each ring moved last: the traction has kinks where neighbouring rings differ, also long after the slip that made
-/// them. And how it stood when its present slip began: the traction of rings that stick goes on beyond the edge of the
-/// stick zone as if the rings that slip had not begun to, which locates that edge when hardly a ring of the zone is
-/// left (see friction_force).
+/// How each ring moved last, and its state when its present slip began. The traction has kinks where neighbouring rings
+/// differ in how they moved, also long after the slip that made them. The state when slip began locates the edge of a
+/// stick zone: the traction of rings that stick goes on beyond the edge of the stick zone as if the rings that slip had
+/// not begun to, also when hardly a ring of the zone is left (see friction_force).
 class SlipZones {
  public:
   enum Label : signed char {
@@ -23,11 +23,12 @@ class SlipZones {
 
   explicit SlipZones(Eigen::Index n_rings);
 
-  /// After a step; limit: mu p, states: of the friction problem, depths: of the traction (PunchSeries::depths).
+  /// To be called after each step. limit: mu p; states: those of the rings in the friction problem; depths: of the
+  /// traction (PunchSeries::depths).
   void update(const Eigen::VectorXd& limit, const std::vector<BoxState>& states, const Eigen::VectorXd& depths);
 
   [[nodiscard]] const std::vector<signed char>& labels() const { return labels_; }
-  /// 1 or -1: slips, forward or backward; 0: sticks or does not touch.
+  /// Per ring: 1 or -1 if it slips forward or backward; 0 if it sticks or does not touch.
   [[nodiscard]] const std::vector<signed char>& slip() const { return slip_; }
   /// Depths of the traction after the last step.
   [[nodiscard]] const Eigen::VectorXd& depths() const { return depths_; }

@@ -105,8 +105,9 @@ StaticContact WearingSolver::by_newton(const Eigen::VectorXd& target, std::vecto
   const double m = wear_.exponent;
   const auto& coefficient = wear_.coefficient.array();
   auto contact = solve_contact(problem_, target, states);
-  // Of p^m its tangent, or with m < 1, where tangents overshoot, its secant from 0, which gains a factor 1 - m a time.
-  // At p = 0 it has neither, and a ring of hardly any pressure hardly wears.
+  // p^m is linearised by its tangent or, with m < 1, where tangents overshoot, by its secant from 0, which reduces the
+  // error by a factor 1 - m in each iteration. At p = 0 it has neither, so that pressures have a floor: a ring of
+  // hardly any pressure hardly wears.
   const double slope = std::max(m, 1.0);
   const double floor = no_pressure * contact.pressure.maxCoeff();
   const double nothing = roundoff * target.lpNorm<Eigen::Infinity>();

@@ -7,7 +7,7 @@
 
 namespace fretval::fem {
 
-// Fields of rings between their nodes. For the readings of forces and edges alone.
+// Values of ring fields between their nodes, for the readings of forces and edges.
 
 constexpr Eigen::Index n_stencil = 4;
 constexpr Eigen::Index n_to_continue = 3;  // rings that tell where a zone ends
@@ -36,7 +36,7 @@ class Stencil {
     return value;
   }
 
-  /// Exact for a cubic.
+  /// Integral of the polynomial, exact up to degree 3.
   [[nodiscard]] double integral(double from, double to) const {
     const double middle = (from + to) / 2, offset = (to - from) / (2 * std::sqrt(3.0));
     return (to - from) / 2 * ((*this)(middle - offset) + (*this)(middle + offset));
@@ -68,8 +68,8 @@ std::optional<double> root_between(const Function& f, double low, double high) {
   return (low + high) / 2;
 }
 
-/// Where f changes its sign between two nodes, or hardly beyond: at the instant at which a ring changes its zone,
-/// roundoff decides on which side of its node.
+/// Where f changes its sign between two nodes, or hardly beyond them: at the instant at which a ring changes its zone,
+/// roundoff decides on which side of its node the crossing lies.
 template <class Function>
 std::optional<double> crossing(const Function& f, double node, double next) {
   const double slack = 0.1 * (next - node);

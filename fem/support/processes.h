@@ -8,8 +8,8 @@ struct Process {
   int count = 1;   ///< of the processes; 1: it was started alone
 };
 
-/// This process, as its environment says, also before MPI is started: variables of Open MPI's mpirun, of PMI, and of
-/// Slurm's srun with PMIx.
+/// This process according to its environment, also before MPI is started: it reads the variables of Open MPI's mpirun,
+/// of PMI, and of Slurm's srun with PMIx.
 Process this_process();
 
 /// Whether mpirun or srun has started this process, alone or with others.

@@ -6,7 +6,7 @@
 
 namespace fretval::fem {
 
-/// A dense matrix that does not change any more: copies are the same one.
+/// A dense matrix that does not change any more; copies share its numbers.
 class SharedMatrix {
  public:
   SharedMatrix(Eigen::MatrixXd matrix = {}) : matrix_(std::make_shared<const Eigen::MatrixXd>(std::move(matrix))) {}

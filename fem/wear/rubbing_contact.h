@@ -22,29 +22,30 @@ class RubbingContact {
   virtual ~RubbingContact() = default;
   [[nodiscard]] virtual std::unique_ptr<RubbingContact> clone() const = 0;
 
-  /// Goes on by a step, in which the indenter wears. Returns what the points slip in it while they touch; along x with
-  /// its sign where there is one direction, else as a length. A point that sticks at the beginning of the step in which
-  /// it leaves is taken to stick until then: of the second order of the step, as pressure and traction die out in it.
+  /// Makes the next step, in which the indenter wears. Returns the slip of each point while it touches in the step:
+  /// with its sign where slip is along x alone, otherwise its length. A point that sticks at the beginning of the step
+  /// in which it leaves is taken to stick until then: of the second order of the step, as pressure and traction die out
+  /// in it.
   virtual Eigen::VectorXd step(const PressureWear& wear) = 0;
 
   [[nodiscard]] virtual Eigen::VectorXd pressure() const = 0;  ///< at the balance time of the step
-  [[nodiscard]] virtual double friction_work() const = 0;      ///< in the step, of the slip that it returned
-  [[nodiscard]] virtual double indentation() const = 0;        ///< at its end
+  [[nodiscard]] virtual double friction_work() const = 0;      ///< of the last step, with the slip that step() returned
+  [[nodiscard]] virtual double indentation() const = 0;        ///< of the indenter at the end of the step
   [[nodiscard]] virtual Eigen::Vector2d displacement() const = 0;
-  [[nodiscard]] virtual double fraction() const = 0;  ///< of a step at which forces balance
-  [[nodiscard]] virtual long n_steps() const = 0;     ///< made
+  [[nodiscard]] virtual double fraction() const = 0;  ///< fraction of a step at which forces balance
+  [[nodiscard]] virtual long n_steps() const = 0;     ///< steps made so far
   [[nodiscard]] virtual Eigen::VectorXd worn() const = 0;
-  /// Gives the indenter another worn depth of each point; it does not move for that.
+  /// Replaces the worn depth of each point; the indenter does not move thereby.
   virtual void take_worn(const Eigen::VectorXd& worn) = 0;
 
-  /// All that the next step depends on; into a contact that was made of the same arguments.
+  /// Save and load all that the next step depends on; the contact that loads was made of the same arguments.
   virtual void save(cereal::BinaryOutputArchive& archive) const = 0;
   virtual void load(cereal::BinaryInputArchive& archive) = 0;
 
   [[nodiscard]] const Motion& motion() const { return motion_; }
   [[nodiscard]] int steps_per_cycle() const { return steps_per_cycle_; }
   [[nodiscard]] const std::vector<double>& radii() const { return radii_; }
-  /// That each point stands for.
+  /// Area that each point stands for.
   [[nodiscard]] const Eigen::VectorXd& areas() const { return areas_; }
 
  protected:

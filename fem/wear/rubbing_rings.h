@@ -6,12 +6,12 @@
 
 namespace fretval::fem {
 
-/// The ring contact. Prescribed forces are balanced by the sums over the rings: a worn flank touches all at once, and
-/// no reading of an edge holds on it.
+/// The ring contact while the indenter wears. Prescribed forces are balanced by the sums over the rings: a worn flank
+/// touches all at once, and no reading of an edge holds on it.
 class RubbingRings final : public RubbingContact {
  public:
-  /// At rest, before the motion has begun. The problems, which share their rings, the relaxation and the motion must
-  /// outlive this.
+  /// The contact at rest, before the motion has begun. The problems, which share their rings, the relaxation and the
+  /// motion must outlive this.
   RubbingRings(const ContactProblem& normal, const ContactProblem& tangential, const RelaxationModel& relaxation,
                const Motion& motion, int steps_per_cycle, const WornProfile& profile, double friction_coefficient);
 

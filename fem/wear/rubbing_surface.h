@@ -5,11 +5,11 @@
 
 namespace fretval::fem {
 
-/// The contact on rings and angles, coupled or not: the indenter may wear off its circle.
+/// The contact on rings and angles, coupled or not, in which the indenter may wear to a shape that is not axisymmetric.
 class RubbingSurface final : public RubbingContact {
  public:
-  /// At rest, before the motion has begun. profile: of all kept angles. The operators, the motion and that of the
-  /// indenter, which is made of it, must outlive this.
+  /// The contact at rest, before the motion has begun. profile: of the points at all kept angles. of_indenter:
+  /// indenter_motion() of the motion. The operators and both motions must outlive this.
   RubbingSurface(const CoupledOperators& operators, const RelaxationModel& relaxation, const Motion& motion,
                  const IndenterMotion& of_indenter, int steps_per_cycle, const WornProfile& profile,
                  double friction_coefficient);

@@ -6,10 +6,10 @@
 
 namespace fretval::fem {
 
-/// All that a wear needs to go on, bit for bit, as bytes that the program which wrote them reads.
+/// All that wear needs to go on, bit for bit, as bytes; they are to be read by the program that wrote them.
 std::string archived(const WearState& state);
 
-/// Puts a state where its archive was made. The contact of the state was made of the same arguments. Throws
+/// Sets a state to the one that was archived. Its contact has to have been made of the same arguments. Throws
 /// std::runtime_error for bytes that are no archive; the state is void then.
 void restore(const std::string& bytes, WearState& state);
 

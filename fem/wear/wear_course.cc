@@ -43,16 +43,16 @@ struct Jump {
   double error;            ///< what both ways differ by
 };
 
-/// Of the worn depths after n cycles taken at once and in two halves, which are of first order in n, those of second
-/// order. A pressure that dies out as exp(-n) falls to 1/(1 + n) at once, and by the extrapolation more would be worn
-/// off than there is where n > 2 + 2 sqrt(2): rings whose wear has fallen further keep the depth in two halves.
+/// Worn depths to second order in n, from those after n cycles taken at once and in two halves, each of first order. A
+/// pressure that dies out as exp(-n) falls to 1/(1 + n) at once, and by the extrapolation more would be worn off than
+/// there is where n > 2 + 2 sqrt(2): rings whose wear has fallen further keep the depth in two halves.
 Eigen::VectorXd extrapolated(const Eigen::VectorXd& at_once, const Eigen::VectorXd& in_halves,
                              const Eigen::VectorXd& rate_before, const Eigen::VectorXd& rate_after) {
   const double least = 1 / (3 + 2 * std::sqrt(2));
   return (rate_after.array() > least * rate_before.array()).select(2 * in_halves - at_once, in_halves);
 }
 
-/// Over n cycles, or fewer if those wore off too much.
+/// A jump over n cycles, or over fewer if those would wear off too much.
 Jump jump(WearingContact& contact, double n_cycles, double largest) {
   const Eigen::VectorXd before = contact.worn(), rate_before = contact.period().rate;
   while (true) {

@@ -8,49 +8,48 @@
 namespace fretval::fem {
 
 /// Local law of wear: the indenter loses `coefficient p^exponent |ds|` of its height under the pressure p on a length
-/// ds of slip. Reye, Archard and Khrushchov have the exponent 1; the energy of friction wears as they do, with
-/// coefficient/mu, as what slips bears the traction mu p. The elastomer does not wear.
+/// ds of slip. The law of Reye, Archard and Khrushchov has the exponent 1; wear in proportion to the energy of friction
+/// is the same law with coefficient/mu, as points that slip bear the traction mu p. The elastomer does not wear.
 struct WearLaw {
   double coefficient;  ///< depth per pressure^exponent and length of slip, not negative
   double exponent = 1;
 };
 
-/// A contact that goes on and on while its indenter loses its shape: the contact, and what the last period of the
-/// motion has shown of the slip. Time goes on without wear (settle) until the slip repeats, or with it (wear_off) for
-/// as many cycles at once as are asked for.
+/// A contact whose indenter loses its shape, with the record of the last period of the motion. It is stepped without
+/// wear (settle) until the slip repeats, or with wear (wear_off) for many cycles at once.
 class WearingContact {
  public:
-  /// contact: at rest, before the motion has begun.
+  /// contact: one at rest, before the motion has begun.
   WearingContact(std::unique_ptr<RubbingContact> contact, const WearLaw& law);
   WearingContact(const WearingContact& other);
   WearingContact(WearingContact&& other) = default;
   WearingContact& operator=(WearingContact other);
   ~WearingContact() = default;
 
-  /// Through the ramp of the motion, without wear.
+  /// Steps through the ramp of the motion, without wear.
   void start();
 
-  /// Periods without wear until the slip of each point repeats, see slip_repeats, so that what settling takes is not
-  /// taken for the wear of every cycle. Throws SolverError when it does not.
+  /// Steps periods without wear until the slip of each point repeats, see slip_repeats, so that the slip of settling is
+  /// not taken for wear of every cycle. Throws SolverError when it does not repeat.
   void settle();
 
-  /// A period that stands for the wear of n cycles, of which each slips as in the last period before: of a point as
-  /// much wears off in each step as n times that slip takes under the pressure of the step itself, found with the wear.
-  /// So no n, however large, wears off more than what bears a pressure.
+  /// Steps a period that stands for the wear of n cycles, each with the slip of the last period before: in each step a
+  /// point loses the depth that n times that slip takes off under the pressure of the step, which is found together
+  /// with the wear. Therefore no n, however large, wears off more than the depth at which the pressure vanishes.
   void wear_off(double n_cycles);
 
-  /// See RubbingContact.
+  /// See RubbingContact::take_worn.
   void take_worn(const Eigen::VectorXd& worn) { contact_->take_worn(worn); }
 
-  /// What the last period has done to the points.
+  /// Slip, pressure and wear of the points in a period.
   struct Period {
-    Eigen::MatrixXd slip, pressure;  ///< a column a step; a slip of 0: the point sticks
+    Eigen::MatrixXd slip, pressure;  ///< points x steps; a slip of 0: the point sticks
     Eigen::VectorXd path;            ///< length of slip of each point
     Eigen::VectorXd rate;            ///< wear per cycle of each point at that slip and pressure
     Eigen::VectorXd largest_pressure;
     double friction_work = 0;         ///< per cycle
     double largest_indentation = 0;   ///< of the indenter
-    double tangential_amplitude = 0;  ///< of the indenter: half of what it moves, along x or across
+    double tangential_amplitude = 0;  ///< of the indenter: half of the range of its displacement, along x or across
 
     /// What a point does in a step: o open, s sticks, f slips forward, b backward.
     [[nodiscard]] char zone(Eigen::Index point, Eigen::Index step) const;
@@ -72,7 +71,7 @@ class WearingContact {
     contact_->save(archive);
     archive(period_);
   }
-  /// Into a contact that was made of the same arguments.
+  /// To be loaded into a contact that was made of the same arguments.
   template <class Archive>
   void load(Archive& archive) {
     contact_->load(archive);

@@ -28,7 +28,8 @@ double axis_pressure(const PunchSeries& series, const Eigen::VectorXd& depths, d
   return (series.force_per_radius() * of_tip + series.integral(rest, one_zone, contact_radius).value) / (2 * pi);
 }
 
-/// Of the means of rings, whose squared radii have a mean as well: by the parabola over these through three rings.
+/// Pressure on the axis, continued from ring means: by the parabola through three rings, over the mean squared radii of
+/// the rings.
 double continued_to_axis(const PunchSeries& series, const Eigen::VectorXd& pressure) {
   constexpr Index first = 1, n = 3;  // the innermost ring is off by the shape of the tip
   double on_axis = 0;

@@ -33,7 +33,7 @@ Eigen::VectorXd moves_along(const std::vector<double>& values, const SampledPath
   return moves;
 }
 
-/// Of samples at the balance times, those in the middle of the steps. before: the sample before the first one.
+/// Values in the middle of the steps, from samples at the balance times. before: the sample before the first one.
 Eigen::VectorXd in_the_middle(const Eigen::VectorXd& samples, double before, const std::vector<StepInPiece>& pieces) {
   Eigen::VectorXd middle(samples.size());
   for (Eigen::Index k = 0; k < samples.size(); ++k) {
@@ -85,9 +85,9 @@ double normal_work_along(const Motion& motion, const NormalHistory& normal) {
   return motion.normal_force ? -middle_of(normal.indentation).dot(down) : middle_of(pressing).dot(down);
 }
 
-/// Of a path, whose forces have kinks at its rows: sums of second order over the steps, of what is prescribed the exact
-/// moves, `oint F du = -oint u dF`. A single pass begins without tangential force; what goes into the body in it is not
-/// told from what is lost there.
+/// The response along a path, whose forces have kinks at its rows: works are sums of second order over the steps, with
+/// the exact moves of what is prescribed, under a force by `oint F du = -oint u dF`. A single pass begins without
+/// tangential force; in it the energy stored in the body cannot be told from what is lost there.
 CycleResponse response_along(const RelaxationModel& relaxation, double friction_coefficient, const Motion& motion,
                              double normal_force_max, const NormalHistory& normal, const FrictionHistory& friction) {
   const auto& pieces = normal.pieces;

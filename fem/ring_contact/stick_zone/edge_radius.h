@@ -2,8 +2,8 @@
 
 namespace fretval::fem {
 
-/// A radius and how far the rings may have put it off: not the error of the time steps or of a motion that is not
-/// periodic.
+/// A radius, dimensionless, and its uncertainty from the width of the rings; the errors of the time steps and of a
+/// motion that is not periodic yet are not in it.
 struct EdgeRadius {
   double radius;
   double uncertainty;

@@ -13,7 +13,8 @@ Eigen::RowVector<double, 5> powers_of(double x) {
   return {1, x, x * x, x * x * x, x * x * x * x};
 }
 
-/// Of a quartic between -1 and 1: between the neighbours of the largest of its values on a grid its slope is zero once.
+/// Place of the largest value of a quartic on [-1, 1]: between the neighbours of its largest value on a grid, where its
+/// slope is zero once.
 double place_of_largest(const Eigen::Vector<double, 5>& c) {
   constexpr int n_grid = 20, enough_halvings = 40;
   double at = 0;

@@ -42,7 +42,8 @@ std::vector<double> periodic_response(const RelaxationModel& relaxation, Motion 
   return response;
 }
 
-/// The same where the force is prescribed: over that of a unit punch of the rings inside, whatever the body.
+/// u(t) under a prescribed tangential force: the force over that of a unit punch of the n_inside innermost rings,
+/// whatever the rheology.
 std::vector<double> response_to_force(const PunchSeries& series, Motion motion, const NormalHistory& normal,
                                       Index n_inside) {
   motion.n_ramp_cycles = 0;

@@ -14,13 +14,13 @@ namespace fretval::fem {
 ///   min over t of (w - lambda u)  +  min over t of (w + lambda u)  =  0,   w = mu D k_n/k_t
 /// D(t): depth of the ring in the pressure (PunchSeries of the normal problem); k_n, k_t: force of a unit punch per
 /// radius, normally and tangentially; u(t): response of the body to the tangential motion without slip, under a
-/// prescribed force F_x(t) that over the force of a unit punch. 0 where a ring loses contact.
+/// prescribed force, F_x(t) over the force of a unit punch. 0 where a ring loses contact.
 ///
 /// While all these rings stick they are a flat punch, whose traction is lambda u t0, and what slip has locked in. Some
 /// locked-in traction keeps them within mu p at all times just if no sum above is negative, and where the normal
 /// contact does not see the friction a history ends in such a state if there is one. Source: Klarbring, Ciavarella,
-/// Barber, Int. J. Solids Struct. 44 (2007) 8355. So no friction history is needed, no threshold of slip, and no end of
-/// its dying out.
+/// Barber, Int. J. Solids Struct. 44 (2007) 8355. Thus neither a friction history is needed nor a threshold below which
+/// slip counts as none.
 ///
 /// Pressure and traction are singular at the edge of such a contact, where single rings are off by a share that no
 /// refinement takes away: the outermost ring slips up to a tenth too early or late, whatever its width. Flat punches

@@ -4,34 +4,34 @@
 
 namespace fretval::fem {
 
-/// What a stick zone is read from, ring by ring from the centre; only rings in the largest contact.
+/// Values from which a stick zone is read, per ring from the centre, for the rings of the largest contact.
 struct StickRings {
   Eigen::VectorXd reserve;  ///< see FrictionHistory
-  Eigen::VectorXd slip;     ///< by how far it exceeds what sticks, as displacements of PunchSeries
+  Eigen::VectorXd slip;     ///< beyond what a ring that sticks may slip, as displacements of PunchSeries
   Eigen::Index n_stuck;
 };
 
-/// How deep rings are inside a stick zone, and the radii that this belongs to. Both dimensionless.
+/// Depths of the rings inside a stick zone, and the radii to which they belong. Dimensionless.
 struct StickDepths {
   Eigen::VectorXd depth, radius;
 };
 
 /// In the elastic contact d_stick - g(r) (Cattaneo and Mindlin), from the reserves of the rings over
-/// tangential_per_depth = 3 mu/2. A ring that slips has no reserve left to tell; minus its slip stands for it: its path
-/// from the start on, or, to and fro, a quarter of that in a period. In a body that is stiff in motion that is less, by
-/// |G|/G'(0) at most. Slips count up to 2 u_x0, so that it does not matter for how long a ring has slipped.
-/// radii: PunchSeries::radii; amplitude: u_x0.
+/// tangential_per_depth = 3 mu/2. A ring that slips has no reserve; minus its slip takes its place: the path of slip
+/// from the start on, or, for slip to and fro, a quarter of the path in a period. In a body that is stiff in motion
+/// slips are smaller than the depths they stand for, by |G|/G'(0) at most. Slips count up to 2 u_x0, so that it does
+/// not matter for how long a ring has slipped. radii: PunchSeries::radii; amplitude: u_x0.
 StickDepths stick_depths(const StickRings& rings, const Eigen::VectorXd& radii, double tangential_per_depth,
                          double amplitude);
 
 /// How far the edge of the stick zone may lie from c if all depths are off by `uncertainty`: the larger distance from c
-/// to where they fall to it and to minus it. Under a flat face g hardly changes, and a small depth decides whether all
-/// of the face sticks or nothing. Where the depths end, the edge may be that of the contact, 1.
+/// to the radii at which they fall to it and to minus it. Under a flat face g hardly changes, and a small depth decides
+/// whether all of the face sticks or nothing. Where the depths end before, the edge may be that of the contact, 1.
 double reach_of_edge(const StickDepths& depths, double c, double uncertainty);
 
-/// How far apart the depths fall to `uncertainty` and to minus it: twice what the edge moves if all of them are off by
-/// that. Unlike reach_of_edge it does not count that the edge is read more finely than the depths are spaced: they fall
-/// as between the last two rings that stick, for a slip that has added up for long falls more steeply.
+/// Distance between the radii at which the depths fall to `uncertainty` and to minus it: twice the shift of the edge if
+/// all depths are off by that. Unlike in reach_of_edge the depths are taken to fall as between the last two rings that
+/// stick, as slip that has added up for long falls more steeply.
 double width_of_edge(const StickDepths& depths, double uncertainty);
 
 }  // namespace fretval::fem

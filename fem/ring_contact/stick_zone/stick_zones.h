@@ -10,14 +10,15 @@ namespace fretval::fem {
 
 /// The stuck rings of a friction history, counted from the centre.
 struct StuckRings {
-  Eigen::Index first_slip;  ///< have never slipped
-  Eigen::Index shakedown;   ///< no longer slip
+  Eigen::Index first_slip;  ///< number of rings that have never slipped
+  Eigen::Index shakedown;   ///< number of rings that no longer slip
 };
 
-/// By what they slip, and never losing their grip altogether; see slip_of_stuck_ring.
+/// Counts rings from the centre that slip by no more than slip_of_stuck_ring() allows and whose friction margin is
+/// always positive.
 StuckRings stuck_rings(const FrictionHistory& friction, const Motion& motion);
 
-/// Edges of both stick zones.
+/// Edges of the stick zones of first slip and of shakedown.
 struct StickZones {
   EdgeRadius first_slip, shakedown;
 };
