@@ -12,8 +12,8 @@
 
 namespace fretval {
 
-/// A case at one resolution, or why there is none: then only the failure. Gross slip counts as one, for there is
-/// nothing to be refined, and its answer says when it starts.
+/// The answer to a case at one resolution, or the failure that kept it from coming. Gross slip counts as a failure,
+/// too, as nothing is to be refined then, but its answer is there and says when it starts.
 struct Computation {
   FeAnswer fe;
   std::string failure = {};
@@ -24,7 +24,7 @@ struct Computation {
 struct ProofCost {
   int computations = 0;
   long time_steps = 0, cycles = 0;
-  double seconds = 0;  ///< of the processor: also of bodies, where they were made for these
+  double seconds = 0;  ///< of the processor, for the bodies that were made for these computations as well
   BodyCount bodies = {};
 };
 ProofCost operator+(const ProofCost& a, const ProofCost& b);
@@ -38,21 +38,21 @@ using Compute = std::function<FeAnswer(const Resolution&)>;
 /// A case at all the resolutions that its proof asks for, each computed once.
 class Computations {
  public:
-  /// n_threads: how many may be computed at once.
-  /// told: after each of them, one call at a time.
+  /// n_threads: number of computations at once. told: called after each computation, one call at a time.
   Computations(const Units& units, Compute compute, std::size_t n_threads, ComputationsDone told = {})
       : units_(units), compute_(std::move(compute)), n_threads_(n_threads), told_(std::move(told)) {}
 
-  /// Those that are not there yet. Failures of the numerics are part of the answer; anything else is thrown.
+  /// Computes the resolutions that are not there yet. A failure of the numerics is kept as the failure of a
+  /// Computation; other exceptions are thrown.
   void compute(const std::vector<Resolution>& resolutions);
 
   [[nodiscard]] const Computation& at(const Resolution& resolution) const { return all_.at(resolution); }
   [[nodiscard]] bool failed(const Resolution& resolution) const { return !at(resolution).failure.empty(); }
-  /// What is compared, by resolution; none where the numerics failed.
+  /// The quantities that are compared, by resolution; empty where the numerics failed.
   [[nodiscard]] const std::map<Resolution, Quantities>& quantities() const { return quantities_; }
   [[nodiscard]] const Units& units() const { return units_; }
   [[nodiscard]] int size() const { return static_cast<int>(all_.size()); }
-  /// Of sets that may share bodies.
+  /// Cost of several sets of computations, which may share bodies.
   static ProofCost cost_of(std::initializer_list<const Computations*> sets);
 
  private:

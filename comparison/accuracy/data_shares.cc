@@ -18,7 +18,7 @@
 namespace fretval {
 namespace {
 
-/// A change of the path of a case, along which the size of its motion changes as well.
+/// The case with a changed path, whose motion has the size of that path.
 template <class Change>
 Case with_path(Case input, const Change& change) {
   auto path = *input.motion.path;
@@ -54,14 +54,14 @@ Case by_storage_alone(Case input) {
   return input;
 }
 
-/// A record that begins at the contact is off by no more than leaves it there.
+/// Keeps a record that is in contact throughout in contact where its changed values would lift off.
 void keep_contact(const std::vector<double>& as_recorded, double normal, std::vector<double>& values) {
   const double least = *std::min_element(as_recorded.begin(), as_recorded.end());
   if (!(least > 0) || least > normal) return;
   for (double& value : values) value = std::max(value, least);
 }
 
-/// Off everywhere, and at its extremes in opposite directions.
+/// A path that is off by the same everywhere, and one that is off in opposite directions at its extremes.
 DataVariant variant_of_path(const Case& input, const char* what, double normal, double tangential) {
   DataVariant variant{what, {}};
   if (normal > 0)

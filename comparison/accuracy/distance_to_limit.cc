@@ -16,7 +16,8 @@ double distance_to_segment(const Point& p, const Point& a, const Point& b) {
   return (p - a - share * along).norm();
 }
 
-/// From the segment beside the point outward, as far as one may be nearer than what was found.
+/// Distance of a point from a chain: segments are looked at outwards from the one beside the point, as long as they may
+/// be nearer than the nearest so far.
 double distance_to_chain(const Point& p, const ProfileChain& chain) {
   const auto right =
       std::lower_bound(chain.begin(), chain.end(), p.x(), [](const Point& vertex, double r) { return vertex.x() < r; });
@@ -30,7 +31,7 @@ double distance_to_chain(const Point& p, const ProfileChain& chain) {
 
 }  // namespace
 
-/// Denser and denser towards the stick radius, where it rises like a root.
+/// The points get denser towards the stick radius, where the worn depth rises like a root.
 ProfileChain chain_of(const WearLimit& limit, double contact_radius, double end) {
   constexpr int n = 1000;
   ProfileChain chain;

@@ -14,8 +14,8 @@ using ProfileChain = std::vector<Eigen::Vector2d>;
 /// The limiting profile out to a radius, in m, dense enough to measure distances of 1e-6 from it.
 ProfileChain chain_of(const WearLimit& limit, double contact_radius, double end);
 
-/// Largest distance of the points of a profile from the chain of another. Not in height: a worn profile is vertical at
-/// the stick radius, where a radius that is off by 1e-4 a stands for 9e-3 d_max.
+/// Largest distance of the points of a profile from the chain of another. It is the distance in the plane, not in
+/// height: a worn profile is vertical at the stick radius, where a radius that is off by 1e-4 a stands for 9e-3 d_max.
 double distance_between(const ProfileChain& points, const ProfileChain& chain);
 
 }  // namespace fretval

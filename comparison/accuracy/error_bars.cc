@@ -9,7 +9,7 @@
 namespace fretval {
 namespace {
 
-/// What reading the edges leaves open, in the units of the comparison.
+/// Uncertainties of reading the edges, in the units of the comparison.
 Quantities uncertainties_of_edges(const Computation& computation, const FemCase& fem) {
   if (!computation.failure.empty()) return {};
   return uncertainties_of(readings_of(computation.fe, fem.units), scales_of(computation.fe, fem.units));
@@ -24,7 +24,8 @@ std::vector<Variant> variants_of(const Resolution& resolution, const CaseNeeds& 
   return variants;
 }
 
-/// Of coarser rings, which may show hardly more of a zone than that there is one.
+/// Uncertainties of reading the edges on the coarser rings of a budget, which may show hardly more of a zone than that
+/// it exists.
 std::map<Resolution, Quantities> readings_of_rings(const Resolution& resolution, const CaseNeeds& needs,
                                                    const Computations& computed, const FemCase& fem) {
   std::map<Resolution, Quantities> readings;
@@ -34,7 +35,7 @@ std::map<Resolution, Quantities> readings_of_rings(const Resolution& resolution,
   return readings;
 }
 
-/// Adds what a bar falls short of a width.
+/// Widens a bar to a width, by a share of the edge.
 void widen(ErrorBar& bar, double width) {
   const double missing = width - bar.total();
   if (missing > 0) bar.add(ErrorSource::edge, missing);
@@ -47,7 +48,7 @@ void widen_to_none(double c, ErrorBar& bar) {
   if (bar.total() > c / 2) widen(bar, all_of_it * c);
 }
 
-/// A track of a proof, and what is known of it.
+/// A track of a proof, with the computations at its resolution.
 struct Track {
   const PreparedCase& prepared;
   const Computations& computed;
@@ -56,14 +57,14 @@ struct Track {
   [[nodiscard]] double value(Quantity quantity) const { return computed.quantities().at(resolution).at(quantity); }
 };
 
-/// Of the rings around the centre that stick, whether they end with the smallest contact of a cycle, or hardly inside.
+/// Whether the rings that stick around the centre end with the smallest contact of a cycle, or hardly inside it.
 bool ends_with_contact(const Eigen::VectorXd& smallest_pressure, Eigen::Index n_stuck) {
   constexpr Eigen::Index hardly = 2;
   const Eigen::Index n_next = std::min(hardly, smallest_pressure.size() - n_stuck);
   return n_stuck > 0 && n_next > 0 && smallest_pressure.segment(n_stuck, n_next).minCoeff() <= 0;
 }
 
-/// With what the answer itself shows.
+/// What the errors of a case depend on, with what its answer shows: whether stick zones end with the smallest contact.
 CaseNeeds needs_of(const FemCase& fem, const Computation& computation) {
   auto needs = needs_of(fem);
   if (!computation.failure.empty() || fem.kind != ContactKind::discs) return needs;
@@ -74,7 +75,7 @@ CaseNeeds needs_of(const FemCase& fem, const Computation& computation) {
   return needs;
 }
 
-/// How deep the innermost ring sticks in either zone.
+/// Depths of the innermost ring in the two stick zones.
 Quantities centre_depths(const FeAnswer& fe) {
   const auto& [first_slip, shakedown] = *fe.as<DiscAnswer>();
   return {{Quantity::stick_radius_first_slip, first_slip.depth[0]},
@@ -89,8 +90,8 @@ void carry_depths(const Track& track, ErrorBudget& budget) {
   std::map<Resolution, Quantities> centre;
   for (const auto& [other, unused] : computed.quantities())
     centre[other] = computed.failed(other) ? Quantities{} : centre_depths(computed.at(other).fe);
-  // At the border the bar of a depth is hardly larger than its error. Where nothing sticks, slips stand for depths,
-  // and not at all next to the edge of a flat face.
+  // At the border between some stick and none the bar of a depth is hardly larger than its error. Where nothing sticks,
+  // slips stand for depths, and next to the edge of a flat face they do not do so.
   constexpr double safety = 2, rings_next_to_face = 8;
   const double face = prepared.input.indenter.flat_radius / prepared.fem.units.length,
                around_face = face > 0 ? face + rings_next_to_face / resolution.elements_per_radius : 0;
@@ -114,7 +115,7 @@ void carry_drift(const Track& track, ErrorBudget& budget) {
   widen(budget.at(first_slip), track.value(shakedown) + budget.at(shakedown).total());
 }
 
-/// Under an unlocked phase both stick radii are the same: what the creep of either shows, goes for both.
+/// Under an unlocked phase the two stick radii are equal: the larger of their shares of creep is a share of both.
 void carry_creep(const Track& track, ErrorBudget& budget) {
   if (!needs_of(track.prepared.fem).creep) return;
   const auto creep_of = [&](Quantity quantity) {
@@ -123,7 +124,7 @@ void carry_creep(const Track& track, ErrorBudget& budget) {
                                     [](const ErrorShare& share) { return share.source == ErrorSource::creep; });
     return found == shares.end() ? 0 : found->estimate;
   };
-  // Not a difference of two that are infinite.
+  // A difference of two infinite shares would be no number.
   const auto widen_to = [&](Quantity quantity, double other) {
     if (const double own = creep_of(quantity); other > own) budget.at(quantity).add(ErrorSource::creep, other - own);
   };
@@ -132,7 +133,8 @@ void carry_creep(const Track& track, ErrorBudget& budget) {
   widen_to(Quantity::stick_radius_shakedown, first_slip);
 }
 
-/// A cycle near a motion without one asks elements for a little less or more depth.
+/// A cycle that stands for a motion without a common period demands a little less or more depth of an element that
+/// sticks than the motion does.
 void carry_near_cycle(const Track& track, ErrorBudget& budget) {
   const auto& [prepared, computed, resolution] = track;
   const auto fem = at_resolution(prepared.fem, resolution);
@@ -166,15 +168,15 @@ void carry_slip_inside(const Track& track, ErrorBudget& budget) {
   if (missing > 0) budget.at(shakedown).add(ErrorSource::edge, missing);
 }
 
-/// Where the edges of rings lie on another body than a half-space, is known from a half-space, and to the same share of
-/// a ring on all meshes.
+/// On another body than a half-space the places of edges within rings are taken from a half-space, with an error that
+/// is the same share of a ring on all meshes.
 void carry_calibration(const FemCase& fem, const Computation& computation, ErrorBudget& budget) {
   const double calibration = computation.fe.contact_radius_calibration;
   const auto found = budget.find(Quantity::contact_radius_max);
   if (calibration > 0 && found != budget.end()) found->second.add(ErrorSource::edge, calibration / fem.units.length);
 }
 
-/// What is known of stick radii besides their differences.
+/// Adds the shares of stick radii that differences between resolutions do not show.
 void carry_to_stick_radii(const Track& track, Borders borders, ErrorBudget& bars) {
   if (borders == Borders::carried) carry_depths(track, bars);
   if (!track.computed.failed(track.resolution)) carry_creep(track, bars);

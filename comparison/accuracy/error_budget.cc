@@ -35,7 +35,7 @@ ExpectedOrder expected_order(ErrorSource source, Quantity quantity, const CaseNe
   return {order};
 }
 
-/// NaN: not there.
+/// The value of a quantity; NaN: it is not there.
 double value_of(const Quantities& values, Quantity quantity) {
   const auto found = values.find(quantity);
   return found == values.end() ? std::numeric_limits<double>::quiet_NaN() : found->second;
@@ -46,7 +46,7 @@ double element_error(double difference, unsigned degree, unsigned other) {
   return 3 * std::pow(difference, static_cast<double>(degree) / other);
 }
 
-/// A given mesh, with its rings or with them as they are.
+/// Whether a variant of a given mesh is finer than its reference: in rings and cells, or in its cells alone.
 bool is_finer_given_mesh(const Variant& variant) {
   const auto &finer = variant.resolution, &coarser = variant.reference;
   if (variant.source == ErrorSource::rings)
@@ -54,20 +54,21 @@ bool is_finer_given_mesh(const Variant& variant) {
   return variant.source == ErrorSource::grading && finer.mesh_refinements > coarser.mesh_refinements;
 }
 
-/// From cells split into four. Corners of the body, and of its materials, have singular stresses; errors fall at least
-/// with the first power of the cells all the same, as they are of twice the order of the stresses.
+/// Error of a given mesh from the difference to the mesh with its cells split into four. Corners of the body and of its
+/// materials have singular stresses; the errors of the quantities have twice their order, and fall at least with the
+/// first power of the cells.
 double of_a_finer_mesh(double difference) {
   return 2 * difference;
 }
 
 constexpr double safety = 1.5;  // of a difference that is one of its kind
 
-/// Errors C h + D h³, both terms, from q(h) - q(2h) and q(2h) - q(4h).
+/// |C h| + |D h³| of an error C h + D h³, from q(h) - q(2h) and q(2h) - q(4h).
 double of_first_and_third_order(double fine, double coarse) {
   return std::abs(coarse - 8 * fine) / 6 + std::abs(coarse - 2 * fine) / 42;
 }
 
-/// A quantity that only some of the computations have, may be off by anything.
+/// The error share of a variant; infinite where only some of the computations have the quantity.
 ErrorShare share_of(const Variant& variant, const Refinements& values, Quantity quantity, const CaseNeeds& needs) {
   const auto expected = expected_order(variant.source, quantity, needs);
   const auto source = variant.source;
@@ -87,7 +88,7 @@ ErrorShare share_of(const Variant& variant, const Refinements& values, Quantity 
   return richardson(source, values, expected);
 }
 
-/// 0: not known.
+/// The uncertainty of reading a quantity at a resolution; 0: not known.
 double uncertainty_of(const std::map<Resolution, Quantities>& readings, const Resolution& resolution,
                       Quantity quantity) {
   const auto reading = readings.find(resolution);
@@ -96,7 +97,7 @@ double uncertainty_of(const std::map<Resolution, Quantities>& readings, const Re
   return uncertainty == reading->second.end() ? 0 : uncertainty->second;
 }
 
-/// Without the coarser ones of two that could not be computed, of which nothing is known: the other one is there.
+/// Leaves out the coarser one of two variants of a source where it could not be computed: the other one is there.
 std::vector<Variant> computed_ones(const std::vector<Variant>& variants,
                                    const std::map<Resolution, Quantities>& known) {
   std::vector<Variant> computed;
@@ -107,7 +108,7 @@ std::vector<Variant> computed_ones(const std::vector<Variant>& variants,
   return computed;
 }
 
-/// The cycles to shakedown begin with the start that is chosen: another one is another question.
+/// Leaves out another start for the cycles to shakedown, which are counted from the start that is chosen.
 std::vector<Variant> of_quantity(Quantity quantity, std::vector<Variant> variants) {
   const auto is_other_start = [](const Variant& variant) { return variant.source == ErrorSource::start; };
   if (quantity == Quantity::cycles_to_shakedown)

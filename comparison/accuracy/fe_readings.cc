@@ -5,7 +5,8 @@
 namespace fretval {
 namespace {
 
-/// Without memory friction takes all that is lost.
+/// Adds forces and works of a cycle. Without memory all losses are those of friction, and the other works are not
+/// compared.
 void add_cycle(const fem::CycleResponse& cycle, Readings& readings) {
   const auto& [force_max, force_mean, friction, loss, loop] = cycle.uncertainty;
   const bool has_memory = cycle.bulk_work > 0;
@@ -41,7 +42,7 @@ void take_kind(const SurfaceAnswer& surface, Readings& readings) {
     readings[Quantity::transverse_force_max] = {surface.transverse_force_max};
 }
 
-/// Zones that may be annuli are told as such, and have bars of their own (ZoneBudget).
+/// Zones that may be annuli have bars of their own (ZoneBudget): their radii are not compared.
 void take_kind(const ZoneAnswer& /*unused*/, Readings& readings) {
   for (const auto quantity :
        {Quantity::stick_radius_first_slip, Quantity::stick_radius_shakedown, Quantity::axis_pressure_max})
@@ -52,7 +53,7 @@ void take_kind(const GrossSlipStart& /*unused*/, Readings& readings) {
   for (auto& [quantity, reading] : readings) reading = {{}, {}, "the whole contact slides", false};
 }
 
-/// One of m is a radius or a depth.
+/// Unit of a quantity in a dimensionless answer; a quantity in m is a radius or a depth.
 double unit_of(Quantity quantity, const Units& units) {
   const std::string unit = traits_of(quantity).unit;
   if (unit == "N") return units.force();

@@ -5,17 +5,19 @@
 
 namespace fretval {
 
-/// What finite elements say of each quantity, those without a value as well that every case could have. The uncertainty
-/// is that of reading edges, which a refinement does not show; nothing is compared where the whole contact slides.
+/// Values of the quantities by finite elements, in SI units; of those that every case could have also the ones without
+/// a value. The uncertainty is that of reading edges, which a refinement does not show. Nothing is compared where the
+/// whole contact slides.
 Readings readings_of(const FeAnswer& fe, const Units& units);
 
-/// Where rings touch in any order the unit of length is no contact radius: 0.
+/// Scales of the differences of a case. Where rings touch in any order the unit of length is no contact radius, and the
+/// scale of radii is 0.
 Scales scales_of(const FeAnswer& fe, const Units& units);
 
-/// What is compared, in the units of that.
+/// The readings that are compared, in the units of comparison (Quantities).
 Quantities compared_quantities(const Readings& readings, const Scales& scales, const Units& units);
 
-/// Of finite elements.
+/// The quantities of an answer of the finite elements, in the units of comparison.
 Quantities quantities_of(const FeAnswer& fe, const Units& units);
 
 }  // namespace fretval

@@ -14,11 +14,11 @@ struct PreparedCase {
   MdrCase mdr;
   FemCase fem;
   Tolerances tolerances;
-  /// What MDR's springs may be off by, over the scales of the quantities: it takes its part of the tolerances, and the
-  /// bars of the finite elements have the rest.
+  /// Errors of MDR's springs, over the scales of the quantities: they take their part of the tolerances, and the bars
+  /// of the finite elements have the rest.
   Quantities reference_errors = {};
 
-  /// Not where MDR does not hold for the profile.
+  /// Whether both methods are compared; false where MDR does not hold for the profile.
   [[nodiscard]] bool is_compared() const { return fem.kind != ContactKind::annuli; }
 };
 

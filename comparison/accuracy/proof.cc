@@ -45,8 +45,8 @@ bool focus_on_what_is_hopeless(const PreparedCase& prepared, const Computations&
   return any;
 }
 
-/// Focuses on what the rings do not resolve, and computes all that error bars with these shares need. Returns whether
-/// the numerics held.
+/// Focuses on zones that the rings do not resolve, and computes all that error bars with these shares need. Returns
+/// false if the numerics failed.
 bool measure_errors(const PreparedCase& prepared, Computations& computed, Tracks& tracks, BarShares shares) {
   while (true) {
     computed.compute(tracks.all());
@@ -57,13 +57,14 @@ bool measure_errors(const PreparedCase& prepared, Computations& computed, Tracks
   }
 }
 
-/// What the reference leaves of it: half at least, as a bar of nothing cannot be met.
+/// Part of a tolerance that the errors of the reference leave for the finite elements: at least half, as a bar of
+/// nothing cannot be met.
 double left_by_reference(const PreparedCase& prepared, Quantity quantity, double tolerance) {
   const auto error = prepared.reference_errors.find(quantity);
   return error == prepared.reference_errors.end() ? tolerance : std::max(tolerance - error->second, tolerance / 2);
 }
 
-/// Says so if it is too wide.
+/// The bar of a quantity with the width that it may have; tells the log if it is wider.
 BarToMeet to_meet(const PreparedCase& prepared, Quantity quantity, const ErrorBar& bar) {
   // Where nothing is confirmed, no quantity has to be known better than the case asks for.
   const bool is_confirmed = prepared.is_compared() && beyond_mdr_model(prepared.input).empty();
@@ -79,12 +80,13 @@ FixedByCase fixed_by(const PreparedCase& prepared) {
   return {prepared.input.rings_per_radius || prepared.fem.given, prepared.input.steps_per_cycle.has_value()};
 }
 
-/// Empty: all bars meet their tolerances, or nothing can be refined that would help. Says what is refined, and why.
+/// The next resolution, planned by the bars; tells the log what is refined. Empty: all bars meet their tolerances, or
+/// nothing can be refined that would help.
 std::optional<Resolution> finer(const PreparedCase& prepared, const FeAnswer& fe, const Resolution& resolution,
                                 const std::vector<BarToMeet>& bars) {
   const Effort effort{static_cast<double>(fe.body->n_dofs), static_cast<double>(fe.body->radii.size() - 1),
                       static_cast<double>(fe.n_steps)};
-  // A step of the contact on rings and angles takes as long as hundreds of the other one.
+  // A step of the contact on rings and angles takes as long as hundreds of steps of the ring contact.
   const double most_times =
       prepared.fem.kind == ContactKind::plane ? most_growth_of_full : std::numeric_limits<double>::infinity();
   const auto planned = planned_refinement(resolution, bars, effort, fixed_by(prepared), most_times);
@@ -92,15 +94,15 @@ std::optional<Resolution> finer(const PreparedCase& prepared, const FeAnswer& fe
   return planned;
 }
 
-/// Whether the response to the normal motion is that of all cases which differ in nothing else, as those of a sweep of
-/// the phase.
+/// Whether the response to the normal motion can be proved by itself: it is shared by cases with the same normal
+/// motion, such as those of a sweep of the phase.
 bool has_normal_response(const FemCase& fem) {
   return fem.kind == ContactKind::discs && !fem.without_short_cycle && !fem.motion.path &&
          fem.motion.tangential_amplitude() > 0;
 }
 
-/// Refines until the response to the normal motion is proved, which takes no friction. Returns the resolution, and how
-/// often.
+/// Refines until the response to the normal motion is proved, which takes no friction. Returns the resolution, and the
+/// number of refinements.
 std::pair<Resolution, int> prove_normal_response(const PreparedCase& prepared, Computations& computed) {
   auto resolution = prepared.fem.resolution;
   for (int n = 0;; ++n) {
@@ -137,11 +139,11 @@ std::optional<Tracks> finer(const PreparedCase& prepared, const Computations& co
   return any ? std::optional(next) : std::nullopt;
 }
 
-/// Returns the number of refinements.
+/// Refines tracks until all bars meet their tolerances or nothing helps. Returns the number of refinements.
 int refine_until_proved(const PreparedCase& prepared, Computations& computed, Tracks& tracks) {
   std::optional<Tracks> before;
   for (int n = 0;; ++n) {
-    // Where the rings alone make a bar too wide, nobody has to know what else does.
+    // Where the share of the rings alone makes a bar too wide, the other shares need not be known.
     const auto next_for = [&](BarShares shares) {
       const int most = prepared.fem.kind == ContactKind::plane ? most_refinements_of_full : most_refinements;
       return n < most ? finer(prepared, computed, tracks, shares) : std::nullopt;

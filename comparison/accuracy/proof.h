@@ -25,35 +25,35 @@ struct ProvedAnswer {
   Resolution resolution;  ///< chosen
   std::map<Quantity, Focus> focus;           ///< stick radii that are read from a graded mesh
   ErrorBudget budget;                        ///< empty with Proof::none
-  std::optional<ZoneBudget> zone_bars = {};  ///< where rings touch in any order, and with a proof
+  std::optional<ZoneBudget> zone_bars = {};  ///< bars of zones where rings touch in any order; empty without a proof
   int n_refinements = 0;
   ProofCost cost;      ///< of all computations
-  double seconds = 0;  ///< of the chosen resolutions if they were computed alone, without a proof
+  double seconds = 0;  ///< of the processor, for the chosen resolutions without a proof
 };
 
 /// Computes a case and proves the answer, without a look at what MDR says:
 ///
-/// 1. the coarsest resolution that usually does (resolution_for), refined as in step 4 until the response to the normal
-///    motion is proved, which needs no friction and which all cases share that differ in nothing else;
+/// 1. the coarsest resolution that is usually enough (resolution_for) is refined as in step 4 until the response to the
+///    normal motion is proved, which needs no friction and is shared by cases with the same normal motion;
 /// 2. a stick zone or a slip annulus of too few rings is focused on (closer_look); where the rings of the focus were
 ///    less than four times finer, step 4 gets there at a lower cost, unless the bar turns out to be more than 15
 ///    tolerances;
 /// 3. the error budget, each source by its own refinement;
-/// 4. while the bar of a quantity is wider than its tolerance, what is expected to mend that at the lowest cost is
-///    refined (planned_refinement). A refinement whose numerics fail is taken back.
+/// 4. while the bar of a quantity is wider than its tolerance, the sources are refined that are expected to bring it
+///    within that at the lowest cost (planned_refinement). A refinement whose numerics fail is taken back.
 ///
-/// Rings and steps that the case file fixes stay as they are. n_threads: for the computations of one step.
-/// Safe to call from several threads with one store of bodies. told: see Computations.
+/// Rings and steps that the case file fixes stay as they are. n_threads: of the computations of one step. Safe to call
+/// from several threads with one store of bodies. told: see Computations.
 ProvedAnswer prove(const PreparedCase& prepared, Proof proof, BodyStore& bodies, std::size_t n_threads = n_cores(),
                    const ComputationsDone& told = {});
 
-/// How a case is computed.
+/// Functions that compute a case.
 struct Numerics {
   Compute whole;
-  Compute normal_response = {};  ///< empty: not worth while by itself
+  Compute normal_response = {};  ///< the response to the normal motion alone; empty: it is not proved by itself
 };
 
-/// The same with other numerics.
+/// Proves the answer to a case with other functions that compute it.
 ProvedAnswer prove(const PreparedCase& prepared, Proof proof, const Numerics& numerics, std::size_t n_threads = 1,
                    const ComputationsDone& told = {});
 

@@ -12,11 +12,12 @@ constexpr int most_steps = 1440, fewest_steps = 8, most_ramp_cycles = 64, most_c
 constexpr double finest_growth = 0.075, coarsest_growth = 1, finest_periodicity = 1e-9, finest_wear_jump = 1e-3,
                  largest_far_radius = 100;
 
-/// The coarsest resolutions on which an error of another source is measured.
+/// Least numbers of rings per radius and of steps in a cycle with which an error of another source is measured.
 constexpr unsigned enough_rings = 24;
 constexpr int enough_steps = 24;
 
-/// The contact radius farthest from where it was in its ring, then an edge at half of it.
+/// Shifts in rings: the contact radius as far as possible from its place in a ring, then an edge at half of that
+/// radius.
 constexpr std::array elsewhere_in_ring{0.5, 1.0};
 
 Resolution with_fewer_rings(const Resolution& r) {
@@ -29,7 +30,7 @@ Resolution with_fewer_steps(const Resolution& r) {
   return r;
 }
 
-/// For rings and edges: on a quarter of the steps, bars of 1e-5 turn out twice as wide.
+/// Half of the steps, for the variants in rings and edges: with a quarter of them, bars of 1e-5 would be twice as wide.
 Resolution with_half_the_steps(const Resolution& r, const CaseNeeds& needs) {
   if (needs.moves_by_steps || needs.kind == ContactKind::annuli || r.steps_per_cycle / 2 < enough_steps) return r;
   return with_steps(r, 0.5);
@@ -42,13 +43,14 @@ Variant variant(ErrorSource source, const Resolution& reference, Change change) 
   return {source, r, reference};
 }
 
-/// A given mesh may have so few that nothing is to be seen of fewer: then more are compared with.
+/// Whether a given mesh has so few rings that coarser ones would show nothing, and finer ones are compared with
+/// instead.
 bool has_few_given_rings(const Resolution& r) {
   return r.mesh_refinements && r.elements_per_radius < 4 * fewest_rings_of_a_variant;
 }
 
-/// What cannot be meshed in another way is split: its cells, with the rings as they are; its rings then begin
-/// elsewhere.
+/// A given mesh cannot be meshed in another way: its cells are split, under the same rings for the grading, and under
+/// rings that begin elsewhere for the edge.
 void add_of_given_mesh(const Resolution& for_rings, const Resolution& quick, std::vector<Variant>& variants) {
   const auto finer = [](Resolution r) {
     ++*r.mesh_refinements;
@@ -114,7 +116,8 @@ std::vector<Variant> variants_of(const Resolution& all_angles, const CaseNeeds& 
   return variants;
 }
 
-/// Next to a singular edge, elements of even and of odd degree come from either side: see resolution_for_wear.
+/// The element order is compared with a degree of the same parity: next to a singular edge, elements of even and of odd
+/// degree err to opposite sides, see resolution_for_wear.
 std::vector<Variant> variants_of_wear(const Resolution& resolution) {
   const Resolution coarse = with_rings(resolution, 0.5), quick = with_steps(coarse, 0.5);
   return {{ErrorSource::rings, coarse, resolution},

@@ -21,7 +21,7 @@ const std::vector<std::vector<double>>& refinements_of(ErrorSource source) {
   return source == ErrorSource::rings || source == ErrorSource::time_step ? fine : by_twos;
 }
 
-/// What a refinement of a source by a factor of two leaves of a share.
+/// Part of a share that is left after a refinement of its source by a factor of two.
 double left_over(ErrorSource source, const ErrorShare& share) {
   constexpr double usual_order = 2, best_order = 3;
   const double by_order = std::exp2(-std::min(share.order.value_or(usual_order), best_order));
@@ -45,7 +45,7 @@ double left_over(ErrorSource source, const ErrorShare& share) {
   }
 }
 
-/// What a refinement of a source by a factor makes of the effort, as measured on equal rings.
+/// Effort after a refinement of a source by a factor, as measured on equal rings.
 Effort effort_after(ErrorSource source, const Effort& effort, unsigned degree, double factor) {
   auto [n_dofs, n_rings, n_steps] = effort;
   const auto growth = [doublings = std::log2(factor)](double of_two) { return std::pow(of_two, doublings); };
@@ -90,7 +90,7 @@ bool better(const Candidate& a, const Candidate& b) {
   return a.price() < b.price();
 }
 
-/// What a plan must keep to.
+/// Constraints of a plan.
 struct Limits {
   FixedByCase fixed;
   double most_seconds;

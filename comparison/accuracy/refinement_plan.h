@@ -15,7 +15,7 @@ struct BarToMeet {
   double tolerance;
 };
 
-/// What a resolution took, in numbers that are the same on every machine.
+/// Size of a computation, in numbers that are the same on every machine.
 struct Effort {
   double n_dofs;   ///< of both harmonics
   double n_rings;  ///< on the contact line
@@ -25,14 +25,14 @@ struct Effort {
 /// Two refinements are enough for shares up to this many tolerances; no order can be trusted further.
 constexpr double most_tolerances = 15;
 
-/// Seconds that they take, roughly: 1e-5 n_dofs for the body, 1e-5 n_steps (n_rings/48)^1.4 for a history.
+/// Rough seconds of a computation of this size: 1e-5 n_dofs for the body, 1e-5 n_steps (n_rings/48)^1.4 for a history.
 double expected_seconds(const Effort& effort);
 
 /// The cheapest refinement that is expected to bring all bars within their tolerances: of all combinations of up to two
-/// refinements (see refined) of each source, judged by what they take from its share (the observed order, or
-/// the lowest that is usual) and adds to the effort. Where none is enough, the one that gets closest for its cost.
-/// most_times: what the effort may grow by, in expected seconds.
-/// Empty: no bar is too wide, or nothing can be refined that would help.
+/// refinements (see refined) of each source, judged by how much they reduce its share (by the observed order, or the
+/// lowest that is usual) and add to the effort. Where none is enough, it is the one that gets closest for its cost.
+/// most_times: largest factor by which the expected seconds may grow. Empty: no bar is too wide, or nothing can be
+/// refined that would help.
 std::optional<Resolution> planned_refinement(const Resolution& resolution, const std::vector<BarToMeet>& bars,
                                              const Effort& effort, const FixedByCase& fixed,
                                              double most_times = std::numeric_limits<double>::infinity());

@@ -13,11 +13,12 @@ struct GivenRings {
   std::optional<unsigned> needed;  ///< for the tolerance; empty: these are enough
 };
 
-/// Of a bar that is wider than its tolerance T, rings and the reading of edges have a share that falls with the power
-/// of the rings that was observed (2 where none was), and the cells one that falls with the first: it takes as many
-/// rings as bring both within T less the rest of the bar or, where the rest leaves less, within T/2. The most of all
-/// quantities that were asked for. Without a proof nothing is known to lack. Empty: the mesh is not given, or the whole
-/// contact slides.
+/// The rings of a given mesh in the largest contact, and how many the tolerance needs. In a bar that is wider than its
+/// tolerance T, the shares of rings and of the reading of edges are taken to fall with the observed power of the number
+/// of rings (2 where none was observed), and that of the cells with the first power. So many rings are needed that
+/// these shares are within T less the rest of the bar or, where the rest leaves less, within T/2; the largest number of
+/// all quantities that are asked for counts. Without a proof no need is known. Empty: the mesh is not given, or the
+/// whole contact slides, or the numerics failed.
 std::optional<GivenRings> given_rings_of(const PreparedCase& prepared, const ProvedAnswer& answer);
 
 }  // namespace fretval

@@ -38,7 +38,7 @@ double volume_of(const SurfaceWear& fe) {
   return fe.course.curve.back().volume;
 }
 
-/// Of what a coarser one differs by.
+/// Adds the differences from a coarser computation to the bars, as the share of a source.
 void add_share(ErrorSource source, const SurfaceWear& coarse, ProvedSurfaceWear& wear) {
   const auto &fine = wear.fe.sticks, &other = coarse.sticks;
   wear.radius.add(source, std::abs(fine.radius - other.radius));

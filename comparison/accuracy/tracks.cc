@@ -43,7 +43,7 @@ std::optional<Focus> closer_look(Quantity quantity, const Tracks& tracks, const 
   const double c = values.at(quantity), ring = ring_of(now);
   const Eigen::Index n_stuck = rings_within(fe.body->radii, c);
   if (n_stuck < enough_stuck_rings) {
-    // Of a zone that does not show, it is enough to know that it is small against the tolerance.
+    // A zone that does not show needs no finer rings once it is known to be small against the tolerance.
     const double fine_enough = n_stuck > 0 ? 0 : tolerances.stick_radius / 4;
     if (ring < std::max(finest_ring_at_the_centre, fine_enough)) return std::nullopt;
     const double outer = n_stuck > 0 ? rounded_up(1.5 * c + ring) : rounded_up(ring);

@@ -18,9 +18,9 @@ struct Tracks {
   [[nodiscard]] const Resolution& of(Quantity quantity) const;
 };
 
-/// Of a stick zone, or of the slip annulus around it, that has too few rings: rings that resolve it. Again and again
-/// until it is resolved, proved smaller than the finest ring or, for a stick zone that does not show, than a quarter of
-/// the tolerance. Empty: it is resolved. The case must not fix its rings.
+/// Rings that resolve a stick zone, or the slip annulus around it, where it has too few of them. It is to be called
+/// repeatedly until the zone is resolved or proved smaller than the finest ring, or, for a stick zone that does not
+/// show, smaller than a quarter of the tolerance. Empty: no finer rings are needed. The case must not fix its rings.
 std::optional<Focus> closer_look(Quantity quantity, const Tracks& tracks, const Computations& computed,
                                  const Tolerances& tolerances);
 

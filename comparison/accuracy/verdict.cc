@@ -49,7 +49,8 @@ Comparison compare(const Readings& fe, const Readings& mdr, const Scales& scales
     const auto reference = mdr.find(quantity);
     const auto bar = budget.find(quantity);
     if (!reading.is_compared || reference == mdr.end() || !reference->second.is_compared) continue;
-    // Of first order in the step, so that without a bar nothing is known of how closely it should agree.
+    // Quantities of settling are of first order in the step: without a bar it is not known how closely they should
+    // agree.
     if (traits_of(quantity).of_settling && bar == budget.end()) continue;
     Difference one{difference_of(quantity, reading, reference->second, scales), tolerance_of(tolerances, quantity)};
     one.only_one = only_one_of(quantity, reading, reference->second, scales);

@@ -11,7 +11,7 @@
 namespace fretval {
 namespace {
 
-/// Of a computation, up to a factor.
+/// Expected work of a computation of wear, up to a factor.
 double expected_work(const Resolution& r) {
   return std::pow(r.elements_per_radius, 2) * r.steps_per_cycle / r.wear_jump;
 }
@@ -41,7 +41,7 @@ void WearComputations::compute(const std::vector<Resolution>& wanted) {
   std::vector<Resolution> missing;
   for (const auto& resolution : wanted)
     if (all.try_emplace(resolution).second) missing.push_back(resolution);
-  // The longest first, beside which the others go on.
+  // The longest computation begins first, and the others go on beside it.
   std::sort(missing.begin(), missing.end(),
             [](const auto& a, const auto& b) { return expected_work(a) > expected_work(b); });
   for (const auto& resolution : missing) shares_.try_emplace(resolution, 0.0);

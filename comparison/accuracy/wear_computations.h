@@ -21,7 +21,7 @@ struct WearComputation {
   double seconds = 0;  ///< of the processor
 };
 
-/// What is kept of wear on its way, and told.
+/// What is kept of a course of wear on its way, and who is told of its progress.
 struct WearOversight {
   std::filesystem::path checkpoints = {};  ///< folder of WearCheckpoint; empty: none
   /// Called after each jump, one call at a time: the share of all work that is done, and the distance of the profile
@@ -29,10 +29,12 @@ struct WearOversight {
   std::function<void(double share, double distance)> progress = {};
 };
 
-/// A worn profile at the centres of its rings; unit: of its heights over the largest indentation.
+/// A worn profile as a chain of points at the centres of its rings. unit: unit of its heights over the largest
+/// indentation.
 ProfileChain chain_of(const WearSimulation& wear, const Eigen::VectorXd& worn, double unit);
 
-/// Of the profiles of a course from a limit, in r over the unworn contact radius and f over the largest indentation.
+/// Distance of the profile at each point of a course from a limit (distance_between), in the plane of r over the unworn
+/// contact radius and f over the largest indentation.
 std::vector<double> distances_of(const WearSimulation& wear, const Units& units, const WearLimit& limit);
 
 /// The wear of a case at all the resolutions that are asked for, each computed once.
@@ -42,7 +44,7 @@ class WearComputations {
                    WearOversight oversight)
       : prepared_(prepared), edge_(edge), limits_(limits), bodies_(bodies), oversight_(std::move(oversight)) {}
 
-  /// Those that are not there yet.
+  /// Computes the resolutions that are not there yet.
   void compute(const std::vector<Resolution>& wanted);
 
   [[nodiscard]] ProofCost cost() const;
@@ -59,7 +61,7 @@ class WearComputations {
   BodyStore& bodies_;
   WearOversight oversight_;
   std::mutex mutex_;
-  std::map<Resolution, double> shares_;  // of each that is done
+  std::map<Resolution, double> shares_;  // share of each computation that is done
 };
 
 }  // namespace fretval

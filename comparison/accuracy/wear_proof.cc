@@ -35,9 +35,9 @@ double stick_radius_of(const WearSimulation& wear) {
   return wear.course.curve.back().stick_radius;
 }
 
-/// How far the stick radius of the end may be off, if there is one. A ring slips as a whole or not at all, so it is
-/// known to the width of the rings at it; and under prescribed displacements it does not move over a half-space, so
-/// what wear has eaten of that of the unworn contact is an error.
+/// Error of the stick radius at the end of wear, 0 if nothing sticks. As a ring slips as a whole or not at all, it is
+/// known to the width of the rings at it. Under prescribed displacements over a half-space it should be that of the
+/// unworn contact, and what wear has taken of that is an error, too.
 double stick_radius_error(const PreparedCase& prepared, const WearSimulation& wear, double unworn_stick_radius) {
   const double stick_radius = stick_radius_of(wear);
   if (stick_radius == 0) return 0;
@@ -46,14 +46,14 @@ double stick_radius_error(const PreparedCase& prepared, const WearSimulation& we
       {rings.inside, rings.outside, stick_radius_moves(prepared.fem) ? 0 : unworn_stick_radius - stick_radius});
 }
 
-/// The worn volume of the limiting state vanishes like (a - c)^(5/2) as c reaches the contact radius, which is 1, and
-/// depends on smaller c less: up to a factor.
+/// Worn volume of the limiting state for a stick radius c, up to a factor: it vanishes like (a - c)^(5/2) as c comes to
+/// the contact radius a = 1, and depends less on c further inside.
 double volume_beyond(double stick_radius) {
   return stick_radius < 1 ? std::pow(1 - stick_radius, 2.5) : 1;
 }
 
-/// What as many cycles again would still wear off as fast as the last jump has, which is more than they do as wear dies
-/// out: where it was left, it is not all over.
+/// Adds the error of ending a course before all wear is over: the wear of as many further cycles at the rate of the
+/// last jump, which is an upper bound as wear dies out.
 void add_stop(const ProvedWear& wear, const Units& units, ErrorBudget& budget) {
   const auto& [curve, worn] = std::tie(wear.fe.course.curve, wear.fe.course.worn);
   if (curve.size() < 2) return;
@@ -66,8 +66,8 @@ void add_stop(const ProvedWear& wear, const Units& units, ErrorBudget& budget) {
   budget[Quantity::worn_volume].add(ErrorSource::cycles, volume * units.volume() / limit.volume);
 }
 
-/// The stick radius of the end jumps by rings and takes the volume with it: refinements are compared at the stick
-/// radius of the answer, and how far that is off is a share of its own.
+/// The budget of wear. The stick radius at the end jumps by rings, and the volume with it: refinements are compared at
+/// the stick radius of the answer, and the error of that is a share of its own.
 ErrorBudget budget_of(const PreparedCase& prepared, const ProvedWear& wear, double unworn_stick_radius,
                       const WearComputations& computed) {
   const auto& units = prepared.fem.units;
@@ -103,8 +103,8 @@ ErrorBudget budget_of(const PreparedCase& prepared, const ProvedWear& wear, doub
   return budget;
 }
 
-/// What is refined next: the largest share of the bar that is furthest above its tolerance, of what is compared. Empty:
-/// none is.
+/// The source to refine next: that of the largest share of the bar furthest above its tolerance, among what is
+/// compared. Empty: no bar is above it.
 std::optional<Resolution> finer(const PreparedCase& prepared, const ProvedWear& wear, const ErrorBudget& budget) {
   const ErrorShare* largest = nullptr;
   double furthest = 1;
@@ -131,7 +131,7 @@ double force_beyond(const WearSimulation& wear, const Eigen::VectorXd& pressure,
   return force;
 }
 
-/// Takes a computation for the answer.
+/// Takes a computation as the answer.
 void take(const PreparedCase& prepared, double stick_radius, const WearComputation& computation, ProvedWear& wear) {
   wear.failure = computation.failure;
   wear.fe = computation.fe;
@@ -181,8 +181,8 @@ double volume_after(const mdr::WearKinetics& kinetics, double cycles) {
   return before.volume + (after->volume - before.volume) * (cycles - before.cycles) / (after->cycles - before.cycles);
 }
 
-/// By which the springs' volume is off anywhere in the course, over that of the limit: what they differ by from twice
-/// as many of them in twice as many steps and jumps. Empty where those do not become periodic.
+/// Largest error of the volume by springs along the course, over the volume of the limit: its difference from twice as
+/// many springs in twice as many steps and jumps. Empty where these do not become periodic.
 std::optional<double> error_of_springs(const PreparedCase& prepared, const ProvedWear& wear) {
   const auto finer = springs_of(prepared, wear.kinetics->curve.back().cycles, 2);
   if (!finer) return std::nullopt;
@@ -206,7 +206,8 @@ double largest_difference(const ProvedWear& wear, const Units& units) {
   return largest / wear.limits.shakedown.volume;
 }
 
-/// Refinements end after other numbers of cycles; progressive wear hardly changes its rate any more.
+/// Error bar of the last volume rate over that rate. Refinements end after other numbers of cycles, which matters
+/// little: progressive wear hardly changes its rate any more.
 ErrorBar bar_of_rate(const PreparedCase& prepared, const ProvedWear& wear, const WearComputations& computed) {
   const auto rate_of = [&computed](const Resolution& resolution) {
     const auto found = computed.all.find(resolution);
@@ -253,8 +254,8 @@ Comparison compare(const PreparedCase& prepared, const ProvedWear& wear, const E
   return comparison;
 }
 
-/// Whether an indenter that has worn before can still end in a limiting profile: nowhere is it worn off deeper, within
-/// the tolerance of the distance either way.
+/// Whether an indenter that has worn before can still end in a limiting profile: it is worn nowhere deeper than that,
+/// within the tolerance of the distance in either direction.
 bool may_still_reach(const PreparedCase& prepared, const WearLimit& limit) {
   const auto& fem = prepared.fem;
   if (!fem.worn_before) return true;

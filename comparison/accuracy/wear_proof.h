@@ -14,21 +14,23 @@ struct ProvedWear {
   Resolution resolution;
   WearLimits limits;
   std::optional<mdr::WearKinetics> kinetics = {};  ///< to the last cycle of the finite elements; see wear_kinetics_of
-  /// Of the profile from either limit, see distance_between, at each point of the course.
+  /// Distances of the profile from the limits of shakedown and of first slip at each point of the course, see
+  /// distances_of.
   std::vector<double> distance_shakedown = {}, distance_first_slip = {};
-  /// Whether friction takes more energy from a cycle of the unworn contact than the error bar of that. If not, no slip
-  /// is proved, and what wears is the error of the slip in many cycles: nothing is compared, unless the springs do not
-  /// slip at all.
+  /// slip_is_proved: whether the energy that friction takes in a cycle of the unworn contact exceeds its error bar. If
+  /// not, the wear may be that of the error of the slip in many cycles, and nothing is compared, unless the springs do
+  /// not slip at all either (sticks_throughout).
   bool slip_is_proved = true, sticks_throughout = false;
   /// Largest difference from the volume of the springs along the course, over that of the limit.
   std::optional<double> largest_springs_difference = {};
-  /// By which that of the springs is off, likewise; where it is what is compared, on the way or in full stick.
+  /// Error of the volume by springs, over that of the limit. Set where this volume is compared: while wear is on its
+  /// way, or in full stick.
   std::optional<double> springs_error = {};
-  /// Error bar of the last volume rate, over it; of progressive wear.
+  /// Error bar of the last volume rate over that rate, for progressive wear.
   std::optional<double> rate_error = {};
   /// Force that the largest pressures in a cycle bear outside the stick radius (and the tolerance of the distance) at
-  /// the end, over that of the whole contact at the start. Where wear has ended and this is not nothing, what is
-  /// pressed there sticks.
+  /// the end, over that of the whole contact at the start. Where wear has ended and this is not 0, rings that are
+  /// pressed there stick.
   double pressed_outside = 0;
   Comparison comparison = {};
   ProofCost cost = {};  ///< of all computations
@@ -41,9 +43,9 @@ struct ProvedWear {
 bool wears(const PreparedCase& prepared);
 
 /// Runs the wear of a case, with the rings graded around the stick radius that edge_of_wear finds, and measures its
-/// errors by refinement (variants_of_wear). With Proof::tolerance what is largest is refined until all bars are within
-/// the tolerance, up to twice. Progressive wear has an error bar of its rate. Where it is open whether anything
-/// slips, wear is run once.
+/// errors by refinement (variants_of_wear). With Proof::tolerance the largest share is refined until all bars are
+/// within the tolerance, at most twice. Progressive wear has an error bar of its rate. Where it is open whether
+/// anything slips, wear is computed once, without error bars.
 ProvedWear prove_wear(const PreparedCase& prepared, const MdrAnswer& mdr, const ProvedAnswer& unworn, Proof proof,
                       BodyStore& bodies, const WearOversight& oversight = {});
 

@@ -12,7 +12,7 @@ using End = double fem::Annulus::*;
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-/// What the bars of zones are measured from.
+/// The answers from which the bars of zones are measured.
 struct Measured {
   const Resolution& resolution;
   const Computations& computed;
@@ -22,7 +22,8 @@ struct Measured {
     return computed.failed(other) ? nullptr : computed.at(other).fe.as<ZoneAnswer>();
   }
 
-  /// Of a value of the answer at each resolution.
+  /// The error bar of a value that is read from the answer at each resolution. like: quantity whose orders of
+  /// convergence it has.
   template <class Value>
   [[nodiscard]] ErrorBar bar_of(Quantity like, const Value& value) const {
     const auto change = [&](const Resolution& finer, const Resolution& coarser) {

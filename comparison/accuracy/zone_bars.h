@@ -8,21 +8,21 @@
 
 namespace fretval {
 
-/// How far the ends of an annulus may be off, over the unit of length. Empty: refinements have other zones, so that
-/// nothing is known; or the inner end of a disc.
+/// Error bars of the ends of an annulus, over the unit of length. Empty: not known, as refinements have other zones; or
+/// the inner end of a disc.
 struct AnnulusBar {
   std::optional<ErrorBar> inner, outer;
 };
 
-/// The bars of a ZoneAnswer, annulus by annulus, and that of the largest pressure, relative.
+/// The bars of a ZoneAnswer, annulus by annulus, and the relative bar of its largest pressure.
 struct ZoneBudget {
   std::vector<AnnulusBar> contact, first_slip, shakedown;
   ErrorBar pressure_max;
 };
 
-/// Each source by its own refinement, like all bars (error_budget). Zones of refinements are told apart by their number
-/// and order alone, and ends of stick zones are no better known than to the ring that may stick or slip: half of it is
-/// a share of the bar, that of the edge.
+/// The bars of the zones, each source by its own refinement as in error_budget(). Zones of refinements are matched by
+/// their number and order alone. Ends of stick zones are known no better than to the ring that may stick or slip: half
+/// of that ring is the share of the edge.
 ZoneBudget zone_budget(const Resolution& resolution, const Computations& computed, const CaseNeeds& needs);
 
 }  // namespace fretval

@@ -46,13 +46,13 @@ struct Case {
     std::optional<AlignedTrace> trace = {};  ///< of a table that is aligned by itself, instead of its rows
   };
 
-  /// Whether measured moduli contradict each other, most at which frequency in Hz, and by how much.
+  /// Whether measured moduli contradict each other, by how much at most, and at which frequency in Hz.
   struct KramersKronigCheck {
     bool consistent = true;
     double worst = 0, worst_frequency = 0;
   };
 
-  /// How well a Prony body stands for measured moduli; see mdr/prony_fit.h and mdr/kramers_kronig.h.
+  /// How well a Prony body stands for measured moduli; see mdr/rheology/prony_fit.h and mdr/rheology/kramers_kronig.h.
   struct MasterCurve {
     std::string table;
     /// What was measured: shear moduli in Pa over the frequency in Hz, at the temperature of the case.
@@ -62,7 +62,7 @@ struct Case {
     bool youngs = false;                               ///< the table has Young's moduli
   };
 
-  /// From the temperature of the data to that of the case (Williams, Landel, Ferry).
+  /// Shift of the relaxation times from the temperature of the data to that of the case (Williams, Landel, Ferry).
   struct TemperatureShift {
     double temperature, reference;  ///< degC
     double c1, c2;                  ///< c2 in K
@@ -71,10 +71,10 @@ struct Case {
   /// What a test of limited duration sees of a body; see comparison/case/test_duration.h. Pa and s.
   struct TestDuration {
     double seconds;
-    double relaxed_modulus;                           ///< of the data, before
-    std::vector<double> branch_moduli, branch_times;  ///< likewise
-    double viscosity;                                 ///< likewise
-    std::size_t n_slow = 0, n_fast = 0;               ///< branches that are springs now, and that have been merged
+    double relaxed_modulus;                           ///< of the data, before the limitation
+    std::vector<double> branch_moduli, branch_times;  ///< of the data
+    double viscosity;                                 ///< of the data
+    std::size_t n_slow = 0, n_fast = 0;               ///< branches that are springs now, and branches merged
     std::vector<double> near_times = {};              ///< of branches within a factor of three of the duration
     double merging_error = 0;                         ///< largest relative change of the complex modulus by merging
   };
@@ -93,10 +93,10 @@ struct Case {
     double fractional_order = 0;        ///< fractional zener
     double poisson_ratio = 0.5;         ///< 0 to 0.5, at all times
     std::optional<MasterCurve> master_curve;
-    std::optional<TemperatureShift> shift;           ///< is in the times and frequencies above already
-    std::optional<TestDuration> test_duration = {};  ///< is in the moduli and times above already
-    std::string branches_file = {};                  ///< that the branches were read from
-    std::optional<double> shore_a = {};              ///< that the relaxed modulus follows from
+    std::optional<TemperatureShift> shift;           ///< already applied to the times and frequencies above
+    std::optional<TestDuration> test_duration = {};  ///< already applied to the moduli and times above
+    std::string branches_file = {};                  ///< file from which the branches were read
+    std::optional<double> shore_a = {};              ///< hardness from which the relaxed modulus follows
     double modulus_scatter = 0;                      ///< relative standard deviation of the moduli, where it is known
 
     [[nodiscard]] const char* rheology_name() const { return rheology_names[static_cast<std::size_t>(rheology)]; }
@@ -136,16 +136,16 @@ struct Case {
     double mean = 0, amplitude = 0;  ///< N
   };
 
-  /// What a record was reduced to a path from; m or N, as its columns.
+  /// How a record was reduced to a path. Errors and scatters in m or N, as the columns.
   struct PathReduction {
-    std::size_t n_rows;                                 ///< of the record
-    std::size_t n_cut = 0;                              ///< of them before contact
+    std::size_t n_rows;                                 ///< rows of the record
+    std::size_t n_cut = 0;                              ///< rows before contact, cut off
     double normal_error = 0, tangential_error = 0;      ///< of what was left out
-    std::size_t n_cycles = 0;                           ///< that were folded to their mean; 0: none
+    std::size_t n_cycles = 0;                           ///< cycles whose mean the path is; 0: none
     double normal_scatter = 0, tangential_scatter = 0;  ///< from cycle to cycle, standard deviation
   };
 
-  /// What is prescribed by its rows, linear between them.
+  /// A path of the indenter, prescribed by its rows and linear between them.
   struct Path {
     std::string file;
     std::vector<double> time;        ///< s, rising, as in the file
@@ -161,8 +161,8 @@ struct Case {
     [[nodiscard]] double duration() const { return time.back() - time.front(); }
   };
 
-  /// Of a path the numbers say how large it is: its mean indentation or normal force and half of what lies between its
-  /// extremes, each of one over its duration.
+  /// The motion of the indenter. Along a path the numbers tell its size: the mean indentation or normal force, half of
+  /// the ranges of its columns as amplitudes, and one over its duration as frequency.
   struct Motion {
     double indentation = 0;           ///< m, mean
     double normal_amplitude = 0;      ///< m
@@ -177,7 +177,7 @@ struct Case {
     std::optional<Path> path;                 ///< instead of all oscillations
 
     [[nodiscard]] bool moves_across() const { return !transverse.empty() || (path && !path->transverse.empty()); }
-    /// In any direction along the surface.
+    /// Whether the indenter moves in any direction along the surface.
     [[nodiscard]] bool moves_tangentially() const {
       const auto moves = [](const Harmonic& harmonic) { return harmonic.amplitude > 0; };
       return moves_across() || tangential_amplitude != 0 || tangential_force.value_or(0) > 0 ||
@@ -185,13 +185,13 @@ struct Case {
     }
   };
 
-  /// What the contact keeps of friction and of pressure beyond MDR's assumptions.
+  /// Which of MDR's assumptions on friction and pressure the contact drops.
   struct Contact {
     bool vector_friction = false;  ///< the traction has any direction; false: that of the motion, as MDR assumes
-    bool coupled = false;          ///< pressures displace along the surface and tractions across it
+    bool coupled = false;          ///< pressures also displace the surface tangentially, and tractions normally
     /// Each step is solved once more, by an algorithm of another kind.
     bool second_algorithm = false;
-    /// On rings and angles; otherwise on rings.
+    /// Whether the contact is computed on rings and angles; otherwise on rings.
     [[nodiscard]] bool is_full() const { return vector_friction; }
   };
 
@@ -214,13 +214,13 @@ struct Case {
     [[nodiscard]] bool has_worn_before() const { return !profile.empty() || !rings.empty(); }
   };
 
-  /// What a rig has measured, to be shown beside both methods. SI units.
+  /// Values that a rig has measured, shown beside both methods. SI units.
   struct Measured {
     struct Value {
       double value, uncertainty;
     };
     std::optional<Value> stick_radius = {}, contact_radius = {};
-    std::string loop = {};  ///< file of the columns below, of which those that it does not have are empty
+    std::string loop = {};  ///< file of the columns below; a column that it does not have is empty
     std::vector<double> time, indentation, tangential_displacement, normal_force, tangential_force;
   };
 
@@ -246,13 +246,13 @@ struct Case {
       0;  ///< limiting wear: stick radius over the unworn contact radius at the largest indentation
   std::optional<WearKinetics> wear_kinetics;
   double tolerance = 0;                      ///< relative, on the stick radius
-  std::optional<double> cycle_tolerance;     ///< on forces and energies of a cycle; empty: they come along
+  std::optional<double> cycle_tolerance;     ///< on forces and energies of a cycle; empty: without tolerance
   std::optional<unsigned> rings_per_radius;  ///< instead of what the tolerance asks for
   std::optional<int> steps_per_cycle;        ///< instead of what the tolerance asks for
   std::optional<Fields> fields;              ///< empty: the file does not say
   std::optional<Sweep> sweep;
   std::vector<std::string> warnings;  ///< about the input, to be told to the user
-  std::vector<std::string> notes;     ///< what was made of the input, likewise
+  std::vector<std::string> notes;     ///< how the input was processed, to be told to the user
   std::optional<Measured> measured = {};
 };
 

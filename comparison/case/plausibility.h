@@ -18,7 +18,7 @@ namespace fretval {
 std::vector<std::string> implausible_values(const Case& input, const mdr::Profile& profile);
 
 /// What to look at where a history does not become periodic: a relaxed modulus that no elastomer has, or that is a
-/// thousandth of a branch, as one of MPa that is written in Pa. Empty: it is not that.
+/// thousandth of a branch, as if one in MPa were written in Pa. Empty: the modulus is not the reason.
 std::string hint_at_modulus(const Case& input);
 
 }  // namespace fretval

@@ -15,7 +15,8 @@
 namespace fretval {
 namespace {
 
-/// Of the middle one of five rows from the cubic through its neighbours, over what noise of deviation 1 makes of it.
+/// Residual of the middle one of five rows from the cubic through its neighbours, over its standard deviation for
+/// heights of standard deviation 1.
 double scaled_residual(const double* r, const double* f) {
   constexpr std::array<std::size_t, 4> others{0, 1, 3, 4};
   double value = f[2], square = 1;
@@ -29,7 +30,7 @@ double scaled_residual(const double* r, const double* f) {
   return value / std::sqrt(square);
 }
 
-/// Standard deviation of heights around a smooth curve; 0 of few rows. Kinks are few, and a median does not see them.
+/// Standard deviation of heights around a smooth curve; 0 for few rows. Kinks are few, and a median does not see them.
 double noise_of_heights(const std::vector<double>& r, const std::vector<double>& f) {
   constexpr std::size_t least_rows = 16, width = 5;
   constexpr double deviation_over_median = 1.4826;  // of a normal distribution

@@ -7,13 +7,13 @@
 
 namespace fretval {
 
-/// Standard deviation of the heights of a table in m, if its image falls because they scatter, as a rough table does
-/// that is interpolated; rounded to one digit. Empty: the image does not fall, or does so whatever the noise. The noise
-/// is that of the residuals of parabolas through five neighbours each, by their median; whether it explains the falls,
-/// a convex fit within it tells (mdr/profiles/convex_fit.h), within half of that again if the first one is too close.
+/// Standard deviation of the heights of a table in m, to one digit, if its image falls because they scatter, as that of
+/// a rough table does which is interpolated. Empty: the image does not fall, or does so whatever the noise. The noise
+/// is estimated by the median residual of a row from the cubic through its four neighbours. It explains the falls if
+/// there is a convex fit (mdr/profiles/convex_fit.h) within this noise, or within 1.5 times of it.
 std::optional<double> noise_behind_falls(const Case::Indenter& indenter);
 
-/// "it looks like noise of 0.2 um: set Indenter / Table noise = 0.2 um, …"
+/// What a user is told of noise: "it looks like noise of 0.2 um: set Indenter / Table noise = 0.2 um, …"
 std::string noise_text(double noise);
 
 }  // namespace fretval

@@ -18,13 +18,13 @@ namespace fretval {
 /// with a line for everything that is wrong in the file, which names the entry, its value and what would be valid.
 std::vector<Case> read_case_file(const std::filesystem::path& file, Accuracy accuracy = Accuracy::needed);
 
-/// MDR's line beside the points of a sweep: its cases at values in equal parts between neighbouring ones, some n in
-/// all. Empty: no sweep, one of a single value, or over an entry that does not take values between, a whole number.
-/// Throws as the above for a file that is not right.
+/// Cases for MDR's line beside the points of a sweep, at values that divide the intervals between neighbouring points
+/// equally, about n in all. Empty: no sweep, one of a single value, or over an entry that does not take values between,
+/// a whole number. Throws as read_case_file() does.
 std::vector<Case> cases_between(const std::filesystem::path& file, std::size_t n);
 
 /// A single case from the text of a .prm file without includes or a sweep. name: what the file would be called; tables
-/// are relative to it. Throws InputError likewise.
+/// are relative to it. Throws InputError with a line for everything that is wrong.
 Case read_case_text(const std::string& text, const std::filesystem::path& name);
 
 }  // namespace fretval

@@ -8,7 +8,7 @@
 namespace fretval {
 
 /// The sections of a case file that describe the case. Measured tables are read, and moduli fitted, here: what follows
-/// sees numbers. notes: what was skipped in tables, and made of them.
+/// sees numbers. notes: what was skipped in tables, and how they were processed.
 Case::Indenter read_indenter(const EntryReader& entries, std::vector<std::string>& notes);
 /// tangential: whether the indenter moves tangentially, against which a frictionless base holds nothing.
 Case::Body read_body(const EntryReader& entries, bool tangential);

@@ -8,19 +8,19 @@
 
 namespace fretval {
 
-/// Null: there is no such section or entry.
+/// The section or entry of a name; null: there is none.
 const SectionTraits* find_section(const std::string& name);
 const EntryTraits* find_entry(const std::string& section, const std::string& name);
-/// Of "SECTION / ENTRY", as sweeps name it.
+/// The entry that a sweep names as "SECTION / ENTRY"; null: there is none.
 const EntryTraits* find_entry(const std::string& place);
 bool is_entry(const std::string& section, const std::string& name);
-/// The names of all entries of a section but some.
+/// The names of all entries of a section but those in `others`.
 std::vector<std::string> names_but(const std::string& section, const std::vector<std::string>& others);
 
 /// "Indenter: Shape, Radius, ...; Elastomer: ...", for error messages.
 std::string valid_entries();
 
-/// What is wrong with a section or an entry that there is not, and what may have been meant, which the problems note.
+/// Message about a section or an entry that does not exist, with what may have been meant, which the problems note.
 std::string no_such_section(const std::string& section, Problems& problems);
 std::string no_such_entry(const std::string& section, const std::string& name, Problems& problems);
 

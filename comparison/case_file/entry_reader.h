@@ -31,14 +31,14 @@ class EntryReader {
   }
   /// Whether the entry is set, and to this word.
   [[nodiscard]] bool says(const std::string& section, const std::string& name, const std::string& expected) const;
-  /// NaN if it is not valid.
+  /// A number in SI units (degrees, Hz); NaN if it is not valid.
   [[nodiscard]] double number(const std::string& section, const std::string& name) const;
   /// A whole number; 0 if it is not valid.
   [[nodiscard]] unsigned whole(const std::string& section, const std::string& name) const;
   /// A list; empty if one of them is not valid. Either all have a unit, or none, or the last one alone, whose unit
   /// holds for all then.
   [[nodiscard]] std::vector<double> numbers(const std::string& section, const std::string& name) const;
-  /// A list for an entry, in its units, which is the text of another entry.
+  /// A list of numbers that another entry holds as text, in the units of this entry.
   [[nodiscard]] std::vector<double> numbers_for(const std::string& section, const std::string& name,
                                                 const std::string& text, char separator) const;
   /// Which units numbers of an entry may have, for messages.
@@ -56,7 +56,7 @@ class EntryReader {
         part.*(*field) = number(section, entry.name);
     }
   }
-  /// An entry that contradicts another one.
+  /// Notes a problem if an entry is set that contradicts another one.
   void forbid(const std::string& section, const std::string& name, const std::string& reason) const;
   void forbid_all(const std::string& section, const std::vector<std::string>& names, const std::string& reason) const {
     for (const auto& name : names) forbid(section, name, reason);

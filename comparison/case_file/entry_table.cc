@@ -46,7 +46,7 @@ const ValidNumber ring_count{[](double x) { return is_whole(x, 16, 640); }, "a w
 const ValidNumber step_count{[](double x) { return is_whole(x, 16, 10000); }, "a whole number from 16 to 10000",
                              "a whole number, 16 to 10000"};
 
-/// As it is called in a file, and in the axis of a plot.
+/// Name of an entry: its words in a file, and its symbol at the axis of a plot.
 struct Name {
   const char *words, *symbol;
 

@@ -44,13 +44,13 @@ using Field = std::variant<std::monostate, double Case::Indenter::*, double Case
 /// has and docs/case_file.md (`fretval explain --entries`) follow it (comparison/case_file/entry_lookup.h).
 struct EntryTraits {
   const char *name, *symbol;          ///< symbol: of the axis of a sweep, "u_{x0}"; empty: its name has to do
-  std::vector<Dimension> dimensions;  ///< of its number or, in turn, of the numbers of its list; empty: a word
+  std::vector<Dimension> dimensions;  ///< of its number, or in turn of the numbers of its list; empty: a word
   EntryValues values;                 ///< what it may be
-  const char* without;                ///< what holds where it is not set
+  const char* without;                ///< what holds where the entry is not set
   const char* about;
   std::vector<std::string> owners = {};  ///< words of the section's first entry that it belongs to; empty: all
-  /// Empty: the number is read and listed by code of its own. Otherwise a case that has the value of a new Case is one
-  /// that has no such entry.
+  /// The member that keeps the number of the entry; an entry whose member has the value of a new Case counts as not
+  /// set. Empty: the number is read and listed by code of its own.
   Field field = {};
 
   [[nodiscard]] bool belongs_to(const std::string& owner) const {

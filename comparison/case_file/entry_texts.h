@@ -12,11 +12,11 @@ class EntryTexts {
   void set(const std::string& section, const std::string& name, std::string text) {
     texts_[{section, name}] = std::move(text);
   }
-  /// The entries of another file stand in the place of the ones that are there.
+  /// Sets all entries of another file, which replace those that are set already.
   void override_by(const EntryTexts& other) {
     for (const auto& [key, text] : other.texts_) texts_[key] = text;
   }
-  /// Empty where it is not set.
+  /// The text of an entry; empty if it is not set.
   [[nodiscard]] std::string text(const std::string& section, const std::string& name) const {
     const auto found = texts_.find({section, name});
     return found == texts_.end() ? "" : found->second;

@@ -8,9 +8,9 @@
 
 namespace fretval {
 
-/// Sections of entries: {"Indenter": {"Shape": "cone", "Slope angle": 5}}; a list may be an array. Sections and entries
-/// that there are not, and values of the wrong kind, become problems; throws InputError for what is no such JSON and
-/// for a key that comes twice.
+/// Reads sections of entries from JSON: {"Indenter": {"Shape": "cone", "Slope angle": 5}}; a list may be an array.
+/// Unknown sections and entries and values of the wrong kind become problems. Throws InputError for text that is not
+/// such JSON and for a key that comes twice.
 void parse_json_entries(const std::string& text, const std::filesystem::path& file, EntryTexts& entries,
                         Problems& problems);
 

@@ -5,12 +5,12 @@
 
 namespace fretval {
 
-/// The entries of a body that a file has the mesh of: Mesh, Mesh unit and Relative moduli. The file is read and audited
-/// here, so that all that is wrong with it is bad input. Sets the mesh and the thickness, which is how far down
-/// the axis reaches.
+/// Reads the entries of a body with a given mesh: Mesh, Mesh unit and Relative moduli. The file is read and audited
+/// here, so that all that is wrong with it is bad input. Sets the mesh and the thickness, which is how far down the
+/// axis reaches.
 void read_mesh_entries(const EntryReader& entries, Case::Body& body);
 
-/// Whether what the body stands on is a plane, as one without friction has to be.
+/// Whether the base of the body is a plane, as a base without friction has to be.
 bool has_level_base(const meshes::Mesh& mesh);
 
 /// The relative moduli of the materials of a mesh, in their order.

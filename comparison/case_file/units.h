@@ -21,18 +21,18 @@ enum class Dimension {
   varying       ///< depends on another entry: SI, without a unit
 };
 
-/// A number as it stands in a case file, "5 mm": its value in the unit of the dimension (see above), which it is in
-/// without a unit. Empty: no finite number, or a unit that does not measure this.
+/// A number as it stands in a case file, "5 mm": its value in the base unit of the dimension (see above), which also
+/// holds where no unit is written. Empty: no finite number, or a unit that does not measure this.
 struct Measure {
   double value;
   bool has_unit;
 };
 std::optional<Measure> read_measure(const std::string& text, Dimension dimension);
 
-/// The unit of a number without one: "m", "1/Pa", …; empty for numbers, "SI" where it varies.
+/// The unit of a number that is written without one: "m", "1/Pa", …; empty for numbers, "SI" where it varies.
 std::string base_unit(Dimension dimension);
 
-/// "cm, mm, um, µm, nm"
+/// The other units of a dimension, "cm, mm, um, µm, nm".
 std::string other_units(Dimension dimension);
 
 /// "in m, cm, mm, um, µm, nm; m without a unit", for messages; "a pure number, without a unit".

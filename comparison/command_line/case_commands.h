@@ -8,7 +8,7 @@
 namespace fretval {
 
 /// `fretval new`: writes a commented case file, and the tables that it names; nothing that is there already is
-/// overwritten. Returns the exit code, as do the others. Throws InputError.
+/// overwritten. Returns the exit code, as do the functions below. Throws InputError.
 int write_new_case(const std::filesystem::path& file, const NewCase& choice);
 
 /// `fretval explain`: says what a case is and what finite elements would compute; of a sweep, of its first case.

@@ -8,10 +8,10 @@ class App;
 
 namespace fretval {
 
-/// The manual page fretval(1), of what the command line says of itself.
+/// The manual page fretval(1), made from the help texts of the command line.
 std::string man_page(const CLI::App& app);
 
-/// Completion of verbs, options and files for bash, likewise.
+/// Script of bash that completes verbs, options and files of the command line.
 std::string bash_completion(const CLI::App& app);
 
 }  // namespace fretval

@@ -23,7 +23,8 @@ using nlohmann::ordered_json;
 void print_answer(const ordered_json& json) {
   const auto& mdr = json["mdr"];
   const auto springs = json.value("springs", ordered_json::object());
-  // Of another contact than the one that finite elements are asked about, and so under other names.
+  // Under prescribed forces MDR's closed forms hold for the worn contact, another one than that of the finite elements:
+  // the columns are named accordingly.
   const bool worn = json.contains("limiting_state");
   fmt::print("{}{}\n", json["name"].get<std::string>(),
              worn ? ": under prescribed forces, of the contact that has worn to its end" : "");

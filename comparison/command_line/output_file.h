@@ -4,8 +4,8 @@
 
 namespace fretval {
 
-/// Makes room for the file that an option names, before minutes of computing and not after: the folder that it lies in
-/// is made. Empty: none is asked for. Throws InputError if it is a folder itself.
+/// Makes the folder of the file that an option names, before minutes of computing and not after. file: empty if none is
+/// asked for. Throws InputError if the file is a folder.
 void prepare_output_file(const char* option, const std::string& file);
 
 }  // namespace fretval

@@ -22,9 +22,9 @@ struct RunOptions {
   std::size_t distribute_from = 1000000;  ///< bodies of so many dofs or more are made by all ranks together, if several
 };
 
-/// `fretval run`: MDR and finite elements, compared; writes the results and the report. `fretval check --cases`: the
-/// same without an output. Ranks that mpirun has started share the cases, and the first one says and writes what comes
-/// of them. Returns the exit code.
+/// `fretval run`: MDR and finite elements, compared; writes the results and the report. `fretval check --cases` does
+/// this without an output. Ranks that mpirun has started share the cases, and the first one tells and writes the
+/// results. Returns the exit code.
 int run_cases(const RunOptions& options);
 
 }  // namespace fretval

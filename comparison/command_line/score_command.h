@@ -10,8 +10,8 @@ struct ScoreOptions {
   bool json = false;
 };
 
-/// Holds the numbers of another code, one row of a CSV file, to a benchmark; prints them beside both methods. Returns
-/// the exit code: that of disagreement where one is farther off than the tolerance. Throws InputError.
+/// Compares the numbers of another code, one row of a CSV file, with a benchmark; prints them beside both methods.
+/// Returns the exit code: that of disagreement where one is farther off than the tolerance. Throws InputError.
 int run_score(const std::string& file, const ScoreOptions& options);
 
 }  // namespace fretval

@@ -12,7 +12,7 @@ class App;
 
 namespace fretval {
 
-/// Which store of operators.
+/// The store of operators that a command line asks for.
 struct StoreOptions {
   std::string folder;  ///< empty: none
   std::uint64_t limit = OperatorStore::usual_limit;
@@ -23,7 +23,7 @@ struct StoreOptions {
 /// $FRETVAL_STORE_LIMIT) to a verb; parsing fills them. The options have to outlive that.
 void add_store_options(CLI::App& verb, StoreOptions& options);
 
-/// Null: there is to be none, or there is no place for it.
+/// The store of operators; null: none is asked for, or there is no folder for it.
 std::shared_ptr<OperatorStore> store_of(const StoreOptions& options);
 
 /// `fretval store`: prints what is in a store (list), reads it and prints what is damaged (verify: exit_disagree if

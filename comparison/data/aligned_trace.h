@@ -10,8 +10,8 @@ namespace fretval {
 /// of the heights in m; 0: that of the residuals. Throws InputError with the file's name.
 Case::AlignedTrace read_aligned_trace(const std::string& file, double table_noise);
 
-/// A trace aligned otherwise than it is: the apex so many standard deviations off, with the tilt that belongs to it.
-/// Either -1 or 1.
+/// The trace aligned with its apex one standard deviation off, and the tilt that belongs to that apex. deviations: -1
+/// or 1, the direction.
 Case::AlignedTrace neighbour_of(const Case::AlignedTrace& trace, int deviations);
 
 }  // namespace fretval

@@ -19,7 +19,7 @@ namespace {
 
 using mdr::TextLine;
 
-/// Over the shear modulus.
+/// Modulus of a table over the shear modulus: 2 (1 + nu) for Young's moduli, otherwise 1.
 double size_of(bool youngs, double poisson_ratio) {
   return youngs ? 2 * (1 + poisson_ratio) : 1;
 }

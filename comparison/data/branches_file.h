@@ -10,10 +10,10 @@ namespace fretval {
 
 /// A Prony series as other programs write it; shear moduli in Pa, times in s.
 struct PronySeries {
-  std::vector<double> moduli, ratios;  ///< of the branches; one of both is empty. Ratios: over the instantaneous one
+  std::vector<double> moduli, ratios;  ///< of branches; one is empty. Ratios: over the instantaneous modulus
   std::vector<double> times;
-  std::optional<double> instantaneous, relaxed;  ///< moduli that the file says
-  std::string notes;                             ///< what the file was taken for; empty: nothing to say
+  std::optional<double> instantaneous, relaxed;  ///< moduli that the file names
+  std::string notes;                             ///< how the file was understood; empty: nothing to tell
 };
 
 /// Reads a table with a column of relaxation times (tau) and one of moduli (E_i, G_i, with a unit) or of ratios to the

@@ -16,15 +16,15 @@ namespace fretval {
 void fit_master_curve(const std::string& file, bool youngs, Case::Elastomer& elastomer,
                       std::vector<std::string>& warnings);
 
-/// What the relaxed modulus may be, Pa.
+/// Range in which the relaxed modulus may lie, Pa.
 struct RelaxedModulusRange {
   double least, most;
 };
 
-/// Where tan delta is above 0.1 at the lowest frequency f, and G'(0) lies below what was measured. G' has no more to
-/// fall than G'(f), if the body is at rest there but for much faster branches; and it falls by (2/pi) int G'' dln f
-/// below f (Kramers and Kronig, as for a broad spectrum), where G'' goes on with the slope that it has over the lowest
-/// decade. The fitted modulus is in the range. Empty: the table reaches the plateau.
+/// The range of the relaxed modulus where tan delta is above 0.1 at the lowest frequency f, so that G'(0) lies below
+/// what was measured. G' has no more to fall than G'(f), if the body is at rest there but for much faster branches; and
+/// it falls by (2/pi) int G'' dln f below f (Kramers and Kronig, as for a broad spectrum), where G'' goes on with the
+/// slope that it has over the lowest decade. The fitted modulus is in the range. Empty: the table reaches the plateau.
 std::optional<RelaxedModulusRange> extrapolated_range(const Case::MasterCurve& data, double fitted);
 
 }  // namespace fretval

@@ -7,8 +7,8 @@
 
 namespace fretval {
 
-/// How a motion goes on, which decides what there is to be asked about it: in cycles, or once; once also from the
-/// instant on in which the indenter comes to touch.
+/// Course of a motion, which decides what can be asked about it: cycles that repeat, a single pass, or a single pass
+/// from the instant on at which the indenter comes to touch.
 enum class MotionKind { cycles, pass, pass_from_touch };
 
 inline bool is_pass(MotionKind kind) {
@@ -24,10 +24,10 @@ constexpr const char* no_shakedown_in_a_pass =
 /// Why there is no stick radius of first slip in a pass whose indenter only comes to touch at rest.
 constexpr const char* nothing_at_rest = "the pass begins as the indenter comes to touch: nothing is in contact at rest";
 
-/// The zone that sticks for good: of a pass that has never slipped, otherwise that of shakedown.
+/// The stick radius of the zone that sticks for good: that of first slip for a pass, otherwise that of shakedown.
 Quantity lasting_stick_radius(MotionKind kind);
 
-/// Takes the stick radii away from an answer of either method that its kind does not have, and keeps the kind.
+/// Removes from an answer of either method the stick radii that its kind of motion does not have, and stores the kind.
 template <class Answer>
 void keep_to(MotionKind kind, Answer& answer) {
   answer.motion_kind = kind;
@@ -35,14 +35,14 @@ void keep_to(MotionKind kind, Answer& answer) {
   if (kind == MotionKind::pass_from_touch) answer.stick_radius_first_slip.reset();
 }
 
-/// Leaves out of the readings what a pass does not have: stick and worn radii say why, and nobody tells what the
-/// body has kept, nor how slip dies out.
+/// Leaves out of the readings what a pass does not have: stick and worn radii say why, and the losses inside the body
+/// and the decay of slip are left out.
 void keep_to(MotionKind kind, Readings& readings);
 
-/// The keys of the "path" of a scene in result.json that tell the kind.
+/// Adds the keys that tell the kind to the "path" of a scene in result.json.
 void add_motion_kind(MotionKind kind, nlohmann::ordered_json& path);
 
-/// That of a "scene".
+/// The kind of motion of a "scene" in result.json.
 MotionKind stored_motion_kind(const nlohmann::ordered_json& scene);
 
 }  // namespace fretval

@@ -79,7 +79,7 @@ double mean_over_time(const std::vector<double>& time, const std::vector<double>
   return sum / (time.back() - time.front());
 }
 
-/// Makes the last row the first to all digits.
+/// Makes the last row equal to the first to all digits.
 void close(const std::string& file, Case::Path& path) {
   path.normal.back() = path.normal.front();
   path.tangential.back() = path.tangential.front();
@@ -138,7 +138,7 @@ void require_contact_at_rest(const std::string& file, const Case::Path& path) {
                   file, rest));
 }
 
-/// lines: of the rows, in the file.
+/// lines: line of each row in the file.
 void require_pressing(const std::string& file, const std::vector<int>& lines, const Case::Path& path) {
   for (std::size_t i = 0; path.normal_force && i < path.normal.size(); ++i)
     if (!(path.normal[i] > 0))
@@ -148,7 +148,7 @@ void require_pressing(const std::string& file, const std::vector<int>& lines, co
           path.normal[i]));
 }
 
-/// To all digits.
+/// Sets the first tangential force of a single pass to exactly 0.
 void begin_without_tangential_force(const std::string& file, Case::Path& path) {
   if (!path.tangential_force || path.repeats) return;
   const double largest = std::max(largest_of(path.tangential), largest_of(path.transverse));

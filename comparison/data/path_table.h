@@ -10,17 +10,17 @@ namespace fretval {
 
 /// Reads a path: a table with columns t, d or F_N, u_x or F_x, or u_y or F_y beside them, and a unit of each, wherever
 /// they stand in it (see mdr/support/csv_columns.h). Two rows at least, three of a path that repeats, at instants that
-/// rise. A record of a rig becomes a path as path_of_record says. Then a single pass begins in contact, d > 0, and
-/// without tangential force, to 1e-6 of its largest |F_x|; a path that repeats has a positive mean d over time. F_N is
-/// positive in every row. notes: what was skipped and what was done. Throws InputError with file, line and value.
+/// rise. A record of a rig becomes a path as path_of_record says. After that, a single pass begins in contact, d > 0,
+/// and without tangential force, to 1e-6 of its largest |F_x|; a path that repeats has a positive mean d over time. F_N
+/// is positive in every row. notes: what was skipped and what was done. Throws InputError with file, line and value.
 Case::Path read_path_table(const std::string& file, bool repeats, const PathTolerance& tolerance,
                            std::vector<std::string>& notes);
 
-/// The motion along a path: with its size in the place of the entries that it replaces, see Case::Motion.
+/// The motion along a path, whose size takes the place of the entries that it replaces, see Case::Motion.
 Case::Motion motion_along(Case::Path path);
 
-/// Where the body rests before the motion, or under which forces, m or N: those of the first row of a single pass,
-/// means over time of a path that repeats. A tangential force is none, and rises from there.
+/// Displacements in m at which the body rests before the motion, or forces in N under which it does: those of the first
+/// row of a single pass, or the means over time of a path that repeats. A tangential force is 0 at rest.
 struct PathRest {
   double normal, tangential, transverse = 0;
 };

@@ -53,7 +53,7 @@ std::size_t n_before_contact(const Case::Path& path) {
   return row;
 }
 
-/// On the line through two rows, in the place of the earlier one, where the indenter comes to touch.
+/// Replaces a row above the surface by the point at which the indenter touches, on the line to the next row.
 void touch_on_line(std::size_t row, Case::Path& path) {
   const double above = path.normal[row], share = above / (above - path.normal[row + 1]);
   path.time[row] += share * (path.time[row + 1] - path.time[row]);
@@ -70,14 +70,14 @@ bool closes(const Values& values) {
   return std::abs(values.front() - values.back()) <= closing_roundoff * largest_size(values);
 }
 
-/// Over the time of the path, so that the last row is the first again.
+/// Closes a path: takes off a ramp over its time, so that the last row equals the first.
 void close_by_ramp(const Values& time, Values& values) {
   const double jump = values.back() - values.front(), begin = time.front(), duration = time.back() - begin;
   for (std::size_t i = 0; i < values.size(); ++i) values[i] -= jump * (time[i] - begin) / duration;
   values.back() = values.front();
 }
 
-/// What there is to do to a record that repeats and does not close.
+/// Closes a record that repeats but whose last row is not the first: by a ramp, or by its mean cycle.
 void fold(Case::Path& path, Case::PathReduction& reduction, std::vector<std::string>& notes) {
   if (const auto mean = mdr::mean_cycle({path.time, path.normal, path.tangential})) {
     notes.push_back(fmt::format(
@@ -172,7 +172,7 @@ void touch_in_first_row(Case::Path& path) {
   path.normal.front() = 0;
 }
 
-/// To all digits, of a record whose noise alone keeps its first tangential force from zero.
+/// Sets the first tangential force of a record to exactly 0 if it differs from it by noise alone.
 void begin_at_zero(Case::Path& path) {
   if (!path.tangential_force || path.repeats) return;
   if (std::abs(path.tangential.front()) <= deviations * noise_of(path.tangential)) path.tangential.front() = 0;

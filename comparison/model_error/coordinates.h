@@ -7,7 +7,7 @@
 
 namespace fretval {
 
-/// Where a case lies on the maps of MDR's error, all by MDR over its own body with friction of one direction.
+/// Place of a case on the maps of MDR's error, by MDR over the body of the case with friction of one direction.
 struct Coordinates {
   double contact_radius = 0;                    ///< m, largest
   double normal_force = 0;                      ///< N, largest
@@ -17,13 +17,13 @@ struct Coordinates {
   double radius_over_thickness = 0;  ///< of a layer; 0: a half-space
 };
 
-/// A phase in degrees as the maps have it, from 0 to 180.
+/// The phase in degrees from 0 to 180 that is equivalent to a phase on the maps.
 double phase_on_maps(double phase);
 
-/// answer: MDR's to the case.
+/// The coordinates of a case. answer: MDR's answer to it.
 Coordinates coordinates_of(const Case& input, const MdrAnswer& answer);
 
-/// The coordinates of a case that MDR is asked about here: what its contact keeps of friction plays no part.
+/// The coordinates of a case by an answer of MDR that is computed here, whatever friction the case asks for.
 Coordinates coordinates_of(const Case& input);
 
 }  // namespace fretval

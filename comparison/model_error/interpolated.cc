@@ -9,7 +9,7 @@ namespace {
 constexpr std::size_t most_nodes = 4;
 constexpr double of_second_order = 3;  // 2² - 1: twice the distance, as in Richardson's extrapolation
 
-/// Lagrange's polynomial through the nodes about a place, and the bars by the size of their weights.
+/// Lagrange's polynomial through the nodes about a place, with the bars of the nodes times the size of their weights.
 Interpolated through_nodes(const std::vector<Node>& nodes, double at) {
   const std::size_t n = std::min(most_nodes, nodes.size());
   const auto above =
@@ -27,7 +27,7 @@ Interpolated through_nodes(const std::vector<Node>& nodes, double at) {
   return sum;
 }
 
-/// With the last one, so that they have the same ends.
+/// Every other node, and the last one, so that the ends are the same.
 std::vector<Node> every_other(const std::vector<Node>& nodes) {
   std::vector<Node> some;
   for (std::size_t i = 0; i < nodes.size(); i += 2) some.push_back(nodes[i]);

@@ -5,14 +5,14 @@
 
 namespace fretval {
 
-/// A value at a place, and what it may be off by.
+/// A value at a place, and its error bar.
 struct Node {
   double at, value, bar;
 };
 
-/// Interpolated, with its uncertainty: the bars of the nodes, and what interpolation is off by: a third of the
-/// difference from what every other node gives, which an error of second order in their distance has; cubics are of
-/// fourth.
+/// An interpolated value, and its uncertainty: the bars of the nodes and the error of the interpolation. For the latter
+/// a third of the difference from the interpolation of every other node is taken, as for an error of second order in
+/// the distance of the nodes; cubics are of fourth order.
 struct Interpolated {
   double value, uncertainty;
 };

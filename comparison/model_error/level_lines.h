@@ -6,7 +6,7 @@
 
 namespace fretval {
 
-/// The stick ratios that the maps reach from and to.
+/// Range of the stick ratios on the maps.
 constexpr double least_mapped_ratio = 0.2, most_mapped_ratio = 0.95;
 
 /// Pieces of a line, a gap (NaN) after each.
@@ -16,8 +16,8 @@ struct LevelLine {
 
 /// What is drawn of a map: x over the stick ratio, y over the other coordinate.
 struct MapLines {
-  /// Where MDR over an incompressible half-space is off by each of the levels, to either side. Straight in the
-  /// triangles of a regular grid.
+  /// Lines on which MDR over an incompressible half-space is off by each of the levels, in either direction. They are
+  /// straight in the triangles of a regular grid.
   std::vector<LevelLine> levels;
   /// Oblique lines over the part whose nearest computed point has a bar of more than a tenth of what it shows.
   LevelLine hatching;

@@ -11,9 +11,9 @@
 
 namespace fretval {
 
-/// What the maps of MDR's error are over, beside the stick ratio: the phase with friction as a vector; Poisson's ratio
-/// of a half-space, and how thick an incompressible layer is, with pressure and friction coupled; and the latter under
-/// a normal force.
+/// Coordinate of a map of MDR's error, beside the stick ratio: the phase with friction as a vector; Poisson's ratio of
+/// a half-space, and the thickness of an incompressible layer, both with pressure and friction coupled; and the
+/// thickness of such a layer under a normal force.
 enum class MapKind { phase, poisson_ratio, layer, layer_by_force };
 inline constexpr std::array all_maps{MapKind::phase, MapKind::poisson_ratio, MapKind::layer, MapKind::layer_by_force};
 const char* name_of(MapKind kind);
@@ -23,12 +23,12 @@ inline constexpr std::array mapped_quantities{Quantity::stick_radius_first_slip,
                                               Quantity::contact_radius_max,      Quantity::normal_force_max,
                                               Quantity::tangential_force_max,    Quantity::friction_work};
 
-/// By how much something is larger than MDR has it over the same body, over MDR's value.
+/// Relative change of a quantity from its value by MDR over the same body.
 struct ModelChange {
   double value, bar;
 };
 
-/// A point that was computed.
+/// A point of a map that was computed.
 struct MapPoint {
   std::string map;  ///< name of its MapKind, or "elsewhere": a scene that no map contains, by which they are judged
   Coordinates at;
@@ -37,18 +37,20 @@ struct MapPoint {
   bool coupled = false;
   bool memory = false;  ///< of the body
   std::map<Quantity, ModelChange> changes;
-  /// Where MDR over an incompressible half-space has it, and its value over that of MDR over the body, by quantity.
+  /// The place of the scene by MDR over an incompressible half-space, and values by that over those of MDR over the
+  /// body, by quantity.
   Coordinates own = {};
   std::map<Quantity, double> own_over_body = {};
 
-  /// By how much MDR over an incompressible half-space is off, its value over the truth, less 1; empty: not there.
+  /// Relative error of MDR over an incompressible half-space, its value over the truth, less 1; empty: not known.
   [[nodiscard]] std::optional<ModelChange> own_off_by(Quantity quantity) const;
 };
 
 /// The committed points (model_error/map.csv), which docs/trust.md describes.
 const std::vector<MapPoint>& map_points();
 
-/// CSV, a line a point: where it is by MDR over its own body, and of each quantity the change and its bar.
+/// The points as CSV, a line for each: its place by MDR over its own body, and the change of each quantity with its
+/// bar.
 std::string csv_of(const std::vector<MapPoint>& points);
 
 /// Throws InputError for text that is not of that form.

@@ -11,7 +11,8 @@ constexpr double no_volume_change = 0.5, half_turn = 180;
 
 using Rows = std::map<double, std::vector<Node>>;
 
-/// By the other coordinate, nodes over the stick ratio. seen: a coordinate and a node of a point; empty: none.
+/// Nodes over the stick ratio, by the other coordinate of a map. seen: the coordinate and the node of a point; empty:
+/// none.
 template <class Seen>
 Rows rows_of(const std::vector<MapPoint>& points, MapKind kind, Seen seen) {
   Rows rows;

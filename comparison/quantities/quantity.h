@@ -7,18 +7,18 @@
 
 namespace fretval {
 
-/// What finite elements and MDR are compared in. Four are of a limiting profile: slip inside c, force outside c, the
-/// indentation at which its flank touches, and the tangential amplitude at which slip begins inside c. Where a normal
-/// force is prescribed the largest indentation stands for the largest force, and a tangential force comes with the
-/// amplitude of the displacement. Three are of an indenter that has worn: the volume over that of the limiting profile,
-/// the outer radius of the wear, and the largest distance of the worn profile from the limiting one (see
-/// distance_to_limit). The pressure on the axis, under a tip that is not sharp, has its largest value in a period. Six
-/// are of a cycle of a locked motion: the largest tangential force, its mean, which slip has locked in, the energy lost
-/// to friction and, with memory, inside the body, altogether, and in the tangential loop. The decay of slip is the
-/// factor per cycle by which it dies out where nothing slips in the end, and the cycles to shakedown are those until it
-/// has (see cycles_until), while amplitudes rise as they do for finite elements. Where friction is a vector, zones have
-/// half an extent along x and one across, beside the radius of the disc of their area, and there is a largest force
-/// along y.
+/// The quantities in which finite elements and MDR are compared. Four belong to a limiting profile: slip inside c,
+/// force outside c, the indentation at which its flank touches, and the tangential amplitude at which slip begins
+/// inside c. Where a normal force is prescribed the largest indentation stands for the largest force, and a tangential
+/// force comes with the amplitude of the displacement. Three belong to an indenter that has worn: the volume over that
+/// of the limiting profile, the outer radius of the wear, and the largest distance of the worn profile from the
+/// limiting one (see distance_to_limit). The pressure on the axis, under a tip that is not sharp, has its largest value
+/// in a period. Six belong to a cycle of a locked motion: the largest tangential force, its mean, which slip has locked
+/// in, the energy lost to friction and, with memory, inside the body, altogether, and in the tangential loop. The decay
+/// of slip is the factor per cycle by which it dies out where nothing slips in the end, and the cycles to shakedown are
+/// those until it has (see cycles_until), while amplitudes rise as they do for finite elements. Where friction is a
+/// vector, zones have half an extent along x and one across, beside the radius of the disc of their area, and there is
+/// a largest force along y.
 enum class Quantity {
   axis_pressure_max,
   bulk_work,
@@ -94,8 +94,8 @@ struct ExpectedOrder {
   double highest = 2 * order;
 };
 
-/// Which cases finite elements are refined in for a quantity. In the others it comes along with its bar and is held to
-/// that where it is wider than its tolerance.
+/// The cases in which finite elements are refined for a quantity. In other cases it is told with its bar, and compared
+/// within that where it is wider than its tolerance.
 enum class RefinedFor {
   any_case,
   cycles,  ///< those with a tolerance on forces and energies of a cycle
@@ -109,18 +109,18 @@ struct QuantityScale {
   const char* words;  ///< for people
 };
 
-/// What is to be known of a quantity, whatever the case.
+/// Properties of a quantity that do not depend on the case.
 struct QuantityTraits {
   const char* name;   ///< in result.json
   const char* title;  ///< for people
-  const char* label;  ///< the same in two words, for the axis of a plot
+  const char* label;  ///< title in two words, for the axis of a plot
   QuantityScale scale;
   const char* unit;   ///< of its value in SI; empty: a ratio
   double strictness;  ///< its tolerance is that of the case over this
   ExpectedOrder rings;
   RefinedFor refined_for = RefinedFor::any_case;
   bool of_friction = false;  ///< friction has a part in it: how rings are held in a step matters
-  /// It tells how a motion settles, of which neither method knows as much as of what it settles to.
+  /// It tells how a motion settles, which both methods know less well than the state that it settles to.
   bool of_settling = false;
   /// In a body with memory the pressure next to the edge depends on when its ring touched, and coarser rings do not
   /// show all of that. Empty: as without memory.
@@ -128,32 +128,33 @@ struct QuantityTraits {
 };
 const QuantityTraits& traits_of(Quantity quantity);
 
-/// A radius or an extent of a zone that sticks.
+/// Whether a quantity is a radius or an extent of a zone that sticks.
 bool is_of_stick_zone(Quantity quantity);
 
-/// What differences and error bars of a quantity may be over besides its value.
+/// Scales of differences and error bars, for quantities that are not compared relatively to their value.
 struct Scales {
-  double contact_radius;               ///< m, unworn; 0: none that is known, and radii are compared relatively
+  double contact_radius;               ///< m, unworn; 0: not known, and radii are compared relatively
   double sliding_force, sliding_work;  ///< N, J; see fem::CycleResponse
 };
 
 /// Whether differences are over the value itself.
 bool is_relative(Quantity quantity, const Scales& scales);
 
-/// What differences and error bars of a quantity are over, in its own unit.
+/// Scale of the differences and error bars of a quantity, in its own unit.
 double scale_of(Quantity quantity, const Scales& scales, double value);
 
-/// The value as people see it: 0 where it is roundoff of that.
+/// The value as it is shown: 0 where it is roundoff of the scale.
 double without_roundoff(Quantity quantity, const Scales& scales, double value);
 
 inline const char* name_of(Quantity quantity) {
   return traits_of(quantity).name;
 }
 
-/// What heads its column in a CSV file: "stick radius (shakedown) [m]"; who: "", or whose value it is, " by MDR".
+/// Head of the column of a quantity in a CSV file, "stick radius (shakedown) [m]". who: whose value it is, " by MDR",
+/// or "".
 std::string column_of(Quantity quantity, const std::string& who = "");
 
-/// By its name in result.json; empty: there is none of that name.
+/// The quantity of a name in result.json; empty: there is none.
 std::optional<Quantity> quantity_of(const std::string& name);
 
 }  // namespace fretval

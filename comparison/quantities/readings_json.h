@@ -7,10 +7,10 @@
 namespace fretval {
 
 /// Adds the value of each reading under the name of its quantity, null for none, in the order in which people ask for
-/// them; `uncertainty` and `absent`, by quantity, say what they may be off by and why there is none.
+/// them; `uncertainty` and `absent` hold, by quantity, the uncertainties and why there is no value.
 void add_readings(const Readings& readings, nlohmann::ordered_json& json);
 
-/// From the "fe" or "mdr" of a result.json, or of `fretval mdr --json`. Empty: it does not say.
+/// The reading of a quantity in the "fe" or "mdr" of a result.json, or of `fretval mdr --json`. Empty: it is not there.
 std::optional<Reading> stored_reading(const nlohmann::ordered_json& method, Quantity quantity);
 
 }  // namespace fretval

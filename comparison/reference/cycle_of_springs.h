@@ -10,14 +10,15 @@
 
 namespace fretval {
 
-/// Springs with a dashpot are slow to step, and to settle. Others are given up where their ramp, of which a second one
-/// is twice as long, would take more than all periods that they have.
+/// Whether springs would take too many periods to settle, so that they are not stepped: more than 100 with a dashpot,
+/// whose steps are slow, and otherwise so many that a ramp twice as long would take all periods that a history may
+/// have.
 bool settles_for_long(const mdr::PronyBody& body, double period);
 
-/// The cycle that springs are asked about; empty: none, see MdrAnswer::cycle.
+/// The cycle of the motion that springs are stepped through; empty: there is none, see MdrAnswer::cycle.
 std::optional<mdr::CommonCycle> cycle_to_step(const MdrCase& mdr);
 
-/// What springs say of it; empty: there is none.
+/// Forces and works of this cycle by springs; empty: there is no such cycle.
 std::optional<MdrCycle> cycle_of_springs(const MdrCase& mdr, const mdr::SteppedForcedResponse& stepped,
                                          double normal_force_max);
 
@@ -39,7 +40,7 @@ MdrCycle cycle_of(const MdrCase& mdr, const Response& response, const Response& 
           mdr.body.viscosity == 0 || mdr.is_single_pass() || mdr.cycle_tolerance};
 }
 
-/// Stick radii and the largest indentation of a response that was stepped under forces, and what they may be off by.
+/// Takes over stick radii and the largest indentation of a response that was stepped under forces, with their errors.
 template <class Response>
 void take_depths(const MdrCase& mdr, const mdr::StickDepths& depths, const mdr::StickDepths& depth_errors,
                  const Response& response, const Response& error, MdrAnswer& answer) {
@@ -59,7 +60,7 @@ void take_depths(const MdrCase& mdr, const mdr::StickDepths& depths, const mdr::
   answer.stepped.indentation = error.largest_indentation;
 }
 
-/// What a tangential force leads to, after the depths.
+/// Takes over the tangential amplitude under a prescribed tangential force; to be called after take_depths().
 template <class Response>
 void take_tangential_amplitude(const MdrCase& mdr, const Response& response, const Response& error, MdrAnswer& answer) {
   if (!mdr.tangential_force) return;

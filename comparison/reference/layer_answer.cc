@@ -19,7 +19,8 @@ mdr::SteppedForcedResponse stepped_on_layer(const MdrCase& mdr, const mdr::Presc
 mdr::NormalResponse layer_normal_response(const MdrCase& mdr) {
   const auto [response, error] = stepped_on_layer(mdr, mdr.prescribed_normally(), 1);
   auto normal = response.normal;
-  // That of the elastic layer, which the contact of a viscoelastic one reaches as it grows.
+  // The contact of a viscoelastic layer reaches, as it grows, the radius of the contact with an elastic one at the same
+  // indentation.
   normal.contact_radius_max =
       mdr::layer_contact_at_depth(mdr.profile, mdr.layer.value(), response.largest_indentation).contact_radius;
   normal.normal_force_error = mdr.normal_force ? 0 : error.normal.normal_force_max;

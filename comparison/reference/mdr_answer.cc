@@ -99,7 +99,8 @@ MdrAnswer displaced_answer(const MdrCase& mdr, const Profile& profile, const mdr
 MdrAnswer worn_answer(const MdrCase& mdr, const mdr::NormalResponse& normal) {
   const auto motion = displacements_of(mdr);
   auto answer = displaced_answer(mdr, *mdr.limiting, motion, normal);
-  // On the way to a limiting state under forces the outer part slips, which the state does not know.
+  // On the way to a limiting state under forces the outer part of the contact slips, so that the first-slip radius is
+  // not that of the limiting state.
   if (mdr.has_forces()) {
     const auto forced = mdr::forced_response(*mdr.limiting, mdr.body, mdr.friction_coefficient, mdr.prescribed());
     answer.stick_radius_first_slip = mdr::stick_radii(mdr.profile, forced.response.depths).first_slip;
@@ -116,7 +117,8 @@ MdrAnswer worn_answer(const MdrCase& mdr, const mdr::NormalResponse& normal) {
   return answer;
 }
 
-/// Over the pass or the period. What goes into the body in a pass is not told from what is lost there.
+/// Forces and works of the pass or of the period of a path. For a pass the work inside the body is left out, as stored
+/// energy cannot be told from losses.
 MdrCycle cycle_along(const MdrCase& mdr, const mdr::SteppedPathForces& stepped, double normal_force_max) {
   auto forces = stepped.forces, error = stepped.error;
   if (mdr.is_single_pass()) forces.bulk_work = error.bulk_work = forces.tangential_work = 0;
@@ -130,14 +132,14 @@ bool has_cycle_along(const MdrCase& mdr) {
   return std::any_of(values.begin(), values.end(), [&](double value) { return value != values.front(); });
 }
 
-/// Stick radii by closed forms.
+/// Stick radii along a path of displacements, by closed forms.
 void answer_displaced_path(const MdrCase& mdr, MdrAnswer& answer) {
   const auto radii = mdr::stick_radii(mdr.profile, mdr.body, mdr.friction_coefficient, *mdr.path);
   answer.stick_radius_first_slip = radii.first_slip;
   answer.stick_radius_shakedown = radii.shakedown;
 }
 
-/// By the springs.
+/// Stick radii, forces and works along a path with forces or over a layer, by springs.
 void answer_forced_path(const MdrCase& mdr, int times, MdrAnswer& answer) {
   std::optional<mdr::SteppedPathForces> stepped;
   try {
@@ -165,7 +167,7 @@ MdrAnswer path_answer(const MdrCase& mdr, const mdr::NormalResponse& normal, int
   return answer;
 }
 
-/// By springs, which the tangential motion does not matter to.
+/// Normal response along a path, by springs without tangential motion, which does not affect it.
 mdr::NormalResponse normal_response_along(const MdrCase& mdr) {
   auto path = *mdr.path;
   path.tangential_force = false;
@@ -231,8 +233,8 @@ bool MdrAnswer::wears_no_more() const {
 
 namespace {
 
-/// Displacements and energies of an answer for the incompressible case as those of the case itself. Forces are the
-/// same.
+/// The answer to the incompressible case, turned into that of the case itself: tangential displacements and works
+/// change, forces do not.
 MdrAnswer in_body_of_case(MdrAnswer answer, double displacement) {
   if (displacement == 1) return answer;
   if (answer.tangential_amplitude) *answer.tangential_amplitude /= displacement;
@@ -246,7 +248,7 @@ MdrAnswer in_body_of_case(MdrAnswer answer, double displacement) {
   return answer;
 }
 
-/// By closed forms.
+/// The answer to an oscillation by closed forms, on a worn or an unworn indenter.
 MdrAnswer closed_answer(const MdrCase& mdr, const mdr::NormalResponse& normal) {
   return mdr.limiting ? worn_answer(mdr, normal) : displaced_answer(mdr, mdr.profile, mdr.motion, normal);
 }

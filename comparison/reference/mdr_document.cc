@@ -25,7 +25,7 @@ using nlohmann::ordered_json;
 
 constexpr int n_profile_points = 200;
 
-/// Along x, where what forces lead to has a closed form.
+/// Whether forces are prescribed to an oscillation along x, for which the limiting state is known.
 bool oscillates_under_forces(const Case& input) {
   const auto& motion = input.motion;
   return !motion.path && !motion.moves_across() && (motion.normal_force || motion.tangential_force);
@@ -35,7 +35,7 @@ double modulus_ratio_of(const Case& input, const mdr::Rheology& body) {
   return mdr::modulus_ratio(body, mdr::angular_frequency(input.motion.normal_frequency));
 }
 
-/// Prescribed displacements, whatever their number and frequencies.
+/// The answer to prescribed displacements, with any number of harmonics of any frequencies.
 MdrDocument answer_displacements(const Case& input) {
   const auto profile = profile_of(input.indenter);
   const auto body = rheology_of(input.elastomer);
@@ -70,7 +70,7 @@ double normal_force_max_of(const Case&, const mdr::LimitingState& state) {
   return state.mean_normal_force + state.normal_force_amplitude;
 }
 
-/// Prescribed; where the indentation is, springs have it.
+/// The largest normal force where it is prescribed; empty where the indentation is, for which springs have it.
 std::optional<double> normal_force_max_of(const Case& input, const mdr::LimitingMotion&) {
   if (!input.motion.normal_force) return std::nullopt;
   return mdr::maximum_indentation(harmonic_motion_of(input.motion));
@@ -81,8 +81,8 @@ ordered_json state_json(const std::optional<mdr::LimitingMotion>& state) {
   return {{"stick_radius", state->stick_radius}, {"indentation", state->motion.indentation}};
 }
 
-/// A prescribed force: the fully worn contact, in which forces and displacements are linear in each other. state_of: by
-/// a criterion.
+/// The answer to a prescribed force: the fully worn contact, in which forces and displacements are linear in each
+/// other. state_of(profile, body, criterion): the limiting state by a criterion.
 template <class StateOf>
 MdrDocument answer_by_limiting_state(const Case& input, const StateOf& state_of) {
   const auto profile = profile_of(input.indenter);
@@ -159,7 +159,8 @@ ordered_json springs_json(const Case& input, const ordered_json& closed_form) {
   const auto known = [&](const char* key) {
     return closed_form[key].is_null() ? std::nullopt : std::optional(closed_form[key].get<double>());
   };
-  // Under a force the closed form has the first-slip radius of the worn contact, the springs that of the unworn one.
+  // Under a force the first-slip radius of the closed form belongs to the worn contact, that of the springs to the
+  // unworn one.
   const bool forces = oscillates_under_forces(input);
   const auto agreement = spring_agreement(answer.bed, history, profile,
                                           {known("stick_radius_first_slip"), known("stick_radius_shakedown"), !forces});

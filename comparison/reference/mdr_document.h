@@ -15,14 +15,14 @@ namespace fretval {
 /// describes the entries.
 struct MdrDocument {  // NOLINT(bugprone-exception-escape): moving JSON checks an invariant, and throws nothing
   nlohmann::ordered_json json;
-  std::optional<mdr::LimitingProfile> worn;  ///< in which nothing wears any more
+  std::optional<mdr::LimitingProfile> worn;  ///< profile in which nothing wears any more; empty: there is none
 };
 
 /// with_springs: also the transient spring foundation. Throws InputError for what cannot be answered, naming the case
 /// file.
 MdrDocument mdr_document(const Case& input, bool with_springs);
 
-/// The body that stands for measured moduli, and how well.
+/// The body that stands for measured moduli, and how well it fits them.
 nlohmann::ordered_json fit_json(const Case::Elastomer& elastomer);
 
 /// How finely the springs are stepped, see mdr::HistoryControl.
@@ -31,10 +31,10 @@ struct SpringSetting {
   int steps_per_cycle = 360;  ///< of the fastest harmonic
   int n_ramp_periods = 20;
   double periodicity = 1e-7;
-  int n_oscillations = 96;  ///< in the place of a motion without period, see mdr::repeating_motion
+  int n_oscillations = 96;  ///< in a cycle that stands for a motion without period, see mdr::repeating_motion
 };
 
-/// Transient spring foundation of a case, unworn also where forces are prescribed.
+/// History of the transient spring foundation of a case; the indenter is unworn, also where forces are prescribed.
 struct SpringAnswer {
   mdr::SpringBed bed;
   mdr::SpringHistory history;

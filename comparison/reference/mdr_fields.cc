@@ -25,7 +25,8 @@ void add_spring_columns(const mdr::SpringFields& fields, const std::string& posi
       column("u_x " + position + " [m]", r, [&](double x) { return mdr::tangential_displacement(fields, x); }));
 }
 
-/// At the deepest position, with the singular part of the pressure apart; the traction is singular altogether.
+/// Adds the columns of the worn contact at the largest indentation: the pressure with and without its singular part,
+/// and the traction, which is all singular.
 void add_worn_columns(const mdr::LimitingProfile& worn, const mdr::PronyBody& body, const mdr::Motion& motion,
                       const Eigen::VectorXd& r, std::vector<Column>& columns) {
   const auto stresses = [&](double x) { return mdr::limiting_stresses(worn, body, motion, x, 0); };

@@ -8,12 +8,12 @@
 namespace fretval {
 namespace {
 
-/// Closed forms are not off by anything.
+/// The uncertainty of a value: empty for closed forms, whose error is 0.
 std::optional<double> if_any(double error) {
   return error > 0 ? std::optional(error) : std::nullopt;
 }
 
-/// Without memory friction takes all that is lost.
+/// Adds forces and works of a cycle. Without memory all losses are those of friction.
 void add_cycle(const MdrCycle& cycle, Readings& readings) {
   const auto force = if_any(cycle.force_error), work = if_any(cycle.work_error), loop = if_any(cycle.loop_error);
   const bool has_memory = cycle.bulk_work > 0;

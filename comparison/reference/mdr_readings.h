@@ -7,21 +7,21 @@
 
 namespace fretval {
 
-/// What MDR says of each quantity, those without a value as well that every case could have. Springs that were stepped
-/// in time tell by how much they may be off.
+/// Values of the quantities by MDR, in SI units; of those that every case could have also the ones without a value.
+/// Springs that were stepped in time have an uncertainty.
 Readings readings_of(const MdrAnswer& answer);
 
-/// These, and what MDR expects of a profile in which nothing wears any more: no slip inside, no force outside, the
-/// flank touches at the largest indentation.
+/// The readings of an answer, and those that MDR expects of a profile in which nothing wears any more: no slip inside,
+/// no force outside, the flank touches at the largest indentation.
 Readings readings_of_worn(const MdrAnswer& answer);
 
-/// What is compared with finite elements on the same indenter, worn or not.
+/// The readings that are compared with finite elements on the same indenter, worn or not.
 Readings compared_readings_of(const MdrAnswer& answer, const MdrCase& mdr);
 
 /// The "mdr" object of result.json. SI units; null where nothing sticks.
 nlohmann::ordered_json to_json(const MdrAnswer& answer);
 
-/// contact_radius: m, unworn.
+/// Scales of the differences from an answer of MDR. contact_radius: m, of the unworn contact.
 Scales scales_of(const MdrAnswer& answer, double contact_radius);
 
 }  // namespace fretval

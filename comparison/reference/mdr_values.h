@@ -7,8 +7,8 @@
 
 namespace fretval {
 
-/// What a locked motion asks of whoever drives it, in a cycle of the periodic state, from the transient springs; SI
-/// units. Extrapolated from two finenesses.
+/// Forces and works that drive a locked motion through a cycle of the periodic state, by the transient springs,
+/// extrapolated from two finenesses; SI units.
 struct MdrCycle {
   double tangential_force_max;   ///< of |F_x|
   double tangential_force_mean;  ///< what slip has locked in
@@ -17,64 +17,65 @@ struct MdrCycle {
   double tangential_work;        ///< area of the tangential loop
   double sliding_force;          ///< mu times the largest normal force
   double sliding_work;           ///< what sliding under that force along the whole tangential path would cost
-  double force_error;            ///< of either force
-  double work_error;             ///< of either loss
-  double loop_error;             ///< of the area
-  /// The largest force. With a dashpot loads jump where springs touch, which few springs and steps do not show in an
-  /// instant: there only with a tolerance of a cycle.
+  double force_error;            ///< of tangential_force_max and tangential_force_mean
+  double work_error;             ///< of friction_work and bulk_work
+  double loop_error;             ///< of tangential_work
+  /// Whether tangential_force_max is known. With a dashpot loads jump where springs touch, which few springs and steps
+  /// do not resolve: then it is known only if the case has a tolerance on cycles.
   bool knows_largest_force = true;
 };
 
-/// Cycles to shakedown, as springs of two finenesses find them; error: of these.
+/// Cycles to shakedown by springs of two finenesses, and their error.
 struct SettlingCycles {
   double cycles, error;
 };
 
-/// What springs stepped in time may be off by, m; 0: closed forms.
+/// Errors of springs that were stepped in time, m; 0: closed forms.
 struct SteppingErrors {
   double first_slip = 0, shakedown = 0;  ///< of the stick radii
   double indentation = 0, tangential_amplitude = 0;
 };
 
-/// What MDR says about a case; SI units. Empty radii: nothing sticks. A comparable case has both maxima.
+/// MDR's answer to a case; SI units. Empty stick radii: nothing sticks. A case that is compared has contact_radius_max
+/// and normal_force_max.
 struct MdrAnswer {
   double modulus_ratio;                      ///< at the normal frequency; NaN of a path, which has none
   std::optional<double> contact_radius_max;  ///< empty: a prescribed force that no contact carries without slip
   std::optional<double> stick_radius_first_slip;
   std::optional<double> stick_radius_shakedown;
   std::optional<double> worn_radius;       ///< a_inf of the limiting profile that belongs to the shakedown radius
-  std::optional<double> normal_force_max;  ///< empty: not computed, or as above
-  /// Tangential amplitude that the indenter is the limiting profile for, over that of the case; 0: there is none.
+  std::optional<double> normal_force_max;  ///< empty: not computed, or as for contact_radius_max
+  /// Tangential amplitude for which the indenter has the limiting profile, over that of the case; 0: there is none.
   /// Empty: the indenter is not worn, or does not move tangentially.
   std::optional<double> limiting_amplitude = {};
-  std::optional<double> indentation_max = {};       ///< in the periodic state; empty: prescribed, or as above
-  std::optional<double> tangential_amplitude = {};  ///< half of what lies between the extremes of u_x; likewise
-  /// Under prescribed displacements see mdr_answer_with_cycle. Empty: worn, at rest tangentially, without a cycle of a
-  /// few hundred oscillations, or not periodic in the end.
+  std::optional<double> indentation_max = {};       ///< periodic; empty: prescribed, or as contact_radius_max
+  std::optional<double> tangential_amplitude = {};  ///< half of the range of u_x; empty as indentation_max
+  /// Under prescribed displacements it is set by mdr_answer_with_cycle alone. Empty: the indenter is worn or at rest
+  /// tangentially, there is no cycle of at most a few hundred oscillations, or the springs do not become periodic.
   std::optional<MdrCycle> cycle = {};
-  /// N, of |F_y|, and what springs may be off by; of a motion in two directions.
+  /// Largest |F_y| and its error by springs, N, for a motion in two directions.
   std::optional<double> transverse_force_max = {};
   double transverse_force_error = 0;
   /// Factor per cycle by which slip dies out where nothing slips in the end (mdr/stick/slip_decay.h); with the cycle.
   std::optional<double> slip_decay = {};
   std::optional<SettlingCycles> cycles_to_shakedown = {};  ///< see settling_cycles
   SteppingErrors stepped = {};
-  /// The largest of them, of depths and over what they are errors of.
+  /// The largest error of the springs in a depth or amplitude, over that depth or amplitude.
   double stepping_error = 0;
-  double normal_force_error = 0;                        ///< N, likewise
+  double normal_force_error = 0;                        ///< N, of springs stepped in time; 0: closed form
   std::optional<mdr::AxisPressure> axis_pressure = {};  ///< empty: infinite
   /// The share of all amplitudes at which the whole contact begins to slide under a prescribed tangential force while
   /// they rise slowly; then all else but the normal response is empty. Empty: it never does.
   std::optional<double> gross_slip = {};
   std::optional<double> gross_slip_time = {};       ///< s, of a single pass, in the time of its rows
-  std::optional<double> steady_sliding_share = {};  ///< see steady_sliding_share
+  std::optional<double> steady_sliding_share = {};  ///< see steady_sliding_share() of gross_slip.h
   MotionKind motion_kind = MotionKind::cycles;
 
   /// Whether all of the largest contact sticks in the end, as it does under a profile that is limiting for the motion.
   [[nodiscard]] bool wears_no_more() const;
 };
 
-/// What an answer takes from the normal response alone.
+/// An answer with the values that follow from the normal response alone.
 inline MdrAnswer with_normal_response(const mdr::NormalResponse& normal) {
   MdrAnswer answer{};
   answer.contact_radius_max = normal.contact_radius_max;

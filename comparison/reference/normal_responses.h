@@ -13,8 +13,8 @@
 
 namespace fretval {
 
-/// MDR's normal responses (see mdr_normal_response): cases that differ in phase, friction or tangential amplitude share
-/// theirs.
+/// MDR's normal responses (see mdr_normal_response): cases that differ only in phase, friction or tangential amplitude
+/// share one.
 class NormalResponses {
  public:
   /// mdr: of the same case. Throws what mdr_normal_response throws.
@@ -25,7 +25,7 @@ class NormalResponses {
   using Layer = std::tuple<double, double, bool>;  // thickness, Poisson's ratio, bonded
   using Body = std::tuple<double, std::vector<double>, std::vector<double>, double, std::optional<Layer>>;
   using Motion = std::tuple<bool, double, std::vector<std::tuple<double, double, double>>>;
-  /// Last the stick radius of the limiting profile, or 0.
+  /// The last part of the key is the stick radius of the limiting profile, or 0.
   MadeOnce<std::tuple<Indenter, Body, Motion, double>, mdr::NormalResponse> responses_;
 };
 

@@ -15,11 +15,12 @@
 namespace fretval {
 namespace {
 
-/// What the normal contact does over the period, of which the indentation may follow from a force.
+/// Indentation in the course of the period or pass, read from the normal response; it may follow from a prescribed
+/// force.
 class Indentation {
  public:
   explicit Indentation(const mdr::NormalResponse& normal) : normal_(normal) {}
-  /// After a time from the start of the period or pass, linear between the instants of the response.
+  /// Indentation in m at t in s from the start of the period or pass, linear between the instants of the response.
   double operator()(double t) const {
     const auto& time = normal_.time;
     const auto after = std::lower_bound(time.begin(), time.end(), t);
@@ -55,7 +56,7 @@ mdr::PlaneMotion in_steps(const mdr::HarmonicMotion& motion, int steps_per_oscil
   return steps;
 }
 
-/// As many steps to each piece.
+/// A path in about `steps` steps, with the same number of equal steps in each piece.
 mdr::PlaneMotion in_steps(const mdr::SampledPath& path, int steps) {
   const auto rest = mdr::rest_of(path);
   const auto at = [&](std::size_t row) {
@@ -75,7 +76,8 @@ mdr::PlaneMotion in_steps(const mdr::SampledPath& path, int steps) {
   return motion;
 }
 
-/// With what a normal force makes of the indentation, from that of the relaxed body under its mean on.
+/// The steps of a motion. Under a normal force the indentation is that of the normal response, and the rest that of the
+/// relaxed body under the mean force.
 mdr::PlaneMotion steps_of(const MdrCase& mdr, const mdr::NormalResponse& normal, int steps) {
   auto motion = mdr.path ? in_steps(*mdr.path, steps) : in_steps(mdr.motion, steps);
   motion.by_force = mdr.tangential_force;
@@ -100,8 +102,8 @@ mdr::StickDepths depths_of(const MdrCase& mdr) {
   return mdr::plane_stick_depths(mdr::stuck_element(mdr.body, mu, *mdr.path, per_piece));
 }
 
-/// Forces, energies and depths over the pass or the period. What goes into the body in a pass is not told from what is
-/// lost there.
+/// Forces, energies and depths over the pass or the period. For a pass the work inside the body is left out, as stored
+/// energy cannot be told from losses.
 mdr::PathForces forces_of(const MdrCase& mdr, const mdr::PlaneResponse& response, double largest_indentation) {
   mdr::PathForces forces{};
   forces.tangential_force_max = response.force_x_max;
@@ -119,7 +121,7 @@ mdr::PathForces forces_of(const MdrCase& mdr, const mdr::PlaneResponse& response
   return forces;
 }
 
-/// What finer springs and steps have changed.
+/// Changes by finer springs and steps.
 mdr::PathForces difference(const mdr::PathForces& fine, const mdr::PathForces& coarse) {
   using F = mdr::PathForces;
   F all{};

@@ -7,8 +7,9 @@ namespace fretval {
 /// Whether the indenter moves in two directions along the surface.
 bool moves_in_plane(const MdrCase& mdr);
 
-/// What MDR's springs say where friction is a vector (mdr/plane): stick radii in closed form, forces and energies by
-/// springs of two finenesses, their error the whole difference of both. Of prescribed displacements.
+/// MDR's answer where friction is a vector (mdr/plane): stick radii in closed form, forces and energies by springs of
+/// two finenesses, whose error is the whole difference of the two. times: factor on the usual numbers of springs and
+/// steps.
 MdrAnswer plane_answer(const MdrCase& mdr, const mdr::NormalResponse& normal, int times);
 
 }  // namespace fretval

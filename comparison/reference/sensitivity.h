@@ -13,17 +13,18 @@ struct RadiusSensitivity {
   double relaxed_modulus;  ///< x = G'(0), the branches as they are
 };
 
-/// How both stick radii depend on friction and modulus; empty where nothing sticks.
+/// Sensitivities of the two stick radii to friction and modulus; empty where nothing sticks.
 struct Sensitivities {
   std::optional<RadiusSensitivity> first_slip = {}, shakedown = {};
 };
 
-/// From MDR's closed form, by central differences of a ten-thousandth, which leaves 1e-7 of them. Empty where there is
-/// no closed form: prescribed forces, paths, layers, motions in two directions, worn indenters; or no one full circle
-/// of contact.
+/// Sensitivities by MDR's closed form, from central differences of a ten-thousandth, with a relative error of 1e-7.
+/// Empty where there is no closed form: prescribed forces, paths, layers, motions in two directions, worn indenters; or
+/// no one full circle of contact.
 std::optional<Sensitivities> sensitivities(const Case& input);
 
-/// As result.json has them: by stick radius, "friction_coefficient" and "relaxed_modulus"; null where nothing sticks.
+/// The sensitivities as in result.json: by stick radius, "friction_coefficient" and "relaxed_modulus"; null where
+/// nothing sticks.
 nlohmann::ordered_json to_json(const Sensitivities& sensitivities);
 
 }  // namespace fretval

@@ -13,16 +13,16 @@ namespace fretval {
 /// The stick radii of the closed formula. Empty: nothing sticks.
 struct ClosedForm {
   std::optional<double> first_slip, shakedown;
-  bool has_first_slip = true;  ///< false: the formula has that of another contact
+  bool has_first_slip = true;  ///< false: the first-slip radius of the formula belongs to another contact
 };
 
 /// How far transient springs are from the closed formula, and why.
 struct SpringAgreement {
-  std::optional<double> first_slip;  ///< stick radius of the springs less the other, over the radius that they fill
-  double shakedown;                  ///< likewise; where nothing sticks a radius is 0
+  std::optional<double> first_slip;  ///< stick radius of springs less that of the formula, over the radius of the bed
+  double shakedown;                  ///< the same difference for shakedown; where nothing sticks a radius is 0
   double slip_inside;  ///< longest slip of a spring inside the shakedown radius of the formula, in the last period,
                        ///< over the largest tangential displacement
-  std::vector<std::string> warnings;  ///< where they differ by more than a spring: by how much, why, which to trust
+  std::vector<std::string> warnings;  ///< of radii that differ by more than a spring: by how much, and which to trust
 };
 SpringAgreement spring_agreement(const mdr::SpringBed& bed, const mdr::SpringHistory& history,
                                  const mdr::Profile& profile, const ClosedForm& closed_form);

@@ -220,7 +220,7 @@ std::string sensitivity_text(const ordered_json& result) {
   return text;
 }
 
-/// That a given mesh has too few rings, and how many it takes.
+/// Text that a given mesh has too few rings, and how many are needed; empty if it has enough.
 std::string rings_text(const ordered_json& result) {
   const auto rings = result.at("fe").find("rings");
   if (rings == result.at("fe").end() || !rings->at("needed").is_number()) return "";

@@ -20,21 +20,21 @@ struct CaseResult {
   MdrAnswer mdr;
   Proof proof;
   ProvedAnswer fe;
-  Comparison comparison;  ///< of everything; empty: MDR does not hold
+  Comparison comparison;  ///< of all quantities; empty: MDR does not hold
   std::optional<ProvedWear> wear = {};
   std::optional<ProvedSurfaceWear> surface_wear = {};
-  std::optional<MdrAnswer> half_space = {};  ///< what MDR says of a half-space in the place of another body
-  std::optional<GivenRings> rings = {};      ///< of a mesh that the case brings along
+  std::optional<MdrAnswer> half_space = {};  ///< MDR's answer over a half-space in the place of another body
+  std::optional<GivenRings> rings = {};      ///< rings of a given mesh
   ModelErrors model = {};                    ///< how good MDR is as a model
 
   [[nodiscard]] bool is_compared() const { return fem_case.kind != ContactKind::annuli; }
 };
 
-/// Gross slip is what both have to find if either does, and where the balance of forces has it (steady_sliding_share);
-/// neither may begin to slide below that.
+/// The outcome of a case. If one method finds gross slip, the other has to find it, too, as have both where the balance
+/// of forces demands it (steady_sliding_share); neither may begin to slide below that share.
 Outcome outcome_of(const CaseResult& result);
 
-/// Both answers to a case, compared if MDR holds for it.
+/// The result of a case from the answers of both methods, compared if MDR holds for it.
 CaseResult result_of(const PreparedCase& prepared, MdrAnswer&& mdr, Proof proof, ProvedAnswer&& fe);
 
 /// Adds the wear of the indenter to a result.
@@ -53,14 +53,14 @@ nlohmann::ordered_json result_json(const CaseResult& result);
 /// Five digits of each number.
 nlohmann::ordered_json cycle_json(const CaseResult& result);
 
-/// What an answer of the finite elements cost: seconds (mesh, assembly, factorisation, normal_history,
-/// friction_history), dofs, contact_nodes, time_steps, cycles.
+/// Cost of an answer of the finite elements: seconds (mesh, assembly, factorisation, normal_history, friction_history),
+/// dofs, contact_nodes, time_steps, cycles.
 nlohmann::ordered_json cost_json(const FeAnswer& fe);
 
 /// Removes the result.json of an earlier run from a folder, if there is one: without it a folder is no result.
 void withdraw_result(const std::filesystem::path& folder);
 
-/// json: result_json. reference: of a case that is compared.
+/// json: result_json of the result. reference: MDR's normal response, for a case that is compared.
 ///
 /// Writes result.json, run.json, history.csv, contact.csv, cycle.json, profile.csv and, if the case asks for fields,
 /// those (field_files.h), which need the whole body, into a folder, which is made if need be; result.json comes last.

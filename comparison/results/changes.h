@@ -17,22 +17,22 @@ struct Change {
   Quantity quantity;
   std::optional<double> before, after;  ///< SI; empty: nothing sticks, or not computed
   double difference = 0;                ///< in the units of comparison, see Quantities; 1 if only one has the quantity
-  double bars = 0;                      ///< of both together, likewise; 0: none are known
+  double bars = 0;                      ///< sum of both bars, in the units of comparison; 0: not known
 
   [[nodiscard]] bool is_beyond_bars() const;
 };
 
-/// What two folders of results have in common, and what not.
+/// Differences between two folders of results.
 struct Changes {
   std::vector<Change> values;
   std::vector<std::string> only_before, only_after;  ///< names of cases
-  std::vector<std::string> inputs;                   ///< "CASE: SECTION / ENTRY: BEFORE -> AFTER" of what differs
-  /// Cases that something speaks against now and did not before, or the reverse: "case: agree before, now disagree".
+  std::vector<std::string> inputs;                   ///< inputs that differ, "CASE: SECTION / ENTRY: BEFORE -> AFTER"
+  /// Cases that passed before and do not now, or the reverse: "case: agree before, now disagree".
   std::map<std::string, std::string> verdicts;
 
   /// Whether a value has moved beyond its bars, or a verdict has changed.
   [[nodiscard]] bool any() const;
-  /// What of a case has, a line each; empty: nothing has.
+  /// The changes of a case beyond its bars and of its verdict, a line for each; empty: there are none.
   [[nodiscard]] std::string of_case(const std::string& name) const;
 };
 

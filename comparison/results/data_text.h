@@ -6,9 +6,9 @@
 
 namespace fretval {
 
-/// Rows of `fretval explain` on what was made of the data of a case: what a test of limited duration sees, with the
-/// branches near its duration and MDR's answer to one three times longer and shorter; what the record, the trace and
-/// the hardness leave open of MDR's answer. Each row begins with a word; empty: the data were taken as they are.
+/// Rows of `fretval explain` on the data of a case: what a test of limited duration sees, with the branches near its
+/// duration and MDR's answer to a test three times longer and shorter; and the uncertainties of MDR's answer from the
+/// record, the trace and the hardness. Each row begins with a word; empty: the data were taken as they are.
 std::string data_text(const Case& input);
 
 /// What a test of limited duration does not see, in one sentence for the log; empty: nothing, or MDR has no answer.

@@ -8,15 +8,15 @@
 
 namespace fretval {
 
-/// A step of the last period of an answer: the column of the tangential response.
+/// A step of the last period of an answer, by its column in the tangential response.
 struct PeriodStep {
   const FeAnswer& fe;
   Eigen::Index column;
 
   [[nodiscard]] long step() const { return fe.friction.n_steps + 1 - fe.friction.traction.cols() + column; }
   [[nodiscard]] Eigen::Index normal_column() const { return fe.normal.column(step()); }
-  /// From the start of the history on, at which forces balance; over the angular frequency. Along a path: from its
-  /// first row on.
+  /// Dimensionless time at which forces balance in the step, from the start of the history on, or from the first row of
+  /// a path on; s when divided by the angular frequency.
   [[nodiscard]] double time() const {
     if (!fe.normal.pieces.empty()) {
       const auto& step = fe.normal.pieces[static_cast<std::size_t>(normal_column())];
@@ -26,8 +26,8 @@ struct PeriodStep {
   }
 };
 
-/// Columns of the last period at the ends of n equal parts of it, up to its end: each once of equal steps, of which
-/// there may be fewer; those of the steps that hold these instants along a path.
+/// Columns of the last period at the ends of n equal parts of it, up to its end. Of equal steps, of which there may be
+/// fewer than n, each column occurs once; along a path they are the columns of the steps that hold these instants.
 inline std::vector<Eigen::Index> columns_at_equal_times(const FeAnswer& fe, Eigen::Index n) {
   const Eigen::Index n_all = fe.friction.traction.cols();
   std::vector<Eigen::Index> columns;

@@ -22,12 +22,12 @@ struct StoredResult {
   /// A number of a section ("mdr", "fe", "scene"); NaN where it is null or absent.
   [[nodiscard]] double number(const char* section, const char* key) const;
   [[nodiscard]] std::string text(const char* section, const char* key) const;
-  /// In a line over this entry.
+  /// Whether it is a point of a sweep over this entry alone.
   [[nodiscard]] bool swept_over(const char* entry) const;
-  /// MDR does not hold for its profile, and nothing is compared.
+  /// Whether MDR does not hold for the profile, so that nothing is compared.
   [[nodiscard]] bool is_beyond_mdr() const { return json.contains("not_compared"); }
   [[nodiscard]] double sweep_value() const;
-  [[nodiscard]] std::string second_entry() const;  ///< of a map over two entries; empty: of none
+  [[nodiscard]] std::string second_entry() const;  ///< of a map over two entries; empty: it is no point of a map
   [[nodiscard]] double second_value() const;
   /// Whether both directions move with one harmonic of the same frequency, as in the paper.
   [[nodiscard]] bool has_one_frequency() const;
@@ -36,7 +36,7 @@ struct StoredResult {
   [[nodiscard]] MotionKind motion_kind() const { return stored_motion_kind(json.at("scene")); }
   /// Whether its motion repeats, or finite elements step a near cycle in its place.
   [[nodiscard]] bool has_period() const;
-  /// What finite elements step to the end: "period", which repeats, "near cycle" or "pass".
+  /// Name of the cycle that finite elements step to the end: "period", which repeats, "near cycle" or "pass".
   [[nodiscard]] const char* cycle_name() const;
   [[nodiscard]] std::string family() const;  ///< name of the sweep, or the name of the case
 };

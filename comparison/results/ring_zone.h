@@ -6,7 +6,7 @@
 
 namespace fretval {
 
-/// A ring that slips bears what friction allows, to roundoff.
+/// What a ring does: it slips if its traction is at the friction limit, to roundoff.
 inline fem::RingZone zone_of(double pressure, double traction, double friction_coefficient) {
   constexpr double roundoff = 1e-9;
   if (pressure <= 0) return fem::RingZone::open;

@@ -82,7 +82,7 @@ void write_points(const std::vector<SurfacePoint>& points, const fs::path& file)
                    column("sticks in a cycle [1]", &SurfacePoint::sticks_in_a_cycle)});
 }
 
-/// As the name of the field explains it.
+/// Number of the zone of a point, as the name of the field explains it.
 double zone_number(const SurfacePoint& point) {
   if (point.never_slipped) return 3;
   if (point.sticks_in_a_cycle) return 2;

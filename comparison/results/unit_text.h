@@ -4,9 +4,9 @@
 
 namespace fretval {
 
-/// A value in SI units for people: with the prefix that leaves one to three digits before the point, of its bar at most
-/// two, and as many digits as the bar allows, or six: "0.79312 ± 0.00004 mm". bar: absolute; 0, or less than nine
-/// decimals show: none is known. unit: "m", "N", ….
+/// A value in SI units for people: with the prefix that leaves one to three digits before the point of the value and at
+/// most two before that of the bar, and with as many digits as the bar allows, or six: "0.79312 ± 0.00004 mm". bar:
+/// absolute; 0 or less than nine decimals show: no bar is shown. unit: "m", "N", ….
 std::string with_unit(double value, double bar, const std::string& unit);
 
 /// The prefix that leaves one to three digits before the point.
@@ -16,10 +16,10 @@ struct UnitPrefix {
 };
 UnitPrefix prefix_for(double value);
 
-/// "1.5 mm³"
+/// A volume with a unit, "1.5 mm³".
 std::string volume_text(double cubic_metres);
 
-/// "40 min", "56 h", "3 years": of a test, to two digits.
+/// The duration of a test to two digits: "40 min", "56 h", "3 years".
 std::string time_text(double seconds);
 
 }  // namespace fretval

@@ -63,7 +63,7 @@ Differences chosen(const Differences& differences, bool asked, std::optional<Ver
   return some;
 }
 
-/// Of how a motion settles the difference is of another kind than those of the values.
+/// The largest difference of values; those of quantities of settling are of another kind and are left out.
 double largest_of(const Differences& differences) {
   double largest = 0;
   for (const auto& d : differences)
@@ -91,7 +91,7 @@ std::string one_text(const StoredDifference& d) {
                      d.tolerance, d.bar);
 }
 
-/// Those of one verdict, the largest use of their tolerance first.
+/// Differences of one verdict as a list, the largest use of a tolerance first.
 std::string list_text(Differences some) {
   constexpr std::size_t most = 3;
   std::sort(some.begin(), some.end(),
@@ -263,7 +263,7 @@ Outcome stored_outcome(const ordered_json& result) {
     for (const auto outcome :
          {Outcome::agree, Outcome::not_resolved, Outcome::disagree, Outcome::not_proved, Outcome::other_model})
       if (*verdict == name_of(outcome)) return outcome;
-  // Of the first version.
+  // A result of the first version.
   if (result.at("pass").get<bool>()) return Outcome::agree;
   return chosen(stored_differences(result), true, Verdict::disagree).empty() ? Outcome::not_resolved
                                                                              : Outcome::disagree;

@@ -9,10 +9,10 @@
 
 namespace fretval {
 
-/// One quantity of "comparison" in a result.json, also of one that has words of the first version.
+/// One quantity of "comparison" in a result.json, of the present or of the first version.
 struct StoredDifference {
   Quantity quantity;
-  double size;  ///< of the difference, or of all that only one of the methods finds
+  double size;  ///< of the difference, or of the value that only one of the methods finds
   double tolerance, bar;
   std::optional<Verdict> verdict;
   bool asked, only_one;
@@ -28,8 +28,8 @@ Outcome stored_outcome(const nlohmann::ordered_json& result);
 /// the ring outside wears, out to 1.24 mm".
 std::string plain_answer(const nlohmann::ordered_json& result);
 
-/// What the comparison came to, and of what: "both stick radii, the largest contact radius and the largest normal force
-/// agree to 6.9e-05; 3 of 8 other quantities are not resolved".
+/// The verdict in a sentence: "both stick radii, the largest contact radius and the largest normal force agree to
+/// 6.9e-05; 3 of 8 other quantities are not resolved".
 std::string verdict_sentence(const nlohmann::ordered_json& result);
 
 }  // namespace fretval

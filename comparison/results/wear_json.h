@@ -9,10 +9,10 @@ namespace fretval {
 
 const char* name_of(fem::WearEnd end);
 
-/// A list a value, of all points of a course; SI units.
+/// Lists of the values at all points of a course; SI units.
 nlohmann::ordered_json course_json(const fem::WearCourse& course, const Units& units);
 
-/// "fe.wear" of result.json: the course with the keys of the reference's (`cycles`, `volume`, `deepest`,
+/// "fe.wear" of result.json: the course with the same keys as that of the reference (`cycles`, `volume`, `deepest`,
 /// `friction_work`, `contact_radius`, `stick_radius`; the final `worn_depth` over `r`), and `law`, `end`,
 /// `distance_to_limit`, `pressed_outside`, `zones`, what it cost. SI units.
 nlohmann::ordered_json to_json(const ProvedWear& wear, const Units& units);

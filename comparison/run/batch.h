@@ -10,19 +10,19 @@
 
 namespace fretval {
 
-/// How much of a tolerance that was asked for a difference uses.
+/// The part of a tolerance that a difference uses, among the tolerances that were asked for.
 struct ToleranceUse {
   double share = -1;      ///< of the tolerance; negative: nothing was compared
   std::string text = {};  ///< the quantity, the case, the difference and the tolerance
 };
 
-/// The largest one of a case.
+/// The largest use of a tolerance in the comparison of a case.
 ToleranceUse largest_use(const Comparison& comparison, const std::string& name);
 
-/// Its text.
+/// Text of a use of a tolerance: quantity, case, difference and tolerance.
 std::string use_text(Quantity quantity, const std::string& name, double size, double tolerance, bool only_one);
 
-/// One line of what a batch comes to.
+/// Result of one case of a batch.
 struct BatchLine {
   std::string name;
   Outcome outcome = Outcome::not_proved;
@@ -35,11 +35,11 @@ struct BatchLine {
   [[nodiscard]] bool failed() const { return !failure.empty(); }
 };
 
-/// Work of a fraction of a second each, spread like the cases, after them.
+/// Pieces of work of a fraction of a second each, handed out like the cases, after them.
 struct BesideCases {
   std::size_t n = 0;
   std::function<std::string(std::size_t)> compute;     ///< by any thread of any rank
-  std::function<void(std::size_t, std::string)> take;  ///< what has come of it; never two of one number
+  std::function<void(std::size_t, std::string)> take;  ///< takes a result; never called twice for one number
 };
 
 struct BatchOptions {
@@ -47,7 +47,8 @@ struct BatchOptions {
   std::filesystem::path output = {};  ///< empty: nothing is written
   /// Called after each case, one call at a time.
   std::function<void(const BatchLine&)> progress = [](const BatchLine&) {};
-  /// Called on the way through a long case, by any thread: its name, the share that is done, and what there is to say.
+  /// Called on the way through a long case, by any thread: its name, the share that is done, and its present state in
+  /// words.
   std::function<void(const std::string& name, double share, const std::string& what)> under_way = {};
   BesideCases beside = {};
 };
@@ -56,9 +57,10 @@ struct BatchOptions {
 BatchLine computed_line(const PreparedCase& prepared, const BatchOptions& options, BodyStore& bodies,
                         NormalResponses& references);
 
-/// Computes all cases, on all cores, with shared bodies. bodies: made already, or to be made. Each case writes its
-/// folder under the output when it is done. What a folder holds from an earlier run no longer counts as a result from
-/// then on, also if the numerics of the case fail now. The lines come in the order of the cases.
+/// Computes all cases, on all cores, with shared bodies. bodies: store of the bodies, which are made if they are not
+/// there. Each case writes its folder under the output when it is done. What a folder holds from an earlier run no
+/// longer counts as a result from then on, also if the numerics of the case fail now. The lines come in the order of
+/// the cases.
 std::vector<BatchLine> run_batch(const std::vector<PreparedCase>& cases, const BatchOptions& options,
                                  BodyStore& bodies);
 

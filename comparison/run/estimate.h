@@ -13,12 +13,12 @@ namespace fretval {
 /// About how long finite elements need, in s on one core of today; right to a factor of three, of wear to a
 /// factor of five.
 
-/// n_sharing: cases that a body is made once for.
+/// n_sharing: number of cases that share a body.
 
 /// Seconds of one computation.
 double seconds_of_one(const Resolution& resolution, int highest_order, std::size_t n_sharing = 1);
 
-/// Seconds of so many computations of an unworn case, one of this resolution and the others variants of it.
+/// Seconds of n_computations of an unworn case, one at this resolution and the others at variants of it.
 double estimated_seconds(const Resolution& resolution, int highest_order, std::size_t n_computations,
                          std::size_t n_sharing = 1);
 

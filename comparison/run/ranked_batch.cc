@@ -23,16 +23,17 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(BatchLine, name, outcome, failure, largest_us
 
 namespace {
 
-// What the first rank is asked or told begins with one of these.
+// First letters of what the first rank is asked or told.
 constexpr char next_case = 'c', body = 'b', no_more_threads = 'n';
-// What it orders, seldom: a body, to be made together; or nothing, the end.
+// The first rank seldom orders anything: a body that is to be made together, or, by an empty order, the end.
 constexpr int between_orders = 10;  // ms
 const std::string end;
 
-/// With their numbers; those of what is beside the cases follow, of which there is the json alone.
+/// Lines with the numbers of their cases; the numbers of work beside the cases follow these, and of their lines only
+/// the json is set.
 using DoneWork = std::vector<std::pair<std::size_t, BatchLine>>;
 
-/// In CBOR: a message may contain what is no UTF-8.
+/// The lines as bytes in CBOR, as messages may contain bytes that are not UTF-8.
 std::string packed(const DoneWork& done) {
   std::string bytes;
   nlohmann::json::to_cbor(done, bytes);
@@ -92,8 +93,8 @@ class Desk {
     options_.progress(lines_[number]);
   }
 
-  /// The numbers of what is expected to take a quarter of a second or so, towards the end less; nothing: all is handed
-  /// out.
+  /// Numbers of work that is expected to take about a quarter of a second, and less towards the end; empty: all is
+  /// handed out.
   std::string next_for(int rank, char end_of_stretch) {
     constexpr double enough = 0.25;  // s, of which to wait for an answer, a rest or two on either side, is a hundredth
     const auto n_left = cases_.size() + options_.beside.n - n_handed_out_;

@@ -9,11 +9,11 @@
 
 namespace fretval {
 
-/// run_batch on all ranks, whichever asks first: on the first one the lines of all cases, equal to those of run_batch
-/// but for their seconds; on the others none. What is beside the cases is spread likewise. All ranks call it, with the
-/// same cases, options and threads of their own; the folder of a case is written by the rank that computes it, progress
-/// is called on the first one. bodies: of each rank. Those of so many dofs (from_dofs) or more are made by all ranks
-/// together, while the cases go on.
+/// run_batch() on all ranks, which ask the first one for cases. Returns on the first rank the lines of all cases, equal
+/// to those of run_batch() but for their seconds; on the others none. The work beside the cases is handed out in the
+/// same way. All ranks call it, with the same cases, options and threads of their own; the folder of a case is written
+/// by the rank that computes it, progress is called on the first one. bodies: the store of this rank. Bodies of
+/// from_dofs dofs or more are made by all ranks together, while the cases go on.
 ///
 /// give_up: called where a rank meets anything but failing numerics, by any thread; it has to end all ranks.
 std::vector<BatchLine> run_ranked_batch(const std::vector<PreparedCase>& cases, const BatchOptions& options,

@@ -136,12 +136,12 @@ SweepLines::SweepLines(const std::vector<Case>& cases) {
   const auto sweeps = sweeps_among(cases);
   const auto n_of_one_sweep = std::max(n_values_where_costly, n_values / std::max<std::size_t>(1, sweeps.size()));
   QuantityList all(quantities_by_interest.begin(), quantities_by_interest.end());
-  // Springs are stepped for that in a history of its own, at the points alone.
+  // The cycles to shakedown take a history of their own, which is stepped at the points alone.
   all.erase(std::find(all.begin(), all.end(), Quantity::cycles_to_shakedown));
   for (const auto& [first, places] : sweeps) {
     const fs::path folder = first->sweep->family;
     folders_.push_back(folder);
-    // Of a sweep whose results already have as many values, nothing.
+    // No line is needed for a sweep whose results have as many values themselves.
     const auto add_line = [&](Line line) {
       if (line.cases.size() > line.places.size()) lines_.push_back(std::move(line));
     };

@@ -15,19 +15,20 @@ namespace fretval {
 /// Unit of a swept entry: "deg", or empty. entry: as in Case::Sweep.
 std::string unit_of_entry(const std::string& entry);
 
-/// "φ_0", with subscripts as plots have them; empty: it has none.
+/// Symbol of an entry, "φ_0", with subscripts as plots have them; empty: it has none.
 std::string symbol_of_entry(const std::string& entry);
 
-/// What heads its column in a CSV file: "Motion / Phase [deg]".
+/// Head of the column of an entry in a CSV file: "Motion / Phase [deg]".
 std::string column_of_entry(const std::string& entry);
 
 /// MDR's answer between the points of each sweep among some cases, in two files in the folder of the family. `mdr.csv`:
 /// what has a closed form (both stick radii, contact radius, outer radius of the wear), at a hundred values.
-/// `mdr_springs.csv`: also what springs are stepped in time for, some 20 ms of a core for a value: a hundred, of many
-/// sweeps fewer, at least 24 each. At 24 values, and in this file alone, is all of a case under prescribed forces (half
-/// a second for a value, with harmonics 2), with several normal harmonics, or with measured moduli, which are fitted
-/// for each value. Columns: the entry, then the quantities, "nan" where MDR has none. Nothing is written where the
-/// entry does not take values between, nor where it is so costly and the motion has no period.
+/// `mdr_springs.csv`: also the quantities for which springs are stepped in time, some 20 ms of a core for a value: at a
+/// hundred values, or fewer if there are many sweeps, but at least 24. All quantities stand in this file alone, at 24
+/// values, for a case under prescribed forces (half a second for a value, 2 s with harmonics), with several normal
+/// harmonics, or with measured moduli, which are fitted for each value. Columns: the entry, then the quantities, "nan"
+/// where MDR has none. Nothing is written where the entry does not take values between, nor where values are so costly
+/// and the motion has no period.
 class SweepLines {
  public:
   explicit SweepLines(const std::vector<Case>& cases);
@@ -35,14 +36,14 @@ class SweepLines {
   SweepLines(const SweepLines&) = delete;
   SweepLines& operator=(const SweepLines&) = delete;
 
-  /// What there is to work out, but for what springs say at the values of the cases themselves. Must not outlive this.
+  /// The work for all lines, except that at the values of the cases themselves. It must not outlive this.
   BesideCases work();
 
   /// Says which sweeps have no line, or a costly one.
   void log_costs() const;
 
-  /// When all of the work is done. computed: of each case, whose answers are those by springs; what is not there is
-  /// stepped now.
+  /// Writes the files, when all of the work is done. computed: the lines of the cases, whose answers have the values by
+  /// springs; values that are missing are computed now.
   void write(const std::filesystem::path& output, const std::vector<BatchLine>& computed);
 
  private:
@@ -55,7 +56,8 @@ class SweepLines {
   NormalResponses normal_responses_;
 };
 
-/// A quantity of it over the entry; empty where there is none. family: its folder.
+/// A quantity over the swept entry, read from the files of a sweep; empty if it is not there. family: folder of the
+/// sweep.
 std::pair<std::vector<double>, std::vector<double>> read_sweep_line(const std::filesystem::path& family,
                                                                     const std::string& entry, Quantity quantity);
 

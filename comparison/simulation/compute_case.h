@@ -5,7 +5,7 @@
 
 namespace fretval {
 
-/// What finite elements say about a case at a resolution: mesh, operators, condensation, histories, readings. Bodies
+/// The answer of finite elements to a case at a resolution: mesh, operators, condensation, histories, readings. Bodies
 /// are shared with everything else that is computed from the same store. At nu = 1/2 the normal contact does not see
 /// the friction, so it comes first. Throws fem::SolverError and meshes::MeshError where the numerics fail.
 FeAnswer compute_case(const FemCase& fem, const Resolution& resolution, BodyStore& bodies);

@@ -32,7 +32,7 @@ NoWearEvidence no_wear_evidence(const ContactProblems& problems, const FemCase& 
                                 const fem::NormalHistory& normal, const fem::FrictionHistory& friction,
                                 Eigen::Index n_inside) {
   const auto& compliance = problems.normal.compliance;
-  // Without the ring in which the unworn indenter begins.
+  // The ring in which the unworn indenter begins does not count as worn.
   const auto& radii = compliance.radii;
   const auto outer = std::upper_bound(radii.begin(), radii.end(), fem.worn_edge->outer) - radii.begin() - 1;
   const auto n_worn = std::max<Eigen::Index>(outer - n_inside, 1);
@@ -45,16 +45,16 @@ NoWearEvidence no_wear_evidence(const ContactProblems& problems, const FemCase& 
   return evidence;
 }
 
-/// Where all of the contact inside a worn flank sticks, its edge is known. Where nothing does, the slip tells whether
-/// that holds up to the centre, to which it falls.
+/// Where all of the contact inside a worn flank sticks, the edge of the zone is known. Where no ring sticks, the fall
+/// of the slip towards the centre tells whether that holds up to it.
 void read_on_worn_profile(const fem::Compliance& compliance, Eigen::Index n_inside, Eigen::Index n_stuck,
                           const Eigen::VectorXd& slip, fem::EdgeRadius& zone) {
   if (n_stuck == n_inside) zone = {compliance.radii[n_stuck], 0};
   if (n_stuck == 0 && 2 * slip[0] > slip[1]) zone.uncertainty = 0;
 }
 
-/// Next to the worn edge the margins after shakedown are singular, but rings are fine there: those that stick are
-/// counted, which is out by no more than the next one, where the edge that was read is further off.
+/// Replaces the edge of a zone by the number of rings that stick, known to the next ring, where the two differ by more
+/// than that: next to the worn edge the margins after shakedown are singular, but rings are fine.
 void hold_to_count(const fem::Compliance& compliance, Eigen::Index n_stuck, fem::EdgeRadius& zone) {
   if (n_stuck == 0) return;
   const double counted = compliance.radii[n_stuck], next = compliance.radii[n_stuck + 1] - counted;
@@ -84,7 +84,7 @@ DiscAnswer stick_depths(const fem::PunchSeries& series, const FemCase& fem, cons
           depths(friction.shakedown_reserve, friction.period_slip / 4, rings.stuck.shakedown)};
 }
 
-/// Corrects the zones of a worn profile, and has the evidence of no wear.
+/// Corrects the zones of a worn profile, and returns the evidence that nothing wears.
 NoWearEvidence read_worn(const ContactProblems& problems, const FemCase& fem, const Eigen::VectorXd& profile,
                          const fem::NormalHistory& normal, const fem::FrictionHistory& friction,
                          const fem::StuckRings& stuck, fem::StickZones& zones) {
@@ -100,7 +100,8 @@ NoWearEvidence read_worn(const ContactProblems& problems, const FemCase& fem, co
   return no_wear_evidence(problems, fem, profile, normal, friction, n_inside);
 }
 
-/// Slip that dies out takes place in one step. Of a branch that has relaxed by its end the factor knows nothing.
+/// Whether a branch relaxes within a step. Slip that dies out takes place in one step, and its factor does not show
+/// such a branch.
 bool relaxes_in_a_step(const FemCase& fem) {
   const double step = 2 * pi / fem.steps_per_cycle();
   const auto& times = fem.relaxation.times;
@@ -123,7 +124,7 @@ void read_settling(const fem::Compliance& compliance, const FemCase& fem, const 
     answer.cycles_to_shakedown_uncertainty = std::abs(*answer.cycles_to_shakedown - *other);
 }
 
-/// n of f ~ r^n from half of the radius to it; at most that of the bluntest indenters. A flat face counts as such.
+/// Exponent n of f ~ r^n between half of a radius and the radius, at most 8, which a flat face counts as.
 double exponent_at(double radius, const FemCase& fem) {
   constexpr double bluntest = 8;
   const double outside = fem.profile(radius), half_way = fem.profile(radius / 2);
@@ -134,8 +135,8 @@ double exponent_at_edge(const FemCase& fem) {
   return exponent_at(1, fem);
 }
 
-/// Infinite under a sharp tip, and where a body with a dashpot is touched anew. Beyond a worn edge little is pressed,
-/// in the limit nothing.
+/// The largest pressure on the axis; empty: infinite, under a sharp tip and where a body with a dashpot is touched
+/// anew. Pressures beyond a worn edge are left out, as nothing is pressed there in the limit.
 std::optional<double> axis_pressure_of(const FemCase& fem, const ContactProblems& problems,
                                        const fem::NormalHistory& normal) {
   constexpr double near_axis = 1e-4, sharp = 1 + 1e-3;

@@ -18,12 +18,12 @@
 
 namespace fretval {
 
-/// How deep the rings of either zone stick, where zones are discs.
+/// Depths of the rings in the stick zones of first slip and of shakedown, where zones are discs.
 struct DiscAnswer {
   fem::StickDepths first_slip_depths, shakedown_depths;
 };
 
-/// What the finite elements say about the state in which nothing wears any more. Dimensionless ratios.
+/// Evidence by finite elements that nothing wears any more. Dimensionless ratios.
 struct NoWearEvidence {
   double slip_inside;        ///< longest slip of a ring inside c in a period over the tangential amplitude
   double force_outside;      ///< largest share of the normal force carried beyond c at any instant of the last cycle
@@ -33,20 +33,20 @@ struct NoWearEvidence {
   std::optional<double> limiting_amplitude;
 };
 
-/// When the whole contact begins to slide under a prescribed tangential force, while the amplitudes rise or after. Then
-/// an answer has nothing else but the body and the cost.
+/// When the whole contact begins to slide under a prescribed tangential force, while the amplitudes rise or after. An
+/// answer with it has only the body and the cost beside.
 struct GrossSlipStart {
-  double time;       ///< s, from the start of the history on, which of a path is the time of its first row
-  double amplitude;  ///< of all oscillations then, over that of the case
+  double time;       ///< s, from the start of the history, or on the time axis of a path
+  double amplitude;  ///< amplitudes of all oscillations at that time, over those of the case
 };
 
-/// How many rings resolve the zones: in the largest contact, and inside either stick radius.
+/// Number of rings that resolve the zones: in the largest contact, and inside the stick radii.
 struct ZoneRings {
   Eigen::Index contact = 0;
   fem::StuckRings stuck = {};
 };
 
-/// Seconds that the histories of a case took, each until it repeats; of the normal one also where cases share it.
+/// Seconds of the histories of a case, each until it repeats; the normal one counts also where cases share it.
 struct HistoryCost {
   double normal = 0, friction = 0;
 };
@@ -55,30 +55,30 @@ struct HistoryCost {
 struct ZoneAnswer {
   /// The largest contact of the cycle; rings that have never slipped; rings that do not slip any more.
   std::vector<fem::Annulus> contact, first_slip, shakedown;
-  double contact_uncertainty = 0;  ///< of each end of the contact; 0: it is that of the body at rest, see below
-  double pressure_max = 0;         ///< mean of a ring
-  double force_at_rest = 0;        ///< of the relaxed body, at the largest indentation
-  double radius_at_rest = 0;       ///< its outermost contact
+  double contact_uncertainty = 0;  ///< of each end of the contact; 0: it is that of the body at rest, see read_zones
+  double pressure_max = 0;         ///< Pa, mean over a ring
+  double force_at_rest = 0;        ///< N, of the relaxed body at the largest indentation
+  double radius_at_rest = 0;       ///< m, outermost radius of that contact
 };
 
-/// What finite elements say about a case; SI units. Empty: nothing sticks.
+/// The answer of finite elements to a case; SI units. Empty stick radii: nothing sticks.
 struct FeAnswer {
   std::optional<double> contact_radius_max;  ///< empty for a worn profile, whose flank touches without pressure
   std::optional<double> stick_radius_first_slip;
   std::optional<double> stick_radius_shakedown;
   double normal_force_max = 0;
   std::optional<double> indentation_max;  ///< empty: prescribed
-  /// Half of what lies between the extremes of u_x; empty: prescribed, or a motion without period.
+  /// Half of the range of u_x; empty: prescribed, or a motion without period.
   std::optional<double> tangential_amplitude;
   std::optional<double> axis_pressure_max;  ///< Pa; empty: infinite
-  /// SI units. Empty: worn, at rest tangentially, an unlocked phase, or a cycle that stands for none.
+  /// Forces and works of a cycle, SI units. Empty: the indenter is worn or at rest tangentially, the phase is unlocked,
+  /// or the cycle only stands for a motion without one.
   std::optional<fem::CycleResponse> cycle;
-  /// After how many cycles from rest nothing slips inside the shakedown radius (see cycles_until), and the factor per
-  /// cycle by which slip dies out then (see fem::decay_factor), both of a locked motion. Empty: it does at once, or the
-  /// cycles that were computed do not tell.
+  /// Number of cycles from rest after which nothing slips inside the shakedown radius (see cycles_until), for a locked
+  /// motion. Empty: slip ends at once, or the cycles that were computed do not tell.
   std::optional<double> cycles_to_shakedown;
-  double cycles_to_shakedown_uncertainty = 0;  ///< of the part of a ring inside c, see fem::SlipBeyond
-  std::optional<fem::DecayFactor> slip_decay;  ///< of a locked motion, per cycle; empty: see fem::decay_factor
+  double cycles_to_shakedown_uncertainty = 0;  ///< from the part of a ring inside c, see fem::SlipBeyond
+  std::optional<fem::DecayFactor> slip_decay;  ///< per cycle, of a locked motion; empty: see fem::decay_factor
   MotionKind motion_kind = MotionKind::cycles;
   double contact_radius_uncertainty = 0;  ///< of the time steps, see read_contact_radius
   double contact_radius_calibration = 0;  ///< of where edges lie in their rings, see fem::ContactEvents
@@ -86,7 +86,7 @@ struct FeAnswer {
   double indentation_uncertainty = 0;     ///< see fem::LargestIndentation
   double first_slip_uncertainty = 0;      ///< of reading the edge, see fem::EdgeRadius
   double shakedown_uncertainty = 0;
-  /// What an answer has by the kind of its contact (ContactKind), or where all of it slides.
+  /// The part of the answer that depends on the kind of the contact (ContactKind), or gross slip.
   std::variant<DiscAnswer, NoWearEvidence, ZoneAnswer, SurfaceAnswer, GrossSlipStart> of_kind;
 
   ZoneRings rings;
@@ -98,12 +98,12 @@ struct FeAnswer {
   std::shared_ptr<const Body> whole_body;  ///< see FemCase::keeps_body; null: not asked for, or made by another case
   HistoryCost seconds;
 
-  /// Null: it is of another kind.
+  /// The part of a kind; null: the answer is of another kind.
   template <class Kind>
   [[nodiscard]] const Kind* as() const {
     return std::get_if<Kind>(&of_kind);
   }
-  /// Seconds of an answer that shares no body: mesh, assembly, factorisation, both histories.
+  /// Seconds of the answer if it shared no body: mesh, assembly, factorisation, histories.
   [[nodiscard]] double seconds_alone() const { return body->cost.total() + seconds.normal + seconds.friction; }
 };
 
@@ -119,21 +119,21 @@ struct ContactRadius {
 };
 
 /// The largest contact radius is read at the ends of the steps, of which one is the deepest. Under a prescribed force,
-/// whose largest contact lies between the steps, it is read at the balance times, and the uncertainty is what that of
-/// the force leaves open. Empty for a worn profile, see FeAnswer.
+/// whose largest contact lies between the steps, it is read at the balance times, and its uncertainty follows from that
+/// of the force. Empty for a worn profile, see FeAnswer.
 std::optional<ContactRadius> read_contact_radius(const fem::ContactProblem& problem, const FemCase& fem,
                                                  const Eigen::VectorXd& profile, const fem::NormalHistory& history);
 
-/// The cycle of a motion that has one worth the name, see FeAnswer; normal_force_max is dimensionless.
+/// FeAnswer::cycle of a motion; normal_force_max is dimensionless.
 std::optional<fem::CycleResponse> cycle_of(const FemCase& fem, double normal_force_max,
                                            const fem::NormalHistory& normal, const fem::FrictionHistory& friction);
 
-/// Takes over the contact radius, and reads the largest force, pressure and indentation.
+/// Reads the largest force, pressure and indentation into an answer, and takes over the contact radius.
 void read_normal_response(const ContactProblems& problems, const FemCase& fem,
                           const std::optional<ContactRadius>& contact_radius, const fem::NormalHistory& normal,
                           FeAnswer& answer);
 
-/// Reads everything but the contact radius from the histories, which it keeps. profile: ring means.
+/// Reads an answer from the histories, which it keeps; the contact radius is given. profile: ring means.
 FeAnswer read_answer(const ContactProblems& problems, const FemCase& fem, const Eigen::VectorXd& profile,
                      const std::optional<ContactRadius>& contact_radius, fem::NormalHistory normal,
                      fem::FrictionHistory&& friction);

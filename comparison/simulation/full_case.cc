@@ -35,7 +35,7 @@ PlaneZone disc(double radius, double uncertainty, Eigen::Index n_angles) {
   return {fem::pi * radius * radius, radius, radius, radius, uncertainty, std::vector<double>(n_angles, radius)};
 }
 
-/// A zone with the edge moved out.
+/// A zone with its edge moved outwards.
 PlaneZone moved_out(PlaneZone zone, double by) {
   zone.radius += by;
   zone.along += by;
@@ -73,7 +73,8 @@ fem::SurfaceHistory coupled_history(const Eigen::VectorXd& profile, const fem::S
       rings, control_of_surface(fem));
 }
 
-/// By coupling, of the largest normal force and the edge of the contact, against the ring contact.
+/// Adds the changes by coupling, against the ring contact, to the largest normal force, the edge of the contact and the
+/// largest indentation.
 void add_coupling(const fem::NormalHistory& normal, const fem::RingProblems& rings, const FemCase& fem,
                   FeAnswer& answer) {
   auto& surface = std::get<SurfaceAnswer>(answer.of_kind);
@@ -94,7 +95,7 @@ void add_coupling(const fem::NormalHistory& normal, const fem::RingProblems& rin
   *answer.indentation_max += (deep - deep_alone) * fem.units.depth;
 }
 
-/// Half of what lies between the extremes of u_x; of prescribed forces.
+/// Half of the range of u_x, for prescribed forces.
 double amplitude_of(const fem::SurfaceHistory& history) {
   const Eigen::VectorXd along = history.displacement.row(0);
   return (fem::largest_of_period(along, history.pieces) + fem::largest_of_period(-along, history.pieces)) / 2;
@@ -113,8 +114,8 @@ fem::CycleResponse response_of(const FemCase& fem, const fem::SurfaceHistory& hi
   return cycle;
 }
 
-/// What the contact on rings and angles says less what it says with the traction of all angles the same: by which the
-/// answer of the ring contact changes.
+/// Adds to forces and works of the ring contact the difference of those on rings and angles from those with the same
+/// traction at all angles.
 void add_change(const fem::CycleResponse& full, const fem::CycleResponse& of_rings, fem::CycleResponse& cycle) {
   for (const auto value :
        {&fem::CycleResponse::tangential_force_max, &fem::CycleResponse::tangential_force_mean,
@@ -126,7 +127,8 @@ std::optional<double> radius_of(const PlaneZone& zone) {
   return zone.radius > 0 ? std::optional(zone.radius) : std::nullopt;
 }
 
-/// A zone whose edge is corrected by what reading it on the same rings costs where the ring contact knows it better.
+/// A zone whose edge is moved by the error of reading it on these rings, as far as the ring contact knows that edge
+/// better.
 PlaneZone corrected(const PlaneZone& zone, const fem::ContactRegion& of_rings, const std::optional<double>& better,
                     double better_uncertainty, double length) {
   if (zone.radius == 0 || of_rings.radius == 0 || !better) return zone;
@@ -135,7 +137,7 @@ PlaneZone corrected(const PlaneZone& zone, const fem::ContactRegion& of_rings, c
   return moved;
 }
 
-/// Of the indenter along the surface, in the cycle or in the pass.
+/// Length of the path of the indenter along the surface, in the cycle or in the pass.
 double way_of(const fem::SurfaceHistory& history, bool is_pass) {
   const auto& at = history.displacement;
   const Eigen::Index n = at.cols();
@@ -144,7 +146,7 @@ double way_of(const fem::SurfaceHistory& history, bool is_pass) {
   return way;
 }
 
-/// Everything that is read of the history, before corrections.
+/// Reads all values from the history, before corrections.
 void read_surface(const fem::NormalHistory& normal, const FemCase& fem, FeAnswer& answer) {
   auto& surface = std::get<SurfaceAnswer>(answer.of_kind);
   const auto& history = surface.history;
@@ -161,7 +163,8 @@ void read_surface(const fem::NormalHistory& normal, const FemCase& fem, FeAnswer
     answer.tangential_amplitude = amplitude_of(history) * fem.units.depth;
 }
 
-/// Of a motion along x: the ring contact, and what becomes of it.
+/// Corrects the answer for a motion along x by that of the ring contact. of_rings: history with the same traction at
+/// all angles.
 void correct_by_rings(const FeAnswer& ring, const fem::SurfaceHistory& of_rings, const FemCase& fem, FeAnswer& answer) {
   auto& surface = std::get<SurfaceAnswer>(answer.of_kind);
   const double length = fem.units.length;
@@ -179,7 +182,7 @@ void correct_by_rings(const FeAnswer& ring, const fem::SurfaceHistory& of_rings,
   answer.cycle = cycle;
 }
 
-/// With the steps of the case.
+/// The answer with the steps of the case.
 FeAnswer answer_in_steps(const ContactProblems& problems, const FemCase& fem, const std::optional<FeAnswer>& ring,
                          BodyStore& bodies) {
   const auto normal = normal_part(problems, fem, bodies.normals);
@@ -207,7 +210,7 @@ FeAnswer answer_in_steps(const ContactProblems& problems, const FemCase& fem, co
   return answer;
 }
 
-/// What a first order in the step leaves of a value, from that with fewer steps.
+/// Extrapolates a value of first order in the step by that with fewer steps.
 struct Extrapolation {
   double gain;  ///< of the difference
   void operator()(double coarse, double& fine) const { fine += gain * (fine - coarse); }

@@ -12,12 +12,12 @@ namespace fretval {
 struct PlaneZone {
   double area = 0, radius = 0;     ///< of the zone, and of the disc of that area
   double along = 0, across = 0;    ///< half of the extents along x and y
-  double uncertainty = 0;          ///< of the edge, by reading it
+  double uncertainty = 0;          ///< m, of the edge, by reading it
   std::vector<double> edges = {};  ///< radius at each angle of the grid
 };
 
-/// What the contact on rings and angles says beyond FeAnswer. Of a single pass what sticks in a cycle is what has
-/// never slipped; what sticks in its last step may have slipped as it was touched.
+/// The part of an answer that the contact on rings and angles adds to FeAnswer. For a single pass sticks_in_a_cycle
+/// equals never_slipped; points of sticks_at_the_end may have slipped when they were touched.
 struct SurfaceAnswer {
   PlaneZone never_slipped, sticks_in_a_cycle, sticks_at_the_end, contact;
   double transverse_force_max = 0;  ///< N, of |F_y|

@@ -10,13 +10,13 @@
 
 namespace fretval {
 
-/// What finite elements say about an indenter that wears under friction as a vector, off its circle: dimensionless, in
-/// the units of its case. Points are those of rings x kept angles, angle by angle.
+/// Wear of an indenter under friction as a vector by finite elements; dimensionless, in the units of its case. The
+/// shape need not stay axisymmetric. Points are those of rings x kept angles, angle by angle.
 struct SurfaceWear {
   fem::WearCourse course;
   fem::AngularGrid grid;
   std::vector<double> radii;  ///< of the rings
-  fem::ContactRegion sticks;  ///< where nothing slips at the end, whose edge is known to a ring: its uncertainty
+  fem::ContactRegion sticks;  ///< where nothing slips at the end; the uncertainty of its edge is a ring
   Eigen::VectorXd unworn;     ///< ring means of the height
   double seconds = 0;
 
@@ -25,8 +25,8 @@ struct SurfaceWear {
 };
 
 /// The resolution that a worn surface is computed at, with the rings and steps that the case file sets, if it does.
-/// Where the traction and the pressure of what sticks are singular, stick is decided by their ratio, so it takes degree
-/// 5 as the wear of rings does (resolution_for_wear).
+/// Where traction and pressure of a zone that sticks are singular, their ratio decides what sticks, so that degree 5 is
+/// taken, as for the wear of rings (resolution_for_wear).
 Resolution resolution_for_surface_wear(const Case& input, const Resolution& of_the_case);
 
 /// Runs the wear of a case with friction as a vector and prescribed displacements to its end. edge: the stick radius of

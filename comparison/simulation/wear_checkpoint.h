@@ -8,17 +8,18 @@
 
 namespace fretval {
 
-/// A file that keeps how far a wear has come, so that it goes on from there after its program was killed. Written aside
-/// and renamed, with a checksum; one that is damaged, or of another wear or program, counts as none.
+/// A file that keeps the state of a course of wear, so that it goes on from there after its program was killed. It is
+/// written aside and renamed, and has a checksum; a file that is damaged, or of another wear or program, counts as
+/// none.
 class WearCheckpoint {
  public:
   /// what: all that the course depends on, as text. An empty folder: nothing is kept.
   WearCheckpoint(const std::filesystem::path& folder, std::string what);
 
-  /// The state that was kept last. start: of the same wear.
+  /// The state that was kept last; empty: there is none. start: a state of the same wear, which is overwritten.
   [[nodiscard]] std::optional<fem::WearState> restored(fem::WearState start) const;
 
-  /// Where a file cannot be written, a warning says so, and no more is kept.
+  /// Keeps a state. Where the file cannot be written, a warning says so, and nothing is kept from then on.
   void keep(const fem::WearState& state);
 
  private:

@@ -9,12 +9,12 @@
 
 namespace fretval {
 
-/// How far out an indenter can wear: under a height of the largest indentation its flank reaches the plane that no
-/// surface comes above. Over the unit of length.
+/// Radius up to which an indenter can wear, over the unit of length: where its height is the largest indentation.
+/// Further out its flank stays above the highest plane that the surface of the body reaches.
 double widest_wear(const FemCase& fem, double largest_indentation);
 
 /// Wears a contact at rest, of a case at its resolution, to the end that the case asks for, or goes on from the
-/// checkpoint in a folder (empty: none). after_jump: told the course so far.
+/// checkpoint in a folder (empty: none). after_jump: called after each jump with the course so far.
 fem::WearCourse worn_to_its_end(std::unique_ptr<fem::RubbingContact> contact, const fem::WornProfile& profile,
                                 const FemCase& fem, const Case::WearKinetics& wear,
                                 const std::filesystem::path& checkpoints,

@@ -11,7 +11,7 @@
 
 namespace fretval {
 
-/// What finite elements say about an indenter that wears: dimensionless, in the units of its case.
+/// Wear of an indenter by finite elements; dimensionless, in the units of its case.
 struct WearSimulation {
   fem::WearCourse course;
   std::vector<double> radii;  ///< of the rings
@@ -23,7 +23,7 @@ struct WearSimulation {
   double seconds = 0;
 };
 
-/// Width of the rings that meet at a radius of theirs; 0 where there is none.
+/// Widths of the rings inside and outside of one of their radii; 0 where there is no ring.
 struct RingWidths {
   double inside, outside;
 };
@@ -35,10 +35,10 @@ RingWidths rings_at(const std::vector<double>& radii, double radius);
 /// ratio of the two in the last ring. On a half-space it is that of two flat punches, 2/3, for discs of any radius; for
 /// finite elements it is off by a share that no refinement of the rings reduces, only the degree: 8e-2, 1.5e-3, 3e-3
 /// and 1e-4 for degrees 2 to 5. By a third of that share, over the contact radius, wear would eat into the stick zone.
-/// So wear takes degree 5, and its error is measured by degree 3.
+/// Therefore wear takes degree 5, and its error is measured by degree 3.
 Resolution resolution_for_wear(const Resolution& of_the_case);
 
-/// What else is done on the way through a wear.
+/// What is done beside on the way through a course of wear.
 struct WearRun {
   std::filesystem::path checkpoints = {};  ///< folder of WearCheckpoint; empty: none
   /// Called after each jump with the rings, and the course so far.
@@ -48,11 +48,12 @@ struct WearRun {
 /// Whether wear may move the stick radius: under prescribed forces, and over another body than a half-space.
 bool stick_radius_moves(const FemCase& fem);
 
-/// Where wear ends: the stick radius, and as far out as it can get. unworn_stick_radius: that finite elements read on
-/// the unworn indenter. Under prescribed displacements the stick radius stays what it is over a half-space, and the
-/// flank is worn to the plane of the largest indentation. Under prescribed forces the indenter sinks in as it wears and
-/// the stick radius may move: then wear is run on coarse rings graded around it, and again around the one that this
-/// ended with, until it moves by no more than a ring. Throws SolverError when it does not settle.
+/// Edges of the worn flank at the end of wear: the stick radius, and the largest radius that wear can reach.
+/// unworn_stick_radius: that of finite elements on the unworn indenter. Under prescribed displacements over a
+/// half-space the stick radius stays the same, and the flank is worn to the plane of the largest indentation. Under
+/// prescribed forces the indenter sinks in as it wears and the stick radius may move: then wear is computed on coarse
+/// rings graded around it, and again around the stick radius at the end of that, until it moves by no more than a ring.
+/// Throws SolverError when it does not settle.
 WornEdge edge_of_wear(const FemCase& fem, const Case::WearKinetics& wear, double unworn_stick_radius, BodyStore& bodies,
                       const WearRun& run = {});
 

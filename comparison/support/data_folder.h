@@ -9,7 +9,7 @@ namespace fretval {
 /// if neither is there.
 std::filesystem::path data_folder();
 
-/// The folder of the data of a program that lies in this folder.
+/// The folder of the data for a program that lies in program_folder.
 std::filesystem::path data_folder_beside(const std::filesystem::path& program_folder);
 
 }  // namespace fretval

@@ -7,7 +7,7 @@ namespace fretval {
 /// Text with the characters that mean something in HTML and XML replaced by entities.
 std::string html_escaped(const std::string& text);
 
-/// Question marks for what would steer a terminal, but for ends of lines.
+/// The text with question marks in the place of characters that would control a terminal, except ends of lines.
 std::string without_control_characters(std::string text);
 
 }  // namespace fretval

@@ -11,7 +11,7 @@ namespace fretval {
 /// Throws std::filesystem::filesystem_error.
 void write_file(const std::filesystem::path& file, const std::string& content);
 
-/// All of a file, byte for byte; empty also if it cannot be read.
+/// The content of a file, byte for byte; empty if it cannot be read.
 std::string content_of(const std::filesystem::path& file);
 
 /// One column of a CSV file; its name carries the unit, for example "r [m]".

@@ -6,19 +6,19 @@
 
 namespace fretval {
 
-/// Null where there is no value.
+/// The value as JSON; null where there is none.
 template <class Value>
 nlohmann::ordered_json or_null(const std::optional<Value>& value) {
   return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json(nullptr);
 }
 
-/// Null for what is not finite.
+/// The number as JSON; null if it is not finite.
 nlohmann::ordered_json or_null(double value);
 
-/// Likewise, or where there is no value.
+/// The number as JSON; null if there is none or it is not finite.
 nlohmann::ordered_json or_null(const std::optional<double>& value);
 
-/// Null for an empty text.
+/// The text as JSON; null if it is empty.
 nlohmann::ordered_json or_null(const std::string& text);
 
 }  // namespace fretval

@@ -8,9 +8,9 @@ namespace fretval {
 struct JUnitCase {
   std::string name;
   std::string failure;      ///< empty: passed
-  std::string output = {};  ///< what it came to, for people; empty: not told
+  std::string output = {};  ///< the result for people; empty: not told
   double seconds = 0;       ///< 0: not told
-  std::string error = {};  ///< what kept it from coming to an answer, which is no failure of the answer; empty: nothing
+  std::string error = {};   ///< why there is no answer at all, which is no failure of an answer; empty: there is one
 };
 
 /// JUnit XML of a suite, for CI systems. name: of the suite; with dots for its spaces it is the class of

@@ -45,7 +45,7 @@ void warn(const std::string& message) {
 
 namespace {
 
-/// Whether nobody has said it before.
+/// Whether a message is new.
 bool is_new(const std::string& message) {
   static std::mutex mutex;
   static std::set<std::string> said;

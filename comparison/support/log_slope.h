@@ -8,7 +8,7 @@ namespace fretval {
 /// A power law fitted to points.
 struct LogSlope {
   double slope;
-  int n_points;  ///< that it was fitted to; with two of them nothing confirms it
+  int n_points;  ///< number of points of the fit; with two of them nothing confirms it
 };
 
 /// Slope of log y over log x by least squares, over the points with x > 0 and y > floor; empty if there are fewer than

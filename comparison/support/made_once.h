@@ -7,12 +7,12 @@
 
 namespace fretval {
 
-/// Values by key, each made once, for all threads, unless it is forgotten.
+/// Values by key, each made once for all threads, unless it is forgotten.
 template <class Key, class Value>
 class MadeOnce {
  public:
   /// The value of that key; makes it if nobody has, and waits where another thread is making it. Throws what make
-  /// throws, whoever asks.
+  /// throws, in every call for the key.
   template <class Make>
   std::shared_ptr<const Value> find_or_make(const Key& key, const Make& make) {
     std::promise<std::shared_ptr<const Value>> promise;
@@ -34,7 +34,7 @@ class MadeOnce {
     return value.get();
   }
 
-  /// It is made again for who asks for it from now on.
+  /// Forgets a value: it is made again when it is asked for.
   void forget(const Key& key) {
     const std::lock_guard<std::mutex> lock(mutex_);
     values_.erase(key);

@@ -37,14 +37,14 @@ std::string clock_text(double seconds) {
 std::string left_text(const Advance& advance, double seconds) {
   if (advance.n_done == advance.n_parts) return "in " + clock_text(seconds);
   constexpr double begins = 0.01;  // of one part; less than that is how it begins
-  // Of the whole: a tenth, or a hundred parts, which chance moves by a tenth even where they differ as much as their
-  // mean.
+  // Share done from which the time left follows the time spent alone: a tenth, or a hundred parts, whose total chance
+  // moves by a tenth even where parts differ by as much as their mean.
   const double tells = std::min(0.1, 100.0 / static_cast<double>(advance.n_parts));
   const bool has_begun = advance.share * static_cast<double>(advance.n_parts) >= begins;
   const double rest = has_begun ? seconds * (1 - advance.share) / advance.share : 0;
   if (advance.share < tells && advance.expected > seconds) {
-    // A tenth of that weighs as much as the estimate, which is right to a factor of three, or, of other processors or
-    // shared ones, to another one.
+    // When a tenth of that share is done, the time spent weighs as much as the estimate, which is right to a factor of
+    // three, or on other or shared processors to another factor.
     const double belief = has_begun ? advance.share / (advance.share + tells / 10) : 0;
     return "about " + clock_text((1 - belief) * (advance.expected - seconds) + belief * rest) + " left";
   }

@@ -11,15 +11,15 @@ namespace fretval {
 /// std::mt19937_64 give, but not what its distributions make of that.
 class RandomNumbers {
  public:
-  /// Streams of different seeds have nothing to do with each other. Of each seed the lower 32 bits count.
+  /// Streams of different seeds are independent. The lower 32 bits of each seed count.
   explicit RandomNumbers(const std::vector<std::uint64_t>& seeds);
 
-  /// In [from, to).
+  /// A number in [from, to), uniformly distributed.
   double uniform(double from, double to);
-  /// In [from, to), both positive, every decade as likely as any other.
+  /// A number in [from, to), both positive, with its logarithm uniformly distributed.
   double log_uniform(double from, double to);
   bool chance(double probability);
-  /// 0 to n - 1; n at most 2^32, positive.
+  /// A number from 0 to n - 1; n positive, at most 2^32.
   std::size_t index(std::size_t n);
   /// One of the given values, of which there must be some.
   template <class Value>

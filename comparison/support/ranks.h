@@ -7,22 +7,22 @@
 
 namespace fretval {
 
-/// Between two looks for messages: so many milliseconds of sleep.
+/// Sleeps for some milliseconds between two looks for messages.
 void rest(int milliseconds = 1);
 
 /// The processes that mpirun has started for one run, and how they talk. With petsc_session.cc and
 /// distributed_condensation.cc the only place that knows of MPI.
 ///
 /// The first rank answers questions and gives orders. Any thread of any rank asks (the first rank's too); one thread of
-/// the first answers, and one of each other looks for orders. Who waits sleeps between looks, so that a waiting rank
-/// takes no core from one that computes.
+/// the first answers, and one of each other looks for orders. Waiting ranks sleep between looks, so that they take no
+/// core from those that compute.
 class Ranks {
  public:
   /// Starts MPI where this process was started with others; alone it is the first and only rank, and there is no MPI.
   /// Ranks that may run on the same cores of a node share them out, before they have any threads. Throws
   /// std::runtime_error if this MPI does not let threads talk.
   Ranks();
-  /// Waits for the other ranks; does not if an exception is on its way, of which they do not know.
+  /// Waits for the other ranks, unless an exception is on its way, of which they do not know.
   ~Ranks();
   Ranks(const Ranks&) = delete;
   Ranks& operator=(const Ranks&) = delete;
@@ -41,33 +41,35 @@ class Ranks {
 
   struct Question {
     int rank;
-    int answer_tag;  ///< 0: told, no answer is waited for
+    int answer_tag;  ///< 0: no answer is expected
     std::string text;
   };
-  /// For the first rank: what another (or it) has asked or told, if anything; the answer to it; an order to all others.
+  /// For the first rank: the next question or message of any rank, if there is one; the answer to a question; an order
+  /// to all other ranks.
   [[nodiscard]] std::optional<Question> next_question() const;
   void answer(const Question& question, const std::string& text) const;
   void order(const std::string& text) const;
-  /// For the others.
+  /// For the other ranks: the next order, if there is one.
   [[nodiscard]] std::optional<std::string> next_order() const;
 
  private:
   int number_ = 0, count_ = 1;
 };
 
-/// Whether several ranks were started, and this is the first (or only) one; "rank 1 of 4 on node7: ", for messages, and
-/// nothing for a process alone. By the environment: also before there are Ranks.
+/// Whether several ranks were started; whether this is the first or only one; and its name for messages, "rank 1 of 4
+/// on node7: ", empty for a process alone. They read the environment, and work before there are Ranks.
 bool are_several_ranks();
 bool is_first_rank();
 std::string rank_text();
 
-/// Where several ranks meet the same error, the first one says it: the others give it a second, in which it ends them.
+/// Lets the first rank tell an error that several ranks meet: other ranks wait for a second, in which the first one
+/// ends them.
 void let_first_rank_speak();
 /// Ends all ranks at once, with this exit code; does nothing where MPI does not run.
 void end_all_ranks(int exit_code);
 
-/// Which of its cores a rank takes so that all ranks of a node have as many, and none two if there are enough.
-/// cores: of each rank, ascending, those that it may run on.
+/// The cores that a rank takes so that all ranks of a node have equally many, and share none if there are enough.
+/// cores: for each rank the cores on which it may run, ascending.
 std::vector<int> share_of_cores(const std::vector<std::vector<int>>& cores, std::size_t rank);
 
 }  // namespace fretval

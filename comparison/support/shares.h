@@ -6,9 +6,9 @@
 
 namespace fretval {
 
-/// Hands out the numbers 0..n-1, each once, to so many ranks that work at different speeds. Neighbours often share
-/// something that is made once in each process: so each rank has a stretch of its own, as long as the others', and who
-/// is done with his takes from the far end of the longest that is left.
+/// Hands out the numbers 0..n-1, each once, to n_ranks ranks that work at different speeds. Neighbours often share
+/// something that is made once in each process: therefore each rank has a stretch of its own, all of equal length, and
+/// a rank that has finished its stretch takes numbers from the far end of the longest stretch that is left.
 class Shares {
  public:
   Shares(std::size_t n, std::size_t n_ranks);

@@ -5,7 +5,7 @@
 
 namespace fretval {
 
-/// That this thread has computed for so far; what it waits for, another one pays.
+/// Seconds of processor time of this thread so far; time in which it waits for others does not count.
 inline double processor_seconds() {
   timespec time{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);

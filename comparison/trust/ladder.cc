@@ -32,7 +32,8 @@ std::string title_of_ratio(double poisson_ratio) {
   return fmt::format("nu = {:g}", poisson_ratio);
 }
 
-/// Ratios of what is locked in, or of how the motion settles, are none of MDR's.
+/// Whether MDR's relative error in a quantity has a meaning: not in ratios, not in the force that slip has locked in,
+/// and not in how the motion settles.
 bool is_on_ladder(Quantity quantity) {
   const auto& traits = traits_of(quantity);
   return *traits.unit && !traits.of_settling && quantity != Quantity::tangential_force_mean;
@@ -48,11 +49,11 @@ double coupling_of(const Case& input, double contact_radius) {
   return std::abs((1 - 2 * nu) * stiff * s * s - kappa * kappa) / (2 * (1 - nu) * (stiff * s * c - kappa));
 }
 
-/// What finite elements say of a rung.
+/// The answer of finite elements to a rung.
 struct Proved {
   ProvedAnswer fe;
   Units units;
-  /// With the error bars, as those of a method that others are held to.
+  /// The readings, with the error bars as uncertainties.
   [[nodiscard]] Readings readings() const {
     auto all = readings_of(fe.fe, units);
     const auto scales = scales_of(fe.fe, units);

@@ -18,36 +18,36 @@ struct Rung {
   Case input;
 };
 
-/// From MDR's own model, an incompressible half-space with a traction along x: one rung for each of its assumptions
-/// that the case does not keep. No contact keeps the direction of the traction, whatever the case file says of it;
-/// friction is a vector on a rung wherever the full contact computes the motion.
+/// The rungs of a case. They start from MDR's own model, an incompressible half-space with a traction along x: one rung
+/// for each assumption of it that the case does not keep. No contact keeps the direction of the traction, whatever the
+/// case file says of it; friction is a vector on a rung wherever the full contact computes the motion.
 std::vector<Rung> rungs_of(const Case& input);
 
-/// All assumptions of MDR dropped but the one that pressure and friction are not coupled.
+/// The case with all of MDR's assumptions dropped, except that pressure and friction are not coupled.
 Case case_without_coupling(const Case& input);
 
-/// The same with coupling; empty: over an incompressible half-space there is none, or friction is not computed as a
-/// vector.
+/// The case with all of MDR's assumptions dropped, the coupling of pressure and friction included; empty: an
+/// incompressible half-space does not couple them, or friction is not computed as a vector.
 std::optional<Case> coupled_case(const Case& input);
 
 /// MDR's own model of a case.
 Case case_for_mdr(const Case& input);
 
-/// By how much MDR's own model is off.
+/// Error of MDR's own model in a quantity.
 struct OffBy {
-  Reading fe;              ///< what finite elements say, with their error bar
+  Reading fe;              ///< value by finite elements, with their error bar
   double value = 0;        ///< MDR's value over that, less 1
   double uncertainty = 0;  ///< of the value, by both methods
 
-  /// Whether it is more than numerics.
+  /// Whether the error is larger than its uncertainty.
   [[nodiscard]] bool is_resolved() const;
-  /// What finite elements say over MDR's value, less 1.
+  /// Value by finite elements over MDR's, less 1.
   [[nodiscard]] double change() const;
 };
 using OffBys = std::map<Quantity, OffBy>;
 
-/// Of what is compared and both methods have a value for that is not 0, but for what settles and what slip has locked
-/// in.
+/// Errors of MDR in the quantities that are compared and for which both methods have a value that is not 0; quantities
+/// of settling and the mean tangential force are left out.
 OffBys off_by(const Readings& mdr, const ProvedAnswer& fe, const Units& units);
 
 struct RungAnswer {
@@ -55,18 +55,18 @@ struct RungAnswer {
   OffBys off_by;
 };
 
-/// An assumption that no rung drops, and of what order its effect is in this case.
+/// An assumption that no rung drops, and the order of its effect in the case.
 struct NotComputed {
   std::string assumption, order;
 };
 
 /// How far MDR can be trusted in a case, and why.
 struct Ladder {
-  Readings mdr;                     ///< of its own model
-  std::vector<RungAnswer> rungs;    ///< one assumption dropped each; coupling: beside all others, against all others
-  RungAnswer whole;                 ///< all of them
-  double contact_radius;            ///< m, of finite elements for the whole
-  std::optional<PlaneEdges> edges;  ///< of zones, of the whole; empty: friction is not a vector there
+  Readings mdr;                     ///< readings of MDR's own model
+  std::vector<RungAnswer> rungs;    ///< one assumption dropped in each; coupling: beside all others, against these
+  RungAnswer whole;                 ///< all assumptions dropped
+  double contact_radius;            ///< m, by finite elements, with all assumptions dropped
+  std::optional<PlaneEdges> edges;  ///< of the zones, in `whole`; empty: friction is not a vector there
   std::vector<NotComputed> not_computed;
 };
 
@@ -74,7 +74,7 @@ struct Ladder {
 /// InputError for a case that cannot be compared or wears.
 Ladder ladder_of(const Case& input, BodyStore& bodies);
 
-/// What is not computed in a case whose largest contact radius is this, m.
+/// The assumptions that no rung drops. contact_radius: largest contact radius of the case, m.
 std::vector<NotComputed> not_computed_in(const Case& input, double contact_radius);
 
 }  // namespace fretval

@@ -12,7 +12,7 @@ namespace fretval {
 /// radius or, where there is none, the first-slip or the contact radius; in brackets what an assumption changes.
 std::string headline_of(const Ladder& ladder);
 
-/// The quantity of the headline, the one that a user asks for first; empty: nothing is compared.
+/// The quantity of the headline, which a user asks for first; empty: nothing is compared.
 std::optional<Quantity> quantity_of_headline(const Ladder& ladder);
 
 /// Headline, a table of quantities by rungs, and what is not computed, for the terminal.

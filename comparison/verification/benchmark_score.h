@@ -15,28 +15,28 @@ namespace fretval {
 /// docs/benchmarks.json, which is compiled into the program.
 extern const std::string_view benchmarks_json;
 
-/// What another code says of a benchmark, by quantity in SI units. From a table of one row: names of quantities as in
-/// docs/benchmarks.json, units, numbers; a quantity of which a benchmark has none is left out. Throws InputError that
-/// names the source and what would be valid.
+/// Reads the answer of another code to a benchmark, by quantity in SI units, from a table of one row: names of
+/// quantities as in docs/benchmarks.json, units, numbers. Quantities that no benchmark has are left out. Throws
+/// InputError that names the source and what would be valid.
 std::map<Quantity, double> read_foreign_answer(std::istream& stream, const std::string& source_name);
 
-/// A quantity of a benchmark beside what another code says of it.
+/// A quantity of a benchmark beside the value of another code.
 struct ScoreRow {
   Quantity quantity;
-  std::optional<double> value;            ///< of the other code; empty: it says nothing
-  std::optional<double> mdr, fe;          ///< empty: there is none, as a stick radius where nothing sticks
+  std::optional<double> value;            ///< of the other code; empty: it has none
+  std::optional<double> mdr, fe;          ///< empty: there is none, like a stick radius where nothing sticks
   double error_bar = 0;                   ///< of fe
   std::optional<double> difference = {};  ///< of value from fe, or from MDR where fe has none, over its scale
-  bool agrees = true;                     ///< within the tolerance; or nothing is said
+  bool agrees = true;                     ///< whether value is within the tolerance, or missing
   std::string remark = {};                ///< "is the stick radius, shakedown", or why it does not agree
 };
 
 /// The rows of a benchmark by its name. Radii are compared over the largest contact radius, all else relatively. Throws
-/// InputError for a name that there is not, and if the other code says nothing that the benchmark has.
+/// InputError for an unknown name, and if the other code has no quantity of the benchmark.
 std::vector<ScoreRow> benchmark_score(const std::string& benchmark, const std::map<Quantity, double>& foreign,
                                       double tolerance);
 
-/// Their names, in their order.
+/// Names of all benchmarks, in the order of docs/benchmarks.json.
 std::vector<std::string> benchmark_names();
 
 /// All rows for a terminal, and how many agree.

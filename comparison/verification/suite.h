@@ -17,7 +17,7 @@ namespace fretval {
 struct ComparedQuantity {
   double mdr, fe;
   double tolerance;
-  std::optional<double> bar;  ///< of fe, infinite where a coarser computation lacks the quantity; empty: not asked for
+  std::optional<double> bar;  ///< of fe, infinite where a coarser computation lacks the quantity; empty: no bar
   std::string source = {};    ///< of the largest share of the bar
   double mdr_error = 0;       ///< of springs that were stepped in time
 
@@ -30,19 +30,19 @@ struct ComparedQuantity {
 
 using ComparedQuantities = std::map<Quantity, ComparedQuantity>;
 
-/// A case of a suite, and what is asked of it.
+/// A case of a suite, and the demands on it.
 struct SuiteCase {
-  std::string family = {}, name = {};  ///< unlike any other together; family: what it is a member of, may be empty
+  std::string family = {}, name = {};  ///< together unique; family: may be empty
   std::string text = {};               ///< of its case file, which has its tolerance
   std::string refusal = {};            ///< words of the message that has to come; empty: an answer has to come
   bool must_be_conclusive = false;     ///< no bar may be wider than its tolerance
   Proof proof = Proof::tolerance;      ///< that the finite elements give
-  /// Applied to what the case file comes to.
+  /// Applied to the case after it was prepared.
   std::function<void(PreparedCase&)> change = {};
-  std::shared_ptr<BodyStore> bodies = {};  ///< on meshes of its own; null: those of the suite
+  std::shared_ptr<BodyStore> bodies = {};  ///< store with meshes of its own; null: that of the suite
 };
 
-/// What became of a case.
+/// The result of a case of a suite.
 struct SuiteRow {
   SuiteCase asked;
   std::string refusal = {};  ///< message of the bad input or of the numerics that came instead of an answer
@@ -52,8 +52,8 @@ struct SuiteRow {
   int n_refinements = 0, n_computations = 0;
 };
 
-/// agrees: every error is within its bar, and no bar is wider than its tolerance. inconclusive: within bars of which
-/// one is wider. refused: with the words that the case expects.
+/// agrees: every error is within its bar, and no bar is wider than its tolerance; inconclusive: errors are within their
+/// bars, but a bar is wider than its tolerance; refused: with the words that the case expects; fails: see failure_of.
 enum class RowVerdict { agrees, inconclusive, refused, fails };
 const char* name_of(RowVerdict verdict);
 
@@ -68,22 +68,22 @@ RowVerdict verdict_of(const SuiteRow& row);
 /// A suite that was run.
 struct SuiteRun {
   std::string name;   ///< as on the command line
-  std::string about;  ///< what its cases are, a sentence or two for people
+  std::string about;  ///< description of its cases in a sentence or two
   std::vector<SuiteRow> rows = {};
   double seconds = 0;
 
-  /// No row fails, and there are rows.
+  /// Whether there are rows and none of them fails.
   [[nodiscard]] bool passes() const;
 };
 
 /// Runs cases in parallel as `fretval run` would, each held against MDR; the rows come in the order of the cases.
-/// Whatever a case throws ends up in its row.
+/// Exceptions of a case are kept in its row.
 std::vector<SuiteRow> run_cases(const std::vector<SuiteCase>& cases, BodyStore& bodies);
 
 /// All cases of a suite at once.
 SuiteRun run_suite(const std::string& name, const std::string& about, const std::vector<SuiteCase>& cases);
 
-/// Reads the case file. Throws InputError.
+/// The case of its case file. Throws InputError.
 Case case_of(const SuiteCase& suite_case);
 
 /// "family: name"

@@ -17,9 +17,9 @@ std::string entry_text(double value);
 Entries with(Entries entries, const Entries& changes);
 Entries with_numbers(Entries entries, const std::map<std::string, double>& changes);
 
-/// A case with the tangential amplitude that shakes down at a stick radius of c, stick_ratio = c over the
-/// unworn contact radius at the largest indentation, times a factor; 0: at the border to where nothing sticks. Throws
-/// InputError if there is none.
+/// A case with the tangential amplitude that shakes down at a stick radius of c, stick_ratio = c over the unworn
+/// contact radius at the largest indentation, times a factor; stick_ratio = 0: at the border to where nothing sticks.
+/// Throws InputError if there is none.
 Entries with_stick_ratio(const Entries& entries, double stick_ratio, double factor = 1);
 
 /// The entries as the text of a case file (.prm).

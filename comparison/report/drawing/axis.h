@@ -16,7 +16,7 @@ struct Axis {
   [[nodiscard]] std::vector<double> of(std::vector<double> values) const;
 };
 
-/// For the largest of all values; unit: in SI, "m".
+/// The axis whose prefix suits the largest of all values. unit: in SI, "m".
 Axis axis_for(std::initializer_list<const std::vector<double>*> all, const std::string& unit);
 
 /// Radii that a plot over r marks: c and a.

@@ -5,8 +5,8 @@
 
 namespace fretval {
 
-/// Storage and loss modulus of the body over frequency, from moduli.csv; of measured moduli the points, and how well
-/// the body stands for them.
+/// Storage and loss modulus of the body over frequency, from moduli.csv; with the points of measured moduli, and how
+/// well the body fits them.
 Figure moduli_figure(const StoredResult& result);
 
 }  // namespace fretval

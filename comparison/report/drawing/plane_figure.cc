@@ -35,7 +35,7 @@ Points outline(const Numbers& angles, const Numbers& radii, double unit) {
   return line;
 }
 
-/// From a tail by (x, y), with two barbs, and a gap behind it.
+/// Adds an arrow by (x, y) from its tail, with two barbs, and a gap behind it.
 void add_arrow(double tail_x, double tail_y, double x, double y, Points& arrows) {
   constexpr double along = 0.3, aside = 0.16;  // of a barb, over the length of the arrow
   const double tip_x = tail_x + x, tip_y = tail_y + y;

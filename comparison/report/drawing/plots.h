@@ -30,7 +30,7 @@ struct Plot {
   bool equal_scales = false;  ///< a picture of a plane: both ranges are given, and x is widened to the same scale as y
 };
 
-/// As data of the page, which report.js draws; six digits of every number.
+/// The plot as data of the page, which report.js draws; six digits of every number.
 Filling json_of(const Plot& plot);
 
 }  // namespace fretval

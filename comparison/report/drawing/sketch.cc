@@ -15,7 +15,7 @@ constexpr double drawing_width = 960, middle = drawing_width / 2, margin_above =
 // Places of the motions over time, above either side of the indenter.
 constexpr double motion_width = 250, motion_height = 62, motion_top = 40, motion_edge = 20;
 
-/// From the scale of a drawing to its pixels; depth counts downwards from the surface at rest.
+/// Scale of a drawing in pixels; depth counts downwards from the surface at rest.
 struct Paper {
   double pixels_per_metre, surface;
   [[nodiscard]] std::string point(double r, double depth) const {
@@ -25,7 +25,7 @@ struct Paper {
 
 using Curve = std::pair<std::vector<double>, std::vector<double>>;
 
-/// Both halves of a curve of heights above the tip, from the left to the right.
+/// Points of a curve of heights above the tip and of its mirror image, from the left to the right.
 std::string both_halves(const Paper& paper, const Curve& curve, double tip) {
   std::string points;
   const auto& [r, height] = curve;

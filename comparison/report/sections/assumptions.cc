@@ -16,8 +16,8 @@ namespace {
 
 using nlohmann::ordered_json;
 
-/// Of a sphere on an incompressible layer that is bonded to a rigid base: the first term of the force beyond that on a
-/// half-space, over a/h (Dimitriadis, Horkay, Maresca, Kachar, Chadwick, Biophysical Journal 82 (2002) 2798).
+/// Coefficient of the first term by which the force of a sphere on an incompressible bonded layer exceeds that on a
+/// half-space, relative, over a/h (Dimitriadis, Horkay, Maresca, Kachar, Chadwick, Biophysical Journal 82 (2002) 2798).
 constexpr double bonded_layer = 1.133;
 constexpr double share_of_the_base = 0.01;
 

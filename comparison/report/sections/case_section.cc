@@ -15,7 +15,7 @@
 namespace fretval {
 namespace {
 
-/// A value that nobody has a bar for, by both methods; not there unless finite elements have it.
+/// Adds a value without an error bar, by both methods, if finite elements have it.
 void add_row(Table& table, const char* title, double fe, double mdr, const char* unit) {
   if (!(fe > 0)) return;
   const auto shown = [&](double value) {
@@ -45,7 +45,7 @@ Table answer_table(const StoredResult& r, const Answer& answer) {
     table.rows.push_back(
         {row.title, row.fe, row.mdr, row.difference, bad_if(row.remark == name_of(Verdict::disagree), row.remark)});
   }
-  // That of a near cycle is nothing of the motion.
+  // The energy of a cycle that only stands for the motion says nothing about the motion.
   if ((r.has_period() || is_pass(r.motion_kind())) &&
       !r.json.at("comparison").contains(name_of(Quantity::friction_work)))
     add_row(table, is_pass(r.motion_kind()) ? "energy lost to friction" : "energy lost to friction per period",

@@ -10,7 +10,7 @@ namespace fretval {
 /// orders and the verdicts. Throws nlohmann::json::exception for JSON of another kind.
 Filling convergence_section(const nlohmann::ordered_json& rows);
 
-/// What the section says, for a terminal.
+/// The text of the section for a terminal.
 std::string convergence_text(const nlohmann::ordered_json& rows);
 
 }  // namespace fretval

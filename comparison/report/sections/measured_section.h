@@ -9,7 +9,7 @@ namespace fretval {
 /// was measured.
 Filling measured_table(const StoredResult& result);
 
-/// What was made of the data of a case, a sentence each; null: they were taken as they are.
+/// How the data of a case were processed, in a sentence for each; null: they were taken as they are.
 Filling data_sentences(const StoredResult& result);
 
 }  // namespace fretval

@@ -7,8 +7,9 @@
 
 namespace fretval {
 
-/// Indenters that wear off their circle under friction as a vector: what sticks in the end beside MDR's limit, the
-/// course of the wear, and worn profiles in four directions. Null if there are none.
+/// Section about indenters that wear under friction as a vector, to shapes that are not axisymmetric: the zone that
+/// sticks in the end beside MDR's limit, the course of the wear, and worn profiles in four directions. Null if there
+/// are none.
 Filling surface_wear_section(const std::vector<StoredResult>& results);
 
 }  // namespace fretval

@@ -7,13 +7,12 @@
 
 namespace fretval {
 
-/// A family of cases over the entry that is swept, whatever that is: both stick radii and what else is compared, with
-/// error bars. Phases under the indenters of the paper and worn profiles have sections of their own. Null if there is
-/// none.
+/// Section about families of cases over any swept entry: both stick radii and what else is compared, with error bars.
+/// Phases under the indenters of the paper and worn profiles have sections of their own. Null if there is none.
 Filling sweeps_section(const std::vector<StoredResult>& results);
 
 /// Writes sweep.csv beside the folders of the cases of each family: the value of the entry, then each quantity by MDR,
-/// by finite elements, and its error bar, in SI units; empty where there is none.
+/// by finite elements, and its error bar, in SI units; empty where there is no value.
 void write_sweeps(const std::vector<StoredResult>& results);
 
 }  // namespace fretval

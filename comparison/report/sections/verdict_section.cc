@@ -144,7 +144,7 @@ Filling verdict_section(const Results& results) {
       {"template", "verdict"}, {"badge", badge.kind}, {"verdict", badge.words}, {"proof", proof_text(results)}};
   if (results.size() == 1) {
     filling["sentence"] = sentence_of(results.front());
-    // That both find it, confirms nothing else.
+    // That both methods find gross slip confirms nothing else.
     const auto& one = results.front().json;
     if (slides(one.at("fe")) && slides(one.at("mdr"))) {
       filling["badge"] = "maybe";

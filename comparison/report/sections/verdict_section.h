@@ -11,8 +11,8 @@
 
 namespace fretval {
 
-/// What the comparisons of a quantity come to over the results: the largest difference, with the bar (of both methods
-/// together) and the tolerance of the same case.
+/// Summary of the comparisons of a quantity over the results: the largest difference, with the bar (of both methods
+/// together) and the tolerance of its case.
 struct Extreme {
   double size = 0, tolerance = 0, bar = 0;
   std::string name;

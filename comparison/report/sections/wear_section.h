@@ -7,7 +7,7 @@
 
 namespace fretval {
 
-/// Indenters that wear: where finite elements end and where MDR says that they do, and the course of one case of each
+/// Section about indenters that wear: where wear ends by finite elements and by MDR, and the course of one case of each
 /// family. Null if no result has any wear.
 Filling wear_section(const std::vector<StoredResult>& results);
 

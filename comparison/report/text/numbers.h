@@ -7,7 +7,7 @@
 
 namespace fretval {
 
-/// A dash for what is no finite number.
+/// A number in a format; a dash if it is not finite or no number.
 std::string number_text(const nlohmann::ordered_json& value, const char* format = "{:.1e}");
 
 /// "1 case", "2 cases"
@@ -18,8 +18,8 @@ std::string difference_text(const StoredResult& result, const char* key);
 std::string bar_text(const StoredResult& result, const char* key);
 std::string difference_with_bar(const StoredResult& result, const char* key);
 
-/// What the case file prescribes, by the name of the entry, of a section or the first that has it; NaN if it is not
-/// there or no number.
+/// A number that the case file prescribes, by the name of its entry, in a section or in the first one that has it; NaN
+/// if there is none.
 double input_number(const StoredResult& result, const char* name, const char* section = nullptr);
 /// A word that the case file prescribes, by the name of the entry; empty if it is not there.
 std::string input_word(const StoredResult& result, const char* name);

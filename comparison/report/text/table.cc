@@ -13,7 +13,7 @@ Filling filling_of_cell(const Cell& cell) {
   return filling;
 }
 
-/// Of what filling_of has made of one.
+/// The table from a filling that filling_of() has made of it.
 Table table_of(const Filling& filling) {
   Table table{filling.at("heads").get<std::vector<std::string>>()};
   for (const auto& row : filling.at("rows")) {

@@ -13,7 +13,7 @@ struct Cell {
   std::string text;
   bool is_bad = false;       ///< in red
   bool is_words = false;     ///< a sentence rather than a number or a name
-  bool is_head = false;      ///< of the rows below it
+  bool is_head = false;      ///< a heading of the rows below it
   std::string details = {};  ///< what a page shows on request
 
   Cell(std::string words) : text(std::move(words)) {}
@@ -24,17 +24,17 @@ Cell words_cell(const std::string& text);
 Cell head_cell(const std::string& text);
 Cell bad_if(bool is_bad, const std::string& text);
 
-/// What a page and a terminal show alike.
+/// A table that a page and a terminal show in the same way.
 struct Table {
   std::vector<std::string> heads;
   std::vector<std::vector<Cell>> rows = {};
   std::string label = {};  ///< what a screen reader says of it; empty: the first head
 };
 
-/// For the template `table`.
+/// The table as a filling of the template `table`.
 Filling filling_of(const Table& table);
 
-/// In aligned columns, the first one and sentences to the left.
+/// The table as text in aligned columns, with the first one and sentences aligned to the left.
 std::string text_of(const Table& table);
 
 /// All tables within a filling, each below its label, if it has one of its own.

@@ -37,7 +37,7 @@ fem::Compliance scaled(const fem::Compliance& compliance, double factor) {
   return larger;
 }
 
-/// With another compliance in the place of each.
+/// The body with a changed compliance in the place of each.
 template <class Change>
 ContactBody changed(const ContactBody& body, const Change& change) {
   auto summary = *body.summary;
@@ -49,7 +49,7 @@ ContactBody changed(const ContactBody& body, const Change& change) {
   return {std::move(normal), std::move(tangential), std::make_shared<const BodySummary>(std::move(summary))};
 }
 
-/// Over the length of its contact line, times the scale.
+/// The mesh of a given file, scaled so that its contact line has the length of the scale.
 meshes::Mesh given_mesh(const BodyDescription& description) {
   const auto& given = description.given;
   if (const auto now = content_hash(content_of(given.file)); now != given.content)

@@ -18,15 +18,16 @@ namespace fretval {
 /// Seconds spent on a body.
 struct BodyCost {
   double mesh = 0, assembly = 0, factorisation = 0;
-  double reading = 0;  ///< from a store of operators, instead of the three
+  double reading = 0;  ///< from a store of operators, in the place of the other three
 
   [[nodiscard]] double total() const { return mesh + assembly + factorisation + reading; }
 };
 
-/// The mesh that a description asks for. Throws meshes::MeshError, also where the file of a given one has changed.
+/// The mesh that a description asks for. Throws meshes::MeshError, also where the file of a given mesh has changed.
 meshes::Mesh mesh_of(const BodyDescription& description);
 
-/// Degrees of freedom of a body on a mesh without holes, before it is made: of both harmonics if it has two.
+/// Number of degrees of freedom of a body on a mesh without holes, before it is made; of both harmonics together if
+/// tangential.
 std::size_t n_dofs_on(const meshes::Mesh& mesh, unsigned degree, bool tangential);
 
 /// The mesh as the finite elements take it: with Poisson's ratio and what the base does.
@@ -68,7 +69,8 @@ struct Body {
   }
 };
 
-/// Half-spaces that know where the edges of a body's rings lie (fem::Compliance::half_space); null: it is one itself.
+/// Half-spaces by which the edges of a body's rings are found (fem::Compliance::half_space); null: the body is a
+/// half-space itself.
 struct RingEdges {
   std::shared_ptr<const fem::Compliance> normal, tangential;
 };
@@ -76,21 +78,21 @@ struct RingEdges {
 /// Factorises the operators and condenses them to the contact line. Throws fem::SolverError.
 Body condense(Operators&& operators, const RingEdges& edges = {});
 
-/// On a generated mesh, with the time of that in the cost.
+/// The body of a description on a generated mesh; its cost includes the meshing.
 Body make_body(const BodyDescription& description);
 
-/// Figures of a body.
+/// Mesh quality, cost and size of a body.
 struct BodySummary {
   meshes::MeshQuality mesh_quality;
   BodyCost cost;
   unsigned n_dofs;
   std::size_t n_contact_nodes;
   std::vector<double> radii;                         ///< of the rings
-  bool from_store = false;                           ///< not made, but taken from a store of operators
-  std::shared_ptr<const BodySummary> original = {};  ///< of a scaled body: what it was scaled from
+  bool from_store = false;                           ///< whether it was taken from a store of operators, not made
+  std::shared_ptr<const BodySummary> original = {};  ///< body that it was scaled or merged from, or null
 };
 
-/// Different bodies but for their scales, and those of them that came from a store of operators.
+/// Number of bodies that differ in more than their scale, and how many of them came from a store of operators.
 struct BodyCount {
   int all = 0, from_store = 0;
 };
@@ -113,14 +115,14 @@ struct ContactBody {
 
 ContactBody contact_body(const Body& body);
 
-/// What a half-space tells of the rings of another body.
+/// The ring edges of another body from a half-space with its rings.
 RingEdges ring_edges(const ContactBody& half_space);
 
 /// A body with all of its lengths larger by a factor: areas grow with its square, and the compliance of rings
 /// (see fem::Compliance) with its cube.
 ContactBody scaled(const ContactBody& body, double factor);
 
-/// With wider rings, whose radii are some of those of the body; see fem::merged_rings.
+/// The body with wider rings, whose radii are a selection of those of the body; see fem::merged_rings.
 ContactBody with_merged_rings(const ContactBody& body, const std::vector<double>& radii);
 
 }  // namespace fretval

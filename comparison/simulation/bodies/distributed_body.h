@@ -9,16 +9,17 @@
 
 namespace fretval {
 
-/// How bodies are made that are too large for one process: by all of them together, on demand of any.
+/// How bodies that are too large for one process are made: by all processes together, when any of them asks.
 struct Distribution {
-  std::size_t from_dofs;  ///< bodies with so many, both harmonics, or more
+  std::size_t from_dofs;  ///< least number of dofs, of both harmonics, from which bodies are made together
   int n_processes;
-  /// Gives a description as text to operators_made_together in all processes, and the answer of the first one back.
+  /// Passes a description as text to operators_made_together() in all processes, and returns the answer of the first
+  /// one.
   std::function<std::string(const std::string& description)> make_together;
 };
 
-/// The body, from the store if these processes have kept it before, or made by all. kept: null, no store. Throws
-/// fem::SolverError.
+/// The body of a description, from the store if as many processes have kept it before, otherwise made by all. kept:
+/// null if there is no store. Throws fem::SolverError.
 ContactBody distributed_body(const BodyDescription& description, const RingEdges& edges,
                              const Distribution& distribution, OperatorStore* kept);
 

@@ -13,18 +13,18 @@
 
 namespace fretval {
 
-/// A normal history with what drives the friction beside it.
+/// A normal history, with its values in each step for the friction beside it.
 struct NormalRecord {
   fem::NormalHistory history;
-  /// At the start, then after each step until the response repeats: what friction takes of them
-  /// (fem::pressure_for_friction), or the pressures themselves without tangential problem.
+  /// Ring pressures at the start, then after each step until the response repeats: those for the friction limit
+  /// (fem::pressure_for_friction), or without a tangential problem the pressures of the contact themselves.
   std::vector<Eigen::VectorXd> pressures;
   std::vector<Eigen::VectorXd> depths;  ///< of the pressures, see fem::NormalInstant; empty without tangential problem
-  std::vector<double> radii, forces;    ///< of the contact, likewise, see fem::ContactForce
+  std::vector<double> radii, forces;    ///< of the contact at these instants, see fem::ContactForce
 
-  /// After so many steps. touch_radii: of the normal problem.
+  /// The normal contact after a number of steps, for friction. touch_radii: those of the normal problem.
   [[nodiscard]] fem::NormalInstant instant(std::size_t step, const Eigen::VectorXd& touch_radii) const;
-  double seconds = 0;  ///< that it took
+  double seconds = 0;  ///< that the history took
 };
 
 /// The normal histories that cases share which differ in their friction and tangential motion alone, as those of a
@@ -32,12 +32,12 @@ struct NormalRecord {
 /// room for; what it has let go is made again when asked for.
 class NormalStore {
  public:
-  /// room: for pressures, in numbers; 256 MB.
+  /// room: for how many numbers of pressures; 256 MB unless given.
   explicit NormalStore(std::size_t room = std::size_t{256} << 17) : room_(room) {}
 
-  /// The history of the case on its body. problem: of the body, at the slack of the resolution; friction: the series of
-  /// its tangential problem, or null without one; profile: ring means. Throws fem::SolverError, see
-  /// fem::normal_history.
+  /// The history of the case on its body. problem: the normal one of the body, at the slack of the resolution;
+  /// friction: the series of its tangential problem, or null without one; profile: ring means. Throws fem::SolverError,
+  /// see fem::normal_history.
   std::shared_ptr<const NormalRecord> find_or_make(const FemCase& fem, const fem::ContactProblem& problem,
                                                    const fem::PunchSeries* friction, const Eigen::VectorXd& profile,
                                                    const fem::HistoryControl& control);

@@ -8,13 +8,14 @@
 namespace fretval {
 
 /// Everything that a condensed operator on a generated mesh depends on, down to its last bit, in lines of text: the
-/// description of its body (all digits), the Fourier order, the versions of the libraries, the kernels
-/// that OpenBLAS chooses for this processor, and a hash of the sources that make operators with the compiler and its
-/// flags. That hash is made with every build, so that nobody has to remember to count a version up; a changed comment
-/// costs an operator that is made once more. n_processes: that make it together; more than one add up in another order.
+/// description of its body (all digits), the Fourier order, the versions of the libraries, the kernels that OpenBLAS
+/// chooses for this processor, and a hash of the sources that make operators with the compiler and its flags. The hash
+/// is renewed by every build, so that no version number has to be maintained; after a changed comment operators are
+/// made once more. n_processes: number of processes that make it together, which decides the order of sums.
 std::string operator_key(const BodyDescription& description, const fem::FourierOrder& order, int n_processes = 1);
 
-/// Whether a key is that of an operator of a harmonic; whether this program on this processor could have made it.
+/// Whether a key belongs to an operator of this harmonic, and whether this program on this processor could have made
+/// it.
 bool is_of_harmonic(const std::string& key, const fem::FourierOrder& order);
 bool is_of_this_version(const std::string& key);
 

@@ -18,8 +18,8 @@ struct StoreEntry {
   std::filesystem::file_time_type last_use = {};
 };
 
-/// Condensed operators in a folder, a file each, for all processes and all times: what is found is what was kept, bit
-/// for bit, and what is damaged, foreign or of another version is as good as not there.
+/// Condensed operators in a folder, a file for each, shared by all processes and runs: what is found is what was kept,
+/// bit for bit, and what is damaged, foreign or of another version is as good as not there.
 ///
 /// Files are named after a hash of their key, which they contain and which is compared. They are written beside their
 /// place and renamed, so readers need no lock and processes that keep the same operator at once replace each other's
@@ -37,7 +37,7 @@ class OperatorStore {
   /// The operator of a key, unless there is none that can be trusted.
   [[nodiscard]] std::optional<fem::StoredOperator> find(const std::string& key) const;
 
-  /// Throws nothing that the folder is to blame for.
+  /// Keeps an operator. Failures of the folder are not thrown.
   void keep(const fem::StoredOperator& stored);
 
   /// Where an operator of that key is or would be.
@@ -51,20 +51,20 @@ class OperatorStore {
 
   std::filesystem::path folder_;
   std::uintmax_t limit_;
-  std::mutex mutex_;                     // of what follows
+  std::mutex mutex_;                     // guards the members below
   bool is_writable_ = true;              // as far as is known
-  std::optional<std::uintmax_t> bytes_;  // in the folder, as far as this process knows; empty: not looked at
+  std::optional<std::uintmax_t> bytes_;  // in the folder, as far as this process knows; empty: not counted yet
 };
 
 /// The files of a store, the last used first; what other processes remove meanwhile is left out. Files of other names
-/// do not belong to it. No folder: none. Throws std::filesystem::filesystem_error.
+/// do not belong to it. Without a folder there are none. Throws std::filesystem::filesystem_error.
 std::vector<StoreEntry> entries_of(const std::filesystem::path& folder);
 
 /// All of a file. Throws fem::OperatorFileError if it cannot be read.
 std::string bytes_of(const std::filesystem::path& file);
 
-/// Removes the files of a store, and what interrupted runs have left of some; the folder stays. Returns how many.
-/// Throws std::filesystem::filesystem_error.
+/// Removes the files of a store, and unfinished ones of interrupted runs; the folder stays. Returns the number of files
+/// removed. Throws std::filesystem::filesystem_error.
 std::size_t clear_store(const std::filesystem::path& folder);
 
 }  // namespace fretval

@@ -5,8 +5,8 @@
 
 namespace fretval {
 
-/// The surface of a body with the orders up to the highest one, at any scale: what the store does not have, nor that
-/// of operators of other runs, is made, on all cores. Throws fem::SolverError and meshes::MeshError.
+/// The surface of a body with the orders up to highest_order, at any scale. Blocks that neither this store nor the one
+/// of operators on disk has are made, on all cores. Throws fem::SolverError and meshes::MeshError.
 fem::SurfaceCompliance find_or_make_surface(const BodyDescription& description, unsigned highest_order,
                                             BodyStore& bodies);
 

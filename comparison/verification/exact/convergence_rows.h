@@ -7,7 +7,7 @@
 
 namespace fretval {
 
-/// What is demanded of a row. Errors are relative.
+/// Demands on a row. Errors are relative.
 struct ConvergenceDemand {
   double tolerance;       ///< at the goal's resolution and finer ones
   double expected_order;  ///< 0: none, the scheme is exact but for the floor
@@ -27,7 +27,7 @@ struct ConvergenceRow {
 };
 
 /// Order of convergence: least-squares slope of -log(error) over log(resolution), of the errors above the floor. Empty
-/// with fewer than two of them or if one is not finite.
+/// with fewer than two such errors, or if one is not finite.
 std::optional<double> observed_order(const ConvergenceRow& row);
 
 /// How far the observed order may stay below the expected one: the positions of an edge within its ring differ from
@@ -41,7 +41,7 @@ std::string failure_of(const ConvergenceRow& row);
 /// JUnit XML of the rows.
 std::string convergence_junit(const std::vector<ConvergenceRow>& rows);
 
-/// An array with an object a row: solution, quantity, source, refined, resolutions, errors, observed_order,
+/// An array with an object for each row: solution, quantity, source, refined, resolutions, errors, observed_order,
 /// expected_order, tolerance, verdict ("pass" or why it fails), note. Null: observed_order with all errors at the
 /// floor, and errors that are not finite.
 nlohmann::ordered_json convergence_json(const std::vector<ConvergenceRow>& rows);

@@ -32,8 +32,8 @@ std::string name_of(const mdr::Layer& layer) {
 }
 
 Meshes layer_meshes(const mdr::Layer& layer, const std::vector<int>& n_rings) {
-  // Of a layer that slides the far part is stretched like a sheet, whose free edge lets through the second power of its
-  // distance; of a bonded one fields die out exponentially.
+  // The far part of a layer that slides is stretched like a sheet, and its free edge has an effect of the second power
+  // of its distance; in a bonded layer fields die out exponentially.
   constexpr double length = 1.125, growth = 0.2;
   const double thicknesses_beyond = layer.base == mdr::LayerBase::bonded ? 12 : 600;
   Meshes meshes;
@@ -93,7 +93,8 @@ double error_of_push(const ConvergenceMesh& mesh, const mdr::Layer& layer, const
   return error;
 }
 
-/// Both stick radii of an elastic layer under oscillations, of which the largest contact radius is 1.
+/// Errors of the stick radii of first slip and of shakedown of an elastic layer under oscillations, at a largest
+/// contact radius of 1.
 std::vector<double> errors_of_oscillation(const ConvergenceMesh& mesh, const mdr::Layer& layer,
                                           const ExactScene& exact) {
   const fem::HistoryControl control{120, 100, 1e-7};
@@ -122,7 +123,7 @@ std::vector<double> errors_of_oscillation(const ConvergenceMesh& mesh, const mdr
   return {first_slip, shakedown};
 }
 
-/// At 64 rings, of the normal contact and of friction.
+/// Tolerances at 64 rings, of the normal contact and of friction.
 struct Tolerances {
   double normal, friction;
 };

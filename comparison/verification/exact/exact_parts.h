@@ -14,11 +14,11 @@ namespace fretval {
 
 using Rows = std::vector<ConvergenceRow>;
 
-// What the rows of the suite `exact` share. Dimensionless: unit shear modulus, and a contact radius of 1 at the
-// indentation 1.
+// Common parts of the rows of the suite `exact`. All is dimensionless: the shear modulus is 1, and the contact radius
+// is 1 at the indentation 1.
 
-/// What the exact solutions are told of the scene, which is what the finite elements get. A test tells them something
-/// else, and the rows have to fail.
+/// The scene of the exact solutions, which is that of the finite elements. A test passes a different one, and the rows
+/// have to fail then.
 struct ExactScene {
   double modulus = 1, friction_coefficient = 0.4;
   double steepness = 1;                                  ///< of the indenter, whose shape is multiplied by it
@@ -32,7 +32,8 @@ struct ConvergenceMesh {
 };
 using Meshes = std::vector<ConvergenceMesh>;
 
-/// n_rings: multiples of 8, so that r = 1 is a node. Throws meshes::MeshError, fem::SolverError.
+/// Meshes of the half-space. n_rings: multiples of 8, so that r = 1 is a node. Throws meshes::MeshError,
+/// fem::SolverError.
 Meshes half_space_meshes(const std::vector<int>& n_rings, double poisson_ratio = 0.5, double far_radius = 25);
 
 /// Stick radius of a push from rest under a normal contact that stays: one box problem.
@@ -41,11 +42,11 @@ double stick_radius_of_push(const ConvergenceMesh& mesh, const Eigen::VectorXd& 
 constexpr int n_positions = 193;
 inline const double friction_coefficient = ExactScene().friction_coefficient;
 
-/// What cutting the half-space off at 25 contact radii leaves of the errors of radii and forces.
+/// Error of radii and forces from cutting the half-space off at 25 contact radii.
 constexpr double far_field = 1e-7;
 constexpr const char* far_field_note = "floor: far field";
 
-/// What the elements under the rings leave of forces that the rings themselves read better.
+/// Error of forces from the elements under the rings; the reading by the rings is better.
 constexpr double bulk_floor = 1e-6;
 constexpr const char* bulk_note = "floor: elements under the rings";
 
@@ -79,7 +80,7 @@ Rows mesh_rows(Rows rows, const std::vector<Mesh>& meshes, const Errors& errors)
   return rows;
 }
 
-/// A single one.
+/// A single row over meshes.
 ConvergenceRow mesh_row(const ConvergenceRow& row, const Meshes& meshes,
                         const std::function<double(const ConvergenceMesh&)>& error);
 

@@ -55,7 +55,7 @@ std::vector<TangentialOscillation> all_phases(double amplitude) {
   return oscillations;
 }
 
-/// At a phase of 90 degrees, where both stick radii are the same: for c/a from 0.1 to 0.13.
+/// Oscillations with a phase of 90 degrees, under which the two stick radii are equal, for c/a from 0.1 to 0.13.
 std::vector<TangentialOscillation> towards_no_stick(double modulus_ratio, double normal_amplitude) {
   std::vector<TangentialOscillation> oscillations;
   for (const double c : {0.1, 0.11, 0.12, 0.13}) {

@@ -12,8 +12,8 @@
 namespace fretval {
 namespace {
 
-/// Over a half-space of any nu, without coupling of normal and tangential contact: E* = 2 G/(1 - nu),
-/// G* = 4 G/(2 - nu), and mu E*/G* (d - g(c)) as the displacement that leaves c stuck.
+/// Spring moduli of a half-space of any nu, without coupling of normal and tangential contact: E* = 2 G/(1 - nu), G* =
+/// 4 G/(2 - nu), and mu E*/G* (d - g(c)) as the displacement that leaves c stuck.
 struct ExactModuli {
   double normal, tangential;
 
@@ -64,7 +64,8 @@ double error_of_push(const ConvergenceMesh& mesh, double poisson_ratio, const Ex
 
 Rows rows_of(double poisson_ratio, const std::vector<int>& n_rings, const ExactScene& exact) {
   const auto name = fmt::format("half-space ν = {:g}", poisson_ratio);
-  // On its hemisphere a compressible body lacks the third power of the distance, which an incompressible one has.
+  // The condition on the far hemisphere lacks, for a compressible body, the term of the third power of the distance
+  // that it has for an incompressible one.
   constexpr double far_radius = 100, far_field_of_compressible = 5e-7;
   const ConvergenceDemand radius{1e-6, 3, far_field_of_compressible, far_field_note},
       force{1e-6, 3, bulk_floor, bulk_note}, stick{5e-6, 3, far_field_of_compressible, far_field_note};

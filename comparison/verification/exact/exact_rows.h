@@ -11,7 +11,7 @@ namespace fretval {
 /// 32, 64 and 128 rings per contact radius.
 Rows exact_rows();
 
-// Its rows by theme.
+// Rows of the suite `exact` by theme.
 
 /// A mesh of the quarter disc of radius 6 for the fields in the body, n_rings on a contact line of length 1.
 struct BulkMesh {
@@ -19,7 +19,7 @@ struct BulkMesh {
   fem::GridData grid;
 };
 
-/// 4 rings, and each further mesh with every cell split into four.
+/// A mesh with 4 rings, and n_meshes - 1 refinements of it, each with every cell split into four.
 std::vector<BulkMesh> bulk_meshes(int n_meshes);
 
 Rows indentation_rows(const Meshes& meshes, const ExactScene& exact);  ///< Hertz, cone, power law, flat punch, stick
@@ -28,7 +28,7 @@ Rows oblique_rows(const Meshes& meshes, const ExactScene& exact);      ///< Jaeg
 Rows worn_edge_rows(const Meshes& meshes, const ExactScene& exact);    ///< the paper's limiting profile
 Rows relaxation_rows(const Meshes& meshes, const ExactScene& exact);   ///< steps of the indentation
 Rows pressing_rows(const Meshes& meshes, const ExactScene& exact);     ///< Lee-Radok, Ting
-Rows periodic_rows(const Meshes& meshes, const ExactScene& exact);     ///< both stick radii of the paper's motion
+Rows periodic_rows(const Meshes& meshes, const ExactScene& exact);     ///< stick radii under the paper's motion
 Rows poisson_rows(const std::vector<int>& n_rings, const ExactScene& exact);  ///< compressible half-spaces
 Rows layer_rows(const std::vector<int>& n_rings, const ExactScene& exact);    ///< parabolas and punches on layers
 Rows bulk_rows(const std::vector<BulkMesh>& meshes, double exact_force);      ///< Kelvin

@@ -16,14 +16,14 @@ namespace {
 
 const mdr::Profile unworn = mdr::parabola(1);
 
-/// Limit of the tractions, and of their force.
+/// Friction limit of the ring tractions and of the tangential force, and the contact radius.
 struct FrictionLimit {
   Eigen::VectorXd rings;  ///< mu p
   double force;           ///< mu times the normal force
   double contact_radius;
 };
 
-/// Under the parabola at an indentation.
+/// The friction limit under the parabola at an indentation.
 FrictionLimit friction_limit(const ConvergenceMesh& mesh, double indentation) {
   const auto contact = fem::static_contact(mesh.normal, means_of(unworn, mesh.normal), indentation);
   const auto normal = fem::contact_force(mesh.normal.series, contact.pressure, contact.gap);
@@ -42,7 +42,7 @@ class ElasticSliding {
         states_(static_cast<std::size_t>(problem_.n_rings()), fem::BoxState::interior),
         zones_(problem_.n_rings()) {}
 
-  /// To a displacement of the indenter; limit: at the end of the step.
+  /// Steps to a displacement of the indenter. limit: at the end of the step.
   void step(double displacement, const FrictionLimit& limit) {
     limit_ = limit;
     const auto& areas = problem_.compliance.areas;
@@ -91,7 +91,7 @@ struct CattaneoMindlin {
   [[nodiscard]] double force(double u) const {
     return mdr::tangential_force_cattaneo_mindlin(profile, scene.modulus, scene.friction_coefficient, 1, u);
   }
-  /// Over the force: `u = (3 mu/2) [1 - (1 - F_x/(mu F))^(2/3)]`.
+  /// Displacement of the indenter by the tangential force: `u = (3 mu/2) [1 - (1 - F_x/(mu F))^(2/3)]`.
   [[nodiscard]] double displacement(double f) const {
     const double mu = scene.friction_coefficient;
     return 1.5 * mu * (1 - std::pow(1 - f / (mu * mdr::normal_force(profile, scene.modulus, 1)), 2.0 / 3));

@@ -142,8 +142,8 @@ double ting_force(const mdr::PronyBody& body, const Pressing& pressing, double t
   return Gauss::integrate(integrand, 0, std::sqrt(last));
 }
 
-/// The same for the rings of a mesh. Their elastic force is linear between the indentations at which one more ring
-/// touches, so they act like a row of springs that touch one after another, each until its own load has vanished.
+/// Ting's force for the rings of a mesh. Their elastic force is linear between the indentations at which one more ring
+/// touches, so that they act like a row of springs that touch one after another, each until its own load has vanished.
 class TingOfRings {
  public:
   TingOfRings(mdr::PronyBody body, const Pressing& pressing, const fem::ContactProblem& problem)

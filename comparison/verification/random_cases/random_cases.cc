@@ -24,7 +24,7 @@ struct Scale {
   [[nodiscard]] double time() const { return 1 / (2 * pi * frequency); }
 };
 
-/// To six digits: short case files, and roundoff of a library's exp and log does not show.
+/// A value to six digits: case files are short, and the roundoff of a library's exp and log does not show.
 double rounded(double value) {
   return std::stod(fmt::format("{:.6g}", value));
 }
@@ -85,7 +85,7 @@ Entries draw_elastomer(RandomNumbers& random, const Scale& scale) {
       return random.chance(0.3) ? with_numbers(body, {{"Elastomer / Viscosity", draw_viscosity()}}) : body;
     }
     default: {
-      // Its spectrum reaches a hundred times beyond a cycle, whatever its time.
+      // The spectrum of a fractional body reaches to a hundred times a cycle, whatever its relaxation time.
       const double order = rounded(random.uniform(0.1, 1));
       return with_numbers(draw_branches(random, scale, "fractional zener", 1, 1),
                           {{"Elastomer / Fractional order", order}});

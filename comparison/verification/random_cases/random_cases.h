@@ -6,8 +6,8 @@
 
 namespace fretval {
 
-/// Which random case: the seed of the suite, the number of the case, and how many times it was drawn before because
-/// the tool refused it as bad input.
+/// Identifies a random case: the seed of the suite, the number of the case, and how many times it was drawn before
+/// because the tool refused it as bad input.
 struct RandomDraw {
   std::uint64_t seed;
   std::size_t number;
@@ -25,7 +25,7 @@ struct RandomDraw {
 ///   to 1e-9, gross slip;
 ///   limiting profiles of c/a = 0.25, 0.5 and 0.75 (one body each).
 ///
-/// Not drawn are prescribed forces, and what finite elements refuse by name.
+/// Prescribed forces, and cases that finite elements refuse by name, are not drawn.
 Entries random_entries(const RandomDraw& draw);
 
 }  // namespace fretval

@@ -12,7 +12,7 @@ namespace fretval {
 /// radius of a truncated sphere is away from the edge of its flat. They were chosen before their errors were known.
 std::vector<SuiteCase> tolerance_cases(double tolerance);
 
-/// The suite: all of them at each tolerance.
+/// Runs the suite: all tolerance_cases() at each tolerance.
 SuiteRun run_tolerance_suite(const std::vector<double>& tolerances);
 
 }  // namespace fretval

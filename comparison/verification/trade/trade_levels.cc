@@ -55,7 +55,7 @@ Readings readings_of(const mdr::SpringHistory& history, const mdr::Profile& prof
           {Quantity::stick_radius_shakedown, radius(history.depths.shakedown)}};
 }
 
-/// Of what the motion settles to, which is over none of the forces of sliding.
+/// The compared quantities of the state to which the motion settles, for which the forces of sliding are no scale.
 Quantities in_units_of(const FemCase& fem, Readings readings) {
   return compared_quantities(readings, {fem.units.length, 1, 1}, fem.units);
 }
@@ -103,7 +103,7 @@ TradeLevel full_level(const PreparedCase& prepared, const Quantities& reference,
   });
 }
 
-/// With its periodic normal response.
+/// The closed form, with its periodic normal response.
 TradeLevel closed_form_level(const PreparedCase& prepared, const Quantities& reference) {
   TradeLevel level{"closed form", ordered_json::object(), {}, errors_of(reference, reference)};
   level.seconds = std::numeric_limits<double>::infinity();

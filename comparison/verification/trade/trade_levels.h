@@ -16,7 +16,7 @@ namespace fretval {
 struct TradeLevel {
   std::string kind;  ///< "condensed", "all dofs", "springs", "closed form"
   nlohmann::ordered_json setting;
-  std::map<std::string, double> axes = {};  ///< condensed: its values on axes, see TradePlan
+  std::map<std::string, double> axes = {};  ///< for condensed: its values on axes, see TradePlan
   Quantities errors = {};                   ///< against the closed form; empty: it failed
   double seconds = std::nan("");            ///< finite elements: of a body of its own, and of the histories
   std::string failure = {};
@@ -24,7 +24,7 @@ struct TradeLevel {
   [[nodiscard]] double error() const { return largest_of(errors); }
 };
 
-/// Every level of a plan, in this order: the condensed ones as plan.settings, all others. Beside them
+/// Every level of a plan: first the condensed ones in the order of plan.settings, then the others:
 ///
 ///   all dofs: the finite elements with every degree of freedom as an unknown. They equal the condensed ones
 ///   (fem/full_model/full_history.h), whose errors they have; their seconds are extrapolated from two cycles;
@@ -32,8 +32,8 @@ struct TradeLevel {
 ///   an unlocked phase;
 ///   closed form: the fastest of half a second.
 ///
-/// Failures of the numerics at a setting are part of the answer. Needs a PetscSession. Throws std::runtime_error where
-/// the closed form fails.
+/// A failure of the numerics at a setting is kept as the failure of its level. Needs a PetscSession. Throws
+/// std::runtime_error where the closed form fails.
 std::vector<TradeLevel> computed_levels(const PreparedCase& prepared, const TradePlan& plan);
 
 }  // namespace fretval

@@ -20,8 +20,9 @@ struct TradeGrid {
 /// What a trade computes.
 struct TradePlan {
   Resolution reference;  ///< on all axes
-  /// Settings of the condensed finite elements. Those that differ from the reference on one axis alone have their value
-  /// on it, by the name of the axis; the others combine rings, order and time steps, or are the tool's own choice.
+  /// Settings of the condensed finite elements. A setting that differs from the reference on one axis alone is stored
+  /// with its value on that axis, by the name of the axis; the other settings combine rings, order and time steps, or
+  /// are the tool's own choice.
   std::map<Resolution, std::map<std::string, double>> settings;
   std::vector<Resolution> full;    ///< stepped with every degree of freedom
   std::vector<double> tolerances;  ///< for which settings are recommended, falling
