@@ -32,7 +32,7 @@ void check_indices(const std::array<unsigned, n>& nodes, const std::string& enti
           fmt::format("{}: {} has node {}, must be below the number of nodes {}", name, entity, node, n_nodes));
 }
 
-/// What is wrong with a cell of too small a Jacobian.
+/// Text on what is wrong with a cell whose Jacobian is too small.
 std::string defect(const Mesh& mesh, const std::array<unsigned, 4>& cell, double tolerance) {
   const double jacobian = scaled_jacobian(mesh, cell);
   const double reversed = scaled_jacobian(mesh, {cell[3], cell[2], cell[1], cell[0]});

@@ -8,7 +8,7 @@ namespace fretval::meshes {
 
 /// The steps of `audit` for nodes and cells, in the order in which they rely on each other. All throw MeshError.
 
-/// At least one cell; every node index of cells and edges is that of a node.
+/// There is at least one cell, and every node index of cells and edges is that of a node.
 void audit_indices(const Mesh& mesh, const std::string& name);
 
 /// Coordinates finite, r >= 0, z <= 0.

@@ -43,8 +43,8 @@ struct Curves {
   std::vector<std::pair<int, Side>> others;
 };
 
-/// The section less the strip: its upper boundary runs along the bottom of the strip, up its side, and on along the
-/// surface.
+/// Geometry of the section without the strip: its upper boundary runs along the bottom of the strip, up its side, and
+/// on along the surface.
 Curves add_geometry(const std::vector<double>& surface_nodes, double strip_height, const Outline& outline) {
   namespace geo = gmsh::model::geo;
   std::vector<int> upper;

@@ -26,7 +26,7 @@ SortedEnds sorted_ends(unsigned a, unsigned b) {
   return std::minmax(a, b);
 }
 
-/// x and y, or x and z of a section that was drawn upright.
+/// The coordinates (r, z) of the nodes: x and y, or x and z of a section that was drawn upright.
 std::vector<Point> section_nodes(const MshSections& sections, const std::string& file) {
   const auto is_zero = [&](std::size_t k) {
     return std::all_of(sections.nodes.begin(), sections.nodes.end(), [k](const auto& node) { return node[k] == 0.; });
@@ -80,7 +80,7 @@ MixedMesh cells_of(const MshSections& sections, const std::string& file) {
   return mesh;
 }
 
-/// How many cells share an edge, with the edge as its first one runs.
+/// Number of cells that share an edge, and the edge in the sense of its first cell.
 struct CellEdge {
   std::array<unsigned, 2> nodes;
   int n_cells;

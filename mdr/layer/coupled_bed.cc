@@ -14,7 +14,7 @@ namespace {
 
 // Orthonormal columns over the springs that hold cos(kx) to roundoff for all waves of the kernel: even Chebyshev
 // polynomials of x over the length, of which a wave has the amounts J_2p(k length), nothing beyond its turns. Where
-// that is not much less than all springs: those.
+// that takes half as many columns as there are springs or more, a column for each spring.
 Eigen::MatrixXd basis_of_waves(const LayerKernel& kernel, const SpringBed& bed) {
   constexpr Eigen::Index beyond_turns = 20;
   const Eigen::Index n = bed.position.size();

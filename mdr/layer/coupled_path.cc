@@ -48,7 +48,7 @@ class CoupledAlongPath {
   std::vector<std::unique_ptr<CoupledStep>> steps_;  // by piece
 };
 
-// With room for a contact whose rim remembers.
+// Radius up to which there are springs, with room for a contact whose rim has memory.
 double largest_radius(const Profile& profile, const Layer& layer, const PronyBody& body, const SampledPath& path) {
   constexpr double room = 1.05;
   const double most = maximum_normal(path);

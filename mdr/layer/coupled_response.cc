@@ -11,7 +11,7 @@ namespace fretval::mdr {
 
 namespace {
 
-// With room for a contact whose rim remembers.
+// Radius up to which there are springs, with room for a contact whose rim has memory.
 double largest_radius(const Profile& profile, const Layer& layer, const PronyBody& body, const Prescribed& prescribed) {
   constexpr double room = 1.05;
   const double most = maximum_indentation(prescribed.motion);

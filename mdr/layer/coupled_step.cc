@@ -35,7 +35,7 @@ bool rests(const SpringState& state, const PrescribedInStep& prescribed) {
          none(state.tangential_memory);
 }
 
-// What the loads that the equation of a row has at y fall by over the width of each spring; 0 where they rise outwards.
+// Fall of the loads over the width of each spring, by the equation of the row at y; 0 where they rise outwards.
 Eigen::ArrayXd fall_over_springs(const RowProblem& row, const Eigen::ArrayXd& coupling, double y) {
   const Eigen::ArrayXd load = (row.value + row.slope * y - coupling) / row.stretch;
   const Eigen::Index n = load.size();
@@ -45,8 +45,8 @@ Eigen::ArrayXd fall_over_springs(const RowProblem& row, const Eigen::ArrayXd& co
   return ((inner - outer) / 2).max(0.0);
 }
 
-// Relaxed loads at an indentation, or of a sum and where the indenter is then. How they fall at the rim, loads without
-// rim tell.
+// Relaxed loads at an indentation, or with a given sum and the indentation that belongs to it. Their fall at the rim is
+// taken from a solution without rim loads.
 RowSolution relaxed_row(const CoupledBed& bed, double guess, std::optional<double> sum) {
   const Eigen::ArrayXd &g = bed.springs.depth, one = Eigen::ArrayXd::Ones(g.size());
   RowProblem row{-g, one, one, Eigen::ArrayXd::Zero(g.size()), Eigen::ArrayXd::Constant(g.size(), infinity)};
@@ -83,7 +83,7 @@ Eigen::ArrayXd CoupledStep::left_of(const Eigen::ArrayXXd& memory) const {
   return (memory.matrix() * Eigen::Map<const Eigen::VectorXd>(decay_.data(), memory.cols())).array();
 }
 
-// Where tips go whose body bears these loads at the end and at the start of the step.
+// Positions of the tips at the end of the step, from the loads of the body at its end and at its start.
 Eigen::ArrayXd CoupledStep::tip_under(const Eigen::ArrayXd& load, const Eigen::ArrayXd& load_before,
                                       const Eigen::ArrayXd& position, const Eigen::ArrayXXd& memory) const {
   const double viscous = viscosity_ / dt_;

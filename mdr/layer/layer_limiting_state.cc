@@ -14,7 +14,7 @@ namespace fretval::mdr {
 
 namespace {
 
-// What a worn contact of one radius needs.
+// The unworn contact and the punches of one radius, of which a worn contact is made.
 struct Disc {
   LayerContact unworn;
   LayerPunch normal, tangential;
@@ -46,7 +46,7 @@ class Rig {
       *phase_ += std::arg(tangential_ratio_);
   }
 
-  // By how much the indentation exceeds what sticking within c needs.
+  // Indentation less that which sticking within c needs, m.
   [[nodiscard]] double surplus(double c) const {
     const Disc disc(profile_, layer_, c);
     const double tangential = disc.beta() * shift(disc) / (mu_ * spring_modulus_ratio(layer_.poisson_ratio));

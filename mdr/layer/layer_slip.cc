@@ -12,7 +12,7 @@ namespace fretval::mdr {
 
 namespace {
 
-// c at which what falls with it has a value; from 0, where it is largest, to the contact radius, where it is none.
+// The stick radius c at which an excess that falls with c vanishes, between 0 and the contact radius.
 double stick_radius_with(const std::function<double(double)>& excess, double contact_radius) {
   constexpr double least_share = 1e-9;
   const double lower = least_share * contact_radius;

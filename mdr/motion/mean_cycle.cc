@@ -19,7 +19,7 @@ double mean_of(const Values& values) {
   return sum / static_cast<double>(values.size());
 }
 
-/// Less their mean, over their standard deviation; nothing of a constant.
+/// The values less their mean, over their standard deviation; zeros for a constant.
 Values normalised(Values values) {
   const double mean = mean_of(values);
   double squares = 0;
@@ -32,7 +32,7 @@ Values normalised(Values values) {
   return values;
 }
 
-/// A signal that is held constant shows nothing else, and no period.
+/// Whether a signal is constant or mostly noise, so that it shows no period.
 bool is_noise(const Values& normalised_values) {
   constexpr double mostly = 0.5;  // of the standard deviation
   const bool is_constant =
@@ -82,7 +82,7 @@ double lowest_between(double before, double at, double after) {
   return curvature > 0 ? std::clamp((before - after) / (2 * curvature), -1.0, 1.0) : 0;
 }
 
-/// In samples.
+/// Period of signals in samples.
 std::optional<double> period_of(const std::vector<Values>& signals) {
   const std::size_t n = signals.front().size(), longest = n * 3 / 4;
   Values by_shift;
@@ -162,7 +162,8 @@ Statistics statistics_of(const Parts& parts, const Values& values, std::size_t f
   return all;
 }
 
-/// By which share of the period cycles lag behind their mean more and more, from one to the next: what it is too short.
+/// Share of the period by which cycles lag behind their mean more from one to the next, which is by how much the period
+/// is too short.
 double lag_per_cycle(const Parts& parts, std::size_t first) {
   constexpr double least_scatter = 1e-6;  // of the range
   const std::size_t n = parts.n_parts, apart = std::max<std::size_t>(n / 40, 1);

@@ -12,7 +12,7 @@ using Eigen::Vector2d;
 
 constexpr double no_load = 1e-300;
 
-/// The sum that is borne, and how it changes with u.
+/// The load that the springs bear, and its derivative by u.
 struct Borne {
   Vector2d sum;
   Matrix2d stiffness;

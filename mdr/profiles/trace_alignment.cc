@@ -49,7 +49,7 @@ struct EvenFit {
   MatrixXd covariance;            ///< of the coefficients, over the variance of the heights
 };
 
-/// How far both sides reach.
+/// Distance from the apex to which both sides of the trace reach.
 double common_reach(const Values& x, double apex) {
   return std::min(apex - x.front(), x.back() - apex);
 }
@@ -159,7 +159,7 @@ double apex_deviation(const Values& x, double apex, const EvenFit& fit, double v
   return 1 / std::sqrt(told + std::pow(tilt_of_apex / usual_tilt, 2) + 1 / (squares_of_places));
 }
 
-/// Sum of squares, over the apex.
+/// Sum of squares of the residuals as a function of the apex.
 struct Misfit {
   const Values& x;
   const Values& z;

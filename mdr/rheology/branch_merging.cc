@@ -71,7 +71,7 @@ struct Merging {
   }
 };
 
-/// The slowest branches, where nothing in the range shows it.
+/// Hastens the slowest branches, as long as nothing in the range shows it.
 void hasten(Merging& merging, double tolerance) {
   const Response nothing(merging.omega.size());
   while (!merging.branches.empty()) {
@@ -100,7 +100,8 @@ void sort_by_time(Merging& merging) {
     std::tie(merging.branches[i], merging.responses[i]) = std::move(both[i]);
 }
 
-/// What changes least: a pair that becomes one, or the fastest branch that goes. Empty: nothing within the tolerance.
+/// The step that changes the modulus least: a pair that becomes one branch, or the fastest branch left out. Empty: no
+/// step is within the tolerance.
 std::optional<std::pair<std::size_t, std::optional<Branch>>> least_change(const Merging& merging, double tolerance) {
   std::optional<std::pair<std::size_t, std::optional<Branch>>> best;
   double least = tolerance;

@@ -16,7 +16,7 @@ constexpr int periods_of_a_jump = 3;         // fast modes die out in them, and 
 constexpr double roundoff_of_drift = 1e-14;  // of a drift, over what drifts
 constexpr Eigen::Index n_loads = 2;
 
-// A row for each spring: tips, memories, and loads as the last columns. The row below: the indenter.
+// The state as an array: a row for each spring with its tips, memories and loads, and a last row for the indenter.
 Eigen::ArrayXXd packed(const SpringState& state) {
   const Eigen::Index n = state.normal_depth.size(), n_memories = state.normal_memory.cols();
   Eigen::ArrayXXd all = Eigen::ArrayXXd::Zero(n + 1, 2 + 2 * n_memories + n_loads);
@@ -31,7 +31,7 @@ Eigen::ArrayXXd packed(const SpringState& state) {
   return all;
 }
 
-// Per spring, over tips and memories.
+// Product of two arrays for each spring, over tips and memories.
 Eigen::ArrayXd products(const Eigen::ArrayXXd& a, const Eigen::ArrayXXd& b) {
   return (a * b).leftCols(a.cols() - n_loads).rowwise().sum();
 }

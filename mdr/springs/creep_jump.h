@@ -28,8 +28,8 @@ class CreepJump {
   /// hundred periods are left alone: plain periods lead there.
   CreepJump(const PronyBody& body, double mu, double period);
 
-  /// After a period of the motion that repeats. Moves the state, the indenter included where forces move it. Throws
-  /// std::runtime_error for bodies that creep for more than 1e7 periods.
+  /// To be called after each period of the motion that repeats. Moves the state, the indenter included where forces
+  /// move it. Throws std::runtime_error for bodies that creep for more than 1e7 periods.
   void after_period(SpringState& state);
 
   /// Largest change of a traction over the largest traction, by which the last jump expected the state to be away from

@@ -34,7 +34,7 @@ double root_of_lines(const Function& line_at, double start, double reach) {
   return (lower + upper) / 2;
 }
 
-// Where the indenter goes if it moves on as it did in the last step.
+// Position of the indenter if it moves on as in the last step.
 double moving_on(double last, double before) {
   return 2 * last - before;
 }

@@ -35,7 +35,7 @@ double scan_step(const SpringModel& model) {
   return least_force_angle(model) / n_scan_steps;
 }
 
-/// An expression, which allocates nothing.
+/// Returns an expression, which allocates nothing.
 auto decay(const SpringModel& model, double angle) {
   return (-angle / model.branch_times).exp();
 }

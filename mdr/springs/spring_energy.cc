@@ -51,7 +51,7 @@ double edge_force(const SpringBed& bed, const PronyBody& body, const SpringState
   const auto& load = state.normal_load;
   const Eigen::Index n = x.size();
   if (body.viscosity == 0 || n < n_to_continue) return 0;
-  // Between a tip and the indenter; beyond the bed of tips that nothing has touched, below a quadratic g.
+  // Gaps between tips and indenter; beyond the bed those of untouched tips below a quadratic g.
   const auto gap = [&, d = state.indenter.indentation](Eigen::Index j) {
     if (j < n) return state.normal_depth[j] - (d - depth[j]);
     const double bend = depth[n - 1] - 2 * depth[n - 2] + depth[n - 3], beyond = static_cast<double>(j - n + 1);

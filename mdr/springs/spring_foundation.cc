@@ -122,9 +122,9 @@ double contact_edge(const Foundation& foundation, double theta) {
   return edge(margin, foundation.permanent_radius, foundation.contact_radius, 36);
 }
 
-// What the springs add that lose contact now and then: int s dx and int (inner - s)/x^2 dx of their loads s, up to
-// where contact ends. The substitution x = from + width sin^2(pi s/2) smooths the half-integer powers of the distance
-// to either end.
+// Contribution of the springs that lose contact now and then: int s dx and int (inner - s)/x^2 dx of their loads s, up
+// to the end of the contact. The substitution x = from + width sin^2(pi s/2) smooths the half-integer powers of the
+// distance to either end.
 Load intermittent_load(const Foundation& foundation, double theta, double inner, double upper) {
   using Gauss = boost::math::quadrature::gauss<double, 30>;
   Load load{0, 0};
@@ -169,7 +169,7 @@ double refined_extremum(const Foundation& foundation, const std::vector<Load>& s
   return sign * std::max(sign * (*best).*part, -refined);
 }
 
-// Without normal oscillation there is no amplitude to scale with, and nothing to wait for.
+// Response without normal oscillation, which has no amplitude to scale with and is at rest.
 NormalResponse static_response(const Depth& g, const std::vector<double>& kinks, double outer_radius,
                                const PronyBody& body, const Motion& motion) {
   const double radius = radius_at_depth(g, motion.indentation, outer_radius);

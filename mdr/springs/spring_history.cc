@@ -39,7 +39,7 @@ class IndependentSprings {
   [[nodiscard]] double friction_limit() const { return 1.5 * mu_; }
 
   [[nodiscard]] SpringForces forces(const SpringState& state) const {
-    // A prescribed one is balanced by whole springs.
+    // A prescribed normal force is balanced by whole springs.
     const double at_edge = loading_.normal_force ? 0 : edge_force(bed_, body_, state);
     return {normal_force(bed_, body_, state) + at_edge, tangential_force(bed_, body_, state),
             axis_pressure(axis_weights_, body_, state)};

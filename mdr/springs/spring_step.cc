@@ -132,7 +132,7 @@ void SpringStep::advance_springs(SpringState& state, const SpringBed& bed, const
       const double in_contact = p[j] > 0 ? pressed : touching - free;  // where positive
       load = in_contact > 0 ? std::max(0.0, pressed) : 0;
       depth = in_contact > 0 ? touching : std::max(free, touching);
-      // Where the tip goes if it sticks from the instant of touch on, until when it recovers.
+      // Position of the tip if it recovers until the instant of touch and sticks from then on.
       const double held = share_in_contact(p[j], above, touching - free),
                    moved = held * shift + (1 - held) * (tip_under(0.0, v[j], left_tangential, now_tangential) - v[j]);
       const double stuck = v[j] + left_tangential + (1 + gain) * moved + tangential_drag;

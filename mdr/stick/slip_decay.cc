@@ -12,7 +12,7 @@ std::optional<double> slip_decay(const PronyBody& body, double period) {
   require_positive("period", period);
   const auto& times = body.branch_times;
   if (times.empty() || body.viscosity > 0) return std::nullopt;
-  // By what lambda is short of 1, which may be little: 1 - lambda between 0 and the smallest 1 - q.
+  // The root is found as 1 - lambda, which may be small: it lies between 0 and the smallest 1 - q.
   const auto short_of_one = [period](double time) { return -std::expm1(-period / time); };
   double lower = 0, upper = short_of_one(*std::max_element(times.begin(), times.end()));
   const auto excess = [&](double x) {

@@ -44,7 +44,7 @@ std::string simplified_name(const std::string& name) {
     if (c == ' ' || c == '\t' || c == '_' || c == '-' || c == '.') continue;
     simple += static_cast<char>(byte < 0x80 ? std::tolower(byte) : byte);
   }
-  // All that people write for a stroke.
+  // All characters that are written for the prime of G'.
   for (const char* stroke : {"\u2032", "\u2019", "\u2018", "\u00b4", "`"})
     for (auto at = simple.find(stroke); at != std::string::npos; at = simple.find(stroke))
       simple.replace(at, std::string(stroke).size(), "'");
@@ -162,7 +162,7 @@ std::vector<Choice> choices_by_unit(const Header& header, const WantedColumn& wa
                  " or " + shown(header[found[1].column]) + "; name it " + wanted.kinds[0].names[0]);
 }
 
-/// What is left, if no column has a unit and there are no others.
+/// Takes the remaining columns in their order, if none has a unit and there are no others.
 void take_in_order(const Header& header, const std::vector<WantedColumn>& wanted, Choices& choices) {
   const auto n_needed =
       std::count_if(wanted.begin(), wanted.end(), [](const WantedColumn& one) { return !one.is_optional; });
@@ -195,7 +195,7 @@ Choices choices_of(const Header& header, const std::vector<WantedColumn>& wanted
   Choices choices;
   for (const auto& one : wanted) choices.push_back(choice_by_name(header, one));
   if (in_order == InOrder::yes && may_lack_units) take_in_order(header, wanted, choices);
-  // Rounds, as one that is found by its unit may leave only one column to another.
+  // Columns are found in rounds, as one that is found by its unit may leave a single column for another quantity.
   for (bool any = true; any;) {
     any = false;
     for (std::size_t k = 0; k < wanted.size(); ++k) {

@@ -63,7 +63,7 @@ Header header_of(const std::vector<std::string>& names, const std::vector<std::s
 Choices choices_of(const Header& header, const std::vector<WantedColumn>& wanted, InOrder in_order,
                    bool may_lack_units);
 
-/// In lower case, without unit, blanks, hyphens, underscores and full stops: "E_stor [MPa]" is "estor".
+/// The name in lower case, without unit, blanks, hyphens, underscores and full stops: "E_stor [MPa]" is "estor".
 std::string simplified_name(const std::string& name);
 
 }  // namespace fretval::mdr

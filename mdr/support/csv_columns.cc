@@ -17,7 +17,7 @@ bool is_row(const std::vector<std::string>& fields) {
   }) && !fields.front().empty();
 }
 
-/// A line without what follows a #, or of a comment what follows it.
+/// A line without what follows a #; of a comment line the text after the #.
 struct Content {
   const TextLine* line;
   CsvFields fields;
@@ -68,8 +68,8 @@ bool is_line_of_units(const std::vector<std::string>& fields, const std::vector<
                      [&](const std::string& field) { return !field.empty() && is_any_unit(unit_text(field), wanted); });
 }
 
-/// What a line of names and those that follow it say; empty: they are none. why: the first time that names stood above
-/// a row and did not have the columns.
+/// The table from a line of names and the lines below it; empty: these are no names of the wanted columns. why: what
+/// was missing where names first stood above a row without having the columns.
 std::optional<Found> header_at(const std::vector<TextLine>& lines, std::size_t at, const Content& names,
                                const std::vector<WantedColumn>& wanted, InOrder in_order, std::string& why) {
   std::optional<Content> next;

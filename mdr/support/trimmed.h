@@ -5,7 +5,7 @@
 
 namespace fretval {
 
-/// Without the blanks at either end.
+/// The text without the blanks at either end.
 inline std::string trimmed(std::string_view text) {
   constexpr std::string_view blanks = " \t\r";
   const auto begin = text.find_first_not_of(blanks);

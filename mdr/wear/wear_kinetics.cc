@@ -68,7 +68,7 @@ class WearingContact {
         worn_(Eigen::ArrayXd::Zero(unworn_depth_.size())),
         cycle_(springs_.settled_cycle(matrices_)) {}
 
-  // Cycles that wear off the given share of the largest jump, at the present rate; infinite if nothing wears.
+  // Number of cycles that wear off a share of the largest jump at the present rate; infinite if nothing wears.
   [[nodiscard]] double cycles_of_jump(double share) const {
     const Eigen::MatrixXd load = cycle_.load.cwiseMax(0);
     const Eigen::VectorXd rate =
