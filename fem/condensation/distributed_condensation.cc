@@ -45,10 +45,10 @@ class DistributedFactor {
     schur_.triangularView<Eigen::StrictlyLower>() = schur_.transpose();
   }
 
-  /// Empty but on the first process.
+  /// The Schur complement on the first process; empty on the others.
   [[nodiscard]] const Eigen::MatrixXd& schur_complement() const { return schur_; }
 
-  /// Throws unless K x = rhs after one solve through the Schur complement.
+  /// Throws SolverError unless one solve through the Schur complement gives an x with K x = rhs.
   void probe() {
     const Eigen::VectorXd load = probe_load(share_.n);
     Eigen::VectorXd x = load, reduced(schur_.rows());

@@ -24,7 +24,7 @@ struct PointForce {
   double rr, rz, zz, rt;
 };
 
-/// Along z, upwards.
+/// Boussinesq's point force, along z, upwards.
 PointForce boussinesq(double s, double c, double compressible) {
   return {-s * c + compressible * s / (1 + c),
           0,
@@ -35,7 +35,7 @@ PointForce boussinesq(double s, double c, double compressible) {
           0};
 }
 
-/// Along x.
+/// Cerruti's point force, along x.
 PointForce cerruti(double s, double c, double compressible) {
   const double extra = compressible * s / ((1 + c) * (1 + c));
   return {1 + s * s + compressible * c / (1 + c),
@@ -57,7 +57,7 @@ std::array<double, 3> lacking(const PointForce& at, double radius, const dealii:
           scale * (at.rz * normal[0] + at.zz * normal[1]) + held * x[1]};
 }
 
-/// Work of such a load on a unit of a component: (U, W) or (s, m, W) with U = m + s, V = m - s.
+/// Work of the missing load on a unit displacement of a component: (U, W) or (s, m, W) with U = m + s, V = m - s.
 double work_on(unsigned component, const FourierOrder& order, const std::array<double, 3>& load) {
   if (component == vertical_component(order)) return load[2];
   if (order.n == 0) return load[0];

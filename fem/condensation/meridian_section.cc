@@ -52,7 +52,8 @@ void set_displacements(const FourierOrder& order, const dealii::Vector<double>& 
   at.u_z = normal ? x[1] : -x[2];
 }
 
-/// Strains to stresses. Volumes change on the mean as the pressure says: what single points lack of it goes.
+/// Turns strains into stresses. The mean volume change follows the pressure, and the deviation of single points from it
+/// is removed.
 void set_stresses(Amplitudes& at, double mean_stress) {
   const double mean = (at.rr + at.tt + at.zz) / 3;
   at.pressure *= mean_stress;

@@ -33,14 +33,14 @@ class Handle {
   herr_t (*close_)(hid_t);
 };
 
-/// What a call of HDF5 returns, unless it is negative.
+/// Returns the result of a call of HDF5, and throws if it is negative.
 template <class Status>
 Status checked(Status status) {
   if (status < 0) throw OperatorFileError("HDF5 fails");
   return status;
 }
 
-/// HDF5 has one error stack and one of everything else for all threads.
+/// Guards HDF5, which has one error stack and one of everything else for all threads.
 std::unique_lock<std::mutex> hdf5_for_this_thread() {
   static std::mutex mutex;
   std::unique_lock<std::mutex> lock(mutex);
@@ -48,7 +48,7 @@ std::unique_lock<std::mutex> hdf5_for_this_thread() {
   return lock;
 }
 
-/// How a file that is in memory alone is opened.
+/// Access properties of a file that exists in memory alone.
 hid_t access_in_memory() {
   constexpr std::size_t increment = 1 << 16;
   const hid_t access = H5Pcreate(H5P_FILE_ACCESS);
@@ -56,7 +56,7 @@ hid_t access_in_memory() {
   return access;
 }
 
-/// How a dataset without times is made: the same operator is the same bytes.
+/// Creation properties of a dataset without times: equal operators give equal bytes.
 hid_t timeless() {
   const hid_t creation = H5Pcreate(H5P_DATASET_CREATE);
   checked(H5Pset_obj_track_times(creation, false));

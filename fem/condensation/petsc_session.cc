@@ -12,7 +12,7 @@
 namespace fretval::fem {
 namespace {
 
-/// Open MPI's daemon, for programs that spawn others, and its search for networks: 0.2 s each.
+/// Leaves out Open MPI's daemon for programs that spawn others, and its search for networks: 0.2 s each.
 void leave_out_what_one_process_does_not_need() {
   constexpr int keep = 0;  // what the user has set
   setenv("OMPI_MCA_ess_singleton_isolated", "1", keep);

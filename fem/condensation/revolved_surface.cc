@@ -32,7 +32,8 @@ void for_each_corner(const HarmonicState& state, const See& see) {
     }
 }
 
-/// By radius. Components of the normal harmonic count inwards and down, of the other one outwards and up.
+/// Displacements by radius. Components of the normal harmonic count inwards and down, of the tangential one outwards
+/// and up.
 std::map<double, NodeAmplitudes> nodes_of(const BodyState& state) {
   std::map<double, NodeAmplitudes> nodes;
   for_each_corner(state.normal, [&](double radius, const std::array<double, 3>& x) {

@@ -116,7 +116,7 @@ class SparseFactor::Factored {
     return solution;
   }
 
-  /// False if the work space was too small.
+  /// Factorises the matrix; returns false if the work space was too small.
   bool factorise(const std::vector<unsigned>& interface_dofs, int percent_spare) {
     check(MatGetFactor(matrix_.mat, MATSOLVERMUMPS, MAT_FACTOR_CHOLESKY, &factor_.mat), name_, "setting up MUMPS");
     // METIS: half the flops of the default ordering on these meshes. With an interface MUMPS orders by itself instead.

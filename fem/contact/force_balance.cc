@@ -47,7 +47,7 @@ double displacement_for_force(const std::function<double(double)>& force, double
     if (bracket.closed() && (k > enough_secants || !bracket.contains(next))) next = bracket.middle();
     const Point point = at(next);
     const double secant = (point.excess - last.excess) / (point.displacement - last.displacement);
-    // Flat where nothing resists; then twice as far every time.
+    // Where nothing resists the force is flat, and the step is doubled each time.
     stiffness = secant > 0 ? secant : stiffness / 2;
     last = point;
   }
@@ -58,7 +58,8 @@ double displacement_for_force(const std::function<double(double)>& force, double
 
 namespace {
 
-/// Held between brackets, as Broyden's method is not: on its way it may leave the contact, where the force is flat.
+/// The balance of a single force, held between brackets: Broyden's method may leave the contact on its way, where the
+/// force is flat.
 BalanceOfForces displacement_for_one_force(const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& forces,
                                            const Eigen::VectorXd& values, BalanceOfForces guess, double probe,
                                            double enough) {

@@ -16,7 +16,7 @@ using Complex = std::complex<double>;
 
 constexpr double roundoff = 1e-13;
 
-/// A kept angle seen in a mirror: where, and what becomes of t_y. t_x and p stay as they are.
+/// The image of a kept angle in a mirror, with the sign of t_y; t_x and p are unchanged.
 struct Image {
   double angle, sign_of_y;
 };
@@ -31,7 +31,7 @@ std::vector<Image> images_of(double angle, Mirrors mirrors) {
   return images;
 }
 
-/// What a unit value at an angle contributes to the harmonic e^{i l theta}.
+/// Contribution of a unit value at an angle to the harmonic e^{i l theta}.
 Complex share_of_harmonic(unsigned n_around, int l, double angle) {
   const Complex i(0, 1);
   const double n = n_around;
@@ -40,7 +40,7 @@ Complex share_of_harmonic(unsigned n_around, int l, double angle) {
   return std::cos(highest * (angle - first)) / (2 * n) * std::exp(-i * (l * first));
 }
 
-/// Adds up over the images; of_x and of_y: per t_x and t_y.
+/// Sum of the contributions of all images of an angle. of_x, of_y: contributions per t_x and t_y.
 template <class Share>
 Amplitude tangential_amplitude(const AngularGrid& grid, Fields fields, const FourierOrder& order, unsigned component,
                                const Share& share) {

@@ -15,7 +15,7 @@ struct ContactRegion {
   double along = 0;         ///< half of its extent along x
   double across = 0;        ///< half of its extent along y
   double uncertainty = 0;   ///< of its edge, the largest over the angles
-  Eigen::VectorXd edges{};  ///< its radius at each kept angle
+  Eigen::VectorXd edges{};  ///< radius of its edge at each kept angle
 };
 
 /// The region in which a margin is positive from the centre on, whose edge is read to a fraction of a ring.

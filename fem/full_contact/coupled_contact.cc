@@ -103,7 +103,7 @@ void CoupledContact::press_without_friction() {
   require_room(pressure.rowwise().maxCoeff());
 }
 
-/// Along the surface, times the areas.
+/// Displacements along the surface by the pressures, times the areas (n_rings x 2 n_angles).
 MatrixXd CoupledContact::moved_by_pressure() const {
   MatrixXd fields = MatrixXd::Zero(pressure.rows(), 3 * pressure.cols()), moved;
   fields.rightCols(pressure.cols()) = pressure;

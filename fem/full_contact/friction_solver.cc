@@ -18,12 +18,12 @@ using Eigen::MatrixXd;
 
 namespace {
 
-/// With many rings roundoff may keep the last digits of enough_of_contact away; so much is still a tenth of what
-/// forces that are prescribed are held to.
+/// Remainder that is accepted where the iteration stalls, as roundoff may do with many rings: it is a tenth of the
+/// accuracy of prescribed forces.
 constexpr double enough_where_it_stalls = 1e-10;
 constexpr int most_with_old_inverse = 10;  // applications from which on a new one is cheaper
 
-/// What each point may do: (x, y) of the rim's normal where it slips, and the stiffness of the rim.
+/// State of each point: whether it slips, the normal (x, y) of the rim of its disc there, and the stiffness of the rim.
 struct Rims {
   MatrixXd x, y, stiffness;
   Eigen::Array<bool, Eigen::Dynamic, Eigen::Dynamic> slips;
@@ -53,7 +53,7 @@ Rims find_rims(const SurfaceOperator& op, const MatrixXd& residual, const Matrix
   return rims;
 }
 
-/// Leaves of a field what points that slip may do along their rims; nothing where there is no limit.
+/// Projects a field at points that slip onto the direction of their rims, and to zero where there is no limit.
 void keep_to_rims(const Rims& rims, const MatrixXd& limit, MatrixXd& field) {
   const Index n = limit.rows(), m = limit.cols();
   for (Index j = 0; j < m; ++j)
@@ -143,7 +143,8 @@ class Newton {
     return onto_discs(onto, limit_) - solution_.traction;
   }
 
-  /// Near the solution roundoff hides what becomes of the energy.
+  /// Whether a step halves the remainder. Near the solution roundoff hides the change of the energy, by which other
+  /// steps are judged.
   [[nodiscard]] bool halves_remainder(const Descent& whole) const {
     const double remainder =
         friction_remainder(op_, solution_.residual - whole.image, limit_, solution_.traction + whole.way) / largest_;

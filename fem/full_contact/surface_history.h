@@ -61,7 +61,7 @@ class SurfaceWatch {
   void see(const VectorFriction& friction, const Eigen::MatrixXd& pressure);
   /// To be called after each step of a coupled contact, in which the indenter has moved into the body by gone_down.
   void see(const CoupledContact& contact, double gone_down);
-  /// Empty before the end of the first cycle.
+  /// The history so far; empty before the end of the first cycle.
   [[nodiscard]] SurfaceHistory report() const;
   /// SurfaceHistory::periodicity of the last cycle.
   [[nodiscard]] double periodicity() const;

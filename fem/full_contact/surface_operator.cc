@@ -16,7 +16,7 @@ using Eigen::Index;
 
 namespace {
 
-/// Amplitudes first to end of one order and parity.
+/// The range of amplitudes, first to end, of one order and parity.
 struct Group {
   Index first, end;
 };
@@ -85,7 +85,7 @@ Eigen::VectorXd diagonal_of(const Eigen::MatrixXd& transform, const std::vector<
   return diagonal.rowwise().maxCoeff();
 }
 
-/// Amplitudes from the first on, a column for each of the copies that a block serves.
+/// The amplitudes of a block as a matrix, with a column for each copy that it serves.
 Eigen::Map<Eigen::MatrixXd> columns_of(Eigen::MatrixXd& amplitudes, Index first, Index rows, Index n_copies) {
   return {amplitudes.col(first).data(), rows, n_copies};
 }

@@ -45,7 +45,7 @@ SparseMatrix bordered(const SparseMatrix& stiffness, const ContactLine& line, co
   return matrix;
 }
 
-/// Moves all violated rings to where they want to be; true if there were any.
+/// Changes the state of all rings that violate theirs; returns whether there were any.
 bool change_violated(const BorderedSolver::Solution& solution, const Eigen::VectorXd& lower,
                      const Eigen::VectorXd& upper, double radius, std::vector<BoxState>& state) {
   const double traction_slack = slack * solution.traction.lpNorm<Eigen::Infinity>();

@@ -14,7 +14,7 @@
 namespace fretval::fem {
 namespace {
 
-/// Whatever tractions it takes to move all rings by given displacements, against forces on the body.
+/// Tractions that move all rings by given displacements, against forces on the body.
 BorderedSolver::Solution moved(BorderedSolver& solver, const Eigen::VectorXd& force, const Eigen::VectorXd& rings) {
   const Eigen::VectorXd any = Eigen::VectorXd::Constant(rings.size(), infinity);
   std::vector<BoxState> held(static_cast<std::size_t>(rings.size()), BoxState::interior);

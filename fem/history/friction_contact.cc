@@ -69,7 +69,7 @@ void FrictionContact::attempt(const IndenterMove& to_balance, Attempt& made) con
   depths = problem_.series.depths_of_loads(solution.loads);
 }
 
-/// Where the rings around the centre stick and all others slip one way, those slip whose depths would go beyond their
+/// Where the rings around the centre stick and all others slip one way, the rings slip whose depths would exceed their
 /// limit if all rings stuck: at the edge of the stick zone traction and slip have the signs of what is left of the
 /// limit. In other states that is only about right, and rings at their very limit are what they were in the last step.
 void FrictionContact::foresee_slip(Attempt& made) const {
@@ -94,7 +94,8 @@ double FrictionContact::force_of(const Attempt& made, const std::optional<Normal
   return friction_force(problem_.series, after, *touching_, limit_depths, friction_coefficient_ * normal->force).value;
 }
 
-/// First the increment of the displacement in the whole step, in which the indenter moves steadily.
+/// Returns the increment of the displacement in the whole step, in which the indenter moves steadily, and the attempt
+/// with it.
 std::pair<double, FrictionContact::Attempt> FrictionContact::attempt_under_force(
     double time, const std::optional<NormalInstant>& normal) {
   if (normal) {

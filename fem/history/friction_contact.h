@@ -111,7 +111,7 @@ class FrictionContact {
   double radius_before_ = 0;                          // of the contact
   Eigen::Index first_touching_ = 0, n_touching_ = 0;  // in the step
   Eigen::VectorXd until_touch_;                       // share of the step before these rings touch
-  // Under a prescribed force.
+  // For a prescribed force.
   std::optional<TouchingRings> touching_;
   double last_increment_ = 0;                  // of the displacement, in the last step
   double time_before_ = 0, spare_before_ = 0;  // time of the last balance, and what the force left of mu F_N then

@@ -18,8 +18,8 @@
 namespace fretval::fem {
 namespace {
 
-/// What the tangential forces of a period are read from, kept until it is known to be the last one: a reading takes as
-/// long as a step.
+/// Samples from which the tangential forces of a period are read once it is known to be the last one, as a reading
+/// takes as long as a step.
 class ForcesOfPeriod {
  public:
   ForcesOfPeriod(const FrictionContact& contact, const TouchingRings& touching, int n_steps)
@@ -118,7 +118,7 @@ void FrictionPeriod::see(const FrictionContact& contact) {
   pass(contact);
 }
 
-/// No floor under it, see FirstSlip.
+/// Smallest slip reserve of the period in a direction, without a floor (see FirstSlip).
 Eigen::VectorXd FrictionPeriod::smallest_reserve(double direction) const {
   RunningMinimum smallest(slip_.size(), -infinity);
   const auto add = [&](const auto& limit_depths, const auto& depths, const auto& pieces, Eigen::Index n) {
@@ -227,7 +227,7 @@ bool any_is_about_to_stick(const Eigen::VectorXd& before, const Eigen::VectorXd&
 
 constexpr int most_searches = 4;
 
-/// Returns what is still to come, see PeriodicState.
+/// Moves friction to its periodic state by a search. Returns PeriodicState::to_come.
 double go_to_periodic_state(WatchedFriction& friction, const NormalHistory& normal, double periodicity,
                             FrictionHistory& history) {
   auto found =

@@ -12,7 +12,8 @@ void step_under(FrictionContact& contact, const NormalHistory& normal) {
   contact.step(normal.pressure_on_friction().col(column), normal.instant(column));
 }
 
-/// Returns whether there are any rings to put back. Without one that has not slipped there is no memory to give them.
+/// Puts back the rings that have never slipped. Returns whether there were any; without a ring that has not slipped in
+/// the search there is no memory to give them.
 bool put_back_unslipped(const RingState& before, const Eigen::VectorXd& slip_path, RingState& found) {
   Eigen::Index like = -1;
   std::vector<Eigen::Index> moved;

@@ -31,7 +31,7 @@ void find_friction_pressure(const PunchSeries& normal, const PunchSeries& tangen
 
 namespace {
 
-/// Records a cycle, over the one before.
+/// Records a cycle, in the place of the one before.
 class CycleRecord {
  public:
   CycleRecord(const NormalContact& contact, NormalHistory& history)

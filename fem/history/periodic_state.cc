@@ -43,7 +43,7 @@ class Perturbations {
     }
   }
 
-  /// held, free: places of the rings in this step.
+  /// held, free: indices of the rings that are held and that are not in this step.
   void step(const RelaxationStep& relaxation, const Rings& held, const Rings& free, Hold hold) {
     const IndenterMove rest = steady_move(0, 1);
     const Eigen::VectorXd response = relaxation.response_without_slip(columns_, rest);

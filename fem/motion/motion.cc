@@ -15,7 +15,7 @@ int highest(const std::vector<Oscillation>& oscillations) {
   return order;
 }
 
-/// With how many equal parts of a cycle they repeat.
+/// Number of equal parts of a cycle with which oscillations repeat.
 int common_divisor(const std::vector<Oscillation>& oscillations) {
   int divisor = 0;
   for (const auto& oscillation : oscillations) divisor = std::gcd(divisor, oscillation.order);
@@ -38,7 +38,7 @@ ValueAndRate envelope(const Motion& motion, double t) {
   return {x * x * x * (10 + x * (-15 + 6 * x)), 30 * x * x * (1 - x) * (1 - x) / duration};
 }
 
-/// Lags of the tangential motion that differ.
+/// Range of the lags of the tangential motion that differ.
 double span_of_lags(const Motion& motion) {
   const int normal = common_divisor(motion.normal), tangential = common_divisor(motion.tangential);
   const bool turns_round =
@@ -52,7 +52,7 @@ ValueAndRate lag(const Motion& motion, double t) {
   return {half * (1 - std::cos(x)), half * std::sin(x) / n};
 }
 
-/// Sum of those along x, or of those across, at a time that runs at the given rate.
+/// Sum of the oscillations along x or across, at a time that runs at the given rate.
 ValueAndRate sum_of(const std::vector<Oscillation>& oscillations, const ValueAndRate& time, bool across = false) {
   ValueAndRate sum{0, 0};
   for (const auto& [amplitude, order, phase, goes_across] : oscillations) {

@@ -11,7 +11,8 @@ namespace {
 
 constexpr double roundoff_of_share = 1e-12;
 
-/// Steps of each piece at the coarsest: as many as make a cycle of nine, and one at least.
+/// Steps of a cycle at the coarsest, shared out to the pieces in proportion to their durations, with at least one in
+/// each.
 constexpr int coarsest = 9;
 
 std::vector<int> coarsest_steps(const SampledPath& path) {

@@ -104,13 +104,13 @@ SparseMatrix sum_of(const std::vector<CellStiffness>& cells, unsigned n, const D
   return sum;
 }
 
-/// `-K_ii^{-1} K_is`: what is inside a cell as its skeleton moves.
+/// `-K_ii^{-1} K_is`: values inside a cell per value of its skeleton dofs.
 Eigen::MatrixXd extension_of(const CellStiffness& cell, Eigen::Index n_skeleton) {
   const Eigen::Index n = cell.matrix.rows() - n_skeleton;
   return -cell.matrix.bottomRightCorner(n, n).partialPivLu().solve(cell.matrix.bottomLeftCorner(n, n_skeleton));
 }
 
-/// How many of its dofs are of the skeleton.
+/// Number of the dofs of a cell that belong to the skeleton.
 Eigen::Index n_skeleton_of(const CellStiffness& cell, unsigned n_skeleton_dofs) {
   return std::lower_bound(cell.dofs.begin(), cell.dofs.end(), static_cast<int>(n_skeleton_dofs)) - cell.dofs.begin();
 }

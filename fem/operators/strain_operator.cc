@@ -55,8 +55,8 @@ StrainColumn strain_of(const FourierOrder& order, unsigned component, double val
   return order.is_torsion() ? torsional_strain(value, grad, r) : axisymmetric_strain(component, value, grad, r);
 }
 
-/// What a displacement of a component counts in the direction that meets the far-field condition: the normal of the
-/// hemisphere, U = m + s, or the angle in torsion, of which a point couple satisfies `t = -(3 G / R) u` alike.
+/// Displacement by a unit of a component in the direction of the far-field condition: along the normal of the
+/// hemisphere, with U = m + s, or along the angle in torsion, where a point couple satisfies `t = -(3 G / R) u`.
 double far_direction(const FourierOrder& order, unsigned component, const dealii::Point<2>& x) {
   if (order.is_torsion()) return 1;
   return x[component == vertical_component(order) ? 1 : 0] / x.norm();

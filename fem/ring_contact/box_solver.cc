@@ -24,7 +24,7 @@ bool is_finite(const Eigen::VectorXd& v) {
   return (0 * v).sum() == 0;  // allFinite goes through it one by one
 }
 
-// Puts the bounded unknowns at their bounds, zero elsewhere; how many are interior.
+// Puts the bounded unknowns at their bounds and the others at zero; returns how many are interior.
 Index place_unknowns(const Eigen::VectorXd& lower, const Eigen::VectorXd& upper, std::vector<BoxState>& state,
                      Eigen::VectorXd& x) {
   Index n_interior = 0;

@@ -18,7 +18,7 @@ bool has_equal_rings(const Compliance& compliance) {
   return true;
 }
 
-/// What is known of discs 0..n, without the innermost ones, which are of too few rings.
+/// Rows of the middle half of the discs 0..n, without the innermost ones, which have too few rings.
 template <class Rows>
 auto middle_of(const Rows& discs) {
   const Eigen::Index n = discs.rows() - 1;
@@ -216,7 +216,8 @@ void move_out(const FurtherOut& further, Discs& discs) {
   }
 }
 
-/// Where the force of a punch is the mean of those of the discs about a ring, is h^2 F''/(8 F') beyond its middle.
+/// Sets of_rings. The radius at which the force of a punch is the mean of those of the discs on either side of a ring
+/// lies h^2 F''/(8 F') beyond the middle; a third of that shift is taken.
 void find_of_rings(Discs& discs) {
   const auto& radius = discs.radii.radius;
   const Eigen::Index n = radius.size() - 1;

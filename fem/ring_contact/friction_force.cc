@@ -12,7 +12,7 @@ using Eigen::Index;
 
 namespace {
 
-/// Rings at the end that share a label.
+/// Number of rings at the end of a range that share a label.
 Index size_of_last_zone(const std::vector<signed char>& zones) {
   return std::find_if(zones.rbegin(), zones.rend(), [&](auto z) { return z != zones.back(); }) - zones.rbegin();
 }
@@ -58,7 +58,7 @@ HeldReserve held_reserve(const PunchSeries& series, const SlipZones& zones, Eige
   return result;
 }
 
-/// Depths at the radii of the series instead of those at which their rings touched again.
+/// Depths interpolated at the radii of the series, from the radii at which the rings touched again.
 Eigen::VectorXd at_own_radii(const PunchSeries& series, const TouchingRings& touching,
                              const std::vector<signed char>& labels, const Eigen::VectorXd& depths) {
   Eigen::VectorXd moved = depths;

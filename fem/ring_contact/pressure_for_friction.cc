@@ -6,12 +6,12 @@ using Eigen::Index;
 
 namespace {
 
-/// What a ring adds to the force of a punch.
+/// Increase of the force of a punch by each ring.
 double force_of_ring(const PunchSeries& series, Index i) {
   return series.punch_force(i + 1) - series.punch_force(i);
 }
 
-/// What the sum leaves out of the depths of a pressure, in all rings before the last that is pressed.
+/// E of the depths of a pressure, in all rings before the last one that is pressed.
 Eigen::VectorXd left_out(const PunchSeries& series, const Eigen::VectorXd& pressure, Index last) {
   const auto &radii = series.radii(), &edges = series.edges();
   const Eigen::VectorXd depths = series.depths(pressure);

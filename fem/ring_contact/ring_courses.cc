@@ -6,7 +6,7 @@
 namespace fretval::fem {
 namespace {
 
-/// A way that turns once in a step.
+/// The way of a ring that turns once in a step.
 struct Turn {
   double share = 1;   ///< of the step, when it turns
   double detour = 0;  ///< then, from the straight way to its end

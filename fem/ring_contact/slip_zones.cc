@@ -3,7 +3,7 @@
 namespace fretval::fem {
 namespace {
 
-/// 1 or -1: as states count.
+/// Direction of slip by the state of a ring: 1 or -1, 0 if it sticks.
 signed char slip_of(BoxState state) {
   return static_cast<signed char>(state);
 }

@@ -65,7 +65,7 @@ StaticContact solve_with(const BoxSolver& solver, const Eigen::VectorXd& areas, 
   return contact;
 }
 
-/// The solver of rings that wear by softness times their pressure.
+/// The solver of a contact whose rings wear by softness times their pressure.
 BoxSolver softened(const ContactProblem& problem, const Eigen::VectorXd& softness,
                    const std::vector<BoxState>& likely) {
   const auto outermost = std::find(likely.rbegin(), likely.rend(), BoxState::interior);

@@ -18,7 +18,7 @@ using Eigen::Index;
 
 constexpr Index at_once = 4;  // rows, and columns: of every four, a number of x is loaded once
 
-/// products_k <- column_k . x, of rows by fours. Whatever the width of the registers, sums are the same to the last
+/// products_k <- column_k . x, rows taken by fours. Whatever the width of the registers, sums are the same to the last
 /// bit.
 template <Index width, Index n_columns>
 void dot_columns(const double* columns, Index stride, const double* x, Index n_rows, double* products) {
@@ -41,7 +41,8 @@ void dot_columns(const double* columns, Index stride, const double* x, Index n_r
   }
 }
 
-/// y <- y + sum_k factor_k column_k, likewise.
+/// y <- y + sum_k factor_k column_k, by as many rows at a time as a register holds. Whatever that is, sums are the same
+/// to the last bit.
 template <Index width, Index n_columns>
 void add_columns(const double* columns, Index stride, const double (&factors)[n_columns], Index n_rows, double* y) {
   using Register [[gnu::vector_size(width * sizeof(double))]] = double;

@@ -12,7 +12,7 @@ constexpr double first_jump = 0.05;   // share of the largest
 constexpr double largest_growth = 3;  // of one jump over the last one
 constexpr double too_much = 2;        // of the largest jump
 
-/// Radius of the disc of the area that so many rings of each ray have.
+/// Radius of the disc whose area is that of the given numbers of rings on the rays.
 double radius_of(const std::vector<double>& radii, const std::vector<Eigen::Index>& n_rings) {
   double squares = 0;
   for (const auto n : n_rings) squares += radii[static_cast<std::size_t>(n)] * radii[static_cast<std::size_t>(n)];
@@ -103,7 +103,7 @@ void begin(WearState& state, const WearControl& control) {
   state.goes_on = state.course.curve.front().volume_rate > 0;
 }
 
-/// What would end the course now; nothing left: nothing yet, unless nothing wears any more.
+/// Why the course would end now; nothing_left: it goes on, unless nothing wears any more.
 WearEnd end_by_course(const WearCourse& course, const WearControl& control) {
   if (course.curve.back().volume_rate <= control.rate_fallen_to * course.curve.front().volume_rate)
     return WearEnd::rate;

@@ -35,8 +35,8 @@ char WearingContact::Period::zone(Eigen::Index point, Eigen::Index step) const {
   return way == 0 ? 's' : way > 0 ? 'f' : 'b';
 }
 
-/// Length of slip that belongs to the pressure of each step: slip is that of whole steps, whose middle lies between two
-/// balance times.
+/// Length of slip that belongs to the pressure of each step: slips are made in whole steps, whose middle lies between
+/// two balance times.
 Eigen::MatrixXd WearingContact::slip_at_balances() const {
   const double later = contact_->fraction() - 0.5;
   const auto n_steps = period_.slip.cols();

@@ -8,7 +8,7 @@ using Eigen::Index;
 
 namespace {
 
-/// Unit displacement of some of the rings, which the others follow freely: tractions of these, displacements of all.
+/// Unit displacement of some rings, while the others are free: tractions of the former, displacements of all.
 struct Punch {
   Eigen::VectorXd traction, displacement;
 };
@@ -33,7 +33,7 @@ struct End {
   int outwards;  // 1 or -1
 };
 
-/// Where a zone ends when a ring just comes to it.
+/// Radius of the end of a zone when a ring just comes to it.
 double radius_at_event(const ContactProblem& problem, Index ring, int outwards) {
   const auto& radii = problem.compliance.radii;
   const auto i = static_cast<std::size_t>(ring);

@@ -11,8 +11,7 @@ namespace {
 
 using Prescribed = ValueAndRate (*)(const Motion&, double);
 
-/// What is prescribed moves by so much around each of n instants of a period, begin, begin + dt, ...: y.dot(moves) is
-/// `oint y dx`.
+/// Moves of a prescribed x around each of n instants of a period, begin, begin + dt, ...: y.dot(moves) is `oint y dx`.
 Eigen::VectorXd moves(const Motion& motion, Prescribed prescribed, double begin, Eigen::Index n) {
   const double dt = 2 * pi * motion.cycles_per_period() / static_cast<double>(n);
   Eigen::VectorXd moves(n);
@@ -20,7 +19,7 @@ Eigen::VectorXd moves(const Motion& motion, Prescribed prescribed, double begin,
   return moves;
 }
 
-/// Moves in the steps of a path, of what is prescribed.
+/// Moves of a prescribed value in the steps of a path.
 Eigen::VectorXd moves_along(const std::vector<double>& values, const SampledPath& path,
                             const std::vector<StepInPiece>& pieces) {
   Eigen::VectorXd moves(static_cast<Eigen::Index>(pieces.size()));
@@ -65,7 +64,7 @@ double path_to_and_fro(const Motion& motion, double amplitude) {
   return tangential_path(motion) / motion.tangential_amplitude() * amplitude;
 }
 
-/// Length of the tangential path of the indenter along a path, from samples where a force is prescribed.
+/// Length of the tangential path of the indenter along a prescribed path; from samples where a force is prescribed.
 double way_along(const Motion& motion, const FrictionHistory& friction) {
   if (!motion.tangential_force) return tangential_path(motion);
   const auto& u = friction.indenter;

@@ -33,7 +33,8 @@ std::vector<double> periodic_response(const RelaxationModel& relaxation, Motion 
       step.advance(state, indenter_move(position, begin, begin + dt), Eigen::VectorXd::Zero(1));
     }
   };
-  // A period adds the same to a memory whatever it was, and the periodic one decays by just that.
+  // A period adds the same to a memory whatever it was at its start; the periodic memory decays by just that in a
+  // period.
   go_through_period();
   for (Index i = 0; i < n_branches; ++i)
     state.memory(0, i) /= -std::expm1(-n_steps * dt / relaxation.times[static_cast<std::size_t>(i)]);
@@ -54,7 +55,7 @@ std::vector<double> response_to_force(const PunchSeries& series, Motion motion, 
   return response;
 }
 
-/// Where a concave f falls to zero, from two points beyond: secants come down to it.
+/// Zero of a concave function that falls, by secants from two points beyond it, which approach it from there.
 template <class Function>
 double fallen_to_zero(const Function& f, double x, double next) {
   constexpr int most_iterations = 50;
